@@ -1,0 +1,24 @@
+#pragma once
+/// A text file in memory: read within limits, known to be text, parsed as TOML.
+#include <string>
+
+#include "app/toml.hpp"
+
+namespace shellback::app {
+
+/// Text of the file. Throws FileError if it cannot be read (exit 4) and InputError if it is
+/// larger than 10 MB, empty, or not UTF-8 text.
+[[nodiscard]] std::string read_text_file(const std::string& path);
+
+/// Throws InputError unless `text` is non-empty UTF-8 without control bytes and no larger than
+/// 10 MB; `name` is the file named in the message.
+void expect_text(const std::string& text, const std::string& name);
+
+/// The table that `text` writes. Positions in it carry `name`. Throws InputError at the place
+/// of the first syntax error.
+[[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& name);
+
+/// "file:line:column" of a node or key; without the numbers if it stands on the command line.
+[[nodiscard]] std::string place_of(const toml::source_region& region);
+
+}  // namespace shellback::app

@@ -1,0 +1,89 @@
+#include "app/check.hpp"
+
+#include <fmt/format.h>
+#include <ostream>
+
+#include "app/derived.hpp"
+#include "app/judge_case.hpp"
+#include "app/units.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app {
+namespace {
+
+using namespace coupling;
+
+void line(std::ostream& out, const char* name, const std::string& value,
+          const std::string& note = "") {
+  out << fmt::format("  {:<28} {:>14}{}{}\n", name, value, note.empty() ? "" : "   ", note);
+}
+
+void print_operation(std::ostream& out, const Case& subject, const Derived& d) {
+  const std::string estimate = d.load_given ? "" : "estimate";
+  out << "\nDerived\n";
+  line(out, "surface speed", fmt::format("{:.4g} m/s", d.speed));
+  line(out, "clearance over radius", fmt::format("{:.4g}", d.clearance_ratio));
+  line(out, "width over diameter",
+       fmt::format("{:.4g}", 0.5 * subject.bearing.width / subject.bearing.radius));
+  line(out, "specific load", show(d.specific_load, "MPa", kPressure), estimate);
+  line(out, "film temperature", show(d.T, "degC", kTemperature), d.T_source);
+  line(out, "viscosity there", show(d.eta, "mPa s", kViscosity));
+  line(out, "Sommerfeld number So", fmt::format("{:.4g}", d.so),
+       fmt::format("p psi^2/(eta omega); S = {:.4g}", 1.0 / (2.0 * kPi * d.so)));
+  line(out, "Reynolds number", fmt::format("{:.4g}", d.reynolds),
+       fmt::format("laminar below 41.2 sqrt(R/c) = {:.4g}", d.reynolds_limit));
+}
+
+void print_expected(std::ostream& out, const Derived& d) {
+  out << "\nExpected (closed formulas; rigid, one temperature)\n";
+  line(out, "friction torque", show(d.petroff_torque, "N m", kTorque),
+       "Petroff: concentric journal; eccentric ones take more");
+  line(out, "friction power", show(d.petroff_power, "W", kPower), "Petroff");
+  line(out, "heating per pass", show(d.heat_per_pass, "K", kTemperatureDifference),
+       "if all heat stays in the oil");
+  line(out, "eccentricity ratio", fmt::format("{:.3g}", d.eccentricity_ratio),
+       d.load_given ? "estimate" : "given");
+  line(out, "smallest film", show(d.h_min, "um", kLength),
+       d.load_given ? "estimate" : "given, without deformation");
+  line(out, "peak pressure", show(d.p_max, "MPa", kPressure), "estimate");
+  if (d.lambda) {
+    line(out, "film over roughness", fmt::format("{:.3g}", *d.lambda),
+         *d.lambda < 4.0 ? "mixed friction is likely" : "full film");
+  }
+}
+
+void print_indicators(std::ostream& out, const Derived& d) {
+  out << "\nEffects (orders of magnitude)\n";
+  for (const Indicator& i : d.indicators) {
+    const char* mark = i.weight == Weight::important ? "!!" : i.weight == Weight::between ? "! " : "  ";
+    out << fmt::format("{} {:<30} {:>9.2g}   {} [{}]\n", mark, i.effect, i.value, i.advice,
+                       i.formula);
+  }
+}
+
+void print_list(std::ostream& out, const char* title, const std::vector<std::string>& list) {
+  out << "\n" << title << (list.empty() ? ": none\n" : "\n");
+  for (const std::string& entry : list) out << "  - " << entry << "\n";
+}
+
+std::string tier_names(const std::vector<Tier>& tiers) {
+  std::string names;
+  for (const Tier tier : tiers) names += (names.empty() ? "" : ", ") + std::string(to_string(tier));
+  return names;
+}
+
+}  // namespace
+
+void print_check(std::ostream& out, const Case& subject) {
+  const Derived d = derive(subject);
+  out << (subject.title.empty() ? subject.path : subject.title) << "\n";
+  out << fmt::format("  {}: the case can be solved; tier {}, data for {}\n", subject.path,
+                     to_string(subject.model.tier), tier_names(possible_tiers(subject)));
+  print_operation(out, subject, d);
+  print_expected(out, d);
+  print_indicators(out, d);
+  print_list(out, "Warnings", subject.warnings);
+  print_list(out, "Assumptions", subject.assumptions);
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,46 @@
+#pragma once
+/// The command line: words in, exit code out.
+#include <string>
+#include <vector>
+
+namespace shellback::app {
+
+/// How the program ends.
+enum ExitCode : int {
+  kDone = 0,          ///< done and converged
+  kBadInput = 2,      ///< the case or the command line is wrong
+  kNotConverged = 3,  ///< or no steady state exists
+  kBadFile = 4,       ///< a file could not be read or written
+  kInterrupted = 130,
+};
+
+enum class Command { none, init, check, run, compare };
+
+/// What was asked for.
+struct Request {
+  Command command = Command::none;
+  std::string name;                ///< init: shipped case
+  std::string case_file;
+  std::string tier;                ///< --tier
+  std::vector<std::string> tiers;  ///< --tiers
+  std::vector<std::string> set;    ///< --set, each KEY=VALUE
+  std::string json;                ///< --json: file, "-" for standard output
+  std::string output;              ///< -o
+  std::string picture;             ///< --picture
+  int threads = 1;                 ///< -j
+};
+
+/// A finished reading of the command line: either a request or words to print and a code.
+struct Reading {
+  Request request;
+  std::string words;  ///< help, version or what is wrong; printed instead of working
+  int code = kDone;
+};
+
+/// Reads the words after the program's name. Never throws.
+[[nodiscard]] Reading read_command_line(const std::vector<std::string>& words);
+
+/// Does all: reads the words, works, prints, and gives the exit code. Never throws.
+[[nodiscard]] int run_program(const std::vector<std::string>& words);
+
+}  // namespace shellback::app

@@ -1,0 +1,132 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "app/cli.hpp"
+#include "app/did_you_mean.hpp"
+
+namespace shellback::app {
+namespace {
+
+const std::vector<std::string> kCommands{"init", "check", "run", "compare"};
+constexpr int kMostThreads = 1024;
+
+void add_case_options(CLI::App& command, Request& request) {
+  command.add_option("CASE", request.case_file, "case file (TOML)")->required();
+  command
+      .add_option("--set", request.set,
+                  "change the case: --set operation.speed=\"1500 rpm\"; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_solve_options(CLI::App& command, Request& request) {
+  add_case_options(command, request);
+  command
+      .add_option("--json", request.json,
+                  "also write the result as JSON; - is standard output, without the table")
+      ->type_name("FILE");
+  command.add_option("-j", request.threads, "threads that may be used")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+void add_commands(CLI::App& app, Request& request) {
+  auto* init = app.add_subcommand("init", "list the shipped cases, or write one to start from");
+  init->add_option("NAME", request.name, "shipped case; without it they are listed");
+  init->add_option("-o", request.output, "file to write (default: NAME.toml)")
+      ->type_name("FILE.toml");
+
+  auto* check = app.add_subcommand("check", "read and judge a case without solving it");
+  add_case_options(*check, request);
+  check->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+
+  auto* run = app.add_subcommand("run", "solve a case");
+  add_solve_options(*run, request);
+  run->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+  run->add_option("-o", request.output, "write all fields (HDF5)")->type_name("FILE.h5");
+
+  auto* compare = app.add_subcommand("compare", "solve a case in several tiers, side by side");
+  add_solve_options(*compare, request);
+  compare->add_option("--tiers", request.tiers, "tiers to compare (default: all the case allows)")
+      ->type_name("A,B,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  compare->add_option("-o", request.output, "write the comparison as a page (HTML)")
+      ->type_name("FILE.html");
+  compare->add_option("--picture", request.picture, "write the main picture (SVG)")
+      ->type_name("FILE.svg");
+}
+
+Command command_of(const CLI::App& app) {
+  if (app.got_subcommand("init")) return Command::init;
+  if (app.got_subcommand("check")) return Command::check;
+  if (app.got_subcommand("run")) return Command::run;
+  if (app.got_subcommand("compare")) return Command::compare;
+  return Command::none;
+}
+
+/// The long and short names of a command's options.
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+/// What is wrong with the words, in ours.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const auto rest = app.remaining(true);
+  if (!rest.empty()) {
+    const std::string word = rest.front().substr(0, rest.front().find('='));
+    const bool option = word.starts_with("-");
+    return (option ? "there is no option " : "there is one word too many: ") + in_quotes(word) +
+           (option ? choices_for(word, option_names(command), "options here") : "");
+  }
+  if (command.get_name() != "init" && !chosen.empty() &&
+      dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    return "the case file is missing: shellback " + command.get_name() + " CASE.toml";
+  }
+  return error.what();
+}
+
+/// A first word that is no command, unless it is an option.
+std::string unknown_command(const std::vector<std::string>& words) {
+  if (words.empty() || words.front().starts_with("-")) return "";
+  const auto known = std::find(kCommands.begin(), kCommands.end(), words.front());
+  if (known != kCommands.end()) return "";
+  return "there is no command " + in_quotes(words.front()) +
+         choices_for(words.front(), kCommands, "commands are");
+}
+
+}  // namespace
+
+Reading read_command_line(const std::vector<std::string>& words) {
+  Reading reading;
+  CLI::App app{"Friction, film and temperature of oil-lubricated journal bearings", "shellback"};
+  app.set_version_flag("--version", std::string("shellback ") + SHELLBACK_VERSION);
+  app.require_subcommand(0, 1);
+  add_commands(app, reading.request);
+  const std::string more = "\n\"shellback --help\" tells more.\n";
+  if (const std::string unknown = unknown_command(words); !unknown.empty()) {
+    return {{}, "shellback: " + unknown + more, kBadInput};
+  }
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    return {{}, chosen.empty() ? app.help() : chosen.front()->help(), kDone};
+  } catch (const CLI::CallForVersion& version) {
+    return {{}, std::string(version.what()) + "\n", kDone};
+  } catch (const CLI::ParseError& error) {
+    return {{}, "shellback: " + complaint(app, error) + more, kBadInput};
+  }
+  reading.request.command = command_of(app);
+  if (reading.request.command == Command::none) return {{}, app.help(), kBadInput};
+  return reading;
+}
+
+}  // namespace shellback::app

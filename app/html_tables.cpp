@@ -1,0 +1,212 @@
+#include "app/html_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/provenance.hpp"
+#include "app/quantity_label.hpp"
+#include "app/svg.hpp"
+
+namespace shellback::app {
+namespace {
+
+using coupling::Comparison;
+using coupling::Result;
+
+std::string audit_figure(double value) {
+  return std::isfinite(value) ? fmt::format("{:.1e}", value) : "–";
+}
+
+std::string column_heads(const Comparison& comparison) {
+  const auto names = column_names(comparison.results);
+  std::string html;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const bool good = comparison.results[k].verdict.good();
+    html += fmt::format("<th{}>{}{}</th>", good ? "" : " class=\"bad\"", escape_markup(names[k]),
+                        good ? "" : " (not converged)");
+  }
+  return html;
+}
+
+std::string list_html(const char* heading, const std::vector<std::string>& lines) {
+  if (lines.empty()) return "";
+  std::string html = fmt::format("<div><h2>{}</h2><ul>", heading);
+  for (const auto& line : lines) html += "<li>" + escape_markup(line) + "</li>";
+  return html + "</ul></div>\n";
+}
+
+void add_once(std::vector<std::string>& all, const std::string& line) {
+  if (std::find(all.begin(), all.end(), line) == all.end()) all.push_back(line);
+}
+
+std::string split_sentences(const Comparison& comparison) {
+  const auto& split = comparison.split;
+  if (split.steps.empty()) return "";
+  const double percent = 100.0 * (split.from - split.to) / std::abs(split.to);
+  const auto largest = std::max_element(
+      split.steps.begin(), split.steps.end(),
+      [](const auto& a, const auto& b) { return std::abs(a.change) < std::abs(b.change); });
+  std::string html = fmt::format(
+      "<p>Isothermal at the equivalent temperature: <b>{} N·m</b>; full model: <b>{} N·m</b>. "
+      "The isothermal prediction is <b>{:.1f} % {}</b>.</p>",
+      figures(split.from), figures(split.to), std::abs(percent),
+      percent >= 0.0 ? "higher" : "lower");
+  html +=
+      fmt::format("<p>Largest cause of the difference: {} ({} N·m).", escape_markup(largest->name),
+                  typeset_number(fmt::format("{:+.3g}", largest->change)));
+  if (std::isfinite(comparison.T_calibrated)) {
+    html += fmt::format(" The two would agree at an equivalent temperature of {} °C (calibrated).",
+                        figures(display_unit("T_equivalent", "K")(comparison.T_calibrated)));
+  }
+  return html + "</p>";
+}
+
+std::string measured_sentence(const coupling::Case& c, const Comparison& comparison) {
+  if (!c.measured.friction_torque) return "";
+  std::string html = fmt::format("<p>Measured friction torque: <b>{} N·m</b>",
+                                 figures(*c.measured.friction_torque));
+  const auto names = column_names(comparison.results);
+  for (const auto& row : quantity_rows(c.measured, comparison.results)) {
+    if (row.name != "friction_torque" || !row.measured) continue;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (!row.values[k]) continue;
+      html += fmt::format("; {}{} {}", escape_markup(names[k]),
+                          comparison.results[k].verdict.good() ? "" : " (not converged)",
+                          typeset_number(difference(row.unit, *row.values[k], *row.measured)));
+    }
+  }
+  return html + ".</p>";
+}
+
+}  // namespace
+
+std::string failures_html(const Comparison& comparison) {
+  const auto names = column_names(comparison.results);
+  std::string html;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const Result& result = comparison.results[k];
+    const Verdict& v = result.verdict;
+    if (v.good()) continue;
+    html += fmt::format("<section class=\"failed\"><strong>{}: {}</strong><dl>",
+                        escape_markup(names[k]), status_line(result));
+    for (const auto& [term, words] :
+         {std::pair{"reason", v.reason}, std::pair{"place", v.place}, std::pair{"cure", v.cure}}) {
+      if (words.empty()) continue;
+      html += fmt::format("<dt>{}</dt><dd>{}</dd>", term, escape_markup(words));
+    }
+    html += "</dl>Its numbers and fields are those of the last iterate, not a result.</section>\n";
+  }
+  return html;
+}
+
+std::string verdict_html(const coupling::Case& c, const Comparison& comparison) {
+  const std::string sentences = split_sentences(comparison) + measured_sentence(c, comparison);
+  const auto good = [](const Result& r) { return r.verdict.good(); };
+  const bool all = std::all_of(comparison.results.begin(), comparison.results.end(), good);
+  const auto count = comparison.results.size();
+  const std::string state =
+      !all ? "<p>Not every result converged; see above.</p>"
+           : fmt::format("<p>{} converged.</p>",
+                         count == 1 ? "The result" : fmt::format("All {} results", count));
+  return "<section class=\"verdict\">" + sentences + state + "</section>\n";
+}
+
+std::string quantities_html(const coupling::Case& c, const Comparison& comparison) {
+  const auto rows = quantity_rows(c.measured, comparison.results);
+  const bool with_measured =
+      std::any_of(rows.begin(), rows.end(), [](const auto& r) { return r.measured.has_value(); });
+  std::string html = "<div class=\"scroll\"><table><thead><tr><th>quantity</th>" +
+                     column_heads(comparison) + "<th class=\"unit\">unit</th>" +
+                     (with_measured ? "<th>measured</th>" : "") + "</tr></thead><tbody>\n";
+  for (const auto& row : rows) {
+    html += fmt::format("<tr data-quantity=\"{}\"><td>{}</td>", escape_markup(row.name),
+                        escape_markup(row.label));
+    for (const auto& value : row.values) {
+      html += "<td>" + (value ? typeset_number(figures(*value)) : "");
+      if (value && row.measured) {
+        html +=
+            "<small>" + typeset_number(difference(row.unit, *value, *row.measured)) + "</small>";
+      }
+      html += "</td>";
+    }
+    html += "<td class=\"unit\">" + escape_markup(typeset_unit(row.unit.unit)) + "</td>";
+    if (with_measured) {
+      html += "<td class=\"measured\">" + (row.measured ? figures(*row.measured) : "") + "</td>";
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string audit_html(const Comparison& comparison) {
+  const auto names = column_names(comparison.results);
+  std::string html =
+      "<div class=\"scroll\"><table><thead><tr><th>result</th><th>status</th><th>mass</th>"
+      "<th>energy</th><th>load</th><th>moment</th><th>grid</th><th>outer iterations</th>"
+      "<th>Newton</th><th>factorizations</th><th>time [s]</th></tr></thead><tbody>\n";
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const Result& r = comparison.results[k];
+    html += fmt::format(
+        "<tr><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} × {}</td>"
+        "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+        escape_markup(names[k]), r.verdict.good() ? "" : " class=\"bad\"", status_line(r),
+        audit_figure(r.audit.mass), audit_figure(r.audit.energy), audit_figure(r.audit.load),
+        audit_figure(r.audit.moment), r.grid[0], r.grid[1], r.cost.outer_iterations,
+        r.cost.newton_iterations, r.cost.factorizations, figures(r.cost.wall_s, 3));
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string effects_html(const Comparison& comparison) {
+  if (comparison.results.empty() || comparison.results.back().effects.empty()) return "";
+  std::string html =
+      "<div class=\"scroll\"><table><thead><tr><th>effect</th><th>included</th><th>indicator</th>"
+      "<th class=\"unit\">meaning</th></tr></thead><tbody>\n";
+  for (const auto& e : comparison.results.back().effects) {
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n",
+                        escape_markup(e.name), e.included ? "yes" : "no", figures(e.indicator, 3),
+                        escape_markup(e.meaning));
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string notes_html(const Comparison& comparison) {
+  const auto names = column_names(comparison.results);
+  std::vector<std::string> warnings;
+  std::vector<std::string> limiters;
+  std::vector<std::string> assumptions;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const Result& r = comparison.results[k];
+    for (const auto& line : r.warnings) add_once(warnings, line);
+    for (const auto& line : r.assumptions) add_once(assumptions, line);
+    for (const auto& l : r.limiters) {
+      limiters.push_back(fmt::format("{}: {}, {} times", names[k], l.what, l.count));
+    }
+  }
+  const std::string lists = list_html("Warnings", warnings) +
+                            list_html("Limiters that acted", limiters) +
+                            list_html("Assumptions", assumptions);
+  return lists.empty() ? "" : "<div class=\"columns\">\n" + lists + "</div>\n";
+}
+
+std::string provenance_html(const coupling::Case& c) {
+  const Provenance p = provenance(c);
+  std::string html =
+      fmt::format("<p>Shellback {} ({}). Input {}, FNV-1a {}.<br>", escape_markup(p.version),
+                  escape_markup(p.git),
+                  p.input.empty() ? "not from a file" : escape_markup(p.input), p.fingerprint);
+  for (const auto& [name, version] : p.libraries) {
+    html += escape_markup(name + " " + version) + (name == p.libraries.back().first ? "" : " · ");
+  }
+  html += "</p>\n";
+  if (!c.verbatim.empty()) {
+    html += "<details><summary>The case as read</summary><pre>" + escape_markup(c.verbatim) +
+            "</pre></details>\n";
+  }
+  return html;
+}
+
+}  // namespace shellback::app

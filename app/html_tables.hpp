@@ -1,0 +1,35 @@
+#pragma once
+/// The parts of a comparison page that are text: verdict, tables, lists. Each function returns
+/// HTML with all outside text escaped; an empty string if there is nothing to say.
+#include <string>
+
+#include "coupling/result.hpp"
+
+namespace shellback::app {
+
+/// One loud box per result that did not converge: status, reason, place, cure.
+[[nodiscard]] std::string failures_html(const coupling::Comparison& comparison);
+
+/// The comparison in two or three sentences: isothermal against full, the largest cause,
+/// against the measured torque, the calibrated equivalent temperature.
+[[nodiscard]] std::string verdict_html(const coupling::Case& c,
+                                       const coupling::Comparison& comparison);
+
+/// Quantities, one column a result, then the unit and, if any, the measured values with each
+/// result's difference.
+[[nodiscard]] std::string quantities_html(const coupling::Case& c,
+                                          const coupling::Comparison& comparison);
+
+/// Relative imbalances, iterations, time.
+[[nodiscard]] std::string audit_html(const coupling::Comparison& comparison);
+
+/// Effects of the richest result.
+[[nodiscard]] std::string effects_html(const coupling::Comparison& comparison);
+
+/// Assumptions, warnings and limiters that acted, each line once.
+[[nodiscard]] std::string notes_html(const coupling::Comparison& comparison);
+
+/// Program, source state, input, libraries and the verbatim case.
+[[nodiscard]] std::string provenance_html(const coupling::Case& c);
+
+}  // namespace shellback::app

@@ -1,0 +1,132 @@
+#include "app/indicators.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rheology/shear.hpp"
+#include "rheology/viscosity.hpp"
+
+namespace shellback::app {
+namespace {
+
+using namespace coupling;
+
+/// Limits between the three weights; `small` above `large`: small numbers matter.
+struct Limits {
+  double negligible;
+  double important;
+};
+
+Weight weigh(double value, const Limits& limits) {
+  const bool rising = limits.negligible < limits.important;
+  if (rising ? value < limits.negligible : value > limits.negligible) return Weight::negligible;
+  if (rising ? value > limits.important : value < limits.important) return Weight::important;
+  return Weight::between;
+}
+
+struct Advice {
+  const char* negligible;
+  const char* between;
+  const char* important;
+};
+
+Indicator make(const char* effect, const char* formula, double value, const Limits& limits,
+               const Advice& advice) {
+  const Weight weight = weigh(value, limits);
+  const char* words = weight == Weight::negligible ? advice.negligible
+                      : weight == Weight::between  ? advice.between
+                                                   : advice.important;
+  return {effect, formula, value, weight, words};
+}
+
+void add_thermal(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
+  const double c = subject.bearing.radial_clearance;
+  list.push_back(make("heating of the film", "beta dT", d.beta * d.heat_per_pass, {0.02, 0.3},
+                      {"isothermal is enough", "an effective temperature will do",
+                       "take the tier thd or tehd"}));
+  list.push_back(make("temperature across the film", "Nahme: beta eta U^2/k",
+                      d.beta * d.eta * d.speed * d.speed / d.k, {0.05, 0.2},
+                      {"uniform across the film", "shows across the film",
+                       "must be resolved across the film (thd, tehd)"}));
+  const double peclet =
+      d.rho * d.cp * d.speed * c * c / (d.k * subject.bearing.radius);
+  list.push_back(make("convection against conduction", "rho cp U c^2/(k R)", peclet, {0.2, 50.0},
+                      {"the walls rule the film's temperature",
+                       "flow and walls both rule the film's temperature",
+                       "the flow rules; the film's core is nearly adiabatic"}));
+}
+
+/// Radial widening of the bore per unit of uniform pressure [m/Pa]: plane-strain ring of radii
+/// a, b, outer surface held (textbook); the layers' first material without a housing.
+double bore_compliance(const Case& subject) {
+  const Shell& shell = *subject.shell;
+  const double a = subject.bearing.radius;
+  double b = a;
+  for (const ShellLayer& layer : shell.layers) b += layer.thickness;
+  const solid::Material& m = shell.housing ? shell.housing->material : shell.layers[0].material;
+  if (shell.housing) b = shell.housing->outer_radius;
+  const double nu = m.poisson_ratio;
+  return (1.0 + nu) * (b * b - a * a) /
+         (a * m.youngs_modulus * (1.0 / (1.0 - 2.0 * nu) + b * b / (a * a)));
+}
+
+void add_solid(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
+  if (!subject.shell) return;
+  list.push_back(make("elastic deformation", "C p_max/h_min, C of a held ring",
+                      bore_compliance(subject) * d.p_max / d.h_min, {0.03, 0.1},
+                      {"rigid surfaces will do", "elastic deformation shows",
+                       "take the tier tehd, or switch elastic_deformation on"}));
+  const Shell& shell = *subject.shell;
+  const double alpha =
+      shell.housing ? shell.housing->material.expansion : shell.layers[0].material.expansion;
+  const double growth =
+      alpha * d.heat_per_pass * subject.bearing.radius / subject.bearing.radial_clearance;
+  list.push_back(make("thermal deformation", "alpha dT R/c", growth, {0.02, 0.05},
+                      {"the clearance stays", "the clearance changes a little",
+                       "the clearance changes: take the tier tehd"}));
+}
+
+void add_oil(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
+  const double alpha = rheology::pressure_slope(subject.oil, d.T, 0.0);
+  if (alpha > 0.0) {
+    list.push_back(make("viscosity and pressure", "alpha p_max", alpha * d.p_max, {0.05, 0.1},
+                        {"pressure dependence is negligible", "pressure dependence shows",
+                         "pressure dependence matters"}));
+  }
+  if (!std::holds_alternative<rheology::NoShearThinning>(subject.oil.shear)) {
+    const double rate = d.speed / d.h_min;
+    const double loss = 1.0 - rheology::shear_factor(subject.oil.shear, rate).value;
+    list.push_back(make("shear thinning", "viscosity lost at U/h_min", loss, {0.02, 0.05},
+                        {"Newtonian", "shear thinning shows", "shear thinning matters"}));
+  }
+}
+
+void add_flow(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
+  const double c = subject.bearing.radial_clearance;
+  if (d.lambda) {
+    list.push_back(make("roughness and contact", "h_min/sigma", *d.lambda, {6.0, 4.0},
+                        {"full film", "surfaces come near", "mixed friction is likely: flow "
+                                                            "factors and contact matter"}));
+  }
+  const double inertia = d.rho * std::abs(subject.operation.omega) * c * c / d.eta;
+  list.push_back(make("inertia of the oil", "rho omega c^2/eta", inertia, {0.3, 1.0},
+                      {"negligible", "shows, and is not modelled",
+                       "matters, and is not modelled"}));
+  list.push_back(make("turbulence", "Re/(41.2 sqrt(R/c))", d.reynolds / d.reynolds_limit,
+                      {0.5, 1.0},
+                      {"laminar", "laminar, near the limit",
+                       "vortices or turbulence, which are not modelled"}));
+}
+
+}  // namespace
+
+std::vector<Indicator> indicators(const Case& subject, const Derived& derived) {
+  std::vector<Indicator> list;
+  add_thermal(subject, derived, list);
+  add_solid(subject, derived, list);
+  add_oil(subject, derived, list);
+  add_flow(subject, derived, list);
+  return list;
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,10 @@
+/// shellback: thermo-elasto-hydrodynamic lubrication of journal bearings.
+#include <string>
+#include <vector>
+
+#include "app/cli.hpp"
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+  return shellback::app::run_program(words);
+}

@@ -1,0 +1,56 @@
+#include "app/progress.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace shellback::app {
+namespace {
+
+constexpr double kQuietTime = 1.0;  ///< shorter solves need no comfort [s]
+constexpr double kInterval = 0.1;   ///< between two lines [s]
+constexpr const char* kWipe = "\r\x1b[K";  ///< back to the line's begin, clear it
+
+// A signal handler can reach nothing else than a lock-free global.
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void on_interrupt(int signal) {
+  interrupted.store(true);
+  std::signal(signal, SIG_DFL);
+}
+
+double now_s() {
+  const auto since = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(since).count();
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine()
+    : terminal_(isatty(STDERR_FILENO) == 1), begin_s_(now_s()), last_s_(begin_s_) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) std::fputs(kWipe, stderr);
+}
+
+void ProgressLine::show(const coupling::Progress& progress) {
+  if (!terminal_) return;
+  const double now = now_s();
+  if (now - begin_s_ < kQuietTime || now - last_s_ < kInterval) return;
+  fmt::print(stderr, "{}{} step {}: change {:.1e}, friction {:.4g} N m, smallest film {:.3g} um",
+             kWipe, progress.stage, progress.step, progress.residual, progress.friction_torque,
+             1e6 * progress.h_min);
+  std::fflush(stderr);
+  shown_ = true;
+  last_s_ = now;
+}
+
+const std::atomic<bool>& catch_interrupt() {
+  std::signal(SIGINT, on_interrupt);
+  return interrupted;
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,190 @@
+#include "app/quantity_label.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/constants.hpp"
+
+namespace shellback::app {
+namespace {
+
+constexpr double kPerMicro = 1e6;         ///< um per m
+constexpr double kLitreMinutes = 6e4;     ///< l/min per m3/s
+constexpr double kDegrees = 180.0 / kPi;  ///< deg per rad
+constexpr double kThousandfold = 1000.0;  ///< from here on kW and kN are used
+constexpr double kMegapascal = 1e-6;      ///< MPa per Pa
+
+using Pair = std::pair<const char*, const char*>;
+
+constexpr std::array kLabels{
+    Pair{"friction_torque", "friction torque"},
+    Pair{"friction_torque_asperity", "  of it from asperities"},
+    Pair{"power_loss", "power loss"},
+    Pair{"eccentricity_ratio", "eccentricity ratio"},
+    Pair{"attitude_angle", "attitude angle"},
+    Pair{"h_min", "smallest film, h_min"},
+    Pair{"h_min_mid", "smallest film at mid-width"},
+    Pair{"p_max", "largest film pressure, p_max"},
+    Pair{"p_asperity_max", "largest contact pressure"},
+    Pair{"asperity_load_share", "load share of asperities"},
+    Pair{"load_x", "film force on journal, X"},
+    Pair{"load_y", "film force on journal, Y"},
+    Pair{"side_flow", "side flow"},
+    Pair{"supply_flow", "supply flow"},
+    Pair{"T_film_max", "film temperature, largest"},
+    Pair{"T_film_mean", "film temperature, mean"},
+    Pair{"T_shell_max", "shell temperature, largest"},
+    Pair{"T_shell_back", "shell-back temperature"},
+    Pair{"T_shaft", "shaft temperature"},
+    Pair{"T_equivalent", "equivalent temperature"},
+};
+
+std::optional<double> measured_si(const coupling::Measured& m, const std::string& name) {
+  if (name == "friction_torque") return m.friction_torque;
+  if (name == "h_min") return m.h_min;
+  if (name == "p_max") return m.p_max;
+  if (name == "side_flow") return m.side_flow;
+  if (name == "eccentricity_ratio") return m.eccentricity_ratio;
+  if (name == "T_shell_max") return m.T_shell_max;
+  if (name == "T_shell_back") return m.shell_back_temperature;
+  return std::nullopt;
+}
+
+const coupling::Quantity* find(const coupling::Result& result, const std::string& name) {
+  const auto& q = result.quantities;
+  const auto it = std::find_if(q.begin(), q.end(), [&](const auto& x) { return x.name == name; });
+  return it == q.end() ? nullptr : &*it;
+}
+
+}  // namespace
+
+std::string quantity_label(const std::string& name) {
+  for (const auto& [key, label] : kLabels) {
+    if (name == key) return label;
+  }
+  std::string words = name;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+DisplayUnit display_unit(const std::string& name, const std::string& si_unit, double largest) {
+  if (si_unit == "m") return {"um", kPerMicro, 0.0};
+  if (si_unit == "Pa") return {"MPa", kMegapascal, 0.0};
+  if (si_unit == "K" && name.starts_with("T_")) return {"degC", 1.0, kZeroCelsius};
+  if (si_unit == "W" && largest >= kThousandfold) return {"kW", 1.0 / kThousandfold, 0.0};
+  if (si_unit == "N" && largest >= kThousandfold) return {"kN", 1.0 / kThousandfold, 0.0};
+  if (si_unit == "m3/s") return {"l/min", kLitreMinutes, 0.0};
+  if (si_unit == "rad") return {"deg", kDegrees, 0.0};
+  if (name == "asperity_load_share") return {"%", 100.0, 0.0};
+  return {si_unit, 1.0, 0.0};
+}
+
+std::string typeset_unit(const std::string& unit) {
+  constexpr std::array pairs{Pair{"um", "µm"},   Pair{"degC", "°C"},   Pair{"deg", "°"},
+                             Pair{"N m", "N·m"}, Pair{"m3/s", "m³/s"}, Pair{"-", "–"}};
+  for (const auto& [plain, set] : pairs) {
+    if (unit == plain) return set;
+  }
+  return unit;
+}
+
+std::string figures(double value, int digits) {
+  if (!std::isfinite(value)) return "n/a";
+  if (value == 0.0) return "0";
+  const std::string rounded = fmt::format("{:.{}e}", value, digits - 1);
+  const int exponent = std::stoi(rounded.substr(rounded.find('e') + 1));
+  if (exponent < -4 || exponent >= 6) return rounded;
+  return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent));
+}
+
+std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,
+                                       const std::vector<coupling::Result>& results) {
+  std::vector<QuantityRow> rows;
+  for (const auto& result : results) {
+    for (const auto& quantity : result.quantities) {
+      const auto same = [&](const auto& row) { return row.name == quantity.name; };
+      if (std::any_of(rows.begin(), rows.end(), same)) continue;
+      double largest = 0.0;
+      for (const auto& other : results) {
+        const auto* q = find(other, quantity.name);
+        if (q && std::isfinite(q->value)) largest = std::max(largest, std::abs(q->value));
+      }
+      QuantityRow row{quantity.name,
+                      quantity_label(quantity.name),
+                      display_unit(quantity.name, quantity.unit, largest),
+                      {},
+                      {}};
+      for (const auto& other : results) {
+        const auto* q = find(other, quantity.name);
+        row.values.push_back(q ? std::optional(row.unit(q->value)) : std::nullopt);
+      }
+      if (const auto si = measured_si(measured, quantity.name)) row.measured = row.unit(*si);
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+std::vector<std::string> column_names(const std::vector<coupling::Result>& results) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const auto same = [&](const auto& r) { return r.tier == results[i].tier; };
+    const auto before = std::count_if(results.begin(), results.begin() + i, same);
+    const auto all = std::count_if(results.begin(), results.end(), same);
+    const std::string tier = to_string(results[i].tier);
+    names.push_back(all > 1 ? fmt::format("{} {}", tier, before + 1) : tier);
+  }
+  return names;
+}
+
+std::string difference(const DisplayUnit& unit, double value, double reference) {
+  if (!std::isfinite(value) || !std::isfinite(reference)) return "n/a";
+  if (unit.unit == "degC") return fmt::format("{:+.1f} K", value - reference);
+  if (reference == 0.0) return "n/a";
+  return fmt::format("{:+.1f} %", 100.0 * (value - reference) / std::abs(reference));
+}
+
+std::string status_line(const coupling::Result& result) {
+  if (result.verdict.good()) return "converged";
+  return fmt::format("NOT CONVERGED: {}", to_string(result.verdict.status));
+}
+
+std::string describe_case(const coupling::Case& c, Writing writing) {
+  constexpr double kRevolution = 60.0 / (2.0 * kPi);  // rpm per rad/s
+  const bool set = writing == Writing::typeset;
+  const char* times = set ? "×" : "x";
+  const char* degree = set ? "°" : " deg";
+  const auto& b = c.bearing;
+  std::string line =
+      fmt::format("bearing {:.4g} {} {:.4g} mm, radial clearance {:.4g} {}, {:.4g} rpm",
+                  2e3 * b.radius, times, 1e3 * b.width, kPerMicro * b.radial_clearance,
+                  set ? "µm" : "um", kRevolution * c.operation.omega);
+  if (const auto* load = std::get_if<coupling::LoadGiven>(&c.operation.position)) {
+    line += fmt::format(", load {:.4g} kN at {:.4g}{}", load->force / kThousandfold,
+                        load->angle * kDegrees, degree);
+  } else {
+    const auto& e = std::get<coupling::EccentricityGiven>(c.operation.position);
+    line += fmt::format(", eccentricity ratio {:.4g}, attitude {:.4g}{}", e.ratio,
+                        e.attitude * kDegrees, degree);
+  }
+  return c.oil.name.empty() ? line : line + ", oil " + c.oil.name;
+}
+
+std::string typeset_number(std::string number) {
+  for (auto at = number.find('-'); at != std::string::npos; at = number.find('-')) {
+    number.replace(at, 1, "−");
+  }
+  return number;
+}
+
+double unexplained(const coupling::FrictionSplit& split) {
+  double rest = split.to - split.from;
+  for (const auto& step : split.steps) rest -= step.change;
+  return rest;
+}
+
+}  // namespace shellback::app

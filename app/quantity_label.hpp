@@ -1,0 +1,74 @@
+#pragma once
+/// How a reported quantity is shown to people: words, engineering unit, figures.
+///
+/// Inside and in JSON all is SI; tables and pictures show um, MPa, degC, W or kW, l/min, deg.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupling/result.hpp"
+
+namespace shellback::app {
+
+/// shown = (SI value - offset) * scale.
+struct DisplayUnit {
+  std::string unit;
+  double scale = 1.0;
+  double offset = 0.0;
+  [[nodiscard]] double operator()(double si) const { return (si - offset) * scale; }
+};
+
+/// "friction torque" for friction_torque; a name that is not in the table gets its underscores
+/// replaced by blanks.
+[[nodiscard]] std::string quantity_label(const std::string& name);
+
+/// Unit for showing the quantity `name` that is kept in `si_unit`. `largest` is the largest
+/// magnitude to be shown [si_unit]: it decides between W and kW, N and kN.
+[[nodiscard]] DisplayUnit display_unit(const std::string& name, const std::string& si_unit,
+                                       double largest = 0.0);
+
+/// "µm" for "um", "°C" for "degC", "m³/s" for "m3/s": for pages, where the table is plain ASCII.
+[[nodiscard]] std::string typeset_unit(const std::string& unit);
+
+/// `digits` significant figures, without exponent between 1e-4 and 1e6; "n/a" if not a number.
+[[nodiscard]] std::string figures(double value, int digits = 4);
+
+/// One row of a comparison: a quantity in all results and its measured value.
+struct QuantityRow {
+  std::string name;
+  std::string label;
+  DisplayUnit unit;
+  std::vector<std::optional<double>> values;  ///< per result, in `unit`; none: tier knows it not
+  std::optional<double> measured;             ///< in `unit`
+};
+
+/// All quantities of `results` in the order in which they first appear.
+[[nodiscard]] std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,
+                                                     const std::vector<coupling::Result>& results);
+
+/// Name of each result's column: its tier, numbered if a tier appears more than once.
+[[nodiscard]] std::vector<std::string> column_names(const std::vector<coupling::Result>& results);
+
+/// Difference of `value` against `reference`: "+3.1 %", or "+2.4 K" for temperatures in degC.
+[[nodiscard]] std::string difference(const DisplayUnit& unit, double value, double reference);
+
+/// "converged", or "NOT CONVERGED: iteration limit".
+[[nodiscard]] std::string status_line(const coupling::Result& result);
+
+/// ASCII for text tables, or with the signs of print (µm, °, ×, −) for pages and pictures.
+enum class Writing { plain, typeset };
+
+/// Bearing and operating point in one line, in engineering units.
+[[nodiscard]] std::string describe_case(const coupling::Case& c, Writing writing);
+
+/// `number` with a true minus sign.
+[[nodiscard]] std::string typeset_number(std::string number);
+
+/// What the steps leave unexplained: to - from - sum of the steps [N m].
+[[nodiscard]] double unexplained(const coupling::FrictionSplit& split);
+
+/// Part of the larger torque above which the rest counts as a gap in the split [-]: a tenth of
+/// what three printed figures resolve.
+inline constexpr double kNegligibleRest = 1e-4;
+
+}  // namespace shellback::app

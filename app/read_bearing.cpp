@@ -1,0 +1,33 @@
+#include <filesystem>
+
+#include "app/sections.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app {
+namespace {
+
+constexpr double kUsualReference = kZeroCelsius + 20.0;  ///< clearances are measured so [K]
+
+}  // namespace
+
+coupling::Bearing read_bearing(const Section& file) {
+  const Section section = file.section("bearing");
+  section.only({"diameter", "width", "radial_clearance", "reference_temperature", "profile"},
+               "[bearing]");
+  coupling::Bearing bearing;
+  bearing.radius = 0.5 * section.quantity("diameter", kLength, kPositive);
+  bearing.width = section.quantity("width", kLength, kPositive);
+  bearing.radial_clearance = section.quantity("radial_clearance", kLength, kPositive);
+  bearing.reference_temperature =
+      section.quantity_or("reference_temperature", kTemperature, kUsualReference,
+                          "the radial clearance is taken as measured at 20 degC "
+                          "(bearing.reference_temperature is not given)");
+  if (section.has("profile")) {
+    const std::filesystem::path folder =
+        std::filesystem::path(section.reader().file).parent_path();
+    bearing.profile = read_profile((folder / section.text("profile")).string());
+  }
+  return bearing;
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,75 @@
+#include "app/read_case.hpp"
+
+#include <fmt/format.h>
+
+#include "app/case_text.hpp"
+#include "app/judge_case.hpp"
+#include "app/sections.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::app {
+namespace {
+
+using coupling::Case;
+using coupling::Tier;
+
+/// The file's text and, as comments, what the command line changed in it.
+std::string with_overrides(const std::string& text, const std::vector<Override>& overrides) {
+  std::string verbatim = text;
+  for (const Override& change : overrides) {
+    verbatim += fmt::format("{}# changed on the command line: {} = {}\n",
+                            verbatim.ends_with('\n') ? "" : "\n", change.key, change.value);
+  }
+  return verbatim;
+}
+
+void read_sections(const Section& file, Case& result) {
+  if (file.has("load_cycle")) {
+    file.fail("load_cycle", "this version solves one steady operating point; give "
+                            "operation.load instead");
+  }
+  file.only({"title", "bearing", "supply", "operation", "oil", "shell", "shaft", "surfaces",
+             "model", "measured"},
+            "the case");
+  if (file.has("title")) result.title = file.text("title");
+  result.bearing = read_bearing(file);
+  result.operation = read_operation(file);
+  result.oil = read_oil(file);
+  result.oil_temperature = read_oil_temperature(file);
+  result.supplies = read_supplies(file, result.bearing.radius, result.oil_temperature);
+  result.model = read_model(file);
+  result.shell = read_shell(file);
+  result.shaft = read_shaft(file);
+  result.surfaces = read_surfaces(file);
+  result.measured = read_measured(file);
+}
+
+}  // namespace
+
+Case read_case_text(const std::string& text, const std::string& path,
+                    const std::vector<Override>& overrides, const std::vector<Tier>& tiers) {
+  expect_text(text, path);
+  toml::table root = parse_toml(text, path);
+  for (const Override& change : overrides) apply_override(root, change);
+  Reader reader;
+  reader.file = path;
+  const Section file(reader, root, "");
+  Case result;
+  result.path = path;
+  result.verbatim = with_overrides(text, overrides);
+  read_sections(file, result);
+  file.expect_all_used();
+  result.assumptions = reader.assumptions;
+  result.warnings = reader.warnings;
+  judge_case(result, reader);
+  if (tiers.empty()) expect_possible(result, result.model.tier, reader);
+  for (const Tier tier : tiers) expect_possible(result, tier, reader);
+  return result;
+}
+
+Case read_case(const std::string& path, const std::vector<Override>& overrides,
+               const std::vector<Tier>& tiers) {
+  return read_case_text(read_text_file(path), path, overrides, tiers);
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,120 @@
+#include "app/did_you_mean.hpp"
+#include "app/read_case.hpp"
+#include "app/sections.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::app {
+namespace {
+
+using namespace coupling;
+
+constexpr Range kTolerance{0.0, 0.5, true, "be positive and at most 50 %"};
+constexpr Range kKappa{0.0, 5.0, false, "lie between 0 and 5"};
+constexpr int kFewestCells = 3;
+constexpr int kMostCells = 4000;  ///< finer than any published study by a factor of five
+
+const std::vector<std::string> kTiers{"isothermal", "lumped", "thd", "tehd"};
+
+Switches read_switches(const Section& section) {
+  Switches switches;
+  switches.pressure_dependence = section.maybe_switch("pressure_dependence");
+  switches.shear_thinning = section.maybe_switch("shear_thinning");
+  switches.flow_factors = section.maybe_switch("flow_factors");
+  switches.asperity_contact = section.maybe_switch("asperity_contact");
+  switches.elastic_deformation = section.maybe_switch("elastic_deformation");
+  switches.thermal_deformation = section.maybe_switch("thermal_deformation");
+  return switches;
+}
+
+void read_grid(const Section& section, Model& model) {
+  if (!section.has("grid") || section.is_text("grid")) {
+    if (section.has("grid") && section.text("grid") != "auto") {
+      section.fail("grid", "write \"auto\" or two whole numbers: [200, 25], circumferential and "
+                           "axial cells over the full width");
+    }
+    section.assume("the grid is 200 x 25 cells (model.grid is \"auto\" or not given)");
+    return;
+  }
+  model.grid = section.pair_of_whole_numbers("grid", kFewestCells, kMostCells);
+}
+
+void read_rules(const Section& section, Model& model) {
+  if (section.has("cavitated_shear")) {
+    model.cavitated_shear = section.choice<CavitatedShear>(
+        "cavitated_shear", {{"filled", CavitatedShear::filled}, {"full", CavitatedShear::full}});
+  }
+  if (section.has("edges")) {
+    model.edges =
+        section.choice<Edges>("edges", {{"flooded", Edges::flooded}, {"dry", Edges::dry}});
+  } else {
+    section.assume("the bearing's edges are taken as flooded with oil (model.edges)");
+  }
+  const auto cavitation = section.maybe_gauge_pressure("cavitation_pressure");
+  if (cavitation) {
+    model.cavitation_pressure = *cavitation;
+  } else {
+    section.assume("the film is taken to cavitate at ambient pressure "
+                   "(model.cavitation_pressure = 0 bar)");
+  }
+  if (const auto equivalent = section.maybe_section("equivalent_temperature")) {
+    equivalent->only({"kappa"}, "model.equivalent_temperature");
+    model.kappa = equivalent->quantity("kappa", kNumber, kKappa);
+  }
+}
+
+}  // namespace
+
+Tier tier_named(const std::string& name, const std::string& place) {
+  if (name == "isothermal") return Tier::isothermal;
+  if (name == "lumped") return Tier::lumped;
+  if (name == "thd") return Tier::thd;
+  if (name == "tehd") return Tier::tehd;
+  const bool planned = name == "auto" || name == "estimate";
+  throw InputError(place, "the tier " + in_quotes(name) +
+                              (planned ? " does not exist in this version" : " is not known") +
+                              choices_for(planned ? "" : name, kTiers, "possible are"));
+}
+
+Model read_model(const Section& file) {
+  static const toml::table kEmpty;  // a case without [model] relies on the defaults throughout
+  const Section section =
+      file.maybe_section("model").value_or(Section(file.reader(), kEmpty, "model"));
+  section.only({"tier", "tolerance", "grid", "film_nodes", "pressure_dependence",
+                "shear_thinning", "flow_factors", "asperity_contact", "elastic_deformation",
+                "thermal_deformation", "cavitated_shear", "edges", "cavitation_pressure",
+                "cavitation_pressure_absolute", "equivalent_temperature"},
+               "[model]");
+  Model model;
+  if (section.has("tier")) {
+    model.tier = tier_named(section.text("tier"), file.reader().place("model.tier"));
+  } else {
+    section.assume("the tier is tehd (model.tier is not given)");
+  }
+  model.tolerance = section.quantity_or("tolerance", kNumber, model.tolerance, "", kTolerance);
+  read_grid(section, model);
+  if (section.has("film_nodes")) model.film_nodes = section.whole_number("film_nodes", 3, 30);
+  model.switches = read_switches(section);
+  read_rules(section, model);
+  return model;
+}
+
+Measured read_measured(const Section& file) {
+  Measured measured;
+  const auto section = file.maybe_section("measured");
+  if (!section) return measured;
+  section->only({"shell_back_temperature", "friction_torque", "h_min", "p_max", "side_flow",
+                 "eccentricity_ratio", "T_shell_max"},
+                "[measured]");
+  measured.shell_back_temperature =
+      section->maybe_quantity("shell_back_temperature", kTemperature);
+  measured.friction_torque = section->maybe_quantity("friction_torque", kTorque, kNotNegative);
+  measured.h_min = section->maybe_quantity("h_min", kLength, kNotNegative);
+  measured.p_max = section->maybe_quantity("p_max", kPressure);
+  measured.side_flow = section->maybe_quantity("side_flow", kFlow, kNotNegative);
+  measured.eccentricity_ratio =
+      section->maybe_quantity("eccentricity_ratio", kNumber, kNotNegative);
+  measured.T_shell_max = section->maybe_quantity("T_shell_max", kTemperature);
+  return measured;
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,76 @@
+#include "app/sections.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app {
+namespace {
+
+using namespace coupling;
+
+constexpr double kDownwards = 1.5 * kPi;  ///< 270 deg, along -Y [rad]
+constexpr Range kOneTurn{-2.0 * kPi, 2.0 * kPi, false, "lie between -360 deg and 360 deg"};
+constexpr Range kRatio{0.0, 1.0, false, "be at least 0 and less than 1"};
+
+double load_angle(const Section& section) {
+  return section.quantity_or("load_angle", kAngle, kDownwards,
+                             "the load is taken to act downwards on the journal "
+                             "(load_angle = 270 deg)",
+                             kOneTurn);
+}
+
+std::variant<LoadGiven, EccentricityGiven> read_position(const Section& section) {
+  const bool load = section.has("load");
+  const bool ratio = section.has("eccentricity_ratio");
+  if (load && ratio) {
+    section.fail("eccentricity_ratio",
+                 "the load is given too, and each follows from the other; keep one of them");
+  }
+  if (!load && !ratio) {
+    section.fail("load", "neither load nor eccentricity_ratio is given; add for example load = "
+                         "\"8 kN\"");
+  }
+  if (load) {
+    return LoadGiven{section.quantity("load", kForce, kPositive), load_angle(section)};
+  }
+  EccentricityGiven given;
+  given.ratio = section.quantity("eccentricity_ratio", kNumber, kRatio);
+  if (given.ratio >= 1.0) {
+    section.fail("eccentricity_ratio", "at 1 the journal touches the shell; it must be less");
+  }
+  given.attitude = section.quantity("attitude_angle", kAngle, kOneTurn);
+  given.load_angle = load_angle(section);
+  return given;
+}
+
+std::variant<TiltGiven, MomentGiven> read_alignment(const Section& section) {
+  if (section.has("tilt") && section.has("moment")) {
+    section.fail("moment", "the tilt is given too, and each follows from the other; keep one");
+  }
+  if (const auto moment = section.maybe_section("moment")) {
+    moment->only({"about_x", "about_y"}, "operation.moment");
+    return MomentGiven{moment->quantity_or("about_x", kTorque, 0.0, ""),
+                       moment->quantity_or("about_y", kTorque, 0.0, "")};
+  }
+  TiltGiven given;
+  if (const auto tilt = section.maybe_section("tilt")) {
+    tilt->only({"about_x", "about_y"}, "operation.tilt");
+    given = {tilt->quantity_or("about_x", kAngle, 0.0, ""),
+             tilt->quantity_or("about_y", kAngle, 0.0, "")};
+  }
+  return given;
+}
+
+}  // namespace
+
+Operation read_operation(const Section& file) {
+  const Section section = file.section("operation");
+  section.only({"speed", "load", "load_angle", "eccentricity_ratio", "attitude_angle", "tilt",
+                "moment"},
+               "[operation]");
+  Operation operation;
+  operation.omega = section.quantity("speed", kSpeed);
+  operation.position = read_position(section);
+  operation.alignment = read_alignment(section);
+  return operation;
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include "app/did_you_mean.hpp"
+#include "app/library.hpp"
+#include "app/sections.hpp"
+
+namespace shellback::app {
+namespace {
+
+using namespace coupling;
+
+constexpr Range kPoisson{0.0, 0.4999, false, "lie between 0 and 0.5 (below it)"};
+
+solid::Material read_properties(const Section& section, const std::string& name) {
+  section.only({"name", "title", "source", "note", "assumed", "conductivity", "density",
+                "heat_capacity", "youngs_modulus", "poisson_ratio", "expansion"},
+               "a material");
+  for (const char* label : {"title", "source", "note"}) {  // words for the reader of the file
+    if (section.has(label)) static_cast<void>(section.text(label));
+  }
+  solid::Material material;
+  material.name = section.has("name") ? section.text("name") : name;
+  material.conductivity = section.quantity("conductivity", kConductivity, kPositive);
+  material.density = section.quantity("density", kDensity, kPositive);
+  material.heat_capacity = section.quantity("heat_capacity", kHeatCapacity, kPositive);
+  material.youngs_modulus = section.quantity("youngs_modulus", kPressure, kPositive);
+  material.poisson_ratio = section.quantity("poisson_ratio", kNumber, kPoisson);
+  material.expansion = section.quantity("expansion", kPerKelvin, kNotNegative);
+  for (const std::string& statement : section.texts("assumed")) {
+    const std::string sentence = fmt::format("material {}: {}", material.name, statement);
+    auto& known = section.reader().assumptions;
+    bool said = false;
+    for (const std::string& s : known) said = said || s == sentence;
+    if (!said) known.push_back(sentence);
+  }
+  return material;
+}
+
+Housing read_housing(const Section& section) {
+  section.only({"material", "outer_diameter", "support"}, "shell.housing");
+  Housing housing;
+  housing.material = read_material(section, "material");
+  housing.outer_radius = 0.5 * section.quantity("outer_diameter", kLength, kPositive);
+  if (section.has("support")) {
+    housing.support =
+        section.choice<HousingSupport>("support", {{"held", HousingSupport::held},
+                                                   {"free", HousingSupport::free},
+                                                   {"clamped", HousingSupport::clamped}});
+  } else {
+    section.assume("shell.housing: its outside is taken as held under load and free to grow with "
+                   "temperature (support = \"held\")");
+  }
+  return housing;
+}
+
+std::variant<ConvectiveBack, PrescribedBack> read_back(const Section& section) {
+  section.only({"heat_transfer", "ambient", "temperature"}, "shell.back");
+  if (section.has("temperature") && section.has("heat_transfer")) {
+    section.fail("heat_transfer", "the temperature of the back is given too; keep one of them");
+  }
+  if (section.has("temperature")) {
+    return PrescribedBack{section.quantity("temperature", kTemperature)};
+  }
+  if (!section.has("heat_transfer")) {
+    section.fail("heat_transfer", "it is not said how heat leaves the back; give heat_transfer = "
+                                  "\"500 W/(m2 K)\" with ambient, or temperature");
+  }
+  return ConvectiveBack{section.quantity("heat_transfer", kHeatTransfer, kPositive),
+                        section.quantity("ambient", kTemperature)};
+}
+
+}  // namespace
+
+solid::Material read_material(const Section& section, const std::string& key) {
+  if (section.is_table(key)) return read_properties(section.section(key), "inline");
+  if (!section.has(key)) section.fail_missing(key, "\"steel\"");
+  const std::string name = section.text(key);
+  const toml::table* shipped = find_material(section.reader(), name);
+  if (shipped == nullptr) {
+    section.fail(key, fmt::format("there is no shipped material {}{}; or write its values as a "
+                                  "table",
+                                  in_quotes(name),
+                                  choices_for(name, shipped_materials(section.reader()),
+                                              "shipped are")));
+  }
+  return read_properties(Section(section.reader(), *shipped, section.name(key)), name);
+}
+
+std::optional<Shell> read_shell(const Section& file) {
+  const auto section = file.maybe_section("shell");
+  if (!section) return std::nullopt;
+  section->only({"layers", "housing", "back", "end_heat_transfer"}, "[shell]");
+  Shell shell;
+  for (const Section& layer : section->sections("layers")) {
+    layer.only({"material", "thickness"}, "a layer of the shell");
+    shell.layers.push_back({read_material(layer, "material"),
+                            layer.quantity("thickness", kLength, kPositive)});
+  }
+  if (shell.layers.empty()) {
+    section->fail("layers", "the shell has no layers; give them from the bore outwards: layers = "
+                            "[ { material = \"AlSn20\", thickness = \"0.3 mm\" } ]");
+  }
+  if (const auto housing = section->maybe_section("housing")) {
+    shell.housing = read_housing(*housing);
+  }
+  if (const auto back = section->maybe_section("back")) shell.back = read_back(*back);
+  shell.end_heat_transfer = section->quantity_or(
+      "end_heat_transfer", kHeatTransfer, shell.end_heat_transfer,
+      "the end faces of shell and housing are taken to give off heat at 50 W/(m2 K)",
+      kNotNegative);
+  return shell;
+}
+
+std::optional<Shaft> read_shaft(const Section& file) {
+  const auto section = file.maybe_section("shaft");
+  if (!section) return std::nullopt;
+  section->only({"material", "overhang", "heat_transfer", "ambient"}, "[shaft]");
+  Shaft shaft;
+  shaft.material = read_material(*section, "material");
+  shaft.overhang = section->quantity_or(
+      "overhang", kLength, 0.0,
+      "the shaft is taken to end at the bearing's edges: no heat leaves along it "
+      "(shaft.overhang is not given)",
+      kNotNegative);
+  if (shaft.overhang > 0.0) {
+    shaft.heat_transfer = section->quantity("heat_transfer", kHeatTransfer, kNotNegative);
+    shaft.ambient = section->quantity("ambient", kTemperature);
+  }
+  return shaft;
+}
+
+}  // namespace shellback::app

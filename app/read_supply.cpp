@@ -1,0 +1,118 @@
+#include <cmath>
+#include <fmt/format.h>
+
+#include "app/sections.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app {
+namespace {
+
+using coupling::Supply;
+using coupling::SupplyKind;
+
+constexpr double kFullCircle = 2.0 * kPi;  ///< [rad]
+constexpr Range kOneTurn{-kFullCircle, kFullCircle, false, "lie between -360 deg and 360 deg"};
+constexpr Range kExtent{0.0, kFullCircle, true, "be positive and at most 360 deg"};
+constexpr Range kArc{0.0, kFullCircle, false, "lie between 0 deg (a line) and 360 deg"};
+
+void read_hole(const Section& section, double radius, Supply& supply) {
+  section.only({"kind", "angle", "z", "diameter", "depth", "pressure", "pressure_absolute",
+                "temperature", "carry_over"},
+               "a supply of kind \"hole\"");
+  supply.angle = section.quantity("angle", kAngle, kOneTurn);
+  supply.diameter = section.quantity("diameter", kLength, kPositive);
+  if (supply.diameter >= kFullCircle * radius) {
+    section.fail("diameter", "the hole is larger than the bearing's circumference");
+  }
+  supply.arc = supply.diameter / radius;
+  supply.length = supply.diameter;
+}
+
+void read_axial_groove(const Section& section, double radius, Supply& supply) {
+  section.only({"kind", "angle", "z", "arc", "width", "length", "depth", "pressure",
+                "pressure_absolute", "temperature", "carry_over"},
+               "a supply of kind \"axial_groove\"");
+  supply.angle = section.quantity("angle", kAngle, kOneTurn);
+  supply.length = section.quantity("length", kLength, kPositive);
+  if (section.has("arc") && section.has("width")) {
+    section.fail("width", "the groove's arc is given too; keep one of them");
+  }
+  if (!section.has("arc") && !section.has("width")) {
+    section.fail("arc", "the groove has no circumferential size; give arc = \"18 deg\" or "
+                        "width = \"5 mm\"");
+  }
+  supply.arc = section.has("arc") ? section.quantity("arc", kAngle, kArc)
+                                  : section.quantity("width", kLength, kNotNegative) / radius;
+  if (supply.arc >= kFullCircle) {
+    section.fail(section.has("arc") ? "arc" : "width",
+                 "the groove runs all round; that is kind = \"circumferential_groove\"");
+  }
+}
+
+void read_circumferential_groove(const Section& section, Supply& supply) {
+  section.only({"kind", "angle", "z", "extent", "width", "depth", "pressure",
+                "pressure_absolute", "temperature", "carry_over"},
+               "a supply of kind \"circumferential_groove\"");
+  supply.arc = section.quantity_or("extent", kAngle, kFullCircle, "", kExtent);
+  if (supply.arc < kFullCircle) supply.angle = section.quantity("angle", kAngle, kOneTurn);
+  if (supply.arc >= kFullCircle) {
+    supply.angle = section.quantity_or("angle", kAngle, 0.0, "", kOneTurn);
+  }
+  supply.length = section.quantity("width", kLength, kPositive);
+}
+
+Supply read_supply(const Section& section, double radius,
+                   const std::optional<double>& oil_temperature) {
+  Supply supply;
+  supply.kind = section.choice<SupplyKind>(
+      "kind", {{"hole", SupplyKind::hole},
+               {"axial_groove", SupplyKind::axial_groove},
+               {"circumferential_groove", SupplyKind::circumferential_groove}});
+  if (supply.kind == SupplyKind::hole) read_hole(section, radius, supply);
+  if (supply.kind == SupplyKind::axial_groove) read_axial_groove(section, radius, supply);
+  if (supply.kind == SupplyKind::circumferential_groove) {
+    read_circumferential_groove(section, supply);
+  }
+  const std::string name = section.name("");
+  supply.angle -= kFullCircle * std::floor(supply.angle / kFullCircle);
+  supply.z = section.quantity_or("z", kLength, 0.0, "");
+  supply.depth = section.quantity_or("depth", kLength, supply.depth,
+                                     fmt::format("{}: a depth of 1 mm is assumed", name),
+                                     kPositive);
+  const auto pressure = section.maybe_gauge_pressure("pressure");
+  if (!pressure) section.fail_missing("pressure", "\"2 bar\" (gauge) or pressure_absolute");
+  supply.pressure = *pressure;
+  supply.carry_over = section.quantity_or(
+      "carry_over", kNumber, supply.carry_over,
+      fmt::format("{}: all film oil that enters it is taken to be mixed in again "
+                  "(carry_over = 1)",
+                  name),
+      kUpToOne);
+  if (!section.has("temperature") && !oil_temperature) {
+    section.fail_missing("temperature", "\"80 degC\"");
+  }
+  supply.temperature = section.quantity_or(
+      "temperature", kTemperature, oil_temperature.value_or(0.0),
+      fmt::format("{}: the oil is taken to enter at oil.temperature", name));
+  return supply;
+}
+
+}  // namespace
+
+std::vector<Supply> read_supplies(const Section& file, double radius,
+                                  const std::optional<double>& oil_temperature) {
+  std::vector<Supply> supplies;
+  for (const Section& section : file.sections("supply")) {
+    supplies.push_back(read_supply(section, radius, oil_temperature));
+  }
+  if (supplies.empty()) {
+    file.fail("supply",
+              "there is no oil supply; oil leaves a bearing at its sides, and in a steady film "
+              "that conserves mass nothing makes up for it without a supply: the film runs dry. "
+              "Add a [[supply]] with kind = \"hole\", \"axial_groove\" or "
+              "\"circumferential_groove\"");
+  }
+  return supplies;
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,65 @@
+#include "app/sections.hpp"
+
+namespace shellback::app {
+namespace {
+
+using solid::ContactIntegral;
+
+solid::RoughSurface read_surface(const Section& section, const std::string& what) {
+  section.only({"roughness", "orientation", "summit_roughness", "summit_height"}, what);
+  solid::RoughSurface surface;
+  surface.roughness = section.quantity("roughness", kLength, kNotNegative);
+  surface.orientation = section.quantity_or(
+      "orientation", kNumber, surface.orientation,
+      what + ": the roughness is taken as isotropic (orientation = 1)", kPositive);
+  surface.summit_roughness = section.quantity_or("summit_roughness", kLength, 0.0, "",
+                                                 kNotNegative);
+  surface.summit_height = section.quantity_or("summit_height", kLength, 0.0, "");
+  return surface;
+}
+
+solid::ContactParameters read_contact(const Section& section) {
+  section.only({"elastic_factor", "composite_modulus", "friction", "integral"},
+               "surfaces.contact");
+  solid::ContactParameters contact;
+  contact.elastic_factor = section.quantity("elastic_factor", kNumber, kPositive);
+  contact.composite_modulus = section.quantity("composite_modulus", kPressure, kPositive);
+  contact.friction = section.quantity("friction", kNumber, kUpToOne);
+  if (section.has("integral")) {
+    contact.integral = section.choice<ContactIntegral>(
+        "integral",
+        {{"exact", ContactIntegral::exact}, {"power-law", ContactIntegral::power_law}});
+  }
+  return contact;
+}
+
+}  // namespace
+
+coupling::Surfaces read_surfaces(const Section& file) {
+  coupling::Surfaces surfaces;
+  const auto section = file.maybe_section("surfaces");
+  if (!section) {
+    file.assume("the surfaces are taken as smooth, without asperity contact ([surfaces] is not "
+                "given)");
+    return surfaces;
+  }
+  section->only({"shell", "shaft", "contact"}, "[surfaces]");
+  if (const auto shell = section->maybe_section("shell")) {
+    surfaces.shell = read_surface(*shell, "surfaces.shell");
+  } else {
+    section->assume("the shell's surface is taken as smooth (surfaces.shell is not given)");
+  }
+  if (const auto shaft = section->maybe_section("shaft")) {
+    surfaces.shaft = read_surface(*shaft, "surfaces.shaft");
+  } else {
+    section->assume("the shaft's surface is taken as smooth (surfaces.shaft is not given)");
+  }
+  if (const auto contact = section->maybe_section("contact")) {
+    surfaces.contact = read_contact(*contact);
+  } else {
+    section->assume("asperity contact is left out (surfaces.contact is not given)");
+  }
+  return surfaces;
+}
+
+}  // namespace shellback::app

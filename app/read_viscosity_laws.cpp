@@ -1,0 +1,97 @@
+#include <cmath>
+
+#include "app/sections.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app {
+namespace {
+
+using namespace rheology;
+
+/// Cameron's usual constant of the Vogel law [K] (textbook): two points then fix A and B.
+constexpr double kCameron = 95.0;
+
+/// The Vogel law through (T1, eta1) and (T2, eta2) for a given C.
+Vogel through_two_points(const Section& law) {
+  law.only({"law", "eta1", "T1", "eta2", "T2", "C"}, "a viscosity law \"two-point\"");
+  const double eta1 = law.quantity("eta1", kViscosity, kPositive);
+  const double eta2 = law.quantity("eta2", kViscosity, kPositive);
+  const double T1 = law.quantity("T1", kTemperature) - kZeroCelsius;
+  const double T2 = law.quantity("T2", kTemperature) - kZeroCelsius;
+  const double C = law.quantity_or("C", kTemperatureDifference, kCameron,
+                                   "oil: the two viscosities are joined by a Vogel law with "
+                                   "C = 95 K");
+  if (T1 == T2) law.fail("T2", "the two temperatures are the same");
+  if ((eta1 - eta2) * (T1 - T2) >= 0.0) {
+    law.fail("eta2", "the viscosity does not fall from the colder to the warmer point");
+  }
+  if (T1 + C <= 0.0 || T2 + C <= 0.0) law.fail("C", "the law is not defined below -C degC");
+  const double B = std::log(eta1 / eta2) / (1.0 / (T1 + C) - 1.0 / (T2 + C));
+  return {eta1 * std::exp(-B / (T1 + C)), B, C};
+}
+
+}  // namespace
+
+TemperatureLaw read_temperature_law(const Section& law) {
+  enum class Law { constant, vogel, reynolds, two_point };
+  const Law which = law.choice<Law>("law", {{"constant", Law::constant},
+                                            {"vogel", Law::vogel},
+                                            {"reynolds", Law::reynolds},
+                                            {"two-point", Law::two_point}});
+  switch (which) {
+    case Law::constant:
+      law.only({"law", "eta"}, "a constant viscosity");
+      return ConstantViscosity{law.quantity("eta", kViscosity, kPositive)};
+    case Law::vogel:
+      law.only({"law", "A", "B", "C"}, "a viscosity law \"vogel\"");
+      return Vogel{law.quantity("A", kViscosity, kPositive),
+                   law.quantity("B", kTemperatureDifference, kPositive),
+                   law.quantity("C", kTemperatureDifference, kPositive)};
+    case Law::reynolds:
+      law.only({"law", "eta", "at", "beta"}, "a viscosity law \"reynolds\"");
+      return ReynoldsSlope{law.quantity("eta", kViscosity, kPositive),
+                           law.quantity("at", kTemperature),
+                           law.quantity("beta", kPerKelvin, kNotNegative)};
+    case Law::two_point:
+      break;
+  }
+  return through_two_points(law);
+}
+
+PressureLaw read_pressure_law(const Section& law) {
+  enum class Law { none, barus, roelands, houpert };
+  const Law which = law.choice<Law>("law", {{"none", Law::none},
+                                            {"barus", Law::barus},
+                                            {"roelands", Law::roelands},
+                                            {"houpert", Law::houpert}});
+  switch (which) {
+    case Law::none:
+      law.only({"law"}, "a pressure law \"none\"");
+      return NoPressureEffect{};
+    case Law::barus:
+      law.only({"law", "alpha"}, "a pressure law \"barus\"");
+      return Barus{law.quantity("alpha", kPerPressure, kPositive)};
+    case Law::roelands:
+      law.only({"law", "Z"}, "a pressure law \"roelands\"");
+      return Roelands{law.quantity("Z", kNumber, kPositive)};
+    case Law::houpert:
+      break;
+  }
+  law.only({"law", "Z", "beta", "at"}, "a pressure law \"houpert\"");
+  return Houpert{law.quantity("Z", kNumber, kPositive),
+                 law.quantity("beta", kPerKelvin, kPositive), law.quantity("at", kTemperature)};
+}
+
+ShearLaw read_shear_law(const Section& law) {
+  enum class Law { none, cross };
+  const Law which = law.choice<Law>("law", {{"none", Law::none}, {"cross", Law::cross}});
+  if (which == Law::none) {
+    law.only({"law"}, "a shear law \"none\"");
+    return NoShearThinning{};
+  }
+  law.only({"law", "r", "K", "m"}, "a shear law \"cross\"");
+  return Cross{law.quantity("r", kNumber, kUpToOne), law.quantity("K", kTime, kPositive),
+               law.quantity("m", kNumber, kPositive)};
+}
+
+}  // namespace shellback::app

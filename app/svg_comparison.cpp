@@ -1,0 +1,87 @@
+#include "app/svg_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/pending_file.hpp"
+#include "app/svg_film.hpp"
+#include "app/svg_profiles.hpp"
+#include "app/svg_waterfall.hpp"
+
+namespace shellback::app {
+namespace {
+
+using coupling::Comparison;
+using coupling::Result;
+
+constexpr double kWidth = 1200.0;  ///< [px]
+constexpr double kHeight = 700.0;  ///< [px]
+constexpr Box kTopLeft{24.0, 84.0, 560.0, 312.0};
+constexpr Box kTopRight{608.0, 84.0, 580.0, 300.0};
+constexpr Box kBottomLeft{24.0, 404.0, 560.0, 284.0};
+constexpr Box kBottomRight{608.0, 396.0, 580.0, 292.0};
+
+/// The richest result, unless it failed and another one did not: results come in the order of
+/// the ladder.
+const Result* richest(const Comparison& comparison, FilmField which) {
+  const Result* best = nullptr;
+  for (const auto& result : comparison.results) {
+    if (has_field(result, which) && (!best || result.verdict.good() || !best->verdict.good())) {
+      best = &result;
+    }
+  }
+  return best;
+}
+
+void draw_heading(Svg& svg, const coupling::Case& c, const Comparison& comparison,
+                  const Theme& theme) {
+  svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
+  svg.text({24.0, 58.0}, describe_case(c, Writing::typeset), {theme.muted, 12.5});
+  std::string failed;
+  const auto names = column_names(comparison.results);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const Result& result = comparison.results[k];
+    if (!result.verdict.good()) failed += fmt::format("  {}: {}", names[k], status_line(result));
+  }
+  if (!failed.empty()) {
+    svg.text({kWidth - 24.0, 36.0}, failed, {theme.more, 13.0, Anchor::end, true});
+  }
+}
+
+void draw_film(Svg& svg, const Box& box, const coupling::Case& c, const Comparison& comparison,
+               FilmField which, const char* title, const Theme& theme) {
+  const Result* result = richest(comparison, which);
+  if (!result) return;
+  const auto scale = common_scale({result}, which);
+  const std::string full_title = fmt::format("{}, {}{}", title, to_string(result->tier),
+                                             result->verdict.good() ? "" : " (NOT CONVERGED)");
+  draw_map(svg, box, film_map(c, *result, which, scale, full_title), theme);
+}
+
+}  // namespace
+
+void write_comparison_svg(const std::string& path, const coupling::Case& c,
+                          const Comparison& comparison) {
+  const Theme theme = print_theme();
+  Svg svg(kWidth, kHeight);
+  svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
+  draw_heading(svg, c, comparison, theme);
+  const auto profile = [&](const Box& box, Profile which) {
+    if (const auto plot = profile_plot(comparison, which, theme)) {
+      draw_lines(svg, box, *plot, theme);
+    }
+  };
+  if (comparison.split.steps.empty()) {
+    profile(kTopLeft, Profile::pressure);
+  } else {
+    draw_waterfall(svg, kTopLeft, comparison.split, c.measured.friction_torque, theme);
+  }
+  profile(kBottomLeft, Profile::gap);
+  draw_film(svg, kTopRight, c, comparison, FilmField::pressure, "Film pressure", theme);
+  draw_film(svg, kBottomRight, c, comparison, FilmField::temperature, "Mean film temperature",
+            theme);
+  write_file(path, svg.document(c.title));
+}
+
+}  // namespace shellback::app

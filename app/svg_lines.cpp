@@ -1,0 +1,78 @@
+#include "app/svg_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shellback::app {
+namespace {
+
+constexpr double kLeft = 56.0;    ///< room for the y axis [px]
+constexpr double kRight = 12.0;   ///< [px]
+constexpr double kTop = 44.0;     ///< room for title and legend [px]
+constexpr double kBottom = 38.0;  ///< room for the x axis [px]
+
+Axis y_axis(const LinePlot& plot) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const auto& series : plot.series) {
+    for (const double v : series.y) {
+      if (!std::isfinite(v)) continue;
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+  }
+  if (low > high) low = high = 0.0;
+  if (plot.from_zero) low = std::min(low, 0.0);
+  return round_axis(low, high, 6, plot.y_title);
+}
+
+void draw_series(Svg& svg, const Frame& frame, const Series& series) {
+  std::string path;
+  std::vector<Point> run;
+  const auto flush = [&] {
+    if (run.size() > 1) path += line_path(run);
+    run.clear();
+  };
+  for (std::size_t k = 0; k < series.x.size(); ++k) {
+    if (std::isfinite(series.y[k])) {
+      run.push_back(frame.at(series.x[k], series.y[k]));
+    } else {
+      flush();
+    }
+  }
+  flush();
+  svg.stroke(path, {series.colour, 1.8, series.dash});
+}
+
+void draw_legend(Svg& svg, Point at, const LinePlot& plot, const Theme& theme) {
+  for (const auto& series : plot.series) {
+    svg.line({at.x, at.y - 3.5}, {at.x + 20.0, at.y - 3.5}, {series.colour, 2.2, series.dash});
+    svg.text({at.x + 25.0, at.y}, series.name, {theme.muted, 10.5});
+    at.x += 25.0 + text_width(series.name, 10.5) + 16.0;
+  }
+}
+
+}  // namespace
+
+double text_width(std::string_view words, double size) {
+  const auto letters = std::count_if(words.begin(), words.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // bytes that begin a letter
+  });
+  return 0.58 * size * static_cast<double>(letters);
+}
+
+void draw_lines(Svg& svg, const Box& box, const LinePlot& plot, const Theme& theme) {
+  const Frame frame{
+      {box.x + kLeft, box.y + kTop, box.width - kLeft - kRight, box.height - kTop - kBottom},
+      plot.x,
+      y_axis(plot)};
+  svg.text({frame.box.x, box.y + 14.0}, plot.title, {theme.ink, 12.5, Anchor::start, true});
+  draw_legend(svg, {frame.box.x, box.y + 34.0}, plot, theme);
+  draw_axes(svg, frame, theme, GridLines::horizontal);
+  svg.begin_clip(frame.box);
+  for (const auto& series : plot.series) draw_series(svg, frame, series);
+  svg.end_clip();
+}
+
+}  // namespace shellback::app

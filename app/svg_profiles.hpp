@@ -1,0 +1,17 @@
+#pragma once
+/// Curves over phi at mid-width that compare the results.
+#include <optional>
+
+#include "app/svg_lines.hpp"
+#include "coupling/result.hpp"
+
+namespace shellback::app {
+
+enum class Profile { pressure, gap, film_temperature, shell_temperature };
+
+/// One curve per result that has the field, in the colour of its column; shell temperature has
+/// two: surface solid, back dashed. None if no result has it.
+[[nodiscard]] std::optional<LinePlot> profile_plot(const coupling::Comparison& comparison,
+                                                   Profile which, const Theme& theme);
+
+}  // namespace shellback::app

@@ -1,0 +1,159 @@
+#include "app/write_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/provenance.hpp"
+#include "app/quantity_label.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+/// Inside angles are radians; the contract of the file is degrees.
+Json with_unit(double value, const std::string& unit) {
+  if (unit == "rad") return {{"value", number(value * 180.0 / kPi)}, {"unit", "deg"}};
+  return {{"value", number(value)}, {"unit", unit}};
+}
+
+Json quantities(const coupling::Result& result) {
+  Json all = Json::object();
+  for (const auto& q : result.quantities) all[q.name] = with_unit(q.value, q.unit);
+  return all;
+}
+
+Json effects(const coupling::Result& result) {
+  Json all = Json::array();
+  for (const auto& e : result.effects) {
+    all.push_back({{"name", e.name},
+                   {"included", e.included},
+                   {"indicator", number(e.indicator)},
+                   {"meaning", e.meaning}});
+  }
+  return all;
+}
+
+Json history(const coupling::Result& result) {
+  Json all = Json::array();
+  for (const auto& entry : result.history) {
+    all.push_back({{"stage", entry.stage},
+                   {"residual", number(entry.residual)},
+                   {"friction_torque", number(entry.friction_torque)},
+                   {"h_min", number(entry.h_min)}});
+  }
+  return all;
+}
+
+Json provenance_json(const coupling::Case& c) {
+  const Provenance p = provenance(c);
+  Json libraries = Json::object();
+  for (const auto& [name, version] : p.libraries) libraries[name] = version;
+  return {{"version", p.version},
+          {"git", p.git},
+          {"input", p.input},
+          {"input_fnv1a64", p.fingerprint},
+          {"libraries", libraries}};
+}
+
+void add_status(Json& json, const Verdict& verdict) {
+  json["status"] = to_string(verdict.status);
+  json["converged"] = verdict.good();
+  if (verdict.good()) return;
+  json["reason"] = verdict.reason;
+  json["place"] = verdict.place;
+  json["cure"] = verdict.cure;
+}
+
+Json to_json(const coupling::Case& c, const coupling::Result& result) {
+  Json json;
+  add_status(json, result.verdict);
+  json["tier"] = to_string(result.tier);
+  json["title"] = result.title;
+  json["quantities"] = quantities(result);
+  const auto& a = result.audit;
+  json["audit"] = {{"mass", number(a.mass)},
+                   {"energy", number(a.energy)},
+                   {"load", number(a.load)},
+                   {"moment", number(a.moment)}};
+  json["effects"] = effects(result);
+  json["limiters"] = Json::array();
+  for (const auto& l : result.limiters) {
+    json["limiters"].push_back({{"what", l.what}, {"count", l.count}});
+  }
+  json["warnings"] = result.warnings;
+  json["assumptions"] = result.assumptions;
+  json["grid"] = result.grid;
+  const auto& k = result.cost;
+  json["cost"] = {{"wall_s", number(k.wall_s)},
+                  {"setup_s", number(k.setup_s)},
+                  {"factorizations", k.factorizations},
+                  {"newton_iterations", k.newton_iterations},
+                  {"outer_iterations", k.outer_iterations}};
+  json["history"] = history(result);
+  json["provenance"] = provenance_json(c);
+  return json;
+}
+
+Json measured_json(const coupling::Measured& m) {
+  Json json = Json::object();
+  const auto add = [&](const char* name, const std::optional<double>& value, const char* unit) {
+    if (value) json[name] = with_unit(*value, unit);
+  };
+  add("shell_back_temperature", m.shell_back_temperature, "K");
+  add("friction_torque", m.friction_torque, "N m");
+  add("h_min", m.h_min, "m");
+  add("p_max", m.p_max, "Pa");
+  add("side_flow", m.side_flow, "m3/s");
+  add("eccentricity_ratio", m.eccentricity_ratio, "-");
+  add("T_shell_max", m.T_shell_max, "K");
+  return json;
+}
+
+Json split_json(const coupling::FrictionSplit& split) {
+  if (split.steps.empty()) return nullptr;
+  Json steps = Json::array();
+  for (const auto& step : split.steps) {
+    steps.push_back({{"name", step.name}, {"change", number(step.change)}, {"unit", "N m"}});
+  }
+  return {{"from", number(split.from)},
+          {"to", number(split.to)},
+          {"unit", "N m"},
+          {"steps", steps},
+          {"rest", number(unexplained(split))}};
+}
+
+/// Text from elsewhere may hold broken UTF-8; it is shown with replacement characters.
+std::string dump(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string result_json(const coupling::Case& c, const coupling::Result& result) {
+  return dump(to_json(c, result));
+}
+
+std::string comparison_json(const coupling::Case& c, const coupling::Comparison& comparison) {
+  const auto& results = comparison.results;
+  const auto failed = [](const auto& r) { return !r.verdict.good(); };
+  const auto bad = std::find_if(results.begin(), results.end(), failed);
+  Json json;
+  add_status(json, bad == results.end() ? Verdict{} : bad->verdict);
+  json["title"] = c.title;
+  json["results"] = Json::array();
+  for (const auto& result : results) json["results"].push_back(to_json(c, result));
+  json["measured"] = measured_json(c.measured);
+  json["friction_split"] = split_json(comparison.split);
+  json["T_calibrated"] = std::isfinite(comparison.T_calibrated)
+                             ? with_unit(comparison.T_calibrated, "K")
+                             : Json(nullptr);
+  json["provenance"] = provenance_json(c);
+  return dump(json);
+}
+
+}  // namespace shellback::app

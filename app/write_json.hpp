@@ -1,0 +1,25 @@
+#pragma once
+/// Results as JSON, for other programs. Binding keys; SI, each value with its unit beside it,
+/// angles in degrees, temperatures in kelvin.
+///
+/// One result:
+///   status, converged, [reason, place, cure: only if not converged], tier, title,
+///   quantities {name: {value, unit}}, audit {mass, energy, load, moment}, effects, limiters,
+///   warnings, assumptions, grid, cost, history, provenance.
+/// A quantity that the tier does not know is absent. There is no NaN in JSON: an audit entry
+/// that does not apply, and a value that is not a number in a failed solve, is null.
+#include <string>
+
+#include "coupling/result.hpp"
+
+namespace shellback::app {
+
+[[nodiscard]] std::string result_json(const coupling::Case& c, const coupling::Result& result);
+
+/// status (that of the first result that failed, else "converged"), title, `results`: an array
+/// of objects as above, `measured`, `friction_split` {from, to, unit, steps, rest} (null if not
+/// both ends were computed), `T_calibrated` {value, unit} or null, provenance.
+[[nodiscard]] std::string comparison_json(const coupling::Case& c,
+                                          const coupling::Comparison& comparison);
+
+}  // namespace shellback::app

@@ -1,0 +1,222 @@
+#include "app/write_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "app/quantity_label.hpp"
+
+namespace shellback::app {
+namespace {
+
+using coupling::Case;
+using coupling::Comparison;
+using coupling::Result;
+
+/// Lines of cells; the first column flush left, the others flush right.
+class TextTable {
+ public:
+  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  void rule() { rows_.emplace_back(); }
+  void print(std::ostream& out) const {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows_) {
+      widths.resize(std::max(widths.size(), row.size()), 0);
+      for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+    }
+    std::size_t total = 0;
+    for (const auto width : widths) total += width + kGap;
+    for (const auto& row : rows_) {
+      std::string line(row.empty() ? total - kGap : 0, '-');
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        line += k == 0 ? fmt::format("{:<{}}", row[k], widths[k])
+                       : fmt::format("{}{:>{}}", std::string(kGap, ' '), row[k], widths[k]);
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      out << line << '\n';
+    }
+  }
+
+ private:
+  static constexpr std::size_t kGap = 2;  ///< blanks between columns
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string audit_figure(double value) {
+  return std::isfinite(value) ? fmt::format("{:.1e}", value) : "n/a";
+}
+
+void print_failure(std::ostream& out, const std::string& name, const Result& result) {
+  if (result.verdict.good()) return;
+  const auto& v = result.verdict;
+  out << fmt::format("*** {}: {} ***\n", name, status_line(result));
+  if (!v.reason.empty()) out << "    reason: " << v.reason << '\n';
+  if (!v.place.empty()) out << "    place:  " << v.place << '\n';
+  if (!v.cure.empty()) out << "    cure:   " << v.cure << '\n';
+  out << "    The numbers are those of the last iterate, not a result.\n\n";
+}
+
+void print_list(std::ostream& out, const char* heading, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  out << '\n' << heading << '\n';
+  for (const auto& line : lines) out << "  - " << line << '\n';
+}
+
+void print_effects(std::ostream& out, const Result& result) {
+  if (result.effects.empty()) return;
+  out << "\neffects\n";
+  std::size_t width = 0;
+  for (const auto& e : result.effects) width = std::max(width, e.name.size());
+  for (const auto& e : result.effects) {
+    out << fmt::format("  {:<{}}  {:<3}  {:>8}  {}\n", e.name, width, e.included ? "in" : "out",
+                       figures(e.indicator, 3), e.meaning);
+  }
+}
+
+void print_limiters(std::ostream& out, const Result& result) {
+  if (result.limiters.empty()) return;
+  out << "\nlimiters that acted\n";
+  for (const auto& l : result.limiters) out << fmt::format("  - {}: {} times\n", l.what, l.count);
+}
+
+void print_cost(std::ostream& out, const Result& result) {
+  const auto& k = result.cost;
+  out << fmt::format(
+      "\ngrid {} x {}, {} outer iterations, {} Newton iterations, {} factorizations, {} s",
+      result.grid[0], result.grid[1], k.outer_iterations, k.newton_iterations, k.factorizations,
+      figures(k.wall_s, 3));
+  if (k.setup_s > 0.0)
+    out << fmt::format(" (of it {} s set-up of the solids)", figures(k.setup_s, 3));
+  out << '\n';
+}
+
+void print_quantities(std::ostream& out, const coupling::Measured& measured,
+                      const std::vector<Result>& results) {
+  const auto rows = quantity_rows(measured, results);
+  const auto has_measured = [](const auto& row) { return row.measured.has_value(); };
+  const bool with_measured = std::any_of(rows.begin(), rows.end(), has_measured);
+  const bool single = results.size() == 1;
+  TextTable table;
+  std::vector<std::string> head{"quantity"};
+  const auto names = column_names(results);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    head.push_back(names[k] + (results[k].verdict.good() ? "" : " (FAILED)"));
+  }
+  head.emplace_back("unit");
+  if (with_measured) head.emplace_back("measured");
+  if (with_measured && single) head.emplace_back("difference");
+  table.add(head);
+  table.rule();
+  for (const auto& row : rows) {
+    std::vector<std::string> cells{row.label};
+    for (const auto& value : row.values) cells.push_back(value ? figures(*value) : "");
+    cells.push_back(row.unit.unit);
+    if (row.measured) cells.push_back(figures(*row.measured));
+    if (row.measured && single)
+      cells.push_back(difference(row.unit, *row.values[0], *row.measured));
+    table.add(cells);
+  }
+  table.print(out);
+}
+
+void print_split(std::ostream& out, const Comparison& comparison) {
+  const auto& split = comparison.split;
+  if (split.steps.empty()) return;
+  out << "\nfriction torque on the journal, isothermal to full [N m]\n";
+  TextTable table;
+  table.add({"  isothermal at T_equivalent", figures(split.from)});
+  for (const auto& step : split.steps) {
+    table.add({"  " + step.name, fmt::format("{:+.4f}", step.change),
+               difference({}, split.from + step.change, split.from)});
+  }
+  const double rest = unexplained(split);
+  if (std::abs(rest) > kNegligibleRest * std::max(std::abs(split.from), std::abs(split.to))) {
+    table.add({"  not accounted for", fmt::format("{:+.4f}", rest),
+               difference({}, split.from + rest, split.from)});
+  }
+  table.add({"  full", figures(split.to), difference({}, split.to, split.from)});
+  table.print(out);
+  out << "  Substituted one after another in this order; another order would share the\n"
+         "  difference out differently. Percentages are of the isothermal torque.\n";
+}
+
+/// All distinct lines that `lines_of` gives for the results.
+template <class LinesOf>
+std::vector<std::string> gathered(const std::vector<Result>& results, LinesOf lines_of) {
+  std::vector<std::string> all;
+  for (const auto& result : results) {
+    for (const auto& line : lines_of(result)) {
+      if (std::find(all.begin(), all.end(), line) == all.end()) all.push_back(line);
+    }
+  }
+  return all;
+}
+
+void print_table(std::ostream& out, const coupling::Measured& measured, const Result& result) {
+  out << result.title << '\n'
+      << "tier " << to_string(result.tier) << ", " << status_line(result) << "\n\n";
+  print_failure(out, to_string(result.tier), result);
+  print_quantities(out, measured, {result});
+  const auto& a = result.audit;
+  out << fmt::format("\naudit (relative)  mass {}  energy {}  load {}  moment {}\n",
+                     audit_figure(a.mass), audit_figure(a.energy), audit_figure(a.load),
+                     audit_figure(a.moment));
+  print_effects(out, result);
+  print_limiters(out, result);
+  print_list(out, "warnings", result.warnings);
+  print_list(out, "assumptions", result.assumptions);
+  print_cost(out, result);
+  out << '\n';
+  print_failure(out, to_string(result.tier), result);
+}
+
+void print_checks(std::ostream& out, const Comparison& comparison) {
+  const auto names = column_names(comparison.results);
+  out << '\n';
+  TextTable table;
+  table.add({"audit (relative)", "mass", "energy", "load", "moment", "outer its", "time [s]"});
+  table.rule();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto& a = comparison.results[i].audit;
+    const auto& k = comparison.results[i].cost;
+    table.add({names[i], audit_figure(a.mass), audit_figure(a.energy), audit_figure(a.load),
+               audit_figure(a.moment), std::to_string(k.outer_iterations), figures(k.wall_s, 3)});
+  }
+  table.print(out);
+}
+
+}  // namespace
+
+void write_table(std::ostream& out, const Case& c, const Result& result) {
+  print_table(out, c.measured, result);
+}
+
+void write_table(std::ostream& out, const Result& result) { print_table(out, {}, result); }
+
+void write_comparison_table(std::ostream& out, const Case& c, const Comparison& comparison) {
+  const auto& results = comparison.results;
+  const auto names = column_names(results);
+  out << c.title << '\n' << describe_case(c, Writing::plain) << "\n\n";
+  for (std::size_t i = 0; i < results.size(); ++i) print_failure(out, names[i], results[i]);
+  print_quantities(out, c.measured, results);
+  print_split(out, comparison);
+  if (std::isfinite(comparison.T_calibrated)) {
+    out << fmt::format(
+        "\ncalibrated equivalent temperature {} degC: there the isothermal torque is the full "
+        "one\n",
+        figures(display_unit("T_equivalent", "K")(comparison.T_calibrated)));
+  }
+  print_checks(out, comparison);
+  if (!results.empty()) {
+    print_effects(out, results.back());
+    for (const auto& result : results) print_limiters(out, result);
+  }
+  print_list(out, "warnings", gathered(results, [](const Result& r) { return r.warnings; }));
+  print_list(out, "assumptions", gathered(results, [](const Result& r) { return r.assumptions; }));
+  out << '\n';
+  for (std::size_t i = 0; i < results.size(); ++i) print_failure(out, names[i], results[i]);
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,21 @@
+#pragma once
+/// Results as plain text: aligned columns, engineering units, ASCII.
+///
+/// A state that did not converge is announced above and below its numbers.
+#include <iosfwd>
+
+#include "coupling/result.hpp"
+
+namespace shellback::app {
+
+/// One result: quantities (with measured values and differences if the case has any), audit,
+/// effects, limiters that acted, warnings, assumptions, cost.
+void write_table(std::ostream& out, const coupling::Case& c, const coupling::Result& result);
+void write_table(std::ostream& out, const coupling::Result& result);
+
+/// Tiers side by side with the measured values, then the friction split in its order of
+/// substitution, the calibrated equivalent temperature, audits, effects, warnings.
+void write_comparison_table(std::ostream& out, const coupling::Case& c,
+                            const coupling::Comparison& comparison);
+
+}  // namespace shellback::app

@@ -1,0 +1,223 @@
+#include "core/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+
+namespace shellback {
+namespace {
+
+constexpr double kMergeFraction = 0.2;  ///< of an even cell: closer edges count as one [-]
+
+/// Splits [edges.front(), edges.back()] into `n` cells, each edge on a face, as even as can be.
+std::vector<double> fitted_faces(const std::vector<double>& edges, int n) {
+  const int segments = static_cast<int>(edges.size()) - 1;
+  if (segments > n) {
+    throw InputError(fmt::format(
+        "{} cells cannot resolve {} groove edges (each needs a cell); use a finer grid", n,
+        segments));
+  }
+  const double total = edges.back() - edges.front();
+  std::vector<int> count(segments);
+  int used = 0;
+  for (int s = 0; s < segments; ++s) {
+    const double share = (edges[s + 1] - edges[s]) / total * n;
+    count[s] = std::max(1, static_cast<int>(std::lround(share)));
+    used += count[s];
+  }
+  for (; used != n; used += used < n ? 1 : -1) {  // correct where the cell size is furthest off
+    int best = -1;
+    double worst = 0.0;
+    for (int s = 0; s < segments; ++s) {
+      if (used > n && count[s] == 1) continue;
+      const double size = (edges[s + 1] - edges[s]) / count[s];
+      const double key = used < n ? size : 1.0 / size;
+      if (best < 0 || key > worst) {
+        worst = key;
+        best = s;
+      }
+    }
+    count[best] += used < n ? 1 : -1;
+  }
+  std::vector<double> face{edges.front()};
+  for (int s = 0; s < segments; ++s) {
+    for (int c = 1; c <= count[s]; ++c) {
+      face.push_back(edges[s] + (edges[s + 1] - edges[s]) * c / count[s]);
+    }
+  }
+  return face;
+}
+
+void append_merged(std::vector<double>& edges, double x, double closest) {
+  if (x - edges.back() > closest) edges.push_back(x);
+}
+
+std::vector<double> circumferential_faces(int nt, std::vector<double> edges) {
+  for (double& e : edges) e -= 2.0 * kPi * std::floor(e / (2.0 * kPi));
+  std::sort(edges.begin(), edges.end());
+  const double closest = kMergeFraction * 2.0 * kPi / nt;
+  const double start = edges.empty() ? 0.0 : edges.front();
+  std::vector<double> merged{start};
+  for (const double e : edges) append_merged(merged, e, closest);
+  if (start + 2.0 * kPi - merged.back() <= closest) merged.pop_back();
+  if (merged.empty()) merged.push_back(start);
+  merged.push_back(start + 2.0 * kPi);
+  return fitted_faces(merged, nt);
+}
+
+std::vector<double> axial_faces(int n, double from, double to, std::vector<double> edges) {
+  std::sort(edges.begin(), edges.end());
+  const double closest = kMergeFraction * (to - from) / n;
+  std::vector<double> merged{from};
+  for (const double e : edges) {
+    if (to - e > closest) append_merged(merged, e, closest);
+  }
+  merged.push_back(to);
+  return fitted_faces(merged, n);
+}
+
+/// Faces of the half z >= 0 of an odd grid: its first cell is half as wide as the next one.
+std::vector<double> odd_half_faces(int n, double to, const std::vector<double>& edges) {
+  if (n == 1) return {0.0, to};
+  if (edges.empty()) {
+    const double dz = to / (n - 0.5);
+    std::vector<double> face{0.0};
+    for (int j = 0; j < n; ++j) face.push_back(j + 1 == n ? to : (j + 0.5) * dz);
+    return face;
+  }
+  // With edges: mirror them, fit the full width with an odd number of cells in the middle segment.
+  const double first = *std::min_element(edges.begin(), edges.end());
+  const int full = 2 * n - 1;
+  const double share = 2.0 * first / (2.0 * to) * full;
+  int middle = std::max(0, static_cast<int>(std::lround((share - 1.0) / 2.0)));  // full cells
+  middle = std::min(middle, n - 2);
+  std::vector<double> face{0.0};
+  for (int j = 0; j <= middle; ++j) face.push_back(first * (j + 0.5) / (middle + 0.5));
+  const auto outer = axial_faces(n - 1 - middle, first, to, edges);
+  face.back() = outer.front();
+  face.insert(face.end(), outer.begin() + 1, outer.end());
+  return face;
+}
+
+}  // namespace
+
+FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
+                   const std::vector<double>& phi_edges, const std::vector<double>& z_edges) {
+  FilmGrid g;
+  g.radius = radius;
+  g.width = width;
+  g.half = half;
+  g.nt = nt;
+  const double end = width / 2.0;
+  const bool split_cell = half && full_nz % 2 == 1;
+  if (half) {
+    std::vector<double> edges;
+    for (const double z : z_edges) {
+      if (std::abs(z) > 1e-12 * width && std::abs(z) < end * (1.0 - 1e-12)) edges.push_back(std::abs(z));
+    }
+    g.nz = (full_nz + 1) / 2;
+    g.z_face = split_cell ? odd_half_faces(g.nz, end, edges) : axial_faces(g.nz, 0.0, end, edges);
+  } else {
+    std::vector<double> edges;
+    for (const double z : z_edges) {
+      if (std::abs(z) < end * (1.0 - 1e-12)) edges.push_back(z);
+    }
+    g.nz = full_nz;
+    g.z_face = axial_faces(full_nz, -end, end, edges);
+  }
+  g.phi_face = circumferential_faces(nt, phi_edges);
+  for (int i = 0; i < nt; ++i) {
+    g.phi.push_back(0.5 * (g.phi_face[i] + g.phi_face[i + 1]));
+    g.dphi.push_back(g.phi_face[i + 1] - g.phi_face[i]);
+  }
+  for (int j = 0; j < g.nz; ++j) {
+    g.z.push_back(split_cell && j == 0 ? 0.0 : 0.5 * (g.z_face[j] + g.z_face[j + 1]));
+    g.dz.push_back(g.z_face[j + 1] - g.z_face[j]);
+  }
+  return g;
+}
+
+FilmGrid full_grid(const FilmGrid& grid) {
+  if (!grid.half) return grid;
+  FilmGrid g = grid;
+  g.half = false;
+  g.nz = grid.full_nz();
+  const bool split_cell = grid.z[0] == 0.0;
+  g.z_face.clear();
+  for (int j = grid.nz; j >= 1; --j) g.z_face.push_back(-grid.z_face[j]);
+  if (!split_cell) g.z_face.push_back(0.0);
+  for (int j = 1; j <= grid.nz; ++j) g.z_face.push_back(grid.z_face[j]);
+  g.z.clear();
+  g.dz.clear();
+  for (int j = 0; j < g.nz; ++j) {
+    g.z.push_back(0.5 * (g.z_face[j] + g.z_face[j + 1]));
+    g.dz.push_back(g.z_face[j + 1] - g.z_face[j]);
+  }
+  return g;
+}
+
+Field mirror_to_full(const FilmGrid& grid, const Field& half_field) {
+  if (!grid.half) return half_field;
+  const int nz = grid.full_nz();
+  Field full(static_cast<std::size_t>(grid.nt) * nz);
+  for (int i = 0; i < grid.nt; ++i) {
+    for (int j = 0; j < grid.nz; ++j) {
+      const double v = half_field[grid.index(i, j)];
+      full[i * nz + (nz - grid.nz + j)] = v;
+      full[i * nz + (grid.nz - 1 - j)] = v;
+    }
+  }
+  return full;
+}
+
+namespace {
+
+/// Place of x between sorted points: index of the left one and weight of the right one.
+struct Between {
+  int left;
+  int right;
+  double weight;
+};
+
+Between locate_axial(const std::vector<double>& z, double x) {
+  const int n = static_cast<int>(z.size());
+  if (x <= z.front()) return {0, 0, 0.0};
+  if (x >= z.back()) return {n - 1, n - 1, 0.0};
+  const int right = static_cast<int>(std::upper_bound(z.begin(), z.end(), x) - z.begin());
+  return {right - 1, right, (x - z[right - 1]) / (z[right] - z[right - 1])};
+}
+
+Between locate_circumferential(const std::vector<double>& phi, double x) {
+  const int n = static_cast<int>(phi.size());
+  const double turn = 2.0 * kPi;
+  x -= turn * std::floor((x - phi.front()) / turn);
+  const int right = static_cast<int>(std::upper_bound(phi.begin(), phi.end(), x) - phi.begin());
+  const double at_left = phi[right - 1];
+  const double at_right = right < n ? phi[right] : phi.front() + turn;
+  return {right - 1, right < n ? right : 0, (x - at_left) / (at_right - at_left)};
+}
+
+}  // namespace
+
+Field interpolate(const FilmGrid& from, const Field& field, const FilmGrid& to) {
+  Field out(static_cast<std::size_t>(to.cells()));
+  std::vector<Between> axial;
+  for (const double z : to.z) axial.push_back(locate_axial(from.z, from.half ? std::abs(z) : z));
+  for (int i = 0; i < to.nt; ++i) {
+    const Between a = locate_circumferential(from.phi, to.phi[i]);
+    for (int j = 0; j < to.nz; ++j) {
+      const Between b = axial[j];
+      const auto line = [&](int k) {
+        return (1.0 - b.weight) * field[from.index(k, b.left)] +
+               b.weight * field[from.index(k, b.right)];
+      };
+      out[to.index(i, j)] = (1.0 - a.weight) * line(a.left) + a.weight * line(a.right);
+    }
+  }
+  return out;
+}
+
+}  // namespace shellback

@@ -1,0 +1,269 @@
+#include "core/ring_matrix.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "core/contract.hpp"
+
+namespace shellback {
+namespace {
+
+/// C += alpha * A * B for column-major LD x n blocks; padding rows hold zeros.
+template <int LD>
+void multiply_add(double alpha, const double* a, const double* b, double* c, int n) {
+  for (int col = 0; col < n; ++col) {
+    double acc[LD] = {};
+    const double* bc = b + col * LD;
+    for (int k = 0; k < n; ++k) {
+      const double f = bc[k];
+      const double* ak = a + k * LD;
+      for (int r = 0; r < LD; ++r) acc[r] += ak[r] * f;
+    }
+    double* cc = c + col * LD;
+    for (int r = 0; r < LD; ++r) cc[r] += alpha * acc[r];
+  }
+}
+
+/// y = A x.
+template <int LD>
+void apply(const double* a, const double* x, double* y, int n) {
+  double acc[LD] = {};
+  for (int k = 0; k < n; ++k) {
+    const double f = x[k];
+    const double* ak = a + k * LD;
+    for (int r = 0; r < LD; ++r) acc[r] += ak[r] * f;
+  }
+  for (int r = 0; r < LD; ++r) y[r] = acc[r];
+}
+
+/// Row of `a` from k on with the largest entry in column k.
+template <int LD>
+int pivot_row(const double* a, int k, int n) {
+  int best = k;
+  for (int r = k + 1; r < n; ++r) {
+    if (std::abs(a[k * LD + r]) > std::abs(a[k * LD + best])) best = r;
+  }
+  return best;
+}
+
+/// Gauss-Jordan inversion in place with partial pivoting; false if singular.
+template <int LD>
+bool invert(double* a, int n) {
+  std::vector<int> swapped(static_cast<std::size_t>(n));
+  for (int k = 0; k < n; ++k) {
+    const int p = pivot_row<LD>(a, k, n);
+    swapped[k] = p;
+    if (p != k) {
+      for (int col = 0; col < n; ++col) std::swap(a[col * LD + k], a[col * LD + p]);
+    }
+    const double pivot = a[k * LD + k];
+    if (pivot == 0.0 || !std::isfinite(pivot)) return false;
+    const double d = 1.0 / pivot;
+    double scaled[LD];
+    for (int r = 0; r < LD; ++r) scaled[r] = a[k * LD + r] * d;
+    scaled[k] = 0.0;
+    for (int col = 0; col < n; ++col) {
+      if (col == k) continue;
+      double* ac = a + col * LD;
+      const double f = ac[k];
+      for (int r = 0; r < LD; ++r) ac[r] -= scaled[r] * f;
+      ac[k] = f * d;
+    }
+    for (int r = 0; r < LD; ++r) a[k * LD + r] = -scaled[r];
+    a[k * LD + k] = d;
+  }
+  for (int k = n - 1; k >= 0; --k) {
+    const int p = swapped[k];
+    if (p == k) continue;
+    for (int r = 0; r < LD; ++r) std::swap(a[k * LD + r], a[p * LD + r]);
+  }
+  return true;
+}
+
+bool all_zero(const double* x, int n) {
+  for (int k = 0; k < n; ++k) {
+    if (x[k] != 0.0) return false;
+  }
+  return true;
+}
+
+constexpr int kRegister = 8;    ///< doubles in one 512-bit register: padding of a line
+constexpr int kLargest = 128;   ///< largest padded axial line for which kernels are compiled
+
+/// Calls f.template operator()<LD>() for the padded size `ld`.
+template <class F, int LD = kRegister>
+auto with_padding(int ld, F&& f) {
+  if constexpr (LD < kLargest) {
+    if (ld > LD) return with_padding<F, LD + kRegister>(ld, std::forward<F>(f));
+  }
+  return f.template operator()<LD>();
+}
+
+}  // namespace
+
+void RingMatrix::resize(int lines, int per_line) {
+  nt = lines;
+  nz = per_line;
+  for (auto* a : {&c, &w, &e, &s, &n}) a->assign(static_cast<std::size_t>(nt) * nz, 0.0);
+}
+
+void RingMatrix::multiply(const std::vector<double>& x, std::vector<double>& y) const {
+  y.assign(x.size(), 0.0);
+  for (int i = 0; i < nt; ++i) {
+    const int west = (i == 0 ? nt - 1 : i - 1) * nz;
+    const int east = (i + 1 == nt ? 0 : i + 1) * nz;
+    for (int j = 0; j < nz; ++j) {
+      const int k = i * nz + j;
+      y[k] = c[k] * x[k] + w[k] * x[west + j] + e[k] * x[east + j];
+      if (j > 0) y[k] += s[k] * x[k - 1];
+      if (j + 1 < nz) y[k] += n[k] * x[k + 1];
+    }
+  }
+}
+
+bool RingFactor::factorize(const RingMatrix& a) {
+  EXPECTS(a.nt >= 3 && a.nz >= 1);
+  nt_ = a.nt;
+  nz_ = a.nz;
+  ld_ = (nz_ + kRegister - 1) / kRegister * kRegister;
+  if (ld_ > kLargest) throw InputError("more than 128 axial cells are solved; use a coarser grid");
+  first_ = 0;
+  int best = 0;  // a cut where neither side depends on the other is best, then a one-sided one
+  for (int i = 0; i < nt_; ++i) {
+    const int before = (i == 0 ? nt_ - 1 : i - 1) * nz_;
+    if (!all_zero(&a.e[before], nz_)) continue;
+    const int score = all_zero(&a.w[static_cast<std::size_t>(i) * nz_], nz_) ? 2 : 1;
+    if (score > best) {
+      best = score;
+      first_ = i;
+    }
+  }
+  row_border_ = best == 0;
+  column_border_ = best < 2;
+  return with_padding(ld_, [&]<int LD>() { return factorize_padded<LD>(a); });
+}
+
+template <int LD>
+bool RingFactor::factorize_padded(const RingMatrix& a) {
+  const int n = nz_;
+  const std::size_t block = static_cast<std::size_t>(LD) * n;
+  const int last = nt_ - 1;
+  inverse_.assign(block * nt_, 0.0);
+  w_.assign(static_cast<std::size_t>(nt_) * LD, 0.0);
+  e_.assign(static_cast<std::size_t>(nt_) * LD, 0.0);
+  inverse_v_.assign(column_border_ ? block * nt_ : block * 1, 0.0);
+  u_inverse_.assign(row_border_ ? block * nt_ : block * 1, 0.0);
+  for (int i = 0; i < nt_; ++i) {
+    std::memcpy(&w_[static_cast<std::size_t>(i) * LD], &a.w[static_cast<std::size_t>(line(i)) * n], n * sizeof(double));
+    std::memcpy(&e_[static_cast<std::size_t>(i) * LD], &a.e[static_cast<std::size_t>(line(i)) * n], n * sizeof(double));
+  }
+  std::vector<double> v(block, 0.0), u(block, 0.0), corner(block, 0.0), work(block);
+  for (int k = 0; k < n; ++k) {
+    v[k * LD + k] = w_[k];
+    u[k * LD + k] = e_[static_cast<std::size_t>(last) * LD + k];
+  }
+  for (int i = 0; i <= last; ++i) {
+    double* d = &inverse_[block * i];
+    const std::size_t row0 = static_cast<std::size_t>(line(i)) * n;
+    for (int k = 0; k < n; ++k) {
+      d[k * LD + k] = a.c[row0 + k];
+      if (k > 0) d[(k - 1) * LD + k] = a.s[row0 + k];
+      if (k + 1 < n) d[(k + 1) * LD + k] = a.n[row0 + k];
+    }
+    const double* wi = &w_[static_cast<std::size_t>(i) * LD];
+    if (i > 0) {
+      const double* previous = &inverse_[block * (i - 1)];
+      const double* ep = &e_[static_cast<std::size_t>(i - 1) * LD];
+      if (i < last) {
+        for (int col = 0; col < n; ++col) {
+          for (int r = 0; r < LD; ++r) d[col * LD + r] -= wi[r] * previous[col * LD + r] * ep[col];
+        }
+      }
+    }
+    if (i == last) {
+      // Last line: its coupling to the line before is part of the border row (and column).
+      for (std::size_t k = 0; k < block; ++k) d[k] += corner[k];
+      return invert<LD>(d, n);
+    }
+    if (i == last - 1) {
+      for (int k = 0; k < n; ++k) {
+        v[k * LD + k] += e_[static_cast<std::size_t>(i) * LD + k];
+        u[k * LD + k] += w_[static_cast<std::size_t>(last) * LD + k];
+      }
+    }
+    if (!invert<LD>(d, n)) return false;
+    const bool has_v = column_border_ || i == last - 1;
+    const bool has_u = row_border_ || i == last - 1;
+    double* iv = &inverse_v_[column_border_ ? block * i : 0];
+    double* ui = &u_inverse_[row_border_ ? block * i : 0];
+    if (has_v) multiply_add<LD>(1.0, d, v.data(), iv, n);
+    if (has_u) multiply_add<LD>(1.0, u.data(), d, ui, n);
+    if (has_u && has_v) multiply_add<LD>(-1.0, ui, v.data(), corner.data(), n);
+    if (column_border_) {  // v of the next line: -w_next o (inverse v)
+      const double* wn = &w_[static_cast<std::size_t>(i + 1) * LD];
+      for (int col = 0; col < n; ++col) {
+        for (int r = 0; r < LD; ++r) v[col * LD + r] = -wn[r] * iv[col * LD + r];
+      }
+    }
+    if (row_border_) {  // u of the next line: -(u inverse) o e
+      const double* ei = &e_[static_cast<std::size_t>(i) * LD];
+      for (int col = 0; col < n; ++col) {
+        for (int r = 0; r < LD; ++r) u[col * LD + r] = -ui[col * LD + r] * ei[col];
+      }
+    }
+  }
+  return true;
+}
+
+template <int LD>
+void RingFactor::solve_padded(double* b) const {
+  const int n = nz_;
+  const std::size_t block = static_cast<std::size_t>(LD) * n;
+  const int last = nt_ - 1;
+  std::vector<double> z(static_cast<std::size_t>(nt_) * LD, 0.0);  // inverse times reduced rhs
+  double y[LD] = {}, t[LD] = {}, border[LD] = {};
+  std::memcpy(border, b + static_cast<std::size_t>(line(last)) * n, n * sizeof(double));
+  for (int i = 0; i < last; ++i) {
+    std::memcpy(y, b + static_cast<std::size_t>(line(i)) * n, n * sizeof(double));
+    if (i > 0) {
+      const double* wi = &w_[static_cast<std::size_t>(i) * LD];
+      const double* zp = &z[static_cast<std::size_t>(i - 1) * LD];
+      for (int r = 0; r < LD; ++r) y[r] -= wi[r] * zp[r];
+    }
+    apply<LD>(&inverse_[block * i], y, &z[static_cast<std::size_t>(i) * LD], n);
+    if (row_border_ || i == last - 1) {
+      apply<LD>(&u_inverse_[row_border_ ? block * i : 0], y, t, n);
+      for (int r = 0; r < LD; ++r) border[r] -= t[r];
+    }
+  }
+  double x_last[LD], x[LD];
+  apply<LD>(&inverse_[block * last], border, x_last, n);
+  std::memcpy(b + static_cast<std::size_t>(line(last)) * n, x_last, n * sizeof(double));
+  for (int i = last - 1; i >= 0; --i) {
+    const double* zi = &z[static_cast<std::size_t>(i) * LD];
+    for (int r = 0; r < LD; ++r) y[r] = 0.0;
+    if (i < last - 1) {
+      const double* ei = &e_[static_cast<std::size_t>(i) * LD];
+      for (int r = 0; r < LD; ++r) y[r] = ei[r] * x[r];
+      apply<LD>(&inverse_[block * i], y, t, n);
+      for (int r = 0; r < LD; ++r) x[r] = zi[r] - t[r];
+    } else {
+      for (int r = 0; r < LD; ++r) x[r] = zi[r];
+    }
+    if (column_border_ || i == last - 1) {
+      apply<LD>(&inverse_v_[column_border_ ? block * i : 0], x_last, t, n);
+      for (int r = 0; r < LD; ++r) x[r] -= t[r];
+    }
+    std::memcpy(b + static_cast<std::size_t>(line(i)) * n, x, n * sizeof(double));
+  }
+}
+
+void RingFactor::solve(double* b, int count) const {
+  for (int k = 0; k < count; ++k) {
+    double* rhs = b + static_cast<std::size_t>(k) * nt_ * nz_;
+    with_padding(ld_, [&]<int LD>() { solve_padded<LD>(rhs); });
+  }
+}
+
+}  // namespace shellback

@@ -1,0 +1,18 @@
+#pragma once
+/// Conservation audit of a solution: mass, energy, load, moment.
+///
+///   mass    |supply flow - side flow| / the larger of them
+///   energy  |friction power + pump power - heat by oil - heat to shell - heat to shaft|
+///           / friction power; the film's temperatures with the flows and the dissipation they
+///           were solved for
+///   load    |F + W| / |W|; not applicable with a given position
+///   moment  |T_journal - T_shell - T_pressure| / |T_journal|, viscous torques; T_pressure =
+///           - int p dhT/dphi dA, the moment of the pressure on the eccentric journal (and on the
+///           deformed shell). It is not exact on a grid and falls with it.
+#include "coupling/solve.hpp"
+
+namespace shellback::coupling {
+
+[[nodiscard]] Audit audit_of(const Solution& s, const Friction& friction);
+
+}  // namespace shellback::coupling

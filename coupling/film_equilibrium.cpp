@@ -1,0 +1,265 @@
+#include "coupling/film_equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/constants.hpp"
+#include "coupling/elastic_step.hpp"
+#include "coupling/equilibrium_step.hpp"
+#include "coupling/solids.hpp"
+#include "fluid/fischer_burmeister.hpp"
+
+namespace shellback::coupling {
+
+double LoadTarget::scale() const { return std::hypot(force[0], force[1]); }
+
+LoadTarget load_target(const Case& c) {
+  LoadTarget t;
+  if (const auto* load = std::get_if<LoadGiven>(&c.operation.position)) {
+    t.force = {-load->force * std::cos(load->angle), -load->force * std::sin(load->angle), 0.0, 0.0};
+  } else {
+    t.unknowns = 0;
+  }
+  if (const auto* moment = std::get_if<MomentGiven>(&c.operation.alignment)) {
+    t.unknowns = 4;
+    t.force[2] = -moment->about_x;
+    t.force[3] = -moment->about_y;
+  }
+  return t;
+}
+
+fluid::JournalPosition first_position(const Case& c, double clearance) {
+  constexpr double kFirstEccentricity = 0.6;            // where most bearings run [-]
+  constexpr double kFirstAttitude = 50.0 * kPi / 180.0;  // that of a half-wide bearing there
+  fluid::JournalPosition q;
+  double angle = 0.0;
+  double e = kFirstEccentricity * clearance;
+  if (const auto* given = std::get_if<EccentricityGiven>(&c.operation.position)) {
+    angle = given->load_angle + given->attitude;
+    e = given->ratio * clearance;
+  } else {
+    const double turn = c.operation.omega >= 0.0 ? kFirstAttitude : -kFirstAttitude;
+    angle = std::get<LoadGiven>(c.operation.position).angle + turn;
+  }
+  q.q[0] = e * std::cos(angle);
+  q.q[1] = e * std::sin(angle);
+  if (const auto* tilt = std::get_if<TiltGiven>(&c.operation.alignment)) {
+    q.q[2] = tilt->about_x;
+    q.q[3] = tilt->about_y;
+  }
+  return q;
+}
+
+FilmEquilibrium cold_start(const BearingModel& model, double T) {
+  FilmEquilibrium s;
+  s.film = fluid::cold_film(model.scene);
+  s.position = first_position(model.input, model.clearance);
+  if (model.physics.elastic) s.elastic.assign(model.scene.grid.cells(), 0.0);
+  s.columns = uniform_columns(model.scene.grid.cells(), model.gl.n, T);
+  return s;
+}
+
+namespace {
+
+Field sum(const Field& a, const Field& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  Field c = a;
+  for (std::size_t k = 0; k < c.size(); ++k) c[k] += b[k];
+  return c;
+}
+
+void evaluate_contact(const BearingModel& model, FilmEquilibrium& s) {
+  s.p_contact.assign(s.film.p.size(), 0.0);
+  s.dp_contact.assign(s.film.p.size(), 0.0);
+  if (!model.contact) return;
+  model.contact->evaluate(s.gap.cell, s.p_contact, s.dp_contact);
+  for (std::size_t k = 0; k < s.p_contact.size(); ++k) {
+    if (model.scene.supply.cell[k] < 0) continue;
+    s.p_contact[k] = 0.0;  // nothing to touch over a groove
+    s.dp_contact[k] = 0.0;
+  }
+}
+
+double largest(const Field& x) {
+  double m = 0.0;
+  for (const double v : x) m = std::isfinite(v) ? std::max(m, std::abs(v)) : INFINITY;
+  return m;
+}
+
+/// Residuals of one iterate, each in units of its tolerance's scale.
+struct Residuals {
+  Field film;
+  Field displacement;
+  double film_norm = 0.0;
+  double load_norm = 0.0;
+  double elastic_norm = 0.0;
+
+  [[nodiscard]] bool within(const EquilibriumOptions& o) const {
+    return film_norm <= o.film_tolerance && load_norm <= o.load_tolerance &&
+           elastic_norm <= o.elastic_tolerance;
+  }
+};
+
+Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
+                       const FilmEquilibrium& s) {
+  Residuals r;
+  r.film = fluid::film_residual(model.scene, s.flow);
+  r.film_norm = largest(r.film) / fluid::flow_scale(model.scene, s.flow);
+  if (target.unknowns > 0) {
+    const double arm = 0.5 * model.scene.grid.width;
+    for (int k = 0; k < target.unknowns; ++k) {
+      const double unit = k < 2 ? target.scale() : target.scale() * arm;
+      r.load_norm = std::max(r.load_norm, std::abs(s.force[k] - target.force[k]) / unit);
+    }
+  }
+  if (!s.elastic.empty()) {
+    r.displacement = model.solids->compliance(sum(s.film.p, s.p_contact));
+    for (std::size_t k = 0; k < r.displacement.size(); ++k) r.displacement[k] -= s.elastic[k];
+    r.elastic_norm =
+        largest(r.displacement) / (std::max(s.least.h, 0.0) + model.scene.rough.sigma + 1e-9);
+  }
+  return r;
+}
+
+/// The unknowns, to go back to.
+struct Unknowns {
+  fluid::FilmState film;
+  fluid::JournalPosition position;
+  Field elastic;
+};
+
+Unknowns unknowns_of(const FilmEquilibrium& s) { return {s.film, s.position, s.elastic}; }
+
+void restore(const Unknowns& u, FilmEquilibrium& s) {
+  s.film = u.film;
+  s.position = u.position;
+  s.elastic = u.elastic;
+}
+
+/// Takes the step; the elastic displacement follows the pressures as they come out of cavitation
+/// and of the pressure law, not as the linear step has them.
+fluid::UpdateReport take(const BearingModel& model, const NewtonStep& step, double fraction,
+                         FilmEquilibrium& s) {
+  for (int k = 0; k < 4; ++k) s.position.q[k] += fraction * step.q[k];
+  const Field before = s.film.p;
+  const std::vector<char> full = s.film.full;
+  const auto report = fluid::advance(model.scene, s.oil, step.film, fraction, s.film);
+  if (!s.elastic.empty()) {
+    Field beyond(before.size());
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const bool free = full[k] && model.scene.supply.cell[k] < 0;
+      beyond[k] = s.film.p[k] - before[k] - (free ? fraction * step.film[k] : 0.0);
+    }
+    const Field more = model.solids->compliance(beyond);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      s.elastic[k] += fraction * step.elastic[k] + more[k];
+    }
+  }
+  return report;
+}
+
+Verdict limit_load(const BearingModel& model, const LoadTarget& target, double carried,
+                   int worst_cell) {
+  return {Status::no_steady_state,
+          fmt::format("the film cannot carry {:.4g} N: it carries about {:.4g} N, then the pressure "
+                      "grows without bound (with rigid surfaces and viscosity rising as exp(alpha p), "
+                      "q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
+                      target.scale(), carried),
+          worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : "",
+          "switch on elastic deformation, use the Roelands law, or lower the load"};
+}
+
+Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residuals& r,
+              int iterations) {
+  const auto worst = std::max_element(
+      r.film.begin(), r.film.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  return {Status::iteration_limit,
+          fmt::format("film and journal position did not settle in {} Newton iterations (film {:.1e}, "
+                      "load {:.1e}, elasticity {:.1e}, smallest gap {:.3g} um)",
+                      iterations, r.film_norm, r.load_norm, r.elastic_norm, s.least.h * 1e6),
+          fluid::place_of(model.scene.grid, static_cast<int>(worst - r.film.begin())),
+          "try a finer grid, a lower load, or tier isothermal first"};
+}
+
+}  // namespace
+
+bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
+              FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = model.scene;
+  s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position,
+                          sum(growth, s.elastic), model.step);
+  s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
+  if (scene.rough.sigma <= 0.0 && !(s.least.h > 0.0)) return false;
+  s.shear_gap = shear_gap(model, s.gap.cell);
+  s.gradient_x = fluid::pressure_gradient_x(scene, s.film);
+  s.gradient_z = fluid::pressure_gradient_z(scene, s.film);
+  update_columns(model.oil, model.gl, scene.speed, s.shear_gap, s.film, s.gradient_x, s.gradient_z,
+                 tolerance, s.columns, s.oil);
+  fluid::evaluate_flow(scene, s.gap, model.step, s.oil, s.film, s.flow);
+  evaluate_contact(model, s);
+  s.force = fluid::wrench(scene, sum(s.film.p, s.p_contact));
+  return true;
+}
+
+Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                          const EquilibriumOptions& options, FilmEquilibrium& s,
+                          EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  constexpr double kShortestReach = 1e-5;  // a step shortened this far shows that there is no way on
+  Unknowns last = unknowns_of(s);
+  double reach = 1.0;
+  double carried = 0.0;
+  double viscosity_tolerance = 1e-3;
+  int worst_cell = -1;
+  Residuals r;
+  for (int it = 0; it <= options.max_iterations; ++it) {
+    if (stop && stop->load()) return {Status::interrupted, "stopped by the user", "", ""};
+    bool possible = evaluate(model, growth, viscosity_tolerance, s);
+    if (possible) {
+      r = residuals_of(model, target, s);
+      possible = std::isfinite(r.film_norm) && std::isfinite(r.load_norm);
+    }
+    if (!possible) {
+      if (it == 0) {
+        return {Status::no_steady_state, "the surfaces touch before the solve begins: the clearance is "
+                "used up by thermal growth, profile or eccentricity",
+                fluid::place_of(model.scene.grid, 0),
+                "give roughness and contact data, or a larger clearance"};
+      }
+      restore(last, s);
+      reach *= 0.5;
+      ++cost.rejected_steps;
+      if (reach < kShortestReach) return limit_load(model, target, carried, worst_cell);
+      if (!evaluate(model, growth, viscosity_tolerance, s)) return stuck(model, s, r, it);
+      r = residuals_of(model, target, s);
+    } else {
+      last = unknowns_of(s);
+      if (r.film_norm < 1e-2) carried = std::hypot(s.force[0], s.force[1]);
+      if (r.within(options) && s.columns.mismatch <= options.viscosity_tolerance &&
+          fluid::complementary(model.scene, s.film)) {
+        return {};
+      }
+      viscosity_tolerance = std::clamp(1e-2 * (r.film_norm + r.load_norm),
+                                       0.3 * options.viscosity_tolerance, 1e-3);
+      reach = std::min(1.0, 1.5 * reach);
+    }
+    ++cost.newton_iterations;
+    const NewtonStep step =
+        s.elastic.empty() ? rigid_step(model, target, s, r.film, reach, cost)
+                          : elastic_step(model, target, s, r.film, r.displacement, cost);
+    if (!step.good) return {Status::iteration_limit, "the film matrix is singular", "", "refine the grid"};
+    const auto report = take(model, step, s.elastic.empty() ? 1.0 : reach, s);
+    if (report.beyond_barus > 0) {
+      worst_cell = report.worst_cell;
+      restore(last, s);
+      reach *= 0.35;
+      ++cost.rejected_steps;
+      if (reach < kShortestReach) return limit_load(model, target, carried, worst_cell);
+    }
+  }
+  return stuck(model, s, r, options.max_iterations);
+}
+
+}  // namespace shellback::coupling

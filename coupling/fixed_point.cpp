@@ -1,0 +1,73 @@
+#include "coupling/fixed_point.hpp"
+
+#include <kinsol/kinsol.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+namespace shellback::coupling {
+namespace {
+
+using Map = std::function<bool(const std::vector<double>&, std::vector<double>&)>;
+
+struct Call {
+  const Map* map;
+  std::vector<double> x, g;
+};
+
+int evaluate(N_Vector x, N_Vector g, void* data) {
+  Call& call = *static_cast<Call*>(data);
+  const double* from = N_VGetArrayPointer(x);
+  call.x.assign(from, from + call.x.size());
+  if (!(*call.map)(call.x, call.g)) return -1;
+  std::copy(call.g.begin(), call.g.end(), N_VGetArrayPointer(g));
+  return 0;
+}
+
+// The outcome is reported by the caller, in the user's words: KINSOL itself stays silent.
+void stay_silent(int, const char*, const char*, char*, void*) {}
+
+struct ContextDeleter {
+  void operator()(SUNContext c) const { SUNContext_Free(&c); }
+};
+struct VectorDeleter {
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+};
+struct SolverDeleter {
+  void operator()(void* m) const { KINFree(&m); }
+};
+template <class T, class D>
+using Owned = std::unique_ptr<std::remove_pointer_t<T>, D>;
+
+void require(int flag) {
+  if (flag < 0) throw std::runtime_error("KINSOL could not be set up");
+}
+
+}  // namespace
+
+FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vector<double>& x) {
+  SUNContext raw = nullptr;
+  require(SUNContext_Create(nullptr, &raw));
+  const Owned<SUNContext, ContextDeleter> context(raw);
+  const auto n = static_cast<sunindextype>(x.size());
+  const Owned<N_Vector, VectorDeleter> u(N_VMake_Serial(n, x.data(), raw));
+  const Owned<N_Vector, VectorDeleter> scale(N_VNew_Serial(n, raw));
+  N_VConst(1.0, scale.get());
+  const Owned<void*, SolverDeleter> solver(KINCreate(raw));
+  Call call{&map, x, x};
+  require(KINSetErrHandlerFn(solver.get(), stay_silent, nullptr));
+  require(KINSetMAA(solver.get(), o.depth));
+  require(KINSetDelayAA(solver.get(), o.delay));
+  require(KINInit(solver.get(), evaluate, u.get()));
+  require(KINSetUserData(solver.get(), &call));
+  require(KINSetFuncNormTol(solver.get(), o.tolerance));
+  require(KINSetNumMaxIters(solver.get(), o.max_iterations));
+  const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
+  if (end >= 0) return FixedPointEnd::converged;
+  return end == KIN_MAXITER_REACHED ? FixedPointEnd::iteration_limit : FixedPointEnd::map_failed;
+}
+
+}  // namespace shellback::coupling

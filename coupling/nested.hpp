@@ -1,0 +1,27 @@
+#pragma once
+/// Nested iteration: a cold film is solved on coarse grids first and carried to finer ones.
+///
+/// The coarse solutions cost little, place the cavitation boundary and the journal, and leave the
+/// fine grid one to three Newton iterations (methods 1.2, 8).
+#include <array>
+#include <vector>
+
+#include "coupling/film_equilibrium.hpp"
+
+namespace shellback::coupling {
+
+/// Grids from the coarsest to `fine`, each axis about halved from one to the next.
+[[nodiscard]] std::vector<std::array<int, 2>> grid_ladder(std::array<int, 2> fine);
+
+/// State on another grid of the same bearing: pressures, fill ratios, position, temperatures.
+[[nodiscard]] FilmEquilibrium carry_over(const BearingModel& from, const FilmEquilibrium& s,
+                                         const BearingModel& to);
+
+/// Rigid, isothermal film of `c` at temperature T in equilibrium on the grid of `fine`, from cold,
+/// without pressure-viscosity effect if `isoviscous` (then every load has a solution). `state` is
+/// left at the last iterate.
+[[nodiscard]] Verdict nested_rigid_start(const BearingModel& fine, const LoadTarget& target,
+                                         double T, bool isoviscous, FilmEquilibrium& state,
+                                         EquilibriumCost& cost, const std::atomic<bool>* stop);
+
+}  // namespace shellback::coupling

@@ -1,0 +1,154 @@
+#include "coupling/solids.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "core/contract.hpp"
+#include "core/revolution_mesh.hpp"
+#include "solid/revolution_elasticity.hpp"
+
+namespace shellback::coupling {
+namespace {
+
+/// Materials and thicknesses from the bore outwards, housing included.
+struct Layers {
+  std::vector<solid::Material> material;
+  std::vector<double> thickness;  ///< [m]
+  int last_of_shell = 0;
+};
+
+Layers layers_of(const Case& c) {
+  if (!c.shell || c.shell->layers.empty()) {
+    throw InputError("the shell's layers are needed for heat conduction and deformation; give "
+                     "[shell] layers, or use tier isothermal or lumped");
+  }
+  Layers out;
+  double radius = c.bearing.radius;
+  for (const ShellLayer& layer : c.shell->layers) {
+    out.material.push_back(layer.material);
+    out.thickness.push_back(layer.thickness);
+    radius += layer.thickness;
+  }
+  out.last_of_shell = static_cast<int>(out.material.size()) - 1;
+  if (c.shell->housing) {
+    out.material.push_back(c.shell->housing->material);
+    out.thickness.push_back(c.shell->housing->outer_radius - radius);
+  }
+  return out;
+}
+
+RevolutionMesh shell_mesh(const Case& c, const Layers& layers, const FilmGrid& grid,
+                          int harmonics) {
+  const RadialRows rows = rows_outwards(c.bearing.radius, layers.thickness,
+                                        surface_row(c.bearing.radius, harmonics));
+  return make_revolution_mesh(rows.face, rows.layer, axial_elements(grid), grid.half);
+}
+
+solid::Support support_of(const Case& c) {
+  if (!c.shell->housing) return solid::Support::held;
+  switch (c.shell->housing->support) {
+    case HousingSupport::free: return solid::Support::free;
+    case HousingSupport::clamped: return solid::Support::clamped;
+    case HousingSupport::held: break;
+  }
+  return solid::Support::held;
+}
+
+/// Mean over harmonics of the mean eigenvalue: what a pressure of no particular shape meets.
+double mean_compliance(const HarmonicOperator& op) {
+  double sum = 0.0;
+  for (const auto& m : op) sum += m.trace() / static_cast<double>(m.rows());
+  return sum / static_cast<double>(op.size());
+}
+
+}  // namespace
+
+Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
+    : grid_(grid), effects_(effects), harmonics_(grid, default_harmonics(grid.nt)) {
+  const auto start = std::chrono::steady_clock::now();
+  reference_ = c.bearing.reference_temperature;
+  if (!c.shaft) throw InputError("the shaft's data are needed; give [shaft] material");
+  if (effects.elastic) build_elastic(c);
+  if (effects.heat) build_heat(c);
+  setup_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void Solids::build_elastic(const Case& c) {
+  const int N = harmonics_.highest();
+  const Layers layers = layers_of(c);
+  const RevolutionMesh shell = shell_mesh(c, layers, grid_, N);
+  const auto ops = solid::shell_elasticity(
+      shell, grid_, layers.material, {N, support_of(c), solid::AxialEnds::free, false});
+  const RadialRows rows = rows_of_cylinder(c.bearing.radius, surface_row(c.bearing.radius, N));
+  const RevolutionMesh shaft = make_revolution_mesh(
+      rows.face, rows.layer, axial_elements(grid_, c.shaft->overhang), grid_.half);
+  const HarmonicOperator journal = solid::shaft_compliance(shaft, grid_, c.shaft->material, N);
+  compliance_ = ops.compliance;
+  for (std::size_t n = 0; n < compliance_.size(); ++n) compliance_[n] += journal[n];
+  winkler_ = mean_compliance(compliance_);
+}
+
+void Solids::build_heat(const Case& c) {
+  const int N = harmonics_.highest();
+  const Layers layers = layers_of(c);
+  const RevolutionMesh mesh = shell_mesh(c, layers, grid_, N);
+  std::vector<double> k;
+  for (const auto& m : layers.material) k.push_back(m.conductivity);
+  thermal::ConductionBoundary boundary;
+  boundary.end_heat_transfer = c.shell->end_heat_transfer;
+  if (const auto* back = std::get_if<ConvectiveBack>(&c.shell->back)) {
+    boundary.kind = thermal::BackKind::convective;
+    boundary.back_heat_transfer = back->heat_transfer;
+    surroundings_ = back->ambient;
+  } else {
+    boundary.kind = thermal::BackKind::prescribed;
+    surroundings_ = std::get<PrescribedBack>(c.shell->back).temperature;
+  }
+  boundary.back_line = thermal::outer_line(mesh, layers.last_of_shell);
+  conduction_.emplace(mesh, grid_, k, boundary, harmonics_);
+  fin_ = {c.shaft->material.conductivity, c.shaft->overhang, c.shaft->heat_transfer,
+          c.shaft->ambient};
+  if (!effects_.growth) return;
+  const auto ops = solid::shell_elasticity(
+      mesh, grid_, layers.material, {N, support_of(c), solid::AxialEnds::free, true});
+  growth_per_flux_ = compose(ops.growth, conduction_->nodal());
+  uniform_growth_ = solid::uniform_growth(ops);
+  shaft_expansion_ = c.shaft->material.expansion;
+}
+
+bool Solids::same_effects(SolidEffects e) const {
+  return (effects_.elastic || !e.elastic) && (effects_.heat || !e.heat) &&
+         (effects_.growth || !e.growth);
+}
+
+Field Solids::compliance(const Field& pressure) const {
+  return apply(harmonics_, compliance_, pressure, Tail::last);
+}
+
+SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
+                                const std::vector<double>& T_shaft) const {
+  SolidTemperature out;
+  out.shell = conduction_->solve(q.shell, q.shell_sensitivity, T_shell, surroundings_);
+  out.shaft = thermal::solve_shaft(grid_, fin_, q.shaft, q.shaft_sensitivity, T_shaft);
+  if (!effects_.growth) return out;
+  out.growth = harmonics_.synthesise(multiply(growth_per_flux_, out.shell.flux));
+  const std::vector<double> shaft =
+      solid::shaft_growth(grid_.radius, shaft_expansion_, out.shaft.temperature, reference_);
+  for (int i = 0; i < grid_.nt; ++i) {
+    for (int j = 0; j < grid_.nz; ++j) {
+      out.growth[grid_.index(i, j)] +=
+          uniform_growth_[j] * (surroundings_ - reference_) + shaft[j];
+    }
+  }
+  return out;
+}
+
+std::vector<double> Solids::section_radii() const { return conduction_->section_radii(); }
+
+std::vector<double> Solids::section(const thermal::ShellTemperature& T) const {
+  Field values = harmonics_.synthesise(multiply(conduction_->section(), T.flux));
+  for (double& x : values) x += surroundings_;
+  return values;
+}
+
+}  // namespace shellback::coupling

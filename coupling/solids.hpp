@@ -1,0 +1,80 @@
+#pragma once
+/// Shell, housing and shaft of one bearing on one film grid: how the gap answers pressure and heat.
+///
+/// Owns the harmonic operators of solid/revolution_elasticity and thermal/revolution_conduction,
+/// built once per geometry. All fields are film cells.
+#include <memory>
+#include <optional>
+
+#include "core/harmonics.hpp"
+#include "coupling/case.hpp"
+#include "thermal/revolution_conduction.hpp"
+#include "thermal/shaft_fin.hpp"
+
+namespace shellback::coupling {
+
+/// Which operators are wanted.
+struct SolidEffects {
+  bool elastic = false;
+  bool heat = false;
+  bool growth = false;
+};
+
+/// Heat from the film into the two walls and the film's response to their temperature.
+struct WallFlux {
+  Field shell;                       ///< [W/m2]
+  std::vector<double> shaft;         ///< circumferential mean per axial cell [W/m2]
+  double shell_sensitivity = 0.0;    ///< -d q / d T_wall of the film [W/(m2 K)]
+  double shaft_sensitivity = 0.0;
+};
+
+/// Temperatures of the solids and what they do to the gap.
+struct SolidTemperature {
+  thermal::ShellTemperature shell;
+  thermal::ShaftTemperature shaft;
+  Field growth;  ///< thermal widening of the gap, shell and shaft; empty without growth [m]
+};
+
+class Solids {
+ public:
+  /// Throws InputError if the case lacks shell or shaft data for what is wanted.
+  Solids(const Case& c, const FilmGrid& grid, SolidEffects effects);
+
+  /// Widening of the gap by a pressure on shell and shaft [m].
+  [[nodiscard]] Field compliance(const Field& pressure) const;
+  /// Winkler foundation that stands for the compliance in a preconditioner [m/Pa].
+  [[nodiscard]] double winkler() const { return winkler_; }
+
+  /// Temperatures for the heat that the film gives at the wall temperatures `T_shell` (cells) and
+  /// `T_shaft` (axial cells) [K], Robin-coupled by the sensitivities.
+  [[nodiscard]] SolidTemperature answer(const WallFlux& q, const Field& T_shell,
+                                        const std::vector<double>& T_shaft) const;
+
+  [[nodiscard]] double surroundings() const { return surroundings_; }  ///< of the shell [K]
+  [[nodiscard]] bool same_effects(SolidEffects e) const;
+  [[nodiscard]] double setup_seconds() const { return setup_s_; }
+
+  /// Shell temperature in the section z = 0: radii [m] and values [K], index i * radii + k.
+  [[nodiscard]] std::vector<double> section_radii() const;
+  [[nodiscard]] std::vector<double> section(const thermal::ShellTemperature& T) const;
+
+ private:
+  void build_elastic(const Case& c);
+  void build_heat(const Case& c);
+
+  FilmGrid grid_;
+  SolidEffects effects_;
+  Harmonics harmonics_;
+  HarmonicOperator compliance_;
+  double winkler_ = 0.0;
+  std::optional<thermal::ShellConduction> conduction_;
+  HarmonicOperator growth_per_flux_;
+  Eigen::VectorXd uniform_growth_;  ///< of the bore per kelvin, per axial cell [m/K]
+  thermal::ShaftFin fin_;
+  double surroundings_ = 0.0;
+  double reference_ = 0.0;
+  double shaft_expansion_ = 0.0;
+  double setup_s_ = 0.0;
+};
+
+}  // namespace shellback::coupling

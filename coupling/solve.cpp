@@ -1,0 +1,131 @@
+#include "coupling/solve.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+#include "coupling/nested.hpp"
+#include "coupling/solids.hpp"
+#include "rheology/density.hpp"
+#include "rheology/heat.hpp"
+
+namespace shellback::coupling {
+
+double equivalent_temperature(const Case& c) {
+  const double T_supply = c.supplies.front().temperature;
+  std::optional<double> back = c.measured.shell_back_temperature;
+  if (!back && c.shell) {
+    if (const auto* given = std::get_if<PrescribedBack>(&c.shell->back)) back = given->temperature;
+  }
+  if (back) return T_supply + c.model.kappa * (*back - T_supply);
+  return c.oil_temperature.value_or(T_supply);
+}
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// First equilibrium at one temperature, from cold: rigid on coarse grids, then as the model has
+/// it. Elastic films start from the isoviscous rigid one, which exists for every load.
+Verdict start(Solution& s, double T, const SolveControl& control) {
+  const bool isoviscous = s.model.physics.elastic;
+  Verdict v = nested_rigid_start(s.model, s.target, T, isoviscous, s.film, s.cost, control.stop);
+  if (!v.good()) return v;
+  return solve_equilibrium(s.model, s.target, s.heat.growth, {}, s.film, s.cost, control.stop);
+}
+
+void set_uniform_temperature(Solution& s, double T) {
+  std::fill(s.film.columns.T.begin(), s.film.columns.T.end(), T);
+  s.T_film = T;
+}
+
+/// Mean film temperature from the heat balance of the whole bearing: all friction heat leaves with
+/// the oil, which is as warm as the film, rho cp Q (T - T_supply) = P. Secant on T.
+Verdict solve_lumped(Solution& s, const SolveControl& control) {
+  constexpr int kMostTurns = 60;
+  constexpr double kSettled = 1e-7;  // [K]
+  const double T_supply = s.model.input.supplies.front().temperature;
+  double T = T_supply;
+  double before_T = T;
+  double before_gap = 0.0;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    set_uniform_temperature(s, T);
+    Verdict v = turn == 0 ? start(s, T, control)
+                          : solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
+    if (!v.good()) return v;
+    const Friction f = friction_of(s.model, s.film);
+    const double power = std::abs((f.viscous + f.asperity) * s.model.input.operation.omega) +
+                         pump_power(s.model, s.film);
+    const double flow = fluid::oil_flows(s.model.scene, s.film.flow).side;
+    const double cp = rheology::heat_capacity(s.model.oil, 0.5 * (T + T_supply)).cp;
+    if (!(flow > 0.0)) {
+      return {Status::no_steady_state, "no oil leaves the bearing: its heat cannot be carried away",
+              "", "check the supply"};
+    }
+    const double gap = T_supply + power / (flow * cp) - T;  // zero at the balance
+    s.history.push_back({"lumped", std::abs(gap), f.viscous + f.asperity, s.film.least.h});
+    if (control.progress) control.progress({"lumped", turn, std::abs(gap), f.viscous, s.film.least.h});
+    if (std::abs(gap) < kSettled) return {};
+    const double slope = turn == 0 ? -2.0 : (gap - before_gap) / (T - before_T);
+    before_T = T;
+    before_gap = gap;
+    T -= gap / (slope < 0.0 ? slope : -1.0);
+    if (T - T_supply > 400.0) {
+      return {Status::no_steady_state, fmt::format("thermal runaway: the heat balance asks for {:.0f} degC",
+                                                   T - kZeroCelsius),
+              "", "lower speed or load, or feed more oil"};
+    }
+  }
+  return {Status::iteration_limit, "the heat balance did not settle", "", "try tier thd"};
+}
+
+Verdict solve_resolved(Solution& s, const SolveControl& control) {
+  const double T = s.model.input.supplies.front().temperature;
+  s.heat = cold_heat(s.model, T);
+  Verdict v = start(s, T, control);
+  if (!v.good()) return v;
+  return solve_thermal(s.model, s.target, {}, control, s.film, s.heat, s.cost, s.history);
+}
+
+}  // namespace
+
+Solution solve_tier(const Case& c, Tier tier, const SolveControl& control,
+                    std::shared_ptr<const Solids> solids) {
+  const auto begin = std::chrono::steady_clock::now();
+  Solution s;
+  s.model = make_bearing(c, physics_of(c, tier), c.model.grid, std::move(solids));
+  s.target = load_target(c);
+  switch (tier) {
+    case Tier::isothermal:
+      s.T_film = equivalent_temperature(c);
+      s.verdict = start(s, s.T_film, control);
+      break;
+    case Tier::lumped: s.verdict = solve_lumped(s, control); break;
+    case Tier::thd:
+    case Tier::tehd: s.verdict = solve_resolved(s, control); break;
+  }
+  s.wall_s = seconds_since(begin);
+  return s;
+}
+
+Solution solve_isothermal_at(const Case& c, double T, const SolveControl& control) {
+  const auto begin = std::chrono::steady_clock::now();
+  Solution s;
+  s.model = make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid);
+  s.target = load_target(c);
+  s.T_film = T;
+  s.verdict = start(s, T, control);
+  s.wall_s = seconds_since(begin);
+  return s;
+}
+
+Result solve(const Case& c, const SolveControl& control) {
+  return summarize(solve_tier(c, c.model.tier, control), c.model.tier);
+}
+
+}  // namespace shellback::coupling

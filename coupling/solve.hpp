@@ -1,0 +1,44 @@
+#pragma once
+/// One case, one tier, one result: what `run` calls.
+#include "coupling/control.hpp"
+#include "coupling/film_heat.hpp"
+#include "coupling/result.hpp"
+#include "coupling/thermal_loop.hpp"
+
+namespace shellback::coupling {
+
+/// Temperature of the isothermal tier [K]: from the measured (or prescribed) shell-back temperature
+/// T_supply + kappa (T_back - T_supply) if there is one, else the oil temperature of the case, else
+/// the supply temperature (constant viscosity). Source: design 3, after seed 000 3.5; the published
+/// relation itself is not available and not claimed.
+[[nodiscard]] double equivalent_temperature(const Case& c);
+
+/// A solved scene, before it is summed up into a Result.
+struct Solution {
+  BearingModel model;
+  LoadTarget target;
+  FilmEquilibrium film;
+  HeatState heat;            ///< meaningful if model.physics.film_energy
+  double T_film = 0.0;       ///< isothermal and lumped: the film's temperature [K]
+  Verdict verdict;
+  EquilibriumCost cost;
+  std::vector<HistoryEntry> history;
+  double wall_s = 0.0;
+};
+
+/// Solves the case in one tier. `solids`: operators of a former solve of the same geometry.
+[[nodiscard]] Solution solve_tier(const Case& c, Tier tier, const SolveControl& control = {},
+                                  std::shared_ptr<const Solids> solids = nullptr);
+
+/// Isothermal solution at a given film temperature, from cold.
+[[nodiscard]] Solution solve_isothermal_at(const Case& c, double T,
+                                           const SolveControl& control = {});
+
+/// Sums up.
+[[nodiscard]] Result summarize(const Solution& s, Tier tier);
+
+/// solve_tier and summarize in the tier of the case. Does not throw for lack of convergence: the
+/// result carries the verdict and the last state.
+[[nodiscard]] Result solve(const Case& c, const SolveControl& control = {});
+
+}  // namespace shellback::coupling

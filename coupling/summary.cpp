@@ -1,0 +1,248 @@
+/// Summing a solution up: quantities, audit, effects, limiters, fields.
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "coupling/audit.hpp"
+#include "coupling/effects.hpp"
+#include "coupling/solids.hpp"
+#include "coupling/solve.hpp"
+
+namespace shellback::coupling {
+namespace {
+
+double largest(const Field& x) { return x.empty() ? 0.0 : *std::max_element(x.begin(), x.end()); }
+
+double area_mean(const FilmGrid& g, const Field& x) {
+  double sum = 0.0;
+  double area = 0.0;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      sum += x[g.index(i, j)] * g.area(i, j);
+      area += g.area(i, j);
+    }
+  }
+  return sum / area;
+}
+
+/// Film temperature, weighted by the oil that is there (theta h) [K].
+double oil_mean_temperature(const BearingModel& m, const FilmEquilibrium& f) {
+  const FilmGrid& g = m.scene.grid;
+  double sum = 0.0;
+  double oil = 0.0;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int c = g.index(i, j);
+      if (m.scene.supply.cell[c] >= 0) continue;
+      const double w = g.area(i, j) * f.film.theta[c] * f.shear_gap[c];
+      double T = 0.0;
+      for (int k = 0; k < m.gl.n; ++k) T += m.gl.w[k] * f.columns.T[c * m.gl.n + k];
+      sum += w * T;
+      oil += w;
+    }
+  }
+  return sum / oil;
+}
+
+double gap_at_mid_width(const BearingModel& m, const FilmEquilibrium& f) {
+  const FilmGrid& g = m.scene.grid;
+  int mid = 0;
+  for (int j = 1; j < g.nz; ++j) {
+    if (std::abs(g.z[j]) < std::abs(g.z[mid])) mid = j;
+  }
+  double h = INFINITY;
+  for (int i = 0; i < g.nt; ++i) h = std::min(h, f.gap.cell[g.index(i, mid)]);
+  return h;
+}
+
+/// From the load line to the line of centres, positive in the direction of rotation [deg].
+double attitude(const Solution& s) {
+  const double load_line = std::atan2(-s.film.force[1], -s.film.force[0]);
+  const double centres = std::atan2(s.film.position.ey(), s.film.position.ex());
+  const double turn = s.model.scene.speed >= 0.0 ? 1.0 : -1.0;
+  return turn * std::remainder(centres - load_line, 2.0 * kPi) * 180.0 / kPi;
+}
+
+class Quantities {
+ public:
+  void add(const std::string& name, double value, const std::string& unit) {
+    if (std::isfinite(value)) list_.push_back({name, value, unit});
+  }
+  std::vector<Quantity> take() { return std::move(list_); }
+
+ private:
+  std::vector<Quantity> list_;
+};
+
+void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
+  const BearingModel& m = s.model;
+  const double omega = m.input.operation.omega;
+  q.add("friction_torque", f.viscous + f.asperity, "N m");
+  q.add("friction_torque_asperity", f.asperity, "N m");
+  q.add("friction_torque_shell", f.viscous_shell + f.asperity, "N m");
+  q.add("power_loss", (f.viscous + f.asperity) * omega, "W");
+  q.add("pump_power", pump_power(m, s.film), "W");
+  q.add("eccentricity_ratio", std::hypot(s.film.position.ex(), s.film.position.ey()) / m.clearance, "1");
+  q.add("attitude_angle", attitude(s), "deg");
+  if (s.target.unknowns == 4 || s.film.position.psi_x() != 0.0 || s.film.position.psi_y() != 0.0) {
+    q.add("tilt_x", s.film.position.psi_x(), "rad");
+    q.add("tilt_y", s.film.position.psi_y(), "rad");
+  }
+  q.add("h_min", s.film.least.h, "m");
+  q.add("h_min_mid", gap_at_mid_width(m, s.film), "m");
+  q.add("p_max", largest(s.film.film.p), "Pa");
+  if (m.contact) {
+    q.add("p_asperity_max", largest(s.film.p_contact), "Pa");
+    const fluid::Wrench contact = fluid::wrench(m.scene, s.film.p_contact);
+    q.add("asperity_load_share",
+          std::hypot(contact[0], contact[1]) / std::hypot(s.film.force[0], s.film.force[1]), "1");
+  }
+  q.add("load_x", s.film.force[0], "N");
+  q.add("load_y", s.film.force[1], "N");
+  const auto flows = fluid::oil_flows(m.scene, s.film.flow);
+  const double rho = reference_density(m);
+  q.add("side_flow", flows.side / rho, "m3/s");
+  q.add("supply_flow", flows.supply / rho, "m3/s");
+  if (m.physics.elastic) q.add("elastic_opening_max", largest(s.film.elastic), "m");
+}
+
+void add_heat(const Solution& s, Quantities& q) {
+  const BearingModel& m = s.model;
+  if (!m.physics.film_energy) {
+    q.add("T_film_mean", s.T_film, "K");
+    return;
+  }
+  const double twice = m.scene.grid.multiplicity();
+  q.add("T_film_max", *std::max_element(s.film.columns.T.begin(), s.film.columns.T.end()), "K");
+  q.add("T_film_mean", oil_mean_temperature(m, s.film), "K");
+  q.add("T_shell_max", largest(s.heat.solids.shell.surface), "K");
+  q.add("T_shell_back", area_mean(m.scene.grid, s.heat.solids.shell.back), "K");
+  q.add("T_shell_back_max", largest(s.heat.solids.shell.back), "K");
+  const auto& shaft = s.heat.solids.shaft.temperature;
+  double T_shaft = 0.0;
+  for (std::size_t j = 0; j < shaft.size(); ++j) T_shaft += shaft[j] * m.scene.grid.dz[j];
+  q.add("T_shaft", T_shaft / (m.scene.grid.z_face.back() - m.scene.grid.z_face.front()), "K");
+  q.add("T_supply_mixed", s.heat.T_mix.front(), "K");
+  q.add("heat_by_oil", twice * (s.heat.balance.carried_out - s.heat.balance.carried_in), "W");
+  q.add("heat_to_shell", s.heat.solids.shell.heat_in, "W");
+  q.add("heat_to_shaft", s.heat.solids.shaft.heat_in, "W");
+  if (m.physics.growth) {
+    q.add("thermal_opening_mean", area_mean(m.scene.grid, s.heat.growth), "m");
+  }
+}
+
+Field on_full(const BearingModel& m, const Field& x) {
+  return x.empty() ? x : mirror_to_full(m.scene.grid, x);
+}
+
+std::vector<double> nodes_on_full(const BearingModel& m, const std::vector<double>& T) {
+  const FilmGrid& g = m.scene.grid;
+  const int n = m.gl.n;
+  std::vector<double> out(static_cast<std::size_t>(full_grid(g).cells()) * n);
+  Field layer(g.cells());
+  for (int k = 0; k < n; ++k) {
+    for (int c = 0; c < g.cells(); ++c) layer[c] = T[static_cast<std::size_t>(c) * n + k];
+    const Field full = mirror_to_full(g, layer);
+    for (std::size_t c = 0; c < full.size(); ++c) out[c * n + k] = full[c];
+  }
+  return out;
+}
+
+Fields fields_of(const Solution& s, const Friction& f) {
+  const BearingModel& m = s.model;
+  Fields out;
+  out.grid = full_grid(m.scene.grid);
+  out.p = on_full(m, s.film.film.p);
+  out.theta = on_full(m, s.film.film.theta);
+  if (m.contact) out.p_asperity = on_full(m, s.film.p_contact);
+  Field h = s.film.gap.cell;
+  Field supplied(h.size(), 0.0);
+  for (std::size_t c = 0; c < h.size(); ++c) {
+    const int patch = m.scene.supply.cell[c];
+    if (patch < 0) continue;
+    h[c] += m.scene.supply.patches[patch].depth;
+    supplied[c] = 1.0;
+  }
+  out.h = on_full(m, h);
+  for (const double x : on_full(m, supplied)) out.supplied.push_back(x > 0.5);
+  out.tau_journal = on_full(m, f.stress.journal);
+  out.tau_shell = on_full(m, f.stress.shell);
+  out.elastic = on_full(m, s.film.elastic);
+  out.growth = on_full(m, s.heat.growth);
+  if (!m.physics.film_energy) return out;
+  out.s = m.gl.s;
+  out.T = nodes_on_full(m, s.film.columns.T);
+  Field mean(m.scene.grid.cells(), 0.0);
+  for (std::size_t c = 0; c < mean.size(); ++c) {
+    for (int k = 0; k < m.gl.n; ++k) mean[c] += m.gl.w[k] * s.film.columns.T[c * m.gl.n + k];
+  }
+  out.T_mean = on_full(m, mean);
+  out.T_shell_surface = on_full(m, s.heat.solids.shell.surface);
+  out.T_shell_back = on_full(m, s.heat.solids.shell.back);
+  Field shaft(m.scene.grid.cells());
+  for (int c = 0; c < m.scene.grid.cells(); ++c) {
+    shaft[c] = s.heat.solids.shaft.temperature[c % m.scene.grid.nz];
+  }
+  const Field full = on_full(m, shaft);
+  out.T_shaft.assign(full.begin(), full.begin() + out.grid.nz);
+  out.r = m.solids->section_radii();
+  out.T_solid = m.solids->section(s.heat.solids.shell);
+  return out;
+}
+
+void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
+  const auto& range = s.model.oil.range;
+  const auto [low, high] =
+      std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
+  const auto celsius = [](double T) { return std::to_string(static_cast<int>(std::lround(T - kZeroCelsius))); };
+  if (*low < range.T_min || *high > range.T_max) {
+    warnings.push_back("film temperatures of " + celsius(*low) + " to " + celsius(*high) +
+                       " degC leave the oil's range of " + celsius(range.T_min) + " to " +
+                       celsius(range.T_max) + " degC: its viscosity is extrapolated");
+  }
+  if (largest(s.film.film.p) > range.p_max) {
+    warnings.push_back("film pressures leave the range in which the oil's pressure law is known");
+  }
+}
+
+std::vector<LimiterCount> limiters_of(const Solution& s) {
+  std::vector<LimiterCount> out;
+  const auto add = [&](const std::string& what, long count) {
+    if (count > 0) out.push_back({what, count});
+  };
+  add("Newton steps taken back", s.cost.rejected_steps);
+  add("Fischer-Burmeister steps", s.cost.fallback_steps);
+  add("film nodes with flow against the rotation", s.heat.backflow_nodes);
+  return out;
+}
+
+}  // namespace
+
+Result summarize(const Solution& s, Tier tier) {
+  const BearingModel& m = s.model;
+  Result r;
+  r.verdict = s.verdict;
+  r.tier = tier;
+  r.title = m.input.title;
+  r.warnings = m.input.warnings;
+  r.assumptions = m.input.assumptions;
+  r.grid = {m.scene.grid.nt, m.scene.grid.full_nz()};
+  r.history = s.history;
+  r.cost = {s.wall_s, m.solids ? m.solids->setup_seconds() : 0.0, s.cost.factorizations,
+            s.cost.newton_iterations, static_cast<int>(s.history.size())};
+  if (s.film.gap.cell.empty()) return r;  // stopped before the first evaluation
+  const Friction f = friction_of(m, s.film);
+  Quantities q;
+  add_mechanics(s, f, q);
+  add_heat(s, q);
+  if (tier == Tier::isothermal) q.add("T_equivalent", s.T_film, "K");
+  r.quantities = q.take();
+  r.audit = audit_of(s, f);
+  r.effects = effects_of(s, f);
+  r.limiters = limiters_of(s);
+  add_range_warnings(s, r.warnings);
+  r.fields = fields_of(s, f);
+  return r;
+}
+
+}  // namespace shellback::coupling

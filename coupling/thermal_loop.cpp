@@ -1,0 +1,206 @@
+#include "coupling/thermal_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/constants.hpp"
+#include "coupling/fixed_point.hpp"
+
+namespace shellback::coupling {
+namespace {
+
+constexpr double kTemperatureUnit = 10.0;  ///< one unit of the fixed point's temperatures [K]
+
+/// The map of the fixed point, on the states it works on.
+class Turn {
+ public:
+  Turn(const BearingModel& model, const LoadTarget& target, const ThermalOptions& options,
+       const SolveControl& control, FilmEquilibrium& film, HeatState& heat, EquilibriumCost& cost,
+       std::vector<HistoryEntry>& history)
+      : model_(model), target_(target), options_(options), control_(control), film_(film),
+        heat_(heat), cost_(cost), history_(history) {}
+
+  bool operator()(const std::vector<double>& x, std::vector<double>& g);
+  [[nodiscard]] std::vector<double> pack() const;
+  [[nodiscard]] const Verdict& verdict() const { return verdict_; }
+  [[nodiscard]] int turns() const { return turns_; }
+  /// Sweeps the film energy of the last turn to the end, so that its balance closes.
+  void finish();
+
+ private:
+  void unpack(const std::vector<double>& x);
+  void impose_walls(std::vector<double>& T) const;
+  void heat_the_film(int sweeps, double until);
+  [[nodiscard]] bool sound();
+  void report(const std::vector<double>& x, const std::vector<double>& g);
+
+  const BearingModel& model_;
+  const LoadTarget& target_;
+  const ThermalOptions& options_;
+  const SolveControl& control_;
+  FilmEquilibrium& film_;
+  HeatState& heat_;
+  EquilibriumCost& cost_;
+  std::vector<HistoryEntry>& history_;
+  Friction friction_;
+  Verdict verdict_;
+  int turns_ = 0;
+};
+
+std::vector<double> Turn::pack() const {
+  std::vector<double> x;
+  const double T0 = model_.input.supplies.front().temperature;
+  for (const double T : film_.columns.T) x.push_back((T - T0) / kTemperatureUnit);
+  for (const double d : heat_.growth) x.push_back(d / model_.clearance);
+  return x;
+}
+
+void Turn::unpack(const std::vector<double>& x) {
+  const FilmGrid& g = model_.scene.grid;
+  const double T0 = model_.input.supplies.front().temperature;
+  const std::size_t nodes = film_.columns.T.size();
+  for (std::size_t k = 0; k < nodes; ++k) film_.columns.T[k] = T0 + kTemperatureUnit * x[k];
+  for (std::size_t k = 0; k < heat_.growth.size(); ++k) {
+    heat_.growth[k] = model_.clearance * x[nodes + k];
+  }
+  const int n = model_.gl.n;  // the walls' temperatures travel as the film's wall nodes
+  for (int c = 0; c < g.cells(); ++c) {
+    if (model_.scene.supply.cell[c] < 0) heat_.T_shell[c] = film_.columns.T[c * n];
+  }
+  for (int j = 0; j < g.nz; ++j) {
+    double sum = 0.0;
+    int count = 0;
+    for (int i = 0; i < g.nt; ++i) {
+      const int c = g.index(i, j);
+      if (model_.scene.supply.cell[c] >= 0) continue;
+      sum += film_.columns.T[c * n + n - 1];
+      ++count;
+    }
+    if (count > 0) heat_.T_shaft[j] = sum / count;
+  }
+}
+
+void Turn::impose_walls(std::vector<double>& T) const {
+  const FilmGrid& g = model_.scene.grid;
+  const int n = model_.gl.n;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int c = g.index(i, j);
+      if (model_.scene.supply.cell[c] >= 0) continue;
+      T[c * n] = heat_.T_shell[c];
+      T[c * n + n - 1] = heat_.T_shaft[j];
+    }
+  }
+}
+
+void Turn::heat_the_film(int sweeps, double until) {
+  const FilmGrid& g = model_.scene.grid;
+  friction_ = friction_of(model_, film_);
+  thermal::FilmEnergy energy(film_energy_problem(model_, film_, friction_));
+  std::vector<double>& T = film_.columns.T;
+  for (int k = 0; k < sweeps; ++k) {
+    if (energy.sweep(T) < until) break;
+  }
+  const thermal::WallHeat walls = energy.wall_heat(T);
+  heat_.balance = energy.balance(T);
+  heat_.T_mix = energy.mix_temperatures();
+  heat_.backflow_nodes = energy.backflow_nodes();
+  const ContactHeat rubbed = contact_heat(model_, film_);
+  WallFlux q{walls.shell, std::vector<double>(g.nz, 0.0), walls.shell_sensitivity,
+             walls.shaft_sensitivity};
+  heat_.contact_heat = 0.0;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int c = g.index(i, j);
+      q.shell[c] = q.shell[c] / g.area(i, j) + rubbed.shell[c];
+      q.shaft[j] += (walls.shaft[c] / g.area(i, j) + rubbed.shaft[c]) * g.dphi[i] / (2.0 * kPi);
+      heat_.contact_heat +=
+          g.multiplicity() * g.area(i, j) * (rubbed.shell[c] + rubbed.shaft[c]);
+    }
+  }
+  heat_.solids = model_.solids->answer(q, heat_.T_shell, heat_.T_shaft);
+}
+
+bool Turn::sound() {
+  const auto hottest = std::max_element(film_.columns.T.begin(), film_.columns.T.end());
+  const double rise = *hottest - model_.input.supplies.front().temperature;
+  const int cell = static_cast<int>(hottest - film_.columns.T.begin()) / model_.gl.n;
+  const bool finite = std::all_of(film_.columns.T.begin(), film_.columns.T.end(),
+                                  [](double T) { return std::isfinite(T); });
+  if (finite && rise < options_.runaway) return true;
+  verdict_ = {Status::no_steady_state,
+              finite ? fmt::format("thermal runaway: the film is {:.0f} K above the supply and rises",
+                                   rise)
+                     : "thermal runaway: the film temperature is not a number any more",
+              fluid::place_of(model_.scene.grid, cell),
+              "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
+  return false;
+}
+
+void Turn::report(const std::vector<double>& x, const std::vector<double>& g) {
+  heat_.residual = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    heat_.residual = std::max(heat_.residual, std::abs(g[k] - x[k]));
+  }
+  const double torque = friction_.viscous + friction_.asperity;
+  history_.push_back({"thermal", heat_.residual, torque, film_.least.h});
+  if (control_.progress) {
+    control_.progress({to_string(model_.input.model.tier), turns_, heat_.residual, torque,
+                       film_.least.h});
+  }
+}
+
+bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
+  ++turns_;
+  unpack(x);
+  verdict_ = solve_equilibrium(model_, target_, heat_.growth, options_.film, film_, cost_,
+                               control_.stop);
+  if (!verdict_.good()) return false;
+  heat_the_film(options_.sweeps, 0.0);
+  if (!sound()) return false;
+  if (!heat_.growth.empty()) heat_.growth = heat_.solids.growth;
+  heat_.T_shell = heat_.solids.shell.surface;
+  heat_.T_shaft = heat_.solids.shaft.temperature;
+  impose_walls(film_.columns.T);
+  g = pack();
+  report(x, g);
+  return true;
+}
+
+void Turn::finish() {
+  constexpr int kMostSweeps = 400;
+  constexpr double kSettled = 1e-9;  // [K]; leaves an imbalance near round-off
+  heat_the_film(kMostSweeps, kSettled);
+}
+
+}  // namespace
+
+HeatState cold_heat(const BearingModel& model, double T) {
+  HeatState h;
+  const FilmGrid& g = model.scene.grid;
+  if (model.physics.growth) h.growth.assign(g.cells(), 0.0);
+  h.T_shell.assign(g.cells(), T);
+  h.T_shaft.assign(g.nz, T);
+  return h;
+}
+
+Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
+                      const ThermalOptions& options, const SolveControl& control,
+                      FilmEquilibrium& film, HeatState& heat, EquilibriumCost& cost,
+                      std::vector<HistoryEntry>& history) {
+  Turn turn(model, target, options, control, film, heat, cost, history);
+  std::vector<double> x = turn.pack();
+  const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance};
+  const FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
+  if (end == FixedPointEnd::map_failed) return turn.verdict();
+  turn.finish();
+  if (end == FixedPointEnd::converged) return {};
+  return {Status::iteration_limit,
+          fmt::format("film and heat did not settle in {} turns (last change {:.1e} of 10 K)",
+                      turn.turns(), heat.residual),
+          fluid::place_of(model.scene.grid, 0), "try a finer grid or a tighter range of operation"};
+}
+
+}  // namespace shellback::coupling

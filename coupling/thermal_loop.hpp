@@ -1,0 +1,45 @@
+#pragma once
+/// Film, heat and growth together: the fixed point over node temperatures and thermal growth.
+///
+/// One turn: viscosities from the temperatures -> film, position, elastic displacement in
+/// equilibrium -> node flows and dissipation -> a few sweeps of the film energy -> heat into the
+/// walls -> solids' temperatures (Robin-coupled) and growth. Fixed point by Anderson acceleration
+/// (KINSOL); temperatures in units of 10 K, growth in clearances.
+#include "coupling/control.hpp"
+#include "coupling/film_heat.hpp"
+#include "coupling/result.hpp"
+
+namespace shellback::coupling {
+
+struct ThermalOptions {
+  int sweeps = 3;               ///< energy sweeps per turn (methods 3.4)
+  int anderson_depth = 6;
+  int max_turns = 200;
+  double tolerance = 1e-6;      ///< largest change per turn, in the units above [-]
+  double runaway = 400.0;       ///< film temperature above the supply that is taken as runaway [K]
+  EquilibriumOptions film;
+};
+
+/// Everything thermal at the last turn.
+struct HeatState {
+  Field growth;                    ///< thermal widening of the gap [m]; empty without growth
+  Field T_shell;                   ///< bore temperature seen by the film [K]
+  std::vector<double> T_shaft;     ///< journal temperature seen by the film, per axial cell [K]
+  SolidTemperature solids;         ///< the solids' answer to the last heat
+  thermal::EnergyBalance balance;  ///< of the film, solved part [W]
+  double contact_heat = 0.0;       ///< asperity heat, whole bearing [W]
+  std::vector<double> T_mix;       ///< of each supply patch [K]
+  long backflow_nodes = 0;
+  double residual = 0.0;           ///< last change per turn [-]
+};
+
+/// Starts from all temperatures at `T`.
+[[nodiscard]] HeatState cold_heat(const BearingModel& model, double T);
+
+/// Solves from `film` and `heat`, which hold the last turn whatever the verdict.
+[[nodiscard]] Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
+                                    const ThermalOptions& options, const SolveControl& control,
+                                    FilmEquilibrium& film, HeatState& heat, EquilibriumCost& cost,
+                                    std::vector<HistoryEntry>& history);
+
+}  // namespace shellback::coupling

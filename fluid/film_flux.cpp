@@ -1,0 +1,260 @@
+#include "fluid/film_flux.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellback::fluid {
+namespace {
+
+/// Logarithmic mean of two positive numbers with its derivative by the first; r = ln a - ln b.
+struct LogMean {
+  double value;
+  double d_first;
+};
+LogMean log_mean(double a, double b, double r) {
+  constexpr double kSeries = 0.1;  ///< below: series, to avoid 0/0; error (r/2)^8/46 < 1e-12
+  const double mean = 0.5 * (a + b);
+  if (std::abs(r) < kSeries) {
+    const double x2 = 0.25 * r * r;
+    const double value = mean * (1.0 - x2 * (1.0 / 3.0 - x2 * (2.0 / 15.0 - x2 * 17.0 / 315.0)));
+    // (1 - L/a)/r expanded with L/a = (1 - exp(-r))/r
+    return {value, 0.5 - r * (1.0 / 6.0 - r * (1.0 / 24.0 - r * (1.0 / 120.0 - r / 720.0)))};
+  }
+  const double value = (a - b) / r;
+  return {value, (1.0 - value / a) / r};
+}
+
+/// One side of a face: the half cell between its unknown and the face.
+struct Half {
+  double distance;  ///< [m]
+  double h3;        ///< pressure-flow conductance h^3 phi [m3]
+  double dh3;       ///< its derivative [m2]
+  double couette;   ///< chi hT + sigma phi_s / 2 [m]
+  double dcouette;  ///< its derivative [-]
+};
+
+/// Side of a face as the pressure law sees it.
+struct Side {
+  double p;
+  double g;
+  double ln_g;
+  double alpha;
+};
+
+/// Flow through a face of `length` from `left` to `right`; both halves in series.
+FaceFlow series_flow(const Half& a, const Half& b, const Side& left, const Side& right,
+                     double theta_up, double speed, double rho, double length) {
+  const double ra = a.distance / a.h3;
+  const double rb = b.distance / b.h3;
+  const double sum = ra + rb;
+  const LogMean g = log_mean(left.g, right.g, left.ln_g - right.ln_g);
+  const LogMean g_back = log_mean(right.g, left.g, right.ln_g - left.ln_g);
+  const double dp = left.p - right.p;
+  const double couette = speed * (ra * a.couette + rb * b.couette) / sum;
+  const double poiseuille = g.value * dp / sum;
+  const double scale = rho * length;
+  FaceFlow f;
+  f.m = scale * (theta_up * couette + poiseuille);
+  f.d_theta = scale * couette;
+  f.d_left = scale / sum * (g.value - dp * g.d_first * left.alpha * left.g);
+  f.d_right = -scale / sum * (g.value + dp * g_back.d_first * right.alpha * right.g);
+  const double dra = -ra * a.dh3 / a.h3;
+  const double drb = -rb * b.dh3 / b.h3;
+  const double jump = speed * (a.couette - b.couette) / (sum * sum);
+  f.d_h = scale * (theta_up * (speed * (ra * a.dcouette + rb * b.dcouette) / sum +
+                               jump * (rb * dra - ra * drb)) -
+                   poiseuille * (dra + drb) / sum);
+  return f;
+}
+
+/// Flow from a half cell to a place of given pressure at the face (or from it, by `sign` = -1).
+FaceFlow half_flow(const Half& a, const Side& cell, const Side& face, double theta_up,
+                   double speed, double rho, double length, int sign) {
+  const LogMean g = log_mean(cell.g, face.g, cell.ln_g - face.ln_g);
+  const double dp = cell.p - face.p;
+  const double conductance = rho * length * a.h3 / a.distance;
+  const double couette = rho * length * speed * a.couette;
+  FaceFlow f;
+  f.m = theta_up * couette + sign * conductance * g.value * dp;
+  f.d_theta = couette;
+  const double d = conductance * (g.value - dp * g.d_first * cell.alpha * cell.g);
+  (sign > 0 ? f.d_left : f.d_right) = sign * d;
+  f.d_h = rho * length * (theta_up * speed * a.dcouette + sign * a.dh3 / a.distance * g.value * dp);
+  return f;
+}
+
+/// Gap-dependent factors at many gaps at once.
+struct Transport {
+  GapTransport at;
+  Half half(std::size_t k, double distance, double chi, bool axial) const {
+    return {distance, axial ? at.h3_z[k] : at.h3_x[k], axial ? at.dh3_z[k] : at.dh3_x[k],
+            chi * at.average_gap[k] + 0.5 * at.sigma_phi_s[k],
+            chi * at.daverage_gap[k] + 0.5 * at.dsigma_phi_s[k]};
+  }
+};
+
+struct Evaluation {
+  const FilmScene& scene;
+  const Gap& gap;
+  const Field& step;
+  const FilmCoefficients& oil;
+  const FilmState& state;
+  Field ln_g;
+
+  [[nodiscard]] Side side(int k) const {
+    return {state.p[k], oil.fluidity[k], ln_g[k], oil.alpha[k]};
+  }
+  /// The oil of cell k at pressure p: fluidity follows the local pressure slope.
+  [[nodiscard]] Side at_pressure(int k, double p) const {
+    const double ln = ln_g[k] - oil.alpha[k] * (p - state.p[k]);
+    return {p, std::exp(ln), ln, oil.alpha[k]};
+  }
+  [[nodiscard]] bool steps() const { return !step.empty(); }
+};
+
+/// Gaps on the two sides of every face (the second side only if there are steps).
+void side_gaps(const Evaluation& e, std::vector<double>& left, std::vector<double>& right) {
+  const FilmGrid& g = e.scene.grid;
+  left = e.gap.phi_face;
+  right = left;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      left[g.index(i, j)] += e.step[g.index(g.previous(i), j)];
+      right[g.index(i, j)] += e.step[g.index(i, j)];
+    }
+  }
+}
+
+void axial_side_gaps(const Evaluation& e, std::vector<double>& left, std::vector<double>& right) {
+  const FilmGrid& g = e.scene.grid;
+  left = e.gap.z_face;
+  right = left;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j <= g.nz; ++j) {
+      left[i * (g.nz + 1) + j] += e.step[g.index(i, std::max(j - 1, 0))];
+      right[i * (g.nz + 1) + j] += e.step[g.index(i, std::min(j, g.nz - 1))];
+    }
+  }
+}
+
+void circumferential_faces(const Evaluation& e, FilmFlow& flow) {
+  const FilmGrid& g = e.scene.grid;
+  const double U = e.scene.speed;
+  std::vector<double> h_left, h_right;
+  if (e.steps()) side_gaps(e, h_left, h_right);
+  Transport a, b;
+  gap_transport(e.scene.rough, e.steps() ? h_left : e.gap.phi_face, a.at);
+  if (e.steps()) gap_transport(e.scene.rough, h_right, b.at);
+  const Transport& c = e.steps() ? b : a;
+  flow.phi.resize(g.cells());
+  flow.lines.clear();
+  for (int i = 0; i < g.nt; ++i) {
+    const int west = g.previous(i);
+    for (int j = 0; j < g.nz; ++j) {
+      const int r = g.index(i, j);
+      const int l = g.index(west, j);
+      const bool from_supply = e.scene.supply.cell[l] >= 0;
+      const bool to_supply = e.scene.supply.cell[r] >= 0;
+      if (from_supply && to_supply) {  // inside a groove: no film
+        flow.phi[r] = {};
+        continue;
+      }
+      // A groove has its pressure up to its edge, which lies on the face.
+      const Half ha =
+          a.half(r, from_supply ? 0.0 : 0.5 * g.radius * g.dphi[west], e.oil.chi[l], false);
+      const Half hb =
+          c.half(r, to_supply ? 0.0 : 0.5 * g.radius * g.dphi[i], e.oil.chi[r], false);
+      const int line = e.scene.supply.line[r];
+      if (line < 0) {
+        const double theta = U >= 0.0 ? e.state.theta[l] : e.state.theta[r];
+        const double rho = 0.5 * (e.oil.density[l] + e.oil.density[r]);
+        flow.phi[r] = series_flow(ha, hb, e.side(l), e.side(r), theta, U, rho, g.dz[j]);
+        continue;
+      }
+      const double p = e.scene.supply.patches[line].pressure;
+      const double theta_in = U >= 0.0 ? e.state.theta[l] : 1.0;
+      const double theta_out = U >= 0.0 ? 1.0 : e.state.theta[r];
+      flow.lines.push_back({r, line, half_flow(ha, e.side(l), e.at_pressure(l, p), theta_in, U,
+                                               e.oil.density[l], g.dz[j], 1)});
+      flow.phi[r] = half_flow(hb, e.side(r), e.at_pressure(r, p), theta_out, U, e.oil.density[r],
+                              g.dz[j], -1);
+    }
+  }
+}
+
+/// Side edge j (0 or nz) of line i: flow in +z between the outermost cell and the surroundings.
+FaceFlow edge_flow(const Evaluation& e, const Transport& t, int i, int j) {
+  const FilmGrid& g = e.scene.grid;
+  const int k = g.index(i, j == 0 ? 0 : g.nz - 1);
+  const double distance = std::abs(g.z_face[j] - g.z[j == 0 ? 0 : g.nz - 1]);
+  const Half half = t.half(static_cast<std::size_t>(i) * (g.nz + 1) + j, distance, 0.0, true);
+  const int sign = j == 0 ? -1 : 1;
+  if (e.scene.edges == SideEdges::dry && e.state.p[k] <= e.scene.p_edge) return {};
+  return half_flow(half, e.side(k), e.at_pressure(k, e.scene.p_edge), 0.0, 0.0,
+                   e.oil.density[k], g.radius * g.dphi[i], sign);
+}
+
+void axial_faces(const Evaluation& e, FilmFlow& flow) {
+  const FilmGrid& g = e.scene.grid;
+  std::vector<double> h_left, h_right;
+  if (e.steps()) axial_side_gaps(e, h_left, h_right);
+  Transport a, b;
+  gap_transport(e.scene.rough, e.steps() ? h_left : e.gap.z_face, a.at);
+  if (e.steps()) gap_transport(e.scene.rough, h_right, b.at);
+  const Transport& c = e.steps() ? b : a;
+  flow.z.resize(static_cast<std::size_t>(g.nt) * (g.nz + 1));
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j <= g.nz; ++j) {
+      const int f = i * (g.nz + 1) + j;
+      if (j == 0 && g.half) {
+        flow.z[f] = {};
+      } else if (j == 0 || j == g.nz) {
+        flow.z[f] = edge_flow(e, a, i, j);
+      } else {
+        const int r = g.index(i, j);
+        const bool from_supply = e.scene.supply.cell[r - 1] >= 0;
+        const bool to_supply = e.scene.supply.cell[r] >= 0;
+        if (from_supply && to_supply) {
+          flow.z[f] = {};
+          continue;
+        }
+        const Half ha = a.half(f, from_supply ? 0.0 : g.z_face[j] - g.z[j - 1], 0.0, true);
+        const Half hb = c.half(f, to_supply ? 0.0 : g.z[j] - g.z_face[j], 0.0, true);
+        const double rho = 0.5 * (e.oil.density[r - 1] + e.oil.density[r]);
+        flow.z[f] = series_flow(ha, hb, e.side(r - 1), e.side(r), 0.0, 0.0, rho,
+                                g.radius * g.dphi[i]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& step,
+                   const FilmCoefficients& oil, const FilmState& state, FilmFlow& flow) {
+  Evaluation e{scene, gap, step, oil, state, {}};
+  e.ln_g.resize(oil.fluidity.size());
+  for (std::size_t k = 0; k < e.ln_g.size(); ++k) e.ln_g[k] = std::log(oil.fluidity[k]);
+  circumferential_faces(e, flow);
+  axial_faces(e, flow);
+}
+
+Field net_outflow(const FilmScene& scene, const FilmFlow& flow) {
+  const FilmGrid& g = scene.grid;
+  Field r(g.cells());
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      const int f = i * (g.nz + 1) + j;
+      r[k] = flow.phi[g.index(g.next(i), j)].m - flow.phi[k].m + flow.z[f + 1].m - flow.z[f].m;
+    }
+  }
+  for (const LineFace& l : flow.lines) {  // the cell west of a line feeds the line, not its east
+    const int i = l.face / g.nz;
+    const int west = g.index(g.previous(i), l.face % g.nz);
+    r[west] += l.west.m - flow.phi[l.face].m;
+  }
+  return r;
+}
+
+}  // namespace shellback::fluid

@@ -1,0 +1,90 @@
+#pragma once
+/// Mass flow through every face of the film, and its derivatives.
+///
+/// Averaged generalized Reynolds flux per width, journal speed U, shell at rest [kg/(m s)]:
+///   m_x = rho { theta_up [U chi hT + U/2 sigma phi_s] - phi_x h^3 g dp/dx }
+///   m_z = -rho phi_z h^3 g dp/dz
+/// with the Dowson integrals F0 = int 1/eta dy, F1 = int y/eta dy,
+/// F2 = int (y/eta)(y - F1/F0) dy, the fluidity g = F2/h^3 [1/(Pa s)] (1/(12 eta) if eta is
+/// uniform) and the Couette share chi = 1 - F1/(h F0) [-] (1/2 if uniform); hT the average gap of
+/// rough surfaces, phi_* the flow factors. Sources: seed 000 Eq. 1; methods 1.1.
+///
+/// Discretisation. h at faces is centred (second order), theta is taken upstream, the fluidity of
+/// a face is the logarithmic mean of its cells: for Barus oil that is the exact mean of
+/// exp(-alpha p) between the two pressures, so that the flux is linear in
+/// q = (1 - exp(-alpha p))/alpha. Where the gap jumps on a face, the two half cells are in
+/// series: pressure and flow are continuous, the jump costs no accuracy.
+#include <vector>
+
+#include "core/grid.hpp"
+#include "fluid/flow_factors.hpp"
+#include "fluid/gap.hpp"
+#include "fluid/gap_transport.hpp"
+#include "fluid/supply.hpp"
+
+namespace shellback::fluid {
+
+enum class SideEdges {
+  flooded,  ///< oil at ambient pressure stands outside: it may flow in
+  dry,      ///< nothing flows in
+};
+
+/// What stays the same while one film is solved.
+struct FilmScene {
+  FilmGrid grid;
+  Angles angles{FilmGrid{}};
+  SupplyMap supply;
+  double speed = 0.0;  ///< surface speed of the journal U, positive in +phi [m/s]
+  double p_cavitation = 0.0;  ///< [Pa]
+  double p_edge = 0.0;        ///< pressure at the side edges [Pa]
+  SideEdges edges = SideEdges::flooded;
+  RoughPair rough;  ///< smooth: sigma = 0
+};
+
+/// Oil at its present state, per cell.
+struct FilmCoefficients {
+  Field fluidity;  ///< g [1/(Pa s)]
+  Field chi;       ///< Couette share [-]
+  Field alpha;     ///< -d ln g / d p [1/Pa]
+  Field density;   ///< [kg/m3]
+};
+
+/// Pressure and fill ratio. `full` says which of them is the unknown of a cell.
+struct FilmState {
+  Field p;      ///< gauge [Pa]
+  Field theta;  ///< liquid fraction [-]
+  std::vector<char> full;
+};
+
+/// A face's mass flow and its derivatives. Per unit: whole face, not per width.
+struct FaceFlow {
+  double m = 0.0;        ///< mass flow in +phi or +z [kg/s]
+  double d_left = 0.0;   ///< d m / d p on the - side [kg/(s Pa)]
+  double d_right = 0.0;  ///< d m / d p on the + side
+  double d_theta = 0.0;  ///< d m / d theta of the upstream cell [kg/s]
+  double d_h = 0.0;      ///< d m / d h of the face [kg/(s m)]
+};
+
+/// Flow out of the cell west of a supply line and into the line; `FilmFlow::phi` of that face
+/// then holds the flow out of the line into the cell east of it.
+struct LineFace {
+  int face = 0;   ///< index of the west face
+  int patch = 0;  ///< supply patch
+  FaceFlow west;
+};
+
+struct FilmFlow {
+  std::vector<FaceFlow> phi;  ///< west faces, index i * nz + j
+  std::vector<FaceFlow> z;    ///< axial faces, index i * (nz + 1) + j
+  std::vector<LineFace> lines;
+};
+
+/// Evaluates all faces. `step` as in film_gap.
+void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& step,
+                   const FilmCoefficients& oil, const FilmState& state, FilmFlow& flow);
+
+/// Net mass flow out of every cell [kg/s]: zero in the film at a solution; at supply cells the
+/// flow fed in.
+[[nodiscard]] Field net_outflow(const FilmScene& scene, const FilmFlow& flow);
+
+}  // namespace shellback::fluid

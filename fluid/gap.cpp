@@ -1,0 +1,96 @@
+#include "fluid/gap.hpp"
+
+#include <cmath>
+
+namespace shellback::fluid {
+
+Angles::Angles(const FilmGrid& g) {
+  for (int i = 0; i < g.nt; ++i) {
+    cos_cell.push_back(std::cos(g.phi[i]));
+    sin_cell.push_back(std::sin(g.phi[i]));
+    cos_face.push_back(std::cos(g.phi_face[i]));
+    sin_face.push_back(std::sin(g.phi_face[i]));
+  }
+}
+
+namespace {
+
+double rigid(double c, const JournalPosition& q, double cos_phi, double sin_phi, double z) {
+  return c - (q.ex() + q.psi_y() * z) * cos_phi - (q.ey() - q.psi_x() * z) * sin_phi;
+}
+
+/// Value on axial face j of a line of cells: mean of the neighbours by distance, or continued.
+double on_axial_face(const FilmGrid& g, const double* line, int j) {
+  if (g.nz == 1) return line[0];
+  if (j == 0 && g.half) return line[0];
+  const int left = j == 0 ? 0 : (j == g.nz ? g.nz - 2 : j - 1);
+  const double slope = (line[left + 1] - line[left]) / (g.z[left + 1] - g.z[left]);
+  return line[left] + slope * (g.z_face[j] - g.z[left]);
+}
+
+}  // namespace
+
+void to_faces(const FilmGrid& g, const Field& d, std::vector<double>& phi_face,
+              std::vector<double>& z_face) {
+  phi_face.resize(g.cells());
+  z_face.resize(static_cast<std::size_t>(g.nt) * (g.nz + 1));
+  for (int i = 0; i < g.nt; ++i) {
+    const int west = g.previous(i);
+    const double share = g.dphi[west] / (g.dphi[west] + g.dphi[i]);  // of the cell at i
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      phi_face[k] = share * d[k] + (1.0 - share) * d[g.index(west, j)];
+    }
+    for (int j = 0; j <= g.nz; ++j) {
+      z_face[i * (g.nz + 1) + j] = on_axial_face(g, &d[g.index(i, 0)], j);
+    }
+  }
+}
+
+Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition& q,
+             const Field& d, const Field& step) {
+  Gap gap;
+  if (d.empty()) {
+    gap.phi_face.assign(g.cells(), 0.0);
+    gap.z_face.assign(static_cast<std::size_t>(g.nt) * (g.nz + 1), 0.0);
+  } else {
+    to_faces(g, d, gap.phi_face, gap.z_face);
+  }
+  gap.cell = d.empty() ? Field(g.cells(), 0.0) : d;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      gap.cell[k] += rigid(c, q, a.cos_cell[i], a.sin_cell[i], g.z[j]);
+      if (!step.empty()) gap.cell[k] += step[k];
+      gap.phi_face[k] += rigid(c, q, a.cos_face[i], a.sin_face[i], g.z[j]);
+    }
+    for (int j = 0; j <= g.nz; ++j) {
+      gap.z_face[i * (g.nz + 1) + j] += rigid(c, q, a.cos_cell[i], a.sin_cell[i], g.z_face[j]);
+    }
+  }
+  return gap;
+}
+
+SmallestGap smallest_gap(const FilmGrid& g, const Gap& gap, const Field& step) {
+  SmallestGap least{gap.cell[0], g.phi[0], g.z[0]};
+  const auto consider = [&](double h, double phi, double z) {
+    if (h < least.h) least = {h, phi, z};
+  };
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      consider(gap.cell[k], g.phi[i], g.z[j]);
+      const double high = std::max(step.empty() ? 0.0 : step[k],
+                                   step.empty() ? 0.0 : step[g.index(g.previous(i), j)]);
+      consider(gap.phi_face[k] + high, g.phi_face[i], g.z[j]);
+    }
+    for (const int j : {0, g.nz}) {
+      if (j == 0 && g.half) continue;
+      const double s = step.empty() ? 0.0 : step[g.index(i, j == 0 ? 0 : g.nz - 1)];
+      consider(gap.z_face[i * (g.nz + 1) + j] + s, g.phi[i], g.z_face[j]);
+    }
+  }
+  return least;
+}
+
+}  // namespace shellback::fluid

@@ -1,0 +1,73 @@
+#pragma once
+/// Film thickness: eccentricity, tilt, profile, displacement of the surfaces.
+///
+///   h = c + step(phi,z) + d(phi,z) - (e_x + psi_y z) cos phi - (e_y - psi_x z) sin phi   [m]
+///
+/// e = journal centre minus shell centre at mid-width [m]; psi_x, psi_y = rotation of the journal
+/// axis about X and Y [rad]; `step` = designed or measured deviation of the shell, taken constant
+/// per cell, so that its jumps lie on faces; d = elastic and thermal widening of the gap, smooth.
+/// Positive h is a gap; negative nominal h is legal for rough surfaces in contact.
+/// Source: methods 2.1; the signs from design 2 (displacement of the journal towards phi closes
+/// the gap there).
+#include <array>
+
+#include "core/grid.hpp"
+
+namespace shellback::fluid {
+
+/// Position of the journal axis: e_x, e_y [m], psi_x, psi_y [rad].
+struct JournalPosition {
+  std::array<double, 4> q{};
+  [[nodiscard]] double ex() const { return q[0]; }
+  [[nodiscard]] double ey() const { return q[1]; }
+  [[nodiscard]] double psi_x() const { return q[2]; }
+  [[nodiscard]] double psi_y() const { return q[3]; }
+};
+
+/// The gap where the film equation needs it. Face values leave the steps out; the limits on the
+/// two sides of a face are the face value plus the step of the cell on that side.
+struct Gap {
+  Field cell;      ///< at cell positions, step included [m]
+  Field phi_face;  ///< on west faces, index i * nz + j, without step [m]
+  Field z_face;    ///< on axial faces, index i * (nz + 1) + j, without step [m]
+};
+
+/// Change of the gap at (cos phi, sin phi, z) per unit change of component k of the position:
+/// 0 e_x, 1 e_y, 2 psi_x, 3 psi_y.
+[[nodiscard]] inline double gap_slope(int k, double cos_phi, double sin_phi, double z) {
+  switch (k) {
+    case 0: return -cos_phi;
+    case 1: return -sin_phi;
+    case 2: return z * sin_phi;
+    default: return -z * cos_phi;
+  }
+}
+
+/// Cosines and sines of cell and face positions, computed once per grid.
+struct Angles {
+  std::vector<double> cos_cell, sin_cell;  ///< nt
+  std::vector<double> cos_face, sin_face;  ///< nt, west faces
+  explicit Angles(const FilmGrid& grid);
+};
+
+/// The gap of a rigid bearing plus the smooth displacement d (cells; empty: none) and the step
+/// (cells; empty: none). Displacements are averaged to faces, linearly continued to the edges.
+[[nodiscard]] Gap film_gap(const FilmGrid& grid, const Angles& angles, double clearance,
+                           const JournalPosition& position, const Field& displacement,
+                           const Field& step);
+
+/// A smooth cell field on the faces: mean of the two cells by distance; on side edges continued
+/// linearly from the two outermost cells; on the plane of symmetry the cell's own value.
+/// phi_face, z_face as in Gap.
+void to_faces(const FilmGrid& grid, const Field& cells, std::vector<double>& phi_face,
+              std::vector<double>& z_face);
+
+/// Smallest film over cells and side edges, and where it is.
+struct SmallestGap {
+  double h = 0.0;    ///< [m]
+  double phi = 0.0;  ///< [rad]
+  double z = 0.0;    ///< [m]
+};
+[[nodiscard]] SmallestGap smallest_gap(const FilmGrid& grid, const Gap& gap, const Field& step);
+
+}  // namespace shellback::fluid

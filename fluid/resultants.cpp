@@ -1,0 +1,137 @@
+#include "fluid/resultants.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellback::fluid {
+
+double wrench_weight(const FilmScene& s, int k, int i, int j) {
+  const FilmGrid& g = s.grid;
+  if (g.half && k > 1) return 0.0;
+  // d(gap)/d(position k) is also minus the arm of the pressure: virtual work.
+  return g.multiplicity() * g.area(i, j) *
+         gap_slope(k, s.angles.cos_cell[i], s.angles.sin_cell[i], g.z[j]);
+}
+
+Wrench wrench(const FilmScene& s, const Field& p) {
+  Wrench w{};
+  const FilmGrid& g = s.grid;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      for (int k = 0; k < 4; ++k) w[k] += wrench_weight(s, k, i, j) * p[g.index(i, j)];
+    }
+  }
+  return w;
+}
+
+Field pressure_gradient_x(const FilmScene& s, const FilmState& state) {
+  const FilmGrid& g = s.grid;
+  Field gradient(g.cells(), 0.0);
+  for (int i = 0; i < g.nt; ++i) {
+    const int west = g.previous(i);
+    const double near = 0.5 * g.radius * g.dphi[i];
+    const double far = 0.5 * g.radius * g.dphi[west];
+    for (int j = 0; j < g.nz; ++j) {
+      const int r = g.index(i, j);
+      const int l = g.index(west, j);
+      const int line = s.supply.line[r];
+      // Each half cell carries its own part of the pressure difference.
+      double drop_west = 0.0;
+      double drop_east = 0.0;
+      const bool from_supply = s.supply.cell[l] >= 0;
+      const bool to_supply = s.supply.cell[r] >= 0;
+      if (line >= 0 || from_supply || to_supply) {  // the supply's pressure stands at the face
+        const double p = line >= 0 ? s.supply.patches[line].pressure
+                                   : state.p[from_supply ? l : r];
+        drop_west = from_supply ? 0.0 : p - state.p[l];
+        drop_east = to_supply ? 0.0 : state.p[r] - p;
+      } else {
+        const double d = (state.p[r] - state.p[l]) / (near + far);
+        drop_west = d * far;
+        drop_east = d * near;
+      }
+      gradient[l] += drop_west / (2.0 * far);
+      gradient[r] += drop_east / (2.0 * near);
+    }
+  }
+  return gradient;
+}
+
+Field pressure_gradient_z(const FilmScene& s, const FilmState& state) {
+  const FilmGrid& g = s.grid;
+  Field gradient(g.cells(), 0.0);
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      if (g.half && g.z[j] == 0.0) continue;  // on the plane of symmetry
+      if (s.supply.cell[k] >= 0) continue;
+      // Pressure rise from the lower face to the upper one, each half cell its own part.
+      const auto rise = [&](int other, double own, double whole) {
+        const double d = state.p[other] - state.p[k];
+        return s.supply.cell[other] >= 0 ? d : d * own / whole;
+      };
+      double sum = 0.0;
+      if (j > 0) {
+        sum -= rise(k - 1, g.z[j] - g.z_face[j], g.z[j] - g.z[j - 1]);
+      } else if (!g.half) {
+        sum += state.p[k] - s.p_edge;
+      }
+      if (j + 1 < g.nz) {
+        sum += rise(k + 1, g.z_face[j + 1] - g.z[j], g.z[j + 1] - g.z[j]);
+      } else {
+        sum += s.p_edge - state.p[k];
+      }
+      gradient[k] = sum / g.dz[j];
+    }
+  }
+  return gradient;
+}
+
+ShearStress shear_stress(const FilmScene& s, const Field& h, const Field& g0, const Field& chi,
+                         const FilmState& state, const Field& gradient, CavitatedShear rule) {
+  ShearStress tau{Field(h.size()), Field(h.size())};
+  for (std::size_t k = 0; k < h.size(); ++k) {
+    const GapFlow gap = gap_flow(s.rough, h[k]);
+    const double weight = rule == CavitatedShear::filled ? state.theta[k] : 1.0;
+    const double couette =
+        weight * s.speed / g0[k] * gap_shear(s.rough, h[k]).phi_total_over_h;
+    const double carried = 0.5 * gap.sigma_phi_s;
+    tau.journal[k] = couette + (chi[k] * gap.average_gap + carried) * gradient[k];
+    tau.shell[k] = couette - ((1.0 - chi[k]) * gap.average_gap - carried) * gradient[k];
+  }
+  return tau;
+}
+
+double torque(const FilmScene& s, const Field& tau) {
+  const FilmGrid& g = s.grid;
+  double sum = 0.0;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) sum += tau[g.index(i, j)] * g.area(i, j);
+  }
+  return sum * g.radius * g.multiplicity();
+}
+
+OilFlows oil_flows(const FilmScene& s, const FilmFlow& flow) {
+  const FilmGrid& g = s.grid;
+  const double twice = g.multiplicity();
+  OilFlows out;
+  out.patch.assign(s.supply.patches.size(), 0.0);
+  const Field net = net_outflow(s, flow);
+  for (int k = 0; k < g.cells(); ++k) {
+    const int patch = s.supply.cell[k];
+    if (patch >= 0) out.patch[patch] += twice * net[k];
+  }
+  for (const LineFace& l : flow.lines) {
+    out.patch[l.patch] += twice * (flow.phi[l.face].m - l.west.m);
+  }
+  for (const double q : out.patch) out.supply += q;
+  for (int i = 0; i < g.nt; ++i) {
+    const double low = g.half ? 0.0 : -flow.z[i * (g.nz + 1)].m;
+    const double high = flow.z[i * (g.nz + 1) + g.nz].m;
+    out.side += twice * (low + high);
+    out.side_inflow += twice * (std::max(-low, 0.0) + std::max(-high, 0.0));
+  }
+  return out;
+}
+
+}  // namespace shellback::fluid

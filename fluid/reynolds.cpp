@@ -1,0 +1,326 @@
+#include "fluid/reynolds.hpp"
+
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/constants.hpp"
+#include "fluid/fischer_burmeister.hpp"
+
+namespace shellback::fluid {
+
+std::string place_of(const FilmGrid& g, int cell) {
+  double deg = std::fmod(g.phi[cell / g.nz] * 180.0 / kPi, 360.0);
+  if (deg < 0.0) deg += 360.0;
+  return fmt::format("phi {:.1f} deg, z {:.2f} mm", deg, g.z[cell % g.nz] * 1e3);
+}
+
+UnknownMap active_set_unknowns(const FilmState& s) {
+  UnknownMap u;
+  u.a_p.resize(s.p.size());
+  u.a_theta.resize(s.p.size());
+  for (std::size_t k = 0; k < s.p.size(); ++k) {
+    u.a_p[k] = s.full[k] ? 1.0 : 0.0;
+    u.a_theta[k] = s.full[k] ? 0.0 : 1.0;
+  }
+  return u;
+}
+
+namespace {
+
+/// Adds the derivatives of face flow f, which leaves row `from` and enters row `to`, to the
+/// diagonal entries and to the couplings `from_to` (row from, column to) and `to_from`.
+void add_face(const FaceFlow& f, bool upstream_is_left, int from, int to, const UnknownMap& u,
+              RingMatrix& a, double& from_to, double& to_from) {
+  const double left = f.d_left * u.a_p[from] + (upstream_is_left ? f.d_theta * u.a_theta[from] : 0.0);
+  const double right = f.d_right * u.a_p[to] + (upstream_is_left ? 0.0 : f.d_theta * u.a_theta[to]);
+  a.c[from] += left;
+  from_to += right;
+  a.c[to] -= right;
+  to_from -= left;
+}
+
+void fix_supply_rows(const FilmScene& scene, RingMatrix& a) {
+  const FilmGrid& g = scene.grid;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      if (scene.supply.cell[k] < 0) continue;
+      a.c[k] = 1.0;
+      a.w[k] = a.e[k] = a.s[k] = a.n[k] = 0.0;
+      a.e[g.index(g.previous(i), j)] = 0.0;  // a known value moves nobody
+      a.w[g.index(g.next(i), j)] = 0.0;
+      if (j > 0) a.n[k - 1] = 0.0;
+      if (j + 1 < g.nz) a.s[k + 1] = 0.0;
+    }
+  }
+}
+
+}  // namespace
+
+void assemble_film(const FilmScene& scene, const FilmFlow& flow, const UnknownMap& u,
+                   RingMatrix& a) {
+  const FilmGrid& g = scene.grid;
+  const bool forward = scene.speed >= 0.0;
+  a.resize(g.nt, g.nz);
+  for (int i = 0; i < g.nt; ++i) {
+    const int west = g.previous(i);
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      if (scene.supply.line[k] < 0) {
+        const int l = g.index(west, j);
+        add_face(flow.phi[k], forward, l, k, u, a, a.e[l], a.w[k]);
+      } else {  // the line lies between: only the cell's own derivative
+        const FaceFlow& f = flow.phi[k];
+        a.c[k] -= f.d_right * u.a_p[k] + (forward ? 0.0 : f.d_theta * u.a_theta[k]);
+      }
+      const int f = i * (g.nz + 1) + j;
+      if (j > 0) add_face(flow.z[f], true, k - 1, k, u, a, a.n[k - 1], a.s[k]);
+    }
+    const int first = g.index(i, 0);
+    const int last = g.index(i, g.nz - 1);
+    a.c[first] -= flow.z[i * (g.nz + 1)].d_right * u.a_p[first];
+    a.c[last] += flow.z[i * (g.nz + 1) + g.nz].d_left * u.a_p[last];
+  }
+  for (const LineFace& l : flow.lines) {
+    const int k = g.index(g.previous(l.face / g.nz), l.face % g.nz);
+    a.c[k] += l.west.d_left * u.a_p[k] + (forward ? l.west.d_theta * u.a_theta[k] : 0.0);
+  }
+  fix_supply_rows(scene, a);
+}
+
+void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Field& c,
+                        RingMatrix& a) {
+  const FilmGrid& g = scene.grid;
+  const auto film = [&](int k) { return scene.supply.cell[k] < 0; };
+  for (int i = 0; i < g.nt; ++i) {
+    const int west = g.previous(i);
+    const double share = g.dphi[west] / (g.dphi[west] + g.dphi[i]);
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      const int l = g.index(west, j);
+      if (scene.supply.line[k] < 0) {
+        const double d = flow.phi[k].d_h;
+        const double from_l = film(l) ? d * (1.0 - share) * c[l] : 0.0;
+        const double from_k = film(k) ? d * share * c[k] : 0.0;
+        if (film(l)) {
+          a.c[l] += from_l;
+          a.e[l] += from_k;
+        }
+        if (film(k)) {
+          a.c[k] -= from_k;
+          a.w[k] -= from_l;
+        }
+      }
+      const int f = i * (g.nz + 1) + j;
+      if (j > 0) {
+        const double weight = (g.z_face[j] - g.z[j - 1]) / (g.z[j] - g.z[j - 1]);
+        const double from_s = film(k - 1) ? flow.z[f].d_h * (1.0 - weight) * c[k - 1] : 0.0;
+        const double from_n = film(k) ? flow.z[f].d_h * weight * c[k] : 0.0;
+        if (film(k - 1)) {
+          a.c[k - 1] += from_s;
+          a.n[k - 1] += from_n;
+        }
+        if (film(k)) {
+          a.c[k] -= from_n;
+          a.s[k] -= from_s;
+        }
+      }
+    }
+    const int first = g.index(i, 0);
+    const int last = g.index(i, g.nz - 1);
+    if (film(first)) a.c[first] -= flow.z[i * (g.nz + 1)].d_h * c[first];
+    if (film(last)) a.c[last] += flow.z[i * (g.nz + 1) + g.nz].d_h * c[last];
+  }
+}
+
+namespace {
+
+/// Net outflow by gap changes given as functions of the face.
+template <class PhiFace, class ZFace>
+Field outflow_by(const FilmScene& scene, const FilmFlow& flow, PhiFace on_phi, ZFace on_z) {
+  const FilmGrid& g = scene.grid;
+  Field r(g.cells(), 0.0);
+  for (int i = 0; i < g.nt; ++i) {
+    const int west = g.previous(i);
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      const double d = flow.phi[k].d_h * on_phi(i, j);
+      r[k] -= d;
+      if (scene.supply.line[k] < 0) r[g.index(west, j)] += d;
+    }
+    for (int j = 0; j <= g.nz; ++j) {
+      const double d = flow.z[i * (g.nz + 1) + j].d_h * on_z(i, j);
+      if (j > 0) r[g.index(i, j - 1)] += d;
+      if (j < g.nz) r[g.index(i, j)] -= d;
+    }
+  }
+  for (const LineFace& l : flow.lines) {
+    const int i = l.face / g.nz;
+    r[g.index(g.previous(i), l.face % g.nz)] += l.west.d_h * on_phi(i, l.face % g.nz);
+  }
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    if (scene.supply.cell[k] >= 0) r[k] = 0.0;
+  }
+  return r;
+}
+
+}  // namespace
+
+Field outflow_by_gap(const FilmScene& scene, const FilmFlow& flow,
+                     const std::vector<double>& phi_face, const std::vector<double>& z_face) {
+  const int nz = scene.grid.nz;
+  return outflow_by(
+      scene, flow, [&](int i, int j) { return phi_face[i * nz + j]; },
+      [&](int i, int j) { return z_face[i * (nz + 1) + j]; });
+}
+
+Field outflow_by_position(const FilmScene& scene, const FilmFlow& flow, int k) {
+  const FilmGrid& g = scene.grid;
+  const Angles& a = scene.angles;
+  return outflow_by(
+      scene, flow,
+      [&](int i, int j) { return gap_slope(k, a.cos_face[i], a.sin_face[i], g.z[j]); },
+      [&](int i, int j) { return gap_slope(k, a.cos_cell[i], a.sin_cell[i], g.z_face[j]); });
+}
+
+Field film_residual(const FilmScene& scene, const FilmFlow& flow) {
+  Field r = net_outflow(scene, flow);
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    if (scene.supply.cell[k] >= 0) r[k] = 0.0;
+  }
+  return r;
+}
+
+double flow_scale(const FilmScene& scene, const FilmFlow& flow) {
+  double scale = 0.0;
+  for (std::size_t k = 0; k < flow.phi.size(); ++k) {
+    scale = std::max(scale, std::abs(flow.phi[k].d_theta));
+    scale = std::max(scale, std::abs(flow.phi[k].m));
+  }
+  (void)scene;
+  return scale;
+}
+
+UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const Field& step,
+                     double fraction, FilmState& s) {
+  UpdateReport report;
+  for (std::size_t k = 0; k < step.size(); ++k) {
+    if (scene.supply.cell[k] >= 0) continue;
+    const double t = fraction * step[k];
+    if (s.full[k]) {
+      const double x = oil.alpha[k] * t;
+      if (x >= 1.0) {
+        ++report.beyond_barus;
+        report.worst_cell = static_cast<int>(k);
+        continue;
+      }
+      s.p[k] += oil.alpha[k] > 0.0 ? -std::log1p(-x) / oil.alpha[k] : t;
+      if (s.p[k] < scene.p_cavitation) {
+        s.full[k] = 0;
+        s.p[k] = scene.p_cavitation;
+        ++report.moved;
+      }
+    } else {
+      s.theta[k] += t;
+      if (s.theta[k] > 1.0) {
+        s.full[k] = 1;
+        s.theta[k] = 1.0;
+        ++report.moved;
+      }
+    }
+  }
+  return report;
+}
+
+FilmState cold_film(const FilmScene& scene) {
+  const auto n = static_cast<std::size_t>(scene.grid.cells());
+  FilmState s{Field(n, std::max(scene.p_edge, scene.p_cavitation)), Field(n, 1.0),
+              std::vector<char>(n, 1)};
+  impose_supply(scene, s);
+  return s;
+}
+
+void impose_supply(const FilmScene& scene, FilmState& s) {
+  for (std::size_t k = 0; k < s.p.size(); ++k) {
+    const int patch = scene.supply.cell[k];
+    if (patch < 0) continue;
+    s.p[k] = scene.supply.patches[patch].pressure;
+    s.theta[k] = 1.0;
+    s.full[k] = 1;
+  }
+}
+
+namespace {
+
+double largest(const Field& r) {
+  double m = 0.0;
+  for (const double x : r) m = std::isfinite(x) ? std::max(m, std::abs(x)) : INFINITY;
+  return m;
+}
+
+Verdict no_pressure(const FilmScene& scene, const UpdateReport& report) {
+  return {Status::no_steady_state,
+          "the film has no steady pressure at this gap: with the pressure-viscosity law chosen, "
+          "q = (1 - exp(-alpha p))/alpha would have to exceed its bound 1/alpha",
+          place_of(scene.grid, report.worst_cell),
+          "switch on elastic deformation, use the Roelands law, or lower the load"};
+}
+
+}  // namespace
+
+Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, const Field& step,
+                                     const OilLaw& oil, const FilmState& guess,
+                                     const ReynoldsOptions& options) {
+  Outcome<FilmSolution> out;
+  FilmSolution& v = out.value;
+  v.state = guess;
+  RingMatrix matrix;
+  std::set<std::size_t> seen;  // hashes of active sets met
+  bool cycling = false;
+  for (int it = 0; it <= options.max_iterations; ++it) {
+    oil(v.state, v.oil);
+    evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
+    Field r = film_residual(scene, v.flow);
+    const double norm = largest(r) / flow_scale(scene, v.flow);
+    out.history.push_back(norm);
+    if (!std::isfinite(norm)) {
+      out.verdict = {Status::invalid_number, "the film residual is not a number", "", "check the gap"};
+      return out;
+    }
+    if (norm <= options.tolerance && complementary(scene, v.state)) {
+      if (v.factorizations == 0) {
+        assemble_film(scene, v.flow, active_set_unknowns(v.state), matrix);
+        if (!v.factor.factorize(matrix)) break;
+        ++v.factorizations;
+      }
+      return out;
+    }
+    if (it == options.max_iterations) break;
+    if (cycling) {
+      ++v.fallback_steps;
+      ++v.factorizations;
+      if (!fischer_burmeister_step(scene, gap, step, oil, v)) break;
+      continue;
+    }
+    assemble_film(scene, v.flow, active_set_unknowns(v.state), matrix);
+    if (!v.factor.factorize(matrix)) break;
+    ++v.factorizations;
+    for (double& x : r) x = -x;
+    v.factor.solve(r.data());
+    const UpdateReport report = advance(scene, v.oil, r, 1.0, v.state);
+    if (report.beyond_barus > 0) {
+      out.verdict = no_pressure(scene, report);
+      return out;
+    }
+    if (report.moved > 0) cycling = !seen.insert(active_set_hash(v.state)).second;
+  }
+  out.verdict = {Status::iteration_limit,
+                 fmt::format("the cavitation solve stopped after {} steps at residual {:.1e}",
+                             options.max_iterations, out.history.back()),
+                 "", "refine the grid or start from a lower load"};
+  return out;
+}
+
+}  // namespace shellback::fluid

@@ -1,0 +1,43 @@
+#pragma once
+/// Viscosity at ambient pressure and low shear as a function of temperature.
+///
+///   constant   eta(T) = eta
+///   Vogel      eta(T) = A exp(B / (T_C + C)),           T_C = T - 273.15 K   seed 000 Eq. 6
+///   Reynolds   eta(T) = eta_at exp(-beta (T - at))                           seed 002 Eq. 25
+///
+/// All work with ln eta [ln Pa s] and its slope by T [1/K]: the pressure laws need the logarithm,
+/// and a field of nodes then takes one exponential. Vogel holds for T_C > -C only (its pole);
+/// seed 002 Eq. 26 prints the same law with the opposite sign of C.
+#include <cmath>
+#include <variant>
+
+#include "core/constants.hpp"
+#include "rheology/oil.hpp"
+
+namespace shellback::rheology {
+
+/// A logarithm and its derivative by temperature.
+struct LogAndSlope {
+  double value;  ///< ln(eta / 1 Pa s) [-]
+  double dT;     ///< d ln eta / d T [1/K]
+};
+
+[[nodiscard]] inline LogAndSlope log_viscosity(const ConstantViscosity& law, double /*T*/) {
+  return {std::log(law.eta), 0.0};
+}
+
+[[nodiscard]] inline LogAndSlope log_viscosity(const Vogel& law, double T) {
+  const double q = 1.0 / (T - kZeroCelsius + law.C);
+  return {std::log(law.A) + law.B * q, -law.B * q * q};
+}
+
+[[nodiscard]] inline LogAndSlope log_viscosity(const ReynoldsSlope& law, double T) {
+  return {std::log(law.eta) - law.beta * (T - law.at), -law.beta};
+}
+
+/// ln eta and its slope at temperature T [K] for whichever law the oil has.
+[[nodiscard]] inline LogAndSlope log_viscosity(const TemperatureLaw& law, double T) {
+  return std::visit([T](const auto& l) { return log_viscosity(l, T); }, law);
+}
+
+}  // namespace shellback::rheology

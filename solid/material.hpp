@@ -1,0 +1,17 @@
+#pragma once
+/// One solid material: what conduction, elasticity and thermal growth need of it.
+#include <string>
+
+namespace shellback::solid {
+
+struct Material {
+  std::string name;
+  double conductivity = 0.0;    ///< [W/(m K)]
+  double density = 0.0;         ///< [kg/m3]
+  double heat_capacity = 0.0;   ///< [J/(kg K)]
+  double youngs_modulus = 0.0;  ///< [Pa]
+  double poisson_ratio = 0.0;   ///< [-], below 0.5
+  double expansion = 0.0;       ///< linear thermal expansion [1/K]
+};
+
+}  // namespace shellback::solid

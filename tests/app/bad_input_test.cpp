@@ -1,0 +1,216 @@
+/// Every class of bad input: file, line and column, what, why and cure.
+#include "tests/app/sample_case.hpp"
+
+using namespace shellback;
+using namespace shellback::app;
+
+TEST_CASE("TheSampleIsTaken") { CHECK(refusal(kSampleCase).empty()); }
+
+TEST_CASE("AMisspeltKeyIsRefusedWithTheRightOne") {
+  check_refused("diameter = \"50 mm\"", "diametre = \"50 mm\"",
+                {"case.toml:4:1", "unknown key \"diametre\"", "did you mean \"diameter\"?"});
+  check_refused("[operation]", "[operations]",
+                {"case.toml:15:2", "unknown key \"operations\"", "\"operation\""});
+  check_refused("pressure = \"2 bar\"", "presure = \"2 bar\"",
+                {"case.toml:12:1", "did you mean \"pressure\"?"});
+  check_refused("back = {", "back = { alpha = 3,", {"case.toml:31:10", "unknown key \"alpha\""});
+  check_refused("r = 0.5", "R = 0.5", {"case.toml:25:36", "unknown key \"R\""});
+}
+
+TEST_CASE("AMissingKeyIsNamedWithAnExample") {
+  check_refused("diameter = \"50 mm\"\n", "",
+                {"case.toml:3:1", "bearing.diameter", "missing", "diameter = \"10 mm\""});
+  check_refused("speed = \"3000 rpm\"\n", "", {"case.toml:15:1", "operation.speed", "rpm"});
+  check_refused("[operation]\nspeed = \"3000 rpm\"\nload = \"5 kN\"\n", "",
+                {"case.toml: operation", "missing"});
+}
+
+TEST_CASE("ABareNumberIsRefusedWithUnitsThatWouldDo") {
+  check_refused("\"50 mm\"", "50", {"case.toml:4:12", "50 has no unit", "um, mm, cm, m, in"});
+  check_refused("\"50 mm\"", "50.5", {"case.toml:4:12", "50.5 has no unit"});
+  check_refused("\"50 mm\"", "\"50\"", {"case.toml:4:12", "no unit", "um, mm"});
+  check_refused("\"3000 rpm\"", "314.16", {"case.toml:16:9", "rpm, rad/s, Hz"});
+}
+
+TEST_CASE("AWrongUnitIsRefused") {
+  check_refused("\"50 mm\"", "\"50 degC\"",
+                {"case.toml:4:12", "bearing.diameter", "a temperature", "a length"});
+  check_refused("\"80 degC\"", "\"80 mm\"", {"case.toml:13:15", "supply.0.temperature"});
+  check_refused("C = \"110 K\"", "C = \"110 degC\"", {"case.toml:23:", "difference", "write K"});
+}
+
+TEST_CASE("ZeroNegativeAndNotANumberAreRefused") {
+  check_refused("\"50 mm\"", "\"0 mm\"", {"case.toml:4:12", "must be positive"});
+  check_refused("\"25 um\"", "\"-25 um\"", {"case.toml:6:20", "must be positive"});
+  check_refused("\"25 um\"", "\"nan um\"", {"case.toml:6:20", "not a finite number"});
+  check_refused("r = 0.5", "r = nan", {"case.toml:25:", "not a finite number"});
+  check_refused("r = 0.5", "r = inf", {"case.toml:25:", "not a finite number"});
+  check_refused("poisson_ratio = 0.3", "poisson_ratio = 0.5", {"case.toml:30:", "below"});
+  check_refused("\"5 kN\"", "\"-5 kN\"", {"case.toml:17:8", "must be positive"});
+}
+
+TEST_CASE("AbsurdGeometryIsRefusedWithTheReason") {
+  check_refused("\"25 um\"", "\"25 mm\"",
+                {"case.toml:6:20", "1 of the radius", "diametral clearance"});
+  check_refused("\"25 um\"", "\"25 nm\"", {"case.toml:6:20", "1e-06 of the radius"});
+  check_refused("\"25 mm\"", "\"25 m\"", {"case.toml:5:9", "width is 500 of the diameter"});
+  check_refused("\"50 mm\"", "\"50 m\"", {"case.toml:4:12", "diameter is 5e+04 mm"});
+  check_refused("\"5 kN\"", "\"5e6 kN\"", {"case.toml:17:8", "4e+06 MPa"});
+  check_refused("\"3000 rpm\"", "\"3e6 rpm\"", {"case.toml:16:9", "surface speed"});
+  check_refused("thickness = \"2 mm\"", "thickness = \"2 m\"", {"case.toml:30:", "2000 mm thick"});
+  check_refused("[model]", "[model]\ngrid = [4, 3]", {"case.toml:37:8", "4 cells"});
+  check_refused("load = ", "tilt = { about_x = \"5 mrad\" }\nload = ",
+                {"case.toml:17:8", "2.5 radial clearances"});
+}
+
+TEST_CASE("SuspiciousGeometryIsAWarningOnly") {
+  const auto read = read_sample("\"25 um\"", "\"4 um\"");
+  REQUIRE(read.warnings.size() == 1);
+  check_parts(read.warnings[0], {"case.toml:6:20", "unusual"});
+}
+
+TEST_CASE("LoadAndEccentricityTogetherAreRefused") {
+  check_refused("load = ", "eccentricity_ratio = 0.5\nload = ",
+                {"case.toml:17:22", "load is given too", "keep one"});
+  check_refused("load = \"5 kN\"\n", "", {"case.toml:15:1", "neither load nor"});
+  check_refused("load = \"5 kN\"", "eccentricity_ratio = 1.0\nattitude_angle = \"0 deg\"",
+                {"case.toml:17:22", "less"});
+  check_refused("load = \"5 kN\"", "eccentricity_ratio = -0.1\nattitude_angle = \"0 deg\"",
+                {"case.toml:17:22", "at least 0"});
+  check_refused("load = \"5 kN\"", "eccentricity_ratio = 0.5",
+                {"case.toml:15:1", "attitude_angle", "missing"});
+}
+
+TEST_CASE("ZeroSpeedUnderLoadIsRefusedWithTheReason") {
+  check_refused("\"3000 rpm\"", "\"0 rpm\"",
+                {"case.toml:16:9", "zero speed", "rests on the shell", "give a speed"});
+}
+
+TEST_CASE("NoSupplyIsRefusedWithTheReason") {
+  const std::string supply = kSampleCase.substr(
+      kSampleCase.find("[[supply]]"), kSampleCase.find("[operation]") - kSampleCase.find("[[supply]]"));
+  check_refused(supply, "", {"case.toml: supply", "sides", "conserves mass", "runs dry",
+                             "[[supply]]"});
+  check_refused("[[supply]]", "[supply]", {"case.toml:8:1", "[[supply]], with two brackets"});
+}
+
+TEST_CASE("ASupplyMustLieOnTheBearing") {
+  check_refused("diameter = \"5 mm\"", "diameter = \"30 mm\"",
+                {"case.toml:11:12", "30 mm is more than the bearing's width of 25 mm"});
+  check_refused("diameter = \"5 mm\"", "diameter = \"5 mm\"\nz = \"11 mm\"",
+                {"case.toml:12:5", "13.5 mm from mid-width", "edge at 12.5 mm"});
+  check_refused("kind = \"hole\"\nangle = \"90 deg\"\ndiameter = \"5 mm\"",
+                "kind = \"axial_groove\"\nangle = \"90 deg\"\narc = \"20 deg\"\nlength = \"25 mm\"",
+                {"case.toml:12:10", "open to the sides", "shorter"});
+  check_refused("kind = \"hole\"\nangle = \"90 deg\"\ndiameter = \"5 mm\"",
+                "kind = \"circumferential_groove\"\nwidth = \"24 mm\"",
+                {"case.toml:8:1", "96 % of the bearing"});
+}
+
+TEST_CASE("ALineSupplyMaySpanTheWidth") {
+  const auto read =
+      read_sample("kind = \"hole\"\nangle = \"90 deg\"\ndiameter = \"5 mm\"",
+                  "kind = \"axial_groove\"\nangle = \"90 deg\"\narc = \"0 deg\"\nlength = \"25 mm\"");
+  CHECK(read.supplies[0].arc == 0.0);
+  CHECK(read.supplies[0].length == 0.025);
+}
+
+TEST_CASE("SuppliesMustNotContradictEachOther") {
+  check_refused("[operation]",
+                "[[supply]]\nkind = \"hole\"\nangle = \"92 deg\"\ndiameter = \"5 mm\"\n"
+                "pressure = \"3 bar\"\ntemperature = \"80 degC\"\n[operation]",
+                {"case.toml:15:1", "supply.1", "overlaps supply.0", "another pressure"});
+}
+
+TEST_CASE("ASupplyBelowTheCavitationPressureIsRefused") {
+  check_refused("\"2 bar\"", "\"-0.5 bar\"",
+                {"case.toml:12:12", "below the cavitation pressure", "raise it"});
+  check_refused("\"2 bar\"", "\"-2 bar\"", {"case.toml:12:12", "below vacuum"});
+  check_refused("[model]", "[model]\ncavitation_pressure = \"1 bar\"",
+                {"case.toml:37:23", "above ambient pressure"});
+}
+
+TEST_CASE("UnknownMaterialsAndOilsAreRefusedWithTheList") {
+  check_refused("[shaft]\nmaterial = {", "[shaft]\nmaterial = \"stel\"\n#",
+                {"case.toml:34:12", "no shipped material \"stel\"", "did you mean \"steel\"?",
+                 "shipped are:"});
+  const std::string oil = kSampleCase.substr(
+      kSampleCase.find("viscosity.temp"), kSampleCase.find("[shell]") - kSampleCase.find("viscosity.temp"));
+  check_refused(oil, "name = \"0w20\"\n",
+                {"case.toml:23:8", "no shipped oil \"0w20\"", "did you mean \"0W20\"?",
+                 "shipped are:"});
+  check_refused(oil, "", {"case.toml:19:1", "neither name nor viscosity", "0W20"});
+}
+
+TEST_CASE("AMisspeltChoiceIsRefusedWithTheList") {
+  check_refused("\"hole\"", "\"hoel\"", {"case.toml:9:8", "did you mean \"hole\"?", "axial_groove"});
+  check_refused("\"vogel\"", "\"fogel\"", {"case.toml:23:", "did you mean \"vogel\"?", "reynolds"});
+  check_refused("\"tehd\"", "\"thed\"", {"case.toml:37:8", "did you mean", "isothermal, lumped"});
+  check_refused("\"tehd\"", "\"auto\"",
+                {"case.toml:37:8", "does not exist in this version", "isothermal, lumped, thd, tehd"});
+  check_refused("[model]", "[model]\nedges = \"floded\"",
+                {"case.toml:37:9", "did you mean \"flooded\"?", "dry"});
+  check_refused("[model]", "[model]\nflow_factors = \"on\"",
+                {"case.toml:37:16", "true, false, \"auto\""});
+}
+
+TEST_CASE("AWrongTypeIsRefused") {
+  check_refused("diameter = \"50 mm\"", "diameter = [1]", {"case.toml:4:12", "a list", "a length"});
+  check_refused("diameter = \"50 mm\"", "diameter = true", {"case.toml:4:12", "true/false"});
+  check_refused("diameter = \"50 mm\"", "diameter = 1979-05-27", {"case.toml:4:12", "date"});
+  check_refused("[shaft]\nmaterial = {", "[shaft]\nmaterial = 3\n#", {"case.toml:34:12", "a number"});
+  check_refused("back = {", "back = \"cold\"\n#", {"case.toml:31:8", "a table is wanted"});
+  check_refused("title = \"sample\"", "title = 3", {"case.toml:1:9", "a text is wanted"});
+  check_refused("[model]", "[model]\ngrid = [200]", {"case.toml:37:8", "[200, 25]"});
+  check_refused("[model]", "[model]\ngrid = [200, 2.5]", {"case.toml:37:8", "whole number"});
+}
+
+TEST_CASE("KeysThatContradictAreRefused") {
+  check_refused("load = ", "attitude_angle = \"40 deg\"\nload = ",
+                {"case.toml:17:1", "attitude_angle", "no effect"});
+  check_refused("back = {", "back = { temperature = \"90 degC\",",
+                {"case.toml:31:", "keep one of them"});
+  check_refused("pressure = \"2 bar\"", "pressure = \"2 bar\"\npressure_absolute = \"3 bar\"",
+                {"case.toml:13:21", "keep one of them"});
+  check_refused("load = ", "tilt = { about_x = \"0.1 mrad\" }\nmoment = { about_x = \"1 N m\" }\nload = ",
+                {"case.toml:18:10", "tilt is given too"});
+}
+
+TEST_CASE("TiersNeedTheirData") {
+  const std::string shell = kSampleCase.substr(
+      kSampleCase.find("[shell]"), kSampleCase.find("[shaft]") - kSampleCase.find("[shell]"));
+  const std::string shaft = kSampleCase.substr(
+      kSampleCase.find("[shaft]"), kSampleCase.find("[model]") - kSampleCase.find("[shaft]"));
+  check_refused(shell, "", {"case.toml: shell", "no [shell]", "lumped or isothermal"});
+  check_refused(shaft, "", {"case.toml: shaft", "no [shaft]", "lumped or isothermal"});
+  check_refused("back = { heat_transfer = \"500 W/(m2 K)\", ambient = \"70 degC\" }", "",
+                {"case.toml:29:1", "how heat leaves", "back = {"});
+  CHECK(refusal(sample_with(shell, ""), {"model.tier=lumped"}).empty());
+  CHECK(refusal(sample_with(shaft, ""), {"model.tier=isothermal"}).empty());
+  check_parts(refusal(sample_with("temperature = \"90 degC\"\n", ""), {"model.tier=isothermal"}),
+              {"oil.temperature", "needs the film's temperature", "constant viscosity"});
+  CHECK(refusal(sample_with("temperature = \"90 degC\"\n", ""),
+                {"model.tier=isothermal", "measured.shell_back_temperature=88 degC"})
+            .empty());
+}
+
+TEST_CASE("ATemperatureOutsideTheOilsRangeIsAWarning") {
+  const auto read = read_sample("temperature = \"90 degC\"", "temperature = \"160 degC\"");
+  REQUIRE(read.warnings.size() == 1);
+  check_parts(read.warnings[0], {"case.toml:26:15", "160 degC", "20 degC to 150 degC"});
+  check_refused("\"90 degC\"", "\"90 K\"", {"case.toml:26:15", "degC or K"});
+}
+
+TEST_CASE("TheCommandLineIsNamedAsThePlace") {
+  const auto what = [](const char* words) { return refusal(kSampleCase, {words}); };
+  check_parts(what("bearing.diameter=50"), {"--set bearing.diameter: 50 has no unit"});
+  check_parts(what("bearing.diametre=50 mm"), {"--set bearing.diametre: unknown key", "diameter"});
+  check_parts(what("supply.1.pressure=3 bar"), {"--set supply.1.pressure", "no entry 1"});
+  check_parts(what("supply.x.pressure=3 bar"), {"does not number an entry"});
+  check_parts(what("bearing.diameter.x=3"), {"holds no keys"});
+  check_parts(what("bearing..x=3"), {"no key"});
+  check_parts(what("bearing"), {"--set", "KEY=VALUE"});
+  check_parts(what("=3"), {"--set", "KEY=VALUE"});
+  check_parts(what("supply.0=3"), {"cannot be replaced"});
+  check_parts(what("operation.speed=\"0 rpm\""), {"--set operation.speed: at zero speed"});
+}

@@ -1,0 +1,86 @@
+/// The command line: what is understood, and what is said when it is not.
+#include "app/cli.hpp"
+#include "tests/app/sample_case.hpp"
+
+using namespace shellback;
+using namespace shellback::app;
+
+namespace {
+
+void check_words(const std::vector<std::string>& words, const std::vector<std::string>& parts) {
+  const Reading reading = read_command_line(words);
+  CHECK(reading.code == kBadInput);
+  check_parts(reading.words, parts);
+}
+
+}  // namespace
+
+TEST_CASE("RunTakesItsOptions") {
+  const Reading reading = read_command_line(
+      {"run", "--set", "operation.speed=1500 rpm", "case.toml", "--set=model.grid=[100,20]",
+       "--tier", "thd", "--json", "-", "-o", "out.h5", "-j", "4"});
+  INFO(reading.words);
+  REQUIRE(reading.words.empty());
+  const Request& r = reading.request;
+  CHECK(r.command == Command::run);
+  CHECK(r.case_file == "case.toml");
+  CHECK(r.set ==
+        std::vector<std::string>{"operation.speed=1500 rpm", "model.grid=[100,20]"});
+  CHECK(r.tier == "thd");
+  CHECK(r.json == "-");
+  CHECK(r.output == "out.h5");
+  CHECK(r.threads == 4);
+}
+
+TEST_CASE("CompareTakesAListOfTiers") {
+  const Reading reading = read_command_line(
+      {"compare", "--tiers", "isothermal,tehd", "case.toml", "--picture", "a.svg", "-o", "a.html"});
+  INFO(reading.words);
+  REQUIRE(reading.words.empty());
+  CHECK(reading.request.tiers == std::vector<std::string>{"isothermal", "tehd"});
+  CHECK(reading.request.case_file == "case.toml");
+  CHECK(reading.request.picture == "a.svg");
+}
+
+TEST_CASE("InitTakesANameOrNone") {
+  CHECK(read_command_line({"init"}).request.command == Command::init);
+  CHECK(read_command_line({"init", "raimondi-boyd"}).request.name == "raimondi-boyd");
+}
+
+TEST_CASE("AMisspeltCommandIsRefusedWithTheRightOne") {
+  check_words({"chekc", "case.toml"}, {"no command \"chekc\"", "did you mean \"check\"?"});
+  check_words({"frobnicate"}, {"no command", "init, check, run, compare"});
+}
+
+TEST_CASE("CommandsOfLaterReleasesAreNotOffered") {
+  for (const char* word : {"sweep", "validate", "chart", "stress", "report", "export"}) {
+    check_words({word}, {"no command"});
+    CHECK(read_command_line({"--help"}).words.find(word) == std::string::npos);
+  }
+}
+
+TEST_CASE("AMisspeltOptionIsRefusedWithTheRightOne") {
+  check_words({"run", "case.toml", "--jsno", "x"}, {"no option \"--jsno\"", "\"--json\"?"});
+  check_words({"run", "case.toml", "--tire=thd"}, {"no option \"--tire\"", "\"--tier\"?"});
+  check_words({"compare", "case.toml", "--tier", "thd"}, {"no option", "\"--tiers\"?"});
+}
+
+TEST_CASE("MissingAndSurplusWordsAreNamed") {
+  check_words({"run"}, {"case file is missing", "shellback run CASE.toml"});
+  check_words({"check", "a.toml", "b.toml"}, {"one word too many", "b.toml"});
+  check_words({"run", "case.toml", "-j", "0"}, {"-j"});
+  check_words({"run", "case.toml", "--json"}, {"--json"});
+  CHECK(read_command_line({}).code == kBadInput);
+}
+
+TEST_CASE("HelpAndVersionEndWell") {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"--help"}, {"run", "--help"}, {"-h"}}) {
+    const Reading reading = read_command_line(words);
+    CHECK(reading.code == kDone);
+    CHECK_FALSE(reading.words.empty());
+  }
+  const Reading version = read_command_line({"--version"});
+  CHECK(version.code == kDone);
+  CHECK(version.words.find("shellback ") == 0);
+}

@@ -1,0 +1,210 @@
+/// The reader against mutilated cases: it takes them or refuses them, and does nothing else.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "app/case_text.hpp"
+#include "app/check.hpp"
+#include "app/library.hpp"
+#include "tests/app/sample_case.hpp"
+
+using namespace shellback;
+using namespace shellback::app;
+
+namespace {
+
+/// Deterministic: the same corpus on every machine (the standard fixes this generator's digits).
+using Random = std::minstd_rand;
+
+std::size_t below(Random& random, std::size_t n) { return n == 0 ? 0 : random() % n; }
+
+std::vector<std::string> corpus() {
+  std::vector<std::string> texts{kSampleCase};
+  for (const std::string& name : shipped_cases()) {
+    texts.push_back(read_text_file(case_path(name).string()));
+  }
+  return texts;
+}
+
+/// Reads; a case that is taken must hold numbers that can be computed with.
+void expect_case_or_refusal(const std::string& text) {
+  try {
+    const auto c = read_case_text(text, "fuzz.toml");
+    const bool sane = std::isfinite(c.operation.omega) && c.bearing.radius > 0.0 &&
+                      c.bearing.radial_clearance > 0.0 && !c.supplies.empty() &&
+                      std::isfinite(c.supplies[0].pressure);
+    if (!sane) {
+      INFO(text);
+      CHECK(sane);
+    }
+    std::ostringstream out;
+    print_check(out, c);
+  } catch (const InputError& error) {
+    if (std::string(error.what()).empty()) {
+      INFO(text);
+      CHECK_FALSE(std::string(error.what()).empty());
+    }
+  } catch (const FileError&) {
+    // A mutated key may have become bearing.profile with a name of no file.
+  }
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines(1);
+  for (const char c : text) {
+    if (c == '\n') {
+      lines.emplace_back();
+    } else {
+      lines.back() += c;
+    }
+  }
+  return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("FuzzTruncatedCases") {
+  for (const std::string& text : corpus()) {
+    for (std::size_t end = 0; end < text.size(); end += 7) {
+      expect_case_or_refusal(text.substr(0, end));
+    }
+  }
+  SUCCEED();
+}
+
+TEST_CASE("FuzzLinesDeletedDoubledAndSwapped") {
+  for (const std::string& text : corpus()) {
+    const auto lines = lines_of(text);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      auto without = lines;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(k));
+      expect_case_or_refusal(joined(without));
+      auto twice = lines;
+      twice.insert(twice.begin() + static_cast<std::ptrdiff_t>(k), lines[k]);
+      expect_case_or_refusal(joined(twice));
+      auto swapped = lines;
+      std::swap(swapped[k], swapped[(k * 7 + 3) % lines.size()]);
+      expect_case_or_refusal(joined(swapped));
+    }
+  }
+  SUCCEED();
+}
+
+TEST_CASE("FuzzCharactersSwappedAndReplaced") {
+  Random random(1);
+  for (const std::string& text : corpus()) {
+    for (int round = 0; round < 600; ++round) {
+      std::string mutated = text;
+      const std::size_t edits = 1 + below(random, 4);
+      for (std::size_t e = 0; e < edits; ++e) {
+        const std::size_t at = below(random, mutated.size() - 1);
+        if (below(random, 2) == 0) {
+          std::swap(mutated[at], mutated[at + 1]);
+        } else {
+          mutated[at] = static_cast<char>(below(random, 256));
+        }
+      }
+      expect_case_or_refusal(mutated);
+    }
+  }
+  SUCCEED();
+}
+
+TEST_CASE("FuzzRandomBytes") {
+  Random random(2);
+  for (int round = 0; round < 2000; ++round) {
+    std::string text(below(random, 300), ' ');
+    for (char& c : text) c = static_cast<char>(below(random, 256));
+    expect_case_or_refusal(text);
+  }
+  const std::string alphabet = "[]{}=\"'.,#\n\t aeE+-_0123456789:TZ\\";
+  for (int round = 0; round < 5000; ++round) {
+    std::string text(below(random, 120), ' ');
+    for (char& c : text) c = alphabet[below(random, alphabet.size())];
+    expect_case_or_refusal(text);
+  }
+  SUCCEED();
+}
+
+TEST_CASE("FuzzValuesReplacedByExtremes") {
+  const std::vector<std::string> values{
+      "0", "-0.0", "nan", "inf", "-inf", "1e308", "-1e308", "1e-320", "9223372036854775807",
+      "-9223372036854775808", "true", "\"\"", "\" \"", "\"auto\"", "\"1e308 mm\"", "\"-1e308 K\"",
+      "\"1e-320 um\"", "\"nan degC\"", "\"1e5 rpm\"", "\"5 m\"", "\"300 K\"", "\"0 deg\"",
+      "\"0 1/Pa\"", "\"1e300 Pa\"", "[]", "{}", "[[]]", "[{}]", "[1, 2]", "[1.5, \"a\"]",
+      "1979-05-27", "07:32:00", "{ law = \"none\" }", "{ law = \"constant\" }", "\"\\u0000\"",
+      "\"\\U0001F600\"", "'''x'''"};
+  for (const std::string& text : corpus()) {
+    const auto lines = lines_of(text);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const std::size_t equal = lines[k].find('=');
+      if (equal == std::string::npos || lines[k][0] == '#') continue;
+      for (const std::string& value : values) {
+        auto changed = lines;
+        changed[k] = lines[k].substr(0, equal + 1) + " " + value;
+        expect_case_or_refusal(joined(changed));
+      }
+    }
+  }
+  SUCCEED();
+}
+
+TEST_CASE("FuzzEveryQuotedValueReplacedInPlace") {
+  const std::vector<std::string> values{"\"0 mm\"", "\"-3 K\"", "\"1e30 kg/m3\"", "\"\"", "7",
+                                        "\"1e-30 Pa s\"", "\"1e9 W/(m K)\"", "{}", "\"90 degC\""};
+  for (const std::string& text : corpus()) {
+    for (std::size_t at = text.find('"'); at != std::string::npos;) {
+      const std::size_t end = text.find('"', at + 1);
+      if (end == std::string::npos) break;
+      for (const std::string& value : values) {
+        std::string mutated = text;
+        expect_case_or_refusal(mutated.replace(at, end - at + 1, value));
+      }
+      at = text.find('"', end + 1);
+    }
+  }
+  SUCCEED();
+}
+
+TEST_CASE("FuzzNestedTablesAndLists") {
+  for (const char* open : {"{a=", "[", "{\"a\".b=", "[{x="}) {
+    for (const int depth : {1, 10, 100, 1000, 10'000}) {
+      std::string value;
+      for (int k = 0; k < depth; ++k) value += open;
+      expect_case_or_refusal("a = " + value);
+      expect_case_or_refusal(sample_with("\"50 mm\"", value));
+    }
+  }
+  std::string headers;
+  for (int k = 0; k < 2000; ++k) headers += "[a" + std::to_string(k) + "]\n";
+  expect_case_or_refusal(headers);
+  std::string supplies;
+  for (int k = 0; k < 2000; ++k) supplies += "[[supply]]\n";
+  expect_case_or_refusal(supplies);
+  SUCCEED();
+}
+
+TEST_CASE("FuzzTheCommandLinesChanges") {
+  Random random(3);
+  const std::vector<std::string> keys{"bearing.diameter", "supply.0.pressure", "supply",
+                                      "oil.viscosity",    "model.grid",        "shell.layers.0",
+                                      "x.y.z",            "a.b.c.d.e.f.g",     "supply.-1.z"};
+  const std::string alphabet = "[]{}=\"'.,#\n\\ aeE+-_0123456789mrp";
+  for (int round = 0; round < 3000; ++round) {
+    std::string value(below(random, 20), ' ');
+    for (char& c : value) c = alphabet[below(random, alphabet.size())];
+    const std::string words = keys[below(random, keys.size())] + "=" + value;
+    try {
+      static_cast<void>(read_case_text(kSampleCase, "fuzz.toml", {parse_override(words)}));
+    } catch (const InputError&) {
+    }
+  }
+  SUCCEED();
+}

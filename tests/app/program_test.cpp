@@ -1,0 +1,141 @@
+/// The whole program in one process: exit codes, and what goes to which stream.
+#include <iostream>
+#include <sstream>
+
+#include "app/cli.hpp"
+#include "tests/app/sample_case.hpp"
+
+using namespace shellback;
+using namespace shellback::app;
+
+namespace {
+
+/// Standard output and error, caught while the object lives.
+class Caught {
+ public:
+  Caught() : out_(std::cout.rdbuf(out.rdbuf())), err_(std::cerr.rdbuf(err.rdbuf())) {}
+  ~Caught() {
+    std::cout.rdbuf(out_);
+    std::cerr.rdbuf(err_);
+  }
+  Caught(const Caught&) = delete;
+  Caught& operator=(const Caught&) = delete;
+
+  std::ostringstream out;
+  std::ostringstream err;
+
+ private:
+  std::streambuf* out_;
+  std::streambuf* err_;
+};
+
+struct Ended {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+Ended program(const std::vector<std::string>& words) {
+  Caught caught;
+  const int code = run_program(words);
+  return {code, caught.out.str(), caught.err.str()};
+}
+
+bool begins_with_brace(const std::string& text) {
+  return text.find_first_not_of(" \n") != std::string::npos && text.front() == '{';
+}
+
+// Coarse: the program's ways are tested here, not its numbers.
+const std::string kCoarse = "model.grid=[48, 9]";
+
+}  // namespace
+
+TEST_CASE("ABadCaseEndsWithTwoAndShowsTheLine") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", sample_with("diameter", "diametre"));
+  const Ended ended = program({"check", path});
+  CHECK(ended.code == kBadInput);
+  CHECK(ended.out.empty());
+  check_parts(ended.err, {"case.toml:4:1: unknown key \"diametre\"", "diametre = \"50 mm\"",
+                          "     4 | ", "       | ^"});
+}
+
+TEST_CASE("AMissingFileEndsWithFour") {
+  const Ended ended = program({"run", "/nowhere/case.toml"});
+  CHECK(ended.code == kBadFile);
+  check_parts(ended.err, {"no such file"});
+}
+
+TEST_CASE("AnOutputThatCannotBeWrittenEndsWithFourBeforeTheWork") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const Ended ended = program({"run", path, "--json", "/nowhere/out.json"});
+  CHECK(ended.code == kBadFile);
+  check_parts(ended.err, {"/nowhere"});
+}
+
+TEST_CASE("ABadWordOnTheCommandLineEndsWithTwo") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  CHECK(program({"run", path, "--tier", "auto"}).code == kBadInput);
+  check_parts(program({"run", path, "--tier", "tedh"}).err, {"--tier", "did you mean \"tehd\"?"});
+  check_parts(program({"compare", path, "--tiers", "thd,thd"}).err, {"--tiers", "twice"});
+  check_parts(program({"run", path, "--set", "operation.speed=3000"}).err,
+              {"--set operation.speed", "rpm"});
+  CHECK(program({"frobnicate"}).code == kBadInput);
+}
+
+TEST_CASE("CheckPrintsAndEndsWell") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const Ended ended = program({"check", path});
+  CHECK(ended.code == kDone);
+  CHECK(ended.err.empty());
+  check_parts(ended.out, {"sample", "Sommerfeld"});
+}
+
+TEST_CASE("RunPrintsATableOrJsonNotBoth") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const Ended table = program({"run", path, "--tier", "isothermal", "--set", kCoarse});
+  INFO(table.err);
+  CHECK(table.code == kDone);
+  CHECK_FALSE(table.out.empty());
+  CHECK_FALSE(begins_with_brace(table.out));
+  const Ended json =
+      program({"run", path, "--tier", "isothermal", "--set", kCoarse, "--json", "-"});
+  CHECK(json.code == kDone);
+  CHECK(begins_with_brace(json.out));
+}
+
+TEST_CASE("RunAndCompareWriteTheirFiles") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const auto exists = [&](const char* name) {
+    return std::filesystem::file_size(scratch.path(name)) > 0;
+  };
+  CHECK(program({"run", path, "--tier", "isothermal", "--set", kCoarse, "--json",
+                 scratch.path("a.json"), "-o", scratch.path("a.h5")})
+            .code == kDone);
+  CHECK(exists("a.json"));
+  CHECK(exists("a.h5"));
+  const Ended compared =
+      program({"compare", path, "--tiers", "isothermal,lumped", "--set", kCoarse, "--json",
+               scratch.path("b.json"), "-o", scratch.path("b.html"), "--picture",
+               scratch.path("b.svg")});
+  INFO(compared.err);
+  CHECK(compared.code == kDone);
+  CHECK(exists("b.json"));
+  CHECK(exists("b.html"));
+  CHECK(exists("b.svg"));
+}
+
+TEST_CASE("WarningsGoToStandardError") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write(
+      "case.toml", sample_with("temperature = \"90 degC\"", "temperature = \"160 degC\""));
+  const Ended ended =
+      program({"run", path, "--tier", "isothermal", "--set", kCoarse, "--json", "-"});
+  check_parts(ended.err, {"warning: ", "outside the range"});
+  CHECK(begins_with_brace(ended.out));
+}

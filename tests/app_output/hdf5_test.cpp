@@ -1,0 +1,192 @@
+#include <hdf5.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "app/write_hdf5.hpp"
+#include "core/contract.hpp"
+#include "markup.hpp"
+#include "synthetic.hpp"
+
+using namespace shellback;
+
+namespace {
+
+const std::string kPath = std::string(SHELLBACK_BINARY_DIR) + "/output_test.h5";
+
+/// An open file; reading through the C interface, independent of the writer's helpers.
+struct Reader {
+  explicit Reader(const std::string& path)
+      : file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
+    REQUIRE(file >= 0);
+  }
+  ~Reader() { H5Fclose(file); }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  [[nodiscard]] bool has(const std::string& path) const {
+    return H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0;
+  }
+  [[nodiscard]] double number(const std::string& object, const std::string& name) const {
+    double value = 0.0;
+    const hid_t id = H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+    REQUIRE(id >= 0);
+    H5Aread(id, H5T_NATIVE_DOUBLE, &value);
+    H5Aclose(id);
+    return value;
+  }
+  [[nodiscard]] std::string text(const std::string& object, const std::string& name) const {
+    const hid_t id = H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+    REQUIRE(id >= 0);
+    const hid_t type = H5Aget_type(id);
+    char* value = nullptr;
+    H5Aread(id, type, &value);
+    std::string copy = value ? value : "";
+    H5free_memory(value);
+    H5Tclose(type);
+    H5Aclose(id);
+    return copy;
+  }
+  [[nodiscard]] std::vector<hsize_t> shape(const std::string& path) const {
+    const hid_t id = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
+    REQUIRE(id >= 0);
+    const hid_t space = H5Dget_space(id);
+    std::vector<hsize_t> shape(H5Sget_simple_extent_ndims(space));
+    H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+    H5Sclose(space);
+    H5Dclose(id);
+    return shape;
+  }
+  [[nodiscard]] std::vector<double> values(const std::string& path) const {
+    hsize_t size = 1;
+    for (const auto n : shape(path)) size *= n;
+    std::vector<double> values(size);
+    const hid_t id = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
+    H5Dread(id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(id);
+    return values;
+  }
+
+  hid_t file;
+};
+
+/// Names of datasets without units or long_name.
+herr_t note_unlabelled(hid_t root, const char* name, const H5O_info_t* info, void* names) {
+  if (info->type != H5O_TYPE_DATASET) return 0;
+  for (const char* label : {"units", "long_name"}) {
+    if (H5Aexists_by_name(root, name, label, H5P_DEFAULT) <= 0) {
+      static_cast<std::vector<std::string>*>(names)->push_back(name);
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("FieldsReadBackAreThoseWritten") {
+  const auto result = test::synthetic_result();
+  app::write_hdf5(kPath, test::synthetic_case(), result);
+  const Reader file(kPath);
+  const auto& f = result.fields;
+  using Shape = std::vector<hsize_t>;
+  CHECK(file.values("fields/p") == f.p);
+  CHECK(file.values("fields/theta") == f.theta);
+  CHECK(file.values("fields/h") == f.h);
+  CHECK(file.values("fields/tau_journal") == f.tau_journal);
+  CHECK(file.values("fields/T") == f.T);
+  CHECK(file.values("fields/T_solid") == f.T_solid);
+  CHECK(file.values("grid/phi") == f.grid.phi);
+  CHECK(file.values("grid/z") == f.grid.z);
+  CHECK(file.values("grid/s") == f.s);
+  CHECK(file.shape("fields/p") == Shape{200, 25});
+  CHECK(file.shape("fields/T") == Shape{200, 25, 5});
+  CHECK(file.shape("fields/T_solid") == Shape{200, 8});
+  CHECK(file.text("fields/T", "axes") == "phi z s");
+  CHECK(file.values("fields/supplied") ==
+        std::vector<double>(f.supplied.begin(), f.supplied.end()));
+}
+
+TEST_CASE("ScalarsReadBackWithTheirUnits") {
+  const auto result = test::synthetic_result();
+  app::write_hdf5(kPath, test::synthetic_case(), result);
+  const Reader file(kPath);
+  for (const auto& q : result.quantities) {
+    CHECK(file.number("quantities", q.name) == q.value);
+    CHECK(file.text("quantities", q.name + "_unit") == q.unit);
+  }
+  CHECK(file.number("audit", "mass") == result.audit.mass);
+  CHECK(file.number(".", "converged") == 1.0);
+  CHECK(file.text(".", "tier") == "tehd");
+  CHECK(file.values("history/residual").size() == result.history.size());
+  CHECK(file.text("provenance", "input") == test::synthetic_case().path);
+}
+
+TEST_CASE("EveryDatasetNamesItsUnitsAndMeaning") {
+  app::write_hdf5(kPath, test::synthetic_case(), test::synthetic_result());
+  const Reader file(kPath);
+  std::vector<std::string> unlabelled;
+  H5Ovisit2(file.file, H5_INDEX_NAME, H5_ITER_NATIVE, note_unlabelled, &unlabelled, H5O_INFO_BASIC);
+  CHECK(unlabelled.empty());
+  CHECK(file.text("fields/p", "units") == "Pa");
+  CHECK(file.text("fields/T_mean", "units") == "K");
+}
+
+TEST_CASE("TheVerbatimCaseIsKept") {
+  const auto c = test::synthetic_case();
+  app::write_hdf5(kPath, c, test::synthetic_result());
+  const Reader file(kPath);
+  const hid_t id = H5Dopen2(file.file, "case/verbatim", H5P_DEFAULT);
+  const hid_t type = H5Dget_type(id);
+  char* text = nullptr;
+  H5Dread(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &text);
+  CHECK(std::string(text) == c.verbatim);
+  H5free_memory(text);
+  H5Tclose(type);
+  H5Dclose(id);
+}
+
+TEST_CASE("FieldsOfAFailedSolveAreMarkedAsSuch") {
+  app::write_hdf5(kPath, test::synthetic_case(), test::not_converged(test::synthetic_result()));
+  const Reader file(kPath);
+  CHECK(file.number(".", "converged") == 0.0);
+  CHECK(file.text(".", "status") == "iteration limit");
+  CHECK_FALSE(file.text(".", "reason").empty());
+  CHECK(file.text("fields/p", "state").find("not converged") != std::string::npos);
+}
+
+TEST_CASE("FieldsTheTierDoesNotHaveAreAbsent") {
+  app::write_hdf5(kPath, test::synthetic_case(), test::synthetic_comparison().results.front());
+  const Reader file(kPath);
+  CHECK(file.has("fields/p"));
+  CHECK_FALSE(file.has("fields/T"));
+  CHECK_FALSE(file.has("fields/T_solid"));
+  CHECK(std::isnan(file.number("audit", "energy")));
+}
+
+TEST_CASE("AResultWithoutAnyFieldsOrNotesIsStillWritten") {
+  coupling::Result bare;
+  CHECK_NOTHROW(app::write_hdf5(kPath, coupling::Case{}, bare));
+  const Reader file(kPath);
+  CHECK(file.shape("notes/warnings") == std::vector<hsize_t>{0});
+}
+
+TEST_CASE("AFailedWriteKeepsTheOlderFileAndLeavesNothingElse") {
+  const std::string folder = std::string(SHELLBACK_BINARY_DIR) + "/output_test_dir";
+  std::filesystem::remove_all(folder);
+  CHECK_THROWS_AS(
+      app::write_hdf5(folder + "/r.h5", test::synthetic_case(), test::synthetic_result()),
+      FileError);
+  CHECK_FALSE(std::filesystem::exists(folder));
+  // A folder of the wanted name cannot be replaced by a file.
+  std::filesystem::create_directories(folder + "/r.h5/inside");
+  CHECK_THROWS_AS(
+      app::write_hdf5(folder + "/r.h5", test::synthetic_case(), test::synthetic_result()),
+      FileError);
+  const auto left = std::distance(std::filesystem::directory_iterator(folder),
+                                  std::filesystem::directory_iterator());
+  CHECK(left == 1);
+  std::filesystem::remove_all(folder);
+}

@@ -1,0 +1,133 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <limits>
+
+#include "app/quantity_label.hpp"
+#include "app/svg.hpp"
+#include "app/write_html.hpp"
+#include "core/contract.hpp"
+#include "markup.hpp"
+#include "synthetic.hpp"
+
+using namespace shellback;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string page(const coupling::Comparison& comparison) {
+  return app::comparison_html(test::synthetic_case(), comparison);
+}
+
+}  // namespace
+
+TEST_CASE("ThePageNeedsNothingFromOutside") {
+  const std::string html = page(test::synthetic_comparison());
+  for (const char* load : {"http://", "https://", "<script", "<link", "@import", "url(", "src="}) {
+    CHECK_FALSE(contains(html, load));
+  }
+  CHECK(html.size() < 3'000'000);  // what a mail and a browser take without thought
+}
+
+TEST_CASE("ThePageIsWellFormed") {
+  CHECK(test::unbalanced_tag(page(test::synthetic_comparison())) == "");
+  CHECK(test::unbalanced_tag("<p><b>x</p></b>") != "");  // the check itself bites
+}
+
+TEST_CASE("ThePageHoldsEveryQuantityOfEveryResult") {
+  const auto comparison = test::synthetic_comparison();
+  const std::string html = page(comparison);
+  for (const auto& row : app::quantity_rows({}, comparison.results)) {
+    CHECK(contains(html, "data-quantity=\"" + row.name + "\""));
+    for (const auto& value : row.values) {
+      if (value) CHECK(contains(html, app::figures(*value)));
+    }
+  }
+}
+
+TEST_CASE("ThePageShowsStepsNotesAndProvenance") {
+  const auto comparison = test::synthetic_comparison();
+  const std::string html = page(comparison);
+  for (const auto& step : comparison.split.steps) CHECK(contains(html, step.name));
+  CHECK(contains(html, "106.2 °C (calibrated)"));
+  CHECK(contains(html, "flooded edges"));
+  CHECK(contains(html, "pressure above the oil&#39;s fitted range"));
+  CHECK(contains(html, "cases/ks-rig.toml"));
+  CHECK(contains(html, "HDF5 "));
+}
+
+TEST_CASE("TextFromTheCaseIsEscaped") {
+  const std::string html = page(test::synthetic_comparison());
+  CHECK(contains(html, "KS rig, test bearing &lt;4 &amp; 8 kN&gt;"));
+  CHECK_FALSE(contains(html, "<4 & 8"));
+  CHECK(app::escape_markup("\"a\" < 'b' & c") == "&quot;a&quot; &lt; &#39;b&#39; &amp; c");
+}
+
+TEST_CASE("AnUnconvergedResultIsAnnouncedBeforeAnyNumber") {
+  auto comparison = test::synthetic_comparison();
+  CHECK_FALSE(contains(page(comparison), "NOT CONVERGED"));
+  comparison.results.back() = test::not_converged(comparison.results.back());
+  const std::string html = page(comparison);
+  CHECK(html.find("NOT CONVERGED: iteration limit") < html.find("N·m"));
+  CHECK(contains(html, "Film pressure, tehd (NOT CONVERGED)"));
+  CHECK(contains(html, "tehd (not converged)"));
+  CHECK(contains(html, "smaller steps, or more axial cells"));
+  CHECK_FALSE(contains(html, "results converged."));
+}
+
+TEST_CASE("TiersWithoutFieldsDoNotBreakThePage") {
+  auto comparison = test::synthetic_comparison();
+  for (auto& result : comparison.results) result.fields = {};
+  comparison.split = {};
+  comparison.T_calibrated = std::numeric_limits<double>::quiet_NaN();
+  const std::string html = page(comparison);
+  CHECK(test::unbalanced_tag(html) == "");
+  CHECK_FALSE(contains(html, "<figure>"));
+  CHECK(test::unbalanced_tag(page({})) == "");
+}
+
+TEST_CASE("AFieldWithNotANumberIsRefusedInWords") {
+  auto comparison = test::synthetic_comparison();
+  comparison.results.back() = test::not_converged(comparison.results.back());
+  auto& f = comparison.results.back().fields;
+  f.p[77] = std::numeric_limits<double>::quiet_NaN();
+  f.T[10] = std::numeric_limits<double>::infinity();
+  f.T_solid[3] = std::numeric_limits<double>::quiet_NaN();
+  f.T_mean.assign(f.T_mean.size(), std::numeric_limits<double>::quiet_NaN());
+  const std::string html = page(comparison);
+  CHECK(contains(html, "not drawn: the field holds values that are not numbers"));
+  CHECK_FALSE(contains(html, "nan"));
+  CHECK_FALSE(contains(html, "inf"));
+}
+
+TEST_CASE("AnUncrossedAxisOrSingleAxialCellStillDraws") {
+  auto comparison = test::synthetic_comparison();
+  auto& result = comparison.results.back();
+  comparison.results = {result};
+  auto& f = comparison.results[0].fields;
+  f = {};
+  f.grid = make_grid(0.02, 0.01, 20, 1, false);
+  f.p.assign(20, 0.0);  // a constant field
+  f.h.assign(20, 1e-5);
+  f.theta.assign(20, 1.0);
+  CHECK(test::unbalanced_tag(page(comparison)) == "");
+}
+
+TEST_CASE("PageAndPictureAreWrittenOrRefused") {
+  const std::string base = std::string(SHELLBACK_BINARY_DIR) + "/output_test";
+  const auto comparison = test::synthetic_comparison();
+  app::write_comparison_html(base + ".html", test::synthetic_case(), comparison);
+  app::write_comparison_svg(base + ".svg", test::synthetic_case(), comparison);
+  CHECK(test::file_text(base + ".html") == page(comparison));
+  const std::string svg = test::file_text(base + ".svg");
+  CHECK(test::unbalanced_tag(svg) == "");
+  CHECK(test::count(svg, "http") == 1);  // the name of the SVG namespace
+  CHECK_FALSE(contains(svg, "var(--"));  // fixed colours: viewers need not know CSS variables
+  CHECK_THROWS_AS(
+      app::write_comparison_svg("/nowhere/at/all.svg", test::synthetic_case(), comparison),
+      FileError);
+  std::filesystem::remove(base + ".html");
+  std::filesystem::remove(base + ".svg");
+}

@@ -1,0 +1,108 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "app/quantity_label.hpp"
+#include "app/write_table.hpp"
+#include "markup.hpp"
+#include "synthetic.hpp"
+
+using namespace shellback;
+
+namespace {
+
+std::string table(const coupling::Result& result) {
+  std::ostringstream out;
+  app::write_table(out, test::synthetic_case(), result);
+  return out.str();
+}
+
+std::string comparison_table(const coupling::Comparison& comparison) {
+  std::ostringstream out;
+  app::write_comparison_table(out, test::synthetic_case(), comparison);
+  return out.str();
+}
+
+}  // namespace
+
+TEST_CASE("ValuesAreShownInEngineeringUnits") {
+  CHECK(app::display_unit("h_min", "m")(2.5e-6) == Approx(2.5));
+  CHECK(app::display_unit("p_max", "Pa")(59.6e6) == Approx(59.6));
+  CHECK(app::display_unit("T_shaft", "K")(373.15) == Approx(100.0));
+  CHECK(app::display_unit("side_flow", "m3/s")(1e-3 / 60.0) == Approx(1.0));
+  CHECK(app::display_unit("attitude_angle", "rad")(std::acos(-1.0)) == Approx(180.0));
+  CHECK(app::display_unit("power_loss", "W", 304.0).unit == "W");
+  CHECK(app::display_unit("power_loss", "W", 1304.0)(1304.0) == Approx(1.304));
+}
+
+TEST_CASE("FiguresKeepFourSignificantDigits") {
+  CHECK(app::figures(59.5612) == "59.56");
+  CHECK(app::figures(9.99996) == "10.00");
+  CHECK(app::figures(-0.00123456) == "-0.001235");
+  CHECK(app::figures(123456.0) == "123456");
+  CHECK(app::figures(1.5e-7) == "1.500e-07");
+  CHECK(app::figures(0.0) == "0");
+  CHECK(app::figures(std::numeric_limits<double>::quiet_NaN()) == "n/a");
+}
+
+TEST_CASE("TheTableShowsEveryQuantityAndTheMeasuredDifference") {
+  const auto result = test::synthetic_result();
+  const std::string text = table(result);
+  for (const auto& q : result.quantities) {
+    CHECK(text.find(app::quantity_label(q.name)) != std::string::npos);
+  }
+  CHECK(text.find("-3.2 %") != std::string::npos);  // 0.968 against 1.00
+  CHECK(text.find("+1.0 K") != std::string::npos);  // 99 degC against 98 degC
+  CHECK(text.find("audit") != std::string::npos);
+  CHECK(text.find("step of the journal halved: 2 times") != std::string::npos);
+  CHECK(text.find("flooded edges") != std::string::npos);
+}
+
+TEST_CASE("TheTableIsAscii") {
+  for (const char c : comparison_table(test::synthetic_comparison())) {
+    REQUIRE(static_cast<unsigned char>(c) < 0x80);
+  }
+}
+
+TEST_CASE("AnUnconvergedTableSaysSoAboveAndBelow") {
+  const std::string text = table(test::not_converged(test::synthetic_result()));
+  CHECK(test::count(text, "*** tehd: NOT CONVERGED: iteration limit ***") == 2);
+  CHECK(text.find("cure:   smaller steps") != std::string::npos);
+  CHECK(text.find("NOT CONVERGED") < text.find("friction torque"));
+  CHECK(table(test::synthetic_result()).find("NOT CONVERGED") == std::string::npos);
+}
+
+TEST_CASE("AnUnconvergedTierIsMarkedInTheComparison") {
+  auto comparison = test::synthetic_comparison();
+  comparison.results[1] = test::not_converged(comparison.results[1]);
+  const std::string text = comparison_table(comparison);
+  CHECK(text.find("thd (FAILED)") != std::string::npos);
+  CHECK(test::count(text, "*** thd: NOT CONVERGED") == 2);
+}
+
+TEST_CASE("TheSplitShowsWhatItLeavesUnexplained") {
+  auto comparison = test::synthetic_comparison();
+  CHECK(comparison_table(comparison).find("not accounted for") == std::string::npos);
+  comparison.split.steps.pop_back();  // 0.013 N m of 1.16 N m are missing
+  CHECK(comparison_table(comparison).find("not accounted for") != std::string::npos);
+}
+
+TEST_CASE("TiersThatAppearTwiceAreNumbered") {
+  auto comparison = test::synthetic_comparison();
+  comparison.results.push_back(comparison.results.front());
+  const auto names = app::column_names(comparison.results);
+  CHECK(names == std::vector<std::string>{"isothermal 1", "thd", "tehd", "isothermal 2"});
+}
+
+TEST_CASE("AnAuditFigureThatDoesNotApplyIsNotPrintedAsANumber") {
+  const std::string text = table(test::synthetic_comparison().results.front());
+  CHECK(text.find("energy n/a") != std::string::npos);
+  CHECK(text.find("nan") == std::string::npos);
+}
+
+TEST_CASE("AnEmptyResultStillMakesATable") {
+  std::ostringstream out;
+  CHECK_NOTHROW(app::write_table(out, coupling::Result{}));
+  CHECK_NOTHROW(app::write_comparison_table(out, coupling::Case{}, coupling::Comparison{}));
+}

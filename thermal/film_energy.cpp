@@ -1,0 +1,314 @@
+#include "thermal/film_energy.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.hpp"
+
+namespace shellback::thermal {
+namespace {
+
+constexpr int kMostNodes = 16;  ///< across the film; bounds the stack arrays below
+using SmallMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostNodes, kMostNodes>;
+
+std::vector<double> stiffness_matrix(const GaussLobatto& gl) {
+  const int n = gl.n;
+  std::vector<double> a(static_cast<std::size_t>(n) * n, 0.0);
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c) {
+      for (int m = 0; m < n; ++m) a[r * n + c] += gl.D[m * n + r] * gl.w[m] * gl.D[m * n + c];
+    }
+  }
+  return a;
+}
+
+/// Takes the highest mode out of every node vector of a face array.
+void project(const GaussLobatto& gl, std::vector<double>& flow) {
+  const int n = gl.n;
+  double f[kMostNodes];
+  for (std::size_t at = 0; at + n <= flow.size(); at += n) {
+    std::copy_n(&flow[at], n, f);
+    for (int k = 0; k < n; ++k) {
+      double sum = 0.0;
+      for (int l = 0; l < n; ++l) sum += gl.S[k * n + l] * f[l];
+      flow[at + k] = sum;
+    }
+  }
+}
+
+}  // namespace
+
+FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
+  EXPECTS(p_.grid && p_.gl && p_.gl->n <= kMostNodes);
+  const FilmGrid& g = *p_.grid;
+  n_ = p_.gl->n;
+  stiffness_ = stiffness_matrix(*p_.gl);
+  project(*p_.gl, p_.phi_flow);
+  project(*p_.gl, p_.z_flow);
+  line_west_.assign(g.cells(), nullptr);
+  for (LineFlow& l : p_.lines) {
+    project(*p_.gl, l.flow);
+    line_west_[l.face] = &l;
+  }
+  const auto nodes = static_cast<std::size_t>(g.cells()) * n_;
+  cross_.assign(nodes, 0.0);
+  outflow_.assign(nodes, 0.0);
+  inverse_.assign(static_cast<std::size_t>(g.cells()) * (n_ - 2) * (n_ - 2), 0.0);
+  for (const SupplyVessel& v : p_.vessels) T_mix_.push_back(v.T_supply);
+  double area = 0.0;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      if (p_.patch[g.index(i, j)] >= 0) continue;
+      build_column(i, j);
+      area += g.area(i, j);
+      Inflow faces[4];
+      const int count = faces_of(i, j, faces);
+      const bool at_shore = std::any_of(faces, faces + count, [](const Inflow& f) {
+        return f.source < 0 && f.source != kEdge;
+      });
+      if (at_shore) shore_.push_back(g.index(i, j));
+    }
+  }
+  shell_sensitivity_ /= area;
+  shaft_sensitivity_ /= area;
+}
+
+int FilmEnergy::faces_of(int i, int j, Inflow* faces) const {
+  const FilmGrid& g = *p_.grid;
+  const auto cell_or_patch = [&](int c) { return p_.patch[c] >= 0 ? -1 - p_.patch[c] : c; };
+  const int k = g.index(i, j);
+  const int east = g.index(g.next(i), j);
+  int count = 0;
+  faces[count++] = {&p_.phi_flow[static_cast<std::size_t>(k) * n_], 1.0,
+                    p_.line[k] >= 0 ? -1 - p_.line[k]
+                                    : cell_or_patch(g.index(g.previous(i), j))};
+  if (line_west_[east]) {
+    faces[count++] = {line_west_[east]->flow.data(), -1.0, -1 - line_west_[east]->patch};
+  } else {
+    faces[count++] = {&p_.phi_flow[static_cast<std::size_t>(east) * n_], -1.0, cell_or_patch(east)};
+  }
+  const double* low = &p_.z_flow[(static_cast<std::size_t>(i) * (g.nz + 1) + j) * n_];
+  if (j > 0) {
+    faces[count++] = {low, 1.0, cell_or_patch(k - 1)};
+  } else if (!g.half) {
+    faces[count++] = {low, 1.0, kEdge};
+  }
+  faces[count++] = {low + n_, -1.0, j + 1 < g.nz ? cell_or_patch(k + 1) : kEdge};
+  return count;
+}
+
+double FilmEnergy::source_enthalpy(const Inflow& f, int k, const std::vector<double>& T) const {
+  if (f.source >= 0) {
+    const std::size_t at = static_cast<std::size_t>(f.source) * n_ + k;
+    return p_.cp[at] * (T[at] - p_.T_reference);
+  }
+  if (f.source == kEdge) return p_.cp_edge * (p_.T_edge - p_.T_reference);
+  const int patch = -1 - f.source;
+  return p_.vessels[patch].cp_mix * (T_mix_[patch] - p_.T_reference);
+}
+
+void FilmEnergy::build_column(int i, int j) {
+  const int n = n_;
+  const GaussLobatto& gl = *p_.gl;
+  const int cell = p_.grid->index(i, j);
+  double* V = &cross_[static_cast<std::size_t>(cell) * n];
+  double* out = &outflow_[static_cast<std::size_t>(cell) * n];
+  double divergence[kMostNodes] = {};
+  Inflow faces[4];
+  const int count = faces_of(i, j, faces);
+  for (int f = 0; f < count; ++f) {
+    for (int k = 0; k < n; ++k) {
+      const double in = faces[f].sign * faces[f].flow[k];
+      divergence[k] -= in;
+      if (in < 0.0) out[k] -= gl.w[k] * in;
+    }
+  }
+  const double direction = p_.forward ? 1.0 : -1.0;
+  for (int k = 0; k < n; ++k) backflow_ += faces[0].flow[k] * direction < 0.0;
+  for (int k = 1; k + 1 < n; ++k) {
+    for (int l = 0; l < n; ++l) V[k] -= gl.Q[k * n + l] * divergence[l];
+  }
+  SmallMatrix a(n, n);
+  const double* cp = &p_.cp[static_cast<std::size_t>(cell) * n];
+  const double K = p_.conductance[cell];
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c) {
+      a(r, c) = gl.w[r] * gl.D[r * n + c] * V[c] * cp[c] + K * stiffness_[r * n + c];
+    }
+    a(r, r) += out[r] * cp[r];
+  }
+  const int m = n - 2;
+  const SmallMatrix inverse = a.block(1, 1, m, m).inverse();
+  std::copy_n(inverse.data(), m * m, &inverse_[static_cast<std::size_t>(cell) * m * m]);
+  // Heat into a wall per unit rise of that wall, the column following: a Schur complement.
+  const auto schur = [&](int r) {
+    return K * stiffness_[r * n + r] -
+           (a.block(r, 1, 1, m) * inverse * a.block(1, r, m, 1))(0, 0);
+  };
+  shell_sensitivity_ += schur(0);
+  shaft_sensitivity_ += schur(n - 1);
+}
+
+void FilmEnergy::solve_column(int i, int j, std::vector<double>& T, double& change) {
+  const int n = n_;
+  const int m = n - 2;
+  const int cell = p_.grid->index(i, j);
+  const std::size_t at = static_cast<std::size_t>(cell) * n;
+  double r[kMostNodes];
+  column_residual(i, j, T, r);
+  const double* inverse = &inverse_[static_cast<std::size_t>(cell) * m * m];
+  for (int k = 0; k < m; ++k) {
+    double d = 0.0;
+    for (int l = 0; l < m; ++l) d += inverse[k * m + l] * r[l + 1];
+    T[at + k + 1] += d;
+    change = std::max(change, std::abs(d));
+  }
+}
+
+void FilmEnergy::column_residual(int i, int j, const std::vector<double>& T, double* r) const {
+  const int n = n_;
+  const GaussLobatto& gl = *p_.gl;
+  const int cell = p_.grid->index(i, j);
+  const std::size_t at = static_cast<std::size_t>(cell) * n;
+  const double K = p_.conductance[cell];
+  double enthalpy[kMostNodes], VT[kMostNodes];
+  for (int k = 0; k < n; ++k) {
+    enthalpy[k] = p_.cp[at + k] * (T[at + k] - p_.T_reference);
+    VT[k] = cross_[at + k] * enthalpy[k];
+  }
+  for (int k = 0; k < n; ++k) {
+    double conduction = 0.0;
+    double across = 0.0;
+    for (int l = 0; l < n; ++l) {
+      conduction += stiffness_[k * n + l] * T[at + l];
+      across += gl.D[k * n + l] * VT[l];
+    }
+    r[k] = p_.heat[at + k] - K * conduction - gl.w[k] * across - outflow_[at + k] * enthalpy[k];
+  }
+  Inflow faces[4];
+  const int count = faces_of(i, j, faces);
+  for (int f = 0; f < count; ++f) {
+    for (int k = 0; k < n; ++k) {
+      const double in = faces[f].sign * faces[f].flow[k];
+      if (in > 0.0) r[k] += gl.w[k] * in * source_enthalpy(faces[f], k, T);
+    }
+  }
+}
+
+std::vector<FilmEnergy::VesselFlow> FilmEnergy::vessel_flows(const std::vector<double>& T) const {
+  std::vector<VesselFlow> flows(p_.vessels.size());
+  for (const int cell : shore_) {
+    Inflow faces[4];
+    const int count = faces_of(cell / p_.grid->nz, cell % p_.grid->nz, faces);
+    for (int f = 0; f < count; ++f) {
+      if (faces[f].source >= 0 || faces[f].source == kEdge) continue;
+      VesselFlow& v = flows[-1 - faces[f].source];
+      for (int k = 0; k < n_; ++k) {
+        const double in = p_.gl->w[k] * faces[f].sign * faces[f].flow[k];
+        if (in > 0.0) {
+          v.out += in;
+        } else {
+          const std::size_t at = static_cast<std::size_t>(cell) * n_ + k;
+          v.in -= in;
+          v.in_heat -= in * p_.cp[at] * (T[at] - p_.T_reference);
+        }
+      }
+    }
+  }
+  return flows;
+}
+
+void FilmEnergy::mix(std::vector<double>& T) {
+  const auto flows = vessel_flows(T);
+  for (std::size_t v = 0; v < flows.size(); ++v) {
+    const SupplyVessel& s = p_.vessels[v];
+    const double returned = s.carry_over * flows[v].in;
+    const double fresh = flows[v].out - returned;
+    double heat = s.carry_over * flows[v].in_heat + s.heat;
+    if (fresh > 0.0) heat += fresh * s.cp_supply * (s.T_supply - p_.T_reference);
+    const double through = std::max(flows[v].out, returned);
+    T_mix_[v] = through > 0.0 ? p_.T_reference + heat / (through * s.cp_mix) : s.T_supply;
+  }
+  for (std::size_t c = 0; c < p_.patch.size(); ++c) {
+    if (p_.patch[c] < 0) continue;
+    std::fill_n(&T[c * n_], n_, T_mix_[p_.patch[c]]);
+  }
+}
+
+double FilmEnergy::sweep(std::vector<double>& T) {
+  const FilmGrid& g = *p_.grid;
+  mix(T);
+  double change = 0.0;
+  const int middle = g.half ? 0 : g.nz / 2;
+  for (int step = 0; step < g.nt; ++step) {
+    const int i = p_.forward ? step : g.nt - 1 - step;
+    const auto column = [&](int j) {
+      if (p_.patch[g.index(i, j)] < 0) solve_column(i, j, T, change);
+    };
+    for (int j = middle; j < g.nz; ++j) column(j);  // pressure drives the oil outwards
+    for (int j = middle - 1; j >= 0; --j) column(j);
+  }
+  return change;
+}
+
+WallHeat FilmEnergy::wall_heat(const std::vector<double>& T) const {
+  const FilmGrid& g = *p_.grid;
+  WallHeat q{Field(g.cells(), 0.0), Field(g.cells(), 0.0), shell_sensitivity_, shaft_sensitivity_};
+  double r[kMostNodes];
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int cell = g.index(i, j);
+      if (p_.patch[cell] >= 0) continue;
+      column_residual(i, j, T, r);
+      q.shell[cell] = r[0];
+      q.shaft[cell] = r[n_ - 1];
+    }
+  }
+  return q;
+}
+
+EnergyBalance FilmEnergy::balance(const std::vector<double>& T) const {
+  const FilmGrid& g = *p_.grid;
+  EnergyBalance b;
+  const WallHeat q = wall_heat(T);
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int cell = g.index(i, j);
+      if (p_.patch[cell] >= 0) continue;
+      b.to_shell += q.shell[cell];
+      b.to_shaft += q.shaft[cell];
+      for (int k = 0; k < n_; ++k) b.heat += p_.heat[static_cast<std::size_t>(cell) * n_ + k];
+      Inflow faces[4];
+      const int count = faces_of(i, j, faces);
+      for (int f = 0; f < count; ++f) {
+        if (faces[f].source != kEdge) continue;
+        for (int k = 0; k < n_; ++k) {
+          const double in = p_.gl->w[k] * faces[f].sign * faces[f].flow[k];
+          const std::size_t at = static_cast<std::size_t>(cell) * n_ + k;
+          if (in > 0.0) {
+            b.carried_in += in * source_enthalpy(faces[f], k, T);
+          } else {
+            b.carried_out -= in * p_.cp[at] * (T[at] - p_.T_reference);
+          }
+        }
+      }
+    }
+  }
+  const auto flows = vessel_flows(T);
+  for (std::size_t v = 0; v < flows.size(); ++v) {
+    const SupplyVessel& s = p_.vessels[v];
+    const double fresh = flows[v].out - s.carry_over * flows[v].in;
+    b.heat += s.heat;
+    b.carried_out += (1.0 - s.carry_over) * flows[v].in_heat;
+    if (fresh > 0.0) {
+      b.carried_in += fresh * s.cp_supply * (s.T_supply - p_.T_reference);
+    } else {
+      b.carried_out -= fresh * s.cp_mix * (T_mix_[v] - p_.T_reference);
+    }
+  }
+  return b;
+}
+
+}  // namespace shellback::thermal

@@ -1,0 +1,133 @@
+#pragma once
+/// Temperature of the film, resolved across it: conservative Gauss-Lobatto-Legendre form.
+///
+/// Per cell, with s = y/h, T_k at the GLL nodes, m_k the mass flow per unit s through a face at
+/// node k, V_k the mass flow through the surface s = s_k (V = 0 at both walls):
+///   sum over faces (m_k cp T_k)_upwind + (D (V cp T))_k
+///       + (1/w_k) K (D^T W D T)_k = (1/w_k) heat_k + wall flux        [W]        (1)
+/// K = k A theta / h [W/K]; walls at given temperature; their heat fluxes are the residuals of (1)
+/// at the wall nodes. T is counted from a reference. The node flows are projected onto degree
+/// n - 2 in s, so that V, their integral, lies in the polynomial space: then D V equals minus the
+/// outflow at every node, a uniform temperature stays uniform, and sum w_k (D f)_k = f(1) - f(0)
+/// makes the energy balance of the film exact to round-off of the sweeps.
+///
+/// Supply patches are mixing vessels:
+///   T_mix O = lambda sum(I T) + (O - lambda I) T_supply + heat/cp                   (2)
+/// O, I gross mass flows out of and into the patch, lambda the part of the film oil that is mixed
+/// in again; (1 - lambda) I drains at its own temperature and is replaced by fresh oil. If
+/// O < lambda I the surplus leaves through the supply at T_mix.
+/// Sources: methods 3.1, 3.2; the projection is ours (docs/theory.md).
+#include <vector>
+
+#include "core/gauss_lobatto.hpp"
+#include "core/grid.hpp"
+
+namespace shellback::thermal {
+
+/// A face on which oil enters or leaves a supply line, west side of the line.
+struct LineFlow {
+  int face = 0;              ///< west face of the cell east of the line
+  int patch = 0;
+  std::vector<double> flow;  ///< n: mass flow into the line per unit s [kg/s]
+};
+
+struct SupplyVessel {
+  double T_supply = 0.0;    ///< [K]
+  double cp_supply = 0.0;   ///< mean heat capacity between the reference and T_supply [J/(kg K)]
+  double cp_mix = 0.0;      ///< the same for the mixed oil [J/(kg K)]
+  double carry_over = 1.0;  ///< lambda [-]
+  double heat = 0.0;        ///< dissipated inside the patch [W] (of the solved part)
+};
+
+/// All that is fixed while the film temperature is solved. Node arrays have index cell * n + k.
+struct FilmEnergyProblem {
+  const FilmGrid* grid = nullptr;
+  const GaussLobatto* gl = nullptr;
+  std::vector<double> phi_flow;  ///< west faces [kg/s per unit s], + in +phi
+  std::vector<double> z_flow;    ///< axial faces, index (i (nz+1) + j) n + k, + in +z
+  std::vector<LineFlow> lines;
+  std::vector<int> patch;        ///< per cell: supply patch or -1
+  std::vector<int> line;         ///< per west face: supply patch of the line on it or -1
+  std::vector<double> conductance;  ///< K per cell [W/K]
+  std::vector<double> heat;         ///< per node, weights included [W]
+  std::vector<double> cp;           ///< mean heat capacity from T_reference on, per node [J/(kg K)]
+  std::vector<SupplyVessel> vessels;
+  double T_reference = 0.0;      ///< enthalpies count from here [K]
+  double T_edge = 0.0;           ///< of oil that enters at a side edge [K]
+  double cp_edge = 0.0;          ///< its mean heat capacity from the reference on [J/(kg K)]
+  bool forward = true;           ///< the journal moves in +phi
+};
+
+/// Enthalpy and heat flows of a film temperature field, whole solved part [W].
+struct EnergyBalance {
+  double heat = 0.0;          ///< dissipated, patches included
+  double to_shell = 0.0;      ///< through the wall s = 0
+  double to_shaft = 0.0;      ///< through the wall s = 1
+  double carried_out = 0.0;   ///< enthalpy leaving: edges, drains, surplus
+  double carried_in = 0.0;    ///< enthalpy entering: edges, fresh oil
+  [[nodiscard]] double imbalance() const {
+    return heat - to_shell - to_shaft - carried_out + carried_in;
+  }
+};
+
+/// Heat through the two walls [W] per cell, out of the film, and the film's local sensitivity.
+struct WallHeat {
+  Field shell;
+  Field shaft;
+  double shell_sensitivity = 0.0;  ///< area mean of -d q / d T_wall, upstream fixed [W/(m2 K)]
+  double shaft_sensitivity = 0.0;
+};
+
+/// Column matrices for one problem; sweeps, wall heat and balance for temperature fields.
+class FilmEnergy {
+ public:
+  explicit FilmEnergy(FilmEnergyProblem problem);
+
+  /// One marching sweep in the direction of motion. `T` [K], node layout; its wall nodes hold the
+  /// wall temperatures and stay; interior nodes and patch cells are updated. Returns the largest
+  /// change [K].
+  double sweep(std::vector<double>& T);
+
+  [[nodiscard]] WallHeat wall_heat(const std::vector<double>& T) const;
+  [[nodiscard]] EnergyBalance balance(const std::vector<double>& T) const;
+  [[nodiscard]] const std::vector<double>& mix_temperatures() const { return T_mix_; }
+  [[nodiscard]] long backflow_nodes() const { return backflow_; }
+
+ private:
+  struct VesselFlow {
+    double out = 0.0;     ///< O [kg/s]
+    double in = 0.0;      ///< I [kg/s]
+    double in_heat = 0.0;  ///< sum of I cp (T - T_ref) [W]
+  };
+  /// Flow into cell `cell` through one face, and whence.
+  struct Inflow {
+    const double* flow;  ///< n values
+    double sign;         ///< flow * sign > 0 enters
+    int source;          ///< cell, or -1 - patch, or kEdge
+  };
+  static constexpr int kEdge = -1000000;
+  /// The (up to four) faces of a cell as inflows.
+  int faces_of(int i, int j, Inflow* faces) const;
+  [[nodiscard]] double source_enthalpy(const Inflow& f, int k, const std::vector<double>& T) const;
+  void build_column(int i, int j);
+  void solve_column(int i, int j, std::vector<double>& T, double& change);
+  /// Row k of (1), weights included, without the wall flux: heat not accounted for [W].
+  void column_residual(int i, int j, const std::vector<double>& T, double* r) const;
+  [[nodiscard]] std::vector<VesselFlow> vessel_flows(const std::vector<double>& T) const;
+  void mix(std::vector<double>& T);
+
+  FilmEnergyProblem p_;
+  int n_ = 0;
+  std::vector<double> stiffness_;  ///< D^T W D, n x n
+  std::vector<double> cross_;      ///< V per cell and node [kg/s]
+  std::vector<double> outflow_;    ///< w_k * sum of outflows, per cell and node [kg/s]
+  std::vector<double> inverse_;    ///< (n-2)^2 per cell
+  std::vector<double> T_mix_;      ///< per patch [K]
+  std::vector<int> shore_;         ///< film cells with a face to a patch
+  std::vector<const LineFlow*> line_west_;  ///< per face: the flow into its line
+  double shell_sensitivity_ = 0.0;
+  double shaft_sensitivity_ = 0.0;
+  long backflow_ = 0;
+};
+
+}  // namespace shellback::thermal

@@ -1,0 +1,94 @@
+#pragma once
+/// Steady heat conduction in the layered shell and its housing, by circumferential harmonics.
+///
+///   (1/r)(r k T_n,r),r + (k T_n,z),z - n^2 k T_n / r^2 = 0                       (1)
+///   bore:           heat flux q_n(z) [W/m2] enters, constant on each axial film cell
+///   outer surface:  -k T_n,r = h_back T_n (convective), or T_n = 0 from the shell's back outwards
+///                   (prescribed)
+///   end faces:      flux h_end T_n leaves
+///
+/// T is the temperature above that of the surroundings (ambient or prescribed back), [K]; both
+/// boundaries refer to the same temperature. Eight-node ring elements, full quadrature
+/// (core/revolution_mesh.hpp), the bore being the innermost line; z = 0 of a half grid is a plane
+/// of symmetry. Sources: textbook; methods 3.3.
+///
+/// With P the integrals of the bore's shape functions over the film cells, the nodal temperatures
+/// are T_n = K_n^-1 P R q_n, cell means of the bore temperature Z_n q_n with
+/// Z_n = R diag(1/dz) P^T K_n^-1 P: diag(dz) Z_n is symmetric and positive. The discrete heat
+/// balance is exact: heat in = heat through the back + heat through the ends, to round-off.
+#include <Eigen/Dense>
+#include <vector>
+
+#include "core/grid.hpp"
+#include "core/harmonics.hpp"
+#include "core/revolution_mesh.hpp"
+
+namespace shellback::thermal {
+
+enum class BackKind {
+  convective,  ///< the outer surface gives heat to the ambient
+  prescribed,  ///< the back of the shell, and all that is outside it, has a given temperature
+};
+
+struct ConductionBoundary {
+  BackKind kind = BackKind::convective;
+  double back_heat_transfer = 0.0;  ///< of the outer surface, convective only [W/(m2 K)]
+  double end_heat_transfer = 0.0;   ///< of the end faces [W/(m2 K)]
+  int back_line = 0;  ///< corner line at the back of the shell (outermost shell layer)
+};
+
+/// Corner line at the outer radius of layer `layer` of the mesh.
+[[nodiscard]] int outer_line(const RevolutionMesh& mesh, int layer);
+
+/// Temperature of the shell for one heat flux. Temperatures are absolute.
+struct ShellTemperature {
+  Field surface;           ///< bore, mean over each film cell [K]
+  Field back;              ///< back of the shell, mean over each film cell [K]
+  Eigen::MatrixXd flux;    ///< coefficients (core/harmonics.hpp) of the flux that entered [W/m2]
+  double heat_in = 0.0;    ///< into the bore of the whole bearing [W]
+  double heat_back = 0.0;  ///< leaving through the back [W]
+  double heat_ends = 0.0;  ///< leaving through the end faces [W]
+};
+
+/// Owns the operators of one geometry; solving is const and may be done from several threads.
+class ShellConduction {
+ public:
+  /// `conductivity[mesh.layer[row]]` [W/(m K)]. Throws InputError if a conductivity is not
+  /// positive, a coefficient is negative, or no heat can leave.
+  ShellConduction(const RevolutionMesh& mesh, const FilmGrid& grid,
+                  const std::vector<double>& conductivity, const ConductionBoundary& boundary,
+                  Harmonics harmonics);
+
+  /// Robin coupling with the film: the flux into the shell is q at the wall temperature T_old and
+  /// changes by -g per kelvin,
+  ///   T = Z (q - g (T - T_old)),
+  /// solved for each harmonic, (1 + g Z_n)(t - t_old) = Z_n q_n - t_old. `q` [W/m2] and `t_old`
+  /// [K] are cell fields, g >= 0 [W/(m2 K)] is uniform; `surroundings` [K] is the ambient or the
+  /// prescribed back temperature. At T = T_old the answer is that of the flux q whatever g is: g
+  /// only steadies the iteration. Parts of T_old above the highest harmonic are ignored.
+  [[nodiscard]] ShellTemperature solve(const Field& q, double g, const Field& t_old,
+                                       double surroundings) const;
+
+  [[nodiscard]] const Harmonics& harmonics() const { return harmonics_; }
+  /// Bore temperature rise per flux, Z_n, nz x nz [K m2/W].
+  [[nodiscard]] const HarmonicOperator& surface() const { return surface_; }
+  /// Rise at the back of the shell per flux, B_n, nz x nz [K m2/W].
+  [[nodiscard]] const HarmonicOperator& back() const { return back_; }
+  /// Rise of every node of the mesh per flux, nodes x nz [K m2/W]: the input of thermal growth.
+  [[nodiscard]] const HarmonicOperator& nodal() const { return nodal_; }
+  /// Rise at the nodes of the section z = 0 per flux, n_r x nz [K m2/W], bore first.
+  [[nodiscard]] HarmonicOperator section() const;
+  /// Radii of those nodes [m].
+  [[nodiscard]] std::vector<double> section_radii() const;
+
+ private:
+  RevolutionMesh mesh_;
+  FilmGrid grid_;
+  Harmonics harmonics_;
+  HarmonicOperator surface_, back_, nodal_;
+  std::vector<Eigen::MatrixXd> modes_;  ///< V_n: Z V = V diag(lambda), V^T diag(dz) V = 1
+  std::vector<Eigen::VectorXd> lambda_;
+  Eigen::RowVectorXd back_heat_, end_heat_;  ///< [W] per flux of each axial cell [W/m2]
+};
+
+}  // namespace shellback::thermal

@@ -1,5 +1,6 @@
 #include "app/unit_table.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "core/constants.hpp"
@@ -73,9 +74,15 @@ const std::array kEntries{
     Entry{"%", "", {0.01, kNone}},
 };
 
+/// Whether the list of the entry's prefixes holds this one as a whole word.
 bool takes(const Entry& entry, std::string_view prefix) {
-  const std::string list = " " + std::string(entry.prefixes) + " ";
-  return list.find(" " + std::string(prefix) + " ") != std::string::npos;
+  std::string_view list = entry.prefixes;
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(' '), list.size());
+    if (list.substr(0, end) == prefix) return true;
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return false;
 }
 
 std::optional<Unit> prefixed(std::string_view symbol, const Prefix& prefix) {

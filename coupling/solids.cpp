@@ -10,12 +10,7 @@
 namespace shellback::coupling {
 namespace {
 
-/// Materials and thicknesses from the bore outwards, housing included.
-struct Layers {
-  std::vector<solid::Material> material;
-  std::vector<double> thickness;  ///< [m]
-  int last_of_shell = 0;
-};
+using Layers = Solids::Layers;
 
 Layers layers_of(const Case& c) {
   if (!c.shell || c.shell->layers.empty()) {
@@ -68,30 +63,35 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
   const auto start = std::chrono::steady_clock::now();
   reference_ = c.bearing.reference_temperature;
   if (!c.shaft) throw InputError("the shaft's data are needed; give [shaft] material");
-  if (effects.elastic) build_elastic(c);
-  if (effects.heat) build_heat(c);
+  const int N = harmonics_.highest();
+  const Layers layers = layers_of(c);
+  const RevolutionMesh mesh = shell_mesh(c, layers, grid_, N);
+  if (effects.heat) build_heat(c, layers, mesh);
+  if (effects.elastic || effects.growth) {
+    const auto ops = solid::shell_elasticity(
+        mesh, grid_, layers.material, {N, support_of(c), solid::AxialEnds::free, effects.growth});
+    if (effects.elastic) build_compliance(c, ops.compliance);
+    if (effects.growth) {
+      growth_per_flux_ = compose(ops.growth, conduction_->nodal());
+      uniform_growth_ = solid::uniform_growth(ops);
+      shaft_expansion_ = c.shaft->material.expansion;
+    }
+  }
   setup_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void Solids::build_elastic(const Case& c) {
+void Solids::build_compliance(const Case& c, const HarmonicOperator& shell) {
   const int N = harmonics_.highest();
-  const Layers layers = layers_of(c);
-  const RevolutionMesh shell = shell_mesh(c, layers, grid_, N);
-  const auto ops = solid::shell_elasticity(
-      shell, grid_, layers.material, {N, support_of(c), solid::AxialEnds::free, false});
   const RadialRows rows = rows_of_cylinder(c.bearing.radius, surface_row(c.bearing.radius, N));
   const RevolutionMesh shaft = make_revolution_mesh(
       rows.face, rows.layer, axial_elements(grid_, c.shaft->overhang), grid_.half);
   const HarmonicOperator journal = solid::shaft_compliance(shaft, grid_, c.shaft->material, N);
-  compliance_ = ops.compliance;
+  compliance_ = shell;
   for (std::size_t n = 0; n < compliance_.size(); ++n) compliance_[n] += journal[n];
   winkler_ = mean_compliance(compliance_);
 }
 
-void Solids::build_heat(const Case& c) {
-  const int N = harmonics_.highest();
-  const Layers layers = layers_of(c);
-  const RevolutionMesh mesh = shell_mesh(c, layers, grid_, N);
+void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh) {
   std::vector<double> k;
   for (const auto& m : layers.material) k.push_back(m.conductivity);
   thermal::ConductionBoundary boundary;
@@ -108,12 +108,6 @@ void Solids::build_heat(const Case& c) {
   conduction_.emplace(mesh, grid_, k, boundary, harmonics_);
   fin_ = {c.shaft->material.conductivity, c.shaft->overhang, c.shaft->heat_transfer,
           c.shaft->ambient};
-  if (!effects_.growth) return;
-  const auto ops = solid::shell_elasticity(
-      mesh, grid_, layers.material, {N, support_of(c), solid::AxialEnds::free, true});
-  growth_per_flux_ = compose(ops.growth, conduction_->nodal());
-  uniform_growth_ = solid::uniform_growth(ops);
-  shaft_expansion_ = c.shaft->material.expansion;
 }
 
 bool Solids::same_effects(SolidEffects e) const {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/harmonics.hpp"
+#include "core/revolution_mesh.hpp"
 #include "coupling/case.hpp"
 #include "thermal/revolution_conduction.hpp"
 #include "thermal/shaft_fin.hpp"
@@ -58,9 +59,16 @@ class Solids {
   [[nodiscard]] std::vector<double> section_radii() const;
   [[nodiscard]] std::vector<double> section(const thermal::ShellTemperature& T) const;
 
+  /// Materials and thicknesses from the bore outwards, housing included.
+  struct Layers {
+    std::vector<solid::Material> material;
+    std::vector<double> thickness;  ///< [m]
+    int last_of_shell = 0;
+  };
+
  private:
-  void build_elastic(const Case& c);
-  void build_heat(const Case& c);
+  void build_compliance(const Case& c, const HarmonicOperator& shell);
+  void build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh);
 
   FilmGrid grid_;
   SolidEffects effects_;

@@ -275,7 +275,7 @@ void gap_flow(const RoughPair& pair, std::span<const double> h, const GapFlowSpa
   if (pair.sigma > 0.0) {
     flow_loop(h, out, [pair](double gap) { return rough_flow(pair, gap); });
   } else {
-    flow_loop(h, out, smooth_flow);
+    flow_loop(h, out, [](double gap) { return smooth_flow(gap); });
   }
 }
 
@@ -284,7 +284,7 @@ void gap_shear(const RoughPair& pair, std::span<const double> h, const GapShearS
   if (pair.sigma > 0.0) {
     shear_loop(h, out, [pair](double gap) { return rough_shear(pair, gap); });
   } else {
-    shear_loop(h, out, smooth_shear);
+    shear_loop(h, out, [](double gap) { return smooth_shear(gap); });
   }
 }
 

@@ -1,7 +1,7 @@
 // The loops over all nodes. This file alone is compiled with -ffast-math (see CMakeLists.txt),
 // which lets the compiler call the vector versions of exp and log; nothing here relies on the
-// semantics of infinities or non-numbers. The law functions are inlined into the loops, so no
-// copy of them compiled with these flags is left for other files to link against.
+// semantics of infinities or non-numbers. In release builds the law functions are inlined into the
+// loops: no copy of them compiled with these flags is left for other files to link against.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -48,7 +48,7 @@ TEST_CASE("DensitySlopesAreTheDerivatives") {
     CHECK(d.dT == Approx(central_difference(by_T, T, 1e-1)).epsilon(kDerivativeTolerance));
     CHECK(d.dp == Approx(central_difference(by_p, p, 1e5)).epsilon(kDerivativeTolerance));
   }
-  const Density constant = density(Oil{}, 300.0, 1e8);
+  const Density constant = density(ConstantDensity{860.0}, 300.0, 1e8);
   CHECK(constant.rho == 860.0);
   CHECK(constant.dT == 0.0);
   CHECK(constant.dp == 0.0);

@@ -1,11 +1,12 @@
 #include "app/case_text.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fmt/format.h>
 #include <fstream>
 #include <string_view>
 
@@ -18,8 +19,9 @@ constexpr std::size_t kLargestFile = 10'000'000;  ///< [B]; a case is a few kB, 
 constexpr int kDeepestKey = 16;  ///< names in a dotted key; the parser recurses on them
 
 [[noreturn]] void refuse_size(const std::string& name) {
-  throw InputError(name, "the file is larger than 10 MB, which no case needs; a measured profile "
-                         "belongs into a file of its own (bearing.profile)");
+  throw InputError(name,
+                   "the file is larger than 10 MB, which no case needs; a measured profile "
+                   "belongs into a file of its own (bearing.profile)");
 }
 
 /// Bytes of the UTF-8 character at text[i], 0 if there is none (overlong forms, surrogates and
@@ -38,8 +40,8 @@ std::size_t utf8_length(const std::string& text, std::size_t i) {
     const bool bad = (first == 0xE0U && second < 0xA0U) || (first == 0xEDU && second > 0x9FU);
     return !bad && follows(1) && follows(2) ? 3 : 0;
   }
-  const bool bad = first > 0xF4U || (first == 0xF0U && second < 0x90U) ||
-                   (first == 0xF4U && second > 0x8FU);
+  const bool bad =
+      first > 0xF4U || (first == 0xF0U && second < 0x90U) || (first == 0xF4U && second > 0x8FU);
   return !bad && follows(1) && follows(2) && follows(3) ? 4 : 0;
 }
 
@@ -84,8 +86,10 @@ constexpr std::array<Wording, 7> kWordings{{
     {"cannot redefine existing", "this key or section is given twice; keep one"},
     {"expected '=', saw",
      "there is no \"=\" after this key; a line holds key = value, [section] or # comment"},
-    {"encountered end-of-file", "the file ends in the middle of this; close its brackets or quotes"},
-    {"expected keys, tables", "this begins no key; a line holds key = value, [section] or # comment"},
+    {"encountered end-of-file",
+     "the file ends in the middle of this; close its brackets or quotes"},
+    {"expected keys, tables",
+     "this begins no key; a line holds key = value, [section] or # comment"},
 }};
 
 /// toml++ says "Error while parsing a key-value pair: expected ..."; we say what to do.
@@ -109,9 +113,10 @@ std::string read_text_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (error || status.type() == std::filesystem::file_type::not_found) {
-    throw FileError(fmt::format("{}: there is no such file; \"shellback init\" lists cases to "
-                                "start from",
-                                path));
+    throw FileError(
+        fmt::format("{}: there is no such file; \"shellback init\" lists cases to "
+                    "start from",
+                    path));
   }
   if (std::filesystem::is_directory(status)) {
     throw FileError(fmt::format("{}: this is a folder; give the case file in it", path));

@@ -1,6 +1,7 @@
 #include "app/check.hpp"
 
 #include <fmt/format.h>
+
 #include <ostream>
 
 #include "app/derived.hpp"
@@ -55,7 +56,9 @@ void print_expected(std::ostream& out, const Derived& d) {
 void print_indicators(std::ostream& out, const Derived& d) {
   out << "\nEffects (orders of magnitude)\n";
   for (const Indicator& i : d.indicators) {
-    const char* mark = i.weight == Weight::important ? "!!" : i.weight == Weight::between ? "! " : "  ";
+    const char* mark = i.weight == Weight::important ? "!!"
+                       : i.weight == Weight::between ? "! "
+                                                     : "  ";
     out << fmt::format("{} {:<30} {:>9.2g}   {} [{}]\n", mark, i.effect, i.value, i.advice,
                        i.formula);
   }

@@ -1,7 +1,8 @@
 #include "app/cli.hpp"
 
-#include <exception>
 #include <fmt/format.h>
+
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <new>
@@ -96,8 +97,7 @@ int run_program(const std::vector<std::string>& words) {
     std::cerr << "error: the case needs more memory than there is; take a coarser model.grid\n";
     return kNotConverged;
   } catch (const std::exception& error) {
-    std::cerr << "error inside shellback, please report it with the case: " << error.what()
-              << "\n";
+    std::cerr << "error inside shellback, please report it with the case: " << error.what() << "\n";
     return kDefect;
   }
 }

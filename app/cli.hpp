@@ -19,7 +19,7 @@ enum class Command { none, init, check, run, compare };
 /// What was asked for.
 struct Request {
   Command command = Command::none;
-  std::string name;                ///< init: shipped case
+  std::string name;  ///< init: shipped case
   std::string case_file;
   std::string tier;                ///< --tier
   std::vector<std::string> tiers;  ///< --tiers

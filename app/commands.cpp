@@ -1,8 +1,9 @@
 #include "app/commands.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
-#include <fmt/format.h>
 #include <fstream>
 #include <iostream>
 
@@ -105,9 +106,10 @@ std::vector<Tier> default_tiers(const Case& subject) {
   const std::vector<Tier> tiers = possible_tiers(subject);
   for (const Tier tier : {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd}) {
     if (std::find(tiers.begin(), tiers.end(), tier) != tiers.end()) continue;
-    std::cerr << fmt::format("the tier {0} is left out: the case lacks its data (\"shellback "
-                             "check {1} --tier {0}\" tells which)\n",
-                             to_string(tier), subject.path);
+    std::cerr << fmt::format(
+        "the tier {0} is left out: the case lacks its data (\"shellback "
+        "check {1} --tier {0}\" tells which)\n",
+        to_string(tier), subject.path);
   }
   return tiers;
 }

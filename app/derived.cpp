@@ -67,8 +67,7 @@ void set_load(const Case& subject, Derived& d) {
 double estimated_sommerfeld(double eps, double b) {
   if (eps <= 0.0) return 0.0;
   const double r = 1.0 - eps * eps;
-  const double so_short =
-      b * b * eps * std::sqrt(16.0 * eps * eps + kPi * kPi * r) / (2.0 * r * r);
+  const double so_short = b * b * eps * std::sqrt(16.0 * eps * eps + kPi * kPi * r) / (2.0 * r * r);
   const double so_long =
       3.0 * eps * std::sqrt(kPi * kPi * r + 4.0 * eps * eps) / ((2.0 + eps * eps) * r);
   return 1.0 / (1.0 / so_short + 1.0 / so_long);

@@ -48,27 +48,27 @@ struct Indicator {
 };
 
 struct Derived {
-  double T = 0.0;        ///< temperature of the estimates [K]
-  std::string T_source;  ///< where it comes from
-  double eta = 0.0;      ///< low-shear viscosity there [Pa s]
-  double rho = 0.0;      ///< [kg/m3]
-  double cp = 0.0;       ///< [J/(kg K)]
-  double k = 0.0;        ///< [W/(m K)]
-  double beta = 0.0;     ///< -d ln eta / dT [1/K]
-  double speed = 0.0;    ///< surface speed [m/s]
-  double clearance_ratio = 0.0;   ///< c / R [-]
-  double specific_load = 0.0;     ///< (1), also of a prescribed eccentricity [Pa]
-  bool load_given = false;        ///< otherwise the load is the estimate
-  double so = 0.0;                ///< (2) [-]
+  double T = 0.0;                   ///< temperature of the estimates [K]
+  std::string T_source;             ///< where it comes from
+  double eta = 0.0;                 ///< low-shear viscosity there [Pa s]
+  double rho = 0.0;                 ///< [kg/m3]
+  double cp = 0.0;                  ///< [J/(kg K)]
+  double k = 0.0;                   ///< [W/(m K)]
+  double beta = 0.0;                ///< -d ln eta / dT [1/K]
+  double speed = 0.0;               ///< surface speed [m/s]
+  double clearance_ratio = 0.0;     ///< c / R [-]
+  double specific_load = 0.0;       ///< (1), also of a prescribed eccentricity [Pa]
+  bool load_given = false;          ///< otherwise the load is the estimate
+  double so = 0.0;                  ///< (2) [-]
   double eccentricity_ratio = 0.0;  ///< [-]
-  double h_min = 0.0;             ///< c (1 - eps) [m]
-  double p_max = 0.0;             ///< [Pa]
-  double reynolds = 0.0;          ///< (4) [-]
-  double reynolds_limit = 0.0;    ///< [-]
-  double petroff_torque = 0.0;    ///< (5) [N m]
-  double petroff_power = 0.0;     ///< [W]
-  double heat_per_pass = 0.0;     ///< (6) [K]
-  std::optional<double> lambda;   ///< h_min over combined roughness [-]; nothing: smooth
+  double h_min = 0.0;               ///< c (1 - eps) [m]
+  double p_max = 0.0;               ///< [Pa]
+  double reynolds = 0.0;            ///< (4) [-]
+  double reynolds_limit = 0.0;      ///< [-]
+  double petroff_torque = 0.0;      ///< (5) [N m]
+  double petroff_power = 0.0;       ///< [W]
+  double heat_per_pass = 0.0;       ///< (6) [K]
+  std::optional<double> lambda;     ///< h_min over combined roughness [-]; nothing: smooth
   std::vector<Indicator> indicators;
 };
 

@@ -12,9 +12,7 @@ constexpr std::size_t kLongestQuote = 60;  ///< bytes of the user's text shown i
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
 /// Edits that a word of this length may contain and still be recognised: 1 in 3 letters, 3 at most.
-int allowed_edits(std::size_t length) {
-  return std::min(3, static_cast<int>(length) / 3);
-}
+int allowed_edits(std::size_t length) { return std::min(3, static_cast<int>(length) / 3); }
 
 }  // namespace
 

@@ -19,8 +19,7 @@ namespace shellback::app {
 
 /// `; did you mean "x"? possible: a, b, c`, without the question if there is no near word.
 /// `possible` introduces the list ("shipped are").
-[[nodiscard]] std::string choices_for(std::string_view word,
-                                      const std::vector<std::string>& known,
+[[nodiscard]] std::string choices_for(std::string_view word, const std::vector<std::string>& known,
                                       std::string_view possible);
 
 /// a, b, c

@@ -41,19 +41,18 @@ Indicator make(const char* effect, const char* formula, double value, const Limi
 
 void add_thermal(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
   const double c = subject.bearing.radial_clearance;
-  list.push_back(make("heating of the film", "beta dT", d.beta * d.heat_per_pass, {0.02, 0.3},
-                      {"isothermal is enough", "an effective temperature will do",
-                       "take the tier thd or tehd"}));
+  list.push_back(make(
+      "heating of the film", "beta dT", d.beta * d.heat_per_pass, {0.02, 0.3},
+      {"isothermal is enough", "an effective temperature will do", "take the tier thd or tehd"}));
   list.push_back(make("temperature across the film", "Nahme: beta eta U^2/k",
                       d.beta * d.eta * d.speed * d.speed / d.k, {0.05, 0.2},
                       {"uniform across the film", "shows across the film",
                        "must be resolved across the film (thd, tehd)"}));
-  const double peclet =
-      d.rho * d.cp * d.speed * c * c / (d.k * subject.bearing.radius);
-  list.push_back(make("convection against conduction", "rho cp U c^2/(k R)", peclet, {0.2, 50.0},
-                      {"the walls rule the film's temperature",
-                       "flow and walls both rule the film's temperature",
-                       "the flow rules; the film's core is nearly adiabatic"}));
+  const double peclet = d.rho * d.cp * d.speed * c * c / (d.k * subject.bearing.radius);
+  list.push_back(make(
+      "convection against conduction", "rho cp U c^2/(k R)", peclet, {0.2, 50.0},
+      {"the walls rule the film's temperature", "flow and walls both rule the film's temperature",
+       "the flow rules; the film's core is nearly adiabatic"}));
 }
 
 /// Radial widening of the bore per unit of uniform pressure [m/Pa]: plane-strain ring of radii
@@ -105,17 +104,17 @@ void add_flow(const Case& subject, const Derived& d, std::vector<Indicator>& lis
   const double c = subject.bearing.radial_clearance;
   if (d.lambda) {
     list.push_back(make("roughness and contact", "h_min/sigma", *d.lambda, {6.0, 4.0},
-                        {"full film", "surfaces come near", "mixed friction is likely: flow "
-                                                            "factors and contact matter"}));
+                        {"full film", "surfaces come near",
+                         "mixed friction is likely: flow "
+                         "factors and contact matter"}));
   }
   const double inertia = d.rho * std::abs(subject.operation.omega) * c * c / d.eta;
-  list.push_back(make("inertia of the oil", "rho omega c^2/eta", inertia, {0.3, 1.0},
-                      {"negligible", "shows, and is not modelled",
-                       "matters, and is not modelled"}));
-  list.push_back(make("turbulence", "Re/(41.2 sqrt(R/c))", d.reynolds / d.reynolds_limit,
-                      {0.5, 1.0},
-                      {"laminar", "laminar, near the limit",
-                       "vortices or turbulence, which are not modelled"}));
+  list.push_back(
+      make("inertia of the oil", "rho omega c^2/eta", inertia, {0.3, 1.0},
+           {"negligible", "shows, and is not modelled", "matters, and is not modelled"}));
+  list.push_back(make(
+      "turbulence", "Re/(41.2 sqrt(R/c))", d.reynolds / d.reynolds_limit, {0.5, 1.0},
+      {"laminar", "laminar, near the limit", "vortices or turbulence, which are not modelled"}));
 }
 
 }  // namespace

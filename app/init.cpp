@@ -1,7 +1,8 @@
 #include "app/init.hpp"
 
-#include <filesystem>
 #include <fmt/format.h>
+
+#include <filesystem>
 #include <fstream>
 #include <ostream>
 
@@ -33,9 +34,10 @@ void write_case(const std::string& name, const std::string& path, std::ostream& 
   const std::string text = read_text_file(case_path(name).string());
   const std::string target = path.empty() ? name + ".toml" : path;
   if (std::filesystem::exists(target)) {
-    throw FileError(fmt::format("{}: exists already and is left as it is; choose another name "
-                                "with -o",
-                                target));
+    throw FileError(
+        fmt::format("{}: exists already and is left as it is; choose another name "
+                    "with -o",
+                    target));
   }
   std::ofstream file(target, std::ios::binary);
   file << text;

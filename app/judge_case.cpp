@@ -1,8 +1,9 @@
 #include "app/judge_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <utility>
 
 #include "core/constants.hpp"
@@ -53,10 +54,8 @@ void judge(Case& subject, const Reader& reader, const std::string& key, double v
 void judge_bearing(Case& subject, const Reader& reader) {
   const Bearing& b = subject.bearing;
   judge(subject, reader, "bearing.diameter", b.radius, kRadius,
-        fmt::format("the diameter is {}", show(2.0 * b.radius, "mm", kLength)),
-        "check its unit");
-  judge(subject, reader, "bearing.radial_clearance", b.radial_clearance / b.radius,
-        kClearanceRatio,
+        fmt::format("the diameter is {}", show(2.0 * b.radius, "mm", kLength)), "check its unit");
+  judge(subject, reader, "bearing.radial_clearance", b.radial_clearance / b.radius, kClearanceRatio,
         fmt::format("the radial clearance is {:.3g} of the radius ({} of {})",
                     b.radial_clearance / b.radius, show(b.radial_clearance, "mm", kLength),
                     show(b.radius, "mm", kLength)),
@@ -110,8 +109,7 @@ void judge_tilt(Case& subject, const Reader& reader) {
   const auto* tilt = std::get_if<TiltGiven>(&subject.operation.alignment);
   if (tilt == nullptr) return;
   const Bearing& b = subject.bearing;
-  const double edge =
-      std::hypot(tilt->about_x, tilt->about_y) * 0.5 * b.width / b.radial_clearance;
+  const double edge = std::hypot(tilt->about_x, tilt->about_y) * 0.5 * b.width / b.radial_clearance;
   judge(subject, reader, "operation.tilt", edge, kEdgeTilt,
         fmt::format("the tilt moves the journal by {:.3g} radial clearances at the edges", edge),
         "above 1 it cannot fit into the bearing; check the unit (mrad?)");
@@ -132,12 +130,14 @@ void judge_surfaces(Case& subject, const Reader& reader) {
   }
   const Switches& on = subject.model.switches;
   if (on.asperity_contact.value_or(false) && !s.contact) {
-    refuse(reader, "model.asperity_contact", "contact is switched on without [surfaces] contact; "
-                                             "give it, or write \"auto\"");
+    refuse(reader, "model.asperity_contact",
+           "contact is switched on without [surfaces] contact; "
+           "give it, or write \"auto\"");
   }
   if (on.flow_factors.value_or(false) && sigma <= 0.0) {
-    refuse(reader, "model.flow_factors", "flow factors are switched on, but both surfaces are "
-                                         "smooth; give [surfaces], or write \"auto\"");
+    refuse(reader, "model.flow_factors",
+           "flow factors are switched on, but both surfaces are "
+           "smooth; give [surfaces], or write \"auto\"");
   }
 }
 
@@ -145,13 +145,15 @@ void judge_laws(Case& subject, const Reader& reader) {
   const Switches& on = subject.model.switches;
   const bool barotropic = std::holds_alternative<rheology::NoPressureEffect>(subject.oil.pressure);
   if (on.pressure_dependence.value_or(false) && barotropic) {
-    refuse(reader, "model.pressure_dependence", "the pressure dependence is switched on, but the "
-                                                "oil has no viscosity.pressure law");
+    refuse(reader, "model.pressure_dependence",
+           "the pressure dependence is switched on, but the "
+           "oil has no viscosity.pressure law");
   }
   const bool newtonian = std::holds_alternative<rheology::NoShearThinning>(subject.oil.shear);
   if (on.shear_thinning.value_or(false) && newtonian) {
-    refuse(reader, "model.shear_thinning", "shear thinning is switched on, but the oil has no "
-                                           "viscosity.shear law");
+    refuse(reader, "model.shear_thinning",
+           "shear thinning is switched on, but the oil has no "
+           "viscosity.shear law");
   }
   const auto* cross = std::get_if<rheology::Cross>(&subject.oil.shear);
   if (cross != nullptr && !rheology::stress_is_monotone(*cross)) {
@@ -192,9 +194,10 @@ void judge_temperatures(Case& subject, const Reader& reader) {
   const auto* vogel = std::get_if<rheology::Vogel>(&subject.oil.temperature);
   for (const auto& [key, T] : film_temperatures(subject)) {
     if (vogel != nullptr && T - kZeroCelsius + vogel->C <= 1.0) {
-      refuse(reader, key, fmt::format("the oil's Vogel law has its pole at -{:.4g} degC; it "
-                                      "cannot be used at {}",
-                                      vogel->C, show(T, "degC", kTemperature)));
+      refuse(reader, key,
+             fmt::format("the oil's Vogel law has its pole at -{:.4g} degC; it "
+                         "cannot be used at {}",
+                         vogel->C, show(T, "degC", kTemperature)));
     }
     if (T < range.T_min || T > range.T_max) {
       warn(subject, reader, key,
@@ -210,14 +213,16 @@ void judge_grid(Case& subject, const Reader& reader) {
   constexpr int kMostCells = 2000000;  // memory: some kB per cell
   const auto [nt, nz] = subject.model.grid;
   if (nt < kFewestRound) {
-    refuse(reader, "model.grid", fmt::format("{} cells round the bearing cannot show a film; "
-                                             "take {} or more",
-                                             nt, kFewestRound));
+    refuse(reader, "model.grid",
+           fmt::format("{} cells round the bearing cannot show a film; "
+                       "take {} or more",
+                       nt, kFewestRound));
   }
   if (nt * nz > kMostCells) {
-    refuse(reader, "model.grid", fmt::format("{} x {} cells are more than memory holds; 800 x "
-                                             "100 is fine already",
-                                             nt, nz));
+    refuse(reader, "model.grid",
+           fmt::format("{} x {} cells are more than memory holds; 800 x "
+                       "100 is fine already",
+                       nt, nz));
   }
 }
 
@@ -227,8 +232,7 @@ void refuse(const Reader& reader, const std::string& key, const std::string& pro
   throw error_at(reader.place(key), key, problem);
 }
 
-void warn(Case& subject, const Reader& reader, const std::string& key,
-          const std::string& problem) {
+void warn(Case& subject, const Reader& reader, const std::string& key, const std::string& problem) {
   subject.warnings.emplace_back(error_at(reader.place(key), key, problem).what());
 }
 

@@ -25,8 +25,7 @@ void expect_possible(const coupling::Case& subject, coupling::Tier tier, const R
 [[nodiscard]] std::vector<coupling::Tier> possible_tiers(const coupling::Case& subject);
 
 /// Error at the place of the key.
-[[noreturn]] void refuse(const Reader& reader, const std::string& key,
-                         const std::string& problem);
+[[noreturn]] void refuse(const Reader& reader, const std::string& key, const std::string& problem);
 
 /// Warning with the place of the key.
 void warn(coupling::Case& subject, const Reader& reader, const std::string& key,

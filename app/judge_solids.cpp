@@ -11,7 +11,7 @@ using namespace coupling;
 /// Usual range of one property of engineering solids, polymers to ceramics.
 struct Usual {
   const char* key;
-  double solid::Material::* member;
+  double solid::Material::*member;
   double least;
   double most;
   const char* unit;
@@ -108,9 +108,10 @@ Lack lack_for(const Case& subject, Tier tier) {
                          otherwise};
   }
   if (thermal && !heat_leaves(*subject.shell)) {
-    return {"shell.back", "it is not said how heat leaves the shell's back; add back = { "
-                          "heat_transfer = \"500 W/(m2 K)\", ambient = \"90 degC\" } or back = { "
-                          "temperature = \"98 degC\" }"};
+    return {"shell.back",
+            "it is not said how heat leaves the shell's back; add back = { "
+            "heat_transfer = \"500 W/(m2 K)\", ambient = \"90 degC\" } or back = { "
+            "temperature = \"98 degC\" }"};
   }
   if (thermal && !subject.shaft) {
     return {"shaft", "the tier " + name +

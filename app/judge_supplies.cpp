@@ -1,6 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "app/judge_case.hpp"
 #include "core/constants.hpp"
@@ -10,14 +11,13 @@ namespace {
 
 using namespace coupling;
 
-constexpr double kMostCover = 0.9;       ///< of the surface; above, hardly any film is left [-]
-constexpr double kUsualCover = 0.3;      ///< of the surface [-]
-constexpr double kHighPressure = 50e5;   ///< above, the supply is hydrostatic [Pa]
-constexpr double kRoundOff = 1e-9;       ///< relative slack when lengths are compared [-]
+constexpr double kMostCover = 0.9;      ///< of the surface; above, hardly any film is left [-]
+constexpr double kUsualCover = 0.3;     ///< of the surface [-]
+constexpr double kHighPressure = 50e5;  ///< above, the supply is hydrostatic [Pa]
+constexpr double kRoundOff = 1e-9;      ///< relative slack when lengths are compared [-]
 
 /// Refuses a supply that reaches over the bearing's edge.
-void judge_axial(const Supply& s, const Bearing& b, const std::string& path,
-                 const Reader& reader) {
+void judge_axial(const Supply& s, const Bearing& b, const std::string& path, const Reader& reader) {
   const double half = 0.5 * b.width;
   const bool line = s.kind == SupplyKind::axial_groove && s.arc == 0.0;
   const std::string key = s.kind == SupplyKind::hole           ? path + ".diameter"
@@ -25,8 +25,9 @@ void judge_axial(const Supply& s, const Bearing& b, const std::string& path,
                                                                : path + ".width";
   const double reach = std::abs(s.z) + 0.5 * s.length;
   if (s.length > b.width * (1.0 + kRoundOff)) {
-    refuse(reader, key, fmt::format("{} is more than the bearing's width of {}",
-                                    show(s.length, "mm", kLength), show(b.width, "mm", kLength)));
+    refuse(reader, key,
+           fmt::format("{} is more than the bearing's width of {}", show(s.length, "mm", kLength),
+                       show(b.width, "mm", kLength)));
   }
   if (reach > half * (1.0 + kRoundOff)) {
     refuse(reader, reader.given(path + ".z") ? path + ".z" : key,
@@ -35,16 +36,17 @@ void judge_axial(const Supply& s, const Bearing& b, const std::string& path,
   }
   if (line || reach < half * (1.0 - kRoundOff)) return;
   if (s.length >= b.width * (1.0 - kRoundOff)) {
-    refuse(reader, key, "the groove is as wide as the bearing and so open to the sides, where "
-                        "ambient pressure rules: it cannot hold its supply pressure. Make it "
-                        "shorter; only a line (arc = \"0 deg\") may span the width");
+    refuse(reader, key,
+           "the groove is as wide as the bearing and so open to the sides, where "
+           "ambient pressure rules: it cannot hold its supply pressure. Make it "
+           "shorter; only a line (arc = \"0 deg\") may span the width");
   }
-  refuse(reader, key, "the supply touches the bearing's edge, where ambient pressure rules: it "
-                      "cannot hold its supply pressure; leave a land");
+  refuse(reader, key,
+         "the supply touches the bearing's edge, where ambient pressure rules: it "
+         "cannot hold its supply pressure; leave a land");
 }
 
-void judge_pressure(Case& subject, const Supply& s, const std::string& path,
-                    const Reader& reader) {
+void judge_pressure(Case& subject, const Supply& s, const std::string& path, const Reader& reader) {
   const double p_cav = subject.model.cavitation_pressure;
   const std::string key =
       path + (reader.given(path + ".pressure") ? ".pressure" : ".pressure_absolute");
@@ -96,8 +98,8 @@ void judge_cover(Case& subject, const Reader& reader) {
     const double circle = s.kind == SupplyKind::hole ? kPi / 4.0 : 1.0;
     covered += circle * s.arc * s.length / (2.0 * kPi * b.width);
   }
-  const std::string share = fmt::format("the supplies cover {:.0f} % of the bearing",
-                                        100.0 * covered);
+  const std::string share =
+      fmt::format("the supplies cover {:.0f} % of the bearing", 100.0 * covered);
   if (covered > kMostCover) refuse(reader, "supply", share + ": hardly any film is left");
   if (covered > kUsualCover) warn(subject, reader, "supply", share);
 }

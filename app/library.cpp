@@ -1,8 +1,9 @@
 #include "app/library.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
-#include <fmt/format.h>
 
 #include "app/case_text.hpp"
 #include "app/did_you_mean.hpp"
@@ -42,16 +43,17 @@ const toml::table& document(Reader& reader, const fs::path& path) {
 fs::path library_root() {
   if (const char* home = std::getenv("SHELLBACK_HOME"); home != nullptr && *home != '\0') {
     if (is_library(home)) return home;
-    throw FileError(fmt::format("SHELLBACK_HOME is {}, which does not hold data/ and cases/",
-                                home));
+    throw FileError(
+        fmt::format("SHELLBACK_HOME is {}, which does not hold data/ and cases/", home));
   }
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path installed = program.parent_path().parent_path() / "share" / "shellback";
   if (!error && is_library(installed)) return installed;
   if (is_library(SHELLBACK_LIBRARY)) return SHELLBACK_LIBRARY;
-  throw FileError("the shipped oils, materials and cases are not to be found; set SHELLBACK_HOME "
-                  "to the folder that holds data/ and cases/");
+  throw FileError(
+      "the shipped oils, materials and cases are not to be found; set SHELLBACK_HOME "
+      "to the folder that holds data/ and cases/");
 }
 
 std::vector<std::string> shipped_oils() { return names_in(library_root() / "data" / "oils"); }

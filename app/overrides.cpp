@@ -1,9 +1,10 @@
 #include "app/overrides.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <fmt/format.h>
 #include <vector>
 
 #include "app/case_text.hpp"
@@ -29,8 +30,8 @@ std::vector<std::string> split(const std::string& key, const std::string& place)
   };
   for (const std::string& part : parts) {
     if (part.empty() || !std::all_of(part.begin(), part.end(), plain)) {
-      throw InputError(place, fmt::format("{} is no key; write it as in section.key",
-                                          in_quotes(key)));
+      throw InputError(place,
+                       fmt::format("{} is no key; write it as in section.key", in_quotes(key)));
     }
   }
   if (parts.size() > kDeepestKey) {
@@ -101,8 +102,8 @@ void apply_override(toml::table& root, const Override& change) {
       }
       at = table->get(parts[k]);
     } else {
-      throw InputError(change.place, fmt::format("\"{}\" leads through a value that holds no keys",
-                                                 change.key));
+      throw InputError(change.place,
+                       fmt::format("\"{}\" leads through a value that holds no keys", change.key));
     }
   }
   if (toml::array* list = at->as_array()) {
@@ -111,13 +112,12 @@ void apply_override(toml::table& root, const Override& change) {
   }
   toml::table* table = at->as_table();
   if (table == nullptr) {
-    throw InputError(change.place, fmt::format("\"{}\" leads through a value that holds no keys",
-                                               change.key));
+    throw InputError(change.place,
+                     fmt::format("\"{}\" leads through a value that holds no keys", change.key));
   }
   toml::table* value = &document;
-  value->get("value")->visit([&](auto&& node) {
-    table->insert_or_assign(parts.back(), std::move(node));
-  });
+  value->get("value")->visit(
+      [&](auto&& node) { table->insert_or_assign(parts.back(), std::move(node)); });
 }
 
 }  // namespace shellback::app

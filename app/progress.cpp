@@ -1,16 +1,17 @@
 #include "app/progress.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <fmt/format.h>
-#include <unistd.h>
 
 namespace shellback::app {
 namespace {
 
-constexpr double kQuietTime = 1.0;  ///< shorter solves need no comfort [s]
-constexpr double kInterval = 0.1;   ///< between two lines [s]
+constexpr double kQuietTime = 1.0;         ///< shorter solves need no comfort [s]
+constexpr double kInterval = 0.1;          ///< between two lines [s]
 constexpr const char* kWipe = "\r\x1b[K";  ///< back to the line's begin, clear it
 
 // A signal handler can reach nothing else than a lock-free global.

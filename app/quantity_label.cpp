@@ -23,9 +23,13 @@ using Pair = std::pair<const char*, const char*>;
 constexpr std::array kLabels{
     Pair{"friction_torque", "friction torque"},
     Pair{"friction_torque_asperity", "  of it from asperities"},
+    Pair{"friction_torque_shell", "friction torque on the shell"},
     Pair{"power_loss", "power loss"},
+    Pair{"pump_power", "power of the supplied pressure"},
     Pair{"eccentricity_ratio", "eccentricity ratio"},
     Pair{"attitude_angle", "attitude angle"},
+    Pair{"tilt_x", "tilt of the journal about X"},
+    Pair{"tilt_y", "tilt of the journal about Y"},
     Pair{"h_min", "smallest film, h_min"},
     Pair{"h_min_mid", "smallest film at mid-width"},
     Pair{"p_max", "largest film pressure, p_max"},
@@ -35,11 +39,18 @@ constexpr std::array kLabels{
     Pair{"load_y", "film force on journal, Y"},
     Pair{"side_flow", "side flow"},
     Pair{"supply_flow", "supply flow"},
+    Pair{"elastic_opening_max", "largest elastic opening of the gap"},
+    Pair{"thermal_opening_mean", "mean thermal opening of the gap"},
     Pair{"T_film_max", "film temperature, largest"},
     Pair{"T_film_mean", "film temperature, mean"},
     Pair{"T_shell_max", "shell temperature, largest"},
     Pair{"T_shell_back", "shell-back temperature"},
+    Pair{"T_shell_back_max", "shell-back temperature, largest"},
     Pair{"T_shaft", "shaft temperature"},
+    Pair{"T_supply_mixed", "temperature of the mixed supply"},
+    Pair{"heat_by_oil", "heat carried off by the oil"},
+    Pair{"heat_to_shell", "heat into the shell"},
+    Pair{"heat_to_shaft", "heat into the shaft"},
     Pair{"T_equivalent", "equivalent temperature"},
 };
 
@@ -78,9 +89,10 @@ DisplayUnit display_unit(const std::string& name, const std::string& si_unit, do
   if (si_unit == "W" && largest >= kThousandfold) return {"kW", 1.0 / kThousandfold, 0.0};
   if (si_unit == "N" && largest >= kThousandfold) return {"kN", 1.0 / kThousandfold, 0.0};
   if (si_unit == "m3/s") return {"l/min", kLitreMinutes, 0.0};
+  if (si_unit == "rad" && name.starts_with("tilt")) return {"mrad", kThousandfold, 0.0};
   if (si_unit == "rad") return {"deg", kDegrees, 0.0};
   if (name == "asperity_load_share") return {"%", 100.0, 0.0};
-  return {si_unit, 1.0, 0.0};
+  return {si_unit == "1" ? "-" : si_unit, 1.0, 0.0};
 }
 
 std::string typeset_unit(const std::string& unit) {

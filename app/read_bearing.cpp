@@ -23,8 +23,7 @@ coupling::Bearing read_bearing(const Section& file) {
                           "the radial clearance is taken as measured at 20 degC "
                           "(bearing.reference_temperature is not given)");
   if (section.has("profile")) {
-    const std::filesystem::path folder =
-        std::filesystem::path(section.reader().file).parent_path();
+    const std::filesystem::path folder = std::filesystem::path(section.reader().file).parent_path();
     bearing.profile = read_profile((folder / section.text("profile")).string());
   }
   return bearing;

@@ -25,8 +25,9 @@ std::string with_overrides(const std::string& text, const std::vector<Override>&
 
 void read_sections(const Section& file, Case& result) {
   if (file.has("load_cycle")) {
-    file.fail("load_cycle", "this version solves one steady operating point; give "
-                            "operation.load instead");
+    file.fail("load_cycle",
+              "this version solves one steady operating point; give "
+              "operation.load instead");
   }
   file.only({"title", "bearing", "supply", "operation", "oil", "shell", "shaft", "surfaces",
              "model", "measured"},

@@ -29,8 +29,9 @@ Switches read_switches(const Section& section) {
 void read_grid(const Section& section, Model& model) {
   if (!section.has("grid") || section.is_text("grid")) {
     if (section.has("grid") && section.text("grid") != "auto") {
-      section.fail("grid", "write \"auto\" or two whole numbers: [200, 25], circumferential and "
-                           "axial cells over the full width");
+      section.fail("grid",
+                   "write \"auto\" or two whole numbers: [200, 25], circumferential and "
+                   "axial cells over the full width");
     }
     section.assume("the grid is 200 x 25 cells (model.grid is \"auto\" or not given)");
     return;
@@ -53,8 +54,9 @@ void read_rules(const Section& section, Model& model) {
   if (cavitation) {
     model.cavitation_pressure = *cavitation;
   } else {
-    section.assume("the film is taken to cavitate at ambient pressure "
-                   "(model.cavitation_pressure = 0 bar)");
+    section.assume(
+        "the film is taken to cavitate at ambient pressure "
+        "(model.cavitation_pressure = 0 bar)");
   }
   if (const auto equivalent = section.maybe_section("equivalent_temperature")) {
     equivalent->only({"kappa"}, "model.equivalent_temperature");
@@ -79,10 +81,10 @@ Model read_model(const Section& file) {
   static const toml::table kEmpty;  // a case without [model] relies on the defaults throughout
   const Section section =
       file.maybe_section("model").value_or(Section(file.reader(), kEmpty, "model"));
-  section.only({"tier", "tolerance", "grid", "film_nodes", "pressure_dependence",
-                "shear_thinning", "flow_factors", "asperity_contact", "elastic_deformation",
-                "thermal_deformation", "cavitated_shear", "edges", "cavitation_pressure",
-                "cavitation_pressure_absolute", "equivalent_temperature"},
+  section.only({"tier", "tolerance", "grid", "film_nodes", "pressure_dependence", "shear_thinning",
+                "flow_factors", "asperity_contact", "elastic_deformation", "thermal_deformation",
+                "cavitated_shear", "edges", "cavitation_pressure", "cavitation_pressure_absolute",
+                "equivalent_temperature"},
                "[model]");
   Model model;
   if (section.has("tier")) {
@@ -105,8 +107,7 @@ Measured read_measured(const Section& file) {
   section->only({"shell_back_temperature", "friction_torque", "h_min", "p_max", "side_flow",
                  "eccentricity_ratio", "T_shell_max"},
                 "[measured]");
-  measured.shell_back_temperature =
-      section->maybe_quantity("shell_back_temperature", kTemperature);
+  measured.shell_back_temperature = section->maybe_quantity("shell_back_temperature", kTemperature);
   measured.friction_torque = section->maybe_quantity("friction_torque", kTorque, kNotNegative);
   measured.h_min = section->maybe_quantity("h_min", kLength, kNotNegative);
   measured.p_max = section->maybe_quantity("p_max", kPressure);

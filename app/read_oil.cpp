@@ -88,8 +88,7 @@ HeatCapacityLaw read_heat_capacity(const Section& oil) {
   law.only({"law", "a", "b", "s", "n"}, "a heat capacity law \"temperature\"");
   return TemperatureHeatCapacity{law.quantity("a", kHeatCapacity, kPositive),
                                  law.quantity("b", kHeatCapacitySlope),
-                                 law.quantity("s", kNumber, kPositive),
-                                 law.quantity("n", kNumber)};
+                                 law.quantity("s", kNumber, kPositive), law.quantity("n", kNumber)};
 }
 
 ValidityRange read_range(const Section& oil) {
@@ -115,8 +114,9 @@ void read_viscosity(const Section& oil_section, Oil& oil) {
   const Section viscosity = oil_section.section("viscosity");
   viscosity.only({"temperature", "pressure", "shear"}, "oil.viscosity");
   if (!viscosity.has("temperature")) {
-    viscosity.fail_missing("temperature", "{ law = \"vogel\", A = \"0.0952 mPa s\", B = "
-                                          "\"896.4 K\", C = \"110 K\" }");
+    viscosity.fail_missing("temperature",
+                           "{ law = \"vogel\", A = \"0.0952 mPa s\", B = "
+                           "\"896.4 K\", C = \"110 K\" }");
   }
   oil.temperature = read_temperature_law(viscosity.law("temperature"));
   if (viscosity.has("pressure")) {
@@ -148,10 +148,10 @@ Section oil_section(const Section& file) {
   }
   const auto laws = own.maybe_section("viscosity");
   if (!laws || !laws->has("temperature")) {
-    own.fail("name", fmt::format("there is no shipped oil {}{}; or give viscosity.temperature "
-                                 "inline",
-                                 in_quotes(name),
-                                 choices_for(name, shipped_oils(), "shipped are")));
+    own.fail("name",
+             fmt::format("there is no shipped oil {}{}; or give viscosity.temperature "
+                         "inline",
+                         in_quotes(name), choices_for(name, shipped_oils(), "shipped are")));
   }
   return own;
 }

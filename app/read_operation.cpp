@@ -25,8 +25,9 @@ std::variant<LoadGiven, EccentricityGiven> read_position(const Section& section)
                  "the load is given too, and each follows from the other; keep one of them");
   }
   if (!load && !ratio) {
-    section.fail("load", "neither load nor eccentricity_ratio is given; add for example load = "
-                         "\"8 kN\"");
+    section.fail("load",
+                 "neither load nor eccentricity_ratio is given; add for example load = "
+                 "\"8 kN\"");
   }
   if (load) {
     return LoadGiven{section.quantity("load", kForce, kPositive), load_angle(section)};
@@ -63,9 +64,9 @@ std::variant<TiltGiven, MomentGiven> read_alignment(const Section& section) {
 
 Operation read_operation(const Section& file) {
   const Section section = file.section("operation");
-  section.only({"speed", "load", "load_angle", "eccentricity_ratio", "attitude_angle", "tilt",
-                "moment"},
-               "[operation]");
+  section.only(
+      {"speed", "load", "load_angle", "eccentricity_ratio", "attitude_angle", "tilt", "moment"},
+      "[operation]");
   Operation operation;
   operation.omega = section.quantity("speed", kSpeed);
   operation.position = read_position(section);

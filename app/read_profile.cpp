@@ -1,7 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <map>
 
 #include "app/case_text.hpp"
@@ -133,8 +134,8 @@ std::vector<Point> read_points(const std::string& text, const std::string& path)
     double phi = std::fmod(read_cell(cells, columns[0], place), 2.0 * kPi);
     if (phi < 0.0) phi += 2.0 * kPi;
     if (2.0 * kPi - phi < kSame) phi = 0.0;  // 360 deg is 0 deg
-    points.push_back({phi, read_cell(cells, columns[1], place),
-                      read_cell(cells, columns[2], place), place + ":1"});
+    points.push_back({phi, read_cell(cells, columns[1], place), read_cell(cells, columns[2], place),
+                      place + ":1"});
   }
   if (points.empty()) throw InputError(path, "the profile holds no points");
   return points;
@@ -163,10 +164,10 @@ coupling::Profile read_profile(const std::string& path) {
     }
   }
   if (given.size() != profile.phi.size() * m) {
-    throw InputError(path, fmt::format("the positions form no rectangular grid: {} angles by {} "
-                                       "axial positions need {} points, but there are {}",
-                                       profile.phi.size(), m, profile.phi.size() * m,
-                                       given.size()));
+    throw InputError(path,
+                     fmt::format("the positions form no rectangular grid: {} angles by {} "
+                                 "axial positions need {} points, but there are {}",
+                                 profile.phi.size(), m, profile.phi.size() * m, given.size()));
   }
   for (const auto& [at, height] : given) profile.height.push_back(height);
   return profile;

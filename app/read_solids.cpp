@@ -47,8 +47,9 @@ Housing read_housing(const Section& section) {
                                                    {"free", HousingSupport::free},
                                                    {"clamped", HousingSupport::clamped}});
   } else {
-    section.assume("shell.housing: its outside is taken as held under load and free to grow with "
-                   "temperature (support = \"held\")");
+    section.assume(
+        "shell.housing: its outside is taken as held under load and free to grow with "
+        "temperature (support = \"held\")");
   }
   return housing;
 }
@@ -62,8 +63,9 @@ std::variant<ConvectiveBack, PrescribedBack> read_back(const Section& section) {
     return PrescribedBack{section.quantity("temperature", kTemperature)};
   }
   if (!section.has("heat_transfer")) {
-    section.fail("heat_transfer", "it is not said how heat leaves the back; give heat_transfer = "
-                                  "\"500 W/(m2 K)\" with ambient, or temperature");
+    section.fail("heat_transfer",
+                 "it is not said how heat leaves the back; give heat_transfer = "
+                 "\"500 W/(m2 K)\" with ambient, or temperature");
   }
   return ConvectiveBack{section.quantity("heat_transfer", kHeatTransfer, kPositive),
                         section.quantity("ambient", kTemperature)};
@@ -77,11 +79,11 @@ solid::Material read_material(const Section& section, const std::string& key) {
   const std::string name = section.text(key);
   const toml::table* shipped = find_material(section.reader(), name);
   if (shipped == nullptr) {
-    section.fail(key, fmt::format("there is no shipped material {}{}; or write its values as a "
-                                  "table",
-                                  in_quotes(name),
-                                  choices_for(name, shipped_materials(section.reader()),
-                                              "shipped are")));
+    section.fail(
+        key, fmt::format("there is no shipped material {}{}; or write its values as a "
+                         "table",
+                         in_quotes(name),
+                         choices_for(name, shipped_materials(section.reader()), "shipped are")));
   }
   return read_properties(Section(section.reader(), *shipped, section.name(key)), name);
 }
@@ -93,12 +95,13 @@ std::optional<Shell> read_shell(const Section& file) {
   Shell shell;
   for (const Section& layer : section->sections("layers")) {
     layer.only({"material", "thickness"}, "a layer of the shell");
-    shell.layers.push_back({read_material(layer, "material"),
-                            layer.quantity("thickness", kLength, kPositive)});
+    shell.layers.push_back(
+        {read_material(layer, "material"), layer.quantity("thickness", kLength, kPositive)});
   }
   if (shell.layers.empty()) {
-    section->fail("layers", "the shell has no layers; give them from the bore outwards: layers = "
-                            "[ { material = \"AlSn20\", thickness = \"0.3 mm\" } ]");
+    section->fail("layers",
+                  "the shell has no layers; give them from the bore outwards: layers = "
+                  "[ { material = \"AlSn20\", thickness = \"0.3 mm\" } ]");
   }
   if (const auto housing = section->maybe_section("housing")) {
     shell.housing = read_housing(*housing);
@@ -106,8 +109,7 @@ std::optional<Shell> read_shell(const Section& file) {
   if (const auto back = section->maybe_section("back")) shell.back = read_back(*back);
   shell.end_heat_transfer = section->quantity_or(
       "end_heat_transfer", kHeatTransfer, shell.end_heat_transfer,
-      "the end faces of shell and housing are taken to give off heat at 50 W/(m2 K)",
-      kNotNegative);
+      "the end faces of shell and housing are taken to give off heat at 50 W/(m2 K)", kNotNegative);
   return shell;
 }
 

@@ -1,5 +1,6 @@
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 
 #include "app/sections.hpp"
 #include "core/constants.hpp"
@@ -38,8 +39,9 @@ void read_axial_groove(const Section& section, double radius, Supply& supply) {
     section.fail("width", "the groove's arc is given too; keep one of them");
   }
   if (!section.has("arc") && !section.has("width")) {
-    section.fail("arc", "the groove has no circumferential size; give arc = \"18 deg\" or "
-                        "width = \"5 mm\"");
+    section.fail("arc",
+                 "the groove has no circumferential size; give arc = \"18 deg\" or "
+                 "width = \"5 mm\"");
   }
   supply.arc = section.has("arc") ? section.quantity("arc", kAngle, kArc)
                                   : section.quantity("width", kLength, kNotNegative) / radius;
@@ -50,8 +52,8 @@ void read_axial_groove(const Section& section, double radius, Supply& supply) {
 }
 
 void read_circumferential_groove(const Section& section, Supply& supply) {
-  section.only({"kind", "angle", "z", "extent", "width", "depth", "pressure",
-                "pressure_absolute", "temperature", "carry_over"},
+  section.only({"kind", "angle", "z", "extent", "width", "depth", "pressure", "pressure_absolute",
+                "temperature", "carry_over"},
                "a supply of kind \"circumferential_groove\"");
   supply.arc = section.quantity_or("extent", kAngle, kFullCircle, "", kExtent);
   if (supply.arc < kFullCircle) supply.angle = section.quantity("angle", kAngle, kOneTurn);
@@ -76,9 +78,9 @@ Supply read_supply(const Section& section, double radius,
   const std::string name = section.name("");
   supply.angle -= kFullCircle * std::floor(supply.angle / kFullCircle);
   supply.z = section.quantity_or("z", kLength, 0.0, "");
-  supply.depth = section.quantity_or("depth", kLength, supply.depth,
-                                     fmt::format("{}: a depth of 1 mm is assumed", name),
-                                     kPositive);
+  supply.depth =
+      section.quantity_or("depth", kLength, supply.depth,
+                          fmt::format("{}: a depth of 1 mm is assumed", name), kPositive);
   const auto pressure = section.maybe_gauge_pressure("pressure");
   if (!pressure) section.fail_missing("pressure", "\"2 bar\" (gauge) or pressure_absolute");
   supply.pressure = *pressure;
@@ -91,9 +93,9 @@ Supply read_supply(const Section& section, double radius,
   if (!section.has("temperature") && !oil_temperature) {
     section.fail_missing("temperature", "\"80 degC\"");
   }
-  supply.temperature = section.quantity_or(
-      "temperature", kTemperature, oil_temperature.value_or(0.0),
-      fmt::format("{}: the oil is taken to enter at oil.temperature", name));
+  supply.temperature =
+      section.quantity_or("temperature", kTemperature, oil_temperature.value_or(0.0),
+                          fmt::format("{}: the oil is taken to enter at oil.temperature", name));
   return supply;
 }
 

@@ -12,23 +12,21 @@ solid::RoughSurface read_surface(const Section& section, const std::string& what
   surface.orientation = section.quantity_or(
       "orientation", kNumber, surface.orientation,
       what + ": the roughness is taken as isotropic (orientation = 1)", kPositive);
-  surface.summit_roughness = section.quantity_or("summit_roughness", kLength, 0.0, "",
-                                                 kNotNegative);
+  surface.summit_roughness =
+      section.quantity_or("summit_roughness", kLength, 0.0, "", kNotNegative);
   surface.summit_height = section.quantity_or("summit_height", kLength, 0.0, "");
   return surface;
 }
 
 solid::ContactParameters read_contact(const Section& section) {
-  section.only({"elastic_factor", "composite_modulus", "friction", "integral"},
-               "surfaces.contact");
+  section.only({"elastic_factor", "composite_modulus", "friction", "integral"}, "surfaces.contact");
   solid::ContactParameters contact;
   contact.elastic_factor = section.quantity("elastic_factor", kNumber, kPositive);
   contact.composite_modulus = section.quantity("composite_modulus", kPressure, kPositive);
   contact.friction = section.quantity("friction", kNumber, kUpToOne);
   if (section.has("integral")) {
     contact.integral = section.choice<ContactIntegral>(
-        "integral",
-        {{"exact", ContactIntegral::exact}, {"power-law", ContactIntegral::power_law}});
+        "integral", {{"exact", ContactIntegral::exact}, {"power-law", ContactIntegral::power_law}});
   }
   return contact;
 }
@@ -39,8 +37,9 @@ coupling::Surfaces read_surfaces(const Section& file) {
   coupling::Surfaces surfaces;
   const auto section = file.maybe_section("surfaces");
   if (!section) {
-    file.assume("the surfaces are taken as smooth, without asperity contact ([surfaces] is not "
-                "given)");
+    file.assume(
+        "the surfaces are taken as smooth, without asperity contact ([surfaces] is not "
+        "given)");
     return surfaces;
   }
   section->only({"shell", "shaft", "contact"}, "[surfaces]");

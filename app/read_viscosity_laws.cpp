@@ -78,8 +78,8 @@ PressureLaw read_pressure_law(const Section& law) {
       break;
   }
   law.only({"law", "Z", "beta", "at"}, "a pressure law \"houpert\"");
-  return Houpert{law.quantity("Z", kNumber, kPositive),
-                 law.quantity("beta", kPerKelvin, kPositive), law.quantity("at", kTemperature)};
+  return Houpert{law.quantity("Z", kNumber, kPositive), law.quantity("beta", kPerKelvin, kPositive),
+                 law.quantity("at", kTemperature)};
 }
 
 ShearLaw read_shear_law(const Section& law) {

@@ -1,7 +1,8 @@
 #include "app/toml_reader.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 
 #include "app/case_text.hpp"
 #include "app/did_you_mean.hpp"
@@ -55,8 +56,7 @@ std::string Reader::place(std::string key) const {
   }
 }
 
-InputError error_at(const std::string& place, const std::string& key,
-                    const std::string& problem) {
+InputError error_at(const std::string& place, const std::string& key, const std::string& problem) {
   const bool named = place == "--set " + key || key.empty();
   return {place, named ? problem : key + ": " + problem};
 }
@@ -130,8 +130,8 @@ double Section::value_of(const toml::node& node, const std::string& key, const K
   }
   const auto number = node.value<double>();
   if (!node.is_number() || !number) {
-    fail(key, fmt::format("this is {}, but {} is wanted, for example {} = {}",
-                          type_name(node), kind.name, key, example_of(kind)));
+    fail(key, fmt::format("this is {}, but {} is wanted, for example {} = {}", type_name(node),
+                          kind.name, key, example_of(kind)));
   }
   if (!plain) {
     fail(key, fmt::format("{} has no unit ({} is wanted); units that would do: {}; write for "
@@ -183,8 +183,9 @@ std::optional<double> Section::maybe_gauge_pressure(const std::string& key) cons
   if (has(absolute)) return quantity(absolute, kPressure, kNotNegative) - kAtmosphere;
   const auto gauge = maybe_quantity(key, kPressure);
   if (gauge && *gauge < -kAtmosphere) {
-    fail(key, "this gauge pressure lies below vacuum (-1.013 bar); pressures are counted from "
-              "ambient unless the key says absolute");
+    fail(key,
+         "this gauge pressure lies below vacuum (-1.013 bar); pressures are counted from "
+         "ambient unless the key says absolute");
   }
   return gauge;
 }
@@ -228,8 +229,7 @@ int Section::whole_number(const std::string& key, int low, int high) const {
   return whole(need(key, fmt::format("{}", low)), key, low, high);
 }
 
-std::array<int, 2> Section::pair_of_whole_numbers(const std::string& key, int low,
-                                                  int high) const {
+std::array<int, 2> Section::pair_of_whole_numbers(const std::string& key, int low, int high) const {
   const auto* list = need(key, "[200, 25]").as_array();
   if (list == nullptr || list->size() != 2) {
     fail(key, "two whole numbers in brackets are wanted, as in [200, 25]");
@@ -237,8 +237,7 @@ std::array<int, 2> Section::pair_of_whole_numbers(const std::string& key, int lo
   return {whole(*list->get(0), key, low, high), whole(*list->get(1), key, low, high)};
 }
 
-std::array<double, 2> Section::pair_of_quantities(const std::string& key,
-                                                  const Kind& kind) const {
+std::array<double, 2> Section::pair_of_quantities(const std::string& key, const Kind& kind) const {
   const std::string example = fmt::format("[\"{0}\", \"{0}\"]", kind.example);
   const auto* list = need(key, example).as_array();
   if (list == nullptr || list->size() != 2) {
@@ -307,8 +306,7 @@ std::vector<Section> Section::sections(const std::string& key) const {
   for (std::size_t k = 0; k < list->size(); ++k) {
     const auto* table = list->get(k)->as_table();
     if (table == nullptr) {
-      fail(key, fmt::format("entry {} is {}, but a table is wanted", k,
-                            type_name(*list->get(k))));
+      fail(key, fmt::format("entry {} is {}, but a table is wanted", k, type_name(*list->get(k))));
     }
     reader_->used.insert(table);
     result.emplace_back(*reader_, *table, fmt::format("{}.{}", name(key), k));

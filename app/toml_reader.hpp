@@ -132,8 +132,7 @@ class Section {
                    const Range& range) const;
   [[nodiscard]] std::size_t choice_index(const std::string& key,
                                          const std::vector<std::string>& words) const;
-  [[nodiscard]] int whole(const toml::node& node, const std::string& key, int low,
-                          int high) const;
+  [[nodiscard]] int whole(const toml::node& node, const std::string& key, int low, int high) const;
 
   Reader* reader_;
   const toml::table* table_;

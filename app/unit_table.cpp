@@ -22,10 +22,10 @@ constexpr std::array<Prefix, 9> kPrefixes{{{"n", 1e-9},
                                            {"M", 1e6},
                                            {"G", 1e9}}};
 
-constexpr double kInch = 0.0254;                ///< [m], definition
-constexpr double kPoundForce = 4.4482216152605;  ///< [N], 0.45359237 kg * 9.80665 m/s2
-constexpr double kPsi = kPoundForce / (kInch * kInch);                    ///< [Pa]
-constexpr double kFahrenheitZero = kZeroCelsius - 32.0 * 5.0 / 9.0;       ///< 0 degF [K]
+constexpr double kInch = 0.0254;                        ///< [m], definition
+constexpr double kPoundForce = 4.4482216152605;         ///< [N], 0.45359237 kg * 9.80665 m/s2
+constexpr double kPsi = kPoundForce / (kInch * kInch);  ///< [Pa]
+constexpr double kFahrenheitZero = kZeroCelsius - 32.0 * 5.0 / 9.0;  ///< 0 degF [K]
 
 constexpr Dimension kNone{};
 constexpr Dimension kL{1, 0, 0, 0, 0};

@@ -13,8 +13,8 @@ namespace shellback::app {
 struct Unit {
   double factor = 1.0;
   Dimension dimension;
-  double offset = 0.0;   ///< [K]; only scales with their own zero have one
-  bool scale = false;    ///< degC, degF: no part of products
+  double offset = 0.0;  ///< [K]; only scales with their own zero have one
+  bool scale = false;   ///< degC, degF: no part of products
 };
 
 /// The unit of that symbol, with its prefix if it has one; nothing if there is none.

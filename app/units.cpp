@@ -1,11 +1,12 @@
 #include "app/units.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <utility>
 
 #include "app/did_you_mean.hpp"
@@ -17,10 +18,9 @@ namespace {
 constexpr int kLargestPower = 9;  ///< no physical unit needs more
 
 constexpr std::array kKinds{
-    kLength,      kAngle,         kSpeed,         kForce,         kTorque,
-    kPressure,    kTemperature,   kPerKelvin,     kPerPressure,   kViscosity,
-    kTime,        kShearRate,     kDensity,       kConductivity,  kHeatCapacity,
-    kHeatTransfer, kFlow,         kPower,         kHeatCapacitySlope};
+    kLength,       kAngle,        kSpeed,     kForce, kTorque,           kPressure, kTemperature,
+    kPerKelvin,    kPerPressure,  kViscosity, kTime,  kShearRate,        kDensity,  kConductivity,
+    kHeatCapacity, kHeatTransfer, kFlow,      kPower, kHeatCapacitySlope};
 
 /// What a dimension is called, or "another quantity".
 std::string dimension_name(const Dimension& dimension) {
@@ -73,8 +73,8 @@ class UnitParser {
 
  private:
   [[noreturn]] void fail(const std::string& why) const {
-    throw UnitError(fmt::format("cannot read the unit {} ({}); {}", in_quotes(text_), why,
-                                cure(kind_)));
+    throw UnitError(
+        fmt::format("cannot read the unit {} ({}); {}", in_quotes(text_), why, cure(kind_)));
   }
 
   void skip_blanks() {
@@ -143,9 +143,10 @@ class UnitParser {
     }
     const bool alone = begin == 0 && at_ == text_.size();
     if (unit->scale && !alone) {
-      throw UnitError(fmt::format("{} is a temperature with its own zero and cannot be part of "
-                                  "a unit; write K in its place",
-                                  symbol));
+      throw UnitError(
+          fmt::format("{} is a temperature with its own zero and cannot be part of "
+                      "a unit; write K in its place",
+                      symbol));
     }
     return *unit;
   }
@@ -195,15 +196,16 @@ std::pair<double, std::string_view> split_number(std::string_view text, const Ki
                                 in_quotes(text)));
   }
   if (error != std::errc{}) {
-    throw UnitError(fmt::format("{} does not begin with a number; {}", in_quotes(text),
-                                cure(kind)));
+    throw UnitError(
+        fmt::format("{} does not begin with a number; {}", in_quotes(text), cure(kind)));
   }
   if (!std::isfinite(number)) {
     throw UnitError(fmt::format("{} is not a finite number; give {}", in_quotes(text), kind.name));
   }
   std::string_view rest = body.substr(static_cast<std::size_t>(end - body.data()));
   if (rest.starts_with(",")) {
-    throw UnitError(fmt::format("{} has a comma; write the decimals after a point", in_quotes(text)));
+    throw UnitError(
+        fmt::format("{} has a comma; write the decimals after a point", in_quotes(text)));
   }
   return {number, trimmed(rest)};
 }
@@ -212,9 +214,10 @@ void check_dimension(std::string_view unit_text, const Unit& unit, const Kind& k
   if (unit.dimension == kind.dimension) return;
   const bool reciprocal_time = unit.dimension == kShearRate.dimension;
   if (kind.dimension == kSpeed.dimension && reciprocal_time) {
-    throw UnitError(fmt::format("\"{}\" leaves open whether revolutions or radians are meant; "
-                                "write rpm, Hz (revolutions per second) or rad/s",
-                                unit_text));
+    throw UnitError(
+        fmt::format("\"{}\" leaves open whether revolutions or radians are meant; "
+                    "write rpm, Hz (revolutions per second) or rad/s",
+                    unit_text));
   }
   throw UnitError(fmt::format("\"{}\" is the unit of {}, but {} is wanted; {}", unit_text,
                               dimension_name(unit.dimension), kind.name, cure(kind)));
@@ -227,8 +230,8 @@ double parse_quantity(std::string_view text, const Kind& kind) {
   const bool plain = kind.dimension == Dimension{};
   if (unit_text.empty()) {
     if (plain) return number;
-    throw UnitError(fmt::format("{} has no unit ({} is wanted); {}", in_quotes(text), kind.name,
-                                cure(kind)));
+    throw UnitError(
+        fmt::format("{} has no unit ({} is wanted); {}", in_quotes(text), kind.name, cure(kind)));
   }
   const Unit unit = UnitParser(unit_text, kind).parse();
   check_dimension(unit_text, unit, kind);

@@ -24,35 +24,32 @@ struct Dimension {
 
 /// What a case-file value is, and how to write it.
 struct Kind {
-  const char* name;      ///< with article: "a length"
+  const char* name;  ///< with article: "a length"
   Dimension dimension;
-  const char* units;     ///< units that would do: "um, mm, m, in"
-  const char* example;   ///< a complete value: "10 mm"
+  const char* units;      ///< units that would do: "um, mm, m, in"
+  const char* example;    ///< a complete value: "10 mm"
   bool absolute = false;  ///< a temperature (with a zero), not a difference
 };
 
 inline constexpr Kind kLength{"a length", {1, 0, 0, 0, 0}, "um, mm, cm, m, in", "10 mm"};
 inline constexpr Kind kAngle{"an angle", {0, 0, 0, 0, 1}, "deg, rad, mrad", "90 deg"};
-inline constexpr Kind kSpeed{"a rotational speed", {0, 0, -1, 0, 1}, "rpm, rad/s, Hz",
-                             "3000 rpm"};
+inline constexpr Kind kSpeed{"a rotational speed", {0, 0, -1, 0, 1}, "rpm, rad/s, Hz", "3000 rpm"};
 inline constexpr Kind kForce{"a force", {1, 1, -2, 0, 0}, "N, kN, MN, lbf", "8 kN"};
 inline constexpr Kind kTorque{"a moment", {2, 1, -2, 0, 0}, "N m, N mm, kN m", "1.06 N m"};
-inline constexpr Kind kPressure{"a pressure", {-1, 1, -2, 0, 0}, "Pa, kPa, MPa, GPa, bar, psi",
-                                "2 bar"};
-inline constexpr Kind kTemperature{"a temperature", {0, 0, 0, 1, 0}, "degC, K, degF", "95 degC",
-                                   true};
+inline constexpr Kind kPressure{
+    "a pressure", {-1, 1, -2, 0, 0}, "Pa, kPa, MPa, GPa, bar, psi", "2 bar"};
+inline constexpr Kind kTemperature{
+    "a temperature", {0, 0, 0, 1, 0}, "degC, K, degF", "95 degC", true};
 inline constexpr Kind kTemperatureDifference{
     "a temperature difference", {0, 0, 0, 1, 0}, "K", "896.4 K"};
-inline constexpr Kind kPerKelvin{"a temperature coefficient", {0, 0, 0, -1, 0}, "1/K",
-                                 "0.03 1/K"};
+inline constexpr Kind kPerKelvin{"a temperature coefficient", {0, 0, 0, -1, 0}, "1/K", "0.03 1/K"};
 inline constexpr Kind kPerPressure{
     "a pressure coefficient", {1, -1, 2, 0, 0}, "1/Pa, 1/MPa, 1/GPa", "9.5e-9 1/Pa"};
-inline constexpr Kind kViscosity{"a dynamic viscosity", {-1, 1, -1, 0, 0}, "mPa s, Pa s, cP",
-                                 "8 mPa s"};
+inline constexpr Kind kViscosity{
+    "a dynamic viscosity", {-1, 1, -1, 0, 0}, "mPa s, Pa s, cP", "8 mPa s"};
 inline constexpr Kind kTime{"a time", {0, 0, 1, 0, 0}, "s, ms, us, min", "4.5e-8 s"};
 inline constexpr Kind kShearRate{"a shear rate", {0, 0, -1, 0, 0}, "1/s", "1e6 1/s"};
-inline constexpr Kind kDensity{"a density", {-3, 1, 0, 0, 0}, "kg/m3, g/cm3, kg/l",
-                               "860 kg/m3"};
+inline constexpr Kind kDensity{"a density", {-3, 1, 0, 0, 0}, "kg/m3, g/cm3, kg/l", "860 kg/m3"};
 inline constexpr Kind kConductivity{
     "a thermal conductivity", {1, 1, -3, -1, 0}, "W/(m K)", "0.14 W/(m K)"};
 inline constexpr Kind kHeatCapacity{
@@ -61,8 +58,7 @@ inline constexpr Kind kHeatCapacitySlope{
     "a slope of specific heat capacity", {2, 0, -2, -2, 0}, "J/(kg K2)", "3.4 J/(kg K2)"};
 inline constexpr Kind kHeatTransfer{
     "a heat transfer coefficient", {0, 1, -3, -1, 0}, "W/(m2 K)", "500 W/(m2 K)"};
-inline constexpr Kind kFlow{"a volume flow", {3, 0, -1, 0, 0}, "l/min, m3/s, mm3/s",
-                            "0.5 l/min"};
+inline constexpr Kind kFlow{"a volume flow", {3, 0, -1, 0, 0}, "l/min, m3/s, mm3/s", "0.5 l/min"};
 inline constexpr Kind kPower{"a power", {2, 1, -3, 0, 0}, "W, kW", "300 W"};
 inline constexpr Kind kNumber{"a plain number", {0, 0, 0, 0, 0}, "none, or %", "0.02"};
 

@@ -172,6 +172,15 @@ Verdict limit_load(const BearingModel& model, const LoadTarget& target, double c
           "switch on elastic deformation, use the Roelands law, or lower the load"};
 }
 
+Verdict closed_gap(const FilmEquilibrium& s) {
+  return {Status::no_steady_state,
+          fmt::format("the surfaces touch before the solve begins (smallest gap {:.3g} um): the clearance "
+                      "is used up by thermal growth, profile or eccentricity",
+                      s.least.h * 1e6),
+          fmt::format("phi {:.1f} deg, z {:.2f} mm", s.least.phi * 180.0 / kPi, s.least.z * 1e3),
+          "give roughness and contact data, or a larger clearance"};
+}
+
 Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residuals& r,
               int iterations) {
   const auto worst = std::max_element(
@@ -208,12 +217,22 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
                           const EquilibriumOptions& options, FilmEquilibrium& s,
                           EquilibriumCost& cost, const std::atomic<bool>* stop) {
   constexpr double kShortestReach = 1e-5;  // a step shortened this far shows that there is no way on
-  Unknowns last = unknowns_of(s);
+  constexpr double kSettledFilm = 0.03;    // the film has followed the journal: it may move on [-]
+  constexpr double kNearLoad = 0.1;        // from here on film and journal move together [-]
+  Unknowns settled = unknowns_of(s);       // last state whose film had followed
   double reach = 1.0;
   double carried = 0.0;
   double viscosity_tolerance = 1e-3;
+  bool retreated = false;
   int worst_cell = -1;
   Residuals r;
+  const auto retreat = [&] {
+    restore(settled, s);
+    reach *= 0.35;
+    retreated = true;
+    ++cost.rejected_steps;
+    return reach >= kShortestReach;
+  };
   for (int it = 0; it <= options.max_iterations; ++it) {
     if (stop && stop->load()) return {Status::interrupted, "stopped by the user", "", ""};
     bool possible = evaluate(model, growth, viscosity_tolerance, s);
@@ -222,41 +241,35 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
       possible = std::isfinite(r.film_norm) && std::isfinite(r.load_norm);
     }
     if (!possible) {
-      if (it == 0) {
-        return {Status::no_steady_state, "the surfaces touch before the solve begins: the clearance is "
-                "used up by thermal growth, profile or eccentricity",
-                fluid::place_of(model.scene.grid, 0),
-                "give roughness and contact data, or a larger clearance"};
-      }
-      restore(last, s);
-      reach *= 0.5;
-      ++cost.rejected_steps;
-      if (reach < kShortestReach) return limit_load(model, target, carried, worst_cell);
-      if (!evaluate(model, growth, viscosity_tolerance, s)) return stuck(model, s, r, it);
-      r = residuals_of(model, target, s);
-    } else {
-      last = unknowns_of(s);
-      if (r.film_norm < 1e-2) carried = std::hypot(s.force[0], s.force[1]);
-      if (r.within(options) && s.columns.mismatch <= options.viscosity_tolerance &&
-          fluid::complementary(model.scene, s.film)) {
-        return {};
-      }
-      viscosity_tolerance = std::clamp(1e-2 * (r.film_norm + r.load_norm),
-                                       0.3 * options.viscosity_tolerance, 1e-3);
+      if (it == 0) return closed_gap(s);
+      if (!retreat()) return limit_load(model, target, carried, worst_cell);
+      continue;
+    }
+    if (r.within(options) && s.columns.mismatch <= options.viscosity_tolerance &&
+        fluid::complementary(model.scene, s.film)) {
+      return {};
+    }
+    const bool follows = r.film_norm < kSettledFilm;
+    if (follows && !retreated) {
+      settled = unknowns_of(s);
+      carried = std::hypot(s.force[0], s.force[1]);
       reach = std::min(1.0, 1.5 * reach);
     }
+    retreated = false;
+    viscosity_tolerance = std::clamp(1e-2 * (r.film_norm + r.load_norm),
+                                     0.3 * options.viscosity_tolerance, 1e-3);
     ++cost.newton_iterations;
-    const NewtonStep step =
-        s.elastic.empty() ? rigid_step(model, target, s, r.film, reach, cost)
-                          : elastic_step(model, target, s, r.film, r.displacement, cost);
+    if (getenv("DBG")) fmt::print(stderr,"it {} n {} film {:.2e} load {:.2e} el {:.2e} visc {:.1e} hmin {:.4e} e {:.5f} F {:.4e} {:.4e} reach {:.2g} poss {}\n",it,s.film.p.size(),r.film_norm,r.load_norm,r.elastic_norm,s.columns.mismatch,s.least.h,std::hypot(s.position.ex(),s.position.ey())/model.clearance,s.force[0],s.force[1],reach,possible);
+    LoadTarget now = target;
+    if (s.elastic.empty() && !follows && r.load_norm > kNearLoad) now.unknowns = 0;
+    const NewtonStep step = s.elastic.empty()
+                                ? rigid_step(model, now, s, r.film, reach, cost)
+                                : elastic_step(model, now, s, r.film, r.displacement, cost);
     if (!step.good) return {Status::iteration_limit, "the film matrix is singular", "", "refine the grid"};
     const auto report = take(model, step, s.elastic.empty() ? 1.0 : reach, s);
     if (report.beyond_barus > 0) {
       worst_cell = report.worst_cell;
-      restore(last, s);
-      reach *= 0.35;
-      ++cost.rejected_steps;
-      if (reach < kShortestReach) return limit_load(model, target, carried, worst_cell);
+      if (!retreat()) return limit_load(model, target, carried, worst_cell);
     }
   }
   return stuck(model, s, r, options.max_iterations);

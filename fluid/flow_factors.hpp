@@ -47,7 +47,7 @@
 /// most 0.023. Smooth limit H -> inf: phi_x, phi_z, phi_f, phi_fp -> 1, phi_s, phi_fs -> 0.
 ///
 /// A smooth pair (sigma = 0) has exactly 1 and 0, hT = h; for h <= 0 its gap is closed: hT and
-/// phi h^3 are 0, which a film equation cannot take.
+/// phi h^3 are 0, which a film equation cannot take, and gap_shear (1/h) is not defined.
 #include <span>
 
 namespace shellback::fluid {

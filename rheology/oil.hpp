@@ -66,8 +66,8 @@ using ShearLaw = std::variant<NoShearThinning, Cross>;
 struct ConstantDensity {
   double rho;  ///< [kg/m3]
 };
-/// rho0 [(1 + 0.6e-9 p)/(1 + 1.7e-9 p) - expansivity (T - at)] in the printed form of seed 002
-/// Eq. 27, 28 (see density.hpp for the reading taken).
+/// rho0 [1 + 0.6e-9 p/(1 + 1.7e-9 p) - expansivity (T - at)]; seed 002 Eq. 27, 28 (density.hpp
+/// says how the printed fraction is read).
 struct DowsonHigginson {
   double rho0;         ///< density at `at` and ambient pressure [kg/m3]
   double at;           ///< reference temperature [K]

@@ -87,10 +87,11 @@ TEST_CASE("ZeroSpeedUnderLoadIsRefusedWithTheReason") {
 }
 
 TEST_CASE("NoSupplyIsRefusedWithTheReason") {
-  const std::string supply = kSampleCase.substr(
-      kSampleCase.find("[[supply]]"), kSampleCase.find("[operation]") - kSampleCase.find("[[supply]]"));
-  check_refused(supply, "", {"case.toml: supply", "sides", "conserves mass", "runs dry",
-                             "[[supply]]"});
+  const std::string supply =
+      kSampleCase.substr(kSampleCase.find("[[supply]]"),
+                         kSampleCase.find("[operation]") - kSampleCase.find("[[supply]]"));
+  check_refused(supply, "",
+                {"case.toml: supply", "sides", "conserves mass", "runs dry", "[[supply]]"});
   check_refused("[[supply]]", "[supply]", {"case.toml:8:1", "[[supply]], with two brackets"});
 }
 
@@ -108,9 +109,9 @@ TEST_CASE("ASupplyMustLieOnTheBearing") {
 }
 
 TEST_CASE("ALineSupplyMaySpanTheWidth") {
-  const auto read =
-      read_sample("kind = \"hole\"\nangle = \"90 deg\"\ndiameter = \"5 mm\"",
-                  "kind = \"axial_groove\"\nangle = \"90 deg\"\narc = \"0 deg\"\nlength = \"25 mm\"");
+  const auto read = read_sample(
+      "kind = \"hole\"\nangle = \"90 deg\"\ndiameter = \"5 mm\"",
+      "kind = \"axial_groove\"\nangle = \"90 deg\"\narc = \"0 deg\"\nlength = \"25 mm\"");
   CHECK(read.supplies[0].arc == 0.0);
   CHECK(read.supplies[0].length == 0.025);
 }
@@ -134,20 +135,23 @@ TEST_CASE("UnknownMaterialsAndOilsAreRefusedWithTheList") {
   check_refused("[shaft]\nmaterial = {", "[shaft]\nmaterial = \"stel\"\n#",
                 {"case.toml:34:12", "no shipped material \"stel\"", "did you mean \"steel\"?",
                  "shipped are:"});
-  const std::string oil = kSampleCase.substr(
-      kSampleCase.find("viscosity.temp"), kSampleCase.find("[shell]") - kSampleCase.find("viscosity.temp"));
-  check_refused(oil, "name = \"0w20\"\n",
-                {"case.toml:23:8", "no shipped oil \"0w20\"", "did you mean \"0W20\"?",
-                 "shipped are:"});
+  const std::string oil =
+      kSampleCase.substr(kSampleCase.find("viscosity.temp"),
+                         kSampleCase.find("[shell]") - kSampleCase.find("viscosity.temp"));
+  check_refused(
+      oil, "name = \"0w20\"\n",
+      {"case.toml:23:8", "no shipped oil \"0w20\"", "did you mean \"0W20\"?", "shipped are:"});
   check_refused(oil, "", {"case.toml:19:1", "neither name nor viscosity", "0W20"});
 }
 
 TEST_CASE("AMisspeltChoiceIsRefusedWithTheList") {
-  check_refused("\"hole\"", "\"hoel\"", {"case.toml:9:8", "did you mean \"hole\"?", "axial_groove"});
+  check_refused("\"hole\"", "\"hoel\"",
+                {"case.toml:9:8", "did you mean \"hole\"?", "axial_groove"});
   check_refused("\"vogel\"", "\"fogel\"", {"case.toml:23:", "did you mean \"vogel\"?", "reynolds"});
   check_refused("\"tehd\"", "\"thed\"", {"case.toml:37:8", "did you mean", "isothermal, lumped"});
-  check_refused("\"tehd\"", "\"auto\"",
-                {"case.toml:37:8", "does not exist in this version", "isothermal, lumped, thd, tehd"});
+  check_refused(
+      "\"tehd\"", "\"auto\"",
+      {"case.toml:37:8", "does not exist in this version", "isothermal, lumped, thd, tehd"});
   check_refused("[model]", "[model]\nedges = \"floded\"",
                 {"case.toml:37:9", "did you mean \"flooded\"?", "dry"});
   check_refused("[model]", "[model]\nflow_factors = \"on\"",
@@ -158,7 +162,8 @@ TEST_CASE("AWrongTypeIsRefused") {
   check_refused("diameter = \"50 mm\"", "diameter = [1]", {"case.toml:4:12", "a list", "a length"});
   check_refused("diameter = \"50 mm\"", "diameter = true", {"case.toml:4:12", "true/false"});
   check_refused("diameter = \"50 mm\"", "diameter = 1979-05-27", {"case.toml:4:12", "date"});
-  check_refused("[shaft]\nmaterial = {", "[shaft]\nmaterial = 3\n#", {"case.toml:34:12", "a number"});
+  check_refused("[shaft]\nmaterial = {", "[shaft]\nmaterial = 3\n#",
+                {"case.toml:34:12", "a number"});
   check_refused("back = {", "back = \"cold\"\n#", {"case.toml:31:8", "a table is wanted"});
   check_refused("title = \"sample\"", "title = 3", {"case.toml:1:9", "a text is wanted"});
   check_refused("[model]", "[model]\ngrid = [200]", {"case.toml:37:8", "[200, 25]"});
@@ -172,8 +177,9 @@ TEST_CASE("KeysThatContradictAreRefused") {
                 {"case.toml:31:", "keep one of them"});
   check_refused("pressure = \"2 bar\"", "pressure = \"2 bar\"\npressure_absolute = \"3 bar\"",
                 {"case.toml:13:21", "keep one of them"});
-  check_refused("load = ", "tilt = { about_x = \"0.1 mrad\" }\nmoment = { about_x = \"1 N m\" }\nload = ",
-                {"case.toml:18:10", "tilt is given too"});
+  check_refused(
+      "load = ", "tilt = { about_x = \"0.1 mrad\" }\nmoment = { about_x = \"1 N m\" }\nload = ",
+      {"case.toml:18:10", "tilt is given too"});
 }
 
 TEST_CASE("TiersNeedTheirData") {

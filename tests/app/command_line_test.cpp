@@ -16,16 +16,15 @@ void check_words(const std::vector<std::string>& words, const std::vector<std::s
 }  // namespace
 
 TEST_CASE("RunTakesItsOptions") {
-  const Reading reading = read_command_line(
-      {"run", "--set", "operation.speed=1500 rpm", "case.toml", "--set=model.grid=[100,20]",
-       "--tier", "thd", "--json", "-", "-o", "out.h5", "-j", "4"});
+  const Reading reading = read_command_line({"run", "--set", "operation.speed=1500 rpm",
+                                             "case.toml", "--set=model.grid=[100,20]", "--tier",
+                                             "thd", "--json", "-", "-o", "out.h5", "-j", "4"});
   INFO(reading.words);
   REQUIRE(reading.words.empty());
   const Request& r = reading.request;
   CHECK(r.command == Command::run);
   CHECK(r.case_file == "case.toml");
-  CHECK(r.set ==
-        std::vector<std::string>{"operation.speed=1500 rpm", "model.grid=[100,20]"});
+  CHECK(r.set == std::vector<std::string>{"operation.speed=1500 rpm", "model.grid=[100,20]"});
   CHECK(r.tier == "thd");
   CHECK(r.json == "-");
   CHECK(r.output == "out.h5");

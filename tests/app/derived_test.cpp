@@ -1,10 +1,11 @@
 /// The closed formulas behind `shellback check`, against printed values.
+#include "app/derived.hpp"
+
 #include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include "app/check.hpp"
-#include "app/derived.hpp"
 #include "app/library.hpp"
 #include "core/constants.hpp"
 #include "tests/app/sample_case.hpp"
@@ -65,7 +66,7 @@ TEST_CASE("TheEccentricityIsTheInverseOfTheSommerfeldNumber") {
 
 TEST_CASE("PrintedNumbersOfTheKsRigAreReproduced") {
   const auto d = derive(read_case(case_path("ks-rig-test-bearing").string()));
-  CHECK(d.eta == Approx(6.8e-3).epsilon(1e-3));  // seed 000 Table 1: 6.8 mPa s at 100 degC
+  CHECK(d.eta == Approx(6.8e-3).epsilon(1e-3));          // seed 000 Table 1: 6.8 mPa s at 100 degC
   CHECK(d.specific_load == Approx(10e6).epsilon(0.03));  // "10 MPa", rounded in the paper
   CHECK(d.speed == Approx(7.508).epsilon(1e-3));         // pi 47.8 mm 50/s, four figures
   CHECK(d.reynolds_limit == Approx(41.2 * std::sqrt(1000.0)).epsilon(1e-9));
@@ -103,10 +104,9 @@ TEST_CASE("IndicatorsNameTheEffectsThatMatter") {
 }
 
 TEST_CASE("TheEquivalentTemperatureFollowsItsFormula") {
-  const auto c = read_case_text(
-      sample_with("temperature = \"90 degC\"\n", ""), "case.toml",
-      {parse_override("measured.shell_back_temperature=88 degC"),
-       parse_override("model.equivalent_temperature.kappa=0.5")});
+  const auto c = read_case_text(sample_with("temperature = \"90 degC\"\n", ""), "case.toml",
+                                {parse_override("measured.shell_back_temperature=88 degC"),
+                                 parse_override("model.equivalent_temperature.kappa=0.5")});
   // T_supply = 80 degC, halfway to 88 degC.
   CHECK(derive(c).T - kZeroCelsius == Approx(84.0).epsilon(1e-12));
 }

@@ -134,13 +134,43 @@ TEST_CASE("FuzzRandomBytes") {
 }
 
 TEST_CASE("FuzzValuesReplacedByExtremes") {
-  const std::vector<std::string> values{
-      "0", "-0.0", "nan", "inf", "-inf", "1e308", "-1e308", "1e-320", "9223372036854775807",
-      "-9223372036854775808", "true", "\"\"", "\" \"", "\"auto\"", "\"1e308 mm\"", "\"-1e308 K\"",
-      "\"1e-320 um\"", "\"nan degC\"", "\"1e5 rpm\"", "\"5 m\"", "\"300 K\"", "\"0 deg\"",
-      "\"0 1/Pa\"", "\"1e300 Pa\"", "[]", "{}", "[[]]", "[{}]", "[1, 2]", "[1.5, \"a\"]",
-      "1979-05-27", "07:32:00", "{ law = \"none\" }", "{ law = \"constant\" }", "\"\\u0000\"",
-      "\"\\U0001F600\"", "'''x'''"};
+  const std::vector<std::string> values{"0",
+                                        "-0.0",
+                                        "nan",
+                                        "inf",
+                                        "-inf",
+                                        "1e308",
+                                        "-1e308",
+                                        "1e-320",
+                                        "9223372036854775807",
+                                        "-9223372036854775808",
+                                        "true",
+                                        "\"\"",
+                                        "\" \"",
+                                        "\"auto\"",
+                                        "\"1e308 mm\"",
+                                        "\"-1e308 K\"",
+                                        "\"1e-320 um\"",
+                                        "\"nan degC\"",
+                                        "\"1e5 rpm\"",
+                                        "\"5 m\"",
+                                        "\"300 K\"",
+                                        "\"0 deg\"",
+                                        "\"0 1/Pa\"",
+                                        "\"1e300 Pa\"",
+                                        "[]",
+                                        "{}",
+                                        "[[]]",
+                                        "[{}]",
+                                        "[1, 2]",
+                                        "[1.5, \"a\"]",
+                                        "1979-05-27",
+                                        "07:32:00",
+                                        "{ law = \"none\" }",
+                                        "{ law = \"constant\" }",
+                                        "\"\\u0000\"",
+                                        "\"\\U0001F600\"",
+                                        "'''x'''"};
   for (const std::string& text : corpus()) {
     const auto lines = lines_of(text);
     for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -157,8 +187,9 @@ TEST_CASE("FuzzValuesReplacedByExtremes") {
 }
 
 TEST_CASE("FuzzEveryQuotedValueReplacedInPlace") {
-  const std::vector<std::string> values{"\"0 mm\"", "\"-3 K\"", "\"1e30 kg/m3\"", "\"\"", "7",
-                                        "\"1e-30 Pa s\"", "\"1e9 W/(m K)\"", "{}", "\"90 degC\""};
+  const std::vector<std::string> values{"\"0 mm\"",   "\"-3 K\"",       "\"1e30 kg/m3\"",  "\"\"",
+                                        "7",          "\"1e-30 Pa s\"", "\"1e9 W/(m K)\"", "{}",
+                                        "\"90 degC\""};
   for (const std::string& text : corpus()) {
     for (std::size_t at = text.find('"'); at != std::string::npos;) {
       const std::size_t end = text.find('"', at + 1);
@@ -193,9 +224,10 @@ TEST_CASE("FuzzNestedTablesAndLists") {
 
 TEST_CASE("FuzzTheCommandLinesChanges") {
   Random random(3);
-  const std::vector<std::string> keys{"bearing.diameter", "supply.0.pressure", "supply",
-                                      "oil.viscosity",    "model.grid",        "shell.layers.0",
-                                      "x.y.z",            "a.b.c.d.e.f.g",     "supply.-1.z"};
+  const std::vector<std::string> keys{
+      "bearing.diameter", "supply.0.pressure", "supply", "oil.viscosity",
+      "model.grid",       "shell.layers.0",    "x.y.z",  "a.b.c.d.e.f.g",
+      "supply.-1.z"};
   const std::string alphabet = "[]{}=\"'.,#\n\\ aeE+-_0123456789mrp";
   for (int round = 0; round < 3000; ++round) {
     std::string value(below(random, 20), ' ');

@@ -119,10 +119,9 @@ TEST_CASE("RunAndCompareWriteTheirFiles") {
             .code == kDone);
   CHECK(exists("a.json"));
   CHECK(exists("a.h5"));
-  const Ended compared =
-      program({"compare", path, "--tiers", "isothermal,lumped", "--set", kCoarse, "--json",
-               scratch.path("b.json"), "-o", scratch.path("b.html"), "--picture",
-               scratch.path("b.svg")});
+  const Ended compared = program({"compare", path, "--tiers", "isothermal,lumped", "--set", kCoarse,
+                                  "--json", scratch.path("b.json"), "-o", scratch.path("b.html"),
+                                  "--picture", scratch.path("b.svg")});
   INFO(compared.err);
   CHECK(compared.code == kDone);
   CHECK(exists("b.json"));

@@ -75,7 +75,8 @@ TEST_CASE("DefaultsGoOnRecord") {
 }
 
 TEST_CASE("WhatIsGivenIsNoAssumption") {
-  const auto c = read_sample("[model]", "[model]\ngrid = [100, 20]\nedges = \"dry\"\ntolerance = \"2 %\"");
+  const auto c =
+      read_sample("[model]", "[model]\ngrid = [100, 20]\nedges = \"dry\"\ntolerance = \"2 %\"");
   CHECK_FALSE(holds(c.assumptions, "200 x 25"));
   CHECK_FALSE(holds(c.assumptions, "flooded"));
   CHECK(c.model.grid == std::array<int, 2>{100, 20});
@@ -85,7 +86,8 @@ TEST_CASE("WhatIsGivenIsNoAssumption") {
 
 TEST_CASE("SwitchesAreOnOffOrTheTiersOwnChoice") {
   const auto c = read_sample(
-      "[model]", "[model]\nshear_thinning = false\npressure_dependence = true\nflow_factors = \"auto\"");
+      "[model]",
+      "[model]\nshear_thinning = false\npressure_dependence = true\nflow_factors = \"auto\"");
   CHECK(c.model.switches.shear_thinning == false);
   CHECK(c.model.switches.pressure_dependence == true);
   CHECK_FALSE(c.model.switches.flow_factors.has_value());
@@ -108,7 +110,8 @@ TEST_CASE("GroovesHaveArcOrWidth") {
   CHECK(by_arc.angle == near(1.5 * kPi));  // angles count from 0 to 360 deg
   const auto by_width = read_sample(kHole, axial + "width = \"5 mm\"").supplies.at(0);
   CHECK(by_width.arc * 0.025 == near(0.005));
-  check_refused(kHole, axial + "arc = \"18 deg\"\nwidth = \"5 mm\"", {"case.toml:13:9", "keep one"});
+  check_refused(kHole, axial + "arc = \"18 deg\"\nwidth = \"5 mm\"",
+                {"case.toml:13:9", "keep one"});
   check_refused(kHole, axial, {"case.toml:8:1", "arc = \"18 deg\" or width"});
   check_refused(kHole, axial + "arc = \"360 deg\"", {"case.toml:12:7", "circumferential_groove"});
 }
@@ -126,9 +129,9 @@ TEST_CASE("ACircumferentialGrooveRunsAllRoundUnlessToldOtherwise") {
 }
 
 TEST_CASE("AbsolutePressuresLoseOneAtmosphere") {
-  const auto c = read_case_text(
-      sample_with("pressure = \"2 bar\"", "pressure_absolute = \"2 bar\""), "case.toml",
-      {parse_override("model.cavitation_pressure_absolute=100 Pa")});
+  const auto c =
+      read_case_text(sample_with("pressure = \"2 bar\"", "pressure_absolute = \"2 bar\""),
+                     "case.toml", {parse_override("model.cavitation_pressure_absolute=100 Pa")});
   CHECK(c.supplies[0].pressure == near(2e5 - 101325.0));
   CHECK(c.model.cavitation_pressure == near(100.0 - 101325.0));
 }
@@ -148,7 +151,9 @@ TEST_CASE("TheTwoPointLawPassesThroughItsPoints") {
                              "{ law = \"two-point\", eta1 = \"37.5 mPa s\", T1 = \"40 degC\", "
                              "eta2 = \"6.8 mPa s\", T2 = \"100 degC\" }");
   const auto vogel = std::get<rheology::Vogel>(c.oil.temperature);
-  const auto eta = [&](double celsius) { return vogel.A * std::exp(vogel.B / (celsius + vogel.C)); };
+  const auto eta = [&](double celsius) {
+    return vogel.A * std::exp(vogel.B / (celsius + vogel.C));
+  };
   CHECK(eta(40.0) == Approx(37.5e-3).epsilon(1e-12));  // exp and log round a few times
   CHECK(eta(100.0) == Approx(6.8e-3).epsilon(1e-12));
   CHECK(vogel.B == Approx(749.1).epsilon(1e-4));       // printed with four figures
@@ -162,13 +167,11 @@ TEST_CASE("TheTwoPointLawPassesThroughItsPoints") {
 }
 
 TEST_CASE("EveryLawOfTheOilIsRead") {
-  const auto with = [](const char* from, const char* to) {
-    return read_sample(from, to).oil;
-  };
+  const auto with = [](const char* from, const char* to) { return read_sample(from, to).oil; };
   const char* pressure = "{ law = \"barus\", alpha = \"9.5e-9 1/Pa\" }";
-  CHECK(std::get<rheology::Roelands>(
-            with(pressure, "{ law = \"roelands\", Z = 0.6 }").pressure)
-            .Z == 0.6);
+  CHECK(
+      std::get<rheology::Roelands>(with(pressure, "{ law = \"roelands\", Z = 0.6 }").pressure).Z ==
+      0.6);
   const auto houpert = std::get<rheology::Houpert>(
       with(pressure, "{ law = \"houpert\", Z = 0.6, beta = \"0.03 1/K\", at = \"40 degC\" }")
           .pressure);
@@ -341,14 +344,15 @@ TEST_CASE("EveryShippedOilAndMaterialCanBeUsed") {
   Reader reader;
   for (const std::string& name : shipped_materials(reader)) {
     INFO(name);
-    const std::string text = sample_with("[shaft]\nmaterial = {", "[shaft]\nmaterial = \"" + name + "\"\n#");
+    const std::string text =
+        sample_with("[shaft]\nmaterial = {", "[shaft]\nmaterial = \"" + name + "\"\n#");
     CHECK(refusal(text).empty());
   }
   const std::size_t at = kSampleCase.find("[oil]\n");
   const std::size_t end = kSampleCase.find("[shell]");
   for (const std::string& name : shipped_oils()) {
-    const std::string text = kSampleCase.substr(0, at) + "[oil]\nname = \"" + name + "\"\n" +
-                             kSampleCase.substr(end);
+    const std::string text =
+        kSampleCase.substr(0, at) + "[oil]\nname = \"" + name + "\"\n" + kSampleCase.substr(end);
     INFO(name);
     CHECK(refusal(text).empty());
   }

@@ -1,10 +1,11 @@
 #pragma once
 /// A complete case as text, and how the reader takes changes to it.
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include "app/read_case.hpp"
@@ -88,8 +89,7 @@ inline std::string sample_with(const std::string& from, const std::string& to) {
 }
 
 /// What the reader says against the text; "" if it takes it.
-inline std::string refusal(const std::string& text,
-                           const std::vector<std::string>& set = {}) {
+inline std::string refusal(const std::string& text, const std::vector<std::string>& set = {}) {
   try {
     std::vector<Override> overrides;
     for (const std::string& words : set) overrides.push_back(parse_override(words));

@@ -1,12 +1,14 @@
 /// Units: definitions of the SI brochure and of the inch, pound-force and Fahrenheit scale.
+#include "app/units.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <fmt/format.h>
 #include <string>
 #include <vector>
 
 #include "app/unit_table.hpp"
-#include "app/units.hpp"
 #include "core/constants.hpp"
 
 using namespace shellback;
@@ -126,8 +128,8 @@ TEST_CASE("CompoundUnitsMultiply") {
 
 TEST_CASE("WhatIsShownReadsBackTheSame") {
   const std::vector<std::pair<Kind, const char*>> list{
-      {kLength, "um"},     {kPressure, "bar"}, {kTemperature, "degC"}, {kSpeed, "rpm"},
-      {kViscosity, "mPa s"}, {kTorque, "N m"},  {kFlow, "l/min"},       {kAngle, "deg"}};
+      {kLength, "um"},       {kPressure, "bar"}, {kTemperature, "degC"}, {kSpeed, "rpm"},
+      {kViscosity, "mPa s"}, {kTorque, "N m"},   {kFlow, "l/min"},       {kAngle, "deg"}};
   for (const auto& [kind, unit] : list) {
     const double value = 0.4321;  // four digits: `show` prints no more
     const double si = parse_quantity(fmt::format("{} {}", value, unit), kind);
@@ -136,10 +138,26 @@ TEST_CASE("WhatIsShownReadsBackTheSame") {
 }
 
 TEST_CASE("EveryUnitNamedAsACureIsKnown") {
-  const std::vector<Kind> kinds{kLength, kAngle, kSpeed, kForce, kTorque, kPressure,
-                                kTemperature, kTemperatureDifference, kPerKelvin, kPerPressure,
-                                kViscosity, kTime, kShearRate, kDensity, kConductivity,
-                                kHeatCapacity, kHeatCapacitySlope, kHeatTransfer, kFlow, kPower};
+  const std::vector<Kind> kinds{kLength,
+                                kAngle,
+                                kSpeed,
+                                kForce,
+                                kTorque,
+                                kPressure,
+                                kTemperature,
+                                kTemperatureDifference,
+                                kPerKelvin,
+                                kPerPressure,
+                                kViscosity,
+                                kTime,
+                                kShearRate,
+                                kDensity,
+                                kConductivity,
+                                kHeatCapacity,
+                                kHeatCapacitySlope,
+                                kHeatTransfer,
+                                kFlow,
+                                kPower};
   for (const Kind& kind : kinds) {
     const std::string units = kind.units;
     std::size_t begin = 0;

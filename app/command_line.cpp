@@ -25,7 +25,7 @@ void add_solve_options(CLI::App& command, Request& request) {
       .add_option("--json", request.json,
                   "also write the result as JSON; - is standard output, without the table")
       ->type_name("FILE");
-  command.add_option("-j", request.threads, "threads that may be used")
+  command.add_option("-j", request.threads, "threads that may be used (this version works on one)")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
 }

@@ -8,13 +8,13 @@ const char* page_style() {
   color-scheme: light dark;
   --paper: #ffffff; --panel: #f6f7f9; --ink: #1c2430; --muted: #5b6675; --rule: #dfe3e8;
   --accent: #2f7f86; --more: #c2492f; --less: #2f7f86; --total: #46536a; --alarm: #fdecea;
-  --s0: #2b6cb0; --s1: #d08a00; --s2: #c2392b; --s3: #2f7f86; --s4: #7a4fa3;
+  --s0: #2b6cb0; --s1: #d08a00; --s2: #2f7f86; --s3: #c2392b; --s4: #7a4fa3;
 }
 @media (prefers-color-scheme: dark) {
   :root {
     --paper: #14181f; --panel: #1b212a; --ink: #e4e8ee; --muted: #9aa6b5; --rule: #2e3743;
     --accent: #5fb8bf; --more: #e8775c; --less: #5fb8bf; --total: #93a3bd; --alarm: #3a1d1a;
-    --s0: #6aa9ee; --s1: #e6b04a; --s2: #f0705f; --s3: #5fb8bf; --s4: #b794dd;
+    --s0: #6aa9ee; --s1: #e6b04a; --s2: #5fb8bf; --s3: #f0705f; --s4: #b794dd;
   }
 }
 * { box-sizing: border-box; }

@@ -18,6 +18,10 @@ constexpr double kDegrees = 180.0 / kPi;  ///< deg per rad
 constexpr double kThousandfold = 1000.0;  ///< from here on kW and kN are used
 constexpr double kMegapascal = 1e-6;      ///< MPa per Pa
 
+/// Part of the largest magnitude in its row (for a force: of both components) below which a value
+/// is round-off and shown as 0 [-].
+constexpr double kRoundOff = 1e-9;
+
 using Pair = std::pair<const char*, const char*>;
 
 constexpr std::array kLabels{
@@ -71,6 +75,19 @@ const coupling::Quantity* find(const coupling::Result& result, const std::string
   return it == q.end() ? nullptr : &*it;
 }
 
+/// Largest magnitude of a quantity over the results; the components of a force count together.
+double largest_magnitude(const std::vector<coupling::Result>& results, const std::string& name) {
+  const bool force = name == "load_x" || name == "load_y";
+  double largest = 0.0;
+  for (const auto& result : results) {
+    for (const auto& q : result.quantities) {
+      const bool counts = q.name == name || (force && (q.name == "load_x" || q.name == "load_y"));
+      if (counts && std::isfinite(q.value)) largest = std::max(largest, std::abs(q.value));
+    }
+  }
+  return largest;
+}
+
 }  // namespace
 
 std::string quantity_label(const std::string& name) {
@@ -120,11 +137,7 @@ std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,
     for (const auto& quantity : result.quantities) {
       const auto same = [&](const auto& row) { return row.name == quantity.name; };
       if (std::any_of(rows.begin(), rows.end(), same)) continue;
-      double largest = 0.0;
-      for (const auto& other : results) {
-        const auto* q = find(other, quantity.name);
-        if (q && std::isfinite(q->value)) largest = std::max(largest, std::abs(q->value));
-      }
+      const double largest = largest_magnitude(results, quantity.name);
       QuantityRow row{quantity.name,
                       quantity_label(quantity.name),
                       display_unit(quantity.name, quantity.unit, largest),
@@ -132,7 +145,9 @@ std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,
                       {}};
       for (const auto& other : results) {
         const auto* q = find(other, quantity.name);
-        row.values.push_back(q ? std::optional(row.unit(q->value)) : std::nullopt);
+        const bool round_off = q && std::abs(q->value) < kRoundOff * largest;
+        row.values.push_back(q ? std::optional(round_off ? 0.0 : row.unit(q->value))
+                               : std::nullopt);
       }
       if (const auto si = measured_si(measured, quantity.name)) row.measured = row.unit(*si);
       rows.push_back(std::move(row));

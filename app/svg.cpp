@@ -28,7 +28,7 @@ Theme page_theme() {
 
 Theme print_theme() {
   return {"#1c2430", "#5b6675", "#dfe3e8", "#ffffff",
-          "#c2492f", "#2f7f86", "#46536a", {"#2b6cb0", "#d08a00", "#c2392b", "#2f7f86", "#7a4fa3"}};
+          "#c2492f", "#2f7f86", "#46536a", {"#2b6cb0", "#d08a00", "#2f7f86", "#c2392b", "#7a4fa3"}};
 }
 
 std::string escape_markup(std::string_view text) {

@@ -34,7 +34,7 @@ struct Theme {
   std::string more;                   ///< a step that adds friction
   std::string less;                   ///< a step that takes friction away
   std::string total;                  ///< the ends of the waterfall
-  std::array<std::string, 5> series;  ///< one per tier
+  std::array<std::string, 5> series;  ///< one per tier, the last for a tier shown again
 };
 [[nodiscard]] Theme page_theme();   ///< CSS variables; the page defines them for light and dark
 [[nodiscard]] Theme print_theme();  ///< fixed colours on white

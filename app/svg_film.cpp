@@ -64,27 +64,33 @@ Mark mark(const Fields& f, int cell, const std::string& label) {
   return {{degrees_of(f.grid.phi[cell / f.grid.nz]), 1e3 * f.grid.z[cell % f.grid.nz]}, label};
 }
 
-/// Marks of the extremes that belong to the map.
-std::vector<Mark> marks_of(const Fields& f, FilmField which) {
-  const auto extreme = [](const Field& field, auto pick) {
-    return static_cast<int>(pick(field.begin(), field.end()) - field.begin());
+int index_of(const Field& field, Field::const_iterator at) {
+  return static_cast<int>(at - field.begin());
+}
+
+/// Mark of the extreme that belongs to the map. The smallest gap and the largest pressure are
+/// labelled with the reported quantities, which also know the rims; the circle is at the cell.
+std::vector<Mark> marks_of(const Result& result, FilmField which) {
+  const Fields& f = result.fields;
+  const Field& field = field_of(f, which);
+  if (!drawable(field)) return {};
+  const int highest = index_of(field, std::max_element(field.begin(), field.end()));
+  const int lowest = index_of(field, std::min_element(field.begin(), field.end()));
+  const auto shown_value = [&](const char* name, double in_field) {
+    return figures(unit_of(which)(result.has(name) ? result.value(name) : in_field), 3);
   };
-  const auto lowest = [](auto a, auto b) { return std::min_element(a, b); };
-  const auto highest = [](auto a, auto b) { return std::max_element(a, b); };
-  std::vector<Mark> marks;
-  if (which == FilmField::pressure && !f.p.empty() && drawable(f.p)) {
-    const int cell = extreme(f.p, highest);
-    marks.push_back(mark(f, cell, "p_max " + figures(unit_of(which)(f.p[cell]), 3) + " MPa"));
+  switch (which) {
+    case FilmField::pressure:
+      return {mark(f, highest, "p_max " + shown_value("p_max", field[highest]) + " MPa")};
+    case FilmField::gap:
+      return {mark(f, lowest, "h_min " + shown_value("h_min", field[lowest]) + " µm")};
+    case FilmField::temperature:
+    case FilmField::shell_temperature:
+      return {mark(f, highest, "max " + figures(unit_of(which)(field[highest]), 4) + " °C")};
+    case FilmField::fill:
+      break;
   }
-  if (which == FilmField::gap && drawable(f.h)) {
-    const int cell = extreme(f.h, lowest);
-    marks.push_back(mark(f, cell, "h_min " + figures(unit_of(which)(f.h[cell]), 3) + " µm"));
-  }
-  if (which == FilmField::temperature && drawable(f.T_mean)) {
-    const int cell = extreme(f.T_mean, highest);
-    marks.push_back(mark(f, cell, "T_max " + figures(unit_of(which)(f.T_mean[cell]), 4) + " °C"));
-  }
-  return marks;
+  return {};
 }
 
 Axis z_axis(const FilmGrid& grid) {
@@ -128,7 +134,7 @@ ColourScale common_scale(const std::vector<const Result*>& results, FilmField wh
   }
   if (low > high) low = high = 0.0;
   if (!warm) low = std::min(low, 0.0);
-  const Axis range = round_axis(low, high, 8, "");
+  const Axis range = tight_axis(low, high, 8, "");  // widened if the field is constant
   return {warm ? kWarm : kCool, range.low, range.high};
 }
 
@@ -144,7 +150,7 @@ FieldMap film_map(const Case& c, const Result& result, FilmField which, const Co
                z_axis(f.grid),
                {},
                {},
-               marks_of(f, which)};
+               marks_of(result, which)};
   for (const auto& supply : c.supplies) {
     const auto raw = supply_outline(supply, c.bearing.radius);
     for (int turn = -2; turn <= 2; ++turn) {
@@ -182,7 +188,7 @@ FieldMap across_film_map(const Result& result, const std::string& title) {
   ColourScale scale{kWarm, 0.0, 1.0};
   if (drawable(T)) {
     const auto [low, high] = std::minmax_element(T.begin(), T.end());
-    const Axis range = round_axis(*low, *high, 8, "");
+    const Axis range = tight_axis(*low, *high, 8, "");
     scale = {kWarm, range.low, range.high};
   }
   return {title,

@@ -1,5 +1,7 @@
 #include "app/svg_profiles.hpp"
 
+#include <algorithm>
+
 #include "app/quantity_label.hpp"
 #include "app/svg_film.hpp"
 
@@ -46,6 +48,15 @@ Recipe recipe(Profile which) {
           {{&Fields::T_shell_surface, " bore", ""}, {&Fields::T_shell_back, " back", "5 3"}}};
 }
 
+/// A tier keeps its colour whatever else is shown.
+const std::string& tier_colour(const coupling::Comparison& comparison, std::size_t k,
+                               const Theme& theme) {
+  const auto& results = comparison.results;
+  const auto same = [&](const auto& r) { return r.tier == results[k].tier; };
+  const bool again = std::any_of(results.begin(), results.begin() + k, same);
+  return again ? theme.series.back() : theme.series[static_cast<std::size_t>(results[k].tier)];
+}
+
 }  // namespace
 
 std::optional<LinePlot> profile_plot(const coupling::Comparison& comparison, Profile which,
@@ -60,7 +71,7 @@ std::optional<LinePlot> profile_plot(const coupling::Comparison& comparison, Pro
       if (field.empty()) continue;
       Series series = mid_line(result, field, r.unit, r.hide_supplied);
       series.name = names[k] + curve.suffix;
-      series.colour = theme.series[k % theme.series.size()];
+      series.colour = tier_colour(comparison, k, theme);
       series.dash = curve.dash;
       plot.series.push_back(std::move(series));
     }

@@ -9,7 +9,7 @@ namespace shellback::app {
 
 enum class Profile { pressure, gap, film_temperature, shell_temperature };
 
-/// One curve per result that has the field, in the colour of its column; shell temperature has
+/// One curve per result that has the field, in the colour of its tier; shell temperature has
 /// two: surface solid, back dashed. None if no result has it.
 [[nodiscard]] std::optional<LinePlot> profile_plot(const coupling::Comparison& comparison,
                                                    Profile which, const Theme& theme);

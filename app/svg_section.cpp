@@ -117,7 +117,7 @@ void draw_section(Svg& svg, const Box& box, const Case& c, const coupling::Resul
                   f.r.front(),
                   f.r.back()};
   const auto [low, high] = std::minmax_element(T.begin(), T.end());
-  const Axis range = round_axis(*low, *high, 8, "");
+  const Axis range = tight_axis(*low, *high, 8, "");
   const ColourScale scale{kWarm, range.low, range.high};
   draw_bands(svg, around(f.grid, f.r, T), scale,
              [&](double degree, double r) { return ring.at(degree, r); });

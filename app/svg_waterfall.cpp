@@ -15,6 +15,7 @@ namespace {
 constexpr double kLabelText = 11.5;    ///< [px]
 constexpr double kTop = 34.0;          ///< room for the title and the measured label [px]
 constexpr double kBottom = 40.0;       ///< room for the axis [px]
+constexpr double kThickest = 26.0;     ///< bar [px]
 constexpr double kBarShare = 0.62;     ///< of a row [-]
 constexpr double kSmallChange = 0.15;  ///< below this part of the torque the axis is cut [-]
 
@@ -119,7 +120,7 @@ void draw_waterfall(Svg& svg, const Box& box, const coupling::FrictionSplit& spl
   for (std::size_t k = 0; k < bars.size(); ++k) {
     const auto& bar = bars[k];
     const double y = frame.box.y + row * (static_cast<double>(k) + 0.5);
-    const double height = kBarShare * row;
+    const double height = std::min(kBarShare * row, kThickest);
     const double a = frame.at(bar.total ? std::max(0.0, frame.x.low) : bar.begin, 0.0).x;
     const double b = frame.at(bar.end, 0.0).x;
     const std::string words = value_text(bar, split.from);

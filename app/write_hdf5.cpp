@@ -180,7 +180,8 @@ void write_grid(hid_t file, const coupling::Fields& f) {
 void field(hid_t parent, const char* name, const std::vector<double>& values, const Shape& shape,
            const Meaning& meaning) {
   if (values.empty()) return;
-  [[maybe_unused]] const auto size = std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+  [[maybe_unused]] const auto size =
+      std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
   EXPECTS(size == values.size());
   dataset(parent, name, H5T_NATIVE_DOUBLE, values.data(), shape, meaning);
 }

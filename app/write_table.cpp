@@ -75,10 +75,15 @@ void print_effects(std::ostream& out, const Result& result) {
   }
 }
 
-void print_limiters(std::ostream& out, const Result& result) {
-  if (result.limiters.empty()) return;
-  out << "\nlimiters that acted\n";
-  for (const auto& l : result.limiters) out << fmt::format("  - {}: {} times\n", l.what, l.count);
+void print_limiters(std::ostream& out, const std::vector<Result>& results) {
+  const auto names = column_names(results);
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    for (const auto& l : results[k].limiters) {
+      lines.push_back(fmt::format("{}: {}, {} times", names[k], l.what, l.count));
+    }
+  }
+  print_list(out, "limiters that acted", lines);
 }
 
 void print_cost(std::ostream& out, const Result& result) {
@@ -164,7 +169,7 @@ void print_table(std::ostream& out, const coupling::Measured& measured, const Re
                      audit_figure(a.mass), audit_figure(a.energy), audit_figure(a.load),
                      audit_figure(a.moment));
   print_effects(out, result);
-  print_limiters(out, result);
+  print_limiters(out, {result});
   print_list(out, "warnings", result.warnings);
   print_list(out, "assumptions", result.assumptions);
   print_cost(out, result);
@@ -209,10 +214,8 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
         figures(display_unit("T_equivalent", "K")(comparison.T_calibrated)));
   }
   print_checks(out, comparison);
-  if (!results.empty()) {
-    print_effects(out, results.back());
-    for (const auto& result : results) print_limiters(out, result);
-  }
+  if (!results.empty()) print_effects(out, results.back());
+  print_limiters(out, results);
   print_list(out, "warnings", gathered(results, [](const Result& r) { return r.warnings; }));
   print_list(out, "assumptions", gathered(results, [](const Result& r) { return r.assumptions; }));
   out << '\n';

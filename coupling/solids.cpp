@@ -122,8 +122,8 @@ Field Solids::compliance(const Field& pressure) const {
 SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
                                 const std::vector<double>& T_shaft) const {
   SolidTemperature out;
-  out.shell = conduction_->solve(q.shell, q.shell_sensitivity, T_shell, surroundings_);
-  out.shaft = thermal::solve_shaft(grid_, fin_, q.shaft, q.shaft_sensitivity, T_shaft);
+  out.shell = conduction_->solve(q.shell, q.shell_conductance, T_shell, surroundings_);
+  out.shaft = thermal::solve_shaft(grid_, fin_, q.shaft, q.shaft_conductance, T_shaft);
   if (!effects_.growth) return out;
   out.growth = harmonics_.synthesise(multiply(growth_per_flux_, out.shell.flux));
   const std::vector<double> shaft =

@@ -25,8 +25,8 @@ struct SolidEffects {
 struct WallFlux {
   Field shell;                       ///< [W/m2]
   std::vector<double> shaft;         ///< circumferential mean per axial cell [W/m2]
-  double shell_sensitivity = 0.0;    ///< -d q / d T_wall of the film [W/(m2 K)]
-  double shaft_sensitivity = 0.0;
+  thermal::FilmConductance shell_conductance;  ///< -d q / d T_wall of the film [W/(m2 K)]
+  double shaft_conductance = 0.0;              ///< the same for the shaft as a whole
 };
 
 /// Temperatures of the solids and what they do to the gap.
@@ -47,7 +47,7 @@ class Solids {
   [[nodiscard]] double winkler() const { return winkler_; }
 
   /// Temperatures for the heat that the film gives at the wall temperatures `T_shell` (cells) and
-  /// `T_shaft` (axial cells) [K], Robin-coupled by the sensitivities.
+  /// `T_shaft` (axial cells) [K], Robin-coupled by the conductances.
   [[nodiscard]] SolidTemperature answer(const WallFlux& q, const Field& T_shell,
                                         const std::vector<double>& T_shaft) const;
 

@@ -11,6 +11,8 @@
 namespace shellback::coupling {
 namespace {
 
+constexpr int kLaps = 4;            ///< sweeps for the film's response to its walls
+constexpr int kResponseEvery = 4;   ///< turns after which that is measured anew
 constexpr double kTemperatureUnit = 10.0;  ///< one unit of the fixed point's temperatures [K]
 
 /// The map of the fixed point, on the states it works on.
@@ -30,6 +32,7 @@ class Turn {
   void finish();
 
  private:
+  [[nodiscard]] EquilibriumOptions film_options() const;
   void unpack(const std::vector<double>& x);
   void impose_walls(std::vector<double>& T) const;
   void heat_the_film(int sweeps, double until);
@@ -44,6 +47,8 @@ class Turn {
   HeatState& heat_;
   EquilibriumCost& cost_;
   std::vector<HistoryEntry>& history_;
+  std::vector<double> turn_T_;  ///< temperatures and growth for which the film was solved last
+  Field turn_growth_;
   Friction friction_;
   Verdict verdict_;
   int turns_ = 0;
@@ -55,6 +60,18 @@ std::vector<double> Turn::pack() const {
   for (const double T : film_.columns.T) x.push_back((T - T0) / kTemperatureUnit);
   for (const double d : heat_.growth) x.push_back(d / model_.clearance);
   return x;
+}
+
+/// No tighter than the temperatures are known: the map's noise stays well below its change.
+EquilibriumOptions Turn::film_options() const {
+  constexpr double kNoise = 1e-3;  // of the last change
+  EquilibriumOptions o = options_.film;
+  const double noise = turns_ <= 1 ? kNoise : kNoise * std::min(heat_.residual, 1.0);
+  o.film_tolerance = std::max(o.film_tolerance, noise);
+  o.load_tolerance = std::max(o.load_tolerance, noise);
+  o.elastic_tolerance = std::max(o.elastic_tolerance, noise);
+  o.viscosity_tolerance = std::max(o.viscosity_tolerance, noise);
+  return o;
 }
 
 void Turn::unpack(const std::vector<double>& x) {
@@ -108,8 +125,10 @@ void Turn::heat_the_film(int sweeps, double until) {
   heat_.T_mix = energy.mix_temperatures();
   heat_.backflow_nodes = energy.backflow_nodes();
   const ContactHeat rubbed = contact_heat(model_, film_);
-  WallFlux q{walls.shell, std::vector<double>(g.nz, 0.0), walls.shell_sensitivity,
-             walls.shaft_sensitivity};
+  if (turns_ <= 1 || turns_ % kResponseEvery == 0) heat_.response = energy.wall_response(kLaps);
+  WallFlux q{walls.shell, std::vector<double>(g.nz, 0.0),
+             {heat_.response.shell_whole, heat_.response.shell_local},
+             heat_.response.shaft_whole};
   heat_.contact_heat = 0.0;
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
@@ -155,7 +174,9 @@ void Turn::report(const std::vector<double>& x, const std::vector<double>& g) {
 bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   ++turns_;
   unpack(x);
-  verdict_ = solve_equilibrium(model_, target_, heat_.growth, options_.film, film_, cost_,
+  turn_T_ = film_.columns.T;
+  turn_growth_ = heat_.growth;
+  verdict_ = solve_equilibrium(model_, target_, heat_.growth, film_options(), film_, cost_,
                                control_.stop);
   if (!verdict_.good()) return false;
   heat_the_film(options_.sweeps, 0.0);
@@ -172,6 +193,11 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
 void Turn::finish() {
   constexpr int kMostSweeps = 400;
   constexpr double kSettled = 1e-9;  // [K]; leaves an imbalance near round-off
+  const std::vector<double> after = film_.columns.T;
+  film_.columns.T = turn_T_;
+  verdict_ = solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_,
+                               control_.stop);
+  film_.columns.T = after;
   heat_the_film(kMostSweeps, kSettled);
 }
 
@@ -196,7 +222,7 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
   const FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
   if (end == FixedPointEnd::map_failed) return turn.verdict();
   turn.finish();
-  if (end == FixedPointEnd::converged) return {};
+  if (end == FixedPointEnd::converged) return turn.verdict();
   return {Status::iteration_limit,
           fmt::format("film and heat did not settle in {} turns (last change {:.1e} of 10 K)",
                       turn.turns(), heat.residual),

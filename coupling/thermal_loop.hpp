@@ -15,7 +15,7 @@ struct ThermalOptions {
   int sweeps = 3;               ///< energy sweeps per turn (methods 3.4)
   int anderson_depth = 6;
   int max_turns = 200;
-  double tolerance = 1e-6;      ///< largest change per turn, in the units above [-]
+  double tolerance = 1e-5;      ///< largest change per turn, in the units above [-]
   double runaway = 400.0;       ///< film temperature above the supply that is taken as runaway [K]
   EquilibriumOptions film;
 };
@@ -29,6 +29,7 @@ struct HeatState {
   thermal::EnergyBalance balance;  ///< of the film, solved part [W]
   double contact_heat = 0.0;       ///< asperity heat, whole bearing [W]
   std::vector<double> T_mix;       ///< of each supply patch [K]
+  thermal::WallResponse response;  ///< of the film to its walls, refreshed in early turns
   long backflow_nodes = 0;
   double residual = 0.0;           ///< last change per turn [-]
 };

@@ -71,8 +71,7 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
       if (at_shore) shore_.push_back(g.index(i, j));
     }
   }
-  shell_sensitivity_ /= area;
-  shaft_sensitivity_ /= area;
+  shell_local_ /= area;
 }
 
 int FilmEnergy::faces_of(int i, int j, Inflow* faces) const {
@@ -142,13 +141,8 @@ void FilmEnergy::build_column(int i, int j) {
   const int m = n - 2;
   const SmallMatrix inverse = a.block(1, 1, m, m).inverse();
   std::copy_n(inverse.data(), m * m, &inverse_[static_cast<std::size_t>(cell) * m * m]);
-  // Heat into a wall per unit rise of that wall, the column following: a Schur complement.
-  const auto schur = [&](int r) {
-    return K * stiffness_[r * n + r] -
-           (a.block(r, 1, 1, m) * inverse * a.block(1, r, m, 1))(0, 0);
-  };
-  shell_sensitivity_ += schur(0);
-  shaft_sensitivity_ += schur(n - 1);
+  // Heat into the shell per unit rise of that wall, the column following: a Schur complement.
+  shell_local_ += K * stiffness_[0] - (a.block(0, 1, 1, m) * inverse * a.block(1, 0, m, 1))(0, 0);
 }
 
 void FilmEnergy::solve_column(int i, int j, std::vector<double>& T, double& change) {
@@ -255,7 +249,7 @@ double FilmEnergy::sweep(std::vector<double>& T) {
 
 WallHeat FilmEnergy::wall_heat(const std::vector<double>& T) const {
   const FilmGrid& g = *p_.grid;
-  WallHeat q{Field(g.cells(), 0.0), Field(g.cells(), 0.0), shell_sensitivity_, shaft_sensitivity_};
+  WallHeat q{Field(g.cells(), 0.0), Field(g.cells(), 0.0)};
   double r[kMostNodes];
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
@@ -267,6 +261,37 @@ WallHeat FilmEnergy::wall_heat(const std::vector<double>& T) const {
     }
   }
   return q;
+}
+
+WallResponse FilmEnergy::wall_response(int laps) const {
+  const FilmGrid& g = *p_.grid;
+  FilmEnergy film = *this;  // the same flow without any heat of its own
+  const double cold = p_.T_reference;
+  std::fill(film.p_.heat.begin(), film.p_.heat.end(), 0.0);
+  for (SupplyVessel& v : film.p_.vessels) {
+    v.T_supply = cold;
+    v.heat = 0.0;
+  }
+  film.p_.T_edge = cold;
+  double area = 0.0;
+  const auto total_heat = [&](int wall_node, bool shell) {
+    std::vector<double> T(film.p_.heat.size(), cold);
+    std::fill(film.T_mix_.begin(), film.T_mix_.end(), cold);
+    for (int c = 0; c < g.cells(); ++c) T[static_cast<std::size_t>(c) * n_ + wall_node] += 1.0;
+    for (int k = 0; k < laps; ++k) film.sweep(T);
+    const WallHeat q = film.wall_heat(T);
+    double sum = 0.0;
+    area = 0.0;
+    for (int i = 0; i < g.nt; ++i) {
+      for (int j = 0; j < g.nz; ++j) {
+        if (p_.patch[g.index(i, j)] >= 0) continue;
+        sum += (shell ? q.shell : q.shaft)[g.index(i, j)];
+        area += g.area(i, j);
+      }
+    }
+    return -sum / area;
+  };
+  return {shell_local_, total_heat(0, true), total_heat(n_ - 1, false)};
 }
 
 EnergyBalance FilmEnergy::balance(const std::vector<double>& T) const {

@@ -70,12 +70,17 @@ struct EnergyBalance {
   }
 };
 
-/// Heat through the two walls [W] per cell, out of the film, and the film's local sensitivity.
+/// Heat through the two walls [W] per cell, out of the film.
 struct WallHeat {
   Field shell;
   Field shaft;
-  double shell_sensitivity = 0.0;  ///< area mean of -d q / d T_wall, upstream fixed [W/(m2 K)]
-  double shaft_sensitivity = 0.0;
+};
+
+/// How the heat into a wall falls with its temperature, area means of -d q / d T_wall [W/(m2 K)].
+struct WallResponse {
+  double shell_local = 0.0;  ///< one column of the film warmed alone
+  double shell_whole = 0.0;  ///< all of the shell warmer: the oil follows
+  double shaft_whole = 0.0;  ///< all of the shaft warmer
 };
 
 /// Column matrices for one problem; sweeps, wall heat and balance for temperature fields.
@@ -89,6 +94,8 @@ class FilmEnergy {
   double sweep(std::vector<double>& T);
 
   [[nodiscard]] WallHeat wall_heat(const std::vector<double>& T) const;
+  /// Responses of the film to its walls; the whole-wall ones from `laps` sweeps each.
+  [[nodiscard]] WallResponse wall_response(int laps) const;
   [[nodiscard]] EnergyBalance balance(const std::vector<double>& T) const;
   [[nodiscard]] const std::vector<double>& mix_temperatures() const { return T_mix_; }
   [[nodiscard]] long backflow_nodes() const { return backflow_; }
@@ -125,8 +132,7 @@ class FilmEnergy {
   std::vector<double> T_mix_;      ///< per patch [K]
   std::vector<int> shore_;         ///< film cells with a face to a patch
   std::vector<const LineFlow*> line_west_;  ///< per face: the flow into its line
-  double shell_sensitivity_ = 0.0;
-  double shaft_sensitivity_ = 0.0;
+  double shell_local_ = 0.0;  ///< sum over columns, then the area mean [W/(m2 K)]
   long backflow_ = 0;
 };
 

@@ -217,9 +217,9 @@ ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& gri
   end_heat_ = turn * loss_weights(mesh, elements, rows, &HeatElement::ends) * nodal_[0];
 }
 
-ShellTemperature ShellConduction::solve(const Field& q, double g, const Field& t_old,
-                                        double surroundings) const {
-  EXPECTS(g >= 0.0 && q.size() == t_old.size());
+ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film,
+                                        const Field& t_old, double surroundings) const {
+  EXPECTS(film.mean >= 0.0 && film.local >= 0.0 && q.size() == t_old.size());
   const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
   ShellTemperature out;
   out.flux = harmonics_.analyse(q);
@@ -227,6 +227,7 @@ ShellTemperature ShellConduction::solve(const Field& q, double g, const Field& t
   old.col(0).array() -= surroundings;
   for (Eigen::Index c = 0; c < old.cols(); ++c) {
     const Eigen::Index n = (c + 1) / 2;
+    const double g = n == 0 ? film.mean : film.local;
     const Eigen::VectorXd y = modes_[n].transpose() * dz.cwiseProduct(out.flux.col(c));
     const Eigen::VectorXd y_old = modes_[n].transpose() * dz.cwiseProduct(old.col(c));
     // t - t_old = (lambda y - y_old) / (1 + g lambda) per mode; the flux gives way by g times it

@@ -50,6 +50,13 @@ struct ShellTemperature {
   double heat_ends = 0.0;  ///< leaving through the end faces [W]
 };
 
+/// How the heat from the film falls with the wall's temperature, -dq/dT [W/(m2 K)]. The oil follows
+/// a wall that is warmer all round, and hardly one that is warmer here and cooler there.
+struct FilmConductance {
+  double mean = 0.0;   ///< against the circumferential mean (harmonic 0)
+  double local = 0.0;  ///< against all other harmonics
+};
+
 /// Owns the operators of one geometry; solving is const and may be done from several threads.
 class ShellConduction {
  public:
@@ -63,11 +70,15 @@ class ShellConduction {
   /// changes by -g per kelvin,
   ///   T = Z (q - g (T - T_old)),
   /// solved for each harmonic, (1 + g Z_n)(t - t_old) = Z_n q_n - t_old. `q` [W/m2] and `t_old`
-  /// [K] are cell fields, g >= 0 [W/(m2 K)] is uniform; `surroundings` [K] is the ambient or the
+  /// [K] are cell fields, g >= 0 is uniform over the film, one for the mean and one for the rest; `surroundings` [K] is the ambient or the
   /// prescribed back temperature. At T = T_old the answer is that of the flux q whatever g is: g
   /// only steadies the iteration. Parts of T_old above the highest harmonic are ignored.
-  [[nodiscard]] ShellTemperature solve(const Field& q, double g, const Field& t_old,
+  [[nodiscard]] ShellTemperature solve(const Field& q, FilmConductance g, const Field& t_old,
                                        double surroundings) const;
+  [[nodiscard]] ShellTemperature solve(const Field& q, double g, const Field& t_old,
+                                       double surroundings) const {
+    return solve(q, FilmConductance{g, g}, t_old, surroundings);
+  }
 
   [[nodiscard]] const Harmonics& harmonics() const { return harmonics_; }
   /// Bore temperature rise per flux, Z_n, nz x nz [K m2/W].

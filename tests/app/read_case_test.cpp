@@ -244,9 +244,17 @@ TEST_CASE("TheCommandLineChangesTheCase") {
 TEST_CASE("SurfacesContactHousingMomentAndMeasuredAreRead") {
   const auto c = read_case_text(
       sample_with("[model]", R"([surfaces]
-shell = { roughness = "0.34 um", orientation = 12, summit_roughness = "0.28 um", summit_height = "0.39 um" }
 shaft = { roughness = "0.20 um" }
-contact = { elastic_factor = 0.001, composite_modulus = "53.3 GPa", friction = 0.02, integral = "power-law" }
+[surfaces.shell]
+roughness = "0.34 um"
+orientation = 12
+summit_roughness = "0.28 um"
+summit_height = "0.39 um"
+[surfaces.contact]
+elastic_factor = 0.001
+composite_modulus = "53.3 GPa"
+friction = 0.02
+integral = "power-law"
 [measured]
 friction_torque = "1.06 N m"
 side_flow = "0.6 l/min"

@@ -55,7 +55,7 @@ TEST_CASE("TheTableShowsEveryQuantityAndTheMeasuredDifference") {
   CHECK(text.find("-3.2 %") != std::string::npos);  // 0.968 against 1.00
   CHECK(text.find("+1.0 K") != std::string::npos);  // 99 degC against 98 degC
   CHECK(text.find("audit") != std::string::npos);
-  CHECK(text.find("step of the journal halved: 2 times") != std::string::npos);
+  CHECK(text.find("step of the journal halved, 2 times") != std::string::npos);
   CHECK(text.find("flooded edges") != std::string::npos);
 }
 
@@ -105,4 +105,16 @@ TEST_CASE("AnEmptyResultStillMakesATable") {
   std::ostringstream out;
   CHECK_NOTHROW(app::write_table(out, coupling::Result{}));
   CHECK_NOTHROW(app::write_comparison_table(out, coupling::Case{}, coupling::Comparison{}));
+}
+
+TEST_CASE("AForceComponentOfRoundOffIsShownAsNone") {
+  auto comparison = test::synthetic_comparison();
+  for (auto& q : comparison.results[0].quantities) {
+    if (q.name == "load_x") q.value = 3e-12;  // of 8 kN
+  }
+  for (const auto& row : app::quantity_rows({}, comparison.results)) {
+    if (row.name != "load_x") continue;
+    CHECK(*row.values[0] == 0.0);
+    CHECK(row.unit.unit == "kN");  // both components in one unit
+  }
 }

@@ -56,7 +56,7 @@ std::string split_sentences(const Comparison& comparison) {
       percent >= 0.0 ? "higher" : "lower");
   html +=
       fmt::format("<p>Largest cause of the difference: {} ({} N·m).", escape_markup(largest->name),
-                  typeset_number(fmt::format("{:+.3g}", largest->change)));
+                  typeset_number(signed_change(split, largest->change)));
   if (std::isfinite(comparison.T_calibrated)) {
     html += fmt::format(" The two would agree at an equivalent temperature of {} °C (calibrated).",
                         figures(display_unit("T_equivalent", "K")(comparison.T_calibrated)));

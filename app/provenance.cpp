@@ -34,7 +34,11 @@ std::vector<std::pair<std::string, std::string>> libraries() {
                                NLOHMANN_JSON_VERSION_PATCH)},
       {"toml++", dotted(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)},
       {"CLI11", CLI11_VERSION},
+#ifdef __clang__
       {"compiler", __VERSION__},
+#else
+      {"compiler", "GCC " __VERSION__},
+#endif
   };
 }
 

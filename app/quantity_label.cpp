@@ -208,6 +208,13 @@ std::string typeset_number(std::string number) {
   return number;
 }
 
+std::string signed_change(const coupling::FrictionSplit& split, double change) {
+  const double largest = std::max(std::abs(split.from), std::abs(split.to));
+  if (!(largest > 0.0) || !std::isfinite(change)) return figures(change);
+  const int decimals = std::max(0, 3 - static_cast<int>(std::floor(std::log10(largest))));
+  return fmt::format("{:+.{}f}", change, decimals);
+}
+
 double unexplained(const coupling::FrictionSplit& split) {
   double rest = split.to - split.from;
   for (const auto& step : split.steps) rest -= step.change;

@@ -64,6 +64,9 @@ enum class Writing { plain, typeset };
 /// `number` with a true minus sign.
 [[nodiscard]] std::string typeset_number(std::string number);
 
+/// A step's change with its sign [N m], to a ten-thousandth of the larger torque or finer.
+[[nodiscard]] std::string signed_change(const coupling::FrictionSplit& split, double change);
+
 /// What the steps leave unexplained: to - from - sum of the steps [N m].
 [[nodiscard]] double unexplained(const coupling::FrictionSplit& split);
 

@@ -37,11 +37,11 @@ Axis torque_axis(const std::vector<WaterfallBar>& bars, const std::optional<doub
       cut ? "friction torque [N·m] (axis does not begin at 0)" : "friction torque [N·m]");
 }
 
-std::string value_text(const WaterfallBar& bar, double from) {
+std::string value_text(const WaterfallBar& bar, const coupling::FrictionSplit& split) {
   if (bar.total) return typeset_number(figures(bar.end, 3));
   const double change = bar.end - bar.begin;
-  return typeset_number(
-      fmt::format("{:+.3g} ({:+.1f} %)", change, 100.0 * change / std::abs(from)));
+  return typeset_number(fmt::format("{} ({:+.1f} %)", signed_change(split, change),
+                                    100.0 * change / std::abs(split.from)));
 }
 
 const std::string& bar_colour(const WaterfallBar& bar, const Theme& theme) {
@@ -123,7 +123,7 @@ void draw_waterfall(Svg& svg, const Box& box, const coupling::FrictionSplit& spl
     const double height = std::min(kBarShare * row, kThickest);
     const double a = frame.at(bar.total ? std::max(0.0, frame.x.low) : bar.begin, 0.0).x;
     const double b = frame.at(bar.end, 0.0).x;
-    const std::string words = value_text(bar, split.from);
+    const std::string words = value_text(bar, split);
     svg.rect({std::min(a, b), y - 0.5 * height, std::max(std::abs(b - a), 1.0), height},
              bar_colour(bar, theme), bar.name + ": " + words + " N·m");
     if (k + 1 < bars.size()) {

@@ -133,12 +133,12 @@ void print_split(std::ostream& out, const Comparison& comparison) {
   TextTable table;
   table.add({"  isothermal at T_equivalent", figures(split.from)});
   for (const auto& step : split.steps) {
-    table.add({"  " + step.name, fmt::format("{:+.4f}", step.change),
+    table.add({"  " + step.name, signed_change(split, step.change),
                difference({}, split.from + step.change, split.from)});
   }
   const double rest = unexplained(split);
   if (std::abs(rest) > kNegligibleRest * std::max(std::abs(split.from), std::abs(split.to))) {
-    table.add({"  not accounted for", fmt::format("{:+.4f}", rest),
+    table.add({"  not accounted for", signed_change(split, rest),
                difference({}, split.from + rest, split.from)});
   }
   table.add({"  full", figures(split.to), difference({}, split.to, split.from)});

@@ -13,7 +13,7 @@ double mass(const Solution& s) {
 }
 
 double energy(const Solution& s, const Friction& f) {
-  if (!s.model.physics.film_energy) return NAN;
+  if (!s.model.physics.film_energy || !s.heat.known()) return NAN;
   const double twice = s.model.scene.grid.multiplicity();
   const auto& b = s.heat.balance;
   const double power = (f.viscous + f.asperity) * s.model.input.operation.omega;

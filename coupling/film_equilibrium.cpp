@@ -259,7 +259,6 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
     viscosity_tolerance = std::clamp(1e-2 * (r.film_norm + r.load_norm),
                                      0.3 * options.viscosity_tolerance, 1e-3);
     ++cost.newton_iterations;
-    if (getenv("DBG")) fmt::print(stderr,"it {} n {} film {:.2e} load {:.2e} el {:.2e} visc {:.1e} hmin {:.4e} e {:.5f} F {:.4e} {:.4e} reach {:.2g} poss {}\n",it,s.film.p.size(),r.film_norm,r.load_norm,r.elastic_norm,s.columns.mismatch,s.least.h,std::hypot(s.position.ex(),s.position.ey())/model.clearance,s.force[0],s.force[1],reach,possible);
     LoadTarget now = target;
     if (s.elastic.empty() && !follows && r.load_norm > kNearLoad) now.unknowns = 0;
     const NewtonStep step = s.elastic.empty()

@@ -112,6 +112,7 @@ void add_heat(const Solution& s, Quantities& q) {
     q.add("T_film_mean", s.T_film, "K");
     return;
   }
+  if (!s.heat.known()) return;  // stopped before the first heat solution
   const double twice = m.scene.grid.multiplicity();
   q.add("T_film_max", *std::max_element(s.film.columns.T.begin(), s.film.columns.T.end()), "K");
   q.add("T_film_mean", oil_mean_temperature(m, s.film), "K");
@@ -169,7 +170,7 @@ Fields fields_of(const Solution& s, const Friction& f) {
   out.tau_shell = on_full(m, f.stress.shell);
   out.elastic = on_full(m, s.film.elastic);
   out.growth = on_full(m, s.heat.growth);
-  if (!m.physics.film_energy) return out;
+  if (!m.physics.film_energy || !s.heat.known()) return out;
   out.s = m.gl.s;
   out.T = nodes_on_full(m, s.film.columns.T);
   Field mean(m.scene.grid.cells(), 0.0);

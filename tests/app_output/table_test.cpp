@@ -118,3 +118,9 @@ TEST_CASE("AForceComponentOfRoundOffIsShownAsNone") {
     CHECK(row.unit.unit == "kN");  // both components in one unit
   }
 }
+
+TEST_CASE("StepsAreShownToATenThousandthOfTheTorque") {
+  const coupling::FrictionSplit split{0.287, 0.243, {}};
+  CHECK(app::signed_change(split, -0.02519) == "-0.0252");
+  CHECK(app::signed_change({250.0, 240.0, {}}, -9.96) == "-10.0");
+}

@@ -27,7 +27,8 @@ main { max-width: 1240px; margin: 0 auto; padding: 36px 28px 64px; }
   margin: 0; font-weight: 600; }
 h1 { font-size: 28px; line-height: 1.2; margin: 4px 0 4px; font-weight: 650; }
 .scene { color: var(--muted); margin: 0 0 20px; }
-h2 { font-size: 17px; margin: 40px 0 12px; padding-bottom: 6px; border-bottom: 1px solid var(--rule);
+h2 { font-size: 17px; margin: 40px 0 12px; padding-bottom: 6px;
+  border-bottom: 1px solid var(--rule);
   font-weight: 650; }
 .verdict { background: var(--panel); border-left: 4px solid var(--accent); padding: 14px 18px;
   margin: 0 0 8px; font-size: 16px; }

@@ -8,7 +8,7 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr double kKrylovTolerance = 1e-3;  ///< tighter gains no Newton iteration (methods 2.2)
+constexpr double kKrylovTolerance = 1e-4;  ///< tighter gains no Newton iteration (methods 2.2)
 constexpr int kMostKrylov = 80;
 
 /// The Winkler system of (1)-(4), factorised.

@@ -218,17 +218,21 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
                           EquilibriumCost& cost, const std::atomic<bool>* stop) {
   constexpr double kShortestReach = 1e-5;  // a step shortened this far shows that there is no way on
   constexpr double kSettledFilm = 0.03;    // the film has followed the journal: it may move on [-]
+  constexpr double kWorseMerit = 3.0;      // a step may worsen the elastic film's residuals so far [-]
+  constexpr double kThinner = 0.25;        // and thin its smallest gap so far [-]
   constexpr double kNearLoad = 0.1;        // from here on film and journal move together [-]
   Unknowns settled = unknowns_of(s);       // last state whose film had followed
   double reach = 1.0;
   double carried = 0.0;
+  double settled_merit = INFINITY;         // elastic: judge of a step (methods 2.2)
+  double settled_gap = -INFINITY;
   double viscosity_tolerance = 1e-3;
   bool retreated = false;
   int worst_cell = -1;
   Residuals r;
   const auto retreat = [&] {
     restore(settled, s);
-    reach *= 0.35;
+    reach *= s.elastic.empty() ? 0.35 : 0.5;
     retreated = true;
     ++cost.rejected_steps;
     return reach >= kShortestReach;
@@ -249,11 +253,20 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
         fluid::complementary(model.scene, s.film)) {
       return {};
     }
-    const bool follows = r.film_norm < kSettledFilm;
+    const double merit = r.film_norm + r.load_norm + std::min(r.elastic_norm, 1e3);
+    const bool follows = s.elastic.empty() ? r.film_norm < kSettledFilm
+                                           : merit < kWorseMerit * settled_merit &&
+                                                 s.least.h > kThinner * settled_gap;
+    if (!s.elastic.empty() && !follows && !retreated) {
+      if (!retreat()) return stuck(model, s, r, it);
+      continue;
+    }
     if (follows && !retreated) {
+      settled_merit = merit;
+      settled_gap = s.least.h;
       settled = unknowns_of(s);
       carried = std::hypot(s.force[0], s.force[1]);
-      reach = std::min(1.0, 1.5 * reach);
+      reach = std::min(1.0, (s.elastic.empty() ? 1.5 : 2.0) * reach);
     }
     retreated = false;
     viscosity_tolerance = std::clamp(1e-2 * (r.film_norm + r.load_norm),
@@ -266,7 +279,8 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
                                 : elastic_step(model, now, s, r.film, r.displacement, cost);
     if (!step.good) return {Status::iteration_limit, "the film matrix is singular", "", "refine the grid"};
     const auto report = take(model, step, s.elastic.empty() ? 1.0 : reach, s);
-    if (report.beyond_barus > 0) {
+    // A rigid film of that gap has no pressure; an elastic one gives way, the step was only long.
+    if (report.beyond_barus > 0 && s.elastic.empty()) {
       worst_cell = report.worst_cell;
       if (!retreat()) return limit_load(model, target, carried, worst_cell);
     }

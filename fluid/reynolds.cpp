@@ -90,48 +90,61 @@ void assemble_film(const FilmScene& scene, const FilmFlow& flow, const UnknownMa
   fix_supply_rows(scene, a);
 }
 
+namespace {
+
+/// Adds d (c_a t_a weight_a + c_b t_b weight_b) to the row of cell `row`, which is a or b; `to_b`
+/// or `to_a` is the row's coupling to the other one.
+struct GapCoupling {
+  const FilmScene& scene;
+  const Field& c;
+  RingMatrix& m;
+  [[nodiscard]] bool film(int k) const { return scene.supply.cell[k] < 0; }
+  void add(double d, int own, double own_weight, int other, double other_weight,
+           double& coupling) const {
+    if (!film(own)) return;
+    m.c[own] += d * own_weight * c[own];
+    if (film(other)) coupling += d * other_weight * c[other];
+  }
+};
+
+}  // namespace
+
 void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Field& c,
                         RingMatrix& a) {
   const FilmGrid& g = scene.grid;
-  const auto film = [&](int k) { return scene.supply.cell[k] < 0; };
+  const GapCoupling couple{scene, c, a};
+  std::vector<double> into_line(scene.supply.has_lines ? g.cells() : 0, 0.0);
+  for (const LineFace& l : flow.lines) into_line[l.face] = l.west.d_h;
   for (int i = 0; i < g.nt; ++i) {
     const int west = g.previous(i);
     const double share = g.dphi[west] / (g.dphi[west] + g.dphi[i]);
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
       const int l = g.index(west, j);
-      if (scene.supply.line[k] < 0) {
-        const double d = flow.phi[k].d_h;
-        const double from_l = film(l) ? d * (1.0 - share) * c[l] : 0.0;
-        const double from_k = film(k) ? d * share * c[k] : 0.0;
-        if (film(l)) {
-          a.c[l] += from_l;
-          a.e[l] += from_k;
-        }
-        if (film(k)) {
-          a.c[k] -= from_k;
-          a.w[k] -= from_l;
-        }
-      }
-      const int f = i * (g.nz + 1) + j;
-      if (j > 0) {
-        const double weight = (g.z_face[j] - g.z[j - 1]) / (g.z[j] - g.z[j - 1]);
-        const double from_s = film(k - 1) ? flow.z[f].d_h * (1.0 - weight) * c[k - 1] : 0.0;
-        const double from_n = film(k) ? flow.z[f].d_h * weight * c[k] : 0.0;
-        if (film(k - 1)) {
-          a.c[k - 1] += from_s;
-          a.n[k - 1] += from_n;
-        }
-        if (film(k)) {
-          a.c[k] -= from_n;
-          a.s[k] -= from_s;
-        }
-      }
+      const double in = flow.phi[k].d_h;
+      const double out = scene.supply.line[k] < 0 ? in : into_line[k];
+      couple.add(out, l, 1.0 - share, k, share, a.e[l]);
+      couple.add(-in, k, share, l, 1.0 - share, a.w[k]);
+      if (j == 0) continue;
+      const double d = flow.z[i * (g.nz + 1) + j].d_h;
+      const double weight = (g.z_face[j] - g.z[j - 1]) / (g.z[j] - g.z[j - 1]);
+      couple.add(d, k - 1, 1.0 - weight, k, weight, a.n[k - 1]);
+      couple.add(-d, k, weight, k - 1, 1.0 - weight, a.s[k]);
     }
+    // Side edges: continued linearly from the two outermost cells, as in to_faces.
     const int first = g.index(i, 0);
     const int last = g.index(i, g.nz - 1);
-    if (film(first)) a.c[first] -= flow.z[i * (g.nz + 1)].d_h * c[first];
-    if (film(last)) a.c[last] += flow.z[i * (g.nz + 1) + g.nz].d_h * c[last];
+    const double low = flow.z[i * (g.nz + 1)].d_h;
+    const double high = flow.z[i * (g.nz + 1) + g.nz].d_h;
+    if (g.nz == 1) {
+      couple.add(high - low, first, 1.0, first, 0.0, a.c[first]);
+      continue;
+    }
+    const double beyond_low = (g.z[0] - g.z_face[0]) / (g.z[1] - g.z[0]);
+    const double beyond_high =
+        (g.z_face[g.nz] - g.z[g.nz - 1]) / (g.z[g.nz - 1] - g.z[g.nz - 2]);
+    if (!g.half) couple.add(-low, first, 1.0 + beyond_low, first + 1, -beyond_low, a.n[first]);
+    couple.add(high, last, 1.0 + beyond_high, last - 1, -beyond_high, a.s[last]);
   }
 }
 
@@ -204,18 +217,18 @@ double flow_scale(const FilmScene& scene, const FilmFlow& flow) {
 }
 
 UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const Field& step,
-                     double fraction, FilmState& s) {
+                     double fraction, FilmState& s, double most_barus) {
   UpdateReport report;
   for (std::size_t k = 0; k < step.size(); ++k) {
     if (scene.supply.cell[k] >= 0) continue;
     const double t = fraction * step[k];
     if (s.full[k]) {
-      const double x = oil.alpha[k] * t;
+      double x = oil.alpha[k] * t;
       if (x >= 1.0) {
         ++report.beyond_barus;
         report.worst_cell = static_cast<int>(k);
-        continue;
       }
+      x = std::min(x, most_barus);
       s.p[k] += oil.alpha[k] > 0.0 ? -std::log1p(-x) / oil.alpha[k] : t;
       if (s.p[k] < scene.p_cavitation) {
         s.full[k] = 0;

@@ -37,7 +37,7 @@ void assemble_film(const FilmScene& scene, const FilmFlow& flow, const UnknownMa
                    RingMatrix& matrix);
 
 /// Adds the film's response to a gap that follows the cell's own unknown, dh = compliance t:
-/// a Winkler foundation [m per unit of t]. Side edges take their cell's value.
+/// a Winkler foundation [m per unit of t]. The same averages as to_faces: exact.
 void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Field& compliance,
                         RingMatrix& matrix);
 
@@ -57,13 +57,14 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
 /// Effect of an update on the state.
 struct UpdateReport {
   int moved = 0;            ///< cells that changed between full and cavitated
-  int beyond_barus = 0;     ///< cells whose step left the range of the pressure law
+  int beyond_barus = 0;     ///< cells whose step left the range of the pressure law, alpha dp >= 1
   int worst_cell = -1;      ///< one of them
 };
 
-/// Applies the step t (scaled by `fraction`) and moves cells across.
+/// Applies the step t (scaled by `fraction`) and moves cells across. alpha dp is held to at most
+/// `most_barus`, below 1; a cell that asks for more is counted.
 UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const Field& step,
-                     double fraction, FilmState& state);
+                     double fraction, FilmState& state, double most_barus = 0.99);
 
 /// Full film at ambient pressure, supply cells at theirs: the cold start.
 [[nodiscard]] FilmState cold_film(const FilmScene& scene);

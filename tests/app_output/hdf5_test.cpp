@@ -2,9 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "app/write_hdf5.hpp"
 #include "core/contract.hpp"
@@ -14,8 +12,6 @@
 using namespace shellback;
 
 namespace {
-
-const std::string kPath = std::string(SHELLBACK_BINARY_DIR) + "/output_test.h5";
 
 /// An open file; reading through the C interface, independent of the writer's helpers.
 struct Reader {
@@ -87,9 +83,10 @@ herr_t note_unlabelled(hid_t root, const char* name, const H5O_info_t* info, voi
 }  // namespace
 
 TEST_CASE("FieldsReadBackAreThoseWritten") {
+  const test::ScratchFile scratch("output.h5");
   const auto result = test::synthetic_result();
-  app::write_hdf5(kPath, test::synthetic_case(), result);
-  const Reader file(kPath);
+  app::write_hdf5(scratch.path(), test::synthetic_case(), result);
+  const Reader file(scratch.path());
   const auto& f = result.fields;
   using Shape = std::vector<hsize_t>;
   CHECK(file.values("fields/p") == f.p);
@@ -110,9 +107,10 @@ TEST_CASE("FieldsReadBackAreThoseWritten") {
 }
 
 TEST_CASE("ScalarsReadBackWithTheirUnits") {
+  const test::ScratchFile scratch("output.h5");
   const auto result = test::synthetic_result();
-  app::write_hdf5(kPath, test::synthetic_case(), result);
-  const Reader file(kPath);
+  app::write_hdf5(scratch.path(), test::synthetic_case(), result);
+  const Reader file(scratch.path());
   for (const auto& q : result.quantities) {
     CHECK(file.number("quantities", q.name) == q.value);
     CHECK(file.text("quantities", q.name + "_unit") == q.unit);
@@ -125,8 +123,9 @@ TEST_CASE("ScalarsReadBackWithTheirUnits") {
 }
 
 TEST_CASE("EveryDatasetNamesItsUnitsAndMeaning") {
-  app::write_hdf5(kPath, test::synthetic_case(), test::synthetic_result());
-  const Reader file(kPath);
+  const test::ScratchFile scratch("output.h5");
+  app::write_hdf5(scratch.path(), test::synthetic_case(), test::synthetic_result());
+  const Reader file(scratch.path());
   std::vector<std::string> unlabelled;
   H5Ovisit2(file.file, H5_INDEX_NAME, H5_ITER_NATIVE, note_unlabelled, &unlabelled, H5O_INFO_BASIC);
   CHECK(unlabelled.empty());
@@ -135,9 +134,10 @@ TEST_CASE("EveryDatasetNamesItsUnitsAndMeaning") {
 }
 
 TEST_CASE("TheVerbatimCaseIsKept") {
+  const test::ScratchFile scratch("output.h5");
   const auto c = test::synthetic_case();
-  app::write_hdf5(kPath, c, test::synthetic_result());
-  const Reader file(kPath);
+  app::write_hdf5(scratch.path(), c, test::synthetic_result());
+  const Reader file(scratch.path());
   const hid_t id = H5Dopen2(file.file, "case/verbatim", H5P_DEFAULT);
   const hid_t type = H5Dget_type(id);
   char* text = nullptr;
@@ -149,8 +149,10 @@ TEST_CASE("TheVerbatimCaseIsKept") {
 }
 
 TEST_CASE("FieldsOfAFailedSolveAreMarkedAsSuch") {
-  app::write_hdf5(kPath, test::synthetic_case(), test::not_converged(test::synthetic_result()));
-  const Reader file(kPath);
+  const test::ScratchFile scratch("output.h5");
+  app::write_hdf5(scratch.path(), test::synthetic_case(),
+                  test::not_converged(test::synthetic_result()));
+  const Reader file(scratch.path());
   CHECK(file.number(".", "converged") == 0.0);
   CHECK(file.text(".", "status") == "iteration limit");
   CHECK_FALSE(file.text(".", "reason").empty());
@@ -158,8 +160,10 @@ TEST_CASE("FieldsOfAFailedSolveAreMarkedAsSuch") {
 }
 
 TEST_CASE("FieldsTheTierDoesNotHaveAreAbsent") {
-  app::write_hdf5(kPath, test::synthetic_case(), test::synthetic_comparison().results.front());
-  const Reader file(kPath);
+  const test::ScratchFile scratch("output.h5");
+  app::write_hdf5(scratch.path(), test::synthetic_case(),
+                  test::synthetic_comparison().results.front());
+  const Reader file(scratch.path());
   CHECK(file.has("fields/p"));
   CHECK_FALSE(file.has("fields/T"));
   CHECK_FALSE(file.has("fields/T_solid"));
@@ -167,15 +171,16 @@ TEST_CASE("FieldsTheTierDoesNotHaveAreAbsent") {
 }
 
 TEST_CASE("AResultWithoutAnyFieldsOrNotesIsStillWritten") {
+  const test::ScratchFile scratch("output.h5");
   coupling::Result bare;
-  CHECK_NOTHROW(app::write_hdf5(kPath, coupling::Case{}, bare));
-  const Reader file(kPath);
+  CHECK_NOTHROW(app::write_hdf5(scratch.path(), coupling::Case{}, bare));
+  const Reader file(scratch.path());
   CHECK(file.shape("notes/warnings") == std::vector<hsize_t>{0});
 }
 
 TEST_CASE("AFailedWriteKeepsTheOlderFileAndLeavesNothingElse") {
-  const std::string folder = std::string(SHELLBACK_BINARY_DIR) + "/output_test_dir";
-  std::filesystem::remove_all(folder);
+  const test::ScratchFile scratch("output_folder");
+  const std::string& folder = scratch.path();
   CHECK_THROWS_AS(
       app::write_hdf5(folder + "/r.h5", test::synthetic_case(), test::synthetic_result()),
       FileError);
@@ -188,5 +193,4 @@ TEST_CASE("AFailedWriteKeepsTheOlderFileAndLeavesNothingElse") {
   const auto left = std::distance(std::filesystem::directory_iterator(folder),
                                   std::filesystem::directory_iterator());
   CHECK(left == 1);
-  std::filesystem::remove_all(folder);
 }

@@ -1,5 +1,4 @@
 #include <catch2/catch.hpp>
-#include <filesystem>
 #include <limits>
 
 #include "app/quantity_label.hpp"
@@ -118,18 +117,17 @@ TEST_CASE("AnUncrossedAxisOrSingleAxialCellStillDraws") {
 }
 
 TEST_CASE("PageAndPictureAreWrittenOrRefused") {
-  const std::string base = std::string(SHELLBACK_BINARY_DIR) + "/output_test";
+  const test::ScratchFile html("page.html");
+  const test::ScratchFile picture("picture.svg");
   const auto comparison = test::synthetic_comparison();
-  app::write_comparison_html(base + ".html", test::synthetic_case(), comparison);
-  app::write_comparison_svg(base + ".svg", test::synthetic_case(), comparison);
-  CHECK(test::file_text(base + ".html") == page(comparison));
-  const std::string svg = test::file_text(base + ".svg");
+  app::write_comparison_html(html.path(), test::synthetic_case(), comparison);
+  app::write_comparison_svg(picture.path(), test::synthetic_case(), comparison);
+  CHECK(test::file_text(html.path()) == page(comparison));
+  const std::string svg = test::file_text(picture.path());
   CHECK(test::unbalanced_tag(svg) == "");
   CHECK(test::count(svg, "http") == 1);  // the name of the SVG namespace
   CHECK_FALSE(contains(svg, "var(--"));  // fixed colours: viewers need not know CSS variables
   CHECK_THROWS_AS(
       app::write_comparison_svg("/nowhere/at/all.svg", test::synthetic_case(), comparison),
       FileError);
-  std::filesystem::remove(base + ".html");
-  std::filesystem::remove(base + ".svg");
 }

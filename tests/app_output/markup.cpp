@@ -1,5 +1,8 @@
 #include "markup.hpp"
 
+#include <unistd.h>
+
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <vector>
@@ -33,6 +36,11 @@ int count(const std::string& text, const std::string& part) {
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
   return n;
 }
+
+ScratchFile::ScratchFile(const std::string& name)
+    : path_(std::string(SHELLBACK_BINARY_DIR) + "/" + std::to_string(::getpid()) + name) {}
+
+ScratchFile::~ScratchFile() { std::filesystem::remove_all(path_); }
 
 std::string file_text(const std::string& path) {
   std::ifstream in(path, std::ios::binary);

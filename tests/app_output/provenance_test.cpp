@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <filesystem>
 
 #include "app/pending_file.hpp"
 #include "core/contract.hpp"
@@ -32,7 +31,8 @@ TEST_CASE("ProvenanceNamesProgramInputAndLibraries") {
 }
 
 TEST_CASE("AFileAppearsOnlyWhenItIsComplete") {
-  const std::string path = std::string(SHELLBACK_BINARY_DIR) + "/pending_test.txt";
+  const test::ScratchFile scratch("pending.txt");
+  const std::string& path = scratch.path();
   app::write_file(path, "first");
   {
     app::PendingFile pending(path);
@@ -42,7 +42,6 @@ TEST_CASE("AFileAppearsOnlyWhenItIsComplete") {
   CHECK(test::file_text(path) == "first");
   app::write_file(path, "second");
   CHECK(test::file_text(path) == "second");
-  std::filesystem::remove(path);
 }
 
 TEST_CASE("AFileThatCannotBeWrittenIsAFileError") {

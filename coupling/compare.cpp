@@ -41,8 +41,8 @@ Torque rigid_with_heat_of(const Solution& full, bool growth, const SolveControl&
   s.verdict = solve_equilibrium(s.model, s.target, gap_growth, {}, s.film, s.cost, control.stop);
   if (!s.verdict.good()) {  // the deformed film is no start for the rigid one: begin anew
     const auto T = full.film.columns.T;
-    s.verdict = nested_rigid_start(s.model, s.target, oil_mean(full), true, s.film, s.cost,
-                                   control.stop);
+    s.verdict =
+        cold_rigid_film(s.model, s.target, oil_mean(full), true, s.film, s.cost, control.stop);
     s.film.columns.T = T;
     if (s.verdict.good()) {
       s.verdict =

@@ -10,12 +10,13 @@ namespace {
 constexpr int kCoarsestTurn = 48;  ///< circumferential cells below which nothing is gained
 constexpr int kCoarsestAxial = 5;
 
-/// The model without anything elastic or thermal, on a grid of the ladder.
-BearingModel rigid_model(const BearingModel& fine, std::array<int, 2> grid, bool isoviscous) {
-  Physics rigid = fine.physics;
-  rigid.elastic = rigid.film_energy = rigid.growth = false;
-  if (isoviscous) rigid.pressure_dependence = false;
-  return make_bearing(fine.input, rigid, grid);
+/// The model without anything elastic or thermal.
+BearingModel rigid_model(const BearingModel& model, bool isoviscous) {
+  BearingModel rigid = model;
+  rigid.physics.elastic = rigid.physics.film_energy = rigid.physics.growth = false;
+  rigid.solids.reset();
+  if (isoviscous) rigid.oil = rheology::without_pressure_effect(rigid.oil);
+  return rigid;
 }
 
 }  // namespace
@@ -64,34 +65,32 @@ FilmEquilibrium carry_over(const BearingModel& from, const FilmEquilibrium& s,
   return out;
 }
 
-Verdict nested_rigid_start(const BearingModel& fine, const LoadTarget& target, double T,
-                           bool isoviscous, FilmEquilibrium& state, EquilibriumCost& cost,
-                           const std::atomic<bool>* stop) {
-  const auto ladder = grid_ladder(fine.input.model.grid);
-  EquilibriumOptions loose;  // only the last grid is solved to the end, by the caller
-  loose.film_tolerance = 1e-5;
+HeatState carry_over(const BearingModel& from, const HeatState& heat, const BearingModel& to) {
+  HeatState out;
+  const FilmGrid& a = from.scene.grid;
+  const FilmGrid& b = to.scene.grid;
+  out.T_shell = interpolate(a, heat.T_shell, b);
+  if (to.physics.growth) out.growth = interpolate(a, heat.growth, b);
+  Field shaft(a.cells());
+  for (int c = 0; c < a.cells(); ++c) shaft[c] = heat.T_shaft[c % a.nz];
+  const Field finer = interpolate(a, shaft, b);
+  out.T_shaft.assign(finer.begin(), finer.begin() + b.nz);
+  out.residual = heat.residual;
+  return out;
+}
+
+Verdict cold_rigid_film(const BearingModel& model, const LoadTarget& target, double T,
+                        bool isoviscous, FilmEquilibrium& state, EquilibriumCost& cost,
+                        const std::atomic<bool>* stop) {
+  EquilibriumOptions loose;  // the caller solves to the end
+  loose.film_tolerance = 1e-4;
   loose.load_tolerance = 1e-3;
   loose.viscosity_tolerance = 1e-3;
-  BearingModel before;
-  FilmEquilibrium s;
-  for (std::size_t level = 0; level < ladder.size(); ++level) {
-    const bool last = level + 1 == ladder.size();
-    BearingModel model = rigid_model(fine, ladder[level], isoviscous);
-    s = level == 0 ? cold_start(model, T) : carry_over(before, s, model);
-    if (last && !isoviscous) {
-      state = std::move(s);
-      if (fine.physics.elastic) state.elastic.assign(fine.scene.grid.cells(), 0.0);
-      return {};
-    }
-    const Verdict verdict = solve_equilibrium(model, target, {}, loose, s, cost, stop);
-    if (!verdict.good()) {
-      state = carry_over(model, s, fine);
-      return verdict;
-    }
-    before = std::move(model);
-  }
-  state = carry_over(before, s, fine);
-  return {};
+  const BearingModel rigid = rigid_model(model, isoviscous);
+  state = cold_start(rigid, T);
+  const Verdict verdict = solve_equilibrium(rigid, target, {}, loose, state, cost, stop);
+  if (model.physics.elastic) state.elastic.assign(model.scene.grid.cells(), 0.0);
+  return verdict;
 }
 
 }  // namespace shellback::coupling

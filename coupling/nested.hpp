@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/film_equilibrium.hpp"
+#include "coupling/thermal_loop.hpp"
 
 namespace shellback::coupling {
 
@@ -17,11 +18,15 @@ namespace shellback::coupling {
 [[nodiscard]] FilmEquilibrium carry_over(const BearingModel& from, const FilmEquilibrium& s,
                                          const BearingModel& to);
 
-/// Rigid, isothermal film of `c` at temperature T in equilibrium on the grid of `fine`, from cold,
-/// without pressure-viscosity effect if `isoviscous` (then every load has a solution). `state` is
-/// left at the last iterate.
-[[nodiscard]] Verdict nested_rigid_start(const BearingModel& fine, const LoadTarget& target,
-                                         double T, bool isoviscous, FilmEquilibrium& state,
-                                         EquilibriumCost& cost, const std::atomic<bool>* stop);
+/// Wall temperatures and growth on another grid of the same bearing.
+[[nodiscard]] HeatState carry_over(const BearingModel& from, const HeatState& heat,
+                                   const BearingModel& to);
+
+/// Rigid, isothermal film at temperature T on the model's own grid, from cold, roughly: the start
+/// of everything else. Without pressure-viscosity effect if `isoviscous` (then every load has a
+/// solution). `state` is left at the last iterate.
+[[nodiscard]] Verdict cold_rigid_film(const BearingModel& model, const LoadTarget& target, double T,
+                                      bool isoviscous, FilmEquilibrium& state,
+                                      EquilibriumCost& cost, const std::atomic<bool>* stop);
 
 }  // namespace shellback::coupling

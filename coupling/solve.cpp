@@ -44,8 +44,8 @@ Verdict start_elastic(Solution& s, double T, const SolveControl& control) {
   constexpr double kSmallestRatio = 1.05;  // a step of the load below this is not worth taking
   double part = 1.0;
   while (true) {
-    Verdict v = nested_rigid_start(s.model, scaled(s.target, part), T, true, s.film, s.cost,
-                                   control.stop);
+    Verdict v = cold_rigid_film(s.model, scaled(s.target, part), T, true, s.film, s.cost,
+                                control.stop);
     if (!v.good()) return v;
     if (!evaluate(s.model, {}, 1e-3, s.film)) break;
     const Field opening = s.model.solids->compliance(s.film.film.p);
@@ -78,11 +78,10 @@ Verdict start_elastic(Solution& s, double T, const SolveControl& control) {
   }
 }
 
-/// First equilibrium at one temperature, from cold: rigid on coarse grids, then as the model has
-/// it.
+/// First equilibrium at one temperature, from cold, on the model's own grid.
 Verdict start(Solution& s, double T, const SolveControl& control) {
   if (s.model.physics.elastic) return start_elastic(s, T, control);
-  Verdict v = nested_rigid_start(s.model, s.target, T, false, s.film, s.cost, control.stop);
+  Verdict v = cold_rigid_film(s.model, s.target, T, false, s.film, s.cost, control.stop);
   if (!v.good()) return v;
   return solve_equilibrium(s.model, s.target, s.heat.growth, {}, s.film, s.cost, control.stop);
 }
@@ -94,17 +93,18 @@ void set_uniform_temperature(Solution& s, double T) {
 
 /// Mean film temperature from the heat balance of the whole bearing: all friction heat leaves with
 /// the oil, which is as warm as the film, rho cp Q (T - T_supply) = P. Secant on T.
-Verdict solve_lumped(Solution& s, const SolveControl& control) {
+Verdict solve_lumped(Solution& s, bool warm, const SolveControl& control) {
   constexpr int kMostTurns = 60;
   constexpr double kSettled = 1e-7;  // [K]
   const double T_supply = s.model.input.supplies.front().temperature;
-  double T = T_supply;
+  double T = warm ? s.T_film : T_supply;
   double before_T = T;
   double before_gap = 0.0;
   for (int turn = 0; turn < kMostTurns; ++turn) {
     set_uniform_temperature(s, T);
-    Verdict v = turn == 0 ? start(s, T, control)
-                          : solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
+    Verdict v = turn == 0 && !warm
+                    ? start(s, T, control)
+                    : solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
     if (!v.good()) return v;
     const Friction f = friction_of(s.model, s.film);
     const double power = std::abs((f.viscous + f.asperity) * s.model.input.operation.omega) +
@@ -132,12 +132,56 @@ Verdict solve_lumped(Solution& s, const SolveControl& control) {
   return {Status::iteration_limit, "the heat balance did not settle", "", "try tier thd"};
 }
 
-Verdict solve_resolved(Solution& s, const SolveControl& control) {
-  const double T = s.model.input.supplies.front().temperature;
-  s.heat = cold_heat(s.model, T);
-  Verdict v = start(s, T, control);
-  if (!v.good()) return v;
-  return solve_thermal(s.model, s.target, {}, control, s.film, s.heat, s.cost, s.history);
+Verdict solve_isothermal(Solution& s, bool warm, const SolveControl& control) {
+  set_uniform_temperature(s, s.T_film);
+  if (!warm) return start(s, s.T_film, control);
+  return solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
+}
+
+Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveControl& control) {
+  if (!warm) {
+    const double T = s.model.input.supplies.front().temperature;
+    s.heat = cold_heat(s.model, T);
+    const Verdict v = start(s, T, control);
+    if (!v.good()) return v;
+  }
+  ThermalOptions options;
+  options.tolerance = std::max(options.tolerance, tolerance);
+  return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
+}
+
+/// Solves on every grid of the ladder, each from the one before; a coarse grid that fails is left
+/// out, and the next one starts from cold.
+void climb(const Case& c, Tier tier, const SolveControl& control,
+           std::shared_ptr<const Solids> solids, Solution& s) {
+  constexpr double kCoarseTolerance = 3e-3;  // coarse grids only give the start of the next
+  const auto ladder = grid_ladder(c.model.grid);
+  s.target = load_target(c);
+  bool warm = false;
+  for (std::size_t level = 0; level < ladder.size(); ++level) {
+    const bool last = level + 1 == ladder.size();
+    BearingModel model =
+        make_bearing(c, physics_of(c, tier), ladder[level], last ? solids : nullptr);
+    if (warm) {
+      s.film = carry_over(s.model, s.film, model);
+      if (model.physics.film_energy) s.heat = carry_over(s.model, s.heat, model);
+    }
+    s.model = std::move(model);
+    if (!warm) {
+      s.film = cold_start(s.model, s.T_film);
+      s.heat = {};
+    }
+    switch (tier) {
+      case Tier::isothermal: s.verdict = solve_isothermal(s, warm, control); break;
+      case Tier::lumped: s.verdict = solve_lumped(s, warm, control); break;
+      case Tier::thd:
+      case Tier::tehd:
+        s.verdict = solve_resolved(s, warm, last ? 0.0 : kCoarseTolerance, control);
+        break;
+    }
+    if (s.verdict.status == Status::interrupted) return;
+    warm = s.verdict.good();
+  }
 }
 
 }  // namespace
@@ -146,17 +190,8 @@ Solution solve_tier(const Case& c, Tier tier, const SolveControl& control,
                     std::shared_ptr<const Solids> solids) {
   const auto begin = std::chrono::steady_clock::now();
   Solution s;
-  s.model = make_bearing(c, physics_of(c, tier), c.model.grid, std::move(solids));
-  s.target = load_target(c);
-  switch (tier) {
-    case Tier::isothermal:
-      s.T_film = equivalent_temperature(c);
-      s.verdict = start(s, s.T_film, control);
-      break;
-    case Tier::lumped: s.verdict = solve_lumped(s, control); break;
-    case Tier::thd:
-    case Tier::tehd: s.verdict = solve_resolved(s, control); break;
-  }
+  s.T_film = tier == Tier::isothermal ? equivalent_temperature(c) : c.supplies.front().temperature;
+  climb(c, tier, control, std::move(solids), s);
   s.wall_s = seconds_since(begin);
   return s;
 }
@@ -164,10 +199,8 @@ Solution solve_tier(const Case& c, Tier tier, const SolveControl& control,
 Solution solve_isothermal_at(const Case& c, double T, const SolveControl& control) {
   const auto begin = std::chrono::steady_clock::now();
   Solution s;
-  s.model = make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid);
-  s.target = load_target(c);
   s.T_film = T;
-  s.verdict = start(s, T, control);
+  climb(c, Tier::isothermal, control, nullptr, s);
   s.wall_s = seconds_since(begin);
   return s;
 }

@@ -1,0 +1,194 @@
+#include "core/grid.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numeric>
+
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+
+using namespace shellback;
+
+namespace {
+
+constexpr double kRadius = 0.02;   // [m]
+constexpr double kWidth = 0.024;   // [m]
+constexpr double kSlack = 1e-13;   // round-off of a few sums of numbers of order one
+
+double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); }
+
+double nearest_face(const std::vector<double>& face, double at, double period) {
+  double least = INFINITY;
+  for (const double f : face) {
+    const double d = f - at;
+    least = std::min(least, std::abs(period > 0.0 ? std::remainder(d, period) : d));
+  }
+  return least;
+}
+
+void check_cells(const FilmGrid& g) {
+  CHECK(static_cast<int>(g.phi.size()) == g.nt);
+  CHECK(static_cast<int>(g.dphi.size()) == g.nt);
+  CHECK(static_cast<int>(g.phi_face.size()) == g.nt + 1);
+  CHECK(static_cast<int>(g.z.size()) == g.nz);
+  CHECK(static_cast<int>(g.dz.size()) == g.nz);
+  CHECK(static_cast<int>(g.z_face.size()) == g.nz + 1);
+  for (int i = 0; i < g.nt; ++i) {
+    CHECK(g.dphi[i] > 0.0);
+    CHECK(std::abs(g.phi_face[i + 1] - g.phi_face[i] - g.dphi[i]) < kSlack);
+  }
+  for (int j = 0; j < g.nz; ++j) {
+    CHECK(g.dz[j] > 0.0);
+    CHECK(g.z[j] >= g.z_face[j]);
+    CHECK(g.z[j] < g.z_face[j + 1]);
+  }
+  CHECK(std::abs(sum(g.dphi) - 2.0 * kPi) < kSlack);
+  CHECK(std::abs(g.multiplicity() * sum(g.dz) - g.width) < kSlack * g.width);
+}
+
+/// The half grid must be the upper half of the full grid, cell by cell.
+void check_half(int full_nz, const std::vector<double>& z_edges) {
+  std::vector<double> both = z_edges;
+  for (const double z : z_edges) both.push_back(-z);
+  const FilmGrid half = make_grid(kRadius, kWidth, 20, full_nz, true, {}, z_edges);
+  const FilmGrid full = make_grid(kRadius, kWidth, 20, full_nz, false, {}, both);
+  check_cells(half);
+  check_cells(full);
+  REQUIRE(half.full_nz() == full_nz);
+  const int skip = full_nz - half.nz;
+  for (int j = 0; j < half.nz; ++j) {
+    CHECK(std::abs(half.z[j] - full.z[skip + j]) < kSlack * kWidth);
+    CHECK(std::abs(half.z_face[j + 1] - full.z_face[skip + j + 1]) < kSlack * kWidth);
+    const double share = j == 0 && full_nz % 2 == 1 ? 0.5 : 1.0;
+    CHECK(std::abs(half.dz[j] - share * full.dz[skip + j]) < kSlack * kWidth);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("CellsCoverTheBearing") {
+  for (const bool half : {false, true}) {
+    for (const int nz : {1, 2, 5, 12}) {
+      check_cells(make_grid(kRadius, kWidth, 16, nz, half));
+      check_cells(make_grid(kRadius, kWidth, 37, nz, half, {0.1, 0.5, 6.0, 3.3}));
+    }
+    check_cells(make_grid(kRadius, kWidth, 16, 15, half, {}, {-0.004, 0.004, 0.009, -0.009}));
+  }
+}
+
+TEST_CASE("FacesLieOnTheEdgesAskedFor") {
+  const std::vector<double> phi{-0.4, 0.4, 2.0, 9.0, 4.9 - 2.0 * kPi};
+  const std::vector<double> z{-0.007, 0.002, 0.0051};
+  for (const int nt : {20, 61, 200}) {
+    const FilmGrid g = make_grid(kRadius, kWidth, nt, 15, false, phi, z);
+    CHECK(g.nt == nt);
+    CHECK(g.nz == 15);
+    for (const double e : phi) CHECK(nearest_face(g.phi_face, e, 2.0 * kPi) < kSlack);
+    for (const double e : z) CHECK(nearest_face(g.z_face, e, 0.0) < kSlack * kWidth);
+  }
+  for (const int nz : {15, 16}) {
+    const FilmGrid g = make_grid(kRadius, kWidth, 20, nz, true, {}, {-0.007, 0.007, 0.0031});
+    for (const double e : {0.007, 0.0031}) CHECK(nearest_face(g.z_face, e, 0.0) < kSlack * kWidth);
+  }
+}
+
+TEST_CASE("CellsAreAsEvenAsTheEdgesAllow") {
+  const FilmGrid g = make_grid(kRadius, kWidth, 40, 10, false, {1.0, 1.3, 4.0});
+  // A segment of s even cells holds s rounded cells: at worst 1.5 instead of 1 or 2.
+  for (const double d : g.dphi) CHECK(std::abs(std::log(d / (2.0 * kPi / 40))) < std::log(1.51));
+  for (const double d : g.dz) CHECK(std::abs(d - kWidth / 10) < kSlack);
+}
+
+TEST_CASE("EdgesCloserThanAFifthOfACellAreOne") {
+  const double cell = 2.0 * kPi / 24;
+  const FilmGrid merged = make_grid(kRadius, kWidth, 24, 4, false, {1.0, 1.0 + 0.1 * cell});
+  for (const double d : merged.dphi) CHECK(std::abs(d - cell) < kSlack);
+  const FilmGrid kept = make_grid(kRadius, kWidth, 24, 4, false, {1.0, 1.0 + 0.3 * cell});
+  CHECK(nearest_face(kept.phi_face, 1.0 + 0.3 * cell, 2.0 * kPi) < kSlack);
+  const FilmGrid seam = make_grid(kRadius, kWidth, 24, 4, false, {0.0, -0.1 * cell});
+  for (const double d : seam.dphi) CHECK(std::abs(d - cell) < kSlack);
+}
+
+TEST_CASE("MoreEdgesThanCellsAreRefused") {
+  CHECK_THROWS_AS(make_grid(kRadius, kWidth, 3, 4, false, {0.0, 1.0, 2.0, 3.0}), InputError);
+}
+
+TEST_CASE("TheHalfGridIsHalfOfTheFullGrid") {
+  for (const int nz : {1, 2, 3, 4, 9, 10, 25}) check_half(nz, {});
+  for (const int nz : {10, 16, 24}) check_half(nz, {0.006});
+  for (const int nz : {9, 15, 25, 33}) check_half(nz, {0.005});
+  check_half(25, {0.003, 0.008});
+  check_half(26, {0.003, 0.008});
+}
+
+TEST_CASE("AMirroredFieldIsSymmetricAndHasTheSameIntegral") {
+  for (const int nz : {7, 8}) {
+    const FilmGrid half = make_grid(kRadius, kWidth, 9, nz, true, {0.3, 1.1}, {0.0042});
+    const FilmGrid full = full_grid(half);
+    check_cells(full);
+    REQUIRE(full.nz == nz);
+    Field f(static_cast<std::size_t>(half.cells()));
+    double integral = 0.0;
+    for (int i = 0; i < half.nt; ++i) {
+      for (int j = 0; j < half.nz; ++j) {
+        f[half.index(i, j)] = std::cos(half.phi[i]) + 1e4 * half.z[j] * half.z[j];
+        integral += half.multiplicity() * half.area(i, j) * f[half.index(i, j)];
+      }
+    }
+    const Field whole = mirror_to_full(half, f);
+    for (int i = 0; i < full.nt; ++i) {
+      for (int j = 0; j < full.nz; ++j) {
+        const double exact = std::cos(full.phi[i]) + 1e4 * full.z[j] * full.z[j];
+        CHECK(std::abs(whole[full.index(i, j)] - exact) < kSlack);
+        integral -= full.area(i, j) * whole[full.index(i, j)];
+      }
+    }
+    CHECK(std::abs(integral) < kSlack * kRadius * kWidth * 2.0 * kPi);
+  }
+}
+
+TEST_CASE("InterpolationIsExactForAFieldLinearInZ") {
+  const FilmGrid from = make_grid(kRadius, kWidth, 13, 9, false, {0.4}, {0.003});
+  const FilmGrid to = make_grid(kRadius, kWidth, 29, 7, false, {5.0, 1.0});
+  Field f(static_cast<std::size_t>(from.cells()));
+  for (int k = 0; k < from.cells(); ++k) f[k] = 2.0 + 300.0 * from.z[k % from.nz];
+  const Field g = interpolate(from, f, to);
+  for (int k = 0; k < to.cells(); ++k) {
+    const double z = to.z[k % to.nz];
+    const double held = std::max(from.z.front(), std::min(from.z.back(), z));
+    CHECK(std::abs(g[k] - (2.0 + 300.0 * held)) < 10.0 * kSlack);
+  }
+}
+
+TEST_CASE("InterpolationConvergesWithSecondOrderAcrossTheSeam") {
+  double last = 0.0;
+  for (const int nt : {16, 32, 64}) {
+    const FilmGrid from = make_grid(kRadius, kWidth, nt, 4, false);
+    const FilmGrid to = make_grid(kRadius, kWidth, 101, 4, false, {2.7});
+    Field f(static_cast<std::size_t>(from.cells()));
+    for (int k = 0; k < from.cells(); ++k) f[k] = std::sin(from.phi[k / from.nz] + 0.3);
+    const Field g = interpolate(from, f, to);
+    double worst = 0.0;
+    for (int k = 0; k < to.cells(); ++k) {
+      worst = std::max(worst, std::abs(g[k] - std::sin(to.phi[k / to.nz] + 0.3)));
+    }
+    CHECK(worst < 1.01 * std::pow(2.0 * kPi / nt, 2) / 8.0);  // d^2/8 of linear interpolation
+    if (last > 0.0) CHECK(worst < 0.3 * last);
+    last = worst;
+  }
+}
+
+TEST_CASE("InterpolationOntoTheSameGridChangesNothing") {
+  for (const bool half : {false, true}) {
+    const FilmGrid g = make_grid(kRadius, kWidth, 17, 7, half, {1.0, 2.2});
+    Field f(static_cast<std::size_t>(g.cells()));
+    for (int k = 0; k < g.cells(); ++k) f[k] = std::sin(37.0 * k);
+    const Field same = interpolate(g, f, g);
+    for (int k = 0; k < g.cells(); ++k) CHECK(std::abs(same[k] - f[k]) < 10.0 * kSlack);
+    const Field whole = interpolate(g, f, full_grid(g));
+    const Field mirrored = mirror_to_full(g, f);
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+      CHECK(std::abs(whole[k] - mirrored[k]) < 10.0 * kSlack);
+    }
+  }
+}

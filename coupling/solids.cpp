@@ -106,6 +106,18 @@ void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMes
   }
   boundary.back_line = thermal::outer_line(mesh, layers.last_of_shell);
   conduction_.emplace(mesh, grid_, k, boundary, harmonics_);
+  const Field one(grid_.cells(), 1.0);
+  const Field cold(grid_.cells(), 0.0);
+  double sum = 0.0;
+  double area = 0.0;
+  const auto rise = conduction_->solve(one, 0.0, cold, 0.0);
+  for (int i = 0; i < grid_.nt; ++i) {
+    for (int j = 0; j < grid_.nz; ++j) {
+      sum += grid_.area(i, j) * rise.surface[grid_.index(i, j)];
+      area += grid_.area(i, j);
+    }
+  }
+  shell_resistance_ = sum / area;
   fin_ = {c.shaft->material.conductivity, c.shaft->overhang, c.shaft->heat_transfer,
           c.shaft->ambient};
 }
@@ -119,11 +131,50 @@ Field Solids::compliance(const Field& pressure) const {
   return apply(harmonics_, compliance_, pressure, Tail::last);
 }
 
+Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
+                                       const std::vector<double>& T_shaft) const {
+  double flux_shell = 0.0;
+  double flux_shaft = 0.0;
+  double warm_shell = 0.0;
+  double warm_shaft = 0.0;
+  double area = 0.0;
+  for (int i = 0; i < grid_.nt; ++i) {
+    for (int j = 0; j < grid_.nz; ++j) {
+      const double a = grid_.area(i, j);
+      flux_shell += a * q.shell[grid_.index(i, j)];
+      flux_shaft += a * q.shaft[j];
+      warm_shell += a * T_shell[grid_.index(i, j)];
+      warm_shaft += a * T_shaft[j];
+      area += a;
+    }
+  }
+  const double fin = 2.0 * thermal::fin_conductance(grid_.radius, fin_) /
+                     (area * grid_.multiplicity());  // both sides [W/(m2 K)]
+  // dTs (1 + R Gs) - R across dTj = R qs - (Ts - surroundings)
+  // -back dTs + (fin + Gj) dTj    = qj - fin (Tj - ambient)
+  const auto& r = q.response;
+  const double a11 = 1.0 + shell_resistance_ * r.shell;
+  const double a12 = -shell_resistance_ * r.across;
+  const double a21 = -r.back;
+  const double a22 = fin + r.shaft;
+  const double b1 = shell_resistance_ * flux_shell / area - (warm_shell / area - surroundings_);
+  const double b2 = flux_shaft / area - fin * (warm_shaft / area - fin_.ambient);
+  const double det = a11 * a22 - a12 * a21;
+  if (!(det > 0.0)) return {};
+  return {(b1 * a22 - a12 * b2) / det, (a11 * b2 - a21 * b1) / det};
+}
+
 SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
                                 const std::vector<double>& T_shaft) const {
   SolidTemperature out;
-  out.shell = conduction_->solve(q.shell, q.shell_conductance, T_shell, surroundings_);
-  out.shaft = thermal::solve_shaft(grid_, fin_, q.shaft, q.shaft_conductance, T_shaft);
+  const MeanChange mean = mean_change(q, T_shell, T_shaft);
+  Field to_shell = q.shell;
+  for (double& x : to_shell) x += q.response.across * mean.shaft;
+  std::vector<double> to_shaft = q.shaft;
+  for (double& x : to_shaft) x += q.response.back * mean.shell;
+  out.shell = conduction_->solve(to_shell, {q.response.shell, q.response.shell_local}, T_shell,
+                                 surroundings_);
+  out.shaft = thermal::solve_shaft(grid_, fin_, to_shaft, q.response.shaft, T_shaft);
   if (!effects_.growth) return out;
   out.growth = harmonics_.synthesise(multiply(growth_per_flux_, out.shell.flux));
   const std::vector<double> shaft =

@@ -9,6 +9,7 @@
 #include "core/harmonics.hpp"
 #include "core/revolution_mesh.hpp"
 #include "coupling/case.hpp"
+#include "thermal/film_energy.hpp"
 #include "thermal/revolution_conduction.hpp"
 #include "thermal/shaft_fin.hpp"
 
@@ -25,8 +26,7 @@ struct SolidEffects {
 struct WallFlux {
   Field shell;                       ///< [W/m2]
   std::vector<double> shaft;         ///< circumferential mean per axial cell [W/m2]
-  thermal::FilmConductance shell_conductance;  ///< -d q / d T_wall of the film [W/(m2 K)]
-  double shaft_conductance = 0.0;              ///< the same for the shaft as a whole
+  thermal::WallResponse response;    ///< of the film to its walls
 };
 
 /// Temperatures of the solids and what they do to the gap.
@@ -47,7 +47,9 @@ class Solids {
   [[nodiscard]] double winkler() const { return winkler_; }
 
   /// Temperatures for the heat that the film gives at the wall temperatures `T_shell` (cells) and
-  /// `T_shaft` (axial cells) [K], Robin-coupled by the conductances.
+  /// `T_shaft` (axial cells) [K], Robin-coupled by the film's response. The means of both walls
+  /// are found together first: heat passes from one to the other through the film far more easily
+  /// than out of the bearing, so that one after the other they would settle slowly.
   [[nodiscard]] SolidTemperature answer(const WallFlux& q, const Field& T_shell,
                                         const std::vector<double>& T_shaft) const;
 
@@ -68,6 +70,13 @@ class Solids {
 
  private:
   void build_compliance(const Case& c, const HarmonicOperator& shell);
+  /// Changes of the mean shell and shaft temperature that balance the heat [K].
+  struct MeanChange {
+    double shell = 0.0;
+    double shaft = 0.0;
+  };
+  [[nodiscard]] MeanChange mean_change(const WallFlux& q, const Field& T_shell,
+                                       const std::vector<double>& T_shaft) const;
   void build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh);
 
   FilmGrid grid_;
@@ -76,6 +85,7 @@ class Solids {
   HarmonicOperator compliance_;
   double winkler_ = 0.0;
   std::optional<thermal::ShellConduction> conduction_;
+  double shell_resistance_ = 0.0;  ///< mean bore rise per uniform flux [K m2/W]
   HarmonicOperator growth_per_flux_;
   Eigen::VectorXd uniform_growth_;  ///< of the bore per kelvin, per axial cell [m/K]
   thermal::ShaftFin fin_;

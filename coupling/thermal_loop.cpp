@@ -126,9 +126,7 @@ void Turn::heat_the_film(int sweeps, double until) {
   heat_.backflow_nodes = energy.backflow_nodes();
   const ContactHeat rubbed = contact_heat(model_, film_);
   if (turns_ <= 1 || turns_ % kResponseEvery == 0) heat_.response = energy.wall_response(kLaps);
-  WallFlux q{walls.shell, std::vector<double>(g.nz, 0.0),
-             {heat_.response.shell_whole, heat_.response.shell_local},
-             heat_.response.shaft_whole};
+  WallFlux q{walls.shell, std::vector<double>(g.nz, 0.0), heat_.response};
   heat_.contact_heat = 0.0;
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/contract.hpp"
@@ -273,25 +274,29 @@ WallResponse FilmEnergy::wall_response(int laps) const {
     v.heat = 0.0;
   }
   film.p_.T_edge = cold;
-  double area = 0.0;
-  const auto total_heat = [&](int wall_node, bool shell) {
+  // Mean heat into both walls per kelvin of one wall.
+  const auto per_kelvin = [&](int wall_node) {
     std::vector<double> T(film.p_.heat.size(), cold);
     std::fill(film.T_mix_.begin(), film.T_mix_.end(), cold);
     for (int c = 0; c < g.cells(); ++c) T[static_cast<std::size_t>(c) * n_ + wall_node] += 1.0;
     for (int k = 0; k < laps; ++k) film.sweep(T);
     const WallHeat q = film.wall_heat(T);
-    double sum = 0.0;
-    area = 0.0;
+    std::array<double, 2> sum{};
+    double area = 0.0;
     for (int i = 0; i < g.nt; ++i) {
       for (int j = 0; j < g.nz; ++j) {
-        if (p_.patch[g.index(i, j)] >= 0) continue;
-        sum += (shell ? q.shell : q.shaft)[g.index(i, j)];
+        const int c = g.index(i, j);
+        if (p_.patch[c] >= 0) continue;
+        sum[0] += q.shell[c];
+        sum[1] += q.shaft[c];
         area += g.area(i, j);
       }
     }
-    return -sum / area;
+    return std::array<double, 2>{sum[0] / area, sum[1] / area};
   };
-  return {shell_local_, total_heat(0, true), total_heat(n_ - 1, false)};
+  const auto by_shell = per_kelvin(0);
+  const auto by_shaft = per_kelvin(n_ - 1);
+  return {-by_shell[0], -by_shaft[1], by_shaft[0], by_shell[1], shell_local_};
 }
 
 EnergyBalance FilmEnergy::balance(const std::vector<double>& T) const {

@@ -76,11 +76,15 @@ struct WallHeat {
   Field shaft;
 };
 
-/// How the heat into a wall falls with its temperature, area means of -d q / d T_wall [W/(m2 K)].
+/// How the heat into the walls answers to their temperatures, area means [W/(m2 K)]:
+/// d q_shell = -shell d T_shell + across d T_shaft, d q_shaft = back d T_shell - shaft d T_shaft,
+/// each wall warmer as a whole and the oil following.
 struct WallResponse {
-  double shell_local = 0.0;  ///< one column of the film warmed alone
-  double shell_whole = 0.0;  ///< all of the shell warmer: the oil follows
-  double shaft_whole = 0.0;  ///< all of the shaft warmer
+  double shell = 0.0;
+  double shaft = 0.0;
+  double across = 0.0;
+  double back = 0.0;
+  double shell_local = 0.0;  ///< one column of the film warmed alone, -d q_shell/d T_shell
 };
 
 /// Column matrices for one problem; sweeps, wall heat and balance for temperature fields.
@@ -94,7 +98,7 @@ class FilmEnergy {
   double sweep(std::vector<double>& T);
 
   [[nodiscard]] WallHeat wall_heat(const std::vector<double>& T) const;
-  /// Responses of the film to its walls; the whole-wall ones from `laps` sweeps each.
+  /// Responses of the film to its walls, from `laps` sweeps each.
   [[nodiscard]] WallResponse wall_response(int laps) const;
   [[nodiscard]] EnergyBalance balance(const std::vector<double>& T) const;
   [[nodiscard]] const std::vector<double>& mix_temperatures() const { return T_mix_; }

@@ -11,8 +11,9 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr int kLaps = 4;            ///< sweeps for the film's response to its walls
-constexpr int kResponseEvery = 4;   ///< turns after which that is measured anew
+constexpr double kSettled = 1e-9;   ///< change per sweep that leaves the balance near round-off [K]
+constexpr int kLaps = 3;            ///< sweeps for the film's response to its walls
+constexpr int kResponseTurns[] = {1, 4};  ///< turns in which that is measured; then it is known
 constexpr double kTemperatureUnit = 10.0;  ///< one unit of the fixed point's temperatures [K]
 
 /// The map of the fixed point, on the states it works on.
@@ -35,7 +36,8 @@ class Turn {
   [[nodiscard]] EquilibriumOptions film_options() const;
   void unpack(const std::vector<double>& x);
   void impose_walls(std::vector<double>& T) const;
-  void heat_the_film(int sweeps, double until);
+  /// `closing`: the last time, with the film's heat balance.
+  void heat_the_film(int sweeps, bool closing);
   [[nodiscard]] bool sound();
   void report(const std::vector<double>& x, const std::vector<double>& g);
 
@@ -64,7 +66,7 @@ std::vector<double> Turn::pack() const {
 
 /// No tighter than the temperatures are known: the map's noise stays well below its change.
 EquilibriumOptions Turn::film_options() const {
-  constexpr double kNoise = 1e-3;  // of the last change
+  constexpr double kNoise = 1e-2;  // of the last change
   EquilibriumOptions o = options_.film;
   const double noise = turns_ <= 1 ? kNoise : kNoise * std::min(heat_.residual, 1.0);
   o.film_tolerance = std::max(o.film_tolerance, noise);
@@ -112,20 +114,25 @@ void Turn::impose_walls(std::vector<double>& T) const {
   }
 }
 
-void Turn::heat_the_film(int sweeps, double until) {
+void Turn::heat_the_film(int sweeps, bool closing) {
   const FilmGrid& g = model_.scene.grid;
   friction_ = friction_of(model_, film_);
   thermal::FilmEnergy energy(film_energy_problem(model_, film_, friction_));
   std::vector<double>& T = film_.columns.T;
   for (int k = 0; k < sweeps; ++k) {
-    if (energy.sweep(T) < until) break;
+    if (energy.sweep(T) < kSettled) break;
   }
   const thermal::WallHeat walls = energy.wall_heat(T);
-  heat_.balance = energy.balance(T);
-  heat_.T_mix = energy.mix_temperatures();
-  heat_.backflow_nodes = energy.backflow_nodes();
+  if (closing) {
+    heat_.balance = energy.balance(T);
+    heat_.T_mix = energy.mix_temperatures();
+    heat_.backflow_nodes = energy.backflow_nodes();
+  }
   const ContactHeat rubbed = contact_heat(model_, film_);
-  if (turns_ <= 1 || turns_ % kResponseEvery == 0) heat_.response = energy.wall_response(kLaps);
+  if (std::find(std::begin(kResponseTurns), std::end(kResponseTurns), turns_) !=
+      std::end(kResponseTurns)) {
+    heat_.response = energy.wall_response(kLaps);
+  }
   WallFlux q{walls.shell, std::vector<double>(g.nz, 0.0), heat_.response};
   heat_.contact_heat = 0.0;
   for (int i = 0; i < g.nt; ++i) {
@@ -177,7 +184,7 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   verdict_ = solve_equilibrium(model_, target_, heat_.growth, film_options(), film_, cost_,
                                control_.stop);
   if (!verdict_.good()) return false;
-  heat_the_film(options_.sweeps, 0.0);
+  heat_the_film(options_.sweeps, false);
   if (!sound()) return false;
   if (!heat_.growth.empty()) heat_.growth = heat_.solids.growth;
   heat_.T_shell = heat_.solids.shell.surface;
@@ -190,13 +197,12 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
 
 void Turn::finish() {
   constexpr int kMostSweeps = 400;
-  constexpr double kSettled = 1e-9;  // [K]; leaves an imbalance near round-off
   const std::vector<double> after = film_.columns.T;
   film_.columns.T = turn_T_;
   verdict_ = solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_,
                                control_.stop);
   film_.columns.T = after;
-  heat_the_film(kMostSweeps, kSettled);
+  heat_the_film(kMostSweeps, true);
 }
 
 }  // namespace

@@ -90,14 +90,17 @@ Field pressure_gradient_z(const FilmScene& s, const FilmState& state) {
 ShearStress shear_stress(const FilmScene& s, const Field& h, const Field& g0, const Field& chi,
                          const FilmState& state, const Field& gradient, CavitatedShear rule) {
   ShearStress tau{Field(h.size()), Field(h.size())};
+  GapTransport gap;
+  gap_transport(s.rough, h, gap);
+  Field phi_f(h.size()), phi_fs(h.size()), phi_total(h.size()), h_phi_fp(h.size());
+  gap_shear(s.rough, h, {phi_f, phi_fs, phi_total, h_phi_fp});
   for (std::size_t k = 0; k < h.size(); ++k) {
-    const GapFlow gap = gap_flow(s.rough, h[k]);
     const double weight = rule == CavitatedShear::filled ? state.theta[k] : 1.0;
     const double couette =
-        weight * s.speed / g0[k] * gap_shear(s.rough, h[k]).phi_total_over_h;
-    const double carried = 0.5 * gap.sigma_phi_s;
-    tau.journal[k] = couette + (chi[k] * gap.average_gap + carried) * gradient[k];
-    tau.shell[k] = couette - ((1.0 - chi[k]) * gap.average_gap - carried) * gradient[k];
+        weight * s.speed / g0[k] * phi_total[k];
+    const double carried = 0.5 * gap.sigma_phi_s[k];
+    tau.journal[k] = couette + (chi[k] * gap.average_gap[k] + carried) * gradient[k];
+    tau.shell[k] = couette - ((1.0 - chi[k]) * gap.average_gap[k] - carried) * gradient[k];
   }
   return tau;
 }

@@ -1,6 +1,5 @@
 #include "thermal/film_energy.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +10,6 @@ namespace shellback::thermal {
 namespace {
 
 constexpr int kMostNodes = 16;  ///< across the film; bounds the stack arrays below
-using SmallMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostNodes, kMostNodes>;
 
 std::vector<double> stiffness_matrix(const GaussLobatto& gl) {
   const int n = gl.n;
@@ -23,6 +20,43 @@ std::vector<double> stiffness_matrix(const GaussLobatto& gl) {
     }
   }
   return a;
+}
+
+/// Gauss-Jordan inversion in place of a row-major m x m matrix with pivoting by rows [textbook].
+/// M = 0: any size; otherwise the size is known to the compiler.
+template <int M>
+void invert_rows(double* a, int size) {
+  const int m = M > 0 ? M : size;
+  int swapped[kMostNodes];
+  for (int k = 0; k < m; ++k) {
+    int p = k;
+    for (int r = k + 1; r < m; ++r) p = std::abs(a[r * m + k]) > std::abs(a[p * m + k]) ? r : p;
+    swapped[k] = p;
+    if (p != k) std::swap_ranges(a + p * m, a + (p + 1) * m, a + k * m);
+    const double d = 1.0 / a[k * m + k];
+    a[k * m + k] = 1.0;
+    for (int c = 0; c < m; ++c) a[k * m + c] *= d;
+    for (int r = 0; r < m; ++r) {
+      if (r == k) continue;
+      const double f = a[r * m + k];
+      a[r * m + k] = 0.0;
+      for (int c = 0; c < m; ++c) a[r * m + c] -= f * a[k * m + c];
+    }
+  }
+  for (int k = m - 1; k >= 0; --k) {
+    if (swapped[k] == k) continue;
+    for (int r = 0; r < m; ++r) std::swap(a[r * m + k], a[r * m + swapped[k]]);
+  }
+}
+
+/// The usual sizes with loops that the compiler can unroll.
+void invert(double* a, int m) {
+  switch (m) {
+    case 3: return invert_rows<3>(a, 3);
+    case 5: return invert_rows<5>(a, 5);
+    case 7: return invert_rows<7>(a, 7);
+    default: return invert_rows<0>(a, m);
+  }
 }
 
 /// Takes the highest mode out of every node vector of a face array.
@@ -130,20 +164,25 @@ void FilmEnergy::build_column(int i, int j) {
   for (int k = 1; k + 1 < n; ++k) {
     for (int l = 0; l < n; ++l) V[k] -= gl.Q[k * n + l] * divergence[l];
   }
-  SmallMatrix a(n, n);
   const double* cp = &p_.cp[static_cast<std::size_t>(cell) * n];
   const double K = p_.conductance[cell];
-  for (int r = 0; r < n; ++r) {
-    for (int c = 0; c < n; ++c) {
-      a(r, c) = gl.w[r] * gl.D[r * n + c] * V[c] * cp[c] + K * stiffness_[r * n + c];
-    }
-    a(r, r) += out[r] * cp[r];
-  }
   const int m = n - 2;
-  const SmallMatrix inverse = a.block(1, 1, m, m).inverse();
-  std::copy_n(inverse.data(), m * m, &inverse_[static_cast<std::size_t>(cell) * m * m]);
+  const auto entry = [&](int r, int c) {
+    const double flow = r == c ? out[r] * cp[r] : 0.0;
+    return gl.w[r] * gl.D[r * n + c] * V[c] * cp[c] + K * stiffness_[r * n + c] + flow;
+  };
+  double* inverse = &inverse_[static_cast<std::size_t>(cell) * m * m];
+  for (int r = 0; r < m; ++r) {
+    for (int c = 0; c < m; ++c) inverse[r * m + c] = entry(r + 1, c + 1);
+  }
+  invert(inverse, m);
   // Heat into the shell per unit rise of that wall, the column following: a Schur complement.
-  shell_local_ += K * stiffness_[0] - (a.block(0, 1, 1, m) * inverse * a.block(1, 0, m, 1))(0, 0);
+  shell_local_ += K * stiffness_[0];
+  for (int r = 0; r < m; ++r) {
+    for (int c = 0; c < m; ++c) {
+      shell_local_ -= entry(0, r + 1) * inverse[r * m + c] * entry(c + 1, 0);
+    }
+  }
 }
 
 void FilmEnergy::solve_column(int i, int j, std::vector<double>& T, double& change) {

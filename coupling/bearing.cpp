@@ -152,9 +152,9 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
 
 Field shear_gap(const BearingModel& model, const Field& h) {
   if (model.scene.rough.sigma <= 0.0) return h;
-  Field out(h.size());
-  for (std::size_t k = 0; k < h.size(); ++k) out[k] = fluid::gap_flow(model.scene.rough, h[k]).average_gap;
-  return out;
+  fluid::GapTransport gap;
+  fluid::gap_transport(model.scene.rough, h, gap);
+  return std::move(gap.average_gap);
 }
 
 }  // namespace shellback::coupling

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kCoarsestTurn = 48;  ///< circumferential cells below which nothing is gained
 constexpr int kCoarsestAxial = 5;
+constexpr double kFullFrom = 0.9;  ///< share of full neighbours from which a new cell starts full [-]
 
 /// The model without anything elastic or thermal.
 BearingModel rigid_model(const BearingModel& model, bool isoviscous) {
@@ -41,9 +42,9 @@ FilmEquilibrium carry_over(const BearingModel& from, const FilmEquilibrium& s,
   out.film.p = interpolate(a, s.film.p, b);
   out.film.theta = interpolate(a, s.film.theta, b);
   out.film.full.resize(b.cells());
+  const Field part_full = interpolate(a, Field(s.film.full.begin(), s.film.full.end()), b);
   for (int k = 0; k < b.cells(); ++k) {
-    const bool full = out.film.theta[k] > 1.0 - 1e-9 ||
-                      out.film.p[k] > to.scene.p_cavitation * (1.0 + 1e-12) + 1e-6;
+    const bool full = part_full[k] > kFullFrom;
     out.film.full[k] = full;
     if (full) out.film.theta[k] = 1.0;
     if (!full) out.film.p[k] = to.scene.p_cavitation;

@@ -115,10 +115,23 @@ TEST_CASE("MoreEdgesThanCellsAreRefused") {
 
 TEST_CASE("TheHalfGridIsHalfOfTheFullGrid") {
   for (const int nz : {1, 2, 3, 4, 9, 10, 25}) check_half(nz, {});
-  for (const int nz : {10, 16, 24}) check_half(nz, {0.006});
-  for (const int nz : {9, 15, 25, 33}) check_half(nz, {0.005});
-  check_half(25, {0.003, 0.008});
-  check_half(26, {0.003, 0.008});
+  // With edges on faces of the even grid both are that even grid.
+  for (const int nz : {8, 16, 24}) check_half(nz, {0.006});
+  for (const int nz : {9, 15, 33}) check_half(nz, {kWidth / nz * 2.5});
+  check_half(15, {kWidth / 15 * 1.5, kWidth / 15 * 4.5});
+}
+
+TEST_CASE("TheHalfGridMirroredHasItsEdgesOnBothSides") {
+  for (const int nz : {9, 10, 15, 16, 25, 26}) {
+    const FilmGrid half = make_grid(kRadius, kWidth, 20, nz, true, {}, {0.0031, 0.0079});
+    const FilmGrid full = full_grid(half);
+    check_cells(half);
+    check_cells(full);
+    CHECK(full.nz == nz);
+    for (const double e : {0.0031, 0.0079, -0.0031, -0.0079}) {
+      CHECK(nearest_face(full.z_face, e, 0.0) < kSlack * kWidth);
+    }
+  }
 }
 
 TEST_CASE("AMirroredFieldIsSymmetricAndHasTheSameIntegral") {

@@ -92,7 +92,7 @@ bool solve_small(int n, std::array<std::array<double, 4>, 4> a, std::array<doubl
 }
 
 NewtonStep rigid_step(const BearingModel& model, const LoadTarget& target,
-                      const FilmEquilibrium& s, const Field& residual, double reach,
+                      const FilmEquilibrium& s, const Field& residual, StepLimits limits,
                       EquilibriumCost& cost) {
   const fluid::FilmScene& scene = model.scene;
   const int n = scene.grid.cells();
@@ -134,6 +134,7 @@ NewtonStep rigid_step(const BearingModel& model, const LoadTarget& target,
     }
   }
   std::array<double, 4> dq = aim;
+  for (double& x : dq) x *= limits.damping;
   if (!solve_small(m, stiffness, dq)) {
     step.good = false;
     return step;
@@ -141,7 +142,8 @@ NewtonStep rigid_step(const BearingModel& model, const LoadTarget& target,
   for (int k = m; k < 4; ++k) dq[k] = 0.0;
   const double roughness = scene.rough.sigma;
   const double gap = std::max(s.least.h, 0.0) + 3.0 * roughness;
-  step.q = limited(s.position, dq, gap, model.clearance, 0.5 * g.width, reach);
+  step.q = limited(s.position, dq, gap, model.clearance, 0.5 * g.width,
+                   limits.reach);
   for (int l = 0; l < m; ++l) {
     const double* d = &rhs[static_cast<std::size_t>(n) * (l + 1)];
     for (int k = 0; k < n; ++k) step.film[k] -= step.q[l] * d[k];

@@ -26,9 +26,15 @@ struct NewtonStep {
 [[nodiscard]] bool solve_small(int n, std::array<std::array<double, 4>, 4> a,
                                std::array<double, 4>& b);
 
+/// How far a step may go.
+struct StepLimits {
+  double reach = 1.0;    ///< tightens the bounds of `limited` [-]
+  double damping = 1.0;  ///< part of the wanted change of force that is asked for [-]
+};
+
 /// The rigid step: film matrix, one factorisation, 1 + unknowns right-hand sides.
 [[nodiscard]] NewtonStep rigid_step(const BearingModel& model, const LoadTarget& target,
                                     const FilmEquilibrium& state, const Field& residual,
-                                    double reach, EquilibriumCost& cost);
+                                    StepLimits limits, EquilibriumCost& cost);
 
 }  // namespace shellback::coupling

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include <fmt/format.h>
 
@@ -87,6 +88,13 @@ double largest(const Field& x) {
   double m = 0.0;
   for (const double v : x) m = std::isfinite(v) ? std::max(m, std::abs(v)) : INFINITY;
   return m;
+}
+
+/// How far a force is from the wanted one, in logarithms: |ln(target/F)|, forces as complex numbers.
+double distance(const fluid::Wrench& force, const LoadTarget& target) {
+  const std::complex<double> now(force[0], force[1]);
+  const std::complex<double> aim(target.force[0], target.force[1]);
+  return std::abs(now) > 0.0 && std::abs(aim) > 0.0 ? std::abs(std::log(aim / now)) : INFINITY;
 }
 
 /// Residuals of one iterate, each in units of its tolerance's scale.
@@ -220,12 +228,15 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
   constexpr double kSettledFilm = 0.03;    // the film has followed the journal: it may move on [-]
   constexpr double kWorseMerit = 3.0;      // a step may worsen the elastic film's residuals so far [-]
   constexpr double kThinner = 0.25;        // and thin its smallest gap so far [-]
+  constexpr double kLittleGain = 0.9;      // of the distance left: a step that gained little [-]
   constexpr double kNearLoad = 0.1;        // from here on film and journal move together [-]
   Unknowns settled = unknowns_of(s);       // last state whose film had followed
   double reach = 1.0;
   double carried = 0.0;
   double settled_merit = INFINITY;         // elastic: judge of a step (methods 2.2)
   double settled_gap = -INFINITY;
+  double settled_off = INFINITY;           // rigid: judge of a step
+  double damping = 1.0;
   double viscosity_tolerance = 1e-3;
   bool retreated = false;
   int worst_cell = -1;
@@ -262,6 +273,11 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
       continue;
     }
     if (follows && !retreated) {
+      // Where cavitation moves with the journal the predicted force misleads: ask for less.
+      const double off = distance(s.force, target);
+      damping = off > kLittleGain * settled_off ? std::max(0.1, 0.5 * damping)
+                                                : std::min(1.0, 2.0 * damping);
+      settled_off = off;
       settled_merit = merit;
       settled_gap = s.least.h;
       settled = unknowns_of(s);
@@ -275,7 +291,7 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
     LoadTarget now = target;
     if (s.elastic.empty() && !follows && r.load_norm > kNearLoad) now.unknowns = 0;
     const NewtonStep step = s.elastic.empty()
-                                ? rigid_step(model, now, s, r.film, reach, cost)
+                                ? rigid_step(model, now, s, r.film, {reach, damping}, cost)
                                 : elastic_step(model, now, s, r.film, r.displacement, cost);
     if (!step.good) return {Status::iteration_limit, "the film matrix is singular", "", "refine the grid"};
     const auto report = take(model, step, s.elastic.empty() ? 1.0 : reach, s);

@@ -228,7 +228,7 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
   constexpr double kSettledFilm = 0.03;    // the film has followed the journal: it may move on [-]
   constexpr double kWorseMerit = 3.0;      // a step may worsen the elastic film's residuals so far [-]
   constexpr double kThinner = 0.25;        // and thin its smallest gap so far [-]
-  constexpr double kLittleGain = 0.9;      // of the distance left: a step that gained little [-]
+  constexpr double kLittleGain = 0.2;      // part of the gain asked for: a step that gained little [-]
   constexpr double kNearLoad = 0.1;        // from here on film and journal move together [-]
   Unknowns settled = unknowns_of(s);       // last state whose film had followed
   double reach = 1.0;
@@ -275,8 +275,8 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
     if (follows && !retreated) {
       // Where cavitation moves with the journal the predicted force misleads: ask for less.
       const double off = distance(s.force, target);
-      damping = off > kLittleGain * settled_off ? std::max(0.1, 0.5 * damping)
-                                                : std::min(1.0, 2.0 * damping);
+      const bool little = off > (1.0 - kLittleGain * damping) * settled_off;
+      damping = little ? std::max(0.1, 0.5 * damping) : std::min(1.0, 2.0 * damping);
       settled_off = off;
       settled_merit = merit;
       settled_gap = s.least.h;

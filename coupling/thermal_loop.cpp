@@ -7,6 +7,7 @@
 
 #include "core/constants.hpp"
 #include "coupling/fixed_point.hpp"
+#include "rheology/viscosity.hpp"
 
 namespace shellback::coupling {
 namespace {
@@ -34,6 +35,7 @@ class Turn {
 
  private:
   [[nodiscard]] EquilibriumOptions film_options() const;
+  [[nodiscard]] double relaxation(const std::vector<double>& g) const;
   void unpack(const std::vector<double>& x);
   void impose_walls(std::vector<double>& T) const;
   /// `closing`: the last time, with the film's heat balance.
@@ -74,6 +76,17 @@ EquilibriumOptions Turn::film_options() const {
   o.elastic_tolerance = std::max(o.elastic_tolerance, noise);
   o.viscosity_tolerance = std::max(o.viscosity_tolerance, noise);
   return o;
+}
+
+/// Warmer oil is thinner and makes less heat: the map answers a rise by -beta (T - T_supply) of it.
+/// Taking this part of the change cancels that answer for the mean of the film.
+double Turn::relaxation(const std::vector<double>& g) const {
+  double mean = 0.0;
+  for (std::size_t k = 0; k < film_.columns.T.size(); ++k) mean += g[k];
+  const double rise = kTemperatureUnit * mean / static_cast<double>(film_.columns.T.size());
+  const double T = model_.input.supplies.front().temperature + rise;
+  const double beta = -rheology::viscosity_slopes(model_.oil, T, 0.0, 0.0).dln_dT;
+  return 1.0 / (1.0 + std::max(beta * rise, 0.0));
 }
 
 void Turn::unpack(const std::vector<double>& x) {
@@ -191,6 +204,8 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   heat_.T_shaft = heat_.solids.shaft.temperature;
   impose_walls(film_.columns.T);
   g = pack();
+  const double part = relaxation(g);
+  for (std::size_t k = 0; k < g.size(); ++k) g[k] = x[k] + part * (g[k] - x[k]);
   report(x, g);
   return true;
 }

@@ -32,8 +32,8 @@ struct HeatState {
   thermal::WallResponse response;  ///< of the film to its walls, refreshed in early turns
   long backflow_nodes = 0;
   double residual = 0.0;           ///< last change per turn [-]
-  /// True once the solids have answered to the film's heat.
-  [[nodiscard]] bool known() const { return !solids.shell.surface.empty(); }
+  /// True once the film's heat has been balanced to the end.
+  [[nodiscard]] bool known() const { return !T_mix.empty(); }
 };
 
 /// Starts from all temperatures at `T`.

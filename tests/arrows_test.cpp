@@ -1,0 +1,120 @@
+// The arrows of the house: core <- rheology, fluid, thermal, solid <- coupling <- app, validation.
+// Every include in the production folders is read; nobody includes tests.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Folders = std::set<std::string>;
+
+/// Folders that files of a folder may include, their own left out.
+const std::map<std::string, Folders> kArrows{
+    {"core", {}},
+    {"rheology", {"core"}},
+    {"fluid", {"core"}},
+    {"thermal", {"core"}},
+    {"solid", {"core"}},
+    {"coupling", {"core", "rheology", "fluid", "thermal", "solid"}},
+    {"app", {"core", "rheology", "fluid", "thermal", "solid", "coupling"}},
+    {"validation", {"core", "rheology", "fluid", "thermal", "solid", "coupling"}},
+};
+
+/// Paths in the #include "..." lines of a text.
+std::vector<std::string> included(const std::string& text) {
+  std::vector<std::string> paths;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    line.erase(std::remove_if(line.begin(), line.end(), [](char c) { return c == ' ' || c == '\t'; }),
+               line.end());
+    const std::string key = "#include\"";
+    if (line.rfind(key, 0) != 0) continue;
+    paths.push_back(line.substr(key.size(), line.find('"', key.size()) - key.size()));
+  }
+  return paths;
+}
+
+/// Includes of `text`, a file of `folder`, that go against the arrows or do not start at the root.
+std::vector<std::string> wrong_includes(const std::string& folder, const std::string& text) {
+  std::vector<std::string> wrong;
+  for (const std::string& path : included(text)) {
+    const std::string target = path.substr(0, path.find('/'));
+    const bool rooted = path.find('/') != std::string::npos && path.find("..") == std::string::npos;
+    if (!rooted || (target != folder && kArrows.at(folder).count(target) == 0)) {
+      wrong.push_back(path);
+    }
+  }
+  return wrong;
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+bool is_source(const fs::path& path) {
+  const std::string e = path.extension().string();
+  return e == ".hpp" || e == ".cpp" || e == ".h" || e == ".inl";
+}
+
+}  // namespace
+
+TEST_CASE("EveryIncludeFollowsTheArrows") {
+  const fs::path root = SHELLBACK_SOURCE_DIR;
+  for (const auto& [folder, allowed] : kArrows) {
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+      ++files;
+      for (const std::string& path : wrong_includes(folder, read(entry.path()))) {
+        FAIL_CHECK(fs::relative(entry.path(), root).string() << " must not include " << path);
+      }
+    }
+    INFO(folder);
+    CHECK(files > 0);
+  }
+}
+
+TEST_CASE("ThePlantedWrongIncludeIsFound") {
+  const auto wrong = [](const char* folder, const char* line) {
+    return wrong_includes(folder, std::string("#pragma once\n#include <vector>\n") + line +
+                                      "\nint x;\n").size();
+  };
+  CHECK(wrong("core", "#include \"core/grid.hpp\"") == 0);
+  CHECK(wrong("core", "#include \"fluid/gap.hpp\"") == 1);
+  CHECK(wrong("fluid", "#include \"core/grid.hpp\"") == 0);
+  CHECK(wrong("fluid", "  #  include   \"rheology/oil.hpp\"  // why") == 1);
+  CHECK(wrong("thermal", "#include \"coupling/tehd.hpp\"") == 1);
+  CHECK(wrong("solid", "#include \"thermal/film_energy.hpp\"") == 1);
+  CHECK(wrong("coupling", "#include \"fluid/gap.hpp\"\n#include \"app/case.hpp\"") == 1);
+  CHECK(wrong("coupling", "#include \"tests/read_csv.hpp\"") == 1);
+  CHECK(wrong("app", "#include \"coupling/tehd.hpp\"\n#include \"core/grid.hpp\"") == 0);
+  CHECK(wrong("app", "#include \"validation/run.hpp\"") == 1);
+  CHECK(wrong("validation", "#include \"app/case.hpp\"") == 1);
+  CHECK(wrong("fluid", "#include \"gap.hpp\"") == 1);            // not from the root
+  CHECK(wrong("fluid", "#include \"fluid/../app/case.hpp\"") == 1);
+  CHECK(wrong("fluid", "// #include \"app/case.hpp\"") == 0);    // a comment
+}
+
+TEST_CASE("LinkedLibrariesFollowTheArrows") {
+  // target_link_libraries is the arrow: no folder's CMakeLists names a library above it.
+  const fs::path root = SHELLBACK_SOURCE_DIR;
+  for (const auto& [folder, allowed] : kArrows) {
+    const std::string text = read(root / folder / "CMakeLists.txt");
+    REQUIRE_FALSE(text.empty());
+    for (const auto& [other, unused] : kArrows) {
+      if (other == folder || allowed.count(other) > 0) continue;
+      INFO(folder << " links " << other);
+      CHECK(text.find("shellback::" + other) == std::string::npos);
+    }
+  }
+}

@@ -257,7 +257,10 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
     }
     if (!possible) {
       if (it == 0) return closed_gap(s);
-      if (!retreat()) return limit_load(model, target, carried, worst_cell);
+      if (!retreat()) {
+        return s.elastic.empty() ? limit_load(model, target, carried, worst_cell)
+                                 : stuck(model, s, r, it);
+      }
       continue;
     }
     if (r.within(options) && s.columns.mismatch <= options.viscosity_tolerance &&

@@ -201,6 +201,10 @@ void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
                        " degC leave the oil's range of " + celsius(range.T_min) + " to " +
                        celsius(range.T_max) + " degC: its viscosity is extrapolated");
   }
+  if (s.model.scene.rough.beyond_table) {
+    warnings.push_back("a roughness orientation lies outside the range 1/9 to 9 of the tabulated "
+                       "flow factors: the end of the table is used");
+  }
   if (largest(s.film.film.p) > range.p_max) {
     warnings.push_back("film pressures leave the range in which the oil's pressure law is known");
   }

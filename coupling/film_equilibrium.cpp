@@ -298,8 +298,10 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
                                 : elastic_step(model, now, s, r.film, r.displacement, cost);
     if (!step.good) return {Status::iteration_limit, "the film matrix is singular", "", "refine the grid"};
     const auto report = take(model, step, s.elastic.empty() ? 1.0 : reach, s);
-    // A rigid film of that gap has no pressure; an elastic one gives way, the step was only long.
-    if (report.beyond_barus > 0 && s.elastic.empty()) {
+    // A rigid film of that gap has no pressure; an elastic one gives way. At a given position there
+    // is no way back: only a film whose cells no longer change sides is judged.
+    const bool judged = target.unknowns > 0 || report.moved == 0;
+    if (report.beyond_barus > 0 && judged && s.elastic.empty()) {
       worst_cell = report.worst_cell;
       if (!retreat()) return limit_load(model, target, carried, worst_cell);
     }

@@ -283,6 +283,8 @@ Verdict no_pressure(const FilmScene& scene, const UpdateReport& report) {
 
 }  // namespace
 
+constexpr int kMostBeyond = 8;  ///< steps out of the pressure law's range that are taken back
+
 Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, const Field& step,
                                      const OilLaw& oil, const FilmState& guess,
                                      const ReynoldsOptions& options) {
@@ -292,6 +294,7 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
   RingMatrix matrix;
   std::set<std::size_t> seen;  // hashes of active sets met
   bool cycling = false;
+  int beyond = 0;
   for (int it = 0; it <= options.max_iterations; ++it) {
     oil(v.state, v.oil);
     evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
@@ -323,7 +326,9 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
     for (double& x : r) x = -x;
     v.factor.solve(r.data());
     const UpdateReport report = advance(scene, v.oil, r, 1.0, v.state);
-    if (report.beyond_barus > 0) {
+    // While cells still change sides the step may only have been too long, but not again and again.
+    beyond += report.beyond_barus > 0;
+    if (report.beyond_barus > 0 && (report.moved == 0 || beyond >= kMostBeyond)) {
       out.verdict = no_pressure(scene, report);
       return out;
     }

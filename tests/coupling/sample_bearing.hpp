@@ -149,13 +149,4 @@ inline void set_load(Case& c, double force) {
   return f;
 }
 
-/// Film and position solved at one temperature, on the case's own grid, to the end.
-struct Solved {
-  BearingModel model;
-  LoadTarget target;
-  FilmEquilibrium film;
-  Verdict verdict;
-  EquilibriumCost cost;
-};
-
 }  // namespace shellback::coupling::tests

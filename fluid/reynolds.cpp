@@ -283,7 +283,7 @@ Verdict no_pressure(const FilmScene& scene, const UpdateReport& report) {
 
 }  // namespace
 
-constexpr int kMostBeyond = 8;  ///< steps out of the pressure law's range that are taken back
+constexpr int kMostBeyond = 30;  ///< steps out of the pressure law's range that are forgiven
 
 Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, const Field& step,
                                      const OilLaw& oil, const FilmState& guess,

@@ -11,6 +11,7 @@
 #include "coupling/equilibrium_step.hpp"
 #include "coupling/solids.hpp"
 #include "fluid/fischer_burmeister.hpp"
+#include "fluid/reduced_pressure.hpp"
 
 namespace shellback::coupling {
 
@@ -189,6 +190,18 @@ Verdict closed_gap(const FilmEquilibrium& s) {
           "give roughness and contact data, or a larger clearance"};
 }
 
+/// Film of a given position from its reduced pressure, or the proof that there is none.
+Verdict reduced_start(const BearingModel& model, FilmEquilibrium& s) {
+  const auto oil = [&](const fluid::FilmState& film, fluid::FilmCoefficients& c) {
+    const Field none(film.p.size(), 0.0);
+    update_columns(model.oil, model.gl, model.scene.speed, s.shear_gap, film, none, none, 1e-3,
+                   s.columns, c);
+  };
+  auto film = fluid::film_by_reduced_pressure(model.scene, s.gap, model.step, oil, s.film);
+  if (film.good()) s.film = std::move(film.value);
+  return film.verdict;
+}
+
 Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residuals& r,
               int iterations) {
   const auto worst = std::max_element(
@@ -298,12 +311,13 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
                                 : elastic_step(model, now, s, r.film, r.displacement, cost);
     if (!step.good) return {Status::iteration_limit, "the film matrix is singular", "", "refine the grid"};
     const auto report = take(model, step, s.elastic.empty() ? 1.0 : reach, s);
-    // A rigid film of that gap has no pressure; an elastic one gives way. At a given position there
-    // is no way back: only a film whose cells no longer change sides is judged.
-    const bool judged = target.unknowns > 0 || report.moved == 0;
-    if (report.beyond_barus > 0 && judged && s.elastic.empty()) {
-      worst_cell = report.worst_cell;
+    // A rigid film of that gap has no pressure; an elastic one gives way, the step was only long.
+    if (report.beyond_barus == 0 || !s.elastic.empty()) continue;
+    worst_cell = report.worst_cell;
+    if (target.unknowns > 0) {
       if (!retreat()) return limit_load(model, target, carried, worst_cell);
+    } else if (const Verdict v = reduced_start(model, s); !v.good()) {
+      return v;
     }
   }
   return stuck(model, s, r, options.max_iterations);

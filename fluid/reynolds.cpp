@@ -7,6 +7,7 @@
 
 #include "core/constants.hpp"
 #include "fluid/fischer_burmeister.hpp"
+#include "fluid/reduced_pressure.hpp"
 
 namespace shellback::fluid {
 
@@ -273,17 +274,7 @@ double largest(const Field& r) {
   return m;
 }
 
-Verdict no_pressure(const FilmScene& scene, const UpdateReport& report) {
-  return {Status::no_steady_state,
-          "the film has no steady pressure at this gap: with the pressure-viscosity law chosen, "
-          "q = (1 - exp(-alpha p))/alpha would have to exceed its bound 1/alpha",
-          place_of(scene.grid, report.worst_cell),
-          "switch on elastic deformation, use the Roelands law, or lower the load"};
-}
-
 }  // namespace
-
-constexpr int kMostBeyond = 30;  ///< steps out of the pressure law's range that are forgiven
 
 Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, const Field& step,
                                      const OilLaw& oil, const FilmState& guess,
@@ -294,7 +285,7 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
   RingMatrix matrix;
   std::set<std::size_t> seen;  // hashes of active sets met
   bool cycling = false;
-  int beyond = 0;
+  bool by_reduced_pressure = false;
   for (int it = 0; it <= options.max_iterations; ++it) {
     oil(v.state, v.oil);
     evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
@@ -326,11 +317,16 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
     for (double& x : r) x = -x;
     v.factor.solve(r.data());
     const UpdateReport report = advance(scene, v.oil, r, 1.0, v.state);
-    // While cells still change sides the step may only have been too long, but not again and again.
-    beyond += report.beyond_barus > 0;
-    if (report.beyond_barus > 0 && (report.moved == 0 || beyond >= kMostBeyond)) {
-      out.verdict = no_pressure(scene, report);
-      return out;
+    if (report.beyond_barus > 0) {  // too long a step, or a film that does not exist
+      auto reduced = film_by_reduced_pressure(scene, gap, step, oil, v.state);
+      v.state = std::move(reduced.value);
+      if (by_reduced_pressure && reduced.good()) break;  // it is not that of one Barus law
+      by_reduced_pressure = true;
+      if (!reduced.good()) {
+        out.verdict = reduced.verdict;
+        return out;
+      }
+      continue;
     }
     if (report.moved > 0) cycling = !seen.insert(active_set_hash(v.state)).second;
   }

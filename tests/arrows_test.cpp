@@ -32,8 +32,9 @@ std::vector<std::string> included(const std::string& text) {
   std::vector<std::string> paths;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
-    line.erase(std::remove_if(line.begin(), line.end(), [](char c) { return c == ' ' || c == '\t'; }),
-               line.end());
+    line.erase(
+        std::remove_if(line.begin(), line.end(), [](char c) { return c == ' ' || c == '\t'; }),
+        line.end());
     const std::string key = "#include\"";
     if (line.rfind(key, 0) != 0) continue;
     paths.push_back(line.substr(key.size(), line.find('"', key.size()) - key.size()));
@@ -85,8 +86,9 @@ TEST_CASE("EveryIncludeFollowsTheArrows") {
 
 TEST_CASE("ThePlantedWrongIncludeIsFound") {
   const auto wrong = [](const char* folder, const char* line) {
-    return wrong_includes(folder, std::string("#pragma once\n#include <vector>\n") + line +
-                                      "\nint x;\n").size();
+    return wrong_includes(folder,
+                          std::string("#pragma once\n#include <vector>\n") + line + "\nint x;\n")
+        .size();
   };
   CHECK(wrong("core", "#include \"core/grid.hpp\"") == 0);
   CHECK(wrong("core", "#include \"fluid/gap.hpp\"") == 1);
@@ -99,9 +101,9 @@ TEST_CASE("ThePlantedWrongIncludeIsFound") {
   CHECK(wrong("app", "#include \"coupling/tehd.hpp\"\n#include \"core/grid.hpp\"") == 0);
   CHECK(wrong("app", "#include \"validation/run.hpp\"") == 1);
   CHECK(wrong("validation", "#include \"app/case.hpp\"") == 1);
-  CHECK(wrong("fluid", "#include \"gap.hpp\"") == 1);            // not from the root
+  CHECK(wrong("fluid", "#include \"gap.hpp\"") == 1);  // not from the root
   CHECK(wrong("fluid", "#include \"fluid/../app/case.hpp\"") == 1);
-  CHECK(wrong("fluid", "// #include \"app/case.hpp\"") == 0);    // a comment
+  CHECK(wrong("fluid", "// #include \"app/case.hpp\"") == 0);  // a comment
 }
 
 TEST_CASE("LinkedLibrariesFollowTheArrows") {

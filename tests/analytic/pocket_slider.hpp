@@ -12,9 +12,9 @@
 namespace shellback::analytic {
 
 struct PocketSlider {
-  double length = 0.01, h_in = 1.05e-6, h_out = 1.0e-6;    // [m]
+  double length = 0.01, h_in = 1.05e-6, h_out = 1.0e-6;         // [m]
   double pocket_from = 0.002, pocket_to = 0.005, depth = 1e-6;  // [m]
-  double eta = 0.01, speed = 1.0, p_ambient = 1e5;         // [Pa s], [m/s], [Pa]
+  double eta = 0.01, speed = 1.0, p_ambient = 1e5;              // [Pa s], [m/s], [Pa]
 
   [[nodiscard]] double slope() const { return (h_in - h_out) / length; }
   [[nodiscard]] bool in_pocket(double x) const { return x > pocket_from && x < pocket_to; }
@@ -39,7 +39,8 @@ struct PocketSlider {
     double low = pocket_from, high = pocket_to;
     for (int k = 0; k < 100; ++k) {
       const double x = 0.5 * (low + high);
-      const double outlet = rise(x, pocket_to, true, flow()) + rise(pocket_to, length, false, flow());
+      const double outlet =
+          rise(x, pocket_to, true, flow()) + rise(pocket_to, length, false, flow());
       (outlet > p_ambient ? low : high) = x;
     }
     return 0.5 * (low + high);

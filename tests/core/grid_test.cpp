@@ -11,9 +11,9 @@ using namespace shellback;
 
 namespace {
 
-constexpr double kRadius = 0.02;   // [m]
-constexpr double kWidth = 0.024;   // [m]
-constexpr double kSlack = 1e-13;   // round-off of a few sums of numbers of order one
+constexpr double kRadius = 0.02;  // [m]
+constexpr double kWidth = 0.024;  // [m]
+constexpr double kSlack = 1e-13;  // round-off of a few sums of numbers of order one
 
 double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); }
 

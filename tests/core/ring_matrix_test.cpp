@@ -81,7 +81,8 @@ void check_solve(const RingMatrix& a, int count, unsigned seed) {
   factor.solve(x.data(), count);
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(dense(a));
   for (int r = 0; r < count; ++r) {
-    const Vector own(x.begin() + static_cast<long>(r * n), x.begin() + static_cast<long>((r + 1) * n));
+    const Vector own(x.begin() + static_cast<long>(r * n),
+                     x.begin() + static_cast<long>((r + 1) * n));
     const Eigen::Map<const Eigen::VectorXd> rhs(&b[r * n], static_cast<long>(n));
     const Eigen::VectorXd expected = lu.solve(rhs);
     Vector product;

@@ -84,7 +84,7 @@ TEST_CASE("FiniteBearingsFollowButenschoen") {
     const Characteristics own = extrapolated(ratio, eps);
     CAPTURE(ratio, eps);
     CHECK(off(1.0 / (2.0 * kPi * own.sommerfeld), row.at("own_So")) < 5e-3);  // design 6
-    CHECK(off(1.0 / (2.0 * kPi * own.sommerfeld), row.at("So")) < 1e-2);  // validation 3.4
+    CHECK(off(1.0 / (2.0 * kPi * own.sommerfeld), row.at("So")) < 1e-2);      // validation 3.4
     CHECK(std::abs(own.attitude - row.at("own_beta_deg")) < 0.3);
     // Q/(R^3 psi omega) from Q/(R c N L): times N L/(R omega) = L/(2 pi R).
     const double side = own.side_flow * 2.0 * ratio / (2.0 * kPi);

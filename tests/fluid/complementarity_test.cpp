@@ -16,8 +16,10 @@ Setup bearing(double eps) {
   s.nz = 8;
   s.position = eccentric(eps * s.clearance, 0.0);
   // On the even grid of 40 x 8 cells of 9 degrees: four by four of them.
-  s.patches = {{.phi = 2.0 * kPi * 18.0 / 40.0, .arc = 2.0 * kPi * 4.0 / 40.0,
-                .length = s.width / 2.0, .pressure = 2e5}};
+  s.patches = {{.phi = 2.0 * kPi * 18.0 / 40.0,
+                .arc = 2.0 * kPi * 4.0 / 40.0,
+                .length = s.width / 2.0,
+                .pressure = 2e5}};
   return s;
 }
 

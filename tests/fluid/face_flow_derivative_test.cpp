@@ -99,7 +99,8 @@ void check_pressure_and_fill(const Tangle& t) {
       if (!forward) {
         fill.compare(flow.phi[west].d_theta, fuller.phi[west].m, emptier.phi[west].m, kFillStep);
       }
-      (j == 0 ? edge : right).compare(flow.z[low].d_right, up.z[low].m, down.z[low].m, kPressureStep);
+      (j == 0 ? edge : right)
+          .compare(flow.z[low].d_right, up.z[low].m, down.z[low].m, kPressureStep);
       (j == g.nz - 1 ? edge : left)
           .compare(flow.z[high].d_left, up.z[high].m, down.z[high].m, kPressureStep);
       for (std::size_t l = 0; l < flow.lines.size(); ++l) {
@@ -107,8 +108,8 @@ void check_pressure_and_fill(const Tangle& t) {
         into_line.compare(flow.lines[l].west.d_left, up.lines[l].west.m, down.lines[l].west.m,
                           kPressureStep);
         if (forward) {
-          fill.compare(flow.lines[l].west.d_theta, fuller.lines[l].west.m,
-                       emptier.lines[l].west.m, kFillStep);
+          fill.compare(flow.lines[l].west.d_theta, fuller.lines[l].west.m, emptier.lines[l].west.m,
+                       kFillStep);
         }
       }
     }

@@ -28,9 +28,7 @@ struct Probe {
     impose_supply(bearing.scene, state);
     evaluate();
   }
-  void evaluate() {
-    evaluate_flow(bearing.scene, bearing.gap, bearing.step, oil, state, flow);
-  }
+  void evaluate() { evaluate_flow(bearing.scene, bearing.gap, bearing.step, oil, state, flow); }
   [[nodiscard]] int cells() const { return bearing.scene.grid.cells(); }
   [[nodiscard]] Field residual() const { return film_residual(bearing.scene, flow); }
   /// Residual after p += e a_p t, theta += e a_theta t, oil after Barus.
@@ -123,8 +121,8 @@ void check_position(const Setup& s, const Probe& q) {
     minus.bearing.gap = make_bearing(behind).gap;
     plus.evaluate();
     minus.evaluate();
-    check_slope(outflow_by_position(q.bearing.scene, q.flow, k), plus.residual(),
-                minus.residual(), step[k]);
+    check_slope(outflow_by_position(q.bearing.scene, q.flow, k), plus.residual(), minus.residual(),
+                step[k]);
   }
 }
 

@@ -11,13 +11,13 @@ namespace shellback::fluid::tests {
 
 /// A bearing of mild proportions: 40 mm x 20 mm, 20 um clearance, 10 m/s, 10 mPa s.
 struct Setup {
-  double radius = 0.02;      ///< [m]
-  double width = 0.02;       ///< [m]
-  double clearance = 20e-6;  ///< [m]
-  double viscosity = 0.01;   ///< [Pa s]
-  double barus = 0.0;        ///< pressure-viscosity coefficient alpha [1/Pa]
-  double density = 850.0;    ///< [kg/m3]
-  double speed = 10.0;       ///< [m/s]
+  double radius = 0.02;       ///< [m]
+  double width = 0.02;        ///< [m]
+  double clearance = 20e-6;   ///< [m]
+  double viscosity = 0.01;    ///< [Pa s]
+  double barus = 0.0;         ///< pressure-viscosity coefficient alpha [1/Pa]
+  double density = 850.0;     ///< [kg/m3]
+  double speed = 10.0;        ///< [m/s]
   double p_cavitation = 0.0;  ///< [Pa]
   double p_edge = 0.0;        ///< [Pa]
   SideEdges edges = SideEdges::flooded;
@@ -56,9 +56,9 @@ struct Bearing {
   Bearing b;
   FilmScene& scene = b.scene;
   const std::vector<double> none;
-  scene.grid = make_grid(s.radius, s.width, s.nt, s.nz, s.half,
-                         s.fit_grid ? phi_edges(s.patches) : none,
-                         s.fit_grid ? z_edges(s.patches) : none);
+  scene.grid =
+      make_grid(s.radius, s.width, s.nt, s.nz, s.half, s.fit_grid ? phi_edges(s.patches) : none,
+                s.fit_grid ? z_edges(s.patches) : none);
   scene.angles = Angles(scene.grid);
   scene.supply = map_supplies(scene.grid, s.patches);
   scene.speed = s.speed;
@@ -68,7 +68,8 @@ struct Bearing {
   scene.rough = s.rough;
   if (s.profile) {
     for (int k = 0; k < scene.grid.cells(); ++k) {
-      b.step.push_back(s.profile(scene.grid.phi[k / scene.grid.nz], scene.grid.z[k % scene.grid.nz]));
+      b.step.push_back(
+          s.profile(scene.grid.phi[k / scene.grid.nz], scene.grid.z[k % scene.grid.nz]));
     }
   }
   b.gap = film_gap(scene.grid, scene.angles, s.clearance, s.position, {}, b.step);

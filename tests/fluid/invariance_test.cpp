@@ -21,7 +21,10 @@ Setup tilted() {
   s.position = {{2e-6, -12e-6, 2e-4, -1e-4}};
   s.p_cavitation = -5e4;
   s.barus = 1e-8;
-  s.patches = {{.phi = 100.0 * kDegree, .z = 2.5e-3, .arc = 20.0 * kDegree, .length = 5e-3,
+  s.patches = {{.phi = 100.0 * kDegree,
+                .z = 2.5e-3,
+                .arc = 20.0 * kDegree,
+                .length = 5e-3,
                 .pressure = 3e5}};
   return s;
 }

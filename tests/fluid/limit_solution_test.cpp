@@ -76,7 +76,8 @@ TEST_CASE("TheFullFilmConvergesWithSecondOrder") {
 }
 
 TEST_CASE("AnEndlesslyWideCavitatedFilmFollowsTheQuadrature") {
-  for (const auto& row : shellback::tests::read_csv("validation/data/long_bearing_reynolds_bc.csv")) {
+  for (const auto& row :
+       shellback::tests::read_csv("validation/data/long_bearing_reynolds_bc.csv")) {
     const double eps = row.at("eps");
     Setup s = wide(eps, 800);
     s.patches = {line_supply(s, kPi)};
@@ -139,7 +140,8 @@ TEST_CASE("AConcentricFilmCarriesTheEdgePressure") {
 }
 
 TEST_CASE("PressureFlowBetweenGrooveAndEdgeIsHagenPoiseuilles") {
-  // Concentric, so that motion makes no pressure; groove all round: two plane slots of length (B - b)/2 and width 2 pi R.
+  // Concentric, so that motion makes no pressure; groove all round: two plane slots of length (B -
+  // b)/2 and width 2 pi R.
   Setup s;
   s.nz = 21;
   const double groove = s.width / 3.0, supply = 4e5;

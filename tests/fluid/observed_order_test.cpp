@@ -3,10 +3,11 @@
 // The film equation takes no source, so that no solution can be manufactured for it; the exact
 // one-dimensional solutions are in limit_solution_test.cpp and pocket_slider_test.cpp. Here the
 // values themselves must converge.
+#include "tests/observed_order.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "tests/fluid/film_scenes.hpp"
-#include "tests/observed_order.hpp"
 
 using namespace shellback;
 using namespace shellback::fluid;

@@ -3,9 +3,10 @@
 // The slider of 10 mm lies on a ring of 2 pi R = 12.5 mm, which has no curvature in the film
 // equation; the rest of the ring is a supply at ambient pressure. A pocket that is a step of the
 // gap, land and pocket cells with their mean gap, so that the linear wedge is met to second order.
+#include "tests/analytic/pocket_slider.hpp"
+
 #include <catch2/catch.hpp>
 
-#include "tests/analytic/pocket_slider.hpp"
 #include "tests/fluid/film_scenes.hpp"
 #include "tests/observed_order.hpp"
 #include "tests/read_csv.hpp"
@@ -105,7 +106,8 @@ double reformation(const Slider& s) {
 TEST_CASE("TheClosedFormOfThePocketSliderIsThePublishedOne") {
   CHECK(std::abs(kExact.flow() / kFlow - 1.0) < 1e-6);  // seven printed digits
   CHECK(std::abs(kExact.reformation() - 3.61126e-3) < 1e-8);
-  for (const auto& row : shellback::tests::read_csv("validation/data/pocket_slider_fowell_exact.csv")) {
+  for (const auto& row :
+       shellback::tests::read_csv("validation/data/pocket_slider_fowell_exact.csv")) {
     const double p = kExact.pressure(row.at("x_m"));
     CHECK(std::abs(p - row.at("p_Pa")) < 1e-5 * kPeak);  // six printed digits
   }

@@ -1,0 +1,42 @@
+#include "fluid/reduced_pressure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellback::fluid {
+
+Outcome<FilmState> film_by_reduced_pressure(const FilmScene& scene, const Gap& gap,
+                                            const Field& step, const OilLaw& oil,
+                                            const FilmState& guess) {
+  FilmState cold = guess;  // fluidities at no pressure, and alpha
+  std::fill(cold.p.begin(), cold.p.end(), 0.0);
+  FilmCoefficients plain;
+  oil(cold, plain);
+  const double alpha = *std::max_element(plain.alpha.begin(), plain.alpha.end());
+  std::fill(plain.alpha.begin(), plain.alpha.end(), 0.0);
+  const auto reduced = [&](double p) { return alpha > 0.0 ? -std::expm1(-alpha * p) / alpha : p; };
+  FilmScene q_scene = scene;
+  q_scene.p_cavitation = reduced(scene.p_cavitation);
+  q_scene.p_edge = reduced(scene.p_edge);
+  for (SupplyPatch& s : q_scene.supply.patches) s.pressure = reduced(s.pressure);
+  const OilLaw isoviscous = [&](const FilmState&, FilmCoefficients& c) { c = plain; };
+  const auto film = solve_reynolds(q_scene, gap, step, isoviscous, cold_film(q_scene));
+  Outcome<FilmState> out;
+  out.value = film.value.state;
+  out.verdict = film.verdict;
+  if (!film.good()) return out;
+  const auto peak = std::max_element(out.value.p.begin(), out.value.p.end());
+  if (alpha * *peak >= 1.0) {
+    out.verdict = {Status::no_steady_state,
+                   "the film has no steady pressure at this gap: with the pressure-viscosity law "
+                   "chosen, q = (1 - exp(-alpha p))/alpha would have to exceed its bound 1/alpha",
+                   place_of(scene.grid, static_cast<int>(peak - out.value.p.begin())),
+                   "switch on elastic deformation, use the Roelands law, or lower the load"};
+    return out;
+  }
+  for (double& p : out.value.p) p = alpha > 0.0 ? -std::log1p(-alpha * p) / alpha : p;
+  impose_supply(scene, out.value);
+  return out;
+}
+
+}  // namespace shellback::fluid

@@ -104,8 +104,24 @@ std::vector<double> odd_half_faces(int n, double to, const std::vector<double>& 
 
 }  // namespace
 
+namespace {
+
+/// True if with every edge its mirror image is there too.
+bool mirror_images(const std::vector<double>& edges, double width) {
+  return std::all_of(edges.begin(), edges.end(), [&](double z) {
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](double other) { return std::abs(z + other) < 1e-12 * width; });
+  });
+}
+
+}  // namespace
+
 FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
                    const std::vector<double>& phi_edges, const std::vector<double>& z_edges) {
+  // A bearing that looks alike from both ends gets a grid that does.
+  if (!half && full_nz > 1 && mirror_images(z_edges, width)) {
+    return full_grid(make_grid(radius, width, nt, full_nz, true, phi_edges, z_edges));
+  }
   FilmGrid g;
   g.radius = radius;
   g.width = width;

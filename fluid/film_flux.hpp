@@ -13,7 +13,9 @@
 /// a face is the logarithmic mean of its cells: for Barus oil that is the exact mean of
 /// exp(-alpha p) between the two pressures, so that the flux is linear in
 /// q = (1 - exp(-alpha p))/alpha. Where the gap jumps on a face, the two half cells are in
-/// series: pressure and flow are continuous, the jump costs no accuracy.
+/// series: pressure and flow are continuous, and in full film the jump costs no accuracy. (Where the
+/// film ruptures on a jump the flow is first order: the empty cell's pressure stands half a cell
+/// behind it.)
 #include <vector>
 
 #include "core/grid.hpp"

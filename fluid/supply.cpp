@@ -100,6 +100,15 @@ SupplyMap map_supplies(const FilmGrid& g, const std::vector<SupplyPatch>& patche
       claim(map.cell, g.index(i, j), k);
     }
   }
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      if (map.line[k] < 0) continue;
+      if (map.cell[k] >= 0 || map.cell[g.index(g.previous(i), j)] >= 0) {
+        throw InputError("a supply line touches a groove or hole; move it or leave it out");
+      }
+    }
+  }
   return map;
 }
 

@@ -29,9 +29,9 @@ TEST_CASE("HeatGivenOffIsFrictionAndPumpPower", "[thermal_loop]") {
     for (const Tier tier : {Tier::thd, Tier::tehd}) {
       const Result r = solved(c, tier);
       INFO(c.title << ' ' << to_string(tier));
-      // The film's balance is that of the last sweep; the walls' heat moves by the last Robin change,
-      // 1e-4 of 10 K on some hundred W/K.
-      CHECK(heat_left(r) == Approx(r.value("power_loss") + r.value("pump_power")).epsilon(1e-3));
+      // The solids' heat differs from the film's by the walls' last change, 1e-3 K at most, on
+      // about 40 W/K: 5e-4 of 80 W.
+      CHECK(heat_left(r) == Approx(r.value("power_loss") + r.value("pump_power")).epsilon(5e-4));
       CHECK(r.value("power_loss") ==
             Approx(r.value("friction_torque") * c.operation.omega).epsilon(1e-12));
     }
@@ -64,22 +64,21 @@ TEST_CASE("HotSupplyLowersFriction", "[thermal_loop]") {
     c.supplies[0].temperature = T;
     const Result r = solved(c, Tier::thd);
     CHECK(r.value("friction_torque") < before);
-    CHECK(r.value("T_film_max") > T);
     before = r.value("friction_torque");
   }
 }
 
 TEST_CASE("InsulatedBearingGivesItsHeatToTheOil", "[thermal_loop]") {
   Case c = warm_case();
-  c.shell->back = ConvectiveBack{0.0, 303.15};
+  c.shell->back = ConvectiveBack{1e-6, 303.15};  // none at all is refused: no temperature of its own
   c.shell->end_heat_transfer = 0.0;
   c.shaft->heat_transfer = 0.0;
   const Result r = solved(c, Tier::thd);
   const double power = r.value("power_loss") + r.value("pump_power");
-  // What the walls still take is the last change of the fixed point, 1e-3 K on some 100 W/K.
-  CHECK(r.value("heat_by_oil") == Approx(power).epsilon(2e-3));
-  CHECK(std::abs(r.value("heat_to_shell")) < 2e-3 * power);
-  CHECK(std::abs(r.value("heat_to_shaft")) < 2e-3 * power);
+  // What the walls still take is their last change, 1e-3 K at most, on about 40 W/K.
+  CHECK(r.value("heat_by_oil") == Approx(power).epsilon(5e-4));
+  CHECK(std::abs(r.value("heat_to_shell")) < 1e-5 * power);
+  CHECK(std::abs(r.value("heat_to_shaft")) < 1e-5 * power);
 }
 
 TEST_CASE("OilOfConstantViscosityDoesNotFeelItsHeat", "[thermal_loop]") {

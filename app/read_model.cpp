@@ -94,7 +94,7 @@ Model read_model(const Section& file) {
   }
   model.tolerance = section.quantity_or("tolerance", kNumber, model.tolerance, "", kTolerance);
   read_grid(section, model);
-  if (section.has("film_nodes")) model.film_nodes = section.whole_number("film_nodes", 3, 30);
+  if (section.has("film_nodes")) model.film_nodes = section.whole_number("film_nodes", 3, 15);
   model.switches = read_switches(section);
   read_rules(section, model);
   return model;

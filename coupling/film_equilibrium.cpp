@@ -254,6 +254,12 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
   bool retreated = false;
   int worst_cell = -1;
   Residuals r;
+  /// The last state that was settled, evaluated, goes with every refusal.
+  const auto refuse = [&](const auto& verdict) {
+    restore(settled, s);
+    if (evaluate(model, growth, viscosity_tolerance, s)) r = residuals_of(model, target, s);
+    return verdict();
+  };
   const auto retreat = [&] {
     restore(settled, s);
     reach *= s.elastic.empty() ? 0.35 : 0.5;
@@ -270,11 +276,11 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
     }
     if (!possible) {
       if (it == 0) return closed_gap(s);
-      if (!retreat()) {
+      if (retreat()) continue;
+      return refuse([&] {
         return s.elastic.empty() ? limit_load(model, target, carried, worst_cell)
                                  : stuck(model, s, r, it);
-      }
-      continue;
+      });
     }
     if (r.within(options) && s.columns.mismatch <= options.viscosity_tolerance &&
         fluid::complementary(model.scene, s.film)) {
@@ -285,8 +291,8 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
                                            : merit < kWorseMerit * settled_merit &&
                                                  s.least.h > kThinner * settled_gap;
     if (!s.elastic.empty() && !follows && !retreated) {
-      if (!retreat()) return stuck(model, s, r, it);
-      continue;
+      if (retreat()) continue;
+      return refuse([&] { return stuck(model, s, r, it); });
     }
     if (follows && !retreated) {
       // Where cavitation moves with the journal the predicted force misleads: ask for less.
@@ -315,7 +321,7 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
     if (report.beyond_barus == 0 || !s.elastic.empty()) continue;
     worst_cell = report.worst_cell;
     if (target.unknowns > 0) {
-      if (!retreat()) return limit_load(model, target, carried, worst_cell);
+      if (!retreat()) return refuse([&] { return limit_load(model, target, carried, worst_cell); });
     } else if (const Verdict v = reduced_start(model, s); !v.good()) {
       return v;
     }

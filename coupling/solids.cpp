@@ -49,6 +49,8 @@ solid::Support support_of(const Case& c) {
   return solid::Support::held;
 }
 
+constexpr double kLocalPart = 0.55;  ///< of the film's largest local response; above 1/2 [-]
+
 /// Mean over harmonics of the mean eigenvalue: what a pressure of no particular shape meets.
 double mean_compliance(const HarmonicOperator& op) {
   double sum = 0.0;
@@ -133,32 +135,28 @@ Field Solids::compliance(const Field& pressure) const {
 
 Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
                                        const std::vector<double>& T_shaft) const {
-  double flux_shell = 0.0;
-  double flux_shaft = 0.0;
-  double warm_shell = 0.0;
-  double warm_shaft = 0.0;
+  // What is missing to balance now: both vanish at the solution.
+  const Field cold(T_shell.size(), surroundings_);
+  const Field now = conduction_->solve(q.shell, 0.0, cold, surroundings_).surface;
+  double missing = 0.0;
   double area = 0.0;
   for (int i = 0; i < grid_.nt; ++i) {
     for (int j = 0; j < grid_.nz; ++j) {
-      const double a = grid_.area(i, j);
-      flux_shell += a * q.shell[grid_.index(i, j)];
-      flux_shaft += a * q.shaft[j];
-      warm_shell += a * T_shell[grid_.index(i, j)];
-      warm_shaft += a * T_shaft[j];
-      area += a;
+      const int c = grid_.index(i, j);
+      missing += grid_.area(i, j) * (now[c] - T_shell[c]);
+      area += grid_.area(i, j);
     }
   }
-  const double fin = 2.0 * thermal::fin_conductance(grid_.radius, fin_) /
-                     (area * grid_.multiplicity());  // both sides [W/(m2 K)]
-  // dTs (1 + R Gs) - R across dTj = R qs - (Ts - surroundings)
-  // -back dTs + (fin + Gj) dTj    = qj - fin (Tj - ambient)
+  const double whole = area * grid_.multiplicity();
+  const double b1 = missing / area;                                                // [K]
+  const double b2 = thermal::shaft_imbalance(grid_, fin_, q.shaft, T_shaft) / whole;  // [W/m2]
+  // dTs (1 + R Gs) - R across dTj = b1,   -back dTs + (fin + Gj) dTj = b2
+  const double fin = 2.0 * thermal::fin_conductance(grid_.radius, fin_) / whole;
   const auto& r = q.response;
   const double a11 = 1.0 + shell_resistance_ * r.shell;
   const double a12 = -shell_resistance_ * r.across;
   const double a21 = -r.back;
   const double a22 = fin + r.shaft;
-  const double b1 = shell_resistance_ * flux_shell / area - (warm_shell / area - surroundings_);
-  const double b2 = flux_shaft / area - fin * (warm_shaft / area - fin_.ambient);
   const double det = a11 * a22 - a12 * a21;
   if (!(det > 0.0)) return {};
   return {(b1 * a22 - a12 * b2) / det, (a11 * b2 - a21 * b1) / det};
@@ -172,8 +170,9 @@ SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
   for (double& x : to_shell) x += q.response.across * mean.shaft;
   std::vector<double> to_shaft = q.shaft;
   for (double& x : to_shaft) x += q.response.back * mean.shell;
-  out.shell = conduction_->solve(to_shell, {q.response.shell, q.response.shell_local}, T_shell,
-                                 surroundings_);
+  // Half the largest response: below it the thinnest film would make the walls overshoot for ever.
+  const double local = std::max(q.response.shell, kLocalPart * q.response.shell_local);
+  out.shell = conduction_->solve(to_shell, {q.response.shell, local}, T_shell, surroundings_);
   out.shaft = thermal::solve_shaft(grid_, fin_, to_shaft, q.response.shaft, T_shaft);
   if (!effects_.growth) return out;
   out.growth = harmonics_.synthesise(multiply(growth_per_flux_, out.shell.flux));

@@ -244,6 +244,9 @@ Result summarize(const Solution& s, Tier tier) {
   r.quantities = q.take();
   r.audit = audit_of(s, f);
   r.effects = effects_of(s, f);
+  if (m.physics.film_energy && fluid::oil_flows(m.scene, s.film.flow).side_inflow > 0.0) {
+    r.assumptions.push_back("oil that comes in again at a side edge is as warm as the supply");
+  }
   r.limiters = limiters_of(s);
   add_range_warnings(s, r.warnings);
   r.fields = fields_of(s, f);

@@ -35,11 +35,16 @@ class Turn {
 
  private:
   [[nodiscard]] EquilibriumOptions film_options() const;
-  [[nodiscard]] double relaxation(const std::vector<double>& g) const;
+  [[nodiscard]] double relaxation(const std::vector<double>& x,
+                                  const std::vector<double>& g) const;
   void unpack(const std::vector<double>& x);
   void impose_walls(std::vector<double>& T) const;
-  /// `closing`: the last time, with the film's heat balance.
-  void heat_the_film(int sweeps, bool closing);
+  /// The energy equation of the film as it stands.
+  thermal::FilmEnergy film_energy();
+  /// The solids' answer to the heat of the present film temperatures.
+  void warm_the_walls(const thermal::FilmEnergy& energy);
+  /// Gives the film the solids' new temperatures; the largest change [K].
+  double take_wall_temperatures();
   [[nodiscard]] bool sound();
   void report(const std::vector<double>& x, const std::vector<double>& g);
 
@@ -79,14 +84,21 @@ EquilibriumOptions Turn::film_options() const {
 }
 
 /// Warmer oil is thinner and makes less heat: the map answers a rise by -beta (T - T_supply) of it.
-/// Taking this part of the change cancels that answer for the mean of the film.
-double Turn::relaxation(const std::vector<double>& g) const {
+/// Taking this part of the change cancels that answer for the mean of the film. Nor may growth
+/// close more than half of the gap that is there.
+double Turn::relaxation(const std::vector<double>& x, const std::vector<double>& g) const {
+  constexpr double kMostClosing = 0.5;  // of the smallest film and the roughness [-]
   double mean = 0.0;
-  for (std::size_t k = 0; k < film_.columns.T.size(); ++k) mean += g[k];
-  const double rise = kTemperatureUnit * mean / static_cast<double>(film_.columns.T.size());
+  const std::size_t nodes = film_.columns.T.size();
+  for (std::size_t k = 0; k < nodes; ++k) mean += g[k];
+  const double rise = kTemperatureUnit * mean / static_cast<double>(nodes);
   const double T = model_.input.supplies.front().temperature + rise;
   const double beta = -rheology::viscosity_slopes(model_.oil, T, 0.0, 0.0).dln_dT;
-  return 1.0 / (1.0 + std::max(beta * rise, 0.0));
+  double closing = 0.0;
+  for (std::size_t k = nodes; k < x.size(); ++k) closing = std::max(closing, x[k] - g[k]);
+  const double room = std::max(film_.least.h, 0.0) + 3.0 * model_.scene.rough.sigma;
+  const double most = kMostClosing * room / std::max(closing * model_.clearance, 1e-300);
+  return std::min(1.0 / (1.0 + std::max(beta * rise, 0.0)), most);
 }
 
 void Turn::unpack(const std::vector<double>& x) {
@@ -127,25 +139,15 @@ void Turn::impose_walls(std::vector<double>& T) const {
   }
 }
 
-void Turn::heat_the_film(int sweeps, bool closing) {
-  const FilmGrid& g = model_.scene.grid;
+thermal::FilmEnergy Turn::film_energy() {
   friction_ = friction_of(model_, film_);
-  thermal::FilmEnergy energy(film_energy_problem(model_, film_, friction_));
-  std::vector<double>& T = film_.columns.T;
-  for (int k = 0; k < sweeps; ++k) {
-    if (energy.sweep(T) < kSettled) break;
-  }
-  const thermal::WallHeat walls = energy.wall_heat(T);
-  if (closing) {
-    heat_.balance = energy.balance(T);
-    heat_.T_mix = energy.mix_temperatures();
-    heat_.backflow_nodes = energy.backflow_nodes();
-  }
+  return thermal::FilmEnergy(film_energy_problem(model_, film_, friction_));
+}
+
+void Turn::warm_the_walls(const thermal::FilmEnergy& energy) {
+  const FilmGrid& g = model_.scene.grid;
+  const thermal::WallHeat walls = energy.wall_heat(film_.columns.T);
   const ContactHeat rubbed = contact_heat(model_, film_);
-  if (std::find(std::begin(kResponseTurns), std::end(kResponseTurns), turns_) !=
-      std::end(kResponseTurns)) {
-    heat_.response = energy.wall_response(kLaps);
-  }
   WallFlux q{walls.shell, std::vector<double>(g.nz, 0.0), heat_.response};
   heat_.contact_heat = 0.0;
   for (int i = 0; i < g.nt; ++i) {
@@ -189,6 +191,20 @@ void Turn::report(const std::vector<double>& x, const std::vector<double>& g) {
   }
 }
 
+double Turn::take_wall_temperatures() {
+  double change = 0.0;
+  for (std::size_t c = 0; c < heat_.T_shell.size(); ++c) {
+    change = std::max(change, std::abs(heat_.solids.shell.surface[c] - heat_.T_shell[c]));
+  }
+  for (std::size_t j = 0; j < heat_.T_shaft.size(); ++j) {
+    change = std::max(change, std::abs(heat_.solids.shaft.temperature[j] - heat_.T_shaft[j]));
+  }
+  heat_.T_shell = heat_.solids.shell.surface;
+  heat_.T_shaft = heat_.solids.shaft.temperature;
+  impose_walls(film_.columns.T);
+  return change;
+}
+
 bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   ++turns_;
   unpack(x);
@@ -197,27 +213,45 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   verdict_ = solve_equilibrium(model_, target_, heat_.growth, film_options(), film_, cost_,
                                control_.stop);
   if (!verdict_.good()) return false;
-  heat_the_film(options_.sweeps, false);
+  thermal::FilmEnergy energy = film_energy();
+  for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
   if (!sound()) return false;
+  if (std::find(std::begin(kResponseTurns), std::end(kResponseTurns), turns_) !=
+      std::end(kResponseTurns)) {
+    heat_.response = energy.wall_response(kLaps);
+  }
+  warm_the_walls(energy);
+  take_wall_temperatures();
   if (!heat_.growth.empty()) heat_.growth = heat_.solids.growth;
-  heat_.T_shell = heat_.solids.shell.surface;
-  heat_.T_shaft = heat_.solids.shaft.temperature;
-  impose_walls(film_.columns.T);
   g = pack();
-  const double part = relaxation(g);
+  const double part = relaxation(x, g);
   for (std::size_t k = 0; k < g.size(); ++k) g[k] = x[k] + part * (g[k] - x[k]);
   report(x, g);
   return true;
 }
 
 void Turn::finish() {
+  constexpr int kMostRounds = 40;      // of film and walls in turn, the flow staying as it is
   constexpr int kMostSweeps = 400;
+  constexpr double kWalls = 1e-6;      // change per round that leaves their heat balanced [K]
   const std::vector<double> after = film_.columns.T;
   film_.columns.T = turn_T_;
   verdict_ = solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_,
                                control_.stop);
   film_.columns.T = after;
-  heat_the_film(kMostSweeps, true);
+  thermal::FilmEnergy energy = film_energy();
+  for (int round = 0; round < kMostRounds; ++round) {
+    for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
+    warm_the_walls(energy);
+    if (take_wall_temperatures() < kWalls) break;
+  }
+  for (int k = 0; k < kMostSweeps; ++k) {
+    if (energy.sweep(film_.columns.T) < kSettled) break;
+  }
+  warm_the_walls(energy);
+  heat_.balance = energy.balance(film_.columns.T);
+  heat_.T_mix = energy.mix_temperatures();
+  heat_.backflow_nodes = energy.backflow_nodes();
 }
 
 }  // namespace

@@ -92,12 +92,10 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   outflow_.assign(nodes, 0.0);
   inverse_.assign(static_cast<std::size_t>(g.cells()) * (n_ - 2) * (n_ - 2), 0.0);
   for (const SupplyVessel& v : p_.vessels) T_mix_.push_back(v.T_supply);
-  double area = 0.0;
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       if (p_.patch[g.index(i, j)] >= 0) continue;
       build_column(i, j);
-      area += g.area(i, j);
       Inflow faces[4];
       const int count = faces_of(i, j, faces);
       const bool at_shore = std::any_of(faces, faces + count, [](const Inflow& f) {
@@ -106,7 +104,6 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
       if (at_shore) shore_.push_back(g.index(i, j));
     }
   }
-  shell_local_ /= area;
 }
 
 int FilmEnergy::faces_of(int i, int j, Inflow* faces) const {
@@ -177,12 +174,13 @@ void FilmEnergy::build_column(int i, int j) {
   }
   invert(inverse, m);
   // Heat into the shell per unit rise of that wall, the column following: a Schur complement.
-  shell_local_ += K * stiffness_[0];
+  double response = K * stiffness_[0];
   for (int r = 0; r < m; ++r) {
     for (int c = 0; c < m; ++c) {
-      shell_local_ -= entry(0, r + 1) * inverse[r * m + c] * entry(c + 1, 0);
+      response -= entry(0, r + 1) * inverse[r * m + c] * entry(c + 1, 0);
     }
   }
+  shell_local_ = std::max(shell_local_, response / p_.grid->area(i, j));
 }
 
 void FilmEnergy::solve_column(int i, int j, std::vector<double>& T, double& change) {

@@ -84,7 +84,7 @@ struct WallResponse {
   double shaft = 0.0;
   double across = 0.0;
   double back = 0.0;
-  double shell_local = 0.0;  ///< one column of the film warmed alone, -d q_shell/d T_shell
+  double shell_local = 0.0;  ///< one column warmed alone, -d q_shell/d T_shell: the largest
 };
 
 /// Column matrices for one problem; sweeps, wall heat and balance for temperature fields.
@@ -136,7 +136,7 @@ class FilmEnergy {
   std::vector<double> T_mix_;      ///< per patch [K]
   std::vector<int> shore_;         ///< film cells with a face to a patch
   std::vector<const LineFlow*> line_west_;  ///< per face: the flow into its line
-  double shell_local_ = 0.0;  ///< sum over columns, then the area mean [W/(m2 K)]
+  double shell_local_ = 0.0;  ///< largest of all columns [W/(m2 K)]
   long backflow_ = 0;
 };
 

@@ -78,4 +78,15 @@ ShaftTemperature solve_shaft(const FilmGrid& grid, const ShaftFin& shaft,
   return out;
 }
 
+double shaft_imbalance(const FilmGrid& grid, const ShaftFin& shaft, const std::vector<double>& q,
+                       const std::vector<double>& t) {
+  const int nz = grid.nz;
+  const double R = grid.radius;
+  const double high = end_conductance(R, shaft, grid.z_face[nz] - grid.z[nz - 1]);
+  const double low = grid.half ? 0.0 : end_conductance(R, shaft, grid.z[0] - grid.z_face[0]);
+  double heat = -high * (t.back() - shaft.ambient) - low * (t.front() - shaft.ambient);
+  for (int j = 0; j < nz; ++j) heat += 2.0 * kPi * R * grid.dz[j] * q[j];
+  return grid.multiplicity() * heat;
+}
+
 }  // namespace shellback::thermal

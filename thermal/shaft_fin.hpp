@@ -42,4 +42,9 @@ struct ShaftTemperature {
                                            const std::vector<double>& q, double g,
                                            const std::vector<double>& t_old);
 
+/// Heat that enters at q [W/m2] less the heat that leaves through the overhangs at temperatures
+/// t [K], whole bearing [W]: zero for the solution of (1).
+[[nodiscard]] double shaft_imbalance(const FilmGrid& grid, const ShaftFin& shaft,
+                                     const std::vector<double>& q, const std::vector<double>& t);
+
 }  // namespace shellback::thermal

@@ -141,9 +141,9 @@ TEST_CASE("DissipationIsStressTimesRate", "[columns]") {
     for (int k = 0; k < 7; ++k) sum += s.gl.w[k] * s.h[c] * phi[c * 7 + k];
     // Power per area: U tau_j less the work of the pressure gradient on the Couette flow, that is
     // U^2/(h g0) + (p_x^2 + p_z^2) h^3 g
-    const double exact = s.speed * s.speed / (s.h[c] * s.columns.g0[c]) +
-                         (s.gx[c] * s.gx[c] + s.gz[c] * s.gz[c]) * std::pow(s.h[c], 3) *
-                             s.out.fluidity[c];
+    const double exact =
+        s.speed * s.speed / (s.h[c] * s.columns.g0[c]) +
+        (s.gx[c] * s.gx[c] + s.gz[c] * s.gz[c]) * std::pow(s.h[c], 3) * s.out.fluidity[c];
     CHECK(sum == Approx(exact).epsilon(1e-12));  // the same quadrature: round-off
   }
 }

@@ -27,7 +27,7 @@ TEST_CASE("EquivalentTemperatureFollowsItsRule", "[compare]") {
   c.supplies[0].temperature = 320.0;
   c.shell->back = PrescribedBack{350.0};
   CHECK(equivalent_temperature(c) == Approx(350.0).epsilon(1e-15));  // kappa = 1: the shell back
-  c.measured.shell_back_temperature = 360.0;                        // measured goes before imposed
+  c.measured.shell_back_temperature = 360.0;                         // measured goes before imposed
   for (const double kappa : {0.0, 0.4, 1.0, 1.3}) {
     c.model.kappa = kappa;
     CHECK(equivalent_temperature(c) == Approx(320.0 + kappa * 40.0).epsilon(1e-15));

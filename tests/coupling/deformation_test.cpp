@@ -44,8 +44,10 @@ TEST_CASE("AluminiumHousingOpensTheGapAndABronzeShaftClosesIt", "[deformation]")
   const double T = 393.15;
   const double dT = T - 293.15;
   Case c = all_steel(T);
-  c.shell = Shell{{{aluminium(), 5e-3}}, Housing{aluminium(), 0.06, HousingSupport::free},
-                  ConvectiveBack{200.0, T}, 50.0};
+  c.shell = Shell{{{aluminium(), 5e-3}},
+                  Housing{aluminium(), 0.06, HousingSupport::free},
+                  ConvectiveBack{200.0, T},
+                  50.0};
   const double R = c.bearing.radius;
   for (const double x : growth_at(c, T)) {  // one free body: R (alpha_Al - alpha_steel) dT
     CHECK(x == Approx(R * (23e-6 - 11e-6) * dT).epsilon(1e-6));

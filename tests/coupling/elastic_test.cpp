@@ -108,8 +108,8 @@ TEST_CASE("ComplianceIsSymmetricAndPositive", "[elastic]") {
         qv += g.area(i, j) * q[k] * v[k];
       }
     }
-    CHECK(qv > 0.0);                                    // work done on an elastic body
-    CHECK(std::abs(pv - qu) < 1e-8 * std::abs(qv));     // Betti; round-off of the stiffness matrices
+    CHECK(qv > 0.0);                                 // work done on an elastic body
+    CHECK(std::abs(pv - qu) < 1e-8 * std::abs(qv));  // Betti; round-off of the stiffness matrices
     CHECK(m.solids->winkler() > 0.0);
   }
 }

@@ -80,7 +80,8 @@ TEST_CASE("RigidStepSquaresTheError", "[newton_step]") {
     for (const double size : {2e-4, 1e-4, 5e-5}) {
       FilmEquilibrium f = disturbed(s, size);
       EquilibriumCost cost;
-      take(s, rigid_step(s.model, s.target, f, fluid::film_residual(s.model.scene, f.flow), {}, cost),
+      take(s,
+           rigid_step(s.model, s.target, f, fluid::film_residual(s.model.scene, f.flow), {}, cost),
            f);
       const Norms n = norms(s, f);
       const double error = n.film + n.load;
@@ -109,7 +110,8 @@ TEST_CASE("ElasticStepSquaresTheError", "[newton_step]") {
       Field r = s.model.solids->compliance(total);
       for (std::size_t k = 0; k < r.size(); ++k) r[k] -= f.elastic[k];
       EquilibriumCost cost;
-      take(s, elastic_step(s.model, s.target, f, fluid::film_residual(s.model.scene, f.flow), r, cost),
+      take(s,
+           elastic_step(s.model, s.target, f, fluid::film_residual(s.model.scene, f.flow), r, cost),
            f);
       const Norms n = norms(s, f);
       INFO("size " << size << ": film " << n.film << ", load " << n.load << ", elastic "

@@ -10,7 +10,7 @@ using namespace shellback::coupling::tests;
 
 namespace {
 
-/// Cases whose film heats itself without bound: viscosity that rises with temperature, heat that
+/// A case whose film heats itself without bound: viscosity that rises with temperature, heat that
 /// leaves with the oil alone.
 Case runaway_case() {
   Case c = warm_case();
@@ -19,6 +19,7 @@ Case runaway_case() {
   c.shell->back = ConvectiveBack{1.0, 303.15};
   c.shell->end_heat_transfer = 0.0;
   c.shaft->heat_transfer = 0.0;
+  c.model.switches.thermal_deformation = false;  // the shaft would seize first
   return c;
 }
 
@@ -66,8 +67,8 @@ TEST_CASE("ShrunkenClearanceIsRefused", "[refusal]") {
   c.shell->housing->support = HousingSupport::clamped;
   const Solution s = solve_tier(c, Tier::tehd);
   INFO(s.verdict.reason);
-  CHECK_FALSE(s.verdict.good());
-  CHECK_FALSE(s.verdict.reason.empty());
+  CHECK(s.verdict.status == Status::no_steady_state);
+  CHECK(says(s.verdict, "clearance is used up by thermal growth"));
 }
 
 TEST_CASE("StopFlagEndsEverySolve", "[refusal]") {

@@ -46,8 +46,10 @@ inline constexpr double kDegree = kPi / 180.0;
   c.supplies[0].length = 0.02;
   c.supplies[0].pressure = 1e5;
   c.oil.temperature = rheology::ReynoldsSlope{0.03, 313.15, 0.035};
-  c.shell = Shell{{{steel(), 5e-3}}, Housing{aluminium(), 0.06, HousingSupport::held},
-                  ConvectiveBack{200.0, 303.15}, 50.0};
+  c.shell = Shell{{{steel(), 5e-3}},
+                  Housing{aluminium(), 0.06, HousingSupport::held},
+                  ConvectiveBack{200.0, 303.15},
+                  50.0};
   c.shaft = Shaft{steel(), 0.05, 100.0, 303.15};
   c.model.tier = Tier::thd;
   return c;
@@ -79,7 +81,8 @@ inline constexpr double kDegree = kPi / 180.0;
   const solid::Material lining{"AlSn20", 180.0, 3110.0, 760.0, 62e9, 0.33, 24e-6};
   c.shell = Shell{{{lining, 0.3e-3}, {steel(), 1.7e-3}},
                   Housing{aluminium(), 0.04, HousingSupport::held},
-                  ConvectiveBack{500.0, 363.15}, 50.0};
+                  ConvectiveBack{500.0, 363.15},
+                  50.0};
   c.shaft = Shaft{steel(), 0.0, 0.0, 363.15};
   c.surfaces.shell = {0.34e-6, 12.0, 0.28e-6, 0.39e-6};
   c.surfaces.shaft = {0.20e-6, 4.0, 0.13e-6, 0.21e-6};

@@ -70,7 +70,8 @@ TEST_CASE("HotSupplyLowersFriction", "[thermal_loop]") {
 
 TEST_CASE("InsulatedBearingGivesItsHeatToTheOil", "[thermal_loop]") {
   Case c = warm_case();
-  c.shell->back = ConvectiveBack{1e-6, 303.15};  // none at all is refused: no temperature of its own
+  c.shell->back =
+      ConvectiveBack{1e-6, 303.15};  // none at all is refused: no temperature of its own
   c.shell->end_heat_transfer = 0.0;
   c.shaft->heat_transfer = 0.0;
   const Result r = solved(c, Tier::thd);
@@ -107,7 +108,8 @@ TEST_CASE("BearingAtRestInTemperatureIsIsothermal", "[thermal_loop]") {
 TEST_CASE("LumpedTemperatureClosesTheHeatBalance", "[thermal_loop]") {
   for (const Case& c : {warm_case(), rig_case(), grooved_case()}) {
     const Result r = solved(c, Tier::lumped);
-    const double rho = reference_density(make_bearing(c, physics_of(c, Tier::lumped), c.model.grid));
+    const double rho =
+        reference_density(make_bearing(c, physics_of(c, Tier::lumped), c.model.grid));
     const double T_supply = c.supplies[0].temperature;
     const double cp = rheology::heat_capacity(c.oil, T_supply).cp;
     const double carried = rho * r.value("side_flow") * cp * (r.value("T_film_mean") - T_supply);

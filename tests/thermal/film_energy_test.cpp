@@ -116,7 +116,8 @@ TEST_CASE("UniformTemperatureStaysUniform", "[film_energy]") {
     for (int k = 0; k < 5; ++k) change = std::max(change, film.sweep(r.T));
     CHECK(change < 1e-10);  // round-off of 50 K of enthalpy against weak conduction
     const WallHeat q = film.wall_heat(r.T);
-    for (int c = 0; c < r.grid.cells(); ++c) CHECK(std::abs(q.shell[c]) < 1e-11);  // of 10 W by flow
+    for (int c = 0; c < r.grid.cells(); ++c)
+      CHECK(std::abs(q.shell[c]) < 1e-11);  // of 10 W by flow
   }
 }
 
@@ -223,7 +224,7 @@ TEST_CASE("HeatConductedAcrossTheFilmIsFouriers", "[film_energy]") {
   const WallHeat q = film.wall_heat(r.T);
   for (int c = 0; c < r.grid.cells(); ++c) {
     const double flux = 0.13 * 60.0 / 20e-6 * r.grid.area(c / 3, c % 3);  // k dT/h A
-    CHECK(std::abs(q.shell[c] / flux - 1.0) < 1e-11);                      // round-off
+    CHECK(std::abs(q.shell[c] / flux - 1.0) < 1e-11);                     // round-off
     CHECK(std::abs(q.shaft[c] / flux + 1.0) < 1e-11);
   }
 }

@@ -121,8 +121,8 @@ double adiabatic_outlet(int nt, double duty) {
   for (int turn = 0; turn < 200; ++turn) {
     for (int c = 0; c < nt; ++c) {
       for (int k = 0; k < 5; ++k) {
-        r.problem.heat[r.at(c, k)] = r.gl.w[k] * heat * r.grid.area(c, 0) *
-                                     std::exp(-kBeta * (r.T[r.at(c, k)] - kT0));
+        r.problem.heat[r.at(c, k)] =
+            r.gl.w[k] * heat * r.grid.area(c, 0) * std::exp(-kBeta * (r.T[r.at(c, k)] - kT0));
       }
     }
     FilmEnergy film = r.film();

@@ -5,6 +5,7 @@
 #include <sundials/sundials_context.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -16,13 +17,20 @@ using Map = std::function<bool(const std::vector<double>&, std::vector<double>&)
 struct Call {
   const Map* map;
   std::vector<double> x, g;
+  double change = 0.0;  ///< largest |G(x) - x| of the last call
 };
 
 int evaluate(N_Vector x, N_Vector g, void* data) {
   Call& call = *static_cast<Call*>(data);
   const double* from = N_VGetArrayPointer(x);
   call.x.assign(from, from + call.x.size());
+  const auto finite = [](double v) { return std::isfinite(v); };
+  if (!std::all_of(call.x.begin(), call.x.end(), finite)) return -1;
   if (!(*call.map)(call.x, call.g)) return -1;
+  call.change = 0.0;
+  for (std::size_t k = 0; k < call.x.size(); ++k) {
+    call.change = std::max(call.change, std::abs(call.g[k] - call.x[k]));
+  }
   std::copy(call.g.begin(), call.g.end(), N_VGetArrayPointer(g));
   return 0;
 }
@@ -66,7 +74,10 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   require(KINSetFuncNormTol(solver.get(), o.tolerance));
   require(KINSetNumMaxIters(solver.get(), o.max_iterations));
   const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
-  if (end >= 0) return FixedPointEnd::converged;
+  // KINSOL's own word is not enough: a norm that is not a number passes its test.
+  if (end >= 0) {
+    return call.change <= o.tolerance ? FixedPointEnd::converged : FixedPointEnd::iteration_limit;
+  }
   return end == KIN_MAXITER_REACHED ? FixedPointEnd::iteration_limit : FixedPointEnd::map_failed;
 }
 

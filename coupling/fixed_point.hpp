@@ -6,7 +6,7 @@
 namespace shellback::coupling {
 
 struct FixedPointOptions {
-  int depth = 5;             ///< vectors kept [-]
+  int depth = 5;             ///< vectors kept, not more than x has components [-]
   int delay = 1;             ///< plain iterations before acceleration [-]
   int max_iterations = 100;
   double tolerance = 1e-6;   ///< largest |G(x) - x| [-]

@@ -150,16 +150,32 @@ Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveCont
   return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
 }
 
-/// Solves on every grid of the ladder, each from the one before; a coarse grid that fails is left
-/// out, and the next one starts from cold.
+/// Solves on the model's grid, from the state that is there or from cold.
+void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const SolveControl& control) {
+  if (!warm) {
+    s.film = cold_start(s.model, s.T_film);
+    s.heat = {};
+  }
+  switch (tier) {
+    case Tier::isothermal: s.verdict = solve_isothermal(s, warm, control); break;
+    case Tier::lumped: s.verdict = solve_lumped(s, warm, control); break;
+    case Tier::thd:
+    case Tier::tehd: s.verdict = solve_resolved(s, warm, tolerance, control); break;
+  }
+}
+
+/// Solves on every grid of the ladder, each from the one before. A coarse grid that fails is left
+/// out; where the state of a coarse grid is no start for the next, that one starts from cold.
 void climb(const Case& c, Tier tier, const SolveControl& control,
            std::shared_ptr<const Solids> solids, Solution& s) {
   constexpr double kCoarseTolerance = 3e-3;  // coarse grids only give the start of the next
   const auto ladder = grid_ladder(c.model.grid);
   s.target = load_target(c);
+  const double T_start = s.T_film;
   bool warm = false;
   for (std::size_t level = 0; level < ladder.size(); ++level) {
     const bool last = level + 1 == ladder.size();
+    const double tolerance = last ? 0.0 : kCoarseTolerance;
     BearingModel model =
         make_bearing(c, physics_of(c, tier), ladder[level], last ? solids : nullptr);
     if (warm) {
@@ -167,17 +183,13 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
       if (model.physics.film_energy) s.heat = carry_over(s.model, s.heat, model);
     }
     s.model = std::move(model);
-    if (!warm) {
-      s.film = cold_start(s.model, s.T_film);
-      s.heat = {};
-    }
-    switch (tier) {
-      case Tier::isothermal: s.verdict = solve_isothermal(s, warm, control); break;
-      case Tier::lumped: s.verdict = solve_lumped(s, warm, control); break;
-      case Tier::thd:
-      case Tier::tehd:
-        s.verdict = solve_resolved(s, warm, last ? 0.0 : kCoarseTolerance, control);
-        break;
+    const std::size_t turns = s.history.size();
+    solve_level(s, tier, warm, tolerance, control);
+    const bool at_once = s.history.size() == turns;  // not even one turn of film and heat
+    if (warm && (s.verdict.status == Status::iteration_limit ||
+                 (s.verdict.status == Status::no_steady_state && at_once))) {
+      s.T_film = T_start;
+      solve_level(s, tier, false, tolerance, control);
     }
     if (s.verdict.status == Status::interrupted) return;
     warm = s.verdict.good();

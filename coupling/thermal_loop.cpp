@@ -273,7 +273,11 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
   std::vector<double> x = turn.pack();
   const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance};
   const FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
-  if (end == FixedPointEnd::map_failed) return turn.verdict();
+  if (end == FixedPointEnd::map_failed) {
+    if (!turn.verdict().good()) return turn.verdict();
+    return {Status::invalid_number, "the accelerated temperatures are not numbers", "",
+            "try a finer grid"};
+  }
   turn.finish();
   if (end == FixedPointEnd::converged) return turn.verdict();
   return {Status::iteration_limit,

@@ -51,6 +51,7 @@ TEST_CASE("FilmForceBalancesTheLoad", "[equilibrium]") {
     for (const double angle : {270.0, 200.0, 20.0}) {
       INFO("load " << load << " N at " << angle << " deg");
       Case c = plain_case();
+      c.supplies[0].pressure = 1e5;  // a line without pressure starves a film that narrows there
       c.operation.position = LoadGiven{load, angle * kDegree};
       const Solution s = isothermal(c);
       CHECK(std::abs(s.film.force[0] + load * std::cos(angle * kDegree)) < 1e-9 * load);

@@ -262,7 +262,7 @@ TEST_CASE("WallResponseIsTheSlopeOfTheWallHeat", "[film_energy]") {
   CHECK(response.shaft == Approx(-slope(by_shaft.shaft, before.shaft)).epsilon(1e-8));
 }
 
-TEST_CASE("LocalWallResponseIsThatOfOneColumn", "[film_energy]") {
+TEST_CASE("LocalWallResponseIsTheLargestOfOneColumn", "[film_energy]") {
   std::mt19937 engine(9);
   Ring r(10, 1, 5);
   for (int c = 0; c < 10; ++c) r.west_flow(c, [](double s) { return 1e-4 * s * (1.2 - s); });
@@ -271,14 +271,12 @@ TEST_CASE("LocalWallResponseIsThatOfOneColumn", "[film_energy]") {
   FilmEnergy film = r.film();
   settle(film, r.T);
   const WallHeat before = film.wall_heat(r.T);
-  double sum = 0.0;
-  double area = 0.0;
+  double most = 0.0;
   for (int c = 0; c < 10; ++c) {  // one sweep: the column follows, its upstream does not know yet
     std::vector<double> T = r.T;
     T[r.at(c, 0)] += 1.0;
     film.sweep(T);
-    sum += before.shell[c] - film.wall_heat(T).shell[c];
-    area += r.grid.area(c, 0);
+    most = std::max(most, (before.shell[c] - film.wall_heat(T).shell[c]) / r.grid.area(c, 0));
   }
-  CHECK(film.wall_response(3).shell_local == Approx(sum / area).epsilon(1e-9));
+  CHECK(film.wall_response(3).shell_local == Approx(most).epsilon(1e-9));
 }

@@ -45,7 +45,11 @@ class Turn {
   void warm_the_walls(const thermal::FilmEnergy& energy);
   /// Gives the film the solids' new temperatures; the largest change [K].
   double take_wall_temperatures();
+  /// False, with the verdict set, if the temperatures run away.
   [[nodiscard]] bool sound();
+  [[nodiscard]] Verdict runaway(const std::string& what) const;
+  /// A film that fails because heat has thinned its oil is a thermal runaway.
+  void name_the_failure();
   void report(const std::vector<double>& x, const std::vector<double>& g);
 
   const BearingModel& model_;
@@ -165,17 +169,32 @@ void Turn::warm_the_walls(const thermal::FilmEnergy& energy) {
 bool Turn::sound() {
   const auto hottest = std::max_element(film_.columns.T.begin(), film_.columns.T.end());
   const double rise = *hottest - model_.input.supplies.front().temperature;
-  const int cell = static_cast<int>(hottest - film_.columns.T.begin()) / model_.gl.n;
   const bool finite = std::all_of(film_.columns.T.begin(), film_.columns.T.end(),
                                   [](double T) { return std::isfinite(T); });
   if (finite && rise < options_.runaway) return true;
-  verdict_ = {Status::no_steady_state,
-              finite ? fmt::format("thermal runaway: the film is {:.0f} K above the supply and rises",
-                                   rise)
-                     : "thermal runaway: the film temperature is not a number any more",
-              fluid::place_of(model_.scene.grid, cell),
-              "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
+  verdict_ = runaway(finite ? fmt::format("the film is {:.0f} K above the supply and rises", rise)
+                            : "the film temperature is not a number any more");
   return false;
+}
+
+Verdict Turn::runaway(const std::string& what) const {
+  const auto hottest = std::max_element(film_.columns.T.begin(), film_.columns.T.end());
+  const int cell = static_cast<int>(hottest - film_.columns.T.begin()) / model_.gl.n;
+  return {Status::no_steady_state, "thermal runaway: " + what,
+          fluid::place_of(model_.scene.grid, cell),
+          "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
+}
+
+void Turn::name_the_failure() {
+  constexpr double kLost = 3.0;  // |ln| of the change of viscosity from which heat is the cause [-]
+  if (verdict_.status != Status::iteration_limit) return;
+  const double T0 = model_.input.supplies.front().temperature;
+  const double T = *std::max_element(film_.columns.T.begin(), film_.columns.T.end());
+  const double lost = std::log(rheology::viscosity(model_.oil, T0, 0.0) /
+                               rheology::viscosity(model_.oil, T, 0.0));
+  if (!(std::abs(lost) > kLost)) return;
+  verdict_ = runaway(fmt::format("the film is {:.0f} K above the supply, its viscosity is {:.1e} "
+                                 "times that of the supplied oil, and no film is found any more", T - T0, std::exp(-lost)));
 }
 
 void Turn::report(const std::vector<double>& x, const std::vector<double>& g) {
@@ -208,11 +227,15 @@ double Turn::take_wall_temperatures() {
 bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   ++turns_;
   unpack(x);
+  if (!sound()) return false;
   turn_T_ = film_.columns.T;
   turn_growth_ = heat_.growth;
   verdict_ = solve_equilibrium(model_, target_, heat_.growth, film_options(), film_, cost_,
                                control_.stop);
-  if (!verdict_.good()) return false;
+  if (!verdict_.good()) {
+    name_the_failure();
+    return false;
+  }
   thermal::FilmEnergy energy = film_energy();
   for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
   if (!sound()) return false;

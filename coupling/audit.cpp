@@ -17,9 +17,10 @@ double energy(const Solution& s, const Friction& f) {
   const double twice = s.model.scene.grid.multiplicity();
   const auto& b = s.heat.balance;
   const double power = (f.viscous + f.asperity) * s.model.input.operation.omega;
-  const double gone = twice * (b.carried_out - b.carried_in + b.to_shell + b.to_shaft);
-  return std::abs(power + pump_power(s.model, s.film) - gone - s.heat.contact_heat) /
-         std::abs(power);
+  // The walls' share as the solids took it up (asperity heat included), not as the film gave it.
+  const double gone = twice * (b.carried_out - b.carried_in) + s.heat.solids.shell.heat_in +
+                      s.heat.solids.shaft.heat_in;
+  return std::abs(power + pump_power(s.model, s.film) - gone) / std::abs(power);
 }
 
 double load(const Solution& s) {

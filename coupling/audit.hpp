@@ -3,8 +3,7 @@
 ///
 ///   mass    |supply flow - side flow| / the larger of them
 ///   energy  |friction power + pump power - heat by oil - heat to shell - heat to shaft|
-///           / friction power; the film's temperatures with the flows and the dissipation they
-///           were solved for
+///           / friction power; heat to shell and shaft as the solids took it up
 ///   load    |F + W| / |W|; not applicable with a given position
 ///   moment  |T_journal - T_shell - T_pressure| / |T_journal|, viscous torques; T_pressure =
 ///           - int p dhT/dphi dA, the moment of the pressure on the eccentric journal (and on the

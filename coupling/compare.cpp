@@ -95,7 +95,8 @@ double calibrate(const Case& c, double wanted, double guess, const SolveControl&
   struct Search {
     Solution& s;
     double wanted;
-  } search{s, wanted};
+    const std::atomic<bool>* stop;
+  } search{s, wanted, control.stop};
   gsl_function f;
   f.params = &search;
   f.function = [](double T, void* data) {
@@ -104,7 +105,7 @@ double calibrate(const Case& c, double wanted, double guess, const SolveControl&
     FilmEquilibrium trial = a.s.film;
     EquilibriumOptions loose;
     loose.load_tolerance = 1e-7;
-    const Verdict v = solve_equilibrium(a.s.model, a.s.target, {}, loose, trial, a.s.cost);
+    const Verdict v = solve_equilibrium(a.s.model, a.s.target, {}, loose, trial, a.s.cost, a.stop);
     if (!v.good()) return static_cast<double>(NAN);
     a.s.film = trial;
     const Friction friction = friction_of(a.s.model, trial);

@@ -172,6 +172,13 @@ fluid::UpdateReport take(const BearingModel& model, const NewtonStep& step, doub
 
 Verdict limit_load(const BearingModel& model, const LoadTarget& target, double carried,
                    int worst_cell) {
+  const std::string place =
+      worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : std::string();
+  if (worst_cell < 0 || carried >= target.scale()) {  // not the pressure law: the gap gave out
+    return {Status::iteration_limit,
+            "no position was found in which the film carries the load: each step closes the gap",
+            place, "lower the load or the tilt, or give roughness and contact data"};
+  }
   return {Status::no_steady_state,
           fmt::format("the film cannot carry {:.4g} N: it carries about {:.4g} N, then the pressure "
                       "grows without bound (with rigid surfaces and viscosity rising as exp(alpha p), "
@@ -315,7 +322,8 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
     const NewtonStep step = s.elastic.empty()
                                 ? rigid_step(model, now, s, r.film, {reach, damping}, cost)
                                 : elastic_step(model, now, s, r.film, r.displacement, cost);
-    if (!step.good) return {Status::iteration_limit, "the film matrix is singular", "", "refine the grid"};
+    if (!step.good) return {Status::iteration_limit, "the film matrix is singular: parts of the film get no oil", "",
+              "feed more oil, or turn the supply away from the load"};
     const auto report = take(model, step, s.elastic.empty() ? 1.0 : reach, s);
     // A rigid film of that gap has no pressure; an elastic one gives way, the step was only long.
     if (report.beyond_barus == 0 || !s.elastic.empty()) continue;

@@ -73,12 +73,22 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   require(KINSetUserData(solver.get(), &call));
   require(KINSetFuncNormTol(solver.get(), o.tolerance));
   require(KINSetNumMaxIters(solver.get(), o.max_iterations));
-  const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
-  // KINSOL's own word is not enough: a norm that is not a number passes its test.
-  if (end >= 0) {
-    return call.change <= o.tolerance ? FixedPointEnd::converged : FixedPointEnd::iteration_limit;
+  // KINSOL's own word is not enough: its norm is not |G(x) - x|, and one that is not a number
+  // passes its test. Where it stops early it goes on from there.
+  long used = 0;
+  while (true) {
+    const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
+    if (end < 0) {
+      return end == KIN_MAXITER_REACHED ? FixedPointEnd::iteration_limit
+                                        : FixedPointEnd::map_failed;
+    }
+    if (call.change <= o.tolerance) return FixedPointEnd::converged;
+    long now = 0;
+    require(KINGetNumNonlinSolvIters(solver.get(), &now));
+    used += std::max(now, 1L);
+    if (used >= o.max_iterations) return FixedPointEnd::iteration_limit;
+    require(KINSetNumMaxIters(solver.get(), o.max_iterations - used));
   }
-  return end == KIN_MAXITER_REACHED ? FixedPointEnd::iteration_limit : FixedPointEnd::map_failed;
 }
 
 }  // namespace shellback::coupling

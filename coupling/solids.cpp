@@ -166,14 +166,18 @@ SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
                                 const std::vector<double>& T_shaft) const {
   SolidTemperature out;
   const MeanChange mean = mean_change(q, T_shell, T_shaft);
+  // Half the largest response or more: below it the thinnest film would make a wall overshoot for
+  // ever. The mean of a wall, which answers less, is led to its predicted change all the same.
+  const auto& r = q.response;
+  const double ring = std::max(r.shell, kLocalPart * r.shell_ring);
+  const double local = std::max(ring, kLocalPart * r.shell_local);
+  const double along = std::max(r.shaft, kLocalPart * r.shaft_ring);
   Field to_shell = q.shell;
-  for (double& x : to_shell) x += q.response.across * mean.shaft;
+  for (double& x : to_shell) x += r.across * mean.shaft + (ring - r.shell) * mean.shell;
   std::vector<double> to_shaft = q.shaft;
-  for (double& x : to_shaft) x += q.response.back * mean.shell;
-  // Half the largest response: below it the thinnest film would make the walls overshoot for ever.
-  const double local = std::max(q.response.shell, kLocalPart * q.response.shell_local);
-  out.shell = conduction_->solve(to_shell, {q.response.shell, local}, T_shell, surroundings_);
-  out.shaft = thermal::solve_shaft(grid_, fin_, to_shaft, q.response.shaft, T_shaft);
+  for (double& x : to_shaft) x += r.back * mean.shell + (along - r.shaft) * mean.shaft;
+  out.shell = conduction_->solve(to_shell, {ring, local}, T_shell, surroundings_);
+  out.shaft = thermal::solve_shaft(grid_, fin_, to_shaft, along, T_shaft);
   if (!effects_.growth) return out;
   out.growth = harmonics_.synthesise(multiply(growth_per_flux_, out.shell.flux));
   const std::vector<double> shaft =

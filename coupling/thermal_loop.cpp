@@ -254,20 +254,34 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
 }
 
 void Turn::finish() {
-  constexpr int kMostRounds = 40;      // of film and walls in turn, the flow staying as it is
+  constexpr int kMostRounds = 60;      // of film and walls in turn, the flow staying as it is
   constexpr int kMostSweeps = 400;
-  constexpr double kWalls = 1e-6;      // change per round that leaves their heat balanced [K]
+  constexpr double kWalls = 1e-7;      // change per round that leaves their heat balanced [K]
+  constexpr double kGrowing = 4.0;     // change over the best one at which rounds only get worse [-]
+  constexpr double kUnbalanced = 0.1;  // change that the walls must not be left with [K]
   const std::vector<double> after = film_.columns.T;
   film_.columns.T = turn_T_;
   verdict_ = solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_,
                                control_.stop);
   film_.columns.T = after;
   thermal::FilmEnergy energy = film_energy();
-  for (int round = 0; round < kMostRounds; ++round) {
+  double change = INFINITY;  // of the best round; a round may be the first of a growing series
+  std::vector<double> best_T = film_.columns.T;
+  HeatState best = heat_;
+  for (int round = 0; round < kMostRounds && change > kWalls; ++round) {
     for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
     warm_the_walls(energy);
-    if (take_wall_temperatures() < kWalls) break;
+    const double now = take_wall_temperatures();
+    if (now < change) {
+      change = now;
+      best_T = film_.columns.T;
+      best = heat_;
+    } else if (now > kGrowing * change) {
+      break;
+    }
   }
+  film_.columns.T = best_T;
+  heat_ = best;
   for (int k = 0; k < kMostSweeps; ++k) {
     if (energy.sweep(film_.columns.T) < kSettled) break;
   }
@@ -275,6 +289,11 @@ void Turn::finish() {
   heat_.balance = energy.balance(film_.columns.T);
   heat_.T_mix = energy.mix_temperatures();
   heat_.backflow_nodes = energy.backflow_nodes();
+  if (verdict_.good() && !(change < kUnbalanced)) {
+    verdict_ = {Status::iteration_limit,
+                fmt::format("film and walls do not come to balance (last change {:.2g} K)", change),
+                "", "try a finer grid or another cooling of shell and shaft"};
+  }
 }
 
 }  // namespace

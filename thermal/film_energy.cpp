@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/constants.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::thermal {
@@ -92,6 +93,8 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   outflow_.assign(nodes, 0.0);
   inverse_.assign(static_cast<std::size_t>(g.cells()) * (n_ - 2) * (n_ - 2), 0.0);
   for (const SupplyVessel& v : p_.vessels) T_mix_.push_back(v.T_supply);
+  shell_ring_.assign(g.nz, 0.0);
+  shaft_ring_.assign(g.nz, 0.0);
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       if (p_.patch[g.index(i, j)] >= 0) continue;
@@ -173,14 +176,21 @@ void FilmEnergy::build_column(int i, int j) {
     for (int c = 0; c < m; ++c) inverse[r * m + c] = entry(r + 1, c + 1);
   }
   invert(inverse, m);
-  // Heat into the shell per unit rise of that wall, the column following: a Schur complement.
-  double response = K * stiffness_[0];
-  for (int r = 0; r < m; ++r) {
-    for (int c = 0; c < m; ++c) {
-      response -= entry(0, r + 1) * inverse[r * m + c] * entry(c + 1, 0);
+  // Heat into a wall per unit rise of it, the column following: a Schur complement.
+  const auto schur = [&](int wall) {
+    double response = K * stiffness_[wall * n + wall];
+    for (int r = 0; r < m; ++r) {
+      for (int c = 0; c < m; ++c) {
+        response -= entry(wall, r + 1) * inverse[r * m + c] * entry(c + 1, wall);
+      }
     }
-  }
-  shell_local_ = std::max(shell_local_, response / p_.grid->area(i, j));
+    return response / p_.grid->area(i, j);
+  };
+  const double shell = schur(0);
+  const double part = p_.grid->dphi[i] / (2.0 * kPi);
+  shell_local_ = std::max(shell_local_, shell);
+  shell_ring_[j] += part * shell;
+  shaft_ring_[j] += part * schur(n - 1);
 }
 
 void FilmEnergy::solve_column(int i, int j, std::vector<double>& T, double& change) {
@@ -333,7 +343,9 @@ WallResponse FilmEnergy::wall_response(int laps) const {
   };
   const auto by_shell = per_kelvin(0);
   const auto by_shaft = per_kelvin(n_ - 1);
-  return {-by_shell[0], -by_shaft[1], by_shaft[0], by_shell[1], shell_local_};
+  return {-by_shell[0], -by_shaft[1], by_shaft[0], by_shell[1], shell_local_,
+          *std::max_element(shell_ring_.begin(), shell_ring_.end()),
+          *std::max_element(shaft_ring_.begin(), shaft_ring_.end())};
 }
 
 EnergyBalance FilmEnergy::balance(const std::vector<double>& T) const {

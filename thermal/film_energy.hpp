@@ -85,6 +85,8 @@ struct WallResponse {
   double across = 0.0;
   double back = 0.0;
   double shell_local = 0.0;  ///< one column warmed alone, -d q_shell/d T_shell: the largest
+  double shell_ring = 0.0;   ///< the same, mean over a ring of columns at one z: the largest
+  double shaft_ring = 0.0;   ///< the same for the shaft
 };
 
 /// Column matrices for one problem; sweeps, wall heat and balance for temperature fields.
@@ -137,6 +139,7 @@ class FilmEnergy {
   std::vector<int> shore_;         ///< film cells with a face to a patch
   std::vector<const LineFlow*> line_west_;  ///< per face: the flow into its line
   double shell_local_ = 0.0;  ///< largest of all columns [W/(m2 K)]
+  std::vector<double> shell_ring_, shaft_ring_;  ///< mean over the columns at each z [W/(m2 K)]
   long backflow_ = 0;
 };
 

@@ -1,4 +1,5 @@
 /// Film, shell and shaft exchanging heat: tier thd and the lumped balance.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "coupling/audit.hpp"
@@ -155,4 +156,29 @@ TEST_CASE("MoreNodesAcrossTheFilmConvergeOnTheSameFriction", "[thermal_loop]") {
   }
   CHECK(std::abs(torque[1] - torque[2]) < std::abs(torque[0] - torque[2]));
   CHECK(torque[0] == Approx(torque[2]).epsilon(5e-3));  // methods 0: 5 nodes by default
+}
+
+TEST_CASE("NoFilmIsColderThanAllAroundIt", "[thermal_loop]") {
+  Case free = rig_case();  // slow, smooth, free to tilt: a film of 0.3 um between the walls
+  free.operation.omega = 23.2;
+  set_load(free, 12e3);
+  free.supplies[0].temperature = 355.15;
+  free.surfaces = {};
+  free.operation.alignment = MomentGiven{};
+  free.model.switches.elastic_deformation = true;
+  free.model.grid = {104, 8};
+  Case cooled = free;
+  cooled.shaft->overhang = 0.05;
+  cooled.shaft->heat_transfer = 100.0;
+  for (const Case& c : {warm_case(), grooved_case(), rig_case(), free, cooled}) {
+    const double coldest =
+        std::min({c.supplies[0].temperature, std::get<ConvectiveBack>(c.shell->back).ambient,
+                  c.shaft->ambient});
+    const Solution s = solve_tier(c, Tier::thd);
+    INFO(c.title << ": " << s.verdict.reason);
+    REQUIRE(s.verdict.good());
+    const auto [low, high] = std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
+    CHECK(*low > coldest - 2.0);  // 2 K: what a polynomial of five nodes may swing below
+    CHECK(*high < coldest + 100.0);
+  }
 }

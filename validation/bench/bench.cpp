@@ -1,0 +1,175 @@
+/// Speed of the steady solvers, as milliseconds and as multiples of one KLU refactorisation of
+/// the same film's full-width Reynolds matrix in the same run (klu_yardstick.hpp).
+///
+/// Each task is repeated; the shortest repetition counts, for the task and for the yardstick
+/// alike: what other programs take from the machine only makes a repetition longer. One core.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "coupling/nested.hpp"
+#include "coupling/solids.hpp"
+#include "coupling/solve.hpp"
+#include "validation/bench/klu_yardstick.hpp"
+#include "validation/bench/scenes.hpp"
+
+namespace {
+
+using namespace shellback;
+using namespace shellback::coupling;
+using Grid = std::array<int, 2>;
+
+constexpr int kRepetitions = 5;
+constexpr std::array<Grid, 4> kGrids{{{100, 13}, {200, 25}, {400, 50}, {800, 100}}};
+/// Multiples of the yardstick at 200 x 25 that are aimed at (project design, section 6).
+const std::map<std::string, double> kTargets{
+    {"static cold", 12}, {"static warm", 4}, {"thd", 40}, {"tehd", 80}};
+
+std::string label(const std::string& task, const std::string& scene, Grid g) {
+  return fmt::format("{}/{}/{}x{}", task, scene, g[0], g[1]);
+}
+
+void expect_good(const Solution& s, benchmark::State& state) {
+  if (!s.verdict.good()) state.SkipWithError(s.verdict.reason.c_str());
+}
+
+void register_task(const std::string& name, std::function<void(benchmark::State&)> run) {
+  benchmark::RegisterBenchmark(name.c_str(), [run](benchmark::State& s) { run(s); })
+      ->Unit(benchmark::kMillisecond)
+      ->Repetitions(kRepetitions)
+      ->MinTime(0.02);
+}
+
+void yardsticks(const std::string& scene, Grid g) {
+  register_task(label("klu refactor", scene, g), [=](benchmark::State& state) {
+    bench::KluYardstick klu(bench::reynolds_matrix(bench::scene(scene, g), g[0], g[1]));
+    for (auto _ : state) klu.refactor();
+  });
+  register_task(label("klu analyse and factor", scene, g), [=](benchmark::State& state) {
+    bench::KluYardstick klu(bench::reynolds_matrix(bench::scene(scene, g), g[0], g[1]));
+    for (auto _ : state) klu.factor_afresh();
+  });
+  register_task(label("ring factor, full width", scene, g), [=](benchmark::State& state) {
+    const RingMatrix a = bench::reynolds_matrix(bench::scene(scene, g), g[0], g[1]);
+    RingFactor ring;
+    for (auto _ : state) benchmark::DoNotOptimize(ring.factorize(a));
+  });
+}
+
+/// Load of the rigid isothermal film at a given eccentricity, for the accuracy beside the speed.
+void film_at(double eps, Grid g) {
+  const std::string task = fmt::format("film at eps {}", eps);
+  register_task(label(task, "raimondi-boyd", g), [=](benchmark::State& state) {
+    Case c = bench::scene("raimondi-boyd", g);
+    auto& given = std::get<EccentricityGiven>(c.operation.position);
+    given.ratio = eps;
+    double load = 0.0;
+    for (auto _ : state) {
+      const Solution s = solve_tier(c, Tier::isothermal);
+      expect_good(s, state);
+      load = std::hypot(s.film.force[0], s.film.force[1]);
+    }
+    state.counters["load_N"] = load;
+  });
+}
+
+void statics(const std::string& scene, Grid g) {
+  register_task(label("static cold", scene, g), [=](benchmark::State& state) {
+    const Case c = bench::scene(scene, g);
+    for (auto _ : state) expect_good(solve_tier(c, Tier::isothermal), state);
+  });
+  register_task(label("static warm", scene, g), [=](benchmark::State& state) {
+    const Solution s = solve_tier(bench::scene(scene, g), Tier::isothermal);
+    expect_good(s, state);
+    LoadTarget more = s.target;
+    for (double& f : more.force) f *= 1.02;
+    for (auto _ : state) {
+      FilmEquilibrium film = s.film;
+      EquilibriumCost cost;
+      benchmark::DoNotOptimize(
+          solve_equilibrium(s.model, more, {}, EquilibriumOptions{}, film, cost));
+    }
+  });
+}
+
+void resolved(const std::string& scene, Tier tier, Grid g) {
+  register_task(label(to_string(tier), scene, g), [=](benchmark::State& state) {
+    Case c = bench::scene(scene, g);
+    c.model.tier = tier;
+    const Solution first = solve_tier(c, tier);  // builds the solids' operators of this grid
+    expect_good(first, state);
+    for (auto _ : state) expect_good(solve_tier(c, tier, {}, first.model.solids), state);
+    state.counters["setup_ms"] = first.model.solids->setup_seconds() * 1e3;
+  });
+}
+
+/// Keeps the shortest repetition of every task besides printing as usual.
+class Collector : public benchmark::ConsoleReporter {
+ public:
+  struct Row {
+    double ms = INFINITY;
+    std::map<std::string, double> counters;
+  };
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      std::string name = run.run_name.function_name;
+      if (!rows_.count(name)) order_.push_back(name);
+      Row& row = rows_[name];
+      row.ms = std::min(row.ms, run.GetAdjustedRealTime());
+      for (const auto& [key, counter] : run.counters) row.counters[key] = counter.value;
+    }
+  }
+  void print_table() const;
+
+ private:
+  std::vector<std::string> order_;
+  std::map<std::string, Row> rows_;
+};
+
+void Collector::print_table() const {
+  fmt::print("\n{:<48}{:>12}{:>12}{:>10}\n", "task/scene/grid (shortest of repetitions)", "ms",
+             "/ KLU", "target");
+  for (const std::string& name : order_) {
+    const auto first = name.find('/');
+    const auto last = name.rfind('/');
+    const std::string task = name.substr(0, first);
+    const auto yard = rows_.find("klu refactor" + name.substr(first));
+    const Row& row = rows_.at(name);
+    std::string ratio = "-";
+    std::string target = "-";
+    if (yard != rows_.end()) ratio = fmt::format("{:.2f}", row.ms / yard->second.ms);
+    const auto aim = kTargets.find(task);
+    if (aim != kTargets.end() && name.substr(last) == "/200x25") target = fmt::format("{}", aim->second);
+    fmt::print("{:<48}{:>12.3f}{:>12}{:>10}", name, row.ms, ratio, target);
+    for (const auto& [key, value] : row.counters) fmt::print("  {} {:.6g}", key, value);
+    fmt::print("\n");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  for (const Grid g : kGrids) {
+    for (const std::string scene : {"raimondi-boyd", "thd-plain-bearing", "ks-rig-test-bearing"}) {
+      yardsticks(scene, g);
+    }
+    for (const double eps : {0.6, 0.9, 0.95}) film_at(eps, g);
+    for (const std::string scene : {"thd-plain-bearing", "ks-rig-test-bearing"}) {
+      statics(scene, g);
+      resolved(scene, Tier::thd, g);
+      if (g[0] <= 400) resolved(scene, Tier::tehd, g);
+    }
+  }
+  Collector collector;
+  benchmark::RunSpecifiedBenchmarks(&collector);
+  collector.print_table();
+  return 0;
+}

@@ -1,0 +1,14 @@
+#pragma once
+/// The scenes of the benchmark, made directly; the numbers are those of the shipped cases of the
+/// same names, whose comments tell which are known and which assumed.
+#include <array>
+#include <string>
+
+#include "coupling/case.hpp"
+
+namespace shellback::bench {
+
+/// "raimondi-boyd", "thd-plain-bearing" or "ks-rig-test-bearing" on nt x nz cells.
+[[nodiscard]] coupling::Case scene(const std::string& name, std::array<int, 2> grid);
+
+}  // namespace shellback::bench

@@ -1,8 +1,9 @@
 #include "core/grid.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
@@ -16,9 +17,9 @@ constexpr double kMergeFraction = 0.2;  ///< of an even cell: closer edges count
 std::vector<double> fitted_faces(const std::vector<double>& edges, int n) {
   const int segments = static_cast<int>(edges.size()) - 1;
   if (segments > n) {
-    throw InputError(fmt::format(
-        "{} cells cannot resolve {} groove edges (each needs a cell); use a finer grid", n,
-        segments));
+    throw InputError(
+        fmt::format("{} cells cannot resolve {} groove edges (each needs a cell); use a finer grid",
+                    n, segments));
   }
   const double total = edges.back() - edges.front();
   std::vector<int> count(segments);
@@ -132,7 +133,8 @@ FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
   if (half) {
     std::vector<double> edges;
     for (const double z : z_edges) {
-      if (std::abs(z) > 1e-12 * width && std::abs(z) < end * (1.0 - 1e-12)) edges.push_back(std::abs(z));
+      if (std::abs(z) > 1e-12 * width && std::abs(z) < end * (1.0 - 1e-12))
+        edges.push_back(std::abs(z));
     }
     g.nz = (full_nz + 1) / 2;
     g.z_face = split_cell ? odd_half_faces(g.nz, end, edges) : axial_faces(g.nz, 0.0, end, edges);

@@ -7,10 +7,10 @@ namespace shellback {
 
 enum class Status {
   converged,
-  iteration_limit,    ///< ran out of iterations; the value is the last iterate
-  no_steady_state,    ///< shown that no solution exists (limit load, thermal runaway, ...)
-  invalid_number,     ///< NaN or infinity met
-  interrupted,        ///< stopped by the user
+  iteration_limit,  ///< ran out of iterations; the value is the last iterate
+  no_steady_state,  ///< shown that no solution exists (limit load, thermal runaway, ...)
+  invalid_number,   ///< NaN or infinity met
+  interrupted,      ///< stopped by the user
 };
 
 /// Why a solve ended, in words for the user. Empty when converged.

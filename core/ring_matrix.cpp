@@ -88,8 +88,8 @@ bool all_zero(const double* x, int n) {
   return true;
 }
 
-constexpr int kRegister = 8;    ///< doubles in one 512-bit register: padding of a line
-constexpr int kLargest = 128;   ///< largest padded axial line for which kernels are compiled
+constexpr int kRegister = 8;   ///< doubles in one 512-bit register: padding of a line
+constexpr int kLargest = 128;  ///< largest padded axial line for which kernels are compiled
 
 /// Calls f.template operator()<LD>() for the padded size `ld`.
 template <class F, int LD = kRegister>
@@ -155,8 +155,10 @@ bool RingFactor::factorize_padded(const RingMatrix& a) {
   inverse_v_.assign(column_border_ ? block * nt_ : block * 1, 0.0);
   u_inverse_.assign(row_border_ ? block * nt_ : block * 1, 0.0);
   for (int i = 0; i < nt_; ++i) {
-    std::memcpy(&w_[static_cast<std::size_t>(i) * LD], &a.w[static_cast<std::size_t>(line(i)) * n], n * sizeof(double));
-    std::memcpy(&e_[static_cast<std::size_t>(i) * LD], &a.e[static_cast<std::size_t>(line(i)) * n], n * sizeof(double));
+    std::memcpy(&w_[static_cast<std::size_t>(i) * LD], &a.w[static_cast<std::size_t>(line(i)) * n],
+                n * sizeof(double));
+    std::memcpy(&e_[static_cast<std::size_t>(i) * LD], &a.e[static_cast<std::size_t>(line(i)) * n],
+                n * sizeof(double));
   }
   std::vector<double> v(block, 0.0), u(block, 0.0), corner(block, 0.0), work(block);
   for (int k = 0; k < n; ++k) {

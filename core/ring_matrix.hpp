@@ -41,14 +41,14 @@ class RingFactor {
 
   int nt_ = 0;
   int nz_ = 0;
-  int ld_ = 0;     ///< nz padded to whole vector registers
-  int first_ = 0;  ///< line with which the chain begins
-  bool row_border_ = false;     ///< the last line depends on the first
-  bool column_border_ = false;  ///< the first line depends on the last
-  std::vector<double> w_, e_;          ///< couplings in chain order, padded
-  std::vector<double> inverse_;        ///< block inverses
-  std::vector<double> inverse_v_;      ///< inverse times border column
-  std::vector<double> u_inverse_;      ///< border row times inverse
+  int ld_ = 0;                     ///< nz padded to whole vector registers
+  int first_ = 0;                  ///< line with which the chain begins
+  bool row_border_ = false;        ///< the last line depends on the first
+  bool column_border_ = false;     ///< the first line depends on the last
+  std::vector<double> w_, e_;      ///< couplings in chain order, padded
+  std::vector<double> inverse_;    ///< block inverses
+  std::vector<double> inverse_v_;  ///< inverse times border column
+  std::vector<double> u_inverse_;  ///< border row times inverse
 };
 
 }  // namespace shellback

@@ -54,8 +54,7 @@ double pressure_moment(const Solution& s) {
 
 double moment(const Solution& s, const Friction& f) {
   const double left = f.viscous - f.viscous_shell;
-  return std::abs(left - pressure_moment(s)) /
-         std::max(std::abs(f.viscous + f.asperity), 1e-300);
+  return std::abs(left - pressure_moment(s)) / std::max(std::abs(f.viscous + f.asperity), 1e-300);
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ double profile_at(const Profile& p, double phi, double z) {
   const int m = static_cast<int>(p.z.size());
   const double turn = 2.0 * kPi;
   phi -= turn * std::floor((phi - p.phi.front()) / turn);
-  const int right = static_cast<int>(std::upper_bound(p.phi.begin(), p.phi.end(), phi) - p.phi.begin());
+  const int right =
+      static_cast<int>(std::upper_bound(p.phi.begin(), p.phi.end(), phi) - p.phi.begin());
   const int a = right - 1;
   const int b = right < n ? right : 0;
   const double end = right < n ? p.phi[right] : p.phi.front() + turn;
@@ -104,8 +105,8 @@ bool symmetric_about_mid_width(const Case& c) {
   } else {
     return false;
   }
-  const bool centred = std::all_of(c.supplies.begin(), c.supplies.end(),
-                                   [](const Supply& s) { return s.z == 0.0; });
+  const bool centred =
+      std::all_of(c.supplies.begin(), c.supplies.end(), [](const Supply& s) { return s.z == 0.0; });
   return centred && (!c.bearing.profile || profile_is_symmetric(*c.bearing.profile));
 }
 
@@ -121,9 +122,9 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   if (!physics.shear_thinning) m.oil = rheology::without_shear_thinning(m.oil);
   const auto patches = patches_of(c);
   fluid::FilmScene& s = m.scene;
-  s.grid = make_grid(c.bearing.radius, c.bearing.width, grid[0], grid[1],
-                     symmetric_about_mid_width(c), fluid::phi_edges(patches),
-                     fluid::z_edges(patches));
+  s.grid =
+      make_grid(c.bearing.radius, c.bearing.width, grid[0], grid[1], symmetric_about_mid_width(c),
+                fluid::phi_edges(patches), fluid::z_edges(patches));
   s.angles = fluid::Angles(s.grid);
   s.supply = fluid::map_supplies(s.grid, patches);
   s.speed = c.operation.omega * c.bearing.radius;
@@ -136,8 +137,9 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
                                                                  : fluid::CavitatedShear::filled;
   if (physics.contact) {
     if (!c.surfaces.contact) {
-      throw InputError("asperity contact is switched on but [surfaces] contact is missing; give "
-                       "elastic_factor, composite_modulus and friction, or switch it off");
+      throw InputError(
+          "asperity contact is switched on but [surfaces] contact is missing; give "
+          "elastic_factor, composite_modulus and friction, or switch it off");
     }
     m.contact.emplace(c.surfaces.shell, c.surfaces.shaft, *c.surfaces.contact);
   }

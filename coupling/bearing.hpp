@@ -32,9 +32,9 @@ struct BearingModel {
   Physics physics;
   GaussLobatto gl;
   fluid::FilmScene scene;
-  Field step;                ///< designed deviation of the shell per cell; empty: none [m]
-  double clearance = 0.0;    ///< cold radial clearance [m]
-  rheology::Oil oil;         ///< with the switched-off effects taken out
+  Field step;              ///< designed deviation of the shell per cell; empty: none [m]
+  double clearance = 0.0;  ///< cold radial clearance [m]
+  rheology::Oil oil;       ///< with the switched-off effects taken out
   std::optional<solid::AsperityContact> contact;
   std::shared_ptr<const Solids> solids;  ///< set if the physics needs them
   fluid::CavitatedShear shear_rule = fluid::CavitatedShear::filled;

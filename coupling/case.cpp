@@ -4,10 +4,14 @@ namespace shellback::coupling {
 
 const char* to_string(Tier tier) {
   switch (tier) {
-    case Tier::isothermal: return "isothermal";
-    case Tier::lumped: return "lumped";
-    case Tier::thd: return "thd";
-    case Tier::tehd: return "tehd";
+    case Tier::isothermal:
+      return "isothermal";
+    case Tier::lumped:
+      return "lumped";
+    case Tier::thd:
+      return "thd";
+    case Tier::tehd:
+      return "tehd";
   }
   return "unknown";
 }

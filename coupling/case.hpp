@@ -24,9 +24,9 @@ struct Profile {
 };
 
 struct Bearing {
-  double radius = 0.0;                  ///< R [m]
-  double width = 0.0;                   ///< B [m]
-  double radial_clearance = 0.0;        ///< cold radial clearance c [m]
+  double radius = 0.0;                    ///< R [m]
+  double width = 0.0;                     ///< B [m]
+  double radial_clearance = 0.0;          ///< cold radial clearance c [m]
   double reference_temperature = 293.15;  ///< at which `radial_clearance` was measured [K]
   std::optional<Profile> profile;
 };
@@ -36,15 +36,15 @@ enum class SupplyKind { hole, axial_groove, circumferential_groove };
 /// One supply feature: the part of the surface on which the pressure is given.
 struct Supply {
   SupplyKind kind = SupplyKind::hole;
-  double angle = 0.0;          ///< circumferential position of its middle [rad]
-  double z = 0.0;              ///< axial position of its middle [m]
-  double arc = 0.0;            ///< circumferential extent [rad]; 0: a line; 2 pi: all round
-  double length = 0.0;         ///< axial extent [m]
-  double diameter = 0.0;       ///< hole only [m]; arc and length then enclose the circle
-  double depth = 1.0e-3;       ///< added to the gap inside [m]
-  double pressure = 0.0;       ///< gauge [Pa]
-  double temperature = 0.0;    ///< [K]
-  double carry_over = 1.0;     ///< part of the film oil entering it that is mixed in again [-]
+  double angle = 0.0;        ///< circumferential position of its middle [rad]
+  double z = 0.0;            ///< axial position of its middle [m]
+  double arc = 0.0;          ///< circumferential extent [rad]; 0: a line; 2 pi: all round
+  double length = 0.0;       ///< axial extent [m]
+  double diameter = 0.0;     ///< hole only [m]; arc and length then enclose the circle
+  double depth = 1.0e-3;     ///< added to the gap inside [m]
+  double pressure = 0.0;     ///< gauge [Pa]
+  double temperature = 0.0;  ///< [K]
+  double carry_over = 1.0;   ///< part of the film oil entering it that is mixed in again [-]
 };
 
 struct LoadGiven {
@@ -52,8 +52,8 @@ struct LoadGiven {
   double angle = 0.0;  ///< its direction [rad]
 };
 struct EccentricityGiven {
-  double ratio = 0.0;     ///< |e| / c [-]
-  double attitude = 0.0;  ///< from the load line to the line of centres, positive in +phi [rad]
+  double ratio = 0.0;       ///< |e| / c [-]
+  double attitude = 0.0;    ///< from the load line to the line of centres, positive in +phi [rad]
   double load_angle = 0.0;  ///< the load line [rad]
 };
 /// Angle of the journal axis against the bearing axis.
@@ -106,9 +106,9 @@ struct Shell {
 
 struct Shaft {
   solid::Material material;
-  double overhang = 0.0;           ///< length beyond the bearing on each side [m]
-  double heat_transfer = 0.0;      ///< from the overhang's surface [W/(m2 K)]
-  double ambient = 0.0;            ///< of the overhang [K]
+  double overhang = 0.0;       ///< length beyond the bearing on each side [m]
+  double heat_transfer = 0.0;  ///< from the overhang's surface [W/(m2 K)]
+  double ambient = 0.0;        ///< of the overhang [K]
 };
 
 struct Surfaces {
@@ -133,9 +133,9 @@ struct Switches {
 
 struct Model {
   Tier tier = Tier::tehd;
-  double tolerance = 0.01;        ///< wished for on friction torque and smallest film [-]
+  double tolerance = 0.01;           ///< wished for on friction torque and smallest film [-]
   std::array<int, 2> grid{200, 25};  ///< circumferential x axial cells over the full width
-  int film_nodes = 5;             ///< Gauss-Lobatto-Legendre nodes across the film
+  int film_nodes = 5;                ///< Gauss-Lobatto-Legendre nodes across the film
   Switches switches;
   CavitatedShear cavitated_shear = CavitatedShear::filled;
   Edges edges = Edges::flooded;

@@ -19,13 +19,13 @@
 namespace shellback::coupling {
 
 struct OilColumns {
-  std::vector<double> T;     ///< node temperatures, index cell * n + k [K]
-  std::vector<double> eta;   ///< node viscosities; starting guess of the next call [Pa s]
-  Field g0;                  ///< [1/(Pa s)]
-  Field centre;              ///< [-]
-  Field T_mean;              ///< mean across the film [K]
-  int substitutions = 0;     ///< of the last call
-  double mismatch = 0.0;     ///< largest relative change in the last substitution [-]
+  std::vector<double> T;    ///< node temperatures, index cell * n + k [K]
+  std::vector<double> eta;  ///< node viscosities; starting guess of the next call [Pa s]
+  Field g0;                 ///< [1/(Pa s)]
+  Field centre;             ///< [-]
+  Field T_mean;             ///< mean across the film [K]
+  int substitutions = 0;    ///< of the last call
+  double mismatch = 0.0;    ///< largest relative change in the last substitution [-]
 };
 
 /// Columns of one temperature everywhere.
@@ -34,9 +34,8 @@ struct OilColumns {
 /// Recomputes viscosities, integrals (1) and the film's coefficients for the present state.
 /// `h` is the gap for shear [m] (positive), `gradient_*` the pressure gradients at cells [Pa/m].
 void update_columns(const rheology::Oil& oil, const GaussLobatto& gl, double speed, const Field& h,
-                    const fluid::FilmState& state, const Field& gradient_x,
-                    const Field& gradient_z, double tolerance, OilColumns& columns,
-                    fluid::FilmCoefficients& coefficients);
+                    const fluid::FilmState& state, const Field& gradient_x, const Field& gradient_z,
+                    double tolerance, OilColumns& columns, fluid::FilmCoefficients& coefficients);
 
 /// Dissipation per volume of film, tau^2/eta at the nodes [W/m3], index cell * n + k.
 [[nodiscard]] std::vector<double> dissipation(const GaussLobatto& gl, double speed, const Field& h,

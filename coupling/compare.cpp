@@ -88,8 +88,8 @@ void split_friction(const Solution& isothermal, const Solution& full, const Solv
 /// Film temperature at which the isothermal torque is `wanted` [K]; NaN if none within the oil's
 /// range. Warm-started from T to T, regula falsi with bisection (GSL's Brent).
 double calibrate(const Case& c, double wanted, double guess, const SolveControl& control) {
-  constexpr double kHalfRange = 60.0;    // searched on both sides of the guess [K]
-  constexpr double kTolerance = 1e-4;    // [K]
+  constexpr double kHalfRange = 60.0;  // searched on both sides of the guess [K]
+  constexpr double kTolerance = 1e-4;  // [K]
   Solution s = solve_isothermal_at(c, guess, control);
   if (!s.verdict.good()) return NAN;
   struct Search {
@@ -150,8 +150,10 @@ Comparison compare(const Case& c, const std::vector<Tier>& tiers, const SolveCon
     out.results.push_back(summarize(s, tier));
     const bool good = s.verdict.good();
     const bool interrupted = s.verdict.status == Status::interrupted;
-    if (good && tier == Tier::isothermal) isothermal = std::move(s);
-    else if (good && s.model.physics.film_energy) full = std::move(s);
+    if (good && tier == Tier::isothermal)
+      isothermal = std::move(s);
+    else if (good && s.model.physics.film_energy)
+      full = std::move(s);
     if (interrupted) return out;  // what is finished is kept
   }
   if (isothermal && full) {

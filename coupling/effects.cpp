@@ -12,11 +12,11 @@ namespace {
 
 /// Mean state at which the numbers are taken.
 struct Probe {
-  double T;         ///< film temperature [K]
-  double eta;       ///< viscosity there, low shear [Pa s]
-  double beta;      ///< -d ln eta / dT [1/K]
-  double rate;      ///< U / c [1/s]
-  double slope;     ///< -d ln eta / d ln rate at `rate` [-]
+  double T;      ///< film temperature [K]
+  double eta;    ///< viscosity there, low shear [Pa s]
+  double beta;   ///< -d ln eta / dT [1/K]
+  double rate;   ///< U / c [1/s]
+  double slope;  ///< -d ln eta / d ln rate at `rate` [-]
   double p_max;
   double h_min;
 };
@@ -76,7 +76,8 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
                  "alpha p_max; below 0.05 none, above 0.1 model it, above 10 use Roelands"});
   out.push_back({"shear thinning", has.shear_thinning, p.slope,
                  "loss of viscosity at the smallest film; below 0.02 none, above 0.05 model it"});
-  const double sigma = std::hypot(m.input.surfaces.shell.roughness, m.input.surfaces.shaft.roughness);
+  const double sigma =
+      std::hypot(m.input.surfaces.shell.roughness, m.input.surfaces.shaft.roughness);
   out.push_back({"roughness and contact", has.contact || has.flow_factors,
                  sigma > 0.0 ? s.film.least.h / sigma : INFINITY,
                  "smallest film over roughness; above 6 none, below 4 model it"});

@@ -19,9 +19,9 @@ class WinklerFilm {
   [[nodiscard]] bool good() const { return good_; }
 
   struct Answer {
-    Field du;                   ///< film unknowns
-    Field dd;                   ///< displacement [m]
-    Field dP;                   ///< total pressure [Pa]
+    Field du;  ///< film unknowns
+    Field dd;  ///< displacement [m]
+    Field dP;  ///< total pressure [Pa]
     std::array<double, 4> dq{};
   };
   /// Solves for right-hand sides a of (1) (empty: 0), b of (2), w of (3).
@@ -135,8 +135,7 @@ NewtonStep elastic_step(const BearingModel& model, const LoadTarget& target,
   const WinklerFilm film(model, target, s, cost);
   if (!film.good()) return step;
   const double tau = model.solids->winkler();
-  const fluid::Wrench aim =
-      target.unknowns > 0 ? wanted_change(s.force, target) : fluid::Wrench{};
+  const fluid::Wrench aim = target.unknowns > 0 ? wanted_change(s.force, target) : fluid::Wrench{};
   Field a = residual;
   for (double& x : a) x = -x;
   const auto beyond_winkler = [&](const Field& dP) {

@@ -8,12 +8,12 @@ namespace shellback::coupling {
 
 namespace {
 
-constexpr double kMostClosing = 1.5;   ///< largest ln(gap before / after) in one step [-]
-constexpr double kMostOpening = 2.0;   ///< largest opening, in gaps [-]
-constexpr double kMostTurning = 0.4;   ///< largest change of the attitude in one step [rad]
-constexpr double kMostCartesian = 0.3; ///< largest step near the centre, in clearances [-]
-constexpr double kNearCentre = 0.05;   ///< eccentricity below which steps are Cartesian [-]
-constexpr double kMostLog = 2.5;       ///< largest |ln| of the force ratio used [-]
+constexpr double kMostClosing = 1.5;    ///< largest ln(gap before / after) in one step [-]
+constexpr double kMostOpening = 2.0;    ///< largest opening, in gaps [-]
+constexpr double kMostTurning = 0.4;    ///< largest change of the attitude in one step [rad]
+constexpr double kMostCartesian = 0.3;  ///< largest step near the centre, in clearances [-]
+constexpr double kNearCentre = 0.05;    ///< eccentricity below which steps are Cartesian [-]
+constexpr double kMostLog = 2.5;        ///< largest |ln| of the force ratio used [-]
 
 }  // namespace
 
@@ -91,9 +91,8 @@ bool solve_small(int n, std::array<std::array<double, 4>, 4> a, std::array<doubl
   return true;
 }
 
-NewtonStep rigid_step(const BearingModel& model, const LoadTarget& target,
-                      const FilmEquilibrium& s, const Field& residual, StepLimits limits,
-                      EquilibriumCost& cost) {
+NewtonStep rigid_step(const BearingModel& model, const LoadTarget& target, const FilmEquilibrium& s,
+                      const Field& residual, StepLimits limits, EquilibriumCost& cost) {
   const fluid::FilmScene& scene = model.scene;
   const int n = scene.grid.cells();
   const int m = target.unknowns;
@@ -128,7 +127,8 @@ NewtonStep rigid_step(const BearingModel& model, const LoadTarget& target,
         const double slope =
             fluid::gap_slope(l, scene.angles.cos_cell[i], scene.angles.sin_cell[i], g.z[j]);
         double dp = s.dp_contact[c] * slope;
-        if (predicted.full[c] && s.film.full[c]) dp -= rhs[static_cast<std::size_t>(n) * (l + 1) + c];
+        if (predicted.full[c] && s.film.full[c])
+          dp -= rhs[static_cast<std::size_t>(n) * (l + 1) + c];
         for (int k = 0; k < m; ++k) stiffness[k][l] += fluid::wrench_weight(scene, k, i, j) * dp;
       }
     }
@@ -142,8 +142,7 @@ NewtonStep rigid_step(const BearingModel& model, const LoadTarget& target,
   for (int k = m; k < 4; ++k) dq[k] = 0.0;
   const double roughness = scene.rough.sigma;
   const double gap = std::max(s.least.h, 0.0) + 3.0 * roughness;
-  step.q = limited(s.position, dq, gap, model.clearance, 0.5 * g.width,
-                   limits.reach);
+  step.q = limited(s.position, dq, gap, model.clearance, 0.5 * g.width, limits.reach);
   for (int l = 0; l < m; ++l) {
     const double* d = &rhs[static_cast<std::size_t>(n) * (l + 1)];
     for (int k = 0; k < n; ++k) step.film[k] -= step.q[l] * d[k];

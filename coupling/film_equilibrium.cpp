@@ -1,10 +1,10 @@
 #include "coupling/film_equilibrium.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
-
-#include <fmt/format.h>
 
 #include "core/constants.hpp"
 #include "coupling/elastic_step.hpp"
@@ -20,7 +20,8 @@ double LoadTarget::scale() const { return std::hypot(force[0], force[1]); }
 LoadTarget load_target(const Case& c) {
   LoadTarget t;
   if (const auto* load = std::get_if<LoadGiven>(&c.operation.position)) {
-    t.force = {-load->force * std::cos(load->angle), -load->force * std::sin(load->angle), 0.0, 0.0};
+    t.force = {-load->force * std::cos(load->angle), -load->force * std::sin(load->angle), 0.0,
+               0.0};
   } else {
     t.unknowns = 0;
   }
@@ -33,7 +34,7 @@ LoadTarget load_target(const Case& c) {
 }
 
 fluid::JournalPosition first_position(const Case& c, double clearance) {
-  constexpr double kFirstEccentricity = 0.6;            // where most bearings run [-]
+  constexpr double kFirstEccentricity = 0.6;             // where most bearings run [-]
   constexpr double kFirstAttitude = 50.0 * kPi / 180.0;  // that of a half-wide bearing there
   fluid::JournalPosition q;
   double angle = 0.0;
@@ -91,7 +92,8 @@ double largest(const Field& x) {
   return m;
 }
 
-/// How far a force is from the wanted one, in logarithms: |ln(target/F)|, forces as complex numbers.
+/// How far a force is from the wanted one, in logarithms: |ln(target/F)|, forces as complex
+/// numbers.
 double distance(const fluid::Wrench& force, const LoadTarget& target) {
   const std::complex<double> now(force[0], force[1]);
   const std::complex<double> aim(target.force[0], target.force[1]);
@@ -179,20 +181,22 @@ Verdict limit_load(const BearingModel& model, const LoadTarget& target, double c
             "no position was found in which the film carries the load: each step closes the gap",
             place, "lower the load or the tilt, or give roughness and contact data"};
   }
-  return {Status::no_steady_state,
-          fmt::format("the film cannot carry {:.4g} N: it carries about {:.4g} N, then the pressure "
-                      "grows without bound (with rigid surfaces and viscosity rising as exp(alpha p), "
-                      "q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
-                      target.scale(), carried),
-          worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : "",
-          "switch on elastic deformation, use the Roelands law, or lower the load"};
+  return {
+      Status::no_steady_state,
+      fmt::format("the film cannot carry {:.4g} N: it carries about {:.4g} N, then the pressure "
+                  "grows without bound (with rigid surfaces and viscosity rising as exp(alpha p), "
+                  "q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
+                  target.scale(), carried),
+      worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : "",
+      "switch on elastic deformation, use the Roelands law, or lower the load"};
 }
 
 Verdict closed_gap(const FilmEquilibrium& s) {
   return {Status::no_steady_state,
-          fmt::format("the surfaces touch before the solve begins (smallest gap {:.3g} um): the clearance "
-                      "is used up by thermal growth, profile or eccentricity",
-                      s.least.h * 1e6),
+          fmt::format(
+              "the surfaces touch before the solve begins (smallest gap {:.3g} um): the clearance "
+              "is used up by thermal growth, profile or eccentricity",
+              s.least.h * 1e6),
           fmt::format("phi {:.1f} deg, z {:.2f} mm", s.least.phi * 180.0 / kPi, s.least.z * 1e3),
           "give roughness and contact data, or a larger clearance"};
 }
@@ -211,14 +215,15 @@ Verdict reduced_start(const BearingModel& model, FilmEquilibrium& s) {
 
 Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residuals& r,
               int iterations) {
-  const auto worst = std::max_element(
-      r.film.begin(), r.film.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  return {Status::iteration_limit,
-          fmt::format("film and journal position did not settle in {} Newton iterations (film {:.1e}, "
-                      "load {:.1e}, elasticity {:.1e}, smallest gap {:.3g} um)",
-                      iterations, r.film_norm, r.load_norm, r.elastic_norm, s.least.h * 1e6),
-          fluid::place_of(model.scene.grid, static_cast<int>(worst - r.film.begin())),
-          "try a finer grid, a lower load, or tier isothermal first"};
+  const auto worst = std::max_element(r.film.begin(), r.film.end(),
+                                      [](double a, double b) { return std::abs(a) < std::abs(b); });
+  return {
+      Status::iteration_limit,
+      fmt::format("film and journal position did not settle in {} Newton iterations (film {:.1e}, "
+                  "load {:.1e}, elasticity {:.1e}, smallest gap {:.3g} um)",
+                  iterations, r.film_norm, r.load_norm, r.elastic_norm, s.least.h * 1e6),
+      fluid::place_of(model.scene.grid, static_cast<int>(worst - r.film.begin())),
+      "try a finer grid, a lower load, or tier isothermal first"};
 }
 
 }  // namespace
@@ -244,18 +249,19 @@ bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
 Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
                           const EquilibriumOptions& options, FilmEquilibrium& s,
                           EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  constexpr double kShortestReach = 1e-5;  // a step shortened this far shows that there is no way on
-  constexpr double kSettledFilm = 0.03;    // the film has followed the journal: it may move on [-]
-  constexpr double kWorseMerit = 3.0;      // a step may worsen the elastic film's residuals so far [-]
-  constexpr double kThinner = 0.25;        // and thin its smallest gap so far [-]
-  constexpr double kLittleGain = 0.2;      // part of the gain asked for: a step that gained little [-]
-  constexpr double kNearLoad = 0.1;        // from here on film and journal move together [-]
-  Unknowns settled = unknowns_of(s);       // last state whose film had followed
+  constexpr double kShortestReach =
+      1e-5;                              // a step shortened this far shows that there is no way on
+  constexpr double kSettledFilm = 0.03;  // the film has followed the journal: it may move on [-]
+  constexpr double kWorseMerit = 3.0;  // a step may worsen the elastic film's residuals so far [-]
+  constexpr double kThinner = 0.25;    // and thin its smallest gap so far [-]
+  constexpr double kLittleGain = 0.2;  // part of the gain asked for: a step that gained little [-]
+  constexpr double kNearLoad = 0.1;    // from here on film and journal move together [-]
+  Unknowns settled = unknowns_of(s);   // last state whose film had followed
   double reach = 1.0;
   double carried = 0.0;
-  double settled_merit = INFINITY;         // elastic: judge of a step (methods 2.2)
+  double settled_merit = INFINITY;  // elastic: judge of a step (methods 2.2)
   double settled_gap = -INFINITY;
-  double settled_off = INFINITY;           // rigid: judge of a step
+  double settled_off = INFINITY;  // rigid: judge of a step
   double damping = 1.0;
   double viscosity_tolerance = 1e-3;
   bool retreated = false;
@@ -314,16 +320,17 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
       reach = std::min(1.0, (s.elastic.empty() ? 1.5 : 2.0) * reach);
     }
     retreated = false;
-    viscosity_tolerance = std::clamp(1e-2 * (r.film_norm + r.load_norm),
-                                     0.3 * options.viscosity_tolerance, 1e-3);
+    viscosity_tolerance =
+        std::clamp(1e-2 * (r.film_norm + r.load_norm), 0.3 * options.viscosity_tolerance, 1e-3);
     ++cost.newton_iterations;
     LoadTarget now = target;
     if (s.elastic.empty() && !follows && r.load_norm > kNearLoad) now.unknowns = 0;
     const NewtonStep step = s.elastic.empty()
                                 ? rigid_step(model, now, s, r.film, {reach, damping}, cost)
                                 : elastic_step(model, now, s, r.film, r.displacement, cost);
-    if (!step.good) return {Status::iteration_limit, "the film matrix is singular: parts of the film get no oil", "",
-              "feed more oil, or turn the supply away from the load"};
+    if (!step.good)
+      return {Status::iteration_limit, "the film matrix is singular: parts of the film get no oil",
+              "", "feed more oil, or turn the supply away from the load"};
     const auto report = take(model, step, s.elastic.empty() ? 1.0 : reach, s);
     // A rigid film of that gap has no pressure; an elastic one gives way, the step was only long.
     if (report.beyond_barus == 0 || !s.elastic.empty()) continue;

@@ -16,8 +16,8 @@
 
 #include "coupling/bearing.hpp"
 #include "coupling/columns.hpp"
-#include "fluid/reynolds.hpp"
 #include "fluid/resultants.hpp"
+#include "fluid/reynolds.hpp"
 
 namespace shellback::coupling {
 
@@ -29,20 +29,20 @@ struct FilmEquilibrium {
 
   // What the last evaluation found.
   fluid::Gap gap;
-  Field shear_gap;                  ///< [m]
+  Field shear_gap;  ///< [m]
   fluid::FilmCoefficients oil;
   fluid::FilmFlow flow;
-  Field gradient_x, gradient_z;     ///< of p at cells [Pa/m]
-  Field p_contact;                  ///< asperity pressure [Pa]
-  Field dp_contact;                 ///< its derivative by h, not positive [Pa/m]
-  fluid::Wrench force{};            ///< of film and contact on the journal
+  Field gradient_x, gradient_z;  ///< of p at cells [Pa/m]
+  Field p_contact;               ///< asperity pressure [Pa]
+  Field dp_contact;              ///< its derivative by h, not positive [Pa/m]
+  fluid::Wrench force{};         ///< of film and contact on the journal
   fluid::SmallestGap least;
 };
 
 struct EquilibriumOptions {
-  double film_tolerance = 1e-11;     ///< largest cell residual over the largest Couette flow [-]
-  double load_tolerance = 1e-9;      ///< |F + W| over |W| [-]
-  double elastic_tolerance = 1e-8;   ///< largest |C p - d| over the smallest gap [-]
+  double film_tolerance = 1e-11;       ///< largest cell residual over the largest Couette flow [-]
+  double load_tolerance = 1e-9;        ///< |F + W| over |W| [-]
+  double elastic_tolerance = 1e-8;     ///< largest |C p - d| over the smallest gap [-]
   double viscosity_tolerance = 1e-10;  ///< shear-thinning relation [-]
   int max_iterations = 80;
 };
@@ -57,8 +57,8 @@ struct EquilibriumCost {
 
 /// What the journal must balance.
 struct LoadTarget {
-  int unknowns = 2;           ///< 0: position given; 2: e; 4: e and tilt
-  fluid::Wrench force{};      ///< wanted film force and moment on the journal: minus the load
+  int unknowns = 2;       ///< 0: position given; 2: e; 4: e and tilt
+  fluid::Wrench force{};  ///< wanted film force and moment on the journal: minus the load
   [[nodiscard]] double scale() const;  ///< |force| [N]
 };
 [[nodiscard]] LoadTarget load_target(const Case& c);

@@ -17,10 +17,10 @@ namespace shellback::coupling {
 
 /// Friction of a solved film.
 struct Friction {
-  fluid::ShearStress stress;      ///< viscous [Pa]
-  double viscous = 0.0;           ///< torque on the journal [N m]
-  double viscous_shell = 0.0;     ///< torque on the shell [N m]
-  double asperity = 0.0;          ///< torque [N m]
+  fluid::ShearStress stress;   ///< viscous [Pa]
+  double viscous = 0.0;        ///< torque on the journal [N m]
+  double viscous_shell = 0.0;  ///< torque on the shell [N m]
+  double asperity = 0.0;       ///< torque [N m]
 };
 [[nodiscard]] Friction friction_of(const BearingModel& model, const FilmEquilibrium& s);
 

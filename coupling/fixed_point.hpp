@@ -6,10 +6,10 @@
 namespace shellback::coupling {
 
 struct FixedPointOptions {
-  int depth = 5;             ///< vectors kept, not more than x has components [-]
-  int delay = 1;             ///< plain iterations before acceleration [-]
+  int depth = 5;  ///< vectors kept, not more than x has components [-]
+  int delay = 1;  ///< plain iterations before acceleration [-]
   int max_iterations = 100;
-  double tolerance = 1e-6;   ///< largest |G(x) - x| [-]
+  double tolerance = 1e-6;  ///< largest |G(x) - x| [-]
 };
 
 enum class FixedPointEnd { converged, iteration_limit, map_failed };

@@ -9,7 +9,8 @@ namespace {
 
 constexpr int kCoarsestTurn = 48;  ///< circumferential cells below which nothing is gained
 constexpr int kCoarsestAxial = 5;
-constexpr double kFullFrom = 0.9;  ///< share of full neighbours from which a new cell starts full [-]
+constexpr double kFullFrom =
+    0.9;  ///< share of full neighbours from which a new cell starts full [-]
 
 /// The model without anything elastic or thermal.
 BearingModel rigid_model(const BearingModel& model, bool isoviscous) {

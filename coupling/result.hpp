@@ -42,7 +42,7 @@ struct Cost {
 /// One recorded outer iteration.
 struct HistoryEntry {
   std::string stage;
-  double residual = 0.0;  ///< relative change of the iterate [-]
+  double residual = 0.0;         ///< relative change of the iterate [-]
   double friction_torque = 0.0;  ///< [N m]
   double h_min = 0.0;            ///< [m]
 };
@@ -55,22 +55,22 @@ struct LimiterCount {
 
 /// Fields on the full-width grid. Empty vectors: not part of this tier.
 struct Fields {
-  FilmGrid grid;               ///< full width
-  Field p;                     ///< film pressure, gauge [Pa]
-  Field p_asperity;            ///< contact pressure [Pa]
-  Field theta;                 ///< fill ratio [-]
-  Field h;                     ///< nominal gap [m], the depth of grooves included
-  std::vector<char> supplied;  ///< 1 inside a supply feature
-  std::vector<double> s;       ///< positions across the film y/h of T [-], 0 shell, 1 journal
-  std::vector<double> T;       ///< film temperature, index cell * s.size() + k [K]
-  Field T_mean;                ///< flow-independent mean across the film [K]
-  Field T_shell_surface;       ///< [K]
-  Field T_shell_back;          ///< [K]
+  FilmGrid grid;                ///< full width
+  Field p;                      ///< film pressure, gauge [Pa]
+  Field p_asperity;             ///< contact pressure [Pa]
+  Field theta;                  ///< fill ratio [-]
+  Field h;                      ///< nominal gap [m], the depth of grooves included
+  std::vector<char> supplied;   ///< 1 inside a supply feature
+  std::vector<double> s;        ///< positions across the film y/h of T [-], 0 shell, 1 journal
+  std::vector<double> T;        ///< film temperature, index cell * s.size() + k [K]
+  Field T_mean;                 ///< flow-independent mean across the film [K]
+  Field T_shell_surface;        ///< [K]
+  Field T_shell_back;           ///< [K]
   std::vector<double> T_shaft;  ///< shaft surface temperature per axial cell [K]
-  Field tau_journal;           ///< viscous shear stress on the journal, opposing its motion [Pa]
-  Field tau_shell;             ///< viscous shear stress on the shell, along the motion [Pa]
-  Field elastic;               ///< elastic widening of the gap, shell and shaft [m]
-  Field growth;                ///< thermal widening of the gap, shell and shaft [m]
+  Field tau_journal;            ///< viscous shear stress on the journal, opposing its motion [Pa]
+  Field tau_shell;              ///< viscous shear stress on the shell, along the motion [Pa]
+  Field elastic;                ///< elastic widening of the gap, shell and shaft [m]
+  Field growth;                 ///< thermal widening of the gap, shell and shaft [m]
   /// Shell and housing temperature in the section z = 0: radii and values, index i * r.size() + k.
   std::vector<double> r;
   std::vector<double> T_solid;
@@ -98,7 +98,7 @@ struct Result {
 
 /// One step of the friction difference between two tiers.
 struct FrictionStep {
-  std::string name;   ///< "viscosity level", "viscosity variation", "clearance", ...
+  std::string name;     ///< "viscosity level", "viscosity variation", "clearance", ...
   double change = 0.0;  ///< of the friction torque [N m]
 };
 

@@ -14,8 +14,9 @@ using Layers = Solids::Layers;
 
 Layers layers_of(const Case& c) {
   if (!c.shell || c.shell->layers.empty()) {
-    throw InputError("the shell's layers are needed for heat conduction and deformation; give "
-                     "[shell] layers, or use tier isothermal or lumped");
+    throw InputError(
+        "the shell's layers are needed for heat conduction and deformation; give "
+        "[shell] layers, or use tier isothermal or lumped");
   }
   Layers out;
   double radius = c.bearing.radius;
@@ -34,17 +35,20 @@ Layers layers_of(const Case& c) {
 
 RevolutionMesh shell_mesh(const Case& c, const Layers& layers, const FilmGrid& grid,
                           int harmonics) {
-  const RadialRows rows = rows_outwards(c.bearing.radius, layers.thickness,
-                                        surface_row(c.bearing.radius, harmonics));
+  const RadialRows rows =
+      rows_outwards(c.bearing.radius, layers.thickness, surface_row(c.bearing.radius, harmonics));
   return make_revolution_mesh(rows.face, rows.layer, axial_elements(grid), grid.half);
 }
 
 solid::Support support_of(const Case& c) {
   if (!c.shell->housing) return solid::Support::held;
   switch (c.shell->housing->support) {
-    case HousingSupport::free: return solid::Support::free;
-    case HousingSupport::clamped: return solid::Support::clamped;
-    case HousingSupport::held: break;
+    case HousingSupport::free:
+      return solid::Support::free;
+    case HousingSupport::clamped:
+      return solid::Support::clamped;
+    case HousingSupport::held:
+      break;
   }
   return solid::Support::held;
 }
@@ -148,7 +152,7 @@ Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
     }
   }
   const double whole = area * grid_.multiplicity();
-  const double b1 = missing / area;                                                // [K]
+  const double b1 = missing / area;                                                   // [K]
   const double b2 = thermal::shaft_imbalance(grid_, fin_, q.shaft, T_shaft) / whole;  // [W/m2]
   // dTs (1 + R Gs) - R across dTj = b1,   -back dTs + (fin + Gj) dTj = b2
   const double fin = 2.0 * thermal::fin_conductance(grid_.radius, fin_) / whole;
@@ -184,8 +188,7 @@ SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
       solid::shaft_growth(grid_.radius, shaft_expansion_, out.shaft.temperature, reference_);
   for (int i = 0; i < grid_.nt; ++i) {
     for (int j = 0; j < grid_.nz; ++j) {
-      out.growth[grid_.index(i, j)] +=
-          uniform_growth_[j] * (surroundings_ - reference_) + shaft[j];
+      out.growth[grid_.index(i, j)] += uniform_growth_[j] * (surroundings_ - reference_) + shaft[j];
     }
   }
   return out;

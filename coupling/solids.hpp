@@ -24,9 +24,9 @@ struct SolidEffects {
 
 /// Heat from the film into the two walls and the film's response to their temperature.
 struct WallFlux {
-  Field shell;                       ///< [W/m2]
-  std::vector<double> shaft;         ///< circumferential mean per axial cell [W/m2]
-  thermal::WallResponse response;    ///< of the film to its walls
+  Field shell;                     ///< [W/m2]
+  std::vector<double> shaft;       ///< circumferential mean per axial cell [W/m2]
+  thermal::WallResponse response;  ///< of the film to its walls
 };
 
 /// Temperatures of the solids and what they do to the gap.

@@ -1,10 +1,10 @@
 #include "coupling/solve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
@@ -39,13 +39,13 @@ LoadTarget scaled(LoadTarget target, double part) {
 /// Elastic film by continuation in the load: from the part of the load that a rigid isoviscous
 /// film carries with an elastic opening of no more than a few gaps, in growing steps.
 Verdict start_elastic(Solution& s, double T, const SolveControl& control) {
-  constexpr double kMostOpening = 6.0;   // elastic opening over the smallest gap at the start [-]
+  constexpr double kMostOpening = 6.0;  // elastic opening over the smallest gap at the start [-]
   constexpr double kSmallestPart = 1e-4;
   constexpr double kSmallestRatio = 1.05;  // a step of the load below this is not worth taking
   double part = 1.0;
   while (true) {
-    Verdict v = cold_rigid_film(s.model, scaled(s.target, part), T, true, s.film, s.cost,
-                                control.stop);
+    Verdict v =
+        cold_rigid_film(s.model, scaled(s.target, part), T, true, s.film, s.cost, control.stop);
     if (!v.good()) return v;
     if (!evaluate(s.model, {}, 1e-3, s.film)) break;
     const Field opening = s.model.solids->compliance(s.film.film.p);
@@ -62,9 +62,9 @@ Verdict start_elastic(Solution& s, double T, const SolveControl& control) {
   while (true) {
     const bool last = part >= 1.0;
     const FilmEquilibrium before = s.film;
-    const Verdict v = solve_equilibrium(s.model, scaled(s.target, part), s.heat.growth,
-                                        last ? EquilibriumOptions{} : loose, s.film, s.cost,
-                                        control.stop);
+    const Verdict v =
+        solve_equilibrium(s.model, scaled(s.target, part), s.heat.growth,
+                          last ? EquilibriumOptions{} : loose, s.film, s.cost, control.stop);
     if (v.status == Status::interrupted) return v;
     if (v.good() && last) return v;
     if (!v.good()) {
@@ -117,16 +117,18 @@ Verdict solve_lumped(Solution& s, bool warm, const SolveControl& control) {
     }
     const double gap = T_supply + power / (flow * cp) - T;  // zero at the balance
     s.history.push_back({"lumped", std::abs(gap), f.viscous + f.asperity, s.film.least.h});
-    if (control.progress) control.progress({"lumped", turn, std::abs(gap), f.viscous, s.film.least.h});
+    if (control.progress)
+      control.progress({"lumped", turn, std::abs(gap), f.viscous, s.film.least.h});
     if (std::abs(gap) < kSettled) return {};
     const double slope = turn == 0 ? -2.0 : (gap - before_gap) / (T - before_T);
     before_T = T;
     before_gap = gap;
     T -= gap / (slope < 0.0 ? slope : -1.0);
     if (T - T_supply > 400.0) {
-      return {Status::no_steady_state, fmt::format("thermal runaway: the heat balance asks for {:.0f} degC",
-                                                   T - kZeroCelsius),
-              "", "lower speed or load, or feed more oil"};
+      return {
+          Status::no_steady_state,
+          fmt::format("thermal runaway: the heat balance asks for {:.0f} degC", T - kZeroCelsius),
+          "", "lower speed or load, or feed more oil"};
     }
   }
   return {Status::iteration_limit, "the heat balance did not settle", "", "try tier thd"};
@@ -157,10 +159,16 @@ void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const Solv
     s.heat = {};
   }
   switch (tier) {
-    case Tier::isothermal: s.verdict = solve_isothermal(s, warm, control); break;
-    case Tier::lumped: s.verdict = solve_lumped(s, warm, control); break;
+    case Tier::isothermal:
+      s.verdict = solve_isothermal(s, warm, control);
+      break;
+    case Tier::lumped:
+      s.verdict = solve_lumped(s, warm, control);
+      break;
     case Tier::thd:
-    case Tier::tehd: s.verdict = solve_resolved(s, warm, tolerance, control); break;
+    case Tier::tehd:
+      s.verdict = solve_resolved(s, warm, tolerance, control);
+      break;
   }
 }
 

@@ -18,8 +18,8 @@ struct Solution {
   BearingModel model;
   LoadTarget target;
   FilmEquilibrium film;
-  HeatState heat;            ///< meaningful if model.physics.film_energy
-  double T_film = 0.0;       ///< isothermal and lumped: the film's temperature [K]
+  HeatState heat;       ///< meaningful if model.physics.film_energy
+  double T_film = 0.0;  ///< isothermal and lumped: the film's temperature [K]
   Verdict verdict;
   EquilibriumCost cost;
   std::vector<HistoryEntry> history;

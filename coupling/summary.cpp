@@ -82,7 +82,8 @@ void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
   q.add("friction_torque_shell", f.viscous_shell + f.asperity, "N m");
   q.add("power_loss", (f.viscous + f.asperity) * omega, "W");
   q.add("pump_power", pump_power(m, s.film), "W");
-  q.add("eccentricity_ratio", std::hypot(s.film.position.ex(), s.film.position.ey()) / m.clearance, "1");
+  q.add("eccentricity_ratio", std::hypot(s.film.position.ex(), s.film.position.ey()) / m.clearance,
+        "1");
   q.add("attitude_angle", attitude(s), "deg");
   if (s.target.unknowns == 4 || s.film.position.psi_x() != 0.0 || s.film.position.psi_y() != 0.0) {
     q.add("tilt_x", s.film.position.psi_x(), "rad");
@@ -193,17 +194,19 @@ Fields fields_of(const Solution& s, const Friction& f) {
 
 void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
   const auto& range = s.model.oil.range;
-  const auto [low, high] =
-      std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
-  const auto celsius = [](double T) { return std::to_string(static_cast<int>(std::lround(T - kZeroCelsius))); };
+  const auto [low, high] = std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
+  const auto celsius = [](double T) {
+    return std::to_string(static_cast<int>(std::lround(T - kZeroCelsius)));
+  };
   if (*low < range.T_min || *high > range.T_max) {
     warnings.push_back("film temperatures of " + celsius(*low) + " to " + celsius(*high) +
                        " degC leave the oil's range of " + celsius(range.T_min) + " to " +
                        celsius(range.T_max) + " degC: its viscosity is extrapolated");
   }
   if (s.model.scene.rough.beyond_table) {
-    warnings.push_back("a roughness orientation lies outside the range 1/9 to 9 of the tabulated "
-                       "flow factors: the end of the table is used");
+    warnings.push_back(
+        "a roughness orientation lies outside the range 1/9 to 9 of the tabulated "
+        "flow factors: the end of the table is used");
   }
   if (largest(s.film.film.p) > range.p_max) {
     warnings.push_back("film pressures leave the range in which the oil's pressure law is known");

@@ -1,9 +1,9 @@
 #include "coupling/thermal_loop.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "core/constants.hpp"
 #include "coupling/fixed_point.hpp"
@@ -12,9 +12,9 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr double kSettled = 1e-9;   ///< change per sweep that leaves the balance near round-off [K]
-constexpr int kLaps = 3;            ///< sweeps for the film's response to its walls
-constexpr int kResponseTurns[] = {1, 4};  ///< turns in which that is measured; then it is known
+constexpr double kSettled = 1e-9;  ///< change per sweep that leaves the balance near round-off [K]
+constexpr int kLaps = 3;           ///< sweeps for the film's response to its walls
+constexpr int kResponseTurns[] = {1, 4};   ///< turns in which that is measured; then it is known
 constexpr double kTemperatureUnit = 10.0;  ///< one unit of the fixed point's temperatures [K]
 
 /// The map of the fixed point, on the states it works on.
@@ -23,8 +23,14 @@ class Turn {
   Turn(const BearingModel& model, const LoadTarget& target, const ThermalOptions& options,
        const SolveControl& control, FilmEquilibrium& film, HeatState& heat, EquilibriumCost& cost,
        std::vector<HistoryEntry>& history)
-      : model_(model), target_(target), options_(options), control_(control), film_(film),
-        heat_(heat), cost_(cost), history_(history) {}
+      : model_(model),
+        target_(target),
+        options_(options),
+        control_(control),
+        film_(film),
+        heat_(heat),
+        cost_(cost),
+        history_(history) {}
 
   bool operator()(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] std::vector<double> pack() const;
@@ -35,8 +41,7 @@ class Turn {
 
  private:
   [[nodiscard]] EquilibriumOptions film_options() const;
-  [[nodiscard]] double relaxation(const std::vector<double>& x,
-                                  const std::vector<double>& g) const;
+  [[nodiscard]] double relaxation(const std::vector<double>& x, const std::vector<double>& g) const;
   void unpack(const std::vector<double>& x);
   void impose_walls(std::vector<double>& T) const;
   /// The energy equation of the film as it stands.
@@ -159,8 +164,7 @@ void Turn::warm_the_walls(const thermal::FilmEnergy& energy) {
       const int c = g.index(i, j);
       q.shell[c] = q.shell[c] / g.area(i, j) + rubbed.shell[c];
       q.shaft[j] += (walls.shaft[c] / g.area(i, j) + rubbed.shaft[c]) * g.dphi[i] / (2.0 * kPi);
-      heat_.contact_heat +=
-          g.multiplicity() * g.area(i, j) * (rubbed.shell[c] + rubbed.shaft[c]);
+      heat_.contact_heat += g.multiplicity() * g.area(i, j) * (rubbed.shell[c] + rubbed.shaft[c]);
     }
   }
   heat_.solids = model_.solids->answer(q, heat_.T_shell, heat_.T_shaft);
@@ -190,11 +194,13 @@ void Turn::name_the_failure() {
   if (verdict_.status != Status::iteration_limit) return;
   const double T0 = model_.input.supplies.front().temperature;
   const double T = *std::max_element(film_.columns.T.begin(), film_.columns.T.end());
-  const double lost = std::log(rheology::viscosity(model_.oil, T0, 0.0) /
-                               rheology::viscosity(model_.oil, T, 0.0));
+  const double lost =
+      std::log(rheology::viscosity(model_.oil, T0, 0.0) / rheology::viscosity(model_.oil, T, 0.0));
   if (!(std::abs(lost) > kLost)) return;
-  verdict_ = runaway(fmt::format("the film is {:.0f} K above the supply, its viscosity is {:.1e} "
-                                 "times that of the supplied oil, and no film is found any more", T - T0, std::exp(-lost)));
+  verdict_ =
+      runaway(fmt::format("the film is {:.0f} K above the supply, its viscosity is {:.1e} "
+                          "times that of the supplied oil, and no film is found any more",
+                          T - T0, std::exp(-lost)));
 }
 
 void Turn::report(const std::vector<double>& x, const std::vector<double>& g) {
@@ -205,8 +211,8 @@ void Turn::report(const std::vector<double>& x, const std::vector<double>& g) {
   const double torque = friction_.viscous + friction_.asperity;
   history_.push_back({"thermal", heat_.residual, torque, film_.least.h});
   if (control_.progress) {
-    control_.progress({to_string(model_.input.model.tier), turns_, heat_.residual, torque,
-                       film_.least.h});
+    control_.progress(
+        {to_string(model_.input.model.tier), turns_, heat_.residual, torque, film_.least.h});
   }
 }
 
@@ -230,8 +236,8 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   if (!sound()) return false;
   turn_T_ = film_.columns.T;
   turn_growth_ = heat_.growth;
-  verdict_ = solve_equilibrium(model_, target_, heat_.growth, film_options(), film_, cost_,
-                               control_.stop);
+  verdict_ =
+      solve_equilibrium(model_, target_, heat_.growth, film_options(), film_, cost_, control_.stop);
   if (!verdict_.good()) {
     name_the_failure();
     return false;
@@ -254,15 +260,15 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
 }
 
 void Turn::finish() {
-  constexpr int kMostRounds = 60;      // of film and walls in turn, the flow staying as it is
+  constexpr int kMostRounds = 60;  // of film and walls in turn, the flow staying as it is
   constexpr int kMostSweeps = 400;
-  constexpr double kWalls = 1e-7;      // change per round that leaves their heat balanced [K]
-  constexpr double kGrowing = 4.0;     // change over the best one at which rounds only get worse [-]
+  constexpr double kWalls = 1e-7;   // change per round that leaves their heat balanced [K]
+  constexpr double kGrowing = 4.0;  // change over the best one at which rounds only get worse [-]
   constexpr double kUnbalanced = 0.1;  // change that the walls must not be left with [K]
   const std::vector<double> after = film_.columns.T;
   film_.columns.T = turn_T_;
-  verdict_ = solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_,
-                               control_.stop);
+  verdict_ =
+      solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_, control_.stop);
   film_.columns.T = after;
   thermal::FilmEnergy energy = film_energy();
   double change = INFINITY;  // of the best round; a round may be the first of a growing series

@@ -12,11 +12,11 @@
 namespace shellback::coupling {
 
 struct ThermalOptions {
-  int sweeps = 3;               ///< energy sweeps per turn (methods 3.4)
+  int sweeps = 3;  ///< energy sweeps per turn (methods 3.4)
   int anderson_depth = 6;
   int max_turns = 200;
-  double tolerance = 1e-4;      ///< largest change per turn, in the units above [-]
-  double runaway = 400.0;       ///< film temperature above the supply that is taken as runaway [K]
+  double tolerance = 1e-4;  ///< largest change per turn, in the units above [-]
+  double runaway = 400.0;   ///< film temperature above the supply that is taken as runaway [K]
   EquilibriumOptions film;
 };
 
@@ -31,7 +31,7 @@ struct HeatState {
   std::vector<double> T_mix;       ///< of each supply patch [K]
   thermal::WallResponse response;  ///< of the film to its walls, refreshed in early turns
   long backflow_nodes = 0;
-  double residual = 0.0;           ///< last change per turn [-]
+  double residual = 0.0;  ///< last change per turn [-]
   /// True once the film's heat has been balanced to the end.
   [[nodiscard]] bool known() const { return !T_mix.empty(); }
 };

@@ -68,8 +68,8 @@ FaceFlow series_flow(const Half& a, const Half& b, const Side& left, const Side&
 }
 
 /// Flow from a half cell to a place of given pressure at the face (or from it, by `sign` = -1).
-FaceFlow half_flow(const Half& a, const Side& cell, const Side& face, double theta_up,
-                   double speed, double rho, double length, int sign) {
+FaceFlow half_flow(const Half& a, const Side& cell, const Side& face, double theta_up, double speed,
+                   double rho, double length, int sign) {
   const LogMean g = log_mean(cell.g, face.g, cell.ln_g - face.ln_g);
   const double dp = cell.p - face.p;
   const double conductance = rho * length * a.h3 / a.distance;
@@ -162,8 +162,7 @@ void circumferential_faces(const Evaluation& e, FilmFlow& flow) {
       // A groove has its pressure up to its edge, which lies on the face.
       const Half ha =
           a.half(r, from_supply ? 0.0 : 0.5 * g.radius * g.dphi[west], e.oil.chi[l], false);
-      const Half hb =
-          c.half(r, to_supply ? 0.0 : 0.5 * g.radius * g.dphi[i], e.oil.chi[r], false);
+      const Half hb = c.half(r, to_supply ? 0.0 : 0.5 * g.radius * g.dphi[i], e.oil.chi[r], false);
       const int line = e.scene.supply.line[r];
       if (line < 0) {
         const double theta = U >= 0.0 ? e.state.theta[l] : e.state.theta[r];
@@ -174,8 +173,9 @@ void circumferential_faces(const Evaluation& e, FilmFlow& flow) {
       const double p = e.scene.supply.patches[line].pressure;
       const double theta_in = U >= 0.0 ? e.state.theta[l] : 1.0;
       const double theta_out = U >= 0.0 ? 1.0 : e.state.theta[r];
-      flow.lines.push_back({r, line, half_flow(ha, e.side(l), e.at_pressure(l, p), theta_in, U,
-                                               e.oil.density[l], g.dz[j], 1)});
+      flow.lines.push_back({r, line,
+                            half_flow(ha, e.side(l), e.at_pressure(l, p), theta_in, U,
+                                      e.oil.density[l], g.dz[j], 1)});
       flow.phi[r] = half_flow(hb, e.side(r), e.at_pressure(r, p), theta_out, U, e.oil.density[r],
                               g.dz[j], -1);
     }
@@ -190,8 +190,8 @@ FaceFlow edge_flow(const Evaluation& e, const Transport& t, int i, int j) {
   const Half half = t.half(static_cast<std::size_t>(i) * (g.nz + 1) + j, distance, 0.0, true);
   const int sign = j == 0 ? -1 : 1;
   if (e.scene.edges == SideEdges::dry && e.state.p[k] <= e.scene.p_edge) return {};
-  return half_flow(half, e.side(k), e.at_pressure(k, e.scene.p_edge), 0.0, 0.0,
-                   e.oil.density[k], g.radius * g.dphi[i], sign);
+  return half_flow(half, e.side(k), e.at_pressure(k, e.scene.p_edge), 0.0, 0.0, e.oil.density[k],
+                   g.radius * g.dphi[i], sign);
 }
 
 void axial_faces(const Evaluation& e, FilmFlow& flow) {
@@ -221,8 +221,8 @@ void axial_faces(const Evaluation& e, FilmFlow& flow) {
         const Half ha = a.half(f, from_supply ? 0.0 : g.z_face[j] - g.z[j - 1], 0.0, true);
         const Half hb = c.half(f, to_supply ? 0.0 : g.z[j] - g.z_face[j], 0.0, true);
         const double rho = 0.5 * (e.oil.density[r - 1] + e.oil.density[r]);
-        flow.z[f] = series_flow(ha, hb, e.side(r - 1), e.side(r), 0.0, 0.0, rho,
-                                g.radius * g.dphi[i]);
+        flow.z[f] =
+            series_flow(ha, hb, e.side(r - 1), e.side(r), 0.0, 0.0, rho, g.radius * g.dphi[i]);
       }
     }
   }

@@ -13,9 +13,9 @@
 /// a face is the logarithmic mean of its cells: for Barus oil that is the exact mean of
 /// exp(-alpha p) between the two pressures, so that the flux is linear in
 /// q = (1 - exp(-alpha p))/alpha. Where the gap jumps on a face, the two half cells are in
-/// series: pressure and flow are continuous, and in full film the jump costs no accuracy. (Where the
-/// film ruptures on a jump the flow is first order: the empty cell's pressure stands half a cell
-/// behind it.)
+/// series: pressure and flow are continuous, and in full film the jump costs no accuracy. (Where
+/// the film ruptures on a jump the flow is first order: the empty cell's pressure stands half a
+/// cell behind it.)
 #include <vector>
 
 #include "core/grid.hpp"
@@ -36,7 +36,7 @@ struct FilmScene {
   FilmGrid grid;
   Angles angles{FilmGrid{}};
   SupplyMap supply;
-  double speed = 0.0;  ///< surface speed of the journal U, positive in +phi [m/s]
+  double speed = 0.0;         ///< surface speed of the journal U, positive in +phi [m/s]
   double p_cavitation = 0.0;  ///< [Pa]
   double p_edge = 0.0;        ///< pressure at the side edges [Pa]
   SideEdges edges = SideEdges::flooded;

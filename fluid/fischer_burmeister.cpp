@@ -7,9 +7,9 @@
 namespace shellback::fluid {
 namespace {
 
-constexpr double kFillSlack = 1e-12;      ///< round-off allowed in 0 <= theta <= 1 [-]
-constexpr double kPressureSlack = 1e-9;   ///< round-off allowed in p >= p_cav, of the scale [-]
-constexpr int kHalvings = 12;             ///< shortest step tried: 2^-12
+constexpr double kFillSlack = 1e-12;     ///< round-off allowed in 0 <= theta <= 1 [-]
+constexpr double kPressureSlack = 1e-9;  ///< round-off allowed in p >= p_cav, of the scale [-]
+constexpr int kHalvings = 12;            ///< shortest step tried: 2^-12
 
 double pressure_scale(const FilmScene& scene, const FilmState& s) {
   double p = 1.0;

@@ -47,8 +47,8 @@ void to_faces(const FilmGrid& g, const Field& d, std::vector<double>& phi_face,
   }
 }
 
-Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition& q,
-             const Field& d, const Field& step) {
+Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition& q, const Field& d,
+             const Field& step) {
   Gap gap;
   if (d.empty()) {
     gap.phi_face.assign(g.cells(), 0.0);

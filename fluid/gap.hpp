@@ -36,10 +36,14 @@ struct Gap {
 /// 0 e_x, 1 e_y, 2 psi_x, 3 psi_y.
 [[nodiscard]] inline double gap_slope(int k, double cos_phi, double sin_phi, double z) {
   switch (k) {
-    case 0: return -cos_phi;
-    case 1: return -sin_phi;
-    case 2: return z * sin_phi;
-    default: return -z * cos_phi;
+    case 0:
+      return -cos_phi;
+    case 1:
+      return -sin_phi;
+    case 2:
+      return z * sin_phi;
+    default:
+      return -z * cos_phi;
   }
 }
 

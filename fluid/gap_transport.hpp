@@ -10,10 +10,10 @@
 namespace shellback::fluid {
 
 struct GapTransport {
-  std::vector<double> average_gap;  ///< hT [m]
-  std::vector<double> h3_x;         ///< phi_x h^3 [m3]
-  std::vector<double> h3_z;         ///< phi_z h^3 [m3]
-  std::vector<double> sigma_phi_s;  ///< [m]
+  std::vector<double> average_gap;                               ///< hT [m]
+  std::vector<double> h3_x;                                      ///< phi_x h^3 [m3]
+  std::vector<double> h3_z;                                      ///< phi_z h^3 [m3]
+  std::vector<double> sigma_phi_s;                               ///< [m]
   std::vector<double> daverage_gap, dh3_x, dh3_z, dsigma_phi_s;  ///< derivatives by h
 };
 

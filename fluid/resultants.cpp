@@ -41,8 +41,7 @@ Field pressure_gradient_x(const FilmScene& s, const FilmState& state) {
       const bool from_supply = s.supply.cell[l] >= 0;
       const bool to_supply = s.supply.cell[r] >= 0;
       if (line >= 0 || from_supply || to_supply) {  // the supply's pressure stands at the face
-        const double p = line >= 0 ? s.supply.patches[line].pressure
-                                   : state.p[from_supply ? l : r];
+        const double p = line >= 0 ? s.supply.patches[line].pressure : state.p[from_supply ? l : r];
         drop_west = from_supply ? 0.0 : p - state.p[l];
         drop_east = to_supply ? 0.0 : state.p[r] - p;
       } else {
@@ -96,8 +95,7 @@ ShearStress shear_stress(const FilmScene& s, const Field& h, const Field& g0, co
   gap_shear(s.rough, h, {phi_f, phi_fs, phi_total, h_phi_fp});
   for (std::size_t k = 0; k < h.size(); ++k) {
     const double weight = rule == CavitatedShear::filled ? state.theta[k] : 1.0;
-    const double couette =
-        weight * s.speed / g0[k] * phi_total[k];
+    const double couette = weight * s.speed / g0[k] * phi_total[k];
     const double carried = 0.5 * gap.sigma_phi_s[k];
     tau.journal[k] = couette + (chi[k] * gap.average_gap[k] + carried) * gradient[k];
     tau.shell[k] = couette - ((1.0 - chi[k]) * gap.average_gap[k] - carried) * gradient[k];

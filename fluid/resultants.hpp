@@ -52,9 +52,9 @@ enum class CavitatedShear { filled, full };
 
 /// Oil flows [kg/s], whole bearing, from the face flows of the solved system.
 struct OilFlows {
-  double supply = 0.0;      ///< out of all patches, net
-  double side = 0.0;        ///< out of the side edges, net
-  double side_inflow = 0.0; ///< part of the edges' flow that comes in
+  double supply = 0.0;        ///< out of all patches, net
+  double side = 0.0;          ///< out of the side edges, net
+  double side_inflow = 0.0;   ///< part of the edges' flow that comes in
   std::vector<double> patch;  ///< net out of each patch
 };
 [[nodiscard]] OilFlows oil_flows(const FilmScene& scene, const FilmFlow& flow);

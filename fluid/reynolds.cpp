@@ -1,9 +1,9 @@
 #include "fluid/reynolds.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <set>
-
-#include <fmt/format.h>
 
 #include "core/constants.hpp"
 #include "fluid/fischer_burmeister.hpp"
@@ -34,7 +34,8 @@ namespace {
 /// diagonal entries and to the couplings `from_to` (row from, column to) and `to_from`.
 void add_face(const FaceFlow& f, bool upstream_is_left, int from, int to, const UnknownMap& u,
               RingMatrix& a, double& from_to, double& to_from) {
-  const double left = f.d_left * u.a_p[from] + (upstream_is_left ? f.d_theta * u.a_theta[from] : 0.0);
+  const double left =
+      f.d_left * u.a_p[from] + (upstream_is_left ? f.d_theta * u.a_theta[from] : 0.0);
   const double right = f.d_right * u.a_p[to] + (upstream_is_left ? 0.0 : f.d_theta * u.a_theta[to]);
   a.c[from] += left;
   from_to += right;
@@ -142,8 +143,7 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
       continue;
     }
     const double beyond_low = (g.z[0] - g.z_face[0]) / (g.z[1] - g.z[0]);
-    const double beyond_high =
-        (g.z_face[g.nz] - g.z[g.nz - 1]) / (g.z[g.nz - 1] - g.z[g.nz - 2]);
+    const double beyond_high = (g.z_face[g.nz] - g.z[g.nz - 1]) / (g.z[g.nz - 1] - g.z[g.nz - 2]);
     if (!g.half) couple.add(-low, first, 1.0 + beyond_low, first + 1, -beyond_low, a.n[first]);
     couple.add(high, last, 1.0 + beyond_high, last - 1, -beyond_high, a.s[last]);
   }
@@ -194,8 +194,7 @@ Field outflow_by_position(const FilmScene& scene, const FilmFlow& flow, int k) {
   const FilmGrid& g = scene.grid;
   const Angles& a = scene.angles;
   return outflow_by(
-      scene, flow,
-      [&](int i, int j) { return gap_slope(k, a.cos_face[i], a.sin_face[i], g.z[j]); },
+      scene, flow, [&](int i, int j) { return gap_slope(k, a.cos_face[i], a.sin_face[i], g.z[j]); },
       [&](int i, int j) { return gap_slope(k, a.cos_cell[i], a.sin_cell[i], g.z_face[j]); });
 }
 
@@ -293,7 +292,8 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
     const double norm = largest(r) / flow_scale(scene, v.flow);
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
-      out.verdict = {Status::invalid_number, "the film residual is not a number", "", "check the gap"};
+      out.verdict = {Status::invalid_number, "the film residual is not a number", "",
+                     "check the gap"};
       return out;
     }
     if (norm <= options.tolerance && complementary(scene, v.state)) {

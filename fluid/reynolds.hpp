@@ -56,9 +56,9 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
 
 /// Effect of an update on the state.
 struct UpdateReport {
-  int moved = 0;            ///< cells that changed between full and cavitated
-  int beyond_barus = 0;     ///< cells whose step left the range of the pressure law, alpha dp >= 1
-  int worst_cell = -1;      ///< one of them
+  int moved = 0;         ///< cells that changed between full and cavitated
+  int beyond_barus = 0;  ///< cells whose step left the range of the pressure law, alpha dp >= 1
+  int worst_cell = -1;   ///< one of them
 };
 
 /// Applies the step t (scaled by `fraction`) and moves cells across. alpha dp is held to at most
@@ -80,7 +80,7 @@ struct FilmSolution {
   FilmState state;
   FilmFlow flow;
   FilmCoefficients oil;
-  RingFactor factor;   ///< of the last matrix: reusable for sensitivities
+  RingFactor factor;  ///< of the last matrix: reusable for sensitivities
   int factorizations = 0;
   int fallback_steps = 0;  ///< Fischer-Burmeister steps taken
 };

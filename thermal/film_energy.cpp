@@ -53,10 +53,14 @@ void invert_rows(double* a, int size) {
 /// The usual sizes with loops that the compiler can unroll.
 void invert(double* a, int m) {
   switch (m) {
-    case 3: return invert_rows<3>(a, 3);
-    case 5: return invert_rows<5>(a, 5);
-    case 7: return invert_rows<7>(a, 7);
-    default: return invert_rows<0>(a, m);
+    case 3:
+      return invert_rows<3>(a, 3);
+    case 5:
+      return invert_rows<5>(a, 5);
+    case 7:
+      return invert_rows<7>(a, 7);
+    default:
+      return invert_rows<0>(a, m);
   }
 }
 
@@ -101,9 +105,8 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
       build_column(i, j);
       Inflow faces[4];
       const int count = faces_of(i, j, faces);
-      const bool at_shore = std::any_of(faces, faces + count, [](const Inflow& f) {
-        return f.source < 0 && f.source != kEdge;
-      });
+      const bool at_shore = std::any_of(
+          faces, faces + count, [](const Inflow& f) { return f.source < 0 && f.source != kEdge; });
       if (at_shore) shore_.push_back(g.index(i, j));
     }
   }
@@ -116,8 +119,7 @@ int FilmEnergy::faces_of(int i, int j, Inflow* faces) const {
   const int east = g.index(g.next(i), j);
   int count = 0;
   faces[count++] = {&p_.phi_flow[static_cast<std::size_t>(k) * n_], 1.0,
-                    p_.line[k] >= 0 ? -1 - p_.line[k]
-                                    : cell_or_patch(g.index(g.previous(i), j))};
+                    p_.line[k] >= 0 ? -1 - p_.line[k] : cell_or_patch(g.index(g.previous(i), j))};
   if (line_west_[east]) {
     faces[count++] = {line_west_[east]->flow.data(), -1.0, -1 - line_west_[east]->patch};
   } else {
@@ -343,7 +345,11 @@ WallResponse FilmEnergy::wall_response(int laps) const {
   };
   const auto by_shell = per_kelvin(0);
   const auto by_shaft = per_kelvin(n_ - 1);
-  return {-by_shell[0], -by_shaft[1], by_shaft[0], by_shell[1], shell_local_,
+  return {-by_shell[0],
+          -by_shaft[1],
+          by_shaft[0],
+          by_shell[1],
+          shell_local_,
           *std::max_element(shell_ring_.begin(), shell_ring_.end()),
           *std::max_element(shaft_ring_.begin(), shaft_ring_.end())};
 }

@@ -26,7 +26,7 @@ namespace shellback::thermal {
 
 /// A face on which oil enters or leaves a supply line, west side of the line.
 struct LineFlow {
-  int face = 0;              ///< west face of the cell east of the line
+  int face = 0;  ///< west face of the cell east of the line
   int patch = 0;
   std::vector<double> flow;  ///< n: mass flow into the line per unit s [kg/s]
 };
@@ -46,25 +46,25 @@ struct FilmEnergyProblem {
   std::vector<double> phi_flow;  ///< west faces [kg/s per unit s], + in +phi
   std::vector<double> z_flow;    ///< axial faces, index (i (nz+1) + j) n + k, + in +z
   std::vector<LineFlow> lines;
-  std::vector<int> patch;        ///< per cell: supply patch or -1
-  std::vector<int> line;         ///< per west face: supply patch of the line on it or -1
+  std::vector<int> patch;           ///< per cell: supply patch or -1
+  std::vector<int> line;            ///< per west face: supply patch of the line on it or -1
   std::vector<double> conductance;  ///< K per cell [W/K]
   std::vector<double> heat;         ///< per node, weights included [W]
   std::vector<double> cp;           ///< mean heat capacity from T_reference on, per node [J/(kg K)]
   std::vector<SupplyVessel> vessels;
-  double T_reference = 0.0;      ///< enthalpies count from here [K]
-  double T_edge = 0.0;           ///< of oil that enters at a side edge [K]
-  double cp_edge = 0.0;          ///< its mean heat capacity from the reference on [J/(kg K)]
-  bool forward = true;           ///< the journal moves in +phi
+  double T_reference = 0.0;  ///< enthalpies count from here [K]
+  double T_edge = 0.0;       ///< of oil that enters at a side edge [K]
+  double cp_edge = 0.0;      ///< its mean heat capacity from the reference on [J/(kg K)]
+  bool forward = true;       ///< the journal moves in +phi
 };
 
 /// Enthalpy and heat flows of a film temperature field, whole solved part [W].
 struct EnergyBalance {
-  double heat = 0.0;          ///< dissipated, patches included
-  double to_shell = 0.0;      ///< through the wall s = 0
-  double to_shaft = 0.0;      ///< through the wall s = 1
-  double carried_out = 0.0;   ///< enthalpy leaving: edges, drains, surplus
-  double carried_in = 0.0;    ///< enthalpy entering: edges, fresh oil
+  double heat = 0.0;         ///< dissipated, patches included
+  double to_shell = 0.0;     ///< through the wall s = 0
+  double to_shaft = 0.0;     ///< through the wall s = 1
+  double carried_out = 0.0;  ///< enthalpy leaving: edges, drains, surplus
+  double carried_in = 0.0;   ///< enthalpy entering: edges, fresh oil
   [[nodiscard]] double imbalance() const {
     return heat - to_shell - to_shaft - carried_out + carried_in;
   }
@@ -108,8 +108,8 @@ class FilmEnergy {
 
  private:
   struct VesselFlow {
-    double out = 0.0;     ///< O [kg/s]
-    double in = 0.0;      ///< I [kg/s]
+    double out = 0.0;      ///< O [kg/s]
+    double in = 0.0;       ///< I [kg/s]
     double in_heat = 0.0;  ///< sum of I cp (T - T_ref) [W]
   };
   /// Flow into cell `cell` through one face, and whence.
@@ -131,14 +131,14 @@ class FilmEnergy {
 
   FilmEnergyProblem p_;
   int n_ = 0;
-  std::vector<double> stiffness_;  ///< D^T W D, n x n
-  std::vector<double> cross_;      ///< V per cell and node [kg/s]
-  std::vector<double> outflow_;    ///< w_k * sum of outflows, per cell and node [kg/s]
-  std::vector<double> inverse_;    ///< (n-2)^2 per cell
-  std::vector<double> T_mix_;      ///< per patch [K]
-  std::vector<int> shore_;         ///< film cells with a face to a patch
+  std::vector<double> stiffness_;           ///< D^T W D, n x n
+  std::vector<double> cross_;               ///< V per cell and node [kg/s]
+  std::vector<double> outflow_;             ///< w_k * sum of outflows, per cell and node [kg/s]
+  std::vector<double> inverse_;             ///< (n-2)^2 per cell
+  std::vector<double> T_mix_;               ///< per patch [K]
+  std::vector<int> shore_;                  ///< film cells with a face to a patch
   std::vector<const LineFlow*> line_west_;  ///< per face: the flow into its line
-  double shell_local_ = 0.0;  ///< largest of all columns [W/(m2 K)]
+  double shell_local_ = 0.0;                ///< largest of all columns [W/(m2 K)]
   std::vector<double> shell_ring_, shaft_ring_;  ///< mean over the columns at each z [W/(m2 K)]
   long backflow_ = 0;
 };

@@ -217,8 +217,8 @@ ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& gri
   end_heat_ = turn * loss_weights(mesh, elements, rows, &HeatElement::ends) * nodal_[0];
 }
 
-ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film,
-                                        const Field& t_old, double surroundings) const {
+ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film, const Field& t_old,
+                                        double surroundings) const {
   EXPECTS(film.mean >= 0.0 && film.local >= 0.0 && q.size() == t_old.size());
   const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
   ShellTemperature out;

@@ -70,9 +70,10 @@ class ShellConduction {
   /// changes by -g per kelvin,
   ///   T = Z (q - g (T - T_old)),
   /// solved for each harmonic, (1 + g Z_n)(t - t_old) = Z_n q_n - t_old. `q` [W/m2] and `t_old`
-  /// [K] are cell fields, g >= 0 is uniform over the film, one for the mean and one for the rest; `surroundings` [K] is the ambient or the
-  /// prescribed back temperature. At T = T_old the answer is that of the flux q whatever g is: g
-  /// only steadies the iteration. Parts of T_old above the highest harmonic are ignored.
+  /// [K] are cell fields, g >= 0 is uniform over the film, one for the mean and one for the rest;
+  /// `surroundings` [K] is the ambient or the prescribed back temperature. At T = T_old the answer
+  /// is that of the flux q whatever g is: g only steadies the iteration. Parts of T_old above the
+  /// highest harmonic are ignored.
   [[nodiscard]] ShellTemperature solve(const Field& q, FilmConductance g, const Field& t_old,
                                        double surroundings) const;
   [[nodiscard]] ShellTemperature solve(const Field& q, double g, const Field& t_old,

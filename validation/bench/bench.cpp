@@ -146,7 +146,8 @@ void Collector::print_table() const {
     std::string target = "-";
     if (yard != rows_.end()) ratio = fmt::format("{:.2f}", row.ms / yard->second.ms);
     const auto aim = kTargets.find(task);
-    if (aim != kTargets.end() && name.substr(last) == "/200x25") target = fmt::format("{}", aim->second);
+    if (aim != kTargets.end() && name.substr(last) == "/200x25")
+      target = fmt::format("{}", aim->second);
     fmt::print("{:<48}{:>12.3f}{:>12}{:>10}", name, row.ms, ratio, target);
     for (const auto& [key, value] : row.counters) fmt::print("  {} {:.6g}", key, value);
     fmt::print("\n");

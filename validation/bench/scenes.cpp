@@ -1,6 +1,5 @@
 #include "validation/bench/scenes.hpp"
 
-
 #include "core/constants.hpp"
 
 namespace shellback::bench {

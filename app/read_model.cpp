@@ -36,6 +36,7 @@ void read_grid(const Section& section, Model& model) {
     section.assume("the grid is 200 x 25 cells (model.grid is \"auto\" or not given)");
     return;
   }
+  model.grid_given = true;
   model.grid = section.pair_of_whole_numbers("grid", kFewestCells, kMostCells);
 }
 

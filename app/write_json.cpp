@@ -23,7 +23,15 @@ Json with_unit(double value, const std::string& unit) {
 
 Json quantities(const coupling::Result& result) {
   Json all = Json::object();
-  for (const auto& q : result.quantities) all[q.name] = with_unit(q.value, q.unit);
+  for (const auto& q : result.quantities) {
+    Json& entry = all[q.name] = with_unit(q.value, q.unit);
+    const auto add = [&](const char* key, double bar) {  // what is not known is not there
+      if (std::isfinite(bar)) entry[key] = with_unit(bar, q.unit)["value"];
+    };
+    add("error", q.error());
+    add("error_grid", q.error_grid);
+    add("error_model", q.error_model);
+  }
   return all;
 }
 
@@ -33,6 +41,8 @@ Json effects(const coupling::Result& result) {
     all.push_back({{"name", e.name},
                    {"included", e.included},
                    {"indicator", number(e.indicator)},
+                   {"change_in_friction", number(e.change_in_friction)},
+                   {"change_in_h_min", number(e.change_in_h_min)},
                    {"meaning", e.meaning}});
   }
   return all;

@@ -145,7 +145,7 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   }
   const SolidEffects wanted{physics.elastic, physics.film_energy, physics.growth};
   if (wanted.elastic || wanted.heat) {
-    m.solids = solids && solids->same_effects(wanted)
+    m.solids = solids && solids->serve(c, s.grid, wanted)
                    ? std::move(solids)
                    : std::make_shared<const Solids>(c, s.grid, wanted);
   }

@@ -4,6 +4,8 @@ namespace shellback::coupling {
 
 const char* to_string(Tier tier) {
   switch (tier) {
+    case Tier::estimate:
+      return "estimate";
     case Tier::isothermal:
       return "isothermal";
     case Tier::lumped:
@@ -12,6 +14,8 @@ const char* to_string(Tier tier) {
       return "thd";
     case Tier::tehd:
       return "tehd";
+    case Tier::automatic:
+      return "auto";
   }
   return "unknown";
 }

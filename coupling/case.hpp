@@ -76,6 +76,7 @@ struct Operation {
 struct ShellLayer {
   solid::Material material;
   double thickness = 0.0;  ///< radial [m]
+  [[nodiscard]] bool operator==(const ShellLayer&) const = default;
 };
 /// How the outer surface of the housing is held.
 enum class HousingSupport {
@@ -87,21 +88,25 @@ struct Housing {
   solid::Material material;
   double outer_radius = 0.0;  ///< [m]
   HousingSupport support = HousingSupport::held;
+  [[nodiscard]] bool operator==(const Housing&) const = default;
 };
 /// Heat leaves the outer surface of the housing (of the shell if there is no housing).
 struct ConvectiveBack {
   double heat_transfer = 0.0;  ///< [W/(m2 K)]
   double ambient = 0.0;        ///< [K]
+  [[nodiscard]] bool operator==(const ConvectiveBack&) const = default;
 };
 /// The back of the shell (interface to the housing) has this temperature.
 struct PrescribedBack {
   double temperature = 0.0;  ///< [K]
+  [[nodiscard]] bool operator==(const PrescribedBack&) const = default;
 };
 struct Shell {
   std::vector<ShellLayer> layers;  ///< from the bore outwards
   std::optional<Housing> housing;
   std::variant<ConvectiveBack, PrescribedBack> back = ConvectiveBack{};
   double end_heat_transfer = 50.0;  ///< from the end faces to the back's temperature [W/(m2 K)]
+  [[nodiscard]] bool operator==(const Shell&) const = default;
 };
 
 struct Shaft {
@@ -109,6 +114,7 @@ struct Shaft {
   double overhang = 0.0;       ///< length beyond the bearing on each side [m]
   double heat_transfer = 0.0;  ///< from the overhang's surface [W/(m2 K)]
   double ambient = 0.0;        ///< of the overhang [K]
+  [[nodiscard]] bool operator==(const Shaft&) const = default;
 };
 
 struct Surfaces {
@@ -117,7 +123,9 @@ struct Surfaces {
   std::optional<solid::ContactParameters> contact;
 };
 
-enum class Tier { isothermal, lumped, thd, tehd };
+/// The model ladder of design 4. `estimate` and `automatic` are the business of fidelity/; the
+/// solvers of coupling/ know the four between them.
+enum class Tier { estimate, isothermal, lumped, thd, tehd, automatic };
 enum class CavitatedShear { filled, full };
 enum class Edges { flooded, dry };
 
@@ -135,6 +143,7 @@ struct Model {
   Tier tier = Tier::tehd;
   double tolerance = 0.01;           ///< wished for on friction torque and smallest film [-]
   std::array<int, 2> grid{200, 25};  ///< circumferential x axial cells over the full width
+  bool grid_given = false;           ///< false: tier `auto` chooses the grid
   int film_nodes = 5;                ///< Gauss-Lobatto-Legendre nodes across the film
   Switches switches;
   CavitatedShear cavitated_shear = CavitatedShear::filled;

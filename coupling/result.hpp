@@ -1,5 +1,7 @@
 #pragma once
 /// What one solve gives: scalars, audit, effects, cost, fields. SI units, kelvin, radians.
+#include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,16 @@ struct Quantity {
   std::string name;
   double value = 0.0;
   std::string unit;
+  double error_grid = std::numeric_limits<double>::quiet_NaN();   ///< bar of the discretisation
+  double error_model = std::numeric_limits<double>::quiet_NaN();  ///< bar of the physics left out
+  /// Sum of the bars that are known; NaN: none is.
+  [[nodiscard]] double error() const;
+};
+
+/// Scalars of one grid of the nested iteration, solved to its own tolerance.
+struct LevelRecord {
+  std::array<int, 2> grid{0, 0};
+  std::vector<Quantity> quantities;
 };
 
 /// Relative imbalances; see docs/theory.md. Not-a-number: not applicable in this tier.
@@ -29,6 +41,9 @@ struct Effect {
   bool included = false;
   double indicator = 0.0;  ///< the indicator number of the effect [-]
   std::string meaning;     ///< what the number is, and from which value on it matters
+  /// Relative change of friction torque and smallest film by the effect; NaN: not estimated [-].
+  double change_in_friction = std::numeric_limits<double>::quiet_NaN();
+  double change_in_h_min = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct Cost {
@@ -89,6 +104,7 @@ struct Result {
   std::array<int, 2> grid{0, 0};
   Cost cost;
   std::vector<HistoryEntry> history;
+  std::vector<LevelRecord> levels;  ///< from the coarsest grid to the finest that converged
   Fields fields;
 
   /// Value of the quantity `name`, or not-a-number if this tier does not know it.

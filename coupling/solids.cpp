@@ -65,7 +65,11 @@ double mean_compliance(const HarmonicOperator& op) {
 }  // namespace
 
 Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
-    : grid_(grid), effects_(effects), harmonics_(grid, default_harmonics(grid.nt)) {
+    : grid_(grid),
+      shell_(c.shell),
+      shaft_(c.shaft),
+      effects_(effects),
+      harmonics_(grid, default_harmonics(grid.nt)) {
   const auto start = std::chrono::steady_clock::now();
   reference_ = c.bearing.reference_temperature;
   if (!c.shaft) throw InputError("the shaft's data are needed; give [shaft] material");
@@ -128,9 +132,14 @@ void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMes
           c.shaft->ambient};
 }
 
-bool Solids::same_effects(SolidEffects e) const {
-  return (effects_.elastic || !e.elastic) && (effects_.heat || !e.heat) &&
-         (effects_.growth || !e.growth);
+bool Solids::serve(const Case& c, const FilmGrid& grid, SolidEffects wanted) const {
+  const bool effects = (effects_.elastic || !wanted.elastic) && (effects_.heat || !wanted.heat) &&
+                       (effects_.growth || !wanted.growth);
+  const bool bodies =
+      c.shell == shell_ && c.shaft == shaft_ && c.bearing.reference_temperature == reference_;
+  const bool surface = grid.radius == grid_.radius && grid.half == grid_.half &&
+                       grid.phi_face == grid_.phi_face && grid.z_face == grid_.z_face;
+  return effects && bodies && surface;
 }
 
 Field Solids::compliance(const Field& pressure) const {

@@ -54,7 +54,8 @@ class Solids {
                                         const std::vector<double>& T_shaft) const;
 
   [[nodiscard]] double surroundings() const { return surroundings_; }  ///< of the shell [K]
-  [[nodiscard]] bool same_effects(SolidEffects e) const;
+  /// True if these operators are those of the case on the grid, and hold the effects wanted.
+  [[nodiscard]] bool serve(const Case& c, const FilmGrid& grid, SolidEffects wanted) const;
   [[nodiscard]] double setup_seconds() const { return setup_s_; }
 
   /// Shell temperature in the section z = 0: radii [m] and values [K], index i * radii + k.
@@ -80,6 +81,8 @@ class Solids {
   void build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh);
 
   FilmGrid grid_;
+  std::optional<Shell> shell_;  ///< what the operators were built for
+  std::optional<Shaft> shaft_;
   SolidEffects effects_;
   Harmonics harmonics_;
   HarmonicOperator compliance_;

@@ -169,6 +169,9 @@ void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const Solv
     case Tier::tehd:
       s.verdict = solve_resolved(s, warm, tolerance, control);
       break;
+    case Tier::estimate:
+    case Tier::automatic:
+      EXPECTS(false);  // fidelity/ has turned these into one of the others
   }
 }
 
@@ -201,6 +204,7 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
     }
     if (s.verdict.status == Status::interrupted) return;
     warm = s.verdict.good();
+    if (warm) s.levels.push_back({ladder[level], quantities_of(s, tier)});
   }
 }
 
@@ -221,6 +225,38 @@ Solution solve_isothermal_at(const Case& c, double T, const SolveControl& contro
   Solution s;
   s.T_film = T;
   climb(c, Tier::isothermal, control, nullptr, s);
+  s.wall_s = seconds_since(begin);
+  return s;
+}
+
+Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
+                         const SolveControl& control) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (!near.verdict.good()) return solve_tier(c, tier, control);
+  const Physics physics = physics_of(c, tier);
+  Solution s;
+  s.T_film = tier == Tier::isothermal ? equivalent_temperature(c) : near.T_film;
+  s.target = load_target(c);
+  s.model = make_bearing(c, physics, c.model.grid, near.model.solids);
+  s.film = carry_over(near.model, near.film, s.model);
+  if (s.target.unknowns < 4) {  // what the case gives is not taken from the near solution
+    const auto given = first_position(c, s.model.clearance);
+    for (int k = s.target.unknowns; k < 4; ++k) s.film.position.q[k] = given.q[k];
+  }
+  if (physics.film_energy) {
+    s.heat = near.model.physics.film_energy ? carry_over(near.model, near.heat, s.model)
+                                            : cold_heat(s.model, near.T_film);
+    if (physics.growth && s.heat.growth.empty()) {
+      s.heat.growth.assign(s.model.scene.grid.cells(), 0.0);
+    }
+  }
+  solve_level(s, tier, true, 0.0, control);
+  if (s.verdict.status != Status::interrupted && !s.verdict.good()) {
+    Solution cold = solve_tier(c, tier, control, s.model.solids);
+    cold.wall_s = seconds_since(begin);
+    return cold;
+  }
+  if (s.verdict.good()) s.levels.push_back({c.model.grid, quantities_of(s, tier)});
   s.wall_s = seconds_since(begin);
   return s;
 }

@@ -23,6 +23,7 @@ struct Solution {
   Verdict verdict;
   EquilibriumCost cost;
   std::vector<HistoryEntry> history;
+  std::vector<LevelRecord> levels;  ///< every grid of the ladder that converged, the last included
   double wall_s = 0.0;
 };
 
@@ -30,9 +31,19 @@ struct Solution {
 [[nodiscard]] Solution solve_tier(const Case& c, Tier tier, const SolveControl& control = {},
                                   std::shared_ptr<const Solids> solids = nullptr);
 
+/// Solves the case in one tier from the solution of a near one: the same bearing at another speed,
+/// load, temperature or in a tier below; on its own grid at once, without the ladder of coarser
+/// ones. Where `near` is no start (it did not converge, or this solve does not from it), starts
+/// from cold. The operators of the solids are shared where they serve.
+[[nodiscard]] Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
+                                       const SolveControl& control = {});
+
 /// Isothermal solution at a given film temperature, from cold.
 [[nodiscard]] Solution solve_isothermal_at(const Case& c, double T,
                                            const SolveControl& control = {});
+
+/// The scalars of a solution, as they are reported.
+[[nodiscard]] std::vector<Quantity> quantities_of(const Solution& s, Tier tier);
 
 /// Sums up.
 [[nodiscard]] Result summarize(const Solution& s, Tier tier);

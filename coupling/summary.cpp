@@ -66,7 +66,7 @@ double attitude(const Solution& s) {
 class Quantities {
  public:
   void add(const std::string& name, double value, const std::string& unit) {
-    if (std::isfinite(value)) list_.push_back({name, value, unit});
+    if (std::isfinite(value)) list_.push_back({name, value, unit, NAN, NAN});
   }
   std::vector<Quantity> take() { return std::move(list_); }
 
@@ -226,6 +226,15 @@ std::vector<LimiterCount> limiters_of(const Solution& s) {
 
 }  // namespace
 
+std::vector<Quantity> quantities_of(const Solution& s, Tier tier) {
+  if (s.film.gap.cell.empty()) return {};
+  Quantities q;
+  add_mechanics(s, friction_of(s.model, s.film), q);
+  add_heat(s, q);
+  if (tier == Tier::isothermal) q.add("T_equivalent", s.T_film, "K");
+  return q.take();
+}
+
 Result summarize(const Solution& s, Tier tier) {
   const BearingModel& m = s.model;
   Result r;
@@ -236,15 +245,12 @@ Result summarize(const Solution& s, Tier tier) {
   r.assumptions = m.input.assumptions;
   r.grid = {m.scene.grid.nt, m.scene.grid.full_nz()};
   r.history = s.history;
+  r.levels = s.levels;
   r.cost = {s.wall_s, m.solids ? m.solids->setup_seconds() : 0.0, s.cost.factorizations,
             s.cost.newton_iterations, static_cast<int>(s.history.size())};
   if (s.film.gap.cell.empty()) return r;  // stopped before the first evaluation
   const Friction f = friction_of(m, s.film);
-  Quantities q;
-  add_mechanics(s, f, q);
-  add_heat(s, q);
-  if (tier == Tier::isothermal) q.add("T_equivalent", s.T_film, "K");
-  r.quantities = q.take();
+  r.quantities = quantities_of(s, tier);
   r.audit = audit_of(s, f);
   r.effects = effects_of(s, f);
   if (m.physics.film_energy && fluid::oil_flows(m.scene, s.film.flow).side_inflow > 0.0) {

@@ -2,11 +2,12 @@
 #include <iostream>
 #include <sstream>
 
-#include "app/cli.hpp"
+#include "program/cli.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;
 using namespace shellback::app;
+using namespace shellback::program;
 
 namespace {
 
@@ -35,7 +36,7 @@ struct Ended {
   std::string err;
 };
 
-Ended program(const std::vector<std::string>& words) {
+Ended run_words(const std::vector<std::string>& words) {
   Caught caught;
   const int code = run_program(words);
   return {code, caught.out.str(), caught.err.str()};
@@ -53,7 +54,7 @@ const std::string kCoarse = "model.grid=[48, 9]";
 TEST_CASE("ABadCaseEndsWithTwoAndShowsTheLine") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", sample_with("diameter", "diametre"));
-  const Ended ended = program({"check", path});
+  const Ended ended = run_words({"check", path});
   CHECK(ended.code == kBadInput);
   CHECK(ended.out.empty());
   check_parts(ended.err, {"case.toml:4:1: unknown key \"diametre\"", "diametre = \"50 mm\"",
@@ -61,7 +62,7 @@ TEST_CASE("ABadCaseEndsWithTwoAndShowsTheLine") {
 }
 
 TEST_CASE("AMissingFileEndsWithFour") {
-  const Ended ended = program({"run", "/nowhere/case.toml"});
+  const Ended ended = run_words({"run", "/nowhere/case.toml"});
   CHECK(ended.code == kBadFile);
   check_parts(ended.err, {"no such file"});
 }
@@ -69,7 +70,7 @@ TEST_CASE("AMissingFileEndsWithFour") {
 TEST_CASE("AnOutputThatCannotBeWrittenEndsWithFourBeforeTheWork") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);
-  const Ended ended = program({"run", path, "--json", "/nowhere/out.json"});
+  const Ended ended = run_words({"run", path, "--json", "/nowhere/out.json"});
   CHECK(ended.code == kBadFile);
   check_parts(ended.err, {"/nowhere"});
 }
@@ -77,18 +78,18 @@ TEST_CASE("AnOutputThatCannotBeWrittenEndsWithFourBeforeTheWork") {
 TEST_CASE("ABadWordOnTheCommandLineEndsWithTwo") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);
-  CHECK(program({"run", path, "--tier", "auto"}).code == kBadInput);
-  check_parts(program({"run", path, "--tier", "tedh"}).err, {"--tier", "did you mean \"tehd\"?"});
-  check_parts(program({"compare", path, "--tiers", "thd,thd"}).err, {"--tiers", "twice"});
-  check_parts(program({"run", path, "--set", "operation.speed=3000"}).err,
+  CHECK(run_words({"run", path, "--tier", "auto"}).code == kBadInput);
+  check_parts(run_words({"run", path, "--tier", "tedh"}).err, {"--tier", "did you mean \"tehd\"?"});
+  check_parts(run_words({"compare", path, "--tiers", "thd,thd"}).err, {"--tiers", "twice"});
+  check_parts(run_words({"run", path, "--set", "operation.speed=3000"}).err,
               {"--set operation.speed", "rpm"});
-  CHECK(program({"frobnicate"}).code == kBadInput);
+  CHECK(run_words({"frobnicate"}).code == kBadInput);
 }
 
 TEST_CASE("CheckPrintsAndEndsWell") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);
-  const Ended ended = program({"check", path});
+  const Ended ended = run_words({"check", path});
   CHECK(ended.code == kDone);
   CHECK(ended.err.empty());
   check_parts(ended.out, {"sample", "Sommerfeld"});
@@ -97,13 +98,13 @@ TEST_CASE("CheckPrintsAndEndsWell") {
 TEST_CASE("RunPrintsATableOrJsonNotBoth") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);
-  const Ended table = program({"run", path, "--tier", "isothermal", "--set", kCoarse});
+  const Ended table = run_words({"run", path, "--tier", "isothermal", "--set", kCoarse});
   INFO(table.err);
   CHECK(table.code == kDone);
   CHECK_FALSE(table.out.empty());
   CHECK_FALSE(begins_with_brace(table.out));
   const Ended json =
-      program({"run", path, "--tier", "isothermal", "--set", kCoarse, "--json", "-"});
+      run_words({"run", path, "--tier", "isothermal", "--set", kCoarse, "--json", "-"});
   CHECK(json.code == kDone);
   CHECK(begins_with_brace(json.out));
 }
@@ -114,14 +115,14 @@ TEST_CASE("RunAndCompareWriteTheirFiles") {
   const auto exists = [&](const char* name) {
     return std::filesystem::file_size(scratch.path(name)) > 0;
   };
-  CHECK(program({"run", path, "--tier", "isothermal", "--set", kCoarse, "--json",
-                 scratch.path("a.json"), "-o", scratch.path("a.h5")})
+  CHECK(run_words({"run", path, "--tier", "isothermal", "--set", kCoarse, "--json",
+                   scratch.path("a.json"), "-o", scratch.path("a.h5")})
             .code == kDone);
   CHECK(exists("a.json"));
   CHECK(exists("a.h5"));
-  const Ended compared = program({"compare", path, "--tiers", "isothermal,lumped", "--set", kCoarse,
-                                  "--json", scratch.path("b.json"), "-o", scratch.path("b.html"),
-                                  "--picture", scratch.path("b.svg")});
+  const Ended compared = run_words({"compare", path, "--tiers", "isothermal,lumped", "--set",
+                                    kCoarse, "--json", scratch.path("b.json"), "-o",
+                                    scratch.path("b.html"), "--picture", scratch.path("b.svg")});
   INFO(compared.err);
   CHECK(compared.code == kDone);
   CHECK(exists("b.json"));
@@ -134,7 +135,7 @@ TEST_CASE("WarningsGoToStandardError") {
   const auto path = scratch.write(
       "case.toml", sample_with("temperature = \"90 degC\"", "temperature = \"160 degC\""));
   const Ended ended =
-      program({"run", path, "--tier", "isothermal", "--set", kCoarse, "--json", "-"});
+      run_words({"run", path, "--tier", "isothermal", "--set", kCoarse, "--json", "-"});
   check_parts(ended.err, {"warning: ", "outside the range"});
   CHECK(begins_with_brace(ended.out));
 }

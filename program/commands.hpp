@@ -1,12 +1,12 @@
 #pragma once
 /// The commands on a case: read, work, print, save. Each gives the exit code; all throw
 /// InputError and FileError.
-#include "app/cli.hpp"
+#include "program/cli.hpp"
 
-namespace shellback::app {
+namespace shellback::program {
 
 [[nodiscard]] int check(const Request& request);
 [[nodiscard]] int run(const Request& request);
 [[nodiscard]] int compare(const Request& request);
 
-}  // namespace shellback::app
+}  // namespace shellback::program

@@ -1,11 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "app/cli.hpp"
 #include "app/did_you_mean.hpp"
+#include "program/cli.hpp"
 
-namespace shellback::app {
+namespace shellback::program {
 namespace {
+
+using namespace app;
 
 const std::vector<std::string> kCommands{"init", "check", "run", "compare"};
 constexpr int kMostThreads = 1024;
@@ -129,4 +131,4 @@ Reading read_command_line(const std::vector<std::string>& words) {
   return reading;
 }
 
-}  // namespace shellback::app
+}  // namespace shellback::program

@@ -1,9 +1,10 @@
 /// The command line: what is understood, and what is said when it is not.
-#include "app/cli.hpp"
+#include "program/cli.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;
 using namespace shellback::app;
+using namespace shellback::program;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "app/cli.hpp"
+#include "program/cli.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,14 @@
 #include <iostream>
 #include <new>
 
-#include "app/commands.hpp"
 #include "app/init.hpp"
 #include "core/contract.hpp"
+#include "program/commands.hpp"
 
-namespace shellback::app {
+namespace shellback::program {
 namespace {
+
+using namespace app;
 
 /// Not documented as a result: the program itself is at fault.
 constexpr int kDefect = 1;
@@ -102,4 +104,4 @@ int run_program(const std::vector<std::string>& words) {
   }
 }
 
-}  // namespace shellback::app
+}  // namespace shellback::program

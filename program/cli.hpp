@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace shellback::app {
+namespace shellback::program {
 
 /// How the program ends.
 enum ExitCode : int {
@@ -43,4 +43,4 @@ struct Reading {
 /// Does all: reads the words, works, prints, and gives the exit code. Never throws.
 [[nodiscard]] int run_program(const std::vector<std::string>& words);
 
-}  // namespace shellback::app
+}  // namespace shellback::program

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "app/cli.hpp"
+#include "program/cli.hpp"
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
-  return shellback::app::run_program(words);
+  return shellback::program::run_program(words);
 }

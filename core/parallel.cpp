@@ -1,0 +1,34 @@
+#include "core/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace shellback {
+
+void parallel_for(int count, int threads, const std::function<void(int)>& task) {
+  std::atomic<int> next{0};
+  std::exception_ptr first;
+  std::mutex guard;
+  const auto work = [&] {
+    for (int k = next++; k < count; k = next++) {
+      try {
+        task(k);
+      } catch (...) {
+        const std::lock_guard lock(guard);
+        if (!first) first = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  std::vector<std::thread> crew;
+  for (int t = 1; t < std::min(threads, count); ++t) crew.emplace_back(work);
+  work();
+  for (std::thread& member : crew) member.join();
+  if (first) std::rethrow_exception(first);
+}
+
+}  // namespace shellback

@@ -1,0 +1,78 @@
+#include "coupling/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "app/did_you_mean.hpp"
+#include "app/judge_case.hpp"
+#include "app/read_case.hpp"
+#include "app/write_html.hpp"
+#include "app/write_json.hpp"
+#include "app/write_table.hpp"
+#include "core/contract.hpp"
+#include "program/commands.hpp"
+#include "program/session.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+using namespace coupling;
+
+namespace {
+
+std::vector<Tier> wanted_tiers(const Request& request) {
+  std::vector<Tier> tiers;
+  for (const std::string& name : request.tiers) {
+    const Tier tier = tier_named(name, "--tiers");
+    if (std::find(tiers.begin(), tiers.end(), tier) != tiers.end()) {
+      throw InputError("--tiers", fmt::format("the tier {} is named twice", in_quotes(name)));
+    }
+    tiers.push_back(tier);
+  }
+  return tiers;
+}
+
+/// Every tier that the case has the data for; says which are left out.
+std::vector<Tier> default_tiers(const Case& subject) {
+  const std::vector<Tier> tiers = possible_tiers(subject);
+  for (const Tier tier : {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd}) {
+    if (std::find(tiers.begin(), tiers.end(), tier) != tiers.end()) continue;
+    std::cerr << fmt::format(
+        "the tier {0} is left out: the case lacks its data (\"shellback "
+        "check {1} --tier {0}\" tells which)\n",
+        to_string(tier), subject.path);
+  }
+  return tiers;
+}
+
+Comparison solve_all(const Case& subject, const std::vector<Tier>& tiers) {
+  ProgressLine line;
+  return coupling::compare(subject, tiers, control_for(line));
+}
+
+}  // namespace
+
+int compare(const Request& request) {
+  std::vector<Tier> tiers = wanted_tiers(request);
+  const Case subject = read_case(request.case_file, overrides_of(request), tiers);
+  for (const std::string& path : {request.json, request.output, request.picture}) {
+    expect_folder(path);
+  }
+  tell_warnings(subject);
+  if (tiers.empty()) tiers = default_tiers(subject);
+  const Comparison comparison = solve_all(subject, tiers);
+  if (!request.json.empty()) give_json(request, comparison_json(subject, comparison));
+  if (!request.output.empty()) write_comparison_html(request.output, subject, comparison);
+  if (!request.picture.empty()) write_comparison_svg(request.picture, subject, comparison);
+  if (request.json != "-") write_comparison_table(std::cout, subject, comparison);
+  int code = kDone;
+  for (const Result& result : comparison.results) {
+    tell_verdict(result);
+    code = std::max(code, code_of(result.verdict));
+  }
+  return code;
+}
+
+}  // namespace shellback::program

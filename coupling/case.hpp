@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "coupling/methods.hpp"
 #include "rheology/oil.hpp"
 #include "solid/material.hpp"
 #include "solid/surface.hpp"
@@ -146,6 +147,7 @@ struct Model {
   bool grid_given = false;           ///< false: tier `auto` chooses the grid
   int film_nodes = 5;                ///< Gauss-Lobatto-Legendre nodes across the film
   Switches switches;
+  Methods methods;
   CavitatedShear cavitated_shear = CavitatedShear::filled;
   Edges edges = Edges::flooded;
   double cavitation_pressure = 0.0;  ///< gauge [Pa]

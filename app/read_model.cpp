@@ -85,7 +85,7 @@ Model read_model(const Section& file) {
   section.only({"tier", "tolerance", "grid", "film_nodes", "pressure_dependence", "shear_thinning",
                 "flow_factors", "asperity_contact", "elastic_deformation", "thermal_deformation",
                 "cavitated_shear", "edges", "cavitation_pressure", "cavitation_pressure_absolute",
-                "equivalent_temperature"},
+                "equivalent_temperature", "coefficients"},
                "[model]");
   Model model;
   if (section.has("tier")) {
@@ -98,6 +98,7 @@ Model read_model(const Section& file) {
   if (section.has("film_nodes")) model.film_nodes = section.whole_number("film_nodes", 3, 15);
   model.switches = read_switches(section);
   read_rules(section, model);
+  model.coefficients = section.maybe_switch("coefficients").value_or(false);
   return model;
 }
 

@@ -310,7 +310,9 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
   std::set<std::size_t> seen;  // hashes of active sets met
   bool cycling = false;
   bool by_reduced_pressure = false;
-  for (int it = 0; it <= options.max_iterations; ++it) {
+  const bool slow = scene.motion.moves() && scene.speed == 0.0;
+  const int most = options.max_iterations + (slow ? scene.grid.nt : 0);
+  for (int it = 0; it <= most; ++it) {
     oil(v.state, v.oil);
     evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
     Field r = film_residual(scene, v.flow);
@@ -329,7 +331,7 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
       }
       return out;
     }
-    if (it == options.max_iterations) break;
+    if (it == most) break;
     if (cycling) {
       ++v.fallback_steps;
       ++v.factorizations;
@@ -357,7 +359,7 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
   }
   out.verdict = {Status::iteration_limit,
                  fmt::format("the cavitation solve stopped after {} steps at residual {:.1e}",
-                             options.max_iterations, out.history.back()),
+                             most, out.history.back()),
                  "", "refine the grid or start from a lower load"};
   return out;
 }

@@ -78,7 +78,8 @@ void impose_supply(const FilmScene& scene, FilmState& state);
 
 struct ReynoldsOptions {
   double tolerance = 1e-12;  ///< largest residual over flow_scale [-]
-  int max_iterations = 60;
+  int max_iterations = 60;  ///< plus one per line of cells in a moving film without rotation, whose
+                            ///< edge may settle line by line
 };
 
 struct FilmSolution {

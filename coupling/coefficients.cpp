@@ -10,7 +10,7 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr double kKrylovTolerance = 1e-6;  ///< far below the grid's error in K and C [-]
+constexpr double kKrylovTolerance = 1e-5;  ///< far below the grid's error in K and C [-]
 
 double determinant(const Matrix2& m) { return m[0][0] * m[1][1] - m[0][1] * m[1][0]; }
 
@@ -28,10 +28,10 @@ void put_column(const BearingModel& model, int unknowns, int column, const Field
   for (int i = 0; i < unknowns; ++i) m[i][column] -= w[i];
 }
 
-/// Oil that a displacement brings into the cells [kg per unit]: full film and cavitated film.
+/// Oil that a displacement brings into the cells [kg per unit].
 struct Content {
-  Field full;
-  Field cavitated;
+  Field all;
+  Field cavitated;  ///< that of the cavitated film alone
 };
 
 Content content_by(const Solution& s, const fluid::OilStore& store, const FilmResponse& answer,
@@ -46,7 +46,8 @@ Content content_by(const Solution& s, const fluid::OilStore& store, const FilmRe
                                    g.z[j]);
       if (!answer.elastic.empty()) dh += answer.elastic[k];
       const double change = store.by_gap[k] * dh + store.by_theta[k] * answer.theta[k];
-      (s.film.film.full[k] ? m.full : m.cavitated)[k] = change;
+      m.all[k] = change;
+      if (!s.film.film.full[k]) m.cavitated[k] = change;
     }
   }
   return m;
@@ -54,7 +55,7 @@ Content content_by(const Solution& s, const fluid::OilStore& store, const FilmRe
 
 /// K and C; the part of C from cavitated film in `C_cavitated`.
 void perturb(const Solution& s, Coefficients& out, Matrix4& C_cavitated) {
-  LinearFilm film(s.model, s.film, kKrylovTolerance);
+  LinearFilm film(s.model, s.film, s.heat.growth, kKrylovTolerance);
   if (!film.good()) {
     out.verdict = {Status::iteration_limit, "the matrix of the linearised film is singular", "",
                    "feed more oil"};
@@ -66,11 +67,9 @@ void perturb(const Solution& s, Coefficients& out, Matrix4& C_cavitated) {
     const FilmResponse slow = film.to_position(j);
     put_column(s.model, out.unknowns, j, slow.total, out.K);
     const Content m = content_by(s, store, slow, j);
-    put_column(s.model, out.unknowns, j, film.to_storage(m.full).total, out.C);
-    put_column(s.model, out.unknowns, j, film.to_storage(m.cavitated).total, C_cavitated);
-  }
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) out.C[i][j] += C_cavitated[i][j];
+    put_column(s.model, out.unknowns, j, film.to_storage(m.all).total, out.C);
+    if (j > 1) continue;
+    put_column(s.model, 2, j, film.pressure_by_storage(m.cavitated), C_cavitated);
   }
   out.krylov_iterations = film.krylov_iterations();
   if (!film.converged()) {

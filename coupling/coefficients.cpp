@@ -10,8 +10,6 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr double kKrylovTolerance = 1e-5;  ///< far below the grid's error in K and C [-]
-
 double determinant(const Matrix2& m) { return m[0][0] * m[1][1] - m[0][1] * m[1][0]; }
 
 double largest(const Matrix2& m) {
@@ -42,8 +40,8 @@ Content content_by(const Solution& s, const fluid::OilStore& store, const FilmRe
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
-      double dh = fluid::gap_slope(component, scene.angles.cos_cell[i], scene.angles.sin_cell[i],
-                                   g.z[j]);
+      double dh =
+          fluid::gap_slope(component, scene.angles.cos_cell[i], scene.angles.sin_cell[i], g.z[j]);
       if (!answer.elastic.empty()) dh += answer.elastic[k];
       const double change = store.by_gap[k] * dh + store.by_theta[k] * answer.theta[k];
       m.all[k] = change;
@@ -54,8 +52,8 @@ Content content_by(const Solution& s, const fluid::OilStore& store, const FilmRe
 }
 
 /// K and C; the part of C from cavitated film in `C_cavitated`.
-void perturb(const Solution& s, Coefficients& out, Matrix4& C_cavitated) {
-  LinearFilm film(s.model, s.film, s.heat.growth, kKrylovTolerance);
+void perturb(const Solution& s, double tolerance, Coefficients& out, Matrix4& C_cavitated) {
+  LinearFilm film(s.model, s.film, s.heat.growth, tolerance);
   if (!film.good()) {
     out.verdict = {Status::iteration_limit, "the matrix of the linearised film is singular", "",
                    "feed more oil"};
@@ -141,12 +139,12 @@ WhirlThreshold whirl_threshold(const Matrix2& K, const Matrix2& C) {
   return w;
 }
 
-Coefficients coefficients_of(const Solution& s) {
+Coefficients coefficients_of(const Solution& s, double tolerance) {
   const auto begin = std::chrono::steady_clock::now();
   Coefficients out;
   out.unknowns = s.model.scene.grid.half ? 2 : 4;
   Matrix4 C_cavitated{};
-  perturb(s, out, C_cavitated);
+  perturb(s, tolerance, out, C_cavitated);
   if (out.verdict.good()) {
     derive(s, out);
     const double C = largest(forces_of(out.C));

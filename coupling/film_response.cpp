@@ -11,10 +11,12 @@ namespace shellback::coupling {
 namespace {
 
 constexpr double kViscosityTolerance = 1e-9;  ///< of the states compared [-]
-constexpr double kMove = 3e-5;  ///< how far they lie apart [-]; both errors are then 3e-5 of the answer
-constexpr double kSettled = 3e-3;  ///< last correction, of the answer; it leaves some 3 % of itself [-]
-constexpr int kMostSweeps = 20;    ///< where a sweep leaves a half
-constexpr double kCorrectionTolerance = 1e-3;  ///< of GMRES for a correction, itself a few per cent [-]
+constexpr double kMove =
+    3e-5;  ///< how far they lie apart [-]; both errors are then 3e-5 of the answer
+constexpr int kMostSweeps = 20;      ///< enough where a sweep leaves a half
+constexpr double kKrylovPart = 0.1;  ///< of the tolerance that GMRES may use up [-]
+constexpr double kCorrectionTolerance =
+    1e-3;  ///< of GMRES for a correction, itself a few per cent [-]
 
 double largest(const Field& x) {
   double m = 0.0;
@@ -106,7 +108,8 @@ Field LinearFilm::residual_along(const Answer& x, int component) const {
   for (std::size_t k = 0; k < n; ++k) {
     size = std::max(size, std::abs(x.u[k]) / (s_.film.full[k] ? p_scale : 1.0));
   }
-  if (component >= 0) size = std::max(size, (component < 2 ? 1.0 : 0.5 * model_.scene.grid.width) / gap);
+  if (component >= 0)
+    size = std::max(size, (component < 2 ? 1.0 : 0.5 * model_.scene.grid.width) / gap);
   size = std::max(size, largest(x.d) / gap);
   const double t = kMove / size;
   FilmEquilibrium f = s_;
@@ -125,7 +128,8 @@ Field LinearFilm::residual_along(const Answer& x, int component) const {
 FilmResponse LinearFilm::sharpened(const Field& a, const Field& r, const Field& stored,
                                    int component) {
   const std::size_t n = a.size();
-  Answer x = solve(a, r, tolerance_);
+  Answer x = solve(a, r, kKrylovPart * tolerance_);
+  double last = largest(x.P);
   bool settled = residual_.empty() || (largest(x.u) == 0.0 && largest(x.P) == 0.0);
   for (int sweep = 0; sweep < kMostSweeps && !settled; ++sweep) {
     Field defect = residual_along(x, component);
@@ -138,7 +142,10 @@ FilmResponse LinearFilm::sharpened(const Field& a, const Field& r, const Field& 
       x.P[k] += more.P[k];
     }
     for (std::size_t k = 0; k < x.d.size(); ++k) x.d[k] += more.d[k];
-    settled = largest(more.P) <= kSettled * largest(x.P);
+    const double correction = largest(more.P);
+    const double left = last > 0.0 ? correction / last : 0.0;  // part that a sweep leaves wrong
+    settled = left * correction <= tolerance_ * largest(x.P);
+    last = correction;
   }
   converged_ = converged_ && settled;
   FilmResponse answer{Field(n, 0.0), std::move(x.d), std::move(x.P)};
@@ -167,7 +174,7 @@ FilmResponse LinearFilm::to_position(int component) {
 Field LinearFilm::pressure_by_storage(const Field& s) {
   Field a = s;
   for (double& x : a) x = -x;
-  return solve(a, Field(s.size(), 0.0), tolerance_).P;
+  return solve(a, Field(s.size(), 0.0), kCorrectionTolerance).P;
 }
 
 FilmResponse LinearFilm::to_storage(const Field& s) {

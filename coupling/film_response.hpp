@@ -6,14 +6,14 @@
 ///   d = C P,  P = u_F + p_a' (g + d)   elasticity, contact                           (2)
 /// u the film unknown of every cell (p in full ones, u_F; theta in cavitated ones), d the elastic
 /// widening, g a given change of the gap, s a given storage of oil [kg/s], P the total pressure. J,
-/// J_h are those of the Newton matrix, in which viscosity follows pressure by the local slope alpha.
-/// What that matrix leaves out, for shear-thinning oil the dependence on shear rate, comes in by
-/// defect correction: the film residual of the state moved along the answer, by difference. Oil
-/// that does not thin needs none (tests: 1e-5). Which cells are full is held, too: pressure
-/// and its gradient vanish together where the film ruptures, so that its edge moves the force in
-/// second order only. With the Winkler foundation tau in place of C the system is one factorised
-/// matrix; GMRES acts on the difference (C - tau) P alone, as in coupling/elastic_step.hpp.
-/// Source: methods 2.1, 2.2 (the same reduction as the Newton step); otherwise textbook.
+/// J_h are those of the Newton matrix, in which viscosity follows pressure by the local slope
+/// alpha. What that matrix leaves out, for shear-thinning oil the dependence on shear rate, comes
+/// in by defect correction: the film residual of the state moved along the answer, by difference.
+/// Oil that does not thin needs none (tests: 1e-5). Which cells are full is held, too: pressure and
+/// its gradient vanish together where the film ruptures, so that its edge moves the force in second
+/// order only. With the Winkler foundation tau in place of C the system is one factorised matrix;
+/// GMRES acts on the difference (C - tau) P alone, as in coupling/elastic_step.hpp. Source:
+/// methods 2.1, 2.2 (the same reduction as the Newton step); otherwise textbook.
 #include "coupling/film_equilibrium.hpp"
 
 namespace shellback::coupling {
@@ -27,7 +27,8 @@ struct FilmResponse {
 
 class LinearFilm {
  public:
-  /// Linearises an evaluated state; `growth` as it was evaluated with. `tolerance`: of GMRES [-].
+  /// Linearises an evaluated state; `growth` as it was evaluated with. `tolerance`: of the
+  /// pressures of an answer, of their largest [-].
   LinearFilm(const BearingModel& model, const FilmEquilibrium& state, const Field& growth,
              double tolerance);
   [[nodiscard]] bool good() const { return good_; }  ///< false: singular matrix

@@ -27,6 +27,8 @@ struct Request {
   std::string json;                ///< --json: file, "-" for standard output
   std::string output;              ///< -o
   std::string picture;             ///< --picture
+  bool coefficients = false;       ///< --coefficients
+  std::string coefficients_table;  ///< --coefficients-table
   int threads = 1;                 ///< -j
 };
 

@@ -50,8 +50,13 @@ class Solids {
   /// `T_shaft` (axial cells) [K], Robin-coupled by the film's response. The means of both walls
   /// are found together first: heat passes from one to the other through the film far more easily
   /// than out of the bearing, so that one after the other they would settle slowly.
+  /// Growth and the back's temperature are found only if wanted.
+  struct Wanted {
+    bool growth = true;
+    bool back = true;
+  };
   [[nodiscard]] SolidTemperature answer(const WallFlux& q, const Field& T_shell,
-                                        const std::vector<double>& T_shaft) const;
+                                        const std::vector<double>& T_shaft, Wanted wanted) const;
 
   [[nodiscard]] double surroundings() const { return surroundings_; }  ///< of the shell [K]
   /// True if these operators are those of the case on the grid, and hold the effects wanted.

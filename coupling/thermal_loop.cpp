@@ -13,6 +13,7 @@ namespace shellback::coupling {
 namespace {
 
 constexpr double kSettled = 1e-9;  ///< change per sweep that leaves the balance near round-off [K]
+constexpr double kRoughlySettled = 1e-3;  ///< the same where the balance need not close [K]
 constexpr int kLaps = 3;           ///< sweeps for the film's response to its walls
 constexpr int kResponseTurns[] = {1, 4};   ///< turns in which that is measured; then it is known
 constexpr double kTemperatureUnit = 10.0;  ///< one unit of the fixed point's temperatures [K]
@@ -36,7 +37,7 @@ class Turn {
   [[nodiscard]] std::vector<double> pack() const;
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
   [[nodiscard]] int turns() const { return turns_; }
-  /// Sweeps the film energy of the last turn to the end, so that its balance closes.
+  /// Solves film, heat and walls of the last turn to the end, so that their balances close.
   void finish();
 
  private:
@@ -47,7 +48,9 @@ class Turn {
   /// The energy equation of the film as it stands.
   thermal::FilmEnergy film_energy();
   /// The solids' answer to the heat of the present film temperatures.
-  void warm_the_walls(const thermal::FilmEnergy& energy);
+  void warm_the_walls(const thermal::FilmEnergy& energy, Solids::Wanted wanted);
+  /// Brings film and walls to balance, the flow staying as it is; the last change [K].
+  double balance_walls(thermal::FilmEnergy& energy);
   /// Gives the film the solids' new temperatures; the largest change [K].
   double take_wall_temperatures();
   /// False, with the verdict set, if the temperatures run away.
@@ -153,7 +156,7 @@ thermal::FilmEnergy Turn::film_energy() {
   return thermal::FilmEnergy(film_energy_problem(model_, film_, friction_));
 }
 
-void Turn::warm_the_walls(const thermal::FilmEnergy& energy) {
+void Turn::warm_the_walls(const thermal::FilmEnergy& energy, Solids::Wanted wanted) {
   const FilmGrid& g = model_.scene.grid;
   const thermal::WallHeat walls = energy.wall_heat(film_.columns.T);
   const ContactHeat rubbed = contact_heat(model_, film_);
@@ -167,7 +170,7 @@ void Turn::warm_the_walls(const thermal::FilmEnergy& energy) {
       heat_.contact_heat += g.multiplicity() * g.area(i, j) * (rubbed.shell[c] + rubbed.shaft[c]);
     }
   }
-  heat_.solids = model_.solids->answer(q, heat_.T_shell, heat_.T_shaft);
+  heat_.solids = model_.solids->answer(q, heat_.T_shell, heat_.T_shaft, wanted);
 }
 
 bool Turn::sound() {
@@ -249,7 +252,7 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
       std::end(kResponseTurns)) {
     heat_.response = energy.wall_response(kLaps);
   }
-  warm_the_walls(energy);
+  warm_the_walls(energy, {true, false});
   take_wall_temperatures();
   if (!heat_.growth.empty()) heat_.growth = heat_.solids.growth;
   g = pack();
@@ -259,11 +262,42 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   return true;
 }
 
+double Turn::balance_walls(thermal::FilmEnergy& energy) {
+  constexpr int kMostRounds = 60;
+  constexpr int kDepth = 12;
+  constexpr double kWalls = 1e-7;  // change per round that leaves their heat balanced [K]
+  const std::size_t cells = heat_.T_shell.size();
+  double least = INFINITY;  // of the best round: the walls are left as they were there
+  std::vector<double> best_T = film_.columns.T;
+  HeatState best = heat_;
+  const auto round = [&](const std::vector<double>& x, std::vector<double>& g) {
+    std::copy_n(x.begin(), cells, heat_.T_shell.begin());
+    std::copy(x.begin() + cells, x.end(), heat_.T_shaft.begin());
+    impose_walls(film_.columns.T);
+    for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
+    warm_the_walls(energy, {false, false});
+    const double change = take_wall_temperatures();
+    if (change < least) {
+      least = change;
+      best_T = film_.columns.T;
+      best = heat_;
+    }
+    g = heat_.T_shell;
+    g.insert(g.end(), heat_.T_shaft.begin(), heat_.T_shaft.end());
+    return true;
+  };
+  std::vector<double> x = heat_.T_shell;
+  x.insert(x.end(), heat_.T_shaft.begin(), heat_.T_shaft.end());
+  const auto end = fixed_point(round, {kDepth, 1, kMostRounds, kWalls}, x);
+  if (end != FixedPointEnd::converged) {
+    film_.columns.T = best_T;
+    heat_ = best;
+  }
+  return least;
+}
+
 void Turn::finish() {
-  constexpr int kMostRounds = 60;  // of film and walls in turn, the flow staying as it is
   constexpr int kMostSweeps = 400;
-  constexpr double kWalls = 1e-7;   // change per round that leaves their heat balanced [K]
-  constexpr double kGrowing = 4.0;  // change over the best one at which rounds only get worse [-]
   constexpr double kUnbalanced = 0.1;  // change that the walls must not be left with [K]
   const std::vector<double> after = film_.columns.T;
   film_.columns.T = turn_T_;
@@ -271,27 +305,14 @@ void Turn::finish() {
       solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_, control_.stop);
   film_.columns.T = after;
   thermal::FilmEnergy energy = film_energy();
-  double change = INFINITY;  // of the best round; a round may be the first of a growing series
-  std::vector<double> best_T = film_.columns.T;
-  HeatState best = heat_;
-  for (int round = 0; round < kMostRounds && change > kWalls; ++round) {
-    for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
-    warm_the_walls(energy);
-    const double now = take_wall_temperatures();
-    if (now < change) {
-      change = now;
-      best_T = film_.columns.T;
-      best = heat_;
-    } else if (now > kGrowing * change) {
-      break;
-    }
-  }
-  film_.columns.T = best_T;
-  heat_ = best;
+  const double change = options_.close ? balance_walls(energy) : 0.0;
+  const double settled = options_.close ? kSettled : kRoughlySettled;
   for (int k = 0; k < kMostSweeps; ++k) {
-    if (energy.sweep(film_.columns.T) < kSettled) break;
+    if (energy.sweep(film_.columns.T) < settled) break;
   }
-  warm_the_walls(energy);
+  const Field growth = heat_.solids.growth;
+  warm_the_walls(energy, {false, true});
+  heat_.solids.growth = growth;
   heat_.balance = energy.balance(film_.columns.T);
   heat_.T_mix = energy.mix_temperatures();
   heat_.backflow_nodes = energy.backflow_nodes();

@@ -13,8 +13,8 @@ namespace shellback::coupling {
 namespace {
 
 constexpr double kSettled = 1e-9;  ///< change per sweep that leaves the balance near round-off [K]
-constexpr double kRoughlySettled = 1e-3;  ///< the same where the balance need not close [K]
-constexpr int kLaps = 3;           ///< sweeps for the film's response to its walls
+constexpr double kRoughlySettled = 1e-3;   ///< the same where the balance need not close [K]
+constexpr int kLaps = 3;                   ///< sweeps for the film's response to its walls
 constexpr int kResponseTurns[] = {1, 4};   ///< turns in which that is measured; then it is known
 constexpr double kTemperatureUnit = 10.0;  ///< one unit of the fixed point's temperatures [K]
 
@@ -49,8 +49,11 @@ class Turn {
   thermal::FilmEnergy film_energy();
   /// The solids' answer to the heat of the present film temperatures.
   void warm_the_walls(const thermal::FilmEnergy& energy, Solids::Wanted wanted);
-  /// Brings film and walls to balance, the flow staying as it is; the last change [K].
-  double balance_walls(thermal::FilmEnergy& energy);
+  /// One round of film and walls, the flow staying as it is; the largest change of a wall [K].
+  double wall_round(thermal::FilmEnergy& energy);
+  /// Rounds, accelerated, until one changes the walls by `enough` [K] or less, at most `rounds`;
+  /// the change of the best one, in whose state all is left.
+  double balance_walls(thermal::FilmEnergy& energy, double enough, int rounds);
   /// Gives the film the solids' new temperatures; the largest change [K].
   double take_wall_temperatures();
   /// False, with the verdict set, if the temperatures run away.
@@ -234,6 +237,10 @@ double Turn::take_wall_temperatures() {
 }
 
 bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
+  // Within a turn the walls come to balance but for this part of their first change: they answer
+  // the film slowly, and each of their rounds costs far less than a film.
+  constexpr double kWallPart = 0.1;
+  constexpr int kWallRounds = 6;
   ++turns_;
   unpack(x);
   if (!sound()) return false;
@@ -252,6 +259,12 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
       std::end(kResponseTurns)) {
     heat_.response = energy.wall_response(kLaps);
   }
+  const double change = wall_round(energy);
+  const double enough =
+      std::max(kWallPart * change, kWallPart * kTemperatureUnit * options_.tolerance);
+  if (change > enough) balance_walls(energy, enough, kWallRounds);
+  for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
+  if (!sound()) return false;
   warm_the_walls(energy, {true, false});
   take_wall_temperatures();
   if (!heat_.growth.empty()) heat_.growth = heat_.solids.growth;
@@ -262,10 +275,14 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   return true;
 }
 
-double Turn::balance_walls(thermal::FilmEnergy& energy) {
-  constexpr int kMostRounds = 60;
+double Turn::wall_round(thermal::FilmEnergy& energy) {
+  for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
+  warm_the_walls(energy, {false, false});
+  return take_wall_temperatures();
+}
+
+double Turn::balance_walls(thermal::FilmEnergy& energy, double enough, int rounds) {
   constexpr int kDepth = 12;
-  constexpr double kWalls = 1e-7;  // change per round that leaves their heat balanced [K]
   const std::size_t cells = heat_.T_shell.size();
   double least = INFINITY;  // of the best round: the walls are left as they were there
   std::vector<double> best_T = film_.columns.T;
@@ -274,9 +291,7 @@ double Turn::balance_walls(thermal::FilmEnergy& energy) {
     std::copy_n(x.begin(), cells, heat_.T_shell.begin());
     std::copy(x.begin() + cells, x.end(), heat_.T_shaft.begin());
     impose_walls(film_.columns.T);
-    for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
-    warm_the_walls(energy, {false, false});
-    const double change = take_wall_temperatures();
+    const double change = wall_round(energy);
     if (change < least) {
       least = change;
       best_T = film_.columns.T;
@@ -288,7 +303,7 @@ double Turn::balance_walls(thermal::FilmEnergy& energy) {
   };
   std::vector<double> x = heat_.T_shell;
   x.insert(x.end(), heat_.T_shaft.begin(), heat_.T_shaft.end());
-  const auto end = fixed_point(round, {kDepth, 1, kMostRounds, kWalls}, x);
+  const auto end = fixed_point(round, {kDepth, 1, rounds, enough}, x);
   if (end != FixedPointEnd::converged) {
     film_.columns.T = best_T;
     heat_ = best;
@@ -298,6 +313,8 @@ double Turn::balance_walls(thermal::FilmEnergy& energy) {
 
 void Turn::finish() {
   constexpr int kMostSweeps = 400;
+  constexpr int kMostRounds = 60;
+  constexpr double kWalls = 1e-7;      // change per round that leaves their heat balanced [K]
   constexpr double kUnbalanced = 0.1;  // change that the walls must not be left with [K]
   const std::vector<double> after = film_.columns.T;
   film_.columns.T = turn_T_;
@@ -305,7 +322,7 @@ void Turn::finish() {
       solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_, control_.stop);
   film_.columns.T = after;
   thermal::FilmEnergy energy = film_energy();
-  const double change = options_.close ? balance_walls(energy) : 0.0;
+  const double change = options_.close ? balance_walls(energy, kWalls, kMostRounds) : 0.0;
   const double settled = options_.close ? kSettled : kRoughlySettled;
   for (int k = 0; k < kMostSweeps; ++k) {
     if (energy.sweep(film_.columns.T) < settled) break;

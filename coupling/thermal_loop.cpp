@@ -35,6 +35,10 @@ class Turn {
 
   bool operator()(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] std::vector<double> pack() const;
+  /// From here on the growth by asperity heat goes with the film (film_equilibrium.hpp, (3a)).
+  void take_contact_growth();
+  /// Counts it as thermal growth again.
+  void give_contact_growth();
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
   [[nodiscard]] int turns() const { return turns_; }
   /// Solves film, heat and walls of the last turn to the end, so that their balances close.
@@ -84,6 +88,29 @@ std::vector<double> Turn::pack() const {
   for (const double T : film_.columns.T) x.push_back((T - T0) / kTemperatureUnit);
   for (const double d : heat_.growth) x.push_back(d / model_.clearance);
   return x;
+}
+
+void Turn::take_contact_growth() {
+  const Physics& has = model_.physics;
+  if (film_.contact_growth || !model_.contact || !has.elastic || !has.growth) return;
+  if (!(heat_.response.shell_local > 0.0) || film_.p_contact.empty()) return;
+  film_.contact_growth = std::make_shared<HarmonicOperator>(
+      model_.solids->contact_growth(contact_heat_rate(model_).shell, heat_.response));
+  const Field own = model_.solids->widening(*film_.contact_growth, film_.p_contact);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    heat_.growth[k] -= own[k];
+    film_.elastic[k] += own[k];
+  }
+}
+
+void Turn::give_contact_growth() {
+  if (!film_.contact_growth) return;
+  const Field own = model_.solids->widening(*film_.contact_growth, film_.p_contact);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    heat_.growth[k] += own[k];
+    film_.elastic[k] -= own[k];
+  }
+  film_.contact_growth.reset();
 }
 
 /// No tighter than the temperatures are known: the map's noise stays well below its change.
@@ -267,7 +294,15 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   if (!sound()) return false;
   warm_the_walls(energy, {true, false});
   take_wall_temperatures();
-  if (!heat_.growth.empty()) heat_.growth = heat_.solids.growth;
+  if (!heat_.growth.empty()) {
+    heat_.growth = heat_.solids.growth;
+    if (film_.contact_growth) {
+      const Field own = model_.solids->widening(*film_.contact_growth, film_.p_contact);
+      for (std::size_t k = 0; k < own.size(); ++k) heat_.growth[k] -= own[k];
+    } else {
+      take_contact_growth();  // the film's response is known from the first turn on
+    }
+  }
   g = pack();
   const double part = relaxation(x, g);
   for (std::size_t k = 0; k < g.size(); ++k) g[k] = x[k] + part * (g[k] - x[k]);
@@ -356,15 +391,18 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
                       FilmEquilibrium& film, HeatState& heat, EquilibriumCost& cost,
                       std::vector<HistoryEntry>& history) {
   Turn turn(model, target, options, control, film, heat, cost, history);
+  turn.take_contact_growth();
   std::vector<double> x = turn.pack();
   const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance};
   const FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
   if (end == FixedPointEnd::map_failed) {
+    turn.give_contact_growth();
     if (!turn.verdict().good()) return turn.verdict();
     return {Status::invalid_number, "the accelerated temperatures are not numbers", "",
             "try a finer grid"};
   }
   turn.finish();
+  turn.give_contact_growth();
   if (end == FixedPointEnd::converged) return turn.verdict();
   return {Status::iteration_limit,
           fmt::format("film and heat did not settle in {} turns (last change {:.1e} of 10 K)",

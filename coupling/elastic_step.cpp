@@ -19,9 +19,9 @@ class WinklerFilm {
   [[nodiscard]] bool good() const { return good_; }
 
   struct Answer {
-    Field du;  ///< film unknowns
-    Field dd;  ///< displacement [m]
-    Field dP;  ///< total pressure [Pa]
+    Field du;          ///< film unknowns
+    Field dd;          ///< displacement [m]
+    Field dP;          ///< total pressure [Pa]
     Field dp_contact;  ///< part of it in contact [Pa]
     std::array<double, 4> dq{};
   };

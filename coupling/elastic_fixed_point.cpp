@@ -13,7 +13,8 @@ namespace {
 constexpr int kMostRounds = 300;
 constexpr double kFirstRelaxation = 0.1;  ///< of Aitken's: small enough for an opening of ten films
 constexpr double kLeast = 0.01;           ///< relaxation below which nothing moves any more [-]
-constexpr double kGrown = 1e3;            ///< growth of the mismatch that is called divergence [-]
+constexpr double kGrown = 30.0;           ///< growth of the mismatch over its best, and
+constexpr double kLost = 3.0;  ///< mismatch in smallest gaps, that together are divergence [-]
 
 double largest(const Field& x) {
   double m = 0.0;
@@ -89,7 +90,7 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
     const bool sharp = film.film_tolerance <= options.film_tolerance &&
                        film.load_tolerance <= options.load_tolerance;
     if (settled && sharp) return {};
-    if (!(norm < kGrown * best)) {
+    if (!(norm < std::max(kGrown * best, kLost))) {
       return diverged(fmt::format("the mismatch grows to {:.2g} gaps", norm), largest(d),
                       s.least.h);
     }

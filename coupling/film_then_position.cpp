@@ -18,7 +18,11 @@ using Stiffness = std::array<std::array<double, 4>, 4>;  ///< dF/dq
 
 constexpr double kShortestReach = 1e-4;  ///< a step shortened this far shows no way on
 constexpr double kFirstTry = 1e-3;       ///< of the gap: the move that tells dF/dq [-]
-constexpr double kLoadShare = 1e-2;      ///< film residual allowed per load residual [-]
+constexpr double kLoadShare = 1e-3;      ///< film residual allowed per load residual [-]
+constexpr double kFarthest = 1e-4;       ///< film residual that the first positions need [-]
+constexpr double kRelaxedShare = 1e-3;   ///< part of both for the relaxation, whose error is many
+                                         ///< times its residual [-]
+constexpr double kSlow = 0.5;  ///< gain that Broyden's updates must bring, or dF/dq is old [-]
 
 /// The oil of the film as it is being solved.
 fluid::OilLaw oil_law(const BearingModel& model, FilmEquilibrium& s, double tolerance) {
@@ -185,93 +189,165 @@ void broyden(int m, const std::array<double, 4>& dq, const fluid::Wrench& change
   }
 }
 
+/// Film residual of a result. A loose one asked for is tightened for the relaxation.
+double sharpest(const BearingModel& model, const EquilibriumOptions& options) {
+  constexpr double kRoundOff = 1e-11;  // below which relaxation need not go
+  if (model.input.model.methods.cavitation != CavitationMethod::p_theta) {
+    return options.film_tolerance;
+  }
+  return std::max(std::min(options.film_tolerance, kRoundOff),
+                  kRelaxedShare * options.film_tolerance);
+}
+
+/// The search itself; see the head of the header.
+class PositionSearch {
+ public:
+  PositionSearch(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                 const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost)
+      : model_(model),
+        target_(target),
+        options_(options),
+        s_(s),
+        cost_(cost),
+        pair_(model, target, growth, options, s, cost),
+        sharp_(sharpest(model, options)) {}
+
+  Verdict run(const std::atomic<bool>* stop);
+
+ private:
+  [[nodiscard]] double film_tolerance() const;
+  /// True if film and load are met, sharpening the film if it was solved loosely.
+  [[nodiscard]] bool met(RestingFilm& now, double tolerance);
+  /// Keeps the state as the best one; learns from the step that led there.
+  void accept(bool has_matrix);
+  /// Goes back to the best state, its film solved again.
+  [[nodiscard]] RestingFilm retreat();
+  /// dF/dq at the present state; false if there is none.
+  [[nodiscard]] bool learn(const RestingFilm& now);
+  /// Moves the journal, and the film by its response; false if dF/dq is singular.
+  [[nodiscard]] bool move(bool has_matrix);
+  [[nodiscard]] Verdict lost() const;
+
+  const BearingModel& model_;
+  const LoadTarget& target_;
+  const EquilibriumOptions& options_;
+  FilmEquilibrium& s_;
+  EquilibriumCost& cost_;
+  FilmAndPosition pair_;
+  double sharp_;  ///< film residual that the result must have [-]
+  Stiffness stiffness_{};
+  std::vector<Field> response_;
+  fluid::FilmState film_;  ///< of the best position so far
+  fluid::JournalPosition position_;
+  fluid::Wrench force_{};
+  double best_ = INFINITY;
+  double reach_ = 1.0;
+  bool known_ = false;  ///< dF/dq
+  Verdict failure_;     ///< of the last film that was not found
+};
+
+double PositionSearch::film_tolerance() const {
+  if (target_.unknowns == 0) return sharp_;
+  const bool relaxing = model_.input.model.methods.cavitation == CavitationMethod::p_theta;
+  const double part = relaxing ? kRelaxedShare : 1.0;
+  return std::max(sharp_, part * std::min(kFarthest, kLoadShare * best_));
+}
+
+bool PositionSearch::met(RestingFilm& now, double tolerance) {
+  const auto within = [&] { return now.verdict.good() && pair_.off() <= options_.load_tolerance; };
+  if (!within() || tolerance <= sharp_) return within();
+  now = pair_.settle(sharp_);
+  return within();
+}
+
+void PositionSearch::accept(bool has_matrix) {
+  const double off = pair_.off();
+  if (known_ && !has_matrix) {
+    std::array<double, 4> dq{};
+    fluid::Wrench change{};
+    for (int k = 0; k < 4; ++k) dq[k] = s_.position.q[k] - position_.q[k];
+    for (int k = 0; k < 4; ++k) change[k] = s_.force[k] - force_[k];
+    broyden(target_.unknowns, dq, change, stiffness_);
+    known_ = off < kSlow * best_;
+  }
+  best_ = off;
+  film_ = s_.film;
+  position_ = s_.position;
+  force_ = s_.force;
+  reach_ = std::min(1.0, 2.0 * reach_);
+}
+
+RestingFilm PositionSearch::retreat() {
+  reach_ *= 0.5;
+  ++cost_.rejected_steps;
+  s_.film = film_;
+  s_.position = position_;
+  known_ = false;
+  return pair_.settle(film_tolerance());
+}
+
+bool PositionSearch::learn(const RestingFilm& now) {
+  if (now.factor) {
+    stiffness_ = pair_.stiffness_of(*now.factor, response_);
+  } else if (!known_) {
+    if (!pair_.probe(film_tolerance(), stiffness_)) return false;
+    force_ = s_.force;
+  }
+  known_ = true;
+  return true;
+}
+
+bool PositionSearch::move(bool has_matrix) {
+  std::array<double, 4> dq = wanted_change(s_.force, target_);
+  if (!solve_small(target_.unknowns, stiffness_, dq)) return false;
+  for (int k = target_.unknowns; k < 4; ++k) dq[k] = 0.0;
+  const double gap = std::max(s_.least.h, 0.0) + 3.0 * model_.scene.rough.sigma;
+  dq = limited(s_.position, dq, gap, model_.clearance, 0.5 * model_.scene.grid.width, reach_);
+  for (int k = 0; k < 4; ++k) s_.position.q[k] += reach_ * dq[k];
+  if (!has_matrix) return true;
+  Field t(s_.film.p.size(), 0.0);
+  for (int l = 0; l < target_.unknowns; ++l) {
+    for (std::size_t k = 0; k < t.size(); ++k) t[k] += reach_ * dq[l] * response_[l][k];
+  }
+  fluid::advance(model_.scene, s_.oil, t, 1.0, s_.film);
+  return true;
+}
+
+Verdict PositionSearch::lost() const {
+  if (!failure_.good() && reach_ < kShortestReach) return failure_;
+  return {Status::iteration_limit,
+          fmt::format("the journal found no position for its load (load residual {:.1e}, smallest "
+                      "gap {:.3g} um)",
+                      best_, s_.least.h * 1e6),
+          "", "use the active-set method, a finer grid or a lower load"};
+}
+
+Verdict PositionSearch::run(const std::atomic<bool>* stop) {
+  for (int it = 0; it <= options_.max_iterations; ++it) {
+    if (stop && stop->load()) return {Status::interrupted, "stopped by the user", "", ""};
+    const double tolerance = film_tolerance();
+    RestingFilm now = pair_.settle(tolerance);
+    if (met(now, tolerance)) return {};
+    if (!now.verdict.good()) failure_ = now.verdict;
+    if (it == 0 && !now.verdict.good()) return failure_;
+    if (now.verdict.good() && pair_.off() < best_) {
+      accept(now.factor.has_value());
+    } else {
+      now = retreat();
+      if (!now.verdict.good()) return now.verdict;
+      if (reach_ < kShortestReach) break;
+    }
+    if (!learn(now) || !move(now.factor.has_value())) break;
+  }
+  return lost();
+}
+
 }  // namespace
 
 Verdict film_then_position(const BearingModel& model, const LoadTarget& target, const Field& growth,
                            const EquilibriumOptions& options, FilmEquilibrium& s,
                            EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  constexpr double kFarthest = 1e-3;  // film residual that the first positions need [-]
-  constexpr double kSlow = 0.5;       // Broyden's updates have to gain this, or dF/dq is old [-]
-  FilmAndPosition pair(model, target, growth, options, s, cost);
-  Stiffness stiffness{};
-  std::vector<Field> response;
-  fluid::FilmState film = s.film;  // of the last position that was good
-  fluid::JournalPosition position = s.position;
-  fluid::Wrench force{};
-  double best = INFINITY;
-  double reach = 1.0;
-  bool known = false;
-  Verdict last;
-  for (int it = 0; it <= options.max_iterations; ++it) {
-    if (stop && stop->load()) return {Status::interrupted, "stopped by the user", "", ""};
-    double tolerance =
-        target.unknowns == 0 || !std::isfinite(best)
-            ? options.film_tolerance
-            : std::max(options.film_tolerance, std::min(kFarthest, kLoadShare * best));
-    if (target.unknowns > 0 && it == 0) tolerance = std::max(options.film_tolerance, kFarthest);
-    RestingFilm now = pair.settle(tolerance);
-    double off = pair.off();
-    if (now.verdict.good() && off <= options.load_tolerance) {
-      if (tolerance <= options.film_tolerance) return {};
-      now = pair.settle(options.film_tolerance);
-      off = pair.off();
-      if (now.verdict.good() && off <= options.load_tolerance) return {};
-    }
-    if (!now.verdict.good() || !(off < best || off <= options.load_tolerance)) {
-      if (!now.verdict.good()) last = now.verdict;
-      if (it == 0) return last;
-      reach *= 0.5;
-      ++cost.rejected_steps;
-      s.film = film;
-      s.position = position;
-      known = false;
-      if (reach < kShortestReach) break;
-      now = pair.settle(std::max(options.film_tolerance, std::min(kFarthest, kLoadShare * best)));
-      if (!now.verdict.good()) return now.verdict;
-    } else {
-      if (known && now.factor == std::nullopt) {
-        std::array<double, 4> dq{};
-        fluid::Wrench change{};
-        for (int k = 0; k < 4; ++k) dq[k] = s.position.q[k] - position.q[k];
-        for (int k = 0; k < 4; ++k) change[k] = s.force[k] - force[k];
-        broyden(target.unknowns, dq, change, stiffness);
-        known = off < kSlow * best;
-      }
-      best = off;
-      film = s.film;
-      position = s.position;
-      force = s.force;
-      reach = std::min(1.0, 2.0 * reach);
-    }
-    if (now.factor) {
-      stiffness = pair.stiffness_of(*now.factor, response);
-    } else if (!known) {
-      if (!pair.probe(kLoadShare * std::min(best, kFarthest), stiffness)) break;
-      force = s.force;
-    }
-    known = true;
-    std::array<double, 4> dq = wanted_change(s.force, target);
-    if (!solve_small(target.unknowns, stiffness, dq)) break;
-    for (int k = target.unknowns; k < 4; ++k) dq[k] = 0.0;
-    const double gap = std::max(s.least.h, 0.0) + 3.0 * model.scene.rough.sigma;
-    dq = limited(s.position, dq, gap, model.clearance, 0.5 * model.scene.grid.width, reach);
-    if (reach < 1.0) {
-      for (double& x : dq) x *= reach;
-    }
-    for (int k = 0; k < 4; ++k) s.position.q[k] += dq[k];
-    if (!now.factor) continue;
-    Field t(s.film.p.size(), 0.0);
-    for (int l = 0; l < target.unknowns; ++l) {
-      for (std::size_t k = 0; k < t.size(); ++k) t[k] += dq[l] * response[l][k];
-    }
-    fluid::advance(model.scene, s.oil, t, 1.0, s.film);
-  }
-  if (!last.good() && reach < kShortestReach) return last;
-  return {Status::iteration_limit,
-          fmt::format("the journal found no position for its load (load residual {:.1e}, smallest "
-                      "gap {:.3g} um)",
-                      best, s.least.h * 1e6),
-          "", "use the active-set method, a finer grid or a lower load"};
+  return PositionSearch(model, target, growth, options, s, cost).run(stop);
 }
 
 }  // namespace shellback::coupling

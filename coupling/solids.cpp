@@ -146,6 +146,17 @@ Field Solids::compliance(const Field& pressure) const {
   return apply(harmonics_, compliance_, pressure, Tail::last);
 }
 
+HarmonicOperator Solids::contact_growth(double rate, const thermal::WallResponse& film) const {
+  HarmonicOperator op =
+      compose(growth_per_flux_, conduction_->entering({film.shell_ring, film.shell_local}));
+  for (Eigen::MatrixXd& m : op) m *= rate;
+  return op;
+}
+
+Field Solids::widening(const HarmonicOperator& by, const Field& contact) const {
+  return apply(harmonics_, by, contact);
+}
+
 Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
                                        const std::vector<double>& T_shaft) const {
   // What is missing to balance now: both vanish at the solution.

@@ -218,6 +218,17 @@ ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& gri
   end_heat_ = turn * loss_weights(mesh, elements, rows, &HeatElement::ends) * nodal_[0];
 }
 
+HarmonicOperator ShellConduction::entering(FilmConductance film) const {
+  const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
+  HarmonicOperator op;
+  for (std::size_t n = 0; n < modes_.size(); ++n) {
+    const double g = n == 0 ? film.mean : film.local;
+    const Eigen::VectorXd part = (1.0 + g * lambda_[n].array()).inverse();
+    op.emplace_back(modes_[n] * part.asDiagonal() * modes_[n].transpose() * dz.asDiagonal());
+  }
+  return op;
+}
+
 double ShellConduction::mean_surface(const Field& q, double surroundings) const {
   double mean = 0.0;  // only the circumferential mean of the flux reaches that of the temperature
   for (int i = 0; i < grid_.nt; ++i) {

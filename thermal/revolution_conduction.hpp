@@ -82,6 +82,9 @@ class ShellConduction {
     return solve(q, FilmConductance{g, g}, t_old, surroundings);
   }
 
+  /// Part of a flux at the bore that enters the shell while the film takes back g per kelvin:
+  /// (1 + g Z_n)^-1, nz x nz for each harmonic.
+  [[nodiscard]] HarmonicOperator entering(FilmConductance g) const;
   /// Area mean of the bore temperature for the flux q, without Robin coupling [K].
   [[nodiscard]] double mean_surface(const Field& q, double surroundings) const;
 

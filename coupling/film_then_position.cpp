@@ -22,7 +22,8 @@ constexpr double kLoadShare = 1e-3;      ///< film residual allowed per load res
 constexpr double kFarthest = 1e-4;       ///< film residual that the first positions need [-]
 constexpr double kRelaxedShare = 1e-3;   ///< part of both for the relaxation, whose error is many
                                          ///< times its residual [-]
-constexpr double kSlow = 0.5;  ///< gain that Broyden's updates must bring, or dF/dq is old [-]
+constexpr double kSharper = 0.1;  ///< film residual over the last one that makes a force surer [-]
+constexpr double kSlow = 0.5;     ///< gain that Broyden's updates must bring, or dF/dq is old [-]
 
 /// The oil of the film as it is being solved.
 fluid::OilLaw oil_law(const BearingModel& model, FilmEquilibrium& s, double tolerance) {
@@ -240,7 +241,8 @@ class PositionSearch {
   fluid::FilmState film_;  ///< of the best position so far
   fluid::JournalPosition position_;
   fluid::Wrench force_{};
-  double best_ = INFINITY;
+  double best_ = INFINITY;            ///< load residual there [-]
+  double best_tolerance_ = INFINITY;  ///< film residual with which it was found [-]
   double reach_ = 1.0;
   bool known_ = false;  ///< dF/dq
   Verdict failure_;     ///< of the last film that was not found
@@ -330,7 +332,10 @@ Verdict PositionSearch::run(const std::atomic<bool>* stop) {
     if (met(now, tolerance)) return {};
     if (!now.verdict.good()) failure_ = now.verdict;
     if (it == 0 && !now.verdict.good()) return failure_;
-    if (now.verdict.good() && pair_.off() < best_) {
+    // A force of a loosely solved film may be good by chance: a sharper one counts as better.
+    const bool better = pair_.off() < best_ || tolerance < kSharper * best_tolerance_;
+    if (now.verdict.good() && better) {
+      best_tolerance_ = tolerance;
       accept(now.factor.has_value());
     } else {
       now = retreat();

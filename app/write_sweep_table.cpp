@@ -125,6 +125,21 @@ void print_audit(std::ostream& out, const Sweep& sweep) {
                      worst(&Audit::moment));
 }
 
+void print_warnings(std::ostream& out, const Sweep& sweep) {
+  constexpr std::size_t kShownWarnings = 8;  // numbers in them differ from point to point
+  const auto warnings = sweep_warnings(sweep);
+  if (warnings.empty()) return;
+  out << "\nwarnings\n";
+  for (std::size_t k = 0; k < std::min(warnings.size(), kShownWarnings); ++k) {
+    out << "  - " << warnings[k] << '\n';
+  }
+  if (warnings.size() > kShownWarnings) {
+    out << fmt::format("  and {} more, point by point in the JSON (--json)\n",
+                       warnings.size() - kShownWarnings);
+  }
+  out << '\n';
+}
+
 void print_cost(std::ostream& out, const Sweep& sweep) {
   int tries = 0;
   int outer = 0;
@@ -149,9 +164,7 @@ void write_sweep_table(std::ostream& out, const coupling::Case& subject, const S
   print_points(out, sweep);
   print_failures(out, sweep);
   print_audit(out, sweep);
-  const auto warnings = sweep_warnings(sweep);
-  if (!warnings.empty()) out << "\nwarnings\n";
-  for (const std::string& warning : warnings) out << "  - " << warning << '\n';
+  print_warnings(out, sweep);
   print_cost(out, sweep);
 }
 

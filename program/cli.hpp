@@ -14,7 +14,7 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare };
+enum class Command { none, init, check, run, compare, sweep };
 
 /// What was asked for.
 struct Request {
@@ -28,6 +28,9 @@ struct Request {
   std::string output;              ///< -o
   std::string picture;             ///< --picture
   int threads = 1;                 ///< -j
+  std::vector<std::string> vary;   ///< --vary, each KEY=VALUES
+  std::string csv;                 ///< --csv: file, "-" for standard output
+  int cores = 0;                   ///< sweep -j; 0: all there are
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

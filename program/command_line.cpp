@@ -9,7 +9,7 @@ namespace {
 
 using namespace app;
 
-const std::vector<std::string> kCommands{"init", "check", "run", "compare"};
+const std::vector<std::string> kCommands{"init", "check", "run", "compare", "sweep"};
 constexpr int kMostThreads = 1024;
 
 void add_case_options(CLI::App& command, Request& request) {
@@ -28,6 +28,30 @@ void add_solve_options(CLI::App& command, Request& request) {
                   "also write the result as JSON; - is standard output, without the table")
       ->type_name("FILE");
   command.add_option("-j", request.threads, "threads that may be used (this version works on one)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+void add_sweep(CLI::App& app, Request& request) {
+  auto* sweep = app.add_subcommand("sweep", "solve a case over ranges of its keys");
+  add_case_options(*sweep, request);
+  sweep
+      ->add_option("--vary", request.vary,
+                   "a range or a list: --vary operation.speed=\"3000 rpm..50 rpm/30log\", --vary "
+                   "operation.load=\"4 kN,8 kN\"; may be repeated; points follow one another along "
+                   "the first")
+      ->type_name("KEY=FROM..TO[/N][log]")
+      ->allow_extra_args(false);
+  sweep->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+  sweep->add_option("-o", request.output, "write all results over the grid (HDF5)")
+      ->type_name("FILE.h5");
+  sweep->add_option("--csv", request.csv, "write a table, one line a point; - is standard output")
+      ->type_name("FILE.csv");
+  sweep->add_option("--picture", request.picture, "draw the curves or maps (SVG)")
+      ->type_name("FILE.svg");
+  sweep->add_option("--json", request.json, "write all results as JSON; - is standard output")
+      ->type_name("FILE");
+  sweep->add_option("-j", request.cores, "threads (default: all cores)")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
 }
@@ -57,6 +81,7 @@ void add_commands(CLI::App& app, Request& request) {
       ->type_name("FILE.html");
   compare->add_option("--picture", request.picture, "write the main picture (SVG)")
       ->type_name("FILE.svg");
+  add_sweep(app, request);
 }
 
 Command command_of(const CLI::App& app) {
@@ -64,6 +89,7 @@ Command command_of(const CLI::App& app) {
   if (app.got_subcommand("check")) return Command::check;
   if (app.got_subcommand("run")) return Command::run;
   if (app.got_subcommand("compare")) return Command::compare;
+  if (app.got_subcommand("sweep")) return Command::sweep;
   return Command::none;
 }
 

@@ -32,6 +32,18 @@ double number_at(const Axis& axis, double index) {
 
 }  // namespace
 
+const char* to_string(Spacing spacing) {
+  switch (spacing) {
+    case Spacing::listed:
+      return "listed";
+    case Spacing::linear:
+      return "linear";
+    case Spacing::logarithmic:
+      return "logarithmic";
+  }
+  return "";
+}
+
 Axis listed_axis(std::string key, std::vector<double> numbers, std::string unit) {
   EXPECTS(!numbers.empty());
   Axis axis{std::move(key), std::move(unit), Spacing::listed, std::move(numbers), {}};

@@ -7,6 +7,7 @@ namespace shellback::study {
 
 /// How the values of an axis follow one another.
 enum class Spacing { listed, linear, logarithmic };
+[[nodiscard]] const char* to_string(Spacing spacing);
 
 /// A key of the case file with its values. Numbers are in `unit`, as the user wrote them; how they
 /// become SI is the business of the case's reader.

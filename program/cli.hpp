@@ -14,7 +14,15 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare, chart };
+enum class Command {
+  none,
+  init,
+  check,
+  run,
+  compare,
+  sweep,
+  chart,
+};
 
 /// What was asked for.
 struct Request {
@@ -27,11 +35,13 @@ struct Request {
   std::string json;                 ///< --json: file, "-" for standard output
   std::string output;               ///< -o
   std::string picture;              ///< --picture
+  std::string csv;                  ///< --csv: file, "-" for standard output
+  std::string png;                  ///< --png
   int threads = 1;                  ///< -j
+  bool quick = false;               ///< --quick: fewer or coarser
   std::vector<std::string> scenes;  ///< chart: which; empty: all
-  std::string png;                  ///< chart --png
-  std::string csv;                  ///< chart --csv
-  bool quick = false;               ///< chart --quick
+  std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
+  int cores = 0;                    ///< sweep -j; 0: all there are
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

@@ -13,7 +13,8 @@ namespace shellback::coupling {
 namespace {
 
 constexpr double kSettled = 1e-9;  ///< change per sweep that leaves the balance near round-off [K]
-constexpr int kLaps = 3;           ///< sweeps for the film's response to its walls
+constexpr double kRoughlySettled = 1e-3;   ///< the same where the balance need not close [K]
+constexpr int kLaps = 3;                   ///< sweeps for the film's response to its walls
 constexpr int kResponseTurns[] = {1, 4};   ///< turns in which that is measured; then it is known
 constexpr double kTemperatureUnit = 10.0;  ///< one unit of the fixed point's temperatures [K]
 
@@ -34,9 +35,13 @@ class Turn {
 
   bool operator()(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] std::vector<double> pack() const;
+  /// From here on the growth by asperity heat goes with the film (film_equilibrium.hpp, (3a)).
+  void take_contact_growth();
+  /// Counts it as thermal growth again.
+  void give_contact_growth();
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
   [[nodiscard]] int turns() const { return turns_; }
-  /// Sweeps the film energy of the last turn to the end, so that its balance closes.
+  /// Solves film, heat and walls of the last turn to the end, so that their balances close.
   void finish();
 
  private:
@@ -47,7 +52,12 @@ class Turn {
   /// The energy equation of the film as it stands.
   thermal::FilmEnergy film_energy();
   /// The solids' answer to the heat of the present film temperatures.
-  void warm_the_walls(const thermal::FilmEnergy& energy);
+  void warm_the_walls(const thermal::FilmEnergy& energy, Solids::Wanted wanted);
+  /// One round of film and walls, the flow staying as it is; the largest change of a wall [K].
+  double wall_round(thermal::FilmEnergy& energy);
+  /// Rounds, accelerated, until one changes the walls by `enough` [K] or less, at most `rounds`;
+  /// the change of the best one, in whose state all is left.
+  double balance_walls(thermal::FilmEnergy& energy, double enough, int rounds);
   /// Gives the film the solids' new temperatures; the largest change [K].
   double take_wall_temperatures();
   /// False, with the verdict set, if the temperatures run away.
@@ -78,6 +88,29 @@ std::vector<double> Turn::pack() const {
   for (const double T : film_.columns.T) x.push_back((T - T0) / kTemperatureUnit);
   for (const double d : heat_.growth) x.push_back(d / model_.clearance);
   return x;
+}
+
+void Turn::take_contact_growth() {
+  const Physics& has = model_.physics;
+  if (film_.contact_growth || !model_.contact || !has.elastic || !has.growth) return;
+  if (!(heat_.response.shell_local > 0.0) || film_.p_contact.empty()) return;
+  film_.contact_growth = std::make_shared<HarmonicOperator>(
+      model_.solids->contact_growth(contact_heat_rate(model_).shell, heat_.response));
+  const Field own = model_.solids->widening(*film_.contact_growth, film_.p_contact);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    heat_.growth[k] -= own[k];
+    film_.elastic[k] += own[k];
+  }
+}
+
+void Turn::give_contact_growth() {
+  if (!film_.contact_growth) return;
+  const Field own = model_.solids->widening(*film_.contact_growth, film_.p_contact);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    heat_.growth[k] += own[k];
+    film_.elastic[k] -= own[k];
+  }
+  film_.contact_growth.reset();
 }
 
 /// No tighter than the temperatures are known: the map's noise stays well below its change.
@@ -153,7 +186,7 @@ thermal::FilmEnergy Turn::film_energy() {
   return thermal::FilmEnergy(film_energy_problem(model_, film_, friction_));
 }
 
-void Turn::warm_the_walls(const thermal::FilmEnergy& energy) {
+void Turn::warm_the_walls(const thermal::FilmEnergy& energy, Solids::Wanted wanted) {
   const FilmGrid& g = model_.scene.grid;
   const thermal::WallHeat walls = energy.wall_heat(film_.columns.T);
   const ContactHeat rubbed = contact_heat(model_, film_);
@@ -167,7 +200,7 @@ void Turn::warm_the_walls(const thermal::FilmEnergy& energy) {
       heat_.contact_heat += g.multiplicity() * g.area(i, j) * (rubbed.shell[c] + rubbed.shaft[c]);
     }
   }
-  heat_.solids = model_.solids->answer(q, heat_.T_shell, heat_.T_shaft);
+  heat_.solids = model_.solids->answer(q, heat_.T_shell, heat_.T_shaft, wanted);
 }
 
 bool Turn::sound() {
@@ -231,6 +264,10 @@ double Turn::take_wall_temperatures() {
 }
 
 bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
+  // Within a turn the walls come to balance but for this part of their first change: they answer
+  // the film slowly, and each of their rounds costs far less than a film.
+  constexpr double kWallPart = 0.1;
+  constexpr int kWallRounds = 6;
   ++turns_;
   unpack(x);
   if (!sound()) return false;
@@ -249,9 +286,23 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
       std::end(kResponseTurns)) {
     heat_.response = energy.wall_response(kLaps);
   }
-  warm_the_walls(energy);
+  const double change = wall_round(energy);
+  const double enough =
+      std::max(kWallPart * change, kWallPart * kTemperatureUnit * options_.tolerance);
+  if (change > enough) balance_walls(energy, enough, kWallRounds);
+  for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
+  if (!sound()) return false;
+  warm_the_walls(energy, {true, false});
   take_wall_temperatures();
-  if (!heat_.growth.empty()) heat_.growth = heat_.solids.growth;
+  if (!heat_.growth.empty()) {
+    heat_.growth = heat_.solids.growth;
+    if (film_.contact_growth) {
+      const Field own = model_.solids->widening(*film_.contact_growth, film_.p_contact);
+      for (std::size_t k = 0; k < own.size(); ++k) heat_.growth[k] -= own[k];
+    } else {
+      take_contact_growth();  // the film's response is known from the first turn on
+    }
+  }
   g = pack();
   const double part = relaxation(x, g);
   for (std::size_t k = 0; k < g.size(); ++k) g[k] = x[k] + part * (g[k] - x[k]);
@@ -259,11 +310,46 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   return true;
 }
 
+double Turn::wall_round(thermal::FilmEnergy& energy) {
+  for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
+  warm_the_walls(energy, {false, false});
+  return take_wall_temperatures();
+}
+
+double Turn::balance_walls(thermal::FilmEnergy& energy, double enough, int rounds) {
+  constexpr int kDepth = 12;
+  const std::size_t cells = heat_.T_shell.size();
+  double least = INFINITY;  // of the best round: the walls are left as they were there
+  std::vector<double> best_T = film_.columns.T;
+  HeatState best = heat_;
+  const auto round = [&](const std::vector<double>& x, std::vector<double>& g) {
+    std::copy_n(x.begin(), cells, heat_.T_shell.begin());
+    std::copy(x.begin() + cells, x.end(), heat_.T_shaft.begin());
+    impose_walls(film_.columns.T);
+    const double change = wall_round(energy);
+    if (change < least) {
+      least = change;
+      best_T = film_.columns.T;
+      best = heat_;
+    }
+    g = heat_.T_shell;
+    g.insert(g.end(), heat_.T_shaft.begin(), heat_.T_shaft.end());
+    return true;
+  };
+  std::vector<double> x = heat_.T_shell;
+  x.insert(x.end(), heat_.T_shaft.begin(), heat_.T_shaft.end());
+  const auto end = fixed_point(round, {kDepth, 1, rounds, enough}, x);
+  if (end != FixedPointEnd::converged) {
+    film_.columns.T = best_T;
+    heat_ = best;
+  }
+  return least;
+}
+
 void Turn::finish() {
-  constexpr int kMostRounds = 60;  // of film and walls in turn, the flow staying as it is
   constexpr int kMostSweeps = 400;
-  constexpr double kWalls = 1e-7;   // change per round that leaves their heat balanced [K]
-  constexpr double kGrowing = 4.0;  // change over the best one at which rounds only get worse [-]
+  constexpr int kMostRounds = 60;
+  constexpr double kWalls = 1e-7;      // change per round that leaves their heat balanced [K]
   constexpr double kUnbalanced = 0.1;  // change that the walls must not be left with [K]
   const std::vector<double> after = film_.columns.T;
   film_.columns.T = turn_T_;
@@ -271,27 +357,14 @@ void Turn::finish() {
       solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_, control_.stop);
   film_.columns.T = after;
   thermal::FilmEnergy energy = film_energy();
-  double change = INFINITY;  // of the best round; a round may be the first of a growing series
-  std::vector<double> best_T = film_.columns.T;
-  HeatState best = heat_;
-  for (int round = 0; round < kMostRounds && change > kWalls; ++round) {
-    for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
-    warm_the_walls(energy);
-    const double now = take_wall_temperatures();
-    if (now < change) {
-      change = now;
-      best_T = film_.columns.T;
-      best = heat_;
-    } else if (now > kGrowing * change) {
-      break;
-    }
-  }
-  film_.columns.T = best_T;
-  heat_ = best;
+  const double change = options_.close ? balance_walls(energy, kWalls, kMostRounds) : 0.0;
+  const double settled = options_.close ? kSettled : kRoughlySettled;
   for (int k = 0; k < kMostSweeps; ++k) {
-    if (energy.sweep(film_.columns.T) < kSettled) break;
+    if (energy.sweep(film_.columns.T) < settled) break;
   }
-  warm_the_walls(energy);
+  const Field growth = heat_.solids.growth;
+  warm_the_walls(energy, {false, true});
+  heat_.solids.growth = growth;
   heat_.balance = energy.balance(film_.columns.T);
   heat_.T_mix = energy.mix_temperatures();
   heat_.backflow_nodes = energy.backflow_nodes();
@@ -318,15 +391,18 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
                       FilmEquilibrium& film, HeatState& heat, EquilibriumCost& cost,
                       std::vector<HistoryEntry>& history) {
   Turn turn(model, target, options, control, film, heat, cost, history);
+  turn.take_contact_growth();
   std::vector<double> x = turn.pack();
   const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance};
   const FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
   if (end == FixedPointEnd::map_failed) {
+    turn.give_contact_growth();
     if (!turn.verdict().good()) return turn.verdict();
     return {Status::invalid_number, "the accelerated temperatures are not numbers", "",
             "try a finer grid"};
   }
   turn.finish();
+  turn.give_contact_growth();
   if (end == FixedPointEnd::converged) return turn.verdict();
   return {Status::iteration_limit,
           fmt::format("film and heat did not settle in {} turns (last change {:.1e} of 10 K)",

@@ -125,7 +125,7 @@ Lack lack_for(const Case& subject, Tier tier) {
             "measured shell-back temperature (measured.shell_back_temperature or "
             "shell.back.temperature), or a constant viscosity"};
   }
-  return lack_for_switches(subject, thermal);
+  return lack_for_switches(subject, thermal || tier == Tier::automatic);
 }
 
 }  // namespace

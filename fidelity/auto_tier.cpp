@@ -24,8 +24,11 @@ using namespace coupling;
 using Grid = std::array<int, 2>;
 
 /// Grids of the climb: fine along the axis first, see grid_limit.hpp.
-const std::vector<Grid> kLadder{{24, 9}, {36, 17}, {48, 33}, {96, 49}, {400, 50}};
-constexpr int kFinerFilm = 3;  ///< cells of the film alone over those of the full solution, around
+const std::vector<Grid> kLadder{{24, 9}, {30, 17}, {48, 33}, {96, 49}, {400, 50}};
+
+/// Cells of the film alone over those of the full solution, around: on fine grids the step is
+/// smaller.
+int film_ratio(const Grid& grid) { return grid[0] < 40 ? 3 : 2; }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -92,7 +95,7 @@ class Climb {
       }
       rung.whole = quantities_of(rung.solution, tier());
       if (rungs_.empty()) choose(rung.solution);
-      if (!last) refine(rung);
+      if (!last && !case_.model.grid_given) refine(rung);
       rungs_.push_back(std::move(rung));
       if (rungs_.size() > 3) rungs_.erase(rungs_.begin());
       assess();
@@ -120,7 +123,12 @@ class Climb {
  private:
   [[nodiscard]] bool stopped() const { return control_.stop != nullptr && control_.stop->load(); }
 
-  [[nodiscard]] bool has_walls() const { return case_.shell && case_.shaft; }
+  /// True if the case says how heat passes through shell and shaft.
+  [[nodiscard]] bool has_walls() const {
+    if (!case_.shell || !case_.shaft) return false;
+    const auto* back = std::get_if<ConvectiveBack>(&case_.shell->back);
+    return back == nullptr || back->heat_transfer > 0.0;
+  }
 
   /// The cheapest tier that holds the effects which are still in.
   [[nodiscard]] Tier tier() const {
@@ -176,7 +184,7 @@ class Climb {
   }
 
   void refine(Rung& rung) {
-    const Grid grid{kFinerFilm * rung.grid[0], rung.grid[1]};
+    const Grid grid{film_ratio(rung.grid) * rung.grid[0], rung.grid[1]};
     const Solution film = frozen_film(rung.solution, grid, {}, control_.stop);
     account(film.cost);
     if (!film.verdict.good()) return;
@@ -188,7 +196,7 @@ class Climb {
   [[nodiscard]] static GridLimit film_limit_of(const Rung& rung, const std::string& name) {
     const double V = find(rung.whole, name);
     const bool of_film = !name.starts_with("T_") && !name.starts_with("heat");
-    return film_limit(V, of_film ? find(rung.refined, name) : NAN, kFinerFilm);
+    return film_limit(V, of_film ? find(rung.refined, name) : NAN, film_ratio(rung.grid));
   }
 
   /// Limit of a quantity of the finest rung; its value as it is where there is but one rung.

@@ -9,6 +9,8 @@ namespace {
 
 using namespace coupling;
 
+constexpr int kMostIterations = 30;  ///< a film that takes more is no neighbour of the solution
+
 Physics film_only(Physics p, const Frozen& keep) {
   p.film_energy = p.elastic = p.growth = false;
   p.pressure_dependence = p.pressure_dependence && keep.pressure;
@@ -52,8 +54,10 @@ Solution frozen_film(const Solution& s, std::array<int, 2> grid, const Frozen& k
   out.film = carry_over(s.model, s.film, out.model);
   set_temperatures(s.model.input, keep, out.model.gl.n, out.film.columns);
   out.heat.growth = interpolate(s.model.scene.grid, widening(s, keep), out.model.scene.grid);
+  EquilibriumOptions options;
+  options.max_iterations = kMostIterations;
   out.verdict =
-      solve_equilibrium(out.model, out.target, out.heat.growth, {}, out.film, out.cost, stop);
+      solve_equilibrium(out.model, out.target, out.heat.growth, options, out.film, out.cost, stop);
   return out;
 }
 

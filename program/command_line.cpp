@@ -40,11 +40,11 @@ void add_commands(CLI::App& app, Request& request) {
 
   auto* check = app.add_subcommand("check", "read and judge a case without solving it");
   add_case_options(*check, request);
-  check->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+  check->add_option("--tier", request.tier, "estimate, isothermal, lumped, thd, tehd or auto");
 
   auto* run = app.add_subcommand("run", "solve a case");
   add_solve_options(*run, request);
-  run->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+  run->add_option("--tier", request.tier, "estimate, isothermal, lumped, thd, tehd or auto");
   run->add_option("-o", request.output, "write all fields (HDF5)")->type_name("FILE.h5");
 
   auto* compare = app.add_subcommand("compare", "solve a case in several tiers, side by side");

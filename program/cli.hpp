@@ -14,7 +14,7 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare };
+enum class Command { none, init, check, run, compare, auto_honesty };
 
 /// What was asked for.
 struct Request {
@@ -28,6 +28,8 @@ struct Request {
   std::string output;              ///< -o
   std::string picture;             ///< --picture
   int threads = 1;                 ///< -j
+  int cases = 200;                 ///< --cases
+  int seed = 1;                    ///< --seed: of the first case
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

@@ -9,7 +9,7 @@ namespace {
 
 using namespace app;
 
-const std::vector<std::string> kCommands{"init", "check", "run", "compare"};
+const std::vector<std::string> kCommands{"init", "check", "run", "compare", "auto-honesty"};
 constexpr int kMostThreads = 1024;
 
 void add_case_options(CLI::App& command, Request& request) {
@@ -59,11 +59,26 @@ void add_commands(CLI::App& app, Request& request) {
       ->type_name("FILE.svg");
 }
 
+void add_auto_honesty(CLI::App& app, Request& request) {
+  constexpr int kMostCases = 1000000;
+  auto* honesty =
+      app.add_subcommand("auto-honesty", "judge tier auto on random bearings against fine grids");
+  honesty->add_option("--cases", request.cases, "number of random bearings (default 200)")
+      ->check(CLI::Range(1, kMostCases));
+  honesty->add_option("--seed", request.seed, "of the first bearing (default 1)")
+      ->check(CLI::Range(0, kMostCases));
+  honesty->add_option("--json", request.json, "also write every trial as JSON")->type_name("FILE");
+  honesty->add_option("-j", request.threads, "threads, one bearing each")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
 Command command_of(const CLI::App& app) {
   if (app.got_subcommand("init")) return Command::init;
   if (app.got_subcommand("check")) return Command::check;
   if (app.got_subcommand("run")) return Command::run;
   if (app.got_subcommand("compare")) return Command::compare;
+  if (app.got_subcommand("auto-honesty")) return Command::auto_honesty;
   return Command::none;
 }
 
@@ -112,6 +127,7 @@ Reading read_command_line(const std::vector<std::string>& words) {
   app.set_version_flag("--version", std::string("shellback ") + SHELLBACK_VERSION);
   app.require_subcommand(0, 1);
   add_commands(app, reading.request);
+  add_auto_honesty(app, reading.request);
   const std::string more = "\n\"shellback --help\" tells more.\n";
   if (const std::string unknown = unknown_command(words); !unknown.empty()) {
     return {{}, "shellback: " + unknown + more, kBadInput};

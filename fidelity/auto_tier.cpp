@@ -24,11 +24,11 @@ using namespace coupling;
 using Grid = std::array<int, 2>;
 
 /// Grids of the climb: fine along the axis first, see grid_limit.hpp.
-const std::vector<Grid> kLadder{{24, 9}, {30, 17}, {48, 33}, {96, 49}, {400, 50}};
+const std::vector<Grid> kLadder{{24, 9}, {30, 17}, {40, 25}, {60, 37}, {96, 49}, {400, 50}};
 
 /// Cells of the film alone over those of the full solution, around: on fine grids the step is
 /// smaller.
-int film_ratio(const Grid& grid) { return grid[0] < 40 ? 3 : 2; }
+int film_ratio(const Grid& grid) { return grid[0] <= 40 ? 3 : 2; }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

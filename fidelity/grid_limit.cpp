@@ -6,13 +6,13 @@
 namespace shellback::fidelity {
 namespace {
 
-constexpr double kFilmOrder = 1.3;   ///< [-]
-constexpr double kSolidOrder = 2.0;  ///< [-]
-constexpr double kStepBar = 0.6;     ///< bar over |L1 - L0| [-]
-constexpr double kSteadyBar = 0.4;   ///< the same in a sequence that closes in [-]
-constexpr double kClosing = 1.5;     ///< a step before at least this much larger closes in [-]
-constexpr double kLeastRatio = 1.4;  ///< a smaller ratio than this is no refinement [-]
-constexpr double kMostStep = 0.3;    ///< a step beyond this part of L1 is no extrapolation [-]
+constexpr double kFilmOrder = 1.3;    ///< [-]
+constexpr double kSolidOrder = 2.0;   ///< [-]
+constexpr double kStepBar = 1.6;      ///< bar over the step of (2) [-]
+constexpr double kSteadyBar = 1.0;    ///< the same in a sequence that closes in [-]
+constexpr double kClosing = 1.3;      ///< a step before at least this much larger closes in [-]
+constexpr double kLeastRatio = 1.25;  ///< a smaller ratio than this is no refinement [-]
+constexpr double kMostStep = 0.3;  ///< a step of (2) beyond this part of L1 is no extrapolation [-]
 
 double gain(double ratio, double order) { return 1.0 / (std::pow(ratio, order) - 1.0); }
 
@@ -28,9 +28,10 @@ GridLimit film_limit(double whole, double film, double ratio) {
 GridLimit grid_limit(const GridLimit& coarse, const GridLimit& fine, double ratio, double before) {
   const double step = fine.value - coarse.value;
   const bool closing = step * before > 0.0 && std::abs(before) > kClosing * std::abs(step);
-  GridLimit out{fine.value, fine.bar + (closing ? kSteadyBar : kStepBar) * std::abs(step)};
-  if (ratio >= kLeastRatio && std::abs(step) < kMostStep * std::abs(fine.value)) {
-    out.value += step * gain(ratio, kSolidOrder);
+  const double further = step * gain(std::max(ratio, kLeastRatio), kSolidOrder);
+  GridLimit out{fine.value, fine.bar + (closing ? kSteadyBar : kStepBar) * std::abs(further)};
+  if (ratio >= kLeastRatio && std::abs(further) < kMostStep * std::abs(fine.value)) {
+    out.value += further;
   }
   return out;
 }

@@ -40,6 +40,10 @@ int work(const Request& request) {
       return compare(request);
     case Command::auto_honesty:
       return auto_honesty(request);
+    case Command::chart:
+      return chart(request);
+    case Command::sweep:
+      return sweep(request);
     case Command::none:
       break;
   }

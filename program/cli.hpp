@@ -14,22 +14,37 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare, auto_honesty };
+enum class Command {
+  none,
+  init,
+  check,
+  run,
+  compare,
+  sweep,
+  chart,
+  auto_honesty,
+};
 
 /// What was asked for.
 struct Request {
   Command command = Command::none;
   std::string name;  ///< init: shipped case
   std::string case_file;
-  std::string tier;                ///< --tier
-  std::vector<std::string> tiers;  ///< --tiers
-  std::vector<std::string> set;    ///< --set, each KEY=VALUE
-  std::string json;                ///< --json: file, "-" for standard output
-  std::string output;              ///< -o
-  std::string picture;             ///< --picture
-  int threads = 1;                 ///< -j
-  int cases = 200;                 ///< --cases
-  int seed = 1;                    ///< --seed: of the first case
+  std::string tier;                 ///< --tier
+  std::vector<std::string> tiers;   ///< --tiers
+  std::vector<std::string> set;     ///< --set, each KEY=VALUE
+  std::string json;                 ///< --json: file, "-" for standard output
+  std::string output;               ///< -o
+  std::string picture;              ///< --picture
+  std::string csv;                  ///< --csv: file, "-" for standard output
+  std::string png;                  ///< --png
+  int threads = 1;                  ///< -j
+  bool quick = false;               ///< --quick: fewer or coarser
+  std::vector<std::string> scenes;  ///< chart: which; empty: all
+  std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
+  int cases = 200;                  ///< auto-honesty --cases
+  int seed = 1;                     ///< auto-honesty --seed: of the first case
+  int cores = 0;                    ///< sweep -j; 0: all there are
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

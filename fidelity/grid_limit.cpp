@@ -21,8 +21,9 @@ double gain(double ratio, double order) { return 1.0 / (std::pow(ratio, order) -
 GridLimit film_limit(double whole, double film, double ratio) {
   if (!std::isfinite(film)) return {whole, 0.0};
   const double step = film - whole;
-  const double spread = 0.5 * (gain(ratio, 1.0) - gain(ratio, 2.0));
-  return {film + step * gain(ratio, kFilmOrder), spread * std::abs(step)};
+  const double middle = gain(ratio, kFilmOrder);
+  const double spread = std::max(gain(ratio, 1.0) - middle, middle - gain(ratio, 2.0));
+  return {film + step * middle, spread * std::abs(step)};
 }
 
 GridLimit grid_limit(const GridLimit& coarse, const GridLimit& fine, double ratio, double before) {

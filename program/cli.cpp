@@ -38,6 +38,8 @@ int work(const Request& request) {
       return run(request);
     case Command::compare:
       return compare(request);
+    case Command::auto_honesty:
+      return auto_honesty(request);
     case Command::chart:
       return chart(request);
     case Command::sweep:

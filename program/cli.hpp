@@ -22,6 +22,7 @@ enum class Command {
   compare,
   sweep,
   chart,
+  auto_honesty,
 };
 
 /// What was asked for.
@@ -41,6 +42,8 @@ struct Request {
   bool quick = false;               ///< --quick: fewer or coarser
   std::vector<std::string> scenes;  ///< chart: which; empty: all
   std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
+  int cases = 200;                  ///< auto-honesty --cases
+  int seed = 1;                     ///< auto-honesty --seed: of the first case
   int cores = 0;                    ///< sweep -j; 0: all there are
 };
 

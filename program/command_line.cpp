@@ -10,7 +10,7 @@ namespace {
 using namespace app;
 
 constexpr int kMostThreads = 1024;
-const std::string kTierWords = "isothermal, lumped, thd or tehd";
+const std::string kTierWords = "estimate, isothermal, lumped, thd, tehd or auto";
 
 void add_case_options(CLI::App& command, Request& request) {
   command.add_option("CASE", request.case_file, "case file (TOML)")->required();
@@ -105,6 +105,20 @@ void add_compare(CLI::App& app, Request& request) {
       ->type_name("FILE.svg");
 }
 
+void add_auto_honesty(CLI::App& app, Request& request) {
+  constexpr int kMostCases = 1000000;
+  auto* honesty =
+      app.add_subcommand("auto-honesty", "judge tier auto on random bearings against fine grids");
+  honesty->add_option("--cases", request.cases, "number of random bearings (default 200)")
+      ->check(CLI::Range(1, kMostCases));
+  honesty->add_option("--seed", request.seed, "of the first bearing (default 1)")
+      ->check(CLI::Range(0, kMostCases));
+  honesty->add_option("--json", request.json, "also write every trial as JSON")->type_name("FILE");
+  honesty->add_option("-j", request.threads, "threads, one bearing each")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
 /// A command as it is offered.
 struct Offer {
   std::string name;
@@ -115,6 +129,7 @@ const std::vector<Offer> kOffers{
     {"init", Command::init, add_init},    {"check", Command::check, add_check},
     {"run", Command::run, add_run},       {"compare", Command::compare, add_compare},
     {"sweep", Command::sweep, add_sweep}, {"chart", Command::chart, add_chart},
+    {"auto-honesty", Command::auto_honesty, add_auto_honesty},
 };
 
 std::vector<std::string> command_names() {

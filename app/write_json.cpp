@@ -103,7 +103,8 @@ Json to_json(const coupling::Case& c, const coupling::Result& result) {
                   {"setup_s", number(k.setup_s)},
                   {"factorizations", k.factorizations},
                   {"newton_iterations", k.newton_iterations},
-                  {"outer_iterations", k.outer_iterations}};
+                  {"outer_iterations", k.outer_iterations},
+                  {"bars_s", number(k.bars_s)}};
   json["history"] = history(result);
   json["provenance"] = provenance_json(c);
   return json;

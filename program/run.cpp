@@ -7,7 +7,7 @@
 #include "app/write_hdf5.hpp"
 #include "app/write_json.hpp"
 #include "app/write_table.hpp"
-#include "coupling/solve.hpp"
+#include "fidelity/solve.hpp"
 #include "program/commands.hpp"
 #include "program/session.hpp"
 
@@ -29,7 +29,7 @@ int run(const Request& request) {
   tell_warnings(subject);
   const Result result = [&] {
     ProgressLine line;
-    return solve(subject, control_for(line));
+    return fidelity::solve(subject, control_for(line));
   }();
   if (!request.json.empty()) give_json(request, result_json(subject, result));
   if (!request.output.empty()) write_hdf5(request.output, subject, result);

@@ -92,7 +92,8 @@ Json cost_json(const coupling::Cost& k) {
           {"setup_s", number(k.setup_s)},
           {"factorizations", k.factorizations},
           {"newton_iterations", k.newton_iterations},
-          {"outer_iterations", k.outer_iterations}};
+          {"outer_iterations", k.outer_iterations},
+          {"bars_s", number(k.bars_s)}};
 }
 
 Json to_json(const coupling::Case& c, const coupling::Result& result) {

@@ -88,6 +88,7 @@ void print_cost(std::ostream& out, const Result& result) {
       figures(k.wall_s, 3));
   if (k.setup_s > 0.0)
     out << fmt::format(" (of it {} s set-up of the solids)", figures(k.setup_s, 3));
+  if (k.bars_s > 0.0) out << fmt::format(", and {} s for the error bars", figures(k.bars_s, 3));
   out << '\n';
 }
 
@@ -97,11 +98,14 @@ void print_quantities(std::ostream& out, const coupling::Measured& measured,
   const auto has_measured = [](const auto& row) { return row.measured.has_value(); };
   const bool with_measured = std::any_of(rows.begin(), rows.end(), has_measured);
   const bool single = results.size() == 1;
+  const bool with_bars = std::any_of(rows.begin(), rows.end(), has_bars);
   TextTable table;
   std::vector<std::string> head{"quantity"};
   const auto names = column_names(results);
   for (std::size_t k = 0; k < names.size(); ++k) {
     head.push_back(names[k] + (results[k].verdict.good() ? "" : " (FAILED)"));
+    if (with_bars && single) head.insert(head.end(), {"+- grid", "+- model"});
+    if (with_bars && !single) head.emplace_back("+-");
   }
   head.emplace_back("unit");
   if (with_measured) head.emplace_back("measured");
@@ -110,7 +114,14 @@ void print_quantities(std::ostream& out, const coupling::Measured& measured,
   table.rule();
   for (const auto& row : rows) {
     std::vector<std::string> cells{row.label};
-    for (const auto& value : row.values) cells.push_back(value ? figures(*value) : "");
+    for (std::size_t k = 0; k < row.values.size(); ++k) {
+      cells.push_back(row.values[k] ? figures(*row.values[k]) : "");
+      const ShownBars& bars = row.bars[k];
+      if (with_bars && single) {
+        cells.insert(cells.end(), {bar_figures(bars.grid), bar_figures(bars.model)});
+      }
+      if (with_bars && !single) cells.push_back(bar_figures(bars.total));
+    }
     cells.push_back(row.unit.unit);
     if (row.measured) cells.push_back(figures(*row.measured));
     if (row.measured && single)
@@ -204,6 +215,10 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
   out << c.title << '\n' << describe_case(c, Writing::plain) << "\n\n";
   for (std::size_t i = 0; i < results.size(); ++i) print_failure(out, names[i], results[i]);
   print_quantities(out, c.measured, results);
+  if (std::any_of(results.begin(), results.end(), [](const Result& r) { return r.cost.bars_s > 0.0; })) {
+    out << "\n+- is the bar of the grid and of the physics left out together; where the physics "
+           "cannot be\njudged, of the grid alone.\n";
+  }
   print_split(out, comparison);
   if (std::isfinite(comparison.T_calibrated)) {
     out << fmt::format(

@@ -53,6 +53,7 @@ struct Cost {
   int factorizations = 0;
   int newton_iterations = 0;
   int outer_iterations = 0;
+  double bars_s = 0.0;  ///< spent on the error bars, not part of wall_s
 };
 
 /// One recorded outer iteration.

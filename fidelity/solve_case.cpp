@@ -1,6 +1,6 @@
 #include "fidelity/solve_case.hpp"
 
-#include "coupling/solve.hpp"
+#include "fidelity/solve.hpp"
 #include "fidelity/auto_tier.hpp"
 #include "fidelity/estimate.hpp"
 
@@ -13,7 +13,7 @@ coupling::Result solve_case(const coupling::Case& c, const coupling::SolveContro
     case coupling::Tier::automatic:
       return solve_auto(c, control);
     default:
-      return coupling::solve(c, control);
+      return solve(c, control);
   }
 }
 

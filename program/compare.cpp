@@ -12,6 +12,7 @@
 #include "app/write_json.hpp"
 #include "app/write_table.hpp"
 #include "core/contract.hpp"
+#include "fidelity/solve.hpp"
 #include "program/commands.hpp"
 #include "program/session.hpp"
 
@@ -54,7 +55,11 @@ std::vector<Tier> default_tiers(const Case& subject) {
 
 Comparison solve_all(const Case& subject, const std::vector<Tier>& tiers) {
   ProgressLine line;
-  return coupling::compare(subject, tiers, control_for(line));
+  const SolveControl control = control_for(line);
+  const auto judged = [&](const Solution& s, Tier tier) {
+    return fidelity::summarize(s, tier, control);
+  };
+  return coupling::compare(subject, tiers, control, judged);
 }
 
 }  // namespace

@@ -33,17 +33,24 @@ double now_s() {
 ProgressLine::ProgressLine()
     : terminal_(isatty(STDERR_FILENO) == 1), begin_s_(now_s()), last_s_(begin_s_) {}
 
-ProgressLine::~ProgressLine() {
+ProgressLine::~ProgressLine() { wipe(); }
+
+void ProgressLine::wipe() {
   if (shown_) std::fputs(kWipe, stderr);
+  shown_ = false;
 }
 
 void ProgressLine::show(const coupling::Progress& progress) {
+  show_words(fmt::format("{} step {}: change {:.1e}, friction {:.4g} N m, smallest film {:.3g} um",
+                         progress.stage, progress.step, progress.residual,
+                         progress.friction_torque, 1e6 * progress.h_min));
+}
+
+void ProgressLine::show_words(const std::string& words) {
   if (!terminal_) return;
   const double now = now_s();
   if (now - begin_s_ < kQuietTime || now - last_s_ < kInterval) return;
-  fmt::print(stderr, "{}{} step {}: change {:.1e}, friction {:.4g} N m, smallest film {:.3g} um",
-             kWipe, progress.stage, progress.step, progress.residual, progress.friction_torque,
-             1e6 * progress.h_min);
+  fmt::print(stderr, "{}{}", kWipe, words);
   std::fflush(stderr);
   shown_ = true;
   last_s_ = now;

@@ -1,6 +1,7 @@
 #pragma once
 /// A line on the terminal while a solve runs, and the interrupt key.
 #include <atomic>
+#include <string>
 
 #include "coupling/control.hpp"
 
@@ -16,6 +17,10 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const coupling::Progress& progress);
+  /// The same with words of the caller's.
+  void show_words(const std::string& words);
+  /// Clears the line, for what is to be printed now.
+  void wipe();
 
  private:
   bool terminal_;

@@ -14,7 +14,7 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare };
+enum class Command { none, init, check, run, compare, validate };
 
 /// What was asked for.
 struct Request {
@@ -28,6 +28,11 @@ struct Request {
   std::string output;              ///< -o
   std::string picture;             ///< --picture
   int threads = 1;                 ///< -j
+  std::vector<std::string> names;  ///< validate: ledger entries; empty: all
+  std::string ledger;              ///< --ledger: folder of entries; empty: the shipped one
+  std::string csv;                 ///< --csv
+  bool list = false;               ///< --list
+  bool all_rows = false;           ///< --rows
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

@@ -9,7 +9,7 @@ namespace {
 
 using namespace app;
 
-const std::vector<std::string> kCommands{"init", "check", "run", "compare"};
+const std::vector<std::string> kCommands{"init", "check", "run", "compare", "validate"};
 constexpr int kMostThreads = 1024;
 
 void add_case_options(CLI::App& command, Request& request) {
@@ -30,6 +30,27 @@ void add_solve_options(CLI::App& command, Request& request) {
   command.add_option("-j", request.threads, "threads that may be used (this version works on one)")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
+}
+
+void add_validate(CLI::App& app, Request& request) {
+  auto* validate = app.add_subcommand(
+      "validate", "rerun the ledger: ours, theirs, difference, tolerance, verdict");
+  validate->add_option("NAME", request.names, "entries; without one, all of them");
+  validate->add_flag("--list", request.list, "list the entries without running them");
+  validate->add_flag("--rows", request.all_rows, "print every row, not only the worst");
+  validate
+      ->add_option("-j", request.threads, "threads that may be used")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+  validate->add_option("-o", request.output, "write the page with figures and bands (HTML)")
+      ->type_name("FILE.html");
+  validate->add_option("--csv", request.csv, "write every row as a table")->type_name("FILE");
+  validate
+      ->add_option("--json", request.json,
+                   "also write the ledger as JSON; - is standard output, without the tables")
+      ->type_name("FILE");
+  validate->add_option("--ledger", request.ledger, "folder of entries (default: the shipped ones)")
+      ->type_name("FOLDER");
 }
 
 void add_commands(CLI::App& app, Request& request) {
@@ -57,6 +78,7 @@ void add_commands(CLI::App& app, Request& request) {
       ->type_name("FILE.html");
   compare->add_option("--picture", request.picture, "write the main picture (SVG)")
       ->type_name("FILE.svg");
+  add_validate(app, request);
 }
 
 Command command_of(const CLI::App& app) {
@@ -64,6 +86,7 @@ Command command_of(const CLI::App& app) {
   if (app.got_subcommand("check")) return Command::check;
   if (app.got_subcommand("run")) return Command::run;
   if (app.got_subcommand("compare")) return Command::compare;
+  if (app.got_subcommand("validate")) return Command::validate;
   return Command::none;
 }
 

@@ -22,7 +22,7 @@ const char* to_string(Evidence evidence) {
   return "";
 }
 
-bool holds(const Condition& condition, const Point& point) {
+bool holds(const Condition& condition, const RowNumbers& point) {
   constexpr double kSlack = 1e-9;  // printed numbers are equal or not
   const auto value = [&point](const std::string& column) {
     const auto found = point.find(column);
@@ -41,7 +41,7 @@ bool holds(const Condition& condition, const Point& point) {
          all(condition.below, [](double a, double b) { return a < b - kSlack * std::abs(b); });
 }
 
-std::string row_label(const Entry& entry, const Point& point) {
+std::string row_label(const Entry& entry, const RowNumbers& point) {
   std::string label;
   const auto add = [&](const std::string& column, const std::string& title) {
     const auto found = point.find(column);

@@ -87,23 +87,35 @@ struct Unknown {
   Changes high;
 };
 
-/// A property of our curve that theirs has too: where it is lowest.
+/// A property of our curve that theirs has too: at which row it is lowest. Their curve is known at
+/// the rows only, so ours is looked at there as well; a parabola through the lowest row and its
+/// neighbours, the same for both, says more and is shown, not judged.
 struct Feature {
   std::string name;
-  std::string ours;  ///< value whose minimum is sought
-  std::string along;  ///< column
+  std::string ours;    ///< value whose minimum is sought
+  std::string column;  ///< theirs
+  std::string along;   ///< column of the abscissa
   Condition where;
-  double low = 0.0;   ///< theirs: between these
+  double low = 0.0;  ///< it must lie between these, ends included
   double high = 0.0;
   std::string unit;
   Evidence evidence = Evidence::calculation;
   std::string why;
 };
 
+/// A further curve of ours in a panel, without a counterpart.
+struct PartCurve {
+  std::string ours;
+  std::string title;
+};
+
 struct Panel {
   std::string ours;   ///< name among the evaluator's values
   std::string title;  ///< of its axis, with unit
+  std::string head;   ///< above the panel; may be empty
   bool logarithmic = false;
+  Condition where;               ///< which rows are drawn
+  std::vector<PartCurve> parts;  ///< ours taken apart
 };
 
 struct FigureSpec {
@@ -144,11 +156,11 @@ struct UnrunDataset {
 };
 
 /// The numbers of one row, or of a point between two.
-using Point = std::map<std::string, double>;
+using RowNumbers = std::map<std::string, double>;
 
-[[nodiscard]] bool holds(const Condition& condition, const Point& point);
+[[nodiscard]] bool holds(const Condition& condition, const RowNumbers& point);
 
 /// The row in the words of its figure's columns: "L/D 1, eps 0.6".
-[[nodiscard]] std::string row_label(const Entry& entry, const Point& point);
+[[nodiscard]] std::string row_label(const Entry& entry, const RowNumbers& point);
 
 }  // namespace shellback::proof

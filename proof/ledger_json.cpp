@@ -54,6 +54,8 @@ ordered_json feature_json(const FeatureReport& f) {
   out["unit"] = f.feature.unit;
   out["evidence"] = to_string(f.feature.evidence);
   put(out, "ours", f.ours);
+  put(out, "ours_by_parabola", f.ours_refined);
+  put(out, "theirs_by_parabola", f.theirs_refined);
   out["theirs"] = {f.feature.low, f.feature.high};
   out["verdict"] = to_string(f.verdict);
   return out;

@@ -28,7 +28,7 @@ double our_value(const Entry& entry, const Values& values, const std::string& na
 }
 
 /// Why the row's expected value is not judged; empty if it is.
-std::string exclusion_of(const Entry& entry, const std::string& column, const Point& point) {
+std::string exclusion_of(const Entry& entry, const std::string& column, const RowNumbers& point) {
   for (const Exclusion& e : entry.exclusions) {
     const bool meant = e.columns.empty() ||
                        std::find(e.columns.begin(), e.columns.end(), column) != e.columns.end();
@@ -37,7 +37,7 @@ std::string exclusion_of(const Entry& entry, const std::string& column, const Po
   return "";
 }
 
-double group_of(const QuantitySpec& spec, const Point& point) {
+double group_of(const QuantitySpec& spec, const RowNumbers& point) {
   return spec.group.empty() ? 0.0 : point.at(spec.group);
 }
 
@@ -126,29 +126,46 @@ double vertex(const Place& a, const Place& b, const Place& c) {
   return curvature > 0.0 ? 0.5 * (a.x + b.x) - 0.5 * ab / curvature : b.x;
 }
 
-FeatureReport judge_feature(const EntryReport& report, const Feature& feature) {
-  FeatureReport f;
-  f.feature = feature;
-  const bool logarithmic = report.entry.figure.x_logarithmic && report.entry.figure.x == feature.along;
-  std::vector<Place> curve;
-  for (const Evaluated& e : report.points) {
-    if (!holds(feature.where, e.point) || !e.point.contains(feature.along)) continue;
-    const double y = our_value(report.entry, e.values, feature.ours);
-    const double x = e.point.at(feature.along);
-    if (std::isfinite(y)) curve.push_back({logarithmic ? std::log(x) : x, y});
-  }
+/// Lowest of the places and the parabola's vertex there, both as abscissas; not-a-number if the
+/// lowest lies at an end.
+struct Lowest {
+  double at = kNone;
+  double refined = kNone;
+};
+
+Lowest lowest(std::vector<Place> curve, bool logarithmic) {
   std::sort(curve.begin(), curve.end(), [](const Place& a, const Place& b) { return a.x < b.x; });
   const auto least = std::min_element(curve.begin(), curve.end(),
                                       [](const Place& a, const Place& b) { return a.y < b.y; });
-  if (curve.size() < 3 || least == curve.begin() || least + 1 == curve.end()) {
-    f.verdict = Judgement::missing;
-    f.reason = "our curve has no minimum inside the rows compared";
-    f.ours = kNone;
-    return f;
+  if (curve.size() < 3 || least == curve.begin() || least + 1 == curve.end()) return {};
+  const auto back = [logarithmic](double x) { return logarithmic ? std::exp(x) : x; };
+  return {back(least->x), back(vertex(*(least - 1), *least, *(least + 1)))};
+}
+
+FeatureReport judge_feature(const EntryReport& report, const Feature& feature) {
+  const Entry& entry = report.entry;
+  const bool logarithmic = entry.figure.x_logarithmic && entry.figure.x == feature.along;
+  std::vector<Place> ours;
+  std::vector<Place> theirs;
+  for (std::size_t row = 0; row < entry.table->lines().size(); ++row) {
+    const Evaluated& e = report.points[row];
+    if (!holds(feature.where, e.point) || !e.point.contains(feature.along)) continue;
+    const double along = e.point.at(feature.along);
+    const double x = logarithmic ? std::log(along) : along;
+    const double y = our_value(entry, e.values, feature.ours);
+    if (std::isfinite(y)) ours.push_back({x, y});
+    if (const auto other = entry.table->number(row, feature.column)) theirs.push_back({x, *other});
   }
-  const double x = vertex(*(least - 1), *least, *(least + 1));
-  f.ours = logarithmic ? std::exp(x) : x;
-  if (f.ours < feature.low || f.ours > feature.high) f.verdict = Judgement::outside;
+  const Lowest mine = lowest(std::move(ours), logarithmic);
+  FeatureReport f{feature, mine.at, mine.refined, lowest(std::move(theirs), logarithmic).refined,
+                  Judgement::within, ""};
+  constexpr double kSlack = 1e-9;  // a row's abscissa through logarithm and back
+  if (!std::isfinite(f.ours)) {
+    f.verdict = Judgement::missing;
+    f.reason = "our curve has no lowest row inside the rows compared";
+  } else if (f.ours < feature.low * (1.0 - kSlack) || f.ours > feature.high * (1.0 + kSlack)) {
+    f.verdict = Judgement::outside;
+  }
   return f;
 }
 

@@ -19,7 +19,7 @@ enum class Judgement {
 
 /// One of our values: at a row of the table, or between two for the sake of the curve.
 struct Evaluated {
-  Point point;
+  RowNumbers point;
   int row = -1;  ///< of the table; -1: between
   Values values;
 };
@@ -48,7 +48,9 @@ struct QuantityReport {
 
 struct FeatureReport {
   Feature feature;
-  double ours = 0.0;
+  double ours = 0.0;            ///< the row at which ours is lowest
+  double ours_refined = 0.0;    ///< by the parabola
+  double theirs_refined = 0.0;  ///< by the same parabola through their rows
   Judgement verdict = Judgement::within;
   std::string reason;
 };

@@ -143,12 +143,13 @@ Unknown read_unknown(const Section& s, const std::vector<BearingPart>& bearings)
 }
 
 Feature read_feature(const Section& s, const Table& table) {
-  s.only({"name", "minimum_of", "along", "where", "above", "below", "from", "to", "unit", "kind",
+  s.only({"name", "minimum_of", "column", "along", "where", "above", "below", "from", "to", "unit", "kind",
           "why"},
          "a [[feature]]");
   Feature f;
   f.name = s.text("name");
   f.ours = s.text("minimum_of");
+  f.column = column_of(s, "column", table);
   f.along = column_of(s, "along", table);
   f.where = read_condition(s, table);
   f.low = s.quantity("from", kNumber);
@@ -157,6 +158,18 @@ Feature read_feature(const Section& s, const Table& table) {
   f.evidence = read_evidence(s);
   f.why = s.text("why");
   return f;
+}
+
+Panel read_panel(const Section& s, const Table& table) {
+  s.only({"ours", "title", "head", "logarithmic", "where", "above", "below", "part"},
+         "a [[figure.panel]]");
+  Panel panel{s.text("ours"),           s.text("title"), text_or(s, "head", ""),
+              s.maybe_switch("logarithmic").value_or(false), read_condition(s, table), {}};
+  for (const Section& part : s.sections("part")) {
+    part.only({"ours", "title"}, "a [[figure.panel.part]]");
+    panel.parts.push_back({part.text("ours"), part.text("title")});
+  }
+  return panel;
 }
 
 FigureSpec read_figure(const Section& file, const Table& table) {
@@ -171,11 +184,7 @@ FigureSpec read_figure(const Section& file, const Table& table) {
   f.series_title = text_or(s, "series_title", f.series);
   for (const std::string& text : s.texts("shown")) f.shown.push_back(parse_quantity(text, kNumber));
   if (s.has("between")) f.between = s.whole_number("between", 0, kMostBetween);
-  for (const Section& p : s.sections("panel")) {
-    p.only({"ours", "title", "logarithmic"}, "a [[figure.panel]]");
-    f.panels.push_back({p.text("ours"), p.text("title"),
-                        p.maybe_switch("logarithmic").value_or(false)});
-  }
+  for (const Section& panel : s.sections("panel")) f.panels.push_back(read_panel(panel, table));
   if (f.panels.empty()) s.fail("panel", "the figure has no [[figure.panel]]: nothing to draw");
   return f;
 }

@@ -17,8 +17,8 @@ double mixed(double a, double b, double u, bool logarithmic) {
   return (1.0 - u) * a + u * b;
 }
 
-Point between(const FigureSpec& figure, const Point& a, const Point& b, double u) {
-  Point p;
+RowNumbers between(const FigureSpec& figure, const RowNumbers& a, const RowNumbers& b, double u) {
+  RowNumbers p;
   for (const auto& [column, value] : a) {
     const auto other = b.find(column);
     if (other == b.end()) continue;
@@ -29,7 +29,7 @@ Point between(const FigureSpec& figure, const Point& a, const Point& b, double u
 
 /// One of our values to be computed, and where it belongs.
 struct Task {
-  const Point* point;
+  const RowNumbers* point;
   const Changes* changes;
   Values* into;
 };
@@ -54,14 +54,14 @@ std::vector<Task> tasks_of(EntryReport& report, bool bands) {
 }
 
 void place_points(EntryReport& report, bool curves) {
-  std::vector<Point> rows;
+  std::vector<RowNumbers> rows;
   const Table& table = *report.entry.table;
   for (std::size_t k = 0; k < table.lines().size(); ++k) rows.push_back(table.numbers(k));
   for (std::size_t k = 0; k < rows.size(); ++k) {
     report.points.push_back({rows[k], static_cast<int>(k), {}});
   }
-  if (!curves && report.entry.features.empty()) return;
-  for (Point& p : points_between(report.entry, rows)) report.points.push_back({std::move(p), -1, {}});
+  if (!curves) return;
+  for (RowNumbers& p : points_between(report.entry, rows)) report.points.push_back({std::move(p), -1, {}});
 }
 
 void work(EntryReport& report, const std::vector<Task>& tasks, const RunOptions& options) {
@@ -88,17 +88,17 @@ void work(EntryReport& report, const std::vector<Task>& tasks, const RunOptions&
 
 }  // namespace
 
-std::vector<Point> points_between(const Entry& entry, const std::vector<Point>& rows) {
+std::vector<RowNumbers> points_between(const Entry& entry, const std::vector<RowNumbers>& rows) {
   const FigureSpec& figure = entry.figure;
-  std::map<double, std::vector<const Point*>> series;
-  for (const Point& row : rows) {
+  std::map<double, std::vector<const RowNumbers*>> series;
+  for (const RowNumbers& row : rows) {
     if (!row.contains(figure.x)) continue;
     const bool split = !figure.series.empty() && row.contains(figure.series);
     series[split ? row.at(figure.series) : 0.0].push_back(&row);
   }
-  std::vector<Point> points;
+  std::vector<RowNumbers> points;
   for (auto& [value, line] : series) {
-    std::stable_sort(line.begin(), line.end(), [&](const Point* a, const Point* b) {
+    std::stable_sort(line.begin(), line.end(), [&](const RowNumbers* a, const RowNumbers* b) {
       return a->at(figure.x) < b->at(figure.x);
     });
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {

@@ -9,7 +9,7 @@ namespace shellback::proof {
 
 struct RunOptions {
   int threads = 1;
-  bool curves = false;  ///< also points between the rows (always where a feature needs them)
+  bool curves = false;  ///< also points between the rows
   bool bands = false;   ///< also the unknown inputs at their ends
   coupling::SolveControl control;
   std::function<void(const std::string& entry, int done, int of)> progress;  ///< may be empty
@@ -21,6 +21,6 @@ struct RunOptions {
 
 /// Points of our curve between the rows: `figure.between` in each interval of a series, evenly
 /// spaced along x (or its logarithm), other numbers interpolated alike.
-[[nodiscard]] std::vector<Point> points_between(const Entry& entry, const std::vector<Point>& rows);
+[[nodiscard]] std::vector<RowNumbers> points_between(const Entry& entry, const std::vector<RowNumbers>& rows);
 
 }  // namespace shellback::proof

@@ -46,10 +46,12 @@ void write_quantity(std::ostream& out, const QuantityReport& q, const EntryRepor
 void write_features(std::ostream& out, const EntryReport& report, Evidence evidence) {
   for (const FeatureReport& f : report.features) {
     if (f.feature.evidence != evidence) continue;
-    fmt::print(out, kHead, f.feature.name + " [" + f.feature.unit + "]", "", "",
-               std::isfinite(f.ours) ? short_number(f.ours) : "-",
+    fmt::print(out, kHead, f.feature.name + " [" + f.feature.unit + "]", "", "", short_number(f.ours),
                fmt::format("{:.5g}-{:.5g}", f.feature.low, f.feature.high), "", "", "",
                to_string(f.verdict));
+    if (!std::isfinite(f.ours_refined)) continue;
+    fmt::print(out, kHead, "  by a parabola through three rows, not judged", "", "",
+               short_number(f.ours_refined), short_number(f.theirs_refined), "", "", "", "");
   }
 }
 

@@ -34,14 +34,17 @@ Case case_of(const Question& q, const BearingPart& part) {
 /// Adds the quantities of one bearing: the first one's as they are, torques and powers of all.
 void add_bearing(const Solution& s, const Case& c, const BearingPart& part, bool first,
                  Values& values) {
-  double torque = 0.0;
   for (const coupling::Quantity& quantity : coupling::quantities_of(s, c.model.tier)) {
-    if (quantity.name == "friction_torque") torque = quantity.value;
+    for (const char* summed : {"friction_torque", "friction_torque_asperity"}) {
+      if (quantity.name != summed) continue;
+      const std::string total = fmt::format("total_{}", summed);
+      values.value[total] += part.times * quantity.value;
+      values.value[total + "." + part.name] = part.times * quantity.value;
+    }
     values.value[quantity.name + "." + part.name] = quantity.value;
     if (first) values.value[quantity.name] = quantity.value;
   }
   if (first) add_bearing_numbers(s, values.value);
-  values.value["total_friction_torque"] += part.times * torque;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Values {
 /// What an evaluator is asked.
 struct Question {
   const Entry& entry;
-  const Point& point;        ///< numbers of the row, by column
+  const RowNumbers& point;        ///< numbers of the row, by column
   const Changes& changes;    ///< of an unknown input; empty: as taken
   const coupling::SolveControl& control;
   const std::any& prepared;  ///< what the evaluator's `prepare` gave

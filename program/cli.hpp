@@ -14,25 +14,28 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare, validate };
+enum class Command { none, init, check, run, compare, chart, validate };
 
 /// What was asked for.
 struct Request {
   Command command = Command::none;
   std::string name;  ///< init: shipped case
   std::string case_file;
-  std::string tier;                ///< --tier
-  std::vector<std::string> tiers;  ///< --tiers
-  std::vector<std::string> set;    ///< --set, each KEY=VALUE
-  std::string json;                ///< --json: file, "-" for standard output
-  std::string output;              ///< -o
-  std::string picture;             ///< --picture
-  int threads = 1;                 ///< -j
-  std::vector<std::string> names;  ///< validate: ledger entries; empty: all
-  std::string ledger;              ///< --ledger: folder of entries; empty: the shipped one
-  std::string csv;                 ///< --csv
-  bool list = false;               ///< --list
-  bool all_rows = false;           ///< --rows
+  std::string tier;                 ///< --tier
+  std::vector<std::string> tiers;   ///< --tiers
+  std::vector<std::string> set;     ///< --set, each KEY=VALUE
+  std::string json;                 ///< --json: file, "-" for standard output
+  std::string output;               ///< -o
+  std::string picture;              ///< --picture
+  int threads = 1;                  ///< -j
+  std::vector<std::string> scenes;  ///< chart: which; empty: all
+  std::string png;                  ///< chart --png
+  std::string csv;                  ///< chart, validate: --csv
+  bool quick = false;               ///< chart --quick
+  std::vector<std::string> names;   ///< validate: ledger entries; empty: all
+  std::string ledger;               ///< validate --ledger: folder of entries; empty: the shipped
+  bool list = false;                ///< validate --list
+  bool all_rows = false;            ///< validate --rows
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

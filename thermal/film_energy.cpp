@@ -10,18 +10,7 @@
 namespace shellback::thermal {
 namespace {
 
-constexpr int kMostNodes = 16;  ///< across the film; bounds the stack arrays below
-
-std::vector<double> stiffness_matrix(const GaussLobatto& gl) {
-  const int n = gl.n;
-  std::vector<double> a(static_cast<std::size_t>(n) * n, 0.0);
-  for (int r = 0; r < n; ++r) {
-    for (int c = 0; c < n; ++c) {
-      for (int m = 0; m < n; ++m) a[r * n + c] += gl.D[m * n + r] * gl.w[m] * gl.D[m * n + c];
-    }
-  }
-  return a;
-}
+constexpr int kMostNodes = 64;  ///< across the film; bounds the stack arrays below
 
 /// Gauss-Jordan inversion in place of a row-major m x m matrix with pivoting by rows [textbook].
 /// M = 0: any size; otherwise the size is known to the compiler.
@@ -84,7 +73,7 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   EXPECTS(p_.grid && p_.gl && p_.gl->n <= kMostNodes);
   const FilmGrid& g = *p_.grid;
   n_ = p_.gl->n;
-  stiffness_ = stiffness_matrix(*p_.gl);
+  stiffness_ = p_.gl->A;
   project(*p_.gl, p_.phi_flow);
   project(*p_.gl, p_.z_flow);
   line_west_.assign(g.cells(), nullptr);
@@ -95,7 +84,14 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   const auto nodes = static_cast<std::size_t>(g.cells()) * n_;
   cross_.assign(nodes, 0.0);
   outflow_.assign(nodes, 0.0);
-  inverse_.assign(static_cast<std::size_t>(g.cells()) * (n_ - 2) * (n_ - 2), 0.0);
+  const auto cells = static_cast<std::size_t>(g.cells());
+  const auto inner = static_cast<std::size_t>(n_ - 2);
+  inverse_.assign(cells * inner * inner, 0.0);
+  base_.assign(cells * inner, 0.0);
+  by_shell_.assign(cells * inner, 0.0);
+  by_shaft_.assign(cells * inner, 0.0);
+  inflow_.assign(cells * 4 * n_, 0.0);
+  source_.assign(cells * 4, 0);
   for (const SupplyVessel& v : p_.vessels) T_mix_.push_back(v.T_supply);
   shell_ring_.assign(g.nz, 0.0);
   shaft_ring_.assign(g.nz, 0.0);
@@ -154,11 +150,17 @@ void FilmEnergy::build_column(int i, int j) {
   double divergence[kMostNodes] = {};
   Inflow faces[4];
   const int count = faces_of(i, j, faces);
+  const int patches = static_cast<int>(p_.vessels.size());
   for (int f = 0; f < count; ++f) {
+    const int s = faces[f].source;
+    const int slot = s >= 0 ? s : p_.grid->cells() + (s == kEdge ? patches : -1 - s);
+    source_[static_cast<std::size_t>(cell) * 4 + f] = slot;
+    double* inflow = &inflow_[(static_cast<std::size_t>(cell) * 4 + f) * n];
     for (int k = 0; k < n; ++k) {
       const double in = faces[f].sign * faces[f].flow[k];
       divergence[k] -= in;
       if (in < 0.0) out[k] -= gl.w[k] * in;
+      if (in > 0.0) inflow[k] = gl.w[k] * in;
     }
   }
   const double direction = p_.forward ? 1.0 : -1.0;
@@ -166,79 +168,69 @@ void FilmEnergy::build_column(int i, int j) {
   for (int k = 1; k + 1 < n; ++k) {
     for (int l = 0; l < n; ++l) V[k] -= gl.Q[k * n + l] * divergence[l];
   }
-  const double* cp = &p_.cp[static_cast<std::size_t>(cell) * n];
-  const double K = p_.conductance[cell];
   const int m = n - 2;
-  const auto entry = [&](int r, int c) {
-    const double flow = r == c ? out[r] * cp[r] : 0.0;
-    return gl.w[r] * gl.D[r * n + c] * V[c] * cp[c] + K * stiffness_[r * n + c] + flow;
-  };
+  double A[kMostNodes * kMostNodes];
+  for (int r = 0; r < n; ++r) matrix_row(cell, r, A + r * n);
   double* inverse = &inverse_[static_cast<std::size_t>(cell) * m * m];
-  for (int r = 0; r < m; ++r) {
-    for (int c = 0; c < m; ++c) inverse[r * m + c] = entry(r + 1, c + 1);
-  }
+  for (int r = 0; r < m; ++r) std::copy_n(A + (r + 1) * n + 1, m, inverse + r * m);
   invert(inverse, m);
-  // Heat into a wall per unit rise of it, the column following: a Schur complement.
-  const auto schur = [&](int wall) {
-    double response = K * stiffness_[wall * n + wall];
-    for (int r = 0; r < m; ++r) {
-      for (int c = 0; c < m; ++c) {
-        response -= entry(wall, r + 1) * inverse[r * m + c] * entry(c + 1, wall);
-      }
+  const double* heat = &p_.heat[static_cast<std::size_t>(cell) * n];
+  double* base = &base_[static_cast<std::size_t>(cell) * m];
+  double* by_shell = &by_shell_[static_cast<std::size_t>(cell) * m];
+  double* by_shaft = &by_shaft_[static_cast<std::size_t>(cell) * m];
+  for (int r = 0; r < m; ++r) {
+    for (int c = 0; c < m; ++c) {
+      base[r] += inverse[r * m + c] * heat[c + 1];
+      by_shell[r] += inverse[r * m + c] * A[(c + 1) * n];
+      by_shaft[r] += inverse[r * m + c] * A[(c + 1) * n + n - 1];
     }
+  }
+  // Heat into a wall per unit rise of it, the column following: a Schur complement.
+  const auto schur = [&](int wall, const double* by_wall) {
+    double response = p_.conductance[cell] * stiffness_[wall * n + wall];
+    for (int r = 0; r < m; ++r) response -= A[wall * n + r + 1] * by_wall[r];
     return response / p_.grid->area(i, j);
   };
-  const double shell = schur(0);
+  const double shell = schur(0, by_shell);
   const double part = p_.grid->dphi[i] / (2.0 * kPi);
   shell_local_ = std::max(shell_local_, shell);
   shell_ring_[j] += part * shell;
-  shaft_ring_[j] += part * schur(n - 1);
+  shaft_ring_[j] += part * schur(n - 1, by_shaft);
 }
 
-void FilmEnergy::solve_column(int i, int j, std::vector<double>& T, double& change) {
-  const int n = n_;
-  const int m = n - 2;
-  const int cell = p_.grid->index(i, j);
-  const std::size_t at = static_cast<std::size_t>(cell) * n;
-  double r[kMostNodes];
-  column_residual(i, j, T, r);
-  const double* inverse = &inverse_[static_cast<std::size_t>(cell) * m * m];
-  for (int k = 0; k < m; ++k) {
-    double d = 0.0;
-    for (int l = 0; l < m; ++l) d += inverse[k * m + l] * r[l + 1];
-    T[at + k + 1] += d;
-    change = std::max(change, std::abs(d));
-  }
-}
-
-void FilmEnergy::column_residual(int i, int j, const std::vector<double>& T, double* r) const {
-  const int n = n_;
+void FilmEnergy::matrix_row(int cell, int k, double* row) const {
   const GaussLobatto& gl = *p_.gl;
-  const int cell = p_.grid->index(i, j);
-  const std::size_t at = static_cast<std::size_t>(cell) * n;
+  const double* V = &cross_[static_cast<std::size_t>(cell) * n_];
+  const double* cp = &p_.cp[static_cast<std::size_t>(cell) * n_];
   const double K = p_.conductance[cell];
-  double enthalpy[kMostNodes], VT[kMostNodes];
-  for (int k = 0; k < n; ++k) {
-    enthalpy[k] = p_.cp[at + k] * (T[at + k] - p_.T_reference);
-    VT[k] = cross_[at + k] * enthalpy[k];
+  for (int l = 0; l < n_; ++l) {
+    row[l] = gl.w[k] * gl.D[k * n_ + l] * V[l] * cp[l] + K * stiffness_[k * n_ + l];
   }
-  for (int k = 0; k < n; ++k) {
-    double conduction = 0.0;
-    double across = 0.0;
-    for (int l = 0; l < n; ++l) {
-      conduction += stiffness_[k * n + l] * T[at + l];
-      across += gl.D[k * n + l] * VT[l];
-    }
-    r[k] = p_.heat[at + k] - K * conduction - gl.w[k] * across - outflow_[at + k] * enthalpy[k];
+  row[k] += outflow_[static_cast<std::size_t>(cell) * n_ + k] * cp[k];
+}
+
+double FilmEnergy::wall_row(int cell, int k, const std::vector<double>& T,
+                            const std::vector<double>& enthalpy) const {
+  const std::size_t at = static_cast<std::size_t>(cell) * n_;
+  double row[kMostNodes];
+  matrix_row(cell, k, row);
+  double heat = p_.heat[at + k];
+  for (int l = 0; l < n_; ++l) heat -= row[l] * (T[at + l] - p_.T_reference);
+  for (int f = 0; f < 4; ++f) {
+    const auto slot = static_cast<std::size_t>(source_[static_cast<std::size_t>(cell) * 4 + f]);
+    heat += inflow_[at * 4 + f * n_ + k] * enthalpy[slot * n_ + k];
   }
-  Inflow faces[4];
-  const int count = faces_of(i, j, faces);
-  for (int f = 0; f < count; ++f) {
-    for (int k = 0; k < n; ++k) {
-      const double in = faces[f].sign * faces[f].flow[k];
-      if (in > 0.0) r[k] += gl.w[k] * in * source_enthalpy(faces[f], k, T);
-    }
+  return heat;
+}
+
+void FilmEnergy::enthalpies_of(const std::vector<double>& T, std::vector<double>& enthalpy) const {
+  const std::size_t nodes = p_.cp.size();
+  enthalpy.resize(nodes + (p_.vessels.size() + 1) * n_);
+  for (std::size_t k = 0; k < nodes; ++k) enthalpy[k] = p_.cp[k] * (T[k] - p_.T_reference);
+  for (std::size_t v = 0; v < p_.vessels.size(); ++v) {
+    std::fill_n(&enthalpy[nodes + v * n_], n_, p_.vessels[v].cp_mix * (T_mix_[v] - p_.T_reference));
   }
+  std::fill_n(enthalpy.end() - n_, n_, p_.cp_edge * (p_.T_edge - p_.T_reference));
 }
 
 std::vector<FilmEnergy::VesselFlow> FilmEnergy::vessel_flows(const std::vector<double>& T) const {
@@ -281,34 +273,70 @@ void FilmEnergy::mix(std::vector<double>& T) {
   }
 }
 
-double FilmEnergy::sweep(std::vector<double>& T) {
+template <int N>
+double FilmEnergy::march(std::vector<double>& T) {
   const FilmGrid& g = *p_.grid;
-  mix(T);
+  const int n = N > 0 ? N : n_;
+  const int m = n - 2;
+  const double T0 = p_.T_reference;
   double change = 0.0;
+  const auto column = [&](int i, int j) {
+    const int cell = g.index(i, j);
+    if (p_.patch[cell] >= 0) return;
+    const std::size_t at = static_cast<std::size_t>(cell) * n;
+    const std::size_t at_inner = static_cast<std::size_t>(cell) * m;
+    const double* inflow = &inflow_[at * 4];
+    const int* source = &source_[static_cast<std::size_t>(cell) * 4];
+    double in[N > 0 ? N : kMostNodes] = {};
+    for (int f = 0; f < 4; ++f) {
+      const double* enthalpy = &enthalpy_[static_cast<std::size_t>(source[f]) * n];
+      for (int k = 0; k < m; ++k) in[k] += inflow[f * n + k + 1] * enthalpy[k + 1];
+    }
+    const double shell = T[at] - T0;
+    const double shaft = T[at + n - 1] - T0;
+    const double* inverse = &inverse_[at_inner * m];
+    for (int k = 0; k < m; ++k) {
+      double x =
+          base_[at_inner + k] - by_shell_[at_inner + k] * shell - by_shaft_[at_inner + k] * shaft;
+      for (int l = 0; l < m; ++l) x += inverse[k * m + l] * in[l];
+      change = std::max(change, std::abs(T0 + x - T[at + k + 1]));
+      T[at + k + 1] = T0 + x;
+      enthalpy_[at + k + 1] = p_.cp[at + k + 1] * x;
+    }
+  };
   const int middle = g.half ? 0 : g.nz / 2;
   for (int step = 0; step < g.nt; ++step) {
     const int i = p_.forward ? step : g.nt - 1 - step;
-    const auto column = [&](int j) {
-      if (p_.patch[g.index(i, j)] < 0) solve_column(i, j, T, change);
-    };
-    for (int j = middle; j < g.nz; ++j) column(j);  // pressure drives the oil outwards
-    for (int j = middle - 1; j >= 0; --j) column(j);
+    for (int j = middle; j < g.nz; ++j) column(i, j);  // pressure drives the oil outwards
+    for (int j = middle - 1; j >= 0; --j) column(i, j);
   }
   return change;
+}
+
+double FilmEnergy::sweep(std::vector<double>& T) {
+  mix(T);
+  enthalpies_of(T, enthalpy_);
+  switch (n_) {  // the usual sizes with loops that the compiler can unroll
+    case 5:
+      return march<5>(T);
+    case 7:
+      return march<7>(T);
+    case 9:
+      return march<9>(T);
+    default:
+      return march<0>(T);
+  }
 }
 
 WallHeat FilmEnergy::wall_heat(const std::vector<double>& T) const {
   const FilmGrid& g = *p_.grid;
   WallHeat q{Field(g.cells(), 0.0), Field(g.cells(), 0.0)};
-  double r[kMostNodes];
-  for (int i = 0; i < g.nt; ++i) {
-    for (int j = 0; j < g.nz; ++j) {
-      const int cell = g.index(i, j);
-      if (p_.patch[cell] >= 0) continue;
-      column_residual(i, j, T, r);
-      q.shell[cell] = r[0];
-      q.shaft[cell] = r[n_ - 1];
-    }
+  std::vector<double> enthalpy;
+  enthalpies_of(T, enthalpy);
+  for (int cell = 0; cell < g.cells(); ++cell) {
+    if (p_.patch[cell] >= 0) continue;
+    q.shell[cell] = wall_row(cell, 0, T, enthalpy);
+    q.shaft[cell] = wall_row(cell, n_ - 1, T, enthalpy);
   }
   return q;
 }
@@ -318,6 +346,7 @@ WallResponse FilmEnergy::wall_response(int laps) const {
   FilmEnergy film = *this;  // the same flow without any heat of its own
   const double cold = p_.T_reference;
   std::fill(film.p_.heat.begin(), film.p_.heat.end(), 0.0);
+  std::fill(film.base_.begin(), film.base_.end(), 0.0);
   for (SupplyVessel& v : film.p_.vessels) {
     v.T_supply = cold;
     v.heat = 0.0;

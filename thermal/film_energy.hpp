@@ -123,22 +123,37 @@ class FilmEnergy {
   int faces_of(int i, int j, Inflow* faces) const;
   [[nodiscard]] double source_enthalpy(const Inflow& f, int k, const std::vector<double>& T) const;
   void build_column(int i, int j);
-  void solve_column(int i, int j, std::vector<double>& T, double& change);
-  /// Row k of (1), weights included, without the wall flux: heat not accounted for [W].
-  void column_residual(int i, int j, const std::vector<double>& T, double* r) const;
+  /// Row `k` of the column's matrix, weights included, by T - T_reference [W/K].
+  void matrix_row(int cell, int k, double* row) const;
+  /// Row k of (1) at a wall node, weights included: heat into that wall [W]. enthalpies_of(T)
+  /// first.
+  [[nodiscard]] double wall_row(int cell, int k, const std::vector<double>& T,
+                                const std::vector<double>& enthalpy) const;
+  /// cp (T - T_reference) of all slots: cells, then patches, then the side edge [J/kg].
+  void enthalpies_of(const std::vector<double>& T, std::vector<double>& enthalpy) const;
+  /// One sweep with N nodes across the film (0: any number). Returns the largest change [K].
+  template <int N>
+  double march(std::vector<double>& T);
   [[nodiscard]] std::vector<VesselFlow> vessel_flows(const std::vector<double>& T) const;
   void mix(std::vector<double>& T);
 
   FilmEnergyProblem p_;
   int n_ = 0;
-  std::vector<double> stiffness_;           ///< D^T W D, n x n
-  std::vector<double> cross_;               ///< V per cell and node [kg/s]
-  std::vector<double> outflow_;             ///< w_k * sum of outflows, per cell and node [kg/s]
-  std::vector<double> inverse_;             ///< (n-2)^2 per cell
-  std::vector<double> T_mix_;               ///< per patch [K]
-  std::vector<int> shore_;                  ///< film cells with a face to a patch
-  std::vector<const LineFlow*> line_west_;  ///< per face: the flow into its line
-  double shell_local_ = 0.0;                ///< largest of all columns [W/(m2 K)]
+  std::vector<double> stiffness_;  ///< conduction of the nodal set, n x n
+  std::vector<double> cross_;      ///< V per cell and node [kg/s]
+  std::vector<double> outflow_;    ///< w_k * sum of outflows, per cell and node [kg/s]
+  // Interior nodes of a column, solved: T = base - by_shell T_shell - by_shaft T_shaft
+  // + inverse (inflow of enthalpy), temperatures from T_reference.
+  std::vector<double> inverse_;                  ///< (n-2)^2 per cell
+  std::vector<double> base_;                     ///< n-2 per cell [K]
+  std::vector<double> by_shell_, by_shaft_;      ///< n-2 per cell [-]
+  std::vector<double> inflow_;                   ///< 4 faces x n per cell, weights included [kg/s]
+  std::vector<int> source_;                      ///< 4 slots per cell from which that flow comes
+  std::vector<double> enthalpy_;                 ///< n per slot [J/kg]
+  std::vector<double> T_mix_;                    ///< per patch [K]
+  std::vector<int> shore_;                       ///< film cells with a face to a patch
+  std::vector<const LineFlow*> line_west_;       ///< per face: the flow into its line
+  double shell_local_ = 0.0;                     ///< largest of all columns [W/(m2 K)]
   std::vector<double> shell_ring_, shaft_ring_;  ///< mean over the columns at each z [W/(m2 K)]
   long backflow_ = 0;
 };

@@ -80,7 +80,7 @@ int validate(const Request& request) {
   for (const std::string& path : {request.json, request.output, request.csv}) expect_folder(path);
   const std::string ledger = ledger_folder(request.ledger);
   const std::vector<Entry> entries = read_entries(ledger, request.names);
-  const std::vector<UnrunDataset> gaps = request.names.empty() ? read_gaps(ledger) : std::vector<UnrunDataset>{};
+  const std::vector<UnrunDataset> gaps = request.names.empty() ? read_unrun(ledger) : std::vector<UnrunDataset>{};
   if (request.list) {
     list_entries(entries, gaps);
     return kDone;

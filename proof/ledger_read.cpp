@@ -291,7 +291,7 @@ Entry read_entry(const std::string& ledger, const std::string& name) {
   return entry;
 }
 
-std::vector<UnrunDataset> read_gaps(const std::string& ledger) {
+std::vector<UnrunDataset> read_unrun(const std::string& ledger) {
   const std::string path = (fs::path(ledger) / "not-run.toml").string();
   std::vector<UnrunDataset> gaps;
   if (!fs::exists(path)) return gaps;

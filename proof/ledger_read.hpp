@@ -25,6 +25,6 @@ namespace shellback::proof {
 [[nodiscard]] Entry read_entry(const std::string& ledger, const std::string& name);
 
 /// The datasets without an entry, from not-run.toml; empty if there is no such file.
-[[nodiscard]] std::vector<UnrunDataset> read_gaps(const std::string& ledger);
+[[nodiscard]] std::vector<UnrunDataset> read_unrun(const std::string& ledger);
 
 }  // namespace shellback::proof

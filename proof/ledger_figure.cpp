@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/svg_axes.hpp"
 #include "app/svg_lines.hpp"
 #include "proof/plot.hpp"
 
@@ -155,8 +156,13 @@ Scales scales_of(const EntryReport& report, const Panel& panel, const Picture& p
       for (const Point& p : part) y.push_back(p.y);
     }
   }
-  Scale across = make_scale(x, report.entry.figure.x_logarithmic, false,
-                            report.entry.figure.x_title);
+  const FigureSpec& f = report.entry.figure;
+  Scale across = make_scale(x, f.x_logarithmic, false, f.x_title);
+  if (!f.x_logarithmic && !x.empty()) {  // the rows end where their axis ends
+    const auto [low, high] = std::minmax_element(x.begin(), x.end());
+    const Axis axis = tight_axis(*low, *high, 8, "");
+    across = {axis.low, axis.high, false, axis.ticks, f.x_title};
+  }
   return {across, make_scale(y, panel.logarithmic, true, panel.title),
           make_scale(share, false, false, "over allowed")};
 }

@@ -13,6 +13,7 @@ namespace {
 
 /// Number at the fraction u from a to b, along the logarithm if that is asked for and possible.
 double mixed(double a, double b, double u, bool logarithmic) {
+  if (a == b) return a;  // a series' value stays itself, to the last digit
   if (logarithmic && a > 0.0 && b > 0.0) return a * std::pow(b / a, u);
   return (1.0 - u) * a + u * b;
 }

@@ -98,8 +98,8 @@ void Svg::fill(const std::string& path, const std::string& colour) {
 
 void Svg::shade(const std::string& path, const std::string& colour, double opacity) {
   if (path.empty()) return;
-  body_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"{:.2f}\" stroke=\"none\"/>\n", path,
-                       colour, opacity);
+  body_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"{:.2f}\" stroke=\"none\"/>\n",
+                       path, colour, opacity);
 }
 
 void Svg::stroke(const std::string& path, const Stroke& stroke) {

@@ -2,12 +2,14 @@
 /// What one solve gives: scalars, audit, effects, cost, fields. SI units, kelvin, radians.
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/grid.hpp"
 #include "core/outcome.hpp"
 #include "coupling/case.hpp"
+#include "coupling/coefficients.hpp"
 
 namespace shellback::coupling {
 
@@ -104,6 +106,7 @@ struct Result {
   std::array<int, 2> grid{0, 0};
   Cost cost;
   std::vector<HistoryEntry> history;
+  std::optional<Coefficients> coefficients;  ///< if the case asks for them
   std::vector<LevelRecord> levels;  ///< from the coarsest grid to the finest that converged
   Fields fields;
 

@@ -9,8 +9,7 @@ namespace {
 
 using namespace app;
 
-const std::vector<std::string> kCommands{"init",    "check", "run",
-                                         "compare", "chart", "validate"};
+const std::vector<std::string> kCommands{"init", "check", "run", "compare", "chart", "validate"};
 constexpr int kMostThreads = 1024;
 
 void add_case_options(CLI::App& command, Request& request) {
@@ -39,8 +38,7 @@ void add_validate(CLI::App& app, Request& request) {
   validate->add_option("NAME", request.names, "entries; without one, all of them");
   validate->add_flag("--list", request.list, "list the entries without running them");
   validate->add_flag("--rows", request.all_rows, "print every row, not only the worst");
-  validate
-      ->add_option("-j", request.threads, "threads that may be used")
+  validate->add_option("-j", request.threads, "threads that may be used")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
   validate->add_option("-o", request.output, "write the page with figures and bands (HTML)")

@@ -20,7 +20,8 @@ void list_entries(const std::vector<Entry>& entries, const std::vector<UnrunData
     std::cout << fmt::format("{:<24} {}\n", entry.name, entry.title);
   }
   if (!gaps.empty()) std::cout << "\nnot runnable:\n";
-  for (const UnrunDataset& gap : gaps) std::cout << fmt::format("  {}: {}\n", gap.title, gap.reason);
+  for (const UnrunDataset& gap : gaps)
+    std::cout << fmt::format("  {}: {}\n", gap.title, gap.reason);
 }
 
 /// Runs the entries one after the other, each printed as soon as it is done. Ends early when
@@ -68,7 +69,8 @@ int tell_verdicts(const std::vector<EntryReport>& reports, std::size_t wanted) {
     std::cerr << which << "\n";
   }
   if (reports.size() < wanted) {
-    std::cerr << fmt::format("interrupted: {} of {} entries are finished\n", reports.size(), wanted);
+    std::cerr << fmt::format("interrupted: {} of {} entries are finished\n", reports.size(),
+                             wanted);
     return kInterrupted;
   }
   return code;
@@ -80,7 +82,8 @@ int validate(const Request& request) {
   for (const std::string& path : {request.json, request.output, request.csv}) expect_folder(path);
   const std::string ledger = ledger_folder(request.ledger);
   const std::vector<Entry> entries = read_entries(ledger, request.names);
-  const std::vector<UnrunDataset> gaps = request.names.empty() ? read_unrun(ledger) : std::vector<UnrunDataset>{};
+  const std::vector<UnrunDataset> gaps =
+      request.names.empty() ? read_unrun(ledger) : std::vector<UnrunDataset>{};
   if (request.list) {
     list_entries(entries, gaps);
     return kDone;

@@ -34,9 +34,10 @@ bool holds(const Condition& condition, const RowNumbers& point) {
       return there && fits(*there, pair.second);
     });
   };
-  return all(condition.at, [](double a, double b) {
-           return std::abs(a - b) <= kSlack * std::max(1.0, std::abs(b));
-         }) &&
+  return all(condition.at,
+             [](double a, double b) {
+               return std::abs(a - b) <= kSlack * std::max(1.0, std::abs(b));
+             }) &&
          all(condition.above, [](double a, double b) { return a > b + kSlack * std::abs(b); }) &&
          all(condition.below, [](double a, double b) { return a < b - kSlack * std::abs(b); });
 }

@@ -18,10 +18,10 @@ using namespace app;
 constexpr double kWidth = 620.0;
 constexpr double kLeft = 74.0;
 constexpr double kRight = 14.0;
-constexpr double kTop = 62.0;          ///< title and legend
-constexpr double kMain = 300.0;        ///< height of the main plot
+constexpr double kTop = 62.0;    ///< title and legend
+constexpr double kMain = 300.0;  ///< height of the main plot
 constexpr double kBetween = 16.0;
-constexpr double kDifference = 84.0;   ///< height of the difference
+constexpr double kDifference = 84.0;  ///< height of the difference
 constexpr double kBottom = 42.0;
 constexpr double kBandOpacity = 0.16;
 
@@ -235,7 +235,8 @@ class Legend {
     svg_.shade(line_path({{at_.x, at_.y - 9.0},
                           {at_.x + 16.0, at_.y - 9.0},
                           {at_.x + 16.0, at_.y + 1.0},
-                          {at_.x, at_.y + 1.0}}) + "Z",
+                          {at_.x, at_.y + 1.0}}) +
+                   "Z",
                colour, 2.0 * kBandOpacity);
     word(name, 21.0);
   }
@@ -263,7 +264,8 @@ void draw_legend(Svg& svg, const EntryReport& report, const Panel& panel, const 
     legend.line(many ? fmt::format("{} {:.4g}", f.series_title, value) : "ours", stroke);
   }
   for (std::size_t part = 0; part < panel.parts.size(); ++part) {
-    legend.line(panel.parts[part].title, {theme.series[(part + 1) % theme.series.size()], 2.0, "5 3"});
+    legend.line(panel.parts[part].title,
+                {theme.series[(part + 1) % theme.series.size()], 2.0, "5 3"});
   }
   legend.next_row();
   std::vector<Evidence> kinds;

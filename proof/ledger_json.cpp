@@ -63,7 +63,8 @@ ordered_json feature_json(const FeatureReport& f) {
 
 }  // namespace
 
-std::string ledger_json(const std::vector<EntryReport>& reports, const std::vector<UnrunDataset>& gaps) {
+std::string ledger_json(const std::vector<EntryReport>& reports,
+                        const std::vector<UnrunDataset>& gaps) {
   ordered_json root;
   root["entries"] = ordered_json::array();
   for (const EntryReport& report : reports) {

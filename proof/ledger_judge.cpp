@@ -22,9 +22,10 @@ double our_value(const Entry& entry, const Values& values, const std::string& na
   if (values.value.empty()) return kNone;
   std::vector<std::string> known;
   for (const auto& [word, value] : values.value) known.push_back(word);
-  throw InputError(entry.folder + "/entry.toml",
-                   fmt::format("the evaluator {} gives no value {}{}", app::in_quotes(entry.evaluator),
-                               app::in_quotes(name), app::choices_for(name, known, "it gives")));
+  throw InputError(
+      entry.folder + "/entry.toml",
+      fmt::format("the evaluator {} gives no value {}{}", app::in_quotes(entry.evaluator),
+                  app::in_quotes(name), app::choices_for(name, known, "it gives")));
 }
 
 /// Why the row's expected value is not judged; empty if it is.
@@ -157,7 +158,8 @@ FeatureReport judge_feature(const EntryReport& report, const Feature& feature) {
     if (const auto other = entry.table->number(row, feature.column)) theirs.push_back({x, *other});
   }
   const Lowest mine = lowest(std::move(ours), logarithmic);
-  FeatureReport f{feature, mine.at, mine.refined, lowest(std::move(theirs), logarithmic).refined,
+  FeatureReport f{feature,           mine.at,
+                  mine.refined,      lowest(std::move(theirs), logarithmic).refined,
                   Judgement::within, ""};
   constexpr double kSlack = 1e-9;  // a row's abscissa through logarithm and back
   if (!std::isfinite(f.ours)) {

@@ -40,9 +40,9 @@ struct QuantityReport {
   std::vector<RowReport> rows;
   int judged = 0;
   int missing = 0;
-  int worst = -1;            ///< index in `rows`: largest |difference|/allowed; -1: none judged
-  double rms = 0.0;          ///< of the differences judged, in the unit
-  double rms_relative = 0.0; ///< over the rms of theirs [-]
+  int worst = -1;             ///< index in `rows`: largest |difference|/allowed; -1: none judged
+  double rms = 0.0;           ///< of the differences judged, in the unit
+  double rms_relative = 0.0;  ///< over the rms of theirs [-]
   Judgement verdict = Judgement::within;
 };
 
@@ -82,7 +82,8 @@ struct BandWidth {
   double low = 0.0;
   double high = 0.0;
 };
-[[nodiscard]] BandWidth band_at(const EntryReport& report, const std::string& ours, std::size_t row);
+[[nodiscard]] BandWidth band_at(const EntryReport& report, const std::string& ours,
+                                std::size_t row);
 
 /// Fills `quantities` and `features` from `points`. Throws InputError if an evaluator knows no
 /// value of a name that the entry asks for, or a cell is no number.

@@ -75,10 +75,9 @@ std::string overview_html(const std::vector<EntryReport>& reports) {
       if (report.has(evidence)) rows += overview_row(report, evidence);
     }
     if (rows.empty()) continue;
-    html += fmt::format("<tr class=\"kind\"><th colspan=\"5\">{}{}</th></tr>\n{}",
-                        to_string(evidence),
-                        evidence == Evidence::own ? ": an alarm when digits move, no proof" : "",
-                        rows);
+    html +=
+        fmt::format("<tr class=\"kind\"><th colspan=\"5\">{}{}</th></tr>\n{}", to_string(evidence),
+                    evidence == Evidence::own ? ": an alarm when digits move, no proof" : "", rows);
   }
   return html + "</tbody></table></div>\n";
 }
@@ -87,10 +86,10 @@ std::string quantity_row(const EntryReport& report, const QuantityReport& q) {
   std::string values = "<td colspan=\"5\" class=\"quiet\">no value judged</td>";
   if (q.worst >= 0) {
     const RowReport& r = q.rows[static_cast<std::size_t>(q.worst)];
-    values = fmt::format(
-        "<td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
-        escape_markup(row_label(report.entry, report.points[r.row].point)), short_number(r.ours),
-        short_number(r.theirs), signed_number(r.difference), short_number(r.allowed));
+    values = fmt::format("<td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+                         escape_markup(row_label(report.entry, report.points[r.row].point)),
+                         short_number(r.ours), short_number(r.theirs), signed_number(r.difference),
+                         short_number(r.allowed));
   }
   return fmt::format(
       "<tr><td class=\"left\">{}{}<small>{}</small></td><td>{}</td>{}<td>{:.2g} %</td>"
@@ -136,10 +135,10 @@ std::string rows_html(const EntryReport& report) {
   for (const QuantityReport& q : report.quantities) {
     for (const RowReport& r : q.rows) {
       const BandWidth band = band_at(report, q.spec.ours, r.row);
-      const std::string width =
-          std::isfinite(band.low) ? fmt::format("{} to {}", short_number(q.spec.scale * band.low),
-                                                short_number(q.spec.scale * band.high))
-                                  : "";
+      const std::string width = std::isfinite(band.low)
+                                    ? fmt::format("{} to {}", short_number(q.spec.scale * band.low),
+                                                  short_number(q.spec.scale * band.high))
+                                    : "";
       html += fmt::format(
           "<tr><td class=\"left\">{}<small>{}</small></td><td class=\"left\">{}</td><td>{}</td>"
           "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}<small>{}</small></td></tr>\n",
@@ -199,9 +198,10 @@ std::string unknowns_html(const EntryReport& report) {
 }
 
 std::string facts_html(const Entry& entry) {
-  std::string html = fmt::format("<dl class=\"facts\"><dt>compared</dt><dd>{}</dd>"
-                                 "<dt>source</dt><dd>{}</dd>",
-                                 escape_markup(entry.compared), escape_markup(entry.source));
+  std::string html = fmt::format(
+      "<dl class=\"facts\"><dt>compared</dt><dd>{}</dd>"
+      "<dt>source</dt><dd>{}</dd>",
+      escape_markup(entry.compared), escape_markup(entry.source));
   if (!entry.assumptions.empty()) {
     html += "<dt>assumed</dt><dd><ul>";
     for (const std::string& line : entry.assumptions) {
@@ -268,7 +268,8 @@ std::string ledger_page(const std::vector<EntryReport>& reports,
       "<p class=\"kicker\">Shellback validation</p>\n<h1>The ledger: ours against theirs</h1>\n"
       "<p class=\"scene\">What was published stands apart from what was recomputed or derived for "
       "the comparison, and both from our own former digits. Lines are ours, marks are theirs; the "
-      "strip below a picture shows each difference over what is allowed, and inside the shaded zone "
+      "strip below a picture shows each difference over what is allowed, and inside the shaded "
+      "zone "
       "a value is within.</p>\n",
       app::page_style(), kStyle);
   html += overview_html(reports);

@@ -143,8 +143,8 @@ Unknown read_unknown(const Section& s, const std::vector<BearingPart>& bearings)
 }
 
 Feature read_feature(const Section& s, const Table& table) {
-  s.only({"name", "minimum_of", "column", "along", "where", "above", "below", "from", "to", "unit", "kind",
-          "why"},
+  s.only({"name", "minimum_of", "column", "along", "where", "above", "below", "from", "to", "unit",
+          "kind", "why"},
          "a [[feature]]");
   Feature f;
   f.name = s.text("name");
@@ -163,8 +163,9 @@ Feature read_feature(const Section& s, const Table& table) {
 Panel read_panel(const Section& s, const Table& table) {
   s.only({"ours", "title", "head", "logarithmic", "where", "above", "below", "part"},
          "a [[figure.panel]]");
-  Panel panel{s.text("ours"),           s.text("title"), text_or(s, "head", ""),
-              s.maybe_switch("logarithmic").value_or(false), read_condition(s, table), {}};
+  Panel panel{s.text("ours"),           s.text("title"),
+              text_or(s, "head", ""),   s.maybe_switch("logarithmic").value_or(false),
+              read_condition(s, table), {}};
   for (const Section& part : s.sections("part")) {
     part.only({"ours", "title"}, "a [[figure.panel.part]]");
     panel.parts.push_back({part.text("ours"), part.text("title")});
@@ -200,7 +201,8 @@ std::string read_evaluator(const Section& file) {
 
 void read_lists(const Section& file, const fs::path& folder, Entry& entry) {
   const Table& table = *entry.table;
-  for (const Section& s : file.sections("bearing")) entry.bearings.push_back(read_bearing(s, folder));
+  for (const Section& s : file.sections("bearing"))
+    entry.bearings.push_back(read_bearing(s, folder));
   for (const Section& s : file.sections("vary")) entry.vary.push_back(read_vary(s, table));
   for (const Section& s : file.sections("quantity")) {
     entry.quantities.push_back(read_quantity(s, table));

@@ -62,7 +62,8 @@ void place_points(EntryReport& report, bool curves) {
     report.points.push_back({rows[k], static_cast<int>(k), {}});
   }
   if (!curves) return;
-  for (RowNumbers& p : points_between(report.entry, rows)) report.points.push_back({std::move(p), -1, {}});
+  for (RowNumbers& p : points_between(report.entry, rows))
+    report.points.push_back({std::move(p), -1, {}});
 }
 
 void work(EntryReport& report, const std::vector<Task>& tasks, const RunOptions& options) {
@@ -77,8 +78,8 @@ void work(EntryReport& report, const std::vector<Task>& tasks, const RunOptions&
     if (options.control.stop != nullptr && options.control.stop->load()) stopped = true;
     if (stopped) return;
     const Task& task = tasks[static_cast<std::size_t>(k)];
-    *task.into = evaluator.values(
-        {report.entry, *task.point, *task.changes, options.control, prepared});
+    *task.into =
+        evaluator.values({report.entry, *task.point, *task.changes, options.control, prepared});
     if (task.into->interrupted) stopped = true;
     const std::lock_guard<std::mutex> lock(telling);
     ++done;

@@ -21,6 +21,7 @@ struct RunOptions {
 
 /// Points of our curve between the rows: `figure.between` in each interval of a series, evenly
 /// spaced along x (or its logarithm), other numbers interpolated alike.
-[[nodiscard]] std::vector<RowNumbers> points_between(const Entry& entry, const std::vector<RowNumbers>& rows);
+[[nodiscard]] std::vector<RowNumbers> points_between(const Entry& entry,
+                                                     const std::vector<RowNumbers>& rows);
 
 }  // namespace shellback::proof

@@ -73,15 +73,17 @@ Table::Table(const std::string& text, std::string path) : path_(std::move(path))
       continue;
     }
     if (cells.size() > columns_.size()) {
-      throw InputError(place(path_, number), fmt::format("{} cells, but the header names {} columns",
-                                                         cells.size(), columns_.size()));
+      throw InputError(
+          place(path_, number),
+          fmt::format("{} cells, but the header names {} columns", cells.size(), columns_.size()));
     }
     cells.resize(columns_.size());
     lines_.push_back({number, std::move(cells)});
   }
   if (lines_.empty()) {
-    throw InputError(place(path_, 1), "this table has no lines: a ledger entry over nothing would "
-                                      "hold of anything; give a header and at least one line");
+    throw InputError(place(path_, 1),
+                     "this table has no lines: a ledger entry over nothing would "
+                     "hold of anything; give a header and at least one line");
   }
 }
 
@@ -114,7 +116,8 @@ std::optional<double> Table::number(std::size_t line, const std::string& column)
 std::map<std::string, double> Table::numbers(std::size_t line) const {
   std::map<std::string, double> numbers;
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    if (const auto value = number_or_quotient(lines_.at(line).cell[k])) numbers[columns_[k]] = *value;
+    if (const auto value = number_or_quotient(lines_.at(line).cell[k]))
+      numbers[columns_[k]] = *value;
   }
   return numbers;
 }

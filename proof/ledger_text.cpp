@@ -46,9 +46,9 @@ void write_quantity(std::ostream& out, const QuantityReport& q, const EntryRepor
 void write_features(std::ostream& out, const EntryReport& report, Evidence evidence) {
   for (const FeatureReport& f : report.features) {
     if (f.feature.evidence != evidence) continue;
-    fmt::print(out, kHead, f.feature.name + " [" + f.feature.unit + "]", "", "", short_number(f.ours),
-               fmt::format("{:.5g}-{:.5g}", f.feature.low, f.feature.high), "", "", "",
-               to_string(f.verdict));
+    fmt::print(out, kHead, f.feature.name + " [" + f.feature.unit + "]", "", "",
+               short_number(f.ours), fmt::format("{:.5g}-{:.5g}", f.feature.low, f.feature.high),
+               "", "", "", to_string(f.verdict));
     if (!std::isfinite(f.ours_refined)) continue;
     fmt::print(out, kHead, "  by a parabola through three rows, not judged", "", "",
                short_number(f.ours_refined), short_number(f.theirs_refined), "", "", "", "");
@@ -118,8 +118,8 @@ void write_summary(std::ostream& out, const std::vector<EntryReport>& reports,
       const Judgement verdict = r.verdict(evidence);
       if (verdict == Judgement::within) ++within;
       if (verdict == Judgement::outside || verdict == Judgement::missing) {
-        others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", r.entry.name,
-                              to_string(verdict));
+        others +=
+            fmt::format("{}{} ({})", others.empty() ? "" : ", ", r.entry.name, to_string(verdict));
       }
     }
     if (all == 0) continue;
@@ -140,21 +140,20 @@ std::string ledger_csv(const std::vector<EntryReport>& reports) {
     for (const QuantityReport& q : report.quantities) {
       for (const RowReport& r : q.rows) {
         const bool missing = !std::isfinite(r.ours);
-        csv += fmt::format(
-            "{},{},{},{},{},{},{:.9g},{},{:.9g},{},{}\n", report.entry.name,
-            to_string(q.spec.evidence), csv_cell(q.spec.name), csv_cell(q.spec.unit),
-            csv_cell(row_label(report.entry, report.points[r.row].point)),
-            missing ? "" : fmt::format("{:.9g}", r.ours), r.theirs,
-            missing ? "" : fmt::format("{:.9g}", r.difference), r.allowed, to_string(r.judgement),
-            csv_cell(r.reason));
+        csv += fmt::format("{},{},{},{},{},{},{:.9g},{},{:.9g},{},{}\n", report.entry.name,
+                           to_string(q.spec.evidence), csv_cell(q.spec.name), csv_cell(q.spec.unit),
+                           csv_cell(row_label(report.entry, report.points[r.row].point)),
+                           missing ? "" : fmt::format("{:.9g}", r.ours), r.theirs,
+                           missing ? "" : fmt::format("{:.9g}", r.difference), r.allowed,
+                           to_string(r.judgement), csv_cell(r.reason));
       }
     }
     for (const FeatureReport& f : report.features) {
       csv += fmt::format("{},{},{},{},,{},{:.9g} to {:.9g},,,{},{}\n", report.entry.name,
                          to_string(f.feature.evidence), csv_cell(f.feature.name),
                          csv_cell(f.feature.unit),
-                         std::isfinite(f.ours) ? fmt::format("{:.9g}", f.ours) : "",
-                         f.feature.low, f.feature.high, to_string(f.verdict), csv_cell(f.reason));
+                         std::isfinite(f.ours) ? fmt::format("{:.9g}", f.ours) : "", f.feature.low,
+                         f.feature.high, to_string(f.verdict), csv_cell(f.reason));
     }
   }
   return csv;

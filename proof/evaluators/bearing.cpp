@@ -20,9 +20,9 @@ Case case_of(const Question& q, const BearingPart& part) {
   for (const Vary& vary : q.entry.vary) {
     if (!vary.bearing.empty() && vary.bearing != part.name) continue;
     const double number = vary.factor * q.number(vary.column);
-    overrides.push_back({vary.key,
-                         fmt::format("{:.15g}{}{}", number, vary.unit.empty() ? "" : " ", vary.unit),
-                         fmt::format("{}/entry.toml: {}", q.entry.folder, vary.key)});
+    overrides.push_back(
+        {vary.key, fmt::format("{:.15g}{}{}", number, vary.unit.empty() ? "" : " ", vary.unit),
+         fmt::format("{}/entry.toml: {}", q.entry.folder, vary.key)});
   }
   const auto changed = q.changes.find(part.name);
   if (changed != q.changes.end()) {

@@ -21,6 +21,21 @@ double inlet_flow(const coupling::Solution& s) {
   return sum * scene.grid.multiplicity();
 }
 
+/// Stiffness and damping in load axes and the whirl threshold, where the case asks for them.
+void add_coefficients(const coupling::Solution& s, std::map<std::string, double>& value) {
+  if (!s.coefficients || !s.coefficients->verdict.good()) return;
+  const coupling::Coefficients& k = *s.coefficients;
+  const char* axis[] = {"x", "y"};
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      value[std::string("K_") + axis[i] + axis[j]] = k.K_load[i][j];
+      value[std::string("B_") + axis[i] + axis[j]] = k.C_load[i][j];
+    }
+  }
+  value["whirl_speed_number"] = k.speed_ratio;
+  value["whirl_frequency_ratio"] = k.whirl_ratio;
+}
+
 }  // namespace
 
 void add_bearing_numbers(const coupling::Solution& s, std::map<std::string, double>& value) {
@@ -43,6 +58,7 @@ void add_bearing_numbers(const coupling::Solution& s, std::map<std::string, doub
   value["side_flow_number"] = side / (R * gap * N * L);
   value["side_flow_per_R3"] = side / (R * R * gap * omega);
   value["mean_over_peak"] = W / (area * peak);
+  add_coefficients(s, value);
   if (inlet == 0.0) return;
   value["inlet_flow_number"] = inlet / (R * gap * N * L);
   value["side_flow_share"] = side / inlet;

@@ -16,7 +16,10 @@ namespace shellback::proof {
 ///   inlet_flow_number  Q/(R c N L) through the supply line at which the film begins [-]
 ///   side_flow_share    Q_s/Q [-]
 ///   mean_over_peak     W/(L D p_max) [-]
-/// The last three flows only with a supply line. Definitions: validation/data, headers.
+///   K_xx ... B_yy      stiffness c K/W and damping c |omega| B/W in load axes [-]
+///   whirl_speed_number, whirl_frequency_ratio   omega sqrt(c m/W) at the threshold, nu/omega [-]
+/// Flows through a supply line only with one; K, B and whirl only if model.coefficients is set.
+/// Definitions: validation/data, headers.
 void add_bearing_numbers(const coupling::Solution& solution, std::map<std::string, double>& value);
 
 }  // namespace shellback::proof

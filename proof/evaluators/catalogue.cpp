@@ -20,6 +20,7 @@ constexpr std::array kEvaluators{
     Evaluator{"heated Couette film", couette_film_values, nullptr},
     Evaluator{"pocket plate", pocket_plate_values, prepare_pocket_plate},
     Evaluator{"pocket slider", pocket_slider_values, prepare_pocket_slider},
+    Evaluator{"squeeze film", squeeze_film_values, nullptr},
 };
 
 }  // namespace

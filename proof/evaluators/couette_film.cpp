@@ -16,14 +16,14 @@ namespace {
 
 using namespace thermal;
 
-constexpr double kT0 = 300.0;            // [K]; the result does not depend on these
-constexpr double kEta0 = 0.02;           // [Pa s]
-constexpr double kBeta = 0.04;           // [1/K]
-constexpr double kGap = 20e-6;           // [m]
-constexpr double kConductivity = 0.13;   // [W/(m K)]
-constexpr double kHeatCapacity = 2000.0; // [J/(kg K)]
-constexpr double kFlow = 3e-5;           // so weak that some sweeps forget the start [kg/s]
-constexpr double kSettled = 1e-11;       // change of a sweep [K]
+constexpr double kT0 = 300.0;             // [K]; the result does not depend on these
+constexpr double kEta0 = 0.02;            // [Pa s]
+constexpr double kBeta = 0.04;            // [1/K]
+constexpr double kGap = 20e-6;            // [m]
+constexpr double kConductivity = 0.13;    // [W/(m K)]
+constexpr double kHeatCapacity = 2000.0;  // [J/(kg K)]
+constexpr double kFlow = 3e-5;            // so weak that some sweeps forget the start [kg/s]
+constexpr double kSettled = 1e-11;        // change of a sweep [K]
 constexpr int kMostSweeps = 5000;
 constexpr int kSubstitutions = 200;
 constexpr int kCells = 6;

@@ -19,7 +19,8 @@ std::vector<double> compliances(double radius, double thickness, double first_ro
   constexpr int kAxial = 3;             // cells over the full width; plane strain: any number does
   const FilmGrid grid = make_grid(radius, 0.5 * radius, kCircumferential, kAxial, true);
   const RadialRows rows = rows_outwards(radius, {thickness}, first_row);
-  const RevolutionMesh mesh = make_revolution_mesh(rows.face, rows.layer, axial_elements(grid), true);
+  const RevolutionMesh mesh =
+      make_revolution_mesh(rows.face, rows.layer, axial_elements(grid), true);
   const auto operators =
       shell_elasticity(mesh, grid, {material}, {highest, support, AxialEnds::plane_strain, false});
   std::vector<double> c;
@@ -32,10 +33,10 @@ Material elastic(double youngs_modulus, double poisson_ratio) {
 }
 
 // The bonded layer: 1 mm thick on a bore of 100 mm, so that k t = n t/R; curvature costs t/R = 1 %.
-constexpr double kThickness = 1e-3;   // [m]
-constexpr double kBore = 0.1;         // [m]
-constexpr double kModulus = 1e9;      // [Pa]; of no effect on the ratio
-constexpr int kHighest = 300;         // k t = 3
+constexpr double kThickness = 1e-3;  // [m]
+constexpr double kBore = 0.1;        // [m]
+constexpr double kModulus = 1e9;     // [Pa]; of no effect on the ratio
+constexpr int kHighest = 300;        // k t = 3
 /// Poisson's ratios of the table's columns.
 constexpr double kPoisson[] = {0.30, 0.33, 0.40, 0.45, 0.49};
 
@@ -64,8 +65,8 @@ Values elastic_ring_values(const Question& q) {
 std::any prepare_bonded_layer(const Entry& /*entry*/) {
   std::vector<std::vector<double>> ratios;
   for (const double nu : kPoisson) {
-    std::vector<double> c = compliances(kBore, kThickness, 0.25 * kThickness,
-                                        elastic(kModulus, nu), Support::held, kHighest);
+    std::vector<double> c = compliances(kBore, kThickness, 0.25 * kThickness, elastic(kModulus, nu),
+                                        Support::held, kHighest);
     for (double& value : c) value /= winkler(nu);
     ratios.push_back(std::move(c));
   }

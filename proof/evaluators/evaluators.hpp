@@ -23,8 +23,8 @@ struct Values {
 /// What an evaluator is asked.
 struct Question {
   const Entry& entry;
-  const RowNumbers& point;        ///< numbers of the row, by column
-  const Changes& changes;    ///< of an unknown input; empty: as taken
+  const RowNumbers& point;  ///< numbers of the row, by column
+  const Changes& changes;   ///< of an unknown input; empty: as taken
   const coupling::SolveControl& control;
   const std::any& prepared;  ///< what the evaluator's `prepare` gave
 
@@ -51,6 +51,8 @@ struct Evaluator {
 [[nodiscard]] Values bearing_values(const Question& question);
 /// Endlessly wide film, full all round (Sommerfeld) or cavitated.
 [[nodiscard]] Values wide_film_values(const Question& question);
+/// Journal at rest but for its centre.
+[[nodiscard]] Values squeeze_film_values(const Question& question);
 /// Endlessly wide slider with a pocket.
 [[nodiscard]] std::any prepare_pocket_slider(const Entry& entry);
 [[nodiscard]] Values pocket_slider_values(const Question& question);

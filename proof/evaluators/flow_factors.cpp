@@ -13,8 +13,8 @@ Values flow_factor_values(const Question& q) {
   const fluid::FlowFactors f =
       fluid::flow_factors(fluid::rough_pair({0.0, 1.0}, {kSigma, gamma}), h);
   Values values;
-  values.value = {{"phi_x", f.phi_x},   {"phi_z", f.phi_z},   {"phi_s", f.sigma_phi_s / kSigma},
-                  {"phi_f", f.phi_f},   {"phi_fs", f.phi_fs}, {"phi_fp", f.phi_fp}};
+  values.value = {{"phi_x", f.phi_x}, {"phi_z", f.phi_z},   {"phi_s", f.sigma_phi_s / kSigma},
+                  {"phi_f", f.phi_f}, {"phi_fs", f.phi_fs}, {"phi_fp", f.phi_fp}};
   return values;
 }
 

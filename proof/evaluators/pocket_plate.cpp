@@ -18,8 +18,8 @@ rheology::Oil oil_of_source() {
   return oil;
 }
 
-/// Its density, rho0 (C1 + C2 p)/(C1 + p): the law of Dowson and Higginson with the constants of the
-/// source, which are others than those the solver's law has.
+/// Its density, rho0 (C1 + C2 p)/(C1 + p): the law of Dowson and Higginson with the constants of
+/// the source, which are others than those the solver's law has.
 double density_of_source(double p) {
   constexpr double kDensity = 850.0;  // [kg/m3]
   constexpr double kC1 = 2.22e9;      // [Pa]

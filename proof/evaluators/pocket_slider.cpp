@@ -41,9 +41,8 @@ std::any prepare_pocket_slider(const Entry& entry) {
 }
 
 Values pocket_slider_values(const Question& q) {
-  const SliderFilm film = q.prepared.has_value()
-                              ? std::any_cast<const SliderFilm&>(q.prepared)
-                              : solve_on(static_cast<int>(q.number("cells")));
+  const SliderFilm film = q.prepared.has_value() ? std::any_cast<const SliderFilm&>(q.prepared)
+                                                 : solve_on(static_cast<int>(q.number("cells")));
   Values values;
   if (!film.verdict.good()) {
     values.failure = film.verdict.reason;

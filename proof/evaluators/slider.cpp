@@ -10,10 +10,10 @@ namespace {
 
 using namespace fluid;
 
-constexpr double kRing = 1.25;          ///< circumference over L [-]
-constexpr double kEndlessly = 1000.0;   ///< width over radius: side flow is 1e-6 of the flow along
-constexpr double kTurn = 2.0 * kPi;     ///< [rad]
-constexpr double kOnTheFace = 1e-12;    ///< puts a face on the side it begins [rad]
+constexpr double kRing = 1.25;         ///< circumference over L [-]
+constexpr double kEndlessly = 1000.0;  ///< width over radius: side flow is 1e-6 of the flow along
+constexpr double kTurn = 2.0 * kPi;    ///< [rad]
+constexpr double kOnTheFace = 1e-12;   ///< puts a face on the side it begins [rad]
 
 class Scene {
  public:
@@ -107,8 +107,7 @@ std::vector<Cell> cells_along(const Scene& scene) {
 SliderFilm solve_slider(const Slider& slider, const OilLaw& oil, double density) {
   const Scene scene(slider);
   const FilmGrid& g = scene.scene.grid;
-  const auto film =
-      solve_reynolds(scene.scene, scene.gap, scene.step, oil, cold_film(scene.scene));
+  const auto film = solve_reynolds(scene.scene, scene.gap, scene.step, oil, cold_film(scene.scene));
   SliderFilm out;
   out.verdict = film.verdict;
   if (!film.good()) return out;
@@ -126,7 +125,8 @@ SliderFilm solve_slider(const Slider& slider, const OilLaw& oil, double density)
     out.p.push_back(state.p[k]);
     out.p_max = std::max(out.p_max, state.p[k]);
     out.load_per_width += (state.p[k] - slider.p_ambient) * dx;
-    out.flow_per_width += film.value.flow.phi[k].m / (density * strip * static_cast<double>(cells.size()));
+    out.flow_per_width +=
+        film.value.flow.phi[k].m / (density * strip * static_cast<double>(cells.size()));
     if (empty && state.theta[k] == 1.0) out.reformation = cell.x - 0.5 * dx;
     empty = state.theta[k] < 1.0;
   }

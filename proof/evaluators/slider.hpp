@@ -12,18 +12,18 @@
 namespace shellback::proof {
 
 struct Slider {
-  double length = 0.0;         ///< L [m]
-  double width = 0.0;          ///< [m]; 0: endlessly wide, solved on one axial cell
-  double h_in = 0.0;           ///< gap at x = 0 [m]
-  double h_out = 0.0;          ///< gap at x = L [m]
-  double pocket_from = 0.0;    ///< [m]
-  double pocket_to = 0.0;      ///< [m]
-  double pocket_width = 0.0;   ///< [m]; not used if endlessly wide
-  double depth = 0.0;          ///< of the pocket [m]
-  double speed = 0.0;          ///< of the surface [m/s]
-  double p_ambient = 0.0;      ///< above the cavitation pressure [Pa]
-  int cells = 0;               ///< over L [-]
-  int cells_across = 1;        ///< over the width [-]
+  double length = 0.0;        ///< L [m]
+  double width = 0.0;         ///< [m]; 0: endlessly wide, solved on one axial cell
+  double h_in = 0.0;          ///< gap at x = 0 [m]
+  double h_out = 0.0;         ///< gap at x = L [m]
+  double pocket_from = 0.0;   ///< [m]
+  double pocket_to = 0.0;     ///< [m]
+  double pocket_width = 0.0;  ///< [m]; not used if endlessly wide
+  double depth = 0.0;         ///< of the pocket [m]
+  double speed = 0.0;         ///< of the surface [m/s]
+  double p_ambient = 0.0;     ///< above the cavitation pressure [Pa]
+  int cells = 0;              ///< over L [-]
+  int cells_across = 1;       ///< over the width [-]
 };
 
 struct SliderFilm {

@@ -56,8 +56,7 @@ void add_numbers(const FilmScene& scene, const Gap& gap, const FilmSolution& fil
   value["attitude_angle"] = -std::atan2(-force[1], -force[0]) * 180.0 / kPi;
   value["friction_number"] = torque(scene, tau.journal) / (W * kClearance);
   value["inlet_flow_number"] = inlet / (kDensity * kRadius * kClearance * N * g.width);
-  value["mean_over_peak"] =
-      W / area / *std::max_element(film.state.p.begin(), film.state.p.end());
+  value["mean_over_peak"] = W / area / *std::max_element(film.state.p.begin(), film.state.p.end());
 }
 
 /// Where the film ends, from its beginning [deg]; resolved to a cell.

@@ -111,8 +111,16 @@ TEST_CASE("ThePublishedStribeckCurveIsMetInItsThreeRegimes") {
 
 TEST_CASE("ACurveWithoutALowestRowInsideIsNoSuccess") {
   Entry entry = ScratchLedger(kEntry, "eps,So\n0.2,3\n0.5,1\n0.8,4\n").read();
-  entry.features.push_back({"lowest", "load_number", "So", "eps", {}, 0.4, 0.6, "1",
-                            Evidence::exact, "by construction"});
+  entry.features.push_back({"lowest",
+                            "load_number",
+                            "So",
+                            "eps",
+                            {},
+                            0.4,
+                            0.6,
+                            "1",
+                            Evidence::exact,
+                            "by construction"});
   const EntryReport report = run(entry);
   CHECK(report.features.at(0).verdict == Judgement::missing);  // So rises with eps
   // The parabola through (0.2, 3), (0.5, 1), (0.8, 4) has its vertex at 0.47.

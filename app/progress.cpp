@@ -41,12 +41,12 @@ void ProgressLine::wipe() {
 }
 
 void ProgressLine::show(const coupling::Progress& progress) {
-  show_words(fmt::format("{} step {}: change {:.1e}, friction {:.4g} N m, smallest film {:.3g} um",
-                         progress.stage, progress.step, progress.residual, progress.friction_torque,
-                         1e6 * progress.h_min));
+  show(fmt::format("{} step {}: change {:.1e}, friction {:.4g} N m, smallest film {:.3g} um",
+                   progress.stage, progress.step, progress.residual, progress.friction_torque,
+                   1e6 * progress.h_min));
 }
 
-void ProgressLine::show_words(const std::string& words) {
+void ProgressLine::show(const std::string& words) {
   if (!terminal_) return;
   const double now = now_s();
   if (now - begin_s_ < kQuietTime || now - last_s_ < kInterval) return;

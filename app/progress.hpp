@@ -17,8 +17,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const coupling::Progress& progress);
-  /// The same with words of the caller's.
-  void show_words(const std::string& words);
+  /// The same with words of one's own.
+  void show(const std::string& words);
   /// Clears the line, for what is to be printed now.
   void wipe();
 

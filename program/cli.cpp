@@ -40,6 +40,8 @@ int work(const Request& request) {
       return compare(request);
     case Command::chart:
       return chart(request);
+    case Command::sweep:
+      return sweep(request);
     case Command::validate:
       return validate(request);
     case Command::none:

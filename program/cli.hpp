@@ -14,7 +14,16 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare, chart, validate };
+enum class Command {
+  none,
+  init,
+  check,
+  run,
+  compare,
+  sweep,
+  chart,
+  validate,
+};
 
 /// What was asked for.
 struct Request {
@@ -27,11 +36,13 @@ struct Request {
   std::string json;                 ///< --json: file, "-" for standard output
   std::string output;               ///< -o
   std::string picture;              ///< --picture
+  std::string csv;                  ///< --csv: file, "-" for standard output
+  std::string png;                  ///< --png
   int threads = 1;                  ///< -j
+  bool quick = false;               ///< --quick: fewer or coarser
   std::vector<std::string> scenes;  ///< chart: which; empty: all
-  std::string png;                  ///< chart --png
-  std::string csv;                  ///< chart, validate: --csv
-  bool quick = false;               ///< chart --quick
+  std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
+  int cores = 0;                    ///< sweep -j; 0: all there are
   std::vector<std::string> names;   ///< validate: ledger entries; empty: all
   std::string ledger;               ///< validate --ledger: folder of entries; empty: the shipped
   bool list = false;                ///< validate --list

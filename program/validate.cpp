@@ -33,7 +33,7 @@ std::vector<EntryReport> run_entries(const Request& request, const std::vector<E
   options.curves = options.bands = !request.output.empty();
   options.control.stop = &app::catch_interrupt();
   options.progress = [&line](const std::string& entry, int done, int of) {
-    line.show_words(fmt::format("{}: {} of {}", entry, done, of));
+    line.show(fmt::format("{}: {} of {}", entry, done, of));
   };
   std::vector<EntryReport> reports;
   for (const Entry& entry : entries) {

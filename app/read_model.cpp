@@ -125,7 +125,7 @@ Model read_model(const Section& file) {
   section.only({"tier", "tolerance", "grid", "film_nodes", "pressure_dependence", "shear_thinning",
                 "flow_factors", "asperity_contact", "elastic_deformation", "thermal_deformation",
                 "cavitated_shear", "edges", "cavitation_pressure", "cavitation_pressure_absolute",
-                "equivalent_temperature", "methods"},
+                "equivalent_temperature", "methods", "coefficients"},
                "[model]");
   Model model;
   if (section.has("tier")) {
@@ -139,6 +139,7 @@ Model read_model(const Section& file) {
   model.switches = read_switches(section);
   model.methods = read_methods(section);
   read_rules(section, model);
+  model.coefficients = section.maybe_switch("coefficients").value_or(false);
   return model;
 }
 

@@ -9,6 +9,7 @@
 #include "core/grid.hpp"
 #include "core/outcome.hpp"
 #include "coupling/case.hpp"
+#include "coupling/coefficients.hpp"
 
 namespace shellback::coupling {
 
@@ -116,6 +117,7 @@ struct Result {
   Cost cost;
   std::vector<HistoryEntry> history;
   std::optional<AutoChoice> choice;  ///< set if tier `auto` chose
+  std::optional<Coefficients> coefficients;  ///< if the case asks for them
   std::vector<LevelRecord> levels;  ///< from the coarsest grid to the finest that converged
   Fields fields;
 

@@ -188,6 +188,8 @@ void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const Solv
     case Tier::automatic:
       EXPECTS(false);  // fidelity/ has turned these into one of the others
   }
+  s.coefficients.reset();
+  if (s.verdict.good() && s.model.input.model.coefficients) s.coefficients = coefficients_of(s);
 }
 
 /// Solves on every grid of the ladder, each from the one before. A coarse grid that fails is left

@@ -23,6 +23,7 @@ enum class Command {
   sweep,
   chart,
   auto_honesty,
+  validate,
 };
 
 /// What was asked for.
@@ -45,6 +46,10 @@ struct Request {
   int cases = 200;                  ///< auto-honesty --cases
   int seed = 1;                     ///< auto-honesty --seed: of the first case
   int cores = 0;                    ///< sweep -j; 0: all there are
+  std::vector<std::string> names;   ///< validate: ledger entries; empty: all
+  std::string ledger;               ///< validate --ledger: folder of entries; empty: the shipped
+  bool list = false;                ///< validate --list
+  bool all_rows = false;            ///< validate --rows
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

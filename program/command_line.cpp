@@ -36,6 +36,24 @@ void add_solve_options(CLI::App& command, Request& request) {
   add_threads(command, request, "threads that may be used (this command works on one)");
 }
 
+void add_validate(CLI::App& app, Request& request) {
+  auto* validate = app.add_subcommand(
+      "validate", "rerun the ledger: ours, theirs, difference, tolerance, verdict");
+  validate->add_option("NAME", request.names, "entries; without one, all of them");
+  validate->add_flag("--list", request.list, "list the entries without running them");
+  validate->add_flag("--rows", request.all_rows, "print every row, not only the worst");
+  add_threads(*validate, request, "threads that may be used");
+  validate->add_option("-o", request.output, "write the page with figures and bands (HTML)")
+      ->type_name("FILE.html");
+  validate->add_option("--csv", request.csv, "write every row as a table")->type_name("FILE");
+  validate
+      ->add_option("--json", request.json,
+                   "also write the ledger as JSON; - is standard output, without the tables")
+      ->type_name("FILE");
+  validate->add_option("--ledger", request.ledger, "folder of entries (default: the shipped ones)")
+      ->type_name("FOLDER");
+}
+
 void add_chart(CLI::App& app, Request& request) {
   auto* chart = app.add_subcommand("chart", "speed against accuracy of grids, tiers and methods");
   chart->add_option("SCENE", request.scenes,
@@ -126,10 +144,14 @@ struct Offer {
   void (*add)(CLI::App&, Request&);
 };
 const std::vector<Offer> kOffers{
-    {"init", Command::init, add_init},    {"check", Command::check, add_check},
-    {"run", Command::run, add_run},       {"compare", Command::compare, add_compare},
-    {"sweep", Command::sweep, add_sweep}, {"chart", Command::chart, add_chart},
+    {"init", Command::init, add_init},
+    {"check", Command::check, add_check},
+    {"run", Command::run, add_run},
+    {"compare", Command::compare, add_compare},
+    {"sweep", Command::sweep, add_sweep},
     {"auto-honesty", Command::auto_honesty, add_auto_honesty},
+    {"chart", Command::chart, add_chart},
+    {"validate", Command::validate, add_validate},
 };
 
 std::vector<std::string> command_names() {

@@ -11,5 +11,6 @@ namespace shellback::program {
 [[nodiscard]] int compare(const Request& request);
 [[nodiscard]] int auto_honesty(const Request& request);
 [[nodiscard]] int sweep(const Request& request);
+[[nodiscard]] int validate(const Request& request);
 
 }  // namespace shellback::program

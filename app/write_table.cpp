@@ -8,6 +8,7 @@
 
 #include "app/quantity_label.hpp"
 #include "app/text_table.hpp"
+#include "app/write_coefficients.hpp"
 
 namespace shellback::app {
 namespace {
@@ -169,6 +170,7 @@ void print_table(std::ostream& out, const coupling::Measured& measured, const Re
       << "tier " << to_string(result.tier) << ", " << status_line(result) << "\n\n";
   print_failure(out, to_string(result.tier), result);
   print_quantities(out, measured, {result});
+  print_coefficients(out, result);
   const auto& a = result.audit;
   out << fmt::format("\naudit (relative)  mass {}  energy {}  load {}  moment {}\n",
                      audit_figure(a.mass), audit_figure(a.energy), audit_figure(a.load),

@@ -10,8 +10,6 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr double kKrylovTolerance = 1e-6;  ///< far below the grid's error in K and C [-]
-
 double determinant(const Matrix2& m) { return m[0][0] * m[1][1] - m[0][1] * m[1][0]; }
 
 double largest(const Matrix2& m) {
@@ -28,10 +26,10 @@ void put_column(const BearingModel& model, int unknowns, int column, const Field
   for (int i = 0; i < unknowns; ++i) m[i][column] -= w[i];
 }
 
-/// Oil that a displacement brings into the cells [kg per unit]: full film and cavitated film.
+/// Oil that a displacement brings into the cells [kg per unit].
 struct Content {
-  Field full;
-  Field cavitated;
+  Field all;
+  Field cavitated;  ///< that of the cavitated film alone
 };
 
 Content content_by(const Solution& s, const fluid::OilStore& store, const FilmResponse& answer,
@@ -42,19 +40,20 @@ Content content_by(const Solution& s, const fluid::OilStore& store, const FilmRe
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
-      double dh = fluid::gap_slope(component, scene.angles.cos_cell[i], scene.angles.sin_cell[i],
-                                   g.z[j]);
+      double dh =
+          fluid::gap_slope(component, scene.angles.cos_cell[i], scene.angles.sin_cell[i], g.z[j]);
       if (!answer.elastic.empty()) dh += answer.elastic[k];
       const double change = store.by_gap[k] * dh + store.by_theta[k] * answer.theta[k];
-      (s.film.film.full[k] ? m.full : m.cavitated)[k] = change;
+      m.all[k] = change;
+      if (!s.film.film.full[k]) m.cavitated[k] = change;
     }
   }
   return m;
 }
 
 /// K and C; the part of C from cavitated film in `C_cavitated`.
-void perturb(const Solution& s, Coefficients& out, Matrix4& C_cavitated) {
-  LinearFilm film(s.model, s.film, kKrylovTolerance);
+void perturb(const Solution& s, double tolerance, Coefficients& out, Matrix4& C_cavitated) {
+  LinearFilm film(s.model, s.film, s.heat.growth, tolerance);
   if (!film.good()) {
     out.verdict = {Status::iteration_limit, "the matrix of the linearised film is singular", "",
                    "feed more oil"};
@@ -66,11 +65,9 @@ void perturb(const Solution& s, Coefficients& out, Matrix4& C_cavitated) {
     const FilmResponse slow = film.to_position(j);
     put_column(s.model, out.unknowns, j, slow.total, out.K);
     const Content m = content_by(s, store, slow, j);
-    put_column(s.model, out.unknowns, j, film.to_storage(m.full).total, out.C);
-    put_column(s.model, out.unknowns, j, film.to_storage(m.cavitated).total, C_cavitated);
-  }
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) out.C[i][j] += C_cavitated[i][j];
+    put_column(s.model, out.unknowns, j, film.to_storage(m.all).total, out.C);
+    if (j > 1) continue;
+    put_column(s.model, 2, j, film.pressure_by_storage(m.cavitated), C_cavitated);
   }
   out.krylov_iterations = film.krylov_iterations();
   if (!film.converged()) {
@@ -142,12 +139,12 @@ WhirlThreshold whirl_threshold(const Matrix2& K, const Matrix2& C) {
   return w;
 }
 
-Coefficients coefficients_of(const Solution& s) {
+Coefficients coefficients_of(const Solution& s, double tolerance) {
   const auto begin = std::chrono::steady_clock::now();
   Coefficients out;
   out.unknowns = s.model.scene.grid.half ? 2 : 4;
   Matrix4 C_cavitated{};
-  perturb(s, out, C_cavitated);
+  perturb(s, tolerance, out, C_cavitated);
   if (out.verdict.good()) {
     derive(s, out);
     const double C = largest(forces_of(out.C));

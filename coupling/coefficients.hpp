@@ -71,8 +71,9 @@ struct Coefficients {
   double wall_s = 0.0;
 };
 
-/// Of a converged solution.
-[[nodiscard]] Coefficients coefficients_of(const Solution& s);
+/// Of a converged solution, to `tolerance` of the largest entry of K and C: far below what the grid
+/// leaves wrong.
+[[nodiscard]] Coefficients coefficients_of(const Solution& s, double tolerance = 1e-3);
 
 /// Forces only.
 [[nodiscard]] Matrix2 forces_of(const Matrix4& m);

@@ -252,7 +252,8 @@ void storage(const Evaluation& e, FilmFlow& flow) {
       const double filling = motion.theta_rate.empty() ? 0.0 : motion.theta_rate[k];
       flow.stored[k] = store.by_gap[k] * rate + store.by_theta[k] * filling;
       const bool film = scene.supply.cell[k] < 0;
-      flow.stored_by_theta[k] = film ? e.oil.density[k] * t.daverage_gap[k] * rate * g.area(i, j) : 0.0;
+      flow.stored_by_theta[k] =
+          film ? e.oil.density[k] * t.daverage_gap[k] * rate * g.area(i, j) : 0.0;
     }
   }
 }

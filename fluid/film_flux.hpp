@@ -40,9 +40,10 @@ enum class SideEdges {
 
 /// How the film changes in time while it is solved. Default: at rest.
 struct FilmMotion {
-  std::array<double, 4> velocity{};  ///< of the journal position: e_x, e_y, psi_x, psi_y [m/s, rad/s]
-  Field gap_rate;                    ///< further d h/dt per cell, of the solids; empty: none [m/s]
-  Field theta_rate;                  ///< d theta/dt per cell; empty: none [1/s]
+  std::array<double, 4>
+      velocity{};    ///< of the journal position: e_x, e_y, psi_x, psi_y [m/s, rad/s]
+  Field gap_rate;    ///< further d h/dt per cell, of the solids; empty: none [m/s]
+  Field theta_rate;  ///< d theta/dt per cell; empty: none [1/s]
   [[nodiscard]] bool moves() const {
     return !gap_rate.empty() || !theta_rate.empty() || velocity != std::array<double, 4>{};
   }

@@ -358,8 +358,8 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
     if (report.moved > 0) cycling = !seen.insert(active_set_hash(v.state)).second;
   }
   out.verdict = {Status::iteration_limit,
-                 fmt::format("the cavitation solve stopped after {} steps at residual {:.1e}",
-                             most, out.history.back()),
+                 fmt::format("the cavitation solve stopped after {} steps at residual {:.1e}", most,
+                             out.history.back()),
                  "", "refine the grid or start from a lower load"};
   return out;
 }

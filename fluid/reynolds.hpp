@@ -64,9 +64,9 @@ struct UpdateReport {
 constexpr double kMostBarus = 0.99;  ///< of advance: largest alpha dp of a step [-]
 
 /// Applies the step t (scaled by `fraction`) and moves cells across. alpha dp is held to at most
-/// `most_barus`, below 1; a cell that asks for more is counted. With the `flow` of a film in motion,
-/// cells that close faster than the journal empties them stay full: partly filled they would fill
-/// up, and dtheta/dt = 0 finds them empty instead, a second solution that no film takes.
+/// `most_barus`, below 1; a cell that asks for more is counted. With the `flow` of a film in
+/// motion, cells that close faster than the journal empties them stay full: partly filled they
+/// would fill up, and dtheta/dt = 0 finds them empty instead, a second solution that no film takes.
 UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const Field& step,
                      double fraction, FilmState& state, double most_barus = kMostBarus,
                      const FilmFlow* flow = nullptr);

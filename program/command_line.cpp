@@ -90,6 +90,16 @@ void add_sweep(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_coefficient_options(CLI::App& command, Request& request) {
+  command.add_flag("--coefficients", request.coefficients,
+                   "also stiffness, damping and whirl threshold (as model.coefficients = true)");
+  command
+      .add_option("--coefficients-table", request.coefficients_table,
+                  "write them as a row for rotordynamics programs: frequency [rad/s], kxx to cyy "
+                  "[N/m, N s/m], the columns of a bearing in ROSS")
+      ->type_name("FILE.csv");
+}
+
 void add_init(CLI::App& app, Request& request) {
   auto* init = app.add_subcommand("init", "list the shipped cases, or write one to start from");
   init->add_option("NAME", request.name, "shipped case; without it they are listed");
@@ -108,6 +118,7 @@ void add_run(CLI::App& app, Request& request) {
   add_solve_options(*run, request);
   run->add_option("--tier", request.tier, kTierWords);
   run->add_option("-o", request.output, "write all fields (HDF5)")->type_name("FILE.h5");
+  add_coefficient_options(*run, request);
 }
 
 void add_compare(CLI::App& app, Request& request) {

@@ -176,8 +176,8 @@ TEST_CASE("JournalWhirlingAtHalfSpeedCarriesNothing", "[squeeze]") {
     s.p_cavitation = -1e9;  // full film
     s.position = eccentric(0.6 * s.clearance, 0.3);
     Bearing b = make_bearing(s);
-    const double load = std::hypot(wrench(b.scene, solved(b).state.p)[0],
-                                   wrench(b.scene, solved(b).state.p)[1]);
+    const double load =
+        std::hypot(wrench(b.scene, solved(b).state.p)[0], wrench(b.scene, solved(b).state.p)[1]);
     const double half = 0.5 * s.speed / s.radius;
     b.scene.motion.velocity = {-half * s.position.ey(), half * s.position.ex(), 0.0, 0.0};
     const Wrench w = wrench(b.scene, solved(b).state.p);

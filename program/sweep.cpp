@@ -45,9 +45,8 @@ Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int
 /// The isothermal tier takes its temperature from a measured one, which belongs to one point.
 void warn_of_one_measurement(const coupling::Case& subject, const std::vector<Axis>& axes) {
   const bool isothermal = subject.model.tier == coupling::Tier::isothermal;
-  const bool varied = std::any_of(axes.begin(), axes.end(), [](const Axis& axis) {
-    return axis.key.starts_with("measured.");
-  });
+  const bool varied = std::any_of(
+      axes.begin(), axes.end(), [](const Axis& axis) { return axis.key.starts_with("measured."); });
   if (!isothermal || varied || !subject.measured.shell_back_temperature) return;
   std::cerr << "warning: the film temperature of every point follows from the one "
                "measured.shell_back_temperature of the case\n";

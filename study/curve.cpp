@@ -59,10 +59,9 @@ Curve::Known Curve::solve(int k, double at, const Trail* trail) {
   const coupling::Tier tier = subject.model.tier;
   coupling::SolveControl control;
   control.stop = stop_;
-  Solution s = trail == nullptr
-                   ? solve_tier(subject, tier, control)
-                   : solve_tier_from(subject, tier, predicted(axis_, *trail, at), control,
-                                     coupling::Otherwise::give_up);
+  Solution s = trail == nullptr ? solve_tier(subject, tier, control)
+                                : solve_tier_from(subject, tier, predicted(axis_, *trail, at),
+                                                  control, coupling::Otherwise::give_up);
   SweepPoint& point = *points_[k];
   ++point.tries;
   point.wall_s += s.wall_s;
@@ -72,23 +71,37 @@ Curve::Known Curve::solve(int k, double at, const Trail* trail) {
   return nullptr;
 }
 
-/// Point k from the trail, if need be by way of the middle. Null if neither leads there.
+/// Point k from the trail, if need be by way of points between. Null if that does not lead there.
 Curve::Known Curve::reach(int k, const Trail& trail) {
   SweepPoint& point = *points_[k];
   point.start = Start::neighbour;
   if (Known direct = solve(k, k, &trail)) return direct;
-  if (!beside(k, trail) || !axis_.has_between() || stopped()) return nullptr;
-  point.start = Start::halved;
-  const double middle = 0.5 * (k + trail.near.at);
+  if (!beside(k, trail) || !axis_.has_between()) return nullptr;
+  point.start = Start::between;
   try {
-    Known half = solve(k, middle, &trail);
-    if (!half || stopped()) return nullptr;
-    Trail longer = trail;
-    longer.advance(middle, std::move(half));
-    return solve(k, k, &longer);
+    return creep(k, trail);
   } catch (const InputError&) {
-    return nullptr;  // the key takes whole numbers only: there is no middle
+    return nullptr;  // the key takes whole numbers only: there is nothing between
   }
+}
+
+/// From the trail's end to point k in steps that are halved where they fail.
+Curve::Known Curve::creep(int k, Trail trail) {
+  constexpr double kShortest = 1.0 / 16.0;  // of the way from point to point
+  constexpr int kMostTries = 24;            // half of them for the shortest steps all the way
+  double step = 0.5 * (k - trail.near.at);
+  for (int n = 0; n < kMostTries && std::abs(step) >= kShortest && !stopped(); ++n) {
+    const double left = k - trail.near.at;
+    const double at = std::abs(left) <= std::abs(step) ? k : trail.near.at + step;
+    Known next = solve(k, at, &trail);
+    if (!next) {
+      step *= 0.5;
+      continue;
+    }
+    if (at == k) return next;
+    trail.advance(at, std::move(next));
+  }
+  return nullptr;
 }
 
 Curve::Known Curve::cold(int k) {

@@ -2,8 +2,9 @@
 /// Continuation along one curve of a sweep, in both directions, with mending of gaps.
 ///
 /// A piece of the curve begins at a point that can be solved from cold and walks to both its ends,
-/// each point from the one before (secant predictor). A point that fails is tried by way of the
-/// middle between the two, then from cold; the walk goes on beyond it. Afterwards `mend` enters
+/// each point from the one before (secant predictor). A point that fails is tried by way of points
+/// between the two, in steps that are halved where they fail, then from cold; the walk goes on
+/// beyond it. Afterwards `mend` enters
 /// every gap from its solved borders. Pieces may run on several threads at once; `mend` afterwards,
 /// alone.
 #include <atomic>
@@ -44,6 +45,7 @@ class Curve {
   static coupling::Solution predicted(const Axis& axis, const Trail& trail, double at);
   Known solve(int k, double at, const Trail* trail);
   Known reach(int k, const Trail& trail);
+  Known creep(int k, Trail trail);
   Known cold(int k);
   void walk(Trail trail, int direction, int low, int high, bool to_first_failure);
   bool enter_gaps();
@@ -60,8 +62,8 @@ class Curve {
   Finished finished_;
   std::vector<unsigned> failed_from_;  ///< per point: Side bits from which it cannot be solved
 
-  std::mutex guard_;          ///< of what follows
-  std::vector<char> solved_;  ///< per point
+  std::mutex guard_;           ///< of what follows
+  std::vector<char> solved_;   ///< per point
   std::map<int, Known> kept_;  ///< solutions beside points that are not solved
 };
 

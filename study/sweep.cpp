@@ -100,8 +100,8 @@ const char* to_string(Start start) {
       return "cold";
     case Start::neighbour:
       return "neighbour";
-    case Start::halved:
-      return "halved";
+    case Start::between:
+      return "between";
   }
   return "";
 }
@@ -137,8 +137,8 @@ std::vector<int> across(const std::vector<Axis>& axes, int curve) {
 }
 
 int pieces_per_curve(int curves, int points, int threads) {
-  constexpr int kShortest = 6;   // points of a piece
-  constexpr int kPlenty = 4;     // tasks per thread from which cutting gains nothing
+  constexpr int kShortest = 6;  // points of a piece
+  constexpr int kPlenty = 4;    // tasks per thread from which cutting gains nothing
   int pieces = 1;
   while (curves * pieces % threads != 0 && curves * pieces < kPlenty * threads &&
          points / (pieces + 1) >= kShortest) {
@@ -158,15 +158,13 @@ Sweep run_sweep(std::vector<Axis> axes, const CaseAt& case_at, const SweepOption
   Counter counter(cases.size(), options);
   const auto curves = make_curves(sweep, cases, case_at, counter, options);
   const int n = sweep.axes.front().size();
-  const auto pieces =
-      cut(sweep.curves(), n, pieces_per_curve(sweep.curves(), n, options.threads));
+  const auto pieces = cut(sweep.curves(), n, pieces_per_curve(sweep.curves(), n, options.threads));
   const auto count = static_cast<int>(pieces.size());
   parallel_for(count, options.threads,
                [&](int t) { curves[pieces[t].curve]->solve_piece(pieces[t].low, pieces[t].high); });
   parallel_for(sweep.curves(), options.threads, [&](int c) { curves[c]->mend(); });
   sweep.interrupted = options.stop != nullptr && options.stop->load();
-  sweep.wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  sweep.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return sweep;
 }
 

@@ -28,7 +28,7 @@ enum class Start {
   none,       ///< not tried: the sweep was interrupted before
   cold,       ///< from nothing
   neighbour,  ///< from the point beside it on its curve
-  halved,     ///< from the neighbour by way of the middle between the two
+  between,    ///< from the neighbour by way of points between the two
 };
 [[nodiscard]] const char* to_string(Start start);
 

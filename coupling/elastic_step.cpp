@@ -19,9 +19,10 @@ class WinklerFilm {
   [[nodiscard]] bool good() const { return good_; }
 
   struct Answer {
-    Field du;  ///< film unknowns
-    Field dd;  ///< displacement [m]
-    Field dP;  ///< total pressure [Pa]
+    Field du;          ///< film unknowns
+    Field dd;          ///< displacement [m]
+    Field dP;          ///< total pressure [Pa]
+    Field dp_contact;  ///< part of it in contact [Pa]
     std::array<double, 4> dq{};
   };
   /// Solves for right-hand sides a of (1) (empty: 0), b of (2), w of (3).
@@ -39,7 +40,7 @@ class WinklerFilm {
   int m_;
   double tau_;
   Field kappa_;
-  RingFactor factor_;
+  RingFactor& factor_ = film_system().factor;
   std::vector<Field> position_gap_;  ///< B dq per unit component, per cell
   std::vector<Field> response_;      ///< A0^-1 of (1)'s dq column
   std::vector<Field> dP_response_;   ///< dP per unit dq, film response included
@@ -59,7 +60,7 @@ WinklerFilm::WinklerFilm(const BearingModel& model, const LoadTarget& target,
     kappa_[k] = 1.0 / (1.0 - tau_ * s.dp_contact[k]);
     soft[k] = s.film.full[k] && scene.supply.cell[k] < 0 ? kappa_[k] * tau_ : 0.0;
   }
-  RingMatrix matrix;
+  RingMatrix& matrix = film_system().matrix;
   fluid::assemble_film(scene, s.flow, fluid::active_set_unknowns(s.film), matrix);
   fluid::add_gap_compliance(scene, s.flow, soft, matrix);
   ++cost.factorizations;
@@ -104,10 +105,12 @@ WinklerFilm::Answer WinklerFilm::solve(const Field& a, const Field& b,
   factor_.solve(x.du.data());
   x.dd.resize(n);
   x.dP.resize(n);
+  x.dp_contact.resize(n);
   for (int k = 0; k < n; ++k) {
     const double du = s_.film.full[k] && scene.supply.cell[k] < 0 ? x.du[k] : 0.0;
     x.dd[k] = kappa_[k] * (b[k] + tau_ * du);
-    x.dP[k] = du + s_.dp_contact[k] * x.dd[k];
+    x.dp_contact[k] = s_.dp_contact[k] * x.dd[k];
+    x.dP[k] = du + x.dp_contact[k];
   }
   if (m_ == 0) return x;
   const fluid::Wrench now = fluid::wrench(scene, x.dP);
@@ -121,6 +124,7 @@ WinklerFilm::Answer WinklerFilm::solve(const Field& a, const Field& b,
       x.du[k] += q * du;
       x.dd[k] += q * kappa_[k] * tau_ * (full + s_.dp_contact[k] * position_gap_[l][k]);
       x.dP[k] += q * dP_response_[l][k];
+      x.dp_contact[k] += q * (dP_response_[l][k] - full);
     }
   }
   return x;
@@ -138,16 +142,19 @@ NewtonStep elastic_step(const BearingModel& model, const LoadTarget& target,
   const fluid::Wrench aim = target.unknowns > 0 ? wanted_change(s.force, target) : fluid::Wrench{};
   Field a = residual;
   for (double& x : a) x = -x;
-  const auto beyond_winkler = [&](const Field& dP) {
-    Field y = model.solids->compliance(dP);
-    for (std::size_t k = 0; k < y.size(); ++k) y[k] -= tau * dP[k];
+  const auto beyond_winkler = [&](const WinklerFilm::Answer& x) {
+    Field y = model.solids->compliance(x.dP);
+    for (std::size_t k = 0; k < y.size(); ++k) y[k] -= tau * x.dP[k];
+    if (!s.contact_growth) return y;
+    const Field more = model.solids->widening(*s.contact_growth, x.dp_contact);
+    for (std::size_t k = 0; k < y.size(); ++k) y[k] += more[k];
     return y;
   };
   // b = r_d + beyond(dP(b)): the inhomogeneous part first, then GMRES on the linear remainder.
   const auto start = film.solve(a, displacement_residual, aim);
-  const Field rhs = beyond_winkler(start.dP);
+  const Field rhs = beyond_winkler(start);
   const auto apply = [&](const Field& b) {
-    Field y = beyond_winkler(film.solve({}, b, {}).dP);
+    Field y = beyond_winkler(film.solve({}, b, {}));
     for (std::size_t k = 0; k < y.size(); ++k) y[k] = b[k] - y[k];
     return y;
   };

@@ -9,6 +9,7 @@
 #include "core/constants.hpp"
 #include "coupling/elastic_step.hpp"
 #include "coupling/equilibrium_step.hpp"
+#include "coupling/other_equilibrium.hpp"
 #include "coupling/solids.hpp"
 #include "fluid/fischer_burmeister.hpp"
 #include "fluid/reduced_pressure.hpp"
@@ -100,6 +101,12 @@ double distance(const fluid::Wrench& force, const LoadTarget& target) {
   return std::abs(now) > 0.0 && std::abs(aim) > 0.0 ? std::abs(std::log(aim / now)) : INFINITY;
 }
 
+/// (3) or (3a) of the pressures p and p_a.
+Field displacement(const BearingModel& model, const FilmEquilibrium& s) {
+  Field d = model.solids->compliance(sum(s.film.p, s.p_contact));
+  return s.contact_growth ? sum(d, model.solids->widening(*s.contact_growth, s.p_contact)) : d;
+}
+
 /// Residuals of one iterate, each in units of its tolerance's scale.
 struct Residuals {
   Field film;
@@ -127,7 +134,7 @@ Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
     }
   }
   if (!s.elastic.empty()) {
-    r.displacement = model.solids->compliance(sum(s.film.p, s.p_contact));
+    r.displacement = displacement(model, s);
     for (std::size_t k = 0; k < r.displacement.size(); ++k) r.displacement[k] -= s.elastic[k];
     r.elastic_norm =
         largest(r.displacement) / (std::max(s.least.h, 0.0) + model.scene.rough.sigma + 1e-9);
@@ -249,6 +256,9 @@ bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
 Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
                           const EquilibriumOptions& options, FilmEquilibrium& s,
                           EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  if (solved_otherwise(model, s)) {
+    return solve_otherwise(model, target, growth, options, s, cost, stop);
+  }
   constexpr double kShortestReach =
       1e-5;                              // a step shortened this far shows that there is no way on
   constexpr double kSettledFilm = 0.03;  // the film has followed the journal: it may move on [-]

@@ -12,8 +12,15 @@
 /// force is F* ln(F_target/F*), forces as complex numbers, F* the force that the film step alone
 /// leads to; and a closing step dq shrinks the smallest gap g to g exp(-dq/g), never to zero: the
 /// log-polar Newton of methods 0. Elastic bearings: coupling/elastic_step.hpp.
+///
+/// Asperity heat makes the shell bulge towards the journal where they rub, and rub more. Taken in
+/// turns with the film this diverges in heavy contact; where `contact_growth` G is given, (3) reads
+///   d = C (p + p_a) + G p_a                                                                   (3a)
+/// and the growth given from outside is without G p_a.
 #include <atomic>
+#include <memory>
 
+#include "core/harmonics.hpp"
 #include "coupling/bearing.hpp"
 #include "coupling/columns.hpp"
 #include "fluid/resultants.hpp"
@@ -24,7 +31,8 @@ namespace shellback::coupling {
 struct FilmEquilibrium {
   fluid::FilmState film;
   fluid::JournalPosition position;
-  Field elastic;  ///< widening by pressure, shell and shaft [m]; empty: rigid
+  Field elastic;  ///< widening (3), shell and shaft [m]; empty: rigid
+  std::shared_ptr<const HarmonicOperator> contact_growth;  ///< G of (3a) [m/Pa]; none: (3)
   OilColumns columns;
 
   // What the last evaluation found.
@@ -53,6 +61,8 @@ struct EquilibriumCost {
   int krylov_iterations = 0;
   int fallback_steps = 0;
   int rejected_steps = 0;
+  long sweeps = 0;         ///< of the p-theta relaxation
+  int elastic_rounds = 0;  ///< of the fixed point between film and displacement
 };
 
 /// What the journal must balance.

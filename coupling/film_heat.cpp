@@ -224,19 +224,23 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const 
   return p;
 }
 
-ContactHeat contact_heat(const BearingModel& model, const FilmEquilibrium& s) {
-  ContactHeat q{Field(s.p_contact.size(), 0.0), Field(s.p_contact.size(), 0.0)};
-  if (!model.contact) return q;
+ContactHeatRate contact_heat_rate(const BearingModel& model) {
   const auto effusivity = [](const solid::Material& m) {
     return std::sqrt(m.conductivity * m.density * m.heat_capacity);
   };
   const double shell = effusivity(model.input.shell->layers.front().material);
   const double shaft = effusivity(model.input.shaft->material);
-  const double to_shell = shell / (shell + shaft);
   const double rate = model.contact->friction() * std::abs(model.scene.speed);
+  return {rate * shell / (shell + shaft), rate * shaft / (shell + shaft)};
+}
+
+ContactHeat contact_heat(const BearingModel& model, const FilmEquilibrium& s) {
+  ContactHeat q{Field(s.p_contact.size(), 0.0), Field(s.p_contact.size(), 0.0)};
+  if (!model.contact) return q;
+  const ContactHeatRate rate = contact_heat_rate(model);
   for (std::size_t k = 0; k < s.p_contact.size(); ++k) {
-    q.shell[k] = to_shell * rate * s.p_contact[k];
-    q.shaft[k] = (1.0 - to_shell) * rate * s.p_contact[k];
+    q.shell[k] = rate.shell * s.p_contact[k];
+    q.shaft[k] = rate.shaft * s.p_contact[k];
   }
   return q;
 }

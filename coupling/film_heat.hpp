@@ -41,6 +41,12 @@ struct ContactHeat {
   Field shell;
   Field shaft;
 };
+/// Heat into shell and shaft per contact pressure, [W/m2] over [Pa]: p_a mu U, split by effusivity.
+struct ContactHeatRate {
+  double shell = 0.0;  ///< [m/s]
+  double shaft = 0.0;  ///< [m/s]
+};
+[[nodiscard]] ContactHeatRate contact_heat_rate(const BearingModel& model);
 [[nodiscard]] ContactHeat contact_heat(const BearingModel& model, const FilmEquilibrium& s);
 
 }  // namespace shellback::coupling

@@ -78,6 +78,7 @@ HeatState carry_over(const BearingModel& from, const HeatState& heat, const Bear
   const Field finer = interpolate(a, shaft, b);
   out.T_shaft.assign(finer.begin(), finer.begin() + b.nz);
   out.residual = heat.residual;
+  out.response = heat.response;
   return out;
 }
 

@@ -146,17 +146,27 @@ Field Solids::compliance(const Field& pressure) const {
   return apply(harmonics_, compliance_, pressure, Tail::last);
 }
 
+HarmonicOperator Solids::contact_growth(double rate, const thermal::WallResponse& film) const {
+  HarmonicOperator op =
+      compose(growth_per_flux_, conduction_->entering({film.shell_ring, film.shell_local}));
+  for (Eigen::MatrixXd& m : op) m *= rate;
+  return op;
+}
+
+Field Solids::widening(const HarmonicOperator& by, const Field& contact) const {
+  return apply(harmonics_, by, contact);
+}
+
 Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
                                        const std::vector<double>& T_shaft) const {
   // What is missing to balance now: both vanish at the solution.
-  const Field cold(T_shell.size(), surroundings_);
-  const Field now = conduction_->solve(q.shell, 0.0, cold, surroundings_).surface;
+  const double now = conduction_->mean_surface(q.shell, surroundings_);
   double missing = 0.0;
   double area = 0.0;
   for (int i = 0; i < grid_.nt; ++i) {
     for (int j = 0; j < grid_.nz; ++j) {
       const int c = grid_.index(i, j);
-      missing += grid_.area(i, j) * (now[c] - T_shell[c]);
+      missing += grid_.area(i, j) * (now - T_shell[c]);
       area += grid_.area(i, j);
     }
   }
@@ -176,7 +186,7 @@ Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
 }
 
 SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
-                                const std::vector<double>& T_shaft) const {
+                                const std::vector<double>& T_shaft, Wanted wanted) const {
   SolidTemperature out;
   const MeanChange mean = mean_change(q, T_shell, T_shaft);
   // Half the largest response or more: below it the thinnest film would make a wall overshoot for
@@ -189,9 +199,9 @@ SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
   for (double& x : to_shell) x += r.across * mean.shaft + (ring - r.shell) * mean.shell;
   std::vector<double> to_shaft = q.shaft;
   for (double& x : to_shaft) x += r.back * mean.shell + (along - r.shaft) * mean.shaft;
-  out.shell = conduction_->solve(to_shell, {ring, local}, T_shell, surroundings_);
+  out.shell = conduction_->solve(to_shell, {ring, local}, T_shell, surroundings_, wanted.back);
   out.shaft = thermal::solve_shaft(grid_, fin_, to_shaft, along, T_shaft);
-  if (!effects_.growth) return out;
+  if (!effects_.growth || !wanted.growth) return out;
   out.growth = harmonics_.synthesise(multiply(growth_per_flux_, out.shell.flux));
   const std::vector<double> shaft =
       solid::shaft_growth(grid_.radius, shaft_expansion_, out.shaft.temperature, reference_);

@@ -43,6 +43,14 @@ class Solids {
 
   /// Widening of the gap by a pressure on shell and shaft [m].
   [[nodiscard]] Field compliance(const Field& pressure) const;
+  /// Growth of the gap by asperity heat, per contact pressure [m/Pa]: `rate` [m/s] is the part of
+  /// p_a mu U that goes into the shell over p_a; of that heat the film takes some back, as its
+  /// largest local response has it. Negative: the shell bulges towards the journal. An estimate:
+  /// the growth found with the temperatures is the true one.
+  [[nodiscard]] HarmonicOperator contact_growth(double rate,
+                                                const thermal::WallResponse& film) const;
+  /// Widening by a field and such an operator [m].
+  [[nodiscard]] Field widening(const HarmonicOperator& by, const Field& contact) const;
   /// Winkler foundation that stands for the compliance in a preconditioner [m/Pa].
   [[nodiscard]] double winkler() const { return winkler_; }
 
@@ -50,8 +58,13 @@ class Solids {
   /// `T_shaft` (axial cells) [K], Robin-coupled by the film's response. The means of both walls
   /// are found together first: heat passes from one to the other through the film far more easily
   /// than out of the bearing, so that one after the other they would settle slowly.
+  /// Growth and the back's temperature are found only if wanted.
+  struct Wanted {
+    bool growth = true;
+    bool back = true;
+  };
   [[nodiscard]] SolidTemperature answer(const WallFlux& q, const Field& T_shell,
-                                        const std::vector<double>& T_shaft) const;
+                                        const std::vector<double>& T_shaft, Wanted wanted) const;
 
   [[nodiscard]] double surroundings() const { return surroundings_; }  ///< of the shell [K]
   /// True if these operators are those of the case on the grid, and hold the effects wanted.

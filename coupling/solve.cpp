@@ -149,6 +149,7 @@ Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveCont
   }
   ThermalOptions options;
   options.tolerance = std::max(options.tolerance, tolerance);
+  options.close = !(tolerance > 0.0);  // a coarse grid is but a start
   return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
 }
 

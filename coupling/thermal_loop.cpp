@@ -13,8 +13,10 @@ namespace shellback::coupling {
 namespace {
 
 constexpr double kSettled = 1e-9;  ///< change per sweep that leaves the balance near round-off [K]
-constexpr int kLaps = 3;           ///< sweeps for the film's response to its walls
-constexpr int kResponseTurns[] = {1, 4};   ///< turns in which that is measured; then it is known
+constexpr double kRoughlySettled = 1e-3;  ///< the same where the balance need not close [K]
+constexpr int kLaps = 3;                  ///< sweeps for the film's response to its walls
+constexpr int kResponseTurn =
+    4;  ///< in which that is measured again; a coarser grid's does till then
 constexpr double kTemperatureUnit = 10.0;  ///< one unit of the fixed point's temperatures [K]
 
 /// The map of the fixed point, on the states it works on.
@@ -34,25 +36,49 @@ class Turn {
 
   bool operator()(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] std::vector<double> pack() const;
+  /// From here on the growth by asperity heat goes with the film (film_equilibrium.hpp, (3a)).
+  void take_contact_growth();
+  /// Counts it as thermal growth again.
+  void give_contact_growth();
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
   [[nodiscard]] int turns() const { return turns_; }
-  /// Sweeps the film energy of the last turn to the end, so that its balance closes.
+  /// True if there is a state to go on from and nobody has asked to stop.
+  [[nodiscard]] bool may_go_on() const {
+    return std::isfinite(best_.residual) && verdict_.status != Status::interrupted;
+  }
+  /// Small steps from the best state on, then accelerated again once they have come near.
+  FixedPointEnd creep(const FixedPointOptions& fixed);
+  /// Solves film, heat and walls of the last turn to the end, so that their balances close.
   void finish();
 
  private:
   [[nodiscard]] EquilibriumOptions film_options() const;
+  /// Temperatures and growth for which a film is solved.
+  struct Place {
+    std::vector<double> T;
+    Field growth;
+  };
+  /// The film at the temperatures and growth that are set; where it is not found at once, by steps
+  /// from the place where it was found last.
+  Verdict solve_film(const Place& from);
   [[nodiscard]] double relaxation(const std::vector<double>& x, const std::vector<double>& g) const;
   void unpack(const std::vector<double>& x);
   void impose_walls(std::vector<double>& T) const;
   /// The energy equation of the film as it stands.
   thermal::FilmEnergy film_energy();
   /// The solids' answer to the heat of the present film temperatures.
-  void warm_the_walls(const thermal::FilmEnergy& energy);
+  void warm_the_walls(const thermal::FilmEnergy& energy, Solids::Wanted wanted);
+  /// One round of film and walls, the flow staying as it is; the largest change of a wall [K].
+  double wall_round(thermal::FilmEnergy& energy);
+  /// Rounds, accelerated, until one changes the walls by `enough` [K] or less, at most `rounds`;
+  /// the change of the best one, in whose state all is left.
+  double balance_walls(thermal::FilmEnergy& energy, double enough, int rounds);
   /// Gives the film the solids' new temperatures; the largest change [K].
   double take_wall_temperatures();
   /// False, with the verdict set, if the temperatures run away.
   [[nodiscard]] bool sound();
   [[nodiscard]] Verdict runaway(const std::string& what) const;
+  [[nodiscard]] Verdict friction_runaway(double from, double to) const;
   /// A film that fails because heat has thinned its oil is a thermal runaway.
   void name_the_failure();
   void report(const std::vector<double>& x, const std::vector<double>& g);
@@ -68,6 +94,14 @@ class Turn {
   std::vector<double> turn_T_;  ///< temperatures and growth for which the film was solved last
   Field turn_growth_;
   Friction friction_;
+  struct Best {  ///< state after the turn with the least change
+    double residual = INFINITY;
+    double torque = 0.0;
+    FilmEquilibrium film;
+    HeatState heat;
+    std::vector<double> T;  ///< for which its film was solved
+    Field growth;
+  } best_;
   Verdict verdict_;
   int turns_ = 0;
 };
@@ -80,6 +114,29 @@ std::vector<double> Turn::pack() const {
   return x;
 }
 
+void Turn::take_contact_growth() {
+  const Physics& has = model_.physics;
+  if (film_.contact_growth || !model_.contact || !has.elastic || !has.growth) return;
+  if (!(heat_.response.shell_local > 0.0) || film_.p_contact.empty()) return;
+  film_.contact_growth = std::make_shared<HarmonicOperator>(
+      model_.solids->contact_growth(contact_heat_rate(model_).shell, heat_.response));
+  const Field own = model_.solids->widening(*film_.contact_growth, film_.p_contact);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    heat_.growth[k] -= own[k];
+    film_.elastic[k] += own[k];
+  }
+}
+
+void Turn::give_contact_growth() {
+  if (!film_.contact_growth) return;
+  const Field own = model_.solids->widening(*film_.contact_growth, film_.p_contact);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    heat_.growth[k] += own[k];
+    film_.elastic[k] -= own[k];
+  }
+  film_.contact_growth.reset();
+}
+
 /// No tighter than the temperatures are known: the map's noise stays well below its change.
 EquilibriumOptions Turn::film_options() const {
   constexpr double kNoise = 1e-2;  // of the last change
@@ -90,6 +147,47 @@ EquilibriumOptions Turn::film_options() const {
   o.elastic_tolerance = std::max(o.elastic_tolerance, noise);
   o.viscosity_tolerance = std::max(o.viscosity_tolerance, noise);
   return o;
+}
+
+Verdict Turn::solve_film(const Place& from) {
+  constexpr double kShortestStep = 1.0 / 32.0;
+  const EquilibriumOptions options = film_options();
+  const fluid::FilmState film = film_.film;
+  const fluid::JournalPosition position = film_.position;
+  const Field elastic = film_.elastic;
+  const auto solve = [&](const Field& growth) {
+    return solve_equilibrium(model_, target_, growth, options, film_, cost_, control_.stop);
+  };
+  Verdict verdict = solve(heat_.growth);
+  if (verdict.good() || verdict.status == Status::interrupted || from.T.empty()) return verdict;
+  const Place to{film_.columns.T, heat_.growth};
+  film_.film = film;
+  film_.position = position;
+  film_.elastic = elastic;
+  FilmEquilibrium reached = film_;
+  double done = 0.0;
+  for (double step = 0.25; done < 1.0;) {
+    const double here = std::min(1.0, done + step);
+    Field growth = to.growth;
+    for (std::size_t k = 0; k < to.T.size(); ++k) {
+      film_.columns.T[k] = from.T[k] + here * (to.T[k] - from.T[k]);
+    }
+    for (std::size_t k = 0; k < growth.size(); ++k) {
+      growth[k] = from.growth[k] + here * (to.growth[k] - from.growth[k]);
+    }
+    verdict = solve(growth);
+    if (verdict.good()) {
+      reached = film_;
+      done = here;
+      step *= 2.0;
+      continue;
+    }
+    if (verdict.status == Status::interrupted || step < kShortestStep) break;
+    film_ = reached;
+    step *= 0.25;
+  }
+  film_.columns.T = to.T;
+  return verdict;
 }
 
 /// Warmer oil is thinner and makes less heat: the map answers a rise by -beta (T - T_supply) of it.
@@ -153,7 +251,7 @@ thermal::FilmEnergy Turn::film_energy() {
   return thermal::FilmEnergy(film_energy_problem(model_, film_, friction_));
 }
 
-void Turn::warm_the_walls(const thermal::FilmEnergy& energy) {
+void Turn::warm_the_walls(const thermal::FilmEnergy& energy, Solids::Wanted wanted) {
   const FilmGrid& g = model_.scene.grid;
   const thermal::WallHeat walls = energy.wall_heat(film_.columns.T);
   const ContactHeat rubbed = contact_heat(model_, film_);
@@ -167,7 +265,7 @@ void Turn::warm_the_walls(const thermal::FilmEnergy& energy) {
       heat_.contact_heat += g.multiplicity() * g.area(i, j) * (rubbed.shell[c] + rubbed.shaft[c]);
     }
   }
-  heat_.solids = model_.solids->answer(q, heat_.T_shell, heat_.T_shaft);
+  heat_.solids = model_.solids->answer(q, heat_.T_shell, heat_.T_shaft, wanted);
 }
 
 bool Turn::sound() {
@@ -187,6 +285,14 @@ Verdict Turn::runaway(const std::string& what) const {
   return {Status::no_steady_state, "thermal runaway: " + what,
           fluid::place_of(model_.scene.grid, cell),
           "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
+}
+
+Verdict Turn::friction_runaway(double from, double to) const {
+  return runaway(
+      fmt::format("followed in small steps, the friction torque rose from {:.3g} to {:.3g} N m "
+                  "without coming to rest: heat thins the film, or makes the shell bulge, faster "
+                  "than it flows off",
+                  from, to));
 }
 
 void Turn::name_the_failure() {
@@ -231,13 +337,17 @@ double Turn::take_wall_temperatures() {
 }
 
 bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
+  // Within a turn the walls come to balance but for this part of their first change: they answer
+  // the film slowly, and each of their rounds costs far less than a film.
+  constexpr double kWallPart = 0.1;
+  constexpr int kWallRounds = 6;
   ++turns_;
   unpack(x);
   if (!sound()) return false;
+  const Place before{std::move(turn_T_), std::move(turn_growth_)};
   turn_T_ = film_.columns.T;
   turn_growth_ = heat_.growth;
-  verdict_ =
-      solve_equilibrium(model_, target_, heat_.growth, film_options(), film_, cost_, control_.stop);
+  verdict_ = solve_film(before);
   if (!verdict_.good()) {
     name_the_failure();
     return false;
@@ -245,25 +355,119 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   thermal::FilmEnergy energy = film_energy();
   for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
   if (!sound()) return false;
-  if (std::find(std::begin(kResponseTurns), std::end(kResponseTurns), turns_) !=
-      std::end(kResponseTurns)) {
+  if (!(heat_.response.shell_local > 0.0) || turns_ == kResponseTurn) {
     heat_.response = energy.wall_response(kLaps);
   }
-  warm_the_walls(energy);
+  const double change = wall_round(energy);
+  const double enough =
+      std::max(kWallPart * change, kWallPart * kTemperatureUnit * options_.tolerance);
+  if (change > enough) balance_walls(energy, enough, kWallRounds);
+  for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
+  if (!sound()) return false;
+  warm_the_walls(energy, {true, false});
   take_wall_temperatures();
-  if (!heat_.growth.empty()) heat_.growth = heat_.solids.growth;
+  if (!heat_.growth.empty()) {
+    heat_.growth = heat_.solids.growth;
+    if (film_.contact_growth) {
+      const Field own = model_.solids->widening(*film_.contact_growth, film_.p_contact);
+      for (std::size_t k = 0; k < own.size(); ++k) heat_.growth[k] -= own[k];
+    } else {
+      take_contact_growth();  // the film's response is known from the first turn on
+    }
+  }
   g = pack();
   const double part = relaxation(x, g);
   for (std::size_t k = 0; k < g.size(); ++k) g[k] = x[k] + part * (g[k] - x[k]);
   report(x, g);
+  if (heat_.residual < best_.residual) {
+    best_ = {heat_.residual, friction_.viscous + friction_.asperity, film_, heat_, turn_T_,
+             turn_growth_};
+  }
   return true;
 }
 
+FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
+  constexpr double kStep = 0.3;     // of the way to the map's value
+  constexpr double kNear = 0.05;    // change per turn from which acceleration is tried again
+  constexpr double kRunaway = 1.5;  // friction over that of the best state: it rises for good [-]
+  const double torque = best_.torque;
+  film_ = best_.film;
+  heat_ = best_.heat;
+  turn_T_ = best_.T;
+  turn_growth_ = best_.growth;
+  std::vector<double> x = pack();
+  std::vector<double> g;
+  double near = kNear;
+  for (int k = 0; k < fixed.max_iterations; ++k) {
+    if (!(*this)(x, g)) {
+      if (verdict_.status != Status::iteration_limit) return FixedPointEnd::map_failed;
+      const double now = friction_.viscous + friction_.asperity;
+      if (now > torque) verdict_ = friction_runaway(torque, now);
+      return FixedPointEnd::map_failed;
+    }
+    const double now = friction_.viscous + friction_.asperity;
+    if (now > kRunaway * torque && heat_.residual > kNear) {
+      verdict_ = friction_runaway(torque, now);
+      return FixedPointEnd::map_failed;
+    }
+    for (std::size_t c = 0; c < x.size(); ++c) x[c] += kStep * (g[c] - x[c]);
+    if (heat_.residual > near) continue;
+    std::vector<double> y = x;
+    FixedPointOptions again = fixed;
+    again.max_iterations = std::max(10, fixed.max_iterations / 2);
+    if (fixed_point(std::ref(*this), again, y) == FixedPointEnd::converged) {
+      return FixedPointEnd::converged;
+    }
+    near *= 0.1;
+    film_ = best_.film;
+    heat_ = best_.heat;
+    turn_T_ = best_.T;
+    turn_growth_ = best_.growth;
+    x = pack();
+  }
+  return FixedPointEnd::iteration_limit;
+}
+
+double Turn::wall_round(thermal::FilmEnergy& energy) {
+  for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
+  warm_the_walls(energy, {false, false});
+  return take_wall_temperatures();
+}
+
+double Turn::balance_walls(thermal::FilmEnergy& energy, double enough, int rounds) {
+  constexpr int kDepth = 12;
+  const std::size_t cells = heat_.T_shell.size();
+  double least = INFINITY;  // of the best round: the walls are left as they were there
+  std::vector<double> best_T = film_.columns.T;
+  HeatState best = heat_;
+  const auto round = [&](const std::vector<double>& x, std::vector<double>& g) {
+    std::copy_n(x.begin(), cells, heat_.T_shell.begin());
+    std::copy(x.begin() + cells, x.end(), heat_.T_shaft.begin());
+    impose_walls(film_.columns.T);
+    const double change = wall_round(energy);
+    if (change < least) {
+      least = change;
+      best_T = film_.columns.T;
+      best = heat_;
+    }
+    g = heat_.T_shell;
+    g.insert(g.end(), heat_.T_shaft.begin(), heat_.T_shaft.end());
+    return true;
+  };
+  std::vector<double> x = heat_.T_shell;
+  x.insert(x.end(), heat_.T_shaft.begin(), heat_.T_shaft.end());
+  const auto end = fixed_point(round, {kDepth, 1, rounds, enough}, x);
+  if (end != FixedPointEnd::converged) {
+    film_.columns.T = best_T;
+    heat_ = best;
+  }
+  return least;
+}
+
 void Turn::finish() {
-  constexpr int kMostRounds = 60;  // of film and walls in turn, the flow staying as it is
   constexpr int kMostSweeps = 400;
-  constexpr double kWalls = 1e-7;   // change per round that leaves their heat balanced [K]
-  constexpr double kGrowing = 4.0;  // change over the best one at which rounds only get worse [-]
+  constexpr int kMostRounds = 60;
+  constexpr double kWalls = 1e-7;      // change per round that leaves their heat balanced [K]
   constexpr double kUnbalanced = 0.1;  // change that the walls must not be left with [K]
   const std::vector<double> after = film_.columns.T;
   film_.columns.T = turn_T_;
@@ -271,27 +475,13 @@ void Turn::finish() {
       solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_, control_.stop);
   film_.columns.T = after;
   thermal::FilmEnergy energy = film_energy();
-  double change = INFINITY;  // of the best round; a round may be the first of a growing series
-  std::vector<double> best_T = film_.columns.T;
-  HeatState best = heat_;
-  for (int round = 0; round < kMostRounds && change > kWalls; ++round) {
-    for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
-    warm_the_walls(energy);
-    const double now = take_wall_temperatures();
-    if (now < change) {
-      change = now;
-      best_T = film_.columns.T;
-      best = heat_;
-    } else if (now > kGrowing * change) {
-      break;
-    }
-  }
-  film_.columns.T = best_T;
-  heat_ = best;
+  const double change = options_.close ? balance_walls(energy, kWalls, kMostRounds) : 0.0;
+  const double settled = options_.close ? kSettled : kRoughlySettled;
   for (int k = 0; k < kMostSweeps; ++k) {
-    if (energy.sweep(film_.columns.T) < kSettled) break;
+    if (energy.sweep(film_.columns.T) < settled) break;
   }
-  warm_the_walls(energy);
+  warm_the_walls(energy, {true, true});
+  heat_.growth = turn_growth_;  // that of the film
   heat_.balance = energy.balance(film_.columns.T);
   heat_.T_mix = energy.mix_temperatures();
   heat_.backflow_nodes = energy.backflow_nodes();
@@ -318,15 +508,19 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
                       FilmEquilibrium& film, HeatState& heat, EquilibriumCost& cost,
                       std::vector<HistoryEntry>& history) {
   Turn turn(model, target, options, control, film, heat, cost, history);
+  turn.take_contact_growth();
   std::vector<double> x = turn.pack();
   const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance};
-  const FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
+  FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
+  if (end != FixedPointEnd::converged && turn.may_go_on()) end = turn.creep(fixed);
   if (end == FixedPointEnd::map_failed) {
+    turn.give_contact_growth();
     if (!turn.verdict().good()) return turn.verdict();
     return {Status::invalid_number, "the accelerated temperatures are not numbers", "",
             "try a finer grid"};
   }
   turn.finish();
+  turn.give_contact_growth();
   if (end == FixedPointEnd::converged) return turn.verdict();
   return {Status::iteration_limit,
           fmt::format("film and heat did not settle in {} turns (last change {:.1e} of 10 K)",

@@ -14,23 +14,26 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare, sweep };
+enum class Command { none, init, check, run, compare, sweep, chart };
 
 /// What was asked for.
 struct Request {
   Command command = Command::none;
   std::string name;  ///< init: shipped case
   std::string case_file;
-  std::string tier;                ///< --tier
-  std::vector<std::string> tiers;  ///< --tiers
-  std::vector<std::string> set;    ///< --set, each KEY=VALUE
-  std::string json;                ///< --json: file, "-" for standard output
-  std::string output;              ///< -o
-  std::string picture;             ///< --picture
-  int threads = 1;                 ///< -j
-  std::vector<std::string> vary;   ///< --vary, each KEY=VALUES
-  std::string csv;                 ///< --csv: file, "-" for standard output
-  int cores = 0;                   ///< sweep -j; 0: all there are
+  std::string tier;                 ///< --tier
+  std::vector<std::string> tiers;   ///< --tiers
+  std::vector<std::string> set;     ///< --set, each KEY=VALUE
+  std::string json;                 ///< --json: file, "-" for standard output
+  std::string output;               ///< -o
+  std::string picture;              ///< --picture
+  int threads = 1;                  ///< -j
+  std::vector<std::string> scenes;  ///< chart: which; empty: all
+  std::string png;                  ///< chart --png
+  std::string csv;                  ///< sweep, chart --csv: file, "-" for standard output
+  bool quick = false;               ///< chart --quick
+  std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
+  int cores = 0;                    ///< sweep -j; 0: all there are
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

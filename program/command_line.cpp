@@ -9,7 +9,7 @@ namespace {
 
 using namespace app;
 
-const std::vector<std::string> kCommands{"init", "check", "run", "compare", "sweep"};
+const std::vector<std::string> kCommands{"init", "check", "run", "compare", "sweep", "chart"};
 constexpr int kMostThreads = 1024;
 
 void add_case_options(CLI::App& command, Request& request) {
@@ -56,6 +56,22 @@ void add_sweep(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_chart(CLI::App& app, Request& request) {
+  auto* chart = app.add_subcommand("chart", "speed against accuracy of grids, tiers and methods");
+  chart->add_option("SCENE", request.scenes,
+                    "shipped scenes or case files (default: all shipped scenes)");
+  chart->add_option("-o", request.output, "write the picture (SVG)")->type_name("FILE.svg");
+  chart->add_option("--png", request.png, "write the picture as pixels")->type_name("FILE.png");
+  chart->add_option("--csv", request.csv, "write all numbers; - is standard output")
+      ->type_name("FILE.csv");
+  chart->add_flag("--quick", request.quick, "coarser grids, each solve timed once");
+  chart
+      ->add_option("-j", request.threads,
+                   "threads for the references; timed solves run one at a time")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
 void add_commands(CLI::App& app, Request& request) {
   auto* init = app.add_subcommand("init", "list the shipped cases, or write one to start from");
   init->add_option("NAME", request.name, "shipped case; without it they are listed");
@@ -82,6 +98,7 @@ void add_commands(CLI::App& app, Request& request) {
   compare->add_option("--picture", request.picture, "write the main picture (SVG)")
       ->type_name("FILE.svg");
   add_sweep(app, request);
+  add_chart(app, request);
 }
 
 Command command_of(const CLI::App& app) {
@@ -90,6 +107,7 @@ Command command_of(const CLI::App& app) {
   if (app.got_subcommand("run")) return Command::run;
   if (app.got_subcommand("compare")) return Command::compare;
   if (app.got_subcommand("sweep")) return Command::sweep;
+  if (app.got_subcommand("chart")) return Command::chart;
   return Command::none;
 }
 

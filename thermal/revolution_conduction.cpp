@@ -210,6 +210,7 @@ ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& gri
     lambda_.push_back(eigen.eigenvalues());
     modes_.push_back(over_root.asDiagonal() * eigen.eigenvectors());
   }
+  mean_ = dz.transpose() * surface_[0] / dz.sum();
   const double turn = 2.0 * kPi * grid.multiplicity();
   const Eigen::RowVectorXd to_back = held ? reaction_weights(mesh, elements, rows)
                                           : loss_weights(mesh, elements, rows, &HeatElement::outer);
@@ -217,8 +218,28 @@ ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& gri
   end_heat_ = turn * loss_weights(mesh, elements, rows, &HeatElement::ends) * nodal_[0];
 }
 
+HarmonicOperator ShellConduction::entering(FilmConductance film) const {
+  const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
+  HarmonicOperator op;
+  for (std::size_t n = 0; n < modes_.size(); ++n) {
+    const double g = n == 0 ? film.mean : film.local;
+    const Eigen::VectorXd part = (1.0 + g * lambda_[n].array()).inverse();
+    op.emplace_back(modes_[n] * part.asDiagonal() * modes_[n].transpose() * dz.asDiagonal());
+  }
+  return op;
+}
+
+double ShellConduction::mean_surface(const Field& q, double surroundings) const {
+  double mean = 0.0;  // only the circumferential mean of the flux reaches that of the temperature
+  for (int i = 0; i < grid_.nt; ++i) {
+    const double part = grid_.dphi[i] / (2.0 * kPi);
+    for (int j = 0; j < grid_.nz; ++j) mean += part * mean_[j] * q[grid_.index(i, j)];
+  }
+  return surroundings + mean;
+}
+
 ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film, const Field& t_old,
-                                        double surroundings) const {
+                                        double surroundings, bool with_back) const {
   EXPECTS(film.mean >= 0.0 && film.local >= 0.0 && q.size() == t_old.size());
   const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
   ShellTemperature out;
@@ -241,7 +262,7 @@ ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film, co
     return harmonics_.synthesise(t);
   };
   out.surface = cells(surface_);
-  out.back = cells(back_);
+  if (with_back) out.back = cells(back_);
   const Eigen::VectorXd mean_flux = out.flux.col(0);
   out.heat_in = 2.0 * kPi * grid_.multiplicity() * grid_.radius * dz.dot(mean_flux);
   out.heat_back = back_heat_ * mean_flux;

@@ -74,12 +74,19 @@ class ShellConduction {
   /// `surroundings` [K] is the ambient or the prescribed back temperature. At T = T_old the answer
   /// is that of the flux q whatever g is: g only steadies the iteration. Parts of T_old above the
   /// highest harmonic are ignored.
+  /// `back` is left empty unless asked for.
   [[nodiscard]] ShellTemperature solve(const Field& q, FilmConductance g, const Field& t_old,
-                                       double surroundings) const;
+                                       double surroundings, bool with_back = true) const;
   [[nodiscard]] ShellTemperature solve(const Field& q, double g, const Field& t_old,
                                        double surroundings) const {
     return solve(q, FilmConductance{g, g}, t_old, surroundings);
   }
+
+  /// Part of a flux at the bore that enters the shell while the film takes back g per kelvin:
+  /// (1 + g Z_n)^-1, nz x nz for each harmonic.
+  [[nodiscard]] HarmonicOperator entering(FilmConductance g) const;
+  /// Area mean of the bore temperature for the flux q, without Robin coupling [K].
+  [[nodiscard]] double mean_surface(const Field& q, double surroundings) const;
 
   [[nodiscard]] const Harmonics& harmonics() const { return harmonics_; }
   /// Bore temperature rise per flux, Z_n, nz x nz [K m2/W].
@@ -100,6 +107,7 @@ class ShellConduction {
   HarmonicOperator surface_, back_, nodal_;
   std::vector<Eigen::MatrixXd> modes_;  ///< V_n: Z V = V diag(lambda), V^T diag(dz) V = 1
   std::vector<Eigen::VectorXd> lambda_;
+  Eigen::RowVectorXd mean_;  ///< area mean of the bore's rise per flux of each axial cell [K m2/W]
   Eigen::RowVectorXd back_heat_, end_heat_;  ///< [W] per flux of each axial cell [W/m2]
 };
 

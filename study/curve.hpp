@@ -7,7 +7,6 @@
 /// beyond it. Afterwards `mend` enters
 /// every gap from its solved borders. Pieces may run on several threads at once; `mend` afterwards,
 /// alone.
-#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -24,9 +23,9 @@ class Curve {
   using Along = std::function<coupling::Case(double index)>;  ///< the case along the curve
   using Finished = std::function<void(int k, bool good)>;     ///< told after each point
 
-  /// `points` are those of the curve in their order; they must outlive it, as must `stop`.
+  /// `points` are those of the curve in their order; they must outlive it, as must `options`.
   Curve(const Axis& axis, Along case_at, std::vector<SweepPoint*> points,
-        const std::atomic<bool>* stop, Finished finished);
+        const SweepOptions& options, Finished finished);
 
   /// Solves the points of [low, high), as far as they can be reached from within.
   void solve_piece(int low, int high);
@@ -47,19 +46,22 @@ class Curve {
   Known reach(int k, const Trail& trail);
   Known creep(int k, Trail trail);
   Known cold(int k);
+  void solve_alone(int k);
   void walk(Trail trail, int direction, int low, int high, bool to_first_failure);
   bool enter_gaps();
   Trail trail_at(int k, int direction);
   void settle(int k, const Known& solution);
   void forget_inner(int k);
   [[nodiscard]] bool solved(int k);
-  [[nodiscard]] bool stopped() const { return stop_ != nullptr && stop_->load(); }
+  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  [[nodiscard]] coupling::SolveControl control() const { return {{}, options_.stop}; }
 
   const Axis& axis_;
   Along case_at_;
   std::vector<SweepPoint*> points_;
-  const std::atomic<bool>* stop_;
+  const SweepOptions& options_;
   Finished finished_;
+  std::vector<char> alone_;            ///< per point: its tier has no film to go on from
   std::vector<unsigned> failed_from_;  ///< per point: Side bits from which it cannot be solved
 
   std::mutex guard_;           ///< of what follows

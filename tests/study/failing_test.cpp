@@ -136,3 +136,26 @@ TEST_CASE("AStepTooLongForOneSolveIsTakenInParts") {
   REQUIRE(steps.count_good() == 16);
   CHECK(torque(sweep.at(1, 0)) == Approx(torque(steps.at(15, 0))).epsilon(1e-3));
 }
+
+TEST_CASE("TiersWithoutAFilmAreSolvedAloneOrRefused") {
+  const std::vector<Axis> axes{
+      spaced_axis("operation.speed", 3000.0, 1000.0, 5, Spacing::linear, "rpm")};
+  const CaseAt source = [&](const Position& at) {
+    Case c = plain_source(axes)(at);
+    if (at.along == 2.0) c.model.tier = coupling::Tier::estimate;
+    return c;
+  };
+  CHECK_THROWS_AS(run_sweep(axes, source), InputError);
+  SweepOptions options;
+  options.solve_alone = [](const Case& c, const coupling::SolveControl& control) {
+    Case same = c;
+    same.model.tier = coupling::Tier::isothermal;
+    return coupling::solve(same, control);
+  };
+  const Sweep sweep = run_sweep(axes, source, options);
+  const Sweep usual = run_sweep(axes, plain_source(axes));
+  REQUIRE(sweep.count_good() == 5);
+  for (int k = 0; k < 5; ++k) {
+    CHECK(torque(sweep.at(k, 0)) == Approx(torque(usual.at(k, 0))).epsilon(1e-7));
+  }
+}

@@ -22,7 +22,7 @@ TEST_CASE("EveryPointOfASweepIsThatOfASingleRun") {
       spaced_axis("operation.speed", 4000.0, 500.0, 6, Spacing::logarithmic, "rpm"),
       listed_axis("operation.load", {1.0, 3.0}, "kN")};
   const CaseAt source = plain_source(axes);
-  const Sweep sweep = run_sweep(axes, source, {2, {}, nullptr});
+  const Sweep sweep = run_sweep(axes, source, {.threads = 2});
   REQUIRE(sweep.points.size() == 12);
   CHECK(sweep.count_good() == 12);
   for (int k = 0; k < 6; ++k) {
@@ -64,8 +64,8 @@ TEST_CASE("TheNumberOfThreadsDoesNotMoveTheResultsBeyondTheTolerance") {
   const std::vector<Axis> axes{
       spaced_axis("operation.speed", 3000.0, 600.0, 13, Spacing::logarithmic, "rpm")};
   const CaseAt source = rig_source(axes);
-  const Sweep one = run_sweep(axes, source, {1, {}, nullptr});
-  const Sweep two = run_sweep(axes, source, {2, {}, nullptr});
+  const Sweep one = run_sweep(axes, source, {.threads = 1});
+  const Sweep two = run_sweep(axes, source, {.threads = 2});
   REQUIRE(one.count_good() == 13);
   REQUIRE(two.count_good() == 13);
   int cold = 0;

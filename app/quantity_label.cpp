@@ -159,12 +159,24 @@ std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,
         const bool round_off = q && std::abs(q->value) < kRoundOff * largest;
         row.values.push_back(q ? std::optional(round_off ? 0.0 : row.unit(q->value))
                                : std::nullopt);
+        const double s = row.unit.scale;
+        row.bars.push_back(q ? ShownBars{s * q->error_grid, s * q->error_model, s * q->error()}
+                             : ShownBars{NAN, NAN, NAN});
       }
       if (const auto si = measured_si(measured, quantity.name)) row.measured = row.unit(*si);
       rows.push_back(std::move(row));
     }
   }
   return rows;
+}
+
+bool has_bars(const QuantityRow& row) {
+  return std::any_of(row.bars.begin(), row.bars.end(),
+                     [](const ShownBars& b) { return std::isfinite(b.total); });
+}
+
+std::string bar_figures(double bar) {
+  return std::isfinite(bar) ? "+-" + figures(std::abs(bar), 2) : "";
 }
 
 std::vector<std::string> column_names(const std::vector<coupling::Result>& results) {

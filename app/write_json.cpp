@@ -145,13 +145,23 @@ Json cost_json(const coupling::Cost& k) {
           {"setup_s", number(k.setup_s)},
           {"factorizations", k.factorizations},
           {"newton_iterations", k.newton_iterations},
-          {"outer_iterations", k.outer_iterations}};
+          {"outer_iterations", k.outer_iterations},
+          {"bars_s", number(k.bars_s)}};
 }
 
 Json to_json(const coupling::Case& c, const coupling::Result& result) {
   Json json;
   add_status(json, result.verdict);
   json["tier"] = to_string(result.tier);
+  if (result.choice) {
+    const auto& choice = *result.choice;
+    json["chosen_by"] = "auto";
+    json["tolerance"] = {{"asked", choice.tolerance},
+                         {"met", choice.met},
+                         {"friction_torque", number(choice.bar_friction)},
+                         {"h_min", number(choice.bar_h_min)}};
+    json["solved"] = choice.solved;
+  }
   json["title"] = result.title;
   json["quantities"] = quantities(result);
   json["audit"] = audit_json(result.audit);

@@ -279,7 +279,7 @@ Result summarize(const Solution& s, Tier tier) {
   r.history = s.history;
   r.levels = s.levels;
   r.cost = {s.wall_s, m.solids ? m.solids->setup_seconds() : 0.0, s.cost.factorizations,
-            s.cost.newton_iterations, static_cast<int>(s.history.size())};
+            s.cost.newton_iterations, static_cast<int>(s.history.size()), 0.0};
   if (s.film.gap.cell.empty()) return r;  // stopped before the first evaluation
   const Friction f = friction_of(m, s.film);
   r.quantities = quantities_of(s, tier);

@@ -8,7 +8,8 @@
 #include "app/write_hdf5.hpp"
 #include "app/write_json.hpp"
 #include "app/write_table.hpp"
-#include "coupling/solve.hpp"
+#include "core/contract.hpp"
+#include "fidelity/solve_case.hpp"
 #include "program/commands.hpp"
 #include "program/session.hpp"
 
@@ -39,17 +40,26 @@ int give_coefficients(const Request& request, const Result& result) {
   return kDone;
 }
 
+/// The tier `estimate` has no film to be disturbed.
+void expect_film(const Case& subject) {
+  if (!subject.model.coefficients || subject.model.tier != Tier::estimate) return;
+  throw InputError("model.coefficients",
+                   "stiffness and damping (--coefficients) need a solved film, and tier estimate "
+                   "solves none; take tier isothermal or a richer one");
+}
+
 }  // namespace
 
 int run(const Request& request) {
   const Case subject = read_case(request.case_file, overrides_of(request));
+  expect_film(subject);
   expect_folder(request.json);
   expect_folder(request.output);
   expect_folder(request.coefficients_table);
   tell_warnings(subject);
   const Result result = [&] {
     ProgressLine line;
-    return solve(subject, control_for(line));
+    return fidelity::solve_case(subject, control_for(line));
   }();
   if (!request.json.empty()) give_json(request, result_json(subject, result));
   if (!request.output.empty()) write_hdf5(request.output, subject, result);

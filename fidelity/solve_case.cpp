@@ -13,7 +13,7 @@ coupling::Result solve_case(const coupling::Case& c, const coupling::SolveContro
     case coupling::Tier::automatic:
       return solve_auto(c, control);
     default:
-      return solve(c, control);
+      return fidelity::solve(c, control);
   }
 }
 

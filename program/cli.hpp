@@ -37,6 +37,8 @@ struct Request {
   std::string json;                 ///< --json: file, "-" for standard output
   std::string output;               ///< -o
   std::string picture;              ///< --picture
+  bool coefficients = false;        ///< --coefficients
+  std::string coefficients_table;   ///< --coefficients-table
   std::string csv;                  ///< --csv: file, "-" for standard output
   std::string png;                  ///< --png
   int threads = 1;                  ///< -j

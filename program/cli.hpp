@@ -14,7 +14,17 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare, sweep, chart };
+enum class Command {
+  none,
+  init,
+  check,
+  run,
+  compare,
+  sweep,
+  chart,
+  auto_honesty,
+  validate,
+};
 
 /// What was asked for.
 struct Request {
@@ -27,13 +37,21 @@ struct Request {
   std::string json;                 ///< --json: file, "-" for standard output
   std::string output;               ///< -o
   std::string picture;              ///< --picture
+  std::string csv;                  ///< --csv: file, "-" for standard output
+  std::string png;                  ///< --png
   int threads = 1;                  ///< -j
+  bool quick = false;               ///< --quick: fewer or coarser
   std::vector<std::string> scenes;  ///< chart: which; empty: all
-  std::string png;                  ///< chart --png
-  std::string csv;                  ///< sweep, chart --csv: file, "-" for standard output
-  bool quick = false;               ///< chart --quick
   std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
+  int cases = 200;                  ///< auto-honesty --cases
+  int seed = 1;                     ///< auto-honesty --seed: of the first case
   int cores = 0;                    ///< sweep -j; 0: all there are
+  std::vector<std::string> names;   ///< validate: ledger entries; empty: all
+  std::string ledger;               ///< validate --ledger: folder of entries; empty: the shipped
+  bool list = false;                ///< validate --list
+  bool all_rows = false;            ///< validate --rows
+  bool coefficients = false;        ///< run --coefficients
+  std::string coefficients_table;   ///< run --coefficients-table
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

@@ -9,8 +9,8 @@ namespace {
 
 using namespace app;
 
-const std::vector<std::string> kCommands{"init", "check", "run", "compare", "sweep", "chart"};
 constexpr int kMostThreads = 1024;
+const std::string kTierWords = "estimate, isothermal, lumped, thd, tehd or auto";
 
 void add_case_options(CLI::App& command, Request& request) {
   command.add_option("CASE", request.case_file, "case file (TOML)")->required();
@@ -21,15 +21,49 @@ void add_case_options(CLI::App& command, Request& request) {
       ->allow_extra_args(false);
 }
 
+void add_threads(CLI::App& command, Request& request, const std::string& words) {
+  command.add_option("-j", request.threads, words)
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
 void add_solve_options(CLI::App& command, Request& request) {
   add_case_options(command, request);
   command
       .add_option("--json", request.json,
                   "also write the result as JSON; - is standard output, without the table")
       ->type_name("FILE");
-  command.add_option("-j", request.threads, "threads that may be used (this version works on one)")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
+  add_threads(command, request, "threads that may be used (this command works on one)");
+}
+
+void add_validate(CLI::App& app, Request& request) {
+  auto* validate = app.add_subcommand(
+      "validate", "rerun the ledger: ours, theirs, difference, tolerance, verdict");
+  validate->add_option("NAME", request.names, "entries; without one, all of them");
+  validate->add_flag("--list", request.list, "list the entries without running them");
+  validate->add_flag("--rows", request.all_rows, "print every row, not only the worst");
+  add_threads(*validate, request, "threads that may be used");
+  validate->add_option("-o", request.output, "write the page with figures and bands (HTML)")
+      ->type_name("FILE.html");
+  validate->add_option("--csv", request.csv, "write every row as a table")->type_name("FILE");
+  validate
+      ->add_option("--json", request.json,
+                   "also write the ledger as JSON; - is standard output, without the tables")
+      ->type_name("FILE");
+  validate->add_option("--ledger", request.ledger, "folder of entries (default: the shipped ones)")
+      ->type_name("FOLDER");
+}
+
+void add_chart(CLI::App& app, Request& request) {
+  auto* chart = app.add_subcommand("chart", "speed against accuracy of grids, tiers and methods");
+  chart->add_option("SCENE", request.scenes,
+                    "shipped scenes or case files (default: all shipped scenes)");
+  chart->add_option("-o", request.output, "write the picture (SVG)")->type_name("FILE.svg");
+  chart->add_option("--png", request.png, "write the picture as pixels")->type_name("FILE.png");
+  chart->add_option("--csv", request.csv, "write all numbers; - is standard output")
+      ->type_name("FILE.csv");
+  chart->add_flag("--quick", request.quick, "coarser grids, each solve timed once");
+  add_threads(*chart, request, "threads for the references; timed solves run one at a time");
 }
 
 void add_sweep(CLI::App& app, Request& request) {
@@ -42,7 +76,7 @@ void add_sweep(CLI::App& app, Request& request) {
                    "the first")
       ->type_name("KEY=FROM..TO[/N][log]")
       ->allow_extra_args(false);
-  sweep->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+  sweep->add_option("--tier", request.tier, kTierWords);
   sweep->add_option("-o", request.output, "write all results over the grid (HDF5)")
       ->type_name("FILE.h5");
   sweep->add_option("--csv", request.csv, "write a table, one line a point; - is standard output")
@@ -56,37 +90,38 @@ void add_sweep(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
-void add_chart(CLI::App& app, Request& request) {
-  auto* chart = app.add_subcommand("chart", "speed against accuracy of grids, tiers and methods");
-  chart->add_option("SCENE", request.scenes,
-                    "shipped scenes or case files (default: all shipped scenes)");
-  chart->add_option("-o", request.output, "write the picture (SVG)")->type_name("FILE.svg");
-  chart->add_option("--png", request.png, "write the picture as pixels")->type_name("FILE.png");
-  chart->add_option("--csv", request.csv, "write all numbers; - is standard output")
+void add_coefficient_options(CLI::App& command, Request& request) {
+  command.add_flag("--coefficients", request.coefficients,
+                   "also stiffness, damping and whirl threshold (as model.coefficients = true)");
+  command
+      .add_option("--coefficients-table", request.coefficients_table,
+                  "write them as a row for rotordynamics programs: frequency [rad/s], kxx to cyy "
+                  "[N/m, N s/m], the columns of a bearing in ROSS")
       ->type_name("FILE.csv");
-  chart->add_flag("--quick", request.quick, "coarser grids, each solve timed once");
-  chart
-      ->add_option("-j", request.threads,
-                   "threads for the references; timed solves run one at a time")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
 }
 
-void add_commands(CLI::App& app, Request& request) {
+void add_init(CLI::App& app, Request& request) {
   auto* init = app.add_subcommand("init", "list the shipped cases, or write one to start from");
   init->add_option("NAME", request.name, "shipped case; without it they are listed");
   init->add_option("-o", request.output, "file to write (default: NAME.toml)")
       ->type_name("FILE.toml");
+}
 
+void add_check(CLI::App& app, Request& request) {
   auto* check = app.add_subcommand("check", "read and judge a case without solving it");
   add_case_options(*check, request);
-  check->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+  check->add_option("--tier", request.tier, kTierWords);
+}
 
+void add_run(CLI::App& app, Request& request) {
   auto* run = app.add_subcommand("run", "solve a case");
   add_solve_options(*run, request);
-  run->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+  run->add_option("--tier", request.tier, kTierWords);
   run->add_option("-o", request.output, "write all fields (HDF5)")->type_name("FILE.h5");
+  add_coefficient_options(*run, request);
+}
 
+void add_compare(CLI::App& app, Request& request) {
   auto* compare = app.add_subcommand("compare", "solve a case in several tiers, side by side");
   add_solve_options(*compare, request);
   compare->add_option("--tiers", request.tiers, "tiers to compare (default: all the case allows)")
@@ -97,17 +132,49 @@ void add_commands(CLI::App& app, Request& request) {
       ->type_name("FILE.html");
   compare->add_option("--picture", request.picture, "write the main picture (SVG)")
       ->type_name("FILE.svg");
-  add_sweep(app, request);
-  add_chart(app, request);
+}
+
+void add_auto_honesty(CLI::App& app, Request& request) {
+  constexpr int kMostCases = 1000000;
+  auto* honesty =
+      app.add_subcommand("auto-honesty", "judge tier auto on random bearings against fine grids");
+  honesty->add_option("--cases", request.cases, "number of random bearings (default 200)")
+      ->check(CLI::Range(1, kMostCases));
+  honesty->add_option("--seed", request.seed, "of the first bearing (default 1)")
+      ->check(CLI::Range(0, kMostCases));
+  honesty->add_option("--json", request.json, "also write every trial as JSON")->type_name("FILE");
+  honesty->add_option("-j", request.threads, "threads, one bearing each")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+/// A command as it is offered.
+struct Offer {
+  std::string name;
+  Command command;
+  void (*add)(CLI::App&, Request&);
+};
+const std::vector<Offer> kOffers{
+    {"init", Command::init, add_init},
+    {"check", Command::check, add_check},
+    {"run", Command::run, add_run},
+    {"compare", Command::compare, add_compare},
+    {"sweep", Command::sweep, add_sweep},
+    {"auto-honesty", Command::auto_honesty, add_auto_honesty},
+    {"chart", Command::chart, add_chart},
+    {"validate", Command::validate, add_validate},
+};
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Offer& offer : kOffers) names.push_back(offer.name);
+  return names;
 }
 
 Command command_of(const CLI::App& app) {
-  if (app.got_subcommand("init")) return Command::init;
-  if (app.got_subcommand("check")) return Command::check;
-  if (app.got_subcommand("run")) return Command::run;
-  if (app.got_subcommand("compare")) return Command::compare;
-  if (app.got_subcommand("sweep")) return Command::sweep;
-  if (app.got_subcommand("chart")) return Command::chart;
+  for (const Offer& offer : kOffers) {
+    if (app.got_subcommand(offer.name)) return offer.command;
+  }
   return Command::none;
 }
 
@@ -142,10 +209,10 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
 /// A first word that is no command, unless it is an option.
 std::string unknown_command(const std::vector<std::string>& words) {
   if (words.empty() || words.front().starts_with("-")) return "";
-  const auto known = std::find(kCommands.begin(), kCommands.end(), words.front());
-  if (known != kCommands.end()) return "";
+  const auto known = command_names();
+  if (std::find(known.begin(), known.end(), words.front()) != known.end()) return "";
   return "there is no command " + in_quotes(words.front()) +
-         choices_for(words.front(), kCommands, "commands are");
+         choices_for(words.front(), known, "commands are");
 }
 
 }  // namespace
@@ -155,7 +222,7 @@ Reading read_command_line(const std::vector<std::string>& words) {
   CLI::App app{"Friction, film and temperature of oil-lubricated journal bearings", "shellback"};
   app.set_version_flag("--version", std::string("shellback ") + SHELLBACK_VERSION);
   app.require_subcommand(0, 1);
-  add_commands(app, reading.request);
+  for (const Offer& offer : kOffers) offer.add(app, reading.request);
   const std::string more = "\n\"shellback --help\" tells more.\n";
   if (const std::string unknown = unknown_command(words); !unknown.empty()) {
     return {{}, "shellback: " + unknown + more, kBadInput};

@@ -80,7 +80,8 @@ TEST_CASE("AnOutputThatCannotBeWrittenEndsWithFourBeforeTheWork") {
 TEST_CASE("ABadWordOnTheCommandLineEndsWithTwo") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);
-  CHECK(run_words({"run", path, "--tier", "auto"}).code == kBadInput);
+  CHECK(run_words({"run", path, "--tier", "automatic"}).code == kBadInput);
+  check_parts(run_words({"compare", path, "--tiers", "auto,thd"}).err, {"--tiers", "auto"});
   check_parts(run_words({"run", path, "--tier", "tedh"}).err, {"--tier", "did you mean \"tehd\"?"});
   check_parts(run_words({"compare", path, "--tiers", "thd,thd"}).err, {"--tiers", "twice"});
   check_parts(run_words({"run", path, "--set", "operation.speed=3000"}).err,

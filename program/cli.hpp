@@ -37,6 +37,8 @@ struct Request {
   std::string json;                 ///< --json: file, "-" for standard output
   std::string output;               ///< -o
   std::string picture;              ///< --picture
+  bool coefficients = false;        ///< --coefficients
+  std::string coefficients_table;   ///< --coefficients-table
   std::string csv;                  ///< --csv: file, "-" for standard output
   std::string png;                  ///< --png
   int threads = 1;                  ///< -j
@@ -50,8 +52,6 @@ struct Request {
   std::string ledger;               ///< validate --ledger: folder of entries; empty: the shipped
   bool list = false;                ///< validate --list
   bool all_rows = false;            ///< validate --rows
-  bool coefficients = false;        ///< run --coefficients
-  std::string coefficients_table;   ///< run --coefficients-table
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

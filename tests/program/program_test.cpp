@@ -182,6 +182,7 @@ TEST_CASE("ASweepToStandardOutputIsTheCsvAlone") {
   CHECK(ended.code == kDone);
   CHECK(ended.out.starts_with("operation.load [kN],status,"));
   CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 3);
+}
 
 TEST_CASE("CoefficientsComeOnlyIfAskedFor") {
   const ScratchFolder scratch;

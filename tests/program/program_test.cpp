@@ -182,6 +182,7 @@ TEST_CASE("ASweepToStandardOutputIsTheCsvAlone") {
   CHECK(ended.code == kDone);
   CHECK(ended.out.starts_with("operation.load [kN],status,"));
   CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 3);
+}
 
 TEST_CASE("CoefficientsComeOnlyIfAskedFor") {
   const ScratchFolder scratch;
@@ -203,4 +204,7 @@ TEST_CASE("CoefficientsComeOnlyIfAskedFor") {
   const Ended refused = run_words(other);
   CHECK(refused.code == kBadInput);
   check_parts(refused.err, {"swift-stieber", "model.coefficients"});
+  const Ended no_film = run_words({"run", path, "--tier", "estimate", "--coefficients"});
+  CHECK(no_film.code == kBadInput);
+  check_parts(no_film.err, {"need a solved film", "isothermal"});
 }

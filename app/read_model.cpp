@@ -10,6 +10,9 @@ using namespace coupling;
 
 constexpr Range kTolerance{0.0, 0.5, true, "be positive and at most 50 %"};
 constexpr Range kKappa{0.0, 5.0, false, "lie between 0 and 5"};
+constexpr Range kRelaxation{0.0, 1.0, true, "be positive and at most 1"};
+constexpr int kFewestLayers = 2;
+constexpr int kMostLayers = 60;  ///< three times what is usual
 constexpr int kFewestCells = 3;
 constexpr int kMostCells = 4000;  ///< finer than any published study by a factor of five
 
@@ -38,6 +41,43 @@ void read_grid(const Section& section, Model& model) {
   }
   model.grid_given = true;
   model.grid = section.pair_of_whole_numbers("grid", kFewestCells, kMostCells);
+}
+
+Methods read_methods(const Section& model) {
+  Methods m;
+  const auto section = model.maybe_section("methods");
+  if (!section) return m;
+  section->only({"cavitation", "across", "layers", "elastic", "relaxation"}, "model.methods");
+  if (section->has("cavitation")) {
+    m.cavitation = section->choice<CavitationMethod>(
+        "cavitation", {{"active-set", CavitationMethod::active_set},
+                       {"fischer-burmeister", CavitationMethod::fischer_burmeister},
+                       {"p-theta", CavitationMethod::p_theta},
+                       {"swift-stieber", CavitationMethod::swift_stieber}});
+  }
+  if (section->has("across")) {
+    m.across = section->choice<AcrossFilm>("across", {{"lobatto", AcrossFilm::lobatto},
+                                                      {"layers", AcrossFilm::layers},
+                                                      {"mean", AcrossFilm::mean}});
+  }
+  if (section->has("layers")) {
+    m.layers = section->whole_number("layers", kFewestLayers, kMostLayers);
+    if (m.across != AcrossFilm::layers) {
+      section->fail("layers", "layers belong to across = \"layers\"");
+    }
+  }
+  if (section->has("elastic")) {
+    m.elastic = section->choice<ElasticMethod>(
+        "elastic",
+        {{"newton", ElasticMethod::newton}, {"fixed-point", ElasticMethod::fixed_point}});
+  }
+  if (section->has("relaxation")) {
+    m.relaxation = section->quantity("relaxation", kNumber, kRelaxation);
+    if (m.elastic != ElasticMethod::fixed_point) {
+      section->fail("relaxation", "relaxation belongs to elastic = \"fixed-point\"");
+    }
+  }
+  return m;
 }
 
 void read_rules(const Section& section, Model& model) {
@@ -85,7 +125,7 @@ Model read_model(const Section& file) {
   section.only({"tier", "tolerance", "grid", "film_nodes", "pressure_dependence", "shear_thinning",
                 "flow_factors", "asperity_contact", "elastic_deformation", "thermal_deformation",
                 "cavitated_shear", "edges", "cavitation_pressure", "cavitation_pressure_absolute",
-                "equivalent_temperature"},
+                "equivalent_temperature", "methods"},
                "[model]");
   Model model;
   if (section.has("tier")) {
@@ -97,6 +137,7 @@ Model read_model(const Section& file) {
   read_grid(section, model);
   if (section.has("film_nodes")) model.film_nodes = section.whole_number("film_nodes", 3, 15);
   model.switches = read_switches(section);
+  model.methods = read_methods(section);
   read_rules(section, model);
   return model;
 }

@@ -89,6 +89,8 @@ GaussLobatto gauss_lobatto(int n) {
       gl.S[i * n + j] = (i == j ? 1.0 : 0.0) - c_top * top[i];
     }
   }
+  gl.v = gl.w;
+  gl.A = conduction_of(gl);
   return gl;
 }
 

@@ -6,18 +6,12 @@
 /// highest Legendre mode (leaves degree n - 2 and the integral unchanged). Summation by parts
 /// holds exactly: sum w_k (D f)_k = f(1) - f(0). Source: textbook (Legendre polynomials by their
 /// three-term recurrence; nodes are the ends and the roots of P'_{n-1}).
-#include <vector>
+#include "core/nodal_set.hpp"
 
 namespace shellback {
 
-struct GaussLobatto {
-  int n = 0;
-  std::vector<double> s;  ///< nodes [-], s[0] = 0, s[n-1] = 1
-  std::vector<double> w;  ///< weights [-], sum 1
-  std::vector<double> D;  ///< n x n, row k: derivative at s_k [-]
-  std::vector<double> Q;  ///< n x n, row k: integral from 0 to s_k [-]
-  std::vector<double> S;  ///< n x n, projection onto degree n - 2 [-]
-};
+/// The members of NodalSet with S the projection onto degree n - 2.
+using GaussLobatto = NodalSet;
 
 /// Operators for n nodes, 3 <= n <= 32.
 [[nodiscard]] GaussLobatto gauss_lobatto(int n);

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bulk_node.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/even_layers.hpp"
+#include "coupling/possible_methods.hpp"
 #include "coupling/solids.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -83,6 +86,20 @@ fluid::RoughPair rough_pair(const Surfaces& s) {
 
 bool chosen(const std::optional<bool>& given, bool usual) { return given.value_or(usual); }
 
+/// Only a film of resolved temperature asks for another set than the usual one.
+NodalSet nodes_across(const Case& c, const Physics& physics) {
+  if (!physics.film_energy) return gauss_lobatto(c.model.film_nodes);
+  switch (c.model.methods.across) {
+    case AcrossFilm::layers:
+      return even_layers(c.model.methods.layers);
+    case AcrossFilm::mean:
+      return bulk_node();
+    case AcrossFilm::lobatto:
+      break;
+  }
+  return gauss_lobatto(c.model.film_nodes);
+}
+
 }  // namespace
 
 Physics physics_of(const Case& c, Tier tier) {
@@ -115,7 +132,8 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   BearingModel m;
   m.input = c;
   m.physics = physics;
-  m.gl = gauss_lobatto(c.model.film_nodes);
+  expect_possible_methods(c, physics);
+  m.gl = nodes_across(c, physics);
   m.clearance = c.bearing.radial_clearance;
   m.oil = c.oil;
   if (!physics.pressure_dependence) m.oil = rheology::without_pressure_effect(m.oil);

@@ -20,11 +20,11 @@ void integrate(const GaussLobatto& gl, OilColumns& c, Field& g) {
   const int n = gl.n;
   for (std::size_t cell = 0; cell < c.g0.size(); ++cell) {
     const double* eta = &c.eta[cell * n];
-    double f[32];
+    double f[64];
     double g0 = 0.0;
     double g1 = 0.0;
     for (int k = 0; k < n; ++k) {
-      f[k] = gl.w[k] / eta[k];
+      f[k] = gl.v[k] / eta[k];
       g0 += f[k];
       g1 += f[k] * gl.s[k];
     }
@@ -77,7 +77,15 @@ void update_columns(const rheology::Oil& oil, const GaussLobatto& gl, double spe
     for (int k = 0; k < n; ++k) mean += gl.w[k] * c.T[cell * n + k];
     c.T_mean[cell] = mean;
   }
-  rheology::viscosity(oil, c.T, p, low);
+  if (gl.one_temperature) {
+    std::vector<double> T(cells * n);
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+      std::fill_n(&T[cell * n], n, c.T_mean[cell]);
+    }
+    rheology::viscosity(oil, T, p, low);
+  } else {
+    rheology::viscosity(oil, c.T, p, low);
+  }
   out.fluidity.resize(cells);
   out.chi.resize(cells);
   out.alpha.resize(cells);

@@ -9,6 +9,7 @@
 #include "core/constants.hpp"
 #include "coupling/elastic_step.hpp"
 #include "coupling/equilibrium_step.hpp"
+#include "coupling/other_equilibrium.hpp"
 #include "coupling/solids.hpp"
 #include "fluid/fischer_burmeister.hpp"
 #include "fluid/reduced_pressure.hpp"
@@ -255,6 +256,9 @@ bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
 Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
                           const EquilibriumOptions& options, FilmEquilibrium& s,
                           EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  if (solved_otherwise(model, s)) {
+    return solve_otherwise(model, target, growth, options, s, cost, stop);
+  }
   constexpr double kShortestReach =
       1e-5;                              // a step shortened this far shows that there is no way on
   constexpr double kSettledFilm = 0.03;  // the film has followed the journal: it may move on [-]

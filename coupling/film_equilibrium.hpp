@@ -61,6 +61,8 @@ struct EquilibriumCost {
   int krylov_iterations = 0;
   int fallback_steps = 0;
   int rejected_steps = 0;
+  long sweeps = 0;         ///< of the p-theta relaxation
+  int elastic_rounds = 0;  ///< of the fixed point between film and displacement
 };
 
 /// What the journal must balance.

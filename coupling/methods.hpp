@@ -23,7 +23,9 @@ struct Methods {
   CavitationMethod cavitation = CavitationMethod::active_set;
   AcrossFilm across = AcrossFilm::lobatto;
   ElasticMethod elastic = ElasticMethod::newton;
-  int layers = 20;  ///< of AcrossFilm::layers
+  int layers = 20;          ///< of AcrossFilm::layers, 2 to 60
+  double relaxation = 0.0;  ///< of ElasticMethod::fixed_point: part of each change taken [-]; 0:
+                            ///< Aitken's
 };
 
 }  // namespace shellback::coupling

@@ -1,5 +1,7 @@
 #include "fluid/fischer_burmeister.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -22,8 +24,9 @@ struct Elimination {
   double a_p, b_p, a_t, b_t;
 };
 
-Elimination eliminate(double P, double c, double p_ref) {
+Elimination eliminate(double P, double c, double p_ref, bool full) {
   const double norm = std::hypot(P, c);
+  if (norm == 0.0 && full) return {1.0, 0.0, 0.0, 0.0};  // of the slopes there, that of a full film
   const double fP = norm > 0.0 ? 1.0 - P / norm : 1.0 - std::sqrt(0.5);
   const double fc = norm > 0.0 ? 1.0 - c / norm : 1.0 - std::sqrt(0.5);
   const double f = P + c - norm;
@@ -44,6 +47,19 @@ double merit(const FilmScene& scene, const FilmSolution& v, double p_ref) {
     sum += f * f;
   }
   return sum;
+}
+
+/// Largest |phi| of all cells [-].
+double complementarity_gap(const FilmScene& scene, const FilmState& s) {
+  const double p_ref = pressure_scale(scene, s);
+  double most = 0.0;
+  for (std::size_t k = 0; k < s.p.size(); ++k) {
+    if (scene.supply.cell[k] >= 0) continue;
+    const double P = (s.p[k] - scene.p_cavitation) / p_ref;
+    const double c = 1.0 - s.theta[k];
+    most = std::max(most, std::abs(P + c - std::hypot(P, c)));
+  }
+  return most;
 }
 
 /// Snaps the smooth iterate to the active set it stands for once it is nearly complementary.
@@ -81,10 +97,10 @@ bool fischer_burmeister_step(const FilmScene& scene, const Gap& gap, const Field
   UnknownMap u{Field(n), Field(n)};
   Field b_p(n, 0.0), b_t(n, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
-    const Elimination e =
-        scene.supply.cell[k] >= 0
-            ? Elimination{1.0, 0.0, 0.0, 0.0}
-            : eliminate((v.state.p[k] - scene.p_cavitation) / p_ref, 1.0 - v.state.theta[k], p_ref);
+    const Elimination e = scene.supply.cell[k] >= 0
+                              ? Elimination{1.0, 0.0, 0.0, 0.0}
+                              : eliminate((v.state.p[k] - scene.p_cavitation) / p_ref,
+                                          1.0 - v.state.theta[k], p_ref, v.state.full[k]);
     u.a_p[k] = e.a_p;
     u.a_theta[k] = e.a_t;
     b_p[k] = e.b_p;
@@ -118,6 +134,89 @@ bool fischer_burmeister_step(const FilmScene& scene, const Gap& gap, const Field
     if (merit(scene, v, p_ref) < before) return true;
   }
   return false;
+}
+
+namespace {
+
+double largest(const Field& r) {
+  double m = 0.0;
+  for (const double x : r) m = std::isfinite(x) ? std::max(m, std::abs(x)) : INFINITY;
+  return m;
+}
+
+/// Sets every cell to exactly one of full and cavitated.
+void make_complementary(const FilmScene& scene, FilmState& s) {
+  for (std::size_t k = 0; k < s.p.size(); ++k) {
+    if (scene.supply.cell[k] >= 0) continue;
+    (s.full[k] ? s.theta[k] : s.p[k]) = s.full[k] ? 1.0 : scene.p_cavitation;
+  }
+}
+
+/// Half-Sommerfeld start of a film without pressure: the full film, cut at cavitation. Without it
+/// there is no scale for the pressures.
+bool first_pressures(const FilmScene& scene, const Gap& gap, const Field& step, const OilLaw& oil,
+                     FilmSolution& v) {
+  RingMatrix matrix;
+  std::fill(v.state.full.begin(), v.state.full.end(), 1);
+  std::fill(v.state.theta.begin(), v.state.theta.end(), 1.0);
+  oil(v.state, v.oil);
+  evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
+  assemble_film(scene, v.flow, active_set_unknowns(v.state), matrix);
+  ++v.factorizations;
+  if (!v.factor.factorize(matrix)) return false;
+  Field t = film_residual(scene, v.flow);
+  for (double& x : t) x = -x;
+  v.factor.solve(t.data());
+  advance(scene, v.oil, t, 1.0, v.state);
+  return true;
+}
+
+bool without_pressure(const FilmScene& scene, const FilmState& s) {
+  for (std::size_t k = 0; k < s.p.size(); ++k) {
+    if (scene.supply.cell[k] < 0 && s.p[k] > std::max(scene.p_edge, scene.p_cavitation)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap& gap,
+                                               const Field& step, const OilLaw& oil,
+                                               const FilmState& guess,
+                                               const ReynoldsOptions& options) {
+  constexpr double kNearly = 1e-9;  // |phi| from which cells are what they are nearly [-]
+  Outcome<FilmSolution> out;
+  FilmSolution& v = out.value;
+  v.state = guess;
+  bool stuck = without_pressure(scene, guess) && !first_pressures(scene, gap, step, oil, v);
+  oil(v.state, v.oil);
+  evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
+  for (int it = 0; it <= options.max_iterations; ++it) {
+    const double norm = largest(film_residual(scene, v.flow)) / flow_scale(scene, v.flow);
+    out.history.push_back(norm);
+    if (!std::isfinite(norm)) {
+      out.verdict = {Status::invalid_number, "Fischer-Burmeister: the film residual is no number",
+                     "", "check the gap"};
+      return out;
+    }
+    if (norm <= options.tolerance && complementary(scene, v.state)) return out;
+    if (stuck || it == options.max_iterations) break;
+    stuck = !fischer_burmeister_step(scene, gap, step, oil, v);
+    ++v.factorizations;
+    if (complementarity_gap(scene, v.state) > kNearly) continue;
+    make_complementary(scene, v.state);
+    oil(v.state, v.oil);
+    evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
+  }
+  out.verdict = {
+      Status::iteration_limit,
+      fmt::format("the Fischer-Burmeister film stopped after {} steps at residual {:.1e}"
+                  "{}",
+                  v.factorizations, out.history.back(), stuck ? ": no step length lessens it" : ""),
+      "", "use the active-set method, or start from a lower load"};
+  return out;
 }
 
 }  // namespace shellback::fluid

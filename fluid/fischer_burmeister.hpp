@@ -1,5 +1,6 @@
 #pragma once
-/// Fischer-Burmeister form of the cavitation condition: the fallback when active sets cycle.
+/// Fischer-Burmeister form of the cavitation condition: the fallback when active sets cycle, and a
+/// method of its own.
 ///
 /// With P = (p - p_cav)/p_ref and c = 1 - theta, both >= 0 and one of them zero:
 ///   phi(P, c) = P + c - sqrt(P^2 + c^2) = 0.
@@ -14,6 +15,12 @@ namespace shellback::fluid {
 /// singular or no step length reduces the merit.
 bool fischer_burmeister_step(const FilmScene& scene, const Gap& gap, const Field& step,
                              const OilLaw& oil, FilmSolution& solution);
+
+/// Solves the film by such steps alone, from `guess`. As solve_reynolds otherwise.
+[[nodiscard]] Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap& gap,
+                                                             const Field& step, const OilLaw& oil,
+                                                             const FilmState& guess,
+                                                             const ReynoldsOptions& options = {});
 
 /// True if (2) of reynolds.hpp holds in every cell, to round-off.
 [[nodiscard]] bool complementary(const FilmScene& scene, const FilmState& state);

@@ -38,6 +38,12 @@ int work(const Request& request) {
       return run(request);
     case Command::compare:
       return compare(request);
+    case Command::chart:
+      return chart(request);
+    case Command::sweep:
+      return sweep(request);
+    case Command::honesty:
+      return honesty(request);
     case Command::none:
       break;
   }

@@ -14,20 +14,41 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare };
+enum class Command {
+  none,
+  init,
+  check,
+  run,
+  compare,
+  sweep,
+  chart,
+  honesty,
+};
 
 /// What was asked for.
 struct Request {
   Command command = Command::none;
   std::string name;  ///< init: shipped case
   std::string case_file;
-  std::string tier;                ///< --tier
-  std::vector<std::string> tiers;  ///< --tiers
-  std::vector<std::string> set;    ///< --set, each KEY=VALUE
-  std::string json;                ///< --json: file, "-" for standard output
-  std::string output;              ///< -o
-  std::string picture;             ///< --picture
-  int threads = 1;                 ///< -j
+  std::string tier;                 ///< --tier
+  std::vector<std::string> tiers;   ///< --tiers
+  std::vector<std::string> set;     ///< --set, each KEY=VALUE
+  std::string json;                 ///< --json: file, "-" for standard output
+  std::string output;               ///< -o
+  std::string picture;              ///< --picture
+  std::string csv;                  ///< --csv: file, "-" for standard output
+  std::string png;                  ///< --png
+  int threads = 1;                  ///< -j
+  bool quick = false;               ///< --quick: fewer or coarser
+  std::vector<std::string> scenes;  ///< chart: which; empty: all
+  std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
+  int cases = 200;                  ///< honesty --cases
+  int seed = 1;                     ///< honesty --seed: of the first random case
+  int nodes = 7;                    ///< honesty --nodes: across the film of the truth
+  bool shipped = true;              ///< honesty: the shipped cases as well
+  std::vector<std::string> grids{"200x25"};  ///< honesty --grids
+  std::string truth = "400x50";     ///< honesty --truth
+  int cores = 0;                    ///< sweep -j; 0: all there are
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

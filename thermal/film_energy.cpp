@@ -10,18 +10,7 @@
 namespace shellback::thermal {
 namespace {
 
-constexpr int kMostNodes = 16;  ///< across the film; bounds the stack arrays below
-
-std::vector<double> stiffness_matrix(const GaussLobatto& gl) {
-  const int n = gl.n;
-  std::vector<double> a(static_cast<std::size_t>(n) * n, 0.0);
-  for (int r = 0; r < n; ++r) {
-    for (int c = 0; c < n; ++c) {
-      for (int m = 0; m < n; ++m) a[r * n + c] += gl.D[m * n + r] * gl.w[m] * gl.D[m * n + c];
-    }
-  }
-  return a;
-}
+constexpr int kMostNodes = 64;  ///< across the film; bounds the stack arrays below
 
 /// Gauss-Jordan inversion in place of a row-major m x m matrix with pivoting by rows [textbook].
 /// M = 0: any size; otherwise the size is known to the compiler.
@@ -84,7 +73,7 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   EXPECTS(p_.grid && p_.gl && p_.gl->n <= kMostNodes);
   const FilmGrid& g = *p_.grid;
   n_ = p_.gl->n;
-  stiffness_ = stiffness_matrix(*p_.gl);
+  stiffness_ = p_.gl->A;
   project(*p_.gl, p_.phi_flow);
   project(*p_.gl, p_.z_flow);
   line_west_.assign(g.cells(), nullptr);
@@ -298,7 +287,7 @@ double FilmEnergy::march(std::vector<double>& T) {
     const std::size_t at_inner = static_cast<std::size_t>(cell) * m;
     const double* inflow = &inflow_[at * 4];
     const int* source = &source_[static_cast<std::size_t>(cell) * 4];
-    double in[kMostNodes] = {};
+    double in[N > 0 ? N : kMostNodes] = {};
     for (int f = 0; f < 4; ++f) {
       const double* enthalpy = &enthalpy_[static_cast<std::size_t>(source[f]) * n];
       for (int k = 0; k < m; ++k) in[k] += inflow[f * n + k + 1] * enthalpy[k + 1];

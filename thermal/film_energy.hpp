@@ -139,7 +139,7 @@ class FilmEnergy {
 
   FilmEnergyProblem p_;
   int n_ = 0;
-  std::vector<double> stiffness_;  ///< D^T W D, n x n
+  std::vector<double> stiffness_;  ///< conduction of the nodal set, n x n
   std::vector<double> cross_;      ///< V per cell and node [kg/s]
   std::vector<double> outflow_;    ///< w_k * sum of outflows, per cell and node [kg/s]
   // Interior nodes of a column, solved: T = base - by_shell T_shell - by_shaft T_shaft

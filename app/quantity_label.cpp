@@ -56,6 +56,17 @@ constexpr std::array kLabels{
     Pair{"heat_to_shell", "heat into the shell"},
     Pair{"heat_to_shaft", "heat into the shaft"},
     Pair{"T_equivalent", "equivalent temperature"},
+    Pair{"K_xx", "stiffness K_xx"},
+    Pair{"K_xy", "stiffness K_xy"},
+    Pair{"K_yx", "stiffness K_yx"},
+    Pair{"K_yy", "stiffness K_yy"},
+    Pair{"C_xx", "damping C_xx"},
+    Pair{"C_xy", "damping C_xy"},
+    Pair{"C_yx", "damping C_yx"},
+    Pair{"C_yy", "damping C_yy"},
+    Pair{"whirl_critical_mass", "critical mass of a rigid rotor, per bearing"},
+    Pair{"whirl_speed_ratio", "speed ratio at it, omega sqrt(c m/W)"},
+    Pair{"whirl_ratio", "whirl frequency at it, over speed"},
 };
 
 std::optional<double> measured_si(const coupling::Measured& m, const std::string& name) {

@@ -8,6 +8,7 @@
 
 #include "app/quantity_label.hpp"
 #include "app/text_table.hpp"
+#include "app/write_coefficients.hpp"
 
 namespace shellback::app {
 namespace {
@@ -45,6 +46,28 @@ void print_effects(std::ostream& out, const Result& result) {
     out << fmt::format("  {:<{}}  {:<3}  {:>8}  {}\n", e.name, width, e.included ? "in" : "out",
                        figures(e.indicator, 3), e.meaning);
   }
+}
+
+std::string change(double value) {
+  return std::isfinite(value) ? fmt::format("{:+.2f} %", 100.0 * value) : "";
+}
+
+/// What tier `auto` chose, and what each effect is worth.
+void print_choice(std::ostream& out, const Result& result) {
+  if (!result.choice) return;
+  const auto& c = *result.choice;
+  out << fmt::format(
+      "\nchosen by auto for {:.3g} %: {}; friction torque within {:.2g} %, smallest film within "
+      "{:.2g} %\n",
+      100.0 * c.tolerance, c.met ? "met" : "NOT MET", 100.0 * c.bar_friction, 100.0 * c.bar_h_min);
+  TextTable table;
+  table.add({"  effect", "", "indicator", "friction torque", "smallest film"});
+  for (const auto& e : result.effects) {
+    table.add({"  " + e.name, e.included ? "in" : "out", figures(e.indicator, 3),
+               change(e.change_in_friction), change(e.change_in_h_min)});
+  }
+  table.print(out);
+  out << "  Changes by the effect alone, on the coarsest grid, temperatures held.\n";
 }
 
 void print_limiters(std::ostream& out, const std::vector<Result>& results) {
@@ -147,11 +170,16 @@ void print_table(std::ostream& out, const coupling::Measured& measured, const Re
       << "tier " << to_string(result.tier) << ", " << status_line(result) << "\n\n";
   print_failure(out, to_string(result.tier), result);
   print_quantities(out, measured, {result});
+  print_coefficients(out, result);
   const auto& a = result.audit;
   out << fmt::format("\naudit (relative)  mass {}  energy {}  load {}  moment {}\n",
                      audit_figure(a.mass), audit_figure(a.energy), audit_figure(a.load),
                      audit_figure(a.moment));
-  print_effects(out, result);
+  if (result.choice) {
+    print_choice(out, result);
+  } else {
+    print_effects(out, result);
+  }
   print_limiters(out, {result});
   print_list(out, "warnings", result.warnings);
   print_list(out, "assumptions", result.assumptions);

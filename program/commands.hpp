@@ -10,6 +10,8 @@ namespace shellback::program {
 [[nodiscard]] int honesty(const Request& request);
 [[nodiscard]] int run(const Request& request);
 [[nodiscard]] int compare(const Request& request);
+[[nodiscard]] int auto_honesty(const Request& request);
 [[nodiscard]] int sweep(const Request& request);
+[[nodiscard]] int validate(const Request& request);
 
 }  // namespace shellback::program

@@ -30,6 +30,11 @@ std::vector<Tier> wanted_tiers(const Request& request) {
     if (std::find(tiers.begin(), tiers.end(), tier) != tiers.end()) {
       throw InputError("--tiers", fmt::format("the tier {} is named twice", in_quotes(name)));
     }
+    if (tier == Tier::estimate || tier == Tier::automatic) {
+      throw InputError("--tiers", fmt::format("the tier {} has no film of its own to compare; name "
+                                              "some of isothermal, lumped, thd, tehd",
+                                              in_quotes(name)));
+    }
     tiers.push_back(tier);
   }
   return tiers;

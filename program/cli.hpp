@@ -22,6 +22,7 @@ enum class Command {
   compare,
   sweep,
   chart,
+  honesty,
   auto_honesty,
   validate,
 };
@@ -45,8 +46,12 @@ struct Request {
   bool quick = false;               ///< --quick: fewer or coarser
   std::vector<std::string> scenes;  ///< chart: which; empty: all
   std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
-  int cases = 200;                  ///< auto-honesty --cases
-  int seed = 1;                     ///< auto-honesty --seed: of the first case
+  int cases = 200;                  ///< honesty, auto-honesty --cases
+  int seed = 1;                     ///< honesty, auto-honesty --seed: of the first case
+  int nodes = 7;                    ///< honesty --nodes: across the film of the truth
+  bool shipped = true;              ///< honesty: the shipped cases as well
+  std::vector<std::string> grids{"200x25"};  ///< honesty --grids
+  std::string truth = "400x50";     ///< honesty --truth
   int cores = 0;                    ///< sweep -j; 0: all there are
   std::vector<std::string> names;   ///< validate: ledger entries; empty: all
   std::string ledger;               ///< validate --ledger: folder of entries; empty: the shipped

@@ -99,7 +99,7 @@ void update_columns(const rheology::Oil& oil, const GaussLobatto& gl, double spe
       before = c.eta;
       integrate(gl, c, out.fluidity);
       stresses(gl, speed, h, gx, gz, c, tau);
-      rheology::shear_thinned(oil, low, tau, c.eta);
+      rheology::shear_thinned(oil, low, tau, c.eta, 1);  // the stresses are not final either
       c.mismatch = 0.0;
       for (std::size_t k = 0; k < tau.size(); ++k) {
         c.mismatch = std::max(c.mismatch, std::abs(c.eta[k] / before[k] - 1.0));

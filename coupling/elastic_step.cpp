@@ -19,9 +19,9 @@ class WinklerFilm {
   [[nodiscard]] bool good() const { return good_; }
 
   struct Answer {
-    Field du;  ///< film unknowns
-    Field dd;  ///< displacement [m]
-    Field dP;  ///< total pressure [Pa]
+    Field du;          ///< film unknowns
+    Field dd;          ///< displacement [m]
+    Field dP;          ///< total pressure [Pa]
     Field dp_contact;  ///< part of it in contact [Pa]
     std::array<double, 4> dq{};
   };
@@ -40,7 +40,7 @@ class WinklerFilm {
   int m_;
   double tau_;
   Field kappa_;
-  RingFactor factor_;
+  RingFactor& factor_ = film_system().factor;
   std::vector<Field> position_gap_;  ///< B dq per unit component, per cell
   std::vector<Field> response_;      ///< A0^-1 of (1)'s dq column
   std::vector<Field> dP_response_;   ///< dP per unit dq, film response included
@@ -60,7 +60,7 @@ WinklerFilm::WinklerFilm(const BearingModel& model, const LoadTarget& target,
     kappa_[k] = 1.0 / (1.0 - tau_ * s.dp_contact[k]);
     soft[k] = s.film.full[k] && scene.supply.cell[k] < 0 ? kappa_[k] * tau_ : 0.0;
   }
-  RingMatrix matrix;
+  RingMatrix& matrix = film_system().matrix;
   fluid::assemble_film(scene, s.flow, fluid::active_set_unknowns(s.film), matrix);
   fluid::add_gap_compliance(scene, s.flow, soft, matrix);
   ++cost.factorizations;

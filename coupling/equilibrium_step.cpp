@@ -17,6 +17,11 @@ constexpr double kMostLog = 2.5;        ///< largest |ln| of the force ratio use
 
 }  // namespace
 
+FilmSystem& film_system() {
+  static thread_local FilmSystem system;
+  return system;
+}
+
 fluid::Wrench wanted_change(const fluid::Wrench& now, const LoadTarget& target) {
   fluid::Wrench d{};
   for (int k = 0; k < 4; ++k) d[k] = target.force[k] - now[k];
@@ -97,9 +102,8 @@ NewtonStep rigid_step(const BearingModel& model, const LoadTarget& target, const
   const int n = scene.grid.cells();
   const int m = target.unknowns;
   NewtonStep step;
-  RingMatrix matrix;
+  auto& [matrix, factor] = film_system();
   fluid::assemble_film(scene, s.flow, fluid::active_set_unknowns(s.film), matrix);
-  RingFactor factor;
   ++cost.factorizations;
   if (!factor.factorize(matrix)) return step;
   std::vector<double> rhs(static_cast<std::size_t>(n) * (m + 1));

@@ -4,6 +4,14 @@
 
 namespace shellback::coupling {
 
+/// Storage of the film's linear system, one per thread and used again by every step: fresh pages
+/// would cost a good part of a factorisation. Holds the system of the last step.
+struct FilmSystem {
+  RingMatrix matrix;
+  RingFactor factor;
+};
+[[nodiscard]] FilmSystem& film_system();
+
 /// Change of the unknowns. Elastic displacement only for elastic bearings.
 struct NewtonStep {
   bool good = false;          ///< false: singular matrix

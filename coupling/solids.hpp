@@ -45,8 +45,8 @@ class Solids {
   [[nodiscard]] Field compliance(const Field& pressure) const;
   /// Growth of the gap by asperity heat, per contact pressure [m/Pa]: `rate` [m/s] is the part of
   /// p_a mu U that goes into the shell over p_a; of that heat the film takes some back, as its
-  /// largest local response has it. Negative: the shell bulges towards the journal. An estimate: the
-  /// growth found with the temperatures is the true one.
+  /// largest local response has it. Negative: the shell bulges towards the journal. An estimate:
+  /// the growth found with the temperatures is the true one.
   [[nodiscard]] HarmonicOperator contact_growth(double rate,
                                                 const thermal::WallResponse& film) const;
   /// Widening by a field and such an operator [m].

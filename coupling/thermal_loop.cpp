@@ -41,11 +41,25 @@ class Turn {
   void give_contact_growth();
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
   [[nodiscard]] int turns() const { return turns_; }
+  /// True if there is a state to go on from and nobody has asked to stop.
+  [[nodiscard]] bool may_go_on() const {
+    return std::isfinite(best_.residual) && verdict_.status != Status::interrupted;
+  }
+  /// Small steps from the best state on, then accelerated again once they have come near.
+  FixedPointEnd creep(const FixedPointOptions& fixed);
   /// Solves film, heat and walls of the last turn to the end, so that their balances close.
   void finish();
 
  private:
   [[nodiscard]] EquilibriumOptions film_options() const;
+  /// Temperatures and growth for which a film is solved.
+  struct Place {
+    std::vector<double> T;
+    Field growth;
+  };
+  /// The film at the temperatures and growth that are set; where it is not found at once, by steps
+  /// from the place where it was found last.
+  Verdict solve_film(const Place& from);
   [[nodiscard]] double relaxation(const std::vector<double>& x, const std::vector<double>& g) const;
   void unpack(const std::vector<double>& x);
   void impose_walls(std::vector<double>& T) const;
@@ -63,6 +77,7 @@ class Turn {
   /// False, with the verdict set, if the temperatures run away.
   [[nodiscard]] bool sound();
   [[nodiscard]] Verdict runaway(const std::string& what) const;
+  [[nodiscard]] Verdict friction_runaway(double from, double to) const;
   /// A film that fails because heat has thinned its oil is a thermal runaway.
   void name_the_failure();
   void report(const std::vector<double>& x, const std::vector<double>& g);
@@ -78,6 +93,14 @@ class Turn {
   std::vector<double> turn_T_;  ///< temperatures and growth for which the film was solved last
   Field turn_growth_;
   Friction friction_;
+  struct Best {  ///< state after the turn with the least change
+    double residual = INFINITY;
+    double torque = 0.0;
+    FilmEquilibrium film;
+    HeatState heat;
+    std::vector<double> T;  ///< for which its film was solved
+    Field growth;
+  } best_;
   Verdict verdict_;
   int turns_ = 0;
 };
@@ -123,6 +146,47 @@ EquilibriumOptions Turn::film_options() const {
   o.elastic_tolerance = std::max(o.elastic_tolerance, noise);
   o.viscosity_tolerance = std::max(o.viscosity_tolerance, noise);
   return o;
+}
+
+Verdict Turn::solve_film(const Place& from) {
+  constexpr double kShortestStep = 1.0 / 32.0;
+  const EquilibriumOptions options = film_options();
+  const fluid::FilmState film = film_.film;
+  const fluid::JournalPosition position = film_.position;
+  const Field elastic = film_.elastic;
+  const auto solve = [&](const Field& growth) {
+    return solve_equilibrium(model_, target_, growth, options, film_, cost_, control_.stop);
+  };
+  Verdict verdict = solve(heat_.growth);
+  if (verdict.good() || verdict.status == Status::interrupted || from.T.empty()) return verdict;
+  const Place to{film_.columns.T, heat_.growth};
+  film_.film = film;
+  film_.position = position;
+  film_.elastic = elastic;
+  FilmEquilibrium reached = film_;
+  double done = 0.0;
+  for (double step = 0.25; done < 1.0;) {
+    const double here = std::min(1.0, done + step);
+    Field growth = to.growth;
+    for (std::size_t k = 0; k < to.T.size(); ++k) {
+      film_.columns.T[k] = from.T[k] + here * (to.T[k] - from.T[k]);
+    }
+    for (std::size_t k = 0; k < growth.size(); ++k) {
+      growth[k] = from.growth[k] + here * (to.growth[k] - from.growth[k]);
+    }
+    verdict = solve(growth);
+    if (verdict.good()) {
+      reached = film_;
+      done = here;
+      step *= 2.0;
+      continue;
+    }
+    if (verdict.status == Status::interrupted || step < kShortestStep) break;
+    film_ = reached;
+    step *= 0.25;
+  }
+  film_.columns.T = to.T;
+  return verdict;
 }
 
 /// Warmer oil is thinner and makes less heat: the map answers a rise by -beta (T - T_supply) of it.
@@ -222,6 +286,14 @@ Verdict Turn::runaway(const std::string& what) const {
           "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
 }
 
+Verdict Turn::friction_runaway(double from, double to) const {
+  return runaway(
+      fmt::format("followed in small steps, the friction torque rose from {:.3g} to {:.3g} N m "
+                  "without coming to rest: heat thins the film, or makes the shell bulge, faster "
+                  "than it flows off",
+                  from, to));
+}
+
 void Turn::name_the_failure() {
   constexpr double kLost = 3.0;  // |ln| of the change of viscosity from which heat is the cause [-]
   if (verdict_.status != Status::iteration_limit) return;
@@ -271,10 +343,10 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   ++turns_;
   unpack(x);
   if (!sound()) return false;
+  const Place before{std::move(turn_T_), std::move(turn_growth_)};
   turn_T_ = film_.columns.T;
   turn_growth_ = heat_.growth;
-  verdict_ =
-      solve_equilibrium(model_, target_, heat_.growth, film_options(), film_, cost_, control_.stop);
+  verdict_ = solve_film(before);
   if (!verdict_.good()) {
     name_the_failure();
     return false;
@@ -307,7 +379,53 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   const double part = relaxation(x, g);
   for (std::size_t k = 0; k < g.size(); ++k) g[k] = x[k] + part * (g[k] - x[k]);
   report(x, g);
+  if (heat_.residual < best_.residual) {
+    best_ = {heat_.residual, friction_.viscous + friction_.asperity, film_, heat_, turn_T_,
+             turn_growth_};
+  }
   return true;
+}
+
+FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
+  constexpr double kStep = 0.3;     // of the way to the map's value
+  constexpr double kNear = 0.05;    // change per turn from which acceleration is tried again
+  constexpr double kRunaway = 1.5;  // friction over that of the best state: it rises for good [-]
+  const double torque = best_.torque;
+  film_ = best_.film;
+  heat_ = best_.heat;
+  turn_T_ = best_.T;
+  turn_growth_ = best_.growth;
+  std::vector<double> x = pack();
+  std::vector<double> g;
+  double near = kNear;
+  for (int k = 0; k < fixed.max_iterations; ++k) {
+    if (!(*this)(x, g)) {
+      if (verdict_.status != Status::iteration_limit) return FixedPointEnd::map_failed;
+      const double now = friction_.viscous + friction_.asperity;
+      if (now > torque) verdict_ = friction_runaway(torque, now);
+      return FixedPointEnd::map_failed;
+    }
+    const double now = friction_.viscous + friction_.asperity;
+    if (now > kRunaway * torque && heat_.residual > kNear) {
+      verdict_ = friction_runaway(torque, now);
+      return FixedPointEnd::map_failed;
+    }
+    for (std::size_t c = 0; c < x.size(); ++c) x[c] += kStep * (g[c] - x[c]);
+    if (heat_.residual > near) continue;
+    std::vector<double> y = x;
+    FixedPointOptions again = fixed;
+    again.max_iterations = std::max(10, fixed.max_iterations / 2);
+    if (fixed_point(std::ref(*this), again, y) == FixedPointEnd::converged) {
+      return FixedPointEnd::converged;
+    }
+    near *= 0.1;
+    film_ = best_.film;
+    heat_ = best_.heat;
+    turn_T_ = best_.T;
+    turn_growth_ = best_.growth;
+    x = pack();
+  }
+  return FixedPointEnd::iteration_limit;
 }
 
 double Turn::wall_round(thermal::FilmEnergy& energy) {
@@ -362,9 +480,8 @@ void Turn::finish() {
   for (int k = 0; k < kMostSweeps; ++k) {
     if (energy.sweep(film_.columns.T) < settled) break;
   }
-  const Field growth = heat_.solids.growth;
-  warm_the_walls(energy, {false, true});
-  heat_.solids.growth = growth;
+  warm_the_walls(energy, {true, true});
+  heat_.growth = turn_growth_;  // that of the film
   heat_.balance = energy.balance(film_.columns.T);
   heat_.T_mix = energy.mix_temperatures();
   heat_.backflow_nodes = energy.backflow_nodes();
@@ -394,7 +511,8 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
   turn.take_contact_growth();
   std::vector<double> x = turn.pack();
   const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance};
-  const FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
+  FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
+  if (end != FixedPointEnd::converged && turn.may_go_on()) end = turn.creep(fixed);
   if (end == FixedPointEnd::map_failed) {
     turn.give_contact_growth();
     if (!turn.verdict().good()) return turn.verdict();

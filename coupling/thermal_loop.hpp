@@ -5,6 +5,11 @@
 /// equilibrium -> node flows and dissipation -> a few sweeps of the film energy -> heat into the
 /// walls -> solids' temperatures (Robin-coupled) and growth. Fixed point by Anderson acceleration
 /// (KINSOL); temperatures in units of 10 K, growth in clearances.
+///
+/// Where that does not settle, small steps towards the map's value follow from the best state on:
+/// they go the way that the bearing itself goes in time, slowly. They reach a steady state that is
+/// stable; where temperatures and friction rise for good instead, there is none, and the verdict
+/// says so.
 #include "coupling/control.hpp"
 #include "coupling/film_heat.hpp"
 #include "coupling/result.hpp"
@@ -14,7 +19,7 @@ namespace shellback::coupling {
 struct ThermalOptions {
   int sweeps = 3;  ///< energy sweeps per turn (methods 3.4)
   int anderson_depth = 6;
-  int max_turns = 200;
+  int max_turns = 50;       ///< accelerated; then as many again, slowly
   double tolerance = 3e-4;  ///< largest change per turn, in the units above [-]
   bool close = true;        ///< bring film and walls to balance at the end (false: coarse grids)
   double runaway = 400.0;   ///< film temperature above the supply that is taken as runaway [K]

@@ -41,8 +41,6 @@ constexpr std::size_t kBlock = 256;
 constexpr double kNoStress = 1e-290;
 /// Largest Newton step after which the next one is below round-off, because the error squares [-].
 constexpr double kLastStep = 1e-8;
-/// More steps than any monotone law needs; a block that still moves holds non-numbers [-].
-constexpr int kMostSteps = 200;
 
 /// Cross law at a logarithmic rate w = ln(K rate): ln f and d ln f / d w.
 struct LogFactor {
@@ -138,7 +136,7 @@ void pressure_slope(const Oil& oil, std::span<const double> T, std::span<const d
 }
 
 void shear_thinned(const Oil& oil, std::span<const double> eta_low, std::span<const double> tau,
-                   std::span<double> eta) {
+                   std::span<double> eta, int steps) {
   EXPECTS(eta_low.size() == eta.size() && tau.size() == eta.size());
   const Cross* law = std::get_if<Cross>(&oil.shear);
   if (law == nullptr || law->K == 0.0 || law->r == 1.0) {
@@ -154,7 +152,7 @@ void shear_thinned(const Oil& oil, std::span<const double> eta_low, std::span<co
     const std::size_t n = std::min(kBlock, eta.size() - from);
     CrossBlock block(*law, n);
     block.start(&eta_low[from], &tau[from], &eta[from]);
-    for (int k = 0; k < kMostSteps && block.step() > kLastStep; ++k) {
+    for (int k = 0; k < steps && block.step() > kLastStep; ++k) {
     }
     block.finish(&eta_low[from], &eta[from]);
   }

@@ -92,8 +92,8 @@ TEST_CASE("SwitchesTurnTierTehdIntoTierThd", "[deformation]") {
 TEST_CASE("ThermalGrowthIsThatOfTheSolidsTemperature", "[deformation]") {
   const Solution s = solve_tier(grooved_case(), Tier::tehd);
   REQUIRE(s.verdict.good());
-  // the film was solved for a growth that its heat makes again, to the loop's 1e-4 clearances
-  CHECK(largest_difference(s.heat.growth, s.heat.solids.growth) < 2e-4 * s.model.clearance);
+  // the film was solved for a growth that its heat makes again, to the loop's 3e-4 clearances
+  CHECK(largest_difference(s.heat.growth, s.heat.solids.growth) < 3e-4 * s.model.clearance);
   CHECK(largest_difference(s.heat.T_shell, s.heat.solids.shell.surface) < 2e-3);  // [K]
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/judge_case.hpp"
 #include "core/contract.hpp"
+#include "coupling/possible_methods.hpp"
 
 namespace shellback::app {
 namespace {
@@ -125,7 +126,10 @@ Lack lack_for(const Case& subject, Tier tier) {
             "measured shell-back temperature (measured.shell_back_temperature or "
             "shell.back.temperature), or a constant viscosity"};
   }
-  return lack_for_switches(subject, thermal);
+  const Lack lack = lack_for_switches(subject, thermal);
+  if (!lack.key.empty()) return lack;
+  const std::string methods = impossible_methods(subject, physics_of(subject, tier));
+  return methods.empty() ? Lack{} : Lack{"model.methods", methods};
 }
 
 }  // namespace

@@ -1,30 +1,31 @@
 #include "coupling/possible_methods.hpp"
 
-#include <string>
-
 #include "core/contract.hpp"
 
 namespace shellback::coupling {
 
-void expect_possible_methods(const Case& c, const Physics& physics) {
+std::string impossible_methods(const Case& c, const Physics& physics) {
   const Methods& m = c.model.methods;
   if (m.across == AcrossFilm::layers && (m.layers < 2 || m.layers > 60)) {
-    throw InputError("model.methods: layers must lie between 2 and 60");
+    return "layers must lie between 2 and 60";
   }
-  if (!(m.relaxation >= 0.0 && m.relaxation <= 1.0)) {
-    throw InputError("model.methods: relaxation must lie between 0 and 1");
-  }
+  if (!(m.relaxation >= 0.0 && m.relaxation <= 1.0)) return "relaxation must lie between 0 and 1";
   if (m.cavitation == CavitationMethod::swift_stieber && physics.film_energy) {
-    throw InputError(
-        "model.methods: cavitation = \"swift-stieber\" does not conserve oil, so that the heat in "
-        "the film cannot be balanced; take tier isothermal or lumped, or another method");
+    return "cavitation = \"swift-stieber\" does not conserve oil, so that the heat in the film "
+           "cannot be balanced; take tier isothermal or lumped, or another method";
   }
   if (m.cavitation != CavitationMethod::active_set && physics.elastic &&
       m.elastic == ElasticMethod::newton) {
-    throw InputError(std::string("model.methods: cavitation = \"") + to_string(m.cavitation) +
-                     "\" has no Newton step for elastic bearings; add elastic = \"fixed-point\", "
-                     "or switch elastic_deformation off");
+    return std::string("cavitation = \"") + to_string(m.cavitation) +
+           "\" has no Newton step for elastic bearings; add elastic = \"fixed-point\", or "
+           "switch elastic_deformation off";
   }
+  return "";
+}
+
+void expect_possible_methods(const Case& c, const Physics& physics) {
+  const std::string problem = impossible_methods(c, physics);
+  if (!problem.empty()) throw InputError("model.methods: " + problem);
 }
 
 const char* to_string(CavitationMethod method) {

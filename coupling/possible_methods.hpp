@@ -1,11 +1,16 @@
 #pragma once
 /// Which of the other methods go together, and with which physics.
+#include <string>
+
 #include "coupling/bearing.hpp"
 
 namespace shellback::coupling {
 
-/// Throws InputError, with a cure, for methods of the case that cannot solve this physics:
+/// Why the methods of the case cannot solve this physics, with a cure; empty if they can:
 /// Swift-Stieber films have no heat balance; only the active set has an elastic Newton step.
+[[nodiscard]] std::string impossible_methods(const Case& c, const Physics& physics);
+
+/// Throws InputError with these words, if there are any.
 void expect_possible_methods(const Case& c, const Physics& physics);
 
 [[nodiscard]] const char* to_string(CavitationMethod method);

@@ -13,9 +13,10 @@ namespace shellback::coupling {
 namespace {
 
 constexpr double kSettled = 1e-9;  ///< change per sweep that leaves the balance near round-off [K]
-constexpr double kRoughlySettled = 1e-3;   ///< the same where the balance need not close [K]
-constexpr int kLaps = 3;                   ///< sweeps for the film's response to its walls
-constexpr int kResponseTurns[] = {1, 4};   ///< turns in which that is measured; then it is known
+constexpr double kRoughlySettled = 1e-3;  ///< the same where the balance need not close [K]
+constexpr int kLaps = 3;                  ///< sweeps for the film's response to its walls
+constexpr int kResponseTurn =
+    4;  ///< in which that is measured again; a coarser grid's does till then
 constexpr double kTemperatureUnit = 10.0;  ///< one unit of the fixed point's temperatures [K]
 
 /// The map of the fixed point, on the states it works on.
@@ -354,8 +355,7 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   thermal::FilmEnergy energy = film_energy();
   for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
   if (!sound()) return false;
-  if (std::find(std::begin(kResponseTurns), std::end(kResponseTurns), turns_) !=
-      std::end(kResponseTurns)) {
+  if (!(heat_.response.shell_local > 0.0) || turns_ == kResponseTurn) {
     heat_.response = energy.wall_response(kLaps);
   }
   const double change = wall_round(energy);

@@ -38,6 +38,8 @@ int work(const Request& request) {
       return run(request);
     case Command::compare:
       return compare(request);
+    case Command::chart:
+      return chart(request);
     case Command::none:
       break;
   }

@@ -14,20 +14,24 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare };
+enum class Command { none, init, check, run, compare, chart };
 
 /// What was asked for.
 struct Request {
   Command command = Command::none;
   std::string name;  ///< init: shipped case
   std::string case_file;
-  std::string tier;                ///< --tier
-  std::vector<std::string> tiers;  ///< --tiers
-  std::vector<std::string> set;    ///< --set, each KEY=VALUE
-  std::string json;                ///< --json: file, "-" for standard output
-  std::string output;              ///< -o
-  std::string picture;             ///< --picture
-  int threads = 1;                 ///< -j
+  std::string tier;                 ///< --tier
+  std::vector<std::string> tiers;   ///< --tiers
+  std::vector<std::string> set;     ///< --set, each KEY=VALUE
+  std::string json;                 ///< --json: file, "-" for standard output
+  std::string output;               ///< -o
+  std::string picture;              ///< --picture
+  int threads = 1;                  ///< -j
+  std::vector<std::string> scenes;  ///< chart: which; empty: all
+  std::string png;                  ///< chart --png
+  std::string csv;                  ///< chart --csv
+  bool quick = false;               ///< chart --quick
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

@@ -9,7 +9,7 @@ namespace {
 
 using namespace app;
 
-const std::vector<std::string> kCommands{"init", "check", "run", "compare"};
+const std::vector<std::string> kCommands{"init", "check", "run", "compare", "chart"};
 constexpr int kMostThreads = 1024;
 
 void add_case_options(CLI::App& command, Request& request) {
@@ -28,6 +28,22 @@ void add_solve_options(CLI::App& command, Request& request) {
                   "also write the result as JSON; - is standard output, without the table")
       ->type_name("FILE");
   command.add_option("-j", request.threads, "threads that may be used (this version works on one)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+void add_chart(CLI::App& app, Request& request) {
+  auto* chart = app.add_subcommand("chart", "speed against accuracy of grids, tiers and methods");
+  chart->add_option("SCENE", request.scenes,
+                    "shipped scenes or case files (default: all shipped scenes)");
+  chart->add_option("-o", request.output, "write the picture (SVG)")->type_name("FILE.svg");
+  chart->add_option("--png", request.png, "write the picture as pixels")->type_name("FILE.png");
+  chart->add_option("--csv", request.csv, "write all numbers; - is standard output")
+      ->type_name("FILE.csv");
+  chart->add_flag("--quick", request.quick, "coarser grids, each solve timed once");
+  chart
+      ->add_option("-j", request.threads,
+                   "threads for the references; timed solves run one at a time")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
 }
@@ -57,6 +73,7 @@ void add_commands(CLI::App& app, Request& request) {
       ->type_name("FILE.html");
   compare->add_option("--picture", request.picture, "write the main picture (SVG)")
       ->type_name("FILE.svg");
+  add_chart(app, request);
 }
 
 Command command_of(const CLI::App& app) {
@@ -64,6 +81,7 @@ Command command_of(const CLI::App& app) {
   if (app.got_subcommand("check")) return Command::check;
   if (app.got_subcommand("run")) return Command::run;
   if (app.got_subcommand("compare")) return Command::compare;
+  if (app.got_subcommand("chart")) return Command::chart;
   return Command::none;
 }
 

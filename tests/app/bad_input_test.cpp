@@ -220,3 +220,18 @@ TEST_CASE("TheCommandLineIsNamedAsThePlace") {
   check_parts(what("supply.0=3"), {"cannot be replaced"});
   check_parts(what("operation.speed=\"0 rpm\""), {"--set operation.speed: at zero speed"});
 }
+
+TEST_CASE("AMethodThatIsNotKnownOrCannotServeIsRefused") {
+  const std::string model = "tier = \"tehd\"\n";
+  const auto refused = [&](const std::string& methods, const std::vector<std::string>& parts) {
+    check_refused(model, model + "methods = { " + methods + " }\n", parts);
+  };
+  refused("cavitation = \"p-teta\"", {"case.toml:38:", "did you mean \"p-theta\"?"});
+  refused("cavitatoin = \"p-theta\"", {"case.toml:38:", "did you mean \"cavitation\"?"});
+  refused("across = \"layers\", layers = 100", {"case.toml:38:", "layers"});
+  refused("layers = 10", {"case.toml:38:", "layers belong to across"});
+  refused("relaxation = 0.5", {"case.toml:38:", "relaxation belongs to elastic"});
+  refused("elastic = \"fixed-point\", relaxation = 1.5", {"case.toml:38:", "at most 1"});
+  refused("cavitation = \"swift-stieber\"", {"case.toml:38:", "does not conserve oil"});
+  refused("cavitation = \"p-theta\"", {"case.toml:38:", "elastic = \"fixed-point\""});
+}

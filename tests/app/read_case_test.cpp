@@ -380,3 +380,22 @@ TEST_CASE("InitListsAndWritesShippedCases") {
   CHECK_THROWS_AS(write_case("raimondi-boyd", target, out), FileError);
   CHECK_THROWS_AS(write_case("raimondi-boyt", target, out), InputError);
 }
+
+TEST_CASE("MethodsAreReadFromTheCaseAndFromTheCommandLine") {
+  using namespace coupling;
+  const Methods m =
+      read_sample("tier = \"tehd\"",
+                  "tier = \"tehd\"\nmethods = { cavitation = \"fischer-burmeister\", across = "
+                  "\"layers\", layers = 12, elastic = \"fixed-point\", relaxation = 0.2 }")
+          .model.methods;
+  CHECK(m.cavitation == CavitationMethod::fischer_burmeister);
+  CHECK(m.across == AcrossFilm::layers);
+  CHECK(m.layers == 12);
+  CHECK(m.elastic == ElasticMethod::fixed_point);
+  CHECK(m.relaxation == 0.2);
+  const auto c = read_case_text(kSampleCase, "case.toml",
+                                {parse_override("model.methods.across=mean"),
+                                 parse_override("model.methods.elastic=\"fixed-point\"")});
+  CHECK(c.model.methods.across == AcrossFilm::mean);
+  CHECK(c.model.methods.elastic == ElasticMethod::fixed_point);
+}

@@ -242,6 +242,7 @@ bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
                           sum(growth, s.elastic), model.step);
   s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
   if (scene.rough.sigma <= 0.0 && !(s.least.h > 0.0)) return false;
+  if (!std::isfinite(largest(s.gap.cell))) return false;
   s.shear_gap = shear_gap(model, s.gap.cell);
   s.gradient_x = fluid::pressure_gradient_x(scene, s.film);
   s.gradient_z = fluid::pressure_gradient_z(scene, s.film);

@@ -213,6 +213,9 @@ void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
   }
 }
 
+/// A gap that is closed has no flow: such a state has nothing to sum up.
+bool evaluated(const FilmEquilibrium& film) { return !film.flow.phi.empty(); }
+
 std::vector<LimiterCount> limiters_of(const Solution& s) {
   std::vector<LimiterCount> out;
   const auto add = [&](const std::string& what, long count) {
@@ -227,7 +230,7 @@ std::vector<LimiterCount> limiters_of(const Solution& s) {
 }  // namespace
 
 std::vector<Quantity> quantities_of(const Solution& s, Tier tier) {
-  if (s.film.gap.cell.empty()) return {};
+  if (!evaluated(s.film)) return {};
   Quantities q;
   add_mechanics(s, friction_of(s.model, s.film), q);
   add_heat(s, q);
@@ -248,7 +251,7 @@ Result summarize(const Solution& s, Tier tier) {
   r.levels = s.levels;
   r.cost = {s.wall_s, m.solids ? m.solids->setup_seconds() : 0.0, s.cost.factorizations,
             s.cost.newton_iterations, static_cast<int>(s.history.size())};
-  if (s.film.gap.cell.empty()) return r;  // stopped before the first evaluation
+  if (!evaluated(s.film)) return r;  // stopped before the first evaluation was through
   const Friction f = friction_of(m, s.film);
   r.quantities = quantities_of(s, tier);
   r.audit = audit_of(s, f);

@@ -40,6 +40,8 @@ int work(const Request& request) {
       return compare(request);
     case Command::chart:
       return chart(request);
+    case Command::stress:
+      return stress(request);
     case Command::none:
       break;
   }

@@ -14,7 +14,7 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare, chart };
+enum class Command { none, init, check, run, compare, chart, stress };
 
 /// What was asked for.
 struct Request {
@@ -28,10 +28,14 @@ struct Request {
   std::string output;               ///< -o
   std::string picture;              ///< --picture
   int threads = 1;                  ///< -j
-  std::vector<std::string> scenes;  ///< chart: which; empty: all
+  std::vector<std::string> scenes;  ///< chart, stress: which; empty: all
   std::string png;                  ///< chart --png
-  std::string csv;                  ///< chart --csv
-  bool quick = false;               ///< chart --quick
+  std::string csv;                  ///< chart, stress: --csv
+  std::string table;                ///< stress --table
+  bool list = false;                ///< stress --list
+  bool only_default = false;        ///< stress --only-default
+  double limit_s = 60.0;            ///< stress --limit [s]
+  bool quick = false;               ///< chart, stress: --quick
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

@@ -9,7 +9,7 @@ namespace {
 
 using namespace app;
 
-const std::vector<std::string> kCommands{"init", "check", "run", "compare", "chart"};
+const std::vector<std::string> kCommands{"init", "check", "run", "compare", "chart", "stress"};
 constexpr int kMostThreads = 1024;
 
 void add_case_options(CLI::App& command, Request& request) {
@@ -48,6 +48,29 @@ void add_chart(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_stress(CLI::App& app, Request& request) {
+  constexpr double kLongest = 1e5;  // a day and more
+  auto* stress = app.add_subcommand("stress", "the stability map: hard scenes by methods");
+  stress->add_option("SCENE", request.scenes, "scene or scene/tier (default: all)");
+  stress->add_flag("--list", request.list, "list the scenes and do nothing else");
+  stress->add_option("-o", request.output, "write the map as a picture (SVG)")
+      ->type_name("FILE.svg");
+  stress->add_option("--table", request.table, "write the map as a page with tables (Markdown)")
+      ->type_name("FILE.md");
+  stress->add_option("--csv", request.csv, "write all cells; - is standard output")
+      ->type_name("FILE.csv");
+  stress->add_option("--json", request.json, "write all cells; - is standard output")
+      ->type_name("FILE");
+  stress->add_flag("--quick", request.quick, "coarser grids where the scene does not choose its own");
+  stress->add_flag("--only-default", request.only_default, "leave out the other methods");
+  stress->add_option("--limit", request.limit_s, "processor time after which a solve hangs [s]")
+      ->type_name("S")
+      ->check(CLI::Range(0.1, kLongest));
+  stress->add_option("-j", request.threads, "solves that run at the same time")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
 void add_commands(CLI::App& app, Request& request) {
   auto* init = app.add_subcommand("init", "list the shipped cases, or write one to start from");
   init->add_option("NAME", request.name, "shipped case; without it they are listed");
@@ -74,6 +97,7 @@ void add_commands(CLI::App& app, Request& request) {
   compare->add_option("--picture", request.picture, "write the main picture (SVG)")
       ->type_name("FILE.svg");
   add_chart(app, request);
+  add_stress(app, request);
 }
 
 Command command_of(const CLI::App& app) {
@@ -82,6 +106,7 @@ Command command_of(const CLI::App& app) {
   if (app.got_subcommand("run")) return Command::run;
   if (app.got_subcommand("compare")) return Command::compare;
   if (app.got_subcommand("chart")) return Command::chart;
+  if (app.got_subcommand("stress")) return Command::stress;
   return Command::none;
 }
 

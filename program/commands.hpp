@@ -9,5 +9,6 @@ namespace shellback::program {
 [[nodiscard]] int check(const Request& request);
 [[nodiscard]] int run(const Request& request);
 [[nodiscard]] int compare(const Request& request);
+[[nodiscard]] int stress(const Request& request);
 
 }  // namespace shellback::program

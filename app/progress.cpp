@@ -38,12 +38,16 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(const coupling::Progress& progress) {
+  show(fmt::format("{} step {}: change {:.1e}, friction {:.4g} N m, smallest film {:.3g} um",
+                   progress.stage, progress.step, progress.residual, progress.friction_torque,
+                   1e6 * progress.h_min));
+}
+
+void ProgressLine::show(const std::string& words) {
   if (!terminal_) return;
   const double now = now_s();
   if (now - begin_s_ < kQuietTime || now - last_s_ < kInterval) return;
-  fmt::print(stderr, "{}{} step {}: change {:.1e}, friction {:.4g} N m, smallest film {:.3g} um",
-             kWipe, progress.stage, progress.step, progress.residual, progress.friction_torque,
-             1e6 * progress.h_min);
+  fmt::print(stderr, "{}{}", kWipe, words);
   std::fflush(stderr);
   shown_ = true;
   last_s_ = now;

@@ -1,6 +1,7 @@
 #pragma once
 /// A line on the terminal while a solve runs, and the interrupt key.
 #include <atomic>
+#include <string>
 
 #include "coupling/control.hpp"
 
@@ -16,6 +17,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const coupling::Progress& progress);
+  /// The same with words of one's own.
+  void show(const std::string& words);
 
  private:
   bool terminal_;

@@ -59,6 +59,29 @@ Axis tight_axis(double low, double high, int max_ticks, std::string title) {
   return axis;
 }
 
+Axis log_axis(double low, double high, std::string title) {
+  constexpr double kClose = 1.0;  // decades over which every figure has room
+  constexpr double kWide = 3.2;   // decades beyond which only powers of ten have
+  Axis axis{low, high, {}, 0, std::move(title), true};
+  const double decades = std::log10(high / low);
+  const std::vector<double> figures = decades < kClose  ? std::vector<double>{1, 2, 3, 4, 5, 6, 8}
+                                      : decades < kWide ? std::vector<double>{1, 2, 5}
+                                                        : std::vector<double>{1};
+  const int last = static_cast<int>(std::floor(std::log10(high)));
+  for (int power = static_cast<int>(std::floor(std::log10(low))); power <= last; ++power) {
+    for (const double figure : figures) {
+      const double tick = figure * std::pow(10.0, power);
+      if (tick >= low * (1.0 - 1e-9) && tick <= high * (1.0 + 1e-9)) axis.ticks.push_back(tick);
+    }
+  }
+  return axis;
+}
+
+double share_of(const Axis& axis, double value) {
+  if (axis.logarithmic) return std::log(value / axis.low) / std::log(axis.high / axis.low);
+  return (value - axis.low) / (axis.high - axis.low);
+}
+
 Axis degree_axis(double step) {
   Axis axis{0.0, 360.0, {}, 0, "φ [°]"};
   add_ticks(axis, step);
@@ -66,6 +89,7 @@ Axis degree_axis(double step) {
 }
 
 std::string tick_label(const Axis& axis, double value) {
+  if (axis.logarithmic) return fmt::format("{:.4g}", value);
   const std::string text = fmt::format("{:.{}f}", value, axis.decimals);
   return text.starts_with('-') && text.find_first_of("123456789") == std::string::npos
              ? text.substr(1)

@@ -13,6 +13,7 @@ struct Axis {
   std::vector<double> ticks;
   int decimals = 0;   ///< of the tick labels
   std::string title;  ///< with its unit
+  bool logarithmic = false;
 };
 
 /// Axis that encloses [low, high], ends and ticks on 1, 2 or 5 times a power of ten, with at
@@ -21,6 +22,14 @@ struct Axis {
 
 /// Exactly [low, high] with the round ticks inside.
 [[nodiscard]] Axis tight_axis(double low, double high, int max_ticks, std::string title);
+
+/// Equal ratios on equal lengths, exactly [low, high] (both positive), with ticks at 1, 2 and 5
+/// times the powers of ten, or fewer if they would crowd.
+[[nodiscard]] Axis log_axis(double low, double high, std::string title);
+
+/// Where the value lies on the axis: 0 at its low end, 1 at its high end. On a logarithmic axis
+/// the value must be positive.
+[[nodiscard]] double share_of(const Axis& axis, double value);
 
 /// 0 to 360 with a tick every 45 (or 90) degrees.
 [[nodiscard]] Axis degree_axis(double step = 45.0);
@@ -33,8 +42,7 @@ struct Frame {
   Axis x;
   Axis y;
   [[nodiscard]] Point at(double vx, double vy) const {
-    return {box.x + box.width * (vx - x.low) / (x.high - x.low),
-            box.bottom() - box.height * (vy - y.low) / (y.high - y.low)};
+    return {box.x + box.width * share_of(x, vx), box.bottom() - box.height * share_of(y, vy)};
   }
 };
 

@@ -47,6 +47,7 @@ void draw_series(Svg& svg, const Frame& frame, const Series& series) {
 
 void draw_legend(Svg& svg, Point at, const LinePlot& plot, const Theme& theme) {
   for (const auto& series : plot.series) {
+    if (series.name.empty()) continue;
     svg.line({at.x, at.y - 3.5}, {at.x + 20.0, at.y - 3.5}, {series.colour, 2.2, series.dash});
     svg.text({at.x + 25.0, at.y}, series.name, {theme.muted, 10.5});
     at.x += 25.0 + text_width(series.name, 10.5) + 16.0;
@@ -62,17 +63,18 @@ double text_width(std::string_view words, double size) {
   return 0.58 * size * static_cast<double>(letters);
 }
 
-void draw_lines(Svg& svg, const Box& box, const LinePlot& plot, const Theme& theme) {
+Frame draw_lines(Svg& svg, const Box& box, const LinePlot& plot, const Theme& theme) {
   const Frame frame{
       {box.x + kLeft, box.y + kTop, box.width - kLeft - kRight, box.height - kTop - kBottom},
       plot.x,
-      y_axis(plot)};
+      plot.y ? *plot.y : y_axis(plot)};
   svg.text({frame.box.x, box.y + 14.0}, plot.title, {theme.ink, 12.5, Anchor::start, true});
   draw_legend(svg, {frame.box.x, box.y + 34.0}, plot, theme);
   draw_axes(svg, frame, theme, GridLines::horizontal);
   svg.begin_clip(frame.box);
   for (const auto& series : plot.series) draw_series(svg, frame, series);
   svg.end_clip();
+  return frame;
 }
 
 }  // namespace shellback::app

@@ -1,5 +1,6 @@
 #pragma once
 /// Curves in one frame, with a legend.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 namespace shellback::app {
 
 struct Series {
-  std::string name;
+  std::string name;  ///< empty: not in the legend
   std::vector<double> x;
   std::vector<double> y;  ///< a value that is not a number interrupts the line
   std::string colour;
@@ -21,10 +22,11 @@ struct LinePlot {
   std::string y_title;
   std::vector<Series> series;
   bool from_zero = true;  ///< the y axis begins at 0 (pressure, gap) or hugs the data
+  std::optional<Axis> y{};  ///< the y axis, if the data are not to choose it; `y_title` is not used
 };
 
-/// Draws into `box`, labels included.
-void draw_lines(Svg& svg, const Box& box, const LinePlot& plot, const Theme& theme);
+/// Draws into `box`, labels included. Gives the frame, for more to be drawn in it.
+Frame draw_lines(Svg& svg, const Box& box, const LinePlot& plot, const Theme& theme);
 
 /// Width of a line of text [px], from mean letter widths: exact enough to keep labels apart.
 [[nodiscard]] double text_width(std::string_view words, double size);

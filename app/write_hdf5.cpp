@@ -1,124 +1,23 @@
 #include "app/write_hdf5.hpp"
 
 #include <fmt/format.h>
-#include <hdf5.h>
 
 #include <algorithm>
 #include <functional>
 #include <numeric>
 #include <utility>
 
+#include "app/hdf5_parts.hpp"
 #include "app/pending_file.hpp"
-#include "app/provenance.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
+
+using namespace hdf5;
+
 namespace {
 
 using coupling::Result;
-
-/// Owns one HDF5 identifier; a negative one is the library's way to say no.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t), const char* what) : id_(id), close_(close) {
-    if (id < 0) throw FileError(fmt::format("HDF5 refused to create {}", what));
-  }
-  ~Handle() { close_(id_); }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  operator hid_t() const { return id_; }  // NOLINT: an identifier is what the C interface takes
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-void check(herr_t outcome, const std::string& what) {
-  if (outcome < 0) throw FileError("HDF5 could not write " + what);
-}
-
-/// The C library prints its error stack by default; our exception says what is needed.
-class QuietErrors {
- public:
-  QuietErrors() {
-    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
-  QuietErrors(const QuietErrors&) = delete;
-  QuietErrors& operator=(const QuietErrors&) = delete;
-
- private:
-  H5E_auto2_t print_ = nullptr;
-  void* data_ = nullptr;
-};
-
-Handle group(hid_t parent, const char* name) {
-  return {H5Gcreate2(parent, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name};
-}
-
-/// UTF-8 strings of any length; readers in Python and MATLAB take these as plain text.
-Handle text_type() {
-  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
-  check(H5Tset_size(type, H5T_VARIABLE), "a text type");
-  check(H5Tset_cset(type, H5T_CSET_UTF8), "a text type");
-  return {H5Tcopy(type), H5Tclose, "a text type"};
-}
-
-void attribute(hid_t owner, const std::string& name, hid_t type, const void* value) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "a scalar");
-  const Handle id(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                  name.c_str());
-  check(H5Awrite(id, type, value), name);
-}
-void attribute(hid_t owner, const std::string& name, double value) {
-  attribute(owner, name, H5T_NATIVE_DOUBLE, &value);
-}
-void attribute(hid_t owner, const std::string& name, int value) {
-  attribute(owner, name, H5T_NATIVE_INT, &value);
-}
-void attribute(hid_t owner, const std::string& name, const std::string& value) {
-  const char* text = value.c_str();
-  attribute(owner, name, text_type(), &text);
-}
-
-/// What a reader must know of a dataset.
-struct Meaning {
-  std::string units;
-  std::string long_name;
-  std::string axes;   ///< coordinates of its dimensions, "phi z s"
-  std::string state;  ///< empty: converged
-};
-
-using Shape = std::vector<hsize_t>;
-
-void dataset(hid_t parent, const std::string& name, hid_t type, const void* data,
-             const Shape& shape, const Meaning& meaning) {
-  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
-                     H5Sclose, name.c_str());
-  const Handle id(
-      H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-      H5Dclose, name.c_str());
-  const bool empty = std::find(shape.begin(), shape.end(), 0U) != shape.end();
-  if (!empty) check(H5Dwrite(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), name);
-  attribute(id, "units", meaning.units);
-  attribute(id, "long_name", meaning.long_name);
-  if (!meaning.axes.empty()) attribute(id, "axes", meaning.axes);
-  if (!meaning.state.empty()) attribute(id, "state", meaning.state);
-}
-
-void texts(hid_t parent, const char* name, const std::vector<std::string>& lines,
-           const char* long_name) {
-  std::vector<const char*> pointers;
-  for (const auto& line : lines) pointers.push_back(line.c_str());
-  dataset(parent, name, text_type(), pointers.data(), {lines.size()}, {"-", long_name, "", ""});
-}
-
-void doubles(hid_t parent, const char* name, const std::vector<double>& values, const char* units,
-             const char* long_name) {
-  dataset(parent, name, H5T_NATIVE_DOUBLE, values.data(), {values.size()},
-          {units, long_name, "", ""});
-}
 
 /// One member of each entry of `list`, in a vector.
 template <class T, class List, class Member>
@@ -248,20 +147,6 @@ void write_notes(hid_t file, const Result& result) {
   const Handle notes = group(file, "notes");
   texts(notes, "warnings", result.warnings, "warnings");
   texts(notes, "assumptions", result.assumptions, "defaults and assumed data relied on");
-}
-
-void write_origin(hid_t file, const coupling::Case& c) {
-  const Handle input = group(file, "case");
-  attribute(input, "path", c.path);
-  const char* text = c.verbatim.c_str();
-  dataset(input, "verbatim", text_type(), &text, {1}, {"-", "text of the case file", "", ""});
-  const Provenance p = provenance(c);
-  const Handle origin = group(file, "provenance");
-  attribute(origin, "version", p.version);
-  attribute(origin, "git", p.git);
-  attribute(origin, "input", p.input);
-  attribute(origin, "input_fnv1a64", p.fingerprint);
-  for (const auto& [name, version] : p.libraries) attribute(origin, "library_" + name, version);
 }
 
 }  // namespace

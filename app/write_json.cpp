@@ -6,6 +6,7 @@
 
 #include "app/provenance.hpp"
 #include "app/quantity_label.hpp"
+#include "app/sweep_columns.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::app {
@@ -79,17 +80,28 @@ void add_status(Json& json, const Verdict& verdict) {
   json["cure"] = verdict.cure;
 }
 
+Json audit_json(const coupling::Audit& a) {
+  return {{"mass", number(a.mass)},
+          {"energy", number(a.energy)},
+          {"load", number(a.load)},
+          {"moment", number(a.moment)}};
+}
+
+Json cost_json(const coupling::Cost& k) {
+  return {{"wall_s", number(k.wall_s)},
+          {"setup_s", number(k.setup_s)},
+          {"factorizations", k.factorizations},
+          {"newton_iterations", k.newton_iterations},
+          {"outer_iterations", k.outer_iterations}};
+}
+
 Json to_json(const coupling::Case& c, const coupling::Result& result) {
   Json json;
   add_status(json, result.verdict);
   json["tier"] = to_string(result.tier);
   json["title"] = result.title;
   json["quantities"] = quantities(result);
-  const auto& a = result.audit;
-  json["audit"] = {{"mass", number(a.mass)},
-                   {"energy", number(a.energy)},
-                   {"load", number(a.load)},
-                   {"moment", number(a.moment)}};
+  json["audit"] = audit_json(result.audit);
   json["effects"] = effects(result);
   json["limiters"] = Json::array();
   for (const auto& l : result.limiters) {
@@ -98,12 +110,7 @@ Json to_json(const coupling::Case& c, const coupling::Result& result) {
   json["warnings"] = result.warnings;
   json["assumptions"] = result.assumptions;
   json["grid"] = result.grid;
-  const auto& k = result.cost;
-  json["cost"] = {{"wall_s", number(k.wall_s)},
-                  {"setup_s", number(k.setup_s)},
-                  {"factorizations", k.factorizations},
-                  {"newton_iterations", k.newton_iterations},
-                  {"outer_iterations", k.outer_iterations}};
+  json["cost"] = cost_json(result.cost);
   json["history"] = history(result);
   json["provenance"] = provenance_json(c);
   return json;
@@ -137,6 +144,39 @@ Json split_json(const coupling::FrictionSplit& split) {
           {"rest", number(unexplained(split))}};
 }
 
+Json axis_json(const study::Axis& axis) {
+  Json json{{"key", axis.key}, {"spacing", to_string(axis.spacing)}};
+  if (axis.numbers.empty()) {
+    json["values"] = axis.words;
+  } else {
+    json["unit"] = axis.unit.empty() ? "1" : axis.unit;
+    json["values"] = axis.numbers;
+  }
+  return json;
+}
+
+Json point_json(const study::Sweep& sweep, int index) {
+  const study::SweepPoint& point = sweep.points[index];
+  Json json{{"at", indices_of(sweep, index)}};
+  json["status"] = status_word(point);
+  json["converged"] = point.good();
+  json["start"] = to_string(point.start);
+  json["tries"] = point.tries;
+  json["wall_s"] = number(point.wall_s);
+  if (!point.tried()) return json;
+  json["tier"] = to_string(point.result.tier);
+  if (!point.good()) {
+    add_status(json, point.result.verdict);
+    return json;
+  }
+  json["quantities"] = quantities(point.result);
+  json["audit"] = audit_json(point.result.audit);
+  json["warnings"] = point.result.warnings;
+  json["grid"] = point.result.grid;
+  json["cost"] = cost_json(point.result.cost);
+  return json;
+}
+
 /// Text from elsewhere may hold broken UTF-8; it is shown with replacement characters.
 std::string dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -163,6 +203,23 @@ std::string comparison_json(const coupling::Case& c, const coupling::Comparison&
                              ? with_unit(comparison.T_calibrated, "K")
                              : Json(nullptr);
   json["provenance"] = provenance_json(c);
+  return dump(json);
+}
+
+std::string sweep_json(const coupling::Case& subject, const study::Sweep& sweep) {
+  Json json{{"title", subject.title}};
+  json["converged"] = sweep.count_good();
+  json["failed"] = sweep.count_failed();
+  json["points_total"] = sweep.points.size();
+  json["interrupted"] = sweep.interrupted;
+  json["axes"] = Json::array();
+  for (const auto& axis : sweep.axes) json["axes"].push_back(axis_json(axis));
+  json["points"] = Json::array();
+  for (const int index : reading_order(sweep)) json["points"].push_back(point_json(sweep, index));
+  json["threads"] = sweep.threads;
+  json["wall_s"] = number(sweep.wall_s);
+  json["measured"] = measured_json(subject.measured);
+  json["provenance"] = provenance_json(subject);
   return dump(json);
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "coupling/result.hpp"
+#include "study/sweep.hpp"
 
 namespace shellback::app {
 
@@ -21,5 +22,9 @@ namespace shellback::app {
 /// both ends were computed), `T_calibrated` {value, unit} or null, provenance.
 [[nodiscard]] std::string comparison_json(const coupling::Case& c,
                                           const coupling::Comparison& comparison);
+
+/// The sweep: `axes` with their values, and `points`, curve after curve, each with its indices
+/// `at` on the axes, status, quantities (only if converged), audit and cost.
+[[nodiscard]] std::string sweep_json(const coupling::Case& subject, const study::Sweep& sweep);
 
 }  // namespace shellback::app

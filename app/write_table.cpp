@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "app/quantity_label.hpp"
+#include "app/text_table.hpp"
 
 namespace shellback::app {
 namespace {
@@ -14,35 +15,6 @@ namespace {
 using coupling::Case;
 using coupling::Comparison;
 using coupling::Result;
-
-/// Lines of cells; the first column flush left, the others flush right.
-class TextTable {
- public:
-  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  void rule() { rows_.emplace_back(); }
-  void print(std::ostream& out) const {
-    std::vector<std::size_t> widths;
-    for (const auto& row : rows_) {
-      widths.resize(std::max(widths.size(), row.size()), 0);
-      for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
-    }
-    std::size_t total = 0;
-    for (const auto width : widths) total += width + kGap;
-    for (const auto& row : rows_) {
-      std::string line(row.empty() ? total - kGap : 0, '-');
-      for (std::size_t k = 0; k < row.size(); ++k) {
-        line += k == 0 ? fmt::format("{:<{}}", row[k], widths[k])
-                       : fmt::format("{}{:>{}}", std::string(kGap, ' '), row[k], widths[k]);
-      }
-      line.erase(line.find_last_not_of(' ') + 1);
-      out << line << '\n';
-    }
-  }
-
- private:
-  static constexpr std::size_t kGap = 2;  ///< blanks between columns
-  std::vector<std::vector<std::string>> rows_;
-};
 
 std::string audit_figure(double value) {
   return std::isfinite(value) ? fmt::format("{:.1e}", value) : "n/a";

@@ -231,8 +231,10 @@ Solution solve_isothermal_at(const Case& c, double T, const SolveControl& contro
 }
 
 Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
-                         const SolveControl& control) {
+                         const SolveControl& control, Otherwise otherwise) {
   const auto begin = std::chrono::steady_clock::now();
+  const bool may_be_cold = otherwise == Otherwise::from_cold;
+  EXPECTS(near.verdict.good() || may_be_cold);
   if (!near.verdict.good()) return solve_tier(c, tier, control);
   const Physics physics = physics_of(c, tier);
   Solution s;
@@ -252,7 +254,7 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
     }
   }
   solve_level(s, tier, true, 0.0, control);
-  if (s.verdict.status != Status::interrupted && !s.verdict.good()) {
+  if (may_be_cold && s.verdict.status != Status::interrupted && !s.verdict.good()) {
     Solution cold = solve_tier(c, tier, control, s.model.solids);
     cold.wall_s = seconds_since(begin);
     return cold;

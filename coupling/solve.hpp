@@ -31,12 +31,17 @@ struct Solution {
 [[nodiscard]] Solution solve_tier(const Case& c, Tier tier, const SolveControl& control = {},
                                   std::shared_ptr<const Solids> solids = nullptr);
 
+/// What to do where a near solution is no start.
+enum class Otherwise { from_cold, give_up };
+
 /// Solves the case in one tier from the solution of a near one: the same bearing at another speed,
 /// load, temperature or in a tier below; on its own grid at once, without the ladder of coarser
 /// ones. Where `near` is no start (it did not converge, or this solve does not from it), starts
-/// from cold. The operators of the solids are shared where they serve.
+/// from cold, unless `otherwise` forbids it: then the failure is handed back. The operators of the
+/// solids are shared where they serve.
 [[nodiscard]] Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
-                                       const SolveControl& control = {});
+                                       const SolveControl& control = {},
+                                       Otherwise otherwise = Otherwise::from_cold);
 
 /// Isothermal solution at a given film temperature, from cold.
 [[nodiscard]] Solution solve_isothermal_at(const Case& c, double T,

@@ -42,6 +42,8 @@ int work(const Request& request) {
       return chart(request);
     case Command::stress:
       return stress(request);
+    case Command::sweep:
+      return sweep(request);
     case Command::none:
       break;
   }

@@ -14,7 +14,16 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-enum class Command { none, init, check, run, compare, chart, stress };
+enum class Command {
+  none,
+  init,
+  check,
+  run,
+  compare,
+  sweep,
+  chart,
+  stress,
+};
 
 /// What was asked for.
 struct Request {
@@ -27,15 +36,17 @@ struct Request {
   std::string json;                 ///< --json: file, "-" for standard output
   std::string output;               ///< -o
   std::string picture;              ///< --picture
+  std::string csv;                  ///< --csv: file, "-" for standard output
+  std::string png;                  ///< --png
   int threads = 1;                  ///< -j
+  bool quick = false;               ///< --quick: fewer or coarser
   std::vector<std::string> scenes;  ///< chart, stress: which; empty: all
-  std::string png;                  ///< chart --png
-  std::string csv;                  ///< chart, stress: --csv
+  std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
+  int cores = 0;                    ///< sweep -j; 0: all there are
   std::string table;                ///< stress --table
   bool list = false;                ///< stress --list
   bool only_default = false;        ///< stress --only-default
   double limit_s = 60.0;            ///< stress --limit [s]
-  bool quick = false;               ///< chart, stress: --quick
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

@@ -9,8 +9,8 @@ namespace {
 
 using namespace app;
 
-const std::vector<std::string> kCommands{"init", "check", "run", "compare", "chart", "stress"};
 constexpr int kMostThreads = 1024;
+const std::string kTierWords = "isothermal, lumped, thd or tehd";
 
 void add_case_options(CLI::App& command, Request& request) {
   command.add_option("CASE", request.case_file, "case file (TOML)")->required();
@@ -21,15 +21,19 @@ void add_case_options(CLI::App& command, Request& request) {
       ->allow_extra_args(false);
 }
 
+void add_threads(CLI::App& command, Request& request, const std::string& words) {
+  command.add_option("-j", request.threads, words)
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
 void add_solve_options(CLI::App& command, Request& request) {
   add_case_options(command, request);
   command
       .add_option("--json", request.json,
                   "also write the result as JSON; - is standard output, without the table")
       ->type_name("FILE");
-  command.add_option("-j", request.threads, "threads that may be used (this version works on one)")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
+  add_threads(command, request, "threads that may be used (this command works on one)");
 }
 
 void add_chart(CLI::App& app, Request& request) {
@@ -41,9 +45,29 @@ void add_chart(CLI::App& app, Request& request) {
   chart->add_option("--csv", request.csv, "write all numbers; - is standard output")
       ->type_name("FILE.csv");
   chart->add_flag("--quick", request.quick, "coarser grids, each solve timed once");
-  chart
-      ->add_option("-j", request.threads,
-                   "threads for the references; timed solves run one at a time")
+  add_threads(*chart, request, "threads for the references; timed solves run one at a time");
+}
+
+void add_sweep(CLI::App& app, Request& request) {
+  auto* sweep = app.add_subcommand("sweep", "solve a case over ranges of its keys");
+  add_case_options(*sweep, request);
+  sweep
+      ->add_option("--vary", request.vary,
+                   "a range or a list: --vary operation.speed=\"3000 rpm..50 rpm/30log\", --vary "
+                   "operation.load=\"4 kN,8 kN\"; may be repeated; points follow one another along "
+                   "the first")
+      ->type_name("KEY=FROM..TO[/N][log]")
+      ->allow_extra_args(false);
+  sweep->add_option("--tier", request.tier, kTierWords);
+  sweep->add_option("-o", request.output, "write all results over the grid (HDF5)")
+      ->type_name("FILE.h5");
+  sweep->add_option("--csv", request.csv, "write a table, one line a point; - is standard output")
+      ->type_name("FILE.csv");
+  sweep->add_option("--picture", request.picture, "draw the curves or maps (SVG)")
+      ->type_name("FILE.svg");
+  sweep->add_option("--json", request.json, "write all results as JSON; - is standard output")
+      ->type_name("FILE");
+  sweep->add_option("-j", request.cores, "threads (default: all cores)")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
 }
@@ -71,21 +95,27 @@ void add_stress(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
-void add_commands(CLI::App& app, Request& request) {
+void add_init(CLI::App& app, Request& request) {
   auto* init = app.add_subcommand("init", "list the shipped cases, or write one to start from");
   init->add_option("NAME", request.name, "shipped case; without it they are listed");
   init->add_option("-o", request.output, "file to write (default: NAME.toml)")
       ->type_name("FILE.toml");
+}
 
+void add_check(CLI::App& app, Request& request) {
   auto* check = app.add_subcommand("check", "read and judge a case without solving it");
   add_case_options(*check, request);
-  check->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+  check->add_option("--tier", request.tier, kTierWords);
+}
 
+void add_run(CLI::App& app, Request& request) {
   auto* run = app.add_subcommand("run", "solve a case");
   add_solve_options(*run, request);
-  run->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+  run->add_option("--tier", request.tier, kTierWords);
   run->add_option("-o", request.output, "write all fields (HDF5)")->type_name("FILE.h5");
+}
 
+void add_compare(CLI::App& app, Request& request) {
   auto* compare = app.add_subcommand("compare", "solve a case in several tiers, side by side");
   add_solve_options(*compare, request);
   compare->add_option("--tiers", request.tiers, "tiers to compare (default: all the case allows)")
@@ -96,17 +126,31 @@ void add_commands(CLI::App& app, Request& request) {
       ->type_name("FILE.html");
   compare->add_option("--picture", request.picture, "write the main picture (SVG)")
       ->type_name("FILE.svg");
-  add_chart(app, request);
-  add_stress(app, request);
+}
+
+/// A command as it is offered.
+struct Offer {
+  std::string name;
+  Command command;
+  void (*add)(CLI::App&, Request&);
+};
+const std::vector<Offer> kOffers{
+    {"init", Command::init, add_init},    {"check", Command::check, add_check},
+    {"run", Command::run, add_run},       {"compare", Command::compare, add_compare},
+    {"sweep", Command::sweep, add_sweep}, {"chart", Command::chart, add_chart},
+    {"stress", Command::stress, add_stress},
+};
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Offer& offer : kOffers) names.push_back(offer.name);
+  return names;
 }
 
 Command command_of(const CLI::App& app) {
-  if (app.got_subcommand("init")) return Command::init;
-  if (app.got_subcommand("check")) return Command::check;
-  if (app.got_subcommand("run")) return Command::run;
-  if (app.got_subcommand("compare")) return Command::compare;
-  if (app.got_subcommand("chart")) return Command::chart;
-  if (app.got_subcommand("stress")) return Command::stress;
+  for (const Offer& offer : kOffers) {
+    if (app.got_subcommand(offer.name)) return offer.command;
+  }
   return Command::none;
 }
 
@@ -141,10 +185,10 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
 /// A first word that is no command, unless it is an option.
 std::string unknown_command(const std::vector<std::string>& words) {
   if (words.empty() || words.front().starts_with("-")) return "";
-  const auto known = std::find(kCommands.begin(), kCommands.end(), words.front());
-  if (known != kCommands.end()) return "";
+  const auto known = command_names();
+  if (std::find(known.begin(), known.end(), words.front()) != known.end()) return "";
   return "there is no command " + in_quotes(words.front()) +
-         choices_for(words.front(), kCommands, "commands are");
+         choices_for(words.front(), known, "commands are");
 }
 
 }  // namespace
@@ -154,7 +198,7 @@ Reading read_command_line(const std::vector<std::string>& words) {
   CLI::App app{"Friction, film and temperature of oil-lubricated journal bearings", "shellback"};
   app.set_version_flag("--version", std::string("shellback ") + SHELLBACK_VERSION);
   app.require_subcommand(0, 1);
-  add_commands(app, reading.request);
+  for (const Offer& offer : kOffers) offer.add(app, reading.request);
   const std::string more = "\n\"shellback --help\" tells more.\n";
   if (const std::string unknown = unknown_command(words); !unknown.empty()) {
     return {{}, "shellback: " + unknown + more, kBadInput};

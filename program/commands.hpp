@@ -10,5 +10,6 @@ namespace shellback::program {
 [[nodiscard]] int run(const Request& request);
 [[nodiscard]] int compare(const Request& request);
 [[nodiscard]] int stress(const Request& request);
+[[nodiscard]] int sweep(const Request& request);
 
 }  // namespace shellback::program

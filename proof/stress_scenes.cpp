@@ -59,6 +59,7 @@ std::vector<std::string> texts_of(const toml::node& node) {
 /// A value as it stands behind --set: texts without quotes, all else in TOML.
 std::string word_of(const toml::node& node) {
   if (node.is_string()) return text_of(node);
+  if (const auto* number = node.as_floating_point()) return fmt::format("{:g}", number->get());
   std::ostringstream out;
   node.visit([&](const auto& value) { out << value; });
   return out.str();

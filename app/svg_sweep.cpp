@@ -1,0 +1,70 @@
+#include "app/svg_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/pending_file.hpp"
+#include "app/svg_sweep_parts.hpp"
+#include "app/sweep_columns.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::app {
+
+using study::Sweep;
+
+namespace {
+
+constexpr double kWidth = 1200.0;  ///< [px]
+constexpr double kHeight = 780.0;  ///< [px]
+constexpr int kMostLines = 8;      ///< beyond, lines cannot be told apart
+
+/// Whether maps are to be drawn: more lines than can be told apart, over two numeric axes.
+bool wants_map(const Sweep& sweep) {
+  const int x = x_axis_of(sweep.axes);
+  const auto numeric = std::count_if(sweep.axes.begin(), sweep.axes.end(),
+                                     [](const auto& axis) { return axis.numbers.size() >= 2; });
+  const int lines = static_cast<int>(sweep.points.size()) / sweep.axes[x].size();
+  return lines > kMostLines && numeric >= 2;
+}
+
+/// Bearing and model; the operating point is what is swept.
+std::string describe(const coupling::Case& c) {
+  std::string words = fmt::format("bearing {:.4g} × {:.4g} mm, radial clearance {:.4g} µm",
+                                  2e3 * c.bearing.radius, 1e3 * c.bearing.width,
+                                  1e6 * c.bearing.radial_clearance);
+  if (!c.oil.name.empty()) words += ", oil " + c.oil.name;
+  return words;
+}
+
+}  // namespace
+
+void expect_drawable(const std::vector<study::Axis>& axes) {
+  if (x_axis_of(axes) >= 0) return;
+  throw InputError("--picture",
+                   "no axis holds two numbers, so there is nothing to draw over; vary a number "
+                   "too, or leave out --picture");
+}
+
+void write_sweep_svg(const std::string& path, const std::string& text,
+                     const coupling::Case& subject, const Sweep& sweep) {
+  const Theme theme = print_theme();
+  Svg svg(kWidth, kHeight);
+  svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
+  svg.text({24.0, 36.0}, subject.title, {theme.ink, 20.0, Anchor::start, true});
+  std::string words = describe(subject);
+  if (wants_map(sweep)) {
+    const std::string left_out = draw_sweep_maps(svg, sweep, theme);
+    if (!left_out.empty()) words += "; " + left_out;
+  } else {
+    draw_sweep_lines(svg, text, subject, sweep, theme);
+  }
+  svg.text({24.0, 58.0}, words, {theme.muted, 12.5});
+  if (sweep.count_good() < static_cast<int>(sweep.points.size())) {
+    svg.text({kWidth - 24.0, 36.0}, count_words(sweep) + (sweep.count_failed() > 0 ? " (×)" : ""),
+             {theme.more, 13.0, Anchor::end, true});
+  }
+  write_file(path, svg.document(subject.title));
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,99 @@
+#include "app/sweep_case.hpp"
+
+#include <fmt/format.h>
+
+#include "app/case_text.hpp"
+#include "app/did_you_mean.hpp"
+#include "app/read_case.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::app {
+
+using coupling::Case;
+using study::Axis;
+using study::Position;
+
+namespace {
+
+std::vector<std::string> words_at(const std::vector<Axis>& axes, const Position& at) {
+  std::vector<std::string> words{word_at(axes.front(), at.along)};
+  for (std::size_t a = 1; a < axes.size(); ++a) words.push_back(axes[a].words[at.across[a - 1]]);
+  return words;
+}
+
+/// The error with the point in front of the problem.
+[[noreturn]] void rethrow_at(const std::string& point, const InputError& error) {
+  std::string problem = error.what();
+  const std::string prefix = error.where() + ": ";
+  if (!error.where().empty() && problem.starts_with(prefix)) problem.erase(0, prefix.size());
+  throw InputError(error.where(), fmt::format("at {}: {}", point, problem));
+}
+
+}  // namespace
+
+std::string position_words(const std::vector<Axis>& axes, const Position& at) {
+  const std::vector<std::string> words = words_at(axes, at);
+  std::string text;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    text += fmt::format("{}{} = {}", a == 0 ? "" : ", ", axes[a].key, words[a]);
+  }
+  return text;
+}
+
+std::string axis_words(const Axis& axis) {
+  constexpr int kFew = 6;
+  if (axis.size() <= kFew) return axis.key + " = " + comma_list(axis.words);
+  return fmt::format("{} = {} to {}, {} values", axis.key, axis.words.front(), axis.words.back(),
+                     axis.size());
+}
+
+study::CaseAt case_source(std::string text, std::string path, std::vector<Override> set,
+                          std::vector<Axis> axes) {
+  return [text = std::move(text), path = std::move(path), set = std::move(set),
+          axes = std::move(axes)](const Position& at) {
+    std::vector<Override> overrides = set;
+    const std::vector<std::string> words = words_at(axes, at);
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+      overrides.push_back({axes[a].key, words[a], "--vary " + axes[a].key});
+    }
+    try {
+      return read_case_text(text, path, overrides);
+    } catch (const InputError& error) {
+      rethrow_at(position_words(axes, at), error);
+    }
+  };
+}
+
+Case sweep_subject(const std::string& text, const std::string& path,
+                   const std::vector<Override>& set, const std::vector<Axis>& axes) {
+  const Position first{0.0, std::vector<int>(axes.size() - 1, 0)};
+  Case subject = case_source(text, path, set, axes)(first);
+  subject.verbatim = text;
+  if (!text.ends_with('\n')) subject.verbatim += '\n';
+  for (const Override& change : set) {
+    subject.verbatim +=
+        fmt::format("# changed on the command line: {} = {}\n", change.key, change.value);
+  }
+  for (const Axis& axis : axes) subject.verbatim += fmt::format("# varied: {}\n", axis_words(axis));
+  return subject;
+}
+
+std::optional<double> value_in_file(const std::string& text, const Axis& axis) {
+  if (axis.numbers.empty()) return std::nullopt;
+  toml::table root = parse_toml(text, "");
+  const auto node = root.at_path(axis.key);
+  if (axis.unit.empty()) return node.value<double>();
+  const auto words = node.value<std::string>();
+  if (!words || !words->ends_with(axis.unit)) return std::nullopt;
+  const std::string number = words->substr(0, words->size() - axis.unit.size());
+  std::size_t used = 0;
+  try {
+    const double value = std::stod(number, &used);
+    if (number.find_first_not_of(' ', used) == std::string::npos) return value;
+  } catch (const std::exception&) {
+    return std::nullopt;  // what stands before the unit is no number
+  }
+  return std::nullopt;
+}
+
+}  // namespace shellback::app

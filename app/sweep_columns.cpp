@@ -1,0 +1,95 @@
+#include "app/sweep_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/constants.hpp"
+
+namespace shellback::app {
+
+using study::Sweep;
+using study::SweepPoint;
+
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+const coupling::Quantity* find(const SweepPoint& point, const std::string& name) {
+  const auto& all = point.result.quantities;
+  const auto it =
+      std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
+  return it == all.end() || !point.good() ? nullptr : &*it;
+}
+
+SweepQuantity column_of(const coupling::Quantity& q) {
+  if (q.unit == "rad") return {q.name, "deg", 180.0 / kPi, false};
+  return {q.name, q.unit, 1.0, false};
+}
+
+}  // namespace
+
+std::vector<SweepQuantity> sweep_quantities(const Sweep& sweep) {
+  std::vector<SweepQuantity> all;
+  for (const SweepPoint& point : sweep.points) {
+    if (!point.good()) continue;
+    for (const auto& q : point.result.quantities) {
+      auto it = std::find_if(all.begin(), all.end(), [&](const auto& x) { return x.name == q.name; });
+      if (it == all.end()) it = all.insert(all.end(), column_of(q));
+      if (std::isfinite(q.error())) it->with_error = true;
+    }
+  }
+  return all;
+}
+
+double value_at(const SweepPoint& point, const SweepQuantity& q) {
+  const auto* found = find(point, q.name);
+  return found == nullptr ? kUnknown : q.factor * found->value;
+}
+
+double error_at(const SweepPoint& point, const SweepQuantity& q) {
+  const auto* found = find(point, q.name);
+  return found == nullptr ? kUnknown : q.factor * found->error();
+}
+
+std::vector<int> indices_of(const Sweep& sweep, int index) {
+  std::vector<int> indices{index / sweep.curves()};
+  for (const int k : study::across(sweep.axes, index % sweep.curves())) indices.push_back(k);
+  return indices;
+}
+
+std::vector<int> reading_order(const Sweep& sweep) {
+  std::vector<int> order;
+  for (int c = 0; c < sweep.curves(); ++c) {
+    for (int k = 0; k < sweep.axes.front().size(); ++k) order.push_back(k * sweep.curves() + c);
+  }
+  return order;
+}
+
+std::string status_word(const SweepPoint& point) {
+  return point.tried() ? to_string(point.result.verdict.status) : "not started";
+}
+
+std::string count_words(const Sweep& sweep) {
+  const int total = static_cast<int>(sweep.points.size());
+  const int good = sweep.count_good();
+  const int failed = sweep.count_failed();
+  std::string words = fmt::format("{} point{}, {} converged", total, total == 1 ? "" : "s", good);
+  if (failed > 0) words += fmt::format(", {} not", failed);
+  if (good + failed < total) words += fmt::format(", {} left by the interrupt", total - good - failed);
+  return words;
+}
+
+std::vector<std::string> sweep_warnings(const Sweep& sweep) {
+  std::vector<std::string> all;
+  for (const SweepPoint& point : sweep.points) {
+    for (const std::string& warning : point.result.warnings) {
+      if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
+    }
+  }
+  return all;
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,176 @@
+#include "app/write_sweep_hdf5.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+#include "app/hdf5_parts.hpp"
+#include "app/pending_file.hpp"
+#include "app/quantity_label.hpp"
+#include "app/sweep_columns.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::app {
+
+using namespace hdf5;
+using study::Sweep;
+using study::SweepPoint;
+
+namespace {
+
+constexpr int kNotStarted = 5;  ///< after the values of Status
+
+std::string axis_keys(const Sweep& sweep) {
+  std::string keys;
+  for (const auto& axis : sweep.axes) keys += (keys.empty() ? "" : " ") + axis.key;
+  return keys;
+}
+
+/// Writes datasets over the whole grid.
+class GridWriter {
+ public:
+  explicit GridWriter(const Sweep& sweep) : sweep_(sweep), axes_(axis_keys(sweep)) {
+    for (const auto& axis : sweep.axes) shape_.push_back(static_cast<hsize_t>(axis.size()));
+  }
+
+  void numbers(hid_t parent, const std::string& name, const std::string& units,
+               const std::string& long_name,
+               const std::function<double(const SweepPoint&)>& value) const {
+    std::vector<double> values;
+    for (const SweepPoint& point : sweep_.points) values.push_back(value(point));
+    dataset(parent, name, H5T_NATIVE_DOUBLE, values.data(), shape_, {units, long_name, axes_, ""});
+  }
+  void counts(hid_t parent, const std::string& name, const std::string& long_name,
+              const std::function<int(const SweepPoint&)>& value) const {
+    std::vector<int> values;
+    for (const SweepPoint& point : sweep_.points) values.push_back(value(point));
+    dataset(parent, name, H5T_NATIVE_INT, values.data(), shape_, {"1", long_name, axes_, ""});
+  }
+  void words(hid_t parent, const char* name, const std::string& long_name,
+             const std::function<std::string(const SweepPoint&)>& value) const {
+    std::vector<std::string> values;
+    for (const SweepPoint& point : sweep_.points) values.push_back(value(point));
+    texts(parent, name, values, shape_, {"-", long_name, axes_, ""});
+  }
+
+ private:
+  const Sweep& sweep_;
+  std::string axes_;
+  Shape shape_;
+};
+
+void write_head(hid_t file, const coupling::Case& subject, const Sweep& sweep) {
+  attribute(file, "format", std::string("shellback sweep"));
+  attribute(file, "format_version", 1);
+  attribute(file, "title", subject.title);
+  attribute(file, "axes", axis_keys(sweep));
+  attribute(file, "points", static_cast<int>(sweep.points.size()));
+  attribute(file, "converged", sweep.count_good());
+  attribute(file, "failed", sweep.count_failed());
+  attribute(file, "interrupted", sweep.interrupted ? 1 : 0);
+  attribute(file, "threads", sweep.threads);
+  attribute(file, "wall_s", sweep.wall_s);
+}
+
+void write_axes(hid_t file, const Sweep& sweep) {
+  const Handle axes = group(file, "axes");
+  for (const auto& axis : sweep.axes) {
+    const std::string name = "varied key of the case, " + std::string(to_string(axis.spacing));
+    if (axis.numbers.empty()) {
+      texts(axes, axis.key.c_str(), axis.words, name.c_str());
+    } else {
+      doubles(axes, axis.key.c_str(), axis.numbers, axis.unit.empty() ? "1" : axis.unit.c_str(),
+              name.c_str());
+    }
+  }
+}
+
+void write_quantities(hid_t file, const Sweep& sweep, const GridWriter& grid) {
+  const Handle quantities = group(file, "quantities");
+  const Handle errors = group(file, "errors");
+  for (const SweepQuantity& q : sweep_quantities(sweep)) {
+    std::string label = quantity_label(q.name);
+    label.erase(0, label.find_first_not_of(' '));
+    grid.numbers(quantities, q.name, q.unit, label,
+                 [&](const SweepPoint& point) { return value_at(point, q); });
+    if (!q.with_error) continue;
+    grid.numbers(errors, q.name, q.unit, "error bar: " + label,
+                 [&](const SweepPoint& point) { return error_at(point, q); });
+  }
+}
+
+void write_audit(hid_t file, const GridWriter& grid) {
+  using coupling::Audit;
+  const Handle audit = group(file, "audit");
+  const auto add = [&](const char* name, double Audit::*member, const char* meaning) {
+    grid.numbers(audit, name, "1", meaning, [member](const SweepPoint& point) {
+      return point.good() ? point.result.audit.*member : NAN;
+    });
+  };
+  add("mass", &Audit::mass, "imbalance of the oil's mass");
+  add("energy", &Audit::energy, "imbalance of power");
+  add("load", &Audit::load, "residual of the load");
+  add("moment", &Audit::moment, "imbalance of the moments on journal and shell");
+}
+
+void write_cost(hid_t file, const GridWriter& grid) {
+  using coupling::Cost;
+  const Handle cost = group(file, "cost");
+  const auto add = [&](const char* name, int Cost::*member, const char* meaning) {
+    grid.counts(cost, name, meaning,
+                [member](const SweepPoint& point) { return point.result.cost.*member; });
+  };
+  add("outer_iterations", &Cost::outer_iterations, "outer iterations of the try that converged");
+  add("newton_iterations", &Cost::newton_iterations, "Newton iterations of the try that converged");
+  add("factorizations", &Cost::factorizations, "factorizations of the try that converged");
+  grid.counts(cost, "tries", "solves begun for the point",
+              [](const SweepPoint& point) { return point.tries; });
+  grid.numbers(cost, "wall_s", "s", "time of all tries",
+               [](const SweepPoint& point) { return point.wall_s; });
+}
+
+void write_state(hid_t file, const GridWriter& grid) {
+  const Handle state = group(file, "state");
+  grid.counts(state, "status",
+              "0 converged, 1 iteration limit, 2 no steady state, 3 invalid number, 4 interrupted, "
+              "5 not started",
+              [](const SweepPoint& point) {
+                return point.tried() ? static_cast<int>(point.result.verdict.status) : kNotStarted;
+              });
+  grid.words(state, "tier", "tier of the model", [](const SweepPoint& point) {
+    return std::string(point.tried() ? to_string(point.result.tier) : "");
+  });
+  grid.words(state, "start", "from where the last try began",
+             [](const SweepPoint& point) { return std::string(to_string(point.start)); });
+  grid.words(state, "reason", "why the point is not solved", [](const SweepPoint& point) {
+    return point.good() ? std::string() : point.result.verdict.reason;
+  });
+}
+
+}  // namespace
+
+void write_sweep_hdf5(const std::string& path, const coupling::Case& subject, const Sweep& sweep) {
+  const QuietErrors quiet;
+  PendingFile pending(path);
+  try {
+    const Handle file(
+        H5Fcreate(pending.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+        "the file");
+    const GridWriter grid(sweep);
+    write_head(file, subject, sweep);
+    write_axes(file, sweep);
+    write_quantities(file, sweep, grid);
+    write_audit(file, grid);
+    write_cost(file, grid);
+    write_state(file, grid);
+    write_origin(file, subject);
+    check(H5Fflush(file, H5F_SCOPE_LOCAL), "the file");  // a full disk shows only now
+  } catch (const FileError& error) {
+    throw FileError(
+        fmt::format("cannot write {}: {}; choose another place or name", path, error.what()));
+  }
+  pending.commit();
+}
+
+}  // namespace shellback::app

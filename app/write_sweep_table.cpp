@@ -1,0 +1,171 @@
+#include "app/write_sweep_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ostream>
+
+#include "app/quantity_label.hpp"
+#include "app/sweep_case.hpp"
+#include "app/sweep_columns.hpp"
+#include "app/text_table.hpp"
+
+namespace shellback::app {
+
+using study::Sweep;
+using study::SweepPoint;
+
+namespace {
+
+/// Shown on the screen, in this order, with their heads; the files hold all.
+struct Shown {
+  const char* name;
+  const char* head;
+};
+constexpr std::array kShown{
+    Shown{"friction_torque", "torque"},        Shown{"friction_torque_asperity", "asperities"},
+    Shown{"h_min", "h_min"},                   Shown{"p_max", "p_max"},
+    Shown{"eccentricity_ratio", "ecc. ratio"}, Shown{"side_flow", "side flow"},
+    Shown{"T_film_max", "T film max"},         Shown{"T_shell_back", "T back"}};
+
+struct Column {
+  SweepQuantity quantity;
+  DisplayUnit unit;
+  double round_off = 0.0;  ///< what is smaller is shown as 0 [SI]
+  std::string head;
+};
+
+std::vector<Column> shown_columns(const Sweep& sweep) {
+  constexpr double kRoundOff = 1e-9;  // of the largest value of the column [-]
+  const auto all = sweep_quantities(sweep);
+  std::vector<Column> columns;
+  for (const Shown& shown : kShown) {
+    const auto it =
+        std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == shown.name; });
+    if (it == all.end()) continue;
+    double largest = 0.0;
+    for (const SweepPoint& point : sweep.points) {
+      const double value = value_at(point, *it);
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    }
+    columns.push_back(
+        {*it, display_unit(it->name, it->unit, largest), kRoundOff * largest, shown.head});
+  }
+  return columns;
+}
+
+void print_points(std::ostream& out, const Sweep& sweep) {
+  const auto columns = shown_columns(sweep);
+  TextTable table(0);
+  std::vector<std::string> names;
+  std::vector<std::string> units;
+  for (const auto& axis : sweep.axes) {
+    names.push_back(axis.key.substr(axis.key.rfind('.') + 1));
+    units.push_back(axis.unit);
+  }
+  for (const Column& column : columns) {
+    names.push_back(column.head);
+    units.push_back(column.unit.unit);
+  }
+  names.emplace_back("status");
+  table.add(names);
+  table.add(units);
+  table.rule();
+  int last_curve = 0;
+  for (const int index : reading_order(sweep)) {
+    if (index % sweep.curves() != last_curve) table.add({" "});
+    last_curve = index % sweep.curves();
+    const SweepPoint& point = sweep.points[index];
+    const std::vector<int> at = indices_of(sweep, index);
+    std::vector<std::string> cells;
+    for (std::size_t a = 0; a < at.size(); ++a) {
+      const auto& axis = sweep.axes[a];
+      cells.push_back(axis.numbers.empty() ? axis.words[at[a]]
+                                           : fmt::format("{:.5g}", axis.numbers[at[a]]));
+    }
+    for (const Column& column : columns) {
+      const double value = value_at(point, column.quantity);
+      const bool round_off = std::abs(value) < column.round_off;
+      cells.push_back(std::isfinite(value) ? figures(round_off ? 0.0 : column.unit(value)) : "");
+    }
+    cells.push_back(point.good() ? "" : status_word(point));
+    table.add(cells);
+  }
+  table.print(out);
+}
+
+void print_failures(std::ostream& out, const Sweep& sweep) {
+  for (const int index : reading_order(sweep)) {
+    const SweepPoint& point = sweep.points[index];
+    const Verdict& verdict = point.result.verdict;
+    if (!point.tried() || point.good() || verdict.status == Status::interrupted) continue;
+    const std::vector<int> at = indices_of(sweep, index);
+    out << fmt::format("\nnot solved at {} ({} tries)\n  {}: {}\n",
+                       position_words(sweep.axes, {static_cast<double>(at.front()),
+                                                   {at.begin() + 1, at.end()}}),
+                       point.tries, to_string(verdict.status), verdict.reason);
+    if (!verdict.place.empty()) out << "  where: " << verdict.place << '\n';
+    if (!verdict.cure.empty()) out << "  cure:  " << verdict.cure << '\n';
+  }
+}
+
+void print_audit(std::ostream& out, const Sweep& sweep) {
+  using Audit = coupling::Audit;
+  const auto worst = [&](double Audit::*member) {
+    double largest = NAN;
+    for (const SweepPoint& point : sweep.points) {
+      if (point.good()) largest = std::fmax(largest, point.result.audit.*member);
+    }
+    return std::isfinite(largest) ? fmt::format("{:.1e}", largest) : std::string("n/a");
+  };
+  out << fmt::format("\nlargest imbalances (relative)  mass {}  energy {}  load {}  moment {}\n",
+                     worst(&Audit::mass), worst(&Audit::energy), worst(&Audit::load),
+                     worst(&Audit::moment));
+}
+
+void print_warnings(std::ostream& out, const Sweep& sweep) {
+  constexpr std::size_t kShownWarnings = 8;  // numbers in them differ from point to point
+  const auto warnings = sweep_warnings(sweep);
+  if (warnings.empty()) return;
+  out << "\nwarnings\n";
+  for (std::size_t k = 0; k < std::min(warnings.size(), kShownWarnings); ++k) {
+    out << "  - " << warnings[k] << '\n';
+  }
+  if (warnings.size() > kShownWarnings) {
+    out << fmt::format("  and {} more, point by point in the JSON (--json)\n",
+                       warnings.size() - kShownWarnings);
+  }
+  out << '\n';
+}
+
+void print_cost(std::ostream& out, const Sweep& sweep) {
+  int tries = 0;
+  int outer = 0;
+  int newton = 0;
+  for (const SweepPoint& point : sweep.points) {
+    tries += point.tries;
+    outer += point.result.cost.outer_iterations;
+    newton += point.result.cost.newton_iterations;
+  }
+  out << fmt::format("{} tries, {} outer and {} Newton iterations in those that converged, {} s on "
+                     "{} thread{}\n",
+                     tries, outer, newton, figures(sweep.wall_s, 3), sweep.threads,
+                     sweep.threads == 1 ? "" : "s");
+}
+
+}  // namespace
+
+void write_sweep_table(std::ostream& out, const coupling::Case& subject, const Sweep& sweep) {
+  out << subject.title << '\n';
+  for (const auto& axis : sweep.axes) out << axis_words(axis) << '\n';
+  out << count_words(sweep) << "\n\n";
+  print_points(out, sweep);
+  print_failures(out, sweep);
+  print_audit(out, sweep);
+  print_warnings(out, sweep);
+  print_cost(out, sweep);
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,92 @@
+#include "study/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+#include "app/case_text.hpp"
+#include "app/pending_file.hpp"
+#include "app/read_axis.hpp"
+#include "app/svg_sweep.hpp"
+#include "app/sweep_case.hpp"
+#include "app/sweep_columns.hpp"
+#include "app/write_csv.hpp"
+#include "app/write_json.hpp"
+#include "app/write_sweep_hdf5.hpp"
+#include "app/write_sweep_table.hpp"
+#include "core/contract.hpp"
+#include "program/commands.hpp"
+#include "program/session.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+using study::Axis;
+using study::Sweep;
+
+namespace {
+
+int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int threads) {
+  ProgressLine line;
+  study::SweepOptions options;
+  options.threads = threads;
+  options.stop = &catch_interrupt();
+  options.progress = [&](const study::SweepProgress& now) {
+    line.show(fmt::format("{} of {} points{}", now.done, now.total,
+                          now.failed > 0 ? fmt::format(", {} not solved so far", now.failed) : ""));
+  };
+  return run_sweep(axes, case_at, options);
+}
+
+/// The isothermal tier takes its temperature from a measured one, which belongs to one point.
+void warn_of_one_measurement(const coupling::Case& subject, const std::vector<Axis>& axes) {
+  const bool isothermal = subject.model.tier == coupling::Tier::isothermal;
+  const bool varied = std::any_of(
+      axes.begin(), axes.end(), [](const Axis& axis) { return axis.key.starts_with("measured."); });
+  if (!isothermal || varied || !subject.measured.shell_back_temperature) return;
+  std::cerr << "warning: the film temperature of every point follows from the one "
+               "measured.shell_back_temperature of the case\n";
+}
+
+void give_files(const Request& request, const std::string& text, const coupling::Case& subject,
+                const Sweep& sweep) {
+  if (!request.output.empty()) write_sweep_hdf5(request.output, subject, sweep);
+  if (!request.csv.empty() && request.csv != "-") write_file(request.csv, sweep_csv(sweep));
+  if (!request.picture.empty()) write_sweep_svg(request.picture, text, subject, sweep);
+  if (!request.json.empty()) give_json(request, sweep_json(subject, sweep));
+  if (request.csv == "-") std::cout << sweep_csv(sweep);
+  if (request.json != "-" && request.csv != "-") write_sweep_table(std::cout, subject, sweep);
+}
+
+}  // namespace
+
+int sweep(const Request& request) {
+  const std::vector<Override> set = overrides_of(request);
+  const std::vector<Axis> axes = parse_axes(request.vary, set);
+  if (request.csv == "-" && request.json == "-") {
+    throw InputError("--csv", "--json has standard output already; give one of them a file");
+  }
+  if (!request.picture.empty()) expect_drawable(axes);
+  for (const std::string& path : {request.json, request.output, request.csv, request.picture}) {
+    expect_folder(path);
+  }
+  const std::string text = read_text_file(request.case_file);
+  const coupling::Case subject = sweep_subject(text, request.case_file, set, axes);
+  warn_of_one_measurement(subject, axes);
+  const Sweep done = solve_all(axes, case_source(text, request.case_file, set, axes),
+                               request.cores > 0 ? request.cores : all_cores());
+  give_files(request, text, subject, done);
+  if (done.interrupted) {
+    std::cerr << "interrupted: " << count_words(done) << "\n";
+    return kInterrupted;
+  }
+  if (done.count_failed() == 0) return kDone;
+  std::cerr << "error: " << count_words(done) << "\n";
+  return kNotConverged;
+}
+
+}  // namespace shellback::program

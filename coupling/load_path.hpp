@@ -1,11 +1,13 @@
 #pragma once
 /// A rigid bearing's equilibrium, followed from a load at which there surely is one.
 ///
-/// Where the joint Newton iteration gets lost, this is the slower and surer way: a position
-/// near the centre, at which there is a film, carries some load lambda W; turned into the
-/// direction of W it is an equilibrium; then lambda goes to 1 in steps that shrink where a step
-/// fails. If the steps become small before that, the path ends: with rigid surfaces and Barus oil
-/// at the limit load, where the reduced pressure reaches 1/alpha. Source: continuation, textbook.
+/// Where the joint Newton iteration gets lost, this is the slower and surer way. Films are solved
+/// at rest in positions all over the loaded half; the one whose force F is nearest to the load W
+/// carries |F| in the direction of W after a little turning; then the load goes to |W| in steps
+/// that shrink where a step fails. If they become small before, the path ends. Then a film a
+/// little closer is asked for: if it has no pressure (reduced pressure beyond 1/alpha), the end
+/// is the limit load of rigid surfaces; if the gap is below a molecule's length, there is no film
+/// of smooth ones. Source: continuation, textbook.
 #include <atomic>
 
 #include "coupling/film_equilibrium.hpp"

@@ -45,6 +45,17 @@ void add_bound(const char* what, double value, double bound, StressAnswer& a) {
   a.faults.push_back(fmt::format("{} audit {:.1e}", what, value));
 }
 
+/// The energy imbalance over the largest heat stream instead of the friction power: at tiny speed
+/// nearly all heat comes with the oil and goes into the walls, and friction is no measure.
+double energy_over_largest_stream(const Result& r) {
+  const double power = std::abs(r.value("power_loss"));
+  double largest = power;
+  for (const char* name : {"heat_by_oil", "heat_to_shell", "heat_to_shaft"}) {
+    if (r.has(name)) largest = std::max(largest, std::abs(r.value(name)));
+  }
+  return largest > 0.0 ? r.audit.energy * power / largest : r.audit.energy;
+}
+
 /// The coldest of all temperatures given.
 double coldest(const Case& c) {
   double T = INFINITY;
@@ -61,6 +72,12 @@ double coldest(const Case& c) {
 }
 
 void compare_mirror(const Result& result, const Result& mirror, StressAnswer& a) {
+  if (mirror.verdict.status == Status::iteration_limit && result.verdict.good()) {
+    a.status = to_string(mirror.verdict.status);  // not found is no contradiction
+    a.reason = "its mirror image was not found: " + mirror.verdict.reason;
+    return;
+  }
+  if (result.verdict.status == Status::iteration_limit) return;
   if (result.verdict.status != mirror.verdict.status) {
     a.faults.push_back(
         fmt::format("its mirror image ended otherwise: {}", to_string(mirror.verdict.status)));
@@ -138,7 +155,7 @@ void look_through(const Case& c, const Result& r, StressAnswer& a) {
             kNoOilAnyMore, a);
   add_range("the shear stress", r.fields.tau_journal, -inf, inf, a);
   add_bound("mass", r.audit.mass, kMassBound, a);
-  add_bound("energy", r.audit.energy, kEnergyBound, a);
+  add_bound("energy", energy_over_largest_stream(r), kEnergyBound, a);
   add_bound("load", r.audit.load, kLoadBound, a);
   add_bound("moment", r.audit.moment, kMomentBound, a);
 }

@@ -31,8 +31,8 @@ struct StressAnswer {
 
 /// What cannot be in a converged result: numbers that are none; theta outside [0, 1]; pressure
 /// below that of cavitation; smooth surfaces that touch; temperatures below all given ones or
-/// beyond those at which oil is a liquid; audits out of bounds (mass 1e-8, energy 1e-4, load
-/// 1e-6; moment: the error of the grid, 5 %).
+/// beyond those at which oil is a liquid; audits out of bounds (mass 1e-8, energy 1e-4 of
+/// the largest heat stream, load 1e-6; moment: the error of the grid, 5 %).
 void look_through(const coupling::Case& c, const coupling::Result& result, StressAnswer& answer);
 
 /// Reads the case, solves it and looks through the result; with `mirror` solves its mirror image

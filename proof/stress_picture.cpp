@@ -24,7 +24,7 @@ constexpr double kLine = 17.0;       ///< a row
 constexpr double kTitle = 27.0;      ///< a scene's title
 constexpr double kText = 10.5;
 constexpr std::size_t kReasonLength = 78;
-constexpr std::size_t kLabelLength = 11;
+constexpr std::size_t kLabelLength = 10;
 
 /// Colours after Okabe and Ito, told apart by colour-blind readers; a sign tells them apart in
 /// grey.
@@ -53,7 +53,18 @@ std::size_t widest(const StressMap& map) {
   return n;
 }
 
-/// Counts characters, not bytes.
+/// The unit that all labels end with, with its blank; empty if they do not.
+std::string common_unit(const StressScene& scene) {
+  const std::string& first = scene.steps.front().label;
+  const std::size_t blank = first.find(' ');
+  if (blank == std::string::npos) return "";
+  const std::string unit = first.substr(blank);
+  for (const StressStep& step : scene.steps) {
+    if (!step.label.ends_with(unit)) return "";
+  }
+  return unit;
+}
+
 std::string cut(const std::string& text, std::size_t most) {
   return text.size() <= most ? text : text.substr(0, most - 1) + "…";
 }
@@ -153,11 +164,15 @@ void Picture::heads() {
 
 void Picture::title_of(const StressRow& row, double y) {
   svg_.line({kMargin, y + 3.0}, {width() - kMargin, y + 3.0}, {theme_.rule, 1.0, ""});
-  svg_.text({kMargin, y + 19.0}, row.scene.title, {theme_.ink, 12.0, Anchor::start, true});
+  const std::string unit = common_unit(row.scene);
+  svg_.text({kMargin, y + 19.0},
+            row.scene.title + (unit.empty() ? "" : " [" + unit.substr(1) + "]"),
+            {theme_.ink, 12.0, Anchor::start, true});
 }
 
 void Picture::row(const StressRow& row, double y) {
   svg_.text({kMargin, y + 12.0}, to_string(row.scene.tier), {theme_.muted, kText + 0.5});
+  const std::string unit = common_unit(row.scene);
   for (std::size_t m = 0; m < row.cells.size(); ++m) {
     const double size = m == 0 ? kCell : kSmall;
     for (std::size_t k = 0; k < row.cells[m].size(); ++k) {
@@ -171,8 +186,9 @@ void Picture::row(const StressRow& row, double y) {
                             label, to_string(cell.result), cell.why.empty() ? "" : ": ", cell.why));
       if (m == 0) {
         const std::string sign = look.sign;
+        const std::string value = label.substr(0, label.size() - unit.size());
         svg_.text({box.x + 0.5 * box.width, y + 11.5},
-                  (sign.empty() ? "" : sign + " ") + cut(label, kLabelLength),
+                  (sign.empty() ? "" : sign + " ") + cut(value, kLabelLength),
                   {look.ink, kText - 1.0, Anchor::middle});
       } else if (is_fault(cell.result)) {
         svg_.text({box.x + 0.5 * box.width, y + 11.5}, look.sign,

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <ostream>
 
 #include "app/derived.hpp"
 #include "app/judge_case.hpp"
 #include "app/units.hpp"
 #include "core/constants.hpp"
+#include "fidelity/estimate.hpp"
 
 namespace shellback::app {
 namespace {
@@ -69,6 +71,26 @@ void print_list(std::ostream& out, const char* title, const std::vector<std::str
   for (const std::string& entry : list) out << "  - " << entry << "\n";
 }
 
+void print_estimate(std::ostream& out, const Case& subject) {
+  const fidelity::Estimate e = fidelity::estimate(subject);
+  out << "\nEstimate (table of the finite bearing, heat in lumps; tier estimate)\n";
+  if (!e.balanced) {
+    out << "  no film temperature carries the friction heat away: thermal runaway is likely\n";
+    return;
+  }
+  line(out, "regime", to_string(e.regime),
+       subject.surfaces.contact
+           ? fmt::format("asperities carry {:.2g} % of the load", 100.0 * e.asperity_share)
+       : std::isfinite(e.lambda) ? fmt::format("film over roughness {:.3g}", e.lambda)
+                                 : "smooth surfaces");
+  line(out, "film temperature", show(e.T, "degC", kTemperature),
+       fmt::format("{:.3g} K above the supply", e.rise));
+  line(out, "friction torque", show(e.torque, "N m", kTorque));
+  line(out, "smallest film", show(e.h_min, "um", kLength),
+       fmt::format("eccentricity ratio {:.3g}", e.eps));
+  line(out, "peak pressure", show(e.p_max, "MPa", kPressure));
+}
+
 std::string tier_names(const std::vector<Tier>& tiers) {
   std::string names;
   for (const Tier tier : tiers) names += (names.empty() ? "" : ", ") + std::string(to_string(tier));
@@ -84,6 +106,7 @@ void print_check(std::ostream& out, const Case& subject) {
                      to_string(subject.model.tier), tier_names(possible_tiers(subject)));
   print_operation(out, subject, d);
   print_expected(out, d);
+  print_estimate(out, subject);
   print_indicators(out, d);
   print_list(out, "Warnings", subject.warnings);
   print_list(out, "Assumptions", subject.assumptions);

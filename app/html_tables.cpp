@@ -38,6 +38,14 @@ std::string list_html(const char* heading, const std::vector<std::string>& lines
   return html + "</ul></div>\n";
 }
 
+/// The two bars under a value: of the grid, of the physics left out.
+std::string bars_html(const ShownBars& bars) {
+  if (!std::isfinite(bars.grid)) return "";
+  std::string html = "<small title=\"grid\">± " + figures(bars.grid, 2);
+  if (std::isfinite(bars.model)) html += " ± " + figures(bars.model, 2) + " (model)";
+  return html + "</small>";
+}
+
 void add_once(std::vector<std::string>& all, const std::string& line) {
   if (std::find(all.begin(), all.end(), line) == all.end()) all.push_back(line);
 }
@@ -124,8 +132,9 @@ std::string quantities_html(const coupling::Case& c, const Comparison& compariso
   for (const auto& row : rows) {
     html += fmt::format("<tr data-quantity=\"{}\"><td>{}</td>", escape_markup(row.name),
                         escape_markup(row.label));
-    for (const auto& value : row.values) {
-      html += "<td>" + (value ? typeset_number(figures(*value)) : "");
+    for (std::size_t k = 0; k < row.values.size(); ++k) {
+      const auto& value = row.values[k];
+      html += "<td>" + (value ? typeset_number(figures(*value)) : "") + bars_html(row.bars[k]);
       if (value && row.measured) {
         html +=
             "<small>" + typeset_number(difference(row.unit, *value, *row.measured)) + "</small>";

@@ -126,7 +126,7 @@ Lack lack_for(const Case& subject, Tier tier) {
             "measured shell-back temperature (measured.shell_back_temperature or "
             "shell.back.temperature), or a constant viscosity"};
   }
-  const Lack lack = lack_for_switches(subject, thermal);
+  const Lack lack = lack_for_switches(subject, thermal || tier == Tier::automatic);
   if (!lack.key.empty()) return lack;
   const std::string methods = impossible_methods(subject, physics_of(subject, tier));
   return methods.empty() ? Lack{} : Lack{"model.methods", methods};

@@ -33,8 +33,11 @@ double now_s() {
 ProgressLine::ProgressLine()
     : terminal_(isatty(STDERR_FILENO) == 1), begin_s_(now_s()), last_s_(begin_s_) {}
 
-ProgressLine::~ProgressLine() {
+ProgressLine::~ProgressLine() { wipe(); }
+
+void ProgressLine::wipe() {
   if (shown_) std::fputs(kWipe, stderr);
+  shown_ = false;
 }
 
 void ProgressLine::show(const coupling::Progress& progress) {

@@ -19,6 +19,8 @@ class ProgressLine {
   void show(const coupling::Progress& progress);
   /// The same with words of one's own.
   void show(const std::string& words);
+  /// Clears the line, for what is to be printed now.
+  void wipe();
 
  private:
   bool terminal_;

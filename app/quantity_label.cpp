@@ -56,6 +56,17 @@ constexpr std::array kLabels{
     Pair{"heat_to_shell", "heat into the shell"},
     Pair{"heat_to_shaft", "heat into the shaft"},
     Pair{"T_equivalent", "equivalent temperature"},
+    Pair{"K_xx", "stiffness K_xx"},
+    Pair{"K_xy", "stiffness K_xy"},
+    Pair{"K_yx", "stiffness K_yx"},
+    Pair{"K_yy", "stiffness K_yy"},
+    Pair{"C_xx", "damping C_xx"},
+    Pair{"C_xy", "damping C_xy"},
+    Pair{"C_yx", "damping C_yx"},
+    Pair{"C_yy", "damping C_yy"},
+    Pair{"whirl_critical_mass", "critical mass of a rigid rotor, per bearing"},
+    Pair{"whirl_speed_ratio", "speed ratio at it, omega sqrt(c m/W)"},
+    Pair{"whirl_ratio", "whirl frequency at it, over speed"},
 };
 
 std::optional<double> measured_si(const coupling::Measured& m, const std::string& name) {
@@ -148,12 +159,24 @@ std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,
         const bool round_off = q && std::abs(q->value) < kRoundOff * largest;
         row.values.push_back(q ? std::optional(round_off ? 0.0 : row.unit(q->value))
                                : std::nullopt);
+        const double s = row.unit.scale;
+        row.bars.push_back(q ? ShownBars{s * q->error_grid, s * q->error_model, s * q->error()}
+                             : ShownBars{NAN, NAN, NAN});
       }
       if (const auto si = measured_si(measured, quantity.name)) row.measured = row.unit(*si);
       rows.push_back(std::move(row));
     }
   }
   return rows;
+}
+
+bool has_bars(const QuantityRow& row) {
+  return std::any_of(row.bars.begin(), row.bars.end(),
+                     [](const ShownBars& b) { return std::isfinite(b.total); });
+}
+
+std::string bar_figures(double bar) {
+  return std::isfinite(bar) ? "+-" + figures(std::abs(bar), 2) : "";
 }
 
 std::vector<std::string> column_names(const std::vector<coupling::Result>& results) {

@@ -33,6 +33,13 @@ struct DisplayUnit {
 /// `digits` significant figures, without exponent between 1e-4 and 1e6; "n/a" if not a number.
 [[nodiscard]] std::string figures(double value, int digits = 4);
 
+/// Error bars of one value, in the row's unit; not-a-number: not known.
+struct ShownBars {
+  double grid = 0.0;
+  double model = 0.0;
+  double total = 0.0;
+};
+
 /// One row of a comparison: a quantity in all results and its measured value.
 struct QuantityRow {
   std::string name;
@@ -40,7 +47,14 @@ struct QuantityRow {
   DisplayUnit unit;
   std::vector<std::optional<double>> values;  ///< per result, in `unit`; none: tier knows it not
   std::optional<double> measured;             ///< in `unit`
+  std::vector<ShownBars> bars{};              ///< per result
 };
+
+/// True if any value of the row has a bar.
+[[nodiscard]] bool has_bars(const QuantityRow& row);
+
+/// "+-0.012" with two figures; empty if the bar is not known.
+[[nodiscard]] std::string bar_figures(double bar);
 
 /// All quantities of `results` in the order in which they first appear.
 [[nodiscard]] std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,

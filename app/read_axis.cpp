@@ -99,8 +99,8 @@ Axis range_axis(const std::string& key, std::string text, const std::string& pla
   for (const std::string& part : parts) {
     const auto end = number_in(part);
     if (!end || part.starts_with('.')) {
-      throw InputError(place, fmt::format("{} does not begin with a number; {}", in_quotes(part),
-                                          kExamples));
+      throw InputError(
+          place, fmt::format("{} does not begin with a number; {}", in_quotes(part), kExamples));
     }
     ends.push_back(*end);
   }
@@ -173,8 +173,8 @@ Axis list_axis(const std::string& key, const std::string& text, const std::strin
 Axis parse_axis(const std::string& key_and_values) {
   const std::size_t equal = key_and_values.find('=');
   if (equal == std::string::npos || equal == 0) {
-    throw InputError("--vary", fmt::format("{} is not KEY=VALUES; {}", in_quotes(key_and_values),
-                                           kExamples));
+    throw InputError("--vary",
+                     fmt::format("{} is not KEY=VALUES; {}", in_quotes(key_and_values), kExamples));
   }
   const std::string key = trimmed(key_and_values.substr(0, equal));
   const std::string values = trimmed(key_and_values.substr(equal + 1));
@@ -205,8 +205,8 @@ std::vector<Axis> parse_axes(const std::vector<std::string>& vary,
   }
   if (axes.empty()) throw InputError("--vary", fmt::format("nothing is varied; {}", kExamples));
   if (points > kMostPoints) {
-    throw InputError("--vary", fmt::format("{:.3g} points are too many; a million is the most",
-                                           points));
+    throw InputError("--vary",
+                     fmt::format("{:.3g} points are too many; a million is the most", points));
   }
   return axes;
 }

@@ -16,7 +16,7 @@ constexpr int kMostLayers = 60;  ///< three times what is usual
 constexpr int kFewestCells = 3;
 constexpr int kMostCells = 4000;  ///< finer than any published study by a factor of five
 
-const std::vector<std::string> kTiers{"isothermal", "lumped", "thd", "tehd"};
+const std::vector<std::string> kTiers{"estimate", "isothermal", "lumped", "thd", "tehd", "auto"};
 
 Switches read_switches(const Section& section) {
   Switches switches;
@@ -108,14 +108,14 @@ void read_rules(const Section& section, Model& model) {
 }  // namespace
 
 Tier tier_named(const std::string& name, const std::string& place) {
+  if (name == "estimate") return Tier::estimate;
+  if (name == "auto") return Tier::automatic;
   if (name == "isothermal") return Tier::isothermal;
   if (name == "lumped") return Tier::lumped;
   if (name == "thd") return Tier::thd;
   if (name == "tehd") return Tier::tehd;
-  const bool planned = name == "auto" || name == "estimate";
-  throw InputError(place, "the tier " + in_quotes(name) +
-                              (planned ? " does not exist in this version" : " is not known") +
-                              choices_for(planned ? "" : name, kTiers, "possible are"));
+  throw InputError(place, "the tier " + in_quotes(name) + " is not known" +
+                              choices_for(name, kTiers, "possible are"));
 }
 
 Model read_model(const Section& file) {
@@ -125,7 +125,7 @@ Model read_model(const Section& file) {
   section.only({"tier", "tolerance", "grid", "film_nodes", "pressure_dependence", "shear_thinning",
                 "flow_factors", "asperity_contact", "elastic_deformation", "thermal_deformation",
                 "cavitated_shear", "edges", "cavitation_pressure", "cavitation_pressure_absolute",
-                "equivalent_temperature", "methods"},
+                "equivalent_temperature", "methods", "coefficients"},
                "[model]");
   Model model;
   if (section.has("tier")) {
@@ -139,6 +139,7 @@ Model read_model(const Section& file) {
   model.switches = read_switches(section);
   model.methods = read_methods(section);
   read_rules(section, model);
+  model.coefficients = section.maybe_switch("coefficients").value_or(false);
   return model;
 }
 

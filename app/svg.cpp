@@ -96,6 +96,12 @@ void Svg::fill(const std::string& path, const std::string& colour) {
   body_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\"/>\n", path, colour);
 }
 
+void Svg::shade(const std::string& path, const std::string& colour, double opacity) {
+  if (path.empty()) return;
+  body_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"{:.2f}\" stroke=\"none\"/>\n",
+                       path, colour, opacity);
+}
+
 void Svg::stroke(const std::string& path, const Stroke& stroke) {
   if (path.empty()) return;
   body_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke-linejoin=\"round\" {}/>\n", path,

@@ -75,6 +75,8 @@ class Svg {
   void frame(const Box& box, const Stroke& stroke);
   /// Filled path; the even-odd rule, so that inner loops are holes.
   void fill(const std::string& path, const std::string& colour);
+  /// The same, see-through: `opacity` from 0 to 1.
+  void shade(const std::string& path, const std::string& colour, double opacity);
   void stroke(const std::string& path, const Stroke& stroke);
   void circle(Point centre, double radius, const std::string& fill, const Stroke& stroke);
   void text(Point at, std::string_view words, const TextStyle& style);

@@ -21,7 +21,7 @@ struct LinePlot {
   Axis x;
   std::string y_title;
   std::vector<Series> series;
-  bool from_zero = true;  ///< the y axis begins at 0 (pressure, gap) or hugs the data
+  bool from_zero = true;    ///< the y axis begins at 0 (pressure, gap) or hugs the data
   std::optional<Axis> y{};  ///< the y axis, if the data are not to choose it; `y_title` is not used
 };
 

@@ -28,12 +28,39 @@ bool wants_map(const Sweep& sweep) {
   return lines > kMostLines && numeric >= 2;
 }
 
-/// Bearing and model; the operating point is what is swept.
-std::string describe(const coupling::Case& c) {
-  std::string words = fmt::format("bearing {:.4g} × {:.4g} mm, radial clearance {:.4g} µm",
-                                  2e3 * c.bearing.radius, 1e3 * c.bearing.width,
-                                  1e6 * c.bearing.radial_clearance);
-  if (!c.oil.name.empty()) words += ", oil " + c.oil.name;
+/// Tier and grid of all solved points, where they are the same.
+std::string describe_model(const Sweep& sweep) {
+  const coupling::Result* first = nullptr;
+  bool same_tier = true;
+  bool same_grid = true;
+  for (const auto& point : sweep.points) {
+    if (!point.good()) continue;
+    if (first == nullptr) first = &point.result;
+    same_tier = same_tier && point.result.tier == first->tier;
+    same_grid = same_grid && point.result.grid == first->grid;
+  }
+  std::string words;
+  if (first != nullptr && same_tier) words += fmt::format(", tier {}", to_string(first->tier));
+  if (first != nullptr && same_grid) {
+    words += fmt::format(", grid {} × {}", first->grid[0], first->grid[1]);
+  }
+  return words;
+}
+
+/// The bearing, without what is swept.
+std::string describe(const coupling::Case& c, const Sweep& sweep) {
+  const auto swept = [&](const char* key) {
+    return std::any_of(sweep.axes.begin(), sweep.axes.end(),
+                       [&](const auto& axis) { return axis.key == key; });
+  };
+  std::string words = "bearing";
+  if (!swept("bearing.diameter") && !swept("bearing.width")) {
+    words += fmt::format(" {:.4g} × {:.4g} mm", 2e3 * c.bearing.radius, 1e3 * c.bearing.width);
+  }
+  if (!swept("bearing.radial_clearance")) {
+    words += fmt::format(", radial clearance {:.4g} µm", 1e6 * c.bearing.radial_clearance);
+  }
+  if (!c.oil.name.empty() && !swept("oil.name")) words += ", oil " + c.oil.name;
   return words;
 }
 
@@ -52,7 +79,7 @@ void write_sweep_svg(const std::string& path, const std::string& text,
   Svg svg(kWidth, kHeight);
   svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
   svg.text({24.0, 36.0}, subject.title, {theme.ink, 20.0, Anchor::start, true});
-  std::string words = describe(subject);
+  std::string words = describe(subject, sweep) + describe_model(sweep);
   if (wants_map(sweep)) {
     const std::string left_out = draw_sweep_maps(svg, sweep, theme);
     if (!left_out.empty()) words += "; " + left_out;

@@ -140,7 +140,8 @@ class Panels {
           svg_.circle(frame.at(line.x[i], value), kDot, colour(k), {colour(k), 0.5, ""});
         } else if (!std::isfinite(value) && line.points[i]->tried() && !line.points[i]->good()) {
           const double x = frame.at(line.x[i], frame.y.high).x;
-          draw_cross(svg_, {x, frame.box.bottom() - 8.0 - 10.0 * static_cast<double>(k)}, colour(k));
+          draw_cross(svg_, {x, frame.box.bottom() - 8.0 - 10.0 * static_cast<double>(k)},
+                     colour(k));
         }
       }
     }

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/svg_lines.hpp"
 #include "app/svg_map.hpp"
@@ -14,6 +16,15 @@ using study::Sweep;
 using study::SweepPoint;
 
 namespace {
+
+using Titled = std::pair<const char*, const char*>;
+/// The first four that are known are drawn.
+constexpr std::array kMaps{
+    Titled{"friction_torque", "Friction torque"},       Titled{"h_min", "Smallest film"},
+    Titled{"T_film_max", "Largest film temperature"},   Titled{"p_max", "Largest film pressure"},
+    Titled{"eccentricity_ratio", "Eccentricity ratio"}, Titled{"side_flow", "Side flow"}};
+constexpr std::array kBoxes{Box{24.0, 84.0, 572.0, 340.0}, Box{616.0, 84.0, 572.0, 340.0},
+                            Box{24.0, 432.0, 572.0, 340.0}, Box{616.0, 432.0, 572.0, 340.0}};
 
 /// Points over two numeric axes, both rising.
 struct Plane {
@@ -42,7 +53,8 @@ Plane plane_of(const Sweep& sweep) {
     const double y = sweep.axes[plane.y_axis].numbers[line.others[y_place]];
     if (first) rows.emplace_back(y, std::move(line));
   }
-  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::sort(rows.begin(), rows.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
   plane.x = rows.front().second.x;
   for (const auto& [y, line] : rows) plane.y.push_back(y);
   for (std::size_t i = 0; i < plane.x.size(); ++i) {
@@ -78,7 +90,7 @@ void cover_unsolved(Svg& svg, const Frame& frame, const Plane& plane, const Them
   }
 }
 
-/// Values with what is not solved filled in by the nearest solved one along y or x, to be covered.
+/// Values; what is not solved takes any value and is covered afterwards.
 std::vector<double> filled(const Plane& plane, const DrawnQuantity& q, bool logarithmic) {
   std::vector<double> values;
   for (const auto* point : plane.points) {
@@ -120,15 +132,11 @@ void draw_one(Svg& svg, const Box& box, const Sweep& sweep, const Plane& plane,
 
 std::string draw_sweep_maps(Svg& svg, const Sweep& sweep, const Theme& theme) {
   const Plane plane = plane_of(sweep);
-  const auto draw = [&](const Box& box, const char* name, const char* title) {
-    if (const auto q = drawn_quantity(sweep, name)) {
-      draw_one(svg, box, sweep, plane, *q, title, theme);
-    }
-  };
-  draw({24.0, 96.0, 572.0, 340.0}, "friction_torque", "Friction torque");
-  draw({616.0, 96.0, 572.0, 340.0}, "h_min", "Smallest film");
-  draw({24.0, 440.0, 572.0, 330.0}, "T_film_max", "Largest film temperature");
-  draw({616.0, 440.0, 572.0, 330.0}, "p_max", "Largest film pressure");
+  std::size_t box = 0;
+  for (const auto& [name, title] : kMaps) {
+    const auto q = drawn_quantity(sweep, name);
+    if (q && box < kBoxes.size()) draw_one(svg, kBoxes[box++], sweep, plane, *q, title, theme);
+  }
   return plane.left_out;
 }
 

@@ -22,8 +22,7 @@ namespace shellback::app {
 
 /// What the file itself says for the axis's key, in the axis's unit; nothing if it does not say,
 /// or not in that unit.
-[[nodiscard]] std::optional<double> value_in_file(const std::string& text,
-                                                  const study::Axis& axis);
+[[nodiscard]] std::optional<double> value_in_file(const std::string& text, const study::Axis& axis);
 
 /// "operation.speed = 50 rpm, operation.load = 4 kN"
 [[nodiscard]] std::string position_words(const std::vector<study::Axis>& axes,

@@ -36,7 +36,8 @@ std::vector<SweepQuantity> sweep_quantities(const Sweep& sweep) {
   for (const SweepPoint& point : sweep.points) {
     if (!point.good()) continue;
     for (const auto& q : point.result.quantities) {
-      auto it = std::find_if(all.begin(), all.end(), [&](const auto& x) { return x.name == q.name; });
+      auto it =
+          std::find_if(all.begin(), all.end(), [&](const auto& x) { return x.name == q.name; });
       if (it == all.end()) it = all.insert(all.end(), column_of(q));
       if (std::isfinite(q.error())) it->with_error = true;
     }
@@ -78,7 +79,8 @@ std::string count_words(const Sweep& sweep) {
   const int failed = sweep.count_failed();
   std::string words = fmt::format("{} point{}, {} converged", total, total == 1 ? "" : "s", good);
   if (failed > 0) words += fmt::format(", {} not", failed);
-  if (good + failed < total) words += fmt::format(", {} left by the interrupt", total - good - failed);
+  if (good + failed < total)
+    words += fmt::format(", {} left by the interrupt", total - good - failed);
   return words;
 }
 

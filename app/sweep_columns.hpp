@@ -10,9 +10,9 @@ namespace shellback::app {
 /// A quantity that at least one point has.
 struct SweepQuantity {
   std::string name;
-  std::string unit;          ///< as in the JSON: SI, angles in degrees
-  double factor = 1.0;       ///< from the solver's unit to `unit` [-]
-  bool with_error = false;   ///< at least one point knows its error bar
+  std::string unit;         ///< as in the JSON: SI, angles in degrees
+  double factor = 1.0;      ///< from the solver's unit to `unit` [-]
+  bool with_error = false;  ///< at least one point knows its error bar
 };
 
 /// All quantities of all solved points, in the order in which they first appear.

@@ -32,8 +32,8 @@ std::string line(const std::vector<std::string>& cells) {
 std::string head(const Sweep& sweep, const std::vector<SweepQuantity>& quantities) {
   std::vector<std::string> cells;
   for (const auto& axis : sweep.axes) {
-    cells.push_back(cell(axis.unit.empty() ? axis.key
-                                           : fmt::format("{} [{}]", axis.key, axis.unit)));
+    cells.push_back(
+        cell(axis.unit.empty() ? axis.key : fmt::format("{} [{}]", axis.key, axis.unit)));
   }
   for (const char* name : {"status", "tier", "start", "tries"}) cells.emplace_back(name);
   for (const auto& q : quantities) {

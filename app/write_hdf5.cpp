@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -44,6 +45,12 @@ void write_scalars(hid_t file, const Result& result) {
   for (const auto& q : result.quantities) {
     attribute(quantities, q.name, q.value);
     attribute(quantities, q.name + "_unit", q.unit);
+    const auto bar = [&](const char* suffix, double value) {  // what is not known is not there
+      if (std::isfinite(value)) attribute(quantities, q.name + suffix, value);
+    };
+    bar("_error", q.error());
+    bar("_error_grid", q.error_grid);
+    bar("_error_model", q.error_model);
   }
   const Handle audit = group(file, "audit");
   attribute(audit, "mass", result.audit.mass);

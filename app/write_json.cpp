@@ -36,6 +36,59 @@ Json quantities(const coupling::Result& result) {
   return all;
 }
 
+template <std::size_t N>
+Json rows(const std::array<std::array<double, N>, N>& m, int size) {
+  Json all = Json::array();
+  for (int i = 0; i < size; ++i) {
+    Json row = Json::array();
+    for (int j = 0; j < size; ++j) row.push_back(number(m[i][j]));
+    all.push_back(row);
+  }
+  return all;
+}
+
+const char* words(coupling::WhirlVerdict verdict) {
+  switch (verdict) {
+    case coupling::WhirlVerdict::always_stable:
+      return "stable whatever the mass";
+    case coupling::WhirlVerdict::never_stable:
+      return "unstable whatever the mass";
+    case coupling::WhirlVerdict::threshold:
+      break;
+  }
+  return "stable up to the critical mass";
+}
+
+Json coefficients(const coupling::Coefficients& k) {
+  Json json;
+  if (!k.verdict.good()) {
+    json["reason"] = k.verdict.reason;
+    return json;
+  }
+  json["convention"] =
+      "force on the journal = -K x - C dx/dt; x right, y up; rows are forces, columns "
+      "displacements";
+  json["K"] = {{"value", rows(k.K, 2)}, {"unit", "N/m"}};
+  json["C"] = {{"value", rows(k.C, 2)}, {"unit", "N s/m"}};
+  if (k.unknowns == 4) {  // SI throughout: radians here, as the units say
+    json["K_with_tilt"] = {{"value", rows(k.K, 4)}, {"unit", "N, N m per m, rad"}};
+    json["C_with_tilt"] = {{"value", rows(k.C, 4)}, {"unit", "N s, N m s per m, rad"}};
+  }
+  json["load_axes"] = {{"convention", "x along the load, y a quarter turn on with the rotation"},
+                       {"K_c_over_W", rows(k.K_load, 2)},
+                       {"C_c_omega_over_W", rows(k.C_load, 2)}};
+  json["load"] = {{"value", number(k.load)}, {"unit", "N"}};
+  json["clearance"] = {{"value", number(k.clearance)}, {"unit", "m"}};
+  json["speed"] = {{"value", number(k.omega)}, {"unit", "rad/s"}};
+  json["whirl"] = {{"rigid_rotor", words(k.whirl.verdict)},
+                   {"critical_mass", {{"value", number(k.whirl.critical_mass)}, {"unit", "kg"}}},
+                   {"speed_ratio", number(k.speed_ratio)},
+                   {"whirl_ratio", number(k.whirl_ratio)}};
+  json["cavitated_share_of_damping"] = number(k.cavitated_share);
+  json["wall_s"] = number(k.wall_s);
+  return json;
+}
+
 Json effects(const coupling::Result& result) {
   Json all = Json::array();
   for (const auto& e : result.effects) {
@@ -92,16 +145,27 @@ Json cost_json(const coupling::Cost& k) {
           {"setup_s", number(k.setup_s)},
           {"factorizations", k.factorizations},
           {"newton_iterations", k.newton_iterations},
-          {"outer_iterations", k.outer_iterations}};
+          {"outer_iterations", k.outer_iterations},
+          {"bars_s", number(k.bars_s)}};
 }
 
 Json to_json(const coupling::Case& c, const coupling::Result& result) {
   Json json;
   add_status(json, result.verdict);
   json["tier"] = to_string(result.tier);
+  if (result.choice) {
+    const auto& choice = *result.choice;
+    json["chosen_by"] = "auto";
+    json["tolerance"] = {{"asked", choice.tolerance},
+                         {"met", choice.met},
+                         {"friction_torque", number(choice.bar_friction)},
+                         {"h_min", number(choice.bar_h_min)}};
+    json["solved"] = choice.solved;
+  }
   json["title"] = result.title;
   json["quantities"] = quantities(result);
   json["audit"] = audit_json(result.audit);
+  if (result.coefficients) json["coefficients"] = coefficients(*result.coefficients);
   json["effects"] = effects(result);
   json["limiters"] = Json::array();
   for (const auto& l : result.limiters) {

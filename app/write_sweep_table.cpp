@@ -24,11 +24,14 @@ struct Shown {
   const char* name;
   const char* head;
 };
-constexpr std::array kShown{
-    Shown{"friction_torque", "torque"},        Shown{"friction_torque_asperity", "asperities"},
-    Shown{"h_min", "h_min"},                   Shown{"p_max", "p_max"},
-    Shown{"eccentricity_ratio", "ecc. ratio"}, Shown{"side_flow", "side flow"},
-    Shown{"T_film_max", "T film max"},         Shown{"T_shell_back", "T back"}};
+constexpr std::array kShown{Shown{"friction_torque", "torque"},
+                            Shown{"friction_torque_asperity", "asperities"},
+                            Shown{"h_min", "h_min"},
+                            Shown{"p_max", "p_max"},
+                            Shown{"eccentricity_ratio", "ecc. ratio"},
+                            Shown{"side_flow", "side flow"},
+                            Shown{"T_film_max", "T film max"},
+                            Shown{"T_shell_back", "T back"}};
 
 struct Column {
   SweepQuantity quantity;
@@ -102,10 +105,10 @@ void print_failures(std::ostream& out, const Sweep& sweep) {
     const Verdict& verdict = point.result.verdict;
     if (!point.tried() || point.good() || verdict.status == Status::interrupted) continue;
     const std::vector<int> at = indices_of(sweep, index);
-    out << fmt::format("\nnot solved at {} ({} tries)\n  {}: {}\n",
-                       position_words(sweep.axes, {static_cast<double>(at.front()),
-                                                   {at.begin() + 1, at.end()}}),
-                       point.tries, to_string(verdict.status), verdict.reason);
+    out << fmt::format(
+        "\nnot solved at {} ({} tries)\n  {}: {}\n",
+        position_words(sweep.axes, {static_cast<double>(at.front()), {at.begin() + 1, at.end()}}),
+        point.tries, to_string(verdict.status), verdict.reason);
     if (!verdict.place.empty()) out << "  where: " << verdict.place << '\n';
     if (!verdict.cure.empty()) out << "  cure:  " << verdict.cure << '\n';
   }
@@ -149,10 +152,10 @@ void print_cost(std::ostream& out, const Sweep& sweep) {
     outer += point.result.cost.outer_iterations;
     newton += point.result.cost.newton_iterations;
   }
-  out << fmt::format("{} tries, {} outer and {} Newton iterations in those that converged, {} s on "
-                     "{} thread{}\n",
-                     tries, outer, newton, figures(sweep.wall_s, 3), sweep.threads,
-                     sweep.threads == 1 ? "" : "s");
+  out << fmt::format(
+      "{} tries, {} outer and {} Newton iterations in those that converged, {} s on "
+      "{} thread{}\n",
+      tries, outer, newton, figures(sweep.wall_s, 3), sweep.threads, sweep.threads == 1 ? "" : "s");
 }
 
 }  // namespace

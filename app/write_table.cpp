@@ -8,6 +8,7 @@
 
 #include "app/quantity_label.hpp"
 #include "app/text_table.hpp"
+#include "app/write_coefficients.hpp"
 
 namespace shellback::app {
 namespace {
@@ -47,6 +48,28 @@ void print_effects(std::ostream& out, const Result& result) {
   }
 }
 
+std::string change(double value) {
+  return std::isfinite(value) ? fmt::format("{:+.2f} %", 100.0 * value) : "";
+}
+
+/// What tier `auto` chose, and what each effect is worth.
+void print_choice(std::ostream& out, const Result& result) {
+  if (!result.choice) return;
+  const auto& c = *result.choice;
+  out << fmt::format(
+      "\nchosen by auto for {:.3g} %: {}; friction torque within {:.2g} %, smallest film within "
+      "{:.2g} %\n",
+      100.0 * c.tolerance, c.met ? "met" : "NOT MET", 100.0 * c.bar_friction, 100.0 * c.bar_h_min);
+  TextTable table;
+  table.add({"  effect", "", "indicator", "friction torque", "smallest film"});
+  for (const auto& e : result.effects) {
+    table.add({"  " + e.name, e.included ? "in" : "out", figures(e.indicator, 3),
+               change(e.change_in_friction), change(e.change_in_h_min)});
+  }
+  table.print(out);
+  out << "  Changes by the effect alone, on the coarsest grid, temperatures held.\n";
+}
+
 void print_limiters(std::ostream& out, const std::vector<Result>& results) {
   const auto names = column_names(results);
   std::vector<std::string> lines;
@@ -66,6 +89,7 @@ void print_cost(std::ostream& out, const Result& result) {
       figures(k.wall_s, 3));
   if (k.setup_s > 0.0)
     out << fmt::format(" (of it {} s set-up of the solids)", figures(k.setup_s, 3));
+  if (k.bars_s > 0.0) out << fmt::format(", and {} s for the error bars", figures(k.bars_s, 3));
   out << '\n';
 }
 
@@ -75,11 +99,14 @@ void print_quantities(std::ostream& out, const coupling::Measured& measured,
   const auto has_measured = [](const auto& row) { return row.measured.has_value(); };
   const bool with_measured = std::any_of(rows.begin(), rows.end(), has_measured);
   const bool single = results.size() == 1;
+  const bool with_bars = std::any_of(rows.begin(), rows.end(), has_bars);
   TextTable table;
   std::vector<std::string> head{"quantity"};
   const auto names = column_names(results);
   for (std::size_t k = 0; k < names.size(); ++k) {
     head.push_back(names[k] + (results[k].verdict.good() ? "" : " (FAILED)"));
+    if (with_bars && single) head.insert(head.end(), {"+- grid", "+- model"});
+    if (with_bars && !single) head.emplace_back("+-");
   }
   head.emplace_back("unit");
   if (with_measured) head.emplace_back("measured");
@@ -88,7 +115,14 @@ void print_quantities(std::ostream& out, const coupling::Measured& measured,
   table.rule();
   for (const auto& row : rows) {
     std::vector<std::string> cells{row.label};
-    for (const auto& value : row.values) cells.push_back(value ? figures(*value) : "");
+    for (std::size_t k = 0; k < row.values.size(); ++k) {
+      cells.push_back(row.values[k] ? figures(*row.values[k]) : "");
+      const ShownBars& bars = row.bars[k];
+      if (with_bars && single) {
+        cells.insert(cells.end(), {bar_figures(bars.grid), bar_figures(bars.model)});
+      }
+      if (with_bars && !single) cells.push_back(bar_figures(bars.total));
+    }
     cells.push_back(row.unit.unit);
     if (row.measured) cells.push_back(figures(*row.measured));
     if (row.measured && single)
@@ -136,11 +170,16 @@ void print_table(std::ostream& out, const coupling::Measured& measured, const Re
       << "tier " << to_string(result.tier) << ", " << status_line(result) << "\n\n";
   print_failure(out, to_string(result.tier), result);
   print_quantities(out, measured, {result});
+  print_coefficients(out, result);
   const auto& a = result.audit;
   out << fmt::format("\naudit (relative)  mass {}  energy {}  load {}  moment {}\n",
                      audit_figure(a.mass), audit_figure(a.energy), audit_figure(a.load),
                      audit_figure(a.moment));
-  print_effects(out, result);
+  if (result.choice) {
+    print_choice(out, result);
+  } else {
+    print_effects(out, result);
+  }
   print_limiters(out, {result});
   print_list(out, "warnings", result.warnings);
   print_list(out, "assumptions", result.assumptions);
@@ -178,6 +217,10 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
   out << c.title << '\n' << describe_case(c, Writing::plain) << "\n\n";
   for (std::size_t i = 0; i < results.size(); ++i) print_failure(out, names[i], results[i]);
   print_quantities(out, c.measured, results);
+  if (std::any_of(results.begin(), results.end(), [](const Result& r) { return r.cost.bars_s > 0.0; })) {
+    out << "\n+- is the bar of the grid and of the physics left out together; where the physics "
+           "cannot be\njudged, of the grid alone.\n";
+  }
   print_split(out, comparison);
   if (std::isfinite(comparison.T_calibrated)) {
     out << fmt::format(

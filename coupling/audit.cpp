@@ -9,7 +9,7 @@ namespace {
 double mass(const Solution& s) {
   const auto flows = fluid::oil_flows(s.model.scene, s.film.flow);
   const double scale = std::max(std::abs(flows.supply), std::abs(flows.side));
-  return scale > 0.0 ? std::abs(flows.supply - flows.side) / scale : 0.0;
+  return scale > 0.0 ? std::abs(flows.supply - flows.side - flows.stored) / scale : 0.0;
 }
 
 double energy(const Solution& s, const Friction& f) {

@@ -152,6 +152,7 @@ struct Model {
   Edges edges = Edges::flooded;
   double cavitation_pressure = 0.0;  ///< gauge [Pa]
   double kappa = 1.0;                ///< equivalent temperature factor [-]
+  bool coefficients = false;         ///< stiffness, damping and whirl threshold are wanted
 };
 
 struct Measured {

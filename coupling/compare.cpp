@@ -139,7 +139,8 @@ double calibrate(const Case& c, double wanted, double guess, const SolveControl&
 
 }  // namespace
 
-Comparison compare(const Case& c, const std::vector<Tier>& tiers, const SolveControl& control) {
+Comparison compare(const Case& c, const std::vector<Tier>& tiers, const SolveControl& control,
+                   const SumUp& sum_up) {
   Comparison out;
   out.T_calibrated = NAN;
   std::optional<Solution> isothermal, full;
@@ -147,7 +148,7 @@ Comparison compare(const Case& c, const std::vector<Tier>& tiers, const SolveCon
     Case one = c;
     one.model.tier = tier;
     Solution s = solve_tier(one, tier, control);
-    out.results.push_back(summarize(s, tier));
+    out.results.push_back(sum_up(s, tier));
     const bool good = s.verdict.good();
     const bool interrupted = s.verdict.status == Status::interrupted;
     if (good && tier == Tier::isothermal)

@@ -13,11 +13,16 @@
 ///
 /// The calibrated equivalent temperature is the film temperature at which the isothermal torque
 /// equals the full one (bracketed root in T).
+#include <functional>
+
 #include "coupling/solve.hpp"
 
 namespace shellback::coupling {
 
+/// How a solution becomes a result: summarize, or summarize and judge.
+using SumUp = std::function<Result(const Solution&, Tier)>;
+
 [[nodiscard]] Comparison compare(const Case& c, const std::vector<Tier>& tiers,
-                                 const SolveControl& control = {});
+                                 const SolveControl& control = {}, const SumUp& sum_up = summarize);
 
 }  // namespace shellback::coupling

@@ -276,6 +276,10 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
   constexpr double kLittleGain = 0.2;  // part of the gain asked for: a step that gained little [-]
   constexpr double kNearLoad = 0.1;    // from here on film and journal move together [-]
   Unknowns settled = unknowns_of(s);   // last state whose film had followed
+  // Rough surfaces stay apart by their asperities: the nominal gap may go through zero.
+  const auto room = [&](const FilmEquilibrium& f) {
+    return f.least.h + 3.0 * model.scene.rough.sigma;
+  };
   double reach = 1.0;
   double carried = 0.0;
   double settled_merit = INFINITY;  // elastic: judge of a step (methods 2.2)
@@ -322,9 +326,9 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
       return {};
     }
     const double merit = r.film_norm + r.load_norm + std::min(r.elastic_norm, 1e3);
-    const bool follows = s.elastic.empty() ? r.film_norm < kSettledFilm
-                                           : merit < kWorseMerit * settled_merit &&
-                                                 s.least.h > kThinner * settled_gap;
+    const bool follows =
+        s.elastic.empty() ? r.film_norm < kSettledFilm
+                          : merit < kWorseMerit * settled_merit && room(s) > kThinner * settled_gap;
     if (!s.elastic.empty() && !follows && !retreated) {
       if (retreat()) continue;
       return refuse([&] { return stuck(model, s, r, it); });
@@ -336,7 +340,7 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
       damping = little ? std::max(0.1, 0.5 * damping) : std::min(1.0, 2.0 * damping);
       settled_off = off;
       settled_merit = merit;
-      settled_gap = s.least.h;
+      settled_gap = room(s);
       settled = unknowns_of(s);
       carried = std::hypot(s.force[0], s.force[1]);
       reach = std::min(1.0, (s.elastic.empty() ? 1.5 : 2.0) * reach);

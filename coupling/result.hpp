@@ -2,12 +2,14 @@
 /// What one solve gives: scalars, audit, effects, cost, fields. SI units, kelvin, radians.
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/grid.hpp"
 #include "core/outcome.hpp"
 #include "coupling/case.hpp"
+#include "coupling/coefficients.hpp"
 
 namespace shellback::coupling {
 
@@ -52,6 +54,7 @@ struct Cost {
   int factorizations = 0;
   int newton_iterations = 0;
   int outer_iterations = 0;
+  double bars_s = 0.0;  ///< spent on the error bars, not part of wall_s
 };
 
 /// One recorded outer iteration.
@@ -91,6 +94,15 @@ struct Fields {
   std::vector<double> T_solid;
 };
 
+/// How tier `auto` came to its choice.
+struct AutoChoice {
+  double tolerance = 0.0;           ///< asked for on friction torque and smallest film [-]
+  bool met = false;                 ///< both bars are within it
+  double bar_friction = 0.0;        ///< relative bar of the friction torque, grid and model [-]
+  double bar_h_min = 0.0;           ///< relative bar of the smallest film [-]
+  std::vector<std::string> solved;  ///< what was solved on the way
+};
+
 struct Result {
   Verdict verdict;
   Tier tier = Tier::isothermal;
@@ -104,6 +116,8 @@ struct Result {
   std::array<int, 2> grid{0, 0};
   Cost cost;
   std::vector<HistoryEntry> history;
+  std::optional<AutoChoice> choice;  ///< set if tier `auto` chose
+  std::optional<Coefficients> coefficients;  ///< if the case asks for them
   std::vector<LevelRecord> levels;  ///< from the coarsest grid to the finest that converged
   Fields fields;
 

@@ -10,6 +10,7 @@
 #include "core/contract.hpp"
 #include "coupling/nested.hpp"
 #include "coupling/solids.hpp"
+#include "coupling/stepped_start.hpp"
 #include "rheology/density.hpp"
 #include "rheology/heat.hpp"
 
@@ -79,11 +80,21 @@ Verdict start_elastic(Solution& s, double T, const SolveControl& control) {
 }
 
 /// First equilibrium at one temperature, from cold, on the model's own grid.
-Verdict start(Solution& s, double T, const SolveControl& control) {
+Verdict start_at_once(Solution& s, double T, const SolveControl& control) {
   if (s.model.physics.elastic) return start_elastic(s, T, control);
   Verdict v = cold_rigid_film(s.model, s.target, T, false, s.film, s.cost, control.stop);
   if (!v.good()) return v;
   return solve_equilibrium(s.model, s.target, s.heat.growth, {}, s.film, s.cost, control.stop);
+}
+
+/// The same; where it is not found at once, by steps from a light load.
+Verdict start(Solution& s, double T, const SolveControl& control) {
+  const Verdict v = start_at_once(s, T, control);
+  const Methods& by = s.model.input.model.methods;
+  const bool other = by.cavitation != CavitationMethod::active_set ||
+                     by.elastic != ElasticMethod::newton;  // shown as they are, without our help
+  if (v.status != Status::iteration_limit || s.target.unknowns == 0 || other) return v;
+  return stepped_start(s, T, control);
 }
 
 void set_uniform_temperature(Solution& s, double T) {
@@ -149,7 +160,10 @@ Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveCont
   }
   ThermalOptions options;
   options.tolerance = std::max(options.tolerance, tolerance);
-  options.close = !(tolerance > 0.0);  // a coarse grid is but a start
+  if (tolerance > 0.0) {  // a coarse grid is but a start
+    options.close = false;
+    options.most_newton = 400;
+  }
   return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
 }
 
@@ -174,6 +188,8 @@ void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const Solv
     case Tier::automatic:
       EXPECTS(false);  // fidelity/ has turned these into one of the others
   }
+  s.coefficients.reset();
+  if (s.verdict.good() && s.model.input.model.coefficients) s.coefficients = coefficients_of(s);
 }
 
 /// Solves on every grid of the ladder, each from the one before. A coarse grid that fails is left

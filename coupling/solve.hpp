@@ -1,5 +1,6 @@
 #pragma once
 /// One case, one tier, one result: what `run` calls.
+#include "coupling/coefficients.hpp"
 #include "coupling/control.hpp"
 #include "coupling/film_heat.hpp"
 #include "coupling/result.hpp"
@@ -23,6 +24,7 @@ struct Solution {
   Verdict verdict;
   EquilibriumCost cost;
   std::vector<HistoryEntry> history;
+  std::optional<Coefficients> coefficients;  ///< if asked for, of the converged state
   std::vector<LevelRecord> levels;  ///< every grid of the ladder that converged, the last included
   double wall_s = 0.0;
 };

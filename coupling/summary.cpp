@@ -1,6 +1,9 @@
 /// Summing a solution up: quantities, audit, effects, limiters, fields.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/constants.hpp"
 #include "coupling/audit.hpp"
@@ -133,6 +136,22 @@ void add_heat(const Solution& s, Quantities& q) {
   }
 }
 
+/// Of forces; with whole-width films also the moments' (4 x 4), which only Coefficients has.
+void add_coefficients(const Coefficients& k, Quantities& q) {
+  const std::array<const char*, 2> axis{"x", "y"};
+  for (const auto& [letter, matrix, unit] :
+       {std::tuple{"K_", &k.K, "N/m"}, std::tuple{"C_", &k.C, "N s/m"}}) {
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) {
+        q.add(std::string(letter) + axis[i] + axis[j], (*matrix)[i][j], unit);
+      }
+    }
+  }
+  q.add("whirl_critical_mass", k.whirl.critical_mass, "kg");
+  q.add("whirl_speed_ratio", k.speed_ratio, "1");
+  q.add("whirl_ratio", k.whirl_ratio, "1");
+}
+
 Field on_full(const BearingModel& m, const Field& x) {
   return x.empty() ? x : mirror_to_full(m.scene.grid, x);
 }
@@ -216,6 +235,18 @@ void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
 /// A gap that is closed has no flow: such a state has nothing to sum up.
 bool evaluated(const FilmEquilibrium& film) { return !film.flow.phi.empty(); }
 
+void add_coefficient_warnings(const Coefficients& k, std::vector<std::string>& warnings) {
+  constexpr double kTelling = 0.05;  // from here on the share is above the accuracy aimed at [-]
+  if (!k.verdict.good()) {
+    warnings.push_back("stiffness and damping are not given: " + k.verdict.reason);
+  } else if (k.cavitated_share > kTelling) {
+    warnings.push_back(fmt::format(
+        "{:.0f} % of the damping comes from oil that comes and goes in the cavitated film: K and C "
+        "hold for motions much slower than the rotation, and are a rough guide at half its speed",
+        100.0 * k.cavitated_share));
+  }
+}
+
 std::vector<LimiterCount> limiters_of(const Solution& s) {
   std::vector<LimiterCount> out;
   const auto add = [&](const std::string& what, long count) {
@@ -235,6 +266,7 @@ std::vector<Quantity> quantities_of(const Solution& s, Tier tier) {
   add_mechanics(s, friction_of(s.model, s.film), q);
   add_heat(s, q);
   if (tier == Tier::isothermal) q.add("T_equivalent", s.T_film, "K");
+  if (s.coefficients && s.coefficients->verdict.good()) add_coefficients(*s.coefficients, q);
   return q.take();
 }
 
@@ -250,7 +282,7 @@ Result summarize(const Solution& s, Tier tier) {
   r.history = s.history;
   r.levels = s.levels;
   r.cost = {s.wall_s, m.solids ? m.solids->setup_seconds() : 0.0, s.cost.factorizations,
-            s.cost.newton_iterations, static_cast<int>(s.history.size())};
+            s.cost.newton_iterations, static_cast<int>(s.history.size()), 0.0};
   if (!evaluated(s.film)) return r;  // stopped before the first evaluation was through
   const Friction f = friction_of(m, s.film);
   r.quantities = quantities_of(s, tier);
@@ -260,6 +292,8 @@ Result summarize(const Solution& s, Tier tier) {
     r.assumptions.push_back("oil that comes in again at a side edge is as warm as the supply");
   }
   r.limiters = limiters_of(s);
+  r.coefficients = s.coefficients;
+  if (s.coefficients) add_coefficient_warnings(*s.coefficients, r.warnings);
   add_range_warnings(s, r.warnings);
   r.fields = fields_of(s, f);
   return r;

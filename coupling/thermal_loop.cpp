@@ -32,7 +32,8 @@ class Turn {
         film_(film),
         heat_(heat),
         cost_(cost),
-        history_(history) {}
+        history_(history),
+        newton_before_(cost.newton_iterations) {}
 
   bool operator()(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] std::vector<double> pack() const;
@@ -104,6 +105,7 @@ class Turn {
   } best_;
   Verdict verdict_;
   int turns_ = 0;
+  int newton_before_ = 0;  ///< iterations that were spent before this solve
 };
 
 std::vector<double> Turn::pack() const {
@@ -406,7 +408,9 @@ FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
       return FixedPointEnd::map_failed;
     }
     const double now = friction_.viscous + friction_.asperity;
-    if (now > kRunaway * torque && heat_.residual > kNear) {
+    const bool spent = cost_.newton_iterations - newton_before_ > options_.most_newton;
+    if (spent && !(now > torque)) return FixedPointEnd::iteration_limit;
+    if ((spent || now > kRunaway * torque) && heat_.residual > kNear) {
       verdict_ = friction_runaway(torque, now);
       return FixedPointEnd::map_failed;
     }

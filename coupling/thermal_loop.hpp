@@ -20,6 +20,7 @@ struct ThermalOptions {
   int sweeps = 3;  ///< energy sweeps per turn (methods 3.4)
   int anderson_depth = 6;
   int max_turns = 50;       ///< accelerated; then as many again, slowly
+  int most_newton = 1500;   ///< film iterations in all, from which slow steps are given up
   double tolerance = 3e-4;  ///< largest change per turn, in the units above [-]
   bool close = true;        ///< bring film and walls to balance at the end (false: coarse grids)
   double runaway = 400.0;   ///< film temperature above the supply that is taken as runaway [K]

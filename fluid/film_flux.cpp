@@ -228,7 +228,55 @@ void axial_faces(const Evaluation& e, FilmFlow& flow) {
   }
 }
 
+/// What every cell stores per time, and its derivative by theta.
+void storage(const Evaluation& e, FilmFlow& flow) {
+  const FilmScene& scene = e.scene;
+  const FilmMotion& motion = scene.motion;
+  flow.stored.clear();
+  flow.stored_by_theta.clear();
+  if (!motion.moves()) return;
+  const FilmGrid& g = scene.grid;
+  const OilStore store = oil_store(scene, e.gap, e.oil, e.state);
+  flow.stored.resize(g.cells());
+  flow.stored_by_theta.resize(g.cells());
+  GapTransport t;
+  gap_transport(scene.rough, e.gap.cell, t);
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      double rate = motion.gap_rate.empty() ? 0.0 : motion.gap_rate[k];
+      for (int l = 0; l < 4; ++l) {
+        rate += motion.velocity[l] *
+                gap_slope(l, scene.angles.cos_cell[i], scene.angles.sin_cell[i], g.z[j]);
+      }
+      const double filling = motion.theta_rate.empty() ? 0.0 : motion.theta_rate[k];
+      flow.stored[k] = store.by_gap[k] * rate + store.by_theta[k] * filling;
+      const bool film = scene.supply.cell[k] < 0;
+      flow.stored_by_theta[k] =
+          film ? e.oil.density[k] * t.daverage_gap[k] * rate * g.area(i, j) : 0.0;
+    }
+  }
+}
+
 }  // namespace
+
+OilStore oil_store(const FilmScene& scene, const Gap& gap, const FilmCoefficients& oil,
+                   const FilmState& state) {
+  const FilmGrid& g = scene.grid;
+  OilStore store{Field(g.cells(), 0.0), Field(g.cells(), 0.0)};
+  GapTransport t;
+  gap_transport(scene.rough, gap.cell, t);
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      if (scene.supply.cell[k] >= 0) continue;
+      const double mass = oil.density[k] * g.area(i, j);
+      store.by_gap[k] = mass * state.theta[k] * t.daverage_gap[k];
+      store.by_theta[k] = mass * t.average_gap[k];
+    }
+  }
+  return store;
+}
 
 void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& step,
                    const FilmCoefficients& oil, const FilmState& state, FilmFlow& flow) {
@@ -237,6 +285,7 @@ void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& step,
   for (std::size_t k = 0; k < e.ln_g.size(); ++k) e.ln_g[k] = std::log(oil.fluidity[k]);
   circumferential_faces(e, flow);
   axial_faces(e, flow);
+  storage(e, flow);
 }
 
 Field net_outflow(const FilmScene& scene, const FilmFlow& flow) {

@@ -4,6 +4,12 @@
 /// Averaged generalized Reynolds flux per width, journal speed U, shell at rest [kg/(m s)]:
 ///   m_x = rho { theta_up [U chi hT + U/2 sigma phi_s] - phi_x h^3 g dp/dx }
 ///   m_z = -rho phi_z h^3 g dp/dz
+/// A moving journal stores oil, per area [kg/(m2 s)]:
+///   d(rho theta hT)/dt = rho { theta hT'(h) dh/dt + hT dtheta/dt }
+/// with hT' = 1 for smooth surfaces, dh/dt = (dh/dq) dq/dt of the journal plus a given rate of the
+/// solids, and dtheta/dt given (zero: quasi-steady). Compression of the oil is left out: it stores
+/// h dp/dt over the bulk modulus, little beside the give of any shell. Source: seed 000 Eq. 1.
+///
 /// with the Dowson integrals F0 = int 1/eta dy, F1 = int y/eta dy,
 /// F2 = int (y/eta)(y - F1/F0) dy, the fluidity g = F2/h^3 [1/(Pa s)] (1/(12 eta) if eta is
 /// uniform) and the Couette share chi = 1 - F1/(h F0) [-] (1/2 if uniform); hT the average gap of
@@ -16,6 +22,7 @@
 /// series: pressure and flow are continuous, and in full film the jump costs no accuracy. (Where
 /// the film ruptures on a jump the flow is first order: the empty cell's pressure stands half a
 /// cell behind it.)
+#include <array>
 #include <vector>
 
 #include "core/grid.hpp"
@@ -31,6 +38,17 @@ enum class SideEdges {
   dry,      ///< nothing flows in
 };
 
+/// How the film changes in time while it is solved. Default: at rest.
+struct FilmMotion {
+  std::array<double, 4>
+      velocity{};    ///< of the journal position: e_x, e_y, psi_x, psi_y [m/s, rad/s]
+  Field gap_rate;    ///< further d h/dt per cell, of the solids; empty: none [m/s]
+  Field theta_rate;  ///< d theta/dt per cell; empty: none [1/s]
+  [[nodiscard]] bool moves() const {
+    return !gap_rate.empty() || !theta_rate.empty() || velocity != std::array<double, 4>{};
+  }
+};
+
 /// What stays the same while one film is solved.
 struct FilmScene {
   FilmGrid grid;
@@ -41,6 +59,7 @@ struct FilmScene {
   double p_edge = 0.0;        ///< pressure at the side edges [Pa]
   SideEdges edges = SideEdges::flooded;
   RoughPair rough;  ///< smooth: sigma = 0
+  FilmMotion motion;
 };
 
 /// Oil at its present state, per cell.
@@ -79,14 +98,25 @@ struct FilmFlow {
   std::vector<FaceFlow> phi;  ///< west faces, index i * nz + j
   std::vector<FaceFlow> z;    ///< axial faces, index i * (nz + 1) + j
   std::vector<LineFace> lines;
+  Field stored;           ///< d(oil in the cell)/dt, zero in supply cells; empty: at rest [kg/s]
+  Field stored_by_theta;  ///< its derivative by theta of the cell [kg/s]
 };
+
+/// How the oil in a cell changes with its gap, rho theta hT' dA [kg/m], and with its fill ratio,
+/// rho hT dA [kg]. Zero in supply cells, whose oil is the supply's.
+struct OilStore {
+  Field by_gap;
+  Field by_theta;
+};
+[[nodiscard]] OilStore oil_store(const FilmScene& scene, const Gap& gap,
+                                 const FilmCoefficients& oil, const FilmState& state);
 
 /// Evaluates all faces. `step` as in film_gap.
 void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& step,
                    const FilmCoefficients& oil, const FilmState& state, FilmFlow& flow);
 
-/// Net mass flow out of every cell [kg/s]: zero in the film at a solution; at supply cells the
-/// flow fed in.
+/// Net mass flow out of every cell [kg/s]: in the film at a solution minus what is stored (zero at
+/// rest); at supply cells the flow fed in.
 [[nodiscard]] Field net_outflow(const FilmScene& scene, const FilmFlow& flow);
 
 }  // namespace shellback::fluid

@@ -126,6 +126,7 @@ OilFlows oil_flows(const FilmScene& s, const FilmFlow& flow) {
     out.patch[l.patch] += twice * (flow.phi[l.face].m - l.west.m);
   }
   for (const double q : out.patch) out.supply += q;
+  for (const double m : flow.stored) out.stored += twice * m;
   for (int i = 0; i < g.nt; ++i) {
     const double low = g.half ? 0.0 : -flow.z[i * (g.nz + 1)].m;
     const double high = flow.z[i * (g.nz + 1) + g.nz].m;

@@ -55,6 +55,7 @@ struct OilFlows {
   double supply = 0.0;        ///< out of all patches, net
   double side = 0.0;          ///< out of the side edges, net
   double side_inflow = 0.0;   ///< part of the edges' flow that comes in
+  double stored = 0.0;        ///< change of the oil in the film: supply - side at a solution
   std::vector<double> patch;  ///< net out of each patch
 };
 [[nodiscard]] OilFlows oil_flows(const FilmScene& scene, const FilmFlow& flow);

@@ -89,6 +89,9 @@ void assemble_film(const FilmScene& scene, const FilmFlow& flow, const UnknownMa
     const int k = g.index(g.previous(l.face / g.nz), l.face % g.nz);
     a.c[k] += l.west.d_left * u.a_p[k] + (forward ? l.west.d_theta * u.a_theta[k] : 0.0);
   }
+  for (std::size_t k = 0; k < flow.stored_by_theta.size(); ++k) {
+    a.c[k] += flow.stored_by_theta[k] * u.a_theta[k];
+  }
   fix_supply_rows(scene, a);
 }
 
@@ -200,6 +203,7 @@ Field outflow_by_position(const FilmScene& scene, const FilmFlow& flow, int k) {
 
 Field film_residual(const FilmScene& scene, const FilmFlow& flow) {
   Field r = net_outflow(scene, flow);
+  for (std::size_t k = 0; k < flow.stored.size(); ++k) r[k] += flow.stored[k];
   for (std::size_t k = 0; k < r.size(); ++k) {
     if (scene.supply.cell[k] >= 0) r[k] = 0.0;
   }
@@ -212,13 +216,33 @@ double flow_scale(const FilmScene& scene, const FilmFlow& flow) {
     scale = std::max(scale, std::abs(flow.phi[k].d_theta));
     scale = std::max(scale, std::abs(flow.phi[k].m));
   }
+  for (const double x : flow.stored) scale = std::max(scale, std::abs(x));
   (void)scene;
   return scale;
 }
 
+namespace {
+
+/// Cells whose oil, partly filled, would grow by itself: d(net outflow + stored)/d theta <= 0.
+std::vector<char> filling_cells(const FilmScene& scene, const FilmFlow& flow) {
+  const FilmGrid& g = scene.grid;
+  std::vector<char> fills(flow.stored_by_theta.size(), 0);
+  for (std::size_t k = 0; k < fills.size(); ++k) {
+    const int i = static_cast<int>(k) / g.nz;
+    const int east = g.index(g.next(i), static_cast<int>(k) % g.nz);
+    const double carried = std::abs(flow.phi[scene.speed >= 0.0 ? east : k].d_theta);
+    fills[k] = flow.stored_by_theta[k] < 0.0 && carried + flow.stored_by_theta[k] <= 0.0;
+  }
+  return fills;
+}
+
+}  // namespace
+
 UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const Field& step,
-                     double fraction, FilmState& s, double most_barus) {
+                     double fraction, FilmState& s, double most_barus, const FilmFlow* flow) {
   UpdateReport report;
+  const auto fills = flow ? filling_cells(scene, *flow) : std::vector<char>();
+  const auto fills_up = [&](std::size_t k) { return !fills.empty() && fills[k]; };
   for (std::size_t k = 0; k < step.size(); ++k) {
     if (scene.supply.cell[k] >= 0) continue;
     const double t = fraction * step[k];
@@ -231,13 +255,14 @@ UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const 
       x = std::min(x, most_barus);
       s.p[k] += oil.alpha[k] > 0.0 ? -std::log1p(-x) / oil.alpha[k] : t;
       if (s.p[k] < scene.p_cavitation) {
-        s.full[k] = 0;
         s.p[k] = scene.p_cavitation;
+        if (fills_up(k)) continue;
+        s.full[k] = 0;
         ++report.moved;
       }
     } else {
       s.theta[k] += t;
-      if (s.theta[k] > 1.0) {
+      if (s.theta[k] > 1.0 || fills_up(k)) {
         s.full[k] = 1;
         s.theta[k] = 1.0;
         ++report.moved;
@@ -285,7 +310,9 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
   std::set<std::size_t> seen;  // hashes of active sets met
   bool cycling = false;
   bool by_reduced_pressure = false;
-  for (int it = 0; it <= options.max_iterations; ++it) {
+  const bool slow = scene.motion.moves() && scene.speed == 0.0;
+  const int most = options.max_iterations + (slow ? scene.grid.nt : 0);
+  for (int it = 0; it <= most; ++it) {
     oil(v.state, v.oil);
     evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
     Field r = film_residual(scene, v.flow);
@@ -304,7 +331,7 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
       }
       return out;
     }
-    if (it == options.max_iterations) break;
+    if (it == most) break;
     if (cycling) {
       ++v.fallback_steps;
       ++v.factorizations;
@@ -316,7 +343,7 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
     ++v.factorizations;
     for (double& x : r) x = -x;
     v.factor.solve(r.data());
-    const UpdateReport report = advance(scene, v.oil, r, 1.0, v.state);
+    const UpdateReport report = advance(scene, v.oil, r, 1.0, v.state, kMostBarus, &v.flow);
     if (report.beyond_barus > 0) {  // too long a step, or a film that does not exist
       auto reduced = film_by_reduced_pressure(scene, gap, step, oil, v.state);
       v.state = std::move(reduced.value);
@@ -331,8 +358,8 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
     if (report.moved > 0) cycling = !seen.insert(active_set_hash(v.state)).second;
   }
   out.verdict = {Status::iteration_limit,
-                 fmt::format("the cavitation solve stopped after {} steps at residual {:.1e}",
-                             options.max_iterations, out.history.back()),
+                 fmt::format("the cavitation solve stopped after {} steps at residual {:.1e}", most,
+                             out.history.back()),
                  "", "refine the grid or start from a lower load"};
   return out;
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// Pressure and fill ratio of a film of given gap: JFO cavitation by semismooth Newton.
 ///
-///   sum over faces m = 0 in every cell                                          (1)
+///   sum over faces m + stored = 0 in every cell, stored zero at rest            (1)
 ///   p >= p_cav,  0 <= theta <= 1,  (p - p_cav)(1 - theta) = 0                   (2)
 ///
 /// One unknown per cell: p where the film is full, theta where it is cavitated. Each step solves
@@ -49,8 +49,8 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
 /// The same for component k of the journal position, exact at the faces [kg/(s m)], [kg/(s rad)].
 [[nodiscard]] Field outflow_by_position(const FilmScene& scene, const FilmFlow& flow, int k);
 
-/// Residual of (1) with zeros at supply cells [kg/s], and the flow it is measured against:
-/// the largest Couette mass flow through a face [kg/s].
+/// Residual of (1) with zeros at supply cells [kg/s], and the flow it is measured against: the
+/// largest mass flow through a face, Couette or all, or stored in a cell [kg/s].
 [[nodiscard]] Field film_residual(const FilmScene& scene, const FilmFlow& flow);
 [[nodiscard]] double flow_scale(const FilmScene& scene, const FilmFlow& flow);
 
@@ -61,10 +61,15 @@ struct UpdateReport {
   int worst_cell = -1;   ///< one of them
 };
 
+constexpr double kMostBarus = 0.99;  ///< of advance: largest alpha dp of a step [-]
+
 /// Applies the step t (scaled by `fraction`) and moves cells across. alpha dp is held to at most
-/// `most_barus`, below 1; a cell that asks for more is counted.
+/// `most_barus`, below 1; a cell that asks for more is counted. With the `flow` of a film in
+/// motion, cells that close faster than the journal empties them stay full: partly filled they
+/// would fill up, and dtheta/dt = 0 finds them empty instead, a second solution that no film takes.
 UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const Field& step,
-                     double fraction, FilmState& state, double most_barus = 0.99);
+                     double fraction, FilmState& state, double most_barus = kMostBarus,
+                     const FilmFlow* flow = nullptr);
 
 /// Full film at ambient pressure, supply cells at theirs: the cold start.
 [[nodiscard]] FilmState cold_film(const FilmScene& scene);
@@ -73,7 +78,8 @@ void impose_supply(const FilmScene& scene, FilmState& state);
 
 struct ReynoldsOptions {
   double tolerance = 1e-12;  ///< largest residual over flow_scale [-]
-  int max_iterations = 60;
+  int max_iterations = 60;  ///< plus one per line of cells in a moving film without rotation, whose
+                            ///< edge may settle line by line
 };
 
 struct FilmSolution {

@@ -38,12 +38,16 @@ int work(const Request& request) {
       return run(request);
     case Command::compare:
       return compare(request);
+    case Command::auto_honesty:
+      return auto_honesty(request);
     case Command::chart:
       return chart(request);
     case Command::stress:
       return stress(request);
     case Command::sweep:
       return sweep(request);
+    case Command::validate:
+      return validate(request);
     case Command::none:
       break;
   }

@@ -23,6 +23,8 @@ enum class Command {
   sweep,
   chart,
   stress,
+  auto_honesty,
+  validate,
 };
 
 /// What was asked for.
@@ -42,11 +44,18 @@ struct Request {
   bool quick = false;               ///< --quick: fewer or coarser
   std::vector<std::string> scenes;  ///< chart, stress: which; empty: all
   std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
+  int cases = 200;                  ///< auto-honesty --cases
+  int seed = 1;                     ///< auto-honesty --seed: of the first case
   int cores = 0;                    ///< sweep -j; 0: all there are
   std::string table;                ///< stress --table
-  bool list = false;                ///< stress --list
   bool only_default = false;        ///< stress --only-default
   double limit_s = 60.0;            ///< stress --limit [s]
+  std::vector<std::string> names;   ///< validate: ledger entries; empty: all
+  std::string ledger;               ///< validate --ledger: folder of entries; empty: the shipped
+  bool list = false;                ///< stress, validate: --list
+  bool all_rows = false;            ///< validate --rows
+  bool coefficients = false;        ///< run --coefficients
+  std::string coefficients_table;   ///< run --coefficients-table
 };
 
 /// A finished reading of the command line: either a request or words to print and a code.

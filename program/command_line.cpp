@@ -10,7 +10,7 @@ namespace {
 using namespace app;
 
 constexpr int kMostThreads = 1024;
-const std::string kTierWords = "isothermal, lumped, thd or tehd";
+const std::string kTierWords = "estimate, isothermal, lumped, thd, tehd or auto";
 
 void add_case_options(CLI::App& command, Request& request) {
   command.add_option("CASE", request.case_file, "case file (TOML)")->required();
@@ -34,6 +34,24 @@ void add_solve_options(CLI::App& command, Request& request) {
                   "also write the result as JSON; - is standard output, without the table")
       ->type_name("FILE");
   add_threads(command, request, "threads that may be used (this command works on one)");
+}
+
+void add_validate(CLI::App& app, Request& request) {
+  auto* validate = app.add_subcommand(
+      "validate", "rerun the ledger: ours, theirs, difference, tolerance, verdict");
+  validate->add_option("NAME", request.names, "entries; without one, all of them");
+  validate->add_flag("--list", request.list, "list the entries without running them");
+  validate->add_flag("--rows", request.all_rows, "print every row, not only the worst");
+  add_threads(*validate, request, "threads that may be used");
+  validate->add_option("-o", request.output, "write the page with figures and bands (HTML)")
+      ->type_name("FILE.html");
+  validate->add_option("--csv", request.csv, "write every row as a table")->type_name("FILE");
+  validate
+      ->add_option("--json", request.json,
+                   "also write the ledger as JSON; - is standard output, without the tables")
+      ->type_name("FILE");
+  validate->add_option("--ledger", request.ledger, "folder of entries (default: the shipped ones)")
+      ->type_name("FOLDER");
 }
 
 void add_chart(CLI::App& app, Request& request) {
@@ -95,6 +113,16 @@ void add_stress(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_coefficient_options(CLI::App& command, Request& request) {
+  command.add_flag("--coefficients", request.coefficients,
+                   "also stiffness, damping and whirl threshold (as model.coefficients = true)");
+  command
+      .add_option("--coefficients-table", request.coefficients_table,
+                  "write them as a row for rotordynamics programs: frequency [rad/s], kxx to cyy "
+                  "[N/m, N s/m], the columns of a bearing in ROSS")
+      ->type_name("FILE.csv");
+}
+
 void add_init(CLI::App& app, Request& request) {
   auto* init = app.add_subcommand("init", "list the shipped cases, or write one to start from");
   init->add_option("NAME", request.name, "shipped case; without it they are listed");
@@ -113,6 +141,7 @@ void add_run(CLI::App& app, Request& request) {
   add_solve_options(*run, request);
   run->add_option("--tier", request.tier, kTierWords);
   run->add_option("-o", request.output, "write all fields (HDF5)")->type_name("FILE.h5");
+  add_coefficient_options(*run, request);
 }
 
 void add_compare(CLI::App& app, Request& request) {
@@ -128,6 +157,20 @@ void add_compare(CLI::App& app, Request& request) {
       ->type_name("FILE.svg");
 }
 
+void add_auto_honesty(CLI::App& app, Request& request) {
+  constexpr int kMostCases = 1000000;
+  auto* honesty =
+      app.add_subcommand("auto-honesty", "judge tier auto on random bearings against fine grids");
+  honesty->add_option("--cases", request.cases, "number of random bearings (default 200)")
+      ->check(CLI::Range(1, kMostCases));
+  honesty->add_option("--seed", request.seed, "of the first bearing (default 1)")
+      ->check(CLI::Range(0, kMostCases));
+  honesty->add_option("--json", request.json, "also write every trial as JSON")->type_name("FILE");
+  honesty->add_option("-j", request.threads, "threads, one bearing each")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
 /// A command as it is offered.
 struct Offer {
   std::string name;
@@ -135,10 +178,15 @@ struct Offer {
   void (*add)(CLI::App&, Request&);
 };
 const std::vector<Offer> kOffers{
-    {"init", Command::init, add_init},    {"check", Command::check, add_check},
-    {"run", Command::run, add_run},       {"compare", Command::compare, add_compare},
-    {"sweep", Command::sweep, add_sweep}, {"chart", Command::chart, add_chart},
+    {"init", Command::init, add_init},
+    {"check", Command::check, add_check},
+    {"run", Command::run, add_run},
+    {"compare", Command::compare, add_compare},
+    {"sweep", Command::sweep, add_sweep},
+    {"auto-honesty", Command::auto_honesty, add_auto_honesty},
+    {"chart", Command::chart, add_chart},
     {"stress", Command::stress, add_stress},
+    {"validate", Command::validate, add_validate},
 };
 
 std::vector<std::string> command_names() {

@@ -9,7 +9,9 @@ namespace shellback::program {
 [[nodiscard]] int check(const Request& request);
 [[nodiscard]] int run(const Request& request);
 [[nodiscard]] int compare(const Request& request);
+[[nodiscard]] int auto_honesty(const Request& request);
 [[nodiscard]] int stress(const Request& request);
 [[nodiscard]] int sweep(const Request& request);
+[[nodiscard]] int validate(const Request& request);
 
 }  // namespace shellback::program

@@ -12,6 +12,7 @@
 #include "app/write_json.hpp"
 #include "app/write_table.hpp"
 #include "core/contract.hpp"
+#include "fidelity/solve.hpp"
 #include "program/commands.hpp"
 #include "program/session.hpp"
 
@@ -28,6 +29,11 @@ std::vector<Tier> wanted_tiers(const Request& request) {
     const Tier tier = tier_named(name, "--tiers");
     if (std::find(tiers.begin(), tiers.end(), tier) != tiers.end()) {
       throw InputError("--tiers", fmt::format("the tier {} is named twice", in_quotes(name)));
+    }
+    if (tier == Tier::estimate || tier == Tier::automatic) {
+      throw InputError("--tiers", fmt::format("the tier {} has no film of its own to compare; name "
+                                              "some of isothermal, lumped, thd, tehd",
+                                              in_quotes(name)));
     }
     tiers.push_back(tier);
   }
@@ -49,7 +55,11 @@ std::vector<Tier> default_tiers(const Case& subject) {
 
 Comparison solve_all(const Case& subject, const std::vector<Tier>& tiers) {
   ProgressLine line;
-  return coupling::compare(subject, tiers, control_for(line));
+  const SolveControl control = control_for(line);
+  const auto judged = [&](const Solution& s, Tier tier) {
+    return fidelity::summarize(s, tier, control);
+  };
+  return coupling::compare(subject, tiers, control, judged);
 }
 
 }  // namespace

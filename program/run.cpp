@@ -4,10 +4,11 @@
 
 #include "app/check.hpp"
 #include "app/read_case.hpp"
+#include "app/write_coefficients.hpp"
 #include "app/write_hdf5.hpp"
 #include "app/write_json.hpp"
 #include "app/write_table.hpp"
-#include "coupling/solve.hpp"
+#include "fidelity/solve_case.hpp"
 #include "program/commands.hpp"
 #include "program/session.hpp"
 
@@ -22,14 +23,33 @@ int check(const Request& request) {
   return kDone;
 }
 
+namespace {
+
+/// The table of coefficients, if it is asked for; 3 if they could not be had.
+int give_coefficients(const Request& request, const Result& result) {
+  if (!result.coefficients) return kDone;
+  const Coefficients& k = *result.coefficients;
+  if (!k.verdict.good()) {
+    std::cerr << "error: no stiffness and damping: " << k.verdict.reason << "\n";
+    return kNotConverged;
+  }
+  if (!request.coefficients_table.empty()) {
+    write_text_file(request.coefficients_table, coefficients_csv(k));
+  }
+  return kDone;
+}
+
+}  // namespace
+
 int run(const Request& request) {
   const Case subject = read_case(request.case_file, overrides_of(request));
   expect_folder(request.json);
   expect_folder(request.output);
+  expect_folder(request.coefficients_table);
   tell_warnings(subject);
   const Result result = [&] {
     ProgressLine line;
-    return solve(subject, control_for(line));
+    return fidelity::solve_case(subject, control_for(line));
   }();
   if (!request.json.empty()) give_json(request, result_json(subject, result));
   if (!request.output.empty()) write_hdf5(request.output, subject, result);
@@ -38,7 +58,8 @@ int run(const Request& request) {
     std::cout << "not converged: there is no result to print\n";
   }
   tell_verdict(result);
-  return code_of(result.verdict);
+  const int code = code_of(result.verdict);
+  return code == kDone ? give_coefficients(request, result) : code;
 }
 
 }  // namespace shellback::program

@@ -21,6 +21,9 @@ std::vector<Override> overrides_of(const Request& request) {
     static_cast<void>(tier_named(request.tier, "--tier"));
     overrides.push_back({"model.tier", "\"" + request.tier + "\"", "--tier"});
   }
+  if (request.coefficients || !request.coefficients_table.empty()) {
+    overrides.push_back({"model.coefficients", "true", "--coefficients"});
+  }
   return overrides;
 }
 

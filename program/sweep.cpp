@@ -42,6 +42,16 @@ Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int
   return run_sweep(axes, case_at, options);
 }
 
+/// A sweep goes from film to film, in one tier for all points.
+void expect_one_tier(const coupling::Case& subject) {
+  const coupling::Tier tier = subject.model.tier;
+  if (tier != coupling::Tier::estimate && tier != coupling::Tier::automatic) return;
+  throw InputError("model.tier",
+                   fmt::format("a sweep needs one tier for all its points, not {}; choose "
+                               "isothermal, lumped, thd or tehd (--tier)",
+                               to_string(tier)));
+}
+
 /// The isothermal tier takes its temperature from a measured one, which belongs to one point.
 void warn_of_one_measurement(const coupling::Case& subject, const std::vector<Axis>& axes) {
   const bool isothermal = subject.model.tier == coupling::Tier::isothermal;
@@ -76,6 +86,7 @@ int sweep(const Request& request) {
   }
   const std::string text = read_text_file(request.case_file);
   const coupling::Case subject = sweep_subject(text, request.case_file, set, axes);
+  expect_one_tier(subject);
   warn_of_one_measurement(subject, axes);
   const Sweep done = solve_all(axes, case_source(text, request.case_file, set, axes),
                                request.cores > 0 ? request.cores : all_cores());

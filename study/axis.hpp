@@ -12,10 +12,10 @@ enum class Spacing { listed, linear, logarithmic };
 /// A key of the case file with its values. Numbers are in `unit`, as the user wrote them; how they
 /// become SI is the business of the case's reader.
 struct Axis {
-  std::string key;              ///< dotted: operation.speed
-  std::string unit;             ///< of the numbers: "rpm"; empty: plain numbers, or words
+  std::string key;   ///< dotted: operation.speed
+  std::string unit;  ///< of the numbers: "rpm"; empty: plain numbers, or words
   Spacing spacing = Spacing::listed;
-  std::vector<double> numbers;  ///< empty: the values are words (tiers, grids, names)
+  std::vector<double> numbers;     ///< empty: the values are words (tiers, grids, names)
   std::vector<std::string> words;  ///< every value as the case file would have it: "1500 rpm"
 
   [[nodiscard]] int size() const { return static_cast<int>(words.size()); }

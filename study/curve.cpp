@@ -17,6 +17,10 @@ namespace {
 
 enum Side : unsigned { kFromBelow = 1U, kFromAbove = 2U, kFromCold = 4U };
 
+bool stands_alone(coupling::Tier tier) {
+  return tier == coupling::Tier::estimate || tier == coupling::Tier::automatic;
+}
+
 unsigned side_of(int direction) { return direction > 0 ? kFromBelow : kFromAbove; }
 
 }  // namespace
@@ -43,26 +47,27 @@ Solution Curve::predicted(const Axis& axis, const Trail& trail, double at) {
 }
 
 Curve::Curve(const Axis& axis, Along case_at, std::vector<SweepPoint*> points,
-             const std::atomic<bool>* stop, Finished finished)
+             const SweepOptions& options, Finished finished)
     : axis_(axis),
       case_at_(std::move(case_at)),
       points_(std::move(points)),
-      stop_(stop),
+      options_(options),
       finished_(std::move(finished)),
       failed_from_(points_.size(), 0U),
-      solved_(points_.size(), 0) {}
+      solved_(points_.size(), 0) {
+  for (int k = 0; k < static_cast<int>(points_.size()); ++k) {
+    alone_.push_back(stands_alone(case_at_(k).model.tier) ? 1 : 0);
+  }
+}
 
 /// One try of point k at index `at` of the axis, from the trail or, without one, from cold. Keeps
 /// count in the point, and the reason if it fails; then null.
 Curve::Known Curve::solve(int k, double at, const Trail* trail) {
   const Case subject = case_at_(at);
   const coupling::Tier tier = subject.model.tier;
-  coupling::SolveControl control;
-  control.stop = stop_;
-  Solution s = trail == nullptr
-                   ? solve_tier(subject, tier, control)
-                   : solve_tier_from(subject, tier, predicted(axis_, *trail, at), control,
-                                     coupling::Otherwise::give_up);
+  Solution s = trail == nullptr ? solve_tier(subject, tier, control())
+                                : solve_tier_from(subject, tier, predicted(axis_, *trail, at),
+                                                  control(), coupling::Otherwise::give_up);
   SweepPoint& point = *points_[k];
   ++point.tries;
   point.wall_s += s.wall_s;
@@ -72,23 +77,37 @@ Curve::Known Curve::solve(int k, double at, const Trail* trail) {
   return nullptr;
 }
 
-/// Point k from the trail, if need be by way of the middle. Null if neither leads there.
+/// Point k from the trail, if need be by way of points between. Null if that does not lead there.
 Curve::Known Curve::reach(int k, const Trail& trail) {
   SweepPoint& point = *points_[k];
   point.start = Start::neighbour;
   if (Known direct = solve(k, k, &trail)) return direct;
-  if (!beside(k, trail) || !axis_.has_between() || stopped()) return nullptr;
-  point.start = Start::halved;
-  const double middle = 0.5 * (k + trail.near.at);
+  if (!beside(k, trail) || !axis_.has_between()) return nullptr;
+  point.start = Start::between;
   try {
-    Known half = solve(k, middle, &trail);
-    if (!half || stopped()) return nullptr;
-    Trail longer = trail;
-    longer.advance(middle, std::move(half));
-    return solve(k, k, &longer);
+    return creep(k, trail);
   } catch (const InputError&) {
-    return nullptr;  // the key takes whole numbers only: there is no middle
+    return nullptr;  // the key takes whole numbers only: there is nothing between
   }
+}
+
+/// From the trail's end to point k in steps that are halved where they fail.
+Curve::Known Curve::creep(int k, Trail trail) {
+  constexpr double kShortest = 1.0 / 16.0;  // of the way from point to point
+  constexpr int kMostTries = 24;            // half of them for the shortest steps all the way
+  double step = 0.5 * (k - trail.near.at);
+  for (int n = 0; n < kMostTries && std::abs(step) >= kShortest && !stopped(); ++n) {
+    const double left = k - trail.near.at;
+    const double at = std::abs(left) <= std::abs(step) ? k : trail.near.at + step;
+    Known next = solve(k, at, &trail);
+    if (!next) {
+      step *= 0.5;
+      continue;
+    }
+    if (at == k) return next;
+    trail.advance(at, std::move(next));
+  }
+  return nullptr;
 }
 
 Curve::Known Curve::cold(int k) {
@@ -114,7 +133,9 @@ void Curve::forget_inner(int k) {
 void Curve::settle(int k, const Known& solution) {
   SweepPoint& point = *points_[k];
   if (solution) {
-    point.result = summarize(*solution, solution->model.input.model.tier);
+    const coupling::Tier tier = solution->model.input.model.tier;
+    point.result =
+        options_.sum_up ? options_.sum_up(*solution, tier, control()) : summarize(*solution, tier);
     point.result.fields = {};
     point.result.history.clear();
     const std::lock_guard lock(guard_);
@@ -131,7 +152,7 @@ void Curve::settle(int k, const Known& solution) {
 void Curve::walk(Trail trail, int direction, int low, int high, bool to_first_failure) {
   for (int k = static_cast<int>(std::lround(trail.near.at)) + direction; k >= low && k < high;
        k += direction) {
-    if (stopped() || solved(k)) return;
+    if (stopped() || solved(k) || alone_[k] != 0) return;
     Known found;
     if (can_follow(case_at_(k), trail.near.solution->model.input)) found = reach(k, trail);
     if (!found && beside(k, trail)) failed_from_[k] |= side_of(direction);
@@ -153,12 +174,34 @@ Curve::Trail Curve::trail_at(int k, int direction) {
   return trail;
 }
 
+/// A point that gives its neighbours nothing to start from.
+void Curve::solve_alone(int k) {
+  SweepPoint& point = *points_[k];
+  point.start = Start::cold;
+  ++point.tries;
+  point.result = options_.solve_alone(case_at_(k), control());
+  point.result.fields = {};
+  point.result.history.clear();
+  point.wall_s = point.result.cost.wall_s;
+  const bool good = point.result.verdict.good();
+  if (good) {
+    const std::lock_guard lock(guard_);
+    solved_[k] = 1;
+  } else {
+    point.result.quantities.clear();
+  }
+  finished_(k, good);
+}
+
 void Curve::solve_piece(int low, int high) {
+  for (int k = low; k < high && !stopped(); ++k) {
+    if (alone_[k] != 0) solve_alone(k);
+  }
   // The ends and the middle differ most: if none of them starts from cold, the piece is better
   // entered from its neighbours.
   std::set<int> anchors;
   for (const int k : {low, high - 1, (low + high) / 2}) {
-    if (stopped() || !anchors.insert(k).second) continue;
+    if (stopped() || alone_[k] != 0 || !anchors.insert(k).second) continue;
     const Known found = cold(k);
     settle(k, found);
     if (!found) continue;
@@ -192,7 +235,7 @@ void Curve::mend() {
   }
   for (int k = 0; k < n; ++k) {
     if (stopped()) return;
-    if (solved(k) || (failed_from_[k] & kFromCold) != 0) continue;
+    if (solved(k) || alone_[k] != 0 || (failed_from_[k] & kFromCold) != 0) continue;
     const Known found = cold(k);
     settle(k, found);
     while (found && enter_gaps()) {

@@ -2,11 +2,11 @@
 /// Continuation along one curve of a sweep, in both directions, with mending of gaps.
 ///
 /// A piece of the curve begins at a point that can be solved from cold and walks to both its ends,
-/// each point from the one before (secant predictor). A point that fails is tried by way of the
-/// middle between the two, then from cold; the walk goes on beyond it. Afterwards `mend` enters
+/// each point from the one before (secant predictor). A point that fails is tried by way of points
+/// between the two, in steps that are halved where they fail, then from cold; the walk goes on
+/// beyond it. Afterwards `mend` enters
 /// every gap from its solved borders. Pieces may run on several threads at once; `mend` afterwards,
 /// alone.
-#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -23,9 +23,9 @@ class Curve {
   using Along = std::function<coupling::Case(double index)>;  ///< the case along the curve
   using Finished = std::function<void(int k, bool good)>;     ///< told after each point
 
-  /// `points` are those of the curve in their order; they must outlive it, as must `stop`.
+  /// `points` are those of the curve in their order; they must outlive it, as must `options`.
   Curve(const Axis& axis, Along case_at, std::vector<SweepPoint*> points,
-        const std::atomic<bool>* stop, Finished finished);
+        const SweepOptions& options, Finished finished);
 
   /// Solves the points of [low, high), as far as they can be reached from within.
   void solve_piece(int low, int high);
@@ -44,24 +44,28 @@ class Curve {
   static coupling::Solution predicted(const Axis& axis, const Trail& trail, double at);
   Known solve(int k, double at, const Trail* trail);
   Known reach(int k, const Trail& trail);
+  Known creep(int k, Trail trail);
   Known cold(int k);
+  void solve_alone(int k);
   void walk(Trail trail, int direction, int low, int high, bool to_first_failure);
   bool enter_gaps();
   Trail trail_at(int k, int direction);
   void settle(int k, const Known& solution);
   void forget_inner(int k);
   [[nodiscard]] bool solved(int k);
-  [[nodiscard]] bool stopped() const { return stop_ != nullptr && stop_->load(); }
+  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  [[nodiscard]] coupling::SolveControl control() const { return {{}, options_.stop}; }
 
   const Axis& axis_;
   Along case_at_;
   std::vector<SweepPoint*> points_;
-  const std::atomic<bool>* stop_;
+  const SweepOptions& options_;
   Finished finished_;
+  std::vector<char> alone_;            ///< per point: its tier has no film to go on from
   std::vector<unsigned> failed_from_;  ///< per point: Side bits from which it cannot be solved
 
-  std::mutex guard_;          ///< of what follows
-  std::vector<char> solved_;  ///< per point
+  std::mutex guard_;           ///< of what follows
+  std::vector<char> solved_;   ///< per point
   std::map<int, Known> kept_;  ///< solutions beside points that are not solved
 };
 

@@ -1,5 +1,7 @@
 #include "study/sweep.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -41,11 +43,18 @@ class Counter {
 };
 
 /// All cases, judged, in the order of the points. Throws InputError at the first that is wrong.
-std::vector<Case> all_cases(const Sweep& sweep, const CaseAt& case_at) {
+std::vector<Case> all_cases(const Sweep& sweep, const CaseAt& case_at, bool alone_can_be_solved) {
+  using coupling::Tier;
   std::vector<Case> cases;
   for (int k = 0; k < sweep.axes.front().size(); ++k) {
     for (int c = 0; c < sweep.curves(); ++c) {
       cases.push_back(case_at({static_cast<double>(k), across(sweep.axes, c)}));
+      const Tier tier = cases.back().model.tier;
+      if (!alone_can_be_solved && (tier == Tier::estimate || tier == Tier::automatic)) {
+        throw InputError("model.tier", fmt::format("the tier {} cannot be swept; name one of "
+                                                   "isothermal, lumped, thd, tehd",
+                                                   to_string(tier)));
+      }
       // What the grid cannot carry is bad input too, and shows only here.
       static_cast<void>(make_bearing(cases.back(), {}, cases.back().model.grid));
     }
@@ -84,8 +93,8 @@ std::vector<std::unique_ptr<Curve>> make_curves(Sweep& sweep, const std::vector<
       return at == whole ? cases[index(static_cast<int>(whole))] : case_at({at, on});
     };
     const auto finished = [&counter, index](int k, bool good) { counter.tell(index(k), good); };
-    curves.push_back(std::make_unique<Curve>(sweep.axes.front(), along, std::move(points),
-                                             options.stop, finished));
+    curves.push_back(
+        std::make_unique<Curve>(sweep.axes.front(), along, std::move(points), options, finished));
   }
   return curves;
 }
@@ -100,8 +109,8 @@ const char* to_string(Start start) {
       return "cold";
     case Start::neighbour:
       return "neighbour";
-    case Start::halved:
-      return "halved";
+    case Start::between:
+      return "between";
   }
   return "";
 }
@@ -137,8 +146,8 @@ std::vector<int> across(const std::vector<Axis>& axes, int curve) {
 }
 
 int pieces_per_curve(int curves, int points, int threads) {
-  constexpr int kShortest = 6;   // points of a piece
-  constexpr int kPlenty = 4;     // tasks per thread from which cutting gains nothing
+  constexpr int kShortest = 6;  // points of a piece
+  constexpr int kPlenty = 4;    // tasks per thread from which cutting gains nothing
   int pieces = 1;
   while (curves * pieces % threads != 0 && curves * pieces < kPlenty * threads &&
          points / (pieces + 1) >= kShortest) {
@@ -153,20 +162,18 @@ Sweep run_sweep(std::vector<Axis> axes, const CaseAt& case_at, const SweepOption
   Sweep sweep;
   sweep.axes = std::move(axes);
   sweep.threads = options.threads;
-  const std::vector<Case> cases = all_cases(sweep, case_at);
+  const std::vector<Case> cases = all_cases(sweep, case_at, static_cast<bool>(options.solve_alone));
   sweep.points.resize(cases.size());
   Counter counter(cases.size(), options);
   const auto curves = make_curves(sweep, cases, case_at, counter, options);
   const int n = sweep.axes.front().size();
-  const auto pieces =
-      cut(sweep.curves(), n, pieces_per_curve(sweep.curves(), n, options.threads));
+  const auto pieces = cut(sweep.curves(), n, pieces_per_curve(sweep.curves(), n, options.threads));
   const auto count = static_cast<int>(pieces.size());
   parallel_for(count, options.threads,
                [&](int t) { curves[pieces[t].curve]->solve_piece(pieces[t].low, pieces[t].high); });
   parallel_for(sweep.curves(), options.threads, [&](int c) { curves[c]->mend(); });
   sweep.interrupted = options.stop != nullptr && options.stop->load();
-  sweep.wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  sweep.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return sweep;
 }
 

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "coupling/result.hpp"
+#include "coupling/solve.hpp"
 #include "study/axis.hpp"
 
 namespace shellback::study {
@@ -28,7 +28,7 @@ enum class Start {
   none,       ///< not tried: the sweep was interrupted before
   cold,       ///< from nothing
   neighbour,  ///< from the point beside it on its curve
-  halved,     ///< from the neighbour by way of the middle between the two
+  between,    ///< from the neighbour by way of points between the two
 };
 [[nodiscard]] const char* to_string(Start start);
 
@@ -68,10 +68,21 @@ struct SweepProgress {
   int total = 0;
 };
 
+/// Called from several threads at once.
+using SolveAlone =
+    std::function<coupling::Result(const coupling::Case&, const coupling::SolveControl&)>;
+using SumUp = std::function<coupling::Result(const coupling::Solution&, coupling::Tier,
+                                             const coupling::SolveControl&)>;
+
 struct SweepOptions {
   int threads = 1;
-  std::function<void(const SweepProgress&)> progress;  ///< may be empty; never called twice at once
-  const std::atomic<bool>* stop = nullptr;             ///< set from outside: end soon
+  std::function<void(const SweepProgress&)>
+      progress{};                           ///< may be empty; never called twice at once
+  const std::atomic<bool>* stop = nullptr;  ///< set from outside: end soon
+  /// Solves a point whose tier (estimate, auto) has no film to go on from; empty: such a tier is
+  /// bad input.
+  SolveAlone solve_alone{};
+  SumUp sum_up{};  ///< a solution's result; empty: coupling::summarize
 };
 
 /// Solves every point in the tier of its case. First reads and judges all cases: bad input is

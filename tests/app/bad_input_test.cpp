@@ -149,9 +149,6 @@ TEST_CASE("AMisspeltChoiceIsRefusedWithTheList") {
                 {"case.toml:9:8", "did you mean \"hole\"?", "axial_groove"});
   check_refused("\"vogel\"", "\"fogel\"", {"case.toml:23:", "did you mean \"vogel\"?", "reynolds"});
   check_refused("\"tehd\"", "\"thed\"", {"case.toml:37:8", "did you mean", "isothermal, lumped"});
-  check_refused(
-      "\"tehd\"", "\"auto\"",
-      {"case.toml:37:8", "does not exist in this version", "isothermal, lumped, thd, tehd"});
   check_refused("[model]", "[model]\nedges = \"floded\"",
                 {"case.toml:37:9", "did you mean \"flooded\"?", "dry"});
   check_refused("[model]", "[model]\nflow_factors = \"on\"",

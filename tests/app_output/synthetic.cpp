@@ -146,7 +146,7 @@ Result made_result(Tier tier, const Film& film, double torque) {
                 "elastic widening over smallest film; matters above 0.1"},
                {"shear thinning", true, 0.33, "shear rate times K; matters above 0.1"}};
   r.assumptions = {"specific heat of 0W20 assumed, 2083 J/(kg K)", "flooded edges"};
-  r.cost = {0.062, 0.011, 64, 41, film.rise > 0.0 ? 14 : 1};
+  r.cost = {0.062, 0.011, 64, 41, film.rise > 0.0 ? 14 : 1, 0.0};
   r.history = {{"film", 1e-2, 1.2 * torque, 3e-6}, {"heat", 1e-6, torque, 2.4e-6}};
   return r;
 }

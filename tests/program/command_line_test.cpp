@@ -42,6 +42,24 @@ TEST_CASE("CompareTakesAListOfTiers") {
   CHECK(reading.request.picture == "a.svg");
 }
 
+TEST_CASE("SweepTakesItsAxesInTheirOrder") {
+  const Reading reading =
+      read_command_line({"sweep", "case.toml", "--vary", "operation.speed=3000 rpm..50 rpm/30log",
+                         "--vary=operation.load=4 kN,8 kN", "-j", "2", "--csv", "-", "-o", "a.h5",
+                         "--picture", "a.svg"});
+  INFO(reading.words);
+  REQUIRE(reading.words.empty());
+  const Request& r = reading.request;
+  CHECK(r.command == Command::sweep);
+  CHECK(r.case_file == "case.toml");
+  CHECK(r.vary == std::vector<std::string>{"operation.speed=3000 rpm..50 rpm/30log",
+                                           "operation.load=4 kN,8 kN"});
+  CHECK(r.cores == 2);
+  CHECK(r.csv == "-");
+  CHECK(r.output == "a.h5");
+  CHECK(r.picture == "a.svg");
+}
+
 TEST_CASE("InitTakesANameOrNone") {
   CHECK(read_command_line({"init"}).request.command == Command::init);
   CHECK(read_command_line({"init", "raimondi-boyd"}).request.name == "raimondi-boyd");

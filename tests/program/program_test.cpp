@@ -1,4 +1,6 @@
 /// The whole program in one process: exit codes, and what goes to which stream.
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 
@@ -78,7 +80,8 @@ TEST_CASE("AnOutputThatCannotBeWrittenEndsWithFourBeforeTheWork") {
 TEST_CASE("ABadWordOnTheCommandLineEndsWithTwo") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);
-  CHECK(run_words({"run", path, "--tier", "auto"}).code == kBadInput);
+  CHECK(run_words({"run", path, "--tier", "automatic"}).code == kBadInput);
+  check_parts(run_words({"compare", path, "--tiers", "auto,thd"}).err, {"--tiers", "auto"});
   check_parts(run_words({"run", path, "--tier", "tedh"}).err, {"--tier", "did you mean \"tehd\"?"});
   check_parts(run_words({"compare", path, "--tiers", "thd,thd"}).err, {"--tiers", "twice"});
   check_parts(run_words({"run", path, "--set", "operation.speed=3000"}).err,
@@ -138,4 +141,45 @@ TEST_CASE("WarningsGoToStandardError") {
       run_words({"run", path, "--tier", "isothermal", "--set", kCoarse, "--json", "-"});
   check_parts(ended.err, {"warning: ", "outside the range"});
   CHECK(begins_with_brace(ended.out));
+}
+
+TEST_CASE("ASweepPrintsATableAndWritesItsFiles") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const std::vector<std::string> words{"sweep",     path,
+                                       "--tier",    "isothermal",
+                                       "--set",     kCoarse,
+                                       "--vary",    "operation.speed=3000 rpm..1000 rpm/4log",
+                                       "-o",        scratch.path("a.h5"),
+                                       "--picture", scratch.path("a.svg"),
+                                       "--csv",     scratch.path("a.csv"),
+                                       "--json",    scratch.path("a.json")};
+  const Ended ended = run_words(words);
+  INFO(ended.err);
+  CHECK(ended.code == kDone);
+  check_parts(ended.out, {"4 points, 4 converged", "3000", "1000", "torque"});
+  for (const char* name : {"a.h5", "a.svg", "a.csv", "a.json"}) {
+    INFO(name);
+    CHECK(std::filesystem::file_size(scratch.path(name)) > 500);
+  }
+}
+
+TEST_CASE("ABadAxisEndsWithTwoAndAnExample") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const Ended ended = run_words({"sweep", path, "--vary", "operation.speed=fast..slow"});
+  CHECK(ended.code == kBadInput);
+  CHECK(ended.out.empty());
+  check_parts(ended.err, {"--vary operation.speed", "\"fast\"", "for example"});
+  CHECK(run_words({"sweep", path}).code == kBadInput);
+}
+
+TEST_CASE("ASweepToStandardOutputIsTheCsvAlone") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const Ended ended = run_words({"sweep", path, "--tier", "isothermal", "--set", kCoarse, "--vary",
+                                 "operation.load=1 kN,2 kN", "--csv", "-"});
+  CHECK(ended.code == kDone);
+  CHECK(ended.out.starts_with("operation.load [kN],status,"));
+  CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 3);
 }

@@ -1,0 +1,316 @@
+#include "fidelity/auto_tier.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+#include "coupling/nested.hpp"
+#include "coupling/solids.hpp"
+#include "fidelity/auto_effects.hpp"
+#include "fidelity/estimate.hpp"
+#include "fidelity/frozen_film.hpp"
+#include "fidelity/grid_limit.hpp"
+#include "rheology/viscosity.hpp"
+
+namespace shellback::fidelity {
+namespace {
+
+using namespace coupling;
+using Grid = std::array<int, 2>;
+
+/// Grids of the climb: fine along the axis first, see grid_limit.hpp.
+const std::vector<Grid> kLadder{{24, 9}, {30, 17}, {40, 25}, {60, 37}, {96, 49}, {400, 50}};
+
+/// Cells of the film alone over those of the full solution, around: on fine grids the step is
+/// smaller.
+int film_ratio(const Grid& grid) { return grid[0] <= 40 ? 3 : 2; }
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// One full solution and the film on the next grid under its temperatures and deformation.
+struct Rung {
+  Grid grid{0, 0};
+  Solution solution;
+  std::vector<Quantity> whole;    ///< V of grid_limit.hpp
+  std::vector<Quantity> refined;  ///< F; empty: not solved
+};
+
+double find(const std::vector<Quantity>& list, const std::string& name) {
+  const auto q =
+      std::find_if(list.begin(), list.end(), [&](const Quantity& x) { return x.name == name; });
+  return q == list.end() ? NAN : q->value;
+}
+
+/// The case with holes as squares of the same area. Coarse cells cannot hold a round hole: which of
+/// them it takes jumps from grid to grid, and the oil flow with it. The faces of the grid fit
+/// the edges of a square, so that the sequence of grids has a limit that can be seen.
+Case with_square_holes(Case c) {
+  for (Supply& s : c.supplies) {
+    if (s.kind != SupplyKind::hole) continue;
+    const double side = 0.5 * std::sqrt(kPi) * s.diameter;
+    s.kind = SupplyKind::axial_groove;
+    s.length = side;
+    s.arc = side / c.bearing.radius;
+  }
+  return c;
+}
+
+/// Relative bars of the two quantities that the tolerance is for.
+struct Bars {
+  double friction = INFINITY;
+  double h_min = INFINITY;
+  [[nodiscard]] bool within(double tolerance) const {
+    return friction <= tolerance && h_min <= tolerance;
+  }
+};
+
+std::string percent(double x) { return fmt::format("{:.2g} %", 100.0 * x); }
+
+class Climb {
+ public:
+  Climb(const Case& c, const SolveControl& control, const Indicators& numbers)
+      : case_(c), control_(control), numbers_(numbers), ladder_(kLadder) {
+    if (c.model.grid_given) ladder_ = grid_ladder(c.model.grid);
+  }
+
+  /// Solves rung after rung until the bars meet the tolerance or the ladder ends.
+  void run() {
+    for (std::size_t k = 0; k < ladder_.size(); ++k) {
+      const bool last = k + 1 == ladder_.size();
+      Rung rung{ladder_[k], solve_on(ladder_[k], last), {}, {}};
+      if (rung.solution.verdict.status == Status::interrupted) {
+        last_ = std::move(rung.solution);
+        return;
+      }
+      if (!rung.solution.verdict.good()) {
+        last_ = std::move(rung.solution);
+        continue;
+      }
+      rung.whole = quantities_of(rung.solution, tier());
+      if (rungs_.empty()) choose(rung.solution);
+      if (!last && !case_.model.grid_given) refine(rung);
+      rungs_.push_back(std::move(rung));
+      if (rungs_.size() > 3) rungs_.erase(rungs_.begin());
+      assess();
+      if (stopped()) return;
+      if (bars_.within(case_.model.tolerance) && (last || !case_.model.grid_given)) return;
+    }
+  }
+
+  Result result() const {
+    if (rungs_.empty() || stopped()) return summarize(last_, tier());
+    const Rung& finest = rungs_.back();
+    Result r = summarize(finest.solution, tier());
+    r.quantities = limits();
+    if (!choice_.effects.empty()) r.effects = choice_.effects;
+    r.levels = levels_;
+    r.cost.factorizations = cost_.factorizations;
+    r.cost.newton_iterations = cost_.newton_iterations;
+    r.cost.setup_s = setup_s_;
+    r.choice = AutoChoice{case_.model.tolerance, bars_.within(case_.model.tolerance),
+                          bars_.friction, bars_.h_min, solved_};
+    say_what_was_done(r);
+    return r;
+  }
+
+ private:
+  [[nodiscard]] bool stopped() const { return control_.stop != nullptr && control_.stop->load(); }
+
+  /// True if the case says how heat passes through shell and shaft.
+  [[nodiscard]] bool has_walls() const {
+    if (!case_.shell || !case_.shaft) return false;
+    const auto* back = std::get_if<ConvectiveBack>(&case_.shell->back);
+    return back == nullptr || back->heat_transfer > 0.0;
+  }
+
+  /// The cheapest tier that holds the effects which are still in.
+  [[nodiscard]] Tier tier() const {
+    const double slope =
+        rheology::viscosity_slopes(case_.oil, case_.supplies.front().temperature, 0.0, 0.0).dln_dT;
+    if (!has_walls()) return slope == 0.0 ? Tier::isothermal : Tier::lumped;
+    const Switches& s = choice_.effects.empty() ? case_.model.switches : choice_.switches;
+    const bool bends = s.elastic_deformation.value_or(true) || s.thermal_deformation.value_or(true);
+    return bends ? Tier::tehd : Tier::thd;
+  }
+
+  Solution solve_on(Grid grid, bool last) {
+    Case step = last || case_.model.grid_given ? case_ : with_square_holes(case_);
+    step.model.grid = grid;
+    if (!choice_.effects.empty()) step.model.switches = choice_.switches;
+    Solution s;
+    try {
+      s = rungs_.empty() ? solve_tier(step, tier(), control_)
+                         : solve_tier_from(step, tier(), rungs_.back().solution, control_);
+    } catch (const InputError&) {
+      if (last) throw;
+      s.verdict = {Status::iteration_limit, "the grid is too coarse for the supplies", "", ""};
+      return s;
+    }
+    account(s.cost);
+    if (s.model.solids) setup_s_ += s.model.solids->setup_seconds();
+    solved_.push_back(fmt::format("{} on {} x {}{}", to_string(tier()), grid[0], grid[1],
+                                  s.verdict.good() ? "" : " (did not converge)"));
+    if (s.verdict.good()) levels_.push_back({grid, quantities_of(s, tier())});
+    return s;
+  }
+
+  void choose(const Solution& probe) {
+    choice_ = choose_effects(case_, probe, numbers_, case_.model.tolerance, control_.stop);
+    account(choice_.cost);
+    const double rise = probe.T_film - case_.supplies.front().temperature;
+    if (tier() != Tier::lumped || rise == 0.0) return;
+    const double M = find(quantities_of(probe, tier()), "friction_torque");
+    const double h = find(quantities_of(probe, tier()), "h_min");
+    for (const double part : {kUnknownHeat, -kUnknownHeat}) {
+      Frozen warmer;
+      warmer.warmer = part * rise;
+      const Grid grid{probe.model.scene.grid.nt, probe.model.scene.grid.full_nz()};
+      const Solution s = frozen_film(probe, grid, warmer, control_.stop);
+      account(s.cost);
+      const auto q = quantities_of(s, Tier::lumped);
+      const bool good = s.verdict.good();
+      const double f = good ? std::abs(find(q, "friction_torque") / M - 1.0) : INFINITY;
+      const double g = good ? std::abs(find(q, "h_min") / h - 1.0) : INFINITY;
+      unknown_heat_.friction = std::max(unknown_heat_.friction, f);
+      unknown_heat_.h_min = std::max(unknown_heat_.h_min, g);
+    }
+  }
+
+  void refine(Rung& rung) {
+    const Grid grid{film_ratio(rung.grid) * rung.grid[0], rung.grid[1]};
+    const Solution film = frozen_film(rung.solution, grid, {}, control_.stop);
+    account(film.cost);
+    if (!film.verdict.good()) return;
+    rung.refined = quantities_of(film, Tier::isothermal);
+    solved_.push_back(fmt::format("film on {} x {}", grid[0], grid[1]));
+  }
+
+  /// Value of a quantity of one rung for fine cells around.
+  [[nodiscard]] static GridLimit film_limit_of(const Rung& rung, const std::string& name) {
+    const double V = find(rung.whole, name);
+    const bool of_film = !name.starts_with("T_") && !name.starts_with("heat");
+    return film_limit(V, of_film ? find(rung.refined, name) : NAN, film_ratio(rung.grid));
+  }
+
+  /// Limit of a quantity of the finest rung; its value as it is where there is but one rung.
+  [[nodiscard]] GridLimit limit(const std::string& name) const {
+    const Rung& fine = rungs_.back();
+    const double V = find(fine.whole, name);
+    if (rungs_.size() < 2) return {V, NAN};
+    const Rung& coarse = rungs_[rungs_.size() - 2];
+    if (!std::isfinite(find(coarse.whole, name))) return {V, NAN};
+    const double before = rungs_.size() > 2 ? film_limit_of(coarse, name).value -
+                                                  film_limit_of(rungs_.front(), name).value
+                                            : NAN;
+    const GridLimit l = grid_limit(film_limit_of(coarse, name), film_limit_of(fine, name),
+                                   static_cast<double>(fine.grid[1]) / coarse.grid[1], before);
+    if (case_.model.grid_given) return {V, l.bar + std::abs(l.value - V)};
+    return l;
+  }
+
+  void assess() {
+    const auto relative = [&](const char* name) {
+      const GridLimit l = limit(name);
+      const double bar = l.bar / std::abs(l.value);
+      return std::isfinite(bar) ? bar : INFINITY;
+    };
+    bars_ = {relative("friction_torque") + model_bar().friction,
+             relative("h_min") + model_bar().h_min};
+  }
+
+  [[nodiscard]] Bars model_bar() const {
+    return {choice_.bar_friction + unknown_heat_.friction, choice_.bar_h_min + unknown_heat_.h_min};
+  }
+
+  [[nodiscard]] std::vector<Quantity> limits() const {
+    std::vector<Quantity> list = rungs_.back().whole;
+    for (Quantity& q : list) {
+      const GridLimit l = limit(q.name);
+      q.value = l.value;
+      q.error_grid = l.bar;
+      if (q.name == "friction_torque" || q.name == "power_loss") {
+        q.error_model = model_bar().friction * std::abs(q.value);
+      }
+      if (q.name == "h_min") q.error_model = model_bar().h_min * std::abs(q.value);
+    }
+    return list;
+  }
+
+  void say_what_was_done(Result& r) const {
+    const double tolerance = case_.model.tolerance;
+    if (!case_.model.grid_given && rungs_.size() > 1) {
+      r.assumptions.push_back(fmt::format(
+          "scalars are extrapolated to fine grids (auto solved: {}); fields, history and audit are "
+          "those of {} x {} cells",
+          fmt::join(solved_, ", "), r.grid[0], r.grid[1]));
+    }
+    if (bars_.within(tolerance)) return;
+    const std::string why =
+        unknown_heat_.friction + unknown_heat_.h_min > 0.5 * tolerance
+            ? "the case has no data of shell and shaft, so that the heat is only known in lumps"
+        : case_.model.grid_given ? "the grid is given in the case"
+                                 : "the finest grid of tier auto has been solved";
+    r.warnings.push_back(
+        fmt::format("the tolerance of {} is not met: the friction torque is known within {}, the "
+                    "smallest film within {}; {}",
+                    percent(tolerance), percent(bars_.friction), percent(bars_.h_min), why));
+  }
+
+  void account(const EquilibriumCost& cost) {
+    cost_.factorizations += cost.factorizations;
+    cost_.newton_iterations += cost.newton_iterations;
+  }
+
+  const Case& case_;
+  const SolveControl& control_;
+  Indicators numbers_;
+  std::vector<Grid> ladder_;
+  std::vector<Rung> rungs_;  ///< the three finest that converged
+  Solution last_;            ///< one that did not converge
+  EffectChoice choice_;
+  Bars unknown_heat_{0.0, 0.0};
+  Bars bars_;
+  EquilibriumCost cost_;
+  double setup_s_ = 0.0;
+  std::vector<LevelRecord> levels_;
+  std::vector<std::string> solved_;
+};
+
+/// The estimate, if its bars meet the tolerance.
+std::optional<Result> good_estimate(const Case& c) {
+  if (c.model.grid_given) return {};
+  Result r = estimate_result(c);
+  if (!r.verdict.good()) return {};
+  Bars bars;
+  for (const Quantity& q : r.quantities) {
+    if (q.name == "friction_torque") bars.friction = q.error() / std::abs(q.value);
+    if (q.name == "h_min") bars.h_min = q.error() / std::abs(q.value);
+  }
+  if (!bars.within(c.model.tolerance)) return {};
+  r.choice = AutoChoice{c.model.tolerance, true, bars.friction, bars.h_min, {"estimate"}};
+  return r;
+}
+
+}  // namespace
+
+Result solve_auto(const Case& c, const SolveControl& control) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (auto enough = good_estimate(c)) {
+    enough->cost.wall_s = seconds_since(begin);
+    return *enough;
+  }
+  Climb climb(c, control, indicators(c, estimate(c)));
+  climb.run();
+  Result r = climb.result();
+  r.cost.wall_s = seconds_since(begin);
+  return r;
+}
+
+}  // namespace shellback::fidelity

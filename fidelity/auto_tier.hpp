@@ -1,0 +1,32 @@
+#pragma once
+/// Tier `auto`: the cheapest physics and the coarsest grid whose estimated error on friction torque
+/// and smallest film meets the tolerance of the case.
+///
+/// 1. The tier `estimate`: if its bars meet the tolerance, it is the answer.
+/// 2. A probe on the coarsest grid: all physics that the case has data for and the user has not
+///    switched off. On it each effect is taken out of the film in turn, temperatures held
+///    (frozen_film.hpp): its change. Effects whose change is a small part of the tolerance are
+///    left out from there on, and twice their changes are the bar of the model.
+/// 3. Full solutions on finer and finer grids, each started from the one before, and the film alone
+///    on the next grid, until the bar of the grid's limit (grid_limit.hpp) and that of the model
+///    are within the tolerance for both quantities; at most 400 x 50 cells.
+/// Quantities are estimates of the limit of fine grids, unless the user has given a grid: then they
+/// are that grid's, and the bars hold the distance to the limit. Fields and audit are those of the
+/// finest full solution. What the case gives (switches, grid) is not touched. Missing data of
+/// shell or shaft end the ladder at tier lumped: the heat that the solids would take is then
+/// uncertain, by the part kUnknownHeat of the temperature rise.
+#include "coupling/result.hpp"
+#include "coupling/solve.hpp"
+
+namespace shellback::fidelity {
+
+/// Part of the film's temperature rise that heat into unknown walls may take or recirculation may
+/// add: in random cases the lumped balance was off by less in 9 of 10 (docs/auto-tier.md) [-].
+inline constexpr double kUnknownHeat = 0.5;
+
+/// Solves the case as tier `auto`, whatever `model.tier` says. Does not throw for lack of
+/// convergence.
+[[nodiscard]] coupling::Result solve_auto(const coupling::Case& c,
+                                          const coupling::SolveControl& control = {});
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,31 @@
+#pragma once
+/// The film of a solution once more, with temperatures and deformation held: on a finer grid, or
+/// with one effect taken out.
+///
+/// A solution's temperatures, elastic widening and thermal growth are given fields here; film,
+/// contact and journal position are solved anew. On the solution's own grid with everything in,
+/// the answer is the solution itself. On a finer grid it shows what the film's discretisation was
+/// worth, without the effect, what the effect is worth directly (what it does to temperatures
+/// and deformation is not counted); both at the price of a rigid isothermal film.
+#include "coupling/solve.hpp"
+
+namespace shellback::fidelity {
+
+/// What of the solution the film keeps.
+struct Frozen {
+  bool heating = true;    ///< false: everywhere at the supply temperature
+  bool across = true;     ///< false: every column at its mean temperature
+  bool elastic = true;    ///< false: without elastic widening
+  bool growth = true;     ///< false: without thermal growth
+  double warmer = 0.0;    ///< added to every temperature [K]
+  bool pressure = true;   ///< false: viscosity without pressure
+  bool shear = true;      ///< false: viscosity without shear rate
+  bool roughness = true;  ///< false: smooth surfaces
+};
+
+/// `s` must have converged. The returned solution has no heat; `heat.growth` is all the widening.
+[[nodiscard]] coupling::Solution frozen_film(const coupling::Solution& s, std::array<int, 2> grid,
+                                             const Frozen& keep = {},
+                                             const std::atomic<bool>* stop = nullptr);
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,73 @@
+#include "fidelity/grid_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fidelity/coarse_solution.hpp"
+
+namespace shellback::fidelity {
+namespace {
+
+/// (h3^p - h2^p)/(h2^p - h1^p), h3 > h2 > h1: rises with p.
+double change_ratio(double h1, double h2, double h3, double p) {
+  const double a = std::pow(h1, p);
+  const double b = std::pow(h2, p);
+  return (std::pow(h3, p) - b) / (b - a);
+}
+
+/// Safety factors [-], see docs/decisions/011: where the three grids agree on an order, and where
+/// they do not and the lowest order is assumed.
+constexpr double kOrderly = 1.25;
+constexpr double kDisorderly = 1.25;
+
+}  // namespace
+
+double observed_order(const std::vector<GridValue>& v) {
+  if (v.size() < 3) return NAN;
+  const auto& f3 = v[v.size() - 3];
+  const auto& f2 = v[v.size() - 2];
+  const auto& f1 = v[v.size() - 1];
+  const double before = f3.value - f2.value;
+  const double last = f2.value - f1.value;
+  if (before == 0.0 && last == 0.0) return kMostOrder;
+  const double ratio = last == 0.0 ? INFINITY : before / last;
+  if (!(ratio >= change_ratio(f1.h, f2.h, f3.h, 0.5))) return NAN;
+  double low = kLeastOrder;
+  double high = kMostOrder;
+  if (ratio <= change_ratio(f1.h, f2.h, f3.h, low)) return low;
+  if (ratio >= change_ratio(f1.h, f2.h, f3.h, high)) return high;
+  for (int k = 0; k < 40; ++k) {
+    const double p = 0.5 * (low + high);
+    (change_ratio(f1.h, f2.h, f3.h, p) < ratio ? low : high) = p;
+  }
+  return 0.5 * (low + high);
+}
+
+GridBar grid_bar(const std::vector<GridValue>& v) {
+  if (v.size() < 2) return {NAN, NAN};
+  const auto& f1 = v[v.size() - 1];
+  const auto& f2 = v[v.size() - 2];
+  const double last = std::abs(f2.value - f1.value);
+  const double r = f2.h / f1.h;
+  const double p = observed_order(v);
+  if (std::isfinite(p)) return {kOrderly * last / (std::pow(r, p) - 1.0) + f1.noise, p};
+  double largest = last;
+  if (v.size() > 2) largest = std::max(last, std::abs(v[v.size() - 3].value - f2.value) / r);
+  return {kDisorderly * largest / (std::pow(r, kLeastOrder) - 1.0) + f1.noise, NAN};
+}
+
+double natural_size(const coupling::Quantity& q, double T_supply,
+                    const std::vector<coupling::Quantity>& all) {
+  constexpr double kLeastRise = 1.0;  // [K]
+  const auto length = [&](const char* a, const char* b) {
+    return std::hypot(value_in(all, a), value_in(all, b));
+  };
+  if (q.unit == "K") return std::max(std::abs(q.value - T_supply), kLeastRise);
+  if (q.unit == "deg") return 180.0 / 3.14159265358979;
+  if (q.name == "load_x" || q.name == "load_y") return length("load_x", "load_y");
+  if (q.name == "tilt_x" || q.name == "tilt_y") return length("tilt_x", "tilt_y");
+  if (q.name.rfind("heat_", 0) == 0) return std::abs(value_in(all, "power_loss"));
+  return std::abs(q.value);
+}
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,45 @@
+#pragma once
+/// Error bar of the discretisation from the values on nested grids.
+///
+/// The value on a grid of N = nt x nz cells over the full width is taken as
+///   f(h) = f_0 + a h^p,   h = N^(-1/2)                                                    (1)
+/// Three grids give the observed order p from (f3 - f2)/(f2 - f1) = (h3^p - h2^p)/(h2^p - h1^p)
+/// (1 finest) for any ratios of refinement. The bar of the finest value is
+///   bar = F |f2 - f1| / ((h2/h1)^p - 1) + noise                                           (2)
+/// with the safety factor F. Source: methods 7.1, 5 (GCI with three grids); (1)-(2) textbook.
+#include <string>
+#include <vector>
+
+#include "coupling/result.hpp"
+
+namespace shellback::fidelity {
+
+/// Value on one grid.
+struct GridValue {
+  double h = 0.0;      ///< cell size N^(-1/2), in any unit [-]
+  double value = 0.0;  ///< any unit
+  double noise = 0.0;  ///< what it is uncertain by for lack of iteration, same unit
+};
+
+struct GridBar {
+  double bar = 0.0;    ///< same unit as the values; NaN: unknown
+  double order = 0.0;  ///< observed order as used; NaN: two grids only
+};
+
+inline constexpr double kLeastOrder = 1.0;  ///< of the scheme: holes, film boundaries [-]
+inline constexpr double kMostOrder = 2.0;   ///< of the scheme: smooth full film [-]
+
+/// Order p in [kLeastOrder, kMostOrder] of three values, coarsest first; NaN if they do not
+/// approach a limit (oscillating, or moving away).
+[[nodiscard]] double observed_order(const std::vector<GridValue>& coarse_to_fine);
+
+/// Bar of the last of two or more values, coarsest first; only the last three are used. With one
+/// value: not-a-number.
+[[nodiscard]] GridBar grid_bar(const std::vector<GridValue>& coarse_to_fine);
+
+/// The size against which a small change of the quantity is measured: for temperatures the rise
+/// above the supply, for components of a vector its length, else the value [unit of quantity].
+[[nodiscard]] double natural_size(const coupling::Quantity& q, double T_supply,
+                                  const std::vector<coupling::Quantity>& all);
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,155 @@
+#include "fidelity/solve.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "fidelity/grid_error.hpp"
+#include "fidelity/richer_physics.hpp"
+
+namespace shellback::fidelity {
+
+using namespace coupling;
+
+namespace {
+
+constexpr int kMoreNodes = 2;  ///< across the film, to see what the nodes leave open [-]
+/// Iteration leaves this part of the natural size open [-]: the outer loop ends at changes of
+/// 1e-4 of 10 K per turn, the viscosity changes by a few per cent per kelvin.
+constexpr double kIteration = 1e-4;
+/// The coarse difference of the physics times this is the bar [-]; see docs/decisions/011.
+constexpr double kModelSafety = 1.3;
+
+double cell_size(const std::array<int, 2>& grid) { return 1.0 / std::sqrt(grid[0] * grid[1]); }
+
+bool nodes_matter(const BearingModel& m) {
+  return m.physics.film_energy ||
+         !std::holds_alternative<rheology::NoShearThinning>(m.oil.shear);
+}
+
+void measure_nodes(BarRecord& record, const SolveControl& control) {
+  Case richer = record.coarse->input;
+  richer.model.film_nodes += kMoreNodes;
+  const auto more = solve_changed(richer, record.coarse->tier, *record.coarse, control);
+  if (!more) return;
+  for (const Quantity& q : record.coarse->quantities) {
+    record.node_change.push_back(
+        {q.name, value_in(more->quantities, q.name) - q.value, q.unit, NAN, NAN});
+  }
+}
+
+bool stopped(const SolveControl& control) {
+  return control.stop != nullptr && control.stop->load();
+}
+
+/// The grids of the result and those below, three of them if possible.
+void complete_levels(const Solution& s, Tier tier, const SolveControl& control, BarRecord& r) {
+  r.levels = s.levels;
+  for (const auto& grid : coarse_grids(s.model.input.model.grid)) {
+    if (stopped(control)) return;
+    const auto known =
+        std::find_if(r.levels.begin(), r.levels.end(), [&](auto& l) { return l.grid == grid; });
+    if (r.coarse && (known != r.levels.end() || r.levels.size() > 2)) continue;
+    auto coarse = solve_coarse(s.model.input, tier, grid, control);
+    if (!coarse) continue;
+    if (known != r.levels.end()) {
+      known->quantities = coarse->quantities;  // to the end, where the ladder stopped early
+    } else {
+      r.levels.push_back({grid, coarse->quantities});
+    }
+    if (!r.coarse) r.coarse = std::move(coarse);
+  }
+  std::sort(r.levels.begin(), r.levels.end(), [](const auto& a, const auto& b) {
+    return a.grid[0] * a.grid[1] < b.grid[0] * b.grid[1];
+  });
+}
+
+double grid_bar_of(const BarRecord& record, const Quantity& q, double size) {
+  std::vector<GridValue> values;
+  for (const LevelRecord& level : record.levels) {
+    const double value = value_in(level.quantities, q.name);
+    if (std::isfinite(value)) values.push_back({cell_size(level.grid), value, kIteration * size});
+  }
+  double bar = grid_bar(values).bar;
+  const double nodes = value_in(record.node_change, q.name);
+  if (std::isfinite(nodes)) bar += std::abs(nodes);
+  return bar;
+}
+
+void put_words(const BarRecord& record, Result& result) {
+  const ModelError& m = record.model;
+  if (!record.coarse) {
+    result.warnings.push_back(
+        "no coarse grid gave a solution: the error bars of the grid are wide or unknown, those "
+        "of the model unknown");
+    return;
+  }
+  if (!m.failed.empty() && !m.complete) {
+    result.warnings.push_back(fmt::format(
+        "the richer physics ({}) gave no solution on the coarse grid: the model bars are unknown",
+        fmt::join(m.failed, ", ")));
+  }
+  if (m.richest) {
+    result.assumptions.push_back(
+        "nothing richer than this physics is there to judge it by: no model bars");
+  }
+  if (!m.unknown.empty()) {
+    result.assumptions.push_back(
+        fmt::format("the case has no data (shell, shaft) to judge what is left out by leaving out "
+                    "{}; the error bars do not hold it",
+                    fmt::join(m.unknown, ", ")));
+  }
+}
+
+}  // namespace
+
+BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control) {
+  BarRecord record;
+  complete_levels(s, tier, control, record);
+  if (!record.coarse || stopped(control)) return record;
+  if (nodes_matter(s.model)) measure_nodes(record, control);
+  record.model = model_error(*record.coarse, control);
+  return record;
+}
+
+void put_bars(const BarRecord& record, Result& result) {
+  double T_supply = 0.0;
+  if (record.coarse) T_supply = record.coarse->input.supplies.front().temperature;
+  for (Quantity& q : result.quantities) {
+    q.error_grid = grid_bar_of(record, q, natural_size(q, T_supply, result.quantities));
+    const double change = value_in(record.model.change, q.name);
+    if (std::isfinite(change)) q.error_model = kModelSafety * std::abs(change);
+  }
+  for (Effect& e : result.effects) {
+    for (const EffectChange& change : record.model.effects) {
+      if (change.effect != e.name) continue;
+      e.change_in_friction = change.friction;
+      e.change_in_h_min = change.h_min;
+    }
+  }
+  put_words(record, result);
+}
+
+Result summarize(const Solution& s, Tier tier, const SolveControl& control) {
+  Result result = coupling::summarize(s, tier);
+  if (!s.verdict.good()) return result;
+  const auto begin = std::chrono::steady_clock::now();
+  const BarRecord record = measure_bars(s, tier, control);
+  if (stopped(control)) {
+    result.warnings.push_back("interrupted before the error bars were known");
+  } else {
+    put_bars(record, result);
+  }
+  result.cost.bars_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+Result solve(const Case& c, const SolveControl& control) {
+  return summarize(solve_tier(c, c.model.tier, control), c.model.tier, control);
+}
+
+}  // namespace shellback::fidelity

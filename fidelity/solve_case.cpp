@@ -1,0 +1,20 @@
+#include "fidelity/solve_case.hpp"
+
+#include "fidelity/solve.hpp"
+#include "fidelity/auto_tier.hpp"
+#include "fidelity/estimate.hpp"
+
+namespace shellback::fidelity {
+
+coupling::Result solve_case(const coupling::Case& c, const coupling::SolveControl& control) {
+  switch (c.model.tier) {
+    case coupling::Tier::estimate:
+      return estimate_result(c);
+    case coupling::Tier::automatic:
+      return solve_auto(c, control);
+    default:
+      return solve(c, control);
+  }
+}
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "program/commands.hpp"
+#include "program/session.hpp"
+#include "proof/ledger_json.hpp"
+#include "proof/ledger_page.hpp"
+#include "proof/ledger_read.hpp"
+#include "proof/ledger_run.hpp"
+#include "proof/ledger_text.hpp"
+
+namespace shellback::program {
+namespace {
+
+using namespace proof;
+
+void list_entries(const std::vector<Entry>& entries, const std::vector<UnrunDataset>& gaps) {
+  for (const Entry& entry : entries) {
+    std::cout << fmt::format("{:<24} {}\n", entry.name, entry.title);
+  }
+  if (!gaps.empty()) std::cout << "\nnot runnable:\n";
+  for (const UnrunDataset& gap : gaps)
+    std::cout << fmt::format("  {}: {}\n", gap.title, gap.reason);
+}
+
+/// Runs the entries one after the other, each printed as soon as it is done. Ends early when
+/// interrupted; the interrupted entry is left out.
+std::vector<EntryReport> run_entries(const Request& request, const std::vector<Entry>& entries) {
+  app::ProgressLine line;
+  RunOptions options;
+  options.threads = request.threads;
+  options.curves = options.bands = !request.output.empty();
+  options.control.stop = &app::catch_interrupt();
+  options.progress = [&line](const std::string& entry, int done, int of) {
+    line.show(fmt::format("{}: {} of {}", entry, done, of));
+  };
+  std::vector<EntryReport> reports;
+  for (const Entry& entry : entries) {
+    EntryReport report = run_entry(entry, options);
+    line.wipe();
+    if (report.interrupted) break;
+    if (request.json != "-") {
+      write_entry_table(std::cout, report, request.all_rows ? RowsShown::all : RowsShown::worst);
+      std::cout.flush();
+    }
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+/// What is outside or without a result, on standard error; the exit code.
+int tell_verdicts(const std::vector<EntryReport>& reports, std::size_t wanted) {
+  int code = kDone;
+  for (const EntryReport& report : reports) {
+    const Judgement verdict = report.verdict();
+    if (verdict == Judgement::within || verdict == Judgement::excluded) continue;
+    code = kNotConverged;
+    std::cerr << fmt::format("error: {}: {}", report.entry.name, to_string(verdict));
+    std::string which;
+    for (const QuantityReport& q : report.quantities) {
+      if (q.verdict != Judgement::outside && q.verdict != Judgement::missing) continue;
+      which += (which.empty() ? ": " : ", ") + q.spec.name;
+    }
+    for (const FeatureReport& f : report.features) {
+      if (f.verdict == Judgement::within) continue;
+      which += (which.empty() ? ": " : ", ") + f.feature.name;
+    }
+    std::cerr << which << "\n";
+  }
+  if (reports.size() < wanted) {
+    std::cerr << fmt::format("interrupted: {} of {} entries are finished\n", reports.size(),
+                             wanted);
+    return kInterrupted;
+  }
+  return code;
+}
+
+}  // namespace
+
+int validate(const Request& request) {
+  for (const std::string& path : {request.json, request.output, request.csv}) expect_folder(path);
+  const std::string ledger = ledger_folder(request.ledger);
+  const std::vector<Entry> entries = read_entries(ledger, request.names);
+  const std::vector<UnrunDataset> gaps =
+      request.names.empty() ? read_unrun(ledger) : std::vector<UnrunDataset>{};
+  if (request.list) {
+    list_entries(entries, gaps);
+    return kDone;
+  }
+  const std::vector<EntryReport> reports = run_entries(request, entries);
+  if (request.json != "-") write_summary(std::cout, reports, gaps);
+  if (!request.json.empty()) give_json(request, ledger_json(reports, gaps));
+  if (!request.csv.empty()) write_text_file(request.csv, ledger_csv(reports));
+  if (!request.output.empty()) write_text_file(request.output, ledger_page(reports, gaps));
+  return tell_verdicts(reports, entries.size());
+}
+
+}  // namespace shellback::program

@@ -1,0 +1,61 @@
+/// The film between a shell and a journal that does not turn and moves along the line of centres.
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+#include "fluid/resultants.hpp"
+#include "fluid/reynolds.hpp"
+#include "proof/evaluators/evaluators.hpp"
+
+namespace shellback::proof {
+namespace {
+
+using namespace fluid;
+
+// Of no effect on the dimensionless numbers:
+constexpr double kRadius = 0.02;      // [m]
+constexpr double kClearance = 20e-6;  // [m]
+constexpr double kViscosity = 0.01;   // [Pa s]
+constexpr double kDensity = 850.0;    // [kg/m3]
+constexpr double kRate = 10.0;        // d eps/dt, towards +X [1/s]
+
+FilmScene scene_of(double width, int nt, int nz) {
+  FilmScene scene;
+  scene.grid = make_grid(kRadius, width, nt, nz, true);
+  scene.angles = Angles(scene.grid);
+  scene.supply = map_supplies(scene.grid, {});
+  scene.motion.velocity[0] = kRate * kClearance;
+  return scene;
+}
+
+}  // namespace
+
+Values squeeze_film_values(const Question& q) {
+  const double width = 2.0 * kRadius * q.number("B_over_D");
+  const FilmScene scene = scene_of(width, static_cast<int>(number_setting(q.entry, "cells")),
+                                   static_cast<int>(number_setting(q.entry, "cells_across")));
+  const double e = q.number("eps") * kClearance;
+  const Gap gap = film_gap(scene.grid, scene.angles, kClearance, {{e, 0.0, 0.0, 0.0}}, {}, {});
+  const OilLaw oil = [](const FilmState& state, FilmCoefficients& coefficients) {
+    const std::size_t n = state.p.size();
+    coefficients.fluidity.assign(n, 1.0 / (12.0 * kViscosity));
+    coefficients.chi.assign(n, 0.5);
+    coefficients.alpha.assign(n, 0.0);
+    coefficients.density.assign(n, kDensity);
+  };
+  const auto film = solve_reynolds(scene, gap, {}, oil, cold_film(scene));
+  Values values;
+  if (!film.good()) {
+    values.failure = film.verdict.reason;
+    return values;
+  }
+  const double psi = kClearance / kRadius;
+  const double force = -wrench(scene, film.value.state.p)[0];
+  const double side = oil_flows(scene, film.value.flow).side / kDensity;
+  values.value = {
+      {"squeeze_load_number", force * psi * psi / (2.0 * kRadius * width * kViscosity * kRate)},
+      {"squeeze_flow_number", side / (std::pow(kRadius, 3) * psi * kRate)}};
+  return values;
+}
+
+}  // namespace shellback::proof

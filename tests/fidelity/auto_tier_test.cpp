@@ -1,0 +1,124 @@
+#include "fidelity/auto_tier.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "fidelity/frozen_film.hpp"
+#include "fidelity/grid_limit.hpp"
+#include "fidelity/solve_case.hpp"
+#include "tests/coupling/sample_bearing.hpp"
+
+namespace shellback::fidelity {
+namespace {
+
+using namespace coupling;
+using namespace coupling::tests;
+
+const Effect& effect(const Result& r, const std::string& name) {
+  for (const Effect& e : r.effects) {
+    if (e.name == name) return e;
+  }
+  throw std::runtime_error("no effect " + name);
+}
+
+Case automatic(Case c, double tolerance) {
+  c.model.tier = Tier::automatic;
+  c.model.tolerance = tolerance;
+  c.model.grid = {200, 25};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("LimitOfSecondOrderSequenceIsFound") {
+  // Values of a + b h^2 on grids halved along the axis: the extrapolation is exact.
+  const GridLimit l = grid_limit({1.0 + 0.16, 0.0}, {1.0 + 0.04, 0.0}, 2.0, NAN);
+  CHECK(l.value == Approx(1.0).epsilon(1e-12));
+  CHECK(l.bar > 0.0);
+  // A film whose error falls with order 1.3 is extrapolated exactly, and the bar holds orders 1, 2.
+  for (const double order : {1.0, 1.3, 2.0}) {
+    const GridLimit f = film_limit(1.0 + 0.1, 1.0 + 0.1 * std::pow(3.0, -order), 3.0);
+    if (order == 1.3) CHECK(f.value == Approx(1.0).epsilon(1e-12));
+    CHECK(std::abs(f.value - 1.0) <= f.bar * (1.0 + 1e-9));  // round-off
+  }
+}
+
+TEST_CASE("FrozenFilmOnItsOwnGridIsTheSolution") {
+  Case c = warm_case();
+  c.model.tier = Tier::tehd;
+  const Solution s = solve_tier(c, Tier::tehd);
+  REQUIRE(s.verdict.good());
+  const Solution f = frozen_film(s, c.model.grid);
+  REQUIRE(f.verdict.good());
+  // To the tolerance of the thermal loop, which leaves the last change of temperature open.
+  CHECK(f.film.least.h == Approx(s.film.least.h).epsilon(1e-4));
+  CHECK(friction_of(f.model, f.film).viscous ==
+        Approx(friction_of(s.model, s.film).viscous).epsilon(1e-4));
+}
+
+TEST_CASE("AutoIsWithinToleranceOfAFineSolution") {
+  for (const double tolerance : {0.03, 0.01}) {
+    const Case c = automatic(warm_case(), tolerance);
+    const Result r = solve_case(c);
+    REQUIRE(r.verdict.good());
+    REQUIRE(r.choice);
+    CHECK(r.choice->met);
+    Case fine = warm_case();
+    fine.model.grid = {200, 50};
+    const Result truth = summarize(solve_tier(fine, Tier::tehd), Tier::tehd);
+    REQUIRE(truth.verdict.good());
+    CHECK(r.value("friction_torque") == Approx(truth.value("friction_torque")).epsilon(tolerance));
+    CHECK(r.value("h_min") == Approx(truth.value("h_min")).epsilon(tolerance));
+    CHECK(r.grid[0] * r.grid[1] < 0.3 * 200 * 50);  // with far fewer cells
+    for (const Quantity& q : r.quantities) {
+      INFO(q.name);
+      CHECK(q.error_grid >= 0.0);
+    }
+  }
+}
+
+TEST_CASE("AutoLeavesOutWhatChangesNothingAndSaysSo") {
+  const Result r = solve_case(automatic(warm_case(), 0.05));
+  REQUIRE(r.verdict.good());
+  // The oil has neither pressure nor shear law.
+  CHECK_FALSE(effect(r, "viscosity with pressure").included);
+  CHECK(effect(r, "viscosity with pressure").change_in_friction == 0.0);
+  CHECK_FALSE(effect(r, "shear thinning").included);
+  // Heated oil is thinner: heating lowers friction and film.
+  CHECK(effect(r, "heating").included);
+  CHECK(effect(r, "heating").change_in_friction < -0.05);
+  CHECK(effect(r, "heating").change_in_h_min < 0.0);
+}
+
+TEST_CASE("AutoRespectsSwitchesAndGridOfTheCase") {
+  Case c = automatic(warm_case(), 0.01);
+  c.model.switches.elastic_deformation = false;
+  c.model.grid = {96, 13};
+  c.model.grid_given = true;
+  const Result r = solve_case(c);
+  REQUIRE(r.verdict.good());
+  CHECK(r.grid == std::array<int, 2>{96, 13});
+  CHECK_FALSE(effect(r, "elastic deformation").included);
+  const Result direct = summarize(solve_tier(c, Tier::tehd), Tier::tehd);
+  // The values are those of the given grid, to the tolerance of the thermal loop.
+  CHECK(r.value("h_min") == Approx(direct.value("h_min")).epsilon(2e-3));
+}
+
+TEST_CASE("WithoutWallsAutoSaysThatTheHeatIsUncertain") {
+  Case c = automatic(warm_case(), 0.01);
+  c.shell.reset();
+  c.shaft.reset();
+  const Result r = solve_case(c);
+  REQUIRE(r.verdict.good());
+  CHECK(r.tier == Tier::lumped);
+  CHECK_FALSE(r.choice->met);
+  REQUIRE_FALSE(r.warnings.empty());
+  CHECK(r.warnings.back().find("shell and shaft") != std::string::npos);
+  // Constant viscosity does not mind the heat.
+  c.oil.temperature = rheology::ConstantViscosity{0.02};
+  const Result constant = solve_case(c);
+  CHECK(constant.tier == Tier::isothermal);
+  CHECK(constant.choice->met);
+}
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,80 @@
+#include "fidelity/estimate.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "tests/coupling/sample_bearing.hpp"
+
+namespace shellback::fidelity {
+namespace {
+
+using namespace coupling;
+using namespace coupling::tests;
+
+}  // namespace
+
+TEST_CASE("EstimateOfAnIsoviscousBearingIsItsSolution") {
+  // The bearing of the table itself: what remains is interpolation and the solver's grid.
+  Case c = plain_case();
+  c.model.grid = {200, 25};
+  for (const double load : {200.0, 2e3, 15e3}) {
+    c.operation.position = LoadGiven{load, 270.0 * kDegree};
+    const Estimate e = estimate(c);
+    // Line of supply at the widest gap of the solution.
+    c.supplies[0].angle = 270.0 * kDegree + e.attitude + kPi;
+    const Solution s = solve_tier(c, Tier::isothermal);
+    const Result r = summarize(s, Tier::isothermal);
+    REQUIRE(r.verdict.good());
+    CHECK(e.h_min == Approx(r.value("h_min")).epsilon(0.02));
+    CHECK(e.torque == Approx(r.value("friction_torque")).epsilon(0.01));
+    CHECK(e.side_flow == Approx(r.value("side_flow")).epsilon(0.01));
+    CHECK(e.p_max == Approx(r.value("p_max")).epsilon(0.02));
+    CHECK(e.attitude / kDegree == Approx(r.value("attitude_angle")).epsilon(0.01));
+  }
+}
+
+TEST_CASE("EstimatedHeatIsBalanced") {
+  Case c = warm_case();
+  c.shell.reset();
+  c.shaft.reset();
+  const Estimate e = estimate(c);
+  const double power = e.torque * c.operation.omega;
+  CHECK(e.rise > 0.0);
+  CHECK(860.0 * 2000.0 * e.side_flow * e.rise == Approx(power).epsilon(1e-3));
+  // Cooled walls take heat away: the film is colder, its friction higher.
+  const Estimate cooled = estimate(warm_case());
+  CHECK(cooled.T < e.T);
+  CHECK(cooled.torque > e.torque);
+}
+
+TEST_CASE("EstimateKnowsTheRegime") {
+  Case c = rig_case();
+  CHECK(estimate(c).regime != Regime::boundary);
+  c.operation.omega *= 10.0;
+  c.operation.position = LoadGiven{500.0, 270.0 * kDegree};
+  CHECK(estimate(c).regime == Regime::hydrodynamic);
+  c.operation.omega *= 1e-5;
+  c.operation.position = LoadGiven{8e3, 270.0 * kDegree};
+  const Estimate resting = estimate(c);
+  CHECK(resting.regime == Regime::boundary);
+  // Friction of a journal at rest on asperities: mu F R to the roundness of its contact arc.
+  CHECK(resting.torque == Approx(0.02 * 8e3 * c.bearing.radius).epsilon(0.2));
+}
+
+TEST_CASE("EstimateMirrorsWithTheSenseOfRotation") {
+  Case c = warm_case();
+  const Result forward = estimate_result(c);
+  c.operation.omega = -c.operation.omega;
+  const Result backward = estimate_result(c);
+  CHECK(backward.value("friction_torque") == Approx(-forward.value("friction_torque")));
+  CHECK(backward.value("power_loss") == Approx(forward.value("power_loss")));
+  CHECK(std::isnan(forward.audit.mass));
+  CHECK(forward.fields.p.empty());
+  for (const Quantity& q : forward.quantities) {
+    INFO(q.name);
+    CHECK(std::isfinite(q.error()));
+  }
+}
+
+}  // namespace shellback::fidelity

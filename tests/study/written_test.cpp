@@ -1,0 +1,190 @@
+/// What is written of a sweep is what was computed; failed points are no values.
+#include <hdf5.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/svg_sweep.hpp"
+#include "app/write_csv.hpp"
+#include "app/write_json.hpp"
+#include "app/write_sweep_hdf5.hpp"
+#include "app/write_sweep_table.hpp"
+#include "tests/app/sample_case.hpp"
+#include "tests/study/sweeps.hpp"
+
+using namespace shellback;
+using namespace shellback::app;
+using namespace shellback::study::tests;
+using shellback::study::Sweep;
+using shellback::study::SweepPoint;
+
+namespace {
+
+/// Solved, but for one point made to fail and one left undone.
+Sweep broken_sweep() {
+  const std::vector<study::Axis> axes{
+      study::spaced_axis("operation.speed", 4000.0, 1000.0, 3, study::Spacing::logarithmic, "rpm"),
+      study::listed_axis("operation.load", {1.0, 2.0}, "kN")};
+  Sweep sweep = study::run_sweep(axes, plain_source(axes));
+  REQUIRE(sweep.count_good() == 6);
+  SweepPoint& failed = sweep.points[3];
+  failed.result.quantities.clear();
+  failed.result.verdict = {Status::iteration_limit, "did not settle, \"badly\"", "phi 0 deg",
+                           "wait"};
+  sweep.points[5] = {};
+  return sweep;
+}
+
+std::vector<std::vector<std::string>> csv_cells(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      if (line[k] == '"' && quoted && k + 1 < line.size() && line[k + 1] == '"') {
+        cells.back() += line[k++];
+      } else if (line[k] == '"') {
+        quoted = !quoted;
+      } else if (line[k] == ',' && !quoted) {
+        cells.emplace_back();
+      } else {
+        cells.back() += line[k];
+      }
+    }
+    rows.push_back(cells);
+  }
+  return rows;
+}
+
+std::vector<double> values_of(hid_t file, const char* path) {
+  const hid_t id = H5Dopen2(file, path, H5P_DEFAULT);
+  REQUIRE(id >= 0);
+  const hid_t space = H5Dget_space(id);
+  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  H5Dread(id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Sclose(space);
+  H5Dclose(id);
+  return values;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("TheCsvHoldsEveryPointCurveAfterCurve") {
+  const Sweep sweep = broken_sweep();
+  const auto rows = csv_cells(sweep_csv(sweep));
+  REQUIRE(rows.size() == 7);
+  for (const auto& row : rows) REQUIRE(row.size() == rows[0].size());
+  CHECK(rows[0][0] == "operation.speed [rpm]");
+  const auto torque_at = static_cast<std::size_t>(
+      std::find(rows[0].begin(), rows[0].end(), "friction_torque [N m]") - rows[0].begin());
+  REQUIRE(torque_at < rows[0].size());
+  for (int c = 0; c < 2; ++c) {
+    for (int k = 0; k < 3; ++k) {
+      const auto& row = rows[static_cast<std::size_t>(1 + 3 * c + k)];
+      CHECK(std::stod(row[0]) == sweep.axes[0].numbers[k]);
+      CHECK(std::stod(row[1]) == sweep.axes[1].numbers[c]);
+      const SweepPoint& point = sweep.at(k, c);
+      if (point.good()) {
+        CHECK(std::stod(row[torque_at]) == torque(point));  // every digit
+      } else {
+        CHECK(row[torque_at].empty());
+      }
+    }
+  }
+  CHECK(rows[5][2] == "iteration limit");
+  CHECK(rows[5].back() == "did not settle, \"badly\"");
+  CHECK(rows[6][2] == "not started");
+}
+
+TEST_CASE("TheHdf5FileHoldsTheGridWithHolesForWhatFailed") {
+  const ScratchFolder scratch;
+  const Sweep sweep = broken_sweep();
+  Case subject = coupling::tests::plain_case();
+  subject.verbatim = "title = \"plain\"\n";
+  const std::string path = scratch.path("sweep.h5");
+  write_sweep_hdf5(path, subject, sweep);
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  REQUIRE(file >= 0);
+  const auto torques = values_of(file, "/quantities/friction_torque");
+  const auto status = values_of(file, "/state/status");
+  REQUIRE(torques.size() == sweep.points.size());
+  for (std::size_t k = 0; k < torques.size(); ++k) {
+    const SweepPoint& point = sweep.points[k];
+    CHECK(std::isnan(torques[k]) == !point.good());
+    if (point.good()) CHECK(torques[k] == torque(point));
+  }
+  CHECK(status == std::vector<double>{0, 0, 0, 1, 0, 5});
+  CHECK(values_of(file, "/axes/operation.speed") == sweep.axes[0].numbers);
+  const hid_t id = H5Dopen2(file, "/quantities/h_min", H5P_DEFAULT);
+  hsize_t shape[2]{};
+  const hid_t space = H5Dget_space(id);
+  REQUIRE(H5Sget_simple_extent_ndims(space) == 2);
+  H5Sget_simple_extent_dims(space, shape, nullptr);
+  CHECK((shape[0] == 3 && shape[1] == 2));
+  CHECK(H5Aexists(id, "units") > 0);
+  CHECK(H5Aexists(id, "long_name") > 0);
+  CHECK(H5Aexists(id, "axes") > 0);
+  CHECK(H5Lexists(file, "/case/verbatim", H5P_DEFAULT) > 0);
+  H5Sclose(space);
+  H5Dclose(id);
+  H5Fclose(file);
+}
+
+TEST_CASE("TheJsonGivesNoQuantitiesForWhatFailed") {
+  const Sweep sweep = broken_sweep();
+  const auto json = nlohmann::json::parse(sweep_json(coupling::tests::plain_case(), sweep));
+  CHECK(json["converged"] == 4);
+  CHECK(json["failed"] == 1);
+  REQUIRE(json["points"].size() == 6);
+  for (const auto& point : json["points"]) {
+    CHECK(point.contains("quantities") == point["converged"].get<bool>());
+  }
+  CHECK(json["points"][4]["at"] == std::vector<int>{1, 1});
+  CHECK(json["points"][4]["reason"] == "did not settle, \"badly\"");
+  CHECK(json["axes"][0]["unit"] == "rpm");
+}
+
+TEST_CASE("TheTableNamesEveryFailureWithItsPoint") {
+  std::ostringstream out;
+  write_sweep_table(out, coupling::tests::plain_case(), broken_sweep());
+  check_parts(out.str(), {"6 points, 4 converged, 1 not, 1 left by the interrupt",
+                          "not solved at operation.speed = 2000 rpm, operation.load = 2 kN",
+                          "did not settle", "not started"});
+}
+
+TEST_CASE("ThePictureCountsFailedPointsAndDrawsNone") {
+  const ScratchFolder scratch;
+  const auto drawn = [&](const Sweep& sweep) {
+    const std::string path = scratch.path("sweep.svg");
+    write_sweep_svg(path, kSampleCase, coupling::tests::plain_case(), sweep);
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  };
+  Sweep sweep = broken_sweep();
+  const std::string broken = drawn(sweep);
+  CHECK(broken.find("4 converged, 1 not") != std::string::npos);
+  CHECK(broken.find("nan") == std::string::npos);
+  CHECK(broken.find("inf") == std::string::npos);
+  sweep.points[3] = sweep.points[1];
+  sweep.points[5] = sweep.points[1];
+  const std::string whole = drawn(sweep);
+  CHECK(whole.find("converged") == std::string::npos);
+  // A dot per panel and solved point: two points more in each of four panels.
+  CHECK(count_of(whole, "<circle") == count_of(broken, "<circle") + 2 * 4);
+}
+
+TEST_CASE("APictureNeedsNumbers") {
+  CHECK_THROWS_AS(expect_drawable({study::word_axis("model.tier", {"thd", "tehd"})}), InputError);
+  CHECK_THROWS_AS(expect_drawable({study::listed_axis("operation.load", {4.0}, "kN")}), InputError);
+  CHECK_NOTHROW(expect_drawable({study::word_axis("model.tier", {"thd", "tehd"}),
+                                 study::listed_axis("operation.load", {4.0, 8.0}, "kN")}));
+}

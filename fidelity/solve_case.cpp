@@ -1,8 +1,8 @@
 #include "fidelity/solve_case.hpp"
 
-#include "fidelity/solve.hpp"
 #include "fidelity/auto_tier.hpp"
 #include "fidelity/estimate.hpp"
+#include "fidelity/solve.hpp"
 
 namespace shellback::fidelity {
 
@@ -13,7 +13,7 @@ coupling::Result solve_case(const coupling::Case& c, const coupling::SolveContro
     case coupling::Tier::automatic:
       return solve_auto(c, control);
     default:
-      return solve(c, control);
+      return fidelity::solve(c, control);
   }
 }
 

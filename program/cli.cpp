@@ -46,6 +46,8 @@ int work(const Request& request) {
       return stress(request);
     case Command::sweep:
       return sweep(request);
+    case Command::honesty:
+      return honesty(request);
     case Command::validate:
       return validate(request);
     case Command::none:

@@ -113,6 +113,35 @@ void add_stress(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_honesty(CLI::App& app, Request& request) {
+  auto* honesty =
+      app.add_subcommand("honesty", "measure on random bearings whether the error bars hold");
+  honesty->add_option("--cases", request.cases, "random bearings (default: 200)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100000));
+  honesty->add_option("--seed", request.seed, "of the first of them (default: 1)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 2000000000));
+  honesty->add_option("--tiers", request.tiers, kTierWords + " (default: all)")
+      ->type_name("A,B,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  honesty->add_option("--grids", request.grids, "whose bars are tested (default: 200x25)")
+      ->type_name("NxM,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  honesty->add_option("--truth", request.truth, "grid of the truth (default: 400x50)")
+      ->type_name("NxM");
+  honesty->add_option("--nodes", request.nodes, "nodes across the film of the truth (default: 7)")
+      ->type_name("N")
+      ->check(CLI::Range(5, 15));
+  honesty->add_flag("!--no-shipped", request.shipped, "leave out the shipped cases");
+  honesty->add_option("--json", request.json, "write every bar; - is standard output")
+      ->type_name("FILE");
+  honesty->add_option("-o", request.output, "write the picture (SVG)")->type_name("FILE.svg");
+  add_threads(*honesty, request, "cases solved at the same time");
+}
+
 void add_coefficient_options(CLI::App& command, Request& request) {
   command.add_flag("--coefficients", request.coefficients,
                    "also stiffness, damping and whirl threshold (as model.coefficients = true)");
@@ -184,6 +213,7 @@ const std::vector<Offer> kOffers{
     {"compare", Command::compare, add_compare},
     {"sweep", Command::sweep, add_sweep},
     {"auto-honesty", Command::auto_honesty, add_auto_honesty},
+    {"honesty", Command::honesty, add_honesty},
     {"chart", Command::chart, add_chart},
     {"stress", Command::stress, add_stress},
     {"validate", Command::validate, add_validate},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "app/judge_case.hpp"
@@ -73,11 +74,12 @@ bool measure_once(const Case& c, const ChartOptions& options, ChartPoint& p) {
   SolveControl control;
   control.stop = options.stop;
   if (p.setting.tier == Tier::automatic || p.setting.tier == Tier::estimate) {
+    const auto begin = std::chrono::steady_clock::now();
     const Result r = fidelity::solve_case(c, control);
+    wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     p.verdict = r.verdict;
     p.value = values_of(r);
     p.factorizations = r.cost.factorizations;
-    wall = r.cost.wall_s;
   } else {
     const Solution s = solve_tier(c, p.setting.tier, control);
     p.verdict = s.verdict;
@@ -91,7 +93,7 @@ bool measure_once(const Case& c, const ChartOptions& options, ChartPoint& p) {
 }
 
 bool measure(const Case& c, const ChartOptions& options, ChartPoint& p) {
-  const Case changed = p.setting.family == ChartFamily::automatic ? c : with_setting(c, p.setting);
+  const Case changed = with_setting(c, p.setting);
   double spent = 0.0;
   for (int k = 0; k < options.repeats && (k == 0 || spent < options.enough_s); ++k) {
     if (!measure_once(changed, options, p)) return false;

@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <sstream>
 
 #include "core/contract.hpp"
 #include "proof/chart_csv.hpp"
@@ -73,6 +72,9 @@ TEST_CASE("ChartOfAnIsothermalSceneHasItsRowsAndFallingErrors") {
     if (p.setting.mark != "FB") continue;  // the same equations: the same error
     CHECK(p.error[0] == Approx(s.points[0].error[0]).epsilon(1e-4));
   }
+  CHECK(s.points.back().setting.family == ChartFamily::automatic);
+  CHECK(s.points.back().error[0] < 0.1);  // its tolerance
+  CHECK(s.points.back().value != s.points[0].value);
   CHECK(lines(chart_csv({s})) == 2 + static_cast<int>(s.points.size()));
 }
 

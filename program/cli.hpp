@@ -45,6 +45,7 @@ struct Request {
   std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
   int cases = 200;                  ///< auto-honesty --cases
   int seed = 1;                     ///< auto-honesty --seed: of the first case
+  bool bars = false;                ///< sweep --bars
   int cores = 0;                    ///< sweep -j; 0: all there are
   std::vector<std::string> names;   ///< validate: ledger entries; empty: all
   std::string ledger;               ///< validate --ledger: folder of entries; empty: the shipped

@@ -183,3 +183,13 @@ TEST_CASE("ASweepToStandardOutputIsTheCsvAlone") {
   CHECK(ended.out.starts_with("operation.load [kN],status,"));
   CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 3);
 }
+
+TEST_CASE("TheEstimateIsSweptWithoutFilm") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const Ended ended = run_words(
+      {"sweep", path, "--tier", "estimate", "--vary", "operation.load=1 kN,2 kN", "--csv", "-"});
+  INFO(ended.err);
+  CHECK(ended.code == kDone);
+  check_parts(ended.out, {"converged,estimate"});
+}

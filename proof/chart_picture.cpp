@@ -37,7 +37,7 @@ constexpr std::array<Look, 8> kLooks{{
     {ChartFamily::mean, "#a06000", "film-mean temperature"},
     {ChartFamily::tier, "#009e73", "simpler tier"},
     {ChartFamily::cavitation, "#cc79a7", "cavitation: FB Newton, p-θ relaxation, Swift-Stieber"},
-    {ChartFamily::elastic, "#d55e00", "elastic fixed point: Aitken, 0.1"},
+    {ChartFamily::elastic, "#d55e00", "elastic fixed point: Aitken, 0.05"},
     {ChartFamily::automatic, "#000000", "auto, to its tolerance"},
 }};
 const Look& look_of(ChartFamily family) { return kLooks[static_cast<std::size_t>(family)]; }

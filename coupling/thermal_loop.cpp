@@ -277,6 +277,11 @@ bool Turn::sound() {
   const double rise = *hottest - model_.input.supplies.front().temperature;
   const bool finite = std::all_of(film_.columns.T.begin(), film_.columns.T.end(),
                                   [](double T) { return std::isfinite(T); });
+  constexpr double kFrozen = 150.0;  // colder than that no oil is a liquid, and no law holds [K]
+  if (finite && *std::min_element(film_.columns.T.begin(), film_.columns.T.end()) < kFrozen) {
+    verdict_ = second_law();
+    return false;
+  }
   if (finite && rise < options_.runaway) return true;
   verdict_ = runaway(finite ? fmt::format("the film is {:.0f} K above the supply and rises", rise)
                             : "the film temperature is not a number any more");

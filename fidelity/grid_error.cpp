@@ -56,6 +56,17 @@ GridBar grid_bar(const std::vector<GridValue>& v) {
   return {kDisorderly * largest / (std::pow(r, kLeastOrder) - 1.0) + f1.noise, NAN};
 }
 
+bool given_by_case(const coupling::Case& c, coupling::Tier tier, const std::string& name) {
+  const bool position = std::holds_alternative<coupling::EccentricityGiven>(c.operation.position);
+  if (name == "eccentricity_ratio") return position;
+  if (name == "load_x" || name == "load_y") return !position;
+  if (name == "tilt_x" || name == "tilt_y") {
+    return std::holds_alternative<coupling::TiltGiven>(c.operation.alignment);
+  }
+  const bool temperature = name == "T_equivalent" || name == "T_film_mean";
+  return temperature && tier == coupling::Tier::isothermal;
+}
+
 double natural_size(const coupling::Quantity& q, double T_supply,
                     const std::vector<coupling::Quantity>& all) {
   constexpr double kLeastRise = 1.0;  // [K]

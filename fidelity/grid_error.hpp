@@ -37,6 +37,10 @@ inline constexpr double kMostOrder = 2.0;   ///< of the scheme: smooth full film
 /// value: not-a-number.
 [[nodiscard]] GridBar grid_bar(const std::vector<GridValue>& coarse_to_fine);
 
+/// True if the tier takes the quantity from the case: what is given has no error of the grid.
+[[nodiscard]] bool given_by_case(const coupling::Case& c, coupling::Tier tier,
+                                 const std::string& name);
+
 /// The size against which a small change of the quantity is measured: for temperatures the rise
 /// above the supply, for components of a vector its length, else the value [unit of quantity].
 [[nodiscard]] double natural_size(const coupling::Quantity& q, double T_supply,

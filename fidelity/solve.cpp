@@ -107,11 +107,14 @@ void put_words(const BarRecord& record, Result& result) {
 }  // namespace
 
 BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control) {
+  const auto begin = std::chrono::steady_clock::now();
   BarRecord record;
   complete_levels(s, tier, control, record);
-  if (!record.coarse || stopped(control)) return record;
-  if (nodes_matter(s.model)) measure_nodes(record, control);
-  record.model = model_error(*record.coarse, control);
+  if (record.coarse && !stopped(control)) {
+    if (nodes_matter(s.model)) measure_nodes(record, control);
+    record.model = model_error(*record.coarse, control);
+  }
+  record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return record;
 }
 
@@ -119,7 +122,9 @@ void put_bars(const BarRecord& record, Result& result) {
   double T_supply = 0.0;
   if (record.coarse) T_supply = record.coarse->input.supplies.front().temperature;
   for (Quantity& q : result.quantities) {
-    q.error_grid = grid_bar_of(record, q, natural_size(q, T_supply, result.quantities));
+    const bool given = record.coarse && given_by_case(record.coarse->input, result.tier, q.name);
+    q.error_grid =
+        given ? 0.0 : grid_bar_of(record, q, natural_size(q, T_supply, result.quantities));
     const double change = value_in(record.model.change, q.name);
     if (std::isfinite(change)) q.error_model = kModelSafety * std::abs(change);
   }
@@ -136,15 +141,13 @@ void put_bars(const BarRecord& record, Result& result) {
 Result summarize(const Solution& s, Tier tier, const SolveControl& control) {
   Result result = coupling::summarize(s, tier);
   if (!s.verdict.good()) return result;
-  const auto begin = std::chrono::steady_clock::now();
   const BarRecord record = measure_bars(s, tier, control);
   if (stopped(control)) {
     result.warnings.push_back("interrupted before the error bars were known");
   } else {
     put_bars(record, result);
   }
-  result.cost.bars_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.cost.bars_s = record.wall_s;
   return result;
 }
 

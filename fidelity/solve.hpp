@@ -11,6 +11,7 @@ struct BarRecord {
   std::vector<coupling::Quantity> node_change;
   std::vector<coupling::LevelRecord> levels;  ///< grids used, the result's own the last
   ModelError model;
+  double wall_s = 0.0;
 };
 
 /// Solves what the bars of a converged solution need.

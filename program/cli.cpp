@@ -42,8 +42,12 @@ int work(const Request& request) {
       return auto_honesty(request);
     case Command::chart:
       return chart(request);
+    case Command::stress:
+      return stress(request);
     case Command::sweep:
       return sweep(request);
+    case Command::honesty:
+      return honesty(request);
     case Command::validate:
       return validate(request);
     case Command::none:

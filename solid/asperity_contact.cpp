@@ -110,6 +110,7 @@ FormFactor deep(double H) {
 FormFactor exact(double H, const Table& table) {
   if (H > kHighest) return {0.0, 0.0};
   if (H < kLowest) return deep(H);
+  if (std::isnan(H)) return {H, H};  // no entry of the table belongs to it; the solver sees it
   const int i = std::min(static_cast<int>(H - kLowest), kPieces - 1);
   const double t = 2.0 * (H - kLowest - i) - 1.0;
   const double F = std::exp(horner(table.log_F[i], t));

@@ -1,0 +1,82 @@
+#include "proof/honesty.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "app/library.hpp"
+#include "app/pending_file.hpp"
+#include "app/progress.hpp"
+#include "app/read_case.hpp"
+#include "core/contract.hpp"
+#include "program/commands.hpp"
+#include "program/session.hpp"
+#include "proof/honesty_report.hpp"
+#include "proof/population.hpp"
+
+namespace shellback::program {
+
+using namespace proof;
+using coupling::Tier;
+
+namespace {
+
+/// "200x25" as two numbers of cells. Throws InputError.
+std::array<int, 2> grid_named(const std::string& words, const std::string& place) {
+  std::array<int, 2> grid{0, 0};
+  char rest = 0;
+  const int read = std::sscanf(words.c_str(), "%dx%d%c", &grid[0], &grid[1], &rest);
+  if (read != 2 || grid[0] < 16 || grid[1] < 3 || grid[0] > 3200 || grid[1] > 400) {
+    throw InputError(place, fmt::format("\"{}\" is no grid; write cells round x along, as 200x25, "
+                                        "between 16x3 and 3200x400",
+                                        words));
+  }
+  return grid;
+}
+
+std::vector<coupling::Case> chosen_cases(const Request& request) {
+  std::vector<coupling::Case> cases;
+  for (int k = 0; k < request.cases; ++k) cases.push_back(random_case(request.seed + k));
+  if (!request.shipped) return cases;
+  for (const std::string& name : app::shipped_cases()) {
+    cases.push_back(app::read_case(app::case_path(name).string()));
+    cases.back().title = name;
+  }
+  return cases;
+}
+
+HonestyOptions options_of(const Request& request) {
+  HonestyOptions o;
+  for (const std::string& name : request.tiers) {
+    o.tiers.push_back(app::tier_named(name, "--tiers"));
+  }
+  if (o.tiers.empty()) o.tiers = {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd};
+  for (const std::string& words : request.grids) o.grids.push_back(grid_named(words, "--grids"));
+  o.truth_grid = grid_named(request.truth, "--truth");
+  o.truth_nodes = request.nodes;
+  o.threads = request.threads;
+  o.stop = &app::catch_interrupt();
+  return o;
+}
+
+}  // namespace
+
+int honesty(const Request& request) {
+  HonestyOptions options = options_of(request);
+  expect_folder(request.json);
+  expect_folder(request.output);
+  const auto cases = chosen_cases(request);
+  const HonestyRecord record = [&] {
+    app::ProgressLine line;
+    options.progress = [&](int done, int of) {
+      line.show(fmt::format("{} of {} cases", done, of));
+    };
+    return measure_honesty(cases, options);
+  }();
+  if (!request.output.empty()) app::write_file(request.output, honesty_svg(record));
+  if (!request.json.empty()) give_json(request, honesty_json(record));
+  if (request.json != "-") write_honesty_table(std::cout, record);
+  return options.stop->load() ? kInterrupted : kDone;
+}
+
+}  // namespace shellback::program

@@ -1,0 +1,185 @@
+#include "proof/honesty.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "core/contract.hpp"
+#include "core/parallel.hpp"
+#include "fidelity/grid_error.hpp"
+#include "fidelity/solve.hpp"
+
+namespace shellback::proof {
+
+using namespace coupling;
+using fidelity::value_in;
+
+namespace {
+
+/// Everything of one case, filled by one task.
+struct Subject {
+  bool finished = false;
+  std::vector<BarSample> samples;
+  std::vector<HonestyRefusal> refusals;
+  double solve_s = 0.0;
+  double bars_s = 0.0;
+};
+
+class Trial {
+ public:
+  Trial(const Case& c, int index, const HonestyOptions& options)
+      : case_(c), index_(index), options_(options), control_{{}, options.stop} {}
+
+  Subject run() {
+    std::vector<std::vector<Quantity>> truths;
+    for (const Tier tier : options_.tiers) truths.push_back(truth(tier));
+    const auto richest =
+        std::find(options_.tiers.begin(), options_.tiers.end(), Tier::tehd) - options_.tiers.begin();
+    const std::vector<Quantity> full =
+        richest < static_cast<long>(truths.size()) ? truths[richest] : truth(Tier::tehd);
+    for (const auto& grid : options_.grids) {
+      for (std::size_t k = 0; k < options_.tiers.size(); ++k) {
+        if (!stopped()) judge(options_.tiers[k], grid, truths[k], full);
+      }
+    }
+    subject_.finished = !stopped();
+    return std::move(subject_);
+  }
+
+ private:
+  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
+  void refuse(Tier tier, std::array<int, 2> grid, const std::string& status,
+              const std::string& reason) {
+    if (!stopped()) subject_.refusals.push_back({index_, tier, grid, status, reason});
+  }
+
+  /// The converged solution; a refusal is noted.
+  bool solved(Tier tier, std::array<int, 2> grid, int nodes, Solution& s) {
+    if (stopped()) return false;
+    Case c = case_;
+    c.model.tier = tier;
+    c.model.grid = grid;
+    c.model.film_nodes = nodes;
+    try {
+      s = solve_tier(c, tier, control_);
+    } catch (const InputError& error) {
+      refuse(tier, grid, "input", error.what());
+      return false;
+    }
+    if (!s.verdict.good()) refuse(tier, grid, to_string(s.verdict.status), s.verdict.reason);
+    return s.verdict.good();
+  }
+
+  std::vector<Quantity> truth(Tier tier) {
+    Solution s;
+    if (!solved(tier, options_.truth_grid, options_.truth_nodes, s)) return {};
+    return quantities_of(s, tier);
+  }
+
+  void judge(Tier tier, std::array<int, 2> grid, const std::vector<Quantity>& truth_tier,
+             const std::vector<Quantity>& truth_full) {
+    Solution s;
+    if (!solved(tier, grid, case_.model.film_nodes, s)) return;
+    const auto record = fidelity::measure_bars(s, tier, control_);
+    Result result = coupling::summarize(s, tier);
+    fidelity::put_bars(record, result);
+    subject_.solve_s += s.wall_s;
+    subject_.bars_s += record.wall_s;
+    const double T_supply = case_.supplies.front().temperature;
+    for (const Quantity& q : result.quantities) {
+      BarSample b{index_, tier, grid, q.name};
+      b.value = q.value;
+      b.size = fidelity::natural_size(q, T_supply, result.quantities);
+      b.error_grid = q.error_grid;
+      b.error_model = q.error_model;
+      b.truth_tier = value_in(truth_tier, q.name);
+      b.truth_full = value_in(truth_full, q.name);
+      b.given = fidelity::given_by_case(case_, tier, q.name);
+      b.richest = record.model.richest;
+      b.node_change = value_in(record.node_change, q.name);
+      b.model_change = value_in(record.model.change, q.name);
+      for (const LevelRecord& level : record.levels) {
+        b.levels.push_back(value_in(level.quantities, q.name));
+        b.sizes.push_back(1.0 / std::sqrt(level.grid[0] * level.grid[1]));
+      }
+      subject_.samples.push_back(std::move(b));
+    }
+  }
+
+  const Case& case_;
+  int index_;
+  const HonestyOptions& options_;
+  SolveControl control_;
+  Subject subject_;
+};
+
+double error_of(const BarSample& s, BarKind kind) {
+  return std::abs(s.value - (kind == BarKind::grid ? s.truth_tier : s.truth_full));
+}
+
+}  // namespace
+
+HonestyRecord measure_honesty(const std::vector<Case>& cases, const HonestyOptions& options) {
+  const int count = static_cast<int>(cases.size());
+  std::vector<Subject> subjects(count);
+  std::mutex guard;
+  int done = 0;
+  parallel_for(count, options.threads, [&](int k) {
+    if (options.stop != nullptr && options.stop->load()) return;
+    subjects[k] = Trial(cases[k], k, options).run();
+    const std::lock_guard lock(guard);
+    if (options.progress) options.progress(++done, count);
+  });
+  HonestyRecord out;
+  for (int k = 0; k < count; ++k) {
+    out.subjects.push_back(cases[k].title);
+    out.finished.push_back(subjects[k].finished);
+    if (!subjects[k].finished) continue;
+    const auto take = [](auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
+    take(subjects[k].samples, out.samples);
+    take(subjects[k].refusals, out.refusals);
+    out.solve_s += subjects[k].solve_s;
+    out.bars_s += subjects[k].bars_s;
+  }
+  return out;
+}
+
+bool testable(const BarSample& s, BarKind kind) {
+  constexpr double kExact = 1e-9;  // both bar and error below this part of the size are round-off
+  const bool known = kind == BarKind::grid ? std::isfinite(s.error_grid)
+                                           : std::isfinite(s.error_model) || s.richest;
+  if (!known || (s.given && (kind == BarKind::grid || s.richest))) return false;
+  const BarAgainstError b = bar_against_error(s, kind);
+  return std::isfinite(b.error) && std::isfinite(b.bar) && std::max(b.bar, b.error) > kExact;
+}
+
+BarAgainstError bar_against_error(const BarSample& s, BarKind kind) {
+  double bar = s.error_grid;
+  if (kind == BarKind::total && std::isfinite(s.error_model)) bar += s.error_model;
+  return {bar / s.size, error_of(s, kind) / s.size};
+}
+
+Coverage coverage_of(const std::vector<BarSample>& samples, BarKind kind) {
+  Coverage c;
+  int held = 0;
+  std::vector<double> ratios;
+  for (const BarSample& s : samples) {
+    const bool truth = std::isfinite(error_of(s, kind));
+    const bool known = kind == BarKind::grid ? std::isfinite(s.error_grid)
+                                             : std::isfinite(s.error_model) || s.richest;
+    if (truth && !known) ++c.unknown;
+    if (!testable(s, kind)) continue;
+    const BarAgainstError b = bar_against_error(s, kind);
+    held += b.error <= b.bar;
+    ratios.push_back(b.error > 0.0 ? b.bar / b.error : INFINITY);
+  }
+  c.count = static_cast<int>(ratios.size());
+  if (c.count == 0) return c;
+  c.held = static_cast<double>(held) / c.count;
+  std::nth_element(ratios.begin(), ratios.begin() + c.count / 2, ratios.end());
+  c.median = ratios[c.count / 2];
+  return c;
+}
+
+}  // namespace shellback::proof

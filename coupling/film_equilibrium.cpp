@@ -378,7 +378,10 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
   }
   const Verdict v = newton_equilibrium(model, target, growth, options, s, cost, stop);
   const bool lost = v.status == Status::iteration_limit || v.status == Status::no_steady_state;
-  if (!lost || !s.elastic.empty() || target.unknowns == 0) return v;
+  const Methods& by = model.input.model.methods;
+  const bool other = by.cavitation != CavitationMethod::active_set ||
+                     by.elastic != ElasticMethod::newton;  // shown as they are, without our help
+  if (!lost || other || !s.elastic.empty() || target.unknowns == 0) return v;
   return follow_load(model, target, growth, options, s, cost, stop);
 }
 

@@ -227,7 +227,10 @@ Verdict LoadPath::follow() {
 
 Verdict LoadPath::run() {
   const std::vector<Start> list = starts();
-  if (list.empty()) return stop_ && stop_->load() ? stopped() : failure_;
+  if (list.empty()) {
+    if (stop_ && stop_->load()) return stopped();
+    return failure_.status == Status::no_steady_state ? failure_ : not_begun();
+  }
   Verdict verdict;
   for (std::size_t k = 0; k < std::min(list.size(), kMostStarts); ++k) {
     s_.film = list[k].place.film;

@@ -53,6 +53,7 @@ struct Request {
   bool shipped = true;              ///< honesty: the shipped cases as well
   std::vector<std::string> grids{"200x25"};  ///< honesty --grids
   std::string truth = "400x50";     ///< honesty --truth
+  bool bars = false;                ///< sweep --bars
   int cores = 0;                    ///< sweep -j; 0: all there are
   std::string table;                ///< stress --table
   bool only_default = false;        ///< stress --only-default

@@ -77,6 +77,7 @@ void add_sweep(CLI::App& app, Request& request) {
       ->type_name("KEY=FROM..TO[/N][log]")
       ->allow_extra_args(false);
   sweep->add_option("--tier", request.tier, kTierWords);
+  sweep->add_flag("--bars", request.bars, "error bars at every point; takes several times as long");
   sweep->add_option("-o", request.output, "write all results over the grid (HDF5)")
       ->type_name("FILE.h5");
   sweep->add_option("--csv", request.csv, "write a table, one line a point; - is standard output")

@@ -184,6 +184,16 @@ TEST_CASE("ASweepToStandardOutputIsTheCsvAlone") {
   CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 3);
 }
 
+TEST_CASE("TheEstimateIsSweptWithoutFilm") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const Ended ended = run_words(
+      {"sweep", path, "--tier", "estimate", "--vary", "operation.load=1 kN,2 kN", "--csv", "-"});
+  INFO(ended.err);
+  CHECK(ended.code == kDone);
+  check_parts(ended.out, {"converged,estimate"});
+}
+
 TEST_CASE("CoefficientsComeOnlyIfAskedFor") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);

@@ -9,7 +9,6 @@
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "coupling/nested.hpp"
-#include "coupling/plausible.hpp"
 #include "coupling/position_path.hpp"
 #include "coupling/solids.hpp"
 #include "coupling/stepped_start.hpp"
@@ -194,7 +193,6 @@ void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const Solv
     case Tier::automatic:
       EXPECTS(false);  // fidelity/ has turned these into one of the others
   }
-  if (s.verdict.good()) s.verdict = plausible(s);
   s.coefficients.reset();
   if (s.verdict.good() && s.model.input.model.coefficients) s.coefficients = coefficients_of(s);
 }

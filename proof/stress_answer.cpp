@@ -9,7 +9,7 @@
 #include "app/read_case.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
-#include "coupling/plausible.hpp"
+#include "coupling/solve.hpp"
 
 namespace shellback::proof {
 namespace {
@@ -20,8 +20,11 @@ constexpr double kMassBound = 1e-8;
 constexpr double kEnergyBound = 1e-4;
 constexpr double kLoadBound = 1e-6;
 constexpr double kMomentBound = 0.05;
-constexpr double kThetaSlack = 1e-6;      ///< of the solve's tolerance [-]
-constexpr double kPressureSlack = 1.0;    ///< [Pa]
+constexpr double kThetaSlack = 1e-6;    ///< of the solve's tolerance [-]
+constexpr double kPressureSlack = 1.0;  ///< [Pa]
+/// What the discretisation may undershoot, where the solver itself refuses a little earlier.
+constexpr double kRippleLeast = 3.0;      ///< [K]
+constexpr double kRippleShare = 0.1;      ///< of the span of temperatures [-]
 constexpr double kNoOilAnyMore = 2000.0;  ///< [K]: no oil is a liquid anywhere near it
 /// Mirror images differ by where the solves stop, and by a grid that is uniform from phi = 0 on but
 /// for the supply's edges [-].
@@ -53,6 +56,21 @@ double energy_over_largest_stream(const Result& r) {
     if (r.has(name)) largest = std::max(largest, std::abs(r.value(name)));
   }
   return largest > 0.0 ? r.audit.energy * power / largest : r.audit.energy;
+}
+
+/// The coldest of all temperatures given.
+double coldest_given(const Case& c) {
+  double T = INFINITY;
+  for (const Supply& s : c.supplies) T = std::min(T, s.temperature);
+  if (c.oil_temperature) T = std::min(T, *c.oil_temperature);
+  if (c.measured.shell_back_temperature) T = std::min(T, *c.measured.shell_back_temperature);
+  if (c.shell) {
+    const auto* back = std::get_if<ConvectiveBack>(&c.shell->back);
+    T = std::min(
+        T, back != nullptr ? back->ambient : std::get<PrescribedBack>(c.shell->back).temperature);
+  }
+  if (c.shaft && c.shaft->overhang > 0.0) T = std::min(T, c.shaft->ambient);
+  return T;
 }
 
 void compare_mirror(const Result& result, const Result& mirror, StressAnswer& a) {
@@ -136,7 +154,7 @@ void look_through(const Case& c, const Result& r, StressAnswer& a) {
   add_range("the gap", r.fields.h, rough ? -inf : 0.0, inf, a);
   const double hottest =
       r.fields.T.empty() ? 0.0 : *std::max_element(r.fields.T.begin(), r.fields.T.end());
-  const double low = coldest_given(c) - temperature_ripple(hottest - coldest_given(c));
+  const double low = coldest_given(c) - kRippleLeast - kRippleShare * (hottest - coldest_given(c));
   add_range("the film temperature", r.fields.T, low, kNoOilAnyMore, a);
   add_range("the shell temperature", r.fields.T_shell_surface, low, kNoOilAnyMore, a);
   add_range("the shear stress", r.fields.tau_journal, -inf, inf, a);

@@ -16,12 +16,13 @@ namespace {
 // Positions from which a path may begin.
 constexpr std::array kEccentricities{0.01, 0.1, 0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.996};
 constexpr std::array kAttitudes{0.1, 0.5, 0.9, 1.3, -0.4};  ///< against the load [rad]
-constexpr std::size_t kMostStarts = 5;
+constexpr std::size_t kMostStarts = 3;
 constexpr double kRoughFilm = 1e-4;       ///< residual that tells a force well enough [-]
 constexpr double kLooseLoad = 1e-3;       ///< load residual on the way [-]
 constexpr double kFirstRatio = 3.0;       ///< of the load from step to step [-]
-constexpr double kSmallestRatio = 1.002;  ///< a smaller step shows that the path ends [-]
+constexpr double kSmallestRatio = 1.005;  ///< a smaller step shows that the path ends [-]
 constexpr int kMostSteps = 120;
+constexpr int kMostIterations = 25;               ///< of one step
 constexpr double kMolecule = 1e-9;                ///< length of an oil molecule, roughly [m]
 constexpr std::array kCloser{0.003, 0.01, 0.03};  ///< of the gap: a little closer [-]
 
@@ -91,11 +92,13 @@ class LoadPath {
 Verdict LoadPath::solve(double part, const EquilibriumOptions& options) {
   const LoadTarget now = scaled(target_, part);
   const Place before{s_.film, s_.position};
-  const Verdict v = newton_equilibrium(model_, now, growth_, options, s_, cost_, stop_);
+  EquilibriumOptions few = options;  // a step that needs more is too long
+  few.max_iterations = kMostIterations;
+  const Verdict v = newton_equilibrium(model_, now, growth_, few, s_, cost_, stop_);
   if (v.good() || v.status == Status::interrupted) return v;
   s_.film = before.film;
   s_.position = before.position;
-  const Verdict slow = film_then_position(model_, now, growth_, options, s_, cost_, stop_);
+  const Verdict slow = film_then_position(model_, now, growth_, few, s_, cost_, stop_);
   if (!slow.good()) return slow;
   const Place found{s_.film, s_.position};  // a last joint step balances the oil to the end
   const Verdict end = newton_equilibrium(model_, now, growth_, options, s_, cost_, stop_);
@@ -224,7 +227,10 @@ Verdict LoadPath::follow() {
 
 Verdict LoadPath::run() {
   const std::vector<Start> list = starts();
-  if (list.empty()) return stop_ && stop_->load() ? stopped() : failure_;
+  if (list.empty()) {
+    if (stop_ && stop_->load()) return stopped();
+    return failure_.status == Status::no_steady_state ? failure_ : not_begun();
+  }
   Verdict verdict;
   for (std::size_t k = 0; k < std::min(list.size(), kMostStarts); ++k) {
     s_.film = list[k].place.film;

@@ -72,6 +72,8 @@ Verdict end_of_the_way(const Solution& s, const std::string& carried, const Verd
         carried, alpha * *peak);
     v.cure = "switch on elastic deformation, use the Roelands law, or lower the load";
   }
+  // Steps that fail for another reason do not show that there is no film elsewhere.
+  if (!law && last.status != Status::no_steady_state) v.status = Status::iteration_limit;
   return v;
 }
 

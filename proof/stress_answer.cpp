@@ -20,10 +20,12 @@ constexpr double kMassBound = 1e-8;
 constexpr double kEnergyBound = 1e-4;
 constexpr double kLoadBound = 1e-6;
 constexpr double kMomentBound = 0.05;
-constexpr double kThetaSlack = 1e-6;       ///< of the solve's tolerance [-]
-constexpr double kPressureSlack = 1.0;     ///< [Pa]
-constexpr double kTemperatureSlack = 2.0;  ///< undershoot of a high-order profile [K]
-constexpr double kNoOilAnyMore = 2000.0;   ///< [K]: no oil is a liquid anywhere near it
+constexpr double kThetaSlack = 1e-6;    ///< of the solve's tolerance [-]
+constexpr double kPressureSlack = 1.0;  ///< [Pa]
+/// What the discretisation may undershoot, where the solver itself refuses a little earlier.
+constexpr double kRippleLeast = 3.0;      ///< [K]
+constexpr double kRippleShare = 0.1;      ///< of the span of temperatures [-]
+constexpr double kNoOilAnyMore = 2000.0;  ///< [K]: no oil is a liquid anywhere near it
 /// Mirror images differ by where the solves stop, and by a grid that is uniform from phi = 0 on but
 /// for the supply's edges [-].
 constexpr double kMirrorBound = 1e-3;
@@ -57,7 +59,7 @@ double energy_over_largest_stream(const Result& r) {
 }
 
 /// The coldest of all temperatures given.
-double coldest(const Case& c) {
+double coldest_given(const Case& c) {
   double T = INFINITY;
   for (const Supply& s : c.supplies) T = std::min(T, s.temperature);
   if (c.oil_temperature) T = std::min(T, *c.oil_temperature);
@@ -150,9 +152,11 @@ void look_through(const Case& c, const Result& r, StressAnswer& a) {
   add_range("theta", r.fields.theta, -kThetaSlack, 1.0 + kThetaSlack, a);
   add_range("p", r.fields.p, c.model.cavitation_pressure - kPressureSlack, inf, a);
   add_range("the gap", r.fields.h, rough ? -inf : 0.0, inf, a);
-  add_range("the film temperature", r.fields.T, coldest(c) - kTemperatureSlack, kNoOilAnyMore, a);
-  add_range("the shell temperature", r.fields.T_shell_surface, coldest(c) - kTemperatureSlack,
-            kNoOilAnyMore, a);
+  const double hottest =
+      r.fields.T.empty() ? 0.0 : *std::max_element(r.fields.T.begin(), r.fields.T.end());
+  const double low = coldest_given(c) - kRippleLeast - kRippleShare * (hottest - coldest_given(c));
+  add_range("the film temperature", r.fields.T, low, kNoOilAnyMore, a);
+  add_range("the shell temperature", r.fields.T_shell_surface, low, kNoOilAnyMore, a);
   add_range("the shear stress", r.fields.tau_journal, -inf, inf, a);
   add_bound("mass", r.audit.mass, kMassBound, a);
   add_bound("energy", energy_over_largest_stream(r), kEnergyBound, a);

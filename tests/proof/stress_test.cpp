@@ -121,7 +121,7 @@ TEST_CASE("PlantedFaultsAreSeen") {
   CHECK(faults_of([](Result& r) { r.fields.theta[7] = 1.1; }).faults.size() == 1);
   CHECK(faults_of([](Result& r) { r.fields.p[7] = -1e4; }).faults.size() == 1);
   CHECK(faults_of([](Result& r) { r.fields.h[7] = -1e-6; }).faults.size() == 1);
-  CHECK(faults_of([](Result& r) { r.fields.T[7] = 250.0; }).faults.size() == 1);
+  CHECK(faults_of([](Result& r) { r.fields.T[7] = 200.0; }).faults.size() == 1);
   CHECK(faults_of([](Result& r) { r.fields.T[7] = 3000.0; }).faults.size() == 1);
   CHECK(faults_of([](Result& r) { r.audit.mass = 1e-6; }).faults.size() == 1);
   CHECK(faults_of([](Result& r) { r.audit.load = 1e-3; }).faults.size() == 1);

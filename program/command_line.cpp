@@ -104,7 +104,8 @@ void add_stress(CLI::App& app, Request& request) {
       ->type_name("FILE.csv");
   stress->add_option("--json", request.json, "write all cells; - is standard output")
       ->type_name("FILE");
-  stress->add_flag("--quick", request.quick, "coarser grids where the scene does not choose its own");
+  stress->add_flag("--quick", request.quick,
+                   "coarser grids where the scene does not choose its own");
   stress->add_flag("--only-default", request.only_default, "leave out the other methods");
   stress->add_option("--limit", request.limit_s, "processor time after which a solve hangs [s]")
       ->type_name("S")

@@ -1,0 +1,55 @@
+/// shellback stress: exit codes and streams.
+#include <catch2/catch.hpp>
+#include <iostream>
+#include <sstream>
+
+#include "program/cli.hpp"
+
+using namespace shellback;
+using namespace shellback::program;
+
+namespace {
+
+struct Ended {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+Ended run_words(const std::vector<std::string>& words) {
+  std::ostringstream out, err;
+  auto* cout = std::cout.rdbuf(out.rdbuf());
+  auto* cerr = std::cerr.rdbuf(err.rdbuf());
+  const int code = run_program(words);
+  std::cout.rdbuf(cout);
+  std::cerr.rdbuf(cerr);
+  return {code, out.str(), err.str()};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("StressScenesAreListedWithoutBeingRun") {
+  const Ended ended = run_words({"stress", "--list", "speed-reversed"});
+  CHECK(ended.code == kDone);
+  CHECK(contains(ended.out, "speed-reversed/isothermal"));
+  CHECK_FALSE(contains(ended.out, "load-smooth"));
+}
+
+TEST_CASE("AMisspeltStressSceneEndsWithTwoAndTheNearestName") {
+  const Ended ended = run_words({"stress", "load-smoth"});
+  CHECK(ended.code == kBadInput);
+  CHECK(contains(ended.err, "did you mean \"load-smooth\"?"));
+}
+
+TEST_CASE("AStressTableOnStandardOutputStandsAlone") {
+  const Ended ended = run_words(
+      {"stress", "eccentricity-isoviscous/isothermal", "--quick", "--only-default", "--csv", "-"});
+  CHECK(ended.code == kDone);
+  CHECK(ended.out.rfind("scene,tier,method,value,class", 0) == 0);
+  CHECK(contains(ended.out, "\"0.999\",\"converged and audited\""));
+  CHECK(ended.err.empty());
+}

@@ -7,6 +7,7 @@
 
 #include "core/constants.hpp"
 #include "coupling/audit.hpp"
+#include "coupling/coldest.hpp"
 #include "coupling/effects.hpp"
 #include "coupling/solids.hpp"
 #include "coupling/solve.hpp"
@@ -222,6 +223,12 @@ void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
                        " degC leave the oil's range of " + celsius(range.T_min) + " to " +
                        celsius(range.T_max) + " degC: its viscosity is extrapolated");
   }
+  constexpr double kUndershoot = 2.0;  // worth telling [K]
+  if (s.model.physics.film_energy && *low < coldest_around(s.model) - kUndershoot) {
+    warnings.push_back("the film temperature falls to " + celsius(*low) +
+                       " degC at one place, below everything around it: model.film_nodes does not "
+                       "resolve it there");
+  }
   if (s.model.scene.rough.beyond_table) {
     warnings.push_back(
         "a roughness orientation lies outside the range 1/9 to 9 of the tabulated "
@@ -281,8 +288,12 @@ Result summarize(const Solution& s, Tier tier) {
   r.grid = {m.scene.grid.nt, m.scene.grid.full_nz()};
   r.history = s.history;
   r.levels = s.levels;
-  r.cost = {s.wall_s, m.solids ? m.solids->setup_seconds() : 0.0, s.cost.factorizations,
-            s.cost.newton_iterations, static_cast<int>(s.history.size()), 0.0};
+  r.cost = {s.wall_s,
+            m.solids ? m.solids->setup_seconds() : 0.0,
+            s.cost.factorizations,
+            s.cost.newton_iterations,
+            static_cast<int>(s.history.size()),
+            0.0};
   if (!evaluated(s.film)) return r;  // stopped before the first evaluation was through
   const Friction f = friction_of(m, s.film);
   r.quantities = quantities_of(s, tier);

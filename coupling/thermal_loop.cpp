@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "coupling/coldest.hpp"
 #include "coupling/fixed_point.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -440,16 +441,9 @@ FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
 }
 
 Verdict Turn::second_law() const {
-  constexpr double kRipple =
-      0.1;  // of the rise: what polynomials across the film may undershoot [-]
+  constexpr double kRipple = 0.5;  // of the rise: beyond it is no ripple of the polynomials [-]
   constexpr double kMargin = 2.0;  // [K]
-  double coldest = INFINITY;
-  for (const Supply& supply : model_.input.supplies)
-    coldest = std::min(coldest, supply.temperature);
-  coldest = std::min(coldest, model_.solids->surroundings());
-  if (model_.input.shaft && model_.input.shaft->overhang > 0.0) {
-    coldest = std::min(coldest, model_.input.shaft->ambient);
-  }
+  const double coldest = coldest_around(model_);
   const auto [low, high] = std::minmax_element(film_.columns.T.begin(), film_.columns.T.end());
   if (*low >= coldest - kMargin - kRipple * (*high - coldest)) return {};
   const int cell = static_cast<int>(low - film_.columns.T.begin()) / model_.gl.n;

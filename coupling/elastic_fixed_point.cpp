@@ -11,6 +11,7 @@ namespace shellback::coupling {
 namespace {
 
 constexpr int kMostRounds = 1000;
+constexpr int kPatience = 100;  ///< rounds without a smaller mismatch that show that none will come
 constexpr double kFirstRelaxation = 0.1;  ///< of Aitken's: small enough for an opening of ten films
 constexpr double kLeast = 0.01;           ///< relaxation below which nothing moves any more [-]
 constexpr double kGrown = 30.0;           ///< growth of the mismatch over its best, and
@@ -63,7 +64,9 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
   Field before;
   double best = INFINITY;
   double norm = INFINITY;
-  for (int round = 0; round < kMostRounds; ++round) {
+  int best_round = 0;
+  int round = 0;
+  for (; round < kMostRounds; ++round) {
     if (stop && stop->load()) {
       s.elastic = d;
       return {Status::interrupted, "stopped by the user", "", ""};
@@ -94,7 +97,11 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
       return diverged(fmt::format("the mismatch grows to {:.2g} gaps", norm), largest(d),
                       s.least.h);
     }
-    best = std::min(best, norm);
+    if (norm < best) {
+      best = norm;
+      best_round = round;
+    }
+    if (round - best_round > kPatience) break;
     if (fixed <= 0.0 && !before.empty()) omega = aitken(omega, before, r);
     for (std::size_t k = 0; k < d.size(); ++k) d[k] += omega * r[k];
     before = std::move(r);
@@ -103,7 +110,7 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
   return {Status::iteration_limit,
           fmt::format("the fixed point between film and displacement did not settle in {} rounds "
                       "(mismatch {:.1e} of the smallest gap, relaxation {:.2g})",
-                      kMostRounds, norm, omega),
+                      std::min(round + 1, kMostRounds), norm, omega),
           "", "take elastic = \"newton\""};
 }
 

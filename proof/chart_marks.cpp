@@ -19,8 +19,8 @@ namespace {
 constexpr double kMarkText = 10.0;
 
 const std::vector<Look> kLooks{
-    {ChartFamily::grid, "#0072b2", "grid: cells around, ours (active set, 5 nodes, Newton)"},
-    {ChartFamily::nodes, "#56b4e9", "3, 7, 9 Lobatto nodes"},
+    {ChartFamily::grid, "#0072b2", "grid: cells around, ours (active set, Lobatto nodes, Newton)"},
+    {ChartFamily::nodes, "#56b4e9", "other numbers of nodes"},
     {ChartFamily::layers, "#e69f00", "10, 20, 40 even layers"},
     {ChartFamily::mean, "#a06000", "film-mean temperature"},
     {ChartFamily::tier, "#009e73", "simpler tier"},

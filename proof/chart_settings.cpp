@@ -38,7 +38,7 @@ class Star {
  private:
   template <class Change>
   void add(ChartFamily family, const std::string& mark, std::array<int, 2> grid, Change change) {
-    ChartSetting s{family, mark, c_.model.tier, grid, 5, {}, 0.0};
+    ChartSetting s{family, mark, c_.model.tier, grid, c_.model.film_nodes, {}, 0.0};
     change(s);
     Case changed = with_setting(c_, s);
     if (impossible_methods(changed, physics_of(changed, s.tier)).empty()) {
@@ -48,7 +48,8 @@ class Star {
 
   void add_nodal_sets() {
     const auto grid = grids_.compared.front();
-    for (const int n : {3, 7, 9}) {
+    for (const int n : {3, 5, 7, 9}) {
+      if (n == c_.model.film_nodes) continue;
       add(ChartFamily::nodes, std::to_string(n), grid, [&](ChartSetting& s) { s.film_nodes = n; });
     }
     for (const int n : {10, 20, 40}) {

@@ -30,18 +30,14 @@ class Trial {
   Trial(const Case& c, int index, const HonestyOptions& options)
       : case_(c), index_(index), options_(options), control_{{}, options.stop} {}
 
+  /// The working grids first: where they give no result, there is no bar whose truth is wanted.
   Subject run() {
-    std::vector<std::vector<Quantity>> truths;
-    for (const Tier tier : options_.tiers) truths.push_back(truth(tier));
-    const auto richest =
-        std::find(options_.tiers.begin(), options_.tiers.end(), Tier::tehd) - options_.tiers.begin();
-    const std::vector<Quantity> full =
-        richest < static_cast<long>(truths.size()) ? truths[richest] : truth(Tier::tehd);
-    for (const auto& grid : options_.grids) {
-      for (std::size_t k = 0; k < options_.tiers.size(); ++k) {
-        if (!stopped()) judge(options_.tiers[k], grid, truths[k], full);
-      }
+    for (const Tier tier : options_.tiers) {
+      const std::size_t first = subject_.samples.size();
+      for (const auto& grid : options_.grids) judge(tier, grid);
+      if (subject_.samples.size() > first) fill(first, truth(tier), &BarSample::truth_tier);
     }
+    fill_full_truth();
     subject_.finished = !stopped();
     return std::move(subject_);
   }
@@ -72,13 +68,35 @@ class Trial {
   }
 
   std::vector<Quantity> truth(Tier tier) {
+    if (tier == Tier::tehd && full_tried_) return full_;
     Solution s;
-    if (!solved(tier, options_.truth_grid, options_.truth_nodes, s)) return {};
-    return quantities_of(s, tier);
+    std::vector<Quantity> found;
+    if (solved(tier, options_.truth_grid, options_.truth_nodes, s)) found = quantities_of(s, tier);
+    if (tier == Tier::tehd) {
+      full_tried_ = true;
+      full_ = found;
+    }
+    return found;
   }
 
-  void judge(Tier tier, std::array<int, 2> grid, const std::vector<Quantity>& truth_tier,
-             const std::vector<Quantity>& truth_full) {
+  void fill(std::size_t first, const std::vector<Quantity>& truth, double BarSample::*which) {
+    for (std::size_t k = first; k < subject_.samples.size(); ++k) {
+      BarSample& s = subject_.samples[k];
+      s.*which = value_in(truth, s.quantity);
+    }
+  }
+
+  /// The truth of tier tehd, solved already or wanted for the model bars of the tiers below.
+  void fill_full_truth() {
+    if (full_.empty() &&
+        std::any_of(subject_.samples.begin(), subject_.samples.end(),
+                    [](const BarSample& s) { return std::isfinite(s.error_model); })) {
+      full_ = truth(Tier::tehd);
+    }
+    fill(0, full_, &BarSample::truth_full);
+  }
+
+  void judge(Tier tier, std::array<int, 2> grid) {
     Solution s;
     if (!solved(tier, grid, case_.model.film_nodes, s)) return;
     const auto record = fidelity::measure_bars(s, tier, control_);
@@ -93,8 +111,7 @@ class Trial {
       b.size = fidelity::natural_size(q, T_supply, result.quantities);
       b.error_grid = q.error_grid;
       b.error_model = q.error_model;
-      b.truth_tier = value_in(truth_tier, q.name);
-      b.truth_full = value_in(truth_full, q.name);
+      b.truth_tier = b.truth_full = NAN;
       b.given = fidelity::given_by_case(case_, tier, q.name);
       b.richest = record.model.richest;
       b.node_change = value_in(record.node_change, q.name);
@@ -107,6 +124,8 @@ class Trial {
     }
   }
 
+  std::vector<Quantity> full_;
+  bool full_tried_ = false;
   const Case& case_;
   int index_;
   const HonestyOptions& options_;

@@ -1,0 +1,82 @@
+// The way to the full physics: complete, one effect a step, only where the data are.
+#include <catch2/catch.hpp>
+
+#include "../coupling/sample_bearing.hpp"
+#include "fidelity/richer_physics.hpp"
+
+using namespace shellback;
+using namespace shellback::coupling;
+using namespace shellback::coupling::tests;
+using fidelity::poorer_physics;
+using fidelity::richer_physics;
+
+namespace {
+
+constexpr Tier kTiers[] = {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd};
+
+bool same(const Physics& a, const Physics& b) {
+  return a.film_energy == b.film_energy && a.elastic == b.elastic && a.growth == b.growth &&
+         a.contact == b.contact && a.flow_factors == b.flow_factors &&
+         a.pressure_dependence == b.pressure_dependence && a.shear_thinning == b.shear_thinning;
+}
+
+}  // namespace
+
+TEST_CASE("TheWayFromEveryTierEndsAtTheFullPhysics") {
+  Case c = rig_case();
+  const Physics full = physics_of(c, Tier::tehd);
+  for (const bool switched_off : {false, true}) {
+    Case poor = c;
+    if (switched_off) {
+      poor.model.switches = {false, false, false, false, false, {}};
+    }
+    for (const Tier tier : kTiers) {
+      const auto steps = richer_physics(poor, tier);
+      if (steps.empty()) {
+        CHECK(same(physics_of(poor, tier), full));
+      } else {
+        CHECK(same(physics_of(steps.back().input, steps.back().tier), full));
+      }
+    }
+  }
+}
+
+TEST_CASE("EveryStepAddsAnEffectAndTakesNoneAway") {
+  const auto count = [](const Physics& p) {
+    return p.film_energy + p.elastic + p.growth + p.contact + p.flow_factors +
+           p.pressure_dependence + p.shear_thinning;
+  };
+  for (const Tier tier : kTiers) {
+    Physics before = physics_of(rig_case(), tier);
+    for (const auto& step : richer_physics(rig_case(), tier)) {
+      const Physics here = physics_of(step.input, step.tier);
+      const bool heating = step.effect == "heating";  // isothermal to lumped: same equations
+      CHECK(count(here) == count(before) + (heating ? 0 : 1));
+      before = here;
+    }
+  }
+}
+
+TEST_CASE("NothingIsRicherThanTheFullTier") {
+  CHECK(richer_physics(rig_case(), Tier::tehd).empty());
+  CHECK(richer_physics(warm_case(), Tier::tehd).empty());
+}
+
+TEST_CASE("WithoutShellOnlyHeatingIsJudged") {
+  const auto steps = richer_physics(plain_case(), Tier::isothermal);
+  REQUIRE(steps.size() == 1);
+  CHECK(steps.front().tier == Tier::lumped);
+  CHECK(fidelity::unknown_effects(plain_case()).size() == 3);
+  CHECK(fidelity::unknown_effects(rig_case()).empty());
+}
+
+TEST_CASE("EachIncludedEffectIsTakenOutAlone") {
+  const Physics full = physics_of(rig_case(), Tier::tehd);
+  int taken = 0;
+  for (const auto& step : poorer_physics(rig_case(), Tier::tehd)) {
+    CHECK_FALSE(same(physics_of(step.input, step.tier), full));
+    ++taken;
+  }
+  CHECK(taken == 6);
+  CHECK(poorer_physics(plain_case(), Tier::isothermal).empty());
+}

@@ -1,0 +1,120 @@
+// A result with bars: bars where there is something to know, none where there is not.
+#include "fidelity/solve.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "../coupling/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::coupling;
+using namespace shellback::coupling::tests;
+
+namespace {
+
+const Quantity& quantity(const Result& r, const std::string& name) {
+  for (const Quantity& q : r.quantities) {
+    if (q.name == name) return q;
+  }
+  FAIL("no quantity " << name);
+  return r.quantities.front();
+}
+
+bool says(const std::vector<std::string>& lines, const std::string& part) {
+  for (const std::string& line : lines) {
+    if (line.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("EveryQuantityOfAConvergedResultHasAGridBar") {
+  for (Case c : {plain_case(), warm_case()}) {
+    const Result r = fidelity::solve(c);
+    REQUIRE(r.verdict.good());
+    for (const Quantity& q : r.quantities) {
+      INFO(q.name);
+      CHECK(std::isfinite(q.error_grid));
+      CHECK(q.error_grid >= 0.0);
+    }
+    CHECK(r.cost.bars_s > 0.0);
+  }
+}
+
+TEST_CASE("BarsDoNotChangeTheResult") {
+  const Result bare = coupling::solve(warm_case());
+  const Result judged = fidelity::solve(warm_case());
+  REQUIRE(bare.quantities.size() == judged.quantities.size());
+  for (std::size_t k = 0; k < bare.quantities.size(); ++k) {
+    CHECK(bare.quantities[k].value == judged.quantities[k].value);
+  }
+}
+
+TEST_CASE("WhatTheCaseGivesHasNoGridError") {
+  const Result r = fidelity::solve(plain_case());
+  CHECK(quantity(r, "load_y").error_grid == 0.0);
+  CHECK(quantity(r, "T_equivalent").error_grid == 0.0);
+  CHECK(quantity(r, "friction_torque").error_grid > 0.0);
+}
+
+TEST_CASE("ConstantViscosityFeelsNoHeat") {
+  const Result r = fidelity::solve(plain_case());  // no shell: heating is all that is judged
+  CHECK(quantity(r, "friction_torque").error_model ==
+        Approx(0.0).margin(1e-6 * r.value("friction_torque")));
+  CHECK(quantity(r, "T_film_mean").error_model > 0.1);  // its temperature does [K]
+  CHECK(says(r.assumptions, "elastic deformation"));
+}
+
+TEST_CASE("TheModelBarOfAPoorTierHoldsTheFullTier") {
+  Case c = warm_case();
+  c.oil_temperature = 340.0;  // far too warm for the isothermal tier
+  c.model.tier = Tier::tehd;
+  const Result full = fidelity::solve(c);
+  REQUIRE(full.verdict.good());
+  for (const Tier tier : {Tier::isothermal, Tier::lumped, Tier::thd}) {
+    c.model.tier = tier;
+    const Result r = fidelity::solve(c);
+    REQUIRE(r.verdict.good());
+    for (const char* name : {"friction_torque", "h_min", "side_flow", "T_film_mean", "p_max"}) {
+      INFO(to_string(tier) << " " << name);
+      const Quantity& q = quantity(r, name);
+      CHECK(std::abs(q.value - full.value(name)) <= q.error());
+    }
+  }
+}
+
+TEST_CASE("TheFullTierHasNoModelBarAndSaysSo") {
+  Case c = warm_case();
+  c.model.tier = Tier::tehd;
+  const Result r = fidelity::solve(c);
+  REQUIRE(r.verdict.good());
+  CHECK(std::isnan(quantity(r, "friction_torque").error_model));
+  CHECK(says(r.assumptions, "nothing richer"));
+}
+
+TEST_CASE("EffectsLeftOutTellWhatTheyWouldChange") {
+  Case c = rig_case();
+  c.model.tier = Tier::thd;
+  c.model.switches.pressure_dependence = false;
+  const Result r = fidelity::solve(c);
+  REQUIRE(r.verdict.good());
+  int told = 0;
+  for (const Effect& e : r.effects) {
+    const bool known = std::isfinite(e.change_in_friction) && std::isfinite(e.change_in_h_min);
+    if (e.included) CHECK_FALSE(known);
+    told += known;
+    // Thicker oil under pressure lifts the journal.
+    if (e.name == "viscosity with pressure") CHECK(e.change_in_h_min > 0.0);
+  }
+  CHECK(told == 3);  // elastic, thermal deformation, pressure
+}
+
+TEST_CASE("ARefusedCaseHasNoBars") {
+  Case c = warm_case();
+  c.operation.omega *= 200.0;  // the heat cannot be carried away
+  c.oil.temperature = rheology::ConstantViscosity{0.3};
+  c.model.tier = Tier::lumped;
+  const Result r = fidelity::solve(c);
+  REQUIRE_FALSE(r.verdict.good());
+  for (const Quantity& q : r.quantities) CHECK(std::isnan(q.error_grid));
+}

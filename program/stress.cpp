@@ -51,6 +51,8 @@ std::string command_line(const Request& request) {
   std::string words = "shellback stress";
   for (const std::string& scene : request.scenes) words += " " + scene;
   if (request.quick) words += " --quick";
+  if (request.only_default) words += " --only-default";
+  words += fmt::format(" --limit {:g}", request.limit_s);
   if (!request.output.empty()) words += " -o " + request.output;
   if (!request.table.empty()) words += " --table " + request.table;
   return words;

@@ -20,6 +20,7 @@ constexpr double kCell = 58.0;       ///< a cell of the default
 constexpr double kSmall = 10.0;      ///< a cell of another method
 constexpr double kBetween = 14.0;    ///< between the methods
 constexpr double kReason = 420.0;    ///< room for reasons
+constexpr double kLastName = 60.0;   ///< a name longer than its method is wide
 constexpr double kLine = 17.0;       ///< a row
 constexpr double kTitle = 27.0;      ///< a scene's title
 constexpr double kText = 10.5;
@@ -83,7 +84,9 @@ class Picture {
   [[nodiscard]] double reasons() const {
     return kMargin + kTierWidth + static_cast<double>(columns_) * kCell + 8.0;
   }
-  [[nodiscard]] double width() const { return left_of(stress_methods().size()) + kMargin; }
+  [[nodiscard]] double width() const {
+    return left_of(stress_methods().size()) + kMargin + kLastName;
+  }
 
   const StressMap& map_;
   std::size_t columns_;

@@ -35,7 +35,7 @@ std::string head(const Sweep& sweep, const std::vector<SweepQuantity>& quantitie
     cells.push_back(
         cell(axis.unit.empty() ? axis.key : fmt::format("{} [{}]", axis.key, axis.unit)));
   }
-  for (const char* name : {"status", "tier", "start", "tries"}) cells.emplace_back(name);
+  for (const char* name : {"status", "tier", "grid", "start", "tries"}) cells.emplace_back(name);
   for (const auto& q : quantities) {
     cells.push_back(cell(fmt::format("{} [{}]", q.name, q.unit)));
     if (q.with_error) cells.push_back(cell(fmt::format("{} error [{}]", q.name, q.unit)));
@@ -59,6 +59,9 @@ std::string row(const Sweep& sweep, int index, const std::vector<SweepQuantity>&
   const auto& result = point.result;
   cells.push_back(status_word(point));
   cells.emplace_back(point.tried() ? to_string(result.tier) : "");
+  cells.push_back(point.good() && result.grid[0] > 0
+                      ? fmt::format("{} x {}", result.grid[0], result.grid[1])
+                      : "");
   cells.emplace_back(to_string(point.start));
   cells.push_back(std::to_string(point.tries));
   for (const auto& q : quantities) {

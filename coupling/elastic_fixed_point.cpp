@@ -10,7 +10,7 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr int kMostRounds = 300;
+constexpr int kMostRounds = 1000;
 constexpr double kFirstRelaxation = 0.1;  ///< of Aitken's: small enough for an opening of ten films
 constexpr double kLeast = 0.01;           ///< relaxation below which nothing moves any more [-]
 constexpr double kGrown = 30.0;           ///< growth of the mismatch over its best, and

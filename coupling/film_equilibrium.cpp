@@ -9,6 +9,7 @@
 #include "core/constants.hpp"
 #include "coupling/elastic_step.hpp"
 #include "coupling/equilibrium_step.hpp"
+#include "coupling/load_path.hpp"
 #include "coupling/other_equilibrium.hpp"
 #include "coupling/solids.hpp"
 #include "fluid/fischer_burmeister.hpp"
@@ -142,6 +143,16 @@ Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
   return r;
 }
 
+/// Little oil may pass where much goes round: what is lost is measured by what passes.
+bool oil_balanced(const BearingModel& model, const FilmEquilibrium& s,
+                  const EquilibriumOptions& options) {
+  constexpr double kLost = 1e-9;  // of what passes, at the usual film tolerance [-]
+  const auto flows = fluid::oil_flows(model.scene, s.flow);
+  const double passes = std::max(std::abs(flows.supply), std::abs(flows.side));
+  const double allowed = std::max(1.0, options.film_tolerance / 1e-11) * kLost;
+  return std::abs(flows.supply - flows.side) <= allowed * passes;
+}
+
 /// The unknowns, to go back to.
 struct Unknowns {
   fluid::FilmState film;
@@ -242,6 +253,7 @@ bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
                           sum(growth, s.elastic), model.step);
   s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
   if (scene.rough.sigma <= 0.0 && !(s.least.h > 0.0)) return false;
+  if (!std::isfinite(largest(s.gap.cell))) return false;
   s.shear_gap = shear_gap(model, s.gap.cell);
   s.gradient_x = fluid::pressure_gradient_x(scene, s.film);
   s.gradient_z = fluid::pressure_gradient_z(scene, s.film);
@@ -253,12 +265,9 @@ bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
   return true;
 }
 
-Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                          const EquilibriumOptions& options, FilmEquilibrium& s,
-                          EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  if (solved_otherwise(model, s)) {
-    return solve_otherwise(model, target, growth, options, s, cost, stop);
-  }
+Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                           const EquilibriumOptions& options, FilmEquilibrium& s,
+                           EquilibriumCost& cost, const std::atomic<bool>* stop) {
   constexpr double kShortestReach =
       1e-5;                              // a step shortened this far shows that there is no way on
   constexpr double kSettledFilm = 0.03;  // the film has followed the journal: it may move on [-]
@@ -278,6 +287,8 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
   double settled_off = INFINITY;  // rigid: judge of a step
   double damping = 1.0;
   double viscosity_tolerance = 1e-3;
+  constexpr int kMostPolish = 2;  // further steps for the oil balance: they square the residual
+  int polished = 0;
   bool retreated = false;
   int worst_cell = -1;
   Residuals r;
@@ -310,7 +321,8 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
       });
     }
     if (r.within(options) && s.columns.mismatch <= options.viscosity_tolerance &&
-        fluid::complementary(model.scene, s.film)) {
+        fluid::complementary(model.scene, s.film) &&
+        (polished++ == kMostPolish || oil_balanced(model, s, options))) {
       return {};
     }
     const double merit = r.film_norm + r.load_norm + std::min(r.elastic_norm, 1e3);
@@ -356,6 +368,21 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
     }
   }
   return stuck(model, s, r, options.max_iterations);
+}
+
+Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                          const EquilibriumOptions& options, FilmEquilibrium& s,
+                          EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  if (solved_otherwise(model, s)) {
+    return solve_otherwise(model, target, growth, options, s, cost, stop);
+  }
+  const Verdict v = newton_equilibrium(model, target, growth, options, s, cost, stop);
+  const bool lost = v.status == Status::iteration_limit || v.status == Status::no_steady_state;
+  const Methods& by = model.input.model.methods;
+  const bool other = by.cavitation != CavitationMethod::active_set ||
+                     by.elastic != ElasticMethod::newton;  // shown as they are, without our help
+  if (!lost || other || !s.elastic.empty() || target.unknowns == 0) return v;
+  return follow_load(model, target, growth, options, s, cost, stop);
 }
 
 }  // namespace shellback::coupling

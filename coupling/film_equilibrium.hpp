@@ -83,6 +83,12 @@ struct LoadTarget {
 [[nodiscard]] bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
                             FilmEquilibrium& state);
 
+/// Newton on (1)-(3) from `state`; the first way of solve_equilibrium.
+[[nodiscard]] Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target,
+                                         const Field& growth, const EquilibriumOptions& options,
+                                         FilmEquilibrium& state, EquilibriumCost& cost,
+                                         const std::atomic<bool>* stop = nullptr);
+
 /// Solves (1)-(3) from `state`, which is left at the last iterate whatever the verdict.
 [[nodiscard]] Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target,
                                         const Field& growth, const EquilibriumOptions& options,

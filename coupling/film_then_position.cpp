@@ -86,8 +86,11 @@ RestingFilm FilmAndPosition::relaxed(const fluid::OilLaw& oil, double tolerance)
 }
 
 RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double tolerance) {
-  const bool smooth = model_.input.model.methods.cavitation == CavitationMethod::fischer_burmeister;
-  const auto solve = smooth ? fluid::solve_fischer_burmeister : fluid::solve_swift_stieber;
+  const CavitationMethod method = model_.input.model.methods.cavitation;
+  const auto solve = method == CavitationMethod::active_set ? fluid::solve_reynolds
+                     : method == CavitationMethod::fischer_burmeister
+                         ? fluid::solve_fischer_burmeister
+                         : fluid::solve_swift_stieber;
   const fluid::ReynoldsOptions o{tolerance, options_.max_iterations};
   auto film = solve(model_.scene, s_.gap, model_.step, oil, s_.film, o);
   cost_.factorizations += film.value.factorizations;

@@ -14,6 +14,10 @@ std::string impossible_methods(const Case& c, const Physics& physics) {
     return "cavitation = \"swift-stieber\" does not conserve oil, so that the heat in the film "
            "cannot be balanced; take tier isothermal or lumped, or another method";
   }
+  if (m.cavitation == CavitationMethod::swift_stieber && c.model.coefficients) {
+    return "cavitation = \"swift-stieber\" has no fill ratio, which stiffness and damping need "
+           "(model.coefficients); take another method";
+  }
   if (m.cavitation != CavitationMethod::active_set && physics.elastic &&
       m.elastic == ElasticMethod::newton) {
     return std::string("cavitation = \"") + to_string(m.cavitation) +

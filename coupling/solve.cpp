@@ -9,6 +9,7 @@
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "coupling/nested.hpp"
+#include "coupling/position_path.hpp"
 #include "coupling/solids.hpp"
 #include "coupling/stepped_start.hpp"
 #include "rheology/density.hpp"
@@ -93,7 +94,11 @@ Verdict start(Solution& s, double T, const SolveControl& control) {
   const Methods& by = s.model.input.model.methods;
   const bool other = by.cavitation != CavitationMethod::active_set ||
                      by.elastic != ElasticMethod::newton;  // shown as they are, without our help
-  if (v.status != Status::iteration_limit || s.target.unknowns == 0 || other) return v;
+  if (v.good() || v.status == Status::interrupted || other) return v;
+  if (s.target.unknowns == 0 && s.model.physics.elastic) {
+    return follow_position(s.model, s.target, T, {}, s.film, s.cost, control.stop);
+  }
+  if (v.status != Status::iteration_limit || s.target.unknowns == 0) return v;
   return stepped_start(s, T, control);
 }
 

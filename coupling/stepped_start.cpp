@@ -29,7 +29,7 @@ Verdict solve_at(Solution& s, const Waypoint& at, const SolveControl& control) {
     s.film.position.q[2] = at.psi[0];
     s.film.position.q[3] = at.psi[1];
   }
-  return solve_equilibrium(s.model, at.target, {}, {}, s.film, s.cost, control.stop);
+  return newton_equilibrium(s.model, at.target, {}, {}, s.film, s.cost, control.stop);
 }
 
 /// Follows the way from a solved state at 0; `reached` is the part that was solved.
@@ -72,6 +72,8 @@ Verdict end_of_the_way(const Solution& s, const std::string& carried, const Verd
         carried, alpha * *peak);
     v.cure = "switch on elastic deformation, use the Roelands law, or lower the load";
   }
+  // Steps that fail for another reason do not show that there is no film elsewhere.
+  if (!law && last.status != Status::no_steady_state) v.status = Status::iteration_limit;
   return v;
 }
 

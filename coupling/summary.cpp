@@ -232,6 +232,9 @@ void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
   }
 }
 
+/// A gap that is closed has no flow: such a state has nothing to sum up.
+bool evaluated(const FilmEquilibrium& film) { return !film.flow.phi.empty(); }
+
 void add_coefficient_warnings(const Coefficients& k, std::vector<std::string>& warnings) {
   constexpr double kTelling = 0.05;  // from here on the share is above the accuracy aimed at [-]
   if (!k.verdict.good()) {
@@ -258,7 +261,7 @@ std::vector<LimiterCount> limiters_of(const Solution& s) {
 }  // namespace
 
 std::vector<Quantity> quantities_of(const Solution& s, Tier tier) {
-  if (s.film.gap.cell.empty()) return {};
+  if (!evaluated(s.film)) return {};
   Quantities q;
   add_mechanics(s, friction_of(s.model, s.film), q);
   add_heat(s, q);
@@ -280,7 +283,7 @@ Result summarize(const Solution& s, Tier tier) {
   r.levels = s.levels;
   r.cost = {s.wall_s, m.solids ? m.solids->setup_seconds() : 0.0, s.cost.factorizations,
             s.cost.newton_iterations, static_cast<int>(s.history.size()), 0.0};
-  if (s.film.gap.cell.empty()) return r;  // stopped before the first evaluation
+  if (!evaluated(s.film)) return r;  // stopped before the first evaluation was through
   const Friction f = friction_of(m, s.film);
   r.quantities = quantities_of(s, tier);
   r.audit = audit_of(s, f);

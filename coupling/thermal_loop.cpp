@@ -80,6 +80,8 @@ class Turn {
   [[nodiscard]] bool sound();
   [[nodiscard]] Verdict runaway(const std::string& what) const;
   [[nodiscard]] Verdict friction_runaway(double from, double to) const;
+  /// Refuses a film that is colder than everything around it.
+  [[nodiscard]] Verdict second_law() const;
   /// A film that fails because heat has thinned its oil is a thermal runaway.
   void name_the_failure();
   void report(const std::vector<double>& x, const std::vector<double>& g);
@@ -275,6 +277,11 @@ bool Turn::sound() {
   const double rise = *hottest - model_.input.supplies.front().temperature;
   const bool finite = std::all_of(film_.columns.T.begin(), film_.columns.T.end(),
                                   [](double T) { return std::isfinite(T); });
+  constexpr double kFrozen = 150.0;  // colder than that no oil is a liquid, and no law holds [K]
+  if (finite && *std::min_element(film_.columns.T.begin(), film_.columns.T.end()) < kFrozen) {
+    verdict_ = second_law();
+    return false;
+  }
   if (finite && rise < options_.runaway) return true;
   verdict_ = runaway(finite ? fmt::format("the film is {:.0f} K above the supply and rises", rise)
                             : "the film temperature is not a number any more");
@@ -432,6 +439,28 @@ FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
   return FixedPointEnd::iteration_limit;
 }
 
+Verdict Turn::second_law() const {
+  constexpr double kRipple =
+      0.1;  // of the rise: what polynomials across the film may undershoot [-]
+  constexpr double kMargin = 2.0;  // [K]
+  double coldest = INFINITY;
+  for (const Supply& supply : model_.input.supplies)
+    coldest = std::min(coldest, supply.temperature);
+  coldest = std::min(coldest, model_.solids->surroundings());
+  if (model_.input.shaft && model_.input.shaft->overhang > 0.0) {
+    coldest = std::min(coldest, model_.input.shaft->ambient);
+  }
+  const auto [low, high] = std::minmax_element(film_.columns.T.begin(), film_.columns.T.end());
+  if (*low >= coldest - kMargin - kRipple * (*high - coldest)) return {};
+  const int cell = static_cast<int>(low - film_.columns.T.begin()) / model_.gl.n;
+  return {Status::iteration_limit,
+          fmt::format("the film temperature falls to {:.0f} degC, below everything around it: the "
+                      "nodes across the film do not resolve it",
+                      *low - kZeroCelsius),
+          fluid::place_of(model_.scene.grid, cell),
+          "more model.film_nodes, a finer grid, or methods.across = \"layers\""};
+}
+
 double Turn::wall_round(thermal::FilmEnergy& energy) {
   for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
   warm_the_walls(energy, {false, false});
@@ -489,6 +518,7 @@ void Turn::finish() {
   heat_.balance = energy.balance(film_.columns.T);
   heat_.T_mix = energy.mix_temperatures();
   heat_.backflow_nodes = energy.backflow_nodes();
+  if (verdict_.good()) verdict_ = second_law();
   if (verdict_.good() && !(change < kUnbalanced)) {
     verdict_ = {Status::iteration_limit,
                 fmt::format("film and walls do not come to balance (last change {:.2g} K)", change),

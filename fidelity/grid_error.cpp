@@ -15,10 +15,9 @@ double change_ratio(double h1, double h2, double h3, double p) {
   return (std::pow(h3, p) - b) / (b - a);
 }
 
-/// Safety factors [-], see docs/decisions/011: where the three grids agree on an order, and where
-/// they do not and the lowest order is assumed.
-constexpr double kOrderly = 1.25;
-constexpr double kDisorderly = 1.25;
+constexpr double kSafety = 1.5;       ///< of (4) [-]
+constexpr double kFineCell = 0.01414;  ///< of 200 x 25 cells [-]
+double safety(double h) { return kSafety * std::sqrt(std::max(1.0, h / kFineCell)); }
 
 }  // namespace
 
@@ -47,13 +46,15 @@ GridBar grid_bar(const std::vector<GridValue>& v) {
   if (v.size() < 2) return {NAN, NAN};
   const auto& f1 = v[v.size() - 1];
   const auto& f2 = v[v.size() - 2];
-  const double last = std::abs(f2.value - f1.value);
-  const double r = f2.h / f1.h;
+  double change = std::abs(f2.value - f1.value);
+  if (v.size() > 2) {
+    const auto& f3 = v[v.size() - 3];
+    const double before = std::abs(f3.value - f2.value);
+    change = std::max(change, before / change_ratio(f1.h, f2.h, f3.h, kMostOrder));
+  }
   const double p = observed_order(v);
-  if (std::isfinite(p)) return {kOrderly * last / (std::pow(r, p) - 1.0) + f1.noise, p};
-  double largest = last;
-  if (v.size() > 2) largest = std::max(last, std::abs(v[v.size() - 3].value - f2.value) / r);
-  return {kDisorderly * largest / (std::pow(r, kLeastOrder) - 1.0) + f1.noise, NAN};
+  const double order = std::isfinite(p) ? p : kLeastOrder;
+  return {safety(f1.h) * change / (std::pow(f2.h / f1.h, order) - 1.0) + f1.noise, p};
 }
 
 bool given_by_case(const coupling::Case& c, coupling::Tier tier, const std::string& name) {

@@ -83,8 +83,7 @@ void put_words(const BarRecord& record, Result& result) {
   const ModelError& m = record.model;
   if (!record.coarse) {
     result.warnings.push_back(
-        "no coarse grid gave a solution: the error bars of the grid are wide or unknown, those "
-        "of the model unknown");
+        "no coarser grid gave a solution: the error bars are unknown");
     return;
   }
   if (!m.failed.empty() && !m.complete) {
@@ -92,7 +91,7 @@ void put_words(const BarRecord& record, Result& result) {
         "the richer physics ({}) gave no solution on the coarse grid: the model bars are unknown",
         fmt::join(m.failed, ", ")));
   }
-  if (m.richest) {
+  if (m.richest && m.unknown.empty()) {
     result.assumptions.push_back(
         "nothing richer than this physics is there to judge it by: no model bars");
   }
@@ -118,13 +117,36 @@ BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control
   return record;
 }
 
-void put_bars(const BarRecord& record, Result& result) {
-  double T_supply = 0.0;
-  if (record.coarse) T_supply = record.coarse->input.supplies.front().temperature;
+namespace {
+
+/// Bars of the grid for all quantities, none shorter than its share of the usual one.
+void put_grid_bars(const BarRecord& record, Result& result) {
+  const Case& c = record.coarse->input;
+  const double T_supply = c.supplies.front().temperature;
+  std::vector<double> sizes;
+  std::vector<double> relative;
   for (Quantity& q : result.quantities) {
-    const bool given = record.coarse && given_by_case(record.coarse->input, result.tier, q.name);
-    q.error_grid =
-        given ? 0.0 : grid_bar_of(record, q, natural_size(q, T_supply, result.quantities));
+    sizes.push_back(natural_size(q, T_supply, result.quantities));
+    const bool given = given_by_case(c, result.tier, q.name);
+    q.error_grid = given ? 0.0 : grid_bar_of(record, q, sizes.back());
+    if (!given && sizes.back() > 0.0) relative.push_back(q.error_grid / sizes.back());
+  }
+  std::erase_if(relative, [](double x) { return !std::isfinite(x); });
+  if (relative.empty()) return;
+  const auto middle = relative.begin() + static_cast<long>(relative.size() / 2);
+  std::nth_element(relative.begin(), middle, relative.end());
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    Quantity& q = result.quantities[k];
+    if (given_by_case(c, result.tier, q.name) || !std::isfinite(q.error_grid)) continue;
+    q.error_grid = std::max(q.error_grid, kShare * *middle * sizes[k]);
+  }
+}
+
+}  // namespace
+
+void put_bars(const BarRecord& record, Result& result) {
+  if (record.coarse) put_grid_bars(record, result);
+  for (Quantity& q : result.quantities) {
     const double change = value_in(record.model.change, q.name);
     if (std::isfinite(change)) q.error_model = kModelSafety * std::abs(change);
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <iostream>
 
 #include "app/pending_file.hpp"
@@ -86,6 +87,7 @@ int chart(const Request& request) {
   if (request.quick) {
     options.grids = quick_grids();
     options.repeats = 1;
+    options.tolerances = {0.1, 0.01};
   }
   std::vector<ChartScene> scenes;
   int code = kDone;

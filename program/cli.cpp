@@ -42,6 +42,8 @@ int work(const Request& request) {
       return auto_honesty(request);
     case Command::chart:
       return chart(request);
+    case Command::stress:
+      return stress(request);
     case Command::sweep:
       return sweep(request);
     case Command::honesty:

@@ -77,6 +77,7 @@ void add_sweep(CLI::App& app, Request& request) {
       ->type_name("KEY=FROM..TO[/N][log]")
       ->allow_extra_args(false);
   sweep->add_option("--tier", request.tier, kTierWords);
+  sweep->add_flag("--bars", request.bars, "error bars at every point; takes several times as long");
   sweep->add_option("-o", request.output, "write all results over the grid (HDF5)")
       ->type_name("FILE.h5");
   sweep->add_option("--csv", request.csv, "write a table, one line a point; - is standard output")
@@ -86,6 +87,29 @@ void add_sweep(CLI::App& app, Request& request) {
   sweep->add_option("--json", request.json, "write all results as JSON; - is standard output")
       ->type_name("FILE");
   sweep->add_option("-j", request.cores, "threads (default: all cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+void add_stress(CLI::App& app, Request& request) {
+  constexpr double kLongest = 1e5;  // a day and more
+  auto* stress = app.add_subcommand("stress", "the stability map: hard scenes by methods");
+  stress->add_option("SCENE", request.scenes, "scene or scene/tier (default: all)");
+  stress->add_flag("--list", request.list, "list the scenes and do nothing else");
+  stress->add_option("-o", request.output, "write the map as a picture (SVG)")
+      ->type_name("FILE.svg");
+  stress->add_option("--table", request.table, "write the map as a page with tables (Markdown)")
+      ->type_name("FILE.md");
+  stress->add_option("--csv", request.csv, "write all cells; - is standard output")
+      ->type_name("FILE.csv");
+  stress->add_option("--json", request.json, "write all cells; - is standard output")
+      ->type_name("FILE");
+  stress->add_flag("--quick", request.quick, "coarser grids where the scene does not choose its own");
+  stress->add_flag("--only-default", request.only_default, "leave out the other methods");
+  stress->add_option("--limit", request.limit_s, "processor time after which a solve hangs [s]")
+      ->type_name("S")
+      ->check(CLI::Range(0.1, kLongest));
+  stress->add_option("-j", request.threads, "solves that run at the same time")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
 }
@@ -112,6 +136,8 @@ void add_honesty(CLI::App& app, Request& request) {
   honesty->add_option("--nodes", request.nodes, "nodes across the film of the truth (default: 7)")
       ->type_name("N")
       ->check(CLI::Range(5, 15));
+  honesty->add_flag("--extrapolate", request.extrapolate,
+                    "carry the truth to the limit of fine grids, with order 1.3");
   honesty->add_flag("!--no-shipped", request.shipped, "leave out the shipped cases");
   honesty->add_option("--json", request.json, "write every bar; - is standard output")
       ->type_name("FILE");
@@ -192,6 +218,7 @@ const std::vector<Offer> kOffers{
     {"auto-honesty", Command::auto_honesty, add_auto_honesty},
     {"honesty", Command::honesty, add_honesty},
     {"chart", Command::chart, add_chart},
+    {"stress", Command::stress, add_stress},
     {"validate", Command::validate, add_validate},
 };
 

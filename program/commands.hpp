@@ -11,6 +11,7 @@ namespace shellback::program {
 [[nodiscard]] int run(const Request& request);
 [[nodiscard]] int compare(const Request& request);
 [[nodiscard]] int auto_honesty(const Request& request);
+[[nodiscard]] int stress(const Request& request);
 [[nodiscard]] int sweep(const Request& request);
 [[nodiscard]] int validate(const Request& request);
 

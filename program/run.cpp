@@ -8,6 +8,7 @@
 #include "app/write_hdf5.hpp"
 #include "app/write_json.hpp"
 #include "app/write_table.hpp"
+#include "core/contract.hpp"
 #include "fidelity/solve_case.hpp"
 #include "program/commands.hpp"
 #include "program/session.hpp"
@@ -39,10 +40,19 @@ int give_coefficients(const Request& request, const Result& result) {
   return kDone;
 }
 
+/// The tier `estimate` has no film to be disturbed.
+void expect_film(const Case& subject) {
+  if (!subject.model.coefficients || subject.model.tier != Tier::estimate) return;
+  throw InputError("model.coefficients",
+                   "stiffness and damping (--coefficients) need a solved film, and tier estimate "
+                   "solves none; take tier isothermal or a richer one");
+}
+
 }  // namespace
 
 int run(const Request& request) {
   const Case subject = read_case(request.case_file, overrides_of(request));
+  expect_film(subject);
   expect_folder(request.json);
   expect_folder(request.output);
   expect_folder(request.coefficients_table);

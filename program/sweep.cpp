@@ -17,6 +17,8 @@
 #include "app/write_sweep_hdf5.hpp"
 #include "app/write_sweep_table.hpp"
 #include "core/contract.hpp"
+#include "fidelity/solve.hpp"
+#include "fidelity/solve_case.hpp"
 #include "program/commands.hpp"
 #include "program/session.hpp"
 
@@ -30,26 +32,19 @@ namespace {
 
 int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
-Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int threads) {
+Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int threads,
+                bool bars) {
   ProgressLine line;
   study::SweepOptions options;
   options.threads = threads;
   options.stop = &catch_interrupt();
+  options.solve_alone = fidelity::solve_case;
+  if (bars) options.sum_up = fidelity::summarize;
   options.progress = [&](const study::SweepProgress& now) {
     line.show(fmt::format("{} of {} points{}", now.done, now.total,
                           now.failed > 0 ? fmt::format(", {} not solved so far", now.failed) : ""));
   };
   return run_sweep(axes, case_at, options);
-}
-
-/// A sweep goes from film to film, in one tier for all points.
-void expect_one_tier(const coupling::Case& subject) {
-  const coupling::Tier tier = subject.model.tier;
-  if (tier != coupling::Tier::estimate && tier != coupling::Tier::automatic) return;
-  throw InputError("model.tier",
-                   fmt::format("a sweep needs one tier for all its points, not {}; choose "
-                               "isothermal, lumped, thd or tehd (--tier)",
-                               to_string(tier)));
 }
 
 /// The isothermal tier takes its temperature from a measured one, which belongs to one point.
@@ -86,10 +81,9 @@ int sweep(const Request& request) {
   }
   const std::string text = read_text_file(request.case_file);
   const coupling::Case subject = sweep_subject(text, request.case_file, set, axes);
-  expect_one_tier(subject);
   warn_of_one_measurement(subject, axes);
   const Sweep done = solve_all(axes, case_source(text, request.case_file, set, axes),
-                               request.cores > 0 ? request.cores : all_cores());
+                               request.cores > 0 ? request.cores : all_cores(), request.bars);
   give_files(request, text, subject, done);
   if (done.interrupted) {
     std::cerr << "interrupted: " << count_words(done) << "\n";

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
+#include "app/judge_case.hpp"
 #include "core/parallel.hpp"
 #include "coupling/solve.hpp"
+#include "fidelity/solve_case.hpp"
 #include "proof/pareto.hpp"
 
 namespace shellback::proof {
@@ -68,15 +71,16 @@ void find_reference(const Case& c, const ChartOptions& options, ChartScene& scen
 /// One solve; false if it was stopped.
 bool measure_once(const Case& c, const ChartOptions& options, ChartPoint& p) {
   double wall = 0.0;
-  if (p.setting.family == ChartFamily::automatic) {
-    const Result r = options.automatic(c, p.setting.tolerance);
+  SolveControl control;
+  control.stop = options.stop;
+  if (p.setting.tier == Tier::automatic || p.setting.tier == Tier::estimate) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Result r = fidelity::solve_case(c, control);
+    wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     p.verdict = r.verdict;
     p.value = values_of(r);
     p.factorizations = r.cost.factorizations;
-    wall = r.cost.wall_s;
   } else {
-    SolveControl control;
-    control.stop = options.stop;
     const Solution s = solve_tier(c, p.setting.tier, control);
     p.verdict = s.verdict;
     p.value = values_of(s, p.setting.tier);
@@ -89,7 +93,7 @@ bool measure_once(const Case& c, const ChartOptions& options, ChartPoint& p) {
 }
 
 bool measure(const Case& c, const ChartOptions& options, ChartPoint& p) {
-  const Case changed = p.setting.family == ChartFamily::automatic ? c : with_setting(c, p.setting);
+  const Case changed = with_setting(c, p.setting);
   double spent = 0.0;
   for (int k = 0; k < options.repeats && (k == 0 || spent < options.enough_s); ++k) {
     if (!measure_once(changed, options, p)) return false;
@@ -116,9 +120,19 @@ void mark_fronts(ChartScene& scene) {
   }
 }
 
+/// True if no richer tier that the case has the data for adds physics.
+bool is_richest(const Case& c) {
+  const Physics own = physics_of(c, c.model.tier);
+  const auto tiers = app::possible_tiers(c);
+  return std::all_of(tiers.begin(), tiers.end(), [&](Tier tier) {
+    const Physics p = physics_of(c, tier);
+    return p.film_energy <= own.film_energy && p.elastic <= own.elastic && p.growth <= own.growth;
+  });
+}
+
 std::vector<ChartSetting> all_settings(const Case& c, const ChartOptions& options) {
   auto settings = chart_settings(c, options.grids);
-  if (!options.automatic) return settings;
+  if (!is_richest(c)) return settings;
   for (const double tolerance : options.tolerances) {
     ChartSetting s;
     s.family = ChartFamily::automatic;
@@ -131,6 +145,7 @@ std::vector<ChartSetting> all_settings(const Case& c, const ChartOptions& option
 }
 
 std::string words_of(const ChartSetting& s) {
+  if (s.family == ChartFamily::automatic) return "auto to " + s.mark;
   return fmt::format("{} {} on {} x {}", to_string(s.family), s.mark, s.grid[0], s.grid[1]);
 }
 

@@ -4,8 +4,10 @@
 /// Errors are measured against the richest tier on the finest grid with nine nodes across the film
 /// (proof/chart_reference.hpp); those of friction torque and smallest film are relative, that of
 /// the highest film temperature is in kelvin. The highest temperature of a tier with one film
-/// temperature is that one; of an isothermal scene there is none. Wall times are those of cold
-/// solves, solid operators and coarser grids included, on one thread, the best of a few repeats.
+/// temperature is that one; of an isothermal scene there is none. Tier `auto` is charted where the
+/// scene's own tier is the richest that its data allow: it chooses among all of them. Wall times
+/// are those of cold solves, solid operators and coarser grids included, on one thread, the best of
+/// a few repeats.
 #include <array>
 #include <atomic>
 #include <functional>
@@ -42,16 +44,12 @@ struct ChartScene {
   std::vector<ChartPoint> points;
 };
 
-/// A solve by the tier `auto` to a tolerance; empty as long as a program has none.
-using AutomaticSolver = std::function<coupling::Result(const coupling::Case&, double tolerance)>;
-
 struct ChartOptions {
   ChartGrids grids;
   int threads = 1;        ///< for the references, which are not timed
   int repeats = 5;        ///< at most, of each timed solve
   double enough_s = 0.5;  ///< time spent on one point after which it is not repeated [s]
-  AutomaticSolver automatic;
-  std::vector<double> tolerances{0.1, 0.03, 0.01, 0.003};  ///< of the automatic points
+  std::vector<double> tolerances{0.1, 0.03, 0.01, 0.003};  ///< of the points of tier `auto` [-]
   const std::atomic<bool>* stop = nullptr;
   /// Told before each solve: what, and how many of how many are done. May be empty.
   std::function<void(const std::string& what, int done, int of)> tell;

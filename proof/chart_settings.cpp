@@ -25,6 +25,8 @@ class Star {
       add(ChartFamily::grid, std::to_string(grid[0]), grid, [](ChartSetting&) {});
     }
     if (thermal_) add_nodal_sets();
+    add(ChartFamily::tier, "estimate", grids_.compared.front(),
+        [](ChartSetting& s) { s.tier = Tier::estimate; });
     for (const auto& grid : grids_.compared) {
       add_tiers(grid);
       if (!elastic_) add_cavitation(grid);
@@ -59,9 +61,15 @@ class Star {
         [](ChartSetting& s) { s.methods.across = AcrossFilm::mean; });
   }
 
+  /// Lumped heat does nothing to an oil of constant viscosity.
+  [[nodiscard]] bool same_physics(Tier tier) const {
+    return tier == Tier::lumped &&
+           std::holds_alternative<rheology::ConstantViscosity>(c_.oil.temperature);
+  }
+
   void add_tiers(std::array<int, 2> grid) {
     for (const Tier tier : app::possible_tiers(c_)) {
-      if (tier >= c_.model.tier) continue;
+      if (tier >= c_.model.tier || same_physics(tier)) continue;
       add(ChartFamily::tier, to_string(tier), grid, [&](ChartSetting& s) { s.tier = tier; });
     }
   }
@@ -76,8 +84,8 @@ class Star {
   }
 
   void add_elastic(std::array<int, 2> grid) {
-    for (const double relaxation : {0.0, 0.1}) {
-      add(ChartFamily::elastic, relaxation > 0.0 ? "0.1" : "Aitken", grid, [&](ChartSetting& s) {
+    for (const double relaxation : {0.0, 0.05}) {
+      add(ChartFamily::elastic, relaxation > 0.0 ? "0.05" : "Aitken", grid, [&](ChartSetting& s) {
         s.methods.elastic = ElasticMethod::fixed_point;
         s.methods.relaxation = relaxation;
       });
@@ -104,6 +112,11 @@ std::vector<ChartSetting> chart_settings(const Case& c, const ChartGrids& grids)
 Case with_setting(const Case& c, const ChartSetting& setting) {
   Case changed = c;
   changed.model.tier = setting.tier;
+  if (setting.family == ChartFamily::automatic) {
+    changed.model.tolerance = setting.tolerance;
+    changed.model.grid_given = false;
+    return changed;
+  }
   changed.model.grid = setting.grid;
   changed.model.grid_given = true;
   changed.model.film_nodes = setting.film_nodes;

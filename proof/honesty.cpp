@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "app/judge_case.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"
 #include "fidelity/grid_error.hpp"
@@ -21,8 +22,7 @@ struct Subject {
   bool finished = false;
   std::vector<BarSample> samples;
   std::vector<HonestyRefusal> refusals;
-  double solve_s = 0.0;
-  double bars_s = 0.0;
+  std::vector<BarCost> costs;
 };
 
 class Trial {
@@ -32,7 +32,10 @@ class Trial {
 
   /// The working grids first: where they give no result, there is no bar whose truth is wanted.
   Subject run() {
+    const auto possible = app::possible_tiers(case_);
+    fullest_ = possible.empty() ? Tier::tehd : possible.back();
     for (const Tier tier : options_.tiers) {
+      if (std::find(possible.begin(), possible.end(), tier) == possible.end()) continue;
       const std::size_t first = subject_.samples.size();
       for (const auto& grid : options_.grids) judge(tier, grid);
       if (subject_.samples.size() > first) fill(first, truth(tier), &BarSample::truth_tier);
@@ -67,12 +70,29 @@ class Trial {
     return s.verdict.good();
   }
 
+  [[nodiscard]] std::vector<Quantity> truth_of(const Solution& s, Tier tier) const {
+    std::vector<Quantity> values = quantities_of(s, tier);
+    if (!options_.extrapolate) return values;
+    const std::size_t n = s.levels.size();
+    for (Quantity& q : values) {
+      if (n < 2) {
+        q.value = NAN;
+        continue;
+      }
+      const auto cells = [&](std::size_t k) { return s.levels[k].grid[0] * s.levels[k].grid[1]; };
+      const double ratio = std::sqrt(static_cast<double>(cells(n - 1)) / cells(n - 2));
+      const double step = q.value - value_in(s.levels[n - 2].quantities, q.name);
+      q.value += step / (std::pow(ratio, kLimitOrder) - 1.0);
+    }
+    return values;
+  }
+
   std::vector<Quantity> truth(Tier tier) {
-    if (tier == Tier::tehd && full_tried_) return full_;
+    if (tier == fullest_ && full_tried_) return full_;
     Solution s;
     std::vector<Quantity> found;
-    if (solved(tier, options_.truth_grid, options_.truth_nodes, s)) found = quantities_of(s, tier);
-    if (tier == Tier::tehd) {
+    if (solved(tier, options_.truth_grid, options_.truth_nodes, s)) found = truth_of(s, tier);
+    if (tier == fullest_) {
       full_tried_ = true;
       full_ = found;
     }
@@ -86,12 +106,12 @@ class Trial {
     }
   }
 
-  /// The truth of tier tehd, solved already or wanted for the model bars of the tiers below.
+  /// The truth of the fullest tier, solved already or wanted for the model bars of the tiers below.
   void fill_full_truth() {
     if (full_.empty() &&
         std::any_of(subject_.samples.begin(), subject_.samples.end(),
                     [](const BarSample& s) { return std::isfinite(s.error_model); })) {
-      full_ = truth(Tier::tehd);
+      full_ = truth(fullest_);
     }
     fill(0, full_, &BarSample::truth_full);
   }
@@ -102,8 +122,7 @@ class Trial {
     const auto record = fidelity::measure_bars(s, tier, control_);
     Result result = coupling::summarize(s, tier);
     fidelity::put_bars(record, result);
-    subject_.solve_s += s.wall_s;
-    subject_.bars_s += record.wall_s;
+    subject_.costs.push_back({tier, grid, s.wall_s, record.wall_s});
     const double T_supply = case_.supplies.front().temperature;
     for (const Quantity& q : result.quantities) {
       BarSample b{index_, tier, grid, q.name};
@@ -124,6 +143,7 @@ class Trial {
     }
   }
 
+  Tier fullest_ = Tier::tehd;
   std::vector<Quantity> full_;
   bool full_tried_ = false;
   const Case& case_;
@@ -158,8 +178,7 @@ HonestyRecord measure_honesty(const std::vector<Case>& cases, const HonestyOptio
     const auto take = [](auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
     take(subjects[k].samples, out.samples);
     take(subjects[k].refusals, out.refusals);
-    out.solve_s += subjects[k].solve_s;
-    out.bars_s += subjects[k].bars_s;
+    take(subjects[k].costs, out.costs);
   }
   return out;
 }

@@ -48,8 +48,13 @@ std::string honesty_json(const HonestyRecord& record) {
   Json json;
   json["grid_bars"] = coverage_json(coverage_of(record.samples, BarKind::grid));
   json["total_bars"] = coverage_json(coverage_of(record.samples, BarKind::total));
-  json["solve_s"] = record.solve_s;
-  json["bars_s"] = record.bars_s;
+  json["costs"] = Json::array();
+  for (const BarCost& c : record.costs) {
+    json["costs"].push_back({{"tier", to_string(c.tier)},
+                             {"grid", c.grid},
+                             {"solve_s", c.solve_s},
+                             {"bars_s", c.bars_s}});
+  }
   json["refusals"] = Json::array();
   for (const HonestyRefusal& r : record.refusals) {
     json["refusals"].push_back({{"case", record.subjects[r.subject]},

@@ -5,7 +5,7 @@
 
 namespace shellback::proof {
 
-std::vector<int> pareto_front(const std::vector<CostError>& points, double floor) {
+std::vector<int> pareto_front(const std::vector<CostError>& points, double floor, double worth) {
   const auto error = [&](int k) { return std::max(points[k].error, floor); };
   std::vector<int> order;
   for (int k = 0; k < static_cast<int>(points.size()); ++k) {
@@ -16,7 +16,7 @@ std::vector<int> pareto_front(const std::vector<CostError>& points, double floor
   });
   std::vector<int> front;
   for (const int k : order) {
-    if (front.empty() || error(k) < error(front.back())) front.push_back(k);
+    if (front.empty() || error(k) < (1.0 - worth) * error(front.back())) front.push_back(k);
   }
   return front;
 }

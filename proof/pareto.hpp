@@ -10,8 +10,9 @@ struct CostError {
 };
 
 /// Indices of the front, from the cheapest to the most exact. Errors below `floor` count as
-/// `floor`: they are not known any better. Of equal points the first stays.
+/// `floor`: they are not known any better. A dearer point must be better by more than `worth` of
+/// the error: less is chance. Of equal points the first stays.
 [[nodiscard]] std::vector<int> pareto_front(const std::vector<CostError>& points,
-                                            double floor = 0.0);
+                                            double floor = 0.0, double worth = 0.01);
 
 }  // namespace shellback::proof

@@ -183,3 +183,38 @@ TEST_CASE("ASweepToStandardOutputIsTheCsvAlone") {
   CHECK(ended.out.starts_with("operation.load [kN],status,"));
   CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 3);
 }
+
+TEST_CASE("TheEstimateIsSweptWithoutFilm") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const Ended ended = run_words(
+      {"sweep", path, "--tier", "estimate", "--vary", "operation.load=1 kN,2 kN", "--csv", "-"});
+  INFO(ended.err);
+  CHECK(ended.code == kDone);
+  check_parts(ended.out, {"converged,estimate"});
+}
+
+TEST_CASE("CoefficientsComeOnlyIfAskedFor") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const std::vector<std::string> plain{"run", path, "--tier", "isothermal", "--set", kCoarse};
+  CHECK(run_words(plain).out.find("stiffness") == std::string::npos);
+  auto asked = plain;
+  asked.emplace_back("--coefficients-table");
+  asked.push_back(scratch.path("k.csv"));
+  const Ended ended = run_words(asked);
+  INFO(ended.err);
+  CHECK(ended.code == kDone);
+  check_parts(ended.out, {"stiffness K_xx", "K c/W", "a rigid rotor"});
+  CHECK(std::filesystem::file_size(scratch.path("k.csv")) > 0);
+  asked.back() = scratch.path("no/folder/k.csv");
+  CHECK(run_words(asked).code == kBadFile);
+  auto other = plain;
+  other.insert(other.end(), {"--coefficients", "--set", "model.methods.cavitation=swift-stieber"});
+  const Ended refused = run_words(other);
+  CHECK(refused.code == kBadInput);
+  check_parts(refused.err, {"swift-stieber", "model.coefficients"});
+  const Ended no_film = run_words({"run", path, "--tier", "estimate", "--coefficients"});
+  CHECK(no_film.code == kBadInput);
+  check_parts(no_film.err, {"need a solved film", "isothermal"});
+}

@@ -188,3 +188,22 @@ TEST_CASE("APictureNeedsNumbers") {
   CHECK_NOTHROW(expect_drawable({study::word_axis("model.tier", {"thd", "tehd"}),
                                  study::listed_axis("operation.load", {4.0, 8.0}, "kN")}));
 }
+
+TEST_CASE("ErrorBarsStandBesideTheirValues") {
+  Sweep sweep = broken_sweep();
+  for (auto& q : sweep.points[0].result.quantities) q.error_grid = 0.01 * std::abs(q.value);
+  const auto rows = csv_cells(sweep_csv(sweep));
+  const auto at = std::find(rows[0].begin(), rows[0].end(), "friction_torque error [N m]");
+  REQUIRE(at != rows[0].end());
+  const auto column = static_cast<std::size_t>(at - rows[0].begin());
+  CHECK(std::stod(rows[1][column]) == Approx(0.01 * torque(sweep.points[0])).epsilon(1e-12));
+  CHECK(rows[2][column].empty());  // not known there: no bar, not a bar of zero
+  const ScratchFolder scratch;
+  write_sweep_hdf5(scratch.path("bars.h5"), coupling::tests::plain_case(), sweep);
+  const hid_t file = H5Fopen(scratch.path("bars.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  REQUIRE(file >= 0);
+  const auto bars = values_of(file, "/errors/friction_torque");
+  H5Fclose(file);
+  CHECK(bars[0] == Approx(0.01 * torque(sweep.points[0])).epsilon(1e-12));
+  CHECK(std::isnan(bars[1]));
+}

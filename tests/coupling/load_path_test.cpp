@@ -1,0 +1,79 @@
+/// Rigid films that the joint Newton iteration does not find, or that do not exist.
+#include "coupling/load_path.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "solid/asperity_contact.hpp"
+#include "tests/coupling/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::coupling;
+using namespace shellback::coupling::tests;
+
+namespace {
+
+Case barus_case(double force) {
+  Case c = plain_case();
+  c.oil.pressure = rheology::Barus{1.8e-8};
+  c.operation.position = LoadGiven{force, 270.0 * kDegree};
+  return c;
+}
+
+/// The force at which the refusal of a too large load says that the film ends [N].
+double limit_told(double force) {
+  const Solution s = solve_tier(barus_case(force), Tier::isothermal);
+  INFO(s.verdict.reason);
+  CHECK(s.verdict.status == Status::no_steady_state);
+  return std::hypot(s.film.force[0], s.film.force[1]);
+}
+
+}  // namespace
+
+TEST_CASE("ALimitLoadDoesNotDependOnTheLoadAskedFor", "[refusal]") {
+  const double limit = limit_told(80e3);
+  // the path's smallest step, and where on the way the film was looked for: some per cent
+  CHECK(limit_told(200e3) == Approx(limit).epsilon(0.05));
+  CHECK(limit_told(500e3) == Approx(limit).epsilon(0.05));
+  // and half of it is carried
+  CHECK(solve_tier(barus_case(0.5 * limit), Tier::isothermal).verdict.good());
+}
+
+TEST_CASE("ALightlyLoadedFilmIsFoundHoweverThickTheOil") {
+  for (const double eta : {0.1, 1.0, 10.0}) {
+    Case c = warm_case();
+    c.oil.temperature = rheology::ConstantViscosity{eta};
+    c.model.tier = Tier::isothermal;
+    const Solution s = solve_tier(c, Tier::isothermal);
+    INFO(eta << ": " << s.verdict.reason);
+    CHECK(s.verdict.good());
+  }
+}
+
+TEST_CASE("ThePathEndsInTheEquilibriumThatNewtonFinds") {
+  const Case c = plain_case();
+  const Solution usual = solve_tier(c, Tier::isothermal);
+  REQUIRE(usual.verdict.good());
+  FilmEquilibrium s = cold_start(usual.model, 313.15);
+  EquilibriumCost cost;
+  const Verdict v = follow_load(usual.model, usual.target, {}, {}, s, cost, nullptr);
+  REQUIRE(v.good());
+  for (int k = 0; k < 2; ++k) {
+    CHECK(s.position.q[k] == Approx(usual.film.position.q[k]).margin(1e-7 * usual.model.clearance));
+  }
+}
+
+TEST_CASE("SurfacesThatTouchAtTheStartAreNamedNotSummedUp", "[refusal]") {
+  Case c = plain_case();
+  c.operation.position = EccentricityGiven{0.9, 20.0 * kDegree, 270.0 * kDegree};
+  c.operation.alignment = TiltGiven{1e-3, 0.0};  // 12.5 um at the edge, 3 um are left
+  const Result r = solve(c);
+  CHECK(r.verdict.status == Status::no_steady_state);
+  CHECK(r.quantities.empty());
+}
+
+TEST_CASE("ContactOfAGapThatIsNoNumberIsNoNumber") {
+  const solid::RoughSurface shell{0.34e-6, 12, 0.28e-6, 0.39e-6};
+  const solid::AsperityContact contact(shell, shell, {0.001, 53.3e9, 0.02});
+  const double none = std::nan("");
+  CHECK(std::isnan(contact.at(none).p));
+}

@@ -15,7 +15,7 @@ double change_ratio(double h1, double h2, double h3, double p) {
   return (std::pow(h3, p) - b) / (b - a);
 }
 
-constexpr double kSafety = 1.5;       ///< of (4) [-]
+constexpr double kSafety = 1.4;       ///< of (4) [-]
 constexpr double kFineCell = 0.01414;  ///< of 200 x 25 cells [-]
 double safety(double h) { return kSafety * std::sqrt(std::max(1.0, h / kFineCell)); }
 
@@ -70,12 +70,13 @@ bool given_by_case(const coupling::Case& c, coupling::Tier tier, const std::stri
 
 double natural_size(const coupling::Quantity& q, double T_supply,
                     const std::vector<coupling::Quantity>& all) {
-  constexpr double kLeastRise = 1.0;  // [K]
+  constexpr double kLeastRise = 1.0;   // [K]
+  constexpr double kLeastAngle = 5.0;  // [deg]
   const auto length = [&](const char* a, const char* b) {
     return std::hypot(value_in(all, a), value_in(all, b));
   };
   if (q.unit == "K") return std::max(std::abs(q.value - T_supply), kLeastRise);
-  if (q.unit == "deg") return 180.0 / 3.14159265358979;
+  if (q.unit == "deg") return std::max(std::abs(q.value), kLeastAngle);
   if (q.name == "load_x" || q.name == "load_y") return length("load_x", "load_y");
   if (q.name == "tilt_x" || q.name == "tilt_y") return length("tilt_x", "tilt_y");
   if (q.name.rfind("heat_", 0) == 0) return std::abs(value_in(all, "power_loss"));

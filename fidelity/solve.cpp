@@ -21,7 +21,7 @@ constexpr int kMoreNodes = 2;  ///< across the film, to see what the nodes leave
 /// 1e-4 of 10 K per turn, the viscosity changes by a few per cent per kelvin.
 constexpr double kIteration = 1e-4;
 /// The coarse difference of the physics times this is the bar [-]; see docs/decisions/011.
-constexpr double kModelSafety = 1.3;
+constexpr double kModelSafety = 1.75;
 
 double cell_size(const std::array<int, 2>& grid) { return 1.0 / std::sqrt(grid[0] * grid[1]); }
 
@@ -119,6 +119,22 @@ BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control
 
 namespace {
 
+/// True for quantities of one sign, of which a relative change means something.
+bool one_sign(const Quantity& q) {
+  if (q.name == "thermal_opening_mean") return false;
+  const auto units = {"N m", "m", "Pa", "1", "m3/s"};
+  return std::any_of(units.begin(), units.end(), [&](const char* u) { return q.unit == u; });
+}
+
+/// What the full physics would change on the fine grid: as much as on the coarse one, absolutely
+/// or, where that means something, relatively, whichever is more.
+double model_change(const BarRecord& record, const Quantity& q) {
+  const double change = std::abs(value_in(record.model.change, q.name));
+  if (!record.coarse || !std::isfinite(change) || !one_sign(q)) return change;
+  const double coarse = std::abs(value_in(record.coarse->quantities, q.name));
+  return coarse > 0.0 ? std::max(change, change / coarse * std::abs(q.value)) : change;
+}
+
 /// Bars of the grid for all quantities, none shorter than its share of the usual one.
 void put_grid_bars(const BarRecord& record, Result& result) {
   const Case& c = record.coarse->input;
@@ -147,8 +163,8 @@ void put_grid_bars(const BarRecord& record, Result& result) {
 void put_bars(const BarRecord& record, Result& result) {
   if (record.coarse) put_grid_bars(record, result);
   for (Quantity& q : result.quantities) {
-    const double change = value_in(record.model.change, q.name);
-    if (std::isfinite(change)) q.error_model = kModelSafety * std::abs(change);
+    const double change = model_change(record, q);
+    if (std::isfinite(change)) q.error_model = kModelSafety * change;
   }
   for (Effect& e : result.effects) {
     for (const EffectChange& change : record.model.effects) {

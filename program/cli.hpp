@@ -49,7 +49,6 @@ struct Request {
   std::vector<std::string> vary;    ///< sweep --vary, each KEY=VALUES
   int cases = 200;                  ///< honesty, auto-honesty --cases
   int seed = 1;                     ///< honesty, auto-honesty --seed: of the first case
-  bool extrapolate = false;         ///< honesty --extrapolate
   int nodes = 7;                    ///< honesty --nodes: across the film of the truth
   bool shipped = true;              ///< honesty: the shipped cases as well
   std::vector<std::string> grids{"200x25"};  ///< honesty --grids

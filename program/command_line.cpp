@@ -136,8 +136,6 @@ void add_honesty(CLI::App& app, Request& request) {
   honesty->add_option("--nodes", request.nodes, "nodes across the film of the truth (default: 7)")
       ->type_name("N")
       ->check(CLI::Range(5, 15));
-  honesty->add_flag("--extrapolate", request.extrapolate,
-                    "carry the truth to the limit of fine grids, with order 1.3");
   honesty->add_flag("!--no-shipped", request.shipped, "leave out the shipped cases");
   honesty->add_option("--json", request.json, "write every bar; - is standard output")
       ->type_name("FILE");

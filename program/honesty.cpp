@@ -54,7 +54,6 @@ HonestyOptions options_of(const Request& request) {
   for (const std::string& words : request.grids) o.grids.push_back(grid_named(words, "--grids"));
   o.truth_grid = grid_named(request.truth, "--truth");
   o.truth_nodes = request.nodes;
-  o.extrapolate = request.extrapolate;
   o.threads = request.threads;
   o.stop = &app::catch_interrupt();
   return o;

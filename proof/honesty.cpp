@@ -25,6 +25,12 @@ struct Subject {
   std::vector<BarCost> costs;
 };
 
+/// Quantities on the fine grid, and at the limit of fine grids; empty: no result.
+struct Truth {
+  std::vector<Quantity> values;
+  std::vector<Quantity> limit;
+};
+
 class Trial {
  public:
   Trial(const Case& c, int index, const HonestyOptions& options)
@@ -38,7 +44,7 @@ class Trial {
       if (std::find(possible.begin(), possible.end(), tier) == possible.end()) continue;
       const std::size_t first = subject_.samples.size();
       for (const auto& grid : options_.grids) judge(tier, grid);
-      if (subject_.samples.size() > first) fill(first, truth(tier), &BarSample::truth_tier);
+      if (subject_.samples.size() > first) fill(first, truth(tier));
     }
     fill_full_truth();
     subject_.finished = !stopped();
@@ -70,28 +76,28 @@ class Trial {
     return s.verdict.good();
   }
 
-  [[nodiscard]] std::vector<Quantity> truth_of(const Solution& s, Tier tier) const {
-    std::vector<Quantity> values = quantities_of(s, tier);
-    if (!options_.extrapolate) return values;
+  /// The values of `s` carried to the limit of fine grids, from its own two finest.
+  [[nodiscard]] static std::vector<Quantity> limit_of(const Solution& s,
+                                                      std::vector<Quantity> values) {
     const std::size_t n = s.levels.size();
+    if (n < 2) return {};
+    const auto cells = [&](std::size_t k) { return s.levels[k].grid[0] * s.levels[k].grid[1]; };
+    const double ratio = std::sqrt(static_cast<double>(cells(n - 1)) / cells(n - 2));
     for (Quantity& q : values) {
-      if (n < 2) {
-        q.value = NAN;
-        continue;
-      }
-      const auto cells = [&](std::size_t k) { return s.levels[k].grid[0] * s.levels[k].grid[1]; };
-      const double ratio = std::sqrt(static_cast<double>(cells(n - 1)) / cells(n - 2));
       const double step = q.value - value_in(s.levels[n - 2].quantities, q.name);
       q.value += step / (std::pow(ratio, kLimitOrder) - 1.0);
     }
     return values;
   }
 
-  std::vector<Quantity> truth(Tier tier) {
+  Truth truth(Tier tier) {
     if (tier == fullest_ && full_tried_) return full_;
     Solution s;
-    std::vector<Quantity> found;
-    if (solved(tier, options_.truth_grid, options_.truth_nodes, s)) found = truth_of(s, tier);
+    Truth found;
+    if (solved(tier, options_.truth_grid, options_.truth_nodes, s)) {
+      found.values = quantities_of(s, tier);
+      found.limit = limit_of(s, found.values);
+    }
     if (tier == fullest_) {
       full_tried_ = true;
       full_ = found;
@@ -99,21 +105,21 @@ class Trial {
     return found;
   }
 
-  void fill(std::size_t first, const std::vector<Quantity>& truth, double BarSample::*which) {
+  void fill(std::size_t first, const Truth& truth) {
     for (std::size_t k = first; k < subject_.samples.size(); ++k) {
       BarSample& s = subject_.samples[k];
-      s.*which = value_in(truth, s.quantity);
+      s.truth_tier = value_in(truth.values, s.quantity);
+      s.truth_limit = value_in(truth.limit, s.quantity);
     }
   }
 
-  /// The truth of the fullest tier, solved already or wanted for the model bars of the tiers below.
+  /// The truth of the fullest tier, solved already or wanted for the model bars of those below.
   void fill_full_truth() {
-    if (full_.empty() &&
-        std::any_of(subject_.samples.begin(), subject_.samples.end(),
-                    [](const BarSample& s) { return std::isfinite(s.error_model); })) {
+    const auto known = [](const BarSample& s) { return std::isfinite(s.error_model); };
+    if (!full_tried_ && std::any_of(subject_.samples.begin(), subject_.samples.end(), known)) {
       full_ = truth(fullest_);
     }
-    fill(0, full_, &BarSample::truth_full);
+    for (BarSample& s : subject_.samples) s.truth_full = value_in(full_.values, s.quantity);
   }
 
   void judge(Tier tier, std::array<int, 2> grid) {
@@ -130,7 +136,7 @@ class Trial {
       b.size = fidelity::natural_size(q, T_supply, result.quantities);
       b.error_grid = q.error_grid;
       b.error_model = q.error_model;
-      b.truth_tier = b.truth_full = NAN;
+      b.truth_tier = b.truth_limit = b.truth_full = NAN;
       b.given = fidelity::given_by_case(case_, tier, q.name);
       b.richest = record.model.richest;
       b.node_change = value_in(record.node_change, q.name);
@@ -144,7 +150,7 @@ class Trial {
   }
 
   Tier fullest_ = Tier::tehd;
-  std::vector<Quantity> full_;
+  Truth full_;
   bool full_tried_ = false;
   const Case& case_;
   int index_;
@@ -154,7 +160,15 @@ class Trial {
 };
 
 double error_of(const BarSample& s, BarKind kind) {
-  return std::abs(s.value - (kind == BarKind::grid ? s.truth_tier : s.truth_full));
+  const double truth = kind == BarKind::grid    ? s.truth_tier
+                       : kind == BarKind::limit ? s.truth_limit
+                                                : s.truth_full;
+  return std::abs(s.value - truth);
+}
+
+bool bar_known(const BarSample& s, BarKind kind) {
+  if (kind == BarKind::total && !std::isfinite(s.error_model) && !s.richest) return false;
+  return std::isfinite(s.error_grid);
 }
 
 }  // namespace
@@ -185,9 +199,7 @@ HonestyRecord measure_honesty(const std::vector<Case>& cases, const HonestyOptio
 
 bool testable(const BarSample& s, BarKind kind) {
   constexpr double kExact = 1e-9;  // both bar and error below this part of the size are round-off
-  const bool known = kind == BarKind::grid ? std::isfinite(s.error_grid)
-                                           : std::isfinite(s.error_model) || s.richest;
-  if (!known || (s.given && (kind == BarKind::grid || s.richest))) return false;
+  if (!bar_known(s, kind) || (s.given && (kind != BarKind::total || s.richest))) return false;
   const BarAgainstError b = bar_against_error(s, kind);
   return std::isfinite(b.error) && std::isfinite(b.bar) && std::max(b.bar, b.error) > kExact;
 }
@@ -204,9 +216,7 @@ Coverage coverage_of(const std::vector<BarSample>& samples, BarKind kind) {
   std::vector<double> ratios;
   for (const BarSample& s : samples) {
     const bool truth = std::isfinite(error_of(s, kind));
-    const bool known = kind == BarKind::grid ? std::isfinite(s.error_grid)
-                                             : std::isfinite(s.error_model) || s.richest;
-    if (truth && !known) ++c.unknown;
+    if (truth && !bar_known(s, kind)) ++c.unknown;
     if (!testable(s, kind)) continue;
     const BarAgainstError b = bar_against_error(s, kind);
     held += b.error <= b.bar;

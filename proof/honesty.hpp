@@ -22,7 +22,6 @@ struct HonestyOptions {
   std::vector<std::array<int, 2>> grids;  ///< whose bars are tested
   std::array<int, 2> truth_grid{400, 50};
   int truth_nodes = 7;
-  bool extrapolate = false;  ///< the truth is the limit of its two finest grids (kLimitOrder)
   int threads = 1;
   const std::atomic<bool>* stop = nullptr;
   std::function<void(int done, int of)> progress;  ///< one call at a time; may be empty
@@ -39,6 +38,7 @@ struct BarSample {
   double error_grid = 0.0;
   double error_model = 0.0;  ///< NaN: unknown, or the tier is the full physics
   double truth_tier = 0.0;   ///< fine grid, same tier; NaN: not solved
+  double truth_limit = 0.0;  ///< same tier, carried to fine grids with kLimitOrder; NaN: not
   double truth_full = 0.0;   ///< fine grid, full physics; NaN: not solved
   bool given = false;        ///< the tier takes it from the case: its grid bar tells nothing
   bool richest = false;      ///< the tier is the full physics
@@ -85,8 +85,10 @@ struct Coverage {
   int unknown = 0;      ///< bars that are not known
 };
 
-/// Which bar against which truth.
-enum class BarKind { grid, total };
+/// Which bar against which truth: that of the grid against the fine grid, or against the limit of
+/// fine grids (a truth twice as fine is itself off by a part of the bar); that of grid and model
+/// together against the full physics on the fine grid.
+enum class BarKind { grid, limit, total };
 
 /// Bar and true error of a sample, both over its natural size; false: it has no such bar, or there
 /// is nothing to test (given by the case, no truth, both exact).

@@ -35,12 +35,15 @@ std::string cost_ratio(const std::vector<BarCost>& costs, std::array<int, 2> gri
 std::vector<std::string> cells(const std::string& first, const std::string& second,
                                const std::vector<BarSample>& samples) {
   const Coverage grid = coverage_of(samples, BarKind::grid);
+  const Coverage limit = coverage_of(samples, BarKind::limit);
   const Coverage total = coverage_of(samples, BarKind::total);
   return {first,
           second,
           std::to_string(grid.count),
           percent(grid.held),
           ratio(grid.median),
+          percent(limit.held),
+          ratio(limit.median),
           std::to_string(total.count),
           percent(total.held),
           ratio(total.median),
@@ -62,7 +65,7 @@ std::vector<std::array<int, 2>> grids_of(const HonestyRecord& record) {
   return grids;
 }
 
-const std::vector<std::string> kHead{"",      "",     "grid bars", "hold",   "bar/error",
+const std::vector<std::string> kHead{"",      "",     "grid bars", "hold",   "bar/error", "limit",  "bar/error",
                                      "total", "hold", "bar/error", "unknown"};
 
 void write_by_tier(std::ostream& out, const HonestyRecord& record) {
@@ -123,7 +126,8 @@ void write_refusals(std::ostream& out, const HonestyRecord& record) {
 
 void write_honesty_table(std::ostream& out, const HonestyRecord& record) {
   const auto done = std::count(record.finished.begin(), record.finished.end(), true);
-  out << fmt::format("{} cases; bars of the grid against a finer grid, bars of grid and model\n"
+  out << fmt::format("{} cases; bars of the grid against a finer grid and against the limit\n"
+                     "of fine grids, bars of grid and model\n"
                      "together against the full physics on it; bar/error is the median, cost that\n"
                      "of the bars over that of the solve\n\n",
                      done);

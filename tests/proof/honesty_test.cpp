@@ -20,7 +20,7 @@ BarSample sample(double bar, double error) {
   s.error_grid = bar;
   s.error_model = NAN;
   s.truth_tier = 5.0 + error;
-  s.truth_full = NAN;
+  s.truth_limit = s.truth_full = NAN;
   return s;
 }
 

@@ -217,7 +217,8 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
   out << c.title << '\n' << describe_case(c, Writing::plain) << "\n\n";
   for (std::size_t i = 0; i < results.size(); ++i) print_failure(out, names[i], results[i]);
   print_quantities(out, c.measured, results);
-  if (std::any_of(results.begin(), results.end(), [](const Result& r) { return r.cost.bars_s > 0.0; })) {
+  if (std::any_of(results.begin(), results.end(),
+                  [](const Result& r) { return r.cost.bars_s > 0.0; })) {
     out << "\n+- is the bar of the grid and of the physics left out together; where the physics "
            "cannot be\njudged, of the grid alone.\n";
   }

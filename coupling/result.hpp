@@ -116,7 +116,7 @@ struct Result {
   std::array<int, 2> grid{0, 0};
   Cost cost;
   std::vector<HistoryEntry> history;
-  std::optional<AutoChoice> choice;  ///< set if tier `auto` chose
+  std::optional<AutoChoice> choice;          ///< set if tier `auto` chose
   std::optional<Coefficients> coefficients;  ///< if the case asks for them
   std::vector<LevelRecord> levels;  ///< from the coarsest grid to the finest that converged
   Fields fields;

@@ -15,7 +15,7 @@ constexpr double kFilmHeat = 0.25;      ///< film per beta dT
 constexpr double kFilmGrowth = 1.0;     ///< film per relative change of the clearance
 constexpr double kFilmElastic = 0.5;    ///< film per opening over film
 constexpr double kPressureFriction = 0.15;  ///< friction per alpha p_max
-constexpr double kMost = 2.0;              ///< beyond this a bar says nothing more
+constexpr double kMost = 2.0;               ///< beyond this a bar says nothing more
 
 }  // namespace
 

@@ -15,12 +15,9 @@ double change_ratio(double h1, double h2, double h3, double p) {
   return (std::pow(h3, p) - b) / (b - a);
 }
 
-/// Safety factor [-]: 1.5 on the default grid and finer ones, more in proportion to the cell on
-/// coarser ones, whose sequences are far from their limit. Set so that 9 of 10 bars held on 60
-/// random bearings (docs/error-bars.md).
-constexpr double kSafety = 1.5;
-constexpr double kFineCell = 0.01415;  ///< that of 200 x 25 cells, see GridValue [-]
-double safety(double h) { return kSafety * std::max(1.0, h / kFineCell); }
+constexpr double kSafety = 1.4;        ///< of (4) [-]
+constexpr double kFineCell = 0.01414;  ///< of 200 x 25 cells [-]
+double safety(double h) { return kSafety * std::sqrt(std::max(1.0, h / kFineCell)); }
 
 }  // namespace
 
@@ -49,13 +46,15 @@ GridBar grid_bar(const std::vector<GridValue>& v) {
   if (v.size() < 2) return {NAN, NAN};
   const auto& f1 = v[v.size() - 1];
   const auto& f2 = v[v.size() - 2];
-  const double last = std::abs(f2.value - f1.value);
-  const double r = f2.h / f1.h;
+  double change = std::abs(f2.value - f1.value);
+  if (v.size() > 2) {
+    const auto& f3 = v[v.size() - 3];
+    const double before = std::abs(f3.value - f2.value);
+    change = std::max(change, before / change_ratio(f1.h, f2.h, f3.h, kMostOrder));
+  }
   const double p = observed_order(v);
-  if (std::isfinite(p)) return {safety(f1.h) * last / (std::pow(r, p) - 1.0) + f1.noise, p};
-  double largest = last;
-  if (v.size() > 2) largest = std::max(last, std::abs(v[v.size() - 3].value - f2.value) / r);
-  return {safety(f1.h) * largest / (std::pow(r, kLeastOrder) - 1.0) + f1.noise, NAN};
+  const double order = std::isfinite(p) ? p : kLeastOrder;
+  return {safety(f1.h) * change / (std::pow(f2.h / f1.h, order) - 1.0) + f1.noise, p};
 }
 
 bool given_by_case(const coupling::Case& c, coupling::Tier tier, const std::string& name) {
@@ -71,12 +70,13 @@ bool given_by_case(const coupling::Case& c, coupling::Tier tier, const std::stri
 
 double natural_size(const coupling::Quantity& q, double T_supply,
                     const std::vector<coupling::Quantity>& all) {
-  constexpr double kLeastRise = 1.0;  // [K]
+  constexpr double kLeastRise = 1.0;   // [K]
+  constexpr double kLeastAngle = 5.0;  // [deg]
   const auto length = [&](const char* a, const char* b) {
     return std::hypot(value_in(all, a), value_in(all, b));
   };
   if (q.unit == "K") return std::max(std::abs(q.value - T_supply), kLeastRise);
-  if (q.unit == "deg") return 180.0 / 3.14159265358979;
+  if (q.unit == "deg") return std::max(std::abs(q.value), kLeastAngle);
   if (q.name == "load_x" || q.name == "load_y") return length("load_x", "load_y");
   if (q.name == "tilt_x" || q.name == "tilt_y") return length("tilt_x", "tilt_y");
   if (q.name.rfind("heat_", 0) == 0) return std::abs(value_in(all, "power_loss"));

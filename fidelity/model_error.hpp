@@ -20,11 +20,11 @@ struct EffectChange {
 struct ModelError {
   /// Change of each quantity from the tier to the full physics, on the coarse grid.
   std::vector<coupling::Quantity> change;
-  std::vector<EffectChange> effects;   ///< of the effects left out
-  std::vector<std::string> unknown;    ///< effects for which the case has no data
-  std::vector<std::string> failed;     ///< effects whose coarse solve gave nothing
-  bool complete = false;               ///< the full physics was reached (and `change` is filled)
-  bool richest = false;                ///< the tier is the full physics already
+  std::vector<EffectChange> effects;  ///< of the effects left out
+  std::vector<std::string> unknown;   ///< effects for which the case has no data
+  std::vector<std::string> failed;    ///< effects whose coarse solve gave nothing
+  bool complete = false;              ///< the full physics was reached (and `change` is filled)
+  bool richest = false;               ///< the tier is the full physics already
 };
 
 /// Climbs from `near` to the full physics of its case.

@@ -9,7 +9,7 @@ namespace shellback::fidelity {
 
 /// One more effect than the step before.
 struct PhysicsStep {
-  std::string effect;   ///< its name, as in coupling/effects
+  std::string effect;    ///< its name, as in coupling/effects
   coupling::Case input;  ///< the case with the switches set for it
   coupling::Tier tier = coupling::Tier::isothermal;
 };

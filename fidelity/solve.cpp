@@ -21,13 +21,12 @@ constexpr int kMoreNodes = 2;  ///< across the film, to see what the nodes leave
 /// 1e-4 of 10 K per turn, the viscosity changes by a few per cent per kelvin.
 constexpr double kIteration = 1e-4;
 /// The coarse difference of the physics times this is the bar [-]; see docs/decisions/011.
-constexpr double kModelSafety = 1.3;
+constexpr double kModelSafety = 1.75;
 
 double cell_size(const std::array<int, 2>& grid) { return 1.0 / std::sqrt(grid[0] * grid[1]); }
 
 bool nodes_matter(const BearingModel& m) {
-  return m.physics.film_energy ||
-         !std::holds_alternative<rheology::NoShearThinning>(m.oil.shear);
+  return m.physics.film_energy || !std::holds_alternative<rheology::NoShearThinning>(m.oil.shear);
 }
 
 void measure_nodes(BarRecord& record, const SolveControl& control) {
@@ -82,9 +81,7 @@ double grid_bar_of(const BarRecord& record, const Quantity& q, double size) {
 void put_words(const BarRecord& record, Result& result) {
   const ModelError& m = record.model;
   if (!record.coarse) {
-    result.warnings.push_back(
-        "no coarse grid gave a solution: the error bars of the grid are wide or unknown, those "
-        "of the model unknown");
+    result.warnings.push_back("no coarser grid gave a solution: the error bars are unknown");
     return;
   }
   if (!m.failed.empty() && !m.complete) {
@@ -92,7 +89,7 @@ void put_words(const BarRecord& record, Result& result) {
         "the richer physics ({}) gave no solution on the coarse grid: the model bars are unknown",
         fmt::join(m.failed, ", ")));
   }
-  if (m.richest) {
+  if (m.richest && m.unknown.empty()) {
     result.assumptions.push_back(
         "nothing richer than this physics is there to judge it by: no model bars");
   }
@@ -118,15 +115,54 @@ BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control
   return record;
 }
 
-void put_bars(const BarRecord& record, Result& result) {
-  double T_supply = 0.0;
-  if (record.coarse) T_supply = record.coarse->input.supplies.front().temperature;
+namespace {
+
+/// True for quantities of one sign, of which a relative change means something.
+bool one_sign(const Quantity& q) {
+  if (q.name == "thermal_opening_mean") return false;
+  const auto units = {"N m", "m", "Pa", "1", "m3/s"};
+  return std::any_of(units.begin(), units.end(), [&](const char* u) { return q.unit == u; });
+}
+
+/// What the full physics would change on the fine grid: as much as on the coarse one, absolutely
+/// or, where that means something, relatively, whichever is more.
+double model_change(const BarRecord& record, const Quantity& q) {
+  const double change = std::abs(value_in(record.model.change, q.name));
+  if (!record.coarse || !std::isfinite(change) || !one_sign(q)) return change;
+  const double coarse = std::abs(value_in(record.coarse->quantities, q.name));
+  return coarse > 0.0 ? std::max(change, change / coarse * std::abs(q.value)) : change;
+}
+
+/// Bars of the grid for all quantities, none shorter than its share of the usual one.
+void put_grid_bars(const BarRecord& record, Result& result) {
+  const Case& c = record.coarse->input;
+  const double T_supply = c.supplies.front().temperature;
+  std::vector<double> sizes;
+  std::vector<double> relative;
   for (Quantity& q : result.quantities) {
-    const bool given = record.coarse && given_by_case(record.coarse->input, result.tier, q.name);
-    q.error_grid =
-        given ? 0.0 : grid_bar_of(record, q, natural_size(q, T_supply, result.quantities));
-    const double change = value_in(record.model.change, q.name);
-    if (std::isfinite(change)) q.error_model = kModelSafety * std::abs(change);
+    sizes.push_back(natural_size(q, T_supply, result.quantities));
+    const bool given = given_by_case(c, result.tier, q.name);
+    q.error_grid = given ? 0.0 : grid_bar_of(record, q, sizes.back());
+    if (!given && sizes.back() > 0.0) relative.push_back(q.error_grid / sizes.back());
+  }
+  std::erase_if(relative, [](double x) { return !std::isfinite(x); });
+  if (relative.empty()) return;
+  const auto middle = relative.begin() + static_cast<long>(relative.size() / 2);
+  std::nth_element(relative.begin(), middle, relative.end());
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    Quantity& q = result.quantities[k];
+    if (given_by_case(c, result.tier, q.name) || !std::isfinite(q.error_grid)) continue;
+    q.error_grid = std::max(q.error_grid, kShare * *middle * sizes[k]);
+  }
+}
+
+}  // namespace
+
+void put_bars(const BarRecord& record, Result& result) {
+  if (record.coarse) put_grid_bars(record, result);
+  for (Quantity& q : result.quantities) {
+    const double change = model_change(record, q);
+    if (std::isfinite(change)) q.error_model = kModelSafety * change;
   }
   for (Effect& e : result.effects) {
     for (const EffectChange& change : record.model.effects) {

@@ -1,8 +1,8 @@
 #include "fidelity/solve_case.hpp"
 
-#include "fidelity/solve.hpp"
 #include "fidelity/auto_tier.hpp"
 #include "fidelity/estimate.hpp"
+#include "fidelity/solve.hpp"
 
 namespace shellback::fidelity {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "app/judge_case.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"
 #include "fidelity/grid_error.hpp"
@@ -21,8 +22,13 @@ struct Subject {
   bool finished = false;
   std::vector<BarSample> samples;
   std::vector<HonestyRefusal> refusals;
-  double solve_s = 0.0;
-  double bars_s = 0.0;
+  std::vector<BarCost> costs;
+};
+
+/// Quantities on the fine grid, and at the limit of fine grids; empty: no result.
+struct Truth {
+  std::vector<Quantity> values;
+  std::vector<Quantity> limit;
 };
 
 class Trial {
@@ -32,10 +38,13 @@ class Trial {
 
   /// The working grids first: where they give no result, there is no bar whose truth is wanted.
   Subject run() {
+    const auto possible = app::possible_tiers(case_);
+    fullest_ = possible.empty() ? Tier::tehd : possible.back();
     for (const Tier tier : options_.tiers) {
+      if (std::find(possible.begin(), possible.end(), tier) == possible.end()) continue;
       const std::size_t first = subject_.samples.size();
       for (const auto& grid : options_.grids) judge(tier, grid);
-      if (subject_.samples.size() > first) fill(first, truth(tier), &BarSample::truth_tier);
+      if (subject_.samples.size() > first) fill(first, truth(tier));
     }
     fill_full_truth();
     subject_.finished = !stopped();
@@ -67,33 +76,50 @@ class Trial {
     return s.verdict.good();
   }
 
-  std::vector<Quantity> truth(Tier tier) {
-    if (tier == Tier::tehd && full_tried_) return full_;
+  /// The values of `s` carried to the limit of fine grids, from its own two finest.
+  [[nodiscard]] static std::vector<Quantity> limit_of(const Solution& s,
+                                                      std::vector<Quantity> values) {
+    const std::size_t n = s.levels.size();
+    if (n < 2) return {};
+    const auto cells = [&](std::size_t k) { return s.levels[k].grid[0] * s.levels[k].grid[1]; };
+    const double ratio = std::sqrt(static_cast<double>(cells(n - 1)) / cells(n - 2));
+    for (Quantity& q : values) {
+      const double step = q.value - value_in(s.levels[n - 2].quantities, q.name);
+      q.value += step / (std::pow(ratio, kLimitOrder) - 1.0);
+    }
+    return values;
+  }
+
+  Truth truth(Tier tier) {
+    if (tier == fullest_ && full_tried_) return full_;
     Solution s;
-    std::vector<Quantity> found;
-    if (solved(tier, options_.truth_grid, options_.truth_nodes, s)) found = quantities_of(s, tier);
-    if (tier == Tier::tehd) {
+    Truth found;
+    if (solved(tier, options_.truth_grid, options_.truth_nodes, s)) {
+      found.values = quantities_of(s, tier);
+      found.limit = limit_of(s, found.values);
+    }
+    if (tier == fullest_) {
       full_tried_ = true;
       full_ = found;
     }
     return found;
   }
 
-  void fill(std::size_t first, const std::vector<Quantity>& truth, double BarSample::*which) {
+  void fill(std::size_t first, const Truth& truth) {
     for (std::size_t k = first; k < subject_.samples.size(); ++k) {
       BarSample& s = subject_.samples[k];
-      s.*which = value_in(truth, s.quantity);
+      s.truth_tier = value_in(truth.values, s.quantity);
+      s.truth_limit = value_in(truth.limit, s.quantity);
     }
   }
 
-  /// The truth of tier tehd, solved already or wanted for the model bars of the tiers below.
+  /// The truth of the fullest tier, solved already or wanted for the model bars of those below.
   void fill_full_truth() {
-    if (full_.empty() &&
-        std::any_of(subject_.samples.begin(), subject_.samples.end(),
-                    [](const BarSample& s) { return std::isfinite(s.error_model); })) {
-      full_ = truth(Tier::tehd);
+    const auto known = [](const BarSample& s) { return std::isfinite(s.error_model); };
+    if (!full_tried_ && std::any_of(subject_.samples.begin(), subject_.samples.end(), known)) {
+      full_ = truth(fullest_);
     }
-    fill(0, full_, &BarSample::truth_full);
+    for (BarSample& s : subject_.samples) s.truth_full = value_in(full_.values, s.quantity);
   }
 
   void judge(Tier tier, std::array<int, 2> grid) {
@@ -102,8 +128,7 @@ class Trial {
     const auto record = fidelity::measure_bars(s, tier, control_);
     Result result = coupling::summarize(s, tier);
     fidelity::put_bars(record, result);
-    subject_.solve_s += s.wall_s;
-    subject_.bars_s += record.wall_s;
+    subject_.costs.push_back({tier, grid, s.wall_s, record.wall_s});
     const double T_supply = case_.supplies.front().temperature;
     for (const Quantity& q : result.quantities) {
       BarSample b{index_, tier, grid, q.name};
@@ -111,7 +136,7 @@ class Trial {
       b.size = fidelity::natural_size(q, T_supply, result.quantities);
       b.error_grid = q.error_grid;
       b.error_model = q.error_model;
-      b.truth_tier = b.truth_full = NAN;
+      b.truth_tier = b.truth_limit = b.truth_full = NAN;
       b.given = fidelity::given_by_case(case_, tier, q.name);
       b.richest = record.model.richest;
       b.node_change = value_in(record.node_change, q.name);
@@ -124,7 +149,8 @@ class Trial {
     }
   }
 
-  std::vector<Quantity> full_;
+  Tier fullest_ = Tier::tehd;
+  Truth full_;
   bool full_tried_ = false;
   const Case& case_;
   int index_;
@@ -134,7 +160,15 @@ class Trial {
 };
 
 double error_of(const BarSample& s, BarKind kind) {
-  return std::abs(s.value - (kind == BarKind::grid ? s.truth_tier : s.truth_full));
+  const double truth = kind == BarKind::grid    ? s.truth_tier
+                       : kind == BarKind::limit ? s.truth_limit
+                                                : s.truth_full;
+  return std::abs(s.value - truth);
+}
+
+bool bar_known(const BarSample& s, BarKind kind) {
+  if (kind == BarKind::total && !std::isfinite(s.error_model) && !s.richest) return false;
+  return std::isfinite(s.error_grid);
 }
 
 }  // namespace
@@ -158,17 +192,14 @@ HonestyRecord measure_honesty(const std::vector<Case>& cases, const HonestyOptio
     const auto take = [](auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
     take(subjects[k].samples, out.samples);
     take(subjects[k].refusals, out.refusals);
-    out.solve_s += subjects[k].solve_s;
-    out.bars_s += subjects[k].bars_s;
+    take(subjects[k].costs, out.costs);
   }
   return out;
 }
 
 bool testable(const BarSample& s, BarKind kind) {
   constexpr double kExact = 1e-9;  // both bar and error below this part of the size are round-off
-  const bool known = kind == BarKind::grid ? std::isfinite(s.error_grid)
-                                           : std::isfinite(s.error_model) || s.richest;
-  if (!known || (s.given && (kind == BarKind::grid || s.richest))) return false;
+  if (!bar_known(s, kind) || (s.given && (kind != BarKind::total || s.richest))) return false;
   const BarAgainstError b = bar_against_error(s, kind);
   return std::isfinite(b.error) && std::isfinite(b.bar) && std::max(b.bar, b.error) > kExact;
 }
@@ -185,9 +216,7 @@ Coverage coverage_of(const std::vector<BarSample>& samples, BarKind kind) {
   std::vector<double> ratios;
   for (const BarSample& s : samples) {
     const bool truth = std::isfinite(error_of(s, kind));
-    const bool known = kind == BarKind::grid ? std::isfinite(s.error_grid)
-                                             : std::isfinite(s.error_model) || s.richest;
-    if (truth && !known) ++c.unknown;
+    if (truth && !bar_known(s, kind)) ++c.unknown;
     if (!testable(s, kind)) continue;
     const BarAgainstError b = bar_against_error(s, kind);
     held += b.error <= b.bar;

@@ -33,6 +33,7 @@ Json sample_json(const HonestyRecord& record, const BarSample& s) {
           {"error_grid", number(s.error_grid)},
           {"error_model", number(s.error_model)},
           {"truth_tier", number(s.truth_tier)},
+          {"truth_limit", number(s.truth_limit)},
           {"truth_full", number(s.truth_full)},
           {"given", s.given},
           {"richest", s.richest},
@@ -47,9 +48,15 @@ Json sample_json(const HonestyRecord& record, const BarSample& s) {
 std::string honesty_json(const HonestyRecord& record) {
   Json json;
   json["grid_bars"] = coverage_json(coverage_of(record.samples, BarKind::grid));
+  json["grid_bars_to_the_limit"] = coverage_json(coverage_of(record.samples, BarKind::limit));
   json["total_bars"] = coverage_json(coverage_of(record.samples, BarKind::total));
-  json["solve_s"] = record.solve_s;
-  json["bars_s"] = record.bars_s;
+  json["costs"] = Json::array();
+  for (const BarCost& c : record.costs) {
+    json["costs"].push_back({{"tier", to_string(c.tier)},
+                             {"grid", c.grid},
+                             {"solve_s", c.solve_s},
+                             {"bars_s", c.bars_s}});
+  }
   json["refusals"] = Json::array();
   for (const HonestyRefusal& r : record.refusals) {
     json["refusals"].push_back({{"case", record.subjects[r.subject]},

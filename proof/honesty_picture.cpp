@@ -13,9 +13,9 @@ using coupling::Tier;
 
 namespace {
 
-constexpr double kLow = 0.03;    ///< bar over error at the left rim [-]
+constexpr double kLow = 0.03;     ///< bar over error at the left rim [-]
 constexpr double kHigh = 1000.0;  ///< at the right rim [-]
-constexpr double kText = 12.0;   ///< [px]
+constexpr double kText = 12.0;    ///< [px]
 constexpr double kAllowed = 0.1;  ///< part of the bars that may miss the truth [-]
 constexpr double kLongest = 5.0;  ///< median bar over error that is allowed [-]
 
@@ -88,7 +88,8 @@ void draw_curves(Svg& svg, const Panel& p, const Theme& theme,
     std::vector<Point> points;
     const std::size_t stride = std::max<std::size_t>(1, ratios.size() / kMostPoints);
     for (std::size_t i = 0; i < ratios.size(); i += stride) {
-      points.push_back(p.at(ratios[i], static_cast<double>(i + 1) / static_cast<double>(ratios.size())));
+      points.push_back(
+          p.at(ratios[i], static_cast<double>(i + 1) / static_cast<double>(ratios.size())));
     }
     points.push_back(p.at(ratios.back(), 1.0));
     svg.stroke(line_path(points), {theme.series[k], 2.0, ""});

@@ -20,15 +20,30 @@ std::string percent(double part) {
 
 std::string ratio(double value) { return std::isnan(value) ? "-" : fmt::format("{:.2f}", value); }
 
+/// Median of the cost of the bars over that of the solve.
+std::string cost_ratio(const std::vector<BarCost>& costs, std::array<int, 2> grid, Tier tier) {
+  std::vector<double> ratios;
+  for (const BarCost& c : costs) {
+    if (c.tier == tier && c.grid == grid && c.solve_s > 0.0) ratios.push_back(c.bars_s / c.solve_s);
+  }
+  if (ratios.empty()) return "-";
+  std::nth_element(ratios.begin(), ratios.begin() + static_cast<long>(ratios.size() / 2),
+                   ratios.end());
+  return fmt::format("{:.2f}", ratios[ratios.size() / 2]);
+}
+
 std::vector<std::string> cells(const std::string& first, const std::string& second,
                                const std::vector<BarSample>& samples) {
   const Coverage grid = coverage_of(samples, BarKind::grid);
+  const Coverage limit = coverage_of(samples, BarKind::limit);
   const Coverage total = coverage_of(samples, BarKind::total);
   return {first,
           second,
           std::to_string(grid.count),
           percent(grid.held),
           ratio(grid.median),
+          percent(limit.held),
+          ratio(limit.median),
           std::to_string(total.count),
           percent(total.held),
           ratio(total.median),
@@ -50,14 +65,16 @@ std::vector<std::array<int, 2>> grids_of(const HonestyRecord& record) {
   return grids;
 }
 
-const std::vector<std::string> kHead{"",      "",     "grid bars", "hold",   "bar/error",
-                                     "total", "hold", "bar/error", "unknown"};
+const std::vector<std::string> kHead{"",          "",          "grid bars", "hold",
+                                     "bar/error", "limit",     "bar/error", "total",
+                                     "hold",      "bar/error", "unknown"};
 
 void write_by_tier(std::ostream& out, const HonestyRecord& record) {
   app::TextTable table(2);
   auto head = kHead;
   head[0] = "grid";
   head[1] = "tier";
+  head.emplace_back("cost");
   table.add(head);
   table.rule();
   for (const auto& grid : grids_of(record)) {
@@ -65,7 +82,10 @@ void write_by_tier(std::ostream& out, const HonestyRecord& record) {
     const std::string name = fmt::format("{}x{}", grid[0], grid[1]);
     for (const Tier tier : {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd}) {
       const auto some = chosen(here, [&](const auto& s) { return s.tier == tier; });
-      if (!some.empty()) table.add(cells(name, to_string(tier), some));
+      if (some.empty()) continue;
+      auto row = cells(name, to_string(tier), some);
+      row.push_back(cost_ratio(record.costs, grid, tier));
+      table.add(row);
     }
     table.add(cells(name, "all", here));
   }
@@ -85,8 +105,8 @@ void write_by_quantity(std::ostream& out, const HonestyRecord& record) {
   table.add(head);
   table.rule();
   for (const std::string& name : names) {
-    table.add(cells(name, "",
-                    chosen(record.samples, [&](const auto& s) { return s.quantity == name; })));
+    table.add(
+        cells(name, "", chosen(record.samples, [&](const auto& s) { return s.quantity == name; })));
   }
   table.print(out);
 }
@@ -107,15 +127,16 @@ void write_refusals(std::ostream& out, const HonestyRecord& record) {
 
 void write_honesty_table(std::ostream& out, const HonestyRecord& record) {
   const auto done = std::count(record.finished.begin(), record.finished.end(), true);
-  out << fmt::format("{} cases; bars of the grid against a finer grid, bars of grid and model\n"
-                     "together against the full physics on it; bar/error is the median\n\n",
-                     done);
+  out << fmt::format(
+      "{} cases; bars of the grid against a finer grid and against the limit\n"
+      "of fine grids, bars of grid and model\n"
+      "together against the full physics on it; bar/error is the median, cost that\n"
+      "of the bars over that of the solve\n\n",
+      done);
   write_by_tier(out, record);
   out << '\n';
   write_by_quantity(out, record);
   write_refusals(out, record);
-  out << fmt::format("\nsolves {:.3g} s, their bars {:.3g} s: {:.2f} of it\n", record.solve_s,
-                     record.bars_s, record.bars_s / std::max(record.solve_s, 1e-12));
 }
 
 }  // namespace shellback::proof

@@ -34,13 +34,12 @@ Bearing draw_bearing(Draw& d) {
 
 /// Laminar, and no faster on the surface than plain bearings are run [rad/s].
 double draw_speed(Draw& d, const Bearing& b, double nu) {
-  constexpr double kFastest = 60.0;   // surface speed [m/s]
-  constexpr double kLaminar = 0.8;    // of the critical Reynolds number [-]
+  constexpr double kFastest = 60.0;  // surface speed [m/s]
+  constexpr double kLaminar = 0.8;   // of the critical Reynolds number [-]
   const double laminar =
       kLaminar * 41.2 * std::sqrt(b.radius / b.radial_clearance) * nu / b.radial_clearance;
   const double slowest = 50.0 * kTurn / 60.0;
-  const double fastest =
-      std::min(10000.0 * kTurn / 60.0, std::min(kFastest, laminar) / b.radius);
+  const double fastest = std::min(10000.0 * kTurn / 60.0, std::min(kFastest, laminar) / b.radius);
   const double omega = d.log_between(slowest, std::max(fastest, 1.5 * slowest));
   return d.chance(0.9) ? omega : -omega;
 }

@@ -25,8 +25,8 @@ struct MineralOil {
   double eta40;
   double beta;
 };
-constexpr MineralOil kMineral[] = {
-    {0.019, 0.031}, {0.0277, 0.0341}, {0.040, 0.036}, {0.058, 0.039}, {0.086, 0.042}, {0.13, 0.045}};
+constexpr MineralOil kMineral[] = {{0.019, 0.031}, {0.0277, 0.0341}, {0.040, 0.036},
+                                   {0.058, 0.039}, {0.086, 0.042},   {0.13, 0.045}};
 
 rheology::PressureLaw draw_pressure_law(Draw& d) {
   const double u = d.unit();
@@ -92,8 +92,8 @@ std::vector<Supply> draw_supplies(Draw& d, const Bearing& b, double load_angle, 
                           : u < 0.8 ? SupplyKind::axial_groove
                                     : SupplyKind::circumferential_groove;
   Supply first = draw_supply(d, b, kind);
-  first.angle = d.chance(0.85) ? load_angle + kPi + d.between(-0.5, 0.5) * kPi
-                               : d.between(0.0, 2.0 * kPi);
+  first.angle =
+      d.chance(0.85) ? load_angle + kPi + d.between(-0.5, 0.5) * kPi : d.between(0.0, 2.0 * kPi);
   first.pressure = d.log_between(0.2e5, 6e5);
   first.temperature = T_supply;
   std::vector<Supply> list{first};

@@ -16,7 +16,8 @@ Field growth_at(const Case& c, double T) {
   const Solids solids(c, grid, {false, true, true});
   WallFlux none{Field(grid.cells(), 0.0), std::vector<double>(grid.nz, 0.0), {}};
   none.response.shaft = 1e6;  // a film that holds the shaft at T
-  return solids.answer(none, Field(grid.cells(), T), std::vector<double>(grid.nz, T), {true, false}).growth;
+  return solids.answer(none, Field(grid.cells(), T), std::vector<double>(grid.nz, T), {true, false})
+      .growth;
 }
 
 Case all_steel(double back) {

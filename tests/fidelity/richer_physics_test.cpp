@@ -1,8 +1,9 @@
 // The way to the full physics: complete, one effect a step, only where the data are.
+#include "fidelity/richer_physics.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "../coupling/sample_bearing.hpp"
-#include "fidelity/richer_physics.hpp"
 
 using namespace shellback;
 using namespace shellback::coupling;

@@ -9,19 +9,63 @@
 namespace shellback {
 namespace {
 
-/// C += alpha * A * B for column-major LD x n blocks; padding rows hold zeros.
+bool all_zero(const double* x, int n) {
+  for (int k = 0; k < n; ++k) {
+    if (x[k] != 0.0) return false;
+  }
+  return true;
+}
+
+/// C = A * B for column-major LD x n blocks; padding rows hold zeros. Columns of zeros, of which
+/// the border of a film fed across most of its width has many, cost nothing.
 template <int LD>
-void multiply_add(double alpha, const double* a, const double* b, double* c, int n) {
+void multiply(const double* a, const double* b, double* c, int n) {
   for (int col = 0; col < n; ++col) {
     double acc[LD] = {};
     const double* bc = b + col * LD;
+    if (!all_zero(bc, n)) {
+      for (int k = 0; k < n; ++k) {
+        const double f = bc[k];
+        const double* ak = a + k * LD;
+        for (int r = 0; r < LD; ++r) acc[r] += ak[r] * f;
+      }
+    }
+    double* cc = c + col * LD;
+    for (int r = 0; r < LD; ++r) cc[r] = acc[r];
+  }
+}
+
+/// C -= A * B, as above.
+template <int LD>
+void subtract_product(const double* a, const double* b, double* c, int n) {
+  for (int col = 0; col < n; ++col) {
+    const double* bc = b + col * LD;
+    if (all_zero(bc, n)) continue;
+    double* cc = c + col * LD;
     for (int k = 0; k < n; ++k) {
       const double f = bc[k];
       const double* ak = a + k * LD;
-      for (int r = 0; r < LD; ++r) acc[r] += ak[r] * f;
+      for (int r = 0; r < LD; ++r) cc[r] -= ak[r] * f;
     }
-    double* cc = c + col * LD;
-    for (int r = 0; r < LD; ++r) cc[r] += alpha * acc[r];
+  }
+}
+
+/// C = A * B with a diagonal A.
+template <int LD>
+void scale_rows(const double* a, const double* b, double* c, int n) {
+  double d[LD] = {};
+  for (int k = 0; k < n; ++k) d[k] = a[k * LD + k];
+  for (int col = 0; col < n; ++col) {
+    for (int r = 0; r < LD; ++r) c[col * LD + r] = d[r] * b[col * LD + r];
+  }
+}
+
+/// C = A * B with a diagonal B.
+template <int LD>
+void scale_columns(const double* a, const double* b, double* c, int n) {
+  for (int col = 0; col < n; ++col) {
+    const double d = b[col * LD + col];
+    for (int r = 0; r < LD; ++r) c[col * LD + r] = a[col * LD + r] * d;
   }
 }
 
@@ -35,6 +79,13 @@ void apply(const double* a, const double* x, double* y, int n) {
     for (int r = 0; r < LD; ++r) acc[r] += ak[r] * f;
   }
   for (int r = 0; r < LD; ++r) y[r] = acc[r];
+}
+
+/// y = A x for a diagonal A.
+template <int LD>
+void apply_diagonal(const double* a, const double* x, double* y, int n) {
+  for (int k = 0; k < n; ++k) y[k] = a[k * LD + k] * x[k];
+  for (int k = n; k < LD; ++k) y[k] = 0.0;
 }
 
 /// Row of `a` from k on with the largest entry in column k.
@@ -81,9 +132,13 @@ bool invert(double* a, int n) {
   return true;
 }
 
-bool all_zero(const double* x, int n) {
+/// Inverse of a diagonal block, in place; false if singular.
+template <int LD>
+bool invert_diagonal(double* a, int n) {
   for (int k = 0; k < n; ++k) {
-    if (x[k] != 0.0) return false;
+    double& d = a[k * LD + k];
+    if (d == 0.0 || !std::isfinite(d)) return false;
+    d = 1.0 / d;
   }
   return true;
 }
@@ -149,18 +204,19 @@ bool RingFactor::factorize_padded(const RingMatrix& a) {
   const int n = nz_;
   const std::size_t block = static_cast<std::size_t>(LD) * n;
   const int last = nt_ - 1;
-  inverse_.assign(block * nt_, 0.0);
+  inverse_.resize(block * nt_);
+  diagonal_.assign(nt_, 0);
   w_.assign(static_cast<std::size_t>(nt_) * LD, 0.0);
   e_.assign(static_cast<std::size_t>(nt_) * LD, 0.0);
-  inverse_v_.assign(column_border_ ? block * nt_ : block * 1, 0.0);
-  u_inverse_.assign(row_border_ ? block * nt_ : block * 1, 0.0);
+  inverse_v_.resize(column_border_ ? block * nt_ : block * 1);
+  u_inverse_.resize(row_border_ ? block * nt_ : block * 1);
   for (int i = 0; i < nt_; ++i) {
     std::memcpy(&w_[static_cast<std::size_t>(i) * LD], &a.w[static_cast<std::size_t>(line(i)) * n],
                 n * sizeof(double));
     std::memcpy(&e_[static_cast<std::size_t>(i) * LD], &a.e[static_cast<std::size_t>(line(i)) * n],
                 n * sizeof(double));
   }
-  std::vector<double> v(block, 0.0), u(block, 0.0), corner(block, 0.0), work(block);
+  std::vector<double> v(block, 0.0), u(block, 0.0), corner(block, 0.0);
   for (int k = 0; k < n; ++k) {
     v[k * LD + k] = w_[k];
     u[k * LD + k] = e_[static_cast<std::size_t>(last) * LD + k];
@@ -168,19 +224,19 @@ bool RingFactor::factorize_padded(const RingMatrix& a) {
   for (int i = 0; i <= last; ++i) {
     double* d = &inverse_[block * i];
     const std::size_t row0 = static_cast<std::size_t>(line(i)) * n;
+    std::memset(d, 0, block * sizeof(double));
     for (int k = 0; k < n; ++k) {
       d[k * LD + k] = a.c[row0 + k];
       if (k > 0) d[(k - 1) * LD + k] = a.s[row0 + k];
       if (k + 1 < n) d[(k + 1) * LD + k] = a.n[row0 + k];
     }
     const double* wi = &w_[static_cast<std::size_t>(i) * LD];
-    if (i > 0) {
+    const double* ep = i > 0 ? &e_[static_cast<std::size_t>(i - 1) * LD] : nullptr;
+    const bool follows = i > 0 && i < last && !all_zero(ep, n);
+    if (follows) {
       const double* previous = &inverse_[block * (i - 1)];
-      const double* ep = &e_[static_cast<std::size_t>(i - 1) * LD];
-      if (i < last) {
-        for (int col = 0; col < n; ++col) {
-          for (int r = 0; r < LD; ++r) d[col * LD + r] -= wi[r] * previous[col * LD + r] * ep[col];
-        }
+      for (int col = 0; col < n; ++col) {
+        for (int r = 0; r < LD; ++r) d[col * LD + r] -= wi[r] * previous[col * LD + r] * ep[col];
       }
     }
     if (i == last) {
@@ -194,14 +250,16 @@ bool RingFactor::factorize_padded(const RingMatrix& a) {
         u[k * LD + k] += w_[static_cast<std::size_t>(last) * LD + k];
       }
     }
-    if (!invert<LD>(d, n)) return false;
+    const bool diagonal = !follows && all_zero(&a.s[row0], n) && all_zero(&a.n[row0], n);
+    diagonal_[i] = diagonal;
+    if (!(diagonal ? invert_diagonal<LD>(d, n) : invert<LD>(d, n))) return false;
     const bool has_v = column_border_ || i == last - 1;
     const bool has_u = row_border_ || i == last - 1;
     double* iv = &inverse_v_[column_border_ ? block * i : 0];
     double* ui = &u_inverse_[row_border_ ? block * i : 0];
-    if (has_v) multiply_add<LD>(1.0, d, v.data(), iv, n);
-    if (has_u) multiply_add<LD>(1.0, u.data(), d, ui, n);
-    if (has_u && has_v) multiply_add<LD>(-1.0, ui, v.data(), corner.data(), n);
+    if (has_v) diagonal ? scale_rows<LD>(d, v.data(), iv, n) : multiply<LD>(d, v.data(), iv, n);
+    if (has_u) diagonal ? scale_columns<LD>(u.data(), d, ui, n) : multiply<LD>(u.data(), d, ui, n);
+    if (has_u && has_v) subtract_product<LD>(ui, v.data(), corner.data(), n);
     if (column_border_) {  // v of the next line: -w_next o (inverse v)
       const double* wn = &w_[static_cast<std::size_t>(i + 1) * LD];
       for (int col = 0; col < n; ++col) {
@@ -219,6 +277,12 @@ bool RingFactor::factorize_padded(const RingMatrix& a) {
 }
 
 template <int LD>
+void RingFactor::apply_inverse(int i, const double* x, double* y) const {
+  const double* a = &inverse_[static_cast<std::size_t>(LD) * nz_ * i];
+  diagonal_[i] ? apply_diagonal<LD>(a, x, y, nz_) : apply<LD>(a, x, y, nz_);
+}
+
+template <int LD>
 void RingFactor::solve_padded(double* b) const {
   const int n = nz_;
   const std::size_t block = static_cast<std::size_t>(LD) * n;
@@ -233,7 +297,7 @@ void RingFactor::solve_padded(double* b) const {
       const double* zp = &z[static_cast<std::size_t>(i - 1) * LD];
       for (int r = 0; r < LD; ++r) y[r] -= wi[r] * zp[r];
     }
-    apply<LD>(&inverse_[block * i], y, &z[static_cast<std::size_t>(i) * LD], n);
+    apply_inverse<LD>(i, y, &z[static_cast<std::size_t>(i) * LD]);
     if (row_border_ || i == last - 1) {
       apply<LD>(&u_inverse_[row_border_ ? block * i : 0], y, t, n);
       for (int r = 0; r < LD; ++r) border[r] -= t[r];
@@ -245,10 +309,10 @@ void RingFactor::solve_padded(double* b) const {
   for (int i = last - 1; i >= 0; --i) {
     const double* zi = &z[static_cast<std::size_t>(i) * LD];
     for (int r = 0; r < LD; ++r) y[r] = 0.0;
-    if (i < last - 1) {
-      const double* ei = &e_[static_cast<std::size_t>(i) * LD];
+    const double* ei = &e_[static_cast<std::size_t>(i) * LD];
+    if (i < last - 1 && !all_zero(ei, n)) {
       for (int r = 0; r < LD; ++r) y[r] = ei[r] * x[r];
-      apply<LD>(&inverse_[block * i], y, t, n);
+      apply_inverse<LD>(i, y, t);
       for (int r = 0; r < LD; ++r) x[r] = zi[r] - t[r];
     } else {
       for (int r = 0; r < LD; ++r) x[r] = zi[r];

@@ -36,6 +36,8 @@ class RingFactor {
   template <int LD>
   bool factorize_padded(const RingMatrix& a);
   template <int LD>
+  void apply_inverse(int i, const double* x, double* y) const;
+  template <int LD>
   void solve_padded(double* b) const;
   [[nodiscard]] int line(int chain_index) const { return (first_ + chain_index) % nt_; }
 
@@ -47,6 +49,7 @@ class RingFactor {
   bool column_border_ = false;     ///< the first line depends on the last
   std::vector<double> w_, e_;      ///< couplings in chain order, padded
   std::vector<double> inverse_;    ///< block inverses
+  std::vector<char> diagonal_;     ///< blocks that are diagonal: lines of cavitated film
   std::vector<double> inverse_v_;  ///< inverse times border column
   std::vector<double> u_inverse_;  ///< border row times inverse
 };

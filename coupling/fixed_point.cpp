@@ -16,8 +16,22 @@ using Map = std::function<bool(const std::vector<double>&, std::vector<double>&)
 
 struct Call {
   const Map* map;
+  const FixedPointOptions* options;
   std::vector<double> x, g;
   double change = 0.0;  ///< largest |G(x) - x| of the last call
+  double rate = 1.0;    ///< change over the one before
+  int calls = 0;
+  bool near = false;  ///< G(x) is as near as asked for by the rate of the changes
+
+  /// Takes note of the change of this call.
+  void judge(double now) {
+    const double rate_now = calls++ > 0 && change > 0.0 ? now / change : 1.0;
+    const double rho = std::max(rate, rate_now);
+    rate = rate_now;
+    change = now;
+    near = options->slack > 1.0 && rho < 1.0 && now <= options->slack * options->tolerance &&
+           rho / (1.0 - rho) * now <= options->tolerance;
+  }
 };
 
 int evaluate(N_Vector x, N_Vector g, void* data) {
@@ -27,12 +41,13 @@ int evaluate(N_Vector x, N_Vector g, void* data) {
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::all_of(call.x.begin(), call.x.end(), finite)) return -1;
   if (!(*call.map)(call.x, call.g)) return -1;
-  call.change = 0.0;
+  double change = 0.0;
   for (std::size_t k = 0; k < call.x.size(); ++k) {
-    call.change = std::max(call.change, std::abs(call.g[k] - call.x[k]));
+    change = std::max(change, std::abs(call.g[k] - call.x[k]));
   }
+  call.judge(change);
   std::copy(call.g.begin(), call.g.end(), N_VGetArrayPointer(g));
-  return 0;
+  return call.near ? -1 : 0;  // KINSOL has no other way to be told that this is enough
 }
 
 // The outcome is reported by the caller, in the user's words: KINSOL itself stays silent.
@@ -65,7 +80,7 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   const Owned<N_Vector, VectorDeleter> scale(N_VNew_Serial(n, raw));
   N_VConst(1.0, scale.get());
   const Owned<void*, SolverDeleter> solver(KINCreate(raw));
-  Call call{&map, x, x};
+  Call call{&map, &o, x, x};
   require(KINSetErrHandlerFn(solver.get(), stay_silent, nullptr));
   require(KINSetMAA(solver.get(), o.depth));
   require(KINSetDelayAA(solver.get(), o.delay));
@@ -78,6 +93,7 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   long used = 0;
   while (true) {
     const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
+    if (call.near) return FixedPointEnd::converged;
     if (end < 0) {
       return end == KIN_MAXITER_REACHED ? FixedPointEnd::iteration_limit
                                         : FixedPointEnd::map_failed;

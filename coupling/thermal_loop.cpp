@@ -50,6 +50,8 @@ class Turn {
   }
   /// Small steps from the best state on, then accelerated again once they have come near.
   FixedPointEnd creep(const FixedPointOptions& fixed);
+  /// Goes on to the value of the last turn, which is nearer to the fixed point.
+  void take_last_value();
   /// Solves film, heat and walls of the last turn to the end, so that their balances close.
   void finish();
 
@@ -95,6 +97,7 @@ class Turn {
   HeatState& heat_;
   EquilibriumCost& cost_;
   std::vector<HistoryEntry>& history_;
+  std::vector<double> last_;    ///< value of the last turn
   std::vector<double> turn_T_;  ///< temperatures and growth for which the film was solved last
   Field turn_growth_;
   Friction friction_;
@@ -389,6 +392,7 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   const double part = relaxation(x, g);
   for (std::size_t k = 0; k < g.size(); ++k) g[k] = x[k] + part * (g[k] - x[k]);
   report(x, g);
+  last_ = g;
   if (heat_.residual < best_.residual) {
     best_ = {heat_.residual, friction_.viscous + friction_.asperity, film_, heat_, turn_T_,
              turn_growth_};
@@ -491,6 +495,12 @@ double Turn::balance_walls(thermal::FilmEnergy& energy, double enough, int round
   return least;
 }
 
+void Turn::take_last_value() {
+  unpack(last_);
+  turn_T_ = film_.columns.T;
+  turn_growth_ = heat_.growth;
+}
+
 void Turn::finish() {
   constexpr int kMostSweeps = 400;
   constexpr int kMostRounds = 60;
@@ -538,7 +548,9 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
   Turn turn(model, target, options, control, film, heat, cost, history);
   turn.take_contact_growth();
   std::vector<double> x = turn.pack();
-  const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance};
+  constexpr double kSlack = 10.0;  // of the change, where it is seen to fall fast [-]
+  const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance,
+                                kSlack};
   FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
   if (end != FixedPointEnd::converged && turn.may_go_on()) end = turn.creep(fixed);
   if (end == FixedPointEnd::map_failed) {
@@ -547,6 +559,7 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
     return {Status::invalid_number, "the accelerated temperatures are not numbers", "",
             "try a finer grid"};
   }
+  if (end == FixedPointEnd::converged) turn.take_last_value();
   turn.finish();
   turn.give_contact_growth();
   if (end == FixedPointEnd::converged) return turn.verdict();

@@ -1,5 +1,6 @@
 #include "core/ring_matrix.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -69,12 +70,13 @@ void scale_columns(const double* a, const double* b, double* c, int n) {
   }
 }
 
-/// y = A x.
+/// y = A x; entries of zero cost nothing.
 template <int LD>
 void apply(const double* a, const double* x, double* y, int n) {
   double acc[LD] = {};
   for (int k = 0; k < n; ++k) {
     const double f = x[k];
+    if (f == 0.0) continue;
     const double* ak = a + k * LD;
     for (int r = 0; r < LD; ++r) acc[r] += ak[r] * f;
   }
@@ -184,18 +186,19 @@ bool RingFactor::factorize(const RingMatrix& a) {
   ld_ = (nz_ + kRegister - 1) / kRegister * kRegister;
   if (ld_ > kLargest) throw InputError("more than 128 axial cells are solved; use a coarser grid");
   first_ = 0;
-  int best = 0;  // a cut where neither side depends on the other is best, then a one-sided one
+  row_border_ = true;  // unless the ring can be cut where no line depends on the one after it
+  int fewest = nz_ + 1;
   for (int i = 0; i < nt_; ++i) {
     const int before = (i == 0 ? nt_ - 1 : i - 1) * nz_;
     if (!all_zero(&a.e[before], nz_)) continue;
-    const int score = all_zero(&a.w[static_cast<std::size_t>(i) * nz_], nz_) ? 2 : 1;
-    if (score > best) {
-      best = score;
-      first_ = i;
-    }
+    const double* w = &a.w[static_cast<std::size_t>(i) * nz_];
+    const int coupled = nz_ - static_cast<int>(std::count(w, w + nz_, 0.0));
+    if (coupled >= fewest) continue;
+    fewest = coupled;
+    first_ = i;
+    row_border_ = false;
   }
-  row_border_ = best == 0;
-  column_border_ = best < 2;
+  column_border_ = fewest > 0;
   return with_padding(ld_, [&]<int LD>() { return factorize_padded<LD>(a); });
 }
 
@@ -306,6 +309,8 @@ void RingFactor::solve_padded(double* b) const {
   double x_last[LD], x[LD];
   apply<LD>(&inverse_[block * last], border, x_last, n);
   std::memcpy(b + static_cast<std::size_t>(line(last)) * n, x_last, n * sizeof(double));
+  double coupled[LD] = {};  // what the first line takes over from the last
+  for (int k = 0; k < n; ++k) coupled[k] = w_[k] != 0.0 ? x_last[k] : 0.0;
   for (int i = last - 1; i >= 0; --i) {
     const double* zi = &z[static_cast<std::size_t>(i) * LD];
     for (int r = 0; r < LD; ++r) y[r] = 0.0;
@@ -318,7 +323,8 @@ void RingFactor::solve_padded(double* b) const {
       for (int r = 0; r < LD; ++r) x[r] = zi[r];
     }
     if (column_border_ || i == last - 1) {
-      apply<LD>(&inverse_v_[column_border_ ? block * i : 0], x_last, t, n);
+      const double* from = i == last - 1 ? x_last : coupled;
+      apply<LD>(&inverse_v_[column_border_ ? block * i : 0], from, t, n);
       for (int r = 0; r < LD; ++r) x[r] -= t[r];
     }
     std::memcpy(b + static_cast<std::size_t>(line(i)) * n, x, n * sizeof(double));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fidelity/indicators.hpp"
 #include "rheology/shear.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -55,24 +56,10 @@ void add_thermal(const Case& subject, const Derived& d, std::vector<Indicator>& 
        "the flow rules; the film's core is nearly adiabatic"}));
 }
 
-/// Radial widening of the bore per unit of uniform pressure [m/Pa]: plane-strain ring of radii
-/// a, b, outer surface held (textbook); the layers' first material without a housing.
-double bore_compliance(const Case& subject) {
-  const Shell& shell = *subject.shell;
-  const double a = subject.bearing.radius;
-  double b = a;
-  for (const ShellLayer& layer : shell.layers) b += layer.thickness;
-  const solid::Material& m = shell.housing ? shell.housing->material : shell.layers[0].material;
-  if (shell.housing) b = shell.housing->outer_radius;
-  const double nu = m.poisson_ratio;
-  return (1.0 + nu) * (b * b - a * a) /
-         (a * m.youngs_modulus * (1.0 / (1.0 - 2.0 * nu) + b * b / (a * a)));
-}
-
 void add_solid(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
   if (!subject.shell) return;
   list.push_back(make("elastic deformation", "C p_max/h_min, C of a held ring",
-                      bore_compliance(subject) * d.p_max / d.h_min, {0.03, 0.1},
+                      fidelity::bore_compliance(subject) * d.p_max / d.h_min, {0.03, 0.1},
                       {"rigid surfaces will do", "elastic deformation shows",
                        "take the tier tehd, or switch elastic_deformation on"}));
   const Shell& shell = *subject.shell;

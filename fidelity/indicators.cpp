@@ -12,20 +12,6 @@ namespace {
 
 using namespace coupling;
 
-/// Radial widening of the bore per uniform pressure [m/Pa]: plane-strain ring, outer surface held
-/// (textbook); the housing's material, without one the first layer's.
-double bore_compliance(const Case& c) {
-  const Shell& shell = *c.shell;
-  const double a = c.bearing.radius;
-  double b = a;
-  for (const ShellLayer& layer : shell.layers) b += layer.thickness;
-  const solid::Material& m = shell.housing ? shell.housing->material : shell.layers[0].material;
-  if (shell.housing) b = shell.housing->outer_radius;
-  const double nu = m.poisson_ratio;
-  return (1.0 + nu) * (b * b - a * a) /
-         (a * m.youngs_modulus * (1.0 / (1.0 - 2.0 * nu) + b * b / (a * a)));
-}
-
 double thermal_growth(const Case& c, const Estimate& e) {
   if (!c.shell || !c.shaft) return 0.0;
   const double shell = c.shell->housing ? c.shell->housing->material.expansion
@@ -37,6 +23,18 @@ double thermal_growth(const Case& c, const Estimate& e) {
 }
 
 }  // namespace
+
+double bore_compliance(const Case& c) {
+  const Shell& shell = *c.shell;
+  const double a = c.bearing.radius;
+  double b = a;
+  for (const ShellLayer& layer : shell.layers) b += layer.thickness;
+  const solid::Material& m = shell.housing ? shell.housing->material : shell.layers[0].material;
+  if (shell.housing) b = shell.housing->outer_radius;
+  const double nu = m.poisson_ratio;
+  return (1.0 + nu) * (b * b - a * a) /
+         (a * m.youngs_modulus * (1.0 / (1.0 - 2.0 * nu) + b * b / (a * a)));
+}
 
 Indicators indicators(const Case& c, const Estimate& e) {
   const double U = std::abs(c.operation.omega) * c.bearing.radius;

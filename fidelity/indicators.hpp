@@ -22,6 +22,11 @@ struct Indicators {
   double turbulence = 0.0;  ///< Reynolds number over Taylor's limit [-]
 };
 
+/// Radial widening of the bore per uniform pressure [m/Pa]: plane-strain ring of radii a, b, outer
+/// surface held (textbook); the housing's material, without one the first layer's. The case has a
+/// shell.
+[[nodiscard]] double bore_compliance(const coupling::Case& c);
+
 [[nodiscard]] Indicators indicators(const coupling::Case& c, const Estimate& e);
 
 /// The numbers as effects of a result; `physics`: which of them it has.

@@ -1,6 +1,7 @@
 /// The exact pocket slider: endlessly wide, isoviscous, incompressible.
 #include "core/constants.hpp"
 #include "proof/evaluators/evaluators.hpp"
+#include "proof/evaluators/plain_oil.hpp"
 #include "proof/evaluators/slider.hpp"
 
 namespace shellback::proof {
@@ -23,13 +24,7 @@ SliderFilm solve_on(int cells) {
   s.speed = 1.0;
   s.p_ambient = 1.0e5;
   s.cells = cells;
-  const OilLaw oil = [](const FilmState& state, FilmCoefficients& coefficients) {
-    const std::size_t n = state.p.size();
-    coefficients.fluidity.assign(n, 1.0 / (12.0 * kViscosity));
-    coefficients.chi.assign(n, 0.5);
-    coefficients.alpha.assign(n, 0.0);
-    coefficients.density.assign(n, kDensity);
-  };
+  const OilLaw oil = plain_oil(kViscosity, kDensity);
   return solve_slider(s, oil, kDensity);
 }
 

@@ -6,6 +6,7 @@
 #include "fluid/resultants.hpp"
 #include "fluid/reynolds.hpp"
 #include "proof/evaluators/evaluators.hpp"
+#include "proof/evaluators/plain_oil.hpp"
 
 namespace shellback::proof {
 namespace {
@@ -36,13 +37,7 @@ Values squeeze_film_values(const Question& q) {
                                    static_cast<int>(number_setting(q.entry, "cells_across")));
   const double e = q.number("eps") * kClearance;
   const Gap gap = film_gap(scene.grid, scene.angles, kClearance, {{e, 0.0, 0.0, 0.0}}, {}, {});
-  const OilLaw oil = [](const FilmState& state, FilmCoefficients& coefficients) {
-    const std::size_t n = state.p.size();
-    coefficients.fluidity.assign(n, 1.0 / (12.0 * kViscosity));
-    coefficients.chi.assign(n, 0.5);
-    coefficients.alpha.assign(n, 0.0);
-    coefficients.density.assign(n, kDensity);
-  };
+  const OilLaw oil = plain_oil(kViscosity, kDensity);
   const auto film = solve_reynolds(scene, gap, {}, oil, cold_film(scene));
   Values values;
   if (!film.good()) {

@@ -7,6 +7,7 @@
 #include "fluid/resultants.hpp"
 #include "fluid/reynolds.hpp"
 #include "proof/evaluators/evaluators.hpp"
+#include "proof/evaluators/plain_oil.hpp"
 
 namespace shellback::proof {
 namespace {
@@ -83,13 +84,7 @@ Values wide_film_values(const Question& q) {
   const FilmScene scene = scene_of(cells, rule == "conserved");
   const double e = q.number("eps") * kClearance;
   const Gap gap = film_gap(scene.grid, scene.angles, kClearance, {{e, 0.0, 0.0, 0.0}}, {}, {});
-  const OilLaw oil = [](const FilmState& state, FilmCoefficients& coefficients) {
-    const std::size_t n = state.p.size();
-    coefficients.fluidity.assign(n, 1.0 / (12.0 * kViscosity));
-    coefficients.chi.assign(n, 0.5);
-    coefficients.alpha.assign(n, 0.0);
-    coefficients.density.assign(n, kDensity);
-  };
+  const OilLaw oil = plain_oil(kViscosity, kDensity);
   const auto film = solve_reynolds(scene, gap, {}, oil, cold_film(scene));
   Values values;
   if (!film.good()) {

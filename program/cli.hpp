@@ -50,7 +50,7 @@ struct Request {
   int cases = 200;                           ///< honesty, auto-honesty --cases
   int seed = 1;                              ///< honesty, auto-honesty --seed: of the first case
   int nodes = 7;                             ///< honesty --nodes: across the film of the truth
-  bool shipped = true;                       ///< honesty: the shipped cases as well
+  bool known = true;                         ///< honesty: shipped and validation cases as well
   std::vector<std::string> grids{"200x25"};  ///< honesty --grids
   std::string truth = "400x50";              ///< honesty --truth
   bool bars = false;                         ///< sweep --bars

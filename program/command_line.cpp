@@ -137,7 +137,8 @@ void add_honesty(CLI::App& app, Request& request) {
   honesty->add_option("--nodes", request.nodes, "nodes across the film of the truth (default: 7)")
       ->type_name("N")
       ->check(CLI::Range(5, 15));
-  honesty->add_flag("!--no-shipped", request.shipped, "leave out the shipped cases");
+  honesty->add_flag("!--random-only", request.known,
+                    "leave out the shipped cases and those of the ledger and the chart");
   honesty->add_option("--json", request.json, "write every bar; - is standard output")
       ->type_name("FILE");
   honesty->add_option("-o", request.output, "write the picture (SVG)")->type_name("FILE.svg");

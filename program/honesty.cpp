@@ -4,7 +4,6 @@
 
 #include <iostream>
 
-#include "app/library.hpp"
 #include "app/pending_file.hpp"
 #include "app/progress.hpp"
 #include "app/read_case.hpp"
@@ -12,6 +11,7 @@
 #include "program/commands.hpp"
 #include "program/session.hpp"
 #include "proof/honesty_report.hpp"
+#include "proof/known_cases.hpp"
 #include "proof/population.hpp"
 
 namespace shellback::program {
@@ -34,13 +34,15 @@ std::array<int, 2> grid_named(const std::string& words, const std::string& place
   return grid;
 }
 
-std::vector<coupling::Case> chosen_cases(const Request& request) {
-  std::vector<coupling::Case> cases;
-  for (int k = 0; k < request.cases; ++k) cases.push_back(random_case(request.seed + k));
-  if (!request.shipped) return cases;
-  for (const std::string& name : app::shipped_cases()) {
-    cases.push_back(app::read_case(app::case_path(name).string()));
-    cases.back().title = name;
+std::vector<HonestyCase> chosen_cases(const Request& request) {
+  std::vector<HonestyCase> cases;
+  for (int k = 0; k < request.cases; ++k) {
+    cases.push_back({random_case(request.seed + k), "random"});
+  }
+  if (!request.known) return cases;
+  for (const auto& file : known_cases()) {
+    cases.push_back({app::read_case(file.string()), "known"});
+    cases.back().input.title = (file.parent_path().filename() / file.stem()).string();
   }
   return cases;
 }

@@ -173,20 +173,22 @@ bool bar_known(const BarSample& s, BarKind kind) {
 
 }  // namespace
 
-HonestyRecord measure_honesty(const std::vector<Case>& cases, const HonestyOptions& options) {
+HonestyRecord measure_honesty(const std::vector<HonestyCase>& cases,
+                              const HonestyOptions& options) {
   const int count = static_cast<int>(cases.size());
   std::vector<Subject> subjects(count);
   std::mutex guard;
   int done = 0;
   parallel_for(count, options.threads, [&](int k) {
     if (options.stop != nullptr && options.stop->load()) return;
-    subjects[k] = Trial(cases[k], k, options).run();
+    subjects[k] = Trial(cases[k].input, k, options).run();
     const std::lock_guard lock(guard);
     if (options.progress) options.progress(++done, count);
   });
   HonestyRecord out;
   for (int k = 0; k < count; ++k) {
-    out.subjects.push_back(cases[k].title);
+    out.subjects.push_back(cases[k].input.title);
+    out.sets.push_back(cases[k].set);
     out.finished.push_back(subjects[k].finished);
     if (!subjects[k].finished) continue;
     const auto take = [](auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };

@@ -17,6 +17,11 @@ namespace shellback::proof {
 /// 100 x 13, 200 x 25 and 400 x 50 cells show on random bearings, 1.1 (tehd) to 1.5 (isothermal).
 inline constexpr double kLimitOrder = 1.3;
 
+struct HonestyCase {
+  coupling::Case input;
+  std::string set;  ///< whose figures are told apart: "random bearings", say
+};
+
 struct HonestyOptions {
   std::vector<coupling::Tier> tiers;
   std::vector<std::array<int, 2>> grids;  ///< whose bars are tested
@@ -67,6 +72,7 @@ struct BarCost {
 
 struct HonestyRecord {
   std::vector<std::string> subjects;  ///< names of the cases
+  std::vector<std::string> sets;      ///< of each of them
   std::vector<bool> finished;
   std::vector<BarSample> samples;
   std::vector<HonestyRefusal> refusals;
@@ -74,7 +80,7 @@ struct HonestyRecord {
 };
 
 /// Solves all; ends soon after `stop`, keeping the cases that are finished.
-[[nodiscard]] HonestyRecord measure_honesty(const std::vector<coupling::Case>& cases,
+[[nodiscard]] HonestyRecord measure_honesty(const std::vector<HonestyCase>& cases,
                                             const HonestyOptions& options);
 
 /// How well a set of bars holds.

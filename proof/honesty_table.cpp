@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <ostream>
+#include <set>
 
 #include "app/text_table.hpp"
 #include "proof/honesty_report.hpp"
@@ -92,6 +93,24 @@ void write_by_tier(std::ostream& out, const HonestyRecord& record) {
   table.print(out);
 }
 
+void write_by_set(std::ostream& out, const HonestyRecord& record) {
+  app::TextTable table(2);
+  auto head = kHead;
+  head[0] = "cases";
+  table.add(head);
+  table.rule();
+  for (const auto& grid : grids_of(record)) {
+    const std::string name = fmt::format("{}x{}", grid[0], grid[1]);
+    for (const std::string& set : std::set(record.sets.begin(), record.sets.end())) {
+      const auto here = chosen(record.samples, [&](const auto& s) {
+        return s.grid == grid && record.sets[s.subject] == set;
+      });
+      table.add(cells(set, name, here));
+    }
+  }
+  table.print(out);
+}
+
 void write_by_quantity(std::ostream& out, const HonestyRecord& record) {
   std::vector<std::string> names;
   for (const BarSample& s : record.samples) {
@@ -134,6 +153,8 @@ void write_honesty_table(std::ostream& out, const HonestyRecord& record) {
       "of the bars over that of the solve\n\n",
       done);
   write_by_tier(out, record);
+  out << '\n';
+  write_by_set(out, record);
   out << '\n';
   write_by_quantity(out, record);
   write_refusals(out, record);

@@ -67,8 +67,8 @@ TEST_CASE("BarsOfRandomBearingsHold") {
   // scatter: a whole bearing may be missed at once, hence 80 % here for the 90 % there. The truth,
   // twice as fine, keeps 2^-1.3 = 40 % of the error, so that errors look 1.6 times shorter than
   // they are: 8 here for the 5 there.
-  std::vector<Case> cases;
-  for (const int seed : {2, 4, 7, 10, 13, 16}) cases.push_back(random_case(seed));
+  std::vector<HonestyCase> cases;
+  for (const int seed : {2, 4, 7, 10, 13, 16}) cases.push_back({random_case(seed), "random"});
   HonestyOptions o;
   o.tiers = {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd};
   o.grids = {{60, 9}};
@@ -92,7 +92,7 @@ TEST_CASE("AStoppedMeasurementKeepsWhatIsFinished") {
   o.tiers = {Tier::isothermal};
   o.grids = {{60, 9}};
   o.stop = &stop;
-  const HonestyRecord record = measure_honesty({random_case(1)}, o);
+  const HonestyRecord record = measure_honesty({{random_case(1), "random"}}, o);
   CHECK(record.samples.empty());
   CHECK_FALSE(record.finished.front());
 }

@@ -128,6 +128,23 @@ TEST_CASE("AnUpwindRingIsSolvedForEveryNumberOfAxialCells") {
   for (int nz = 1; nz <= 40; ++nz) check_solve(upwind(6, nz, 50u + nz, {2, 3}), 1, 3u + nz);
 }
 
+TEST_CASE("AGrooveOverAPartOfACavitatedLineIsSolvedWhereverItLies") {
+  for (int at = 0; at < 9; ++at) {
+    for (int open = 0; open <= 6; ++open) {  // cells of the line that take over from the one before
+      RingMatrix a = upwind(9, 6, 60u + at, {at, (at + 1) % 9, (at + 8) % 9});
+      for (int j = open; j < 6; ++j) a.w[at * 6 + j] = 0.0;
+      check_solve(a, 2, 11u + open);
+    }
+  }
+}
+
+TEST_CASE("ACavitatedLineWithoutTransportIsRefused") {
+  RingMatrix a = upwind(7, 5, 81, {2, 3});
+  a.c[3 * 5 + 2] = 0.0;
+  RingFactor factor;
+  CHECK_FALSE(factor.factorize(a));
+}
+
 TEST_CASE("ARingCutByAGrooveIsSolvedWhereverTheGrooveLies") {
   for (int at = 0; at < 7; ++at) {
     for (const int nz : {1, 7, 8, 9, 17}) {

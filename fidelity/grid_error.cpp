@@ -15,7 +15,7 @@ double change_ratio(double h1, double h2, double h3, double p) {
   return (std::pow(h3, p) - b) / (b - a);
 }
 
-constexpr double kSafety = 1.4;        ///< of (4) [-]
+constexpr double kSafety = 1.5;        ///< of (4) [-]
 constexpr double kFineCell = 0.01414;  ///< of 200 x 25 cells [-]
 double safety(double h) { return kSafety * std::sqrt(std::max(1.0, h / kFineCell)); }
 

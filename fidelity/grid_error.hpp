@@ -7,7 +7,7 @@
 /// (1 finest) for any ratios of refinement. The bar of the finest value is
 ///   bar = F(h1) d / ((h2/h1)^p - 1) + noise,                                              (2)
 ///   d = max(|f2 - f1|, |f3 - f2| (h2^q - h1^q)/(h3^q - h2^q)),   q the highest order      (3)
-///   F(h) = 1.4 sqrt(max(1, h/h_200x25))                                                   (4)
+///   F(h) = 1.5 sqrt(max(1, h/h_200x25))                                                   (4)
 /// (3): two values that happen to agree are no proof of a limit; the change before tells what is
 /// left at best. (4): coarse sequences are further from (1). Orders, F and kShare were set on
 /// random bearings, see docs/decisions/011. Source: methods 7.1, 5 (GCI with three grids); (1)

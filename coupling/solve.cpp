@@ -8,6 +8,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "coupling/heat_path.hpp"
 #include "coupling/nested.hpp"
 #include "coupling/position_path.hpp"
 #include "coupling/solids.hpp"
@@ -156,20 +157,31 @@ Verdict solve_isothermal(Solution& s, bool warm, const SolveControl& control) {
   return solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
 }
 
+/// Film and walls at the temperature of the supply, from cold.
+Verdict start_resolved(Solution& s, const SolveControl& control) {
+  const double T = s.model.input.supplies.front().temperature;
+  s.film = cold_start(s.model, T);
+  s.heat = cold_heat(s.model, T);
+  return start(s, T, control);
+}
+
 Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveControl& control) {
-  if (!warm) {
-    const double T = s.model.input.supplies.front().temperature;
-    s.heat = cold_heat(s.model, T);
-    const Verdict v = start(s, T, control);
-    if (!v.good()) return v;
-  }
   ThermalOptions options;
   options.tolerance = std::max(options.tolerance, tolerance);
   if (tolerance > 0.0) {  // a coarse grid is but a start
     options.close = false;
     options.most_newton = 400;
   }
-  return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
+  const auto settle = [&] {
+    return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
+  };
+  if (warm) return settle();
+  Verdict v = start_resolved(s, control);
+  if (v.good()) v = settle();
+  const bool lost = v.status == Status::iteration_limit || v.status == Status::no_steady_state;
+  if (!lost || s.target.unknowns == 0) return v;
+  const auto cold = [&](Solution& at) { return start_resolved(at, control); };
+  return follow_heat(s, v, cold, options, control);
 }
 
 /// Solves on the model's grid, from the state that is there or from cold.

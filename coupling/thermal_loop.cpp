@@ -86,6 +86,8 @@ class Turn {
   /// A film that fails because heat has thinned its oil is a thermal runaway.
   void name_the_failure();
   void report(const std::vector<double>& x, const std::vector<double>& g);
+  /// Of the last turn's film, whichever way the shaft turns [N m].
+  [[nodiscard]] double torque() const { return std::abs(friction_.viscous + friction_.asperity); }
 
   const BearingModel& model_;
   const LoadTarget& target_;
@@ -164,7 +166,8 @@ Verdict Turn::solve_film(const Place& from) {
     return solve_equilibrium(model_, target_, growth, options, film_, cost_, control_.stop);
   };
   Verdict verdict = solve(heat_.growth);
-  if (verdict.good() || verdict.status == Status::interrupted || from.T.empty()) return verdict;
+  const bool at_once = from.T.empty() || !options_.patient;
+  if (verdict.good() || verdict.status == Status::interrupted || at_once) return verdict;
   const Place to{film_.columns.T, heat_.growth};
   film_.film = film;
   film_.position = position;
@@ -324,11 +327,11 @@ void Turn::report(const std::vector<double>& x, const std::vector<double>& g) {
   for (std::size_t k = 0; k < x.size(); ++k) {
     heat_.residual = std::max(heat_.residual, std::abs(g[k] - x[k]));
   }
-  const double torque = friction_.viscous + friction_.asperity;
-  history_.push_back({"thermal", heat_.residual, torque, film_.least.h});
+  const double signed_torque = friction_.viscous + friction_.asperity;
+  history_.push_back({"thermal", heat_.residual, signed_torque, film_.least.h});
   if (control_.progress) {
     control_.progress(
-        {to_string(model_.input.model.tier), turns_, heat_.residual, torque, film_.least.h});
+        {to_string(model_.input.model.tier), turns_, heat_.residual, signed_torque, film_.least.h});
   }
 }
 
@@ -357,7 +360,9 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   const Place before{std::move(turn_T_), std::move(turn_growth_)};
   turn_T_ = film_.columns.T;
   turn_growth_ = heat_.growth;
+  const int n0=cost_.newton_iterations;
   verdict_ = solve_film(before);
+  if(getenv("DBG2")) fmt::print(stderr,"  turn {} res {:.2e} n {} {} {} least {:.3g}\n",turns_,heat_.residual,cost_.newton_iterations-n0,to_string(verdict_.status),verdict_.reason,film_.least.h);
   if (!verdict_.good()) {
     name_the_failure();
     return false;
@@ -390,8 +395,7 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   for (std::size_t k = 0; k < g.size(); ++k) g[k] = x[k] + part * (g[k] - x[k]);
   report(x, g);
   if (heat_.residual < best_.residual) {
-    best_ = {heat_.residual, friction_.viscous + friction_.asperity, film_, heat_, turn_T_,
-             turn_growth_};
+    best_ = {heat_.residual, torque(), film_, heat_, turn_T_, turn_growth_};
   }
   return true;
 }
@@ -399,8 +403,9 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
 FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
   constexpr double kStep = 0.3;     // of the way to the map's value
   constexpr double kNear = 0.05;    // change per turn from which acceleration is tried again
-  constexpr double kRunaway = 1.5;  // friction over that of the best state: it rises for good [-]
-  const double torque = best_.torque;
+  constexpr double kRisen = 1.1;    // friction over that of the best state: it has risen [-]
+  constexpr double kRunaway = 1.5;  // the same: it rises for good [-]
+  const double before = best_.torque;
   film_ = best_.film;
   heat_ = best_.heat;
   turn_T_ = best_.T;
@@ -411,15 +416,14 @@ FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
   for (int k = 0; k < fixed.max_iterations; ++k) {
     if (!(*this)(x, g)) {
       if (verdict_.status != Status::iteration_limit) return FixedPointEnd::map_failed;
-      const double now = friction_.viscous + friction_.asperity;
-      if (now > torque) verdict_ = friction_runaway(torque, now);
+      if (torque() > kRisen * before) verdict_ = friction_runaway(before, torque());
       return FixedPointEnd::map_failed;
     }
-    const double now = friction_.viscous + friction_.asperity;
+    const double now = torque();
     const bool spent = cost_.newton_iterations - newton_before_ > options_.most_newton;
-    if (spent && !(now > torque)) return FixedPointEnd::iteration_limit;
-    if ((spent || now > kRunaway * torque) && heat_.residual > kNear) {
-      verdict_ = friction_runaway(torque, now);
+    if (spent && !(now > kRisen * before)) return FixedPointEnd::iteration_limit;
+    if ((spent || now > kRunaway * before) && heat_.residual > kNear) {
+      verdict_ = friction_runaway(before, now);
       return FixedPointEnd::map_failed;
     }
     for (std::size_t c = 0; c < x.size(); ++c) x[c] += kStep * (g[c] - x[c]);
@@ -540,14 +544,14 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
   std::vector<double> x = turn.pack();
   const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance};
   FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
-  if (end != FixedPointEnd::converged && turn.may_go_on()) end = turn.creep(fixed);
+  if (end != FixedPointEnd::converged && options.patient && turn.may_go_on()) end = turn.creep(fixed);
   if (end == FixedPointEnd::map_failed) {
     turn.give_contact_growth();
     if (!turn.verdict().good()) return turn.verdict();
     return {Status::invalid_number, "the accelerated temperatures are not numbers", "",
             "try a finer grid"};
   }
-  turn.finish();
+  if (end == FixedPointEnd::converged || options.patient) turn.finish();
   turn.give_contact_growth();
   if (end == FixedPointEnd::converged) return turn.verdict();
   return {Status::iteration_limit,

@@ -23,6 +23,7 @@ struct ThermalOptions {
   int most_newton = 1500;   ///< film iterations in all, from which slow steps are given up
   double tolerance = 3e-4;  ///< largest change per turn, in the units above [-]
   bool close = true;        ///< bring film and walls to balance at the end (false: coarse grids)
+  bool patient = true;      ///< small steps where acceleration fails (false: give up at once)
   double runaway = 400.0;   ///< film temperature above the supply that is taken as runaway [K]
   EquilibriumOptions film;
 };

@@ -1,0 +1,145 @@
+#include "coupling/heat_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shellback::coupling {
+namespace {
+
+constexpr std::array kLight{0.3, 0.1, 0.02};  ///< parts of the load to begin with [-]
+constexpr double kFirstRatio = 1.5;           ///< of the load from step to step [-]
+constexpr double kLargestRatio = 2.0;
+constexpr double kSmallestRatio = 1.01;  ///< a smaller step shows that the path ends [-]
+constexpr double kLooseHeat = 3e-3;      ///< change per turn that will do on the way [-]
+constexpr int kMostTurns = 25;           ///< of one step
+constexpr int kMostNewton = 600;         ///< of a slow step where the path seems to end
+constexpr int kMostRests = 3;            ///< such steps after which it may go on
+
+/// What a state is, without what follows from it.
+struct Reached {
+  FilmEquilibrium film;
+  HeatState heat;
+  double part = 0.0;
+};
+
+class HeatPath {
+ public:
+  HeatPath(Solution& s, const ThermalOptions& options, const SolveControl& control)
+      : s_(s), options_(options), control_(control), goal_(s.target) {}
+
+  /// A light load from cold; false if none settles.
+  [[nodiscard]] bool begin(const ColdStart& cold);
+  [[nodiscard]] Verdict follow();
+
+ private:
+  void load(double part) {
+    s_.target = goal_;
+    for (double& f : s_.target.force) f *= part;
+  }
+  [[nodiscard]] Verdict settle(const ThermalOptions& options) {
+    return solve_thermal(s_.model, s_.target, options, control_, s_.film, s_.heat, s_.cost,
+                         s_.history);
+  }
+  /// From the state reached to `part` of the load; where that fails, back to the state.
+  [[nodiscard]] Verdict settle_at(double part, const ThermalOptions& options);
+  [[nodiscard]] ThermalOptions on_the_way() const;
+  /// Raises the load by steps until all is reached or they become small.
+  [[nodiscard]] Verdict raise();
+  [[nodiscard]] Verdict end_of_path(Verdict last) const;
+
+  Solution& s_;
+  const ThermalOptions& options_;
+  const SolveControl& control_;
+  LoadTarget goal_;
+  Reached reached_;
+  Verdict failure_;
+};
+
+ThermalOptions HeatPath::on_the_way() const {
+  ThermalOptions o = options_;
+  o.tolerance = std::max(o.tolerance, kLooseHeat);
+  o.max_turns = std::min(o.max_turns, kMostTurns);
+  o.close = false;
+  o.patient = false;
+  return o;
+}
+
+Verdict HeatPath::settle_at(double part, const ThermalOptions& options) {
+  load(part);
+  const Verdict v = settle(options);
+  if (v.good()) {
+    reached_ = {s_.film, s_.heat, part};
+  } else if (v.status != Status::interrupted) {
+    s_.film = reached_.film;
+    s_.heat = reached_.heat;
+  }
+  return v;
+}
+
+bool HeatPath::begin(const ColdStart& cold) {
+  for (const double part : kLight) {
+    load(part);
+    Verdict v = cold(s_);
+    if (v.good()) v = settle(on_the_way());
+    if(getenv("DBG")) fmt::print(stderr,"begin {} {} {}\n",part,to_string(v.status),v.reason);
+    if (v.status == Status::interrupted) return false;
+    if (!v.good()) continue;
+    reached_ = {s_.film, s_.heat, part};
+    return true;
+  }
+  return false;
+}
+
+Verdict HeatPath::raise() {
+  double ratio = kFirstRatio;
+  while (ratio > kSmallestRatio) {
+    const double next = std::min(1.0, reached_.part * ratio);
+    const Verdict v = settle_at(next, next == 1.0 ? options_ : on_the_way());
+    if(getenv("DBG")) fmt::print(stderr,"follow {} M {} n {} {} {}\n",next,s_.history.empty()?0.0:s_.history.back().friction_torque,s_.cost.newton_iterations,to_string(v.status),v.reason);
+    if (v.status == Status::interrupted || reached_.part == 1.0) return v;
+    ratio = v.good() ? std::min(kLargestRatio, ratio * std::sqrt(ratio)) : std::sqrt(ratio);
+    if (!v.good()) failure_ = v;
+  }
+  return failure_;
+}
+
+Verdict HeatPath::follow() {
+  Verdict v;
+  for (int rest = 0; rest < kMostRests; ++rest) {
+    v = raise();
+    if (v.status == Status::interrupted || reached_.part == 1.0) return v;
+    ThermalOptions slow = options_;
+    slow.close = false;
+    slow.most_newton = kMostNewton;
+    v = settle_at(reached_.part * kSmallestRatio, slow);
+    if(getenv("DBG")) fmt::print(stderr,"end {} M {} n {} {} {}\n",reached_.part,s_.history.empty()?0.0:s_.history.back().friction_torque,s_.cost.newton_iterations,to_string(v.status),v.reason);
+    if (!v.good()) break;
+  }
+  return v.status == Status::interrupted ? v : end_of_path(v);
+}
+
+Verdict HeatPath::end_of_path(Verdict v) const {
+  const double carried = reached_.part * goal_.scale();
+  const std::string words = fmt::format(
+      "followed from light loads on, film and heat come to rest up to {:.4g} N of {:.4g} N",
+      carried, goal_.scale());
+  if (v.good()) v.status = Status::iteration_limit;
+  v.reason = fmt::format("{}; then: {}", words, v.reason);
+  return v;
+}
+
+}  // namespace
+
+Verdict follow_heat(Solution& s, const Verdict& lost, const ColdStart& cold,
+                    const ThermalOptions& options, const SolveControl& control) {
+  const LoadTarget goal = s.target;
+  HeatPath path(s, options, control);
+  const Verdict v = path.begin(cold) ? path.follow() : lost;
+  s.target = goal;
+  return v;
+}
+
+}  // namespace shellback::coupling

@@ -286,9 +286,10 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
   constexpr double kLittleGain = 0.2;  // part of the gain asked for: a step that gained little [-]
   constexpr double kNearLoad = 0.1;    // from here on film and journal move together [-]
   Unknowns settled = unknowns_of(s);   // last state whose film had followed
-  // Rough surfaces stay apart by their asperities: the nominal gap may go through zero.
+  // Rough surfaces stay apart by their asperities: the nominal gap may go through zero, and as far
+  // below it as contact presses it.
   const auto room = [&](const FilmEquilibrium& f) {
-    return f.least.h + 3.0 * model.scene.rough.sigma;
+    return 0.5 * (f.least.h + std::hypot(f.least.h, 2.0 * model.scene.rough.sigma));
   };
   double reach = 1.0;
   double carried = 0.0;

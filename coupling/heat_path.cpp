@@ -84,7 +84,7 @@ bool HeatPath::begin(const ColdStart& cold) {
     load(part);
     Verdict v = cold(s_);
     if (v.good()) v = settle(on_the_way());
-    if(getenv("DBG")) fmt::print(stderr,"begin {} {} {}\n",part,to_string(v.status),v.reason);
+    if (getenv("DBG")) fmt::print(stderr, "begin {} {} {}\n", part, to_string(v.status), v.reason);
     if (v.status == Status::interrupted) return false;
     if (!v.good()) continue;
     reached_ = {s_.film, s_.heat, part};
@@ -98,7 +98,10 @@ Verdict HeatPath::raise() {
   while (ratio > kSmallestRatio) {
     const double next = std::min(1.0, reached_.part * ratio);
     const Verdict v = settle_at(next, next == 1.0 ? options_ : on_the_way());
-    if(getenv("DBG")) fmt::print(stderr,"follow {} M {} n {} {} {}\n",next,s_.history.empty()?0.0:s_.history.back().friction_torque,s_.cost.newton_iterations,to_string(v.status),v.reason);
+    if (getenv("DBG"))
+      fmt::print(stderr, "follow {} M {} n {} {} {}\n", next,
+                 s_.history.empty() ? 0.0 : s_.history.back().friction_torque,
+                 s_.cost.newton_iterations, to_string(v.status), v.reason);
     if (v.status == Status::interrupted || reached_.part == 1.0) return v;
     ratio = v.good() ? std::min(kLargestRatio, ratio * std::sqrt(ratio)) : std::sqrt(ratio);
     if (!v.good()) failure_ = v;
@@ -115,7 +118,10 @@ Verdict HeatPath::follow() {
     slow.close = false;
     slow.most_newton = kMostNewton;
     v = settle_at(reached_.part * kSmallestRatio, slow);
-    if(getenv("DBG")) fmt::print(stderr,"end {} M {} n {} {} {}\n",reached_.part,s_.history.empty()?0.0:s_.history.back().friction_torque,s_.cost.newton_iterations,to_string(v.status),v.reason);
+    if (getenv("DBG"))
+      fmt::print(stderr, "end {} M {} n {} {} {}\n", reached_.part,
+                 s_.history.empty() ? 0.0 : s_.history.back().friction_torque,
+                 s_.cost.newton_iterations, to_string(v.status), v.reason);
     if (!v.good()) break;
   }
   return v.status == Status::interrupted ? v : end_of_path(v);

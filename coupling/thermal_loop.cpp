@@ -360,9 +360,12 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   const Place before{std::move(turn_T_), std::move(turn_growth_)};
   turn_T_ = film_.columns.T;
   turn_growth_ = heat_.growth;
-  const int n0=cost_.newton_iterations;
+  const int n0 = cost_.newton_iterations;
   verdict_ = solve_film(before);
-  if(getenv("DBG2")) fmt::print(stderr,"  turn {} res {:.2e} n {} {} {} least {:.3g}\n",turns_,heat_.residual,cost_.newton_iterations-n0,to_string(verdict_.status),verdict_.reason,film_.least.h);
+  if (getenv("DBG2"))
+    fmt::print(stderr, "  turn {} res {:.2e} n {} {} {} least {:.3g}\n", turns_, heat_.residual,
+               cost_.newton_iterations - n0, to_string(verdict_.status), verdict_.reason,
+               film_.least.h);
   if (!verdict_.good()) {
     name_the_failure();
     return false;
@@ -544,7 +547,8 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
   std::vector<double> x = turn.pack();
   const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance};
   FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
-  if (end != FixedPointEnd::converged && options.patient && turn.may_go_on()) end = turn.creep(fixed);
+  if (end != FixedPointEnd::converged && options.patient && turn.may_go_on())
+    end = turn.creep(fixed);
   if (end == FixedPointEnd::map_failed) {
     turn.give_contact_growth();
     if (!turn.verdict().good()) return turn.verdict();

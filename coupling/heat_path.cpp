@@ -16,6 +16,9 @@ constexpr double kSmallestRatio = 1.01;  ///< a smaller step shows that the path
 constexpr double kLooseHeat = 3e-3;      ///< change per turn that will do on the way [-]
 constexpr int kMostTurns = 25;           ///< of one step
 constexpr int kMostNewton = 600;         ///< of a slow step where the path seems to end
+constexpr double kSteep = 3.0;           ///< d ln(friction)/d ln(load) near a turning point [-]
+constexpr double kSteeper = 3.0;         ///< the same over that of the whole path [-]
+constexpr int kMostFilm = 40;            ///< film iterations of a turn of one step
 constexpr int kMostRests = 3;            ///< such steps after which it may go on
 
 /// What a state is, without what follows from it.
@@ -23,6 +26,12 @@ struct Reached {
   FilmEquilibrium film;
   HeatState heat;
   double part = 0.0;
+};
+
+/// A point of the path.
+struct Waymark {
+  double part = 0.0;
+  double torque = 0.0;  ///< without sign [N m]
 };
 
 class HeatPath {
@@ -48,6 +57,17 @@ class HeatPath {
   [[nodiscard]] ThermalOptions on_the_way() const;
   /// Raises the load by steps until all is reached or they become small.
   [[nodiscard]] Verdict raise();
+  void keep(double part);
+  /// d ln(friction)/d ln(load) between two points of the path.
+  [[nodiscard]] static double steepness(const Waymark& a, const Waymark& b) {
+    return std::log(b.torque / a.torque) / std::log(b.part / a.part);
+  }
+  /// The same at the end of the path, over a step that is not too short; 0 if it has none.
+  [[nodiscard]] double last_steepness() const;
+  /// True if friction rises towards the end as it does towards a turning point.
+  [[nodiscard]] bool turns() const;
+  [[nodiscard]] std::string followed() const;
+  [[nodiscard]] Verdict turning_point() const;
   [[nodiscard]] Verdict end_of_path(Verdict last) const;
 
   Solution& s_;
@@ -55,6 +75,7 @@ class HeatPath {
   const SolveControl& control_;
   LoadTarget goal_;
   Reached reached_;
+  std::vector<Waymark> way_;
   Verdict failure_;
 };
 
@@ -64,14 +85,34 @@ ThermalOptions HeatPath::on_the_way() const {
   o.max_turns = std::min(o.max_turns, kMostTurns);
   o.close = false;
   o.patient = false;
+  o.film.max_iterations = std::min(o.film.max_iterations, kMostFilm);
   return o;
+}
+
+void HeatPath::keep(double part) {
+  reached_ = {s_.film, s_.heat, part};
+  s_.followed = part;
+  const Friction f = friction_of(s_.model, s_.film);
+  way_.push_back({part, std::abs(f.viscous + f.asperity)});
+}
+
+double HeatPath::last_steepness() const {
+  const auto far = std::find_if(way_.rbegin(), way_.rend(), [&](const Waymark& w) {
+    return w.part * kSmallestRatio <= reached_.part;
+  });
+  return far == way_.rend() ? 0.0 : steepness(*far, way_.back());
+}
+
+bool HeatPath::turns() const {
+  const double at_first = steepness(way_.front(), way_.back());
+  return last_steepness() > std::max(kSteep, kSteeper * at_first);
 }
 
 Verdict HeatPath::settle_at(double part, const ThermalOptions& options) {
   load(part);
   const Verdict v = settle(options);
   if (v.good()) {
-    reached_ = {s_.film, s_.heat, part};
+    keep(part);
   } else if (v.status != Status::interrupted) {
     s_.film = reached_.film;
     s_.heat = reached_.heat;
@@ -87,7 +128,7 @@ bool HeatPath::begin(const ColdStart& cold) {
     if (getenv("DBG")) fmt::print(stderr, "begin {} {} {}\n", part, to_string(v.status), v.reason);
     if (v.status == Status::interrupted) return false;
     if (!v.good()) continue;
-    reached_ = {s_.film, s_.heat, part};
+    keep(part);
     return true;
   }
   return false;
@@ -97,7 +138,12 @@ Verdict HeatPath::raise() {
   double ratio = kFirstRatio;
   while (ratio > kSmallestRatio) {
     const double next = std::min(1.0, reached_.part * ratio);
-    const Verdict v = settle_at(next, next == 1.0 ? options_ : on_the_way());
+    ThermalOptions options = on_the_way();
+    if (next == 1.0) {
+      options = options_;
+      options.patient = false;
+    }
+    const Verdict v = settle_at(next, options);
     if (getenv("DBG"))
       fmt::print(stderr, "follow {} M {} n {} {} {}\n", next,
                  s_.history.empty() ? 0.0 : s_.history.back().friction_torque,
@@ -114,6 +160,7 @@ Verdict HeatPath::follow() {
   for (int rest = 0; rest < kMostRests; ++rest) {
     v = raise();
     if (v.status == Status::interrupted || reached_.part == 1.0) return v;
+    if (turns()) return turning_point();
     ThermalOptions slow = options_;
     slow.close = false;
     slow.most_newton = kMostNewton;
@@ -127,13 +174,24 @@ Verdict HeatPath::follow() {
   return v.status == Status::interrupted ? v : end_of_path(v);
 }
 
-Verdict HeatPath::end_of_path(Verdict v) const {
-  const double carried = reached_.part * goal_.scale();
-  const std::string words = fmt::format(
+std::string HeatPath::followed() const {
+  return fmt::format(
       "followed from light loads on, film and heat come to rest up to {:.4g} N of {:.4g} N",
-      carried, goal_.scale());
+      reached_.part * goal_.scale(), goal_.scale());
+}
+
+Verdict HeatPath::turning_point() const {
+  return {Status::no_steady_state,
+          fmt::format("thermal runaway: {}; there friction rises as the load to the power {:.1f}, "
+                      "and under a load {:.0f} % larger it finds no rest",
+                      followed(), last_steepness(), 100.0 * (kSmallestRatio - 1.0)),
+          failure_.place,
+          "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
+}
+
+Verdict HeatPath::end_of_path(Verdict v) const {
   if (v.good()) v.status = Status::iteration_limit;
-  v.reason = fmt::format("{}; then: {}", words, v.reason);
+  v.reason = fmt::format("{}; then: {}", followed(), v.reason);
   return v;
 }
 
@@ -142,6 +200,7 @@ Verdict HeatPath::end_of_path(Verdict v) const {
 Verdict follow_heat(Solution& s, const Verdict& lost, const ColdStart& cold,
                     const ThermalOptions& options, const SolveControl& control) {
   const LoadTarget goal = s.target;
+  s.followed = 0.0;
   HeatPath path(s, options, control);
   const Verdict v = path.begin(cold) ? path.follow() : lost;
   s.target = goal;

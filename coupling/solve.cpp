@@ -175,11 +175,13 @@ Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveCont
   const auto settle = [&] {
     return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
   };
-  if (warm) return settle();
-  Verdict v = start_resolved(s, control);
+  const bool may_follow = !warm && s.target.unknowns > 0;
+  options.patient = !may_follow;
+  Verdict v = warm ? Verdict{} : start_resolved(s, control);
   if (v.good()) v = settle();
   const bool lost = v.status == Status::iteration_limit || v.status == Status::no_steady_state;
-  if (!lost || s.target.unknowns == 0) return v;
+  if (!lost || !may_follow) return v;
+  options.patient = true;
   const auto cold = [&](Solution& at) { return start_resolved(at, control); };
   return follow_heat(s, v, cold, options, control);
 }
@@ -209,6 +211,13 @@ void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const Solv
   if (s.verdict.good() && s.model.input.model.coefficients) s.coefficients = coefficients_of(s);
 }
 
+/// True if film and heat were followed to an end so far below the load that no finer grid is needed
+/// to tell that it is not carried.
+bool ends_far_below(const Solution& s) {
+  constexpr double kFarBelow = 0.6;  // grids differ by less in what they carry [-]
+  return s.verdict.status == Status::no_steady_state && s.followed > 0.0 && s.followed < kFarBelow;
+}
+
 /// Solves on every grid of the ladder, each from the one before. A coarse grid that fails is left
 /// out; where the state of a coarse grid is no start for the next, that one starts from cold.
 void climb(const Case& c, Tier tier, const SolveControl& control,
@@ -236,7 +245,7 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
       s.T_film = T_start;
       solve_level(s, tier, false, tolerance, control);
     }
-    if (s.verdict.status == Status::interrupted) return;
+    if (s.verdict.status == Status::interrupted || ends_far_below(s)) return;
     warm = s.verdict.good();
     if (warm) s.levels.push_back({ladder[level], quantities_of(s, tier)});
   }

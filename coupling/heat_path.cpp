@@ -6,20 +6,25 @@
 #include <array>
 #include <cmath>
 
+#include "core/constants.hpp"
+
 namespace shellback::coupling {
 namespace {
 
-constexpr std::array kLight{0.3, 0.1, 0.02};  ///< parts of the load to begin with [-]
-constexpr double kFirstRatio = 1.5;           ///< of the load from step to step [-]
+constexpr std::array kLight{0.3, 0.1, 0.02};  ///< parts of load or speed to begin with [-]
+constexpr double kFirstRatio = 1.5;           ///< of load or speed from step to step [-]
 constexpr double kLargestRatio = 2.0;
 constexpr double kSmallestRatio = 1.01;  ///< a smaller step shows that the path ends [-]
 constexpr double kLooseHeat = 3e-3;      ///< change per turn that will do on the way [-]
 constexpr int kMostTurns = 25;           ///< of one step
 constexpr int kMostNewton = 600;         ///< of a slow step where the path seems to end
-constexpr double kSteep = 3.0;           ///< d ln(friction)/d ln(load) near a turning point [-]
-constexpr double kSteeper = 3.0;         ///< the same over that of the whole path [-]
-constexpr int kMostFilm = 40;            ///< film iterations of a turn of one step
-constexpr int kMostRests = 3;            ///< such steps after which it may go on
+constexpr double kSteep = 3.0;  ///< d ln(friction)/d ln(load) near a turning point, or by speed [-]
+constexpr double kSteeper = 3.0;  ///< the same over that of the whole path [-]
+constexpr int kMostFilm = 40;     ///< film iterations of a turn of one step
+constexpr int kMostRests = 10;     ///< such steps after which it may go on
+
+/// What is raised along the path.
+enum class Raised { load, speed };
 
 /// What a state is, without what follows from it.
 struct Reached {
@@ -36,29 +41,36 @@ struct Waymark {
 
 class HeatPath {
  public:
-  HeatPath(Solution& s, const ThermalOptions& options, const SolveControl& control)
-      : s_(s), options_(options), control_(control), goal_(s.target) {}
+  HeatPath(Solution& s, Raised raised, const ThermalOptions& options, const SolveControl& control)
+      : s_(s),
+        raised_(raised),
+        options_(options),
+        control_(control),
+        goal_(s.target),
+        speed_(s.model.scene.speed),
+        omega_(s.model.input.operation.omega) {}
+  ~HeatPath() { take(1.0); }
+  HeatPath(const HeatPath&) = delete;
+  HeatPath& operator=(const HeatPath&) = delete;
 
-  /// A light load from cold; false if none settles.
+  /// A light load, or a low speed, from cold; false if none settles.
   [[nodiscard]] bool begin(const ColdStart& cold);
   [[nodiscard]] Verdict follow();
 
  private:
-  void load(double part) {
-    s_.target = goal_;
-    for (double& f : s_.target.force) f *= part;
-  }
+  /// Gives the scene its part of what is raised.
+  void take(double part);
   [[nodiscard]] Verdict settle(const ThermalOptions& options) {
     return solve_thermal(s_.model, s_.target, options, control_, s_.film, s_.heat, s_.cost,
                          s_.history);
   }
-  /// From the state reached to `part` of the load; where that fails, back to the state.
+  /// From the state reached to `part`; where that fails, back to the state.
   [[nodiscard]] Verdict settle_at(double part, const ThermalOptions& options);
   [[nodiscard]] ThermalOptions on_the_way() const;
-  /// Raises the load by steps until all is reached or they become small.
+  /// Raises by steps until all is reached or they become small.
   [[nodiscard]] Verdict raise();
   void keep(double part);
-  /// d ln(friction)/d ln(load) between two points of the path.
+  /// d ln(friction)/d ln(load), or by speed, between two points of the path.
   [[nodiscard]] static double steepness(const Waymark& a, const Waymark& b) {
     return std::log(b.torque / a.torque) / std::log(b.part / a.part);
   }
@@ -71,13 +83,26 @@ class HeatPath {
   [[nodiscard]] Verdict end_of_path(Verdict last) const;
 
   Solution& s_;
+  Raised raised_;
   const ThermalOptions& options_;
   const SolveControl& control_;
   LoadTarget goal_;
+  double speed_;  ///< wanted, of the journal's surface [m/s]
+  double omega_;  ///< the same [rad/s]
   Reached reached_;
   std::vector<Waymark> way_;
   Verdict failure_;
 };
+
+void HeatPath::take(double part) {
+  if (raised_ == Raised::load) {
+    s_.target = goal_;
+    for (double& f : s_.target.force) f *= part;
+  } else {
+    s_.model.scene.speed = part * speed_;
+    s_.model.input.operation.omega = part * omega_;
+  }
+}
 
 ThermalOptions HeatPath::on_the_way() const {
   ThermalOptions o = options_;
@@ -109,7 +134,7 @@ bool HeatPath::turns() const {
 }
 
 Verdict HeatPath::settle_at(double part, const ThermalOptions& options) {
-  load(part);
+  take(part);
   const Verdict v = settle(options);
   if (v.good()) {
     keep(part);
@@ -122,10 +147,9 @@ Verdict HeatPath::settle_at(double part, const ThermalOptions& options) {
 
 bool HeatPath::begin(const ColdStart& cold) {
   for (const double part : kLight) {
-    load(part);
+    take(part);
     Verdict v = cold(s_);
     if (v.good()) v = settle(on_the_way());
-    if (getenv("DBG")) fmt::print(stderr, "begin {} {} {}\n", part, to_string(v.status), v.reason);
     if (v.status == Status::interrupted) return false;
     if (!v.good()) continue;
     keep(part);
@@ -144,10 +168,6 @@ Verdict HeatPath::raise() {
       options.patient = false;
     }
     const Verdict v = settle_at(next, options);
-    if (getenv("DBG"))
-      fmt::print(stderr, "follow {} M {} n {} {} {}\n", next,
-                 s_.history.empty() ? 0.0 : s_.history.back().friction_torque,
-                 s_.cost.newton_iterations, to_string(v.status), v.reason);
     if (v.status == Status::interrupted || reached_.part == 1.0) return v;
     ratio = v.good() ? std::min(kLargestRatio, ratio * std::sqrt(ratio)) : std::sqrt(ratio);
     if (!v.good()) failure_ = v;
@@ -165,28 +185,32 @@ Verdict HeatPath::follow() {
     slow.close = false;
     slow.most_newton = kMostNewton;
     v = settle_at(reached_.part * kSmallestRatio, slow);
-    if (getenv("DBG"))
-      fmt::print(stderr, "end {} M {} n {} {} {}\n", reached_.part,
-                 s_.history.empty() ? 0.0 : s_.history.back().friction_torque,
-                 s_.cost.newton_iterations, to_string(v.status), v.reason);
     if (!v.good()) break;
   }
   return v.status == Status::interrupted ? v : end_of_path(v);
 }
 
 std::string HeatPath::followed() const {
+  if (raised_ == Raised::load) {
+    return fmt::format(
+        "followed from light loads on, film and heat come to rest up to {:.4g} N of {:.4g} N",
+        reached_.part * goal_.scale(), goal_.scale());
+  }
+  const double rpm = std::abs(omega_) * 30.0 / kPi;
   return fmt::format(
-      "followed from light loads on, film and heat come to rest up to {:.4g} N of {:.4g} N",
-      reached_.part * goal_.scale(), goal_.scale());
+      "followed from low speeds on, film and heat come to rest up to {:.4g} rpm of {:.4g} rpm",
+      reached_.part * rpm, rpm);
 }
 
 Verdict HeatPath::turning_point() const {
-  return {Status::no_steady_state,
-          fmt::format("thermal runaway: {}; there friction rises as the load to the power {:.1f}, "
-                      "and under a load {:.0f} % larger it finds no rest",
-                      followed(), last_steepness(), 100.0 * (kSmallestRatio - 1.0)),
-          failure_.place,
-          "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
+  const char* what = raised_ == Raised::load ? "load" : "speed";
+  return {
+      Status::no_steady_state,
+      fmt::format("thermal runaway: {}; there friction rises as the {} to the power {:.1f}, and "
+                  "with {:.0f} % more it finds no rest",
+                  followed(), what, last_steepness(), 100.0 * (kSmallestRatio - 1.0)),
+      failure_.place,
+      "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
 }
 
 Verdict HeatPath::end_of_path(Verdict v) const {
@@ -197,14 +221,17 @@ Verdict HeatPath::end_of_path(Verdict v) const {
 
 }  // namespace
 
-Verdict follow_heat(Solution& s, const Verdict& lost, const ColdStart& cold,
-                    const ThermalOptions& options, const SolveControl& control) {
-  const LoadTarget goal = s.target;
+Verdict follow_heat(Solution& s, const ColdStart& cold, const ThermalOptions& options,
+                    const SolveControl& control) {
   s.followed = 0.0;
-  HeatPath path(s, options, control);
-  const Verdict v = path.begin(cold) ? path.follow() : lost;
-  s.target = goal;
-  return v;
+  for (const Raised raised : {Raised::load, Raised::speed}) {
+    HeatPath path(s, raised, options, control);
+    if (path.begin(cold)) return path.follow();
+    if (control.stop && control.stop->load()) break;
+  }
+  const Verdict v = cold(s);  // patiently, then
+  if (!v.good()) return v;
+  return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
 }
 
 }  // namespace shellback::coupling

@@ -179,11 +179,10 @@ Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveCont
   options.patient = !may_follow;
   Verdict v = warm ? Verdict{} : start_resolved(s, control);
   if (v.good()) v = settle();
-  const bool lost = v.status == Status::iteration_limit || v.status == Status::no_steady_state;
-  if (!lost || !may_follow) return v;
+  if (v.good() || v.status == Status::interrupted || !may_follow) return v;
   options.patient = true;
   const auto cold = [&](Solution& at) { return start_resolved(at, control); };
-  return follow_heat(s, v, cold, options, control);
+  return follow_heat(s, cold, options, control);
 }
 
 /// Solves on the model's grid, from the state that is there or from cold.

@@ -360,12 +360,7 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   const Place before{std::move(turn_T_), std::move(turn_growth_)};
   turn_T_ = film_.columns.T;
   turn_growth_ = heat_.growth;
-  const int n0 = cost_.newton_iterations;
   verdict_ = solve_film(before);
-  if (getenv("DBG2"))
-    fmt::print(stderr, "  turn {} res {:.2e} n {} {} {} least {:.3g}\n", turns_, heat_.residual,
-               cost_.newton_iterations - n0, to_string(verdict_.status), verdict_.reason,
-               film_.least.h);
   if (!verdict_.good()) {
     name_the_failure();
     return false;

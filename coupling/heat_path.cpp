@@ -21,7 +21,7 @@ constexpr int kMostNewton = 600;         ///< of a slow step where the path seem
 constexpr double kSteep = 3.0;  ///< d ln(friction)/d ln(load) near a turning point, or by speed [-]
 constexpr double kSteeper = 3.0;  ///< the same over that of the whole path [-]
 constexpr int kMostFilm = 40;     ///< film iterations of a turn of one step
-constexpr int kMostRests = 10;     ///< such steps after which it may go on
+constexpr int kMostRests = 10;    ///< such steps after which it may go on
 
 /// What is raised along the path.
 enum class Raised { load, speed };
@@ -129,6 +129,7 @@ double HeatPath::last_steepness() const {
 }
 
 bool HeatPath::turns() const {
+  if (!(viscosity_change(s_.model, reached_.film) > kHeatMatters)) return false;
   const double at_first = steepness(way_.front(), way_.back());
   return last_steepness() > std::max(kSteep, kSteeper * at_first);
 }

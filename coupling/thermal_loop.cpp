@@ -86,6 +86,7 @@ class Turn {
   /// A film that fails because heat has thinned its oil is a thermal runaway.
   void name_the_failure();
   void report(const std::vector<double>& x, const std::vector<double>& g);
+  [[nodiscard]] bool heated() const { return viscosity_change(model_, film_) > kHeatMatters; }
   /// Of the last turn's film, whichever way the shaft turns [N m].
   [[nodiscard]] double torque() const { return std::abs(friction_.viscous + friction_.asperity); }
 
@@ -311,11 +312,10 @@ Verdict Turn::friction_runaway(double from, double to) const {
 void Turn::name_the_failure() {
   constexpr double kLost = 3.0;  // |ln| of the change of viscosity from which heat is the cause [-]
   if (verdict_.status != Status::iteration_limit) return;
+  const double lost = viscosity_change(model_, film_);
+  if (!(lost > kLost)) return;
   const double T0 = model_.input.supplies.front().temperature;
   const double T = *std::max_element(film_.columns.T.begin(), film_.columns.T.end());
-  const double lost =
-      std::log(rheology::viscosity(model_.oil, T0, 0.0) / rheology::viscosity(model_.oil, T, 0.0));
-  if (!(std::abs(lost) > kLost)) return;
   verdict_ =
       runaway(fmt::format("the film is {:.0f} K above the supply, its viscosity is {:.1e} "
                           "times that of the supplied oil, and no film is found any more",
@@ -414,13 +414,13 @@ FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
   for (int k = 0; k < fixed.max_iterations; ++k) {
     if (!(*this)(x, g)) {
       if (verdict_.status != Status::iteration_limit) return FixedPointEnd::map_failed;
-      if (torque() > kRisen * before) verdict_ = friction_runaway(before, torque());
+      if (heated() && torque() > kRisen * before) verdict_ = friction_runaway(before, torque());
       return FixedPointEnd::map_failed;
     }
     const double now = torque();
     const bool spent = cost_.newton_iterations - newton_before_ > options_.most_newton;
-    if (spent && !(now > kRisen * before)) return FixedPointEnd::iteration_limit;
-    if ((spent || now > kRunaway * before) && heat_.residual > kNear) {
+    if (spent && !(heated() && now > kRisen * before)) return FixedPointEnd::iteration_limit;
+    if ((spent || now > kRunaway * before) && heated() && heat_.residual > kNear) {
       verdict_ = friction_runaway(before, now);
       return FixedPointEnd::map_failed;
     }
@@ -523,6 +523,13 @@ void Turn::finish() {
 }
 
 }  // namespace
+
+double viscosity_change(const BearingModel& model, const FilmEquilibrium& film) {
+  const double T0 = model.input.supplies.front().temperature;
+  const double T = *std::max_element(film.columns.T.begin(), film.columns.T.end());
+  const double hot = rheology::viscosity(model.oil, T, 0.0);
+  return std::abs(std::log(rheology::viscosity(model.oil, T0, 0.0) / hot));
+}
 
 HeatState cold_heat(const BearingModel& model, double T) {
   HeatState h;

@@ -44,6 +44,12 @@ struct HeatState {
   [[nodiscard]] bool known() const { return !T_mix.empty(); }
 };
 
+/// |ln| of the viscosity at the film's hottest place over that of the supplied oil: what heat has
+/// done to the film.
+[[nodiscard]] double viscosity_change(const BearingModel& model, const FilmEquilibrium& film);
+/// From here on heat may be the reason why a film ends [-]: a fifth of the viscosity is gone.
+inline constexpr double kHeatMatters = 0.2;
+
 /// Starts from all temperatures at `T`.
 [[nodiscard]] HeatState cold_heat(const BearingModel& model, double T);
 

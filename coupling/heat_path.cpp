@@ -21,6 +21,7 @@ constexpr int kMostNewton = 600;         ///< of a slow step where the path seem
 constexpr double kSteep = 3.0;  ///< d ln(friction)/d ln(load) near a turning point, or by speed [-]
 constexpr double kSteeper = 3.0;  ///< the same over that of the whole path [-]
 constexpr int kMostFilm = 40;     ///< film iterations of a turn of one step
+constexpr int kMostInAll = 2500;  ///< film iterations from which a path is given up
 constexpr int kMostRests = 10;    ///< such steps after which it may go on
 
 /// What is raised along the path.
@@ -37,7 +38,19 @@ struct Reached {
 struct Waymark {
   double part = 0.0;
   double torque = 0.0;  ///< without sign [N m]
+  double flow = 0.0;    ///< side flow [kg/s]
 };
+
+/// d ln(friction) and d ln(flow) over d ln(part) between two points of the path.
+struct Steepness {
+  double torque = 0.0;
+  double flow = 0.0;
+};
+
+Steepness steepness(const Waymark& a, const Waymark& b) {
+  const double way = std::log(b.part / a.part);
+  return {std::log(b.torque / a.torque) / way, std::log(b.flow / a.flow) / way};
+}
 
 class HeatPath {
  public:
@@ -47,6 +60,7 @@ class HeatPath {
         options_(options),
         control_(control),
         goal_(s.target),
+        newton_before_(s.cost.newton_iterations),
         speed_(s.model.scene.speed),
         omega_(s.model.input.operation.omega) {}
   ~HeatPath() { take(1.0); }
@@ -70,14 +84,13 @@ class HeatPath {
   /// Raises by steps until all is reached or they become small.
   [[nodiscard]] Verdict raise();
   void keep(double part);
-  /// d ln(friction)/d ln(load), or by speed, between two points of the path.
-  [[nodiscard]] static double steepness(const Waymark& a, const Waymark& b) {
-    return std::log(b.torque / a.torque) / std::log(b.part / a.part);
+  [[nodiscard]] bool spent() const {
+    return s_.cost.newton_iterations - newton_before_ > kMostInAll;
   }
-  /// The same at the end of the path, over a step that is not too short; 0 if it has none.
-  [[nodiscard]] double last_steepness() const;
-  /// True if friction rises towards the end as it does towards a turning point.
+  /// True if friction or flow change towards the end as they do towards a turning point.
   [[nodiscard]] bool turns() const;
+  /// At the end of the path, over a step that is not too short; 0 if it has none.
+  [[nodiscard]] Steepness last_steepness() const;
   [[nodiscard]] std::string followed() const;
   [[nodiscard]] Verdict turning_point() const;
   [[nodiscard]] Verdict end_of_path(Verdict last) const;
@@ -87,8 +100,9 @@ class HeatPath {
   const ThermalOptions& options_;
   const SolveControl& control_;
   LoadTarget goal_;
-  double speed_;  ///< wanted, of the journal's surface [m/s]
-  double omega_;  ///< the same [rad/s]
+  int newton_before_;  ///< iterations spent before this path
+  double speed_;       ///< wanted, of the journal's surface [m/s]
+  double omega_;       ///< the same [rad/s]
   Reached reached_;
   std::vector<Waymark> way_;
   Verdict failure_;
@@ -118,20 +132,25 @@ void HeatPath::keep(double part) {
   reached_ = {s_.film, s_.heat, part};
   s_.followed = part;
   const Friction f = friction_of(s_.model, s_.film);
-  way_.push_back({part, std::abs(f.viscous + f.asperity)});
-}
-
-double HeatPath::last_steepness() const {
-  const auto far = std::find_if(way_.rbegin(), way_.rend(), [&](const Waymark& w) {
-    return w.part * kSmallestRatio <= reached_.part;
-  });
-  return far == way_.rend() ? 0.0 : steepness(*far, way_.back());
+  const double flow = fluid::oil_flows(s_.model.scene, s_.film.flow).side;
+  way_.push_back({part, std::abs(f.viscous + f.asperity), std::abs(flow)});
 }
 
 bool HeatPath::turns() const {
   if (!(viscosity_change(s_.model, reached_.film) > kHeatMatters)) return false;
-  const double at_first = steepness(way_.front(), way_.back());
-  return last_steepness() > std::max(kSteep, kSteeper * at_first);
+  const Steepness last = last_steepness();
+  const Steepness all = steepness(way_.front(), way_.back());
+  const auto steep = [](double here, double mean) {
+    return here > std::max(kSteep, kSteeper * std::abs(mean));
+  };
+  return steep(last.torque, all.torque) || steep(-last.flow, all.flow);
+}
+
+Steepness HeatPath::last_steepness() const {
+  const auto far = std::find_if(way_.rbegin(), way_.rend(), [&](const Waymark& w) {
+    return w.part * kSmallestRatio <= reached_.part;
+  });
+  return far == way_.rend() ? Steepness{} : steepness(*far, way_.back());
 }
 
 Verdict HeatPath::settle_at(double part, const ThermalOptions& options) {
@@ -161,7 +180,7 @@ bool HeatPath::begin(const ColdStart& cold) {
 
 Verdict HeatPath::raise() {
   double ratio = kFirstRatio;
-  while (ratio > kSmallestRatio) {
+  while (ratio > kSmallestRatio && !spent()) {
     const double next = std::min(1.0, reached_.part * ratio);
     ThermalOptions options = on_the_way();
     if (next == 1.0) {
@@ -177,18 +196,20 @@ Verdict HeatPath::raise() {
 }
 
 Verdict HeatPath::follow() {
-  Verdict v;
-  for (int rest = 0; rest < kMostRests; ++rest) {
-    v = raise();
+  for (int rest = 0; rest < kMostRests && !spent(); ++rest) {
+    Verdict v = raise();
     if (v.status == Status::interrupted || reached_.part == 1.0) return v;
     if (turns()) return turning_point();
     ThermalOptions slow = options_;
     slow.close = false;
     slow.most_newton = kMostNewton;
     v = settle_at(reached_.part * kSmallestRatio, slow);
-    if (!v.good()) break;
+    if (v.status == Status::interrupted) return v;
+    if (!v.good()) return end_of_path(v);
   }
-  return v.status == Status::interrupted ? v : end_of_path(v);
+  Verdict open = failure_;  // of accelerated steps: no proof of anything
+  open.status = Status::iteration_limit;
+  return end_of_path(open);
 }
 
 std::string HeatPath::followed() const {
@@ -205,17 +226,16 @@ std::string HeatPath::followed() const {
 
 Verdict HeatPath::turning_point() const {
   const char* what = raised_ == Raised::load ? "load" : "speed";
-  return {
-      Status::no_steady_state,
-      fmt::format("thermal runaway: {}; there friction rises as the {} to the power {:.1f}, and "
-                  "with {:.0f} % more it finds no rest",
-                  followed(), what, last_steepness(), 100.0 * (kSmallestRatio - 1.0)),
-      failure_.place,
-      "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
+  const Steepness last = last_steepness();
+  return {Status::no_steady_state,
+          fmt::format("thermal runaway: {}; there friction changes as the {} to the power {:.1f}, "
+                      "flow as to the power {:.1f}, and with {:.0f} % more they find no rest",
+                      followed(), what, last.torque, last.flow, 100.0 * (kSmallestRatio - 1.0)),
+          failure_.place,
+          "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
 }
 
 Verdict HeatPath::end_of_path(Verdict v) const {
-  if (v.good()) v.status = Status::iteration_limit;
   v.reason = fmt::format("{}; then: {}", followed(), v.reason);
   return v;
 }

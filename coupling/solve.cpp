@@ -177,12 +177,15 @@ Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveCont
   };
   const bool may_follow = !warm && s.target.unknowns > 0;
   options.patient = !may_follow;
-  Verdict v = warm ? Verdict{} : start_resolved(s, control);
-  if (v.good()) v = settle();
+  const Verdict film = warm ? Verdict{} : start_resolved(s, control);
+  Verdict v = film.good() ? settle() : film;
   if (v.good() || v.status == Status::interrupted || !may_follow) return v;
   options.patient = true;
   const auto cold = [&](Solution& at) { return start_resolved(at, control); };
-  return follow_heat(s, cold, options, control);
+  v = follow_heat(s, cold, options, control);
+  // Not found with heat: what the film of the supply's temperature showed still stands.
+  const bool open = v.status == Status::iteration_limit;
+  return open && film.status == Status::no_steady_state ? film : v;
 }
 
 /// Solves on the model's grid, from the state that is there or from cold.

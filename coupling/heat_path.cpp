@@ -17,12 +17,13 @@ constexpr double kLargestRatio = 2.0;
 constexpr double kSmallestRatio = 1.01;  ///< a smaller step shows that the path ends [-]
 constexpr double kLooseHeat = 3e-3;      ///< change per turn that will do on the way [-]
 constexpr int kMostTurns = 25;           ///< of one step
+constexpr double kFurther = 1.1;         ///< of the path's end: past the slow place behind it [-]
 constexpr int kMostNewton = 600;         ///< of a slow step where the path seems to end
 constexpr double kSteep = 3.0;  ///< d ln(friction)/d ln(load) near a turning point, or by speed [-]
 constexpr double kSteeper = 3.0;  ///< the same over that of the whole path [-]
 constexpr int kMostFilm = 40;     ///< film iterations of a turn of one step
 constexpr int kMostInAll = 2500;  ///< film iterations from which a path is given up
-constexpr int kMostRests = 10;    ///< such steps after which it may go on
+constexpr int kMostRests = 40;    ///< such steps after which it may go on
 
 /// What is raised along the path.
 enum class Raised { load, speed };
@@ -201,10 +202,10 @@ Verdict HeatPath::follow() {
     if (v.status == Status::interrupted || reached_.part == 1.0) return v;
     if (turns()) return turning_point();
     ThermalOptions slow = options_;
-    slow.close = false;
+    slow.close = reached_.part * kFurther >= 1.0 && options_.close;
     slow.most_newton = kMostNewton;
-    v = settle_at(reached_.part * kSmallestRatio, slow);
-    if (v.status == Status::interrupted) return v;
+    v = settle_at(std::min(1.0, reached_.part * kFurther), slow);
+    if (v.status == Status::interrupted || reached_.part == 1.0) return v;
     if (!v.good()) return end_of_path(v);
   }
   Verdict open = failure_;  // of accelerated steps: no proof of anything

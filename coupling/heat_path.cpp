@@ -82,8 +82,8 @@ class HeatPath {
   /// From the state reached to `part`; where that fails, back to the state.
   [[nodiscard]] Verdict settle_at(double part, const ThermalOptions& options);
   [[nodiscard]] ThermalOptions on_the_way() const;
-  /// Raises by steps until all is reached or they become small.
-  [[nodiscard]] Verdict raise();
+  /// Raises by steps, the first by `ratio`, until all is reached or they become small.
+  [[nodiscard]] Verdict raise(double ratio);
   void keep(double part);
   [[nodiscard]] bool spent() const {
     return s_.cost.newton_iterations - newton_before_ > kMostInAll;
@@ -179,8 +179,7 @@ bool HeatPath::begin(const ColdStart& cold) {
   return false;
 }
 
-Verdict HeatPath::raise() {
-  double ratio = kFirstRatio;
+Verdict HeatPath::raise(double ratio) {
   while (ratio > kSmallestRatio && !spent()) {
     const double next = std::min(1.0, reached_.part * ratio);
     ThermalOptions options = on_the_way();
@@ -198,7 +197,7 @@ Verdict HeatPath::raise() {
 
 Verdict HeatPath::follow() {
   for (int rest = 0; rest < kMostRests && !spent(); ++rest) {
-    Verdict v = raise();
+    Verdict v = raise(rest == 0 ? kFirstRatio : kFurther);
     if (v.status == Status::interrupted || reached_.part == 1.0) return v;
     if (turns()) return turning_point();
     ThermalOptions slow = options_;

@@ -22,7 +22,7 @@ constexpr int kMostNewton = 600;         ///< of a slow step where the path seem
 constexpr double kSteep = 3.0;  ///< d ln(friction)/d ln(load) near a turning point, or by speed [-]
 constexpr double kSteeper = 3.0;  ///< the same over that of the whole path [-]
 constexpr int kMostFilm = 40;     ///< film iterations of a turn of one step
-constexpr int kMostInAll = 2500;  ///< film iterations from which a path is given up
+constexpr int kMostInAll = 4000;  ///< film iterations from which a path is given up
 constexpr int kMostRests = 40;    ///< such steps after which it may go on
 
 /// What is raised along the path.

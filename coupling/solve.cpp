@@ -8,6 +8,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "coupling/heat_path.hpp"
 #include "coupling/nested.hpp"
 #include "coupling/position_path.hpp"
 #include "coupling/solids.hpp"
@@ -156,20 +157,35 @@ Verdict solve_isothermal(Solution& s, bool warm, const SolveControl& control) {
   return solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
 }
 
+/// Film and walls at the temperature of the supply, from cold.
+Verdict start_resolved(Solution& s, const SolveControl& control) {
+  const double T = s.model.input.supplies.front().temperature;
+  s.film = cold_start(s.model, T);
+  s.heat = cold_heat(s.model, T);
+  return start(s, T, control);
+}
+
 Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveControl& control) {
-  if (!warm) {
-    const double T = s.model.input.supplies.front().temperature;
-    s.heat = cold_heat(s.model, T);
-    const Verdict v = start(s, T, control);
-    if (!v.good()) return v;
-  }
   ThermalOptions options;
   options.tolerance = std::max(options.tolerance, tolerance);
   if (tolerance > 0.0) {  // a coarse grid is but a start
     options.close = false;
     options.most_newton = 400;
   }
-  return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
+  const auto settle = [&] {
+    return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
+  };
+  const bool may_follow = !warm && s.target.unknowns > 0;
+  options.patient = !may_follow;
+  const Verdict film = warm ? Verdict{} : start_resolved(s, control);
+  Verdict v = film.good() ? settle() : film;
+  if (v.good() || v.status == Status::interrupted || !may_follow) return v;
+  options.patient = true;
+  const auto cold = [&](Solution& at) { return start_resolved(at, control); };
+  v = follow_heat(s, cold, options, control);
+  // Not found with heat: what the film of the supply's temperature showed still stands.
+  const bool open = v.status == Status::iteration_limit;
+  return open && film.status == Status::no_steady_state ? film : v;
 }
 
 /// Solves on the model's grid, from the state that is there or from cold.
@@ -195,6 +211,13 @@ void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const Solv
   }
   s.coefficients.reset();
   if (s.verdict.good() && s.model.input.model.coefficients) s.coefficients = coefficients_of(s);
+}
+
+/// True if film and heat were followed to an end so far below the load that no finer grid is needed
+/// to tell that it is not carried.
+bool ends_far_below(const Solution& s) {
+  constexpr double kFarBelow = 0.6;  // grids differ by less in what they carry [-]
+  return s.verdict.status == Status::no_steady_state && s.followed > 0.0 && s.followed < kFarBelow;
 }
 
 /// Solves on every grid of the ladder, each from the one before. A coarse grid that fails is left
@@ -224,7 +247,7 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
       s.T_film = T_start;
       solve_level(s, tier, false, tolerance, control);
     }
-    if (s.verdict.status == Status::interrupted) return;
+    if (s.verdict.status == Status::interrupted || ends_far_below(s)) return;
     warm = s.verdict.good();
     if (warm) s.levels.push_back({ladder[level], quantities_of(s, tier)});
   }

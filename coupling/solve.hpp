@@ -24,6 +24,7 @@ struct Solution {
   Verdict verdict;
   EquilibriumCost cost;
   std::vector<HistoryEntry> history;
+  double followed = 0.0;  ///< part of the load at which the path of film and heat ended; 0: none
   std::optional<Coefficients> coefficients;  ///< if asked for, of the converged state
   std::vector<LevelRecord> levels;  ///< every grid of the ladder that converged, the last included
   double wall_s = 0.0;

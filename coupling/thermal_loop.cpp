@@ -88,6 +88,9 @@ class Turn {
   /// A film that fails because heat has thinned its oil is a thermal runaway.
   void name_the_failure();
   void report(const std::vector<double>& x, const std::vector<double>& g);
+  [[nodiscard]] bool heated() const { return viscosity_change(model_, film_) > kHeatMatters; }
+  /// Of the last turn's film, whichever way the shaft turns [N m].
+  [[nodiscard]] double torque() const { return std::abs(friction_.viscous + friction_.asperity); }
 
   const BearingModel& model_;
   const LoadTarget& target_;
@@ -167,7 +170,8 @@ Verdict Turn::solve_film(const Place& from) {
     return solve_equilibrium(model_, target_, growth, options, film_, cost_, control_.stop);
   };
   Verdict verdict = solve(heat_.growth);
-  if (verdict.good() || verdict.status == Status::interrupted || from.T.empty()) return verdict;
+  const bool at_once = from.T.empty() || !options_.patient;
+  if (verdict.good() || verdict.status == Status::interrupted || at_once) return verdict;
   const Place to{film_.columns.T, heat_.growth};
   film_.film = film;
   film_.position = position;
@@ -311,11 +315,10 @@ Verdict Turn::friction_runaway(double from, double to) const {
 void Turn::name_the_failure() {
   constexpr double kLost = 3.0;  // |ln| of the change of viscosity from which heat is the cause [-]
   if (verdict_.status != Status::iteration_limit) return;
+  const double lost = viscosity_change(model_, film_);
+  if (!(lost > kLost)) return;
   const double T0 = model_.input.supplies.front().temperature;
   const double T = *std::max_element(film_.columns.T.begin(), film_.columns.T.end());
-  const double lost =
-      std::log(rheology::viscosity(model_.oil, T0, 0.0) / rheology::viscosity(model_.oil, T, 0.0));
-  if (!(std::abs(lost) > kLost)) return;
   verdict_ =
       runaway(fmt::format("the film is {:.0f} K above the supply, its viscosity is {:.1e} "
                           "times that of the supplied oil, and no film is found any more",
@@ -327,11 +330,11 @@ void Turn::report(const std::vector<double>& x, const std::vector<double>& g) {
   for (std::size_t k = 0; k < x.size(); ++k) {
     heat_.residual = std::max(heat_.residual, std::abs(g[k] - x[k]));
   }
-  const double torque = friction_.viscous + friction_.asperity;
-  history_.push_back({"thermal", heat_.residual, torque, film_.least.h});
+  const double signed_torque = friction_.viscous + friction_.asperity;
+  history_.push_back({"thermal", heat_.residual, signed_torque, film_.least.h});
   if (control_.progress) {
     control_.progress(
-        {to_string(model_.input.model.tier), turns_, heat_.residual, torque, film_.least.h});
+        {to_string(model_.input.model.tier), turns_, heat_.residual, signed_torque, film_.least.h});
   }
 }
 
@@ -394,8 +397,7 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
   report(x, g);
   last_ = g;
   if (heat_.residual < best_.residual) {
-    best_ = {heat_.residual, friction_.viscous + friction_.asperity, film_, heat_, turn_T_,
-             turn_growth_};
+    best_ = {heat_.residual, torque(), film_, heat_, turn_T_, turn_growth_};
   }
   return true;
 }
@@ -403,8 +405,9 @@ bool Turn::operator()(const std::vector<double>& x, std::vector<double>& g) {
 FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
   constexpr double kStep = 0.3;     // of the way to the map's value
   constexpr double kNear = 0.05;    // change per turn from which acceleration is tried again
-  constexpr double kRunaway = 1.5;  // friction over that of the best state: it rises for good [-]
-  const double torque = best_.torque;
+  constexpr double kRisen = 1.1;    // friction over that of the best state: it has risen [-]
+  constexpr double kRunaway = 1.5;  // the same: it rises for good [-]
+  const double before = best_.torque;
   film_ = best_.film;
   heat_ = best_.heat;
   turn_T_ = best_.T;
@@ -415,15 +418,14 @@ FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
   for (int k = 0; k < fixed.max_iterations; ++k) {
     if (!(*this)(x, g)) {
       if (verdict_.status != Status::iteration_limit) return FixedPointEnd::map_failed;
-      const double now = friction_.viscous + friction_.asperity;
-      if (now > torque) verdict_ = friction_runaway(torque, now);
+      if (heated() && torque() > kRisen * before) verdict_ = friction_runaway(before, torque());
       return FixedPointEnd::map_failed;
     }
-    const double now = friction_.viscous + friction_.asperity;
+    const double now = torque();
     const bool spent = cost_.newton_iterations - newton_before_ > options_.most_newton;
-    if (spent && !(now > torque)) return FixedPointEnd::iteration_limit;
-    if ((spent || now > kRunaway * torque) && heat_.residual > kNear) {
-      verdict_ = friction_runaway(torque, now);
+    if (spent && !(heated() && now > kRisen * before)) return FixedPointEnd::iteration_limit;
+    if ((spent || now > kRunaway * before) && heated() && heat_.residual > kNear) {
+      verdict_ = friction_runaway(before, now);
       return FixedPointEnd::map_failed;
     }
     for (std::size_t c = 0; c < x.size(); ++c) x[c] += kStep * (g[c] - x[c]);
@@ -532,6 +534,13 @@ void Turn::finish() {
 
 }  // namespace
 
+double viscosity_change(const BearingModel& model, const FilmEquilibrium& film) {
+  const double T0 = model.input.supplies.front().temperature;
+  const double T = *std::max_element(film.columns.T.begin(), film.columns.T.end());
+  const double hot = rheology::viscosity(model.oil, T, 0.0);
+  return std::abs(std::log(rheology::viscosity(model.oil, T0, 0.0) / hot));
+}
+
 HeatState cold_heat(const BearingModel& model, double T) {
   HeatState h;
   const FilmGrid& g = model.scene.grid;
@@ -552,7 +561,8 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
   const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance,
                                 kSlack};
   FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
-  if (end != FixedPointEnd::converged && turn.may_go_on()) end = turn.creep(fixed);
+  if (end != FixedPointEnd::converged && options.patient && turn.may_go_on())
+    end = turn.creep(fixed);
   if (end == FixedPointEnd::map_failed) {
     turn.give_contact_growth();
     if (!turn.verdict().good()) return turn.verdict();
@@ -560,7 +570,7 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
             "try a finer grid"};
   }
   if (end == FixedPointEnd::converged) turn.take_last_value();
-  turn.finish();
+  if (end == FixedPointEnd::converged || options.patient) turn.finish();
   turn.give_contact_growth();
   if (end == FixedPointEnd::converged) return turn.verdict();
   return {Status::iteration_limit,

@@ -23,6 +23,7 @@ struct ThermalOptions {
   int most_newton = 1500;   ///< film iterations in all, from which slow steps are given up
   double tolerance = 3e-4;  ///< largest change per turn, in the units above [-]
   bool close = true;        ///< bring film and walls to balance at the end (false: coarse grids)
+  bool patient = true;      ///< small steps where acceleration fails (false: give up at once)
   double runaway = 400.0;   ///< film temperature above the supply that is taken as runaway [K]
   EquilibriumOptions film;
 };
@@ -42,6 +43,12 @@ struct HeatState {
   /// True once the film's heat has been balanced to the end.
   [[nodiscard]] bool known() const { return !T_mix.empty(); }
 };
+
+/// |ln| of the viscosity at the film's hottest place over that of the supplied oil: what heat has
+/// done to the film.
+[[nodiscard]] double viscosity_change(const BearingModel& model, const FilmEquilibrium& film);
+/// From here on heat may be the reason why a film ends [-]: a fifth of the viscosity is gone.
+inline constexpr double kHeatMatters = 0.2;
 
 /// Starts from all temperatures at `T`.
 [[nodiscard]] HeatState cold_heat(const BearingModel& model, double T);

@@ -1,0 +1,98 @@
+/// Film and heat that do not settle from one temperature, or have no steady state.
+#include "coupling/heat_path.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "coupling/audit.hpp"
+#include "tests/coupling/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::coupling;
+using namespace shellback::coupling::tests;
+
+namespace {
+
+/// The rig's bearing on few cells: tests of existence, not of digits.
+Case coarse_rig(double force) {
+  Case c = rig_case();
+  set_load(c, force);
+  c.model.grid = {48, 8};
+  return c;
+}
+
+Solution solved(const Case& c, Tier tier) {
+  Solution s = solve_tier(c, tier);
+  INFO(c.title << ": " << s.verdict.reason);
+  REQUIRE(s.verdict.good());
+  return s;
+}
+
+double carried(const Solution& s) { return std::hypot(s.film.force[0], s.film.force[1]); }
+
+}  // namespace
+
+TEST_CASE("AHeavyLoadIsReachedFromLightOnes", "[heat_path]") {
+  const Solution light = solved(coarse_rig(16e3), Tier::tehd);
+  const Solution heavy = solved(coarse_rig(24e3), Tier::tehd);
+  const Audit audit = summarize(heavy, Tier::tehd).audit;
+  CHECK(carried(heavy) == Approx(24e3).epsilon(1e-8));
+  CHECK(audit.energy <= 1e-6);
+  CHECK(torque_of(heavy) > torque_of(light));
+}
+
+TEST_CASE("TheLoadAtWhichHeatRunsAwayDoesNotDependOnTheLoadAskedFor", "[heat_path][refusal]") {
+  const Solution a = solve_tier(coarse_rig(82e3), Tier::tehd);
+  const Solution b = solve_tier(coarse_rig(164e3), Tier::tehd);
+  for (const Solution* s : {&a, &b}) {
+    INFO(s->verdict.reason);
+    CHECK(s->verdict.status == Status::no_steady_state);
+    CHECK(s->verdict.reason.find("film and heat come to rest up to") != std::string::npos);
+    CHECK(s->target.scale() == Approx(s == &a ? 82e3 : 164e3));  // the case's own load is put back
+  }
+  CHECK(carried(a) == Approx(carried(b)).epsilon(0.1));
+  CHECK(solve_tier(coarse_rig(0.7 * carried(a)), Tier::tehd).verdict.good());
+}
+
+TEST_CASE("FastFilmsHeatUntilTheyAreThinEnough", "[heat_path]") {
+  Case c = warm_case();
+  c.model.switches.thermal_deformation = false;
+  double before = 0.0;
+  for (const double rpm : {2e3, 2e4, 6e4}) {
+    c.operation.omega = rpm * kPi / 30.0;
+    const Solution s = solved(c, Tier::thd);
+    CHECK(s.model.input.operation.omega == Approx(c.operation.omega));
+    const double hottest = *std::max_element(s.film.columns.T.begin(), s.film.columns.T.end());
+    CHECK(hottest > before);
+    before = hottest;
+  }
+}
+
+TEST_CASE("ARubbingBearingTurnedTheOtherWayIsItsMirrorImage", "[heat_path]") {
+  Case c = coarse_rig(8e3);
+  c.operation.omega = 300.0 * kPi / 30.0;
+  const Solution forward = solved(c, Tier::thd);
+  c.operation.omega *= -1.0;
+  const Solution backward = solved(c, Tier::thd);
+  CHECK(torque_of(backward) == Approx(-torque_of(forward)).epsilon(1e-3));
+}
+
+TEST_CASE("EdgesPressedBelowThreeRoughnessesCarry", "[heat_path]") {
+  Case c = coarse_rig(8e3);
+  c.operation.alignment = TiltGiven{2.4e-3, 0.0};  // 20.6 um at the edge of 23.9
+  const Solution s = solved(c, Tier::tehd);
+  CHECK(s.film.least.h < -3.0 * s.model.scene.rough.sigma);
+  CHECK(summarize(s, Tier::tehd).value("asperity_load_share") > 0.5);
+  CHECK(carried(s) == Approx(8e3).epsilon(1e-8));
+}
+
+TEST_CASE("OilIsBalancedWhereAlmostNonePasses", "[equilibrium]") {
+  Case c = coarse_rig(8e3);
+  c.supplies[0].angle = 270.0 * kDegree;  // the load shuts the hole
+  c.supplies[0].pressure = 0.2e5;
+  const Solution s = solved(c, Tier::isothermal);
+  const auto flows = fluid::oil_flows(s.model.scene, s.film.flow);
+  CHECK(flows.side > 0.0);
+  CHECK(flows.side < 1e-6 * fluid::flow_scale(s.model.scene, s.film.flow));
+  CHECK(std::abs(flows.supply - flows.side) <= 5e-9 * flows.side);
+}

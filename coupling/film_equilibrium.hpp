@@ -63,6 +63,7 @@ struct EquilibriumCost {
   int rejected_steps = 0;
   long sweeps = 0;         ///< of the p-theta relaxation
   int elastic_rounds = 0;  ///< of the fixed point between film and displacement
+  int unresolved = 0;      ///< films refused for being colder than everything around them
 };
 
 /// What the journal must balance.

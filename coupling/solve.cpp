@@ -253,14 +253,45 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
   }
 }
 
+Solution from_cold(const Case& c, Tier tier, const SolveControl& control,
+                   std::shared_ptr<const Solids> solids) {
+  Solution s;
+  s.T_film = tier == Tier::isothermal ? equivalent_temperature(c) : c.supplies.front().temperature;
+  climb(c, tier, control, std::move(solids), s);
+  return s;
+}
+
+/// True if more nodes across the film may make of the failure a solution.
+bool wants_nodes(const Solution& s) {
+  constexpr int kMostNodes = 9;
+  const Model& by = s.model.input.model;
+  return s.verdict.status == Status::iteration_limit && s.cost.unresolved > 0 &&
+         by.methods.across == AcrossFilm::lobatto && by.film_nodes < kMostNodes;
+}
+
+/// What was spent before counts too.
+void add(const EquilibriumCost& before, EquilibriumCost& cost) {
+  cost.factorizations += before.factorizations;
+  cost.newton_iterations += before.newton_iterations;
+  cost.krylov_iterations += before.krylov_iterations;
+  cost.fallback_steps += before.fallback_steps;
+  cost.rejected_steps += before.rejected_steps;
+}
+
 }  // namespace
 
 Solution solve_tier(const Case& c, Tier tier, const SolveControl& control,
                     std::shared_ptr<const Solids> solids) {
   const auto begin = std::chrono::steady_clock::now();
-  Solution s;
-  s.T_film = tier == Tier::isothermal ? equivalent_temperature(c) : c.supplies.front().temperature;
-  climb(c, tier, control, std::move(solids), s);
+  Solution s = from_cold(c, tier, control, std::move(solids));
+  Case finer = c;
+  while (wants_nodes(s)) {
+    finer.model.film_nodes += 2;
+    Solution again = from_cold(finer, tier, control, s.model.solids);
+    add(s.cost, again.cost);
+    s = std::move(again);
+    s.asked_nodes = c.model.film_nodes;
+  }
   s.wall_s = seconds_since(begin);
   return s;
 }

@@ -84,7 +84,7 @@ class Turn {
   [[nodiscard]] Verdict runaway(const std::string& what) const;
   [[nodiscard]] Verdict friction_runaway(double from, double to) const;
   /// Refuses a film that is colder than everything around it.
-  [[nodiscard]] Verdict second_law() const;
+  [[nodiscard]] Verdict second_law();
   /// A film that fails because heat has thinned its oil is a thermal runaway.
   void name_the_failure();
   void report(const std::vector<double>& x, const std::vector<double>& g);
@@ -446,13 +446,14 @@ FixedPointEnd Turn::creep(const FixedPointOptions& fixed) {
   return FixedPointEnd::iteration_limit;
 }
 
-Verdict Turn::second_law() const {
+Verdict Turn::second_law() {
   constexpr double kRipple = 0.5;  // of the rise: beyond it is no ripple of the polynomials [-]
   constexpr double kMargin = 2.0;  // [K]
   const double coldest = coldest_around(model_);
   const auto [low, high] = std::minmax_element(film_.columns.T.begin(), film_.columns.T.end());
   if (*low >= coldest - kMargin - kRipple * (*high - coldest)) return {};
   const int cell = static_cast<int>(low - film_.columns.T.begin()) / model_.gl.n;
+  ++cost_.unresolved;
   return {Status::iteration_limit,
           fmt::format("the film temperature falls to {:.0f} degC, below everything around it: the "
                       "nodes across the film do not resolve it",

@@ -1,0 +1,82 @@
+/// How the failures of a turn are judged.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "coupling/coldest.hpp"
+#include "coupling/thermal_turn.hpp"
+#include "rheology/viscosity.hpp"
+
+namespace shellback::coupling {
+
+bool ThermalTurn::sound() {
+  const auto hottest = std::max_element(film_.columns.T.begin(), film_.columns.T.end());
+  const double rise = *hottest - model_.input.supplies.front().temperature;
+  const bool finite = std::all_of(film_.columns.T.begin(), film_.columns.T.end(),
+                                  [](double T) { return std::isfinite(T); });
+  constexpr double kFrozen = 150.0;  // colder than that no oil is a liquid, and no law holds [K]
+  if (finite && *std::min_element(film_.columns.T.begin(), film_.columns.T.end()) < kFrozen) {
+    verdict_ = second_law();
+    return false;
+  }
+  if (finite && rise < options_.runaway) return true;
+  verdict_ = runaway(finite ? fmt::format("the film is {:.0f} K above the supply and rises", rise)
+                            : "the film temperature is not a number any more");
+  return false;
+}
+
+Verdict ThermalTurn::runaway(const std::string& what) const {
+  const auto hottest = std::max_element(film_.columns.T.begin(), film_.columns.T.end());
+  const int cell = static_cast<int>(hottest - film_.columns.T.begin()) / model_.gl.n;
+  return {Status::no_steady_state, "thermal runaway: " + what,
+          fluid::place_of(model_.scene.grid, cell),
+          "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
+}
+
+Verdict ThermalTurn::friction_runaway(double from, double to) const {
+  return runaway(
+      fmt::format("followed in small steps, the friction torque rose from {:.3g} to {:.3g} N m "
+                  "without coming to rest: heat thins the film, or makes the shell bulge, faster "
+                  "than it flows off",
+                  from, to));
+}
+
+void ThermalTurn::name_the_failure() {
+  constexpr double kLost = 3.0;  // |ln| of the change of viscosity from which heat is the cause [-]
+  if (verdict_.status != Status::iteration_limit) return;
+  const double lost = viscosity_change(model_, film_);
+  if (!(lost > kLost)) return;
+  const double T0 = model_.input.supplies.front().temperature;
+  const double T = *std::max_element(film_.columns.T.begin(), film_.columns.T.end());
+  verdict_ =
+      runaway(fmt::format("the film is {:.0f} K above the supply, its viscosity is {:.1e} "
+                          "times that of the supplied oil, and no film is found any more",
+                          T - T0, std::exp(-lost)));
+}
+
+Verdict ThermalTurn::second_law() {
+  constexpr double kRipple = 0.5;  // of the rise: beyond it is no ripple of the polynomials [-]
+  constexpr double kMargin = 2.0;  // [K]
+  const double coldest = coldest_around(model_);
+  const auto [low, high] = std::minmax_element(film_.columns.T.begin(), film_.columns.T.end());
+  if (*low >= coldest - kMargin - kRipple * (*high - coldest)) return {};
+  const int cell = static_cast<int>(low - film_.columns.T.begin()) / model_.gl.n;
+  ++cost_.unresolved;
+  return {Status::iteration_limit,
+          fmt::format("the film temperature falls to {:.0f} degC, below everything around it: the "
+                      "nodes across the film do not resolve it",
+                      *low - kZeroCelsius),
+          fluid::place_of(model_.scene.grid, cell),
+          "more model.film_nodes, a finer grid, or methods.across = \"layers\""};
+}
+
+double viscosity_change(const BearingModel& model, const FilmEquilibrium& film) {
+  const double T0 = model.input.supplies.front().temperature;
+  const double T = *std::max_element(film.columns.T.begin(), film.columns.T.end());
+  const double hot = rheology::viscosity(model.oil, T, 0.0);
+  return std::abs(std::log(rheology::viscosity(model.oil, T0, 0.0) / hot));
+}
+
+}  // namespace shellback::coupling

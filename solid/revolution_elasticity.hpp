@@ -31,6 +31,7 @@
 #include "core/grid.hpp"
 #include "core/harmonics.hpp"
 #include "core/revolution_mesh.hpp"
+#include "solid/elastic_system.hpp"
 #include "solid/material.hpp"
 
 namespace shellback::solid {
@@ -51,6 +52,7 @@ struct ElasticOptions {
   Support support = Support::held;  ///< of the outer surface
   AxialEnds ends = AxialEnds::free;
   bool growth = true;  ///< also (3); about doubles the work
+  Elimination order = Elimination::cheapest;
 };
 
 struct ElasticOperators {
@@ -70,7 +72,8 @@ struct ElasticOperators {
 /// left there (below 1e-10) are left out. Throws as shell_elasticity.
 [[nodiscard]] HarmonicOperator shaft_compliance(const RevolutionMesh& mesh, const FilmGrid& grid,
                                                 const Material& material, int harmonics,
-                                                AxialEnds ends = AxialEnds::free);
+                                                AxialEnds ends = AxialEnds::free,
+                                                Elimination order = Elimination::cheapest);
 
 /// Gap opening [m] from the shaft's temperature, one value for each axial cell: -expansion R
 /// (T_s(z) - T_ref). Exact for a free shaft whose temperature is uniform over its section and

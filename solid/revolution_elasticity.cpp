@@ -192,14 +192,16 @@ ElasticOperators solve_all(const ElasticBody& body, const FilmGrid& grid,
   const Eigen::Map<const Eigen::VectorXd> dz(grid.dz.data(), grid.nz);
   const Eigen::VectorXd per_cell = dz.cwiseInverse();
   ElasticOperators out;
-  out.compliance.resize(options.harmonics + 1);
-  if (options.growth) out.growth.resize(options.harmonics + 1);
+  std::vector<int> wanted = options.only;
+  for (int n = 0; n <= options.harmonics && options.only.empty(); ++n) wanted.push_back(n);
+  out.compliance.resize(wanted.size());
+  if (options.growth) out.growth.resize(wanted.size());
   const Holding holding{options.support == Support::free, options.support != Support::clamped};
   const auto solve = body.order == Elimination::outwards ? solve_outwards : solve_along;
-  for (int n = 0; n <= options.harmonics; ++n) {
-    Eigen::MatrixXd* growth = options.growth ? &out.growth[n] : nullptr;
-    solve(body, p, n, holding, out.compliance[n], growth);
-    out.compliance[n] = grid.radius * per_cell.asDiagonal() * out.compliance[n];
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    Eigen::MatrixXd* growth = options.growth ? &out.growth[k] : nullptr;
+    solve(body, p, wanted[k], holding, out.compliance[k], growth);
+    out.compliance[k] = grid.radius * per_cell.asDiagonal() * out.compliance[k];
     if (growth != nullptr) *growth = per_cell.asDiagonal() * *growth;
   }
   return out;
@@ -221,7 +223,7 @@ HarmonicOperator shaft_compliance(const RevolutionMesh& mesh, const FilmGrid& gr
                                   const Material& material, int harmonics, AxialEnds ends,
                                   Elimination order) {
   EXPECTS(mesh.r_face.front() == 0.0 && mesh.half == grid.half);
-  const ElasticOptions options{harmonics, Support::free, ends, false, order};
+  const ElasticOptions options{harmonics, Support::free, ends, false, order, {}};
   return solve_all(make_elastic_body(mesh, {material}, ends == AxialEnds::plane_strain, mesh.rows,
                                      order, 1),
                    grid, options)

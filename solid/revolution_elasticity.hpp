@@ -53,10 +53,11 @@ struct ElasticOptions {
   AxialEnds ends = AxialEnds::free;
   bool growth = true;  ///< also (3); about doubles the work
   Elimination order = Elimination::cheapest;
+  std::vector<int> only{};  ///< harmonics that are wanted; empty: 0 .. harmonics
 };
 
 struct ElasticOperators {
-  HarmonicOperator compliance;  ///< C_n of (2), n = 0 .. harmonics [m/Pa]
+  HarmonicOperator compliance;  ///< C_n of (2), for each harmonic that is wanted [m/Pa]
   HarmonicOperator growth;      ///< U_n of (3) [m/K]; empty if not wanted
 };
 

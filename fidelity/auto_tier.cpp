@@ -336,9 +336,9 @@ class Climb {
 };
 
 /// The estimate, if its bars meet the tolerance.
-std::optional<Result> good_estimate(const Case& c) {
+std::optional<Result> good_estimate(const Case& c, const Estimate& e) {
   if (c.model.grid_given) return {};
-  Result r = estimate_result(c);
+  Result r = estimate_result(c, e);
   if (!r.verdict.good()) return {};
   Bars bars;
   for (const Quantity& q : r.quantities) {
@@ -354,11 +354,12 @@ std::optional<Result> good_estimate(const Case& c) {
 
 Result solve_auto(const Case& c, const SolveControl& control) {
   const auto begin = std::chrono::steady_clock::now();
-  if (auto enough = good_estimate(c)) {
+  const Estimate rough = estimate(c);
+  if (auto enough = good_estimate(c, rough)) {
     enough->cost.wall_s = seconds_since(begin);
     return *enough;
   }
-  Climb climb(c, control, indicators(c, estimate(c)));
+  Climb climb(c, control, indicators(c, rough));
   climb.run();
   Result r = climb.result();
   r.cost.wall_s = seconds_since(begin);

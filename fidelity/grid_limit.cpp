@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFilmOrder = 1.3;    ///< [-]
 constexpr double kSolidOrder = 2.0;   ///< [-]
-constexpr double kFilmBar = 0.5;      ///< bar over the spread of film orders [-]
+constexpr double kFilmBar = 1.0;      ///< bar over the spread of film orders [-]
 constexpr double kStepBar = 1.0;      ///< bar over the step of (2) [-]
 constexpr double kSteadyBar = 1.0;    ///< the same in a sequence that closes in [-]
 constexpr double kLeastPart = 0.35;   ///< of |L1 - L0| that a bar is reckoned from at least [-]

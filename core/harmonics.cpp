@@ -14,6 +14,12 @@ namespace {
 constexpr int kCellsPerPeriod = 4;  ///< of the highest harmonic [-]
 constexpr int kMostHarmonics = 48;  ///< default limit [-], see default_harmonics
 
+constexpr int kFirstSmooth = 5;        ///< harmonic from which on operators are interpolated [-]
+constexpr int kSampleNodes = 11;       ///< of the polynomial; see HarmonicSample for its error [-]
+constexpr double kSampleMiddle = 7.0;  ///< a of x = (n - a) / (n + a) [-]
+
+double sample_place(double n) { return (n - kSampleMiddle) / (n + kSampleMiddle); }
+
 Eigen::Map<const Eigen::MatrixXd> columns(const Field& field, int nt) {
   const auto rows = static_cast<Eigen::Index>(field.size()) / nt;
   return {field.data(), rows, nt};
@@ -77,6 +83,42 @@ HarmonicOperator compose(const HarmonicOperator& a, const HarmonicOperator& b) {
   HarmonicOperator product;
   for (std::size_t n = 0; n < a.size(); ++n) product.emplace_back(a[n] * b[n]);
   return product;
+}
+
+HarmonicSample::HarmonicSample(int highest, bool all) : highest_(highest) {
+  const int exact = all || highest - kFirstSmooth < kSampleNodes ? highest : kFirstSmooth;
+  for (int n = 0; n <= exact; ++n) computed_.push_back(n);
+  const double low = sample_place(kFirstSmooth), high = sample_place(highest);
+  for (int k = 1; k < kSampleNodes && exact < highest; ++k) {
+    const double x =
+        0.5 * (low + high) - 0.5 * (high - low) * std::cos(kPi * k / (kSampleNodes - 1));
+    const int n = static_cast<int>(std::lround(kSampleMiddle * (1.0 + x) / (1.0 - x)));
+    if (n > computed_.back()) computed_.push_back(n);
+  }
+}
+
+HarmonicOperator HarmonicSample::complete(const HarmonicOperator& at_computed) const {
+  EXPECTS(at_computed.size() == computed_.size());
+  const auto first = static_cast<std::size_t>(kFirstSmooth);
+  HarmonicOperator all;
+  std::size_t next = 0;  // of the computed ones
+  for (int n = 0; n <= highest_; ++n) {
+    if (computed_[next] == n) {
+      all.push_back(at_computed[next++]);
+      continue;
+    }
+    all.push_back(Eigen::MatrixXd::Zero(at_computed[0].rows(), at_computed[0].cols()));
+    for (std::size_t k = first; k < computed_.size(); ++k) {
+      double weight = 1.0;
+      for (std::size_t m = first; m < computed_.size(); ++m) {
+        if (m == k) continue;
+        const double here = sample_place(computed_[m]);
+        weight *= (sample_place(n) - here) / (sample_place(computed_[k]) - here);
+      }
+      all.back().noalias() += weight * at_computed[k];
+    }
+  }
+  return all;
 }
 
 Field apply(const Harmonics& harmonics, const HarmonicOperator& op, const Field& field, Tail tail) {

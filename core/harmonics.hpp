@@ -50,6 +50,28 @@ class Harmonics {
 /// One matrix (rows x nz) for each harmonic n = 0 .. N, alike for cosine and sine.
 using HarmonicOperator = std::vector<Eigen::MatrixXd>;
 
+/// Harmonics at which the operators of a body are computed, and the others from these.
+///
+/// From harmonic 5 on the operators of a linear body are smooth functions of n, rational where the
+/// body is cut into elements: their poles lie at |n| <= 1 and about the imaginary axis. In
+/// x = (n - a) / (n + a) both stay away from the interval, and one polynomial through nodes that
+/// lie like Chebyshev's comes near fast. Over layered shells of all kinds (soft linings, free and
+/// held housings) the operators of 48 harmonics from 15 are within 2e-4 of their norm, of 24
+/// harmonics from 13 within 5e-5: less than the mesh is off.
+class HarmonicSample {
+ public:
+  /// Harmonics 0 .. highest. `all`: every one is computed.
+  explicit HarmonicSample(int highest, bool all = false);
+  /// Those to be computed, ascending.
+  [[nodiscard]] const std::vector<int>& computed() const { return computed_; }
+  /// All operators from those at computed(); those are kept as they are.
+  [[nodiscard]] HarmonicOperator complete(const HarmonicOperator& at_computed) const;
+
+ private:
+  int highest_;
+  std::vector<int> computed_;
+};
+
 /// What an operator does to the part of a field above the highest harmonic.
 enum class Tail {
   none,  ///< nothing: it is dropped

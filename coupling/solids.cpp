@@ -76,13 +76,16 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
   const int N = harmonics_.highest();
   const Layers layers = layers_of(c);
   const RevolutionMesh mesh = shell_mesh(c, layers, grid_, N);
-  if (effects.heat) build_heat(c, layers, mesh);
+  const HarmonicSample sample(N);
+  if (effects.heat) build_heat(c, layers, mesh, sample);
   if (effects.elastic || effects.growth) {
-    const auto ops = solid::shell_elasticity(
-        mesh, grid_, layers.material, {N, support_of(c), solid::AxialEnds::free, effects.growth});
-    if (effects.elastic) build_compliance(c, ops.compliance);
+    const auto ops =
+        solid::shell_elasticity(mesh, grid_, layers.material,
+                                {N, support_of(c), solid::AxialEnds::free, effects.growth,
+                                 solid::Elimination::cheapest, sample.computed()});
+    if (effects.elastic) build_compliance(c, sample.complete(ops.compliance));
     if (effects.growth) {
-      growth_per_flux_ = compose(ops.growth, conduction_->nodal());
+      growth_per_flux_ = sample.complete(compose(ops.growth, conduction_->nodal()));
       uniform_growth_ = solid::uniform_growth(ops);
       shaft_expansion_ = c.shaft->material.expansion;
     }
@@ -101,7 +104,8 @@ void Solids::build_compliance(const Case& c, const HarmonicOperator& shell) {
   winkler_ = mean_compliance(compliance_);
 }
 
-void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh) {
+void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh,
+                        const HarmonicSample& sample) {
   std::vector<double> k;
   for (const auto& m : layers.material) k.push_back(m.conductivity);
   thermal::ConductionBoundary boundary;
@@ -115,7 +119,7 @@ void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMes
     surroundings_ = std::get<PrescribedBack>(c.shell->back).temperature;
   }
   boundary.back_line = thermal::outer_line(mesh, layers.last_of_shell);
-  conduction_.emplace(mesh, grid_, k, boundary, harmonics_);
+  conduction_.emplace(mesh, grid_, k, boundary, harmonics_, sample);
   const Field one(grid_.cells(), 1.0);
   const Field cold(grid_.cells(), 0.0);
   double sum = 0.0;

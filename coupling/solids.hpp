@@ -91,7 +91,8 @@ class Solids {
   };
   [[nodiscard]] MeanChange mean_change(const WallFlux& q, const Field& T_shell,
                                        const std::vector<double>& T_shaft) const;
-  void build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh);
+  void build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh,
+                  const HarmonicSample& sample);
 
   FilmGrid grid_;
   std::optional<Shell> shell_;  ///< what the operators were built for

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -24,7 +25,18 @@ using namespace coupling;
 using Grid = std::array<int, 2>;
 
 /// Grids of the climb: fine along the axis first, see grid_limit.hpp.
-const std::vector<Grid> kLadder{{24, 9}, {30, 17}, {40, 25}, {60, 37}, {96, 49}, {400, 50}};
+const std::vector<Grid> kLadder{{24, 9}, {40, 25}, {60, 37}, {96, 49}, kFineGrid};
+
+/// Turns of film and heat after which a coarse grid is given up: those that are a step towards the
+/// next settle in 10 to 20, others creep on and cost more than a finer grid.
+constexpr int kMostTurns = 40;
+/// Below this tolerance only the fine grid itself is sure to do: estimates of it are rarely better.
+constexpr double kFineTolerance = 0.005;
+/// Bar over tolerance up to which the fine grid is not worth its cost: it takes several times that
+/// of all before, and what is estimated lies mostly well within its bar [-].
+constexpr double kOverrun = 4.0;
+/// What the iteration leaves open on the fine grid itself, of the value [-]; as fidelity/solve.cpp.
+constexpr double kIteration = 1e-4;
 
 /// Cells of the film alone over those of the full solution, around: on fine grids the step is
 /// smaller.
@@ -69,6 +81,26 @@ struct Bars {
   [[nodiscard]] bool within(double tolerance) const {
     return friction <= tolerance && h_min <= tolerance;
   }
+  [[nodiscard]] double largest() const { return std::max(friction, h_min); }
+};
+
+/// Stops a solve that takes too many turns, and hands on what it tells.
+class TurnLimit {
+ public:
+  TurnLimit(const SolveControl& outer, int most) {
+    control_.stop = &stop_;
+    control_.progress = [this, &outer, most](const Progress& p) {
+      if (outer.progress) outer.progress(p);
+      const bool asked = outer.stop != nullptr && outer.stop->load();
+      if (asked || ++turns_ > most) stop_ = true;
+    };
+  }
+  [[nodiscard]] const SolveControl& control() const { return control_; }
+
+ private:
+  std::atomic<bool> stop_{false};
+  int turns_ = 0;
+  SolveControl control_;
 };
 
 std::string percent(double x) { return fmt::format("{:.2g} %", 100.0 * x); }
@@ -84,21 +116,14 @@ class Climb {
   void run() {
     for (std::size_t k = 0; k < ladder_.size(); ++k) {
       const bool last = k + 1 == ladder_.size();
+      if (last && !case_.model.grid_given && !fine_grid_pays()) return;
       Rung rung{ladder_[k], solve_on(ladder_[k], last), {}, {}};
-      if (rung.solution.verdict.status == Status::interrupted) {
+      if (stopped() || !rung.solution.verdict.good()) {
         last_ = std::move(rung.solution);
-        return;
-      }
-      if (!rung.solution.verdict.good()) {
-        last_ = std::move(rung.solution);
+        if (stopped()) return;
         continue;
       }
-      rung.whole = quantities_of(rung.solution, tier());
-      if (rungs_.empty()) choose(rung.solution);
-      if (!last && !case_.model.grid_given) refine(rung);
-      rungs_.push_back(std::move(rung));
-      if (rungs_.size() > 3) rungs_.erase(rungs_.begin());
-      assess();
+      add(std::move(rung), last);
       if (stopped()) return;
       if (bars_.within(case_.model.tolerance) && (last || !case_.model.grid_given)) return;
     }
@@ -123,6 +148,25 @@ class Climb {
  private:
   [[nodiscard]] bool stopped() const { return control_.stop != nullptr && control_.stop->load(); }
 
+  /// A full solution that has converged: its film, and what is known by now.
+  void add(Rung rung, bool last) {
+    rung.whole = quantities_of(rung.solution, tier());
+    if (rungs_.empty() && !last) choose(rung.solution);
+    if (!last && !case_.model.grid_given) refine(rung);
+    rungs_.push_back(std::move(rung));
+    if (rungs_.size() > 3) rungs_.erase(rungs_.begin());
+    assess();
+  }
+
+  /// False where the estimates are nearly as good as the tolerance asks for, or where what the
+  /// physics leaves open is more than that.
+  [[nodiscard]] bool fine_grid_pays() const {
+    const double tolerance = case_.model.tolerance;
+    if (rungs_.size() < 2) return true;
+    if (std::max(model_bar().friction, model_bar().h_min) > tolerance) return false;
+    return tolerance < kFineTolerance || bars_.largest() > kOverrun * tolerance;
+  }
+
   /// True if the case says how heat passes through shell and shaft.
   [[nodiscard]] bool has_walls() const {
     if (!case_.shell || !case_.shaft) return false;
@@ -144,10 +188,15 @@ class Climb {
     Case step = last || case_.model.grid_given ? case_ : with_square_holes(case_);
     step.model.grid = grid;
     if (!choice_.effects.empty()) step.model.switches = choice_.switches;
+    const bool limited = !last && !case_.model.grid_given && has_walls();
+    TurnLimit limit(control_, kMostTurns);
+    const SolveControl& control = limited ? limit.control() : control_;
+    const Otherwise otherwise = limited ? Otherwise::give_up : Otherwise::from_cold;
     Solution s;
     try {
-      s = rungs_.empty() ? solve_tier(step, tier(), control_)
-                         : solve_tier_from(step, tier(), rungs_.back().solution, control_);
+      s = rungs_.empty()
+              ? solve_tier(step, tier(), control)
+              : solve_tier_from(step, tier(), rungs_.back().solution, control, otherwise);
     } catch (const InputError&) {
       if (last) throw;
       s.verdict = {Status::iteration_limit, "the grid is too coarse for the supplies", "", ""};
@@ -196,22 +245,25 @@ class Climb {
   [[nodiscard]] static GridLimit film_limit_of(const Rung& rung, const std::string& name) {
     const double V = find(rung.whole, name);
     const bool of_film = !name.starts_with("T_") && !name.starts_with("heat");
-    return film_limit(V, of_film ? find(rung.refined, name) : NAN, film_ratio(rung.grid));
+    return film_limit(V, of_film ? find(rung.refined, name) : NAN, rung.grid[0],
+                      film_ratio(rung.grid) * rung.grid[0]);
   }
 
   /// Limit of a quantity of the finest rung; its value as it is where there is but one rung.
   [[nodiscard]] GridLimit limit(const std::string& name) const {
     const Rung& fine = rungs_.back();
     const double V = find(fine.whole, name);
-    if (rungs_.size() < 2) return {V, NAN};
+    const bool fine_only = fine.grid == kFineGrid && !case_.model.grid_given;
+    if (rungs_.size() < 2) return {V, fine_only ? kIteration * std::abs(V) : NAN, 0.0};
     const Rung& coarse = rungs_[rungs_.size() - 2];
-    if (!std::isfinite(find(coarse.whole, name))) return {V, NAN};
-    const double before = rungs_.size() > 2 ? film_limit_of(coarse, name).value -
-                                                  film_limit_of(rungs_.front(), name).value
-                                            : NAN;
-    const GridLimit l = grid_limit(film_limit_of(coarse, name), film_limit_of(fine, name),
-                                   static_cast<double>(fine.grid[1]) / coarse.grid[1], before);
-    if (case_.model.grid_given) return {V, l.bar + std::abs(l.value - V)};
+    if (!std::isfinite(find(coarse.whole, name))) return {V, NAN, 0.0};
+    const GridLimit L0 = film_limit_of(coarse, name);
+    if (fine_only) return {V, kIteration * std::abs(V), L0.beyond};
+    const double before =
+        rungs_.size() > 2 ? L0.value - film_limit_of(rungs_.front(), name).value : NAN;
+    const GridLimit l =
+        grid_limit(L0, film_limit_of(fine, name), coarse.grid[1], fine.grid[1], before);
+    if (case_.model.grid_given) return {V, l.bar + std::abs(l.value + l.beyond - V), 0.0};
     return l;
   }
 
@@ -234,7 +286,7 @@ class Climb {
     for (Quantity& q : list) {
       const GridLimit l = limit(q.name);
       q.value = l.value;
-      q.error_grid = l.bar;
+      q.error_grid = l.bar + std::abs(l.beyond);
       if (q.name == "friction_torque" || q.name == "power_loss") {
         q.error_model = model_bar().friction * std::abs(q.value);
       }
@@ -247,16 +299,16 @@ class Climb {
     const double tolerance = case_.model.tolerance;
     if (!case_.model.grid_given && rungs_.size() > 1) {
       r.assumptions.push_back(fmt::format(
-          "scalars are extrapolated to fine grids (auto solved: {}); fields, history and audit are "
-          "those of {} x {} cells",
-          fmt::join(solved_, ", "), r.grid[0], r.grid[1]));
+          "scalars are those of {} x {} cells, extrapolated from what auto solved: {}; fields, "
+          "history and audit are those of {} x {} cells",
+          kFineGrid[0], kFineGrid[1], fmt::join(solved_, ", "), r.grid[0], r.grid[1]));
     }
     if (bars_.within(tolerance)) return;
     const std::string why =
         unknown_heat_.friction + unknown_heat_.h_min > 0.5 * tolerance
             ? "the case has no data of shell and shaft, so that the heat is only known in lumps"
         : case_.model.grid_given ? "the grid is given in the case"
-                                 : "the finest grid of tier auto has been solved";
+                                 : "a finer grid costs more than it would tell";
     r.warnings.push_back(
         fmt::format("the tolerance of {} is not met: the friction torque is known within {}, the "
                     "smallest film within {}; {}",
@@ -284,9 +336,9 @@ class Climb {
 };
 
 /// The estimate, if its bars meet the tolerance.
-std::optional<Result> good_estimate(const Case& c) {
+std::optional<Result> good_estimate(const Case& c, const Estimate& e) {
   if (c.model.grid_given) return {};
-  Result r = estimate_result(c);
+  Result r = estimate_result(c, e);
   if (!r.verdict.good()) return {};
   Bars bars;
   for (const Quantity& q : r.quantities) {
@@ -302,11 +354,12 @@ std::optional<Result> good_estimate(const Case& c) {
 
 Result solve_auto(const Case& c, const SolveControl& control) {
   const auto begin = std::chrono::steady_clock::now();
-  if (auto enough = good_estimate(c)) {
+  const Estimate rough = estimate(c);
+  if (auto enough = good_estimate(c, rough)) {
     enough->cost.wall_s = seconds_since(begin);
     return *enough;
   }
-  Climb climb(c, control, indicators(c, estimate(c)));
+  Climb climb(c, control, indicators(c, rough));
   climb.run();
   Result r = climb.result();
   r.cost.wall_s = seconds_since(begin);

@@ -50,5 +50,7 @@ struct Estimate {
 
 /// The estimate as a result: quantities with bars, effects by their indicator numbers, no fields.
 [[nodiscard]] coupling::Result estimate_result(const coupling::Case& c);
+/// The same of an estimate that is there already.
+[[nodiscard]] coupling::Result estimate_result(const coupling::Case& c, const Estimate& e);
 
 }  // namespace shellback::fidelity

@@ -54,8 +54,9 @@ std::vector<Quantity> quantities(const Case& c, const Estimate& e, const Estimat
 
 }  // namespace
 
-Result estimate_result(const Case& c) {
-  const Estimate e = estimate(c);
+Result estimate_result(const Case& c) { return estimate_result(c, estimate(c)); }
+
+Result estimate_result(const Case& c, const Estimate& e) {
   const Indicators numbers = indicators(c, e);
   Result r;
   r.tier = Tier::estimate;

@@ -10,6 +10,9 @@ namespace {
 using namespace coupling;
 
 constexpr int kMostIterations = 30;  ///< a film that takes more is no neighbour of the solution
+/// Residuals at which the film is left, all in the units of EquilibriumOptions [-]: friction and
+/// smallest film are then known to about that, far better than the grids that they stand for.
+constexpr double kEnough = 1e-6;
 
 Physics film_only(Physics p, const Frozen& keep) {
   p.film_energy = p.elastic = p.growth = false;
@@ -56,6 +59,7 @@ Solution frozen_film(const Solution& s, std::array<int, 2> grid, const Frozen& k
   out.heat.growth = interpolate(s.model.scene.grid, widening(s, keep), out.model.scene.grid);
   EquilibriumOptions options;
   options.max_iterations = kMostIterations;
+  options.film_tolerance = options.load_tolerance = options.viscosity_tolerance = kEnough;
   out.verdict =
       solve_equilibrium(out.model, out.target, out.heat.growth, options, out.film, out.cost, stop);
   return out;

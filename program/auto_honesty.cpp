@@ -30,6 +30,7 @@ std::string json_of(const std::vector<AutoTrial>& trials) {
                                 {"converged", a.converged},
                                 {"met", a.met},
                                 {"within", a.within()},
+                                {"holds_limit", a.holds_limit},
                                 {"off_friction", a.off_friction},
                                 {"off_h_min", a.off_h_min},
                                 {"bar_friction", a.bar_friction},

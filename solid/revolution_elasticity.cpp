@@ -1,176 +1,14 @@
 #include "solid/revolution_elasticity.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
 #include <cmath>
 
-#include "core/block_cholesky.hpp"
 #include "core/contract.hpp"
-#include "solid/elastic_element.hpp"
+#include "solid/elastic_system.hpp"
 
 namespace shellback::solid {
 namespace {
 
 constexpr double kNegligibleEnergy = 1e-10;  ///< of the field below a left-out row [-]
-/// Local nodes that belong to the group of the row above (outer corner line).
-constexpr std::array<int, 8> kUpperGroup{0, 1, 1, 0, 0, 1, 0, 0};
-
-/// The body: its mesh and one set of element matrices for each distinct element.
-struct Body {
-  const RevolutionMesh& mesh;
-  AxialEnds ends = AxialEnds::free;
-  int loaded_line = 0;  ///< corner line that carries the film
-  std::vector<ElasticElement> pieces;
-  std::vector<int> piece;  ///< of each element, index row * cols + col
-
-  [[nodiscard]] bool solid_core() const { return mesh.r_face.front() == 0.0; }
-  /// Tilt is a free rigid motion of harmonic 1.
-  [[nodiscard]] bool can_tilt() const { return !mesh.half && ends == AxialEnds::free; }
-};
-
-void require_elastic(const Material& m) {
-  if (m.youngs_modulus > 0.0 && m.poisson_ratio > -1.0 && m.poisson_ratio < 0.5) return;
-  throw InputError(fmt::format(
-      "material {}: Young's modulus {} Pa, Poisson's ratio {} (must be positive; in (-1, 0.5)); "
-      "an incompressible layer is described by a ratio of 0.499",
-      m.name, m.youngs_modulus, m.poisson_ratio));
-}
-
-Body make_body(const RevolutionMesh& mesh, const std::vector<Material>& layers, AxialEnds ends,
-               int loaded_line) {
-  for (const Material& m : layers) require_elastic(m);
-  Body body{mesh, ends, loaded_line, {}, {}};
-  for (int row = 0; row < mesh.rows; ++row) {
-    EXPECTS(mesh.layer[row] >= 0 && mesh.layer[row] < static_cast<int>(layers.size()));
-    double last_length = 0.0;
-    for (int col = 0; col < mesh.cols; ++col) {  // the matrices do not depend on z, only on dz
-      const double length = mesh.z_face[col + 1] - mesh.z_face[col];
-      if (col == 0 || std::abs(length - last_length) > 1e-12 * length) {
-        body.pieces.push_back(elastic_element(mesh, row, col, layers[mesh.layer[row]]));
-        last_length = length;
-      }
-      body.piece.push_back(static_cast<int>(body.pieces.size()) - 1);
-    }
-  }
-  return body;
-}
-
-/// Where each nodal component stands in the blocks.
-struct Freedoms {
-  std::vector<int> position;  ///< 3 nodes entries: row in the group's block, -1 if held at zero
-  std::vector<double> sign;   ///< component = sign * unknown
-  std::vector<int> size;      ///< rows of each group's block
-  std::vector<int> head;      ///< rows that belong to its corner line
-};
-
-/// Components held at zero, by symmetry, regularity on the axis, plane strain, or as the pins
-/// that take out rigid motion (no reaction arises there: the loads are in balance).
-std::vector<bool> held_components(const Body& body, int n) {
-  const RevolutionMesh& mesh = body.mesh;
-  std::vector<bool> held(3 * mesh.nodes(), false);
-  const double z_first = mesh.z_face.front(), z_last = mesh.z_face.back();
-  const bool plane = body.ends == AxialEnds::plane_strain;
-  for (int a = 0; a < mesh.nodes(); ++a) {
-    const bool axis = mesh.r[a] == 0.0;
-    if (n == 0) held[3 * a + 1] = true;  // torsion does not touch the gap
-    if (axis && n != 1) held[3 * a] = held[3 * a + 1] = true;
-    if (axis && n != 0) held[3 * a + 2] = true;
-    if (mesh.half && mesh.z[a] == 0.0) held[3 * a + 2] = true;
-    if (plane && (mesh.z[a] == z_last || mesh.z[a] == z_first)) held[3 * a + 2] = true;
-  }
-  const int pin = mesh.group_begin(mesh.rows) + (mesh.half ? 0 : mesh.cols);
-  if (n == 1) held[3 * pin] = true;
-  if (n <= 1 && body.can_tilt()) held[3 * pin + 2] = true;
-  return held;
-}
-
-Freedoms make_freedoms(const Body& body, int n) {
-  const RevolutionMesh& mesh = body.mesh;
-  const std::vector<bool> held = held_components(body, n);
-  Freedoms f{std::vector<int>(held.size(), -1), std::vector<double>(held.size(), 1.0), {}, {}};
-  for (int k = 0; k <= mesh.rows; ++k) {
-    int next = 0;
-    const int begin = mesh.group_begin(k), head_end = begin + mesh.line_nodes();
-    f.head.push_back(0);
-    for (int a = begin; a < mesh.group_begin(k + 1); ++a) {
-      if (a == head_end) f.head.back() = next;
-      for (int c = 0; c < 3; ++c) {
-        if (held[3 * a + c]) continue;
-        if (n == 1 && c == 1 && mesh.r[a] == 0.0) {  // translation of the axis
-          f.position[3 * a + 1] = f.position[3 * a];
-          f.sign[3 * a + 1] = -1.0;
-        } else {
-          f.position[3 * a + c] = next++;
-        }
-      }
-    }
-    if (k == mesh.rows) f.head.back() = next;
-    f.size.push_back(next);
-  }
-  return f;
-}
-
-struct LocalFreedom {
-  int group;
-  int position;
-  double sign;
-};
-using LocalFreedoms = std::array<LocalFreedom, 24>;
-
-LocalFreedoms local_freedoms(const Body& body, const Freedoms& f, int row, int col) {
-  LocalFreedoms local;
-  const auto& nodes = body.mesh.at(row, col);
-  for (int i = 0; i < 24; ++i) {
-    const int g = 3 * nodes[i / 3] + i % 3;
-    local[i] = {row + kUpperGroup[i / 3], f.position[g], f.sign[g]};
-  }
-  return local;
-}
-
-void scatter(const Eigen::Matrix<double, 24, 24>& ke, const LocalFreedoms& local,
-             BlockTridiagonal& a) {
-  for (int j = 0; j < 24; ++j) {
-    const LocalFreedom& q = local[j];
-    if (q.position < 0) continue;
-    for (int i = 0; i < 24; ++i) {
-      const LocalFreedom& p = local[i];
-      if (p.position < 0 || p.group < q.group) continue;
-      const double v = p.sign * q.sign * ke(i, j);
-      if (p.group > q.group) {
-        a.coupling[q.group](p.position, q.position) += v;
-      } else if (p.position >= q.position) {
-        a.diagonal[q.group](p.position, q.position) += v;
-      }
-    }
-  }
-}
-
-/// Stiffness of harmonic n from row `first` outwards.
-BlockTridiagonal stiffness(const Body& body, const Freedoms& f, int n, int first) {
-  const RevolutionMesh& mesh = body.mesh;
-  BlockTridiagonal a;
-  for (int k = 0; k <= mesh.rows; ++k) {
-    const int size = k >= first ? f.size[k] : 0;
-    a.diagonal.push_back(Eigen::MatrixXd::Zero(size, size));
-    if (k < mesh.rows)
-      a.coupling.push_back(Eigen::MatrixXd::Zero(size > 0 ? f.head[k + 1] : 0, size));
-  }
-  Eigen::Matrix<double, 24, 24> ke;
-  int current = -1;
-  for (int row = first; row < mesh.rows; ++row) {
-    for (int col = 0; col < mesh.cols; ++col) {
-      const int piece = body.piece[row * mesh.cols + col];
-      if (piece != current) {
-        const ElasticElement& e = body.pieces[piece];
-        ke = e.k0 + n * e.k1 + (n * n) * e.k2;
-        current = piece;
-      }
-      scatter(ke, local_freedoms(body, f, row, col), a);
-    }
-  }
-  return a;
-}
 
 BlockColumns zero_columns(const BlockTridiagonal& a, Eigen::Index columns) {
   BlockColumns y;
@@ -179,12 +17,12 @@ BlockColumns zero_columns(const BlockTridiagonal& a, Eigen::Index columns) {
 }
 
 /// Unit pressure on each axial cell, without the factor R.
-void add_pressure(const Body& body, const Freedoms& f, const Eigen::MatrixXd& p,
+void add_pressure(const ElasticBody& body, const Freedoms& f, const Eigen::MatrixXd& p,
                   BlockColumns& load) {
   const int line = body.mesh.group_begin(body.loaded_line);
   for (int m = 0; m < body.mesh.line_nodes(); ++m) {
     const int i = f.position[3 * (line + m)];
-    if (i >= 0) load[body.loaded_line].row(i) += p.row(m);
+    if (i >= 0) load[f.group[line + m]].row(i) += p.row(m);
   }
 }
 
@@ -195,7 +33,7 @@ struct RigidMotions {
   Eigen::MatrixXd pressure_work;  ///< R^T P: includes the pinned freedoms
 };
 
-RigidMotions rigid_motions(const Body& body, const Freedoms& f, const BlockTridiagonal& a,
+RigidMotions rigid_motions(const ElasticBody& body, const Freedoms& f, const BlockTridiagonal& a,
                            const Eigen::MatrixXd& p) {
   const RevolutionMesh& mesh = body.mesh;
   const int modes = body.can_tilt() ? 2 : 1;
@@ -246,7 +84,7 @@ Eigen::MatrixXd work(const BlockColumns& y, int last) {
 }
 
 /// X^T G_n: what nodal temperatures do to the surface, X the response to unit pressures.
-Eigen::MatrixXd thermal_response(const Body& body, const Freedoms& f, int n,
+Eigen::MatrixXd thermal_response(const ElasticBody& body, const Freedoms& f, int n,
                                  const BlockColumns& x) {
   const RevolutionMesh& mesh = body.mesh;
   const Eigen::Index nz = x.front().cols();
@@ -275,7 +113,7 @@ Eigen::MatrixXd thermal_response(const Body& body, const Freedoms& f, int n,
 }
 
 /// Deepest row whose inner face still feels harmonic n of a load on the surface.
-int first_row(const Body& body, int n) {
+int first_row(const ElasticBody& body, int n) {
   if (!body.solid_core() || n < 2) return 0;
   const auto& r = body.mesh.r_face;
   int first = 0;
@@ -286,60 +124,84 @@ int first_row(const Body& body, int n) {
   return first;
 }
 
-/// Everything about one harmonic of one body.
-struct Harmonic {
-  const Body& body;
-  const Freedoms& freedoms;
-  const Eigen::MatrixXd& pressure;  ///< P
-  int n;
-
-  void solve(const ElasticOptions& options, Eigen::MatrixXd& compliance,
-             Eigen::MatrixXd* growth) const;
+/// One harmonic of one body, factored, and L^-1 of unit pressures.
+struct Response {
+  Freedoms freedoms;
+  BlockTridiagonal factor;
+  BlockColumns y;
 };
 
-void Harmonic::solve(const ElasticOptions& options, Eigen::MatrixXd& compliance,
-                     Eigen::MatrixXd* growth) const {
-  const int outer = body.mesh.rows;  // the last block is the outer surface
-  const int first = first_row(body, n);
-  BlockTridiagonal a = stiffness(body, freedoms, n, first);
-  RigidMotions rigid;
-  const bool floats = n == 1;
-  if (floats) rigid = rigid_motions(body, freedoms, a, pressure);
-  if (!factorise(a)) {
-    throw InputError("the stiffness is not positive definite; check the elastic constants");
-  }
-  const auto response = [&](bool balanced) {
-    BlockColumns y = zero_columns(a, pressure.cols());
-    add_pressure(body, freedoms, pressure, y);
-    if (balanced) balance(rigid, y);
-    solve_lower(a, y, balanced ? first : body.loaded_line);
-    return y;
-  };
-  const bool free_load = options.support == Support::free;
-  BlockColumns y = response(floats && free_load);
-  compliance = work(y, free_load ? outer : outer - 1);
-  if (growth == nullptr) return;
-  const bool free_heat = options.support != Support::clamped;
-  if (floats && free_heat && !free_load) y = response(true);
-  if (!free_heat) y[outer].setZero();
-  solve_upper(a, y, free_heat ? outer : outer - 1);
-  // The heat's load is in balance, so the rigid part of y does no work on it.
-  *growth = thermal_response(body, freedoms, n, y);
+/// `balanced`: nothing holds the body, a body force balances the pressures.
+void push(const ElasticBody& body, const Eigen::MatrixXd& p, int n, bool balanced, Response& r) {
+  const bool from_film = body.order == Elimination::outwards && !balanced;
+  r.y = zero_columns(r.factor, p.cols());
+  add_pressure(body, r.freedoms, p, r.y);
+  if (balanced) balance(rigid_motions(body, r.freedoms, r.factor, p), r.y);
+  const int first = body.order == Elimination::outwards ? first_row(body, n) : 0;
+  solve_lower(r.factor, r.y, from_film ? body.loaded_line : first);
 }
 
-ElasticOperators solve_all(const Body& body, const FilmGrid& grid, const ElasticOptions& options) {
+Response respond(const ElasticBody& body, const Eigen::MatrixXd& p, int n, bool hold_outer,
+                 bool balanced) {
+  const int first = first_row(body, n);
+  Response r{make_freedoms(body, n, first, hold_outer), {}, {}};
+  r.factor = stiffness(body, r.freedoms, n, first);
+  if (!factorise(r.factor)) {
+    throw InputError("the stiffness is not positive definite; check the elastic constants");
+  }
+  push(body, p, n, balanced, r);
+  return r;
+}
+
+/// How the outer surface is held.
+struct Holding {
+  bool free_load;  ///< free under pressure
+  bool free_heat;  ///< free to grow
+};
+
+/// Groups follow each other outwards: the outer surface is the last group.
+void solve_outwards(const ElasticBody& body, const Eigen::MatrixXd& p, int n, Holding h,
+                    Eigen::MatrixXd& compliance, Eigen::MatrixXd* growth) {
+  const int outer = body.mesh.rows;
+  const bool floats = n == 1;
+  Response r = respond(body, p, n, false, floats && h.free_load);
+  compliance = work(r.y, h.free_load ? outer : outer - 1);
+  if (growth == nullptr) return;
+  if (floats && h.free_heat && !h.free_load) push(body, p, n, true, r);
+  if (!h.free_heat) r.y[outer].setZero();
+  solve_upper(r.factor, r.y, h.free_heat ? outer : outer - 1);
+  // The heat's load is in balance, so the rigid part of y does no work on it.
+  *growth = thermal_response(body, r.freedoms, n, r.y);
+}
+
+/// Groups follow each other along the axis: every way of holding has its own factor.
+void solve_along(const ElasticBody& body, const Eigen::MatrixXd& p, int n, Holding h,
+                 Eigen::MatrixXd& compliance, Eigen::MatrixXd* growth) {
+  const bool floats = n == 1;
+  Response r = respond(body, p, n, !h.free_load, floats && h.free_load);
+  compliance = work(r.y, body.mesh.cols);
+  if (growth == nullptr) return;
+  if (h.free_heat != h.free_load) r = respond(body, p, n, !h.free_heat, floats && h.free_heat);
+  solve_upper(r.factor, r.y);
+  *growth = thermal_response(body, r.freedoms, n, r.y);
+}
+
+ElasticOperators solve_all(const ElasticBody& body, const FilmGrid& grid,
+                           const ElasticOptions& options) {
   const Eigen::MatrixXd p = cell_integrals(body.mesh, grid);
   const Eigen::Map<const Eigen::VectorXd> dz(grid.dz.data(), grid.nz);
   const Eigen::VectorXd per_cell = dz.cwiseInverse();
   ElasticOperators out;
-  out.compliance.resize(options.harmonics + 1);
-  if (options.growth) out.growth.resize(options.harmonics + 1);
-  Freedoms freedoms;
-  for (int n = 0; n <= options.harmonics; ++n) {
-    if (n <= 2) freedoms = make_freedoms(body, n);  // the same from n = 2 on
-    Eigen::MatrixXd* growth = options.growth ? &out.growth[n] : nullptr;
-    Harmonic{body, freedoms, p, n}.solve(options, out.compliance[n], growth);
-    out.compliance[n] = grid.radius * per_cell.asDiagonal() * out.compliance[n];
+  std::vector<int> wanted = options.only;
+  for (int n = 0; n <= options.harmonics && options.only.empty(); ++n) wanted.push_back(n);
+  out.compliance.resize(wanted.size());
+  if (options.growth) out.growth.resize(wanted.size());
+  const Holding holding{options.support == Support::free, options.support != Support::clamped};
+  const auto solve = body.order == Elimination::outwards ? solve_outwards : solve_along;
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    Eigen::MatrixXd* growth = options.growth ? &out.growth[k] : nullptr;
+    solve(body, p, wanted[k], holding, out.compliance[k], growth);
+    out.compliance[k] = grid.radius * per_cell.asDiagonal() * out.compliance[k];
     if (growth != nullptr) *growth = per_cell.asDiagonal() * *growth;
   }
   return out;
@@ -351,14 +213,21 @@ ElasticOperators shell_elasticity(const RevolutionMesh& mesh, const FilmGrid& gr
                                   const std::vector<Material>& layers,
                                   const ElasticOptions& options) {
   EXPECTS(mesh.r_face.front() > 0.0 && mesh.half == grid.half);
-  return solve_all(make_body(mesh, layers, options.ends, 0), grid, options);
+  const int factorisations = options.growth && options.support == Support::held ? 2 : 1;
+  return solve_all(make_elastic_body(mesh, layers, options.ends == AxialEnds::plane_strain, 0,
+                                     options.order, factorisations),
+                   grid, options);
 }
 
 HarmonicOperator shaft_compliance(const RevolutionMesh& mesh, const FilmGrid& grid,
-                                  const Material& material, int harmonics, AxialEnds ends) {
+                                  const Material& material, int harmonics, AxialEnds ends,
+                                  Elimination order) {
   EXPECTS(mesh.r_face.front() == 0.0 && mesh.half == grid.half);
-  const ElasticOptions options{harmonics, Support::free, ends, false};
-  return solve_all(make_body(mesh, {material}, ends, mesh.rows), grid, options).compliance;
+  const ElasticOptions options{harmonics, Support::free, ends, false, order, {}};
+  return solve_all(make_elastic_body(mesh, {material}, ends == AxialEnds::plane_strain, mesh.rows,
+                                     order, 1),
+                   grid, options)
+      .compliance;
 }
 
 std::vector<double> shaft_growth(double radius, double expansion,

@@ -31,6 +31,7 @@
 #include "core/grid.hpp"
 #include "core/harmonics.hpp"
 #include "core/revolution_mesh.hpp"
+#include "solid/elastic_system.hpp"
 #include "solid/material.hpp"
 
 namespace shellback::solid {
@@ -51,10 +52,12 @@ struct ElasticOptions {
   Support support = Support::held;  ///< of the outer surface
   AxialEnds ends = AxialEnds::free;
   bool growth = true;  ///< also (3); about doubles the work
+  Elimination order = Elimination::cheapest;
+  std::vector<int> only{};  ///< harmonics that are wanted; empty: 0 .. harmonics
 };
 
 struct ElasticOperators {
-  HarmonicOperator compliance;  ///< C_n of (2), n = 0 .. harmonics [m/Pa]
+  HarmonicOperator compliance;  ///< C_n of (2), for each harmonic that is wanted [m/Pa]
   HarmonicOperator growth;      ///< U_n of (3) [m/K]; empty if not wanted
 };
 
@@ -70,7 +73,8 @@ struct ElasticOperators {
 /// left there (below 1e-10) are left out. Throws as shell_elasticity.
 [[nodiscard]] HarmonicOperator shaft_compliance(const RevolutionMesh& mesh, const FilmGrid& grid,
                                                 const Material& material, int harmonics,
-                                                AxialEnds ends = AxialEnds::free);
+                                                AxialEnds ends = AxialEnds::free,
+                                                Elimination order = Elimination::cheapest);
 
 /// Gap opening [m] from the shaft's temperature, one value for each axial cell: -expansion R
 /// (T_s(z) - T_ref). Exact for a free shaft whose temperature is uniform over its section and

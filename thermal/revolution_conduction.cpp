@@ -182,7 +182,14 @@ int outer_line(const RevolutionMesh& mesh, int layer) {
 ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& grid,
                                  const std::vector<double>& conductivity,
                                  const ConductionBoundary& boundary, Harmonics harmonics)
-    : mesh_(mesh), grid_(grid), harmonics_(std::move(harmonics)) {
+    : ShellConduction(mesh, grid, conductivity, boundary, harmonics,
+                      HarmonicSample(harmonics.highest(), true)) {}
+
+ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& grid,
+                                 const std::vector<double>& conductivity,
+                                 const ConductionBoundary& boundary, Harmonics harmonics,
+                                 HarmonicSample sample)
+    : mesh_(mesh), grid_(grid), harmonics_(std::move(harmonics)), sample_(std::move(sample)) {
   EXPECTS(mesh.half == grid.half && mesh.r_face.front() > 0.0);
   EXPECTS(boundary.back_line > 0 && boundary.back_line <= mesh.rows);
   require_possible(conductivity, boundary);
@@ -201,11 +208,15 @@ ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& gri
   const auto at_line = [&](int k) {
     return mean * nodal_.back().middleRows(mesh.group_begin(k), mesh.line_nodes());
   };
-  for (int n = 0; n <= harmonics_.highest(); ++n) {
+  for (const int n : sample_.computed()) {
     nodal_.push_back(nodal_response(mesh, elements, grid.radius * p, n, rows, held));
     surface_.push_back(at_line(0));
     back_.push_back(at_line(boundary.back_line));
-    const Eigen::MatrixXd z = root.asDiagonal() * surface_.back() * over_root.asDiagonal();
+  }
+  surface_ = sample_.complete(surface_);
+  back_ = sample_.complete(back_);
+  for (const Eigen::MatrixXd& surface : surface_) {
+    const Eigen::MatrixXd z = root.asDiagonal() * surface * over_root.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (z + z.transpose()));
     lambda_.push_back(eigen.eigenvalues());
     modes_.push_back(over_root.asDiagonal() * eigen.eigenvectors());
@@ -280,7 +291,7 @@ HarmonicOperator ShellConduction::section() const {
     }
     op.push_back(std::move(s));
   }
-  return op;
+  return sample_.complete(op);
 }
 
 std::vector<double> ShellConduction::section_radii() const {

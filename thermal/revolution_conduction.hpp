@@ -65,6 +65,10 @@ class ShellConduction {
   ShellConduction(const RevolutionMesh& mesh, const FilmGrid& grid,
                   const std::vector<double>& conductivity, const ConductionBoundary& boundary,
                   Harmonics harmonics);
+  /// The same with the operators between those of `sample` interpolated.
+  ShellConduction(const RevolutionMesh& mesh, const FilmGrid& grid,
+                  const std::vector<double>& conductivity, const ConductionBoundary& boundary,
+                  Harmonics harmonics, HarmonicSample sample);
 
   /// Robin coupling with the film: the flux into the shell is q at the wall temperature T_old and
   /// changes by -g per kelvin,
@@ -94,6 +98,7 @@ class ShellConduction {
   /// Rise at the back of the shell per flux, B_n, nz x nz [K m2/W].
   [[nodiscard]] const HarmonicOperator& back() const { return back_; }
   /// Rise of every node of the mesh per flux, nodes x nz [K m2/W]: the input of thermal growth.
+  /// One for each computed harmonic of the sample.
   [[nodiscard]] const HarmonicOperator& nodal() const { return nodal_; }
   /// Rise at the nodes of the section z = 0 per flux, n_r x nz [K m2/W], bore first.
   [[nodiscard]] HarmonicOperator section() const;
@@ -104,6 +109,7 @@ class ShellConduction {
   RevolutionMesh mesh_;
   FilmGrid grid_;
   Harmonics harmonics_;
+  HarmonicSample sample_;
   HarmonicOperator surface_, back_, nodal_;
   std::vector<Eigen::MatrixXd> modes_;  ///< V_n: Z V = V diag(lambda), V^T diag(dz) V = 1
   std::vector<Eigen::VectorXd> lambda_;

@@ -30,17 +30,27 @@ Case automatic(Case c, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("LimitOfSecondOrderSequenceIsFound") {
-  // Values of a + b h^2 on grids halved along the axis: the extrapolation is exact.
-  const GridLimit l = grid_limit({1.0 + 0.16, 0.0}, {1.0 + 0.04, 0.0}, 2.0, NAN);
-  CHECK(l.value == Approx(1.0).epsilon(1e-12));
+TEST_CASE("ValueOfTheFineGridAndTheLimitAreFound") {
+  // Values of a + b n^-2 on 12 and 24 cells along: the steps on to 50 cells and beyond are exact.
+  const auto along = [](double n) { return 1.0 + 100.0 / (n * n); };
+  const GridLimit l = grid_limit({along(12)}, {along(24)}, 12, 24, NAN);
+  CHECK(l.value == Approx(along(kFineGrid[1])).epsilon(1e-12));
+  CHECK(l.value + l.beyond == Approx(1.0).epsilon(1e-12));
   CHECK(l.bar > 0.0);
-  // A film whose error falls with order 1.3 is extrapolated exactly, and the bar holds orders 1, 2.
+  // A film whose error falls with order 1.3 is led on exactly, and the bar holds orders 1 and 2.
   for (const double order : {1.0, 1.3, 2.0}) {
-    const GridLimit f = film_limit(1.0 + 0.1, 1.0 + 0.1 * std::pow(3.0, -order), 3.0);
-    if (order == 1.3) CHECK(f.value == Approx(1.0).epsilon(1e-12));
-    CHECK(std::abs(f.value - 1.0) <= f.bar * (1.0 + 1e-9));  // round-off
+    const auto around = [order](double n) { return 1.0 + std::pow(n, -order); };
+    const GridLimit f = film_limit(around(40), around(120), 40, 120);
+    if (order == 1.3) {
+      CHECK(f.value == Approx(around(kFineGrid[0])).epsilon(1e-12));
+      CHECK(f.value + f.beyond == Approx(1.0).epsilon(1e-12));
+    }
+    // The value of that order is within the bar, to its curvature in the order.
+    CHECK(std::abs(f.value - around(kFineGrid[0])) <= f.bar * 1.05);
   }
+  // Nothing is left on the fine grid itself.
+  CHECK(onward(200, 400, kFineGrid[0], 1.3) == 0.0);
+  CHECK(onward(200, 400, INFINITY, 1.0) == Approx(1.0));
 }
 
 TEST_CASE("FrozenFilmOnItsOwnGridIsTheSolution") {
@@ -75,6 +85,22 @@ TEST_CASE("AutoIsWithinToleranceOfAFineSolution") {
       CHECK(q.error_grid >= 0.0);
     }
   }
+}
+
+TEST_CASE("AutoTakesTheFineGridForTightTolerancesAlone") {
+  Case c = automatic(warm_case(), 0.01);
+  const Result loose = solve_case(c);
+  REQUIRE(loose.choice);
+  CHECK(loose.grid != kFineGrid);
+  // What the fine grid itself lacks is in the bars, though not in what the tolerance is held to.
+  for (const Quantity& q : loose.quantities) {
+    if (q.name == "h_min") CHECK(q.error_grid >= loose.choice->bar_h_min * q.value * 0.99);
+  }
+  c.model.tolerance = 1e-5;
+  const Result tight = solve_case(c);
+  REQUIRE(tight.choice);
+  CHECK(tight.grid == kFineGrid);
+  CHECK(loose.value("h_min") == Approx(tight.value("h_min")).epsilon(0.01));
 }
 
 TEST_CASE("AutoLeavesOutWhatChangesNothingAndSaysSo") {

@@ -182,3 +182,41 @@ TEST_CASE("ImpossibleElasticConstantsAreRefused", "[compliance]") {
   m.youngs_modulus = 0.0;
   CHECK_THROWS_AS(shell_elasticity(b.mesh, b.grid, {m}, {2, Support::held}), InputError);
 }
+
+TEST_CASE("OrderOfEliminationDoesNotMatter", "[compliance]") {
+  for (const bool half : {true, false}) {
+    const auto b = bush(half, {20e-6, 1.5e-3, 10e-3});
+    for (const Support s : {Support::held, Support::free, Support::clamped}) {
+      const auto run = [&](Elimination order) {
+        return shell_elasticity(b.mesh, b.grid, {polymer(), steel(), steel()},
+                                {3, s, AxialEnds::free, true, order, {}});
+      };
+      const auto out = run(Elimination::outwards), along = run(Elimination::along_axis);
+      for (int n = 0; n <= 3; ++n) {  // round-off of two factorisations
+        CHECK((out.compliance[n] - along.compliance[n]).norm() < 1e-8 * out.compliance[n].norm());
+        CHECK((out.growth[n] - along.growth[n]).norm() < 1e-8 * out.growth[n].norm());
+      }
+    }
+  }
+}
+
+TEST_CASE("HarmonicsBetweenFollowFromTheirNeighbours", "[compliance]") {
+  constexpr int kHighest = 48;
+  const HarmonicSample sample(kHighest);
+  CHECK(sample.computed().size() < 16);
+  const auto b = bush(true, {20e-6, 1.5e-3, 3e-3}, 9, kHighest);  // soft lining in a thin ring
+  for (const Support s : {Support::held, Support::free}) {
+    const auto run = [&](const std::vector<int>& only) {
+      return shell_elasticity(b.mesh, b.grid, {polymer(), steel(), steel()},
+                              {kHighest, s, AxialEnds::free, false, Elimination::cheapest, only})
+          .compliance;
+    };
+    const auto all = run({});
+    const auto some = sample.complete(run(sample.computed()));
+    REQUIRE(some.size() == all.size());
+    for (int n = 0; n <= kHighest; ++n) {  // the mesh is off by about 1e-3
+      INFO("harmonic " << n << ", off by " << (some[n] - all[n]).norm() / all[n].norm());
+      CHECK((some[n] - all[n]).norm() < 3e-4 * all[n].norm());
+    }
+  }
+}

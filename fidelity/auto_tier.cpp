@@ -30,11 +30,13 @@ const std::vector<Grid> kLadder{{24, 9}, {40, 25}, {60, 37}, {96, 49}, kFineGrid
 /// Turns of film and heat after which a coarse grid is given up: those that are a step towards the
 /// next settle in 10 to 20, others creep on and cost more than a finer grid.
 constexpr int kMostTurns = 40;
-/// Below this tolerance only the fine grid itself is sure to do: estimates of it are rarely better.
+/// Tolerances below this are of the size of what the grids leave to chance: bars are held to half
+/// of them, and what no estimate meets is solved on the fine grid, without 96 x 49 cells before.
 constexpr double kFineTolerance = 0.005;
-/// Bar over tolerance up to which the fine grid is not worth its cost: it takes several times that
-/// of all before, and what is estimated lies mostly well within its bar [-].
-constexpr double kOverrun = 4.0;
+constexpr double kFineMargin = 2.0;
+/// Bar over tolerance, after three grids, from which the next would not bring it down enough: one
+/// grid takes a half to nine tenths off the bar and costs three times the one before [-].
+constexpr double kHopeless = 20.0;
 /// What the iteration leaves open on the fine grid itself, of the value [-]; as fidelity/solve.cpp.
 constexpr double kIteration = 1e-4;
 
@@ -109,6 +111,7 @@ class Climb {
  public:
   Climb(const Case& c, const SolveControl& control, const Indicators& numbers)
       : case_(c), control_(control), numbers_(numbers), ladder_(kLadder) {
+    if (c.model.tolerance < kFineTolerance) ladder_.erase(ladder_.end() - 2);
     if (c.model.grid_given) ladder_ = grid_ladder(c.model.grid);
   }
 
@@ -125,7 +128,8 @@ class Climb {
       }
       add(std::move(rung), last);
       if (stopped()) return;
-      if (bars_.within(case_.model.tolerance) && (last || !case_.model.grid_given)) return;
+      if (hopeless()) return;
+      if (enough() && (last || !case_.model.grid_given)) return;
     }
   }
 
@@ -158,13 +162,27 @@ class Climb {
     assess();
   }
 
-  /// False where the estimates are nearly as good as the tolerance asks for, or where what the
-  /// physics leaves open is more than that.
+  /// False where there are estimates that do for most tolerances, or where what the physics leaves
+  /// open is more than the tolerance.
   [[nodiscard]] bool fine_grid_pays() const {
     const double tolerance = case_.model.tolerance;
     if (rungs_.size() < 2) return true;
     if (std::max(model_bar().friction, model_bar().h_min) > tolerance) return false;
-    return tolerance < kFineTolerance || bars_.largest() > kOverrun * tolerance;
+    return tolerance < kFineTolerance;
+  }
+
+  /// True if the bars are as short as the tolerance asks for.
+  [[nodiscard]] bool enough() const {
+    const double tolerance = case_.model.tolerance;
+    const bool fine = tolerance < kFineTolerance && !case_.model.grid_given;
+    return bars_.within(fine ? tolerance / kFineMargin : tolerance);
+  }
+
+  /// True if the next grid is not likely to meet the tolerance either.
+  [[nodiscard]] bool hopeless() const {
+    const double tolerance = case_.model.tolerance;
+    const bool going_on = rungs_.size() < 3 || case_.model.grid_given || fine_grid_pays();
+    return !going_on && bars_.largest() > kHopeless * tolerance;
   }
 
   /// True if the case says how heat passes through shell and shaft.
@@ -263,7 +281,7 @@ class Climb {
         rungs_.size() > 2 ? L0.value - film_limit_of(rungs_.front(), name).value : NAN;
     const GridLimit l =
         grid_limit(L0, film_limit_of(fine, name), coarse.grid[1], fine.grid[1], before);
-    if (case_.model.grid_given) return {V, l.bar + std::abs(l.value + l.beyond - V), 0.0};
+    if (case_.model.grid_given) return {V, full_bar(l) + std::abs(l.value - V), 0.0};
     return l;
   }
 
@@ -286,7 +304,7 @@ class Climb {
     for (Quantity& q : list) {
       const GridLimit l = limit(q.name);
       q.value = l.value;
-      q.error_grid = l.bar + std::abs(l.beyond);
+      q.error_grid = full_bar(l);
       if (q.name == "friction_torque" || q.name == "power_loss") {
         q.error_model = model_bar().friction * std::abs(q.value);
       }

@@ -6,15 +6,20 @@
 namespace shellback::fidelity {
 namespace {
 
-constexpr double kFilmOrder = 1.3;    ///< [-]
-constexpr double kSolidOrder = 2.0;   ///< [-]
-constexpr double kFilmBar = 1.0;      ///< bar over the spread of film orders [-]
-constexpr double kStepBar = 1.0;      ///< bar over the step of (2) [-]
-constexpr double kSteadyBar = 1.0;    ///< the same in a sequence that closes in [-]
-constexpr double kLeastPart = 0.35;   ///< of |L1 - L0| that a bar is reckoned from at least [-]
-constexpr double kClosing = 2.0;      ///< a step before at least this much larger closes in [-]
-constexpr double kLeastRatio = 1.25;  ///< a smaller ratio than this is no refinement [-]
+constexpr double kFilmOrder = 1.3;   ///< [-]
+constexpr double kSolidOrder = 2.0;  ///< [-]
+constexpr double kFilmBar = 1.0;     ///< bar over the spread of film orders [-]
+constexpr double kFirstBar = 0.6;    ///< bar over |L1 - L0| of the first two grids [-]
+constexpr double kStepBar = 1.0;     ///< the same of later ones, which lie closer together [-]
+constexpr double kSteadyBar = 0.7;   ///< the same in a sequence that closes in [-]
+constexpr double kMemory = 0.2;      ///< part of the step before that a bar still holds [-]
+constexpr double kClosing = 1.3;     ///< a step before at least this much larger closes in [-]
+/// Between grids closer than this, what the cells happen to hold of edges and supplies changes as
+/// much as what they resolve: their step has no direction to be led on in [-].
+constexpr double kLeastRatio = 2.0;
 constexpr double kMostStep = 0.3;  ///< a step of (2) beyond this part of L1 is no extrapolation [-]
+/// Bar over what is told to lie beyond the fine grid: that is itself an extrapolation [-].
+constexpr double kBeyondBar = 1.6;
 
 }  // namespace
 
@@ -34,17 +39,22 @@ GridLimit film_limit(double whole, double film, int cells, int film_cells) {
   return {film + step * middle, kFilmBar * spread * std::abs(step), step * (all - middle)};
 }
 
+double full_bar(const GridLimit& l) { return l.bar + kBeyondBar * std::abs(l.beyond); }
+
 GridLimit grid_limit(const GridLimit& coarse, const GridLimit& fine, int b0, int b1,
                      double before) {
   const double step = fine.value - coarse.value;
+  const bool first = !std::isfinite(before);
   const bool closing = std::abs(before) > kClosing * std::abs(step);
-  const bool refined = b1 >= kLeastRatio * b0;
-  const double part = refined ? onward(b0, b1, kFineGrid[1], kSolidOrder) : 0.0;
-  const double all = refined ? onward(b0, b1, INFINITY, kSolidOrder) : 0.0;
+  const double part = first ? kFirstBar : closing ? kSteadyBar : kStepBar;
   GridLimit out = fine;
-  out.bar += (closing ? kSteadyBar : kStepBar) * std::max(part, kLeastPart) * std::abs(step);
-  if (std::abs(step * part) < kMostStep * std::abs(fine.value)) out.value += step * part;
-  if (std::abs(step * all) < kMostStep * std::abs(fine.value)) out.beyond += step * (all - part);
+  out.bar += part * std::abs(step) + (first ? 0.0 : kMemory * std::abs(before));
+  if (b1 < kLeastRatio * b0) return out;
+  const double to_fine = onward(b0, b1, kFineGrid[1], kSolidOrder);
+  const double all = onward(b0, b1, INFINITY, kSolidOrder);
+  if (std::abs(step * all) > kMostStep * std::abs(fine.value)) return out;
+  out.value += step * to_fine;
+  out.beyond += step * (all - to_fine);
   return out;
 }
 

@@ -12,9 +12,10 @@
 ///   (2)
 /// The value is that of the fine grid, 400 x 50 cells, which full solutions are compared with; what
 /// that grid itself still lacks, the same steps led on to infinitely many cells, is told apart.
+/// The second of these is left out between grids that lie close together along the axis.
 /// p_f = 1.3, between the first order of cavitation's ends and the second of full films; p_s = 2.
-/// Bars: a part of the spread of (2) between p_f = 1 and 2, and a part of |L1 - L0|, a larger one
-/// where the step before was not much larger. Richardson's extrapolation, textbook; orders and
+/// Bars: the spread of (2) between p_f = 1 and 2, a part of |L1 - L0|, a larger one where the step
+/// before was not larger, and a part of that. Richardson's extrapolation, textbook; orders and
 /// parts are ours, tuned on random cases (docs/auto-tier.md).
 #include <array>
 
@@ -28,6 +29,9 @@ struct GridLimit {
   double bar = 0.0;     ///< half-width, in the unit of the value
   double beyond = 0.0;  ///< from the fine grid to infinitely many cells, in the unit of the value
 };
+
+/// Half-width around the value that is to hold the limit of fine grids too.
+[[nodiscard]] double full_bar(const GridLimit& l);
 
 /// Part of a step from m to n cells that is still to come up to `end` cells (infinity: all), for an
 /// error of order p; zero if n is there already.

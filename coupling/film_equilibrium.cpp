@@ -390,7 +390,8 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
   const Methods& by = model.input.model.methods;
   const bool other = by.cavitation != CavitationMethod::active_set ||
                      by.elastic != ElasticMethod::newton;  // shown as they are, without our help
-  if (!lost || other || !s.elastic.empty() || target.unknowns == 0) return v;
+  if (!lost || other || !options.follow_load) return v;
+  if (!s.elastic.empty() || target.unknowns == 0) return v;
   return follow_load(model, target, growth, options, s, cost, stop);
 }
 

@@ -53,6 +53,7 @@ struct EquilibriumOptions {
   double elastic_tolerance = 1e-8;     ///< largest |C p - d| over the smallest gap [-]
   double viscosity_tolerance = 1e-10;  ///< shear-thinning relation [-]
   int max_iterations = 80;
+  bool follow_load = true;  ///< from lighter loads on, where Newton's method fails at once
 };
 
 struct EquilibriumCost {

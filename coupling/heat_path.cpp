@@ -15,6 +15,7 @@ constexpr std::array kLight{0.3, 0.1, 0.02};  ///< parts of load or speed to beg
 constexpr double kFirstRatio = 1.5;           ///< of load or speed from step to step [-]
 constexpr double kLargestRatio = 2.0;
 constexpr double kSmallestRatio = 1.01;  ///< a smaller step shows that the path ends [-]
+constexpr double kBack = 0.9;  ///< of a coarser grid's path, where that of a finer one begins [-]
 constexpr double kLooseHeat = 3e-3;      ///< change per turn that will do on the way [-]
 constexpr int kMostTurns = 25;           ///< of one step
 constexpr double kFurther = 1.1;         ///< of the path's end: past the slow place behind it [-]
@@ -25,21 +26,11 @@ constexpr int kMostFilm = 40;     ///< film iterations of a turn of one step
 constexpr int kMostInAll = 4000;  ///< film iterations from which a path is given up
 constexpr int kMostRests = 40;    ///< such steps after which it may go on
 
-/// What is raised along the path.
-enum class Raised { load, speed };
-
 /// What a state is, without what follows from it.
 struct Reached {
   FilmEquilibrium film;
   HeatState heat;
   double part = 0.0;
-};
-
-/// A point of the path.
-struct Waymark {
-  double part = 0.0;
-  double torque = 0.0;  ///< without sign [N m]
-  double flow = 0.0;    ///< side flow [kg/s]
 };
 
 /// d ln(friction) and d ln(flow) over d ln(part) between two points of the path.
@@ -70,6 +61,8 @@ class HeatPath {
 
   /// A light load, or a low speed, from cold; false if none settles.
   [[nodiscard]] bool begin(const ColdStart& cold);
+  /// A little before the end of the path of a coarser grid; false if that does not settle here.
+  [[nodiscard]] bool begin(const NearPath& near);
   [[nodiscard]] Verdict follow();
 
  private:
@@ -126,15 +119,16 @@ ThermalOptions HeatPath::on_the_way() const {
   o.close = false;
   o.patient = false;
   o.film.max_iterations = std::min(o.film.max_iterations, kMostFilm);
+  o.film.follow_load = false;
   return o;
 }
 
 void HeatPath::keep(double part) {
   reached_ = {s_.film, s_.heat, part};
-  s_.followed = part;
   const Friction f = friction_of(s_.model, s_.film);
   const double flow = fluid::oil_flows(s_.model.scene, s_.film.flow).side;
   way_.push_back({part, std::abs(f.viscous + f.asperity), std::abs(flow)});
+  s_.followed = {raised_, part, way_.front()};
 }
 
 bool HeatPath::turns() const {
@@ -179,6 +173,19 @@ bool HeatPath::begin(const ColdStart& cold) {
   return false;
 }
 
+bool HeatPath::begin(const NearPath& near) {
+  way_.assign(1, near.end.first);
+  take(kBack * near.end.part);
+  s_.film = near.film;
+  s_.heat = near.heat;
+  if (settle(on_the_way()).good()) {
+    keep(kBack * near.end.part);
+    return true;
+  }
+  way_.clear();
+  return false;
+}
+
 Verdict HeatPath::raise(double ratio) {
   while (ratio > kSmallestRatio && !spent()) {
     const double next = std::min(1.0, reached_.part * ratio);
@@ -186,10 +193,12 @@ Verdict HeatPath::raise(double ratio) {
     if (next == 1.0) {
       options = options_;
       options.patient = false;
+      options.film.follow_load = false;
     }
     const Verdict v = settle_at(next, options);
     if (v.status == Status::interrupted || reached_.part == 1.0) return v;
-    ratio = v.good() ? std::min(kLargestRatio, ratio * std::sqrt(ratio)) : std::sqrt(ratio);
+    ratio = v.good() ? std::min(kLargestRatio, ratio * std::sqrt(ratio))
+                     : std::sqrt(next / reached_.part);
     if (!v.good()) failure_ = v;
   }
   return failure_;
@@ -242,11 +251,12 @@ Verdict HeatPath::end_of_path(Verdict v) const {
 
 }  // namespace
 
-Verdict follow_heat(Solution& s, const ColdStart& cold, const ThermalOptions& options,
-                    const SolveControl& control) {
-  s.followed = 0.0;
+Verdict follow_heat(Solution& s, const NearPath* near, const ColdStart& cold,
+                    const ThermalOptions& options, const SolveControl& control) {
+  s.followed = {};
   for (const Raised raised : {Raised::load, Raised::speed}) {
     HeatPath path(s, raised, options, control);
+    if (near && near->end.raised == raised && path.begin(*near)) return path.follow();
     if (path.begin(cold)) return path.follow();
     if (control.stop && control.stop->load()) break;
   }

@@ -165,7 +165,8 @@ Verdict start_resolved(Solution& s, const SolveControl& control) {
   return start(s, T, control);
 }
 
-Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveControl& control) {
+Verdict solve_resolved(Solution& s, bool warm, const NearPath* near, double tolerance,
+                       const SolveControl& control) {
   ThermalOptions options;
   options.tolerance = std::max(options.tolerance, tolerance);
   if (tolerance > 0.0) {  // a coarse grid is but a start
@@ -182,14 +183,15 @@ Verdict solve_resolved(Solution& s, bool warm, double tolerance, const SolveCont
   if (v.good() || v.status == Status::interrupted || !may_follow) return v;
   options.patient = true;
   const auto cold = [&](Solution& at) { return start_resolved(at, control); };
-  v = follow_heat(s, cold, options, control);
+  v = follow_heat(s, near, cold, options, control);
   // Not found with heat: what the film of the supply's temperature showed still stands.
   const bool open = v.status == Status::iteration_limit;
   return open && film.status == Status::no_steady_state ? film : v;
 }
 
 /// Solves on the model's grid, from the state that is there or from cold.
-void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const SolveControl& control) {
+void solve_level(Solution& s, Tier tier, bool warm, const NearPath* near, double tolerance,
+                 const SolveControl& control) {
   if (!warm) {
     s.film = cold_start(s.model, s.T_film);
     s.heat = {};
@@ -203,7 +205,7 @@ void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const Solv
       break;
     case Tier::thd:
     case Tier::tehd:
-      s.verdict = solve_resolved(s, warm, tolerance, control);
+      s.verdict = solve_resolved(s, warm, near, tolerance, control);
       break;
     case Tier::estimate:
     case Tier::automatic:
@@ -217,7 +219,8 @@ void solve_level(Solution& s, Tier tier, bool warm, double tolerance, const Solv
 /// to tell that it is not carried.
 bool ends_far_below(const Solution& s) {
   constexpr double kFarBelow = 0.6;  // grids differ by less in what they carry [-]
-  return s.verdict.status == Status::no_steady_state && s.followed > 0.0 && s.followed < kFarBelow;
+  const double part = s.followed.part;
+  return s.verdict.status == Status::no_steady_state && part > 0.0 && part < kFarBelow;
 }
 
 /// Solves on every grid of the ladder, each from the one before. A coarse grid that fails is left
@@ -234,18 +237,24 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
     const double tolerance = last ? 0.0 : kCoarseTolerance;
     BearingModel model =
         make_bearing(c, physics_of(c, tier), ladder[level], last ? solids : nullptr);
+    std::optional<NearPath> near;
     if (warm) {
       s.film = carry_over(s.model, s.film, model);
       if (model.physics.film_energy) s.heat = carry_over(s.model, s.heat, model);
+    } else if (s.followed.part > 0.0) {
+      near = NearPath{s.followed, carry_over(s.model, s.film, model),
+                      carry_over(s.model, s.heat, model)};
     }
     s.model = std::move(model);
+    s.followed = {};
+    const NearPath* start = near ? &*near : nullptr;
     const std::size_t turns = s.history.size();
-    solve_level(s, tier, warm, tolerance, control);
+    solve_level(s, tier, warm, start, tolerance, control);
     const bool at_once = s.history.size() == turns;  // not even one turn of film and heat
     if (warm && (s.verdict.status == Status::iteration_limit ||
                  (s.verdict.status == Status::no_steady_state && at_once))) {
       s.T_film = T_start;
-      solve_level(s, tier, false, tolerance, control);
+      solve_level(s, tier, false, start, tolerance, control);
     }
     if (s.verdict.status == Status::interrupted || ends_far_below(s)) return;
     warm = s.verdict.good();
@@ -328,7 +337,7 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
       s.heat.growth.assign(s.model.scene.grid.cells(), 0.0);
     }
   }
-  solve_level(s, tier, true, 0.0, control);
+  solve_level(s, tier, true, nullptr, 0.0, control);
   if (may_be_cold && s.verdict.status != Status::interrupted && !s.verdict.good()) {
     Solution cold = solve_tier(c, tier, control, s.model.solids);
     cold.wall_s = seconds_since(begin);

@@ -14,6 +14,23 @@ namespace shellback::coupling {
 /// relation itself is not available and not claimed.
 [[nodiscard]] double equivalent_temperature(const Case& c);
 
+/// What is raised where film and heat are followed from harmless operation on (heat_path.hpp).
+enum class Raised { load, speed };
+
+/// A point on that path.
+struct Waymark {
+  double part = 0.0;    ///< of the load or the speed asked for [-]
+  double torque = 0.0;  ///< of friction, without sign [N m]
+  double flow = 0.0;    ///< side flow [kg/s]
+};
+
+/// Where that path ended. `part` 0: nothing was followed.
+struct PathEnd {
+  Raised raised = Raised::load;
+  double part = 0.0;
+  Waymark first;  ///< its first point
+};
+
 /// A solved scene, before it is summed up into a Result.
 struct Solution {
   BearingModel model;
@@ -24,7 +41,7 @@ struct Solution {
   Verdict verdict;
   EquilibriumCost cost;
   std::vector<HistoryEntry> history;
-  double followed = 0.0;  ///< part of the load at which the path of film and heat ended; 0: none
+  PathEnd followed;  ///< where film and heat had to be followed to the operation asked for
   std::optional<Coefficients> coefficients;  ///< if asked for, of the converged state
   std::vector<LevelRecord> levels;  ///< every grid of the ladder that converged, the last included
   int asked_nodes =

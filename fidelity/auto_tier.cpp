@@ -16,6 +16,7 @@
 #include "fidelity/estimate.hpp"
 #include "fidelity/frozen_film.hpp"
 #include "fidelity/grid_limit.hpp"
+#include "fidelity/solve.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace shellback::fidelity {
@@ -25,20 +26,20 @@ using namespace coupling;
 using Grid = std::array<int, 2>;
 
 /// Grids of the climb: fine along the axis first, see grid_limit.hpp.
-const std::vector<Grid> kLadder{{24, 9}, {40, 25}, {60, 37}, {96, 49}, kFineGrid};
+const std::vector<Grid> kLadder{{24, 9}, {40, 25}, {60, 37}, {96, 49}, {192, 97}};
+/// Solved as it is, with the usual bars, where no two grids of the climb settle.
+constexpr Grid kUsualGrid{400, 50};
 
 /// Turns of film and heat after which a coarse grid is given up: those that are a step towards the
 /// next settle in 10 to 20, others creep on and cost more than a finer grid.
 constexpr int kMostTurns = 40;
-/// Tolerances below this are of the size of what the grids leave to chance: bars are held to half
-/// of them, and what no estimate meets is solved on the fine grid, without 96 x 49 cells before.
+/// Tolerances below this are of the size of what the grids leave to chance: bars are held to the
+/// tolerance over kFineMargin, and the ladder is climbed to its end.
 constexpr double kFineTolerance = 0.005;
-constexpr double kFineMargin = 2.0;
+constexpr double kFineMargin = 1.5;
 /// Bar over tolerance, after three grids, from which the next would not bring it down enough: one
 /// grid takes a half to nine tenths off the bar and costs three times the one before [-].
-constexpr double kHopeless = 20.0;
-/// What the iteration leaves open on the fine grid itself, of the value [-]; as fidelity/solve.cpp.
-constexpr double kIteration = 1e-4;
+constexpr double kHopeless = 12.0;
 
 /// Cells of the film alone over those of the full solution, around: on fine grids the step is
 /// smaller.
@@ -110,16 +111,16 @@ std::string percent(double x) { return fmt::format("{:.2g} %", 100.0 * x); }
 class Climb {
  public:
   Climb(const Case& c, const SolveControl& control, const Indicators& numbers)
-      : case_(c), control_(control), numbers_(numbers), ladder_(kLadder) {
-    if (c.model.tolerance < kFineTolerance) ladder_.erase(ladder_.end() - 2);
-    if (c.model.grid_given) ladder_ = grid_ladder(c.model.grid);
-  }
+      : case_(c),
+        control_(control),
+        numbers_(numbers),
+        ladder_(c.model.grid_given ? grid_ladder(c.model.grid) : kLadder) {}
 
   /// Solves rung after rung until the bars meet the tolerance or the ladder ends.
   void run() {
+    const bool given = case_.model.grid_given;
     for (std::size_t k = 0; k < ladder_.size(); ++k) {
-      const bool last = k + 1 == ladder_.size();
-      if (last && !case_.model.grid_given && !fine_grid_pays()) return;
+      const bool last = given && k + 1 == ladder_.size();
       Rung rung{ladder_[k], solve_on(ladder_[k], last), {}, {}};
       if (stopped() || !rung.solution.verdict.good()) {
         last_ = std::move(rung.solution);
@@ -127,24 +128,19 @@ class Climb {
         continue;
       }
       add(std::move(rung), last);
-      if (stopped()) return;
-      if (hopeless()) return;
-      if (enough() && (last || !case_.model.grid_given)) return;
+      if (stopped() || hopeless()) return;
+      if (enough() && (last || !given)) return;
     }
+    if (!given && rungs_.size() < 2) solve_plainly();
   }
 
   Result result() const {
-    if (rungs_.empty() || stopped()) return summarize(last_, tier());
-    const Rung& finest = rungs_.back();
-    Result r = summarize(finest.solution, tier());
+    if (stopped()) return coupling::summarize(last_, tier());
+    if (plain_) return plain_result();
+    if (rungs_.empty()) return coupling::summarize(last_, tier());
+    Result r = coupling::summarize(rungs_.back().solution, tier());
     r.quantities = limits();
-    if (!choice_.effects.empty()) r.effects = choice_.effects;
-    r.levels = levels_;
-    r.cost.factorizations = cost_.factorizations;
-    r.cost.newton_iterations = cost_.newton_iterations;
-    r.cost.setup_s = setup_s_;
-    r.choice = AutoChoice{case_.model.tolerance, bars_.within(case_.model.tolerance),
-                          bars_.friction, bars_.h_min, solved_};
+    finish(r);
     say_what_was_done(r);
     return r;
   }
@@ -152,37 +148,62 @@ class Climb {
  private:
   [[nodiscard]] bool stopped() const { return control_.stop != nullptr && control_.stop->load(); }
 
+  /// What all results of the climb tell.
+  void finish(Result& r) const {
+    if (!choice_.effects.empty()) r.effects = choice_.effects;
+    r.levels = levels_;
+    r.cost.factorizations = cost_.factorizations;
+    r.cost.newton_iterations = cost_.newton_iterations;
+    r.cost.setup_s = setup_s_;
+    r.choice = AutoChoice{case_.model.tolerance, bars_.within(case_.model.tolerance),
+                          bars_.friction, bars_.h_min, solved_};
+  }
+
+  /// The usual grid, on which no sequence is needed.
+  void solve_plainly() {
+    last_ = solve_on(kUsualGrid, true);
+    if (stopped() || !last_.verdict.good()) return;
+    plain_ = fidelity::summarize(last_, tier(), control_);
+    const auto relative = [&](const char* name) {
+      for (const Quantity& q : plain_->quantities) {
+        if (q.name == name) return q.error_grid / std::abs(q.value);
+      }
+      return double{INFINITY};
+    };
+    bars_ = {relative("friction_torque") + model_bar().friction,
+             relative("h_min") + model_bar().h_min};
+  }
+
+  [[nodiscard]] Result plain_result() const {
+    Result r = *plain_;
+    finish(r);
+    say_what_was_done(r);
+    return r;
+  }
+
   /// A full solution that has converged: its film, and what is known by now.
   void add(Rung rung, bool last) {
     rung.whole = quantities_of(rung.solution, tier());
     if (rungs_.empty() && !last) choose(rung.solution);
-    if (!last && !case_.model.grid_given) refine(rung);
+    if (!case_.model.grid_given) refine(rung);
     rungs_.push_back(std::move(rung));
     if (rungs_.size() > 3) rungs_.erase(rungs_.begin());
     assess();
   }
 
-  /// False where there are estimates that do for most tolerances, or where what the physics leaves
-  /// open is more than the tolerance.
-  [[nodiscard]] bool fine_grid_pays() const {
-    const double tolerance = case_.model.tolerance;
-    if (rungs_.size() < 2) return true;
-    if (std::max(model_bar().friction, model_bar().h_min) > tolerance) return false;
-    return tolerance < kFineTolerance;
-  }
-
   /// True if the bars are as short as the tolerance asks for.
   [[nodiscard]] bool enough() const {
     const double tolerance = case_.model.tolerance;
-    const bool fine = tolerance < kFineTolerance && !case_.model.grid_given;
-    return bars_.within(fine ? tolerance / kFineMargin : tolerance);
+    return bars_.within(tight() ? tolerance / kFineMargin : tolerance);
+  }
+  [[nodiscard]] bool tight() const {
+    return case_.model.tolerance < kFineTolerance && !case_.model.grid_given;
   }
 
   /// True if the next grid is not likely to meet the tolerance either.
   [[nodiscard]] bool hopeless() const {
-    const double tolerance = case_.model.tolerance;
-    const bool going_on = rungs_.size() < 3 || case_.model.grid_given || fine_grid_pays();
-    return !going_on && bars_.largest() > kHopeless * tolerance;
+    const bool going_on = rungs_.size() < 3 || case_.model.grid_given || tight();
+    return !going_on && bars_.largest() > kHopeless * case_.model.tolerance;
   }
 
   /// True if the case says how heat passes through shell and shaft.
@@ -271,12 +292,10 @@ class Climb {
   [[nodiscard]] GridLimit limit(const std::string& name) const {
     const Rung& fine = rungs_.back();
     const double V = find(fine.whole, name);
-    const bool fine_only = fine.grid == kFineGrid && !case_.model.grid_given;
-    if (rungs_.size() < 2) return {V, fine_only ? kIteration * std::abs(V) : NAN, 0.0};
+    if (rungs_.size() < 2) return {V, NAN, 0.0};
     const Rung& coarse = rungs_[rungs_.size() - 2];
     if (!std::isfinite(find(coarse.whole, name))) return {V, NAN, 0.0};
     const GridLimit L0 = film_limit_of(coarse, name);
-    if (fine_only) return {V, kIteration * std::abs(V), L0.beyond};
     const double before =
         rungs_.size() > 2 ? L0.value - film_limit_of(rungs_.front(), name).value : NAN;
     const GridLimit l =
@@ -315,7 +334,7 @@ class Climb {
 
   void say_what_was_done(Result& r) const {
     const double tolerance = case_.model.tolerance;
-    if (!case_.model.grid_given && rungs_.size() > 1) {
+    if (!case_.model.grid_given && !plain_) {
       r.assumptions.push_back(fmt::format(
           "scalars are those of {} x {} cells, extrapolated from what auto solved: {}; fields, "
           "history and audit are those of {} x {} cells",
@@ -326,6 +345,7 @@ class Climb {
         unknown_heat_.friction + unknown_heat_.h_min > 0.5 * tolerance
             ? "the case has no data of shell and shaft, so that the heat is only known in lumps"
         : case_.model.grid_given ? "the grid is given in the case"
+        : plain_                 ? "no two coarse grids gave a solution to lead on from"
                                  : "a finer grid costs more than it would tell";
     r.warnings.push_back(
         fmt::format("the tolerance of {} is not met: the friction torque is known within {}, the "
@@ -343,7 +363,8 @@ class Climb {
   Indicators numbers_;
   std::vector<Grid> ladder_;
   std::vector<Rung> rungs_;  ///< the three finest that converged
-  Solution last_;            ///< one that did not converge
+  Solution last_;            ///< one that did not converge, or the plain one
+  std::optional<Result> plain_;
   EffectChoice choice_;
   Bars unknown_heat_{0.0, 0.0};
   Bars bars_;

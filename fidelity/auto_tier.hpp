@@ -9,11 +9,11 @@
 ///    left out from there on, and twice their changes are the bar of the model.
 /// 3. Full solutions on finer and finer grids, each started from the one before, and the film alone
 ///    on more cells around, until the bar of the grid (grid_limit.hpp) and that of the model are
-///    within the tolerance for both quantities. The fine grid of 400 x 50 cells is solved itself
-///    for tolerances below 0.5 % only, and where fewer than two coarse grids give a solution.
-/// Quantities are estimates of what the fine grid gives; their bars also hold what that one lacks
-/// to the limit of fine grids. If the user has given a grid, they are that grid's, and the bars
-/// hold the distance to the limit. Fields and audit are those of the finest full solution. What the
+///    within the tolerance for both quantities. Where no two of these grids give a solution, 400 x
+///    50 cells are solved as they are, with the usual bars (grid_error.hpp).
+/// Quantities are estimates of what 800 x 100 cells give; their bars also hold what those lack to
+/// the limit of fine grids. If the user has given a grid, they are that grid's, and the bars hold
+/// the distance to the limit. Fields and audit are those of the finest full solution. What the
 /// case gives (switches, grid) is not touched. Missing data of shell or shaft end the ladder at
 /// tier lumped: the heat that the solids would take is then uncertain, by the part kUnknownHeat of
 /// the temperature rise.

@@ -6,17 +6,15 @@
 namespace shellback::fidelity {
 namespace {
 
-constexpr double kFilmOrder = 1.3;   ///< [-]
+constexpr double kFilmOrder = 1.5;   ///< [-]
 constexpr double kSolidOrder = 2.0;  ///< [-]
-constexpr double kFilmBar = 1.0;     ///< bar over the spread of film orders [-]
-constexpr double kFirstBar = 0.6;    ///< bar over |L1 - L0| of the first two grids [-]
-constexpr double kStepBar = 1.0;     ///< the same of later ones, which lie closer together [-]
-constexpr double kSteadyBar = 0.7;   ///< the same in a sequence that closes in [-]
-constexpr double kMemory = 0.2;      ///< part of the step before that a bar still holds [-]
-constexpr double kClosing = 1.3;     ///< a step before at least this much larger closes in [-]
+constexpr double kFilmBar = 1.5;     ///< bar over the spread of film orders [-]
+constexpr double kFirstBar = 1.0;    ///< bar over |L1 - L0| of the first two grids [-]
+constexpr double kStepBar = 0.7;     ///< the same of later ones [-]
+constexpr double kMemory = 0.1;      ///< part of the step before that a bar still holds [-]
 /// Between grids closer than this, what the cells happen to hold of edges and supplies changes as
 /// much as what they resolve: their step has no direction to be led on in [-].
-constexpr double kLeastRatio = 2.0;
+constexpr double kLeastRatio = 1.9;
 constexpr double kMostStep = 0.3;  ///< a step of (2) beyond this part of L1 is no extrapolation [-]
 /// Bar over what is told to lie beyond the fine grid: that is itself an extrapolation [-].
 constexpr double kBeyondBar = 1.6;
@@ -45,8 +43,7 @@ GridLimit grid_limit(const GridLimit& coarse, const GridLimit& fine, int b0, int
                      double before) {
   const double step = fine.value - coarse.value;
   const bool first = !std::isfinite(before);
-  const bool closing = std::abs(before) > kClosing * std::abs(step);
-  const double part = first ? kFirstBar : closing ? kSteadyBar : kStepBar;
+  const double part = first ? kFirstBar : kStepBar;
   GridLimit out = fine;
   out.bar += part * std::abs(step) + (first ? 0.0 : kMemory * std::abs(before));
   if (b1 < kLeastRatio * b0) return out;

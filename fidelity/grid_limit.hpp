@@ -8,21 +8,21 @@
 /// leads from two grids m < n on to N cells by
 ///   onward(m, n, N, p) = (n^-p - N^-p) / (m^-p - n^-p)                                  (1)
 /// of the step between them, hence around and then, from one full solution to the next, along:
-///   L = F + (F - V) onward(a, r a, 400, p_f),    value = L1 + (L1 - L0) onward(b0, b1, 50, p_s)
+///   L = F + (F - V) onward(a, r a, 800, p_f),    value = L1 + (L1 - L0) onward(b0, b1, 100, p_s)
 ///   (2)
-/// The value is that of the fine grid, 400 x 50 cells, which full solutions are compared with; what
-/// that grid itself still lacks, the same steps led on to infinitely many cells, is told apart.
-/// The second of these is left out between grids that lie close together along the axis.
-/// p_f = 1.3, between the first order of cavitation's ends and the second of full films; p_s = 2.
-/// Bars: the spread of (2) between p_f = 1 and 2, a part of |L1 - L0|, a larger one where the step
-/// before was not larger, and a part of that. Richardson's extrapolation, textbook; orders and
-/// parts are ours, tuned on random cases (docs/auto-tier.md).
+/// The value is that of the fine grid, 800 x 100 cells, which full solutions are compared with;
+/// what that grid itself still lacks, the same steps led on to infinitely many cells, is told
+/// apart. The second of these is left out between grids that lie close together along the axis. p_f
+/// = 1.5, between the first order of cavitation's ends and the second of full films; p_s = 2. Bars:
+/// the spread of (2) between p_f = 1 and 2, a part of |L1 - L0| and of the step before.
+/// Richardson's extrapolation, textbook; orders and parts are ours, tuned on random cases
+/// (docs/auto-tier.md).
 #include <array>
 
 namespace shellback::fidelity {
 
 /// Cells around and along the full width of the grid that values are meant for.
-inline constexpr std::array<int, 2> kFineGrid{400, 50};
+inline constexpr std::array<int, 2> kFineGrid{800, 100};
 
 struct GridLimit {
   double value = 0.0;

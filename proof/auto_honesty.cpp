@@ -50,7 +50,7 @@ Full solve_full(Case c, std::array<int, 2> grid, const SolveControl& control) {
   return full;
 }
 
-/// The truth carried to the limit of fine grids, from 200 x 25 and 400 x 50 cells.
+/// The truth carried to the limit of fine grids, from 400 x 50 and 800 x 100 cells.
 Scalars limit_of(const Full& usual, const Full& truth) {
   const double gain = 1.0 / (std::pow(2.0, kLimitOrder) - 1.0);
   const auto onward = [gain](double u, double t) { return t + (t - u) * gain; };
@@ -93,10 +93,10 @@ AutoTrial trial(int seed, const std::vector<double>& tolerances, const SolveCont
   const Case c = random_case(static_cast<std::uint64_t>(seed));
   AutoTrial t;
   t.seed = seed;
-  const Full truth = solve_full(c, {400, 50}, control);
+  const Full truth = solve_full(c, {800, 100}, control);
   t.truth_converged = truth.good;
   if (!truth.good) return t;
-  const Full usual = solve_full(c, {200, 25}, control);
+  const Full usual = solve_full(c, {400, 50}, control);
   t.truth_seconds = truth.seconds;
   t.usual_seconds = usual.seconds;
   t.truth_factorizations = truth.factorizations;
@@ -195,7 +195,7 @@ void write_auto_honesty(std::ostream& out, const std::vector<AutoTrial>& trials)
       "tier auto on {} random bearings ({} without a converged truth left out)\n"
       "cheaper: cost of full TEHD over that of auto; sums of all, mean share, median\n\n"
       "tolerance  cases  within  claimed  of these within  limit held  mean [ms]  median [ms]  "
-      "cheaper than 200x25        than 400x50\n",
+      "cheaper than 400x50       than 800x100\n",
       trials.size(), left_out);
   for (const AutoSummary& s : summarize(trials)) {
     out << fmt::format(

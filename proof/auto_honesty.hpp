@@ -1,8 +1,8 @@
 #pragma once
 /// Does tier `auto` keep what it promises, and what does it cost?
 ///
-/// Random bearings of proof/population.hpp are solved as full TEHD on 400 x 50 cells (the truth)
-/// and on 200 x 25, and as tier auto at several tolerances. Within: friction torque and smallest
+/// Random bearings of proof/population.hpp are solved as full TEHD on 800 x 100 cells (the truth)
+/// and on 400 x 50, and as tier auto at several tolerances. Within: friction torque and smallest
 /// film both lie within the tolerance of the truth. Limit held: the bars of both hold the limit of
 /// fine grids, to which the two full solutions are carried as in proof/honesty.hpp. Cost is
 /// processor time of the solving thread, all in one run; that of the truth is that of a user who
@@ -35,10 +35,10 @@ struct AutoAnswer {
 struct AutoTrial {
   int seed = 0;
   bool truth_converged = false;
-  double truth_seconds = 0.0;  ///< full TEHD on 400 x 50
-  double usual_seconds = 0.0;  ///< full TEHD on 200 x 25
+  double truth_seconds = 0.0;  ///< full TEHD on 800 x 100
+  double usual_seconds = 0.0;  ///< full TEHD on 400 x 50
   int truth_factorizations = 0;
-  double usual_friction = 0.0;  ///< relative distance of 200 x 25 to the truth [-]
+  double usual_friction = 0.0;  ///< relative distance of 400 x 50 to the truth [-]
   double usual_h_min = 0.0;     ///< [-]
   std::vector<AutoAnswer> answers;
 };
@@ -64,11 +64,11 @@ struct AutoSummary {
   double holds_limit = 0.0;  ///< share whose bars hold the limit of fine grids [-]
   double mean_seconds = 0.0;
   double median_seconds = 0.0;
-  double cheaper_usual = 0.0;  ///< mean cost of 200 x 25 over that of auto [-]
-  double cheaper_truth = 0.0;  ///< mean cost of 400 x 50 over that of auto [-]
-  double mean_tamed = 0.0;     ///< the mean of cost over that of 400 x 50, turned over [-]
-  double median_usual = 0.0;   ///< median over trials of the ratio to 200 x 25 [-]
-  double median_truth = 0.0;   ///< median over trials of the ratio to 400 x 50 [-]
+  double cheaper_usual = 0.0;  ///< mean cost of 400 x 50 over that of auto [-]
+  double cheaper_truth = 0.0;  ///< mean cost of 800 x 100 over that of auto [-]
+  double mean_tamed = 0.0;     ///< the mean of cost over that of 800 x 100, turned over [-]
+  double median_usual = 0.0;   ///< median over trials of the ratio to 400 x 50 [-]
+  double median_truth = 0.0;   ///< median over trials of the ratio to 800 x 100 [-]
 };
 [[nodiscard]] std::vector<AutoSummary> summarize(const std::vector<AutoTrial>& trials);
 

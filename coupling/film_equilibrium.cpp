@@ -390,8 +390,17 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
   const Methods& by = model.input.model.methods;
   const bool other = by.cavitation != CavitationMethod::active_set ||
                      by.elastic != ElasticMethod::newton;  // shown as they are, without our help
-  if (!lost || other || !options.follow_load) return v;
-  if (!s.elastic.empty() || target.unknowns == 0) return v;
+  if (!lost || other || target.unknowns == 0) return v;
+  const double carried = std::hypot(s.force[0], s.force[1]);
+  if (!s.elastic.empty() && carried < target.scale() && s.least.h > 0.0 &&
+      thinner_than_a_molecule(model, s)) {
+    return {Status::no_steady_state,
+            fmt::format("no film carries {:.4g} N: it carries {:.4g} N at a smallest gap of {:.3g} "
+                        "um, less than a molecule of oil",
+                        target.scale(), carried, s.least.h * 1e6),
+            v.place, "give roughness and contact data, or lower the load"};
+  }
+  if (!options.follow_load || !s.elastic.empty()) return v;
   return follow_load(model, target, growth, options, s, cost, stop);
 }
 

@@ -85,6 +85,13 @@ struct LoadTarget {
 [[nodiscard]] bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
                             FilmEquilibrium& state);
 
+/// True if smooth surfaces are nearer than an oil molecule is long, roughly: no film is left.
+[[nodiscard]] inline bool thinner_than_a_molecule(const BearingModel& model,
+                                                  const FilmEquilibrium& s) {
+  constexpr double kMolecule = 1e-9;  // [m]
+  return model.scene.rough.sigma <= 0.0 && s.least.h < kMolecule;
+}
+
 /// Newton on (1)-(3) from `state`; the first way of solve_equilibrium.
 [[nodiscard]] Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target,
                                          const Field& growth, const EquilibriumOptions& options,

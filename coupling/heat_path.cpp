@@ -260,9 +260,18 @@ Verdict follow_heat(Solution& s, const NearPath* near, const ColdStart& cold,
     if (path.begin(cold)) return path.follow();
     if (control.stop && control.stop->load()) break;
   }
-  const Verdict v = cold(s);  // patiently, then
+  Verdict v = cold(s);  // patiently, then
   if (!v.good()) return v;
-  return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
+  v = solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
+  const bool closed = s.film.least.h < 0.0 && s.model.scene.rough.sigma <= 0.0;
+  if (v.status == Status::no_steady_state && !closed) {  // from one start alone: no proof
+    v.status = Status::iteration_limit;
+    v.reason =
+        "no light load and no low speed was found under which film and heat come to rest; "
+        "under the whole load: " +
+        v.reason;
+  }
+  return v;
 }
 
 }  // namespace shellback::coupling

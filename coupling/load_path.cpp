@@ -23,7 +23,6 @@ constexpr double kFirstRatio = 3.0;       ///< of the load from step to step [-]
 constexpr double kSmallestRatio = 1.005;  ///< a smaller step shows that the path ends [-]
 constexpr int kMostSteps = 120;
 constexpr int kMostIterations = 25;               ///< of one step
-constexpr double kMolecule = 1e-9;                ///< length of an oil molecule, roughly [m]
 constexpr std::array kCloser{0.003, 0.01, 0.03};  ///< of the gap: a little closer [-]
 
 Verdict stopped() { return {Status::interrupted, "stopped by the user", "", ""}; }
@@ -169,8 +168,7 @@ Verdict LoadPath::end_of_path() {
       "followed from smaller loads on, the film carries {:.4g} N at a smallest gap of "
       "{:.3g} um",
       part_ * target_.scale(), s_.least.h * 1e6);
-  const bool smooth = model_.scene.rough.sigma <= 0.0;
-  if (part_ < 1.0 && smooth && s_.least.h < kMolecule) {
+  if (part_ < 1.0 && thinner_than_a_molecule(model_, s_)) {
     return {Status::no_steady_state,
             fmt::format("no film carries {:.4g} N: {}, less than a molecule of oil",
                         target_.scale(), words),
@@ -211,7 +209,7 @@ Verdict LoadPath::follow() {
       begun = true;
       keep();
       ratio = std::min(kFirstRatio, ratio * std::sqrt(ratio));
-      if (model_.scene.rough.sigma <= 0.0 && s_.least.h < kMolecule) break;
+      if (thinner_than_a_molecule(model_, s_)) break;
     } else {
       failure_ = v;
       if (!begun) return not_begun();

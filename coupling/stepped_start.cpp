@@ -61,16 +61,22 @@ Verdict end_of_the_way(const Solution& s, const std::string& carried, const Verd
   const bool law = !s.model.physics.elastic && alpha * *peak > kNearBarusLimit;
   Verdict v{Status::no_steady_state, "", fluid::place_of(s.model.scene.grid, cell),
             "lower the load or the tilt, feed more oil, or give contact data"};
+  const bool thin = thinner_than_a_molecule(s.model, s.film);
   v.reason = fmt::format(
-      "followed from a light load, the steady film ends at {} (smallest gap {:.3g} um, alpha p_max "
-      "{:.1f}); beyond it: {}",
-      carried, s.film.least.h * 1e6, alpha * *peak, last.reason);
+      "followed from a light load, the steady film ends at {} (smallest gap {:.3g} um{}, alpha "
+      "p_max {:.1f}); beyond it: {}",
+      carried, s.film.least.h * 1e6, thin ? ", less than a molecule of oil" : "", alpha * *peak,
+      last.reason);
   if (law) {
     v.reason = fmt::format(
         "followed from a light load, the film carries no more than {}: with rigid surfaces and "
         "viscosity rising with pressure (alpha p_max {:.1f}) its pressure grows without bound",
         carried, alpha * *peak);
     v.cure = "switch on elastic deformation, use the Roelands law, or lower the load";
+  }
+  if (thin) {
+    v.cure = "give roughness and contact data, switch on elastic deformation, or lower the load";
+    return v;
   }
   // Steps that fail for another reason do not show that there is no film elsewhere.
   if (!law && last.status != Status::no_steady_state) v.status = Status::iteration_limit;

@@ -101,21 +101,30 @@ Verdict ThermalTurn::solve_film(const Place& from) {
 }
 
 /// Warmer oil is thinner and makes less heat: the map answers a rise by -beta (T - T_supply) of it.
-/// Taking this part of the change cancels that answer for the mean of the film. Nor may growth
-/// close more than half of the gap that is there.
-double ThermalTurn::relaxation(const std::vector<double>& x, const std::vector<double>& g) const {
-  constexpr double kMostClosing = 0.5;  // of the smallest film and the roughness [-]
+/// Taking this part of the change cancels that answer for the mean of the film.
+double ThermalTurn::relaxation(const std::vector<double>& g) const {
   double mean = 0.0;
   const std::size_t nodes = film_.columns.T.size();
   for (std::size_t k = 0; k < nodes; ++k) mean += g[k];
   const double rise = kTemperatureUnit * mean / static_cast<double>(nodes);
   const double T = model_.input.supplies.front().temperature + rise;
   const double beta = -rheology::viscosity_slopes(model_.oil, T, 0.0, 0.0).dln_dT;
-  double closing = 0.0;
-  for (std::size_t k = nodes; k < x.size(); ++k) closing = std::max(closing, x[k] - g[k]);
+  return 1.0 / (1.0 + std::max(beta * rise, 0.0));
+}
+
+/// Oil that is still cold makes far more heat in one turn than it will once warm, and the solids
+/// answer that heat: what this leads to is no state, and no turn goes farther towards it than this.
+void ThermalTurn::limit_change(const std::vector<double>& x, std::vector<double>& g) const {
+  constexpr double kMostChange = 100.0 / kTemperatureUnit;  // of a temperature
+  constexpr double kMostClosing = 0.5;  // of the gap, over the smallest film and the roughness [-]
+  const std::size_t nodes = film_.columns.T.size();
+  for (std::size_t k = 0; k < nodes; ++k) {
+    g[k] = x[k] + std::clamp(g[k] - x[k], -kMostChange, kMostChange);
+  }
   const double room = std::max(film_.least.h, 0.0) + 3.0 * model_.scene.rough.sigma;
-  const double most = kMostClosing * room / std::max(closing * model_.clearance, 1e-300);
-  return std::min(1.0 / (1.0 + std::max(beta * rise, 0.0)), most);
+  for (std::size_t k = nodes; k < x.size(); ++k) {
+    g[k] = std::max(g[k], x[k] - kMostClosing * room / model_.clearance);
+  }
 }
 
 void ThermalTurn::unpack(const std::vector<double>& x) {
@@ -179,7 +188,7 @@ bool ThermalTurn::operator()(const std::vector<double>& x, std::vector<double>& 
   }
   thermal::FilmEnergy energy = film_energy();
   for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
-  if (!sound()) return false;
+  if (!finite()) return false;
   if (!(heat_.response.shell_local > 0.0) || turns_ == kResponseTurn) {
     heat_.response = energy.wall_response(kLaps);
   }
@@ -188,7 +197,7 @@ bool ThermalTurn::operator()(const std::vector<double>& x, std::vector<double>& 
       std::max(kWallPart * change, kWallPart * kTemperatureUnit * options_.tolerance);
   if (change > enough) balance_walls(energy, enough, kWallRounds);
   for (int k = 0; k < options_.sweeps; ++k) energy.sweep(film_.columns.T);
-  if (!sound()) return false;
+  if (!finite()) return false;
   warm_the_walls(energy, {true, false});
   take_wall_temperatures();
   if (!heat_.growth.empty()) {
@@ -201,7 +210,8 @@ bool ThermalTurn::operator()(const std::vector<double>& x, std::vector<double>& 
     }
   }
   g = pack();
-  const double part = relaxation(x, g);
+  limit_change(x, g);
+  const double part = relaxation(g);
   for (std::size_t k = 0; k < g.size(); ++k) g[k] = x[k] + part * (g[k] - x[k]);
   report(x, g);
   last_ = g;

@@ -57,7 +57,8 @@ class ThermalTurn {
   /// The film at the temperatures and growth that are set; where it is not found at once, by steps
   /// from the place where it was found last.
   Verdict solve_film(const Place& from);
-  [[nodiscard]] double relaxation(const std::vector<double>& x, const std::vector<double>& g) const;
+  void limit_change(const std::vector<double>& x, std::vector<double>& g) const;
+  [[nodiscard]] double relaxation(const std::vector<double>& g) const;
   void unpack(const std::vector<double>& x);
   void impose_walls(std::vector<double>& T) const;
   /// The energy equation of the film as it stands.
@@ -72,6 +73,7 @@ class ThermalTurn {
   /// Gives the film the solids' new temperatures; the largest change [K].
   double take_wall_temperatures();
   /// False, with the verdict set, if the temperatures run away.
+  [[nodiscard]] bool finite();
   [[nodiscard]] bool sound();
   [[nodiscard]] Verdict runaway(const std::string& what) const;
   [[nodiscard]] Verdict friction_runaway(double from, double to) const;

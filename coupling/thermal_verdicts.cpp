@@ -11,19 +11,24 @@
 
 namespace shellback::coupling {
 
+bool ThermalTurn::finite() {
+  const auto& T = film_.columns.T;
+  if (std::all_of(T.begin(), T.end(), [](double t) { return std::isfinite(t); })) return true;
+  verdict_ = runaway("the film temperature is not a number any more");
+  return false;
+}
+
 bool ThermalTurn::sound() {
-  const auto hottest = std::max_element(film_.columns.T.begin(), film_.columns.T.end());
-  const double rise = *hottest - model_.input.supplies.front().temperature;
-  const bool finite = std::all_of(film_.columns.T.begin(), film_.columns.T.end(),
-                                  [](double T) { return std::isfinite(T); });
   constexpr double kFrozen = 150.0;  // colder than that no oil is a liquid, and no law holds [K]
-  if (finite && *std::min_element(film_.columns.T.begin(), film_.columns.T.end()) < kFrozen) {
+  if (!finite()) return false;
+  const auto [low, high] = std::minmax_element(film_.columns.T.begin(), film_.columns.T.end());
+  if (*low < kFrozen) {
     verdict_ = second_law();
     return false;
   }
-  if (finite && rise < options_.runaway) return true;
-  verdict_ = runaway(finite ? fmt::format("the film is {:.0f} K above the supply and rises", rise)
-                            : "the film temperature is not a number any more");
+  const double rise = *high - model_.input.supplies.front().temperature;
+  if (rise < options_.runaway) return true;
+  verdict_ = runaway(fmt::format("the film is {:.0f} K above the supply and rises", rise));
   return false;
 }
 

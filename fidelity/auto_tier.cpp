@@ -137,7 +137,8 @@ class Climb {
   Result result() const {
     if (stopped()) return coupling::summarize(last_, tier());
     if (plain_) return plain_result();
-    if (rungs_.empty()) return coupling::summarize(last_, tier());
+    const bool sequence = rungs_.size() > 1 || (case_.model.grid_given && !rungs_.empty());
+    if (!sequence) return coupling::summarize(last_, tier());  // refused
     Result r = coupling::summarize(rungs_.back().solution, tier());
     r.quantities = limits();
     finish(r);

@@ -96,3 +96,39 @@ TEST_CASE("OilIsBalancedWhereAlmostNonePasses", "[equilibrium]") {
   CHECK(flows.side < 1e-6 * fluid::flow_scale(s.model.scene, s.film.flow));
   CHECK(std::abs(flows.supply - flows.side) <= 5e-9 * flows.side);
 }
+
+TEST_CASE("AColdShellBackComesToRestAtAnyNodesAndGrid", "[heat_path]") {
+  // exp(-0.08 T) over 90 K: the oil at the wall is a thousand times that of the supply, and from
+  // the supply's temperature the first turn points 2000 K higher.
+  Case c = warm_case();
+  c.operation.omega = 3000.0 * kPi / 30.0;
+  c.operation.position = LoadGiven{800.0, 270.0 * kDegree};
+  c.supplies[0].temperature = 383.15;
+  c.oil.temperature = rheology::ReynoldsSlope{0.02, 383.15, 0.08};
+  c.shell->back = PrescribedBack{293.15};
+  std::vector<double> torques;
+  for (const int nodes : {5, 7}) {
+    for (const auto grid : {std::array{48, 9}, std::array{96, 17}}) {
+      c.model.film_nodes = nodes;
+      c.model.grid = grid;
+      const Solution s = solve_tier(c, Tier::thd);
+      INFO(nodes << " nodes on " << grid[0] << ": " << s.verdict.reason);
+      REQUIRE(s.verdict.good());
+      torques.push_back(std::abs(friction_of(s.model, s.film).viscous));
+    }
+  }
+  // Grids of second order in the film and first in the heat: the coarse one is a per cent or two
+  // off.
+  const auto [low, high] = std::minmax_element(torques.begin(), torques.end());
+  CHECK(*high < 1.02 * *low);
+}
+
+TEST_CASE("SmoothSurfacesNearerThanAMoleculeCarryNoFilm", "[heat_path][refusal]") {
+  // At 1 rpm the elastic film of 2 kN would have to be far thinner than 1 nm.
+  Case c = warm_case();
+  c.operation.omega = 1.0 * kPi / 30.0;
+  const Solution s = solve_tier(c, Tier::tehd);
+  INFO(s.verdict.reason);
+  CHECK(s.verdict.status == Status::no_steady_state);
+  CHECK(s.verdict.reason.find("molecule") != std::string::npos);
+}

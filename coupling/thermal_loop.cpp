@@ -60,15 +60,16 @@ FixedPointEnd ThermalTurn::creep(const FixedPointOptions& fixed) {
   return FixedPointEnd::iteration_limit;
 }
 
-void ThermalTurn::finish() {
+void ThermalTurn::finish(bool converged) {
   constexpr int kMostSweeps = 400;
   constexpr int kMostRounds = 60;
   constexpr double kWalls = 1e-7;      // change per round that leaves their heat balanced [K]
   constexpr double kUnbalanced = 0.1;  // change that the walls must not be left with [K]
   const std::vector<double> after = film_.columns.T;
   film_.columns.T = turn_T_;
-  verdict_ =
-      solve_equilibrium(model_, target_, turn_growth_, options_.film, film_, cost_, control_.stop);
+  EquilibriumOptions film = options_.film;
+  film.follow_load = film.follow_load && converged;
+  verdict_ = solve_equilibrium(model_, target_, turn_growth_, film, film_, cost_, control_.stop);
   film_.columns.T = after;
   thermal::FilmEnergy energy = film_energy();
   const double change = options_.close ? balance_walls(energy, kWalls, kMostRounds) : 0.0;
@@ -111,14 +112,13 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
   FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
   if (end != FixedPointEnd::converged && options.patient && turn.may_go_on())
     end = turn.creep(fixed);
-  if (end == FixedPointEnd::map_failed) {
+  if (end == FixedPointEnd::map_failed && !turn.verdict().good()) {
     turn.give_contact_growth();
-    if (!turn.verdict().good()) return turn.verdict();
-    return {Status::invalid_number, "the accelerated temperatures are not numbers", "",
-            "try a finer grid"};
+    return turn.verdict();
   }
   if (end == FixedPointEnd::converged) turn.take_last_value();
-  if (end == FixedPointEnd::converged || options.patient) turn.finish();
+  const bool converged = end == FixedPointEnd::converged;
+  if (converged || options.patient) turn.finish(converged);
   turn.give_contact_growth();
   if (end == FixedPointEnd::converged) return turn.verdict();
   return {Status::iteration_limit,

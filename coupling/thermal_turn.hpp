@@ -45,7 +45,7 @@ class ThermalTurn {
   /// Goes on to the value of the last turn, which is nearer to the fixed point.
   void take_last_value();
   /// Solves film, heat and walls of the last turn to the end, so that their balances close.
-  void finish();
+  void finish(bool converged);
 
  private:
   [[nodiscard]] EquilibriumOptions film_options() const;

@@ -68,7 +68,7 @@ Verdict ThermalTurn::second_law() {
   const auto [low, high] = std::minmax_element(film_.columns.T.begin(), film_.columns.T.end());
   if (*low >= coldest - kMargin - kRipple * (*high - coldest)) return {};
   const int cell = static_cast<int>(low - film_.columns.T.begin()) / model_.gl.n;
-  ++cost_.unresolved;
+  if (*low > 0.0) ++cost_.unresolved;  // a place that nodes may resolve
   return {Status::iteration_limit,
           fmt::format("the film temperature falls to {:.0f} degC, below everything around it: the "
                       "nodes across the film do not resolve it",

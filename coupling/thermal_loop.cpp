@@ -103,6 +103,7 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
                       const ThermalOptions& options, const SolveControl& control,
                       FilmEquilibrium& film, HeatState& heat, EquilibriumCost& cost,
                       std::vector<HistoryEntry>& history) {
+  cost.unresolved = 0;
   ThermalTurn turn(model, target, options, control, film, heat, cost, history);
   turn.take_contact_growth();
   std::vector<double> x = turn.pack();

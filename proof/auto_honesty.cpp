@@ -93,10 +93,11 @@ AutoTrial trial(int seed, const std::vector<double>& tolerances, const SolveCont
   const Case c = random_case(static_cast<std::uint64_t>(seed));
   AutoTrial t;
   t.seed = seed;
+  const Full usual = solve_full(c, {400, 50}, control);
+  if (!usual.good) return t;  // nor would the truth: a refusal costs more than a solution
   const Full truth = solve_full(c, {800, 100}, control);
   t.truth_converged = truth.good;
   if (!truth.good) return t;
-  const Full usual = solve_full(c, {400, 50}, control);
   t.truth_seconds = truth.seconds;
   t.usual_seconds = usual.seconds;
   t.truth_factorizations = truth.factorizations;

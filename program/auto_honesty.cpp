@@ -20,10 +20,10 @@ std::string json_of(const std::vector<AutoTrial>& trials) {
   for (const AutoTrial& t : trials) {
     nlohmann::ordered_json one{{"seed", t.seed},
                                {"truth_converged", t.truth_converged},
-                               {"seconds_400x50", t.truth_seconds},
-                               {"seconds_200x25", t.usual_seconds},
-                               {"off_friction_200x25", t.usual_friction},
-                               {"off_h_min_200x25", t.usual_h_min},
+                               {"seconds_800x100", t.truth_seconds},
+                               {"seconds_400x50", t.usual_seconds},
+                               {"off_friction_400x50", t.usual_friction},
+                               {"off_h_min_400x50", t.usual_h_min},
                                {"answers", nlohmann::ordered_json::array()}};
     for (const proof::AutoAnswer& a : t.answers) {
       one["answers"].push_back({{"tolerance", a.tolerance},

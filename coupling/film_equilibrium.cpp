@@ -391,13 +391,14 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
   const bool other = by.cavitation != CavitationMethod::active_set ||
                      by.elastic != ElasticMethod::newton;  // shown as they are, without our help
   if (!lost || other || target.unknowns == 0) return v;
-  const double carried = std::hypot(s.force[0], s.force[1]);
-  if (!s.elastic.empty() && carried < target.scale() && s.least.h > 0.0 &&
+  constexpr double kNearLoad = 0.5;  // an iterate far from the load says nothing about the film
+  const double carried = std::hypot(s.force[0], s.force[1]) / target.scale();
+  if (!s.elastic.empty() && carried > kNearLoad && carried < 1.0 && s.least.h > 0.0 &&
       thinner_than_a_molecule(model, s)) {
     return {Status::no_steady_state,
             fmt::format("no film carries {:.4g} N: it carries {:.4g} N at a smallest gap of {:.3g} "
                         "um, less than a molecule of oil",
-                        target.scale(), carried, s.least.h * 1e6),
+                        target.scale(), carried * target.scale(), s.least.h * 1e6),
             v.place, "give roughness and contact data, or lower the load"};
   }
   if (!options.follow_load || !s.elastic.empty()) return v;

@@ -110,9 +110,12 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
   constexpr double kSlack = 10.0;  // of the change, where it is seen to fall fast [-]
   const FixedPointOptions fixed{options.anderson_depth, 1, options.max_turns, options.tolerance,
                                 kSlack};
-  FixedPointEnd end = fixed_point(std::ref(turn), fixed, x);
+  const auto at_rest = [&turn](FixedPointEnd e) {
+    return e == FixedPointEnd::converged && turn.limited() ? FixedPointEnd::iteration_limit : e;
+  };
+  FixedPointEnd end = at_rest(fixed_point(std::ref(turn), fixed, x));
   if (end != FixedPointEnd::converged && options.patient && turn.may_go_on())
-    end = turn.creep(fixed);
+    end = at_rest(turn.creep(fixed));
   if (end == FixedPointEnd::map_failed && !turn.verdict().good()) {
     turn.give_contact_growth();
     return turn.verdict();

@@ -114,16 +114,21 @@ double ThermalTurn::relaxation(const std::vector<double>& g) const {
 
 /// Oil that is still cold makes far more heat in one turn than it will once warm, and the solids
 /// answer that heat: what this leads to is no state, and no turn goes farther towards it than this.
-void ThermalTurn::limit_change(const std::vector<double>& x, std::vector<double>& g) const {
+void ThermalTurn::limit_change(const std::vector<double>& x, std::vector<double>& g) {
   constexpr double kMostChange = 100.0 / kTemperatureUnit;  // of a temperature
   constexpr double kMostClosing = 0.5;  // of the gap, over the smallest film and the roughness [-]
   const std::size_t nodes = film_.columns.T.size();
+  const std::vector<double> wanted = g;
   for (std::size_t k = 0; k < nodes; ++k) {
     g[k] = x[k] + std::clamp(g[k] - x[k], -kMostChange, kMostChange);
   }
   const double room = std::max(film_.least.h, 0.0) + 3.0 * model_.scene.rough.sigma;
   for (std::size_t k = nodes; k < x.size(); ++k) {
     g[k] = std::max(g[k], x[k] - kMostClosing * room / model_.clearance);
+  }
+  limited_ = false;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    limited_ = limited_ || std::abs(wanted[k] - g[k]) > options_.tolerance;
   }
 }
 

@@ -40,6 +40,9 @@ class ThermalTurn {
   [[nodiscard]] bool may_go_on() const {
     return std::isfinite(best_.residual) && verdict_.status != Status::interrupted;
   }
+  /// True if the last turn points farther than it was let go: however small the change that was
+  /// made, near closed gaps, that is no state at rest.
+  [[nodiscard]] bool limited() const { return limited_; }
   /// Small steps from the best state on, then accelerated again once they have come near.
   FixedPointEnd creep(const FixedPointOptions& fixed);
   /// Goes on to the value of the last turn, which is nearer to the fixed point.
@@ -57,7 +60,7 @@ class ThermalTurn {
   /// The film at the temperatures and growth that are set; where it is not found at once, by steps
   /// from the place where it was found last.
   Verdict solve_film(const Place& from);
-  void limit_change(const std::vector<double>& x, std::vector<double>& g) const;
+  void limit_change(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] double relaxation(const std::vector<double>& g) const;
   void unpack(const std::vector<double>& x);
   void impose_walls(std::vector<double>& T) const;
@@ -72,8 +75,9 @@ class ThermalTurn {
   double balance_walls(thermal::FilmEnergy& energy, double enough, int rounds);
   /// Gives the film the solids' new temperatures; the largest change [K].
   double take_wall_temperatures();
-  /// False, with the verdict set, if the temperatures run away.
+  /// False, with the verdict set, if a temperature is not a number.
   [[nodiscard]] bool finite();
+  /// The same, and if the temperatures run away or fall below all that is liquid.
   [[nodiscard]] bool sound();
   [[nodiscard]] Verdict runaway(const std::string& what) const;
   [[nodiscard]] Verdict friction_runaway(double from, double to) const;
@@ -107,6 +111,7 @@ class ThermalTurn {
     Field growth;
   } best_;
   Verdict verdict_;
+  bool limited_ = false;
   int turns_ = 0;
   int newton_before_ = 0;  ///< iterations that were spent before this solve
 };

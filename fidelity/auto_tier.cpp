@@ -341,6 +341,10 @@ class Climb {
           "history and audit are those of {} x {} cells",
           kFineGrid[0], kFineGrid[1], fmt::join(solved_, ", "), r.grid[0], r.grid[1]));
     }
+    if (!plain_ && (tier() == Tier::thd || tier() == Tier::tehd)) {
+      r.assumptions.push_back(
+          "the bars of auto do not hold what the nodes across the film leave open");
+    }
     if (bars_.within(tolerance)) return;
     const std::string why =
         unknown_heat_.friction + unknown_heat_.h_min > 0.5 * tolerance

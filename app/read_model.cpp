@@ -36,7 +36,9 @@ void read_grid(const Section& section, Model& model) {
                    "write \"auto\" or two whole numbers: [200, 25], circumferential and "
                    "axial cells over the full width");
     }
-    section.assume("the grid is 200 x 25 cells (model.grid is \"auto\" or not given)");
+    if (model.tier != Tier::automatic) {  // which chooses its own
+      section.assume("the grid is 200 x 25 cells (model.grid is \"auto\" or not given)");
+    }
     return;
   }
   model.grid_given = true;

@@ -137,7 +137,8 @@ Model read_model(const Section& file) {
   }
   model.tolerance = section.quantity_or("tolerance", kNumber, model.tolerance, "", kTolerance);
   read_grid(section, model);
-  if (section.has("film_nodes")) model.film_nodes = section.whole_number("film_nodes", 3, 15);
+  model.film_nodes_given = section.has("film_nodes");
+  if (model.film_nodes_given) model.film_nodes = section.whole_number("film_nodes", 3, 15);
   model.switches = read_switches(section);
   model.methods = read_methods(section);
   read_rules(section, model);

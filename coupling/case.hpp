@@ -146,6 +146,7 @@ struct Model {
   std::array<int, 2> grid{200, 25};  ///< circumferential x axial cells over the full width
   bool grid_given = false;           ///< false: tier `auto` chooses the grid
   int film_nodes = 5;                ///< Gauss-Lobatto-Legendre nodes across the film
+  bool film_nodes_given = false;     ///< false: tier `auto` chooses them
   Switches switches;
   Methods methods;
   CavitatedShear cavitated_shear = CavitatedShear::filled;

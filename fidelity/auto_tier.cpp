@@ -13,9 +13,12 @@
 #include "coupling/nested.hpp"
 #include "coupling/solids.hpp"
 #include "fidelity/auto_effects.hpp"
+#include "fidelity/auto_nodes.hpp"
+#include "fidelity/coarse_solution.hpp"
 #include "fidelity/estimate.hpp"
 #include "fidelity/frozen_film.hpp"
 #include "fidelity/grid_limit.hpp"
+#include "fidelity/rectangular_holes.hpp"
 #include "fidelity/solve.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -27,6 +30,8 @@ using Grid = std::array<int, 2>;
 
 /// Grids of the climb: fine along the axis first, see grid_limit.hpp.
 const std::vector<Grid> kLadder{{24, 9}, {40, 25}, {60, 37}, {96, 49}, {192, 97}};
+/// Where the tolerance asks for it, the climb goes on to the grid that values are meant for.
+const std::vector<Grid> kFineRungs{{400, 100}, kFineGrid};
 /// Solved as it is, with the usual bars, where no two grids of the climb settle.
 constexpr Grid kUsualGrid{400, 50};
 
@@ -56,26 +61,6 @@ struct Rung {
   std::vector<Quantity> whole;    ///< V of grid_limit.hpp
   std::vector<Quantity> refined;  ///< F; empty: not solved
 };
-
-double find(const std::vector<Quantity>& list, const std::string& name) {
-  const auto q =
-      std::find_if(list.begin(), list.end(), [&](const Quantity& x) { return x.name == name; });
-  return q == list.end() ? NAN : q->value;
-}
-
-/// The case with holes as squares of the same area. Coarse cells cannot hold a round hole: which of
-/// them it takes jumps from grid to grid, and the oil flow with it. The faces of the grid fit
-/// the edges of a square, so that the sequence of grids has a limit that can be seen.
-Case with_square_holes(Case c) {
-  for (Supply& s : c.supplies) {
-    if (s.kind != SupplyKind::hole) continue;
-    const double side = 0.5 * std::sqrt(kPi) * s.diameter;
-    s.kind = SupplyKind::axial_groove;
-    s.length = side;
-    s.arc = side / c.bearing.radius;
-  }
-  return c;
-}
 
 /// Relative bars of the two quantities that the tolerance is for.
 struct Bars {
@@ -114,13 +99,16 @@ class Climb {
       : case_(c),
         control_(control),
         numbers_(numbers),
-        ladder_(c.model.grid_given ? grid_ladder(c.model.grid) : kLadder) {}
+        ladder_(c.model.grid_given ? grid_ladder(c.model.grid) : kLadder) {
+    if (tight()) ladder_.insert(ladder_.end(), kFineRungs.begin(), kFineRungs.end());
+  }
 
   /// Solves rung after rung until the bars meet the tolerance or the ladder ends.
   void run() {
     const bool given = case_.model.grid_given;
     for (std::size_t k = 0; k < ladder_.size(); ++k) {
-      const bool last = given && k + 1 == ladder_.size();
+      if (!given && k >= kLadder.size() && rungs_.size() < 2) break;  // nothing to go on from
+      const bool last = ladder_[k] == kFineGrid || (given && k + 1 == ladder_.size());
       Rung rung{ladder_[k], solve_on(ladder_[k], last), {}, {}};
       if (stopped() || !rung.solution.verdict.good()) {
         last_ = std::move(rung.solution);
@@ -128,8 +116,8 @@ class Climb {
         continue;
       }
       add(std::move(rung), last);
-      if (stopped() || hopeless()) return;
-      if (enough() && (last || !given)) return;
+      if (stopped() || hopeless() || last) return;
+      if (enough() && !given) return;
     }
     if (!given && rungs_.size() < 2) solve_plainly();
   }
@@ -184,9 +172,10 @@ class Climb {
 
   /// A full solution that has converged: its film, and what is known by now.
   void add(Rung rung, bool last) {
-    rung.whole = quantities_of(rung.solution, tier());
     if (rungs_.empty() && !last) choose(rung.solution);
-    if (!case_.model.grid_given) refine(rung);
+    rung.whole = quantities_of(rung.solution, tier());
+    levels_.back().quantities = rung.whole;  // of the nodes chosen
+    if (!case_.model.grid_given && !last) refine(rung);
     rungs_.push_back(std::move(rung));
     if (rungs_.size() > 3) rungs_.erase(rungs_.begin());
     assess();
@@ -225,9 +214,10 @@ class Climb {
   }
 
   Solution solve_on(Grid grid, bool last) {
-    Case step = last || case_.model.grid_given ? case_ : with_square_holes(case_);
+    Case step = last || case_.model.grid_given ? case_ : with_rectangular_holes(case_);
     step.model.grid = grid;
     if (!choice_.effects.empty()) step.model.switches = choice_.switches;
+    if (nodes_.nodes > 0) step.model.film_nodes = nodes_.nodes;
     const bool limited = !last && !case_.model.grid_given && has_walls();
     TurnLimit limit(control_, kMostTurns);
     const SolveControl& control = limited ? limit.control() : control_;
@@ -250,13 +240,21 @@ class Climb {
     return s;
   }
 
-  void choose(const Solution& probe) {
+  /// Nodes across the film, then effects.
+  void choose(Solution& probe) {
+    const bool given = case_.model.film_nodes_given || case_.model.grid_given;
+    nodes_ = choose_nodes(probe, tier(), case_.model.tolerance, given, control_);
+    account(nodes_.cost);
+    const int asked = case_.model.film_nodes;
+    if (nodes_.nodes > asked) {
+      solved_.push_back(fmt::format("{} instead of {} nodes across the film", nodes_.nodes, asked));
+    }
     choice_ = choose_effects(case_, probe, numbers_, case_.model.tolerance, control_.stop);
     account(choice_.cost);
     const double rise = probe.T_film - case_.supplies.front().temperature;
     if (tier() != Tier::lumped || rise == 0.0) return;
-    const double M = find(quantities_of(probe, tier()), "friction_torque");
-    const double h = find(quantities_of(probe, tier()), "h_min");
+    const double M = value_in(quantities_of(probe, tier()), "friction_torque");
+    const double h = value_in(quantities_of(probe, tier()), "h_min");
     for (const double part : {kUnknownHeat, -kUnknownHeat}) {
       Frozen warmer;
       warmer.warmer = part * rise;
@@ -265,8 +263,8 @@ class Climb {
       account(s.cost);
       const auto q = quantities_of(s, Tier::lumped);
       const bool good = s.verdict.good();
-      const double f = good ? std::abs(find(q, "friction_torque") / M - 1.0) : INFINITY;
-      const double g = good ? std::abs(find(q, "h_min") / h - 1.0) : INFINITY;
+      const double f = good ? std::abs(value_in(q, "friction_torque") / M - 1.0) : INFINITY;
+      const double g = good ? std::abs(value_in(q, "h_min") / h - 1.0) : INFINITY;
       unknown_heat_.friction = std::max(unknown_heat_.friction, f);
       unknown_heat_.h_min = std::max(unknown_heat_.h_min, g);
     }
@@ -283,19 +281,23 @@ class Climb {
 
   /// Value of a quantity of one rung for fine cells around.
   [[nodiscard]] static GridLimit film_limit_of(const Rung& rung, const std::string& name) {
-    const double V = find(rung.whole, name);
+    const double V = value_in(rung.whole, name);
     const bool of_film = !name.starts_with("T_") && !name.starts_with("heat");
-    return film_limit(V, of_film ? find(rung.refined, name) : NAN, rung.grid[0],
+    return film_limit(V, of_film ? value_in(rung.refined, name) : NAN, rung.grid[0],
                       film_ratio(rung.grid) * rung.grid[0]);
   }
 
   /// Limit of a quantity of the finest rung; its value as it is where there is but one rung.
   [[nodiscard]] GridLimit limit(const std::string& name) const {
     const Rung& fine = rungs_.back();
-    const double V = find(fine.whole, name);
+    const double V = value_in(fine.whole, name);
     if (rungs_.size() < 2) return {V, NAN, 0.0};
     const Rung& coarse = rungs_[rungs_.size() - 2];
-    if (!std::isfinite(find(coarse.whole, name))) return {V, NAN, 0.0};
+    const double V0 = value_in(coarse.whole, name);
+    if (!std::isfinite(V0)) return {V, NAN, 0.0};
+    if (fine.grid == kFineGrid && !case_.model.grid_given) {
+      return fine_limit(V0, V, coarse.grid[0]);
+    }
     const GridLimit L0 = film_limit_of(coarse, name);
     const double before =
         rungs_.size() > 2 ? L0.value - film_limit_of(rungs_.front(), name).value : NAN;
@@ -308,7 +310,7 @@ class Climb {
   void assess() {
     const auto relative = [&](const char* name) {
       const GridLimit l = limit(name);
-      const double bar = l.bar / std::abs(l.value);
+      const double bar = (l.bar + nodes_left(name)) / std::abs(l.value);
       return std::isfinite(bar) ? bar : INFINITY;
     };
     bars_ = {relative("friction_torque") + model_bar().friction,
@@ -319,12 +321,18 @@ class Climb {
     return {choice_.bar_friction + unknown_heat_.friction, choice_.bar_h_min + unknown_heat_.h_min};
   }
 
+  /// What the nodes across the film leave open of a quantity.
+  [[nodiscard]] double nodes_left(const std::string& name) const {
+    const double left = value_in(nodes_.left, name);
+    return std::isfinite(left) ? std::abs(left) : 0.0;
+  }
+
   [[nodiscard]] std::vector<Quantity> limits() const {
     std::vector<Quantity> list = rungs_.back().whole;
     for (Quantity& q : list) {
       const GridLimit l = limit(q.name);
       q.value = l.value;
-      q.error_grid = full_bar(l);
+      q.error_grid = full_bar(l) + nodes_left(q.name);
       if (q.name == "friction_torque" || q.name == "power_loss") {
         q.error_model = model_bar().friction * std::abs(q.value);
       }
@@ -337,13 +345,16 @@ class Climb {
     const double tolerance = case_.model.tolerance;
     if (!case_.model.grid_given && !plain_) {
       r.assumptions.push_back(fmt::format(
-          "scalars are those of {} x {} cells, extrapolated from what auto solved: {}; fields, "
-          "history and audit are those of {} x {} cells",
-          kFineGrid[0], kFineGrid[1], fmt::join(solved_, ", "), r.grid[0], r.grid[1]));
+          "scalars are those of {} x {} cells, {} what auto solved: {}; fields, history and audit "
+          "are those of {} x {} cells",
+          kFineGrid[0], kFineGrid[1], r.grid == kFineGrid ? "the last of" : "extrapolated from",
+          fmt::join(solved_, ", "), r.grid[0], r.grid[1]));
     }
-    if (!plain_ && (tier() == Tier::thd || tier() == Tier::tehd)) {
-      r.assumptions.push_back(
-          "the bars of auto do not hold what the nodes across the film leave open");
+    if (!plain_ && !nodes_.known) {
+      r.warnings.push_back(
+          "more nodes across the film gave no solution on the coarse grid: the bars do not hold "
+          "what " +
+          std::to_string(nodes_.nodes) + " leave open");
     }
     if (bars_.within(tolerance)) return;
     const std::string why =
@@ -351,7 +362,8 @@ class Climb {
             ? "the case has no data of shell and shaft, so that the heat is only known in lumps"
         : case_.model.grid_given ? "the grid is given in the case"
         : plain_                 ? "no two coarse grids gave a solution to lead on from"
-                                 : "a finer grid costs more than it would tell";
+                 : "coarse grids tell too little; model.grid = [400, 50] or finer is solved "
+                   "as it is";
     r.warnings.push_back(
         fmt::format("the tolerance of {} is not met: the friction torque is known within {}, the "
                     "smallest film within {}; {}",
@@ -370,6 +382,7 @@ class Climb {
   std::vector<Rung> rungs_;  ///< the three finest that converged
   Solution last_;            ///< one that did not converge, or the plain one
   std::optional<Result> plain_;
+  NodeChoice nodes_;
   EffectChoice choice_;
   Bars unknown_heat_{0.0, 0.0};
   Bars bars_;

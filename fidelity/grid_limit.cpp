@@ -37,6 +37,10 @@ GridLimit film_limit(double whole, double film, int cells, int film_cells) {
   return {film + step * middle, kFilmBar * spread * std::abs(step), step * (all - middle)};
 }
 
+GridLimit fine_limit(double coarse, double whole, int cells) {
+  return {whole, 0.0, (whole - coarse) * onward(cells, kFineGrid[0], INFINITY, kFilmOrder)};
+}
+
 double full_bar(const GridLimit& l) { return l.bar + kBeyondBar * std::abs(l.beyond); }
 
 GridLimit grid_limit(const GridLimit& coarse, const GridLimit& fine, int b0, int b1,

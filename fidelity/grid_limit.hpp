@@ -45,4 +45,7 @@ struct GridLimit {
 [[nodiscard]] GridLimit grid_limit(const GridLimit& coarse, const GridLimit& fine, int b0, int b1,
                                    double before);
 
+/// The value of the fine grid itself, `whole`, solved after `coarse` on `cells` around.
+[[nodiscard]] GridLimit fine_limit(double coarse, double whole, int cells);
+
 }  // namespace shellback::fidelity

@@ -37,7 +37,7 @@ TEST_CASE("ValueOfTheFineGridAndTheLimitAreFound") {
   CHECK(l.value == Approx(along(kFineGrid[1])).epsilon(1e-12));
   CHECK(l.value + l.beyond == Approx(1.0).epsilon(1e-12));
   CHECK(l.bar > 0.0);
-  // A film whose error falls with order 1.3 is led on exactly, and the bar holds orders 1 and 2.
+  // A film whose error falls with order 1.5 is led on exactly, and the bar holds orders 1 and 2.
   for (const double order : {1.0, 1.5, 2.0}) {
     const auto around = [order](double n) { return 1.0 + std::pow(n, -order); };
     const GridLimit f = film_limit(around(40), around(120), 40, 120);
@@ -48,6 +48,11 @@ TEST_CASE("ValueOfTheFineGridAndTheLimitAreFound") {
     // The value of that order is within the bar, to its curvature in the order.
     CHECK(std::abs(f.value - around(kFineGrid[0])) <= f.bar * 1.05);
   }
+  const auto around = [](double n) { return 1.0 + std::pow(n, -1.5); };
+  const GridLimit at_end = fine_limit(around(400), around(kFineGrid[0]), 400);
+  CHECK(at_end.value == around(kFineGrid[0]));
+  CHECK(at_end.bar == 0.0);
+  CHECK(at_end.value + at_end.beyond == Approx(1.0).epsilon(1e-12));
   // Nothing is left on the fine grid itself.
   CHECK(onward(400, 800, kFineGrid[0], 1.3) == 0.0);
   CHECK(onward(400, 800, INFINITY, 1.0) == Approx(1.0));
@@ -88,21 +93,32 @@ TEST_CASE("AutoIsWithinToleranceOfAFineSolution") {
 }
 
 TEST_CASE("TighterTolerancesTakeMoreCellsAndAgree") {
-  Case c = automatic(warm_case(), 0.01);
+  Case c = automatic(warm_case(), 0.03);
   const Result loose = solve_case(c);
   REQUIRE(loose.choice);
   // What the fine grid itself lacks is in the bars, though not in what the tolerance is held to.
   for (const Quantity& q : loose.quantities) {
     if (q.name == "h_min") CHECK(q.error_grid >= loose.choice->bar_h_min * q.value * 0.99);
   }
-  c.model.tolerance = 1e-5;
+  c.model.tolerance = 0.005;
   const Result tight = solve_case(c);
   REQUIRE(tight.choice);
   CHECK(tight.grid[0] * tight.grid[1] > loose.grid[0] * loose.grid[1]);
-  CHECK_FALSE(tight.choice->met);
   CHECK(tight.choice->bar_h_min < loose.choice->bar_h_min);
-  CHECK(loose.value("h_min") == Approx(tight.value("h_min")).epsilon(0.01));
-  CHECK(loose.value("friction_torque") == Approx(tight.value("friction_torque")).epsilon(0.01));
+  CHECK(loose.value("h_min") == Approx(tight.value("h_min")).epsilon(0.03));
+  CHECK(loose.value("friction_torque") == Approx(tight.value("friction_torque")).epsilon(0.03));
+}
+
+TEST_CASE("WhereNoExtrapolationIsGoodEnoughTheFineGridIsSolved") {
+  Case c = automatic(plain_case(), 1e-5);
+  const Result r = solve_case(c);
+  REQUIRE(r.verdict.good());
+  CHECK(r.grid == kFineGrid);
+  c.model.grid = kFineGrid;
+  const Result direct = summarize(solve_tier(c, r.tier), r.tier);
+  // To the tolerance of the film's Newton iteration.
+  CHECK(r.value("h_min") == Approx(direct.value("h_min")).epsilon(1e-6));
+  CHECK(r.value("friction_torque") == Approx(direct.value("friction_torque")).epsilon(1e-6));
 }
 
 TEST_CASE("AutoLeavesOutWhatChangesNothingAndSaysSo") {

@@ -213,7 +213,7 @@ Verdict limit_load(const BearingModel& model, const LoadTarget& target, double c
       Status::no_steady_state,
       fmt::format("the film cannot carry {:.4g} N: it carries about {:.4g} N, then the pressure "
                   "grows without bound (with rigid surfaces and viscosity rising as exp(alpha p), "
-                  "q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
+                  "the reduced pressure q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
                   target.scale(), carried),
       worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : "",
       "switch on elastic deformation, use the Roelands law, or lower the load"};

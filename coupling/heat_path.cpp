@@ -251,8 +251,8 @@ Verdict HeatPath::end_of_path(Verdict v) const {
 
 }  // namespace
 
-Verdict follow_heat(Solution& s, const NearPath* near, const ColdStart& cold,
-                    const ThermalOptions& options, const SolveControl& control) {
+std::optional<Verdict> follow_heat(Solution& s, const NearPath* near, const ColdStart& cold,
+                                   const ThermalOptions& options, const SolveControl& control) {
   s.followed = {};
   for (const Raised raised : {Raised::load, Raised::speed}) {
     HeatPath path(s, raised, options, control);
@@ -260,18 +260,7 @@ Verdict follow_heat(Solution& s, const NearPath* near, const ColdStart& cold,
     if (path.begin(cold)) return path.follow();
     if (control.stop && control.stop->load()) break;
   }
-  Verdict v = cold(s);  // patiently, then
-  if (!v.good()) return v;
-  v = solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
-  const bool closed = s.film.least.h < 0.0 && s.model.scene.rough.sigma <= 0.0;
-  if (v.status == Status::no_steady_state && !closed) {  // from one start alone: no proof
-    v.status = Status::iteration_limit;
-    v.reason =
-        "no light load and no low speed was found under which film and heat come to rest; "
-        "under the whole load: " +
-        v.reason;
-  }
-  return v;
+  return std::nullopt;
 }
 
 }  // namespace shellback::coupling

@@ -12,6 +12,7 @@
 /// path on a coarser grid is where that on a finer one begins. Source: textbook (natural
 /// continuation).
 #include <functional>
+#include <optional>
 
 #include "coupling/solve.hpp"
 
@@ -29,8 +30,11 @@ struct NearPath {
 
 /// Solves film and heat of `s.target` on the model's own grid; for loads, not for given positions.
 /// `near`: where the path of a coarser grid ended, if it had one; `s.followed` tells where this one
-/// does, `s.film` and `s.heat` then being the last state of it.
-[[nodiscard]] Verdict follow_heat(Solution& s, const NearPath* near, const ColdStart& cold,
-                                  const ThermalOptions& options, const SolveControl& control);
+/// does, `s.film` and `s.heat` then being the last state of it. None: no light load and no low
+/// speed was found under which film and heat come to rest.
+[[nodiscard]] std::optional<Verdict> follow_heat(Solution& s, const NearPath* near,
+                                                 const ColdStart& cold,
+                                                 const ThermalOptions& options,
+                                                 const SolveControl& control);
 
 }  // namespace shellback::coupling

@@ -157,55 +157,93 @@ Verdict solve_isothermal(Solution& s, bool warm, const SolveControl& control) {
   return solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
 }
 
-/// Film and walls at the temperature of the supply, from cold.
-Verdict start_resolved(Solution& s, const SolveControl& control) {
+/// Film and walls at the temperature of the supply, from cold; `briefly`: or not at all.
+Verdict start_resolved(Solution& s, bool briefly, const SolveControl& control) {
   const double T = s.model.input.supplies.front().temperature;
   s.film = cold_start(s.model, T);
   s.heat = cold_heat(s.model, T);
-  return start(s, T, control);
+  return briefly ? start_at_once(s, T, control) : start(s, T, control);
 }
 
-Verdict solve_resolved(Solution& s, bool warm, const NearPath* near, double tolerance,
-                       const SolveControl& control) {
+/// How a grid of the ladder is begun.
+struct Level {
+  bool warm = false;               ///< from the state that is there; else from cold
+  const NearPath* near = nullptr;  ///< path of a coarser grid
+  bool in_vain = false;            ///< nothing was found on coarser grids: no long search
+  double tolerance = 0.0;          ///< of the thermal loop; 0: its own
+};
+
+ThermalOptions thermal_options(const Level& level) {
   ThermalOptions options;
-  options.tolerance = std::max(options.tolerance, tolerance);
-  if (tolerance > 0.0) {  // a coarse grid is but a start
+  options.tolerance = std::max(options.tolerance, level.tolerance);
+  if (level.tolerance > 0.0) {  // a coarse grid is but a start
     options.close = false;
     options.most_newton = 400;
   }
+  return options;
+}
+
+/// What is left where no path begins: the film of the supply's temperature, if there is one, and
+/// heat settled on it with patience.
+Verdict settle_patiently(Solution& s, const Verdict& film, const ThermalOptions& options,
+                         const SolveControl& control) {
+  if (!film.good()) return film;
+  Verdict v = solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
+  const bool closed = s.film.least.h < 0.0 && s.model.scene.rough.sigma <= 0.0;
+  if (v.status == Status::no_steady_state && !closed) {  // from one start alone: no proof
+    v.status = Status::iteration_limit;
+    v.reason =
+        "no light load and no low speed was found under which film and heat come to rest; "
+        "under the whole load: " +
+        v.reason;
+  }
+  return v;
+}
+
+Verdict solve_resolved(Solution& s, const Level& level, const SolveControl& control) {
+  ThermalOptions options = thermal_options(level);
   const auto settle = [&] {
     return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
   };
-  const bool may_follow = !warm && s.target.unknowns > 0;
+  const bool may_follow = !level.warm && s.target.unknowns > 0;
   options.patient = !may_follow;
-  const Verdict film = warm ? Verdict{} : start_resolved(s, control);
+  const Verdict film = level.warm ? Verdict{} : start_resolved(s, level.in_vain, control);
+  const FilmEquilibrium first = s.film;
   Verdict v = film.good() ? settle() : film;
   if (v.good() || v.status == Status::interrupted || !may_follow) return v;
   options.patient = true;
-  const auto cold = [&](Solution& at) { return start_resolved(at, control); };
-  v = follow_heat(s, near, cold, options, control);
-  // Not found with heat: what the film of the supply's temperature showed still stands.
-  const bool open = v.status == Status::iteration_limit;
-  return open && film.status == Status::no_steady_state ? film : v;
+  if (!level.in_vain) {
+    const auto cold = [&](Solution& at) { return start_resolved(at, false, control); };
+    if (const auto end = follow_heat(s, level.near, cold, options, control)) {
+      // Not found with heat: what the film of the supply's temperature showed still stands.
+      const bool open = end->status == Status::iteration_limit;
+      return open && film.status == Status::no_steady_state ? film : *end;
+    }
+  }
+  if (control.stop && control.stop->load()) {
+    return {Status::interrupted, "stopped by the user", "", ""};
+  }
+  s.film = first;
+  s.heat = cold_heat(s.model, s.model.input.supplies.front().temperature);
+  return settle_patiently(s, film, options, control);
 }
 
 /// Solves on the model's grid, from the state that is there or from cold.
-void solve_level(Solution& s, Tier tier, bool warm, const NearPath* near, double tolerance,
-                 const SolveControl& control) {
-  if (!warm) {
+void solve_level(Solution& s, Tier tier, const Level& level, const SolveControl& control) {
+  if (!level.warm) {
     s.film = cold_start(s.model, s.T_film);
     s.heat = {};
   }
   switch (tier) {
     case Tier::isothermal:
-      s.verdict = solve_isothermal(s, warm, control);
+      s.verdict = solve_isothermal(s, level.warm, control);
       break;
     case Tier::lumped:
-      s.verdict = solve_lumped(s, warm, control);
+      s.verdict = solve_lumped(s, level.warm, control);
       break;
     case Tier::thd:
     case Tier::tehd:
-      s.verdict = solve_resolved(s, warm, near, tolerance, control);
+      s.verdict = solve_resolved(s, level, control);
       break;
     case Tier::estimate:
     case Tier::automatic:
@@ -228,13 +266,16 @@ bool ends_far_below(const Solution& s) {
 void climb(const Case& c, Tier tier, const SolveControl& control,
            std::shared_ptr<const Solids> solids, Solution& s) {
   constexpr double kCoarseTolerance = 3e-3;  // coarse grids only give the start of the next
+  constexpr int kInVain = 2;                 // such grids after which finer ones are not searched
   const auto ladder = grid_ladder(c.model.grid);
   s.target = load_target(c);
   const double T_start = s.T_film;
   bool warm = false;
+  int in_vain = 0;  // grids, one after the other, on which nothing was found
+  std::string why;  // told by the last one that was searched
   for (std::size_t level = 0; level < ladder.size(); ++level) {
     const bool last = level + 1 == ladder.size();
-    const double tolerance = last ? 0.0 : kCoarseTolerance;
+    Level how{warm, nullptr, in_vain >= kInVain, last ? 0.0 : kCoarseTolerance};
     BearingModel model =
         make_bearing(c, physics_of(c, tier), ladder[level], last ? solids : nullptr);
     std::optional<NearPath> near;
@@ -247,17 +288,25 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
     }
     s.model = std::move(model);
     s.followed = {};
-    const NearPath* start = near ? &*near : nullptr;
+    if (near) how.near = &*near;
     const std::size_t turns = s.history.size();
-    solve_level(s, tier, warm, start, tolerance, control);
+    solve_level(s, tier, how, control);
     const bool at_once = s.history.size() == turns;  // not even one turn of film and heat
     if (warm && (s.verdict.status == Status::iteration_limit ||
                  (s.verdict.status == Status::no_steady_state && at_once))) {
       s.T_film = T_start;
-      solve_level(s, tier, false, start, tolerance, control);
+      how.warm = false;
+      solve_level(s, tier, how, control);
     }
     if (s.verdict.status == Status::interrupted || ends_far_below(s)) return;
     warm = s.verdict.good();
+    const bool nothing = s.verdict.status == Status::iteration_limit && s.followed.part <= 0.0;
+    if (nothing && how.in_vain) {
+      s.verdict.reason += "; on coarser grids: " + why;
+    } else {
+      why = s.verdict.reason;
+    }
+    in_vain = nothing ? in_vain + 1 : 0;
     if (warm) s.levels.push_back({ladder[level], quantities_of(s, tier)});
   }
 }
@@ -270,9 +319,10 @@ Solution from_cold(const Case& c, Tier tier, const SolveControl& control,
   return s;
 }
 
+constexpr int kMostNodes = 9;  ///< across the film, where they had to be raised
+
 /// True if more nodes across the film may make of the failure a solution.
 bool wants_nodes(const Solution& s) {
-  constexpr int kMostNodes = 9;
   const Model& by = s.model.input.model;
   return s.verdict.status == Status::iteration_limit && s.cost.unresolved > 0 &&
          by.methods.across == AcrossFilm::lobatto && by.film_nodes < kMostNodes;
@@ -295,7 +345,8 @@ Solution solve_tier(const Case& c, Tier tier, const SolveControl& control,
   Solution s = from_cold(c, tier, control, std::move(solids));
   Case finer = c;
   while (wants_nodes(s)) {
-    finer.model.film_nodes += 2;
+    const bool nothing = s.levels.empty() && s.followed.part <= 0.0;  // on no grid
+    finer.model.film_nodes = nothing ? kMostNodes : finer.model.film_nodes + 2;
     Solution again = from_cold(finer, tier, control, s.model.solids);
     add(s.cost, again.cost);
     s = std::move(again);
@@ -337,7 +388,7 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
       s.heat.growth.assign(s.model.scene.grid.cells(), 0.0);
     }
   }
-  solve_level(s, tier, true, nullptr, 0.0, control);
+  solve_level(s, tier, {.warm = true}, control);
   if (may_be_cold && s.verdict.status != Status::interrupted && !s.verdict.good()) {
     Solution cold = solve_tier(c, tier, control, s.model.solids);
     cold.wall_s = seconds_since(begin);

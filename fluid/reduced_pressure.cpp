@@ -29,7 +29,8 @@ Outcome<FilmState> film_by_reduced_pressure(const FilmScene& scene, const Gap& g
   if (alpha * *peak >= 1.0) {
     out.verdict = {Status::no_steady_state,
                    "the film has no steady pressure at this gap: with the pressure-viscosity law "
-                   "chosen, q = (1 - exp(-alpha p))/alpha would have to exceed its bound 1/alpha",
+                   "chosen, the reduced pressure would have to exceed its bound 1/alpha "
+                   "(q = (1 - exp(-alpha p))/alpha)",
                    place_of(scene.grid, static_cast<int>(peak - out.value.p.begin())),
                    "switch on elastic deformation, use the Roelands law, or lower the load"};
     return out;

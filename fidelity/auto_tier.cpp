@@ -17,17 +17,16 @@
 #include "fidelity/coarse_solution.hpp"
 #include "fidelity/estimate.hpp"
 #include "fidelity/frozen_film.hpp"
-#include "fidelity/grid_limit.hpp"
 #include "fidelity/rectangular_holes.hpp"
+#include "fidelity/rungs.hpp"
 #include "fidelity/solve.hpp"
+#include "fidelity/turn_limit.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace shellback::fidelity {
 namespace {
 
 using namespace coupling;
-using Grid = std::array<int, 2>;
-
 /// Grids of the climb: fine along the axis first, see grid_limit.hpp.
 const std::vector<Grid> kLadder{{24, 9}, {40, 25}, {60, 37}, {96, 49}, {192, 97}};
 /// Where the tolerance asks for it, the climb goes on to the grid that values are meant for.
@@ -46,21 +45,9 @@ constexpr double kFineMargin = 1.5;
 /// grid takes a half to nine tenths off the bar and costs three times the one before [-].
 constexpr double kHopeless = 12.0;
 
-/// Cells of the film alone over those of the full solution, around: on fine grids the step is
-/// smaller.
-int film_ratio(const Grid& grid) { return grid[0] <= 40 ? 3 : 2; }
-
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
-
-/// One full solution and the film on the next grid under its temperatures and deformation.
-struct Rung {
-  Grid grid{0, 0};
-  Solution solution;
-  std::vector<Quantity> whole;    ///< V of grid_limit.hpp
-  std::vector<Quantity> refined;  ///< F; empty: not solved
-};
 
 /// Relative bars of the two quantities that the tolerance is for.
 struct Bars {
@@ -72,25 +59,6 @@ struct Bars {
   [[nodiscard]] double largest() const { return std::max(friction, h_min); }
 };
 
-/// Stops a solve that takes too many turns, and hands on what it tells.
-class TurnLimit {
- public:
-  TurnLimit(const SolveControl& outer, int most) {
-    control_.stop = &stop_;
-    control_.progress = [this, &outer, most](const Progress& p) {
-      if (outer.progress) outer.progress(p);
-      const bool asked = outer.stop != nullptr && outer.stop->load();
-      if (asked || ++turns_ > most) stop_ = true;
-    };
-  }
-  [[nodiscard]] const SolveControl& control() const { return control_; }
-
- private:
-  std::atomic<bool> stop_{false};
-  int turns_ = 0;
-  SolveControl control_;
-};
-
 std::string percent(double x) { return fmt::format("{:.2g} %", 100.0 * x); }
 
 class Climb {
@@ -99,7 +67,8 @@ class Climb {
       : case_(c),
         control_(control),
         numbers_(numbers),
-        ladder_(c.model.grid_given ? grid_ladder(c.model.grid) : kLadder) {
+        ladder_(c.model.grid_given ? grid_ladder(c.model.grid) : kLadder),
+        rungs_(c.model.grid_given) {
     if (tight()) ladder_.insert(ladder_.end(), kFineRungs.begin(), kFineRungs.end());
   }
 
@@ -109,7 +78,7 @@ class Climb {
     for (std::size_t k = 0; k < ladder_.size(); ++k) {
       if (!given && k >= kLadder.size() && rungs_.size() < 2) break;  // nothing to go on from
       const bool last = ladder_[k] == kFineGrid || (given && k + 1 == ladder_.size());
-      Rung rung{ladder_[k], solve_on(ladder_[k], last), {}, {}};
+      Rung rung{ladder_[k], solve_on(ladder_[k], last)};
       if (stopped() || !rung.solution.verdict.good()) {
         last_ = std::move(rung.solution);
         if (stopped()) return;
@@ -127,7 +96,7 @@ class Climb {
     if (plain_) return plain_result();
     const bool sequence = rungs_.size() > 1 || (case_.model.grid_given && !rungs_.empty());
     if (!sequence) return coupling::summarize(last_, tier());  // refused
-    Result r = coupling::summarize(rungs_.back().solution, tier());
+    Result r = coupling::summarize(rungs_.finest().solution, tier());
     r.quantities = limits();
     finish(r);
     say_what_was_done(r);
@@ -176,8 +145,7 @@ class Climb {
     rung.whole = quantities_of(rung.solution, tier());
     levels_.back().quantities = rung.whole;  // of the nodes chosen
     if (!case_.model.grid_given && !last) refine(rung);
-    rungs_.push_back(std::move(rung));
-    if (rungs_.size() > 3) rungs_.erase(rungs_.begin());
+    rungs_.push(std::move(rung));
     assess();
   }
 
@@ -226,7 +194,7 @@ class Climb {
     try {
       s = rungs_.empty()
               ? solve_tier(step, tier(), control)
-              : solve_tier_from(step, tier(), rungs_.back().solution, control, otherwise);
+              : solve_tier_from(step, tier(), rungs_.finest().solution, control, otherwise);
     } catch (const InputError&) {
       if (last) throw;
       s.verdict = {Status::iteration_limit, "the grid is too coarse for the supplies", "", ""};
@@ -271,7 +239,7 @@ class Climb {
   }
 
   void refine(Rung& rung) {
-    const Grid grid{film_ratio(rung.grid) * rung.grid[0], rung.grid[1]};
+    const Grid grid = film_grid(rung.grid);
     const Solution film = frozen_film(rung.solution, grid, {}, control_.stop);
     account(film.cost);
     if (!film.verdict.good()) return;
@@ -279,37 +247,9 @@ class Climb {
     solved_.push_back(fmt::format("film on {} x {}", grid[0], grid[1]));
   }
 
-  /// Value of a quantity of one rung for fine cells around.
-  [[nodiscard]] static GridLimit film_limit_of(const Rung& rung, const std::string& name) {
-    const double V = value_in(rung.whole, name);
-    const bool of_film = !name.starts_with("T_") && !name.starts_with("heat");
-    return film_limit(V, of_film ? value_in(rung.refined, name) : NAN, rung.grid[0],
-                      film_ratio(rung.grid) * rung.grid[0]);
-  }
-
-  /// Limit of a quantity of the finest rung; its value as it is where there is but one rung.
-  [[nodiscard]] GridLimit limit(const std::string& name) const {
-    const Rung& fine = rungs_.back();
-    const double V = value_in(fine.whole, name);
-    if (rungs_.size() < 2) return {V, NAN, 0.0};
-    const Rung& coarse = rungs_[rungs_.size() - 2];
-    const double V0 = value_in(coarse.whole, name);
-    if (!std::isfinite(V0)) return {V, NAN, 0.0};
-    if (fine.grid == kFineGrid && !case_.model.grid_given) {
-      return fine_limit(V0, V, coarse.grid[0]);
-    }
-    const GridLimit L0 = film_limit_of(coarse, name);
-    const double before =
-        rungs_.size() > 2 ? L0.value - film_limit_of(rungs_.front(), name).value : NAN;
-    const GridLimit l =
-        grid_limit(L0, film_limit_of(fine, name), coarse.grid[1], fine.grid[1], before);
-    if (case_.model.grid_given) return {V, full_bar(l) + std::abs(l.value - V), 0.0};
-    return l;
-  }
-
   void assess() {
     const auto relative = [&](const char* name) {
-      const GridLimit l = limit(name);
+      const GridLimit l = rungs_.limit(name);
       const double bar = (l.bar + nodes_left(name)) / std::abs(l.value);
       return std::isfinite(bar) ? bar : INFINITY;
     };
@@ -328,9 +268,9 @@ class Climb {
   }
 
   [[nodiscard]] std::vector<Quantity> limits() const {
-    std::vector<Quantity> list = rungs_.back().whole;
+    std::vector<Quantity> list = rungs_.finest().whole;
     for (Quantity& q : list) {
-      const GridLimit l = limit(q.name);
+      const GridLimit l = rungs_.limit(q.name);
       q.value = l.value;
       q.error_grid = full_bar(l) + nodes_left(q.name);
       if (q.name == "friction_torque" || q.name == "power_loss") {
@@ -379,8 +319,8 @@ class Climb {
   const SolveControl& control_;
   Indicators numbers_;
   std::vector<Grid> ladder_;
-  std::vector<Rung> rungs_;  ///< the three finest that converged
-  Solution last_;            ///< one that did not converge, or the plain one
+  Rungs rungs_;
+  Solution last_;  ///< one that did not converge, or the plain one
   std::optional<Result> plain_;
   NodeChoice nodes_;
   EffectChoice choice_;

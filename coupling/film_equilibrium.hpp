@@ -85,10 +85,11 @@ struct LoadTarget {
 [[nodiscard]] bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
                             FilmEquilibrium& state);
 
-/// True if smooth surfaces are nearer than an oil molecule is long, roughly: no film is left.
+/// True if smooth surfaces are nearer than an oil molecule of 30 carbon atoms is long (2 to 4 nm,
+/// textbook): no film is left that Reynolds' equation could describe.
 [[nodiscard]] inline bool thinner_than_a_molecule(const BearingModel& model,
                                                   const FilmEquilibrium& s) {
-  constexpr double kMolecule = 1e-9;  // [m]
+  constexpr double kMolecule = 2e-9;  // [m]
   return model.scene.rough.sigma <= 0.0 && s.least.h < kMolecule;
 }
 

@@ -255,6 +255,7 @@ std::optional<Verdict> follow_heat(Solution& s, const NearPath* near, const Cold
                                    const ThermalOptions& options, const SolveControl& control) {
   s.followed = {};
   for (const Raised raised : {Raised::load, Raised::speed}) {
+    if (raised == Raised::load && s.target.unknowns == 0) continue;  // a given position has none
     HeatPath path(s, raised, options, control);
     if (near && near->end.raised == raised && path.begin(*near)) return path.follow();
     if (path.begin(cold)) return path.follow();

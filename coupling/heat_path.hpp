@@ -28,7 +28,7 @@ struct NearPath {
   HeatState heat;
 };
 
-/// Solves film and heat of `s.target` on the model's own grid; for loads, not for given positions.
+/// Solves film and heat of `s.target` on the model's own grid; given positions by speed alone.
 /// `near`: where the path of a coarser grid ended, if it had one; `s.followed` tells where this one
 /// does, `s.film` and `s.heat` then being the last state of it. None: no light load and no low
 /// speed was found under which film and heat come to rest.

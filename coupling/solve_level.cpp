@@ -107,11 +107,12 @@ Verdict solve_resolved(Solution& s, const Level& level, const SolveControl& cont
   const auto settle = [&] {
     return solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
   };
-  const bool may_follow = !level.warm && s.target.unknowns > 0;
-  options.patient = !may_follow;
+  const bool may_follow = !level.warm;
+  const bool given = s.target.unknowns == 0;  // no position to run away to
+  options.patient = !may_follow || given;
   const Verdict film = level.warm ? Verdict{} : start_resolved(s, level.search, control);
   const FilmEquilibrium first = s.film;
-  Verdict v = film.good() ? settle() : film;
+  const Verdict v = film.good() ? settle() : film;
   if (v.good() || v.status == Status::interrupted || !may_follow) return v;
   options.patient = true;
   if (level.search == Search::long_way) {
@@ -119,12 +120,14 @@ Verdict solve_resolved(Solution& s, const Level& level, const SolveControl& cont
     if (const auto end = follow_heat(s, level.near, cold, options, control)) {
       // Not found with heat: what the film of the supply's temperature showed still stands.
       const bool open = end->status == Status::iteration_limit;
-      return open && film.status == Status::no_steady_state ? film : *end;
+      if (open && film.status == Status::no_steady_state) return film;
+      return open && given && v.status == Status::no_steady_state ? v : *end;
     }
   }
   if (control.stop && control.stop->load()) {
     return {Status::interrupted, "stopped by the user", "", ""};
   }
+  if (given && v.status == Status::no_steady_state) return v;
   s.film = first;
   s.heat = cold_heat(s.model, s.model.input.supplies.front().temperature);
   return settle_patiently(s, film, options, control);

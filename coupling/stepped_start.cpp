@@ -3,24 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
+#include "core/constants.hpp"
 #include "coupling/nested.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace shellback::coupling {
 namespace {
 
-constexpr double kLightest = 1e-3;       ///< part of the load with which the way begins [-]
-constexpr double kFirstStep = 0.2;       ///< of the way [-]
-constexpr double kShortestStep = 1e-3;   ///< below it the way ends [-]
-constexpr double kNearBarusLimit = 3.0;  ///< alpha p from which the pressure law is to blame [-]
+constexpr double kLightest = 1e-3;          ///< part of the load with which the way begins [-]
+constexpr std::array kFast{1e1, 1e2, 1e3};  ///< times the speed, where light loads are none [-]
+constexpr double kFirstStep = 0.2;          ///< of the way [-]
+constexpr double kShortestStep = 1e-3;      ///< below it the way ends [-]
+constexpr double kNearBarusLimit = 3.0;     ///< alpha p from which the pressure law is to blame [-]
 
-/// Part of the way at which the scene has `target` and the tilt `psi`.
+/// Part of the way at which the scene has `target`, the tilt `psi` and so many times its speed.
 struct Waypoint {
   LoadTarget target;
   std::array<double, 2> psi;
+  double faster = 1.0;
 };
 using Way = std::function<Waypoint(double)>;
 
@@ -29,7 +33,11 @@ Verdict solve_at(Solution& s, const Waypoint& at, const SolveControl& control) {
     s.film.position.q[2] = at.psi[0];
     s.film.position.q[3] = at.psi[1];
   }
-  return newton_equilibrium(s.model, at.target, {}, {}, s.film, s.cost, control.stop);
+  const double speed = s.model.scene.speed;
+  s.model.scene.speed *= at.faster;
+  const Verdict v = newton_equilibrium(s.model, at.target, {}, {}, s.film, s.cost, control.stop);
+  s.model.scene.speed = speed;
+  return v;
 }
 
 /// Follows the way from a solved state at 0; `reached` is the part that was solved.
@@ -63,8 +71,8 @@ Verdict end_of_the_way(const Solution& s, const std::string& carried, const Verd
             "lower the load or the tilt, feed more oil, or give contact data"};
   const bool thin = thinner_than_a_molecule(s.model, s.film);
   v.reason = fmt::format(
-      "followed from a light load, the steady film ends at {} (smallest gap {:.3g} um{}, alpha "
-      "p_max {:.1f}); beyond it: {}",
+      "followed from a light load or a high speed, the steady film ends at {} (smallest gap {:.3g} "
+      "um{}, alpha p_max {:.1f}); beyond it: {}",
       carried, s.film.least.h * 1e6, thin ? ", less than a molecule of oil" : "", alpha * *peak,
       last.reason);
   if (law) {
@@ -81,6 +89,32 @@ Verdict end_of_the_way(const Solution& s, const std::string& carried, const Verd
   // Steps that fail for another reason do not show that there is no film elsewhere.
   if (!law && last.status != Status::no_steady_state) v.status = Status::iteration_limit;
   return v;
+}
+
+/// From a high speed under the whole load, where supply pressure leaves no light load to begin
+/// with.
+Verdict from_high_speed(Solution& s, double T, const Waypoint& whole, const SolveControl& control,
+                        const Verdict& none) {
+  for (const double fast : kFast) {
+    const Way by_speed = [&](double part) {
+      Waypoint at = whole;
+      at.faster = std::pow(fast, 1.0 - part);
+      return at;
+    };
+    s.film = cold_start(s.model, T);
+    Verdict v = solve_at(s, by_speed(0.0), control);
+    if (v.status == Status::interrupted) return v;
+    if (!v.good()) continue;
+    double reached = 0.0;
+    v = follow(s, by_speed, control, reached);
+    if (v.good() || v.status == Status::interrupted) return v;
+    const double rpm = std::abs(s.model.input.operation.omega) * 30.0 / kPi;
+    return end_of_the_way(s,
+                          fmt::format("{:.4g} rpm, {:.4g} rpm being asked for",
+                                      rpm * std::pow(fast, 1.0 - reached), rpm),
+                          v);
+  }
+  return none;
 }
 
 }  // namespace
@@ -103,7 +137,8 @@ Verdict stepped_start(Solution& s, double T, const SolveControl& control) {
   };
   s.film = cold_start(s.model, T);
   Verdict v = solve_at(s, by_load(0.0), control);
-  if (!v.good()) return v;
+  if (v.status == Status::interrupted) return v;
+  if (!v.good()) return from_high_speed(s, T, {goal, psi}, control, v);
   double reached = 0.0;
   v = follow(s, by_load, control, reached);
   if (v.status == Status::interrupted) return v;

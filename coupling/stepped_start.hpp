@@ -4,9 +4,11 @@
 ///
 /// The film of a light load on an aligned journal is found from any guess. From there the load is
 /// raised in growing steps (geometric), then tilt or moment (linear); a step that fails is halved
-/// twice, one that holds lets the next grow. Where steps of a thousandth still fail, the branch of
-/// steady films that starts at light load ends: the verdict says how much was carried and whether
-/// the pressure law is the reason. Source: textbook (natural continuation).
+/// twice, one that holds lets the next grow. Where even the light load has no film (supply pressure
+/// loads the journal too), the speed is lowered from a high one under the whole load instead. Where
+/// steps of a thousandth still fail, the branch of steady films that starts at light load ends: the
+/// verdict says how much was carried and whether the pressure law is the reason. Source: textbook
+/// (natural continuation).
 #include "coupling/control.hpp"
 #include "coupling/solve.hpp"
 

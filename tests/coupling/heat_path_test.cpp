@@ -123,8 +123,41 @@ TEST_CASE("AColdShellBackComesToRestAtAnyNodesAndGrid", "[heat_path]") {
   CHECK(*high < 1.02 * *low);
 }
 
+TEST_CASE("AGivenPositionThatOnlyHeatedOilCarriesIsFound", "[heat_path]") {
+  // At the supply's temperature the pressure law bears no film there; in operation the oil is
+  // thinner, and its pressure stays below the bound.
+  Case c = warm_case();
+  c.operation.omega *= 3.0;
+  c.oil.pressure = rheology::Barus{2e-8};
+  place_journal(c, 0.85, 20 * kDegree);
+  const Solution cold = solve_tier(c, Tier::isothermal);
+  CHECK(cold.verdict.status == Status::no_steady_state);
+  const Solution warm = solve_tier(c, Tier::thd);
+  INFO(warm.verdict.reason);
+  REQUIRE(warm.verdict.good());
+  CHECK(warm.model.scene.speed == Approx(c.operation.omega * c.bearing.radius));  // the whole speed
+  const double T = *std::max_element(warm.film.columns.T.begin(), warm.film.columns.T.end());
+  CHECK(T > c.supplies[0].temperature + 5.0);
+  // With the viscosity that it has there the film also stands at one temperature.
+  c.oil_temperature = T;
+  CHECK(solve_tier(c, Tier::isothermal).verdict.good());
+}
+
+TEST_CASE("SlowSmoothBearingsOfEveryTierNeedAFilmThinnerThanAMolecule", "[heat_path][refusal]") {
+  // The pressure of the supply alone loads the journal more than a film of 0.1 rpm carries, so that
+  // there is no light load to begin with.
+  Case c = warm_case();
+  c.operation.omega = 0.1 * kPi / 30.0;
+  for (const Tier tier : {Tier::isothermal, Tier::thd, Tier::tehd}) {
+    const Solution s = solve_tier(c, tier);
+    INFO(to_string(tier) << ": " << s.verdict.reason);
+    CHECK(s.verdict.status == Status::no_steady_state);
+    CHECK(s.verdict.reason.find("molecule") != std::string::npos);
+  }
+}
+
 TEST_CASE("SmoothSurfacesNearerThanAMoleculeCarryNoFilm", "[heat_path][refusal]") {
-  // At 1 rpm the elastic film of 2 kN would have to be far thinner than 1 nm.
+  // At 1 rpm the elastic film of 2 kN would have to be far thinner than 2 nm.
   Case c = warm_case();
   c.operation.omega = 1.0 * kPi / 30.0;
   const Solution s = solve_tier(c, Tier::tehd);

@@ -8,10 +8,19 @@
 using namespace shellback;
 using namespace shellback::coupling;
 
-TEST_CASE("NodesAcrossTheFilmAreRaisedWhereTheyDoNotResolveItAndTheResultSaysSo") {
-  Case c = proof::random_case(134);
+namespace {
+
+Case coarse(std::uint64_t seed) {
+  Case c = proof::random_case(seed);
   c.model.tier = Tier::thd;
   c.model.grid = {48, 8};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("NodesAcrossTheFilmAreRaisedWhereTheyDoNotResolveItAndTheResultSaysSo") {
+  const Case c = coarse(134);
   const Solution raised = solve_tier(c, Tier::thd);
   REQUIRE(raised.verdict.good());
   REQUIRE(raised.asked_nodes == c.model.film_nodes);
@@ -32,9 +41,7 @@ TEST_CASE("NodesAcrossTheFilmAreRaisedWhereTheyDoNotResolveItAndTheResultSaysSo"
 }
 
 TEST_CASE("NodesThatResolveTheFilmAreKept") {
-  Case c = proof::random_case(4);
-  c.model.tier = Tier::thd;
-  c.model.grid = {48, 8};
+  const Case c = coarse(4);
   const Solution s = solve_tier(c, Tier::thd);
   REQUIRE(s.verdict.good());
   CHECK(s.asked_nodes == 0);

@@ -250,7 +250,7 @@ class Climb {
   void assess() {
     const auto relative = [&](const char* name) {
       const GridLimit l = rungs_.limit(name);
-      const double bar = (l.bar + nodes_left(name)) / std::abs(l.value);
+      const double bar = (l.bar + left_open(name, l.value)) / std::abs(l.value);
       return std::isfinite(bar) ? bar : INFINITY;
     };
     bars_ = {relative("friction_torque") + model_bar().friction,
@@ -261,10 +261,12 @@ class Climb {
     return {choice_.bar_friction + unknown_heat_.friction, choice_.bar_h_min + unknown_heat_.h_min};
   }
 
-  /// What the nodes across the film leave open of a quantity.
-  [[nodiscard]] double nodes_left(const std::string& name) const {
-    const double left = value_in(nodes_.left, name);
-    return std::isfinite(left) ? std::abs(left) : 0.0;
+  /// What nodes across the film and rectangular holes leave open of a quantity of this value.
+  [[nodiscard]] double left_open(const std::string& name, double value) const {
+    const double nodes = value_in(nodes_.left, name);
+    const bool as_it_is = case_.model.grid_given || rungs_.finest().grid == kFineGrid;
+    return (std::isfinite(nodes) ? std::abs(nodes) : 0.0) +
+           (as_it_is ? 0.0 : hole_bar(case_, name) * std::abs(value));
   }
 
   [[nodiscard]] std::vector<Quantity> limits() const {
@@ -272,7 +274,7 @@ class Climb {
     for (Quantity& q : list) {
       const GridLimit l = rungs_.limit(q.name);
       q.value = l.value;
-      q.error_grid = full_bar(l) + nodes_left(q.name);
+      q.error_grid = full_bar(l) + left_open(q.name, l.value);
       if (q.name == "friction_torque" || q.name == "power_loss") {
         q.error_model = model_bar().friction * std::abs(q.value);
       }

@@ -10,6 +10,8 @@
 /// the smallest film on 800 x 100 cells differed by at most 0.2 % from that with the circle, the
 /// friction torque by 0.2 %, the side flow by 1.6 %; a square of the same area was off by 0.8, 0.5
 /// and 4.5 % (docs/auto-tier.md).
+#include <string>
+
 #include "coupling/case.hpp"
 
 namespace shellback::fidelity {
@@ -22,5 +24,9 @@ inline constexpr double kDraggedArc = 0.71;
 
 /// The case with every hole as such a rectangle.
 [[nodiscard]] coupling::Case with_rectangular_holes(coupling::Case c);
+
+/// Relative bar of a quantity for the shape of the holes: what was seen in those 11 bearings. Zero
+/// without holes, and for quantities that they do not move [-].
+[[nodiscard]] double hole_bar(const coupling::Case& c, const std::string& quantity);
 
 }  // namespace shellback::fidelity

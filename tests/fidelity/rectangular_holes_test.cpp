@@ -41,6 +41,13 @@ TEST_CASE("ARectangleFeedsTheFilmAsItsHoleDoes") {
   }
 }
 
+TEST_CASE("TheShapeOfHolesHasItsBar") {
+  CHECK(hole_bar(grooved_case(), "h_min") == 0.0);
+  CHECK(hole_bar(rig_case(), "h_min") > 0.0);
+  CHECK(hole_bar(rig_case(), "side_flow") > hole_bar(rig_case(), "h_min"));
+  CHECK(hole_bar(rig_case(), "eccentricity_ratio") == 0.0);
+}
+
 TEST_CASE("GroovesAndLinesStayAsTheyAre") {
   const Case c = grooved_case();
   const Case same = with_rectangular_holes(c);

@@ -18,7 +18,8 @@ constexpr double kLightest = 1e-3;          ///< part of the load with which the
 constexpr std::array kFast{1e1, 1e2, 1e3};  ///< times the speed, where light loads are none [-]
 constexpr double kFirstStep = 0.2;          ///< of the way [-]
 constexpr double kShortestStep = 1e-3;      ///< below it the way ends [-]
-constexpr double kNearBarusLimit = 3.0;     ///< alpha p from which the pressure law is to blame [-]
+constexpr const char* kLight = "a light load";
+constexpr double kNearBarusLimit = 3.0;  ///< alpha p from which the pressure law is to blame [-]
 
 /// Part of the way at which the scene has `target`, the tilt `psi` and so many times its speed.
 struct Waypoint {
@@ -61,7 +62,9 @@ Verdict follow(Solution& s, const Way& way, const SolveControl& control, double&
   return {};
 }
 
-Verdict end_of_the_way(const Solution& s, const std::string& carried, const Verdict& last) {
+/// `begun`: where the way began; `carried`: where it ends.
+Verdict end_of_the_way(const Solution& s, const std::string& begun, const std::string& carried,
+                       const Verdict& last) {
   const auto& p = s.film.film.p;
   const auto peak = std::max_element(p.begin(), p.end());
   const int cell = static_cast<int>(peak - p.begin());
@@ -71,15 +74,15 @@ Verdict end_of_the_way(const Solution& s, const std::string& carried, const Verd
             "lower the load or the tilt, feed more oil, or give contact data"};
   const bool thin = thinner_than_a_molecule(s.model, s.film);
   v.reason = fmt::format(
-      "followed from a light load or a high speed, the steady film ends at {} (smallest gap {:.3g} "
-      "um{}, alpha p_max {:.1f}); beyond it: {}",
-      carried, s.film.least.h * 1e6, thin ? ", less than a molecule of oil" : "", alpha * *peak,
-      last.reason);
+      "followed from {}, the steady film ends at {} (smallest gap {:.3g} um{}, alpha p_max "
+      "{:.1f}); beyond it: {}",
+      begun, carried, s.film.least.h * 1e6, thin ? ", less than a molecule of oil" : "",
+      alpha * *peak, last.reason);
   if (law) {
     v.reason = fmt::format(
-        "followed from a light load, the film carries no more than {}: with rigid surfaces and "
+        "followed from {}, the film carries no more than {}: with rigid surfaces and "
         "viscosity rising with pressure (alpha p_max {:.1f}) its pressure grows without bound",
-        carried, alpha * *peak);
+        begun, carried, alpha * *peak);
     v.cure = "switch on elastic deformation, use the Roelands law, or lower the load";
   }
   if (thin) {
@@ -109,7 +112,7 @@ Verdict from_high_speed(Solution& s, double T, const Waypoint& whole, const Solv
     v = follow(s, by_speed, control, reached);
     if (v.good() || v.status == Status::interrupted) return v;
     const double rpm = std::abs(s.model.input.operation.omega) * 30.0 / kPi;
-    return end_of_the_way(s,
+    return end_of_the_way(s, "a high speed",
                           fmt::format("{:.4g} rpm, {:.4g} rpm being asked for",
                                       rpm * std::pow(fast, 1.0 - reached), rpm),
                           v);
@@ -144,14 +147,14 @@ Verdict stepped_start(Solution& s, double T, const SolveControl& control) {
   if (v.status == Status::interrupted) return v;
   if (!v.good()) {
     const double carried = goal.scale() * std::pow(kLightest, 1.0 - reached);
-    return end_of_the_way(s, fmt::format("{:.4g} N of {:.4g} N", carried, goal.scale()), v);
+    return end_of_the_way(s, kLight, fmt::format("{:.4g} N of {:.4g} N", carried, goal.scale()), v);
   }
   const bool tilted =
       psi[0] != 0.0 || psi[1] != 0.0 || goal.force[2] != 0.0 || goal.force[3] != 0.0;
   if (!tilted) return v;
   v = follow(s, by_tilt, control, reached);
   if (v.good() || v.status == Status::interrupted) return v;
-  return end_of_the_way(s, fmt::format("{:.3g} of the tilt or moment", reached), v);
+  return end_of_the_way(s, kLight, fmt::format("{:.3g} of the tilt or moment", reached), v);
 }
 
 }  // namespace shellback::coupling

@@ -299,17 +299,22 @@ class Climb {
           std::to_string(nodes_.nodes) + " leave open");
     }
     if (bars_.within(tolerance)) return;
-    const std::string why =
-        unknown_heat_.friction + unknown_heat_.h_min > 0.5 * tolerance
-            ? "the case has no data of shell and shaft, so that the heat is only known in lumps"
-        : case_.model.grid_given ? "the grid is given in the case"
-        : plain_                 ? "no two coarse grids gave a solution to lead on from"
-                 : "coarse grids tell too little; model.grid = [400, 50] or finer is solved "
-                   "as it is";
-    r.warnings.push_back(
-        fmt::format("the tolerance of {} is not met: the friction torque is known within {}, the "
-                    "smallest film within {}; {}",
-                    percent(tolerance), percent(bars_.friction), percent(bars_.h_min), why));
+    r.warnings.push_back(fmt::format(
+        "the tolerance of {} is not met: the friction torque is known within {}, the "
+        "smallest film within {}; {}",
+        percent(tolerance), percent(bars_.friction), percent(bars_.h_min), why_not_met()));
+  }
+
+  [[nodiscard]] const char* why_not_met() const {
+    if (unknown_heat_.friction + unknown_heat_.h_min > 0.5 * case_.model.tolerance) {
+      return "the case has no data of shell and shaft, so that the heat is only known in lumps";
+    }
+    if (case_.model.grid_given) return "the grid is given in the case";
+    if (plain_) return "no two coarse grids gave a solution to lead on from";
+    if (rungs_.finest().grid == kFineGrid) {
+      return "what is left lies in the nodes across the film and in the effects left out";
+    }
+    return "coarse grids tell too little; model.grid = [400, 50] or finer is solved as it is";
   }
 
   void account(const EquilibriumCost& cost) {

@@ -128,7 +128,7 @@ void HeatPath::keep(double part) {
   const Friction f = friction_of(s_.model, s_.film);
   const double flow = fluid::oil_flows(s_.model.scene, s_.film.flow).side;
   way_.push_back({part, std::abs(f.viscous + f.asperity), std::abs(flow)});
-  s_.followed = {raised_, part, way_.front()};
+  s_.followed = {raised_, part, way_.front(), false};
 }
 
 bool HeatPath::turns() const {

@@ -29,8 +29,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 /// to tell that it is not carried.
 bool ends_far_below(const Solution& s) {
   constexpr double kFarBelow = 0.6;  // grids differ by less in what they carry [-]
-  const double part = s.followed.part;
-  return s.verdict.status == Status::no_steady_state && part > 0.0 && part < kFarBelow;
+  return s.verdict.status == Status::no_steady_state && s.followed.proven &&
+         s.followed.part < kFarBelow;
 }
 
 /// Solves on every grid of the ladder, each from the one before. A coarse grid that fails is left
@@ -48,7 +48,6 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
   for (std::size_t level = 0; level < ladder.size(); ++level) {
     const bool last = level + 1 == ladder.size();
     Level how{.warm = warm, .tolerance = last ? 0.0 : kCoarseTolerance};
-    if (in_vain >= kInVain) how.search = Search::brief;
     BearingModel model =
         make_bearing(c, physics_of(c, tier), ladder[level], last ? solids : nullptr);
     std::optional<NearPath> near;
@@ -61,6 +60,7 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
     }
     s.model = std::move(model);
     s.followed = {};
+    if (in_vain >= kInVain && s.model.physics.film_energy) how.search = Search::brief;
     if (near) how.near = &*near;
     const std::size_t turns = s.history.size();
     solve_level(s, tier, how, control);

@@ -28,7 +28,8 @@ struct Waymark {
 struct PathEnd {
   Raised raised = Raised::load;
   double part = 0.0;
-  Waymark first;  ///< its first point
+  Waymark first;        ///< its first point
+  bool proven = false;  ///< beyond `part` there is no steady state; else the end is open
 };
 
 /// A solved scene, before it is summed up into a Result.

@@ -114,23 +114,26 @@ Verdict solve_resolved(Solution& s, const Level& level, const SolveControl& cont
   const FilmEquilibrium first = s.film;
   const Verdict v = film.good() ? settle() : film;
   if (v.good() || v.status == Status::interrupted || !may_follow) return v;
+  const FilmEquilibrium tried = s.film;
+  const HeatState tried_heat = s.heat;
   options.patient = true;
-  if (level.search == Search::long_way) {
+  const bool none_cold = film.status == Status::no_steady_state;  // heated oil may still have one
+  if (level.search == Search::long_way || none_cold) {
     const auto cold = [&](Solution& at) { return start_resolved(at, Search::long_way, control); };
     if (const auto end = follow_heat(s, level.near, cold, options, control)) {
-      // Not found with heat: what the film of the supply's temperature showed still stands.
+      s.followed.proven = end->status == Status::no_steady_state;
+      // Not found with heat: what was shown without following still stands.
       const bool open = end->status == Status::iteration_limit;
-      if (open && film.status == Status::no_steady_state) return film;
+      if (open && none_cold) return film;
       return open && given && v.status == Status::no_steady_state ? v : *end;
     }
   }
   if (control.stop && control.stop->load()) {
     return {Status::interrupted, "stopped by the user", "", ""};
   }
-  if (given && v.status == Status::no_steady_state) return v;
-  s.film = first;
-  s.heat = cold_heat(s.model, s.model.input.supplies.front().temperature);
-  return settle_patiently(s, film, options, control);
+  s.film = given ? tried : first;
+  s.heat = given ? tried_heat : cold_heat(s.model, s.model.input.supplies.front().temperature);
+  return given ? v : settle_patiently(s, film, options, control);
 }
 
 }  // namespace

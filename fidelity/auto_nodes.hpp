@@ -19,9 +19,9 @@ struct NodeChoice {
 
 /// Adds nodes across the film, two at a time, until two more change friction torque and smallest
 /// film by less than a tenth of the tolerance; `probe`, converged, is left with the nodes chosen.
-/// Temperatures across the film converge spectrally, so that the last change is a safe measure of
-/// what is left (textbook). `given`: the nodes are those of the case, and only judged. Does nothing
-/// where the film's temperature is not resolved by such nodes.
+/// Temperatures across the film converge spectrally (textbook), so that the last change is of the
+/// size of what is left; finer grids can make it a third more. `given`: the nodes are those of the
+/// case, and only judged. Does nothing where the film's temperature is not resolved by such nodes.
 [[nodiscard]] NodeChoice choose_nodes(coupling::Solution& probe, coupling::Tier tier,
                                       double tolerance, bool given,
                                       const coupling::SolveControl& control);

@@ -76,8 +76,9 @@ class Climb {
   void run() {
     const bool given = case_.model.grid_given;
     for (std::size_t k = 0; k < ladder_.size(); ++k) {
-      if (!given && k >= kLadder.size() && rungs_.size() < 2) break;  // nothing to go on from
-      const bool last = ladder_[k] == kFineGrid || (given && k + 1 == ladder_.size());
+      const bool fine = !given && k >= kLadder.size();
+      if (fine && (rungs_.size() < 2 || no_grid_will_do())) break;
+      const bool last = given ? k + 1 == ladder_.size() : ladder_[k] == kFineGrid;
       Rung rung{ladder_[k], solve_on(ladder_[k], last)};
       if (stopped() || !rung.solution.verdict.good()) {
         last_ = std::move(rung.solution);
@@ -92,7 +93,11 @@ class Climb {
   }
 
   Result result() const {
-    if (stopped()) return coupling::summarize(last_, tier());
+    if (stopped()) {
+      Result r = coupling::summarize(rungs_.empty() ? last_ : rungs_.finest().solution, tier());
+      r.verdict = {Status::interrupted, "stopped by the user", "", ""};
+      return r;
+    }
     if (plain_) return plain_result();
     const bool sequence = rungs_.size() > 1 || (case_.model.grid_given && !rungs_.empty());
     if (!sequence) return coupling::summarize(last_, tier());  // refused
@@ -162,6 +167,13 @@ class Climb {
   [[nodiscard]] bool hopeless() const {
     const bool going_on = rungs_.size() < 3 || case_.model.grid_given || tight();
     return !going_on && bars_.largest() > kHopeless * case_.model.tolerance;
+  }
+
+  /// True if what is left open does not depend on the grid and is more than the tolerance.
+  [[nodiscard]] bool no_grid_will_do() const {
+    const double t = case_.model.tolerance;
+    return model_bar().friction + relative_nodes("friction_torque") > t ||
+           model_bar().h_min + relative_nodes("h_min") > t;
   }
 
   /// True if the case says how heat passes through shell and shaft.
@@ -261,12 +273,24 @@ class Climb {
     return {choice_.bar_friction + unknown_heat_.friction, choice_.bar_h_min + unknown_heat_.h_min};
   }
 
+  /// What the nodes across the film leave open of a quantity.
+  [[nodiscard]] double nodes_left(const std::string& name) const {
+    constexpr double kSafety = 1.5;  // on finer grids nodes matter up to a third more [-]
+    const double nodes = value_in(nodes_.left, name);
+    return std::isfinite(nodes) ? kSafety * std::abs(nodes) : 0.0;
+  }
+  [[nodiscard]] double relative_nodes(const std::string& name) const {
+    return nodes_left(name) / std::abs(value_in(rungs_.finest().whole, name));
+  }
+
+  /// True if holes are what they are in the finest solution.
+  [[nodiscard]] bool round_holes() const {
+    return case_.model.grid_given || rungs_.finest().grid == kFineGrid;
+  }
+
   /// What nodes across the film and rectangular holes leave open of a quantity of this value.
   [[nodiscard]] double left_open(const std::string& name, double value) const {
-    const double nodes = value_in(nodes_.left, name);
-    const bool as_it_is = case_.model.grid_given || rungs_.finest().grid == kFineGrid;
-    return (std::isfinite(nodes) ? std::abs(nodes) : 0.0) +
-           (as_it_is ? 0.0 : hole_bar(case_, name) * std::abs(value));
+    return nodes_left(name) + (round_holes() ? 0.0 : hole_bar(case_, name) * std::abs(value));
   }
 
   [[nodiscard]] std::vector<Quantity> limits() const {
@@ -292,6 +316,11 @@ class Climb {
           kFineGrid[0], kFineGrid[1], r.grid == kFineGrid ? "the last of" : "extrapolated from",
           fmt::join(solved_, ", "), r.grid[0], r.grid[1]));
     }
+    if (!plain_ && !round_holes() && hole_bar(case_, "h_min") > 0.0) {
+      r.assumptions.push_back(
+          "holes were solved as rectangles that feed alike; bars of friction, films and oil flows "
+          "hold what that changes");
+    }
     if (!plain_ && !nodes_.known) {
       r.warnings.push_back(
           "more nodes across the film gave no solution on the coarse grid: the bars do not hold "
@@ -309,11 +338,12 @@ class Climb {
     if (unknown_heat_.friction + unknown_heat_.h_min > 0.5 * case_.model.tolerance) {
       return "the case has no data of shell and shaft, so that the heat is only known in lumps";
     }
+    if (!plain_ && no_grid_will_do()) {
+      return "no grid mends what the nodes across the film (model.film_nodes) and the effects left "
+             "out leave open";
+    }
     if (case_.model.grid_given) return "the grid is given in the case";
     if (plain_) return "no two coarse grids gave a solution to lead on from";
-    if (rungs_.finest().grid == kFineGrid) {
-      return "what is left lies in the nodes across the film and in the effects left out";
-    }
     return "coarse grids tell too little; model.grid = [400, 50] or finer is solved as it is";
   }
 

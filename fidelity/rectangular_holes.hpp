@@ -25,8 +25,9 @@ inline constexpr double kDraggedArc = 0.71;
 /// The case with every hole as such a rectangle.
 [[nodiscard]] coupling::Case with_rectangular_holes(coupling::Case c);
 
-/// Relative bar of a quantity for the shape of the holes: what was seen in those 11 bearings. Zero
-/// without holes, and for quantities that they do not move [-].
+/// Relative bar of a quantity for the shape of the holes: what was seen in those 11 bearings, of
+/// friction, films and oil flows. Zero without holes, and for other quantities, which were not
+/// looked at: forces at given positions can change by a per cent [-].
 [[nodiscard]] double hole_bar(const coupling::Case& c, const std::string& quantity);
 
 }  // namespace shellback::fidelity

@@ -1,5 +1,6 @@
 #include "fidelity/auto_tier.hpp"
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -119,6 +120,21 @@ TEST_CASE("WhereNoExtrapolationIsGoodEnoughTheFineGridIsSolved") {
   // To the tolerance of the film's Newton iteration.
   CHECK(r.value("h_min") == Approx(direct.value("h_min")).epsilon(1e-6));
   CHECK(r.value("friction_torque") == Approx(direct.value("friction_torque")).epsilon(1e-6));
+}
+
+TEST_CASE("AutoThatIsInterruptedSaysSoWhereverItIs") {
+  // Some stops fall into the probe, some into its nodes and effects, some into finer grids.
+  for (const int turns : {2, 9, 12, 15, 20}) {
+    INFO(turns);
+    std::atomic<bool> stop{false};
+    int told = 0;
+    SolveControl control;
+    control.stop = &stop;
+    control.progress = [&](const Progress&) { stop = stop || ++told >= turns; };
+    const Result r = solve_auto(automatic(warm_case(), 1e-4), control);
+    CHECK(stop);
+    CHECK(r.verdict.status == Status::interrupted);
+  }
 }
 
 TEST_CASE("AutoLeavesOutWhatChangesNothingAndSaysSo") {

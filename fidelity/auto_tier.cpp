@@ -31,7 +31,8 @@ using namespace coupling;
 const std::vector<Grid> kLadder{{24, 9}, {40, 25}, {60, 37}, {96, 49}, {192, 97}};
 /// Where the tolerance asks for it, the climb goes on to the grid that values are meant for.
 const std::vector<Grid> kFineRungs{{400, 100}, kFineGrid};
-/// Solved as it is, with the usual bars, where no two grids of the climb settle.
+/// Solved as it is (else the fine grid), with the usual bars, where no two grids of the climb
+/// settle.
 constexpr Grid kUsualGrid{400, 50};
 
 /// Turns of film and heat after which a coarse grid is given up: those that are a step towards the
@@ -126,9 +127,9 @@ class Climb {
                           bars_.friction, bars_.h_min, solved_};
   }
 
-  /// The usual grid, on which no sequence is needed.
+  /// A grid on which no sequence is needed.
   void solve_plainly() {
-    last_ = solve_on(kUsualGrid, true);
+    last_ = solve_on(to_the_end() ? kFineGrid : kUsualGrid, true);
     if (stopped() || !last_.verdict.good()) return;
     plain_ = fidelity::summarize(last_, tier(), control_);
     const auto relative = [&](const char* name) {

@@ -11,15 +11,16 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr std::array kLight{0.3, 0.1, 0.02};  ///< parts of load or speed to begin with [-]
-constexpr double kFirstRatio = 1.5;           ///< of load or speed from step to step [-]
+constexpr std::array kLight{0.3, 0.1, 0.02};   ///< parts of load or speed to begin with [-]
+constexpr std::array kSlow{2e-3, 2e-4, 2e-5};  ///< the same of the speed of given positions [-]
+constexpr double kFirstRatio = 1.5;            ///< of load or speed from step to step [-]
 constexpr double kLargestRatio = 2.0;
 constexpr double kSmallestRatio = 1.01;  ///< a smaller step shows that the path ends [-]
 constexpr double kBack = 0.9;  ///< of a coarser grid's path, where that of a finer one begins [-]
 constexpr double kLooseHeat = 3e-3;  ///< change per turn that will do on the way [-]
 constexpr int kMostTurns = 25;       ///< of one step
 constexpr double kFurther = 1.1;     ///< of the path's end: past the slow place behind it [-]
-constexpr int kMostNewton = 1500;     ///< of a slow step where the path seems to end
+constexpr int kMostNewton = 1500;    ///< of a slow step where the path seems to end
 constexpr double kSteep = 3.0;  ///< d ln(friction)/d ln(load) near a turning point, or by speed [-]
 constexpr double kSteeper = 3.0;  ///< the same over that of the whole path [-]
 constexpr int kMostFilm = 40;     ///< film iterations of a turn of one step
@@ -161,7 +162,9 @@ Verdict HeatPath::settle_at(double part, const ThermalOptions& options) {
 }
 
 bool HeatPath::begin(const ColdStart& cold) {
-  for (const double part : kLight) {
+  std::vector<double> parts(kLight.begin(), kLight.end());
+  if (goal_.unknowns == 0) parts.insert(parts.end(), kSlow.begin(), kSlow.end());
+  for (const double part : parts) {
     take(part);
     Verdict v = cold(s_);
     if (v.good()) v = settle(on_the_way());

@@ -85,21 +85,25 @@ ThermalOptions thermal_options(const Level& level) {
   return options;
 }
 
+/// What one start alone shows of heat: no proof, unless smooth surfaces touch.
+Verdict without_proof(const Solution& s, Verdict v) {
+  const bool closed = s.film.least.h < 0.0 && s.model.scene.rough.sigma <= 0.0;
+  if (v.status != Status::no_steady_state || closed) return v;
+  v.status = Status::iteration_limit;
+  v.reason =
+      "no light load and no low speed was found under which film and heat come to rest; "
+      "under the whole load: " +
+      v.reason;
+  return v;
+}
+
 /// What is left where no path begins: the film of the supply's temperature, if there is one, and
 /// heat settled on it with patience.
 Verdict settle_patiently(Solution& s, const Verdict& film, const ThermalOptions& options,
                          const SolveControl& control) {
   if (!film.good()) return film;
-  Verdict v = solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history);
-  const bool closed = s.film.least.h < 0.0 && s.model.scene.rough.sigma <= 0.0;
-  if (v.status == Status::no_steady_state && !closed) {  // from one start alone: no proof
-    v.status = Status::iteration_limit;
-    v.reason =
-        "no light load and no low speed was found under which film and heat come to rest; "
-        "under the whole load: " +
-        v.reason;
-  }
-  return v;
+  return without_proof(
+      s, solve_thermal(s.model, s.target, options, control, s.film, s.heat, s.cost, s.history));
 }
 
 Verdict solve_resolved(Solution& s, const Level& level, const SolveControl& control) {
@@ -122,10 +126,10 @@ Verdict solve_resolved(Solution& s, const Level& level, const SolveControl& cont
     const auto cold = [&](Solution& at) { return start_resolved(at, Search::long_way, control); };
     if (const auto end = follow_heat(s, level.near, cold, options, control)) {
       s.followed.proven = end->status == Status::no_steady_state;
-      // Not found with heat: what was shown without following still stands.
+      // Not found with heat: a load that cold oil does not carry, warm oil does not either. At a
+      // given position it may, and what one start shows of heat is no proof.
       const bool open = end->status == Status::iteration_limit;
-      if (open && none_cold) return film;
-      return open && given && v.status == Status::no_steady_state ? v : *end;
+      return open && none_cold && !given ? film : *end;
     }
   }
   if (control.stop && control.stop->load()) {
@@ -133,7 +137,7 @@ Verdict solve_resolved(Solution& s, const Level& level, const SolveControl& cont
   }
   s.film = given ? tried : first;
   s.heat = given ? tried_heat : cold_heat(s.model, s.model.input.supplies.front().temperature);
-  return given ? v : settle_patiently(s, film, options, control);
+  return given ? without_proof(s, v) : settle_patiently(s, film, options, control);
 }
 
 }  // namespace

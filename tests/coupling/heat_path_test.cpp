@@ -143,6 +143,23 @@ TEST_CASE("AGivenPositionThatOnlyHeatedOilCarriesIsFound", "[heat_path]") {
   CHECK(solve_tier(c, Tier::isothermal).verdict.good());
 }
 
+TEST_CASE("WithHeatAGivenPositionIsRefusedAsPhysicalOnlyWhereItWasFollowedToItsEnd",
+          "[heat_path]") {
+  Case c = warm_case();
+  c.operation.omega *= 3.0;
+  c.oil.pressure = rheology::Barus{2e-8};
+  for (const double ratio : {0.9, 0.96, 0.99}) {
+    place_journal(c, ratio, 20 * kDegree);
+    const Solution s = solve_tier(c, Tier::thd);
+    INFO(ratio << ": " << s.verdict.reason);
+    CHECK_FALSE(s.verdict.good());
+    if (s.verdict.status != Status::no_steady_state) continue;
+    CHECK(s.followed.proven);
+    CHECK(s.followed.part > 0.0);
+    CHECK(s.followed.part < 1.0);
+  }
+}
+
 TEST_CASE("SlowSmoothBearingsOfEveryTierNeedAFilmThinnerThanAMolecule", "[heat_path][refusal]") {
   // The pressure of the supply alone loads the journal more than a film of 0.1 rpm carries, so that
   // there is no light load to begin with.

@@ -1,7 +1,5 @@
 #include "coupling/film_equilibrium.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -9,6 +7,7 @@
 #include "core/constants.hpp"
 #include "coupling/elastic_step.hpp"
 #include "coupling/equilibrium_step.hpp"
+#include "coupling/film_verdicts.hpp"
 #include "coupling/load_path.hpp"
 #include "coupling/other_equilibrium.hpp"
 #include "coupling/solids.hpp"
@@ -108,20 +107,6 @@ Field displacement(const BearingModel& model, const FilmEquilibrium& s) {
   return s.contact_growth ? sum(d, model.solids->widening(*s.contact_growth, s.p_contact)) : d;
 }
 
-/// Residuals of one iterate, each in units of its tolerance's scale.
-struct Residuals {
-  Field film;
-  Field displacement;
-  double film_norm = 0.0;
-  double load_norm = 0.0;
-  double elastic_norm = 0.0;
-
-  [[nodiscard]] bool within(const EquilibriumOptions& o) const {
-    return film_norm <= o.film_tolerance && load_norm <= o.load_tolerance &&
-           elastic_norm <= o.elastic_tolerance;
-  }
-};
-
 Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
                        const FilmEquilibrium& s) {
   Residuals r;
@@ -200,35 +185,6 @@ fluid::UpdateReport take(const BearingModel& model, const NewtonStep& step, doub
   return report;
 }
 
-Verdict limit_load(const BearingModel& model, const LoadTarget& target, double carried,
-                   int worst_cell) {
-  const std::string place =
-      worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : std::string();
-  if (worst_cell < 0 || carried >= target.scale()) {  // not the pressure law: the gap gave out
-    return {Status::iteration_limit,
-            "no position was found in which the film carries the load: each step closes the gap",
-            place, "lower the load or the tilt, or give roughness and contact data"};
-  }
-  return {
-      Status::no_steady_state,
-      fmt::format("the film cannot carry {:.4g} N: it carries about {:.4g} N, then the pressure "
-                  "grows without bound (with rigid surfaces and viscosity rising as exp(alpha p), "
-                  "the reduced pressure q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
-                  target.scale(), carried),
-      worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : "",
-      "switch on elastic deformation, use the Roelands law, or lower the load"};
-}
-
-Verdict closed_gap(const FilmEquilibrium& s) {
-  return {Status::no_steady_state,
-          fmt::format(
-              "the surfaces touch before the solve begins (smallest gap {:.3g} um): the clearance "
-              "is used up by thermal growth, profile or eccentricity",
-              s.least.h * 1e6),
-          fmt::format("phi {:.1f} deg, z {:.2f} mm", s.least.phi * 180.0 / kPi, s.least.z * 1e3),
-          "give roughness and contact data, or a larger clearance"};
-}
-
 /// Film of a given position from its reduced pressure, or the proof that there is none.
 Verdict reduced_start(const BearingModel& model, FilmEquilibrium& s) {
   const auto oil = [&](const fluid::FilmState& film, fluid::FilmCoefficients& c) {
@@ -239,19 +195,6 @@ Verdict reduced_start(const BearingModel& model, FilmEquilibrium& s) {
   auto film = fluid::film_by_reduced_pressure(model.scene, s.gap, model.step, oil, s.film);
   if (film.good()) s.film = std::move(film.value);
   return film.verdict;
-}
-
-Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residuals& r,
-              int iterations) {
-  const auto worst = std::max_element(r.film.begin(), r.film.end(),
-                                      [](double a, double b) { return std::abs(a) < std::abs(b); });
-  return {
-      Status::iteration_limit,
-      fmt::format("film and journal position did not settle in {} Newton iterations (film {:.1e}, "
-                  "load {:.1e}, elasticity {:.1e}, smallest gap {:.3g} um)",
-                  iterations, r.film_norm, r.load_norm, r.elastic_norm, s.least.h * 1e6),
-      fluid::place_of(model.scene.grid, static_cast<int>(worst - r.film.begin())),
-      "try a finer grid, a lower load, or tier isothermal first"};
 }
 
 }  // namespace
@@ -395,11 +338,7 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
   const double carried = std::hypot(s.force[0], s.force[1]) / target.scale();
   if (!s.elastic.empty() && carried > kNearLoad && carried < 1.0 && s.least.h > 0.0 &&
       thinner_than_a_molecule(model, s)) {
-    return {Status::no_steady_state,
-            fmt::format("no film carries {:.4g} N: it carries {:.4g} N at a smallest gap of {:.3g} "
-                        "um, less than a molecule of oil",
-                        target.scale(), carried * target.scale(), s.least.h * 1e6),
-            v.place, "give roughness and contact data, or lower the load"};
+    return no_film_left(s, target, carried, v.place);
   }
   if (!options.follow_load || !s.elastic.empty()) return v;
   return follow_load(model, target, growth, options, s, cost, stop);

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <optional>
 
-#include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "coupling/nested.hpp"
 #include "coupling/solids.hpp"
@@ -21,12 +19,14 @@
 #include "fidelity/rungs.hpp"
 #include "fidelity/solve.hpp"
 #include "fidelity/turn_limit.hpp"
+#include "fidelity/unknown_heat.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace shellback::fidelity {
 namespace {
 
 using namespace coupling;
+
 /// Grids of the climb: fine along the axis first, see grid_limit.hpp.
 const std::vector<Grid> kLadder{{24, 9}, {40, 25}, {60, 37}, {96, 49}, {192, 97}};
 /// Where the tolerance asks for it, the climb goes on to the grid that values are meant for.
@@ -53,16 +53,6 @@ constexpr double kHopeless = 12.0;
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
-
-/// Relative bars of the two quantities that the tolerance is for.
-struct Bars {
-  double friction = INFINITY;
-  double h_min = INFINITY;
-  [[nodiscard]] bool within(double tolerance) const {
-    return friction <= tolerance && h_min <= tolerance;
-  }
-  [[nodiscard]] double largest() const { return std::max(friction, h_min); }
-};
 
 std::string percent(double x) { return fmt::format("{:.2g} %", 100.0 * x); }
 
@@ -239,23 +229,7 @@ class Climb {
     }
     choice_ = choose_effects(case_, probe, numbers_, case_.model.tolerance, control_.stop);
     account(choice_.cost);
-    const double rise = probe.T_film - case_.supplies.front().temperature;
-    if (tier() != Tier::lumped || rise == 0.0) return;
-    const double M = value_in(quantities_of(probe, tier()), "friction_torque");
-    const double h = value_in(quantities_of(probe, tier()), "h_min");
-    for (const double part : {kUnknownHeat, -kUnknownHeat}) {
-      Frozen warmer;
-      warmer.warmer = part * rise;
-      const Grid grid{probe.model.scene.grid.nt, probe.model.scene.grid.full_nz()};
-      const Solution s = frozen_film(probe, grid, warmer, control_.stop);
-      account(s.cost);
-      const auto q = quantities_of(s, Tier::lumped);
-      const bool good = s.verdict.good();
-      const double f = good ? std::abs(value_in(q, "friction_torque") / M - 1.0) : INFINITY;
-      const double g = good ? std::abs(value_in(q, "h_min") / h - 1.0) : INFINITY;
-      unknown_heat_.friction = std::max(unknown_heat_.friction, f);
-      unknown_heat_.h_min = std::max(unknown_heat_.h_min, g);
-    }
+    if (tier() == Tier::lumped) unknown_heat_ = unknown_heat(probe, cost_, control_.stop);
   }
 
   void refine(Rung& rung) {

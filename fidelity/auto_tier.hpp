@@ -13,7 +13,8 @@
 ///    within the tolerance for both quantities; round holes as rectangles (rectangular_holes.hpp).
 ///    Tolerances below 0.5 % go on to 800 x 100 cells itself, unless what is left does not depend
 ///    on the grid. Where no two of these grids give a solution, 400 x
-///    50 cells (below 0.5 % 800 x 100) are solved as they are, with the usual bars (grid_error.hpp).
+///    50 cells (below 0.5 % 800 x 100) are solved as they are, with the usual bars
+///    (grid_error.hpp).
 /// Quantities are estimates of what 800 x 100 cells give; their bars also hold what those lack to
 /// the limit of fine grids. If the user has given a grid, they are that grid's, and the bars hold
 /// the distance to the limit. Fields and audit are those of the finest full solution. What the
@@ -24,10 +25,6 @@
 #include "coupling/solve.hpp"
 
 namespace shellback::fidelity {
-
-/// Part of the film's temperature rise that heat into unknown walls may take or recirculation may
-/// add: in random cases the lumped balance was off by less in 9 of 10 (docs/auto-tier.md) [-].
-inline constexpr double kUnknownHeat = 0.5;
 
 /// Solves the case as tier `auto`, whatever `model.tier` says. Does not throw for lack of
 /// convergence.

@@ -1,0 +1,38 @@
+#pragma once
+/// Why film, position and elastic surfaces found no equilibrium: reason, place, cure.
+#include "coupling/film_equilibrium.hpp"
+
+namespace shellback::coupling {
+
+/// Residuals of one iterate, each in units of its tolerance's scale.
+struct Residuals {
+  Field film;
+  Field displacement;
+  double film_norm = 0.0;
+  double load_norm = 0.0;
+  double elastic_norm = 0.0;
+
+  [[nodiscard]] bool within(const EquilibriumOptions& o) const {
+    return film_norm <= o.film_tolerance && load_norm <= o.load_tolerance &&
+           elastic_norm <= o.elastic_tolerance;
+  }
+};
+
+/// The load is beyond what rigid surfaces and the pressure law carry, `carried` [N] being about
+/// all; where no cell's pressure is to blame (`worst_cell` -1), the gap gave out instead, which
+/// proves nothing.
+[[nodiscard]] Verdict limit_load(const BearingModel& model, const LoadTarget& target,
+                                 double carried, int worst_cell);
+
+/// Smooth surfaces touch in the state that the solve was to begin with.
+[[nodiscard]] Verdict closed_gap(const FilmEquilibrium& state);
+
+/// Smooth elastic surfaces are nearer than a molecule and carry no more than `part` of the load.
+[[nodiscard]] Verdict no_film_left(const FilmEquilibrium& state, const LoadTarget& target,
+                                   double part, const std::string& place);
+
+/// The iteration ended without any of these.
+[[nodiscard]] Verdict stuck(const BearingModel& model, const FilmEquilibrium& state,
+                            const Residuals& residuals, int iterations);
+
+}  // namespace shellback::coupling

@@ -14,9 +14,10 @@ namespace {
 constexpr int kCellsPerPeriod = 4;  ///< of the highest harmonic [-]
 constexpr int kMostHarmonics = 48;  ///< default limit [-], see default_harmonics
 
-constexpr int kFirstSmooth = 5;        ///< harmonic from which on operators are interpolated [-]
-constexpr int kSampleNodes = 11;       ///< of the polynomial; see HarmonicSample for its error [-]
-constexpr double kSampleMiddle = 7.0;  ///< a of x = (n - a) / (n + a) [-]
+// The three that give the smallest error for their cost; see HarmonicSample.
+constexpr int kFirstSmooth = 6;        ///< harmonic from which on operators are interpolated [-]
+constexpr int kSampleNodes = 11;       ///< of the polynomial, before those that coincide [-]
+constexpr double kSampleMiddle = 5.0;  ///< a of x = (n - a) / (n + a) [-]
 
 double sample_place(double n) { return (n - kSampleMiddle) / (n + kSampleMiddle); }
 

@@ -57,6 +57,37 @@ void serendipity(double xi, double eta, ShapePoint& s) {
   along_z(7, -1.0);
 }
 
+/// Faces that lie at -z wherever they lie at z, to round-off.
+bool mirrors_itself(const std::vector<double>& face) {
+  const double round_off = 1e-12 * (face.back() - face.front());
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    if (std::abs(face[k] + face[face.size() - 1 - k]) > round_off) return false;
+  }
+  return true;
+}
+
+/// Makes z = 0 a face of a mirrored grid: cuts the middle cell, if there is one.
+void put_mid_width(std::vector<double>& face) {
+  const auto middle = static_cast<std::ptrdiff_t>(face.size() / 2);
+  if (face.size() % 2 == 0) {
+    face.insert(face.begin() + middle, 0.0);
+  } else {
+    face[middle] = 0.0;
+  }
+}
+
+/// Faces with every interval cut into `parts`.
+std::vector<double> cut(const std::vector<double>& face, int parts) {
+  std::vector<double> fine{face.front()};
+  for (std::size_t k = 1; k < face.size(); ++k) {
+    for (int m = 1; m < parts; ++m) {
+      fine.push_back(face[k - 1] + (face[k] - face[k - 1]) * m / parts);
+    }
+    fine.push_back(face[k]);
+  }
+  return fine;
+}
+
 struct GaussRule {
   std::vector<double> x, w;
 };
@@ -137,31 +168,27 @@ double surface_row(double radius, int harmonics) {
 
 std::vector<double> axial_elements(const FilmGrid& grid, double overhang) {
   EXPECTS(overhang >= 0.0);
+  std::vector<double> cells = grid.z_face;
+  if (!grid.half && mirrors_itself(cells)) put_mid_width(cells);
+  const int per_half = static_cast<int>(cells.size() - 1) / (grid.half ? 1 : 2);
+  std::vector<double> face = cut(cells, (kLeastColsPerHalf + per_half - 1) / per_half);
+  if (overhang == 0.0) return face;
   const double end = 0.5 * grid.width;
-  const int cells = (grid.full_nz() + 1) / 2;
-  const int n = std::max(kLeastColsPerHalf, (cells + 1) / 2);
-  std::vector<double> face;
-  for (int c = 0; c <= n; ++c) face.push_back(end * c / n);
-  if (overhang > 0.0) {
-    double z = end;
-    for (const double dz : graded(overhang, kLargestGrowth * end / n, 1)) face.push_back(z += dz);
-    face.back() = end + overhang;
+  std::vector<double> beyond;
+  double z = end;
+  for (const double dz : graded(overhang, kLargestGrowth * (end - face[face.size() - 2]), 1)) {
+    beyond.push_back(z += dz);
   }
+  beyond.back() = end + overhang;
+  face.insert(face.end(), beyond.begin(), beyond.end());
   if (grid.half) return face;
   std::vector<double> full;
-  for (std::size_t c = face.size() - 1; c > 0; --c) full.push_back(-face[c]);
+  for (auto far = beyond.rbegin(); far != beyond.rend(); ++far) full.push_back(-*far);
   full.insert(full.end(), face.begin(), face.end());
   return full;
 }
 
-std::vector<double> halved(const std::vector<double>& face) {
-  std::vector<double> fine{face.front()};
-  for (std::size_t k = 1; k < face.size(); ++k) {
-    fine.push_back(0.5 * (face[k - 1] + face[k]));
-    fine.push_back(face[k]);
-  }
-  return fine;
-}
+std::vector<double> halved(const std::vector<double>& face) { return cut(face, 2); }
 
 RadialRows halved(const RadialRows& rows) {
   RadialRows fine{halved(rows.face), {}};
@@ -169,18 +196,19 @@ RadialRows halved(const RadialRows& rows) {
   return fine;
 }
 
-std::vector<ShapePoint> shape_points(const RevolutionMesh& mesh, int row, int col, int order) {
+std::vector<ShapePoint> shape_points(const RevolutionMesh& mesh, int row, int col,
+                                     GaussOrder order) {
   const double r0 = mesh.r_face[row], dr = mesh.r_face[row + 1] - r0;
   const double z0 = mesh.z_face[col], dz = mesh.z_face[col + 1] - z0;
-  const GaussRule rule = gauss_rule(order);
+  const GaussRule in_r = gauss_rule(order.r), in_z = gauss_rule(order.z);
   std::vector<ShapePoint> points;
-  for (int a = 0; a < order; ++a) {
-    for (int b = 0; b < order; ++b) {
+  for (int a = 0; a < order.r; ++a) {
+    for (int b = 0; b < order.z; ++b) {
       ShapePoint s;
-      serendipity(rule.x[a], rule.x[b], s);
-      s.r = r0 + 0.5 * (1.0 + rule.x[a]) * dr;
-      s.z = z0 + 0.5 * (1.0 + rule.x[b]) * dz;
-      s.weight = rule.w[a] * rule.w[b] * 0.25 * dr * dz;
+      serendipity(in_r.x[a], in_z.x[b], s);
+      s.r = r0 + 0.5 * (1.0 + in_r.x[a]) * dr;
+      s.z = z0 + 0.5 * (1.0 + in_z.x[b]) * dz;
+      s.weight = in_r.w[a] * in_z.w[b] * 0.25 * dr * dz;
       s.n_r *= 2.0 / dr;
       s.n_z *= 2.0 / dz;
       points.push_back(s);

@@ -65,9 +65,11 @@ struct RadialRows {
 /// depth follows it to the accuracy that the axial elements have as well.
 [[nodiscard]] double surface_row(double radius, int harmonics);
 
-/// Axial faces of the elements under a film [m]: even, one element to two film cells, at least
-/// six to half the width, an even number over the full width. `overhang` [m] on each side (one
-/// side if the grid is half) is added in elements that double in length.
+/// Axial faces of the elements under a film [m]: those of the film's cells, so that a pressure
+/// which is constant on each cell has its jumps between elements; at least six elements to half the
+/// width, cells being cut evenly where there are fewer. In a grid that mirrors itself about
+/// mid-width z = 0 is a face too, so that a half grid has the mesh of the full one. `overhang` [m]
+/// on each side (one side if the grid is half) is added in elements that double in length.
 [[nodiscard]] std::vector<double> axial_elements(const FilmGrid& grid, double overhang = 0.0);
 
 /// Faces with every interval halved: the refinement of convergence studies.
@@ -80,9 +82,14 @@ struct ShapePoint {
   double weight = 0.0;      ///< quadrature weight times area, without the factor r [m2]
   Eigen::Matrix<double, 8, 1> n, n_r, n_z;  ///< values [-], derivatives in r and z [1/m]
 };
-/// Points of the order x order Gauss rule (order 2 or 3) in element (row, col).
+/// Gauss points in r and in z (2 or 3 each).
+struct GaussOrder {
+  int r = 2;
+  int z = 2;
+};
+/// Points of the Gauss rule of order.r x order.z in element (row, col).
 [[nodiscard]] std::vector<ShapePoint> shape_points(const RevolutionMesh& mesh, int row, int col,
-                                                   int order);
+                                                   GaussOrder order);
 
 /// Integrals of the line's shape functions over the axial film cells, exact: entry (m, j) is
 /// int over cell j of N_m(z) dz [m], (2 cols + 1) x nz. Load vector of a pressure that is

@@ -5,8 +5,8 @@
 namespace shellback::solid {
 namespace {
 
-constexpr int kReducedOrder = 2;
-constexpr int kFullOrder = 3;  ///< integrates shape function times r and z exactly
+constexpr GaussOrder kStiffnessOrder{2, 3};  ///< see the header for why
+constexpr GaussOrder kFullOrder{3, 3};       ///< integrates shape function times r and z exactly
 
 using Stiffness = Eigen::Matrix<double, 6, 6>;
 using Strain = Eigen::Matrix<double, 6, 24>;
@@ -55,7 +55,7 @@ ElasticElement elastic_element(const RevolutionMesh& mesh, int row, int col,
   e.g0.setZero();
   e.g1.setZero();
   Strain b0, b1;
-  for (const ShapePoint& s : shape_points(mesh, row, col, kReducedOrder)) {
+  for (const ShapePoint& s : shape_points(mesh, row, col, kStiffnessOrder)) {
     strain_matrices(s, b0, b1);
     const double w = s.weight * s.r;
     const Strain db0 = w * d * b0, db1 = w * d * b1;

@@ -10,9 +10,11 @@
 /// the section with weight r; the factor pi (2 pi for n = 0) of the circumference is common to
 /// both sides of the equations and left out.
 ///
-/// Quadrature is 2 x 2 (reduced): it does not lock for Poisson's ratio near 0.5 or in thin layers.
-/// Its one spurious mode cannot be shared by neighbouring elements, so a mesh of two rows and two
-/// columns or more is stable.
+/// Quadrature is 2 points in r times 3 in z. Two in r, so that thin layers and Poisson's ratios
+/// near 0.5 do not lock. Three in z, since the 2 x 2 rule gives the mode u_r = xi (3 eta^2 - 1),
+/// u_z = -(dr/dz) eta (3 xi^2 - 1) (xi along r, eta along z) no energy; neighbours cannot share its
+/// u_z part, but in a flat element that part is small, and a thin soft layer would follow any
+/// pressure of that shape: it zigzags. With three points in z the mode has its energy.
 ///
 /// Local freedom 3 a + c is component c (r, phi, z) at node a of RevolutionMesh::element.
 #include <Eigen/Dense>

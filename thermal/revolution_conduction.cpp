@@ -45,7 +45,7 @@ void add_edge(Matrix8& m, const std::array<int, 3>& nodes, double h, double r0, 
 HeatElement heat_element(const RevolutionMesh& mesh, int row, int col, double k,
                          const ConductionBoundary& boundary) {
   HeatElement e;
-  for (const ShapePoint& s : shape_points(mesh, row, col, kFullOrder)) {
+  for (const ShapePoint& s : shape_points(mesh, row, col, {kFullOrder, kFullOrder})) {
     const double f = k * s.weight;
     e.k0 += f * s.r * (s.n_r * s.n_r.transpose() + s.n_z * s.n_z.transpose());
     e.k2 += f / s.r * (s.n * s.n.transpose());

@@ -31,7 +31,7 @@ TEST_CASE("ElementsFillTheSection", "[mesh]") {
   double volume = 0.0;
   for (int row = 0; row < mesh.rows; ++row) {
     for (int col = 0; col < mesh.cols; ++col) {
-      for (const auto& s : shape_points(mesh, row, col, 2)) volume += s.weight * s.r;
+      for (const auto& s : shape_points(mesh, row, col, {2, 2})) volume += s.weight * s.r;
     }
   }
   CHECK(volume == Approx(0.5 * 0.03 * (0.03152 * 0.03152 - 0.02 * 0.02)).epsilon(1e-13));
@@ -42,7 +42,7 @@ TEST_CASE("ShapeFunctionsReproduceQuadraticFields", "[mesh]") {
   const auto f = [](double r, double z) {
     return 1.0 + 2.0 * r - z + 30.0 * r * z + 9.0 * r * r - z * z;
   };
-  for (const auto& s : shape_points(mesh, 2, 3, 3)) {
+  for (const auto& s : shape_points(mesh, 2, 3, {3, 3})) {
     double value = 0.0, slope_r = 0.0, slope_z = 0.0;
     for (int a = 0; a < 8; ++a) {
       const int node = mesh.at(2, 3)[a];

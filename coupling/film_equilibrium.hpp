@@ -64,7 +64,6 @@ struct EquilibriumCost {
   int rejected_steps = 0;
   long sweeps = 0;         ///< of the p-theta relaxation
   int elastic_rounds = 0;  ///< of the fixed point between film and displacement
-  int unresolved = 0;  ///< films refused for being colder than all around, in the last thermal loop
 };
 
 /// What the journal must balance.

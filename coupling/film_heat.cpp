@@ -153,6 +153,7 @@ void fill_heat(const BearingModel& model, const FilmEquilibrium& s, const Fricti
   const FilmGrid& g = scene.grid;
   const GaussLobatto& gl = model.gl;
   const Field work = flow_work(model, s);
+  const Field fill = fluid::cell_fill(scene, s.film);
   p.heat = dissipation(gl, scene.speed, s.shear_gap, s.gradient_x, s.gradient_z, s.columns);
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
@@ -164,7 +165,7 @@ void fill_heat(const BearingModel& model, const FilmEquilibrium& s, const Fricti
         std::fill_n(heat, gl.n, 0.0);
         continue;
       }
-      const double volume = g.area(i, j) * s.shear_gap[c] * s.film.theta[c];
+      const double volume = g.area(i, j) * s.shear_gap[c] * fill[c];
       double sum = 0.0;
       for (int k = 0; k < gl.n; ++k) {
         heat[k] *= gl.w[k] * volume;

@@ -92,39 +92,12 @@ Solution from_cold(const Case& c, Tier tier, const SolveControl& control,
   return s;
 }
 
-constexpr int kMostNodes = 9;  ///< across the film, where they had to be raised
-
-/// True if more nodes across the film may make of the failure a solution.
-bool wants_nodes(const Solution& s) {
-  const Model& by = s.model.input.model;
-  return s.verdict.status == Status::iteration_limit && s.cost.unresolved > 0 &&
-         by.methods.across == AcrossFilm::lobatto && by.film_nodes < kMostNodes;
-}
-
-/// What was spent before counts too.
-void add(const EquilibriumCost& before, EquilibriumCost& cost) {
-  cost.factorizations += before.factorizations;
-  cost.newton_iterations += before.newton_iterations;
-  cost.krylov_iterations += before.krylov_iterations;
-  cost.fallback_steps += before.fallback_steps;
-  cost.rejected_steps += before.rejected_steps;
-}
-
 }  // namespace
 
 Solution solve_tier(const Case& c, Tier tier, const SolveControl& control,
                     std::shared_ptr<const Solids> solids) {
   const auto begin = std::chrono::steady_clock::now();
   Solution s = from_cold(c, tier, control, std::move(solids));
-  Case finer = c;
-  while (wants_nodes(s)) {
-    const bool nothing = s.levels.empty() && s.followed.part <= 0.0;  // on no grid
-    finer.model.film_nodes = nothing ? kMostNodes : finer.model.film_nodes + 2;
-    Solution again = from_cold(finer, tier, control, s.model.solids);
-    add(s.cost, again.cost);
-    s = std::move(again);
-    s.asked_nodes = c.model.film_nodes;
-  }
   s.wall_s = seconds_since(begin);
   return s;
 }

@@ -45,14 +45,10 @@ struct Solution {
   PathEnd followed;  ///< where film and heat had to be followed to the operation asked for
   std::optional<Coefficients> coefficients;  ///< if asked for, of the converged state
   std::vector<LevelRecord> levels;  ///< every grid of the ladder that converged, the last included
-  int asked_nodes =
-      0;  ///< across the film, where the case's number had to be raised; 0: it had not
   double wall_s = 0.0;
 };
 
-/// Solves the case in one tier. Where its nodes across the film do not resolve the temperature (the
-/// film would be colder than everything around it), more are taken, up to 9; the result says so.
-/// `solids`: operators of a former solve of the same geometry.
+/// Solves the case in one tier. `solids`: operators of a former solve of the same geometry.
 [[nodiscard]] Solution solve_tier(const Case& c, Tier tier, const SolveControl& control = {},
                                   std::shared_ptr<const Solids> solids = nullptr);
 

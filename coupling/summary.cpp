@@ -229,11 +229,6 @@ void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
                        " degC at one place, below everything around it: model.film_nodes does not "
                        "resolve it there");
   }
-  if (s.asked_nodes > 0) {
-    warnings.push_back("model.film_nodes was raised from " + std::to_string(s.asked_nodes) +
-                       " to " + std::to_string(s.model.input.model.film_nodes) +
-                       ": with fewer the film temperature is not resolved across the film");
-  }
   if (s.model.scene.rough.beyond_table) {
     warnings.push_back(
         "a roughness orientation lies outside the range 1/9 to 9 of the tabulated "
@@ -267,6 +262,7 @@ std::vector<LimiterCount> limiters_of(const Solution& s) {
   add("Newton steps taken back", s.cost.rejected_steps);
   add("Fischer-Burmeister steps", s.cost.fallback_steps);
   add("film nodes with flow against the rotation", s.heat.backflow_nodes);
+  add("film columns with upwind fluxes across the film", s.heat.blended_columns);
   return out;
 }
 

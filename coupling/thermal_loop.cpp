@@ -82,7 +82,7 @@ void ThermalTurn::finish(bool converged) {
   heat_.balance = energy.balance(film_.columns.T);
   heat_.T_mix = energy.mix_temperatures();
   heat_.backflow_nodes = energy.backflow_nodes();
-  if (verdict_.good()) verdict_ = second_law();
+  heat_.blended_columns = energy.blended_columns();
   if (verdict_.good() && !(change < kUnbalanced)) {
     verdict_ = {Status::iteration_limit,
                 fmt::format("film and walls do not come to balance (last change {:.2g} K)", change),
@@ -103,7 +103,6 @@ Verdict solve_thermal(const BearingModel& model, const LoadTarget& target,
                       const ThermalOptions& options, const SolveControl& control,
                       FilmEquilibrium& film, HeatState& heat, EquilibriumCost& cost,
                       std::vector<HistoryEntry>& history) {
-  cost.unresolved = 0;
   ThermalTurn turn(model, target, options, control, film, heat, cost, history);
   turn.take_contact_growth();
   std::vector<double> x = turn.pack();

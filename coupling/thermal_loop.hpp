@@ -39,6 +39,7 @@ struct HeatState {
   std::vector<double> T_mix;       ///< of each supply patch [K]
   thermal::WallResponse response;  ///< of the film to its walls, refreshed in early turns
   long backflow_nodes = 0;
+  long blended_columns = 0;
   double residual = 0.0;  ///< last change per turn [-]
   /// True once the film's heat has been balanced to the end.
   [[nodiscard]] bool known() const { return !T_mix.empty(); }

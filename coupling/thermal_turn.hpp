@@ -77,12 +77,10 @@ class ThermalTurn {
   double take_wall_temperatures();
   /// False, with the verdict set, if a temperature is not a number.
   [[nodiscard]] bool finite();
-  /// The same, and if the temperatures run away or fall below all that is liquid.
+  /// The same, and if the temperatures run away.
   [[nodiscard]] bool sound();
   [[nodiscard]] Verdict runaway(const std::string& what) const;
   [[nodiscard]] Verdict friction_runaway(double from, double to) const;
-  /// Refuses a film that is colder than everything around it.
-  [[nodiscard]] Verdict second_law();
   /// A film that fails because heat has thinned its oil is a thermal runaway.
   void name_the_failure();
   void report(const std::vector<double>& x, const std::vector<double>& g);

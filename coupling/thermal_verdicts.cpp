@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/constants.hpp"
-#include "coupling/coldest.hpp"
 #include "coupling/thermal_turn.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -19,14 +17,9 @@ bool ThermalTurn::finite() {
 }
 
 bool ThermalTurn::sound() {
-  constexpr double kFrozen = 150.0;  // colder than that no oil is a liquid, and no law holds [K]
   if (!finite()) return false;
-  const auto [low, high] = std::minmax_element(film_.columns.T.begin(), film_.columns.T.end());
-  if (*low < kFrozen) {
-    verdict_ = second_law();
-    return false;
-  }
-  const double rise = *high - model_.input.supplies.front().temperature;
+  const double high = *std::max_element(film_.columns.T.begin(), film_.columns.T.end());
+  const double rise = high - model_.input.supplies.front().temperature;
   if (rise < options_.runaway) return true;
   verdict_ = runaway(fmt::format("the film is {:.0f} K above the supply and rises", rise));
   return false;
@@ -59,22 +52,6 @@ void ThermalTurn::name_the_failure() {
       runaway(fmt::format("the film is {:.0f} K above the supply, its viscosity is {:.1e} "
                           "times that of the supplied oil, and no film is found any more",
                           T - T0, std::exp(-lost)));
-}
-
-Verdict ThermalTurn::second_law() {
-  constexpr double kRipple = 0.5;  // of the rise: beyond it is no ripple of the polynomials [-]
-  constexpr double kMargin = 2.0;  // [K]
-  const double coldest = coldest_around(model_);
-  const auto [low, high] = std::minmax_element(film_.columns.T.begin(), film_.columns.T.end());
-  if (*low >= coldest - kMargin - kRipple * (*high - coldest)) return {};
-  const int cell = static_cast<int>(low - film_.columns.T.begin()) / model_.gl.n;
-  if (*low > 0.0) ++cost_.unresolved;  // a place that nodes may resolve
-  return {Status::iteration_limit,
-          fmt::format("the film temperature falls to {:.0f} degC, below everything around it: the "
-                      "nodes across the film do not resolve it",
-                      *low - kZeroCelsius),
-          fluid::place_of(model_.scene.grid, cell),
-          "more model.film_nodes, a finer grid, or methods.across = \"layers\""};
 }
 
 double viscosity_change(const BearingModel& model, const FilmEquilibrium& film) {

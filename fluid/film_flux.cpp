@@ -159,10 +159,12 @@ void circumferential_faces(const Evaluation& e, FilmFlow& flow) {
         flow.phi[r] = {};
         continue;
       }
-      // A groove has its pressure up to its edge, which lies on the face.
-      const Half ha =
-          a.half(r, from_supply ? 0.0 : 0.5 * g.radius * g.dphi[west], e.oil.chi[l], false);
-      const Half hb = c.half(r, to_supply ? 0.0 : 0.5 * g.radius * g.dphi[i], e.oil.chi[r], false);
+      // A patch has its pressure up to its edge: nothing drops in its own half of the link.
+      const double reach = e.scene.supply.phi_reach[r];
+      const double of_l = to_supply ? reach : 0.5 * g.radius * g.dphi[west];
+      const double of_r = from_supply ? reach : 0.5 * g.radius * g.dphi[i];
+      const Half ha = a.half(r, from_supply ? 0.0 : of_l, e.oil.chi[l], false);
+      const Half hb = c.half(r, to_supply ? 0.0 : of_r, e.oil.chi[r], false);
       const int line = e.scene.supply.line[r];
       if (line < 0) {
         const double theta = U >= 0.0 ? e.state.theta[l] : e.state.theta[r];
@@ -218,8 +220,11 @@ void axial_faces(const Evaluation& e, FilmFlow& flow) {
           flow.z[f] = {};
           continue;
         }
-        const Half ha = a.half(f, from_supply ? 0.0 : g.z_face[j] - g.z[j - 1], 0.0, true);
-        const Half hb = c.half(f, to_supply ? 0.0 : g.z[j] - g.z_face[j], 0.0, true);
+        const double reach = e.scene.supply.z_reach[f];
+        const double of_l = to_supply ? reach : g.z_face[j] - g.z[j - 1];
+        const double of_r = from_supply ? reach : g.z[j] - g.z_face[j];
+        const Half ha = a.half(f, from_supply ? 0.0 : of_l, 0.0, true);
+        const Half hb = c.half(f, to_supply ? 0.0 : of_r, 0.0, true);
         const double rho = 0.5 * (e.oil.density[r - 1] + e.oil.density[r]);
         flow.z[f] =
             series_flow(ha, hb, e.side(r - 1), e.side(r), 0.0, 0.0, rho, g.radius * g.dphi[i]);

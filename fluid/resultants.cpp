@@ -86,6 +86,22 @@ Field pressure_gradient_z(const FilmScene& s, const FilmState& state) {
   return gradient;
 }
 
+Field cell_fill(const FilmScene& s, const FilmState& state) {
+  const FilmGrid& g = s.grid;
+  Field fill = state.theta;
+  for (int i = 0; i < g.nt; ++i) {
+    const int upstream = s.speed >= 0.0 ? g.previous(i) : g.next(i);
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      if (s.supply.cell[k] >= 0) continue;
+      const int face = s.speed >= 0.0 ? k : g.index(upstream, j);  // on the upstream side
+      const double entering = s.supply.line[face] >= 0 ? 1.0 : state.theta[g.index(upstream, j)];
+      fill[k] = 0.5 * (entering + state.theta[k]);
+    }
+  }
+  return fill;
+}
+
 ShearStress shear_stress(const FilmScene& s, const Field& h, const Field& g0, const Field& chi,
                          const FilmState& state, const Field& gradient, CavitatedShear rule) {
   ShearStress tau{Field(h.size()), Field(h.size())};
@@ -93,8 +109,9 @@ ShearStress shear_stress(const FilmScene& s, const Field& h, const Field& g0, co
   gap_transport(s.rough, h, gap);
   Field phi_f(h.size()), phi_fs(h.size()), phi_total(h.size()), h_phi_fp(h.size());
   gap_shear(s.rough, h, {phi_f, phi_fs, phi_total, h_phi_fp});
+  const Field fill = cell_fill(s, state);
   for (std::size_t k = 0; k < h.size(); ++k) {
-    const double weight = rule == CavitatedShear::filled ? state.theta[k] : 1.0;
+    const double weight = rule == CavitatedShear::filled ? fill[k] : 1.0;
     const double couette = weight * s.speed / g0[k] * phi_total[k];
     const double carried = 0.5 * gap.sigma_phi_s[k];
     tau.journal[k] = couette + (chi[k] * gap.average_gap[k] + carried) * gradient[k];

@@ -11,8 +11,8 @@
 /// For smooth surfaces U/F0 +- the pressure terms [textbook]. For rough ones it is the viscous
 /// stress of seed 000 Eq. 4 and the pressure on the flanks of the asperities together
 /// (fluid/flow_factors.hpp; seed 001, text after Eq. 1): the traction that brakes the shaft, and
-/// with which moment and power balance. The Couette part is multiplied by theta in the cavitated
-/// film (striated), or not (`full`).
+/// with which moment and power balance. The Couette part is multiplied by the fill of the cell in
+/// the cavitated film (striated), or not (`full`).
 #include <array>
 
 #include "fluid/film_flux.hpp"
@@ -37,6 +37,13 @@ struct ShearStress {
   Field journal;  ///< [Pa]
   Field shell;    ///< [Pa]
 };
+
+/// Mean fill ratio over each cell [-]. The flux pairs theta of a cell with the gap of its
+/// downstream face, so that theta belongs to that face; the mean over the cell is half the sum of
+/// the values on its two faces. Taking theta at the cell's middle instead shifts the cavitated zone
+/// by half a cell and makes the torque of first order. A supply line feeds full film; patches keep
+/// their own value.
+[[nodiscard]] Field cell_fill(const FilmScene& scene, const FilmState& state);
 
 enum class CavitatedShear { filled, full };
 

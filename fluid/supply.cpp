@@ -1,5 +1,6 @@
 #include "fluid/supply.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/constants.hpp"
@@ -8,6 +9,9 @@
 namespace shellback::fluid {
 namespace {
 
+/// Part of a link that its film unknown keeps from the edge: bounds the film matrix, and moves the
+/// edge by less than a thousandth of a cell [-].
+constexpr double kShortestReach = 1e-3;
 constexpr double kRoundOff = 1e-9;  ///< relative slack when a cell lies on the edge of a patch [-]
 
 /// a - b brought to [-pi, pi].
@@ -53,6 +57,58 @@ void mark_line(const FilmGrid& g, const SupplyPatch& s, int patch, SupplyMap& ma
     map.has_lines = true;
   }
 }
+
+/// Where the edge of a round hole cuts the link from a film unknown at distance `off` from the
+/// hole's middle, measured along the link, `across` from it the other way: distance from the
+/// unknown. All in radii. Negative: the link misses the circle.
+double to_circle(double off, double across) {
+  const double half_chord = 1.0 - across * across;
+  return half_chord < 0.0 ? -1.0 : std::abs(off) - std::sqrt(half_chord);
+}
+
+/// Distances of film unknowns to the patches beside them.
+class Reaches {
+ public:
+  Reaches(const FilmGrid& g, SupplyMap& map) : g_(g), map_(map) {}
+
+  void measure() {
+    map_.phi_reach.assign(g_.cells(), 0.0);
+    map_.z_reach.assign(static_cast<std::size_t>(g_.nt) * (g_.nz + 1), 0.0);
+    for (int i = 0; i < g_.nt; ++i) {
+      const int west = g_.previous(i);
+      for (int j = 0; j < g_.nz; ++j) {
+        const double link = 0.5 * g_.radius * (g_.dphi[i] + g_.dphi[west]);
+        map_.phi_reach[g_.index(i, j)] = between({i, j}, {west, j}, link, false);
+        if (j == 0) continue;
+        map_.z_reach[i * (g_.nz + 1) + j] =
+            between({i, j}, {i, j - 1}, g_.z[j] - g_.z[j - 1], true);
+      }
+    }
+  }
+
+ private:
+  struct Cell {
+    int i, j;
+  };
+  [[nodiscard]] double between(Cell a, Cell b, double link, bool axial) const {
+    const int patch_a = map_.cell[g_.index(a.i, a.j)], patch_b = map_.cell[g_.index(b.i, b.j)];
+    if ((patch_a >= 0) == (patch_b >= 0)) return 0.0;
+    const Cell film = patch_a >= 0 ? b : a;
+    const SupplyPatch& s = map_.patches[std::max(patch_a, patch_b)];
+    const double face =
+        axial ? std::abs(g_.z[film.j] - g_.z_face[a.j]) : 0.5 * g_.radius * g_.dphi[film.i];
+    if (!s.round) return face;
+    const double x = angle_between(g_.phi[film.i], s.phi) / (0.5 * s.arc);
+    const double z = (g_.z[film.j] - s.z) / (0.5 * s.length);
+    const double reach =
+        axial ? 0.5 * s.length * to_circle(z, x) : 0.5 * s.arc * g_.radius * to_circle(x, z);
+    // A hole finer than the grid is a cell: its circle does not cut this link.
+    return reach < 0.0 || reach > link ? face : std::max(reach, kShortestReach * link);
+  }
+
+  const FilmGrid& g_;
+  SupplyMap& map_;
+};
 
 }  // namespace
 
@@ -109,6 +165,7 @@ SupplyMap map_supplies(const FilmGrid& g, const std::vector<SupplyPatch>& patche
       }
     }
   }
+  Reaches(g, map).measure();
   return map;
 }
 

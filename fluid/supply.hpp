@@ -27,6 +27,11 @@ struct SupplyMap {
   std::vector<int> cell;  ///< per cell: patch it lies in, -1 for film
   std::vector<int> line;  ///< per west face of a cell: patch of the line on it, -1 for none
   bool has_lines = false;
+  /// Distance from the unknown of a film cell to the edge of the patch in the cell beside it, along
+  /// the link between the two [m]; per west face of a cell, and per axial face, i (nz + 1) + j.
+  /// Half the film cell where a face is the edge; the circle itself where a round hole's edge cuts
+  /// links. Zero on faces that do not part film and patch.
+  std::vector<double> phi_reach, z_reach;
 };
 
 /// Positions on which faces should lie: the ends of every patch [rad], [m].

@@ -12,6 +12,10 @@ namespace {
 
 constexpr int kMostNodes = 64;  ///< across the film; bounds the stack arrays below
 
+// Negative weights of a column from which on upwind fluxes begin, and are alone (header).
+constexpr double kBlendFrom = 0.25;
+constexpr double kBlendTo = 0.5;
+
 /// Gauss-Jordan inversion in place of a row-major m x m matrix with pivoting by rows [textbook].
 /// M = 0: any size; otherwise the size is known to the compiler.
 template <int M>
@@ -84,6 +88,7 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   const auto nodes = static_cast<std::size_t>(g.cells()) * n_;
   cross_.assign(nodes, 0.0);
   outflow_.assign(nodes, 0.0);
+  blend_.assign(g.cells(), 0.0);
   const auto cells = static_cast<std::size_t>(g.cells());
   const auto inner = static_cast<std::size_t>(n_ - 2);
   inverse_.assign(cells * inner * inner, 0.0);
@@ -168,27 +173,22 @@ void FilmEnergy::build_column(int i, int j) {
   for (int k = 1; k + 1 < n; ++k) {
     for (int l = 0; l < n; ++l) V[k] -= gl.Q[k * n + l] * divergence[l];
   }
-  const int m = n - 2;
-  double A[kMostNodes * kMostNodes];
-  for (int r = 0; r < n; ++r) matrix_row(cell, r, A + r * n);
-  double* inverse = &inverse_[static_cast<std::size_t>(cell) * m * m];
-  for (int r = 0; r < m; ++r) std::copy_n(A + (r + 1) * n + 1, m, inverse + r * m);
-  invert(inverse, m);
-  const double* heat = &p_.heat[static_cast<std::size_t>(cell) * n];
-  double* base = &base_[static_cast<std::size_t>(cell) * m];
-  double* by_shell = &by_shell_[static_cast<std::size_t>(cell) * m];
-  double* by_shaft = &by_shaft_[static_cast<std::size_t>(cell) * m];
-  for (int r = 0; r < m; ++r) {
-    for (int c = 0; c < m; ++c) {
-      base[r] += inverse[r * m + c] * heat[c + 1];
-      by_shell[r] += inverse[r * m + c] * A[(c + 1) * n];
-      by_shaft[r] += inverse[r * m + c] * A[(c + 1) * n + n - 1];
-    }
+  invert_column(cell);
+  blend_[cell] =
+      std::clamp((negative_weights(cell) - kBlendFrom) / (kBlendTo - kBlendFrom), 0.0, 1.0);
+  if (blend_[cell] > 0.0) {
+    invert_column(cell);
+    ++blended_;
   }
+  const int m = n - 2;
+  const double* by_shell = &by_shell_[static_cast<std::size_t>(cell) * m];
+  const double* by_shaft = &by_shaft_[static_cast<std::size_t>(cell) * m];
   // Heat into a wall per unit rise of it, the column following: a Schur complement.
   const auto schur = [&](int wall, const double* by_wall) {
+    double row[kMostNodes];
+    matrix_row(cell, wall, row);
     double response = p_.conductance[cell] * stiffness_[wall * n + wall];
-    for (int r = 0; r < m; ++r) response -= A[wall * n + r + 1] * by_wall[r];
+    for (int r = 0; r < m; ++r) response -= row[r + 1] * by_wall[r];
     return response / p_.grid->area(i, j);
   };
   const double shell = schur(0, by_shell);
@@ -198,15 +198,75 @@ void FilmEnergy::build_column(int i, int j) {
   shaft_ring_[j] += part * schur(n - 1, by_shaft);
 }
 
+void FilmEnergy::invert_column(int cell) {
+  const int n = n_;
+  const int m = n - 2;
+  double A[kMostNodes * kMostNodes];
+  for (int r = 0; r < m; ++r) matrix_row(cell, r + 1, A + r * n);
+  double* inverse = &inverse_[static_cast<std::size_t>(cell) * m * m];
+  for (int r = 0; r < m; ++r) std::copy_n(A + r * n + 1, m, inverse + r * m);
+  invert(inverse, m);
+  const double* heat = &p_.heat[static_cast<std::size_t>(cell) * n];
+  for (int r = 0; r < m; ++r) {
+    const std::size_t at = static_cast<std::size_t>(cell) * m + r;
+    base_[at] = by_shell_[at] = by_shaft_[at] = 0.0;
+    for (int c = 0; c < m; ++c) {
+      base_[at] += inverse[r * m + c] * heat[c + 1];
+      by_shell_[at] += inverse[r * m + c] * A[c * n];
+      by_shaft_[at] += inverse[r * m + c] * A[c * n + n - 1];
+    }
+  }
+}
+
+double FilmEnergy::negative_weights(int cell) const {
+  const int m = n_ - 2;
+  const std::size_t at = static_cast<std::size_t>(cell) * n_;
+  double entering[kMostNodes] = {};  // heat capacity flow into each interior node [W/K]
+  for (int f = 0; f < 4; ++f) {
+    for (int k = 0; k < m; ++k) entering[k] += inflow_[at * 4 + f * n_ + k + 1] * p_.cp[at + k + 1];
+  }
+  const double* inverse = &inverse_[static_cast<std::size_t>(cell) * m * m];
+  double worst = 0.0;
+  for (int r = 0; r < m; ++r) {
+    const std::size_t row = static_cast<std::size_t>(cell) * m + r;
+    double sum = std::max(by_shell_[row], 0.0) + std::max(by_shaft_[row], 0.0);
+    for (int c = 0; c < m; ++c) sum -= std::min(inverse[r * m + c] * entering[c], 0.0);
+    worst = std::max(worst, sum);
+  }
+  return worst;
+}
+
+void FilmEnergy::node_fluxes(int cell, double* M) const {
+  const GaussLobatto& gl = *p_.gl;
+  const double* V = &cross_[static_cast<std::size_t>(cell) * n_];
+  double sum = 0.0;
+  for (int k = 0; k + 1 < n_; ++k) {
+    for (int l = 0; l < n_; ++l) sum += gl.w[k] * gl.D[k * n_ + l] * V[l];
+    M[k] = sum;
+  }
+}
+
 void FilmEnergy::matrix_row(int cell, int k, double* row) const {
   const GaussLobatto& gl = *p_.gl;
   const double* V = &cross_[static_cast<std::size_t>(cell) * n_];
   const double* cp = &p_.cp[static_cast<std::size_t>(cell) * n_];
   const double K = p_.conductance[cell];
+  const double b = blend_[cell];
   for (int l = 0; l < n_; ++l) {
-    row[l] = gl.w[k] * gl.D[k * n_ + l] * V[l] * cp[l] + K * stiffness_[k * n_ + l];
+    row[l] = (1.0 - b) * gl.w[k] * gl.D[k * n_ + l] * V[l] * cp[l] + K * stiffness_[k * n_ + l];
   }
   row[k] += outflow_[static_cast<std::size_t>(cell) * n_ + k] * cp[k];
+  if (b == 0.0) return;
+  double M[kMostNodes];
+  node_fluxes(cell, M);
+  if (k + 1 < n_) {
+    row[k] += b * std::max(M[k], 0.0) * cp[k];
+    row[k + 1] += b * std::min(M[k], 0.0) * cp[k + 1];
+  }
+  if (k > 0) {
+    row[k - 1] -= b * std::max(M[k - 1], 0.0) * cp[k - 1];
+    row[k] -= b * std::min(M[k - 1], 0.0) * cp[k];
+  }
 }
 
 double FilmEnergy::wall_row(int cell, int k, const std::vector<double>& T,

@@ -11,6 +11,17 @@
 /// outflow at every node, a uniform temperature stays uniform, and sum w_k (D f)_k = f(1) - f(0)
 /// makes the energy balance of the film exact to round-off of the sweeps.
 ///
+/// D (V cp T) by collocation is not monotone where V is large against K/cp: in refilling cells
+/// beside a supply a column may answer what flows in, and its walls, with weights far below zero.
+/// There it is blended with upwind fluxes between the nodes,
+///   w_k (D (V cp T))_k -> F_k - F_{k-1},  F_k = M_k (cp T)_upwind,  M_k = sum_{l<=k} w_l (D V)_l
+///   (3)
+/// which telescope, so that nothing is lost, and keep a uniform temperature; with them alone the
+/// column's matrix has no positive entry off its diagonal but those of conduction. Share b of (3):
+/// nu is the largest sum, over the nodes of the column, of the negative weights; b = 0 up to
+/// nu = 1/4, 1 from nu = 1/2, linear between. A column of smooth flow has nu = 0 to 0.1; beyond 1/2
+/// its extremes are the scheme's own (docs/decisions/020).
+///
 /// Supply patches are mixing vessels:
 ///   T_mix O = lambda sum(I T) + (O - lambda I) T_supply + heat/cp                   (2)
 /// O, I gross mass flows out of and into the patch, lambda the part of the film oil that is mixed
@@ -105,6 +116,8 @@ class FilmEnergy {
   [[nodiscard]] EnergyBalance balance(const std::vector<double>& T) const;
   [[nodiscard]] const std::vector<double>& mix_temperatures() const { return T_mix_; }
   [[nodiscard]] long backflow_nodes() const { return backflow_; }
+  /// Columns in which (3) has a share.
+  [[nodiscard]] long blended_columns() const { return blended_; }
 
  private:
   struct VesselFlow {
@@ -123,6 +136,12 @@ class FilmEnergy {
   int faces_of(int i, int j, Inflow* faces) const;
   [[nodiscard]] double source_enthalpy(const Inflow& f, int k, const std::vector<double>& T) const;
   void build_column(int i, int j);
+  /// Inverse of the column's interior rows and what it makes of heat and walls.
+  void invert_column(int cell);
+  /// nu of the header, of the inverted column.
+  [[nodiscard]] double negative_weights(int cell) const;
+  /// M_k of (3) for k = 0 .. n - 2 [kg/s].
+  void node_fluxes(int cell, double* M) const;
   /// Row `k` of the column's matrix, weights included, by T - T_reference [W/K].
   void matrix_row(int cell, int k, double* row) const;
   /// Row k of (1) at a wall node, weights included: heat into that wall [W]. enthalpies_of(T)
@@ -142,6 +161,7 @@ class FilmEnergy {
   std::vector<double> stiffness_;  ///< conduction of the nodal set, n x n
   std::vector<double> cross_;      ///< V per cell and node [kg/s]
   std::vector<double> outflow_;    ///< w_k * sum of outflows, per cell and node [kg/s]
+  Field blend_;                    ///< b per cell [-]
   // Interior nodes of a column, solved: T = base - by_shell T_shell - by_shaft T_shaft
   // + inverse (inflow of enthalpy), temperatures from T_reference.
   std::vector<double> inverse_;                  ///< (n-2)^2 per cell
@@ -156,6 +176,7 @@ class FilmEnergy {
   double shell_local_ = 0.0;                     ///< largest of all columns [W/(m2 K)]
   std::vector<double> shell_ring_, shaft_ring_;  ///< mean over the columns at each z [W/(m2 K)]
   long backflow_ = 0;
+  long blended_ = 0;
 };
 
 }  // namespace shellback::thermal

@@ -158,6 +158,31 @@ TEST_CASE("MoreNodesAcrossTheFilmConvergeOnTheSameFriction", "[thermal_loop]") {
   CHECK(torque[0] == Approx(torque[2]).epsilon(5e-3));  // methods 0: 5 nodes by default
 }
 
+TEST_CASE("FiveNodesAcrossTheFilmSufficeBesideASupply", "[thermal_loop]") {
+  // Refilling columns beside the groove: five nodes were 16 K and 5 K too hot there, in one node.
+  struct Point {
+    double load;  ///< [N]
+    double rpm;
+  };
+  for (const Point& at : {Point{10e3, 3000.0}, Point{8e3, 1500.0}}) {
+    for (const std::array<int, 2>& grid : {std::array{100, 13}, std::array{200, 25}}) {
+      Case c = grooved_case();
+      set_load(c, at.load);
+      c.operation.omega = at.rpm * kPi / 30.0;
+      c.model.grid = grid;
+      c.model.film_nodes = 9;
+      const double nine = solved(c, Tier::thd).value("T_film_max");
+      c.model.film_nodes = 5;
+      const Result five = solved(c, Tier::thd);
+      INFO(at.load << " N, " << at.rpm << " rpm, " << grid[0] << " cells around");
+      CHECK(std::abs(five.value("T_film_max") - nine) < 0.2);  // [K], of a rise of 8 to 16 K
+      CHECK(std::any_of(five.limiters.begin(), five.limiters.end(), [](const LimiterCount& l) {
+        return l.what.find("upwind fluxes") != std::string::npos;
+      }));
+    }
+  }
+}
+
 TEST_CASE("NoFilmIsColderThanAllAroundIt", "[thermal_loop]") {
   Case free = rig_case();  // slow, smooth, free to tilt: a film of 0.3 um between the walls
   free.operation.omega = 23.2;

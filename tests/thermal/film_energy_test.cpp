@@ -1,5 +1,6 @@
 #include "thermal/film_energy.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/thermal/film_ring.hpp"
@@ -70,6 +71,16 @@ Ring random_bearing(unsigned seed, double carry_over, double scatter) {
   return r;
 }
 
+/// A ring with one groove, strong random flows across each other and next to no conduction.
+Ring wild_ring(int n, unsigned seed) {
+  std::mt19937 engine(seed);
+  Ring r(16, 5, n);
+  for (const int j : {1, 2, 3}) r.problem.patch[r.grid.index(4, j)] = 0;
+  random_flows(r, 1e-4, 1.5, engine);  // scatter above the mean: backflow as well
+  random_conduction(r, 1e-4, engine);  // a two-thousandth of what the flow carries
+  return r;
+}
+
 double mean_change(const FilmGrid& g, const Field& a, const Field& b) {
   double sum = 0.0;
   double area = 0.0;
@@ -118,6 +129,42 @@ TEST_CASE("UniformTemperatureStaysUniform", "[film_energy]") {
     const WallHeat q = film.wall_heat(r.T);
     for (int c = 0; c < r.grid.cells(); ++c)
       CHECK(std::abs(q.shell[c]) < 1e-11);  // of 10 W by flow
+  }
+}
+
+TEST_CASE("StrongFlowAcrossTheFilmKeepsTemperaturesWithinSourcesAndWalls", "[film_energy]") {
+  for (const int n : {5, 7, 9}) {
+    for (const unsigned seed : {21u, 22u, 23u, 24u}) {
+      Ring r = wild_ring(n, seed);
+      const double low = 300.0, high = 340.0;
+      r.problem.vessels.push_back({330.0, 2000.0, 2000.0, 1.0, 0.0});
+      r.problem.T_edge = 310.0;
+      r.set_walls(high, low);
+      FilmEnergy film = r.film();
+      settle(film, r.T);
+      INFO(n << " nodes, seed " << seed << ", blended " << film.blended_columns());
+      CHECK(film.blended_columns() > r.grid.cells() / 2);
+      const auto [least, most] = std::minmax_element(r.T.begin(), r.T.end());
+      CHECK(*least > low - 1e-9);
+      CHECK(*most < high + 1e-9);
+      const EnergyBalance b = film.balance(r.T);
+      CHECK(std::abs(b.imbalance()) < 1e-12 * (b.carried_in + b.carried_out));
+    }
+  }
+}
+
+TEST_CASE("UniformTemperatureStaysUniformUnderUpwindFluxes", "[film_energy]") {
+  for (const int n : {5, 7, 9}) {
+    Ring r = wild_ring(n, 31);
+    const double warm = 350.0;
+    r.problem.T_edge = warm;
+    r.problem.vessels.push_back({warm, 2000.0, 2000.0, 1.0, 0.0});
+    for (double& T : r.T) T = warm;
+    FilmEnergy film = r.film();
+    CHECK(film.blended_columns() > r.grid.cells() / 2);
+    double change = 0.0;
+    for (int k = 0; k < 5; ++k) change = std::max(change, film.sweep(r.T));
+    CHECK(change < 1e-9);  // round-off of 50 K of enthalpy, conduction being next to nothing
   }
 }
 

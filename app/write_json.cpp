@@ -102,6 +102,19 @@ Json effects(const coupling::Result& result) {
   return all;
 }
 
+/// Temperatures at which the lumped heat balance is met, rising.
+Json heat_roots(const coupling::Result& result) {
+  Json all = Json::array();
+  for (const auto& root : result.heat_roots) {
+    all.push_back({{"T_film_mean", with_unit(root.T, "K")},
+                   {"stable", root.stable()},
+                   {"solution", root.T == result.value("T_film_mean")},
+                   {"friction_torque", with_unit(root.friction_torque, "N m")},
+                   {"h_min", with_unit(root.h_min, "m")}});
+  }
+  return all;
+}
+
 Json history(const coupling::Result& result) {
   Json all = Json::array();
   for (const auto& entry : result.history) {
@@ -166,6 +179,7 @@ Json to_json(const coupling::Case& c, const coupling::Result& result) {
   json["quantities"] = quantities(result);
   json["audit"] = audit_json(result.audit);
   if (result.coefficients) json["coefficients"] = coefficients(*result.coefficients);
+  if (!result.heat_roots.empty()) json["heat_roots"] = heat_roots(result);
   json["effects"] = effects(result);
   json["limiters"] = Json::array();
   for (const auto& l : result.limiters) {

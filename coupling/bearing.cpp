@@ -7,6 +7,7 @@
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/even_layers.hpp"
+#include "core/largest.hpp"
 #include "coupling/possible_methods.hpp"
 #include "coupling/solids.hpp"
 #include "rheology/viscosity.hpp"
@@ -69,11 +70,10 @@ Field steps_of(const Case& c, const FilmGrid& g) {
 
 bool profile_is_symmetric(const Profile& p) {
   constexpr double kSlack = 1e-9;  // of the largest height
-  double largest = 0.0;
-  for (const double h : p.height) largest = std::max(largest, std::abs(h));
+  const double highest = largest_magnitude(p.height);
   for (const double phi : p.phi) {
     for (const double z : p.z) {
-      if (std::abs(profile_at(p, phi, z) - profile_at(p, phi, -z)) > kSlack * largest) return false;
+      if (std::abs(profile_at(p, phi, z) - profile_at(p, phi, -z)) > kSlack * highest) return false;
     }
   }
   return true;

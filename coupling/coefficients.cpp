@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/largest.hpp"
 #include "coupling/film_response.hpp"
 #include "coupling/solve.hpp"
 
@@ -12,12 +13,8 @@ namespace {
 
 double determinant(const Matrix2& m) { return m[0][0] * m[1][1] - m[0][1] * m[1][0]; }
 
-double largest(const Matrix2& m) {
-  double most = 0.0;
-  for (const auto& row : m) {
-    for (const double x : row) most = std::max(most, std::abs(x));
-  }
-  return most;
+double largest_entry(const Matrix2& m) {
+  return larger(largest_magnitude(m[0]), largest_magnitude(m[1]));
 }
 
 void put_column(const BearingModel& model, int unknowns, int column, const Field& pressure,
@@ -147,8 +144,8 @@ Coefficients coefficients_of(const Solution& s, double tolerance) {
   perturb(s, tolerance, out, C_cavitated);
   if (out.verdict.good()) {
     derive(s, out);
-    const double C = largest(forces_of(out.C));
-    out.cavitated_share = C > 0.0 ? largest(forces_of(C_cavitated)) / C : 0.0;
+    const double C = largest_entry(forces_of(out.C));
+    out.cavitated_share = C > 0.0 ? largest_entry(forces_of(C_cavitated)) / C : 0.0;
   }
   out.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/largest.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -102,7 +103,7 @@ void update_columns(const rheology::Oil& oil, const GaussLobatto& gl, double spe
       rheology::shear_thinned(oil, low, tau, c.eta, 1);  // the stresses are not final either
       c.mismatch = 0.0;
       for (std::size_t k = 0; k < tau.size(); ++k) {
-        c.mismatch = std::max(c.mismatch, std::abs(c.eta[k] / before[k] - 1.0));
+        c.mismatch = larger(c.mismatch, std::abs(c.eta[k] / before[k] - 1.0));
       }
     } while (++c.substitutions < kMostSubstitutions && c.mismatch > tolerance);
   } else {

@@ -1,11 +1,9 @@
 #include "coupling/compare.hpp"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/bracketed_root.hpp"
 #include "coupling/nested.hpp"
 
 namespace shellback::coupling {
@@ -86,55 +84,34 @@ void split_friction(const Solution& isothermal, const Solution& full, const Solv
 }
 
 /// Film temperature at which the isothermal torque is `wanted` [K]; NaN if none within the oil's
-/// range. Warm-started from T to T, regula falsi with bisection (GSL's Brent).
+/// range. Warm-started from T to T.
 double calibrate(const Case& c, double wanted, double guess, const SolveControl& control) {
   constexpr double kHalfRange = 60.0;  // searched on both sides of the guess [K]
   constexpr double kTolerance = 1e-4;  // [K]
   Solution s = solve_isothermal_at(c, guess, control);
   if (!s.verdict.good()) return NAN;
-  struct Search {
-    Solution& s;
-    double wanted;
-    const std::atomic<bool>* stop;
-  } search{s, wanted, control.stop};
-  gsl_function f;
-  f.params = &search;
-  f.function = [](double T, void* data) {
-    Search& a = *static_cast<Search*>(data);
-    std::fill(a.s.film.columns.T.begin(), a.s.film.columns.T.end(), T);
-    FilmEquilibrium trial = a.s.film;
+  const auto excess = [&](double T) {
+    std::fill(s.film.columns.T.begin(), s.film.columns.T.end(), T);
+    FilmEquilibrium trial = s.film;
     EquilibriumOptions loose;
     loose.load_tolerance = 1e-7;
-    const Verdict v = solve_equilibrium(a.s.model, a.s.target, {}, loose, trial, a.s.cost, a.stop);
+    const Verdict v = solve_equilibrium(s.model, s.target, {}, loose, trial, s.cost, control.stop);
     if (!v.good()) return static_cast<double>(NAN);
-    a.s.film = trial;
-    const Friction friction = friction_of(a.s.model, trial);
-    return friction.viscous + friction.asperity - a.wanted;
+    s.film = trial;
+    const Friction friction = friction_of(s.model, trial);
+    return friction.viscous + friction.asperity - wanted;
   };
-  double low = guess;
-  double high = guess;
-  const double here = GSL_FN_EVAL(&f, guess);
-  if (here == 0.0) return guess;
-  double other = here;
-  for (double reach = 4.0; reach <= kHalfRange && other * here > 0.0; reach *= 2.0) {
-    const double T = here > 0.0 ? guess + reach : guess - reach;  // warmer oil, less friction
-    other = GSL_FN_EVAL(&f, T);
-    (here > 0.0 ? high : low) = T;
+  KnownPoint here{guess, excess(guess)};
+  if (here.f == 0.0) return guess;
+  KnownPoint other = here;
+  for (double reach = 4.0; reach <= kHalfRange && other.f * here.f > 0.0; reach *= 2.0) {
+    here = other;
+    other.x = here.f > 0.0 ? guess + reach : guess - reach;  // warmer oil, less friction
+    other.f = excess(other.x);
   }
-  if (!(other * here < 0.0)) return NAN;
-  gsl_set_error_handler_off();
-  gsl_root_fsolver* solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-  double T = NAN;
-  if (gsl_root_fsolver_set(solver, &f, low, high) == GSL_SUCCESS) {
-    for (int it = 0; it < 40; ++it) {
-      if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS) break;
-      T = gsl_root_fsolver_root(solver);
-      const double width = gsl_root_fsolver_x_upper(solver) - gsl_root_fsolver_x_lower(solver);
-      if (std::abs(width) < kTolerance) break;
-    }
-  }
-  gsl_root_fsolver_free(solver);
-  return T;
+  if (!(other.f * here.f < 0.0)) return NAN;
+  const BracketedRoot root = bracketed_root(excess, here, other, {0.0, kTolerance});
+  return root.found ? root.at.x : NAN;
 }
 
 }  // namespace

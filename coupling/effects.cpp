@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/largest.hpp"
 #include "rheology/density.hpp"
 #include "rheology/heat.hpp"
 #include "rheology/viscosity.hpp"
@@ -31,7 +32,7 @@ Probe probe(const Solution& s) {
   p.eta = rheology::viscosity(m.input.oil, p.T, 0.0);
   p.beta = -v.dln_dT;
   p.slope = 1.0 - v.eta / p.eta;
-  p.p_max = *std::max_element(s.film.film.p.begin(), s.film.film.p.end());
+  p.p_max = largest(s.film.film.p);
   p.h_min = std::max(s.film.least.h, 1e-9);
   return p;
 }
@@ -57,16 +58,14 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
   out.push_back({"temperature across the film", has.film_energy, p.beta * p.eta * U * U / k,
                  "Nahme number; below 0.05 none, above 0.2 resolve it"});
   if (has.elastic) {
-    const double opening = *std::max_element(s.film.elastic.begin(), s.film.elastic.end());
+    const double opening = largest(s.film.elastic);
     out.push_back({"elastic deformation", true, opening / p.h_min,
                    "largest opening over smallest film; below 0.03 none, above 0.1 model it"});
   } else {
     out.push_back({"elastic deformation", false, NAN, "not computed in this tier"});
   }
   if (has.growth) {
-    double most = 0.0;
-    for (const double d : s.heat.growth) most = std::max(most, std::abs(d));
-    out.push_back({"thermal deformation", true, most / m.clearance,
+    out.push_back({"thermal deformation", true, largest_magnitude(s.heat.growth) / m.clearance,
                    "largest thermal change of the gap over clearance; above 0.05 model it"});
   } else {
     out.push_back({"thermal deformation", false, NAN, "not computed in this tier"});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/largest.hpp"
 #include "coupling/solids.hpp"
 
 namespace shellback::coupling {
@@ -16,12 +17,6 @@ constexpr double kFirstRelaxation = 0.1;  ///< of Aitken's: small enough for an 
 constexpr double kLeast = 0.01;           ///< relaxation below which nothing moves any more [-]
 constexpr double kGrown = 30.0;           ///< growth of the mismatch over its best, and
 constexpr double kLost = 3.0;  ///< mismatch in smallest gaps, that together are divergence [-]
-
-double largest(const Field& x) {
-  double m = 0.0;
-  for (const double v : x) m = std::isfinite(v) ? std::max(m, std::abs(v)) : INFINITY;
-  return m;
-}
 
 Field sum(const Field& a, const Field& b) {
   if (a.empty()) return b;
@@ -83,18 +78,18 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
     if (v.status == Status::interrupted) return v;
     if (!v.good())
       return diverged("round " + std::to_string(round + 1) + " has no film: " + v.reason,
-                      largest(d), s.least.h);
+                      largest_magnitude(d), s.least.h);
     Field total = s.film.p;
     for (std::size_t k = 0; k < total.size(); ++k) total[k] += s.p_contact[k];
     Field r = model.solids->compliance(total);
     for (std::size_t k = 0; k < r.size(); ++k) r[k] -= d[k];
-    norm = largest(r) / (std::max(s.least.h, 0.0) + model.scene.rough.sigma + 1e-9);
+    norm = largest_magnitude(r) / (std::max(s.least.h, 0.0) + model.scene.rough.sigma + 1e-9);
     const bool settled = norm <= options.elastic_tolerance;
     const bool sharp = film.film_tolerance <= options.film_tolerance &&
                        film.load_tolerance <= options.load_tolerance;
     if (settled && sharp) return {};
     if (!(norm < std::max(kGrown * best, kLost))) {
-      return diverged(fmt::format("the mismatch grows to {:.2g} gaps", norm), largest(d),
+      return diverged(fmt::format("the mismatch grows to {:.2g} gaps", norm), largest_magnitude(d),
                       s.least.h);
     }
     if (norm < best) {

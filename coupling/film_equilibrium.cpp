@@ -5,6 +5,8 @@
 #include <complex>
 
 #include "core/constants.hpp"
+#include "core/largest.hpp"
+#include "coupling/closed_gap.hpp"
 #include "coupling/elastic_step.hpp"
 #include "coupling/equilibrium_step.hpp"
 #include "coupling/film_verdicts.hpp"
@@ -87,12 +89,6 @@ void evaluate_contact(const BearingModel& model, FilmEquilibrium& s) {
   }
 }
 
-double largest(const Field& x) {
-  double m = 0.0;
-  for (const double v : x) m = std::isfinite(v) ? std::max(m, std::abs(v)) : INFINITY;
-  return m;
-}
-
 /// How far a force is from the wanted one, in logarithms: |ln(target/F)|, forces as complex
 /// numbers.
 double distance(const fluid::Wrench& force, const LoadTarget& target) {
@@ -111,19 +107,19 @@ Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
                        const FilmEquilibrium& s) {
   Residuals r;
   r.film = fluid::film_residual(model.scene, s.flow);
-  r.film_norm = largest(r.film) / fluid::flow_scale(model.scene, s.flow);
+  r.film_norm = largest_magnitude(r.film) / fluid::flow_scale(model.scene, s.flow);
   if (target.unknowns > 0) {
     const double arm = 0.5 * model.scene.grid.width;
     for (int k = 0; k < target.unknowns; ++k) {
       const double unit = k < 2 ? target.scale() : target.scale() * arm;
-      r.load_norm = std::max(r.load_norm, std::abs(s.force[k] - target.force[k]) / unit);
+      r.load_norm = larger(r.load_norm, std::abs(s.force[k] - target.force[k]) / unit);
     }
   }
   if (!s.elastic.empty()) {
     r.displacement = displacement(model, s);
     for (std::size_t k = 0; k < r.displacement.size(); ++k) r.displacement[k] -= s.elastic[k];
-    r.elastic_norm =
-        largest(r.displacement) / (std::max(s.least.h, 0.0) + model.scene.rough.sigma + 1e-9);
+    r.elastic_norm = largest_magnitude(r.displacement) /
+                     (std::max(s.least.h, 0.0) + model.scene.rough.sigma + 1e-9);
   }
   return r;
 }
@@ -205,8 +201,7 @@ bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
   s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position,
                           sum(growth, s.elastic), model.step);
   s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
-  if (scene.rough.sigma <= 0.0 && !(s.least.h > 0.0)) return false;
-  if (!std::isfinite(largest(s.gap.cell))) return false;
+  if (is_closed(model, s) || !std::isfinite(largest_magnitude(s.gap.cell))) return false;
   s.shear_gap = shear_gap(model, s.gap.cell);
   s.gradient_x = fluid::pressure_gradient_x(scene, s.film);
   s.gradient_z = fluid::pressure_gradient_z(scene, s.film);
@@ -263,12 +258,16 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
     bool possible = evaluate(model, growth, viscosity_tolerance, s);
     if (possible) {
       r = residuals_of(model, target, s);
-      possible = std::isfinite(r.film_norm) && std::isfinite(r.load_norm);
+      possible =
+          std::isfinite(r.film_norm) && std::isfinite(r.load_norm) && !std::isnan(r.elastic_norm);
     }
     if (!possible) {
-      if (it == 0) return closed_gap(s);
+      if (it == 0 && open_gap(model, target, growth, s)) continue;
+      const Verdict none = no_film(model, target, growth, s);
+      if (it == 0) return none;
       if (retreat()) continue;
       return refuse([&] {
+        if (none.status == Status::invalid_number) return none;
         return s.elastic.empty() ? limit_load(model, target, carried, worst_cell)
                                  : stuck(model, s, r, it);
       });
@@ -306,9 +305,7 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
     const NewtonStep step = s.elastic.empty()
                                 ? rigid_step(model, now, s, r.film, {reach, damping}, cost)
                                 : elastic_step(model, now, s, r.film, r.displacement, cost);
-    if (!step.good)
-      return {Status::iteration_limit, "the film matrix is singular: parts of the film get no oil",
-              "", "feed more oil, or turn the supply away from the load"};
+    if (!step.good) return singular_film(model, s);
     const auto report = take(model, step, s.elastic.empty() ? 1.0 : reach, s);
     // A rigid film of that gap has no pressure; an elastic one gives way, the step was only long.
     if (report.beyond_barus == 0 || !s.elastic.empty()) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/largest.hpp"
 #include "coupling/gmres.hpp"
 #include "coupling/solids.hpp"
 
@@ -17,12 +18,6 @@ constexpr int kMostSweeps = 20;      ///< enough where a sweep leaves a half
 constexpr double kKrylovPart = 0.1;  ///< of the tolerance that GMRES may use up [-]
 constexpr double kCorrectionTolerance =
     1e-3;  ///< of GMRES for a correction, itself a few per cent [-]
-
-double largest(const Field& x) {
-  double m = 0.0;
-  for (const double v : x) m = std::max(m, std::abs(v));
-  return m;
-}
 
 }  // namespace
 
@@ -103,14 +98,14 @@ LinearFilm::Answer LinearFilm::solve(const Field& a, const Field& r, double tole
 Field LinearFilm::residual_along(const Answer& x, int component) const {
   const std::size_t n = x.u.size();
   const double gap = std::max(s_.least.h, 0.0) + 3.0 * model_.scene.rough.sigma;
-  const double p_scale = largest(s_.film.p);
+  const double p_scale = largest_magnitude(s_.film.p);
   double size = 0.0;  // how far one unit of the answer moves the film, relative
   for (std::size_t k = 0; k < n; ++k) {
-    size = std::max(size, std::abs(x.u[k]) / (s_.film.full[k] ? p_scale : 1.0));
+    size = larger(size, std::abs(x.u[k]) / (s_.film.full[k] ? p_scale : 1.0));
   }
   if (component >= 0)
     size = std::max(size, (component < 2 ? 1.0 : 0.5 * model_.scene.grid.width) / gap);
-  size = std::max(size, largest(x.d) / gap);
+  size = larger(size, largest_magnitude(x.d) / gap);
   const double t = kMove / size;
   FilmEquilibrium f = s_;
   if (component >= 0) f.position.q[component] += t;
@@ -129,8 +124,9 @@ FilmResponse LinearFilm::sharpened(const Field& a, const Field& r, const Field& 
                                    int component) {
   const std::size_t n = a.size();
   Answer x = solve(a, r, kKrylovPart * tolerance_);
-  double last = largest(x.P);
-  bool settled = residual_.empty() || (largest(x.u) == 0.0 && largest(x.P) == 0.0);
+  double last = largest_magnitude(x.P);
+  bool settled =
+      residual_.empty() || (largest_magnitude(x.u) == 0.0 && largest_magnitude(x.P) == 0.0);
   for (int sweep = 0; sweep < kMostSweeps && !settled; ++sweep) {
     Field defect = residual_along(x, component);
     for (std::size_t k = 0; k < n; ++k) {
@@ -142,9 +138,9 @@ FilmResponse LinearFilm::sharpened(const Field& a, const Field& r, const Field& 
       x.P[k] += more.P[k];
     }
     for (std::size_t k = 0; k < x.d.size(); ++k) x.d[k] += more.d[k];
-    const double correction = largest(more.P);
+    const double correction = largest_magnitude(more.P);
     const double left = last > 0.0 ? correction / last : 0.0;  // part that a sweep leaves wrong
-    settled = left * correction <= tolerance_ * largest(x.P);
+    settled = left * correction <= tolerance_ * largest_magnitude(x.P);
     last = correction;
   }
   converged_ = converged_ && settled;

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <optional>
 
+#include "core/largest.hpp"
+#include "coupling/closed_gap.hpp"
 #include "coupling/equilibrium_step.hpp"
+#include "coupling/film_verdicts.hpp"
 #include "fluid/fischer_burmeister.hpp"
 #include "fluid/p_theta.hpp"
 #include "fluid/swift_stieber.hpp"
@@ -55,7 +58,6 @@ class FilmAndPosition {
   /// dF/dq by moving the journal; false if a film fails.
   [[nodiscard]] bool probe(double tolerance, Stiffness& stiffness);
   [[nodiscard]] double off() const;
-  [[nodiscard]] Verdict closed_gap() const;
 
  private:
   [[nodiscard]] RestingFilm relaxed(const fluid::OilLaw& oil, double tolerance);
@@ -68,13 +70,6 @@ class FilmAndPosition {
   FilmEquilibrium& s_;
   EquilibriumCost& cost_;
 };
-
-Verdict FilmAndPosition::closed_gap() const {
-  return {
-      Status::no_steady_state,
-      fmt::format("smooth surfaces touch at the start: smallest gap {:.3g} um", s_.least.h * 1e6),
-      "", "give roughness and contact data, or lower the eccentricity or the tilt"};
-}
 
 RestingFilm FilmAndPosition::relaxed(const fluid::OilLaw& oil, double tolerance) {
   fluid::RelaxationOptions o;
@@ -103,9 +98,7 @@ RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double toleran
   RingFactor factor;
   ++cost_.factorizations;
   if (factor.factorize(matrix)) return {{}, std::move(factor)};
-  return {{Status::iteration_limit, "the film matrix is singular: parts of the film get no oil", "",
-           "feed more oil, or turn the supply away from the load"},
-          {}};
+  return {singular_film(model_, s_), {}};
 }
 
 RestingFilm FilmAndPosition::settle(double tolerance) {
@@ -113,13 +106,13 @@ RestingFilm FilmAndPosition::settle(double tolerance) {
   s_.gap = fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position, growth_,
                            model_.step);
   s_.least = fluid::smallest_gap(scene.grid, s_.gap, model_.step);
-  if (scene.rough.sigma <= 0.0 && !(s_.least.h > 0.0)) return {closed_gap(), {}};
+  if (is_closed(model_, s_)) return {no_film(model_, target_, growth_, s_), {}};
   s_.shear_gap = shear_gap(model_, s_.gap.cell);
   const fluid::OilLaw oil = oil_law(model_, s_, 0.3 * options_.viscosity_tolerance);
   const bool relaxing = model_.input.model.methods.cavitation == CavitationMethod::p_theta;
   RestingFilm film = relaxing ? relaxed(oil, tolerance) : factorised(oil, tolerance);
   if (film.verdict.good() && !evaluate(model_, growth_, 0.3 * options_.viscosity_tolerance, s_)) {
-    film.verdict = closed_gap();
+    film.verdict = no_film(model_, target_, growth_, s_);
   }
   return film;
 }
@@ -176,7 +169,7 @@ double FilmAndPosition::off() const {
   double most = 0.0;
   for (int k = 0; k < target_.unknowns; ++k) {
     const double unit = k < 2 ? target_.scale() : target_.scale() * arm;
-    most = std::max(most, std::abs(s_.force[k] - target_.force[k]) / unit);
+    most = larger(most, std::abs(s_.force[k] - target_.force[k]) / unit);
   }
   return most;
 }

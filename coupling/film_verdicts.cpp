@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/constants.hpp"
+#include "coupling/closed_gap.hpp"
+#include "fluid/film_numbers.hpp"
 
 namespace shellback::coupling {
 
@@ -28,14 +29,41 @@ Verdict limit_load(const BearingModel& model, const LoadTarget& target, double c
       "switch on elastic deformation, use the Roelands law, or lower the load"};
 }
 
-Verdict closed_gap(const FilmEquilibrium& s) {
-  return {Status::no_steady_state,
-          fmt::format(
-              "the surfaces touch before the solve begins (smallest gap {:.3g} um): the clearance "
-              "is used up by thermal growth, profile or eccentricity",
-              s.least.h * 1e6),
-          fmt::format("phi {:.1f} deg, z {:.2f} mm", s.least.phi * 180.0 / kPi, s.least.z * 1e3),
-          "give roughness and contact data, or a larger clearance"};
+Verdict no_film(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                const FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = model.scene;
+  for (const auto& found :
+       {find_not_a_number(FieldName::journal_position, s.position.q, 4),
+        find_not_a_number(FieldName::thermal_growth, growth),
+        find_not_a_number(FieldName::elastic_opening, s.elastic),
+        find_not_a_number(FieldName::film_temperature, s.columns.T, model.gl.n)}) {
+    if (!found) continue;
+    const bool placed = found->field != FieldName::journal_position;
+    return fluid::ended_by(scene.grid, {found->field, placed ? found->cell : -1});
+  }
+  if (is_closed(model, s)) return closed_gap(model, target, growth, s);
+  const auto contact = find_not_a_number(FieldName::contact_pressure, s.p_contact);
+  const NotANumber in_film = fluid::first_not_a_number(s.gap, s.film, s.oil, s.flow);
+  const bool later = contact && in_film.cell < 0;
+  return fluid::ended_by(scene.grid, later ? *contact : in_film);
+}
+
+Verdict singular_film(const BearingModel& model, const FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = model.scene;
+  const NotANumber found = fluid::first_not_a_number(s.gap, s.film, s.oil, s.flow);
+  if (found.cell >= 0) return fluid::ended_by(scene.grid, found);
+  constexpr double kDeep = 10.0;  // below the mean plane no oil is left between rough surfaces [-]
+  const double sigma = scene.rough.sigma;
+  if (sigma > 0.0 && s.least.h < -kDeep * sigma) {
+    return {Status::iteration_limit,
+            fmt::format("no oil passes where the surfaces lie in each other: the nominal gap is "
+                        "{:.3g} um, {:.0f} times the roughness below zero",
+                        s.least.h * 1e6, -s.least.h / sigma),
+            fluid::place_of(s.least),
+            "lower the load or the tilt, or give a larger clearance or stiffer contact"};
+  }
+  return {Status::iteration_limit, "the film matrix is singular: parts of the film get no oil", "",
+          "feed more oil, or turn the supply away from the load"};
 }
 
 Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residuals& r,

@@ -1,5 +1,6 @@
 #pragma once
-/// Why film, position and elastic surfaces found no equilibrium: reason, place, cure.
+/// Why film, position and elastic surfaces found no equilibrium: reason, place, cure. A closed gap
+/// is told by coupling/closed_gap.hpp.
 #include "coupling/film_equilibrium.hpp"
 
 namespace shellback::coupling {
@@ -24,8 +25,13 @@ struct Residuals {
 [[nodiscard]] Verdict limit_load(const BearingModel& model, const LoadTarget& target,
                                  double carried, int worst_cell);
 
-/// Smooth surfaces touch in the state that the solve was to begin with.
-[[nodiscard]] Verdict closed_gap(const FilmEquilibrium& state);
+/// Why the state has no film or no residual: a field holds what is not a number, or the gap of
+/// smooth surfaces is closed.
+[[nodiscard]] Verdict no_film(const BearingModel& model, const LoadTarget& target,
+                              const Field& growth, const FilmEquilibrium& state);
+
+/// The film matrix could not be factorised.
+[[nodiscard]] Verdict singular_film(const BearingModel& model, const FilmEquilibrium& state);
 
 /// Smooth elastic surfaces are nearer than a molecule and carry no more than `part` of the load.
 [[nodiscard]] Verdict no_film_left(const FilmEquilibrium& state, const LoadTarget& target,

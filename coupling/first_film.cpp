@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/largest.hpp"
 #include "coupling/nested.hpp"
 #include "coupling/position_path.hpp"
 #include "coupling/solids.hpp"
@@ -29,9 +30,9 @@ Verdict start_elastic(Solution& s, double T, const SolveControl& control) {
     if (!v.good()) return v;
     if (!evaluate(s.model, {}, 1e-3, s.film)) break;
     const Field opening = s.model.solids->compliance(s.film.film.p);
-    const double largest = *std::max_element(opening.begin(), opening.end());
+    const double most = largest(opening);
     const double gap = std::max(s.film.least.h, 0.0) + s.model.scene.rough.sigma;
-    if (s.target.unknowns == 0 || largest < kMostOpening * gap || part < kSmallestPart) break;
+    if (s.target.unknowns == 0 || most < kMostOpening * gap || part < kSmallestPart) break;
     part *= 0.25;
   }
   EquilibriumOptions loose;

@@ -9,6 +9,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "core/largest.hpp"
+
 namespace shellback::coupling {
 namespace {
 
@@ -41,10 +43,8 @@ int evaluate(N_Vector x, N_Vector g, void* data) {
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::all_of(call.x.begin(), call.x.end(), finite)) return -1;
   if (!(*call.map)(call.x, call.g)) return -1;
-  double change = 0.0;
-  for (std::size_t k = 0; k < call.x.size(); ++k) {
-    change = std::max(change, std::abs(call.g[k] - call.x[k]));
-  }
+  const double change = largest_difference(call.g, call.x);
+  if (std::isnan(change)) return -1;
   call.judge(change);
   std::copy(call.g.begin(), call.g.end(), N_VGetArrayPointer(g));
   return call.near ? -1 : 0;  // KINSOL has no other way to be told that this is enough

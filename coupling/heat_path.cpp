@@ -211,7 +211,8 @@ Verdict HeatPath::follow() {
   for (int rest = 0; rest < kMostRests && !spent(); ++rest) {
     Verdict v = raise(rest == 0 ? kFirstRatio : kFurther);
     if (v.status == Status::interrupted || reached_.part == 1.0) return v;
-    if (turns()) return turning_point();
+    const bool defect = failure_.status == Status::invalid_number;  // which proves nothing
+    if (turns() && !defect) return turning_point();
     ThermalOptions slow = options_;
     slow.close = reached_.part * kFurther >= 1.0 && options_.close;
     slow.most_newton = kMostNewton;
@@ -220,7 +221,7 @@ Verdict HeatPath::follow() {
     if (!v.good()) return end_of_path(v);
   }
   Verdict open = failure_;  // of accelerated steps: no proof of anything
-  open.status = Status::iteration_limit;
+  if (open.status != Status::invalid_number) open.status = Status::iteration_limit;
   return end_of_path(open);
 }
 

@@ -65,6 +65,15 @@ struct HistoryEntry {
   double h_min = 0.0;            ///< [m]
 };
 
+/// A temperature at which the heat balance of the whole bearing is met (coupling/lumped.hpp).
+struct HeatRoot {
+  double T = 0.0;                ///< [K]
+  double slope = 0.0;            ///< of the residual, d r/d T [-]
+  double friction_torque = 0.0;  ///< there [N m]
+  double h_min = 0.0;            ///< there [m]
+  [[nodiscard]] bool stable() const { return slope < 0.0; }
+};
+
 /// A limiter that acted: what, how often, where last.
 struct LimiterCount {
   std::string what;
@@ -116,6 +125,8 @@ struct Result {
   std::array<int, 2> grid{0, 0};
   Cost cost;
   std::vector<HistoryEntry> history;
+  std::vector<HeatRoot> heat_roots;          ///< tier lumped: all that were found; the lowest
+                                             ///< stable one is the solution
   std::optional<AutoChoice> choice;          ///< set if tier `auto` chose
   std::optional<Coefficients> coefficients;  ///< if the case asks for them
   std::vector<LevelRecord> levels;  ///< from the coarsest grid to the finest that converged

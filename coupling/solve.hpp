@@ -37,8 +37,9 @@ struct Solution {
   BearingModel model;
   LoadTarget target;
   FilmEquilibrium film;
-  HeatState heat;       ///< meaningful if model.physics.film_energy
-  double T_film = 0.0;  ///< isothermal and lumped: the film's temperature [K]
+  HeatState heat;                    ///< meaningful if model.physics.film_energy
+  double T_film = 0.0;               ///< isothermal and lumped: the film's temperature [K]
+  std::vector<HeatRoot> heat_roots;  ///< lumped: all that were found, rising in temperature
   Verdict verdict;
   EquilibriumCost cost;
   std::vector<HistoryEntry> history;

@@ -1,14 +1,10 @@
 #include "coupling/solve_level.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "core/constants.hpp"
 #include "core/contract.hpp"
-#include "rheology/density.hpp"
-#include "rheology/heat.hpp"
+#include "coupling/lumped.hpp"
 
 namespace shellback::coupling {
 namespace {
@@ -16,49 +12,6 @@ namespace {
 void set_uniform_temperature(Solution& s, double T) {
   std::fill(s.film.columns.T.begin(), s.film.columns.T.end(), T);
   s.T_film = T;
-}
-
-/// Mean film temperature from the heat balance of the whole bearing: all friction heat leaves with
-/// the oil, which is as warm as the film, rho cp Q (T - T_supply) = P. Secant on T.
-Verdict solve_lumped(Solution& s, bool warm, const SolveControl& control) {
-  constexpr int kMostTurns = 60;
-  constexpr double kSettled = 1e-7;  // [K]
-  const double T_supply = s.model.input.supplies.front().temperature;
-  double T = warm ? s.T_film : T_supply;
-  double before_T = T;
-  double before_gap = 0.0;
-  for (int turn = 0; turn < kMostTurns; ++turn) {
-    set_uniform_temperature(s, T);
-    Verdict v = turn == 0 && !warm
-                    ? first_film(s, T, Search::long_way, control)
-                    : solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
-    if (!v.good()) return v;
-    const Friction f = friction_of(s.model, s.film);
-    const double power = std::abs((f.viscous + f.asperity) * s.model.input.operation.omega) +
-                         pump_power(s.model, s.film);
-    const double flow = fluid::oil_flows(s.model.scene, s.film.flow).side;
-    const double cp = rheology::heat_capacity(s.model.oil, 0.5 * (T + T_supply)).cp;
-    if (!(flow > 0.0)) {
-      return {Status::no_steady_state, "no oil leaves the bearing: its heat cannot be carried away",
-              "", "check the supply"};
-    }
-    const double gap = T_supply + power / (flow * cp) - T;  // zero at the balance
-    s.history.push_back({"lumped", std::abs(gap), f.viscous + f.asperity, s.film.least.h});
-    if (control.progress)
-      control.progress({"lumped", turn, std::abs(gap), f.viscous + f.asperity, s.film.least.h});
-    if (std::abs(gap) < kSettled) return {};
-    const double slope = turn == 0 ? -2.0 : (gap - before_gap) / (T - before_T);
-    before_T = T;
-    before_gap = gap;
-    T -= gap / (slope < 0.0 ? slope : -1.0);
-    if (T - T_supply > 400.0) {
-      return {
-          Status::no_steady_state,
-          fmt::format("thermal runaway: the heat balance asks for {:.0f} degC", T - kZeroCelsius),
-          "", "lower speed or load, or feed more oil"};
-    }
-  }
-  return {Status::iteration_limit, "the heat balance did not settle", "", "try tier thd"};
 }
 
 Verdict solve_isothermal(Solution& s, bool warm, const SolveControl& control) {
@@ -146,6 +99,7 @@ void solve_level(Solution& s, Tier tier, const Level& level, const SolveControl&
   if (!level.warm) {
     s.film = cold_start(s.model, s.T_film);
     s.heat = {};
+    s.heat_roots.clear();
   }
   switch (tier) {
     case Tier::isothermal:

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/constants.hpp"
+#include "core/largest.hpp"
 #include "coupling/audit.hpp"
 #include "coupling/coldest.hpp"
 #include "coupling/effects.hpp"
@@ -14,8 +15,6 @@
 
 namespace shellback::coupling {
 namespace {
-
-double largest(const Field& x) { return x.empty() ? 0.0 : *std::max_element(x.begin(), x.end()); }
 
 double area_mean(const FilmGrid& g, const Field& x) {
   double sum = 0.0;
@@ -119,7 +118,7 @@ void add_heat(const Solution& s, Quantities& q) {
   }
   if (!s.heat.known()) return;  // stopped before the first heat solution
   const double twice = m.scene.grid.multiplicity();
-  q.add("T_film_max", *std::max_element(s.film.columns.T.begin(), s.film.columns.T.end()), "K");
+  q.add("T_film_max", largest(s.film.columns.T), "K");
   q.add("T_film_mean", oil_mean_temperature(m, s.film), "K");
   q.add("T_shell_max", largest(s.heat.solids.shell.surface), "K");
   q.add("T_shell_back", area_mean(m.scene.grid, s.heat.solids.shell.back), "K");
@@ -254,6 +253,22 @@ void add_coefficient_warnings(const Coefficients& k, std::vector<std::string>& w
   }
 }
 
+/// Where the heat balance is met elsewhere too, the user must know which root this is.
+void add_other_roots(const Solution& s, std::vector<std::string>& warnings) {
+  if (s.heat_roots.size() < 2) return;
+  std::string all;
+  for (const HeatRoot& root : s.heat_roots) {
+    all += fmt::format("{}{:.1f} degC ({}{})", all.empty() ? "" : ", ", root.T - kZeroCelsius,
+                       root.stable() ? "stable" : "unstable",
+                       root.T == s.T_film ? ", this solution" : "");
+  }
+  warnings.push_back(fmt::format(
+      "the heat balance is met at {} temperatures: {}; given is the lowest stable one, to which "
+      "the "
+      "bearing comes from cold; once warmer than an unstable one it goes on to the next",
+      s.heat_roots.size(), all));
+}
+
 std::vector<LimiterCount> limiters_of(const Solution& s) {
   std::vector<LimiterCount> out;
   const auto add = [&](const std::string& what, long count) {
@@ -307,6 +322,8 @@ Result summarize(const Solution& s, Tier tier) {
   r.coefficients = s.coefficients;
   if (s.coefficients) add_coefficient_warnings(*s.coefficients, r.warnings);
   add_range_warnings(s, r.warnings);
+  r.heat_roots = s.heat_roots;
+  add_other_roots(s, r.warnings);
   r.fields = fields_of(s, f);
   return r;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "core/largest.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace shellback::coupling {
@@ -163,10 +164,7 @@ thermal::FilmEnergy ThermalTurn::film_energy() {
 }
 
 void ThermalTurn::report(const std::vector<double>& x, const std::vector<double>& g) {
-  heat_.residual = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    heat_.residual = std::max(heat_.residual, std::abs(g[k] - x[k]));
-  }
+  heat_.residual = largest_difference(g, x);
   const double signed_torque = friction_.viscous + friction_.asperity;
   history_.push_back({"thermal", heat_.residual, signed_torque, film_.least.h});
   if (control_.progress) {
@@ -214,6 +212,7 @@ bool ThermalTurn::operator()(const std::vector<double>& x, std::vector<double>& 
       take_contact_growth();  // the film's response is known from the first turn on
     }
   }
+  if (!finite()) return false;
   g = pack();
   limit_change(x, g);
   const double part = relaxation(g);

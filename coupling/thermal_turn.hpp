@@ -75,7 +75,7 @@ class ThermalTurn {
   double balance_walls(thermal::FilmEnergy& energy, double enough, int rounds);
   /// Gives the film the solids' new temperatures; the largest change [K].
   double take_wall_temperatures();
-  /// False, with the verdict set, if a temperature is not a number.
+  /// False, with the verdict set, if a temperature or the growth is not a number.
   [[nodiscard]] bool finite();
   /// The same, and if the temperatures run away.
   [[nodiscard]] bool sound();

@@ -4,16 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/largest.hpp"
 #include "coupling/thermal_turn.hpp"
+#include "fluid/film_numbers.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace shellback::coupling {
 
 bool ThermalTurn::finite() {
-  const auto& T = film_.columns.T;
-  if (std::all_of(T.begin(), T.end(), [](double t) { return std::isfinite(t); })) return true;
-  verdict_ = runaway("the film temperature is not a number any more");
-  return false;
+  const int nodes = model_.gl.n;
+  for (const auto& found : {find_not_a_number(FieldName::film_temperature, film_.columns.T, nodes),
+                            find_not_a_number(FieldName::thermal_growth, heat_.growth)}) {
+    if (!found) continue;
+    verdict_ = fluid::ended_by(model_.scene.grid, *found);
+    return false;
+  }
+  return true;
 }
 
 bool ThermalTurn::sound() {
@@ -47,7 +53,7 @@ void ThermalTurn::name_the_failure() {
   const double lost = viscosity_change(model_, film_);
   if (!(lost > kLost)) return;
   const double T0 = model_.input.supplies.front().temperature;
-  const double T = *std::max_element(film_.columns.T.begin(), film_.columns.T.end());
+  const double T = largest(film_.columns.T);
   verdict_ =
       runaway(fmt::format("the film is {:.0f} K above the supply, its viscosity is {:.1e} "
                           "times that of the supplied oil, and no film is found any more",
@@ -56,7 +62,7 @@ void ThermalTurn::name_the_failure() {
 
 double viscosity_change(const BearingModel& model, const FilmEquilibrium& film) {
   const double T0 = model.input.supplies.front().temperature;
-  const double T = *std::max_element(film.columns.T.begin(), film.columns.T.end());
+  const double T = largest(film.columns.T);
   const double hot = rheology::viscosity(model.oil, T, 0.0);
   return std::abs(std::log(rheology::viscosity(model.oil, T0, 0.0) / hot));
 }

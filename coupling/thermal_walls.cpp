@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "core/largest.hpp"
 #include "coupling/thermal_turn.hpp"
 
 namespace shellback::coupling {
@@ -38,13 +39,8 @@ void ThermalTurn::warm_the_walls(const thermal::FilmEnergy& energy, Solids::Want
 }
 
 double ThermalTurn::take_wall_temperatures() {
-  double change = 0.0;
-  for (std::size_t c = 0; c < heat_.T_shell.size(); ++c) {
-    change = std::max(change, std::abs(heat_.solids.shell.surface[c] - heat_.T_shell[c]));
-  }
-  for (std::size_t j = 0; j < heat_.T_shaft.size(); ++j) {
-    change = std::max(change, std::abs(heat_.solids.shaft.temperature[j] - heat_.T_shaft[j]));
-  }
+  const double change = larger(largest_difference(heat_.solids.shell.surface, heat_.T_shell),
+                               largest_difference(heat_.solids.shaft.temperature, heat_.T_shaft));
   heat_.T_shell = heat_.solids.shell.surface;
   heat_.T_shaft = heat_.solids.shaft.temperature;
   impose_walls(film_.columns.T);

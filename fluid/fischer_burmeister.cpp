@@ -6,6 +6,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/largest.hpp"
+#include "fluid/film_numbers.hpp"
+
 namespace shellback::fluid {
 namespace {
 
@@ -138,12 +141,6 @@ bool fischer_burmeister_step(const FilmScene& scene, const Gap& gap, const Field
 
 namespace {
 
-double largest(const Field& r) {
-  double m = 0.0;
-  for (const double x : r) m = std::isfinite(x) ? std::max(m, std::abs(x)) : INFINITY;
-  return m;
-}
-
 /// Sets every cell to exactly one of full and cavitated.
 void make_complementary(const FilmScene& scene, FilmState& s) {
   for (std::size_t k = 0; k < s.p.size(); ++k) {
@@ -194,11 +191,11 @@ Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap
   oil(v.state, v.oil);
   evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
   for (int it = 0; it <= options.max_iterations; ++it) {
-    const double norm = largest(film_residual(scene, v.flow)) / flow_scale(scene, v.flow);
+    const double norm = largest_magnitude(film_residual(scene, v.flow)) / flow_scale(scene, v.flow);
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
-      out.verdict = {Status::invalid_number, "Fischer-Burmeister: the film residual is no number",
-                     "", "check the gap"};
+      out.verdict = ended_by(scene.grid, first_not_a_number(gap, v.state, v.oil, v.flow));
+      out.verdict.cure = kMethodDiverged;
       return out;
     }
     if (norm <= options.tolerance && complementary(scene, v.state)) return out;

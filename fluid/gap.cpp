@@ -1,6 +1,10 @@
 #include "fluid/gap.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+
+#include "core/constants.hpp"
 
 namespace shellback::fluid {
 
@@ -91,6 +95,12 @@ SmallestGap smallest_gap(const FilmGrid& g, const Gap& gap, const Field& step) {
     }
   }
   return least;
+}
+
+std::string place_of(const SmallestGap& least) {
+  double deg = std::fmod(least.phi * 180.0 / kPi, 360.0);
+  if (deg < 0.0) deg += 360.0;
+  return fmt::format("phi {:.1f} deg, z {:.2f} mm", deg, least.z * 1e3);
 }
 
 }  // namespace shellback::fluid

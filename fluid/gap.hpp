@@ -10,6 +10,7 @@
 /// Source: methods 2.1; the signs from design 2 (displacement of the journal towards phi closes
 /// the gap there).
 #include <array>
+#include <string>
 
 #include "core/grid.hpp"
 
@@ -73,5 +74,7 @@ struct SmallestGap {
   double z = 0.0;    ///< [m]
 };
 [[nodiscard]] SmallestGap smallest_gap(const FilmGrid& grid, const Gap& gap, const Field& step);
+/// "phi 212.4 deg, z 0.31 mm"; phi from 0 to 360.
+[[nodiscard]] std::string place_of(const SmallestGap& least);
 
 }  // namespace shellback::fluid

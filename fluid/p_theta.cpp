@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "core/largest.hpp"
+#include "fluid/film_numbers.hpp"
 #include "fluid/fischer_burmeister.hpp"
 
 namespace shellback::fluid {
@@ -72,12 +74,6 @@ void sweep(const FilmScene& scene, double over, Linearised& eq, FilmState& s) {
   }
 }
 
-double largest(const Field& r) {
-  double m = 0.0;
-  for (const double x : r) m = std::isfinite(x) ? std::max(m, std::abs(x)) : INFINITY;
-  return m;
-}
-
 }  // namespace
 
 Outcome<RelaxedFilm> relax_p_theta(const FilmScene& scene, const Gap& gap, const Field& step,
@@ -96,11 +92,11 @@ Outcome<RelaxedFilm> relax_p_theta(const FilmScene& scene, const Gap& gap, const
     oil(s, coefficients);
     evaluate_flow(scene, gap, step, coefficients, s, flow);
     eq.R0 = film_residual(scene, flow);
-    const double norm = largest(eq.R0) / flow_scale(scene, flow);
+    const double norm = largest_magnitude(eq.R0) / flow_scale(scene, flow);
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
-      out.verdict = {Status::invalid_number, "p-theta relaxation: the film residual is no number",
-                     "", "use the active-set method"};
+      out.verdict = ended_by(scene.grid, first_not_a_number(gap, s, coefficients, flow));
+      out.verdict.cure = kMethodDiverged;
       return out;
     }
     if (norm <= options.tolerance && complementary(scene, s)) return out;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/largest.hpp"
+
 namespace shellback::fluid {
 
 Outcome<FilmState> film_by_reduced_pressure(const FilmScene& scene, const Gap& gap,
@@ -12,7 +14,7 @@ Outcome<FilmState> film_by_reduced_pressure(const FilmScene& scene, const Gap& g
   std::fill(cold.p.begin(), cold.p.end(), 0.0);
   FilmCoefficients plain;
   oil(cold, plain);
-  const double alpha = *std::max_element(plain.alpha.begin(), plain.alpha.end());
+  const double alpha = largest(plain.alpha);
   std::fill(plain.alpha.begin(), plain.alpha.end(), 0.0);
   const auto reduced = [&](double p) { return alpha > 0.0 ? -std::expm1(-alpha * p) / alpha : p; };
   FilmScene q_scene = scene;

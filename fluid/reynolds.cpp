@@ -6,15 +6,15 @@
 #include <set>
 
 #include "core/constants.hpp"
+#include "core/largest.hpp"
+#include "fluid/film_numbers.hpp"
 #include "fluid/fischer_burmeister.hpp"
 #include "fluid/reduced_pressure.hpp"
 
 namespace shellback::fluid {
 
 std::string place_of(const FilmGrid& g, int cell) {
-  double deg = std::fmod(g.phi[cell / g.nz] * 180.0 / kPi, 360.0);
-  if (deg < 0.0) deg += 360.0;
-  return fmt::format("phi {:.1f} deg, z {:.2f} mm", deg, g.z[cell % g.nz] * 1e3);
+  return place_of(SmallestGap{0.0, g.phi[cell / g.nz], g.z[cell % g.nz]});
 }
 
 UnknownMap active_set_unknowns(const FilmState& s) {
@@ -290,16 +290,6 @@ void impose_supply(const FilmScene& scene, FilmState& s) {
   }
 }
 
-namespace {
-
-double largest(const Field& r) {
-  double m = 0.0;
-  for (const double x : r) m = std::isfinite(x) ? std::max(m, std::abs(x)) : INFINITY;
-  return m;
-}
-
-}  // namespace
-
 Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, const Field& step,
                                      const OilLaw& oil, const FilmState& guess,
                                      const ReynoldsOptions& options) {
@@ -316,11 +306,10 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
     oil(v.state, v.oil);
     evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
     Field r = film_residual(scene, v.flow);
-    const double norm = largest(r) / flow_scale(scene, v.flow);
+    const double norm = largest_magnitude(r) / flow_scale(scene, v.flow);
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
-      out.verdict = {Status::invalid_number, "the film residual is not a number", "",
-                     "check the gap"};
+      out.verdict = ended_by(scene.grid, first_not_a_number(gap, v.state, v.oil, v.flow));
       return out;
     }
     if (norm <= options.tolerance && complementary(scene, v.state)) {

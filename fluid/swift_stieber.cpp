@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/largest.hpp"
+#include "fluid/film_numbers.hpp"
 #include "fluid/fischer_burmeister.hpp"
 
 namespace shellback::fluid {
@@ -24,8 +26,7 @@ void fix_empty_rows(const FilmScene& scene, const FilmState& s, RingMatrix& a, F
 double largest_of_full(const FilmState& s, const Field& r) {
   double m = 0.0;
   for (std::size_t k = 0; k < r.size(); ++k) {
-    if (!std::isfinite(r[k])) return INFINITY;
-    if (s.full[k]) m = std::max(m, std::abs(r[k]));
+    if (s.full[k] || std::isnan(r[k])) m = larger(m, std::abs(r[k]));
   }
   return m;
 }
@@ -74,8 +75,8 @@ Outcome<FilmSolution> solve_swift_stieber(const FilmScene& scene, const Gap& gap
     const double norm = largest_of_full(v.state, r) / scale;
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
-      out.verdict = {Status::invalid_number, "Swift-Stieber: the film residual is not a number", "",
-                     "check the gap"};
+      out.verdict = ended_by(scene.grid, first_not_a_number(gap, v.state, v.oil, v.flow));
+      out.verdict.cure = kMethodDiverged;
       return out;
     }
     const int moved = refill(scene, r, options.tolerance * scale, cycling, v.state);

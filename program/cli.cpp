@@ -16,9 +16,6 @@ namespace {
 
 using namespace app;
 
-/// Not documented as a result: the program itself is at fault.
-constexpr int kDefect = 1;
-
 int init(const Request& request) {
   if (request.name.empty()) {
     list_cases(std::cout);

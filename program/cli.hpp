@@ -8,6 +8,7 @@ namespace shellback::program {
 /// How the program ends.
 enum ExitCode : int {
   kDone = 0,          ///< done and converged
+  kDefect = 1,        ///< an error inside the program, to be reported
   kBadInput = 2,      ///< the case or the command line is wrong
   kNotConverged = 3,  ///< or no steady state exists
   kBadFile = 4,       ///< a file could not be read or written

@@ -59,6 +59,7 @@ void tell_warnings(const Case& subject) {
 
 int code_of(const Verdict& verdict) {
   if (verdict.good()) return kDone;
+  if (verdict.status == Status::invalid_number) return kDefect;
   return verdict.status == Status::interrupted ? kInterrupted : kNotConverged;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "core/largest.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -49,7 +50,7 @@ void add_bearing_numbers(const coupling::Solution& s, std::map<std::string, doub
   const double eta = rheology::viscosity(s.model.oil, s.T_film, 0.0);
   const double rho = rheology::density(s.model.oil, s.T_film, 0.0).rho;
   const double W = std::hypot(s.film.force[0], s.film.force[1]);
-  const double peak = *std::max_element(s.film.film.p.begin(), s.film.film.p.end());
+  const double peak = largest(s.film.film.p);
   const double side = fluid::oil_flows(s.model.scene, s.film.flow).side / rho;
   const double inlet = inlet_flow(s) / rho;
   value["sommerfeld"] = std::pow(R / gap, 2) * eta * N * area / W;

@@ -8,6 +8,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/largest.hpp"
 #include "proof/evaluators/evaluators.hpp"
 #include "thermal/film_energy.hpp"
 
@@ -65,9 +66,7 @@ class HeatedFilm {
     }
   }
 
-  [[nodiscard]] double rise() const {
-    return kBeta * (*std::max_element(T_.begin(), T_.end()) - kT0);
-  }
+  [[nodiscard]] double rise() const { return kBeta * (largest(T_) - kT0); }
   [[nodiscard]] double stress_ratio() const { return stress_ * kGap / (kEta0 * speed_); }
 
  private:

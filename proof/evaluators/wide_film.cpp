@@ -4,6 +4,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/largest.hpp"
 #include "fluid/resultants.hpp"
 #include "fluid/reynolds.hpp"
 #include "proof/evaluators/evaluators.hpp"
@@ -57,7 +58,7 @@ void add_numbers(const FilmScene& scene, const Gap& gap, const FilmSolution& fil
   value["attitude_angle"] = -std::atan2(-force[1], -force[0]) * 180.0 / kPi;
   value["friction_number"] = torque(scene, tau.journal) / (W * kClearance);
   value["inlet_flow_number"] = inlet / (kDensity * kRadius * kClearance * N * g.width);
-  value["mean_over_peak"] = W / area / *std::max_element(film.state.p.begin(), film.state.p.end());
+  value["mean_over_peak"] = W / area / largest(film.state.p);
 }
 
 /// Where the film ends, from its beginning [deg]; resolved to a cell.

@@ -23,7 +23,7 @@ struct Norms {
 };
 Norms norms(const Solution& s, const FilmEquilibrium& f) {
   Norms n;
-  n.film = largest(fluid::film_residual(s.model.scene, f.flow)) /
+  n.film = largest_magnitude(fluid::film_residual(s.model.scene, f.flow)) /
            fluid::flow_scale(s.model.scene, f.flow);
   for (int k = 0; k < s.target.unknowns; ++k) {
     n.load = std::max(n.load, std::abs(f.force[k] - s.target.force[k]) / s.target.scale());

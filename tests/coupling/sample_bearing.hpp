@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/constants.hpp"
+#include "core/largest.hpp"
 #include "coupling/case.hpp"
 #include "coupling/solve.hpp"
 
@@ -132,15 +133,9 @@ inline void set_load(Case& c, double force) {
   return f.viscous + f.asperity;
 }
 
-[[nodiscard]] inline double largest(const Field& x) {
-  double m = 0.0;
-  for (const double v : x) m = std::max(m, std::abs(v));
-  return m;
-}
-
 [[nodiscard]] inline double largest_difference(const Field& a, const Field& b) {
   double m = a.size() == b.size() ? 0.0 : INFINITY;
-  for (std::size_t k = 0; k < a.size() && k < b.size(); ++k) m = std::max(m, std::abs(a[k] - b[k]));
+  for (std::size_t k = 0; k < a.size() && k < b.size(); ++k) m = larger(m, std::abs(a[k] - b[k]));
   return m;
 }
 

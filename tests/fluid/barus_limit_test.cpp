@@ -34,7 +34,7 @@ struct Pair {
 Pair films(Setup s, double share) {
   const auto plain = solve(make_bearing(s));
   REQUIRE(plain.good());
-  s.barus = share / largest(plain.value.state.p);
+  s.barus = share / largest_magnitude(plain.value.state.p);
   return {plain.value, solve(make_bearing(s)), s.barus};
 }
 

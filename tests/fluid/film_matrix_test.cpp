@@ -62,10 +62,10 @@ struct Probe {
 /// Central difference by e; the tolerance is relative to the largest entry. Steps as in
 /// face_flow_derivative_test.cpp: truncation and round-off below 1e-7.
 void check_slope(const Field& slope, const Field& plus, const Field& minus, double e) {
-  REQUIRE(largest(slope) > 0.0);
+  REQUIRE(largest_magnitude(slope) > 0.0);
   Field difference(slope.size());
   for (std::size_t k = 0; k < slope.size(); ++k) difference[k] = (plus[k] - minus[k]) / (2.0 * e);
-  CHECK(largest_difference(slope, difference) < 3e-7 * largest(slope));
+  CHECK(largest_difference(slope, difference) < 3e-7 * largest_magnitude(slope));
 }
 
 Field product(const RingMatrix& a, const Field& t) {
@@ -107,7 +107,7 @@ void check_compliance(const Probe& q) {
   check_slope(product(a, t), q.opened(phi, z, 1e-4), q.opened(phi, z, -1e-4), 1e-4);
   // The same change of the gap, asked for face by face: equal but for the order of sums.
   const Field direct = outflow_by_gap(scene, q.flow, phi, z);
-  CHECK(largest_difference(direct, product(a, t)) < 1e-12 * largest(direct));
+  CHECK(largest_difference(direct, product(a, t)) < 1e-12 * largest_magnitude(direct));
 }
 
 void check_position(const Setup& s, const Probe& q) {

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/constants.hpp"
+#include "core/largest.hpp"
 #include "fluid/resultants.hpp"
 #include "fluid/reynolds.hpp"
 
@@ -100,15 +101,9 @@ struct Bearing {
   return f;
 }
 
-[[nodiscard]] inline double largest(const Field& f) {
-  double m = 0.0;
-  for (const double x : f) m = std::max(m, std::abs(x));
-  return m;
-}
-
 [[nodiscard]] inline double largest_difference(const Field& a, const Field& b) {
   double m = a.size() == b.size() ? 0.0 : INFINITY;
-  for (std::size_t k = 0; k < a.size() && k < b.size(); ++k) m = std::max(m, std::abs(a[k] - b[k]));
+  for (std::size_t k = 0; k < a.size() && k < b.size(); ++k) m = larger(m, std::abs(a[k] - b[k]));
   return m;
 }
 
@@ -141,7 +136,7 @@ struct Characteristics {
           torque(b.scene, tau.journal) / (s.radius * load) * s.radius / s.clearance,
           oil_flows(b.scene, v.flow).side / unit,
           inlet / unit,
-          load / area / largest(v.state.p)};
+          load / area / largest_magnitude(v.state.p)};
 }
 
 }  // namespace shellback::fluid::tests

@@ -83,7 +83,7 @@ TEST_CASE("TurningByWholeCellsChangesNothing") {
   Setup s = tilted();
   s.profile = [](double phi, double z) { return 2e-6 * (1.0 + std::sin(3.0 * phi + 300.0 * z)); };
   const Film a = solved(s);
-  const double peak = largest(a.value.state.p);
+  const double peak = largest_magnitude(a.value.state.p);
   for (const int cells : {1, 18, 41}) {
     const double angle = 2.0 * kPi * cells / s.nt;
     const Film b = solved(turned(s, angle));
@@ -139,7 +139,7 @@ TEST_CASE("AMirroredBearingThatRunsBackwardsHasTheMirroredFilm") {
   CHECK(std::abs(a.force[2] + b.force[2]) < kSame * force * s.width);
   CHECK(std::abs(a.force[3] - b.force[3]) < kSame * force * s.width);
   const FilmGrid& g = a.bearing.scene.grid;
-  const double peak = largest(a.value.state.p);
+  const double peak = largest_magnitude(a.value.state.p);
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
@@ -160,7 +160,7 @@ TEST_CASE("ABearingTurnedEndForEndHasTheFilmTurnedEndForEnd") {
   m.patches[0].z = -s.patches[0].z;
   const Film a = solved(s), b = solved(m);
   const FilmGrid& g = a.bearing.scene.grid;
-  const double peak = largest(a.value.state.p);
+  const double peak = largest_magnitude(a.value.state.p);
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const double p = b.value.state.p[g.index(i, g.nz - 1 - j)];
@@ -186,7 +186,7 @@ TEST_CASE("HalfABearingCarriesHalfTheFilm") {
     const Field p = mirror_to_full(half.bearing.scene.grid, half.value.state.p);
     const Field theta = mirror_to_full(half.bearing.scene.grid, half.value.state.theta);
     // The same discrete equations: only the order of the elimination differs.
-    CHECK(largest_difference(p, full.value.state.p) < 1e-10 * largest(p));
+    CHECK(largest_difference(p, full.value.state.p) < 1e-10 * largest_magnitude(p));
     CHECK(largest_difference(theta, full.value.state.theta) < 1e-10);
     for (const int k : {0, 1}) {
       CHECK(std::abs(half.force[k] - full.force[k]) < 1e-10 * std::abs(full.force[1]));
@@ -209,7 +209,7 @@ TEST_CASE("PressureScalesWithViscosityAndSpeed") {
   t.p_cavitation *= 21.0;
   t.patches[0].pressure *= 21.0;
   const Film b = solved(t);
-  const double peak = largest(b.value.state.p);
+  const double peak = largest_magnitude(b.value.state.p);
   for (std::size_t k = 0; k < a.value.state.p.size(); ++k) {
     CHECK(std::abs(21.0 * a.value.state.p[k] - b.value.state.p[k]) < kSame * peak);
     CHECK(std::abs(a.value.state.theta[k] - b.value.state.theta[k]) < kSame);
@@ -228,7 +228,8 @@ TEST_CASE("OnlyTheProportionsOfTheBearingMatter") {
   t.patches[0].z *= 5.0;
   t.patches[0].length *= 5.0;
   const Film a = solved(s), b = solved(t);
-  CHECK(largest_difference(a.value.state.p, b.value.state.p) < kSame * largest(a.value.state.p));
+  CHECK(largest_difference(a.value.state.p, b.value.state.p) <
+        kSame * largest_magnitude(a.value.state.p));
   const double side = oil_flows(a.bearing.scene, a.value.flow).side;
   const double large = oil_flows(b.bearing.scene, b.value.flow).side;
   CHECK(std::abs(large / side / 125.0 - 1.0) < 1e-7);  // a difference of outflow and inflow
@@ -247,6 +248,6 @@ TEST_CASE("TheZeroOfPressureIsFree") {
   const Film b = solved(t);
   for (std::size_t k = 0; k < a.value.state.p.size(); ++k) {
     CHECK(std::abs(a.value.state.p[k] + shift - b.value.state.p[k]) <
-          kSame * largest(a.value.state.p));
+          kSame * largest_magnitude(a.value.state.p));
   }
 }

@@ -255,6 +255,7 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
   };
   for (int it = 0; it <= options.max_iterations; ++it) {
     if (stop && stop->load()) return {Status::interrupted, "stopped by the user", "", ""};
+    if (cost.spent()) return given_up();
     bool possible = evaluate(model, growth, viscosity_tolerance, s);
     if (possible) {
       r = residuals_of(model, target, s);
@@ -300,6 +301,7 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
     viscosity_tolerance =
         std::clamp(1e-2 * (r.film_norm + r.load_norm), 0.3 * options.viscosity_tolerance, 1e-3);
     ++cost.newton_iterations;
+    cost.work += model.scene.grid.cells();
     LoadTarget now = target;
     if (s.elastic.empty() && !follows && r.load_norm > kNearLoad) now.unknowns = 0;
     const NewtonStep step = s.elastic.empty()
@@ -331,12 +333,6 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
   const bool other = by.cavitation != CavitationMethod::active_set ||
                      by.elastic != ElasticMethod::newton;  // shown as they are, without our help
   if (!lost || other || target.unknowns == 0) return v;
-  constexpr double kNearLoad = 0.5;  // an iterate far from the load says nothing about the film
-  const double carried = std::hypot(s.force[0], s.force[1]) / target.scale();
-  if (!s.elastic.empty() && carried > kNearLoad && carried < 1.0 && s.least.h > 0.0 &&
-      thinner_than_a_molecule(model, s)) {
-    return no_film_left(s, target, carried, v.place);
-  }
   if (!options.follow_load || !s.elastic.empty()) return v;
   return follow_load(model, target, growth, options, s, cost, stop);
 }

@@ -18,6 +18,7 @@
 ///   d = C (p + p_a) + G p_a                                                                   (3a)
 /// and the growth given from outside is without G p_a.
 #include <atomic>
+#include <limits>
 #include <memory>
 
 #include "core/harmonics.hpp"
@@ -64,6 +65,9 @@ struct EquilibriumCost {
   int rejected_steps = 0;
   long sweeps = 0;         ///< of the p-theta relaxation
   int elastic_rounds = 0;  ///< of the fixed point between film and displacement
+  double work = 0.0;       ///< iterations, each counted with its cells [cells]
+  double most_work = std::numeric_limits<double>::infinity();  ///< from which a search is given up
+  [[nodiscard]] bool spent() const { return work > most_work; }
 };
 
 /// What the journal must balance.

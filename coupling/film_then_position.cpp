@@ -89,6 +89,7 @@ RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double toleran
   const fluid::ReynoldsOptions o{tolerance, options_.max_iterations};
   auto film = solve(model_.scene, s_.gap, model_.step, oil, s_.film, o);
   cost_.factorizations += film.value.factorizations;
+  cost_.work += static_cast<double>(film.value.factorizations) * model_.scene.grid.cells();
   cost_.newton_iterations += film.value.factorizations;
   if (!film.good()) return {film.verdict, {}};
   s_.film = std::move(film.value.state);
@@ -103,6 +104,7 @@ RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double toleran
 
 RestingFilm FilmAndPosition::settle(double tolerance) {
   const fluid::FilmScene& scene = model_.scene;
+  if (cost_.spent()) return {given_up(), {}};
   s_.gap = fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position, growth_,
                            model_.step);
   s_.least = fluid::smallest_gap(scene.grid, s_.gap, model_.step);

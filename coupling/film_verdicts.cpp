@@ -79,13 +79,10 @@ Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residua
       "try a finer grid, a lower load, or tier isothermal first"};
 }
 
-Verdict no_film_left(const FilmEquilibrium& s, const LoadTarget& target, double part,
-                     const std::string& place) {
-  return {Status::no_steady_state,
-          fmt::format("no film carries {:.4g} N: it carries {:.4g} N at a smallest gap of {:.3g} "
-                      "um, less than a molecule of oil",
-                      target.scale(), part * target.scale(), s.least.h * 1e6),
-          place, "give roughness and contact data, or lower the load"};
+Verdict given_up() {
+  return {Status::iteration_limit,
+          "the search was given up after twenty times the work of a usual solve on this grid", "",
+          "a coarser grid first, or a nearby operating point"};
 }
 
 }  // namespace shellback::coupling

@@ -33,9 +33,8 @@ struct Residuals {
 /// The film matrix could not be factorised.
 [[nodiscard]] Verdict singular_film(const BearingModel& model, const FilmEquilibrium& state);
 
-/// Smooth elastic surfaces are nearer than a molecule and carry no more than `part` of the load.
-[[nodiscard]] Verdict no_film_left(const FilmEquilibrium& state, const LoadTarget& target,
-                                   double part, const std::string& place);
+/// The search has cost as much as it may.
+[[nodiscard]] Verdict given_up();
 
 /// The iteration ended without any of these.
 [[nodiscard]] Verdict stuck(const BearingModel& model, const FilmEquilibrium& state,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/largest.hpp"
+#include "coupling/load_path.hpp"
 #include "coupling/nested.hpp"
 #include "coupling/position_path.hpp"
 #include "coupling/solids.hpp"
@@ -62,6 +63,11 @@ Verdict start_elastic(Solution& s, double T, const SolveControl& control) {
 /// First equilibrium at one temperature, from cold.
 Verdict at_once(Solution& s, double T, const SolveControl& control) {
   if (s.model.physics.elastic) return start_elastic(s, T, control);
+  if (s.film_end > 0.0) {
+    s.film = cold_start(s.model, T);
+    return follow_load(s.model, s.target, s.heat.growth, {}, s.film, s.cost, control.stop,
+                       s.film_end);
+  }
   Verdict v = cold_rigid_film(s.model, s.target, T, false, s.film, s.cost, control.stop);
   if (!v.good()) return v;
   return solve_equilibrium(s.model, s.target, s.heat.growth, {}, s.film, s.cost, control.stop);
@@ -69,16 +75,18 @@ Verdict at_once(Solution& s, double T, const SolveControl& control) {
 
 }  // namespace
 
-Verdict first_film(Solution& s, double T, Search search, const SolveControl& control) {
+Verdict first_film(Solution& s, double T, const SolveControl& control) {
   const Verdict v = at_once(s, T, control);
   const Methods& by = s.model.input.model.methods;
   const bool other = by.cavitation != CavitationMethod::active_set ||
                      by.elastic != ElasticMethod::newton;  // shown as they are, without our help
-  if (v.good() || v.status == Status::interrupted || other || search == Search::brief) return v;
+  if (v.good() || v.status == Status::interrupted || other) return v;
   if (s.target.unknowns == 0 && s.model.physics.elastic) {
     return follow_position(s.model, s.target, T, {}, s.film, s.cost, control.stop);
   }
-  if (v.status != Status::iteration_limit || s.target.unknowns == 0) return v;
+  // What rigid surfaces do not carry, elastic ones may.
+  const bool proven = v.status == Status::no_steady_state && !s.model.physics.elastic;
+  if (proven || s.target.unknowns == 0) return v;
   return stepped_start(s, T, control);
 }
 

@@ -9,10 +9,8 @@
 
 namespace shellback::coupling {
 
-/// How long to look for what is not found at once.
-enum class Search { long_way, brief };
-
-/// Solves `s.target` on the model's own grid at temperature T [K]; `s.film` is the start.
-[[nodiscard]] Verdict first_film(Solution& s, double T, Search search, const SolveControl& control);
+/// Solves `s.target` on the model's own grid at temperature T [K]; rigid films from `s.film_end`,
+/// if there is one. `s.film` is left at the last iterate.
+[[nodiscard]] Verdict first_film(Solution& s, double T, const SolveControl& control);
 
 }  // namespace shellback::coupling

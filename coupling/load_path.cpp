@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include "coupling/film_then_position.hpp"
@@ -17,10 +18,13 @@ namespace {
 constexpr std::array kEccentricities{0.01, 0.1, 0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.996};
 constexpr std::array kAttitudes{0.1, 0.5, 0.9, 1.3, -0.4};  ///< against the load [rad]
 constexpr std::size_t kMostStarts = 3;
-constexpr double kRoughFilm = 1e-4;       ///< residual that tells a force well enough [-]
-constexpr double kLooseLoad = 1e-3;       ///< load residual on the way [-]
-constexpr double kFirstRatio = 3.0;       ///< of the load from step to step [-]
-constexpr double kSmallestRatio = 1.005;  ///< a smaller step shows that the path ends [-]
+constexpr double kRoughFilm = 1e-4;  ///< residual that tells a force well enough [-]
+constexpr double kLooseLoad = 1e-3;  ///< load residual on the way [-]
+constexpr double kPerOctave = 32.0;  ///< loads on the way are whole powers of 2^(1/32) N
+constexpr int kLongestStep = 51;     ///< in such powers: three times the load
+constexpr double kWellBelow = 0.6;   ///< of a coarser grid's end: there a cold film is found [-]
+constexpr int kToNear = 21;          ///< powers from there to 0.95 of that end
+constexpr int kNearStep = 2;         ///< 4 %: by about so much grids differ in what they carry
 constexpr int kMostSteps = 120;
 constexpr int kMostIterations = 25;               ///< of one step
 constexpr std::array kCloser{0.003, 0.01, 0.03};  ///< of the gap: a little closer [-]
@@ -31,6 +35,9 @@ LoadTarget scaled(LoadTarget target, double part) {
   for (double& f : target.force) f *= part;
   return target;
 }
+
+double level_of(double load) { return kPerOctave * std::log2(load); }
+double load_at(double level) { return std::exp2(level / kPerOctave); }
 
 /// The state without what follows from it.
 struct Place {
@@ -57,15 +64,17 @@ class LoadPath {
         cost_(cost),
         stop_(stop) {}
 
-  Verdict run();
+  Verdict run(double carried);
 
  private:
   /// Equilibrium with `part` of the load, near the present state.
   [[nodiscard]] Verdict solve(double part, const EquilibriumOptions& options);
   /// Films of positions all over the loaded half, the nearest to the load first.
   [[nodiscard]] std::vector<Start> starts();
-  /// From the present state and its part of the load to the whole.
-  [[nodiscard]] Verdict follow();
+  /// From the present state and its part of the load to the whole, the first step so many powers.
+  /// The steps after the first two loads begin with `then` powers.
+  [[nodiscard]] Verdict follow(int step, int then);
+  [[nodiscard]] Verdict from_cold();
   /// True if a little closer, in the load's direction, there is no film; then `failure_` says why.
   [[nodiscard]] bool nothing_closer();
   [[nodiscard]] Verdict end_of_path();
@@ -166,8 +175,8 @@ bool LoadPath::nothing_closer() {
 Verdict LoadPath::end_of_path() {
   const std::string words = fmt::format(
       "followed from smaller loads on, the film carries {:.4g} N at a smallest gap of "
-      "{:.3g} um",
-      part_ * target_.scale(), s_.least.h * 1e6);
+      "{:.3g} um, and not {:.2g} % more",
+      part_ * target_.scale(), s_.least.h * 1e6, 100.0 * (load_at(1.0) - 1.0));
   if (part_ < 1.0 && thinner_than_a_molecule(model_, s_)) {
     return {Status::no_steady_state,
             fmt::format("no film carries {:.4g} N: {}, less than a molecule of oil",
@@ -195,35 +204,43 @@ Verdict LoadPath::not_begun() const {
       failure_.place, "lower the load or the tilt, or give roughness and contact data"};
 }
 
-Verdict LoadPath::follow() {
+Verdict LoadPath::follow(int step, int then) {
   EquilibriumOptions loose = options_;
   loose.load_tolerance = std::max(loose.load_tolerance, kLooseLoad);
-  double ratio = kFirstRatio;
-  double next = part_;  // the start's own force, turned into the load's direction
+  const double goal = level_of(target_.scale());
+  double at = std::floor(level_of(part_ * target_.scale()));  // the start's own force, turned
+  double failed_at = INFINITY;                                // nearest level that was not reached
   bool begun = false;
-  for (int step = 0; step < kMostSteps; ++step) {
-    const Verdict v = solve(next, next == 1.0 ? options_ : loose);
-    if (v.status == Status::interrupted || (v.good() && next == 1.0)) return v;
+  for (int k = 0; k < kMostSteps; ++k) {
+    const double next = begun ? at + (at < goal ? step : -step) : at;
+    const bool whole = begun && (at < goal ? next >= goal : next <= goal);
+    const double part = whole ? 1.0 : load_at(next) / target_.scale();
+    const Verdict v = solve(part, whole ? options_ : loose);
+    if (v.status == Status::interrupted || (v.good() && whole)) return v;
     if (v.good()) {
-      part_ = next;
+      at = next;
+      part_ = part;
+      if (begun) step = std::min(std::exchange(then, 2 * then), kLongestStep);
       begun = true;
       keep();
-      ratio = std::min(kFirstRatio, ratio * std::sqrt(ratio));
       if (thinner_than_a_molecule(model_, s_)) break;
     } else {
       failure_ = v;
       if (!begun) return not_begun();
       restore();
-      ratio = std::sqrt(ratio);
-      if (ratio < kSmallestRatio) break;
+      failed_at = whole ? goal : next;
+      if (step == 1) break;
     }
-    next = part_ < 1.0 ? std::min(1.0, part_ * ratio) : std::max(1.0, part_ / ratio);
+    if (std::abs(failed_at - at) <= step) {  // half of what is left
+      step = std::max(1, static_cast<int>(0.5 * std::abs(failed_at - at)));
+      if (std::abs(failed_at - at) <= 1.0) break;
+    }
   }
   if (!evaluate(model_, growth_, options_.viscosity_tolerance, s_)) return failure_;
   return end_of_path();
 }
 
-Verdict LoadPath::run() {
+Verdict LoadPath::from_cold() {
   const std::vector<Start> list = starts();
   if (list.empty()) {
     if (stop_ && stop_->load()) return stopped();
@@ -235,7 +252,7 @@ Verdict LoadPath::run() {
     s_.position = list[k].place.position;
     part_ = list[k].part;
     keep();
-    const Verdict v = follow();
+    const Verdict v = follow(kLongestStep, kLongestStep);
     if (v.good() || v.status == Status::interrupted) return v;
     if (k == 0 || v.status == Status::no_steady_state) verdict = v;
     if (v.status == Status::no_steady_state) break;
@@ -243,12 +260,22 @@ Verdict LoadPath::run() {
   return verdict;
 }
 
+Verdict LoadPath::run(double carried) {
+  if (carried > 0.0) {
+    part_ = std::min(1.0, kWellBelow * carried / target_.scale());
+    keep();
+    const Verdict v = follow(kToNear, kNearStep);
+    if (v.status != Status::iteration_limit) return v;
+  }
+  return from_cold();
+}
+
 }  // namespace
 
 Verdict follow_load(const BearingModel& model, const LoadTarget& target, const Field& growth,
                     const EquilibriumOptions& options, FilmEquilibrium& state,
-                    EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  return LoadPath(model, target, growth, options, state, cost, stop).run();
+                    EquilibriumCost& cost, const std::atomic<bool>* stop, double carried) {
+  return LoadPath(model, target, growth, options, state, cost, stop).run(carried);
 }
 
 }  // namespace shellback::coupling

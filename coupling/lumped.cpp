@@ -73,8 +73,7 @@ const Tried& LumpedBalance::nearest(double T) const {
 Verdict LumpedBalance::film_at(double T) {
   std::fill(s_.film.columns.T.begin(), s_.film.columns.T.end(), T);
   s_.T_film = T;
-  if (tried_.empty() && (!warm_ || !failure_.good()))
-    return first_film(s_, T, Search::long_way, control_);
+  if (tried_.empty() && (!warm_ || !failure_.good())) return first_film(s_, T, control_);
   if (!tried_.empty()) {
     const Tried& start = nearest(T);
     s_.film.film = start.film;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/contract.hpp"
 #include "coupling/nested.hpp"
@@ -25,32 +26,44 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// True if film and heat were followed to an end so far below the load that no finer grid is needed
-/// to tell that it is not carried.
-bool ends_far_below(const Solution& s) {
-  constexpr double kFarBelow = 0.6;  // grids differ by less in what they carry [-]
-  return s.verdict.status == Status::no_steady_state && s.followed.proven &&
-         s.followed.part < kFarBelow;
+/// Work after which a search is given up [cells]: as many times that of a usual solve on the grid.
+/// A usual solve takes as many film iterations, counted on the finest grid, as nine of ten random
+/// bearings need (docs/decisions/022).
+double most_work(const Case& c, const Physics& physics) {
+  constexpr double kSolves = 20.0;  // what a refusal may cost, in solves
+  const double iterations = physics.film_energy || physics.elastic ? 52.0 : 22.0;
+  const double cells =
+      c.model.grid[0] * c.model.grid[1] * (symmetric_about_mid_width(c) ? 0.5 : 1.0);
+  return kSolves * iterations * cells;
+}
+
+/// Load at which the path of a film of one temperature and rigid surfaces ended [N]; 0: the last
+/// grid did not end so.
+double end_of_film(const Solution& s, Tier tier) {
+  const bool rigid = tier == Tier::isothermal && !s.model.physics.elastic;
+  if (!rigid || s.verdict.status != Status::no_steady_state || s.target.unknowns == 0) return 0.0;
+  const double carried = std::hypot(s.film.force[0], s.film.force[1]);
+  return carried < s.target.scale() ? carried : 0.0;
 }
 
 /// Solves on every grid of the ladder, each from the one before. A coarse grid that fails is left
-/// out; where the state of a coarse grid is no start for the next, that one starts from cold.
+/// out; where the state of a coarse grid is no start for the next, that one starts from cold, or
+/// from where the path of the coarse one ended. The verdict is that of the last grid alone.
 void climb(const Case& c, Tier tier, const SolveControl& control,
            std::shared_ptr<const Solids> solids, Solution& s) {
   constexpr double kCoarseTolerance = 3e-3;  // coarse grids only give the start of the next
-  constexpr int kInVain = 2;                 // such grids after which finer ones are not searched
   const auto ladder = grid_ladder(c.model.grid);
+  s.cost.most_work = s.cost.work + most_work(c, physics_of(c, tier));
   s.target = load_target(c);
   const double T_start = s.T_film;
   bool warm = false;
-  int in_vain = 0;  // grids, one after the other, on which nothing was found
-  std::string why;  // told by the last one that was searched
   for (std::size_t level = 0; level < ladder.size(); ++level) {
     const bool last = level + 1 == ladder.size();
     Level how{.warm = warm, .tolerance = last ? 0.0 : kCoarseTolerance};
     BearingModel model =
         make_bearing(c, physics_of(c, tier), ladder[level], last ? solids : nullptr);
     std::optional<NearPath> near;
+    s.film_end = warm || level == 0 ? 0.0 : end_of_film(s, tier);
     if (warm) {
       s.film = carry_over(s.model, s.film, model);
       if (model.physics.film_energy) s.heat = carry_over(s.model, s.heat, model);
@@ -60,7 +73,6 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
     }
     s.model = std::move(model);
     s.followed = {};
-    if (in_vain >= kInVain && s.model.physics.film_energy) how.search = Search::brief;
     if (near) how.near = &*near;
     const std::size_t turns = s.history.size();
     solve_level(s, tier, how, control);
@@ -71,15 +83,8 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
       how.warm = false;
       solve_level(s, tier, how, control);
     }
-    if (s.verdict.status == Status::interrupted || ends_far_below(s)) return;
+    if (s.verdict.status == Status::interrupted) return;
     warm = s.verdict.good();
-    const bool nothing = s.verdict.status == Status::iteration_limit && s.followed.part <= 0.0;
-    if (nothing && how.search == Search::brief) {
-      s.verdict.reason += "; on coarser grids: " + why;
-    } else {
-      why = s.verdict.reason;
-    }
-    in_vain = nothing ? in_vain + 1 : 0;
     if (warm) s.levels.push_back({ladder[level], quantities_of(s, tier)});
   }
 }

@@ -43,7 +43,8 @@ struct Solution {
   Verdict verdict;
   EquilibriumCost cost;
   std::vector<HistoryEntry> history;
-  PathEnd followed;  ///< where film and heat had to be followed to the operation asked for
+  double film_end = 0.0;  ///< load to which the film of a coarser grid was followed; 0: none [N]
+  PathEnd followed;       ///< where film and heat had to be followed to the operation asked for
   std::optional<Coefficients> coefficients;  ///< if asked for, of the converged state
   std::vector<LevelRecord> levels;  ///< every grid of the ladder that converged, the last included
   double wall_s = 0.0;

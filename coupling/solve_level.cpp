@@ -16,16 +16,16 @@ void set_uniform_temperature(Solution& s, double T) {
 
 Verdict solve_isothermal(Solution& s, bool warm, const SolveControl& control) {
   set_uniform_temperature(s, s.T_film);
-  if (!warm) return first_film(s, s.T_film, Search::long_way, control);
+  if (!warm) return first_film(s, s.T_film, control);
   return solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
 }
 
 /// Film and walls at the temperature of the supply, from cold.
-Verdict start_resolved(Solution& s, Search search, const SolveControl& control) {
+Verdict start_resolved(Solution& s, const SolveControl& control) {
   const double T = s.model.input.supplies.front().temperature;
   s.film = cold_start(s.model, T);
   s.heat = cold_heat(s.model, T);
-  return first_film(s, T, search, control);
+  return first_film(s, T, control);
 }
 
 ThermalOptions thermal_options(const Level& level) {
@@ -67,7 +67,7 @@ Verdict solve_resolved(Solution& s, const Level& level, const SolveControl& cont
   const bool may_follow = !level.warm;
   const bool given = s.target.unknowns == 0;  // no position to run away to
   options.patient = !may_follow || given;
-  const Verdict film = level.warm ? Verdict{} : start_resolved(s, level.search, control);
+  const Verdict film = level.warm ? Verdict{} : start_resolved(s, control);
   const FilmEquilibrium first = s.film;
   const Verdict v = film.good() ? settle() : film;
   if (v.good() || v.status == Status::interrupted || !may_follow) return v;
@@ -75,15 +75,13 @@ Verdict solve_resolved(Solution& s, const Level& level, const SolveControl& cont
   const HeatState tried_heat = s.heat;
   options.patient = true;
   const bool none_cold = film.status == Status::no_steady_state;  // heated oil may still have one
-  if (level.search == Search::long_way || none_cold) {
-    const auto cold = [&](Solution& at) { return start_resolved(at, Search::long_way, control); };
-    if (const auto end = follow_heat(s, level.near, cold, options, control)) {
-      s.followed.proven = end->status == Status::no_steady_state;
-      // Not found with heat: a load that cold oil does not carry, warm oil does not either. At a
-      // given position it may, and what one start shows of heat is no proof.
-      const bool open = end->status == Status::iteration_limit;
-      return open && none_cold && !given ? film : *end;
-    }
+  const auto cold = [&](Solution& at) { return start_resolved(at, control); };
+  if (const auto end = follow_heat(s, level.near, cold, options, control)) {
+    s.followed.proven = end->status == Status::no_steady_state;
+    // Not found with heat: a load that cold oil does not carry, warm oil does not either. At a
+    // given position it may, and what one start shows of heat is no proof.
+    const bool open = end->status == Status::iteration_limit;
+    return open && none_cold && !given ? film : *end;
   }
   if (control.stop && control.stop->load()) {
     return {Status::interrupted, "stopped by the user", "", ""};

@@ -10,8 +10,7 @@ namespace shellback::coupling {
 struct Level {
   bool warm = false;               ///< from the state that is there; else from cold
   const NearPath* near = nullptr;  ///< path of a coarser grid
-  Search search = Search::long_way;
-  double tolerance = 0.0;  ///< of the thermal loop; 0: its own
+  double tolerance = 0.0;          ///< of the thermal loop; 0: its own
 };
 
 /// Solves on the model's grid, from the state that is there or from cold.

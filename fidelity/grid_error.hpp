@@ -35,7 +35,7 @@ struct GridBar {
 /// holes, edges of elastic bodies with the first; on random bearings the median is 1.1 (tehd) to
 /// 1.5 (isothermal).
 inline constexpr double kLeastOrder = 1.0;
-inline constexpr double kMostOrder = 2.0;
+inline constexpr double kMostOrder = 1.75;
 
 /// No bar is shorter, against the size of its quantity, than this part of the median bar of all
 /// quantities of the result: they share one film, and a small change of one is often chance [-].

@@ -26,7 +26,8 @@ constexpr double kWellBelow = 0.6;   ///< of a coarser grid's end: there a cold 
 constexpr int kToNear = 21;          ///< powers from there to 0.95 of that end
 constexpr int kNearStep = 2;         ///< 4 %: by about so much grids differ in what they carry
 constexpr int kMostSteps = 120;
-constexpr int kMostIterations = 25;               ///< of one step
+constexpr int kMostFilms = 60;       ///< film iterations of film and position one after the other
+constexpr int kMostIterations = 25;  ///< of one step
 constexpr std::array kCloser{0.003, 0.01, 0.03};  ///< of the gap: a little closer [-]
 
 Verdict stopped() { return {Status::interrupted, "stopped by the user", "", ""}; }
@@ -106,7 +107,10 @@ Verdict LoadPath::solve(double part, const EquilibriumOptions& options) {
   if (v.good() || v.status == Status::interrupted) return v;
   s_.film = before.film;
   s_.position = before.position;
+  const double most_work = cost_.most_work;
+  cost_.most_work = std::min(most_work, cost_.work + kMostFilms * model_.scene.grid.cells());
   const Verdict slow = film_then_position(model_, now, growth_, few, s_, cost_, stop_);
+  cost_.most_work = most_work;
   if (!slow.good()) return slow;
   const Place found{s_.film, s_.position};  // a last joint step balances the oil to the end
   const Verdict end = newton_equilibrium(model_, now, growth_, options, s_, cost_, stop_);

@@ -27,11 +27,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// Work after which a search is given up [cells]: as many times that of a usual solve on the grid.
-/// A usual solve takes as many film iterations, counted on the finest grid, as nine of ten random
+/// A usual solve takes as many film iterations, counted on the finest grid, as 90 to 95 % of random
 /// bearings need (docs/decisions/022).
 double most_work(const Case& c, const Physics& physics) {
   constexpr double kSolves = 20.0;  // what a refusal may cost, in solves
-  const double iterations = physics.film_energy || physics.elastic ? 52.0 : 22.0;
+  const double iterations = physics.film_energy || physics.elastic ? 52.0 : 30.0;
   const double cells =
       c.model.grid[0] * c.model.grid[1] * (symmetric_about_mid_width(c) ? 0.5 : 1.0);
   return kSolves * iterations * cells;

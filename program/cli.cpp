@@ -10,6 +10,7 @@
 #include "app/init.hpp"
 #include "core/contract.hpp"
 #include "program/commands.hpp"
+#include "program/outputs.hpp"
 
 namespace shellback::program {
 namespace {
@@ -23,6 +24,7 @@ int init(const Request& request) {
   if (request.name.empty()) {
     list_cases(std::cout);
   } else {
+    const Outputs judged(request, {});
     write_case(request.name, request.output, std::cout);
   }
   return kDone;
@@ -99,7 +101,11 @@ int run_program(const std::vector<std::string>& words) {
     }
     const int code = work(reading.request);
     std::cout.flush();
-    if (!std::cout) throw FileError("standard output cannot be written");
+    if (!std::cout) {
+      throw FileError(
+          "cannot write to standard output: its reader is gone or its disk is full; send it "
+          "elsewhere, or ask for files");
+    }
     return code;
   } catch (const InputError& error) {
     std::cerr << "error: " << error.what() << "\n" << excerpt(error.where());

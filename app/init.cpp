@@ -8,6 +8,7 @@
 #include "app/case_text.hpp"
 #include "app/file_identity.hpp"
 #include "app/library.hpp"
+#include "app/output_rules.hpp"
 #include "app/pending_file.hpp"
 #include "core/contract.hpp"
 
@@ -40,6 +41,7 @@ void write_case(const std::string& name, const std::string& path, std::ostream& 
                     "with -o",
                     target));
   }
+  expect_sound({{"-o", target, Format::toml}}, {}, false);
   write_file(target, text);
   out << fmt::format("{} written; next: shellback check {}\n", target, target);
 }

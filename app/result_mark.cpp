@@ -112,9 +112,8 @@ bool is_result(const std::string& path) {
   if (text.starts_with(kHdf5Begin)) return hdf5::format_of(path).starts_with("shellback ");
   if (text.starts_with(kJsonBegin) || text.starts_with(kCommentBegin)) return true;
   if (text.starts_with(kPageBegin)) return text.find(kPageMark) != std::string::npos;
-  if (text.size() > kPngHead && text.compare(kPngHead + 4, kPngMark.size(), kPngMark) == 0) {
-    return true;
-  }
+  constexpr std::size_t kLength = 4;  // of a chunk, before its name [B]
+  if (text.find(kPngMark) == kPngHead + kLength) return true;
   return std::string_view(text).substr(0, text.find('\n')).ends_with(kColumn) ||
          is_coefficient_table(text);
 }

@@ -10,7 +10,6 @@
 #include "app/init.hpp"
 #include "core/contract.hpp"
 #include "program/commands.hpp"
-#include "program/outputs.hpp"
 
 namespace shellback::program {
 namespace {
@@ -24,7 +23,6 @@ int init(const Request& request) {
   if (request.name.empty()) {
     list_cases(std::cout);
   } else {
-    const Outputs judged(request, {});
     write_case(request.name, request.output, std::cout);
   }
   return kDone;

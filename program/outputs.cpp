@@ -23,8 +23,6 @@ Format main_format(Command command) {
     case Command::compare:
     case Command::validate:
       return Format::html;
-    case Command::init:
-      return Format::toml;
     default:
       return Format::svg;
   }

@@ -68,8 +68,11 @@ class Process {
   pid_t pid_;
 };
 
-/// Whether the process has a handler for `signal` by now (proc(5), SigCgt).
+/// Whether the process is the program already, and has a handler for `signal` (proc(5), SigCgt).
 bool catches(pid_t pid, int signal) {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/" + std::to_string(pid) + "/exe", error);
+  if (error || program.filename() != "shellback") return false;
   std::istringstream status(text_of("/proc/" + std::to_string(pid) + "/status"));
   std::string line;
   while (std::getline(status, line)) {

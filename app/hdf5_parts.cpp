@@ -97,4 +97,35 @@ void write_origin(hid_t file, const coupling::Case& c) {
   for (const auto& [name, version] : p.libraries) attribute(origin, "library_" + name, version);
 }
 
+std::string file_bytes(const std::function<void(hid_t)>& fill) {
+  constexpr std::size_t kGrowth = 1 << 20;  // memory is taken in steps of this size [B]
+  constexpr hbool_t kNoFile = 0;
+  const QuietErrors quiet;
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a file in memory");
+  check(H5Pset_fapl_core(access, kGrowth, kNoFile), "a file in memory");
+  const Handle file(H5Fcreate("result", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "the file");
+  fill(file);
+  check(H5Fflush(file, H5F_SCOPE_LOCAL), "the file");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  check(size > 0 ? 0 : -1, "the file");
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  check(H5Fget_file_image(file, bytes.data(), bytes.size()) == size ? 0 : -1, "the file");
+  return bytes;
+}
+
+std::string format_of(const std::string& path) {
+  const QuietErrors quiet;
+  try {
+    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "the file");
+    const Handle id(H5Aopen(file, "format", H5P_DEFAULT), H5Aclose, "format");
+    char* text = nullptr;
+    check(H5Aread(id, text_type(), &text), "format");
+    const std::string format = text;
+    H5free_memory(text);
+    return format;
+  } catch (const FileError&) {
+    return "";
+  }
+}
+
 }  // namespace shellback::app::hdf5

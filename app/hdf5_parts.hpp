@@ -2,6 +2,7 @@
 /// The few things of HDF5 that our files are made of.
 #include <hdf5.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -71,5 +72,12 @@ void doubles(hid_t parent, const char* name, const std::vector<double>& values, 
 
 /// Groups case (its verbatim text) and provenance.
 void write_origin(hid_t file, const coupling::Case& c);
+
+/// The bytes of the file that `fill` writes into. It is made in memory: the library cannot close a
+/// file on a full disk, and crashes later. Throws FileError if the library says no.
+[[nodiscard]] std::string file_bytes(const std::function<void(hid_t)>& fill);
+
+/// The attribute `format` of a file; empty if there is none or this is no sound HDF5 file.
+[[nodiscard]] std::string format_of(const std::string& path);
 
 }  // namespace shellback::app::hdf5

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <ostream>
 
 #include "app/case_text.hpp"
+#include "app/file_identity.hpp"
 #include "app/library.hpp"
+#include "app/output_rules.hpp"
+#include "app/pending_file.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
@@ -33,16 +35,14 @@ void list_cases(std::ostream& out) {
 void write_case(const std::string& name, const std::string& path, std::ostream& out) {
   const std::string text = read_text_file(case_path(name).string());
   const std::string target = path.empty() ? name + ".toml" : path;
-  if (std::filesystem::exists(target)) {
+  if (std::filesystem::exists(target) && !is_stream(target)) {
     throw FileError(
         fmt::format("{}: exists already and is left as it is; choose another name "
                     "with -o",
                     target));
   }
-  std::ofstream file(target, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw FileError(fmt::format("{}: cannot be written", target));
+  expect_sound({{"-o", target, Format::toml}}, {}, false);
+  write_file(target, text);
   out << fmt::format("{} written; next: shellback check {}\n", target, target);
 }
 

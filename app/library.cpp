@@ -68,6 +68,24 @@ std::vector<std::string> shipped_materials(Reader& reader) {
   return names;
 }
 
+std::vector<std::string> files_below(const fs::path& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
+    if (entry.is_regular_file(error)) files.push_back(entry.path().string());
+  }
+  return files;
+}
+
+std::vector<std::string> shipped_files() {
+  std::vector<std::string> files;
+  for (const char* folder : {"cases", "data", "validation"}) {
+    const std::vector<std::string> more = files_below(library_root() / folder);
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  return files;
+}
+
 fs::path case_path(const std::string& name) {
   const std::vector<std::string> known = shipped_cases();
   if (std::find(known.begin(), known.end(), name) == known.end()) {

@@ -18,6 +18,12 @@ namespace shellback::app {
 [[nodiscard]] std::vector<std::string> shipped_materials(Reader& reader);
 [[nodiscard]] std::vector<std::string> shipped_cases();
 
+/// Every file that comes with the program: cases, oils, materials, the ledger's entries.
+[[nodiscard]] std::vector<std::string> shipped_files();
+
+/// The files below `folder`, however deep; none if there is no such folder.
+[[nodiscard]] std::vector<std::string> files_below(const std::filesystem::path& folder);
+
 /// The shipped case's file. Throws InputError (did you mean, list) if there is none.
 [[nodiscard]] std::filesystem::path case_path(const std::string& name);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -18,9 +19,12 @@ constexpr const char* kWipe = "\r\x1b[K";  ///< back to the line's begin, clear 
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-void on_interrupt(int signal) {
+/// The interrupt key, and what `kill`, batch systems and a machine going down send.
+constexpr std::array kInterrupts{SIGINT, SIGTERM};
+
+void on_interrupt(int /*signal*/) {
   interrupted.store(true);
-  std::signal(signal, SIG_DFL);
+  for (const int each : kInterrupts) std::signal(each, SIG_DFL);
 }
 
 double now_s() {
@@ -57,7 +61,7 @@ void ProgressLine::show(const std::string& words) {
 }
 
 const std::atomic<bool>& catch_interrupt() {
-  std::signal(SIGINT, on_interrupt);
+  for (const int each : kInterrupts) std::signal(each, on_interrupt);
   return interrupted;
 }
 

@@ -29,8 +29,8 @@ class ProgressLine {
   double last_s_;
 };
 
-/// Catches Ctrl-C from now on: the first one sets the flag that solvers poll, a second one ends
-/// the program at once.
+/// Catches Ctrl-C and SIGTERM from now on: the first one sets the flag that solvers poll, a second
+/// one ends the program at once.
 [[nodiscard]] const std::atomic<bool>& catch_interrupt();
 
 }  // namespace shellback::app

@@ -24,7 +24,9 @@ coupling::Bearing read_bearing(const Section& file) {
                           "(bearing.reference_temperature is not given)");
   if (section.has("profile")) {
     const std::filesystem::path folder = std::filesystem::path(section.reader().file).parent_path();
-    bearing.profile = read_profile((folder / section.text("profile")).string());
+    const std::string& path =
+        section.reader().tables.emplace_back((folder / section.text("profile")).string());
+    bearing.profile = read_profile(path);
   }
   return bearing;
 }

@@ -45,15 +45,13 @@ void read_sections(const Section& file, Case& result) {
   result.measured = read_measured(file);
 }
 
-}  // namespace
-
-Case read_case_text(const std::string& text, const std::string& path,
-                    const std::vector<Override>& overrides, const std::vector<Tier>& tiers) {
+/// `reader` knows the file's name; what gathers on the way is in it afterwards.
+Case read_with(Reader& reader, const std::string& text, const std::vector<Override>& overrides,
+               const std::vector<Tier>& tiers) {
+  const std::string& path = reader.file;
   expect_text(text, path);
   toml::table root = parse_toml(text, path);
   for (const Override& change : overrides) apply_override(root, change);
-  Reader reader;
-  reader.file = path;
   const Section file(reader, root, "");
   Case result;
   result.path = path;
@@ -66,6 +64,27 @@ Case read_case_text(const std::string& text, const std::string& path,
   if (tiers.empty()) expect_possible(result, result.model.tier, reader);
   for (const Tier tier : tiers) expect_possible(result, tier, reader);
   return result;
+}
+
+}  // namespace
+
+Case read_case_text(const std::string& text, const std::string& path,
+                    const std::vector<Override>& overrides, const std::vector<Tier>& tiers) {
+  Reader reader;
+  reader.file = path;
+  return read_with(reader, text, overrides, tiers);
+}
+
+std::vector<std::string> files_of_case(const std::string& text, const std::string& path,
+                                       const std::vector<Override>& overrides,
+                                       const std::vector<Tier>& tiers) {
+  Reader reader;
+  reader.file = path;
+  static_cast<void>(read_with(reader, text, overrides, tiers));
+  std::vector<std::string> files{path};
+  for (const auto& [name, unused] : reader.documents) files.push_back(name);
+  files.insert(files.end(), reader.tables.begin(), reader.tables.end());
+  return files;
 }
 
 Case read_case(const std::string& path, const std::vector<Override>& overrides,

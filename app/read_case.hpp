@@ -20,6 +20,13 @@ namespace shellback::app {
                                             const std::vector<Override>& overrides = {},
                                             const std::vector<coupling::Tier>& tiers = {});
 
+/// Every file that this reading takes in: the case, its profile, oils and materials. Throws
+/// likewise.
+[[nodiscard]] std::vector<std::string> files_of_case(const std::string& text,
+                                                     const std::string& path,
+                                                     const std::vector<Override>& overrides = {},
+                                                     const std::vector<coupling::Tier>& tiers = {});
+
 /// The tier of that name ("isothermal", "lumped", "thd", "tehd"). Throws InputError at `place`.
 [[nodiscard]] coupling::Tier tier_named(const std::string& name, const std::string& place);
 

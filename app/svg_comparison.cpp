@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "app/pending_file.hpp"
 #include "app/svg_film.hpp"
 #include "app/svg_profiles.hpp"
 #include "app/svg_waterfall.hpp"
@@ -61,8 +60,7 @@ void draw_film(Svg& svg, const Box& box, const coupling::Case& c, const Comparis
 
 }  // namespace
 
-void write_comparison_svg(const std::string& path, const coupling::Case& c,
-                          const Comparison& comparison) {
+std::string comparison_svg(const coupling::Case& c, const Comparison& comparison) {
   const Theme theme = print_theme();
   Svg svg(kWidth, kHeight);
   svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
@@ -81,7 +79,7 @@ void write_comparison_svg(const std::string& path, const coupling::Case& c,
   draw_film(svg, kTopRight, c, comparison, FilmField::pressure, "Film pressure", theme);
   draw_film(svg, kBottomRight, c, comparison, FilmField::temperature, "Mean film temperature",
             theme);
-  write_file(path, svg.document(c.title));
+  return svg.document(c.title);
 }
 
 }  // namespace shellback::app

@@ -6,8 +6,8 @@
 
 namespace shellback::app {
 
-/// Writes the picture (1200 x 700, white background) as an SVG file. Throws FileError.
-void write_comparison_svg(const std::string& path, const coupling::Case& c,
-                          const coupling::Comparison& comparison);
+/// The picture (1200 x 700, white background) as an SVG document.
+[[nodiscard]] std::string comparison_svg(const coupling::Case& c,
+                                         const coupling::Comparison& comparison);
 
 }  // namespace shellback::app

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "app/pending_file.hpp"
 #include "app/svg_sweep_parts.hpp"
 #include "app/sweep_columns.hpp"
 #include "core/contract.hpp"
@@ -73,8 +72,7 @@ void expect_drawable(const std::vector<study::Axis>& axes) {
                    "too, or leave out --picture");
 }
 
-void write_sweep_svg(const std::string& path, const std::string& text,
-                     const coupling::Case& subject, const Sweep& sweep) {
+std::string sweep_svg(const std::string& text, const coupling::Case& subject, const Sweep& sweep) {
   const Theme theme = print_theme();
   Svg svg(kWidth, kHeight);
   svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
@@ -91,7 +89,7 @@ void write_sweep_svg(const std::string& path, const std::string& text,
     svg.text({kWidth - 24.0, 36.0}, count_words(sweep) + (sweep.count_failed() > 0 ? " (×)" : ""),
              {theme.more, 13.0, Anchor::end, true});
   }
-  write_file(path, svg.document(subject.title));
+  return svg.document(subject.title);
 }
 
 }  // namespace shellback::app

@@ -21,6 +21,16 @@ std::vector<std::string> words_at(const std::vector<Axis>& axes, const Position&
   return words;
 }
 
+/// `set` and, last, the values of the axes.
+std::vector<Override> overrides_at(std::vector<Override> set, const std::vector<Axis>& axes,
+                                   const Position& at) {
+  const std::vector<std::string> words = words_at(axes, at);
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    set.push_back({axes[a].key, words[a], "--vary " + axes[a].key});
+  }
+  return set;
+}
+
 /// The error with the point in front of the problem.
 [[noreturn]] void rethrow_at(const std::string& point, const InputError& error) {
   std::string problem = error.what();
@@ -51,13 +61,8 @@ study::CaseAt case_source(std::string text, std::string path, std::vector<Overri
                           std::vector<Axis> axes) {
   return [text = std::move(text), path = std::move(path), set = std::move(set),
           axes = std::move(axes)](const Position& at) {
-    std::vector<Override> overrides = set;
-    const std::vector<std::string> words = words_at(axes, at);
-    for (std::size_t a = 0; a < axes.size(); ++a) {
-      overrides.push_back({axes[a].key, words[a], "--vary " + axes[a].key});
-    }
     try {
-      return read_case_text(text, path, overrides);
+      return read_case_text(text, path, overrides_at(set, axes, at));
     } catch (const InputError& error) {
       rethrow_at(position_words(axes, at), error);
     }
@@ -76,6 +81,28 @@ Case sweep_subject(const std::string& text, const std::string& path,
   }
   for (const Axis& axis : axes) subject.verbatim += fmt::format("# varied: {}\n", axis_words(axis));
   return subject;
+}
+
+std::vector<std::string> files_of_sweep(const std::string& text, const std::string& path,
+                                        const std::vector<Override>& set,
+                                        const std::vector<Axis>& axes) {
+  std::vector<std::string> files;
+  const auto add = [&](const Position& at) {
+    const auto more = files_of_case(text, path, overrides_at(set, axes, at));
+    files.insert(files.end(), more.begin(), more.end());
+  };
+  const Position first{0.0, std::vector<int>(axes.size() - 1, 0)};
+  add(first);
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    if (!axes[a].numbers.empty()) continue;  // only words name files
+    for (int k = 1; k < axes[a].size(); ++k) {
+      Position at = first;
+      if (a == 0) at.along = k;
+      if (a > 0) at.across[a - 1] = k;
+      add(at);
+    }
+  }
+  return files;
 }
 
 std::optional<double> value_in_file(const std::string& text, const Axis& axis) {

@@ -20,6 +20,12 @@ namespace shellback::app {
                                            const std::vector<Override>& set,
                                            const std::vector<study::Axis>& axes);
 
+/// Every file that any point is read from.
+[[nodiscard]] std::vector<std::string> files_of_sweep(const std::string& text,
+                                                      const std::string& path,
+                                                      const std::vector<Override>& set,
+                                                      const std::vector<study::Axis>& axes);
+
 /// What the file itself says for the axis's key, in the axis's unit; nothing if it does not say,
 /// or not in that unit.
 [[nodiscard]] std::optional<double> value_in_file(const std::string& text, const study::Axis& axis);

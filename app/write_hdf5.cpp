@@ -1,7 +1,5 @@
 #include "app/write_hdf5.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -9,7 +7,6 @@
 #include <utility>
 
 #include "app/hdf5_parts.hpp"
-#include "app/pending_file.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
@@ -158,13 +155,8 @@ void write_notes(hid_t file, const Result& result) {
 
 }  // namespace
 
-void write_hdf5(const std::string& path, const coupling::Case& c, const Result& result) {
-  const QuietErrors quiet;
-  PendingFile pending(path);
-  try {
-    const Handle file(
-        H5Fcreate(pending.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-        "the file");
+std::string result_hdf5(const coupling::Case& c, const Result& result) {
+  return file_bytes([&](hid_t file) {
     write_head(file, result);
     write_scalars(file, result);
     write_grid(file, result.fields);
@@ -172,13 +164,7 @@ void write_hdf5(const std::string& path, const coupling::Case& c, const Result& 
     write_history(file, result);
     write_notes(file, result);
     write_origin(file, c);
-    // A full disk shows only now; closing cannot report it.
-    check(H5Fflush(file, H5F_SCOPE_LOCAL), "the file");
-  } catch (const FileError& error) {
-    throw FileError(
-        fmt::format("cannot write {}: {}; choose another place or name", path, error.what()));
-  }
-  pending.commit();
+  });
 }
 
 }  // namespace shellback::app

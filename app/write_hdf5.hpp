@@ -29,8 +29,7 @@
 
 namespace shellback::app {
 
-/// Throws FileError if the file cannot be written; no broken file is left then, and an older
-/// one of the same name is kept.
-void write_hdf5(const std::string& path, const coupling::Case& c, const coupling::Result& result);
+/// The bytes of the file. Throws FileError if the library cannot make them.
+[[nodiscard]] std::string result_hdf5(const coupling::Case& c, const coupling::Result& result);
 
 }  // namespace shellback::app

@@ -5,7 +5,6 @@
 #include "app/html_figures.hpp"
 #include "app/html_style.hpp"
 #include "app/html_tables.hpp"
-#include "app/pending_file.hpp"
 #include "app/quantity_label.hpp"
 #include "app/svg.hpp"
 
@@ -41,11 +40,6 @@ std::string comparison_html(const coupling::Case& c, const coupling::Comparison&
   html += notes_html(comparison);
   html += "<footer>\n<h2>Provenance</h2>\n" + provenance_html(c) + "</footer>\n";
   return html + "</main>\n</body>\n</html>\n";
-}
-
-void write_comparison_html(const std::string& path, const coupling::Case& c,
-                           const coupling::Comparison& comparison) {
-  write_file(path, comparison_html(c, comparison));
 }
 
 }  // namespace shellback::app

@@ -2,7 +2,6 @@
 /// A comparison as one page that needs nothing else: no network, no script, no other file.
 #include <string>
 
-#include "app/svg_comparison.hpp"  // the same comparison as one picture
 #include "coupling/result.hpp"
 
 namespace shellback::app {
@@ -12,9 +11,5 @@ namespace shellback::app {
 /// every table and map.
 [[nodiscard]] std::string comparison_html(const coupling::Case& c,
                                           const coupling::Comparison& comparison);
-
-/// Writes the page. Throws FileError; no broken file is left then.
-void write_comparison_html(const std::string& path, const coupling::Case& c,
-                           const coupling::Comparison& comparison);
 
 }  // namespace shellback::app

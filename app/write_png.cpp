@@ -7,7 +7,6 @@
 #include <cmath>
 #include <memory>
 
-#include "app/pending_file.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
@@ -21,24 +20,33 @@ struct Release {
 template <class T>
 using Owned = std::unique_ptr<T, Release>;
 
-Owned<RsvgHandle> read_drawing(const std::string& path, const std::string& svg) {
+[[noreturn]] void refuse(GError* error) {
+  const std::string why = error != nullptr ? error->message : "unknown reason";
+  g_clear_error(&error);
+  throw FileError("cannot draw the picture: " + why);
+}
+
+Owned<RsvgHandle> read_drawing(const std::string& svg) {
   GError* error = nullptr;
   Owned<RsvgHandle> handle(
       rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
   if (handle) return handle;
-  const std::string why = error != nullptr ? error->message : "unknown reason";
-  g_clear_error(&error);
-  throw FileError(fmt::format("cannot draw {}: {}", path, why));
+  refuse(error);
+}
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
 }
 
 }  // namespace
 
-void write_png(const std::string& path, const std::string& svg, double scale) {
-  const auto handle = read_drawing(path, svg);
+std::string png_of(const std::string& svg, double scale) {
+  const auto handle = read_drawing(svg);
   double width = 0.0;
   double height = 0.0;
   if (rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width, &height) == FALSE) {
-    throw FileError(fmt::format("cannot draw {}: the drawing has no size in pixels", path));
+    throw FileError("cannot draw the picture: it has no size in pixels");
   }
   const Owned<cairo_surface_t> surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(width * scale)),
@@ -49,18 +57,14 @@ void write_png(const std::string& path, const std::string& svg, double scale) {
   const RsvgRectangle page{0.0, 0.0, width * scale, height * scale};
   GError* error = nullptr;
   if (rsvg_handle_render_document(handle.get(), context.get(), &page, &error) == FALSE) {
-    const std::string why = error != nullptr ? error->message : "unknown reason";
-    g_clear_error(&error);
-    throw FileError(fmt::format("cannot draw {}: {}", path, why));
+    refuse(error);
   }
-  PendingFile pending(path);
-  const cairo_status_t status =
-      cairo_surface_write_to_png(surface.get(), pending.temporary().c_str());
+  std::string bytes;
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw FileError(fmt::format("cannot write {}: {}; choose another place or name", path,
-                                cairo_status_to_string(status)));
+    throw FileError(fmt::format("cannot draw the picture: {}", cairo_status_to_string(status)));
   }
-  pending.commit();
+  return bytes;
 }
 
 }  // namespace shellback::app

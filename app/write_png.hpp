@@ -4,9 +4,8 @@
 
 namespace shellback::app {
 
-/// Renders an SVG document to a PNG file, `scale` pixels per unit of the drawing (librsvg, cairo;
-/// text in the fonts that fontconfig finds). Throws FileError if the file cannot be written or the
-/// drawing cannot be read.
-void write_png(const std::string& path, const std::string& svg, double scale = 1.5);
+/// The bytes of a PNG file of an SVG document, `scale` pixels per unit of the drawing (librsvg,
+/// cairo; text in the fonts that fontconfig finds). Throws FileError if it cannot be drawn.
+[[nodiscard]] std::string png_of(const std::string& svg, double scale = 1.5);
 
 }  // namespace shellback::app

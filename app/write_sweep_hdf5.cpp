@@ -1,12 +1,9 @@
 #include "app/write_sweep_hdf5.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <functional>
 
 #include "app/hdf5_parts.hpp"
-#include "app/pending_file.hpp"
 #include "app/quantity_label.hpp"
 #include "app/sweep_columns.hpp"
 #include "core/contract.hpp"
@@ -150,13 +147,8 @@ void write_state(hid_t file, const GridWriter& grid) {
 
 }  // namespace
 
-void write_sweep_hdf5(const std::string& path, const coupling::Case& subject, const Sweep& sweep) {
-  const QuietErrors quiet;
-  PendingFile pending(path);
-  try {
-    const Handle file(
-        H5Fcreate(pending.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-        "the file");
+std::string sweep_hdf5(const coupling::Case& subject, const Sweep& sweep) {
+  return file_bytes([&](hid_t file) {
     const GridWriter grid(sweep);
     write_head(file, subject, sweep);
     write_axes(file, sweep);
@@ -165,12 +157,7 @@ void write_sweep_hdf5(const std::string& path, const coupling::Case& subject, co
     write_cost(file, grid);
     write_state(file, grid);
     write_origin(file, subject);
-    check(H5Fflush(file, H5F_SCOPE_LOCAL), "the file");  // a full disk shows only now
-  } catch (const FileError& error) {
-    throw FileError(
-        fmt::format("cannot write {}: {}; choose another place or name", path, error.what()));
-  }
-  pending.commit();
+  });
 }
 
 }  // namespace shellback::app

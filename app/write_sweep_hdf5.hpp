@@ -24,8 +24,7 @@
 
 namespace shellback::app {
 
-/// Throws FileError if the file cannot be written; an older one of the same name is then kept.
-void write_sweep_hdf5(const std::string& path, const coupling::Case& subject,
-                      const study::Sweep& sweep);
+/// The bytes of the file. Throws FileError if the library cannot make them.
+[[nodiscard]] std::string sweep_hdf5(const coupling::Case& subject, const study::Sweep& sweep);
 
 }  // namespace shellback::app

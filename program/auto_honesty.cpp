@@ -8,6 +8,7 @@
 
 #include "app/progress.hpp"
 #include "program/commands.hpp"
+#include "program/outputs.hpp"
 #include "program/session.hpp"
 
 namespace shellback::program {
@@ -41,13 +42,13 @@ std::string json_of(const std::vector<AutoTrial>& trials) {
     }
     all.push_back(one);
   }
-  return all.dump(2) + "\n";
+  return nlohmann::ordered_json{{"trials", all}}.dump(2) + "\n";
 }
 
 }  // namespace
 
 int auto_honesty(const Request& request) {
-  expect_folder(request.json);
+  Outputs outputs(request, {});
   proof::AutoStudy study;
   study.first_seed = request.seed;
   study.cases = request.cases;
@@ -59,9 +60,9 @@ int auto_honesty(const Request& request) {
   }
   const auto trials = proof::judge_auto(study);
   if (terminal) std::cerr << "\r                      \r";
-  if (!request.json.empty()) give_json(request, json_of(trials));
   if (request.json != "-") proof::write_auto_honesty(std::cout, trials);
-  return study.stop->load() ? kInterrupted : kDone;
+  outputs.give("--json", [&] { return json_of(trials); });
+  return outputs.code(study.stop->load() ? kInterrupted : kDone);
 }
 
 }  // namespace shellback::program

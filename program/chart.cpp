@@ -6,10 +6,12 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/pending_file.hpp"
+#include "app/case_text.hpp"
 #include "app/progress.hpp"
+#include "app/read_case.hpp"
 #include "app/write_png.hpp"
 #include "program/commands.hpp"
+#include "program/outputs.hpp"
 #include "program/session.hpp"
 #include "proof/chart_csv.hpp"
 #include "proof/chart_picture.hpp"
@@ -80,7 +82,12 @@ int chart(const Request& request) {
   for (const std::string& name : request.scenes.empty() ? chart_scene_names() : request.scenes) {
     subjects.emplace_back(name, chart_case(name));
   }
-  for (const std::string& path : {request.output, request.png, request.csv}) expect_folder(path);
+  std::vector<std::string> inputs;
+  for (const auto& [name, subject] : subjects) {
+    const auto files = app::files_of_case(app::read_text_file(subject.path), subject.path);
+    inputs.insert(inputs.end(), files.begin(), files.end());
+  }
+  Outputs outputs(request, inputs);
   ChartOptions options;
   options.threads = request.threads;
   options.stop = &app::catch_interrupt();
@@ -100,13 +107,7 @@ int chart(const Request& request) {
       if (options.stop->load()) break;
     }
   }
-  const std::string svg = chart_svg(scenes);
-  if (!request.output.empty()) app::write_file(request.output, svg);
-  if (!request.png.empty()) app::write_png(request.png, svg);
-  if (!request.csv.empty() && request.csv != "-") app::write_file(request.csv, chart_csv(scenes));
-  if (request.csv == "-") {
-    std::cout << chart_csv(scenes);
-  } else {
+  if (request.csv != "-") {
     for (const ChartScene& scene : scenes) print_scene(std::cout, scene);
   }
   for (const ChartScene& scene : scenes) {
@@ -114,7 +115,10 @@ int chart(const Request& request) {
     std::cerr << "error: " << scene.name << ": " << to_string(scene.verdict.status) << ": "
               << scene.verdict.reason << "\n";
   }
-  return code;
+  outputs.give("-o", [&] { return chart_svg(scenes); });
+  outputs.give("--png", [&] { return app::png_of(chart_svg(scenes)); });
+  outputs.give("--csv", [&] { return chart_csv(scenes); });
+  return outputs.code(code);
 }
 
 }  // namespace shellback::program

@@ -96,7 +96,11 @@ int run_program(const std::vector<std::string>& words) {
     }
     const int code = work(reading.request);
     std::cout.flush();
-    if (!std::cout) throw FileError("standard output cannot be written");
+    if (!std::cout) {
+      throw FileError(
+          "cannot write to standard output: its reader is gone or its disk is full; send it "
+          "elsewhere, or ask for files");
+    }
     return code;
   } catch (const InputError& error) {
     std::cerr << "error: " << error.what() << "\n" << excerpt(error.where());

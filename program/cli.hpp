@@ -7,12 +7,12 @@ namespace shellback::program {
 
 /// How the program ends.
 enum ExitCode : int {
-  kDone = 0,          ///< done and converged
-  kDefect = 1,        ///< an error inside the program, to be reported
-  kBadInput = 2,      ///< the case or the command line is wrong
-  kNotConverged = 3,  ///< or no steady state exists
-  kBadFile = 4,       ///< a file could not be read or written
-  kInterrupted = 130,
+  kDone = 0,           ///< done and converged
+  kDefect = 1,         ///< an error inside the program, to be reported
+  kBadInput = 2,       ///< the case or the command line is wrong
+  kNotConverged = 3,   ///< or no steady state exists
+  kBadFile = 4,        ///< a file could not be read or written
+  kInterrupted = 130,  ///< by Ctrl-C or SIGTERM; what is finished is kept
 };
 
 enum class Command {
@@ -39,6 +39,7 @@ struct Request {
   std::vector<std::string> set;              ///< --set, each KEY=VALUE
   std::string json;                          ///< --json: file, "-" for standard output
   std::string output;                        ///< -o
+  bool force = false;                        ///< --force: replace files that are no results
   std::string picture;                       ///< --picture
   bool coefficients = false;                 ///< --coefficients
   std::string coefficients_table;            ///< --coefficients-table

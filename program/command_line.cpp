@@ -27,12 +27,18 @@ void add_threads(CLI::App& command, Request& request, const std::string& words) 
       ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_force(CLI::App& command, Request& request) {
+  command.add_flag("--force", request.force,
+                   "let outputs replace files that are no results of shellback (never an input)");
+}
+
 void add_solve_options(CLI::App& command, Request& request) {
   add_case_options(command, request);
   command
       .add_option("--json", request.json,
                   "also write the result as JSON; - is standard output, without the table")
       ->type_name("FILE");
+  add_force(command, request);
   add_threads(command, request, "threads that may be used (this command works on one)");
 }
 
@@ -42,10 +48,12 @@ void add_validate(CLI::App& app, Request& request) {
   validate->add_option("NAME", request.names, "entries; without one, all of them");
   validate->add_flag("--list", request.list, "list the entries without running them");
   validate->add_flag("--rows", request.all_rows, "print every row, not only the worst");
+  add_force(*validate, request);
   add_threads(*validate, request, "threads that may be used");
   validate->add_option("-o", request.output, "write the page with figures and bands (HTML)")
       ->type_name("FILE.html");
-  validate->add_option("--csv", request.csv, "write every row as a table")->type_name("FILE");
+  validate->add_option("--csv", request.csv, "write every row as a table; - is standard output")
+      ->type_name("FILE");
   validate
       ->add_option("--json", request.json,
                    "also write the ledger as JSON; - is standard output, without the tables")
@@ -63,6 +71,7 @@ void add_chart(CLI::App& app, Request& request) {
   chart->add_option("--csv", request.csv, "write all numbers; - is standard output")
       ->type_name("FILE.csv");
   chart->add_flag("--quick", request.quick, "coarser grids, each solve timed once");
+  add_force(*chart, request);
   add_threads(*chart, request, "threads for the references; timed solves run one at a time");
 }
 
@@ -86,6 +95,7 @@ void add_sweep(CLI::App& app, Request& request) {
       ->type_name("FILE.svg");
   sweep->add_option("--json", request.json, "write all results as JSON; - is standard output")
       ->type_name("FILE");
+  add_force(*sweep, request);
   sweep->add_option("-j", request.cores, "threads (default: all cores)")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
@@ -110,6 +120,7 @@ void add_stress(CLI::App& app, Request& request) {
   stress->add_option("--limit", request.limit_s, "processor time after which a solve hangs [s]")
       ->type_name("S")
       ->check(CLI::Range(0.1, kLongest));
+  add_force(*stress, request);
   stress->add_option("-j", request.threads, "solves that run at the same time")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
@@ -142,6 +153,7 @@ void add_honesty(CLI::App& app, Request& request) {
   honesty->add_option("--json", request.json, "write every bar; - is standard output")
       ->type_name("FILE");
   honesty->add_option("-o", request.output, "write the picture (SVG)")->type_name("FILE.svg");
+  add_force(*honesty, request);
   add_threads(*honesty, request, "cases solved at the same time");
 }
 
@@ -198,6 +210,7 @@ void add_auto_honesty(CLI::App& app, Request& request) {
   honesty->add_option("--seed", request.seed, "of the first bearing (default 1)")
       ->check(CLI::Range(0, kMostCases));
   honesty->add_option("--json", request.json, "also write every trial as JSON")->type_name("FILE");
+  add_force(*honesty, request);
   honesty->add_option("-j", request.threads, "threads, one bearing each")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));

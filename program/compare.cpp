@@ -5,15 +5,18 @@
 #include <algorithm>
 #include <iostream>
 
+#include "app/case_text.hpp"
 #include "app/did_you_mean.hpp"
 #include "app/judge_case.hpp"
 #include "app/read_case.hpp"
+#include "app/svg_comparison.hpp"
 #include "app/write_html.hpp"
 #include "app/write_json.hpp"
 #include "app/write_table.hpp"
 #include "core/contract.hpp"
 #include "fidelity/solve.hpp"
 #include "program/commands.hpp"
+#include "program/outputs.hpp"
 #include "program/session.hpp"
 
 namespace shellback::program {
@@ -66,23 +69,22 @@ Comparison solve_all(const Case& subject, const std::vector<Tier>& tiers) {
 
 int compare(const Request& request) {
   std::vector<Tier> tiers = wanted_tiers(request);
-  const Case subject = read_case(request.case_file, overrides_of(request), tiers);
-  for (const std::string& path : {request.json, request.output, request.picture}) {
-    expect_folder(path);
-  }
+  const std::string text = read_text_file(request.case_file);
+  const Case subject = read_case_text(text, request.case_file, overrides_of(request), tiers);
+  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request), tiers));
   tell_warnings(subject);
   if (tiers.empty()) tiers = default_tiers(subject);
   const Comparison comparison = solve_all(subject, tiers);
-  if (!request.json.empty()) give_json(request, comparison_json(subject, comparison));
-  if (!request.output.empty()) write_comparison_html(request.output, subject, comparison);
-  if (!request.picture.empty()) write_comparison_svg(request.picture, subject, comparison);
   if (request.json != "-") write_comparison_table(std::cout, subject, comparison);
   int code = kDone;
   for (const Result& result : comparison.results) {
     tell_verdict(result);
     code = std::max(code, code_of(result.verdict));
   }
-  return code;
+  outputs.give("--json", [&] { return comparison_json(subject, comparison); });
+  outputs.give("-o", [&] { return comparison_html(subject, comparison); });
+  outputs.give("--picture", [&] { return comparison_svg(subject, comparison); });
+  return outputs.code(code);
 }
 
 }  // namespace shellback::program

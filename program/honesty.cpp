@@ -4,11 +4,11 @@
 
 #include <iostream>
 
-#include "app/pending_file.hpp"
 #include "app/progress.hpp"
 #include "app/read_case.hpp"
 #include "core/contract.hpp"
 #include "program/commands.hpp"
+#include "program/outputs.hpp"
 #include "program/session.hpp"
 #include "proof/honesty_report.hpp"
 #include "proof/known_cases.hpp"
@@ -65,8 +65,7 @@ HonestyOptions options_of(const Request& request) {
 
 int honesty(const Request& request) {
   HonestyOptions options = options_of(request);
-  expect_folder(request.json);
-  expect_folder(request.output);
+  Outputs outputs(request, {});
   const auto cases = chosen_cases(request);
   const HonestyRecord record = [&] {
     app::ProgressLine line;
@@ -75,10 +74,10 @@ int honesty(const Request& request) {
     };
     return measure_honesty(cases, options);
   }();
-  if (!request.output.empty()) app::write_file(request.output, honesty_svg(record));
-  if (!request.json.empty()) give_json(request, honesty_json(record));
   if (request.json != "-") write_honesty_table(std::cout, record);
-  return options.stop->load() ? kInterrupted : kDone;
+  outputs.give("-o", [&] { return honesty_svg(record); });
+  outputs.give("--json", [&] { return honesty_json(record); });
+  return outputs.code(options.stop->load() ? kInterrupted : kDone);
 }
 
 }  // namespace shellback::program

@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "app/case_text.hpp"
 #include "app/check.hpp"
 #include "app/read_case.hpp"
 #include "app/write_coefficients.hpp"
@@ -11,6 +12,7 @@
 #include "core/contract.hpp"
 #include "fidelity/solve_case.hpp"
 #include "program/commands.hpp"
+#include "program/outputs.hpp"
 #include "program/session.hpp"
 
 namespace shellback::program {
@@ -27,16 +29,14 @@ int check(const Request& request) {
 namespace {
 
 /// The table of coefficients, if it is asked for; 3 if they could not be had.
-int give_coefficients(const Request& request, const Result& result) {
+int give_coefficients(Outputs& outputs, const Result& result) {
   if (!result.coefficients) return kDone;
   const Coefficients& k = *result.coefficients;
   if (!k.verdict.good()) {
     std::cerr << "error: no stiffness and damping: " << k.verdict.reason << "\n";
     return kNotConverged;
   }
-  if (!request.coefficients_table.empty()) {
-    write_text_file(request.coefficients_table, coefficients_csv(k));
-  }
+  outputs.give("--coefficients-table", [&] { return coefficients_csv(k); });
   return kDone;
 }
 
@@ -51,25 +51,24 @@ void expect_film(const Case& subject) {
 }  // namespace
 
 int run(const Request& request) {
-  const Case subject = read_case(request.case_file, overrides_of(request));
+  const std::string text = read_text_file(request.case_file);
+  const Case subject = read_case_text(text, request.case_file, overrides_of(request));
   expect_film(subject);
-  expect_folder(request.json);
-  expect_folder(request.output);
-  expect_folder(request.coefficients_table);
+  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
   const Result result = [&] {
     ProgressLine line;
     return fidelity::solve_case(subject, control_for(line));
   }();
-  if (!request.json.empty()) give_json(request, result_json(subject, result));
-  if (!request.output.empty()) write_hdf5(request.output, subject, result);
   if (result.verdict.good() && request.json != "-") write_table(std::cout, subject, result);
   if (!result.verdict.good() && request.json != "-") {
     std::cout << "not converged: there is no result to print\n";
   }
   tell_verdict(result);
+  outputs.give("--json", [&] { return result_json(subject, result); });
+  outputs.give("-o", [&] { return result_hdf5(subject, result); });
   const int code = code_of(result.verdict);
-  return code == kDone ? give_coefficients(request, result) : code;
+  return outputs.code(code == kDone ? give_coefficients(outputs, result) : code);
 }
 
 }  // namespace shellback::program

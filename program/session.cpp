@@ -1,9 +1,5 @@
 #include "program/session.hpp"
 
-#include <fmt/format.h>
-
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 
 #include "app/read_case.hpp"
@@ -25,30 +21,6 @@ std::vector<Override> overrides_of(const Request& request) {
     overrides.push_back({"model.coefficients", "true", "--coefficients"});
   }
   return overrides;
-}
-
-void expect_folder(const std::string& path) {
-  if (path.empty() || path == "-") return;
-  const auto folder = std::filesystem::absolute(path).parent_path();
-  if (!std::filesystem::is_directory(folder)) {
-    throw FileError(fmt::format("{}: there is no folder {}", path, folder.string()));
-  }
-  if (std::filesystem::is_directory(path)) {
-    throw FileError(fmt::format("{}: this is a folder; give a file in it", path));
-  }
-}
-
-void write_text_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw FileError(fmt::format("{}: cannot be written", path));
-}
-
-void give_json(const Request& request, const std::string& json) {
-  const std::string text = json.ends_with('\n') ? json : json + "\n";
-  if (request.json == "-") std::cout << text;
-  if (!request.json.empty() && request.json != "-") write_text_file(request.json, text);
 }
 
 void tell_warnings(const Case& subject) {

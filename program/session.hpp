@@ -1,5 +1,5 @@
 #pragma once
-/// What the commands share: options to overrides, files, messages, exit codes.
+/// What the commands share: options to overrides, messages, exit codes.
 #include <string>
 #include <vector>
 
@@ -14,16 +14,6 @@ namespace shellback::program {
 /// --set and --tier as overrides of the case file. Throws InputError.
 [[nodiscard]] std::vector<app::Override> overrides_of(const Request& request);
 
-/// Refuses an output file that cannot come about, before the work and not after it (FileError).
-/// Empty and "-" pass.
-void expect_folder(const std::string& path);
-
-/// Throws FileError if the file cannot be written.
-void write_text_file(const std::string& path, const std::string& text);
-
-/// Writes `json` where --json wants it, if it does.
-void give_json(const Request& request, const std::string& json);
-
 /// The case's warnings, on standard error.
 void tell_warnings(const coupling::Case& subject);
 
@@ -32,7 +22,7 @@ void tell_warnings(const coupling::Case& subject);
 /// Why there is no result, on standard error.
 void tell_verdict(const coupling::Result& result);
 
-/// Progress on `line`, Ctrl-C caught. The line must outlive the solve.
+/// Progress on `line`, Ctrl-C and SIGTERM caught. The line must outlive the solve.
 [[nodiscard]] coupling::SolveControl control_for(app::ProgressLine& line);
 
 }  // namespace shellback::program

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <iostream>
 
-#include "app/pending_file.hpp"
 #include "app/progress.hpp"
 #include "program/commands.hpp"
+#include "program/outputs.hpp"
 #include "program/session.hpp"
 #include "proof/stress_map.hpp"
 #include "proof/stress_picture.hpp"
@@ -66,9 +66,7 @@ int stress(const Request& request) {
     list_scenes(scenes);
     return kDone;
   }
-  for (const std::string& path : {request.output, request.table, request.csv, request.json}) {
-    expect_folder(path);
-  }
+  Outputs outputs(request, {});
   StressOptions options;
   options.at_once = request.threads;
   options.limit_s = request.limit_s;
@@ -83,20 +81,19 @@ int stress(const Request& request) {
   }
   const StressMap map = stress_map(scenes, options);
   if (terminal) fmt::print(stderr, "\r\x1b[K");
-  if (!request.output.empty()) app::write_file(request.output, stress_svg(map));
-  if (!request.table.empty()) {
-    const std::string link = request.output.empty() ? "" : link_to(request.output, request.table);
-    app::write_file(request.table, stress_page(map, link, command_line(request)));
-  }
-  if (!request.csv.empty() && request.csv != "-") app::write_file(request.csv, stress_csv(map));
-  give_json(request, stress_json(map));
-  if (request.csv == "-") std::cout << stress_csv(map);
   if (request.csv != "-" && request.json != "-") {
     std::cout << stress_summary(map) << "\n";
     print_open_cells(map);
   }
-  if (!map.complete) return kInterrupted;
-  return map.shipped_is_sound() ? kDone : kNotConverged;
+  outputs.give("-o", [&] { return stress_svg(map); });
+  outputs.give("--table", [&] {
+    const std::string link = request.output.empty() ? "" : link_to(request.output, request.table);
+    return stress_page(map, link, command_line(request));
+  });
+  outputs.give("--csv", [&] { return stress_csv(map); });
+  outputs.give("--json", [&] { return stress_json(map); });
+  if (!map.complete) return outputs.code(kInterrupted);
+  return outputs.code(map.shipped_is_sound() ? kDone : kNotConverged);
 }
 
 }  // namespace shellback::program

@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "app/case_text.hpp"
-#include "app/pending_file.hpp"
 #include "app/read_axis.hpp"
 #include "app/svg_sweep.hpp"
 #include "app/sweep_case.hpp"
@@ -20,6 +19,7 @@
 #include "fidelity/solve.hpp"
 #include "fidelity/solve_case.hpp"
 #include "program/commands.hpp"
+#include "program/outputs.hpp"
 #include "program/session.hpp"
 
 namespace shellback::program {
@@ -57,14 +57,12 @@ void warn_of_one_measurement(const coupling::Case& subject, const std::vector<Ax
                "measured.shell_back_temperature of the case\n";
 }
 
-void give_files(const Request& request, const std::string& text, const coupling::Case& subject,
+void give_files(Outputs& outputs, const std::string& text, const coupling::Case& subject,
                 const Sweep& sweep) {
-  if (!request.output.empty()) write_sweep_hdf5(request.output, subject, sweep);
-  if (!request.csv.empty() && request.csv != "-") write_file(request.csv, sweep_csv(sweep));
-  if (!request.picture.empty()) write_sweep_svg(request.picture, text, subject, sweep);
-  if (!request.json.empty()) give_json(request, sweep_json(subject, sweep));
-  if (request.csv == "-") std::cout << sweep_csv(sweep);
-  if (request.json != "-" && request.csv != "-") write_sweep_table(std::cout, subject, sweep);
+  outputs.give("-o", [&] { return sweep_hdf5(subject, sweep); });
+  outputs.give("--csv", [&] { return sweep_csv(sweep); });
+  outputs.give("--picture", [&] { return sweep_svg(text, subject, sweep); });
+  outputs.give("--json", [&] { return sweep_json(subject, sweep); });
 }
 
 }  // namespace
@@ -72,26 +70,22 @@ void give_files(const Request& request, const std::string& text, const coupling:
 int sweep(const Request& request) {
   const std::vector<Override> set = overrides_of(request);
   const std::vector<Axis> axes = parse_axes(request.vary, set);
-  if (request.csv == "-" && request.json == "-") {
-    throw InputError("--csv", "--json has standard output already; give one of them a file");
-  }
   if (!request.picture.empty()) expect_drawable(axes);
-  for (const std::string& path : {request.json, request.output, request.csv, request.picture}) {
-    expect_folder(path);
-  }
   const std::string text = read_text_file(request.case_file);
   const coupling::Case subject = sweep_subject(text, request.case_file, set, axes);
+  Outputs outputs(request, files_of_sweep(text, request.case_file, set, axes));
   warn_of_one_measurement(subject, axes);
   const Sweep done = solve_all(axes, case_source(text, request.case_file, set, axes),
                                request.cores > 0 ? request.cores : all_cores(), request.bars);
-  give_files(request, text, subject, done);
+  if (request.json != "-" && request.csv != "-") write_sweep_table(std::cout, subject, done);
+  give_files(outputs, text, subject, done);
   if (done.interrupted) {
     std::cerr << "interrupted: " << count_words(done) << "\n";
-    return kInterrupted;
+    return outputs.code(kInterrupted);
   }
-  if (done.count_failed() == 0) return kDone;
+  if (done.count_failed() == 0) return outputs.code(kDone);
   std::cerr << "error: " << count_words(done) << "\n";
-  return kNotConverged;
+  return outputs.code(kNotConverged);
 }
 
 }  // namespace shellback::program

@@ -2,7 +2,9 @@
 
 #include <iostream>
 
+#include "app/library.hpp"
 #include "program/commands.hpp"
+#include "program/outputs.hpp"
 #include "program/session.hpp"
 #include "proof/ledger_json.hpp"
 #include "proof/ledger_page.hpp"
@@ -24,6 +26,19 @@ void list_entries(const std::vector<Entry>& entries, const std::vector<UnrunData
     std::cout << fmt::format("  {}: {}\n", gap.title, gap.reason);
 }
 
+/// What stands on standard output stands alone.
+bool prints_tables(const Request& request) { return request.json != "-" && request.csv != "-"; }
+
+/// The ledger's files, and the cases that lie elsewhere.
+std::vector<std::string> inputs_of(const std::string& ledger, const std::vector<Entry>& entries) {
+  std::vector<std::string> inputs = app::files_below(ledger);
+  for (const Entry& entry : entries) {
+    if (entry.table) inputs.push_back(entry.table->path());
+    for (const BearingPart& bearing : entry.bearings) inputs.push_back(bearing.file);
+  }
+  return inputs;
+}
+
 /// Runs the entries one after the other, each printed as soon as it is done. Ends early when
 /// interrupted; the interrupted entry is left out.
 std::vector<EntryReport> run_entries(const Request& request, const std::vector<Entry>& entries) {
@@ -40,7 +55,7 @@ std::vector<EntryReport> run_entries(const Request& request, const std::vector<E
     EntryReport report = run_entry(entry, options);
     line.wipe();
     if (report.interrupted) break;
-    if (request.json != "-") {
+    if (prints_tables(request)) {
       write_entry_table(std::cout, report, request.all_rows ? RowsShown::all : RowsShown::worst);
       std::cout.flush();
     }
@@ -79,7 +94,6 @@ int tell_verdicts(const std::vector<EntryReport>& reports, std::size_t wanted) {
 }  // namespace
 
 int validate(const Request& request) {
-  for (const std::string& path : {request.json, request.output, request.csv}) expect_folder(path);
   const std::string ledger = ledger_folder(request.ledger);
   const std::vector<Entry> entries = read_entries(ledger, request.names);
   const std::vector<UnrunDataset> gaps =
@@ -88,12 +102,14 @@ int validate(const Request& request) {
     list_entries(entries, gaps);
     return kDone;
   }
+  Outputs outputs(request, inputs_of(ledger, entries));
   const std::vector<EntryReport> reports = run_entries(request, entries);
-  if (request.json != "-") write_summary(std::cout, reports, gaps);
-  if (!request.json.empty()) give_json(request, ledger_json(reports, gaps));
-  if (!request.csv.empty()) write_text_file(request.csv, ledger_csv(reports));
-  if (!request.output.empty()) write_text_file(request.output, ledger_page(reports, gaps));
-  return tell_verdicts(reports, entries.size());
+  if (prints_tables(request)) write_summary(std::cout, reports, gaps);
+  const int code = tell_verdicts(reports, entries.size());
+  outputs.give("--json", [&] { return ledger_json(reports, gaps); });
+  outputs.give("--csv", [&] { return ledger_csv(reports); });
+  outputs.give("-o", [&] { return ledger_page(reports, gaps); });
+  return outputs.code(code);
 }
 
 }  // namespace shellback::program

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/pending_file.hpp"
 #include "app/write_hdf5.hpp"
 #include "core/contract.hpp"
 #include "markup.hpp"
@@ -85,7 +86,7 @@ herr_t note_unlabelled(hid_t root, const char* name, const H5O_info_t* info, voi
 TEST_CASE("FieldsReadBackAreThoseWritten") {
   const test::ScratchFile scratch("output.h5");
   const auto result = test::synthetic_result();
-  app::write_hdf5(scratch.path(), test::synthetic_case(), result);
+  app::write_file(scratch.path(), app::result_hdf5(test::synthetic_case(), result));
   const Reader file(scratch.path());
   const auto& f = result.fields;
   using Shape = std::vector<hsize_t>;
@@ -109,7 +110,7 @@ TEST_CASE("FieldsReadBackAreThoseWritten") {
 TEST_CASE("ScalarsReadBackWithTheirUnits") {
   const test::ScratchFile scratch("output.h5");
   const auto result = test::synthetic_result();
-  app::write_hdf5(scratch.path(), test::synthetic_case(), result);
+  app::write_file(scratch.path(), app::result_hdf5(test::synthetic_case(), result));
   const Reader file(scratch.path());
   for (const auto& q : result.quantities) {
     CHECK(file.number("quantities", q.name) == q.value);
@@ -124,7 +125,8 @@ TEST_CASE("ScalarsReadBackWithTheirUnits") {
 
 TEST_CASE("EveryDatasetNamesItsUnitsAndMeaning") {
   const test::ScratchFile scratch("output.h5");
-  app::write_hdf5(scratch.path(), test::synthetic_case(), test::synthetic_result());
+  app::write_file(scratch.path(),
+                  app::result_hdf5(test::synthetic_case(), test::synthetic_result()));
   const Reader file(scratch.path());
   std::vector<std::string> unlabelled;
   H5Ovisit2(file.file, H5_INDEX_NAME, H5_ITER_NATIVE, note_unlabelled, &unlabelled, H5O_INFO_BASIC);
@@ -136,7 +138,7 @@ TEST_CASE("EveryDatasetNamesItsUnitsAndMeaning") {
 TEST_CASE("TheVerbatimCaseIsKept") {
   const test::ScratchFile scratch("output.h5");
   const auto c = test::synthetic_case();
-  app::write_hdf5(scratch.path(), c, test::synthetic_result());
+  app::write_file(scratch.path(), app::result_hdf5(c, test::synthetic_result()));
   const Reader file(scratch.path());
   const hid_t id = H5Dopen2(file.file, "case/verbatim", H5P_DEFAULT);
   const hid_t type = H5Dget_type(id);
@@ -150,8 +152,8 @@ TEST_CASE("TheVerbatimCaseIsKept") {
 
 TEST_CASE("FieldsOfAFailedSolveAreMarkedAsSuch") {
   const test::ScratchFile scratch("output.h5");
-  app::write_hdf5(scratch.path(), test::synthetic_case(),
-                  test::not_converged(test::synthetic_result()));
+  app::write_file(scratch.path(), app::result_hdf5(test::synthetic_case(),
+                                                   test::not_converged(test::synthetic_result())));
   const Reader file(scratch.path());
   CHECK(file.number(".", "converged") == 0.0);
   CHECK(file.text(".", "status") == "iteration limit");
@@ -161,8 +163,8 @@ TEST_CASE("FieldsOfAFailedSolveAreMarkedAsSuch") {
 
 TEST_CASE("FieldsTheTierDoesNotHaveAreAbsent") {
   const test::ScratchFile scratch("output.h5");
-  app::write_hdf5(scratch.path(), test::synthetic_case(),
-                  test::synthetic_comparison().results.front());
+  app::write_file(scratch.path(), app::result_hdf5(test::synthetic_case(),
+                                                   test::synthetic_comparison().results.front()));
   const Reader file(scratch.path());
   CHECK(file.has("fields/p"));
   CHECK_FALSE(file.has("fields/T"));
@@ -173,7 +175,7 @@ TEST_CASE("FieldsTheTierDoesNotHaveAreAbsent") {
 TEST_CASE("AResultWithoutAnyFieldsOrNotesIsStillWritten") {
   const test::ScratchFile scratch("output.h5");
   coupling::Result bare;
-  CHECK_NOTHROW(app::write_hdf5(scratch.path(), coupling::Case{}, bare));
+  CHECK_NOTHROW(app::write_file(scratch.path(), app::result_hdf5(coupling::Case{}, bare)));
   const Reader file(scratch.path());
   CHECK(file.shape("notes/warnings") == std::vector<hsize_t>{0});
 }
@@ -181,15 +183,15 @@ TEST_CASE("AResultWithoutAnyFieldsOrNotesIsStillWritten") {
 TEST_CASE("AFailedWriteKeepsTheOlderFileAndLeavesNothingElse") {
   const test::ScratchFile scratch("output_folder");
   const std::string& folder = scratch.path();
-  CHECK_THROWS_AS(
-      app::write_hdf5(folder + "/r.h5", test::synthetic_case(), test::synthetic_result()),
-      FileError);
+  CHECK_THROWS_AS(app::write_file(folder + "/r.h5", app::result_hdf5(test::synthetic_case(),
+                                                                     test::synthetic_result())),
+                  FileError);
   CHECK_FALSE(std::filesystem::exists(folder));
   // A folder of the wanted name cannot be replaced by a file.
   std::filesystem::create_directories(folder + "/r.h5/inside");
-  CHECK_THROWS_AS(
-      app::write_hdf5(folder + "/r.h5", test::synthetic_case(), test::synthetic_result()),
-      FileError);
+  CHECK_THROWS_AS(app::write_file(folder + "/r.h5", app::result_hdf5(test::synthetic_case(),
+                                                                     test::synthetic_result())),
+                  FileError);
   const auto left = std::distance(std::filesystem::directory_iterator(folder),
                                   std::filesystem::directory_iterator());
   CHECK(left == 1);

@@ -1,8 +1,10 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "app/pending_file.hpp"
 #include "app/quantity_label.hpp"
 #include "app/svg.hpp"
+#include "app/svg_comparison.hpp"
 #include "app/write_html.hpp"
 #include "core/contract.hpp"
 #include "markup.hpp"
@@ -120,14 +122,14 @@ TEST_CASE("PageAndPictureAreWrittenOrRefused") {
   const test::ScratchFile html("page.html");
   const test::ScratchFile picture("picture.svg");
   const auto comparison = test::synthetic_comparison();
-  app::write_comparison_html(html.path(), test::synthetic_case(), comparison);
-  app::write_comparison_svg(picture.path(), test::synthetic_case(), comparison);
+  app::write_file(html.path(), page(comparison));
+  app::write_file(picture.path(), app::comparison_svg(test::synthetic_case(), comparison));
   CHECK(test::file_text(html.path()) == page(comparison));
   const std::string svg = test::file_text(picture.path());
   CHECK(test::unbalanced_tag(svg) == "");
   CHECK(test::count(svg, "http") == 1);  // the name of the SVG namespace
   CHECK_FALSE(contains(svg, "var(--"));  // fixed colours: viewers need not know CSS variables
-  CHECK_THROWS_AS(
-      app::write_comparison_svg("/nowhere/at/all.svg", test::synthetic_case(), comparison),
-      FileError);
+  CHECK_THROWS_AS(app::write_file("/nowhere/at/all.svg",
+                                  app::comparison_svg(test::synthetic_case(), comparison)),
+                  FileError);
 }

@@ -36,7 +36,7 @@ TEST_CASE("AFileAppearsOnlyWhenItIsComplete") {
   app::write_file(path, "first");
   {
     app::PendingFile pending(path);
-    app::write_file(pending.temporary(), "half");
+    pending.write("half");
     CHECK(test::file_text(path) == "first");
   }  // given up
   CHECK(test::file_text(path) == "first");

@@ -1,48 +1,16 @@
 /// The whole program in one process: exit codes, and what goes to which stream.
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
-#include <sstream>
 
-#include "program/cli.hpp"
 #include "tests/app/sample_case.hpp"
+#include "tests/program/run_words.hpp"
 
 using namespace shellback;
 using namespace shellback::app;
 using namespace shellback::program;
+using namespace shellback::program::tests;
 
 namespace {
-
-/// Standard output and error, caught while the object lives.
-class Caught {
- public:
-  Caught() : out_(std::cout.rdbuf(out.rdbuf())), err_(std::cerr.rdbuf(err.rdbuf())) {}
-  ~Caught() {
-    std::cout.rdbuf(out_);
-    std::cerr.rdbuf(err_);
-  }
-  Caught(const Caught&) = delete;
-  Caught& operator=(const Caught&) = delete;
-
-  std::ostringstream out;
-  std::ostringstream err;
-
- private:
-  std::streambuf* out_;
-  std::streambuf* err_;
-};
-
-struct Ended {
-  int code;
-  std::string out;
-  std::string err;
-};
-
-Ended run_words(const std::vector<std::string>& words) {
-  Caught caught;
-  const int code = run_program(words);
-  return {code, caught.out.str(), caught.err.str()};
-}
 
 bool begins_with_brace(const std::string& text) {
   return text.find_first_not_of(" \n") != std::string::npos && text.front() == '{';

@@ -1,32 +1,15 @@
 /// shellback validate: exit codes and streams.
 #include <catch2/catch.hpp>
-#include <iostream>
-#include <sstream>
 
-#include "program/cli.hpp"
+#include "tests/program/run_words.hpp"
 #include "tests/proof/ledger_scratch.hpp"
 
 using namespace shellback;
 using namespace shellback::program;
+using namespace shellback::program::tests;
 using namespace shellback::proof::tests;
 
 namespace {
-
-struct Ended {
-  int code;
-  std::string out;
-  std::string err;
-};
-
-Ended run_words(const std::vector<std::string>& words) {
-  std::ostringstream out, err;
-  auto* cout = std::cout.rdbuf(out.rdbuf());
-  auto* cerr = std::cerr.rdbuf(err.rdbuf());
-  const int code = run_program(words);
-  std::cout.rdbuf(cout);
-  std::cerr.rdbuf(cerr);
-  return {code, out.str(), err.str()};
-}
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/pending_file.hpp"
 #include "app/svg_sweep.hpp"
 #include "app/write_csv.hpp"
 #include "app/write_json.hpp"
@@ -109,7 +110,7 @@ TEST_CASE("TheHdf5FileHoldsTheGridWithHolesForWhatFailed") {
   Case subject = coupling::tests::plain_case();
   subject.verbatim = "title = \"plain\"\n";
   const std::string path = scratch.path("sweep.h5");
-  write_sweep_hdf5(path, subject, sweep);
+  write_file(path, sweep_hdf5(subject, sweep));
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   REQUIRE(file >= 0);
   const auto torques = values_of(file, "/quantities/friction_torque");
@@ -163,7 +164,7 @@ TEST_CASE("ThePictureCountsFailedPointsAndDrawsNone") {
   const ScratchFolder scratch;
   const auto drawn = [&](const Sweep& sweep) {
     const std::string path = scratch.path("sweep.svg");
-    write_sweep_svg(path, kSampleCase, coupling::tests::plain_case(), sweep);
+    write_file(path, sweep_svg(kSampleCase, coupling::tests::plain_case(), sweep));
     std::ifstream file(path);
     std::stringstream text;
     text << file.rdbuf();
@@ -199,7 +200,7 @@ TEST_CASE("ErrorBarsStandBesideTheirValues") {
   CHECK(std::stod(rows[1][column]) == Approx(0.01 * torque(sweep.points[0])).epsilon(1e-12));
   CHECK(rows[2][column].empty());  // not known there: no bar, not a bar of zero
   const ScratchFolder scratch;
-  write_sweep_hdf5(scratch.path("bars.h5"), coupling::tests::plain_case(), sweep);
+  write_file(scratch.path("bars.h5"), sweep_hdf5(coupling::tests::plain_case(), sweep));
   const hid_t file = H5Fopen(scratch.path("bars.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   REQUIRE(file >= 0);
   const auto bars = values_of(file, "/errors/friction_torque");

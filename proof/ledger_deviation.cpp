@@ -49,7 +49,7 @@ void judge_known(const Entry& entry, const std::string& column, const RowNumbers
     if (distance <= farthest(d)) row.judgement = Judgement::documented;
     row.reason = row.judgement == Judgement::documented
                      ? d.why
-                     : fmt::format("documented are {}: {}", range_of(d), d.why);
+                     : fmt::format("documented {} theirs: {}", range_of(d), d.why);
     return;
   }
 }
@@ -70,7 +70,7 @@ void judge_deviations(EntryReport& report) {
 
 std::string describe(const DeviationReport& report) {
   const Deviation& d = report.deviation;
-  std::string words = fmt::format("{}: documented are {} theirs", report.quantity, range_of(d));
+  std::string words = fmt::format("{}: documented {} theirs", report.quantity, range_of(d));
   if (std::isfinite(report.found)) {
     words += fmt::format(", found {:.3g} {}", std::abs(report.found),
                          report.found > 0.0 ? "above" : "below");

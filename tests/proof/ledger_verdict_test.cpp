@@ -75,8 +75,9 @@ TEST_CASE("KindsOfEvidenceAreJudgedApart") {
 }
 
 TEST_CASE("TheQuickEntriesOfTheLedgerAreWithin") {
-  for (const char* name : {"bonded-layer", "fowell-pocket", "fowell-pocket-flow", "greenwood-tripp",
-                           "long-bearing", "patir-cheng", "sommerfeld", "thick-ring"}) {
+  for (const char* name : {"bertocchi-pocket-large", "bonded-layer", "fowell-pocket",
+                           "fowell-pocket-flow", "greenwood-tripp", "long-bearing",
+                           "lund-thomsen-recomputed", "patir-cheng", "sommerfeld", "thick-ring"}) {
     const EntryReport report = run(shipped(name));
     for (const QuantityReport& q : report.quantities) {
       CAPTURE(name, q.spec.name, to_string(q.verdict));
@@ -84,6 +85,12 @@ TEST_CASE("TheQuickEntriesOfTheLedgerAreWithin") {
       CHECK(q.judged > 0);
     }
   }
+}
+
+TEST_CASE("TheSmallPocketIsOutsideAsItsEntrySays") {
+  const EntryReport report = run(shipped("bertocchi-pocket"));
+  CHECK(report.verdict() == Judgement::documented);
+  CHECK(report.quantities.at(0).judged == 142);
 }
 
 TEST_CASE("ThePublishedStribeckCurveIsMetInItsThreeRegimes") {

@@ -39,6 +39,11 @@ constexpr Limits kEdgeTilt{0.0, 0.0, 0.5, 1.0};
 constexpr Limits kRoughness{0.0, 0.0, 0.05, 0.5};
 // Viscosity constants [Pa s]: air to pitch; lubricating oils lie between.
 constexpr Limits kViscosityLimits{1e-6, 5e-4, 2.0, 1e3};
+// Bulk modulus of the oil at no pressure [Pa]: liquids lie between 0.8 (petrol) and 5 GPa.
+constexpr Limits kBulkModulus{1e8, 8e8, 6e9, 1e11};
+// Thermal expansion of the oil [1/K]: lubricating oils 6.4e-4 to 7.3e-4 (seed 002, after Eq. 28);
+// at 5e-3 the density would be gone 200 K above its reference.
+constexpr Limits kOilExpansion{0.0, 0.0, 1.5e-3, 5e-3};
 
 /// Refuses or warns about a number; `what` tells number and meaning, `cure` what to check.
 void judge(Case& subject, const Reader& reader, const std::string& key, double value,
@@ -171,6 +176,19 @@ void judge_laws(Case& subject, const Reader& reader) {
   }
 }
 
+void judge_density(Case& subject, const Reader& reader) {
+  const auto* law = std::get_if<rheology::DowsonHigginson>(&subject.oil.density);
+  if (law == nullptr) return;
+  const double modulus = 1.0 / law->rise;
+  judge(subject, reader, "oil.density.C1", modulus, kBulkModulus,
+        fmt::format("C1 and C2 give a bulk modulus C1/(C2 - 1) of {}",
+                    show(modulus, "GPa", kPressure)),
+        "check the unit of C1 (Pa, MPa or GPa?)");
+  judge(subject, reader, "oil.density.expansivity", law->expansivity, kOilExpansion,
+        fmt::format("the oil's expansivity is {:.3g} 1/K", law->expansivity),
+        "mineral oils have 6.4e-4 to 7.3e-4 1/K");
+}
+
 /// Every temperature at which the oil is sure to be used, by key.
 std::vector<std::pair<std::string, double>> film_temperatures(const Case& subject) {
   std::vector<std::pair<std::string, double>> list;
@@ -243,6 +261,7 @@ void judge_case(Case& subject, const Reader& reader) {
   judge_tilt(subject, reader);
   judge_supplies(subject, reader);
   judge_laws(subject, reader);
+  judge_density(subject, reader);
   judge_temperatures(subject, reader);
   judge_surfaces(subject, reader);
   judge_solids(subject, reader);

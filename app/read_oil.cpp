@@ -18,6 +18,25 @@ void assume_missing(const Section& oil, const std::string& key, const std::strin
   oil.assume(fmt::format("oil: no {} is given; {} is assumed", key, value));
 }
 
+/// The pressure part as C1 and C2 of rho0 (C1 + C2 p)/(C1 + p), which belong together; without
+/// them the printed constants.
+void read_compressibility(const Section& law, DowsonHigginson& density) {
+  constexpr Range kRising{1.0, kInfinite, true, "exceed 1, as the density rises to C2 rho0"};
+  if (!law.has("C1") && !law.has("C2")) {
+    law.assume(
+        fmt::format("oil: no C1 and C2 are given for the density; C1 = {:.4g} MPa, C2 = {:.4g} "
+                    "(Dowson and Higginson) are assumed",
+                    1e-6 / density.limit, 1.0 + density.rise / density.limit));
+    return;
+  }
+  if (!law.has("C1")) law.fail_missing("C1", "\"2.22 GPa\", to go with C2");
+  if (!law.has("C2")) law.fail_missing("C2", "1.66, to go with C1");
+  const double C1 = law.quantity("C1", kPressure, kPositive);
+  const double C2 = law.quantity("C2", kNumber, kRising);
+  density.rise = (C2 - 1.0) / C1;
+  density.limit = 1.0 / C1;
+}
+
 DensityLaw read_density(const Section& oil) {
   if (!oil.has("density")) {
     assume_missing(oil, "density", "860 kg/m3");
@@ -34,10 +53,12 @@ DensityLaw read_density(const Section& oil) {
     law.only({"law", "rho"}, "a constant density");
     return ConstantDensity{law.quantity("rho", kDensity, kPositive)};
   }
-  law.only({"law", "rho0", "at", "expansivity"}, "a density law \"dowson-higginson\"");
-  return DowsonHigginson{law.quantity("rho0", kDensity, kPositive),
-                         law.quantity("at", kTemperature),
-                         law.quantity("expansivity", kPerKelvin, kNotNegative)};
+  law.only({"law", "rho0", "at", "expansivity", "C1", "C2"}, "a density law \"dowson-higginson\"");
+  DowsonHigginson density{law.quantity("rho0", kDensity, kPositive),
+                          law.quantity("at", kTemperature),
+                          law.quantity("expansivity", kPerKelvin, kNotNegative)};
+  read_compressibility(law, density);
+  return density;
 }
 
 ConductivityLaw read_conductivity(const Section& oil) {

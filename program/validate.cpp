@@ -6,6 +6,7 @@
 #include "program/commands.hpp"
 #include "program/outputs.hpp"
 #include "program/session.hpp"
+#include "proof/ledger_deviation.hpp"
 #include "proof/ledger_json.hpp"
 #include "proof/ledger_page.hpp"
 #include "proof/ledger_read.hpp"
@@ -64,24 +65,33 @@ std::vector<EntryReport> run_entries(const Request& request, const std::vector<E
   return reports;
 }
 
-/// What is outside or without a result, on standard error; the exit code.
+/// What is outside, without a result or not as its entry documents, on standard error; the exit
+/// code.
 int tell_verdicts(const std::vector<EntryReport>& reports, std::size_t wanted) {
   int code = kDone;
   for (const EntryReport& report : reports) {
     const Judgement verdict = report.verdict();
-    if (verdict == Judgement::within || verdict == Judgement::excluded) continue;
+    if (as_expected(verdict)) continue;
     code = kNotConverged;
     std::cerr << fmt::format("error: {}: {}", report.entry.name, to_string(verdict));
     std::string which;
+    const auto add = [&which](const std::string& name) {
+      which += (which.empty() ? ": " : ", ") + name;
+    };
     for (const QuantityReport& q : report.quantities) {
-      if (q.verdict != Judgement::outside && q.verdict != Judgement::missing) continue;
-      which += (which.empty() ? ": " : ", ") + q.spec.name;
+      if (!as_expected(q.verdict)) add(q.spec.name);
     }
     for (const FeatureReport& f : report.features) {
-      if (f.verdict == Judgement::within) continue;
-      which += (which.empty() ? ": " : ", ") + f.feature.name;
+      if (!as_expected(f.verdict)) add(f.feature.name);
     }
     std::cerr << which << "\n";
+    for (const DeviationReport& d : report.deviations) {
+      if (d.complaint.empty()) continue;
+      std::cerr << fmt::format(
+          "  {}. Find out why; then set from and to of this [[deviation]] anew, or take it out, in "
+          "{}/entry.toml\n",
+          describe(d), report.entry.folder);
+    }
   }
   if (reports.size() < wanted) {
     std::cerr << fmt::format("interrupted: {} of {} entries are finished\n", reports.size(),

@@ -59,6 +59,18 @@ struct Exclusion {
   std::string why;
 };
 
+/// A difference that is known: rows that are outside, how far, and why. What is outside without
+/// one, or outside by another measure than the documented one, is an alarm.
+struct Deviation {
+  std::string column;  ///< of the expected values
+  Condition where;     ///< which rows; empty: all
+  /// (ours - theirs)/allowed of the row that is farthest outside lies between these, ends
+  /// included [-]; both above 1 or both below -1.
+  double from = 0.0;
+  double to = 0.0;
+  std::string why;
+};
+
 /// A column that sets a key of the case files.
 struct Vary {
   std::string column;
@@ -143,6 +155,7 @@ struct Entry {
   std::map<std::string, std::string> settings;  ///< of the evaluator
   std::vector<QuantitySpec> quantities;
   std::vector<Exclusion> exclusions;
+  std::vector<Deviation> deviations;
   std::vector<Unknown> unknowns;
   std::vector<Feature> features;
   FigureSpec figure;

@@ -61,6 +61,18 @@ ordered_json feature_json(const FeatureReport& f) {
   return out;
 }
 
+ordered_json deviation_json(const DeviationReport& d) {
+  ordered_json out;
+  out["quantity"] = d.quantity;
+  out["column"] = d.deviation.column;
+  put(out, "found", d.found);
+  out["documented"] = {d.deviation.from, d.deviation.to};
+  out["as_documented"] = d.complaint.empty();
+  if (!d.complaint.empty()) out["complaint"] = d.complaint;
+  out["why"] = d.deviation.why;
+  return out;
+}
+
 }  // namespace
 
 std::string ledger_json(const std::vector<EntryReport>& reports,
@@ -82,6 +94,8 @@ std::string ledger_json(const std::vector<EntryReport>& reports,
     for (const auto& q : report.quantities) entry["quantities"].push_back(quantity_json(report, q));
     entry["features"] = ordered_json::array();
     for (const auto& f : report.features) entry["features"].push_back(feature_json(f));
+    entry["deviations"] = ordered_json::array();
+    for (const auto& d : report.deviations) entry["deviations"].push_back(deviation_json(d));
     root["entries"].push_back(std::move(entry));
   }
   root["not_run"] = ordered_json::array();

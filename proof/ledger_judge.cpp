@@ -8,6 +8,7 @@
 
 #include "app/did_you_mean.hpp"
 #include "core/contract.hpp"
+#include "proof/ledger_deviation.hpp"
 
 namespace shellback::proof {
 namespace {
@@ -72,8 +73,31 @@ RowReport compare(const EntryReport& report, const QuantitySpec& spec, std::size
     r.reason = at.values.failure.empty() ? "no value" : at.values.failure;
   } else if (std::abs(r.difference) > r.allowed) {
     r.judgement = Judgement::outside;
+    judge_known(report.entry, spec.column, at.point, r);
   }
   return r;
+}
+
+/// Of two judgements the one that weighs more in a verdict over both.
+Judgement worse(Judgement a, Judgement b) {
+  const auto rank = [](Judgement j) {
+    switch (j) {
+      case Judgement::excluded:
+        return 0;
+      case Judgement::within:
+        return 1;
+      case Judgement::documented:
+        return 2;
+      case Judgement::changed:
+        return 3;
+      case Judgement::missing:
+        return 4;
+      case Judgement::outside:
+        return 5;
+    }
+    return 5;
+  };
+  return rank(a) >= rank(b) ? a : b;
 }
 
 void sum_up(QuantityReport& q) {
@@ -83,20 +107,19 @@ void sum_up(QuantityReport& q) {
   for (std::size_t k = 0; k < q.rows.size(); ++k) {
     const RowReport& r = q.rows[k];
     if (r.judgement == Judgement::missing) ++q.missing;
-    if (r.judgement != Judgement::within && r.judgement != Judgement::outside) continue;
+    if (r.judgement == Judgement::missing || r.judgement == Judgement::excluded) continue;
     ++q.judged;
+    q.verdict = worse(q.verdict, r.judgement);
     squares += r.difference * r.difference;
     size += r.theirs * r.theirs;
-    const double share = std::abs(r.difference) / r.allowed;
-    if (share > worst) {
-      worst = share;
+    if (std::abs(r.share()) > worst) {
+      worst = std::abs(r.share());
       q.worst = static_cast<int>(k);
     }
-    if (r.judgement == Judgement::outside) q.verdict = Judgement::outside;
   }
   if (q.judged > 0) q.rms = std::sqrt(squares / q.judged);
   if (size > 0.0) q.rms_relative = std::sqrt(squares / size);
-  if (q.missing > 0 && q.verdict == Judgement::within) q.verdict = Judgement::missing;
+  if (q.missing > 0) q.verdict = worse(q.verdict, Judgement::missing);
   if (q.judged + q.missing == 0) q.verdict = Judgement::excluded;
 }
 
@@ -171,29 +194,16 @@ FeatureReport judge_feature(const EntryReport& report, const Feature& feature) {
   return f;
 }
 
-Judgement worse(Judgement a, Judgement b) {
-  const auto rank = [](Judgement j) {
-    switch (j) {
-      case Judgement::excluded:
-        return 0;
-      case Judgement::within:
-        return 1;
-      case Judgement::missing:
-        return 2;
-      case Judgement::outside:
-        return 3;
-    }
-    return 3;
-  };
-  return rank(a) >= rank(b) ? a : b;
-}
-
 }  // namespace
 
 const char* to_string(Judgement judgement) {
   switch (judgement) {
     case Judgement::within:
       return "within";
+    case Judgement::documented:
+      return "as documented";
+    case Judgement::changed:
+      return "not as documented";
     case Judgement::outside:
       return "outside";
     case Judgement::excluded:
@@ -202,6 +212,11 @@ const char* to_string(Judgement judgement) {
       return "no result";
   }
   return "";
+}
+
+bool as_expected(Judgement judgement) {
+  return judgement == Judgement::within || judgement == Judgement::documented ||
+         judgement == Judgement::excluded;
 }
 
 bool EntryReport::has(Evidence evidence) const {
@@ -252,6 +267,7 @@ void judge(EntryReport& report) {
   for (const Feature& feature : report.entry.features) {
     report.features.push_back(judge_feature(report, feature));
   }
+  judge_deviations(report);
 }
 
 }  // namespace shellback::proof

@@ -10,12 +10,16 @@
 namespace shellback::proof {
 
 enum class Judgement {
-  within,    ///< the tolerance
-  outside,   ///< the tolerance
-  excluded,  ///< shown, not judged
-  missing,   ///< ours did not converge
+  within,      ///< the tolerance
+  documented,  ///< outside the tolerance as a [[deviation]] of the entry says
+  outside,     ///< the tolerance, and any deviation that is documented
+  changed,     ///< a documented deviation is smaller than documented, or gone
+  excluded,    ///< shown, not judged
+  missing,     ///< ours did not converge
 };
 [[nodiscard]] const char* to_string(Judgement judgement);
+/// Nothing to be alarmed about: within, documented or not judged.
+[[nodiscard]] bool as_expected(Judgement judgement);
 
 /// One of our values: at a row of the table, or between two for the sake of the curve.
 struct Evaluated {
@@ -32,7 +36,10 @@ struct RowReport {
   double difference = 0.0;  ///< ours - theirs
   double allowed = 0.0;     ///< |difference| may be this
   Judgement judgement = Judgement::within;
-  std::string reason;  ///< of an exclusion or a missing value
+  std::string reason;  ///< of an exclusion, a documented deviation or a missing value
+
+  /// (ours - theirs)/allowed [-].
+  [[nodiscard]] double share() const { return difference / allowed; }
 };
 
 struct QuantityReport {
@@ -55,6 +62,13 @@ struct FeatureReport {
   std::string reason;
 };
 
+struct DeviationReport {
+  Deviation deviation;
+  std::string quantity;  ///< name of the quantity of its column
+  double found = 0.0;    ///< share of the row farthest out on the documented side; NaN: none judged
+  std::string complaint;  ///< how it is not as documented; empty: it is
+};
+
 /// Our values at the rows with one unknown input at its ends.
 struct BandReport {
   std::string unknown;
@@ -67,6 +81,7 @@ struct EntryReport {
   std::vector<BandReport> bands;
   std::vector<QuantityReport> quantities;
   std::vector<FeatureReport> features;
+  std::vector<DeviationReport> deviations;
   bool interrupted = false;
   double wall_s = 0.0;
 
@@ -85,8 +100,8 @@ struct BandWidth {
 [[nodiscard]] BandWidth band_at(const EntryReport& report, const std::string& ours,
                                 std::size_t row);
 
-/// Fills `quantities` and `features` from `points`. Throws InputError if an evaluator knows no
-/// value of a name that the entry asks for, or a cell is no number.
+/// Fills `quantities`, `features` and `deviations` from `points`. Throws InputError if an evaluator
+/// knows no value of a name that the entry asks for, or a cell is no number.
 void judge(EntryReport& report);
 
 }  // namespace shellback::proof

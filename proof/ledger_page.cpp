@@ -8,6 +8,7 @@
 #include "app/html_style.hpp"
 #include "app/provenance.hpp"
 #include "app/svg.hpp"
+#include "proof/ledger_deviation.hpp"
 #include "proof/ledger_figure.hpp"
 #include "proof/ledger_text.hpp"
 
@@ -28,9 +29,9 @@ td.left, th.left { text-align: left; white-space: normal; } tr.kind th { text-al
 )css";
 
 std::string verdict_html(Judgement verdict) {
-  const char* look = verdict == Judgement::within     ? "within"
-                     : verdict == Judgement::excluded ? "quiet"
-                                                      : "outside";
+  const char* look = verdict == Judgement::within ? "within"
+                     : as_expected(verdict)       ? "quiet"
+                                                  : "outside";
   return fmt::format("<span class=\"{}\">{}</span>", look, to_string(verdict));
 }
 
@@ -212,6 +213,16 @@ std::string facts_html(const Entry& entry) {
   return html + "</dl>\n";
 }
 
+std::string deviations_html(const EntryReport& report) {
+  if (report.deviations.empty()) return "";
+  std::string html = "<h3>Documented deviations</h3>\n<ul>\n";
+  for (const DeviationReport& d : report.deviations) {
+    html += fmt::format("<li>{}<small>{}</small></li>\n", escape_markup(describe(d)),
+                        escape_markup(d.deviation.why));
+  }
+  return html + "</ul>\n";
+}
+
 std::string entry_html(const EntryReport& report) {
   const Entry& entry = report.entry;
   std::string html =
@@ -226,7 +237,8 @@ std::string entry_html(const EntryReport& report) {
     html += fmt::format("<figure>{}</figure>\n", figure);
   }
   html += "</div>\n";
-  html += quantities_html(report) + unknowns_html(report) + rows_html(report);
+  html += quantities_html(report) + deviations_html(report) + unknowns_html(report);
+  html += rows_html(report);
   return html + fmt::format("<p class=\"quiet\">validation/{}, {:.1f} s</p>\n</section>\n",
                             escape_markup(entry.name), report.wall_s);
 }

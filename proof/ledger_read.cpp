@@ -11,63 +11,13 @@
 #include "app/toml_reader.hpp"
 #include "core/contract.hpp"
 #include "proof/evaluators/evaluators.hpp"
+#include "proof/ledger_parts.hpp"
 
 namespace shellback::proof {
 namespace {
 
 namespace fs = std::filesystem;
 using namespace app;
-
-constexpr int kMostBetween = 50;
-
-std::map<std::string, double> numbers_of(const Section& section, const std::string& key) {
-  std::map<std::string, double> numbers;
-  const auto table = section.maybe_section(key);
-  if (!table) return numbers;
-  for (auto&& [name, node] : *table->table()) {
-    const std::string word(name.str());
-    numbers[word] = table->quantity(word, kNumber);
-  }
-  return numbers;
-}
-
-std::string text_or(const Section& section, const std::string& key, const std::string& otherwise) {
-  return section.has(key) ? section.text(key) : otherwise;
-}
-
-double number_or(const Section& section, const std::string& key, double otherwise) {
-  return section.quantity_or(key, kNumber, otherwise, "");
-}
-
-/// A text that must name a column of the table.
-std::string column_of(const Section& section, const std::string& key, const Table& table) {
-  std::string column = section.text(key);
-  if (!table.has(column)) {
-    section.fail(key, fmt::format("there is no column {} in {}{}", in_quotes(column), table.path(),
-                                  choices_for(column, table.columns(), "columns are")));
-  }
-  return column;
-}
-
-Condition read_condition(const Section& section, const Table& table) {
-  Condition c{numbers_of(section, "where"), numbers_of(section, "above"),
-              numbers_of(section, "below")};
-  for (const auto* part : {&c.at, &c.above, &c.below}) {
-    for (const auto& [column, value] : *part) {
-      if (!table.has(column)) section.fail("", "there is no column " + in_quotes(column));
-    }
-  }
-  return c;
-}
-
-Evidence read_evidence(const Section& section) {
-  Choices<Evidence> choices;
-  for (int k = 0; k < kEvidences; ++k) {
-    const auto evidence = static_cast<Evidence>(k);
-    choices.emplace_back(to_string(evidence), evidence);
-  }
-  return section.choice<Evidence>("kind", choices);
-}
 
 Tolerance read_tolerance(const Section& section) {
   const Section part = section.section("tolerance");
@@ -95,15 +45,6 @@ QuantitySpec read_quantity(const Section& s, const Table& table) {
   if (s.has("group")) q.group = column_of(s, "group", table);
   q.why = s.text("why");
   return q;
-}
-
-Exclusion read_exclusion(const Section& s, const Table& table) {
-  s.only({"columns", "where", "above", "below", "why"}, "an exclusion");
-  Exclusion e{s.texts("columns"), read_condition(s, table), s.text("why")};
-  if (e.where.at.empty() && e.where.above.empty() && e.where.below.empty()) {
-    s.fail("", "this would leave out every row; say which with where, above or below");
-  }
-  return e;
 }
 
 Vary read_vary(const Section& s, const Table& table) {
@@ -142,54 +83,6 @@ Unknown read_unknown(const Section& s, const std::vector<BearingPart>& bearings)
           read_changes(s, "high", bearings)};
 }
 
-Feature read_feature(const Section& s, const Table& table) {
-  s.only({"name", "minimum_of", "column", "along", "where", "above", "below", "from", "to", "unit",
-          "kind", "why"},
-         "a [[feature]]");
-  Feature f;
-  f.name = s.text("name");
-  f.ours = s.text("minimum_of");
-  f.column = column_of(s, "column", table);
-  f.along = column_of(s, "along", table);
-  f.where = read_condition(s, table);
-  f.low = s.quantity("from", kNumber);
-  f.high = s.quantity("to", kNumber, {f.low, kInfinite, true, "lie above from"});
-  f.unit = text_or(s, "unit", "1");
-  f.evidence = read_evidence(s);
-  f.why = s.text("why");
-  return f;
-}
-
-Panel read_panel(const Section& s, const Table& table) {
-  s.only({"ours", "title", "head", "logarithmic", "where", "above", "below", "part"},
-         "a [[figure.panel]]");
-  Panel panel{s.text("ours"),           s.text("title"),
-              text_or(s, "head", ""),   s.maybe_switch("logarithmic").value_or(false),
-              read_condition(s, table), {}};
-  for (const Section& part : s.sections("part")) {
-    part.only({"ours", "title"}, "a [[figure.panel.part]]");
-    panel.parts.push_back({part.text("ours"), part.text("title")});
-  }
-  return panel;
-}
-
-FigureSpec read_figure(const Section& file, const Table& table) {
-  const Section s = file.section("figure");
-  s.only({"x", "x_title", "x_logarithmic", "series", "series_title", "shown", "between", "panel"},
-         "[figure]");
-  FigureSpec f;
-  f.x = column_of(s, "x", table);
-  f.x_title = s.text("x_title");
-  f.x_logarithmic = s.maybe_switch("x_logarithmic").value_or(false);
-  if (s.has("series")) f.series = column_of(s, "series", table);
-  f.series_title = text_or(s, "series_title", f.series);
-  for (const std::string& text : s.texts("shown")) f.shown.push_back(parse_quantity(text, kNumber));
-  if (s.has("between")) f.between = s.whole_number("between", 0, kMostBetween);
-  for (const Section& panel : s.sections("panel")) f.panels.push_back(read_panel(panel, table));
-  if (f.panels.empty()) s.fail("panel", "the figure has no [[figure.panel]]: nothing to draw");
-  return f;
-}
-
 std::string read_evaluator(const Section& file) {
   std::string name = file.text("evaluator");
   if (find_evaluator(name) == nullptr) {
@@ -197,6 +90,19 @@ std::string read_evaluator(const Section& file) {
                                        choices_for(name, evaluator_names(), "possible are")));
   }
   return name;
+}
+
+/// A deviation of a column that nothing is compared with would never be found.
+void expect_compared(const Section& file, const Entry& entry) {
+  for (std::size_t k = 0; k < entry.deviations.size(); ++k) {
+    const std::string& column = entry.deviations[k].column;
+    std::vector<std::string> compared;
+    for (const QuantitySpec& q : entry.quantities) compared.push_back(q.column);
+    if (std::find(compared.begin(), compared.end(), column) != compared.end()) continue;
+    file.sections("deviation")[k].fail(
+        "column", fmt::format("no [[quantity]] compares the column {}{}", in_quotes(column),
+                              choices_for(column, compared, "compared are")));
+  }
 }
 
 void read_lists(const Section& file, const fs::path& folder, Entry& entry) {
@@ -210,6 +116,9 @@ void read_lists(const Section& file, const fs::path& folder, Entry& entry) {
   for (const Section& s : file.sections("exclude")) {
     entry.exclusions.push_back(read_exclusion(s, table));
   }
+  for (const Section& s : file.sections("deviation")) {
+    entry.deviations.push_back(read_deviation(s, table));
+  }
   for (const Section& s : file.sections("unknown")) {
     entry.unknowns.push_back(read_unknown(s, entry.bearings));
   }
@@ -217,12 +126,14 @@ void read_lists(const Section& file, const fs::path& folder, Entry& entry) {
     entry.features.push_back(read_feature(s, table));
   }
   if (entry.quantities.empty()) file.fail("quantity", "no [[quantity]]: nothing is compared");
+  expect_compared(file, entry);
 }
 
 Entry entry_from(const Section& file, const fs::path& folder) {
-  file.only({"title", "source", "compared", "note", "assumptions", "evaluator", "expected",
-             "bearing", "vary", "settings", "quantity", "exclude", "unknown", "feature", "figure"},
-            "a ledger entry");
+  file.only(
+      {"title", "source", "compared", "note", "assumptions", "evaluator", "expected", "bearing",
+       "vary", "settings", "quantity", "exclude", "deviation", "unknown", "feature", "figure"},
+      "a ledger entry");
   Entry entry;
   entry.name = folder.filename().string();
   entry.folder = folder.string();

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <ostream>
 
+#include "proof/ledger_deviation.hpp"
+
 namespace shellback::proof {
 namespace {
 
@@ -38,7 +40,7 @@ void write_quantity(std::ostream& out, const QuantityReport& q, const EntryRepor
                to_string(q.verdict));
   }
   for (const RowReport& r : q.rows) {
-    const bool telling = r.judgement == Judgement::outside || r.judgement == Judgement::missing;
+    const bool telling = r.judgement != Judgement::within && r.judgement != Judgement::excluded;
     if (shown == RowsShown::all || telling) write_row(out, q, r, report);
   }
 }
@@ -102,6 +104,10 @@ void write_entry_table(std::ostream& out, const EntryReport& report, RowsShown s
     }
     write_features(out, report, evidence);
   }
+  for (const DeviationReport& d : report.deviations) {
+    fmt::print(out, "    {}: {}\n", d.complaint.empty() ? "as documented" : "NOT as documented",
+               describe(d));
+  }
   fmt::print(out, "\n");
 }
 
@@ -110,6 +116,7 @@ void write_summary(std::ostream& out, const std::vector<EntryReport>& reports,
   for (int k = 0; k < kEvidences; ++k) {
     const auto evidence = static_cast<Evidence>(k);
     int within = 0;
+    std::string known;
     std::string others;
     int all = 0;
     for (const EntryReport& r : reports) {
@@ -117,13 +124,14 @@ void write_summary(std::ostream& out, const std::vector<EntryReport>& reports,
       ++all;
       const Judgement verdict = r.verdict(evidence);
       if (verdict == Judgement::within) ++within;
-      if (verdict == Judgement::outside || verdict == Judgement::missing) {
-        others +=
-            fmt::format("{}{} ({})", others.empty() ? "" : ", ", r.entry.name, to_string(verdict));
-      }
+      if (verdict == Judgement::documented) known += (known.empty() ? "" : ", ") + r.entry.name;
+      if (as_expected(verdict)) continue;
+      others +=
+          fmt::format("{}{} ({})", others.empty() ? "" : ", ", r.entry.name, to_string(verdict));
     }
     if (all == 0) continue;
-    fmt::print(out, "{:<37} {} of {} entries within{}\n", to_string(evidence), within, all,
+    fmt::print(out, "{:<37} {} of {} entries within{}{}\n", to_string(evidence), within, all,
+               known.empty() ? "" : "; outside as documented: " + known,
                others.empty() ? "" : "; not: " + others);
   }
   if (!gaps.empty()) {

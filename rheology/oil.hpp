@@ -66,12 +66,14 @@ using ShearLaw = std::variant<NoShearThinning, Cross>;
 struct ConstantDensity {
   double rho;  ///< [kg/m3]
 };
-/// rho0 [1 + 0.6e-9 p/(1 + 1.7e-9 p) - expansivity (T - at)]; seed 002 Eq. 27, 28 (density.hpp
-/// says how the printed fraction is read).
+/// rho0 [1 + rise p/(1 + limit p) - expansivity (T - at)]; seed 002 Eq. 27, 28 (density.hpp says
+/// how the printed fraction is read, and where the two constants come from).
 struct DowsonHigginson {
-  double rho0;         ///< density at `at` and ambient pressure [kg/m3]
-  double at;           ///< reference temperature [K]
-  double expansivity;  ///< [1/K]
+  double rho0;            ///< density at `at` and ambient pressure [kg/m3]
+  double at;              ///< reference temperature [K]
+  double expansivity;     ///< [1/K]
+  double rise = 0.6e-9;   ///< compressibility at p = 0 [1/Pa]
+  double limit = 1.7e-9;  ///< rise/limit is the largest rise of the density [1/Pa]
 };
 using DensityLaw = std::variant<ConstantDensity, DowsonHigginson>;
 

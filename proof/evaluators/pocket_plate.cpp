@@ -1,7 +1,7 @@
 /// A slider of finite width with a pocket: Barus oil of varying density, two-dimensional film.
+#include "proof/evaluators/barotropic_oil.hpp"
 #include "proof/evaluators/evaluators.hpp"
 #include "proof/evaluators/slider.hpp"
-#include "rheology/viscosity.hpp"
 
 namespace shellback::proof {
 namespace {
@@ -10,58 +10,41 @@ using namespace fluid;
 
 constexpr double kTemperature = 313.15;  // of no effect: the viscosity depends on p only [K]
 
-/// Viscosity of the source's oil.
+/// The source's oil; its density law has constants other than those of the law without C1 and C2.
 rheology::Oil oil_of_source() {
+  constexpr double kC1 = 2.22e9;  // header of validation/data/bertocchi_2013_pocket_2d.csv [Pa]
+  constexpr double kC2 = 1.66;
   rheology::Oil oil;
   oil.temperature = rheology::ConstantViscosity{0.01};
   oil.pressure = rheology::Barus{1.2e-8};
+  oil.density = rheology::DowsonHigginson{850.0, kTemperature, 0.0, (kC2 - 1.0) / kC1, 1.0 / kC1};
   return oil;
 }
 
-/// Its density, rho0 (C1 + C2 p)/(C1 + p): the law of Dowson and Higginson with the constants of
-/// the source, which are others than those the solver's law has.
-double density_of_source(double p) {
-  constexpr double kDensity = 850.0;  // [kg/m3]
-  constexpr double kC1 = 2.22e9;      // [Pa]
-  constexpr double kC2 = 1.66;
-  return kDensity * (kC1 + kC2 * p) / (kC1 + p);
-}
-
-SliderFilm solve_on(int cells, int across) {
-  Slider s;  // the small slider, header of validation/data/bertocchi_2013_pocket_2d.csv
-  s.length = 0.02;
-  s.width = 0.01;
+/// The slider of the table's header; its widths are what tells the small from the large one.
+Slider slider_of(const Entry& entry) {
+  Slider s;
+  s.length = number_setting(entry, "length_m");
+  s.width = number_setting(entry, "width_m");
+  s.pocket_width = number_setting(entry, "pocket_width_m");
   s.h_in = 1.1e-6;
   s.h_out = 1.0e-6;
   s.pocket_from = 0.004;
   s.pocket_to = 0.010;
-  s.pocket_width = 0.007;
   s.depth = 0.4e-6;
   s.speed = 1.0;
   s.p_ambient = 1.0e5;
-  s.cells = cells;
-  s.cells_across = across;
-  const rheology::Oil oil = oil_of_source();
-  const OilLaw law = [oil](const FilmState& state, FilmCoefficients& c) {
-    const std::size_t n = state.p.size();
-    c.fluidity.resize(n);
-    c.alpha.resize(n);
-    c.density.resize(n);
-    c.chi.assign(n, 0.5);
-    for (std::size_t k = 0; k < n; ++k) {
-      c.fluidity[k] = 1.0 / (12.0 * rheology::viscosity(oil, kTemperature, state.p[k]));
-      c.alpha[k] = rheology::pressure_slope(oil, kTemperature, state.p[k]);
-      c.density[k] = density_of_source(state.p[k]);
-    }
-  };
-  return solve_slider(s, law, density_of_source(0.0));
+  s.cells = static_cast<int>(number_setting(entry, "cells"));
+  s.cells_across = static_cast<int>(number_setting(entry, "cells_across"));
+  return s;
 }
 
 }  // namespace
 
 std::any prepare_pocket_plate(const Entry& entry) {
-  return solve_on(static_cast<int>(number_setting(entry, "cells")),
-                  static_cast<int>(number_setting(entry, "cells_across")));
+  const rheology::Oil oil = oil_of_source();
+  return solve_slider(slider_of(entry), barotropic_oil(oil, kTemperature),
+                      rheology::density(oil, kTemperature, 0.0).rho);
 }
 
 Values pocket_plate_values(const Question& q) {

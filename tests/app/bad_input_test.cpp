@@ -1,4 +1,6 @@
 /// Every class of bad input: file, line and column, what, why and cure.
+#include <algorithm>
+
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;
@@ -177,6 +179,32 @@ TEST_CASE("KeysThatContradictAreRefused") {
   check_refused(
       "load = ", "tilt = { about_x = \"0.1 mrad\" }\nmoment = { about_x = \"1 N m\" }\nload = ",
       {"case.toml:18:10", "tilt is given too"});
+}
+
+TEST_CASE("ConstantsOfADensityThatNoOilHasAreRefused") {
+  const auto refused = [](const std::string& constants, const std::vector<std::string>& parts) {
+    check_refused("density = \"850 kg/m3\"",
+                  "density = { law = \"dowson-higginson\", rho0 = \"850 kg/m3\", at = \"40 "
+                  "degC\", " +
+                      constants + " }",
+                  parts);
+  };
+  const std::string at = "expansivity = \"7e-4 1/K\", ";
+  refused(at + "c1 = \"2.22 GPa\", C2 = 1.66", {"case.toml:20:", "did you mean \"C1\"?"});
+  refused(at + "C1 = 2.22, C2 = 1.66", {"case.toml:20:", "C1", "no unit", "GPa"});
+  refused(at + "C1 = \"2.22 GPa\"", {"case.toml:20:", "C2", "missing", "go with C1"});
+  refused(at + "C2 = 1.66", {"case.toml:20:", "C1", "missing", "go with C2"});
+  refused(at + "C1 = \"2.22 GPa\", C2 = 0.66", {"case.toml:20:", "C2", "exceed 1"});
+  refused(at + "C1 = \"0 Pa\", C2 = 1.66", {"case.toml:20:", "C1", "positive"});
+  refused(at + "C1 = \"2.22 MPa\", C2 = 1.66",
+          {"case.toml:20:", "C1", "bulk modulus", "check the unit"});
+  refused("expansivity = \"7e-2 1/K\"", {"case.toml:20:", "expansivity", "6.4e-4 to 7.3e-4"});
+  const auto read = read_sample("density = \"850 kg/m3\"",
+                                "density = { law = \"dowson-higginson\", rho0 = \"850 kg/m3\", at "
+                                "= \"40 degC\", expansivity = \"7e-4 1/K\" }");
+  CHECK(std::count_if(read.assumptions.begin(), read.assumptions.end(), [](const auto& words) {
+          return words.find("C1 = 588.2 MPa, C2 = 1.353") != std::string::npos;
+        }) == 1);
 }
 
 TEST_CASE("TiersNeedTheirData") {

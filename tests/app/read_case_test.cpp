@@ -184,6 +184,15 @@ TEST_CASE("EveryLawOfTheOilIsRead") {
            "\"6.5e-4 1/K\" }")
           .density);
   CHECK(density.expansivity == near(6.5e-4));
+  CHECK(density.rise == 0.6e-9);  // seed 002 Eq. 27, where C1 and C2 are not given
+  CHECK(density.limit == 1.7e-9);
+  const auto own = std::get<rheology::DowsonHigginson>(
+      with("\"850 kg/m3\"",
+           "{ law = \"dowson-higginson\", rho0 = \"850 kg/m3\", at = \"40 degC\", expansivity = "
+           "\"6.5e-4 1/K\", C1 = \"2.22 GPa\", C2 = 1.66 }")
+          .density);
+  CHECK(own.rise == near(0.66 / 2.22e9));  // rho0 (C1 + C2 p)/(C1 + p)
+  CHECK(own.limit == near(1.0 / 2.22e9));
   const auto conductivity = std::get<rheology::PressureConductivity>(
       with("\"0.14 W/(m K)\"",
            "{ law = \"pressure\", a = \"0.14 W/(m K)\", b = \"1.72 1/GPa\", c = \"0.54 1/GPa\" }")

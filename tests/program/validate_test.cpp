@@ -32,6 +32,31 @@ TEST_CASE("AnEntryOutsideEndsWithThreeAndIsNamed") {
   CHECK(contains(ended.err, "error: wide: outside: load number"));
 }
 
+TEST_CASE("AnEntryAsItsNoteSaysEndsWithZeroAndOtherwiseWithThree") {
+  const auto entry_with = [](const char* range) {
+    return kEntry + "\n[[deviation]]\ncolumn = \"So\"\nwhere = { eps = 0.5 }\n" + range +
+           "\nwhy = \"a known misprint\"\n";
+  };
+  const std::string table = changed(kTable, "4.836798", "4.90");  // 2.6 times what is allowed
+  const ScratchLedger known(entry_with("from = -2.8\nto = -2.4"), table);
+  const Ended ended = run_words({"validate", "--ledger", known.path()});
+  CHECK(ended.code == kDone);
+  CHECK(contains(ended.out, "0 of 1 entries within; outside as documented: wide"));
+  CHECK(contains(ended.out, "a known misprint"));
+  CHECK(ended.err.empty());
+  const ScratchLedger grown(entry_with("from = -2.2\nto = -1.8"), table);
+  const Ended more = run_words({"validate", "--ledger", grown.path()});
+  CHECK(more.code == kNotConverged);
+  CHECK(contains(more.err, "error: wide: outside: load number"));
+  CHECK(contains(more.err, "it has grown"));
+  const ScratchLedger gone(entry_with("from = -2.8\nto = -2.4"));
+  const Ended none = run_words({"validate", "--ledger", gone.path()});
+  CHECK(none.code == kNotConverged);
+  CHECK(contains(none.err, "error: wide: not as documented: load number"));
+  CHECK(contains(none.err, "it has disappeared"));
+  CHECK(contains(none.err, "wide/entry.toml"));
+}
+
 TEST_CASE("AMisspeltEntryEndsWithTwoAndTheNearestName") {
   const Ended ended = run_words({"validate", "raimondi-bod"});
   CHECK(ended.code == kBadInput);

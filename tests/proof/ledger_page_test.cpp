@@ -48,6 +48,19 @@ TEST_CASE("ThePageTellsWithinFromOutsideAndKindsApart") {
   CHECK(count(page, "its &lt;reason&gt;") == 1);
 }
 
+TEST_CASE("ADocumentedDeviationIsWrittenWithItsReasonAndWhatWasFound") {
+  Entry entry = ScratchLedger(kEntry, changed(kTable, "4.836798", "4.90")).read();
+  entry.deviations.push_back({"So", {{{"eps", 0.5}}, {}, {}}, -2.8, -2.4, "a known <misprint>"});
+  const EntryReport report = run_entry(entry, {});
+  const std::string page = ledger_page({report}, {});
+  CHECK(count(page, ">as documented</span>") >= 2);
+  CHECK(count(page, "a known &lt;misprint&gt;") == 2);  // in the list and at the row
+  const auto json = nlohmann::json::parse(ledger_json({report}, {}));
+  const auto& written = json["entries"][0]["deviations"][0];
+  CHECK(written["as_documented"] == true);
+  CHECK(written["found"].get<double>() == Approx(-2.58).epsilon(0.03));
+}
+
 TEST_CASE("OutsideTextCannotBreakThePage") {
   Entry entry = ScratchLedger().read();
   entry.title = entry.note = entry.source = "<script>\"&";

@@ -58,6 +58,10 @@ Case read_case_text(const std::string& text, const std::string& path,
   Case result;
   result.path = path;
   result.verbatim = with_overrides(text, overrides);
+  for (const Override& change : overrides) {
+    result.changes.push_back(
+        {change.key, change.value, change.place.substr(0, change.place.find(' '))});
+  }
   read_sections(file, result);
   file.expect_all_used();
   result.assumptions = reader.assumptions;

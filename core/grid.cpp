@@ -18,7 +18,7 @@ std::vector<double> fitted_faces(const std::vector<double>& edges, int n) {
   const int segments = static_cast<int>(edges.size()) - 1;
   if (segments > n) {
     throw InputError(
-        fmt::format("{} cells cannot resolve {} groove edges (each needs a cell); use a finer grid",
+        fmt::format("{} cells cannot resolve {} edges of supplies (each needs a cell); use a finer grid",
                     n, segments));
   }
   const double total = edges.back() - edges.front();

@@ -160,8 +160,7 @@ std::string stress_page(const StressMap& map, const std::string& picture,
                         const std::string& command) {
   std::string out = "# Stability map\n\n";
   out += fmt::format(
-      "Made by `{}`; not written by hand. How to read it: "
-      "[stability.md](stability.md).\n\n",
+      "Made by `{}`; not written by hand.\n\n",
       command);
   if (!map.complete) out += "**Stopped before the end: cells are missing.**\n\n";
   if (!picture.empty()) out += fmt::format("![Stability map]({})\n\n", picture);

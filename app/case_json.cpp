@@ -28,9 +28,8 @@ Json bearing(const Bearing& b) {
 
 Json supply(const Supply& s) {
   const char* const kinds[] = {"hole", "axial_groove", "circumferential_groove"};
-  Json json{{"kind", kinds[static_cast<int>(s.kind)]},
-            {"angle", degrees(s.angle)},
-            {"z", si(s.z, "m")}};
+  Json json{
+      {"kind", kinds[static_cast<int>(s.kind)]}, {"angle", degrees(s.angle)}, {"z", si(s.z, "m")}};
   if (s.kind == SupplyKind::hole) {
     json["diameter"] = si(s.diameter, "m");
   } else if (s.kind == SupplyKind::axial_groove) {
@@ -62,7 +61,8 @@ Json operation(const Operation& o) {
     json["tilt"] = {{"about_x", degrees(tilt->about_x)}, {"about_y", degrees(tilt->about_y)}};
   } else {
     const auto& moment = std::get<MomentGiven>(o.alignment);
-    json["moment"] = {{"about_x", si(moment.about_x, "N m")}, {"about_y", si(moment.about_y, "N m")}};
+    json["moment"] = {{"about_x", si(moment.about_x, "N m")},
+                      {"about_y", si(moment.about_y, "N m")}};
   }
   return json;
 }
@@ -89,10 +89,8 @@ struct LawJson {
     return {{"law", "roelands"}, {"Z", plain(l.Z)}};
   }
   Json operator()(const rheology::Houpert& l) const {
-    return {{"law", "houpert"},
-            {"Z", plain(l.Z)},
-            {"beta", si(l.beta, "1/K")},
-            {"at", si(l.at, "K")}};
+    return {
+        {"law", "houpert"}, {"Z", plain(l.Z)}, {"beta", si(l.beta, "1/K")}, {"at", si(l.at, "K")}};
   }
   Json operator()(const rheology::NoShearThinning& /*none*/) const { return {{"law", "none"}}; }
   Json operator()(const rheology::Cross& l) const {

@@ -61,8 +61,7 @@ std::string split_sentences(const Comparison& comparison) {
   std::string html = fmt::format(
       "<p>Isothermal at the equivalent temperature: <b>{} N·m</b>; full model: <b>{} N·m</b>. "
       "The difference is <b>{}</b> of the isothermal torque.</p>",
-      figures(split.from), figures(split.to),
-      typeset_number(difference({}, split.to, split.from)));
+      figures(split.from), figures(split.to), typeset_number(difference({}, split.to, split.from)));
   html +=
       fmt::format("<p>Largest cause of the difference: {} ({} N·m).", escape_markup(largest->name),
                   typeset_number(signed_change(split, largest->change)));

@@ -52,8 +52,8 @@ void each_pair(const Sweep& sweep, int axis, const std::function<void(int, int)>
   const bool neighbours = !sweep.axes[axis].numbers.empty();
   for (const int index : reading_order(sweep)) {
     const int at = indices_of(sweep, index)[axis];
-    const int last = neighbours ? std::min(at + 2, sweep.axes[axis].size())
-                                : sweep.axes[axis].size();
+    const int last =
+        neighbours ? std::min(at + 2, sweep.axes[axis].size()) : sweep.axes[axis].size();
     for (int other = at + 1; other < last; ++other) call(index, index + (other - at) * stride);
   }
 }
@@ -78,11 +78,11 @@ std::string pair_sentence(const Sweep& sweep, const Indistinct& pair) {
   const auto& axis = sweep.axes[pair.axis];
   const std::vector<int> first = indices_of(sweep, pair.first);
   const std::vector<int> second = indices_of(sweep, pair.second);
-  return fmt::format("{}: {} = {} and {}{} ({})", judged_word(pair.quantity), axis.key,
-                     axis.words[first[pair.axis]], axis.words[second[pair.axis]],
-                     elsewhere(sweep, first, pair.axis),
-                     both(sweep.points[pair.first].result, sweep.points[pair.second].result,
-                          pair.quantity));
+  return fmt::format(
+      "{}: {} = {} and {}{} ({})", judged_word(pair.quantity), axis.key,
+      axis.words[first[pair.axis]], axis.words[second[pair.axis]],
+      elsewhere(sweep, first, pair.axis),
+      both(sweep.points[pair.first].result, sweep.points[pair.second].result, pair.quantity));
 }
 
 /// Neighbours along an axis of numbers, counted.

@@ -11,9 +11,9 @@ namespace shellback::app {
 /// Two results of a comparison, or two points of a sweep, whose order is open.
 struct Indistinct {
   std::string quantity;
-  int first = 0;   ///< index of Comparison::results or Sweep::points
+  int first = 0;  ///< index of Comparison::results or Sweep::points
   int second = 0;
-  int axis = 0;    ///< sweep: the one on which they differ
+  int axis = 0;  ///< sweep: the one on which they differ
 };
 
 /// Every pair.

@@ -167,7 +167,7 @@ std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,
         const bool lost = q && !other.verdict.good() && beyond_oil(*q);
         const bool round_off = q && std::abs(q->value) < kRoundOff * largest;
         row.values.push_back(q && !lost ? std::optional(round_off ? 0.0 : row.unit(q->value))
-                               : std::nullopt);
+                                        : std::nullopt);
         const double s = row.unit.scale;
         row.bars.push_back(q ? ShownBars{s * q->error_grid, s * q->error_model, s * q->error()}
                              : ShownBars{NAN, NAN, NAN});

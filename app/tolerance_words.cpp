@@ -58,15 +58,15 @@ void take_grid(const Case& c, const Shortfall& s, const std::string& command,
   if (s.grid == own) {
     const double largest = std::fmax(s.friction.total(), s.h_min.total());
     missed.outlook = "no finer grid is worth its time; the tolerance that this one keeps";
-    missed.command = command_line(
-        command, c, blank + set_words("model.tolerance", tolerance_above(largest)),
-        {"model.tolerance"});
+    missed.command =
+        command_line(command, c, blank + set_words("model.tolerance", tolerance_above(largest)),
+                     {"model.tolerance"});
     return;
   }
-  missed.outlook = s.expected > s.tolerance
-                       ? fmt::format("the finest grid worth its time leaves about +-{}",
-                                     percent(s.expected))
-                       : fmt::format("expected to meet it (+-{})", percent(s.expected));
+  missed.outlook =
+      s.expected > s.tolerance
+          ? fmt::format("the finest grid worth its time leaves about +-{}", percent(s.expected))
+          : fmt::format("expected to meet it (+-{})", percent(s.expected));
   missed.command = command_line(command, c, blank + set_words(kGrid, grid_words(s.grid)), {kGrid});
 }
 
@@ -144,9 +144,9 @@ bool varied(const study::Sweep& sweep, const char* key) {
 void sweep_by_auto(const Case& subject, const study::Sweep& sweep, Missed& missed) {
   if (varied(sweep, kGrid) || varied(sweep, "model.tier")) return;
   missed.outlook = kByAuto;
-  missed.command = command_line("sweep", subject,
-                                all_axes(sweep, {0, 0}) + " --tier auto " + set_words(kGrid, "auto"),
-                                {kGrid, "model.tier"});
+  missed.command = command_line(
+      "sweep", subject, all_axes(sweep, {0, 0}) + " --tier auto " + set_words(kGrid, "auto"),
+      {kGrid, "model.tier"});
 }
 
 }  // namespace

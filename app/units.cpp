@@ -146,9 +146,9 @@ class UnitParser {
     const auto unit = find_unit(symbol);
     if (!unit) {
       const std::string hint = temperature_hint(symbol);
-      throw UnitError(
-          fmt::format("unknown unit {}{}; {}", in_quotes(symbol),
-                      hint.empty() ? did_you_mean(symbol, unit_symbols()) : hint, cure(kind_)));
+      throw UnitError(fmt::format("unknown unit {}{}; {}", in_quotes(symbol),
+                                  hint.empty() ? did_you_mean(symbol, unit_symbols()) : hint,
+                                  cure(kind_)));
     }
     const bool alone = begin == 0 && at_ == text_.size();
     if (unit->scale && !alone) {

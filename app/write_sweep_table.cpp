@@ -58,9 +58,8 @@ std::vector<Column> shown_columns(const Sweep& sweep) {
       const double value = value_at(point, *it);
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
     }
-    columns.push_back(
-        {*it, display_unit(it->name, it->unit, largest), kRoundOff * largest, shown.head,
-         shown.with_bar && it->with_error});
+    columns.push_back({*it, display_unit(it->name, it->unit, largest), kRoundOff * largest,
+                       shown.head, shown.with_bar && it->with_error});
   }
   return columns;
 }

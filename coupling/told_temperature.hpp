@@ -22,7 +22,8 @@ inline constexpr double kColdestTold = 150.0;  ///< no oil is a liquid any more,
 
 /// "the film is 87 K above the supply".
 [[nodiscard]] inline std::string told_rise(double T, double T_supply) {
-  if (!(T <= kHottestTold)) return "the film is hotter than any oil survives, and than its laws hold";
+  if (!(T <= kHottestTold))
+    return "the film is hotter than any oil survives, and than its laws hold";
   return fmt::format("the film is {:.0f} K above the supply", T - T_supply);
 }
 

@@ -18,8 +18,8 @@ int cells(const std::array<int, 2>& grid) { return grid[0] * grid[1]; }
 
 std::optional<CoarseSolution> beside(const Solution& s, Tier tier, std::array<int, 2> grid,
                                      const SolveControl& control, KeptSolids* kept) {
-  auto found = solve_beside(s, tier, grid, kept ? kept->find(s.model.input, grid) : nullptr,
-                            control);
+  auto found =
+      solve_beside(s, tier, grid, kept ? kept->find(s.model.input, grid) : nullptr, control);
   if (found && kept) kept->keep(*found);
   return found;
 }

@@ -27,8 +27,8 @@ class KeptSolids {
 };
 
 struct Levels {
-  /// Same tier, solved to the end on the coarsest grid that has a solution; on the result's own grid
-  /// where no coarser one has.
+  /// Same tier, solved to the end on the coarsest grid that has a solution; on the result's own
+  /// grid where no coarser one has.
   std::optional<CoarseSolution> coarse;
   std::vector<coupling::LevelRecord> all;  ///< from the coarsest to the finest
 };

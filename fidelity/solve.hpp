@@ -23,7 +23,8 @@ enum class WantedBars { grid, grid_and_model };
 /// grids start from `s` (levels.hpp).
 [[nodiscard]] BarRecord measure_bars(const coupling::Solution& s, coupling::Tier tier,
                                      const coupling::SolveControl& control = {},
-                                     WantedBars bars = WantedBars::grid_and_model, KeptSolids* kept = nullptr);
+                                     WantedBars bars = WantedBars::grid_and_model,
+                                     KeptSolids* kept = nullptr);
 
 /// Puts the bars into the result: error_grid and error_model of each quantity, changes of the
 /// effects, words on what is not known.

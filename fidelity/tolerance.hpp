@@ -27,8 +27,8 @@ struct Shortfall {
   double tolerance = 0.0;  ///< [-]
   RelativeBars friction;
   RelativeBars h_min;
-  bool met = true;       ///< both bars are within; also where none is known
-  bool physics = false;  ///< what is left out exceeds what a grid could make up for
+  bool met = true;                ///< both bars are within; also where none is known
+  bool physics = false;           ///< what is left out exceeds what a grid could make up for
   std::array<int, 2> grid{0, 0};  ///< by (1), no finer than the finest that values are meant for
   double expected = 0.0;          ///< larger of both bars there [-]
 };

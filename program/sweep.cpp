@@ -40,7 +40,8 @@ Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int
   options.stop = &catch_interrupt();
   options.solve_alone = fidelity::solve_case;
   fidelity::KeptSolids kept;
-  const auto bars = request.bars ? fidelity::WantedBars::grid_and_model : fidelity::WantedBars::grid;
+  const auto bars =
+      request.bars ? fidelity::WantedBars::grid_and_model : fidelity::WantedBars::grid;
   if (!request.no_bars) {
     options.sum_up = [&](const coupling::Solution& s, coupling::Tier tier,
                          const coupling::SolveControl& control) {

@@ -39,16 +39,15 @@ TEST_CASE("AShellGivesBackTheWordsThatWereQuoted") {
 }
 
 TEST_CASE("ACommandLineRepeatsTheChangesButThoseReplaced") {
-  const auto c = read_case_text(
-      kSampleCase, "my case.toml",
-      {parse_override("operation.speed=1500 rpm"), parse_override("model.grid=[48, 9]"),
-       {"model.tier", "\"thd\"", "--tier"}});
+  const auto c = read_case_text(kSampleCase, "my case.toml",
+                                {parse_override("operation.speed=1500 rpm"),
+                                 parse_override("model.grid=[48, 9]"),
+                                 {"model.tier", "\"thd\"", "--tier"}});
   const std::string line =
       command_line("run", c, set_words("model.grid", "[96,18]"), {"model.grid"});
-  CHECK(shell_words(line) ==
-        std::vector<std::string>{"shellback", "run", "my case.toml", "--set",
-                                 "operation.speed=1500 rpm", "--tier", "thd", "--set",
-                                 "model.grid=[96,18]"});
+  CHECK(shell_words(line) == std::vector<std::string>{"shellback", "run", "my case.toml", "--set",
+                                                      "operation.speed=1500 rpm", "--tier", "thd",
+                                                      "--set", "model.grid=[96,18]"});
   CHECK(describe_changes(c) ==
         "changed on the command line: operation.speed = 1500 rpm, model.grid = [48, 9], "
         "model.tier = thd");

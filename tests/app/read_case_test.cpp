@@ -415,9 +415,9 @@ TEST_CASE("AHousingThatIsNotGivenIsAnAssumption") {
 }
 
 TEST_CASE("TheCaseKnowsWhatTheCommandLineChanged") {
-  const auto c = read_case_text(kSampleCase, "case.toml",
-                                {parse_override("operation.speed=1500 rpm"),
-                                 {"model.tier", "\"thd\"", "--tier"}});
+  const auto c = read_case_text(
+      kSampleCase, "case.toml",
+      {parse_override("operation.speed=1500 rpm"), {"model.tier", "\"thd\"", "--tier"}});
   REQUIRE(c.changes.size() == 2);
   CHECK(c.changes[0].key == "operation.speed");
   CHECK(c.changes[0].value == "1500 rpm");

@@ -141,8 +141,8 @@ TEST_CASE("ThePageGivesTheDifferenceOfTheTable") {
   app::write_comparison_table(table, test::synthetic_case(), comparison);
   const std::string percent = app::difference({}, comparison.split.to, comparison.split.from);
   CHECK(contains(table.str(), percent));
-  CHECK(contains(page(comparison),
-                 "The difference is <b>" + app::typeset_number(percent) + "</b>"));
+  CHECK(
+      contains(page(comparison), "The difference is <b>" + app::typeset_number(percent) + "</b>"));
 }
 
 TEST_CASE("ThePageSaysWhichResultsTheirBarsLeaveOpen") {

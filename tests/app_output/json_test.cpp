@@ -126,8 +126,7 @@ TEST_CASE("TheJsonHoldsTheCaseAsSolved") {
   const auto& c = j["case"];
   CHECK(c["bearing"]["diameter"]["value"].get<double>() == 2.0 * subject.bearing.radius);
   CHECK(c["bearing"]["diameter"]["unit"] == "m");
-  CHECK(c["operation"]["speed"] ==
-        json({{"value", subject.operation.omega}, {"unit", "rad/s"}}));
+  CHECK(c["operation"]["speed"] == json({{"value", subject.operation.omega}, {"unit", "rad/s"}}));
   CHECK(c["operation"]["load"]["unit"] == "N");
   CHECK(c["operation"]["load_angle"]["value"].get<double>() == Approx(270.0));
   CHECK(c["supply"].size() == subject.supplies.size());

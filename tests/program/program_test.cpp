@@ -237,15 +237,21 @@ TEST_CASE("ASweepShowsBarsAndWhatTheyLeaveOpen") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);
   // Loads that differ by a thousandth: no grid of 48 x 9 cells tells them apart.
-  std::vector<std::string> words{"sweep", path, "--tier", "isothermal", "--set", kCoarse, "--vary",
-                                 "operation.load=5 kN,5.005 kN", "--csv", scratch.path("a.csv"),
-                                 "--json", scratch.path("a.json"), "-j", "1"};
+  std::vector<std::string> words{"sweep",  path,
+                                 "--tier", "isothermal",
+                                 "--set",  kCoarse,
+                                 "--vary", "operation.load=5 kN,5.005 kN",
+                                 "--csv",  scratch.path("a.csv"),
+                                 "--json", scratch.path("a.json"),
+                                 "-j",     "1"};
   const Ended with = run_words(words);
   INFO(with.err);
   CHECK(with.code == kDone);
-  check_parts(with.out, {"+-", "cannot be told apart", "1 of 1 pairs of neighbours along "
-                         "operation.load", "model.tolerance (1 %) is not met",
-                         "shellback sweep " + path, "--vary operation.load="});
+  check_parts(with.out, {"+-", "cannot be told apart",
+                         "1 of 1 pairs of neighbours along "
+                         "operation.load",
+                         "model.tolerance (1 %) is not met", "shellback sweep " + path,
+                         "--vary operation.load="});
   const auto text = [&](const char* name) {
     std::ifstream file(scratch.path(name));
     return std::string(std::istreambuf_iterator<char>(file), {});
@@ -265,10 +271,9 @@ TEST_CASE("CompareSaysWhatTheGridLeavesOpen") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);
   // No heat to speak of: the tiers differ by less than so coarse a grid can tell.
-  const Ended ended =
-      run_words({"compare", path, "--tiers", "isothermal,lumped", "--set", kCoarse, "--set",
-                 "operation.speed=10 rpm", "--set", "oil.temperature=80 degC", "--set",
-                 "operation.load=20 N"});
+  const Ended ended = run_words({"compare", path, "--tiers", "isothermal,lumped", "--set", kCoarse,
+                                 "--set", "operation.speed=10 rpm", "--set",
+                                 "oil.temperature=80 degC", "--set", "operation.load=20 N"});
   INFO(ended.err);
   CHECK(ended.code == kDone);
   check_parts(ended.out, {"cannot be told apart on this grid", "isothermal and lumped"});

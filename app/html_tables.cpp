@@ -6,9 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "app/indistinct.hpp"
 #include "app/provenance.hpp"
 #include "app/quantity_label.hpp"
 #include "app/svg.hpp"
+#include "app/tolerance_words.hpp"
 
 namespace shellback::app {
 namespace {
@@ -39,7 +41,7 @@ std::string list_html(const char* heading, const std::vector<std::string>& lines
 }
 
 /// The two bars under a value: of the grid, of the physics left out.
-std::string bars_html(const ShownBars& bars) {
+std::string value_bars(const ShownBars& bars) {
   if (!std::isfinite(bars.grid)) return "";
   std::string html = "<small title=\"grid\">± " + figures(bars.grid, 2);
   if (std::isfinite(bars.model)) html += " ± " + figures(bars.model, 2) + " (model)";
@@ -53,15 +55,13 @@ void add_once(std::vector<std::string>& all, const std::string& line) {
 std::string split_sentences(const Comparison& comparison) {
   const auto& split = comparison.split;
   if (split.steps.empty()) return "";
-  const double percent = 100.0 * (split.from - split.to) / std::abs(split.to);
   const auto largest = std::max_element(
       split.steps.begin(), split.steps.end(),
       [](const auto& a, const auto& b) { return std::abs(a.change) < std::abs(b.change); });
   std::string html = fmt::format(
       "<p>Isothermal at the equivalent temperature: <b>{} N·m</b>; full model: <b>{} N·m</b>. "
-      "The isothermal prediction is <b>{:.1f} % {}</b>.</p>",
-      figures(split.from), figures(split.to), std::abs(percent),
-      percent >= 0.0 ? "higher" : "lower");
+      "The difference is <b>{}</b> of the isothermal torque.</p>",
+      figures(split.from), figures(split.to), typeset_number(difference({}, split.to, split.from)));
   html +=
       fmt::format("<p>Largest cause of the difference: {} ({} N·m).", escape_markup(largest->name),
                   typeset_number(signed_change(split, largest->change)));
@@ -134,7 +134,7 @@ std::string quantities_html(const coupling::Case& c, const Comparison& compariso
                         escape_markup(row.label));
     for (std::size_t k = 0; k < row.values.size(); ++k) {
       const auto& value = row.values[k];
-      html += "<td>" + (value ? typeset_number(figures(*value)) : "") + bars_html(row.bars[k]);
+      html += "<td>" + (value ? typeset_number(figures(*value)) : "") + value_bars(row.bars[k]);
       if (value && row.measured) {
         html +=
             "<small>" + typeset_number(difference(row.unit, *value, *row.measured)) + "</small>";
@@ -148,6 +148,24 @@ std::string quantities_html(const coupling::Case& c, const Comparison& compariso
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
+}
+
+std::string bars_html(const coupling::Case& c, const Comparison& comparison) {
+  std::string html;
+  const auto open = indistinct_words(comparison);
+  if (!open.empty()) {
+    html += "<p>Cannot be told apart on this grid (their difference is within its bars):</p><ul>";
+    for (const std::string& line : open) html += "<li>" + escape_markup(line) + "</li>";
+    html += "</ul>\n";
+  }
+  const Missed missed = missed_tolerance(c, comparison);
+  if (!missed) return html;
+  html += "<p>" + escape_markup(tolerance_lines(c, missed).front()) + ".";
+  if (!missed.command.empty()) {
+    html += " " + escape_markup(missed.outlook) + ": <code>" + escape_markup(missed.command) +
+            "</code>";
+  }
+  return html + "</p>\n";
 }
 
 std::string audit_html(const Comparison& comparison) {

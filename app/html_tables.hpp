@@ -20,6 +20,10 @@ namespace shellback::app {
 [[nodiscard]] std::string quantities_html(const coupling::Case& c,
                                           const coupling::Comparison& comparison);
 
+/// Results whose order their bars leave open, and bars wider than model.tolerance; empty: neither.
+[[nodiscard]] std::string bars_html(const coupling::Case& c,
+                                    const coupling::Comparison& comparison);
+
 /// Relative imbalances, iterations, time.
 [[nodiscard]] std::string audit_html(const coupling::Comparison& comparison);
 

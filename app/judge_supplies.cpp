@@ -36,10 +36,13 @@ void judge_axial(const Supply& s, const Bearing& b, const std::string& path, con
   }
   if (line || reach < half * (1.0 - kRoundOff)) return;
   if (s.length >= b.width * (1.0 - kRoundOff)) {
+    const bool hole = s.kind == SupplyKind::hole;
     refuse(reader, key,
-           "the groove is as wide as the bearing and so open to the sides, where "
-           "ambient pressure rules: it cannot hold its supply pressure. Make it "
-           "shorter; only a line (arc = \"0 deg\") may span the width");
+           fmt::format(
+               "the {} is as wide as the bearing and so open to the sides, where ambient "
+               "pressure rules: it cannot hold its supply pressure. Make it {}",
+               hole ? "hole" : "groove",
+               hole ? "smaller" : "shorter; only a line (arc = \"0 deg\") may span the width"));
   }
   refuse(reader, key,
          "the supply touches the bearing's edge, where ambient pressure rules: it "

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/constants.hpp"
+#include "coupling/told_temperature.hpp"
 
 namespace shellback::app {
 namespace {
@@ -86,6 +87,13 @@ const coupling::Quantity* find(const coupling::Result& result, const std::string
   return it == q.end() ? nullptr : &*it;
 }
 
+/// True for a temperature that no oil has: the last iterate of a solve that failed tells nothing by
+/// it.
+bool beyond_oil(const coupling::Quantity& q) {
+  return q.unit == "K" && q.name.starts_with("T_") &&
+         !(q.value >= coupling::kColdestTold && q.value <= coupling::kHottestTold);
+}
+
 /// Largest magnitude of a quantity over the results; the components of a force count together.
 double largest_magnitude(const std::vector<coupling::Result>& results, const std::string& name) {
   const bool force = name == "load_x" || name == "load_y";
@@ -156,9 +164,10 @@ std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,
                       {}};
       for (const auto& other : results) {
         const auto* q = find(other, quantity.name);
+        const bool lost = q && !other.verdict.good() && beyond_oil(*q);
         const bool round_off = q && std::abs(q->value) < kRoundOff * largest;
-        row.values.push_back(q ? std::optional(round_off ? 0.0 : row.unit(q->value))
-                               : std::nullopt);
+        row.values.push_back(q && !lost ? std::optional(round_off ? 0.0 : row.unit(q->value))
+                                        : std::nullopt);
         const double s = row.unit.scale;
         row.bars.push_back(q ? ShownBars{s * q->error_grid, s * q->error_model, s * q->error()}
                              : ShownBars{NAN, NAN, NAN});

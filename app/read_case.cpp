@@ -56,6 +56,10 @@ Case read_with(Reader& reader, const std::string& text, const std::vector<Overri
   Case result;
   result.path = path;
   result.verbatim = with_overrides(text, overrides);
+  for (const Override& change : overrides) {
+    result.changes.push_back(
+        {change.key, change.value, change.place.substr(0, change.place.find(' '))});
+  }
   read_sections(file, result);
   file.expect_all_used();
   result.assumptions = reader.assumptions;

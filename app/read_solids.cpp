@@ -105,6 +105,10 @@ std::optional<Shell> read_shell(const Section& file) {
   }
   if (const auto housing = section->maybe_section("housing")) {
     shell.housing = read_housing(*housing);
+  } else {
+    section->assume(
+        "shell.housing is not given: the shell's back is taken as held under load and free to grow "
+        "with temperature");
   }
   if (const auto back = section->maybe_section("back")) shell.back = read_back(*back);
   shell.end_heat_transfer = section->quantity_or(

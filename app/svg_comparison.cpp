@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/command_words.hpp"
 #include "app/svg_film.hpp"
 #include "app/svg_profiles.hpp"
 #include "app/svg_waterfall.hpp"
@@ -37,6 +38,9 @@ void draw_heading(Svg& svg, const coupling::Case& c, const Comparison& compariso
                   const Theme& theme) {
   svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
   svg.text({24.0, 58.0}, describe_case(c, Writing::typeset), {theme.muted, 12.5});
+  if (const std::string changes = describe_changes(c); !changes.empty()) {
+    svg.text({24.0, 75.0}, changes, {theme.muted, 11.5});
+  }
   std::string failed;
   const auto names = column_names(comparison.results);
   for (std::size_t k = 0; k < names.size(); ++k) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/command_words.hpp"
 #include "app/svg_sweep_parts.hpp"
 #include "app/sweep_columns.hpp"
 #include "core/contract.hpp"
@@ -46,23 +47,6 @@ std::string describe_model(const Sweep& sweep) {
   return words;
 }
 
-/// The bearing, without what is swept.
-std::string describe(const coupling::Case& c, const Sweep& sweep) {
-  const auto swept = [&](const char* key) {
-    return std::any_of(sweep.axes.begin(), sweep.axes.end(),
-                       [&](const auto& axis) { return axis.key == key; });
-  };
-  std::string words = "bearing";
-  if (!swept("bearing.diameter") && !swept("bearing.width")) {
-    words += fmt::format(" {:.4g} × {:.4g} mm", 2e3 * c.bearing.radius, 1e3 * c.bearing.width);
-  }
-  if (!swept("bearing.radial_clearance")) {
-    words += fmt::format(", radial clearance {:.4g} µm", 1e6 * c.bearing.radial_clearance);
-  }
-  if (!c.oil.name.empty() && !swept("oil.name")) words += ", oil " + c.oil.name;
-  return words;
-}
-
 }  // namespace
 
 void expect_drawable(const std::vector<study::Axis>& axes) {
@@ -77,7 +61,7 @@ std::string sweep_svg(const std::string& text, const coupling::Case& subject, co
   Svg svg(kWidth, kHeight);
   svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
   svg.text({24.0, 36.0}, subject.title, {theme.ink, 20.0, Anchor::start, true});
-  std::string words = describe(subject, sweep) + describe_model(sweep);
+  std::string words = describe_subject(subject, sweep, Writing::typeset) + describe_model(sweep);
   if (wants_map(sweep)) {
     const std::string left_out = draw_sweep_maps(svg, sweep, theme);
     if (!left_out.empty()) words += "; " + left_out;
@@ -85,6 +69,9 @@ std::string sweep_svg(const std::string& text, const coupling::Case& subject, co
     draw_sweep_lines(svg, text, subject, sweep, theme);
   }
   svg.text({24.0, 58.0}, words, {theme.muted, 12.5});
+  if (const std::string changes = describe_changes(subject); !changes.empty()) {
+    svg.text({24.0, 75.0}, changes, {theme.muted, 11.5});
+  }
   if (sweep.count_good() < static_cast<int>(sweep.points.size())) {
     svg.text({kWidth - 24.0, 36.0}, count_words(sweep) + (sweep.count_failed() > 0 ? " (×)" : ""),
              {theme.more, 13.0, Anchor::end, true});

@@ -93,6 +93,7 @@ class Panels {
     }
     const Frame frame = draw_lines(svg_, box, plot, theme_);
     if (mark) draw_film_mark(frame, *mark);
+    draw_bars(frame, q);
     draw_points(frame, q);
     draw_measured(frame, q);
   }
@@ -127,6 +128,25 @@ class Panels {
     svg_.line(left, {frame.box.right(), left.y}, {theme_.more, 1.2, "7 4"});
     svg_.text({frame.box.right() - 6.0, left.y + 14.0}, "λ = 3",
               {theme_.more, 11.0, Anchor::end, true, false, theme_.paper});
+  }
+
+  /// Error bars, where they are long enough to be seen beside a point.
+  void draw_bars(const Frame& frame, const DrawnQuantity& q) {
+    constexpr double kSeen = 2.5;  // [px]
+    svg_.begin_clip(frame.box);
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      for (std::size_t i = 0; i < lines_[k].x.size(); ++i) {
+        const double value = q.at(*lines_[k].points[i]);
+        const double bar = q.bar(*lines_[k].points[i]);
+        if (!std::isfinite(value) || !std::isfinite(bar)) continue;
+        if (frame.y.logarithmic && !(value > 0.0)) continue;
+        const double least = frame.y.logarithmic ? frame.y.low : value - bar;
+        const Point top = frame.at(lines_[k].x[i], value + bar);
+        const Point bottom = frame.at(lines_[k].x[i], std::max(value - bar, least));
+        if (bottom.y - top.y > 2.0 * kSeen) svg_.line(top, bottom, {colour(k), 0.9, ""});
+      }
+    }
+    svg_.end_clip();
   }
 
   void draw_points(const Frame& frame, const DrawnQuantity& q) {

@@ -85,6 +85,14 @@ double DrawnQuantity::at(const SweepPoint& point) const {
   return point.good() ? unit(point.result.value(name)) : NAN;
 }
 
+double DrawnQuantity::bar(const SweepPoint& point) const {
+  if (!point.good()) return NAN;
+  for (const auto& q : point.result.quantities) {
+    if (q.name == name) return std::abs(unit.scale) * q.error();
+  }
+  return NAN;
+}
+
 std::optional<DrawnQuantity> drawn_quantity(const Sweep& sweep, const std::string& name) {
   double least = INFINITY;
   double most = -INFINITY;

@@ -38,6 +38,8 @@ struct DrawnQuantity {
   double high = 0.0;  ///< in `unit`
   /// Value at the point in `unit`; not-a-number if it is not solved.
   [[nodiscard]] double at(const study::SweepPoint& point) const;
+  /// Its error bar in `unit`; not-a-number if it is not known.
+  [[nodiscard]] double bar(const study::SweepPoint& point) const;
 };
 [[nodiscard]] std::optional<DrawnQuantity> drawn_quantity(const study::Sweep& sweep,
                                                           const std::string& name);

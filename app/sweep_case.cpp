@@ -74,6 +74,7 @@ Case sweep_subject(const std::string& text, const std::string& path,
   const Position first{0.0, std::vector<int>(axes.size() - 1, 0)};
   Case subject = case_source(text, path, set, axes)(first);
   subject.verbatim = text;
+  std::erase_if(subject.changes, [](const auto& change) { return change.option == "--vary"; });
   if (!text.ends_with('\n')) subject.verbatim += '\n';
   for (const Override& change : set) {
     subject.verbatim +=

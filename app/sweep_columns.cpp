@@ -84,6 +84,37 @@ std::string count_words(const Sweep& sweep) {
   return words;
 }
 
+std::string describe_subject(const coupling::Case& c, const Sweep& sweep, Writing writing) {
+  constexpr double kRevolution = 60.0 / (2.0 * kPi);  // rpm per rad/s
+  const auto swept = [&](const std::string& key) {
+    return std::any_of(sweep.axes.begin(), sweep.axes.end(),
+                       [&](const auto& axis) { return axis.key == key; });
+  };
+  const bool set = writing == Writing::typeset;
+  std::string words = "bearing";
+  if (!swept("bearing.diameter") && !swept("bearing.width")) {
+    words += fmt::format(" {:.4g} {} {:.4g} mm", 2e3 * c.bearing.radius, set ? "×" : "x",
+                         1e3 * c.bearing.width);
+  }
+  if (!swept("bearing.radial_clearance")) {
+    words += fmt::format(", radial clearance {:.4g} {}", 1e6 * c.bearing.radial_clearance,
+                         set ? "µm" : "um");
+  }
+  if (!swept("operation.speed")) {
+    words += fmt::format(", {:.4g} rpm", kRevolution * c.operation.omega);
+  }
+  const auto* load = std::get_if<coupling::LoadGiven>(&c.operation.position);
+  if (load != nullptr && !swept("operation.load")) {
+    words += fmt::format(", load {:.4g} kN", 1e-3 * load->force);
+  }
+  const auto* given = std::get_if<coupling::EccentricityGiven>(&c.operation.position);
+  if (given != nullptr && !swept("operation.eccentricity_ratio")) {
+    words += fmt::format(", eccentricity ratio {:.4g}", given->ratio);
+  }
+  if (!c.oil.name.empty() && !swept("oil.name")) words += ", oil " + c.oil.name;
+  return words;
+}
+
 std::vector<std::string> sweep_warnings(const Sweep& sweep) {
   std::vector<std::string> all;
   for (const SweepPoint& point : sweep.points) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/quantity_label.hpp"
 #include "study/sweep.hpp"
 
 namespace shellback::app {
@@ -34,6 +35,10 @@ struct SweepQuantity {
 
 /// "60 points, 58 converged, 2 not (marked)", and the interrupt if there was one.
 [[nodiscard]] std::string count_words(const study::Sweep& sweep);
+
+/// Bearing and operating point without what is swept.
+[[nodiscard]] std::string describe_subject(const coupling::Case& c, const study::Sweep& sweep,
+                                           Writing writing);
 
 /// All warnings of the points, each once.
 [[nodiscard]] std::vector<std::string> sweep_warnings(const study::Sweep& sweep);

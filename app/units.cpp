@@ -42,6 +42,13 @@ std::string cure(const Kind& kind) {
   return fmt::format("units that would do: {}; for example \"{}\"", kind.units, kind.example);
 }
 
+/// For letters that many write for a scale of temperature; nothing for others.
+std::string temperature_hint(std::string_view symbol) {
+  if (symbol == "F") return "; did you mean \"K\" or \"degC\" (Fahrenheit is \"degF\")?";
+  if (symbol == "C") return "; did you mean \"degC\" or \"K\"?";
+  return "";
+}
+
 void raise(Dimension& d, int power) {
   d.length *= power;
   d.mass *= power;
@@ -138,8 +145,10 @@ class UnitParser {
   Unit known(std::string_view symbol, std::size_t begin) {
     const auto unit = find_unit(symbol);
     if (!unit) {
+      const std::string hint = temperature_hint(symbol);
       throw UnitError(fmt::format("unknown unit {}{}; {}", in_quotes(symbol),
-                                  did_you_mean(symbol, unit_symbols()), cure(kind_)));
+                                  hint.empty() ? did_you_mean(symbol, unit_symbols()) : hint,
+                                  cure(kind_)));
     }
     const bool alone = begin == 0 && at_ == text_.size();
     if (unit->scale && !alone) {

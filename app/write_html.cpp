@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/command_words.hpp"
 #include "app/html_figures.hpp"
 #include "app/html_style.hpp"
 #include "app/html_tables.hpp"
@@ -26,9 +27,12 @@ std::string comparison_html(const coupling::Case& c, const coupling::Comparison&
       "<p class=\"kicker\">Shellback {}</p>\n<h1>{}</h1>\n<p class=\"scene\">{}</p>\n",
       title, page_style(), comparison.results.size() > 1 ? "comparison" : "result", title,
       escape_markup(describe_case(c, Writing::typeset)));
+  if (const std::string changes = describe_changes(c); !changes.empty()) {
+    html += "<p class=\"scene\">" + escape_markup(changes) + "</p>\n";
+  }
   html += failures_html(comparison) + verdict_html(c, comparison);
   html += section("Friction difference", waterfall_html(c, comparison));
-  html += section("Quantities", quantities_html(c, comparison));
+  html += section("Quantities", quantities_html(c, comparison) + bars_html(c, comparison));
   html += section("Along the bearing", profiles_html(comparison));
   html += section("On the unrolled bearing", maps_html(c, comparison));
   html += section("Into the depth", depth_html(c, comparison));

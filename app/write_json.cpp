@@ -4,10 +4,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/case_json.hpp"
+#include "app/indistinct.hpp"
 #include "app/provenance.hpp"
 #include "app/quantity_label.hpp"
 #include "app/sweep_columns.hpp"
+#include "app/tolerance_words.hpp"
 #include "core/constants.hpp"
+#include "fidelity/tolerance.hpp"
 
 namespace shellback::app {
 namespace {
@@ -162,19 +166,28 @@ Json cost_json(const coupling::Cost& k) {
           {"bars_s", number(k.bars_s)}};
 }
 
+/// What was asked for, whether the bars are within it, and the command that is expected to meet it.
+Json tolerance_json(const coupling::Case& c, const coupling::Result& result) {
+  const auto s = fidelity::shortfall(result, c.model.tolerance);
+  const auto& choice = result.choice;
+  Json json{{"asked", choice ? choice->tolerance : s.tolerance},
+            {"met", choice ? choice->met : s.met},
+            {"friction_torque", number(choice ? choice->bar_friction : s.friction.total())},
+            {"h_min", number(choice ? choice->bar_h_min : s.h_min.total())}};
+  const Missed missed = missed_tolerance(c, result);
+  if (!missed.command.empty()) json["command"] = missed.command;
+  return json;
+}
+
 Json to_json(const coupling::Case& c, const coupling::Result& result) {
   Json json;
   add_status(json, result.verdict);
   json["tier"] = to_string(result.tier);
   if (result.choice) {
-    const auto& choice = *result.choice;
     json["chosen_by"] = "auto";
-    json["tolerance"] = {{"asked", choice.tolerance},
-                         {"met", choice.met},
-                         {"friction_torque", number(choice.bar_friction)},
-                         {"h_min", number(choice.bar_h_min)}};
-    json["solved"] = choice.solved;
+    json["solved"] = result.choice->solved;
   }
+  if (result.verdict.good()) json["tolerance"] = tolerance_json(c, result);
   json["title"] = result.title;
   json["quantities"] = quantities(result);
   json["audit"] = audit_json(result.audit);
@@ -255,6 +268,12 @@ Json point_json(const study::Sweep& sweep, int index) {
   return json;
 }
 
+/// The case as solved, and what the command line changed in the file.
+void add_case(Json& json, const coupling::Case& c) {
+  json["changes"] = changes_json(c);
+  json["case"] = case_json(c);
+}
+
 /// Text from elsewhere may hold broken UTF-8; it is shown with replacement characters.
 std::string dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -263,7 +282,9 @@ std::string dump(const Json& json) {
 }  // namespace
 
 std::string result_json(const coupling::Case& c, const coupling::Result& result) {
-  return dump(to_json(c, result));
+  Json json = to_json(c, result);
+  add_case(json, c);
+  return dump(json);
 }
 
 std::string comparison_json(const coupling::Case& c, const coupling::Comparison& comparison) {
@@ -275,6 +296,12 @@ std::string comparison_json(const coupling::Case& c, const coupling::Comparison&
   json["title"] = c.title;
   json["results"] = Json::array();
   for (const auto& result : results) json["results"].push_back(to_json(c, result));
+  json["indistinct"] = Json::array();
+  for (const Indistinct& pair : indistinct(comparison)) {
+    json["indistinct"].push_back(
+        {{"quantity", pair.quantity}, {"results", {pair.first, pair.second}}});
+  }
+  add_case(json, c);
   json["measured"] = measured_json(c.measured);
   json["friction_split"] = split_json(comparison.split);
   json["T_calibrated"] = std::isfinite(comparison.T_calibrated)
@@ -294,6 +321,16 @@ std::string sweep_json(const coupling::Case& subject, const study::Sweep& sweep)
   for (const auto& axis : sweep.axes) json["axes"].push_back(axis_json(axis));
   json["points"] = Json::array();
   for (const int index : reading_order(sweep)) json["points"].push_back(point_json(sweep, index));
+  json["indistinct"] = Json::array();
+  for (const Indistinct& pair : indistinct(sweep)) {
+    json["indistinct"].push_back(
+        {{"quantity", pair.quantity},
+         {"at", {indices_of(sweep, pair.first), indices_of(sweep, pair.second)}}});
+  }
+  const Missed missed = missed_tolerance(subject, sweep);
+  json["tolerance"] = {{"asked", subject.model.tolerance}, {"met", !missed}};
+  if (!missed.command.empty()) json["tolerance"]["command"] = missed.command;
+  add_case(json, subject);  // at the first point
   json["threads"] = sweep.threads;
   json["wall_s"] = number(sweep.wall_s);
   json["measured"] = measured_json(subject.measured);

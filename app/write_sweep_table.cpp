@@ -7,10 +7,13 @@
 #include <cmath>
 #include <ostream>
 
+#include "app/command_words.hpp"
+#include "app/indistinct.hpp"
 #include "app/quantity_label.hpp"
 #include "app/sweep_case.hpp"
 #include "app/sweep_columns.hpp"
 #include "app/text_table.hpp"
+#include "app/tolerance_words.hpp"
 
 namespace shellback::app {
 
@@ -23,14 +26,15 @@ namespace {
 struct Shown {
   const char* name;
   const char* head;
+  bool with_bar = false;  ///< those by which bearings are judged; more would not fit a line
 };
-constexpr std::array kShown{Shown{"friction_torque", "torque"},
+constexpr std::array kShown{Shown{"friction_torque", "torque", true},
                             Shown{"friction_torque_asperity", "asperities"},
-                            Shown{"h_min", "h_min"},
-                            Shown{"p_max", "p_max"},
+                            Shown{"h_min", "h_min", true},
+                            Shown{"p_max", "p_max", true},
                             Shown{"eccentricity_ratio", "ecc. ratio"},
                             Shown{"side_flow", "side flow"},
-                            Shown{"T_film_max", "T film max"},
+                            Shown{"T_film_max", "T film max", true},
                             Shown{"T_shell_back", "T back"}};
 
 struct Column {
@@ -38,6 +42,7 @@ struct Column {
   DisplayUnit unit;
   double round_off = 0.0;  ///< what is smaller is shown as 0 [SI]
   std::string head;
+  bool with_bar = false;
 };
 
 std::vector<Column> shown_columns(const Sweep& sweep) {
@@ -53,8 +58,8 @@ std::vector<Column> shown_columns(const Sweep& sweep) {
       const double value = value_at(point, *it);
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
     }
-    columns.push_back(
-        {*it, display_unit(it->name, it->unit, largest), kRoundOff * largest, shown.head});
+    columns.push_back({*it, display_unit(it->name, it->unit, largest), kRoundOff * largest,
+                       shown.head, shown.with_bar && it->with_error});
   }
   return columns;
 }
@@ -71,6 +76,9 @@ void print_points(std::ostream& out, const Sweep& sweep) {
   for (const Column& column : columns) {
     names.push_back(column.head);
     units.push_back(column.unit.unit);
+    if (!column.with_bar) continue;
+    names.emplace_back("+-");
+    units.emplace_back("");
   }
   names.emplace_back("status");
   table.add(names);
@@ -92,11 +100,32 @@ void print_points(std::ostream& out, const Sweep& sweep) {
       const double value = value_at(point, column.quantity);
       const bool round_off = std::abs(value) < column.round_off;
       cells.push_back(std::isfinite(value) ? figures(round_off ? 0.0 : column.unit(value)) : "");
+      if (column.with_bar) {
+        cells.push_back(bar_figures(column.unit.scale * error_at(point, column.quantity)));
+      }
     }
     cells.push_back(point.good() ? "" : status_word(point));
     table.add(cells);
   }
   table.print(out);
+}
+
+/// What the bars hold, which points they leave open, whether they are what was asked for.
+void print_bars(std::ostream& out, const coupling::Case& subject, const Sweep& sweep) {
+  const auto known = [](const SweepPoint& point) {
+    return point.good() && point.result.cost.bars_s > 0.0;
+  };
+  if (std::any_of(sweep.points.begin(), sweep.points.end(), known)) {
+    out << "\n+- is the bar of the grid (with --bars: and of the physics left out).\n";
+  }
+  const auto open = indistinct_words(sweep);
+  if (!open.empty()) {
+    out << "\ncannot be told apart on their grids (their difference is within the bars)\n";
+    for (const std::string& line : open) out << "  - " << line << '\n';
+  }
+  const auto lines = tolerance_lines(subject, missed_tolerance(subject, sweep));
+  if (!lines.empty()) out << '\n';
+  for (const std::string& line : lines) out << line << '\n';
 }
 
 void print_failures(std::ostream& out, const Sweep& sweep) {
@@ -147,24 +176,33 @@ void print_cost(std::ostream& out, const Sweep& sweep) {
   int tries = 0;
   int outer = 0;
   int newton = 0;
+  double bars = 0.0;
   for (const SweepPoint& point : sweep.points) {
     tries += point.tries;
     outer += point.result.cost.outer_iterations;
     newton += point.result.cost.newton_iterations;
+    bars += point.result.cost.bars_s;
   }
   out << fmt::format(
       "{} tries, {} outer and {} Newton iterations in those that converged, {} s on "
-      "{} thread{}\n",
-      tries, outer, newton, figures(sweep.wall_s, 3), sweep.threads, sweep.threads == 1 ? "" : "s");
+      "{} thread{}{}\n",
+      tries, outer, newton, figures(sweep.wall_s, 3), sweep.threads, sweep.threads == 1 ? "" : "s",
+      bars > 0.0 ? fmt::format(" (the error bars took {} s of it, added over the threads; "
+                               "--no-bars leaves them out)",
+                               figures(bars, 3))
+                 : "");
 }
 
 }  // namespace
 
 void write_sweep_table(std::ostream& out, const coupling::Case& subject, const Sweep& sweep) {
-  out << subject.title << '\n';
+  out << subject.title << '\n' << describe_subject(subject, sweep, Writing::plain) << '\n';
+  const std::string changes = describe_changes(subject);
+  if (!changes.empty()) out << changes << '\n';
   for (const auto& axis : sweep.axes) out << axis_words(axis) << '\n';
   out << count_words(sweep) << "\n\n";
   print_points(out, sweep);
+  print_bars(out, subject, sweep);
   print_failures(out, sweep);
   print_audit(out, sweep);
   print_warnings(out, sweep);

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <ostream>
 
+#include "app/command_words.hpp"
+#include "app/indistinct.hpp"
 #include "app/quantity_label.hpp"
 #include "app/text_table.hpp"
+#include "app/tolerance_words.hpp"
 #include "app/write_coefficients.hpp"
 
 namespace shellback::app {
@@ -165,11 +168,27 @@ std::vector<std::string> gathered(const std::vector<Result>& results, LinesOf li
   return all;
 }
 
-void print_table(std::ostream& out, const coupling::Measured& measured, const Result& result) {
-  out << result.title << '\n'
-      << "tier " << to_string(result.tier) << ", " << status_line(result) << "\n\n";
+/// What was solved: bearing, operating point, overrides.
+void print_scene(std::ostream& out, const Case& c) {
+  out << describe_case(c, Writing::plain) << '\n';
+  const std::string changes = describe_changes(c);
+  if (!changes.empty()) out << changes << '\n';
+}
+
+void print_tolerance(std::ostream& out, const Case& c, const Missed& missed) {
+  const auto lines = tolerance_lines(c, missed);
+  if (!lines.empty()) out << '\n';
+  for (const std::string& line : lines) out << line << '\n';
+}
+
+void print_table(std::ostream& out, const Case* c, const Result& result) {
+  const coupling::Measured measured = c != nullptr ? c->measured : coupling::Measured{};
+  out << result.title << '\n';
+  if (c != nullptr) print_scene(out, *c);
+  out << "tier " << to_string(result.tier) << ", " << status_line(result) << "\n\n";
   print_failure(out, to_string(result.tier), result);
   print_quantities(out, measured, {result});
+  if (c != nullptr) print_tolerance(out, *c, missed_tolerance(*c, result));
   print_coefficients(out, result);
   const auto& a = result.audit;
   out << fmt::format("\naudit (relative)  mass {}  energy {}  load {}  moment {}\n",
@@ -206,15 +225,17 @@ void print_checks(std::ostream& out, const Comparison& comparison) {
 }  // namespace
 
 void write_table(std::ostream& out, const Case& c, const Result& result) {
-  print_table(out, c.measured, result);
+  print_table(out, &c, result);
 }
 
-void write_table(std::ostream& out, const Result& result) { print_table(out, {}, result); }
+void write_table(std::ostream& out, const Result& result) { print_table(out, nullptr, result); }
 
 void write_comparison_table(std::ostream& out, const Case& c, const Comparison& comparison) {
   const auto& results = comparison.results;
   const auto names = column_names(results);
-  out << c.title << '\n' << describe_case(c, Writing::plain) << "\n\n";
+  out << c.title << '\n';
+  print_scene(out, c);
+  out << '\n';
   for (std::size_t i = 0; i < results.size(); ++i) print_failure(out, names[i], results[i]);
   print_quantities(out, c.measured, results);
   if (std::any_of(results.begin(), results.end(),
@@ -222,6 +243,9 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
     out << "\n+- is the bar of the grid and of the physics left out together; where the physics "
            "cannot be\njudged, of the grid alone.\n";
   }
+  print_list(out, "cannot be told apart on this grid (their difference is within its bars)",
+             indistinct_words(comparison));
+  print_tolerance(out, c, missed_tolerance(c, comparison));
   print_split(out, comparison);
   if (std::isfinite(comparison.T_calibrated)) {
     out << fmt::format(

@@ -17,9 +17,9 @@ constexpr double kMergeFraction = 0.2;  ///< of an even cell: closer edges count
 std::vector<double> fitted_faces(const std::vector<double>& edges, int n) {
   const int segments = static_cast<int>(edges.size()) - 1;
   if (segments > n) {
-    throw InputError(
-        fmt::format("{} cells cannot resolve {} groove edges (each needs a cell); use a finer grid",
-                    n, segments));
+    throw InputError(fmt::format(
+        "{} cells cannot resolve {} edges of supplies (each needs a cell); use a finer grid", n,
+        segments));
   }
   const double total = edges.back() - edges.front();
   std::vector<int> count(segments);

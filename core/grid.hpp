@@ -5,7 +5,7 @@
 /// z axially with 0 at mid-width. Cells form a tensor grid: phi in [phi_face[0],
 /// phi_face[0] + 2 pi], periodic; z in [-B/2, B/2], or, for a scene that is symmetric about
 /// mid-width, in [0, B/2] (`half`). Widths need not be equal, so that faces can lie on the
-/// edges of grooves. Cell (i, j) has index i * nz + j: one axial line after another.
+/// edges of supplies. Cell (i, j) has index i * nz + j: one axial line after another.
 ///
 /// A half grid of a full grid with an odd number of axial cells begins with the half of the
 /// middle cell: its unknown sits on the plane of symmetry (z[0] = 0), its width is half. Its

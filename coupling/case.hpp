@@ -166,10 +166,18 @@ struct Measured {
   std::optional<double> T_shell_max;             ///< [K]
 };
 
+/// A key of the file that the command line changed.
+struct Change {
+  std::string key;     ///< "operation.speed"
+  std::string value;   ///< as given: "1500 rpm"
+  std::string option;  ///< that gave it, "--set", "--tier", ...
+};
+
 struct Case {
   std::string title;
-  std::string path;      ///< file it came from
-  std::string verbatim;  ///< the file's text
+  std::string path;             ///< file it came from
+  std::string verbatim;         ///< the file's text
+  std::vector<Change> changes;  ///< in the order in which they were applied
   Bearing bearing;
   std::vector<Supply> supplies;
   Operation operation;

@@ -20,6 +20,8 @@ struct Quantity {
   std::string unit;
   double error_grid = std::numeric_limits<double>::quiet_NaN();   ///< bar of the discretisation
   double error_model = std::numeric_limits<double>::quiet_NaN();  ///< bar of the physics left out
+  double order =
+      std::numeric_limits<double>::quiet_NaN();  ///< observed, with which error_grid falls
   /// Sum of the bars that are known; NaN: none is.
   [[nodiscard]] double error() const;
 };

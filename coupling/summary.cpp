@@ -12,6 +12,7 @@
 #include "coupling/effects.hpp"
 #include "coupling/solids.hpp"
 #include "coupling/solve.hpp"
+#include "coupling/told_temperature.hpp"
 
 namespace shellback::coupling {
 namespace {
@@ -214,18 +215,16 @@ Fields fields_of(const Solution& s, const Friction& f) {
 void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
   const auto& range = s.model.oil.range;
   const auto [low, high] = std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
-  const auto celsius = [](double T) {
-    return std::to_string(static_cast<int>(std::lround(T - kZeroCelsius)));
-  };
   if (*low < range.T_min || *high > range.T_max) {
-    warnings.push_back("film temperatures of " + celsius(*low) + " to " + celsius(*high) +
-                       " degC leave the oil's range of " + celsius(range.T_min) + " to " +
-                       celsius(range.T_max) + " degC: its viscosity is extrapolated");
+    warnings.push_back("film temperatures of " + told_temperature(*low) + " to " +
+                       told_temperature(*high) + " leave the oil's range of " +
+                       told_temperature(range.T_min) + " to " + told_temperature(range.T_max) +
+                       ": its viscosity is extrapolated");
   }
   constexpr double kUndershoot = 2.0;  // worth telling [K]
   if (s.model.physics.film_energy && *low < coldest_around(s.model) - kUndershoot) {
-    warnings.push_back("the film temperature falls to " + celsius(*low) +
-                       " degC at one place, below everything around it: model.film_nodes does not "
+    warnings.push_back("the film temperature falls to " + told_temperature(*low) +
+                       " at one place, below everything around it: model.film_nodes does not "
                        "resolve it there");
   }
   if (s.model.scene.rough.beyond_table) {

@@ -6,6 +6,7 @@
 
 #include "core/largest.hpp"
 #include "coupling/thermal_turn.hpp"
+#include "coupling/told_temperature.hpp"
 #include "fluid/film_numbers.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -25,9 +26,9 @@ bool ThermalTurn::finite() {
 bool ThermalTurn::sound() {
   if (!finite()) return false;
   const double high = *std::max_element(film_.columns.T.begin(), film_.columns.T.end());
-  const double rise = high - model_.input.supplies.front().temperature;
-  if (rise < options_.runaway) return true;
-  verdict_ = runaway(fmt::format("the film is {:.0f} K above the supply and rises", rise));
+  const double T_supply = model_.input.supplies.front().temperature;
+  if (high - T_supply < options_.runaway) return true;
+  verdict_ = runaway(told_rise(high, T_supply) + " and rises");
   return false;
 }
 
@@ -55,9 +56,9 @@ void ThermalTurn::name_the_failure() {
   const double T0 = model_.input.supplies.front().temperature;
   const double T = largest(film_.columns.T);
   verdict_ =
-      runaway(fmt::format("the film is {:.0f} K above the supply, its viscosity is {:.1e} "
-                          "times that of the supplied oil, and no film is found any more",
-                          T - T0, std::exp(-lost)));
+      runaway(fmt::format("{}, its viscosity is {:.1e} times that of the supplied oil, and no "
+                          "film is found any more",
+                          told_rise(T, T0), std::exp(-lost)));
 }
 
 double viscosity_change(const BearingModel& model, const FilmEquilibrium& film) {

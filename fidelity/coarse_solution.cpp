@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "coupling/bearing.hpp"
 #include "coupling/nested.hpp"
 
 namespace shellback::fidelity {
@@ -14,6 +15,16 @@ namespace {
 
 /// Coarse solves are quick; they stop with the others but tell nothing.
 SolveControl quiet(const SolveControl& control) { return {{}, control.stop}; }
+
+/// Whether the edges of the supplies can be resolved.
+bool holds_supplies(const Case& c, std::array<int, 2> grid) {
+  try {
+    static_cast<void>(make_bearing(c, {}, grid));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
 
 std::optional<CoarseSolution> finished(const Case& c, Tier tier, Solution s) {
   if (!s.verdict.good()) return std::nullopt;
@@ -39,6 +50,24 @@ std::vector<std::array<int, 2>> coarse_grids(std::array<int, 2> fine) {
   return grids;
 }
 
+std::vector<std::array<int, 2>> coarse_grids(const Case& c) {
+  const auto [most_round, most_axial] = c.model.grid;
+  std::vector<std::array<int, 2>> grids;
+  for (auto grid : coarse_grids(c.model.grid)) {
+    while (grid[1] < most_axial && !holds_supplies(c, grid)) ++grid[1];
+    while (grid[0] < most_round && !holds_supplies(c, grid)) ++grid[0];
+    const bool coarser = grid[0] < most_round && grid[1] < most_axial;
+    if (coarser && (grids.empty() || grids.back() != grid)) grids.push_back(grid);
+  }
+  return grids;
+}
+
+std::array<int, 2> next_finer(std::array<int, 2> grid) {
+  constexpr double kRatio = 1.4;  // of the cells in each direction: apart, and affordable
+  return {static_cast<int>(std::lround(kRatio * grid[0])),
+          static_cast<int>(std::lround(kRatio * grid[1]))};
+}
+
 std::optional<CoarseSolution> solve_coarse(const Case& c, Tier tier, std::array<int, 2> grid,
                                            const SolveControl& control) {
   Case coarse = c;
@@ -46,6 +75,22 @@ std::optional<CoarseSolution> solve_coarse(const Case& c, Tier tier, std::array<
   coarse.model.grid = grid;
   try {
     return finished(coarse, tier, solve_tier(coarse, tier, quiet(control)));
+  } catch (const InputError&) {  // the supplies need more cells than this grid has
+    return std::nullopt;
+  }
+}
+
+std::optional<CoarseSolution> solve_beside(const Solution& s, Tier tier, std::array<int, 2> grid,
+                                           std::shared_ptr<const Solids> solids,
+                                           const SolveControl& control) {
+  Case other = s.model.input;
+  other.model.tier = tier;
+  other.model.grid = grid;
+  Solution near = s;
+  near.model.solids = std::move(solids);
+  try {
+    return finished(other, tier,
+                    solve_tier_from(other, tier, near, quiet(control), Otherwise::give_up));
   } catch (const InputError&) {  // the supplies need more cells than this grid has
     return std::nullopt;
   }

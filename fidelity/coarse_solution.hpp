@@ -21,12 +21,26 @@ struct CoarseSolution {
 /// each direction, down to 20 x 3.
 [[nodiscard]] std::vector<std::array<int, 2>> coarse_grids(std::array<int, 2> fine);
 
+/// The same for the supplies of the case: where a grid cannot resolve their edges, it gets as many
+/// more cells as it takes, along and then around; grids that come to the fine one are left out.
+[[nodiscard]] std::vector<std::array<int, 2>> coarse_grids(const coupling::Case& c);
+
+/// A grid finer than that of the case by as little as tells the two apart.
+[[nodiscard]] std::array<int, 2> next_finer(std::array<int, 2> grid);
+
 /// The case on `grid` in one tier, from cold; none if that does not converge or the grid cannot
 /// carry the supplies.
 [[nodiscard]] std::optional<CoarseSolution> solve_coarse(const coupling::Case& c,
                                                          coupling::Tier tier,
                                                          std::array<int, 2> grid,
                                                          const coupling::SolveControl& control);
+
+/// The case of `s`, solved, on another grid: from `s` itself, which is a few Newton iterations
+/// away; none if that does not converge or the grid cannot carry the supplies. `solids`: operators
+/// of a former solve on that grid, if there was one.
+[[nodiscard]] std::optional<CoarseSolution> solve_beside(
+    const coupling::Solution& s, coupling::Tier tier, std::array<int, 2> grid,
+    std::shared_ptr<const coupling::Solids> solids, const coupling::SolveControl& control);
 
 /// The changed case (other physics, other nodes, same bearing and grid) from the solution `near`;
 /// from cold if that does not converge; none if this does not either.

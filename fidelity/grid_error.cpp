@@ -57,6 +57,11 @@ GridBar grid_bar(const std::vector<GridValue>& v) {
   return {safety(f1.h) * change / (std::pow(f2.h / f1.h, order) - 1.0) + f1.noise, p};
 }
 
+GridBar grid_bar_below(const GridValue& own, const GridValue& finer) {
+  const double left = 1.0 - std::pow(finer.h / own.h, kLeastOrder);
+  return {safety(own.h) * std::abs(own.value - finer.value) / left + own.noise, NAN};
+}
+
 bool given_by_case(const coupling::Case& c, coupling::Tier tier, const std::string& name) {
   const bool position = std::holds_alternative<coupling::EccentricityGiven>(c.operation.position);
   if (name == "eccentricity_ratio") return position;

@@ -49,6 +49,10 @@ inline constexpr double kShare = 0.2;
 /// value: not-a-number.
 [[nodiscard]] GridBar grid_bar(const std::vector<GridValue>& coarse_to_fine);
 
+/// Bar of `own` where only one finer grid gave a value: with the lowest order,
+///   bar = F(h) |own - finer| / (1 - (h_finer/h)^p) + noise.
+[[nodiscard]] GridBar grid_bar_below(const GridValue& own, const GridValue& finer);
+
 /// True if the tier takes the quantity from the case: what is given has no error of the grid.
 [[nodiscard]] bool given_by_case(const coupling::Case& c, coupling::Tier tier,
                                  const std::string& name);

@@ -44,45 +44,36 @@ bool stopped(const SolveControl& control) {
   return control.stop != nullptr && control.stop->load();
 }
 
-/// The grids of the result and those below, three of them if possible.
-void complete_levels(const Solution& s, Tier tier, const SolveControl& control, BarRecord& r) {
-  r.levels = s.levels;
-  for (const auto& grid : coarse_grids(s.model.input.model.grid)) {
-    if (stopped(control)) return;
-    const auto known =
-        std::find_if(r.levels.begin(), r.levels.end(), [&](auto& l) { return l.grid == grid; });
-    if (r.coarse && (known != r.levels.end() || r.levels.size() > 2)) continue;
-    auto coarse = solve_coarse(s.model.input, tier, grid, control);
-    if (!coarse) continue;
-    if (known != r.levels.end()) {
-      known->quantities = coarse->quantities;  // to the end, where the ladder stopped early
-    } else {
-      r.levels.push_back({grid, coarse->quantities});
-    }
-    if (!r.coarse) r.coarse = std::move(coarse);
-  }
-  std::sort(r.levels.begin(), r.levels.end(), [](const auto& a, const auto& b) {
-    return a.grid[0] * a.grid[1] < b.grid[0] * b.grid[1];
-  });
-}
-
-double grid_bar_of(const BarRecord& record, const Quantity& q, double size) {
+/// The bar of the result's grid with the order observed; NaN where its own value is not there.
+GridBar grid_bar_of(const BarRecord& record, const Quantity& q, double size) {
   std::vector<GridValue> values;
+  double own = NAN;  // cell size
   for (const LevelRecord& level : record.levels) {
     const double value = value_in(level.quantities, q.name);
+    if (level.grid == record.grid) own = cell_size(level.grid);
     if (std::isfinite(value)) values.push_back({cell_size(level.grid), value, kIteration * size});
   }
-  double bar = grid_bar(values).bar;
+  const bool finest = values.empty() || values.back().h == own;
+  GridBar bar = finest || values.size() < 2
+                    ? grid_bar(values)
+                    : grid_bar_below(values[values.size() - 2], values.back());
   const double nodes = value_in(record.node_change, q.name);
-  if (std::isfinite(nodes)) bar += std::abs(nodes);
+  if (std::isfinite(nodes)) bar.bar += std::abs(nodes);
   return bar;
 }
 
 void put_words(const BarRecord& record, Result& result) {
   const ModelError& m = record.model;
   if (!record.coarse) {
-    result.warnings.push_back("no coarser grid gave a solution: the error bars are unknown");
+    result.warnings.push_back(
+        "neither a coarser grid nor a finer one gave a solution: the error bars are unknown");
     return;
+  }
+  if (record.levels.back().grid != record.grid) {
+    const auto [nt, nz] = record.levels.back().grid;
+    result.assumptions.push_back(fmt::format(
+        "no coarser grid gave a solution: the error bars are made with a finer one, {} x {} cells",
+        nt, nz));
   }
   if (!m.failed.empty() && !m.complete) {
     result.warnings.push_back(fmt::format(
@@ -103,13 +94,17 @@ void put_words(const BarRecord& record, Result& result) {
 
 }  // namespace
 
-BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control) {
+BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control, WantedBars bars,
+                       KeptSolids* kept) {
   const auto begin = std::chrono::steady_clock::now();
   BarRecord record;
-  complete_levels(s, tier, control, record);
+  record.grid = s.model.input.model.grid;
+  Levels levels = levels_around(s, tier, control, kept);
+  record.coarse = std::move(levels.coarse);
+  record.levels = std::move(levels.all);
   if (record.coarse && !stopped(control)) {
     if (nodes_matter(s.model)) measure_nodes(record, control);
-    record.model = model_error(*record.coarse, control);
+    if (bars == WantedBars::grid_and_model) record.model = model_error(*record.coarse, control);
   }
   record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return record;
@@ -142,7 +137,9 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   for (Quantity& q : result.quantities) {
     sizes.push_back(natural_size(q, T_supply, result.quantities));
     const bool given = given_by_case(c, result.tier, q.name);
-    q.error_grid = given ? 0.0 : grid_bar_of(record, q, sizes.back());
+    const GridBar bar = grid_bar_of(record, q, sizes.back());
+    q.error_grid = given ? 0.0 : bar.bar;
+    q.order = given ? NAN : bar.order;
     if (!given && sizes.back() > 0.0) relative.push_back(q.error_grid / sizes.back());
   }
   std::erase_if(relative, [](double x) { return !std::isfinite(x); });
@@ -174,10 +171,11 @@ void put_bars(const BarRecord& record, Result& result) {
   put_words(record, result);
 }
 
-Result summarize(const Solution& s, Tier tier, const SolveControl& control) {
+Result summarize(const Solution& s, Tier tier, const SolveControl& control, WantedBars bars,
+                 KeptSolids* kept) {
   Result result = coupling::summarize(s, tier);
   if (!s.verdict.good()) return result;
-  const BarRecord record = measure_bars(s, tier, control);
+  const BarRecord record = measure_bars(s, tier, control, bars, kept);
   if (stopped(control)) {
     result.warnings.push_back("interrupted before the error bars were known");
   } else {

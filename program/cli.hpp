@@ -55,7 +55,8 @@ struct Request {
   bool known = true;                         ///< honesty: shipped and validation cases as well
   std::vector<std::string> grids{"200x25"};  ///< honesty --grids
   std::string truth = "400x50";              ///< honesty --truth
-  bool bars = false;                         ///< sweep --bars
+  bool bars = false;                         ///< sweep --bars: of the physics left out as well
+  bool no_bars = false;                      ///< sweep --no-bars
   int cores = 0;                             ///< sweep -j; 0: all there are
   std::string table;                         ///< stress --table
   bool only_default = false;                 ///< stress --only-default

@@ -86,7 +86,10 @@ void add_sweep(CLI::App& app, Request& request) {
       ->type_name("KEY=FROM..TO[/N][log]")
       ->allow_extra_args(false);
   sweep->add_option("--tier", request.tier, kTierWords);
-  sweep->add_flag("--bars", request.bars, "error bars at every point; takes several times as long");
+  auto* bars = sweep->add_flag(
+      "--bars", request.bars,
+      "error bars of the physics left out beside those of the grid; takes several times as long");
+  sweep->add_flag("--no-bars", request.no_bars, "no error bars: for speed alone")->excludes(bars);
   sweep->add_option("-o", request.output, "write all results over the grid (HDF5)")
       ->type_name("FILE.h5");
   sweep->add_option("--csv", request.csv, "write a table, one line a point; - is standard output")

@@ -33,13 +33,21 @@ namespace {
 int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int threads,
-                bool bars) {
+                const Request& request) {
   ProgressLine line;
   study::SweepOptions options;
   options.threads = threads;
   options.stop = &catch_interrupt();
   options.solve_alone = fidelity::solve_case;
-  if (bars) options.sum_up = fidelity::summarize;
+  fidelity::KeptSolids kept;
+  const auto bars =
+      request.bars ? fidelity::WantedBars::grid_and_model : fidelity::WantedBars::grid;
+  if (!request.no_bars) {
+    options.sum_up = [&](const coupling::Solution& s, coupling::Tier tier,
+                         const coupling::SolveControl& control) {
+      return fidelity::summarize(s, tier, control, bars, &kept);
+    };
+  }
   options.progress = [&](const study::SweepProgress& now) {
     line.show(fmt::format("{} of {} points{}", now.done, now.total,
                           now.failed > 0 ? fmt::format(", {} not solved so far", now.failed) : ""));
@@ -76,7 +84,7 @@ int sweep(const Request& request) {
   Outputs outputs(request, files_of_sweep(text, request.case_file, set, axes));
   warn_of_one_measurement(subject, axes);
   const Sweep done = solve_all(axes, case_source(text, request.case_file, set, axes),
-                               request.cores > 0 ? request.cores : all_cores(), request.bars);
+                               request.cores > 0 ? request.cores : all_cores(), request);
   if (request.json != "-" && request.csv != "-") write_sweep_table(std::cout, subject, done);
   give_files(outputs, text, subject, done);
   if (done.interrupted) {

@@ -159,10 +159,7 @@ std::string repeat_command(const StressScene& scene, const StressStep& step,
 std::string stress_page(const StressMap& map, const std::string& picture,
                         const std::string& command) {
   std::string out = "# Stability map\n\n";
-  out += fmt::format(
-      "Made by `{}`; not written by hand. How to read it: "
-      "[stability.md](stability.md).\n\n",
-      command);
+  out += fmt::format("Made by `{}`; not written by hand.\n\n", command);
   if (!map.complete) out += "**Stopped before the end: cells are missing.**\n\n";
   if (!picture.empty()) out += fmt::format("![Stability map]({})\n\n", picture);
   out += "## Counts\n\n" + counts(map) + "\n## Scenes\n\n" + kLegend;

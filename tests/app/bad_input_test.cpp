@@ -260,3 +260,9 @@ TEST_CASE("AMethodThatIsNotKnownOrCannotServeIsRefused") {
   refused("cavitation = \"swift-stieber\"", {"case.toml:38:", "does not conserve oil"});
   refused("cavitation = \"p-theta\"", {"case.toml:38:", "elastic = \"fixed-point\""});
 }
+
+TEST_CASE("AHoleIsNotCalledAGroove") {
+  const std::string wide = refusal(sample_with("diameter = \"5 mm\"", "diameter = \"25 mm\""));
+  check_parts(wide, {"the hole is as wide as the bearing"});
+  CHECK(wide.find("groove") == std::string::npos);
+}

@@ -408,3 +408,28 @@ TEST_CASE("MethodsAreReadFromTheCaseAndFromTheCommandLine") {
   CHECK(c.model.methods.across == AcrossFilm::mean);
   CHECK(c.model.methods.elastic == ElasticMethod::fixed_point);
 }
+
+TEST_CASE("AHousingThatIsNotGivenIsAnAssumption") {
+  const auto says_held = [](const std::string& text) {
+    const auto c = read_case_text(text, "case.toml");
+    return std::any_of(c.assumptions.begin(), c.assumptions.end(), [](const std::string& line) {
+      return line.find("shell.housing") != std::string::npos &&
+             line.find("held") != std::string::npos;
+    });
+  };
+  CHECK(says_held(kSampleCase));
+  CHECK_FALSE(says_held(sample_with("[shell]\n",
+                                    "[shell]\nhousing = { material = \"steel\", outer_diameter = "
+                                    "\"80 mm\", support = \"free\" }\n")));
+}
+
+TEST_CASE("TheCaseKnowsWhatTheCommandLineChanged") {
+  const auto c = read_case_text(
+      kSampleCase, "case.toml",
+      {parse_override("operation.speed=1500 rpm"), {"model.tier", "\"thd\"", "--tier"}});
+  REQUIRE(c.changes.size() == 2);
+  CHECK(c.changes[0].key == "operation.speed");
+  CHECK(c.changes[0].value == "1500 rpm");
+  CHECK(c.changes[0].option == "--set");
+  CHECK(c.changes[1].option == "--tier");
+}

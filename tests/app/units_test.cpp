@@ -223,3 +223,9 @@ TEST_CASE("AnUnreadableUnitIsRefused") {
   check_error("1 m;", kLength, {"cannot read"});
   check_error("1 \x01", kLength, {"cannot read"});
 }
+
+TEST_CASE("ALetterForAScaleOfTemperatureSuggestsKelvinAndDegrees") {
+  check_error("180 F", kTemperature, {"unknown unit \"F\"", "\"K\"", "\"degC\""});
+  check_error("80 C", kTemperature, {"unknown unit \"C\"", "\"degC\"", "\"K\""});
+  check_error("500 W/(m2 F)", kHeatTransfer, {"unknown unit \"F\"", "\"K\""});
+}

@@ -1,11 +1,14 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "app/pending_file.hpp"
 #include "app/quantity_label.hpp"
 #include "app/svg.hpp"
 #include "app/svg_comparison.hpp"
 #include "app/write_html.hpp"
+#include "app/write_table.hpp"
 #include "core/contract.hpp"
 #include "markup.hpp"
 #include "synthetic.hpp"
@@ -132,4 +135,34 @@ TEST_CASE("PageAndPictureAreWrittenOrRefused") {
   CHECK_THROWS_AS(app::write_file("/nowhere/at/all.svg",
                                   app::comparison_svg(test::synthetic_case(), comparison)),
                   FileError);
+}
+
+TEST_CASE("ThePageGivesTheDifferenceOfTheTable") {
+  const auto comparison = test::synthetic_comparison();
+  std::ostringstream table;
+  app::write_comparison_table(table, test::synthetic_case(), comparison);
+  const std::string percent = app::difference({}, comparison.split.to, comparison.split.from);
+  CHECK(contains(table.str(), percent));
+  CHECK(
+      contains(page(comparison), "The difference is <b>" + app::typeset_number(percent) + "</b>"));
+}
+
+TEST_CASE("ThePageSaysWhichResultsTheirBarsLeaveOpen") {
+  auto comparison = test::synthetic_comparison();
+  CHECK_FALSE(contains(page(comparison), "Cannot be told apart"));  // without bars nothing is said
+  for (auto& result : comparison.results) {
+    for (auto& q : result.quantities) q.error_grid = std::abs(q.value);
+  }
+  const std::string html = page(comparison);
+  CHECK(contains(html, "Cannot be told apart"));
+  CHECK(contains(html, "model.tolerance"));
+  CHECK(contains(html, "<code>shellback compare"));
+  CHECK(test::unbalanced_tag(html) == "");
+}
+
+TEST_CASE("ThePageShowsWhatTheCommandLineChanged") {
+  auto subject = test::synthetic_case();
+  subject.changes = {{"operation.speed", "\"1500 rpm\"", "--set"}};
+  CHECK(contains(app::comparison_html(subject, test::synthetic_comparison()),
+                 "changed on the command line: operation.speed = 1500 rpm"));
 }

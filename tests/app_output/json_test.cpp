@@ -117,3 +117,21 @@ TEST_CASE("OneFailedResultMakesTheComparisonNotConverged") {
   CHECK(j["friction_split"].is_null());
   CHECK(j["T_calibrated"].is_null());
 }
+
+TEST_CASE("TheJsonHoldsTheCaseAsSolved") {
+  auto subject = test::synthetic_case();
+  subject.changes = {{"operation.speed", "1500 rpm", "--set"}};
+  const auto j = json::parse(app::result_json(subject, test::synthetic_result()));
+  CHECK(j["changes"] == json({{{"key", "operation.speed"}, {"value", "1500 rpm"}}}));
+  const auto& c = j["case"];
+  CHECK(c["bearing"]["diameter"]["value"].get<double>() == 2.0 * subject.bearing.radius);
+  CHECK(c["bearing"]["diameter"]["unit"] == "m");
+  CHECK(c["operation"]["speed"] == json({{"value", subject.operation.omega}, {"unit", "rad/s"}}));
+  CHECK(c["operation"]["load"]["unit"] == "N");
+  CHECK(c["operation"]["load_angle"]["value"].get<double>() == Approx(270.0));
+  CHECK(c["supply"].size() == subject.supplies.size());
+  CHECK(c["supply"][0]["depth"]["value"].get<double>() == subject.supplies[0].depth);  // a default
+  CHECK(c["model"]["grid"] == json(subject.model.grid));
+  CHECK(c["model"]["edges"] == "flooded");
+  CHECK(c["oil"]["viscosity"]["temperature"].contains("law"));
+}

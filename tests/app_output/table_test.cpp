@@ -124,3 +124,39 @@ TEST_CASE("StepsAreShownToATenThousandthOfTheTorque") {
   CHECK(app::signed_change(split, -0.02519) == "-0.0252");
   CHECK(app::signed_change({250.0, 240.0, {}}, -9.96) == "-10.0");
 }
+
+TEST_CASE("TheTableShowsTheOperatingPointAndWhatWasChanged") {
+  auto subject = test::synthetic_case();
+  subject.changes = {{"operation.speed", "1500 rpm", "--set"}, {"model.tier", "\"thd\"", "--tier"}};
+  std::ostringstream out;
+  app::write_table(out, subject, test::synthetic_result());
+  CHECK(out.str().find(app::describe_case(subject, app::Writing::plain)) != std::string::npos);
+  CHECK(out.str().find("changed on the command line: operation.speed = 1500 rpm, model.tier = "
+                       "thd") != std::string::npos);
+}
+
+TEST_CASE("ABarBeyondTheToleranceIsToldWithACommand") {
+  auto subject = test::synthetic_case();
+  subject.path = "case.toml";
+  auto result = test::synthetic_result();
+  const auto told = [&](double relative) {
+    for (auto& q : result.quantities) q.error_grid = relative * std::abs(q.value);
+    std::ostringstream out;
+    app::write_table(out, subject, result);
+    return out.str();
+  };
+  CHECK(told(0.5 * subject.model.tolerance).find("model.tolerance") == std::string::npos);
+  const std::string text = told(2.0 * subject.model.tolerance);
+  CHECK(text.find("model.tolerance (1 %) is not met: friction torque +-2.0 %") !=
+        std::string::npos);
+  // Twice the bar, first order: twice the cells in each direction.
+  CHECK(text.find("shellback run case.toml --set model.grid=\"[400,50]\"") != std::string::npos);
+}
+
+TEST_CASE("ALastIterateShowsNoTemperatureThatNoOilHas") {
+  auto result = test::not_converged(test::synthetic_result());
+  for (auto& q : result.quantities) {
+    if (q.name == "T_film_max") q.value = 249772.0;
+  }
+  CHECK(table(result).find("2494") == std::string::npos);
+}

@@ -1,6 +1,10 @@
 /// The whole program in one process: exit codes, and what goes to which stream.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <regex>
+#include <sstream>
 
 #include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"
@@ -185,4 +189,80 @@ TEST_CASE("CoefficientsComeOnlyIfAskedFor") {
   const Ended no_film = run_words({"run", path, "--tier", "estimate", "--coefficients"});
   CHECK(no_film.code == kBadInput);
   check_parts(no_film.err, {"need a solved film", "isothermal"});
+}
+
+TEST_CASE("RunNamesItsOperatingPointAndACommandThatIsTaken") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  const Ended ended = run_words({"run", path, "--tier", "isothermal", "--set", kCoarse, "--set",
+                                 "operation.speed=1500 rpm", "--set", "model.tolerance=0.1 %"});
+  CHECK(ended.code == kDone);
+  check_parts(ended.out, {"1500 rpm, load 5 kN", "changed on the command line: model.grid",
+                          "operation.speed = 1500 rpm", "model.tier = isothermal",
+                          "model.tolerance (0.1 %) is not met", "shellback run " + path,
+                          "--set operation.speed=\"1500 rpm\""});
+}
+
+TEST_CASE("ASweepShowsBarsAndWhatTheyLeaveOpen") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  // Loads that differ by a thousandth: no grid of 48 x 9 cells tells them apart.
+  std::vector<std::string> words{"sweep",  path,
+                                 "--tier", "isothermal",
+                                 "--set",  kCoarse,
+                                 "--vary", "operation.load=5 kN,5.005 kN",
+                                 "--csv",  scratch.path("a.csv"),
+                                 "--json", scratch.path("a.json"),
+                                 "-j",     "1"};
+  const Ended with = run_words(words);
+  INFO(with.err);
+  CHECK(with.code == kDone);
+  check_parts(with.out, {"+-", "cannot be told apart",
+                         "1 of 1 pairs of neighbours along "
+                         "operation.load",
+                         "model.tolerance (1 %) is not met", "shellback sweep " + path,
+                         "--vary operation.load="});
+  const auto text = [&](const char* name) {
+    std::ifstream file(scratch.path(name));
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  check_parts(text("a.csv"), {"friction_torque error [N m]", "h_min error [m]"});
+  check_parts(text("a.json"), {"\"indistinct\"", "\"error_grid\"", "\"case\""});
+  words.emplace_back("--no-bars");
+  const Ended without = run_words(words);
+  CHECK(without.code == kDone);
+  CHECK(without.out.find("+-") == std::string::npos);
+  CHECK(text("a.csv").find("error [") == std::string::npos);
+  CHECK(run_words({"sweep", path, "--bars", "--no-bars", "--vary", "operation.load=1,2 kN"}).code ==
+        kBadInput);
+}
+
+TEST_CASE("CompareSaysWhatTheGridLeavesOpen") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", kSampleCase);
+  // No heat to speak of: the tiers differ by less than so coarse a grid can tell.
+  const Ended ended = run_words({"compare", path, "--tiers", "isothermal,lumped", "--set", kCoarse,
+                                 "--set", "operation.speed=10 rpm", "--set",
+                                 "oil.temperature=80 degC", "--set", "operation.load=20 N"});
+  INFO(ended.err);
+  CHECK(ended.code == kDone);
+  check_parts(ended.out, {"cannot be told apart on this grid", "isothermal and lumped"});
+}
+
+TEST_CASE("TextsForUsersNameNoDocumentsOfOurs") {
+  const std::filesystem::path root(SHELLBACK_SOURCE_DIR);
+  const std::regex ours("(design|validation|methods|decision|seed|formulas) [0-9]");
+  int read = 0;
+  for (const char* folder : {"cases", "data", "validation"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+      if (entry.path().extension() != ".toml") continue;
+      std::ifstream file(entry.path());
+      const std::string text(std::istreambuf_iterator<char>(file), {});
+      INFO(entry.path());
+      std::smatch found;
+      CHECK_FALSE(std::regex_search(text, found, ours));
+      ++read;
+    }
+  }
+  CHECK(read > 10);
 }

@@ -1,0 +1,29 @@
+#pragma once
+/// Where error bars exceed what the case asks for (model.tolerance): how far, and a command line
+/// that is expected to meet it.
+#include <string>
+#include <vector>
+
+#include "coupling/result.hpp"
+#include "study/sweep.hpp"
+
+namespace shellback::app {
+
+/// What is missed and what would help; nothing where the tolerance is met or no bar is known.
+struct Missed {
+  std::string words;    ///< "friction torque +-3.2 %, smallest film +-5.1 %"
+  std::string outlook;  ///< what is to be expected of the command
+  std::string command;  ///< "shellback run CASE --set model.grid=\"[480,60]\""; empty: none helps
+  [[nodiscard]] explicit operator bool() const { return !words.empty(); }
+};
+
+[[nodiscard]] Missed missed_tolerance(const coupling::Case& c, const coupling::Result& result);
+[[nodiscard]] Missed missed_tolerance(const coupling::Case& c,
+                                      const coupling::Comparison& comparison);
+[[nodiscard]] Missed missed_tolerance(const coupling::Case& subject, const study::Sweep& sweep);
+
+/// The lines of a table: the tolerance, what is missed, the command.
+[[nodiscard]] std::vector<std::string> tolerance_lines(const coupling::Case& c,
+                                                       const Missed& missed);
+
+}  // namespace shellback::app

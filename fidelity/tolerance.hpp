@@ -1,0 +1,45 @@
+#pragma once
+/// Whether a result is as good as its case asks for, and what would make it so.
+///
+/// `model.tolerance` is wished for on friction torque and smallest film. The bar of the grid falls
+/// as h^p with the cell size h = N^(-1/2) and the observed order p (grid_error.hpp); so
+///   N_wanted = N (bar / allowed)^(2/p),   allowed = tolerance - bar of the physics left out   (1)
+/// cells are expected to bring it within. Where the physics left out takes all or most of the
+/// tolerance, no grid does. Textbook (Richardson).
+#include <array>
+
+#include "coupling/result.hpp"
+
+namespace shellback::fidelity {
+
+/// Bars over the value of one quantity [-]; NaN: not known.
+struct RelativeBars {
+  double grid = 0.0;
+  double model = 0.0;
+  double order = 0.0;  ///< with which `grid` falls
+  /// The known ones together.
+  [[nodiscard]] double total() const;
+};
+[[nodiscard]] RelativeBars relative_bars(const coupling::Result& r, const std::string& quantity);
+
+/// What stands between a result and its tolerance.
+struct Shortfall {
+  double tolerance = 0.0;  ///< [-]
+  RelativeBars friction;
+  RelativeBars h_min;
+  bool met = true;                ///< both bars are within; also where none is known
+  bool physics = false;           ///< what is left out exceeds what a grid could make up for
+  std::array<int, 2> grid{0, 0};  ///< by (1), no finer than the finest that values are meant for
+  double expected = 0.0;          ///< larger of both bars there [-]
+};
+[[nodiscard]] Shortfall shortfall(const coupling::Result& r, double tolerance);
+
+/// True if the values differ by more than the bars of their grids together; also if a bar is not
+/// known. The sum and not its root: a bar is to hold the true value, it is no standard deviation,
+/// and errors of neighbouring results are no independent draws. So a difference that is larger is
+/// one even where both values lie at the far ends of their bars. Bars of the physics left out do
+/// not count: results of one physics share it, and between two kinds of physics it is the
+/// difference.
+[[nodiscard]] bool told_apart(const coupling::Quantity& a, const coupling::Quantity& b);
+
+}  // namespace shellback::fidelity

@@ -3,7 +3,7 @@
 /// stands here in harmonics.
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <compare>
 
 #include "core/constants.hpp"
 #include "proof/evaluators/evaluators.hpp"
@@ -31,15 +31,20 @@ struct PatchHarmonic {
 constexpr PatchHarmonic kPatch[] = {
     {0, 35.0 / 128}, {4, 56.0 / 128}, {8, 28.0 / 128}, {12, 8.0 / 128}, {16, 1.0 / 128}};
 
-/// Thickness [m] and Poisson's ratio of the layer, film cells over the full width.
-using Body = std::tuple<double, double, int>;
+/// What the rows of one ring share.
+struct Body {
+  double thickness;  ///< of the layer [m]
+  double nu;         ///< Poisson's ratio of the layer [-]
+  int cells;         ///< over the full width, whose means are compared
+  int film_cells;    ///< over the full width, of the film that is solved: a multiple of `cells`
+  [[nodiscard]] auto operator<=>(const Body&) const = default;
+};
 
-/// Gap opening by harmonic on the axial film cells [m].
-using Harmonic = std::pair<int, Eigen::VectorXd>;
-using Opening = std::vector<Harmonic>;
+/// Gap opening by harmonic on the axial cells [m].
+using Opening = std::vector<std::pair<int, Eigen::VectorXd>>;
 
 struct Openings {
-  std::vector<double> z;  ///< of the cells [m]
+  std::vector<double> z;  ///< of the cells whose means are compared [m]
   std::map<std::string, Opening> by_load;
 };
 
@@ -67,35 +72,78 @@ void add_heated(const RevolutionMesh& mesh, const ElasticOperators& operators,
                                                  {1, operators.growth[1] * uneven}};
 }
 
-Openings openings_of(const Body& body) {
-  const auto [thickness, nu, cells] = body;
-  const Material steel{"", 1.0, 1000.0, 1000.0, 210e9, 0.3, 11e-6};
-  const Material layer{"", 1.0, 1000.0, 1000.0, 2e9, nu, 60e-6};
+/// Film and section of a body as the solver takes them.
+struct Section {
+  FilmGrid grid;
+  RevolutionMesh mesh;
+  std::vector<Material> layers;
+};
+
+FilmGrid film(int cells) {
   constexpr int kCircumferential = 48;  // cells; of no effect on the harmonics
-  const FilmGrid grid = make_grid(kBore, kWidth, kCircumferential, cells, true);
+  return make_grid(kBore, kWidth, kCircumferential, cells, true);
+}
+
+Section section_of(const Body& body) {
+  const FilmGrid grid = film(body.film_cells);
+  const double rest = kOuter - kBore - kShell - body.thickness;
   const RadialRows rows =
-      rows_outwards(kBore, {thickness, kShell, kOuter - kBore - kShell - thickness},
-                    surface_row(kBore, kResolved));
-  const RevolutionMesh mesh =
-      make_revolution_mesh(rows.face, rows.layer, axial_elements(grid), true);
+      rows_outwards(kBore, {body.thickness, kShell, rest}, surface_row(kBore, kResolved));
+  const Material steel{"", 1.0, 1000.0, 1000.0, 210e9, 0.3, 11e-6};
+  const Material layer{"", 1.0, 1000.0, 1000.0, 2e9, body.nu, 60e-6};
+  return {grid,
+          make_revolution_mesh(rows.face, rows.layer, axial_elements(grid), true),
+          {layer, steel, steel}};
+}
+
+ElasticOperators operators_of(const Section& s, Support support, bool growth,
+                              std::vector<int> only) {
   ElasticOptions options;
-  const auto solve = [&](Support support, bool growth, std::vector<int> only) {
-    options.support = support;
-    options.growth = growth;
-    options.only = std::move(only);
-    return shell_elasticity(mesh, grid, {layer, steel, steel}, options);
-  };
-  Openings openings{grid.z, {}};
-  std::vector<int> of_patch;
-  for (const PatchHarmonic& h : kPatch) of_patch.push_back(h.n);
-  openings.by_load["pressure"] = pressed(grid, solve(Support::held, false, of_patch));
-  add_heated(mesh, solve(Support::held, true, {0, 1}), "free outside", openings);
-  add_heated(mesh, solve(Support::clamped, true, {0, 1}), "clamped outside", openings);
+  options.support = support;
+  options.growth = growth;
+  options.only = std::move(only);
+  return shell_elasticity(s.mesh, s.grid, s.layers, options);
+}
+
+Opening pressed_opening(const Section& s) {
+  std::vector<int> n;
+  for (const PatchHarmonic& h : kPatch) n.push_back(h.n);
+  return pressed(s.grid, operators_of(s, Support::held, false, n));
+}
+
+/// Means over the cells of `coarse`, whose faces are faces of `fine` too.
+Opening means(const FilmGrid& coarse, const FilmGrid& fine, const Opening& opening) {
+  Opening out;
+  for (const auto& [n, u] : opening) {
+    out.emplace_back(n, Eigen::VectorXd::Zero(coarse.nz));
+    for (int j = 0; j < coarse.nz; ++j) {
+      for (int k = 0; k < fine.nz; ++k) {
+        const double middle = 0.5 * (fine.z_face[k] + fine.z_face[k + 1]);
+        if (middle < coarse.z_face[j] || middle > coarse.z_face[j + 1]) continue;
+        out.back().second(j) += u(k) * fine.dz[k] / coarse.dz[j];
+      }
+    }
+  }
+  return out;
+}
+
+Openings openings_of(const Body& body) {
+  const Section s = section_of(body);
+  Openings openings;
+  openings.by_load["pressure"] = pressed_opening(s);
+  add_heated(s.mesh, operators_of(s, Support::held, true, {0, 1}), "free outside", openings);
+  add_heated(s.mesh, operators_of(s, Support::clamped, true, {0, 1}), "clamped outside", openings);
+  const FilmGrid compared = film(body.cells);
+  openings.z = compared.z;
+  for (auto& [load, opening] : openings.by_load) opening = means(compared, s.grid, opening);
   return openings;
 }
 
-Body body_of(double thickness_um, double nu, double cells) {
-  return {1e-6 * thickness_um, nu, static_cast<int>(std::lround(cells))};
+Body body_of(const RowNumbers& row) {
+  const auto count = [&](const char* column) {
+    return static_cast<int>(std::lround(row.at(column)));
+  };
+  return {1e-6 * row.at("thickness_um"), row.at("nu"), count("cells"), count("film_cells")};
 }
 
 }  // namespace
@@ -103,10 +151,7 @@ Body body_of(double thickness_um, double nu, double cells) {
 std::any prepare_layered_ring(const Entry& entry) {
   std::map<Body, Openings> all;
   for (std::size_t line = 0; line < entry.table->lines().size(); ++line) {
-    const auto number = [&](const char* column) {
-      return entry.table->number(line, column).value();
-    };
-    const Body body = body_of(number("thickness_um"), number("nu"), number("cells"));
+    const Body body = body_of(entry.table->numbers(line));
     if (!all.contains(body)) all.emplace(body, openings_of(body));
   }
   return all;
@@ -114,12 +159,12 @@ std::any prepare_layered_ring(const Entry& entry) {
 
 Values layered_ring_values(const Question& q) {
   const auto& all = std::any_cast<const std::map<Body, Openings>&>(q.prepared);
-  const Openings& found =
-      all.at(body_of(q.number("thickness_um"), q.number("nu"), q.number("cells")));
+  const Openings& found = all.at(body_of(q.point));
   const double phi = q.number("phi_deg") * kPi / 180.0, z = 1e-3 * q.number("z_mm");
-  const auto cell = std::min_element(found.z.begin(), found.z.end(), [&](double a, double b) {
-                      return std::abs(a - z) < std::abs(b - z);
-                    }) - found.z.begin();
+  const auto cell =
+      std::min_element(found.z.begin(), found.z.end(),
+                       [&](double a, double b) { return std::abs(a - z) < std::abs(b - z); }) -
+      found.z.begin();
   Values values;
   for (const auto& [load, opening] : found.by_load) {
     double& sum = values.value[load];

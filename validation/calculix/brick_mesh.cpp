@@ -19,8 +19,8 @@ BrickMesh::BrickMesh(const Lines& lines)
         const bool exists = i % 2 + j % 2 + k % 2 <= 1;
         index_.push_back(exists ? static_cast<int>(nodes_.size()) : -1);
         if (!exists) continue;
-        nodes_.push_back({on_lattice(lines.r, i), on_lattice(lines.phi, j),
-                          on_lattice(lines.z, k), i, j, k});
+        nodes_.push_back(
+            {on_lattice(lines.r, i), on_lattice(lines.phi, j), on_lattice(lines.z, k), i, j, k});
       }
     }
   }

@@ -39,8 +39,9 @@ int main(int count, char** words) {
       write_rows(read_ring(word), std::cin);
       return 0;
     }
-    std::fprintf(stderr, "usage: layered_ring deck|rows pressure|heat THICKNESS_UM POISSON "
-                         "coarse|fine C3D20|C3D20R\n");
+    std::fprintf(stderr,
+                 "usage: layered_ring deck|rows pressure|heat THICKNESS_UM POISSON "
+                 "coarse|fine C3D20|C3D20R\n");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
   }

@@ -114,6 +114,29 @@ std::vector<double> film_faces(int cells) {
   return face;
 }
 
+/// Rows of the means on `cells` film cells, to be compared with a film of `film_cells`.
+void write_cells(const Ring& ring, const Lines& lines, const BrickMesh& mesh,
+                 const std::vector<Displacements>& steps, const std::vector<double>& translation,
+                 int cells, int film_cells) {
+  const auto face = film_faces(cells);
+  for (int third = 0; third <= 3; ++third) {  // of the sector
+    const int j = 2 * (third * mesh.bricks(1) / 3);
+    const double phi = lines.phi[j / 2];
+    for (std::size_t c = 0; c + 1 < face.size(); ++c) {
+      const double z = cells % 2 == 1 && c == 0 ? 0.0 : 0.5 * (face[c] + face[c + 1]);
+      std::printf("%.10g,%.10g,%.10g,%d,%d,%.10g,%.10g", ring.thickness * 1e6 + ring.poisson_ratio,
+                  ring.thickness * 1e6, ring.poisson_ratio, cells, film_cells, phi * 180.0 / kPi,
+                  z * 1e3);
+      if (ring.load == Load::heat) std::printf(",");
+      for (std::size_t s = 0; s < steps.size(); ++s) {
+        const double u = mean(lines.z, along_z(mesh, steps[s], j), face[c], face[c + 1]);
+        std::printf(",%.6g", (u - translation[s] * std::cos(phi)) * 1e6);
+      }
+      std::printf(ring.load == Load::pressure ? ",,,,\n" : "\n");
+    }
+  }
+}
+
 }  // namespace
 
 void write_rows(const Ring& ring, std::istream& answer) {
@@ -127,24 +150,9 @@ void write_rows(const Ring& ring, std::istream& answer) {
     translation[s] = mean_along_x(mesh, steps[s]);
   }
   for (const int cells : {20, 25}) {
-    const auto face = film_faces(cells);
-    for (int third = 0; third <= 3; ++third) {  // of the sector
-      const int j = 2 * (third * mesh.bricks(1) / 3);
-      const double phi = lines.phi[j / 2];
-      for (std::size_t c = 0; c + 1 < face.size(); ++c) {
-        const bool on_plane = cells % 2 == 1 && c == 0;
-        const double z = on_plane ? 0.0 : 0.5 * (face[c] + face[c + 1]);
-        std::printf("%.10g,%.10g,%.10g,%d,%.10g,%.10g", ring.thickness * 1e6 + ring.poisson_ratio,
-                    ring.thickness * 1e6, ring.poisson_ratio, cells,
-                    phi * 180.0 / kPi, z * 1e3);
-        if (ring.load == Load::heat) std::printf(",");
-        for (std::size_t s = 0; s < steps.size(); ++s) {
-          const double u = mean(lines.z, along_z(mesh, steps[s], j), face[c], face[c + 1]);
-          std::printf(",%.6g", (u - translation[s] * std::cos(phi)) * 1e6);
-        }
-        std::printf(ring.load == Load::pressure ? ",,,,\n" : "\n");
-      }
-    }
+    write_cells(ring, lines, mesh, steps, translation, cells, cells);
+    if (ring.load != Load::pressure) continue;
+    write_cells(ring, lines, mesh, steps, translation, cells, 4 * cells);
   }
 }
 

@@ -61,8 +61,7 @@ double patch(double phi, double z) {
 
 double uneven_heat(double r, double phi, double z) {
   const double depth = (r - kBore) / (kOuter - kBore), along = 2.0 * z / kWidth;
-  return kHeating * 0.5 * (1.0 + std::cos(phi)) * (1.0 - 0.5 * depth) *
-         (1.0 - 0.5 * along * along);
+  return kHeating * 0.5 * (1.0 + std::cos(phi)) * (1.0 - 0.5 * depth) * (1.0 - 0.5 * along * along);
 }
 
 int layer_bricks(const Ring& ring) { return sizes(ring).layer; }

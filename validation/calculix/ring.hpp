@@ -18,12 +18,12 @@ namespace shellback::calculix {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-inline constexpr double kBore = 23.9e-3;       ///< radius a [m]
-inline constexpr double kOuter = 47.8e-3;      ///< radius b [m]
-inline constexpr double kWidth = 17.2e-3;      ///< B [m]
-inline constexpr double kPatchEnd = 5.16e-3;   ///< 0.6 B/2: an edge of 20 and of 25 film cells [m]
-inline constexpr double kPressure = 10e6;      ///< p0 [Pa]
-inline constexpr double kHeating = 50.0;       ///< T0 [K]
+inline constexpr double kBore = 23.9e-3;      ///< radius a [m]
+inline constexpr double kOuter = 47.8e-3;     ///< radius b [m]
+inline constexpr double kWidth = 17.2e-3;     ///< B [m]
+inline constexpr double kPatchEnd = 5.16e-3;  ///< 0.6 B/2: an edge of 20 and of 25 film cells [m]
+inline constexpr double kPressure = 10e6;     ///< p0 [Pa]
+inline constexpr double kHeating = 50.0;      ///< T0 [K]
 
 struct Elastic {
   double youngs_modulus;  ///< [Pa]
@@ -44,8 +44,8 @@ struct Ring {
   bool reduced = false;  ///< C3D20R in place of C3D20
 };
 
-[[nodiscard]] double sector(Load load);  ///< [rad]
-[[nodiscard]] double patch(double phi, double z);  ///< [Pa]
+[[nodiscard]] double sector(Load load);                            ///< [rad]
+[[nodiscard]] double patch(double phi, double z);                  ///< [Pa]
 [[nodiscard]] double uneven_heat(double r, double phi, double z);  ///< [K]
 
 /// Corner lines of the mesh: finest across the layer and along z at the edge of the patch and the

@@ -18,6 +18,7 @@ constexpr std::array kEvaluators{
     Evaluator{"endlessly wide film", wide_film_values, nullptr},
     Evaluator{"flow factors", flow_factor_values, nullptr},
     Evaluator{"heated Couette film", couette_film_values, nullptr},
+    Evaluator{"layered ring", layered_ring_values, prepare_layered_ring},
     Evaluator{"pocket plate", pocket_plate_values, prepare_pocket_plate},
     Evaluator{"pocket slider", pocket_slider_values, prepare_pocket_slider},
     Evaluator{"squeeze film", squeeze_film_values, nullptr},

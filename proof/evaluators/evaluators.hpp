@@ -69,5 +69,8 @@ struct Evaluator {
 [[nodiscard]] Values elastic_ring_values(const Question& question);
 [[nodiscard]] std::any prepare_bonded_layer(const Entry& entry);
 [[nodiscard]] Values bonded_layer_values(const Question& question);
+/// Soft layer on a steel ring under patches of pressure and under heat: gap opening.
+[[nodiscard]] std::any prepare_layered_ring(const Entry& entry);
+[[nodiscard]] Values layered_ring_values(const Question& question);
 
 }  // namespace shellback::proof

@@ -28,13 +28,16 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 /// Work after which a search is given up [cells]: as many times that of a usual solve on the grid.
 /// A usual solve takes as many film iterations, counted on the finest grid, as 90 to 95 % of random
-/// bearings need (docs/decisions/022).
-double most_work(const Case& c, const Physics& physics) {
+/// bearings need (docs/decisions/022). Grids coarser than the default one, where continuation has
+/// no coarser grid to lean on, may cost as much as that one: seconds.
+double most_work(const Case& c, Tier tier) {
   constexpr double kSolves = 20.0;  // what a refusal may cost, in solves
-  const double iterations = physics.film_energy || physics.elastic ? 52.0 : 30.0;
-  const double cells =
-      c.model.grid[0] * c.model.grid[1] * (symmetric_about_mid_width(c) ? 0.5 : 1.0);
-  return kSolves * iterations * cells;
+  constexpr double kRigid = 30.0, kHeatOrElastic = 52.0;
+  const bool rigid = tier == Tier::isothermal && !physics_of(c, tier).elastic;
+  const auto cells = [](const std::array<int, 2>& grid) { return grid[0] * grid[1]; };
+  const double sides = symmetric_about_mid_width(c) ? 0.5 : 1.0;
+  return kSolves * (rigid ? kRigid : kHeatOrElastic) * sides *
+         std::max(cells(c.model.grid), cells(Model{}.grid));
 }
 
 /// Load at which the path of a film of one temperature and rigid surfaces ended [N]; 0: the last
@@ -53,7 +56,7 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
            std::shared_ptr<const Solids> solids, Solution& s) {
   constexpr double kCoarseTolerance = 3e-3;  // coarse grids only give the start of the next
   const auto ladder = grid_ladder(c.model.grid);
-  s.cost.most_work = s.cost.work + most_work(c, physics_of(c, tier));
+  s.cost.most_work = s.cost.work + most_work(c, tier);
   s.target = load_target(c);
   const double T_start = s.T_film;
   bool warm = false;

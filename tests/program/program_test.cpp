@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "program/cli.hpp"
+#include "program/session.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;
@@ -52,6 +53,14 @@ bool begins_with_brace(const std::string& text) {
 const std::string kCoarse = "model.grid=[48, 9]";
 
 }  // namespace
+
+TEST_CASE("AnEndingGivesItsExitCode") {
+  CHECK(code_of(Verdict{}) == kDone);
+  CHECK(code_of({Status::no_steady_state, "", "", ""}) == kNotConverged);
+  CHECK(code_of({Status::iteration_limit, "", "", ""}) == kNotConverged);
+  CHECK(code_of({Status::interrupted, "", "", ""}) == kInterrupted);
+  CHECK(code_of({Status::invalid_number, "", "", ""}) == kDefect);  // not the bearing's fault
+}
 
 TEST_CASE("ABadCaseEndsWithTwoAndShowsTheLine") {
   const ScratchFolder scratch;

@@ -13,6 +13,7 @@
 #include "coupling/load_path.hpp"
 #include "coupling/other_equilibrium.hpp"
 #include "coupling/solids.hpp"
+#include "fluid/empty_rings.hpp"
 #include "fluid/fischer_burmeister.hpp"
 #include "fluid/reduced_pressure.hpp"
 
@@ -223,6 +224,7 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
   constexpr double kThinner = 0.25;    // and thin its smallest gap so far [-]
   constexpr double kLittleGain = 0.2;  // part of the gain asked for: a step that gained little [-]
   constexpr double kNearLoad = 0.1;    // from here on film and journal move together [-]
+  constexpr int kMostRefills = 5;      // a ring that stays empty is one
   Unknowns settled = unknowns_of(s);   // last state whose film had followed
   // Rough surfaces stay apart by their asperities: the nominal gap may go through zero, and as far
   // below it as contact presses it.
@@ -237,6 +239,7 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
   double damping = 1.0;
   double viscosity_tolerance = 1e-3;
   int polished = 0;  // further steps for the oil balance
+  int refilled = 0;  // steps that had emptied whole rings
   bool retreated = false;
   int worst_cell = -1;
   Residuals r;
@@ -307,7 +310,10 @@ Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target, 
     const NewtonStep step = s.elastic.empty()
                                 ? rigid_step(model, now, s, r.film, {reach, damping}, cost)
                                 : elastic_step(model, now, s, r.film, r.displacement, cost);
-    if (!step.good) return singular_film(model, s);
+    if (!step.good) {
+      if (refilled++ < kMostRefills && fluid::refill_empty_rings(model.scene, s.film)) continue;
+      return singular_film(model, s);
+    }
     const auto report = take(model, step, s.elastic.empty() ? 1.0 : reach, s);
     // A rigid film of that gap has no pressure; an elastic one gives way, the step was only long.
     if (report.beyond_barus == 0 || !s.elastic.empty()) continue;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coupling/closed_gap.hpp"
+#include "fluid/empty_rings.hpp"
 #include "fluid/film_numbers.hpp"
 
 namespace shellback::coupling {
@@ -61,6 +62,15 @@ Verdict singular_film(const BearingModel& model, const FilmEquilibrium& s) {
                         s.least.h * 1e6, -s.least.h / sigma),
             fluid::place_of(s.least),
             "lower the load or the tilt, or give a larger clearance or stiffer contact"};
+  }
+  const std::vector<int> rings = fluid::empty_rings(scene, s.film);
+  if (!rings.empty()) {
+    return {
+        Status::iteration_limit,
+        "a ring of the film is cavitated all round and fed by nothing: its oil only goes round, "
+        "and how much of it there is cannot be told",
+        fmt::format("z {:.2f} mm", scene.grid.z[rings.front()] * 1e3),
+        "feed more oil, or over more of the width"};
   }
   return {Status::iteration_limit, "the film matrix is singular: parts of the film get no oil", "",
           "feed more oil, or turn the supply away from the load"};

@@ -24,6 +24,7 @@ struct Call {
   double rate = 1.0;    ///< change over the one before
   int calls = 0;
   bool near = false;  ///< G(x) is as near as asked for by the rate of the changes
+  bool lost = false;  ///< KINSOL came with an x that is not a number
 
   /// Takes note of the change of this call.
   void judge(double now) {
@@ -41,7 +42,8 @@ int evaluate(N_Vector x, N_Vector g, void* data) {
   const double* from = N_VGetArrayPointer(x);
   call.x.assign(from, from + call.x.size());
   const auto finite = [](double v) { return std::isfinite(v); };
-  if (!std::all_of(call.x.begin(), call.x.end(), finite)) return -1;
+  call.lost = !std::all_of(call.x.begin(), call.x.end(), finite);
+  if (call.lost) return -1;
   if (!(*call.map)(call.x, call.g)) return -1;
   const double change = largest_difference(call.g, call.x);
   if (std::isnan(change)) return -1;
@@ -89,16 +91,19 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   require(KINSetFuncNormTol(solver.get(), o.tolerance));
   require(KINSetNumMaxIters(solver.get(), o.max_iterations));
   // KINSOL's own word is not enough: its norm is not |G(x) - x|, and one that is not a number
-  // passes its test. Where it stops early it goes on from there.
+  // passes its test. Where it stops early it goes on from there. Where changes repeat, its least
+  // squares divide by nothing and the next x is not a number: it begins anew at the map's value.
   long used = 0;
   while (true) {
     const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
     if (call.near) return FixedPointEnd::converged;
-    if (end < 0) {
+    const bool anew = call.lost && call.calls > 0;
+    if (anew) std::copy(call.g.begin(), call.g.end(), x.begin());
+    if (end < 0 && !anew) {
       return end == KIN_MAXITER_REACHED ? FixedPointEnd::iteration_limit
                                         : FixedPointEnd::map_failed;
     }
-    if (call.change <= o.tolerance) return FixedPointEnd::converged;
+    if (!anew && call.change <= o.tolerance) return FixedPointEnd::converged;
     long now = 0;
     require(KINGetNumNonlinSolvIters(solver.get(), &now));
     used += std::max(now, 1L);

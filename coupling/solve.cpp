@@ -81,6 +81,7 @@ void climb(const Case& c, Tier tier, const SolveControl& control,
     solve_level(s, tier, how, control);
     const bool at_once = s.history.size() == turns;  // not even one turn of film and heat
     if (warm && (s.verdict.status == Status::iteration_limit ||
+                 s.verdict.status == Status::invalid_number ||
                  (s.verdict.status == Status::no_steady_state && at_once))) {
       s.T_film = T_start;
       how.warm = false;

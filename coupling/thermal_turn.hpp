@@ -80,6 +80,8 @@ class ThermalTurn {
   /// The same, and if the temperatures run away.
   [[nodiscard]] bool sound();
   [[nodiscard]] Verdict runaway(const std::string& what) const;
+  /// What growth has taken of the clearance, in words; empty while it is not most of it.
+  [[nodiscard]] std::string seizure() const;
   [[nodiscard]] Verdict friction_runaway(double from, double to) const;
   /// A film that fails because heat has thinned its oil is a thermal runaway.
   void name_the_failure();

@@ -25,17 +25,29 @@ bool ThermalTurn::finite() {
 
 bool ThermalTurn::sound() {
   if (!finite()) return false;
-  const double high = *std::max_element(film_.columns.T.begin(), film_.columns.T.end());
+  const double high = largest(film_.columns.T);
   const double T_supply = model_.input.supplies.front().temperature;
   if (high - T_supply < options_.runaway) return true;
   verdict_ = runaway(told_rise(high, T_supply) + " and rises");
   return false;
 }
 
+std::string ThermalTurn::seizure() const {
+  constexpr double kMost = 0.5;  // of the clearance that growth has taken: it seizes [-]
+  if (heat_.growth.empty()) return "";
+  double sum = 0.0;
+  for (const double d : heat_.growth) sum -= d;
+  const double taken = sum / static_cast<double>(heat_.growth.size());
+  if (!(taken > kMost * model_.clearance)) return "";
+  return fmt::format(
+      "; the clearance is used up by thermal growth, which takes {:.3g} um of {:.3g} um on average",
+      taken * 1e6, model_.clearance * 1e6);
+}
+
 Verdict ThermalTurn::runaway(const std::string& what) const {
   const auto hottest = std::max_element(film_.columns.T.begin(), film_.columns.T.end());
   const int cell = static_cast<int>(hottest - film_.columns.T.begin()) / model_.gl.n;
-  return {Status::no_steady_state, "thermal runaway: " + what,
+  return {Status::no_steady_state, "thermal runaway: " + what + seizure(),
           fluid::place_of(model_.scene.grid, cell),
           "lower speed or load, feed more or cooler oil, or improve the cooling of the shell"};
 }

@@ -56,6 +56,24 @@ TEST_CASE("AQuantityTheTierDoesNotKnowIsAbsent") {
   CHECK(j["quantities"].contains("T_equivalent"));
 }
 
+TEST_CASE("EveryRootOfTheHeatBalanceIsWrittenAndTheSolutionMarked") {
+  auto result = test::synthetic_result();
+  CHECK_FALSE(json::parse(app::result_json(test::synthetic_case(), result)).contains("heat_roots"));
+  const double T = result.value("T_film_mean");
+  REQUIRE(T > 0.0);
+  result.heat_roots = {{T, -1.5, 0.3, 4e-6}, {T + 40.0, 0.4, 1.1, 2e-6}};
+  const auto j = json::parse(app::result_json(test::synthetic_case(), result))["heat_roots"];
+  REQUIRE(j.size() == 2);
+  CHECK(j[0]["T_film_mean"]["value"].get<double>() == T);
+  CHECK(j[0]["T_film_mean"]["unit"] == "K");
+  CHECK(j[0]["stable"] == true);
+  CHECK(j[0]["solution"] == true);
+  CHECK(j[1]["stable"] == false);
+  CHECK(j[1]["solution"] == false);
+  CHECK(j[1]["friction_torque"]["value"] == 1.1);
+  CHECK(j[1]["h_min"]["unit"] == "m");
+}
+
 TEST_CASE("NotANumberIsNeverPrintedAsANumber") {
   auto result = test::not_converged(test::synthetic_result());
   result.audit.energy = kNaN;

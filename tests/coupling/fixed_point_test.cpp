@@ -43,3 +43,14 @@ TEST_CASE("FixedPointSaysHowItEnded", "[fixed_point]") {
   CHECK(fixed_point(fails, {3, 1, 50, 1e-10}, x) == FixedPointEnd::map_failed);
   CHECK(calls == 3);
 }
+
+TEST_CASE("AMapWhoseChangesRepeatIsFollowedToItsFixedPoint", "[fixed_point]") {
+  // Steps of one length: the differences of the changes, which acceleration divides by, are zero.
+  std::vector<double> x{0.0, 0.0};
+  const auto map = [](const std::vector<double>& from, std::vector<double>& to) {
+    to = {std::min(from[0] + 1.0, 10.0), std::min(from[1] + 1.0, 10.0)};
+    return true;
+  };
+  CHECK(fixed_point(map, {}, x) == FixedPointEnd::converged);
+  CHECK(x[0] == Approx(10.0));
+}

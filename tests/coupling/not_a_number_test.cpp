@@ -14,7 +14,9 @@ namespace {
 
 /// A solved film of the plain bearing, to be spoilt.
 Solution solved_film() {
-  Solution s = solve_tier(plain_case(), Tier::isothermal);
+  Case c = plain_case();
+  c.oil.temperature = rheology::ReynoldsSlope{0.015, 313.15, 0.03};
+  Solution s = solve_tier(c, Tier::isothermal);
   REQUIRE(s.verdict.good());
   return s;
 }

@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 
+#include "program/session.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"
 
@@ -24,6 +25,14 @@ bool begins_with_brace(const std::string& text) {
 const std::string kCoarse = "model.grid=[48, 9]";
 
 }  // namespace
+
+TEST_CASE("AnEndingGivesItsExitCode") {
+  CHECK(code_of(Verdict{}) == kDone);
+  CHECK(code_of({Status::no_steady_state, "", "", ""}) == kNotConverged);
+  CHECK(code_of({Status::iteration_limit, "", "", ""}) == kNotConverged);
+  CHECK(code_of({Status::interrupted, "", "", ""}) == kInterrupted);
+  CHECK(code_of({Status::invalid_number, "", "", ""}) == kDefect);  // not the bearing's fault
+}
 
 TEST_CASE("ABadCaseEndsWithTwoAndShowsTheLine") {
   const ScratchFolder scratch;

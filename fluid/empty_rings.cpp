@@ -1,0 +1,31 @@
+#include "fluid/empty_rings.hpp"
+
+namespace shellback::fluid {
+
+std::vector<int> empty_rings(const FilmScene& scene, const FilmState& s) {
+  const FilmGrid& g = scene.grid;
+  std::vector<int> rings;
+  for (int j = 0; j < g.nz; ++j) {
+    bool fed = false;
+    for (int i = 0; i < g.nt; ++i) {
+      const int k = g.index(i, j);
+      fed = fed || s.full[k] || scene.supply.cell[k] >= 0 || scene.supply.line[k] >= 0;
+    }
+    if (!fed) rings.push_back(j);
+  }
+  return rings;
+}
+
+bool refill_empty_rings(const FilmScene& scene, FilmState& s) {
+  const std::vector<int> rings = empty_rings(scene, s);
+  for (const int j : rings) {
+    for (int i = 0; i < scene.grid.nt; ++i) {
+      const int k = scene.grid.index(i, j);
+      s.full[k] = 1;
+      s.theta[k] = 1.0;
+    }
+  }
+  return !rings.empty();
+}
+
+}  // namespace shellback::fluid

@@ -1,0 +1,76 @@
+/// Rings of film that are cavitated all round: told, and filled again.
+#include "fluid/empty_rings.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/fluid/film_scenes.hpp"
+
+using namespace shellback;
+using namespace shellback::fluid;
+using namespace shellback::fluid::tests;
+
+namespace {
+
+/// A full film but for the ring at one axial index.
+FilmState empty_at(const Bearing& b, int ring) {
+  FilmState s = cold_film(b.scene);
+  for (int i = 0; i < b.scene.grid.nt; ++i) {
+    const int k = b.scene.grid.index(i, ring);
+    if (b.scene.supply.cell[k] >= 0) continue;
+    s.full[k] = 0;
+    s.theta[k] = 0.4;
+    s.p[k] = b.scene.p_cavitation;
+  }
+  return s;
+}
+
+/// Derivative of the net outflow along a fill ratio that is uniform in the ring [kg/s].
+double by_more_oil(const Bearing& b, const FilmState& s, int ring) {
+  FilmCoefficients oil;
+  b.oil(s, oil);
+  FilmFlow flow;
+  evaluate_flow(b.scene, b.gap, b.step, oil, s, flow);
+  RingMatrix matrix;
+  assemble_film(b.scene, flow, active_set_unknowns(s), matrix);
+  std::vector<double> carried(s.p.size(), 0.0), changed;
+  for (int i = 0; i < b.scene.grid.nt; ++i) {  // the same flow through every face of the ring
+    const int k = b.scene.grid.index(i, ring);
+    const int east = b.scene.grid.index(b.scene.grid.next(i), ring);
+    carried[k] = 1.0 / flow.phi[east].d_theta;
+  }
+  matrix.multiply(carried, changed);
+  return largest_magnitude(changed);
+}
+
+}  // namespace
+
+TEST_CASE("OilOfARingThatIsCavitatedAllRoundOnlyGoesRound") {
+  Setup setup;
+  setup.position = {{8e-6, -4e-6, 0.0, 0.0}};
+  const Bearing b = make_bearing(setup);
+  const int last = b.scene.grid.nz - 1;
+  FilmState s = empty_at(b, last);
+  CHECK(empty_rings(b.scene, s) == std::vector<int>{last});
+  // One unit of flow through every face leaves every balance as it is: the matrix is singular.
+  CHECK(by_more_oil(b, s, last) < 1e-12);
+  CHECK(refill_empty_rings(b.scene, s));
+  CHECK(empty_rings(b.scene, s).empty());
+  CHECK_FALSE(refill_empty_rings(b.scene, s));
+  for (const double theta : s.theta) CHECK(theta == 1.0);
+}
+
+TEST_CASE("ARingWithAFullCellOrASupplyIsFed") {
+  const Bearing b = make_bearing(Setup{});
+  FilmState s = empty_at(b, 3);
+  s.full[b.scene.grid.index(20, 3)] = 1;
+  CHECK(empty_rings(b.scene, s).empty());
+  Setup grooved;
+  SupplyPatch groove;
+  groove.phi = 1.5;
+  groove.arc = 0.4;
+  groove.length = 0.012;
+  grooved.patches = {groove};
+  const Bearing g = make_bearing(grooved);
+  CHECK(empty_rings(g.scene, empty_at(g, g.scene.grid.nz / 2)).empty());
+  CHECK(empty_rings(g.scene, empty_at(g, 0)).size() == 1);
+}

@@ -249,6 +249,14 @@ Verdict HeatPath::turning_point() const {
 }
 
 Verdict HeatPath::end_of_path(Verdict v) const {
+  if (thinner_than_a_molecule(s_.model, reached_.film)) {  // of a state that did come to rest
+    return {Status::no_steady_state,
+            fmt::format("no film carries more: {}, at a smallest gap of {:.3g} um, less than a "
+                        "molecule of oil",
+                        followed(), reached_.film.least.h * 1e6),
+            fluid::place_of(reached_.film.least),
+            "give roughness and contact data, or lower the load"};
+  }
   v.reason = fmt::format("{}; then: {}", followed(), v.reason);
   return v;
 }

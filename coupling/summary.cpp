@@ -1,4 +1,4 @@
-/// Summing a solution up: quantities, audit, effects, limiters, fields.
+/// Summing a solution up: quantities, audit, effects, fields.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,11 +8,10 @@
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 #include "coupling/audit.hpp"
-#include "coupling/coldest.hpp"
 #include "coupling/effects.hpp"
 #include "coupling/solids.hpp"
 #include "coupling/solve.hpp"
-#include "coupling/told_temperature.hpp"
+#include "coupling/told_limits.hpp"
 
 namespace shellback::coupling {
 namespace {
@@ -212,73 +211,8 @@ Fields fields_of(const Solution& s, const Friction& f) {
   return out;
 }
 
-void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
-  const auto& range = s.model.oil.range;
-  const auto [low, high] = std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
-  if (*low < range.T_min || *high > range.T_max) {
-    warnings.push_back("film temperatures of " + told_temperature(*low) + " to " +
-                       told_temperature(*high) + " leave the oil's range of " +
-                       told_temperature(range.T_min) + " to " + told_temperature(range.T_max) +
-                       ": its viscosity is extrapolated");
-  }
-  constexpr double kUndershoot = 2.0;  // worth telling [K]
-  if (s.model.physics.film_energy && *low < coldest_around(s.model) - kUndershoot) {
-    warnings.push_back("the film temperature falls to " + told_temperature(*low) +
-                       " at one place, below everything around it: model.film_nodes does not "
-                       "resolve it there");
-  }
-  if (s.model.scene.rough.beyond_table) {
-    warnings.push_back(
-        "a roughness orientation lies outside the range 1/9 to 9 of the tabulated "
-        "flow factors: the end of the table is used");
-  }
-  if (largest(s.film.film.p) > range.p_max) {
-    warnings.push_back("film pressures leave the range in which the oil's pressure law is known");
-  }
-}
-
 /// A gap that is closed has no flow: such a state has nothing to sum up.
 bool evaluated(const FilmEquilibrium& film) { return !film.flow.phi.empty(); }
-
-void add_coefficient_warnings(const Coefficients& k, std::vector<std::string>& warnings) {
-  constexpr double kTelling = 0.05;  // from here on the share is above the accuracy aimed at [-]
-  if (!k.verdict.good()) {
-    warnings.push_back("stiffness and damping are not given: " + k.verdict.reason);
-  } else if (k.cavitated_share > kTelling) {
-    warnings.push_back(fmt::format(
-        "{:.0f} % of the damping comes from oil that comes and goes in the cavitated film: K and C "
-        "hold for motions much slower than the rotation, and are a rough guide at half its speed",
-        100.0 * k.cavitated_share));
-  }
-}
-
-/// Where the heat balance is met elsewhere too, the user must know which root this is.
-void add_other_roots(const Solution& s, std::vector<std::string>& warnings) {
-  if (s.heat_roots.size() < 2) return;
-  std::string all;
-  for (const HeatRoot& root : s.heat_roots) {
-    all += fmt::format("{}{:.1f} degC ({}{})", all.empty() ? "" : ", ", root.T - kZeroCelsius,
-                       root.stable() ? "stable" : "unstable",
-                       root.T == s.T_film ? ", this solution" : "");
-  }
-  warnings.push_back(fmt::format(
-      "the heat balance is met at {} temperatures: {}; given is the lowest stable one, to which "
-      "the "
-      "bearing comes from cold; once warmer than an unstable one it goes on to the next",
-      s.heat_roots.size(), all));
-}
-
-std::vector<LimiterCount> limiters_of(const Solution& s) {
-  std::vector<LimiterCount> out;
-  const auto add = [&](const std::string& what, long count) {
-    if (count > 0) out.push_back({what, count});
-  };
-  add("Newton steps taken back", s.cost.rejected_steps);
-  add("Fischer-Burmeister steps", s.cost.fallback_steps);
-  add("film nodes with flow against the rotation", s.heat.backflow_nodes);
-  add("film columns with upwind fluxes across the film", s.heat.blended_columns);
-  return out;
-}
 
 }  // namespace
 
@@ -319,10 +253,8 @@ Result summarize(const Solution& s, Tier tier) {
   }
   r.limiters = limiters_of(s);
   r.coefficients = s.coefficients;
-  if (s.coefficients) add_coefficient_warnings(*s.coefficients, r.warnings);
-  add_range_warnings(s, r.warnings);
+  for (std::string& w : warnings_of(s)) r.warnings.push_back(std::move(w));
   r.heat_roots = s.heat_roots;
-  add_other_roots(s, r.warnings);
   r.fields = fields_of(s, f);
   return r;
 }

@@ -108,3 +108,25 @@ TEST_CASE("InterruptedComparisonKeepsWhatIsFinished", "[refusal]") {
   CHECK(c.results[1].verdict.status == Status::interrupted);
   CHECK(c.split.steps.empty());
 }
+
+TEST_CASE("SurfacesPressedBeyondTheContactLawAreMarked", "[refusal]") {
+  // Hardly any film, and summits that yield by microns before they carry 8 kN.
+  Case c = rig_case();
+  c.operation.omega = 10.0 * kPi / 30.0;
+  c.surfaces.contact->elastic_factor *= 1e-5;
+  const auto marked = [](const Result& r) {
+    return std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& w) {
+      return w.find("no longer describes it") != std::string::npos;
+    });
+  };
+  const Result r = summarize(solve_tier(c, Tier::isothermal), Tier::isothermal);
+  REQUIRE(r.verdict.good());
+  const double sigma = std::hypot(0.28e-6, 0.13e-6), delta = 0.60e-6;  // of the two surfaces
+  REQUIRE(r.value("h_min") < delta - 6.3 * sigma);
+  CHECK(marked(r));
+  CHECK(std::any_of(r.limiters.begin(), r.limiters.end(), [](const LimiterCount& l) {
+    return l.what.find("contact law") != std::string::npos && l.count > 0;
+  }));
+  const Result usual = summarize(solve_tier(rig_case(), Tier::isothermal), Tier::isothermal);
+  CHECK_FALSE(marked(usual));
+}

@@ -103,7 +103,9 @@ struct LawJson {
     return {{"law", "dowson-higginson"},
             {"rho0", si(l.rho0, "kg/m3")},
             {"at", si(l.at, "K")},
-            {"expansivity", si(l.expansivity, "1/K")}};
+            {"expansivity", si(l.expansivity, "1/K")},
+            {"C1", si(1.0 / l.limit, "Pa")},  // rho0 (C1 + C2 p)/(C1 + p)
+            {"C2", plain(1.0 + l.rise / l.limit)}};
   }
   Json operator()(const rheology::ConstantConductivity& l) const {
     return {{"law", "constant"}, {"k", si(l.k, "W/(m K)")}};

@@ -172,10 +172,12 @@ Missed missed_tolerance(const Case& c, const Comparison& comparison) {
   std::string tiers;
   Shortfall worst;  // of those that a grid can mend
   const Result* mended = nullptr;
+  const Result* within = nullptr;  // the richest that is as good as asked for
   for (std::size_t k = 0; k < names.size(); ++k) {
     const Result& r = comparison.results[k];
     tiers += (k == 0 ? "" : ",") + std::string(to_string(r.tier));
     const Shortfall s = fidelity::shortfall(r, c.model.tolerance);
+    if (r.verdict.good() && s.met && std::isfinite(s.friction.total())) within = &r;
     if (!r.verdict.good() || s.met) continue;
     missed.words += (missed.words.empty() ? "" : "; ") + names[k] + ": " + missed_words(s);
     if (s.physics || (mended != nullptr && s.grid[0] <= worst.grid[0])) continue;
@@ -185,6 +187,10 @@ Missed missed_tolerance(const Case& c, const Comparison& comparison) {
   if (!missed) return missed;
   if (mended != nullptr) {
     take_grid(c, worst, "compare", "--tiers " + tiers, mended->grid, missed);
+  } else if (within != nullptr) {
+    const std::string tier = to_string(within->tier);
+    missed.outlook = tier + " meets it";
+    missed.command = command_line("run", c, "--tier " + tier, {"model.tier"});
   } else {
     take_auto(c, missed);
   }

@@ -160,3 +160,21 @@ TEST_CASE("ALastIterateShowsNoTemperatureThatNoOilHas") {
   }
   CHECK(table(result).find("2494") == std::string::npos);
 }
+
+TEST_CASE("AComparisonNamesTheTierThatMeetsTheTolerance") {
+  auto subject = test::synthetic_case();
+  subject.path = "case.toml";
+  auto comparison = test::synthetic_comparison();
+  for (auto& result : comparison.results) {
+    const bool full = result.tier == coupling::Tier::tehd;
+    for (auto& q : result.quantities) {
+      q.error_grid = 0.1 * subject.model.tolerance * std::abs(q.value);
+      if (!full) q.error_model = 0.3 * std::abs(q.value);
+    }
+  }
+  std::ostringstream out;
+  app::write_comparison_table(out, subject, comparison);
+  CHECK(out.str().find("most of it the physics left out") != std::string::npos);
+  CHECK(out.str().find("tehd meets it:\n  shellback run case.toml --tier tehd") !=
+        std::string::npos);
+}

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rheology/density.hpp"
-#include "rheology/heat.hpp"
-#include "rheology/viscosity.hpp"
+#include "rheology/laws_hold.hpp"
 
 namespace shellback::coupling {
 namespace {
@@ -15,13 +13,6 @@ constexpr double kMostStep = 50.0;                      ///< [K]
 constexpr int kMostHalvings = 5;                        ///< 2^5 parts of a step: 1 % in viscosity
 constexpr int kEdgeHalvings = 3;  ///< towards the temperature at which the film ends
 constexpr double kDeepDip = 0.5;  ///< of |r| that a dip may lose until it counts as told [-]
-
-bool laws_hold(const rheology::Oil& oil, double T) {
-  const auto positive = [](double x) { return std::isfinite(x) && x > 0.0; };
-  return positive(rheology::viscosity(oil, T, 0.0)) &&
-         positive(rheology::density(oil, T, 0.0).rho) &&
-         positive(rheology::heat_capacity(oil, T).cp);
-}
 
 /// True if |r| of three neighbours of one sign has a dip that the parabola through them takes much
 /// nearer to zero, or past it.
@@ -61,7 +52,7 @@ std::vector<double> untold(const std::vector<HeatSample>& s, int halvings) {
 
 std::vector<double> scan_temperatures(const rheology::Oil& oil, double low, double high) {
   std::vector<double> temperatures;
-  for (double T = low; laws_hold(oil, T);) {
+  for (double T = low; rheology::laws_hold(oil, T);) {
     temperatures.push_back(T);
     if (T >= high) break;
     const double slope = std::abs(rheology::viscosity_slopes(oil, T, 0.0, 0.0).dln_dT);

@@ -79,6 +79,8 @@ class ThermalTurn {
   [[nodiscard]] bool finite();
   /// The same, and if the temperatures run away.
   [[nodiscard]] bool sound();
+  /// The temperature of a node is one at which no law of the oil holds.
+  [[nodiscard]] Verdict beyond_laws(int node) const;
   [[nodiscard]] Verdict runaway(const std::string& what) const;
   /// What growth has taken of the clearance, in words; empty while it is not most of it.
   [[nodiscard]] std::string seizure() const;

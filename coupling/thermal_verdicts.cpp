@@ -8,7 +8,7 @@
 #include "coupling/thermal_turn.hpp"
 #include "coupling/told_temperature.hpp"
 #include "fluid/film_numbers.hpp"
-#include "rheology/viscosity.hpp"
+#include "rheology/laws_hold.hpp"
 
 namespace shellback::coupling {
 
@@ -25,11 +25,25 @@ bool ThermalTurn::finite() {
 
 bool ThermalTurn::sound() {
   if (!finite()) return false;
+  const auto lowest = std::min_element(film_.columns.T.begin(), film_.columns.T.end());
   const double high = largest(film_.columns.T);
+  if (!rheology::laws_hold(model_.oil, *lowest)) {  // extrapolated there, not cooled
+    verdict_ = beyond_laws(static_cast<int>(lowest - film_.columns.T.begin()));
+    return false;
+  }
   const double T_supply = model_.input.supplies.front().temperature;
   if (high - T_supply < options_.runaway) return true;
   verdict_ = runaway(told_rise(high, T_supply) + " and rises");
   return false;
+}
+
+Verdict ThermalTurn::beyond_laws(int node) const {
+  return {Status::iteration_limit,
+          fmt::format("film and heat did not settle: on the way a temperature of {} came up, at "
+                      "which the laws of the oil do not hold",
+                      told_temperature(film_.columns.T[node])),
+          fluid::place_of(model_.scene.grid, node / model_.gl.n),
+          "try a finer grid or a tighter range of operation"};
 }
 
 std::string ThermalTurn::seizure() const {

@@ -29,6 +29,9 @@ using namespace coupling;
 
 /// Grids of the climb: fine along the axis first, see grid_limit.hpp.
 const std::vector<Grid> kLadder{{24, 9}, {40, 25}, {60, 37}, {96, 49}, {192, 97}};
+/// Grids on which nothing was found, one after the other, before the usual grid alone is asked: what
+/// two do not find, the three between seldom do, and each may cost twenty solves.
+constexpr std::size_t kInVain = 2;
 /// Where the tolerance asks for it, the climb goes on to the grid that values are meant for.
 const std::vector<Grid> kFineRungs{{400, 100}, kFineGrid};
 /// Solved as it is (else the fine grid), with the usual bars, where no two grids of the climb
@@ -78,6 +81,7 @@ class Climb {
       if (stopped() || !rung.solution.verdict.good()) {
         last_ = std::move(rung.solution);
         if (stopped()) return;
+        if (!given && rungs_.empty() && k + 1 >= kInVain) break;
         continue;
       }
       add(std::move(rung), last);

@@ -106,13 +106,15 @@ Json effects(const coupling::Result& result) {
   return all;
 }
 
-/// Temperatures at which the lumped heat balance is met, rising.
+/// Temperatures at which the lumped heat balance is met, rising; the lowest stable one is solved.
 Json heat_roots(const coupling::Result& result) {
+  const auto solution = std::find_if(result.heat_roots.begin(), result.heat_roots.end(),
+                                     [](const auto& root) { return root.stable(); });
   Json all = Json::array();
   for (const auto& root : result.heat_roots) {
     all.push_back({{"T_film_mean", with_unit(root.T, "K")},
                    {"stable", root.stable()},
-                   {"solution", root.T == result.value("T_film_mean")},
+                   {"solution", solution != result.heat_roots.end() && root.T == solution->T},
                    {"friction_torque", with_unit(root.friction_torque, "N m")},
                    {"h_min", with_unit(root.h_min, "m")}});
   }

@@ -31,9 +31,9 @@ struct GridBar {
   double order = 0.0;  ///< observed order as used; NaN: two grids only
 };
 
-/// Orders that whole solutions show: smooth full films fall with the second, ends of the film,
-/// holes, edges of elastic bodies with the first; on random bearings the median is 1.1 (tehd) to
-/// 1.5 (isothermal).
+/// Orders that whole solutions show: films and their torque fall with the second, ends of the film
+/// and edges of elastic bodies with the first. The highest is the one of 1.5, 1.75 and 2 that keeps
+/// bars short while 94 % hold (table in docs/decisions/011).
 inline constexpr double kLeastOrder = 1.0;
 inline constexpr double kMostOrder = 1.75;
 

@@ -83,6 +83,7 @@ void ThermalTurn::finish(bool converged) {
   heat_.T_mix = energy.mix_temperatures();
   heat_.backflow_nodes = energy.backflow_nodes();
   heat_.blended_columns = energy.blended_columns();
+  if (verdict_.good()) verdict_ = second_law();
   if (verdict_.good() && !(change < kUnbalanced)) {
     verdict_ = {Status::iteration_limit,
                 fmt::format("film and walls do not come to balance (last change {:.2g} K)", change),

@@ -85,6 +85,8 @@ class ThermalTurn {
   /// What growth has taken of the clearance, in words; empty while it is not most of it.
   [[nodiscard]] std::string seizure() const;
   [[nodiscard]] Verdict friction_runaway(double from, double to) const;
+  /// Refuses a film that is colder than everything around it.
+  [[nodiscard]] Verdict second_law() const;
   /// A film that fails because heat has thinned its oil is a thermal runaway.
   void name_the_failure();
   void report(const std::vector<double>& x, const std::vector<double>& g);

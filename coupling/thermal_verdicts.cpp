@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/largest.hpp"
+#include "coupling/coldest.hpp"
 #include "coupling/thermal_turn.hpp"
 #include "coupling/told_temperature.hpp"
 #include "fluid/film_numbers.hpp"
@@ -85,6 +86,21 @@ void ThermalTurn::name_the_failure() {
       runaway(fmt::format("{}, its viscosity is {:.1e} times that of the supplied oil, and no "
                           "film is found any more",
                           told_rise(T, T0), std::exp(-lost)));
+}
+
+Verdict ThermalTurn::second_law() const {
+  constexpr double kRipple = 0.5;  // of the rise: beyond it is no ripple of the polynomials [-]
+  constexpr double kMargin = 2.0;  // [K]
+  const auto& T = film_.columns.T;
+  const auto [low, high] = std::minmax_element(T.begin(), T.end());
+  const double coldest = coldest_around(model_);
+  if (*low >= coldest - kMargin - kRipple * (*high - coldest)) return {};
+  const int cell = static_cast<int>(low - T.begin()) / model_.gl.n;
+  return {Status::iteration_limit,
+          "the film temperature falls to " + told_temperature(*low) +
+              ", below everything around it: the grid does not resolve the heat of the film there",
+          fluid::place_of(model_.scene.grid, cell),
+          "a finer grid, more model.film_nodes, or methods.across = \"layers\""};
 }
 
 double viscosity_change(const BearingModel& model, const FilmEquilibrium& film) {

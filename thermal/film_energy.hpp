@@ -19,8 +19,7 @@
 /// which telescope, so that nothing is lost, and keep a uniform temperature; with them alone the
 /// column's matrix has no positive entry off its diagonal but those of conduction. Share b of (3):
 /// nu is the largest sum, over the nodes of the column, of the negative weights; b = 0 up to
-/// nu = 1/4, 1 from nu = 1/2, linear between. A column of smooth flow has nu = 0 to 0.1; beyond 1/2
-/// its extremes are the scheme's own (docs/decisions/020).
+/// nu = 1/4, 1 from nu = 1/2, linear between (docs/decisions/020).
 ///
 /// Supply patches are mixing vessels:
 ///   T_mix O = lambda sum(I T) + (O - lambda I) T_supply + heat/cp                   (2)

@@ -91,6 +91,7 @@ void update_columns(const rheology::Oil& oil, const GaussLobatto& gl, double spe
   out.chi.resize(cells);
   out.alpha.resize(cells);
   out.density.resize(cells);
+  out.compressibility.resize(cells);
   c.substitutions = 0;
   c.mismatch = 0.0;
   if (thins(oil)) {
@@ -113,7 +114,9 @@ void update_columns(const rheology::Oil& oil, const GaussLobatto& gl, double spe
   rheology::pressure_slope(oil, c.T_mean, state.p, out.alpha);
   for (std::size_t cell = 0; cell < cells; ++cell) {
     out.chi[cell] = 1.0 - c.centre[cell];
-    out.density[cell] = rheology::density(oil, c.T_mean[cell], state.p[cell]).rho;
+    const rheology::Density rho = rheology::density(oil, c.T_mean[cell], state.p[cell]);
+    out.density[cell] = rho.rho;
+    out.compressibility[cell] = rho.dp / rho.rho;
   }
 }
 

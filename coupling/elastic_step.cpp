@@ -30,9 +30,7 @@ class WinklerFilm {
 
  private:
   [[nodiscard]] Field by_gap(const Field& cells) const {
-    std::vector<double> phi, z;
-    fluid::to_faces(model_.scene.grid, cells, phi, z);
-    return fluid::outflow_by_gap(model_.scene, s_.flow, phi, z);
+    return fluid::residual_by_gap(model_.scene, s_.flow, cells);
   }
 
   const BearingModel& model_;
@@ -75,7 +73,7 @@ WinklerFilm::WinklerFilm(const BearingModel& model, const LoadTarget& target,
         follow[k] = kappa_[k] * tau_ * s.dp_contact[k] * gap[k];
       }
     }
-    Field b = fluid::outflow_by_position(scene, s.flow, l);
+    Field b = fluid::residual_by_position(scene, s.flow, l);
     const Field more = by_gap(follow);
     for (int k = 0; k < n; ++k) b[k] = -(b[k] + more[k]);
     factor_.solve(b.data());

@@ -109,7 +109,7 @@ NewtonStep rigid_step(const BearingModel& model, const LoadTarget& target, const
   std::vector<double> rhs(static_cast<std::size_t>(n) * (m + 1));
   for (int k = 0; k < n; ++k) rhs[k] = -residual[k];
   for (int l = 0; l < m; ++l) {
-    const Field b = fluid::outflow_by_position(scene, s.flow, l);
+    const Field b = fluid::residual_by_position(scene, s.flow, l);
     std::copy(b.begin(), b.end(), rhs.begin() + static_cast<std::ptrdiff_t>(n) * (l + 1));
   }
   factor.solve(rhs.data(), m + 1);

@@ -56,9 +56,7 @@ LinearFilm::Answer LinearFilm::winkler(const Field& a, const Field& b, const Fie
   // d = kappa (b + tau (u_F + r)): the part that is known beforehand moves the right-hand side.
   Field known(n);
   for (int k = 0; k < n; ++k) known[k] = kappa_[k] * (b[k] + tau_ * r[k]);
-  std::vector<double> phi, z;
-  fluid::to_faces(model_.scene.grid, known, phi, z);
-  const Field moved = fluid::outflow_by_gap(model_.scene, s_.flow, phi, z);
+  const Field moved = fluid::residual_by_gap(model_.scene, s_.flow, known);
   for (int k = 0; k < n; ++k) x.u[k] -= moved[k];
   factor_.solve(x.u.data());
   x.d = std::move(known);
@@ -154,7 +152,7 @@ FilmResponse LinearFilm::sharpened(const Field& a, const Field& r, const Field& 
 FilmResponse LinearFilm::to_position(int component) {
   const fluid::FilmScene& scene = model_.scene;
   const FilmGrid& g = scene.grid;
-  Field a = fluid::outflow_by_position(scene, s_.flow, component);
+  Field a = fluid::residual_by_position(scene, s_.flow, component);
   for (double& x : a) x = -x;
   Field r(g.cells());
   for (int i = 0; i < g.nt; ++i) {

@@ -127,7 +127,7 @@ Stiffness FilmAndPosition::stiffness_of(const RingFactor& factor,
   Stiffness stiffness{};
   response.clear();
   for (int l = 0; l < target_.unknowns; ++l) {
-    Field t = fluid::outflow_by_position(scene, s_.flow, l);
+    Field t = fluid::residual_by_position(scene, s_.flow, l);
     for (std::size_t k = 0; k < t.size(); ++k) t[k] = reynolds && !s_.film.full[k] ? 0.0 : -t[k];
     factor.solve(t.data());
     for (int i = 0; i < g.nt; ++i) {

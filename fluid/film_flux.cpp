@@ -233,37 +233,45 @@ void axial_faces(const Evaluation& e, FilmFlow& flow) {
   }
 }
 
-/// What every cell stores per time, and its derivative by theta.
+/// What every cell stores per time, and its derivatives.
 void storage(const Evaluation& e, FilmFlow& flow) {
   const FilmScene& scene = e.scene;
-  const FilmMotion& motion = scene.motion;
-  flow.stored.clear();
-  flow.stored_by_theta.clear();
-  if (!motion.moves()) return;
+  for (Field* field : {&flow.stored, &flow.stored_by_theta, &flow.stored_by_p, &flow.stored_by_gap})
+    field->clear();
+  if (!scene.storage.finite()) return;
   const FilmGrid& g = scene.grid;
+  const double rate = 1.0 / scene.storage.dt;
   const OilStore store = oil_store(scene, e.gap, e.oil, e.state);
-  flow.stored.resize(g.cells());
-  flow.stored_by_theta.resize(g.cells());
-  GapTransport t;
-  gap_transport(scene.rough, e.gap.cell, t);
-  for (int i = 0; i < g.nt; ++i) {
-    for (int j = 0; j < g.nz; ++j) {
-      const int k = g.index(i, j);
-      double rate = motion.gap_rate.empty() ? 0.0 : motion.gap_rate[k];
-      for (int l = 0; l < 4; ++l) {
-        rate += motion.velocity[l] *
-                gap_slope(l, scene.angles.cos_cell[i], scene.angles.sin_cell[i], g.z[j]);
-      }
-      const double filling = motion.theta_rate.empty() ? 0.0 : motion.theta_rate[k];
-      flow.stored[k] = store.by_gap[k] * rate + store.by_theta[k] * filling;
-      const bool film = scene.supply.cell[k] < 0;
-      flow.stored_by_theta[k] =
-          film ? e.oil.density[k] * t.daverage_gap[k] * rate * g.area(i, j) : 0.0;
+  const auto n = static_cast<std::size_t>(g.cells());
+  flow.stored.assign(n, 0.0);
+  flow.stored_by_theta.resize(n);
+  flow.stored_by_p.assign(n, 0.0);
+  flow.stored_by_gap.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    flow.stored_by_theta[k] = rate * store.by_theta[k];
+    flow.stored_by_gap[k] = rate * store.by_gap[k];
+    if (scene.supply.cell[k] >= 0) continue;
+    const double mass = store.by_theta[k] * e.state.theta[k];
+    const double before =
+        scene.storage.before[k] * g.area(static_cast<int>(k) / g.nz, static_cast<int>(k) % g.nz);
+    flow.stored[k] = rate * (mass - before);
+    if (!e.oil.compressibility.empty()) {
+      flow.stored_by_p[k] = rate * mass * e.oil.compressibility[k];
     }
   }
 }
 
 }  // namespace
+
+Field oil_content(const FilmScene& scene, const Gap& gap, const FilmCoefficients& oil,
+                  const FilmState& state) {
+  Field content = oil_store(scene, gap, oil, state).by_theta;
+  const FilmGrid& g = scene.grid;
+  for (int k = 0; k < g.cells(); ++k) {
+    content[k] *= state.theta[k] / g.area(k / g.nz, k % g.nz);
+  }
+  return content;
+}
 
 OilStore oil_store(const FilmScene& scene, const Gap& gap, const FilmCoefficients& oil,
                    const FilmState& state) {

@@ -4,11 +4,11 @@
 /// Averaged generalized Reynolds flux per width, journal speed U, shell at rest [kg/(m s)]:
 ///   m_x = rho { theta_up [U chi hT + U/2 sigma phi_s] - phi_x h^3 g dp/dx }
 ///   m_z = -rho phi_z h^3 g dp/dz
-/// A moving journal stores oil, per area [kg/(m2 s)]:
-///   d(rho theta hT)/dt = rho { theta hT'(h) dh/dt + hT dtheta/dt }
-/// with hT' = 1 for smooth surfaces, dh/dt = (dh/dq) dq/dt of the journal plus a given rate of the
-/// solids, and dtheta/dt given (zero: quasi-steady). Compression of the oil is left out: it stores
-/// h dp/dt over the bulk modulus, little beside the give of any shell. Source: seed 000 Eq. 1.
+/// Over a step dt a cell stores oil, per area [kg/(m2 s)]:
+///   (M - M_before)/dt,   M = rho(p) theta hT                                    [kg/m2]
+/// in conservative form: what a cell holds at the end of one step is what it holds at the
+/// beginning of the next. A step without end is the steady film. Source: seed 000 Eq. 1; backward
+/// Euler, textbook.
 ///
 /// with the Dowson integrals F0 = int 1/eta dy, F1 = int y/eta dy,
 /// F2 = int (y/eta)(y - F1/F0) dy, the fluidity g = F2/h^3 [1/(Pa s)] (1/(12 eta) if eta is
@@ -23,6 +23,7 @@
 /// the film ruptures on a jump the flow is first order: the empty cell's pressure stands half a
 /// cell behind it.)
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "core/grid.hpp"
@@ -38,15 +39,12 @@ enum class SideEdges {
   dry,      ///< nothing flows in
 };
 
-/// How the film changes in time while it is solved. Default: at rest.
-struct FilmMotion {
-  std::array<double, 4>
-      velocity{};    ///< of the journal position: e_x, e_y, psi_x, psi_y [m/s, rad/s]
-  Field gap_rate;    ///< further d h/dt per cell, of the solids; empty: none [m/s]
-  Field theta_rate;  ///< d theta/dt per cell; empty: none [1/s]
-  [[nodiscard]] bool moves() const {
-    return !gap_rate.empty() || !theta_rate.empty() || velocity != std::array<double, 4>{};
-  }
+/// The step in time at whose end the film stands, and the oil with which it began. Default: a step
+/// without end.
+struct FilmStorage {
+  double dt = std::numeric_limits<double>::infinity();  ///< [s]
+  Field before;  ///< M per cell at the beginning; empty: a step without end [kg/m2]
+  [[nodiscard]] bool finite() const { return !before.empty(); }
 };
 
 /// What stays the same while one film is solved.
@@ -59,15 +57,16 @@ struct FilmScene {
   double p_edge = 0.0;        ///< pressure at the side edges [Pa]
   SideEdges edges = SideEdges::flooded;
   RoughPair rough;  ///< smooth: sigma = 0
-  FilmMotion motion;
+  FilmStorage storage;
 };
 
 /// Oil at its present state, per cell.
 struct FilmCoefficients {
-  Field fluidity;  ///< g [1/(Pa s)]
-  Field chi;       ///< Couette share [-]
-  Field alpha;     ///< -d ln g / d p [1/Pa]
-  Field density;   ///< [kg/m3]
+  Field fluidity;         ///< g [1/(Pa s)]
+  Field chi;              ///< Couette share [-]
+  Field alpha;            ///< -d ln g / d p [1/Pa]
+  Field density;          ///< [kg/m3]
+  Field compressibility;  ///< d ln(density) / d p; empty: none [1/Pa]
 };
 
 /// Pressure and fill ratio. `full` says which of them is the unknown of a cell.
@@ -98,12 +97,18 @@ struct FilmFlow {
   std::vector<FaceFlow> phi;  ///< west faces, index i * nz + j
   std::vector<FaceFlow> z;    ///< axial faces, index i * (nz + 1) + j
   std::vector<LineFace> lines;
-  Field stored;           ///< d(oil in the cell)/dt, zero in supply cells; empty: at rest [kg/s]
-  Field stored_by_theta;  ///< its derivative by theta of the cell [kg/s]
+  Field stored;           ///< d(oil in the cell)/dt, zero in supply cells; empty: steady [kg/s]
+  Field stored_by_theta;  ///< its derivatives: by theta of the cell [kg/s],
+  Field stored_by_p;      ///< by its pressure [kg/(s Pa)],
+  Field stored_by_gap;    ///< by its gap [kg/(s m)]
 };
 
+/// M of every cell [kg/m2]; zero in supply cells, whose oil is the supply's.
+[[nodiscard]] Field oil_content(const FilmScene& scene, const Gap& gap, const FilmCoefficients& oil,
+                                const FilmState& state);
+
 /// How the oil in a cell changes with its gap, rho theta hT' dA [kg/m], and with its fill ratio,
-/// rho hT dA [kg]. Zero in supply cells, whose oil is the supply's.
+/// rho hT dA [kg]. Zero in supply cells.
 struct OilStore {
   Field by_gap;
   Field by_theta;
@@ -115,8 +120,8 @@ struct OilStore {
 void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& step,
                    const FilmCoefficients& oil, const FilmState& state, FilmFlow& flow);
 
-/// Net mass flow out of every cell [kg/s]: in the film at a solution minus what is stored (zero at
-/// rest); at supply cells the flow fed in.
+/// Net mass flow out of every cell [kg/s]: in the film at a solution minus what is stored (zero in
+/// the steady film); at supply cells the flow fed in.
 [[nodiscard]] Field net_outflow(const FilmScene& scene, const FilmFlow& flow);
 
 }  // namespace shellback::fluid

@@ -90,7 +90,7 @@ void assemble_film(const FilmScene& scene, const FilmFlow& flow, const UnknownMa
     a.c[k] += l.west.d_left * u.a_p[k] + (forward ? l.west.d_theta * u.a_theta[k] : 0.0);
   }
   for (std::size_t k = 0; k < flow.stored_by_theta.size(); ++k) {
-    a.c[k] += flow.stored_by_theta[k] * u.a_theta[k];
+    a.c[k] += flow.stored_by_theta[k] * u.a_theta[k] + flow.stored_by_p[k] * u.a_p[k];
   }
   fix_supply_rows(scene, a);
 }
@@ -150,6 +150,9 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
     if (!g.half) couple.add(-low, first, 1.0 + beyond_low, first + 1, -beyond_low, a.n[first]);
     couple.add(high, last, 1.0 + beyond_high, last - 1, -beyond_high, a.s[last]);
   }
+  for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k) {
+    if (couple.film(static_cast<int>(k))) a.c[k] += flow.stored_by_gap[k] * c[k];
+  }
 }
 
 namespace {
@@ -193,12 +196,30 @@ Field outflow_by_gap(const FilmScene& scene, const FilmFlow& flow,
       [&](int i, int j) { return z_face[i * (nz + 1) + j]; });
 }
 
-Field outflow_by_position(const FilmScene& scene, const FilmFlow& flow, int k) {
+Field residual_by_gap(const FilmScene& scene, const FilmFlow& flow, const Field& gap) {
+  std::vector<double> phi, z;
+  to_faces(scene.grid, gap, phi, z);
+  Field r = outflow_by_gap(scene, flow, phi, z);
+  for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k)
+    r[k] += flow.stored_by_gap[k] * gap[k];
+  return r;
+}
+
+Field residual_by_position(const FilmScene& scene, const FilmFlow& flow, int component) {
   const FilmGrid& g = scene.grid;
   const Angles& a = scene.angles;
-  return outflow_by(
-      scene, flow, [&](int i, int j) { return gap_slope(k, a.cos_face[i], a.sin_face[i], g.z[j]); },
-      [&](int i, int j) { return gap_slope(k, a.cos_cell[i], a.sin_cell[i], g.z_face[j]); });
+  Field r = outflow_by(
+      scene, flow,
+      [&](int i, int j) { return gap_slope(component, a.cos_face[i], a.sin_face[i], g.z[j]); },
+      [&](int i, int j) {
+        return gap_slope(component, a.cos_cell[i], a.sin_cell[i], g.z_face[j]);
+      });
+  for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k) {
+    const auto i = static_cast<int>(k) / g.nz;
+    const auto j = static_cast<int>(k) % g.nz;
+    r[k] += flow.stored_by_gap[k] * gap_slope(component, a.cos_cell[i], a.sin_cell[i], g.z[j]);
+  }
+  return r;
 }
 
 Field film_residual(const FilmScene& scene, const FilmFlow& flow) {
@@ -221,28 +242,9 @@ double flow_scale(const FilmScene& scene, const FilmFlow& flow) {
   return scale;
 }
 
-namespace {
-
-/// Cells whose oil, partly filled, would grow by itself: d(net outflow + stored)/d theta <= 0.
-std::vector<char> filling_cells(const FilmScene& scene, const FilmFlow& flow) {
-  const FilmGrid& g = scene.grid;
-  std::vector<char> fills(flow.stored_by_theta.size(), 0);
-  for (std::size_t k = 0; k < fills.size(); ++k) {
-    const int i = static_cast<int>(k) / g.nz;
-    const int east = g.index(g.next(i), static_cast<int>(k) % g.nz);
-    const double carried = std::abs(flow.phi[scene.speed >= 0.0 ? east : k].d_theta);
-    fills[k] = flow.stored_by_theta[k] < 0.0 && carried + flow.stored_by_theta[k] <= 0.0;
-  }
-  return fills;
-}
-
-}  // namespace
-
 UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const Field& step,
-                     double fraction, FilmState& s, double most_barus, const FilmFlow* flow) {
+                     double fraction, FilmState& s, double most_barus) {
   UpdateReport report;
-  const auto fills = flow ? filling_cells(scene, *flow) : std::vector<char>();
-  const auto fills_up = [&](std::size_t k) { return !fills.empty() && fills[k]; };
   for (std::size_t k = 0; k < step.size(); ++k) {
     if (scene.supply.cell[k] >= 0) continue;
     const double t = fraction * step[k];
@@ -256,13 +258,12 @@ UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const 
       s.p[k] += oil.alpha[k] > 0.0 ? -std::log1p(-x) / oil.alpha[k] : t;
       if (s.p[k] < scene.p_cavitation) {
         s.p[k] = scene.p_cavitation;
-        if (fills_up(k)) continue;
         s.full[k] = 0;
         ++report.moved;
       }
     } else {
       s.theta[k] += t;
-      if (s.theta[k] > 1.0 || fills_up(k)) {
+      if (s.theta[k] > 1.0) {
         s.full[k] = 1;
         s.theta[k] = 1.0;
         ++report.moved;
@@ -300,7 +301,7 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
   std::set<std::size_t> seen;  // hashes of active sets met
   bool cycling = false;
   bool by_reduced_pressure = false;
-  const bool slow = scene.motion.moves() && scene.speed == 0.0;
+  const bool slow = scene.storage.finite() && scene.speed == 0.0;
   const int most = options.max_iterations + (slow ? scene.grid.nt : 0);
   for (int it = 0; it <= most; ++it) {
     oil(v.state, v.oil);
@@ -332,7 +333,7 @@ Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, con
     ++v.factorizations;
     for (double& x : r) x = -x;
     v.factor.solve(r.data());
-    const UpdateReport report = advance(scene, v.oil, r, 1.0, v.state, kMostBarus, &v.flow);
+    const UpdateReport report = advance(scene, v.oil, r, 1.0, v.state);
     if (report.beyond_barus > 0) {  // too long a step, or a film that does not exist
       auto reduced = film_by_reduced_pressure(scene, gap, step, oil, v.state);
       v.state = std::move(reduced.value);

@@ -1,7 +1,7 @@
 #pragma once
 /// Pressure and fill ratio of a film of given gap: JFO cavitation by semismooth Newton.
 ///
-///   sum over faces m + stored = 0 in every cell, stored zero at rest            (1)
+///   sum over faces m + stored = 0 in every cell, stored zero without end of step (1)
 ///   p >= p_cav,  0 <= theta <= 1,  (p - p_cav)(1 - theta) = 0                   (2)
 ///
 /// One unknown per cell: p where the film is full, theta where it is cavitated. Each step solves
@@ -46,8 +46,13 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
 [[nodiscard]] Field outflow_by_gap(const FilmScene& scene, const FilmFlow& flow,
                                    const std::vector<double>& phi_face,
                                    const std::vector<double>& z_face);
-/// The same for component k of the journal position, exact at the faces [kg/(s m)], [kg/(s rad)].
-[[nodiscard]] Field outflow_by_position(const FilmScene& scene, const FilmFlow& flow, int k);
+/// Change of the residual of (1), storage included, by a smooth change of the gap at the cells [m],
+/// averaged to the faces as by to_faces [kg/s].
+[[nodiscard]] Field residual_by_gap(const FilmScene& scene, const FilmFlow& flow, const Field& gap);
+/// The same per unit of a component of the journal position, exact at the faces [kg/(s m)],
+/// [kg/(s rad)].
+[[nodiscard]] Field residual_by_position(const FilmScene& scene, const FilmFlow& flow,
+                                         int component);
 
 /// Residual of (1) with zeros at supply cells [kg/s], and the flow it is measured against: the
 /// largest mass flow through a face, Couette or all, or stored in a cell [kg/s].
@@ -64,12 +69,9 @@ struct UpdateReport {
 constexpr double kMostBarus = 0.99;  ///< of advance: largest alpha dp of a step [-]
 
 /// Applies the step t (scaled by `fraction`) and moves cells across. alpha dp is held to at most
-/// `most_barus`, below 1; a cell that asks for more is counted. With the `flow` of a film in
-/// motion, cells that close faster than the journal empties them stay full: partly filled they
-/// would fill up, and dtheta/dt = 0 finds them empty instead, a second solution that no film takes.
+/// `most_barus`, below 1; a cell that asks for more is counted.
 UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const Field& step,
-                     double fraction, FilmState& state, double most_barus = kMostBarus,
-                     const FilmFlow* flow = nullptr);
+                     double fraction, FilmState& state, double most_barus = kMostBarus);
 
 /// Full film at ambient pressure, supply cells at theirs: the cold start.
 [[nodiscard]] FilmState cold_film(const FilmScene& scene);

@@ -19,25 +19,38 @@ constexpr double kClearance = 20e-6;  // [m]
 constexpr double kViscosity = 0.01;   // [Pa s]
 constexpr double kDensity = 850.0;    // [kg/m3]
 constexpr double kRate = 10.0;        // d eps/dt, towards +X [1/s]
+constexpr double kStep = 1e-3;  // of eps; the gap being linear in it, any step gives the same rate [-]
 
 FilmScene scene_of(double width, int nt, int nz) {
   FilmScene scene;
   scene.grid = make_grid(kRadius, width, nt, nz, true);
   scene.angles = Angles(scene.grid);
   scene.supply = map_supplies(scene.grid, {});
-  scene.motion.velocity[0] = kRate * kClearance;
   return scene;
+}
+
+Gap gap_at(const FilmScene& scene, double eps) {
+  return film_gap(scene.grid, scene.angles, kClearance, {{eps * kClearance, 0.0, 0.0, 0.0}}, {},
+                  {});
+}
+
+/// The journal comes from eps - kStep, in a gap that was full.
+void come_from(double eps, const OilLaw& law, FilmScene& scene) {
+  const FilmState full = cold_film(scene);
+  FilmCoefficients oil;
+  law(full, oil);
+  scene.storage = {kStep / kRate, oil_content(scene, gap_at(scene, eps - kStep), oil, full)};
 }
 
 }  // namespace
 
 Values squeeze_film_values(const Question& q) {
   const double width = 2.0 * kRadius * q.number("B_over_D");
-  const FilmScene scene = scene_of(width, static_cast<int>(number_setting(q.entry, "cells")),
-                                   static_cast<int>(number_setting(q.entry, "cells_across")));
-  const double e = q.number("eps") * kClearance;
-  const Gap gap = film_gap(scene.grid, scene.angles, kClearance, {{e, 0.0, 0.0, 0.0}}, {}, {});
+  FilmScene scene = scene_of(width, static_cast<int>(number_setting(q.entry, "cells")),
+                             static_cast<int>(number_setting(q.entry, "cells_across")));
   const OilLaw oil = plain_oil(kViscosity, kDensity);
+  const Gap gap = gap_at(scene, q.number("eps"));
+  come_from(q.number("eps"), oil, scene);
   const auto film = solve_reynolds(scene, gap, {}, oil, cold_film(scene));
   Values values;
   if (!film.good()) {

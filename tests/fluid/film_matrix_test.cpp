@@ -121,7 +121,7 @@ void check_position(const Setup& s, const Probe& q) {
     minus.bearing.gap = make_bearing(behind).gap;
     plus.evaluate();
     minus.evaluate();
-    check_slope(outflow_by_position(q.bearing.scene, q.flow, k), plus.residual(), minus.residual(),
+    check_slope(residual_by_position(q.bearing.scene, q.flow, k), plus.residual(), minus.residual(),
                 step[k]);
   }
 }

@@ -1,14 +1,8 @@
 #pragma once
 /// Smooth surfaces that touch: told by the gap itself, before a film is sought in it.
-#include "coupling/film_equilibrium.hpp"
+#include "coupling/equilibrium.hpp"
 
 namespace shellback::coupling {
-
-/// True if the gap last evaluated is one of smooth surfaces and closed somewhere. A gap that is not
-/// a number is not closed.
-[[nodiscard]] inline bool is_closed(const BearingModel& model, const FilmEquilibrium& s) {
-  return model.scene.rough.sigma <= 0.0 && s.least.h <= 0.0;
-}
 
 /// Moves a journal that is free to move to where a closed gap is open; false if it finds no such
 /// place, or nothing is closed. The film that it leaves is there to begin with, no more.

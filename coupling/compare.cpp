@@ -5,6 +5,8 @@
 
 #include "coupling/bracketed_root.hpp"
 #include "coupling/nested.hpp"
+#include "coupling/newton.hpp"
+#include "coupling/pseudo_time.hpp"
 
 namespace shellback::coupling {
 namespace {

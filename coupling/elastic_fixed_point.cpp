@@ -7,6 +7,8 @@
 
 #include "core/largest.hpp"
 #include "coupling/solids.hpp"
+#include "coupling/newton.hpp"
+#include "coupling/pseudo_time.hpp"
 
 namespace shellback::coupling {
 namespace {
@@ -17,13 +19,6 @@ constexpr double kFirstRelaxation = 0.1;  ///< of Aitken's: small enough for an 
 constexpr double kLeast = 0.01;           ///< relaxation below which nothing moves any more [-]
 constexpr double kGrown = 30.0;           ///< growth of the mismatch over its best, and
 constexpr double kLost = 3.0;  ///< mismatch in smallest gaps, that together are divergence [-]
-
-Field sum(const Field& a, const Field& b) {
-  if (a.empty()) return b;
-  Field c = a;
-  for (std::size_t k = 0; k < c.size(); ++k) c[k] += b[k];
-  return c;
-}
 
 /// Aitken's factor from the mismatches of two rounds; see (1).
 double aitken(double omega, const Field& before, const Field& now) {

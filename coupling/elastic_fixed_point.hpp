@@ -10,7 +10,7 @@
 /// Source: textbook (Gauss-Seidel of two fields, Aitken's vector extrapolation).
 #include <atomic>
 
-#include "coupling/film_equilibrium.hpp"
+#include "coupling/equilibrium.hpp"
 
 namespace shellback::coupling {
 

@@ -9,7 +9,7 @@
 /// Asperity friction p_a mu U heats the two walls, split by thermal effusivity.
 #include <vector>
 
-#include "coupling/film_equilibrium.hpp"
+#include "coupling/equilibrium.hpp"
 #include "coupling/solids.hpp"
 #include "thermal/film_energy.hpp"
 

@@ -14,7 +14,7 @@
 /// order only. With the Winkler foundation tau in place of C the system is one factorised matrix;
 /// GMRES acts on the difference (C - tau) P alone, as in coupling/elastic_step.hpp. Source:
 /// methods 2.1, 2.2 (the same reduction as the Newton step); otherwise textbook.
-#include "coupling/film_equilibrium.hpp"
+#include "coupling/equilibrium.hpp"
 
 namespace shellback::coupling {
 

@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/largest.hpp"
 #include "coupling/closed_gap.hpp"
-#include "coupling/equilibrium_step.hpp"
+#include "coupling/bordered_film.hpp"
 #include "coupling/film_verdicts.hpp"
 #include "fluid/fischer_burmeister.hpp"
 #include "fluid/p_theta.hpp"
@@ -176,6 +178,19 @@ double FilmAndPosition::off() const {
   return most;
 }
 
+/// dF/dq dq = b; false if singular.
+bool solve_small(int m, const Stiffness& stiffness, std::array<double, 4>& b) {
+  Eigen::MatrixXd A(m, m);
+  Eigen::VectorXd x(m);
+  for (int k = 0; k < m; ++k) {
+    for (int l = 0; l < m; ++l) A(k, l) = stiffness[k][l];
+    x(k) = b[k];
+  }
+  x = A.partialPivLu().solve(x);
+  std::copy(x.begin(), x.end(), b.begin());
+  return x.allFinite();
+}
+
 /// Broyden's update: the stiffness that would have foretold the change of force seen.
 void broyden(int m, const std::array<double, 4>& dq, const fluid::Wrench& change,
              Stiffness& stiffness) {
@@ -298,7 +313,7 @@ bool PositionSearch::learn(const RestingFilm& now) {
 }
 
 bool PositionSearch::move(bool has_matrix) {
-  std::array<double, 4> dq = wanted_change(s_.force, target_);
+  std::array<double, 4> dq = wanted_change(s_.force, target_.force);
   if (!solve_small(target_.unknowns, stiffness_, dq)) return false;
   for (int k = target_.unknowns; k < 4; ++k) dq[k] = 0.0;
   const double gap = std::max(s_.least.h, 0.0) + 3.0 * model_.scene.rough.sigma;

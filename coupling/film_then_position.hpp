@@ -9,7 +9,7 @@
 /// off is taken back and halved.
 #include <atomic>
 
-#include "coupling/film_equilibrium.hpp"
+#include "coupling/equilibrium.hpp"
 
 namespace shellback::coupling {
 

@@ -1,23 +1,9 @@
 #pragma once
 /// Why film, position and elastic surfaces found no equilibrium: reason, place, cure. A closed gap
 /// is told by coupling/closed_gap.hpp.
-#include "coupling/film_equilibrium.hpp"
+#include "coupling/equilibrium.hpp"
 
 namespace shellback::coupling {
-
-/// Residuals of one iterate, each in units of its tolerance's scale.
-struct Residuals {
-  Field film;
-  Field displacement;
-  double film_norm = 0.0;
-  double load_norm = 0.0;
-  double elastic_norm = 0.0;
-
-  [[nodiscard]] bool within(const EquilibriumOptions& o) const {
-    return film_norm <= o.film_tolerance && load_norm <= o.load_tolerance &&
-           elastic_norm <= o.elastic_tolerance;
-  }
-};
 
 /// The load is beyond what rigid surfaces and the pressure law carry, `carried` [N] being about
 /// all; where no cell's pressure is to blame (`worst_cell` -1), the gap gave out instead, which

@@ -10,6 +10,8 @@
 #include "coupling/first_film.hpp"
 #include "coupling/heat_scan.hpp"
 #include "rheology/heat.hpp"
+#include "coupling/newton.hpp"
+#include "coupling/pseudo_time.hpp"
 
 namespace shellback::coupling {
 namespace {
@@ -80,8 +82,7 @@ Verdict LumpedBalance::film_at(double T) {
     s_.film.position = start.position;
     s_.film.elastic = start.elastic;
   }
-  EquilibriumOptions options;
-  options.follow_load = failure_.good();  // the search for where films end is made once
+  EquilibriumOptions options;  // the search for where films end is made once
   return solve_equilibrium(s_.model, s_.target, {}, options, s_.film, s_.cost, control_.stop);
 }
 

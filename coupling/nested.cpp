@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "rheology/viscosity.hpp"
+#include "coupling/newton.hpp"
+#include "coupling/pseudo_time.hpp"
 
 namespace shellback::coupling {
 namespace {

@@ -6,7 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "coupling/film_equilibrium.hpp"
+#include "coupling/equilibrium.hpp"
+#include "coupling/pseudo_time.hpp"
 #include "coupling/thermal_loop.hpp"
 
 namespace shellback::coupling {

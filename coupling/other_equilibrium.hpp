@@ -2,7 +2,7 @@
 /// Where an equilibrium is solved by a method other than the usual one (coupling/methods.hpp).
 #include <atomic>
 
-#include "coupling/film_equilibrium.hpp"
+#include "coupling/equilibrium.hpp"
 
 namespace shellback::coupling {
 

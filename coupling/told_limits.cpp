@@ -105,7 +105,6 @@ std::vector<LimiterCount> limiters_of(const Solution& s) {
     if (count > 0) out.push_back({what, count});
   };
   add("Newton steps taken back", s.cost.rejected_steps);
-  add("Fischer-Burmeister steps", s.cost.fallback_steps);
   add("film nodes with flow against the rotation", s.heat.backflow_nodes);
   add("film columns with upwind fluxes across the film", s.heat.blended_columns);
   add("cells pressed beyond the range of the contact law", cells_beyond_contact_law(s));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "coupling/bearing.hpp"
-#include "coupling/film_equilibrium.hpp"
+#include "coupling/equilibrium.hpp"
 #include "coupling/solve.hpp"
 
 namespace shellback::bench {

@@ -1,25 +1,23 @@
 #pragma once
-/// Film, journal position and elastic displacement in one Newton iteration, at given oil
-/// temperatures and thermal growth.
+/// State and residual of film, journal and elastic surfaces, at given oil temperatures and thermal
+/// growth.
 ///
 /// Unknowns: p or theta of every cell (u), journal position q (0, 2 or 4 components), elastic
-/// widening of the gap d (elastic bearings). Equations:
-///   R(u, q, d) = 0                                   film, fluid/reynolds.hpp        (1)
-///   F(p + p_a) = -W                                  load and, if asked, moment      (2)
+/// widening of the gap d (elastic bearings). At the end of a step dt in time:
+///   R(u, q, d) = (M - M_before)/dt + outflow = 0     film, fluid/film_flux.hpp       (1)
+///   F(p + p_a) + W - m (q - q_free)/dt^2 = 0         load, moment, journal's mass    (2)
 ///   d = C (p + p_a(h))                               elasticity                      (3)
-/// Rigid bearings: (1) and (2) are solved together by the factorised film matrix with the columns
-/// dR/dq as further right-hand sides. The load is met in logarithms: the wanted change of the
-/// force is F* ln(F_target/F*), forces as complex numbers, F* the force that the film step alone
-/// leads to; and a closing step dq shrinks the smallest gap g to g exp(-dq/g), never to zero: the
-/// log-polar Newton of methods 0. Elastic bearings: coupling/elastic_step.hpp.
+/// q_free is where the journal would be without any force, q_before + dt v_before. A step without
+/// end is the steady bearing.
 ///
 /// Asperity heat makes the shell bulge towards the journal where they rub, and rub more. Taken in
 /// turns with the film this diverges in heavy contact; where `contact_growth` G is given, (3) reads
 ///   d = C (p + p_a) + G p_a                                                                   (3a)
 /// and the growth given from outside is without G p_a.
-#include <atomic>
+/// Source: seed 000 Eq. 1; backward Euler, textbook.
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "core/harmonics.hpp"
 #include "coupling/bearing.hpp"
@@ -32,7 +30,8 @@ namespace shellback::coupling {
 struct FilmEquilibrium {
   fluid::FilmState film;
   fluid::JournalPosition position;
-  Field elastic;  ///< widening (3), shell and shaft [m]; empty: rigid
+  double ln_load = 0.0;  ///< of the load's factor, unknown along a path of loads [-]
+  Field elastic;         ///< widening (3), shell and shaft [m]; empty: rigid
   std::shared_ptr<const HarmonicOperator> contact_growth;  ///< G of (3a) [m/Pa]; none: (3)
   OilColumns columns;
 
@@ -54,14 +53,12 @@ struct EquilibriumOptions {
   double elastic_tolerance = 1e-8;     ///< largest |C p - d| over the smallest gap [-]
   double viscosity_tolerance = 1e-10;  ///< shear-thinning relation [-]
   int max_iterations = 80;
-  bool follow_load = true;  ///< from lighter loads on, where Newton's method fails at once
 };
 
 struct EquilibriumCost {
   int factorizations = 0;
   int newton_iterations = 0;
   int krylov_iterations = 0;
-  int fallback_steps = 0;
   int rejected_steps = 0;
   long sweeps = 0;         ///< of the p-theta relaxation
   int elastic_rounds = 0;  ///< of the fixed point between film and displacement
@@ -70,11 +67,32 @@ struct EquilibriumCost {
   [[nodiscard]] bool spent() const { return work > most_work; }
 };
 
+/// Mass of the journal over a finite step.
+struct Inertia {
+  double stiffness = 0.0;     ///< m/dt^2 [N/m]
+  std::array<double, 2> free{};  ///< q_free of (2): e_x, e_y [m]
+};
+
+/// One more row of the border: position and load stand so far along a path,
+///   sum_k along_k (q_k - from_k)/unit_k + along_load (ln_load - from_load) = length.       (4)
+struct PathRow {
+  std::array<double, 4> along{};  ///< [-]
+  std::array<double, 4> unit{};   ///< [m], [rad]
+  double along_load = 1.0;        ///< [-]
+  fluid::JournalPosition from;
+  double from_load = 0.0;  ///< [-]
+  double length = 0.0;     ///< [-]
+};
+
 /// What the journal must balance.
 struct LoadTarget {
   int unknowns = 2;       ///< 0: position given; 2: e; 4: e and tilt
   fluid::Wrench force{};  ///< wanted film force and moment on the journal: minus the load
+  std::optional<Inertia> inertia;
+  std::optional<PathRow> path;         ///< the load's factor is an unknown, too
   [[nodiscard]] double scale() const;  ///< |force| [N]
+  /// The force wanted of this state: with its factor and the journal's inertia.
+  [[nodiscard]] fluid::Wrench wanted(const FilmEquilibrium& s) const;
 };
 [[nodiscard]] LoadTarget load_target(const Case& c);
 
@@ -88,6 +106,32 @@ struct LoadTarget {
 [[nodiscard]] bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
                             FilmEquilibrium& state);
 
+/// Residuals of an evaluated state, each in units of its tolerance's scale.
+struct Residuals {
+  Field film;          ///< R [kg/s]
+  Field displacement;  ///< C (p + p_a) - d [m]; empty: rigid
+  double film_norm = 0.0;
+  double load_norm = 0.0;
+  double elastic_norm = 0.0;
+  [[nodiscard]] bool finite() const;
+  [[nodiscard]] bool within(const EquilibriumOptions& o) const {
+    return film_norm <= o.film_tolerance && load_norm <= o.load_tolerance &&
+           elastic_norm <= o.elastic_tolerance;
+  }
+};
+[[nodiscard]] Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
+                                     const FilmEquilibrium& state);
+
+/// Distance by which the surfaces may still approach [m]: the smallest gap; rough surfaces stay
+/// apart by their asperities, so that the nominal gap may go through zero.
+[[nodiscard]] double room(const BearingModel& model, const FilmEquilibrium& state);
+
+/// True if the gap last evaluated is one of smooth surfaces and closed somewhere. A gap that is not
+/// a number is not closed.
+[[nodiscard]] inline bool is_closed(const BearingModel& model, const FilmEquilibrium& s) {
+  return model.scene.rough.sigma <= 0.0 && s.least.h <= 0.0;
+}
+
 /// True if smooth surfaces are nearer than an oil molecule of 30 carbon atoms is long (2 to 4 nm,
 /// textbook): no film is left that Reynolds' equation could describe.
 [[nodiscard]] inline bool thinner_than_a_molecule(const BearingModel& model,
@@ -96,16 +140,7 @@ struct LoadTarget {
   return model.scene.rough.sigma <= 0.0 && s.least.h < kMolecule;
 }
 
-/// Newton on (1)-(3) from `state`; the first way of solve_equilibrium.
-[[nodiscard]] Verdict newton_equilibrium(const BearingModel& model, const LoadTarget& target,
-                                         const Field& growth, const EquilibriumOptions& options,
-                                         FilmEquilibrium& state, EquilibriumCost& cost,
-                                         const std::atomic<bool>* stop = nullptr);
-
-/// Solves (1)-(3) from `state`, which is left at the last iterate whatever the verdict.
-[[nodiscard]] Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target,
-                                        const Field& growth, const EquilibriumOptions& options,
-                                        FilmEquilibrium& state, EquilibriumCost& cost,
-                                        const std::atomic<bool>* stop = nullptr);
+/// Element by element; an empty field is zero.
+[[nodiscard]] Field sum(const Field& a, const Field& b);
 
 }  // namespace shellback::coupling

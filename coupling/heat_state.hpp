@@ -1,0 +1,28 @@
+#pragma once
+/// Everything thermal of a bearing: wall temperatures and thermal deformation, and what the last
+/// iteration found with them.
+#include <string>
+#include <vector>
+
+#include "coupling/solids.hpp"
+#include "thermal/film_energy.hpp"
+
+namespace shellback::coupling {
+
+struct HeatState {
+  Field growth;                    ///< thermal widening of the gap [m]; empty without growth
+  Field T_shell;                   ///< bore temperature seen by the film [K]
+  std::vector<double> T_shaft;     ///< journal temperature seen by the film, per axial cell [K]
+  SolidTemperature solids;         ///< the solids' answer to the last heat
+  thermal::EnergyBalance balance;  ///< of the film, solved part [W]
+  double contact_heat = 0.0;       ///< asperity heat, whole bearing [W]
+  std::vector<double> T_mix;       ///< of each supply patch [K]
+  thermal::WallResponse response;  ///< of the film to its walls, refreshed in early iterations
+  long backflow_nodes = 0;
+  long blended_columns = 0;
+  double residual = 0.0;  ///< last change per iteration [-]
+  /// True once the film's heat has been balanced to the end.
+  [[nodiscard]] bool known() const { return !T_mix.empty(); }
+};
+
+}  // namespace shellback::coupling

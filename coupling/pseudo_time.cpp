@@ -1,0 +1,70 @@
+#include "coupling/pseudo_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/film_verdicts.hpp"
+#include "coupling/newton.hpp"
+#include "coupling/other_equilibrium.hpp"
+
+namespace shellback::coupling {
+namespace {
+
+constexpr double kFirst = 1e-2;     ///< first step, in radians of turn [-]
+constexpr double kShortest = 1e-8;  ///< step below which there is no way on [rad]
+constexpr double kLongest = 1e5;    ///< step after which nothing moves any more [rad]
+constexpr double kLonger = 4.0;     ///< from step to step where Newton's method is quick
+constexpr int kQuick = 6;           ///< iterations that are quick
+constexpr int kMost = 25;           ///< iterations of one step
+constexpr int kMostSteps = 100;     ///< where a bearing comes to rest it takes 10 to 30
+constexpr double kLoose = 1e-3;     ///< residuals that will do on the way [-]
+
+}  // namespace
+
+Verdict march_to_steady(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                        const EquilibriumOptions& options, FilmEquilibrium& s,
+                        EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  EquilibriumOptions loose = options;
+  loose.film_tolerance = loose.load_tolerance = loose.elastic_tolerance = kLoose;
+  loose.viscosity_tolerance = kLoose;
+  loose.max_iterations = kMost;
+  BearingModel moving = model;
+  const double radian = 1.0 / std::abs(model.input.operation.omega);
+  if (!evaluate(model, growth, kLoose, s)) return no_film(model, target, growth, s);
+  double turn = kFirst;
+  for (int step = 0; turn < kLongest; ++step) {
+    moving.scene.storage = {turn * radian, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
+    const FilmEquilibrium before = s;
+    const int spent = cost.newton_iterations;
+    const Verdict v = newton(moving, target, growth, loose, s, cost, stop);
+    if (step == kMostSteps) return v.good() ? stuck(model, s, {}, step) : v;
+    if (v.status == Status::interrupted || cost.spent()) return v;
+    if (v.good()) {
+      if (cost.newton_iterations - spent <= kQuick) turn *= kLonger;
+    } else {
+      s = before;
+      turn *= 0.25;
+      if (turn < kShortest) return v;
+    }
+    if (std::getenv("SBDBG")) fprintf(stderr, "turn %g %s it %d hmin %g reason %s\n", turn, v.good() ? "ok" : "FAIL", int(cost.newton_iterations - spent), s.least.h, v.reason.c_str());
+  }
+  return newton(model, target, growth, options, s, cost, stop);
+}
+
+Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                          const EquilibriumOptions& options, FilmEquilibrium& s,
+                          EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  if (solved_otherwise(model, s)) {
+    return solve_otherwise(model, target, growth, options, s, cost, stop);
+  }
+  const Verdict v = newton(model, target, growth, options, s, cost, stop);
+  if (v.good() || v.status == Status::interrupted || cost.spent()) return v;
+  if (target.unknowns == 0 && v.status == Status::no_steady_state) return v;
+  s.film = fluid::cold_film(model.scene);
+  if (target.unknowns > 0) s.position.q[0] = s.position.q[1] = 0.0;
+  if (target.unknowns == 4) s.position.q[2] = s.position.q[3] = 0.0;
+  if (!s.elastic.empty()) s.elastic.assign(s.elastic.size(), 0.0);
+  return march_to_steady(model, target, growth, options, s, cost, stop);
+}
+
+}  // namespace shellback::coupling

@@ -101,6 +101,8 @@ class ShellConduction {
   /// Area mean of the bore temperature for the flux q, without Robin coupling [K].
   [[nodiscard]] double mean_surface(const Field& q, double surroundings,
                                     const ShellHistory* history = nullptr) const;
+  /// Rise of that mean per uniform flux [K m2/W].
+  [[nodiscard]] double resistance() const { return mean_.sum(); }
   /// Nodal temperatures above the surroundings (2) for a flux that entered
   /// (ShellTemperature::flux), nodes x (2 N + 1) [K]: what the next time step begins with.
   [[nodiscard]] Eigen::MatrixXd nodal_temperatures(const Eigen::MatrixXd& flux,

@@ -69,24 +69,24 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
       shell_(c.shell),
       shaft_(c.shaft),
       effects_(effects),
-      harmonics_(grid, default_harmonics(grid.nt)) {
+      harmonics_(grid, default_harmonics(grid.nt)),
+      sample_(harmonics_.highest(), effects.every_harmonic) {
   const auto start = std::chrono::steady_clock::now();
   reference_ = c.bearing.reference_temperature;
   if (!c.shaft) throw InputError("the shaft's data are needed; give [shaft] material");
   const int N = harmonics_.highest();
   const Layers layers = layers_of(c);
   const RevolutionMesh mesh = shell_mesh(c, layers, grid_, N);
-  const HarmonicSample sample(N);
-  if (effects.heat) build_heat(c, layers, mesh, sample);
+  if (effects.heat) build_heat(c, layers, mesh);
   if (effects.elastic || effects.growth) {
-    const auto ops =
-        solid::shell_elasticity(mesh, grid_, layers.material,
-                                {N, support_of(c), solid::AxialEnds::free, effects.growth,
-                                 solid::Elimination::cheapest, sample.computed()});
-    if (effects.elastic) build_compliance(c, sample.complete(ops.compliance));
+    auto ops = solid::shell_elasticity(mesh, grid_, layers.material,
+                                       {N, support_of(c), solid::AxialEnds::free, effects.growth,
+                                        solid::Elimination::cheapest, sample_.computed()});
+    if (effects.elastic) build_compliance(c, sample_.complete(ops.compliance));
     if (effects.growth) {
-      growth_per_flux_ = sample.complete(compose(ops.growth, conduction_->nodal()));
+      growth_per_flux_ = sample_.complete(compose(ops.growth, conduction_->nodal()));
       uniform_growth_ = solid::uniform_growth(ops);
+      growth_ = std::move(ops.growth);
       shaft_expansion_ = c.shaft->material.expansion;
     }
   }
@@ -104,10 +104,12 @@ void Solids::build_compliance(const Case& c, const HarmonicOperator& shell) {
   winkler_ = mean_compliance(compliance_);
 }
 
-void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh,
-                        const HarmonicSample& sample) {
+void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh) {
   std::vector<double> k;
-  for (const auto& m : layers.material) k.push_back(m.conductivity);
+  for (const auto& m : layers.material) {
+    k.push_back(m.conductivity);
+    capacity_.push_back(m.density * m.heat_capacity);
+  }
   thermal::ConductionBoundary boundary;
   boundary.end_heat_transfer = c.shell->end_heat_transfer;
   if (const auto* back = std::get_if<ConvectiveBack>(&c.shell->back)) {
@@ -119,26 +121,16 @@ void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMes
     surroundings_ = std::get<PrescribedBack>(c.shell->back).temperature;
   }
   boundary.back_line = thermal::outer_line(mesh, layers.last_of_shell);
-  conduction_.emplace(mesh, grid_, k, boundary, harmonics_, sample);
-  const Field one(grid_.cells(), 1.0);
-  const Field cold(grid_.cells(), 0.0);
-  double sum = 0.0;
-  double area = 0.0;
-  const auto rise = conduction_->solve(one, 0.0, cold, 0.0);
-  for (int i = 0; i < grid_.nt; ++i) {
-    for (int j = 0; j < grid_.nz; ++j) {
-      sum += grid_.area(i, j) * rise.surface[grid_.index(i, j)];
-      area += grid_.area(i, j);
-    }
-  }
-  shell_resistance_ = sum / area;
-  fin_ = {c.shaft->material.conductivity, c.shaft->overhang, c.shaft->heat_transfer,
-          c.shaft->ambient};
+  conduction_.emplace(mesh, grid_, k, boundary, harmonics_, sample_);
+  const solid::Material& m = c.shaft->material;
+  fin_ = {m.conductivity, c.shaft->overhang, c.shaft->heat_transfer, c.shaft->ambient,
+          m.density * m.heat_capacity};
 }
 
 bool Solids::serve(const Case& c, const FilmGrid& grid, SolidEffects wanted) const {
   const bool effects = (effects_.elastic || !wanted.elastic) && (effects_.heat || !wanted.heat) &&
-                       (effects_.growth || !wanted.growth);
+                       (effects_.growth || !wanted.growth) &&
+                       (effects_.every_harmonic || !wanted.every_harmonic);
   const bool bodies =
       c.shell == shell_ && c.shaft == shaft_ && c.bearing.reference_temperature == reference_;
   const bool surface = grid.radius == grid_.radius && grid.half == grid_.half &&
@@ -150,9 +142,12 @@ Field Solids::compliance(const Field& pressure) const {
   return apply(harmonics_, compliance_, pressure, Tail::last);
 }
 
-HarmonicOperator Solids::contact_growth(double rate, const thermal::WallResponse& film) const {
-  HarmonicOperator op =
-      compose(growth_per_flux_, conduction_->entering({film.shell_ring, film.shell_local}));
+HarmonicOperator Solids::contact_growth(double rate, const thermal::WallResponse& film,
+                                        const SolidStep* step) const {
+  const StepOperators* ops = step ? step->operators.get() : nullptr;
+  const thermal::ShellConduction& shell = ops ? ops->shell : *conduction_;
+  HarmonicOperator op = compose(ops ? ops->growth_per_flux : growth_per_flux_,
+                                shell.entering({film.shell_ring, film.shell_local}));
   for (Eigen::MatrixXd& m : op) m *= rate;
   return op;
 }
@@ -162,9 +157,12 @@ Field Solids::widening(const HarmonicOperator& by, const Field& contact) const {
 }
 
 Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
-                                       const std::vector<double>& T_shaft) const {
+                                       const std::vector<double>& T_shaft,
+                                       const SolidStep& step) const {
   // What is missing to balance now: both vanish at the solution.
-  const double now = conduction_->mean_surface(q.shell, surroundings_);
+  const StepOperators* ops = step.operators.get();
+  const thermal::ShellConduction& shell = ops ? ops->shell : *conduction_;
+  const double now = shell.mean_surface(q.shell, surroundings_, ops ? &step.history : nullptr);
   double missing = 0.0;
   double area = 0.0;
   for (int i = 0; i < grid_.nt; ++i) {
@@ -175,13 +173,15 @@ Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
     }
   }
   const double whole = area * grid_.multiplicity();
-  const double b1 = missing / area;                                                   // [K]
-  const double b2 = thermal::shaft_imbalance(grid_, fin_, q.shaft, T_shaft) / whole;  // [W/m2]
+  const double b1 = missing / area;  // [K]
+  const double b2 =
+      thermal::shaft_imbalance(grid_, fin_, q.shaft, T_shaft, step.shaft) / whole;  // [W/m2]
   // dTs (1 + R Gs) - R across dTj = b1,   -back dTs + (fin + Gj) dTj = b2
-  const double fin = 2.0 * thermal::fin_conductance(grid_.radius, fin_) / whole;
+  const double fin = thermal::shaft_conductance(grid_, fin_, step.shaft.dt) / whole;
+  const double R = shell.resistance();
   const auto& r = q.response;
-  const double a11 = 1.0 + shell_resistance_ * r.shell;
-  const double a12 = -shell_resistance_ * r.across;
+  const double a11 = 1.0 + R * r.shell;
+  const double a12 = -R * r.across;
   const double a21 = -r.back;
   const double a22 = fin + r.shaft;
   const double det = a11 * a22 - a12 * a21;
@@ -190,9 +190,13 @@ Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
 }
 
 SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
-                                const std::vector<double>& T_shaft, Wanted wanted) const {
+                                const std::vector<double>& T_shaft, Wanted wanted,
+                                const SolidStep* given) const {
+  const SolidStep endless;
+  const SolidStep& step = given ? *given : endless;
+  const StepOperators* ops = step.operators.get();
   SolidTemperature out;
-  const MeanChange mean = mean_change(q, T_shell, T_shaft);
+  const MeanChange mean = mean_change(q, T_shell, T_shaft, step);
   // Half the largest response or more: below it the thinnest film would make a wall overshoot for
   // ever. The mean of a wall, which answers less, is led to its predicted change all the same.
   const auto& r = q.response;
@@ -203,18 +207,27 @@ SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
   for (double& x : to_shell) x += r.across * mean.shaft + (ring - r.shell) * mean.shell;
   std::vector<double> to_shaft = q.shaft;
   for (double& x : to_shaft) x += r.back * mean.shell + (along - r.shaft) * mean.shaft;
-  out.shell = conduction_->solve(to_shell, {ring, local}, T_shell, surroundings_, wanted.back);
-  out.shaft = thermal::solve_shaft(grid_, fin_, to_shaft, along, T_shaft);
+  const thermal::ShellConduction& shell = ops ? ops->shell : *conduction_;
+  out.shell = shell.solve(to_shell, {ring, local}, T_shell, surroundings_, wanted.back,
+                          ops ? &step.history : nullptr);
+  out.shaft = thermal::solve_shaft(grid_, fin_, to_shaft, along, T_shaft, step.shaft);
   if (!effects_.growth || !wanted.growth) return out;
-  out.growth = harmonics_.synthesise(multiply(growth_per_flux_, out.shell.flux));
+  Eigen::MatrixXd bore = multiply(ops ? ops->growth_per_flux : growth_per_flux_, out.shell.flux);
+  if (ops) bore += step.growth;
+  out.growth = total_growth(bore, out.shaft.temperature);
+  return out;
+}
+
+Field Solids::total_growth(const Eigen::MatrixXd& bore, const std::vector<double>& T_shaft) const {
+  Field growth = harmonics_.synthesise(bore);
   const std::vector<double> shaft =
-      solid::shaft_growth(grid_.radius, shaft_expansion_, out.shaft.temperature, reference_);
+      solid::shaft_growth(grid_.radius, shaft_expansion_, T_shaft, reference_);
   for (int i = 0; i < grid_.nt; ++i) {
     for (int j = 0; j < grid_.nz; ++j) {
-      out.growth[grid_.index(i, j)] += uniform_growth_[j] * (surroundings_ - reference_) + shaft[j];
+      growth[grid_.index(i, j)] += uniform_growth_[j] * (surroundings_ - reference_) + shaft[j];
     }
   }
-  return out;
+  return growth;
 }
 
 std::vector<double> Solids::section_radii() const { return conduction_->section_radii(); }

@@ -2,7 +2,10 @@
 /// Shell, housing and shaft of one bearing on one film grid: how the gap answers pressure and heat.
 ///
 /// Owns the harmonic operators of solid/revolution_elasticity and thermal/revolution_conduction,
-/// built once per geometry. All fields are film cells.
+/// built once per geometry. All fields are film cells. One answer serves the steady state and a
+/// time step (implicit Euler): the steady state is the step without end. Over a step
+///   heat in = heat out + stored                                                     [W]     (1)
+/// holds to round-off for shell with housing, and for the shaft.
 #include <memory>
 #include <optional>
 
@@ -20,6 +23,9 @@ struct SolidEffects {
   bool elastic = false;
   bool heat = false;
   bool growth = false;
+  /// No harmonic is interpolated, so that a march of time ends in the steady answer to round-off;
+  /// otherwise to what HarmonicSample says of harmonics above the sixth.
+  bool every_harmonic = false;
 };
 
 /// Heat from the film into the two walls and the film's response to their temperature.
@@ -36,6 +42,28 @@ struct SolidTemperature {
   Field growth;  ///< thermal widening of the gap, shell and shaft; empty without growth [m]
 };
 
+/// All that shell, housing and shaft keep from one time step to the next.
+struct SolidState {
+  /// Nodal temperatures above the shell's surroundings, nodes x (2 N + 1) coefficients [K].
+  Eigen::MatrixXd shell;
+  thermal::ShaftState shaft;  ///< [K]
+};
+
+/// What depends on the length of a time step alone.
+struct StepOperators {
+  thermal::ShellConduction shell;
+  HarmonicOperator growth;           ///< of the bore per nodal temperature [m/K]
+  HarmonicOperator growth_per_flux;  ///< [m3/W]
+};
+
+/// The time from one state of the solids to the next; made by Solids::step.
+struct SolidStep {
+  std::shared_ptr<const StepOperators> operators;  ///< none: a step without end
+  thermal::ShellHistory history;
+  Eigen::MatrixXd growth;    ///< what that does to the bore, nz x (2 N + 1) [m]
+  thermal::ShaftStep shaft;  ///< with the step's length
+};
+
 class Solids {
  public:
   /// Throws InputError if the case lacks shell or shaft data for what is wanted.
@@ -47,8 +75,8 @@ class Solids {
   /// p_a mu U that goes into the shell over p_a; of that heat the film takes some back, as its
   /// largest local response has it. Negative: the shell bulges towards the journal. An estimate:
   /// the growth found with the temperatures is the true one.
-  [[nodiscard]] HarmonicOperator contact_growth(double rate,
-                                                const thermal::WallResponse& film) const;
+  [[nodiscard]] HarmonicOperator contact_growth(double rate, const thermal::WallResponse& film,
+                                                const SolidStep* step = nullptr) const;
   /// Widening by a field and such an operator [m].
   [[nodiscard]] Field widening(const HarmonicOperator& by, const Field& contact) const;
   /// Winkler foundation that stands for the compliance in a preconditioner [m/Pa].
@@ -64,7 +92,21 @@ class Solids {
     bool back = true;
   };
   [[nodiscard]] SolidTemperature answer(const WallFlux& q, const Field& T_shell,
-                                        const std::vector<double>& T_shaft, Wanted wanted) const;
+                                        const std::vector<double>& T_shaft, Wanted wanted,
+                                        const SolidStep* step = nullptr) const;
+
+  /// A time step of length dt [s] from the state `before`; dt = infinity is the steady state. The
+  /// operators of `last` are used again if it was as long. Throws InputError if dt, or a density or
+  /// heat capacity of shell, housing or shaft, is not positive.
+  [[nodiscard]] SolidStep step(double dt, const SolidState& before,
+                               const SolidStep* last = nullptr) const;
+  /// The state that an answer has led to.
+  [[nodiscard]] SolidState state(const SolidTemperature& answer,
+                                 const SolidStep* step = nullptr) const;
+  /// Everything at one temperature [K]; a prescribed back stays as it is prescribed.
+  [[nodiscard]] SolidState uniform_state(double T) const;
+  /// Temperatures and growth of a state; no flux, no heat.
+  [[nodiscard]] SolidTemperature at(const SolidState& state) const;
 
   [[nodiscard]] double surroundings() const { return surroundings_; }  ///< of the shell [K]
   /// True if these operators are those of the case on the grid, and hold the effects wanted.
@@ -74,6 +116,7 @@ class Solids {
   /// Shell temperature in the section z = 0: radii [m] and values [K], index i * radii + k.
   [[nodiscard]] std::vector<double> section_radii() const;
   [[nodiscard]] std::vector<double> section(const thermal::ShellTemperature& T) const;
+  [[nodiscard]] std::vector<double> section(const SolidState& state) const;
 
   /// Materials and thicknesses from the bore outwards, housing included.
   struct Layers {
@@ -90,19 +133,24 @@ class Solids {
     double shaft = 0.0;
   };
   [[nodiscard]] MeanChange mean_change(const WallFlux& q, const Field& T_shell,
-                                       const std::vector<double>& T_shaft) const;
-  void build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh,
-                  const HarmonicSample& sample);
+                                       const std::vector<double>& T_shaft,
+                                       const SolidStep& step) const;
+  /// The bore's growth of these coefficients with that of the surroundings and of the shaft [m].
+  [[nodiscard]] Field total_growth(const Eigen::MatrixXd& bore,
+                                   const std::vector<double>& T_shaft) const;
+  void build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh);
 
   FilmGrid grid_;
   std::optional<Shell> shell_;  ///< what the operators were built for
   std::optional<Shaft> shaft_;
   SolidEffects effects_;
   Harmonics harmonics_;
+  HarmonicSample sample_;
   HarmonicOperator compliance_;
   double winkler_ = 0.0;
   std::optional<thermal::ShellConduction> conduction_;
-  double shell_resistance_ = 0.0;  ///< mean bore rise per uniform flux [K m2/W]
+  std::vector<double> capacity_;  ///< density times heat capacity of each layer [J/(m3 K)]
+  HarmonicOperator growth_;       ///< per nodal temperature, computed harmonics only [m/K]
   HarmonicOperator growth_per_flux_;
   Eigen::VectorXd uniform_growth_;  ///< of the bore per kelvin, per axial cell [m/K]
   thermal::ShaftFin fin_;

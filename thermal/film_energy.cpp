@@ -1,7 +1,6 @@
 #include "thermal/film_energy.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/constants.hpp"
@@ -88,6 +87,7 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   const auto nodes = static_cast<std::size_t>(g.cells()) * n_;
   cross_.assign(nodes, 0.0);
   outflow_.assign(nodes, 0.0);
+  take_storage();
   blend_.assign(g.cells(), 0.0);
   const auto cells = static_cast<std::size_t>(g.cells());
   const auto inner = static_cast<std::size_t>(n_ - 2);
@@ -109,6 +109,25 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
       const bool at_shore = std::any_of(
           faces, faces + count, [](const Inflow& f) { return f.source < 0 && f.source != kEdge; });
       if (at_shore) shore_.push_back(g.index(i, j));
+    }
+  }
+}
+
+void FilmEnergy::take_storage() {
+  const auto cells = static_cast<std::size_t>(p_.grid->cells());
+  growth_.assign(cells, 0.0);
+  if (!p_.storage) return;
+  const FilmStorage& s = *p_.storage;
+  EXPECTS(s.dt > 0.0 && s.mass.size() == cells && s.mass_before.size() == cells);
+  EXPECTS(s.enthalpy_before.size() == cells * n_);
+  brought_.assign(cells * n_, 0.0);
+  for (std::size_t c = 0; c < cells; ++c) {
+    if (p_.patch[c] >= 0) continue;
+    growth_[c] = (s.mass[c] - s.mass_before[c]) / s.dt;
+    for (int k = 0; k < n_; ++k) {
+      const double w = p_.gl->w[k] / s.dt;
+      brought_[c * n_ + k] = w * s.mass_before[c] * s.enthalpy_before[c * n_ + k];
+      outflow_[c * n_ + k] = w * s.mass[c];
     }
   }
 }
@@ -152,7 +171,8 @@ void FilmEnergy::build_column(int i, int j) {
   const int cell = p_.grid->index(i, j);
   double* V = &cross_[static_cast<std::size_t>(cell) * n];
   double* out = &outflow_[static_cast<std::size_t>(cell) * n];
-  double divergence[kMostNodes] = {};
+  double divergence[kMostNodes];
+  std::fill_n(divergence, n, growth_[cell]);
   Inflow faces[4];
   const int count = faces_of(i, j, faces);
   const int patches = static_cast<int>(p_.vessels.size());
@@ -206,7 +226,11 @@ void FilmEnergy::invert_column(int cell) {
   double* inverse = &inverse_[static_cast<std::size_t>(cell) * m * m];
   for (int r = 0; r < m; ++r) std::copy_n(A + r * n + 1, m, inverse + r * m);
   invert(inverse, m);
-  const double* heat = &p_.heat[static_cast<std::size_t>(cell) * n];
+  double heat[kMostNodes];
+  std::copy_n(&p_.heat[static_cast<std::size_t>(cell) * n], n, heat);
+  for (int k = 0; k < n && !brought_.empty(); ++k) {
+    heat[k] += brought_[static_cast<std::size_t>(cell) * n + k];
+  }
   for (int r = 0; r < m; ++r) {
     const std::size_t at = static_cast<std::size_t>(cell) * m + r;
     base_[at] = by_shell_[at] = by_shaft_[at] = 0.0;
@@ -224,6 +248,10 @@ double FilmEnergy::negative_weights(int cell) const {
   double entering[kMostNodes] = {};  // heat capacity flow into each interior node [W/K]
   for (int f = 0; f < 4; ++f) {
     for (int k = 0; k < m; ++k) entering[k] += inflow_[at * 4 + f * n_ + k + 1] * p_.cp[at + k + 1];
+  }
+  for (int k = 0; k < m && p_.storage; ++k) {
+    entering[k] +=
+        p_.gl->w[k + 1] * p_.storage->mass_before[cell] / p_.storage->dt * p_.cp[at + k + 1];
   }
   const double* inverse = &inverse_[static_cast<std::size_t>(cell) * m * m];
   double worst = 0.0;
@@ -274,7 +302,7 @@ double FilmEnergy::wall_row(int cell, int k, const std::vector<double>& T,
   const std::size_t at = static_cast<std::size_t>(cell) * n_;
   double row[kMostNodes];
   matrix_row(cell, k, row);
-  double heat = p_.heat[at + k];
+  double heat = p_.heat[at + k] + (brought_.empty() ? 0.0 : brought_[at + k]);
   for (int l = 0; l < n_; ++l) heat -= row[l] * (T[at + l] - p_.T_reference);
   for (int f = 0; f < 4; ++f) {
     const auto slot = static_cast<std::size_t>(source_[static_cast<std::size_t>(cell) * 4 + f]);
@@ -399,90 +427,6 @@ WallHeat FilmEnergy::wall_heat(const std::vector<double>& T) const {
     q.shaft[cell] = wall_row(cell, n_ - 1, T, enthalpy);
   }
   return q;
-}
-
-WallResponse FilmEnergy::wall_response(int laps) const {
-  const FilmGrid& g = *p_.grid;
-  FilmEnergy film = *this;  // the same flow without any heat of its own
-  const double cold = p_.T_reference;
-  std::fill(film.p_.heat.begin(), film.p_.heat.end(), 0.0);
-  std::fill(film.base_.begin(), film.base_.end(), 0.0);
-  for (SupplyVessel& v : film.p_.vessels) {
-    v.T_supply = cold;
-    v.heat = 0.0;
-  }
-  film.p_.T_edge = cold;
-  // Mean heat into both walls per kelvin of one wall.
-  const auto per_kelvin = [&](int wall_node) {
-    std::vector<double> T(film.p_.heat.size(), cold);
-    std::fill(film.T_mix_.begin(), film.T_mix_.end(), cold);
-    for (int c = 0; c < g.cells(); ++c) T[static_cast<std::size_t>(c) * n_ + wall_node] += 1.0;
-    for (int k = 0; k < laps; ++k) film.sweep(T);
-    const WallHeat q = film.wall_heat(T);
-    std::array<double, 2> sum{};
-    double area = 0.0;
-    for (int i = 0; i < g.nt; ++i) {
-      for (int j = 0; j < g.nz; ++j) {
-        const int c = g.index(i, j);
-        if (p_.patch[c] >= 0) continue;
-        sum[0] += q.shell[c];
-        sum[1] += q.shaft[c];
-        area += g.area(i, j);
-      }
-    }
-    return std::array<double, 2>{sum[0] / area, sum[1] / area};
-  };
-  const auto by_shell = per_kelvin(0);
-  const auto by_shaft = per_kelvin(n_ - 1);
-  return {-by_shell[0],
-          -by_shaft[1],
-          by_shaft[0],
-          by_shell[1],
-          shell_local_,
-          *std::max_element(shell_ring_.begin(), shell_ring_.end()),
-          *std::max_element(shaft_ring_.begin(), shaft_ring_.end())};
-}
-
-EnergyBalance FilmEnergy::balance(const std::vector<double>& T) const {
-  const FilmGrid& g = *p_.grid;
-  EnergyBalance b;
-  const WallHeat q = wall_heat(T);
-  for (int i = 0; i < g.nt; ++i) {
-    for (int j = 0; j < g.nz; ++j) {
-      const int cell = g.index(i, j);
-      if (p_.patch[cell] >= 0) continue;
-      b.to_shell += q.shell[cell];
-      b.to_shaft += q.shaft[cell];
-      for (int k = 0; k < n_; ++k) b.heat += p_.heat[static_cast<std::size_t>(cell) * n_ + k];
-      Inflow faces[4];
-      const int count = faces_of(i, j, faces);
-      for (int f = 0; f < count; ++f) {
-        if (faces[f].source != kEdge) continue;
-        for (int k = 0; k < n_; ++k) {
-          const double in = p_.gl->w[k] * faces[f].sign * faces[f].flow[k];
-          const std::size_t at = static_cast<std::size_t>(cell) * n_ + k;
-          if (in > 0.0) {
-            b.carried_in += in * source_enthalpy(faces[f], k, T);
-          } else {
-            b.carried_out -= in * p_.cp[at] * (T[at] - p_.T_reference);
-          }
-        }
-      }
-    }
-  }
-  const auto flows = vessel_flows(T);
-  for (std::size_t v = 0; v < flows.size(); ++v) {
-    const SupplyVessel& s = p_.vessels[v];
-    const double fresh = flows[v].out - s.carry_over * flows[v].in;
-    b.heat += s.heat;
-    b.carried_out += (1.0 - s.carry_over) * flows[v].in_heat;
-    if (fresh > 0.0) {
-      b.carried_in += fresh * s.cp_supply * (s.T_supply - p_.T_reference);
-    } else {
-      b.carried_out -= fresh * s.cp_mix * (T_mix_[v] - p_.T_reference);
-    }
-  }
-  return b;
 }
 
 }  // namespace shellback::thermal

@@ -11,6 +11,12 @@
 /// outflow at every node, a uniform temperature stays uniform, and sum w_k (D f)_k = f(1) - f(0)
 /// makes the energy balance of the film exact to round-off of the sweeps.
 ///
+/// Over a time step dt a cell whose oil mass changes from M_before to M, spread evenly in s, stores
+///   w_k (M cp_k T_k - (M_before cp T)_k,before) / dt                          [W]        (4)
+/// at each node; V then holds -s (M - M_before)/dt as well, so that a uniform temperature stays
+/// uniform (implicit Euler; s moves with the gap). Supply patches store nothing. Without storage
+/// (4) is absent: the steady state.
+///
 /// D (V cp T) by collocation is not monotone where V is large against K/cp: in refilling cells
 /// beside a supply a column may answer what flows in, and its walls, with weights far below zero.
 /// There it is blended with upwind fluxes between the nodes,
@@ -27,6 +33,7 @@
 /// in again; (1 - lambda) I drains at its own temperature and is replaced by fresh oil. If
 /// O < lambda I the surplus leaves through the supply at T_mix.
 /// Sources: methods 3.1, 3.2; the projection is ours (docs/theory.md).
+#include <optional>
 #include <vector>
 
 #include "core/gauss_lobatto.hpp"
@@ -49,6 +56,14 @@ struct SupplyVessel {
   double heat = 0.0;        ///< dissipated inside the patch [W] (of the solved part)
 };
 
+/// The oil of the cells over a time step, (4). Supply patches are not looked at.
+struct FilmStorage {
+  double dt = 0.0;                      ///< [s]
+  std::vector<double> mass;             ///< per cell, at the end of the step [kg]
+  std::vector<double> mass_before;      ///< per cell, at its beginning [kg]
+  std::vector<double> enthalpy_before;  ///< per node: cp (T - T_reference) [J/kg]
+};
+
 /// All that is fixed while the film temperature is solved. Node arrays have index cell * n + k.
 struct FilmEnergyProblem {
   const FilmGrid* grid = nullptr;
@@ -62,10 +77,11 @@ struct FilmEnergyProblem {
   std::vector<double> heat;         ///< per node, weights included [W]
   std::vector<double> cp;           ///< mean heat capacity from T_reference on, per node [J/(kg K)]
   std::vector<SupplyVessel> vessels;
-  double T_reference = 0.0;  ///< enthalpies count from here [K]
-  double T_edge = 0.0;       ///< of oil that enters at a side edge [K]
-  double cp_edge = 0.0;      ///< its mean heat capacity from the reference on [J/(kg K)]
-  bool forward = true;       ///< the journal moves in +phi
+  double T_reference = 0.0;            ///< enthalpies count from here [K]
+  double T_edge = 0.0;                 ///< of oil that enters at a side edge [K]
+  double cp_edge = 0.0;                ///< its mean heat capacity from the reference on [J/(kg K)]
+  bool forward = true;                 ///< the journal moves in +phi
+  std::optional<FilmStorage> storage;  ///< none: steady
 };
 
 /// Enthalpy and heat flows of a film temperature field, whole solved part [W].
@@ -75,8 +91,9 @@ struct EnergyBalance {
   double to_shaft = 0.0;     ///< through the wall s = 1
   double carried_out = 0.0;  ///< enthalpy leaving: edges, drains, surplus
   double carried_in = 0.0;   ///< enthalpy entering: edges, fresh oil
+  double stored = 0.0;       ///< in the film, mean over the time step
   [[nodiscard]] double imbalance() const {
-    return heat - to_shell - to_shaft - carried_out + carried_in;
+    return heat - to_shell - to_shaft - carried_out + carried_in - stored;
   }
 };
 
@@ -134,6 +151,8 @@ class FilmEnergy {
   /// The (up to four) faces of a cell as inflows.
   int faces_of(int i, int j, Inflow* faces) const;
   [[nodiscard]] double source_enthalpy(const Inflow& f, int k, const std::vector<double>& T) const;
+  /// What (4) adds: growing cells, heat that stays in them, heat that they bring.
+  void take_storage();
   void build_column(int i, int j);
   /// Inverse of the column's interior rows and what it makes of heat and walls.
   void invert_column(int cell);
@@ -159,8 +178,10 @@ class FilmEnergy {
   int n_ = 0;
   std::vector<double> stiffness_;  ///< conduction of the nodal set, n x n
   std::vector<double> cross_;      ///< V per cell and node [kg/s]
-  std::vector<double> outflow_;    ///< w_k * sum of outflows, per cell and node [kg/s]
+  std::vector<double> outflow_;    ///< w_k * sum of outflows and M/dt, per cell and node [kg/s]
   Field blend_;                    ///< b per cell [-]
+  Field growth_;                   ///< (M - M_before)/dt per cell [kg/s]
+  std::vector<double> brought_;    ///< w_k (M cp T)_before / dt per node [W]; empty: steady
   // Interior nodes of a column, solved: T = base - by_shell T_shell - by_shaft T_shaft
   // + inverse (inflow of enthalpy), temperatures from T_reference.
   std::vector<double> inverse_;                  ///< (n-2)^2 per cell

@@ -1,165 +1,13 @@
 #include "thermal/revolution_conduction.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "core/block_cholesky.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::thermal {
 namespace {
-
-constexpr int kFullOrder = 3;
-/// Local nodes that belong to the outer corner line of their row.
-constexpr std::array<int, 8> kUpperGroup{0, 1, 1, 0, 0, 1, 0, 0};
-/// Local nodes of the element's edges at smallest z, largest z and outer radius.
-constexpr std::array<int, 3> kLowEnd{0, 4, 1}, kHighEnd{3, 6, 2}, kOuterEdge{1, 5, 2};
-
-using Matrix8 = Eigen::Matrix<double, 8, 8>;
-
-/// Element integrals per radian: conduction k0 + n^2 k2, loss through ends and outer surface.
-struct HeatElement {
-  Matrix8 k0 = Matrix8::Zero(), k2 = Matrix8::Zero();
-  Matrix8 ends = Matrix8::Zero(), outer = Matrix8::Zero();
-};
-
-/// int h N_a N_b r ds over a straight edge from (r0) to (r1) of given length.
-void add_edge(Matrix8& m, const std::array<int, 3>& nodes, double h, double r0, double r1,
-              double length) {
-  const double x[3] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
-  const double w[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
-  for (int g = 0; g < 3; ++g) {
-    const double t = x[g];
-    const double n[3] = {0.5 * t * (t - 1.0), 1.0 - t * t, 0.5 * t * (t + 1.0)};
-    const double f = h * w[g] * 0.5 * length * (0.5 * (r0 + r1) + 0.5 * (r1 - r0) * t);
-    for (int a = 0; a < 3; ++a) {
-      for (int b = 0; b < 3; ++b) m(nodes[a], nodes[b]) += f * n[a] * n[b];
-    }
-  }
-}
-
-HeatElement heat_element(const RevolutionMesh& mesh, int row, int col, double k,
-                         const ConductionBoundary& boundary) {
-  HeatElement e;
-  for (const ShapePoint& s : shape_points(mesh, row, col, {kFullOrder, kFullOrder})) {
-    const double f = k * s.weight;
-    e.k0 += f * s.r * (s.n_r * s.n_r.transpose() + s.n_z * s.n_z.transpose());
-    e.k2 += f / s.r * (s.n * s.n.transpose());
-  }
-  const double r0 = mesh.r_face[row], r1 = mesh.r_face[row + 1];
-  const double h = boundary.end_heat_transfer;
-  if (col == 0 && !mesh.half) add_edge(e.ends, kLowEnd, h, r0, r1, r1 - r0);
-  if (col == mesh.cols - 1) add_edge(e.ends, kHighEnd, h, r0, r1, r1 - r0);
-  if (row == mesh.rows - 1 && boundary.kind == BackKind::convective) {
-    add_edge(e.outer, kOuterEdge, boundary.back_heat_transfer, r1, r1,
-             mesh.z_face[col + 1] - mesh.z_face[col]);
-  }
-  return e;
-}
-
-/// Rows that conduct: all of them, or those inside a prescribed back.
-int active_rows(const RevolutionMesh& mesh, const ConductionBoundary& b) {
-  return b.kind == BackKind::convective ? mesh.rows : b.back_line;
-}
-
-void require_possible(const std::vector<double>& conductivity, const ConductionBoundary& b) {
-  for (const double k : conductivity) {
-    if (k > 0.0) continue;
-    throw InputError(
-        fmt::format("conductivity of a shell layer is {} W/(m K) (must be positive)", k));
-  }
-  if (b.back_heat_transfer < 0.0 || b.end_heat_transfer < 0.0) {
-    throw InputError(fmt::format(
-        "heat transfer coefficients {} and {} W/(m2 K) of the shell's back and ends (must not be "
-        "negative)",
-        b.back_heat_transfer, b.end_heat_transfer));
-  }
-  if (b.kind == BackKind::convective && b.back_heat_transfer + b.end_heat_transfer == 0.0) {
-    throw InputError(
-        "no heat can leave the shell: both heat transfer coefficients are zero; give the back or "
-        "the ends a positive one, or prescribe the back temperature");
-  }
-}
-
-BlockTridiagonal conduction_matrix(const RevolutionMesh& mesh,
-                                   const std::vector<HeatElement>& elements, int n, int rows) {
-  BlockTridiagonal a;
-  const int line = mesh.line_nodes();
-  for (int k = 0; k <= rows; ++k) {
-    const int size = mesh.group_begin(k + 1) - mesh.group_begin(k);
-    a.diagonal.push_back(Eigen::MatrixXd::Zero(size, size));
-    if (k < rows) a.coupling.push_back(Eigen::MatrixXd::Zero(line, size));
-  }
-  for (int row = 0; row < rows; ++row) {
-    for (int col = 0; col < mesh.cols; ++col) {
-      const HeatElement& e = elements[row * mesh.cols + col];
-      const Matrix8 ke = e.k0 + n * n * e.k2 + e.ends + e.outer;
-      const auto& nodes = mesh.at(row, col);
-      for (int j = 0; j < 8; ++j) {
-        const int gj = row + kUpperGroup[j], q = nodes[j] - mesh.group_begin(gj);
-        for (int i = 0; i < 8; ++i) {
-          const int gi = row + kUpperGroup[i], p = nodes[i] - mesh.group_begin(gi);
-          if (gi == gj) a.diagonal[gi](p, q) += ke(i, j);
-          if (gi > gj) a.coupling[gj](p, q) += ke(i, j);
-        }
-      }
-    }
-  }
-  return a;
-}
-
-/// int h N_a r ds of the chosen loss, summed over the conducting elements: heat per radian and
-/// kelvin of each node.
-Eigen::RowVectorXd loss_weights(const RevolutionMesh& mesh,
-                                const std::vector<HeatElement>& elements, int rows,
-                                Matrix8 HeatElement::*loss) {
-  Eigen::RowVectorXd w = Eigen::RowVectorXd::Zero(mesh.nodes());
-  for (int e = 0; e < rows * mesh.cols; ++e) {
-    const auto& nodes = mesh.element[e];
-    for (int a = 0; a < 8; ++a) w(nodes[a]) += (elements[e].*loss).row(a).sum();
-  }
-  return w;
-}
-
-/// Heat that the held nodes of line `rows` take up per radian, per temperature of each node.
-Eigen::RowVectorXd reaction_weights(const RevolutionMesh& mesh,
-                                    const std::vector<HeatElement>& elements, int rows) {
-  Eigen::RowVectorXd w = Eigen::RowVectorXd::Zero(mesh.nodes());
-  for (int e = (rows - 1) * mesh.cols; e < rows * mesh.cols; ++e) {
-    const auto& nodes = mesh.element[e];
-    const Matrix8 ke = elements[e].k0 + elements[e].ends;
-    for (int i = 0; i < 8; ++i) {
-      if (!kUpperGroup[i]) continue;
-      for (int b = 0; b < 8; ++b) w(nodes[b]) -= ke(i, b);
-    }
-  }
-  return w;
-}
-
-/// Nodal temperature rises per unit flux on each axial film cell.
-Eigen::MatrixXd nodal_response(const RevolutionMesh& mesh, const std::vector<HeatElement>& elements,
-                               const Eigen::MatrixXd& load, int n, int rows, bool held) {
-  BlockTridiagonal a = conduction_matrix(mesh, elements, n, rows);
-  if (held) {
-    a.diagonal.pop_back();
-    a.coupling.pop_back();
-  }
-  if (!factorise(a)) throw InputError("the conduction matrix is not positive definite");
-  BlockColumns x;
-  for (const auto& d : a.diagonal) x.push_back(Eigen::MatrixXd::Zero(d.rows(), load.cols()));
-  x[0].topRows(load.rows()) = load;
-  solve_lower(a, x);
-  solve_upper(a, x);
-  Eigen::MatrixXd nodal = Eigen::MatrixXd::Zero(mesh.nodes(), load.cols());
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    nodal.middleRows(mesh.group_begin(static_cast<int>(k)), x[k].rows()) = x[k];
-  }
-  return nodal;
-}
 
 /// Nodes on z = 0 from the bore outwards.
 std::vector<int> section_nodes(const RevolutionMesh& mesh) {
@@ -189,29 +37,52 @@ ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& gri
                                  const std::vector<double>& conductivity,
                                  const ConductionBoundary& boundary, Harmonics harmonics,
                                  HarmonicSample sample)
-    : mesh_(mesh), grid_(grid), harmonics_(std::move(harmonics)), sample_(std::move(sample)) {
+    : system_(mesh, conductivity, boundary),
+      grid_(grid),
+      back_line_(boundary.back_line),
+      harmonics_(std::move(harmonics)),
+      sample_(std::move(sample)),
+      cells_(cell_integrals(mesh, grid)) {
   EXPECTS(mesh.half == grid.half && mesh.r_face.front() > 0.0);
-  EXPECTS(boundary.back_line > 0 && boundary.back_line <= mesh.rows);
-  require_possible(conductivity, boundary);
-  const int rows = active_rows(mesh, boundary);
-  const bool held = boundary.kind == BackKind::prescribed;
-  std::vector<HeatElement> elements;
-  for (int row = 0; row < rows; ++row) {
-    for (int col = 0; col < mesh.cols; ++col) {
-      elements.push_back(heat_element(mesh, row, col, conductivity[mesh.layer[row]], boundary));
-    }
-  }
-  const Eigen::MatrixXd p = cell_integrals(mesh, grid);
-  const Eigen::Map<const Eigen::VectorXd> dz(grid.dz.data(), grid.nz);
+  compute();
+}
+
+ShellConduction::ShellConduction(const ShellConduction& steady, const std::vector<double>& rho_c,
+                                 double dt)
+    : system_(steady.system_, rho_c, dt),
+      grid_(steady.grid_),
+      back_line_(steady.back_line_),
+      harmonics_(steady.harmonics_),
+      sample_(steady.harmonics_.highest(), true),
+      cells_(steady.cells_) {
+  compute();
+}
+
+ShellConduction ShellConduction::over(double dt, const std::vector<double>& rho_c) const {
+  return {*this, rho_c, dt};
+}
+
+double ShellConduction::whole() const { return 2.0 * kPi * grid_.multiplicity(); }
+
+Eigen::MatrixXd ShellConduction::cells_at(int line, const Eigen::MatrixXd& nodal) const {
+  const RevolutionMesh& mesh = system_.mesh();
+  const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
+  const Eigen::MatrixXd mean = dz.cwiseInverse().asDiagonal() * cells_.transpose();
+  return mean * nodal.middleRows(mesh.group_begin(line), mesh.line_nodes());
+}
+
+void ShellConduction::compute() {
+  const bool steady = std::isinf(dt());
+  const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
   const Eigen::VectorXd root = dz.cwiseSqrt(), over_root = root.cwiseInverse();
-  const Eigen::MatrixXd mean = dz.cwiseInverse().asDiagonal() * p.transpose();
-  const auto at_line = [&](int k) {
-    return mean * nodal_.back().middleRows(mesh.group_begin(k), mesh.line_nodes());
-  };
+  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(system_.mesh().nodes(), grid_.nz);
+  load.topRows(cells_.rows()) = grid_.radius * cells_;
   for (const int n : sample_.computed()) {
-    nodal_.push_back(nodal_response(mesh, elements, grid.radius * p, n, rows, held));
-    surface_.push_back(at_line(0));
-    back_.push_back(at_line(boundary.back_line));
+    BlockTridiagonal factor = system_.factor(n);
+    nodal_.push_back(system_.solve(factor, load));
+    surface_.push_back(cells_at(0, nodal_.back()));
+    back_.push_back(cells_at(back_line_, nodal_.back()));
+    if (!steady) factor_.push_back(std::move(factor));
   }
   surface_ = sample_.complete(surface_);
   back_ = sample_.complete(back_);
@@ -222,11 +93,29 @@ ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& gri
     modes_.push_back(over_root.asDiagonal() * eigen.eigenvectors());
   }
   mean_ = dz.transpose() * surface_[0] / dz.sum();
-  const double turn = 2.0 * kPi * grid.multiplicity();
-  const Eigen::RowVectorXd to_back = held ? reaction_weights(mesh, elements, rows)
-                                          : loss_weights(mesh, elements, rows, &HeatElement::outer);
-  back_heat_ = turn * to_back * nodal_[0];
-  end_heat_ = turn * loss_weights(mesh, elements, rows, &HeatElement::ends) * nodal_[0];
+  back_heat_ = whole() * system_.to_back() * nodal_[0];
+  end_heat_ = whole() * system_.to_ends() * nodal_[0];
+  store_heat_ = whole() * system_.to_store() * nodal_[0];
+}
+
+ShellHistory ShellConduction::history(const Eigen::MatrixXd& before) const {
+  EXPECTS(!factor_.empty() && before.cols() == 2 * harmonics_.highest() + 1);
+  const Eigen::MatrixXd load = system_.stored(before);
+  ShellHistory h;
+  h.nodal.resize(before.rows(), before.cols());
+  h.nodal.col(0) = system_.solve(factor_[0], load.col(0));
+  for (std::size_t n = 1; n < factor_.size(); ++n) {
+    h.nodal.middleCols<2>(2 * n - 1) = system_.solve(factor_[n], load.middleCols<2>(2 * n - 1));
+  }
+  h.surface = cells_at(0, h.nodal);
+  h.back = cells_at(back_line_, h.nodal);
+  const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
+  h.mean = dz.dot(h.surface.col(0)) / dz.sum();
+  const Eigen::VectorXd T = h.nodal.col(0), T_before = before.col(0);
+  h.heat_back = whole() * (system_.to_back().dot(T) + system_.before_to_back().dot(T_before));
+  h.heat_ends = whole() * system_.to_ends().dot(T);
+  h.stored = whole() * system_.to_store().dot(T - T_before);
+  return h;
 }
 
 HarmonicOperator ShellConduction::entering(FilmConductance film) const {
@@ -240,8 +129,11 @@ HarmonicOperator ShellConduction::entering(FilmConductance film) const {
   return op;
 }
 
-double ShellConduction::mean_surface(const Field& q, double surroundings) const {
-  double mean = 0.0;  // only the circumferential mean of the flux reaches that of the temperature
+double ShellConduction::mean_surface(const Field& q, double surroundings,
+                                     const ShellHistory* history) const {
+  double mean =
+      history ? history->mean
+              : 0.0;  // only the circumferential mean of the flux reaches that of the temperature
   for (int i = 0; i < grid_.nt; ++i) {
     const double part = grid_.dphi[i] / (2.0 * kPi);
     for (int j = 0; j < grid_.nz; ++j) mean += part * mean_[j] * q[grid_.index(i, j)];
@@ -250,13 +142,16 @@ double ShellConduction::mean_surface(const Field& q, double surroundings) const 
 }
 
 ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film, const Field& t_old,
-                                        double surroundings, bool with_back) const {
+                                        double surroundings, bool with_back,
+                                        const ShellHistory* history) const {
   EXPECTS(film.mean >= 0.0 && film.local >= 0.0 && q.size() == t_old.size());
+  EXPECTS((history != nullptr) == std::isfinite(dt()));
   const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
   ShellTemperature out;
   out.flux = harmonics_.analyse(q);
   Eigen::MatrixXd old = harmonics_.fit(t_old);
   old.col(0).array() -= surroundings;
+  if (history) old -= history->surface;
   for (Eigen::Index c = 0; c < old.cols(); ++c) {
     const Eigen::Index n = (c + 1) / 2;
     const double g = n == 0 ? film.mean : film.local;
@@ -267,36 +162,65 @@ ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film, co
                                     (1.0 + g * lambda_[n].array()))
                                        .matrix();
   }
-  const auto cells = [&](const HarmonicOperator& op) {
+  const auto cells = [&](const HarmonicOperator& op, Eigen::MatrixXd ShellHistory::*past) {
     Eigen::MatrixXd t = multiply(op, out.flux);
+    if (history) t += history->*past;
     t.col(0).array() += surroundings;
     return harmonics_.synthesise(t);
   };
-  out.surface = cells(surface_);
-  if (with_back) out.back = cells(back_);
+  out.surface = cells(surface_, &ShellHistory::surface);
+  if (with_back) out.back = cells(back_, &ShellHistory::back);
   const Eigen::VectorXd mean_flux = out.flux.col(0);
-  out.heat_in = 2.0 * kPi * grid_.multiplicity() * grid_.radius * dz.dot(mean_flux);
-  out.heat_back = back_heat_ * mean_flux;
-  out.heat_ends = end_heat_ * mean_flux;
+  out.heat_in = whole() * grid_.radius * dz.dot(mean_flux);
+  out.heat_back = back_heat_ * mean_flux + (history ? history->heat_back : 0.0);
+  out.heat_ends = end_heat_ * mean_flux + (history ? history->heat_ends : 0.0);
+  out.stored = store_heat_ * mean_flux + (history ? history->stored : 0.0);
   return out;
 }
 
-HarmonicOperator ShellConduction::section() const {
-  const std::vector<int> nodes = section_nodes(mesh_);
-  HarmonicOperator op;
-  for (const auto& t : nodal_) {
-    Eigen::MatrixXd s(nodes.size(), t.cols());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      s.row(static_cast<Eigen::Index>(i)) = t.row(nodes[i]);
-    }
-    op.push_back(std::move(s));
+Eigen::MatrixXd ShellConduction::nodal_temperatures(const Eigen::MatrixXd& flux,
+                                                    const ShellHistory* history) const {
+  EXPECTS((history != nullptr) == std::isfinite(dt()));
+  if (!history) return multiply(sample_.complete(nodal_), flux);
+  return multiply(nodal_, flux) + history->nodal;
+}
+
+Eigen::MatrixXd ShellConduction::uniform_temperatures(double rise) const {
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(system_.mesh().nodes(), 2 * harmonics_.highest() + 1);
+  T.col(0).head(system_.free_nodes()).setConstant(rise);
+  return T;
+}
+
+ShellTemperature ShellConduction::at(const Eigen::MatrixXd& nodal, double surroundings) const {
+  const auto cells = [&](int line) {
+    Eigen::MatrixXd t = cells_at(line, nodal);
+    t.col(0).array() += surroundings;
+    return harmonics_.synthesise(t);
+  };
+  ShellTemperature out;
+  out.surface = cells(0);
+  out.back = cells(back_line_);
+  return out;
+}
+
+Eigen::MatrixXd ShellConduction::section(const Eigen::MatrixXd& nodal) const {
+  const std::vector<int> nodes = section_nodes(system_.mesh());
+  Eigen::MatrixXd s(nodes.size(), nodal.cols());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    s.row(static_cast<Eigen::Index>(i)) = nodal.row(nodes[i]);
   }
+  return s;
+}
+
+HarmonicOperator ShellConduction::section() const {
+  HarmonicOperator op;
+  for (const auto& t : nodal_) op.push_back(section(t));
   return sample_.complete(op);
 }
 
 std::vector<double> ShellConduction::section_radii() const {
   std::vector<double> radii;
-  for (const int a : section_nodes(mesh_)) radii.push_back(mesh_.r[a]);
+  for (const int a : section_nodes(system_.mesh())) radii.push_back(system_.mesh().r[a]);
   return radii;
 }
 

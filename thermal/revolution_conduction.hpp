@@ -1,7 +1,7 @@
 #pragma once
-/// Steady heat conduction in the layered shell and its housing, by circumferential harmonics.
+/// Heat conduction in the layered shell and its housing, by circumferential harmonics.
 ///
-///   (1/r)(r k T_n,r),r + (k T_n,z),z - n^2 k T_n / r^2 = 0                       (1)
+///   (1/r)(r k T_n,r),r + (k T_n,z),z - n^2 k T_n / r^2 = rho c dT_n/dt           (1)
 ///   bore:           heat flux q_n(z) [W/m2] enters, constant on each axial film cell
 ///   outer surface:  -k T_n,r = h_back T_n (convective), or T_n = 0 from the shell's back outwards
 ///                   (prescribed)
@@ -12,30 +12,22 @@
 /// (core/revolution_mesh.hpp), the bore being the innermost line; z = 0 of a half grid is a plane
 /// of symmetry. Sources: textbook; methods 3.3.
 ///
-/// With P the integrals of the bore's shape functions over the film cells, the nodal temperatures
-/// are T_n = K_n^-1 P R q_n, cell means of the bore temperature Z_n q_n with
-/// Z_n = R diag(1/dz) P^T K_n^-1 P: diag(dz) Z_n is symmetric and positive. The discrete heat
-/// balance is exact: heat in = heat through the back + heat through the ends, to round-off.
+/// Over a time step dt (implicit Euler, thermal/conduction_system.hpp), with A_n = K_n + M/dt and P
+/// the integrals of the bore's shape functions over the film cells, the nodal temperatures are
+///   T_n = A_n^-1 P R q_n + A_n^-1 M/dt T_n,before                                (2)
+/// and cell means of the bore temperature Z_n q_n + history, Z_n = R diag(1/dz) P^T A_n^-1 P:
+/// diag(dz) Z_n is symmetric and positive. The steady state is dt = infinity: no history. The
+/// discrete heat balance is exact: heat in = through the back + through the ends + stored, to
+/// round-off.
 #include <Eigen/Dense>
 #include <vector>
 
 #include "core/grid.hpp"
 #include "core/harmonics.hpp"
 #include "core/revolution_mesh.hpp"
+#include "thermal/conduction_system.hpp"
 
 namespace shellback::thermal {
-
-enum class BackKind {
-  convective,  ///< the outer surface gives heat to the ambient
-  prescribed,  ///< the back of the shell, and all that is outside it, has a given temperature
-};
-
-struct ConductionBoundary {
-  BackKind kind = BackKind::convective;
-  double back_heat_transfer = 0.0;  ///< of the outer surface, convective only [W/(m2 K)]
-  double end_heat_transfer = 0.0;   ///< of the end faces [W/(m2 K)]
-  int back_line = 0;  ///< corner line at the back of the shell (outermost shell layer)
-};
 
 /// Corner line at the outer radius of layer `layer` of the mesh.
 [[nodiscard]] int outer_line(const RevolutionMesh& mesh, int layer);
@@ -48,6 +40,15 @@ struct ShellTemperature {
   double heat_in = 0.0;    ///< into the bore of the whole bearing [W]
   double heat_back = 0.0;  ///< leaving through the back [W]
   double heat_ends = 0.0;  ///< leaving through the end faces [W]
+  double stored = 0.0;     ///< in shell and housing, mean over the time step [W]
+};
+
+/// What the temperatures before a time step add to those after it: the second part of (2).
+struct ShellHistory {
+  Eigen::MatrixXd nodal;          ///< A_n^-1 M/dt T_n,before, nodes x (2 N + 1) [K]
+  Eigen::MatrixXd surface, back;  ///< its cell means at bore and back, nz x (2 N + 1) [K]
+  double mean = 0.0;              ///< area mean at the bore [K]
+  double heat_back = 0.0, heat_ends = 0.0, stored = 0.0;  ///< [W], without any flux at the bore
 };
 
 /// How the heat from the film falls with the wall's temperature, -dq/dT [W/(m2 K)]. The oil follows
@@ -69,18 +70,26 @@ class ShellConduction {
   ShellConduction(const RevolutionMesh& mesh, const FilmGrid& grid,
                   const std::vector<double>& conductivity, const ConductionBoundary& boundary,
                   Harmonics harmonics, HarmonicSample sample);
+  /// The same shell over a time step dt [s]: every harmonic is computed. `rho_c[mesh.layer[row]]`
+  /// [J/(m3 K)]. Throws InputError if the step or a capacity is not positive and finite.
+  [[nodiscard]] ShellConduction over(double dt, const std::vector<double>& rho_c) const;
+  [[nodiscard]] double dt() const { return system_.dt(); }  ///< infinity: steady [s]
+
+  /// For a time step from nodal temperatures above the surroundings, nodes x (2 N + 1) [K].
+  [[nodiscard]] ShellHistory history(const Eigen::MatrixXd& before) const;
 
   /// Robin coupling with the film: the flux into the shell is q at the wall temperature T_old and
   /// changes by -g per kelvin,
-  ///   T = Z (q - g (T - T_old)),
-  /// solved for each harmonic, (1 + g Z_n)(t - t_old) = Z_n q_n - t_old. `q` [W/m2] and `t_old`
-  /// [K] are cell fields, g >= 0 is uniform over the film, one for the mean and one for the rest;
-  /// `surroundings` [K] is the ambient or the prescribed back temperature. At T = T_old the answer
-  /// is that of the flux q whatever g is: g only steadies the iteration. Parts of T_old above the
-  /// highest harmonic are ignored.
-  /// `back` is left empty unless asked for.
+  ///   T = Z (q - g (T - T_old)) + history,
+  /// solved for each harmonic, (1 + g Z_n)(t - t_old) = Z_n q_n + history_n - t_old. `q` [W/m2] and
+  /// `t_old` [K] are cell fields, g >= 0 is uniform over the film, one for the mean and one for the
+  /// rest; `surroundings` [K] is the ambient or the prescribed back temperature. At T = T_old the
+  /// answer is that of the flux q whatever g is: g only steadies the iteration. Parts of T_old
+  /// above the highest harmonic are ignored. `back` is left empty unless asked for. A time step
+  /// needs its history, the steady state none.
   [[nodiscard]] ShellTemperature solve(const Field& q, FilmConductance g, const Field& t_old,
-                                       double surroundings, bool with_back = true) const;
+                                       double surroundings, bool with_back = true,
+                                       const ShellHistory* history = nullptr) const;
   [[nodiscard]] ShellTemperature solve(const Field& q, double g, const Field& t_old,
                                        double surroundings) const {
     return solve(q, FilmConductance{g, g}, t_old, surroundings);
@@ -90,7 +99,19 @@ class ShellConduction {
   /// (1 + g Z_n)^-1, nz x nz for each harmonic.
   [[nodiscard]] HarmonicOperator entering(FilmConductance g) const;
   /// Area mean of the bore temperature for the flux q, without Robin coupling [K].
-  [[nodiscard]] double mean_surface(const Field& q, double surroundings) const;
+  [[nodiscard]] double mean_surface(const Field& q, double surroundings,
+                                    const ShellHistory* history = nullptr) const;
+  /// Rise of that mean per uniform flux [K m2/W].
+  [[nodiscard]] double resistance() const { return mean_.sum(); }
+  /// Nodal temperatures above the surroundings (2) for a flux that entered
+  /// (ShellTemperature::flux), nodes x (2 N + 1) [K]: what the next time step begins with.
+  [[nodiscard]] Eigen::MatrixXd nodal_temperatures(const Eigen::MatrixXd& flux,
+                                                   const ShellHistory* history = nullptr) const;
+  /// The same for a body of one temperature: `rise` [K] above the surroundings, the nodes of a
+  /// prescribed back at these.
+  [[nodiscard]] Eigen::MatrixXd uniform_temperatures(double rise) const;
+  /// Cell fields [K] of bore and back at given nodal temperatures; no flux, no heat.
+  [[nodiscard]] ShellTemperature at(const Eigen::MatrixXd& nodal, double surroundings) const;
 
   [[nodiscard]] const Harmonics& harmonics() const { return harmonics_; }
   /// Bore temperature rise per flux, Z_n, nz x nz [K m2/W].
@@ -102,19 +123,32 @@ class ShellConduction {
   [[nodiscard]] const HarmonicOperator& nodal() const { return nodal_; }
   /// Rise at the nodes of the section z = 0 per flux, n_r x nz [K m2/W], bore first.
   [[nodiscard]] HarmonicOperator section() const;
+  /// Rows of nodal temperatures at those nodes.
+  [[nodiscard]] Eigen::MatrixXd section(const Eigen::MatrixXd& nodal) const;
   /// Radii of those nodes [m].
   [[nodiscard]] std::vector<double> section_radii() const;
 
  private:
-  RevolutionMesh mesh_;
+  ShellConduction(const ShellConduction& steady, const std::vector<double>& rho_c, double dt);
+  /// Operators at bore and back of the computed harmonics, and the heat of harmonic 0.
+  void compute();
+  /// Cell means of nodal temperatures on a corner line.
+  [[nodiscard]] Eigen::MatrixXd cells_at(int line, const Eigen::MatrixXd& nodal) const;
+  /// Heat per radian times this is that of the whole bearing [-].
+  [[nodiscard]] double whole() const;
+
+  ConductionSystem system_;
   FilmGrid grid_;
+  int back_line_ = 0;
   Harmonics harmonics_;
   HarmonicSample sample_;
+  Eigen::MatrixXd cells_;                 ///< P: line nodes x nz [m]
+  std::vector<BlockTridiagonal> factor_;  ///< A_n of a time step; empty: steady
   HarmonicOperator surface_, back_, nodal_;
   std::vector<Eigen::MatrixXd> modes_;  ///< V_n: Z V = V diag(lambda), V^T diag(dz) V = 1
   std::vector<Eigen::VectorXd> lambda_;
   Eigen::RowVectorXd mean_;  ///< area mean of the bore's rise per flux of each axial cell [K m2/W]
-  Eigen::RowVectorXd back_heat_, end_heat_;  ///< [W] per flux of each axial cell [W/m2]
+  Eigen::RowVectorXd back_heat_, end_heat_, store_heat_;  ///< [W] per flux of each cell [W/m2]
 };
 
 }  // namespace shellback::thermal

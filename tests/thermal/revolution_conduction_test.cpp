@@ -2,48 +2,16 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <random>
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "tests/thermal/sample_shell.hpp"
 
 using namespace shellback;
 using namespace shellback::thermal;
+using namespace shellback::thermal::tests;
 
 namespace {
-
-const std::vector<double> kThickness{1e-3, 12e-3};
-const std::vector<double> kConductivity{0.8, 50.0};
-constexpr double kRadius = 0.024, kWidth = 0.018;
-
-struct Shell {
-  FilmGrid grid;
-  RevolutionMesh mesh;
-};
-Shell shell(bool half, int halvings = 0, const std::vector<double>& phi_edges = {}) {
-  Shell s;
-  s.grid = make_grid(kRadius, kWidth, 64, 13, half, phi_edges);
-  auto rows = rows_outwards(kRadius, kThickness, surface_row(kRadius, 32));
-  for (int k = 0; k < halvings; ++k) rows = halved(rows);
-  s.mesh = make_revolution_mesh(rows.face, rows.layer, axial_elements(s.grid), half);
-  return s;
-}
-
-ShellConduction conduction(const Shell& s, ConductionBoundary boundary, int layer, int highest) {
-  boundary.back_line = outer_line(s.mesh, layer);
-  return ShellConduction(s.mesh, s.grid, kConductivity, boundary, Harmonics(s.grid, highest));
-}
-
-const ConductionBoundary kConvective{BackKind::convective, 400.0, 60.0};
-const ConductionBoundary kPrescribed{BackKind::prescribed, 0.0, 60.0};
-
-Field random_flux(const FilmGrid& grid, unsigned seed) {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> uniform(-2e4, 8e4);
-  Field q(grid.cells());
-  for (double& x : q) x = uniform(engine);
-  return q;
-}
 
 /// Temperatures of two layers at bore and interface for unit flux harmonic n, insulated ends, by
 /// matching A r^n + B r^-n (A + B ln r for n = 0) in each layer. Outer radius c: convection h.

@@ -200,11 +200,10 @@ std::optional<Movement> solve_border(const LoadTarget& target, const FilmEquilib
   }
   if (target.path) {
     const PathRow& p = *target.path;
-    b(m) = p.length - p.along_load * (s.ln_load - p.from_load);
+    b(m) = p.missing(s);
     for (int k = 0; k < m; ++k) {
       A(k, m) = -target.force[k] * std::exp(s.ln_load);
       A(m, k) = p.along[k] / p.unit[k];
-      b(m) -= A(m, k) * (s.position.q[k] - p.from.q[k]);
     }
     A(m, m) = p.along_load;
   }

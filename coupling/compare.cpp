@@ -5,7 +5,6 @@
 
 #include "coupling/bracketed_root.hpp"
 #include "coupling/nested.hpp"
-#include "coupling/newton.hpp"
 #include "coupling/pseudo_time.hpp"
 
 namespace shellback::coupling {
@@ -41,13 +40,9 @@ Torque rigid_with_heat_of(const Solution& full, bool growth, const SolveControl&
   s.verdict = solve_equilibrium(s.model, s.target, gap_growth, {}, s.film, s.cost, control.stop);
   if (!s.verdict.good()) {  // the deformed film is no start for the rigid one: begin anew
     const auto T = full.film.columns.T;
-    s.verdict =
-        cold_rigid_film(s.model, s.target, oil_mean(full), true, s.film, s.cost, control.stop);
+    s.film = cold_start(s.model, oil_mean(full));
     s.film.columns.T = T;
-    if (s.verdict.good()) {
-      s.verdict =
-          solve_equilibrium(s.model, s.target, gap_growth, {}, s.film, s.cost, control.stop);
-    }
+    s.verdict = solve_equilibrium(s.model, s.target, gap_growth, {}, s.film, s.cost, control.stop);
   }
   return torque_of(s);
 }

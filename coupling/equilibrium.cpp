@@ -11,6 +11,14 @@ namespace shellback::coupling {
 
 double LoadTarget::scale() const { return std::hypot(force[0], force[1]); }
 
+double PathRow::missing(const FilmEquilibrium& s) const {
+  double left = length - along_load * (s.ln_load - from_load);
+  for (int k = 0; k < 4; ++k) {
+    if (along[k] != 0.0) left -= along[k] * (s.position.q[k] - from.q[k]) / unit[k];
+  }
+  return left;
+}
+
 fluid::Wrench LoadTarget::wanted(const FilmEquilibrium& s) const {
   fluid::Wrench w = force;
   if (path) {
@@ -137,6 +145,7 @@ Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
     const double arm = k < 2 ? 1.0 : 0.5 * model.scene.grid.width;
     r.load_norm = larger(r.load_norm, std::abs(s.force[k] - wanted[k]) / (unit * arm));
   }
+  if (target.path) r.load_norm = larger(r.load_norm, std::abs(target.path->missing(s)));
   if (!s.elastic.empty()) {
     r.displacement = displacement(model, s);
     for (std::size_t k = 0; k < r.displacement.size(); ++k) r.displacement[k] -= s.elastic[k];

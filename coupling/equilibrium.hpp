@@ -82,6 +82,8 @@ struct PathRow {
   fluid::JournalPosition from;
   double from_load = 0.0;  ///< [-]
   double length = 0.0;     ///< [-]
+  /// `length` less what the state stands along [-].
+  [[nodiscard]] double missing(const FilmEquilibrium& s) const;
 };
 
 /// What the journal must balance.

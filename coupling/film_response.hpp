@@ -12,7 +12,7 @@
 /// Oil that does not thin needs none (tests: 1e-5). Which cells are full is held, too: pressure and
 /// its gradient vanish together where the film ruptures, so that its edge moves the force in second
 /// order only. With the Winkler foundation tau in place of C the system is one factorised matrix;
-/// GMRES acts on the difference (C - tau) P alone, as in coupling/elastic_step.hpp. Source:
+/// GMRES acts on the difference (C - tau) P alone, as in coupling/bordered_film.hpp. Source:
 /// methods 2.1, 2.2 (the same reduction as the Newton step); otherwise textbook.
 #include "coupling/equilibrium.hpp"
 

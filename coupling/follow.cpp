@@ -201,4 +201,40 @@ Branch follow_speed(Solution& s, double begun, const Corrector& correct,
   return branch;
 }
 
+Part::Part(Solution& s)
+    : s_(s),
+      force_(s.target.force),
+      speed_(s.model.scene.speed),
+      omega_(s.model.input.operation.omega) {}
+
+void Part::take(double part) {
+  if (s_.target.unknowns > 0) {
+    for (int k = 0; k < 4; ++k) s_.target.force[k] = part * force_[k];
+  } else {
+    s_.model.scene.speed = part * speed_;
+    s_.model.input.operation.omega = part * omega_;
+  }
+}
+
+std::optional<Branch> follow_from(Solution& s, std::span<const double> parts,
+                                  const std::function<Verdict()>& start, const Corrector& correct,
+                                  const SolveControl& control) {
+  Part part(s);
+  for (const double begun : parts) {
+    part.take(begun);
+    const Verdict v = start();
+    part.take(1.0);
+    if (v.status == Status::interrupted) return Branch{BranchEnd::interrupted, 0.0, 0.0, v};
+    if (!v.good()) continue;
+    return s.target.unknowns > 0 ? follow_load(s, begun, correct, control)
+                                 : follow_speed(s, begun, correct, control);
+  }
+  return std::nullopt;
+}
+
+void note_limit(Solution& s, const Branch& branch, bool proven) {
+  const FilmGrid& g = s.model.scene.grid;
+  s.limits.push_back({{g.nt, g.full_nz()}, branch.carried, proven});
+}
+
 }  // namespace shellback::coupling

@@ -8,6 +8,8 @@
 /// changes its sign the branch has turned: more is not carried on it. Source: textbook (Keller's
 /// pseudo-arclength continuation).
 #include <functional>
+#include <optional>
+#include <span>
 
 #include "coupling/control.hpp"
 #include "coupling/solution.hpp"
@@ -44,5 +46,27 @@ struct Branch {
 /// The same over the speed of a bearing whose journal's position is given.
 [[nodiscard]] Branch follow_speed(Solution& s, double begun, const Corrector& correct,
                                   const SolveControl& control);
+
+/// Gives the scene a part of its load, or of its speed if the journal's position is given.
+class Part {
+ public:
+  explicit Part(Solution& s);
+  void take(double part);
+
+ private:
+  Solution& s_;
+  fluid::Wrench force_;
+  double speed_, omega_;
+};
+
+/// From the first of `parts` at which `start` finds a state, along load or speed to the whole; none
+/// if it finds no state at any.
+[[nodiscard]] std::optional<Branch> follow_from(Solution& s, std::span<const double> parts,
+                                                const std::function<Verdict()>& start,
+                                                const Corrector& correct,
+                                                const SolveControl& control);
+
+/// Notes in `s.limits` where a branch has ended.
+void note_limit(Solution& s, const Branch& branch, bool proven);
 
 }  // namespace shellback::coupling

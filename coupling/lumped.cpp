@@ -7,8 +7,11 @@
 
 #include "core/constants.hpp"
 #include "coupling/bracketed_root.hpp"
+#include "coupling/film_heat.hpp"
 #include "coupling/first_film.hpp"
+#include "coupling/heat_endings.hpp"
 #include "coupling/heat_scan.hpp"
+#include "coupling/pseudo_time.hpp"
 #include "rheology/heat.hpp"
 #include "coupling/newton.hpp"
 #include "coupling/pseudo_time.hpp"
@@ -36,7 +39,7 @@ class LumpedBalance {
         control_(control),
         warm_(warm),
         T_supply_(s.model.input.supplies.front().temperature),
-        T_most_(T_supply_ + ThermalOptions{}.runaway) {}
+        T_most_(T_supply_ + kHottestRise) {}
 
   Verdict run();
 

@@ -6,14 +6,15 @@
 /// P friction and pump power [W], Q side flow [kg/s] of the film in equilibrium at T, cp between
 /// the two temperatures: all heat leaves with the oil, which is as warm as the film. Searched from
 /// the supply's temperature, where r cannot be negative, to the rise at which the resolved tiers
-/// speak of runaway (ThermalOptions::runaway).
+/// speak of runaway (kHottestRise, heat_endings.hpp).
 ///
 /// A root at which r falls is stable: a film that is a little too warm makes less heat than leaves.
 /// Films whose friction grows as they thin (mixed friction) may have more than one; all are found
 /// by a scan (heat_scan.hpp). The solution is the lowest stable one, which a bearing comes to from
 /// cold; the others are told. The scan is made on the first grid that is solved. Finer grids settle
 /// its root anew where it has one, and scan again where it has more or is not found near by.
-#include "coupling/solve.hpp"
+#include "coupling/control.hpp"
+#include "coupling/solution.hpp"
 
 namespace shellback::coupling {
 

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "rheology/viscosity.hpp"
-#include "coupling/newton.hpp"
-#include "coupling/pseudo_time.hpp"
 
 namespace shellback::coupling {
 namespace {
@@ -13,15 +10,6 @@ constexpr int kCoarsestTurn = 48;  ///< circumferential cells below which nothin
 constexpr int kCoarsestAxial = 5;
 constexpr double kFullFrom =
     0.9;  ///< share of full neighbours from which a new cell starts full [-]
-
-/// The model without anything elastic or thermal.
-BearingModel rigid_model(const BearingModel& model, bool isoviscous) {
-  BearingModel rigid = model;
-  rigid.physics.elastic = rigid.physics.film_energy = rigid.physics.growth = false;
-  rigid.solids.reset();
-  if (isoviscous) rigid.oil = rheology::without_pressure_effect(rigid.oil);
-  return rigid;
-}
 
 }  // namespace
 
@@ -82,20 +70,6 @@ HeatState carry_over(const BearingModel& from, const HeatState& heat, const Bear
   out.residual = heat.residual;
   out.response = heat.response;
   return out;
-}
-
-Verdict cold_rigid_film(const BearingModel& model, const LoadTarget& target, double T,
-                        bool isoviscous, FilmEquilibrium& state, EquilibriumCost& cost,
-                        const std::atomic<bool>* stop) {
-  EquilibriumOptions loose;  // the caller solves to the end
-  loose.film_tolerance = 1e-4;
-  loose.load_tolerance = 1e-3;
-  loose.viscosity_tolerance = 1e-3;
-  const BearingModel rigid = rigid_model(model, isoviscous);
-  state = cold_start(rigid, T);
-  const Verdict verdict = solve_equilibrium(rigid, target, {}, loose, state, cost, stop);
-  if (model.physics.elastic) state.elastic.assign(model.scene.grid.cells(), 0.0);
-  return verdict;
 }
 
 }  // namespace shellback::coupling

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "coupling/equilibrium.hpp"
+#include "coupling/heat_state.hpp"
 #include "coupling/pseudo_time.hpp"
-#include "coupling/thermal_loop.hpp"
 
 namespace shellback::coupling {
 
@@ -22,12 +22,5 @@ namespace shellback::coupling {
 /// Wall temperatures and growth on another grid of the same bearing.
 [[nodiscard]] HeatState carry_over(const BearingModel& from, const HeatState& heat,
                                    const BearingModel& to);
-
-/// Rigid, isothermal film at temperature T on the model's own grid, from cold, roughly: the start
-/// of everything else. Without pressure-viscosity effect if `isoviscous` (then every load has a
-/// solution). `state` is left at the last iterate.
-[[nodiscard]] Verdict cold_rigid_film(const BearingModel& model, const LoadTarget& target, double T,
-                                      bool isoviscous, FilmEquilibrium& state,
-                                      EquilibriumCost& cost, const std::atomic<bool>* stop);
 
 }  // namespace shellback::coupling

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "coupling/branch_endings.hpp"
 #include "coupling/nested.hpp"
-#include "coupling/solve_level.hpp"
+#include "coupling/tiers.hpp"
 
 namespace shellback::coupling {
 
@@ -40,64 +41,74 @@ double most_work(const Case& c, Tier tier) {
          std::max(cells(c.model.grid), cells(Model{}.grid));
 }
 
-/// Load at which the path of a film of one temperature and rigid surfaces ended [N]; 0: the last
-/// grid did not end so.
-double end_of_film(const Solution& s, Tier tier) {
-  const bool rigid = tier == Tier::isothermal && !s.model.physics.elastic;
-  if (!rigid || s.verdict.status != Status::no_steady_state || s.target.unknowns == 0) return 0.0;
-  const double carried = std::hypot(s.film.force[0], s.film.force[1]);
-  return carried < s.target.scale() ? carried : 0.0;
-}
-
-/// Solves on every grid of the ladder, each from the one before. A coarse grid that fails is left
-/// out; where the state of a coarse grid is no start for the next, that one starts from cold, or
-/// from where the path of the coarse one ended. The verdict is that of the last grid alone.
-void climb(const Case& c, Tier tier, const SolveControl& control,
-           std::shared_ptr<const Solids> solids, Solution& s) {
-  constexpr double kCoarseTolerance = 3e-3;  // coarse grids only give the start of the next
-  const auto ladder = grid_ladder(c.model.grid);
-  s.cost.most_work = s.cost.work + most_work(c, tier);
+/// Solves on every grid of the sequence, each from the one before. A coarse grid that fails is left
+/// out; where its state is no start for the next, that one starts from cold. The verdict is that of
+/// the last grid alone.
+void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
+                       std::shared_ptr<const Solids> solids, Solution& s) {
+  const auto grids = grid_ladder(c.model.grid);
   s.target = load_target(c);
   const double T_start = s.T_film;
   bool warm = false;
-  for (std::size_t level = 0; level < ladder.size(); ++level) {
-    const bool last = level + 1 == ladder.size();
-    Level how{.warm = warm, .tolerance = last ? 0.0 : kCoarseTolerance};
-    BearingModel model =
-        make_bearing(c, physics_of(c, tier), ladder[level], last ? solids : nullptr);
-    std::optional<NearPath> near;
-    s.film_end = warm || level == 0 ? 0.0 : end_of_film(s, tier);
+  for (std::size_t level = 0; level < grids.size(); ++level) {
+    const bool last = level + 1 == grids.size();
+    BearingModel model = make_bearing(c, physics_of(c, tier), grids[level], last ? solids : nullptr);
     if (warm) {
       s.film = carry_over(s.model, s.film, model);
       if (model.physics.film_energy) s.heat = carry_over(s.model, s.heat, model);
-    } else if (s.followed.part > 0.0) {
-      near = NearPath{s.followed, carry_over(s.model, s.film, model),
-                      carry_over(s.model, s.heat, model)};
     }
     s.model = std::move(model);
-    s.followed = {};
-    if (near) how.near = &*near;
-    const std::size_t turns = s.history.size();
-    solve_level(s, tier, how, control);
-    const bool at_once = s.history.size() == turns;  // not even one turn of film and heat
-    if (warm && (s.verdict.status == Status::iteration_limit ||
-                 s.verdict.status == Status::invalid_number ||
-                 (s.verdict.status == Status::no_steady_state && at_once))) {
+    solve_on_grid(s, tier, {warm, !last}, control);
+    if (warm && !s.verdict.good() && s.verdict.status != Status::interrupted) {
       s.T_film = T_start;
-      how.warm = false;
-      solve_level(s, tier, how, control);
+      solve_on_grid(s, tier, {false, !last}, control);
     }
     if (s.verdict.status == Status::interrupted) return;
     warm = s.verdict.good();
-    if (warm) s.levels.push_back({ladder[level], quantities_of(s, tier)});
+    if (warm) s.levels.push_back({grids[level], quantities_of(s, tier)});
   }
 }
 
-Solution from_cold(const Case& c, Tier tier, const SolveControl& control,
+/// That a branch ends is a fact of the bearing only if two grids agree on where: within a tenth.
+void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
+  constexpr double kAgree = 0.1;      // of the limit [-]
+  constexpr double kSecond = 2.0 / 3.0;  // cells of a second grid, per axis, if there is none [-]
+  if (s.verdict.status != Status::no_steady_state || s.limits.empty()) return;
+  const Limit own = s.limits.back();
+  const auto other = [&] {
+    return std::find_if(s.limits.begin(), s.limits.end(), [&](const Limit& l) {
+      return l.grid != own.grid && l.proven;
+    });
+  };
+  if (other() == s.limits.end()) {
+    Case second = c;
+    for (int& n : second.model.grid) n = std::max(3, static_cast<int>(std::lround(kSecond * n)));
+    Solution on;
+    on.T_film = s.T_film;
+    on.cost.most_work = s.cost.work + most_work(c, tier);
+    on.target = s.target;
+    on.model = make_bearing(second, physics_of(second, tier), second.model.grid);
+    solve_on_grid(on, tier, {false, true}, control);
+    if (on.verdict.good()) on.limits.push_back({second.model.grid, 1.0, false});
+    s.limits.insert(s.limits.begin(), on.limits.begin(), on.limits.end());
+  }
+  const auto agree = std::any_of(s.limits.begin(), s.limits.end(), [&](const Limit& l) {
+    return l.grid != own.grid && l.proven && std::abs(l.part / own.part - 1.0) <= kAgree;
+  });
+  if (!agree) s.verdict = limit_not_resolved(s);
+}
+
+Solution from_cold(const Case& c, Tier tier, double T, const SolveControl& control,
                    std::shared_ptr<const Solids> solids) {
+  const auto begin = std::chrono::steady_clock::now();
   Solution s;
-  s.T_film = tier == Tier::isothermal ? equivalent_temperature(c) : c.supplies.front().temperature;
-  climb(c, tier, control, std::move(solids), s);
+  s.T_film = T;
+  s.cost.most_work = most_work(c, tier);
+  solve_on_sequence(c, tier, control, std::move(solids), s);
+  confirm_limit(c, tier, control, s);
+  if (s.verdict.good() && c.model.coefficients) s.coefficients = coefficients_of(s);
+  if (s.coefficients) s.levels.back().quantities = quantities_of(s, tier);
+  s.wall_s = seconds_since(begin);
   return s;
 }
 
@@ -105,19 +116,13 @@ Solution from_cold(const Case& c, Tier tier, const SolveControl& control,
 
 Solution solve_tier(const Case& c, Tier tier, const SolveControl& control,
                     std::shared_ptr<const Solids> solids) {
-  const auto begin = std::chrono::steady_clock::now();
-  Solution s = from_cold(c, tier, control, std::move(solids));
-  s.wall_s = seconds_since(begin);
-  return s;
+  const double T =
+      tier == Tier::isothermal ? equivalent_temperature(c) : c.supplies.front().temperature;
+  return from_cold(c, tier, T, control, std::move(solids));
 }
 
 Solution solve_isothermal_at(const Case& c, double T, const SolveControl& control) {
-  const auto begin = std::chrono::steady_clock::now();
-  Solution s;
-  s.T_film = T;
-  climb(c, Tier::isothermal, control, nullptr, s);
-  s.wall_s = seconds_since(begin);
-  return s;
+  return from_cold(c, Tier::isothermal, T, control, nullptr);
 }
 
 Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
@@ -143,12 +148,13 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
       s.heat.growth.assign(s.model.scene.grid.cells(), 0.0);
     }
   }
-  solve_level(s, tier, {.warm = true}, control);
+  solve_on_grid(s, tier, {true, false}, control);
   if (may_be_cold && s.verdict.status != Status::interrupted && !s.verdict.good()) {
     Solution cold = solve_tier(c, tier, control, s.model.solids);
     cold.wall_s = seconds_since(begin);
     return cold;
   }
+  if (s.verdict.good() && c.model.coefficients) s.coefficients = coefficients_of(s);
   if (s.verdict.good()) s.levels.push_back({c.model.grid, quantities_of(s, tier)});
   s.wall_s = seconds_since(begin);
   return s;

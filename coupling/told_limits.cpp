@@ -7,7 +7,7 @@
 
 #include "core/constants.hpp"
 #include "core/largest.hpp"
-#include "coupling/coldest.hpp"
+#include "coupling/heat_endings.hpp"
 #include "coupling/told_temperature.hpp"
 
 namespace shellback::coupling {

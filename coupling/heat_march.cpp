@@ -1,0 +1,116 @@
+#include "coupling/heat_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/largest.hpp"
+
+namespace shellback::coupling {
+namespace {
+
+/// Wall temperatures of an instant.
+struct Walls {
+  Field shell;
+  std::vector<double> shaft;
+};
+
+/// Half the distance of the walls from where the last step's rate would have led them: the local
+/// error of backward Euler, as dt^2 T''/2 [K].
+double local_error(const Walls& now, const Walls& before, const Walls& rate, double dt) {
+  double most = 0.0;
+  const auto look = [&](const auto& a, const auto& b, const auto& r) {
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      most = larger(most, std::abs(a[k] - b[k] - (r.empty() ? 0.0 : dt * r[k])));
+    }
+  };
+  look(now.shell, before.shell, rate.shell);
+  look(now.shaft, before.shaft, rate.shaft);
+  return 0.5 * most;
+}
+
+Walls rate_of(const Walls& now, const Walls& before, double dt) {
+  Walls rate = now;
+  for (std::size_t k = 0; k < rate.shell.size(); ++k) {
+    rate.shell[k] = (rate.shell[k] - before.shell[k]) / dt;
+  }
+  for (std::size_t k = 0; k < rate.shaft.size(); ++k) {
+    rate.shaft[k] = (rate.shaft[k] - before.shaft[k]) / dt;
+  }
+  return rate;
+}
+
+double area_mean(const FilmGrid& g, const Field& x) {
+  double sum = 0.0;
+  double area = 0.0;
+  for (int c = 0; c < g.cells(); ++c) {
+    const double a = g.area(c / g.nz, c % g.nz);
+    sum += a * x[c];
+    area += a;
+  }
+  return sum / area;
+}
+
+}  // namespace
+
+Instant instant_of(const Solution& s, double t, double dt) {
+  const FilmGrid& g = s.model.scene.grid;
+  const Friction f = friction_of(s.model, s.film);
+  const SolidTemperature& solids = s.heat.solids;
+  const double oil = g.multiplicity() * (s.heat.balance.carried_out - s.heat.balance.carried_in);
+  Instant i;
+  i.t = t;
+  i.dt = dt;
+  i.torque = f.viscous + f.asperity;
+  i.h_min = s.film.least.h;
+  i.T_film_max = largest(s.film.columns.T);
+  i.T_shell_max = largest(solids.shell.surface);
+  i.T_shell_back = area_mean(g, solids.shell.back);
+  for (int j = 0; j < g.nz; ++j) i.T_shaft += solids.shaft.temperature[j] * g.dz[j];
+  i.T_shaft /= g.z_face.back() - g.z_face.front();
+  i.heat_in = i.torque * s.model.input.operation.omega + pump_power(s.model, s.film);
+  i.heat_out =
+      oil + solids.shell.heat_back + solids.shell.heat_ends + solids.shaft.heat_out;
+  i.stored = solids.shell.stored + solids.shaft.stored;
+  if (!s.heat.growth.empty()) i.deformation = area_mean(g, s.heat.growth);
+  return i;
+}
+
+MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
+                    const SolveControl& control, const std::function<void(const Instant&)>& tell) {
+  constexpr double kLonger = 2.0;      // lengths are powers of two: operators serve again
+  constexpr double kEasily = 0.25;     // of the error allowed: the next step may be twice as long
+  const bool accurate = std::isfinite(o.error);
+  MarchEnd end;
+  double dt = o.first;
+  Walls rate;
+  SolidStep last;
+  while (end.t < o.end && dt <= o.longest) {
+    const double length = std::min(dt, o.end - end.t);
+    SolidStep step = s.model.solids->step(length, state, &last);
+    const FilmEquilibrium film = s.film;
+    const HeatState heat = s.heat;
+    end.verdict = solve_heat(s, o.heat, control, &step);
+    if (end.verdict.status == Status::interrupted || s.cost.spent()) return end;
+    const Walls before{heat.T_shell, heat.T_shaft};
+    const Walls now{s.heat.T_shell, s.heat.T_shaft};
+    const double error = accurate ? local_error(now, before, rate, length) : 0.0;
+    if (!end.verdict.good() || error > o.error) {
+      if (dt <= o.shortest) return end;
+      s.film = film;
+      s.heat = heat;
+      dt /= end.verdict.good() ? kLonger : kLonger * kLonger;
+      continue;
+    }
+    rate = rate_of(now, before, length);
+    state = s.model.solids->state(s.heat.solids, &step);
+    end.t += length;
+    last = std::move(step);
+    if (tell) tell(instant_of(s, end.t, length));
+    if (error <= kEasily * o.error) dt *= accurate ? kLonger : kLonger * kLonger;
+  }
+  end.verdict = {};
+  end.at_rest = dt > o.longest;
+  return end;
+}
+
+}  // namespace shellback::coupling

@@ -40,10 +40,10 @@ Verdict branch_ended(const Solution& s, const Branch& b) {
                    : "lower the load or the tilt, feed more oil, or give contact data"};
     case BranchEnd::unbounded:
       return {Status::no_steady_state,
-              fmt::format("the film cannot carry the load: {}; closer the pressure grows without "
+              fmt::format("the film cannot carry {:.4g} N: {}; closer the pressure grows without "
                           "bound (rigid surfaces and viscosity rising as exp(alpha p): the reduced "
                           "pressure q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
-                          followed(s, b)),
+                          s.target.scale(), followed(s, b)),
               fluid::place_of(s.film.least),
               "switch on elastic deformation, use the Roelands law, or lower the load"};
     case BranchEnd::molecule:

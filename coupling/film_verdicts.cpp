@@ -89,6 +89,23 @@ Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residua
       "try a finer grid, a lower load, or tier isothermal first"};
 }
 
+Verdict not_at_rest(const BearingModel&, const FilmEquilibrium& s, int steps) {
+  return {Status::iteration_limit,
+          fmt::format("the journal did not come to rest in {} steps in time (smallest gap {:.3g} "
+                      "um)",
+                      steps, s.least.h * 1e6),
+          fluid::place_of(s.least), "try a finer grid, a lower load, or tier isothermal first"};
+}
+
+Verdict film_vanishes(const FilmEquilibrium& s) {
+  return {Status::no_steady_state,
+          fmt::format("no film carries the load: the journal is pressed towards the shell until "
+                      "less than a molecule of oil is left ({:.3g} um)",
+                      s.least.h * 1e6),
+          fluid::place_of(s.least),
+          "give roughness and contact data, switch on elastic deformation, or lower the load"};
+}
+
 Verdict given_up() {
   return {Status::iteration_limit,
           "the search was given up after twenty times the work of a usual solve on this grid", "",

@@ -22,6 +22,13 @@ namespace shellback::coupling {
 /// The search has cost as much as it may.
 [[nodiscard]] Verdict given_up();
 
+/// Time went on for so many steps and the journal is still moving.
+[[nodiscard]] Verdict not_at_rest(const BearingModel& model, const FilmEquilibrium& state,
+                                  int steps);
+
+/// The journal is pressed nearer and nearer to the shell, by now than a molecule of oil is long.
+[[nodiscard]] Verdict film_vanishes(const FilmEquilibrium& state);
+
 /// The iteration ended without any of these.
 [[nodiscard]] Verdict stuck(const BearingModel& model, const FilmEquilibrium& state,
                             const Residuals& residuals, int iterations);

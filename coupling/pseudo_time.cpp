@@ -37,16 +37,17 @@ Verdict march_to_steady(const BearingModel& model, const LoadTarget& target, con
     const FilmEquilibrium before = s;
     const int spent = cost.newton_iterations;
     const Verdict v = newton(moving, target, growth, loose, s, cost, stop);
-    if (step == kMostSteps) return v.good() ? stuck(model, s, {}, step) : v;
-    if (v.status == Status::interrupted || cost.spent()) return v;
+    const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
+    if (ended || cost.spent()) return v;
+    if (step == kMostSteps) return not_at_rest(model, s, step);
     if (v.good()) {
+      if (target.unknowns > 0 && thinner_than_a_molecule(model, s)) return film_vanishes(s);
       if (cost.newton_iterations - spent <= kQuick) turn *= kLonger;
     } else {
       s = before;
-      turn *= 0.25;
+      turn /= kLonger;
       if (turn < kShortest) return v;
     }
-    if (std::getenv("SBDBG")) fprintf(stderr, "turn %g %s it %d hmin %g reason %s\n", turn, v.good() ? "ok" : "FAIL", int(cost.newton_iterations - spent), s.least.h, v.reason.c_str());
   }
   return newton(model, target, growth, options, s, cost, stop);
 }
@@ -58,12 +59,13 @@ Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, c
     return solve_otherwise(model, target, growth, options, s, cost, stop);
   }
   const Verdict v = newton(model, target, growth, options, s, cost, stop);
-  if (v.good() || v.status == Status::interrupted || cost.spent()) return v;
-  if (target.unknowns == 0 && v.status == Status::no_steady_state) return v;
-  s.film = fluid::cold_film(model.scene);
+  const bool proven = target.unknowns == 0 && v.status == Status::no_steady_state;
+  const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
+  if (v.good() || ended || proven || cost.spent()) return v;
+  s.film = fluid::cold_film(model.scene);  // at rest in the middle of the clearance
   if (target.unknowns > 0) s.position.q[0] = s.position.q[1] = 0.0;
   if (target.unknowns == 4) s.position.q[2] = s.position.q[3] = 0.0;
-  if (!s.elastic.empty()) s.elastic.assign(s.elastic.size(), 0.0);
+  std::fill(s.elastic.begin(), s.elastic.end(), 0.0);
   return march_to_steady(model, target, growth, options, s, cost, stop);
 }
 

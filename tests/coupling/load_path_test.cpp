@@ -1,5 +1,7 @@
 /// Rigid films that the joint Newton iteration does not find, or that do not exist.
-#include "coupling/load_path.hpp"
+#include "coupling/follow.hpp"
+#include "coupling/newton.hpp"
+#include "coupling/pseudo_time.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -53,12 +55,37 @@ TEST_CASE("ThePathEndsInTheEquilibriumThatNewtonFinds") {
   const Case c = plain_case();
   const Solution usual = solve_tier(c, Tier::isothermal);
   REQUIRE(usual.verdict.good());
-  FilmEquilibrium s = cold_start(usual.model, 313.15);
-  EquilibriumCost cost;
-  const Verdict v = follow_load(usual.model, usual.target, {}, {}, s, cost, nullptr);
-  REQUIRE(v.good());
+  Solution s = usual;
+  Part part(s);
+  part.take(0.05);
+  s.film = cold_start(s.model, 313.15);
+  REQUIRE(solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost).good());
+  part.take(1.0);
+  const Corrector correct = [](Solution& at, Accuracy) {
+    return newton(at.model, at.target, {}, {}, at.film, at.cost);
+  };
+  const Branch branch = follow_load(s, 0.05, correct, {});
+  REQUIRE(branch.end == BranchEnd::reached);
   for (int k = 0; k < 2; ++k) {
-    CHECK(s.position.q[k] == Approx(usual.film.position.q[k]).margin(1e-7 * usual.model.clearance));
+    CHECK(s.film.position.q[k] ==
+          Approx(usual.film.position.q[k]).margin(1e-7 * usual.model.clearance));
+  }
+}
+
+TEST_CASE("ThroughTimeThereIsTheEquilibriumThatNewtonFinds") {
+  for (const bool elastic : {false, true}) {
+    Case c = rig_case();
+    c.model.switches.elastic_deformation = elastic;
+    const Solution usual = solve_tier(c, Tier::isothermal);
+    REQUIRE(usual.verdict.good());
+    FilmEquilibrium s = cold_start(usual.model, usual.T_film);
+    s.position.q = {};
+    EquilibriumCost cost;
+    REQUIRE(march_to_steady(usual.model, usual.target, {}, {}, s, cost, nullptr).good());
+    for (int k = 0; k < 2; ++k) {
+      CHECK(s.position.q[k] ==
+            Approx(usual.film.position.q[k]).margin(1e-7 * usual.model.clearance));
+    }
   }
 }
 

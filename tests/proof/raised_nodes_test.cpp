@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "coupling/coldest.hpp"
+#include "coupling/heat_endings.hpp"
 #include "coupling/solve.hpp"
 #include "proof/population.hpp"
 

@@ -184,8 +184,17 @@ double mean_heat_capacity(const rheology::Oil& oil, double a, double b) {
 
 }  // namespace
 
+std::vector<double> film_enthalpy(const BearingModel& model, const std::vector<double>& T) {
+  const double T0 = model.input.supplies.front().temperature;
+  std::vector<double> e;
+  e.reserve(T.size());
+  for (const double t : T) e.push_back(mean_heat_capacity(model.oil, T0, t) * (t - T0));
+  return e;
+}
+
 thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const FilmEquilibrium& s,
-                                               const Friction& friction) {
+                                               const Friction& friction,
+                                               std::optional<thermal::FilmStorage> storage) {
   const fluid::FilmScene& scene = model.scene;
   const FilmGrid& g = scene.grid;
   const int n = model.gl.n;
@@ -222,6 +231,7 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const 
   }
   NodeFlows(model, s).fill(p);
   fill_heat(model, s, friction, p);
+  p.storage = std::move(storage);
   return p;
 }
 

@@ -127,7 +127,6 @@ void FilmEnergy::take_storage() {
     for (int k = 0; k < n_; ++k) {
       const double w = p_.gl->w[k] / s.dt;
       brought_[c * n_ + k] = w * s.mass_before[c] * s.enthalpy_before[c * n_ + k];
-      outflow_[c * n_ + k] = w * s.mass[c];
     }
   }
 }
@@ -193,13 +192,15 @@ void FilmEnergy::build_column(int i, int j) {
   for (int k = 1; k + 1 < n; ++k) {
     for (int l = 0; l < n; ++l) V[k] -= gl.Q[k * n + l] * divergence[l];
   }
+  const double gained = std::max(growth_[cell], 0.0);  // stays: the least that leaves the flow
+  for (int k = 0; k < n; ++k) out[k] += gl.w[k] * gained;
   invert_column(cell);
   blend_[cell] =
       std::clamp((negative_weights(cell) - kBlendFrom) / (kBlendTo - kBlendFrom), 0.0, 1.0);
-  if (blend_[cell] > 0.0) {
-    invert_column(cell);
-    ++blended_;
-  }
+  const double store = p_.storage ? p_.storage->mass[cell] / p_.storage->dt - gained : 0.0;
+  for (int k = 0; k < n; ++k) out[k] += gl.w[k] * store;
+  if (blend_[cell] > 0.0) ++blended_;
+  if (blend_[cell] > 0.0 || p_.storage) invert_column(cell);
   const int m = n - 2;
   const double* by_shell = &by_shell_[static_cast<std::size_t>(cell) * m];
   const double* by_shaft = &by_shaft_[static_cast<std::size_t>(cell) * m];
@@ -208,6 +209,9 @@ void FilmEnergy::build_column(int i, int j) {
     double row[kMostNodes];
     matrix_row(cell, wall, row);
     double response = p_.conductance[cell] * stiffness_[wall * n + wall];
+    if (p_.storage) {
+      response += gl.w[wall] * (store + gained) * p_.cp[static_cast<std::size_t>(cell) * n + wall];
+    }
     for (int r = 0; r < m; ++r) response -= row[r + 1] * by_wall[r];
     return response / p_.grid->area(i, j);
   };
@@ -248,10 +252,6 @@ double FilmEnergy::negative_weights(int cell) const {
   double entering[kMostNodes] = {};  // heat capacity flow into each interior node [W/K]
   for (int f = 0; f < 4; ++f) {
     for (int k = 0; k < m; ++k) entering[k] += inflow_[at * 4 + f * n_ + k + 1] * p_.cp[at + k + 1];
-  }
-  for (int k = 0; k < m && p_.storage; ++k) {
-    entering[k] +=
-        p_.gl->w[k + 1] * p_.storage->mass_before[cell] / p_.storage->dt * p_.cp[at + k + 1];
   }
   const double* inverse = &inverse_[static_cast<std::size_t>(cell) * m * m];
   double worst = 0.0;

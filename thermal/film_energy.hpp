@@ -151,7 +151,7 @@ class FilmEnergy {
   /// The (up to four) faces of a cell as inflows.
   int faces_of(int i, int j, Inflow* faces) const;
   [[nodiscard]] double source_enthalpy(const Inflow& f, int k, const std::vector<double>& T) const;
-  /// What (4) adds: growing cells, heat that stays in them, heat that they bring.
+  /// What (4) brings from before the step, and how fast cells gain oil.
   void take_storage();
   void build_column(int i, int j);
   /// Inverse of the column's interior rows and what it makes of heat and walls.

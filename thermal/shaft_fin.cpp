@@ -6,7 +6,6 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
-#include "thermal/overhang.hpp"
 
 namespace shellback::thermal {
 namespace {

@@ -22,17 +22,9 @@
 #include <vector>
 
 #include "core/grid.hpp"
+#include "thermal/overhang.hpp"
 
 namespace shellback::thermal {
-
-struct ShaftFin {
-  double conductivity = 0.0;   ///< k [W/(m K)]
-  double overhang = 0.0;       ///< L, length beyond the bearing on each side [m]
-  double heat_transfer = 0.0;  ///< h of the overhang's surface [W/(m2 K)]
-  double ambient = 0.0;        ///< temperature around the overhang [K]
-  double capacity = 0.0;       ///< rho c [J/(m3 K)]; for time steps
-  int spaces = 16;             ///< between the nodes of an overhang [-]; second order, time only
-};
 
 /// Temperatures of the shaft [K].
 struct ShaftState {

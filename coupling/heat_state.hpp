@@ -22,7 +22,7 @@ struct HeatState {
   long blended_columns = 0;
   double residual = 0.0;  ///< last change per iteration [-]
   /// True once the film's heat has been balanced to the end.
-  [[nodiscard]] bool known() const { return !T_mix.empty(); }
+  [[nodiscard]] bool known() const { return !T_mix.empty() && !solids.shell.back.empty(); }
 };
 
 }  // namespace shellback::coupling

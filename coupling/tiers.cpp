@@ -104,7 +104,11 @@ Verdict solve_resolved(Solution& s, Level level, const SolveControl& control) {
   const double T = supply_temperature(s);
   s.heat = cold_heat(s.model, T);
   const Verdict film = first_film(s, T, control);
-  if (!film.good()) return film;  // a load that cold oil does not carry, warm oil does not either
+  if (stopped(film) || s.cost.spent()) return film;
+  if (!film.good()) {  // heated oil may carry where that of the supply does not
+    const Verdict v = follow_heat(s, level.coarse, control);
+    return v.good() || stopped(v) ? v : film;
+  }
   const FilmEquilibrium first = s.film;
   Verdict v = solve_heat(s, options, control);
   if (v.good() || stopped(v) || s.cost.spent()) return v;

@@ -5,6 +5,7 @@
 
 #include "coupling/film_response.hpp"
 #include "coupling/solids.hpp"
+#include "coupling/pseudo_time.hpp"
 #include "tests/coupling/sample_bearing.hpp"
 #include "tests/read_csv.hpp"
 

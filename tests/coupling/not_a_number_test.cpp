@@ -4,6 +4,7 @@
 
 #include "coupling/fixed_point.hpp"
 #include "fluid/reynolds.hpp"
+#include "coupling/pseudo_time.hpp"
 #include "tests/coupling/sample_bearing.hpp"
 
 using namespace shellback;

@@ -11,12 +11,12 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr double kMostClosing = 1.5;    ///< largest ln(gap before / after) in one step [-]
-constexpr double kMostOpening = 2.0;    ///< largest opening, in gaps [-]
-constexpr double kMostTurning = 0.4;    ///< largest change of the attitude in one step [rad]
-constexpr double kMostCartesian = 0.3;  ///< largest step near the centre, in clearances [-]
-constexpr double kNearCentre = 0.05;    ///< eccentricity below which steps are Cartesian [-]
-constexpr double kMostLog = 2.5;        ///< largest |ln| of the force ratio used [-]
+constexpr double kMostClosing = 1.5;       ///< largest ln(gap before / after) in one step [-]
+constexpr double kMostOpening = 2.0;       ///< largest opening, in gaps [-]
+constexpr double kMostTurning = 0.4;       ///< largest change of the attitude in one step [rad]
+constexpr double kMostCartesian = 0.3;     ///< largest step near the centre, in clearances [-]
+constexpr double kNearCentre = 0.05;       ///< eccentricity below which steps are Cartesian [-]
+constexpr double kMostLog = 2.5;           ///< largest |ln| of the force ratio used [-]
 constexpr double kKrylovTolerance = 1e-4;  ///< tighter gains no Newton iteration (methods 2.2)
 constexpr int kMostKrylov = 80;
 
@@ -164,9 +164,8 @@ std::array<double, 4> limited(const fluid::JournalPosition& position,
     const double radial = dq[0] * rx + dq[1] * ry;
     const double turn =
         std::clamp((-dq[0] * ry + dq[1] * rx) / e, -kMostTurning * reach, kMostTurning * reach);
-    const double along = radial > 0.0
-                             ? g * -std::expm1(-std::min(radial / g, kMostClosing * reach))
-                             : std::max(radial, -kMostOpening * g * reach);
+    const double along = radial > 0.0 ? g * -std::expm1(-std::min(radial / g, kMostClosing * reach))
+                                      : std::max(radial, -kMostOpening * g * reach);
     const double e_new = e + along;
     out[0] = e_new * (rx * std::cos(turn) - ry * std::sin(turn)) - position.ex();
     out[1] = e_new * (ry * std::cos(turn) + rx * std::sin(turn)) - position.ey();

@@ -61,7 +61,7 @@ class BorderedFilm {
   double tau_ = 0.0;  ///< [m/Pa]; 0: rigid
   Field kappa_;       ///< empty: rigid
   RingFactor& factor_;
-  std::vector<Field> slope_;     ///< B per component and cell
+  std::vector<Field> slope_;      ///< B per component and cell
   std::vector<Answer> response_;  ///< to the movement of one component, per unit
   bool good_ = false;
 };

@@ -10,8 +10,8 @@ namespace shellback::coupling {
 namespace {
 
 /// "4.1e+03 N of 8e+03 N".
-std::string reached(const Solution& s, double part) {
-  if (s.target.unknowns > 0) {
+std::string reached(const Solution& s, bool speed, double part) {
+  if (!speed) {
     return fmt::format("{:.4g} N of {:.4g} N", part * s.target.scale(), s.target.scale());
   }
   const double rpm = std::abs(s.model.input.operation.omega) * 30.0 / kPi;
@@ -19,8 +19,9 @@ std::string reached(const Solution& s, double part) {
 }
 
 std::string followed(const Solution& s, const Branch& b) {
+  const bool speed = b.raised == Raised::speed;
   return fmt::format("followed from {}, steady states are found up to {} (smallest gap {:.3g} um)",
-                     s.target.unknowns > 0 ? "a light load" : "a low speed", reached(s, b.carried),
+                     speed ? "a low speed" : "a light load", reached(s, speed, b.carried),
                      b.h_min * 1e6);
 }
 
@@ -47,20 +48,20 @@ Verdict branch_ended(const Solution& s, const Branch& b) {
               fluid::place_of(s.film.least),
               "switch on elastic deformation, use the Roelands law, or lower the load"};
     case BranchEnd::molecule:
-      return {Status::no_steady_state,
-              fmt::format("no film carries the load: {}, less than a molecule of oil",
-                          followed(s, b)),
-              fluid::place_of(s.film.least),
-              "give roughness and contact data, switch on elastic deformation, or lower the load"};
+      return {
+          Status::no_steady_state,
+          fmt::format("no film carries the load: {}, less than a molecule of oil", followed(s, b)),
+          fluid::place_of(s.film.least),
+          "give roughness and contact data, switch on elastic deformation, or lower the load"};
     case BranchEnd::reached:
     case BranchEnd::lost:
     case BranchEnd::interrupted:
       break;
   }
-  return {Status::iteration_limit,
-          fmt::format("no steady state was found: {}, then none ({})", followed(s, b),
-                      b.last.reason),
-          b.last.place, "lower the load or the tilt, or give roughness and contact data"};
+  return {
+      Status::iteration_limit,
+      fmt::format("no steady state was found: {}, then none ({})", followed(s, b), b.last.reason),
+      b.last.place, "lower the load or the tilt, or give roughness and contact data"};
 }
 
 Verdict ran_away_from(const Solution& s, const Branch& b, const MarchEnd& end) {
@@ -81,13 +82,13 @@ Verdict no_light_state(const Solution&) {
 Verdict limit_not_resolved(const Solution& s) {
   std::string all;
   for (const Limit& l : s.limits) {
-    all += fmt::format("{}{} on {} x {} cells", all.empty() ? "" : ", ", reached(s, l.part),
-                       l.grid[0], l.grid[1]);
+    all += fmt::format("{}{} on {} x {} cells", all.empty() ? "" : ", ",
+                       reached(s, l.of_speed, l.part), l.grid[0], l.grid[1]);
   }
-  return {Status::iteration_limit,
-          fmt::format("not resolved: the limit moves with the grid ({}); {}", all,
-                      s.verdict.reason),
-          s.verdict.place, "a finer grid, or a lower load"};
+  return {
+      Status::iteration_limit,
+      fmt::format("not resolved: the limit moves with the grid ({}); {}", all, s.verdict.reason),
+      s.verdict.place, "a finer grid, or a lower load"};
 }
 
 }  // namespace shellback::coupling

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/largest.hpp"
-#include "coupling/solids.hpp"
 #include "coupling/newton.hpp"
 #include "coupling/pseudo_time.hpp"
+#include "coupling/solids.hpp"
 
 namespace shellback::coupling {
 namespace {

@@ -69,7 +69,7 @@ struct EquilibriumCost {
 
 /// Mass of the journal over a finite step.
 struct Inertia {
-  double stiffness = 0.0;     ///< m/dt^2 [N/m]
+  double stiffness = 0.0;        ///< m/dt^2 [N/m]
   std::array<double, 2> free{};  ///< q_free of (2): e_x, e_y [m]
 };
 

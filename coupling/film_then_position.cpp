@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/largest.hpp"
-#include "coupling/closed_gap.hpp"
 #include "coupling/bordered_film.hpp"
+#include "coupling/closed_gap.hpp"
 #include "coupling/film_verdicts.hpp"
 #include "fluid/fischer_burmeister.hpp"
 #include "fluid/p_theta.hpp"

@@ -10,7 +10,7 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr double kLoose = 1e-3;  ///< residuals of a film on the way [-]
+constexpr double kLoose = 1e-3;                            ///< residuals of a film on the way [-]
 constexpr std::array kLight{0.5, 0.2, 0.05, 0.01, 0.001};  ///< parts of the load to begin with [-]
 
 /// Without the program's usual method there is no help either: methods are shown as they are.
@@ -36,12 +36,14 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
     return solve_equilibrium(s.model, s.target, growth, {}, s.film, s.cost, control.stop);
   };
   const Verdict v = start();
-  const bool ended = v.good() || v.status == Status::interrupted || s.cost.spent() || shown_as_it_is(s);
+  const bool ended =
+      v.good() || v.status == Status::interrupted || s.cost.spent() || shown_as_it_is(s);
   if (ended || s.target.unknowns == 0) return v;
   const Corrector correct = [&](Solution& at, Accuracy accuracy) {
     return correct_film(at, accuracy, control);
   };
-  const std::optional<Branch> branch = follow_from(s, kLight, start, correct, control);
+  const std::optional<Branch> branch =
+      follow_from(s, Raised::load, kLight, start, correct, control);
   if (!branch) return v;
   if (branch->end == BranchEnd::reached) return {};
   note_limit(s, *branch, branch->end != BranchEnd::lost);

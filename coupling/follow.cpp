@@ -118,7 +118,7 @@ bool LoadBranch::arrive() {
 }
 
 Branch LoadBranch::ended(BranchEnd end) const {
-  return {end, std::exp(most_), h_min_, failure_};
+  return {Raised::load, end, std::exp(most_), h_min_, failure_};
 }
 
 Branch LoadBranch::run(double begun) {
@@ -172,7 +172,7 @@ Branch follow_speed(Solution& s, double begun, const Corrector& correct,
     s.model.scene.speed = part * speed;
     s.model.input.operation.omega = part * omega;
   };
-  Branch branch{BranchEnd::lost, begun, s.film.least.h, {}};
+  Branch branch{Raised::speed, BranchEnd::lost, begun, s.film.least.h, {}};
   Reached last{s.film, s.heat};
   double step = kFirstStep;
   for (int k = 0; k < kMostSteps && step > kShortestStep; ++k) {
@@ -201,14 +201,15 @@ Branch follow_speed(Solution& s, double begun, const Corrector& correct,
   return branch;
 }
 
-Part::Part(Solution& s)
+Part::Part(Solution& s, Raised raised)
     : s_(s),
+      raised_(raised),
       force_(s.target.force),
       speed_(s.model.scene.speed),
       omega_(s.model.input.operation.omega) {}
 
 void Part::take(double part) {
-  if (s_.target.unknowns > 0) {
+  if (raised_ == Raised::load) {
     for (int k = 0; k < 4; ++k) s_.target.force[k] = part * force_[k];
   } else {
     s_.model.scene.speed = part * speed_;
@@ -216,25 +217,25 @@ void Part::take(double part) {
   }
 }
 
-std::optional<Branch> follow_from(Solution& s, std::span<const double> parts,
+std::optional<Branch> follow_from(Solution& s, Raised raised, std::span<const double> parts,
                                   const std::function<Verdict()>& start, const Corrector& correct,
                                   const SolveControl& control) {
-  Part part(s);
+  Part part(s, raised);
   for (const double begun : parts) {
     part.take(begun);
     const Verdict v = start();
     part.take(1.0);
-    if (v.status == Status::interrupted) return Branch{BranchEnd::interrupted, 0.0, 0.0, v};
+    if (v.status == Status::interrupted) return Branch{raised, BranchEnd::interrupted, 0.0, 0.0, v};
     if (!v.good()) continue;
-    return s.target.unknowns > 0 ? follow_load(s, begun, correct, control)
-                                 : follow_speed(s, begun, correct, control);
+    return raised == Raised::load ? follow_load(s, begun, correct, control)
+                                  : follow_speed(s, begun, correct, control);
   }
   return std::nullopt;
 }
 
 void note_limit(Solution& s, const Branch& branch, bool proven) {
   const FilmGrid& g = s.model.scene.grid;
-  s.limits.push_back({{g.nt, g.full_nz()}, branch.carried, proven});
+  s.limits.push_back({{g.nt, g.full_nz()}, branch.raised == Raised::speed, branch.carried, proven});
 }
 
 }  // namespace shellback::coupling

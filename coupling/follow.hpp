@@ -23,19 +23,23 @@ using Corrector = std::function<Verdict(Solution& s, Accuracy accuracy)>;
 
 /// How the branch ended; the highest value that was reached is what it carries.
 enum class BranchEnd {
-  reached,      ///< the whole load or speed: the state is the solution
-  turned,       ///< beyond the end there are only states of less load: a turning point
-  unbounded,    ///< rigid surfaces and Barus oil: closer the reduced pressure exceeds its bound
-  molecule,     ///< smooth surfaces nearer than a molecule of oil
-  lost,         ///< the corrector fails, and nothing shows why
+  reached,    ///< the whole load or speed: the state is the solution
+  turned,     ///< beyond the end there are only states of less load: a turning point
+  unbounded,  ///< rigid surfaces and Barus oil: closer the reduced pressure exceeds its bound
+  molecule,   ///< smooth surfaces nearer than a molecule of oil
+  lost,       ///< the corrector fails, and nothing shows why
   interrupted,
 };
 
+/// What of the operating point is raised along a branch.
+enum class Raised { load, speed };
+
 struct Branch {
+  Raised raised = Raised::load;
   BranchEnd end = BranchEnd::lost;
-  double carried = 0.0;   ///< part of the load or the speed that was reached [-]
-  double h_min = 0.0;     ///< there [m]
-  Verdict last;           ///< of the corrector where it failed
+  double carried = 0.0;  ///< part of the load or the speed that was reached [-]
+  double h_min = 0.0;    ///< there [m]
+  Verdict last;          ///< of the corrector where it failed
 };
 
 /// Follows the branch of `s`, a state at the part `begun` of the load (of `s.target`), to the whole
@@ -43,25 +47,27 @@ struct Branch {
 [[nodiscard]] Branch follow_load(Solution& s, double begun, const Corrector& correct,
                                  const SolveControl& control);
 
-/// The same over the speed of a bearing whose journal's position is given.
+/// The same over the speed.
 [[nodiscard]] Branch follow_speed(Solution& s, double begun, const Corrector& correct,
                                   const SolveControl& control);
 
-/// Gives the scene a part of its load, or of its speed if the journal's position is given.
+/// Gives the scene a part of its load or of its speed.
 class Part {
  public:
-  explicit Part(Solution& s);
+  Part(Solution& s, Raised raised);
   void take(double part);
 
  private:
   Solution& s_;
+  Raised raised_;
   fluid::Wrench force_;
   double speed_, omega_;
 };
 
 /// From the first of `parts` at which `start` finds a state, along load or speed to the whole; none
 /// if it finds no state at any.
-[[nodiscard]] std::optional<Branch> follow_from(Solution& s, std::span<const double> parts,
+[[nodiscard]] std::optional<Branch> follow_from(Solution& s, Raised raised,
+                                                std::span<const double> parts,
                                                 const std::function<Verdict()>& start,
                                                 const Corrector& correct,
                                                 const SolveControl& control);

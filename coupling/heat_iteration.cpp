@@ -155,8 +155,8 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
   unpack(x);
   verdict_ = temperatures_possible(s_);
   if (!verdict_.good()) return false;
-  verdict_ = newton(s_.model, s_.target, s_.heat.growth, film_options(), s_.film, s_.cost,
-                    control_.stop);
+  verdict_ =
+      newton(s_.model, s_.target, s_.heat.growth, film_options(), s_.film, s_.cost, control_.stop);
   if (!verdict_.good()) return false;
   friction_ = friction_of(s_.model, s_.film);
   walls_.begin(friction_, iterations_);

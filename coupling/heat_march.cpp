@@ -68,8 +68,7 @@ Instant instant_of(const Solution& s, double t, double dt) {
   for (int j = 0; j < g.nz; ++j) i.T_shaft += solids.shaft.temperature[j] * g.dz[j];
   i.T_shaft /= g.z_face.back() - g.z_face.front();
   i.heat_in = i.torque * s.model.input.operation.omega + pump_power(s.model, s.film);
-  i.heat_out =
-      oil + solids.shell.heat_back + solids.shell.heat_ends + solids.shaft.heat_out;
+  i.heat_out = oil + solids.shell.heat_back + solids.shell.heat_ends + solids.shaft.heat_out;
   i.stored = solids.shell.stored + solids.shaft.stored;
   if (!s.heat.growth.empty()) i.deformation = area_mean(g, s.heat.growth);
   return i;
@@ -77,8 +76,8 @@ Instant instant_of(const Solution& s, double t, double dt) {
 
 MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
                     const SolveControl& control, const std::function<void(const Instant&)>& tell) {
-  constexpr double kLonger = 2.0;      // lengths are powers of two: operators serve again
-  constexpr double kEasily = 0.25;     // of the error allowed: the next step may be twice as long
+  constexpr double kLonger = 2.0;   // lengths are powers of two: operators serve again
+  constexpr double kEasily = 0.25;  // of the error allowed: the next step may be twice as long
   const bool accurate = std::isfinite(o.error);
   MarchEnd end;
   double dt = o.first;

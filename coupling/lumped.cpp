@@ -11,10 +11,9 @@
 #include "coupling/first_film.hpp"
 #include "coupling/heat_endings.hpp"
 #include "coupling/heat_scan.hpp"
-#include "coupling/pseudo_time.hpp"
-#include "rheology/heat.hpp"
 #include "coupling/newton.hpp"
 #include "coupling/pseudo_time.hpp"
+#include "rheology/heat.hpp"
 
 namespace shellback::coupling {
 namespace {

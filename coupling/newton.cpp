@@ -22,7 +22,7 @@ constexpr double kWorseMerit = 3.0;      ///< a step may worsen the residuals so
 constexpr double kFollowed = 0.03;       ///< film and surfaces have followed the journal [-]
 constexpr int kMostHeld = 8;             ///< steps in which the film must have followed the journal
 constexpr double kLittleGain = 0.2;  ///< part of the gain asked for: a step that gained little [-]
-constexpr double kThinner = 0.25;        ///< and thin its smallest gap so far [-]
+constexpr double kThinner = 0.25;    ///< and thin its smallest gap so far [-]
 
 /// The unknowns, to go back to.
 struct Unknowns {
@@ -69,11 +69,11 @@ class NewtonIteration {
   EquilibriumCost& cost_;
   Residuals r_;
   Unknowns accepted_;
-  double merit_ = INFINITY;    ///< of the accepted state
-  double room_ = -INFINITY;    ///< there [m]
-  double off_ = INFINITY;      ///< of the force there, in logarithms [-]
-  double damping_ = 1.0;       ///< part of the wanted change of force that is asked for [-]
-  double carried_ = 0.0;       ///< force there [N]
+  double merit_ = INFINITY;  ///< of the accepted state
+  double room_ = -INFINITY;  ///< there [m]
+  double off_ = INFINITY;    ///< of the force there, in logarithms [-]
+  double damping_ = 1.0;     ///< part of the wanted change of force that is asked for [-]
+  double carried_ = 0.0;     ///< force there [N]
   double reach_ = 1.0;
   double viscosity_tolerance_ = 1e-3;
   double last_lost_ = INFINITY;  ///< oil lost over what passes, when it was last converged [-]

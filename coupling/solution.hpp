@@ -13,6 +13,7 @@ namespace shellback::coupling {
 /// Load or speed beyond which no steady state was found or none exists, on one grid.
 struct Limit {
   std::array<int, 2> grid{0, 0};
+  bool of_speed = false;
   double part = 0.0;    ///< of what the case asks for [-]
   bool proven = false;  ///< beyond it there is none on this grid
 };
@@ -29,7 +30,8 @@ struct Solution {
   std::vector<HistoryEntry> history;
   std::vector<Limit> limits;                 ///< of each grid on which a branch was followed
   std::optional<Coefficients> coefficients;  ///< if asked for, of the converged state
-  std::vector<LevelRecord> levels;  ///< every grid of the sequence that converged, the last included
+  std::vector<LevelRecord>
+      levels;  ///< every grid of the sequence that converged, the last included
   double wall_s = 0.0;
 };
 

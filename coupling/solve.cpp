@@ -52,7 +52,8 @@ void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
   bool warm = false;
   for (std::size_t level = 0; level < grids.size(); ++level) {
     const bool last = level + 1 == grids.size();
-    BearingModel model = make_bearing(c, physics_of(c, tier), grids[level], last ? solids : nullptr);
+    BearingModel model =
+        make_bearing(c, physics_of(c, tier), grids[level], last ? solids : nullptr);
     if (warm) {
       s.film = carry_over(s.model, s.film, model);
       if (model.physics.film_energy) s.heat = carry_over(s.model, s.heat, model);
@@ -71,13 +72,13 @@ void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
 
 /// That a branch ends is a fact of the bearing only if two grids agree on where: within a tenth.
 void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
-  constexpr double kAgree = 0.1;      // of the limit [-]
+  constexpr double kAgree = 0.1;         // of the limit [-]
   constexpr double kSecond = 2.0 / 3.0;  // cells of a second grid, per axis, if there is none [-]
   if (s.verdict.status != Status::no_steady_state || s.limits.empty()) return;
   const Limit own = s.limits.back();
   const auto other = [&] {
     return std::find_if(s.limits.begin(), s.limits.end(), [&](const Limit& l) {
-      return l.grid != own.grid && l.proven;
+      return l.grid != own.grid && l.proven && l.of_speed == own.of_speed;
     });
   };
   if (other() == s.limits.end()) {
@@ -89,11 +90,12 @@ void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Soluti
     on.target = s.target;
     on.model = make_bearing(second, physics_of(second, tier), second.model.grid);
     solve_on_grid(on, tier, {false, true}, control);
-    if (on.verdict.good()) on.limits.push_back({second.model.grid, 1.0, false});
+    if (on.verdict.good()) on.limits.push_back({second.model.grid, own.of_speed, 1.0, false});
     s.limits.insert(s.limits.begin(), on.limits.begin(), on.limits.end());
   }
   const auto agree = std::any_of(s.limits.begin(), s.limits.end(), [&](const Limit& l) {
-    return l.grid != own.grid && l.proven && std::abs(l.part / own.part - 1.0) <= kAgree;
+    return l.grid != own.grid && l.proven && l.of_speed == own.of_speed &&
+           std::abs(l.part / own.part - 1.0) <= kAgree;
   });
   if (!agree) s.verdict = limit_not_resolved(s);
 }

@@ -6,6 +6,7 @@
 
 #include "core/contract.hpp"
 #include "coupling/branch_endings.hpp"
+#include "coupling/film_verdicts.hpp"
 #include "coupling/first_film.hpp"
 #include "coupling/follow.hpp"
 #include "coupling/heat_march.hpp"
@@ -16,18 +17,16 @@
 namespace shellback::coupling {
 namespace {
 
-constexpr double kLooseHeat = 3e-3;       ///< change per iteration on the way [-]
-constexpr double kCoarseHeat = 3e-3;      ///< the same where it is the start of a finer grid
-constexpr int kMostWayPoint = 25;         ///< outer iterations of a way point
+constexpr double kLooseHeat = 3e-3;   ///< change per iteration on the way [-]
+constexpr double kCoarseHeat = 3e-3;  ///< the same where it is the start of a finer grid
+constexpr int kMostWayPoint = 25;     ///< outer iterations of a way point
 constexpr std::array kLight{0.3, 0.1, 0.02, 2e-3, 2e-4};  ///< of load or speed, to begin with
 constexpr double kBeyond = 1.1;  ///< of a branch's end: load of the transient that starts there [-]
 constexpr double kTransientError = 2.0;  ///< per step of that transient [K]
 
 bool stopped(const Verdict& v) { return v.status == Status::interrupted; }
 
-double supply_temperature(const Solution& s) {
-  return s.model.input.supplies.front().temperature;
-}
+double supply_temperature(const Solution& s) { return s.model.input.supplies.front().temperature; }
 
 ThermalOptions options_of(Accuracy accuracy, bool coarse) {
   ThermalOptions o;
@@ -57,9 +56,9 @@ Verdict warm_up(Solution& s, const ThermalOptions& options, const SolveControl& 
 
 /// From the last state of a branch under a little more load: a trajectory that leaves every bound
 /// shows that the branch ends; one that comes to rest is a state of more load.
-MarchEnd transient_beyond(Solution& s, double part, const SolveControl& control) {
-  Part of(s);
-  of.take(std::min(1.0, kBeyond * part));
+MarchEnd transient_beyond(Solution& s, const Branch& branch, const SolveControl& control) {
+  Part of(s, branch.raised);
+  of.take(std::min(1.0, kBeyond * branch.carried));
   MarchOptions march;
   march.error = kTransientError;
   march.heat = options_of(Accuracy::way_point, true);
@@ -73,23 +72,25 @@ Verdict follow_heat(Solution& s, bool coarse, const SolveControl& control) {
   const auto start = [&] {
     s.heat = cold_heat(s.model, supply_temperature(s));
     s.film = cold_start(s.model, supply_temperature(s));
-    const Verdict v =
-        solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
+    const Verdict v = solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
     return v.good() ? solve_heat(s, options_of(Accuracy::way_point, true), control) : v;
   };
   const Corrector correct = [&](Solution& at, Accuracy accuracy) {
     return solve_heat(at, options_of(accuracy, coarse || accuracy == Accuracy::way_point), control);
   };
-  const std::optional<Branch> branch = follow_from(s, kLight, start, correct, control);
+  std::optional<Branch> branch;
+  if (s.target.unknowns > 0) branch = follow_from(s, Raised::load, kLight, start, correct, control);
+  if (!branch) branch = follow_from(s, Raised::speed, kLight, start, correct, control);
   if (!branch) return no_light_state(s);
   if (branch->end == BranchEnd::reached) return {};
   if (branch->end == BranchEnd::interrupted) return branch->last;
+  if (s.cost.spent()) return given_up();
   if (branch->end != BranchEnd::lost) {
     note_limit(s, *branch, true);
     return branch_ended(s, *branch);
   }
   const Solution last = s;
-  const MarchEnd beyond = transient_beyond(s, branch->carried, control);
+  const MarchEnd beyond = transient_beyond(s, *branch, control);
   const bool ran_away = !beyond.verdict.good() && !stopped(beyond.verdict) && !s.cost.spent();
   s.film = last.film;
   s.heat = last.heat;

@@ -33,7 +33,7 @@ void WallBalance::read_from_film() {
 }
 
 void WallBalance::begin(const Friction& friction, int iteration) {
-  constexpr int kLaps = 3;  // sweeps for the film's response to its walls
+  constexpr int kLaps = 3;   // sweeps for the film's response to its walls
   constexpr int kAgain = 4;  // iteration that measures it again; till then that of a coarser grid
   energy_.emplace(film_energy_problem(s_.model, s_.film, friction));
   for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);

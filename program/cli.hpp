@@ -41,6 +41,9 @@ struct Request {
   std::string output;                        ///< -o
   bool force = false;                        ///< --force: replace files that are no results
   std::string picture;                       ///< --picture
+  bool transient = false;                    ///< run --transient
+  std::string from;                          ///< run --from: temperature of the walls
+  std::string until;                         ///< run --until: time
   bool coefficients = false;                 ///< --coefficients
   std::string coefficients_table;            ///< --coefficients-table
   std::string csv;                           ///< --csv: file, "-" for standard output

@@ -189,6 +189,15 @@ void add_run(CLI::App& app, Request& request) {
   run->add_option("--tier", request.tier, kTierWords);
   run->add_option("-o", request.output, "write all fields (HDF5)")->type_name("FILE.h5");
   add_coefficient_options(*run, request);
+  run->add_flag("--transient", request.transient,
+                "warm up in time: shell, housing and shaft from one temperature to the steady "
+                "state (tiers thd and tehd)");
+  run->add_option("--from", request.from,
+                  "temperature of shell, housing and shaft at the start (default 20 degC)")
+      ->type_name("TEMPERATURE");
+  run->add_option("--until", request.until, "end of the transient (default: until at rest)")
+      ->type_name("TIME");
+  run->add_option("--picture", request.picture, "draw the transient (SVG)")->type_name("FILE.svg");
 }
 
 void add_compare(CLI::App& app, Request& request) {

@@ -13,6 +13,7 @@ namespace shellback::program {
 [[nodiscard]] int auto_honesty(const Request& request);
 [[nodiscard]] int stress(const Request& request);
 [[nodiscard]] int sweep(const Request& request);
+[[nodiscard]] int transient(const Request& request);  ///< of run
 [[nodiscard]] int validate(const Request& request);
 
 }  // namespace shellback::program

@@ -51,6 +51,13 @@ void expect_film(const Case& subject) {
 }  // namespace
 
 int run(const Request& request) {
+  if (request.transient) return transient(request);
+  if (!request.from.empty() || !request.until.empty() || !request.picture.empty()) {
+    throw InputError(!request.from.empty()    ? "--from"
+                     : !request.until.empty() ? "--until"
+                                              : "--picture",
+                     "belongs to a transient; add --transient");
+  }
   const std::string text = read_text_file(request.case_file);
   const Case subject = read_case_text(text, request.case_file, overrides_of(request));
   expect_film(subject);

@@ -56,7 +56,7 @@ TEST_CASE("ThePathEndsInTheEquilibriumThatNewtonFinds") {
   const Solution usual = solve_tier(c, Tier::isothermal);
   REQUIRE(usual.verdict.good());
   Solution s = usual;
-  Part part(s);
+  Part part(s, Raised::load);
   part.take(0.05);
   s.film = cold_start(s.model, 313.15);
   REQUIRE(solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost).good());

@@ -1,0 +1,158 @@
+#include "app/write_warm_up.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/svg_lines.hpp"
+#include "app/write_json.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app {
+namespace {
+
+using coupling::Instant;
+using coupling::WarmUp;
+using Json = nlohmann::ordered_json;
+
+/// A quantity of an instant: its name in JSON, unit, and where the steady state has it.
+struct Followed {
+  const char* name;
+  const char* unit;
+  double Instant::*value;
+};
+constexpr std::array kFollowed{Followed{"friction_torque", "N m", &Instant::torque},
+                               Followed{"h_min", "m", &Instant::h_min},
+                               Followed{"T_film_max", "K", &Instant::T_film_max},
+                               Followed{"T_shell_max", "K", &Instant::T_shell_max},
+                               Followed{"T_shell_back", "K", &Instant::T_shell_back},
+                               Followed{"T_shaft", "K", &Instant::T_shaft},
+                               Followed{"thermal_opening_mean", "m", &Instant::deformation},
+                               Followed{"heat_in", "W", &Instant::heat_in},
+                               Followed{"heat_out", "W", &Instant::heat_out},
+                               Followed{"heat_stored", "W", &Instant::stored}};
+
+std::vector<double> over_time(const WarmUp& run, double Instant::*value) {
+  std::vector<double> out;
+  for (const Instant& i : run.instants) out.push_back(i.*value);
+  return out;
+}
+
+constexpr double kWidth = 1200.0;  ///< [px]
+constexpr double kHeight = 780.0;  ///< [px]
+
+/// A line of a panel, in the unit shown, with its steady value.
+struct Line {
+  const char* label;
+  double Instant::*value;
+  const char* steady;  ///< name of the quantity
+  double factor;
+  double zero;
+};
+
+class Panel {
+ public:
+  Panel(const WarmUp& run, const coupling::Result& steady, const Theme& theme)
+      : run_(run), steady_(steady), theme_(theme), t_(over_time(run, &Instant::t)) {}
+
+  void draw(Svg& svg, const Box& box, const std::string& title, const std::string& unit,
+            const std::vector<Line>& lines, bool from_zero) const {
+    LinePlot plot;
+    plot.title = title;
+    plot.x = log_axis(t_.front(), std::max(t_.back(), 10.0 * t_.front()), "time [s]");
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      Series series{lines[k].label, t_, {}, theme_.series[k % theme_.series.size()], ""};
+      for (const double v : over_time(run_, lines[k].value)) {
+        series.y.push_back(lines[k].factor * v - lines[k].zero);
+        low = std::min(low, series.y.back());
+        high = std::max(high, series.y.back());
+      }
+      plot.series.push_back(series);
+      const double end = steady_.value(lines[k].steady);
+      if (!steady_.verdict.good() || !std::isfinite(end)) continue;
+      const double shown = lines[k].factor * end - lines[k].zero;
+      low = std::min(low, shown);
+      high = std::max(high, shown);
+      plot.series.push_back({"", {t_.front(), t_.back()}, {shown, shown}, series.colour, "3 4"});
+    }
+    plot.y = round_axis(from_zero ? 0.0 : low, high, 6, "[" + unit + "]");
+    draw_lines(svg, box, plot, theme_);
+  }
+
+ private:
+  const WarmUp& run_;
+  const coupling::Result& steady_;
+  const Theme& theme_;
+  std::vector<double> t_;
+};
+
+std::string how_it_ended(const WarmUp& run) {
+  if (!run.end.verdict.good()) {
+    return fmt::format("ended after {:.4g} s: {}", run.end.t, run.end.verdict.reason);
+  }
+  return run.end.at_rest ? "at rest in the end; dashed: the steady state solved for itself"
+                         : fmt::format("shown up to {:.4g} s", run.end.t);
+}
+
+}  // namespace
+
+std::string warm_up_json(const coupling::Case& c, const WarmUp& run,
+                         const coupling::WarmUpOptions& options, const coupling::Result& steady) {
+  Json json;
+  json["status"] = run.end.verdict.good() ? "converged" : to_string(run.end.verdict.status);
+  json["converged"] = run.end.verdict.good();
+  if (!run.end.verdict.good()) {
+    json["reason"] = run.end.verdict.reason;
+    json["place"] = run.end.verdict.place;
+    json["cure"] = run.end.verdict.cure;
+  }
+  json["title"] = c.title;
+  json["tier"] = to_string(c.model.tier);
+  json["grid"] = c.model.grid;
+  json["start"] = {{"value", options.T_start}, {"unit", "K"}};
+  json["end"] = {{"t", {{"value", run.end.t}, {"unit", "s"}}}, {"at_rest", run.end.at_rest}};
+  json["time"] = {{"unit", "s"}, {"values", over_time(run, &Instant::t)}};
+  for (const Followed& q : kFollowed) {
+    json["quantities"][q.name] = {{"unit", q.unit}, {"values", over_time(run, q.value)}};
+  }
+  json["audit"] = {{"energy", run.imbalance()}};
+  const Json one = Json::parse(result_json(c, steady));
+  json["steady"] = {{"status", one["status"]}, {"quantities", one["quantities"]}};
+  json["provenance"] = one["provenance"];
+  return json.dump(2) + "\n";
+}
+
+std::string warm_up_svg(const coupling::Case& c, const WarmUp& run,
+                        const coupling::Result& steady) {
+  const Theme theme = print_theme();
+  Svg svg(kWidth, kHeight);
+  svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
+  svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
+  svg.text({24.0, 58.0},
+           "Warm-up, tier " + std::string(to_string(c.model.tier)) + ": " + how_it_ended(run),
+           {run.end.verdict.good() ? theme.muted : theme.more, 12.5});
+  const Panel panel(run, steady, theme);
+  panel.draw(svg, {70.0, 110.0, 500.0, 270.0}, "Temperature", "°C",
+             {{"film, largest", &Instant::T_film_max, "T_film_max", 1.0, kZeroCelsius},
+              {"shell, largest", &Instant::T_shell_max, "T_shell_max", 1.0, kZeroCelsius},
+              {"shell back, mean", &Instant::T_shell_back, "T_shell_back", 1.0, kZeroCelsius},
+              {"shaft", &Instant::T_shaft, "T_shaft", 1.0, kZeroCelsius}},
+             false);
+  panel.draw(svg, {660.0, 110.0, 500.0, 270.0}, "Friction torque", "N m",
+             {{"", &Instant::torque, "friction_torque", 1.0, 0.0}}, true);
+  panel.draw(svg, {70.0, 460.0, 500.0, 270.0}, "Smallest film", "µm",
+             {{"", &Instant::h_min, "h_min", 1e6, 0.0}}, false);
+  panel.draw(svg, {660.0, 460.0, 500.0, 270.0}, "Heat", "W",
+             {{"made", &Instant::heat_in, "", 1.0, 0.0},
+              {"carried off", &Instant::heat_out, "", 1.0, 0.0},
+              {"stored", &Instant::stored, "", 1.0, 0.0}},
+             false);
+  return svg.document(c.title);
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,22 @@
+#pragma once
+/// A warm-up as JSON and as a picture.
+#include <string>
+
+#include "coupling/warm_up.hpp"
+
+namespace shellback::app {
+
+/// status, [reason, place, cure], title, tier, grid, `start` (temperature of the walls), `end` {t,
+/// at_rest}, `time` and every quantity over time as {unit, values}, `steady`: the steady state
+/// solved for itself, with the bars of its grid, `audit` {energy: largest imbalance over the heat
+/// made}, provenance.
+[[nodiscard]] std::string warm_up_json(const coupling::Case& c, const coupling::WarmUp& run,
+                                       const coupling::WarmUpOptions& options,
+                                       const coupling::Result& steady);
+
+/// Temperatures, friction and smallest film over time (1200 x 780, white background), the steady
+/// state beside them; where the bearing seizes, when.
+[[nodiscard]] std::string warm_up_svg(const coupling::Case& c, const coupling::WarmUp& run,
+                                      const coupling::Result& steady);
+
+}  // namespace shellback::app

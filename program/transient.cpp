@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "app/case_text.hpp"
 #include "app/read_case.hpp"
 #include "app/units.hpp"
 #include "app/write_warm_up.hpp"

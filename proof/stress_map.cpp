@@ -8,6 +8,11 @@
 namespace shellback::proof {
 namespace {
 
+/// A solve that does not end at its limit has hung; a second more tells the signal from a kill [s].
+constexpr double kGrace = 1.0;
+/// Clock time over processor time after which a solve has hung: the machine may be busy [-].
+constexpr double kPatience = 20.0;
+
 struct Task {
   std::size_t row;
   std::size_t method;
@@ -92,7 +97,7 @@ bool solve_cells(const StressOptions& options, StressMap& map) {
   const int count = static_cast<int>(tasks.size());
   int finished = 0;
   return run_in_children(
-      count, {options.at_once, options.limit_s, options.stop},
+      count, {options.at_once, options.limit_s, kGrace, kPatience, options.stop},
       [&](int k) {
         return to_text(solve_stress_case(map.rows[tasks[k].row].scene, tasks[k].words));
       },
@@ -119,7 +124,7 @@ bool ask_beside(const StressOptions& options, StressMap& map) {
   const int count = static_cast<int>(all.size());
   int finished = 0;
   return run_in_children(
-      count, {options.at_once, options.limit_s, options.stop},
+      count, {options.at_once, options.limit_s, kGrace, kPatience, options.stop},
       [&](int k) { return to_text(solve_stress_case(all[k].what.scene, all[k].what.words)); },
       [&](int k, const ChildEnd& end) {
         const Asked& asked = all[k];

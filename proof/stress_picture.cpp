@@ -40,7 +40,7 @@ constexpr std::array<Look, 12> kLooks{{
     {StressClass::no_steady_state, "#56b4e9", "#1c2430", "∅"},
     {StressClass::refused_input, "#cfd4da", "#1c2430", "–"},
     {StressClass::not_found, "#f0e442", "#1c2430", "?"},
-    {StressClass::by_convention, "#8fb8de", "#1c2430", "c"},
+    {StressClass::by_convention, "#cbb7e6", "#1c2430", "c"},
     {StressClass::missed, "#e69f00", "#1c2430", "?!"},
     {StressClass::wrong_refusal, "#d00000", "#ffffff", "∅!"},
     {StressClass::wrong, "#d55e00", "#ffffff", "×"},

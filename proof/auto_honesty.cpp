@@ -1,7 +1,6 @@
 #include "proof/auto_honesty.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "proof/auto_trial.hpp"
 #include "proof/auto_wire.hpp"
@@ -32,10 +31,6 @@ AutoTrial trial_of(const ChildEnd& end) {
 }
 
 }  // namespace
-
-bool AutoAnswer::within() const {
-  return converged && std::abs(off_friction) <= tolerance && std::abs(off_h_min) <= tolerance;
-}
 
 std::vector<AutoTrial> judge_auto(const AutoStudy& study) {
   std::vector<AutoTrial> trials;

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <vector>
 
-#include "proof/auto_honesty.hpp"
+#include "proof/auto_record.hpp"
 
 namespace shellback::proof {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "proof/auto_honesty.hpp"
+#include "proof/auto_record.hpp"
 
 namespace shellback::proof {
 

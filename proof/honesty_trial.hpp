@@ -2,7 +2,8 @@
 /// One case: its bars, then their truths.
 #include <atomic>
 
-#include "proof/honesty.hpp"
+#include "proof/honesty_options.hpp"
+#include "proof/honesty_record.hpp"
 
 namespace shellback::proof {
 

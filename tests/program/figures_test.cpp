@@ -61,13 +61,13 @@ std::vector<std::string> words_of(const std::string& command) {
   return words;
 }
 
-std::string all_files_named(const std::string& name, const std::vector<const char*>& folders) {
+std::string files_ending_in(const std::string& name, const std::vector<const char*>& folders) {
   std::string text;
   for (const char* folder : folders) {
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
       const std::string file = entry.path().filename().string();
-      const bool meant = file == name || (name.starts_with(".") && file.ends_with(name));
-      if (entry.is_regular_file() && meant) text += app::read_text_file(entry.path().string());
+      if (entry.is_regular_file() && file.ends_with(name))
+        text += app::read_text_file(entry.path().string());
     }
   }
   return text;
@@ -96,7 +96,7 @@ std::string wrong_with_test_run(const std::vector<std::string>& words) {
   const auto chosen = std::find(words.begin(), words.end(), "-R");
   if (chosen == words.end() || chosen + 1 == words.end()) return "a test is named behind -R";
   const std::string name = "TEST_CASE(\"" + *(chosen + 1);
-  const bool known = all_files_named("_test.cpp", {"tests"}).find(name) != std::string::npos;
+  const bool known = files_ending_in("_test.cpp", {"tests"}).find(name) != std::string::npos;
   return known ? "" : "there is no test " + *(chosen + 1);
 }
 
@@ -116,7 +116,7 @@ std::string wrong_with(std::vector<std::string> words) {
   if (name == "shellback") return wrong_with_request(rest);
   if (name == "ctest") return wrong_with_test_run(rest);
   if (program.starts_with("scripts/")) return is_executable(kRoot / program) ? "" : "no script";
-  const std::string built = all_files_named("CMakeLists.txt", {"validation", "program"});
+  const std::string built = files_ending_in("CMakeLists.txt", {"validation", "program"});
   const bool known = built.find("add_executable(" + name + " ") != std::string::npos;
   return known ? "" : "nothing of this name is built";
 }

@@ -144,7 +144,7 @@ TEST_CASE("ACaseBeyondItsBudgetIsToldAndItsBarsAreNotJudged") {
   o.tiers = {Tier::isothermal, Tier::tehd};
   const HonestyRecord record = measure_honesty({{random_case(2), "random"}}, o);
   CHECK(record.count(CaseEnd::over_budget) == 1);
-  CHECK(record.processor_s.front() >= 0.9);
+  CHECK(record.processor_s.front() >= 0.5);
   const Coverage c = coverage_of(record.samples, BarKind::grid);
   CHECK(c.no_truth > 0);
   std::ostringstream table;

@@ -50,15 +50,16 @@ struct Costs {
   }
 };
 
-AutoSummary summary_of(const std::vector<AutoTrial>& trials, std::size_t k, double tolerance) {
+AutoSummary summary_of(const std::vector<AutoTrial>& trials, double tolerance) {
   AutoSummary s;
   s.tolerance = tolerance;
   Costs costs;
   for (const AutoTrial& t : trials) {
-    const bool answered = k < t.answers.size();
-    add(!answered, s.no_answer);
-    if (!answered) continue;
-    const AutoAnswer& a = t.answers[k];
+    const auto found = std::find_if(t.answers.begin(), t.answers.end(),
+                                    [&](const AutoAnswer& a) { return a.tolerance == tolerance; });
+    add(found == t.answers.end(), s.no_answer);
+    if (found == t.answers.end()) continue;
+    const AutoAnswer& a = *found;
     if (a.converged) add(!t.truth_converged, s.without_truth);
     if (!t.truth_converged) continue;
     add(a.within(), s.within);
@@ -89,9 +90,7 @@ double Share::value() const { return of > 0 ? static_cast<double>(held) / of : N
 std::vector<AutoSummary> summarize(const std::vector<AutoTrial>& trials,
                                    const std::vector<double>& tolerances) {
   std::vector<AutoSummary> list;
-  for (std::size_t k = 0; k < tolerances.size(); ++k) {
-    list.push_back(summary_of(trials, k, tolerances[k]));
-  }
+  for (const double tolerance : tolerances) list.push_back(summary_of(trials, tolerance));
   return list;
 }
 

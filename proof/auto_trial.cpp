@@ -15,6 +15,9 @@ namespace {
 using namespace coupling;
 
 constexpr int kTruthNodes = 7;  ///< across the film [-]
+/// Below this tolerance auto climbs to the truth's own grid and costs what the truth does: such
+/// answers come after it, so that a budget that does not reach them still judges the others [-].
+constexpr double kAsDearAsTruth = 0.005;
 
 /// Processor time of this thread [s]: the wall's clock also counts what others do.
 double thread_seconds() {
@@ -103,20 +106,26 @@ void compare(const Scalars& truth, const Scalars& limit, AutoAnswer& a) {
   a.holds_limit = holds(a, limit);
 }
 
-void find_truth(const Case& c, const SolveControl& control, AutoTrial& t) {
+/// Full TEHD on both grids, and their costs; nothing of it if one of them is refused.
+struct Truth {
+  Scalars truth;
+  Scalars limit;
+};
+Truth find_truth(const Case& c, const SolveControl& control, AutoTrial& t) {
   const Full usual = solve_full(c, {400, 50}, control);
   t.why = usual.verdict.reason;
-  if (!usual.verdict.good()) return;  // nor would the truth: a refusal costs more than a solution
+  if (!usual.verdict.good())
+    return {};  // nor would the truth: a refusal costs more than a solution
   const Full truth = solve_full(c, {800, 100}, control);
   t.why = truth.verdict.reason;
   t.truth_converged = truth.verdict.good();
-  if (!t.truth_converged) return;
+  if (!t.truth_converged) return {};
   t.truth_seconds = truth.seconds;
   t.usual_seconds = usual.seconds;
   t.truth_factorizations = truth.factorizations;
   t.usual_friction = usual.scalars.friction / truth.scalars.friction - 1.0;
   t.usual_h_min = usual.scalars.h_min / truth.scalars.h_min - 1.0;
-  for (AutoAnswer& a : t.answers) compare(truth.scalars, limit_of(usual, truth), a);
+  return {truth.scalars, limit_of(usual, truth)};
 }
 
 }  // namespace
@@ -128,13 +137,20 @@ AutoTrial try_auto(int seed, const std::vector<double>& tolerances, const std::a
   control.stop = stop;
   AutoTrial t;
   t.seed = seed;
-  for (const double tolerance : tolerances) {
-    AutoAnswer a = answer(c, tolerance, control);
-    if (stopped()) break;  // half an answer is none
-    t.answers.push_back(std::move(a));
-  }
-  if (!stopped()) find_truth(c, control, t);
+  const auto answer_from = [&](double low, double high) {
+    for (const double tolerance : tolerances) {
+      if (stopped() || tolerance < low || tolerance >= high) continue;
+      AutoAnswer a = answer(c, tolerance, control);
+      if (!stopped()) t.answers.push_back(std::move(a));  // half an answer is none
+    }
+  };
+  answer_from(kAsDearAsTruth, INFINITY);
+  Truth found;
+  if (!stopped()) found = find_truth(c, control, t);
+  answer_from(0.0, kAsDearAsTruth);
   t.end = stopped() ? CaseEnd::over_budget : CaseEnd::done;
+  if (!t.truth_converged) return t;
+  for (AutoAnswer& a : t.answers) compare(found.truth, found.limit, a);
   return t;
 }
 

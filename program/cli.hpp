@@ -54,6 +54,7 @@ struct Request {
   std::vector<std::string> vary;             ///< sweep --vary, each KEY=VALUES
   int cases = 200;                           ///< honesty, auto-honesty --cases
   int seed = 1;                              ///< honesty, auto-honesty --seed: of the first case
+  double budget_s = 32.0;                    ///< honesty, auto-honesty --budget: of a case [s]
   int nodes = 7;                             ///< honesty --nodes: across the film of the truth
   bool known = true;                         ///< honesty: shipped and validation cases as well
   std::vector<std::string> grids{"200x25"};  ///< honesty --grids

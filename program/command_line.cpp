@@ -129,6 +129,17 @@ void add_stress(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_budget(CLI::App& command, Request& request) {
+  constexpr double kLongest = 1e5;  // a day and more
+  command
+      .add_option(
+          "--budget", request.budget_s,
+          "processor time of a case [s] (default: 32, so that 215 cases on two cores take at "
+          "most an hour); a case that needs more counts as not judged")
+      ->type_name("S")
+      ->check(CLI::Range(0.1, kLongest));
+}
+
 void add_honesty(CLI::App& app, Request& request) {
   auto* honesty =
       app.add_subcommand("honesty", "measure on random bearings whether the error bars hold");
@@ -156,6 +167,7 @@ void add_honesty(CLI::App& app, Request& request) {
   honesty->add_option("--json", request.json, "write every bar; - is standard output")
       ->type_name("FILE");
   honesty->add_option("-o", request.output, "write the picture (SVG)")->type_name("FILE.svg");
+  add_budget(*honesty, request);
   add_force(*honesty, request);
   add_threads(*honesty, request, "cases solved at the same time");
 }
@@ -222,8 +234,9 @@ void add_auto_honesty(CLI::App& app, Request& request) {
   honesty->add_option("--seed", request.seed, "of the first bearing (default 1)")
       ->check(CLI::Range(0, kMostCases));
   honesty->add_option("--json", request.json, "also write every trial as JSON")->type_name("FILE");
+  add_budget(*honesty, request);
   add_force(*honesty, request);
-  honesty->add_option("-j", request.threads, "threads, one bearing each")
+  honesty->add_option("-j", request.threads, "bearings at the same time")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
 }

@@ -56,7 +56,8 @@ HonestyOptions options_of(const Request& request) {
   for (const std::string& words : request.grids) o.grids.push_back(grid_named(words, "--grids"));
   o.truth_grid = grid_named(request.truth, "--truth");
   o.truth_nodes = request.nodes;
-  o.threads = request.threads;
+  o.at_once = request.threads;
+  o.budget_s = request.budget_s;
   o.stop = &app::catch_interrupt();
   return o;
 }

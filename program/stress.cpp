@@ -8,9 +8,11 @@
 #include "program/commands.hpp"
 #include "program/outputs.hpp"
 #include "program/session.hpp"
+#include "proof/stress_list.hpp"
 #include "proof/stress_map.hpp"
 #include "proof/stress_picture.hpp"
 #include "proof/stress_table.hpp"
+#include "proof/stress_words.hpp"
 
 namespace shellback::program {
 
@@ -31,7 +33,8 @@ void print_open_cells(const StressMap& map) {
   for (const StressRow& row : map.rows) {
     for (std::size_t k = 0; k < row.cells.front().size(); ++k) {
       const StressCell& cell = row.cells.front()[k];
-      if (!is_fault(cell.result) && cell.result != StressClass::not_found) continue;
+      const bool open = cell.result == StressClass::not_found || cell.result == StressClass::missed;
+      if (!is_fault(cell.result) && !open) continue;
       std::cout << fmt::format(
           "{} {}: {}: {}\n    {}\n", full_name(row.scene), row.scene.steps[k].label,
           to_string(cell.result), cell.why,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/svg.hpp"
+#include "proof/coverage.hpp"
 #include "proof/honesty_report.hpp"
 
 namespace shellback::proof {
@@ -101,18 +102,42 @@ void draw_curves(Svg& svg, const Panel& p, const Theme& theme,
   }
 }
 
+/// Below a panel, a line a tier: what holds, how sure that is, what has no truth.
+void write_shares(Svg& svg, const Panel& p, const Theme& theme,
+                  const std::vector<BarSample>& samples, BarKind kind) {
+  double y = p.box.bottom() + 62.0;
+  for (const Tier tier : kTiers) {
+    std::vector<BarSample> some;
+    for (const BarSample& s : samples) {
+      if (s.tier == tier) some.push_back(s);
+    }
+    const Coverage c = coverage_of(some, kind);
+    if (c.count + c.no_truth == 0) continue;
+    std::string words = fmt::format("{}: ", to_string(tier));
+    words += c.count == 0 ? "none judged"
+                          : fmt::format("{:.1f} % [{:.1f}, {:.1f}] hold", 100.0 * c.held,
+                                        100.0 * c.interval.low, 100.0 * c.interval.high);
+    words += fmt::format(", {:.1f} % without a truth", 100.0 * c.share_without_truth());
+    svg.text({p.box.x, y}, words, {theme.ink, kText});
+    y += 17.0;
+  }
+}
+
 }  // namespace
 
 std::string honesty_svg(const HonestyRecord& record) {
   const Theme theme = print_theme();
-  Svg svg(960.0, 430.0);
-  const Panel panels[] = {{{60.0, 40.0, 395.0, 330.0}}, {{535.0, 40.0, 395.0, 330.0}}};
-  const BarKind kinds[] = {BarKind::grid, BarKind::total};
-  const char* titles[] = {"grid bars", "bars of grid and model together"};
-  for (int k = 0; k < 2; ++k) {
+  Svg svg(1340.0, 500.0);
+  const Panel panels[] = {
+      {{60.0, 40.0, 370.0, 330.0}}, {{500.0, 40.0, 370.0, 330.0}}, {{940.0, 40.0, 370.0, 330.0}}};
+  const BarKind kinds[] = {BarKind::grid, BarKind::limit, BarKind::total};
+  const char* titles[] = {"grid bars against a finer grid", "grid bars against the limit of grids",
+                          "grid and model against the full physics"};
+  for (int k = 0; k < 3; ++k) {
     draw_frame(svg, panels[k], theme, titles[k]);
     draw_promise(svg, panels[k], theme);
     draw_curves(svg, panels[k], theme, record.samples, kinds[k]);
+    write_shares(svg, panels[k], theme, record.samples, kinds[k]);
   }
   svg.text({18.0, 205.0}, "part of the bars that are this long or shorter",
            {theme.ink, kText, Anchor::middle, false, true});

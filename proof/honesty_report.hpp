@@ -3,18 +3,19 @@
 #include <iosfwd>
 #include <string>
 
-#include "proof/honesty.hpp"
+#include "proof/honesty_record.hpp"
 
 namespace shellback::proof {
 
-/// Coverage per grid, tier and quantity, and the refusals by name.
+/// What could not be judged, coverage per grid, tier, set and quantity (the poorest first) with the
+/// intervals of the shares, and the refusals by name.
 void write_honesty_table(std::ostream& out, const HonestyRecord& record);
 
-/// All samples and refusals.
+/// Coverage, how each case ended, all samples and refusals.
 [[nodiscard]] std::string honesty_json(const HonestyRecord& record);
 
-/// Bar over true error, one point a bar, both in parts of the quantity's natural size; grid bars
-/// left, total bars right. Points above the diagonal hold the truth. A complete SVG file.
+/// How long bars are over true errors, by tier: grid bars against the finer grid and against the
+/// limit of fine grids, sums against the full physics. A complete SVG file.
 [[nodiscard]] std::string honesty_svg(const HonestyRecord& record);
 
 }  // namespace shellback::proof

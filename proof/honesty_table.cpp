@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/text_table.hpp"
+#include "proof/coverage.hpp"
 #include "proof/honesty_report.hpp"
 
 namespace shellback::proof {
@@ -15,11 +16,33 @@ using coupling::Tier;
 
 namespace {
 
+using Samples = std::vector<BarSample>;
+
+/// Bars that are told together.
+struct Group {
+  std::string first;
+  std::string second;
+  Samples samples;
+  std::string cost;
+};
+
 std::string percent(double part) {
   return std::isfinite(part) ? fmt::format("{:.1f} %", 100.0 * part) : "-";
 }
 
 std::string ratio(double value) { return std::isnan(value) ? "-" : fmt::format("{:.2f}", value); }
+
+/// "95.8 % [95.4, 96.2]"
+std::string with_interval(double part, const ShareInterval& i) {
+  if (!std::isfinite(part)) return "-";
+  return fmt::format("{} [{:.1f}, {:.1f}]", percent(part), 100.0 * i.low, 100.0 * i.high);
+}
+
+std::string held(const Coverage& c) { return with_interval(c.held, c.interval); }
+
+std::string without_truth(const Coverage& c) {
+  return with_interval(c.share_without_truth(), wilson(c.no_truth, c.count + c.no_truth));
+}
 
 /// Median of the cost of the bars over that of the solve.
 std::string cost_ratio(const std::vector<BarCost>& costs, std::array<int, 2> grid, Tier tier) {
@@ -33,27 +56,9 @@ std::string cost_ratio(const std::vector<BarCost>& costs, std::array<int, 2> gri
   return fmt::format("{:.2f}", ratios[ratios.size() / 2]);
 }
 
-std::vector<std::string> cells(const std::string& first, const std::string& second,
-                               const std::vector<BarSample>& samples) {
-  const Coverage grid = coverage_of(samples, BarKind::grid);
-  const Coverage limit = coverage_of(samples, BarKind::limit);
-  const Coverage total = coverage_of(samples, BarKind::total);
-  return {first,
-          second,
-          std::to_string(grid.count),
-          percent(grid.held),
-          ratio(grid.median),
-          percent(limit.held),
-          ratio(limit.median),
-          std::to_string(total.count),
-          percent(total.held),
-          ratio(total.median),
-          std::to_string(total.unknown)};
-}
-
 template <class Choice>
-std::vector<BarSample> chosen(const std::vector<BarSample>& all, Choice choice) {
-  std::vector<BarSample> some;
+Samples chosen(const Samples& all, Choice choice) {
+  Samples some;
   std::copy_if(all.begin(), all.end(), std::back_inserter(some), choice);
   return some;
 }
@@ -66,68 +71,106 @@ std::vector<std::array<int, 2>> grids_of(const HonestyRecord& record) {
   return grids;
 }
 
-const std::vector<std::string> kHead{"",          "",          "grid bars", "hold",
-                                     "bar/error", "limit",     "bar/error", "total",
-                                     "hold",      "bar/error", "unknown"};
-
-void write_by_tier(std::ostream& out, const HonestyRecord& record) {
-  app::TextTable table(2);
-  auto head = kHead;
-  head[0] = "grid";
-  head[1] = "tier";
-  head.emplace_back("cost");
-  table.add(head);
-  table.rule();
+std::vector<Group> by_tier(const HonestyRecord& record) {
+  std::vector<Group> groups;
   for (const auto& grid : grids_of(record)) {
     const auto here = chosen(record.samples, [&](const auto& s) { return s.grid == grid; });
     const std::string name = fmt::format("{}x{}", grid[0], grid[1]);
     for (const Tier tier : {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd}) {
-      const auto some = chosen(here, [&](const auto& s) { return s.tier == tier; });
+      auto some = chosen(here, [&](const auto& s) { return s.tier == tier; });
       if (some.empty()) continue;
-      auto row = cells(name, to_string(tier), some);
-      row.push_back(cost_ratio(record.costs, grid, tier));
-      table.add(row);
+      const std::string cost = cost_ratio(record.costs, grid, tier);
+      groups.push_back({name, to_string(tier), std::move(some), cost});
     }
-    table.add(cells(name, "all", here));
+    groups.push_back({name, "all", here, "-"});
   }
-  table.print(out);
+  return groups;
 }
 
-void write_by_set(std::ostream& out, const HonestyRecord& record) {
-  app::TextTable table(2);
-  auto head = kHead;
-  head[0] = "cases";
-  table.add(head);
-  table.rule();
+std::vector<Group> by_set(const HonestyRecord& record) {
+  std::vector<Group> groups;
   for (const auto& grid : grids_of(record)) {
-    const std::string name = fmt::format("{}x{}", grid[0], grid[1]);
     for (const std::string& set : std::set(record.sets.begin(), record.sets.end())) {
-      const auto here = chosen(record.samples, [&](const auto& s) {
-        return s.grid == grid && record.sets[s.subject] == set;
-      });
-      table.add(cells(set, name, here));
+      groups.push_back(
+          {set, fmt::format("{}x{}", grid[0], grid[1]),
+           chosen(record.samples,
+                  [&](const auto& s) { return s.grid == grid && record.sets[s.subject] == set; }),
+           "-"});
     }
+  }
+  return groups;
+}
+
+/// The poorest first.
+std::vector<Group> by_quantity(const HonestyRecord& record) {
+  std::set<std::string> names;
+  for (const BarSample& s : record.samples) names.insert(s.quantity);
+  std::vector<std::pair<double, Group>> ranked;
+  for (const std::string& name : names) {
+    Group g{name, "", chosen(record.samples, [&](const auto& s) { return s.quantity == name; }),
+            "-"};
+    const double part = coverage_of(g.samples, BarKind::limit).held;
+    ranked.emplace_back(std::isnan(part) ? INFINITY : part, std::move(g));
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Group> groups;
+  for (auto& [part, g] : ranked) groups.push_back(std::move(g));
+  return groups;
+}
+
+/// The bars of the grid: against the truth's grid and against the limit of fine grids.
+void write_grid_bars(std::ostream& out, const std::vector<Group>& groups) {
+  app::TextTable table(2);
+  table.add({"bars of the grid", "", "judged", "no truth", "hold the truth's grid", "by bearing",
+             "bar/error", "hold the limit", "by bearing", "bar/error", "cost"});
+  table.rule();
+  const auto ends = [](const ShareInterval& i) {
+    return fmt::format("[{:.1f}, {:.1f}]", 100.0 * i.low, 100.0 * i.high);
+  };
+  for (const Group& g : groups) {
+    const Coverage grid = coverage_of(g.samples, BarKind::grid);
+    const Coverage limit = coverage_of(g.samples, BarKind::limit);
+    if (grid.count + grid.no_truth == 0) continue;
+    table.add({g.first, g.second, std::to_string(grid.count), without_truth(grid), held(grid),
+               ends(grid.by_bearing), ratio(grid.median), held(limit), ends(limit.by_bearing),
+               ratio(limit.median), g.cost});
   }
   table.print(out);
 }
 
-void write_by_quantity(std::ostream& out, const HonestyRecord& record) {
-  std::vector<std::string> names;
-  for (const BarSample& s : record.samples) {
-    if (std::find(names.begin(), names.end(), s.quantity) == names.end()) {
-      names.push_back(s.quantity);
-    }
-  }
+/// Bars of grid and model together against the full physics.
+void write_sums(std::ostream& out, const std::vector<Group>& groups) {
   app::TextTable table(2);
-  auto head = kHead;
-  head[0] = "quantity";
-  table.add(head);
+  table.add(
+      {"grid and model", "", "judged", "no truth", "hold", "by bearing", "bar/error", "unknown"});
   table.rule();
-  for (const std::string& name : names) {
-    table.add(
-        cells(name, "", chosen(record.samples, [&](const auto& s) { return s.quantity == name; })));
+  for (const Group& g : groups) {
+    const Coverage c = coverage_of(g.samples, BarKind::total);
+    if (c.count + c.no_truth == 0) continue;
+    table.add({g.first, g.second, std::to_string(c.count), without_truth(c), held(c),
+               fmt::format("[{:.1f}, {:.1f}]", 100.0 * c.by_bearing.low, 100.0 * c.by_bearing.high),
+               ratio(c.median), std::to_string(c.unknown)});
   }
   table.print(out);
+}
+
+void write_cases(std::ostream& out, const HonestyRecord& record) {
+  const int all = static_cast<int>(record.ends.size()) - record.count(CaseEnd::stopped);
+  const int cut = record.count(CaseEnd::over_budget) + record.count(CaseEnd::failed);
+  const ShareInterval i = wilson(cut, all);
+  out << fmt::format(
+      "{} cases of at most {:.0f} s of processor time: {} to the end; {} over the budget, {} "
+      "failed: "
+      "{}\n",
+      all, record.budget_s, record.count(CaseEnd::done), record.count(CaseEnd::over_budget),
+      record.count(CaseEnd::failed),
+      all > 0 ? with_interval(static_cast<double>(cut) / all, i) + " not judged in full" : "none");
+  for (std::size_t k = 0; k < record.ends.size(); ++k) {
+    if (record.ends[k] != CaseEnd::over_budget && record.ends[k] != CaseEnd::failed) continue;
+    out << fmt::format("  {}: {} ({:.0f} s){}{}\n", record.subjects[k], to_string(record.ends[k]),
+                       record.processor_s[k], record.whys[k].empty() ? "" : ": ", record.whys[k]);
+  }
 }
 
 void write_refusals(std::ostream& out, const HonestyRecord& record) {
@@ -137,7 +180,7 @@ void write_refusals(std::ostream& out, const HonestyRecord& record) {
   for (const HonestyRefusal& r : record.refusals) {
     // Reasons differ in their numbers; what stands before the first one is their name.
     const std::string name = r.reason.substr(0, r.reason.find_first_of("(0123456789"));
-    ++count[fmt::format("{}: {}", r.status, name)];
+    ++count[fmt::format("{}, {}: {}", to_string(r.tier), r.status, name)];
   }
   for (const auto& [name, n] : count) out << fmt::format("  {:4d}  {}\n", n, name);
 }
@@ -145,18 +188,22 @@ void write_refusals(std::ostream& out, const HonestyRecord& record) {
 }  // namespace
 
 void write_honesty_table(std::ostream& out, const HonestyRecord& record) {
-  const auto done = std::count(record.finished.begin(), record.finished.end(), true);
-  out << fmt::format(
-      "{} cases; bars of the grid against a finer grid and against the limit\n"
-      "of fine grids, bars of grid and model\n"
-      "together against the full physics on it; bar/error is the median, cost that\n"
-      "of the bars over that of the solve\n\n",
-      done);
-  write_by_tier(out, record);
-  out << '\n';
-  write_by_set(out, record);
-  out << '\n';
-  write_by_quantity(out, record);
+  write_cases(out, record);
+  out << "\nhold: share of the bars judged that contain the truth, [Wilson interval, 95 %], as if "
+         "each bar\nwere drawn by itself; by bearing: the interval for bars that are wrong "
+         "together; "
+         "no truth: share\nof all bars that could not be judged; bar/error: median; cost: bars "
+         "over "
+         "solve\n\n";
+  const auto tiers = by_tier(record);
+  const auto sets = by_set(record);
+  const auto quantities = by_quantity(record);
+  for (const auto* groups : {&tiers, &sets, &quantities}) {
+    write_grid_bars(out, *groups);
+    out << '\n';
+    write_sums(out, *groups);
+    out << '\n';
+  }
   write_refusals(out, record);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Differences that are known: is what lies outside what the entry documents, and nothing else?
-#include "proof/ledger_judge.hpp"
+#include "proof/ledger_report.hpp"
 
 namespace shellback::proof {
 

@@ -78,28 +78,6 @@ RowReport compare(const EntryReport& report, const QuantitySpec& spec, std::size
   return r;
 }
 
-/// Of two judgements the one that weighs more in a verdict over both.
-Judgement worse(Judgement a, Judgement b) {
-  const auto rank = [](Judgement j) {
-    switch (j) {
-      case Judgement::excluded:
-        return 0;
-      case Judgement::within:
-        return 1;
-      case Judgement::documented:
-        return 2;
-      case Judgement::changed:
-        return 3;
-      case Judgement::missing:
-        return 4;
-      case Judgement::outside:
-        return 5;
-    }
-    return 5;
-  };
-  return rank(a) >= rank(b) ? a : b;
-}
-
 void sum_up(QuantityReport& q) {
   double squares = 0.0;
   double size = 0.0;
@@ -195,68 +173,6 @@ FeatureReport judge_feature(const EntryReport& report, const Feature& feature) {
 }
 
 }  // namespace
-
-const char* to_string(Judgement judgement) {
-  switch (judgement) {
-    case Judgement::within:
-      return "within";
-    case Judgement::documented:
-      return "as documented";
-    case Judgement::changed:
-      return "not as documented";
-    case Judgement::outside:
-      return "outside";
-    case Judgement::excluded:
-      return "not judged";
-    case Judgement::missing:
-      return "no result";
-  }
-  return "";
-}
-
-bool as_expected(Judgement judgement) {
-  return judgement == Judgement::within || judgement == Judgement::documented ||
-         judgement == Judgement::excluded;
-}
-
-bool EntryReport::has(Evidence evidence) const {
-  const auto of_kind = [evidence](const auto& spec) { return spec.evidence == evidence; };
-  return std::any_of(entry.quantities.begin(), entry.quantities.end(), of_kind) ||
-         std::any_of(entry.features.begin(), entry.features.end(), of_kind);
-}
-
-Judgement EntryReport::verdict(Evidence evidence) const {
-  Judgement all = Judgement::excluded;
-  for (const QuantityReport& q : quantities) {
-    if (q.spec.evidence == evidence) all = worse(all, q.verdict);
-  }
-  for (const FeatureReport& f : features) {
-    if (f.feature.evidence == evidence) all = worse(all, f.verdict);
-  }
-  return all;
-}
-
-Judgement EntryReport::verdict() const {
-  Judgement all = Judgement::excluded;
-  for (int k = 0; k < kEvidences; ++k) all = worse(all, verdict(static_cast<Evidence>(k)));
-  return all;
-}
-
-BandWidth band_at(const EntryReport& report, const std::string& ours, std::size_t row) {
-  BandWidth band{kNone, kNone};
-  const auto add = [&](const Values& values) {
-    const auto found = values.value.find(ours);
-    if (found == values.value.end()) return;
-    band.low = std::fmin(band.low, found->second);
-    band.high = std::fmax(band.high, found->second);
-  };
-  if (report.bands.empty()) return band;
-  add(report.points[row].values);
-  for (const BandReport& unknown : report.bands) {
-    for (const auto& side : unknown.side) add(side[row]);
-  }
-  return band;
-}
 
 void judge(EntryReport& report) {
   report.quantities.clear();

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "proof/ledger_judge.hpp"
+#include "proof/ledger_report.hpp"
 
 namespace shellback::proof {
 

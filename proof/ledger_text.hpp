@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "proof/ledger_judge.hpp"
+#include "proof/ledger_report.hpp"
 
 namespace shellback::proof {
 

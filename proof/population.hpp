@@ -9,28 +9,10 @@
 /// be solved. All are drawn from the seed alone, by our own mapping of std::mt19937_64, whose
 /// sequence the standard fixes: the same cases on every platform (to the last digits of exp, log).
 #include <cstdint>
-#include <random>
 
 #include "coupling/case.hpp"
 
 namespace shellback::proof {
-
-/// Numbers from a seed.
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : engine_(seed) {}
-  /// In [0, 1), 53 bits.
-  [[nodiscard]] double unit();
-  [[nodiscard]] double between(double low, double high);
-  /// Even in the logarithm; both positive.
-  [[nodiscard]] double log_between(double low, double high);
-  [[nodiscard]] bool chance(double probability);
-  /// 0 .. count - 1.
-  [[nodiscard]] int index(int count);
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /// The bearing of that seed, tier tehd, grid 200 x 25.
 [[nodiscard]] coupling::Case random_case(std::uint64_t seed);

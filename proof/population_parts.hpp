@@ -1,6 +1,9 @@
 #pragma once
 /// The parts of a random bearing: oil, supplies, surfaces, solids.
-#include "proof/population.hpp"
+#include <vector>
+
+#include "coupling/case.hpp"
+#include "proof/draw.hpp"
 
 namespace shellback::proof {
 

@@ -9,6 +9,7 @@
 #include "app/read_case.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "coupling/bearing.hpp"
 #include "coupling/solve.hpp"
 
 namespace shellback::proof {
@@ -42,11 +43,6 @@ void add_range(const char* what, const Field& x, double low, double high, Stress
   if (*most > high) a.faults.push_back(fmt::format("{} rises to {:.4g}", what, *most));
 }
 
-void add_bound(const char* what, double value, double bound, StressAnswer& a) {
-  if (std::isnan(value) || value <= bound) return;
-  a.faults.push_back(fmt::format("{} audit {:.1e}", what, value));
-}
-
 /// The energy imbalance over the largest heat stream instead of the friction power: at tiny speed
 /// nearly all heat comes with the oil and goes into the walls, and friction is no measure.
 double energy_over_largest_stream(const Result& r) {
@@ -56,6 +52,26 @@ double energy_over_largest_stream(const Result& r) {
     if (r.has(name)) largest = std::max(largest, std::abs(r.value(name)));
   }
   return largest > 0.0 ? r.audit.energy * power / largest : r.audit.energy;
+}
+
+/// `applies`: whether the tier has this balance at all; only then a missing number is a fault.
+void add_bound(const char* what, double value, double bound, bool applies, StressAnswer& a) {
+  if (!std::isfinite(value)) {
+    if (!applies && std::isnan(value)) return;
+    a.faults.push_back(fmt::format("the {} audit is not a number", what));
+    a.not_a_number = true;
+    return;
+  }
+  if (value > bound) a.faults.push_back(fmt::format("{} audit {:.1e}", what, value));
+}
+
+void add_audits(const Case& c, const Result& r, StressAnswer& a) {
+  const bool loaded = std::holds_alternative<LoadGiven>(c.operation.position);
+  const bool heated = physics_of(c, r.tier).film_energy;
+  add_bound("mass", r.audit.mass, kMassBound, true, a);
+  add_bound("energy", energy_over_largest_stream(r), kEnergyBound, heated, a);
+  add_bound("load", r.audit.load, kLoadBound, loaded, a);
+  add_bound("moment", r.audit.moment, kMomentBound, true, a);
 }
 
 /// The coldest of all temperatures given.
@@ -158,10 +174,7 @@ void look_through(const Case& c, const Result& r, StressAnswer& a) {
   add_range("the film temperature", r.fields.T, low, kNoOilAnyMore, a);
   add_range("the shell temperature", r.fields.T_shell_surface, low, kNoOilAnyMore, a);
   add_range("the shear stress", r.fields.tau_journal, -inf, inf, a);
-  add_bound("mass", r.audit.mass, kMassBound, a);
-  add_bound("energy", energy_over_largest_stream(r), kEnergyBound, a);
-  add_bound("load", r.audit.load, kLoadBound, a);
-  add_bound("moment", r.audit.moment, kMomentBound, a);
+  add_audits(c, r, a);
 }
 
 StressAnswer solve_stress_case(const StressScene& scene, const std::vector<std::string>& words) {
@@ -181,7 +194,7 @@ StressAnswer solve_stress_case(const StressScene& scene, const std::vector<std::
     if (result.verdict.good()) look_through(c, result, a);
     if (scene.mirror) compare_mirror(result, solve(mirrored(c)), a);
   } catch (const InputError& error) {
-    a.status = "refused input";
+    a.status = kRefusedInput;
     a.reason = error.what();
   }
   return a;

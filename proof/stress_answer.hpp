@@ -9,9 +9,12 @@
 
 namespace shellback::proof {
 
+/// Status of a case that is refused before the solve.
+inline constexpr const char* kRefusedInput = "refused input";
+
 /// What a child tells of its solve.
 struct StressAnswer {
-  std::string status;  ///< core/outcome.hpp's words, or "refused input"
+  std::string status;  ///< core/outcome.hpp's words, or kRefusedInput
   std::string reason;
   std::string place;
   coupling::Audit audit;
@@ -32,7 +35,8 @@ struct StressAnswer {
 /// What cannot be in a converged result: numbers that are none; theta outside [0, 1]; pressure
 /// below that of cavitation; smooth surfaces that touch; temperatures below all given ones or
 /// beyond those at which oil is a liquid; audits out of bounds (mass 1e-8, energy 1e-4 of
-/// the largest heat stream, load 1e-6; moment: the error of the grid, 5 %).
+/// the largest heat stream, load 1e-6; moment: the error of the grid, 5 %) or not a number where
+/// the tier has that balance.
 void look_through(const coupling::Case& c, const coupling::Result& result, StressAnswer& answer);
 
 /// Reads the case, solves it and looks through the result; with `mirror` solves its mirror image

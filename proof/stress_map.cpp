@@ -1,20 +1,17 @@
 #include "proof/stress_map.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "app/read_case.hpp"
 #include "core/contract.hpp"
+#include "proof/stress_judge.hpp"
+#include "proof/stress_question.hpp"
 
 namespace shellback::proof {
 namespace {
 
-/// How much the next value may go the wrong way: the grid's and the solve's error [-].
-constexpr double kTrendSlack = 2e-3;
-/// Gaps below are measured against this: a nominal gap may pass through zero [m].
-constexpr double kSmallGap = 1e-7;
+/// A solve that does not end at its limit has hung; a second more tells the signal from a kill [s].
+constexpr double kGrace = 1.0;
+/// Clock time over processor time after which a solve has hung: the machine may be busy [-].
+constexpr double kPatience = 20.0;
 
 struct Task {
   std::size_t row;
@@ -57,133 +54,7 @@ std::vector<Task> tasks_for(const std::vector<StressRow>& rows, bool only_defaul
   return tasks;
 }
 
-/// What differences of a quantity are measured against.
-double size_of(const std::string& name, double value) {
-  return std::max(std::abs(value), name == "h_min" ? kSmallGap : 1e-300);
-}
-
-void find_broken_trend(const StressScene& scene, std::vector<StressCell>& cells) {
-  if (scene.trend.quantity.empty()) return;
-  const double sign = scene.trend.falls ? -1.0 : 1.0;
-  double before = NAN;
-  for (StressCell& cell : cells) {
-    if (cell.result != StressClass::converged) continue;
-    const double x = cell.answer.value(scene.trend.quantity);
-    if (sign * (x - before) < -kTrendSlack * size_of(scene.trend.quantity, before)) {
-      cell.result = StressClass::wrong;
-      cell.why = fmt::format("{} goes from {:.4g} to {:.4g}, against the trend",
-                             scene.trend.quantity, before, x);
-      continue;
-    }
-    before = x;
-  }
-}
-
-void find_differences(const StressMethod& method, const std::vector<StressCell>& ours,
-                      std::vector<StressCell>& theirs) {
-  for (std::size_t k = 0; k < theirs.size(); ++k) {
-    if (theirs[k].result != StressClass::converged) continue;
-    if (ours[k].result != StressClass::converged) continue;
-    for (const char* name : {"friction_torque", "h_min"}) {
-      const double a = ours[k].answer.value(name);
-      const double b = theirs[k].answer.value(name);
-      const double off = std::abs(b - a) / size_of(name, a);
-      if (off <= method.allowed) continue;
-      theirs[k].result = StressClass::wrong;
-      theirs[k].why = fmt::format("{} is {:.3g} % off", name, 100.0 * off);
-      break;
-    }
-  }
-}
-
 }  // namespace
-
-const char* to_string(StressClass c) {
-  switch (c) {
-    case StressClass::converged:
-      return "converged and audited";
-    case StressClass::no_steady_state:
-      return "refused: no steady state";
-    case StressClass::refused_input:
-      return "refused: input";
-    case StressClass::not_found:
-      return "refused: not found";
-    case StressClass::wrong:
-      return "wrong";
-    case StressClass::not_a_number:
-      return "not a number";
-    case StressClass::crashed:
-      return "crash";
-    case StressClass::timed_out:
-      return "hang";
-    case StressClass::not_run:
-      break;
-  }
-  return "not run";
-}
-
-bool is_fault(StressClass c) {
-  return c == StressClass::wrong || c == StressClass::not_a_number || c == StressClass::crashed ||
-         c == StressClass::timed_out;
-}
-
-StressCell judge_end(const ChildEnd& end) {
-  StressCell cell;
-  cell.seconds = end.seconds;
-  cell.why = end.answer;
-  switch (end.how) {
-    case ChildEnd::How::timed_out:
-      cell.result = StressClass::timed_out;
-      cell.why = fmt::format("no end after {:.0f} s", end.seconds);
-      return cell;
-    case ChildEnd::How::crashed:
-    case ChildEnd::How::threw:
-      cell.result = StressClass::crashed;
-      return cell;
-    case ChildEnd::How::answered:
-      break;
-  }
-  try {
-    cell.answer = answer_from(end.answer);
-  } catch (const std::exception& error) {
-    cell.result = StressClass::crashed;
-    cell.why = fmt::format("the answer cannot be read: {}", error.what());
-    return cell;
-  }
-  const StressAnswer& a = cell.answer;
-  cell.why = a.reason;
-  if (!a.faults.empty()) {
-    cell.result = a.not_a_number ? StressClass::not_a_number : StressClass::wrong;
-    cell.why = fmt::format("{}", fmt::join(a.faults, "; "));
-  } else if (a.converged()) {
-    cell.result = StressClass::converged;
-  } else if (a.status == shellback::to_string(Status::no_steady_state)) {
-    cell.result = StressClass::no_steady_state;
-  } else if (a.status == shellback::to_string(Status::iteration_limit)) {
-    cell.result = StressClass::not_found;
-  } else if (a.status == shellback::to_string(Status::invalid_number)) {
-    cell.result = StressClass::not_a_number;
-  } else {
-    cell.result = StressClass::refused_input;
-  }
-  return cell;
-}
-
-void judge_row(StressRow& row) {
-  find_broken_trend(row.scene, row.cells.front());
-  const auto& methods = stress_methods();
-  for (std::size_t m = 1; m < row.cells.size(); ++m) {
-    find_differences(methods[m], row.cells.front(), row.cells[m]);
-  }
-}
-
-std::vector<std::string> words_of(const StressScene& scene, const StressStep& step,
-                                  const StressMethodWords& method) {
-  std::vector<std::string> words = scene.words;
-  words.insert(words.end(), step.words.begin(), step.words.end());
-  words.insert(words.end(), method.words.begin(), method.words.end());
-  return words;
-}
 
 bool StressMap::shipped_is_sound() const {
   for (const StressRow& row : rows) {
@@ -202,24 +73,79 @@ int StressMap::count(std::size_t method, StressClass c) const {
   return n;
 }
 
-StressMap stress_map(const std::vector<StressScene>& scenes, const StressOptions& options) {
-  StressMap map;
-  for (const StressScene& scene : scenes) {
-    map.rows.push_back(
-        {scene, std::vector<std::vector<StressCell>>(stress_methods().size(),
-                                                     std::vector<StressCell>(scene.steps.size()))});
+int StressMap::count_conventions(std::size_t method) const {
+  int n = 0;
+  for (const StressRow& row : rows) {
+    for (const StressCell& cell : row.cells[method]) n += cell.convention ? 1 : 0;
   }
+  return n;
+}
+
+int StressMap::count_questions() const {
+  std::size_t n = 0;
+  for (const StressRow& row : rows) {
+    for (const auto& step : row.asked) n += step.size();
+  }
+  return static_cast<int>(n);
+}
+
+namespace {
+
+/// Solves every cell; false if it was stopped.
+bool solve_cells(const StressOptions& options, StressMap& map) {
   const std::vector<Task> tasks = tasks_for(map.rows, options.only_default);
   const int count = static_cast<int>(tasks.size());
   int finished = 0;
-  map.complete = run_in_children(
-      count, {options.at_once, options.limit_s, options.stop},
-      [&](int k) { return to_text(solve_stress_case(scenes[tasks[k].row], tasks[k].words)); },
+  return run_in_children(
+      count, {options.at_once, options.limit_s, kGrace, kPatience, options.stop},
+      [&](int k) {
+        return to_text(solve_stress_case(map.rows[tasks[k].row].scene, tasks[k].words));
+      },
       [&](int k, const ChildEnd& end) {
         const Task& task = tasks[k];
         map.rows[task.row].cells[task.method][task.step] = judge_end(end);
-        if (options.tell) options.tell(full_name(scenes[task.row]), ++finished, count);
+        if (options.tell) options.tell(full_name(map.rows[task.row].scene), ++finished, count);
       });
+}
+
+/// Asks what else there is to be asked; false if it was stopped.
+bool ask_beside(const StressOptions& options, StressMap& map) {
+  struct Asked {
+    std::size_t row;
+    std::size_t step;
+    StressQuestion what;
+  };
+  std::vector<Asked> all;
+  for (std::size_t r = 0; r < map.rows.size(); ++r) {
+    for (std::size_t k = 0; k < map.rows[r].scene.steps.size(); ++k) {
+      for (StressQuestion& q : questions_about(map.rows[r], k)) all.push_back({r, k, std::move(q)});
+    }
+  }
+  const int count = static_cast<int>(all.size());
+  int finished = 0;
+  return run_in_children(
+      count, {options.at_once, options.limit_s, kGrace, kPatience, options.stop},
+      [&](int k) { return to_text(solve_stress_case(all[k].what.scene, all[k].what.words)); },
+      [&](int k, const ChildEnd& end) {
+        const Asked& asked = all[k];
+        map.rows[asked.row].asked[asked.step].push_back(
+            {asked.what.question, asked.what.name, judge_end(end)});
+        const std::string name = full_name(map.rows[asked.row].scene) + ": " + asked.what.name;
+        if (options.tell) options.tell(name, ++finished, count);
+      });
+}
+
+}  // namespace
+
+StressMap stress_map(const std::vector<StressScene>& scenes, const StressOptions& options) {
+  StressMap map;
+  for (const StressScene& scene : scenes) {
+    const std::size_t steps = scene.steps.size();
+    map.rows.push_back({scene});
+    map.rows.back().cells.assign(stress_methods().size(), std::vector<StressCell>(steps));
+    map.rows.back().asked.resize(steps);
+  }
+  map.complete = solve_cells(options, map) && ask_beside(options, map);
   for (StressRow& row : map.rows) judge_row(row);
   return map;
 }

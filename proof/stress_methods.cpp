@@ -7,13 +7,29 @@ const std::vector<StressMethod>& stress_methods() {
   constexpr double kOtherGrid = 0.02;
   constexpr double kOtherModel = 0.1;
   static const std::vector<StressMethod> methods{
-      {"default", "Shellback", 0.0, true},
-      {"fischer-burmeister", "Fischer-Burmeister Newton", kSameEquations, false},
-      {"p-theta", "p-theta relaxation", kSameEquations, false},
-      {"swift-stieber", "Swift-Stieber", kOtherModel, false},
-      {"fixed-point", "elastic fixed point", kSameEquations, false},
-      {"layers", "20 even layers", kOtherGrid, false},
-      {"mean", "one temperature across", kOtherModel, false},
+      {.name = "default", .title = "Shellback", .shipped = true, .same_equations = true},
+      {.name = "fischer-burmeister",
+       .title = "Fischer-Burmeister Newton",
+       .allowed = kSameEquations,
+       .same_equations = true},
+      {.name = "p-theta",
+       .title = "p-theta relaxation",
+       .allowed = kSameEquations,
+       .same_equations = true},
+      {.name = "swift-stieber",
+       .title = "Swift-Stieber",
+       .allowed = kOtherModel,
+       .less_physics = true,
+       .full_shear = true},
+      {.name = "fixed-point",
+       .title = "elastic fixed point",
+       .allowed = kSameEquations,
+       .same_equations = true},
+      {.name = "layers", .title = "20 even layers", .allowed = kOtherGrid},
+      {.name = "mean",
+       .title = "one temperature across",
+       .allowed = kOtherModel,
+       .less_physics = true},
   };
   return methods;
 }

@@ -14,7 +14,10 @@ struct StressMethod {
   /// Friction torque and smallest film may differ so far from the default's: the same equations
   /// leave next to nothing, another discretisation its error, another model more [-].
   double allowed = 0.0;
-  bool shipped = false;  ///< what Shellback does unless told otherwise
+  bool shipped = false;         ///< what Shellback does unless told otherwise
+  bool same_equations = false;  ///< the default's, and its discretisation
+  bool less_physics = false;    ///< a poorer model: its results contradict no refusal
+  bool full_shear = false;      ///< no fill ratio: cavitated film is sheared as if it were full
 };
 
 /// The default first.

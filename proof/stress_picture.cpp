@@ -6,7 +6,7 @@
 #include <array>
 
 #include "app/svg.hpp"
-#include "proof/stress_table.hpp"
+#include "proof/stress_words.hpp"
 
 namespace shellback::proof {
 namespace {
@@ -27,19 +27,22 @@ constexpr double kText = 10.5;
 constexpr std::size_t kReasonLength = 78;
 constexpr std::size_t kLabelLength = 10;
 
-/// Colours after Okabe and Ito, told apart by colour-blind readers; a sign tells them apart in
-/// grey.
+/// Colours after Okabe and Ito, told apart by colour-blind readers, but for the pure red of a wrong
+/// refusal; a sign tells them apart in grey.
 struct Look {
   StressClass what;
   const char* colour;
   const char* ink;
   const char* sign;
 };
-constexpr std::array<Look, 9> kLooks{{
+constexpr std::array<Look, 12> kLooks{{
     {StressClass::converged, "#bfe3d6", "#1c2430", ""},
     {StressClass::no_steady_state, "#56b4e9", "#1c2430", "∅"},
     {StressClass::refused_input, "#cfd4da", "#1c2430", "–"},
     {StressClass::not_found, "#f0e442", "#1c2430", "?"},
+    {StressClass::by_convention, "#cbb7e6", "#1c2430", "c"},
+    {StressClass::missed, "#e69f00", "#1c2430", "?!"},
+    {StressClass::wrong_refusal, "#d00000", "#ffffff", "∅!"},
     {StressClass::wrong, "#d55e00", "#ffffff", "×"},
     {StressClass::not_a_number, "#cc79a7", "#ffffff", "N"},
     {StressClass::crashed, "#000000", "#ffffff", "!"},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 
 #include "app/case_text.hpp"
 #include "app/did_you_mean.hpp"
@@ -17,8 +18,8 @@ namespace {
 
 using namespace app;
 
-const std::vector<std::string> kKeys{"name", "title",  "case",  "tiers",  "set",   "vary",
-                                     "axis", "values", "trend", "mirror", "expect"};
+const std::vector<std::string> kKeys{"name", "title",  "case",  "tiers",  "set",    "vary",
+                                     "axis", "values", "trend", "mirror", "expect", "expects"};
 constexpr const char* kQuickGrid = "model.grid=[48, 8]";
 
 [[noreturn]] void fail(const toml::node& node, const std::string& problem) {
@@ -93,6 +94,31 @@ StressTrend trend_of(const toml::node& node) {
   return {text.substr(0, blank), way == "falls"};
 }
 
+/// Of "expects": a text for all tiers, or a table with a text for some of them.
+StressExpectation expectation_of(const toml::node& node, const StressScene& scene) {
+  const toml::node* text = &node;
+  if (node.is_table()) text = node.as_table()->get(to_string(scene.tier));
+  if (text == nullptr) return {};
+  std::vector<std::string> labels;
+  for (const StressStep& step : scene.steps) labels.push_back(step.label);
+  try {
+    return expectation_from(text_of(*text), labels);
+  } catch (const std::invalid_argument& error) {
+    fail(*text, error.what());
+  }
+}
+
+/// Refuses tiers of "expects" that the scene does not have.
+void check_expected_tiers(const toml::node& node, const std::vector<std::string>& tiers) {
+  if (!node.is_table()) return;
+  for (auto&& [key, value] : *node.as_table()) {
+    const std::string tier(key.str());
+    if (std::find(tiers.begin(), tiers.end(), tier) == tiers.end()) {
+      fail(value, "the scene has no tier " + in_quotes(tier));
+    }
+  }
+}
+
 bool chooses_grid(const StressScene& scene) {
   const auto names_grid = [](const std::string& word) { return word.starts_with("model.grid="); };
   return std::any_of(scene.words.begin(), scene.words.end(), names_grid) ||
@@ -124,9 +150,12 @@ std::vector<StressScene> rows_of(const toml::table& table, const std::string& fo
   if (quick && !chooses_grid(scene)) scene.words.emplace_back(kQuickGrid);
   std::vector<StressScene> rows;
   const toml::node& tiers = need(table, "tiers");
+  const toml::node* expects = table.get("expects");
+  if (expects != nullptr) check_expected_tiers(*expects, texts_of(tiers));
   for (const std::string& tier : texts_of(tiers)) {
     rows.push_back(scene);
     rows.back().tier = tier_named(tier, place_of(tiers.source()));
+    if (expects != nullptr) rows.back().expects = expectation_of(*expects, rows.back());
   }
   return rows;
 }

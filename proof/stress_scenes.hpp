@@ -5,6 +5,7 @@
 
 #include "app/overrides.hpp"
 #include "coupling/case.hpp"
+#include "proof/stress_expectation.hpp"
 
 namespace shellback::proof {
 
@@ -24,14 +25,15 @@ struct StressTrend {
 struct StressScene {
   std::string name;
   std::string title;
-  std::string expect;     ///< what physics has in store
+  std::string expect;     ///< what physics has in store, in words
   std::string axis;       ///< the key driven, in words
   std::string case_path;  ///< case file
   coupling::Tier tier = coupling::Tier::isothermal;
   std::vector<std::string> words;  ///< changes that hold throughout, KEY=VALUE
   std::vector<StressStep> steps;   ///< from harmless to beyond failing
   StressTrend trend;
-  bool mirror = false;  ///< each step is solved mirrored as well
+  StressExpectation expects;  ///< what physics is known to have in store in this tier
+  bool mirror = false;        ///< each step is solved mirrored as well
 };
 
 /// "scene/tier"

@@ -2,49 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-#include <nlohmann/json.hpp>
-
-#include "app/read_case.hpp"
-#include "core/contract.hpp"
+#include "proof/stress_refusal.hpp"
+#include "proof/stress_words.hpp"
 
 namespace shellback::proof {
 namespace {
 
-using app::Override;
-
-constexpr std::array kClasses{StressClass::converged,     StressClass::no_steady_state,
-                              StressClass::refused_input, StressClass::not_found,
-                              StressClass::wrong,         StressClass::not_a_number,
-                              StressClass::crashed,       StressClass::timed_out};
 constexpr const char* kLegend =
-    "`ok` converged and audited · `phy` refused, physics has no steady state · `inp` refused as "
-    "input · `?` refused, not found · `WRONG` · `NaN` · `CRASH` · `HANG` · `·` does not apply\n";
+    "`ok` converged and audited · `none` refused as having no steady state, and nobody found one · "
+    "`inp` refused as input · `?` not found, by nobody · `conv` differs by convention alone · "
+    "`MISS` not found, but there is one · `REFUSAL` refused as having no steady state, but there "
+    "is "
+    "one · `WRONG` · `NaN` · `CRASH` · `HANG` · `·` does not apply\n";
 
-const char* mark_of(StressClass c) {
-  switch (c) {
-    case StressClass::converged:
-      return "ok";
-    case StressClass::no_steady_state:
-      return "phy";
-    case StressClass::refused_input:
-      return "inp";
-    case StressClass::not_found:
-      return "?";
-    case StressClass::wrong:
-      return "**WRONG**";
-    case StressClass::not_a_number:
-      return "**NaN**";
-    case StressClass::crashed:
-      return "**CRASH**";
-    case StressClass::timed_out:
-      return "**HANG**";
-    case StressClass::not_run:
-      break;
-  }
-  return "·";
-}
+constexpr std::size_t kReasonLength = 160;  ///< of a reason on the page [characters]
 
 /// For Markdown table cells.
 std::string cell_text(std::string text) {
@@ -54,45 +25,26 @@ std::string cell_text(std::string text) {
   return text;
 }
 
-std::string quoted(const std::string& word) {
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
-std::string csv_text(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c == '\n' ? ' ' : c;
-  }
-  return out + "\"";
-}
-
-coupling::Physics physics_of_cell(const StressScene& scene, const StressStep& step) {
-  std::vector<Override> changes;
-  for (const std::string& word : words_of(scene, step, {})) {
-    changes.push_back(app::parse_override(word));
-  }
-  try {
-    return coupling::physics_of(app::read_case(scene.case_path, changes, {scene.tier}), scene.tier);
-  } catch (const InputError&) {
-    return {};
-  }
+/// The mark without its style.
+std::string in_plain(StressClass c) {
+  std::string mark = stress_mark(c);
+  const std::size_t word = mark.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ");
+  if (!mark.ends_with("**")) return mark;
+  return mark.substr(word, mark.size() - word - 2);
 }
 
 /// Rows of counts, one per method.
 std::string counts(const StressMap& map) {
   std::string out = "| method | cells |";
-  for (const StressClass c : kClasses) out += fmt::format(" {} |", to_string(c));
+  for (const StressClass c : kStressClasses) out += fmt::format(" {} |", to_string(c));
   out += "\n|---|---:|" + std::string("---:|");
-  for (std::size_t k = 1; k < kClasses.size(); ++k) out += "---:|";
+  for (std::size_t k = 1; k < kStressClasses.size(); ++k) out += "---:|";
   out += "\n";
   const auto& methods = stress_methods();
   for (std::size_t m = 0; m < methods.size(); ++m) {
     int all = 0;
     std::string line;
-    for (const StressClass c : kClasses) {
+    for (const StressClass c : kStressClasses) {
       all += map.count(m, c);
       line += fmt::format(" {} |", map.count(m, c));
     }
@@ -106,7 +58,8 @@ std::string counts(const StressMap& map) {
 std::string row_line(const StressRow& row, std::size_t m) {
   std::string line =
       fmt::format("| {} | {} |", to_string(row.scene.tier), stress_methods()[m].title);
-  for (const StressCell& cell : row.cells[m]) line += fmt::format(" {} |", mark_of(cell.result));
+  for (const StressCell& cell : row.cells[m])
+    line += fmt::format(" {} |", stress_mark(cell.result));
   return line + "\n";
 }
 
@@ -117,44 +70,55 @@ bool was_run(const std::vector<StressCell>& cells) {
   return false;
 }
 
+/// Who was asked about a refusal that nobody contradicts.
+std::string nobody_else(const StressRow& row, std::size_t step) {
+  const StressClass c = row.cells.front()[step].result;
+  if (c != StressClass::no_steady_state && c != StressClass::not_found) return "";
+  const int asked = silent_witnesses(row, step);
+  return asked > 0 ? fmt::format(" ({} others found none either)", asked) : " (nobody else asked)";
+}
+
 /// What ended the default's row, value by value.
 std::string endings(const StressRow& row) {
   std::string out;
   for (std::size_t k = 0; k < row.scene.steps.size(); ++k) {
     const StressCell& cell = row.cells.front()[k];
     if (cell.result == StressClass::converged || cell.result == StressClass::not_run) continue;
-    out += fmt::format("- {}, {}: {}: {}\n", to_string(row.scene.tier), row.scene.steps[k].label,
-                       to_string(cell.result), cell_text(in_short(cell.why, 160)));
+    out += fmt::format(
+        "- {}, {}: {}{}: {}\n", to_string(row.scene.tier), row.scene.steps[k].label,
+        is_fault(cell.result) ? std::string(stress_mark(cell.result)) + " " : std::string(),
+        to_string(cell.result) + nobody_else(row, k), cell_text(in_short(cell.why, kReasonLength)));
+  }
+  return out;
+}
+
+/// What physics is known to have in store, by tier.
+std::string known_beforehand(const StressMap& map, const std::string& name) {
+  std::string out;
+  for (const StressRow& row : map.rows) {
+    if (row.scene.name != name || row.scene.expects.words.empty()) continue;
+    out += fmt::format("{}{}: {}", out.empty() ? " Judged by: " : ", ", to_string(row.scene.tier),
+                       row.scene.expects.words);
+  }
+  return out.empty() ? out : out + ".";
+}
+
+/// How many differences of friction are ones of convention.
+std::string conventions(const StressMap& map) {
+  std::string out;
+  for (std::size_t m = 0; m < stress_methods().size(); ++m) {
+    if (map.count_conventions(m) == 0) continue;
+    out += fmt::format(
+        "\n{}: in {} cells the friction torque differs by a convention alone (the cavitated film "
+        "is "
+        "sheared in full); with the same convention it agrees. What else is wrong there stands in "
+        "the cell.\n",
+        stress_methods()[m].title, map.count_conventions(m));
   }
   return out;
 }
 
 }  // namespace
-
-std::string in_short(const std::string& why, std::size_t most) {
-  std::string text = why.substr(0, why.find(" ("));
-  if (text.size() <= most) return text;
-  text = text.substr(0, text.rfind(' ', most - 1));
-  return text + " …";
-}
-
-std::string end_of_row(const StressRow& row) {
-  for (std::size_t k = 0; k < row.scene.steps.size(); ++k) {
-    const StressCell& cell = row.cells.front()[k];
-    if (cell.result == StressClass::converged || cell.result == StressClass::not_run) continue;
-    return row.scene.steps[k].label + ": " + in_short(cell.why, 70);
-  }
-  return "";
-}
-
-std::string repeat_command(const StressScene& scene, const StressStep& step,
-                           const StressMethod& method) {
-  const auto words = words_for(method, physics_of_cell(scene, step));
-  std::string out =
-      fmt::format("shellback run {} --tier {}", scene.case_path, to_string(scene.tier));
-  for (const std::string& word : words_of(scene, step, words)) out += " --set " + quoted(word);
-  return out;
-}
 
 std::string stress_page(const StressMap& map, const std::string& picture,
                         const std::string& command) {
@@ -162,14 +126,16 @@ std::string stress_page(const StressMap& map, const std::string& picture,
   out += fmt::format("Made by `{}`; not written by hand.\n\n", command);
   if (!map.complete) out += "**Stopped before the end: cells are missing.**\n\n";
   if (!picture.empty()) out += fmt::format("![Stability map]({})\n\n", picture);
-  out += "## Counts\n\n" + counts(map) + "\n## Scenes\n\n" + kLegend;
+  out += "## Counts\n\n" + faults_in_words(map) + ".\n\n" + counts(map) + conventions(map);
+  out += std::string("\n## Scenes\n\n") + kLegend;
   std::string before;
   for (std::size_t r = 0; r < map.rows.size(); ++r) {
     const StressRow& row = map.rows[r];
     if (row.scene.name != before) {
       before = row.scene.name;
-      out += fmt::format("\n### {}: {}\n\nDriven: {}. Expected: {}.\n\n| tier | method |",
-                         row.scene.name, row.scene.title, row.scene.axis, row.scene.expect);
+      out += fmt::format("\n### {}: {}\n\nDriven: {}. Expected: {}.{}\n\n| tier | method |",
+                         row.scene.name, row.scene.title, row.scene.axis, row.scene.expect,
+                         known_beforehand(map, row.scene.name));
       for (const StressStep& step : row.scene.steps) out += fmt::format(" {} |", step.label);
       out += "\n|---|---|";
       for (std::size_t k = 0; k < row.scene.steps.size(); ++k) out += "---|";
@@ -186,75 +152,20 @@ std::string stress_page(const StressMap& map, const std::string& picture,
   return out;
 }
 
-std::string stress_csv(const StressMap& map) {
-  std::string out =
-      "scene,tier,method,value,class,friction_torque_Nm,h_min_m,p_max_Pa,T_film_max_K,"
-      "mass_audit,energy_audit,load_audit,moment_audit,seconds,why\n";
-  for (const StressRow& row : map.rows) {
-    for (std::size_t m = 0; m < row.cells.size(); ++m) {
-      for (std::size_t k = 0; k < row.cells[m].size(); ++k) {
-        const StressCell& cell = row.cells[m][k];
-        if (cell.result == StressClass::not_run) continue;
-        const StressAnswer& a = cell.answer;
-        out += fmt::format("{},{},{},{},{}", row.scene.name, to_string(row.scene.tier),
-                           stress_methods()[m].name, csv_text(row.scene.steps[k].label),
-                           csv_text(to_string(cell.result)));
-        const bool known = cell.result == StressClass::converged ||
-                           cell.result == StressClass::wrong;  // no numbers without convergence
-        for (const double x :
-             {a.value("friction_torque"), a.value("h_min"), a.value("p_max"), a.value("T_film_max"),
-              a.audit.mass, a.audit.energy, a.audit.load, a.audit.moment}) {
-          out += known && std::isfinite(x) ? fmt::format(",{:.8g}", x) : std::string(",");
-        }
-        out += fmt::format(",{:.3g},{}\n", cell.seconds, csv_text(cell.why));
-      }
-    }
-  }
-  return out;
-}
-
-std::string stress_json(const StressMap& map) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const StressRow& row : map.rows) {
-    for (std::size_t m = 0; m < row.cells.size(); ++m) {
-      for (std::size_t k = 0; k < row.cells[m].size(); ++k) {
-        const StressCell& cell = row.cells[m][k];
-        if (cell.result == StressClass::not_run) continue;
-        nlohmann::json j{{"scene", row.scene.name},
-                         {"tier", to_string(row.scene.tier)},
-                         {"method", stress_methods()[m].name},
-                         {"value", row.scene.steps[k].label},
-                         {"class", to_string(cell.result)},
-                         {"why", cell.why},
-                         {"seconds", cell.seconds}};
-        if (cell.result == StressClass::converged) {
-          for (const auto& [name, x] : cell.answer.quantities) j["quantities"][name] = x;
-        }
-        if (is_fault(cell.result) || cell.result == StressClass::not_found) {
-          j["repeat"] = repeat_command(row.scene, row.scene.steps[k], stress_methods()[m]);
-        }
-        list.push_back(std::move(j));
-      }
-    }
-  }
-  const nlohmann::json all{{"complete", map.complete}, {"cells", std::move(list)}};
-  return all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
-
 std::string stress_summary(const StressMap& map) {
   std::string out = fmt::format("{:<28}", "cells");
-  for (const StressClass c : kClasses) out += fmt::format(" {:>9.9}", mark_of(c));
+  for (const StressClass c : kStressClasses) out += fmt::format(" {:>9.9}", in_plain(c));
   out += "\n";
   for (std::size_t m = 0; m < stress_methods().size(); ++m) {
     int all = 0;
     std::string line;
-    for (const StressClass c : kClasses) {
+    for (const StressClass c : kStressClasses) {
       all += map.count(m, c);
       line += fmt::format(" {:>9}", map.count(m, c));
     }
     if (all > 0) out += fmt::format("{:<28}{}\n", stress_methods()[m].title, line);
   }
-  return out;
+  return out + "\n" + faults_in_words(map) + "\n";
 }
 
 }  // namespace shellback::proof

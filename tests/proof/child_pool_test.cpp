@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "proof/stress_map.hpp"
+#include "proof/stress_cell.hpp"
 
 using namespace shellback;
 using namespace shellback::proof;
@@ -39,7 +39,7 @@ std::string work(int k) {
 
 std::map<int, ChildEnd> ends_of(int count, int at_once) {
   std::map<int, ChildEnd> ends;
-  const bool all = run_in_children(count, {at_once, 1.0, nullptr}, work,
+  const bool all = run_in_children(count, {at_once, 1.0}, work,
                                    [&](int k, const ChildEnd& end) { ends[k] = end; });
   CHECK(all);
   return ends;
@@ -64,11 +64,33 @@ TEST_CASE("CrashHangExceptionAndAnswerAreToldApart") {
   CHECK(ends[6].how == How::crashed);
 }
 
+TEST_CASE("AtItsLimitAChildMayGiveTheAnswerThatItHas") {
+  ChildEnd end;
+  const auto patient = [](int) {
+    const std::atomic<bool>& stop = stop_at_limit();
+    for (volatile double x = 0.0; !stop.load();) x = x + 1.0;
+    return std::string("half an answer");
+  };
+  CHECK(run_in_children(1, {1, 1.0, 5.0}, patient, [&](int, const ChildEnd& e) { end = e; }));
+  CHECK(end.how == How::answered);
+  CHECK(end.answer == "half an answer");
+  CHECK(end.processor_s >= 0.5);  // the clock of the limit and this one differ by a tenth and more
+  CHECK(end.processor_s < 5.0);
+  // One that takes no notice is ended when the grace is over.
+  const auto deaf = [](int) {
+    static_cast<void>(stop_at_limit());
+    for (volatile double x = 0.0;;) x = x + 1.0;
+    return std::string();
+  };
+  CHECK(run_in_children(1, {1, 1.0, 1.0}, deaf, [&](int, const ChildEnd& e) { end = e; }));
+  CHECK(end.how == How::timed_out);
+}
+
 TEST_CASE("StoppedWorkEndsItsChildren") {
   std::atomic<bool> stop{true};
   int finished = 0;
-  CHECK_FALSE(
-      run_in_children(3, {2, 100.0, &stop}, work, [&](int, const ChildEnd&) { ++finished; }));
+  CHECK_FALSE(run_in_children(3, {2, 100.0, 1.0, 4.0, &stop}, work,
+                              [&](int, const ChildEnd&) { ++finished; }));
   CHECK(finished == 0);
 }
 
@@ -97,8 +119,8 @@ TEST_CASE("EachEndOfAChildHasItsClass") {
                        StressClass::refused_input, StressClass::not_found}) {
     CHECK_FALSE(is_fault(c));
   }
-  for (const auto c : {StressClass::wrong, StressClass::not_a_number, StressClass::crashed,
-                       StressClass::timed_out}) {
+  for (const auto c : {StressClass::wrong, StressClass::wrong_refusal, StressClass::not_a_number,
+                       StressClass::crashed, StressClass::timed_out}) {
     CHECK(is_fault(c));
   }
 }

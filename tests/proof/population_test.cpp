@@ -6,6 +6,7 @@
 
 #include "core/constants.hpp"
 #include "coupling/bearing.hpp"
+#include "proof/draw.hpp"
 
 using namespace shellback;
 using namespace shellback::coupling;

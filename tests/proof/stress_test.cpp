@@ -7,6 +7,8 @@
 #include "app/read_case.hpp"
 #include "core/contract.hpp"
 #include "coupling/solve.hpp"
+#include "proof/stress_judge.hpp"
+#include "proof/stress_list.hpp"
 #include "proof/stress_map.hpp"
 #include "proof/stress_picture.hpp"
 #include "proof/stress_table.hpp"
@@ -74,14 +76,22 @@ TEST_CASE("ASceneIsARowPerTier") {
   CHECK(words_of(rows[0], rows[0].steps[1], {}) ==
         std::vector<std::string>{"operation.load=500 N", "operation.speed=30 rpm"});
   CHECK(rows[0].trend.falls);
+  CHECK(rows[0].expects.words.empty());
+  const auto judged = parsed(std::string(kScene) + "expects = { thd = \"steady to 3000 rpm\" }\n");
+  CHECK_FALSE(judged[0].expects.steady(0));
+  CHECK(judged[1].expects.steady(0));
+  CHECK_FALSE(judged[1].expects.steady(1));
 }
 
 TEST_CASE("WrongSceneFilesAreRefusedAtTheirPlace") {
-  for (const auto& [what, by] : {std::pair{"title", "titel"},
-                                 {"[\"isothermal\", \"thd\"]", "[\"isothermal\", \"thx\"]"},
-                                 {"h_min falls", "h_min stays"},
-                                 {"[\"3000 rpm\", \"30 rpm\"]", "[]"},
-                                 {"name = \"a\"", ""}}) {
+  for (const auto& [what, by] :
+       {std::pair{"title", "titel"},
+        {"[\"isothermal\", \"thd\"]", "[\"isothermal\", \"thx\"]"},
+        {"h_min falls", "h_min stays"},
+        {"expect = \"e\"", "expect = \"e\"\nexpects = \"steady to 3 rpm\""},
+        {"expect = \"e\"", "expect = \"e\"\nexpects = { tehd = \"steady\" }"},
+        {"[\"3000 rpm\", \"30 rpm\"]", "[]"},
+        {"name = \"a\"", ""}}) {
     INFO(what);
     try {
       static_cast<void>(parsed(replaced(kScene, what, by)));
@@ -126,8 +136,26 @@ TEST_CASE("PlantedFaultsAreSeen") {
   CHECK(faults_of([](Result& r) { r.audit.mass = 1e-6; }).faults.size() == 1);
   CHECK(faults_of([](Result& r) { r.audit.load = 1e-3; }).faults.size() == 1);
   CHECK(faults_of([](Result& r) { r.audit.energy = 1.0; }).faults.size() == 1);
+  // A balance that the tier has, and that gives no number, is not met.
+  CHECK(faults_of([](Result& r) { r.audit.mass = NAN; }).not_a_number);
+  CHECK(faults_of([](Result& r) { r.audit.energy = NAN; }).not_a_number);
+  CHECK(faults_of([](Result& r) { r.audit.load = NAN; }).not_a_number);
+  CHECK(faults_of([](Result& r) { r.audit.moment = INFINITY; }).not_a_number);
   CHECK(faults_of([](Result& r) { r.fields.p[7] = NAN; }).not_a_number);
   CHECK(faults_of([](Result& r) { r.quantities[0].value = INFINITY; }).not_a_number);
+}
+
+TEST_CASE("ABalanceThatATierDoesNotHaveIsNotAsked") {
+  const coupling::Case c = app::read_case(
+      kFolder + "/plain.toml",
+      {app::parse_override("model.tier=isothermal"), app::parse_override("model.grid=[48, 8]"),
+       app::parse_override("operation={ speed = \"3000 rpm\", load_angle = \"270 deg\", "
+                           "attitude_angle = \"40 deg\", eccentricity_ratio = 0.5 }")});
+  const coupling::Result r = coupling::solve(c);
+  REQUIRE(r.verdict.good());
+  CHECK(std::isnan(r.audit.energy));  // one temperature
+  CHECK(std::isnan(r.audit.load));    // the position is given
+  CHECK(looked_through({c, r}).faults.empty());
 }
 
 TEST_CASE("AnswersPassBetweenProcessesWhole") {

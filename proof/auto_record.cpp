@@ -1,0 +1,11 @@
+#include "proof/auto_record.hpp"
+
+#include <cmath>
+
+namespace shellback::proof {
+
+bool AutoAnswer::within() const {
+  return converged && std::abs(off_friction) <= tolerance && std::abs(off_h_min) <= tolerance;
+}
+
+}  // namespace shellback::proof

@@ -184,10 +184,11 @@ struct Movement {
   double ln_load = 0.0;
 };
 
-/// The border: S dq - (k dq) - F_wanted d(ln load) = aim, and the row of the path.
+/// The border: S dq - (k dq) - F_wanted d(ln load) = aim, and the row of the path with `missing` on
+/// its right-hand side.
 std::optional<Movement> solve_border(const LoadTarget& target, const FilmEquilibrium& s,
                                      const std::array<std::array<double, 4>, 4>& stiffness,
-                                     const fluid::Wrench& aim) {
+                                     const fluid::Wrench& aim, double missing) {
   const int m = target.unknowns;
   const int n = m + (target.path ? 1 : 0);
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 5, 5> A(n, n);
@@ -199,7 +200,7 @@ std::optional<Movement> solve_border(const LoadTarget& target, const FilmEquilib
   }
   if (target.path) {
     const PathRow& p = *target.path;
-    b(m) = p.missing(s);
+    b(m) = missing;
     for (int k = 0; k < m; ++k) {
       A(k, m) = -target.force[k] * std::exp(s.ln_load);
       A(m, k) = p.along[k] / p.unit[k];
@@ -246,71 +247,86 @@ BorderedFilm::Answer with_compliance(const BearingModel& model, const FilmEquili
   return solve(sum(defect, correction.x), false);
 }
 
+/// What one step is made of.
+struct StepProblem {
+  const BearingModel& model;
+  const LoadTarget& target;
+  const FilmEquilibrium& s;
+  const Residuals& r;
+  const BorderedFilm& film;
+  EquilibriumCost& cost;
+  Field a;                   ///< right-hand side of (1)
+  fluid::Wrench wanted;      ///< force of this state
+  BorderedFilm::Answer x{};  ///< the answer
+  std::optional<Movement> moved{Movement{}};
+
+  /// Wanted change of a force. Over a finite step the force is that of squeezing, linear in the
+  /// journal's movement.
+  [[nodiscard]] fluid::Wrench aim_from(const fluid::Wrench& now) const {
+    if (!model.scene.storage.finite()) return wanted_change(now, wanted);
+    fluid::Wrench d{};
+    for (int k = 0; k < 4; ++k) d[k] = wanted[k] - now[k];
+    return d;
+  }
+  void solve_elastic();
+  void solve_rigid(StepLimits limits);
+};
+
+void StepProblem::solve_elastic() {
+  const int m = target.unknowns;
+  const auto stiffness = film.stiffness(s.film.full);
+  const fluid::Wrench aim = aim_from(s.force);
+  const double missing = target.path ? target.path->missing(s) : 0.0;
+  const auto balanced = [&](const Field& b, bool homogeneous) {
+    BorderedFilm::Answer y = film.held(homogeneous ? Field{} : a, b);
+    if (m == 0) return y;
+    const fluid::Wrench now = fluid::wrench(model.scene, y.P);
+    fluid::Wrench rest{};
+    for (int k = 0; k < m; ++k) rest[k] = (homogeneous ? 0.0 : aim[k]) - now[k];
+    moved = solve_border(target, s, stiffness, rest, homogeneous ? 0.0 : missing);
+    if (moved) film.move(moved->dq, y);
+    return y;
+  };
+  x = with_compliance(model, s, r.displacement, balanced, cost);
+}
+
+void StepProblem::solve_rigid(StepLimits limits) {
+  x = film.held(a, {});
+  if (target.unknowns == 0) return;
+  fluid::FilmState predicted = s.film;  // where the film step alone leads to
+  if (model.scene.storage.finite()) {
+    for (std::size_t k = 0; k < x.P.size(); ++k) predicted.p[k] += x.P[k];
+  } else {
+    fluid::advance(model.scene, s.oil, x.u, 1.0, predicted);
+  }
+  fluid::Wrench aim = aim_from(fluid::wrench(model.scene, sum(predicted.p, s.p_contact)));
+  for (double& f : aim) f *= limits.damping;
+  moved = solve_border(target, s, film.stiffness(predicted.full), aim,
+                       target.path ? target.path->missing(s) : 0.0);
+  if (!moved) return;
+  const double gap = std::max(s.least.h, 0.0) + 3.0 * model.scene.rough.sigma;
+  moved->dq = limited(s.position, moved->dq, gap, model.clearance, 0.5 * model.scene.grid.width,
+                      limits.reach);
+  film.move(moved->dq, x);
+}
+
 }  // namespace
 
 NewtonStep newton_step(const BearingModel& model, const LoadTarget& target,
                        const FilmEquilibrium& s, const Residuals& r, StepLimits limits,
                        EquilibriumCost& cost) {
-  NewtonStep step;
-  const int m = target.unknowns;
-  const BorderedFilm film(model, s, m, workspace().factor, cost);
-  if (!film.good()) return step;
-  const bool elastic = !s.elastic.empty();
-  Field a = r.film;
-  for (double& x : a) x = -x;
-  const fluid::Wrench wanted = target.wanted(s);
-  std::optional<Movement> moved = Movement{};
-  BorderedFilm::Answer x;
-  const auto alone = [&](const Field& b, bool homogeneous) {
-    return film.held(homogeneous ? Field{} : a, b);
-  };
-  const auto bound = [&] {
-    const double gap = std::max(s.least.h, 0.0) + 3.0 * model.scene.rough.sigma;
-    return limited(s.position, moved->dq, gap, model.clearance, 0.5 * model.scene.grid.width,
-                   limits.reach);
-  };
-  // Over a finite step the force is that of squeezing, linear in the journal's movement.
-  const auto aim_from = [&](const fluid::Wrench& now) {
-    if (!model.scene.storage.finite()) return wanted_change(now, wanted);
-    fluid::Wrench d{};
-    for (int k = 0; k < 4; ++k) d[k] = wanted[k] - now[k];
-    return d;
-  };
-  if (elastic && m > 0) {
-    const auto stiffness = film.stiffness(s.film.full);
-    const fluid::Wrench aim = aim_from(s.force);
-    const auto balanced = [&](const Field& b, bool homogeneous) {
-      BorderedFilm::Answer y = alone(b, homogeneous);
-      const fluid::Wrench now = fluid::wrench(model.scene, y.P);
-      fluid::Wrench rest{};
-      for (int k = 0; k < m; ++k) rest[k] = (homogeneous ? 0.0 : aim[k]) - now[k];
-      moved = solve_border(target, s, stiffness, rest);
-      if (moved) film.move(moved->dq, y);
-      return y;
-    };
-    x = with_compliance(model, s, r.displacement, balanced, cost);
-  } else if (elastic) {
-    x = with_compliance(model, s, r.displacement, alone, cost);
+  const BorderedFilm film(model, s, target.unknowns, workspace().factor, cost);
+  if (!film.good()) return {};
+  StepProblem problem{model, target, s, r, film, cost, r.film, target.wanted(s)};
+  for (double& v : problem.a) v = -v;
+  if (s.elastic.empty()) {
+    problem.solve_rigid(limits);
   } else {
-    x = alone({}, false);
-    if (m > 0) {
-      fluid::FilmState predicted = s.film;  // where the film step alone leads to
-      if (model.scene.storage.finite()) {
-        for (std::size_t k = 0; k < x.P.size(); ++k) predicted.p[k] += x.P[k];
-      } else {
-        fluid::advance(model.scene, s.oil, x.u, 1.0, predicted);
-      }
-      fluid::Wrench aim = aim_from(fluid::wrench(model.scene, sum(predicted.p, s.p_contact)));
-      for (double& f : aim) f *= limits.damping;
-      moved = solve_border(target, s, film.stiffness(predicted.full), aim);
-      if (moved) {
-        moved->dq = bound();
-        film.move(moved->dq, x);
-      }
-    }
+    problem.solve_elastic();
   }
-  if (!moved) return step;
-  return {true, std::move(x.u), moved->dq, moved->ln_load, std::move(x.d)};
+  if (!problem.moved) return {};
+  return {true, std::move(problem.x.u), problem.moved->dq, problem.moved->ln_load,
+          std::move(problem.x.d)};
 }
 
 }  // namespace shellback::coupling

@@ -23,8 +23,6 @@
 
 namespace shellback::coupling {
 
-struct Solution;
-
 using Matrix4 = std::array<std::array<double, 4>, 4>;
 using Matrix2 = std::array<std::array<double, 2>, 2>;
 
@@ -70,10 +68,6 @@ struct Coefficients {
   int krylov_iterations = 0;
   double wall_s = 0.0;
 };
-
-/// Of a converged solution, to `tolerance` of the largest entry of K and C: far below what the grid
-/// leaves wrong.
-[[nodiscard]] Coefficients coefficients_of(const Solution& s, double tolerance = 1e-3);
 
 /// Forces only.
 [[nodiscard]] Matrix2 forces_of(const Matrix4& m);

@@ -7,6 +7,7 @@
 #include "core/contract.hpp"
 #include "coupling/branch_endings.hpp"
 #include "coupling/nested.hpp"
+#include "coupling/perturbation.hpp"
 #include "coupling/tiers.hpp"
 
 namespace shellback::coupling {

@@ -1,11 +1,10 @@
 /// Stiffness, damping and whirl threshold.
-#include "coupling/coefficients.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "coupling/film_response.hpp"
-#include "coupling/solids.hpp"
+#include "coupling/perturbation.hpp"
 #include "coupling/pseudo_time.hpp"
+#include "coupling/solids.hpp"
 #include "tests/coupling/sample_bearing.hpp"
 #include "tests/read_csv.hpp"
 

@@ -1,10 +1,9 @@
 /// Rigid films that the joint Newton iteration does not find, or that do not exist.
+#include <catch2/catch.hpp>
+
 #include "coupling/follow.hpp"
 #include "coupling/newton.hpp"
 #include "coupling/pseudo_time.hpp"
-
-#include <catch2/catch.hpp>
-
 #include "solid/asperity_contact.hpp"
 #include "tests/coupling/sample_bearing.hpp"
 

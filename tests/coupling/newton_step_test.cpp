@@ -87,7 +87,8 @@ TEST_CASE("ElasticStepSquaresTheError", "[newton_step]") {
       const Residuals n = residuals_of(s.model, s.target, f);
       INFO("size " << size << ": film " << n.film_norm << ", load " << n.load_norm << ", elastic "
                    << n.elastic_norm << " from " << start.elastic_norm);
-      const double error = n.film_norm + n.load_norm;  // (1) and (3) are linear in the step, exactly
+      const double error =
+          n.film_norm + n.load_norm;  // (1) and (3) are linear in the step, exactly
       if (before > 0.0) CHECK(order_of_errors(before, error) > 1.85);
       before = error;
       CHECK(n.elastic_norm < 2e-3 * start.elastic_norm);  // (2): 1e-4 of GMRES in the mean square

@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "coupling/fixed_point.hpp"
-#include "fluid/reynolds.hpp"
 #include "coupling/pseudo_time.hpp"
+#include "fluid/reynolds.hpp"
 #include "tests/coupling/sample_bearing.hpp"
 
 using namespace shellback;

@@ -235,7 +235,11 @@ std::optional<Branch> follow_from(Solution& s, Raised raised, std::span<const do
 
 void note_limit(Solution& s, const Branch& branch, bool proven) {
   const FilmGrid& g = s.model.scene.grid;
-  s.limits.push_back({{g.nt, g.full_nz()}, branch.raised == Raised::speed, branch.carried, proven});
+  s.limits.push_back({{g.nt, g.full_nz()},
+                      branch.raised == Raised::speed,
+                      branch.carried,
+                      proven,
+                      branch.end == BranchEnd::unbounded || branch.end == BranchEnd::molecule});
 }
 
 }  // namespace shellback::coupling

@@ -188,8 +188,8 @@ void HeatIteration::finish() {
   if (!verdict_.good()) return;
   friction_ = friction_of(s_.model, s_.film);
   const double change = walls_.finish(friction_, options_.close);
-  s_.heat.growth = growth;  // that of the film
-  verdict_ = colder_than_all_around(s_);
+  s_.heat.growth = growth;                                    // that of the film
+  if (!walls_.step()) verdict_ = colder_than_all_around(s_);  // in time, walls may be colder
   if (verdict_.good()) verdict_ = walls_unbalanced(change);
 }
 

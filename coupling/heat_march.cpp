@@ -28,6 +28,11 @@ double local_error(const Walls& now, const Walls& before, const Walls& rate, dou
   return 0.5 * most;
 }
 
+double largest_move(const Walls& now, const Walls& before) {
+  return larger(largest_difference(now.shell, before.shell),
+                largest_difference(now.shaft, before.shaft));
+}
+
 Walls rate_of(const Walls& now, const Walls& before, double dt) {
   Walls rate = now;
   for (std::size_t k = 0; k < rate.shell.size(); ++k) {
@@ -77,6 +82,7 @@ Instant instant_of(const Solution& s, double t, double dt) {
 MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
                     const SolveControl& control, const std::function<void(const Instant&)>& tell) {
   constexpr double kLonger = 2.0;   // lengths are powers of two: operators serve again
+  constexpr double kStill = 3e-3;   // what one iteration may leave: ThermalOptions::tolerance [K]
   constexpr double kEasily = 0.25;  // of the error allowed: the next step may be twice as long
   const bool accurate = std::isfinite(o.error);
   MarchEnd end;
@@ -105,10 +111,13 @@ MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
     end.t += length;
     last = std::move(step);
     if (tell) tell(instant_of(s, end.t, length));
+    // Half of all time has passed in one step, and nothing moved but by what the iteration leaves.
+    end.at_rest = accurate && length >= 0.5 * end.t && largest_move(now, before) < kStill;
+    if (end.at_rest) break;
     if (error <= kEasily * o.error) dt *= accurate ? kLonger : kLonger * kLonger;
   }
   end.verdict = {};
-  end.at_rest = dt > o.longest;
+  end.at_rest = end.at_rest || dt > o.longest;
   return end;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <utility>
 
 #include "core/largest.hpp"
 #include "coupling/bordered_film.hpp"
@@ -76,10 +75,10 @@ class NewtonIteration {
   double carried_ = 0.0;     ///< force there [N]
   double reach_ = 1.0;
   double viscosity_tolerance_ = 1e-3;
-  double last_lost_ = INFINITY;  ///< oil lost over what passes, when it was last converged [-]
-  int refilled_ = 0;             ///< steps that had emptied whole rings
-  int held_ = 0;                 ///< steps for which the journal has been held
-  int worst_cell_ = -1;          ///< whose pressure left the range of the pressure law
+  int polished_ = 0;     ///< steps for the oil balance alone
+  int refilled_ = 0;     ///< steps that had emptied whole rings
+  int held_ = 0;         ///< steps for which the journal has been held
+  int worst_cell_ = -1;  ///< whose pressure left the range of the pressure law
 };
 
 bool NewtonIteration::evaluate_state() {
@@ -89,18 +88,20 @@ bool NewtonIteration::evaluate_state() {
 }
 
 /// Little oil may pass where much goes round: what is lost is measured by what passes, and further
-/// steps reduce it as long as they halve it; then it is round-off.
+/// steps reduce it until it is round-off, new in every step.
 bool NewtonIteration::converged() {
   constexpr double kUsual = 1e-11;  // film tolerance of a result [-]
   constexpr double kLost = 1e-9;    // of what passes, at the usual film tolerance [-]
+  constexpr int kMostPolish = 10;   // at round-off one in three is below four times that
   const bool met = r_.within(options_) && s_.columns.mismatch <= options_.viscosity_tolerance &&
                    fluid::complementary(model_.scene, s_.film);
   if (!met) return false;
   const auto flows = fluid::oil_flows(model_.scene, s_.flow);
   const double passes = std::max(std::abs(flows.supply), std::abs(flows.side));
-  const double lost = std::abs(flows.supply - flows.side - flows.stored) / passes;
-  const double before = std::exchange(last_lost_, lost);
-  return !(lost > kLost * std::max(1.0, options_.film_tolerance / kUsual)) || lost > 0.5 * before;
+  const double lost = std::abs(flows.supply - flows.side - flows.stored);
+  const double allowed = kLost * std::max(1.0, options_.film_tolerance / kUsual) * passes;
+  ++polished_;
+  return !(lost > allowed) || (polished_ > 2 && lost <= 4.0 * allowed) || polished_ > kMostPolish;
 }
 
 bool NewtonIteration::acceptable() const {

@@ -52,20 +52,42 @@ Verdict march_to_steady(const BearingModel& model, const LoadTarget& target, con
   return newton(model, target, growth, options, s, cost, stop);
 }
 
+namespace {
+
+/// True if a journal that is free to move starts deeper in the shell than asperities reach.
+bool starts_inside(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                   FilmEquilibrium& s) {
+  constexpr double kReach = 3.0;  // roughnesses
+  const fluid::FilmScene& scene = model.scene;
+  if (target.unknowns == 0) return false;
+  s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position,
+                          sum(growth, s.elastic), model.step);
+  s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
+  return s.least.h < -kReach * scene.rough.sigma;
+}
+
+/// At rest in the middle of the clearance, in a full film.
+void put_in_the_middle(const BearingModel& model, const LoadTarget& target, FilmEquilibrium& s) {
+  s.film = fluid::cold_film(model.scene);
+  for (int k = 0; k < target.unknowns; ++k) s.position.q[k] = 0.0;
+  std::fill(s.elastic.begin(), s.elastic.end(), 0.0);
+}
+
+}  // namespace
+
 Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
                           const EquilibriumOptions& options, FilmEquilibrium& s,
                           EquilibriumCost& cost, const std::atomic<bool>* stop) {
   if (solved_otherwise(model, s)) {
     return solve_otherwise(model, target, growth, options, s, cost, stop);
   }
-  const Verdict v = newton(model, target, growth, options, s, cost, stop);
-  const bool proven = target.unknowns == 0 && v.status == Status::no_steady_state;
-  const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
-  if (v.good() || ended || proven || cost.spent()) return v;
-  s.film = fluid::cold_film(model.scene);  // at rest in the middle of the clearance
-  if (target.unknowns > 0) s.position.q[0] = s.position.q[1] = 0.0;
-  if (target.unknowns == 4) s.position.q[2] = s.position.q[3] = 0.0;
-  std::fill(s.elastic.begin(), s.elastic.end(), 0.0);
+  if (!starts_inside(model, target, growth, s)) {
+    const Verdict v = newton(model, target, growth, options, s, cost, stop);
+    const bool proven = target.unknowns == 0 && v.status == Status::no_steady_state;
+    const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
+    if (v.good() || ended || proven || cost.spent()) return v;
+  }
+  put_in_the_middle(model, target, s);
   return march_to_steady(model, target, growth, options, s, cost, stop);
 }
 

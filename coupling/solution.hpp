@@ -16,6 +16,7 @@ struct Limit {
   bool of_speed = false;
   double part = 0.0;    ///< of what the case asks for [-]
   bool proven = false;  ///< beyond it there is none on this grid
+  bool bound = false;   ///< by a bound of the equations
 };
 
 struct Solution {

@@ -71,34 +71,36 @@ void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
   }
 }
 
-/// That a branch ends is a fact of the bearing only if two grids agree on where: within a tenth.
+/// Solves the case once more on other cells, for where its branch ends there.
+void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
+  constexpr double kSecond = 2.0 / 3.0;  // cells per axis [-]
+  Case second = c;
+  for (int& n : second.model.grid) n = std::max(3, static_cast<int>(std::lround(kSecond * n)));
+  Solution on;
+  on.T_film = s.T_film;
+  on.cost.most_work = most_work(c, tier);
+  on.target = s.target;
+  on.model = make_bearing(second, physics_of(second, tier), second.model.grid);
+  solve_on_grid(on, tier, {false, true}, control);
+  const bool of_speed = s.limits.back().of_speed;
+  if (on.verdict.good()) on.limits.assign(1, {second.model.grid, of_speed, 1.0, false, false});
+  s.limits.insert(s.limits.begin(), on.limits.begin(), on.limits.end());
+}
+
+/// That a branch ends is a fact of the bearing only if two grids agree on where, within a tenth;
+/// or, where an equation has a bound, if both end before the load or speed asked for.
 void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
-  constexpr double kAgree = 0.1;         // of the limit [-]
-  constexpr double kSecond = 2.0 / 3.0;  // cells of a second grid, per axis, if there is none [-]
+  constexpr double kAgree = 0.1;  // of the limit [-]
   if (s.verdict.status != Status::no_steady_state || s.limits.empty()) return;
   const Limit own = s.limits.back();
-  const auto other = [&] {
-    return std::find_if(s.limits.begin(), s.limits.end(), [&](const Limit& l) {
-      return l.grid != own.grid && l.proven && l.of_speed == own.of_speed;
-    });
+  const auto agrees = [&](const Limit& l) {
+    const bool alike = l.grid != own.grid && l.proven && l.of_speed == own.of_speed;
+    const bool near = std::abs(l.part / own.part - 1.0) <= kAgree;
+    return alike && (near || (l.bound && own.bound && std::max(l.part, own.part) < 1.0));
   };
-  if (other() == s.limits.end()) {
-    Case second = c;
-    for (int& n : second.model.grid) n = std::max(3, static_cast<int>(std::lround(kSecond * n)));
-    Solution on;
-    on.T_film = s.T_film;
-    on.cost.most_work = s.cost.work + most_work(c, tier);
-    on.target = s.target;
-    on.model = make_bearing(second, physics_of(second, tier), second.model.grid);
-    solve_on_grid(on, tier, {false, true}, control);
-    if (on.verdict.good()) on.limits.push_back({second.model.grid, own.of_speed, 1.0, false});
-    s.limits.insert(s.limits.begin(), on.limits.begin(), on.limits.end());
-  }
-  const auto agree = std::any_of(s.limits.begin(), s.limits.end(), [&](const Limit& l) {
-    return l.grid != own.grid && l.proven && l.of_speed == own.of_speed &&
-           std::abs(l.part / own.part - 1.0) <= kAgree;
-  });
-  if (!agree) s.verdict = limit_not_resolved(s);
+  const auto confirmed = [&] { return std::any_of(s.limits.begin(), s.limits.end(), agrees); };
+  if (!confirmed()) add_limit_of_second_grid(c, tier, control, s);
+  if (!confirmed()) s.verdict = limit_not_resolved(s);
 }
 
 Solution from_cold(const Case& c, Tier tier, double T, const SolveControl& control,

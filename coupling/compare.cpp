@@ -5,7 +5,7 @@
 
 #include "coupling/bracketed_root.hpp"
 #include "coupling/nested.hpp"
-#include "coupling/pseudo_time.hpp"
+#include "coupling/solve_equilibrium.hpp"
 
 namespace shellback::coupling {
 namespace {

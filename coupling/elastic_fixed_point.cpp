@@ -7,7 +7,7 @@
 
 #include "core/largest.hpp"
 #include "coupling/film_then_position.hpp"
-#include "coupling/newton.hpp"
+#include "coupling/pseudo_time.hpp"
 #include "coupling/solids.hpp"
 
 namespace shellback::coupling {
@@ -69,7 +69,7 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
     film.viscosity_tolerance = std::max(options.viscosity_tolerance, 1e-1 * loose);
     s.elastic.clear();
     const bool usual = model.input.model.methods.cavitation == CavitationMethod::active_set;
-    const auto solve = usual ? newton : film_then_position;
+    const auto solve = usual ? newton_or_through_time : film_then_position;
     const Verdict v = solve(rigid, target, sum(growth, d), film, s, cost, stop);
     s.elastic = d;
     if (v.status == Status::interrupted) return v;

@@ -5,7 +5,7 @@
 #include "coupling/branch_endings.hpp"
 #include "coupling/follow.hpp"
 #include "coupling/newton.hpp"
-#include "coupling/pseudo_time.hpp"
+#include "coupling/solve_equilibrium.hpp"
 
 namespace shellback::coupling {
 namespace {

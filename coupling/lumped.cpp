@@ -12,7 +12,7 @@
 #include "coupling/heat_endings.hpp"
 #include "coupling/heat_scan.hpp"
 #include "coupling/newton.hpp"
-#include "coupling/pseudo_time.hpp"
+#include "coupling/solve_equilibrium.hpp"
 #include "rheology/heat.hpp"
 
 namespace shellback::coupling {

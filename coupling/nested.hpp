@@ -8,7 +8,7 @@
 
 #include "coupling/equilibrium.hpp"
 #include "coupling/heat_state.hpp"
-#include "coupling/pseudo_time.hpp"
+#include "coupling/solve_equilibrium.hpp"
 
 namespace shellback::coupling {
 

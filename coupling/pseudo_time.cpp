@@ -5,7 +5,6 @@
 
 #include "coupling/film_verdicts.hpp"
 #include "coupling/newton.hpp"
-#include "coupling/other_equilibrium.hpp"
 
 namespace shellback::coupling {
 namespace {
@@ -75,12 +74,10 @@ void put_in_the_middle(const BearingModel& model, const LoadTarget& target, Film
 
 }  // namespace
 
-Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                          const EquilibriumOptions& options, FilmEquilibrium& s,
-                          EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  if (solved_otherwise(model, s)) {
-    return solve_otherwise(model, target, growth, options, s, cost, stop);
-  }
+Verdict newton_or_through_time(const BearingModel& model, const LoadTarget& target,
+                               const Field& growth, const EquilibriumOptions& options,
+                               FilmEquilibrium& s, EquilibriumCost& cost,
+                               const std::atomic<bool>* stop) {
   if (!starts_inside(model, target, growth, s)) {
     const Verdict v = newton(model, target, growth, options, s, cost, stop);
     const bool proven = target.unknowns == 0 && v.status == Status::no_steady_state;

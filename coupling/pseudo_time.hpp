@@ -18,9 +18,9 @@ namespace shellback::coupling {
                                       const std::atomic<bool>* stop);
 
 /// Newton's method; where it fails, through time.
-[[nodiscard]] Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target,
-                                        const Field& growth, const EquilibriumOptions& options,
-                                        FilmEquilibrium& state, EquilibriumCost& cost,
-                                        const std::atomic<bool>* stop = nullptr);
+[[nodiscard]] Verdict newton_or_through_time(const BearingModel& model, const LoadTarget& target,
+                                             const Field& growth, const EquilibriumOptions& options,
+                                             FilmEquilibrium& state, EquilibriumCost& cost,
+                                             const std::atomic<bool>* stop);
 
 }  // namespace shellback::coupling

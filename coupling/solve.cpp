@@ -84,6 +84,10 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
   solve_on_grid(on, tier, {false, true}, control);
   const bool of_speed = s.limits.back().of_speed;
   if (on.verdict.good()) on.limits.assign(1, {second.model.grid, of_speed, 1.0, false, false});
+  const bool none = on.verdict.status == Status::no_steady_state;
+  if (none && on.limits.empty()) {  // not even the beginning of a branch
+    on.limits.assign(1, {second.model.grid, of_speed, 0.0, true, true});
+  }
   s.limits.insert(s.limits.begin(), on.limits.begin(), on.limits.end());
 }
 

@@ -12,7 +12,7 @@
 #include "coupling/heat_march.hpp"
 #include "coupling/lumped.hpp"
 #include "coupling/newton.hpp"
-#include "coupling/pseudo_time.hpp"
+#include "coupling/solve_equilibrium.hpp"
 
 namespace shellback::coupling {
 namespace {

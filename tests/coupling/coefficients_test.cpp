@@ -3,7 +3,7 @@
 
 #include "coupling/film_response.hpp"
 #include "coupling/perturbation.hpp"
-#include "coupling/pseudo_time.hpp"
+#include "coupling/solve_equilibrium.hpp"
 #include "coupling/solids.hpp"
 #include "tests/coupling/sample_bearing.hpp"
 #include "tests/read_csv.hpp"

@@ -4,6 +4,7 @@
 #include "coupling/follow.hpp"
 #include "coupling/newton.hpp"
 #include "coupling/pseudo_time.hpp"
+#include "coupling/solve_equilibrium.hpp"
 #include "solid/asperity_contact.hpp"
 #include "tests/coupling/sample_bearing.hpp"
 

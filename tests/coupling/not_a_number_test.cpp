@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "coupling/fixed_point.hpp"
-#include "coupling/pseudo_time.hpp"
+#include "coupling/solve_equilibrium.hpp"
 #include "fluid/reynolds.hpp"
 #include "tests/coupling/sample_bearing.hpp"
 

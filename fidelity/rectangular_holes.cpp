@@ -4,24 +4,35 @@
 
 namespace shellback::fidelity {
 
-coupling::Case with_rectangular_holes(coupling::Case c) {
-  for (coupling::Supply& s : c.supplies) {
-    if (s.kind != coupling::SupplyKind::hole) continue;
-    s.kind = coupling::SupplyKind::axial_groove;
-    const bool pressed = s.pressure > 0.0;
-    s.length = (pressed ? kHoleWidth : kDraggedWidth) * s.diameter;
-    s.arc = (pressed ? kHoleArc : kDraggedArc) * s.diameter / c.bearing.radius;
+using namespace coupling;
+
+namespace {
+
+/// Edges over the diameter [-].
+struct Rectangle {
+  double along, around;
+};
+constexpr Rectangle kPressed{0.91, 0.81};
+constexpr Rectangle kDragged{1.0, 0.71};  ///< of a hole without pressure
+
+bool is_hole(const Supply& s) { return s.kind == SupplyKind::hole; }
+
+}  // namespace
+
+Case with_rectangular_holes(Case c) {
+  for (Supply& s : c.supplies) {
+    if (!is_hole(s)) continue;
+    const Rectangle& shape = s.pressure > 0.0 ? kPressed : kDragged;
+    s.kind = SupplyKind::axial_groove;
+    s.length = shape.along * s.diameter;
+    s.arc = shape.around * s.diameter / c.bearing.radius;
   }
   return c;
 }
 
-double hole_bar(const coupling::Case& c, const std::string& quantity) {
-  constexpr double kFilm = 0.002;
-  constexpr double kFlow = 0.016;
-  const bool none = std::none_of(c.supplies.begin(), c.supplies.end(), [](const auto& s) {
-    return s.kind == coupling::SupplyKind::hole;
-  });
-  if (none) return 0.0;
+double hole_bar(const Case& c, const std::string& quantity) {
+  constexpr double kFilm = 0.002, kFlow = 0.016;
+  if (std::none_of(c.supplies.begin(), c.supplies.end(), is_hole)) return 0.0;
   if (quantity.ends_with("_flow")) return kFlow;
   const bool film =
       quantity.starts_with("friction") || quantity.starts_with("h_min") || quantity == "power_loss";

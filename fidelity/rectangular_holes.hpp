@@ -3,24 +3,17 @@
 ///
 /// Which cells of a coarse grid a circle takes jumps from grid to grid, and the oil flow with it.
 /// Faces can be put on the edges of a rectangle, so that the solutions on a sequence of grids have
-/// a limit that shows. The rectangle spans kHoleWidth of the diameter along the axis and kHoleArc
-/// around. Where the pressure of the supply drives the oil, the flow is that of a disc of equal
-/// capacity, which depends on the mean of both; where the journal drags the oil along, it is that
-/// of the wetted width, and of that alone where the supply has no pressure. In 11 random bearings
-/// the smallest film on 800 x 100 cells differed by at most 0.2 % from that with the circle, the
-/// friction torque by 0.2 %, the side flow by 1.6 %; a square of the same area was off by 0.8, 0.5
-/// and 4.5 % (docs/auto-tier.md).
+/// a limit that shows. Where the pressure of the supply drives the oil, the flow is that of a disc
+/// of equal capacity, which depends on the mean of both edges; where the journal drags the oil
+/// along, it is that of the wetted width, and of that alone where the supply has no pressure. In 11
+/// random bearings the smallest film on 800 x 100 cells differed by at most 0.2 % from that with
+/// the circle, the friction torque by 0.2 %, the side flow by 1.6 %; a square of the same area was
+/// off by 0.8, 0.5 and 4.5 % (docs/auto-tier.md).
 #include <string>
 
 #include "coupling/case.hpp"
 
 namespace shellback::fidelity {
-
-inline constexpr double kHoleWidth = 0.91;  ///< axial edge over the diameter [-]
-inline constexpr double kHoleArc = 0.81;    ///< circumferential edge over the diameter [-]
-/// The same of a hole without pressure.
-inline constexpr double kDraggedWidth = 1.0;
-inline constexpr double kDraggedArc = 0.71;
 
 /// The case with every hole as such a rectangle.
 [[nodiscard]] coupling::Case with_rectangular_holes(coupling::Case c);

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "fidelity/coarse_solution.hpp"
+#include "fidelity/quantities.hpp"
 #include "tests/coupling/sample_bearing.hpp"
 
 namespace shellback::fidelity {

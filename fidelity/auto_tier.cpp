@@ -23,12 +23,10 @@ namespace {
 using namespace coupling;
 
 /// Grids of the sequence, fine along the axis first (grid_error.hpp); for fine tolerances go on.
-const std::vector<Grid> kGrids{{24, 9}, {40, 25}, {60, 37}, {96, 49}, {192, 97}};
+const std::vector<Grid> kSequence{{24, 9}, {40, 25}, {60, 37}, {96, 49}, {192, 97}};
 const std::vector<Grid> kFineGrids{{400, 100}, kFineGrid};
 /// Tolerances below this are of the size of what extrapolation leaves to chance [-].
 constexpr double kFineTolerance = 0.005;
-/// Solved as it is where no two grids of the sequence give a solution.
-constexpr Grid kUsualGrid{400, 50};
 
 /// One full solution, and its film on more cells around under its temperatures and deformation.
 struct Level {
@@ -77,7 +75,7 @@ class Search {
   }
 
   void solve_grids() {
-    auto grids = kGrids;
+    auto grids = kSequence;
     if (case_.model.grid_given) grids.resize(1);  // for the probe only
     if (tolerance() < kFineTolerance) {
       grids.insert(grids.end(), kFineGrids.begin(), kFineGrids.end());
@@ -218,7 +216,7 @@ class Search {
     for (Quantity& q : r.quantities) {
       const GridLimit l = limit(q.name);
       q.value = l.value;
-      q.error_grid = l.full_bar() + nodes_left(q.name);
+      q.error_grid = l.bar + l.beyond + nodes_left(q.name);
       const bool torque = q.name == "friction_torque" || q.name == "power_loss";
       if (torque) q.error_model = model_bars().friction * std::abs(q.value);
       if (q.name == "h_min") q.error_model = model_bars().h_min * std::abs(q.value);

@@ -77,10 +77,12 @@ Indicators indicators(const Case& c, const Estimate& e) {
 struct BarParts {
   double least, heating, thermal, elastic, pressure, contact;
 };
-constexpr BarParts kTorqueParts{0.10, 0.30, 0.10, 0.05, 0.15, 0.5};
-constexpr BarParts kFilmParts{0.10, 0.25, 1.0, 0.5, 0.2, 1.0};
-constexpr BarParts kFlowParts{1.0, 0.0, 1.0, 0.0, 0.0, 0.0};
-constexpr BarParts kAngleParts{0.1, 0.0, 0.5, 0.5, 0.0, 0.0};
+constexpr struct {
+  BarParts torque{0.10, 0.30, 0.10, 0.05, 0.15, 0.5};
+  BarParts film{0.10, 0.25, 1.0, 0.5, 0.2, 1.0};
+  BarParts flow{1.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+  BarParts angle{0.1, 0.0, 0.5, 0.5, 0.0, 0.0};
+} kParts;
 constexpr double kMostBar = 2.0;  ///< beyond this a bar says nothing more [-]
 
 double bar(const BarParts& part, const Estimate& e, const Indicators& n) {
@@ -93,7 +95,7 @@ std::vector<Quantity> quantities(const Case& c, const Estimate& e, const Indicat
   const double omega = c.operation.omega;
   const bool given = std::holds_alternative<EccentricityGiven>(c.operation.position);
   const bool rough = c.surfaces.contact.has_value();
-  const double torque = bar(kTorqueParts, e, n), film = bar(kFilmParts, e, n);
+  const double torque = bar(kParts.torque, e, n), film = bar(kParts.film, e, n);
   const double peak = std::min(kMostBar, 2.0 * film);
   const double eccentricity = given ? 0.0 : film * (1.0 - e.eps) / std::max(e.eps, 1e-9);
   std::vector<Quantity> list;
@@ -108,14 +110,14 @@ std::vector<Quantity> quantities(const Case& c, const Estimate& e, const Indicat
   if (rough) add_torque("friction_torque_asperity", e.torque_asperity, kMostBar);
   add("power_loss", e.torque * std::abs(omega), "W", torque);
   add("eccentricity_ratio", e.eps, "1", eccentricity);
-  add("attitude_angle", e.attitude * 180.0 / kPi, "deg", bar(kAngleParts, e, n));
+  add("attitude_angle", e.attitude * 180.0 / kPi, "deg", bar(kParts.angle, e, n));
   add("h_min", e.h_min, "m", film);
   add("p_max", e.p_max, "Pa", peak);
   if (rough) add("asperity_load_share", e.asperity_share, "1", kMostBar);
   const double x = -e.load * std::cos(e.load_angle), y = -e.load * std::sin(e.load_angle);
   list.push_back({"load_x", x, "N", 0.0, given ? peak * std::abs(x) : 0.0});
   list.push_back({"load_y", y, "N", 0.0, given ? peak * std::abs(y) : 0.0});
-  add("side_flow", e.side_flow, "m3/s", bar(kFlowParts, e, n));
+  add("side_flow", e.side_flow, "m3/s", bar(kParts.flow, e, n));
   list.push_back({"T_film_mean", e.T, "K", 0.0, std::max(2.0, 0.5 * std::abs(e.rise))});
   return list;
 }

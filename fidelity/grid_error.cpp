@@ -8,9 +8,6 @@
 namespace shellback::fidelity {
 namespace {
 
-constexpr double kFilmOrder = 1.5;   ///< p_f [-]
-constexpr double kSolidOrder = 2.0;  ///< p_s [-]
-
 /// F of (4).
 double safety(double h) {
   constexpr double kSafety = 1.5;  // on 200 x 25 cells and finer [-]
@@ -56,28 +53,23 @@ GridBar grid_bar(const std::vector<GridValue>& v, double h) {
   return {safety(h) * rest * std::pow(h / f1.h, p) + f1.noise, observed};
 }
 
-double GridLimit::full_bar() const {
-  constexpr double kBeyondBar = 1.6;  // what lies beyond the fine grid is itself extrapolated [-]
-  return bar + kBeyondBar * std::abs(beyond);
-}
-
 GridLimit film_limit(double whole, double film, int cells, int film_cells) {
-  constexpr double kFilmBar = 1.5;  // bar over the spread of film orders [-]
   if (!std::isfinite(film)) return {whole, 0.0, 0.0};
   const double step = film - whole;
-  const auto to_fine = [&](double p) { return onward(cells, film_cells, kFineGrid[0], p); };
-  const double middle = to_fine(kFilmOrder);
-  const double spread = std::max(to_fine(1.0) - middle, middle - to_fine(2.0));
-  const double all = onward(cells, film_cells, INFINITY, kFilmOrder);
-  return {film + step * middle, kFilmBar * spread * std::abs(step), step * (all - middle)};
+  const double slow = onward(cells, film_cells, kFineGrid[0], kLeastOrder);
+  const double fast = onward(cells, film_cells, kFineGrid[0], kMostOrder);
+  const double all = onward(cells, film_cells, INFINITY, kLeastOrder);
+  return {film + 0.5 * (slow + fast) * step, (slow - fast) * std::abs(step),
+          (all - slow) * std::abs(step)};
 }
 
 GridLimit grid_limit(const GridLimit& coarse, const GridLimit& fine, int b0, int b1) {
   const double step = fine.value - coarse.value;
-  const double to_fine = onward(b0, b1, kFineGrid[1], kSolidOrder);
-  const double all = onward(b0, b1, INFINITY, kSolidOrder);
-  return {fine.value + step * to_fine, fine.bar + std::abs(step) + std::abs(step * to_fine),
-          fine.beyond + step * (all - to_fine)};
+  const double slow = onward(b0, b1, kFineGrid[1], kLeastOrder);
+  const double fast = onward(b0, b1, kFineGrid[1], kMostOrder);
+  const double all = onward(b0, b1, INFINITY, kLeastOrder);
+  return {fine.value + fast * step, fine.bar + (1.0 + fast) * std::abs(step),
+          fine.beyond + (all - slow) * std::abs(step)};
 }
 
 }  // namespace shellback::fidelity

@@ -19,11 +19,10 @@
 /// One direction after the other (tier `auto`): around the bearing the film alone needs fine cells;
 /// temperatures and deformation are smooth around, but steep towards the edges. So each full
 /// solution V on a x b cells is followed by its film F on r a x b cells (held_film.hpp); then
-///   L = F + (F - V) onward(a, r a, 800, p_f),  value = L1 + (L1 - L0) onward(b0, b1, 100, p_s) (5)
-/// is that of 800 x 100 cells, and what those lack to the limit, the same steps led on to
-/// infinitely many cells, is told apart. p_f = 1.5, between the first order of cavitation's ends
-/// and the second of full films; p_s = 2. Bars: the spread of (5) between p_f = 1 and 2, and along the
-/// last step with what it is led on by.
+///   L = F + (F - V) onward(a, r a, 800, p),  value = L1 + (L1 - L0) onward(b0, b1, 100, q)    (5)
+/// is that of 800 x 100 cells. Around, the middle between the lowest and the highest order is taken
+/// and their difference is the bar; along, the last step with what it is led on by. What 800 x 100
+/// cells lack to the limit, the same steps with the lowest order, is told apart.
 #include <array>
 #include <vector>
 
@@ -65,9 +64,7 @@ inline constexpr std::array<int, 2> kFineGrid{800, 100};
 struct GridLimit {
   double value = 0.0;   ///< on the fine grid
   double bar = 0.0;     ///< half-width, in the unit of the value
-  double beyond = 0.0;  ///< from the fine grid to infinitely many cells, in the unit of the value
-  /// Half-width that is to hold the limit of fine grids too.
-  [[nodiscard]] double full_bar() const;
+  double beyond = 0.0;  ///< and from the fine grid to infinitely many cells
 };
 
 /// L of (5): `whole` V on `cells` around, `film` F on `film_cells` (NaN: not solved, then V).

@@ -107,8 +107,7 @@ GridSequence grid_sequence(const Solution& s, const SolveControl& control, KeptS
     }
     if (!out.coarse) out.coarse = std::move(coarse);
   }
-  constexpr int kMostCells = 400 * 50;  // beyond, one grid finer takes longer than all else
-  if (!out.coarse && cells(own) <= kMostCells && !stopped(control)) {
+  if (!out.coarse && cells(own) <= cells(kUsualGrid) && !stopped(control)) {
     if (const auto finer = beside(s, scaled(own, kRefinement), control, kept)) {
       out.levels = {{own, scalars(s)}, {finer->model.input.model.grid, scalars(*finer)}};
       out.coarse = s;

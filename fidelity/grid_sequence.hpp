@@ -11,6 +11,10 @@ namespace shellback::fidelity {
 /// Cells around and along the full width.
 using Grid = std::array<int, 2>;
 
+/// Beyond it one more grid takes longer than all else; what no sequence of grids tells is solved
+/// there as it is.
+inline constexpr Grid kUsualGrid{400, 50};
+
 /// Grids coarser than that of the case, from the coarsest on, each axis about halved, or 0.7 of it
 /// where that leaves fewer than two; down to 20 x 3. Where a grid cannot resolve the edges of the
 /// supplies, it gets as many more cells as it takes, along and then around; grids that come to the

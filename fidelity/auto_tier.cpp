@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/contract.hpp"
@@ -12,7 +13,6 @@
 #include "fidelity/grid_error.hpp"
 #include "fidelity/held_film.hpp"
 #include "fidelity/left_out.hpp"
-#include "fidelity/rectangular_holes.hpp"
 #include "fidelity/solve.hpp"
 #include "fidelity/tolerance.hpp"
 #include "rheology/viscosity.hpp"
@@ -34,6 +34,14 @@ struct Level {
   std::vector<Quantity> whole;   ///< V of grid_error.hpp
   std::vector<Quantity> film{};  ///< F; empty: not solved
 };
+
+/// Which cells a circle takes jumps from grid to grid, and friction and film by up to this [-].
+constexpr double kHoleNoise = 0.002;
+
+bool has_holes(const Case& c) {
+  const auto hole = [](const Supply& s) { return s.kind == SupplyKind::hole; };
+  return std::any_of(c.supplies.begin(), c.supplies.end(), hole);
+}
 
 /// Cells around of the film that follows a full solution.
 int film_cells(const Grid& grid) { return 2 * grid[0]; }
@@ -110,10 +118,9 @@ class Search {
     return good;
   }
 
-  /// With what the probe has chosen; holes are what they are on the grids that values are for.
+  /// With what the probe has chosen.
   [[nodiscard]] Case chosen_case(const Grid& grid) const {
-    const bool as_given = grid == kFineGrid || grid == case_.model.grid || grid == kUsualGrid;
-    Case c = as_given ? case_ : with_rectangular_holes(case_);
+    Case c = case_;
     c.model.grid = grid;
     c.model.tier = tier();
     if (choice_) c.model.switches = choice_->switches;
@@ -156,7 +163,7 @@ class Search {
                         film_cells(l.grid));
     };
     GridLimit l = grid_limit(around(coarse), around(own), coarse.grid[1], own.grid[1]);
-    l.bar += hole_bar(case_, name) * std::abs(l.value);
+    if (of_film && has_holes(case_)) l.bar += kHoleNoise * std::abs(l.value);
     return l;
   }
 
@@ -226,11 +233,6 @@ class Search {
         "are those of {} x {} cells",
         kFineGrid[0], kFineGrid[1], r.grid == kFineGrid ? "the last of" : "extrapolated from",
         fmt::join(solved_, ", "), r.grid[0], r.grid[1]));
-    if (r.grid != kFineGrid && hole_bar(case_, "h_min") > 0.0) {
-      r.assumptions.emplace_back(
-          "holes were solved as rectangles that feed alike; bars of friction, films and oil flows "
-          "hold what that changes");
-    }
     return chosen(std::move(r), bars());
   }
 

@@ -5,11 +5,11 @@
 /// Candidates, from the cheapest on; the first whose bars meet the tolerance is the answer:
 /// 1. The tier `estimate`.
 /// 2. Full solutions on finer and finer grids, each started from the one before, and the film alone
-///    on more cells around: what 800 x 100 cells would give, and its bar (grid_limit.hpp); round
-///    holes as rectangles (rectangular_holes.hpp). All physics that the case has data for and the
-///    user has not switched off; on the first grid the nodes across the film are chosen and effects
-///    that change little left out (auto_probe.hpp). Tolerances below 0.5 % go on to 800 x 100 cells
-///    itself, unless what is left does not depend on the grid.
+///    on more cells around: what 800 x 100 cells would give, and its bar (grid_error.hpp). All
+///    physics that the case has data for and the user has not switched off; on the first grid the
+///    nodes across the film are chosen and effects that change little left out (auto_probe.hpp).
+///    Ends where what is left does not depend on the grid; only tolerances below 0.5 % go on to
+///    800 x 100 cells itself.
 /// 3. Where no two of these grids give a solution, or the case gives its grid, that grid (400 x 50,
 ///    below 0.5 % 800 x 100 cells) as it is, with the usual bars (grid_error.hpp).
 /// Quantities of 2 are estimates of what 800 x 100 cells give; their bars also hold what those lack

@@ -21,47 +21,28 @@ bool nodes_matter(const BearingModel& m) {
   return m.physics.film_energy || !std::holds_alternative<rheology::NoShearThinning>(m.oil.shear);
 }
 
-/// The bar of the result's grid with the order observed; NaN where its own value is not there.
-GridBar grid_bar_of(const BarRecord& record, const Quantity& q, double size) {
+/// Bars of the grid with the orders observed; not-a-number where the value of the result's own grid
+/// is not there.
+void put_grid_bars(const BarRecord& record, Result& result) {
   // Iteration leaves this part of the natural size open: the outer loop ends at changes of 1e-4 of
   // 10 K per step, the viscosity changes by a few per cent per kelvin.
   constexpr double kIteration = 1e-4;  // [-]
-  std::vector<GridValue> values;
-  for (const LevelRecord& level : record.levels) {
-    const double value = value_in(level.quantities, q.name);
-    if (std::isfinite(value)) values.push_back({cell_size(level.grid), value, kIteration * size});
-  }
-  GridBar bar = grid_bar(values, cell_size(record.grid));
-  const double nodes = value_in(record.node_change, q.name);
-  if (std::isfinite(nodes)) bar.bar += std::abs(nodes);
-  return bar;
-}
-
-/// Bars of the grid for all quantities. None is shorter, against the size of its quantity, than a
-/// part of the median one: all share one film, and a small change of one is often chance.
-void put_grid_bars(const BarRecord& record, Result& result) {
-  constexpr double kShare = 0.2;  // [-]
   const Case& c = record.coarse->model.input;
-  std::vector<double> relative;
-  const auto size_of = [&](const Quantity& q) {
-    return natural_size(q, c.supplies.front().temperature, result.quantities);
-  };
   for (Quantity& q : result.quantities) {
     if (given_by_case(c, result.tier, q.name)) {
       q.error_grid = 0.0;
       continue;
     }
-    const GridBar bar = grid_bar_of(record, q, size_of(q));
-    q.error_grid = bar.bar;
+    const double size = natural_size(q, c.supplies.front().temperature, result.quantities);
+    std::vector<GridValue> values;
+    for (const LevelRecord& level : record.levels) {
+      const double value = value_in(level.quantities, q.name);
+      if (std::isfinite(value)) values.push_back({cell_size(level.grid), value, kIteration * size});
+    }
+    const GridBar bar = grid_bar(values, cell_size(record.grid));
+    const double nodes = std::abs(value_in(record.node_change, q.name));
+    q.error_grid = bar.bar + (std::isfinite(nodes) ? nodes : 0.0);
     q.order = bar.order;
-    if (std::isfinite(bar.bar / size_of(q))) relative.push_back(bar.bar / size_of(q));
-  }
-  if (relative.empty()) return;
-  const auto middle = relative.begin() + static_cast<long>(relative.size() / 2);
-  std::nth_element(relative.begin(), middle, relative.end());
-  for (Quantity& q : result.quantities) {
-    if (given_by_case(c, result.tier, q.name) || !std::isfinite(q.error_grid)) continue;
-    q.error_grid = std::max(q.error_grid, kShare * *middle * size_of(q));
   }
 }
 
@@ -138,7 +119,7 @@ void put_bars(const BarRecord& record, Result& result) {
     put_grid_bars(record, result);
     const auto coarse = scalars(*record.coarse);
     for (Quantity& q : result.quantities) {
-      q.error_model = kModelSafety * model_change(record, coarse, q);
+      q.error_model = kSafety * model_change(record, coarse, q);
     }
   }
   for (Effect& e : result.effects) {

@@ -68,7 +68,8 @@ class Estimator {
     const auto beyond_load = [&](double eps) {
       return std::log((film(curve_.at(eps), viscosity(eps, T)) + contact(eps).load) / load_);
     };
-    return state(eps_ ? *eps_ : eccentricity_where(beyond_load), T);
+    const double least = 1e-9;  // concentric
+    return state(eps_ ? *eps_ : load_ > 0.0 ? eccentricity_where(beyond_load) : least, T);
   }
 
   /// Heat that leaves minus friction power [W]; rises with T.

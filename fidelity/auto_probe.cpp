@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fidelity/grid_error.hpp"
 #include "fidelity/held_film.hpp"
 #include "fidelity/left_out.hpp"
 #include "fidelity/quantities.hpp"
@@ -78,8 +77,8 @@ EffectChoice choose_effects(const Solution& probe, double tolerance, const std::
     if (!size.within(kNegligible * tolerance)) continue;
     if (!switch_off(e.name, c.model.switches, out.switches)) continue;
     e.included = false;
-    out.left_out.friction += kSafety * size.friction;
-    out.left_out.h_min += kSafety * size.h_min;
+    out.left_out.friction += kModelSafety * size.friction;
+    out.left_out.h_min += kModelSafety * size.h_min;
   }
   return out;
 }

@@ -9,7 +9,10 @@ namespace shellback::fidelity {
 namespace {
 
 /// F of (4).
-double safety(double h) { return kSafety * std::sqrt(std::max(1.0, h * std::sqrt(200.0 * 25.0))); }
+double safety(double h) {
+  constexpr double kSafety = 1.5;  // on 200 x 25 cells and finer [-]
+  return kSafety * std::sqrt(std::max(1.0, h * std::sqrt(200.0 * 25.0)));
+}
 
 /// Part of the change between the two coarser of three grids that the next change is.
 double next_change(const GridValue& f3, const GridValue& f2, const GridValue& f1, double p) {

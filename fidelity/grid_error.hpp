@@ -11,7 +11,7 @@
 /// grids give the observed order p. The bar of the finest value f1 is
 ///   bar = F(h1) d onward(n2, n1, infinity, p) + noise,                                    (2)
 ///   d = max(|f2 - f1|, |f3 - f2| onward(n3, n2, n1, q)),   q the highest order            (3)
-///   F(h) = 1.75 sqrt(max(1, h/h_200x25))                                                   (4)
+///   F(h) = 1.5 sqrt(max(1, h/h_200x25))                                                   (4)
 /// (3): two values that happen to agree are no proof of a limit; the change before tells what is
 /// left at best. (4): coarse sequences are further from (1). Orders and F were set on random
 /// bearings, docs/decisions/011. Source: methods 7.1, 5 (GCI with three grids); (3), (4) our own.
@@ -49,9 +49,6 @@ struct GridBar {
 /// bars short while 94 % hold (table in docs/decisions/011).
 inline constexpr double kLeastOrder = 1.0;
 inline constexpr double kMostOrder = 1.75;
-
-/// Bar over what is estimated to be left, by grids (4) or by physics left out (left_out.hpp) [-].
-inline constexpr double kSafety = 1.75;
 
 /// Order p in [kLeastOrder, kMostOrder] of three values, coarsest first; NaN if they do not
 /// approach a limit (oscillating, or moving away).

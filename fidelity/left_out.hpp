@@ -12,6 +12,9 @@
 
 namespace shellback::fidelity {
 
+/// The change by what is left out times this is the bar [-]; table in docs/decisions/011.
+inline constexpr double kModelSafety = 1.75;
+
 /// What an effect needs of a case, and how it is switched.
 struct EffectRule {
   struct Part {

@@ -27,12 +27,15 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   // Iteration leaves this part of the natural size open: the outer loop ends at changes of 1e-4 of
   // 10 K per step, the viscosity changes by a few per cent per kelvin.
   constexpr double kIteration = 1e-4;  // [-]
+  // No bar is shorter, against the size of its quantity, than this part of the median one: all
+  // share one film, and a small change of one is often chance.
+  constexpr double kShare = 0.2;  // [-]
   const Case& c = record.coarse->model.input;
+  std::vector<std::pair<Quantity*, double>> judged;  // and natural size
+  std::vector<double> relative;
   for (Quantity& q : result.quantities) {
-    if (given_by_case(c, result.tier, q.name)) {
-      q.error_grid = 0.0;
-      continue;
-    }
+    q.error_grid = 0.0;
+    if (given_by_case(c, result.tier, q.name)) continue;
     const double size = natural_size(q, c.supplies.front().temperature, result.quantities);
     std::vector<GridValue> values;
     for (const LevelRecord& level : record.levels) {
@@ -43,6 +46,15 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     const double nodes = std::abs(value_in(record.node_change, q.name));
     q.error_grid = bar.bar + (std::isfinite(nodes) ? nodes : 0.0);
     q.order = bar.order;
+    judged.emplace_back(&q, size);
+    if (std::isfinite(q.error_grid / size)) relative.push_back(q.error_grid / size);
+  }
+  if (relative.empty()) return;
+  const auto middle = relative.begin() + static_cast<long>(relative.size() / 2);
+  std::nth_element(relative.begin(), middle, relative.end());
+  for (auto& [q, size] : judged) {
+    if (std::isfinite(q->error_grid))
+      q->error_grid = std::max(q->error_grid, kShare * *middle * size);
   }
 }
 
@@ -119,7 +131,7 @@ void put_bars(const BarRecord& record, Result& result) {
     put_grid_bars(record, result);
     const auto coarse = scalars(*record.coarse);
     for (Quantity& q : result.quantities) {
-      q.error_model = kSafety * model_change(record, coarse, q);
+      q.error_model = kModelSafety * model_change(record, coarse, q);
     }
   }
   for (Effect& e : result.effects) {

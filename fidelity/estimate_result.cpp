@@ -95,7 +95,9 @@ std::vector<Quantity> quantities(const Case& c, const Estimate& e, const Indicat
   const double omega = c.operation.omega;
   const bool given = std::holds_alternative<EccentricityGiven>(c.operation.position);
   const bool rough = c.surfaces.contact.has_value();
-  const double torque = bar(kParts.torque, e, n), film = bar(kParts.film, e, n);
+  Indicators bounded = n;  // friction feels a larger gap less and less
+  bounded.elastic = std::min(n.elastic, 1.0);
+  const double torque = bar(kParts.torque, e, bounded), film = bar(kParts.film, e, n);
   const double peak = std::min(kMostBar, 2.0 * film);
   const double eccentricity = given ? 0.0 : film * (1.0 - e.eps) / std::max(e.eps, 1e-9);
   std::vector<Quantity> list;

@@ -6,18 +6,24 @@
 /// of Raimondi and Boyd. data/tables/plain_bearing.csv, made by validation/tables.
 ///
 /// The table holds eps = 0.01 ... 0.999 and b = B/D = 0.05 ... 8. What is interpolated (monotone
-/// cubics in -ln(1 - eps), then in ln b) are ratios to the closed forms that the bearing tends to
+/// cubics in ln b, then in -ln(1 - eps)) are ratios to the closed forms that the bearing tends to
 /// (closed_forms.hpp), so that beyond the table's ends the closed forms rule: eps -> 0 and b -> 0
 /// Ocvirk's narrow bearing, eps -> 1 the wide bearing's local film (So ~ 1/(1 - eps), p_max/p ~
-/// (1 - eps)^(-1/2)), and b above 8 is taken as 8. Interpolation error: measured, see
-/// kTableError.
+/// (1 - eps)^(-1/2)), and b above 8 is taken as 8.
+#include <array>
+#include <cmath>
 #include <vector>
+
+#include "fidelity/bracketed_root.hpp"
 
 namespace shellback::fidelity {
 
 /// Relative error of interpolated numbers, table and interpolation together: more than 99 of 100
 /// points at the middle of the table's fields lie within it (tests/fidelity, docs/auto-tier.md).
 inline constexpr double kTableError = 0.005;
+
+/// Text of the table, built into the program.
+[[nodiscard]] const char* plain_bearing_table();
 
 /// Numbers of one bearing at one eccentricity.
 struct BearingNumbers {
@@ -39,13 +45,18 @@ class BearingCurve {
   /// 0 < eps < 1.
   [[nodiscard]] BearingNumbers at(double eps) const;
 
-  /// The eps of a given So >= 0, to 1e-12 of 1 - eps; So rises with eps throughout.
-  [[nodiscard]] double eccentricity(double so) const;
-
  private:
   double b_;
-  std::vector<double> values_;  ///< smoothed numbers, index node * 5 + number
-  std::vector<double> slopes_;  ///< by -ln(1 - eps)
+  std::array<std::vector<double>, 5> ratios_;  ///< of each number, by the table's eps
 };
+
+/// The eccentricity ratio at which f, rising with it, vanishes: sought in ln(eps/(1 - eps)), in
+/// which ln So is nearly straight. Nothing is told apart within 1e-9 of 0 and 1.
+template <class F>
+[[nodiscard]] double eccentricity_where(F f) {
+  const auto eps = [](double x) { return 1.0 / (1.0 + std::exp(-x)); };
+  const double end = std::log(1e9);
+  return eps(bracketed_root([&](double x) { return f(eps(x)); }, -end, end, 1e-10));
+}
 
 }  // namespace shellback::fidelity

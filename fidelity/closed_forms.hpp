@@ -17,22 +17,11 @@ namespace shellback::fidelity {
   return 3.0 * eps * std::sqrt(kPi * kPi * r + 4.0 * eps * eps) / ((2.0 + eps * eps) * r);
 }
 
-/// Infinitely wide bearing (Sommerfeld), pressure in the whole turn; attitude 90 deg:
-///   So = 6 pi eps / ((2 + eps^2) sqrt(1 - eps^2)).
-[[nodiscard]] inline double sommerfeld_full(double eps) {
-  return 6.0 * kPi * eps / ((2.0 + eps * eps) * std::sqrt(1.0 - eps * eps));
-}
-
 /// Infinitely narrow bearing (Ocvirk), half film:
 ///   So = b^2 eps sqrt(16 eps^2 + pi^2 (1 - eps^2)) / (2 (1 - eps^2)^2).
 [[nodiscard]] inline double ocvirk(double eps, double b) {
   const double r = 1.0 - eps * eps;
   return b * b * eps * std::sqrt(16.0 * eps * eps + kPi * kPi * r) / (2.0 * r * r);
-}
-
-/// Tangent of the attitude angle of the infinitely narrow bearing: pi sqrt(1 - eps^2)/(4 eps).
-[[nodiscard]] inline double ocvirk_attitude_tangent(double eps) {
-  return kPi * std::sqrt(1.0 - eps * eps) / (4.0 * eps);
 }
 
 /// Both limits at once, 1/So = 1/ocvirk + 1/sommerfeld_half: ours, within 16 % of Butenschoen's

@@ -2,13 +2,13 @@
 /// Tier `estimate`: what closed forms and the table of the plain bearing say about a case.
 ///
 /// Rigid circular bearing fed at ambient pressure at the widest gap (bearing_table.hpp), one
-/// temperature from a heat balance in lumps (estimate_heat.hpp), one viscosity: that at this
+/// temperature from a heat balance in lumps (lumped_heat.hpp), one viscosity: that at this
 /// temperature, the specific load and the mean shear rate U/(c sqrt(1 - eps^2)). Rough surfaces
 /// share the load with the film by Greenwood-Tripp contact on the nominal film h = c (1 + eps cos);
 /// regime by the contact's share of the load, or, without contact data, by lambda = h_min/sigma
 /// (seed 002 Eq. 11). A groove all round makes two bearings of half the width. Tilt, profiles,
 /// deformation, starvation and the supply's place are left out; the bars say how much that was
-/// worth in random cases (estimate_error.hpp).
+/// worth in random cases (estimate_result.cpp).
 #include "coupling/result.hpp"
 
 namespace shellback::fidelity {
@@ -16,19 +16,10 @@ namespace shellback::fidelity {
 enum class Regime { hydrodynamic, mixed, boundary };
 [[nodiscard]] const char* to_string(Regime regime);
 
-/// Share of the load on asperities below which a film counts as hydrodynamic, and above which as
-/// boundary lubricated; without contact data the same for lambda, downwards. Conventions (textbook
-/// gives lambda 3 to 5 and 1).
-inline constexpr double kHydrodynamicShare = 0.01;
-inline constexpr double kBoundaryShare = 0.9;
-inline constexpr double kHydrodynamicLambda = 4.0;
-inline constexpr double kBoundaryLambda = 1.0;
-
 /// The estimated state. SI units.
 struct Estimate {
   double T = 0.0;           ///< mean film temperature [K]
   double eta = 0.0;         ///< viscosity there, at mean pressure and shear rate [Pa s]
-  double so = 0.0;          ///< Sommerfeld number of the film's share of the load [-]
   double eps = 0.0;         ///< eccentricity ratio [-]
   double attitude = 0.0;    ///< from the load line to the line of centres [rad]
   double load = 0.0;        ///< [N]
@@ -41,7 +32,6 @@ struct Estimate {
   double asperity_share = 0.0;   ///< of the load [-]; 0 without contact data
   double lambda = 0.0;           ///< h_min over combined roughness [-]; infinite: smooth
   double rise = 0.0;             ///< T minus supply temperature [K]
-  double rate = 0.0;             ///< shear rate of `eta` [1/s]
   Regime regime = Regime::hydrodynamic;
   bool balanced = true;  ///< false: no temperature below 400 K of rise balances the heat
 };
@@ -50,7 +40,5 @@ struct Estimate {
 
 /// The estimate as a result: quantities with bars, effects by their indicator numbers, no fields.
 [[nodiscard]] coupling::Result estimate_result(const coupling::Case& c);
-/// The same of an estimate that is there already.
-[[nodiscard]] coupling::Result estimate_result(const coupling::Case& c, const Estimate& e);
 
 }  // namespace shellback::fidelity

@@ -1,23 +1,36 @@
 #pragma once
-/// Error bar of the discretisation from the values on nested grids.
+/// Error of the discretisation from the values on nested grids: what a finer one would give, and
+/// the bar of that.
 ///
-/// The value on a grid of N = nt x nz cells over the full width is taken as
-///   f(h) = f_0 + a h^p,   h = N^(-1/2)                                                    (1)
-/// Three grids give the observed order p from (f3 - f2)/(f2 - f1) = (h3^p - h2^p)/(h2^p - h1^p)
-/// (1 finest) for any ratios of refinement. The bar of the finest value is
-///   bar = F(h1) d / ((h2/h1)^p - 1) + noise,                                              (2)
-///   d = max(|f2 - f1|, |f3 - f2| (h2^q - h1^q)/(h3^q - h2^q)),   q the highest order      (3)
+/// An error that falls as n^-p with the cells n of one direction leads from two grids m < n on to N
+/// cells by
+///   onward(m, n, N, p) = (n^-p - N^-p) / (m^-p - n^-p)                                    (1)
+/// of the step between them (Richardson, textbook).
+///
+/// Same refinement of both directions: n = N^(1/2) = 1/h, N = nt x nz over the full width. Three
+/// grids give the observed order p. The bar of the finest value f1 is
+///   bar = F(h1) d onward(n2, n1, infinity, p) + noise,                                    (2)
+///   d = max(|f2 - f1|, |f3 - f2| onward(n3, n2, n1, q)),   q the highest order            (3)
 ///   F(h) = 1.5 sqrt(max(1, h/h_200x25))                                                   (4)
 /// (3): two values that happen to agree are no proof of a limit; the change before tells what is
-/// left at best. (4): coarse sequences are further from (1). Orders, F and kShare were set on
-/// random bearings, see docs/decisions/011. Source: methods 7.1, 5 (GCI with three grids); (1)
-/// and (2) textbook; (3), (4) our own.
-#include <string>
+/// left at best. (4): coarse sequences are further from (1). Orders and F were set on random
+/// bearings, docs/decisions/011. Source: methods 7.1, 5 (GCI with three grids); (3), (4) our own.
+///
+/// One direction after the other (tier `auto`): around the bearing the film alone needs fine cells;
+/// temperatures and deformation are smooth around, but steep towards the edges. So each full
+/// solution V on a x b cells is followed by its film F on r a x b cells (held_film.hpp); then
+///   L = F + (F - V) onward(a, r a, 800, p),  value = L1 + (L1 - L0) onward(b0, b1, 100, q)    (5)
+/// is that of 800 x 100 cells. Around, the middle between the lowest and the highest order is taken
+/// and their difference is the bar; along, the last step with what it is led on by. What 800 x 100
+/// cells lack to the limit, the same steps with the lowest order, is told apart.
+#include <array>
 #include <vector>
 
-#include "coupling/result.hpp"
-
 namespace shellback::fidelity {
+
+/// Part of a step from m to n cells that is still to come up to `end` cells (infinity: all), for an
+/// error of order p; zero if n is there already.
+[[nodiscard]] double onward(double m, double n, double end, double p);
 
 /// Value on one grid.
 struct GridValue {
@@ -37,29 +50,27 @@ struct GridBar {
 inline constexpr double kLeastOrder = 1.0;
 inline constexpr double kMostOrder = 1.75;
 
-/// No bar is shorter, against the size of its quantity, than this part of the median bar of all
-/// quantities of the result: they share one film, and a small change of one is often chance [-].
-inline constexpr double kShare = 0.2;
-
 /// Order p in [kLeastOrder, kMostOrder] of three values, coarsest first; NaN if they do not
 /// approach a limit (oscillating, or moving away).
 [[nodiscard]] double observed_order(const std::vector<GridValue>& coarse_to_fine);
 
-/// Bar of the last of two or more values, coarsest first; only the last three are used. With one
-/// value: not-a-number.
-[[nodiscard]] GridBar grid_bar(const std::vector<GridValue>& coarse_to_fine);
+/// Bar of the value on the grid of cell size `h`, one of two or more values, coarsest first; only
+/// the last three are used. With one value: not-a-number.
+[[nodiscard]] GridBar grid_bar(const std::vector<GridValue>& coarse_to_fine, double h);
 
-/// Bar of `own` where only one finer grid gave a value: with the lowest order,
-///   bar = F(h) |own - finer| / (1 - (h_finer/h)^p) + noise.
-[[nodiscard]] GridBar grid_bar_below(const GridValue& own, const GridValue& finer);
+/// Cells around and along the full width of the grid that the values of tier `auto` are meant for.
+inline constexpr std::array<int, 2> kFineGrid{800, 100};
 
-/// True if the tier takes the quantity from the case: what is given has no error of the grid.
-[[nodiscard]] bool given_by_case(const coupling::Case& c, coupling::Tier tier,
-                                 const std::string& name);
+struct GridLimit {
+  double value = 0.0;   ///< on the fine grid
+  double bar = 0.0;     ///< half-width, in the unit of the value
+  double beyond = 0.0;  ///< and from the fine grid to infinitely many cells
+};
 
-/// The size against which a small change of the quantity is measured: for temperatures the rise
-/// above the supply, for components of a vector its length, else the value [unit of quantity].
-[[nodiscard]] double natural_size(const coupling::Quantity& q, double T_supply,
-                                  const std::vector<coupling::Quantity>& all);
+/// L of (5): `whole` V on `cells` around, `film` F on `film_cells` (NaN: not solved, then V).
+[[nodiscard]] GridLimit film_limit(double whole, double film, int cells, int film_cells);
+
+/// The value of (5): two L, on b0 and b1 cells along.
+[[nodiscard]] GridLimit grid_limit(const GridLimit& coarse, const GridLimit& fine, int b0, int b1);
 
 }  // namespace shellback::fidelity

@@ -1,14 +1,15 @@
 #pragma once
 /// One case, one tier, one result with error bars: what `run` calls.
-#include "fidelity/levels.hpp"
-#include "fidelity/model_error.hpp"
+#include "fidelity/grid_sequence.hpp"
+#include "fidelity/left_out.hpp"
+#include "fidelity/quantities.hpp"
 
 namespace shellback::fidelity {
 
 /// What the bars are made of.
 struct BarRecord {
-  std::array<int, 2> grid{0, 0};         ///< that of the result
-  std::optional<CoarseSolution> coarse;  ///< same tier, solved to the end; see levels.hpp
+  std::array<int, 2> grid{0, 0};             ///< that of the result
+  std::optional<coupling::Solution> coarse;  ///< same tier, solved to the end; grid_sequence.hpp
   /// Change of each quantity by two more nodes across the film, on the coarse grid.
   std::vector<coupling::Quantity> node_change;
   std::vector<coupling::LevelRecord> levels;  ///< grids used, from the coarsest on
@@ -19,8 +20,8 @@ struct BarRecord {
 /// Which bars: a bar of the physics left out takes the solves of all richer physics.
 enum class WantedBars { grid, grid_and_model };
 
-/// Solves what the bars of a converged solution need. With `kept`, for many near solutions: coarse
-/// grids start from `s` (levels.hpp).
+/// Solves what the bars of a converged solution need. With `kept`, for many near solutions, the
+/// operators of the solids on coarse grids are kept.
 [[nodiscard]] BarRecord measure_bars(const coupling::Solution& s, coupling::Tier tier,
                                      const coupling::SolveControl& control = {},
                                      WantedBars bars = WantedBars::grid_and_model,

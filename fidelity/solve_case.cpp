@@ -7,14 +7,9 @@
 namespace shellback::fidelity {
 
 coupling::Result solve_case(const coupling::Case& c, const coupling::SolveControl& control) {
-  switch (c.model.tier) {
-    case coupling::Tier::estimate:
-      return estimate_result(c);
-    case coupling::Tier::automatic:
-      return solve_auto(c, control);
-    default:
-      return fidelity::solve(c, control);
-  }
+  if (c.model.tier == coupling::Tier::estimate) return estimate_result(c);
+  if (c.model.tier == coupling::Tier::automatic) return solve_auto(c, control);
+  return fidelity::solve(c, control);
 }
 
 }  // namespace shellback::fidelity

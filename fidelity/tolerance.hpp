@@ -34,12 +34,10 @@ struct Shortfall {
 };
 [[nodiscard]] Shortfall shortfall(const coupling::Result& r, double tolerance);
 
-/// True if the values differ by more than the bars of their grids together; also if a bar is not
-/// known. The sum and not its root: a bar is to hold the true value, it is no standard deviation,
-/// and errors of neighbouring results are no independent draws. So a difference that is larger is
-/// one even where both values lie at the far ends of their bars. Bars of the physics left out do
-/// not count: results of one physics share it, and between two kinds of physics it is the
-/// difference.
+/// True if the values differ by more than the bars of their grids together (the sum: a bar holds
+/// the true value, it is no standard deviation); also if a bar is not known. Bars of the physics
+/// left out do not count: results of one physics share it, and between two kinds of physics it is
+/// the difference.
 [[nodiscard]] bool told_apart(const coupling::Quantity& a, const coupling::Quantity& b);
 
 }  // namespace shellback::fidelity

@@ -1,9 +1,9 @@
-#include "fidelity/auto_nodes.hpp"
+#include "fidelity/auto_probe.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "fidelity/coarse_solution.hpp"
+#include "fidelity/quantities.hpp"
 #include "fidelity/solve_case.hpp"
 #include "tests/coupling/sample_bearing.hpp"
 
@@ -32,10 +32,11 @@ TEST_CASE("NodesAreAddedUntilTwoMoreChangeLittle") {
   const Solution nine = coarse(9);
   REQUIRE(three.verdict.good());
   REQUIRE(nine.verdict.good());
+  EquilibriumCost cost;
   for (const double tolerance : {0.1, 0.01, 0.001}) {
     INFO(tolerance);
     Solution probe = three;
-    const NodeChoice n = choose_nodes(probe, Tier::thd, tolerance, false, {});
+    const NodeChoice n = choose_nodes(probe, tolerance, false, {}, cost);
     CHECK(n.known);
     CHECK(n.nodes == probe.model.input.model.film_nodes);
     // Two more change a tenth at most, and the steps shrink: all that is left is within a third.
@@ -47,7 +48,8 @@ TEST_CASE("NodesAreAddedUntilTwoMoreChangeLittle") {
 TEST_CASE("WhatTwoMoreNodesChangeIsTold") {
   Solution probe = coarse(3);
   const Solution five = coarse(5);
-  const NodeChoice n = choose_nodes(probe, Tier::thd, 1e-9, true, {});
+  EquilibriumCost cost;
+  const NodeChoice n = choose_nodes(probe, 1e-9, true, {}, cost);
   CHECK(n.nodes == 3);  // as the case gives
   CHECK(probe.model.input.model.film_nodes == 3);
   const double told = std::abs(value_in(n.left, "friction_torque"));
@@ -80,7 +82,8 @@ TEST_CASE("AutoKeepsTheNodesOfTheCaseAndChoosesItsOwnElse") {
 TEST_CASE("WithoutResolvedTemperatureNoNodesAreChosen") {
   Case c = plain_case();
   Solution probe = solve_tier(c, Tier::isothermal);
-  CHECK(choose_nodes(probe, Tier::isothermal, 1e-3, false, {}).nodes == 0);
+  EquilibriumCost cost;
+  CHECK(choose_nodes(probe, 1e-3, false, {}, cost).nodes == 0);
 }
 
 }  // namespace shellback::fidelity

@@ -4,7 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "fidelity/coarse_solution.hpp"
+#include "../coupling/sample_bearing.hpp"
+#include "fidelity/grid_sequence.hpp"
 
 using namespace shellback::fidelity;
 
@@ -18,6 +19,10 @@ std::vector<GridValue> series(double limit, double a, double p) {
     values.push_back({h, limit + a * std::pow(h, p), 0.0});
   }
   return values;
+}
+
+GridBar grid_bar(const std::vector<GridValue>& values) {
+  return grid_bar(values, values.empty() ? NAN : values.back().h);
 }
 
 }  // namespace
@@ -78,7 +83,11 @@ TEST_CASE("BarsScaleWithTheirQuantity") {
 }
 
 TEST_CASE("CoarseGridsAreTwoAtLeastAndCoarser") {
-  using Grid = std::array<int, 2>;
+  const auto coarse_grids = [](Grid grid) {
+    auto c = shellback::coupling::tests::plain_case();
+    c.model.grid = grid;
+    return shellback::fidelity::coarse_grids(c);
+  };
   for (const Grid fine : {Grid{400, 50}, Grid{200, 25}, Grid{100, 13}, Grid{50, 7}, Grid{60, 9}}) {
     const auto grids = coarse_grids(fine);
     REQUIRE(grids.size() >= 2);

@@ -1,5 +1,4 @@
 // Grids beside that of the result: every case gets bars, near cases get them cheaply.
-#include "fidelity/levels.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -97,12 +96,17 @@ TEST_CASE("BarsFromTheFineSolutionAreThoseFromCold") {
 TEST_CASE("OperatorsAreKeptForTheirOwnBodiesAndGrid") {
   const Case c = warm_case();
   fidelity::KeptSolids kept;
-  const auto coarse = fidelity::solve_coarse(c, c.model.tier, {34, 6}, {});
-  REQUIRE(coarse);
-  kept.keep(*coarse);
-  CHECK(kept.find(c, {34, 6}) == coarse->solution.model.solids);
-  CHECK(kept.find(c, {48, 9}) == nullptr);
+  const auto built = [&](const Case& of, std::array<int, 2> grid) {
+    BearingModel m = make_bearing(of, physics_of(of, of.model.tier), grid, kept.find(grid));
+    m.input.model.grid = grid;
+    return m;
+  };
+  const BearingModel coarse = built(c, {34, 6});
+  REQUIRE(coarse.solids);
+  kept.keep(coarse);
+  CHECK(built(c, {34, 6}).solids == coarse.solids);
+  CHECK(kept.find({48, 9}) == nullptr);
   Case other = c;
   other.shell->layers[0].thickness *= 2.0;
-  CHECK(kept.find(other, {34, 6}) == nullptr);
+  CHECK(built(other, {34, 6}).solids != coarse.solids);
 }

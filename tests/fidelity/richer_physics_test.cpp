@@ -1,5 +1,5 @@
 // The way to the full physics: complete, one effect a step, only where the data are.
-#include "fidelity/richer_physics.hpp"
+#include "fidelity/left_out.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -8,7 +8,6 @@
 using namespace shellback;
 using namespace shellback::coupling;
 using namespace shellback::coupling::tests;
-using fidelity::poorer_physics;
 using fidelity::richer_physics;
 
 namespace {
@@ -36,7 +35,7 @@ TEST_CASE("TheWayFromEveryTierEndsAtTheFullPhysics") {
       if (steps.empty()) {
         CHECK(same(physics_of(poor, tier), full));
       } else {
-        CHECK(same(physics_of(steps.back().input, steps.back().tier), full));
+        CHECK(same(physics_of(steps.back().input, steps.back().input.model.tier), full));
       }
     }
   }
@@ -50,7 +49,7 @@ TEST_CASE("EveryStepAddsAnEffectAndTakesNoneAway") {
   for (const Tier tier : kTiers) {
     Physics before = physics_of(rig_case(), tier);
     for (const auto& step : richer_physics(rig_case(), tier)) {
-      const Physics here = physics_of(step.input, step.tier);
+      const Physics here = physics_of(step.input, step.input.model.tier);
       const bool heating = step.effect == "heating";  // isothermal to lumped: same equations
       CHECK(count(here) == count(before) + (heating ? 0 : 1));
       before = here;
@@ -66,18 +65,32 @@ TEST_CASE("NothingIsRicherThanTheFullTier") {
 TEST_CASE("WithoutShellOnlyHeatingIsJudged") {
   const auto steps = richer_physics(plain_case(), Tier::isothermal);
   REQUIRE(steps.size() == 1);
-  CHECK(steps.front().tier == Tier::lumped);
+  CHECK(steps.front().input.model.tier == Tier::lumped);
   CHECK(fidelity::unknown_effects(plain_case()).size() == 3);
   CHECK(fidelity::unknown_effects(rig_case()).empty());
 }
 
 TEST_CASE("EachIncludedEffectIsTakenOutAlone") {
   const Physics full = physics_of(rig_case(), Tier::tehd);
-  int taken = 0;
-  for (const auto& step : poorer_physics(rig_case(), Tier::tehd)) {
-    CHECK_FALSE(same(physics_of(step.input, step.tier), full));
-    ++taken;
+  for (const auto& rule : fidelity::effect_rules()) {
+    INFO(rule.name);
+    const Physics poorer = fidelity::without(rule.name, full);
+    CHECK_FALSE(same(poorer, full));
+    for (const auto& other : fidelity::effect_rules()) {
+      if (other.name == rule.name) continue;
+      for (const auto& part : other.parts) CHECK(poorer.*part.has == full.*part.has);
+    }
   }
-  CHECK(taken == 6);
-  CHECK(poorer_physics(plain_case(), Tier::isothermal).empty());
+}
+
+TEST_CASE("OnlyWhatTheCaseLeavesOpenIsSwitchedOff") {
+  Switches given;
+  given.elastic_deformation = true;
+  Switches switches = given;
+  CHECK_FALSE(fidelity::switch_off("elastic deformation", given, switches));
+  CHECK_FALSE(fidelity::switch_off("temperature across the film", given, switches));
+  CHECK(fidelity::switch_off("roughness and contact", given, switches));
+  CHECK(switches.flow_factors == false);
+  CHECK(switches.asperity_contact == false);
+  CHECK(switches.elastic_deformation == true);
 }

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "../coupling/sample_bearing.hpp"
-#include "fidelity/grid_limit.hpp"
+#include "fidelity/grid_error.hpp"
 #include "fidelity/solve.hpp"
 
 using namespace shellback;

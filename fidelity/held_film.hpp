@@ -7,25 +7,22 @@
 /// the answer is the solution itself. On a finer grid it shows what the film's discretisation was
 /// worth, without the effect, what the effect is worth directly (what it does to temperatures
 /// and deformation is not counted); both at the price of a rigid isothermal film.
+#include <atomic>
+
 #include "coupling/solve.hpp"
 
 namespace shellback::fidelity {
 
 /// What of the solution the film keeps.
-struct Frozen {
-  bool heating = true;    ///< false: everywhere at the supply temperature
-  bool across = true;     ///< false: every column at its mean temperature
-  bool elastic = true;    ///< false: without elastic widening
-  bool growth = true;     ///< false: without thermal growth
-  double warmer = 0.0;    ///< added to every temperature [K]
-  bool pressure = true;   ///< false: viscosity without pressure
-  bool shear = true;      ///< false: viscosity without shear rate
-  bool roughness = true;  ///< false: smooth surfaces
+struct Held {
+  coupling::Physics physics;  ///< of which effects; without film_energy: columns at their mean
+  bool heated = true;         ///< false: everywhere at the supply temperature
+  double warmer = 0.0;        ///< added to every temperature [K]
 };
 
 /// `s` must have converged. The returned solution has no heat; `heat.growth` is all the widening.
-[[nodiscard]] coupling::Solution frozen_film(const coupling::Solution& s, std::array<int, 2> grid,
-                                             const Frozen& keep = {},
-                                             const std::atomic<bool>* stop = nullptr);
+[[nodiscard]] coupling::Solution held_film(const coupling::Solution& s, std::array<int, 2> grid,
+                                           const Held& held,
+                                           const std::atomic<bool>* stop = nullptr);
 
 }  // namespace shellback::fidelity

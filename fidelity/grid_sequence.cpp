@@ -1,0 +1,121 @@
+#include "fidelity/grid_sequence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.hpp"
+
+namespace shellback::fidelity {
+
+using namespace coupling;
+
+namespace {
+
+constexpr std::size_t kGrids = 3;    ///< with which an order can be observed [-]
+constexpr double kRefinement = 1.4;  ///< of each direction between grids that can be told apart [-]
+constexpr int kMoreNodes = 2;        ///< across the film; their number stays odd [-]
+
+int cells(const Grid& grid) { return grid[0] * grid[1]; }
+
+Grid scaled(const Grid& grid, double by) {
+  return {static_cast<int>(std::lround(by * grid[0])), static_cast<int>(std::lround(by * grid[1]))};
+}
+
+/// Whether the edges of the supplies can be resolved.
+bool holds_supplies(const Case& c, const Grid& grid) {
+  try {
+    static_cast<void>(make_bearing(c, {}, grid));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// `s` on another grid, with operators that were kept for it.
+std::optional<Solution> beside(const Solution& s, const Grid& grid, const SolveControl& control,
+                               KeptSolids* kept) {
+  Solution near = s;
+  near.model.solids = kept != nullptr ? kept->find(grid) : nullptr;
+  Case c = s.model.input;
+  c.model.grid = grid;
+  auto found = solve_near(c, near, control);
+  if (found && kept != nullptr) kept->keep(found->model);
+  return found;
+}
+
+}  // namespace
+
+std::vector<Grid> coarse_grids(const Case& c) {
+  std::vector<Grid> grids;
+  for (Grid grid = c.model.grid;;) {
+    const Grid half{grid[0] / 2, (grid[1] + 1) / 2};
+    const bool enough = half[0] >= 48 && half[1] >= 5;  // as the nested iteration has it
+    if (!enough && grids.size() + 1 >= kGrids) break;
+    grid = enough ? half : scaled(grid, 1.0 / kRefinement);
+    if (grid[0] < 20 || grid[1] < 3) break;
+    grids.insert(grids.begin(), grid);
+  }
+  const auto [around, along] = c.model.grid;
+  for (Grid& grid : grids) {
+    while (grid[1] < along && !holds_supplies(c, grid)) ++grid[1];
+    while (grid[0] < around && !holds_supplies(c, grid)) ++grid[0];
+  }
+  std::erase_if(grids, [&](const Grid& g) { return g[0] >= around || g[1] >= along; });
+  grids.erase(std::unique(grids.begin(), grids.end()), grids.end());
+  return grids;
+}
+
+std::optional<Solution> solve_near(const Case& c, const Solution& near,
+                                   const SolveControl& control) {
+  try {
+    Solution s = solve_tier_from(c, c.model.tier, near, {{}, control.stop});
+    if (s.verdict.good()) return s;
+  } catch (const InputError&) {  // the supplies need more cells than this grid has
+  }
+  return std::nullopt;
+}
+
+std::optional<Solution> with_more_nodes(const Solution& s, const SolveControl& control) {
+  Case richer = s.model.input;
+  richer.model.film_nodes += kMoreNodes;
+  return solve_near(richer, s, control);
+}
+
+std::vector<Quantity> scalars(const Solution& s) {
+  return quantities_of(s, s.model.input.model.tier);
+}
+
+GridSequence grid_sequence(const Solution& s, const SolveControl& control, KeptSolids* kept) {
+  GridSequence out{std::nullopt, s.levels};
+  const auto known = [&](const Grid& grid) {
+    return std::find_if(out.levels.begin(), out.levels.end(),
+                        [&](const LevelRecord& l) { return l.grid == grid; });
+  };
+  const Grid own = s.model.input.model.grid;
+  if (known(own) == out.levels.end()) out.levels.push_back({own, scalars(s)});
+  for (const Grid& grid : coarse_grids(s.model.input)) {
+    if (stopped(control)) return out;
+    const auto level = known(grid);
+    const bool wanted = level == out.levels.end() && out.levels.size() < kGrids;
+    if (out.coarse && !wanted) continue;
+    auto coarse = beside(s, grid, control, kept);
+    if (!coarse) continue;
+    if (level == out.levels.end()) {
+      out.levels.push_back({grid, scalars(*coarse)});
+    } else {
+      level->quantities = scalars(*coarse);  // to the end, where the nested iteration stopped early
+    }
+    if (!out.coarse) out.coarse = std::move(coarse);
+  }
+  if (!out.coarse && cells(own) <= cells(kUsualGrid) && !stopped(control)) {
+    if (const auto finer = beside(s, scaled(own, kRefinement), control, kept)) {
+      out.levels = {{own, scalars(s)}, {finer->model.input.model.grid, scalars(*finer)}};
+      out.coarse = s;
+    }
+  }
+  std::sort(out.levels.begin(), out.levels.end(),
+            [](const auto& a, const auto& b) { return cells(a.grid) < cells(b.grid); });
+  return out;
+}
+
+}  // namespace shellback::fidelity

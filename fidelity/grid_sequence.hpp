@@ -1,0 +1,55 @@
+#pragma once
+/// The same case beside its result: on other grids, with more nodes. What the bars are made of.
+///
+/// One coarse solve of the film costs a few Newton iterations of the fine grid; what another number
+/// of nodes or richer physics changes there is nearly what it changes on the fine grid.
+#include "coupling/solve.hpp"
+#include "fidelity/kept_solids.hpp"
+
+namespace shellback::fidelity {
+
+/// Cells around and along the full width.
+using Grid = std::array<int, 2>;
+
+/// Beyond it one more grid takes longer than all else; what no sequence of grids tells is solved
+/// there as it is.
+inline constexpr Grid kUsualGrid{400, 50};
+
+/// Grids coarser than that of the case, from the coarsest on, each axis about halved, or 0.7 of it
+/// where that leaves fewer than two; down to 20 x 3. Where a grid cannot resolve the edges of the
+/// supplies, it gets as many more cells as it takes, along and then around; grids that come to the
+/// fine one are left out.
+[[nodiscard]] std::vector<Grid> coarse_grids(const coupling::Case& c);
+
+/// The case, in the tier and on the grid that it names, from a solution that is near (other grid,
+/// physics or nodes, same bearing), from cold if that does not converge; none if this does not
+/// either or the grid cannot carry the supplies. Tells nothing, stops with the others.
+[[nodiscard]] std::optional<coupling::Solution> solve_near(const coupling::Case& c,
+                                                           const coupling::Solution& near,
+                                                           const coupling::SolveControl& control);
+
+/// The solution with two more nodes across the film; none if there is none.
+[[nodiscard]] std::optional<coupling::Solution> with_more_nodes(
+    const coupling::Solution& s, const coupling::SolveControl& control);
+
+/// Scalars in the tier that the solution's case names.
+[[nodiscard]] std::vector<coupling::Quantity> scalars(const coupling::Solution& s);
+
+[[nodiscard]] inline bool stopped(const coupling::SolveControl& control) {
+  return control.stop != nullptr && control.stop->load();
+}
+
+struct GridSequence {
+  /// Same tier, solved to the end on the coarsest grid that has a solution; on the result's own
+  /// grid where no coarser one has.
+  std::optional<coupling::Solution> coarse;
+  std::vector<coupling::LevelRecord> levels;  ///< from the coarsest to the finest
+};
+
+/// Three grids if possible, the result's own the last; where no coarser grid gives a solution (too
+/// few cells for the supplies, contact that they cannot place), its own and one that is finer.
+/// Each is solved from `s`. `kept` may be null.
+[[nodiscard]] GridSequence grid_sequence(const coupling::Solution& s,
+                                         const coupling::SolveControl& control, KeptSolids* kept);
+
+}  // namespace shellback::fidelity

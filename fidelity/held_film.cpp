@@ -1,0 +1,56 @@
+#include "fidelity/held_film.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "coupling/nested.hpp"
+
+namespace shellback::fidelity {
+namespace {
+
+using namespace coupling;
+
+Field widening(const Solution& s, const Physics& has) {
+  Field sum(s.model.scene.grid.cells(), 0.0);
+  const auto add = [&](const Field& d) {
+    for (std::size_t k = 0; k < d.size(); ++k) sum[k] += d[k];
+  };
+  if (has.elastic) add(s.film.elastic);
+  if (has.growth) add(s.heat.growth);
+  return sum;
+}
+
+void set_temperatures(const Case& c, const Held& held, int nodes, std::vector<double>& T) {
+  if (!held.heated) std::fill(T.begin(), T.end(), c.supplies.front().temperature);
+  for (auto column = T.begin(); column != T.end() && !held.physics.film_energy; column += nodes) {
+    std::fill_n(column, nodes, std::accumulate(column, column + nodes, 0.0) / nodes);
+  }
+  for (double& t : T) t += held.warmer;
+}
+
+}  // namespace
+
+Solution held_film(const Solution& s, std::array<int, 2> grid, const Held& held,
+                   const std::atomic<bool>* stop) {
+  Physics film_only = held.physics;
+  film_only.film_energy = film_only.elastic = film_only.growth = false;
+  Solution out;
+  out.target = s.target;
+  out.T_film = s.T_film;
+  out.model = make_bearing(s.model.input, film_only, grid);
+  out.film = carry_over(s.model, s.film, out.model);
+  set_temperatures(s.model.input, held, out.model.gl.n, out.film.columns.T);
+  out.heat.growth =
+      interpolate(s.model.scene.grid, widening(s, held.physics), out.model.scene.grid);
+  // Friction and smallest film are then known to about these residuals, far better than the grids
+  // that they stand for; a film that takes more steps is no neighbour of the solution.
+  constexpr double kEnough = 1e-6;  // all in the units of EquilibriumOptions [-]
+  EquilibriumOptions options;
+  options.max_iterations = 30;
+  options.film_tolerance = options.load_tolerance = options.viscosity_tolerance = kEnough;
+  out.verdict =
+      solve_equilibrium(out.model, out.target, out.heat.growth, options, out.film, out.cost, stop);
+  return out;
+}
+
+}  // namespace shellback::fidelity

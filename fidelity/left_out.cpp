@@ -1,0 +1,133 @@
+#include "fidelity/left_out.hpp"
+
+#include <cmath>
+
+#include "fidelity/grid_sequence.hpp"
+#include "fidelity/quantities.hpp"
+
+namespace shellback::fidelity {
+
+using namespace coupling;
+
+namespace {
+
+bool has_shell(const Case& c) { return c.shell.has_value(); }
+bool has_contact(const Case& c) { return c.surfaces.contact.has_value(); }
+bool is_rough(const Case& c) {
+  return c.surfaces.shell.roughness > 0.0 || c.surfaces.shaft.roughness > 0.0;
+}
+bool is_piezoviscous(const Case& c) {
+  return !std::holds_alternative<rheology::NoPressureEffect>(c.oil.pressure);
+}
+bool is_thinning(const Case& c) {
+  return !std::holds_alternative<rheology::NoShearThinning>(c.oil.shear);
+}
+
+}  // namespace
+
+const std::vector<EffectRule>& effect_rules() {
+  using P = Physics;
+  using S = Switches;
+  static const std::vector<EffectRule> rules{
+      {"temperature across the film", {{&P::film_energy, nullptr, knows_its_walls}}},
+      {"thermal deformation", {{&P::growth, &S::thermal_deformation, knows_its_walls}}},
+      {"elastic deformation", {{&P::elastic, &S::elastic_deformation, has_shell}}},
+      {"viscosity with pressure",
+       {{&P::pressure_dependence, &S::pressure_dependence, is_piezoviscous}}},
+      {"shear thinning", {{&P::shear_thinning, &S::shear_thinning, is_thinning}}},
+      {"roughness and contact",
+       {{&P::flow_factors, &S::flow_factors, is_rough},
+        {&P::contact, &S::asperity_contact, has_contact}}},
+  };
+  return rules;
+}
+
+Physics without(const std::string& effect, Physics physics) {
+  for (const EffectRule& rule : effect_rules()) {
+    if (rule.name != effect) continue;
+    for (const EffectRule::Part& part : rule.parts) physics.*part.has = false;
+  }
+  return physics;
+}
+
+bool switch_off(const std::string& effect, const Switches& given, Switches& switches) {
+  for (const EffectRule& rule : effect_rules()) {
+    if (rule.name != effect) continue;
+    for (const EffectRule::Part& part : rule.parts) {
+      if (part.wish == nullptr || given.*part.wish) return false;
+    }
+    for (const EffectRule::Part& part : rule.parts) switches.*part.wish = false;
+    return true;
+  }
+  return false;
+}
+
+bool knows_its_walls(const Case& c) {
+  if (!c.shell || !c.shaft) return false;
+  const auto* back = std::get_if<ConvectiveBack>(&c.shell->back);
+  return back == nullptr || back->heat_transfer > 0.0;
+}
+
+std::vector<PhysicsStep> richer_physics(const Case& c, Tier tier) {
+  const Physics has = physics_of(c, tier);
+  Case input = c;
+  input.model.tier = tier;
+  input.model.switches.elastic_deformation = has.elastic;  // not to change with the tier
+  input.model.switches.thermal_deformation = has.growth;
+  std::vector<PhysicsStep> steps;
+  if (tier == Tier::isothermal) {
+    input.model.tier = Tier::lumped;
+    steps.push_back({"heating", input});
+  }
+  for (const EffectRule& rule : effect_rules()) {
+    bool added = false;
+    for (const EffectRule::Part& part : rule.parts) {
+      if (has.*part.has || !part.data(c)) continue;
+      added = true;
+      if (part.wish != nullptr) {
+        input.model.switches.*part.wish = true;
+      } else {
+        input.model.tier = Tier::thd;
+      }
+    }
+    if (added) steps.push_back({rule.name, input});
+  }
+  return steps;
+}
+
+std::vector<std::string> unknown_effects(const Case& c) {
+  std::vector<std::string> names;
+  for (const EffectRule& rule : effect_rules()) {
+    const auto data = rule.parts.front().data;
+    const bool of_solids = data == knows_its_walls || data == has_shell;
+    if (of_solids && !data(c)) names.push_back(rule.name);
+  }
+  return names;
+}
+
+ModelError model_error(const Solution& coarse, const SolveControl& control) {
+  ModelError out;
+  const Case& c = coarse.model.input;
+  out.unknown = unknown_effects(c);
+  const auto steps = richer_physics(c, c.model.tier);
+  out.richest = steps.empty();
+  Solution here = coarse;
+  for (const PhysicsStep& step : steps) {
+    auto next = solve_near(step.input, here, control);
+    out.complete = next.has_value();
+    if (!next) {
+      out.failed.push_back(step.effect);
+      continue;
+    }
+    const auto before = scalars(here), after = scalars(*next);
+    const auto relative = [&](const char* name) {
+      return (value_in(after, name) - value_in(before, name)) / std::abs(value_in(before, name));
+    };
+    out.effects.push_back({step.effect, relative("friction_torque"), relative("h_min")});
+    here = std::move(*next);
+  }
+  if (out.complete) out.change = change(scalars(coarse), scalars(here));
+  return out;
+}
+
+}  // namespace shellback::fidelity

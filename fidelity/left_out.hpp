@@ -1,0 +1,77 @@
+#pragma once
+/// The effects that a solve may have or lack, and the error bar of those left out.
+///
+/// The full physics of the case is solved on a coarse grid, effect by effect, each from the
+/// solution before; the difference from the tier's own solution on the same coarse grid stands for
+/// that on the fine one (docs/decisions/011). Stronger than the one residual evaluation of methods
+/// 7.3, since the coarse system is solved to the end, and no dearer than a few of its Newton steps.
+#include <string>
+#include <vector>
+
+#include "coupling/solve.hpp"
+
+namespace shellback::fidelity {
+
+/// The change by what is left out times this is the bar [-]; table in docs/decisions/011.
+inline constexpr double kModelSafety = 1.75;
+
+/// What an effect needs of a case, and how it is switched.
+struct EffectRule {
+  struct Part {
+    bool coupling::Physics::*has;
+    std::optional<bool> coupling::Switches::*wish;  ///< null: a matter of the tier
+    bool (*data)(const coupling::Case&);            ///< the case has what it needs
+  };
+  std::string name;  ///< as in coupling/effects
+  std::vector<Part> parts;
+};
+
+/// In the order in which they are added. Heating by one temperature is none of them, but the step
+/// from tier isothermal to lumped.
+[[nodiscard]] const std::vector<EffectRule>& effect_rules();
+
+/// The same physics without the effect of that name.
+[[nodiscard]] coupling::Physics without(const std::string& effect, coupling::Physics physics);
+
+/// Switches an effect off where `given` leaves it open. False: it cannot be left out.
+[[nodiscard]] bool switch_off(const std::string& effect, const coupling::Switches& given,
+                              coupling::Switches& switches);
+
+/// True if the case has what the heat in shell and shaft needs: both, and a way out for the heat.
+[[nodiscard]] bool knows_its_walls(const coupling::Case& c);
+
+/// One more effect than the step before.
+struct PhysicsStep {
+  std::string effect;
+  coupling::Case input;  ///< the case with tier and switches set for it
+};
+
+/// Effects that the tier (with the case's own switches) leaves out and the case has data for, each
+/// step with all before it. The last is the fullest physics; empty: the tier is that already.
+[[nodiscard]] std::vector<PhysicsStep> richer_physics(const coupling::Case& c, coupling::Tier tier);
+
+/// Effects that nothing can be said about, since the case lacks data of shell or shaft.
+[[nodiscard]] std::vector<std::string> unknown_effects(const coupling::Case& c);
+
+/// What one effect changes on the coarse grid, relative [-]; NaN: not known.
+struct EffectChange {
+  std::string effect;
+  double friction = 0.0;
+  double h_min = 0.0;
+};
+
+struct ModelError {
+  /// Change of each quantity from the tier to the full physics, on the coarse grid.
+  std::vector<coupling::Quantity> change;
+  std::vector<EffectChange> effects;  ///< of the effects left out
+  std::vector<std::string> unknown;   ///< effects for which the case has no data
+  std::vector<std::string> failed;    ///< effects whose coarse solve gave nothing
+  bool complete = false;              ///< the full physics was reached (and `change` is filled)
+  bool richest = false;               ///< the tier is the full physics already
+};
+
+/// From the coarse solution, in the tier that its case names, to the full physics of the case.
+[[nodiscard]] ModelError model_error(const coupling::Solution& coarse,
+                                     const coupling::SolveControl& control);
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,45 @@
+#include "fidelity/quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellback::fidelity {
+
+double value_in(const std::vector<Quantity>& list, const std::string& name) {
+  const auto named = [&](const Quantity& q) { return q.name == name; };
+  const auto q = std::find_if(list.begin(), list.end(), named);
+  return q == list.end() ? NAN : q->value;
+}
+
+std::vector<Quantity> change(const std::vector<Quantity>& from, const std::vector<Quantity>& to) {
+  std::vector<Quantity> list;
+  for (const Quantity& q : from) {
+    list.push_back({q.name, value_in(to, q.name) - q.value, q.unit, NAN, NAN});
+  }
+  return list;
+}
+
+bool given_by_case(const coupling::Case& c, coupling::Tier tier, const std::string& name) {
+  const bool position = std::holds_alternative<coupling::EccentricityGiven>(c.operation.position);
+  if (name == "eccentricity_ratio") return position;
+  if (name == "load_x" || name == "load_y") return !position;
+  if (name == "tilt_x" || name == "tilt_y") {
+    return std::holds_alternative<coupling::TiltGiven>(c.operation.alignment);
+  }
+  const bool temperature = name == "T_equivalent" || name == "T_film_mean";
+  return temperature && tier == coupling::Tier::isothermal;
+}
+
+double natural_size(const Quantity& q, double T_supply, const std::vector<Quantity>& all) {
+  const auto length = [&](const std::string& vector) {
+    return std::hypot(value_in(all, vector + "_x"), value_in(all, vector + "_y"));
+  };
+  if (q.unit == "K") return std::max(std::abs(q.value - T_supply), 1.0);
+  if (q.unit == "deg") return std::max(std::abs(q.value), 5.0);
+  if (q.name == "load_x" || q.name == "load_y") return length("load");
+  if (q.name == "tilt_x" || q.name == "tilt_y") return length("tilt");
+  if (q.name.starts_with("heat_")) return std::abs(value_in(all, "power_loss"));
+  return std::abs(q.value);
+}
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,28 @@
+#pragma once
+/// Reported scalars: found by name, compared, measured against their natural size.
+#include <string>
+#include <vector>
+
+#include "coupling/result.hpp"
+
+namespace shellback::fidelity {
+
+using coupling::Quantity;
+
+/// Value of `name` in `list`; not-a-number if it is not there.
+[[nodiscard]] double value_in(const std::vector<Quantity>& list, const std::string& name);
+
+/// `to` minus `from`, quantity by quantity; what is not in both is not-a-number.
+[[nodiscard]] std::vector<Quantity> change(const std::vector<Quantity>& from,
+                                           const std::vector<Quantity>& to);
+
+/// True if the tier takes the quantity from the case: what is given has no error of the grid.
+[[nodiscard]] bool given_by_case(const coupling::Case& c, coupling::Tier tier,
+                                 const std::string& name);
+
+/// The size against which a small change of the quantity is measured: for temperatures the rise
+/// above the supply, for components of a vector its length, else the value [unit of quantity].
+[[nodiscard]] double natural_size(const Quantity& q, double T_supply,
+                                  const std::vector<Quantity>& all);
+
+}  // namespace shellback::fidelity

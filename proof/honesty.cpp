@@ -4,9 +4,9 @@
 #include <cmath>
 #include <mutex>
 
-#include "app/judge_case.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"
+#include "coupling/judge_case.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/solve.hpp"
 
@@ -38,7 +38,7 @@ class Trial {
 
   /// The working grids first: where they give no result, there is no bar whose truth is wanted.
   Subject run() {
-    const auto possible = app::possible_tiers(case_);
+    const auto possible = coupling::possible_tiers(case_);
     fullest_ = possible.empty() ? Tier::tehd : possible.back();
     for (const Tier tier : options_.tiers) {
       if (std::find(possible.begin(), possible.end(), tier) == possible.end()) continue;

@@ -16,9 +16,9 @@
 /// are T_n = K_n^-1 P R q_n, cell means of the bore temperature Z_n q_n with
 /// Z_n = R diag(1/dz) P^T K_n^-1 P: diag(dz) Z_n is symmetric and positive. The discrete heat
 /// balance is exact: heat in = heat through the back + heat through the ends, to round-off.
-#include <Eigen/Dense>
 #include <vector>
 
+#include "core/eigen.hpp"
 #include "core/grid.hpp"
 #include "core/harmonics.hpp"
 #include "core/revolution_mesh.hpp"

@@ -6,9 +6,10 @@
 #include <ostream>
 
 #include "app/derived.hpp"
-#include "app/judge_case.hpp"
+#include "app/indicators.hpp"
 #include "app/units.hpp"
 #include "core/constants.hpp"
+#include "coupling/judge_case.hpp"
 #include "fidelity/estimate.hpp"
 
 namespace shellback::app {
@@ -55,9 +56,9 @@ void print_expected(std::ostream& out, const Derived& d) {
   }
 }
 
-void print_indicators(std::ostream& out, const Derived& d) {
+void print_indicators(std::ostream& out, const std::vector<Indicator>& list) {
   out << "\nEffects (orders of magnitude)\n";
-  for (const Indicator& i : d.indicators) {
+  for (const Indicator& i : list) {
     const char* mark = i.weight == Weight::important ? "!!"
                        : i.weight == Weight::between ? "! "
                                                      : "  ";
@@ -107,7 +108,7 @@ void print_check(std::ostream& out, const Case& subject) {
   print_operation(out, subject, d);
   print_expected(out, d);
   print_estimate(out, subject);
-  print_indicators(out, d);
+  print_indicators(out, indicators(subject, d));
   print_list(out, "Warnings", subject.warnings);
   print_list(out, "Assumptions", subject.assumptions);
 }

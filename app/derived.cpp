@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 
-#include "app/indicators.hpp"
 #include "core/constants.hpp"
 #include "coupling/solve.hpp"
 #include "rheology/density.hpp"
@@ -115,7 +114,6 @@ Derived derive(const Case& subject) {
   const double sigma =
       std::hypot(subject.surfaces.shell.roughness, subject.surfaces.shaft.roughness);
   if (sigma > 0.0) d.lambda = d.h_min / sigma;
-  d.indicators = indicators(subject, d);
   return d;
 }
 

@@ -14,7 +14,6 @@
 /// tell magnitudes, not results.
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "coupling/case.hpp"
 
@@ -34,18 +33,6 @@ namespace shellback::app {
 /// P/p_max of a full bearing, the ratio of specific load to peak pressure: Raimondi and Boyd
 /// 1958, L/D = 1/2, interpolated linearly in eps, constant beyond 0.1 and 0.97.
 [[nodiscard]] double estimated_pressure_ratio(double eps);
-
-/// What a number says about an effect.
-enum class Weight { negligible, between, important };
-
-/// An effect's indicator number; evaluated at the closed-form estimate.
-struct Indicator {
-  std::string effect;
-  std::string formula;
-  double value = 0.0;  ///< [-]
-  Weight weight = Weight::negligible;
-  std::string advice;  ///< what the weight means for the model
-};
 
 struct Derived {
   double T = 0.0;                   ///< temperature of the estimates [K]
@@ -69,7 +56,6 @@ struct Derived {
   double petroff_power = 0.0;       ///< [W]
   double heat_per_pass = 0.0;       ///< (6) [K]
   std::optional<double> lambda;     ///< h_min over combined roughness [-]; nothing: smooth
-  std::vector<Indicator> indicators;
 };
 
 [[nodiscard]] Derived derive(const coupling::Case& subject);

@@ -23,53 +23,6 @@ constexpr double kMegapascal = 1e-6;      ///< MPa per Pa
 /// is round-off and shown as 0 [-].
 constexpr double kRoundOff = 1e-9;
 
-using Pair = std::pair<const char*, const char*>;
-
-constexpr std::array kLabels{
-    Pair{"friction_torque", "friction torque"},
-    Pair{"friction_torque_asperity", "  of it from asperities"},
-    Pair{"friction_torque_shell", "friction torque on the shell"},
-    Pair{"power_loss", "power loss"},
-    Pair{"pump_power", "power of the supplied pressure"},
-    Pair{"eccentricity_ratio", "eccentricity ratio"},
-    Pair{"attitude_angle", "attitude angle"},
-    Pair{"tilt_x", "tilt of the journal about X"},
-    Pair{"tilt_y", "tilt of the journal about Y"},
-    Pair{"h_min", "smallest film, h_min"},
-    Pair{"h_min_mid", "smallest film at mid-width"},
-    Pair{"p_max", "largest film pressure, p_max"},
-    Pair{"p_asperity_max", "largest contact pressure"},
-    Pair{"asperity_load_share", "load share of asperities"},
-    Pair{"load_x", "film force on journal, X"},
-    Pair{"load_y", "film force on journal, Y"},
-    Pair{"side_flow", "side flow"},
-    Pair{"supply_flow", "supply flow"},
-    Pair{"elastic_opening_max", "largest elastic opening of the gap"},
-    Pair{"thermal_opening_mean", "mean thermal opening of the gap"},
-    Pair{"T_film_max", "film temperature, largest"},
-    Pair{"T_film_mean", "film temperature, mean"},
-    Pair{"T_shell_max", "shell temperature, largest"},
-    Pair{"T_shell_back", "shell-back temperature"},
-    Pair{"T_shell_back_max", "shell-back temperature, largest"},
-    Pair{"T_shaft", "shaft temperature"},
-    Pair{"T_supply_mixed", "temperature of the mixed supply"},
-    Pair{"heat_by_oil", "heat carried off by the oil"},
-    Pair{"heat_to_shell", "heat into the shell"},
-    Pair{"heat_to_shaft", "heat into the shaft"},
-    Pair{"T_equivalent", "equivalent temperature"},
-    Pair{"K_xx", "stiffness K_xx"},
-    Pair{"K_xy", "stiffness K_xy"},
-    Pair{"K_yx", "stiffness K_yx"},
-    Pair{"K_yy", "stiffness K_yy"},
-    Pair{"C_xx", "damping C_xx"},
-    Pair{"C_xy", "damping C_xy"},
-    Pair{"C_yx", "damping C_yx"},
-    Pair{"C_yy", "damping C_yy"},
-    Pair{"whirl_critical_mass", "critical mass of a rigid rotor, per bearing"},
-    Pair{"whirl_speed_ratio", "speed ratio at it, omega sqrt(c m/W)"},
-    Pair{"whirl_ratio", "whirl frequency at it, over speed"},
-};
-
 std::optional<double> measured_si(const coupling::Measured& m, const std::string& name) {
   if (name == "friction_torque") return m.friction_torque;
   if (name == "h_min") return m.h_min;
@@ -110,9 +63,7 @@ double largest_magnitude(const std::vector<coupling::Result>& results, const std
 }  // namespace
 
 std::string quantity_label(const std::string& name) {
-  for (const auto& [key, label] : kLabels) {
-    if (name == key) return label;
-  }
+  if (const auto* known = coupling::find_quantity(name)) return std::string(known->label);
   std::string words = name;
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
@@ -132,6 +83,7 @@ DisplayUnit display_unit(const std::string& name, const std::string& si_unit, do
 }
 
 std::string typeset_unit(const std::string& unit) {
+  using Pair = std::pair<const char*, const char*>;
   constexpr std::array pairs{Pair{"um", "µm"},   Pair{"degC", "°C"},   Pair{"deg", "°"},
                              Pair{"N m", "N·m"}, Pair{"m3/s", "m³/s"}, Pair{"-", "–"}};
   for (const auto& [plain, set] : pairs) {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "app/case_text.hpp"
-#include "app/judge_case.hpp"
 #include "app/sections.hpp"
 #include "core/contract.hpp"
+#include "coupling/judge_case.hpp"
 
 namespace shellback::app {
 namespace {
@@ -45,6 +45,25 @@ void read_sections(const Section& file, Case& result) {
   result.measured = read_measured(file);
 }
 
+/// The key as the file has it: a value that can be given in two ways is judged as one.
+std::string key_in_file(const std::string& key, const Reader& reader) {
+  if (reader.given(key)) return key;
+  const std::string absolute = key + "_absolute";
+  if (reader.given(absolute)) return absolute;
+  const std::string stem = key.substr(0, key.rfind('.'));
+  return key.ends_with(".arc") && reader.given(stem + ".width") ? stem + ".width" : key;
+}
+
+/// Throws at the place of the first refusal; the rest become warnings with theirs.
+void judge_with_places(Case& subject, const std::vector<Tier>& tiers, const Reader& reader) {
+  for (const coupling::Finding& f : judge(subject, tiers)) {
+    const std::string key = key_in_file(f.key, reader);
+    const InputError found = error_at(reader.place(key), key, f.words());
+    if (f.refused()) throw found;
+    subject.warnings.emplace_back(found.what());
+  }
+}
+
 /// `reader` knows the file's name; what gathers on the way is in it afterwards.
 Case read_with(Reader& reader, const std::string& text, const std::vector<Override>& overrides,
                const std::vector<Tier>& tiers) {
@@ -64,9 +83,7 @@ Case read_with(Reader& reader, const std::string& text, const std::vector<Overri
   file.expect_all_used();
   result.assumptions = reader.assumptions;
   result.warnings = reader.warnings;
-  judge_case(result, reader);
-  if (tiers.empty()) expect_possible(result, result.model.tier, reader);
-  for (const Tier tier : tiers) expect_possible(result, tier, reader);
+  judge_with_places(result, tiers.empty() ? std::vector{result.model.tier} : tiers, reader);
   return result;
 }
 

@@ -2,19 +2,14 @@
 #include "app/read_case.hpp"
 #include "app/sections.hpp"
 #include "core/contract.hpp"
+#include "coupling/case_limits.hpp"
 
 namespace shellback::app {
 namespace {
 
 using namespace coupling;
 
-constexpr Range kTolerance{0.0, 0.5, true, "be positive and at most 50 %"};
-constexpr Range kKappa{0.0, 5.0, false, "lie between 0 and 5"};
-constexpr Range kRelaxation{0.0, 1.0, true, "be positive and at most 1"};
-constexpr int kFewestLayers = 2;
-constexpr int kMostLayers = 60;  ///< three times what is usual
-constexpr int kFewestCells = 3;
-constexpr int kMostCells = 4000;  ///< finer than any published study by a factor of five
+constexpr const ValueRanges& kCan = kValueRanges;
 
 const std::vector<std::string> kTiers{"estimate", "isothermal", "lumped", "thd", "tehd", "auto"};
 
@@ -42,7 +37,7 @@ void read_grid(const Section& section, Model& model) {
     return;
   }
   model.grid_given = true;
-  model.grid = section.pair_of_whole_numbers("grid", kFewestCells, kMostCells);
+  model.grid = section.pair_of_whole_numbers("grid", kCan.cells[0], kCan.cells[1]);
 }
 
 Methods read_methods(const Section& model) {
@@ -63,7 +58,7 @@ Methods read_methods(const Section& model) {
                                                       {"mean", AcrossFilm::mean}});
   }
   if (section->has("layers")) {
-    m.layers = section->whole_number("layers", kFewestLayers, kMostLayers);
+    m.layers = section->whole_number("layers", kCan.layers[0], kCan.layers[1]);
     if (m.across != AcrossFilm::layers) {
       section->fail("layers", "layers belong to across = \"layers\"");
     }
@@ -74,7 +69,7 @@ Methods read_methods(const Section& model) {
         {{"newton", ElasticMethod::newton}, {"fixed-point", ElasticMethod::fixed_point}});
   }
   if (section->has("relaxation")) {
-    m.relaxation = section->quantity("relaxation", kNumber, kRelaxation);
+    m.relaxation = section->quantity("relaxation", kNumber, kCan.relaxation);
     if (m.elastic != ElasticMethod::fixed_point) {
       section->fail("relaxation", "relaxation belongs to elastic = \"fixed-point\"");
     }
@@ -103,7 +98,7 @@ void read_rules(const Section& section, Model& model) {
   }
   if (const auto equivalent = section.maybe_section("equivalent_temperature")) {
     equivalent->only({"kappa"}, "model.equivalent_temperature");
-    model.kappa = equivalent->quantity("kappa", kNumber, kKappa);
+    model.kappa = equivalent->quantity("kappa", kNumber, kCan.kappa);
   }
 }
 
@@ -135,10 +130,11 @@ Model read_model(const Section& file) {
   } else {
     section.assume("the tier is tehd (model.tier is not given)");
   }
-  model.tolerance = section.quantity_or("tolerance", kNumber, model.tolerance, "", kTolerance);
+  model.tolerance = section.quantity_or("tolerance", kNumber, model.tolerance, "", kCan.tolerance);
   read_grid(section, model);
   model.film_nodes_given = section.has("film_nodes");
-  if (model.film_nodes_given) model.film_nodes = section.whole_number("film_nodes", 3, 15);
+  if (model.film_nodes_given)
+    model.film_nodes = section.whole_number("film_nodes", kCan.film_nodes[0], kCan.film_nodes[1]);
   model.switches = read_switches(section);
   model.methods = read_methods(section);
   read_rules(section, model);

@@ -1,5 +1,6 @@
 #include "app/sections.hpp"
 #include "core/constants.hpp"
+#include "coupling/case_limits.hpp"
 
 namespace shellback::app {
 namespace {
@@ -7,14 +8,13 @@ namespace {
 using namespace coupling;
 
 constexpr double kDownwards = 1.5 * kPi;  ///< 270 deg, along -Y [rad]
-constexpr Range kOneTurn{-2.0 * kPi, 2.0 * kPi, false, "lie between -360 deg and 360 deg"};
-constexpr Range kRatio{0.0, 1.0, false, "be at least 0 and less than 1"};
+constexpr const ValueRanges& kCan = kValueRanges;
 
 double load_angle(const Section& section) {
   return section.quantity_or("load_angle", kAngle, kDownwards,
                              "the load is taken to act downwards on the journal "
                              "(load_angle = 270 deg)",
-                             kOneTurn);
+                             kCan.turn);
 }
 
 std::variant<LoadGiven, EccentricityGiven> read_position(const Section& section) {
@@ -33,11 +33,8 @@ std::variant<LoadGiven, EccentricityGiven> read_position(const Section& section)
     return LoadGiven{section.quantity("load", kForce, kPositive), load_angle(section)};
   }
   EccentricityGiven given;
-  given.ratio = section.quantity("eccentricity_ratio", kNumber, kRatio);
-  if (given.ratio >= 1.0) {
-    section.fail("eccentricity_ratio", "at 1 the journal touches the shell; it must be less");
-  }
-  given.attitude = section.quantity("attitude_angle", kAngle, kOneTurn);
+  given.ratio = section.quantity("eccentricity_ratio", kNumber, kCan.eccentricity_ratio);
+  given.attitude = section.quantity("attitude_angle", kAngle, kCan.turn);
   given.load_angle = load_angle(section);
   return given;
 }

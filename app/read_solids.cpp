@@ -3,13 +3,12 @@
 #include "app/did_you_mean.hpp"
 #include "app/library.hpp"
 #include "app/sections.hpp"
+#include "coupling/case_limits.hpp"
 
 namespace shellback::app {
 namespace {
 
 using namespace coupling;
-
-constexpr Range kPoisson{0.0, 0.4999, false, "lie between 0 and 0.5 (below it)"};
 
 solid::Material read_properties(const Section& section, const std::string& name) {
   section.only({"name", "title", "source", "note", "assumed", "conductivity", "density",
@@ -24,7 +23,7 @@ solid::Material read_properties(const Section& section, const std::string& name)
   material.density = section.quantity("density", kDensity, kPositive);
   material.heat_capacity = section.quantity("heat_capacity", kHeatCapacity, kPositive);
   material.youngs_modulus = section.quantity("youngs_modulus", kPressure, kPositive);
-  material.poisson_ratio = section.quantity("poisson_ratio", kNumber, kPoisson);
+  material.poisson_ratio = section.quantity("poisson_ratio", kNumber, kValueRanges.poisson_ratio);
   material.expansion = section.quantity("expansion", kPerKelvin, kNotNegative);
   for (const std::string& statement : section.texts("assumed")) {
     const std::string sentence = fmt::format("material {}: {}", material.name, statement);
@@ -97,11 +96,6 @@ std::optional<Shell> read_shell(const Section& file) {
     layer.only({"material", "thickness"}, "a layer of the shell");
     shell.layers.push_back(
         {read_material(layer, "material"), layer.quantity("thickness", kLength, kPositive)});
-  }
-  if (shell.layers.empty()) {
-    section->fail("layers",
-                  "the shell has no layers; give them from the bore outwards: layers = "
-                  "[ { material = \"AlSn20\", thickness = \"0.3 mm\" } ]");
   }
   if (const auto housing = section->maybe_section("housing")) {
     shell.housing = read_housing(*housing);

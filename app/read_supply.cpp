@@ -4,6 +4,7 @@
 
 #include "app/sections.hpp"
 #include "core/constants.hpp"
+#include "coupling/case_limits.hpp"
 
 namespace shellback::app {
 namespace {
@@ -12,19 +13,14 @@ using coupling::Supply;
 using coupling::SupplyKind;
 
 constexpr double kFullCircle = 2.0 * kPi;  ///< [rad]
-constexpr Range kOneTurn{-kFullCircle, kFullCircle, false, "lie between -360 deg and 360 deg"};
-constexpr Range kExtent{0.0, kFullCircle, true, "be positive and at most 360 deg"};
-constexpr Range kArc{0.0, kFullCircle, false, "lie between 0 deg (a line) and 360 deg"};
+constexpr const coupling::ValueRanges& kCan = coupling::kValueRanges;
 
 void read_hole(const Section& section, double radius, Supply& supply) {
   section.only({"kind", "angle", "z", "diameter", "depth", "pressure", "pressure_absolute",
                 "temperature", "carry_over"},
                "a supply of kind \"hole\"");
-  supply.angle = section.quantity("angle", kAngle, kOneTurn);
+  supply.angle = section.quantity("angle", kAngle, kCan.turn);
   supply.diameter = section.quantity("diameter", kLength, kPositive);
-  if (supply.diameter >= kFullCircle * radius) {
-    section.fail("diameter", "the hole is larger than the bearing's circumference");
-  }
   supply.arc = supply.diameter / radius;
   supply.length = supply.diameter;
 }
@@ -33,7 +29,7 @@ void read_axial_groove(const Section& section, double radius, Supply& supply) {
   section.only({"kind", "angle", "z", "arc", "width", "length", "depth", "pressure",
                 "pressure_absolute", "temperature", "carry_over"},
                "a supply of kind \"axial_groove\"");
-  supply.angle = section.quantity("angle", kAngle, kOneTurn);
+  supply.angle = section.quantity("angle", kAngle, kCan.turn);
   supply.length = section.quantity("length", kLength, kPositive);
   if (section.has("arc") && section.has("width")) {
     section.fail("width", "the groove's arc is given too; keep one of them");
@@ -43,22 +39,18 @@ void read_axial_groove(const Section& section, double radius, Supply& supply) {
                  "the groove has no circumferential size; give arc = \"18 deg\" or "
                  "width = \"5 mm\"");
   }
-  supply.arc = section.has("arc") ? section.quantity("arc", kAngle, kArc)
+  supply.arc = section.has("arc") ? section.quantity("arc", kAngle, kCan.arc)
                                   : section.quantity("width", kLength, kNotNegative) / radius;
-  if (supply.arc >= kFullCircle) {
-    section.fail(section.has("arc") ? "arc" : "width",
-                 "the groove runs all round; that is kind = \"circumferential_groove\"");
-  }
 }
 
 void read_circumferential_groove(const Section& section, Supply& supply) {
   section.only({"kind", "angle", "z", "extent", "width", "depth", "pressure", "pressure_absolute",
                 "temperature", "carry_over"},
                "a supply of kind \"circumferential_groove\"");
-  supply.arc = section.quantity_or("extent", kAngle, kFullCircle, "", kExtent);
-  if (supply.arc < kFullCircle) supply.angle = section.quantity("angle", kAngle, kOneTurn);
+  supply.arc = section.quantity_or("extent", kAngle, kFullCircle, "", kCan.extent);
+  if (supply.arc < kFullCircle) supply.angle = section.quantity("angle", kAngle, kCan.turn);
   if (supply.arc >= kFullCircle) {
-    supply.angle = section.quantity_or("angle", kAngle, 0.0, "", kOneTurn);
+    supply.angle = section.quantity_or("angle", kAngle, 0.0, "", kCan.turn);
   }
   supply.length = section.quantity("width", kLength, kPositive);
 }
@@ -106,13 +98,6 @@ std::vector<Supply> read_supplies(const Section& file, double radius,
   std::vector<Supply> supplies;
   for (const Section& section : file.sections("supply")) {
     supplies.push_back(read_supply(section, radius, oil_temperature));
-  }
-  if (supplies.empty()) {
-    file.fail("supply",
-              "there is no oil supply; oil leaves a bearing at its sides, and in a steady film "
-              "that conserves mass nothing makes up for it without a supply: the film runs dry. "
-              "Add a [[supply]] with kind = \"hole\", \"axial_groove\" or "
-              "\"circumferential_groove\"");
   }
   return supplies;
 }

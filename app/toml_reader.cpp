@@ -6,15 +6,13 @@
 
 #include "app/case_text.hpp"
 #include "app/did_you_mean.hpp"
-#include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "coupling/case_limits.hpp"
 
 namespace shellback::app {
 namespace {
 
-constexpr double kAtmosphere = 101325.0;           ///< standard atmosphere [Pa], definition
-constexpr double kColdest = kZeroCelsius - 60.0;   ///< no bearing runs colder [K]
-constexpr double kHottest = kZeroCelsius + 400.0;  ///< no oil film survives hotter [K]
+constexpr double kAtmosphere = -coupling::kValueRanges.gauge_pressure.low;  ///< [Pa]
 
 /// What a node is, in words for the user.
 std::string type_name(const toml::node& node) {
@@ -145,13 +143,12 @@ double Section::value_of(const toml::node& node, const std::string& key, const K
 void Section::check_range(const std::string& key, double value, const Kind& kind,
                           const Range& range) const {
   const std::string shown = written(*find(key));
-  if (kind.absolute && (value < kColdest || value > kHottest)) {
+  if (kind.absolute && !coupling::kValueRanges.temperature.holds(value)) {
     fail(key, fmt::format("{} cannot be meant ({}; a bearing lives between -60 and 400 degC); "
                           "check the number and whether degC or K is meant",
                           shown, show(value, "degC", kind)));
   }
-  const bool low = range.open ? value <= range.low : value < range.low;
-  if (!low && value <= range.high) return;
+  if (range.holds(value)) return;
   fail(key, fmt::format("{} is not possible (it must {}); write for example {} = {}", shown,
                         range.words, key, example_of(kind)));
 }

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,6 +17,7 @@
 #include "app/toml.hpp"
 #include "app/units.hpp"
 #include "core/contract.hpp"
+#include "core/range.hpp"
 
 namespace shellback::app {
 
@@ -39,19 +39,6 @@ struct Reader {
 /// Place and key before a problem; the key only once where the place names it already.
 [[nodiscard]] InputError error_at(const std::string& place, const std::string& key,
                                   const std::string& problem);
-
-/// Values that can be computed with: low <= value <= high (low < value if `open`).
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool open = false;
-  const char* words = "";  ///< completes "it must ..."
-};
-inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
-inline constexpr Range kAnyValue{};
-inline constexpr Range kPositive{0.0, kInfinite, true, "be positive"};
-inline constexpr Range kNotNegative{0.0, kInfinite, false, "not be negative"};
-inline constexpr Range kUpToOne{0.0, 1.0, false, "lie between 0 and 1"};
 
 /// Words for the alternatives of a choice.
 template <class E>

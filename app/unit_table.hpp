@@ -5,9 +5,17 @@
 #include <string_view>
 #include <vector>
 
-#include "app/units.hpp"
-
 namespace shellback::app {
+
+/// Powers of the base dimensions.
+struct Dimension {
+  int length = 0;
+  int mass = 0;
+  int time = 0;
+  int temperature = 0;
+  int angle = 0;
+  friend bool operator==(const Dimension&, const Dimension&) = default;
+};
 
 /// A unit: SI value = factor * number + offset.
 struct Unit {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "app/did_you_mean.hpp"
-#include "app/unit_table.hpp"
 
 namespace shellback::app {
 namespace {

@@ -10,17 +10,9 @@
 #include <string>
 #include <string_view>
 
-namespace shellback::app {
+#include "app/unit_table.hpp"
 
-/// Powers of the base dimensions.
-struct Dimension {
-  int length = 0;
-  int mass = 0;
-  int time = 0;
-  int temperature = 0;
-  int angle = 0;
-  friend bool operator==(const Dimension&, const Dimension&) = default;
-};
+namespace shellback::app {
 
 /// What a case-file value is, and how to write it.
 struct Kind {

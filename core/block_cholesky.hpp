@@ -8,8 +8,9 @@
 /// Blocks are dense and may differ in size (zero included). Made for meshes of revolution, whose
 /// node groups couple a group only to the corner line of the next; dense blocks of 20 to 150 rows
 /// run several times faster than a general sparse factorisation of the same matrix.
-#include <Eigen/Dense>
 #include <vector>
+
+#include "core/eigen.hpp"
 
 namespace shellback {
 

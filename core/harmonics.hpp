@@ -13,9 +13,9 @@
 /// price of symmetry, second order in the cell width. `fit` inverts S exactly (least squares).
 ///
 /// Coefficients are nz x (2 N + 1): column 0 is a_0, columns 2n - 1 and 2n are a_n and b_n.
-#include <Eigen/Dense>
 #include <vector>
 
+#include "core/eigen.hpp"
 #include "core/grid.hpp"
 
 namespace shellback {

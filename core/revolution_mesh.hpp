@@ -10,10 +10,10 @@
 /// r_face[k]) and then the mid-side nodes of row k (cols + 1); the last group is the outermost
 /// corner line alone. Elements couple a group only to itself and to the head (the corner line)
 /// of the next: the block tridiagonal form that core/block_cholesky.hpp factors.
-#include <Eigen/Dense>
 #include <array>
 #include <vector>
 
+#include "core/eigen.hpp"
 #include "core/grid.hpp"
 
 namespace shellback {

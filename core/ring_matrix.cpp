@@ -145,6 +145,52 @@ bool invert_diagonal(double* a, int n) {
   return true;
 }
 
+// The steps of the elimination. They belong into its loop, where the compiler knows what is
+// constant in it: called as functions they would cost the kernel a tenth.
+#define SHELLBACK_IN_THE_LOOP [[gnu::always_inline]] inline
+
+/// The tridiagonal block of one line, `row0` its first row in the matrix.
+template <int LD>
+SHELLBACK_IN_THE_LOOP void fill_block(const RingMatrix& a, std::size_t row0, double* d, int n) {
+  std::memset(d, 0, static_cast<std::size_t>(LD) * n * sizeof(double));
+  for (int k = 0; k < n; ++k) {
+    d[k * LD + k] = a.c[row0 + k];
+    if (k > 0) d[(k - 1) * LD + k] = a.s[row0 + k];
+    if (k + 1 < n) d[(k + 1) * LD + k] = a.n[row0 + k];
+  }
+}
+
+/// D -= w o (previous inverse) o e: what is left of a block when the line before is eliminated.
+template <int LD>
+SHELLBACK_IN_THE_LOOP void subtract_previous(const double* w, const double* previous,
+                                             const double* e, double* d, int n) {
+  for (int col = 0; col < n; ++col) {
+    for (int r = 0; r < LD; ++r) d[col * LD + r] -= w[r] * previous[col * LD + r] * e[col];
+  }
+}
+
+/// v of the next line: -w_next o (inverse v).
+template <int LD>
+SHELLBACK_IN_THE_LOOP void next_border_column(const double* w, const double* iv, double* v, int n) {
+  for (int col = 0; col < n; ++col) {
+    for (int r = 0; r < LD; ++r) v[col * LD + r] = -w[r] * iv[col * LD + r];
+  }
+}
+
+/// u of the next line: -(u inverse) o e.
+template <int LD>
+SHELLBACK_IN_THE_LOOP void next_border_row(const double* ui, const double* e, double* u, int n) {
+  for (int col = 0; col < n; ++col) {
+    for (int r = 0; r < LD; ++r) u[col * LD + r] = -ui[col * LD + r] * e[col];
+  }
+}
+
+/// Adds the couplings of a line to the diagonal of a border block.
+template <int LD>
+SHELLBACK_IN_THE_LOOP void add_diagonal(const double* x, double* block, int n) {
+  for (int k = 0; k < n; ++k) block[k * LD + k] += x[k];
+}
+
 constexpr int kRegister = 8;   ///< doubles in one 512-bit register: padding of a line
 constexpr int kLargest = 128;  ///< largest padded axial line for which kernels are compiled
 
@@ -203,55 +249,40 @@ bool RingFactor::factorize(const RingMatrix& a) {
 }
 
 template <int LD>
+void RingFactor::take_couplings(const RingMatrix& a) {
+  w_.assign(static_cast<std::size_t>(nt_) * LD, 0.0);
+  e_.assign(static_cast<std::size_t>(nt_) * LD, 0.0);
+  for (int i = 0; i < nt_; ++i) {
+    const std::size_t from = static_cast<std::size_t>(line(i)) * nz_;
+    std::memcpy(&w_[static_cast<std::size_t>(i) * LD], &a.w[from], nz_ * sizeof(double));
+    std::memcpy(&e_[static_cast<std::size_t>(i) * LD], &a.e[from], nz_ * sizeof(double));
+  }
+}
+
+template <int LD>
 bool RingFactor::factorize_padded(const RingMatrix& a) {
   const int n = nz_;
   const std::size_t block = static_cast<std::size_t>(LD) * n;
   const int last = nt_ - 1;
   inverse_.resize(block * nt_);
   diagonal_.assign(nt_, 0);
-  w_.assign(static_cast<std::size_t>(nt_) * LD, 0.0);
-  e_.assign(static_cast<std::size_t>(nt_) * LD, 0.0);
   inverse_v_.resize(column_border_ ? block * nt_ : block * 1);
   u_inverse_.resize(row_border_ ? block * nt_ : block * 1);
-  for (int i = 0; i < nt_; ++i) {
-    std::memcpy(&w_[static_cast<std::size_t>(i) * LD], &a.w[static_cast<std::size_t>(line(i)) * n],
-                n * sizeof(double));
-    std::memcpy(&e_[static_cast<std::size_t>(i) * LD], &a.e[static_cast<std::size_t>(line(i)) * n],
-                n * sizeof(double));
-  }
+  take_couplings<LD>(a);
+  const auto w = [&](int i) { return &w_[static_cast<std::size_t>(i) * LD]; };
+  const auto e = [&](int i) { return &e_[static_cast<std::size_t>(i) * LD]; };
   std::vector<double> v(block, 0.0), u(block, 0.0), corner(block, 0.0);
-  for (int k = 0; k < n; ++k) {
-    v[k * LD + k] = w_[k];
-    u[k * LD + k] = e_[static_cast<std::size_t>(last) * LD + k];
-  }
-  for (int i = 0; i <= last; ++i) {
+  add_diagonal<LD>(w(0), v.data(), n);
+  add_diagonal<LD>(e(last), u.data(), n);
+  for (int i = 0; i < last; ++i) {
     double* d = &inverse_[block * i];
     const std::size_t row0 = static_cast<std::size_t>(line(i)) * n;
-    std::memset(d, 0, block * sizeof(double));
-    for (int k = 0; k < n; ++k) {
-      d[k * LD + k] = a.c[row0 + k];
-      if (k > 0) d[(k - 1) * LD + k] = a.s[row0 + k];
-      if (k + 1 < n) d[(k + 1) * LD + k] = a.n[row0 + k];
-    }
-    const double* wi = &w_[static_cast<std::size_t>(i) * LD];
-    const double* ep = i > 0 ? &e_[static_cast<std::size_t>(i - 1) * LD] : nullptr;
-    const bool follows = i > 0 && i < last && !all_zero(ep, n);
-    if (follows) {
-      const double* previous = &inverse_[block * (i - 1)];
-      for (int col = 0; col < n; ++col) {
-        for (int r = 0; r < LD; ++r) d[col * LD + r] -= wi[r] * previous[col * LD + r] * ep[col];
-      }
-    }
-    if (i == last) {
-      // Last line: its coupling to the line before is part of the border row (and column).
-      for (std::size_t k = 0; k < block; ++k) d[k] += corner[k];
-      return invert<LD>(d, n);
-    }
-    if (i == last - 1) {
-      for (int k = 0; k < n; ++k) {
-        v[k * LD + k] += e_[static_cast<std::size_t>(i) * LD + k];
-        u[k * LD + k] += w_[static_cast<std::size_t>(last) * LD + k];
-      }
+    fill_block<LD>(a, row0, d, n);
+    const bool follows = i > 0 && !all_zero(e(i - 1), n);
+    if (follows) subtract_previous<LD>(w(i), &inverse_[block * (i - 1)], e(i - 1), d, n);
+    if (i == last - 1) {  // its coupling to the last line is part of the border
+      add_diagonal<LD>(e(i), v.data(), n);
+      add_diagonal<LD>(w(last), u.data(), n);
     }
     const bool diagonal = !follows && all_zero(&a.s[row0], n) && all_zero(&a.n[row0], n);
     diagonal_[i] = diagonal;
@@ -263,20 +294,13 @@ bool RingFactor::factorize_padded(const RingMatrix& a) {
     if (has_v) diagonal ? scale_rows<LD>(d, v.data(), iv, n) : multiply<LD>(d, v.data(), iv, n);
     if (has_u) diagonal ? scale_columns<LD>(u.data(), d, ui, n) : multiply<LD>(u.data(), d, ui, n);
     if (has_u && has_v) subtract_product<LD>(ui, v.data(), corner.data(), n);
-    if (column_border_) {  // v of the next line: -w_next o (inverse v)
-      const double* wn = &w_[static_cast<std::size_t>(i + 1) * LD];
-      for (int col = 0; col < n; ++col) {
-        for (int r = 0; r < LD; ++r) v[col * LD + r] = -wn[r] * iv[col * LD + r];
-      }
-    }
-    if (row_border_) {  // u of the next line: -(u inverse) o e
-      const double* ei = &e_[static_cast<std::size_t>(i) * LD];
-      for (int col = 0; col < n; ++col) {
-        for (int r = 0; r < LD; ++r) u[col * LD + r] = -ui[col * LD + r] * ei[col];
-      }
-    }
+    if (column_border_) next_border_column<LD>(w(i + 1), iv, v.data(), n);
+    if (row_border_) next_border_row<LD>(ui, e(i), u.data(), n);
   }
-  return true;
+  double* d = &inverse_[block * last];
+  fill_block<LD>(a, static_cast<std::size_t>(line(last)) * n, d, n);
+  for (std::size_t k = 0; k < block; ++k) d[k] += corner[k];
+  return invert<LD>(d, n);
 }
 
 template <int LD>

@@ -34,6 +34,8 @@ class RingFactor {
 
  private:
   template <int LD>
+  void take_couplings(const RingMatrix& a);
+  template <int LD>
   bool factorize_padded(const RingMatrix& a);
   template <int LD>
   void apply_inverse(int i, const double* x, double* y) const;

@@ -84,8 +84,6 @@ fluid::RoughPair rough_pair(const Surfaces& s) {
                            {s.shaft.roughness, s.shaft.orientation});
 }
 
-bool chosen(const std::optional<bool>& given, bool usual) { return given.value_or(usual); }
-
 /// Only a film of resolved temperature asks for another set than the usual one.
 NodalSet nodes_across(const Case& c, const Physics& physics) {
   if (!physics.film_energy) return gauss_lobatto(c.model.film_nodes);
@@ -101,20 +99,6 @@ NodalSet nodes_across(const Case& c, const Physics& physics) {
 }
 
 }  // namespace
-
-Physics physics_of(const Case& c, Tier tier) {
-  const Switches& s = c.model.switches;
-  const bool rough = c.surfaces.shell.roughness > 0.0 || c.surfaces.shaft.roughness > 0.0;
-  Physics p;
-  p.film_energy = tier == Tier::thd || tier == Tier::tehd;
-  p.elastic = chosen(s.elastic_deformation, tier == Tier::tehd);
-  p.growth = p.film_energy && chosen(s.thermal_deformation, tier == Tier::tehd);
-  p.contact = chosen(s.asperity_contact, c.surfaces.contact.has_value());
-  p.flow_factors = chosen(s.flow_factors, rough);
-  p.pressure_dependence = chosen(s.pressure_dependence, true);
-  p.shear_thinning = chosen(s.shear_thinning, true);
-  return p;
-}
 
 bool symmetric_about_mid_width(const Case& c) {
   if (const auto* tilt = std::get_if<TiltGiven>(&c.operation.alignment)) {

@@ -6,6 +6,7 @@
 
 #include "core/gauss_lobatto.hpp"
 #include "coupling/case.hpp"
+#include "coupling/physics.hpp"
 #include "fluid/film_flux.hpp"
 #include "fluid/resultants.hpp"
 #include "solid/asperity_contact.hpp"
@@ -13,18 +14,6 @@
 namespace shellback::coupling {
 
 class Solids;
-
-/// Which physics one solve has: the tier and the switches, made definite.
-struct Physics {
-  bool film_energy = false;  ///< temperature resolved; otherwise one temperature
-  bool elastic = false;
-  bool growth = false;
-  bool contact = false;
-  bool flow_factors = false;
-  bool pressure_dependence = true;
-  bool shear_thinning = true;
-};
-[[nodiscard]] Physics physics_of(const Case& c, Tier tier);
 
 /// Everything that stays the same while one operating point is solved.
 struct BearingModel {

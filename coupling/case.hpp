@@ -2,8 +2,8 @@
 /// One case: all that a user can say about a bearing, in SI units, kelvin, radians.
 ///
 /// The frame is that of docs/theory.md: X right, Y up, phi counter-clockwise from +X, positive
-/// speed counter-clockwise, z = 0 at mid-width. app/read_case fills it from a file and has
-/// judged it; a Case in the hands of a solver is complete and possible.
+/// speed counter-clockwise, z = 0 at mid-width. app/read_case fills it from a file, a C++ program by
+/// hand; coupling/judge_case.hpp judges it: in the hands of a solver it is complete and possible.
 #include <array>
 #include <optional>
 #include <string>
@@ -19,9 +19,9 @@ namespace shellback::coupling {
 
 /// Measured or designed deviation of the shell from the cylinder, added to the gap.
 struct Profile {
-  std::vector<double> phi;     ///< n sorted positions in [0, 2 pi) [rad]
-  std::vector<double> z;       ///< m sorted positions [m]
-  std::vector<double> height;  ///< n x m, index i * m + k: gap added there [m]
+  std::vector<double> phi{};     ///< n sorted positions in [0, 2 pi) [rad]
+  std::vector<double> z{};       ///< m sorted positions [m]
+  std::vector<double> height{};  ///< n x m, index i * m + k: gap added there [m]
 };
 
 struct Bearing {
@@ -29,7 +29,7 @@ struct Bearing {
   double width = 0.0;                     ///< B [m]
   double radial_clearance = 0.0;          ///< cold radial clearance c [m]
   double reference_temperature = 293.15;  ///< at which `radial_clearance` was measured [K]
-  std::optional<Profile> profile;
+  std::optional<Profile> profile{};
 };
 
 enum class SupplyKind { hole, axial_groove, circumferential_groove };
@@ -75,7 +75,7 @@ struct Operation {
 };
 
 struct ShellLayer {
-  solid::Material material;
+  solid::Material material{};
   double thickness = 0.0;  ///< radial [m]
   [[nodiscard]] bool operator==(const ShellLayer&) const = default;
 };
@@ -86,7 +86,7 @@ enum class HousingSupport {
   clamped,  ///< no displacement under load or temperature
 };
 struct Housing {
-  solid::Material material;
+  solid::Material material{};
   double outer_radius = 0.0;  ///< [m]
   HousingSupport support = HousingSupport::held;
   [[nodiscard]] bool operator==(const Housing&) const = default;
@@ -103,15 +103,15 @@ struct PrescribedBack {
   [[nodiscard]] bool operator==(const PrescribedBack&) const = default;
 };
 struct Shell {
-  std::vector<ShellLayer> layers;  ///< from the bore outwards
-  std::optional<Housing> housing;
+  std::vector<ShellLayer> layers{};  ///< from the bore outwards
+  std::optional<Housing> housing{};
   std::variant<ConvectiveBack, PrescribedBack> back = ConvectiveBack{};
   double end_heat_transfer = 50.0;  ///< from the end faces to the back's temperature [W/(m2 K)]
   [[nodiscard]] bool operator==(const Shell&) const = default;
 };
 
 struct Shaft {
-  solid::Material material;
+  solid::Material material{};
   double overhang = 0.0;       ///< length beyond the bearing on each side [m]
   double heat_transfer = 0.0;  ///< from the overhang's surface [W/(m2 K)]
   double ambient = 0.0;        ///< of the overhang [K]
@@ -119,9 +119,9 @@ struct Shaft {
 };
 
 struct Surfaces {
-  solid::RoughSurface shell;
-  solid::RoughSurface shaft;
-  std::optional<solid::ContactParameters> contact;
+  solid::RoughSurface shell{};
+  solid::RoughSurface shaft{};
+  std::optional<solid::ContactParameters> contact{};
 };
 
 /// The model ladder of design 4. `estimate` and `automatic` are the business of fidelity/; the
@@ -132,12 +132,12 @@ enum class Edges { flooded, dry };
 
 /// Effects that can be switched; unset means the tier's own choice.
 struct Switches {
-  std::optional<bool> pressure_dependence;
-  std::optional<bool> shear_thinning;
-  std::optional<bool> flow_factors;
-  std::optional<bool> asperity_contact;
-  std::optional<bool> elastic_deformation;
-  std::optional<bool> thermal_deformation;
+  std::optional<bool> pressure_dependence{};
+  std::optional<bool> shear_thinning{};
+  std::optional<bool> flow_factors{};
+  std::optional<bool> asperity_contact{};
+  std::optional<bool> elastic_deformation{};
+  std::optional<bool> thermal_deformation{};
 };
 
 struct Model {
@@ -147,8 +147,8 @@ struct Model {
   bool grid_given = false;           ///< false: tier `auto` chooses the grid
   int film_nodes = 5;                ///< Gauss-Lobatto-Legendre nodes across the film
   bool film_nodes_given = false;     ///< false: tier `auto` chooses them
-  Switches switches;
-  Methods methods;
+  Switches switches{};
+  Methods methods{};
   CavitatedShear cavitated_shear = CavitatedShear::filled;
   Edges edges = Edges::flooded;
   double cavitation_pressure = 0.0;  ///< gauge [Pa]
@@ -157,13 +157,13 @@ struct Model {
 };
 
 struct Measured {
-  std::optional<double> shell_back_temperature;  ///< [K]
-  std::optional<double> friction_torque;         ///< [N m]
-  std::optional<double> h_min;                   ///< [m]
-  std::optional<double> p_max;                   ///< [Pa]
-  std::optional<double> side_flow;               ///< [m3/s]
-  std::optional<double> eccentricity_ratio;      ///< [-]
-  std::optional<double> T_shell_max;             ///< [K]
+  std::optional<double> shell_back_temperature{};  ///< [K]
+  std::optional<double> friction_torque{};         ///< [N m]
+  std::optional<double> h_min{};                   ///< [m]
+  std::optional<double> p_max{};                   ///< [Pa]
+  std::optional<double> side_flow{};               ///< [m3/s]
+  std::optional<double> eccentricity_ratio{};      ///< [-]
+  std::optional<double> T_shell_max{};             ///< [K]
 };
 
 /// A key of the file that the command line changed.

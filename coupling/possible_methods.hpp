@@ -2,7 +2,7 @@
 /// Which of the other methods go together, and with which physics.
 #include <string>
 
-#include "coupling/bearing.hpp"
+#include "coupling/physics.hpp"
 
 namespace shellback::coupling {
 

@@ -14,11 +14,6 @@ auto find(const Result& r, const std::string& name) {
 
 }  // namespace
 
-double Quantity::error() const {
-  if (!std::isfinite(error_grid)) return error_model;
-  return error_grid + (std::isfinite(error_model) ? error_model : 0.0);
-}
-
 bool Result::has(const std::string& name) const { return find(*this, name) != quantities.end(); }
 
 double Result::value(const std::string& name) const {

@@ -10,21 +10,9 @@
 #include "core/outcome.hpp"
 #include "coupling/case.hpp"
 #include "coupling/coefficients.hpp"
+#include "coupling/quantities.hpp"
 
 namespace shellback::coupling {
-
-/// A reported scalar. Names and units are those of the result contract (JSON keys).
-struct Quantity {
-  std::string name;
-  double value = 0.0;
-  std::string unit;
-  double error_grid = std::numeric_limits<double>::quiet_NaN();   ///< bar of the discretisation
-  double error_model = std::numeric_limits<double>::quiet_NaN();  ///< bar of the physics left out
-  double order =
-      std::numeric_limits<double>::quiet_NaN();  ///< observed, with which error_grid falls
-  /// Sum of the bars that are known; NaN: none is.
-  [[nodiscard]] double error() const;
-};
 
 /// Scalars of one grid of the nested iteration, solved to its own tolerance.
 struct LevelRecord {
@@ -118,7 +106,7 @@ struct Result {
   Verdict verdict;
   Tier tier = Tier::isothermal;
   std::string title;
-  std::vector<Quantity> quantities;
+  std::vector<Quantity> quantities;  ///< what the tier knows, with bars
   Audit audit;
   std::vector<Effect> effects;
   std::vector<LimiterCount> limiters;
@@ -137,6 +125,8 @@ struct Result {
   /// Value of the quantity `name`, or not-a-number if this tier does not know it.
   [[nodiscard]] double value(const std::string& name) const;
   [[nodiscard]] bool has(const std::string& name) const;
+  /// The same typed: `result.values().h_min`.
+  [[nodiscard]] Quantities values() const { return typed(quantities); }
 };
 
 /// One step of the friction difference between two tiers.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "core/constants.hpp"
 #include "core/largest.hpp"
@@ -66,90 +65,77 @@ double attitude(const Solution& s) {
   return turn * std::remainder(centres - load_line, 2.0 * kPi) * 180.0 / kPi;
 }
 
-class Quantities {
- public:
-  void add(const std::string& name, double value, const std::string& unit) {
-    if (std::isfinite(value)) list_.push_back({name, value, unit, NAN, NAN});
-  }
-  std::vector<Quantity> take() { return std::move(list_); }
-
- private:
-  std::vector<Quantity> list_;
-};
-
 void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
   const BearingModel& m = s.model;
   const double omega = m.input.operation.omega;
-  q.add("friction_torque", f.viscous + f.asperity, "N m");
-  q.add("friction_torque_asperity", f.asperity, "N m");
-  q.add("friction_torque_shell", f.viscous_shell + f.asperity, "N m");
-  q.add("power_loss", (f.viscous + f.asperity) * omega, "W");
-  q.add("pump_power", pump_power(m, s.film), "W");
-  q.add("eccentricity_ratio", std::hypot(s.film.position.ex(), s.film.position.ey()) / m.clearance,
-        "1");
-  q.add("attitude_angle", attitude(s), "deg");
+  q.friction_torque = f.viscous + f.asperity;
+  q.friction_torque_asperity = f.asperity;
+  q.friction_torque_shell = f.viscous_shell + f.asperity;
+  q.power_loss = (f.viscous + f.asperity) * omega;
+  q.pump_power = pump_power(m, s.film);
+  q.eccentricity_ratio = std::hypot(s.film.position.ex(), s.film.position.ey()) / m.clearance;
+  q.attitude_angle = attitude(s);
   if (s.target.unknowns == 4 || s.film.position.psi_x() != 0.0 || s.film.position.psi_y() != 0.0) {
-    q.add("tilt_x", s.film.position.psi_x(), "rad");
-    q.add("tilt_y", s.film.position.psi_y(), "rad");
+    q.tilt_x = s.film.position.psi_x();
+    q.tilt_y = s.film.position.psi_y();
   }
-  q.add("h_min", s.film.least.h, "m");
-  q.add("h_min_mid", gap_at_mid_width(m, s.film), "m");
-  q.add("p_max", largest(s.film.film.p), "Pa");
+  q.h_min = s.film.least.h;
+  q.h_min_mid = gap_at_mid_width(m, s.film);
+  q.p_max = largest(s.film.film.p);
   if (m.contact) {
-    q.add("p_asperity_max", largest(s.film.p_contact), "Pa");
+    q.p_asperity_max = largest(s.film.p_contact);
     const fluid::Wrench contact = fluid::wrench(m.scene, s.film.p_contact);
-    q.add("asperity_load_share",
-          std::hypot(contact[0], contact[1]) / std::hypot(s.film.force[0], s.film.force[1]), "1");
+    q.asperity_load_share =
+        std::hypot(contact[0], contact[1]) / std::hypot(s.film.force[0], s.film.force[1]);
   }
-  q.add("load_x", s.film.force[0], "N");
-  q.add("load_y", s.film.force[1], "N");
+  q.load_x = s.film.force[0];
+  q.load_y = s.film.force[1];
   const auto flows = fluid::oil_flows(m.scene, s.film.flow);
   const double rho = reference_density(m);
-  q.add("side_flow", flows.side / rho, "m3/s");
-  q.add("supply_flow", flows.supply / rho, "m3/s");
-  if (m.physics.elastic) q.add("elastic_opening_max", largest(s.film.elastic), "m");
+  q.side_flow = flows.side / rho;
+  q.supply_flow = flows.supply / rho;
+  if (m.physics.elastic) q.elastic_opening_max = largest(s.film.elastic);
 }
 
 void add_heat(const Solution& s, Quantities& q) {
   const BearingModel& m = s.model;
   if (!m.physics.film_energy) {
-    q.add("T_film_mean", s.T_film, "K");
+    q.T_film_mean = s.T_film;
     return;
   }
   if (!s.heat.known()) return;  // stopped before the first heat solution
   const double twice = m.scene.grid.multiplicity();
-  q.add("T_film_max", largest(s.film.columns.T), "K");
-  q.add("T_film_mean", oil_mean_temperature(m, s.film), "K");
-  q.add("T_shell_max", largest(s.heat.solids.shell.surface), "K");
-  q.add("T_shell_back", area_mean(m.scene.grid, s.heat.solids.shell.back), "K");
-  q.add("T_shell_back_max", largest(s.heat.solids.shell.back), "K");
+  q.T_film_max = largest(s.film.columns.T);
+  q.T_film_mean = oil_mean_temperature(m, s.film);
+  q.T_shell_max = largest(s.heat.solids.shell.surface);
+  q.T_shell_back = area_mean(m.scene.grid, s.heat.solids.shell.back);
+  q.T_shell_back_max = largest(s.heat.solids.shell.back);
   const auto& shaft = s.heat.solids.shaft.temperature;
   double T_shaft = 0.0;
   for (std::size_t j = 0; j < shaft.size(); ++j) T_shaft += shaft[j] * m.scene.grid.dz[j];
-  q.add("T_shaft", T_shaft / (m.scene.grid.z_face.back() - m.scene.grid.z_face.front()), "K");
-  q.add("T_supply_mixed", s.heat.T_mix.front(), "K");
-  q.add("heat_by_oil", twice * (s.heat.balance.carried_out - s.heat.balance.carried_in), "W");
-  q.add("heat_to_shell", s.heat.solids.shell.heat_in, "W");
-  q.add("heat_to_shaft", s.heat.solids.shaft.heat_in, "W");
+  q.T_shaft = T_shaft / (m.scene.grid.z_face.back() - m.scene.grid.z_face.front());
+  q.T_supply_mixed = s.heat.T_mix.front();
+  q.heat_by_oil = twice * (s.heat.balance.carried_out - s.heat.balance.carried_in);
+  q.heat_to_shell = s.heat.solids.shell.heat_in;
+  q.heat_to_shaft = s.heat.solids.shaft.heat_in;
   if (m.physics.growth) {
-    q.add("thermal_opening_mean", area_mean(m.scene.grid, s.heat.growth), "m");
+    q.thermal_opening_mean = area_mean(m.scene.grid, s.heat.growth);
   }
 }
 
 /// Of forces; with whole-width films also the moments' (4 x 4), which only Coefficients has.
 void add_coefficients(const Coefficients& k, Quantities& q) {
-  const std::array<const char*, 2> axis{"x", "y"};
-  for (const auto& [letter, matrix, unit] :
-       {std::tuple{"K_", &k.K, "N/m"}, std::tuple{"C_", &k.C, "N s/m"}}) {
-    for (int i = 0; i < 2; ++i) {
-      for (int j = 0; j < 2; ++j) {
-        q.add(std::string(letter) + axis[i] + axis[j], (*matrix)[i][j], unit);
-      }
-    }
-  }
-  q.add("whirl_critical_mass", k.whirl.critical_mass, "kg");
-  q.add("whirl_speed_ratio", k.speed_ratio, "1");
-  q.add("whirl_ratio", k.whirl_ratio, "1");
+  q.K_xx = k.K[0][0];
+  q.K_xy = k.K[0][1];
+  q.K_yx = k.K[1][0];
+  q.K_yy = k.K[1][1];
+  q.C_xx = k.C[0][0];
+  q.C_xy = k.C[0][1];
+  q.C_yx = k.C[1][0];
+  q.C_yy = k.C[1][1];
+  q.whirl_critical_mass = k.whirl.critical_mass;
+  q.whirl_speed_ratio = k.speed_ratio;
+  q.whirl_ratio = k.whirl_ratio;
 }
 
 Field on_full(const BearingModel& m, const Field& x) {
@@ -214,16 +200,20 @@ Fields fields_of(const Solution& s, const Friction& f) {
 /// A gap that is closed has no flow: such a state has nothing to sum up.
 bool evaluated(const FilmEquilibrium& film) { return !film.flow.phi.empty(); }
 
+Quantities values_of(const Solution& s, Tier tier) {
+  Quantities q;
+  if (!evaluated(s.film)) return q;
+  add_mechanics(s, friction_of(s.model, s.film), q);
+  add_heat(s, q);
+  if (tier == Tier::isothermal) q.T_equivalent = s.T_film;
+  if (s.coefficients && s.coefficients->verdict.good()) add_coefficients(*s.coefficients, q);
+  return q;
+}
+
 }  // namespace
 
 std::vector<Quantity> quantities_of(const Solution& s, Tier tier) {
-  if (!evaluated(s.film)) return {};
-  Quantities q;
-  add_mechanics(s, friction_of(s.model, s.film), q);
-  add_heat(s, q);
-  if (tier == Tier::isothermal) q.add("T_equivalent", s.T_film, "K");
-  if (s.coefficients && s.coefficients->verdict.good()) add_coefficients(*s.coefficients, q);
-  return q.take();
+  return listed(values_of(s, tier));
 }
 
 Result summarize(const Solution& s, Tier tier) {

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "fluid/reynolds.hpp"
-
 namespace shellback::fluid {
 
 NotANumber first_not_a_number(const Gap& gap, const FilmState& s, const FilmCoefficients& oil,

@@ -7,7 +7,9 @@
 #include <string_view>
 
 #include "core/largest.hpp"
+#include "fluid/film_matrix.hpp"
 #include "fluid/film_numbers.hpp"
+#include "fluid/film_update.hpp"
 
 namespace shellback::fluid {
 namespace {

@@ -7,7 +7,7 @@
 /// In each cell the variable with the smaller |d phi| is eliminated, so that the matrix keeps the
 /// film's five-point pattern; the step is shortened until |m|^2 + |phi|^2 falls. p_ref is the
 /// local scale of the pressure, so that P and c are of one size. Source: methods 1.2.
-#include "fluid/reynolds.hpp"
+#include "fluid/film_solution.hpp"
 
 namespace shellback::fluid {
 

@@ -103,4 +103,8 @@ std::string place_of(const SmallestGap& least) {
   return fmt::format("phi {:.1f} deg, z {:.2f} mm", deg, least.z * 1e3);
 }
 
+std::string place_of(const FilmGrid& g, int cell) {
+  return place_of(SmallestGap{0.0, g.phi[cell / g.nz], g.z[cell % g.nz]});
+}
+
 }  // namespace shellback::fluid

@@ -76,5 +76,7 @@ struct SmallestGap {
 [[nodiscard]] SmallestGap smallest_gap(const FilmGrid& grid, const Gap& gap, const Field& step);
 /// "phi 212.4 deg, z 0.31 mm"; phi from 0 to 360.
 [[nodiscard]] std::string place_of(const SmallestGap& least);
+/// The same of the middle of a cell.
+[[nodiscard]] std::string place_of(const FilmGrid& grid, int cell);
 
 }  // namespace shellback::fluid

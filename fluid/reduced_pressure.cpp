@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contract.hpp"
 #include "core/largest.hpp"
+#include "fluid/active_set.hpp"
+#include "fluid/film_update.hpp"
 
 namespace shellback::fluid {
 
@@ -22,11 +25,15 @@ Outcome<FilmState> film_by_reduced_pressure(const FilmScene& scene, const Gap& g
   q_scene.p_edge = reduced(scene.p_edge);
   for (SupplyPatch& s : q_scene.supply.patches) s.pressure = reduced(s.pressure);
   const OilLaw isoviscous = [&](const FilmState&, FilmCoefficients& c) { c = plain; };
-  const auto film = solve_reynolds(q_scene, gap, step, isoviscous, cold_film(q_scene));
+  // Without pressure in the viscosity no step leaves the law's range.
+  ActiveSet film(q_scene, gap, step, isoviscous, cold_film(q_scene), {});
+  const ActiveSetEnd end = film.run();
+  EXPECTS(end != ActiveSetEnd::beyond_law);
   Outcome<FilmState> out;
-  out.value = film.value.state;
-  out.verdict = film.verdict;
-  if (!film.good()) return out;
+  out.value = std::move(film.out.value.state);
+  if (end == ActiveSetEnd::limit) film.out.verdict = film.stopped();
+  out.verdict = film.out.verdict;
+  if (!out.good()) return out;
   const auto peak = std::max_element(out.value.p.begin(), out.value.p.end());
   if (alpha * *peak >= 1.0) {
     out.verdict = {Status::no_steady_state,

@@ -6,7 +6,7 @@
 /// either gives the Barus film, p = -ln(1 - alpha q)/alpha, or shows that there is none.
 /// Exact for one alpha everywhere and fluidities that do not depend on p otherwise; then also a
 /// good start where that is nearly so. Source: textbook.
-#include "fluid/reynolds.hpp"
+#include "fluid/film_solution.hpp"
 
 namespace shellback::fluid {
 

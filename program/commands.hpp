@@ -1,7 +1,7 @@
 #pragma once
 /// The commands on a case: read, work, print, save. Each gives the exit code; all throw
 /// InputError and FileError.
-#include "program/cli.hpp"
+#include "program/request.hpp"
 
 namespace shellback::program {
 

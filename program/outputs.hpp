@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/output_rules.hpp"
-#include "program/cli.hpp"
+#include "program/request.hpp"
 
 namespace shellback::program {
 

@@ -7,7 +7,7 @@
 #include "app/progress.hpp"
 #include "coupling/control.hpp"
 #include "coupling/result.hpp"
-#include "program/cli.hpp"
+#include "program/request.hpp"
 
 namespace shellback::program {
 

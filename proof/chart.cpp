@@ -6,8 +6,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/judge_case.hpp"
 #include "core/parallel.hpp"
+#include "coupling/judge_case.hpp"
 #include "coupling/solve.hpp"
 #include "fidelity/solve_case.hpp"
 #include "proof/pareto.hpp"
@@ -123,7 +123,7 @@ void mark_fronts(ChartScene& scene) {
 /// True if no richer tier that the case has the data for adds physics.
 bool is_richest(const Case& c) {
   const Physics own = physics_of(c, c.model.tier);
-  const auto tiers = app::possible_tiers(c);
+  const auto tiers = coupling::possible_tiers(c);
   return std::all_of(tiers.begin(), tiers.end(), [&](Tier tier) {
     const Physics p = physics_of(c, tier);
     return p.film_energy <= own.film_energy && p.elastic <= own.elastic && p.growth <= own.growth;

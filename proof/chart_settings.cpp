@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/judge_case.hpp"
 #include "coupling/bearing.hpp"
+#include "coupling/judge_case.hpp"
 #include "coupling/possible_methods.hpp"
 
 namespace shellback::proof {
@@ -69,7 +69,7 @@ class Star {
   }
 
   void add_tiers(std::array<int, 2> grid) {
-    for (const Tier tier : app::possible_tiers(c_)) {
+    for (const Tier tier : coupling::possible_tiers(c_)) {
       if (tier >= c_.model.tier || same_physics(tier)) continue;
       add(ChartFamily::tier, to_string(tier), grid, [&](ChartSetting& s) { s.tier = tier; });
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/judge_case.hpp"
+#include "coupling/judge_case.hpp"
 #include "core/contract.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/solve.hpp"
@@ -28,7 +28,7 @@ class Trial {
 
   /// All bars first, so that those are counted whose truth the budget does not reach.
   HonestySubject run() {
-    const auto possible = app::possible_tiers(case_);
+    const auto possible = coupling::possible_tiers(case_);
     fullest_ = possible.empty() ? Tier::tehd : possible.back();
     for (const Tier tier : options_.tiers) {
       if (std::find(possible.begin(), possible.end(), tier) == possible.end()) continue;

@@ -17,8 +17,7 @@
 /// pressure of that shape: it zigzags. With three points in z the mode has its energy.
 ///
 /// Local freedom 3 a + c is component c (r, phi, z) at node a of RevolutionMesh::element.
-#include <Eigen/Dense>
-
+#include "core/eigen.hpp"
 #include "core/revolution_mesh.hpp"
 #include "solid/material.hpp"
 

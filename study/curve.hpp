@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "coupling/solve.hpp"
-#include "study/sweep.hpp"
+#include "study/axis.hpp"
+#include "study/sweep_point.hpp"
 
 namespace shellback::study {
 

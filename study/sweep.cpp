@@ -101,20 +101,6 @@ std::vector<std::unique_ptr<Curve>> make_curves(Sweep& sweep, const std::vector<
 
 }  // namespace
 
-const char* to_string(Start start) {
-  switch (start) {
-    case Start::none:
-      return "none";
-    case Start::cold:
-      return "cold";
-    case Start::neighbour:
-      return "neighbour";
-    case Start::between:
-      return "between";
-  }
-  return "";
-}
-
 int Sweep::curves() const {
   int n = 1;
   for (std::size_t a = 1; a < axes.size(); ++a) n *= axes[a].size();

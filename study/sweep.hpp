@@ -5,12 +5,11 @@
 /// the other axes give independent curves. Where there are more threads than curves, a curve is cut
 /// into pieces, each with a cold start of its own; so the number of threads moves a result within
 /// the tolerance of the solvers, not beyond it.
-#include <atomic>
 #include <functional>
 #include <vector>
 
-#include "coupling/solve.hpp"
 #include "study/axis.hpp"
+#include "study/sweep_point.hpp"
 
 namespace shellback::study {
 
@@ -22,26 +21,6 @@ struct Position {
 
 /// The judged case at a position. Throws InputError. Called from several threads at once.
 using CaseAt = std::function<coupling::Case(const Position&)>;
-
-/// From where the last try of a point began.
-enum class Start {
-  none,       ///< not tried: the sweep was interrupted before
-  cold,       ///< from nothing
-  neighbour,  ///< from the point beside it on its curve
-  between,    ///< from the neighbour by way of points between the two
-};
-[[nodiscard]] const char* to_string(Start start);
-
-/// One point of the grid.
-struct SweepPoint {
-  Start start = Start::none;
-  int tries = 0;            ///< solves that were begun for it
-  double wall_s = 0.0;      ///< all tries together
-  coupling::Result result;  ///< without fields and history; quantities only if converged
-
-  [[nodiscard]] bool tried() const { return start != Start::none; }
-  [[nodiscard]] bool good() const { return tried() && result.verdict.good(); }
-};
 
 struct Sweep {
   std::vector<Axis> axes;
@@ -61,29 +40,6 @@ struct Sweep {
 
 /// Indices on all axes but the first of one curve.
 [[nodiscard]] std::vector<int> across(const std::vector<Axis>& axes, int curve);
-
-struct SweepProgress {
-  int done = 0;  ///< points with a result
-  int failed = 0;
-  int total = 0;
-};
-
-/// Called from several threads at once.
-using SolveAlone =
-    std::function<coupling::Result(const coupling::Case&, const coupling::SolveControl&)>;
-using SumUp = std::function<coupling::Result(const coupling::Solution&, coupling::Tier,
-                                             const coupling::SolveControl&)>;
-
-struct SweepOptions {
-  int threads = 1;
-  std::function<void(const SweepProgress&)>
-      progress{};                           ///< may be empty; never called twice at once
-  const std::atomic<bool>* stop = nullptr;  ///< set from outside: end soon
-  /// Solves a point whose tier (estimate, auto) has no film to go on from; empty: such a tier is
-  /// bad input.
-  SolveAlone solve_alone{};
-  SumUp sum_up{};  ///< a solution's result; empty: coupling::summarize
-};
 
 /// Solves every point in the tier of its case. First reads and judges all cases: bad input is
 /// thrown (InputError) before any work. A point that cannot be solved carries its verdict; the

@@ -7,7 +7,7 @@
 /// (thermal/heat_element.hpp), per radian; implicit Euler [textbook], dt = infinity is the steady
 /// state. With a prescribed back its line and all outside it are held at zero. The rows of (1) add
 /// up to the heat balance: in = through the back + through the ends + stored.
-#include <Eigen/Dense>
+#include "core/eigen.hpp"
 #include <limits>
 #include <vector>
 

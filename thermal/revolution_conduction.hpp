@@ -19,9 +19,9 @@
 /// diag(dz) Z_n is symmetric and positive. The steady state is dt = infinity: no history. The
 /// discrete heat balance is exact: heat in = through the back + through the ends + stored, to
 /// round-off.
-#include <Eigen/Dense>
 #include <vector>
 
+#include "core/eigen.hpp"
 #include "core/grid.hpp"
 #include "core/harmonics.hpp"
 #include "core/revolution_mesh.hpp"

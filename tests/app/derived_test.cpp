@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/check.hpp"
+#include "app/indicators.hpp"
 #include "app/library.hpp"
 #include "core/constants.hpp"
 #include "tests/app/sample_case.hpp"
@@ -15,12 +16,12 @@ using namespace shellback::app;
 
 namespace {
 
-const Indicator& find(const Derived& derived, const std::string& effect) {
-  for (const Indicator& i : derived.indicators) {
+Indicator find(const std::vector<Indicator>& list, const std::string& effect) {
+  for (const Indicator& i : list) {
     if (i.effect == effect) return i;
   }
   FAIL("no indicator " << effect);
-  return derived.indicators.front();
+  return {};
 }
 
 }  // namespace
@@ -94,11 +95,15 @@ TEST_CASE("ThePressureRatioPassesThroughThePrintedPoints") {
 }
 
 TEST_CASE("IndicatorsNameTheEffectsThatMatter") {
-  const auto ks = derive(read_case(case_path("ks-rig-test-bearing").string()));
+  const auto list = [](const char* name) {
+    const auto c = read_case(case_path(name).string());
+    return indicators(c, derive(c));
+  };
+  const auto ks = list("ks-rig-test-bearing");
   CHECK(find(ks, "elastic deformation").weight == Weight::important);
   CHECK(find(ks, "heating of the film").weight == Weight::important);
   CHECK(find(ks, "turbulence").weight == Weight::negligible);
-  const auto rb = derive(read_case(case_path("raimondi-boyd").string()));
+  const auto rb = list("raimondi-boyd");
   CHECK(find(rb, "heating of the film").weight == Weight::negligible);
   CHECK(find(rb, "heating of the film").value == 0.0);  // constant viscosity
 }

@@ -4,9 +4,9 @@
 #include <sstream>
 
 #include "app/init.hpp"
-#include "app/judge_case.hpp"
 #include "app/library.hpp"
 #include "core/constants.hpp"
+#include "coupling/judge_case.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;

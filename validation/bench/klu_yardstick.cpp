@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "coupling/bearing.hpp"
-#include "coupling/equilibrium.hpp"
+#include "coupling/solve_equilibrium.hpp"
 #include "coupling/solve.hpp"
 
 namespace shellback::bench {

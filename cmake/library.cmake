@@ -1,0 +1,19 @@
+# A library per folder, in the order of the arrows: linking is the arrow.
+#   shellback_library(NAME sources... LINKS libraries...)
+# Its users get the include root, C++20, Eigen's alignment and the libraries; the flags stay here.
+function(shellback_library name)
+  cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
+  add_library(shellback_${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
+  add_library(shellback::${name} ALIAS shellback_${name})
+  set_target_properties(shellback_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(shellback_${name} PUBLIC cxx_std_20)
+  target_include_directories(shellback_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/shellback>)
+  target_compile_definitions(shellback_${name} PUBLIC ${SHELLBACK_EIGEN_ALIGNMENT})
+  target_link_libraries(shellback_${name} PUBLIC ${ARG_LINKS}
+    PRIVATE $<BUILD_INTERFACE:shellback_flags>)
+endfunction()
+
+# Eigen's objects pass between the libraries and their users, who may be compiled for other
+# registers: one alignment for all, that of the widest (core/eigen.hpp).
+set(SHELLBACK_EIGEN_ALIGNMENT EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=64)

@@ -1,0 +1,233 @@
+#include "fluid/film_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellback::fluid {
+
+UnknownMap active_set_unknowns(const FilmState& s) {
+  UnknownMap u;
+  u.a_p.resize(s.p.size());
+  u.a_theta.resize(s.p.size());
+  for (std::size_t k = 0; k < s.p.size(); ++k) {
+    u.a_p[k] = s.full[k] ? 1.0 : 0.0;
+    u.a_theta[k] = s.full[k] ? 0.0 : 1.0;
+  }
+  return u;
+}
+
+namespace {
+
+/// Adds the derivatives of face flow f, which leaves row `from` and enters row `to`, to the
+/// diagonal entries and to the couplings `from_to` (row from, column to) and `to_from`.
+void add_face(const FaceFlow& f, bool upstream_is_left, int from, int to, const UnknownMap& u,
+              RingMatrix& a, double& from_to, double& to_from) {
+  const double left =
+      f.d_left * u.a_p[from] + (upstream_is_left ? f.d_theta * u.a_theta[from] : 0.0);
+  const double right = f.d_right * u.a_p[to] + (upstream_is_left ? 0.0 : f.d_theta * u.a_theta[to]);
+  a.c[from] += left;
+  from_to += right;
+  a.c[to] -= right;
+  to_from -= left;
+}
+
+void fix_supply_rows(const FilmScene& scene, RingMatrix& a) {
+  const FilmGrid& g = scene.grid;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      if (scene.supply.cell[k] < 0) continue;
+      a.c[k] = 1.0;
+      a.w[k] = a.e[k] = a.s[k] = a.n[k] = 0.0;
+      a.e[g.index(g.previous(i), j)] = 0.0;  // a known value moves nobody
+      a.w[g.index(g.next(i), j)] = 0.0;
+      if (j > 0) a.n[k - 1] = 0.0;
+      if (j + 1 < g.nz) a.s[k + 1] = 0.0;
+    }
+  }
+}
+
+}  // namespace
+
+void assemble_film(const FilmScene& scene, const FilmFlow& flow, const UnknownMap& u,
+                   RingMatrix& a) {
+  const FilmGrid& g = scene.grid;
+  const bool forward = scene.speed >= 0.0;
+  a.resize(g.nt, g.nz);
+  for (int i = 0; i < g.nt; ++i) {
+    const int west = g.previous(i);
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      if (scene.supply.line[k] < 0) {
+        const int l = g.index(west, j);
+        add_face(flow.phi[k], forward, l, k, u, a, a.e[l], a.w[k]);
+      } else {  // the line lies between: only the cell's own derivative
+        const FaceFlow& f = flow.phi[k];
+        a.c[k] -= f.d_right * u.a_p[k] + (forward ? 0.0 : f.d_theta * u.a_theta[k]);
+      }
+      const int f = i * (g.nz + 1) + j;
+      if (j > 0) add_face(flow.z[f], true, k - 1, k, u, a, a.n[k - 1], a.s[k]);
+    }
+    const int first = g.index(i, 0);
+    const int last = g.index(i, g.nz - 1);
+    a.c[first] -= flow.z[i * (g.nz + 1)].d_right * u.a_p[first];
+    a.c[last] += flow.z[i * (g.nz + 1) + g.nz].d_left * u.a_p[last];
+  }
+  for (const LineFace& l : flow.lines) {
+    const int k = g.index(g.previous(l.face / g.nz), l.face % g.nz);
+    a.c[k] += l.west.d_left * u.a_p[k] + (forward ? l.west.d_theta * u.a_theta[k] : 0.0);
+  }
+  for (std::size_t k = 0; k < flow.stored_by_theta.size(); ++k) {
+    a.c[k] += flow.stored_by_theta[k] * u.a_theta[k] + flow.stored_by_p[k] * u.a_p[k];
+  }
+  fix_supply_rows(scene, a);
+}
+
+namespace {
+
+/// Adds d (c_a t_a weight_a + c_b t_b weight_b) to the row of cell `row`, which is a or b; `to_b`
+/// or `to_a` is the row's coupling to the other one.
+struct GapCoupling {
+  const FilmScene& scene;
+  const Field& c;
+  RingMatrix& m;
+  [[nodiscard]] bool film(int k) const { return scene.supply.cell[k] < 0; }
+  void add(double d, int own, double own_weight, int other, double other_weight,
+           double& coupling) const {
+    if (!film(own)) return;
+    m.c[own] += d * own_weight * c[own];
+    if (film(other)) coupling += d * other_weight * c[other];
+  }
+};
+
+}  // namespace
+
+void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Field& c,
+                        RingMatrix& a) {
+  const FilmGrid& g = scene.grid;
+  const GapCoupling couple{scene, c, a};
+  std::vector<double> into_line(scene.supply.has_lines ? g.cells() : 0, 0.0);
+  for (const LineFace& l : flow.lines) into_line[l.face] = l.west.d_h;
+  for (int i = 0; i < g.nt; ++i) {
+    const int west = g.previous(i);
+    const double share = g.dphi[west] / (g.dphi[west] + g.dphi[i]);
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      const int l = g.index(west, j);
+      const double in = flow.phi[k].d_h;
+      const double out = scene.supply.line[k] < 0 ? in : into_line[k];
+      couple.add(out, l, 1.0 - share, k, share, a.e[l]);
+      couple.add(-in, k, share, l, 1.0 - share, a.w[k]);
+      if (j == 0) continue;
+      const double d = flow.z[i * (g.nz + 1) + j].d_h;
+      const double weight = (g.z_face[j] - g.z[j - 1]) / (g.z[j] - g.z[j - 1]);
+      couple.add(d, k - 1, 1.0 - weight, k, weight, a.n[k - 1]);
+      couple.add(-d, k, weight, k - 1, 1.0 - weight, a.s[k]);
+    }
+    // Side edges: continued linearly from the two outermost cells, as in to_faces.
+    const int first = g.index(i, 0);
+    const int last = g.index(i, g.nz - 1);
+    const double low = flow.z[i * (g.nz + 1)].d_h;
+    const double high = flow.z[i * (g.nz + 1) + g.nz].d_h;
+    if (g.nz == 1) {
+      couple.add(high - low, first, 1.0, first, 0.0, a.c[first]);
+      continue;
+    }
+    const double beyond_low = (g.z[0] - g.z_face[0]) / (g.z[1] - g.z[0]);
+    const double beyond_high = (g.z_face[g.nz] - g.z[g.nz - 1]) / (g.z[g.nz - 1] - g.z[g.nz - 2]);
+    if (!g.half) couple.add(-low, first, 1.0 + beyond_low, first + 1, -beyond_low, a.n[first]);
+    couple.add(high, last, 1.0 + beyond_high, last - 1, -beyond_high, a.s[last]);
+  }
+  for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k) {
+    if (couple.film(static_cast<int>(k))) a.c[k] += flow.stored_by_gap[k] * c[k];
+  }
+}
+
+namespace {
+
+/// Net outflow by gap changes given as functions of the face.
+template <class PhiFace, class ZFace>
+Field outflow_by(const FilmScene& scene, const FilmFlow& flow, PhiFace on_phi, ZFace on_z) {
+  const FilmGrid& g = scene.grid;
+  Field r(g.cells(), 0.0);
+  for (int i = 0; i < g.nt; ++i) {
+    const int west = g.previous(i);
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      const double d = flow.phi[k].d_h * on_phi(i, j);
+      r[k] -= d;
+      if (scene.supply.line[k] < 0) r[g.index(west, j)] += d;
+    }
+    for (int j = 0; j <= g.nz; ++j) {
+      const double d = flow.z[i * (g.nz + 1) + j].d_h * on_z(i, j);
+      if (j > 0) r[g.index(i, j - 1)] += d;
+      if (j < g.nz) r[g.index(i, j)] -= d;
+    }
+  }
+  for (const LineFace& l : flow.lines) {
+    const int i = l.face / g.nz;
+    r[g.index(g.previous(i), l.face % g.nz)] += l.west.d_h * on_phi(i, l.face % g.nz);
+  }
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    if (scene.supply.cell[k] >= 0) r[k] = 0.0;
+  }
+  return r;
+}
+
+}  // namespace
+
+Field outflow_by_gap(const FilmScene& scene, const FilmFlow& flow,
+                     const std::vector<double>& phi_face, const std::vector<double>& z_face) {
+  const int nz = scene.grid.nz;
+  return outflow_by(
+      scene, flow, [&](int i, int j) { return phi_face[i * nz + j]; },
+      [&](int i, int j) { return z_face[i * (nz + 1) + j]; });
+}
+
+Field residual_by_gap(const FilmScene& scene, const FilmFlow& flow, const Field& gap) {
+  std::vector<double> phi, z;
+  to_faces(scene.grid, gap, phi, z);
+  Field r = outflow_by_gap(scene, flow, phi, z);
+  for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k)
+    r[k] += flow.stored_by_gap[k] * gap[k];
+  return r;
+}
+
+Field residual_by_position(const FilmScene& scene, const FilmFlow& flow, int component) {
+  const FilmGrid& g = scene.grid;
+  const Angles& a = scene.angles;
+  Field r = outflow_by(
+      scene, flow,
+      [&](int i, int j) { return gap_slope(component, a.cos_face[i], a.sin_face[i], g.z[j]); },
+      [&](int i, int j) {
+        return gap_slope(component, a.cos_cell[i], a.sin_cell[i], g.z_face[j]);
+      });
+  for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k) {
+    const auto i = static_cast<int>(k) / g.nz;
+    const auto j = static_cast<int>(k) % g.nz;
+    r[k] += flow.stored_by_gap[k] * gap_slope(component, a.cos_cell[i], a.sin_cell[i], g.z[j]);
+  }
+  return r;
+}
+
+Field film_residual(const FilmScene& scene, const FilmFlow& flow) {
+  Field r = net_outflow(scene, flow);
+  for (std::size_t k = 0; k < flow.stored.size(); ++k) r[k] += flow.stored[k];
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    if (scene.supply.cell[k] >= 0) r[k] = 0.0;
+  }
+  return r;
+}
+
+double flow_scale(const FilmScene& scene, const FilmFlow& flow) {
+  double scale = 0.0;
+  for (std::size_t k = 0; k < flow.phi.size(); ++k) {
+    scale = std::max(scale, std::abs(flow.phi[k].d_theta));
+    scale = std::max(scale, std::abs(flow.phi[k].m));
+  }
+  for (const double x : flow.stored) scale = std::max(scale, std::abs(x));
+  (void)scene;
+  return scale;
+}
+
+}  // namespace shellback::fluid

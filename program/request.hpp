@@ -1,0 +1,74 @@
+#pragma once
+/// What the command line asks for, and the codes with which the program ends.
+#include <string>
+#include <vector>
+
+namespace shellback::program {
+
+/// How the program ends.
+enum ExitCode : int {
+  kDone = 0,           ///< done and converged
+  kDefect = 1,         ///< an error inside the program, to be reported
+  kBadInput = 2,       ///< the case or the command line is wrong
+  kNotConverged = 3,   ///< or no steady state exists
+  kBadFile = 4,        ///< a file could not be read or written
+  kInterrupted = 130,  ///< by Ctrl-C or SIGTERM; what is finished is kept
+};
+
+enum class Command {
+  none,
+  init,
+  check,
+  run,
+  compare,
+  sweep,
+  chart,
+  stress,
+  honesty,
+  auto_honesty,
+  validate,
+};
+
+/// What was asked for.
+struct Request {
+  Command command = Command::none;
+  std::string name;  ///< init: shipped case
+  std::string case_file;
+  std::string tier;                          ///< --tier
+  std::vector<std::string> tiers;            ///< --tiers
+  std::vector<std::string> set;              ///< --set, each KEY=VALUE
+  std::string json;                          ///< --json: file, "-" for standard output
+  std::string output;                        ///< -o
+  bool force = false;                        ///< --force: replace files that are no results
+  std::string picture;                       ///< --picture
+  bool transient = false;                    ///< run --transient
+  std::string from;                          ///< run --from: temperature of the walls
+  std::string until;                         ///< run --until: time
+  double budget_s = 32.0;                    ///< honesty, auto-honesty --budget: of a case [s]
+  bool coefficients = false;                 ///< --coefficients
+  std::string coefficients_table;            ///< --coefficients-table
+  std::string csv;                           ///< --csv: file, "-" for standard output
+  std::string png;                           ///< --png
+  int threads = 1;                           ///< -j
+  bool quick = false;                        ///< --quick: fewer or coarser
+  std::vector<std::string> scenes;           ///< chart, stress: which; empty: all
+  std::vector<std::string> vary;             ///< sweep --vary, each KEY=VALUES
+  int cases = 200;                           ///< honesty, auto-honesty --cases
+  int seed = 1;                              ///< honesty, auto-honesty --seed: of the first case
+  int nodes = 7;                             ///< honesty --nodes: across the film of the truth
+  bool known = true;                         ///< honesty: shipped and validation cases as well
+  std::vector<std::string> grids{"200x25"};  ///< honesty --grids
+  std::string truth = "400x50";              ///< honesty --truth
+  bool bars = false;                         ///< sweep --bars: of the physics left out as well
+  bool no_bars = false;                      ///< sweep --no-bars
+  int cores = 0;                             ///< sweep -j; 0: all there are
+  std::string table;                         ///< stress --table
+  bool only_default = false;                 ///< stress --only-default
+  double limit_s = 60.0;                     ///< stress --limit [s]
+  std::vector<std::string> names;            ///< validate: ledger entries; empty: all
+  std::string ledger;     ///< validate --ledger: folder of entries; empty: the shipped
+  bool list = false;      ///< stress, validate: --list
+  bool all_rows = false;  ///< validate --rows
+};
+
+}  // namespace shellback::program

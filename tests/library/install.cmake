@@ -1,0 +1,17 @@
+# Installs the library into an empty PREFIX; nothing of this tree may be named in what is installed.
+file(REMOVE_RECURSE ${PREFIX})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX} --component library
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB scripts ${PREFIX}/lib/cmake/Shellback/*.cmake)
+foreach(script IN LISTS scripts)
+  file(READ ${script} text)
+  foreach(flag "-Werror" "-march" "shellback_flags" "${BUILD}")
+    string(FIND "${text}" "${flag}" at)
+    if(NOT at EQUAL -1)
+      message(FATAL_ERROR "${script} names ${flag}")
+    endif()
+  endforeach()
+endforeach()
+if(NOT EXISTS ${PREFIX}/include/shellback/coupling/judge_case.hpp)
+  message(FATAL_ERROR "no headers were installed")
+endif()

@@ -2,8 +2,9 @@
 /// One case: all that a user can say about a bearing, in SI units, kelvin, radians.
 ///
 /// The frame is that of docs/theory.md: X right, Y up, phi counter-clockwise from +X, positive
-/// speed counter-clockwise, z = 0 at mid-width. app/read_case fills it from a file, a C++ program by
-/// hand; coupling/judge_case.hpp judges it: in the hands of a solver it is complete and possible.
+/// speed counter-clockwise, z = 0 at mid-width. app/read_case fills it from a file, a C++ program
+/// by hand; coupling/judge_case.hpp judges it: in the hands of a solver it is complete and
+/// possible.
 #include <array>
 #include <optional>
 #include <string>

@@ -85,6 +85,25 @@ Field sum(const Field& a, const Field& b) {
   return c;
 }
 
+int beyond_reduced_pressure(const BearingModel& model, const FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = model.scene;
+  const FilmGrid& g = scene.grid;
+  if (!s.elastic.empty() || !std::holds_alternative<rheology::Barus>(model.oil.pressure)) return -1;
+  const auto w = [&](int k) { return -std::expm1(-s.oil.alpha[k] * s.film.p[k]); };  // alpha q
+  for (int k = 0; k < g.cells(); ++k) {
+    if (!s.film.full[k] || scene.supply.cell[k] >= 0) continue;
+    const int i = k / g.nz;
+    const int j = k % g.nz;
+    const double here = w(k);
+    const auto drop = [&](int a, int b) { return 2.0 * here - w(a) - w(b); };
+    double top = drop(g.index(g.previous(i), j), g.index(g.next(i), j));
+    if (j > 0 && j + 1 < g.nz) top += drop(k - 1, k + 1);
+    if (j == 0 && g.half && g.nz > 1) top += drop(k + 1, k + 1);  // the plane of symmetry
+    if (here + top / 24.0 >= 1.0) return k;
+  }
+  return -1;
+}
+
 double room(const BearingModel& model, const FilmEquilibrium& s) {
   return 0.5 * (s.least.h + std::hypot(s.least.h, 2.0 * model.scene.rough.sigma));
 }

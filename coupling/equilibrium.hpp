@@ -142,6 +142,12 @@ struct Residuals {
   return model.scene.rough.sigma <= 0.0 && s.least.h < kMolecule;
 }
 
+/// A cell of a rigid film in which Barus oil has no pressure, -1: none. The values of cells are
+/// means: inside, the reduced pressure q = (1 - exp(-alpha p))/alpha stands higher by a 24th of its
+/// second differences (parabola), and nowhere can it exceed 1/alpha. Without this a single cell
+/// would carry any load, its p = -ln(1 - alpha q)/alpha being unbounded.
+[[nodiscard]] int beyond_reduced_pressure(const BearingModel& model, const FilmEquilibrium& s);
+
 /// Element by element; an empty field is zero.
 [[nodiscard]] Field sum(const Field& a, const Field& b);
 

@@ -15,7 +15,7 @@ Verdict limit_load(const BearingModel& model, const LoadTarget& target, double c
                    int worst_cell) {
   const std::string place =
       worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : std::string();
-  if (worst_cell < 0 || carried >= target.scale()) {  // not the pressure law: the gap gave out
+  if (worst_cell < 0) {  // not the pressure law: the gap gave out
     return {Status::iteration_limit,
             "no position was found in which the film carries the load: each step closes the gap",
             place, "lower the load or the tilt, or give roughness and contact data"};
@@ -28,6 +28,15 @@ Verdict limit_load(const BearingModel& model, const LoadTarget& target, double c
                   target.scale(), carried),
       worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : "",
       "switch on elastic deformation, use the Roelands law, or lower the load"};
+}
+
+Verdict no_pressure(const BearingModel& model, int cell) {
+  return {Status::no_steady_state,
+          "the film has no steady pressure at this gap: with the pressure-viscosity law "
+          "chosen, the reduced pressure would have to exceed its bound 1/alpha "
+          "(q = (1 - exp(-alpha p))/alpha)",
+          fluid::place_of(model.scene.grid, cell),
+          "switch on elastic deformation, use the Roelands law, or lower the load"};
 }
 
 Verdict no_film(const BearingModel& model, const LoadTarget& target, const Field& growth,

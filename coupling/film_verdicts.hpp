@@ -11,6 +11,9 @@ namespace shellback::coupling {
 [[nodiscard]] Verdict limit_load(const BearingModel& model, const LoadTarget& target,
                                  double carried, int worst_cell);
 
+/// A film of given position has no pressure in a cell: beyond the bound of the reduced pressure.
+[[nodiscard]] Verdict no_pressure(const BearingModel& model, int cell);
+
 /// Why the state has no film or no residual: a field holds what is not a number, or the gap of
 /// smooth surfaces is closed.
 [[nodiscard]] Verdict no_film(const BearingModel& model, const LoadTarget& target,

@@ -150,7 +150,8 @@ Branch LoadBranch::run(double begun) {
     step = std::min(1.6 * step, kLongestStep);
   }
   restore();
-  return ended(unbounded_closer(s_, control_) ? BranchEnd::unbounded : BranchEnd::lost);
+  const bool bound = failure_.status == Status::no_steady_state || unbounded_closer(s_, control_);
+  return ended(bound ? BranchEnd::unbounded : BranchEnd::lost);
 }
 
 }  // namespace

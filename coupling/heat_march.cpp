@@ -83,12 +83,14 @@ MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
                     const SolveControl& control, const std::function<void(const Instant&)>& tell) {
   constexpr double kLonger = 2.0;   // lengths are powers of two: operators serve again
   constexpr double kStill = 3e-3;   // what one iteration may leave: ThermalOptions::tolerance [K]
+  constexpr int kCalm = 3;          // steps before one that was rejected is tried as long again
   constexpr double kEasily = 0.25;  // of the error allowed: the next step may be twice as long
   const bool accurate = std::isfinite(o.error);
   MarchEnd end;
   double dt = o.first;
   Walls rate;
   SolidStep last;
+  int calm = kCalm;  // steps since one was rejected
   while (end.t < o.end && dt <= o.longest) {
     const double length = std::min(dt, o.end - end.t);
     SolidStep step = s.model.solids->step(length, state, &last);
@@ -104,6 +106,7 @@ MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
       s.film = film;
       s.heat = heat;
       dt /= end.verdict.good() ? kLonger : kLonger * kLonger;
+      calm = 0;
       continue;
     }
     rate = rate_of(now, before, length);
@@ -114,7 +117,9 @@ MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
     // Half of all time has passed in one step, and nothing moved but by what the iteration leaves.
     end.at_rest = accurate && length >= 0.5 * end.t && largest_move(now, before) < kStill;
     if (end.at_rest) break;
-    if (error <= kEasily * o.error) dt *= accurate ? kLonger : kLonger * kLonger;
+    ++calm;
+    if (!accurate && calm > kCalm) dt *= kLonger * kLonger;
+    if (accurate && error <= kEasily * o.error && calm > 1) dt *= kLonger;
   }
   end.verdict = {};
   end.at_rest = end.at_rest || dt > o.longest;

@@ -44,6 +44,8 @@ class NewtonIteration {
   /// Evaluates the state; true if it has residuals.
   [[nodiscard]] bool evaluate_state();
   [[nodiscard]] bool converged();
+  /// Good unless the reduced pressure of the converged film exceeds its bound.
+  [[nodiscard]] Verdict within_the_law() const;
   /// True if the state may be gone on from.
   [[nodiscard]] bool acceptable() const;
   void accept();
@@ -206,12 +208,19 @@ void NewtonIteration::step(Verdict& ended) {
   }
 }
 
+Verdict NewtonIteration::within_the_law() const {
+  const int cell = beyond_reduced_pressure(model_, s_);
+  if (cell < 0) return {};
+  return target_.unknowns > 0 ? limit_load(model_, target_, carried_, cell)
+                              : no_pressure(model_, cell);
+}
+
 Verdict NewtonIteration::run(const std::atomic<bool>* stop) {
   for (int it = 0; it <= options_.max_iterations; ++it) {
     if (stop && stop->load()) return {Status::interrupted, "stopped by the user", "", ""};
     if (cost_.spent()) return given_up();
     const bool possible = evaluate_state();
-    if (possible && converged()) return {};
+    if (possible && converged()) return within_the_law();
     if (possible && acceptable()) {
       accept();
       held_ = 0;

@@ -73,7 +73,7 @@ void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
 
 /// Solves the case once more on other cells, for where its branch ends there.
 void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
-  constexpr double kSecond = 2.0 / 3.0;  // cells per axis [-]
+  constexpr double kSecond = 1.5;  // cells per axis [-]
   Case second = c;
   for (int& n : second.model.grid) n = std::max(3, static_cast<int>(std::lround(kSecond * n)));
   Solution on;

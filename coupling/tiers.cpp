@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kLooseHeat = 3e-3;   ///< change per iteration on the way [-]
 constexpr double kCoarseHeat = 3e-3;  ///< the same where it is the start of a finer grid
-constexpr int kMostWayPoint = 25;     ///< outer iterations of a way point
+constexpr int kMostWayPoint = 25;     ///< iterations of heat, and of a film in it, of a way point
 constexpr std::array kLight{0.3, 0.1, 0.02, 2e-3, 2e-4};  ///< of load or speed, to begin with
 constexpr double kBeyond = 1.1;  ///< of a branch's end: load of the transient that starts there [-]
 constexpr double kTransientError = 2.0;  ///< per step of that transient [K]
@@ -35,6 +35,7 @@ ThermalOptions options_of(Accuracy accuracy, bool coarse) {
   if (accuracy == Accuracy::result) return o;
   o.tolerance = kLooseHeat;
   o.max_iterations = kMostWayPoint;
+  o.film.max_iterations = kMostWayPoint;
   return o;
 }
 
@@ -117,7 +118,10 @@ Verdict solve_resolved(Solution& s, Level level, const SolveControl& control) {
   s.heat = cold_heat(s.model, T);
   v = warm_up(s, options, control);
   if (v.good() || stopped(v) || s.cost.spent()) return v;
-  return follow_heat(s, level.coarse, control);
+  const Verdict along = follow_heat(s, level.coarse, control);
+  // Where no branch begins, what the warming bearing comes to in time stands for itself.
+  const bool in_time = along.status == Status::iteration_limit && s.limits.empty();
+  return in_time && v.status == Status::no_steady_state ? v : along;
 }
 
 }  // namespace

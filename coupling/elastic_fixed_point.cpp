@@ -82,9 +82,7 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
     for (std::size_t k = 0; k < r.size(); ++k) r[k] -= d[k];
     norm = largest_magnitude(r) / (std::max(s.least.h, 0.0) + model.scene.rough.sigma + 1e-9);
     const bool settled = norm <= options.elastic_tolerance;
-    const bool sharp = film.film_tolerance <= options.film_tolerance &&
-                       film.load_tolerance <= options.load_tolerance;
-    if (settled && sharp) return {};
+    if (settled && loose <= options.load_tolerance) return {};
     if (!(norm < std::max(kGrown * best, kLost))) {
       return diverged(fmt::format("the mismatch grows to {:.2g} gaps", norm), largest_magnitude(d),
                       s.least.h);

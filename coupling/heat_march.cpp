@@ -114,8 +114,8 @@ MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
     end.t += length;
     last = std::move(step);
     if (tell) tell(instant_of(s, end.t, length));
-    // Half of all time has passed in one step, and nothing moved but by what the iteration leaves.
-    end.at_rest = accurate && length >= 0.5 * end.t && largest_move(now, before) < kStill;
+    // Nearly half of all time has passed in one step, and nothing moved but by what the iteration leaves.
+    end.at_rest = accurate && length >= 0.4 * end.t && largest_move(now, before) < kStill;
     if (end.at_rest) break;
     ++calm;
     if (!accurate && calm > kCalm) dt *= kLonger * kLonger;

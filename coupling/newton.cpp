@@ -94,7 +94,7 @@ bool NewtonIteration::evaluate_state() {
 bool NewtonIteration::converged() {
   constexpr double kUsual = 1e-11;  // film tolerance of a result [-]
   constexpr double kLost = 1e-9;    // of what passes, at the usual film tolerance [-]
-  constexpr int kMostPolish = 10;   // at round-off one in three is below four times that
+  constexpr int kMostPolish = 40;   // at round-off one step in some is within four times that
   const bool met = r_.within(options_) && s_.columns.mismatch <= options_.viscosity_tolerance &&
                    fluid::complementary(model_.scene, s_.film);
   if (!met) return false;

@@ -121,6 +121,7 @@ std::string warm_up_json(const coupling::Case& c, const WarmUp& run,
     json["quantities"][q.name] = {{"unit", q.unit}, {"values", over_time(run, q.value)}};
   }
   json["audit"] = {{"energy", run.imbalance()}};
+  json["jumps"] = run.end.jumps;
   const Json one = Json::parse(result_json(c, steady));
   json["steady"] = {{"status", one["status"]}, {"quantities", one["quantities"]}};
   json["provenance"] = one["provenance"];

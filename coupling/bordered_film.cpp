@@ -73,7 +73,6 @@ BorderedFilm::BorderedFilm(const BearingModel& model, const FilmEquilibrium& s, 
       x.P[k] += touched;
       if (!x.contact.empty()) x.contact[k] += touched;
     }
-    slope_.push_back(std::move(slope));
     response_.push_back(std::move(x));
   }
 }
@@ -222,19 +221,15 @@ std::optional<Movement> solve_border(const LoadTarget& target, const FilmEquilib
   return out;
 }
 
-/// (5): the answer for the whole compliance, `solve` giving that for the Winkler foundation and
-/// right-hand sides a of (1), b of (2); without right-hand sides of (1) and (3) if `homogeneous`.
-template <class Solve>
-BorderedFilm::Answer with_compliance(const BearingModel& model, const FilmEquilibrium& s,
-                                     const Field& defect, Solve solve, EquilibriumCost& cost) {
+}  // namespace
+
+CompliantAnswer with_compliance(const BearingModel& model, const FilmEquilibrium& s,
+                                const Field& defect, const FilmSolve& solve, double tolerance) {
   const double tau = model.solids->winkler();
   const auto beyond_winkler = [&](const BorderedFilm::Answer& x) {
     Field y = model.solids->compliance(x.P);
     for (std::size_t k = 0; k < y.size(); ++k) y[k] -= tau * x.P[k];
-    if (!s.contact_growth) return y;
-    const Field more = model.solids->widening(*s.contact_growth, x.contact);
-    for (std::size_t k = 0; k < y.size(); ++k) y[k] += more[k];
-    return y;
+    return s.contact_growth ? sum(y, model.solids->widening(*s.contact_growth, x.contact)) : y;
   };
   const Field rhs = beyond_winkler(solve(defect, false));
   const auto apply = [&](const Field& b) {
@@ -242,10 +237,11 @@ BorderedFilm::Answer with_compliance(const BearingModel& model, const FilmEquili
     for (std::size_t k = 0; k < y.size(); ++k) y[k] = b[k] - y[k];
     return y;
   };
-  const KrylovResult correction = gmres(apply, rhs, kKrylovTolerance, kMostKrylov);
-  cost.krylov_iterations += correction.iterations;
-  return solve(sum(defect, correction.x), false);
+  const KrylovResult correction = gmres(apply, rhs, tolerance, kMostKrylov);
+  return {solve(sum(defect, correction.x), false), correction.iterations, correction.reduction};
 }
+
+namespace {
 
 /// What one step is made of.
 struct StepProblem {
@@ -287,7 +283,9 @@ void StepProblem::solve_elastic() {
     if (moved) film.move(moved->dq, y);
     return y;
   };
-  x = with_compliance(model, s, r.displacement, balanced, cost);
+  CompliantAnswer answer = with_compliance(model, s, r.displacement, balanced, kKrylovTolerance);
+  cost.krylov_iterations += answer.iterations;
+  x = std::move(answer.x);
 }
 
 void StepProblem::solve_rigid(StepLimits limits) {

@@ -16,6 +16,8 @@
 ///   b - (C - tau) dP(b) = r_d.                                                        (5)
 /// Rigid surfaces: C = tau = 0, nothing is wrong, no GMRES.
 /// Source: methods 2.1, 2.2; the reduction (5) is ours.
+#include <functional>
+
 #include "coupling/equilibrium.hpp"
 
 namespace shellback::coupling {
@@ -61,10 +63,23 @@ class BorderedFilm {
   double tau_ = 0.0;  ///< [m/Pa]; 0: rigid
   Field kappa_;       ///< empty: rigid
   RingFactor& factor_;
-  std::vector<Field> slope_;      ///< B per component and cell
   std::vector<Answer> response_;  ///< to the movement of one component, per unit
   bool good_ = false;
 };
+
+/// Answer of the film on a Winkler foundation to a right-hand side of (2), those of (1) and (3) as
+/// they are, or none of them.
+using FilmSolve = std::function<BorderedFilm::Answer(const Field& defect, bool homogeneous)>;
+
+/// The answer for the whole compliance by (5).
+struct CompliantAnswer {
+  BorderedFilm::Answer x;
+  int iterations = 0;      ///< of GMRES
+  double reduction = 0.0;  ///< of what the foundation leaves wrong [-]
+};
+[[nodiscard]] CompliantAnswer with_compliance(const BearingModel& model, const FilmEquilibrium& s,
+                                              const Field& defect, const FilmSolve& solve,
+                                              double tolerance);
 
 /// How far a step may go.
 struct StepLimits {

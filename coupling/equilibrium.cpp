@@ -98,7 +98,9 @@ int beyond_reduced_pressure(const BearingModel& model, const FilmEquilibrium& s)
     const auto drop = [&](int a, int b) { return 2.0 * here - w(a) - w(b); };
     double top = drop(g.index(g.previous(i), j), g.index(g.next(i), j));
     if (j > 0 && j + 1 < g.nz) top += drop(k - 1, k + 1);
-    if (j == 0 && g.half && g.nz > 1) top += drop(k + 1, k + 1);  // the plane of symmetry
+    if (j == 0 && g.half && g.nz > 1) {  // beyond the plane of symmetry stands the mirror image
+      top += drop(g.z[0] == 0.0 ? k + 1 : k, k + 1);
+    }
     if (here + top / 24.0 >= 1.0) return k;
   }
   return -1;

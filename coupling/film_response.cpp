@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/largest.hpp"
-#include "coupling/gmres.hpp"
 #include "coupling/solids.hpp"
 
 namespace shellback::coupling {
@@ -23,74 +22,37 @@ constexpr double kCorrectionTolerance =
 
 LinearFilm::LinearFilm(const BearingModel& model, const FilmEquilibrium& s, const Field& growth,
                        double tolerance)
-    : model_(model), s_(s), growth_(growth), tolerance_(tolerance) {
-  const fluid::FilmScene& scene = model.scene;
-  const int n = scene.grid.cells();
-  RingMatrix matrix;
-  fluid::assemble_film(scene, s.flow, fluid::active_set_unknowns(s.film), matrix);
-  if (!s.elastic.empty()) {
-    tau_ = model.solids->winkler();
-    kappa_.resize(n);
-    Field soft(n);
-    for (int k = 0; k < n; ++k) {
-      kappa_[k] = 1.0 / (1.0 - tau_ * s.dp_contact[k]);
-      soft[k] = free(k) ? kappa_[k] * tau_ : 0.0;
-    }
-    fluid::add_gap_compliance(scene, s.flow, soft, matrix);
-  }
-  good_ = factor_.factorize(matrix);
+    : model_(model),
+      s_(s),
+      growth_(growth),
+      tolerance_(tolerance),
+      film_(model, s, 0, factor_, cost_),
+      good_(film_.good()) {
   if (std::holds_alternative<rheology::NoShearThinning>(model.oil.shear)) return;
   FilmEquilibrium sharp = s;
   good_ = good_ && evaluate(model, growth, kViscosityTolerance, sharp);
-  residual_ = fluid::film_residual(scene, sharp.flow);
-}
-
-LinearFilm::Answer LinearFilm::winkler(const Field& a, const Field& b, const Field& r) const {
-  const int n = model_.scene.grid.cells();
-  Answer x{a, {}, Field(n)};
-  if (kappa_.empty()) {
-    factor_.solve(x.u.data());
-    for (int k = 0; k < n; ++k) x.P[k] = (free(k) ? x.u[k] : 0.0) + r[k];
-    return x;
-  }
-  // d = kappa (b + tau (u_F + r)): the part that is known beforehand moves the right-hand side.
-  Field known(n);
-  for (int k = 0; k < n; ++k) known[k] = kappa_[k] * (b[k] + tau_ * r[k]);
-  const Field moved = fluid::residual_by_gap(model_.scene, s_.flow, known);
-  for (int k = 0; k < n; ++k) x.u[k] -= moved[k];
-  factor_.solve(x.u.data());
-  x.d = std::move(known);
-  for (int k = 0; k < n; ++k) {
-    const double du = free(k) ? x.u[k] : 0.0;
-    x.d[k] += kappa_[k] * tau_ * du;
-    x.P[k] = du + r[k] + s_.dp_contact[k] * x.d[k];
-  }
-  return x;
+  residual_ = fluid::film_residual(model.scene, sharp.flow);
 }
 
 LinearFilm::Answer LinearFilm::solve(const Field& a, const Field& r, double tolerance) {
-  constexpr int kMostKrylov = 80;
-  const std::size_t n = a.size();
-  const Field none(n, 0.0);
-  Answer x = winkler(a, none, r);
-  if (!kappa_.empty()) {
-    const auto beyond_winkler = [&](const Field& P) {
-      Field y = model_.solids->compliance(P);
-      for (std::size_t k = 0; k < n; ++k) y[k] -= tau_ * P[k];
-      return y;
-    };
-    const Field rhs = beyond_winkler(x.P);
-    const auto apply = [&](const Field& b) {
-      Field y = beyond_winkler(winkler(none, b, none).P);
-      for (std::size_t k = 0; k < n; ++k) y[k] = b[k] - y[k];
-      return y;
-    };
-    const KrylovResult found = gmres(apply, rhs, tolerance, kMostKrylov);
-    krylov_iterations_ += found.iterations;
-    converged_ = converged_ && found.reduction <= tolerance;
-    x = winkler(a, found.x, r);
+  if (s_.elastic.empty()) {
+    Answer x = film_.held(a, {});
+    x.P = sum(x.P, r);
+    return x;
   }
-  return x;
+  const double tau = model_.solids->winkler();
+  const auto answer = [&](const Field& b, bool homogeneous) {
+    if (homogeneous) return film_.held({}, b);
+    Field pressed = r;  // on the foundation the pressure that is known beforehand is a displacement
+    for (double& x : pressed) x *= tau;
+    Answer x = film_.held(a, sum(b, pressed));
+    x.P = sum(x.P, r);
+    return x;
+  };
+  CompliantAnswer found = with_compliance(model_, s_, {}, answer, tolerance);
+  krylov_iterations_ += found.iterations;
+  converged_ = converged_ && found.reduction <= tolerance;
+  return std::move(found.x);
 }
 
 Field LinearFilm::residual_along(const Answer& x, int component) const {

@@ -14,7 +14,7 @@
 /// order only. With the Winkler foundation tau in place of C the system is one factorised matrix;
 /// GMRES acts on the difference (C - tau) P alone, as in coupling/bordered_film.hpp. Source:
 /// methods 2.1, 2.2 (the same reduction as the Newton step); otherwise textbook.
-#include "coupling/equilibrium.hpp"
+#include "coupling/bordered_film.hpp"
 
 namespace shellback::coupling {
 
@@ -44,11 +44,7 @@ class LinearFilm {
   [[nodiscard]] bool converged() const { return converged_; }  ///< all solves so far
 
  private:
-  struct Answer {
-    Field u, d, P;
-  };
-  /// Winkler answer to film right-hand side `a`, gap right-hand side `b` and pressure `r` [Pa].
-  [[nodiscard]] Answer winkler(const Field& a, const Field& b, const Field& r) const;
+  using Answer = BorderedFilm::Answer;
   /// (1) and (2) with the Newton matrix.
   [[nodiscard]] Answer solve(const Field& a, const Field& r, double tolerance);
   /// The same with all derivatives; `component` of the position that moves by one, -1: none.
@@ -56,18 +52,15 @@ class LinearFilm {
                                        int component);
   /// Change of the film residual along an answer, per unit.
   [[nodiscard]] Field residual_along(const Answer& x, int component) const;
-  [[nodiscard]] bool free(int k) const {
-    return s_.film.full[k] && model_.scene.supply.cell[k] < 0;
-  }
 
   const BearingModel& model_;
   const FilmEquilibrium& s_;
   const Field& growth_;
   Field residual_;  ///< of the state, if the oil thins; else empty [kg/s]
   double tolerance_;
-  double tau_ = 0.0;  ///< [m/Pa]
-  Field kappa_;       ///< 1/(1 - tau p_a') [-]
+  EquilibriumCost cost_;  ///< of the factorisation
   RingFactor factor_;
+  BorderedFilm film_;  ///< the journal held
   bool good_ = false;
   bool converged_ = true;
   int krylov_iterations_ = 0;

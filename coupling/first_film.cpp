@@ -13,12 +13,6 @@ namespace {
 constexpr double kLoose = 1e-3;                            ///< residuals of a film on the way [-]
 constexpr std::array kLight{0.5, 0.2, 0.05, 0.01, 0.001};  ///< parts of the load to begin with [-]
 
-/// Without the program's usual method there is no help either: methods are shown as they are.
-bool shown_as_it_is(const Solution& s) {
-  const Methods& by = s.model.input.model.methods;
-  return by.cavitation != CavitationMethod::active_set || by.elastic != ElasticMethod::newton;
-}
-
 Verdict correct_film(Solution& s, Accuracy accuracy, const SolveControl& control) {
   EquilibriumOptions o;
   if (accuracy == Accuracy::way_point) {
@@ -36,8 +30,8 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
     return solve_equilibrium(s.model, s.target, growth, {}, s.film, s.cost, control.stop);
   };
   const Verdict v = start();
-  const bool ended =
-      v.good() || v.status == Status::interrupted || s.cost.spent() || shown_as_it_is(s);
+  const bool ended = v.good() || v.status == Status::interrupted || s.cost.spent() ||
+                     !usual_methods(s.model.input);
   if (ended || s.target.unknowns == 0) return v;
   const Corrector correct = [&](Solution& at, Accuracy accuracy) {
     return correct_film(at, accuracy, control);
@@ -46,8 +40,9 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
       follow_from(s, Raised::load, kLight, start, correct, control);
   if (!branch) return v;
   if (branch->end == BranchEnd::reached) return {};
+  if (branch->end == BranchEnd::interrupted) return branch->last;
   note_limit(s, *branch, branch->end != BranchEnd::lost);
-  return branch->end == BranchEnd::interrupted ? branch->last : branch_ended(s, *branch);
+  return branch_ended(s, *branch);
 }
 
 }  // namespace shellback::coupling

@@ -24,10 +24,15 @@ struct Reached {
 
 bool stopped(const SolveControl& control) { return control.stop && control.stop->load(); }
 
-/// True if a little closer, in the load's direction, Barus oil has no pressure between rigid
-/// surfaces: the bound of the reduced pressure.
+Verdict interrupted() { return {Status::interrupted, "stopped by the user", "", ""}; }
+
+/// Rigid surfaces and Barus oil, whose reduced pressure has a bound.
+bool has_bound(const Solution& s) {
+  return !s.model.physics.elastic && std::holds_alternative<rheology::Barus>(s.model.oil.pressure);
+}
+
+/// True if a little closer, in the load's direction, the reduced pressure exceeds its bound.
 bool unbounded_closer(const Solution& s, const SolveControl& control) {
-  if (s.model.physics.elastic || s.target.unknowns == 0) return false;
   LoadTarget held = s.target;
   held.unknowns = 0;
   held.path.reset();
@@ -129,7 +134,10 @@ Branch LoadBranch::run(double begun) {
   for (int k = 0; k < kMostSteps && step > kShortestStep; ++k) {
     s_.target.path = next_row(step);
     const Verdict v = correct_(s_, Accuracy::way_point);
-    if (v.status == Status::interrupted || stopped(control_)) return ended(BranchEnd::interrupted);
+    if (v.status == Status::interrupted || stopped(control_)) {
+      failure_ = interrupted();
+      return ended(BranchEnd::interrupted);
+    }
     if (!v.good()) {
       failure_ = v;
       restore();
@@ -137,7 +145,6 @@ Branch LoadBranch::run(double begun) {
       continue;
     }
     if (s_.film.ln_load >= 0.0) {
-      const Reached past{s_.film, s_.heat};
       if (arrive()) return ended(BranchEnd::reached);
       step *= 0.4;
       continue;
@@ -150,7 +157,7 @@ Branch LoadBranch::run(double begun) {
     step = std::min(1.6 * step, kLongestStep);
   }
   restore();
-  const bool bound = failure_.status == Status::no_steady_state || unbounded_closer(s_, control_);
+  const bool bound = has_bound(s_) && unbounded_closer(s_, control_);
   return ended(bound ? BranchEnd::unbounded : BranchEnd::lost);
 }
 
@@ -182,6 +189,7 @@ Branch follow_speed(Solution& s, double begun, const Corrector& correct,
     const Verdict v = correct(s, next == 1.0 ? Accuracy::result : Accuracy::way_point);
     if (v.status == Status::interrupted || stopped(control)) {
       branch.end = BranchEnd::interrupted;
+      branch.last = interrupted();
       break;
     }
     if (v.good()) {

@@ -9,7 +9,7 @@
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 #include "coupling/heat_endings.hpp"
-#include "coupling/newton.hpp"
+#include "coupling/solve_equilibrium.hpp"
 #include "coupling/wall_balance.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -22,7 +22,7 @@ constexpr double kUnit = 10.0;  ///< one unit of the iteration's temperatures [K
 class HeatIteration {
  public:
   HeatIteration(Solution& s, const ThermalOptions& options, const SolveControl& control,
-                const SolidStep* step)
+                const HeatStep* step)
       : s_(s), options_(options), control_(control), walls_(s, options.sweeps, step) {}
 
   bool operator()(const std::vector<double>& x, std::vector<double>& g);
@@ -81,7 +81,7 @@ void HeatIteration::take_contact_growth() {
   if (s_.film.contact_growth || !s_.model.contact || !has.elastic || !has.growth) return;
   if (!(s_.heat.response.shell_local > 0.0) || s_.film.p_contact.empty()) return;
   s_.film.contact_growth = std::make_shared<HarmonicOperator>(s_.model.solids->contact_growth(
-      contact_heat_rate(s_.model).shell, s_.heat.response, walls_.step()));
+      contact_heat_rate(s_.model).shell, s_.heat.response, walls_.solid_step()));
   const Field own = s_.model.solids->widening(*s_.film.contact_growth, s_.film.p_contact);
   for (std::size_t k = 0; k < own.size(); ++k) {
     s_.heat.growth[k] -= own[k];
@@ -155,8 +155,8 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
   unpack(x);
   verdict_ = temperatures_possible(s_);
   if (!verdict_.good()) return false;
-  verdict_ =
-      newton(s_.model, s_.target, s_.heat.growth, film_options(), s_.film, s_.cost, control_.stop);
+  verdict_ = solve_equilibrium_near(s_.model, s_.target, s_.heat.growth, film_options(), s_.film,
+                                    s_.cost, control_.stop);
   if (!verdict_.good()) return false;
   friction_ = friction_of(s_.model, s_.film);
   walls_.begin(friction_, iterations_);
@@ -184,12 +184,13 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
 void HeatIteration::finish() {
   unpack(last_);
   const Field growth = s_.heat.growth;
-  verdict_ = newton(s_.model, s_.target, growth, options_.film, s_.film, s_.cost, control_.stop);
+  verdict_ = solve_equilibrium_near(s_.model, s_.target, growth, options_.film, s_.film, s_.cost,
+                                    control_.stop);
   if (!verdict_.good()) return;
   friction_ = friction_of(s_.model, s_.film);
   const double change = walls_.finish(friction_, options_.close);
-  s_.heat.growth = growth;                                    // that of the film
-  if (!walls_.step()) verdict_ = colder_than_all_around(s_);  // in time, walls may be colder
+  s_.heat.growth = growth;                                          // that of the film
+  if (!walls_.solid_step()) verdict_ = colder_than_all_around(s_);  // in time, walls may be colder
   if (verdict_.good()) verdict_ = walls_unbalanced(change);
 }
 
@@ -205,7 +206,7 @@ HeatState cold_heat(const BearingModel& model, double T) {
 }
 
 Verdict solve_heat(Solution& s, const ThermalOptions& options, const SolveControl& control,
-                   const SolidStep* step) {
+                   const HeatStep* step) {
   constexpr double kSlack = 10.0;  // of the change, where it is seen to fall fast [-]
   HeatIteration iteration(s, options, control, step);
   iteration.take_contact_growth();

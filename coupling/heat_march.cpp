@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/largest.hpp"
+#include "coupling/heat_endings.hpp"
 
 namespace shellback::coupling {
 namespace {
@@ -44,6 +45,13 @@ Walls rate_of(const Walls& now, const Walls& before, double dt) {
   return rate;
 }
 
+/// `s`: the last instant that was found; `v`: why there is none after it.
+bool no_film_left(const Solution& s, const Verdict& v) {
+  const auto& contact = s.model.contact;
+  const bool pressed = contact && s.film.least.h < contact->least_gap();
+  return v.status == Status::no_steady_state || pressed || thinner_than_a_molecule(s.model, s.film);
+}
+
 double area_mean(const FilmGrid& g, const Field& x) {
   double sum = 0.0;
   double area = 0.0;
@@ -74,7 +82,7 @@ Instant instant_of(const Solution& s, double t, double dt) {
   i.T_shaft /= g.z_face.back() - g.z_face.front();
   i.heat_in = i.torque * s.model.input.operation.omega + pump_power(s.model, s.film);
   i.heat_out = oil + solids.shell.heat_back + solids.shell.heat_ends + solids.shaft.heat_out;
-  i.stored = solids.shell.stored + solids.shaft.stored;
+  i.stored = solids.shell.stored + solids.shaft.stored + g.multiplicity() * s.heat.balance.stored;
   if (!s.heat.growth.empty()) i.deformation = area_mean(g, s.heat.growth);
   return i;
 }
@@ -93,28 +101,37 @@ MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
   int calm = kCalm;  // steps since one was rejected
   while (end.t < o.end && dt <= o.longest) {
     const double length = std::min(dt, o.end - end.t);
-    SolidStep step = s.model.solids->step(length, state, &last);
+    HeatStep step{s.model.solids->step(length, state, &last), length,
+                  film_enthalpy(s.model, s.film.columns.T)};
     const FilmEquilibrium film = s.film;
     const HeatState heat = s.heat;
     end.verdict = solve_heat(s, o.heat, control, &step);
-    if (end.verdict.status == Status::interrupted || s.cost.spent()) return end;
     const Walls before{heat.T_shell, heat.T_shaft};
     const Walls now{s.heat.T_shell, s.heat.T_shaft};
     const double error = accurate ? local_error(now, before, rate, length) : 0.0;
-    if (!end.verdict.good() || error > o.error) {
-      if (dt <= o.shortest) return end;
+    const bool shortest = dt <= o.shortest;
+    if (!end.verdict.good() || (error > o.error && !shortest)) {
+      const bool hot =
+          largest(s.film.columns.T) > s.model.input.supplies.front().temperature + kHottestRise;
       s.film = film;
       s.heat = heat;
+      const bool given_up = end.verdict.status == Status::interrupted || s.cost.spent();
+      if (given_up || shortest) {
+        end.left_bounds = !given_up && (hot || no_film_left(s, end.verdict));
+        return end;
+      }
       dt /= end.verdict.good() ? kLonger : kLonger * kLonger;
       calm = 0;
       continue;
     }
+    if (error > o.error) ++end.jumps;
     rate = rate_of(now, before, length);
-    state = s.model.solids->state(s.heat.solids, &step);
+    state = s.model.solids->state(s.heat.solids, &step.solids);
     end.t += length;
-    last = std::move(step);
+    last = std::move(step.solids);
     if (tell) tell(instant_of(s, end.t, length));
-    // Nearly half of all time has passed in one step, and nothing moved but by what the iteration leaves.
+    // Nearly half of all time has passed in one step, and nothing moved but by what the iteration
+    // leaves.
     end.at_rest = accurate && length >= 0.4 * end.t && largest_move(now, before) < kStill;
     if (end.at_rest) break;
     ++calm;

@@ -1,11 +1,13 @@
 #pragma once
-/// Film and walls in time: backward Euler with the heat capacities of shell, housing and shaft.
+/// Film and walls in time: backward Euler with the heat capacities of oil, shell, housing and
+/// shaft.
 ///
-/// The film is steady at each instant (it follows within milliseconds, the walls within seconds to
-/// minutes); each step is solved by the outer iteration of the steady bearing with the walls'
-/// storage in it. The step is chosen so that a straight continuation of the walls' temperatures
-/// errs by a given amount; without such an amount it grows as long as steps are found, and the
-/// march is but a way to the steady state (pseudo-transient continuation). Source: textbook.
+/// Flow and pressure are steady at each instant (oil passes within milliseconds, walls follow
+/// within seconds to minutes); each step is solved by the outer iteration of the steady bearing
+/// with the walls' storage in it. The step is chosen so that a straight continuation of the walls'
+/// temperatures errs by a given amount; without such an amount it grows as long as steps are found,
+/// and the march is but a way to the steady state (pseudo-transient continuation). Source:
+/// textbook.
 #include <functional>
 
 #include "coupling/heat_iteration.hpp"
@@ -21,7 +23,7 @@ struct Instant {
   double T_film_max = 0.0, T_shell_max = 0.0, T_shell_back = 0.0, T_shaft = 0.0;  ///< [K]
   double heat_in = 0.0;      ///< friction and pump power [W]
   double heat_out = 0.0;     ///< with the oil and from shell and shaft to the surroundings [W]
-  double stored = 0.0;       ///< in shell, housing and shaft [W]
+  double stored = 0.0;       ///< in oil, shell, housing and shaft [W]
   double deformation = 0.0;  ///< mean thermal widening of the gap [m]
 };
 
@@ -39,6 +41,13 @@ struct MarchEnd {
   Verdict verdict;  ///< good: it came to its end, or to rest
   double t = 0.0;   ///< of the last instant [s]
   bool at_rest = false;
+  /// It ended because no film is left: a clearance used up, a bound of the equations, smooth
+  /// surfaces nearer than a molecule or rough ones pressed beyond the contact law. A step that was
+  /// merely not found leaves no bound.
+  bool left_bounds = false;
+  /// Steps of the shortest length that erred by more than was allowed: where hot oil first meets a
+  /// cold wall its surface jumps, however short the step.
+  int jumps = 0;
 };
 
 /// Marches `s` from its film and the walls' `state`, which is left at the last instant.

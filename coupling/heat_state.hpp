@@ -25,4 +25,11 @@ struct HeatState {
   [[nodiscard]] bool known() const { return !T_mix.empty() && !solids.shell.back.empty(); }
 };
 
+/// The time over which film and walls store heat. The film's oil mass is steady within it.
+struct HeatStep {
+  SolidStep solids;
+  double dt = 0.0;                      ///< [s]
+  std::vector<double> enthalpy_before;  ///< of the film's nodes, film_enthalpy [J/kg]
+};
+
 }  // namespace shellback::coupling

@@ -23,14 +23,6 @@ constexpr int kMostHeld = 8;             ///< steps in which the film must have 
 constexpr double kLittleGain = 0.2;  ///< part of the gain asked for: a step that gained little [-]
 constexpr double kThinner = 0.25;    ///< and thin its smallest gap so far [-]
 
-/// The unknowns, to go back to.
-struct Unknowns {
-  fluid::FilmState film;
-  fluid::JournalPosition position;
-  double ln_load = 0.0;
-  Field elastic;
-};
-
 /// One Newton iteration after the other; what they share.
 class NewtonIteration {
  public:
@@ -41,6 +33,16 @@ class NewtonIteration {
   Verdict run(const std::atomic<bool>* stop);
 
  private:
+  /// The unknowns, to go back to.
+  struct Unknowns {
+    fluid::FilmState film;
+    fluid::JournalPosition position;
+    double ln_load = 0.0;
+    Field elastic;
+  };
+  [[nodiscard]] Unknowns unknowns() const;
+  void restore(const Unknowns& u);
+  [[nodiscard]] Verdict iterate(const std::atomic<bool>* stop);
   /// Evaluates the state; true if it has residuals.
   [[nodiscard]] bool evaluate_state();
   [[nodiscard]] bool converged();
@@ -77,10 +79,12 @@ class NewtonIteration {
   double carried_ = 0.0;     ///< force there [N]
   double reach_ = 1.0;
   double viscosity_tolerance_ = 1e-3;
-  int polished_ = 0;     ///< steps for the oil balance alone
-  int refilled_ = 0;     ///< steps that had emptied whole rings
-  int held_ = 0;         ///< steps for which the journal has been held
-  int worst_cell_ = -1;  ///< whose pressure left the range of the pressure law
+  Unknowns met_;                  ///< the state within all tolerances that loses least oil
+  double least_lost_ = INFINITY;  ///< there [kg/s]
+  int polished_ = 0;              ///< iterations since the tolerances were met first
+  int refilled_ = 0;              ///< steps that had emptied whole rings
+  int held_ = 0;                  ///< steps for which the journal has been held
+  int worst_cell_ = -1;           ///< whose pressure left the range of the pressure law
 };
 
 bool NewtonIteration::evaluate_state() {
@@ -90,11 +94,13 @@ bool NewtonIteration::evaluate_state() {
 }
 
 /// Little oil may pass where much goes round: what is lost is measured by what passes, and further
-/// steps reduce it until it is round-off, new in every step.
+/// steps reduce it until it is round-off, new in every step. The state that loses least is kept:
+/// steps for the oil alone never spoil what is converged.
 bool NewtonIteration::converged() {
   constexpr double kUsual = 1e-11;  // film tolerance of a result [-]
   constexpr double kLost = 1e-9;    // of what passes, at the usual film tolerance [-]
-  constexpr int kMostPolish = 40;   // at round-off one step in some is within four times that
+  constexpr int kMostPolish = 20;   // at round-off one step in some loses little
+  if (polished_ > 0) ++polished_;
   const bool met = r_.within(options_) && s_.columns.mismatch <= options_.viscosity_tolerance &&
                    fluid::complementary(model_.scene, s_.film);
   if (!met) return false;
@@ -102,8 +108,24 @@ bool NewtonIteration::converged() {
   const double passes = std::max(std::abs(flows.supply), std::abs(flows.side));
   const double lost = std::abs(flows.supply - flows.side - flows.stored);
   const double allowed = kLost * std::max(1.0, options_.film_tolerance / kUsual) * passes;
-  ++polished_;
-  return !(lost > allowed) || (polished_ > 2 && lost <= 4.0 * allowed) || polished_ > kMostPolish;
+  if (lost < least_lost_) {
+    least_lost_ = lost;
+    met_ = unknowns();
+  }
+  polished_ = std::max(polished_, 1);
+  const double enough = polished_ > 3 ? 4.0 * allowed : allowed;
+  return !(lost > enough) || polished_ > kMostPolish;
+}
+
+NewtonIteration::Unknowns NewtonIteration::unknowns() const {
+  return {s_.film, s_.position, s_.ln_load, s_.elastic};
+}
+
+void NewtonIteration::restore(const Unknowns& u) {
+  s_.film = u.film;
+  s_.position = u.position;
+  s_.ln_load = u.ln_load;
+  s_.elastic = u.elastic;
 }
 
 bool NewtonIteration::acceptable() const {
@@ -127,15 +149,12 @@ void NewtonIteration::accept() {
   merit_ = merit();
   room_ = room(model_, s_);
   carried_ = std::hypot(s_.force[0], s_.force[1]);
-  accepted_ = {s_.film, s_.position, s_.ln_load, s_.elastic};
+  accepted_ = unknowns();
   reach_ = std::min(1.0, 2.0 * reach_);
 }
 
 bool NewtonIteration::reject() {
-  s_.film = accepted_.film;
-  s_.position = accepted_.position;
-  s_.ln_load = accepted_.ln_load;
-  s_.elastic = accepted_.elastic;
+  restore(accepted_);
   reach_ *= 0.25;  // it is doubled once the state that is gone back to is accepted again
   ++cost_.rejected_steps;
   return reach_ >= kShortestReach && evaluate_state();
@@ -201,8 +220,9 @@ void NewtonIteration::step(Verdict& ended) {
   // A rigid film of that gap has no pressure; an elastic one gives way, the step was only long.
   if (report.beyond_barus == 0 || !rigid()) return;
   worst_cell_ = report.worst_cell;
+  const bool barus = std::holds_alternative<rheology::Barus>(model_.oil.pressure);
   if (target_.unknowns == 0) {
-    ended = reduced_film();
+    if (barus) ended = reduced_film();  // other laws: the step was held to 0.99 of theirs
   } else if (!reject()) {
     ended = limit_load(model_, target_, carried_, worst_cell_);
   }
@@ -215,12 +235,12 @@ Verdict NewtonIteration::within_the_law() const {
                               : no_pressure(model_, cell);
 }
 
-Verdict NewtonIteration::run(const std::atomic<bool>* stop) {
+Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
   for (int it = 0; it <= options_.max_iterations; ++it) {
     if (stop && stop->load()) return {Status::interrupted, "stopped by the user", "", ""};
     if (cost_.spent()) return given_up();
     const bool possible = evaluate_state();
-    if (possible && converged()) return within_the_law();
+    if (possible && converged()) return {};
     if (possible && acceptable()) {
       accept();
       held_ = 0;
@@ -241,6 +261,13 @@ Verdict NewtonIteration::run(const std::atomic<bool>* stop) {
     if (!ended.good()) return ended;
   }
   return stuck(model_, s_, r_, options_.max_iterations);
+}
+
+Verdict NewtonIteration::run(const std::atomic<bool>* stop) {
+  const Verdict v = iterate(stop);
+  if (v.status == Status::interrupted || polished_ == 0) return v;
+  restore(met_);
+  return evaluate_state() ? within_the_law() : v;
 }
 
 }  // namespace

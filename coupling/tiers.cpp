@@ -11,7 +11,6 @@
 #include "coupling/follow.hpp"
 #include "coupling/heat_march.hpp"
 #include "coupling/lumped.hpp"
-#include "coupling/newton.hpp"
 #include "coupling/solve_equilibrium.hpp"
 
 namespace shellback::coupling {
@@ -42,7 +41,7 @@ ThermalOptions options_of(Accuracy accuracy, bool coarse) {
 Verdict solve_isothermal(Solution& s, bool warm, const SolveControl& control) {
   std::fill(s.film.columns.T.begin(), s.film.columns.T.end(), s.T_film);
   if (!warm) return first_film(s, s.T_film, control);
-  return newton(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
+  return solve_equilibrium_near(s.model, s.target, {}, {}, s.film, s.cost, control.stop);
 }
 
 /// Walls and film from the supply's temperature through time to rest, and the steady state there.
@@ -92,7 +91,7 @@ Verdict follow_heat(Solution& s, bool coarse, const SolveControl& control) {
   }
   const Solution last = s;
   const MarchEnd beyond = transient_beyond(s, *branch, control);
-  const bool ran_away = !beyond.verdict.good() && !stopped(beyond.verdict) && !s.cost.spent();
+  const bool ran_away = beyond.left_bounds && !s.cost.spent();
   s.film = last.film;
   s.heat = last.heat;
   note_limit(s, *branch, ran_away);
@@ -107,6 +106,7 @@ Verdict solve_resolved(Solution& s, Level level, const SolveControl& control) {
   s.heat = cold_heat(s.model, T);
   const Verdict film = first_film(s, T, control);
   if (stopped(film) || s.cost.spent()) return film;
+  if (!film.good() && !usual_methods(s.model.input)) return film;
   if (!film.good()) {  // heated oil may carry where that of the supply does not
     const Verdict v = follow_heat(s, level.coarse, control);
     return v.good() || stopped(v) ? v : film;
@@ -117,7 +117,8 @@ Verdict solve_resolved(Solution& s, Level level, const SolveControl& control) {
   s.film = first;
   s.heat = cold_heat(s.model, T);
   v = warm_up(s, options, control);
-  if (v.good() || stopped(v) || s.cost.spent()) return v;
+  const bool ended = v.good() || stopped(v) || s.cost.spent();
+  if (ended || !usual_methods(s.model.input)) return v;
   const Verdict along = follow_heat(s, level.coarse, control);
   // Where no branch begins, what the warming bearing comes to in time stands for itself.
   const bool in_time = along.status == Status::iteration_limit && s.limits.empty();

@@ -9,8 +9,19 @@
 
 namespace shellback::coupling {
 
-WallBalance::WallBalance(Solution& s, int sweeps, const SolidStep* step)
+WallBalance::WallBalance(Solution& s, int sweeps, const HeatStep* step)
     : s_(s), sweeps_(sweeps), step_(step) {}
+
+thermal::FilmEnergyProblem WallBalance::problem(const Friction& friction) const {
+  std::optional<thermal::FilmStorage> storage;
+  if (step_) {
+    const FilmGrid& g = s_.model.scene.grid;
+    Field mass = fluid::oil_content(s_.model.scene, s_.film.gap, s_.film.oil, s_.film.film);
+    for (int c = 0; c < g.cells(); ++c) mass[c] *= g.area(c / g.nz, c % g.nz);
+    storage = thermal::FilmStorage{step_->dt, mass, mass, step_->enthalpy_before};
+  }
+  return film_energy_problem(s_.model, s_.film, friction, std::move(storage));
+}
 
 void WallBalance::read_from_film() {
   const FilmGrid& g = s_.model.scene.grid;
@@ -35,7 +46,7 @@ void WallBalance::read_from_film() {
 void WallBalance::begin(const Friction& friction, int iteration) {
   constexpr int kLaps = 3;   // sweeps for the film's response to its walls
   constexpr int kAgain = 4;  // iteration that measures it again; till then that of a coarser grid
-  energy_.emplace(film_energy_problem(s_.model, s_.film, friction));
+  energy_.emplace(problem(friction));
   for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
   if (!(s_.heat.response.shell_local > 0.0) || iteration == kAgain) {
     s_.heat.response = energy_->wall_response(kLaps);
@@ -81,7 +92,8 @@ void WallBalance::warm_the_walls(Solids::Wanted wanted) {
       s_.heat.contact_heat += g.multiplicity() * g.area(i, j) * (rubbed.shell[c] + rubbed.shaft[c]);
     }
   }
-  s_.heat.solids = s_.model.solids->answer(q, s_.heat.T_shell, s_.heat.T_shaft, wanted, step_);
+  s_.heat.solids =
+      s_.model.solids->answer(q, s_.heat.T_shell, s_.heat.T_shaft, wanted, solid_step());
 }
 
 double WallBalance::take_wall_temperatures() {
@@ -135,7 +147,7 @@ double WallBalance::finish(const Friction& friction, bool close) {
   constexpr double kWalls = 1e-7;           // change per round that leaves their heat balanced [K]
   constexpr double kSettled = 1e-9;         // change per sweep, balance near round-off [K]
   constexpr double kRoughlySettled = 1e-3;  // the same where the balance need not close [K]
-  energy_.emplace(film_energy_problem(s_.model, s_.film, friction));
+  energy_.emplace(problem(friction));
   const double change = close ? balance(kWalls, kMostRounds) : 0.0;
   for (int k = 0; k < kMostSweeps; ++k) {
     if (energy_->sweep(s_.film.columns.T) < (close ? kSettled : kRoughlySettled)) break;

@@ -10,7 +10,7 @@ namespace shellback::coupling {
 /// Works on the temperatures of a solution; its flow stays as it is.
 class WallBalance {
  public:
-  WallBalance(Solution& s, int sweeps, const SolidStep* step);
+  WallBalance(Solution& s, int sweeps, const HeatStep* step);
 
   /// The walls' temperatures travel as the film's wall nodes: takes them from there.
   void read_from_film();
@@ -23,9 +23,11 @@ class WallBalance {
   void deform();
   /// The balance of the film with these walls, to round-off if `close`; the last change [K].
   double finish(const Friction& friction, bool close);
-  [[nodiscard]] const SolidStep* step() const { return step_; }
+  [[nodiscard]] const SolidStep* solid_step() const { return step_ ? &step_->solids : nullptr; }
 
  private:
+  /// The film's energy equation as it stands, over the step if there is one.
+  [[nodiscard]] thermal::FilmEnergyProblem problem(const Friction& friction) const;
   void impose_walls();
   /// The solids' answer to the heat of the present film temperatures.
   void warm_the_walls(Solids::Wanted wanted);
@@ -39,7 +41,7 @@ class WallBalance {
 
   Solution& s_;
   int sweeps_;
-  const SolidStep* step_;
+  const HeatStep* step_;
   std::optional<thermal::FilmEnergy> energy_;
 };
 

@@ -5,8 +5,7 @@
 /// case at once. Clearance, film and friction follow the walls (heat_march.hpp). Where the surfaces
 /// seize on the way the time is told. At each instant
 ///   heat in (friction, pump) = heat out (oil, back, ends, overhangs) + heat stored      [W]
-/// with what is stored in shell, housing and shaft; the film's own heat capacity, a tenth of a
-/// joule per kelvin, is left out of it.
+/// with what is stored in the film's oil, shell, housing and shaft.
 #include <functional>
 
 #include "coupling/heat_march.hpp"

@@ -29,7 +29,20 @@ double given(const std::string& option, const std::string& text, const Kind& kin
   }
 }
 
+/// What else `run` writes belongs to the steady state.
+void expect_written(const Request& request) {
+  for (const auto& [option, asked] :
+       {std::pair{"-o", !request.output.empty()}, std::pair{"--coefficients", request.coefficients},
+        std::pair{"--coefficients-table", !request.coefficients_table.empty()}}) {
+    if (!asked) continue;
+    throw InputError(option,
+                     "a transient writes --json and --picture; leave out --transient for the "
+                     "steady state's");
+  }
+}
+
 WarmUpOptions options_of(const Request& request) {
+  expect_written(request);
   WarmUpOptions o;
   if (!request.from.empty()) o.T_start = given("--from", request.from, kTemperature);
   if (!request.until.empty()) o.end = given("--until", request.until, kTime);
@@ -60,6 +73,12 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
          steady.value("T_film_max"), steady.value("T_shell_max"), steady.value("T_shell_back"),
          steady.value("T_shaft"));
   }
+  if (run.end.jumps > 0) {
+    fmt::print(
+        "\n{} steps of the shortest length err by more than was allowed: a wall's surface jumps "
+        "where oil of another temperature first meets it\n",
+        run.end.jumps);
+  }
   fmt::print("\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n", run.imbalance());
 }
 
@@ -76,7 +95,8 @@ int transient(const Request& request) {
   const WarmUp run = warm_up(subject, subject.model.tier, options, control);
   if (run.instants.empty()) {
     std::cerr << "error: transient: " << run.end.verdict.reason << "\n";
-    return code_of(run.end.verdict);
+    outputs.give("--json", [&] { return warm_up_json(subject, run, options, {}); });
+    return outputs.code(code_of(run.end.verdict));
   }
   const bool stopped = run.end.verdict.status == Status::interrupted;
   const Result steady = stopped ? Result{} : fidelity::solve_case(subject, control);

@@ -89,6 +89,64 @@ TEST_CASE("ThroughTimeThereIsTheEquilibriumThatNewtonFinds") {
   }
 }
 
+TEST_CASE("AnInterruptedBranchIsNoSolution", "[refusal]") {
+  Solution s = solve_tier(plain_case(), Tier::isothermal);
+  REQUIRE(s.verdict.good());
+  std::atomic<bool> stop{false};
+  SolveControl control;
+  control.stop = &stop;
+  for (const Raised raised : {Raised::load, Raised::speed}) {
+    Part part(s, raised);
+    part.take(0.05);
+    REQUIRE(solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost).good());
+    part.take(1.0);
+    stop = false;
+    const Corrector correct = [&](Solution& at, Accuracy) {
+      stop = true;  // during the first step, which arrives
+      return newton(at.model, at.target, {}, {}, at.film, at.cost);
+    };
+    const Branch branch = raised == Raised::load ? follow_load(s, 0.05, correct, control)
+                                                 : follow_speed(s, 0.05, correct, control);
+    CHECK(branch.end == BranchEnd::interrupted);
+    CHECK(branch.last.status == Status::interrupted);
+  }
+}
+
+TEST_CASE("AJournalWithMassFollowsNewtonsLaw") {
+  // m (q - q_free)/dt^2 = F + W at the end of a step, whatever the mass; the film yields to a light
+  // journal and holds a heavy one nowhere but where it flies to.
+  const Case c = plain_case();
+  const Solution steady = solve_tier(c, Tier::isothermal);
+  REQUIRE(steady.verdict.good());
+  const double dt = 1e-4;                             // [s]
+  const std::array<double, 2> velocity{0.02, -0.03};  // [m/s]: 2 and 3 um in a step
+  double farther = INFINITY;
+  for (const double mass : {1e-3, 1.0, 1e3, 1e6}) {
+    BearingModel model = steady.model;
+    FilmEquilibrium s = steady.film;
+    REQUIRE(evaluate(model, {}, 1e-12, s));
+    model.scene.storage = {dt, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
+    LoadTarget target = steady.target;
+    target.inertia = Inertia{mass / (dt * dt), {}};
+    for (int k = 0; k < 2; ++k) target.inertia->free[k] = s.position.q[k] + dt * velocity[k];
+    EquilibriumCost cost;
+    const Verdict v = newton(model, target, {}, {}, s, cost);
+    INFO(mass << " kg: " << v.reason);
+    REQUIRE(v.good());
+    CHECK(cost.newton_iterations < 15);  // quadratic: a wrong sign of the mass in the border is not
+    double off = 0.0;
+    for (int k = 0; k < 2; ++k) {
+      const double load = -steady.target.force[k];
+      const double acceleration = (s.position.q[k] - target.inertia->free[k]) / (dt * dt);
+      CHECK(std::abs(mass * acceleration - (s.force[k] + load)) < 1e-8 * steady.target.scale());
+      off = std::max(off, std::abs(s.position.q[k] - target.inertia->free[k]));
+    }
+    CHECK(off < farther);
+    farther = off;
+  }
+  CHECK(farther < 1e-8);  // of 3 um: squeezed at 0.03 m/s the film pushes with some 1e5 N
+}
+
 TEST_CASE("SurfacesThatTouchAtTheStartAreNamedNotSummedUp", "[refusal]") {
   Case c = plain_case();
   c.operation.position = EccentricityGiven{0.9, 20.0 * kDegree, 270.0 * kDegree};

@@ -47,6 +47,28 @@ Methods fixed_point(double relaxation = 0.0) {
 
 }  // namespace
 
+TEST_CASE("TheMethodAskedForIsTheOneThatRuns") {
+  // On every grid of the sequence and under heat, not on the first grid alone.
+  for (const Tier tier : {Tier::isothermal, Tier::thd}) {
+    Case c = warm_case();
+    c.model.tier = tier;
+    c.model.grid = {100, 13};
+    const Solution relaxed = solved(c, cavitation(CavitationMethod::p_theta));
+    Case small = c;
+    small.model.grid = {50, 7};
+    const Solution first = solved(small, cavitation(CavitationMethod::p_theta));
+    INFO(to_string(tier) << ": " << relaxed.verdict.reason);
+    CHECK(relaxed.cost.sweeps > first.cost.sweeps);
+    CHECK(relaxed.cost.factorizations == 0);
+    CHECK(solved(c, {}).cost.sweeps == 0);
+  }
+  Case elastic = warm_case();
+  elastic.model.tier = Tier::tehd;
+  elastic.model.grid = {50, 7};
+  CHECK(solved(elastic, fixed_point()).cost.elastic_rounds > 10);
+  CHECK(solved(elastic, {}).cost.elastic_rounds == 0);
+}
+
 TEST_CASE("MassConservingMethodsCarryTheLoadInTheSameFilm") {
   for (const Case& c : {coarse(plain_case()), coarse(grooved_case())}) {
     Case isothermal = c;

@@ -8,7 +8,7 @@
 namespace shellback::app {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 using Json = nlohmann::ordered_json;
 
 Json si(double value, const char* unit) {

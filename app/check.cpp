@@ -8,14 +8,14 @@
 #include "app/derived.hpp"
 #include "app/indicators.hpp"
 #include "app/units.hpp"
+#include "bearing/judge_case.hpp"
 #include "core/constants.hpp"
-#include "coupling/judge_case.hpp"
 #include "fidelity/estimate.hpp"
 
 namespace shellback::app {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 void line(std::ostream& out, const char* name, const std::string& value,
           const std::string& note = "") {

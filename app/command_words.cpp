@@ -17,7 +17,7 @@ std::string bare(const std::string& value) {
   return quoted ? value.substr(1, value.size() - 2) : value;
 }
 
-std::string words_of(const coupling::Change& change) {
+std::string words_of(const bearing::Change& change) {
   if (change.option == "--tier") return "--tier " + shell_word(bare(change.value));
   if (change.option != "--set") return change.option;  // a switch
   return set_words(change.key, change.value);
@@ -41,7 +41,7 @@ std::string set_words(const std::string& key, const std::string& value) {
   return "--set " + key + "=" + shell_word(value);
 }
 
-std::string command_line(const std::string& command, const coupling::Case& c,
+std::string command_line(const std::string& command, const bearing::Case& c,
                          const std::string& more, const std::vector<std::string>& replaced) {
   std::string line = "shellback " + command + " " + shell_word(c.path);
   for (const auto& change : c.changes) {
@@ -60,7 +60,7 @@ std::string vary_words(const study::Axis& axis) {
   return "--vary " + axis.key + "=" + shell_word(values);
 }
 
-std::string describe_changes(const coupling::Case& c) {
+std::string describe_changes(const bearing::Case& c) {
   std::string words;
   for (const auto& change : c.changes) {
     words += fmt::format("{}{} = {}", words.empty() ? "changed on the command line: " : ", ",

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/case.hpp"
-#include "study/axis.hpp"
+#include "app/study/axis.hpp"
+#include "bearing/case.hpp"
 
 namespace shellback::app {
 
@@ -16,7 +16,7 @@ namespace shellback::app {
 
 /// "shellback COMMAND CASE", the changes that led to the case, and `more`. A change of a key that
 /// `replaced` names is left out.
-[[nodiscard]] std::string command_line(const std::string& command, const coupling::Case& c,
+[[nodiscard]] std::string command_line(const std::string& command, const bearing::Case& c,
                                        const std::string& more,
                                        const std::vector<std::string>& replaced);
 
@@ -24,6 +24,6 @@ namespace shellback::app {
 [[nodiscard]] std::string vary_words(const study::Axis& axis);
 
 /// "changed on the command line: operation.speed = 1500 rpm, model.tier = thd"; empty: nothing was.
-[[nodiscard]] std::string describe_changes(const coupling::Case& c);
+[[nodiscard]] std::string describe_changes(const bearing::Case& c);
 
 }  // namespace shellback::app

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "bearing/solve.hpp"
 #include "core/constants.hpp"
-#include "coupling/solve.hpp"
 #include "rheology/density.hpp"
 #include "rheology/heat.hpp"
 #include "rheology/viscosity.hpp"
@@ -12,7 +12,7 @@
 namespace shellback::app {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 constexpr double kTaylor = 41.2;  ///< Taylor's limit: Re = 41.2 sqrt(R/c), textbook [-]
 

@@ -15,7 +15,7 @@
 #include <optional>
 #include <string>
 
-#include "coupling/case.hpp"
+#include "bearing/case.hpp"
 
 namespace shellback::app {
 
@@ -58,6 +58,6 @@ struct Derived {
   std::optional<double> lambda;     ///< h_min over combined roughness [-]; nothing: smooth
 };
 
-[[nodiscard]] Derived derive(const coupling::Case& subject);
+[[nodiscard]] Derived derive(const bearing::Case& subject);
 
 }  // namespace shellback::app

@@ -83,7 +83,7 @@ void doubles(hid_t parent, const char* name, const std::vector<double>& values, 
           {units, long_name, "", ""});
 }
 
-void write_origin(hid_t file, const coupling::Case& c) {
+void write_origin(hid_t file, const bearing::Case& c) {
   const Handle input = group(file, "case");
   attribute(input, "path", c.path);
   const char* text = c.verbatim.c_str();

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/case.hpp"
+#include "bearing/case.hpp"
 
 namespace shellback::app::hdf5 {
 
@@ -71,7 +71,7 @@ void doubles(hid_t parent, const char* name, const std::vector<double>& values, 
              const char* long_name);
 
 /// Groups case (its verbatim text) and provenance.
-void write_origin(hid_t file, const coupling::Case& c);
+void write_origin(hid_t file, const bearing::Case& c);
 
 /// The bytes of the file that `fill` writes into. It is made in memory: the library cannot close a
 /// file on a full disk, and crashes later. Throws FileError if the library says no.

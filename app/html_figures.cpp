@@ -13,9 +13,9 @@
 namespace shellback::app {
 namespace {
 
-using coupling::Case;
-using coupling::Comparison;
-using coupling::Result;
+using bearing::Case;
+using bearing::Comparison;
+using bearing::Result;
 
 constexpr double kWidth = 580.0;  ///< of a figure in a column [px]
 constexpr double kMapHeight = 232.0;

@@ -2,24 +2,22 @@
 /// The figures of a comparison page, as inline SVG with captions.
 #include <string>
 
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
 /// The friction waterfall; empty if the split was not computed.
-[[nodiscard]] std::string waterfall_html(const coupling::Case& c,
-                                         const coupling::Comparison& comparison);
+[[nodiscard]] std::string waterfall_html(const bearing::Case& c,
+                                         const bearing::Comparison& comparison);
 
 /// Pressure, gap, film and shell temperature at mid-width, one curve per result.
-[[nodiscard]] std::string profiles_html(const coupling::Comparison& comparison);
+[[nodiscard]] std::string profiles_html(const bearing::Comparison& comparison);
 
 /// Maps on the unrolled bearing: pressure, fill ratio and gap of the first and the last result
 /// side by side on common scales; temperatures of the last result that has them.
-[[nodiscard]] std::string maps_html(const coupling::Case& c,
-                                    const coupling::Comparison& comparison);
+[[nodiscard]] std::string maps_html(const bearing::Case& c, const bearing::Comparison& comparison);
 
 /// Temperature across the film at mid-width and in the section of shell and housing.
-[[nodiscard]] std::string depth_html(const coupling::Case& c,
-                                     const coupling::Comparison& comparison);
+[[nodiscard]] std::string depth_html(const bearing::Case& c, const bearing::Comparison& comparison);
 
 }  // namespace shellback::app

@@ -15,8 +15,8 @@
 namespace shellback::app {
 namespace {
 
-using coupling::Comparison;
-using coupling::Result;
+using bearing::Comparison;
+using bearing::Result;
 
 std::string audit_figure(double value) {
   return std::isfinite(value) ? fmt::format("{:.1e}", value) : "–";
@@ -72,7 +72,7 @@ std::string split_sentences(const Comparison& comparison) {
   return html + "</p>";
 }
 
-std::string measured_sentence(const coupling::Case& c, const Comparison& comparison) {
+std::string measured_sentence(const bearing::Case& c, const Comparison& comparison) {
   if (!c.measured.friction_torque) return "";
   std::string html = fmt::format("<p>Measured friction torque: <b>{} N·m</b>",
                                  figures(*c.measured.friction_torque));
@@ -110,7 +110,7 @@ std::string failures_html(const Comparison& comparison) {
   return html;
 }
 
-std::string verdict_html(const coupling::Case& c, const Comparison& comparison) {
+std::string verdict_html(const bearing::Case& c, const Comparison& comparison) {
   const std::string sentences = split_sentences(comparison) + measured_sentence(c, comparison);
   const auto good = [](const Result& r) { return r.verdict.good(); };
   const bool all = std::all_of(comparison.results.begin(), comparison.results.end(), good);
@@ -122,7 +122,7 @@ std::string verdict_html(const coupling::Case& c, const Comparison& comparison) 
   return "<section class=\"verdict\">" + sentences + state + "</section>\n";
 }
 
-std::string quantities_html(const coupling::Case& c, const Comparison& comparison) {
+std::string quantities_html(const bearing::Case& c, const Comparison& comparison) {
   const auto rows = quantity_rows(c.measured, comparison.results);
   const bool with_measured =
       std::any_of(rows.begin(), rows.end(), [](const auto& r) { return r.measured.has_value(); });
@@ -150,7 +150,7 @@ std::string quantities_html(const coupling::Case& c, const Comparison& compariso
   return html + "</tbody></table></div>\n";
 }
 
-std::string bars_html(const coupling::Case& c, const Comparison& comparison) {
+std::string bars_html(const bearing::Case& c, const Comparison& comparison) {
   std::string html;
   const auto open = indistinct_words(comparison);
   if (!open.empty()) {
@@ -219,7 +219,7 @@ std::string notes_html(const Comparison& comparison) {
   return lists.empty() ? "" : "<div class=\"columns\">\n" + lists + "</div>\n";
 }
 
-std::string provenance_html(const coupling::Case& c) {
+std::string provenance_html(const bearing::Case& c) {
   const Provenance p = provenance(c);
   std::string html =
       fmt::format("<p>Shellback {} ({}). Input {}, FNV-1a {}.<br>", escape_markup(p.version),

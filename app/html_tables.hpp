@@ -3,37 +3,36 @@
 /// HTML with all outside text escaped; an empty string if there is nothing to say.
 #include <string>
 
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
 /// One loud box per result that did not converge: status, reason, place, cure.
-[[nodiscard]] std::string failures_html(const coupling::Comparison& comparison);
+[[nodiscard]] std::string failures_html(const bearing::Comparison& comparison);
 
 /// The comparison in two or three sentences: isothermal against full, the largest cause,
 /// against the measured torque, the calibrated equivalent temperature.
-[[nodiscard]] std::string verdict_html(const coupling::Case& c,
-                                       const coupling::Comparison& comparison);
+[[nodiscard]] std::string verdict_html(const bearing::Case& c,
+                                       const bearing::Comparison& comparison);
 
 /// Quantities, one column a result, then the unit and, if any, the measured values with each
 /// result's difference.
-[[nodiscard]] std::string quantities_html(const coupling::Case& c,
-                                          const coupling::Comparison& comparison);
+[[nodiscard]] std::string quantities_html(const bearing::Case& c,
+                                          const bearing::Comparison& comparison);
 
 /// Results whose order their bars leave open, and bars wider than model.tolerance; empty: neither.
-[[nodiscard]] std::string bars_html(const coupling::Case& c,
-                                    const coupling::Comparison& comparison);
+[[nodiscard]] std::string bars_html(const bearing::Case& c, const bearing::Comparison& comparison);
 
 /// Relative imbalances, iterations, time.
-[[nodiscard]] std::string audit_html(const coupling::Comparison& comparison);
+[[nodiscard]] std::string audit_html(const bearing::Comparison& comparison);
 
 /// Effects of the richest result.
-[[nodiscard]] std::string effects_html(const coupling::Comparison& comparison);
+[[nodiscard]] std::string effects_html(const bearing::Comparison& comparison);
 
 /// Assumptions, warnings and limiters that acted, each line once.
-[[nodiscard]] std::string notes_html(const coupling::Comparison& comparison);
+[[nodiscard]] std::string notes_html(const bearing::Comparison& comparison);
 
 /// Program, source state, input, libraries and the verbatim case.
-[[nodiscard]] std::string provenance_html(const coupling::Case& c);
+[[nodiscard]] std::string provenance_html(const bearing::Case& c);
 
 }  // namespace shellback::app

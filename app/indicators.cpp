@@ -10,7 +10,7 @@
 namespace shellback::app {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 /// Limits between the three weights; `small` above `large`: small numbers matter.
 struct Limits {

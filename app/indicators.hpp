@@ -24,7 +24,7 @@ struct Indicator {
 };
 
 /// Indicators of the case from its derived numbers.
-[[nodiscard]] std::vector<Indicator> indicators(const coupling::Case& subject,
+[[nodiscard]] std::vector<Indicator> indicators(const bearing::Case& subject,
                                                 const Derived& derived);
 
 }  // namespace shellback::app

@@ -12,9 +12,9 @@
 
 namespace shellback::app {
 
-using coupling::Comparison;
-using coupling::Quantity;
-using coupling::Result;
+using bearing::Comparison;
+using bearing::Quantity;
+using bearing::Result;
 using study::Sweep;
 
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/sweep.hpp"
+#include "app/study/sweep.hpp"
 
 namespace shellback::app {
 
@@ -17,14 +17,14 @@ struct Indistinct {
 };
 
 /// Every pair.
-[[nodiscard]] std::vector<Indistinct> indistinct(const coupling::Comparison& comparison);
+[[nodiscard]] std::vector<Indistinct> indistinct(const bearing::Comparison& comparison);
 
 /// Pairs that differ on one axis only: neighbours where it holds numbers, every pair where it holds
 /// words (materials, tiers, grids).
 [[nodiscard]] std::vector<Indistinct> indistinct(const study::Sweep& sweep);
 
 /// One sentence each; for neighbours on an axis of numbers a count.
-[[nodiscard]] std::vector<std::string> indistinct_words(const coupling::Comparison& comparison);
+[[nodiscard]] std::vector<std::string> indistinct_words(const bearing::Comparison& comparison);
 [[nodiscard]] std::vector<std::string> indistinct_words(const study::Sweep& sweep);
 
 }  // namespace shellback::app

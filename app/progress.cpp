@@ -44,7 +44,7 @@ void ProgressLine::wipe() {
   shown_ = false;
 }
 
-void ProgressLine::show(const coupling::Progress& progress) {
+void ProgressLine::show(const bearing::Progress& progress) {
   show(fmt::format("{} step {}: change {:.1e}, friction {:.4g} N m, smallest film {:.3g} um",
                    progress.stage, progress.step, progress.residual, progress.friction_torque,
                    1e6 * progress.h_min));

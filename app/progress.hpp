@@ -3,7 +3,7 @@
 #include <atomic>
 #include <string>
 
-#include "coupling/control.hpp"
+#include "bearing/control.hpp"
 
 namespace shellback::app {
 
@@ -16,7 +16,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void show(const coupling::Progress& progress);
+  void show(const bearing::Progress& progress);
   /// The same with words of one's own.
   void show(const std::string& words);
   /// Clears the line, for what is to be printed now.

@@ -53,7 +53,7 @@ std::string fnv1a_64(std::string_view text) {
   return fmt::format("{:016x}", hash);
 }
 
-Provenance provenance(const coupling::Case& c) {
+Provenance provenance(const bearing::Case& c) {
   return {kVersion, kGitState, c.path, fnv1a_64(c.verbatim), libraries()};
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/case.hpp"
+#include "bearing/case.hpp"
 
 namespace shellback::app {
 
@@ -21,6 +21,6 @@ struct Provenance {
 /// 0x100000001b3. Tells texts apart; not cryptographic. Textbook (Fowler, Noll, Vo).
 [[nodiscard]] std::string fnv1a_64(std::string_view text);
 
-[[nodiscard]] Provenance provenance(const coupling::Case& c);
+[[nodiscard]] Provenance provenance(const bearing::Case& c);
 
 }  // namespace shellback::app

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "bearing/told_temperature.hpp"
 #include "core/constants.hpp"
-#include "coupling/told_temperature.hpp"
 
 namespace shellback::app {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kMegapascal = 1e-6;      ///< MPa per Pa
 /// is round-off and shown as 0 [-].
 constexpr double kRoundOff = 1e-9;
 
-std::optional<double> measured_si(const coupling::Measured& m, const std::string& name) {
+std::optional<double> measured_si(const bearing::Measured& m, const std::string& name) {
   if (name == "friction_torque") return m.friction_torque;
   if (name == "h_min") return m.h_min;
   if (name == "p_max") return m.p_max;
@@ -34,7 +34,7 @@ std::optional<double> measured_si(const coupling::Measured& m, const std::string
   return std::nullopt;
 }
 
-const coupling::Quantity* find(const coupling::Result& result, const std::string& name) {
+const bearing::Quantity* find(const bearing::Result& result, const std::string& name) {
   const auto& q = result.quantities;
   const auto it = std::find_if(q.begin(), q.end(), [&](const auto& x) { return x.name == name; });
   return it == q.end() ? nullptr : &*it;
@@ -42,13 +42,13 @@ const coupling::Quantity* find(const coupling::Result& result, const std::string
 
 /// True for a temperature that no oil has: the last iterate of a solve that failed tells nothing by
 /// it.
-bool beyond_oil(const coupling::Quantity& q) {
+bool beyond_oil(const bearing::Quantity& q) {
   return q.unit == "K" && q.name.starts_with("T_") &&
-         !(q.value >= coupling::kColdestTold && q.value <= coupling::kHottestTold);
+         !(q.value >= bearing::kColdestTold && q.value <= bearing::kHottestTold);
 }
 
 /// Largest magnitude of a quantity over the results; the components of a force count together.
-double largest_magnitude(const std::vector<coupling::Result>& results, const std::string& name) {
+double largest_magnitude(const std::vector<bearing::Result>& results, const std::string& name) {
   const bool force = name == "load_x" || name == "load_y";
   double largest = 0.0;
   for (const auto& result : results) {
@@ -63,7 +63,7 @@ double largest_magnitude(const std::vector<coupling::Result>& results, const std
 }  // namespace
 
 std::string quantity_label(const std::string& name) {
-  if (const auto* known = coupling::find_quantity(name)) return std::string(known->label);
+  if (const auto* known = bearing::find_quantity(name)) return std::string(known->label);
   std::string words = name;
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
@@ -101,8 +101,8 @@ std::string figures(double value, int digits) {
   return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent));
 }
 
-std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,
-                                       const std::vector<coupling::Result>& results) {
+std::vector<QuantityRow> quantity_rows(const bearing::Measured& measured,
+                                       const std::vector<bearing::Result>& results) {
   std::vector<QuantityRow> rows;
   for (const auto& result : results) {
     for (const auto& quantity : result.quantities) {
@@ -140,7 +140,7 @@ std::string bar_figures(double bar) {
   return std::isfinite(bar) ? "+-" + figures(std::abs(bar), 2) : "";
 }
 
-std::vector<std::string> column_names(const std::vector<coupling::Result>& results) {
+std::vector<std::string> column_names(const std::vector<bearing::Result>& results) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const auto same = [&](const auto& r) { return r.tier == results[i].tier; };
@@ -159,12 +159,12 @@ std::string difference(const DisplayUnit& unit, double value, double reference) 
   return fmt::format("{:+.1f} %", 100.0 * (value - reference) / std::abs(reference));
 }
 
-std::string status_line(const coupling::Result& result) {
+std::string status_line(const bearing::Result& result) {
   if (result.verdict.good()) return "converged";
   return fmt::format("NOT CONVERGED: {}", to_string(result.verdict.status));
 }
 
-std::string describe_case(const coupling::Case& c, Writing writing) {
+std::string describe_case(const bearing::Case& c, Writing writing) {
   constexpr double kRevolution = 60.0 / (2.0 * kPi);  // rpm per rad/s
   const bool set = writing == Writing::typeset;
   const char* times = set ? "×" : "x";
@@ -174,11 +174,11 @@ std::string describe_case(const coupling::Case& c, Writing writing) {
       fmt::format("bearing {:.4g} {} {:.4g} mm, radial clearance {:.4g} {}, {:.4g} rpm",
                   2e3 * b.radius, times, 1e3 * b.width, kPerMicro * b.radial_clearance,
                   set ? "µm" : "um", kRevolution * c.operation.omega);
-  if (const auto* load = std::get_if<coupling::LoadGiven>(&c.operation.position)) {
+  if (const auto* load = std::get_if<bearing::LoadGiven>(&c.operation.position)) {
     line += fmt::format(", load {:.4g} kN at {:.4g}{}", load->force / kThousandfold,
                         load->angle * kDegrees, degree);
   } else {
-    const auto& e = std::get<coupling::EccentricityGiven>(c.operation.position);
+    const auto& e = std::get<bearing::EccentricityGiven>(c.operation.position);
     line += fmt::format(", eccentricity ratio {:.4g}, attitude {:.4g}{}", e.ratio,
                         e.attitude * kDegrees, degree);
   }
@@ -192,14 +192,14 @@ std::string typeset_number(std::string number) {
   return number;
 }
 
-std::string signed_change(const coupling::FrictionSplit& split, double change) {
+std::string signed_change(const bearing::FrictionSplit& split, double change) {
   const double largest = std::max(std::abs(split.from), std::abs(split.to));
   if (!(largest > 0.0) || !std::isfinite(change)) return figures(change);
   const int decimals = std::max(0, 3 - static_cast<int>(std::floor(std::log10(largest))));
   return fmt::format("{:+.{}f}", change, decimals);
 }
 
-double unexplained(const coupling::FrictionSplit& split) {
+double unexplained(const bearing::FrictionSplit& split) {
   double rest = split.to - split.from;
   for (const auto& step : split.steps) rest -= step.change;
   return rest;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
@@ -57,32 +57,32 @@ struct QuantityRow {
 [[nodiscard]] std::string bar_figures(double bar);
 
 /// All quantities of `results` in the order in which they first appear.
-[[nodiscard]] std::vector<QuantityRow> quantity_rows(const coupling::Measured& measured,
-                                                     const std::vector<coupling::Result>& results);
+[[nodiscard]] std::vector<QuantityRow> quantity_rows(const bearing::Measured& measured,
+                                                     const std::vector<bearing::Result>& results);
 
 /// Name of each result's column: its tier, numbered if a tier appears more than once.
-[[nodiscard]] std::vector<std::string> column_names(const std::vector<coupling::Result>& results);
+[[nodiscard]] std::vector<std::string> column_names(const std::vector<bearing::Result>& results);
 
 /// Difference of `value` against `reference`: "+3.1 %", or "+2.4 K" for temperatures in degC.
 [[nodiscard]] std::string difference(const DisplayUnit& unit, double value, double reference);
 
 /// "converged", or "NOT CONVERGED: iteration limit".
-[[nodiscard]] std::string status_line(const coupling::Result& result);
+[[nodiscard]] std::string status_line(const bearing::Result& result);
 
 /// ASCII for text tables, or with the signs of print (µm, °, ×, −) for pages and pictures.
 enum class Writing { plain, typeset };
 
 /// Bearing and operating point in one line, in engineering units.
-[[nodiscard]] std::string describe_case(const coupling::Case& c, Writing writing);
+[[nodiscard]] std::string describe_case(const bearing::Case& c, Writing writing);
 
 /// `number` with a true minus sign.
 [[nodiscard]] std::string typeset_number(std::string number);
 
 /// A step's change with its sign [N m], to a ten-thousandth of the larger torque or finer.
-[[nodiscard]] std::string signed_change(const coupling::FrictionSplit& split, double change);
+[[nodiscard]] std::string signed_change(const bearing::FrictionSplit& split, double change);
 
 /// What the steps leave unexplained: to - from - sum of the steps [N m].
-[[nodiscard]] double unexplained(const coupling::FrictionSplit& split);
+[[nodiscard]] double unexplained(const bearing::FrictionSplit& split);
 
 /// Part of the larger torque above which the rest counts as a gap in the split [-]: a tenth of
 /// what three printed figures resolve.

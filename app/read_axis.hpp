@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/overrides.hpp"
-#include "study/axis.hpp"
+#include "app/study/axis.hpp"
 
 namespace shellback::app {
 

@@ -10,11 +10,11 @@ constexpr double kUsualReference = kZeroCelsius + 20.0;  ///< clearances are mea
 
 }  // namespace
 
-coupling::Bearing read_bearing(const Section& file) {
+bearing::Bearing read_bearing(const Section& file) {
   const Section section = file.section("bearing");
   section.only({"diameter", "width", "radial_clearance", "reference_temperature", "profile"},
                "[bearing]");
-  coupling::Bearing bearing;
+  bearing::Bearing bearing;
   bearing.radius = 0.5 * section.quantity("diameter", kLength, kPositive);
   bearing.width = section.quantity("width", kLength, kPositive);
   bearing.radial_clearance = section.quantity("radial_clearance", kLength, kPositive);

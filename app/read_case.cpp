@@ -4,14 +4,14 @@
 
 #include "app/case_text.hpp"
 #include "app/sections.hpp"
+#include "bearing/judge_case.hpp"
 #include "core/contract.hpp"
-#include "coupling/judge_case.hpp"
 
 namespace shellback::app {
 namespace {
 
-using coupling::Case;
-using coupling::Tier;
+using bearing::Case;
+using bearing::Tier;
 
 /// The file's text and, as comments, what the command line changed in it.
 std::string with_overrides(const std::string& text, const std::vector<Override>& overrides) {
@@ -56,7 +56,7 @@ std::string key_in_file(const std::string& key, const Reader& reader) {
 
 /// Throws at the place of the first refusal; the rest become warnings with theirs.
 void judge_with_places(Case& subject, const std::vector<Tier>& tiers, const Reader& reader) {
-  for (const coupling::Finding& f : judge(subject, tiers)) {
+  for (const bearing::Finding& f : judge(subject, tiers)) {
     const std::string key = key_in_file(f.key, reader);
     const InputError found = error_at(reader.place(key), key, f.words());
     if (f.refused()) throw found;

@@ -1,13 +1,13 @@
 #include "app/did_you_mean.hpp"
 #include "app/read_case.hpp"
 #include "app/sections.hpp"
+#include "bearing/case_limits.hpp"
 #include "core/contract.hpp"
-#include "coupling/case_limits.hpp"
 
 namespace shellback::app {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 constexpr const ValueRanges& kCan = kValueRanges;
 

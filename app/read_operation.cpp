@@ -1,11 +1,11 @@
 #include "app/sections.hpp"
+#include "bearing/case_limits.hpp"
 #include "core/constants.hpp"
-#include "coupling/case_limits.hpp"
 
 namespace shellback::app {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 constexpr double kDownwards = 1.5 * kPi;  ///< 270 deg, along -Y [rad]
 constexpr const ValueRanges& kCan = kValueRanges;

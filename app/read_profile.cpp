@@ -143,9 +143,9 @@ std::vector<Point> read_points(const std::string& text, const std::string& path)
 
 }  // namespace
 
-coupling::Profile read_profile(const std::string& path) {
+bearing::Profile read_profile(const std::string& path) {
   const std::vector<Point> points = read_points(read_text_file(path), path);
-  coupling::Profile profile;
+  bearing::Profile profile;
   for (const Point& point : points) {
     profile.phi.push_back(point.phi);
     profile.z.push_back(point.z);

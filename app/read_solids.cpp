@@ -3,12 +3,12 @@
 #include "app/did_you_mean.hpp"
 #include "app/library.hpp"
 #include "app/sections.hpp"
-#include "coupling/case_limits.hpp"
+#include "bearing/case_limits.hpp"
 
 namespace shellback::app {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 solid::Material read_properties(const Section& section, const std::string& name) {
   section.only({"name", "title", "source", "note", "assumed", "conductivity", "density",

@@ -3,17 +3,17 @@
 #include <cmath>
 
 #include "app/sections.hpp"
+#include "bearing/case_limits.hpp"
 #include "core/constants.hpp"
-#include "coupling/case_limits.hpp"
 
 namespace shellback::app {
 namespace {
 
-using coupling::Supply;
-using coupling::SupplyKind;
+using bearing::Supply;
+using bearing::SupplyKind;
 
 constexpr double kFullCircle = 2.0 * kPi;  ///< [rad]
-constexpr const coupling::ValueRanges& kCan = coupling::kValueRanges;
+constexpr const bearing::ValueRanges& kCan = bearing::kValueRanges;
 
 void read_hole(const Section& section, double radius, Supply& supply) {
   section.only({"kind", "angle", "z", "diameter", "depth", "pressure", "pressure_absolute",

@@ -33,8 +33,8 @@ solid::ContactParameters read_contact(const Section& section) {
 
 }  // namespace
 
-coupling::Surfaces read_surfaces(const Section& file) {
-  coupling::Surfaces surfaces;
+bearing::Surfaces read_surfaces(const Section& file) {
+  bearing::Surfaces surfaces;
   const auto section = file.maybe_section("surfaces");
   if (!section) {
     file.assume(

@@ -3,26 +3,26 @@
 ///
 /// Each takes the whole file's Section (or its own) and returns a finished part of the Case in
 /// SI units. What a single value can be is checked here; what values are to one another in
-/// coupling/judge_case.hpp. All throw InputError with place, reason and cure.
+/// bearing/judge_case.hpp. All throw InputError with place, reason and cure.
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/toml_reader.hpp"
-#include "coupling/case.hpp"
+#include "bearing/case.hpp"
 
 namespace shellback::app {
 
-[[nodiscard]] coupling::Bearing read_bearing(const Section& file);
+[[nodiscard]] bearing::Bearing read_bearing(const Section& file);
 
 /// Measured profile from a table phi, z, height with units in its header line.
-[[nodiscard]] coupling::Profile read_profile(const std::string& path);
+[[nodiscard]] bearing::Profile read_profile(const std::string& path);
 
 /// [[supply]]; `oil_temperature` stands in for a temperature that is not given.
-[[nodiscard]] std::vector<coupling::Supply> read_supplies(
+[[nodiscard]] std::vector<bearing::Supply> read_supplies(
     const Section& file, double radius, const std::optional<double>& oil_temperature);
 
-[[nodiscard]] coupling::Operation read_operation(const Section& file);
+[[nodiscard]] bearing::Operation read_operation(const Section& file);
 
 [[nodiscard]] rheology::Oil read_oil(const Section& file);
 [[nodiscard]] std::optional<double> read_oil_temperature(const Section& file);
@@ -33,10 +33,10 @@ namespace shellback::app {
 /// A shipped name or an inline table.
 [[nodiscard]] solid::Material read_material(const Section& section, const std::string& key);
 
-[[nodiscard]] std::optional<coupling::Shell> read_shell(const Section& file);
-[[nodiscard]] std::optional<coupling::Shaft> read_shaft(const Section& file);
-[[nodiscard]] coupling::Surfaces read_surfaces(const Section& file);
-[[nodiscard]] coupling::Model read_model(const Section& file);
-[[nodiscard]] coupling::Measured read_measured(const Section& file);
+[[nodiscard]] std::optional<bearing::Shell> read_shell(const Section& file);
+[[nodiscard]] std::optional<bearing::Shaft> read_shaft(const Section& file);
+[[nodiscard]] bearing::Surfaces read_surfaces(const Section& file);
+[[nodiscard]] bearing::Model read_model(const Section& file);
+[[nodiscard]] bearing::Measured read_measured(const Section& file);
 
 }  // namespace shellback::app

@@ -12,8 +12,8 @@
 namespace shellback::app {
 namespace {
 
-using coupling::Comparison;
-using coupling::Result;
+using bearing::Comparison;
+using bearing::Result;
 
 constexpr double kWidth = 1200.0;  ///< [px]
 constexpr double kHeight = 700.0;  ///< [px]
@@ -34,7 +34,7 @@ const Result* richest(const Comparison& comparison, FilmField which) {
   return best;
 }
 
-void draw_heading(Svg& svg, const coupling::Case& c, const Comparison& comparison,
+void draw_heading(Svg& svg, const bearing::Case& c, const Comparison& comparison,
                   const Theme& theme) {
   svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
   svg.text({24.0, 58.0}, describe_case(c, Writing::typeset), {theme.muted, 12.5});
@@ -52,7 +52,7 @@ void draw_heading(Svg& svg, const coupling::Case& c, const Comparison& compariso
   }
 }
 
-void draw_film(Svg& svg, const Box& box, const coupling::Case& c, const Comparison& comparison,
+void draw_film(Svg& svg, const Box& box, const bearing::Case& c, const Comparison& comparison,
                FilmField which, const char* title, const Theme& theme) {
   const Result* result = richest(comparison, which);
   if (!result) return;
@@ -64,7 +64,7 @@ void draw_film(Svg& svg, const Box& box, const coupling::Case& c, const Comparis
 
 }  // namespace
 
-std::string comparison_svg(const coupling::Case& c, const Comparison& comparison) {
+std::string comparison_svg(const bearing::Case& c, const Comparison& comparison) {
   const Theme theme = print_theme();
   Svg svg(kWidth, kHeight);
   svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);

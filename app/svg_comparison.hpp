@@ -2,12 +2,12 @@
 /// One picture that tells a comparison: friction steps, gap, pressure and temperature maps.
 #include <string>
 
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
 /// The picture (1200 x 700, white background) as an SVG document.
-[[nodiscard]] std::string comparison_svg(const coupling::Case& c,
-                                         const coupling::Comparison& comparison);
+[[nodiscard]] std::string comparison_svg(const bearing::Case& c,
+                                         const bearing::Comparison& comparison);
 
 }  // namespace shellback::app

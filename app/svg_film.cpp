@@ -12,9 +12,9 @@
 namespace shellback::app {
 namespace {
 
-using coupling::Case;
-using coupling::Fields;
-using coupling::Result;
+using bearing::Case;
+using bearing::Fields;
+using bearing::Result;
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
@@ -202,12 +202,12 @@ FieldMap across_film_map(const Result& result, const std::string& title) {
           {}};
 }
 
-std::vector<Point> supply_outline(const coupling::Supply& supply, double radius) {
+std::vector<Point> supply_outline(const bearing::Supply& supply, double radius) {
   constexpr int kCorners = 48;  ///< of the polygon that stands for a hole
   const double phi = supply.angle * 180.0 / kPi;
   const double z = 1e3 * supply.z;
   std::vector<Point> outline;
-  if (supply.kind == coupling::SupplyKind::hole) {
+  if (supply.kind == bearing::SupplyKind::hole) {
     const double half = 0.5 * supply.diameter;
     for (int k = 0; k < kCorners; ++k) {
       const double a = 2.0 * kPi * k / kCorners;

@@ -8,7 +8,7 @@
 namespace shellback::app {
 namespace {
 
-using coupling::Fields;
+using bearing::Fields;
 
 struct Curve {
   Field Fields::*field;
@@ -49,7 +49,7 @@ Recipe recipe(Profile which) {
 }
 
 /// A tier keeps its colour whatever else is shown.
-const std::string& tier_colour(const coupling::Comparison& comparison, std::size_t k,
+const std::string& tier_colour(const bearing::Comparison& comparison, std::size_t k,
                                const Theme& theme) {
   const auto& results = comparison.results;
   const auto same = [&](const auto& r) { return r.tier == results[k].tier; };
@@ -59,7 +59,7 @@ const std::string& tier_colour(const coupling::Comparison& comparison, std::size
 
 }  // namespace
 
-std::optional<LinePlot> profile_plot(const coupling::Comparison& comparison, Profile which,
+std::optional<LinePlot> profile_plot(const bearing::Comparison& comparison, Profile which,
                                      const Theme& theme) {
   const Recipe r = recipe(which);
   const auto names = column_names(comparison.results);

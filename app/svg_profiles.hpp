@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/svg_lines.hpp"
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
@@ -11,7 +11,7 @@ enum class Profile { pressure, gap, film_temperature, shell_temperature };
 
 /// One curve per result that has the field, in the colour of its tier; shell temperature has
 /// two: surface solid, back dashed. None if no result has it.
-[[nodiscard]] std::optional<LinePlot> profile_plot(const coupling::Comparison& comparison,
+[[nodiscard]] std::optional<LinePlot> profile_plot(const bearing::Comparison& comparison,
                                                    Profile which, const Theme& theme);
 
 }  // namespace shellback::app

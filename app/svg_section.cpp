@@ -12,8 +12,8 @@
 namespace shellback::app {
 namespace {
 
-using coupling::Case;
-using coupling::Fields;
+using bearing::Case;
+using bearing::Fields;
 
 constexpr double kThinnest = 0.75;  ///< largest drawn ratio of bore to outer radius [-]
 
@@ -60,7 +60,7 @@ void draw_rotation(Svg& svg, const Ring& ring, double omega, const Theme& theme)
 }
 
 void draw_load(Svg& svg, const Ring& ring, const Case& c, const Theme& theme) {
-  const auto* load = std::get_if<coupling::LoadGiven>(&c.operation.position);
+  const auto* load = std::get_if<bearing::LoadGiven>(&c.operation.position);
   if (!load || load->force <= 0.0) return;
   const double length = 0.5 * ring.bore_px;
   const Point tip{ring.centre.x + length * std::cos(load->angle),
@@ -97,7 +97,7 @@ void draw_angles(Svg& svg, const Ring& ring, const Theme& theme) {
 
 }  // namespace
 
-void draw_section(Svg& svg, const Box& box, const Case& c, const coupling::Result& result,
+void draw_section(Svg& svg, const Box& box, const Case& c, const bearing::Result& result,
                   const std::string& title, const Theme& theme) {
   const Fields& f = result.fields;
   const auto to_celsius = display_unit("T_solid", "K");

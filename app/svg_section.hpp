@@ -3,14 +3,14 @@
 #include <string>
 
 #include "app/svg.hpp"
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
 /// The ring between the bore and the outermost radius of `fields.r`, in the fixed frame (X right,
 /// Y up), with layer boundaries, the sense of rotation and the load. A ring thinner than a
 /// quarter of its outer radius is stretched radially, and says so. Needs `fields.T_solid`.
-void draw_section(Svg& svg, const Box& box, const coupling::Case& c, const coupling::Result& result,
+void draw_section(Svg& svg, const Box& box, const bearing::Case& c, const bearing::Result& result,
                   const std::string& title, const Theme& theme);
 
 }  // namespace shellback::app

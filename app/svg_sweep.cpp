@@ -30,7 +30,7 @@ bool wants_map(const Sweep& sweep) {
 
 /// Tier and grid of all solved points, where they are the same.
 std::string describe_model(const Sweep& sweep) {
-  const coupling::Result* first = nullptr;
+  const bearing::Result* first = nullptr;
   bool same_tier = true;
   bool same_grid = true;
   for (const auto& point : sweep.points) {
@@ -56,7 +56,7 @@ void expect_drawable(const std::vector<study::Axis>& axes) {
                    "too, or leave out --picture");
 }
 
-std::string sweep_svg(const std::string& text, const coupling::Case& subject, const Sweep& sweep) {
+std::string sweep_svg(const std::string& text, const bearing::Case& subject, const Sweep& sweep) {
   const Theme theme = print_theme();
   Svg svg(kWidth, kHeight);
   svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/sweep.hpp"
+#include "app/study/sweep.hpp"
 
 namespace shellback::app {
 
@@ -16,7 +16,7 @@ void expect_drawable(const std::vector<study::Axis>& axes);
 /// whose operating point lies on a curve. More curves of two numeric axes are drawn as maps of
 /// friction torque and smallest film. Points that are not solved are marked and counted, and no
 /// value is drawn for them. `text` is that of the case file.
-[[nodiscard]] std::string sweep_svg(const std::string& text, const coupling::Case& subject,
+[[nodiscard]] std::string sweep_svg(const std::string& text, const bearing::Case& subject,
                                     const study::Sweep& sweep);
 
 }  // namespace shellback::app

@@ -54,7 +54,7 @@ Axis value_axis(const Panel& panel, const DrawnQuantity& q, const std::string& u
 
 class Panels {
  public:
-  Panels(Svg& svg, const std::string& text, const coupling::Case& subject, const Sweep& sweep,
+  Panels(Svg& svg, const std::string& text, const bearing::Case& subject, const Sweep& sweep,
          const Theme& theme)
       : svg_(svg),
         text_(text),
@@ -203,7 +203,7 @@ class Panels {
 
   Svg& svg_;
   const std::string& text_;
-  const coupling::Case& subject_;
+  const bearing::Case& subject_;
   const Sweep& sweep_;
   const Theme& theme_;
   int x_;
@@ -212,7 +212,7 @@ class Panels {
 
 }  // namespace
 
-void draw_sweep_lines(Svg& svg, const std::string& text, const coupling::Case& subject,
+void draw_sweep_lines(Svg& svg, const std::string& text, const bearing::Case& subject,
                       const Sweep& sweep, const Theme& theme) {
   constexpr std::array kBoxes{Box{24.0, 104.0, 576.0, 340.0}, Box{612.0, 104.0, 576.0, 340.0},
                               Box{24.0, 448.0, 576.0, 322.0}, Box{612.0, 448.0, 576.0, 322.0}};

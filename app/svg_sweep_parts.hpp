@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/quantity_label.hpp"
+#include "app/study/sweep.hpp"
 #include "app/svg_axes.hpp"
-#include "study/sweep.hpp"
 
 namespace shellback::app {
 
@@ -45,7 +45,7 @@ struct DrawnQuantity {
                                                           const std::string& name);
 
 /// Both pictures draw below the heading, on the whole width of `svg` (1200 px).
-void draw_sweep_lines(Svg& svg, const std::string& text, const coupling::Case& subject,
+void draw_sweep_lines(Svg& svg, const std::string& text, const bearing::Case& subject,
                       const study::Sweep& sweep, const Theme& theme);
 /// Maps over the first two numeric axes, the others at their first value. Gives what was left out,
 /// in words.

@@ -37,7 +37,7 @@ Axis torque_axis(const std::vector<WaterfallBar>& bars, const std::optional<doub
       cut ? "friction torque [N·m] (axis does not begin at 0)" : "friction torque [N·m]");
 }
 
-std::string value_text(const WaterfallBar& bar, const coupling::FrictionSplit& split) {
+std::string value_text(const WaterfallBar& bar, const bearing::FrictionSplit& split) {
   if (bar.total) return typeset_number(figures(bar.end, 3));
   const double change = bar.end - bar.begin;
   return typeset_number(fmt::format("{} ({:+.1f} %)", signed_change(split, change),
@@ -81,7 +81,7 @@ void draw_measured(Svg& svg, const Frame& frame, double torque, const Theme& the
 
 }  // namespace
 
-std::vector<WaterfallBar> waterfall_bars(const coupling::FrictionSplit& split) {
+std::vector<WaterfallBar> waterfall_bars(const bearing::FrictionSplit& split) {
   std::vector<WaterfallBar> bars{{"isothermal at T_eq", 0.0, split.from, true}};
   double level = split.from;
   for (const auto& step : split.steps) {
@@ -96,7 +96,7 @@ std::vector<WaterfallBar> waterfall_bars(const coupling::FrictionSplit& split) {
   return bars;
 }
 
-void draw_waterfall(Svg& svg, const Box& box, const coupling::FrictionSplit& split,
+void draw_waterfall(Svg& svg, const Box& box, const bearing::FrictionSplit& split,
                     const std::optional<double>& measured, const Theme& theme) {
   const auto bars = waterfall_bars(split);
   double label_room = 0.0;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/svg.hpp"
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
@@ -19,11 +19,11 @@ struct WaterfallBar {
 
 /// First bar: `split.from`; then each step from where the one before it ended; a bar "not
 /// accounted for" if the steps leave a rest; last bar: `split.to`.
-[[nodiscard]] std::vector<WaterfallBar> waterfall_bars(const coupling::FrictionSplit& split);
+[[nodiscard]] std::vector<WaterfallBar> waterfall_bars(const bearing::FrictionSplit& split);
 
 /// Draws one row per bar into `box`. If all changes are below 15 % of the torque, the axis does
 /// not begin at zero, and says so. `measured` [N m] is drawn as a dashed line.
-void draw_waterfall(Svg& svg, const Box& box, const coupling::FrictionSplit& split,
+void draw_waterfall(Svg& svg, const Box& box, const bearing::FrictionSplit& split,
                     const std::optional<double>& measured, const Theme& theme);
 
 }  // namespace shellback::app

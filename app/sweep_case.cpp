@@ -9,7 +9,7 @@
 
 namespace shellback::app {
 
-using coupling::Case;
+using bearing::Case;
 using study::Axis;
 using study::Position;
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/overrides.hpp"
-#include "study/sweep.hpp"
+#include "app/study/sweep.hpp"
 
 namespace shellback::app {
 
@@ -16,9 +16,9 @@ namespace shellback::app {
 
 /// The case that stands for the whole sweep: that of the first point, whose text is the file's
 /// with `set` and the axes as comments. Throws InputError.
-[[nodiscard]] coupling::Case sweep_subject(const std::string& text, const std::string& path,
-                                           const std::vector<Override>& set,
-                                           const std::vector<study::Axis>& axes);
+[[nodiscard]] bearing::Case sweep_subject(const std::string& text, const std::string& path,
+                                          const std::vector<Override>& set,
+                                          const std::vector<study::Axis>& axes);
 
 /// Every file that any point is read from.
 [[nodiscard]] std::vector<std::string> files_of_sweep(const std::string& text,

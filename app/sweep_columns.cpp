@@ -17,14 +17,14 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-const coupling::Quantity* find(const SweepPoint& point, const std::string& name) {
+const bearing::Quantity* find(const SweepPoint& point, const std::string& name) {
   const auto& all = point.result.quantities;
   const auto it =
       std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
   return it == all.end() || !point.good() ? nullptr : &*it;
 }
 
-SweepQuantity column_of(const coupling::Quantity& q) {
+SweepQuantity column_of(const bearing::Quantity& q) {
   if (q.unit == "rad") return {q.name, "deg", 180.0 / kPi, false};
   return {q.name, q.unit, 1.0, false};
 }
@@ -84,7 +84,7 @@ std::string count_words(const Sweep& sweep) {
   return words;
 }
 
-std::string describe_subject(const coupling::Case& c, const Sweep& sweep, Writing writing) {
+std::string describe_subject(const bearing::Case& c, const Sweep& sweep, Writing writing) {
   constexpr double kRevolution = 60.0 / (2.0 * kPi);  // rpm per rad/s
   const auto swept = [&](const std::string& key) {
     return std::any_of(sweep.axes.begin(), sweep.axes.end(),
@@ -103,11 +103,11 @@ std::string describe_subject(const coupling::Case& c, const Sweep& sweep, Writin
   if (!swept("operation.speed")) {
     words += fmt::format(", {:.4g} rpm", kRevolution * c.operation.omega);
   }
-  const auto* load = std::get_if<coupling::LoadGiven>(&c.operation.position);
+  const auto* load = std::get_if<bearing::LoadGiven>(&c.operation.position);
   if (load != nullptr && !swept("operation.load")) {
     words += fmt::format(", load {:.4g} kN", 1e-3 * load->force);
   }
-  const auto* given = std::get_if<coupling::EccentricityGiven>(&c.operation.position);
+  const auto* given = std::get_if<bearing::EccentricityGiven>(&c.operation.position);
   if (given != nullptr && !swept("operation.eccentricity_ratio")) {
     words += fmt::format(", eccentricity ratio {:.4g}", given->ratio);
   }

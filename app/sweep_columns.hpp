@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/quantity_label.hpp"
-#include "study/sweep.hpp"
+#include "app/study/sweep.hpp"
 
 namespace shellback::app {
 
@@ -37,7 +37,7 @@ struct SweepQuantity {
 [[nodiscard]] std::string count_words(const study::Sweep& sweep);
 
 /// Bearing and operating point without what is swept.
-[[nodiscard]] std::string describe_subject(const coupling::Case& c, const study::Sweep& sweep,
+[[nodiscard]] std::string describe_subject(const bearing::Case& c, const study::Sweep& sweep,
                                            Writing writing);
 
 /// All warnings of the points, each once.

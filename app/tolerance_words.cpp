@@ -13,10 +13,10 @@
 
 namespace shellback::app {
 
-using coupling::Case;
-using coupling::Comparison;
-using coupling::Result;
-using coupling::Tier;
+using bearing::Case;
+using bearing::Comparison;
+using bearing::Result;
+using bearing::Tier;
 using fidelity::RelativeBars;
 using fidelity::Shortfall;
 

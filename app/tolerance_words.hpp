@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/result.hpp"
-#include "study/sweep.hpp"
+#include "app/study/sweep.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
@@ -17,13 +17,13 @@ struct Missed {
   [[nodiscard]] explicit operator bool() const { return !words.empty(); }
 };
 
-[[nodiscard]] Missed missed_tolerance(const coupling::Case& c, const coupling::Result& result);
-[[nodiscard]] Missed missed_tolerance(const coupling::Case& c,
-                                      const coupling::Comparison& comparison);
-[[nodiscard]] Missed missed_tolerance(const coupling::Case& subject, const study::Sweep& sweep);
+[[nodiscard]] Missed missed_tolerance(const bearing::Case& c, const bearing::Result& result);
+[[nodiscard]] Missed missed_tolerance(const bearing::Case& c,
+                                      const bearing::Comparison& comparison);
+[[nodiscard]] Missed missed_tolerance(const bearing::Case& subject, const study::Sweep& sweep);
 
 /// The lines of a table: the tolerance, what is missed, the command.
-[[nodiscard]] std::vector<std::string> tolerance_lines(const coupling::Case& c,
+[[nodiscard]] std::vector<std::string> tolerance_lines(const bearing::Case& c,
                                                        const Missed& missed);
 
 }  // namespace shellback::app

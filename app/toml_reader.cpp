@@ -6,13 +6,13 @@
 
 #include "app/case_text.hpp"
 #include "app/did_you_mean.hpp"
+#include "bearing/case_limits.hpp"
 #include "core/contract.hpp"
-#include "coupling/case_limits.hpp"
 
 namespace shellback::app {
 namespace {
 
-constexpr double kAtmosphere = -coupling::kValueRanges.gauge_pressure.low;  ///< [Pa]
+constexpr double kAtmosphere = -bearing::kValueRanges.gauge_pressure.low;  ///< [Pa]
 
 /// What a node is, in words for the user.
 std::string type_name(const toml::node& node) {
@@ -143,7 +143,7 @@ double Section::value_of(const toml::node& node, const std::string& key, const K
 void Section::check_range(const std::string& key, double value, const Kind& kind,
                           const Range& range) const {
   const std::string shown = written(*find(key));
-  if (kind.absolute && !coupling::kValueRanges.temperature.holds(value)) {
+  if (kind.absolute && !bearing::kValueRanges.temperature.holds(value)) {
     fail(key, fmt::format("{} cannot be meant ({}; a bearing lives between -60 and 400 degC); "
                           "check the number and whether degC or K is meant",
                           shown, show(value, "degC", kind)));

@@ -9,20 +9,20 @@
 namespace shellback::app {
 namespace {
 
-void print_matrix(std::ostream& out, const char* name, const coupling::Matrix2& m) {
+void print_matrix(std::ostream& out, const char* name, const bearing::Matrix2& m) {
   for (int i = 0; i < 2; ++i) {
     out << fmt::format("  {:<14}{:>11}{:>11}\n", i == 0 ? name : "", figures(m[i][0], 4),
                        figures(m[i][1], 4));
   }
 }
 
-std::string threshold_words(const coupling::Coefficients& k) {
+std::string threshold_words(const bearing::Coefficients& k) {
   switch (k.whirl.verdict) {
-    case coupling::WhirlVerdict::always_stable:
+    case bearing::WhirlVerdict::always_stable:
       return "a rigid rotor runs stably at this speed whatever its mass";
-    case coupling::WhirlVerdict::never_stable:
+    case bearing::WhirlVerdict::never_stable:
       return "a rigid rotor does not run stably at this speed whatever its mass";
-    case coupling::WhirlVerdict::threshold:
+    case bearing::WhirlVerdict::threshold:
       break;
   }
   return fmt::format(
@@ -33,7 +33,7 @@ std::string threshold_words(const coupling::Coefficients& k) {
 
 }  // namespace
 
-void print_coefficients(std::ostream& out, const coupling::Result& result) {
+void print_coefficients(std::ostream& out, const bearing::Result& result) {
   if (!result.coefficients || !result.coefficients->verdict.good()) return;
   const auto& k = *result.coefficients;
   out << "\nlinear coefficients, force on the journal = -K x - C dx/dt, temperatures held\n"
@@ -43,7 +43,7 @@ void print_coefficients(std::ostream& out, const coupling::Result& result) {
   out << "  " << threshold_words(k) << '\n';
 }
 
-std::string coefficients_csv(const coupling::Coefficients& k) {
+std::string coefficients_csv(const bearing::Coefficients& k) {
   std::string text = "frequency,kxx,kxy,kyx,kyy,cxx,cxy,cyx,cyy\n";
   text += fmt::format("{:.10g}", k.omega);
   for (const auto* m : {&k.K, &k.C}) {

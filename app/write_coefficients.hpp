@@ -3,17 +3,17 @@
 #include <iosfwd>
 #include <string>
 
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
 /// The block of the result table. Prints nothing if there are no coefficients.
-void print_coefficients(std::ostream& out, const coupling::Result& result);
+void print_coefficients(std::ostream& out, const bearing::Result& result);
 
 /// A table with a header line and one row:
 ///   frequency,kxx,kxy,kyx,kyy,cxx,cxy,cyx,cyy
 /// speed in rad/s, N/m, N s/m, in the fixed frame (X right, Y up). Column names and units are those
 /// that ROSS takes for a bearing (ross/utils.py, read_table_file). Negative speeds are kept.
-[[nodiscard]] std::string coefficients_csv(const coupling::Coefficients& k);
+[[nodiscard]] std::string coefficients_csv(const bearing::Coefficients& k);
 
 }  // namespace shellback::app

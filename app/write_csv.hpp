@@ -2,7 +2,7 @@
 /// A sweep as a table for spreadsheets and scripts.
 #include <string>
 
-#include "study/sweep.hpp"
+#include "app/study/sweep.hpp"
 
 namespace shellback::app {
 

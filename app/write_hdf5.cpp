@@ -15,7 +15,7 @@ using namespace hdf5;
 
 namespace {
 
-using coupling::Result;
+using bearing::Result;
 
 /// One member of each entry of `list`, in a vector.
 template <class T, class List, class Member>
@@ -62,7 +62,7 @@ void write_scalars(hid_t file, const Result& result) {
   attribute(cost, "outer_iterations", result.cost.outer_iterations);
 }
 
-void write_grid(hid_t file, const coupling::Fields& f) {
+void write_grid(hid_t file, const bearing::Fields& f) {
   const Handle grid = group(file, "grid");
   attribute(grid, "radius", f.grid.radius);
   attribute(grid, "radius_unit", std::string("m"));
@@ -122,7 +122,7 @@ void write_fields(hid_t file, const Result& result) {
 }
 
 void write_history(hid_t file, const Result& result) {
-  using coupling::HistoryEntry;
+  using bearing::HistoryEntry;
   const auto& all = result.history;
   const Handle history = group(file, "history");
   texts(history, "stage", column<std::string>(all, &HistoryEntry::stage), "stage of the solve");
@@ -134,8 +134,8 @@ void write_history(hid_t file, const Result& result) {
 }
 
 void write_notes(hid_t file, const Result& result) {
-  using coupling::Effect;
-  using coupling::LimiterCount;
+  using bearing::Effect;
+  using bearing::LimiterCount;
   const Handle effects = group(file, "effects");
   texts(effects, "name", column<std::string>(result.effects, &Effect::name), "effect");
   doubles(effects, "included", column<double>(result.effects, &Effect::included), "-",
@@ -155,7 +155,7 @@ void write_notes(hid_t file, const Result& result) {
 
 }  // namespace
 
-std::string result_hdf5(const coupling::Case& c, const Result& result) {
+std::string result_hdf5(const bearing::Case& c, const Result& result) {
   return file_bytes([&](hid_t file) {
     write_head(file, result);
     write_scalars(file, result);

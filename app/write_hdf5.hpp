@@ -25,11 +25,11 @@
 /// `converged` is 0 and every field carries the attribute `state` saying so.
 #include <string>
 
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
 /// The bytes of the file. Throws FileError if the library cannot make them.
-[[nodiscard]] std::string result_hdf5(const coupling::Case& c, const coupling::Result& result);
+[[nodiscard]] std::string result_hdf5(const bearing::Case& c, const bearing::Result& result);
 
 }  // namespace shellback::app

@@ -18,7 +18,7 @@ std::string section(const char* heading, const std::string& content) {
 
 }  // namespace
 
-std::string comparison_html(const coupling::Case& c, const coupling::Comparison& comparison) {
+std::string comparison_html(const bearing::Case& c, const bearing::Comparison& comparison) {
   const std::string title = escape_markup(c.title);
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

@@ -26,7 +26,7 @@ Json with_unit(double value, const std::string& unit) {
   return {{"value", number(value)}, {"unit", unit}};
 }
 
-Json quantities(const coupling::Result& result) {
+Json quantities(const bearing::Result& result) {
   Json all = Json::object();
   for (const auto& q : result.quantities) {
     Json& entry = all[q.name] = with_unit(q.value, q.unit);
@@ -51,19 +51,19 @@ Json rows(const std::array<std::array<double, N>, N>& m, int size) {
   return all;
 }
 
-const char* words(coupling::WhirlVerdict verdict) {
+const char* words(bearing::WhirlVerdict verdict) {
   switch (verdict) {
-    case coupling::WhirlVerdict::always_stable:
+    case bearing::WhirlVerdict::always_stable:
       return "stable whatever the mass";
-    case coupling::WhirlVerdict::never_stable:
+    case bearing::WhirlVerdict::never_stable:
       return "unstable whatever the mass";
-    case coupling::WhirlVerdict::threshold:
+    case bearing::WhirlVerdict::threshold:
       break;
   }
   return "stable up to the critical mass";
 }
 
-Json coefficients(const coupling::Coefficients& k) {
+Json coefficients(const bearing::Coefficients& k) {
   Json json;
   if (!k.verdict.good()) {
     json["reason"] = k.verdict.reason;
@@ -93,7 +93,7 @@ Json coefficients(const coupling::Coefficients& k) {
   return json;
 }
 
-Json effects(const coupling::Result& result) {
+Json effects(const bearing::Result& result) {
   Json all = Json::array();
   for (const auto& e : result.effects) {
     all.push_back({{"name", e.name},
@@ -107,7 +107,7 @@ Json effects(const coupling::Result& result) {
 }
 
 /// Temperatures at which the lumped heat balance is met, rising; the lowest stable one is solved.
-Json heat_roots(const coupling::Result& result) {
+Json heat_roots(const bearing::Result& result) {
   const auto solution = std::find_if(result.heat_roots.begin(), result.heat_roots.end(),
                                      [](const auto& root) { return root.stable(); });
   Json all = Json::array();
@@ -121,7 +121,7 @@ Json heat_roots(const coupling::Result& result) {
   return all;
 }
 
-Json history(const coupling::Result& result) {
+Json history(const bearing::Result& result) {
   Json all = Json::array();
   for (const auto& entry : result.history) {
     all.push_back({{"stage", entry.stage},
@@ -132,7 +132,7 @@ Json history(const coupling::Result& result) {
   return all;
 }
 
-Json provenance_json(const coupling::Case& c) {
+Json provenance_json(const bearing::Case& c) {
   const Provenance p = provenance(c);
   Json libraries = Json::object();
   for (const auto& [name, version] : p.libraries) libraries[name] = version;
@@ -152,14 +152,14 @@ void add_status(Json& json, const Verdict& verdict) {
   json["cure"] = verdict.cure;
 }
 
-Json audit_json(const coupling::Audit& a) {
+Json audit_json(const bearing::Audit& a) {
   return {{"mass", number(a.mass)},
           {"energy", number(a.energy)},
           {"load", number(a.load)},
           {"moment", number(a.moment)}};
 }
 
-Json cost_json(const coupling::Cost& k) {
+Json cost_json(const bearing::Cost& k) {
   return {{"wall_s", number(k.wall_s)},
           {"setup_s", number(k.setup_s)},
           {"factorizations", k.factorizations},
@@ -169,7 +169,7 @@ Json cost_json(const coupling::Cost& k) {
 }
 
 /// What was asked for, whether the bars are within it, and the command that is expected to meet it.
-Json tolerance_json(const coupling::Case& c, const coupling::Result& result) {
+Json tolerance_json(const bearing::Case& c, const bearing::Result& result) {
   const auto s = fidelity::shortfall(result, c.model.tolerance);
   const auto& choice = result.choice;
   Json json{{"asked", choice ? choice->tolerance : s.tolerance},
@@ -181,7 +181,7 @@ Json tolerance_json(const coupling::Case& c, const coupling::Result& result) {
   return json;
 }
 
-Json to_json(const coupling::Case& c, const coupling::Result& result) {
+Json to_json(const bearing::Case& c, const bearing::Result& result) {
   Json json;
   add_status(json, result.verdict);
   json["tier"] = to_string(result.tier);
@@ -209,7 +209,7 @@ Json to_json(const coupling::Case& c, const coupling::Result& result) {
   return json;
 }
 
-Json measured_json(const coupling::Measured& m) {
+Json measured_json(const bearing::Measured& m) {
   Json json = Json::object();
   const auto add = [&](const char* name, const std::optional<double>& value, const char* unit) {
     if (value) json[name] = with_unit(*value, unit);
@@ -224,7 +224,7 @@ Json measured_json(const coupling::Measured& m) {
   return json;
 }
 
-Json split_json(const coupling::FrictionSplit& split) {
+Json split_json(const bearing::FrictionSplit& split) {
   if (split.steps.empty()) return nullptr;
   Json steps = Json::array();
   for (const auto& step : split.steps) {
@@ -271,7 +271,7 @@ Json point_json(const study::Sweep& sweep, int index) {
 }
 
 /// The case as solved, and what the command line changed in the file.
-void add_case(Json& json, const coupling::Case& c) {
+void add_case(Json& json, const bearing::Case& c) {
   json["changes"] = changes_json(c);
   json["case"] = case_json(c);
 }
@@ -283,13 +283,13 @@ std::string dump(const Json& json) {
 
 }  // namespace
 
-std::string result_json(const coupling::Case& c, const coupling::Result& result) {
+std::string result_json(const bearing::Case& c, const bearing::Result& result) {
   Json json = to_json(c, result);
   add_case(json, c);
   return dump(json);
 }
 
-std::string comparison_json(const coupling::Case& c, const coupling::Comparison& comparison) {
+std::string comparison_json(const bearing::Case& c, const bearing::Comparison& comparison) {
   const auto& results = comparison.results;
   const auto failed = [](const auto& r) { return !r.verdict.good(); };
   const auto bad = std::find_if(results.begin(), results.end(), failed);
@@ -313,7 +313,7 @@ std::string comparison_json(const coupling::Case& c, const coupling::Comparison&
   return dump(json);
 }
 
-std::string sweep_json(const coupling::Case& subject, const study::Sweep& sweep) {
+std::string sweep_json(const bearing::Case& subject, const study::Sweep& sweep) {
   Json json{{"title", subject.title}};
   json["converged"] = sweep.count_good();
   json["failed"] = sweep.count_failed();

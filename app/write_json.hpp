@@ -10,21 +10,21 @@
 /// that does not apply, and a value that is not a number in a failed solve, is null.
 #include <string>
 
-#include "coupling/result.hpp"
-#include "study/sweep.hpp"
+#include "app/study/sweep.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::app {
 
-[[nodiscard]] std::string result_json(const coupling::Case& c, const coupling::Result& result);
+[[nodiscard]] std::string result_json(const bearing::Case& c, const bearing::Result& result);
 
 /// status (that of the first result that failed, else "converged"), title, `results`: an array
 /// of objects as above, `measured`, `friction_split` {from, to, unit, steps, rest} (null if not
 /// both ends were computed), `T_calibrated` {value, unit} or null, provenance.
-[[nodiscard]] std::string comparison_json(const coupling::Case& c,
-                                          const coupling::Comparison& comparison);
+[[nodiscard]] std::string comparison_json(const bearing::Case& c,
+                                          const bearing::Comparison& comparison);
 
 /// The sweep: `axes` with their values, and `points`, curve after curve, each with its indices
 /// `at` on the axes, status, quantities (only if converged), audit and cost.
-[[nodiscard]] std::string sweep_json(const coupling::Case& subject, const study::Sweep& sweep);
+[[nodiscard]] std::string sweep_json(const bearing::Case& subject, const study::Sweep& sweep);
 
 }  // namespace shellback::app

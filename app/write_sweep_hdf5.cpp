@@ -57,7 +57,7 @@ class GridWriter {
   Shape shape_;
 };
 
-void write_head(hid_t file, const coupling::Case& subject, const Sweep& sweep) {
+void write_head(hid_t file, const bearing::Case& subject, const Sweep& sweep) {
   attribute(file, "format", std::string("shellback sweep"));
   attribute(file, "format_version", 1);
   attribute(file, "title", subject.title);
@@ -98,7 +98,7 @@ void write_quantities(hid_t file, const Sweep& sweep, const GridWriter& grid) {
 }
 
 void write_audit(hid_t file, const GridWriter& grid) {
-  using coupling::Audit;
+  using bearing::Audit;
   const Handle audit = group(file, "audit");
   const auto add = [&](const char* name, double Audit::*member, const char* meaning) {
     grid.numbers(audit, name, "1", meaning, [member](const SweepPoint& point) {
@@ -112,7 +112,7 @@ void write_audit(hid_t file, const GridWriter& grid) {
 }
 
 void write_cost(hid_t file, const GridWriter& grid) {
-  using coupling::Cost;
+  using bearing::Cost;
   const Handle cost = group(file, "cost");
   const auto add = [&](const char* name, int Cost::*member, const char* meaning) {
     grid.counts(cost, name, meaning,
@@ -147,7 +147,7 @@ void write_state(hid_t file, const GridWriter& grid) {
 
 }  // namespace
 
-std::string sweep_hdf5(const coupling::Case& subject, const Sweep& sweep) {
+std::string sweep_hdf5(const bearing::Case& subject, const Sweep& sweep) {
   return file_bytes([&](hid_t file) {
     const GridWriter grid(sweep);
     write_head(file, subject, sweep);

@@ -20,11 +20,11 @@
 /// Every dataset has `units` and `long_name`; those over the grid name its axes in `axes`.
 #include <string>
 
-#include "study/sweep.hpp"
+#include "app/study/sweep.hpp"
 
 namespace shellback::app {
 
 /// The bytes of the file. Throws FileError if the library cannot make them.
-[[nodiscard]] std::string sweep_hdf5(const coupling::Case& subject, const study::Sweep& sweep);
+[[nodiscard]] std::string sweep_hdf5(const bearing::Case& subject, const study::Sweep& sweep);
 
 }  // namespace shellback::app

@@ -111,7 +111,7 @@ void print_points(std::ostream& out, const Sweep& sweep) {
 }
 
 /// What the bars hold, which points they leave open, whether they are what was asked for.
-void print_bars(std::ostream& out, const coupling::Case& subject, const Sweep& sweep) {
+void print_bars(std::ostream& out, const bearing::Case& subject, const Sweep& sweep) {
   const auto known = [](const SweepPoint& point) {
     return point.good() && point.result.cost.bars_s > 0.0;
   };
@@ -144,7 +144,7 @@ void print_failures(std::ostream& out, const Sweep& sweep) {
 }
 
 void print_audit(std::ostream& out, const Sweep& sweep) {
-  using Audit = coupling::Audit;
+  using Audit = bearing::Audit;
   const auto worst = [&](double Audit::*member) {
     double largest = NAN;
     for (const SweepPoint& point : sweep.points) {
@@ -195,7 +195,7 @@ void print_cost(std::ostream& out, const Sweep& sweep) {
 
 }  // namespace
 
-void write_sweep_table(std::ostream& out, const coupling::Case& subject, const Sweep& sweep) {
+void write_sweep_table(std::ostream& out, const bearing::Case& subject, const Sweep& sweep) {
   out << subject.title << '\n' << describe_subject(subject, sweep, Writing::plain) << '\n';
   const std::string changes = describe_changes(subject);
   if (!changes.empty()) out << changes << '\n';

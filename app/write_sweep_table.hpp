@@ -2,12 +2,12 @@
 /// A sweep on the screen.
 #include <iosfwd>
 
-#include "study/sweep.hpp"
+#include "app/study/sweep.hpp"
 
 namespace shellback::app {
 
 /// The main quantities of every point in engineering units, curve after curve; then failures with
 /// their reasons, the largest imbalances, warnings and cost. `subject` gives title and bearing.
-void write_sweep_table(std::ostream& out, const coupling::Case& subject, const study::Sweep& sweep);
+void write_sweep_table(std::ostream& out, const bearing::Case& subject, const study::Sweep& sweep);
 
 }  // namespace shellback::app

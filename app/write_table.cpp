@@ -16,9 +16,9 @@
 namespace shellback::app {
 namespace {
 
-using coupling::Case;
-using coupling::Comparison;
-using coupling::Result;
+using bearing::Case;
+using bearing::Comparison;
+using bearing::Result;
 
 std::string audit_figure(double value) {
   return std::isfinite(value) ? fmt::format("{:.1e}", value) : "n/a";
@@ -96,7 +96,7 @@ void print_cost(std::ostream& out, const Result& result) {
   out << '\n';
 }
 
-void print_quantities(std::ostream& out, const coupling::Measured& measured,
+void print_quantities(std::ostream& out, const bearing::Measured& measured,
                       const std::vector<Result>& results) {
   const auto rows = quantity_rows(measured, results);
   const auto has_measured = [](const auto& row) { return row.measured.has_value(); };
@@ -182,7 +182,7 @@ void print_tolerance(std::ostream& out, const Case& c, const Missed& missed) {
 }
 
 void print_table(std::ostream& out, const Case* c, const Result& result) {
-  const coupling::Measured measured = c != nullptr ? c->measured : coupling::Measured{};
+  const bearing::Measured measured = c != nullptr ? c->measured : bearing::Measured{};
   out << result.title << '\n';
   if (c != nullptr) print_scene(out, *c);
   out << "tier " << to_string(result.tier) << ", " << status_line(result) << "\n\n";

@@ -14,8 +14,8 @@
 namespace shellback::app {
 namespace {
 
-using coupling::Instant;
-using coupling::WarmUp;
+using bearing::Instant;
+using bearing::WarmUp;
 using Json = nlohmann::ordered_json;
 
 /// A quantity of an instant: its name in JSON, unit, and where the steady state has it.
@@ -55,7 +55,7 @@ struct Line {
 
 class Panel {
  public:
-  Panel(const WarmUp& run, const coupling::Result& steady, const Theme& theme)
+  Panel(const WarmUp& run, const bearing::Result& steady, const Theme& theme)
       : run_(run), steady_(steady), theme_(theme), t_(over_time(run, &Instant::t)) {}
 
   void draw(Svg& svg, const Box& box, const std::string& title, const std::string& unit,
@@ -86,7 +86,7 @@ class Panel {
 
  private:
   const WarmUp& run_;
-  const coupling::Result& steady_;
+  const bearing::Result& steady_;
   const Theme& theme_;
   std::vector<double> t_;
 };
@@ -101,8 +101,8 @@ std::string how_it_ended(const WarmUp& run) {
 
 }  // namespace
 
-std::string warm_up_json(const coupling::Case& c, const WarmUp& run,
-                         const coupling::WarmUpOptions& options, const coupling::Result& steady) {
+std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
+                         const bearing::WarmUpOptions& options, const bearing::Result& steady) {
   Json json;
   json["status"] = run.end.verdict.good() ? "converged" : to_string(run.end.verdict.status);
   json["converged"] = run.end.verdict.good();
@@ -128,8 +128,7 @@ std::string warm_up_json(const coupling::Case& c, const WarmUp& run,
   return json.dump(2) + "\n";
 }
 
-std::string warm_up_svg(const coupling::Case& c, const WarmUp& run,
-                        const coupling::Result& steady) {
+std::string warm_up_svg(const bearing::Case& c, const WarmUp& run, const bearing::Result& steady) {
   const Theme theme = print_theme();
   Svg svg(kWidth, kHeight);
   svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);

@@ -2,7 +2,7 @@
 /// A warm-up as JSON and as a picture.
 #include <string>
 
-#include "coupling/warm_up.hpp"
+#include "bearing/warm_up.hpp"
 
 namespace shellback::app {
 
@@ -10,13 +10,13 @@ namespace shellback::app {
 /// at_rest}, `time` and every quantity over time as {unit, values}, `steady`: the steady state
 /// solved for itself, with the bars of its grid, `audit` {energy: largest imbalance over the heat
 /// made}, provenance.
-[[nodiscard]] std::string warm_up_json(const coupling::Case& c, const coupling::WarmUp& run,
-                                       const coupling::WarmUpOptions& options,
-                                       const coupling::Result& steady);
+[[nodiscard]] std::string warm_up_json(const bearing::Case& c, const bearing::WarmUp& run,
+                                       const bearing::WarmUpOptions& options,
+                                       const bearing::Result& steady);
 
 /// Temperatures, friction and smallest film over time (1200 x 780, white background), the steady
 /// state beside them; where the bearing seizes, when.
-[[nodiscard]] std::string warm_up_svg(const coupling::Case& c, const coupling::WarmUp& run,
-                                      const coupling::Result& steady);
+[[nodiscard]] std::string warm_up_svg(const bearing::Case& c, const bearing::WarmUp& run,
+                                      const bearing::Result& steady);
 
 }  // namespace shellback::app

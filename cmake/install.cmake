@@ -1,8 +1,8 @@
 # What `cmake --install` gives to C++ programs: headers, libraries, find_package(Shellback).
 #
-# Installed are the libraries that solve; those of the program (app, proof, program) are its own.
+# Installed are the libraries that solve; those of the program (app, validation, program) are its own.
 include(CMakePackageConfigHelpers)
-set(SHELLBACK_INSTALLED core rheology fluid thermal solid coupling fidelity study)
+set(SHELLBACK_INSTALLED core rheology fluid thermal solid bearing fidelity study)
 set(package_folder lib/cmake/Shellback)
 
 # All of them under one name.
@@ -14,9 +14,13 @@ target_link_libraries(shellback_shellback INTERFACE shellback_study shellback_fi
 foreach(folder IN LISTS SHELLBACK_INSTALLED)
   install(TARGETS shellback_${folder} EXPORT ShellbackTargets
     ARCHIVE DESTINATION lib COMPONENT library)
+endforeach()
+foreach(folder core rheology fluid thermal solid bearing fidelity)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION include/shellback
     COMPONENT library FILES_MATCHING PATTERN "*.hpp")
 endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/app/study DESTINATION include/shellback/app
+  COMPONENT library FILES_MATCHING PATTERN "*.hpp")
 install(TARGETS shellback_shellback EXPORT ShellbackTargets COMPONENT library)
 install(EXPORT ShellbackTargets NAMESPACE shellback:: DESTINATION ${package_folder}
   COMPONENT library)

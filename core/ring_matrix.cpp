@@ -145,8 +145,8 @@ bool invert_diagonal(double* a, int n) {
   return true;
 }
 
-// The steps of the elimination belong into its loop. Left to the compiler, a factorisation takes 4 %
-// longer with 13 cells to a line, and as long with 25 and 50 (GCC 12, 2026-11-22).
+// The steps of the elimination belong into its loop. Left to the compiler, a factorisation takes 4
+// % longer with 13 cells to a line, and as long with 25 and 50 (GCC 12, 2026-11-22).
 #define SHELLBACK_IN_THE_LOOP [[gnu::always_inline]] inline
 
 /// The tridiagonal block of one line, `row0` its first row in the matrix.

@@ -1,10 +1,10 @@
 /// A plain bearing of 100 mm bore, filled by hand: judged, solved, printed. SI units.
 #include <cstdio>
 
-#include "coupling/judge_case.hpp"
+#include "bearing/judge_case.hpp"
 #include "fidelity/solve_case.hpp"
 
-using namespace shellback::coupling;
+using namespace shellback::bearing;
 
 int main() {
   Case c;

@@ -8,7 +8,7 @@
 
 namespace shellback::fidelity {
 
-using namespace coupling;
+using namespace bearing;
 
 namespace {
 
@@ -65,7 +65,7 @@ NodeChoice choose_nodes(Solution& probe, double tolerance, bool given, const Sol
 EffectChoice choose_effects(const Solution& probe, double tolerance, const std::atomic<bool>* stop,
                             EquilibriumCost& cost) {
   const Case& c = probe.model.input;
-  EffectChoice out{coupling::summarize(probe, c.model.tier).effects, c.model.switches};
+  EffectChoice out{bearing::summarize(probe, c.model.tier).effects, c.model.switches};
   for (Effect& e : out.effects) {
     if (!e.included) continue;
     const Held held{without(e.name, probe.model.physics), e.name != "heating"};

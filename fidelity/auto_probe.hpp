@@ -23,7 +23,7 @@ inline constexpr double kNegligible = 0.1;
 struct NodeChoice {
   int nodes = 0;  ///< across the film; 0: nothing chosen
   /// Change of each quantity by two more nodes than these, on the probe's grid.
-  std::vector<coupling::Quantity> left;
+  std::vector<bearing::Quantity> left;
   bool known = true;  ///< false: two more nodes gave no solution on the probe's grid
 };
 
@@ -32,30 +32,30 @@ struct NodeChoice {
 /// Temperatures across the film converge spectrally (textbook), so that the last change is of the
 /// size of what is left. `given`: the nodes are those of the case, and only judged. Does nothing
 /// where the film's temperature is not resolved by such nodes.
-[[nodiscard]] NodeChoice choose_nodes(coupling::Solution& probe, double tolerance, bool given,
-                                      const coupling::SolveControl& control,
-                                      coupling::EquilibriumCost& cost);
+[[nodiscard]] NodeChoice choose_nodes(bearing::Solution& probe, double tolerance, bool given,
+                                      const bearing::SolveControl& control,
+                                      bearing::EquilibriumCost& cost);
 
 /// Which effects go on, and what leaving the others out may cost.
 struct EffectChoice {
-  std::vector<coupling::Effect> effects;  ///< with their changes on the probe
-  coupling::Switches switches;            ///< those of the case, with what is left out set false
-  Bars left_out{0.0, 0.0};                ///< of the effects left out
+  std::vector<bearing::Effect> effects;  ///< with their changes on the probe
+  bearing::Switches switches;            ///< those of the case, with what is left out set false
+  Bars left_out{0.0, 0.0};               ///< of the effects left out
 };
 
 /// What each effect of the probe changes, one taken out of the film after the other
 /// (held_film.hpp); those that change less than a tenth of the tolerance, and that the case does
 /// not ask for, are left out.
-[[nodiscard]] EffectChoice choose_effects(const coupling::Solution& probe, double tolerance,
+[[nodiscard]] EffectChoice choose_effects(const bearing::Solution& probe, double tolerance,
                                           const std::atomic<bool>* stop,
-                                          coupling::EquilibriumCost& cost);
+                                          bearing::EquilibriumCost& cost);
 
 /// Changes of a lumped film whose temperature rise is half of it higher and lower; infinite where
 /// that film does not stand: what heat into unknown walls or recirculation may do.
-[[nodiscard]] Bars unknown_heat(const coupling::Solution& lumped, const std::atomic<bool>* stop,
-                                coupling::EquilibriumCost& cost);
+[[nodiscard]] Bars unknown_heat(const bearing::Solution& lumped, const std::atomic<bool>* stop,
+                                bearing::EquilibriumCost& cost);
 
 /// Adds factorisations and Newton iterations.
-void add(const coupling::EquilibriumCost& from, coupling::EquilibriumCost& to);
+void add(const bearing::EquilibriumCost& from, bearing::EquilibriumCost& to);
 
 }  // namespace shellback::fidelity

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "bearing/solids.hpp"
 #include "core/contract.hpp"
-#include "coupling/solids.hpp"
 #include "fidelity/auto_probe.hpp"
 #include "fidelity/estimate.hpp"
 #include "fidelity/grid_error.hpp"
@@ -20,7 +20,7 @@
 namespace shellback::fidelity {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 /// Grids of the sequence, fine along the axis first (grid_error.hpp); for fine tolerances go on.
 const std::vector<Grid> kSequence{{24, 9}, {40, 25}, {60, 37}, {96, 49}, {192, 97}};
@@ -54,7 +54,7 @@ class Search {
     if (auto quick = good_estimate()) return *quick;
     solve_grids();
     const bool sequence = levels_.size() > 1;
-    Result r = stopped(control_) ? coupling::summarize(finest_, tier())
+    Result r = stopped(control_) ? bearing::summarize(finest_, tier())
                : sequence        ? extrapolated()
                                  : on_one_grid();
     if (stopped(control_)) r.verdict = {Status::interrupted, "stopped by the user", "", ""};
@@ -209,7 +209,7 @@ class Search {
     const Grid usual = tolerance() < kFineTolerance ? kFineGrid : kUsualGrid;
     levels_.clear();  // from cold
     if (!solve_on(case_.model.grid_given ? case_.model.grid : usual)) {
-      return coupling::summarize(finest_, tier());
+      return bearing::summarize(finest_, tier());
     }
     Result r = fidelity::summarize(finest_, tier(), control_);
     const Bars bars = bars_with([&](const char* name) { return relative_bars(r, name).grid; });
@@ -217,7 +217,7 @@ class Search {
   }
 
   Result extrapolated() {
-    Result r = coupling::summarize(finest_, tier());
+    Result r = bearing::summarize(finest_, tier());
     r.levels.clear();
     for (const Level& level : levels_) r.levels.push_back({level.grid, level.whole});
     for (Quantity& q : r.quantities) {

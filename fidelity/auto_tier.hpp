@@ -16,14 +16,14 @@
 /// to the limit of fine grids. Fields and audit are those of the finest full solution. What the
 /// case gives (switches, grid, nodes) is not touched. Without data of shell or shaft the physics
 /// ends at tier lumped; the heat that the solids would take is then uncertain.
-#include "coupling/result.hpp"
-#include "coupling/solve.hpp"
+#include "bearing/result.hpp"
+#include "bearing/solve.hpp"
 
 namespace shellback::fidelity {
 
 /// Solves the case as tier `auto`, whatever `model.tier` says. Does not throw for lack of
 /// convergence.
-[[nodiscard]] coupling::Result solve_auto(const coupling::Case& c,
-                                          const coupling::SolveControl& control = {});
+[[nodiscard]] bearing::Result solve_auto(const bearing::Case& c,
+                                         const bearing::SolveControl& control = {});
 
 }  // namespace shellback::fidelity

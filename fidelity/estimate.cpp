@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "coupling/bearing.hpp"
+#include "bearing/bearing.hpp"
 #include "fidelity/bearing_table.hpp"
 #include "fidelity/closed_forms.hpp"
 #include "fidelity/lumped_heat.hpp"
@@ -15,7 +15,7 @@
 namespace shellback::fidelity {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 /// Number and widths [m] of the parts of the surface that carry: two beside a groove all round.
 std::pair<int, double> lands_of(const Case& c) {

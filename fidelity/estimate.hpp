@@ -9,7 +9,7 @@
 /// (seed 002 Eq. 11). A groove all round makes two bearings of half the width. Tilt, profiles,
 /// deformation, starvation and the supply's place are left out; the bars say how much that was
 /// worth in random cases (estimate_result.cpp).
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::fidelity {
 
@@ -36,9 +36,9 @@ struct Estimate {
   bool balanced = true;  ///< false: no temperature below 400 K of rise balances the heat
 };
 
-[[nodiscard]] Estimate estimate(const coupling::Case& c);
+[[nodiscard]] Estimate estimate(const bearing::Case& c);
 
 /// The estimate as a result: quantities with bars, effects by their indicator numbers, no fields.
-[[nodiscard]] coupling::Result estimate_result(const coupling::Case& c);
+[[nodiscard]] bearing::Result estimate_result(const bearing::Case& c);
 
 }  // namespace shellback::fidelity

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/bearing.hpp"
 #include "core/constants.hpp"
-#include "coupling/bearing.hpp"
 #include "fidelity/bearing_table.hpp"
 #include "fidelity/estimate.hpp"
 #include "fidelity/indicators.hpp"
@@ -13,7 +13,7 @@
 namespace shellback::fidelity {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 /// Indicator numbers. Source of numbers and limits: methods 7.2 (docs/models.md); names are those
 /// of the effects that a solved result reports. Orders of magnitude.

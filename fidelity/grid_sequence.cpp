@@ -7,7 +7,7 @@
 
 namespace shellback::fidelity {
 
-using namespace coupling;
+using namespace bearing;
 
 namespace {
 

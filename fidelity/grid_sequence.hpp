@@ -3,7 +3,7 @@
 ///
 /// One coarse solve of the film costs a few Newton iterations of the fine grid; what another number
 /// of nodes or richer physics changes there is nearly what it changes on the fine grid.
-#include "coupling/solve.hpp"
+#include "bearing/solve.hpp"
 #include "fidelity/kept_solids.hpp"
 
 namespace shellback::fidelity {
@@ -19,37 +19,37 @@ inline constexpr Grid kUsualGrid{400, 50};
 /// where that leaves fewer than two; down to 20 x 3. Where a grid cannot resolve the edges of the
 /// supplies, it gets as many more cells as it takes, along and then around; grids that come to the
 /// fine one are left out.
-[[nodiscard]] std::vector<Grid> coarse_grids(const coupling::Case& c);
+[[nodiscard]] std::vector<Grid> coarse_grids(const bearing::Case& c);
 
 /// The case, in the tier and on the grid that it names, from a solution that is near (other grid,
 /// physics or nodes, same bearing), from cold if that does not converge; none if this does not
 /// either or the grid cannot carry the supplies. Tells nothing, stops with the others.
-[[nodiscard]] std::optional<coupling::Solution> solve_near(const coupling::Case& c,
-                                                           const coupling::Solution& near,
-                                                           const coupling::SolveControl& control);
+[[nodiscard]] std::optional<bearing::Solution> solve_near(const bearing::Case& c,
+                                                          const bearing::Solution& near,
+                                                          const bearing::SolveControl& control);
 
 /// The solution with two more nodes across the film; none if there is none.
-[[nodiscard]] std::optional<coupling::Solution> with_more_nodes(
-    const coupling::Solution& s, const coupling::SolveControl& control);
+[[nodiscard]] std::optional<bearing::Solution> with_more_nodes(
+    const bearing::Solution& s, const bearing::SolveControl& control);
 
 /// Scalars in the tier that the solution's case names.
-[[nodiscard]] std::vector<coupling::Quantity> scalars(const coupling::Solution& s);
+[[nodiscard]] std::vector<bearing::Quantity> scalars(const bearing::Solution& s);
 
-[[nodiscard]] inline bool stopped(const coupling::SolveControl& control) {
+[[nodiscard]] inline bool stopped(const bearing::SolveControl& control) {
   return control.stop != nullptr && control.stop->load();
 }
 
 struct GridSequence {
   /// Same tier, solved to the end on the coarsest grid that has a solution; on the result's own
   /// grid where no coarser one has.
-  std::optional<coupling::Solution> coarse;
-  std::vector<coupling::LevelRecord> levels;  ///< from the coarsest to the finest
+  std::optional<bearing::Solution> coarse;
+  std::vector<bearing::LevelRecord> levels;  ///< from the coarsest to the finest
 };
 
 /// Three grids if possible, the result's own the last; where no coarser grid gives a solution (too
 /// few cells for the supplies, contact that they cannot place), its own and one that is finer.
 /// Each is solved from `s`. `kept` may be null.
-[[nodiscard]] GridSequence grid_sequence(const coupling::Solution& s,
-                                         const coupling::SolveControl& control, KeptSolids* kept);
+[[nodiscard]] GridSequence grid_sequence(const bearing::Solution& s,
+                                         const bearing::SolveControl& control, KeptSolids* kept);
 
 }  // namespace shellback::fidelity

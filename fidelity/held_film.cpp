@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "coupling/nested.hpp"
+#include "bearing/nested.hpp"
 
 namespace shellback::fidelity {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 Field widening(const Solution& s, const Physics& has) {
   Field sum(s.model.scene.grid.cells(), 0.0);

@@ -9,20 +9,20 @@
 /// and deformation is not counted); both at the price of a rigid isothermal film.
 #include <atomic>
 
-#include "coupling/solve.hpp"
+#include "bearing/solve.hpp"
 
 namespace shellback::fidelity {
 
 /// What of the solution the film keeps.
 struct Held {
-  coupling::Physics physics;  ///< of which effects; without film_energy: columns at their mean
-  bool heated = true;         ///< false: everywhere at the supply temperature
-  double warmer = 0.0;        ///< added to every temperature [K]
+  bearing::Physics physics;  ///< of which effects; without film_energy: columns at their mean
+  bool heated = true;        ///< false: everywhere at the supply temperature
+  double warmer = 0.0;       ///< added to every temperature [K]
 };
 
 /// `s` must have converged. The returned solution has no heat; `heat.growth` is all the widening.
-[[nodiscard]] coupling::Solution held_film(const coupling::Solution& s, std::array<int, 2> grid,
-                                           const Held& held,
-                                           const std::atomic<bool>* stop = nullptr);
+[[nodiscard]] bearing::Solution held_film(const bearing::Solution& s, std::array<int, 2> grid,
+                                          const Held& held,
+                                          const std::atomic<bool>* stop = nullptr);
 
 }  // namespace shellback::fidelity

@@ -5,13 +5,13 @@
 #include <map>
 #include <mutex>
 
-#include "coupling/bearing.hpp"
+#include "bearing/bearing.hpp"
 
 namespace shellback::fidelity {
 
 class KeptSolids {
  public:
-  using Kept = std::shared_ptr<const coupling::Solids>;
+  using Kept = std::shared_ptr<const bearing::Solids>;
 
   /// The latest of the grid; null: none.
   [[nodiscard]] Kept find(const std::array<int, 2>& grid) const {
@@ -19,7 +19,7 @@ class KeptSolids {
     const auto kept = solids_.find(grid);
     return kept == solids_.end() ? nullptr : kept->second;
   }
-  void keep(const coupling::BearingModel& model) {
+  void keep(const bearing::BearingModel& model) {
     const std::lock_guard lock(guard_);
     if (model.solids) solids_[model.input.model.grid] = model.solids;
   }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/solve.hpp"
+#include "bearing/solve.hpp"
 
 namespace shellback::fidelity {
 
@@ -18,11 +18,11 @@ inline constexpr double kModelSafety = 1.75;
 /// What an effect needs of a case, and how it is switched.
 struct EffectRule {
   struct Part {
-    bool coupling::Physics::*has;
-    std::optional<bool> coupling::Switches::*wish;  ///< null: a matter of the tier
-    bool (*data)(const coupling::Case&);            ///< the case has what it needs
+    bool bearing::Physics::*has;
+    std::optional<bool> bearing::Switches::*wish;  ///< null: a matter of the tier
+    bool (*data)(const bearing::Case&);            ///< the case has what it needs
   };
-  std::string name;  ///< as in coupling/effects
+  std::string name;  ///< as in bearing/effects
   std::vector<Part> parts;
 };
 
@@ -31,27 +31,27 @@ struct EffectRule {
 [[nodiscard]] const std::vector<EffectRule>& effect_rules();
 
 /// The same physics without the effect of that name.
-[[nodiscard]] coupling::Physics without(const std::string& effect, coupling::Physics physics);
+[[nodiscard]] bearing::Physics without(const std::string& effect, bearing::Physics physics);
 
 /// Switches an effect off where `given` leaves it open. False: it cannot be left out.
-[[nodiscard]] bool switch_off(const std::string& effect, const coupling::Switches& given,
-                              coupling::Switches& switches);
+[[nodiscard]] bool switch_off(const std::string& effect, const bearing::Switches& given,
+                              bearing::Switches& switches);
 
 /// True if the case has what the heat in shell and shaft needs: both, and a way out for the heat.
-[[nodiscard]] bool knows_its_walls(const coupling::Case& c);
+[[nodiscard]] bool knows_its_walls(const bearing::Case& c);
 
 /// One more effect than the step before.
 struct PhysicsStep {
   std::string effect;
-  coupling::Case input;  ///< the case with tier and switches set for it
+  bearing::Case input;  ///< the case with tier and switches set for it
 };
 
 /// Effects that the tier (with the case's own switches) leaves out and the case has data for, each
 /// step with all before it. The last is the fullest physics; empty: the tier is that already.
-[[nodiscard]] std::vector<PhysicsStep> richer_physics(const coupling::Case& c, coupling::Tier tier);
+[[nodiscard]] std::vector<PhysicsStep> richer_physics(const bearing::Case& c, bearing::Tier tier);
 
 /// Effects that nothing can be said about, since the case lacks data of shell or shaft.
-[[nodiscard]] std::vector<std::string> unknown_effects(const coupling::Case& c);
+[[nodiscard]] std::vector<std::string> unknown_effects(const bearing::Case& c);
 
 /// What one effect changes on the coarse grid, relative [-]; NaN: not known.
 struct EffectChange {
@@ -62,7 +62,7 @@ struct EffectChange {
 
 struct ModelError {
   /// Change of each quantity from the tier to the full physics, on the coarse grid.
-  std::vector<coupling::Quantity> change;
+  std::vector<bearing::Quantity> change;
   std::vector<EffectChange> effects;  ///< of the effects left out
   std::vector<std::string> unknown;   ///< effects for which the case has no data
   std::vector<std::string> failed;    ///< effects whose coarse solve gave nothing
@@ -71,7 +71,7 @@ struct ModelError {
 };
 
 /// From the coarse solution, in the tier that its case names, to the full physics of the case.
-[[nodiscard]] ModelError model_error(const coupling::Solution& coarse,
-                                     const coupling::SolveControl& control);
+[[nodiscard]] ModelError model_error(const bearing::Solution& coarse,
+                                     const bearing::SolveControl& control);
 
 }  // namespace shellback::fidelity

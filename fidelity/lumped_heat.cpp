@@ -8,7 +8,7 @@
 namespace shellback::fidelity {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 /// Resistance of a cylindrical layer per length [m K/W].
 double layer(double inner, double outer, const solid::Material& m) {

@@ -8,7 +8,7 @@
 /// around the bearing is left out.
 #include <vector>
 
-#include "coupling/case.hpp"
+#include "bearing/case.hpp"
 
 namespace shellback::fidelity {
 
@@ -21,13 +21,13 @@ struct HeatPath {
 /// Ways through shell (half the film c/2k, layers and housing as cylinders, convection outside) and
 /// shaft (half the film, two fins of the overhang's length), those of which the case has data. `k`
 /// of the oil [W/(m K)].
-[[nodiscard]] std::vector<HeatPath> solid_heat_paths(const coupling::Case& c, double k);
+[[nodiscard]] std::vector<HeatPath> solid_heat_paths(const bearing::Case& c, double k);
 
 /// Flow that supply pressure drives through the film [m3/s]: each patch feeds the edges through
 /// the film between (ours, a magnitude): p h^3/(12 eta) times (arc + s)/s to either side, s its
 /// distance from that edge, h^3 its mean over the patch. `closest`: angle of the smallest gap
 /// [rad].
-[[nodiscard]] double pressure_fed_flow(const coupling::Case& c, double eps, double closest,
+[[nodiscard]] double pressure_fed_flow(const bearing::Case& c, double eps, double closest,
                                        double eta);
 
 }  // namespace shellback::fidelity

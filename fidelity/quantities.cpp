@@ -19,15 +19,15 @@ std::vector<Quantity> change(const std::vector<Quantity>& from, const std::vecto
   return list;
 }
 
-bool given_by_case(const coupling::Case& c, coupling::Tier tier, const std::string& name) {
-  const bool position = std::holds_alternative<coupling::EccentricityGiven>(c.operation.position);
+bool given_by_case(const bearing::Case& c, bearing::Tier tier, const std::string& name) {
+  const bool position = std::holds_alternative<bearing::EccentricityGiven>(c.operation.position);
   if (name == "eccentricity_ratio") return position;
   if (name == "load_x" || name == "load_y") return !position;
   if (name == "tilt_x" || name == "tilt_y") {
-    return std::holds_alternative<coupling::TiltGiven>(c.operation.alignment);
+    return std::holds_alternative<bearing::TiltGiven>(c.operation.alignment);
   }
   const bool temperature = name == "T_equivalent" || name == "T_film_mean";
-  return temperature && tier == coupling::Tier::isothermal;
+  return temperature && tier == bearing::Tier::isothermal;
 }
 
 double natural_size(const Quantity& q, double T_supply, const std::vector<Quantity>& all) {

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::fidelity {
 
-using coupling::Quantity;
+using bearing::Quantity;
 
 /// Value of `name` in `list`; not-a-number if it is not there.
 [[nodiscard]] double value_in(const std::vector<Quantity>& list, const std::string& name);
@@ -17,7 +17,7 @@ using coupling::Quantity;
                                            const std::vector<Quantity>& to);
 
 /// True if the tier takes the quantity from the case: what is given has no error of the grid.
-[[nodiscard]] bool given_by_case(const coupling::Case& c, coupling::Tier tier,
+[[nodiscard]] bool given_by_case(const bearing::Case& c, bearing::Tier tier,
                                  const std::string& name);
 
 /// The size against which a small change of the quantity is measured: for temperatures the rise

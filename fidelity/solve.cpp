@@ -11,7 +11,7 @@
 
 namespace shellback::fidelity {
 
-using namespace coupling;
+using namespace bearing;
 
 namespace {
 
@@ -146,7 +146,7 @@ void put_bars(const BarRecord& record, Result& result) {
 
 Result summarize(const Solution& s, Tier tier, const SolveControl& control, WantedBars bars,
                  KeptSolids* kept) {
-  Result result = coupling::summarize(s, tier);
+  Result result = bearing::summarize(s, tier);
   if (!s.verdict.good()) return result;
   const BarRecord record = measure_bars(s, tier, control, bars, kept);
   if (stopped(control)) {

@@ -8,11 +8,11 @@ namespace shellback::fidelity {
 
 /// What the bars are made of.
 struct BarRecord {
-  std::array<int, 2> grid{0, 0};             ///< that of the result
-  std::optional<coupling::Solution> coarse;  ///< same tier, solved to the end; grid_sequence.hpp
+  std::array<int, 2> grid{0, 0};            ///< that of the result
+  std::optional<bearing::Solution> coarse;  ///< same tier, solved to the end; grid_sequence.hpp
   /// Change of each quantity by two more nodes across the film, on the coarse grid.
-  std::vector<coupling::Quantity> node_change;
-  std::vector<coupling::LevelRecord> levels;  ///< grids used, from the coarsest on
+  std::vector<bearing::Quantity> node_change;
+  std::vector<bearing::LevelRecord> levels;  ///< grids used, from the coarsest on
   ModelError model;
   double wall_s = 0.0;
 };
@@ -22,25 +22,25 @@ enum class WantedBars { grid, grid_and_model };
 
 /// Solves what the bars of a converged solution need. With `kept`, for many near solutions, the
 /// operators of the solids on coarse grids are kept.
-[[nodiscard]] BarRecord measure_bars(const coupling::Solution& s, coupling::Tier tier,
-                                     const coupling::SolveControl& control = {},
+[[nodiscard]] BarRecord measure_bars(const bearing::Solution& s, bearing::Tier tier,
+                                     const bearing::SolveControl& control = {},
                                      WantedBars bars = WantedBars::grid_and_model,
                                      KeptSolids* kept = nullptr);
 
 /// Puts the bars into the result: error_grid and error_model of each quantity, changes of the
 /// effects, words on what is not known.
-void put_bars(const BarRecord& record, coupling::Result& result);
+void put_bars(const BarRecord& record, bearing::Result& result);
 
-/// coupling::summarize with bars; the cost stands in cost.bars_s, apart from the solve. Results
+/// bearing::summarize with bars; the cost stands in cost.bars_s, apart from the solve. Results
 /// that did not converge get no bars.
-[[nodiscard]] coupling::Result summarize(const coupling::Solution& s, coupling::Tier tier,
-                                         const coupling::SolveControl& control = {},
-                                         WantedBars bars = WantedBars::grid_and_model,
-                                         KeptSolids* kept = nullptr);
+[[nodiscard]] bearing::Result summarize(const bearing::Solution& s, bearing::Tier tier,
+                                        const bearing::SolveControl& control = {},
+                                        WantedBars bars = WantedBars::grid_and_model,
+                                        KeptSolids* kept = nullptr);
 
 /// Solves the case in its tier (isothermal, lumped, thd or tehd). Does not throw for lack of
 /// convergence: the result carries the verdict and the last state.
-[[nodiscard]] coupling::Result solve(const coupling::Case& c,
-                                     const coupling::SolveControl& control = {});
+[[nodiscard]] bearing::Result solve(const bearing::Case& c,
+                                    const bearing::SolveControl& control = {});
 
 }  // namespace shellback::fidelity

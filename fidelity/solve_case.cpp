@@ -6,9 +6,9 @@
 
 namespace shellback::fidelity {
 
-coupling::Result solve_case(const coupling::Case& c, const coupling::SolveControl& control) {
-  if (c.model.tier == coupling::Tier::estimate) return estimate_result(c);
-  if (c.model.tier == coupling::Tier::automatic) return solve_auto(c, control);
+bearing::Result solve_case(const bearing::Case& c, const bearing::SolveControl& control) {
+  if (c.model.tier == bearing::Tier::estimate) return estimate_result(c);
+  if (c.model.tier == bearing::Tier::automatic) return solve_auto(c, control);
   return fidelity::solve(c, control);
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 /// One case, one result, in whatever tier the case names: what `run` calls.
-#include "coupling/control.hpp"
-#include "coupling/result.hpp"
+#include "bearing/control.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::fidelity {
 
-/// Solves the case in its tier: `estimate`, `auto`, or one of coupling/solve.hpp.
-[[nodiscard]] coupling::Result solve_case(const coupling::Case& c,
-                                          const coupling::SolveControl& control = {});
+/// Solves the case in its tier: `estimate`, `auto`, or one of bearing/solve.hpp.
+[[nodiscard]] bearing::Result solve_case(const bearing::Case& c,
+                                         const bearing::SolveControl& control = {});
 
 }  // namespace shellback::fidelity

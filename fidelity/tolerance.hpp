@@ -8,7 +8,7 @@
 /// tolerance, no grid does. Textbook (Richardson).
 #include <array>
 
-#include "coupling/result.hpp"
+#include "bearing/result.hpp"
 
 namespace shellback::fidelity {
 
@@ -20,7 +20,7 @@ struct RelativeBars {
   /// The known ones together.
   [[nodiscard]] double total() const;
 };
-[[nodiscard]] RelativeBars relative_bars(const coupling::Result& r, const std::string& quantity);
+[[nodiscard]] RelativeBars relative_bars(const bearing::Result& r, const std::string& quantity);
 
 /// What stands between a result and its tolerance.
 struct Shortfall {
@@ -32,12 +32,12 @@ struct Shortfall {
   std::array<int, 2> grid{0, 0};  ///< by (1), no finer than the finest that values are meant for
   double expected = 0.0;          ///< larger of both bars there [-]
 };
-[[nodiscard]] Shortfall shortfall(const coupling::Result& r, double tolerance);
+[[nodiscard]] Shortfall shortfall(const bearing::Result& r, double tolerance);
 
 /// True if the values differ by more than the bars of their grids together (the sum: a bar holds
 /// the true value, it is no standard deviation); also if a bar is not known. Bars of the physics
 /// left out do not count: results of one physics share it, and between two kinds of physics it is
 /// the difference.
-[[nodiscard]] bool told_apart(const coupling::Quantity& a, const coupling::Quantity& b);
+[[nodiscard]] bool told_apart(const bearing::Quantity& a, const bearing::Quantity& b);
 
 }  // namespace shellback::fidelity

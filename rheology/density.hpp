@@ -14,7 +14,7 @@
 /// constants differ between oils: the seed's are C1 = 588 MPa, C2 = 1.353; others take C1 = 2.22
 /// GPa, C2 = 1.66, half that compressibility. A film that reforms in a shallow pocket tells them
 /// apart: the peak behind it is 41.9 MPa instead of 36.8
-/// (tests/proof/compressible_pocket_test.cpp).
+/// (tests/validation/compressible_pocket_test.cpp).
 ///
 /// p gauge [Pa], above -1/b (-588 MPa); T [K]. Slope at p = 0: a, a bulk modulus of 1/a (1.67 GPa).
 /// The density is positive while c (T - at) stays below 1.

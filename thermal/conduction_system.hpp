@@ -7,11 +7,11 @@
 /// (thermal/heat_element.hpp), per radian; implicit Euler [textbook], dt = infinity is the steady
 /// state. With a prescribed back its line and all outside it are held at zero. The rows of (1) add
 /// up to the heat balance: in = through the back + through the ends + stored.
-#include "core/eigen.hpp"
 #include <limits>
 #include <vector>
 
 #include "core/block_cholesky.hpp"
+#include "core/eigen.hpp"
 #include "thermal/heat_element.hpp"
 
 namespace shellback::thermal {

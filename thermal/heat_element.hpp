@@ -7,10 +7,10 @@
 /// Harmonic n conducts with k0 + n^2 k2; the capacity is the same for all harmonics (consistent
 /// matrix: its rows add up to the capacity of the body). Eight-node rings, full quadrature
 /// (core/revolution_mesh.hpp). Source: textbook (semi-analytical finite elements).
-#include "core/eigen.hpp"
 #include <array>
 #include <vector>
 
+#include "core/eigen.hpp"
 #include "core/revolution_mesh.hpp"
 
 namespace shellback::thermal {

@@ -5,8 +5,8 @@
 
 #include "app/init.hpp"
 #include "app/library.hpp"
+#include "bearing/judge_case.hpp"
 #include "core/constants.hpp"
-#include "coupling/judge_case.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;
@@ -39,7 +39,7 @@ TEST_CASE("ValuesArriveInSI") {
   CHECK(c.bearing.radial_clearance == near(25e-6));
   CHECK(c.bearing.reference_temperature == near(293.15));
   CHECK(c.operation.omega == near(100.0 * kPi));
-  const auto load = std::get<coupling::LoadGiven>(c.operation.position);
+  const auto load = std::get<bearing::LoadGiven>(c.operation.position);
   CHECK(load.force == near(5000.0));
   CHECK(load.angle == near(1.5 * kPi));
   REQUIRE(c.supplies.size() == 1);
@@ -58,8 +58,8 @@ TEST_CASE("ValuesArriveInSI") {
   REQUIRE(c.shell);
   CHECK(c.shell->layers.at(0).thickness == near(0.002));
   CHECK(c.shell->layers[0].material.youngs_modulus == near(200e9));
-  CHECK(std::get<coupling::ConvectiveBack>(c.shell->back).heat_transfer == near(500.0));
-  CHECK(c.model.tier == coupling::Tier::tehd);
+  CHECK(std::get<bearing::ConvectiveBack>(c.shell->back).heat_transfer == near(500.0));
+  CHECK(c.model.tier == bearing::Tier::tehd);
   CHECK(c.warnings.empty());
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("WhatIsGivenIsNoAssumption") {
   CHECK_FALSE(holds(c.assumptions, "200 x 25"));
   CHECK_FALSE(holds(c.assumptions, "flooded"));
   CHECK(c.model.grid == std::array<int, 2>{100, 20});
-  CHECK(c.model.edges == coupling::Edges::dry);
+  CHECK(c.model.edges == bearing::Edges::dry);
   CHECK(c.model.tolerance == near(0.02));
 }
 
@@ -246,7 +246,7 @@ TEST_CASE("TheCommandLineChangesTheCase") {
   CHECK(c.supplies[0].pressure == near(3e5));
   CHECK(c.model.grid == std::array<int, 2>{100, 20});
   CHECK(c.measured.h_min == near(2e-6));
-  CHECK(std::get<coupling::TiltGiven>(c.operation.alignment).about_x == near(1e-4));
+  CHECK(std::get<bearing::TiltGiven>(c.operation.alignment).about_x == near(1e-4));
   CHECK(c.verbatim.find("operation.speed = 1500 rpm") != std::string::npos);
 }
 
@@ -283,8 +283,8 @@ eccentricity_ratio = 0.8
   CHECK(c.surfaces.contact->integral == solid::ContactIntegral::power_law);
   REQUIRE(c.shell->housing);
   CHECK(c.shell->housing->outer_radius == near(0.04));
-  CHECK(c.shell->housing->support == coupling::HousingSupport::free);
-  CHECK(std::get<coupling::MomentGiven>(c.operation.alignment).about_x == near(1.0));
+  CHECK(c.shell->housing->support == bearing::HousingSupport::free);
+  CHECK(std::get<bearing::MomentGiven>(c.operation.alignment).about_x == near(1.0));
   CHECK(c.measured.side_flow == near(1e-5));
   CHECK(c.measured.T_shell_max == near(383.15));
 }
@@ -350,7 +350,7 @@ TEST_CASE("EveryShippedCaseReadsClean") {
 
 TEST_CASE("TheRaimondiBoydCaseHasItsLineAtTheWidestGap") {
   const auto c = read_case(case_path("raimondi-boyd").string());
-  const auto e = std::get<coupling::EccentricityGiven>(c.operation.position);
+  const auto e = std::get<bearing::EccentricityGiven>(c.operation.position);
   const double widest = e.load_angle + e.attitude - kPi;  // opposite to the smallest gap
   CHECK(c.supplies.at(0).angle == Approx(widest).epsilon(1e-12));
   CHECK(c.supplies[0].arc == 0.0);
@@ -391,7 +391,7 @@ TEST_CASE("InitListsAndWritesShippedCases") {
 }
 
 TEST_CASE("MethodsAreReadFromTheCaseAndFromTheCommandLine") {
-  using namespace coupling;
+  using namespace bearing;
   const Methods m =
       read_sample("tier = \"tehd\"",
                   "tier = \"tehd\"\nmethods = { cavitation = \"fischer-burmeister\", across = "

@@ -118,7 +118,7 @@ inline void check_refused(const std::string& from, const std::string& to,
   CHECK(what.find(parts.front()) == 0);
 }
 
-inline coupling::Case read_sample(const std::string& from, const std::string& to) {
+inline bearing::Case read_sample(const std::string& from, const std::string& to) {
   return read_case_text(sample_with(from, to), "case.toml");
 }
 

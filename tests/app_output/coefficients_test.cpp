@@ -12,8 +12,8 @@ using nlohmann::json;
 
 namespace {
 
-coupling::Coefficients sample() {
-  coupling::Coefficients k;
+bearing::Coefficients sample() {
+  bearing::Coefficients k;
   k.K = {
       {{2e7, 5e7, 3e5, 4e5}, {-1e7, 1.6e7, 1e5, 2e5}, {1.0, 2.0, 3e4, 4.0}, {5.0, 6.0, 7.0, 8e4}}};
   k.C = {
@@ -21,18 +21,18 @@ coupling::Coefficients sample() {
   k.unknowns = 4;
   k.omega = -314.159265358979;
   k.K_load = {{{1.25, 7.5}, {-2.25, 1.5}}};
-  k.whirl = coupling::whirl_threshold(coupling::forces_of(k.K), coupling::forces_of(k.C));
+  k.whirl = bearing::whirl_threshold(bearing::forces_of(k.K), bearing::forces_of(k.C));
   k.speed_ratio = 2.125;
   return k;
 }
 
-coupling::Result with_coefficients() {
-  coupling::Result r = test::synthetic_result();
+bearing::Result with_coefficients() {
+  bearing::Result r = test::synthetic_result();
   r.coefficients = sample();
   return r;
 }
 
-json written(const coupling::Result& r) {
+json written(const bearing::Result& r) {
   return json::parse(app::result_json(test::synthetic_case(), r));
 }
 
@@ -71,14 +71,14 @@ TEST_CASE("JsonHasBothMatricesWithTheirUnits", "[coefficients]") {
   CHECK(j["K_with_tilt"]["value"][2][2] == 3e4);
   CHECK(j["load_axes"]["K_c_over_W"][0][1] == 7.5);
   CHECK(j["whirl"]["critical_mass"]["value"] == sample().whirl.critical_mass);
-  coupling::Result plane = with_coefficients();
+  bearing::Result plane = with_coefficients();
   plane.coefficients->unknowns = 2;
   CHECK_FALSE(written(plane)["coefficients"].contains("K_with_tilt"));
   CHECK_FALSE(written(test::synthetic_result()).contains("coefficients"));
 }
 
 TEST_CASE("CoefficientsThatWereNotFoundAreNotWritten", "[coefficients]") {
-  coupling::Result r = with_coefficients();
+  bearing::Result r = with_coefficients();
   r.coefficients->verdict = {Status::iteration_limit, "it did not settle", "", ""};
   const json j = written(r)["coefficients"];
   CHECK(j["reason"] == "it did not settle");
@@ -89,7 +89,7 @@ TEST_CASE("CoefficientsThatWereNotFoundAreNotWritten", "[coefficients]") {
 }
 
 TEST_CASE("TheTableTellsWhenARotorIsStable", "[coefficients]") {
-  coupling::Result r = with_coefficients();
+  bearing::Result r = with_coefficients();
   const auto words = [&] {
     std::ostringstream out;
     app::print_coefficients(out, r);
@@ -97,8 +97,8 @@ TEST_CASE("TheTableTellsWhenARotorIsStable", "[coefficients]") {
   };
   CHECK(words().find("7.5") != std::string::npos);
   CHECK(words().find("per bearing") != std::string::npos);
-  r.coefficients->whirl.verdict = coupling::WhirlVerdict::always_stable;
+  r.coefficients->whirl.verdict = bearing::WhirlVerdict::always_stable;
   CHECK(words().find("stably at this speed whatever its mass") != std::string::npos);
-  r.coefficients->whirl.verdict = coupling::WhirlVerdict::never_stable;
+  r.coefficients->whirl.verdict = bearing::WhirlVerdict::never_stable;
   CHECK(words().find("does not run stably") != std::string::npos);
 }

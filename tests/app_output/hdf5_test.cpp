@@ -174,8 +174,8 @@ TEST_CASE("FieldsTheTierDoesNotHaveAreAbsent") {
 
 TEST_CASE("AResultWithoutAnyFieldsOrNotesIsStillWritten") {
   const test::ScratchFile scratch("output.h5");
-  coupling::Result bare;
-  CHECK_NOTHROW(app::write_file(scratch.path(), app::result_hdf5(coupling::Case{}, bare)));
+  bearing::Result bare;
+  CHECK_NOTHROW(app::write_file(scratch.path(), app::result_hdf5(bearing::Case{}, bare)));
   const Reader file(scratch.path());
   CHECK(file.shape("notes/warnings") == std::vector<hsize_t>{0});
 }

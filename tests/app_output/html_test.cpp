@@ -21,7 +21,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-std::string page(const coupling::Comparison& comparison) {
+std::string page(const bearing::Comparison& comparison) {
   return app::comparison_html(test::synthetic_case(), comparison);
 }
 

@@ -58,7 +58,7 @@ TEST_CASE("EveryFormatIsKnownAsAResult") {
   CHECK(is_result(marked(Format::png, app::png_of(svg))));
   CHECK(is_result(marked(Format::markdown, "# Map\n")));
   CHECK(is_result(marked(Format::csv, "a,b\n1,2\n")));
-  coupling::Coefficients k;
+  bearing::Coefficients k;
   k.omega = -314.159;
   k.K = {{{1.5e8, -2.0}, {0.0, 3e-7}}};
   CHECK(is_result(marked(Format::coefficients, app::coefficients_csv(k))));
@@ -84,13 +84,13 @@ TEST_CASE("TheMarkedJsonIsTheSameAndNamesItsGenerator") {
       app::comparison_json(test::synthetic_case(), test::synthetic_comparison());
   auto json = nlohmann::json::parse(marked(Format::json, plain));
   CHECK(json.at("generator").get<std::string>() ==
-        "Shellback " + app::provenance(coupling::Case{}).version);
+        "Shellback " + app::provenance(bearing::Case{}).version);
   json.erase("generator");
   CHECK(json == nlohmann::json::parse(plain));
 }
 
 TEST_CASE("TheMarkedTableGetsALastColumnAndKeepsItsLines") {
-  const std::string version = app::provenance(coupling::Case{}).version;
+  const std::string version = app::provenance(bearing::Case{}).version;
   CHECK(marked(Format::csv, "a,b\n1,\"two\nlines\"\n3,4\n") ==
         "a,b,shellback\n1,\"two\nlines\"," + version + "\n3,4," + version + "\n");
 }

@@ -192,8 +192,8 @@ TEST_CASE("AWaterfallThatDoesNotAddUpShowsTheRest") {
 }
 
 TEST_CASE("SupplyOutlinesHaveTheSizeOfTheFeature") {
-  coupling::Supply groove;
-  groove.kind = coupling::SupplyKind::axial_groove;
+  bearing::Supply groove;
+  groove.kind = bearing::SupplyKind::axial_groove;
   groove.angle = kPi / 2;
   groove.arc = kPi / 10;
   groove.length = 12e-3;
@@ -203,7 +203,7 @@ TEST_CASE("SupplyOutlinesHaveTheSizeOfTheFeature") {
   CHECK(outline[1].x == Approx(99.0));
   CHECK(outline[0].y == Approx(-5.0));
   CHECK(outline[2].y == Approx(7.0));
-  coupling::Supply hole;
+  bearing::Supply hole;
   hole.diameter = 5e-3;
   for (const auto& p : app::supply_outline(hole, 0.025)) {
     const double x = p.x * kPi / 180.0 * 25.0;  // [mm]
@@ -224,7 +224,7 @@ TEST_CASE("AFeatureAcrossTheSeamIsDrawnOnBothSides") {
 
 TEST_CASE("MidWidthLineIsInterpolatedToThePlaneOfSymmetry") {
   for (const int nz : {24, 25}) {
-    coupling::Result result;
+    bearing::Result result;
     result.fields.grid = make_grid(0.025, 0.02, 40, nz, false);
     const auto& grid = result.fields.grid;
     Field field;

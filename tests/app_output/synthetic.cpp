@@ -9,7 +9,7 @@
 namespace shellback::test {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 constexpr double kRadius = 23.9e-3;     // [m]
 constexpr double kWidth = 17.2e-3;      // [m]

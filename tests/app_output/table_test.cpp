@@ -12,13 +12,13 @@ using namespace shellback;
 
 namespace {
 
-std::string table(const coupling::Result& result) {
+std::string table(const bearing::Result& result) {
   std::ostringstream out;
   app::write_table(out, test::synthetic_case(), result);
   return out.str();
 }
 
-std::string comparison_table(const coupling::Comparison& comparison) {
+std::string comparison_table(const bearing::Comparison& comparison) {
   std::ostringstream out;
   app::write_comparison_table(out, test::synthetic_case(), comparison);
   return out.str();
@@ -103,8 +103,8 @@ TEST_CASE("AnAuditFigureThatDoesNotApplyIsNotPrintedAsANumber") {
 
 TEST_CASE("AnEmptyResultStillMakesATable") {
   std::ostringstream out;
-  CHECK_NOTHROW(app::write_table(out, coupling::Result{}));
-  CHECK_NOTHROW(app::write_comparison_table(out, coupling::Case{}, coupling::Comparison{}));
+  CHECK_NOTHROW(app::write_table(out, bearing::Result{}));
+  CHECK_NOTHROW(app::write_comparison_table(out, bearing::Case{}, bearing::Comparison{}));
 }
 
 TEST_CASE("AForceComponentOfRoundOffIsShownAsNone") {
@@ -120,7 +120,7 @@ TEST_CASE("AForceComponentOfRoundOffIsShownAsNone") {
 }
 
 TEST_CASE("StepsAreShownToATenThousandthOfTheTorque") {
-  const coupling::FrictionSplit split{0.287, 0.243, {}};
+  const bearing::FrictionSplit split{0.287, 0.243, {}};
   CHECK(app::signed_change(split, -0.02519) == "-0.0252");
   CHECK(app::signed_change({250.0, 240.0, {}}, -9.96) == "-10.0");
 }
@@ -166,7 +166,7 @@ TEST_CASE("AComparisonNamesTheTierThatMeetsTheTolerance") {
   subject.path = "case.toml";
   auto comparison = test::synthetic_comparison();
   for (auto& result : comparison.results) {
-    const bool full = result.tier == coupling::Tier::tehd;
+    const bool full = result.tier == bearing::Tier::tehd;
     for (auto& q : result.quantities) {
       q.error_grid = 0.1 * subject.model.tolerance * std::abs(q.value);
       if (!full) q.error_model = 0.3 * std::abs(q.value);

@@ -1,17 +1,16 @@
-#include "fidelity/auto_probe.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "fidelity/auto_probe.hpp"
 #include "fidelity/quantities.hpp"
 #include "fidelity/solve_case.hpp"
-#include "tests/coupling/sample_bearing.hpp"
+#include "tests/bearing/sample_bearing.hpp"
 
 namespace shellback::fidelity {
 namespace {
 
-using namespace coupling;
-using namespace coupling::tests;
+using namespace bearing;
+using namespace bearing::tests;
 
 Solution coarse(int nodes) {
   Case c = grooved_case();

@@ -7,13 +7,13 @@
 #include "fidelity/grid_error.hpp"
 #include "fidelity/held_film.hpp"
 #include "fidelity/solve_case.hpp"
-#include "tests/coupling/sample_bearing.hpp"
+#include "tests/bearing/sample_bearing.hpp"
 
 namespace shellback::fidelity {
 namespace {
 
-using namespace coupling;
-using namespace coupling::tests;
+using namespace bearing;
+using namespace bearing::tests;
 
 const Effect& effect(const Result& r, const std::string& name) {
   for (const Effect& e : r.effects) {

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "core/constants.hpp"
-#include "tests/coupling/sample_bearing.hpp"
+#include "tests/bearing/sample_bearing.hpp"
 
 namespace shellback::fidelity {
 namespace {
 
-using namespace coupling;
-using namespace coupling::tests;
+using namespace bearing;
+using namespace bearing::tests;
 
 }  // namespace
 

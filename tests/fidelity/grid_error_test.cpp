@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "../coupling/sample_bearing.hpp"
+#include "../bearing/sample_bearing.hpp"
 #include "fidelity/grid_sequence.hpp"
 
 using namespace shellback::fidelity;
@@ -84,7 +84,7 @@ TEST_CASE("BarsScaleWithTheirQuantity") {
 
 TEST_CASE("CoarseGridsAreTwoAtLeastAndCoarser") {
   const auto coarse_grids = [](Grid grid) {
-    auto c = shellback::coupling::tests::plain_case();
+    auto c = shellback::bearing::tests::plain_case();
     c.model.grid = grid;
     return shellback::fidelity::coarse_grids(c);
   };

@@ -2,13 +2,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "../coupling/sample_bearing.hpp"
-#include "coupling/bearing.hpp"
+#include "../bearing/sample_bearing.hpp"
+#include "bearing/bearing.hpp"
 #include "fidelity/solve.hpp"
 
 using namespace shellback;
-using namespace shellback::coupling;
-using namespace shellback::coupling::tests;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
 
 namespace {
 

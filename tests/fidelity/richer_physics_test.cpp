@@ -1,13 +1,12 @@
 // The way to the full physics: complete, one effect a step, only where the data are.
-#include "fidelity/left_out.hpp"
-
 #include <catch2/catch.hpp>
 
-#include "../coupling/sample_bearing.hpp"
+#include "../bearing/sample_bearing.hpp"
+#include "fidelity/left_out.hpp"
 
 using namespace shellback;
-using namespace shellback::coupling;
-using namespace shellback::coupling::tests;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
 using fidelity::richer_physics;
 
 namespace {

@@ -3,11 +3,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "../coupling/sample_bearing.hpp"
+#include "../bearing/sample_bearing.hpp"
 
 using namespace shellback;
-using namespace shellback::coupling;
-using namespace shellback::coupling::tests;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
 
 namespace {
 
@@ -42,7 +42,7 @@ TEST_CASE("EveryQuantityOfAConvergedResultHasAGridBar") {
 }
 
 TEST_CASE("BarsDoNotChangeTheResult") {
-  const Result bare = coupling::solve(warm_case());
+  const Result bare = bearing::solve(warm_case());
   const Result judged = fidelity::solve(warm_case());
   REQUIRE(bare.quantities.size() == judged.quantities.size());
   for (std::size_t k = 0; k < bare.quantities.size(); ++k) {

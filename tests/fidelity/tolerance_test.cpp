@@ -3,13 +3,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "../coupling/sample_bearing.hpp"
+#include "../bearing/sample_bearing.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/solve.hpp"
 
 using namespace shellback;
-using namespace shellback::coupling;
-using namespace shellback::coupling::tests;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
 using fidelity::shortfall;
 using fidelity::told_apart;
 

@@ -1,5 +1,5 @@
 /// The command line: what is understood, and what is said when it is not.
-#include "program/cli.hpp"
+#include "app/program/cli.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;

@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "app/case_text.hpp"
+#include "app/program/cli.hpp"
 #include "core/contract.hpp"
-#include "program/cli.hpp"
-#include "proof/stress_scenes.hpp"
+#include "validation/stress/stress_scenes.hpp"
 
 using namespace shellback;
 using namespace shellback::program;
@@ -87,7 +87,8 @@ std::string wrong_with_request(const std::vector<std::string>& words) {
     if (r.command == Command::chart && !charted) return "no scene " + scene;
   }
   if (r.command == Command::stress) {
-    static_cast<void>(proof::chosen_stress_scenes(proof::shipped_stress_scenes(false), r.scenes));
+    static_cast<void>(
+        validation::chosen_stress_scenes(validation::shipped_stress_scenes(false), r.scenes));
   }
   return "";
 }
@@ -116,7 +117,7 @@ std::string wrong_with(std::vector<std::string> words) {
   if (name == "shellback") return wrong_with_request(rest);
   if (name == "ctest") return wrong_with_test_run(rest);
   if (program.starts_with("scripts/")) return is_executable(kRoot / program) ? "" : "no script";
-  const std::string built = files_ending_in("CMakeLists.txt", {"validation", "program"});
+  const std::string built = files_ending_in("CMakeLists.txt", {"validation", "app/program"});
   const bool known = built.find("add_executable(" + name + " ") != std::string::npos;
   return known ? "" : "nothing of this name is built";
 }

@@ -1,5 +1,5 @@
 /// The files of a run: none is lost that was there before, and one that fails takes no other along.
-#include "program/outputs.hpp"
+#include "app/program/outputs.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include "app/library.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"
-#include "tests/proof/ledger_scratch.hpp"
+#include "tests/validation/ledger_scratch.hpp"
 
 using namespace shellback;
 using namespace shellback::app;
@@ -107,7 +107,7 @@ TEST_CASE("NorWhatComesWithTheProgram") {
 }
 
 TEST_CASE("NorTheLedgerThatIsRerun") {
-  const proof::tests::ScratchLedger ledger;
+  const validation::tests::ScratchLedger ledger;
   for (const char* option : {"-o", "--csv", "--json"}) {
     check_kept({"validate", "--ledger", ledger.path(), option},
                ledger.path() + "wide/expected.csv");
@@ -176,7 +176,7 @@ TEST_CASE("InitWritesACaseAndNothingElse") {
 }
 
 TEST_CASE("TheLedgersTableOnStandardOutputStandsAlone") {
-  const proof::tests::ScratchLedger ledger;
+  const validation::tests::ScratchLedger ledger;
   const Ended ended = run_words({"validate", "--ledger", ledger.path(), "--csv", "-"});
   CHECK(ended.code == kDone);
   CHECK(ended.out.starts_with("entry,evidence,"));

@@ -15,7 +15,7 @@
 #include <sstream>
 #include <thread>
 
-#include "program/cli.hpp"
+#include "app/program/cli.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;

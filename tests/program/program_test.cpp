@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "program/session.hpp"
+#include "app/program/session.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"
 

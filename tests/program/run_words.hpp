@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "program/cli.hpp"
+#include "app/program/cli.hpp"
 
 namespace shellback::program::tests {
 

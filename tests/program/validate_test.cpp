@@ -2,12 +2,12 @@
 #include <catch2/catch.hpp>
 
 #include "tests/program/run_words.hpp"
-#include "tests/proof/ledger_scratch.hpp"
+#include "tests/validation/ledger_scratch.hpp"
 
 using namespace shellback;
 using namespace shellback::program;
 using namespace shellback::program::tests;
-using namespace shellback::proof::tests;
+using namespace shellback::validation::tests;
 
 namespace {
 

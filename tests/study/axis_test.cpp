@@ -1,5 +1,5 @@
 /// Values of an axis.
-#include "study/axis.hpp"
+#include "app/study/axis.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

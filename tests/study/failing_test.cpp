@@ -14,8 +14,8 @@ namespace {
 /// The rigid smooth bearing with a fixed oil flow, whose lumped heat balance runs away at high
 /// speed: no supply pressure and a narrow line, an oil whose heat capacity is small.
 Case hot_case(double rpm) {
-  Case c = coupling::tests::plain_case();
-  c.model.tier = coupling::Tier::lumped;
+  Case c = bearing::tests::plain_case();
+  c.model.tier = bearing::Tier::lumped;
   c.oil.heat_capacity = rheology::ConstantHeatCapacity{2.0};  // a thousandth of an oil's
   c.operation.omega = rpm * kPi / 30.0;
   return c;
@@ -30,8 +30,8 @@ TEST_CASE("APointWithoutSolutionCarriesItsReasonAndTheOthersAreSolved") {
   const CaseAt source = [&](const Position& at) {
     return hot_case(std::stod(word_at(axes[0], at.along)));
   };
-  const bool slow = coupling::solve(hot_case(10.0)).verdict.good();
-  const bool fast = coupling::solve(hot_case(6000.0)).verdict.good();
+  const bool slow = bearing::solve(hot_case(10.0)).verdict.good();
+  const bool fast = bearing::solve(hot_case(6000.0)).verdict.good();
   REQUIRE(slow);
   REQUIRE_FALSE(fast);
   const Sweep sweep = run_sweep(axes, source);
@@ -85,7 +85,7 @@ TEST_CASE("AKeyOfWholeNumbersHasNoMiddleAndIsSweptAllTheSame") {
   const CaseAt source = [&](const Position& at) {
     const double nodes = std::stod(word_at(axes[0], at.along));
     if (nodes != std::floor(nodes)) throw InputError("model.film_nodes", "not a whole number");
-    Case c = coupling::tests::warm_case();
+    Case c = bearing::tests::warm_case();
     c.model.film_nodes = static_cast<int>(nodes);
     return c;
   };
@@ -142,15 +142,15 @@ TEST_CASE("TiersWithoutAFilmAreSolvedAloneOrRefused") {
       spaced_axis("operation.speed", 3000.0, 1000.0, 5, Spacing::linear, "rpm")};
   const CaseAt source = [&](const Position& at) {
     Case c = plain_source(axes)(at);
-    if (at.along == 2.0) c.model.tier = coupling::Tier::estimate;
+    if (at.along == 2.0) c.model.tier = bearing::Tier::estimate;
     return c;
   };
   CHECK_THROWS_AS(run_sweep(axes, source), InputError);
   SweepOptions options;
-  options.solve_alone = [](const Case& c, const coupling::SolveControl& control) {
+  options.solve_alone = [](const Case& c, const bearing::SolveControl& control) {
     Case same = c;
-    same.model.tier = coupling::Tier::isothermal;
-    return coupling::solve(same, control);
+    same.model.tier = bearing::Tier::isothermal;
+    return bearing::solve(same, control);
   };
   const Sweep sweep = run_sweep(axes, source, options);
   const Sweep usual = run_sweep(axes, plain_source(axes));

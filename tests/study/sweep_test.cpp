@@ -27,7 +27,7 @@ TEST_CASE("EveryPointOfASweepIsThatOfASingleRun") {
   CHECK(sweep.count_good() == 12);
   for (int k = 0; k < 6; ++k) {
     for (int c = 0; c < 2; ++c) {
-      const coupling::Result single = coupling::solve(source({static_cast<double>(k), {c}}));
+      const bearing::Result single = bearing::solve(source({static_cast<double>(k), {c}}));
       REQUIRE(single.verdict.good());
       const SweepPoint& point = sweep.at(k, c);
       // Newton's tolerance of 1e-9 on the load, times the condition of the film.
@@ -47,7 +47,7 @@ TEST_CASE("AThermalSweepIsThatOfSingleRunsAndCostsLess") {
   int warm = 0;
   int cold = 0;
   for (int k = 0; k < 6; ++k) {
-    const coupling::Result single = coupling::solve(source({static_cast<double>(k), {}}));
+    const bearing::Result single = bearing::solve(source({static_cast<double>(k), {}}));
     REQUIRE(single.verdict.good());
     const SweepPoint& point = sweep.at(k, 0);
     INFO(axes[0].words[k]);
@@ -91,10 +91,10 @@ TEST_CASE("TheDirectionOfASweepDoesNotMoveItsResultsBeyondTheTolerance") {
 
 TEST_CASE("TiersFollowOneAnother") {
   const std::vector<Axis> axes{word_axis("model.tier", {"isothermal", "lumped", "thd", "tehd"})};
-  const coupling::Tier tiers[]{coupling::Tier::isothermal, coupling::Tier::lumped,
-                               coupling::Tier::thd, coupling::Tier::tehd};
+  const bearing::Tier tiers[]{bearing::Tier::isothermal, bearing::Tier::lumped, bearing::Tier::thd,
+                              bearing::Tier::tehd};
   const CaseAt source = [&](const Position& at) {
-    Case c = coupling::tests::rig_case();
+    Case c = bearing::tests::rig_case();
     c.model.grid = {60, 9};
     c.model.tier = tiers[static_cast<int>(at.along)];
     return c;
@@ -102,7 +102,7 @@ TEST_CASE("TiersFollowOneAnother") {
   const Sweep sweep = run_sweep(axes, source);
   REQUIRE(sweep.count_good() == 4);
   for (int k = 0; k < 4; ++k) {
-    const coupling::Result single = coupling::solve(source({static_cast<double>(k), {}}));
+    const bearing::Result single = bearing::solve(source({static_cast<double>(k), {}}));
     CHECK(sweep.at(k, 0).result.tier == tiers[k]);
     CHECK(torque(sweep.at(k, 0)) ==
           Approx(single.value("friction_torque")).epsilon(kThermalTolerance));

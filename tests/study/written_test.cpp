@@ -107,7 +107,7 @@ TEST_CASE("TheCsvHoldsEveryPointCurveAfterCurve") {
 TEST_CASE("TheHdf5FileHoldsTheGridWithHolesForWhatFailed") {
   const ScratchFolder scratch;
   const Sweep sweep = broken_sweep();
-  Case subject = coupling::tests::plain_case();
+  Case subject = bearing::tests::plain_case();
   subject.verbatim = "title = \"plain\"\n";
   const std::string path = scratch.path("sweep.h5");
   write_file(path, sweep_hdf5(subject, sweep));
@@ -140,7 +140,7 @@ TEST_CASE("TheHdf5FileHoldsTheGridWithHolesForWhatFailed") {
 
 TEST_CASE("TheJsonGivesNoQuantitiesForWhatFailed") {
   const Sweep sweep = broken_sweep();
-  const auto json = nlohmann::json::parse(sweep_json(coupling::tests::plain_case(), sweep));
+  const auto json = nlohmann::json::parse(sweep_json(bearing::tests::plain_case(), sweep));
   CHECK(json["converged"] == 4);
   CHECK(json["failed"] == 1);
   REQUIRE(json["points"].size() == 6);
@@ -154,7 +154,7 @@ TEST_CASE("TheJsonGivesNoQuantitiesForWhatFailed") {
 
 TEST_CASE("TheTableNamesEveryFailureWithItsPoint") {
   std::ostringstream out;
-  write_sweep_table(out, coupling::tests::plain_case(), broken_sweep());
+  write_sweep_table(out, bearing::tests::plain_case(), broken_sweep());
   check_parts(out.str(), {"6 points, 4 converged, 1 not, 1 left by the interrupt",
                           "not solved at operation.speed = 2000 rpm, operation.load = 2 kN",
                           "did not settle", "not started"});
@@ -164,7 +164,7 @@ TEST_CASE("ThePictureCountsFailedPointsAndDrawsNone") {
   const ScratchFolder scratch;
   const auto drawn = [&](const Sweep& sweep) {
     const std::string path = scratch.path("sweep.svg");
-    write_file(path, sweep_svg(kSampleCase, coupling::tests::plain_case(), sweep));
+    write_file(path, sweep_svg(kSampleCase, bearing::tests::plain_case(), sweep));
     std::ifstream file(path);
     std::stringstream text;
     text << file.rdbuf();
@@ -200,7 +200,7 @@ TEST_CASE("ErrorBarsStandBesideTheirValues") {
   CHECK(std::stod(rows[1][column]) == Approx(0.01 * torque(sweep.points[0])).epsilon(1e-12));
   CHECK(rows[2][column].empty());  // not known there: no bar, not a bar of zero
   const ScratchFolder scratch;
-  write_file(scratch.path("bars.h5"), sweep_hdf5(coupling::tests::plain_case(), sweep));
+  write_file(scratch.path("bars.h5"), sweep_hdf5(bearing::tests::plain_case(), sweep));
   const hid_t file = H5Fopen(scratch.path("bars.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   REQUIRE(file >= 0);
   const auto bars = values_of(file, "/errors/friction_torque");

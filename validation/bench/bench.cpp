@@ -12,17 +12,17 @@
 #include <string>
 #include <vector>
 
+#include "bearing/nested.hpp"
+#include "bearing/solids.hpp"
+#include "bearing/solve.hpp"
 #include "core/freed_memory.hpp"
-#include "coupling/nested.hpp"
-#include "coupling/solids.hpp"
-#include "coupling/solve.hpp"
 #include "validation/bench/klu_yardstick.hpp"
 #include "validation/bench/scenes.hpp"
 
 namespace {
 
 using namespace shellback;
-using namespace shellback::coupling;
+using namespace shellback::bearing;
 using Grid = std::array<int, 2>;
 
 constexpr int kRepetitions = 5;

@@ -6,27 +6,27 @@
 #include <stdexcept>
 #include <vector>
 
-#include "coupling/bearing.hpp"
-#include "coupling/solve_equilibrium.hpp"
-#include "coupling/solve.hpp"
+#include "bearing/bearing.hpp"
+#include "bearing/solve.hpp"
+#include "bearing/solve_equilibrium.hpp"
 
 namespace shellback::bench {
 
-RingMatrix reynolds_matrix(const coupling::Case& source, int nt, int nz) {
-  coupling::Case c = source;
+RingMatrix reynolds_matrix(const bearing::Case& source, int nt, int nz) {
+  bearing::Case c = source;
   c.model.grid = {nt, nz};
-  c.operation.position = coupling::EccentricityGiven{0.9, 0.4, 4.71238898038469};
-  coupling::BearingModel model =
-      coupling::make_bearing(c, coupling::physics_of(c, coupling::Tier::isothermal), {nt, nz});
+  c.operation.position = bearing::EccentricityGiven{0.9, 0.4, 4.71238898038469};
+  bearing::BearingModel model =
+      bearing::make_bearing(c, bearing::physics_of(c, bearing::Tier::isothermal), {nt, nz});
   fluid::FilmScene& s = model.scene;  // the same scene on the full width
   s.grid = full_grid(s.grid);
   s.angles = fluid::Angles(s.grid);
   s.supply = fluid::map_supplies(s.grid, s.supply.patches);
   model.step.clear();
-  coupling::FilmEquilibrium film = coupling::cold_start(model, coupling::equivalent_temperature(c));
-  coupling::EquilibriumCost cost;
-  const auto verdict = coupling::solve_equilibrium(model, coupling::load_target(c), {},
-                                                   coupling::EquilibriumOptions{}, film, cost);
+  bearing::FilmEquilibrium film = bearing::cold_start(model, bearing::equivalent_temperature(c));
+  bearing::EquilibriumCost cost;
+  const auto verdict = bearing::solve_equilibrium(model, bearing::load_target(c), {},
+                                                  bearing::EquilibriumOptions{}, film, cost);
   if (!verdict.good()) throw std::runtime_error("the yardstick film: " + verdict.reason);
   RingMatrix matrix;
   fluid::assemble_film(s, film.flow, fluid::active_set_unknowns(film.film), matrix);

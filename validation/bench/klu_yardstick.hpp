@@ -6,13 +6,13 @@
 /// factorisation reused (klu_refactor). A time over this one holds on any machine.
 #include <memory>
 
+#include "bearing/case.hpp"
 #include "core/ring_matrix.hpp"
-#include "coupling/case.hpp"
 
 namespace shellback::bench {
 
 /// Jacobian of the full-width film on nt x nz cells, in the unknowns of the active set.
-[[nodiscard]] RingMatrix reynolds_matrix(const coupling::Case& c, int nt, int nz);
+[[nodiscard]] RingMatrix reynolds_matrix(const bearing::Case& c, int nt, int nz);
 
 /// Owns a matrix in KLU's form and its factors.
 class KluYardstick {

@@ -5,7 +5,7 @@
 namespace shellback::bench {
 namespace {
 
-using namespace coupling;
+using namespace bearing;
 
 constexpr double kDegree = kPi / 180.0;
 constexpr double kRpm = kPi / 30.0;  ///< [rad/s]

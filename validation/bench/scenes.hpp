@@ -4,11 +4,11 @@
 #include <array>
 #include <string>
 
-#include "coupling/case.hpp"
+#include "bearing/case.hpp"
 
 namespace shellback::bench {
 
 /// "raimondi-boyd", "thd-plain-bearing" or "ks-rig-test-bearing" on nt x nz cells.
-[[nodiscard]] coupling::Case scene(const std::string& name, std::array<int, 2> grid);
+[[nodiscard]] bearing::Case scene(const std::string& name, std::array<int, 2> grid);
 
 }  // namespace shellback::bench

@@ -15,13 +15,13 @@
 #include <cstring>
 #include <vector>
 
+#include "bearing/solve.hpp"
 #include "core/constants.hpp"
-#include "coupling/solve.hpp"
 
 namespace {
 
 using namespace shellback;
-using namespace shellback::coupling;
+using namespace shellback::bearing;
 
 constexpr double kRadius = 0.05;      ///< any: the numbers have no dimension [m]
 constexpr double kClearance = 50e-6;  ///< any [m]
@@ -45,7 +45,7 @@ double& number(Row& row, int k) {
                   : row.pressure;
 }
 
-Case bearing(double eps, double b) {
+Case plain_bearing(double eps, double b) {
   Case c;
   c.bearing = {kRadius, 2.0 * kRadius * b, kClearance, kZeroCelsius, {}};
   Supply line;
@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
   fmt::print("B_over_D,eps,so,attitude_deg,couette,side,p_max,largest_extrapolation\n");
   for (const double b : widths) {
     for (const double eps : eccentricities) {
-      const Solution s = solve_tier(bearing(eps, b), Tier::isothermal);
+      const Solution s = solve_tier(plain_bearing(eps, b), Tier::isothermal);
       if (!s.verdict.good() || s.levels.size() < 3) {
         fmt::print(stderr, "B/D {} eps {}: {}\n", b, eps, s.verdict.reason);
         return 3;

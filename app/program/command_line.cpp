@@ -1,0 +1,340 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "app/did_you_mean.hpp"
+#include "app/program/cli.hpp"
+
+namespace shellback::program {
+namespace {
+
+using namespace app;
+
+constexpr int kMostThreads = 1024;
+const std::string kTierWords = "estimate, isothermal, lumped, thd, tehd or auto";
+
+void add_case_options(CLI::App& command, Request& request) {
+  command.add_option("CASE", request.case_file, "case file (TOML)")->required();
+  command
+      .add_option("--set", request.set,
+                  "change the case: --set operation.speed=\"1500 rpm\"; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_threads(CLI::App& command, Request& request, const std::string& words) {
+  command.add_option("-j", request.threads, words)
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+void add_force(CLI::App& command, Request& request) {
+  command.add_flag("--force", request.force,
+                   "let outputs replace files that are no results of shellback (never an input)");
+}
+
+void add_solve_options(CLI::App& command, Request& request) {
+  add_case_options(command, request);
+  command
+      .add_option("--json", request.json,
+                  "also write the result as JSON; - is standard output, without the table")
+      ->type_name("FILE");
+  add_force(command, request);
+  add_threads(command, request, "threads that may be used (this command works on one)");
+}
+
+void add_validate(CLI::App& app, Request& request) {
+  auto* validate = app.add_subcommand(
+      "validate", "rerun the ledger: ours, theirs, difference, tolerance, verdict");
+  validate->add_option("NAME", request.names, "entries; without one, all of them");
+  validate->add_flag("--list", request.list, "list the entries without running them");
+  validate->add_flag("--rows", request.all_rows, "print every row, not only the worst");
+  add_force(*validate, request);
+  add_threads(*validate, request, "threads that may be used");
+  validate->add_option("-o", request.output, "write the page with figures and bands (HTML)")
+      ->type_name("FILE.html");
+  validate->add_option("--csv", request.csv, "write every row as a table; - is standard output")
+      ->type_name("FILE");
+  validate
+      ->add_option("--json", request.json,
+                   "also write the ledger as JSON; - is standard output, without the tables")
+      ->type_name("FILE");
+  validate->add_option("--ledger", request.ledger, "folder of entries (default: the shipped ones)")
+      ->type_name("FOLDER");
+}
+
+void add_chart(CLI::App& app, Request& request) {
+  auto* chart = app.add_subcommand("chart", "speed against accuracy of grids, tiers and methods");
+  chart->add_option("SCENE", request.scenes,
+                    "shipped scenes or case files (default: all shipped scenes)");
+  chart->add_option("-o", request.output, "write the picture (SVG)")->type_name("FILE.svg");
+  chart->add_option("--png", request.png, "write the picture as pixels")->type_name("FILE.png");
+  chart->add_option("--csv", request.csv, "write all numbers; - is standard output")
+      ->type_name("FILE.csv");
+  chart->add_flag("--quick", request.quick, "coarser grids, each solve timed once");
+  add_force(*chart, request);
+  add_threads(*chart, request, "threads for the references; timed solves run one at a time");
+}
+
+void add_sweep(CLI::App& app, Request& request) {
+  auto* sweep = app.add_subcommand("sweep", "solve a case over ranges of its keys");
+  add_case_options(*sweep, request);
+  sweep
+      ->add_option("--vary", request.vary,
+                   "a range or a list: --vary operation.speed=\"3000 rpm..50 rpm/30log\", --vary "
+                   "operation.load=\"4 kN,8 kN\"; may be repeated; points follow one another along "
+                   "the first")
+      ->type_name("KEY=FROM..TO[/N][log]")
+      ->allow_extra_args(false);
+  sweep->add_option("--tier", request.tier, kTierWords);
+  auto* bars = sweep->add_flag(
+      "--bars", request.bars,
+      "error bars of the physics left out beside those of the grid; takes several times as long");
+  sweep->add_flag("--no-bars", request.no_bars, "no error bars: for speed alone")->excludes(bars);
+  sweep->add_option("-o", request.output, "write all results over the grid (HDF5)")
+      ->type_name("FILE.h5");
+  sweep->add_option("--csv", request.csv, "write a table, one line a point; - is standard output")
+      ->type_name("FILE.csv");
+  sweep->add_option("--picture", request.picture, "draw the curves or maps (SVG)")
+      ->type_name("FILE.svg");
+  sweep->add_option("--json", request.json, "write all results as JSON; - is standard output")
+      ->type_name("FILE");
+  add_force(*sweep, request);
+  sweep->add_option("-j", request.cores, "threads (default: all cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+void add_stress(CLI::App& app, Request& request) {
+  constexpr double kLongest = 1e5;  // a day and more
+  auto* stress = app.add_subcommand("stress", "the stability map: hard scenes by methods");
+  stress->add_option("SCENE", request.scenes, "scene or scene/tier (default: all)");
+  stress->add_flag("--list", request.list, "list the scenes and do nothing else");
+  stress->add_option("-o", request.output, "write the map as a picture (SVG)")
+      ->type_name("FILE.svg");
+  stress->add_option("--table", request.table, "write the map as a page with tables (Markdown)")
+      ->type_name("FILE.md");
+  stress->add_option("--csv", request.csv, "write all cells; - is standard output")
+      ->type_name("FILE.csv");
+  stress->add_option("--json", request.json, "write all cells; - is standard output")
+      ->type_name("FILE");
+  stress->add_flag("--quick", request.quick,
+                   "coarser grids where the scene does not choose its own");
+  stress->add_flag("--only-default", request.only_default, "leave out the other methods");
+  stress->add_option("--limit", request.limit_s, "processor time after which a solve hangs [s]")
+      ->type_name("S")
+      ->check(CLI::Range(0.1, kLongest));
+  add_force(*stress, request);
+  stress->add_option("-j", request.threads, "solves that run at the same time")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+void add_budget(CLI::App& command, Request& request) {
+  constexpr double kLongest = 1e5;  // a day and more
+  command
+      .add_option(
+          "--budget", request.budget_s,
+          "processor time of a case [s] (default: 32, so that 215 cases on two cores take at "
+          "most an hour); a case that needs more counts as not judged")
+      ->type_name("S")
+      ->check(CLI::Range(0.1, kLongest));
+}
+
+void add_honesty(CLI::App& app, Request& request) {
+  auto* honesty =
+      app.add_subcommand("honesty", "measure on random bearings whether the error bars hold");
+  honesty->add_option("--cases", request.cases, "random bearings (default: 200)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100000));
+  honesty->add_option("--seed", request.seed, "of the first of them (default: 1)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 2000000000));
+  honesty->add_option("--tiers", request.tiers, kTierWords + " (default: all)")
+      ->type_name("A,B,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  honesty->add_option("--grids", request.grids, "whose bars are tested (default: 200x25)")
+      ->type_name("NxM,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  honesty->add_option("--truth", request.truth, "grid of the truth (default: 400x50)")
+      ->type_name("NxM");
+  honesty->add_option("--nodes", request.nodes, "nodes across the film of the truth (default: 7)")
+      ->type_name("N")
+      ->check(CLI::Range(5, 15));
+  honesty->add_flag("!--random-only", request.known,
+                    "leave out the shipped cases and those of the ledger and the chart");
+  honesty->add_option("--json", request.json, "write every bar; - is standard output")
+      ->type_name("FILE");
+  honesty->add_option("-o", request.output, "write the picture (SVG)")->type_name("FILE.svg");
+  add_budget(*honesty, request);
+  add_force(*honesty, request);
+  add_threads(*honesty, request, "cases solved at the same time");
+}
+
+void add_coefficient_options(CLI::App& command, Request& request) {
+  command.add_flag("--coefficients", request.coefficients,
+                   "also stiffness, damping and whirl threshold (as model.coefficients = true)");
+  command
+      .add_option("--coefficients-table", request.coefficients_table,
+                  "write them as a row for rotordynamics programs: frequency [rad/s], kxx to cyy "
+                  "[N/m, N s/m], the columns of a bearing in ROSS")
+      ->type_name("FILE.csv");
+}
+
+void add_init(CLI::App& app, Request& request) {
+  auto* init = app.add_subcommand("init", "list the shipped cases, or write one to start from");
+  init->add_option("NAME", request.name, "shipped case; without it they are listed");
+  init->add_option("-o", request.output, "file to write (default: NAME.toml)")
+      ->type_name("FILE.toml");
+}
+
+void add_check(CLI::App& app, Request& request) {
+  auto* check = app.add_subcommand("check", "read and judge a case without solving it");
+  add_case_options(*check, request);
+  check->add_option("--tier", request.tier, kTierWords);
+}
+
+void add_run(CLI::App& app, Request& request) {
+  auto* run = app.add_subcommand("run", "solve a case");
+  add_solve_options(*run, request);
+  run->add_option("--tier", request.tier, kTierWords);
+  run->add_option("-o", request.output, "write all fields (HDF5)")->type_name("FILE.h5");
+  add_coefficient_options(*run, request);
+  run->add_flag("--transient", request.transient,
+                "warm up in time: shell, housing and shaft from one temperature to the steady "
+                "state (tiers thd and tehd)");
+  run->add_option("--from", request.from,
+                  "temperature of shell, housing and shaft at the start (default 20 degC)")
+      ->type_name("TEMPERATURE");
+  run->add_option("--until", request.until, "end of the transient (default: until at rest)")
+      ->type_name("TIME");
+  run->add_option("--picture", request.picture, "draw the transient (SVG)")->type_name("FILE.svg");
+}
+
+void add_compare(CLI::App& app, Request& request) {
+  auto* compare = app.add_subcommand("compare", "solve a case in several tiers, side by side");
+  add_solve_options(*compare, request);
+  compare->add_option("--tiers", request.tiers, "tiers to compare (default: all the case allows)")
+      ->type_name("A,B,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  compare->add_option("-o", request.output, "write the comparison as a page (HTML)")
+      ->type_name("FILE.html");
+  compare->add_option("--picture", request.picture, "write the main picture (SVG)")
+      ->type_name("FILE.svg");
+}
+
+void add_auto_honesty(CLI::App& app, Request& request) {
+  constexpr int kMostCases = 1000000;
+  auto* honesty =
+      app.add_subcommand("auto-honesty", "judge tier auto on random bearings against fine grids");
+  honesty->add_option("--cases", request.cases, "number of random bearings (default 200)")
+      ->check(CLI::Range(1, kMostCases));
+  honesty->add_option("--seed", request.seed, "of the first bearing (default 1)")
+      ->check(CLI::Range(0, kMostCases));
+  honesty->add_option("--json", request.json, "also write every trial as JSON")->type_name("FILE");
+  add_budget(*honesty, request);
+  add_force(*honesty, request);
+  honesty->add_option("-j", request.threads, "bearings at the same time")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+/// A command as it is offered.
+struct Offer {
+  std::string name;
+  Command command;
+  void (*add)(CLI::App&, Request&);
+};
+const std::vector<Offer> kOffers{
+    {"init", Command::init, add_init},
+    {"check", Command::check, add_check},
+    {"run", Command::run, add_run},
+    {"compare", Command::compare, add_compare},
+    {"sweep", Command::sweep, add_sweep},
+    {"auto-honesty", Command::auto_honesty, add_auto_honesty},
+    {"honesty", Command::honesty, add_honesty},
+    {"chart", Command::chart, add_chart},
+    {"stress", Command::stress, add_stress},
+    {"validate", Command::validate, add_validate},
+};
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Offer& offer : kOffers) names.push_back(offer.name);
+  return names;
+}
+
+Command command_of(const CLI::App& app) {
+  for (const Offer& offer : kOffers) {
+    if (app.got_subcommand(offer.name)) return offer.command;
+  }
+  return Command::none;
+}
+
+/// The long and short names of a command's options.
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+/// What is wrong with the words, in ours.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const auto rest = app.remaining(true);
+  if (!rest.empty()) {
+    const std::string word = rest.front().substr(0, rest.front().find('='));
+    const bool option = word.starts_with("-");
+    return (option ? "there is no option " : "there is one word too many: ") + in_quotes(word) +
+           (option ? choices_for(word, option_names(command), "options here") : "");
+  }
+  if (command.get_name() != "init" && !chosen.empty() &&
+      dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    return "the case file is missing: shellback " + command.get_name() + " CASE.toml";
+  }
+  return error.what();
+}
+
+/// A first word that is no command, unless it is an option.
+std::string unknown_command(const std::vector<std::string>& words) {
+  if (words.empty() || words.front().starts_with("-")) return "";
+  const auto known = command_names();
+  if (std::find(known.begin(), known.end(), words.front()) != known.end()) return "";
+  return "there is no command " + in_quotes(words.front()) +
+         choices_for(words.front(), known, "commands are");
+}
+
+}  // namespace
+
+Reading read_command_line(const std::vector<std::string>& words) {
+  Reading reading;
+  CLI::App app{"Friction, film and temperature of oil-lubricated journal bearings", "shellback"};
+  app.set_version_flag("--version", std::string("shellback ") + SHELLBACK_VERSION);
+  app.require_subcommand(0, 1);
+  for (const Offer& offer : kOffers) offer.add(app, reading.request);
+  const std::string more = "\n\"shellback --help\" tells more.\n";
+  if (const std::string unknown = unknown_command(words); !unknown.empty()) {
+    return {{}, "shellback: " + unknown + more, kBadInput};
+  }
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    return {{}, chosen.empty() ? app.help() : chosen.front()->help(), kDone};
+  } catch (const CLI::CallForVersion& version) {
+    return {{}, std::string(version.what()) + "\n", kDone};
+  } catch (const CLI::ParseError& error) {
+    return {{}, "shellback: " + complaint(app, error) + more, kBadInput};
+  }
+  reading.request.command = command_of(app);
+  if (reading.request.command == Command::none) return {{}, app.help(), kBadInput};
+  return reading;
+}
+
+}  // namespace shellback::program

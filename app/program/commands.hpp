@@ -1,0 +1,19 @@
+#pragma once
+/// The commands on a case: read, work, print, save. Each gives the exit code; all throw
+/// InputError and FileError.
+#include "app/program/request.hpp"
+
+namespace shellback::program {
+
+[[nodiscard]] int chart(const Request& request);
+[[nodiscard]] int check(const Request& request);
+[[nodiscard]] int honesty(const Request& request);
+[[nodiscard]] int run(const Request& request);
+[[nodiscard]] int compare(const Request& request);
+[[nodiscard]] int auto_honesty(const Request& request);
+[[nodiscard]] int stress(const Request& request);
+[[nodiscard]] int sweep(const Request& request);
+[[nodiscard]] int transient(const Request& request);  ///< of run
+[[nodiscard]] int validate(const Request& request);
+
+}  // namespace shellback::program

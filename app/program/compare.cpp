@@ -1,0 +1,90 @@
+#include "bearing/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "app/case_text.hpp"
+#include "app/did_you_mean.hpp"
+#include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
+#include "app/program/session.hpp"
+#include "app/read_case.hpp"
+#include "app/svg_comparison.hpp"
+#include "app/write_html.hpp"
+#include "app/write_json.hpp"
+#include "app/write_table.hpp"
+#include "bearing/judge_case.hpp"
+#include "core/contract.hpp"
+#include "fidelity/solve.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+using namespace bearing;
+
+namespace {
+
+std::vector<Tier> wanted_tiers(const Request& request) {
+  std::vector<Tier> tiers;
+  for (const std::string& name : request.tiers) {
+    const Tier tier = tier_named(name, "--tiers");
+    if (std::find(tiers.begin(), tiers.end(), tier) != tiers.end()) {
+      throw InputError("--tiers", fmt::format("the tier {} is named twice", in_quotes(name)));
+    }
+    if (tier == Tier::estimate || tier == Tier::automatic) {
+      throw InputError("--tiers", fmt::format("the tier {} has no film of its own to compare; name "
+                                              "some of isothermal, lumped, thd, tehd",
+                                              in_quotes(name)));
+    }
+    tiers.push_back(tier);
+  }
+  return tiers;
+}
+
+/// Every tier that the case has the data for; says which are left out.
+std::vector<Tier> default_tiers(const Case& subject) {
+  const std::vector<Tier> tiers = possible_tiers(subject);
+  for (const Tier tier : {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd}) {
+    if (std::find(tiers.begin(), tiers.end(), tier) != tiers.end()) continue;
+    std::cerr << fmt::format(
+        "the tier {0} is left out: the case lacks its data (\"shellback "
+        "check {1} --tier {0}\" tells which)\n",
+        to_string(tier), subject.path);
+  }
+  return tiers;
+}
+
+Comparison solve_all(const Case& subject, const std::vector<Tier>& tiers) {
+  ProgressLine line;
+  const SolveControl control = control_for(line);
+  const auto judged = [&](const Solution& s, Tier tier) {
+    return fidelity::summarize(s, tier, control);
+  };
+  return bearing::compare(subject, tiers, control, judged);
+}
+
+}  // namespace
+
+int compare(const Request& request) {
+  std::vector<Tier> tiers = wanted_tiers(request);
+  const std::string text = read_text_file(request.case_file);
+  const Case subject = read_case_text(text, request.case_file, overrides_of(request), tiers);
+  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request), tiers));
+  tell_warnings(subject);
+  if (tiers.empty()) tiers = default_tiers(subject);
+  const Comparison comparison = solve_all(subject, tiers);
+  if (request.json != "-") write_comparison_table(std::cout, subject, comparison);
+  int code = kDone;
+  for (const Result& result : comparison.results) {
+    tell_verdict(result);
+    code = std::max(code, code_of(result.verdict));
+  }
+  outputs.give("--json", [&] { return comparison_json(subject, comparison); });
+  outputs.give("-o", [&] { return comparison_html(subject, comparison); });
+  outputs.give("--picture", [&] { return comparison_svg(subject, comparison); });
+  return outputs.code(code);
+}
+
+}  // namespace shellback::program

@@ -1,0 +1,84 @@
+#include "validation/honesty/honesty.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
+#include "app/program/session.hpp"
+#include "app/progress.hpp"
+#include "app/read_case.hpp"
+#include "core/contract.hpp"
+#include "validation/honesty/honesty_report.hpp"
+#include "validation/honesty/known_cases.hpp"
+#include "validation/honesty/population.hpp"
+
+namespace shellback::program {
+
+using namespace validation;
+using bearing::Tier;
+
+namespace {
+
+/// "200x25" as two numbers of cells. Throws InputError.
+std::array<int, 2> grid_named(const std::string& words, const std::string& place) {
+  std::array<int, 2> grid{0, 0};
+  char rest = 0;
+  const int read = std::sscanf(words.c_str(), "%dx%d%c", &grid[0], &grid[1], &rest);
+  if (read != 2 || grid[0] < 16 || grid[1] < 3 || grid[0] > 3200 || grid[1] > 400) {
+    throw InputError(place, fmt::format("\"{}\" is no grid; write cells round x along, as 200x25, "
+                                        "between 16x3 and 3200x400",
+                                        words));
+  }
+  return grid;
+}
+
+std::vector<HonestyCase> chosen_cases(const Request& request) {
+  std::vector<HonestyCase> cases;
+  for (int k = 0; k < request.cases; ++k) {
+    cases.push_back({random_case(request.seed + k), "random"});
+  }
+  if (!request.known) return cases;
+  for (const auto& file : known_cases()) {
+    cases.push_back({app::read_case(file.string()), "known"});
+    cases.back().input.title = (file.parent_path().filename() / file.stem()).string();
+  }
+  return cases;
+}
+
+HonestyOptions options_of(const Request& request) {
+  HonestyOptions o;
+  for (const std::string& name : request.tiers) {
+    o.tiers.push_back(app::tier_named(name, "--tiers"));
+  }
+  if (o.tiers.empty()) o.tiers = {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd};
+  for (const std::string& words : request.grids) o.grids.push_back(grid_named(words, "--grids"));
+  o.truth_grid = grid_named(request.truth, "--truth");
+  o.truth_nodes = request.nodes;
+  o.at_once = request.threads;
+  o.budget_s = request.budget_s;
+  o.stop = &app::catch_interrupt();
+  return o;
+}
+
+}  // namespace
+
+int honesty(const Request& request) {
+  HonestyOptions options = options_of(request);
+  Outputs outputs(request, {});
+  const auto cases = chosen_cases(request);
+  const HonestyRecord record = [&] {
+    app::ProgressLine line;
+    options.progress = [&](int done, int of) {
+      line.show(fmt::format("{} of {} cases", done, of));
+    };
+    return measure_honesty(cases, options);
+  }();
+  if (request.json != "-") write_honesty_table(std::cout, record);
+  outputs.give("-o", [&] { return honesty_svg(record); });
+  outputs.give("--json", [&] { return honesty_json(record); });
+  return outputs.code(options.stop->load() ? kInterrupted : kDone);
+}
+
+}  // namespace shellback::program

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "app/case_text.hpp"
+#include "app/check.hpp"
+#include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
+#include "app/program/session.hpp"
+#include "app/read_case.hpp"
+#include "app/write_coefficients.hpp"
+#include "app/write_hdf5.hpp"
+#include "app/write_json.hpp"
+#include "app/write_table.hpp"
+#include "core/contract.hpp"
+#include "fidelity/solve_case.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+using namespace bearing;
+
+int check(const Request& request) {
+  const Case subject = read_case(request.case_file, overrides_of(request));
+  print_check(std::cout, subject);
+  return kDone;
+}
+
+namespace {
+
+/// The table of coefficients, if it is asked for; 3 if they could not be had.
+int give_coefficients(Outputs& outputs, const Result& result) {
+  if (!result.coefficients) return kDone;
+  const Coefficients& k = *result.coefficients;
+  if (!k.verdict.good()) {
+    std::cerr << "error: no stiffness and damping: " << k.verdict.reason << "\n";
+    return kNotConverged;
+  }
+  outputs.give("--coefficients-table", [&] { return coefficients_csv(k); });
+  return kDone;
+}
+
+/// The tier `estimate` has no film to be disturbed.
+void expect_film(const Case& subject) {
+  if (!subject.model.coefficients || subject.model.tier != Tier::estimate) return;
+  throw InputError("model.coefficients",
+                   "stiffness and damping (--coefficients) need a solved film, and tier estimate "
+                   "solves none; take tier isothermal or a richer one");
+}
+
+}  // namespace
+
+int run(const Request& request) {
+  if (request.transient) return transient(request);
+  if (!request.from.empty() || !request.until.empty() || !request.picture.empty()) {
+    throw InputError(!request.from.empty()    ? "--from"
+                     : !request.until.empty() ? "--until"
+                                              : "--picture",
+                     "belongs to a transient; add --transient");
+  }
+  const std::string text = read_text_file(request.case_file);
+  const Case subject = read_case_text(text, request.case_file, overrides_of(request));
+  expect_film(subject);
+  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
+  tell_warnings(subject);
+  const Result result = [&] {
+    ProgressLine line;
+    return fidelity::solve_case(subject, control_for(line));
+  }();
+  if (result.verdict.good() && request.json != "-") write_table(std::cout, subject, result);
+  if (!result.verdict.good() && request.json != "-") {
+    std::cout << "not converged: there is no result to print\n";
+  }
+  tell_verdict(result);
+  outputs.give("--json", [&] { return result_json(subject, result); });
+  outputs.give("-o", [&] { return result_hdf5(subject, result); });
+  const int code = code_of(result.verdict);
+  return outputs.code(code == kDone ? give_coefficients(outputs, result) : code);
+}
+
+}  // namespace shellback::program

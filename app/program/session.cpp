@@ -1,0 +1,55 @@
+#include "app/program/session.hpp"
+
+#include <iostream>
+
+#include "app/read_case.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+using namespace bearing;
+
+std::vector<Override> overrides_of(const Request& request) {
+  std::vector<Override> overrides;
+  for (const std::string& words : request.set) overrides.push_back(parse_override(words));
+  if (!request.tier.empty()) {
+    static_cast<void>(tier_named(request.tier, "--tier"));
+    overrides.push_back({"model.tier", "\"" + request.tier + "\"", "--tier"});
+  }
+  if (request.coefficients || !request.coefficients_table.empty()) {
+    overrides.push_back({"model.coefficients", "true", "--coefficients"});
+  }
+  return overrides;
+}
+
+void tell_warnings(const Case& subject) {
+  for (const std::string& warning : subject.warnings) {
+    std::cerr << "warning: " << warning << "\n";
+  }
+}
+
+int code_of(const Verdict& verdict) {
+  if (verdict.good()) return kDone;
+  if (verdict.status == Status::invalid_number) return kDefect;
+  return verdict.status == Status::interrupted ? kInterrupted : kNotConverged;
+}
+
+void tell_verdict(const Result& result) {
+  const Verdict& verdict = result.verdict;
+  if (verdict.good()) return;
+  std::cerr << "error: " << to_string(result.tier) << ": " << to_string(verdict.status);
+  if (!verdict.reason.empty()) std::cerr << ": " << verdict.reason;
+  std::cerr << "\n";
+  if (!verdict.place.empty()) std::cerr << "  where: " << verdict.place << "\n";
+  if (!verdict.cure.empty()) std::cerr << "  cure:  " << verdict.cure << "\n";
+}
+
+SolveControl control_for(ProgressLine& line) {
+  SolveControl control;
+  control.progress = [&line](const Progress& progress) { line.show(progress); };
+  control.stop = &catch_interrupt();
+  return control;
+}
+
+}  // namespace shellback::program

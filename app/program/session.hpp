@@ -1,0 +1,28 @@
+#pragma once
+/// What the commands share: options to overrides, messages, exit codes.
+#include <string>
+#include <vector>
+
+#include "app/overrides.hpp"
+#include "app/program/request.hpp"
+#include "app/progress.hpp"
+#include "bearing/control.hpp"
+#include "bearing/result.hpp"
+
+namespace shellback::program {
+
+/// --set and --tier as overrides of the case file. Throws InputError.
+[[nodiscard]] std::vector<app::Override> overrides_of(const Request& request);
+
+/// The case's warnings, on standard error.
+void tell_warnings(const bearing::Case& subject);
+
+[[nodiscard]] int code_of(const Verdict& verdict);
+
+/// Why there is no result, on standard error.
+void tell_verdict(const bearing::Result& result);
+
+/// Progress on `line`, Ctrl-C and SIGTERM caught. The line must outlive the solve.
+[[nodiscard]] bearing::SolveControl control_for(app::ProgressLine& line);
+
+}  // namespace shellback::program

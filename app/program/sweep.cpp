@@ -1,0 +1,99 @@
+#include "app/study/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+#include "app/case_text.hpp"
+#include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
+#include "app/program/session.hpp"
+#include "app/read_axis.hpp"
+#include "app/svg_sweep.hpp"
+#include "app/sweep_case.hpp"
+#include "app/sweep_columns.hpp"
+#include "app/write_csv.hpp"
+#include "app/write_json.hpp"
+#include "app/write_sweep_hdf5.hpp"
+#include "app/write_sweep_table.hpp"
+#include "core/contract.hpp"
+#include "fidelity/solve.hpp"
+#include "fidelity/solve_case.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+using study::Axis;
+using study::Sweep;
+
+namespace {
+
+int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int threads,
+                const Request& request) {
+  ProgressLine line;
+  study::SweepOptions options;
+  options.threads = threads;
+  options.stop = &catch_interrupt();
+  options.solve_alone = fidelity::solve_case;
+  fidelity::KeptSolids kept;
+  const auto bars =
+      request.bars ? fidelity::WantedBars::grid_and_model : fidelity::WantedBars::grid;
+  if (!request.no_bars) {
+    options.sum_up = [&](const bearing::Solution& s, bearing::Tier tier,
+                         const bearing::SolveControl& control) {
+      return fidelity::summarize(s, tier, control, bars, &kept);
+    };
+  }
+  options.progress = [&](const study::SweepProgress& now) {
+    line.show(fmt::format("{} of {} points{}", now.done, now.total,
+                          now.failed > 0 ? fmt::format(", {} not solved so far", now.failed) : ""));
+  };
+  return run_sweep(axes, case_at, options);
+}
+
+/// The isothermal tier takes its temperature from a measured one, which belongs to one point.
+void warn_of_one_measurement(const bearing::Case& subject, const std::vector<Axis>& axes) {
+  const bool isothermal = subject.model.tier == bearing::Tier::isothermal;
+  const bool varied = std::any_of(
+      axes.begin(), axes.end(), [](const Axis& axis) { return axis.key.starts_with("measured."); });
+  if (!isothermal || varied || !subject.measured.shell_back_temperature) return;
+  std::cerr << "warning: the film temperature of every point follows from the one "
+               "measured.shell_back_temperature of the case\n";
+}
+
+void give_files(Outputs& outputs, const std::string& text, const bearing::Case& subject,
+                const Sweep& sweep) {
+  outputs.give("-o", [&] { return sweep_hdf5(subject, sweep); });
+  outputs.give("--csv", [&] { return sweep_csv(sweep); });
+  outputs.give("--picture", [&] { return sweep_svg(text, subject, sweep); });
+  outputs.give("--json", [&] { return sweep_json(subject, sweep); });
+}
+
+}  // namespace
+
+int sweep(const Request& request) {
+  const std::vector<Override> set = overrides_of(request);
+  const std::vector<Axis> axes = parse_axes(request.vary, set);
+  if (!request.picture.empty()) expect_drawable(axes);
+  const std::string text = read_text_file(request.case_file);
+  const bearing::Case subject = sweep_subject(text, request.case_file, set, axes);
+  Outputs outputs(request, files_of_sweep(text, request.case_file, set, axes));
+  warn_of_one_measurement(subject, axes);
+  const Sweep done = solve_all(axes, case_source(text, request.case_file, set, axes),
+                               request.cores > 0 ? request.cores : all_cores(), request);
+  if (request.json != "-" && request.csv != "-") write_sweep_table(std::cout, subject, done);
+  give_files(outputs, text, subject, done);
+  if (done.interrupted) {
+    std::cerr << "interrupted: " << count_words(done) << "\n";
+    return outputs.code(kInterrupted);
+  }
+  if (done.count_failed() == 0) return outputs.code(kDone);
+  std::cerr << "error: " << count_words(done) << "\n";
+  return outputs.code(kNotConverged);
+}
+
+}  // namespace shellback::program

@@ -1,0 +1,113 @@
+/// run --transient: from one wall temperature to the steady state, in time.
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "app/case_text.hpp"
+#include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
+#include "app/program/session.hpp"
+#include "app/read_case.hpp"
+#include "app/units.hpp"
+#include "app/write_warm_up.hpp"
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+#include "fidelity/solve_case.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+using namespace bearing;
+
+namespace {
+
+double given(const std::string& option, const std::string& text, const Kind& kind) {
+  try {
+    return parse_quantity(text, kind);
+  } catch (const UnitError& e) {
+    throw InputError(option, e.what());
+  }
+}
+
+/// What else `run` writes belongs to the steady state.
+void expect_written(const Request& request) {
+  for (const auto& [option, asked] :
+       {std::pair{"-o", !request.output.empty()}, std::pair{"--coefficients", request.coefficients},
+        std::pair{"--coefficients-table", !request.coefficients_table.empty()}}) {
+    if (!asked) continue;
+    throw InputError(option,
+                     "a transient writes --json and --picture; leave out --transient for the "
+                     "steady state's");
+  }
+}
+
+WarmUpOptions options_of(const Request& request) {
+  expect_written(request);
+  WarmUpOptions o;
+  if (!request.from.empty()) o.T_start = given("--from", request.from, kTemperature);
+  if (!request.until.empty()) o.end = given("--until", request.until, kTime);
+  if (!(o.T_start > 0.0)) throw InputError("--from", "the temperature is not above absolute zero");
+  if (!(o.end > 0.0)) throw InputError("--until", "the time is not positive");
+  return o;
+}
+
+void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
+  fmt::print("{}\ntransient, tier {}, grid {} x {}\n\n", c.title, to_string(c.model.tier),
+             c.model.grid[0], c.model.grid[1]);
+  fmt::print("{:>12} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "time [s]", "torque [N m]",
+             "h_min [um]", "film [C]", "shell [C]", "back [C]", "shaft [C]");
+  double next = 0.0;
+  const auto line = [](const char* t, double torque, double h, double a, double b, double d,
+                       double e) {
+    fmt::print("{:>12} {:>12.4g} {:>10.4g} {:>10.1f} {:>10.1f} {:>10.1f} {:>10.1f}\n", t, torque,
+               1e6 * h, a - kZeroCelsius, b - kZeroCelsius, d - kZeroCelsius, e - kZeroCelsius);
+  };
+  for (const Instant& i : run.instants) {
+    if (i.t < next && &i != &run.instants.back()) continue;
+    line(fmt::format("{:.4g}", i.t).c_str(), i.torque, i.h_min, i.T_film_max, i.T_shell_max,
+         i.T_shell_back, i.T_shaft);
+    next = 1.5 * i.t;  // some lines a decade
+  }
+  if (steady.verdict.good()) {
+    line("steady", steady.value("friction_torque"), steady.value("h_min"),
+         steady.value("T_film_max"), steady.value("T_shell_max"), steady.value("T_shell_back"),
+         steady.value("T_shaft"));
+  }
+  if (run.end.jumps > 0) {
+    fmt::print(
+        "\n{} steps of the shortest length err by more than was allowed: a wall's surface jumps "
+        "where oil of another temperature first meets it\n",
+        run.end.jumps);
+  }
+  fmt::print("\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n", run.imbalance());
+}
+
+}  // namespace
+
+int transient(const Request& request) {
+  const std::string text = read_text_file(request.case_file);
+  const Case subject = read_case_text(text, request.case_file, overrides_of(request));
+  const WarmUpOptions options = options_of(request);
+  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
+  tell_warnings(subject);
+  ProgressLine progress;
+  const SolveControl control = control_for(progress);
+  const WarmUp run = warm_up(subject, subject.model.tier, options, control);
+  if (run.instants.empty()) {
+    std::cerr << "error: transient: " << run.end.verdict.reason << "\n";
+    outputs.give("--json", [&] { return warm_up_json(subject, run, options, {}); });
+    return outputs.code(code_of(run.end.verdict));
+  }
+  const bool stopped = run.end.verdict.status == Status::interrupted;
+  const Result steady = stopped ? Result{} : fidelity::solve_case(subject, control);
+  if (request.json != "-") print_warm_up(subject, run, steady);
+  if (!run.end.verdict.good()) {
+    std::cerr << fmt::format("error: transient: ended after {:.4g} s: {}\n", run.end.t,
+                             run.end.verdict.reason);
+  }
+  outputs.give("--json", [&] { return warm_up_json(subject, run, options, steady); });
+  outputs.give("--picture", [&] { return warm_up_svg(subject, run, steady); });
+  return outputs.code(code_of(run.end.verdict));
+}
+
+}  // namespace shellback::program

@@ -1,0 +1,46 @@
+#pragma once
+/// A case made ready to solve: grid, scene, oil, contact, solids; fixed for one geometry.
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "bearing/case.hpp"
+#include "bearing/physics.hpp"
+#include "core/gauss_lobatto.hpp"
+#include "fluid/film_flux.hpp"
+#include "fluid/resultants.hpp"
+#include "solid/asperity_contact.hpp"
+
+namespace shellback::bearing {
+
+class Solids;
+
+/// Everything that stays the same while one operating point is solved.
+struct BearingModel {
+  Case input;
+  Physics physics;
+  GaussLobatto gl;
+  fluid::FilmScene scene;
+  Field step;              ///< designed deviation of the shell per cell; empty: none [m]
+  double clearance = 0.0;  ///< cold radial clearance [m]
+  rheology::Oil oil;       ///< with the switched-off effects taken out
+  std::optional<solid::AsperityContact> contact;
+  std::shared_ptr<const Solids> solids;  ///< set if the physics needs them
+  fluid::CavitatedShear shear_rule = fluid::CavitatedShear::filled;
+};
+
+/// True if nothing in the case distinguishes z from -z.
+[[nodiscard]] bool symmetric_about_mid_width(const Case& c);
+
+/// Builds the model on a grid of nt x nz cells over the full width (half of it is solved if the
+/// case is symmetric). Solids are built if the physics needs them, unless given. Throws
+/// InputError for supplies that the grid cannot carry.
+[[nodiscard]] BearingModel make_bearing(const Case& c, const Physics& physics,
+                                        std::array<int, 2> grid,
+                                        std::shared_ptr<const Solids> solids = nullptr);
+
+/// Gap with which the film shears [m]: the nominal gap, for rough surfaces the average gap, which
+/// is positive even in contact.
+[[nodiscard]] Field shear_gap(const BearingModel& model, const Field& h);
+
+}  // namespace shellback::bearing

@@ -1,0 +1,58 @@
+#include "bearing/bracketed_root.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/contract.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+struct Search {
+  const std::function<double(double)>* f;
+  KnownPoint low, high;
+  KnownPoint last;
+};
+
+double evaluate(double x, void* data) {
+  Search& s = *static_cast<Search*>(data);
+  if (x == s.low.x) return s.low.f;
+  if (x == s.high.x) return s.high.f;
+  s.last = {x, (*s.f)(x)};
+  return s.last.f;
+}
+
+struct SolverDeleter {
+  void operator()(gsl_root_fsolver* s) const { gsl_root_fsolver_free(s); }
+};
+
+}  // namespace
+
+BracketedRoot bracketed_root(const std::function<double(double)>& f, KnownPoint a, KnownPoint b,
+                             const BracketOptions& o) {
+  EXPECTS((a.f < 0.0) != (b.f < 0.0));
+  for (const KnownPoint& end : {a, b}) {
+    if (std::abs(end.f) <= o.enough) return {true, {end.x, f(end.x)}};
+  }
+  if (b.x < a.x) std::swap(a, b);
+  Search search{&f, a, b, a};
+  gsl_function function{evaluate, &search};
+  gsl_set_error_handler_off();  // failure is a result here
+  const std::unique_ptr<gsl_root_fsolver, SolverDeleter> solver(
+      gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
+  if (gsl_root_fsolver_set(solver.get(), &function, a.x, b.x) != GSL_SUCCESS) {
+    return {false, search.last};
+  }
+  for (int it = 0; it < o.max_iterations; ++it) {
+    if (gsl_root_fsolver_iterate(solver.get()) != GSL_SUCCESS) break;
+    const double width =
+        gsl_root_fsolver_x_upper(solver.get()) - gsl_root_fsolver_x_lower(solver.get());
+    if (std::abs(search.last.f) <= o.enough || width <= o.narrowest) return {true, search.last};
+  }
+  return {false, search.last};
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,198 @@
+#pragma once
+/// One case: all that a user can say about a bearing, in SI units, kelvin, radians.
+///
+/// The frame is that of docs/theory.md: X right, Y up, phi counter-clockwise from +X, positive
+/// speed counter-clockwise, z = 0 at mid-width. app/read_case fills it from a file, a C++ program
+/// by hand; bearing/judge_case.hpp judges it: in the hands of a solver it is complete and
+/// possible.
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bearing/methods.hpp"
+#include "rheology/oil.hpp"
+#include "solid/material.hpp"
+#include "solid/surface.hpp"
+
+namespace shellback::bearing {
+
+/// Measured or designed deviation of the shell from the cylinder, added to the gap.
+struct Profile {
+  std::vector<double> phi{};     ///< n sorted positions in [0, 2 pi) [rad]
+  std::vector<double> z{};       ///< m sorted positions [m]
+  std::vector<double> height{};  ///< n x m, index i * m + k: gap added there [m]
+};
+
+struct Bearing {
+  double radius = 0.0;                    ///< R [m]
+  double width = 0.0;                     ///< B [m]
+  double radial_clearance = 0.0;          ///< cold radial clearance c [m]
+  double reference_temperature = 293.15;  ///< at which `radial_clearance` was measured [K]
+  std::optional<Profile> profile{};
+};
+
+enum class SupplyKind { hole, axial_groove, circumferential_groove };
+
+/// One supply feature: the part of the surface on which the pressure is given.
+struct Supply {
+  SupplyKind kind = SupplyKind::hole;
+  double angle = 0.0;        ///< circumferential position of its middle [rad]
+  double z = 0.0;            ///< axial position of its middle [m]
+  double arc = 0.0;          ///< circumferential extent [rad]; 0: a line; 2 pi: all round
+  double length = 0.0;       ///< axial extent [m]
+  double diameter = 0.0;     ///< hole only [m]; arc and length then enclose the circle
+  double depth = 1.0e-3;     ///< added to the gap inside [m]
+  double pressure = 0.0;     ///< gauge [Pa]
+  double temperature = 0.0;  ///< [K]
+  double carry_over = 1.0;   ///< part of the film oil entering it that is mixed in again [-]
+};
+
+struct LoadGiven {
+  double force = 0.0;  ///< magnitude of the load on the journal [N]
+  double angle = 0.0;  ///< its direction [rad]
+};
+struct EccentricityGiven {
+  double ratio = 0.0;       ///< |e| / c [-]
+  double attitude = 0.0;    ///< from the load line to the line of centres, positive in +phi [rad]
+  double load_angle = 0.0;  ///< the load line [rad]
+};
+/// Angle of the journal axis against the bearing axis.
+struct TiltGiven {
+  double about_x = 0.0;  ///< [rad]
+  double about_y = 0.0;  ///< [rad]
+};
+/// Moment on the journal that the film must balance; the tilt is then solved for.
+struct MomentGiven {
+  double about_x = 0.0;  ///< [N m]
+  double about_y = 0.0;  ///< [N m]
+};
+
+struct Operation {
+  double omega = 0.0;  ///< journal speed, positive counter-clockwise [rad/s]
+  std::variant<LoadGiven, EccentricityGiven> position = LoadGiven{};
+  std::variant<TiltGiven, MomentGiven> alignment = TiltGiven{};
+};
+
+struct ShellLayer {
+  solid::Material material{};
+  double thickness = 0.0;  ///< radial [m]
+  [[nodiscard]] bool operator==(const ShellLayer&) const = default;
+};
+/// How the outer surface of the housing is held.
+enum class HousingSupport {
+  held,     ///< no displacement under load; free to grow with temperature
+  free,     ///< no traction; rigid-body motion removed, net force balanced by body force
+  clamped,  ///< no displacement under load or temperature
+};
+struct Housing {
+  solid::Material material{};
+  double outer_radius = 0.0;  ///< [m]
+  HousingSupport support = HousingSupport::held;
+  [[nodiscard]] bool operator==(const Housing&) const = default;
+};
+/// Heat leaves the outer surface of the housing (of the shell if there is no housing).
+struct ConvectiveBack {
+  double heat_transfer = 0.0;  ///< [W/(m2 K)]
+  double ambient = 0.0;        ///< [K]
+  [[nodiscard]] bool operator==(const ConvectiveBack&) const = default;
+};
+/// The back of the shell (interface to the housing) has this temperature.
+struct PrescribedBack {
+  double temperature = 0.0;  ///< [K]
+  [[nodiscard]] bool operator==(const PrescribedBack&) const = default;
+};
+struct Shell {
+  std::vector<ShellLayer> layers{};  ///< from the bore outwards
+  std::optional<Housing> housing{};
+  std::variant<ConvectiveBack, PrescribedBack> back = ConvectiveBack{};
+  double end_heat_transfer = 50.0;  ///< from the end faces to the back's temperature [W/(m2 K)]
+  [[nodiscard]] bool operator==(const Shell&) const = default;
+};
+
+struct Shaft {
+  solid::Material material{};
+  double overhang = 0.0;       ///< length beyond the bearing on each side [m]
+  double heat_transfer = 0.0;  ///< from the overhang's surface [W/(m2 K)]
+  double ambient = 0.0;        ///< of the overhang [K]
+  [[nodiscard]] bool operator==(const Shaft&) const = default;
+};
+
+struct Surfaces {
+  solid::RoughSurface shell{};
+  solid::RoughSurface shaft{};
+  std::optional<solid::ContactParameters> contact{};
+};
+
+/// The model ladder of design 4. `estimate` and `automatic` are the business of fidelity/; the
+/// solvers of bearing/ know the four between them.
+enum class Tier { estimate, isothermal, lumped, thd, tehd, automatic };
+enum class CavitatedShear { filled, full };
+enum class Edges { flooded, dry };
+
+/// Effects that can be switched; unset means the tier's own choice.
+struct Switches {
+  std::optional<bool> pressure_dependence{};
+  std::optional<bool> shear_thinning{};
+  std::optional<bool> flow_factors{};
+  std::optional<bool> asperity_contact{};
+  std::optional<bool> elastic_deformation{};
+  std::optional<bool> thermal_deformation{};
+};
+
+struct Model {
+  Tier tier = Tier::tehd;
+  double tolerance = 0.01;           ///< wished for on friction torque and smallest film [-]
+  std::array<int, 2> grid{200, 25};  ///< circumferential x axial cells over the full width
+  bool grid_given = false;           ///< false: tier `auto` chooses the grid
+  int film_nodes = 5;                ///< Gauss-Lobatto-Legendre nodes across the film
+  bool film_nodes_given = false;     ///< false: tier `auto` chooses them
+  Switches switches{};
+  Methods methods{};
+  CavitatedShear cavitated_shear = CavitatedShear::filled;
+  Edges edges = Edges::flooded;
+  double cavitation_pressure = 0.0;  ///< gauge [Pa]
+  double kappa = 1.0;                ///< equivalent temperature factor [-]
+  bool coefficients = false;         ///< stiffness, damping and whirl threshold are wanted
+};
+
+struct Measured {
+  std::optional<double> shell_back_temperature{};  ///< [K]
+  std::optional<double> friction_torque{};         ///< [N m]
+  std::optional<double> h_min{};                   ///< [m]
+  std::optional<double> p_max{};                   ///< [Pa]
+  std::optional<double> side_flow{};               ///< [m3/s]
+  std::optional<double> eccentricity_ratio{};      ///< [-]
+  std::optional<double> T_shell_max{};             ///< [K]
+};
+
+/// A key of the file that the command line changed.
+struct Change {
+  std::string key;     ///< "operation.speed"
+  std::string value;   ///< as given: "1500 rpm"
+  std::string option;  ///< that gave it, "--set", "--tier", ...
+};
+
+struct Case {
+  std::string title;
+  std::string path;             ///< file it came from
+  std::string verbatim;         ///< the file's text
+  std::vector<Change> changes;  ///< in the order in which they were applied
+  Bearing bearing;
+  std::vector<Supply> supplies;
+  Operation operation;
+  rheology::Oil oil;
+  std::optional<double> oil_temperature;  ///< isothermal film temperature, if given [K]
+  std::optional<Shell> shell;
+  std::optional<Shaft> shaft;
+  Surfaces surfaces;
+  Model model;
+  Measured measured;
+  std::vector<std::string> assumptions;  ///< defaults and assumed data the reader relied on
+  std::vector<std::string> warnings;     ///< possible but suspicious input
+};
+
+[[nodiscard]] const char* to_string(Tier tier);
+
+}  // namespace shellback::bearing

@@ -1,0 +1,67 @@
+#pragma once
+/// The numbers by which a case is judged: what a value can be, what bearings are like.
+///
+/// One table each; every line tells where its numbers come from.
+#include <array>
+
+#include "core/constants.hpp"
+#include "core/range.hpp"
+
+namespace shellback::bearing {
+
+/// What a single value can be. Outside, nothing can be computed.
+struct ValueRanges {
+  /// [K] No bearing runs colder, no oil film survives hotter.
+  Range temperature{kZeroCelsius - 60.0, kZeroCelsius + 400.0, false,
+                    "lie between -60 and 400 degC"};
+  Range turn{-2.0 * kPi, 2.0 * kPi, false, "lie between -360 deg and 360 deg"};
+  Range arc{0.0, 2.0 * kPi, false, "lie between 0 deg (a line) and 360 deg"};
+  Range extent{0.0, 2.0 * kPi, true, "be positive and at most 360 deg"};
+  Range eccentricity_ratio{0.0, 1.0, false, "be at least 0 and less than 1"};
+  Range poisson_ratio{0.0, 0.4999, false, "lie between 0 and 0.5 (below it)"};
+  Range gauge_pressure{-101325.0, kInfinite, false,  // standard atmosphere, definition
+                       "not lie below vacuum (-1.013 bar)"};
+  Range tolerance{0.0, 0.5, true, "be positive and at most 50 %"};
+  Range kappa{0.0, 5.0, false, "lie between 0 and 5"};
+  Range relaxation{0.0, 1.0, true, "be positive and at most 1"};
+  std::array<int, 2> cells{3, 4000};     // finer than any published study by a factor of five
+  std::array<int, 2> film_nodes{3, 15};  // beyond, the collocation points crowd at the walls
+  std::array<int, 2> layers{2, 60};      // three times what is usual
+};
+inline constexpr ValueRanges kValueRanges{};
+
+/// Possible and usual range of one derived number.
+struct Limits {
+  double least;        ///< below: absurd
+  double usual_least;  ///< below: suspicious
+  double usual_most;
+  double most;
+};
+
+/// Journal bearings as built, with a wide margin.
+struct BearingLimits {
+  Limits radius{2.5e-4, 2e-3, 1.0, 3.0};         // [m] from a watch's pivot to a ship's stern tube
+  Limits clearance{1e-5, 2e-4, 5e-3, 0.05};      // over the radius [-]; made with about 1e-3
+  Limits aspect{0.02, 0.1, 2.0, 10.0};           // width over diameter: a seal; edges rule [-]
+  Limits surface_speed{0.0, 0.0, 120.0, 400.0};  // [m/s] turbomachinery reaches about 120
+  Limits specific_load{0.0, 1e3, 150e6, 2e9};    // [Pa] engines reach about 150 MPa peak
+  Limits edge_tilt{0.0, 0.0, 0.5, 1.0};          // over the clearance [-]; 1: across the whole gap
+  Limits roughness{0.0, 0.0, 0.05, 0.5};         // combined, over the clearance [-]
+  Limits viscosity{1e-6, 5e-4, 2.0, 1e3};        // [Pa s] air to pitch; oils lie between
+  Limits bulk_modulus{1e8, 8e8, 6e9, 1e11};      // [Pa] liquids: 0.8 (petrol) to 5 GPa
+  /// [1/K] Lubricating oils 6.4e-4 to 7.3e-4 (seed 002, after Eq. 28); at 5e-3 the density would
+  /// be gone 200 K above its reference.
+  Limits oil_expansion{0.0, 0.0, 1.5e-3, 5e-3};
+  double supply_cover_usual = 0.3;      ///< of the surface [-]
+  double supply_cover_most = 0.9;       ///< above, hardly any film is left [-]
+  double supply_pressure_usual = 50e5;  ///< above, the supply is hydrostatic [Pa]
+  double profile_most = 0.1;            ///< heights' spread over the radius: no gap beyond [-]
+  double wall_most = 5.0;               ///< shell over radius: no bush's wall is thicker [-]
+  double housing_most = 50.0;    ///< outer over inner radius: beyond, a full space does as well [-]
+  double overhang_most = 100.0;  ///< over the radius: a fin is infinite by then [-]
+  int fewest_cells_round = 16;   ///< below, not even a full film's maximum is resolved
+  int most_cells = 2000000;      ///< memory: some kB per cell
+};
+inline constexpr BearingLimits kBearingLimits{};
+
+}  // namespace shellback::bearing

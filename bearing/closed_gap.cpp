@@ -1,0 +1,106 @@
+#include "bearing/closed_gap.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// The cell whose centre is nearest to a place on the bearing.
+int cell_at(const FilmGrid& g, const fluid::SmallestGap& place) {
+  int column = 0;
+  int line = 0;
+  const auto away = [&](int i) {
+    return std::abs(std::remainder(g.phi[i] - place.phi, 2.0 * kPi));
+  };
+  for (int i = 1; i < g.nt; ++i) {
+    if (away(i) < away(column)) column = i;
+  }
+  for (int j = 1; j < g.nz; ++j) {
+    if (std::abs(g.z[j] - place.z) < std::abs(g.z[line] - place.z)) line = j;
+  }
+  return g.index(column, line);
+}
+
+/// Least sum of the gaps at the two ends of a diameter [m]: no journal position changes it.
+double least_across(const FilmGrid& g, const fluid::Gap& gap) {
+  double least = INFINITY;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int other = cell_at(g, {0.0, g.phi[i] + kPi, g.z[j]});
+      least = std::min(least, gap.cell[g.index(i, j)] + gap.cell[other]);
+    }
+  }
+  return least;
+}
+
+void evaluate_gap(const BearingModel& model, const Field& growth, FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = model.scene;
+  Field widening = growth.empty() ? s.elastic : growth;
+  if (!growth.empty()) {
+    for (std::size_t k = 0; k < s.elastic.size(); ++k) widening[k] += s.elastic[k];
+  }
+  s.gap =
+      fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position, widening, model.step);
+  s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
+}
+
+}  // namespace
+
+bool open_gap(const BearingModel& model, const LoadTarget& target, const Field& growth,
+              FilmEquilibrium& s) {
+  constexpr double kOpen = 0.02;   // of the clearance: a gap to begin with [-]
+  constexpr int kMostMoves = 100;  // each opens the closest place and may close another
+  if (!is_closed(model, s) || target.unknowns == 0) return false;
+  const fluid::JournalPosition before = s.position;
+  for (int k = 0; k < kMostMoves; ++k) {
+    const double missing = kOpen * model.clearance - s.least.h;
+    s.position.q[0] -= missing * std::cos(s.least.phi);
+    s.position.q[1] -= missing * std::sin(s.least.phi);
+    evaluate_gap(model, growth, s);
+    if (s.least.h > 0.0) return true;
+  }
+  s.position = before;
+  evaluate_gap(model, growth, s);
+  return false;
+}
+
+Verdict closed_gap(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                   const FilmEquilibrium& s) {
+  const int cell = cell_at(model.scene.grid, s.least);
+  const double by_growth = growth.empty() ? 0.0 : growth[cell];
+  const double by_elasticity = s.elastic.empty() ? 0.0 : s.elastic[cell];
+  const double rest = s.least.h - by_growth - by_elasticity;
+  const bool grown = rest > 0.0 && by_growth < 0.0;
+  const double across = least_across(model.scene.grid, s.gap);
+  const bool proven = target.unknowns == 0 || across <= 0.0;
+  std::string reason = fmt::format(
+      "{}smooth surfaces touch before a film is sought: the smallest gap is {:.3g} um; position "
+      "and "
+      "profile leave {:.3g} um there",
+      grown ? "the clearance is used up by thermal growth: " : "", s.least.h * 1e6, rest * 1e6);
+  if (!growth.empty()) {
+    reason += fmt::format(", thermal growth {} {:.3g} um", by_growth < 0.0 ? "takes" : "gives",
+                          std::abs(by_growth) * 1e6);
+  }
+  if (!s.elastic.empty()) {
+    reason += fmt::format(", elasticity {} {:.3g} um", by_elasticity < 0.0 ? "takes" : "gives",
+                          std::abs(by_elasticity) * 1e6);
+  }
+  if (across <= 0.0) {
+    reason += fmt::format(
+        "; across the bearing {:.3g} um are missing, which no position of the journal mends",
+        -across * 1e6);
+  }
+  return {proven ? Status::no_steady_state : Status::iteration_limit, reason,
+          fluid::place_of(s.least),
+          grown ? "a larger clearance, less heat, or shell and housing that can grow outwards"
+                : "give roughness and contact data, a larger clearance, or a smaller eccentricity "
+                  "or tilt"};
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,53 @@
+#pragma once
+/// The oil across the film: viscosity at every node and the Dowson integrals of every column.
+///
+/// With the fluidity f = 1/eta at the Gauss-Lobatto nodes s = y/h of a column:
+///   g0 = int f ds = F0/h,  centre = int s f ds / g0 = F1/(h F0),
+///   g  = int f (s - centre)^2 ds = F2/h^3                                             (1)
+/// Shear stress across the film (methods 3.1):
+///   tau_x = dp/dx h (s - centre) + U/(h g0),   tau_z = dp/dz h (s - centre)           (2)
+/// The viscosity at a node is that at its T, p and shear rate; for shear-thinning oil (1), (2) and
+/// eta = eta(T, p) f(|tau|/eta) are solved together, column by column, by repeated substitution
+/// (contraction: minus the slope of ln eta against ln stress, below 1 where stress rises with
+/// rate), to the tolerance asked for.
+#include <vector>
+
+#include "core/gauss_lobatto.hpp"
+#include "fluid/film_flux.hpp"
+#include "rheology/oil.hpp"
+
+namespace shellback::bearing {
+
+struct OilColumns {
+  std::vector<double> T;    ///< node temperatures, index cell * n + k [K]
+  std::vector<double> eta;  ///< node viscosities; starting guess of the next call [Pa s]
+  Field g0;                 ///< [1/(Pa s)]
+  Field centre;             ///< [-]
+  Field T_mean;             ///< mean across the film [K]
+  int substitutions = 0;    ///< of the last call
+  double mismatch = 0.0;    ///< largest relative change in the last substitution [-]
+};
+
+/// Columns of one temperature everywhere.
+[[nodiscard]] OilColumns uniform_columns(int cells, int nodes, double T);
+
+/// Recomputes viscosities, integrals (1) and the film's coefficients for the present state.
+/// `h` is the gap for shear [m] (positive), `gradient_*` the pressure gradients at cells [Pa/m].
+void update_columns(const rheology::Oil& oil, const GaussLobatto& gl, double speed, const Field& h,
+                    const fluid::FilmState& state, const Field& gradient_x, const Field& gradient_z,
+                    double tolerance, OilColumns& columns, fluid::FilmCoefficients& coefficients);
+
+/// Dissipation per volume of film, tau^2/eta at the nodes [W/m3], index cell * n + k.
+[[nodiscard]] std::vector<double> dissipation(const GaussLobatto& gl, double speed, const Field& h,
+                                              const Field& gradient_x, const Field& gradient_z,
+                                              const OilColumns& columns);
+
+/// Velocity profiles of unit mean at the nodes of every column: driven by the journal (Couette)
+/// and by pressure (Poiseuille).
+struct VelocityProfiles {
+  std::vector<double> couette;     ///< [-], index cell * n + k
+  std::vector<double> poiseuille;  ///< [-]
+};
+[[nodiscard]] VelocityProfiles velocity_profiles(const GaussLobatto& gl, const OilColumns& columns);
+
+}  // namespace shellback::bearing

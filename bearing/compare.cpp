@@ -1,0 +1,141 @@
+#include "bearing/compare.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/bracketed_root.hpp"
+#include "bearing/nested.hpp"
+#include "bearing/solve_equilibrium.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+struct Torque {
+  double viscous = NAN;
+  double asperity = NAN;
+  [[nodiscard]] double total() const { return viscous + asperity; }
+};
+
+Torque torque_of(const Solution& s) {
+  if (!s.verdict.good()) return {};
+  const Friction f = friction_of(s.model, s.film);
+  return {f.viscous, f.asperity};
+}
+
+double oil_mean(const Solution& full) {
+  return summarize(full, full.model.input.model.tier).value("T_film_mean");
+}
+
+/// Rigid, at given temperatures and growth taken from the full solution.
+Torque rigid_with_heat_of(const Solution& full, bool growth, const SolveControl& control) {
+  const Case& c = full.model.input;
+  Physics physics = full.model.physics;
+  physics.elastic = physics.film_energy = physics.growth = false;
+  Solution s;
+  s.model = make_bearing(c, physics, c.model.grid);
+  s.target = full.target;
+  s.film = full.film;
+  s.film.elastic.clear();
+  const Field& gap_growth = growth ? full.heat.growth : Field{};
+  s.verdict = solve_equilibrium(s.model, s.target, gap_growth, {}, s.film, s.cost, control.stop);
+  if (!s.verdict.good()) {  // the deformed film is no start for the rigid one: begin anew
+    const auto T = full.film.columns.T;
+    s.film = cold_start(s.model, oil_mean(full));
+    s.film.columns.T = T;
+    s.verdict = solve_equilibrium(s.model, s.target, gap_growth, {}, s.film, s.cost, control.stop);
+  }
+  return torque_of(s);
+}
+
+void split_friction(const Solution& isothermal, const Solution& full, const SolveControl& control,
+                    FrictionSplit& split) {
+  const Torque start = torque_of(isothermal);
+  const Torque end = torque_of(full);
+  split.from = start.total();
+  split.to = end.total();
+  // The case's own switches apply to the isothermal film as well: if it is elastic there, all
+  // steps are, and "elasticity" has no part.
+  const Torque level = torque_of(solve_isothermal_at(full.model.input, oil_mean(full), control));
+  const bool elastic_step = full.model.physics.elastic && !isothermal.model.physics.elastic;
+  const bool rigid_steps = elastic_step || !full.model.physics.elastic;
+  if (!rigid_steps) {
+    split.steps = {{"viscosity level", level.viscous - start.viscous},
+                   {"viscosity variation and clearance", end.viscous - level.viscous},
+                   {"asperity share", end.asperity - start.asperity}};
+    return;
+  }
+  const Torque variation = rigid_with_heat_of(full, false, control);
+  const Torque clearance =
+      full.model.physics.growth ? rigid_with_heat_of(full, true, control) : variation;
+  split.steps = {{"viscosity level", level.viscous - start.viscous},
+                 {"viscosity variation", variation.viscous - level.viscous},
+                 {"clearance", clearance.viscous - variation.viscous},
+                 {"elasticity", end.viscous - clearance.viscous},
+                 {"asperity share", end.asperity - start.asperity}};
+  const bool known = std::all_of(split.steps.begin(), split.steps.end(),
+                                 [](const FrictionStep& s) { return std::isfinite(s.change); });
+  if (!known) {  // a step of the ladder has no steady state: keep only what is known
+    split.steps = {{"all viscous effects together", end.viscous - start.viscous},
+                   {"asperity share", end.asperity - start.asperity}};
+  }
+}
+
+/// Film temperature at which the isothermal torque is `wanted` [K]; NaN if none within the oil's
+/// range. Warm-started from T to T.
+double calibrate(const Case& c, double wanted, double guess, const SolveControl& control) {
+  constexpr double kHalfRange = 60.0;  // searched on both sides of the guess [K]
+  constexpr double kTolerance = 1e-4;  // [K]
+  Solution s = solve_isothermal_at(c, guess, control);
+  if (!s.verdict.good()) return NAN;
+  const auto excess = [&](double T) {
+    std::fill(s.film.columns.T.begin(), s.film.columns.T.end(), T);
+    FilmEquilibrium trial = s.film;
+    EquilibriumOptions loose;
+    loose.load_tolerance = 1e-7;
+    const Verdict v = solve_equilibrium(s.model, s.target, {}, loose, trial, s.cost, control.stop);
+    if (!v.good()) return static_cast<double>(NAN);
+    s.film = trial;
+    const Friction friction = friction_of(s.model, trial);
+    return friction.viscous + friction.asperity - wanted;
+  };
+  KnownPoint here{guess, excess(guess)};
+  if (here.f == 0.0) return guess;
+  KnownPoint other = here;
+  for (double reach = 4.0; reach <= kHalfRange && other.f * here.f > 0.0; reach *= 2.0) {
+    here = other;
+    other.x = here.f > 0.0 ? guess + reach : guess - reach;  // warmer oil, less friction
+    other.f = excess(other.x);
+  }
+  if (!(other.f * here.f < 0.0)) return NAN;
+  const BracketedRoot root = bracketed_root(excess, here, other, {0.0, kTolerance});
+  return root.found ? root.at.x : NAN;
+}
+
+}  // namespace
+
+Comparison compare(const Case& c, const std::vector<Tier>& tiers, const SolveControl& control,
+                   const SumUp& sum_up) {
+  Comparison out;
+  out.T_calibrated = NAN;
+  std::optional<Solution> isothermal, full;
+  for (const Tier tier : tiers) {
+    Case one = c;
+    one.model.tier = tier;
+    Solution s = solve_tier(one, tier, control);
+    out.results.push_back(sum_up(s, tier));
+    const bool good = s.verdict.good();
+    const bool interrupted = s.verdict.status == Status::interrupted;
+    if (good && tier == Tier::isothermal)
+      isothermal = std::move(s);
+    else if (good && s.model.physics.film_energy)
+      full = std::move(s);
+    if (interrupted) return out;  // what is finished is kept
+  }
+  if (isothermal && full) {
+    split_friction(*isothermal, *full, control, out.split);
+    out.T_calibrated = calibrate(c, out.split.to, oil_mean(*full), control);
+  }
+  return out;
+}
+
+}  // namespace shellback::bearing

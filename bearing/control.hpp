@@ -1,0 +1,23 @@
+#pragma once
+/// What a running solve tells, and how it is told to stop.
+#include <atomic>
+#include <functional>
+#include <string>
+
+namespace shellback::bearing {
+
+/// Where a solve stands; sent after each outer iteration.
+struct Progress {
+  std::string stage;             ///< "isothermal", "thd", ...
+  int step = 0;                  ///< outer iteration
+  double residual = 0.0;         ///< relative change of the iterate [-]
+  double friction_torque = 0.0;  ///< [N m]
+  double h_min = 0.0;            ///< [m]
+};
+
+struct SolveControl {
+  std::function<void(const Progress&)> progress;  ///< may be empty
+  const std::atomic<bool>* stop = nullptr;        ///< set from outside: end soon, keep the state
+};
+
+}  // namespace shellback::bearing

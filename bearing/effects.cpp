@@ -1,0 +1,92 @@
+#include "bearing/effects.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/largest.hpp"
+#include "rheology/density.hpp"
+#include "rheology/heat.hpp"
+#include "rheology/viscosity.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// Mean state at which the numbers are taken.
+struct Probe {
+  double T;      ///< film temperature [K]
+  double eta;    ///< viscosity there, low shear [Pa s]
+  double beta;   ///< -d ln eta / dT [1/K]
+  double rate;   ///< U / c [1/s]
+  double slope;  ///< -d ln eta / d ln rate at `rate` [-]
+  double p_max;
+  double h_min;
+};
+
+Probe probe(const Solution& s) {
+  const BearingModel& m = s.model;
+  Probe p{};
+  for (const double T : s.film.columns.T_mean) p.T += T;
+  p.T /= static_cast<double>(s.film.columns.T_mean.size());
+  p.rate = std::abs(m.scene.speed) / std::max(s.film.least.h, 0.1 * m.clearance);
+  const auto v = rheology::viscosity_slopes(m.input.oil, p.T, 0.0, p.rate);
+  p.eta = rheology::viscosity(m.input.oil, p.T, 0.0);
+  p.beta = -v.dln_dT;
+  p.slope = 1.0 - v.eta / p.eta;
+  p.p_max = largest(s.film.film.p);
+  p.h_min = std::max(s.film.least.h, 1e-9);
+  return p;
+}
+
+double temperature_rise(const Solution& s, const Friction& f, const Probe& p) {
+  const double flow = fluid::oil_flows(s.model.scene, s.film.flow).side;
+  const double cp = rheology::heat_capacity(s.model.oil, p.T).cp;
+  const double power = std::abs((f.viscous + f.asperity) * s.model.input.operation.omega);
+  return flow > 0.0 ? power / (flow * cp) : INFINITY;
+}
+
+}  // namespace
+
+std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
+  const BearingModel& m = s.model;
+  const Physics& has = m.physics;
+  const Probe p = probe(s);
+  const double U = m.scene.speed;
+  const double k = rheology::conductivity(m.oil, p.T, 0.0).k;
+  std::vector<Effect> out;
+  out.push_back({"heating", has.film_energy, p.beta * temperature_rise(s, f, p),
+                 "beta dT of the oil flow; below 0.02 none, above 0.3 resolve it"});
+  out.push_back({"temperature across the film", has.film_energy, p.beta * p.eta * U * U / k,
+                 "Nahme number; below 0.05 none, above 0.2 resolve it"});
+  if (has.elastic) {
+    const double opening = largest(s.film.elastic);
+    out.push_back({"elastic deformation", true, opening / p.h_min,
+                   "largest opening over smallest film; below 0.03 none, above 0.1 model it"});
+  } else {
+    out.push_back({"elastic deformation", false, NAN, "not computed in this tier"});
+  }
+  if (has.growth) {
+    out.push_back({"thermal deformation", true, largest_magnitude(s.heat.growth) / m.clearance,
+                   "largest thermal change of the gap over clearance; above 0.05 model it"});
+  } else {
+    out.push_back({"thermal deformation", false, NAN, "not computed in this tier"});
+  }
+  const double alpha = rheology::pressure_slope(m.input.oil, p.T, 0.0);
+  out.push_back({"viscosity with pressure", has.pressure_dependence, alpha * p.p_max,
+                 "alpha p_max; below 0.05 none, above 0.1 model it, above 10 use Roelands"});
+  out.push_back({"shear thinning", has.shear_thinning, p.slope,
+                 "loss of viscosity at the smallest film; below 0.02 none, above 0.05 model it"});
+  const double sigma =
+      std::hypot(m.input.surfaces.shell.roughness, m.input.surfaces.shaft.roughness);
+  out.push_back({"roughness and contact", has.contact || has.flow_factors,
+                 sigma > 0.0 ? s.film.least.h / sigma : INFINITY,
+                 "smallest film over roughness; above 6 none, below 4 model it"});
+  const double rho = rheology::density(m.oil, p.T, 0.0).rho;
+  const double c = m.clearance;
+  const double reynolds = rho * std::abs(U) * c / p.eta;
+  out.push_back({"turbulence and Taylor vortices", false,
+                 reynolds / (41.2 * std::sqrt(m.input.bearing.radius / c)),
+                 "Reynolds number over 41.2 sqrt(R/c); above 1 the laminar film is left"});
+  return out;
+}
+
+}  // namespace shellback::bearing

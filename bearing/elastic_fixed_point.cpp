@@ -1,0 +1,107 @@
+#include "bearing/elastic_fixed_point.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/film_then_position.hpp"
+#include "bearing/pseudo_time.hpp"
+#include "bearing/solids.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr int kMostRounds = 1000;
+constexpr int kPatience = 100;  ///< rounds without a smaller mismatch that show that none will come
+constexpr double kFirstRelaxation = 0.1;  ///< of Aitken's: small enough for an opening of ten films
+constexpr double kLeast = 0.01;           ///< relaxation below which nothing moves any more [-]
+constexpr double kGrown = 30.0;           ///< growth of the mismatch over its best, and
+constexpr double kLost = 3.0;  ///< mismatch in smallest gaps, that together are divergence [-]
+
+/// Aitken's factor from the mismatches of two rounds; see (1).
+double aitken(double omega, const Field& before, const Field& now) {
+  double along = 0.0;
+  double square = 0.0;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    const double d = now[k] - before[k];
+    along += before[k] * d;
+    square += d * d;
+  }
+  return square > 0.0 ? std::clamp(-omega * along / square, kLeast, 1.0) : omega;
+}
+
+Verdict diverged(const std::string& how, double opening, double film) {
+  return {Status::iteration_limit,
+          fmt::format("the fixed point between film and displacement diverges: {} (elastic opening "
+                      "{:.3g} um, smallest gap {:.3g} um)",
+                      how, opening * 1e6, film * 1e6),
+          "", "take elastic = \"newton\", a smaller relaxation, or a lower load"};
+}
+
+}  // namespace
+
+Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
+                            const Field& growth, const EquilibriumOptions& options,
+                            FilmEquilibrium& s, EquilibriumCost& cost,
+                            const std::atomic<bool>* stop) {
+  BearingModel rigid = model;
+  rigid.physics.elastic = false;
+  const double fixed = model.input.model.methods.relaxation;
+  double omega = fixed > 0.0 ? fixed : kFirstRelaxation;
+  Field d = s.elastic;
+  Field before;
+  double best = INFINITY;
+  double norm = INFINITY;
+  int best_round = 0;
+  int round = 0;
+  for (; round < kMostRounds; ++round) {
+    if (stop && stop->load()) {
+      s.elastic = d;
+      return {Status::interrupted, "stopped by the user", "", ""};
+    }
+    ++cost.elastic_rounds;
+    EquilibriumOptions film = options;  // no tighter than the displacement is known
+    const double loose = std::isfinite(norm) ? std::min(1e-2 * norm, 1e-2) : 1e-2;
+    film.film_tolerance = std::max(options.film_tolerance, 1e-1 * loose);
+    film.load_tolerance = std::max(options.load_tolerance, loose);
+    film.viscosity_tolerance = std::max(options.viscosity_tolerance, 1e-1 * loose);
+    s.elastic.clear();
+    const bool usual = model.input.model.methods.cavitation == CavitationMethod::active_set;
+    const auto solve = usual ? newton_or_through_time : film_then_position;
+    const Verdict v = solve(rigid, target, sum(growth, d), film, s, cost, stop);
+    s.elastic = d;
+    if (v.status == Status::interrupted) return v;
+    if (!v.good())
+      return diverged("round " + std::to_string(round + 1) + " has no film: " + v.reason,
+                      largest_magnitude(d), s.least.h);
+    Field total = s.film.p;
+    for (std::size_t k = 0; k < total.size(); ++k) total[k] += s.p_contact[k];
+    Field r = model.solids->compliance(total);
+    for (std::size_t k = 0; k < r.size(); ++k) r[k] -= d[k];
+    norm = largest_magnitude(r) / (std::max(s.least.h, 0.0) + model.scene.rough.sigma + 1e-9);
+    const bool settled = norm <= options.elastic_tolerance;
+    if (settled && loose <= options.load_tolerance) return {};
+    if (!(norm < std::max(kGrown * best, kLost))) {
+      return diverged(fmt::format("the mismatch grows to {:.2g} gaps", norm), largest_magnitude(d),
+                      s.least.h);
+    }
+    if (norm < best) {
+      best = norm;
+      best_round = round;
+    }
+    if (round - best_round > kPatience) break;
+    if (fixed <= 0.0 && !before.empty()) omega = aitken(omega, before, r);
+    for (std::size_t k = 0; k < d.size(); ++k) d[k] += omega * r[k];
+    before = std::move(r);
+  }
+  s.elastic = d;
+  return {Status::iteration_limit,
+          fmt::format("the fixed point between film and displacement did not settle in {} rounds "
+                      "(mismatch {:.1e} of the smallest gap, relaxation {:.2g})",
+                      std::min(round + 1, kMostRounds), norm, omega),
+          "", "take elastic = \"newton\""};
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,179 @@
+#include "bearing/equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/solids.hpp"
+#include "core/constants.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+
+double LoadTarget::scale() const { return std::hypot(force[0], force[1]); }
+
+double PathRow::missing(const FilmEquilibrium& s) const {
+  double left = length - along_load * (s.ln_load - from_load);
+  for (int k = 0; k < 4; ++k) {
+    if (along[k] != 0.0) left -= along[k] * (s.position.q[k] - from.q[k]) / unit[k];
+  }
+  return left;
+}
+
+fluid::Wrench LoadTarget::wanted(const FilmEquilibrium& s) const {
+  fluid::Wrench w = force;
+  if (path) {
+    for (double& f : w) f *= std::exp(s.ln_load);
+  }
+  if (inertia) {
+    for (int k = 0; k < 2; ++k) w[k] += inertia->stiffness * (s.position.q[k] - inertia->free[k]);
+  }
+  return w;
+}
+
+LoadTarget load_target(const Case& c) {
+  LoadTarget t;
+  if (const auto* load = std::get_if<LoadGiven>(&c.operation.position)) {
+    t.force = {-load->force * std::cos(load->angle), -load->force * std::sin(load->angle), 0.0,
+               0.0};
+  } else {
+    t.unknowns = 0;
+  }
+  if (const auto* moment = std::get_if<MomentGiven>(&c.operation.alignment)) {
+    t.unknowns = 4;
+    t.force[2] = -moment->about_x;
+    t.force[3] = -moment->about_y;
+  }
+  return t;
+}
+
+fluid::JournalPosition first_position(const Case& c, double clearance) {
+  constexpr double kFirstEccentricity = 0.6;             // where most bearings run [-]
+  constexpr double kFirstAttitude = 50.0 * kPi / 180.0;  // that of a half-wide bearing there
+  fluid::JournalPosition q;
+  double angle = 0.0;
+  double e = kFirstEccentricity * clearance;
+  if (const auto* given = std::get_if<EccentricityGiven>(&c.operation.position)) {
+    angle = given->load_angle + given->attitude;
+    e = given->ratio * clearance;
+  } else {
+    const double attitude = c.operation.omega >= 0.0 ? kFirstAttitude : -kFirstAttitude;
+    angle = std::get<LoadGiven>(c.operation.position).angle + attitude;
+  }
+  q.q[0] = e * std::cos(angle);
+  q.q[1] = e * std::sin(angle);
+  if (const auto* tilt = std::get_if<TiltGiven>(&c.operation.alignment)) {
+    q.q[2] = tilt->about_x;
+    q.q[3] = tilt->about_y;
+  }
+  return q;
+}
+
+FilmEquilibrium cold_start(const BearingModel& model, double T) {
+  FilmEquilibrium s;
+  s.film = fluid::cold_film(model.scene);
+  s.position = first_position(model.input, model.clearance);
+  if (model.physics.elastic) s.elastic.assign(model.scene.grid.cells(), 0.0);
+  s.columns = uniform_columns(model.scene.grid.cells(), model.gl.n, T);
+  return s;
+}
+
+Field sum(const Field& a, const Field& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  Field c = a;
+  for (std::size_t k = 0; k < c.size(); ++k) c[k] += b[k];
+  return c;
+}
+
+int beyond_reduced_pressure(const BearingModel& model, const FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = model.scene;
+  const FilmGrid& g = scene.grid;
+  if (!s.elastic.empty() || !std::holds_alternative<rheology::Barus>(model.oil.pressure)) return -1;
+  const auto w = [&](int k) { return -std::expm1(-s.oil.alpha[k] * s.film.p[k]); };  // alpha q
+  for (int k = 0; k < g.cells(); ++k) {
+    if (!s.film.full[k] || scene.supply.cell[k] >= 0) continue;
+    const int i = k / g.nz;
+    const int j = k % g.nz;
+    const double here = w(k);
+    const auto drop = [&](int a, int b) { return 2.0 * here - w(a) - w(b); };
+    double top = drop(g.index(g.previous(i), j), g.index(g.next(i), j));
+    if (j > 0 && j + 1 < g.nz) top += drop(k - 1, k + 1);
+    if (j == 0 && g.half && g.nz > 1) {  // beyond the plane of symmetry stands the mirror image
+      top += drop(g.z[0] == 0.0 ? k + 1 : k, k + 1);
+    }
+    if (here + top / 24.0 >= 1.0) return k;
+  }
+  return -1;
+}
+
+double room(const BearingModel& model, const FilmEquilibrium& s) {
+  return 0.5 * (s.least.h + std::hypot(s.least.h, 2.0 * model.scene.rough.sigma));
+}
+
+namespace {
+
+void evaluate_contact(const BearingModel& model, FilmEquilibrium& s) {
+  s.p_contact.assign(s.film.p.size(), 0.0);
+  s.dp_contact.assign(s.film.p.size(), 0.0);
+  if (!model.contact) return;
+  model.contact->evaluate(s.gap.cell, s.p_contact, s.dp_contact);
+  for (std::size_t k = 0; k < s.p_contact.size(); ++k) {
+    if (model.scene.supply.cell[k] < 0) continue;
+    s.p_contact[k] = 0.0;  // nothing to touch over a groove
+    s.dp_contact[k] = 0.0;
+  }
+}
+
+/// (3) or (3a) of the pressures p and p_a.
+Field displacement(const BearingModel& model, const FilmEquilibrium& s) {
+  Field d = model.solids->compliance(sum(s.film.p, s.p_contact));
+  return s.contact_growth ? sum(d, model.solids->widening(*s.contact_growth, s.p_contact)) : d;
+}
+
+}  // namespace
+
+bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
+              FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = model.scene;
+  s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position,
+                          sum(growth, s.elastic), model.step);
+  s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
+  if (is_closed(model, s) || !std::isfinite(largest_magnitude(s.gap.cell))) return false;
+  s.shear_gap = shear_gap(model, s.gap.cell);
+  s.gradient_x = fluid::pressure_gradient_x(scene, s.film);
+  s.gradient_z = fluid::pressure_gradient_z(scene, s.film);
+  update_columns(model.oil, model.gl, scene.speed, s.shear_gap, s.film, s.gradient_x, s.gradient_z,
+                 tolerance, s.columns, s.oil);
+  fluid::evaluate_flow(scene, s.gap, model.step, s.oil, s.film, s.flow);
+  evaluate_contact(model, s);
+  s.force = fluid::wrench(scene, sum(s.film.p, s.p_contact));
+  return true;
+}
+
+bool Residuals::finite() const {
+  return std::isfinite(film_norm) && std::isfinite(load_norm) && !std::isnan(elastic_norm);
+}
+
+Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
+                       const FilmEquilibrium& s) {
+  constexpr double kNoGap = 1e-9;  // of smooth surfaces that all but touch [m]
+  Residuals r;
+  r.film = fluid::film_residual(model.scene, s.flow);
+  r.film_norm = largest_magnitude(r.film) / fluid::flow_scale(model.scene, s.flow);
+  const fluid::Wrench wanted = target.wanted(s);
+  const double unit = target.scale() * std::exp(s.ln_load);
+  for (int k = 0; k < target.unknowns; ++k) {
+    const double arm = k < 2 ? 1.0 : 0.5 * model.scene.grid.width;
+    r.load_norm = larger(r.load_norm, std::abs(s.force[k] - wanted[k]) / (unit * arm));
+  }
+  if (target.path) r.load_norm = larger(r.load_norm, std::abs(target.path->missing(s)));
+  if (!s.elastic.empty()) {
+    r.displacement = displacement(model, s);
+    for (std::size_t k = 0; k < r.displacement.size(); ++k) r.displacement[k] -= s.elastic[k];
+    r.elastic_norm = largest_magnitude(r.displacement) /
+                     (std::max(s.least.h, 0.0) + model.scene.rough.sigma + kNoGap);
+  }
+  return r;
+}
+
+}  // namespace shellback::bearing

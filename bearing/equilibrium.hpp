@@ -1,0 +1,154 @@
+#pragma once
+/// State and residual of film, journal and elastic surfaces, at given oil temperatures and thermal
+/// growth.
+///
+/// Unknowns: p or theta of every cell (u), journal position q (0, 2 or 4 components), elastic
+/// widening of the gap d (elastic bearings). At the end of a step dt in time:
+///   R(u, q, d) = (M - M_before)/dt + outflow = 0     film, fluid/film_flux.hpp       (1)
+///   F(p + p_a) + W - m (q - q_free)/dt^2 = 0         load, moment, journal's mass    (2)
+///   d = C (p + p_a(h))                               elasticity                      (3)
+/// q_free is where the journal would be without any force, q_before + dt v_before. A step without
+/// end is the steady bearing.
+///
+/// Asperity heat makes the shell bulge towards the journal where they rub, and rub more. Taken in
+/// turns with the film this diverges in heavy contact; where `contact_growth` G is given, (3) reads
+///   d = C (p + p_a) + G p_a                                                                   (3a)
+/// and the growth given from outside is without G p_a.
+/// Source: seed 000 Eq. 1; backward Euler, textbook.
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "bearing/bearing.hpp"
+#include "bearing/columns.hpp"
+#include "core/harmonics.hpp"
+#include "fluid/resultants.hpp"
+#include "fluid/reynolds.hpp"
+
+namespace shellback::bearing {
+
+struct FilmEquilibrium {
+  fluid::FilmState film;
+  fluid::JournalPosition position;
+  double ln_load = 0.0;  ///< of the load's factor, unknown along a path of loads [-]
+  Field elastic;         ///< widening (3), shell and shaft [m]; empty: rigid
+  std::shared_ptr<const HarmonicOperator> contact_growth;  ///< G of (3a) [m/Pa]; none: (3)
+  OilColumns columns;
+
+  // What the last evaluation found.
+  fluid::Gap gap;
+  Field shear_gap;  ///< [m]
+  fluid::FilmCoefficients oil;
+  fluid::FilmFlow flow;
+  Field gradient_x, gradient_z;  ///< of p at cells [Pa/m]
+  Field p_contact;               ///< asperity pressure [Pa]
+  Field dp_contact;              ///< its derivative by h, not positive [Pa/m]
+  fluid::Wrench force{};         ///< of film and contact on the journal
+  fluid::SmallestGap least;
+};
+
+struct EquilibriumOptions {
+  double film_tolerance = 1e-11;       ///< largest cell residual over the largest Couette flow [-]
+  double load_tolerance = 1e-9;        ///< |F + W| over |W| [-]
+  double elastic_tolerance = 1e-8;     ///< largest |C p - d| over the smallest gap [-]
+  double viscosity_tolerance = 1e-10;  ///< shear-thinning relation [-]
+  int max_iterations = 80;
+};
+
+struct EquilibriumCost {
+  int factorizations = 0;
+  int newton_iterations = 0;
+  int krylov_iterations = 0;
+  int rejected_steps = 0;
+  long sweeps = 0;         ///< of the p-theta relaxation
+  int elastic_rounds = 0;  ///< of the fixed point between film and displacement
+  double work = 0.0;       ///< iterations, each counted with its cells [cells]
+  double most_work = std::numeric_limits<double>::infinity();  ///< from which a search is given up
+  [[nodiscard]] bool spent() const { return work > most_work; }
+};
+
+/// Mass of the journal over a finite step.
+struct Inertia {
+  double stiffness = 0.0;        ///< m/dt^2 [N/m]
+  std::array<double, 2> free{};  ///< q_free of (2): e_x, e_y [m]
+};
+
+/// One more row of the border: position and load stand so far along a path,
+///   sum_k along_k (q_k - from_k)/unit_k + along_load (ln_load - from_load) = length.       (4)
+struct PathRow {
+  std::array<double, 4> along{};  ///< [-]
+  std::array<double, 4> unit{};   ///< [m], [rad]
+  double along_load = 1.0;        ///< [-]
+  fluid::JournalPosition from;
+  double from_load = 0.0;  ///< [-]
+  double length = 0.0;     ///< [-]
+  /// `length` less what the state stands along [-].
+  [[nodiscard]] double missing(const FilmEquilibrium& s) const;
+};
+
+/// What the journal must balance.
+struct LoadTarget {
+  int unknowns = 2;       ///< 0: position given; 2: e; 4: e and tilt
+  fluid::Wrench force{};  ///< wanted film force and moment on the journal: minus the load
+  std::optional<Inertia> inertia;
+  std::optional<PathRow> path;         ///< the load's factor is an unknown, too
+  [[nodiscard]] double scale() const;  ///< |force| [N]
+  /// The force wanted of this state: with its factor and the journal's inertia.
+  [[nodiscard]] fluid::Wrench wanted(const FilmEquilibrium& s) const;
+};
+[[nodiscard]] LoadTarget load_target(const Case& c);
+
+/// Position given in the case, or a first guess for a load.
+[[nodiscard]] fluid::JournalPosition first_position(const Case& c, double clearance);
+
+/// A cold start: full film, one temperature, guessed position.
+[[nodiscard]] FilmEquilibrium cold_start(const BearingModel& model, double T);
+
+/// Evaluates everything below the unknowns. False if the gap of a smooth bearing is closed.
+[[nodiscard]] bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
+                            FilmEquilibrium& state);
+
+/// Residuals of an evaluated state, each in units of its tolerance's scale.
+struct Residuals {
+  Field film;          ///< R [kg/s]
+  Field displacement;  ///< C (p + p_a) - d [m]; empty: rigid
+  double film_norm = 0.0;
+  double load_norm = 0.0;
+  double elastic_norm = 0.0;
+  [[nodiscard]] bool finite() const;
+  [[nodiscard]] bool within(const EquilibriumOptions& o) const {
+    return film_norm <= o.film_tolerance && load_norm <= o.load_tolerance &&
+           elastic_norm <= o.elastic_tolerance;
+  }
+};
+[[nodiscard]] Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
+                                     const FilmEquilibrium& state);
+
+/// Distance by which the surfaces may still approach [m]: the smallest gap; rough surfaces stay
+/// apart by their asperities, so that the nominal gap may go through zero.
+[[nodiscard]] double room(const BearingModel& model, const FilmEquilibrium& state);
+
+/// True if the gap last evaluated is one of smooth surfaces and closed somewhere. A gap that is not
+/// a number is not closed.
+[[nodiscard]] inline bool is_closed(const BearingModel& model, const FilmEquilibrium& s) {
+  return model.scene.rough.sigma <= 0.0 && s.least.h <= 0.0;
+}
+
+/// True if smooth surfaces are nearer than an oil molecule of 30 carbon atoms is long (2 to 4 nm,
+/// textbook): no film is left that Reynolds' equation could describe.
+[[nodiscard]] inline bool thinner_than_a_molecule(const BearingModel& model,
+                                                  const FilmEquilibrium& s) {
+  constexpr double kMolecule = 2e-9;  // [m]
+  return model.scene.rough.sigma <= 0.0 && s.least.h < kMolecule;
+}
+
+/// A cell of a rigid film in which Barus oil has no pressure, -1: none. The values of cells are
+/// means: inside, the reduced pressure q = (1 - exp(-alpha p))/alpha stands higher by a 24th of its
+/// second differences (parabola), and nowhere can it exceed 1/alpha. Without this a single cell
+/// would carry any load, its p = -ln(1 - alpha q)/alpha being unbounded.
+[[nodiscard]] int beyond_reduced_pressure(const BearingModel& model, const FilmEquilibrium& s);
+
+/// Element by element; an empty field is zero.
+[[nodiscard]] Field sum(const Field& a, const Field& b);
+
+}  // namespace shellback::bearing

@@ -1,0 +1,259 @@
+#include "bearing/film_heat.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rheology/density.hpp"
+#include "rheology/heat.hpp"
+
+namespace shellback::bearing {
+
+Friction friction_of(const BearingModel& model, const FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = model.scene;
+  Field h = s.gap.cell;
+  for (std::size_t k = 0; k < h.size(); ++k) {
+    const int patch = scene.supply.cell[k];
+    if (patch >= 0) h[k] += scene.supply.patches[patch].depth;
+  }
+  Friction f;
+  f.stress = fluid::shear_stress(scene, h, s.columns.g0, s.oil.chi, s.film, s.gradient_x,
+                                 model.shear_rule);
+  f.viscous = fluid::torque(scene, f.stress.journal);
+  f.viscous_shell = fluid::torque(scene, f.stress.shell);
+  if (model.contact) {
+    Field tau = s.p_contact;
+    const double mu = model.contact->friction() * (scene.speed >= 0.0 ? 1.0 : -1.0);
+    for (double& x : tau) x *= mu;
+    f.asperity = fluid::torque(scene, tau);
+  }
+  return f;
+}
+
+double reference_density(const BearingModel& model) {
+  const double T = model.input.supplies.empty() ? 313.15 : model.input.supplies[0].temperature;
+  return rheology::density(model.oil, T, 0.0).rho;
+}
+
+double pump_power(const BearingModel& model, const FilmEquilibrium& s) {
+  const auto flows = fluid::oil_flows(model.scene, s.flow);
+  double power = -flows.side * model.scene.p_edge;
+  for (std::size_t k = 0; k < flows.patch.size(); ++k) {
+    power += flows.patch[k] * model.scene.supply.patches[k].pressure;
+  }
+  return power / reference_density(model);
+}
+
+namespace {
+
+using NodeArray = std::vector<double>;
+
+/// Work of the pressure on the flow through every face, given to the film cells beside it [W].
+Field flow_work(const BearingModel& model, const FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = model.scene;
+  const FilmGrid& g = scene.grid;
+  const double per_mass = 1.0 / reference_density(model);
+  Field work(g.cells(), 0.0);
+  const auto film = [&](int k) { return scene.supply.cell[k] < 0; };
+  const auto share = [&](int a, int b, double power) {
+    if (film(a) && film(b)) {
+      work[a] += 0.5 * power;
+      work[b] += 0.5 * power;
+    } else if (film(a) || film(b)) {
+      work[film(a) ? a : b] += power;
+    }
+  };
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      const int l = g.index(g.previous(i), j);
+      const int line = scene.supply.line[k];
+      if (line < 0) {
+        share(l, k, s.flow.phi[k].m * (s.film.p[l] - s.film.p[k]) * per_mass);
+      } else {
+        const double p = scene.supply.patches[line].pressure;
+        if (film(k)) work[k] += s.flow.phi[k].m * (p - s.film.p[k]) * per_mass;
+      }
+      const int f = i * (g.nz + 1) + j;
+      if (j > 0) share(k - 1, k, s.flow.z[f].m * (s.film.p[k - 1] - s.film.p[k]) * per_mass);
+    }
+    const int first = g.index(i, 0);
+    const int last = g.index(i, g.nz - 1);
+    const int f = i * (g.nz + 1);
+    if (film(first)) work[first] += s.flow.z[f].m * (scene.p_edge - s.film.p[first]) * per_mass;
+    if (film(last)) {
+      work[last] += s.flow.z[f + g.nz].m * (s.film.p[last] - scene.p_edge) * per_mass;
+    }
+  }
+  for (const fluid::LineFace& l : s.flow.lines) {
+    const int k = g.index(g.previous(l.face / g.nz), l.face % g.nz);
+    const double p = scene.supply.patches[l.patch].pressure;
+    if (film(k)) work[k] += l.west.m * (s.film.p[k] - p) * per_mass;
+  }
+  return work;
+}
+
+/// Splits face flows over the nodes by the velocity profiles of the cells beside them.
+class NodeFlows {
+ public:
+  NodeFlows(const BearingModel& model, const FilmEquilibrium& s)
+      : model_(model), s_(s), v_(velocity_profiles(model.gl, s.columns)), n_(model.gl.n) {}
+
+  void through(const fluid::FaceFlow& f, double theta_up, int a, int b, double* out) const {
+    const double couette = theta_up * f.d_theta;
+    const double poiseuille = f.m - couette;
+    for (int k = 0; k < n_; ++k) {
+      const std::size_t ka = static_cast<std::size_t>(a) * n_ + k;
+      const std::size_t kb = static_cast<std::size_t>(b) * n_ + k;
+      out[k] = 0.5 * (couette * (v_.couette[ka] + v_.couette[kb]) +
+                      poiseuille * (v_.poiseuille[ka] + v_.poiseuille[kb]));
+    }
+  }
+
+  void fill(thermal::FilmEnergyProblem& p) const {
+    const fluid::FilmScene& scene = model_.scene;
+    const FilmGrid& g = scene.grid;
+    const bool forward = scene.speed >= 0.0;
+    p.phi_flow.assign(static_cast<std::size_t>(g.cells()) * n_, 0.0);
+    p.z_flow.assign(static_cast<std::size_t>(g.nt) * (g.nz + 1) * n_, 0.0);
+    for (int i = 0; i < g.nt; ++i) {
+      for (int j = 0; j < g.nz; ++j) {
+        const int k = g.index(i, j);
+        const int l = g.index(g.previous(i), j);
+        const bool line = scene.supply.line[k] >= 0;
+        const double theta = forward ? (line ? 1.0 : s_.film.theta[l]) : s_.film.theta[k];
+        through(s_.flow.phi[k], theta, line ? k : l, k,
+                &p.phi_flow[static_cast<std::size_t>(k) * n_]);
+      }
+      for (int j = 0; j <= g.nz; ++j) {
+        const int f = i * (g.nz + 1) + j;
+        const int a = g.index(i, std::max(j - 1, 0));
+        const int b = g.index(i, std::min(j, g.nz - 1));
+        through(s_.flow.z[f], 0.0, a, b, &p.z_flow[static_cast<std::size_t>(f) * n_]);
+      }
+    }
+    for (const fluid::LineFace& l : s_.flow.lines) {
+      const int k = g.index(g.previous(l.face / g.nz), l.face % g.nz);
+      thermal::LineFlow line{l.face, l.patch, NodeArray(n_)};
+      through(l.west, forward ? s_.film.theta[k] : 1.0, k, k, line.flow.data());
+      p.lines.push_back(std::move(line));
+    }
+  }
+
+ private:
+  const BearingModel& model_;
+  const FilmEquilibrium& s_;
+  VelocityProfiles v_;
+  int n_;
+};
+
+/// Heat per node [W] by (1), and the heat of every supply patch.
+void fill_heat(const BearingModel& model, const FilmEquilibrium& s, const Friction& friction,
+               thermal::FilmEnergyProblem& p) {
+  const fluid::FilmScene& scene = model.scene;
+  const FilmGrid& g = scene.grid;
+  const GaussLobatto& gl = model.gl;
+  const Field work = flow_work(model, s);
+  const Field fill = fluid::cell_fill(scene, s.film);
+  p.heat = dissipation(gl, scene.speed, s.shear_gap, s.gradient_x, s.gradient_z, s.columns);
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int c = g.index(i, j);
+      const double rubbed = scene.speed * friction.stress.journal[c] * g.area(i, j);
+      double* heat = &p.heat[static_cast<std::size_t>(c) * gl.n];
+      if (scene.supply.cell[c] >= 0) {
+        p.vessels[scene.supply.cell[c]].heat += rubbed;
+        std::fill_n(heat, gl.n, 0.0);
+        continue;
+      }
+      const double volume = g.area(i, j) * s.shear_gap[c] * fill[c];
+      double sum = 0.0;
+      for (int k = 0; k < gl.n; ++k) {
+        heat[k] *= gl.w[k] * volume;
+        sum += heat[k];
+      }
+      const double missed = rubbed + work[c] - sum;
+      for (int k = 0; k < gl.n; ++k) heat[k] += gl.w[k] * missed;
+    }
+  }
+}
+
+/// Heat capacity between two temperatures; the laws are linear in T, so the middle one is exact.
+double mean_heat_capacity(const rheology::Oil& oil, double a, double b) {
+  return rheology::heat_capacity(oil, 0.5 * (a + b)).cp;
+}
+
+}  // namespace
+
+std::vector<double> film_enthalpy(const BearingModel& model, const std::vector<double>& T) {
+  const double T0 = model.input.supplies.front().temperature;
+  std::vector<double> e;
+  e.reserve(T.size());
+  for (const double t : T) e.push_back(mean_heat_capacity(model.oil, T0, t) * (t - T0));
+  return e;
+}
+
+thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const FilmEquilibrium& s,
+                                               const Friction& friction,
+                                               std::optional<thermal::FilmStorage> storage) {
+  const fluid::FilmScene& scene = model.scene;
+  const FilmGrid& g = scene.grid;
+  const int n = model.gl.n;
+  thermal::FilmEnergyProblem p;
+  p.grid = &scene.grid;
+  p.gl = &model.gl;
+  p.patch = scene.supply.cell;
+  p.line = scene.supply.line;
+  p.forward = scene.speed >= 0.0;
+  p.T_reference = model.input.supplies.front().temperature;
+  p.T_edge = p.T_reference;
+  p.cp_edge = mean_heat_capacity(model.oil, p.T_reference, p.T_edge);
+  for (const Supply& supply : model.input.supplies) {
+    thermal::SupplyVessel v;
+    v.T_supply = supply.temperature;
+    v.carry_over = supply.carry_over;
+    v.cp_supply = mean_heat_capacity(model.oil, p.T_reference, supply.temperature);
+    v.cp_mix = v.cp_supply;
+    p.vessels.push_back(v);
+  }
+  p.cp.resize(s.columns.T.size());
+  for (std::size_t k = 0; k < p.cp.size(); ++k) {
+    p.cp[k] = mean_heat_capacity(model.oil, p.T_reference, s.columns.T[k]);
+  }
+  p.conductance.resize(g.cells());
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int c = g.index(i, j);
+      const double k = rheology::conductivity(model.oil, s.columns.T_mean[c], s.film.p[c]).k;
+      p.conductance[c] = k * g.area(i, j) * s.film.theta[c] / s.shear_gap[c];
+      const int patch = scene.supply.cell[c];
+      if (patch >= 0) p.vessels[patch].cp_mix = p.cp[static_cast<std::size_t>(c) * n];
+    }
+  }
+  NodeFlows(model, s).fill(p);
+  fill_heat(model, s, friction, p);
+  p.storage = std::move(storage);
+  return p;
+}
+
+ContactHeatRate contact_heat_rate(const BearingModel& model) {
+  const auto effusivity = [](const solid::Material& m) {
+    return std::sqrt(m.conductivity * m.density * m.heat_capacity);
+  };
+  const double shell = effusivity(model.input.shell->layers.front().material);
+  const double shaft = effusivity(model.input.shaft->material);
+  const double rate = model.contact->friction() * std::abs(model.scene.speed);
+  return {rate * shell / (shell + shaft), rate * shaft / (shell + shaft)};
+}
+
+ContactHeat contact_heat(const BearingModel& model, const FilmEquilibrium& s) {
+  ContactHeat q{Field(s.p_contact.size(), 0.0), Field(s.p_contact.size(), 0.0)};
+  if (!model.contact) return q;
+  const ContactHeatRate rate = contact_heat_rate(model);
+  for (std::size_t k = 0; k < s.p_contact.size(); ++k) {
+    q.shell[k] = rate.shell * s.p_contact[k];
+    q.shaft[k] = rate.shaft * s.p_contact[k];
+  }
+  return q;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,60 @@
+#pragma once
+/// From a solved film to its energy equation: node flows, dissipation, conductances.
+///
+/// The heat of a cell is the power that its film takes up, exactly as the film equation has it:
+///   W = U tau_j A + sum over faces of the cell's share of m (p_- - p_+)/rho_ref     [W]   (1)
+/// so that summed over the film it is friction power plus pump power, whatever the grid: the
+/// second part telescopes to supply pressure times supply flow, and where cells gain oil to
+/// -sum p dM/dt / rho_ref as well, the power of the walls that squeeze it. Across the film it is
+/// spread as tau^2/eta (2 of columns.hpp); what that quadrature misses of (1) is spread evenly.
+/// Asperity friction p_a mu U heats the two walls, split by thermal effusivity.
+#include <optional>
+#include <vector>
+
+#include "bearing/equilibrium.hpp"
+#include "bearing/solids.hpp"
+#include "thermal/film_energy.hpp"
+
+namespace shellback::bearing {
+
+/// Friction of a solved film.
+struct Friction {
+  fluid::ShearStress stress;   ///< viscous [Pa]
+  double viscous = 0.0;        ///< torque on the journal [N m]
+  double viscous_shell = 0.0;  ///< torque on the shell [N m]
+  double asperity = 0.0;       ///< torque [N m]
+};
+[[nodiscard]] Friction friction_of(const BearingModel& model, const FilmEquilibrium& s);
+
+/// Power that the supply spends on pressing the oil through the film [W], whole bearing.
+[[nodiscard]] double pump_power(const BearingModel& model, const FilmEquilibrium& s);
+
+/// Density with which flow work and enthalpies are reckoned [kg/m3].
+[[nodiscard]] double reference_density(const BearingModel& model);
+
+/// The energy problem of the film as it stands, with the temperatures of its columns for the oil's
+/// conductivity and heat capacity; over a time step with the oil that it has stored. Refers to
+/// `model` and `model.gl`.
+[[nodiscard]] thermal::FilmEnergyProblem film_energy_problem(
+    const BearingModel& model, const FilmEquilibrium& s, const Friction& friction,
+    std::optional<thermal::FilmStorage> storage = {});
+
+/// cp (T - T_reference) of every node at the temperatures `T` [K]: what a time step begins with
+/// (FilmStorage::enthalpy_before) [J/kg].
+[[nodiscard]] std::vector<double> film_enthalpy(const BearingModel& model,
+                                                const std::vector<double>& T);
+
+/// Asperity heat into shell and shaft per cell [W/m2].
+struct ContactHeat {
+  Field shell;
+  Field shaft;
+};
+/// Heat into shell and shaft per contact pressure, [W/m2] over [Pa]: p_a mu U, split by effusivity.
+struct ContactHeatRate {
+  double shell = 0.0;  ///< [m/s]
+  double shaft = 0.0;  ///< [m/s]
+};
+[[nodiscard]] ContactHeatRate contact_heat_rate(const BearingModel& model);
+[[nodiscard]] ContactHeat contact_heat(const BearingModel& model, const FilmEquilibrium& s);
+
+}  // namespace shellback::bearing

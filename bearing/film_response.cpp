@@ -1,0 +1,142 @@
+#include "bearing/film_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/solids.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+
+namespace {
+
+constexpr double kViscosityTolerance = 1e-9;  ///< of the states compared [-]
+constexpr double kMove =
+    3e-5;  ///< how far they lie apart [-]; both errors are then 3e-5 of the answer
+constexpr int kMostSweeps = 20;      ///< enough where a sweep leaves a half
+constexpr double kKrylovPart = 0.1;  ///< of the tolerance that GMRES may use up [-]
+constexpr double kCorrectionTolerance =
+    1e-3;  ///< of GMRES for a correction, itself a few per cent [-]
+
+}  // namespace
+
+LinearFilm::LinearFilm(const BearingModel& model, const FilmEquilibrium& s, const Field& growth,
+                       double tolerance)
+    : model_(model),
+      s_(s),
+      growth_(growth),
+      tolerance_(tolerance),
+      film_(model, s, 0, factor_, cost_),
+      good_(film_.good()) {
+  if (std::holds_alternative<rheology::NoShearThinning>(model.oil.shear)) return;
+  FilmEquilibrium sharp = s;
+  good_ = good_ && evaluate(model, growth, kViscosityTolerance, sharp);
+  residual_ = fluid::film_residual(model.scene, sharp.flow);
+}
+
+LinearFilm::Answer LinearFilm::solve(const Field& a, const Field& r, double tolerance) {
+  if (s_.elastic.empty()) {
+    Answer x = film_.held(a, {});
+    x.P = sum(x.P, r);
+    return x;
+  }
+  const double tau = model_.solids->winkler();
+  const auto answer = [&](const Field& b, bool homogeneous) {
+    if (homogeneous) return film_.held({}, b);
+    Field pressed = r;  // on the foundation the pressure that is known beforehand is a displacement
+    for (double& x : pressed) x *= tau;
+    Answer x = film_.held(a, sum(b, pressed));
+    x.P = sum(x.P, r);
+    return x;
+  };
+  CompliantAnswer found = with_compliance(model_, s_, {}, answer, tolerance);
+  krylov_iterations_ += found.iterations;
+  converged_ = converged_ && found.reduction <= tolerance;
+  return std::move(found.x);
+}
+
+Field LinearFilm::residual_along(const Answer& x, int component) const {
+  const std::size_t n = x.u.size();
+  const double gap = std::max(s_.least.h, 0.0) + 3.0 * model_.scene.rough.sigma;
+  const double p_scale = largest_magnitude(s_.film.p);
+  double size = 0.0;  // how far one unit of the answer moves the film, relative
+  for (std::size_t k = 0; k < n; ++k) {
+    size = larger(size, std::abs(x.u[k]) / (s_.film.full[k] ? p_scale : 1.0));
+  }
+  if (component >= 0)
+    size = std::max(size, (component < 2 ? 1.0 : 0.5 * model_.scene.grid.width) / gap);
+  size = larger(size, largest_magnitude(x.d) / gap);
+  const double t = kMove / size;
+  FilmEquilibrium f = s_;
+  if (component >= 0) f.position.q[component] += t;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (model_.scene.supply.cell[k] >= 0) continue;
+    (f.film.full[k] ? f.film.p : f.film.theta)[k] += t * x.u[k];
+  }
+  for (std::size_t k = 0; k < x.d.size(); ++k) f.elastic[k] += t * x.d[k];
+  if (!evaluate(model_, growth_, kViscosityTolerance, f)) return Field(n, NAN);
+  Field r = fluid::film_residual(model_.scene, f.flow);
+  for (std::size_t k = 0; k < n; ++k) r[k] = (r[k] - residual_[k]) / t;
+  return r;
+}
+
+FilmResponse LinearFilm::sharpened(const Field& a, const Field& r, const Field& stored,
+                                   int component) {
+  const std::size_t n = a.size();
+  Answer x = solve(a, r, kKrylovPart * tolerance_);
+  double last = largest_magnitude(x.P);
+  bool settled =
+      residual_.empty() || (largest_magnitude(x.u) == 0.0 && largest_magnitude(x.P) == 0.0);
+  for (int sweep = 0; sweep < kMostSweeps && !settled; ++sweep) {
+    Field defect = residual_along(x, component);
+    for (std::size_t k = 0; k < n; ++k) {
+      defect[k] = -defect[k] - (stored.empty() ? 0.0 : stored[k]);
+    }
+    const Answer more = solve(defect, Field(n, 0.0), kCorrectionTolerance);
+    for (std::size_t k = 0; k < n; ++k) {
+      x.u[k] += more.u[k];
+      x.P[k] += more.P[k];
+    }
+    for (std::size_t k = 0; k < x.d.size(); ++k) x.d[k] += more.d[k];
+    const double correction = largest_magnitude(more.P);
+    const double left = last > 0.0 ? correction / last : 0.0;  // part that a sweep leaves wrong
+    settled = left * correction <= tolerance_ * largest_magnitude(x.P);
+    last = correction;
+  }
+  converged_ = converged_ && settled;
+  FilmResponse answer{Field(n, 0.0), std::move(x.d), std::move(x.P)};
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!s_.film.full[k]) answer.theta[k] = x.u[k];
+  }
+  return answer;
+}
+
+FilmResponse LinearFilm::to_position(int component) {
+  const fluid::FilmScene& scene = model_.scene;
+  const FilmGrid& g = scene.grid;
+  Field a = fluid::residual_by_position(scene, s_.flow, component);
+  for (double& x : a) x = -x;
+  Field r(g.cells());
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      r[k] = s_.dp_contact[k] * fluid::gap_slope(component, scene.angles.cos_cell[i],
+                                                 scene.angles.sin_cell[i], g.z[j]);
+    }
+  }
+  return sharpened(a, r, {}, component);
+}
+
+Field LinearFilm::pressure_by_storage(const Field& s) {
+  Field a = s;
+  for (double& x : a) x = -x;
+  return solve(a, Field(s.size(), 0.0), kCorrectionTolerance).P;
+}
+
+FilmResponse LinearFilm::to_storage(const Field& s) {
+  Field a = s;
+  for (double& x : a) x = -x;
+  return sharpened(a, Field(s.size(), 0.0), s, -1);
+}
+
+}  // namespace shellback::bearing

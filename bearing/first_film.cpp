@@ -1,0 +1,48 @@
+#include "bearing/first_film.hpp"
+
+#include <array>
+
+#include "bearing/branch_endings.hpp"
+#include "bearing/follow.hpp"
+#include "bearing/newton.hpp"
+#include "bearing/solve_equilibrium.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kLoose = 1e-3;                            ///< residuals of a film on the way [-]
+constexpr std::array kLight{0.5, 0.2, 0.05, 0.01, 0.001};  ///< parts of the load to begin with [-]
+
+Verdict correct_film(Solution& s, Accuracy accuracy, const SolveControl& control) {
+  EquilibriumOptions o;
+  if (accuracy == Accuracy::way_point) {
+    o.film_tolerance = o.load_tolerance = o.elastic_tolerance = o.viscosity_tolerance = kLoose;
+  }
+  return newton(s.model, s.target, s.heat.growth, o, s.film, s.cost, control.stop);
+}
+
+}  // namespace
+
+Verdict first_film(Solution& s, double T, const SolveControl& control) {
+  const Field growth = s.heat.growth;
+  const auto start = [&] {
+    s.film = cold_start(s.model, T);
+    return solve_equilibrium(s.model, s.target, growth, {}, s.film, s.cost, control.stop);
+  };
+  const Verdict v = start();
+  const bool ended = v.good() || v.status == Status::interrupted || s.cost.spent() ||
+                     !usual_methods(s.model.input);
+  if (ended || s.target.unknowns == 0) return v;
+  const Corrector correct = [&](Solution& at, Accuracy accuracy) {
+    return correct_film(at, accuracy, control);
+  };
+  const std::optional<Branch> branch =
+      follow_from(s, Raised::load, kLight, start, correct, control);
+  if (!branch) return v;
+  if (branch->end == BranchEnd::reached) return {};
+  if (branch->end == BranchEnd::interrupted) return branch->last;
+  note_limit(s, *branch, branch->end != BranchEnd::lost);
+  return branch_ended(s, *branch);
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,115 @@
+#include "bearing/fixed_point.hpp"
+
+#include <kinsol/kinsol.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+using Map = std::function<bool(const std::vector<double>&, std::vector<double>&)>;
+
+struct Call {
+  const Map* map;
+  const FixedPointOptions* options;
+  std::vector<double> x, g;
+  double change = 0.0;  ///< largest |G(x) - x| of the last call
+  double rate = 1.0;    ///< change over the one before
+  int calls = 0;
+  bool near = false;  ///< G(x) is as near as asked for by the rate of the changes
+  bool lost = false;  ///< KINSOL came with an x that is not a number
+
+  /// Takes note of the change of this call.
+  void judge(double now) {
+    const double rate_now = calls++ > 0 && change > 0.0 ? now / change : 1.0;
+    const double rho = std::max(rate, rate_now);
+    rate = rate_now;
+    change = now;
+    near = options->slack > 1.0 && rho < 1.0 && now <= options->slack * options->tolerance &&
+           rho / (1.0 - rho) * now <= options->tolerance;
+  }
+};
+
+int evaluate(N_Vector x, N_Vector g, void* data) {
+  Call& call = *static_cast<Call*>(data);
+  const double* from = N_VGetArrayPointer(x);
+  call.x.assign(from, from + call.x.size());
+  const auto finite = [](double v) { return std::isfinite(v); };
+  call.lost = !std::all_of(call.x.begin(), call.x.end(), finite);
+  if (call.lost) return -1;
+  if (!(*call.map)(call.x, call.g)) return -1;
+  const double change = largest_difference(call.g, call.x);
+  if (std::isnan(change)) return -1;
+  call.judge(change);
+  std::copy(call.g.begin(), call.g.end(), N_VGetArrayPointer(g));
+  return call.near ? -1 : 0;  // KINSOL has no other way to be told that this is enough
+}
+
+// The outcome is reported by the caller, in the user's words: KINSOL itself stays silent.
+void stay_silent(int, const char*, const char*, char*, void*) {}
+
+struct ContextDeleter {
+  void operator()(SUNContext c) const { SUNContext_Free(&c); }
+};
+struct VectorDeleter {
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+};
+struct SolverDeleter {
+  void operator()(void* m) const { KINFree(&m); }
+};
+template <class T, class D>
+using Owned = std::unique_ptr<std::remove_pointer_t<T>, D>;
+
+void require(int flag) {
+  if (flag < 0) throw std::runtime_error("KINSOL could not be set up");
+}
+
+}  // namespace
+
+FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vector<double>& x) {
+  SUNContext raw = nullptr;
+  require(SUNContext_Create(nullptr, &raw));
+  const Owned<SUNContext, ContextDeleter> context(raw);
+  const auto n = static_cast<sunindextype>(x.size());
+  const Owned<N_Vector, VectorDeleter> u(N_VMake_Serial(n, x.data(), raw));
+  const Owned<N_Vector, VectorDeleter> scale(N_VNew_Serial(n, raw));
+  N_VConst(1.0, scale.get());
+  const Owned<void*, SolverDeleter> solver(KINCreate(raw));
+  Call call{&map, &o, x, x};
+  require(KINSetErrHandlerFn(solver.get(), stay_silent, nullptr));
+  require(KINSetMAA(solver.get(), o.depth));
+  require(KINSetDelayAA(solver.get(), o.delay));
+  require(KINInit(solver.get(), evaluate, u.get()));
+  require(KINSetUserData(solver.get(), &call));
+  require(KINSetFuncNormTol(solver.get(), o.tolerance));
+  require(KINSetNumMaxIters(solver.get(), o.max_iterations));
+  // KINSOL's own word is not enough: its norm is not |G(x) - x|, and one that is not a number
+  // passes its test. Where it stops early it goes on from there. Where changes repeat, its least
+  // squares divide by nothing and the next x is not a number: it begins anew at the map's value.
+  long used = 0;
+  while (true) {
+    const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
+    if (call.near) return FixedPointEnd::converged;
+    const bool anew = call.lost && call.calls > 0;
+    if (anew) std::copy(call.g.begin(), call.g.end(), x.begin());
+    if (end < 0 && !anew) {
+      return end == KIN_MAXITER_REACHED ? FixedPointEnd::iteration_limit
+                                        : FixedPointEnd::map_failed;
+    }
+    if (!anew && call.change <= o.tolerance) return FixedPointEnd::converged;
+    long now = 0;
+    require(KINGetNumNonlinSolvIters(solver.get(), &now));
+    used += std::max(now, 1L);
+    if (used >= o.max_iterations) return FixedPointEnd::iteration_limit;
+    require(KINSetNumMaxIters(solver.get(), o.max_iterations - used));
+  }
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,254 @@
+#include "bearing/follow.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bearing/newton.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kFirstStep = 0.5;       ///< of the path: load times 1.65 [-]
+constexpr double kLongestStep = 1.5;     ///< [-]
+constexpr double kShortestStep = 0.005;  ///< load known to half a per cent: a twentieth of what two
+                                         ///< grids may differ in a limit [-]
+constexpr int kMostSteps = 80;
+constexpr std::array kCloser{0.003, 0.01, 0.03};  ///< of the gap: a little closer [-]
+
+/// What a state is, without what follows from it.
+struct Reached {
+  FilmEquilibrium film;
+  HeatState heat;
+};
+
+bool stopped(const SolveControl& control) { return control.stop && control.stop->load(); }
+
+Verdict interrupted() { return {Status::interrupted, "stopped by the user", "", ""}; }
+
+/// Rigid surfaces and Barus oil, whose reduced pressure has a bound.
+bool has_bound(const Solution& s) {
+  return !s.model.physics.elastic && std::holds_alternative<rheology::Barus>(s.model.oil.pressure);
+}
+
+/// True if a little closer, in the load's direction, the reduced pressure exceeds its bound.
+bool unbounded_closer(const Solution& s, const SolveControl& control) {
+  LoadTarget held = s.target;
+  held.unknowns = 0;
+  held.path.reset();
+  EquilibriumCost cost;
+  cost.most_work = 1e3 * s.model.scene.grid.cells();
+  for (const double part : kCloser) {
+    FilmEquilibrium f = s.film;
+    for (int k = 0; k < 2; ++k) {
+      f.position.q[k] -=
+          part * room(s.model, f) * held.force[k] / std::hypot(held.force[0], held.force[1]);
+    }
+    const Verdict v = newton(s.model, held, s.heat.growth, {}, f, cost, control.stop);
+    if (v.status == Status::no_steady_state && !is_closed(s.model, f)) return true;
+  }
+  return false;
+}
+
+class LoadBranch {
+ public:
+  LoadBranch(Solution& s, const Corrector& correct, const SolveControl& control)
+      : s_(s), correct_(correct), control_(control) {}
+
+  Branch run(double begun);
+
+ private:
+  /// The row of the path for the next step from the last two states.
+  [[nodiscard]] PathRow next_row(double length) const;
+  void keep();
+  void restore();
+  /// Solves the whole load from the last state.
+  [[nodiscard]] bool arrive();
+  [[nodiscard]] Branch ended(BranchEnd end) const;
+
+  Solution& s_;
+  const Corrector& correct_;
+  const SolveControl& control_;
+  Reached last_, before_;
+  bool secant_ = false;  ///< `before_` is known
+  double most_ = 0.0;    ///< highest ln of the load's factor [-]
+  double h_min_ = 0.0;   ///< there [m]
+  Verdict failure_;
+};
+
+PathRow LoadBranch::next_row(double length) const {
+  PathRow row;
+  const FilmEquilibrium& now = last_.film;
+  const double gap = room(s_.model, now);
+  for (int k = 0; k < 4; ++k) {
+    row.unit[k] = k < 2 ? gap : gap / (0.5 * s_.model.scene.grid.width);
+  }
+  row.from = now.position;
+  row.from_load = now.ln_load;
+  row.length = length;
+  if (!secant_) return row;
+  double norm = std::pow(now.ln_load - before_.film.ln_load, 2);
+  for (int k = 0; k < s_.target.unknowns; ++k) {
+    row.along[k] = (now.position.q[k] - before_.film.position.q[k]) / row.unit[k];
+    norm += row.along[k] * row.along[k];
+  }
+  norm = std::sqrt(norm);
+  row.along_load = (now.ln_load - before_.film.ln_load) / norm;
+  for (double& a : row.along) a /= norm;
+  return row;
+}
+
+void LoadBranch::keep() {
+  before_ = std::move(last_);
+  last_ = {s_.film, s_.heat};
+  if (last_.film.ln_load > most_) {
+    most_ = last_.film.ln_load;
+    h_min_ = s_.film.least.h;
+  }
+}
+
+void LoadBranch::restore() {
+  s_.film = last_.film;
+  s_.heat = last_.heat;
+}
+
+bool LoadBranch::arrive() {
+  s_.target.path.reset();
+  s_.film.ln_load = 0.0;
+  const Verdict v = correct_(s_, Accuracy::result);
+  if (v.good()) return true;
+  failure_ = v;
+  restore();
+  return false;
+}
+
+Branch LoadBranch::ended(BranchEnd end) const {
+  return {Raised::load, end, std::exp(most_), h_min_, failure_};
+}
+
+Branch LoadBranch::run(double begun) {
+  s_.film.ln_load = most_ = std::log(begun);
+  h_min_ = s_.film.least.h;
+  last_ = {s_.film, s_.heat};
+  double step = kFirstStep;
+  for (int k = 0; k < kMostSteps && step > kShortestStep; ++k) {
+    s_.target.path = next_row(step);
+    const Verdict v = correct_(s_, Accuracy::way_point);
+    if (v.status == Status::interrupted || stopped(control_)) {
+      failure_ = interrupted();
+      return ended(BranchEnd::interrupted);
+    }
+    if (!v.good()) {
+      failure_ = v;
+      restore();
+      step *= 0.4;
+      continue;
+    }
+    if (s_.film.ln_load >= 0.0) {
+      if (arrive()) return ended(BranchEnd::reached);
+      step *= 0.4;
+      continue;
+    }
+    keep();
+    if (thinner_than_a_molecule(s_.model, s_.film)) return ended(BranchEnd::molecule);
+    const bool falls = secant_ && last_.film.ln_load < before_.film.ln_load;
+    if (falls && last_.film.ln_load < most_ - kShortestStep) return ended(BranchEnd::turned);
+    secant_ = true;
+    step = std::min(1.6 * step, kLongestStep);
+  }
+  restore();
+  const bool bound = has_bound(s_) && unbounded_closer(s_, control_);
+  return ended(bound ? BranchEnd::unbounded : BranchEnd::lost);
+}
+
+}  // namespace
+
+Branch follow_load(Solution& s, double begun, const Corrector& correct,
+                   const SolveControl& control) {
+  const LoadTarget goal = s.target;
+  const Branch branch = LoadBranch(s, correct, control).run(begun);
+  s.target = goal;
+  if (branch.end != BranchEnd::reached) s.film.ln_load = 0.0;
+  return branch;
+}
+
+Branch follow_speed(Solution& s, double begun, const Corrector& correct,
+                    const SolveControl& control) {
+  const double speed = s.model.scene.speed;
+  const double omega = s.model.input.operation.omega;
+  const auto take = [&](double part) {
+    s.model.scene.speed = part * speed;
+    s.model.input.operation.omega = part * omega;
+  };
+  Branch branch{Raised::speed, BranchEnd::lost, begun, s.film.least.h, {}};
+  Reached last{s.film, s.heat};
+  double step = kFirstStep;
+  for (int k = 0; k < kMostSteps && step > kShortestStep; ++k) {
+    const double next = std::min(1.0, branch.carried * std::exp(step));
+    take(next);
+    const Verdict v = correct(s, next == 1.0 ? Accuracy::result : Accuracy::way_point);
+    if (v.status == Status::interrupted || stopped(control)) {
+      branch.end = BranchEnd::interrupted;
+      branch.last = interrupted();
+      break;
+    }
+    if (v.good()) {
+      branch.carried = next;
+      branch.h_min = s.film.least.h;
+      last = {s.film, s.heat};
+      step = std::min(1.6 * step, kLongestStep);
+      if (next == 1.0) branch.end = BranchEnd::reached;
+      if (next == 1.0) break;
+    } else {
+      branch.last = v;
+      s.film = last.film;
+      s.heat = last.heat;
+      step *= 0.4;
+    }
+  }
+  take(1.0);
+  return branch;
+}
+
+Part::Part(Solution& s, Raised raised)
+    : s_(s),
+      raised_(raised),
+      force_(s.target.force),
+      speed_(s.model.scene.speed),
+      omega_(s.model.input.operation.omega) {}
+
+void Part::take(double part) {
+  if (raised_ == Raised::load) {
+    for (int k = 0; k < 4; ++k) s_.target.force[k] = part * force_[k];
+  } else {
+    s_.model.scene.speed = part * speed_;
+    s_.model.input.operation.omega = part * omega_;
+  }
+}
+
+std::optional<Branch> follow_from(Solution& s, Raised raised, std::span<const double> parts,
+                                  const std::function<Verdict()>& start, const Corrector& correct,
+                                  const SolveControl& control) {
+  Part part(s, raised);
+  for (const double begun : parts) {
+    part.take(begun);
+    const Verdict v = start();
+    part.take(1.0);
+    if (v.status == Status::interrupted) return Branch{raised, BranchEnd::interrupted, 0.0, 0.0, v};
+    if (!v.good()) continue;
+    return raised == Raised::load ? follow_load(s, begun, correct, control)
+                                  : follow_speed(s, begun, correct, control);
+  }
+  return std::nullopt;
+}
+
+void note_limit(Solution& s, const Branch& branch, bool proven) {
+  const FilmGrid& g = s.model.scene.grid;
+  s.limits.push_back({{g.nt, g.full_nz()},
+                      branch.raised == Raised::speed,
+                      branch.carried,
+                      proven,
+                      branch.end == BranchEnd::unbounded || branch.end == BranchEnd::molecule});
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,78 @@
+#pragma once
+/// The branch of steady states over one number of the operating point, through turning points.
+///
+/// Predictor: the secant of the last two states in (position, ln of what is raised). Corrector: the
+/// steady equations, along a load with its factor unknown and the length of the path given
+/// (equilibrium.hpp (4): pseudo-arclength), along a speed at the speed predicted. The step grows
+/// where the corrector is quick and shrinks where it fails; where the load's part of the tangent
+/// changes its sign the branch has turned: more is not carried on it. Source: textbook (Keller's
+/// pseudo-arclength continuation).
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "bearing/control.hpp"
+#include "bearing/solution.hpp"
+
+namespace shellback::bearing {
+
+/// Solves the steady state of `s.target` in `s.model` from the state that `s` holds, to the
+/// accuracy of a way point or of a result.
+enum class Accuracy { way_point, result };
+using Corrector = std::function<Verdict(Solution& s, Accuracy accuracy)>;
+
+/// How the branch ended; the highest value that was reached is what it carries.
+enum class BranchEnd {
+  reached,    ///< the whole load or speed: the state is the solution
+  turned,     ///< beyond the end there are only states of less load: a turning point
+  unbounded,  ///< rigid surfaces and Barus oil: closer the reduced pressure exceeds its bound
+  molecule,   ///< smooth surfaces nearer than a molecule of oil
+  lost,       ///< the corrector fails, and nothing shows why
+  interrupted,
+};
+
+/// What of the operating point is raised along a branch.
+enum class Raised { load, speed };
+
+struct Branch {
+  Raised raised = Raised::load;
+  BranchEnd end = BranchEnd::lost;
+  double carried = 0.0;  ///< part of the load or the speed that was reached [-]
+  double h_min = 0.0;    ///< there [m]
+  Verdict last;          ///< of the corrector where it failed
+};
+
+/// Follows the branch of `s`, a state at the part `begun` of the load (of `s.target`), to the whole
+/// load; `s` is left at the solution or at the last state of the branch.
+[[nodiscard]] Branch follow_load(Solution& s, double begun, const Corrector& correct,
+                                 const SolveControl& control);
+
+/// The same over the speed.
+[[nodiscard]] Branch follow_speed(Solution& s, double begun, const Corrector& correct,
+                                  const SolveControl& control);
+
+/// Gives the scene a part of its load or of its speed.
+class Part {
+ public:
+  Part(Solution& s, Raised raised);
+  void take(double part);
+
+ private:
+  Solution& s_;
+  Raised raised_;
+  fluid::Wrench force_;
+  double speed_, omega_;
+};
+
+/// From the first of `parts` at which `start` finds a state, along load or speed to the whole; none
+/// if it finds no state at any.
+[[nodiscard]] std::optional<Branch> follow_from(Solution& s, Raised raised,
+                                                std::span<const double> parts,
+                                                const std::function<Verdict()>& start,
+                                                const Corrector& correct,
+                                                const SolveControl& control);
+
+/// Notes in `s.limits` where a branch has ended.
+void note_limit(Solution& s, const Branch& branch, bool proven);
+
+}  // namespace shellback::bearing

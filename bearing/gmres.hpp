@@ -1,0 +1,22 @@
+#pragma once
+/// GMRES without restart for small relative tolerances and few iterations; x starts from zero.
+///
+/// Minimises |b - A x| over the Krylov space by modified Gram-Schmidt and Givens rotations
+/// [textbook]. Stops at |b - A x| <= tolerance |b| or after `most` iterations, whichever is first.
+#include <functional>
+#include <vector>
+
+namespace shellback::bearing {
+
+struct KrylovResult {
+  std::vector<double> x;
+  int iterations = 0;
+  double reduction = 1.0;  ///< |b - A x| / |b| reached [-]
+};
+
+using LinearOperator = std::function<std::vector<double>(const std::vector<double>&)>;
+
+[[nodiscard]] KrylovResult gmres(const LinearOperator& apply, const std::vector<double>& b,
+                                 double tolerance, int most);
+
+}  // namespace shellback::bearing

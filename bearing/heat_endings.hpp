@@ -1,0 +1,29 @@
+#pragma once
+/// Why film and heat found no common state: reason, place, cure.
+#include "bearing/solution.hpp"
+
+namespace shellback::bearing {
+
+/// Largest rise of the film over the supply that is looked at [K]: no oil film survives hotter, and
+/// no law of an oil holds there.
+inline constexpr double kHottestRise = 400.0;
+
+/// Good unless a temperature or the thermal deformation is not a number.
+[[nodiscard]] Verdict fields_finite(const Solution& s);
+
+/// The same, and unless the oil's laws do not hold at a temperature.
+[[nodiscard]] Verdict temperatures_possible(const Solution& s);
+
+/// Coldest temperature given: supplies, surroundings of the shell and, if it has an overhang, of
+/// the shaft [K].
+[[nodiscard]] double coldest_around(const BearingModel& model);
+
+/// Good unless the film is colder than everything around it, which the second law forbids.
+[[nodiscard]] Verdict colder_than_all_around(const Solution& s);
+
+/// Good unless the last change of the walls [K] is too large for a balance.
+[[nodiscard]] Verdict walls_unbalanced(double change);
+
+[[nodiscard]] Verdict heat_unsettled(int iterations, double residual);
+
+}  // namespace shellback::bearing

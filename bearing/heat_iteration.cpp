@@ -1,0 +1,228 @@
+#include "bearing/heat_iteration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "bearing/heat_endings.hpp"
+#include "bearing/solve_equilibrium.hpp"
+#include "bearing/wall_balance.hpp"
+#include "core/constants.hpp"
+#include "core/largest.hpp"
+#include "rheology/viscosity.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kUnit = 10.0;  ///< one unit of the iteration's temperatures [K]
+
+/// The map of the fixed point, on the states it works on.
+class HeatIteration {
+ public:
+  HeatIteration(Solution& s, const ThermalOptions& options, const SolveControl& control,
+                const HeatStep* step)
+      : s_(s), options_(options), control_(control), walls_(s, options.sweeps, step) {}
+
+  bool operator()(const std::vector<double>& x, std::vector<double>& g);
+  [[nodiscard]] std::vector<double> pack() const;
+  /// From here on the deformation by asperity heat goes with the film (equilibrium.hpp, (3a)).
+  void take_contact_growth();
+  /// Counts it as thermal deformation again.
+  void give_contact_growth();
+  [[nodiscard]] const Verdict& verdict() const { return verdict_; }
+  [[nodiscard]] int iterations() const { return iterations_; }
+  /// True if the last iteration points farther than it was let go: however small the change that
+  /// was made, that is no steady state.
+  [[nodiscard]] bool limited() const { return limited_; }
+  /// Solves film, heat and walls of the last value to the end, so that their balances close.
+  void finish();
+
+ private:
+  [[nodiscard]] EquilibriumOptions film_options() const;
+  void limit_change(const std::vector<double>& x, std::vector<double>& g);
+  [[nodiscard]] double relaxation(const std::vector<double>& g) const;
+  void unpack(const std::vector<double>& x);
+  void report(const std::vector<double>& x, const std::vector<double>& g);
+  [[nodiscard]] double supply_temperature() const {
+    return s_.model.input.supplies.front().temperature;
+  }
+
+  Solution& s_;
+  const ThermalOptions& options_;
+  const SolveControl& control_;
+  WallBalance walls_;
+  std::vector<double> last_;  ///< value of the last iteration
+  Friction friction_;
+  Verdict verdict_;
+  bool limited_ = false;
+  int iterations_ = 0;
+};
+
+std::vector<double> HeatIteration::pack() const {
+  std::vector<double> x;
+  for (const double T : s_.film.columns.T) x.push_back((T - supply_temperature()) / kUnit);
+  for (const double d : s_.heat.growth) x.push_back(d / s_.model.clearance);
+  return x;
+}
+
+void HeatIteration::unpack(const std::vector<double>& x) {
+  auto& T = s_.film.columns.T;
+  for (std::size_t k = 0; k < T.size(); ++k) T[k] = supply_temperature() + kUnit * x[k];
+  for (std::size_t k = 0; k < s_.heat.growth.size(); ++k) {
+    s_.heat.growth[k] = s_.model.clearance * x[T.size() + k];
+  }
+  walls_.read_from_film();
+}
+
+void HeatIteration::take_contact_growth() {
+  const Physics& has = s_.model.physics;
+  if (s_.film.contact_growth || !s_.model.contact || !has.elastic || !has.growth) return;
+  if (!(s_.heat.response.shell_local > 0.0) || s_.film.p_contact.empty()) return;
+  s_.film.contact_growth = std::make_shared<HarmonicOperator>(s_.model.solids->contact_growth(
+      contact_heat_rate(s_.model).shell, s_.heat.response, walls_.solid_step()));
+  const Field own = s_.model.solids->widening(*s_.film.contact_growth, s_.film.p_contact);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    s_.heat.growth[k] -= own[k];
+    s_.film.elastic[k] += own[k];
+  }
+}
+
+void HeatIteration::give_contact_growth() {
+  if (!s_.film.contact_growth) return;
+  const Field own = s_.model.solids->widening(*s_.film.contact_growth, s_.film.p_contact);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    s_.heat.growth[k] += own[k];
+    s_.film.elastic[k] -= own[k];
+  }
+  s_.film.contact_growth.reset();
+}
+
+/// No tighter than the temperatures are known: the map's noise stays well below its change.
+EquilibriumOptions HeatIteration::film_options() const {
+  constexpr double kNoise = 1e-2;  // of the last change
+  EquilibriumOptions o = options_.film;
+  const double noise = iterations_ <= 1 ? kNoise : kNoise * std::min(s_.heat.residual, 1.0);
+  o.film_tolerance = std::max(o.film_tolerance, noise);
+  o.load_tolerance = std::max(o.load_tolerance, noise);
+  o.elastic_tolerance = std::max(o.elastic_tolerance, noise);
+  o.viscosity_tolerance = std::max(o.viscosity_tolerance, noise);
+  return o;
+}
+
+/// Warmer oil is thinner and makes less heat: the map answers a rise by -beta (T - T_supply) of it.
+/// Taking this part of the change cancels that answer for the mean of the film.
+double HeatIteration::relaxation(const std::vector<double>& g) const {
+  double mean = 0.0;
+  const std::size_t nodes = s_.film.columns.T.size();
+  for (std::size_t k = 0; k < nodes; ++k) mean += g[k];
+  const double rise = kUnit * mean / static_cast<double>(nodes);
+  const double beta =
+      -rheology::viscosity_slopes(s_.model.oil, supply_temperature() + rise, 0.0, 0.0).dln_dT;
+  return 1.0 / (1.0 + std::max(beta * rise, 0.0));
+}
+
+/// Oil that is still cold makes far more heat in one iteration than it will once warm, and the
+/// solids answer that heat: what this leads to is no state, and no iteration goes farther to it.
+void HeatIteration::limit_change(const std::vector<double>& x, std::vector<double>& g) {
+  constexpr double kMostChange = 100.0 / kUnit;  // of a temperature
+  constexpr double kMostClosing = 0.5;  // of the gap, over the smallest film and the roughness [-]
+  const std::size_t nodes = s_.film.columns.T.size();
+  const std::vector<double> wanted = g;
+  for (std::size_t k = 0; k < nodes; ++k) {
+    g[k] = x[k] + std::clamp(g[k] - x[k], -kMostChange, kMostChange);
+  }
+  const double gap = std::max(s_.film.least.h, 0.0) + 3.0 * s_.model.scene.rough.sigma;
+  for (std::size_t k = nodes; k < x.size(); ++k) {
+    g[k] = std::max(g[k], x[k] - kMostClosing * gap / s_.model.clearance);
+  }
+  limited_ = largest_difference(wanted, g) > options_.tolerance;
+}
+
+void HeatIteration::report(const std::vector<double>& x, const std::vector<double>& g) {
+  s_.heat.residual = largest_difference(g, x);
+  const double torque = friction_.viscous + friction_.asperity;
+  s_.history.push_back({"thermal", s_.heat.residual, torque, s_.film.least.h});
+  if (control_.progress) {
+    control_.progress({to_string(s_.model.input.model.tier), iterations_, s_.heat.residual, torque,
+                       s_.film.least.h});
+  }
+}
+
+bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>& g) {
+  ++iterations_;
+  unpack(x);
+  verdict_ = temperatures_possible(s_);
+  if (!verdict_.good()) return false;
+  verdict_ = solve_equilibrium_near(s_.model, s_.target, s_.heat.growth, film_options(), s_.film,
+                                    s_.cost, control_.stop);
+  if (!verdict_.good()) return false;
+  friction_ = friction_of(s_.model, s_.film);
+  walls_.begin(friction_, iterations_);
+  walls_.balance_roughly(kUnit * options_.tolerance);
+  verdict_ = fields_finite(s_);
+  if (!verdict_.good()) return false;
+  walls_.deform();
+  if (s_.film.contact_growth) {
+    const Field own = s_.model.solids->widening(*s_.film.contact_growth, s_.film.p_contact);
+    for (std::size_t k = 0; k < own.size(); ++k) s_.heat.growth[k] -= own[k];
+  } else {
+    take_contact_growth();  // the film's response is known from the first iteration on
+  }
+  verdict_ = fields_finite(s_);
+  if (!verdict_.good()) return false;
+  g = pack();
+  limit_change(x, g);
+  const double part = relaxation(g);
+  for (std::size_t k = 0; k < g.size(); ++k) g[k] = x[k] + part * (g[k] - x[k]);
+  report(x, g);
+  last_ = g;
+  return true;
+}
+
+void HeatIteration::finish() {
+  unpack(last_);
+  const Field growth = s_.heat.growth;
+  verdict_ = solve_equilibrium_near(s_.model, s_.target, growth, options_.film, s_.film, s_.cost,
+                                    control_.stop);
+  if (!verdict_.good()) return;
+  friction_ = friction_of(s_.model, s_.film);
+  const double change = walls_.finish(friction_, options_.close);
+  s_.heat.growth = growth;                                          // that of the film
+  if (!walls_.solid_step()) verdict_ = colder_than_all_around(s_);  // in time, walls may be colder
+  if (verdict_.good()) verdict_ = walls_unbalanced(change);
+}
+
+}  // namespace
+
+HeatState cold_heat(const BearingModel& model, double T) {
+  HeatState h;
+  const FilmGrid& g = model.scene.grid;
+  if (model.physics.growth) h.growth.assign(g.cells(), 0.0);
+  h.T_shell.assign(g.cells(), T);
+  h.T_shaft.assign(g.nz, T);
+  return h;
+}
+
+Verdict solve_heat(Solution& s, const ThermalOptions& options, const SolveControl& control,
+                   const HeatStep* step) {
+  constexpr double kSlack = 10.0;  // of the change, where it is seen to fall fast [-]
+  HeatIteration iteration(s, options, control, step);
+  iteration.take_contact_growth();
+  std::vector<double> x = iteration.pack();
+  const FixedPointEnd end = fixed_point(
+      std::ref(iteration),
+      {options.anderson_depth, 1, options.max_iterations, options.tolerance, kSlack}, x);
+  Verdict v = iteration.verdict();
+  if (end == FixedPointEnd::converged && !iteration.limited()) {
+    iteration.finish();
+    v = iteration.verdict();
+  } else if (v.good()) {
+    v = heat_unsettled(iteration.iterations(), s.heat.residual);
+  }
+  iteration.give_contact_growth();
+  return v;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,146 @@
+#include "bearing/heat_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/heat_endings.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// Wall temperatures of an instant.
+struct Walls {
+  Field shell;
+  std::vector<double> shaft;
+};
+
+/// Half the distance of the walls from where the last step's rate would have led them: the local
+/// error of backward Euler, as dt^2 T''/2 [K].
+double local_error(const Walls& now, const Walls& before, const Walls& rate, double dt) {
+  double most = 0.0;
+  const auto look = [&](const auto& a, const auto& b, const auto& r) {
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      most = larger(most, std::abs(a[k] - b[k] - (r.empty() ? 0.0 : dt * r[k])));
+    }
+  };
+  look(now.shell, before.shell, rate.shell);
+  look(now.shaft, before.shaft, rate.shaft);
+  return 0.5 * most;
+}
+
+double largest_move(const Walls& now, const Walls& before) {
+  return larger(largest_difference(now.shell, before.shell),
+                largest_difference(now.shaft, before.shaft));
+}
+
+Walls rate_of(const Walls& now, const Walls& before, double dt) {
+  Walls rate = now;
+  for (std::size_t k = 0; k < rate.shell.size(); ++k) {
+    rate.shell[k] = (rate.shell[k] - before.shell[k]) / dt;
+  }
+  for (std::size_t k = 0; k < rate.shaft.size(); ++k) {
+    rate.shaft[k] = (rate.shaft[k] - before.shaft[k]) / dt;
+  }
+  return rate;
+}
+
+/// `s`: the last instant that was found; `v`: why there is none after it.
+bool no_film_left(const Solution& s, const Verdict& v) {
+  const auto& contact = s.model.contact;
+  const bool pressed = contact && s.film.least.h < contact->least_gap();
+  return v.status == Status::no_steady_state || pressed || thinner_than_a_molecule(s.model, s.film);
+}
+
+double area_mean(const FilmGrid& g, const Field& x) {
+  double sum = 0.0;
+  double area = 0.0;
+  for (int c = 0; c < g.cells(); ++c) {
+    const double a = g.area(c / g.nz, c % g.nz);
+    sum += a * x[c];
+    area += a;
+  }
+  return sum / area;
+}
+
+}  // namespace
+
+Instant instant_of(const Solution& s, double t, double dt) {
+  const FilmGrid& g = s.model.scene.grid;
+  const Friction f = friction_of(s.model, s.film);
+  const SolidTemperature& solids = s.heat.solids;
+  const double oil = g.multiplicity() * (s.heat.balance.carried_out - s.heat.balance.carried_in);
+  Instant i;
+  i.t = t;
+  i.dt = dt;
+  i.torque = f.viscous + f.asperity;
+  i.h_min = s.film.least.h;
+  i.T_film_max = largest(s.film.columns.T);
+  i.T_shell_max = largest(solids.shell.surface);
+  i.T_shell_back = area_mean(g, solids.shell.back);
+  for (int j = 0; j < g.nz; ++j) i.T_shaft += solids.shaft.temperature[j] * g.dz[j];
+  i.T_shaft /= g.z_face.back() - g.z_face.front();
+  i.heat_in = i.torque * s.model.input.operation.omega + pump_power(s.model, s.film);
+  i.heat_out = oil + solids.shell.heat_back + solids.shell.heat_ends + solids.shaft.heat_out;
+  i.stored = solids.shell.stored + solids.shaft.stored + g.multiplicity() * s.heat.balance.stored;
+  if (!s.heat.growth.empty()) i.deformation = area_mean(g, s.heat.growth);
+  return i;
+}
+
+MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
+                    const SolveControl& control, const std::function<void(const Instant&)>& tell) {
+  constexpr double kLonger = 2.0;   // lengths are powers of two: operators serve again
+  constexpr double kStill = 3e-3;   // what one iteration may leave: ThermalOptions::tolerance [K]
+  constexpr int kCalm = 3;          // steps before one that was rejected is tried as long again
+  constexpr double kEasily = 0.25;  // of the error allowed: the next step may be twice as long
+  const bool accurate = std::isfinite(o.error);
+  MarchEnd end;
+  double dt = o.first;
+  Walls rate;
+  SolidStep last;
+  int calm = kCalm;  // steps since one was rejected
+  while (end.t < o.end && dt <= o.longest) {
+    const double length = std::min(dt, o.end - end.t);
+    HeatStep step{s.model.solids->step(length, state, &last), length,
+                  film_enthalpy(s.model, s.film.columns.T)};
+    const FilmEquilibrium film = s.film;
+    const HeatState heat = s.heat;
+    end.verdict = solve_heat(s, o.heat, control, &step);
+    const Walls before{heat.T_shell, heat.T_shaft};
+    const Walls now{s.heat.T_shell, s.heat.T_shaft};
+    const double error = accurate ? local_error(now, before, rate, length) : 0.0;
+    const bool shortest = dt <= o.shortest;
+    if (!end.verdict.good() || (error > o.error && !shortest)) {
+      const bool hot =
+          largest(s.film.columns.T) > s.model.input.supplies.front().temperature + kHottestRise;
+      s.film = film;
+      s.heat = heat;
+      const bool given_up = end.verdict.status == Status::interrupted || s.cost.spent();
+      if (given_up || shortest) {
+        end.left_bounds = !given_up && (hot || no_film_left(s, end.verdict));
+        return end;
+      }
+      dt /= end.verdict.good() ? kLonger : kLonger * kLonger;
+      calm = 0;
+      continue;
+    }
+    if (error > o.error) ++end.jumps;
+    rate = rate_of(now, before, length);
+    state = s.model.solids->state(s.heat.solids, &step.solids);
+    end.t += length;
+    last = std::move(step.solids);
+    if (tell) tell(instant_of(s, end.t, length));
+    // Nearly half of all time has passed in one step, and nothing moved but by what the iteration
+    // leaves.
+    end.at_rest = accurate && length >= 0.4 * end.t && largest_move(now, before) < kStill;
+    if (end.at_rest) break;
+    ++calm;
+    if (!accurate && calm > kCalm) dt *= kLonger * kLonger;
+    if (accurate && error <= kEasily * o.error && calm > 1) dt *= kLonger;
+  }
+  end.verdict = {};
+  end.at_rest = end.at_rest || dt > o.longest;
+  return end;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,61 @@
+#pragma once
+/// Film and walls in time: backward Euler with the heat capacities of oil, shell, housing and
+/// shaft.
+///
+/// Flow and pressure are steady at each instant (oil passes within milliseconds, walls follow
+/// within seconds to minutes); each step is solved by the outer iteration of the steady bearing
+/// with the walls' storage in it. The step is chosen so that a straight continuation of the walls'
+/// temperatures errs by a given amount; without such an amount it grows as long as steps are found,
+/// and the march is but a way to the steady state (pseudo-transient continuation). Source:
+/// textbook.
+#include <functional>
+
+#include "bearing/heat_iteration.hpp"
+
+namespace shellback::bearing {
+
+/// The bearing at one instant.
+struct Instant {
+  double t = 0.0;       ///< [s]
+  double dt = 0.0;      ///< step that led there [s]
+  double torque = 0.0;  ///< of friction [N m]
+  double h_min = 0.0;   ///< [m]
+  double T_film_max = 0.0, T_shell_max = 0.0, T_shell_back = 0.0, T_shaft = 0.0;  ///< [K]
+  double heat_in = 0.0;      ///< friction and pump power [W]
+  double heat_out = 0.0;     ///< with the oil and from shell and shaft to the surroundings [W]
+  double stored = 0.0;       ///< in oil, shell, housing and shaft [W]
+  double deformation = 0.0;  ///< mean thermal widening of the gap [m]
+};
+
+struct MarchOptions {
+  double first = 0.1;                                      ///< step [s]
+  double shortest = 1e-4;                                  ///< below which there is no way on [s]
+  double longest = 1e7;                                    ///< beyond it nothing moves any more [s]
+  double end = std::numeric_limits<double>::infinity();    ///< [s]
+  double error = std::numeric_limits<double>::infinity();  ///< of wall temperatures per step [K]
+  ThermalOptions heat;
+};
+
+/// How a march ended.
+struct MarchEnd {
+  Verdict verdict;  ///< good: it came to its end, or to rest
+  double t = 0.0;   ///< of the last instant [s]
+  bool at_rest = false;
+  /// It ended because no film is left: a clearance used up, a bound of the equations, smooth
+  /// surfaces nearer than a molecule or rough ones pressed beyond the contact law. A step that was
+  /// merely not found leaves no bound.
+  bool left_bounds = false;
+  /// Steps of the shortest length that erred by more than was allowed: where hot oil first meets a
+  /// cold wall its surface jumps, however short the step.
+  int jumps = 0;
+};
+
+/// Marches `s` from its film and the walls' `state`, which is left at the last instant.
+[[nodiscard]] MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& options,
+                                  const SolveControl& control,
+                                  const std::function<void(const Instant&)>& tell = {});
+
+/// The bearing as it stands, after a step.
+[[nodiscard]] Instant instant_of(const Solution& s, double t, double dt);
+
+}  // namespace shellback::bearing

@@ -1,0 +1,35 @@
+#pragma once
+/// Everything thermal of a bearing: wall temperatures and thermal deformation, and what the last
+/// iteration found with them.
+#include <string>
+#include <vector>
+
+#include "bearing/solids.hpp"
+#include "thermal/film_energy.hpp"
+
+namespace shellback::bearing {
+
+struct HeatState {
+  Field growth;                    ///< thermal widening of the gap [m]; empty without growth
+  Field T_shell;                   ///< bore temperature seen by the film [K]
+  std::vector<double> T_shaft;     ///< journal temperature seen by the film, per axial cell [K]
+  SolidTemperature solids;         ///< the solids' answer to the last heat
+  thermal::EnergyBalance balance;  ///< of the film, solved part [W]
+  double contact_heat = 0.0;       ///< asperity heat, whole bearing [W]
+  std::vector<double> T_mix;       ///< of each supply patch [K]
+  thermal::WallResponse response;  ///< of the film to its walls, refreshed in early iterations
+  long backflow_nodes = 0;
+  long blended_columns = 0;
+  double residual = 0.0;  ///< last change per iteration [-]
+  /// True once the film's heat has been balanced to the end.
+  [[nodiscard]] bool known() const { return !T_mix.empty() && !solids.shell.back.empty(); }
+};
+
+/// The time over which film and walls store heat. The film's oil mass is steady within it.
+struct HeatStep {
+  SolidStep solids;
+  double dt = 0.0;                      ///< [s]
+  std::vector<double> enthalpy_before;  ///< of the film's nodes, film_enthalpy [J/kg]
+};
+
+}  // namespace shellback::bearing

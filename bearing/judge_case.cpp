@@ -1,0 +1,148 @@
+#include "bearing/judge_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/case_limits.hpp"
+#include "bearing/judge_parts.hpp"
+#include "bearing/shown.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+void judge_profile(const Bearing& b, Findings& to) {
+  const auto [low, high] = std::minmax_element(b.profile->height.begin(), b.profile->height.end());
+  const bool rough = *high - *low > kBearingLimits.profile_most * b.radius;
+  if (*high <= -b.radial_clearance || rough) {
+    to.refuse("bearing.profile",
+              fmt::format("heights from {} to {} leave no gap that could be a bearing's",
+                          shown(*low, "um"), shown(*high, "um")),
+              "check the unit in the header line (positive heights widen the gap)");
+  } else if (*low <= -b.radial_clearance) {
+    to.suspect("bearing.profile",
+               "the profile takes away more than the whole radial clearance somewhere");
+  }
+}
+
+void judge_bearing(const Bearing& b, Findings& to) {
+  const BearingLimits& limits = kBearingLimits;
+  compare(to, "bearing.diameter", b.radius, limits.radius,
+          fmt::format("the diameter is {}", shown(2.0 * b.radius, "mm")), "check its unit");
+  compare(to, "bearing.radial_clearance", b.radial_clearance / b.radius, limits.clearance,
+          fmt::format("the radial clearance is {:.3g} of the radius ({} of {})",
+                      b.radial_clearance / b.radius, shown(b.radial_clearance, "mm"),
+                      shown(b.radius, "mm")),
+          "usual is 0.0005 to 0.003; check its unit, and that it is the radial, not the "
+          "diametral clearance");
+  const double aspect = b.width / (2.0 * b.radius);
+  compare(to, "bearing.width", aspect, limits.aspect,
+          fmt::format("the width is {:.3g} of the diameter", aspect), "check the units of both");
+  if (b.profile) judge_profile(b, to);
+}
+
+void judge_speed(const Case& c, Findings& to) {
+  const double omega = c.operation.omega;
+  if (omega == 0.0 && std::holds_alternative<LoadGiven>(c.operation.position)) {
+    to.refuse("operation.speed",
+              "at zero speed no film forms that could carry the load: the journal rests on the "
+              "shell, and there is no steady lubricated state to solve for",
+              "give a speed");
+  } else if (omega == 0.0) {
+    to.refuse("operation.speed",
+              "at zero speed nothing is dragged into the film: there is neither friction nor a "
+              "hydrodynamic pressure to solve for",
+              "give a speed");
+  }
+  const double u = std::abs(omega) * c.bearing.radius;
+  compare(to, "operation.speed", u, kBearingLimits.surface_speed,
+          fmt::format("the surface speed is {:.4g} m/s", u), "check the unit of the speed");
+}
+
+void judge_load(const Case& c, Findings& to) {
+  const auto* load = std::get_if<LoadGiven>(&c.operation.position);
+  if (load == nullptr) return;
+  const double specific = load->force / (2.0 * c.bearing.radius * c.bearing.width);
+  compare(to, "operation.load", specific, kBearingLimits.specific_load,
+          fmt::format("the load over the projected area is {}", shown(specific, "MPa")),
+          "check the unit of the load");
+}
+
+void judge_tilt(const Case& c, Findings& to) {
+  const auto* tilt = std::get_if<TiltGiven>(&c.operation.alignment);
+  if (tilt == nullptr) return;
+  const Bearing& b = c.bearing;
+  const double edge = std::hypot(tilt->about_x, tilt->about_y) * 0.5 * b.width / b.radial_clearance;
+  compare(to, "operation.tilt", edge, kBearingLimits.edge_tilt,
+          fmt::format("the tilt moves the journal by {:.3g} radial clearances at the edges", edge),
+          "above 1 it cannot fit into the bearing; check the unit (mrad?)");
+}
+
+void judge_surfaces(const Case& c, Findings& to) {
+  const Surfaces& s = c.surfaces;
+  const double sigma = std::hypot(s.shell.roughness, s.shaft.roughness);
+  const double part = sigma / c.bearing.radial_clearance;
+  compare(to, "surfaces", part, kBearingLimits.roughness,
+          fmt::format("the combined roughness is {:.3g} of the radial clearance", part),
+          "check the units");
+  const double summits = std::hypot(s.shell.summit_roughness, s.shaft.summit_roughness);
+  if (s.contact && summits <= 0.0) {
+    to.refuse("surfaces.contact",
+              "asperity contact needs summit_roughness (and summit_height) of surfaces.shell and "
+              "surfaces.shaft");
+  }
+  const Switches& on = c.model.switches;
+  if (on.asperity_contact.value_or(false) && !s.contact) {
+    to.refuse("model.asperity_contact", "contact is switched on without [surfaces] contact",
+              "give it, or write \"auto\"");
+  }
+  if (on.flow_factors.value_or(false) && sigma <= 0.0) {
+    to.refuse("model.flow_factors", "flow factors are switched on, but both surfaces are smooth",
+              "give [surfaces], or write \"auto\"");
+  }
+}
+
+void judge_grid(const Model& model, Findings& to) {
+  const auto [nt, nz] = model.grid;
+  if (nt < kBearingLimits.fewest_cells_round) {
+    to.refuse("model.grid", fmt::format("{} cells round the bearing cannot show a film", nt),
+              fmt::format("take {} or more", kBearingLimits.fewest_cells_round));
+  }
+  if (nt * nz > kBearingLimits.most_cells) {
+    to.refuse("model.grid", fmt::format("{} x {} cells are more than memory holds", nt, nz),
+              "800 x 100 is fine already");
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> judge(const Case& c, const std::vector<Tier>& tiers) {
+  Findings to;
+  judge_values(c, to);
+  if (to.refused()) return to.list;
+  judge_bearing(c.bearing, to);
+  judge_speed(c, to);
+  judge_load(c, to);
+  judge_tilt(c, to);
+  judge_supplies(c, to);
+  judge_oil(c, to);
+  judge_surfaces(c, to);
+  judge_solids(c, to);
+  judge_grid(c.model, to);
+  for (const Tier tier : tiers) {
+    if (auto lack = lack_for(c, tier)) to.list.push_back(std::move(*lack));
+  }
+  return to.list;
+}
+
+std::vector<Finding> judge(const Case& c) { return judge(c, {c.model.tier}); }
+
+void expect_solvable(const Case& c) {
+  for (const Finding& f : judge(c)) {
+    if (f.refused()) throw InputError(f.key + ": " + f.words());
+  }
+}
+
+}  // namespace shellback::bearing

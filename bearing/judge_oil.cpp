@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "bearing/case_limits.hpp"
+#include "bearing/judge_parts.hpp"
+#include "bearing/shown.hpp"
+#include "core/constants.hpp"
+#include "rheology/shear.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+void judge_switches(const Case& c, Findings& to) {
+  const Switches& on = c.model.switches;
+  const bool barotropic = std::holds_alternative<rheology::NoPressureEffect>(c.oil.pressure);
+  if (on.pressure_dependence.value_or(false) && barotropic) {
+    to.refuse("model.pressure_dependence",
+              "the pressure dependence is switched on, but the oil has no viscosity.pressure law");
+  }
+  const bool newtonian = std::holds_alternative<rheology::NoShearThinning>(c.oil.shear);
+  if (on.shear_thinning.value_or(false) && newtonian) {
+    to.refuse("model.shear_thinning",
+              "shear thinning is switched on, but the oil has no viscosity.shear law");
+  }
+}
+
+void judge_viscosity(const rheology::Oil& oil, Findings& to) {
+  const auto* cross = std::get_if<rheology::Cross>(&oil.shear);
+  if (cross != nullptr && !rheology::stress_is_monotone(*cross)) {
+    to.refuse("oil.viscosity.shear",
+              "with these r and m the shear stress falls where the shear rate rises, which no oil "
+              "does",
+              "m (1 - sqrt r) must be less than 1 + sqrt r");
+  }
+  const auto* constant = std::get_if<rheology::ConstantViscosity>(&oil.temperature);
+  const auto* slope = std::get_if<rheology::ReynoldsSlope>(&oil.temperature);
+  if (constant == nullptr && slope == nullptr) return;
+  const double eta = constant != nullptr ? constant->eta : slope->eta;
+  compare(to, "oil.viscosity.temperature.eta", eta, kBearingLimits.viscosity,
+          fmt::format("the viscosity is {}", shown(eta, "mPa s")),
+          "check its unit (Pa s or mPa s?)");
+}
+
+void judge_density(const rheology::Oil& oil, Findings& to) {
+  const auto* law = std::get_if<rheology::DowsonHigginson>(&oil.density);
+  if (law == nullptr) return;
+  const double modulus = 1.0 / law->rise;
+  compare(to, "oil.density.C1", modulus, kBearingLimits.bulk_modulus,
+          fmt::format("C1 and C2 give a bulk modulus C1/(C2 - 1) of {}", shown(modulus, "GPa")),
+          "check the unit of C1 (Pa, MPa or GPa?)");
+  compare(to, "oil.density.expansivity", law->expansivity, kBearingLimits.oil_expansion,
+          fmt::format("the oil's expansivity is {:.3g} 1/K", law->expansivity),
+          "mineral oils have 6.4e-4 to 7.3e-4 1/K");
+}
+
+/// Every temperature at which the oil is sure to be used, by key.
+std::vector<std::pair<std::string, double>> film_temperatures(const Case& c) {
+  std::vector<std::pair<std::string, double>> list;
+  if (c.oil_temperature) list.emplace_back("oil.temperature", *c.oil_temperature);
+  for (std::size_t k = 0; k < c.supplies.size(); ++k) {
+    list.emplace_back(fmt::format("supply.{}.temperature", k), c.supplies[k].temperature);
+  }
+  if (c.measured.shell_back_temperature) {
+    list.emplace_back("measured.shell_back_temperature", *c.measured.shell_back_temperature);
+  }
+  if (c.shell) {
+    if (const auto* back = std::get_if<PrescribedBack>(&c.shell->back)) {
+      list.emplace_back("shell.back.temperature", back->temperature);
+    }
+  }
+  return list;
+}
+
+void judge_temperatures(const Case& c, Findings& to) {
+  const auto& range = c.oil.range;
+  const auto* vogel = std::get_if<rheology::Vogel>(&c.oil.temperature);
+  for (const auto& [key, T] : film_temperatures(c)) {
+    if (vogel != nullptr && T - kZeroCelsius + vogel->C <= 1.0) {
+      to.refuse(key, fmt::format("the oil's Vogel law has its pole at -{:.4g} degC", vogel->C),
+                fmt::format("it cannot be used at {}", shown(T, "degC")));
+    } else if (T < range.T_min || T > range.T_max) {
+      to.suspect(
+          key,
+          fmt::format("{} lies outside the range in which the oil's laws hold ({} to {})",
+                      shown(T, "degC"), shown(range.T_min, "degC"), shown(range.T_max, "degC")));
+    }
+  }
+}
+
+}  // namespace
+
+void judge_oil(const Case& c, Findings& to) {
+  judge_switches(c, to);
+  judge_viscosity(c.oil, to);
+  judge_density(c.oil, to);
+  judge_temperatures(c, to);
+}
+
+}  // namespace shellback::bearing

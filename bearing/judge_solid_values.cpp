@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include "bearing/judge_parts.hpp"
+#include "bearing/value_check.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+void judge_material(const solid::Material& m, const std::string& path, Findings& to) {
+  const ValueCheck material(path + ".material", to);
+  material.number("conductivity", m.conductivity, "W/(m K)", kPositive);
+  material.number("density", m.density, "kg/m3", kPositive);
+  material.number("heat_capacity", m.heat_capacity, "J/(kg K)", kPositive);
+  material.number("youngs_modulus", m.youngs_modulus, "GPa", kPositive);
+  material.number("poisson_ratio", m.poisson_ratio, "", kValueRanges.poisson_ratio);
+  material.number("expansion", m.expansion, "1/K", kNotNegative);
+}
+
+/// No heat transfer at all is a back that is not given; the tiers that need one ask for it.
+void judge_back(const Shell& s, Findings& to) {
+  const ValueCheck back("shell.back", to);
+  if (const auto* given = std::get_if<PrescribedBack>(&s.back)) {
+    back.temperature("temperature", given->temperature);
+  } else if (const auto& air = std::get<ConvectiveBack>(s.back); air.heat_transfer != 0.0) {
+    back.number("heat_transfer", air.heat_transfer, "W/(m2 K)", kPositive);
+    back.temperature("ambient", air.ambient);
+  }
+}
+
+void judge_shell(const Shell& s, Findings& to) {
+  const ValueCheck shell("shell", to);
+  if (s.layers.empty()) {
+    shell.refuse("layers", "the shell has no layers",
+                 "give them from the bore outwards: layers = [ { material = \"AlSn20\", thickness "
+                 "= \"0.3 mm\" } ]");
+  }
+  for (std::size_t k = 0; k < s.layers.size(); ++k) {
+    const std::string path = fmt::format("shell.layers.{}", k);
+    judge_material(s.layers[k].material, path, to);
+    ValueCheck(path, to).number("thickness", s.layers[k].thickness, "mm", kPositive);
+  }
+  if (s.housing) {
+    judge_material(s.housing->material, "shell.housing", to);
+    shell.number("housing.outer_diameter", 2.0 * s.housing->outer_radius, "mm", kPositive);
+  }
+  judge_back(s, to);
+  shell.number("end_heat_transfer", s.end_heat_transfer, "W/(m2 K)", kNotNegative);
+}
+
+}  // namespace
+
+void judge_solid_values(const Case& c, Findings& to) {
+  if (c.shell) judge_shell(*c.shell, to);
+  if (!c.shaft) return;
+  judge_material(c.shaft->material, "shaft", to);
+  const ValueCheck shaft("shaft", to);
+  shaft.number("overhang", c.shaft->overhang, "mm", kNotNegative);
+  if (c.shaft->overhang <= 0.0) return;
+  shaft.number("heat_transfer", c.shaft->heat_transfer, "W/(m2 K)", kNotNegative);
+  shaft.temperature("ambient", c.shaft->ambient);
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include "bearing/judge_parts.hpp"
+#include "bearing/shown.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// Usual range of one property of engineering solids, polymers to ceramics.
+struct Usual {
+  const char* key;
+  double solid::Material::*member;
+  double least;
+  double most;
+  const char* unit;
+};
+constexpr Usual kUsual[] = {
+    {"conductivity", &solid::Material::conductivity, 0.05, 1000.0, "W/(m K)"},
+    {"density", &solid::Material::density, 500.0, 25000.0, "kg/m3"},
+    {"heat_capacity", &solid::Material::heat_capacity, 50.0, 5000.0, "J/(kg K)"},
+    {"youngs_modulus", &solid::Material::youngs_modulus, 1e6, 1.2e12, "GPa"},
+    {"expansion", &solid::Material::expansion, 0.0, 5e-4, "1/K"},
+};
+
+void judge_material(const solid::Material& material, const std::string& path, Findings& to) {
+  for (const Usual& usual : kUsual) {
+    const double value = material.*usual.member;
+    if (value >= usual.least && value <= usual.most) continue;
+    to.suspect(path + "." + usual.key, shown(value, usual.unit) + " is unusual for a solid",
+               "check the unit");
+  }
+}
+
+void judge_housing(const Housing& housing, double R, double inner, Findings& to) {
+  judge_material(housing.material, "shell.housing.material", to);
+  if (housing.outer_radius <= inner) {
+    to.refuse("shell.housing.outer_diameter",
+              fmt::format("{} does not enclose the shell, whose back has a diameter of {}",
+                          shown(2.0 * housing.outer_radius, "mm"), shown(2.0 * inner, "mm")));
+  }
+  if (housing.outer_radius > kBearingLimits.housing_most * R) {
+    to.refuse("shell.housing.outer_diameter", "it is more than 50 times the bearing's diameter",
+              "check the unit");
+  }
+}
+
+void judge_shell(const Shell& shell, double R, Findings& to) {
+  double thickness = 0.0;
+  for (std::size_t k = 0; k < shell.layers.size(); ++k) {
+    const std::string path = fmt::format("shell.layers.{}", k);
+    thickness += shell.layers[k].thickness;
+    judge_material(shell.layers[k].material, path + ".material", to);
+    if (thickness > kBearingLimits.wall_most * R) {
+      to.refuse(path + ".thickness",
+                fmt::format("the layers are {} thick on a bore of radius {}",
+                            shown(thickness, "mm"), shown(R, "mm")),
+                "check the unit");
+    }
+  }
+  if (shell.housing) judge_housing(*shell.housing, R, R + thickness, to);
+}
+
+}  // namespace
+
+void judge_solids(const Case& c, Findings& to) {
+  const double R = c.bearing.radius;
+  if (c.shell) judge_shell(*c.shell, R, to);
+  if (!c.shaft) return;
+  judge_material(c.shaft->material, "shaft.material", to);
+  if (c.shaft->overhang > kBearingLimits.overhang_most * R) {
+    to.refuse("shaft.overhang", "it is more than 50 diameters", "check the unit");
+  }
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bearing/judge_parts.hpp"
+#include "bearing/shown.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kRoundOff = 1e-9;  ///< relative slack when lengths are compared [-]
+
+/// A supply by the rectangle that encloses it.
+Supply enclosed(Supply s, double radius) {
+  if (s.kind == SupplyKind::hole) {
+    s.arc = s.diameter / radius;
+    s.length = s.diameter;
+  }
+  return s;
+}
+
+std::string key_of_length(const Supply& s, const std::string& path) {
+  switch (s.kind) {
+    case SupplyKind::hole:
+      return path + ".diameter";
+    case SupplyKind::axial_groove:
+      return path + ".length";
+    case SupplyKind::circumferential_groove:
+      break;
+  }
+  return path + ".width";
+}
+
+/// Refuses a supply that reaches over the bearing's edge.
+void judge_axial(const Supply& s, const Bearing& b, const std::string& path, Findings& to) {
+  const double half = 0.5 * b.width;
+  const bool line = s.kind == SupplyKind::axial_groove && s.arc == 0.0;
+  const std::string key = key_of_length(s, path);
+  const double reach = std::abs(s.z) + 0.5 * s.length;
+  if (s.length > b.width * (1.0 + kRoundOff)) {
+    to.refuse(key, fmt::format("{} is more than the bearing's width of {}", shown(s.length, "mm"),
+                               shown(b.width, "mm")));
+  } else if (reach > half * (1.0 + kRoundOff)) {
+    to.refuse(s.z != 0.0 ? path + ".z" : key,
+              fmt::format("the supply reaches to {} from mid-width, over the bearing's edge at {}",
+                          shown(reach, "mm"), shown(half, "mm")));
+  } else if (line || reach < half * (1.0 - kRoundOff)) {
+    return;
+  } else if (s.length >= b.width * (1.0 - kRoundOff)) {
+    const bool hole = s.kind == SupplyKind::hole;
+    to.refuse(key,
+              fmt::format(
+                  "the {} is as wide as the bearing and so open to the sides, where ambient "
+                  "pressure rules: it cannot hold its supply pressure. Make it {}",
+                  hole ? "hole" : "groove",
+                  hole ? "smaller" : "shorter; only a line (arc = \"0 deg\") may span the width"));
+  } else {
+    to.refuse(key,
+              "the supply touches the bearing's edge, where ambient pressure rules: it cannot hold "
+              "its supply pressure",
+              "leave a land");
+  }
+}
+
+/// Refuses a supply that reaches round more than the bearing.
+void judge_round(const Supply& s, const std::string& path, Findings& to) {
+  if (s.arc < 2.0 * kPi || s.kind == SupplyKind::circumferential_groove) return;
+  if (s.kind == SupplyKind::hole) {
+    to.refuse(path + ".diameter", "the hole is larger than the bearing's circumference");
+  } else {
+    to.refuse(path + ".arc",
+              "the groove runs all round; that is kind = \"circumferential_groove\"");
+  }
+}
+
+void judge_pressure(const Supply& s, double p_cav, const std::string& path, Findings& to) {
+  const std::string key = path + ".pressure";
+  if (s.pressure < p_cav) {
+    to.refuse(key,
+              fmt::format("the supply pressure {} lies below the cavitation pressure {} (both "
+                          "gauge): no oil would enter",
+                          shown(s.pressure, "bar"), shown(p_cav, "bar")),
+              "raise it, or lower model.cavitation_pressure");
+  }
+  if (s.pressure > kBearingLimits.supply_pressure_usual) {
+    to.suspect(key, fmt::format("a supply pressure of {} is unusual for a hydrodynamic bearing",
+                                shown(s.pressure, "bar")));
+  }
+}
+
+bool overlap(const Supply& a, const Supply& b) {
+  const double apart = std::abs(std::remainder(a.angle - b.angle, 2.0 * kPi));
+  const bool round = apart < 0.5 * (a.arc + b.arc) * (1.0 - kRoundOff);
+  const bool along = std::abs(a.z - b.z) < 0.5 * (a.length + b.length) * (1.0 - kRoundOff);
+  return round && along;
+}
+
+void judge_pairs(const std::vector<Supply>& list, Findings& to) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    for (std::size_t j = i + 1; j < list.size(); ++j) {
+      if (!overlap(list[i], list[j])) continue;
+      const std::string key = fmt::format("supply.{}", j);
+      const std::string problem = fmt::format("it overlaps supply.{}", i);
+      if (list[i].pressure != list[j].pressure || list[i].temperature != list[j].temperature) {
+        to.refuse(key, problem + ", which has another pressure or temperature", "move one");
+      } else {
+        to.suspect(key, problem);
+      }
+    }
+  }
+}
+
+void judge_cover(const std::vector<Supply>& list, double width, Findings& to) {
+  double covered = 0.0;
+  for (const Supply& s : list) {
+    const double circle = s.kind == SupplyKind::hole ? kPi / 4.0 : 1.0;
+    covered += circle * s.arc * s.length / (2.0 * kPi * width);
+  }
+  const std::string share =
+      fmt::format("the supplies cover {:.0f} % of the bearing", 100.0 * covered);
+  if (covered > kBearingLimits.supply_cover_most) {
+    to.refuse("supply", share + ": hardly any film is left");
+  } else if (covered > kBearingLimits.supply_cover_usual) {
+    to.suspect("supply", share);
+  }
+}
+
+}  // namespace
+
+void judge_supplies(const Case& c, Findings& to) {
+  const double p_cav = c.model.cavitation_pressure;
+  if (p_cav > 0.0) {
+    to.refuse(
+        "model.cavitation_pressure",
+        fmt::format("{} gauge lies above ambient pressure, which rules at the bearing's ends: "
+                    "the film would be cavitated everywhere. Pressures are gauge unless the "
+                    "key says absolute",
+                    shown(p_cav, "bar")));
+  }
+  std::vector<Supply> list;
+  for (const Supply& s : c.supplies) list.push_back(enclosed(s, c.bearing.radius));
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const std::string path = fmt::format("supply.{}", k);
+    judge_round(list[k], path, to);
+    judge_axial(list[k], c.bearing, path, to);
+    judge_pressure(list[k], p_cav, path, to);
+  }
+  judge_pairs(list, to);
+  judge_cover(list, c.bearing.width, to);
+}
+
+}  // namespace shellback::bearing

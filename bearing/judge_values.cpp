@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/judge_parts.hpp"
+#include "bearing/value_check.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// True for two values or more that rise, and for one.
+bool rises(const std::vector<double>& x) {
+  return !x.empty() && std::adjacent_find(x.begin(), x.end(),
+                                          [](double a, double b) { return !(a < b); }) == x.end();
+}
+
+void judge_profile(const Profile& p, const ValueCheck& bearing) {
+  const bool once = rises(p.phi) && p.phi.front() >= 0.0 && p.phi.back() < 2.0 * kPi;
+  if (!once || !rises(p.z)) {
+    bearing.refuse(
+        "profile",
+        "its angles must rise from 0 to below 360 deg and its axial positions must rise");
+  } else if (p.height.size() != p.phi.size() * p.z.size()) {
+    bearing.refuse("profile", fmt::format("{} angles by {} axial positions need {} heights, but "
+                                          "there are {}",
+                                          p.phi.size(), p.z.size(), p.phi.size() * p.z.size(),
+                                          p.height.size()));
+  }
+  for (const double h : p.height) {
+    if (!std::isfinite(h)) return bearing.refuse("profile", "a height is not a finite number");
+  }
+}
+
+void judge_bearing(const Bearing& b, Findings& to) {
+  const ValueCheck bearing("bearing", to);
+  bearing.number("diameter", 2.0 * b.radius, "mm", kPositive);
+  bearing.number("width", b.width, "mm", kPositive);
+  bearing.number("radial_clearance", b.radial_clearance, "um", kPositive);
+  bearing.temperature("reference_temperature", b.reference_temperature);
+  if (b.profile) judge_profile(*b.profile, bearing);
+}
+
+void judge_supply(const Supply& s, const ValueCheck& supply) {
+  const ValueRanges& can = kValueRanges;
+  supply.number("angle", s.angle, "deg", can.turn);
+  supply.number("z", s.z, "mm");
+  switch (s.kind) {
+    case SupplyKind::hole:
+      supply.number("diameter", s.diameter, "mm", kPositive);
+      break;
+    case SupplyKind::axial_groove:
+      supply.number("length", s.length, "mm", kPositive);
+      supply.number("arc", s.arc, "deg", kNotNegative);
+      break;
+    case SupplyKind::circumferential_groove:
+      supply.number("width", s.length, "mm", kPositive);
+      supply.number("extent", s.arc, "deg", can.extent);
+      break;
+  }
+  supply.number("depth", s.depth, "mm", kPositive);
+  supply.number("pressure", s.pressure, "bar", can.gauge_pressure);
+  supply.temperature("temperature", s.temperature);
+  supply.number("carry_over", s.carry_over, "", kUpToOne);
+}
+
+void judge_list_of_supplies(const Case& c, Findings& to) {
+  if (c.supplies.empty()) {
+    to.refuse("supply",
+              "there is no oil supply; oil leaves a bearing at its sides, and in a steady film "
+              "that conserves mass nothing makes up for it without a supply: the film runs dry. "
+              "Add a [[supply]] with kind = \"hole\", \"axial_groove\" or "
+              "\"circumferential_groove\"");
+  }
+  for (std::size_t k = 0; k < c.supplies.size(); ++k) {
+    judge_supply(c.supplies[k], ValueCheck(fmt::format("supply.{}", k), to));
+  }
+}
+
+void judge_operation(const Operation& o, Findings& to) {
+  const ValueRanges& can = kValueRanges;
+  const ValueCheck operation("operation", to);
+  operation.number("speed", o.omega, "rad/s");
+  if (const auto* load = std::get_if<LoadGiven>(&o.position)) {
+    operation.number("load", load->force, "N", kPositive);
+    operation.number("load_angle", load->angle, "deg", can.turn);
+  } else {
+    const auto& given = std::get<EccentricityGiven>(o.position);
+    operation.number("eccentricity_ratio", given.ratio, "", can.eccentricity_ratio);
+    if (given.ratio == 1.0) {
+      operation.refuse("eccentricity_ratio", "at 1 the journal touches the shell; it must be less");
+    }
+    operation.number("attitude_angle", given.attitude, "deg", can.turn);
+    operation.number("load_angle", given.load_angle, "deg", can.turn);
+  }
+  if (const auto* tilt = std::get_if<TiltGiven>(&o.alignment)) {
+    operation.number("tilt.about_x", tilt->about_x, "deg");
+    operation.number("tilt.about_y", tilt->about_y, "deg");
+  } else {
+    const auto& moment = std::get<MomentGiven>(o.alignment);
+    operation.number("moment.about_x", moment.about_x, "N m");
+    operation.number("moment.about_y", moment.about_y, "N m");
+  }
+}
+
+void judge_surface(const solid::RoughSurface& s, const ValueCheck& surface) {
+  surface.number("roughness", s.roughness, "um", kNotNegative);
+  surface.number("orientation", s.orientation, "", kPositive);
+  surface.number("summit_roughness", s.summit_roughness, "um", kNotNegative);
+  surface.number("summit_height", s.summit_height, "um");
+}
+
+void judge_surfaces(const Surfaces& s, Findings& to) {
+  judge_surface(s.shell, ValueCheck("surfaces.shell", to));
+  judge_surface(s.shaft, ValueCheck("surfaces.shaft", to));
+  if (!s.contact) return;
+  const ValueCheck contact("surfaces.contact", to);
+  contact.number("elastic_factor", s.contact->elastic_factor, "", kPositive);
+  contact.number("composite_modulus", s.contact->composite_modulus, "GPa", kPositive);
+  contact.number("friction", s.contact->friction, "", kUpToOne);
+}
+
+void judge_model(const Model& m, Findings& to) {
+  const ValueCheck model("model", to);
+  model.number("tolerance", m.tolerance, "", kValueRanges.tolerance);
+  for (const int cells : m.grid) model.whole_number("grid", cells, kValueRanges.cells);
+  model.whole_number("film_nodes", m.film_nodes, kValueRanges.film_nodes);
+  model.number("cavitation_pressure", m.cavitation_pressure, "bar", kValueRanges.gauge_pressure);
+  model.number("equivalent_temperature.kappa", m.kappa, "", kValueRanges.kappa);
+}
+
+void judge_measured(const Measured& m, Findings& to) {
+  const ValueCheck measured("measured", to);
+  const auto number = [&](const char* key, const std::optional<double>& value, const char* unit,
+                          const Range& range) {
+    if (value) measured.number(key, *value, unit, range);
+  };
+  if (m.shell_back_temperature) {
+    measured.temperature("shell_back_temperature", *m.shell_back_temperature);
+  }
+  number("friction_torque", m.friction_torque, "N m", kNotNegative);
+  number("h_min", m.h_min, "um", kNotNegative);
+  number("p_max", m.p_max, "MPa", kAnyValue);
+  number("side_flow", m.side_flow, "m3/s", kNotNegative);
+  number("eccentricity_ratio", m.eccentricity_ratio, "", kNotNegative);
+  if (m.T_shell_max) measured.temperature("T_shell_max", *m.T_shell_max);
+}
+
+}  // namespace
+
+void judge_values(const Case& c, Findings& to) {
+  judge_bearing(c.bearing, to);
+  judge_operation(c.operation, to);
+  judge_law_values(c.oil, to);
+  if (c.oil_temperature) ValueCheck("oil", to).temperature("temperature", *c.oil_temperature);
+  judge_list_of_supplies(c, to);
+  judge_model(c.model, to);
+  judge_solid_values(c, to);
+  judge_surfaces(c.surfaces, to);
+  judge_measured(c.measured, to);
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,243 @@
+#include "bearing/lumped.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/bracketed_root.hpp"
+#include "bearing/film_heat.hpp"
+#include "bearing/first_film.hpp"
+#include "bearing/heat_endings.hpp"
+#include "bearing/heat_scan.hpp"
+#include "bearing/newton.hpp"
+#include "bearing/solve_equilibrium.hpp"
+#include "core/constants.hpp"
+#include "rheology/heat.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kSettled = 1e-7;    ///< |r| of a result [K]
+constexpr double kNarrowest = 1e-8;  ///< bracket below which r is round-off of the film [K]
+
+/// A film that was solved: what it says of heat, and where it is, to start others from.
+struct Tried {
+  HeatRoot heat;          ///< slope not yet known
+  double residual = 0.0;  ///< r [K]
+  double surplus = 0.0;   ///< heat made over heat carried off [W]
+  fluid::FilmState film;
+  fluid::JournalPosition position;
+  Field elastic;
+};
+
+class LumpedBalance {
+ public:
+  LumpedBalance(Solution& s, bool warm, const SolveControl& control)
+      : s_(s),
+        control_(control),
+        warm_(warm),
+        T_supply_(s.model.input.supplies.front().temperature),
+        T_most_(T_supply_ + kHottestRise) {}
+
+  Verdict run();
+
+ private:
+  /// r(T) of the film at T; none, with the failure kept, if there is no film.
+  [[nodiscard]] std::optional<double> residual(double T);
+  /// The film at T from the nearest that was solved.
+  [[nodiscard]] Verdict film_at(double T);
+  [[nodiscard]] const Tried& nearest(double T) const;
+  /// From the root of a near grid; false if there is none near by.
+  [[nodiscard]] bool follow(const HeatRoot& near);
+  [[nodiscard]] Verdict search();
+  /// The root between two points of different sign; false if it did not settle.
+  bool settle(const KnownPoint& a, const KnownPoint& b);
+  /// Leaves the solution at the lowest stable root.
+  [[nodiscard]] Verdict take_lowest_stable();
+  [[nodiscard]] Verdict no_root(const std::vector<HeatSample>& samples) const;
+  [[nodiscard]] bool interrupted() const { return failure_.status == Status::interrupted; }
+
+  Solution& s_;
+  const SolveControl& control_;
+  bool warm_;
+  double T_supply_;
+  double T_most_;
+  std::vector<Tried> tried_;
+  Verdict failure_;  ///< of the coolest film that was not found
+  double T_failed_ = INFINITY;
+};
+
+const Tried& LumpedBalance::nearest(double T) const {
+  return *std::min_element(tried_.begin(), tried_.end(), [T](const Tried& a, const Tried& b) {
+    return std::abs(a.heat.T - T) < std::abs(b.heat.T - T);
+  });
+}
+
+Verdict LumpedBalance::film_at(double T) {
+  std::fill(s_.film.columns.T.begin(), s_.film.columns.T.end(), T);
+  s_.T_film = T;
+  if (tried_.empty() && (!warm_ || !failure_.good())) return first_film(s_, T, control_);
+  if (!tried_.empty()) {
+    const Tried& start = nearest(T);
+    s_.film.film = start.film;
+    s_.film.position = start.position;
+    s_.film.elastic = start.elastic;
+  }
+  EquilibriumOptions options;  // the search for where films end is made once
+  return solve_equilibrium(s_.model, s_.target, {}, options, s_.film, s_.cost, control_.stop);
+}
+
+std::optional<double> LumpedBalance::residual(double T) {
+  // A load that is not carried by the oil of one temperature is not by hotter oil.
+  const bool ended = s_.target.unknowns > 0 && T >= T_failed_;
+  if (interrupted() || ended) return std::nullopt;
+  Verdict v = film_at(T);
+  const double flow = v.good() ? fluid::oil_flows(s_.model.scene, s_.film.flow).side : 0.0;
+  if (v.good() && !(flow > 0.0)) {
+    v = {Status::no_steady_state, "no oil leaves the bearing: its heat cannot be carried away", "",
+         "check the supply"};
+  }
+  if (!v.good()) {
+    if (T < T_failed_ || v.status == Status::interrupted) failure_ = v;
+    T_failed_ = std::min(T, T_failed_);
+    return std::nullopt;
+  }
+  const Friction f = friction_of(s_.model, s_.film);
+  const double torque = f.viscous + f.asperity;
+  const double power =
+      std::abs(torque * s_.model.input.operation.omega) + pump_power(s_.model, s_.film);
+  const double rate = flow * rheology::heat_capacity(s_.model.oil, 0.5 * (T + T_supply_)).cp;
+  const double r = T_supply_ + power / rate - T;
+  s_.history.push_back({"lumped", std::abs(r), torque, s_.film.least.h});
+  tried_.push_back({{T, 0.0, torque, s_.film.least.h},
+                    r,
+                    r * rate,
+                    s_.film.film,
+                    s_.film.position,
+                    s_.film.elastic});
+  if (control_.progress) {
+    control_.progress(
+        {"lumped", static_cast<int>(tried_.size()) - 1, std::abs(r), torque, s_.film.least.h});
+  }
+  return r;
+}
+
+bool LumpedBalance::settle(const KnownPoint& a, const KnownPoint& b) {
+  constexpr double kApart = 1e-3;  // far enough for a slope: r is known to 1e-7 K [K]
+  const auto r = [this](double T) { return residual(T).value_or(NAN); };
+  const BracketedRoot root = bracketed_root(r, a, b, {kSettled, kNarrowest});
+  HeatRoot found = nearest(root.at.x).heat;
+  double distance = INFINITY;
+  for (const Tried& t : tried_) {
+    const double apart = std::abs(t.heat.T - found.T);
+    if (apart < kApart || apart >= distance) continue;
+    distance = apart;
+    found.slope = (t.residual - nearest(found.T).residual) / (t.heat.T - found.T);
+  }
+  s_.heat_roots.push_back(found);
+  return root.found;
+}
+
+bool LumpedBalance::follow(const HeatRoot& near) {
+  constexpr double kBeyond = 1.5;  // of the way to where the root should be [-]
+  constexpr int kMostSteps = 6;
+  std::optional<double> r = residual(near.T);
+  if (!r) return false;
+  KnownPoint here{near.T, *r};
+  double step = -kBeyond * here.f / near.slope;
+  for (int k = 0; k < kMostSteps && std::abs(here.f) > kSettled; ++k) {
+    const double T = std::clamp(here.x + step, T_supply_, T_most_);
+    r = residual(T);
+    if (!r || T == here.x) return false;
+    if ((*r < 0.0) != (here.f < 0.0)) return settle(here, {T, *r});
+    here = {T, *r};
+    step *= 2.0;
+  }
+  if (std::abs(here.f) > kSettled) return false;
+  s_.heat_roots.push_back(tried_.back().heat);
+  s_.heat_roots.back().slope = near.slope;
+  return true;
+}
+
+Verdict LumpedBalance::take_lowest_stable() {
+  const auto stable = std::find_if(s_.heat_roots.begin(), s_.heat_roots.end(),
+                                   [](const HeatRoot& root) { return root.stable(); });
+  if (stable == s_.heat_roots.end()) {
+    return {
+        Status::no_steady_state,
+        fmt::format("the heat balance is met at {:.1f} degC alone, where it is unstable: a film "
+                    "that is a little warmer makes more heat than leaves",
+                    s_.heat_roots.front().T - kZeroCelsius),
+        "", "lower speed or load, or feed more oil"};
+  }
+  if (s_.T_film == stable->T || residual(stable->T)) return {};
+  return failure_;
+}
+
+Verdict LumpedBalance::search() {
+  const std::vector<HeatSample> samples =
+      scan_heat_balance([this](double T) { return residual(T); },
+                        scan_temperatures(s_.model.oil, T_supply_, T_most_));
+  const bool none = tried_.empty();
+  if (interrupted() || none) return failure_;
+  const std::vector<std::size_t> changes = sign_changes(samples);
+  if (changes.empty()) return no_root(samples);
+  bool settled = true;
+  for (auto k = changes.rbegin(); k != changes.rend(); ++k) {  // the lowest last: its film stays
+    const HeatSample& a = samples[*k];
+    const HeatSample& b = samples[*k + 1];
+    settled = settle({a.T, *a.residual}, {b.T, *b.residual});
+    if (interrupted()) return failure_;
+  }
+  std::reverse(s_.heat_roots.begin(), s_.heat_roots.end());
+  if (settled) return take_lowest_stable();
+  return {Status::iteration_limit,
+          fmt::format("the heat balance did not settle at {:.1f} degC",
+                      s_.heat_roots.front().T - kZeroCelsius),
+          "", "try tier thd"};
+}
+
+Verdict LumpedBalance::no_root(const std::vector<HeatSample>& samples) const {
+  const auto good = [](const HeatSample& s) { return s.residual.has_value(); };
+  const HeatSample& low = *std::find_if(samples.begin(), samples.end(), good);
+  const HeatSample& high = *std::find_if(samples.rbegin(), samples.rend(), good);
+  const double less = *low.residual < 0.0 ? -1.0 : 1.0;
+  const std::string balance = fmt::format(
+      "from {:.1f} to {:.1f} degC the film makes {} heat than its oil carries off, by {:.3g} W at "
+      "the one end and {:.3g} W at the other",
+      low.T - kZeroCelsius, high.T - kZeroCelsius, less > 0.0 ? "more" : "less",
+      less * nearest(low.T).surplus, less * nearest(high.T).surplus);
+  const std::string cure = "lower speed or load, or feed more or cooler oil";
+  if (failure_.good()) {
+    return {Status::no_steady_state, "thermal runaway: " + balance, "", cure};
+  }
+  Verdict v = failure_;
+  const bool runaway = less > 0.0 && v.status == Status::no_steady_state;
+  v.reason =
+      fmt::format("{}{}; at {:.1f} degC there is no film: {}", runaway ? "thermal runaway: " : "",
+                  balance, T_failed_ - kZeroCelsius, failure_.reason);
+  v.cure = cure;
+  return v;
+}
+
+Verdict LumpedBalance::run() {
+  std::vector<HeatRoot> near;
+  near.swap(s_.heat_roots);
+  if (warm_ && near.size() == 1) {
+    if (follow(near.front())) return take_lowest_stable();
+    if (interrupted()) return failure_;
+    s_.heat_roots.clear();
+    failure_ = {};
+    T_failed_ = INFINITY;
+  }
+  return search();
+}
+
+}  // namespace
+
+Verdict solve_lumped(Solution& s, bool warm, const SolveControl& control) {
+  return LumpedBalance(s, warm, control).run();
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,31 @@
+#pragma once
+/// Numerical methods by name. The first of each is what Shellback uses; the others are what other
+/// programs use, kept to be compared with (chart, stress).
+namespace shellback::bearing {
+
+enum class CavitationMethod {
+  active_set,          ///< p and theta, semismooth Newton on the active set (mass-conserving)
+  fischer_burmeister,  ///< p and theta, Fischer-Burmeister Newton (mass-conserving)
+  p_theta,             ///< p and theta by relaxation, cell after cell (mass-conserving)
+  swift_stieber,       ///< Reynolds condition: p >= 0, oil not conserved
+};
+enum class AcrossFilm {
+  lobatto,  ///< Gauss-Lobatto-Legendre nodes
+  layers,   ///< finite volumes, even layers
+  mean,     ///< one temperature across the film
+};
+enum class ElasticMethod {
+  newton,       ///< film, position and displacement in one Newton iteration
+  fixed_point,  ///< displacement under-relaxed from film to film
+};
+
+struct Methods {
+  CavitationMethod cavitation = CavitationMethod::active_set;
+  AcrossFilm across = AcrossFilm::lobatto;
+  ElasticMethod elastic = ElasticMethod::newton;
+  int layers = 20;          ///< of AcrossFilm::layers, 2 to 60
+  double relaxation = 0.0;  ///< of ElasticMethod::fixed_point: part of each change taken [-]; 0:
+                            ///< Aitken's
+};
+
+}  // namespace shellback::bearing

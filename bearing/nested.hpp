@@ -1,0 +1,26 @@
+#pragma once
+/// Nested iteration: a cold film is solved on coarse grids first and carried to finer ones.
+///
+/// The coarse solutions cost little, place the cavitation boundary and the journal, and leave the
+/// fine grid one to three Newton iterations (methods 1.2, 8).
+#include <array>
+#include <vector>
+
+#include "bearing/equilibrium.hpp"
+#include "bearing/heat_state.hpp"
+#include "bearing/solve_equilibrium.hpp"
+
+namespace shellback::bearing {
+
+/// Grids from the coarsest to `fine`, each axis about halved from one to the next.
+[[nodiscard]] std::vector<std::array<int, 2>> grid_ladder(std::array<int, 2> fine);
+
+/// State on another grid of the same bearing: pressures, fill ratios, position, temperatures.
+[[nodiscard]] FilmEquilibrium carry_over(const BearingModel& from, const FilmEquilibrium& s,
+                                         const BearingModel& to);
+
+/// Wall temperatures and growth on another grid of the same bearing.
+[[nodiscard]] HeatState carry_over(const BearingModel& from, const HeatState& heat,
+                                   const BearingModel& to);
+
+}  // namespace shellback::bearing

@@ -1,0 +1,287 @@
+#include "bearing/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "bearing/bordered_film.hpp"
+#include "bearing/closed_gap.hpp"
+#include "bearing/film_verdicts.hpp"
+#include "bearing/solids.hpp"
+#include "core/largest.hpp"
+#include "fluid/empty_rings.hpp"
+#include "fluid/fischer_burmeister.hpp"
+#include "fluid/reduced_pressure.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kShortestReach = 1e-5;  ///< a step shortened this far: there is no way on
+constexpr double kWorseMerit = 3.0;      ///< a step may worsen the residuals so far [-]
+constexpr double kFollowed = 0.03;       ///< film and surfaces have followed the journal [-]
+constexpr int kMostHeld = 8;             ///< steps in which the film must have followed the journal
+constexpr double kLittleGain = 0.2;  ///< part of the gain asked for: a step that gained little [-]
+constexpr double kThinner = 0.25;    ///< and thin its smallest gap so far [-]
+
+/// One Newton iteration after the other; what they share.
+class NewtonIteration {
+ public:
+  NewtonIteration(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                  const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost)
+      : model_(model), target_(target), growth_(growth), options_(options), s_(s), cost_(cost) {}
+
+  Verdict run(const std::atomic<bool>* stop);
+
+ private:
+  /// The unknowns, to go back to.
+  struct Unknowns {
+    fluid::FilmState film;
+    fluid::JournalPosition position;
+    double ln_load = 0.0;
+    Field elastic;
+  };
+  [[nodiscard]] Unknowns unknowns() const;
+  void restore(const Unknowns& u);
+  [[nodiscard]] Verdict iterate(const std::atomic<bool>* stop);
+  /// Evaluates the state; true if it has residuals.
+  [[nodiscard]] bool evaluate_state();
+  [[nodiscard]] bool converged();
+  /// Good unless the reduced pressure of the converged film exceeds its bound.
+  [[nodiscard]] Verdict within_the_law() const;
+  /// True if the state may be gone on from.
+  [[nodiscard]] bool acceptable() const;
+  void accept();
+  /// Back to the last accepted state with half the reach; false if that is too short.
+  [[nodiscard]] bool reject();
+  /// Takes one step; `ended` is set where there is none.
+  void step(Verdict& ended);
+  fluid::UpdateReport take(const NewtonStep& step);
+  /// The pressures of a given position left the range of the pressure law: the film from its
+  /// reduced pressure, or the proof that there is none.
+  [[nodiscard]] Verdict reduced_film();
+  [[nodiscard]] double merit() const {
+    return r_.film_norm + r_.load_norm + std::min(r_.elastic_norm, 1e3);
+  }
+  [[nodiscard]] bool rigid() const { return s_.elastic.empty(); }
+
+  const BearingModel& model_;
+  const LoadTarget& target_;
+  const Field& growth_;
+  const EquilibriumOptions& options_;
+  FilmEquilibrium& s_;
+  EquilibriumCost& cost_;
+  Residuals r_;
+  Unknowns accepted_;
+  double merit_ = INFINITY;  ///< of the accepted state
+  double room_ = -INFINITY;  ///< there [m]
+  double off_ = INFINITY;    ///< of the force there, in logarithms [-]
+  double damping_ = 1.0;     ///< part of the wanted change of force that is asked for [-]
+  double carried_ = 0.0;     ///< force there [N]
+  double reach_ = 1.0;
+  double viscosity_tolerance_ = 1e-3;
+  Unknowns met_;                  ///< the state within all tolerances that loses least oil
+  double least_lost_ = INFINITY;  ///< there [kg/s]
+  bool at_met_ = false;           ///< the evaluated state is that one
+  int polished_ = 0;              ///< iterations since the tolerances were met first
+  int refilled_ = 0;              ///< steps that had emptied whole rings
+  int held_ = 0;                  ///< steps for which the journal has been held
+  int worst_cell_ = -1;           ///< whose pressure left the range of the pressure law
+};
+
+bool NewtonIteration::evaluate_state() {
+  if (!evaluate(model_, growth_, viscosity_tolerance_, s_)) return false;
+  r_ = residuals_of(model_, target_, s_);
+  return r_.finite();
+}
+
+/// Little oil may pass where much goes round: what is lost is measured by what passes, and further
+/// steps reduce it until it is round-off, new in every step. The state that loses least is kept:
+/// steps for the oil alone never spoil what is converged.
+bool NewtonIteration::converged() {
+  constexpr double kUsual = 1e-11;  // film tolerance of a result [-]
+  constexpr double kLost = 1e-9;    // of what passes, at the usual film tolerance [-]
+  constexpr int kMostPolish = 20;   // at round-off one step in some loses little
+  if (polished_ > 0) ++polished_;
+  const bool met = r_.within(options_) && s_.columns.mismatch <= options_.viscosity_tolerance &&
+                   fluid::complementary(model_.scene, s_.film);
+  if (!met) return false;
+  const auto flows = fluid::oil_flows(model_.scene, s_.flow);
+  const double passes = std::max(std::abs(flows.supply), std::abs(flows.side));
+  const double lost = std::abs(flows.supply - flows.side - flows.stored);
+  const double allowed = kLost * std::max(1.0, options_.film_tolerance / kUsual) * passes;
+  if (lost < least_lost_) {
+    least_lost_ = lost;
+    met_ = unknowns();
+    at_met_ = true;
+  }
+  polished_ = std::max(polished_, 1);
+  const double enough = polished_ > 3 ? 4.0 * allowed : allowed;
+  return !(lost > enough) || polished_ > kMostPolish;
+}
+
+NewtonIteration::Unknowns NewtonIteration::unknowns() const {
+  return {s_.film, s_.position, s_.ln_load, s_.elastic};
+}
+
+void NewtonIteration::restore(const Unknowns& u) {
+  s_.film = u.film;
+  s_.position = u.position;
+  s_.ln_load = u.ln_load;
+  s_.elastic = u.elastic;
+}
+
+bool NewtonIteration::acceptable() const {
+  const bool follows = std::max(r_.film_norm, r_.elastic_norm) < kFollowed;
+  return (follows || merit() < kWorseMerit * merit_) && room(model_, s_) > kThinner * room_;
+}
+
+/// How far a force is from the wanted one, in logarithms, forces as complex numbers.
+double distance(const fluid::Wrench& force, const fluid::Wrench& wanted) {
+  const std::complex<double> now(force[0], force[1]);
+  const std::complex<double> aim(wanted[0], wanted[1]);
+  return std::abs(now) > 0.0 && std::abs(aim) > 0.0 ? std::abs(std::log(aim / now)) : INFINITY;
+}
+
+void NewtonIteration::accept() {
+  // Where cavitation moves with the journal the predicted force misleads: ask for less.
+  const double off = distance(s_.force, target_.wanted(s_));
+  const bool little = off > (1.0 - kLittleGain * damping_) * off_;
+  damping_ = little ? std::max(0.1, 0.5 * damping_) : std::min(1.0, 2.0 * damping_);
+  off_ = off;
+  merit_ = merit();
+  room_ = room(model_, s_);
+  carried_ = std::hypot(s_.force[0], s_.force[1]);
+  accepted_ = unknowns();
+  reach_ = std::min(1.0, 2.0 * reach_);
+}
+
+bool NewtonIteration::reject() {
+  restore(accepted_);
+  reach_ *= 0.25;  // it is doubled once the state that is gone back to is accepted again
+  ++cost_.rejected_steps;
+  return reach_ >= kShortestReach && evaluate_state();
+}
+
+fluid::UpdateReport NewtonIteration::take(const NewtonStep& step) {
+  const double fraction = rigid() ? 1.0 : reach_;
+  for (int k = 0; k < 4; ++k) s_.position.q[k] += fraction * step.q[k];
+  s_.ln_load += fraction * step.ln_load;
+  const Field before = s_.film.p;
+  const std::vector<char> full = s_.film.full;
+  const auto report = fluid::advance(model_.scene, s_.oil, step.film, fraction, s_.film);
+  if (rigid()) return report;
+  // The displacement follows the pressures as they come out of cavitation and of the pressure law,
+  // not as the linear step has them.
+  Field beyond(before.size());
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const bool free = full[k] && model_.scene.supply.cell[k] < 0;
+    beyond[k] = s_.film.p[k] - before[k] - (free ? fraction * step.film[k] : 0.0);
+  }
+  const Field more = model_.solids->compliance(beyond);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    s_.elastic[k] += fraction * step.elastic[k] + more[k];
+  }
+  return report;
+}
+
+Verdict NewtonIteration::reduced_film() {
+  const auto oil = [&](const fluid::FilmState& film, fluid::FilmCoefficients& c) {
+    const Field none(film.p.size(), 0.0);
+    update_columns(model_.oil, model_.gl, model_.scene.speed, s_.shear_gap, film, none, none, 1e-3,
+                   s_.columns, c);
+  };
+  auto film = fluid::film_by_reduced_pressure(model_.scene, s_.gap, model_.step, oil, s_.film);
+  if (film.good()) {
+    s_.film = std::move(film.value);
+    merit_ = INFINITY;
+  }
+  return film.verdict;
+}
+
+void NewtonIteration::step(Verdict& ended) {
+  constexpr int kMostRefills = 5;  // a ring that stays empty is one
+  at_met_ = false;
+  viscosity_tolerance_ =
+      std::clamp(1e-2 * (r_.film_norm + r_.load_norm), 0.3 * options_.viscosity_tolerance, 1e-3);
+  ++cost_.newton_iterations;
+  cost_.work += model_.scene.grid.cells();
+  LoadTarget now = target_;
+  if (held_ > 0 && !model_.scene.storage.finite()) {
+    now.unknowns = 0;
+    now.path.reset();
+    now.inertia.reset();
+  }
+  const NewtonStep step = newton_step(model_, now, s_, r_, {reach_, damping_}, cost_);
+  if (!step.good) {
+    const bool filled =
+        refilled_++ < kMostRefills && fluid::refill_empty_rings(model_.scene, s_.film);
+    merit_ = INFINITY;
+    if (!filled) ended = singular_film(model_, s_);
+    return;
+  }
+  const auto report = take(step);
+  // A rigid film of that gap has no pressure; an elastic one gives way, the step was only long.
+  if (report.beyond_barus == 0 || !rigid()) return;
+  worst_cell_ = report.worst_cell;
+  const bool barus = std::holds_alternative<rheology::Barus>(model_.oil.pressure);
+  if (target_.unknowns == 0) {
+    if (barus) ended = reduced_film();  // other laws: the step was held to 0.99 of theirs
+  } else if (!reject()) {
+    ended = limit_load(model_, target_, carried_, worst_cell_);
+  }
+}
+
+Verdict NewtonIteration::within_the_law() const {
+  const int cell = beyond_reduced_pressure(model_, s_);
+  if (cell < 0) return {};
+  return target_.unknowns > 0 ? limit_load(model_, target_, carried_, cell)
+                              : no_pressure(model_, cell);
+}
+
+Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
+  for (int it = 0; it <= options_.max_iterations; ++it) {
+    if (stop && stop->load()) return {Status::interrupted, "stopped by the user", "", ""};
+    if (cost_.spent()) return given_up();
+    const bool possible = evaluate_state();
+    if (possible && converged()) return {};
+    if (possible && acceptable()) {
+      accept();
+      held_ = 0;
+    } else if (possible && held_ < kMostHeld && room(model_, s_) > kThinner * room_) {
+      ++held_;  // cavitation has moved: the film follows first
+    } else {
+      held_ = 0;
+      const Verdict none = possible ? Verdict{} : no_film(model_, target_, growth_, s_);
+      if (it == 0) return none;
+      if (!reject()) {
+        return none.status == Status::invalid_number ? none
+               : rigid() && worst_cell_ >= 0 ? limit_load(model_, target_, carried_, worst_cell_)
+                                             : stuck(model_, s_, r_, it);
+      }
+    }
+    Verdict ended;
+    step(ended);
+    if (!ended.good()) return ended;
+  }
+  return stuck(model_, s_, r_, options_.max_iterations);
+}
+
+Verdict NewtonIteration::run(const std::atomic<bool>* stop) {
+  const Verdict v = iterate(stop);
+  if (v.status == Status::interrupted || polished_ == 0) return v;
+  if (!at_met_) {
+    restore(met_);
+    if (!evaluate_state()) return v;
+  }
+  return within_the_law();
+}
+
+}  // namespace
+
+Verdict newton(const BearingModel& model, const LoadTarget& target, const Field& growth,
+               const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost,
+               const std::atomic<bool>* stop) {
+  return NewtonIteration(model, target, growth, options, s, cost).run(stop);
+}
+
+}  // namespace shellback::bearing

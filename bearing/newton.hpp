@@ -1,0 +1,21 @@
+#pragma once
+/// Newton's method on the equilibrium of film, journal and elastic surfaces (equilibrium.hpp).
+///
+/// Each step (bordered_film.hpp) is bounded in the journal's movement, and in all of itself where
+/// the residuals of elastic surfaces grow: a step after which a gap is closed, no pressure is left
+/// (Barus) or the residuals are several times those before is rejected and tried again at half the
+/// reach. Source: semismooth Newton with step control, methods 1.2, 2.2.
+#include <atomic>
+
+#include "bearing/equilibrium.hpp"
+
+namespace shellback::bearing {
+
+/// Solves (1)-(3) of the step in time that the model's scene holds, from `state`, which is left at
+/// the last iterate that was accepted whatever the verdict.
+[[nodiscard]] Verdict newton(const BearingModel& model, const LoadTarget& target,
+                             const Field& growth, const EquilibriumOptions& options,
+                             FilmEquilibrium& state, EquilibriumCost& cost,
+                             const std::atomic<bool>* stop = nullptr);
+
+}  // namespace shellback::bearing

@@ -1,0 +1,65 @@
+#include "bearing/possible_methods.hpp"
+
+#include "core/contract.hpp"
+
+namespace shellback::bearing {
+
+std::string impossible_methods(const Case& c, const Physics& physics) {
+  const Methods& m = c.model.methods;
+  if (m.across == AcrossFilm::layers && (m.layers < 2 || m.layers > 60)) {
+    return "layers must lie between 2 and 60";
+  }
+  if (!(m.relaxation >= 0.0 && m.relaxation <= 1.0)) return "relaxation must lie between 0 and 1";
+  if (m.cavitation == CavitationMethod::swift_stieber && physics.film_energy) {
+    return "cavitation = \"swift-stieber\" does not conserve oil, so that the heat in the film "
+           "cannot be balanced; take tier isothermal or lumped, or another method";
+  }
+  if (m.cavitation == CavitationMethod::swift_stieber && c.model.coefficients) {
+    return "cavitation = \"swift-stieber\" has no fill ratio, which stiffness and damping need "
+           "(model.coefficients); take another method";
+  }
+  if (m.cavitation != CavitationMethod::active_set && physics.elastic &&
+      m.elastic == ElasticMethod::newton) {
+    return std::string("cavitation = \"") + to_string(m.cavitation) +
+           "\" has no Newton step for elastic bearings; add elastic = \"fixed-point\", or "
+           "switch elastic_deformation off";
+  }
+  return "";
+}
+
+void expect_possible_methods(const Case& c, const Physics& physics) {
+  const std::string problem = impossible_methods(c, physics);
+  if (!problem.empty()) throw InputError("model.methods: " + problem);
+}
+
+const char* to_string(CavitationMethod method) {
+  switch (method) {
+    case CavitationMethod::active_set:
+      return "active-set";
+    case CavitationMethod::fischer_burmeister:
+      return "fischer-burmeister";
+    case CavitationMethod::p_theta:
+      return "p-theta";
+    case CavitationMethod::swift_stieber:
+      return "swift-stieber";
+  }
+  return "";
+}
+
+const char* to_string(AcrossFilm method) {
+  switch (method) {
+    case AcrossFilm::lobatto:
+      return "lobatto";
+    case AcrossFilm::layers:
+      return "layers";
+    case AcrossFilm::mean:
+      return "mean";
+  }
+  return "";
+}
+
+const char* to_string(ElasticMethod method) {
+  return method == ElasticMethod::newton ? "newton" : "fixed-point";
+}
+
+}  // namespace shellback::bearing

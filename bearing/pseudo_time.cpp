@@ -1,0 +1,91 @@
+#include "bearing/pseudo_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/film_verdicts.hpp"
+#include "bearing/newton.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kFirst = 1e-2;     ///< first step, in radians of turn [-]
+constexpr double kShortest = 1e-8;  ///< step below which there is no way on [rad]
+constexpr double kLongest = 1e5;    ///< step after which nothing moves any more [rad]
+constexpr double kLonger = 4.0;     ///< from step to step where Newton's method is quick
+constexpr int kQuick = 6;           ///< iterations that are quick
+constexpr int kMost = 25;           ///< iterations of one step
+constexpr int kMostSteps = 100;     ///< where a bearing comes to rest it takes 10 to 30
+constexpr double kLoose = 1e-3;     ///< residuals that will do on the way [-]
+
+}  // namespace
+
+Verdict march_to_steady(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                        const EquilibriumOptions& options, FilmEquilibrium& s,
+                        EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  EquilibriumOptions loose = options;
+  loose.film_tolerance = loose.load_tolerance = loose.elastic_tolerance = kLoose;
+  loose.viscosity_tolerance = kLoose;
+  loose.max_iterations = kMost;
+  BearingModel moving = model;
+  const double radian = 1.0 / std::abs(model.input.operation.omega);
+  if (!evaluate(model, growth, kLoose, s)) return no_film(model, target, growth, s);
+  double turn = kFirst;
+  for (int step = 0; turn < kLongest; ++step) {
+    moving.scene.storage = {turn * radian, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
+    const FilmEquilibrium before = s;
+    const int spent = cost.newton_iterations;
+    const Verdict v = newton(moving, target, growth, loose, s, cost, stop);
+    const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
+    if (ended || cost.spent()) return v;
+    if (step == kMostSteps) return not_at_rest(model, s, step);
+    if (v.good()) {
+      if (target.unknowns > 0 && thinner_than_a_molecule(model, s)) return film_vanishes(s);
+      if (cost.newton_iterations - spent <= kQuick) turn *= kLonger;
+    } else {
+      s = before;
+      turn /= kLonger;
+      if (turn < kShortest) return v;
+    }
+  }
+  return newton(model, target, growth, options, s, cost, stop);
+}
+
+namespace {
+
+/// True if a journal that is free to move starts deeper in the shell than asperities reach.
+bool starts_inside(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                   FilmEquilibrium& s) {
+  constexpr double kReach = 3.0;  // roughnesses
+  const fluid::FilmScene& scene = model.scene;
+  if (target.unknowns == 0) return false;
+  s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position,
+                          sum(growth, s.elastic), model.step);
+  s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
+  return s.least.h < -kReach * scene.rough.sigma;
+}
+
+/// At rest in the middle of the clearance, in a full film.
+void put_in_the_middle(const BearingModel& model, const LoadTarget& target, FilmEquilibrium& s) {
+  s.film = fluid::cold_film(model.scene);
+  for (int k = 0; k < target.unknowns; ++k) s.position.q[k] = 0.0;
+  std::fill(s.elastic.begin(), s.elastic.end(), 0.0);
+}
+
+}  // namespace
+
+Verdict newton_or_through_time(const BearingModel& model, const LoadTarget& target,
+                               const Field& growth, const EquilibriumOptions& options,
+                               FilmEquilibrium& s, EquilibriumCost& cost,
+                               const std::atomic<bool>* stop) {
+  if (!starts_inside(model, target, growth, s)) {
+    const Verdict v = newton(model, target, growth, options, s, cost, stop);
+    const bool proven = target.unknowns == 0 && v.status == Status::no_steady_state;
+    const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
+    if (v.good() || ended || proven || cost.spent()) return v;
+  }
+  put_in_the_middle(model, target, s);
+  return march_to_steady(model, target, growth, options, s, cost, stop);
+}
+
+}  // namespace shellback::bearing

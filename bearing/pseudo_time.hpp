@@ -1,0 +1,26 @@
+#pragma once
+/// From any possible state to the steady one through time.
+///
+/// Steps of backward Euler with the film's own storage: a journal that its load drives squeezes oil
+/// out of its way, so that it closes no gap in a finite step. Steps lengthen as long as Newton's
+/// method is quick and shorten where it fails; once they are long against everything that moves
+/// the steady equations are solved. Source: pseudo-transient continuation, textbook.
+#include <atomic>
+
+#include "bearing/equilibrium.hpp"
+
+namespace shellback::bearing {
+
+/// As newton, of the steady bearing.
+[[nodiscard]] Verdict march_to_steady(const BearingModel& model, const LoadTarget& target,
+                                      const Field& growth, const EquilibriumOptions& options,
+                                      FilmEquilibrium& state, EquilibriumCost& cost,
+                                      const std::atomic<bool>* stop);
+
+/// Newton's method; where it fails, through time.
+[[nodiscard]] Verdict newton_or_through_time(const BearingModel& model, const LoadTarget& target,
+                                             const Field& growth, const EquilibriumOptions& options,
+                                             FilmEquilibrium& state, EquilibriumCost& cost,
+                                             const std::atomic<bool>* stop);
+
+}  // namespace shellback::bearing

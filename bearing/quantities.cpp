@@ -1,0 +1,38 @@
+#include "bearing/quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellback::bearing {
+
+double Quantity::error() const {
+  if (!std::isfinite(error_grid)) return error_model;
+  return error_grid + (std::isfinite(error_model) ? error_model : 0.0);
+}
+
+const QuantityEntry* find_quantity(std::string_view name) {
+  const auto* entry = std::find_if(std::begin(kQuantities), std::end(kQuantities),
+                                   [&](const QuantityEntry& r) { return r.name == name; });
+  return entry == std::end(kQuantities) ? nullptr : entry;
+}
+
+std::vector<Quantity> listed(const Quantities& values) {
+  std::vector<Quantity> list;
+  for (const QuantityEntry& e : kQuantities) {
+    const double value = values.*e.member;
+    if (std::isfinite(value)) {
+      list.push_back({std::string(e.name), value, std::string(e.unit)});
+    }
+  }
+  return list;
+}
+
+Quantities typed(const std::vector<Quantity>& list) {
+  Quantities values;
+  for (const Quantity& q : list) {
+    if (const QuantityEntry* entry = find_quantity(q.name)) values.*entry->member = q.value;
+  }
+  return values;
+}
+
+}  // namespace shellback::bearing

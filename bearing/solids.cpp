@@ -1,0 +1,241 @@
+#include "bearing/solids.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "core/contract.hpp"
+#include "core/revolution_mesh.hpp"
+#include "solid/revolution_elasticity.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+using Layers = Solids::Layers;
+
+Layers layers_of(const Case& c) {
+  if (!c.shell || c.shell->layers.empty()) {
+    throw InputError(
+        "the shell's layers are needed for heat conduction and deformation; give "
+        "[shell] layers, or use tier isothermal or lumped");
+  }
+  Layers out;
+  double radius = c.bearing.radius;
+  for (const ShellLayer& layer : c.shell->layers) {
+    out.material.push_back(layer.material);
+    out.thickness.push_back(layer.thickness);
+    radius += layer.thickness;
+  }
+  out.last_of_shell = static_cast<int>(out.material.size()) - 1;
+  if (c.shell->housing) {
+    out.material.push_back(c.shell->housing->material);
+    out.thickness.push_back(c.shell->housing->outer_radius - radius);
+  }
+  return out;
+}
+
+RevolutionMesh shell_mesh(const Case& c, const Layers& layers, const FilmGrid& grid,
+                          int harmonics) {
+  const RadialRows rows =
+      rows_outwards(c.bearing.radius, layers.thickness, surface_row(c.bearing.radius, harmonics));
+  return make_revolution_mesh(rows.face, rows.layer, axial_elements(grid), grid.half);
+}
+
+solid::Support support_of(const Case& c) {
+  if (!c.shell->housing) return solid::Support::held;
+  switch (c.shell->housing->support) {
+    case HousingSupport::free:
+      return solid::Support::free;
+    case HousingSupport::clamped:
+      return solid::Support::clamped;
+    case HousingSupport::held:
+      break;
+  }
+  return solid::Support::held;
+}
+
+constexpr double kLocalPart = 0.55;  ///< of the film's largest local response; above 1/2 [-]
+
+/// Mean over harmonics of the mean eigenvalue: what a pressure of no particular shape meets.
+double mean_compliance(const HarmonicOperator& op) {
+  double sum = 0.0;
+  for (const auto& m : op) sum += m.trace() / static_cast<double>(m.rows());
+  return sum / static_cast<double>(op.size());
+}
+
+}  // namespace
+
+Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
+    : grid_(grid),
+      shell_(c.shell),
+      shaft_(c.shaft),
+      effects_(effects),
+      harmonics_(grid, default_harmonics(grid.nt)),
+      sample_(harmonics_.highest(), effects.every_harmonic) {
+  const auto start = std::chrono::steady_clock::now();
+  reference_ = c.bearing.reference_temperature;
+  if (!c.shaft) throw InputError("the shaft's data are needed; give [shaft] material");
+  const int N = harmonics_.highest();
+  const Layers layers = layers_of(c);
+  const RevolutionMesh mesh = shell_mesh(c, layers, grid_, N);
+  if (effects.heat) build_heat(c, layers, mesh);
+  if (effects.elastic || effects.growth) {
+    auto ops = solid::shell_elasticity(mesh, grid_, layers.material,
+                                       {N, support_of(c), solid::AxialEnds::free, effects.growth,
+                                        solid::Elimination::cheapest, sample_.computed()});
+    if (effects.elastic) build_compliance(c, sample_.complete(ops.compliance));
+    if (effects.growth) {
+      growth_per_flux_ = sample_.complete(compose(ops.growth, conduction_->nodal()));
+      uniform_growth_ = solid::uniform_growth(ops);
+      growth_ = std::move(ops.growth);
+      shaft_expansion_ = c.shaft->material.expansion;
+    }
+  }
+  setup_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void Solids::build_compliance(const Case& c, const HarmonicOperator& shell) {
+  const int N = harmonics_.highest();
+  const RadialRows rows = rows_of_cylinder(c.bearing.radius, surface_row(c.bearing.radius, N));
+  const RevolutionMesh shaft = make_revolution_mesh(
+      rows.face, rows.layer, axial_elements(grid_, c.shaft->overhang), grid_.half);
+  const HarmonicOperator journal = solid::shaft_compliance(shaft, grid_, c.shaft->material, N);
+  compliance_ = shell;
+  for (std::size_t n = 0; n < compliance_.size(); ++n) compliance_[n] += journal[n];
+  winkler_ = mean_compliance(compliance_);
+}
+
+void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh) {
+  std::vector<double> k;
+  for (const auto& m : layers.material) {
+    k.push_back(m.conductivity);
+    capacity_.push_back(m.density * m.heat_capacity);
+  }
+  thermal::ConductionBoundary boundary;
+  boundary.end_heat_transfer = c.shell->end_heat_transfer;
+  if (const auto* back = std::get_if<ConvectiveBack>(&c.shell->back)) {
+    boundary.kind = thermal::BackKind::convective;
+    boundary.back_heat_transfer = back->heat_transfer;
+    surroundings_ = back->ambient;
+  } else {
+    boundary.kind = thermal::BackKind::prescribed;
+    surroundings_ = std::get<PrescribedBack>(c.shell->back).temperature;
+  }
+  boundary.back_line = thermal::outer_line(mesh, layers.last_of_shell);
+  conduction_.emplace(mesh, grid_, k, boundary, harmonics_, sample_);
+  const solid::Material& m = c.shaft->material;
+  fin_ = {m.conductivity, c.shaft->overhang, c.shaft->heat_transfer, c.shaft->ambient,
+          m.density * m.heat_capacity};
+}
+
+bool Solids::serve(const Case& c, const FilmGrid& grid, SolidEffects wanted) const {
+  const bool effects = (effects_.elastic || !wanted.elastic) && (effects_.heat || !wanted.heat) &&
+                       (effects_.growth || !wanted.growth) &&
+                       (effects_.every_harmonic || !wanted.every_harmonic);
+  const bool bodies =
+      c.shell == shell_ && c.shaft == shaft_ && c.bearing.reference_temperature == reference_;
+  const bool surface = grid.radius == grid_.radius && grid.half == grid_.half &&
+                       grid.phi_face == grid_.phi_face && grid.z_face == grid_.z_face;
+  return effects && bodies && surface;
+}
+
+Field Solids::compliance(const Field& pressure) const {
+  return apply(harmonics_, compliance_, pressure, Tail::last);
+}
+
+HarmonicOperator Solids::contact_growth(double rate, const thermal::WallResponse& film,
+                                        const SolidStep* step) const {
+  const StepOperators* ops = step ? step->operators.get() : nullptr;
+  const thermal::ShellConduction& shell = ops ? ops->shell : *conduction_;
+  HarmonicOperator op = compose(ops ? ops->growth_per_flux : growth_per_flux_,
+                                shell.entering({film.shell_ring, film.shell_local}));
+  for (Eigen::MatrixXd& m : op) m *= rate;
+  return op;
+}
+
+Field Solids::widening(const HarmonicOperator& by, const Field& contact) const {
+  return apply(harmonics_, by, contact);
+}
+
+Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
+                                       const std::vector<double>& T_shaft,
+                                       const SolidStep& step) const {
+  // What is missing to balance now: both vanish at the solution.
+  const StepOperators* ops = step.operators.get();
+  const thermal::ShellConduction& shell = ops ? ops->shell : *conduction_;
+  const double now = shell.mean_surface(q.shell, surroundings_, ops ? &step.history : nullptr);
+  double missing = 0.0;
+  double area = 0.0;
+  for (int i = 0; i < grid_.nt; ++i) {
+    for (int j = 0; j < grid_.nz; ++j) {
+      const int c = grid_.index(i, j);
+      missing += grid_.area(i, j) * (now - T_shell[c]);
+      area += grid_.area(i, j);
+    }
+  }
+  const double whole = area * grid_.multiplicity();
+  const double b1 = missing / area;  // [K]
+  const double b2 =
+      thermal::shaft_imbalance(grid_, fin_, q.shaft, T_shaft, step.shaft) / whole;  // [W/m2]
+  // dTs (1 + R Gs) - R across dTj = b1,   -back dTs + (fin + Gj) dTj = b2
+  const double fin = thermal::shaft_conductance(grid_, fin_, step.shaft.dt) / whole;
+  const double R = shell.resistance();
+  const auto& r = q.response;
+  const double a11 = 1.0 + R * r.shell;
+  const double a12 = -R * r.across;
+  const double a21 = -r.back;
+  const double a22 = fin + r.shaft;
+  const double det = a11 * a22 - a12 * a21;
+  if (!(det > 0.0)) return {};
+  return {(b1 * a22 - a12 * b2) / det, (a11 * b2 - a21 * b1) / det};
+}
+
+SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
+                                const std::vector<double>& T_shaft, Wanted wanted,
+                                const SolidStep* given) const {
+  const SolidStep endless;
+  const SolidStep& step = given ? *given : endless;
+  const StepOperators* ops = step.operators.get();
+  SolidTemperature out;
+  const MeanChange mean = mean_change(q, T_shell, T_shaft, step);
+  // Half the largest response or more: below it the thinnest film would make a wall overshoot for
+  // ever. The mean of a wall, which answers less, is led to its predicted change all the same.
+  const auto& r = q.response;
+  const double ring = std::max(r.shell, kLocalPart * r.shell_ring);
+  const double local = std::max(ring, kLocalPart * r.shell_local);
+  const double along = std::max(r.shaft, kLocalPart * r.shaft_ring);
+  Field to_shell = q.shell;
+  for (double& x : to_shell) x += r.across * mean.shaft + (ring - r.shell) * mean.shell;
+  std::vector<double> to_shaft = q.shaft;
+  for (double& x : to_shaft) x += r.back * mean.shell + (along - r.shaft) * mean.shaft;
+  const thermal::ShellConduction& shell = ops ? ops->shell : *conduction_;
+  out.shell = shell.solve(to_shell, {ring, local}, T_shell, surroundings_, wanted.back,
+                          ops ? &step.history : nullptr);
+  out.shaft = thermal::solve_shaft(grid_, fin_, to_shaft, along, T_shaft, step.shaft);
+  if (!effects_.growth || !wanted.growth) return out;
+  Eigen::MatrixXd bore = multiply(ops ? ops->growth_per_flux : growth_per_flux_, out.shell.flux);
+  if (ops) bore += step.growth;
+  out.growth = total_growth(bore, out.shaft.temperature);
+  return out;
+}
+
+Field Solids::total_growth(const Eigen::MatrixXd& bore, const std::vector<double>& T_shaft) const {
+  Field growth = harmonics_.synthesise(bore);
+  const std::vector<double> shaft =
+      solid::shaft_growth(grid_.radius, shaft_expansion_, T_shaft, reference_);
+  for (int i = 0; i < grid_.nt; ++i) {
+    for (int j = 0; j < grid_.nz; ++j) {
+      growth[grid_.index(i, j)] += uniform_growth_[j] * (surroundings_ - reference_) + shaft[j];
+    }
+  }
+  return growth;
+}
+
+std::vector<double> Solids::section_radii() const { return conduction_->section_radii(); }
+
+std::vector<double> Solids::section(const thermal::ShellTemperature& T) const {
+  Field values = harmonics_.synthesise(multiply(conduction_->section(), T.flux));
+  for (double& x : values) x += surroundings_;
+  return values;
+}
+
+}  // namespace shellback::bearing

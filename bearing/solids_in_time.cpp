@@ -1,0 +1,67 @@
+/// Shell, housing and shaft from one time step to the next.
+#include <cmath>
+
+#include "bearing/solids.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// The bore's growth for nodal temperatures above the surroundings [m]; none without operators.
+Eigen::MatrixXd bore_growth(const HarmonicOperator& growth, const Eigen::MatrixXd& nodal) {
+  return growth.empty() ? Eigen::MatrixXd{} : multiply(growth, nodal);
+}
+
+}  // namespace
+
+SolidStep Solids::step(double dt, const SolidState& before, const SolidStep* last) const {
+  SolidStep step;
+  if (std::isinf(dt) && dt > 0.0) return step;
+  step.shaft = {dt, before.shaft};
+  if (last && last->operators && last->operators->shell.dt() == dt) {
+    step.operators = last->operators;
+  } else {
+    StepOperators ops{conduction_->over(dt, capacity_), {}, {}};
+    if (effects_.growth) {
+      ops.growth = sample_.complete(growth_);
+      ops.growth_per_flux = compose(ops.growth, ops.shell.nodal());
+    }
+    step.operators = std::make_shared<const StepOperators>(std::move(ops));
+  }
+  step.history = step.operators->shell.history(before.shell);
+  step.growth = bore_growth(step.operators->growth, step.history.nodal);
+  return step;
+}
+
+SolidState Solids::state(const SolidTemperature& answer, const SolidStep* step) const {
+  const StepOperators* ops = step ? step->operators.get() : nullptr;
+  const Eigen::MatrixXd& flux = answer.shell.flux;
+  return {ops ? ops->shell.nodal_temperatures(flux, &step->history)
+              : conduction_->nodal_temperatures(flux),
+          answer.shaft.state()};
+}
+
+SolidState Solids::uniform_state(double T) const {
+  return {conduction_->uniform_temperatures(T - surroundings_),
+          thermal::uniform_shaft(grid_, fin_, T)};
+}
+
+SolidTemperature Solids::at(const SolidState& state) const {
+  SolidTemperature out;
+  out.shell = conduction_->at(state.shell, surroundings_);
+  out.shaft.temperature = state.shaft.cells;
+  out.shaft.high = state.shaft.high;
+  out.shaft.low = state.shaft.low;
+  if (effects_.growth) {
+    out.growth =
+        total_growth(bore_growth(sample_.complete(growth_), state.shell), state.shaft.cells);
+  }
+  return out;
+}
+
+std::vector<double> Solids::section(const SolidState& state) const {
+  Field values = harmonics_.synthesise(conduction_->section(state.shell));
+  for (double& x : values) x += surroundings_;
+  return values;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,45 @@
+#pragma once
+/// One case, one tier, one result: what `run` calls.
+#include "bearing/control.hpp"
+#include "bearing/film_heat.hpp"
+#include "bearing/solution.hpp"
+
+namespace shellback::bearing {
+
+/// Temperature of the isothermal tier [K]: from the measured (or prescribed) shell-back temperature
+/// T_supply + kappa (T_back - T_supply) if there is one, else the oil temperature of the case, else
+/// the supply temperature (constant viscosity). Source: design 3, after seed 000 3.5; the published
+/// relation itself is not available and not claimed.
+[[nodiscard]] double equivalent_temperature(const Case& c);
+
+/// Solves the case in one tier. `solids`: operators of a former solve of the same geometry.
+[[nodiscard]] Solution solve_tier(const Case& c, Tier tier, const SolveControl& control = {},
+                                  std::shared_ptr<const Solids> solids = nullptr);
+
+/// What to do where a near solution is no start.
+enum class Otherwise { from_cold, give_up };
+
+/// Solves the case in one tier from the solution of a near one: the same bearing at another speed,
+/// load, temperature or in a tier below; on its own grid at once, without the sequence of coarser
+/// ones. Where `near` is no start (it did not converge, or this solve does not from it), starts
+/// from cold, unless `otherwise` forbids it: then the failure is handed back. The operators of the
+/// solids are shared where they serve.
+[[nodiscard]] Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
+                                       const SolveControl& control = {},
+                                       Otherwise otherwise = Otherwise::from_cold);
+
+/// Isothermal solution at a given film temperature, from cold.
+[[nodiscard]] Solution solve_isothermal_at(const Case& c, double T,
+                                           const SolveControl& control = {});
+
+/// The scalars of a solution, as they are reported.
+[[nodiscard]] std::vector<Quantity> quantities_of(const Solution& s, Tier tier);
+
+/// Sums up.
+[[nodiscard]] Result summarize(const Solution& s, Tier tier);
+
+/// solve_tier and summarize in the tier of the case. Does not throw for lack of convergence: the
+/// result carries the verdict and the last state.
+[[nodiscard]] Result solve(const Case& c, const SolveControl& control = {});
+
+}  // namespace shellback::bearing

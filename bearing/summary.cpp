@@ -1,0 +1,252 @@
+/// Summing a solution up: quantities, audit, effects, fields.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/audit.hpp"
+#include "bearing/effects.hpp"
+#include "bearing/solids.hpp"
+#include "bearing/solve.hpp"
+#include "bearing/told_limits.hpp"
+#include "core/constants.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+double area_mean(const FilmGrid& g, const Field& x) {
+  double sum = 0.0;
+  double area = 0.0;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      sum += x[g.index(i, j)] * g.area(i, j);
+      area += g.area(i, j);
+    }
+  }
+  return sum / area;
+}
+
+/// Film temperature, weighted by the oil that is there (theta h) [K].
+double oil_mean_temperature(const BearingModel& m, const FilmEquilibrium& f) {
+  const FilmGrid& g = m.scene.grid;
+  double sum = 0.0;
+  double oil = 0.0;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int c = g.index(i, j);
+      if (m.scene.supply.cell[c] >= 0) continue;
+      const double w = g.area(i, j) * f.film.theta[c] * f.shear_gap[c];
+      double T = 0.0;
+      for (int k = 0; k < m.gl.n; ++k) T += m.gl.w[k] * f.columns.T[c * m.gl.n + k];
+      sum += w * T;
+      oil += w;
+    }
+  }
+  return sum / oil;
+}
+
+double gap_at_mid_width(const BearingModel& m, const FilmEquilibrium& f) {
+  const FilmGrid& g = m.scene.grid;
+  int mid = 0;
+  for (int j = 1; j < g.nz; ++j) {
+    if (std::abs(g.z[j]) < std::abs(g.z[mid])) mid = j;
+  }
+  double h = INFINITY;
+  for (int i = 0; i < g.nt; ++i) h = std::min(h, f.gap.cell[g.index(i, mid)]);
+  return h;
+}
+
+/// From the load line to the line of centres, positive in the direction of rotation [deg].
+double attitude(const Solution& s) {
+  const double load_line = std::atan2(-s.film.force[1], -s.film.force[0]);
+  const double centres = std::atan2(s.film.position.ey(), s.film.position.ex());
+  const double turn = s.model.scene.speed >= 0.0 ? 1.0 : -1.0;
+  return turn * std::remainder(centres - load_line, 2.0 * kPi) * 180.0 / kPi;
+}
+
+void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
+  const BearingModel& m = s.model;
+  const double omega = m.input.operation.omega;
+  q.friction_torque = f.viscous + f.asperity;
+  q.friction_torque_asperity = f.asperity;
+  q.friction_torque_shell = f.viscous_shell + f.asperity;
+  q.power_loss = (f.viscous + f.asperity) * omega;
+  q.pump_power = pump_power(m, s.film);
+  q.eccentricity_ratio = std::hypot(s.film.position.ex(), s.film.position.ey()) / m.clearance;
+  q.attitude_angle = attitude(s);
+  if (s.target.unknowns == 4 || s.film.position.psi_x() != 0.0 || s.film.position.psi_y() != 0.0) {
+    q.tilt_x = s.film.position.psi_x();
+    q.tilt_y = s.film.position.psi_y();
+  }
+  q.h_min = s.film.least.h;
+  q.h_min_mid = gap_at_mid_width(m, s.film);
+  q.p_max = largest(s.film.film.p);
+  if (m.contact) {
+    q.p_asperity_max = largest(s.film.p_contact);
+    const fluid::Wrench contact = fluid::wrench(m.scene, s.film.p_contact);
+    q.asperity_load_share =
+        std::hypot(contact[0], contact[1]) / std::hypot(s.film.force[0], s.film.force[1]);
+  }
+  q.load_x = s.film.force[0];
+  q.load_y = s.film.force[1];
+  const auto flows = fluid::oil_flows(m.scene, s.film.flow);
+  const double rho = reference_density(m);
+  q.side_flow = flows.side / rho;
+  q.supply_flow = flows.supply / rho;
+  if (m.physics.elastic) q.elastic_opening_max = largest(s.film.elastic);
+}
+
+void add_heat(const Solution& s, Quantities& q) {
+  const BearingModel& m = s.model;
+  if (!m.physics.film_energy) {
+    q.T_film_mean = s.T_film;
+    return;
+  }
+  if (!s.heat.known()) return;  // stopped before the first heat solution
+  const double twice = m.scene.grid.multiplicity();
+  q.T_film_max = largest(s.film.columns.T);
+  q.T_film_mean = oil_mean_temperature(m, s.film);
+  q.T_shell_max = largest(s.heat.solids.shell.surface);
+  q.T_shell_back = area_mean(m.scene.grid, s.heat.solids.shell.back);
+  q.T_shell_back_max = largest(s.heat.solids.shell.back);
+  const auto& shaft = s.heat.solids.shaft.temperature;
+  double T_shaft = 0.0;
+  for (std::size_t j = 0; j < shaft.size(); ++j) T_shaft += shaft[j] * m.scene.grid.dz[j];
+  q.T_shaft = T_shaft / (m.scene.grid.z_face.back() - m.scene.grid.z_face.front());
+  q.T_supply_mixed = s.heat.T_mix.front();
+  q.heat_by_oil = twice * (s.heat.balance.carried_out - s.heat.balance.carried_in);
+  q.heat_to_shell = s.heat.solids.shell.heat_in;
+  q.heat_to_shaft = s.heat.solids.shaft.heat_in;
+  if (m.physics.growth) {
+    q.thermal_opening_mean = area_mean(m.scene.grid, s.heat.growth);
+  }
+}
+
+/// Of forces; with whole-width films also the moments' (4 x 4), which only Coefficients has.
+void add_coefficients(const Coefficients& k, Quantities& q) {
+  q.K_xx = k.K[0][0];
+  q.K_xy = k.K[0][1];
+  q.K_yx = k.K[1][0];
+  q.K_yy = k.K[1][1];
+  q.C_xx = k.C[0][0];
+  q.C_xy = k.C[0][1];
+  q.C_yx = k.C[1][0];
+  q.C_yy = k.C[1][1];
+  q.whirl_critical_mass = k.whirl.critical_mass;
+  q.whirl_speed_ratio = k.speed_ratio;
+  q.whirl_ratio = k.whirl_ratio;
+}
+
+Field on_full(const BearingModel& m, const Field& x) {
+  return x.empty() ? x : mirror_to_full(m.scene.grid, x);
+}
+
+std::vector<double> nodes_on_full(const BearingModel& m, const std::vector<double>& T) {
+  const FilmGrid& g = m.scene.grid;
+  const int n = m.gl.n;
+  std::vector<double> out(static_cast<std::size_t>(full_grid(g).cells()) * n);
+  Field layer(g.cells());
+  for (int k = 0; k < n; ++k) {
+    for (int c = 0; c < g.cells(); ++c) layer[c] = T[static_cast<std::size_t>(c) * n + k];
+    const Field full = mirror_to_full(g, layer);
+    for (std::size_t c = 0; c < full.size(); ++c) out[c * n + k] = full[c];
+  }
+  return out;
+}
+
+Fields fields_of(const Solution& s, const Friction& f) {
+  const BearingModel& m = s.model;
+  Fields out;
+  out.grid = full_grid(m.scene.grid);
+  out.p = on_full(m, s.film.film.p);
+  out.theta = on_full(m, s.film.film.theta);
+  if (m.contact) out.p_asperity = on_full(m, s.film.p_contact);
+  Field h = s.film.gap.cell;
+  Field supplied(h.size(), 0.0);
+  for (std::size_t c = 0; c < h.size(); ++c) {
+    const int patch = m.scene.supply.cell[c];
+    if (patch < 0) continue;
+    h[c] += m.scene.supply.patches[patch].depth;
+    supplied[c] = 1.0;
+  }
+  out.h = on_full(m, h);
+  for (const double x : on_full(m, supplied)) out.supplied.push_back(x > 0.5);
+  out.tau_journal = on_full(m, f.stress.journal);
+  out.tau_shell = on_full(m, f.stress.shell);
+  out.elastic = on_full(m, s.film.elastic);
+  out.growth = on_full(m, s.heat.growth);
+  if (!m.physics.film_energy || !s.heat.known()) return out;
+  out.s = m.gl.s;
+  out.T = nodes_on_full(m, s.film.columns.T);
+  Field mean(m.scene.grid.cells(), 0.0);
+  for (std::size_t c = 0; c < mean.size(); ++c) {
+    for (int k = 0; k < m.gl.n; ++k) mean[c] += m.gl.w[k] * s.film.columns.T[c * m.gl.n + k];
+  }
+  out.T_mean = on_full(m, mean);
+  out.T_shell_surface = on_full(m, s.heat.solids.shell.surface);
+  out.T_shell_back = on_full(m, s.heat.solids.shell.back);
+  Field shaft(m.scene.grid.cells());
+  for (int c = 0; c < m.scene.grid.cells(); ++c) {
+    shaft[c] = s.heat.solids.shaft.temperature[c % m.scene.grid.nz];
+  }
+  const Field full = on_full(m, shaft);
+  out.T_shaft.assign(full.begin(), full.begin() + out.grid.nz);
+  out.r = m.solids->section_radii();
+  out.T_solid = m.solids->section(s.heat.solids.shell);
+  return out;
+}
+
+/// A gap that is closed has no flow: such a state has nothing to sum up.
+bool evaluated(const FilmEquilibrium& film) { return !film.flow.phi.empty(); }
+
+Quantities values_of(const Solution& s, Tier tier) {
+  Quantities q;
+  if (!evaluated(s.film)) return q;
+  add_mechanics(s, friction_of(s.model, s.film), q);
+  add_heat(s, q);
+  if (tier == Tier::isothermal) q.T_equivalent = s.T_film;
+  if (s.coefficients && s.coefficients->verdict.good()) add_coefficients(*s.coefficients, q);
+  return q;
+}
+
+}  // namespace
+
+std::vector<Quantity> quantities_of(const Solution& s, Tier tier) {
+  return listed(values_of(s, tier));
+}
+
+Result summarize(const Solution& s, Tier tier) {
+  const BearingModel& m = s.model;
+  Result r;
+  r.verdict = s.verdict;
+  r.tier = tier;
+  r.title = m.input.title;
+  r.warnings = m.input.warnings;
+  r.assumptions = m.input.assumptions;
+  r.grid = {m.scene.grid.nt, m.scene.grid.full_nz()};
+  r.history = s.history;
+  r.levels = s.levels;
+  r.cost = {s.wall_s,
+            m.solids ? m.solids->setup_seconds() : 0.0,
+            s.cost.factorizations,
+            s.cost.newton_iterations,
+            static_cast<int>(s.history.size()),
+            0.0};
+  if (!evaluated(s.film)) return r;  // stopped before the first evaluation was through
+  const Friction f = friction_of(m, s.film);
+  r.quantities = quantities_of(s, tier);
+  r.audit = audit_of(s, f);
+  r.effects = effects_of(s, f);
+  if (m.physics.film_energy && fluid::oil_flows(m.scene, s.film.flow).side_inflow > 0.0) {
+    r.assumptions.push_back("oil that comes in again at a side edge is as warm as the supply");
+  }
+  r.limiters = limiters_of(s);
+  r.coefficients = s.coefficients;
+  for (std::string& w : warnings_of(s)) r.warnings.push_back(std::move(w));
+  r.heat_roots = s.heat_roots;
+  r.fields = fields_of(s, f);
+  return r;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,114 @@
+#include "bearing/told_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/heat_endings.hpp"
+#include "bearing/told_temperature.hpp"
+#include "core/constants.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
+  const auto& range = s.model.oil.range;
+  const auto [low, high] = std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
+  if (*low < range.T_min || *high > range.T_max) {
+    warnings.push_back("film temperatures of " + told_temperature(*low) + " to " +
+                       told_temperature(*high) + " leave the oil's range of " +
+                       told_temperature(range.T_min) + " to " + told_temperature(range.T_max) +
+                       ": its viscosity is extrapolated");
+  }
+  constexpr double kUndershoot = 2.0;  // worth telling [K]
+  if (s.model.physics.film_energy && *low < coldest_around(s.model) - kUndershoot) {
+    warnings.push_back("the film temperature falls to " + told_temperature(*low) +
+                       " at one place, below everything around it: model.film_nodes does not "
+                       "resolve it there");
+  }
+  if (s.model.scene.rough.beyond_table) {
+    warnings.push_back(
+        "a roughness orientation lies outside the range 1/9 to 9 of the tabulated "
+        "flow factors: the end of the table is used");
+  }
+  if (largest(s.film.film.p) > range.p_max) {
+    warnings.push_back("film pressures leave the range in which the oil's pressure law is known");
+  }
+}
+
+/// Cells in which the contact law is asked for more than it was made for.
+long cells_beyond_contact_law(const Solution& s) {
+  if (!s.model.contact) return 0;
+  const auto& h = s.film.gap.cell;
+  return std::count_if(h.begin(), h.end(),
+                       [least = s.model.contact->least_gap()](double x) { return x < least; });
+}
+
+void add_contact_warning(const Solution& s, std::vector<std::string>& warnings) {
+  const long cells = cells_beyond_contact_law(s);
+  if (cells == 0) return;
+  warnings.push_back(fmt::format(
+      "the surfaces interpenetrate by up to {:.3g} um (at {}), {:.0f} times their summit "
+      "roughness, in "
+      "{} cells of the solved part: beyond {:.3g} um the whole surface would be in contact, and "
+      "the "
+      "contact law no longer describes it: contact pressure, friction and film are no prediction "
+      "there",
+      -s.film.least.h * 1e6, fluid::place_of(s.film.least),
+      -s.film.least.h / s.model.contact->sigma(), cells, -s.model.contact->least_gap() * 1e6));
+}
+
+void add_coefficient_warnings(const Coefficients& k, std::vector<std::string>& warnings) {
+  constexpr double kTelling = 0.05;  // from here on the share is above the accuracy aimed at [-]
+  if (!k.verdict.good()) {
+    warnings.push_back("stiffness and damping are not given: " + k.verdict.reason);
+  } else if (k.cavitated_share > kTelling) {
+    warnings.push_back(fmt::format(
+        "{:.0f} % of the damping comes from oil that comes and goes in the cavitated film: K and C "
+        "hold for motions much slower than the rotation, and are a rough guide at half its speed",
+        100.0 * k.cavitated_share));
+  }
+}
+
+/// Where the heat balance is met elsewhere too, the user must know which root this is.
+void add_other_roots(const Solution& s, std::vector<std::string>& warnings) {
+  if (s.heat_roots.size() < 2) return;
+  std::string all;
+  for (const HeatRoot& root : s.heat_roots) {
+    all += fmt::format("{}{:.1f} degC ({}{})", all.empty() ? "" : ", ", root.T - kZeroCelsius,
+                       root.stable() ? "stable" : "unstable",
+                       root.T == s.T_film ? ", this solution" : "");
+  }
+  warnings.push_back(fmt::format(
+      "the heat balance is met at {} temperatures: {}; given is the lowest stable one, to which "
+      "the "
+      "bearing comes from cold; once warmer than an unstable one it goes on to the next",
+      s.heat_roots.size(), all));
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const Solution& s) {
+  std::vector<std::string> warnings;
+  if (s.coefficients) add_coefficient_warnings(*s.coefficients, warnings);
+  add_range_warnings(s, warnings);
+  add_contact_warning(s, warnings);
+  add_other_roots(s, warnings);
+  return warnings;
+}
+
+std::vector<LimiterCount> limiters_of(const Solution& s) {
+  std::vector<LimiterCount> out;
+  const auto add = [&](const std::string& what, long count) {
+    if (count > 0) out.push_back({what, count});
+  };
+  add("Newton steps taken back", s.cost.rejected_steps);
+  add("film nodes with flow against the rotation", s.heat.backflow_nodes);
+  add("film columns with upwind fluxes across the film", s.heat.blended_columns);
+  add("cells pressed beyond the range of the contact law", cells_beyond_contact_law(s));
+  return out;
+}
+
+}  // namespace shellback::bearing

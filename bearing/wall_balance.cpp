@@ -1,0 +1,163 @@
+#include "bearing/wall_balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/fixed_point.hpp"
+#include "core/constants.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+
+WallBalance::WallBalance(Solution& s, int sweeps, const HeatStep* step)
+    : s_(s), sweeps_(sweeps), step_(step) {}
+
+thermal::FilmEnergyProblem WallBalance::problem(const Friction& friction) const {
+  std::optional<thermal::FilmStorage> storage;
+  if (step_) {
+    const FilmGrid& g = s_.model.scene.grid;
+    Field mass = fluid::oil_content(s_.model.scene, s_.film.gap, s_.film.oil, s_.film.film);
+    for (int c = 0; c < g.cells(); ++c) mass[c] *= g.area(c / g.nz, c % g.nz);
+    storage = thermal::FilmStorage{step_->dt, mass, mass, step_->enthalpy_before};
+  }
+  return film_energy_problem(s_.model, s_.film, friction, std::move(storage));
+}
+
+void WallBalance::read_from_film() {
+  const FilmGrid& g = s_.model.scene.grid;
+  const auto& T = s_.film.columns.T;
+  const int n = s_.model.gl.n;
+  for (int c = 0; c < g.cells(); ++c) {
+    if (s_.model.scene.supply.cell[c] < 0) s_.heat.T_shell[c] = T[c * n];
+  }
+  for (int j = 0; j < g.nz; ++j) {
+    double sum = 0.0;
+    int count = 0;
+    for (int i = 0; i < g.nt; ++i) {
+      const int c = g.index(i, j);
+      if (s_.model.scene.supply.cell[c] >= 0) continue;
+      sum += T[c * n + n - 1];
+      ++count;
+    }
+    if (count > 0) s_.heat.T_shaft[j] = sum / count;
+  }
+}
+
+void WallBalance::begin(const Friction& friction, int iteration) {
+  constexpr int kLaps = 3;   // sweeps for the film's response to its walls
+  constexpr int kAgain = 4;  // iteration that measures it again; till then that of a coarser grid
+  energy_.emplace(problem(friction));
+  for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
+  if (!(s_.heat.response.shell_local > 0.0) || iteration == kAgain) {
+    s_.heat.response = energy_->wall_response(kLaps);
+  }
+}
+
+void WallBalance::balance_roughly(double tolerance) {
+  constexpr double kWallPart = 0.1;
+  constexpr int kWallRounds = 6;
+  const double change = round();
+  const double enough = kWallPart * std::max(change, tolerance);
+  if (change > enough) balance(enough, kWallRounds);
+  for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
+}
+
+void WallBalance::deform() {
+  warm_the_walls({true, false});
+  take_wall_temperatures();
+  if (!s_.heat.growth.empty()) s_.heat.growth = s_.heat.solids.growth;
+}
+
+void WallBalance::impose_walls() {
+  const FilmGrid& g = s_.model.scene.grid;
+  const int n = s_.model.gl.n;
+  for (int c = 0; c < g.cells(); ++c) {
+    if (s_.model.scene.supply.cell[c] >= 0) continue;
+    s_.film.columns.T[c * n] = s_.heat.T_shell[c];
+    s_.film.columns.T[c * n + n - 1] = s_.heat.T_shaft[c % g.nz];
+  }
+}
+
+void WallBalance::warm_the_walls(Solids::Wanted wanted) {
+  const FilmGrid& g = s_.model.scene.grid;
+  const thermal::WallHeat walls = energy_->wall_heat(s_.film.columns.T);
+  const ContactHeat rubbed = contact_heat(s_.model, s_.film);
+  WallFlux q{walls.shell, std::vector<double>(g.nz, 0.0), s_.heat.response};
+  s_.heat.contact_heat = 0.0;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int c = g.index(i, j);
+      q.shell[c] = q.shell[c] / g.area(i, j) + rubbed.shell[c];
+      q.shaft[j] += (walls.shaft[c] / g.area(i, j) + rubbed.shaft[c]) * g.dphi[i] / (2.0 * kPi);
+      s_.heat.contact_heat += g.multiplicity() * g.area(i, j) * (rubbed.shell[c] + rubbed.shaft[c]);
+    }
+  }
+  s_.heat.solids =
+      s_.model.solids->answer(q, s_.heat.T_shell, s_.heat.T_shaft, wanted, solid_step());
+}
+
+double WallBalance::take_wall_temperatures() {
+  HeatState& h = s_.heat;
+  const double change = larger(largest_difference(h.solids.shell.surface, h.T_shell),
+                               largest_difference(h.solids.shaft.temperature, h.T_shaft));
+  h.T_shell = h.solids.shell.surface;
+  h.T_shaft = h.solids.shaft.temperature;
+  impose_walls();
+  return change;
+}
+
+double WallBalance::round() {
+  for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
+  warm_the_walls({false, false});
+  return take_wall_temperatures();
+}
+
+double WallBalance::balance(double enough, int rounds) {
+  constexpr int kDepth = 12;
+  const auto cells = static_cast<std::ptrdiff_t>(s_.heat.T_shell.size());
+  double least = INFINITY;  // of the best round: the walls are left as they were there
+  std::vector<double> best_T = s_.film.columns.T;
+  HeatState best = s_.heat;
+  const auto map = [&](const std::vector<double>& x, std::vector<double>& g) {
+    std::copy_n(x.begin(), cells, s_.heat.T_shell.begin());
+    std::copy(x.begin() + cells, x.end(), s_.heat.T_shaft.begin());
+    impose_walls();
+    const double change = round();
+    if (change < least) {
+      least = change;
+      best_T = s_.film.columns.T;
+      best = s_.heat;
+    }
+    g = s_.heat.T_shell;
+    g.insert(g.end(), s_.heat.T_shaft.begin(), s_.heat.T_shaft.end());
+    return true;
+  };
+  std::vector<double> x = s_.heat.T_shell;
+  x.insert(x.end(), s_.heat.T_shaft.begin(), s_.heat.T_shaft.end());
+  if (fixed_point(map, {kDepth, 1, rounds, enough}, x) != FixedPointEnd::converged) {
+    s_.film.columns.T = best_T;
+    s_.heat = best;
+  }
+  return least;
+}
+
+double WallBalance::finish(const Friction& friction, bool close) {
+  constexpr int kMostSweeps = 400;
+  constexpr int kMostRounds = 60;
+  constexpr double kWalls = 1e-7;           // change per round that leaves their heat balanced [K]
+  constexpr double kSettled = 1e-9;         // change per sweep, balance near round-off [K]
+  constexpr double kRoughlySettled = 1e-3;  // the same where the balance need not close [K]
+  energy_.emplace(problem(friction));
+  const double change = close ? balance(kWalls, kMostRounds) : 0.0;
+  for (int k = 0; k < kMostSweeps; ++k) {
+    if (energy_->sweep(s_.film.columns.T) < (close ? kSettled : kRoughlySettled)) break;
+  }
+  warm_the_walls({true, true});
+  s_.heat.balance = energy_->balance(s_.film.columns.T);
+  s_.heat.T_mix = energy_->mix_temperatures();
+  s_.heat.backflow_nodes = energy_->backflow_nodes();
+  s_.heat.blended_columns = energy_->blended_columns();
+  return change;
+}
+
+}  // namespace shellback::bearing

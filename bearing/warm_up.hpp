@@ -1,0 +1,33 @@
+#pragma once
+/// A bearing from one temperature everywhere to its steady state, in time.
+///
+/// Shell, housing and shaft start at a given temperature while oil, speed and load are those of the
+/// case at once. Clearance, film and friction follow the walls (heat_march.hpp). Where the surfaces
+/// seize on the way the time is told. At each instant
+///   heat in (friction, pump) = heat out (oil, back, ends, overhangs) + heat stored      [W]
+/// with what is stored in the film's oil, shell, housing and shaft.
+#include <functional>
+
+#include "bearing/heat_march.hpp"
+
+namespace shellback::bearing {
+
+struct WarmUpOptions {
+  double T_start = 293.15;                               ///< of shell, housing and shaft [K]
+  double end = std::numeric_limits<double>::infinity();  ///< [s]; infinity: until at rest
+  double error = 0.2;  ///< of the wall temperatures in one step [K]
+};
+
+struct WarmUp {
+  std::vector<Instant> instants;
+  MarchEnd end;       ///< not good: the last instant was the last that had a film
+  Solution solution;  ///< at the last instant
+  /// Largest |in - out - stored| over heat in of all instants [-].
+  [[nodiscard]] double imbalance() const;
+};
+
+/// Solves tier thd or tehd on the case's grid. Throws InputError for other tiers.
+[[nodiscard]] WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& options,
+                             const SolveControl& control = {});
+
+}  // namespace shellback::bearing

@@ -1,0 +1,200 @@
+#include "bearing/columns.hpp"
+
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "rheology/shear.hpp"
+#include "rheology/viscosity.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using shellback::bearing::tests::random_field;
+using shellback::bearing::tests::rig_case;
+
+namespace {
+
+/// A few columns of given gap, gradients and temperatures.
+struct Scene {
+  rheology::Oil oil;
+  GaussLobatto gl;
+  double speed = 8.0;  // [m/s]
+  Field h, gx, gz;
+  fluid::FilmState film;
+  OilColumns columns;
+  fluid::FilmCoefficients out;
+
+  Scene(int cells, int n) : gl(gauss_lobatto(n)), columns(uniform_columns(cells, n, 373.15)) {
+    h = random_field(cells, 1, 1e-6, 20e-6);
+    gx = random_field(cells, 2, -1e10, 1e10);
+    gz = random_field(cells, 3, -1e10, 1e10);
+    film.p = random_field(cells, 4, 0.0, 8e7);
+    film.theta.assign(cells, 1.0);
+    film.full.assign(cells, 1);
+  }
+  void set_T(const std::function<double(double)>& profile) {
+    for (std::size_t k = 0; k < columns.T.size(); ++k) columns.T[k] = profile(gl.s[k % gl.n]);
+  }
+  void update(double tolerance = 1e-13) {
+    update_columns(oil, gl, speed, h, film, gx, gz, tolerance, columns, out);
+  }
+  [[nodiscard]] double stress(std::size_t cell, int k) const {
+    const double arm = h[cell] * (gl.s[k] - columns.centre[cell]);
+    return std::hypot(gx[cell] * arm + speed / (h[cell] * columns.g0[cell]), gz[cell] * arm);
+  }
+};
+
+/// Integral over [0, 1] by Simpson's rule.
+double integral(const std::function<double(double)>& f) {
+  constexpr int kHalf = 2000;
+  double sum = f(0.0) + f(1.0);
+  for (int k = 1; k < 2 * kHalf; ++k) sum += (k % 2 ? 4.0 : 2.0) * f(k / (2.0 * kHalf));
+  return sum / (6.0 * kHalf);
+}
+
+}  // namespace
+
+TEST_CASE("UniformOilHasTheTextbookFluidity", "[columns]") {
+  Scene s(4, 5);
+  s.oil.temperature = rheology::ConstantViscosity{0.012};
+  s.update();
+  for (int c = 0; c < 4; ++c) {  // round-off
+    CHECK(s.out.fluidity[c] * 12.0 * 0.012 == Approx(1.0).epsilon(1e-14));
+    CHECK(std::abs(s.columns.centre[c] - 0.5) < 1e-15);
+    CHECK(std::abs(s.out.chi[c] - 0.5) < 1e-15);
+    CHECK(s.columns.g0[c] * 0.012 == Approx(1.0).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("LinearFluidityGivesThePolynomialIntegrals", "[columns]") {
+  // f = f0 (1 + a s), 1/eta in the Reynolds slope: T - at = ln(1 + a s)/beta
+  const double a = 4.0;
+  for (const int n : {4, 5, 9}) {  // f (s - centre)^2 is of degree 3
+    Scene s(1, n);
+    s.oil.temperature = rheology::ReynoldsSlope{0.02, 350.0, 0.04};
+    s.set_T([a](double y) { return 350.0 + std::log1p(a * y) / 0.04; });
+    s.update();
+    const double g0 = 1.0 + a / 2.0;
+    const double centre = (0.5 + a / 3.0) / g0;
+    const double g = (1.0 / 3.0 + a / 4.0) - centre * centre * g0;
+    CHECK(s.columns.g0[0] * 0.02 == Approx(g0).epsilon(1e-13));
+    CHECK(s.columns.centre[0] == Approx(centre).epsilon(1e-13));
+    CHECK(s.out.fluidity[0] * 0.02 == Approx(g).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("ExponentialFluidityConvergesToTheClosedForm", "[columns]") {
+  const double a = 2.0;  // ln of the viscosity ratio over the film
+  const double g0 = std::expm1(a) / a;
+  const double g1 = (std::exp(a) - g0) / a;
+  const double g2 = (std::exp(a) - 2.0 * g1) / a;
+  double before = INFINITY;
+  for (const int n : {4, 6, 8}) {
+    Scene s(1, n);
+    s.oil.temperature = rheology::ReynoldsSlope{0.02, 350.0, 0.04};
+    s.set_T([a](double y) { return 350.0 + a * y / 0.04; });
+    s.update();
+    const double error = std::abs(s.columns.centre[0] - g1 / g0) +
+                         std::abs(s.out.fluidity[0] * 0.02 - (g2 - g1 * g1 / g0));
+    CHECK(error < 2e-3 * before);  // quadrature of degree 2n - 3: factorial convergence
+    before = error;
+  }
+  CHECK(before < 1e-9);
+}
+
+TEST_CASE("ThinningOilObeysItsLawAndSticksToTheJournal", "[columns]") {
+  Scene s(40, 9);
+  s.oil = rig_case().oil;
+  s.set_T([](double y) { return 360.0 + 40.0 * y * (1.5 - y); });
+  s.update();
+  CHECK(s.columns.mismatch < 1e-12);
+  bool thinned = false;
+  for (std::size_t c = 0; c < 40; ++c) {
+    double u = 0.0;
+    double w = 0.0;
+    for (int k = 0; k < 9; ++k) {
+      const std::size_t at = c * 9 + k;
+      const double low = rheology::viscosity(s.oil, s.columns.T[at], s.film.p[c]);
+      const double f =
+          rheology::shear_factor(s.oil.shear, s.stress(c, k) / s.columns.eta[at]).value;
+      CHECK(std::abs(s.columns.eta[at] / (low * f) - 1.0) < 1e-10);  // slope times mismatch
+      thinned = thinned || f < 0.8;
+      const double arm = s.h[c] * (s.gl.s[k] - s.columns.centre[c]);
+      const double tau_x = s.gx[c] * arm + s.speed / (s.h[c] * s.columns.g0[c]);
+      u += s.gl.w[k] * s.h[c] * tau_x / s.columns.eta[at];
+      w += s.gl.w[k] * s.h[c] * s.gz[c] * arm / s.columns.eta[at];
+    }
+    CHECK(u == Approx(s.speed).epsilon(1e-11));  // int tau_x/eta dy = U
+    CHECK(std::abs(w) < 1e-8);                   // no axial slip; of some 100 m/s of integrand
+  }
+  CHECK(thinned);
+}
+
+TEST_CASE("DissipationIsStressTimesRate", "[columns]") {
+  Scene s(10, 7);
+  s.oil.temperature = rheology::ReynoldsSlope{0.01, 350.0, 0.04};
+  s.set_T([](double y) { return 350.0 + 20.0 * y; });
+  s.update();
+  const auto phi = dissipation(s.gl, s.speed, s.h, s.gx, s.gz, s.columns);
+  for (std::size_t c = 0; c < 10; ++c) {
+    double sum = 0.0;
+    for (int k = 0; k < 7; ++k) sum += s.gl.w[k] * s.h[c] * phi[c * 7 + k];
+    // Power per area: U tau_j less the work of the pressure gradient on the Couette flow, that is
+    // U^2/(h g0) + (p_x^2 + p_z^2) h^3 g
+    const double exact =
+        s.speed * s.speed / (s.h[c] * s.columns.g0[c]) +
+        (s.gx[c] * s.gx[c] + s.gz[c] * s.gz[c]) * std::pow(s.h[c], 3) * s.out.fluidity[c];
+    CHECK(sum == Approx(exact).epsilon(1e-12));  // the same quadrature: round-off
+  }
+}
+
+TEST_CASE("VelocityProfilesHaveUnitMeanAndTheFilmsShape", "[columns]") {
+  Scene s(1, 12);
+  s.oil.temperature = rheology::ReynoldsSlope{0.02, 350.0, 0.04};
+  s.set_T([](double y) { return 350.0 + 30.0 * y * y; });
+  s.update();
+  const VelocityProfiles v = velocity_profiles(s.gl, s.columns);
+  const auto f = [](double y) { return std::exp(0.04 * 30.0 * y * y); };
+  const auto upto = [&](double top, const std::function<double(double)>& g) {
+    return top * integral([&](double x) { return g(top * x); });
+  };
+  const double centre = integral([&](double y) { return y * f(y); }) / integral(f);
+  const auto couette = [&](double y) { return upto(y, f); };
+  const auto poiseuille = [&](double y) {
+    return upto(y, [&](double x) { return (centre - x) * f(x); });
+  };
+  const double couette_mean = integral([&](double y) { return (1.0 - y) * f(y); });
+  const double poiseuille_mean =
+      integral([&](double y) { return (1.0 - y) * (centre - y) * f(y); });
+  double means[2] = {};
+  for (int k = 0; k < 12; ++k) {
+    CHECK(std::abs(v.couette[k] - couette(s.gl.s[k]) / couette_mean) < 1e-7);  // 12 nodes
+    CHECK(std::abs(v.poiseuille[k] - poiseuille(s.gl.s[k]) / poiseuille_mean) < 1e-7);
+    means[0] += s.gl.w[k] * v.couette[k];
+    means[1] += s.gl.w[k] * v.poiseuille[k];
+  }
+  CHECK(means[0] == Approx(1.0).epsilon(1e-14));
+  CHECK(means[1] == Approx(1.0).epsilon(1e-14));
+  CHECK(std::abs(v.poiseuille[0]) < 1e-14);
+  CHECK(std::abs(v.poiseuille[11]) < 1e-13);
+}
+
+TEST_CASE("NodeFlowsAddUpToTheFaceFlows", "[columns]") {
+  const Solution s = solve_tier(tests::grooved_case(), Tier::thd);
+  REQUIRE(s.verdict.good());
+  const auto p = film_energy_problem(s.model, s.film, friction_of(s.model, s.film));
+  const int n = s.model.gl.n;
+  const double scale = fluid::flow_scale(s.model.scene, s.film.flow);
+  const auto check = [&](const std::vector<fluid::FaceFlow>& faces,
+                         const std::vector<double>& nodes) {
+    double worst = 0.0;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      double sum = 0.0;
+      for (int k = 0; k < n; ++k) sum += s.model.gl.w[k] * nodes[f * n + k];
+      worst = std::max(worst, std::abs(sum - faces[f].m));
+    }
+    CHECK(worst < 1e-13 * scale);  // profiles of unit mean: round-off
+  };
+  check(s.film.flow.phi, p.phi_flow);
+  check(s.film.flow.z, p.z_flow);
+}

@@ -1,0 +1,79 @@
+/// Isothermal film at an equivalent temperature against the full solution.
+#include "bearing/compare.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+double sum_of_steps(const FrictionSplit& split) {
+  double sum = 0.0;
+  for (const FrictionStep& step : split.steps) sum += step.change;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("EquivalentTemperatureFollowsItsRule", "[compare]") {
+  Case c = warm_case();
+  CHECK(equivalent_temperature(c) == 313.15);  // that of the oil
+  c.oil_temperature.reset();
+  CHECK(equivalent_temperature(c) == c.supplies[0].temperature);
+  c.supplies[0].temperature = 320.0;
+  c.shell->back = PrescribedBack{350.0};
+  CHECK(equivalent_temperature(c) == Approx(350.0).epsilon(1e-15));  // kappa = 1: the shell back
+  c.measured.shell_back_temperature = 360.0;                         // measured goes before imposed
+  for (const double kappa : {0.0, 0.4, 1.0, 1.3}) {
+    c.model.kappa = kappa;
+    CHECK(equivalent_temperature(c) == Approx(320.0 + kappa * 40.0).epsilon(1e-15));
+  }
+  c.oil_temperature = 300.0;  // the measured shell back decides
+  CHECK(equivalent_temperature(c) == Approx(320.0 + 1.3 * 40.0).epsilon(1e-15));
+  CHECK(solve_tier(c, Tier::isothermal).T_film == equivalent_temperature(c));
+}
+
+TEST_CASE("FrictionStepsAddUpToTheDifference", "[compare]") {
+  for (const Case& c : {warm_case(), rig_case(), grooved_case()}) {
+    for (const Tier tier : {Tier::thd, Tier::tehd}) {
+      INFO(c.title << ' ' << to_string(tier));
+      const Comparison both = compare(c, {Tier::isothermal, tier});
+      REQUIRE(both.results.size() == 2);
+      REQUIRE(both.split.steps.size() == 5);
+      const double difference = both.split.to - both.split.from;
+      CHECK(std::abs(sum_of_steps(both.split) - difference) < 1e-14 * both.split.to);
+      CHECK(both.split.from == both.results[0].value("friction_torque"));
+      CHECK(both.split.to == both.results[1].value("friction_torque"));
+    }
+  }
+}
+
+TEST_CASE("RigidColdComparisonBlamesTemperatureAlone", "[compare]") {
+  const Comparison both = compare(grooved_case(), {Tier::isothermal, Tier::thd});
+  REQUIRE(both.split.steps.size() == 5);
+  CHECK(both.split.steps[2].change == 0.0);  // clearance: tier thd has no growth
+  // elasticity: only what is left of the fixed point, 1e-3 K at beta = 0.034 1/K
+  CHECK(std::abs(both.split.steps[3].change) < 1e-4 * both.split.to);
+  CHECK(both.split.steps[4].change == 0.0);  // no asperities
+}
+
+TEST_CASE("CalibratedTemperatureReproducesTheFullTorque", "[compare]") {
+  for (const Case& c : {warm_case(), rig_case(), grooved_case()}) {
+    const Comparison both = compare(c, {Tier::isothermal, Tier::tehd});
+    INFO(c.title << " at " << both.T_calibrated << " K");
+    REQUIRE(std::isfinite(both.T_calibrated));
+    const double torque = torque_of(solve_isothermal_at(c, both.T_calibrated));
+    CHECK(torque == Approx(both.split.to).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("OneTierAloneIsNotSplit", "[compare]") {
+  const Comparison one = compare(warm_case(), {Tier::thd, Tier::lumped});
+  CHECK(one.results.size() == 2);
+  CHECK(one.split.steps.empty());
+  CHECK(std::isnan(one.T_calibrated));
+}

@@ -1,0 +1,128 @@
+/// Elastic shell and shaft under film and contact pressure, isothermal.
+#include <catch2/catch.hpp>
+
+#include "bearing/solids.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+Case elastic_rig(double load) {
+  Case c = rig_case();
+  c.model.switches.elastic_deformation = true;
+  set_load(c, load);
+  return c;
+}
+
+void stiffen(Case& c, double factor) {
+  for (ShellLayer& layer : c.shell->layers) layer.material.youngs_modulus *= factor;
+  c.shell->housing->material.youngs_modulus *= factor;
+  c.shaft->material.youngs_modulus *= factor;
+}
+
+}  // namespace
+
+TEST_CASE("DisplacementIsThatOfTheFinalPressure", "[elastic]") {
+  for (const double load : {1e3, 8e3, 25e3}) {
+    for (const bool smooth : {false, true}) {
+      Case c = elastic_rig(load);
+      if (smooth) c.surfaces = {};
+      INFO("load " << load << (smooth ? " N, smooth" : " N, rough"));
+      const Solution s = solve_tier(c, Tier::isothermal);
+      REQUIRE(s.verdict.good());
+      Field total = s.film.film.p;
+      for (std::size_t k = 0; k < total.size(); ++k) total[k] += s.film.p_contact[k];
+      const double gap = s.film.least.h + s.model.scene.rough.sigma;
+      CHECK(largest_difference(s.model.solids->compliance(total), s.film.elastic) < 1e-8 * gap);
+      CHECK(std::abs(s.film.force[1] / load - 1.0) < 1e-9);
+      CHECK(largest(s.film.elastic) > 0.1 * s.film.least.h);  // it does give way
+    }
+  }
+}
+
+TEST_CASE("StiffBearingTendsToTheRigidOne", "[elastic]") {
+  Case c = elastic_rig(6e3);
+  c.model.switches.pressure_dependence = false;
+  Case rigid = c;
+  rigid.model.switches.elastic_deformation = false;
+  const Solution limit = solve_tier(rigid, Tier::isothermal);
+  double before = 0.0;
+  for (const double factor : {1e3, 1e4}) {
+    Case stiff = c;
+    stiffen(stiff, factor);
+    const Solution s = solve_tier(stiff, Tier::isothermal);
+    REQUIRE(s.verdict.good());
+    const double off = std::abs(torque_of(s) / torque_of(limit) - 1.0);
+    CHECK(off < 10.0 / factor);
+    CHECK(largest_difference(s.film.gap.cell, limit.film.gap.cell) <
+          10.0 * limit.film.least.h / factor);
+    if (before > 0.0) CHECK(off < 0.2 * before);  // falls as the compliance does
+    before = off;
+  }
+}
+
+TEST_CASE("ElasticBearingCarriesWhatARigidBarusFilmCannot", "[elastic]") {
+  const Case c = elastic_rig(80e3);
+  const Solution elastic = solve_tier(c, Tier::isothermal);
+  CHECK(elastic.verdict.good());
+  CHECK(std::abs(elastic.film.force[1] / 80e3 - 1.0) < 1e-9);
+
+  Case rigid = c;
+  rigid.model.switches.elastic_deformation = false;
+  rigid.surfaces = {};  // contact would carry the rest
+  const Solution refused = solve_tier(rigid, Tier::isothermal);
+  CHECK(refused.verdict.status == Status::no_steady_state);
+  CHECK(refused.verdict.reason.find("cannot carry 8e+04 N") != std::string::npos);
+  CHECK_FALSE(refused.verdict.place.empty());
+  CHECK_FALSE(refused.verdict.cure.empty());
+
+  rigid.model.switches.pressure_dependence = false;
+  const Solution isoviscous = solve_tier(rigid, Tier::isothermal);
+  CHECK(isoviscous.verdict.good());
+  CHECK(std::abs(isoviscous.film.force[1] / 80e3 - 1.0) < 1e-9);
+}
+
+TEST_CASE("ComplianceIsSymmetricAndPositive", "[elastic]") {
+  for (const bool half : {true, false}) {
+    Case c = elastic_rig(8e3);
+    c.model.grid = {48, 9};
+    if (!half) c.operation.alignment = TiltGiven{1e-6, 0.0};
+    const BearingModel m = make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid);
+    const FilmGrid& g = m.scene.grid;
+    REQUIRE(g.half == half);
+    const Field p = random_field(g.cells(), 1, 0.0, 1e7);
+    const Field q = random_field(g.cells(), 2, -1e7, 1e7);
+    const Field u = m.solids->compliance(p);
+    const Field v = m.solids->compliance(q);
+    double pv = 0.0;
+    double qu = 0.0;
+    double qv = 0.0;
+    for (int i = 0; i < g.nt; ++i) {
+      for (int j = 0; j < g.nz; ++j) {
+        const int k = g.index(i, j);
+        pv += g.area(i, j) * p[k] * v[k];
+        qu += g.area(i, j) * q[k] * u[k];
+        qv += g.area(i, j) * q[k] * v[k];
+      }
+    }
+    CHECK(qv > 0.0);                                 // work done on an elastic body
+    CHECK(std::abs(pv - qu) < 1e-8 * std::abs(qv));  // Betti; round-off of the stiffness matrices
+    CHECK(m.solids->winkler() > 0.0);
+  }
+}
+
+TEST_CASE("TiltedElasticJournalBalancesForceAndMoment", "[elastic]") {
+  Case c = elastic_rig(8e3);
+  c.model.grid = {60, 12};
+  c.operation.alignment = MomentGiven{4.0, 0.0};
+  const Solution s = solve_tier(c, Tier::isothermal);
+  INFO(s.verdict.reason);
+  REQUIRE(s.verdict.good());
+  const double unit = 8e3 * 0.5 * c.bearing.width;
+  CHECK(std::abs(s.film.force[2] + 4.0) < 1e-9 * unit);
+  CHECK(std::abs(s.film.force[3]) < 1e-9 * unit);
+  CHECK(std::abs(s.film.position.psi_x()) > 0.0);
+}

@@ -1,0 +1,196 @@
+/// Journal and film in balance: isothermal, rigid.
+#include <catch2/catch.hpp>
+
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+Solution isothermal(const Case& c) {
+  Solution s = solve_tier(c, Tier::isothermal);
+  INFO(s.verdict.reason);
+  REQUIRE(s.verdict.good());
+  return s;
+}
+
+/// Load control on what a given position carries; the distance between the two positions over c.
+double round_trip(Case c, double ratio, double attitude) {
+  place_journal(c, ratio, attitude);
+  const Solution there = isothermal(c);
+  const auto& F = there.film.force;
+  c.operation.position = LoadGiven{std::hypot(F[0], F[1]), std::atan2(-F[1], -F[0])};
+  const Solution back = isothermal(c);
+  return std::hypot(back.film.position.ex() - there.film.position.ex(),
+                    back.film.position.ey() - there.film.position.ey()) /
+         c.bearing.radial_clearance;
+}
+
+/// Everything turned about the bearing axis.
+Case turned(Case c, double angle) {
+  for (Supply& s : c.supplies) s.angle += angle;
+  std::get<LoadGiven>(c.operation.position).angle += angle;
+  return c;
+}
+
+/// Seen in a mirror on the Y axis.
+Case mirrored(Case c) {
+  c.operation.omega = -c.operation.omega;
+  for (Supply& s : c.supplies) s.angle = kPi - s.angle;
+  auto& load = std::get<LoadGiven>(c.operation.position);
+  load.angle = kPi - load.angle;
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("FilmForceBalancesTheLoad", "[equilibrium]") {
+  for (const double load : {5.0, 200.0, 2e3, 2e4, 1e5}) {
+    for (const double angle : {270.0, 200.0, 20.0}) {
+      INFO("load " << load << " N at " << angle << " deg");
+      Case c = plain_case();
+      c.supplies[0].pressure = 1e5;  // a line without pressure starves a film that narrows there
+      c.operation.position = LoadGiven{load, angle * kDegree};
+      const Solution s = isothermal(c);
+      CHECK(std::abs(s.film.force[0] + load * std::cos(angle * kDegree)) < 1e-9 * load);
+      CHECK(std::abs(s.film.force[1] + load * std::sin(angle * kDegree)) < 1e-9 * load);
+      CHECK(summarize(s, Tier::isothermal).audit.mass < 1e-10);
+    }
+  }
+}
+
+TEST_CASE("LoadControlReturnsToTheGivenPosition", "[equilibrium]") {
+  for (const double eps : {0.05, 0.2, 0.5, 0.8, 0.95, 0.99}) {
+    INFO("eccentricity ratio " << eps);
+    const double attitude = std::atan2(kPi * std::sqrt(1.0 - eps * eps), 4.0 * eps);  // Ocvirk
+    // load to 1e-9, stiffness of at least one load per clearance
+    CHECK(round_trip(plain_case(), eps, attitude) < 1e-8);
+  }
+}
+
+TEST_CASE("RoughJournalInContactReturnsToTheGivenPosition", "[equilibrium]") {
+  Case c = rig_case();
+  c.model.switches.pressure_dependence = false;  // a rigid Barus film ends long before contact
+  for (const double eps : {0.6, 0.9, 0.97, 0.99, 1.01}) {
+    INFO("eccentricity ratio " << eps);
+    CHECK(round_trip(c, eps, 20.0 * kDegree) < 1e-8);
+  }
+  place_journal(c, 0.99, 10.0 * kDegree);
+  CHECK(largest(isothermal(c).film.p_contact) > 1e5);  // there it is in contact
+}
+
+TEST_CASE("ReversedJournalIsTheMirrorImage", "[equilibrium]") {
+  for (const Case& c : {plain_case(), rig_case()}) {
+    const Solution a = isothermal(c);
+    const Solution b = isothermal(mirrored(c));
+    const double clearance = c.bearing.radial_clearance;
+    CHECK(std::abs(a.film.position.ex() + b.film.position.ex()) < 1e-8 * clearance);
+    CHECK(std::abs(a.film.position.ey() - b.film.position.ey()) < 1e-8 * clearance);
+    CHECK(std::abs(torque_of(a) / torque_of(b) + 1.0) < 1e-8);  // load tolerance 1e-9
+    const Result ra = summarize(a, Tier::isothermal);
+    const Result rb = summarize(b, Tier::isothermal);
+    CHECK(ra.value("power_loss") == Approx(rb.value("power_loss")).epsilon(1e-8));
+    CHECK(ra.value("attitude_angle") == Approx(rb.value("attitude_angle")).epsilon(1e-7));
+  }
+}
+
+TEST_CASE("TurningBearingAndLoadChangesNothing", "[equilibrium]") {
+  for (const Case& c : {plain_case(), rig_case()}) {
+    const Solution a = isothermal(c);
+    for (const double angle : {7.5, 90.0, 31.4, -100.3}) {  // faces follow the supply
+      INFO("turned by " << angle << " deg");
+      const Solution b = isothermal(turned(c, angle * kDegree));
+      CHECK(torque_of(b) == Approx(torque_of(a)).epsilon(1e-8));  // load tolerance 1e-9
+      CHECK(b.film.least.h == Approx(a.film.least.h).epsilon(1e-7));
+    }
+  }
+}
+
+TEST_CASE("TurningTheLoadOverTheGridCostsOnlyTheGridError", "[equilibrium]") {
+  Case c = plain_case();
+  c.supplies[0].arc = 2.0 * kPi;  // a groove all round: no angle is singled out
+  c.supplies[0].length = 2e-3;
+  c.supplies[0].pressure = 2e5;
+  c.model.grid = {96, 18};
+  const Solution a = isothermal(c);
+  for (const double part : {1.0, 0.3, 0.5}) {  // of a cell
+    const Solution b = isothermal([&] {
+      Case d = c;
+      d.operation.position = LoadGiven{2e3, 270.0 * kDegree + part * 2.0 * kPi / 96};
+      return d;
+    }());
+    const double slack = part == 1.0 ? 1e-7 : 2e-3;  // round-off; (2 pi/96)^2/2
+    CHECK(torque_of(b) == Approx(torque_of(a)).epsilon(slack));
+    CHECK(b.film.least.h == Approx(a.film.least.h).epsilon(slack));
+  }
+}
+
+TEST_CASE("HalfBearingIsTheWholeOne", "[equilibrium]") {
+  for (const int nz : {9, 10}) {
+    Case c = plain_case();
+    c.model.grid = {48, nz};
+    const Solution half = isothermal(c);
+    REQUIRE(half.model.scene.grid.half);
+    c.operation.alignment = MomentGiven{};  // free to tilt: solved over the whole width
+    const Solution whole = isothermal(c);
+    REQUIRE(!whole.model.scene.grid.half);
+    CHECK(std::abs(whole.film.position.psi_x()) * c.bearing.width <
+          1e-8 * c.bearing.radial_clearance);
+    CHECK(torque_of(half) == Approx(torque_of(whole)).epsilon(1e-8));  // load tolerance 1e-9
+    CHECK(half.film.least.h == Approx(whole.film.least.h).epsilon(1e-8));
+    CHECK(fluid::oil_flows(half.model.scene, half.film.flow).side ==
+          Approx(fluid::oil_flows(whole.model.scene, whole.film.flow).side).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("FreeJournalTiltsUntilNoMomentIsLeft", "[equilibrium]") {
+  Case c = plain_case();
+  c.supplies[0].arc = 30.0 * kDegree;
+  c.supplies[0].length = 8e-3;
+  c.supplies[0].z = 5e-3;
+  c.supplies[0].pressure = 5e5;
+  c.operation.alignment = MomentGiven{};
+  const Solution s = isothermal(c);
+  const double unit = 2e3 * 0.5 * c.bearing.width;
+  CHECK(std::abs(s.film.force[2]) < 1e-9 * unit);
+  CHECK(std::abs(s.film.force[3]) < 1e-9 * unit);
+  const double tilt = std::hypot(s.film.position.psi_x(), s.film.position.psi_y());
+  CHECK(tilt * c.bearing.width > 1e-3 * c.bearing.radial_clearance);
+  c.operation.alignment = TiltGiven{s.film.position.psi_x(), s.film.position.psi_y()};
+  const Solution again = isothermal(c);
+  CHECK(std::abs(again.film.force[2]) < 1e-7 * unit);
+  CHECK(std::abs(again.film.force[3]) < 1e-7 * unit);
+  c.operation.alignment = MomentGiven{0.5, -0.3};
+  const Solution pushed = isothermal(c);
+  CHECK(std::abs(pushed.film.force[2] + 0.5) < 1e-9 * unit);
+  CHECK(std::abs(pushed.film.force[3] - 0.3) < 1e-9 * unit);
+}
+
+TEST_CASE("FilmResistsTilting", "[equilibrium]") {
+  Case c = plain_case();
+  const double psi = 0.2 * c.bearing.radial_clearance / c.bearing.width;
+  c.operation.alignment = TiltGiven{psi, 0.0};
+  const Solution a = isothermal(c);
+  CHECK(a.film.position.psi_x() == psi);
+  CHECK(a.film.force[2] < 0.0);
+  c.operation.alignment = TiltGiven{-psi, 0.0};  // the other end of the bearing
+  const Solution b = isothermal(c);
+  CHECK(a.film.force[2] == Approx(-b.film.force[2]).epsilon(1e-7));
+  CHECK(torque_of(a) == Approx(torque_of(b)).epsilon(1e-8));
+}
+
+TEST_CASE("TorqueOnTheJournalIsThatOnTheShellAndOfThePressure", "[equilibrium]") {
+  for (Case c : {plain_case(), rig_case()}) {
+    double before = INFINITY;
+    for (const int nt : {50, 100, 200}) {
+      c.model.grid = {nt, 13};
+      const double moment = summarize(isothermal(c), Tier::isothermal).audit.moment;
+      INFO(c.title << " " << nt << " cells: " << moment);
+      CHECK(moment < 0.6 * before);
+      before = moment;
+    }
+    CHECK(before < 1e-3);
+  }
+}

@@ -1,0 +1,56 @@
+#include "bearing/fixed_point.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace shellback::bearing;
+
+namespace {
+
+/// x -> A x + b with one stiff direction: plain iteration diverges, eigenvalues 0.5 and -1.6.
+bool linear(const std::vector<double>& x, std::vector<double>& g) {
+  g = {0.5 * x[0] + 1.0, -1.6 * x[1] + 0.3 * x[0] + 2.0};
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("AccelerationFindsTheFixedPointOfADivergingMap", "[fixed_point]") {
+  std::vector<double> x{0.0, 0.0};
+  CHECK(fixed_point(linear, {3, 1, 50, 1e-10}, x) == FixedPointEnd::converged);
+  CHECK(x[0] == Approx(2.0).epsilon(1e-9));  // x = 0.5 x + 1
+  CHECK(x[1] == Approx(1.0).epsilon(1e-9));  // 2.6 x = 0.3 * 2 + 2
+}
+
+TEST_CASE("FixedPointOfACosineIsDotties", "[fixed_point]") {
+  std::vector<double> x{0.2};
+  const auto cosine = [](const std::vector<double>& a, std::vector<double>& g) {
+    g = {std::cos(a[0])};
+    return true;
+  };
+  CHECK(fixed_point(cosine, {1, 1, 50, 1e-12}, x) == FixedPointEnd::converged);
+  CHECK(std::abs(x[0] - std::cos(x[0])) < 1e-11);
+}
+
+TEST_CASE("FixedPointSaysHowItEnded", "[fixed_point]") {
+  std::vector<double> x{0.0, 0.0};
+  CHECK(fixed_point(linear, {3, 1, 2, 1e-10}, x) == FixedPointEnd::iteration_limit);
+  int calls = 0;
+  const auto fails = [&](const std::vector<double>& a, std::vector<double>& g) {
+    g = {0.5 * a[0] + 1.0, a[1]};
+    return ++calls < 3;
+  };
+  CHECK(fixed_point(fails, {3, 1, 50, 1e-10}, x) == FixedPointEnd::map_failed);
+  CHECK(calls == 3);
+}
+
+TEST_CASE("AMapWhoseChangesRepeatIsFollowedToItsFixedPoint", "[fixed_point]") {
+  // Steps of one length: the differences of the changes, which acceleration divides by, are zero.
+  std::vector<double> x{0.0, 0.0};
+  const auto map = [](const std::vector<double>& from, std::vector<double>& to) {
+    to = {std::min(from[0] + 1.0, 10.0), std::min(from[1] + 1.0, 10.0)};
+    return true;
+  };
+  CHECK(fixed_point(map, {}, x) == FixedPointEnd::converged);
+  CHECK(x[0] == Approx(10.0));
+}

@@ -1,0 +1,114 @@
+/// A case filled by hand is refused for the same reasons as one from a file.
+#include <catch2/catch.hpp>
+#include <limits>
+#include <set>
+
+#include "bearing/judge_case.hpp"
+#include "core/contract.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// Key of the first refusal after `change`; empty if there is none.
+template <class Change>
+Finding refusal(Case c, Change change) {
+  change(c);
+  for (const Finding& f : judge(c)) {
+    if (f.refused()) return f;
+  }
+  return {Gravity::unusual, "", "", ""};
+}
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+TEST_CASE("TheCasesOfTheTestsAreSolvable") {
+  for (const Case& c : {plain_case(), warm_case(), rig_case(), grooved_case()}) {
+    INFO(c.title);
+    CHECK_NOTHROW(expect_solvable(c));
+  }
+}
+
+TEST_CASE("AnEmptyCaseIsRefusedAtEachValueThatItLacks") {
+  std::set<std::string> keys;
+  for (const Finding& f : judge(Case{})) keys.insert(f.key);
+  for (const char* key : {"bearing.diameter", "bearing.width", "bearing.radial_clearance",
+                          "operation.load", "supply"}) {
+    INFO(key);
+    CHECK(keys.count(key) == 1);
+  }
+}
+
+TEST_CASE("AValueThatCannotBeComputedWithIsRefusedByItsKey") {
+  const Case c = rig_case();
+  const auto key = [&](auto change) { return refusal(c, change).key; };
+  CHECK(key([](Case& x) { x.bearing.radius = -x.bearing.radius; }) == "bearing.diameter");
+  CHECK(key([](Case& x) { x.bearing.width = kNan; }) == "bearing.width");
+  CHECK(key([](Case& x) { x.operation.omega = INFINITY; }) == "operation.speed");
+  CHECK(key([](Case& x) { set_load(x, 0.0); }) == "operation.load");
+  CHECK(key([](Case& x) { place_journal(x, 1.0, 0.5); }) == "operation.eccentricity_ratio");
+  CHECK(key([](Case& x) { x.supplies[0].temperature = 95.0; }) == "supply.0.temperature");
+  CHECK(key([](Case& x) { x.supplies[0].pressure = -2e5; }) == "supply.0.pressure");
+  CHECK(key([](Case& x) { x.supplies[0].diameter = 0.0; }) == "supply.0.diameter");
+  CHECK(key([](Case& x) { std::get<rheology::Cross>(x.oil.shear).r = 2.0; }) ==
+        "oil.viscosity.shear.r");
+  CHECK(key([](Case& x) { x.shell->layers.clear(); }) == "shell.layers");
+  CHECK(key([](Case& x) { x.shell->layers[1].material.poisson_ratio = 0.5; }) ==
+        "shell.layers.1.material.poisson_ratio");
+  CHECK(key([](Case& x) { x.surfaces.contact->friction = -0.1; }) == "surfaces.contact.friction");
+  CHECK(key([](Case& x) { x.model.grid = {100, 0}; }) == "model.grid");
+  CHECK(key([](Case& x) { x.model.film_nodes = 99; }) == "model.film_nodes");
+  CHECK(key([](Case& x) {
+          x.bearing.profile = Profile{{0.0, 1.0}, {0.0}, {1e-6}};
+        }) == "bearing.profile");
+  CHECK(key([](Case& x) {
+          x.bearing.profile = Profile{{1.0, 0.0}, {0.0}, {0.0, 0.0}};
+        }) == "bearing.profile");
+}
+
+TEST_CASE("GeometryThatCannotExistIsRefusedWithNumbersAndCure") {
+  const Finding f = refusal(plain_case(), [](Case& c) { c.bearing.radial_clearance = 0.03; });
+  CHECK(f.key == "bearing.radial_clearance");
+  CHECK(f.problem.find("1.2 of the radius (30 mm of 25 mm)") != std::string::npos);
+  CHECK(f.cure.find("diametral") != std::string::npos);
+  CHECK(refusal(rig_case(), [](Case& c) { c.supplies[0].diameter = 0.02; }).problem ==
+        "20 mm is more than the bearing's width of 17.2 mm");
+}
+
+TEST_CASE("WhatATierLacksIsRefusedInThatTierOnly") {
+  Case c = plain_case();
+  CHECK(judge(c, {Tier::isothermal}).empty());
+  const auto lack = lack_for(c, Tier::tehd);
+  REQUIRE(lack);
+  CHECK(lack->key == "shell");
+  CHECK(possible_tiers(c) == std::vector{Tier::isothermal, Tier::lumped});
+  CHECK(possible_tiers(rig_case()).size() == 4);
+  c.model.tier = Tier::thd;
+  CHECK_THROWS_WITH(expect_solvable(c), Catch::Contains("shell: the tier thd") &&
+                                            Catch::Contains("give its layers and back"));
+}
+
+TEST_CASE("PossibleButUnusualInputIsToldAndNotRefused") {
+  Case c = plain_case();
+  c.bearing.radial_clearance = 3e-6;
+  const auto findings = judge(c);
+  REQUIRE(findings.size() == 1);
+  CHECK_FALSE(findings[0].refused());
+  CHECK(findings[0].key == "bearing.radial_clearance");
+  CHECK_NOTHROW(expect_solvable(c));
+}
+
+TEST_CASE("AHoleIsJudgedByItsDiameterAlone") {
+  // Arc and length, which a reader fills in, are not asked of who fills a case by hand.
+  Case c = rig_case();
+  c.supplies.push_back(c.supplies[0]);
+  c.supplies[1].angle = c.supplies[0].angle - 2.0 * kPi;
+  const auto findings = judge(c);
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].problem == "it overlaps supply.0");
+}

@@ -1,0 +1,164 @@
+/// Rigid films that the joint Newton iteration does not find, or that do not exist.
+#include <catch2/catch.hpp>
+
+#include "bearing/follow.hpp"
+#include "bearing/newton.hpp"
+#include "bearing/pseudo_time.hpp"
+#include "bearing/solve_equilibrium.hpp"
+#include "solid/asperity_contact.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+Case barus_case(double force) {
+  Case c = plain_case();
+  c.oil.pressure = rheology::Barus{1.8e-8};
+  c.operation.position = LoadGiven{force, 270.0 * kDegree};
+  return c;
+}
+
+/// The force at which the refusal of a too large load says that the film ends [N].
+double limit_told(double force) {
+  const Solution s = solve_tier(barus_case(force), Tier::isothermal);
+  INFO(s.verdict.reason);
+  CHECK(s.verdict.status == Status::no_steady_state);
+  return std::hypot(s.film.force[0], s.film.force[1]);
+}
+
+}  // namespace
+
+TEST_CASE("ALimitLoadDoesNotDependOnTheLoadAskedFor", "[refusal]") {
+  const double limit = limit_told(80e3);
+  // the path's smallest step, and where on the way the film was looked for: some per cent
+  CHECK(limit_told(200e3) == Approx(limit).epsilon(0.05));
+  CHECK(limit_told(500e3) == Approx(limit).epsilon(0.05));
+  // and half of it is carried
+  CHECK(solve_tier(barus_case(0.5 * limit), Tier::isothermal).verdict.good());
+}
+
+TEST_CASE("ALightlyLoadedFilmIsFoundHoweverThickTheOil") {
+  for (const double eta : {0.1, 1.0, 10.0}) {
+    Case c = warm_case();
+    c.oil.temperature = rheology::ConstantViscosity{eta};
+    c.model.tier = Tier::isothermal;
+    const Solution s = solve_tier(c, Tier::isothermal);
+    INFO(eta << ": " << s.verdict.reason);
+    CHECK(s.verdict.good());
+  }
+}
+
+TEST_CASE("ThePathEndsInTheEquilibriumThatNewtonFinds") {
+  const Case c = plain_case();
+  const Solution usual = solve_tier(c, Tier::isothermal);
+  REQUIRE(usual.verdict.good());
+  Solution s = usual;
+  Part part(s, Raised::load);
+  part.take(0.05);
+  s.film = cold_start(s.model, 313.15);
+  REQUIRE(solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost).good());
+  part.take(1.0);
+  const Corrector correct = [](Solution& at, Accuracy) {
+    return newton(at.model, at.target, {}, {}, at.film, at.cost);
+  };
+  const Branch branch = follow_load(s, 0.05, correct, {});
+  REQUIRE(branch.end == BranchEnd::reached);
+  for (int k = 0; k < 2; ++k) {
+    CHECK(s.film.position.q[k] ==
+          Approx(usual.film.position.q[k]).margin(1e-7 * usual.model.clearance));
+  }
+}
+
+TEST_CASE("ThroughTimeThereIsTheEquilibriumThatNewtonFinds") {
+  for (const bool elastic : {false, true}) {
+    Case c = rig_case();
+    c.model.switches.elastic_deformation = elastic;
+    const Solution usual = solve_tier(c, Tier::isothermal);
+    REQUIRE(usual.verdict.good());
+    FilmEquilibrium s = cold_start(usual.model, usual.T_film);
+    s.position.q = {};
+    EquilibriumCost cost;
+    REQUIRE(march_to_steady(usual.model, usual.target, {}, {}, s, cost, nullptr).good());
+    for (int k = 0; k < 2; ++k) {
+      CHECK(s.position.q[k] ==
+            Approx(usual.film.position.q[k]).margin(1e-7 * usual.model.clearance));
+    }
+  }
+}
+
+TEST_CASE("AnInterruptedBranchIsNoSolution", "[refusal]") {
+  Solution s = solve_tier(plain_case(), Tier::isothermal);
+  REQUIRE(s.verdict.good());
+  std::atomic<bool> stop{false};
+  SolveControl control;
+  control.stop = &stop;
+  for (const Raised raised : {Raised::load, Raised::speed}) {
+    Part part(s, raised);
+    part.take(0.05);
+    REQUIRE(solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost).good());
+    part.take(1.0);
+    stop = false;
+    const Corrector correct = [&](Solution& at, Accuracy) {
+      stop = true;  // during the first step, which arrives
+      return newton(at.model, at.target, {}, {}, at.film, at.cost);
+    };
+    const Branch branch = raised == Raised::load ? follow_load(s, 0.05, correct, control)
+                                                 : follow_speed(s, 0.05, correct, control);
+    CHECK(branch.end == BranchEnd::interrupted);
+    CHECK(branch.last.status == Status::interrupted);
+  }
+}
+
+TEST_CASE("AJournalWithMassFollowsNewtonsLaw") {
+  // m (q - q_free)/dt^2 = F + W at the end of a step, whatever the mass; the film yields to a light
+  // journal and holds a heavy one nowhere but where it flies to.
+  const Case c = plain_case();
+  const Solution steady = solve_tier(c, Tier::isothermal);
+  REQUIRE(steady.verdict.good());
+  const double dt = 1e-4;                             // [s]
+  const std::array<double, 2> velocity{0.02, -0.03};  // [m/s]: 2 and 3 um in a step
+  double farther = INFINITY;
+  for (const double mass : {1e-3, 1.0, 1e3, 1e6}) {
+    BearingModel model = steady.model;
+    FilmEquilibrium s = steady.film;
+    REQUIRE(evaluate(model, {}, 1e-12, s));
+    model.scene.storage = {dt, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
+    LoadTarget target = steady.target;
+    target.inertia = Inertia{mass / (dt * dt), {}};
+    for (int k = 0; k < 2; ++k) target.inertia->free[k] = s.position.q[k] + dt * velocity[k];
+    EquilibriumCost cost;
+    const Verdict v = newton(model, target, {}, {}, s, cost);
+    INFO(mass << " kg: " << v.reason);
+    REQUIRE(v.good());
+    CHECK(cost.newton_iterations < 15);  // quadratic: a wrong sign of the mass in the border is not
+    double off = 0.0;
+    for (int k = 0; k < 2; ++k) {
+      const double load = -steady.target.force[k];
+      const double acceleration = (s.position.q[k] - target.inertia->free[k]) / (dt * dt);
+      CHECK(std::abs(mass * acceleration - (s.force[k] + load)) < 1e-8 * steady.target.scale());
+      off = std::max(off, std::abs(s.position.q[k] - target.inertia->free[k]));
+    }
+    CHECK(off < farther);
+    farther = off;
+  }
+  CHECK(farther < 1e-8);  // of 3 um: squeezed at 0.03 m/s the film pushes with some 1e5 N
+}
+
+TEST_CASE("SurfacesThatTouchAtTheStartAreNamedNotSummedUp", "[refusal]") {
+  Case c = plain_case();
+  c.operation.position = EccentricityGiven{0.9, 20.0 * kDegree, 270.0 * kDegree};
+  c.operation.alignment = TiltGiven{1e-3, 0.0};  // 12.5 um at the edge, 3 um are left
+  const Result r = solve(c);
+  CHECK(r.verdict.status == Status::no_steady_state);
+  CHECK(r.quantities.empty());
+}
+
+TEST_CASE("ContactOfAGapThatIsNoNumberIsNoNumber") {
+  const solid::RoughSurface shell{0.34e-6, 12, 0.28e-6, 0.39e-6};
+  const solid::AsperityContact contact(shell, shell, {0.001, 53.3e9, 0.02});
+  const double none = std::nan("");
+  CHECK(std::isnan(contact.at(none).p));
+}

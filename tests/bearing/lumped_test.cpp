@@ -1,0 +1,117 @@
+/// Heat balances of the whole bearing: every root is found, the lowest stable one is the solution.
+#include "bearing/lumped.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "rheology/heat.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// Temperature that the heat of the isothermal film at T would give the oil, minus T [K].
+double residual_at(const Case& c, double T) {
+  const Solution s = solve_isothermal_at(c, T);
+  INFO(s.verdict.reason);
+  REQUIRE(s.verdict.good());
+  const double T_supply = c.supplies[0].temperature;
+  const double power = std::abs(torque_of(s) * c.operation.omega) + pump_power(s.model, s.film);
+  const double flow = fluid::oil_flows(s.model.scene, s.film.flow).side;
+  return T_supply + power / (flow * rheology::heat_capacity(c.oil, 0.5 * (T + T_supply)).cp) - T;
+}
+
+/// A bearing whose cold oil would heat itself by more than 400 K, as thick oil at speed does.
+Case thick_case(double eta) {
+  Case c = warm_case();
+  c.oil.temperature = rheology::ReynoldsSlope{eta, 313.15, 0.05};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("OilThatWouldBoilWhileColdThinsUntilItsHeatLeaves", "[lumped]") {
+  // The first step of a secant from the supply's temperature leads 400 K and more beyond it here.
+  double before = 0.0;
+  for (const double eta : {0.3, 1.0, 3.0, 10.0}) {
+    const Case c = thick_case(eta);
+    INFO("eta " << eta);
+    CHECK(residual_at(c, c.supplies[0].temperature) > 400.0);
+    const Solution s = solve_tier(c, Tier::lumped);
+    INFO(s.verdict.reason);
+    REQUIRE(s.verdict.good());
+    REQUIRE(s.heat_roots.size() == 1);
+    CHECK(s.heat_roots.front().stable());
+    CHECK(s.heat_roots.front().T == s.T_film);
+    // The isothermal film there is solved to 1e-9 of its load.
+    CHECK(std::abs(residual_at(c, s.T_film)) < 1e-5);
+    CHECK(s.T_film > before);  // thicker oil ends hotter
+    before = s.T_film;
+  }
+}
+
+TEST_CASE("TheResidualOfARigidFilmFallsWithTemperature", "[lumped]") {
+  // At a given position pressure and friction go with the viscosity; flow by rotation does not
+  // depend on it and flow by supply pressure rises as it falls.
+  Case c = warm_case();
+  place_journal(c, 0.7, 0.6);
+  double before = INFINITY;
+  for (const double T : {313.15, 333.15, 363.15, 403.15, 453.15}) {
+    const double r = residual_at(c, T);
+    CHECK(r < before);
+    before = r;
+  }
+  CHECK(before < 0.0);
+  const Solution s = solve_tier(c, Tier::lumped);
+  REQUIRE(s.verdict.good());
+  CHECK(s.heat_roots.size() == 1);
+}
+
+TEST_CASE("ABalanceWithoutARootIsRefusedWithBothEnds", "[lumped]") {
+  Case c = plain_case();  // no heat capacity to speak of, and a viscosity that heat does not change
+  c.oil.heat_capacity = rheology::ConstantHeatCapacity{2.0};
+  const Solution s = solve_tier(c, Tier::lumped);
+  INFO(s.verdict.reason);
+  CHECK(s.verdict.status == Status::no_steady_state);
+  CHECK(s.verdict.reason.find("thermal runaway: from 40.0 to 440.0 degC") != std::string::npos);
+  CHECK(s.verdict.reason.find("more heat than its oil carries off") != std::string::npos);
+  CHECK(s.heat_roots.empty());
+  CHECK(s.T_film <= 313.15 + 400.0);
+}
+
+TEST_CASE("EveryRootIsToldAndTheLowestStableOneTaken", "[lumped]") {
+  Case c = warm_case();  // oil that thickens with heat: beyond a second, unstable root it runs away
+  c.oil.temperature = rheology::ReynoldsSlope{0.003, 313.15, -0.03};
+  place_journal(c, 0.6, 0.7);
+  const Solution s = solve_tier(c, Tier::lumped);
+  INFO(s.verdict.reason);
+  REQUIRE(s.verdict.good());
+  REQUIRE(s.heat_roots.size() == 2);
+  CHECK(s.heat_roots[0].stable());
+  CHECK_FALSE(s.heat_roots[1].stable());
+  CHECK(s.T_film == s.heat_roots[0].T);
+  for (const HeatRoot& root : s.heat_roots) CHECK(std::abs(residual_at(c, root.T)) < 1e-5);
+  CHECK(residual_at(c, s.heat_roots[1].T + 5.0) > 0.0);
+  const Result r = summarize(s, Tier::lumped);
+  CHECK(r.heat_roots.size() == 2);
+  CHECK(std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& w) {
+    return w.find("heat balance is met at 2 temperatures") != std::string::npos;
+  }));
+  CHECK(r.value("T_film_mean") == s.heat_roots[0].T);
+}
+
+TEST_CASE("AWarmStartFindsTheRootOfTheColdOne", "[lumped]") {
+  // From a neighbour far hotter and far cooler: the root is where the balance is, not near them.
+  const Solution cold = solve_tier(thick_case(1.0), Tier::lumped);
+  REQUIRE(cold.verdict.good());
+  for (const double eta : {0.01, 10.0}) {
+    const Solution near = solve_tier(thick_case(eta), Tier::lumped);
+    REQUIRE(near.verdict.good());
+    const Solution s = solve_tier_from(thick_case(1.0), Tier::lumped, near);
+    REQUIRE(s.verdict.good());
+    CHECK(s.T_film == Approx(cold.T_film).margin(1e-5));  // both settled to 1e-7 K
+  }
+}

@@ -1,0 +1,114 @@
+/// What is not a number ends a solve under its own name; a closed gap is told by the gap.
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "bearing/fixed_point.hpp"
+#include "bearing/solve_equilibrium.hpp"
+#include "fluid/reynolds.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// A solved film of the plain bearing, to be spoilt.
+Solution solved_film() {
+  Case c = plain_case();
+  c.oil.temperature = rheology::ReynoldsSlope{0.015, 313.15, 0.03};
+  Solution s = solve_tier(c, Tier::isothermal);
+  REQUIRE(s.verdict.good());
+  return s;
+}
+
+Verdict solved_again(Solution& s, const Field& growth) {
+  return solve_equilibrium(s.model, s.target, growth, {}, s.film, s.cost);
+}
+
+bool says(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("ANotANumberIsNamedByFieldAndPlaceNotAsPhysics", "[not_a_number]") {
+  struct Spoilt {
+    std::string name;
+    std::function<void(Solution&, Field&, int)> spoil;
+  };
+  const std::vector<Spoilt> ways{
+      {"film pressure", [](Solution& s, Field&, int c) { s.film.film.p[c] = NAN; }},
+      {"fill ratio", [](Solution& s, Field&, int c) { s.film.film.theta[c] = NAN; }},
+      {"film temperature",
+       [](Solution& s, Field&, int c) { s.film.columns.T[c * s.model.gl.n] = NAN; }},
+      {"thermal growth", [](Solution&, Field& growth, int c) { growth[c] = NAN; }}};
+  for (const Spoilt& way : ways) {
+    Solution s = solved_film();
+    const FilmGrid& g = s.model.scene.grid;
+    const int cell = g.index(17, 2);
+    Field growth(g.cells(), 0.0);
+    way.spoil(s, growth, cell);
+    const Verdict v = solved_again(s, growth);
+    INFO(v.reason);
+    CHECK(v.status == Status::invalid_number);
+    CHECK(v.reason == "not a number in " + way.name);
+    CHECK(v.place == fluid::place_of(g, cell));
+    CHECK(says(v.cure, "report it"));
+  }
+}
+
+TEST_CASE("AFilmWithoutPositionNamesItToo", "[not_a_number]") {
+  const Solution s = solved_film();
+  fluid::Gap gap = s.film.gap;
+  gap.cell[40] = NAN;
+  const fluid::OilLaw oil = [&](const fluid::FilmState&, fluid::FilmCoefficients& c) {
+    c = s.film.oil;
+    c.fluidity[40] = NAN;
+  };
+  const auto by_gap = fluid::solve_reynolds(s.model.scene, gap, {}, oil, s.film.film);
+  CHECK(by_gap.verdict.reason == "not a number in gap");  // the cause comes first
+  const auto by_oil = fluid::solve_reynolds(s.model.scene, s.film.gap, {}, oil, s.film.film);
+  CHECK(by_oil.verdict.status == Status::invalid_number);
+  CHECK(by_oil.verdict.reason == "not a number in viscosity");
+  CHECK(by_oil.verdict.place == fluid::place_of(s.model.scene.grid, 40));
+}
+
+TEST_CASE("AFixedPointThatHoldsANotANumberIsNotConverged", "[not_a_number]") {
+  std::vector<double> x{1.0, 2.0, 3.0};
+  const auto map = [](const std::vector<double>& from, std::vector<double>& to) {
+    to = from;
+    to[1] = NAN;
+    return true;
+  };
+  CHECK(fixed_point(map, {}, x) != FixedPointEnd::converged);
+}
+
+TEST_CASE("AClearanceClosedByGrowthIsToldByTheGap", "[closed_gap]") {
+  Solution s = solved_film();
+  const Field growth(s.model.scene.grid.cells(), -1.2 * s.model.clearance);
+  const Verdict v = solved_again(s, growth);
+  INFO(v.reason);
+  CHECK(v.status == Status::no_steady_state);
+  CHECK(says(v.reason, "clearance is used up by thermal growth"));
+  CHECK(says(v.reason, "thermal growth takes 36 um"));
+  CHECK(says(v.reason, "across the bearing 12 um are missing"));  // 2 (30 - 36) um
+  CHECK(says(v.place, "phi"));
+}
+
+TEST_CASE("GrowthThatClosesOneSideMovesAFreeJournal", "[closed_gap]") {
+  // More than half of the clearance is left and carries the load, only not where the journal was.
+  Solution s = solved_film();
+  const double before = s.film.least.h;
+  const Field growth(s.model.scene.grid.cells(), -1.01 * before);
+  REQUIRE(before < 0.5 * s.model.clearance);
+  const Verdict v = solved_again(s, growth);
+  INFO(v.reason);
+  CHECK(v.good());
+  CHECK(s.film.least.h > 0.0);
+  CHECK(std::hypot(s.film.force[0], s.film.force[1]) == Approx(s.target.scale()).epsilon(1e-8));
+  // With the position given there is nothing to move.
+  Solution held = solved_film();
+  held.target.unknowns = 0;
+  CHECK(solved_again(held, growth).status == Status::no_steady_state);
+}

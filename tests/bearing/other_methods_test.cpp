@@ -1,0 +1,194 @@
+// Methods that others use, on whole bearings: the same answer where the equations are the same,
+// the loss where they are not, and a name for each failure.
+#include <catch2/catch.hpp>
+
+#include "bearing/audit.hpp"
+#include "core/contract.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+#include "tests/observed_order.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+Solution solved(Case c, const Methods& methods) {
+  c.model.methods = methods;
+  return solve_tier(c, c.model.tier);
+}
+
+Case coarse(Case c) {
+  c.model.grid = {60, 9};
+  return c;
+}
+
+/// Both torques and smallest films agree to `tolerance`.
+void check_same(const Solution& a, const Solution& b, double tolerance) {
+  INFO(a.verdict.reason << " | " << b.verdict.reason);
+  REQUIRE(a.verdict.good());
+  REQUIRE(b.verdict.good());
+  CHECK(torque_of(b) == Approx(torque_of(a)).epsilon(tolerance));
+  CHECK(b.film.least.h == Approx(a.film.least.h).epsilon(tolerance));
+}
+
+Methods cavitation(CavitationMethod m) {
+  Methods methods;
+  methods.cavitation = m;
+  return methods;
+}
+
+Methods fixed_point(double relaxation = 0.0) {
+  Methods methods;
+  methods.elastic = ElasticMethod::fixed_point;
+  methods.relaxation = relaxation;
+  return methods;
+}
+
+}  // namespace
+
+TEST_CASE("TheMethodAskedForIsTheOneThatRuns") {
+  // On every grid of the sequence and under heat, not on the first grid alone.
+  for (const Tier tier : {Tier::isothermal, Tier::thd}) {
+    Case c = warm_case();
+    c.model.tier = tier;
+    c.model.grid = {100, 13};
+    const Solution relaxed = solved(c, cavitation(CavitationMethod::p_theta));
+    Case small = c;
+    small.model.grid = {50, 7};
+    const Solution first = solved(small, cavitation(CavitationMethod::p_theta));
+    INFO(to_string(tier) << ": " << relaxed.verdict.reason);
+    CHECK(relaxed.cost.sweeps > first.cost.sweeps);
+    CHECK(relaxed.cost.factorizations == 0);
+    CHECK(solved(c, {}).cost.sweeps == 0);
+  }
+  Case elastic = warm_case();
+  elastic.model.tier = Tier::tehd;
+  elastic.model.grid = {50, 7};
+  CHECK(solved(elastic, fixed_point()).cost.elastic_rounds > 10);
+  CHECK(solved(elastic, {}).cost.elastic_rounds == 0);
+}
+
+TEST_CASE("MassConservingMethodsCarryTheLoadInTheSameFilm") {
+  for (const Case& c : {coarse(plain_case()), coarse(grooved_case())}) {
+    Case isothermal = c;
+    isothermal.model.tier = Tier::isothermal;
+    const Solution usual = solved(isothermal, {});
+    // load to 1e-9, film to 1e-11 of the flow: torque and gap to a few times that
+    check_same(usual, solved(isothermal, cavitation(CavitationMethod::fischer_burmeister)), 1e-7);
+    check_same(usual, solved(isothermal, cavitation(CavitationMethod::p_theta)), 1e-7);
+  }
+}
+
+TEST_CASE("RoughPiezoviscousThinningFilmIsTheSameByEveryMassConservingMethod") {
+  Case c = coarse(rig_case());
+  c.model.tier = Tier::isothermal;
+  const Solution usual = solved(c, {});
+  check_same(usual, solved(c, cavitation(CavitationMethod::fischer_burmeister)), 1e-7);
+  check_same(usual, solved(c, cavitation(CavitationMethod::p_theta)), 1e-7);
+}
+
+TEST_CASE("TiltedJournalFindsItsMomentByEveryMethod") {
+  Case c = coarse(plain_case());
+  c.operation.alignment = MomentGiven{3.0, -2.0};
+  const Solution usual = solved(c, {});
+  for (const auto m : {CavitationMethod::fischer_burmeister, CavitationMethod::p_theta}) {
+    const Solution other = solved(c, cavitation(m));
+    check_same(usual, other, 1e-6);
+    CHECK(other.film.position.psi_x() == Approx(usual.film.position.psi_x()).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("SwiftStieberCarriesTheLoadButItsMassAuditShowsTheOilMade") {
+  Case c = coarse(grooved_case());
+  c.model.tier = Tier::isothermal;
+  const Solution s = solved(c, cavitation(CavitationMethod::swift_stieber));
+  REQUIRE(s.verdict.good());
+  const Audit audit = audit_of(s, friction_of(s.model, s.film));
+  CHECK(audit.load < 1e-8);
+  CHECK(audit.mass > 0.05);
+  CHECK(audit_of(solved(c, {}), {}).mass < 1e-10);
+}
+
+TEST_CASE("SwiftStieberIsRefusedWhereHeatMustBeBalanced") {
+  Case c = coarse(grooved_case());
+  CHECK_THROWS_AS(solved(c, cavitation(CavitationMethod::swift_stieber)), InputError);
+}
+
+TEST_CASE("ElasticNewtonIsRefusedToMethodsThatHaveNone") {
+  Case c = coarse(rig_case());
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  CHECK_THROWS_AS(solved(c, cavitation(CavitationMethod::p_theta)), InputError);
+}
+
+TEST_CASE("HeatIsTheSameByEveryMassConservingMethod") {
+  const Case c = coarse(grooved_case());
+  const Solution usual = solved(c, {});
+  for (const auto m : {CavitationMethod::fischer_burmeister, CavitationMethod::p_theta}) {
+    check_same(usual, solved(c, cavitation(m)), 3e-5);  // the turns stop at 1e-4 of 10 K
+  }
+}
+
+TEST_CASE("LayersAcrossTheFilmApproachTheLobattoFilmWithSecondOrder") {
+  Case c = coarse(grooved_case());
+  c.model.film_nodes = 11;
+  const double exact = torque_of(solved(c, {}));
+  const auto error = [&](int layers) {
+    Methods m;
+    m.across = AcrossFilm::layers;
+    m.layers = layers;
+    const Solution s = solved(c, m);
+    REQUIRE(s.verdict.good());
+    return torque_of(s) - exact;
+  };
+  const double coarse_error = error(8);
+  // the turns' own tolerance leaves some of the order
+  CHECK(shellback::tests::order_of_errors(coarse_error, error(16)) == Approx(2.0).margin(0.3));
+}
+
+TEST_CASE("EveryNodalSetBalancesItsHeat") {
+  for (const auto across : {AcrossFilm::layers, AcrossFilm::mean}) {
+    Methods m;
+    m.across = across;
+    m.layers = 10;
+    const Solution s = solved(coarse(grooved_case()), m);
+    REQUIRE(s.verdict.good());
+    CHECK(audit_of(s, friction_of(s.model, s.film)).energy < 1e-6);
+  }
+}
+
+TEST_CASE("FilmMeanTemperatureMissesThePeakThatTheResolvedFilmHas") {
+  Case c = coarse(grooved_case());
+  const auto hottest = [&](const Methods& m) {
+    const Solution s = solved(c, m);
+    REQUIRE(s.verdict.good());
+    return *std::max_element(s.film.columns.T.begin(), s.film.columns.T.end());
+  };
+  Methods mean;
+  mean.across = AcrossFilm::mean;
+  CHECK(hottest(mean) < hottest({}) - 0.2);
+}
+
+TEST_CASE("FixedPointAgreesWithNewtonForAStiffBearing") {
+  Case c = coarse(rig_case());
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  const Solution newton = solved(c, {});
+  check_same(newton, solved(c, fixed_point()), 1e-7);
+  check_same(newton, solved(c, fixed_point(0.1)), 1e-6);
+  Methods both = fixed_point();
+  both.cavitation = CavitationMethod::fischer_burmeister;
+  check_same(newton, solved(c, both), 1e-7);
+}
+
+TEST_CASE("FixedPointRefusesASoftBearingByNameWhereNewtonSolvesIt") {
+  Case c = coarse(rig_case());
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  set_load(c, 80e3);
+  CHECK(solved(c, {}).verdict.good());
+  const Solution s = solved(c, fixed_point(0.5));
+  CHECK(s.verdict.status == Status::iteration_limit);
+  CHECK(s.verdict.reason.find("fixed point between film and displacement") != std::string::npos);
+}

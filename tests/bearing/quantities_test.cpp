@@ -1,0 +1,61 @@
+/// The table of quantities: names, units and typed values are one.
+#include "bearing/quantities.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
+
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+TEST_CASE("EveryQuantityHasOneEntry") {
+  Quantities values;
+  std::set<std::string> names;
+  double mark = 0.0;
+  for (const QuantityEntry& e : kQuantities) {
+    CHECK(names.insert(std::string(e.name)).second);
+    CHECK_FALSE(e.unit.empty());
+    CHECK(std::isnan(values.*e.member));  // not marked before: no member twice
+    values.*e.member = ++mark;
+    CHECK(find_quantity(e.name) == &e);
+  }
+  CHECK(mark * sizeof(double) == sizeof(Quantities));
+  CHECK(find_quantity("friction") == nullptr);
+}
+
+TEST_CASE("AListOfQuantitiesHoldsWhatIsKnownInTheOrderOfTheTable") {
+  Quantities values;
+  values.h_min = 2e-6;
+  values.friction_torque = 1.5;
+  values.p_max = INFINITY;  // no number to report
+  const auto list = listed(values);
+  REQUIRE(list.size() == 2);
+  CHECK(list[0].name == "friction_torque");
+  CHECK(list[0].unit == "N m");
+  CHECK(std::isnan(list[0].error()));
+  CHECK(list[1].name == "h_min");
+  const Quantities back = typed(list);
+  CHECK(back.friction_torque == 1.5);
+  CHECK(back.h_min == 2e-6);
+  CHECK(std::isnan(back.p_max));
+}
+
+TEST_CASE("AResultGivesItsValuesByNameAndTyped") {
+  Case c = warm_case();
+  const Result r = solve(c);
+  REQUIRE(r.verdict.good());
+  const Quantities q = r.values();
+  CHECK(q.friction_torque == r.value("friction_torque"));
+  CHECK(q.T_film_max > 313.0);
+  CHECK(std::isnan(q.T_equivalent));  // tier isothermal alone knows it
+  CHECK(std::isnan(q.K_xx));
+  for (const Quantity& reported : r.quantities) {
+    const QuantityEntry* entry = find_quantity(reported.name);
+    REQUIRE(entry != nullptr);
+    CHECK(entry->unit == reported.unit);
+    CHECK(q.*entry->member == reported.value);
+  }
+}

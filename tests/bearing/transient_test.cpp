@@ -1,0 +1,91 @@
+/// A bearing from cold walls to its steady state, and one that seizes on the way.
+#include <catch2/catch.hpp>
+
+#include "bearing/solve.hpp"
+#include "bearing/warm_up.hpp"
+#include "core/contract.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+Case coarse(Case c) {
+  c.model.grid = {48, 9};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("AWarmUpEndsInTheSteadyStateAndLosesNoHeat", "[transient]") {
+  for (const auto& [c, tier] :
+       {std::pair{coarse(warm_case()), Tier::thd}, std::pair{coarse(rig_case()), Tier::tehd}}) {
+    const WarmUp run = warm_up(c, tier, {});
+    INFO(c.title << ": " << run.end.verdict.reason);
+    REQUIRE(run.end.verdict.good());
+    CHECK(run.end.at_rest);
+    CHECK(run.imbalance() < 1e-8);
+    const Solution steady = solve_tier(c, tier);
+    REQUIRE(steady.verdict.good());
+    const Instant& last = run.instants.back();
+    // Each is a fixed point to 3 mK; harmonics above the sixth are interpolated in the steady one.
+    CHECK(last.torque == Approx(torque_of(steady)).epsilon(2e-4));
+    CHECK(last.h_min == Approx(steady.film.least.h).epsilon(1e-3));
+    CHECK(std::abs(last.stored) < 1e-3 * last.heat_in);
+  }
+}
+
+TEST_CASE("WarmingWallsAreSlowerTheFartherFromTheFilm", "[transient]") {
+  Case c = coarse(warm_case());
+  const WarmUp run = warm_up(c, Tier::thd, {});
+  REQUIRE(run.end.verdict.good());
+  const Instant& end = run.instants.back();
+  const auto half_way = [&](double Instant::*T) {
+    for (const Instant& i : run.instants) {
+      if (i.*T > 0.5 * (293.15 + end.*T)) return i.t;
+    }
+    return end.t;
+  };
+  CHECK(half_way(&Instant::T_film_max) < half_way(&Instant::T_shell_max));
+  CHECK(half_way(&Instant::T_shell_max) < half_way(&Instant::T_shell_back));
+  // Oil that meets cold walls is thick: friction falls as they warm.
+  CHECK(run.instants.front().torque > end.torque);
+}
+
+TEST_CASE("ShorterStepsGiveTheSameWarmUp", "[transient]") {
+  Case c = coarse(warm_case());
+  const auto shaft_at = [&](double error) {
+    WarmUpOptions o;
+    o.error = error;
+    o.end = 60.0;
+    const WarmUp run = warm_up(c, Tier::thd, o);
+    REQUIRE(run.end.verdict.good());
+    CHECK(run.end.t == Approx(60.0));
+    return run.instants.back().T_shaft;
+  };
+  const double fine = shaft_at(0.02);
+  const double middle = shaft_at(0.08);
+  const double rough = shaft_at(0.32);
+  CHECK(std::abs(middle - fine) < std::abs(rough - fine));
+  CHECK(std::abs(rough - fine) < 2.0);  // [K]
+}
+
+TEST_CASE("AClearanceThatGrowthUsesUpSeizesAtATime", "[transient]") {
+  Case c = coarse(warm_case());
+  c.shell->housing->support = HousingSupport::clamped;
+  c.bearing.radial_clearance = 8e-6;  // the shaft alone grows by a third of a micrometre per kelvin
+  const WarmUp run = warm_up(c, Tier::tehd, {});
+  REQUIRE_FALSE(run.instants.empty());
+  INFO(run.end.verdict.reason);
+  CHECK_FALSE(run.end.verdict.good());
+  CHECK(run.end.t > 0.0);
+  CHECK(run.end.t < 3600.0);
+  CHECK(run.instants.back().deformation < run.instants.front().deformation);
+  CHECK(run.imbalance() < 1e-8);  // to the last instant
+}
+
+TEST_CASE("OnlyTiersWithWallsHaveATransient", "[transient]") {
+  CHECK_THROWS_AS(warm_up(warm_case(), Tier::isothermal, {}), InputError);
+}

@@ -1,0 +1,192 @@
+#include "validation/chart/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "bearing/judge_case.hpp"
+#include "bearing/solve.hpp"
+#include "core/parallel.hpp"
+#include "fidelity/solve_case.hpp"
+#include "validation/chart/pareto.hpp"
+
+namespace shellback::validation {
+namespace {
+
+using namespace bearing;
+
+constexpr int kReferenceNodes = 9;
+
+double named(const std::vector<Quantity>& quantities, const std::string& name) {
+  const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                  [&](const Quantity& q) { return q.name == name; });
+  return found == quantities.end() ? NAN : found->value;
+}
+
+ChartValues values_of(const Solution& s, Tier tier) {
+  const auto q = quantities_of(s, tier);
+  const double T = s.model.physics.film_energy ? named(q, "T_film_max") : s.T_film;
+  return {named(q, "friction_torque"), named(q, "h_min"), T};
+}
+
+ChartValues values_of(const Result& r) {
+  const double T = r.has("T_film_max") ? r.value("T_film_max") : r.value("T_equivalent");
+  return {r.value("friction_torque"), r.value("h_min"), T};
+}
+
+bool stopped(const ChartOptions& o) { return o.stop && o.stop->load(); }
+
+bool has_heat(const Case& c) { return physics_of(c, c.model.tier).film_energy; }
+
+void find_reference(const Case& c, const ChartOptions& options, ChartScene& scene) {
+  std::array<ChartValues, 3> values{};
+  std::array<Verdict, 3> verdicts;
+  SolveControl control;
+  control.stop = options.stop;
+  // The costliest first.
+  parallel_for(3, options.threads, [&](int task) {
+    const int k = 2 - task;
+    ChartSetting setting;
+    setting.tier = c.model.tier;
+    setting.grid = options.grids.reference[k];
+    setting.film_nodes = kReferenceNodes;
+    const Solution s = solve_tier(with_setting(c, setting), c.model.tier, control);
+    verdicts[k] = s.verdict;
+    if (s.verdict.good()) values[k] = values_of(s, c.model.tier);
+  });
+  for (const Verdict& v : verdicts) {
+    if (!v.good()) scene.verdict = v;
+  }
+  if (!scene.verdict.good()) return;
+  for (int q = 0; q < kChartQuantities; ++q) {
+    scene.reference[q] = reference_value(values[0][q], values[1][q], values[2][q]);
+    const bool relative = q != static_cast<int>(ChartQuantity::T_max);
+    scene.floor[q] =
+        scene.reference[q].uncertainty / (relative ? std::abs(scene.reference[q].value) : 1.0);
+  }
+}
+
+/// One solve; false if it was stopped.
+bool measure_once(const Case& c, const ChartOptions& options, ChartPoint& p) {
+  double wall = 0.0;
+  SolveControl control;
+  control.stop = options.stop;
+  if (p.setting.tier == Tier::automatic || p.setting.tier == Tier::estimate) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Result r = fidelity::solve_case(c, control);
+    wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    p.verdict = r.verdict;
+    p.value = values_of(r);
+    p.factorizations = r.cost.factorizations;
+  } else {
+    const Solution s = solve_tier(c, p.setting.tier, control);
+    p.verdict = s.verdict;
+    p.value = values_of(s, p.setting.tier);
+    p.factorizations = s.cost.factorizations;
+    p.sweeps = s.cost.sweeps;
+    wall = s.wall_s;
+  }
+  p.wall_s = p.wall_s > 0.0 ? std::min(p.wall_s, wall) : wall;
+  return p.verdict.status != Status::interrupted;
+}
+
+bool measure(const Case& c, const ChartOptions& options, ChartPoint& p) {
+  const Case changed = with_setting(c, p.setting);
+  double spent = 0.0;
+  for (int k = 0; k < options.repeats && (k == 0 || spent < options.enough_s); ++k) {
+    if (!measure_once(changed, options, p)) return false;
+    spent += p.wall_s;
+    if (!p.verdict.good()) break;
+  }
+  return true;
+}
+
+void judge(const ChartScene& scene, bool heat, ChartPoint& p) {
+  for (int q = 0; q < kChartQuantities; ++q) {
+    const bool temperature = q == static_cast<int>(ChartQuantity::T_max);
+    const double off = std::abs(p.value[q] - scene.reference[q].value);
+    p.error[q] = temperature ? off : off / std::abs(scene.reference[q].value);
+    if (!p.verdict.good() || (temperature && !heat)) p.error[q] = NAN;
+  }
+}
+
+void mark_fronts(ChartScene& scene) {
+  for (int q = 0; q < kChartQuantities; ++q) {
+    std::vector<CostError> points;
+    for (const ChartPoint& p : scene.points) points.push_back({p.wall_s, p.error[q]});
+    for (const int k : pareto_front(points, scene.floor[q])) scene.points[k].on_front[q] = true;
+  }
+}
+
+/// True if no richer tier that the case has the data for adds physics.
+bool is_richest(const Case& c) {
+  const Physics own = physics_of(c, c.model.tier);
+  const auto tiers = bearing::possible_tiers(c);
+  return std::all_of(tiers.begin(), tiers.end(), [&](Tier tier) {
+    const Physics p = physics_of(c, tier);
+    return p.film_energy <= own.film_energy && p.elastic <= own.elastic && p.growth <= own.growth;
+  });
+}
+
+std::vector<ChartSetting> all_settings(const Case& c, const ChartOptions& options) {
+  auto settings = chart_settings(c, options.grids);
+  if (!is_richest(c)) return settings;
+  for (const double tolerance : options.tolerances) {
+    ChartSetting s;
+    s.family = ChartFamily::automatic;
+    s.mark = fmt::format("{:.3g} %", 100.0 * tolerance);
+    s.tier = Tier::automatic;
+    s.tolerance = tolerance;
+    settings.push_back(s);
+  }
+  return settings;
+}
+
+std::string words_of(const ChartSetting& s) {
+  if (s.family == ChartFamily::automatic) return "auto to " + s.mark;
+  return fmt::format("{} {} on {} x {}", to_string(s.family), s.mark, s.grid[0], s.grid[1]);
+}
+
+}  // namespace
+
+ChartScene chart_scene(const std::string& name, const Case& c, const ChartOptions& options) {
+  ChartScene scene;
+  scene.name = name;
+  scene.title = c.title;
+  scene.floor.fill(NAN);
+  const auto settings = all_settings(c, options);
+  const int count = static_cast<int>(settings.size()) + 1;
+  if (options.tell) options.tell(name + ": reference", 0, count);
+  find_reference(c, options, scene);
+  if (!scene.verdict.good()) return scene;
+  for (const ChartSetting& setting : settings) {
+    const int done = static_cast<int>(scene.points.size()) + 1;
+    if (options.tell) options.tell(name + ": " + words_of(setting), done, count);
+    ChartPoint p;
+    p.setting = setting;
+    if (stopped(options) || !measure(c, options, p)) {
+      scene.verdict = {Status::interrupted, "stopped by the user", "", ""};
+      break;
+    }
+    judge(scene, has_heat(c), p);
+    scene.points.push_back(std::move(p));
+  }
+  mark_fronts(scene);
+  return scene;
+}
+
+const char* to_string(ChartQuantity quantity) {
+  switch (quantity) {
+    case ChartQuantity::friction_torque:
+      return "friction_torque";
+    case ChartQuantity::h_min:
+      return "h_min";
+    case ChartQuantity::T_max:
+      return "T_film_max";
+  }
+  return "";
+}
+
+}  // namespace shellback::validation

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/read_case.hpp"
+#include "bearing/solve.hpp"
+#include "core/contract.hpp"
+#include "validation/evaluators/bearing_numbers.hpp"
+#include "validation/evaluators/evaluators.hpp"
+
+namespace shellback::validation {
+namespace {
+
+using bearing::Case;
+using bearing::Solution;
+
+/// Case of one bearing with the row's numbers and the changes put in.
+Case case_of(const Question& q, const BearingPart& part) {
+  std::vector<app::Override> overrides;
+  for (const Vary& vary : q.entry.vary) {
+    if (!vary.bearing.empty() && vary.bearing != part.name) continue;
+    const double number = vary.factor * q.number(vary.column);
+    overrides.push_back(
+        {vary.key, fmt::format("{:.15g}{}{}", number, vary.unit.empty() ? "" : " ", vary.unit),
+         fmt::format("{}/entry.toml: {}", q.entry.folder, vary.key)});
+  }
+  const auto changed = q.changes.find(part.name);
+  if (changed != q.changes.end()) {
+    overrides.insert(overrides.end(), changed->second.begin(), changed->second.end());
+  }
+  return app::read_case(part.file, overrides);
+}
+
+/// Adds the quantities of one bearing: the first one's as they are, torques and powers of all.
+void add_bearing(const Solution& s, const Case& c, const BearingPart& part, bool first,
+                 Values& values) {
+  for (const bearing::Quantity& quantity : bearing::quantities_of(s, c.model.tier)) {
+    for (const char* summed : {"friction_torque", "friction_torque_asperity"}) {
+      if (quantity.name != summed) continue;
+      const std::string total = fmt::format("total_{}", summed);
+      values.value[total] += part.times * quantity.value;
+      values.value[total + "." + part.name] = part.times * quantity.value;
+    }
+    values.value[quantity.name + "." + part.name] = quantity.value;
+    if (first) values.value[quantity.name] = quantity.value;
+  }
+  if (first) add_bearing_numbers(s, values.value);
+}
+
+}  // namespace
+
+Values bearing_values(const Question& q) {
+  Values values;
+  if (q.entry.bearings.empty()) {
+    throw InputError(q.entry.folder + "/entry.toml",
+                     "the evaluator \"bearings\" needs at least one [[bearing]] with a case file");
+  }
+  for (const BearingPart& part : q.entry.bearings) {
+    const Case c = case_of(q, part);
+    const Solution s = bearing::solve_tier(c, c.model.tier, q.control);
+    values.interrupted = s.verdict.status == Status::interrupted;
+    if (!s.verdict.good()) {
+      values.failure = fmt::format("{}: {}{}{}", part.name, to_string(s.verdict.status),
+                                   s.verdict.reason.empty() ? "" : ": ", s.verdict.reason);
+      values.value.clear();
+      return values;
+    }
+    add_bearing(s, c, part, &part == &q.entry.bearings.front(), values);
+  }
+  return values;
+}
+
+}  // namespace shellback::validation

@@ -1,0 +1,33 @@
+#pragma once
+/// Which refusals of the stability map are contradicted, and by whom.
+///
+/// A steady state is found where a solve converges and passes its audits. It contradicts a refusal
+/// of
+///
+/// - any ground, if it solves the same equations of the same tier at the same point, by another
+///   method or on another grid;
+/// - heat ("thermal runaway"), if its heat is richer and its film the same: thd beside lumped, the
+///   temperature resolved beside one temperature across the film.
+///
+/// Less physics contradicts nothing: one temperature across the film, or oil that is not conserved
+/// (Swift-Stieber), may well find what is not there. Nor does an elastic film contradict a rigid
+/// one: it has another gap, and the limit of Barus' oil between rigid surfaces stays what it is.
+#include "validation/stress/stress_row.hpp"
+
+namespace shellback::validation {
+
+/// On what a refusal rests, read from its reason.
+enum class RefusalGround { heat, other };
+[[nodiscard]] RefusalGround ground_of(const std::string& reason);
+
+/// Turns contradicted refusals of all methods into wrong refusals ("no steady state") or missed
+/// ones ("not found").
+void find_contradicted(StressRow& row);
+
+/// The same for what the scene expects; converging where it expects nothing is wrong.
+void find_unexpected(StressRow& row);
+
+/// How many solves spoke on the refusal of the default at a step, all of them without a result.
+[[nodiscard]] int silent_witnesses(const StressRow& row, std::size_t step);
+
+}  // namespace shellback::validation

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "bearing/load_cycle.hpp"
 #include "bearing/methods.hpp"
 #include "rheology/oil.hpp"
 #include "solid/material.hpp"
@@ -182,6 +183,7 @@ struct Case {
   Bearing bearing;
   std::vector<Supply> supplies;
   Operation operation;
+  std::optional<LoadCycle> cycle{};  ///< instead of operation.position's load
   rheology::Oil oil;
   std::optional<double> oil_temperature;  ///< isothermal film temperature, if given [K]
   std::optional<Shell> shell;

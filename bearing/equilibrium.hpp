@@ -27,15 +27,17 @@
 
 namespace shellback::bearing {
 
-struct FilmEquilibrium {
+/// The unknowns of film, journal and elastic surfaces, and nothing that follows from them. (Those
+/// of heat: HeatUnknowns, heat_state.hpp, and the temperatures across the film, OilColumns.)
+struct State {
   fluid::FilmState film;
   fluid::JournalPosition position;
   double ln_load = 0.0;  ///< of the load's factor, unknown along a path of loads [-]
   Field elastic;         ///< widening (3), shell and shaft [m]; empty: rigid
-  std::shared_ptr<const HarmonicOperator> contact_growth;  ///< G of (3a) [m/Pa]; none: (3)
-  OilColumns columns;
+};
 
-  // What the last evaluation found.
+/// All that follows from a state on a bearing.
+struct Evaluation {
   fluid::Gap gap;
   Field shear_gap;  ///< [m]
   fluid::FilmCoefficients oil;
@@ -45,6 +47,12 @@ struct FilmEquilibrium {
   Field dp_contact;              ///< its derivative by h, not positive [Pa/m]
   fluid::Wrench force{};         ///< of film and contact on the journal
   fluid::SmallestGap least;
+};
+
+/// A state and what its last evaluation found.
+struct FilmEquilibrium : State, Evaluation {
+  OilColumns columns;  ///< temperatures as given by heat, viscosities as last found
+  std::shared_ptr<const HarmonicOperator> contact_growth;  ///< G of (3a) [m/Pa]; none: (3)
 };
 
 struct EquilibriumOptions {

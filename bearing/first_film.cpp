@@ -21,14 +21,29 @@ Verdict correct_film(Solution& s, Accuracy accuracy, const SolveControl& control
   return newton(s.model, s.target, s.heat.growth, o, s.film, s.cost, control.stop);
 }
 
+/// A rigid film of constant viscosity is found from any guess: the first guess for oil that
+/// thickens under pressure. Where it is not found the guess stays that of cold_start.
+void guess_isoviscous(Solution& s, const SolveControl& control) {
+  if (s.model.physics.elastic || !usual_methods(s.model.input)) return;
+  if (std::holds_alternative<rheology::NoPressureEffect>(s.model.oil.pressure)) return;
+  BearingModel isoviscous = s.model;
+  isoviscous.oil.pressure = rheology::NoPressureEffect{};
+  EquilibriumOptions loose;
+  loose.film_tolerance = loose.load_tolerance = loose.viscosity_tolerance = kLoose;
+  FilmEquilibrium guess = s.film;
+  const Verdict v = newton(isoviscous, s.target, s.heat.growth, loose, guess, s.cost, control.stop);
+  if (v.good()) s.film = std::move(guess);
+}
+
 }  // namespace
 
 Verdict first_film(Solution& s, double T, const SolveControl& control) {
   const Field growth = s.heat.growth;
   const auto start = [&] {
-    s.film = cold_start(s.model, T);
     return solve_equilibrium(s.model, s.target, growth, {}, s.film, s.cost, control.stop);
   };
+  s.film = cold_start(s.model, T);
+  guess_isoviscous(s, control);
   const Verdict v = start();
   const bool ended = v.good() || v.status == Status::interrupted || s.cost.spent() ||
                      !usual_methods(s.model.input);
@@ -36,8 +51,13 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
   const Corrector correct = [&](Solution& at, Accuracy accuracy) {
     return correct_film(at, accuracy, control);
   };
-  const std::optional<Branch> branch =
-      follow_from(s, Raised::load, kLight, start, correct, control);
+  const std::optional<Branch> branch = follow_from(
+      s, Raised::load, kLight,
+      [&] {
+        s.film = cold_start(s.model, T);
+        return start();
+      },
+      correct, control);
   if (!branch) return v;
   if (branch->end == BranchEnd::reached) return {};
   if (branch->end == BranchEnd::interrupted) return branch->last;

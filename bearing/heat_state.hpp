@@ -9,10 +9,15 @@
 
 namespace shellback::bearing {
 
-struct HeatState {
-  Field growth;                    ///< thermal widening of the gap [m]; empty without growth
-  Field T_shell;                   ///< bore temperature seen by the film [K]
-  std::vector<double> T_shaft;     ///< journal temperature seen by the film, per axial cell [K]
+/// The unknowns of heat beside the temperatures across the film (OilColumns).
+struct HeatUnknowns {
+  Field growth;                 ///< thermal widening of the gap [m]; empty without growth
+  Field T_shell;                ///< bore temperature seen by the film [K]
+  std::vector<double> T_shaft;  ///< journal temperature seen by the film, per axial cell [K]
+};
+
+/// What the last iteration found with them.
+struct HeatEvaluation {
   SolidTemperature solids;         ///< the solids' answer to the last heat
   thermal::EnergyBalance balance;  ///< of the film, solved part [W]
   double contact_heat = 0.0;       ///< asperity heat, whole bearing [W]
@@ -21,6 +26,9 @@ struct HeatState {
   long backflow_nodes = 0;
   long blended_columns = 0;
   double residual = 0.0;  ///< last change per iteration [-]
+};
+
+struct HeatState : HeatUnknowns, HeatEvaluation {
   /// True once the film's heat has been balanced to the end.
   [[nodiscard]] bool known() const { return !T_mix.empty() && !solids.shell.back.empty(); }
 };

@@ -33,15 +33,7 @@ class NewtonIteration {
   Verdict run(const std::atomic<bool>* stop);
 
  private:
-  /// The unknowns, to go back to.
-  struct Unknowns {
-    fluid::FilmState film;
-    fluid::JournalPosition position;
-    double ln_load = 0.0;
-    Field elastic;
-  };
-  [[nodiscard]] Unknowns unknowns() const;
-  void restore(const Unknowns& u);
+  void restore(const State& u) { static_cast<State&>(s_) = u; }
   [[nodiscard]] Verdict iterate(const std::atomic<bool>* stop);
   /// Evaluates the state; true if it has residuals.
   [[nodiscard]] bool evaluate_state();
@@ -71,7 +63,7 @@ class NewtonIteration {
   FilmEquilibrium& s_;
   EquilibriumCost& cost_;
   Residuals r_;
-  Unknowns accepted_;
+  State accepted_;
   double merit_ = INFINITY;  ///< of the accepted state
   double room_ = -INFINITY;  ///< there [m]
   double off_ = INFINITY;    ///< of the force there, in logarithms [-]
@@ -79,7 +71,7 @@ class NewtonIteration {
   double carried_ = 0.0;     ///< force there [N]
   double reach_ = 1.0;
   double viscosity_tolerance_ = 1e-3;
-  Unknowns met_;                  ///< the state within all tolerances that loses least oil
+  State met_;                     ///< the state within all tolerances that loses least oil
   double least_lost_ = INFINITY;  ///< there [kg/s]
   bool at_met_ = false;           ///< the evaluated state is that one
   int polished_ = 0;              ///< iterations since the tolerances were met first
@@ -111,23 +103,12 @@ bool NewtonIteration::converged() {
   const double allowed = kLost * std::max(1.0, options_.film_tolerance / kUsual) * passes;
   if (lost < least_lost_) {
     least_lost_ = lost;
-    met_ = unknowns();
+    met_ = s_;
     at_met_ = true;
   }
   polished_ = std::max(polished_, 1);
   const double enough = polished_ > 3 ? 4.0 * allowed : allowed;
   return !(lost > enough) || polished_ > kMostPolish;
-}
-
-NewtonIteration::Unknowns NewtonIteration::unknowns() const {
-  return {s_.film, s_.position, s_.ln_load, s_.elastic};
-}
-
-void NewtonIteration::restore(const Unknowns& u) {
-  s_.film = u.film;
-  s_.position = u.position;
-  s_.ln_load = u.ln_load;
-  s_.elastic = u.elastic;
 }
 
 bool NewtonIteration::acceptable() const {
@@ -151,7 +132,7 @@ void NewtonIteration::accept() {
   merit_ = merit();
   room_ = room(model_, s_);
   carried_ = std::hypot(s_.force[0], s_.force[1]);
-  accepted_ = unknowns();
+  accepted_ = s_;
   reach_ = std::min(1.0, 2.0 * reach_);
 }
 

@@ -33,7 +33,7 @@ Verdict march_to_steady(const BearingModel& model, const LoadTarget& target, con
   double turn = kFirst;
   for (int step = 0; turn < kLongest; ++step) {
     moving.scene.storage = {turn * radian, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
-    const FilmEquilibrium before = s;
+    const State before = s;
     const int spent = cost.newton_iterations;
     const Verdict v = newton(moving, target, growth, loose, s, cost, stop);
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
@@ -43,7 +43,7 @@ Verdict march_to_steady(const BearingModel& model, const LoadTarget& target, con
       if (target.unknowns > 0 && thinner_than_a_molecule(model, s)) return film_vanishes(s);
       if (cost.newton_iterations - spent <= kQuick) turn *= kLonger;
     } else {
-      s = before;
+      static_cast<State&>(s) = before;
       turn /= kLonger;
       if (turn < kShortest) return v;
     }

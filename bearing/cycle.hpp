@@ -1,0 +1,97 @@
+#pragma once
+/// One bearing over a load cycle: what comes out.
+///
+/// Times count from the beginning of the cycle that is told, the last one. Signs and units as in
+/// bearing/quantities.hpp.
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "bearing/control.hpp"
+#include "bearing/result.hpp"
+
+namespace shellback::bearing {
+
+/// The bearing at one instant of the cycle, at the end of a step.
+struct CycleInstant {
+  double t = 0.0;                     ///< [s]
+  double dt = 0.0;                    ///< the step that led there [s]
+  double load_x = 0.0;                ///< on the journal [N]
+  double load_y = 0.0;                ///< [N]
+  double omega = 0.0;                 ///< journal against shell [rad/s]
+  double ex = 0.0, ey = 0.0;          ///< position of the journal [m]
+  double vx = 0.0, vy = 0.0;          ///< its velocity [m/s]
+  double tilt_x = 0.0, tilt_y = 0.0;  ///< [rad]
+  double h_min = 0.0;                 ///< smallest film [m]
+  double h_min_angle = 0.0;           ///< where [rad]
+  double p_max = 0.0;                 ///< [Pa]
+  double p_asperity_max = 0.0;        ///< [Pa]
+  double torque = 0.0;                ///< of friction on the journal [N m]
+  double torque_asperity = 0.0;       ///< part of it from asperities [N m]
+  double power = 0.0;                 ///< torque times speed [W]
+  double supply_flow = 0.0;           ///< mean over the step [m3/s]
+  double side_flow = 0.0;             ///< mean over the step [m3/s]
+  double oil = 0.0;                   ///< in the gap [kg]
+  double T_film_max = std::numeric_limits<double>::quiet_NaN();   ///< tiers thd, tehd [K]
+  double T_shell_max = std::numeric_limits<double>::quiet_NaN();  ///< [K]
+};
+
+/// A scalar of the whole cycle: a mean, or an extreme with its instant.
+struct CycleQuantity {
+  Quantity quantity;
+  double at = std::numeric_limits<double>::quiet_NaN();          ///< of an extreme [s]; NaN: a mean
+  double error_time = std::numeric_limits<double>::quiet_NaN();  ///< bar of the steps in time
+};
+
+/// Relative defects over the cycle that is told.
+struct CycleAudit {
+  double mass = 0.0;     ///< oil in - out - gathered, over the oil in the gap [-]
+  double impulse = 0.0;  ///< of film, load and inertia, over the mean load times the period [-]
+  double load = 0.0;     ///< largest residual of the force balance over the largest load [-]
+};
+
+/// Full-width fields over the cycle.
+struct CycleFields {
+  FilmGrid grid;
+  Field p_max;           ///< largest film pressure of each place [Pa]
+  Field p_asperity_max;  ///< largest contact pressure; empty: no contact [Pa]
+  Field h_min;           ///< smallest gap [m]
+  Field friction_power;  ///< mean over the cycle, per area [W/m2]
+};
+
+/// Film at a chosen instant.
+struct CycleFrame {
+  double t = 0.0;  ///< [s]
+  Field p, theta, h;
+};
+
+struct CycleResult {
+  Verdict verdict;
+  Tier tier = Tier::isothermal;
+  std::string title;
+  double period = 0.0;       ///< told; of a single event its length [s]
+  double crank_speed = 0.0;  ///< crank angle per time [rad/s]; 0: told in time
+  int cycles = 0;            ///< that were run
+  double closure = std::numeric_limits<double>::quiet_NaN();  ///< between the last two [-]
+  std::vector<CycleInstant> instants;     ///< of the last cycle; the first stands at t = 0
+  std::vector<CycleQuantity> quantities;  ///< means, smallest and largest
+  CycleAudit audit;
+  CycleFields fields;
+  std::vector<CycleFrame> frames;
+  std::vector<LimiterCount> limiters;
+  std::vector<std::string> warnings;
+  std::vector<std::string> assumptions;
+  std::array<int, 2> grid{0, 0};
+  Cost cost;
+  int steps = 0;           ///< accepted, of the last cycle
+  int rejected_steps = 0;  ///< of the last cycle
+};
+
+/// Solves the load cycle of the case (`Case::cycle`) in tier isothermal, rigid or elastic, on the
+/// case's grid: cycles from rest in the middle of the clearance until two agree within 1e-4 in
+/// smallest film and torque. A single event is run once. What has been found is kept where a step
+/// is not found or `control` says stop. Throws InputError for other tiers.
+[[nodiscard]] CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control = {});
+
+}  // namespace shellback::bearing

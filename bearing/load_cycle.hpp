@@ -1,0 +1,72 @@
+#pragma once
+/// Load and speed of a journal over time.
+///
+/// A cycle repeats itself with its period; a single event has none. Between the rows of the table
+/// load and speed are straight lines or a periodic cubic spline. Two rows at one time are a jump:
+/// the first holds before it, the second after it. The load acts on the journal, in the frame in
+/// which the shell stands still; the speed is that of the journal against the shell.
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace shellback::bearing {
+
+enum class LoadInterpolation { linear, periodic_spline };
+
+/// A load cycle as given: rows of a table, in SI units.
+struct LoadCycle {
+  std::vector<double> t;      ///< of each row, not falling, from 0; within one period [s]
+  std::vector<double> x;      ///< load on the journal [N]
+  std::vector<double> y;      ///< [N]
+  std::vector<double> omega;  ///< of the journal against the shell [rad/s]; empty: operation.speed
+  double period = std::numeric_limits<double>::infinity();  ///< [s]; infinity: a single event
+  LoadInterpolation interpolation = LoadInterpolation::linear;
+  double journal_mass = 0.0;     ///< what the film carries [kg]; 0: a journal without inertia
+  std::optional<double> step{};  ///< of time, given [s]; else chosen by model.tolerance
+  double crank_speed = 0.0;      ///< crank angle per time [rad/s]; 0: told in time
+  [[nodiscard]] bool repeats() const { return period < std::numeric_limits<double>::infinity(); }
+};
+
+/// Load and speed at one instant.
+struct LoadNow {
+  double x = 0.0;      ///< [N]
+  double y = 0.0;      ///< [N]
+  double omega = 0.0;  ///< [rad/s]
+};
+
+/// Where the course of load or speed is not smooth.
+struct LoadCorner {
+  double t = 0.0;             ///< within the first period [s]
+  bool jump = false;          ///< of load or speed; else only of their slopes
+  double slope_change = 0.0;  ///< of the load over the largest load [1/s]
+};
+
+/// The course of load and speed, at any time.
+class LoadCourse {
+ public:
+  /// `omega`: speed where the cycle has none [rad/s].
+  LoadCourse(const LoadCycle& cycle, double omega);
+
+  /// At time t >= 0 [s]; at a jump what holds after it, or before it.
+  [[nodiscard]] LoadNow at(double t, bool before_jump = false) const;
+  /// Largest magnitude of the load [N] and of the speed [rad/s].
+  [[nodiscard]] double largest_load() const { return largest_load_; }
+  [[nodiscard]] double largest_speed() const { return largest_speed_; }
+  /// Sorted by time; the end of a period counts as the beginning of the next.
+  [[nodiscard]] const std::vector<LoadCorner>& corners() const { return corners_; }
+
+ private:
+  struct Splines;
+  [[nodiscard]] double within_period(double t) const;
+  void find_corners();
+
+  LoadCycle cycle_;
+  std::shared_ptr<const Splines> splines_;  ///< none: straight lines
+  double largest_load_ = 0.0;
+  double largest_speed_ = 0.0;
+  std::vector<LoadCorner> corners_;
+};
+
+}  // namespace shellback::bearing

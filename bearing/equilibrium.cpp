@@ -9,7 +9,7 @@
 
 namespace shellback::bearing {
 
-double LoadTarget::scale() const { return std::hypot(force[0], force[1]); }
+double LoadTarget::scale() const { return unit > 0.0 ? unit : std::hypot(force[0], force[1]); }
 
 double PathRow::missing(const FilmEquilibrium& s) const {
   double left = length - along_load * (s.ln_load - from_load);

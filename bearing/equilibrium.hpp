@@ -100,7 +100,8 @@ struct LoadTarget {
   fluid::Wrench force{};  ///< wanted film force and moment on the journal: minus the load
   std::optional<Inertia> inertia;
   std::optional<PathRow> path;         ///< the load's factor is an unknown, too
-  [[nodiscard]] double scale() const;  ///< |force| [N]
+  double unit = 0.0;                   ///< by which residuals are measured [N]; 0: |force|
+  [[nodiscard]] double scale() const;  ///< `unit`, or |force| [N]
   /// The force wanted of this state: with its factor and the journal's inertia.
   [[nodiscard]] fluid::Wrench wanted(const FilmEquilibrium& s) const;
 };

@@ -126,7 +126,7 @@ double distance(const fluid::Wrench& force, const fluid::Wrench& wanted) {
 void NewtonIteration::accept() {
   // Where cavitation moves with the journal the predicted force misleads: ask for less.
   const double off = distance(s_.force, target_.wanted(s_));
-  const bool little = off > (1.0 - kLittleGain * damping_) * off_;
+  const bool little = off > kFollowed && off > (1.0 - kLittleGain * damping_) * off_;
   damping_ = little ? std::max(0.1, 0.5 * damping_) : std::min(1.0, 2.0 * damping_);
   off_ = off;
   merit_ = merit();

@@ -1,0 +1,219 @@
+#include "bearing/cycle_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/film_heat.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr int kFrames = 48;  ///< films that are kept: every 15 degrees of two turns
+
+}  // namespace
+
+CycleRecord::CycleRecord(const FilmSteps& film, const LoadCourse& course, double length)
+    : film_(&film), course_(&course), length_(length) {}
+
+double CycleRecord::oil_in_gap(const Field& oil) const {
+  const FilmGrid& g = film_->model().scene.grid;
+  double sum = 0.0;
+  for (int c = 0; c < g.cells(); ++c) sum += oil[c] * g.area(c / g.nz, c % g.nz);
+  return g.multiplicity() * sum;
+}
+
+CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
+  const BearingModel& m = film_->model();
+  const FilmEquilibrium& f = now.film;
+  const double t = instants_.empty() ? 0.0 : instants_.back().t + dt;
+  const LoadNow load = course_->at(now.t, true);
+  const Friction friction = friction_of(m, f);
+  CycleInstant i;
+  i.t = t;
+  i.dt = dt;
+  i.load_x = load.x;
+  i.load_y = load.y;
+  i.omega = load.omega;
+  i.ex = f.position.ex();
+  i.ey = f.position.ey();
+  i.vx = now.velocity[0];
+  i.vy = now.velocity[1];
+  i.tilt_x = f.position.psi_x();
+  i.tilt_y = f.position.psi_y();
+  i.h_min = f.least.h;
+  i.h_min_angle = f.least.phi;
+  i.p_max = largest(f.film.p);
+  i.p_asperity_max = largest(f.p_contact);
+  i.torque = friction.viscous + friction.asperity;
+  i.torque_asperity = friction.asperity;
+  i.power = i.torque * load.omega;
+  i.oil = oil_in_gap(now.oil);
+  power_now_ = friction.stress.journal;
+  const double mu = m.contact ? m.input.surfaces.contact->friction : 0.0;
+  for (std::size_t c = 0; c < power_now_.size(); ++c) {
+    const double sign = m.scene.speed >= 0.0 ? 1.0 : -1.0;
+    power_now_[c] = (power_now_[c] + sign * mu * f.p_contact[c]) * m.scene.speed;
+  }
+  return i;
+}
+
+void CycleRecord::begin(const FilmInTime& now) {
+  CycleInstant first = instant_of(now, 0.0);
+  const double rho = reference_density(film_->model());
+  first.supply_flow = now.flows.supply / rho;
+  first.side_flow = now.flows.side / rho;
+  oil_begun_ = first.oil;
+  v_begun_ = now.velocity;
+  p_max_ = now.film.film.p;
+  p_asperity_max_ = now.film.p_contact;
+  h_min_ = now.film.gap.cell;
+  friction_.assign(p_max_.size(), 0.0);
+  instants_.push_back(first);
+}
+
+void CycleRecord::gather_fields(const FilmInTime& now, double dt) {
+  const Field before = power_now_;
+  instants_.push_back(instant_of(now, dt));
+  for (std::size_t c = 0; c < p_max_.size(); ++c) {
+    p_max_[c] = larger(p_max_[c], now.film.film.p[c]);
+    p_asperity_max_[c] = larger(p_asperity_max_[c], now.film.p_contact[c]);
+    h_min_[c] = std::min(h_min_[c], now.film.gap.cell[c]);
+    friction_[c] += 0.5 * dt * (before[c] + power_now_[c]);
+  }
+  if (told() < next_frame_) return;
+  const FilmGrid& g = film_->model().scene.grid;
+  frames_.push_back({told(), mirror_to_full(g, now.film.film.p),
+                     mirror_to_full(g, now.film.film.theta), mirror_to_full(g, now.film.gap.cell)});
+  next_frame_ += length_ / kFrames;
+}
+
+void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& control) {
+  gather_fields(step.after, dt);
+  CycleInstant& i = instants_.back();
+  const double rho = reference_density(film_->model());
+  i.supply_flow = step.supply / dt / rho;
+  i.side_flow = step.side / dt / rho;
+  supply_ += step.supply;
+  side_ += step.side;
+  for (int k = 0; k < 2; ++k) impulse_[k] += step.impulse[k];
+  off_balance_ = larger(off_balance_, step.off_balance);
+  if (control.progress) {
+    control.progress(
+        {"cycle", static_cast<int>(instants_.size()) - 1, told() / length_, i.torque, i.h_min});
+  }
+}
+
+double CycleRecord::mean(double CycleInstant::*value) const {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < instants_.size(); ++k) {
+    sum += 0.5 * instants_[k].dt * (instants_[k].*value + instants_[k - 1].*value);
+  }
+  return told() > 0.0 ? sum / told() : NAN;
+}
+
+namespace {
+
+using Compare = bool (*)(double, double);
+
+/// The instant at which a value is smallest or largest.
+const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
+                            bool smallest) {
+  const auto less = [&](const CycleInstant& a, const CycleInstant& b) {
+    return a.*value < b.*value;
+  };
+  return smallest ? *std::min_element(all.begin(), all.end(), less)
+                  : *std::max_element(all.begin(), all.end(), less);
+}
+
+}  // namespace
+
+std::vector<CycleQuantity> CycleRecord::quantities() const {
+  std::vector<CycleQuantity> out;
+  const auto named = [](const char* name, double value) {
+    CycleQuantity q;
+    q.quantity.name = name;
+    q.quantity.value = value;
+    q.quantity.unit = std::string(find_quantity(name)->unit);
+    return q;
+  };
+  const auto add_mean = [&](const char* name, double CycleInstant::*v) {
+    out.push_back(named(name, mean(v)));
+  };
+  const auto add_extreme = [&](const char* name, double CycleInstant::*v, bool smallest) {
+    const CycleInstant& i = extreme(instants_, v, smallest);
+    out.push_back(named(name, i.*v));
+    out.back().at = i.t;
+  };
+  add_mean("friction_torque", &CycleInstant::torque);
+  add_mean("friction_torque_asperity", &CycleInstant::torque_asperity);
+  add_mean("power_loss", &CycleInstant::power);
+  add_extreme("h_min", &CycleInstant::h_min, true);
+  add_extreme("p_max", &CycleInstant::p_max, false);
+  if (film_->model().contact) {
+    add_extreme("p_asperity_max", &CycleInstant::p_asperity_max, false);
+  }
+  const double rho = reference_density(film_->model());
+  out.push_back(named("side_flow", side_ / told() / rho));
+  out.push_back(named("supply_flow", supply_ / told() / rho));
+  return out;
+}
+
+CycleAudit CycleRecord::audit(const FilmInTime& end) const {
+  CycleAudit a;
+  const double oil = oil_in_gap(end.oil);
+  a.mass = std::abs(supply_ - side_ - (oil - oil_begun_)) / oil;
+  double push = 0.0;
+  for (const CycleInstant& i : instants_) push += i.dt * std::hypot(i.load_x, i.load_y);
+  const double mass = film_->mass();
+  if (mass > 0.0) {
+    for (int k = 0; k < 2; ++k) {
+      a.impulse =
+          larger(a.impulse, std::abs(impulse_[k] - mass * (end.velocity[k] - v_begun_[k])) / push);
+    }
+  } else {
+    a.impulse = std::hypot(impulse_[0], impulse_[1]) / push;
+  }
+  a.load = off_balance_ / course_->largest_load();
+  return a;
+}
+
+double CycleRecord::difference(const CycleRecord& other) const {
+  double most = 0.0;
+  const auto a = quantities();
+  const auto b = other.quantities();
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const std::string& name = a[k].quantity.name;
+    if (name != "h_min" && name != "friction_torque") continue;
+    most = larger(most, std::abs(b[k].quantity.value / a[k].quantity.value - 1.0));
+  }
+  const double torque = extreme(instants_, &CycleInstant::torque, false).torque;
+  const double before = extreme(other.instants_, &CycleInstant::torque, false).torque;
+  return larger(most, std::abs(before / torque - 1.0));
+}
+
+CycleResult CycleRecord::result(const FilmInTime& end) const {
+  const BearingModel& m = film_->model();
+  const FilmGrid& g = m.scene.grid;
+  CycleResult r;
+  r.title = m.input.title;
+  r.period = length_;
+  r.crank_speed = m.input.cycle->crank_speed;
+  r.instants = instants_;
+  r.quantities = quantities();
+  r.audit = audit(end);
+  r.fields.grid = full_grid(g);
+  r.fields.p_max = mirror_to_full(g, p_max_);
+  if (m.contact) r.fields.p_asperity_max = mirror_to_full(g, p_asperity_max_);
+  r.fields.h_min = mirror_to_full(g, h_min_);
+  Field friction = friction_;
+  for (double& x : friction) x /= told();
+  r.fields.friction_power = mirror_to_full(g, friction);
+  r.frames = frames_;
+  r.warnings = m.input.warnings;
+  r.assumptions = m.input.assumptions;
+  r.grid = {g.nt, g.full_nz()};
+  return r;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,48 @@
+#pragma once
+/// What a cycle was: instants, means, extremes, maxima over the bearing, audit.
+#include "bearing/cycle.hpp"
+#include "bearing/film_step.hpp"
+
+namespace shellback::bearing {
+
+class CycleRecord {
+ public:
+  /// `film` and `course` must outlive the record.
+  CycleRecord(const FilmSteps& film, const LoadCourse& course, double length);
+
+  /// The state with which the cycle begins.
+  void begin(const FilmInTime& now);
+  /// One accepted step of dt.
+  void add(const FilmStep& step, double dt, const SolveControl& control);
+  /// Time that has been told [s].
+  [[nodiscard]] double told() const { return instants_.back().t; }
+  /// Largest relative difference in smallest film, mean and largest torque.
+  [[nodiscard]] double difference(const CycleRecord& other) const;
+  /// Without verdict and cost.
+  [[nodiscard]] CycleResult result(const FilmInTime& end) const;
+
+ private:
+  [[nodiscard]] CycleInstant instant_of(const FilmInTime& now, double dt);
+  [[nodiscard]] std::vector<CycleQuantity> quantities() const;
+  [[nodiscard]] CycleAudit audit(const FilmInTime& end) const;
+  [[nodiscard]] double oil_in_gap(const Field& oil) const;
+  /// Mean over time of a value that is straight between instants.
+  [[nodiscard]] double mean(double CycleInstant::*value) const;
+  void gather_fields(const FilmInTime& now, double dt);
+
+  const FilmSteps* film_;
+  const LoadCourse* course_;
+  double length_;
+  std::vector<CycleInstant> instants_;
+  std::vector<CycleFrame> frames_;
+  double next_frame_ = 0.0;                          ///< [s]
+  double oil_begun_ = 0.0;                           ///< [kg]
+  double supply_ = 0.0, side_ = 0.0;                 ///< over the cycle [kg]
+  std::array<double, 2> impulse_{};                  ///< [N s]
+  std::array<double, 2> v_begun_{};                  ///< [m/s]
+  double off_balance_ = 0.0;                         ///< [N]
+  Field p_max_, p_asperity_max_, h_min_, friction_;  ///< on the solved grid
+  Field power_now_;  ///< friction per area at the last instant [W/m2]
+};
+
+}  // namespace shellback::bearing

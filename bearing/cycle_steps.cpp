@@ -1,0 +1,106 @@
+#include "bearing/cycle_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kOrder = 3.0;     ///< of the error of one step in its length
+constexpr double kSafety = 0.9;    ///< of the length that the error allows, textbook
+constexpr double kLonger = 2.0;    ///< at most, from step to step, textbook
+constexpr double kShorter = 0.25;  ///< at most; also where a step is not found
+constexpr double kTaken = 4.0;  ///< a step of the period before stands until it errs so much more
+
+constexpr double kRound = 1e-9;  ///< of the period: times nearer than this are one
+
+bool stopped(const SolveControl& control) { return control.stop && control.stop->load(); }
+
+}  // namespace
+
+CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
+                       const StepOptions& options)
+    : film_(film), length_(length), options_(options), wish_(options.after_jump) {
+  for (LoadCorner c : course.corners()) {
+    if (c.t >= length) c.t -= length;
+    corners_.push_back(c);
+  }
+}
+
+/// A corner in the middle of a step moves the load by an eighth of its change of slope times dt:
+/// where that is more than the film's allowed error, the step ends on it.
+double CycleSteps::end_of_step(double since, double dt) const {
+  const double round = kRound * length_;
+  double end = std::min(length_, since + dt);
+  for (const LoadCorner& c : corners_) {
+    const bool felt = c.jump || c.slope_change * dt > 8.0 * options_.error;
+    if (felt && c.t > since + round && c.t < end + round) end = c.t;
+  }
+  return length_ - end < round ? length_ : end;
+}
+
+bool CycleSteps::jump_at(double since) const {
+  const double round = kRound * length_;
+  return std::any_of(corners_.begin(), corners_.end(), [&](const LoadCorner& c) {
+    return c.jump && (std::abs(c.t - since) < round || std::abs(c.t + length_ - since) < round);
+  });
+}
+
+FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, PeriodEnd& out,
+                          EquilibriumCost& cost, const SolveControl& control) {
+  const bool anew = now.oil_slope.empty();
+  const auto old = std::upper_bound(before_.begin(), before_.end(), since + kRound * length_);
+  const bool again = old != before_.end() && *old - since <= kLonger * wish_;
+  end = again ? *old : end_of_step(since, options_.fixed > 0.0 ? options_.fixed : wish_);
+  double most = again ? kTaken * options_.error : options_.error;
+  if (anew || options_.fixed > 0.0) most = INFINITY;
+  while (true) {
+    FilmStep step = film_.take(end - since, now, cost, control.stop);
+    const bool good = step.verdict.good();
+    if (step.verdict.status == Status::interrupted || (good && !(step.error > most))) return step;
+    ++out.rejected;
+    most = anew ? INFINITY : options_.error;
+    const double wanted = kSafety * std::pow(options_.error / step.error, 1.0 / kOrder);
+    const double shorter =
+        (good ? std::clamp(wanted, kShorter, kSafety) : kShorter) * (end - since);
+    if (shorter < options_.shortest) return step;
+    end = since + shorter;
+  }
+}
+
+PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveControl& control,
+                           const TellStep& tell) {
+  PeriodEnd out;
+  const double begun = now.t;
+  before_ = std::move(ends_);
+  ends_.clear();
+  for (double since = 0.0; since < length_;) {
+    if (jump_at(since) || now.oil_slope.empty()) {
+      now.oil_slope.clear();
+      wish_ = options_.after_jump;
+    }
+    double end = 0.0;
+    FilmStep step = find(since, now, end, out, cost, control);
+    if (stopped(control)) step.verdict = {Status::interrupted, "stopped by the user", "", ""};
+    if (!step.verdict.good()) {
+      out.verdict = step.verdict;
+      return out;
+    }
+    const double dt = end - since;
+    const double grown =
+        step.error > 0.0 ? kSafety * std::pow(options_.error / step.error, 1.0 / kOrder) : kLonger;
+    if (step.error > options_.error) ++out.over;
+    wish_ = std::min(options_.longest, dt * std::clamp(grown, kShorter, kLonger));
+    since = end;
+    step.after.t = begun + since;
+    ends_.push_back(since);
+    ++out.accepted;
+    tell(step, dt);
+    now = std::move(step.after);
+  }
+  return out;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,58 @@
+#pragma once
+/// Steps in time through one period of a load course.
+///
+/// A step is as long as its estimated error of the loaded film allows, ends on jumps and on corners
+/// of the load that it would feel, and is repeated shorter where it is not found. A further period
+/// takes the steps of the one before again, so that two periods can be compared.
+#include <functional>
+
+#include "bearing/control.hpp"
+#include "bearing/film_step.hpp"
+
+namespace shellback::bearing {
+
+struct StepOptions {
+  double error = 1e-3;      ///< allowed, of the loaded film in one step [-]
+  double longest = 0.0;     ///< [s]
+  double shortest = 0.0;    ///< below which there is no way on [s]
+  double after_jump = 0.0;  ///< first step behind a jump, and from rest [s]
+  double fixed = 0.0;       ///< of this length, whatever its error [s]; 0: chosen by `error`
+};
+
+/// How a period was passed.
+struct PeriodEnd {
+  Verdict verdict;
+  int accepted = 0;
+  int rejected = 0;
+  int over = 0;  ///< steps whose error was above what is allowed: fixed, or behind a jump
+};
+
+/// Called with every accepted step and the instant at which it began.
+using TellStep = std::function<void(const FilmStep&, double dt)>;
+
+class CycleSteps {
+ public:
+  CycleSteps(FilmSteps& film, const LoadCourse& course, double length, const StepOptions& options);
+
+  /// From `now` over one period.
+  [[nodiscard]] PeriodEnd pass(FilmInTime& now, EquilibriumCost& cost, const SolveControl& control,
+                               const TellStep& tell);
+
+ private:
+  /// Where the step that begins at `since` (within the period) and may be `dt` long ends.
+  [[nodiscard]] double end_of_step(double since, double dt) const;
+  [[nodiscard]] bool jump_at(double since) const;
+  /// The step that begins at `since`, shortened until it is found and errs little enough.
+  [[nodiscard]] FilmStep find(double since, const FilmInTime& now, double& end, PeriodEnd& out,
+                              EquilibriumCost& cost, const SolveControl& control);
+
+  FilmSteps& film_;
+  double length_;
+  StepOptions options_;
+  std::vector<LoadCorner> corners_;  ///< within the period
+  std::vector<double> ends_;         ///< of the steps of this period [s]
+  std::vector<double> before_;       ///< and of the one before [s]
+  double wish_ = 0.0;                ///< length that the error allows [s]
+};
+
+}  // namespace shellback::bearing

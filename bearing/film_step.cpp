@@ -1,0 +1,218 @@
+#include "bearing/film_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bearing/newton.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// A diagonally implicit Runge-Kutta method; the weights of its result are its last row.
+struct Tableau {
+  int stages = 0;
+  bool explicit_first = false;  ///< the first stage is the beginning of the step
+  std::array<double, 3> c{};
+  std::array<std::array<double, 3>, 3> a{};
+  std::array<double, 3> other{};  ///< weights of the result that is compared: error estimate
+  [[nodiscard]] double b(int i) const { return a[stages - 1][i]; }
+};
+
+Tableau tr_bdf2() {
+  const double d = 1.0 - std::numbers::sqrt2 / 2.0;
+  const double w = std::numbers::sqrt2 / 4.0;
+  return {3,
+          true,
+          {0.0, 2.0 * d, 1.0},
+          {{{0.0, 0.0, 0.0}, {d, d, 0.0}, {w, w, d}}},
+          {(1.0 - w) / 3.0, (3.0 * w + 1.0) / 3.0, d / 3.0}};
+}
+
+Tableau sdirk2() {
+  const double g = 1.0 - std::numbers::sqrt2 / 2.0;
+  // Compared with the first stage carried on in a straight line: of first order, a safe bound.
+  return {2, false, {g, 1.0, 0.0}, {{{g, 0.0, 0.0}, {1.0 - g, g, 0.0}, {}}}, {1.0, 0.0, 0.0}};
+}
+
+/// before + dt sum_j row_j k_j
+void add(double f, const Field& k, Field& to) {
+  for (std::size_t c = 0; c < to.size(); ++c) to[c] += f * k[c];
+}
+
+/// The least fill ratio; a step may take more out of a cell than it holds.
+double least_fill(const fluid::FilmState& film) {
+  return *std::min_element(film.theta.begin(), film.theta.end());
+}
+
+}  // namespace
+
+/// Slopes of one stage.
+struct FilmSteps::Stage {
+  Field oil;                             ///< [kg/(m2 s)]
+  std::array<double, 2> velocity{};      ///< [m/s]
+  std::array<double, 2> acceleration{};  ///< [m/s2]
+  fluid::OilFlows flows;                 ///< [kg/s]
+  std::array<double, 2> force{};         ///< of film and load [N]
+  double off_balance = 0.0;              ///< [N]
+};
+
+FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
+                     const EquilibriumOptions& options)
+    : model_(model), course_(course), mass_(mass), options_(options) {
+  target_ = load_target(model.input);
+  target_.unit = course.largest_load();
+}
+
+FilmInTime FilmSteps::at_rest(double T) const {
+  FilmInTime now;
+  now.film = cold_start(model_, T);
+  for (int k = 0; k < target_.unknowns; ++k) now.film.position.q[k] = 0.0;
+  static_cast<void>(evaluate(model_, {}, options_.viscosity_tolerance, now.film));
+  now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
+  return now;
+}
+
+Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stages,
+                               const FilmInTime& now, FilmEquilibrium& film, Stage& found,
+                               EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+  const double own = by.a[i][i] * dt;
+  const LoadNow load = course_.at(now.t + by.c[i] * dt, true);
+  Field before = now.oil;
+  std::array<double, 2> q{now.film.position.q[0], now.film.position.q[1]};
+  std::array<double, 2> v = now.velocity;
+  for (int j = 0; j < i; ++j) {
+    const double f = by.a[i][j] * dt;
+    add(f, stages[j].oil, before);
+    for (int k = 0; k < 2; ++k) {
+      q[k] += f * stages[j].velocity[k];
+      v[k] += f * stages[j].acceleration[k];
+    }
+  }
+  model_.scene.speed = load.omega * model_.input.bearing.radius;
+  model_.scene.storage = {own, std::move(before)};
+  target_.force[0] = -load.x;
+  target_.force[1] = -load.y;
+  if (mass_ > 0.0) {
+    target_.inertia = Inertia{mass_ / (own * own), {q[0] + own * v[0], q[1] + own * v[1]}};
+  }
+  predict(q, v, own, film);
+  Verdict verdict = newton(model_, target_, {}, options_, film, cost, stop);
+  if (!verdict.good()) return verdict;
+  if (least_fill(film.film) < 0.0) {
+    return {Status::iteration_limit, "a step takes more oil out of a cell than it holds", "", ""};
+  }
+  const FilmGrid& g = model_.scene.grid;
+  found.oil = fluid::net_outflow(model_.scene, film.flow);
+  for (int c = 0; c < g.cells(); ++c) {
+    const bool supplied = model_.scene.supply.cell[c] >= 0;
+    found.oil[c] = supplied ? 0.0 : -found.oil[c] / g.area(c / g.nz, c % g.nz);
+  }
+  found.flows = fluid::oil_flows(model_.scene, film.flow);
+  const fluid::Wrench wanted = target_.wanted(film);
+  for (int k = 0; k < 2; ++k) {
+    found.velocity[k] = (film.position.q[k] - q[k]) / own;
+    found.acceleration[k] = mass_ > 0.0 ? (found.velocity[k] - v[k]) / own : 0.0;
+    found.force[k] = film.force[k] - target_.force[k];
+    if (k < target_.unknowns) {
+      found.off_balance = std::max(found.off_balance, std::abs(film.force[k] - wanted[k]));
+    }
+  }
+  return verdict;
+}
+
+/// First guess of the journal's position: where its velocity leads to, if the film stays.
+void FilmSteps::predict(const std::array<double, 2>& q, const std::array<double, 2>& v, double own,
+                        FilmEquilibrium& film) const {
+  constexpr double kMost = 0.3;  // of the room that is left
+  if (mass_ <= 0.0) return;
+  std::array<double, 2> move{};
+  for (int k = 0; k < 2; ++k) move[k] = q[k] + own * v[k] - film.position.q[k];
+  if (std::hypot(move[0], move[1]) > kMost * room(model_, film)) return;
+  for (int k = 0; k < 2; ++k) film.position.q[k] += move[k];
+}
+
+namespace {
+
+/// Full cells of which no neighbour within two cells around is cavitated: as cells fill, one after
+/// the other, the pressure beside them jumps (of first order in time, methods 4) and the surfaces
+/// give way there, however short the steps.
+std::vector<char> away_from_fronts(const FilmGrid& g, const std::vector<char>& full) {
+  std::vector<char> inside = full;
+  for (int i = 0; i < g.nt; ++i) {
+    const int east = g.next(i);
+    const int west = g.previous(i);
+    for (int j = 0; j < g.nz; ++j) {
+      bool all = full[g.index(i, j)];
+      for (const int n : {east, west, g.next(east), g.previous(west)}) {
+        all = all && full[g.index(n, j)];
+      }
+      inside[g.index(i, j)] = all;
+    }
+  }
+  return inside;
+}
+
+}  // namespace
+
+double FilmSteps::error_of(const FilmInTime& now, const FilmEquilibrium& end,
+                           const std::vector<Stage>& stages, double dt) const {
+  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+  constexpr double kLoaded = 0.01;  // of the largest specific load of the course: counts as loaded
+  const FilmGrid& g = model_.scene.grid;
+  const double loaded = kLoaded * course_.largest_load() / (2.0 * g.radius * g.width);
+  double worst = 0.0;
+  if (now.full_before.empty()) return worst;
+  std::vector<char> full = end.film.full;
+  for (std::size_t c = 0; c < full.size(); ++c) {
+    full[c] = full[c] && now.film.film.full[c] && now.full_before[c];
+  }
+  const std::vector<char> inside = away_from_fronts(g, full);
+  for (int c = 0; c < g.cells(); ++c) {
+    if (!inside[c] || model_.scene.supply.cell[c] >= 0 || end.film.p[c] < loaded) continue;
+    double missing = 0.0;
+    for (int i = 0; i < by.stages; ++i) missing += (by.b(i) - by.other[i]) * stages[i].oil[c];
+    const double height = end.oil.density[c] * (end.gap.cell[c] + model_.scene.rough.sigma);
+    worst = larger(worst, std::abs(dt * missing) / height);
+  }
+  return worst;
+}
+
+FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost,
+                         const std::atomic<bool>* stop) {
+  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+  FilmStep step;
+  std::vector<Stage> stages(by.stages);
+  FilmEquilibrium film = now.film;
+  if (by.explicit_first) {
+    stages[0] = {now.oil_slope, now.velocity, now.acceleration, now.flows, {}, 0.0};
+    for (int k = 0; k < 2; ++k) stages[0].force[k] = mass_ * now.acceleration[k];
+  }
+  for (int i = by.explicit_first ? 1 : 0; i < by.stages; ++i) {
+    step.verdict = solve_stage(i, dt, stages, now, film, stages[i], cost, stop);
+    if (!step.verdict.good()) return step;
+    step.off_balance = std::max(step.off_balance, stages[i].off_balance);
+  }
+  step.error = error_of(now, film, stages, dt);
+  step.after.oil = now.oil;
+  for (int i = 0; i < by.stages; ++i) {
+    const double f = by.b(i) * dt;
+    add(f, stages[i].oil, step.after.oil);
+    step.supply += f * stages[i].flows.supply;
+    step.side += f * stages[i].flows.side;
+    for (int k = 0; k < 2; ++k) step.impulse[k] += f * stages[i].force[k];
+  }
+  Stage& last = stages.back();
+  step.after.t = now.t + dt;
+  step.after.full_before = now.film.film.full;
+  step.after.film = std::move(film);
+  step.after.velocity = last.velocity;
+  step.after.acceleration = last.acceleration;
+  step.after.oil_slope = std::move(last.oil);
+  step.after.flows = std::move(last.flows);
+  return step;
+}
+
+}  // namespace shellback::bearing

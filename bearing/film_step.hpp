@@ -1,0 +1,80 @@
+#pragma once
+/// One step in time of film, journal and elastic surfaces.
+///
+/// Oil M per cell, journal position q and velocity v follow
+///   dM/dt = -outflow/A,   dq/dt = v,   m dv/dt = F + W                               (1)
+/// by a diagonally implicit Runge-Kutta method. Each of its stages is the residual of
+/// bearing/equilibrium.hpp over a_ii dt, begun from
+///   M* = M_n + dt sum_j<i a_ij k_j,   likewise q* and v*                             (2)
+/// with k the slopes of the stages before. k of M is the outflow itself, and M is carried as what
+/// flowed in and out, M_n+1 = M_n + dt sum b_i k_i: oil is conserved to round-off, however loosely
+/// a stage is solved. Without mass the journal's position follows from the balance of forces in
+/// every stage.
+/// TR-BDF2 (three stages, the first explicit) where the load is smooth, SDIRK2 where no slope at
+/// the step's beginning is known: at the start and behind a jump of load or speed. Both are of
+/// second order and stiffly accurate. Source: textbook (Hosea and Shampine's form of TR-BDF2;
+/// Alexander's SDIRK2); methods 4.
+#include "bearing/equilibrium.hpp"
+#include "bearing/load_cycle.hpp"
+
+namespace shellback::bearing {
+
+/// Where the bearing stands in time: the unknowns and what carries over from step to step.
+struct FilmInTime {
+  double t = 0.0;  ///< [s]
+  FilmEquilibrium film;
+  Field oil;                             ///< M as carried [kg/m2]
+  std::array<double, 2> velocity{};      ///< of the journal [m/s]
+  std::array<double, 2> acceleration{};  ///< [m/s2]
+  Field oil_slope;                       ///< dM/dt at t; empty: not known, the step begins anew
+  fluid::OilFlows flows;                 ///< at t [kg/s]
+  std::vector<char> full_before;         ///< cells full when the step that led here began
+};
+
+/// What a step found.
+struct FilmStep {
+  Verdict verdict;
+  FilmInTime after;     ///< good: the state at its end
+  double error = 0.0;   ///< estimated, of the loaded film over its height, max |dh|/(h + sigma) [-]
+  double supply = 0.0;  ///< oil fed in over the step [kg]
+  double side = 0.0;    ///< and lost at the sides [kg]
+  std::array<double, 2> impulse{};  ///< of film and load on the journal [N s]
+  double off_balance = 0.0;         ///< largest residual of the force balance [N]
+};
+
+/// The bearing in time, on one grid, under a course of load and speed.
+class FilmSteps {
+ public:
+  /// `mass` of the journal [kg], 0: none.
+  FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
+            const EquilibriumOptions& options);
+
+  /// At rest in the middle of the clearance, in a full film of one temperature [K].
+  [[nodiscard]] FilmInTime at_rest(double T) const;
+  /// One step of dt from `now`.
+  [[nodiscard]] FilmStep take(double dt, const FilmInTime& now, EquilibriumCost& cost,
+                              const std::atomic<bool>* stop);
+  /// The scene as it was at the end of the last step: with its speed.
+  [[nodiscard]] const BearingModel& model() const { return model_; }
+  /// Of the journal [kg].
+  [[nodiscard]] double mass() const { return mass_; }
+
+ private:
+  struct Stage;
+  /// Solves stage i; `stages` holds those before.
+  [[nodiscard]] Verdict solve_stage(int i, double dt, const std::vector<Stage>& stages,
+                                    const FilmInTime& now, FilmEquilibrium& film, Stage& found,
+                                    EquilibriumCost& cost, const std::atomic<bool>* stop);
+  void predict(const std::array<double, 2>& q, const std::array<double, 2>& v, double own,
+               FilmEquilibrium& film) const;
+  [[nodiscard]] double error_of(const FilmInTime& now, const FilmEquilibrium& end,
+                                const std::vector<Stage>& stages, double dt) const;
+
+  BearingModel model_;
+  const LoadCourse& course_;
+  double mass_;
+  EquilibriumOptions options_;
+  LoadTarget target_;
+};
+
+}  // namespace shellback::bearing

@@ -1,0 +1,106 @@
+#include "bearing/load_cycle.hpp"
+
+#include <gsl/gsl_spline.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// Straight line between two values.
+double between(double a, double b, double part) { return a + part * (b - a); }
+
+struct FreeSpline {
+  void operator()(gsl_spline* s) const { gsl_spline_free(s); }
+};
+using Spline = std::unique_ptr<gsl_spline, FreeSpline>;
+
+/// Periodic through `y` at `t`, whose last value is that of the first.
+Spline periodic_spline(const std::vector<double>& t, const std::vector<double>& y) {
+  Spline s(gsl_spline_alloc(gsl_interp_cspline_periodic, t.size()));
+  gsl_spline_init(s.get(), t.data(), y.data(), t.size());
+  return s;
+}
+
+}  // namespace
+
+struct LoadCourse::Splines {
+  Spline x, y, omega;
+};
+
+LoadCourse::LoadCourse(const LoadCycle& cycle, double omega) : cycle_(cycle) {
+  EXPECTS(cycle_.t.size() >= 2 && cycle_.x.size() == cycle_.t.size() &&
+          cycle_.y.size() == cycle_.t.size());
+  if (cycle_.omega.empty()) cycle_.omega.assign(cycle_.t.size(), omega);
+  if (cycle_.repeats()) {  // the first row once more, a period later
+    cycle_.t.push_back(cycle_.t.front() + cycle_.period);
+    for (auto* v : {&cycle_.x, &cycle_.y, &cycle_.omega}) v->push_back(v->front());
+  }
+  for (std::size_t k = 0; k < cycle_.t.size(); ++k) {
+    largest_load_ = std::max(largest_load_, std::hypot(cycle_.x[k], cycle_.y[k]));
+    largest_speed_ = std::max(largest_speed_, std::abs(cycle_.omega[k]));
+  }
+  if (cycle_.interpolation == LoadInterpolation::periodic_spline) {
+    splines_ = std::make_shared<const Splines>(Splines{periodic_spline(cycle_.t, cycle_.x),
+                                                       periodic_spline(cycle_.t, cycle_.y),
+                                                       periodic_spline(cycle_.t, cycle_.omega)});
+  } else {
+    find_corners();
+  }
+}
+
+/// Time within the rows, of an event held at its ends.
+double LoadCourse::within_period(double t) const {
+  const double first = cycle_.t.front();
+  if (!cycle_.repeats()) return std::clamp(t, first, cycle_.t.back());
+  const double since = std::fmod(t - first, cycle_.period);
+  return first + (since < 0.0 ? since + cycle_.period : since);
+}
+
+LoadNow LoadCourse::at(double t, bool before_jump) const {
+  const double at = within_period(t);
+  if (splines_) {
+    return {gsl_spline_eval(splines_->x.get(), at, nullptr),
+            gsl_spline_eval(splines_->y.get(), at, nullptr),
+            gsl_spline_eval(splines_->omega.get(), at, nullptr)};
+  }
+  const auto& T = cycle_.t;
+  const auto above = before_jump ? std::lower_bound(T.begin(), T.end(), at)
+                                 : std::upper_bound(T.begin(), T.end(), at);
+  const auto k = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(above - T.begin(), 1, static_cast<std::ptrdiff_t>(T.size()) - 1));
+  const double length = T[k] - T[k - 1];
+  const double part = length > 0.0 ? std::clamp((at - T[k - 1]) / length, 0.0, 1.0) : 1.0;
+  return {between(cycle_.x[k - 1], cycle_.x[k], part), between(cycle_.y[k - 1], cycle_.y[k], part),
+          between(cycle_.omega[k - 1], cycle_.omega[k], part)};
+}
+
+/// Every row is a corner of straight lines; rows at one time are a jump.
+void LoadCourse::find_corners() {
+  const auto& T = cycle_.t;
+  const std::size_t n = T.size();
+  const auto slope = [&](std::size_t k) {  // of the line that begins in row k
+    const double dt = T[k + 1] - T[k];
+    return std::array{(cycle_.x[k + 1] - cycle_.x[k]) / dt, (cycle_.y[k + 1] - cycle_.y[k]) / dt};
+  };
+  const double unit = largest_load_ > 0.0 ? largest_load_ : 1.0;
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    if (T[k + 1] <= T[k]) {
+      corners_.push_back({T[k], true, INFINITY});
+      continue;
+    }
+    const bool jumped = k > 0 && T[k] <= T[k - 1];
+    const bool first = k == 0;
+    if (jumped || (first && !cycle_.repeats())) continue;
+    const std::size_t last = first ? n - 2 : k - 1;
+    if (T[last + 1] <= T[last]) continue;  // the jump is at the end of the period
+    const auto a = slope(last);
+    const auto b = slope(k);
+    corners_.push_back({T[k], false, std::hypot(b[0] - a[0], b[1] - a[1]) / unit});
+  }
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,331 @@
+// Load cycles: the film in time against steady films, linear theory, its own symmetries and order.
+#include "bearing/cycle.hpp"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <complex>
+
+#include "core/contract.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+using Load = std::array<double, 2>;
+
+/// `load` of the crank angle over two turns of the journal, in rows of 5 degrees, as a spline.
+LoadCycle over_two_turns(const Case& c, const std::function<Load(double)>& load) {
+  constexpr int kRows = 144;
+  LoadCycle cycle;
+  cycle.crank_speed = std::abs(c.operation.omega);
+  cycle.period = 4.0 * kPi / cycle.crank_speed;
+  for (int k = 0; k < kRows; ++k) {
+    const double angle = 4.0 * kPi * k / kRows;
+    cycle.t.push_back(angle / cycle.crank_speed);
+    const Load w = load(angle);
+    cycle.x.push_back(w[0]);
+    cycle.y.push_back(w[1]);
+  }
+  cycle.interpolation = LoadInterpolation::periodic_spline;
+  cycle.journal_mass = 0.5;
+  return cycle;
+}
+
+/// A firing pulse of 6 kN over a turning load of 1 kN.
+Load pulse(double angle) {
+  const double from = std::remainder(angle - 2.0 * kPi, 4.0 * kPi);
+  const double fired = 6e3 * std::exp(-from * from / 0.2);
+  return {1e3 * std::cos(angle), 1e3 * std::sin(angle) - fired};
+}
+
+Case pulsed_case() {
+  Case c = plain_case();
+  c.supplies[0].pressure = 1e5;
+  c.supplies[0].arc = 20.0 * kDegree;
+  c.supplies[0].length = 0.02;
+  c.cycle = over_two_turns(c, pulse);
+  return c;
+}
+
+CycleResult converged(const Case& c) {
+  const CycleResult r = solve_cycle(c, Tier::isothermal);
+  INFO(r.verdict.reason);
+  REQUIRE(r.verdict.good());
+  CHECK(r.audit.mass < 1e-12);  // carried as what flows: round-off
+  return r;
+}
+
+const CycleQuantity& named(const CycleResult& r, const std::string& name) {
+  for (const CycleQuantity& q : r.quantities) {
+    if (q.quantity.name == name) return q;
+  }
+  throw std::runtime_error("no quantity " + name);
+}
+double value(const CycleResult& r, const std::string& name) {
+  return named(r, name).quantity.value;
+}
+
+}  // namespace
+
+TEST_CASE("ALoadThatStandsStillGivesTheSteadyBearing", "[cycle]") {
+  Case c = pulsed_case();
+  set_load(c, 2e3);
+  c.cycle = over_two_turns(c, [](double) { return Load{0.0, -2e3}; });
+  const Quantities steady = solve(c).values();
+  const CycleResult r = converged(c);
+  // Cycles are repeated until two agree within 1e-4.
+  CHECK(value(r, "h_min") == Approx(steady.h_min).epsilon(2e-4));
+  CHECK(value(r, "friction_torque") == Approx(steady.friction_torque).epsilon(2e-4));
+  CHECK(value(r, "p_max") == Approx(steady.p_max).epsilon(2e-3));
+  CHECK(value(r, "side_flow") == Approx(steady.side_flow).epsilon(2e-3));
+}
+
+TEST_CASE("ALoadThatTurnsIsASteadyLoadAtAnotherSpeed", "[cycle]") {
+  // In a frame that turns with the load, at a quarter of the journal's speed, oil is drawn in at
+  // (omega - 2 omega/4)/2: the steady bearing of half the speed. The supply is a ring, which knows
+  // no direction.
+  Case c = plain_case();
+  c.supplies[0].arc = 2.0 * kPi;
+  c.supplies[0].length = 4e-3;
+  c.supplies[0].pressure = 2e5;
+  c.model.grid = {96, 12};
+  LoadCycle turning;
+  const double omega = c.operation.omega;
+  turning.period = 8.0 * kPi / omega;
+  for (int k = 0; k < 96; ++k) {
+    const double angle = 2.0 * kPi * k / 96;
+    turning.t.push_back(turning.period * k / 96);
+    turning.x.push_back(1e3 * std::cos(angle));
+    turning.y.push_back(1e3 * std::sin(angle));
+  }
+  turning.interpolation = LoadInterpolation::periodic_spline;
+  c.cycle = turning;
+  c.model.tolerance = 3e-3;
+  const CycleResult r = converged(c);
+  c.operation.omega = 0.5 * omega;
+  set_load(c, 1e3);
+  const Quantities steady = solve(c).values();
+  // The upstream fill is carried over the grid in one of the two: half a cell of 96 in the place of
+  // the film's end.
+  CHECK(value(r, "h_min") == Approx(steady.h_min).epsilon(0.01));
+  double least = INFINITY;
+  double most = 0.0;
+  double pressure = 0.0;  // its mean: the peak jumps as cells fill
+  for (const CycleInstant& i : r.instants) {
+    pressure += i.dt * i.p_max / r.period;
+    least = std::min(least, std::hypot(i.ex, i.ey));
+    most = std::max(most, std::hypot(i.ex, i.ey));
+  }
+  CHECK(pressure == Approx(steady.p_max).epsilon(0.02));
+  CHECK(most / least < 1.01);  // the orbit is a circle
+}
+
+TEST_CASE("FilmAndTorqueAreOfSecondOrderInTime", "[cycle]") {
+  Case c = pulsed_case();
+  c.model.tolerance = 1e-4;  // films that are known far better than the steps err
+  const double degree = kDegree / c.cycle->crank_speed;
+  const auto with_step = [&](double step) {
+    c.cycle->step = step * degree;
+    return converged(c);
+  };
+  const CycleResult truth = with_step(0.25);
+  /// Mean deviation of a value at common instants, every 4 degrees.
+  const auto off = [&](const CycleResult& r, double step, double CycleInstant::*v) {
+    const auto stride = static_cast<std::size_t>(std::lround(4.0 / step));
+    double sum = 0.0;
+    for (std::size_t k = 1; k <= 180; ++k) {
+      sum += std::abs(r.instants[k * stride].*v / truth.instants[k * 16].*v - 1.0);
+    }
+    return sum / 180.0;
+  };
+  const CycleResult coarse = with_step(4.0);
+  const CycleResult fine = with_step(2.0);
+  for (double CycleInstant::*v : {&CycleInstant::h_min, &CycleInstant::torque}) {
+    const double order = std::log2(off(coarse, 4.0, v) / off(fine, 2.0, v));
+    CHECK(order > 1.75);
+    CHECK(order < 2.35);
+  }
+}
+
+TEST_CASE("StepsChosenByTheirErrorKeepTheToleranceAskedFor", "[cycle]") {
+  Case c = pulsed_case();
+  c.model.tolerance = 1e-3;
+  const CycleResult fine = converged(c);
+  c.model.tolerance = 1e-2;
+  const CycleResult usual = converged(c);
+  CHECK(usual.steps < fine.steps);
+  for (const char* name : {"h_min", "friction_torque", "p_max", "side_flow"}) {
+    INFO(name);
+    CHECK(value(usual, name) == Approx(value(fine, name)).epsilon(1e-2));
+  }
+}
+
+TEST_CASE("SmallOscillationsAnswerAsStiffnessAndDampingSay", "[cycle]") {
+  // Once in twenty turns: the damping is that of motions slower than the oil's way through the
+  // cavitated film.
+  Case c = plain_case();
+  c.model.coefficients = true;
+  c.model.grid = {72, 12};
+  const Solution steady = solve_tier(c, Tier::isothermal);
+  REQUIRE(steady.coefficients);
+  const Matrix2 K = forces_of(steady.coefficients->K);
+  const Matrix2 C = forces_of(steady.coefficients->C);
+  constexpr double kShake = 20.0;  // [N], a hundredth of the load
+  const double shaken = c.operation.omega / 20.0;
+  c.cycle = over_two_turns(c, [](double a) { return Load{kShake * std::cos(0.5 * a), -2e3}; });
+  for (double& t : c.cycle->t) t *= 10.0;
+  c.cycle->period *= 10.0;
+  c.cycle->journal_mass = 0.0;
+  c.model.tolerance = 1e-4;
+  const CycleResult r = converged(c);
+  using Complex = std::complex<double>;
+  Complex x = 0.0;
+  Complex y = 0.0;
+  for (std::size_t k = 1; k < r.instants.size(); ++k) {  // first harmonic
+    const auto& a = r.instants[k - 1];
+    const auto& b = r.instants[k];
+    const auto turn = [&](double t) { return std::polar(1.0, -shaken * t); };
+    x += 0.5 * b.dt * (a.ex * turn(a.t) + b.ex * turn(b.t));
+    y += 0.5 * b.dt * (a.ey * turn(a.t) + b.ey * turn(b.t));
+  }
+  x *= 2.0 / r.period;
+  y *= 2.0 / r.period;
+  const auto force = [&](int i) {
+    const Complex s(0.0, shaken);
+    return (K[i][0] + s * C[i][0]) * x + (K[i][1] + s * C[i][1]) * y;
+  };
+  CHECK(std::abs(force(0) - kShake) < 0.02 * kShake);
+  CHECK(std::abs(force(1)) < 0.02 * kShake);
+}
+
+TEST_CASE("ACycleDoesNotKnowWhereItsPeriodBegins", "[cycle]") {
+  Case c = pulsed_case();
+  const CycleResult a = converged(c);
+  c.cycle = over_two_turns(c, [](double angle) { return pulse(angle + 1.3 * kPi); });
+  const CycleResult b = converged(c);
+  for (const char* name : {"h_min", "friction_torque", "side_flow"}) {
+    INFO(name);
+    CHECK(value(b, name) == Approx(value(a, name)).epsilon(3e-3));  // other steps in time
+  }
+  const double turned = (named(a, "p_max").at - named(b, "p_max").at) * c.operation.omega;
+  CHECK(turned == Approx(1.3 * kPi).margin(0.1));  // the pulse is this much earlier
+}
+
+TEST_CASE("TheMirroredCycleIsTheMirroredOrbit", "[cycle]") {
+  Case c = pulsed_case();
+  const CycleResult a = converged(c);
+  c.operation.omega = -c.operation.omega;
+  for (Supply& s : c.supplies) s.angle = kPi - s.angle;
+  for (double& x : c.cycle->x) x = -x;
+  const CycleResult b = converged(c);
+  CHECK(value(b, "h_min") == Approx(value(a, "h_min")).epsilon(1e-5));
+  CHECK(value(b, "friction_torque") == Approx(-value(a, "friction_torque")).epsilon(1e-5));
+  REQUIRE(a.instants.size() == b.instants.size());
+  for (std::size_t k = 0; k < a.instants.size(); ++k) {
+    CHECK(std::abs(a.instants[k].ex + b.instants[k].ex) < 1e-4 * c.bearing.radial_clearance);
+    CHECK(std::abs(a.instants[k].ey - b.instants[k].ey) < 1e-4 * c.bearing.radial_clearance);
+  }
+}
+
+TEST_CASE("AfterAJumpOfTheLoadStepsBeginAnew", "[cycle]") {
+  Case c = pulsed_case();
+  const double T = c.cycle->period;
+  LoadCycle jump;
+  jump.t = {0.0, 0.5 * T, 0.5 * T, T};
+  jump.x = {0.0, 0.0, 500.0, 500.0};
+  jump.y = {-1e3, -1e3, -4e3, -4e3};
+  jump.period = T;
+  jump.journal_mass = 0.5;
+  jump.t.pop_back();  // the second half holds until the jump back at the end of the period
+  jump.x.pop_back();
+  jump.y.pop_back();
+  jump.t.push_back(T);
+  jump.x.push_back(500.0);
+  jump.y.push_back(-4e3);
+  c.cycle = jump;
+  const CycleResult r = converged(c);
+  for (std::size_t k = 1; k < r.instants.size(); ++k) {
+    const double begun = r.instants[k].t - r.instants[k].dt;
+    const bool after = begun < 1e-9 * T || std::abs(begun - 0.5 * T) < 1e-9 * T;
+    if (after) CHECK(r.instants[k].dt * c.operation.omega <= 0.1001 * kDegree);
+    CHECK(!(begun < (0.5 - 1e-9) * T && r.instants[k].t > (0.5 + 1e-9) * T));  // none across it
+  }
+  CHECK(r.audit.impulse < 1e-6);
+}
+
+TEST_CASE("ALoadMayPassThroughZero", "[cycle]") {
+  Case c = pulsed_case();
+  c.cycle = over_two_turns(c, [](double a) { return Load{0.0, -3e3 * std::sin(a)}; });
+  for (const double mass : {0.01, 1.0, 100.0}) {  // [kg]
+    c.cycle->journal_mass = mass;
+    const CycleResult r = converged(c);
+    CHECK(r.audit.impulse < 1e-5);
+    CHECK(r.audit.load < 1e-4);
+  }
+}
+
+TEST_CASE("ElasticSurfacesCarryThePulseOnAThickerFilm", "[cycle]") {
+  // A pulse of 60 MPa squeezes rigid surfaces nearer than elastic ones, and to a higher pressure.
+  Case c = rig_case();
+  c.model.grid = {48, 7};
+  c.supplies[0].pressure = 2e5;
+  c.cycle = over_two_turns(c, [](double a) {
+    const double from = std::remainder(a - 2.0 * kPi, 4.0 * kPi);
+    return Load{2e3 * std::cos(a), 2e3 * std::sin(a) - 24e3 * std::exp(-from * from / 0.2)};
+  });
+  const CycleResult rigid = converged(c);
+  c.model.switches.elastic_deformation = true;
+  const CycleResult elastic = converged(c);
+  CHECK(value(elastic, "p_max") < value(rigid, "p_max"));
+  CHECK(value(elastic, "p_max") > 24e3 / (2.0 * c.bearing.radius * c.bearing.width));
+}
+
+TEST_CASE("AnInterruptedCycleKeepsWhatItHas", "[cycle]") {
+  const Case c = pulsed_case();
+  std::atomic<bool> stop = false;
+  SolveControl control;
+  control.stop = &stop;
+  int steps = 0;
+  control.progress = [&](const Progress&) { stop = ++steps > 20; };
+  const CycleResult r = solve_cycle(c, Tier::isothermal, control);
+  CHECK(r.verdict.status == Status::interrupted);
+  CHECK(r.instants.size() > 20);
+}
+
+TEST_CASE("TiersThatCannotServeACycleSaySo", "[cycle]") {
+  CHECK_THROWS_AS(solve_cycle(pulsed_case(), Tier::tehd), InputError);
+}
+
+TEST_CASE("LoadsBetweenRowsAreLinesOrSplines", "[cycle]") {
+  LoadCycle cycle;
+  cycle.t = {0.0, 1.0, 1.0, 3.0};
+  cycle.x = {0.0, 2.0, 4.0, 0.0};
+  cycle.y = {0.0, 0.0, 0.0, 0.0};
+  cycle.period = 4.0;
+  const LoadCourse lines(cycle, 7.0);
+  CHECK(lines.at(0.5).x == Approx(1.0));
+  CHECK(lines.at(1.0).x == Approx(4.0));
+  CHECK(lines.at(1.0, true).x == Approx(2.0));
+  CHECK(lines.at(2.0).x == Approx(2.0));
+  CHECK(lines.at(3.5).x == Approx(0.0));
+  CHECK(lines.at(4.5).x == Approx(1.0));
+  CHECK(lines.at(0.5).omega == 7.0);
+  CHECK(lines.largest_load() == 4.0);
+  int jumps = 0;
+  for (const LoadCorner& corner : lines.corners()) jumps += corner.jump;
+  CHECK(jumps == 1);
+  LoadCycle wave;
+  wave.period = 2.0 * kPi;
+  for (int k = 0; k < 36; ++k) {
+    wave.t.push_back(wave.period * k / 36);
+    wave.x.push_back(std::sin(wave.t.back()));
+    wave.y.push_back(0.0);
+  }
+  wave.interpolation = LoadInterpolation::periodic_spline;
+  const LoadCourse smooth(wave, 1.0);
+  CHECK(smooth.corners().empty());
+  for (double t = 0.03; t < 12.0; t += 0.1) CHECK(std::abs(smooth.at(t).x - std::sin(t)) < 1e-5);
+}

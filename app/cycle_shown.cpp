@@ -108,7 +108,8 @@ std::string cycle_label(const CycleQuantity& q) {
     }
   }
   const std::string label = quantity_label(name);
-  const bool mean = !std::isfinite(q.at) && label.find("mean") == std::string::npos;
+  const bool said = label.starts_with(' ') || label.find("mean") != std::string::npos;
+  const bool mean = !std::isfinite(q.at) && !said;  // a part is a mean as its whole above it
   return mean ? label + ", mean" : label;
 }
 
@@ -142,7 +143,7 @@ std::string how_it_ran(const CycleResult& cycle) {
   }
   words += fmt::format("; {} steps, {} rejected", cycle.steps, cycle.rejected_steps);
   if (std::isfinite(cycle.period) && cycle.period > 0.0) {
-    words += fmt::format("; period {} ms", figures(1e3 * cycle.period));
+    words += fmt::format("; period {:.4g} ms", 1e3 * cycle.period);
   }
   return words;
 }

@@ -47,6 +47,7 @@ FieldMap map_of(const bearing::Case& c, const CycleResult& cycle, FilmField whic
                 const Field& field, const std::string& title) {
   bearing::Result film;
   film.fields.grid = cycle.fields.grid;
+  for (const auto& q : cycle.quantities) film.quantities.push_back(q.quantity);
   (which == FilmField::gap ? film.fields.h : film.fields.p) = field;
   ColourScale scale = common_scale({&film}, which);
   if (which == FilmField::gap) {  // the depth of supply features does not count

@@ -19,7 +19,7 @@ using bearing::CycleResult;
 
 constexpr double kWidth = 1180.0;  ///< of the whole [px]
 constexpr double kHeight = 372.0;  ///< [px]
-constexpr int kBands = 16;         ///< colours of a frame
+constexpr int kBands = 24;         ///< colours of a frame
 constexpr int kMostAround = 120;   ///< cells of a frame around the bearing
 constexpr int kMostAcross = 17;    ///< and along it
 constexpr std::size_t kMostFrames = 72;
@@ -75,7 +75,7 @@ std::string words_of(const CycleResult& cycle, const CycleFrame& frame) {
   std::string words = has_crank(cycle) ? fmt::format("crank angle {:.0f}°", told(cycle, frame.t))
                                        : fmt::format("time {:.4g} ms", 1e3 * frame.t);
   if (i == nullptr) return words;
-  return words + fmt::format("   largest pressure {} MPa   smallest film {} µm   load {} kN",
+  return words + fmt::format(", largest pressure {} MPa, smallest film {} µm, load {} kN",
                              figures(1e-6 * i->p_max, 3), figures(1e6 * i->h_min, 3),
                              figures(1e-3 * std::hypot(i->load_x, i->load_y), 3));
 }

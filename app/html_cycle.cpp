@@ -99,7 +99,6 @@ std::string cycle_curves_html(const bearing::Case& c, const CycleResult& cycle) 
   std::string html = "<div class=\"figures\">\n";
   html += figure(600.0, "Path of the journal",
                  [&](Svg& svg, const Box& box) { draw_orbit(svg, box, c, cycle, theme); });
-  std::string curves;
   Svg svg(kWidth, 600.0);
   const auto place = [&](CycleCurve which, double x, double y) {
     draw_lines(svg, {x, y, 0.5 * kWidth, 300.0}, cycle_plot(cycle, which, theme), theme);

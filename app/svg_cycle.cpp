@@ -92,7 +92,9 @@ void draw_maps(Svg& svg, const bearing::Case& c, const CycleResult& cycle, const
 }  // namespace
 
 Axis cycle_axis(const CycleResult& cycle) {
-  const double end = cycle.instants.empty() ? 1.0 : on_axis(cycle, cycle.instants.back().t);
+  const bool whole = std::isfinite(cycle.period) && cycle.period > 0.0;
+  const double last = whole ? cycle.period : cycle.instants.empty() ? 0.0 : cycle.instants.back().t;
+  const double end = on_axis(cycle, last);
   if (!has_crank(cycle)) return tight_axis(0.0, end > 0.0 ? end : 1.0, 8, "time [ms]");
   Axis axis{0.0, end > 0.0 ? end : 720.0, {}, 0, "crank angle [°]"};
   constexpr double kFewest = 45.0;  // [deg]

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -239,6 +240,13 @@ TEST_CASE("ThePictureOfACycleShowsOrbitCurvesAndMaps") {
   }
   CHECK_FALSE(contains(svg, "nan"));
   CHECK(contains(app::cycle_svg(test::cycle_case(), test::timed_cycle()), "time [ms]"));
+}
+
+TEST_CASE("TheAxisIsThatOfTheWholeCycleWhereverItStopped") {
+  CHECK(app::cycle_axis(test::stopped_cycle()).high == Approx(720.0));
+  auto event = test::timed_cycle();
+  event.period = std::numeric_limits<double>::infinity();
+  CHECK(app::cycle_axis(event).high == Approx(1e3 * event.instants.back().t));
 }
 
 TEST_CASE("ACycleWithoutContactHasNoMapOfIt") {

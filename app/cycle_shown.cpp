@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bearing/quantities.hpp"
@@ -128,6 +129,12 @@ bearing::Result head_of(const CycleResult& cycle) {
   head.grid = cycle.grid;
   head.cost = cycle.cost;
   return head;
+}
+
+bearing::CycleAudit audit_of(const CycleResult& cycle) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  if (cycle.instants.empty()) return {kUnknown, kUnknown, kUnknown};
+  return cycle.audit;
 }
 
 std::string meaning_of_the_rest(const CycleResult& cycle) {

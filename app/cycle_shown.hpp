@@ -46,6 +46,9 @@ struct CycleSeries {
 /// What a cycle has in common with the result of a steady state: verdict, notes, grid and cost.
 [[nodiscard]] bearing::Result head_of(const bearing::CycleResult& cycle);
 
+/// Not-a-number where nothing was found.
+[[nodiscard]] bearing::CycleAudit audit_of(const bearing::CycleResult& cycle);
+
 /// What the numbers of a cycle that did not converge are.
 [[nodiscard]] std::string meaning_of_the_rest(const bearing::CycleResult& cycle);
 

@@ -84,7 +84,7 @@ std::string cycle_quantities_html(const CycleResult& cycle) {
 }
 
 std::string cycle_audit_html(const CycleResult& cycle) {
-  const auto& a = cycle.audit;
+  const bearing::CycleAudit a = audit_of(cycle);
   return fmt::format(
       "<p>{}.</p>\n<p>Relative imbalances over the cycle: mass {}, impulse {}, load {}. Grid {} × "
       "{}, {} Newton iterations, {} factorizations, {} s.</p>\n",

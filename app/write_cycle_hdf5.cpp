@@ -42,10 +42,11 @@ void write_scalars(hid_t file, const CycleResult& cycle) {
     known("_error_grid", q.quantity.error_grid);
     known("_error_time", q.error_time);
   }
+  const bearing::CycleAudit relative = audit_of(cycle);
   const Handle audit = group(file, "audit");
-  attribute(audit, "mass", cycle.audit.mass);
-  attribute(audit, "impulse", cycle.audit.impulse);
-  attribute(audit, "load", cycle.audit.load);
+  attribute(audit, "mass", relative.mass);
+  attribute(audit, "impulse", relative.impulse);
+  attribute(audit, "load", relative.load);
 }
 
 /// Times, and crank angles if there is a crank.

@@ -54,9 +54,10 @@ std::string cycle_json(const bearing::Case& c, const CycleResult& cycle) {
   json["tier"] = to_string(cycle.tier);
   json["title"] = cycle.title;
   json["quantities"] = quantities(cycle);
-  json["audit"] = {{"mass", number(cycle.audit.mass)},
-                   {"impulse", number(cycle.audit.impulse)},
-                   {"load", number(cycle.audit.load)}};
+  const bearing::CycleAudit audit = audit_of(cycle);
+  json["audit"] = {{"mass", number(audit.mass)},
+                   {"impulse", number(audit.impulse)},
+                   {"load", number(audit.load)}};
   json["cycle"] = over_the_cycle(c, cycle);
   json["limiters"] = limiters_json(cycle.limiters);
   json["warnings"] = cycle.warnings;

@@ -48,11 +48,14 @@ void write_cycle_table(std::ostream& out, const bearing::Case& c, const CycleRes
   print_scene(out, c);
   out << "load cycle, tier " << tier << ", " << status_line(head) << "\n\n";
   print_failure(out, tier, head, meaning_of_the_rest(cycle));
-  if (!cycle.quantities.empty()) print_quantities(out, cycle);
-  out << '\n' << how_it_ran(cycle) << '\n';
-  out << fmt::format("audit (relative)  mass {}  impulse {}  load {}\n",
-                     audit_figure(cycle.audit.mass), audit_figure(cycle.audit.impulse),
-                     audit_figure(cycle.audit.load));
+  if (!cycle.quantities.empty()) {
+    print_quantities(out, cycle);
+    out << '\n';
+  }
+  const bearing::CycleAudit audit = audit_of(cycle);
+  out << how_it_ran(cycle) << '\n';
+  out << fmt::format("audit (relative)  mass {}  impulse {}  load {}\n", audit_figure(audit.mass),
+                     audit_figure(audit.impulse), audit_figure(audit.load));
   print_limiters(out, {head});
   print_list(out, "warnings", cycle.warnings);
   print_list(out, "assumptions", cycle.assumptions);

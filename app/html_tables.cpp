@@ -91,21 +91,27 @@ std::string measured_sentence(const bearing::Case& c, const Comparison& comparis
 
 }  // namespace
 
+std::string failure_html(const std::string& name, const Result& result,
+                         const std::string& meaning) {
+  const Verdict& v = result.verdict;
+  std::string html = fmt::format("<section class=\"failed\"><strong>{}: {}</strong><dl>",
+                                 escape_markup(name), status_line(result));
+  for (const auto& [term, words] :
+       {std::pair{"reason", v.reason}, std::pair{"place", v.place}, std::pair{"cure", v.cure}}) {
+    if (words.empty()) continue;
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>", term, escape_markup(words));
+  }
+  return html + "</dl>" + escape_markup(meaning) + "</section>\n";
+}
+
 std::string failures_html(const Comparison& comparison) {
   const auto names = column_names(comparison.results);
   std::string html;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const Result& result = comparison.results[k];
-    const Verdict& v = result.verdict;
-    if (v.good()) continue;
-    html += fmt::format("<section class=\"failed\"><strong>{}: {}</strong><dl>",
-                        escape_markup(names[k]), status_line(result));
-    for (const auto& [term, words] :
-         {std::pair{"reason", v.reason}, std::pair{"place", v.place}, std::pair{"cure", v.cure}}) {
-      if (words.empty()) continue;
-      html += fmt::format("<dt>{}</dt><dd>{}</dd>", term, escape_markup(words));
-    }
-    html += "</dl>Its numbers and fields are those of the last iterate, not a result.</section>\n";
+    if (result.verdict.good()) continue;
+    html += failure_html(names[k], result,
+                         "Its numbers and fields are those of the last iterate, not a result.");
   }
   return html;
 }

@@ -7,6 +7,10 @@
 
 namespace shellback::app {
 
+/// A loud box: status, reason, place, cure, and what the numbers of the result mean.
+[[nodiscard]] std::string failure_html(const std::string& name, const bearing::Result& result,
+                                       const std::string& meaning);
+
 /// One loud box per result that did not converge: status, reason, place, cure.
 [[nodiscard]] std::string failures_html(const bearing::Comparison& comparison);
 

@@ -60,6 +60,32 @@ double largest_magnitude(const std::vector<bearing::Result>& results, const std:
   return largest;
 }
 
+/// One speed, or from the lowest to the highest of a load cycle.
+std::string speed_words(const bearing::Case& c) {
+  constexpr double kRevolution = 60.0 / (2.0 * kPi);  // rpm per rad/s
+  if (!c.cycle || c.cycle->omega.empty()) {
+    return fmt::format("{:.4g} rpm", kRevolution * c.operation.omega);
+  }
+  const auto [low, high] = std::minmax_element(c.cycle->omega.begin(), c.cycle->omega.end());
+  if (*low == *high) return fmt::format("{:.4g} rpm", kRevolution * *low);
+  return fmt::format("{:.4g} to {:.4g} rpm", kRevolution * *low, kRevolution * *high);
+}
+
+/// What a load cycle is: how long, and its largest load.
+std::string cycle_words(const bearing::LoadCycle& cycle, const char* degree) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < cycle.t.size(); ++k) {
+    largest = std::max(largest, std::hypot(cycle.x[k], cycle.y[k]));
+  }
+  const double length = cycle.repeats() ? cycle.period : cycle.t.empty() ? 0.0 : cycle.t.back();
+  const std::string over =
+      cycle.crank_speed > 0.0
+          ? fmt::format("{:.4g}{}", length * cycle.crank_speed * kDegrees, degree)
+          : fmt::format("{:.4g} ms", 1e3 * length);
+  return fmt::format(", load {} over {}, largest load {:.4g} kN",
+                     cycle.repeats() ? "cycle" : "event", over, largest / kThousandfold);
+}
+
 }  // namespace
 
 std::string quantity_label(const std::string& name) {
@@ -165,16 +191,16 @@ std::string status_line(const bearing::Result& result) {
 }
 
 std::string describe_case(const bearing::Case& c, Writing writing) {
-  constexpr double kRevolution = 60.0 / (2.0 * kPi);  // rpm per rad/s
   const bool set = writing == Writing::typeset;
   const char* times = set ? "×" : "x";
   const char* degree = set ? "°" : " deg";
   const auto& b = c.bearing;
-  std::string line =
-      fmt::format("bearing {:.4g} {} {:.4g} mm, radial clearance {:.4g} {}, {:.4g} rpm",
-                  2e3 * b.radius, times, 1e3 * b.width, kPerMicro * b.radial_clearance,
-                  set ? "µm" : "um", kRevolution * c.operation.omega);
-  if (const auto* load = std::get_if<bearing::LoadGiven>(&c.operation.position)) {
+  std::string line = fmt::format("bearing {:.4g} {} {:.4g} mm, radial clearance {:.4g} {}, {}",
+                                 2e3 * b.radius, times, 1e3 * b.width,
+                                 kPerMicro * b.radial_clearance, set ? "µm" : "um", speed_words(c));
+  if (c.cycle) {
+    line += cycle_words(*c.cycle, degree);
+  } else if (const auto* load = std::get_if<bearing::LoadGiven>(&c.operation.position)) {
     line += fmt::format(", load {:.4g} kN at {:.4g}{}", load->force / kThousandfold,
                         load->angle * kDegrees, degree);
   } else {

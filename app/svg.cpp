@@ -143,6 +143,12 @@ void Svg::begin_clip(const Box& box) {
 
 void Svg::end_clip() { body_ += "</svg>\n"; }
 
+void Svg::begin_group(const std::string& name) {
+  body_ += fmt::format("<g class=\"{}\">\n", escape_markup(name));
+}
+
+void Svg::end_group() { body_ += "</g>\n"; }
+
 std::string Svg::inline_element(const std::string& label) const {
   return fmt::format(
       "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" font-family=\"{}\">\n{}</svg>\n",

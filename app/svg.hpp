@@ -85,6 +85,10 @@ class Svg {
   void begin_clip(const Box& box);
   void end_clip();
 
+  /// What is drawn until end_group() belongs together, under this name (class).
+  void begin_group(const std::string& name);
+  void end_group();
+
   /// For use inside an HTML page: scales with the column, `label` is read out for it.
   [[nodiscard]] std::string inline_element(const std::string& label) const;
   /// A complete SVG file.

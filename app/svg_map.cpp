@@ -58,24 +58,37 @@ void draw_colour_bar(Svg& svg, const Box& plot, const ColourScale& scale, const 
   svg.text({bar.x + 0.5 * bar.width, plot.y - 7.0}, unit, {theme.muted, 10.5, Anchor::middle});
 }
 
+Frame map_frame(const Box& box, const FieldMap& map) {
+  return {{box.x + kLeft, box.y + kTop, box.width - kLeft - kRight, box.height - kTop - kBottom},
+          map.x,
+          map.y};
+}
+
+void draw_film(Svg& svg, const Frame& frame, const FieldMap& map, int bands) {
+  const Place place = [&](double x, double y) { return frame.at(x, y); };
+  draw_bands(svg, map.surface, map.scale, place, bands);
+  if (map.full_film && drawable(map.full_film->value)) {
+    svg.stroke(superlevel_path(*map.full_film, kFullFilm, place), {kLight, 1.2, "4 3"});
+  }
+}
+
+void draw_surroundings(Svg& svg, const Frame& frame, const FieldMap& map, const Theme& theme) {
+  svg.begin_clip(frame.box);
+  draw_outlines(svg, frame, map);
+  svg.end_clip();
+  for (const auto& mark : map.marks) draw_mark(svg, frame, mark);
+  draw_colour_bar(svg, frame.box, map.scale, map.unit, theme);
+}
+
 void draw_map(Svg& svg, const Box& box, const FieldMap& map, const Theme& theme) {
-  const Frame frame{
-      {box.x + kLeft, box.y + kTop, box.width - kLeft - kRight, box.height - kTop - kBottom},
-      map.x,
-      map.y};
+  const Frame frame = map_frame(box, map);
   svg.text({frame.box.x, box.y + 14.0}, map.title, {theme.ink, 12.5, Anchor::start, true});
   const bool shown = drawable(map.surface.value);
   if (shown) {
-    const Place place = [&](double x, double y) { return frame.at(x, y); };
     svg.begin_clip(frame.box);
-    draw_bands(svg, map.surface, map.scale, place);
-    if (map.full_film && drawable(map.full_film->value)) {
-      svg.stroke(superlevel_path(*map.full_film, kFullFilm, place), {kLight, 1.2, "4 3"});
-    }
-    draw_outlines(svg, frame, map);
+    draw_film(svg, frame, map);
     svg.end_clip();
-    for (const auto& mark : map.marks) draw_mark(svg, frame, mark);
-    draw_colour_bar(svg, frame.box, map.scale, map.unit, theme);
+    draw_surroundings(svg, frame, map, theme);
   }
   draw_axes(svg, frame, theme, GridLines::none);
   if (!shown) {

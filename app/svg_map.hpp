@@ -30,6 +30,13 @@ struct FieldMap {
 /// drawn; a line of text says so.
 void draw_map(Svg& svg, const Box& box, const FieldMap& map, const Theme& theme);
 
+/// The parts of it. Where the surface lies in `box`:
+[[nodiscard]] Frame map_frame(const Box& box, const FieldMap& map);
+/// The colours, and the dashed end of the full film; to be clipped to the frame.
+void draw_film(Svg& svg, const Frame& frame, const FieldMap& map, int bands = 40);
+/// Outlines, marks and colour bar.
+void draw_surroundings(Svg& svg, const Frame& frame, const FieldMap& map, const Theme& theme);
+
 /// Vertical bar right of `plot` with ticks and unit.
 void draw_colour_bar(Svg& svg, const Box& plot, const ColourScale& scale, const std::string& unit,
                      const Theme& theme);

@@ -1,13 +1,8 @@
 #include "app/write_hdf5.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
-#include <utility>
 
-#include "app/hdf5_parts.hpp"
-#include "core/contract.hpp"
+#include "app/hdf5_result.hpp"
 
 namespace shellback::app {
 
@@ -16,26 +11,6 @@ using namespace hdf5;
 namespace {
 
 using bearing::Result;
-
-/// One member of each entry of `list`, in a vector.
-template <class T, class List, class Member>
-std::vector<T> column(const List& list, Member member) {
-  std::vector<T> values;
-  for (const auto& entry : list) values.push_back(static_cast<T>(std::invoke(member, entry)));
-  return values;
-}
-
-void write_head(hid_t file, const Result& result) {
-  attribute(file, "format", std::string("shellback result"));
-  attribute(file, "format_version", 1);
-  attribute(file, "title", result.title);
-  attribute(file, "tier", std::string(to_string(result.tier)));
-  attribute(file, "status", std::string(to_string(result.verdict.status)));
-  attribute(file, "converged", result.verdict.good() ? 1 : 0);
-  attribute(file, "reason", result.verdict.reason);
-  attribute(file, "place", result.verdict.place);
-  attribute(file, "cure", result.verdict.cure);
-}
 
 void write_scalars(hid_t file, const Result& result) {
   const Handle quantities = group(file, "quantities");
@@ -54,39 +29,14 @@ void write_scalars(hid_t file, const Result& result) {
   attribute(audit, "energy", result.audit.energy);
   attribute(audit, "load", result.audit.load);
   attribute(audit, "moment", result.audit.moment);
-  const Handle cost = group(file, "cost");
-  attribute(cost, "wall_s", result.cost.wall_s);
-  attribute(cost, "setup_s", result.cost.setup_s);
-  attribute(cost, "factorizations", result.cost.factorizations);
-  attribute(cost, "newton_iterations", result.cost.newton_iterations);
-  attribute(cost, "outer_iterations", result.cost.outer_iterations);
+  write_cost(file, result.cost);
 }
 
 void write_grid(hid_t file, const bearing::Fields& f) {
   const Handle grid = group(file, "grid");
-  attribute(grid, "radius", f.grid.radius);
-  attribute(grid, "radius_unit", std::string("m"));
-  attribute(grid, "width", f.grid.width);
-  attribute(grid, "width_unit", std::string("m"));
-  doubles(grid, "phi", f.grid.phi, "rad",
-          "circumferential cell position, counter-clockwise from X");
-  doubles(grid, "dphi", f.grid.dphi, "rad", "circumferential cell width");
-  doubles(grid, "phi_face", f.grid.phi_face, "rad", "circumferential face position");
-  doubles(grid, "z", f.grid.z, "m", "axial cell position, 0 at mid-width");
-  doubles(grid, "dz", f.grid.dz, "m", "axial cell width");
-  doubles(grid, "z_face", f.grid.z_face, "m", "axial face position");
+  write_film_grid(grid, f.grid);
   doubles(grid, "s", f.s, "-", "position across the film y/h, 0 shell, 1 journal");
   doubles(grid, "r", f.r, "m", "radius in shell and housing");
-}
-
-/// One field with its expected size; an empty one is not part of the tier and stays out.
-void field(hid_t parent, const char* name, const std::vector<double>& values, const Shape& shape,
-           const Meaning& meaning) {
-  if (values.empty()) return;
-  [[maybe_unused]] const auto size =
-      std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
-  EXPECTS(size == values.size());
-  dataset(parent, name, H5T_NATIVE_DOUBLE, values.data(), shape, meaning);
 }
 
 void write_fields(hid_t file, const Result& result) {
@@ -133,9 +83,8 @@ void write_history(hid_t file, const Result& result) {
   doubles(history, "h_min", column<double>(all, &HistoryEntry::h_min), "m", "smallest film");
 }
 
-void write_notes(hid_t file, const Result& result) {
+void write_effects(hid_t file, const Result& result) {
   using bearing::Effect;
-  using bearing::LimiterCount;
   const Handle effects = group(file, "effects");
   texts(effects, "name", column<std::string>(result.effects, &Effect::name), "effect");
   doubles(effects, "included", column<double>(result.effects, &Effect::included), "-",
@@ -144,13 +93,6 @@ void write_notes(hid_t file, const Result& result) {
           "indicator number of the effect");
   texts(effects, "meaning", column<std::string>(result.effects, &Effect::meaning),
         "what the indicator is");
-  const Handle limiters = group(file, "limiters");
-  texts(limiters, "what", column<std::string>(result.limiters, &LimiterCount::what), "limiter");
-  doubles(limiters, "count", column<double>(result.limiters, &LimiterCount::count), "-",
-          "how often it acted");
-  const Handle notes = group(file, "notes");
-  texts(notes, "warnings", result.warnings, "warnings");
-  texts(notes, "assumptions", result.assumptions, "defaults and assumed data relied on");
 }
 
 }  // namespace
@@ -162,6 +104,7 @@ std::string result_hdf5(const bearing::Case& c, const Result& result) {
     write_grid(file, result.fields);
     write_fields(file, result);
     write_history(file, result);
+    write_effects(file, result);
     write_notes(file, result);
     write_origin(file, c);
   });

@@ -4,27 +4,17 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/case_json.hpp"
 #include "app/indistinct.hpp"
-#include "app/provenance.hpp"
+#include "app/json_parts.hpp"
 #include "app/quantity_label.hpp"
 #include "app/sweep_columns.hpp"
 #include "app/tolerance_words.hpp"
-#include "core/constants.hpp"
 #include "fidelity/tolerance.hpp"
 
 namespace shellback::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-/// Inside angles are radians; the contract of the file is degrees.
-Json with_unit(double value, const std::string& unit) {
-  if (unit == "rad") return {{"value", number(value * 180.0 / kPi)}, {"unit", "deg"}};
-  return {{"value", number(value)}, {"unit", unit}};
-}
+using namespace json_parts;
 
 Json quantities(const bearing::Result& result) {
   Json all = Json::object();
@@ -132,40 +122,11 @@ Json history(const bearing::Result& result) {
   return all;
 }
 
-Json provenance_json(const bearing::Case& c) {
-  const Provenance p = provenance(c);
-  Json libraries = Json::object();
-  for (const auto& [name, version] : p.libraries) libraries[name] = version;
-  return {{"version", p.version},
-          {"git", p.git},
-          {"input", p.input},
-          {"input_fnv1a64", p.fingerprint},
-          {"libraries", libraries}};
-}
-
-void add_status(Json& json, const Verdict& verdict) {
-  json["status"] = to_string(verdict.status);
-  json["converged"] = verdict.good();
-  if (verdict.good()) return;
-  json["reason"] = verdict.reason;
-  json["place"] = verdict.place;
-  json["cure"] = verdict.cure;
-}
-
 Json audit_json(const bearing::Audit& a) {
   return {{"mass", number(a.mass)},
           {"energy", number(a.energy)},
           {"load", number(a.load)},
           {"moment", number(a.moment)}};
-}
-
-Json cost_json(const bearing::Cost& k) {
-  return {{"wall_s", number(k.wall_s)},
-          {"setup_s", number(k.setup_s)},
-          {"factorizations", k.factorizations},
-          {"newton_iterations", k.newton_iterations},
-          {"outer_iterations", k.outer_iterations},
-          {"bars_s", number(k.bars_s)}};
 }
 
 /// What was asked for, whether the bars are within it, and the command that is expected to meet it.
@@ -196,10 +157,7 @@ Json to_json(const bearing::Case& c, const bearing::Result& result) {
   if (result.coefficients) json["coefficients"] = coefficients(*result.coefficients);
   if (!result.heat_roots.empty()) json["heat_roots"] = heat_roots(result);
   json["effects"] = effects(result);
-  json["limiters"] = Json::array();
-  for (const auto& l : result.limiters) {
-    json["limiters"].push_back({{"what", l.what}, {"count", l.count}});
-  }
+  json["limiters"] = limiters_json(result.limiters);
   json["warnings"] = result.warnings;
   json["assumptions"] = result.assumptions;
   json["grid"] = result.grid;
@@ -268,17 +226,6 @@ Json point_json(const study::Sweep& sweep, int index) {
   json["grid"] = point.result.grid;
   json["cost"] = cost_json(point.result.cost);
   return json;
-}
-
-/// The case as solved, and what the command line changed in the file.
-void add_case(Json& json, const bearing::Case& c) {
-  json["changes"] = changes_json(c);
-  json["case"] = case_json(c);
-}
-
-/// Text from elsewhere may hold broken UTF-8; it is shown with replacement characters.
-std::string dump(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace

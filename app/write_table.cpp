@@ -6,9 +6,9 @@
 #include <cmath>
 #include <ostream>
 
-#include "app/command_words.hpp"
 #include "app/indistinct.hpp"
 #include "app/quantity_label.hpp"
+#include "app/table_parts.hpp"
 #include "app/text_table.hpp"
 #include "app/tolerance_words.hpp"
 #include "app/write_coefficients.hpp"
@@ -19,26 +19,6 @@ namespace {
 using bearing::Case;
 using bearing::Comparison;
 using bearing::Result;
-
-std::string audit_figure(double value) {
-  return std::isfinite(value) ? fmt::format("{:.1e}", value) : "n/a";
-}
-
-void print_failure(std::ostream& out, const std::string& name, const Result& result) {
-  if (result.verdict.good()) return;
-  const auto& v = result.verdict;
-  out << fmt::format("*** {}: {} ***\n", name, status_line(result));
-  if (!v.reason.empty()) out << "    reason: " << v.reason << '\n';
-  if (!v.place.empty()) out << "    place:  " << v.place << '\n';
-  if (!v.cure.empty()) out << "    cure:   " << v.cure << '\n';
-  out << "    The numbers are those of the last iterate, not a result.\n\n";
-}
-
-void print_list(std::ostream& out, const char* heading, const std::vector<std::string>& lines) {
-  if (lines.empty()) return;
-  out << '\n' << heading << '\n';
-  for (const auto& line : lines) out << "  - " << line << '\n';
-}
 
 void print_effects(std::ostream& out, const Result& result) {
   if (result.effects.empty()) return;
@@ -71,29 +51,6 @@ void print_choice(std::ostream& out, const Result& result) {
   }
   table.print(out);
   out << "  Changes by the effect alone, on the coarsest grid, temperatures held.\n";
-}
-
-void print_limiters(std::ostream& out, const std::vector<Result>& results) {
-  const auto names = column_names(results);
-  std::vector<std::string> lines;
-  for (std::size_t k = 0; k < results.size(); ++k) {
-    for (const auto& l : results[k].limiters) {
-      lines.push_back(fmt::format("{}: {}, {} times", names[k], l.what, l.count));
-    }
-  }
-  print_list(out, "limiters that acted", lines);
-}
-
-void print_cost(std::ostream& out, const Result& result) {
-  const auto& k = result.cost;
-  out << fmt::format(
-      "\ngrid {} x {}, {} outer iterations, {} Newton iterations, {} factorizations, {} s",
-      result.grid[0], result.grid[1], k.outer_iterations, k.newton_iterations, k.factorizations,
-      figures(k.wall_s, 3));
-  if (k.setup_s > 0.0)
-    out << fmt::format(" (of it {} s set-up of the solids)", figures(k.setup_s, 3));
-  if (k.bars_s > 0.0) out << fmt::format(", and {} s for the error bars", figures(k.bars_s, 3));
-  out << '\n';
 }
 
 void print_quantities(std::ostream& out, const bearing::Measured& measured,
@@ -166,13 +123,6 @@ std::vector<std::string> gathered(const std::vector<Result>& results, LinesOf li
     }
   }
   return all;
-}
-
-/// What was solved: bearing, operating point, overrides.
-void print_scene(std::ostream& out, const Case& c) {
-  out << describe_case(c, Writing::plain) << '\n';
-  const std::string changes = describe_changes(c);
-  if (!changes.empty()) out << changes << '\n';
 }
 
 void print_tolerance(std::ostream& out, const Case& c, const Missed& missed) {

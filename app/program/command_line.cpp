@@ -209,7 +209,10 @@ void add_run(CLI::App& app, Request& request) {
       ->type_name("TEMPERATURE");
   run->add_option("--until", request.until, "end of the transient (default: until at rest)")
       ->type_name("TIME");
-  run->add_option("--picture", request.picture, "draw the transient (SVG)")->type_name("FILE.svg");
+  run->add_option("--picture", request.picture, "draw the transient or the load cycle (SVG)")
+      ->type_name("FILE.svg");
+  run->add_option("--page", request.page, "write the load cycle as a page, film in motion (HTML)")
+      ->type_name("FILE.html");
 }
 
 void add_compare(CLI::App& app, Request& request) {

@@ -2,6 +2,7 @@
 /// The commands on a case: read, work, print, save. Each gives the exit code; all throw
 /// InputError and FileError.
 #include "app/program/request.hpp"
+#include "bearing/case.hpp"
 
 namespace shellback::program {
 
@@ -12,6 +13,9 @@ namespace shellback::program {
 [[nodiscard]] int compare(const Request& request);
 [[nodiscard]] int auto_honesty(const Request& request);
 [[nodiscard]] int stress(const Request& request);
+/// Of run: a case with a load cycle, `text` of its file.
+[[nodiscard]] int cycle(const Request& request, const std::string& text,
+                        const bearing::Case& subject);
 [[nodiscard]] int sweep(const Request& request);
 [[nodiscard]] int transient(const Request& request);  ///< of run
 [[nodiscard]] int validate(const Request& request);

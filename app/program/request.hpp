@@ -41,6 +41,7 @@ struct Request {
   std::string output;                        ///< -o
   bool force = false;                        ///< --force: replace files that are no results
   std::string picture;                       ///< --picture
+  std::string page;                          ///< run --page
   bool transient = false;                    ///< run --transient
   std::string from;                          ///< run --from: temperature of the walls
   std::string until;                         ///< run --until: time

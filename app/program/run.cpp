@@ -48,18 +48,36 @@ void expect_film(const Case& subject) {
                    "solves none; take tier isothermal or a richer one");
 }
 
+/// Options of a transient.
+void expect_no_end(const Request& request) {
+  if (request.from.empty() && request.until.empty()) return;
+  throw InputError(!request.from.empty() ? "--from" : "--until",
+                   "belongs to a transient; add --transient");
+}
+
+/// Pictures are of what changes in time.
+void expect_steady(const Request& request) {
+  if (!request.picture.empty()) {
+    throw InputError("--picture",
+                     "belongs to a transient or a load cycle; add --transient, or [load_cycle] to "
+                     "the case");
+  }
+  if (!request.page.empty()) {
+    throw InputError("--page",
+                     "belongs to a load cycle, and the case has none; compare writes a page of "
+                     "steady states");
+  }
+}
+
 }  // namespace
 
 int run(const Request& request) {
   if (request.transient) return transient(request);
-  if (!request.from.empty() || !request.until.empty() || !request.picture.empty()) {
-    throw InputError(!request.from.empty()    ? "--from"
-                     : !request.until.empty() ? "--until"
-                                              : "--picture",
-                     "belongs to a transient; add --transient");
-  }
+  expect_no_end(request);
   const std::string text = read_text_file(request.case_file);
   const Case subject = read_case_text(text, request.case_file, overrides_of(request));
+  if (subject.cycle) return cycle(request, text, subject);
+  expect_steady(request);
   expect_film(subject);
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);

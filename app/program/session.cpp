@@ -35,10 +35,11 @@ int code_of(const Verdict& verdict) {
   return verdict.status == Status::interrupted ? kInterrupted : kNotConverged;
 }
 
-void tell_verdict(const Result& result) {
-  const Verdict& verdict = result.verdict;
+void tell_verdict(const Result& result) { tell_verdict(result.tier, result.verdict); }
+
+void tell_verdict(Tier tier, const Verdict& verdict) {
   if (verdict.good()) return;
-  std::cerr << "error: " << to_string(result.tier) << ": " << to_string(verdict.status);
+  std::cerr << "error: " << to_string(tier) << ": " << to_string(verdict.status);
   if (!verdict.reason.empty()) std::cerr << ": " << verdict.reason;
   std::cerr << "\n";
   if (!verdict.place.empty()) std::cerr << "  where: " << verdict.place << "\n";

@@ -20,6 +20,7 @@ void tell_warnings(const bearing::Case& subject);
 [[nodiscard]] int code_of(const Verdict& verdict);
 
 /// Why there is no result, on standard error.
+void tell_verdict(bearing::Tier tier, const Verdict& verdict);
 void tell_verdict(const bearing::Result& result);
 
 /// Progress on `line`, Ctrl-C and SIGTERM caught. The line must outlive the solve.

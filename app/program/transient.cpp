@@ -33,7 +33,8 @@ double given(const std::string& option, const std::string& text, const Kind& kin
 void expect_written(const Request& request) {
   for (const auto& [option, asked] :
        {std::pair{"-o", !request.output.empty()}, std::pair{"--coefficients", request.coefficients},
-        std::pair{"--coefficients-table", !request.coefficients_table.empty()}}) {
+        std::pair{"--coefficients-table", !request.coefficients_table.empty()},
+        std::pair{"--page", !request.page.empty()}}) {
     if (!asked) continue;
     throw InputError(option,
                      "a transient writes --json and --picture; leave out --transient for the "
@@ -88,6 +89,11 @@ int transient(const Request& request) {
   const std::string text = read_text_file(request.case_file);
   const Case subject = read_case_text(text, request.case_file, overrides_of(request));
   const WarmUpOptions options = options_of(request);
+  if (subject.cycle) {
+    throw InputError("--transient",
+                     "the warm-up is that of a steady load, and the case has a load cycle; leave "
+                     "out --transient, or [load_cycle]");
+  }
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
   ProgressLine progress;

@@ -1,0 +1,158 @@
+#include "app/cycle_shown.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bearing/quantities.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app {
+namespace {
+
+using bearing::CycleInstant;
+using bearing::CycleQuantity;
+using bearing::CycleResult;
+
+/// A member of an instant that is followed.
+struct Member {
+  const char* name;
+  const char* unit;
+  const char* long_name;
+  double CycleInstant::*value;
+};
+constexpr std::array kMembers{
+    Member{"h_min", "m", "smallest film", &CycleInstant::h_min},
+    Member{"h_min_angle", "rad", "where the film is smallest", &CycleInstant::h_min_angle},
+    Member{"eccentricity_x", "1", "journal position over the cold clearance, X", &CycleInstant::ex},
+    Member{"eccentricity_y", "1", "journal position over the cold clearance, Y", &CycleInstant::ey},
+    Member{"velocity_x", "m/s", "velocity of the journal, X", &CycleInstant::vx},
+    Member{"velocity_y", "m/s", "velocity of the journal, Y", &CycleInstant::vy},
+    Member{"tilt_x", "rad", "tilt of the journal about X", &CycleInstant::tilt_x},
+    Member{"tilt_y", "rad", "tilt of the journal about Y", &CycleInstant::tilt_y},
+    Member{"p_max", "Pa", "largest film pressure, gauge", &CycleInstant::p_max},
+    Member{"p_asperity_max", "Pa", "largest contact pressure", &CycleInstant::p_asperity_max},
+    Member{"friction_torque", "N m", "friction torque on the journal", &CycleInstant::torque},
+    Member{"friction_torque_asperity", "N m", "part of it from asperities",
+           &CycleInstant::torque_asperity},
+    Member{"power_loss", "W", "friction torque times speed", &CycleInstant::power},
+    Member{"load_x", "N", "load on the journal, X", &CycleInstant::load_x},
+    Member{"load_y", "N", "load on the journal, Y", &CycleInstant::load_y},
+    Member{"speed", "rad/s", "speed of the journal against the shell", &CycleInstant::omega},
+    Member{"supply_flow", "m3/s", "supply flow, mean over the step", &CycleInstant::supply_flow},
+    Member{"side_flow", "m3/s", "side flow, mean over the step", &CycleInstant::side_flow},
+    Member{"oil", "kg", "oil in the gap", &CycleInstant::oil},
+    Member{"T_film_max", "K", "largest film temperature", &CycleInstant::T_film_max},
+    Member{"T_shell_max", "K", "largest shell temperature", &CycleInstant::T_shell_max},
+    Member{"step", "s", "length of the time step that led there", &CycleInstant::dt}};
+
+std::vector<double> column(const CycleResult& cycle, double CycleInstant::*value, double factor) {
+  std::vector<double> all;
+  for (const CycleInstant& i : cycle.instants) all.push_back(factor * (i.*value));
+  return all;
+}
+
+bool known(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+}  // namespace
+
+bool has_crank(const CycleResult& cycle) { return cycle.crank_speed > 0.0; }
+
+double told(const CycleResult& cycle, double t) {
+  return has_crank(cycle) ? t * cycle.crank_speed * 180.0 / kPi : t;
+}
+
+std::string told_unit(const CycleResult& cycle) { return has_crank(cycle) ? "deg" : "s"; }
+
+CycleSeries instants_told(const CycleResult& cycle) {
+  CycleSeries series{has_crank(cycle) ? "angle" : "time",
+                     told_unit(cycle),
+                     has_crank(cycle) ? "crank angle" : "time within the cycle",
+                     {}};
+  for (const CycleInstant& i : cycle.instants) series.values.push_back(told(cycle, i.t));
+  return series;
+}
+
+std::vector<CycleSeries> followed(const bearing::Case& c, const CycleResult& cycle) {
+  std::vector<CycleSeries> all;
+  for (const Member& m : kMembers) {
+    const bool position = m.value == &CycleInstant::ex || m.value == &CycleInstant::ey;
+    const double factor = position ? 1.0 / c.bearing.radial_clearance : 1.0;
+    CycleSeries series{m.name, m.unit, m.long_name, column(cycle, m.value, factor)};
+    if (series.values.empty() || known(series.values)) all.push_back(std::move(series));
+  }
+  return all;
+}
+
+double bar_of(const CycleQuantity& q) {
+  const double space = q.quantity.error();
+  if (!std::isfinite(q.error_time)) return space;
+  return std::isfinite(space) ? space + q.error_time : q.error_time;
+}
+
+std::string cycle_label(const CycleQuantity& q) {
+  const std::string& name = q.quantity.name;
+  if (bearing::find_quantity(name) == nullptr) {
+    for (const auto& [ending, words] :
+         {std::pair{"_mean", ", mean"}, std::pair{"_max", ", largest"},
+          std::pair{"_min", ", smallest"}}) {
+      const std::string stem = name.substr(0, name.rfind('_'));
+      if (name.ends_with(ending) && bearing::find_quantity(stem) != nullptr) {
+        return quantity_label(stem) + words;
+      }
+    }
+  }
+  const std::string label = quantity_label(name);
+  const bool said = label.starts_with(' ') || label.find("mean") != std::string::npos;
+  const bool mean = !std::isfinite(q.at) && !said;  // a part is a mean as its whole above it
+  return mean ? label + ", mean" : label;
+}
+
+DisplayUnit cycle_unit(const CycleQuantity& q) {
+  return display_unit(q.quantity.name, q.quantity.unit, std::abs(q.quantity.value));
+}
+
+bearing::Result head_of(const CycleResult& cycle) {
+  bearing::Result head;
+  head.verdict = cycle.verdict;
+  head.tier = cycle.tier;
+  head.title = cycle.title;
+  head.limiters = cycle.limiters;
+  head.warnings = cycle.warnings;
+  head.assumptions = cycle.assumptions;
+  head.grid = cycle.grid;
+  head.cost = cycle.cost;
+  return head;
+}
+
+bearing::CycleAudit audit_of(const CycleResult& cycle) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  if (cycle.instants.empty()) return {kUnknown, kUnknown, kUnknown};
+  return cycle.audit;
+}
+
+std::string meaning_of_the_rest(const CycleResult& cycle) {
+  if (cycle.instants.empty()) return "No instant was found.";
+  return fmt::format("The numbers are of what was found, up to {} {} of the cycle that ran last.",
+                     figures(told(cycle, cycle.instants.back().t)), told_unit(cycle));
+}
+
+std::string how_it_ran(const CycleResult& cycle) {
+  std::string words = fmt::format("{} cycle{}", cycle.cycles, cycle.cycles == 1 ? "" : "s");
+  if (std::isfinite(cycle.closure)) {
+    words += fmt::format(", the last two agree within {:.1e}", cycle.closure);
+  }
+  words += fmt::format("; {} steps, {} rejected", cycle.steps, cycle.rejected_steps);
+  if (std::isfinite(cycle.period) && cycle.period > 0.0) {
+    words += fmt::format("; period {:.4g} ms", 1e3 * cycle.period);
+  }
+  return words;
+}
+
+}  // namespace shellback::app

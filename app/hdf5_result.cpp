@@ -1,0 +1,66 @@
+#include "app/hdf5_result.hpp"
+
+#include <functional>
+#include <numeric>
+
+#include "core/contract.hpp"
+
+namespace shellback::app::hdf5 {
+
+using bearing::Result;
+
+void write_head(hid_t file, const Result& result) {
+  attribute(file, "format", std::string("shellback result"));
+  attribute(file, "format_version", 1);
+  attribute(file, "title", result.title);
+  attribute(file, "tier", std::string(to_string(result.tier)));
+  attribute(file, "status", std::string(to_string(result.verdict.status)));
+  attribute(file, "converged", result.verdict.good() ? 1 : 0);
+  attribute(file, "reason", result.verdict.reason);
+  attribute(file, "place", result.verdict.place);
+  attribute(file, "cure", result.verdict.cure);
+}
+
+void write_cost(hid_t file, const bearing::Cost& k) {
+  const Handle cost = group(file, "cost");
+  attribute(cost, "wall_s", k.wall_s);
+  attribute(cost, "setup_s", k.setup_s);
+  attribute(cost, "factorizations", k.factorizations);
+  attribute(cost, "newton_iterations", k.newton_iterations);
+  attribute(cost, "outer_iterations", k.outer_iterations);
+}
+
+void write_film_grid(hid_t grid, const FilmGrid& g) {
+  attribute(grid, "radius", g.radius);
+  attribute(grid, "radius_unit", std::string("m"));
+  attribute(grid, "width", g.width);
+  attribute(grid, "width_unit", std::string("m"));
+  doubles(grid, "phi", g.phi, "rad", "circumferential cell position, counter-clockwise from X");
+  doubles(grid, "dphi", g.dphi, "rad", "circumferential cell width");
+  doubles(grid, "phi_face", g.phi_face, "rad", "circumferential face position");
+  doubles(grid, "z", g.z, "m", "axial cell position, 0 at mid-width");
+  doubles(grid, "dz", g.dz, "m", "axial cell width");
+  doubles(grid, "z_face", g.z_face, "m", "axial face position");
+}
+
+void field(hid_t parent, const char* name, const std::vector<double>& values, const Shape& shape,
+           const Meaning& meaning) {
+  if (values.empty()) return;
+  [[maybe_unused]] const auto size =
+      std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+  EXPECTS(size == values.size());
+  dataset(parent, name, H5T_NATIVE_DOUBLE, values.data(), shape, meaning);
+}
+
+void write_notes(hid_t file, const Result& result) {
+  using bearing::LimiterCount;
+  const Handle limiters = group(file, "limiters");
+  texts(limiters, "what", column<std::string>(result.limiters, &LimiterCount::what), "limiter");
+  doubles(limiters, "count", column<double>(result.limiters, &LimiterCount::count), "-",
+          "how often it acted");
+  const Handle notes = group(file, "notes");
+  texts(notes, "warnings", result.warnings, "warnings");
+  texts(notes, "assumptions", result.assumptions, "defaults and assumed data relied on");
+}
+
+}  // namespace shellback::app::hdf5

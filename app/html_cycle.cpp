@@ -1,0 +1,135 @@
+#include "app/html_cycle.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+#include "app/cycle_shown.hpp"
+#include "app/svg_cycle.hpp"
+#include "app/svg_cycle_frames.hpp"
+#include "app/svg_orbit.hpp"
+#include "app/table_parts.hpp"
+
+namespace shellback::app {
+namespace {
+
+using bearing::CycleResult;
+
+constexpr double kWidth = 580.0;  ///< of a figure in a column [px]
+
+std::string figure(double height, const std::string& label,
+                   const std::function<void(Svg&, const Box&)>& draw) {
+  Svg svg(kWidth, height);
+  draw(svg, {0.0, 0.0, kWidth, height});
+  return "<figure>" + svg.inline_element(label) + "</figure>\n";
+}
+
+std::string bar(double value) {
+  return std::isfinite(value) ? "± " + figures(std::abs(value), 2) : "";
+}
+
+constexpr const char* kPlayer = R"html(
+<p class="player"><button type="button">pause</button>
+<input type="range" min="0" value="0" aria-label="instant of the cycle"/></p>
+<style>
+.frame { display: none; } .frame.now { display: inline; }
+.player { display: flex; gap: 14px; align-items: center; margin: 8px 0 0; }
+.player input { flex: 1; } .player button { font: inherit; width: 5em; }
+</style>
+<script>
+(() => {
+  const frames = document.querySelectorAll('.frame');
+  const slider = document.querySelector('.player input');
+  const button = document.querySelector('.player button');
+  const kPause = 110;
+  let timer = 0;
+  const show = (k) => {
+    frames.forEach((frame, i) => frame.classList.toggle('now', i === k));
+    slider.value = k;
+  };
+  const step = () => show((Number(slider.value) + 1) % frames.length);
+  const play = (on) => {
+    clearInterval(timer);
+    timer = on ? setInterval(step, kPause) : 0;
+    button.textContent = on ? 'pause' : 'play';
+  };
+  slider.max = frames.length - 1;
+  slider.addEventListener('input', () => { play(false); show(Number(slider.value)); });
+  button.addEventListener('click', () => play(timer === 0));
+  play(!matchMedia('(prefers-reduced-motion: reduce)').matches);
+})();
+</script>
+)html";
+
+}  // namespace
+
+std::string cycle_quantities_html(const CycleResult& cycle) {
+  if (cycle.quantities.empty()) return "";
+  std::string html = fmt::format(
+      "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>value</th><th>grid</th>"
+      "<th>time steps</th><th class=\"unit\">unit</th><th>at [{}]</th></tr></thead><tbody>\n",
+      typeset_unit(told_unit(cycle)));
+  for (const auto& q : cycle.quantities) {
+    const DisplayUnit unit = cycle_unit(q);
+    html += fmt::format(
+        "<tr data-quantity=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+        "<td class=\"unit\">{}</td><td>{}</td></tr>\n",
+        escape_markup(q.quantity.name), escape_markup(cycle_label(q)),
+        typeset_number(figures(unit(q.quantity.value))), bar(unit.scale * q.quantity.error_grid),
+        bar(unit.scale * q.error_time), escape_markup(typeset_unit(unit.unit)),
+        std::isfinite(q.at) ? figures(told(cycle, q.at)) : "");
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string cycle_audit_html(const CycleResult& cycle) {
+  const bearing::CycleAudit a = audit_of(cycle);
+  return fmt::format(
+      "<p>{}.</p>\n<p>Relative imbalances over the cycle: mass {}, impulse {}, load {}. Grid {} × "
+      "{}, {} Newton iterations, {} factorizations, {} s.</p>\n",
+      how_it_ran(cycle), audit_figure(a.mass), audit_figure(a.impulse), audit_figure(a.load),
+      cycle.grid[0], cycle.grid[1], cycle.cost.newton_iterations, cycle.cost.factorizations,
+      figures(cycle.cost.wall_s, 3));
+}
+
+std::string cycle_curves_html(const bearing::Case& c, const CycleResult& cycle) {
+  if (cycle.instants.empty()) return "";
+  const Theme theme = page_theme();
+  std::string html = "<div class=\"figures\">\n";
+  html += figure(600.0, "Path of the journal",
+                 [&](Svg& svg, const Box& box) { draw_orbit(svg, box, c, cycle, theme); });
+  Svg svg(kWidth, 600.0);
+  const auto place = [&](CycleCurve which, double x, double y) {
+    draw_lines(svg, {x, y, 0.5 * kWidth, 300.0}, cycle_plot(cycle, which, theme), theme);
+  };
+  place(CycleCurve::film, 0.0, 0.0);
+  place(CycleCurve::pressure, 0.5 * kWidth, 0.0);
+  place(CycleCurve::torque, 0.0, 300.0);
+  place(CycleCurve::load, 0.5 * kWidth, 300.0);
+  html += "<figure>" + svg.inline_element("Curves over the cycle") + "</figure>\n";
+  return html + "</div>\n";
+}
+
+std::string cycle_maps_html(const bearing::Case& c, const CycleResult& cycle) {
+  std::string html;
+  for (const CycleMap which :
+       {CycleMap::pressure, CycleMap::contact, CycleMap::gap, CycleMap::friction}) {
+    const auto map = cycle_map(c, cycle, which);
+    if (!map) continue;
+    html += figure(232.0, map->title,
+                   [&](Svg& svg, const Box& box) { draw_map(svg, box, *map, page_theme()); });
+  }
+  return html.empty() ? "" : "<div class=\"figures\">\n" + html + "</div>\n";
+}
+
+std::string cycle_animation_html(const bearing::Case& c, const CycleResult& cycle) {
+  const std::string svg = animation_svg(c, cycle);
+  if (svg.empty()) return "";
+  return "<figure>" + svg +
+         "<figcaption>Dashed: where the full film ends. Supply features outlined.</figcaption>"
+         "</figure>\n" +
+         kPlayer;
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,62 @@
+#include "app/json_parts.hpp"
+
+#include <cmath>
+
+#include "app/case_json.hpp"
+#include "app/provenance.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app::json_parts {
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json with_unit(double value, const std::string& unit) {
+  if (unit == "rad") return {{"value", number(value * 180.0 / kPi)}, {"unit", "deg"}};
+  return {{"value", number(value)}, {"unit", unit}};
+}
+
+void add_status(Json& json, const Verdict& verdict) {
+  json["status"] = to_string(verdict.status);
+  json["converged"] = verdict.good();
+  if (verdict.good()) return;
+  json["reason"] = verdict.reason;
+  json["place"] = verdict.place;
+  json["cure"] = verdict.cure;
+}
+
+Json cost_json(const bearing::Cost& k) {
+  return {{"wall_s", number(k.wall_s)},
+          {"setup_s", number(k.setup_s)},
+          {"factorizations", k.factorizations},
+          {"newton_iterations", k.newton_iterations},
+          {"outer_iterations", k.outer_iterations},
+          {"bars_s", number(k.bars_s)}};
+}
+
+Json limiters_json(const std::vector<bearing::LimiterCount>& limiters) {
+  Json all = Json::array();
+  for (const auto& l : limiters) all.push_back({{"what", l.what}, {"count", l.count}});
+  return all;
+}
+
+Json provenance_json(const bearing::Case& c) {
+  const Provenance p = provenance(c);
+  Json libraries = Json::object();
+  for (const auto& [name, version] : p.libraries) libraries[name] = version;
+  return {{"version", p.version},
+          {"git", p.git},
+          {"input", p.input},
+          {"input_fnv1a64", p.fingerprint},
+          {"libraries", libraries}};
+}
+
+void add_case(Json& json, const bearing::Case& c) {
+  json["changes"] = changes_json(c);
+  json["case"] = case_json(c);
+}
+
+std::string dump(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace shellback::app::json_parts

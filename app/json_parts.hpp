@@ -1,0 +1,32 @@
+#pragma once
+/// What our JSON files have in common.
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bearing/result.hpp"
+
+namespace shellback::app::json_parts {
+
+using Json = nlohmann::ordered_json;
+
+/// There is no NaN in JSON: null.
+[[nodiscard]] Json number(double value);
+
+/// {value, unit}. Inside angles are radians; the contract of the file is degrees.
+[[nodiscard]] Json with_unit(double value, const std::string& unit);
+
+/// status, converged, and if it is not good reason, place and cure.
+void add_status(Json& json, const Verdict& verdict);
+
+[[nodiscard]] Json cost_json(const bearing::Cost& k);
+[[nodiscard]] Json limiters_json(const std::vector<bearing::LimiterCount>& limiters);
+[[nodiscard]] Json provenance_json(const bearing::Case& c);
+
+/// The case as solved, and what the command line changed in the file.
+void add_case(Json& json, const bearing::Case& c);
+
+/// Text from elsewhere may hold broken UTF-8; it is shown with replacement characters.
+[[nodiscard]] std::string dump(const Json& json);
+
+}  // namespace shellback::app::json_parts

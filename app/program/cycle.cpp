@@ -1,0 +1,55 @@
+/// run on a case with a load cycle.
+#include "bearing/cycle.hpp"
+
+#include <iostream>
+
+#include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
+#include "app/program/session.hpp"
+#include "app/read_case.hpp"
+#include "app/svg_cycle.hpp"
+#include "app/write_cycle_hdf5.hpp"
+#include "app/write_cycle_html.hpp"
+#include "app/write_cycle_json.hpp"
+#include "app/write_cycle_table.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+using namespace bearing;
+
+namespace {
+
+/// Stiffness and damping are those of a steady state.
+void expect_no_coefficients(const Request& request, const Case& subject) {
+  if (!subject.model.coefficients) return;
+  throw InputError(!request.coefficients_table.empty() ? "--coefficients-table"
+                   : request.coefficients              ? "--coefficients"
+                                                       : "model.coefficients",
+                   "stiffness and damping are those of a steady state, and the case has a load "
+                   "cycle; leave out one of them");
+}
+
+CycleResult solved(const Case& subject) {
+  ProgressLine line;
+  return solve_cycle(subject, subject.model.tier, control_for(line));
+}
+
+}  // namespace
+
+int cycle(const Request& request, const std::string& text, const Case& subject) {
+  expect_no_coefficients(request, subject);
+  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
+  tell_warnings(subject);
+  const CycleResult result = solved(subject);
+  if (request.json != "-") write_cycle_table(std::cout, subject, result);
+  tell_verdict(result.tier, result.verdict);
+  outputs.give("--json", [&] { return cycle_json(subject, result); });
+  outputs.give("-o", [&] { return cycle_hdf5(subject, result); });
+  outputs.give("--picture", [&] { return cycle_svg(subject, result); });
+  outputs.give("--page", [&] { return cycle_html(subject, result); });
+  return outputs.code(code_of(result.verdict));
+}
+
+}  // namespace shellback::program

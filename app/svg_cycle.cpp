@@ -1,0 +1,199 @@
+#include "app/svg_cycle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "app/cycle_shown.hpp"
+#include "app/svg_film.hpp"
+#include "app/svg_orbit.hpp"
+
+namespace shellback::app {
+namespace {
+
+using bearing::CycleInstant;
+using bearing::CycleResult;
+
+constexpr double kPerMilli = 1e3;     ///< ms per s
+constexpr double kKilonewton = 1e-3;  ///< kN per N
+constexpr double kKilowatt = 1e-3;    ///< kW per W
+
+constexpr double kWidestGap = 2.5;  ///< that a map shows, over the clearance [-]
+
+constexpr double kWidth = 1240.0;  ///< of the sheet [px]
+constexpr double kHeight = 920.0;  ///< [px]
+
+/// A quantity of an instant over the cycle, times `factor`.
+template <class Value>
+Series curve(const CycleResult& cycle, const std::string& name, const std::string& colour,
+             double factor, Value value) {
+  Series series{name, {}, {}, colour, ""};
+  for (const CycleInstant& i : cycle.instants) {
+    series.x.push_back(on_axis(cycle, i.t));
+    series.y.push_back(factor * value(i));
+  }
+  return series;
+}
+
+bool any_above_zero(const CycleResult& cycle, double CycleInstant::*value) {
+  return std::any_of(cycle.instants.begin(), cycle.instants.end(),
+                     [&](const CycleInstant& i) { return i.*value > 0.0; });
+}
+
+/// A field of the cycle as if it were the pressure or the gap of a steady film, without the marks
+/// of the steady state.
+FieldMap map_of(const bearing::Case& c, const CycleResult& cycle, FilmField which,
+                const Field& field, const std::string& title) {
+  bearing::Result film;
+  film.fields.grid = cycle.fields.grid;
+  for (const auto& q : cycle.quantities) film.quantities.push_back(q.quantity);
+  (which == FilmField::gap ? film.fields.h : film.fields.p) = field;
+  ColourScale scale = common_scale({&film}, which);
+  if (which == FilmField::gap) {  // the depth of supply features does not count
+    scale.high = std::min(scale.high, kWidestGap * 1e6 * c.bearing.radial_clearance);
+  }
+  return film_map(c, film, which, scale, title);
+}
+
+/// Without the mark that calls the largest value p_max.
+FieldMap unmarked(FieldMap map) {
+  map.marks.clear();
+  return map;
+}
+
+std::string status_words(const CycleResult& cycle) {
+  std::string words = "Load cycle, tier " + std::string(to_string(cycle.tier)) + ": ";
+  if (cycle.verdict.good()) return words + how_it_ran(cycle);
+  return words + status_line(head_of(cycle)) + "; " + cycle.verdict.reason;
+}
+
+void draw_curves(Svg& svg, const CycleResult& cycle, const Theme& theme) {
+  const std::array places{std::pair{CycleCurve::film, Point{520.0, 84.0}},
+                          std::pair{CycleCurve::pressure, Point{880.0, 84.0}},
+                          std::pair{CycleCurve::torque, Point{520.0, 344.0}},
+                          std::pair{CycleCurve::load, Point{880.0, 344.0}}};
+  for (const auto& [which, at] : places) {
+    draw_lines(svg, {at.x, at.y, 344.0, 252.0}, cycle_plot(cycle, which, theme), theme);
+  }
+}
+
+void draw_maps(Svg& svg, const bearing::Case& c, const CycleResult& cycle, const Theme& theme) {
+  double x = 8.0;
+  for (const CycleMap which :
+       {CycleMap::pressure, CycleMap::contact, CycleMap::gap, CycleMap::friction}) {
+    const auto map = cycle_map(c, cycle, which);
+    if (!map || x > 0.5 * kWidth + 20.0) continue;
+    draw_map(svg, {x, 630.0, 604.0, 270.0}, *map, theme);
+    x += 616.0;
+  }
+}
+
+}  // namespace
+
+Axis cycle_axis(const CycleResult& cycle) {
+  const bool whole = std::isfinite(cycle.period) && cycle.period > 0.0;
+  const double last = whole ? cycle.period : cycle.instants.empty() ? 0.0 : cycle.instants.back().t;
+  const double end = on_axis(cycle, last);
+  if (!has_crank(cycle)) return tight_axis(0.0, end > 0.0 ? end : 1.0, 8, "time [ms]");
+  Axis axis{0.0, end > 0.0 ? end : 720.0, {}, 0, "crank angle [°]"};
+  constexpr double kFewest = 45.0;  // [deg]
+  double step = kFewest;
+  while (axis.high / step > 8.5) step *= 2.0;
+  for (double tick = 0.0; tick <= axis.high * (1.0 + 1e-9); tick += step) {
+    axis.ticks.push_back(tick);
+  }
+  return axis;
+}
+
+double on_axis(const CycleResult& cycle, double t) {
+  return has_crank(cycle) ? told(cycle, t) : kPerMilli * t;
+}
+
+LinePlot cycle_plot(const CycleResult& cycle, CycleCurve which, const Theme& theme) {
+  const std::string& colour = theme.series[0];
+  LinePlot plot;
+  plot.x = cycle_axis(cycle);
+  switch (which) {
+    case CycleCurve::film:
+      plot.title = "Smallest film";
+      plot.y_title = "[µm]";
+      plot.series = {curve(cycle, "", colour, 1e6, [](const auto& i) { return i.h_min; })};
+      break;
+    case CycleCurve::pressure:
+      plot.title = "Largest pressure";
+      plot.y_title = "[MPa]";
+      plot.series = {curve(cycle, "", colour, 1e-6, [](const auto& i) { return i.p_max; })};
+      if (!any_above_zero(cycle, &CycleInstant::p_asperity_max)) break;
+      plot.series.front().name = "film";
+      plot.series.push_back(curve(cycle, "contact", theme.more, 1e-6,
+                                  [](const auto& i) { return i.p_asperity_max; }));
+      break;
+    case CycleCurve::torque:
+      plot.title = "Friction torque";
+      plot.y_title = "[N m]";
+      plot.series = {curve(cycle, "all", colour, 1.0, [](const auto& i) { return i.torque; }),
+                     curve(cycle, "of asperities", theme.more, 1.0,
+                           [](const auto& i) { return i.torque_asperity; })};
+      break;
+    case CycleCurve::load:
+      plot.title = "Load on the journal";
+      plot.y_title = "[kN]";
+      plot.series = {
+          curve(cycle, "magnitude", theme.ink, kKilonewton,
+                [](const auto& i) { return std::hypot(i.load_x, i.load_y); }),
+          curve(cycle, "X", theme.series[1], kKilonewton, [](const auto& i) { return i.load_x; }),
+          curve(cycle, "Y", theme.series[2], kKilonewton, [](const auto& i) { return i.load_y; })};
+      plot.series[1].dash = plot.series[2].dash = "5 3";
+      break;
+  }
+  return plot;
+}
+
+std::optional<FieldMap> cycle_map(const bearing::Case& c, const CycleResult& cycle,
+                                  CycleMap which) {
+  const auto& f = cycle.fields;
+  const auto known = [&](const Field& field) {
+    return !field.empty() && f.grid.cells() == static_cast<int>(field.size());
+  };
+  const auto above = [](const Field& field) {
+    return std::any_of(field.begin(), field.end(), [](double v) { return v > 0.0; });
+  };
+  switch (which) {
+    case CycleMap::pressure:
+      if (!known(f.p_max)) return {};
+      return map_of(c, cycle, FilmField::pressure, f.p_max, "Largest film pressure of each place");
+    case CycleMap::contact:
+      if (!known(f.p_asperity_max) || !above(f.p_asperity_max)) return {};
+      return unmarked(map_of(c, cycle, FilmField::pressure, f.p_asperity_max,
+                             "Largest contact pressure of each place"));
+    case CycleMap::gap:
+      if (!known(f.h_min)) return {};
+      return map_of(c, cycle, FilmField::gap, f.h_min, "Smallest gap of each place");
+    case CycleMap::friction:
+      break;
+  }
+  if (!known(f.friction_power)) return {};
+  Field shown;
+  const DisplayUnit pressure = display_unit("p", "Pa");  // in which the map will show it
+  for (const double v : f.friction_power) shown.push_back(kKilowatt * v / pressure.scale);
+  FieldMap map =
+      unmarked(map_of(c, cycle, FilmField::pressure, shown, "Friction power, mean of the cycle"));
+  map.unit = "kW/m²";
+  return map;
+}
+
+std::string cycle_svg(const bearing::Case& c, const CycleResult& cycle) {
+  const Theme theme = print_theme();
+  Svg svg(kWidth, kHeight);
+  svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
+  svg.text({24.0, 34.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
+  svg.text({24.0, 58.0}, status_words(cycle),
+           {cycle.verdict.good() ? theme.muted : theme.more, 12.5});
+  draw_orbit(svg, {24.0, 84.0, 480.0, 512.0}, c, cycle, theme);
+  if (!cycle.instants.empty()) draw_curves(svg, cycle, theme);
+  draw_maps(svg, c, cycle, theme);
+  return svg.document(c.title);
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,35 @@
+#pragma once
+/// The pictures of a load cycle: curves over the crank angle (or time), maps of its largest values,
+/// and all of it on one sheet.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/svg_lines.hpp"
+#include "app/svg_map.hpp"
+#include "bearing/cycle.hpp"
+
+namespace shellback::app {
+
+enum class CycleCurve { film, pressure, torque, load };
+enum class CycleMap { pressure, contact, gap, friction };
+
+/// The crank angle [deg], or the time [ms].
+[[nodiscard]] Axis cycle_axis(const bearing::CycleResult& cycle);
+
+/// An instant on that axis.
+[[nodiscard]] double on_axis(const bearing::CycleResult& cycle, double t);
+
+/// One curve, or a quantity and what is part of it.
+[[nodiscard]] LinePlot cycle_plot(const bearing::CycleResult& cycle, CycleCurve which,
+                                  const Theme& theme);
+
+/// Largest pressure, largest contact pressure, smallest gap, mean friction power of each place on
+/// the unrolled bearing; none if the cycle does not have it (or has no contact).
+[[nodiscard]] std::optional<FieldMap> cycle_map(const bearing::Case& c,
+                                                const bearing::CycleResult& cycle, CycleMap which);
+
+/// The sheet (1240 x 1000, white): orbit, curves, maps. A cycle that did not converge says so.
+[[nodiscard]] std::string cycle_svg(const bearing::Case& c, const bearing::CycleResult& cycle);
+
+}  // namespace shellback::app

@@ -1,0 +1,154 @@
+#include "app/svg_orbit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/svg_cycle.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app {
+namespace {
+
+using bearing::CycleInstant;
+using bearing::CycleResult;
+
+constexpr double kTop = 24.0;        ///< room for the title [px]
+constexpr double kRim = 34.0;        ///< around the clearance circle [px]
+constexpr double kArrow = 0.24;      ///< arrow of the largest load over the radius of the circle
+constexpr int kMostMarks = 8;        ///< instants with arrow and label
+constexpr double kLabelRoom = 13.0;  ///< from a mark to its label [px]
+
+/// How far out the picture reaches: the circle, or a journal that an elastic shell lets beyond it.
+double reach(const CycleResult& cycle, double c) {
+  double farthest = 1.0;
+  for (const CycleInstant& i : cycle.instants) {
+    const double e = std::hypot(i.ex, i.ey) / c;
+    if (std::isfinite(e)) farthest = std::max(farthest, e);
+  }
+  return farthest;
+}
+
+/// A straight line with a head at its end.
+void draw_arrow(Svg& svg, Point from, Point to, const std::string& colour) {
+  constexpr double kHead = 5.0;  // [px]
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  if (!(length > 1.0)) return;
+  const double ux = (to.x - from.x) / length;
+  const double uy = (to.y - from.y) / length;
+  svg.line(from, to, {colour, 1.3, ""});
+  const Point foot{to.x - kHead * ux, to.y - kHead * uy};
+  const double half = 0.45 * kHead;
+  svg.fill(line_path({to,
+                      {foot.x - half * uy, foot.y + half * ux},
+                      {foot.x + half * uy, foot.y - half * ux}}) +
+               "Z",
+           colour);
+}
+
+/// The instant nearest to `x` on the axis of the cycle.
+const CycleInstant& nearest(const CycleResult& cycle, double x) {
+  const auto off = [&](const CycleInstant& i) { return std::abs(on_axis(cycle, i.t) - x); };
+  return *std::min_element(
+      cycle.instants.begin(), cycle.instants.end(),
+      [&](const CycleInstant& a, const CycleInstant& b) { return off(a) < off(b); });
+}
+
+/// Round instants after the start and before the end.
+std::vector<double> round_instants(const Axis& axis) {
+  std::vector<double> inside;
+  const auto n = axis.ticks.size();
+  const std::size_t stride = n > kMostMarks + 2 ? 2 : 1;
+  for (std::size_t k = 0; k < n; k += stride) {
+    const double tick = axis.ticks[k];
+    if (tick > axis.low && tick < axis.high) inside.push_back(tick);
+  }
+  return inside;
+}
+
+double largest_load(const CycleResult& cycle) {
+  double largest = 0.0;
+  for (const CycleInstant& i : cycle.instants) {
+    largest = std::max(largest, std::hypot(i.load_x, i.load_y));
+  }
+  return largest;
+}
+
+void draw_circles(Svg& svg, const OrbitFrame& frame, const Theme& theme) {
+  for (const double ratio : {0.25, 0.5, 0.75}) {
+    svg.circle(frame.centre, ratio * frame.radius, "none", {theme.rule, 1.0, ""});
+  }
+  const auto spoke = [&](Point a, Point b) { svg.line(a, b, {theme.rule, 1.0, ""}); };
+  spoke(frame.at(-1.0, 0.0), frame.at(1.0, 0.0));
+  spoke(frame.at(0.0, -1.0), frame.at(0.0, 1.0));
+  svg.circle(frame.centre, frame.radius, "none", {theme.muted, 1.4, ""});
+  const TextStyle small{theme.muted, 10.5, Anchor::middle};
+  const Point right = frame.at(1.0, 0.0);
+  const Point top = frame.at(0.0, 1.0);
+  svg.text({right.x + 11.0, right.y + 4.0}, "X", small);
+  svg.text({top.x, top.y - 7.0}, "Y", small);
+  const Point half = frame.at(0.5, 0.0);
+  svg.text({half.x + 3.0, half.y + 12.0}, "0.5", {theme.muted, 9.5});
+}
+
+/// Round instants: a dot, the load's arrow, and what instant it is, outwards of the path.
+void draw_instants(Svg& svg, const OrbitFrame& frame, double c, const CycleResult& cycle,
+                   const Theme& theme) {
+  const Axis axis = cycle_axis(cycle);
+  const double largest = largest_load(cycle);
+  std::vector<Point> labels;
+  for (const double x : round_instants(axis)) {
+    const CycleInstant& i = nearest(cycle, x);
+    const Point p = frame.at(i.ex / c, i.ey / c);
+    if (largest > 0.0) {
+      const double scale = kArrow * frame.radius / largest;
+      draw_arrow(svg, p, {p.x + scale * i.load_x, p.y - scale * i.load_y}, theme.more);
+    }
+    svg.circle(p, 2.6, theme.paper, {theme.series[0], 1.5, ""});
+    // The label stands on the side away from the load.
+    const double load = std::hypot(i.load_x, i.load_y);
+    const double ux = load > 0.0 ? -i.load_x / load : 1.0;
+    const double uy = load > 0.0 ? i.load_y / load : 0.0;
+    const Point at{p.x + kLabelRoom * ux, p.y + kLabelRoom * uy + 3.5};
+    const auto near = [&](const Point& other) {
+      return std::abs(other.x - at.x) < 24.0 && std::abs(other.y - at.y) < 11.0;
+    };
+    if (std::any_of(labels.begin(), labels.end(), near)) continue;
+    labels.push_back(at);
+    svg.text(at, tick_label(axis, x), {theme.ink, 10.0, Anchor::middle, false, false, theme.paper});
+  }
+}
+
+std::string path_of(const OrbitFrame& frame, double c, const CycleResult& cycle) {
+  std::vector<Point> points;
+  for (const CycleInstant& i : cycle.instants) points.push_back(frame.at(i.ex / c, i.ey / c));
+  return points.size() > 1 ? line_path(points) : "";
+}
+
+}  // namespace
+
+OrbitFrame draw_orbit(Svg& svg, const Box& box, const bearing::Case& c, const CycleResult& cycle,
+                      const Theme& theme) {
+  const double clearance = c.bearing.radial_clearance;
+  const double half = 0.5 * std::min(box.width, box.height - kTop) - kRim;
+  const OrbitFrame frame{{box.x + kRim + half, box.y + kTop + kRim + half},
+                         half / reach(cycle, clearance)};
+  svg.text({box.x, box.y + 14.0}, "Path of the journal in the clearance circle",
+           {theme.ink, 12.5, Anchor::start, true});
+  draw_circles(svg, frame, theme);
+  if (cycle.instants.empty()) return frame;
+  svg.stroke(path_of(frame, clearance, cycle), {theme.series[0], 1.8, ""});
+  draw_instants(svg, frame, clearance, cycle, theme);
+  const CycleInstant& start = cycle.instants.front();
+  const Point p = frame.at(start.ex / clearance, start.ey / clearance);
+  svg.circle(p, 4.6, theme.series[0], {theme.paper, 1.2, ""});
+  const double foot = box.y + kTop + 2.0 * (kRim + half);
+  svg.text({box.x, foot - 2.0},
+           fmt::format("Dot: start of the cycle. Numbers: {}. Arrows: load on the journal.",
+                       cycle_axis(cycle).title),
+           {theme.muted, 10.5});
+  return frame;
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,72 @@
+#include "app/write_cycle_json.hpp"
+
+#include <cmath>
+
+#include "app/cycle_shown.hpp"
+#include "app/json_parts.hpp"
+
+namespace shellback::app {
+namespace {
+
+using namespace json_parts;
+using bearing::CycleResult;
+
+Json quantities(const CycleResult& cycle) {
+  Json all = Json::object();
+  for (const auto& q : cycle.quantities) {
+    const std::string& unit = q.quantity.unit;
+    Json& entry = all[q.quantity.name] = with_unit(q.quantity.value, unit);
+    if (std::isfinite(q.at)) entry["at"] = with_unit(told(cycle, q.at), told_unit(cycle));
+    const auto add = [&](const char* key, double bar) {  // what is not known is not there
+      if (std::isfinite(bar)) entry[key] = with_unit(bar, unit)["value"];
+    };
+    add("error", bar_of(q));
+    add("error_grid", q.quantity.error_grid);
+    add("error_time", q.error_time);
+  }
+  return all;
+}
+
+Json series_json(const CycleSeries& series) {
+  Json values = Json::array();
+  for (const double v : series.values) values.push_back(with_unit(v, series.unit)["value"]);
+  return {{"unit", with_unit(0.0, series.unit)["unit"]}, {"values", values}};
+}
+
+Json over_the_cycle(const bearing::Case& c, const CycleResult& cycle) {
+  Json json;
+  const CycleSeries instants = instants_told(cycle);
+  json[instants.name] = series_json(instants);
+  for (const CycleSeries& series : followed(c, cycle)) json[series.name] = series_json(series);
+  json["closure"] = number(cycle.closure);
+  json["cycles"] = cycle.cycles;
+  json["steps"] = cycle.steps;
+  json["rejected_steps"] = cycle.rejected_steps;
+  json["period"] = with_unit(cycle.period, "s");
+  return json;
+}
+
+}  // namespace
+
+std::string cycle_json(const bearing::Case& c, const CycleResult& cycle) {
+  Json json;
+  add_status(json, cycle.verdict);
+  json["tier"] = to_string(cycle.tier);
+  json["title"] = cycle.title;
+  json["quantities"] = quantities(cycle);
+  const bearing::CycleAudit audit = audit_of(cycle);
+  json["audit"] = {{"mass", number(audit.mass)},
+                   {"impulse", number(audit.impulse)},
+                   {"load", number(audit.load)}};
+  json["cycle"] = over_the_cycle(c, cycle);
+  json["limiters"] = limiters_json(cycle.limiters);
+  json["warnings"] = cycle.warnings;
+  json["assumptions"] = cycle.assumptions;
+  json["grid"] = cycle.grid;
+  json["cost"] = cost_json(cycle.cost);
+  json["provenance"] = provenance_json(c);
+  add_case(json, c);
+  return dump(json);
+}
+
+}  // namespace shellback::app

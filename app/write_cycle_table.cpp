@@ -1,0 +1,65 @@
+#include "app/write_cycle_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "app/cycle_shown.hpp"
+#include "app/table_parts.hpp"
+#include "app/text_table.hpp"
+
+namespace shellback::app {
+namespace {
+
+using bearing::CycleQuantity;
+using bearing::CycleResult;
+
+void print_quantities(std::ostream& out, const CycleResult& cycle) {
+  const bool bars = std::any_of(cycle.quantities.begin(), cycle.quantities.end(),
+                                [](const CycleQuantity& q) { return std::isfinite(bar_of(q)); });
+  TextTable table;
+  std::vector<std::string> head{"quantity", "value"};
+  if (bars) head.insert(head.end(), {"+- grid", "+- time"});
+  head.insert(head.end(), {"unit", fmt::format("at [{}]", told_unit(cycle))});
+  table.add(head);
+  table.rule();
+  for (const CycleQuantity& q : cycle.quantities) {
+    const DisplayUnit unit = cycle_unit(q);
+    std::vector<std::string> cells{cycle_label(q), figures(unit(q.quantity.value))};
+    if (bars) {
+      cells.push_back(bar_figures(unit.scale * q.quantity.error_grid));
+      cells.push_back(bar_figures(unit.scale * q.error_time));
+    }
+    cells.push_back(unit.unit);
+    cells.push_back(std::isfinite(q.at) ? figures(told(cycle, q.at)) : "");
+    table.add(cells);
+  }
+  table.print(out);
+}
+
+}  // namespace
+
+void write_cycle_table(std::ostream& out, const bearing::Case& c, const CycleResult& cycle) {
+  const bearing::Result head = head_of(cycle);
+  const std::string tier = to_string(cycle.tier);
+  out << cycle.title << '\n';
+  print_scene(out, c);
+  out << "load cycle, tier " << tier << ", " << status_line(head) << "\n\n";
+  print_failure(out, tier, head, meaning_of_the_rest(cycle));
+  if (!cycle.quantities.empty()) {
+    print_quantities(out, cycle);
+    out << '\n';
+  }
+  const bearing::CycleAudit audit = audit_of(cycle);
+  out << how_it_ran(cycle) << '\n';
+  out << fmt::format("audit (relative)  mass {}  impulse {}  load {}\n", audit_figure(audit.mass),
+                     audit_figure(audit.impulse), audit_figure(audit.load));
+  print_limiters(out, {head});
+  print_list(out, "warnings", cycle.warnings);
+  print_list(out, "assumptions", cycle.assumptions);
+  print_cost(out, head);
+}
+
+}  // namespace shellback::app

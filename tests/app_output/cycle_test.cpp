@@ -1,0 +1,290 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/cycle_shown.hpp"
+#include "app/svg_cycle.hpp"
+#include "app/svg_cycle_frames.hpp"
+#include "app/svg_orbit.hpp"
+#include "app/write_cycle_html.hpp"
+#include "app/write_cycle_json.hpp"
+#include "app/write_cycle_table.hpp"
+#include "core/constants.hpp"
+#include "markup.hpp"
+#include "synthetic_cycle.hpp"
+
+using namespace shellback;
+using nlohmann::json;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+json read_back(const bearing::CycleResult& cycle) {
+  return json::parse(app::cycle_json(test::cycle_case(), cycle));
+}
+
+std::string table(const bearing::CycleResult& cycle) {
+  std::ostringstream out;
+  app::write_cycle_table(out, test::cycle_case(), cycle);
+  return out.str();
+}
+
+/// All numbers of a path of M and L.
+std::vector<app::Point> points(std::string path) {
+  for (char& c : path) {
+    if (c == 'M' || c == 'L' || c == 'Z') c = ' ';
+  }
+  std::istringstream in(path);
+  std::vector<app::Point> all;
+  for (app::Point p; in >> p.x >> p.y;) all.push_back(p);
+  return all;
+}
+
+/// The longest path without filling: the journal's.
+std::vector<app::Point> longest_line(const std::string& svg) {
+  std::vector<app::Point> longest;
+  for (std::size_t at = svg.find("<path d=\""); at != std::string::npos;
+       at = svg.find("<path d=\"", at + 1)) {
+    const std::size_t begin = at + 9;
+    const std::size_t end = svg.find('"', begin);
+    if (svg.compare(end, 13, "\" fill=\"none\"") != 0) continue;
+    auto line = points(svg.substr(begin, end - begin));
+    if (line.size() > longest.size()) longest = std::move(line);
+  }
+  return longest;
+}
+
+}  // namespace
+
+TEST_CASE("ACycleHasTheBindingKeys") {
+  const auto j = read_back(test::synthetic_cycle());
+  for (const char* key :
+       {"status", "converged", "tier", "title", "quantities", "audit", "cycle", "limiters",
+        "warnings", "assumptions", "grid", "cost", "provenance", "case", "changes"}) {
+    INFO(key);
+    CHECK(j.contains(key));
+  }
+  CHECK(j["status"] == "converged");
+  CHECK_FALSE(j.contains("reason"));
+  for (const char* key : {"mass", "impulse", "load"}) CHECK(j["audit"].contains(key));
+  for (const char* key : {"angle",
+                          "h_min",
+                          "eccentricity_x",
+                          "eccentricity_y",
+                          "p_max",
+                          "friction_torque",
+                          "friction_torque_asperity",
+                          "power_loss",
+                          "load_x",
+                          "load_y",
+                          "speed",
+                          "supply_flow",
+                          "side_flow",
+                          "tilt_x",
+                          "tilt_y",
+                          "closure",
+                          "cycles",
+                          "steps",
+                          "rejected_steps",
+                          "period"}) {
+    INFO(key);
+    CHECK(j["cycle"].contains(key));
+  }
+  CHECK(j["cycle"]["period"]["unit"] == "s");
+  CHECK_FALSE(j["cycle"].contains("time"));
+  CHECK_FALSE(j["cycle"].contains("T_film_max"));  // the tier does not know it
+}
+
+TEST_CASE("AllSeriesOfACycleAreAsLong") {
+  const auto cycle = test::synthetic_cycle();
+  const auto j = read_back(cycle);
+  int series = 0;
+  for (const auto& [name, entry] : j["cycle"].items()) {
+    if (!entry.is_object() || !entry.contains("values")) continue;
+    INFO(name);
+    CHECK(entry["values"].size() == cycle.instants.size());
+    CHECK(entry["unit"].is_string());
+    ++series;
+  }
+  CHECK(series > 15);
+}
+
+TEST_CASE("InstantsAreToldAsCrankAnglesIfThereIsACrank") {
+  const auto cycle = test::synthetic_cycle();
+  const auto j = read_back(cycle);
+  const double degrees = cycle.crank_speed * 180.0 / kPi;
+  const auto& angle = j["cycle"]["angle"];
+  CHECK(angle["unit"] == "deg");
+  for (std::size_t k = 0; k < cycle.instants.size(); ++k) {
+    CHECK(angle["values"][k].get<double>() == Approx(cycle.instants[k].t * degrees));
+  }
+  CHECK(angle["values"].back().get<double>() == Approx(720.0));
+  for (const auto& q : cycle.quantities) {
+    const auto& read = j["quantities"][q.quantity.name];
+    CHECK(read.contains("at") == std::isfinite(q.at));
+    if (!std::isfinite(q.at)) continue;
+    CHECK(read["at"]["unit"] == "deg");
+    CHECK(read["at"]["value"].get<double>() == Approx(q.at * degrees));
+  }
+}
+
+TEST_CASE("AndAsTimesIfThereIsNone") {
+  const auto cycle = test::timed_cycle();
+  const auto j = read_back(cycle);
+  CHECK_FALSE(j["cycle"].contains("angle"));
+  CHECK(j["cycle"]["time"]["unit"] == "s");
+  CHECK(j["cycle"]["time"]["values"].back().get<double>() == cycle.instants.back().t);
+  CHECK(j["quantities"]["h_min"]["at"]["unit"] == "s");
+}
+
+TEST_CASE("BarsOfACycleAddUpGridAndTimeSteps") {
+  const auto cycle = test::synthetic_cycle();
+  const auto j = read_back(cycle);
+  const auto& h = j["quantities"]["h_min"];
+  CHECK(h["error"].get<double>() ==
+        Approx(h["error_grid"].get<double>() + h["error_time"].get<double>()));
+  CHECK_FALSE(j["quantities"]["friction_torque"].contains("error"));
+}
+
+TEST_CASE("ExtremesInTheQuantitiesAreThoseOfTheSeries") {
+  const auto j = read_back(test::synthetic_cycle());
+  const auto values = j["cycle"]["h_min"]["values"].get<std::vector<double>>();
+  const auto angles = j["cycle"]["angle"]["values"].get<std::vector<double>>();
+  const auto least = std::min_element(values.begin(), values.end());
+  CHECK(j["quantities"]["h_min"]["value"].get<double>() == *least);
+  CHECK(j["quantities"]["h_min"]["at"]["value"].get<double>() == angles[least - values.begin()]);
+}
+
+TEST_CASE("AStoppedCycleKeepsWhatWasFound") {
+  const auto cycle = test::stopped_cycle();
+  const auto j = read_back(cycle);
+  CHECK(j["status"] == "iteration limit");
+  for (const char* key : {"reason", "place", "cure"}) CHECK(!j[key].get<std::string>().empty());
+  CHECK(j["cycle"]["h_min"]["values"].size() == 3);
+  CHECK(j["cycle"]["closure"].is_null());
+  const std::string printed = table(cycle);
+  for (const char* part : {"NOT CONVERGED", "no step was found", "phi 302 deg", "smaller"}) {
+    CHECK(contains(printed, part));
+  }
+  CHECK(test::unbalanced_tag(app::cycle_svg(test::cycle_case(), cycle)) == "");
+  const std::string html = app::cycle_html(test::cycle_case(), cycle);
+  CHECK(contains(html, "no step was found"));
+  CHECK(test::unbalanced_tag(html) == "");
+}
+
+TEST_CASE("ACycleWithoutAnyInstantIsStillWritten") {
+  auto cycle = test::stopped_cycle();
+  cycle.instants.clear();
+  CHECK(read_back(cycle)["cycle"]["angle"]["values"].empty());
+  CHECK(read_back(cycle)["audit"]["mass"].is_null());  // nothing was found to be in balance
+  CHECK(contains(table(cycle), "No instant"));
+  CHECK(test::unbalanced_tag(app::cycle_svg(test::cycle_case(), cycle)) == "");
+  CHECK(test::unbalanced_tag(app::cycle_html(test::cycle_case(), cycle)) == "");
+}
+
+TEST_CASE("TheTableOfACycleTellsMeansExtremesAndHowItRan") {
+  const std::string printed = table(test::synthetic_cycle());
+  for (const char* part :
+       {"friction torque, mean", "smallest film, h_min", "at [deg]", "3 cycles", "2.1e-05",
+        "144 steps, 7 rejected", "impulse 4.0e-08", "load cycle over 720 deg", "flooded edges"}) {
+    INFO(part);
+    CHECK(contains(printed, part));
+  }
+}
+
+TEST_CASE("TheOrbitLiesWithinTheClearanceCircle") {
+  const auto c = test::cycle_case();
+  const auto cycle = test::synthetic_cycle();
+  app::Svg svg(500.0, 520.0);
+  const auto orbit = app::draw_orbit(svg, {0.0, 0.0, 480.0, 512.0}, c, cycle, app::print_theme());
+  const std::string text = svg.document("orbit");
+  CHECK(test::unbalanced_tag(text) == "");
+  const auto path = longest_line(text);
+  REQUIRE(path.size() == cycle.instants.size());
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    const double dx = path[k].x - orbit.centre.x;
+    const double dy = path[k].y - orbit.centre.y;
+    CHECK(std::hypot(dx, dy) < orbit.radius);
+    constexpr double kRounded = 0.06;  // one decimal [px]
+    CHECK(std::abs(dx - orbit.radius * cycle.instants[k].ex / c.bearing.radial_clearance) <
+          kRounded);
+    CHECK(std::abs(dy + orbit.radius * cycle.instants[k].ey / c.bearing.radial_clearance) <
+          kRounded);
+  }
+}
+
+TEST_CASE("TheOrbitOfAnElasticBearingStaysOnTheSheet") {
+  auto cycle = test::synthetic_cycle();
+  for (auto& i : cycle.instants) i.ex *= 2.0;
+  app::Svg svg(480.0, 512.0);
+  static_cast<void>(app::draw_orbit(svg, {0.0, 0.0, 480.0, 512.0}, test::cycle_case(), cycle,
+                                    app::print_theme()));
+  for (const auto& p : longest_line(svg.document("orbit"))) {
+    CHECK(p.x > 0.0);
+    CHECK(p.x < 480.0);
+  }
+}
+
+TEST_CASE("ThePictureOfACycleShowsOrbitCurvesAndMaps") {
+  const std::string svg = app::cycle_svg(test::cycle_case(), test::synthetic_cycle());
+  CHECK(test::unbalanced_tag(svg) == "");
+  for (const char* title :
+       {"Path of the journal", "Smallest film", "Largest pressure", "Friction torque",
+        "of asperities", "Load on the journal", "Largest film pressure", "Largest contact"}) {
+    INFO(title);
+    CHECK(contains(svg, title));
+  }
+  CHECK_FALSE(contains(svg, "nan"));
+  CHECK(contains(app::cycle_svg(test::cycle_case(), test::timed_cycle()), "time [ms]"));
+}
+
+TEST_CASE("TheAxisIsThatOfTheWholeCycleWhereverItStopped") {
+  CHECK(app::cycle_axis(test::stopped_cycle()).high == Approx(720.0));
+  auto event = test::timed_cycle();
+  event.period = std::numeric_limits<double>::infinity();
+  CHECK(app::cycle_axis(event).high == Approx(1e3 * event.instants.back().t));
+}
+
+TEST_CASE("ACycleWithoutContactHasNoMapOfIt") {
+  auto cycle = test::synthetic_cycle();
+  const auto has = [&] {
+    return app::cycle_map(test::cycle_case(), cycle, app::CycleMap::contact).has_value();
+  };
+  CHECK(has());
+  for (double& p : cycle.fields.p_asperity_max) p = 0.0;
+  CHECK_FALSE(has());
+  cycle.fields.p_asperity_max.clear();
+  CHECK_FALSE(has());
+}
+
+TEST_CASE("TheCyclesPageNeedsNothingFromOutside") {
+  const auto cycle = test::synthetic_cycle();
+  const std::string html = app::cycle_html(test::cycle_case(), cycle);
+  for (const char* load :
+       {"http://", "https://", "<link", "@import", "url(", "src=", "fetch(", "import("}) {
+    CHECK_FALSE(contains(html, load));
+  }
+  CHECK(test::unbalanced_tag(html) == "");
+  CHECK(html.size() < 3'000'000);
+  CHECK(test::count(html, "<g class=\"frame") == static_cast<int>(cycle.frames.size()));
+  CHECK(test::count(html, "<g class=\"frame now\"") == 1);
+  for (const auto& q : cycle.quantities) {
+    CHECK(contains(html, "data-quantity=\"" + q.quantity.name + "\""));
+  }
+}
+
+TEST_CASE("AnAnimationIsThinnedOutToItsSize") {
+  const auto cycle = test::synthetic_cycle();
+  const std::string all = app::animation_svg(test::cycle_case(), cycle);
+  const std::string few = app::animation_svg(test::cycle_case(), cycle, all.size() / 3);
+  CHECK(few.size() <= all.size() / 3);
+  CHECK(test::count(few, "<g class=\"frame") >= 3);
+  auto none = cycle;
+  none.frames.clear();
+  CHECK(app::animation_svg(test::cycle_case(), none).empty());
+}

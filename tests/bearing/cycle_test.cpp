@@ -143,11 +143,18 @@ TEST_CASE("FilmAndTorqueAreOfSecondOrderInTime", "[cycle]") {
   };
   const CycleResult coarse = with_step(4.0);
   const CycleResult fine = with_step(2.0);
-  for (double CycleInstant::*v : {&CycleInstant::h_min, &CycleInstant::torque}) {
-    const double order = std::log2(off(coarse, 4.0, v) / off(fine, 2.0, v));
-    CHECK(order > 1.75);
-    CHECK(order < 2.35);
-  }
+  const auto near_two = [](double coarse, double fine) {
+    const double order = std::log2(coarse / fine);
+    CHECK(order > 1.85);
+    CHECK(order < 2.15);
+  };
+  near_two(off(coarse, 4.0, &CycleInstant::h_min), off(fine, 2.0, &CycleInstant::h_min));
+  // Torque as its mean: at one instant it holds the moment of the pressure, which jumps as cells
+  // fill.
+  const auto mean_off = [&](const CycleResult& r) {
+    return std::abs(value(r, "friction_torque") / value(truth, "friction_torque") - 1.0);
+  };
+  near_two(mean_off(coarse), mean_off(fine));
 }
 
 TEST_CASE("StepsChosenByTheirErrorKeepTheToleranceAskedFor", "[cycle]") {
@@ -168,14 +175,14 @@ TEST_CASE("SmallOscillationsAnswerAsStiffnessAndDampingSay", "[cycle]") {
   // cavitated film.
   Case c = plain_case();
   c.model.coefficients = true;
-  c.model.grid = {72, 12};
+  c.model.grid = {144, 12};  // half the cells err by twice as much: the film's ends stand on cells
   const Solution steady = solve_tier(c, Tier::isothermal);
   REQUIRE(steady.coefficients);
   const Matrix2 K = forces_of(steady.coefficients->K);
   const Matrix2 C = forces_of(steady.coefficients->C);
-  constexpr double kShake = 20.0;  // [N], a hundredth of the load
+  constexpr double kShake = 100.0;  // [N], a twentieth of the load
   const double shaken = c.operation.omega / 20.0;
-  c.cycle = over_two_turns(c, [](double a) { return Load{kShake * std::cos(0.5 * a), -2e3}; });
+  c.cycle = over_two_turns(c, [&](double a) { return Load{kShake * std::cos(0.5 * a), -2e3}; });
   for (double& t : c.cycle->t) t *= 10.0;
   c.cycle->period *= 10.0;
   c.cycle->journal_mass = 0.0;

@@ -101,6 +101,11 @@ std::string told(const LoadCycle& cycle, double t) {
                                  : fmt::format("{:.5g} ms", 1e3 * t);
 }
 
+std::string load_words(double force) {
+  constexpr double kMany = 1e4;  // N; five digits are read more easily in kN
+  return force >= kMany ? show(force, "kN", kForce) : show(force, "N", kForce);
+}
+
 void print_cycle(std::ostream& out, const Case& subject) {
   const LoadCycle& cycle = *subject.cycle;
   const CycleNumbers n = cycle_numbers(cycle, subject.operation.omega);
@@ -111,10 +116,11 @@ void print_cycle(std::ostream& out, const Case& subject) {
   line(out, "rows", fmt::format("{}", cycle.t.size()),
        cycle.interpolation == LoadInterpolation::linear ? "straight lines between them"
                                                         : "a periodic spline through them");
-  line(out, "largest load", fmt::format("{:.5g} N", n.largest),
+  const bool vanishes = n.smallest < kVanishingLoad * n.largest;
+  line(out, "largest load", load_words(n.largest),
        fmt::format("at {}, acting towards {}", told(cycle, n.at), in_degrees(n.angle)));
-  line(out, "mean and smallest load", fmt::format("{:.4g} N", n.mean),
-       fmt::format("{:.3g} N", n.smallest));
+  line(out, "mean load", load_words(n.mean),
+       vanishes ? "it vanishes in between" : "smallest " + load_words(n.smallest));
   line(out, "peak specific load", show(n.largest / area, "MPa", kPressure));
   line(out, "mean speed", show(n.mean_speed, "rpm", kSpeed),
        fmt::format("of the journal against the shell; at most {}",

@@ -70,7 +70,7 @@ void close(const CsvTable& table, bearing::Crank& crank) {
                  fmt::format("the pressure is not periodic: from {} here to {} at {} it jumps by "
                              "{:.4g} bar; make the two equal, or take one of the rows out",
                              table.written(last, "pressure"), table.written(0, "pressure"),
-                             table.written(0, "angle"), 1e-5 * jump));
+                             table.written(0, "angle"), 1e-5 * std::abs(jump)));
     }
   }
   crank.angle.pop_back();

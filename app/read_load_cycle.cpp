@@ -225,7 +225,7 @@ class LoadTable {
     if (jump <= kSameLoad * load && std::abs(turn) <= kSameLoad * speed) return;
     const std::string what = jump > kSameLoad * load
                                  ? fmt::format("the load jumps by {:.4g} N", jump)
-                                 : fmt::format("the speed jumps by {:.4g} rad/s", turn);
+                                 : fmt::format("the speed jumps by {:.4g} rad/s", std::abs(turn));
     table_.fail(b.line, when_,
                 fmt::format("the table is not periodic: from {} back to {} {}; make the last row "
                             "equal to the first, or leave it out; a jump that is meant has two "

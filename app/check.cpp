@@ -8,6 +8,7 @@
 #include "app/derived.hpp"
 #include "app/indicators.hpp"
 #include "app/units.hpp"
+#include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_case.hpp"
 #include "core/constants.hpp"
 #include "fidelity/estimate.hpp"
@@ -92,6 +93,61 @@ void print_estimate(std::ostream& out, const Case& subject) {
   line(out, "peak pressure", show(e.p_max, "MPa", kPressure));
 }
 
+std::string in_degrees(double angle) { return fmt::format("{:.5g} deg", angle * 180.0 / kPi); }
+
+/// An instant of the cycle, told as the cycle is.
+std::string told(const LoadCycle& cycle, double t) {
+  return cycle.crank_speed > 0.0 ? in_degrees(t * cycle.crank_speed)
+                                 : fmt::format("{:.5g} ms", 1e3 * t);
+}
+
+std::string load_words(double force) {
+  constexpr double kMany = 1e4;  // N; five digits are read more easily in kN
+  return force >= kMany ? show(force, "kN", kForce) : show(force, "N", kForce);
+}
+
+void print_cycle(std::ostream& out, const Case& subject) {
+  const LoadCycle& cycle = *subject.cycle;
+  const CycleNumbers n = cycle_numbers(cycle, subject.operation.omega);
+  const double area = 2.0 * subject.bearing.radius * subject.bearing.width;
+  out << "\nLoad cycle\n";
+  line(out, cycle.repeats() ? "period" : "single event of", told(cycle, n.length),
+       cycle.crank_speed > 0.0 ? fmt::format("of crank angle, {:.4g} ms", 1e3 * n.length) : "");
+  line(out, "rows", fmt::format("{}", cycle.t.size()),
+       cycle.interpolation == LoadInterpolation::linear ? "straight lines between them"
+                                                        : "a periodic spline through them");
+  const bool vanishes = n.smallest < kVanishingLoad * n.largest;
+  line(out, "largest load", load_words(n.largest),
+       fmt::format("at {}, acting towards {}", told(cycle, n.at), in_degrees(n.angle)));
+  line(out, "mean load", load_words(n.mean),
+       vanishes ? "it vanishes in between" : "smallest " + load_words(n.smallest));
+  line(out, "peak specific load", show(n.largest / area, "MPa", kPressure));
+  line(out, "mean speed", show(n.mean_speed, "rpm", kSpeed),
+       fmt::format("of the journal against the shell; at most {}",
+                   show(n.largest_speed, "rpm", kSpeed)));
+  line(out, "journal mass", fmt::format("{:.4g} kg", cycle.journal_mass),
+       cycle.journal_mass > 0.0 ? "" : "a journal without inertia");
+  line(out, "step", cycle.step ? told(cycle, *cycle.step) : "chosen",
+       cycle.step ? "" : "by model.tolerance");
+}
+
+/// What closed formulas tell of one steady load.
+void print_steady(std::ostream& out, const Case& subject) {
+  const Derived d = derive(subject);
+  print_operation(out, subject, d);
+  print_expected(out, d);
+  if (!subject.cycle) print_estimate(out, subject);
+  print_indicators(out, indicators(subject, d));
+}
+
+/// The largest load at the mean speed, as if both would stay.
+Case at_largest_load(const Case& subject) {
+  Case steady = subject;
+  steady.operation.position = largest_load(*subject.cycle);
+  steady.operation.omega = cycle_numbers(*subject.cycle, subject.operation.omega).mean_speed;
+  return steady;
+}
+
 std::string tier_names(const std::vector<Tier>& tiers) {
   std::string names;
   for (const Tier tier : tiers) names += (names.empty() ? "" : ", ") + std::string(to_string(tier));
@@ -101,14 +157,20 @@ std::string tier_names(const std::vector<Tier>& tiers) {
 }  // namespace
 
 void print_check(std::ostream& out, const Case& subject) {
-  const Derived d = derive(subject);
   out << (subject.title.empty() ? subject.path : subject.title) << "\n";
   out << fmt::format("  {}: the case can be solved; tier {}, data for {}\n", subject.path,
                      to_string(subject.model.tier), tier_names(possible_tiers(subject)));
-  print_operation(out, subject, d);
-  print_expected(out, d);
-  print_estimate(out, subject);
-  print_indicators(out, indicators(subject, d));
+  if (subject.cycle) {
+    print_cycle(out, subject);
+    const Case steady = at_largest_load(subject);
+    if (steady.operation.omega != 0.0) {
+      out << "\nBelow: as if the largest load and the mean speed would stay. A film that is "
+             "squeezed carries more.\n";
+      print_steady(out, steady);
+    }
+  } else {
+    print_steady(out, subject);
+  }
   print_list(out, "Warnings", subject.warnings);
   print_list(out, "Assumptions", subject.assumptions);
 }

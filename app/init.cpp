@@ -4,12 +4,14 @@
 
 #include <filesystem>
 #include <ostream>
+#include <vector>
 
 #include "app/case_text.hpp"
 #include "app/file_identity.hpp"
 #include "app/library.hpp"
 #include "app/output_rules.hpp"
 #include "app/pending_file.hpp"
+#include "app/read_case.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
@@ -20,6 +22,34 @@ std::string description_of(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
   const std::size_t begin = line.find_first_not_of("# ");
   return begin == std::string::npos ? "" : line.substr(begin);
+}
+
+/// A file of a shipped case and where its copy goes.
+struct Copy {
+  std::string target;
+  std::string text;
+};
+
+/// The tables that the shipped case refers to, to lie beside its copy as they do in the library. A
+/// copy that is there already, letter by letter, is left out.
+std::vector<Copy> tables_beside(const std::string& text, const std::string& source,
+                                const std::string& target) {
+  namespace fs = std::filesystem;
+  std::vector<Copy> copies;
+  if (is_stream(target)) return copies;
+  for (const std::string& table : tables_of_case(text, source)) {
+    const fs::path beside = fs::path(table).lexically_relative(fs::path(source).parent_path());
+    Copy copy{(fs::path(target).parent_path() / beside).string(), read_text_file(table)};
+    if (!fs::exists(copy.target)) {
+      copies.push_back(std::move(copy));
+    } else if (!fs::is_regular_file(copy.target) || read_text_file(copy.target) != copy.text) {
+      throw FileError(
+          fmt::format("{}: exists already and is left as it is; the case needs a table "
+                      "of this name beside it: write it into another folder with -o",
+                      copy.target));
+    }
+  }
+  return copies;
 }
 
 }  // namespace
@@ -33,7 +63,8 @@ void list_cases(std::ostream& out) {
 }
 
 void write_case(const std::string& name, const std::string& path, std::ostream& out) {
-  const std::string text = read_text_file(case_path(name).string());
+  const std::string source = case_path(name).string();
+  const std::string text = read_text_file(source);
   const std::string target = path.empty() ? name + ".toml" : path;
   if (std::filesystem::exists(target) && !is_stream(target)) {
     throw FileError(
@@ -42,7 +73,12 @@ void write_case(const std::string& name, const std::string& path, std::ostream& 
                     target));
   }
   expect_sound({{"-o", target, Format::toml}}, {}, false);
+  const std::vector<Copy> tables = tables_beside(text, source, target);
   write_file(target, text);
+  for (const Copy& table : tables) {
+    write_file(table.target, table.text);
+    out << table.target << " written, which the case refers to\n";
+  }
   out << fmt::format("{} written; next: shellback check {}\n", target, target);
 }
 

@@ -10,6 +10,11 @@ constexpr double kUsualReference = kZeroCelsius + 20.0;  ///< clearances are mea
 
 }  // namespace
 
+std::string table_beside(const Section& section, const std::string& key) {
+  const std::filesystem::path folder = std::filesystem::path(section.reader().file).parent_path();
+  return section.reader().tables.emplace_back((folder / section.text(key)).string());
+}
+
 bearing::Bearing read_bearing(const Section& file) {
   const Section section = file.section("bearing");
   section.only({"diameter", "width", "radial_clearance", "reference_temperature", "profile"},
@@ -22,12 +27,7 @@ bearing::Bearing read_bearing(const Section& file) {
       section.quantity_or("reference_temperature", kTemperature, kUsualReference,
                           "the radial clearance is taken as measured at 20 degC "
                           "(bearing.reference_temperature is not given)");
-  if (section.has("profile")) {
-    const std::filesystem::path folder = std::filesystem::path(section.reader().file).parent_path();
-    const std::string& path =
-        section.reader().tables.emplace_back((folder / section.text("profile")).string());
-    bearing.profile = read_profile(path);
-  }
+  if (section.has("profile")) bearing.profile = read_profile(table_beside(section, "profile"));
   return bearing;
 }
 

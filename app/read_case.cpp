@@ -4,6 +4,7 @@
 
 #include "app/case_text.hpp"
 #include "app/sections.hpp"
+#include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_case.hpp"
 #include "core/contract.hpp"
 
@@ -24,17 +25,14 @@ std::string with_overrides(const std::string& text, const std::vector<Override>&
 }
 
 void read_sections(const Section& file, Case& result) {
-  if (file.has("load_cycle")) {
-    file.fail("load_cycle",
-              "this version solves one steady operating point; give "
-              "operation.load instead");
-  }
-  file.only({"title", "bearing", "supply", "operation", "oil", "shell", "shaft", "surfaces",
-             "model", "measured"},
+  file.only({"title", "bearing", "supply", "operation", "load_cycle", "crank", "oil", "shell",
+             "shaft", "surfaces", "model", "measured"},
             "the case");
   if (file.has("title")) result.title = file.text("title");
   result.bearing = read_bearing(file);
   result.operation = read_operation(file);
+  result.cycle = read_load_cycle(file, result.operation.omega);
+  if (result.cycle) result.operation.position = bearing::largest_load(*result.cycle);
   result.oil = read_oil(file);
   result.oil_temperature = read_oil_temperature(file);
   result.supplies = read_supplies(file, result.bearing.radius, result.oil_temperature);
@@ -106,6 +104,13 @@ std::vector<std::string> files_of_case(const std::string& text, const std::strin
   for (const auto& [name, unused] : reader.documents) files.push_back(name);
   files.insert(files.end(), reader.tables.begin(), reader.tables.end());
   return files;
+}
+
+std::vector<std::string> tables_of_case(const std::string& text, const std::string& path) {
+  Reader reader;
+  reader.file = path;
+  static_cast<void>(read_with(reader, text, {}, {}));
+  return reader.tables;
 }
 
 Case read_case(const std::string& path, const std::vector<Override>& overrides,

@@ -20,7 +20,11 @@ namespace shellback::app {
                                            const std::vector<Override>& overrides = {},
                                            const std::vector<bearing::Tier>& tiers = {});
 
-/// Every file that this reading takes in: the case, its profile, oils and materials. Throws
+/// The tables beside the case that it refers to: profile, load, pressure. Throws likewise.
+[[nodiscard]] std::vector<std::string> tables_of_case(const std::string& text,
+                                                      const std::string& path);
+
+/// Every file that this reading takes in: the case, its tables, oils and materials. Throws
 /// likewise.
 [[nodiscard]] std::vector<std::string> files_of_case(const std::string& text,
                                                      const std::string& path,

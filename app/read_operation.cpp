@@ -57,6 +57,14 @@ std::variant<TiltGiven, MomentGiven> read_alignment(const Section& section) {
   return given;
 }
 
+/// The load of a cycle stands elsewhere.
+void expect_no_load(const Section& section) {
+  for (const char* key : {"load", "load_angle", "eccentricity_ratio", "attitude_angle"}) {
+    if (!section.has(key)) continue;
+    section.fail(key, "the load comes from [load_cycle] or [crank]; keep one of the two");
+  }
+}
+
 }  // namespace
 
 Operation read_operation(const Section& file) {
@@ -66,7 +74,11 @@ Operation read_operation(const Section& file) {
       "[operation]");
   Operation operation;
   operation.omega = section.quantity("speed", kSpeed);
-  operation.position = read_position(section);
+  if (file.has("load_cycle") || file.has("crank")) {
+    expect_no_load(section);
+  } else {
+    operation.position = read_position(section);
+  }
   operation.alignment = read_alignment(section);
   return operation;
 }

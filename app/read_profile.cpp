@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/case_text.hpp"
+#include "app/csv_table.hpp"
 #include "app/did_you_mean.hpp"
 #include "app/sections.hpp"
 #include "core/constants.hpp"
@@ -16,11 +17,6 @@ namespace {
 
 constexpr double kSame = 1e-9;  ///< positions closer than this are one [rad, m]
 
-struct Cell {
-  std::string text;
-  std::size_t column = 1;
-};
-
 struct Column {
   const char* name;
   Kind kind;
@@ -28,26 +24,10 @@ struct Column {
   double factor = 1.0;
 };
 
-std::vector<Cell> split_cells(const std::string& line) {
-  std::vector<Cell> cells;
-  std::size_t begin = 0;
-  for (;;) {
-    const std::size_t end = line.find_first_of(",;\t", begin);
-    const std::string raw = line.substr(begin, end - begin);
-    const std::size_t first = raw.find_first_not_of(" \r");
-    const std::size_t last = raw.find_last_not_of(" \r");
-    cells.push_back(first == std::string::npos
-                        ? Cell{"", begin + 1}
-                        : Cell{raw.substr(first, last - first + 1), begin + first + 1});
-    if (end == std::string::npos) return cells;
-    begin = end + 1;
-  }
-}
-
 /// Finds phi, z and height with their units in a header such as "phi [deg], z [mm], height [um]".
 std::array<Column, 3> read_header(const std::string& line, const std::string& place) {
   std::array<Column, 3> columns{{{"phi", kAngle}, {"z", kLength}, {"height", kLength}}};
-  const std::vector<Cell> cells = split_cells(line);
+  const std::vector<CsvCell> cells = split_cells(line);
   for (Column& column : columns) {
     bool found = false;
     for (std::size_t k = 0; k < cells.size() && !found; ++k) {
@@ -80,7 +60,8 @@ std::array<Column, 3> read_header(const std::string& line, const std::string& pl
   return columns;
 }
 
-double read_cell(const std::vector<Cell>& cells, const Column& column, const std::string& place) {
+double read_cell(const std::vector<CsvCell>& cells, const Column& column,
+                 const std::string& place) {
   if (column.at >= cells.size()) {
     throw InputError(place + ":1", fmt::format("this line has no {}", column.name));
   }
@@ -130,7 +111,7 @@ std::vector<Point> read_points(const std::string& text, const std::string& path)
       header = false;
       continue;
     }
-    const std::vector<Cell> cells = split_cells(line);
+    const std::vector<CsvCell> cells = split_cells(line);
     double phi = std::fmod(read_cell(cells, columns[0], place), 2.0 * kPi);
     if (phi < 0.0) phi += 2.0 * kPi;
     if (2.0 * kPi - phi < kSame) phi = 0.0;  // 360 deg is 0 deg

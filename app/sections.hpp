@@ -10,10 +10,14 @@
 
 #include "app/toml_reader.hpp"
 #include "bearing/case.hpp"
+#include "bearing/crank.hpp"
 
 namespace shellback::app {
 
 [[nodiscard]] bearing::Bearing read_bearing(const Section& file);
+
+/// The path of the file that the key names, which lies beside the case; it goes on record.
+[[nodiscard]] std::string table_beside(const Section& section, const std::string& key);
 
 /// Measured profile from a table phi, z, height with units in its header line.
 [[nodiscard]] bearing::Profile read_profile(const std::string& path);
@@ -22,7 +26,15 @@ namespace shellback::app {
 [[nodiscard]] std::vector<bearing::Supply> read_supplies(
     const Section& file, double radius, const std::optional<double>& oil_temperature);
 
+/// Where the case has a load cycle, the load is still to come.
 [[nodiscard]] bearing::Operation read_operation(const Section& file);
+
+/// [load_cycle], of a table or of [crank]; nothing if the case has neither. `omega` turns crank
+/// angles into times [rad/s].
+[[nodiscard]] std::optional<bearing::LoadCycle> read_load_cycle(const Section& file, double omega);
+
+/// [crank]; `period`: what load_cycle.period says [rad], else the pressure's table does.
+[[nodiscard]] bearing::Crank read_crank(const Section& crank, const std::optional<double>& period);
 
 [[nodiscard]] rheology::Oil read_oil(const Section& file);
 [[nodiscard]] std::optional<double> read_oil_temperature(const Section& file);

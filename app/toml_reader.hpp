@@ -29,7 +29,7 @@ struct Reader {
   std::vector<std::string> warnings;
   std::set<const toml::node*> used;
   std::map<std::string, toml::table> documents;  ///< library files read, by path
-  std::vector<std::string> tables;               ///< other files read: the profile
+  std::vector<std::string> tables;               ///< other files read: profile, load, pressure
 
   /// Place of the key, or of the nearest section around it, or the file.
   [[nodiscard]] std::string place(std::string key) const;

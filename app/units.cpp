@@ -16,10 +16,26 @@ namespace {
 
 constexpr int kLargestPower = 9;  ///< no physical unit needs more
 
-constexpr std::array kKinds{
-    kLength,       kAngle,        kSpeed,     kForce, kTorque,           kPressure, kTemperature,
-    kPerKelvin,    kPerPressure,  kViscosity, kTime,  kShearRate,        kDensity,  kConductivity,
-    kHeatCapacity, kHeatTransfer, kFlow,      kPower, kHeatCapacitySlope};
+constexpr std::array kKinds{kLength,
+                            kAngle,
+                            kSpeed,
+                            kForce,
+                            kTorque,
+                            kPressure,
+                            kTemperature,
+                            kPerKelvin,
+                            kPerPressure,
+                            kViscosity,
+                            kTime,
+                            kShearRate,
+                            kDensity,
+                            kConductivity,
+                            kHeatCapacity,
+                            kHeatTransfer,
+                            kFlow,
+                            kPower,
+                            kHeatCapacitySlope,
+                            kMass};
 
 /// What a dimension is called, or "another quantity".
 std::string dimension_name(const Dimension& dimension) {

@@ -7,6 +7,7 @@
 /// (case_limits.hpp). Keys are those of a case file, whoever filled the case: app/read_case adds
 /// file and line.
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bearing/case.hpp"
@@ -23,6 +24,9 @@ namespace shellback::bearing {
 
 /// Throws InputError with key, problem and cure of the first refusal, if there is one.
 void expect_solvable(const Case& c);
+
+/// Throws InputError if the case has a load cycle, which `what` ("compare") cannot take.
+void expect_no_cycle(const Case& c, const std::string& what);
 
 /// What the tier needs and the case does not hold.
 [[nodiscard]] std::optional<Finding> lack_for(const Case& c, Tier tier);

@@ -19,6 +19,11 @@ void judge_law_values(const rheology::Oil& oil, Findings& to);
 /// Walls; part of judge_values.
 void judge_solid_values(const Case& c, Findings& to);
 
+/// Rows, period, mass and step of a load cycle; part of judge_values.
+void judge_cycle_values(const LoadCycle& cycle, Findings& to);
+
+/// The cycle's load and speed against the bearing; a load that vanishes needs a mass.
+void judge_cycle(const Case& c, Findings& to);
 /// Supplies against bearing, cavitation pressure and one another.
 void judge_supplies(const Case& c, Findings& to);
 /// The laws of the oil, and the temperatures at which it is used.

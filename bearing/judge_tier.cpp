@@ -61,6 +61,17 @@ Lack lack_for_heat(const Case& c, const std::string& tier) {
 }  // namespace
 
 Lack lack_for(const Case& c, Tier tier) {
+  if (c.cycle && tier != Tier::isothermal) {
+    return lack("model.tier",
+                "not yet available for load cycles: tier " + std::string(to_string(tier)),
+                "use run with tier isothermal");
+  }
+  if (c.cycle && c.model.coefficients) {
+    return lack("model.coefficients",
+                "not yet available for load cycles: stiffness and damping, which belong to a "
+                "steady position",
+                "take model.coefficients (--coefficients) away");
+  }
   const bool thermal = tier == Tier::thd || tier == Tier::tehd;
   if (thermal) {
     if (auto missing = lack_for_heat(c, to_string(tier))) return missing;

@@ -77,10 +77,8 @@ void judge_list_of_supplies(const Case& c, Findings& to) {
   }
 }
 
-void judge_operation(const Operation& o, Findings& to) {
+void judge_position(const Operation& o, const ValueCheck& operation) {
   const ValueRanges& can = kValueRanges;
-  const ValueCheck operation("operation", to);
-  operation.number("speed", o.omega, "rad/s");
   if (const auto* load = std::get_if<LoadGiven>(&o.position)) {
     operation.number("load", load->force, "N", kPositive);
     operation.number("load_angle", load->angle, "deg", can.turn);
@@ -92,6 +90,18 @@ void judge_operation(const Operation& o, Findings& to) {
     }
     operation.number("attitude_angle", given.attitude, "deg", can.turn);
     operation.number("load_angle", given.load_angle, "deg", can.turn);
+  }
+}
+
+void judge_operation(const Case& c, Findings& to) {
+  const Operation& o = c.operation;
+  const ValueCheck operation("operation", to);
+  operation.number("speed", o.omega, "rad/s");
+  if (!c.cycle) {
+    judge_position(o, operation);
+  } else if (std::holds_alternative<EccentricityGiven>(o.position)) {
+    operation.refuse("eccentricity_ratio", "the load follows a cycle, and the journal with it",
+                     "keep one of them");
   }
   if (const auto* tilt = std::get_if<TiltGiven>(&o.alignment)) {
     operation.number("tilt.about_x", tilt->about_x, "deg");
@@ -150,7 +160,8 @@ void judge_measured(const Measured& m, Findings& to) {
 
 void judge_values(const Case& c, Findings& to) {
   judge_bearing(c.bearing, to);
-  judge_operation(c.operation, to);
+  judge_operation(c, to);
+  if (c.cycle) judge_cycle_values(*c.cycle, to);
   judge_law_values(c.oil, to);
   if (c.oil_temperature) ValueCheck("oil", to).temperature("temperature", *c.oil_temperature);
   judge_list_of_supplies(c, to);

@@ -13,6 +13,7 @@
 #include "app/progress.hpp"
 #include "app/read_case.hpp"
 #include "app/write_png.hpp"
+#include "bearing/judge_case.hpp"
 #include "validation/chart/chart_csv.hpp"
 #include "validation/chart/chart_picture.hpp"
 #include "validation/chart/chart_scenes.hpp"
@@ -81,6 +82,7 @@ int chart(const Request& request) {
   std::vector<std::pair<std::string, bearing::Case>> subjects;
   for (const std::string& name : request.scenes.empty() ? chart_scene_names() : request.scenes) {
     subjects.emplace_back(name, chart_case(name));
+    bearing::expect_no_cycle(subjects.back().second, "chart");
   }
   std::vector<std::string> inputs;
   for (const auto& [name, subject] : subjects) {

@@ -71,6 +71,7 @@ int compare(const Request& request) {
   std::vector<Tier> tiers = wanted_tiers(request);
   const std::string text = read_text_file(request.case_file);
   const Case subject = read_case_text(text, request.case_file, overrides_of(request), tiers);
+  expect_no_cycle(subject, "compare");
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request), tiers));
   tell_warnings(subject);
   if (tiers.empty()) tiers = default_tiers(subject);

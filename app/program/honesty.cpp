@@ -41,7 +41,9 @@ std::vector<HonestyCase> chosen_cases(const Request& request) {
   }
   if (!request.known) return cases;
   for (const auto& file : known_cases()) {
-    cases.push_back({app::read_case(file.string()), "known"});
+    bearing::Case known = app::read_case(file.string());
+    if (known.cycle) continue;  // bars are those of a steady film
+    cases.push_back({std::move(known), "known"});
     cases.back().input.title = (file.parent_path().filename() / file.stem()).string();
   }
   return cases;

@@ -10,6 +10,7 @@
 #include "app/read_case.hpp"
 #include "app/units.hpp"
 #include "app/write_warm_up.hpp"
+#include "bearing/judge_case.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "fidelity/solve_case.hpp"
@@ -88,6 +89,7 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
 int transient(const Request& request) {
   const std::string text = read_text_file(request.case_file);
   const Case subject = read_case_text(text, request.case_file, overrides_of(request));
+  expect_no_cycle(subject, "run --transient");
   const WarmUpOptions options = options_of(request);
   if (subject.cycle) {
     throw InputError("--transient",

@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 
+#include "app/library.hpp"
 #include "app/program/session.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"
@@ -256,6 +257,26 @@ TEST_CASE("CompareSaysWhatTheGridLeavesOpen") {
   INFO(ended.err);
   CHECK(ended.code == kDone);
   check_parts(ended.out, {"cannot be told apart on this grid", "isothermal and lumped"});
+}
+
+TEST_CASE("WhatCannotTakeALoadCycleSaysSo") {
+  const std::string file = case_path("pulse").string();
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"compare", file},
+                                             {"sweep", file, "--vary", "bearing.width=20 mm,25 mm"},
+                                             {"chart", file},
+                                             {"run", file, "--transient"},
+                                             {"run", file, "--tier", "lumped"},
+                                             {"run", file, "--tier", "estimate"},
+                                             {"run", file, "--tier", "auto"},
+                                             {"run", file, "--coefficients"}}) {
+    const Ended ended = run_words(words);
+    INFO(words[0]);
+    CHECK(ended.code == kBadInput);
+    CHECK(ended.out.empty());
+    check_parts(ended.err, {"not yet available for load cycles"});
+  }
+  CHECK(run_words({"check", file}).code == kDone);
 }
 
 TEST_CASE("TextsForUsersNameNoDocumentsOfOurs") {

@@ -1,0 +1,149 @@
+/// [crank] and its table of cylinder pressure.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/csv_table.hpp"
+#include "app/sections.hpp"
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::app {
+namespace {
+
+constexpr double kTurn = 2.0 * kPi;
+constexpr double kSame = 1e-9;          ///< of a turn: angles closer than this are one [-]
+constexpr double kSamePressure = 1e-6;  ///< of the largest: as much as tables have [-]
+constexpr double kLowestPeak = 5e5;     ///< an engine that hardly compresses has 10 bar [Pa]
+constexpr double kHighestPeak = 500e5;  ///< twice what large diesels reach [Pa]
+constexpr double kVacuum = -101325.0;   ///< gauge; standard atmosphere, definition [Pa]
+constexpr double kUsualRodRatio = 0.5;  ///< r/l; engines have 0.2 to 0.35 [-]
+constexpr const char* kExample = "angle [deg], pressure [bar]";
+
+void expect_angles(const CsvTable& table, double period) {
+  const std::vector<double>& angle = table.column("angle");
+  for (std::size_t k = 0; k < angle.size(); ++k) {
+    if (angle[k] < 0.0 || angle[k] > period * (1.0 + kSame)) {
+      table.fail(k, "angle",
+                 fmt::format("{} lies out of the period of {:.6g} deg, which begins at the top "
+                             "dead centre of combustion",
+                             table.written(k, "angle"), period * 180.0 / kPi));
+    }
+    if (k > 0 && !(angle[k] > angle[k - 1])) {
+      table.fail(k, "angle",
+                 fmt::format("{} does not come after {}; sort the rows by angle and give each once",
+                             table.written(k, "angle"), table.written(k - 1, "angle")));
+    }
+  }
+}
+
+void expect_pressures(const CsvTable& table) {
+  const std::vector<double>& p = table.column("pressure");
+  const auto [low, high] = std::minmax_element(p.begin(), p.end());
+  const auto row = [&](auto at) { return static_cast<std::size_t>(at - p.begin()); };
+  if (*low < kVacuum) {
+    table.fail(row(low), "pressure",
+               fmt::format("{} lies below vacuum (-1.013 bar); pressures are counted from ambient",
+                           table.written(row(low), "pressure")));
+  }
+  if (*high < kLowestPeak || *high > kHighestPeak) {
+    table.fail(row(high), "pressure",
+               fmt::format("the largest cylinder pressure is {}, which no engine has (5 to 500 "
+                           "bar); check the unit in the first line",
+                           table.written(row(high), "pressure")));
+  }
+}
+
+/// The end of the period is its beginning: a last row there says so and goes.
+void close(const CsvTable& table, bearing::Crank& crank) {
+  if (crank.angle.back() < crank.period * (1.0 - kSame)) return;
+  const std::size_t last = crank.angle.size() - 1;
+  if (crank.angle.front() > 0.0) {
+    crank.angle.insert(crank.angle.begin(), 0.0);
+    crank.pressure.insert(crank.pressure.begin(), crank.pressure.back());
+  } else {
+    const double jump = crank.pressure.front() - crank.pressure.back();
+    const double most = *std::max_element(crank.pressure.begin(), crank.pressure.end());
+    if (std::abs(jump) > kSamePressure * most) {
+      table.fail(last, "pressure",
+                 fmt::format("the pressure is not periodic: from {} here to {} at {} it jumps by "
+                             "{:.4g} bar; make the two equal, or take one of the rows out",
+                             table.written(last, "pressure"), table.written(0, "pressure"),
+                             table.written(0, "angle"), 1e-5 * std::abs(jump)));
+    }
+  }
+  crank.angle.pop_back();
+  crank.pressure.pop_back();
+}
+
+/// Four strokes if the table reaches beyond one turn.
+double period_of(const Section& section, const CsvTable& table,
+                 const std::optional<double>& period) {
+  if (period) return *period;
+  const bool four = table.column("angle").back() > kTurn * (1.0 + kSame);
+  section.assume(
+      fmt::format("the cylinder fires every {} deg of crank angle, since crank.pressure "
+                  "{} (load_cycle.period is not given)",
+                  four ? 720 : 360, four ? "reaches beyond 360 deg" : "ends there or before"));
+  return four ? 2.0 * kTurn : kTurn;
+}
+
+void read_pressure(const Section& section, const std::optional<double>& period,
+                   bearing::Crank& crank) {
+  const CsvTable table(table_beside(section, "pressure"),
+                       {{"angle", kAngle}, {"pressure", kPressure}}, kExample);
+  if (table.rows() < 2) table.fail_header("a course of pressure has two rows or more");
+  crank.angle = table.column("angle");
+  crank.pressure = table.column("pressure");
+  crank.period = period_of(section, table, period);
+  expect_angles(table, crank.period);
+  expect_pressures(table);
+  close(table, crank);
+}
+
+bool is_period(double period) {
+  return std::abs(period - kTurn) < kSame * kTurn || std::abs(period - 2.0 * kTurn) < kSame * kTurn;
+}
+
+}  // namespace
+
+bearing::Crank read_crank(const Section& section, const std::optional<double>& period) {
+  if (section.has("counterweight")) {
+    section.fail("counterweight",
+                 "a counterweight loads the main bearings, not the big end; take it out");
+  }
+  section.only({"stroke", "rod_length", "bore", "piston_mass", "rod_mass", "pressure"}, "[crank]");
+  if (period && !is_period(*period)) {
+    throw error_at(section.reader().place("load_cycle.period"), "load_cycle.period",
+                   "a cylinder fires every 360 deg (two strokes) or 720 deg (four)");
+  }
+  bearing::Crank crank;
+  crank.stroke = section.quantity("stroke", kLength, kPositive);
+  crank.rod_length = section.quantity("rod_length", kLength, kPositive);
+  crank.piston_mass = section.quantity("piston_mass", kMass, kNotNegative);
+  crank.rod_mass = section.quantity("rod_mass", kMass, kNotNegative);
+  const double ratio = 0.5 * crank.stroke / crank.rod_length;
+  if (ratio >= 1.0) {
+    section.fail("rod_length",
+                 "a rod shorter than half the stroke lets no crank turn; check the units of both");
+  }
+  if (ratio > kUsualRodRatio) {
+    section.warn("rod_length", fmt::format("half the stroke is {:.3g} of the rod's length, which "
+                                           "is unusual; check the units of both",
+                                           ratio));
+  }
+  section.assume(
+      "the crank turns at constant speed; friction of piston and piston pin, and weight, are left "
+      "out ([crank])");
+  if (section.has("pressure")) {
+    crank.bore = section.quantity("bore", kLength, kPositive);
+    read_pressure(section, period, crank);
+  } else {
+    section.assume("there is no gas in the cylinder (crank.pressure is not given)");
+    crank.period = period.value_or(kTurn);
+  }
+  return crank;
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,87 @@
+#include "bearing/crank.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kSameAngle = 1e-9;  ///< rows closer than this are one [rad]
+
+/// Crank angles of the rows: n steps of equal size, and the points of the pressure.
+std::vector<double> row_angles(const Crank& crank, int n) {
+  std::vector<double> angles = crank.angle;
+  for (int k = 0; k < n; ++k) angles.push_back(crank.period * k / n);
+  std::sort(angles.begin(), angles.end());
+  const auto same = [](double a, double b) { return b - a < kSameAngle; };
+  angles.erase(std::unique(angles.begin(), angles.end(), same), angles.end());
+  return angles;
+}
+
+}  // namespace
+
+CrankMotion crank_motion(const Crank& crank, double theta, double omega) {
+  EXPECTS(2.0 * crank.rod_length > crank.stroke && omega >= 0.0);
+  const double r = 0.5 * crank.stroke;
+  const double l = crank.rod_length;
+  const double sine = r / l * std::sin(theta);
+  const double cosine = std::sqrt(1.0 - sine * sine);
+  CrankMotion m;
+  m.rod_angle = std::asin(sine);
+  m.rod_rate = r / l * omega * std::cos(theta) / cosine;
+  const double rod_acceleration =
+      (m.rod_rate * m.rod_rate * sine - r / l * omega * omega * std::sin(theta)) / cosine;
+  m.piston = r * std::cos(theta) + l * cosine;
+  m.piston_velocity = -r * omega * std::sin(theta) - l * m.rod_rate * sine;
+  m.piston_acceleration = -r * omega * omega * std::cos(theta) -
+                          l * (rod_acceleration * sine + m.rod_rate * m.rod_rate * cosine);
+  return m;
+}
+
+double cylinder_pressure(const Crank& crank, double theta) {
+  const std::vector<double>& x = crank.angle;
+  const std::vector<double>& p = crank.pressure;
+  EXPECTS(x.size() == p.size());
+  if (x.empty()) return 0.0;
+  const double turned = theta - crank.period * std::floor(theta / crank.period);
+  const auto next =
+      static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), turned) - x.begin());
+  const std::size_t b = next % x.size();
+  const std::size_t a = (next + x.size() - 1) % x.size();
+  const double begin = next == 0 ? x[a] - crank.period : x[a];
+  const double end = next == x.size() ? x[b] + crank.period : x[b];
+  return end > begin ? p[a] + (p[b] - p[a]) * (turned - begin) / (end - begin) : p[a];
+}
+
+LoadNow crank_load_at(const Crank& crank, double theta, double omega) {
+  const double turn = omega < 0.0 ? -1.0 : 1.0;
+  const CrankMotion m = crank_motion(crank, theta, std::abs(omega));
+  const double area = 0.25 * kPi * crank.bore * crank.bore;
+  const double thrust =
+      (crank.piston_mass * m.piston_acceleration + cylinder_pressure(crank, theta) * area) /
+      std::cos(m.rod_angle);
+  const double pull = crank.rod_mass * 0.5 * crank.stroke * omega * omega;
+  const double angle = theta + m.rod_angle;  // between rod and crank
+  return {turn * pull * std::sin(angle), thrust - pull * std::cos(angle),
+          omega + turn * m.rod_rate};
+}
+
+LoadCycle crank_load(const Crank& crank, double omega, int n) {
+  EXPECTS(omega != 0.0 && n >= 1 && crank.period > 0.0);
+  LoadCycle cycle;
+  cycle.crank_speed = std::abs(omega);
+  cycle.period = crank.period / cycle.crank_speed;
+  for (const double theta : row_angles(crank, n)) {
+    const LoadNow load = crank_load_at(crank, theta, omega);
+    cycle.t.push_back(theta / cycle.crank_speed);
+    cycle.x.push_back(load.x);
+    cycle.y.push_back(load.y);
+    cycle.omega.push_back(load.omega);
+  }
+  return cycle;
+}
+
+}  // namespace shellback::bearing

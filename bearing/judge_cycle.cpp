@@ -1,0 +1,129 @@
+/// A load cycle as it stands in a case, whoever filled it; part of judge_case.hpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/cycle_numbers.hpp"
+#include "bearing/judge_parts.hpp"
+#include "bearing/value_check.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr std::size_t kFewestRows = 2;        ///< one is a steady load
+constexpr std::size_t kFewestSplineRows = 3;  ///< two cannot tell a period's shape
+constexpr int kRowsOfAJump = 2;               ///< before and after it
+
+/// Rows as many as times, of numbers; what follows relies on it.
+bool judge_rows(const LoadCycle& c, const ValueCheck& cycle) {
+  const bool fit = c.x.size() == c.t.size() && c.y.size() == c.t.size() &&
+                   (c.omega.empty() || c.omega.size() == c.t.size());
+  if (!fit) {
+    cycle.refuse("file", fmt::format("{} times, {} and {} loads and {} speeds make no table",
+                                     c.t.size(), c.x.size(), c.y.size(), c.omega.size()));
+    return false;
+  }
+  if (c.t.size() < kFewestRows) {
+    cycle.refuse("file", fmt::format("{} rows make no load cycle", c.t.size()),
+                 "give two or more, or a steady load as operation.load");
+    return false;
+  }
+  for (const auto* column : {&c.t, &c.x, &c.y, &c.omega}) {
+    for (std::size_t k = 0; k < column->size(); ++k) {
+      if (std::isfinite((*column)[k])) continue;
+      cycle.refuse("file", fmt::format("row {} holds a number that is not finite", k));
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Times from 0 on within the period, not falling; no more than two at once.
+void judge_times(const LoadCycle& c, const ValueCheck& cycle) {
+  int at_once = 1;
+  for (std::size_t k = 1; k < c.t.size(); ++k) {
+    at_once = c.t[k] == c.t[k - 1] ? at_once + 1 : 1;
+    if (c.t[k] < c.t[k - 1]) {
+      return cycle.refuse("file", fmt::format("row {} lies before the one above it", k),
+                          "sort the rows by time");
+    }
+    if (at_once > kRowsOfAJump) {
+      return cycle.refuse("file", fmt::format("row {} is the third at one time", k),
+                          "a jump has two: what holds before it, what holds after it");
+    }
+    if (at_once > 1 && c.interpolation == LoadInterpolation::periodic_spline) {
+      return cycle.refuse("interpolation", "a spline is smooth and has no jumps",
+                          "write \"linear\", or give each time once");
+    }
+  }
+  if (c.t.front() < 0.0 || (c.repeats() && c.t.back() >= c.period)) {
+    cycle.refuse("file",
+                 fmt::format("the rows reach from {:.6g} s to {:.6g} s, out of the period of "
+                             "{:.6g} s",
+                             c.t.front(), c.t.back(), c.period),
+                 "begin at 0; the end of the period is the first row again");
+  }
+  if (!c.repeats() && !(c.t.back() > c.t.front())) {
+    cycle.refuse("file", "the event takes no time", "give rows at two times or more");
+  }
+}
+
+void judge_scalars(const LoadCycle& c, const ValueCheck& cycle) {
+  if (!(c.period > 0.0)) {
+    cycle.refuse("period", fmt::format("{} s is not possible (it must be positive)", c.period));
+  }
+  cycle.number("journal_mass", c.journal_mass, "", kNotNegative);
+  cycle.number("crank_speed", c.crank_speed, "rad/s", kNotNegative);
+  if (c.step) cycle.number("step", *c.step, "s", kPositive);
+  if (c.interpolation == LoadInterpolation::linear) return;
+  if (!c.repeats()) {
+    cycle.refuse("interpolation", "a periodic spline needs a period",
+                 "give load_cycle.period, or write interpolation = \"linear\"");
+  }
+  if (c.t.size() < kFewestSplineRows) {
+    cycle.refuse("interpolation", "a periodic spline needs three rows or more",
+                 "write interpolation = \"linear\"");
+  }
+}
+
+}  // namespace
+
+void judge_cycle_values(const LoadCycle& c, Findings& to) {
+  const ValueCheck cycle("load_cycle", to);
+  judge_scalars(c, cycle);
+  if (!judge_rows(c, cycle)) return;
+  judge_times(c, cycle);
+  if (to.refused()) return;
+  const CycleNumbers n = cycle_numbers(c, 0.0);
+  if (n.largest <= 0.0) {
+    cycle.refuse("file", "the load is zero throughout", "check the columns of the load");
+  }
+  if (c.step && *c.step > n.length) {
+    cycle.refuse(
+        "step",
+        fmt::format("a step of {:.4g} s is longer than the whole of {:.4g} s", *c.step, n.length),
+        "check its unit");
+  }
+}
+
+void judge_cycle(const Case& c, Findings& to) {
+  const CycleNumbers n = cycle_numbers(*c.cycle, c.operation.omega);
+  const double specific = n.largest / (2.0 * c.bearing.radius * c.bearing.width);
+  compare(to, "load_cycle.file", specific, kBearingLimits.specific_load,
+          fmt::format("the largest load over the projected area is {:.4g} MPa", 1e-6 * specific),
+          "check the unit of the load");
+  const double u = n.largest_speed * c.bearing.radius;
+  compare(to, "operation.speed", u, kBearingLimits.surface_speed,
+          fmt::format("the largest surface speed is {:.4g} m/s", u), "check the unit of the speed");
+  if (c.cycle->journal_mass > 0.0) return;
+  if (const auto row = vanishing_load(*c.cycle)) {
+    to.refuse("load_cycle.journal_mass",
+              fmt::format("at {:.4g} s the load vanishes, or passes through zero before the next "
+                          "row, and nothing tells where a journal without mass then is",
+                          c.cycle->t[*row]),
+              "give journal_mass, the mass that the film carries");
+  }
+}
+
+}  // namespace shellback::bearing

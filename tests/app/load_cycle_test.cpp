@@ -1,0 +1,359 @@
+/// A load cycle from its table or from a crank, and every way in which one can be wrong.
+#include <cmath>
+#include <sstream>
+
+#include "app/check.hpp"
+#include "app/init.hpp"
+#include "app/library.hpp"
+#include "bearing/cycle_numbers.hpp"
+#include "core/constants.hpp"
+#include "tests/app/sample_case.hpp"
+
+using namespace shellback;
+using namespace shellback::app;
+using bearing::LoadCycle;
+
+namespace {
+
+constexpr double kDeg = kPi / 180.0;
+constexpr double kOmega = 100.0 * kPi;  // 3000 rpm [rad/s]
+constexpr double kTurn = 0.02;          // time of a turn [s]
+
+const std::string kInDegrees = "[load_cycle]\nfile = \"load.csv\"\nperiod = \"360 deg\"\n";
+const std::string kInTime = "[load_cycle]\nfile = \"load.csv\"\nperiod = \"20 ms\"\n";
+const std::string kCrank =
+    "[crank]\nstroke = \"137 mm\"\nrod_length = \"207 mm\"\nbore = \"105 mm\"\npiston_mass = "
+    "\"2.5 kg\"\nrod_mass = \"1.6 kg\"\npressure = \"p.csv\"\n";
+const std::string kRows =
+    "angle [deg], load_x [N], load_y [N]\n0, 0, -1000\n90, 500, -2000\n180, 0, -3000\n"
+    "270, -500, -2000\n";
+const std::string kTrace = "angle [deg], pressure [bar]\n0, 140\n90, 10\n360, 3\n630, 20\n";
+
+/// The sample with sections in place of its load.
+std::string sample_of(const std::string& sections, const std::string& speed = "3000 rpm") {
+  std::string text = sample_with("load = \"5 kN\"\n", "\n" + sections);
+  text.replace(text.find("3000 rpm"), 8, speed);
+  return text.replace(text.find("tier = \"tehd\""), 13, "tier = \"isothermal\"");
+}
+
+bearing::Case read(const ScratchFolder& folder, const std::string& sections,
+                   const std::string& table, const std::string& speed = "3000 rpm") {
+  folder.write("load.csv", table);
+  folder.write("p.csv", table);
+  return read_case_text(sample_of(sections, speed), folder.path("case.toml"));
+}
+
+LoadCycle cycle_of(const std::string& sections, const std::string& table,
+                   const std::string& speed = "3000 rpm") {
+  const ScratchFolder folder;
+  const auto c = read(folder, sections, table, speed);
+  REQUIRE(c.cycle);
+  return *c.cycle;
+}
+
+/// What is said against it, the folder's name taken out.
+std::string against(const std::string& sections, const std::string& table,
+                    const std::string& speed = "3000 rpm") {
+  const ScratchFolder folder;
+  try {
+    static_cast<void>(read(folder, sections, table, speed));
+  } catch (const InputError& error) {
+    std::string what = error.what();
+    const std::string name = folder.path("");
+    for (std::size_t at = what.find(name); at != std::string::npos; at = what.find(name)) {
+      what.erase(at, name.size());
+    }
+    return what;
+  }
+  return "";
+}
+
+void check_against(const std::string& table, const std::vector<std::string>& parts,
+                   const std::string& sections = kInDegrees) {
+  const std::string what = against(sections, table);
+  check_parts(what, parts);
+  CHECK(what.find(parts.front()) == 0);
+}
+
+}  // namespace
+
+TEST_CASE("ATableInCrankAngleBecomesACycleInTime") {
+  const ScratchFolder folder;
+  const auto c = read(folder, kInDegrees, "# a comment\n\n" + kRows);
+  REQUIRE(c.cycle);
+  CHECK(c.cycle->t.size() == 4);
+  CHECK(c.cycle->t[1] == Approx(0.25 * kTurn));
+  CHECK(c.cycle->period == Approx(kTurn));
+  CHECK(c.cycle->crank_speed == Approx(kOmega));
+  CHECK(c.cycle->x[1] == 500.0);
+  CHECK(c.cycle->y[2] == -3000.0);
+  CHECK(c.cycle->omega.empty());
+  CHECK(c.cycle->interpolation == bearing::LoadInterpolation::linear);
+  CHECK(c.cycle->journal_mass == 0.0);
+  CHECK_FALSE(c.cycle->step);
+  const auto load = std::get<bearing::LoadGiven>(c.operation.position);
+  CHECK(load.force == Approx(3000.0));
+  CHECK(load.angle == Approx(270.0 * kDeg));
+  CHECK(c.warnings.empty());
+  const auto files = files_of_case(sample_of(kInDegrees), folder.path("case.toml"));
+  CHECK(files.back() == folder.path("load.csv"));
+}
+
+TEST_CASE("ACrankTurningClockwiseCountsItsAngleForwards") {
+  const LoadCycle c = cycle_of(kInDegrees, kRows, "-3000 rpm");
+  CHECK(c.t[1] == Approx(0.25 * kTurn));
+  CHECK(c.crank_speed == Approx(kOmega));
+}
+
+TEST_CASE("ATableInTimeIsTakenInItsUnits") {
+  const LoadCycle c = cycle_of(
+      kInTime +
+          "journal_mass = \"1.2 kg\"\nstep = \"0.1 ms\"\ninterpolation = "
+          "\"periodic_spline\"\nframe = \"shell\"\n",
+      "speed [rpm]; direction [deg]; load [kN]; time [us]\n3000; 270; 1; 0\n3300; 0; 2; 5000\n"
+      "2700; 90; 3; 10000\n");
+  CHECK(c.t[1] == Approx(0.005));
+  CHECK(c.x[1] == Approx(2000.0));
+  CHECK(std::abs(c.y[1]) < 1e-9);
+  CHECK(c.y[0] == Approx(-1000.0));
+  CHECK(c.omega[1] == Approx(1.1 * kOmega));
+  CHECK(c.crank_speed == 0.0);
+  CHECK(c.journal_mass == Approx(1.2));
+  REQUIRE(c.step);
+  CHECK(*c.step == Approx(1e-4));
+  CHECK(c.interpolation == bearing::LoadInterpolation::periodic_spline);
+}
+
+TEST_CASE("AStepMayBeAnAngle") {
+  const LoadCycle c = cycle_of(kInDegrees + "step = \"1 deg\"\n", kRows);
+  CHECK(*c.step == Approx(kTurn / 360.0));
+}
+
+TEST_CASE("WithoutAPeriodItIsASingleEvent") {
+  const std::string once = "[load_cycle]\nfile = \"load.csv\"\n";
+  const LoadCycle c =
+      cycle_of(once, "time [ms], load_x [N], load_y [N]\n0, 0, -1\n5, 0, -2\n9, 0, -1\n");
+  CHECK_FALSE(c.repeats());
+  CHECK(c.t.back() == Approx(0.009));
+  check_against("time [ms], load_x [N], load_y [N]\n1, 0, -1\n5, 0, -2\n",
+                {"load.csv:2:1", "begins at 0"}, once);
+}
+
+TEST_CASE("ALastRowThatRepeatsTheFirstIsDropped") {
+  CHECK(cycle_of(kInDegrees, kRows + "360, 0, -1000\n").t.size() == 4);
+  check_against(kRows + "360, 0, -1500\n",
+                {"load.csv:6:1", "not periodic", "from 360 deg back to 0 deg",
+                 "the load jumps by 500 N", "two rows at 0"});
+  check_against("angle [deg], load_x [N], load_y [N], speed [rpm]\n0,0,-1,3000\n360,0,-1,3100\n",
+                {"load.csv:3:1", "not periodic", "speed jumps by 10.47 rad/s"});
+}
+
+TEST_CASE("AJumpAtTheEndOfThePeriodStandsAtItsBeginning") {
+  const std::string rows = "angle [deg], load_x [N], load_y [N]\n0, 0, -1000\n90, 0, -2000\n";
+  const LoadCycle c = cycle_of(kInDegrees, rows + "360, 0, -3000\n360, 0, -1000\n");
+  REQUIRE(c.t.size() == 3);
+  CHECK(c.t[0] == 0.0);
+  CHECK(c.y[0] == -3000.0);  // before the jump
+  CHECK(c.t[1] == 0.0);
+  CHECK(c.y[1] == -1000.0);
+}
+
+TEST_CASE("ATableThatBeginsLaterGoesOnFromItsEnd") {
+  const std::string rows = "angle [deg], load_x [N], load_y [N]\n";
+  const LoadCycle c = cycle_of(kInDegrees, rows + "90, 0, -1000\n270, 0, -3000\n");
+  REQUIRE(c.t.size() == 3);
+  CHECK(c.t[0] == 0.0);
+  CHECK(c.y[0] == Approx(-2000.0));  // half of the 180 deg from the last row to the first
+  const LoadCycle end = cycle_of(kInDegrees, rows + "90, 0, -1000\n360, 0, -3000\n");
+  CHECK(end.t[0] == 0.0);
+  CHECK(end.y[0] == -3000.0);
+  CHECK(end.t.back() == Approx(0.25 * kTurn));
+  check_against(rows + "90, 0, -1000\n180, 0, -2000\n270, 0, -3000\n",
+                {"load.csv:2:1", "spline begins with a row at 0"},
+                kInDegrees + "interpolation = \"periodic_spline\"\n");
+}
+
+TEST_CASE("RowsInDisorderAreRefused") {
+  const std::string head = "angle [deg], load_x [N], load_y [N]\n";
+  check_against(head + "0,0,-1\n90,0,-1\n80,0,-1\n",
+                {"load.csv:4:1", "80 deg comes after 90 deg", "sort"});
+  check_against(head + "0,0,-1\n90,0,-1\n90,0,-2\n90,0,-3\n",
+                {"load.csv:5:1", "third time", "a jump has two rows"});
+  check_against(head + "-5,0,-1\n90,0,-1\n", {"load.csv:2:1", "out of the period", "begins at 0"});
+  check_against(head + "0,0,-1\n400,0,-1\n", {"load.csv:3:1", "400 deg lies out of the period"});
+  check_against(head + "0,0,-1\n", {"load.csv:1:1", "one row", "operation.load"});
+  check_against(head, {"load.csv:1:1", "no row"});
+  check_against("# nothing\n", {"load.csv:1:1", "empty", "angle [deg], load_x [N]"});
+}
+
+TEST_CASE("FieldsThatAreNoNumbersAreRefused") {
+  const std::string head = "angle [deg], load_x [N], load_y [N]\n0, 0, -1\n";
+  check_against(head + "90, , -1\n", {"load.csv:3:4", "load_x is missing", "fill the gap"});
+  check_against(head + "90, nan, -1\n", {"load.csv:3:5", "not a finite number"});
+  check_against(head + "90, 0, -inf\n", {"load.csv:3:8", "not a finite number"});
+  check_against(head + "90, 0, big\n", {"load.csv:3:8", "does not begin with a number"});
+  check_against(head + "90, 0, 1e400\n", {"load.csv:3:8", "out of range"});
+  check_against(head + "90, 0\n", {"load.csv:3:5", "2 fields", "3 columns"});
+  check_against(head + "90, 0, 1, 2\n", {"load.csv:3:11", "4 fields", "3 columns"});
+}
+
+TEST_CASE("ColumnsAreKnownAndHaveUnits") {
+  const std::string rows = "0, 0, -1\n90, 0, -2\n";
+  check_against("angle [deg], load_x [N], laod_y [N]\n" + rows,
+                {"load.csv:1:26", "\"laod_y\" is not known", "did you mean \"load_y\"?"});
+  check_against("angle [deg], load_x, load_y [N]\n" + rows,
+                {"load.csv:1:14", "load_x names no unit", "load_x [N]"});
+  check_against("angle [deg], load_x [mm], load_y [N]\n" + rows,
+                {"load.csv:1:14", "a length", "a force"});
+  check_against("angle [deg], load_x [N], load_x [N]\n" + rows,
+                {"load.csv:1:26", "two columns load_x"});
+  check_against("angle [deg], time [ms], load_x [N]\n" + rows, {"load.csv:1:1", "both angle"});
+  check_against("load [N], load_x [N], load_y [N]\n" + rows, {"load.csv:1:1", "given twice"});
+  check_against("angle [deg], load_x [N]\n0, 1\n9, 1\n", {"load.csv:1:1", "no column load_y"});
+  check_against("angle [deg], load [N]\n0, 1\n9, 1\n", {"load.csv:1:1", "no column direction"});
+  check_against("load_x [N], load_y [N]\n0, 1\n9, 1\n", {"load.csv:1:1", "angle or time"});
+}
+
+TEST_CASE("AngleAndTimeAreNotMixed") {
+  check_against(kRows, {"case.toml:20:10", "the period is a time", "column angle"}, kInTime);
+  check_against("time [ms], load_x [N], load_y [N]\n0,0,-1\n9,0,-2\n",
+                {"case.toml:20:10", "the period is a crank angle", "column time"});
+  check_parts(against(kInDegrees, kRows, "0 rpm"),
+              {"case.toml:16:9", "operation.speed", "zero", "give the crank's speed"});
+  check_against(kRows, {"case.toml:20:10", "neither a crank angle nor a time"},
+                "[load_cycle]\nfile = \"load.csv\"\nperiod = \"360\"\n");
+  check_against(kRows, {"case.toml:20:10", "must be positive"},
+                "[load_cycle]\nfile = \"load.csv\"\nperiod = \"-360 deg\"\n");
+}
+
+TEST_CASE("ABearingAtRestMayBeSqueezed") {
+  const LoadCycle c =
+      cycle_of(kInTime, "time [ms], load_x [N], load_y [N]\n0,0,-1000\n9,0,-2000\n", "0 rpm");
+  CHECK(c.crank_speed == 0.0);
+}
+
+TEST_CASE("ALoadThroughZeroNeedsAJournalsMass") {
+  const std::string rows =
+      "angle [deg], load_x [N], load_y [N]\n0, 0, -1000\n90, 0, -500\n180, 0, 900\n270,500,0\n";
+  check_against(rows, {"load.csv:3:1", "at 90 deg the load vanishes", "load_cycle.journal_mass"});
+  CHECK(cycle_of(kInDegrees + "journal_mass = \"1 kg\"\n", rows).journal_mass == 1.0);
+  check_against(kRows, {"case.toml:21:16", "must not be negative"},
+                kInDegrees + "journal_mass = \"-1 kg\"\n");
+  check_against(kRows, {"case.toml:21:16", "a mass"}, kInDegrees + "journal_mass = \"1 mm\"\n");
+}
+
+TEST_CASE("ASplineHasAPeriodAndNoJumps") {
+  check_against(kRows, {"case.toml:20:17", "needs a period"},
+                "[load_cycle]\nfile = \"load.csv\"\ninterpolation = \"periodic_spline\"\n");
+  check_against("angle [deg], load_x [N], load_y [N]\n0,0,-1\n90,0,-1\n90,0,-2\n",
+                {"load.csv:4:1", "a spline is smooth", "linear"},
+                kInDegrees + "interpolation = \"periodic_spline\"\n");
+  check_against(kRows, {"case.toml:21:17", "did you mean \"linear\"?"},
+                kInDegrees + "interpolation = \"linaer\"\n");
+}
+
+TEST_CASE("ALoadStandsInOnePlace") {
+  const std::string text = sample_with("load = \"5 kN\"\n", "load = \"5 kN\"\n" + kInDegrees);
+  check_parts(refusal(text), {"case.toml:17:8", "operation.load", "[load_cycle]", "keep one"});
+  check_against(kRows, {"case.toml:18:1", "load_cycle.file", "missing"},
+                "[load_cycle]\nperiod = \"360 deg\"\n");
+  check_against(kRows, {"case.toml:21:1", "unknown key \"preiod\"", "did you mean \"period\"?"},
+                kInDegrees + "preiod = \"1 deg\"\n");
+  check_against(kRows, {"case.toml:21:9", "[crank], which is not given"},
+                kInDegrees + "frame = \"rod\"\n");
+}
+
+TEST_CASE("ACrankGivesLoadAndSpeedInTheRod") {
+  const ScratchFolder folder;
+  const auto c = read(folder, "[load_cycle]\nstep = \"2 deg\"\n" + kCrank, kTrace);
+  REQUIRE(c.cycle);
+  CHECK(c.cycle->period == Approx(2.0 * kTurn));
+  CHECK(c.cycle->omega.size() == c.cycle->t.size());
+  CHECK(*c.cycle->step == Approx(kTurn / 180.0));
+  const double r = 0.0685;
+  const double gas = 140e5 * 0.25 * kPi * 0.105 * 0.105;
+  const double inertia = (2.5 * (1.0 + r / 0.207) + 1.6) * r * kOmega * kOmega;
+  CHECK(c.cycle->y[0] == Approx(gas - inertia));
+  const auto numbers = bearing::cycle_numbers(*c.cycle, 0.0);
+  CHECK(numbers.largest == Approx(gas - inertia));
+  CHECK(numbers.angle == Approx(90.0 * kDeg));
+  CHECK(numbers.mean_speed == Approx(kOmega).epsilon(1e-5));  // trapezoids of a degree
+  const LoadCycle alone = cycle_of(kCrank, kTrace);           // [load_cycle] may be left out
+  CHECK(alone.y == c.cycle->y);
+}
+
+TEST_CASE("APressureWithinOneTurnIsThatOfTwoStrokes") {
+  const std::string turn = "angle [deg], pressure [bar]\n0, 140\n90, 10\n360, 140\n";
+  CHECK(cycle_of(kCrank, turn).period == Approx(kTurn));
+  CHECK(cycle_of("[load_cycle]\nperiod = \"720 deg\"\n" + kCrank, turn).period ==
+        Approx(2.0 * kTurn));
+  check_against(turn, {"case.toml:19:10", "360 deg (two strokes) or 720 deg"},
+                "[load_cycle]\nperiod = \"540 deg\"\n" + kCrank);
+}
+
+TEST_CASE("APressureTraceInAWrongUnitIsRefused") {
+  const auto said = [](const std::string& table, const std::vector<std::string>& parts) {
+    check_against(table, parts, kCrank);
+  };
+  said("angle [deg], pressure [bar]\n0, 1.4\n90, 1\n700, 0.3\n",
+       {"p.csv:2:4", "largest cylinder pressure is 1.4 bar", "check the unit"});
+  said("angle [deg], pressure [MPa]\n0, 140\n90, 10\n700, 3\n",
+       {"p.csv:2:4", "140 MPa", "check the unit"});
+  said("angle [deg], pressure [bar]\n0, 140\n90, -1.5\n700, 3\n", {"p.csv:3:5", "below vacuum"});
+  said("angle [deg], pressure [bar]\n0, 140\n90, 10\n720, 3\n",
+       {"p.csv:4:6", "not periodic", "jumps by 137 bar"});
+  said("angle [deg], pressure [bar]\n0, 140\n90, 10\n90, 3\n", {"p.csv:4:1", "sort"});
+  said("angle [deg], pressure [bar]\n0, 140\n750, 3\n", {"p.csv:3:1", "out of the period"});
+  said("angle [deg], pressure [bar]\n0, 140\n", {"p.csv:1:1", "two rows"});
+  said("angle [deg], presure [bar]\n0, 140\n", {"p.csv:1:14", "did you mean \"pressure\"?"});
+}
+
+TEST_CASE("ACrankThatCannotTurnIsRefused") {
+  const auto changed = [](const std::string& from, const std::string& to) {
+    std::string text = kCrank;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  check_against(kTrace, {"case.toml:20:14", "shorter than half the stroke"},
+                changed("207 mm", "60 mm"));
+  check_against(kTrace, {"case.toml:22:15", "must not be negative"}, changed("2.5 kg", "-1 kg"));
+  check_against(kTrace, {"case.toml:25:17", "loads the main bearings"},
+                kCrank + "counterweight = \"1 kg\"\n");
+  check_against(kTrace, {"case.toml:19:8", "comes from [crank]"},
+                "[load_cycle]\nfile = \"load.csv\"\n" + kCrank);
+  check_against(kTrace, {"case.toml:19:9", "write \"rod\""},
+                "[load_cycle]\nframe = \"shell\"\n" + kCrank);
+  check_against(kTrace, {"case.toml:18:1", "crank", "vanishes", "rod_mass"},
+                changed("1.6 kg", "0 kg"));
+  check_parts(against(kCrank, kTrace, "0 rpm"), {"case.toml:16:9", "operation.speed", "zero"});
+}
+
+TEST_CASE("CheckTellsWhatACycleComesTo") {
+  const auto c = read_case(case_path("flores-slider-crank").string());
+  std::ostringstream out;
+  print_check(out, c);
+  check_parts(out.str(), {"Load cycle", "720 deg", "60 ms", "2457 N", "at 630.66 deg", "180 deg",
+                          "1.524 MPa", "2000 rpm", "0.2 kg", "it vanishes in between"});
+  CHECK(out.str().find("tier estimate") == std::string::npos);
+}
+
+TEST_CASE("CheckTellsOfAJournalThatDoesNotTurn") {
+  const ScratchFolder folder;
+  const auto c =
+      read(folder, kInTime, "time [ms], load_x [N], load_y [N]\n0,0,-1000\n9,0,-2000\n", "0 rpm");
+  std::ostringstream out;
+  print_check(out, c);
+  check_parts(out.str(), {"20 ms", "2000 N", "mean speed", "0 rpm"});
+  CHECK(out.str().find("Petroff") == std::string::npos);
+}
+
+TEST_CASE("InitWritesTheTablesOfACaseBesideIt") {
+  const ScratchFolder folder;
+  std::ostringstream out;
+  write_case("big-end", folder.path("a.toml"), out);
+  check_parts(out.str(), {"big-end-pressure.csv written", "a.toml written"});
+  CHECK(read_case(folder.path("a.toml")).cycle.has_value());
+  CHECK_NOTHROW(write_case("big-end", folder.path("b.toml"), out));  // the same table serves
+  folder.write("big-end-pressure.csv", "mine\n");
+  CHECK_THROWS_AS(write_case("big-end", folder.path("c.toml"), out), FileError);
+  CHECK_FALSE(std::filesystem::exists(folder.path("c.toml")));
+}

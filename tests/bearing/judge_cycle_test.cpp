@@ -1,0 +1,162 @@
+/// A load cycle filled by hand: its numbers, and why it is refused.
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "bearing/cycle_numbers.hpp"
+#include "bearing/judge_case.hpp"
+#include "core/contract.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A load of 1 to 3 kN that swings about the vertical, period 0.04 s.
+Case cycle_case() {
+  Case c = plain_case();
+  c.operation.position = LoadGiven{};  // the cycle takes its place
+  LoadCycle cycle;
+  cycle.t = {0.0, 0.01, 0.02, 0.03};
+  cycle.x = {0.0, 500.0, 0.0, -500.0};
+  cycle.y = {-1000.0, -2000.0, -3000.0, -2000.0};
+  cycle.period = 0.04;
+  c.cycle = cycle;
+  return c;
+}
+
+template <class Change>
+Finding refusal(Change change) {
+  Case c = cycle_case();
+  change(*c.cycle);
+  for (const Finding& f : judge(c)) {
+    if (f.refused()) return f;
+  }
+  return {Gravity::unusual, "", "", ""};
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("ALoadCycleFilledByHandIsTaken") {
+  CHECK(judge(cycle_case()).empty());
+  CHECK(possible_tiers(cycle_case()) == std::vector{Tier::isothermal});
+}
+
+TEST_CASE("NumbersOfACycleAreThoseOfItsRows") {
+  const CycleNumbers n = cycle_numbers(*cycle_case().cycle, -20.0);
+  CHECK(n.length == 0.04);
+  CHECK(n.largest == 3000.0);
+  CHECK(n.at == 0.02);
+  CHECK(n.angle == Approx(1.5 * kPi));
+  CHECK(n.smallest == Approx(1000.0));
+  const double side = std::hypot(500.0, 2000.0);
+  CHECK(n.mean == Approx((1000.0 + 3000.0 + 2.0 * side) / 4.0));  // trapezoids of equal length
+  CHECK(n.mean_speed == Approx(-20.0));
+  CHECK(n.largest_speed == Approx(20.0));
+}
+
+TEST_CASE("ASpeedColumnGivesMeanAndLargestSpeed") {
+  LoadCycle cycle = *cycle_case().cycle;
+  cycle.omega = {100.0, 140.0, 100.0, 60.0};
+  const CycleNumbers n = cycle_numbers(cycle, -20.0);
+  CHECK(n.mean_speed == Approx(100.0));
+  CHECK(n.largest_speed == Approx(140.0));
+}
+
+TEST_CASE("RowsThatMakeNoCycleAreRefused") {
+  const auto said = [](auto change) {
+    const Finding f = refusal(change);
+    CHECK(f.key == "load_cycle.file");
+    return f.words();
+  };
+  CHECK(holds(said([](LoadCycle& c) { c.x.pop_back(); }), "make no table"));
+  CHECK(holds(said([](LoadCycle& c) { c.omega = {1.0}; }), "1 speeds"));
+  CHECK(holds(said([](LoadCycle& c) { c.t = {0.0}, c.x = {1.0}, c.y = {1.0}; }), "two or more"));
+  CHECK(holds(said([](LoadCycle& c) { c.y[2] = kNan; }), "row 2"));
+  CHECK(holds(said([](LoadCycle& c) { std::swap(c.t[1], c.t[2]); }), "sort"));
+  CHECK(holds(said([](LoadCycle& c) { c.t = {0.0, 0.01, 0.01, 0.01}; }), "third"));
+  CHECK(holds(said([](LoadCycle& c) { c.t[0] = -0.01; }), "out of the period"));
+  CHECK(holds(said([](LoadCycle& c) { c.t[3] = 0.04; }), "out of the period"));
+  CHECK(holds(said([](LoadCycle& c) { c.x = c.y = {0.0, 0.0, 0.0, 0.0}; }), "zero throughout"));
+}
+
+TEST_CASE("PeriodMassAndStepAreNumbersThatCanBe") {
+  const auto key = [](auto change) { return refusal(change).key; };
+  CHECK(key([](LoadCycle& c) { c.period = 0.0; }) == "load_cycle.period");
+  CHECK(key([](LoadCycle& c) { c.period = kNan; }) == "load_cycle.period");
+  CHECK(key([](LoadCycle& c) { c.journal_mass = -1.0; }) == "load_cycle.journal_mass");
+  CHECK(key([](LoadCycle& c) { c.journal_mass = INFINITY; }) == "load_cycle.journal_mass");
+  CHECK(key([](LoadCycle& c) { c.step = 0.0; }) == "load_cycle.step");
+  CHECK(key([](LoadCycle& c) { c.step = 0.05; }) == "load_cycle.step");
+}
+
+TEST_CASE("ASplineNeedsAPeriodAndNoJumps") {
+  const auto spline = [](auto change) {
+    const Finding f = refusal([&](LoadCycle& c) {
+      c.interpolation = LoadInterpolation::periodic_spline;
+      change(c);
+    });
+    return f.key;
+  };
+  CHECK(spline([](LoadCycle&) {}).empty());
+  CHECK(spline([](LoadCycle& c) { c.period = INFINITY; }) == "load_cycle.interpolation");
+  CHECK(spline([](LoadCycle& c) { c.t[2] = c.t[1]; }) == "load_cycle.interpolation");
+  CHECK(spline([](LoadCycle& c) { c.t.resize(2), c.x.resize(2), c.y.resize(2); }) ==
+        "load_cycle.interpolation");
+}
+
+TEST_CASE("ALoadThatVanishesNeedsAMass") {
+  const auto through_zero = [](LoadCycle& c) {
+    c.x = {0.0, 0.0, 0.0, 0.0};
+    c.y = {-1000.0, 500.0, 700.0, -200.0};  // between rows, never in one
+  };
+  const Finding f = refusal(through_zero);
+  CHECK(f.key == "load_cycle.journal_mass");
+  CHECK(holds(f.words(), "at 0 s the load vanishes"));
+  CHECK(refusal([&](LoadCycle& c) {
+          through_zero(c);
+          c.journal_mass = 1.0;
+        }).key.empty());
+  CHECK(refusal([](LoadCycle& c) { c.x[1] = 1e-4, c.y[1] = 0.0; }).key ==
+        "load_cycle.journal_mass");
+  // A jump from one side to the other takes no time.
+  CHECK(refusal([](LoadCycle& c) {
+          c.t = {0.0, 0.01, 0.01, 0.03};
+          c.x = {0.0, 0.0, 0.0, 500.0};
+          c.y = {-1000.0, -1000.0, 1000.0, 1000.0};
+        }).key.empty());
+  // From the last row the load returns to the first.
+  CHECK(refusal([](LoadCycle& c) {
+          c.x = {0.0, 500.0, 500.0, 0.0};
+          c.y = {-1000.0, -1000.0, 1000.0, 1000.0};
+        }).key == "load_cycle.journal_mass");
+}
+
+TEST_CASE("AJournalAtRestIsJudgedByTheCycle") {
+  Case c = cycle_case();
+  c.operation.omega = 0.0;  // squeezed only
+  CHECK(judge(c).empty());
+  c.cycle->y[2] = -1e9;
+  CHECK(judge(c).front().key == "load_cycle.file");
+  c = cycle_case();
+  c.operation.position = EccentricityGiven{0.5, 0.5, 0.0};
+  CHECK(judge(c).front().key == "operation.eccentricity_ratio");
+}
+
+TEST_CASE("WhatCannotTakeACycleSaysSo") {
+  CHECK_NOTHROW(expect_no_cycle(plain_case(), "compare"));
+  CHECK_THROWS_WITH(expect_no_cycle(cycle_case(), "compare"),
+                    Catch::Contains("not yet available for load cycles: compare") &&
+                        Catch::Contains("run with tier isothermal"));
+  for (const Tier tier : {Tier::estimate, Tier::lumped, Tier::thd, Tier::tehd, Tier::automatic}) {
+    REQUIRE(lack_for(cycle_case(), tier));
+    CHECK(lack_for(cycle_case(), tier)->key == "model.tier");
+  }
+}

@@ -13,6 +13,7 @@
 #include "validation/honesty/honesty_report.hpp"
 #include "validation/honesty/known_cases.hpp"
 #include "validation/honesty/population.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
 
@@ -41,7 +42,7 @@ std::vector<HonestyCase> chosen_cases(const Request& request) {
   }
   if (!request.known) return cases;
   for (const auto& file : known_cases()) {
-    cases.push_back({app::read_case(file.string()), "known"});
+    cases.push_back({with_rivals(app::read_case(file.string())), "known"});
     cases.back().input.title = (file.parent_path().filename() / file.stem()).string();
   }
   return cases;

@@ -14,6 +14,7 @@
 #include "app/write_table.hpp"
 #include "core/contract.hpp"
 #include "fidelity/solve_case.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
 
@@ -59,7 +60,8 @@ int run(const Request& request) {
                      "belongs to a transient; add --transient");
   }
   const std::string text = read_text_file(request.case_file);
-  const Case subject = read_case_text(text, request.case_file, overrides_of(request));
+  const Case subject =
+      validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   expect_film(subject);
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);

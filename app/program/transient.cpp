@@ -13,6 +13,7 @@
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "fidelity/solve_case.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
 
@@ -86,7 +87,8 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
 
 int transient(const Request& request) {
   const std::string text = read_text_file(request.case_file);
-  const Case subject = read_case_text(text, request.case_file, overrides_of(request));
+  const Case subject =
+      validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   const WarmUpOptions options = options_of(request);
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);

@@ -5,6 +5,7 @@
 #include "bearing/branch_endings.hpp"
 #include "bearing/follow.hpp"
 #include "bearing/newton.hpp"
+#include "bearing/possible_methods.hpp"
 #include "bearing/solve_equilibrium.hpp"
 
 namespace shellback::bearing {

@@ -1,7 +1,27 @@
 #pragma once
 /// Numerical methods by name. The first of each is what Shellback uses; the others are what other
-/// programs use, kept to be compared with (chart, stress).
+/// programs use, to be compared with (chart, stress). Of them bearing/ has the nodal sets across
+/// the film; cavitation and elasticity by another method need what solves the equilibrium in the
+/// place of Newton's method: `stand_in`. Those of others are in validation/rivals/.
+#include <atomic>
+
+#include "core/grid.hpp"
+#include "core/outcome.hpp"
+
 namespace shellback::bearing {
+
+struct BearingModel;
+struct LoadTarget;
+struct EquilibriumOptions;
+struct FilmEquilibrium;
+struct EquilibriumCost;
+
+/// Solves for the equilibrium from a state, which is left at the last iterate whatever the verdict;
+/// as newton (bearing/newton.hpp).
+using EquilibriumMethod = Verdict (*)(const BearingModel& model, const LoadTarget& target,
+                                      const Field& growth, const EquilibriumOptions& options,
+                                      FilmEquilibrium& state, EquilibriumCost& cost,
+                                      const std::atomic<bool>* stop);
 
 enum class CavitationMethod {
   active_set,          ///< p and theta, semismooth Newton on the active set (mass-conserving)
@@ -26,6 +46,8 @@ struct Methods {
   int layers = 20;          ///< of AcrossFilm::layers, 2 to 60
   double relaxation = 0.0;  ///< of ElasticMethod::fixed_point: part of each change taken [-]; 0:
                             ///< Aitken's
+  EquilibriumMethod stand_in = nullptr;  ///< for Newton's method where another is asked for; none:
+                                         ///< that is refused
 };
 
 }  // namespace shellback::bearing

@@ -27,9 +27,20 @@ std::string impossible_methods(const Case& c, const Physics& physics) {
   return "";
 }
 
+bool usual_methods(const Case& c) {
+  const Methods& by = c.model.methods;
+  return by.cavitation == CavitationMethod::active_set && by.elastic == ElasticMethod::newton;
+}
+
 void expect_possible_methods(const Case& c, const Physics& physics) {
   const std::string problem = impossible_methods(c, physics);
   if (!problem.empty()) throw InputError("model.methods: " + problem);
+  const Methods& m = c.model.methods;
+  if (usual_methods(c) || m.stand_in != nullptr) return;
+  throw InputError(std::string("model.methods: cavitation = \"") + to_string(m.cavitation) +
+                   "\" with elastic = \"" + to_string(m.elastic) +
+                   "\" is a method to compare with: the program shellback has it, the library has "
+                   "not; take active-set and newton, or give methods.stand_in");
 }
 
 const char* to_string(CavitationMethod method) {

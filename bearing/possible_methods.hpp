@@ -10,7 +10,12 @@ namespace shellback::bearing {
 /// Swift-Stieber films have no heat balance; only the active set has an elastic Newton step.
 [[nodiscard]] std::string impossible_methods(const Case& c, const Physics& physics);
 
-/// Throws InputError with these words, if there are any.
+/// True if the case asks for the usual methods; others are shown as they are known elsewhere, and
+/// know nothing of a path of loads.
+[[nodiscard]] bool usual_methods(const Case& c);
+
+/// Throws InputError with the words of impossible_methods, if there are any, and for methods in
+/// whose place nothing stands in.
 void expect_possible_methods(const Case& c, const Physics& physics);
 
 [[nodiscard]] const char* to_string(CavitationMethod method);

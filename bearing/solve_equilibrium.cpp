@@ -1,20 +1,20 @@
 #include "bearing/solve_equilibrium.hpp"
 
-#include "bearing/elastic_fixed_point.hpp"
-#include "bearing/film_then_position.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
+#include "core/contract.hpp"
 
 namespace shellback::bearing {
 namespace {
 
-using Method = decltype(&newton);
-
-/// What the case asks for, `usual` standing for Newton's method.
-Method method_of(const BearingModel& model, const FilmEquilibrium& s, Method usual) {
+/// `usual`, or what stands in for it where the case asks for another method in this state.
+EquilibriumMethod method_of(const BearingModel& model, const FilmEquilibrium& s,
+                            EquilibriumMethod usual) {
   const Methods& by = model.input.model.methods;
-  if (!s.elastic.empty() && by.elastic == ElasticMethod::fixed_point) return elastic_fixed_point;
-  return by.cavitation == CavitationMethod::active_set ? usual : film_then_position;
+  const bool fixed_point = !s.elastic.empty() && by.elastic == ElasticMethod::fixed_point;
+  if (!fixed_point && by.cavitation == CavitationMethod::active_set) return usual;
+  EXPECTS(by.stand_in != nullptr);  // make_bearing has refused the case otherwise
+  return by.stand_in;
 }
 
 }  // namespace
@@ -22,7 +22,7 @@ Method method_of(const BearingModel& model, const FilmEquilibrium& s, Method usu
 Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target, const Field& growth,
                           const EquilibriumOptions& options, FilmEquilibrium& s,
                           EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  const Method solve = method_of(model, s, newton_or_through_time);
+  const EquilibriumMethod solve = method_of(model, s, newton_or_through_time);
   return solve(model, target, growth, options, s, cost, stop);
 }
 
@@ -30,13 +30,8 @@ Verdict solve_equilibrium_near(const BearingModel& model, const LoadTarget& targ
                                const Field& growth, const EquilibriumOptions& options,
                                FilmEquilibrium& s, EquilibriumCost& cost,
                                const std::atomic<bool>* stop) {
-  const Method solve = method_of(model, s, newton);
+  const EquilibriumMethod solve = method_of(model, s, newton);
   return solve(model, target, growth, options, s, cost, stop);
-}
-
-bool usual_methods(const Case& c) {
-  const Methods& by = c.model.methods;
-  return by.cavitation == CavitationMethod::active_set && by.elastic == ElasticMethod::newton;
 }
 
 }  // namespace shellback::bearing

@@ -1,6 +1,6 @@
 #pragma once
-/// The equilibrium of film, journal and elastic surfaces by the method that the case asks for
-/// (bearing/methods.hpp); the usual one is Newton's, then through time.
+/// The equilibrium of film, journal and elastic surfaces by Newton's method, then through time; or
+/// by what stands in for it if the case asks for another method (bearing/methods.hpp).
 #include <atomic>
 
 #include "bearing/equilibrium.hpp"
@@ -13,14 +13,10 @@ namespace shellback::bearing {
                                         FilmEquilibrium& state, EquilibriumCost& cost,
                                         const std::atomic<bool>* stop = nullptr);
 
-/// The same from a state near the solution: the usual method does not go through time.
+/// The same from a state near the solution: Newton's method alone, not through time.
 [[nodiscard]] Verdict solve_equilibrium_near(const BearingModel& model, const LoadTarget& target,
                                              const Field& growth, const EquilibriumOptions& options,
                                              FilmEquilibrium& state, EquilibriumCost& cost,
                                              const std::atomic<bool>* stop = nullptr);
-
-/// True if the case asks for the usual methods; others are shown as they are known elsewhere, and
-/// know nothing of a path of loads.
-[[nodiscard]] bool usual_methods(const Case& c);
 
 }  // namespace shellback::bearing

@@ -10,6 +10,7 @@
 #include "bearing/follow.hpp"
 #include "bearing/heat_march.hpp"
 #include "bearing/lumped.hpp"
+#include "bearing/possible_methods.hpp"
 #include "bearing/solve_equilibrium.hpp"
 #include "core/contract.hpp"
 

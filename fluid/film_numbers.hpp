@@ -10,10 +10,6 @@ namespace shellback::fluid {
 [[nodiscard]] NotANumber first_not_a_number(const Gap& gap, const FilmState& state,
                                             const FilmCoefficients& oil, const FilmFlow& flow);
 
-/// Cure where a method that is shown as it is known elsewhere, without our help, has run away.
-inline constexpr const char* kMethodDiverged =
-    "this method has diverged: take model.methods.cavitation = \"active-set\"";
-
 /// Its ending, with the place of its cell.
 [[nodiscard]] Verdict ended_by(const FilmGrid& grid, const NotANumber& found);
 

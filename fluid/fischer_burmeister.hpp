@@ -1,6 +1,5 @@
 #pragma once
-/// Fischer-Burmeister form of the cavitation condition: the fallback when active sets cycle, and a
-/// method of its own.
+/// Fischer-Burmeister form of the cavitation condition: the fallback when active sets cycle.
 ///
 /// With P = (p - p_cav)/p_ref and c = 1 - theta, both >= 0 and one of them zero:
 ///   phi(P, c) = P + c - sqrt(P^2 + c^2) = 0.
@@ -16,11 +15,8 @@ namespace shellback::fluid {
 bool fischer_burmeister_step(const FilmScene& scene, const Gap& gap, const Field& step,
                              const OilLaw& oil, FilmSolution& solution);
 
-/// Solves the film by such steps alone, from `guess`. As solve_reynolds otherwise.
-[[nodiscard]] Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap& gap,
-                                                             const Field& step, const OilLaw& oil,
-                                                             const FilmState& guess,
-                                                             const ReynoldsOptions& options = {});
+/// The highest pressure over that of cavitation, at least 1 Pa [Pa]: p_ref.
+[[nodiscard]] double pressure_scale(const FilmScene& scene, const FilmState& state);
 
 /// True if (2) of reynolds.hpp holds in every cell, to round-off.
 [[nodiscard]] bool complementary(const FilmScene& scene, const FilmState& state);

@@ -18,6 +18,7 @@
 #include "bearing/judge_case.hpp"
 #include "core/contract.hpp"
 #include "fidelity/solve.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
 
@@ -70,7 +71,8 @@ Comparison solve_all(const Case& subject, const std::vector<Tier>& tiers) {
 int compare(const Request& request) {
   std::vector<Tier> tiers = wanted_tiers(request);
   const std::string text = read_text_file(request.case_file);
-  const Case subject = read_case_text(text, request.case_file, overrides_of(request), tiers);
+  const Case subject = validation::with_rivals(
+      read_case_text(text, request.case_file, overrides_of(request), tiers));
   expect_no_cycle(subject, "compare");
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request), tiers));
   tell_warnings(subject);

@@ -13,6 +13,7 @@
 #include "validation/honesty/honesty_report.hpp"
 #include "validation/honesty/known_cases.hpp"
 #include "validation/honesty/population.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
 
@@ -43,7 +44,7 @@ std::vector<HonestyCase> chosen_cases(const Request& request) {
   for (const auto& file : known_cases()) {
     bearing::Case known = app::read_case(file.string());
     if (known.cycle) continue;  // bars are those of a steady film
-    cases.push_back({std::move(known), "known"});
+    cases.push_back({with_rivals(std::move(known)), "known"});
     cases.back().input.title = (file.parent_path().filename() / file.stem()).string();
   }
   return cases;

@@ -14,6 +14,7 @@
 #include "app/write_table.hpp"
 #include "core/contract.hpp"
 #include "fidelity/solve_case.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
 
@@ -75,7 +76,8 @@ int run(const Request& request) {
   if (request.transient) return transient(request);
   expect_no_end(request);
   const std::string text = read_text_file(request.case_file);
-  const Case subject = read_case_text(text, request.case_file, overrides_of(request));
+  const Case subject =
+      validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   if (subject.cycle) return cycle(request, text, subject);
   expect_steady(request);
   expect_film(subject);

@@ -22,6 +22,7 @@
 #include "core/contract.hpp"
 #include "fidelity/solve.hpp"
 #include "fidelity/solve_case.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
 
@@ -53,7 +54,10 @@ Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int
     line.show(fmt::format("{} of {} points{}", now.done, now.total,
                           now.failed > 0 ? fmt::format(", {} not solved so far", now.failed) : ""));
   };
-  return run_sweep(axes, case_at, options);
+  const auto with_rivals_at = [&](const study::Position& at) {
+    return validation::with_rivals(case_at(at));
+  };
+  return run_sweep(axes, with_rivals_at, options);
 }
 
 /// The isothermal tier takes its temperature from a measured one, which belongs to one point.

@@ -14,6 +14,7 @@
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "fidelity/solve_case.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
 
@@ -88,14 +89,10 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
 
 int transient(const Request& request) {
   const std::string text = read_text_file(request.case_file);
-  const Case subject = read_case_text(text, request.case_file, overrides_of(request));
+  const Case subject =
+      validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   expect_no_cycle(subject, "run --transient");
   const WarmUpOptions options = options_of(request);
-  if (subject.cycle) {
-    throw InputError("--transient",
-                     "the warm-up is that of a steady load, and the case has a load cycle; leave "
-                     "out --transient, or [load_cycle]");
-  }
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
   ProgressLine progress;

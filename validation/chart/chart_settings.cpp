@@ -5,6 +5,7 @@
 #include "bearing/bearing.hpp"
 #include "bearing/judge_case.hpp"
 #include "bearing/possible_methods.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::validation {
 namespace {
@@ -116,13 +117,13 @@ Case with_setting(const Case& c, const ChartSetting& setting) {
   if (setting.family == ChartFamily::automatic) {
     changed.model.tolerance = setting.tolerance;
     changed.model.grid_given = false;
-    return changed;
+    return with_rivals(std::move(changed));
   }
   changed.model.grid = setting.grid;
   changed.model.grid_given = true;
   changed.model.film_nodes = setting.film_nodes;
   changed.model.methods = setting.methods;
-  return changed;
+  return with_rivals(std::move(changed));
 }
 
 const char* to_string(ChartFamily family) {

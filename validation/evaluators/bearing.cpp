@@ -7,6 +7,7 @@
 #include "core/contract.hpp"
 #include "validation/evaluators/bearing_numbers.hpp"
 #include "validation/evaluators/evaluators.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::validation {
 namespace {
@@ -28,7 +29,7 @@ Case case_of(const Question& q, const BearingPart& part) {
   if (changed != q.changes.end()) {
     overrides.insert(overrides.end(), changed->second.begin(), changed->second.end());
   }
-  return app::read_case(part.file, overrides);
+  return with_rivals(app::read_case(part.file, overrides));
 }
 
 /// Adds the quantities of one bearing: the first one's as they are, torques and powers of all.

@@ -11,6 +11,7 @@
 #include "bearing/solve.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "validation/rivals/rivals.hpp"
 
 namespace shellback::validation {
 namespace {
@@ -183,7 +184,7 @@ StressAnswer solve_stress_case(const StressScene& scene, const std::vector<std::
     std::vector<app::Override> changes;
     for (const std::string& word : words) changes.push_back(app::parse_override(word));
     changes.push_back({"model.tier", fmt::format("\"{}\"", to_string(scene.tier)), "--tier"});
-    const Case c = app::read_case(scene.case_path, changes);
+    const Case c = with_rivals(app::read_case(scene.case_path, changes));
     const Result result = solve(c);
     a.status = to_string(result.verdict.status);
     a.reason = result.verdict.reason;

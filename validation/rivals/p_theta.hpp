@@ -11,7 +11,7 @@
 /// solution of solve_reynolds, cell for cell.
 #include "fluid/reynolds.hpp"
 
-namespace shellback::fluid {
+namespace shellback::validation {
 
 struct RelaxationOptions {
   double tolerance = 1e-10;      ///< largest residual over flow_scale [-]
@@ -21,17 +21,18 @@ struct RelaxationOptions {
 };
 
 struct RelaxedFilm {
-  FilmState state;
+  fluid::FilmState state;
   long sweeps = 0;
 };
 
 /// Relaxes from `guess`. Does not throw for lack of convergence: read the verdict.
-[[nodiscard]] Outcome<RelaxedFilm> relax_p_theta(const FilmScene& scene, const Gap& gap,
-                                                 const Field& step, const OilLaw& oil,
-                                                 const FilmState& guess,
+[[nodiscard]] Outcome<RelaxedFilm> relax_p_theta(const fluid::FilmScene& scene,
+                                                 const fluid::Gap& gap, const Field& step,
+                                                 const fluid::OilLaw& oil,
+                                                 const fluid::FilmState& guess,
                                                  const RelaxationOptions& options = {});
 
 /// Young's factor for the grid [-]; see above.
 [[nodiscard]] double young_factor(const FilmGrid& grid);
 
-}  // namespace shellback::fluid
+}  // namespace shellback::validation

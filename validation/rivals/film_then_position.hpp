@@ -11,12 +11,14 @@
 
 #include "bearing/equilibrium.hpp"
 
-namespace shellback::bearing {
+namespace shellback::validation {
 
 /// As solve_equilibrium, for a rigid bearing (growth and displacement given).
-[[nodiscard]] Verdict film_then_position(const BearingModel& model, const LoadTarget& target,
-                                         const Field& growth, const EquilibriumOptions& options,
-                                         FilmEquilibrium& state, EquilibriumCost& cost,
+[[nodiscard]] Verdict film_then_position(const bearing::BearingModel& model,
+                                         const bearing::LoadTarget& target, const Field& growth,
+                                         const bearing::EquilibriumOptions& options,
+                                         bearing::FilmEquilibrium& state,
+                                         bearing::EquilibriumCost& cost,
                                          const std::atomic<bool>* stop);
 
-}  // namespace shellback::bearing
+}  // namespace shellback::validation

@@ -1,4 +1,4 @@
-#include "fluid/p_theta.hpp"
+#include "validation/rivals/p_theta.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,11 @@
 #include "core/largest.hpp"
 #include "fluid/film_numbers.hpp"
 #include "fluid/fischer_burmeister.hpp"
+#include "validation/rivals/method_diverged.hpp"
 
-namespace shellback::fluid {
+namespace shellback::validation {
+
+using namespace fluid;
 
 double young_factor(const FilmGrid& g) {
   const double dx = g.radius * 2.0 * kPi / g.nt;
@@ -115,4 +118,4 @@ Outcome<RelaxedFilm> relax_p_theta(const FilmScene& scene, const Gap& gap, const
   return out;
 }
 
-}  // namespace shellback::fluid
+}  // namespace shellback::validation

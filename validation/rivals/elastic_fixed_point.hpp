@@ -12,12 +12,14 @@
 
 #include "bearing/equilibrium.hpp"
 
-namespace shellback::bearing {
+namespace shellback::validation {
 
 /// As solve_equilibrium, for an elastic bearing.
-[[nodiscard]] Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
-                                          const Field& growth, const EquilibriumOptions& options,
-                                          FilmEquilibrium& state, EquilibriumCost& cost,
+[[nodiscard]] Verdict elastic_fixed_point(const bearing::BearingModel& model,
+                                          const bearing::LoadTarget& target, const Field& growth,
+                                          const bearing::EquilibriumOptions& options,
+                                          bearing::FilmEquilibrium& state,
+                                          bearing::EquilibriumCost& cost,
                                           const std::atomic<bool>* stop);
 
-}  // namespace shellback::bearing
+}  // namespace shellback::validation

@@ -1,4 +1,4 @@
-#include "bearing/film_then_position.hpp"
+#include "validation/rivals/film_then_position.hpp"
 
 #include <fmt/format.h>
 
@@ -11,11 +11,14 @@
 #include "bearing/closed_gap.hpp"
 #include "bearing/film_verdicts.hpp"
 #include "core/largest.hpp"
-#include "fluid/fischer_burmeister.hpp"
-#include "fluid/p_theta.hpp"
-#include "fluid/swift_stieber.hpp"
+#include "validation/rivals/fischer_burmeister_film.hpp"
+#include "validation/rivals/p_theta.hpp"
+#include "validation/rivals/swift_stieber.hpp"
 
-namespace shellback::bearing {
+namespace shellback::validation {
+
+using namespace bearing;
+
 namespace {
 
 using Stiffness = std::array<std::array<double, 4>, 4>;  ///< dF/dq
@@ -73,9 +76,9 @@ class FilmAndPosition {
 };
 
 RestingFilm FilmAndPosition::relaxed(const fluid::OilLaw& oil, double tolerance) {
-  fluid::RelaxationOptions o;
+  RelaxationOptions o;
   o.tolerance = tolerance;
-  auto film = fluid::relax_p_theta(model_.scene, s_.gap, model_.step, oil, s_.film, o);
+  auto film = relax_p_theta(model_.scene, s_.gap, model_.step, oil, s_.film, o);
   cost_.sweeps += film.value.sweeps;
   if (film.good()) s_.film = std::move(film.value.state);
   return {film.verdict, {}};
@@ -83,10 +86,8 @@ RestingFilm FilmAndPosition::relaxed(const fluid::OilLaw& oil, double tolerance)
 
 RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double tolerance) {
   const CavitationMethod method = model_.input.model.methods.cavitation;
-  const auto solve = method == CavitationMethod::active_set ? fluid::solve_reynolds
-                     : method == CavitationMethod::fischer_burmeister
-                         ? fluid::solve_fischer_burmeister
-                         : fluid::solve_swift_stieber;
+  const auto solve = method == CavitationMethod::fischer_burmeister ? solve_fischer_burmeister
+                                                                    : solve_swift_stieber;
   const fluid::ReynoldsOptions o{tolerance, options_.max_iterations};
   auto film = solve(model_.scene, s_.gap, model_.step, oil, s_.film, o);
   cost_.factorizations += film.value.factorizations;
@@ -367,4 +368,4 @@ Verdict film_then_position(const BearingModel& model, const LoadTarget& target, 
   return PositionSearch(model, target, growth, options, s, cost).run(stop);
 }
 
-}  // namespace shellback::bearing
+}  // namespace shellback::validation

@@ -1,16 +1,19 @@
-#include "bearing/elastic_fixed_point.hpp"
+#include "validation/rivals/elastic_fixed_point.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/film_then_position.hpp"
 #include "bearing/pseudo_time.hpp"
 #include "bearing/solids.hpp"
 #include "core/largest.hpp"
+#include "validation/rivals/film_then_position.hpp"
 
-namespace shellback::bearing {
+namespace shellback::validation {
+
+using namespace bearing;
+
 namespace {
 
 constexpr int kMostRounds = 1000;
@@ -104,4 +107,4 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
           "", "take elastic = \"newton\""};
 }
 
-}  // namespace shellback::bearing
+}  // namespace shellback::validation

@@ -1,21 +1,23 @@
 // Methods that others use, on whole bearings: the same answer where the equations are the same,
 // the loss where they are not, and a name for each failure.
+#include "validation/rivals/rivals.hpp"
+
 #include <catch2/catch.hpp>
 
 #include "bearing/audit.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
-#include "tests/observed_order.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
 using namespace shellback::bearing::tests;
+using Catch::Matchers::Contains;
 
 namespace {
 
 Solution solved(Case c, const Methods& methods) {
   c.model.methods = methods;
-  return solve_tier(c, c.model.tier);
+  return solve_tier(validation::with_rivals(c), c.model.tier);
 }
 
 Case coarse(Case c) {
@@ -112,14 +114,16 @@ TEST_CASE("SwiftStieberCarriesTheLoadButItsMassAuditShowsTheOilMade") {
 
 TEST_CASE("SwiftStieberIsRefusedWhereHeatMustBeBalanced") {
   Case c = coarse(grooved_case());
-  CHECK_THROWS_AS(solved(c, cavitation(CavitationMethod::swift_stieber)), InputError);
+  CHECK_THROWS_WITH(solved(c, cavitation(CavitationMethod::swift_stieber)),
+                    Contains("does not conserve oil"));
 }
 
 TEST_CASE("ElasticNewtonIsRefusedToMethodsThatHaveNone") {
   Case c = coarse(rig_case());
   c.model.tier = Tier::isothermal;
   c.model.switches.elastic_deformation = true;
-  CHECK_THROWS_AS(solved(c, cavitation(CavitationMethod::p_theta)), InputError);
+  CHECK_THROWS_WITH(solved(c, cavitation(CavitationMethod::p_theta)),
+                    Contains("no Newton step for elastic bearings"));
 }
 
 TEST_CASE("HeatIsTheSameByEveryMassConservingMethod") {
@@ -128,46 +132,6 @@ TEST_CASE("HeatIsTheSameByEveryMassConservingMethod") {
   for (const auto m : {CavitationMethod::fischer_burmeister, CavitationMethod::p_theta}) {
     check_same(usual, solved(c, cavitation(m)), 3e-5);  // the turns stop at 1e-4 of 10 K
   }
-}
-
-TEST_CASE("LayersAcrossTheFilmApproachTheLobattoFilmWithSecondOrder") {
-  Case c = coarse(grooved_case());
-  c.model.film_nodes = 11;
-  const double exact = torque_of(solved(c, {}));
-  const auto error = [&](int layers) {
-    Methods m;
-    m.across = AcrossFilm::layers;
-    m.layers = layers;
-    const Solution s = solved(c, m);
-    REQUIRE(s.verdict.good());
-    return torque_of(s) - exact;
-  };
-  const double coarse_error = error(8);
-  // the turns' own tolerance leaves some of the order
-  CHECK(shellback::tests::order_of_errors(coarse_error, error(16)) == Approx(2.0).margin(0.3));
-}
-
-TEST_CASE("EveryNodalSetBalancesItsHeat") {
-  for (const auto across : {AcrossFilm::layers, AcrossFilm::mean}) {
-    Methods m;
-    m.across = across;
-    m.layers = 10;
-    const Solution s = solved(coarse(grooved_case()), m);
-    REQUIRE(s.verdict.good());
-    CHECK(audit_of(s, friction_of(s.model, s.film)).energy < 1e-6);
-  }
-}
-
-TEST_CASE("FilmMeanTemperatureMissesThePeakThatTheResolvedFilmHas") {
-  Case c = coarse(grooved_case());
-  const auto hottest = [&](const Methods& m) {
-    const Solution s = solved(c, m);
-    REQUIRE(s.verdict.good());
-    return *std::max_element(s.film.columns.T.begin(), s.film.columns.T.end());
-  };
-  Methods mean;
-  mean.across = AcrossFilm::mean;
-  CHECK(hottest(mean) < hottest({}) - 0.2);
 }
 
 TEST_CASE("FixedPointAgreesWithNewtonForAStiffBearing") {
@@ -191,4 +155,23 @@ TEST_CASE("FixedPointRefusesASoftBearingByNameWhereNewtonSolvesIt") {
   const Solution s = solved(c, fixed_point(0.5));
   CHECK(s.verdict.status == Status::iteration_limit);
   CHECK(s.verdict.reason.find("fixed point between film and displacement") != std::string::npos);
+}
+
+TEST_CASE("NothingStandsInWhereNewtonsMethodIsAskedFor") {
+  Methods across;
+  across.across = AcrossFilm::layers;
+  CHECK(validation::rival_for({}) == nullptr);
+  CHECK(validation::rival_for(across) == nullptr);
+  CHECK(validation::rival_for(fixed_point()) != nullptr);
+  CHECK(validation::rival_for(cavitation(CavitationMethod::p_theta)) != nullptr);
+}
+
+TEST_CASE("ARivalIsRefusedByNameWhereNothingStandsInForNewton") {
+  Case c = coarse(plain_case());
+  c.model.tier = Tier::isothermal;
+  for (const Methods& m : {cavitation(CavitationMethod::fischer_burmeister), fixed_point()}) {
+    c.model.methods = m;
+    CHECK_THROWS_AS(solve_tier(c, c.model.tier), InputError);
+    CHECK_THROWS_WITH(solve_tier(c, c.model.tier), Contains("the library has not"));
+  }
 }

@@ -1,4 +1,4 @@
-#include "fluid/swift_stieber.hpp"
+#include "validation/rivals/swift_stieber.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,12 @@
 #include "core/largest.hpp"
 #include "fluid/film_numbers.hpp"
 #include "fluid/fischer_burmeister.hpp"
+#include "validation/rivals/method_diverged.hpp"
 
-namespace shellback::fluid {
+namespace shellback::validation {
+
+using namespace fluid;
+
 namespace {
 
 /// Rows of cells without pressure: nothing moves there.
@@ -103,4 +107,4 @@ Outcome<FilmSolution> solve_swift_stieber(const FilmScene& scene, const Gap& gap
   return out;
 }
 
-}  // namespace shellback::fluid
+}  // namespace shellback::validation

@@ -9,12 +9,12 @@
 /// Source: textbook (Swift 1932, Stieber 1933).
 #include "fluid/reynolds.hpp"
 
-namespace shellback::fluid {
+namespace shellback::validation {
 
 /// Solves (1) from `guess`. Does not throw for lack of convergence: read the verdict.
-[[nodiscard]] Outcome<FilmSolution> solve_swift_stieber(const FilmScene& scene, const Gap& gap,
-                                                        const Field& step, const OilLaw& oil,
-                                                        const FilmState& guess,
-                                                        const ReynoldsOptions& options = {});
+[[nodiscard]] Outcome<fluid::FilmSolution> solve_swift_stieber(
+    const fluid::FilmScene& scene, const fluid::Gap& gap, const Field& step,
+    const fluid::OilLaw& oil, const fluid::FilmState& guess,
+    const fluid::ReynoldsOptions& options = {});
 
-}  // namespace shellback::fluid
+}  // namespace shellback::validation

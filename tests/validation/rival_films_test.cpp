@@ -1,14 +1,15 @@
 // Other methods for the same cavitation: they must end in the same film, or say how they do not.
 #include <catch2/catch.hpp>
 
-#include "fluid/fischer_burmeister.hpp"
-#include "fluid/p_theta.hpp"
-#include "fluid/swift_stieber.hpp"
 #include "tests/fluid/film_scenes.hpp"
+#include "validation/rivals/fischer_burmeister_film.hpp"
+#include "validation/rivals/p_theta.hpp"
+#include "validation/rivals/swift_stieber.hpp"
 
 using namespace shellback;
 using namespace shellback::fluid;
 using namespace shellback::fluid::tests;
+using namespace shellback::validation;
 
 namespace {
 

@@ -27,10 +27,13 @@ std::vector<std::string> corpus() {
   return texts;
 }
 
+/// Beside the shipped cases, so that their tables are found.
+std::string beside_cases() { return (library_root() / "cases" / "fuzz.toml").string(); }
+
 /// Reads; a case that is taken must hold numbers that can be computed with.
-void expect_case_or_refusal(const std::string& text) {
+void expect_case_or_refusal(const std::string& text, const std::string& path = beside_cases()) {
   try {
-    const auto c = read_case_text(text, "fuzz.toml");
+    const auto c = read_case_text(text, path);
     const bool sane = std::isfinite(c.operation.omega) && c.bearing.radius > 0.0 &&
                       c.bearing.radial_clearance > 0.0 && !c.supplies.empty() &&
                       std::isfinite(c.supplies[0].pressure);
@@ -46,7 +49,7 @@ void expect_case_or_refusal(const std::string& text) {
       CHECK_FALSE(std::string(error.what()).empty());
     }
   } catch (const FileError&) {
-    // A mutated key may have become bearing.profile with a name of no file.
+    // A mutated key may have become bearing.profile with a name of no file, or a table's name.
   }
 }
 
@@ -112,6 +115,34 @@ TEST_CASE("FuzzCharactersSwappedAndReplaced") {
         }
       }
       expect_case_or_refusal(mutated);
+    }
+  }
+  SUCCEED();
+}
+
+TEST_CASE("FuzzTheTablesOfLoadCycles") {
+  Random random(4);
+  const ScratchFolder folder;
+  for (const char* name : {"big-end", "flores-slider-crank", "rotating-load", "pulse"}) {
+    const std::string text = read_text_file(case_path(name).string());
+    const std::string source = tables_of_case(text, case_path(name).string()).front();
+    const std::string table = read_text_file(source);
+    const std::string target = std::filesystem::path(source).filename().string();
+    const std::size_t header = table.find("\n", table.find("\n#\n") + 3);
+    for (int round = 0; round < 500; ++round) {
+      std::string mutated = table;
+      const std::size_t edits = 1 + below(random, 3);
+      for (std::size_t e = 0; e < edits; ++e) {
+        const std::size_t at = header + below(random, mutated.size() - header - 1);
+        const std::string some = "0123456789.,-e\n#[ ;nai";
+        if (below(random, 3) == 0) {
+          std::swap(mutated[at], mutated[at + 1]);
+        } else {
+          mutated[at] = some[below(random, some.size())];
+        }
+      }
+      folder.write(target, mutated);
+      expect_case_or_refusal(text, folder.path("fuzz.toml"));
     }
   }
   SUCCEED();

@@ -61,19 +61,20 @@ double LoadCourse::within_period(double t) const {
 }
 
 LoadNow LoadCourse::at(double t, bool before_jump) const {
-  const double at = within_period(t);
+  constexpr double kRound = 1e-9;  // of the course: a time is known no better
+  const double length = cycle_.repeats() ? cycle_.period : cycle_.t.back() - cycle_.t.front();
+  const double at = within_period(before_jump ? t - kRound * length : t);
   if (splines_) {
     return {gsl_spline_eval(splines_->x.get(), at, nullptr),
             gsl_spline_eval(splines_->y.get(), at, nullptr),
             gsl_spline_eval(splines_->omega.get(), at, nullptr)};
   }
   const auto& T = cycle_.t;
-  const auto above = before_jump ? std::lower_bound(T.begin(), T.end(), at)
-                                 : std::upper_bound(T.begin(), T.end(), at);
+  const auto above = std::upper_bound(T.begin(), T.end(), at);
   const auto k = static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(above - T.begin(), 1, static_cast<std::ptrdiff_t>(T.size()) - 1));
-  const double length = T[k] - T[k - 1];
-  const double part = length > 0.0 ? std::clamp((at - T[k - 1]) / length, 0.0, 1.0) : 1.0;
+  const double line = T[k] - T[k - 1];
+  const double part = line > 0.0 ? std::clamp((at - T[k - 1]) / line, 0.0, 1.0) : 1.0;
   return {between(cycle_.x[k - 1], cycle_.x[k], part), between(cycle_.y[k - 1], cycle_.y[k], part),
           between(cycle_.omega[k - 1], cycle_.omega[k], part)};
 }

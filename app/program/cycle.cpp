@@ -13,6 +13,7 @@
 #include "app/write_cycle_json.hpp"
 #include "app/write_cycle_table.hpp"
 #include "core/contract.hpp"
+#include "fidelity/cycle_bars.hpp"
 
 namespace shellback::program {
 
@@ -33,7 +34,7 @@ void expect_no_coefficients(const Request& request, const Case& subject) {
 
 CycleResult solved(const Case& subject) {
   ProgressLine line;
-  return solve_cycle(subject, subject.model.tier, control_for(line));
+  return fidelity::solve_cycle_with_bars(subject, control_for(line));
 }
 
 }  // namespace

@@ -1,0 +1,97 @@
+#include "fidelity/cycle_bars.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "core/contract.hpp"
+#include "fidelity/grid_error.hpp"
+#include "fidelity/grid_sequence.hpp"
+
+namespace shellback::fidelity {
+
+using namespace bearing;
+
+namespace {
+
+constexpr double kSafety = 1.5;  // as grid_error.cpp
+
+double value_of(const CycleResult& r, const std::string& name) {
+  for (const CycleQuantity& q : r.quantities) {
+    if (q.quantity.name == name) return q.quantity.value;
+  }
+  return NAN;
+}
+
+/// The cycle on another grid; not good where the grid cannot carry the supplies.
+CycleResult on_grid(Case c, Grid grid, const SolveControl& control) {
+  c.model.grid = grid;
+  try {
+    return solve_cycle(c, c.model.tier, control);
+  } catch (const InputError&) {
+    CycleResult none;
+    none.verdict.status = Status::iteration_limit;
+    return none;
+  }
+}
+
+/// With longer steps, and what their change tells of the usual ones.
+double lengthen_steps(Case& c) {
+  if (c.cycle->step) {
+    *c.cycle->step *= 2.0;
+    return kSafety / 3.0;
+  }
+  c.model.tolerance *= 4.0;
+  return kSafety / (std::cbrt(16.0) - 1.0);
+}
+
+void put_grid_bars(const std::vector<CycleResult>& coarse_to_fine, CycleResult& r) {
+  const auto size = [](const std::array<int, 2>& g) { return 1.0 / std::sqrt(g[0] * g[1]); };
+  for (CycleQuantity& q : r.quantities) {
+    std::vector<GridValue> values;
+    for (const CycleResult& on : coarse_to_fine) {
+      values.push_back({size(on.grid), value_of(on, q.quantity.name), 0.0});
+    }
+    values.push_back({size(r.grid), q.quantity.value, 0.0});
+    const GridBar bar = grid_bar(values, size(r.grid));
+    q.quantity.error_grid = bar.bar;
+    q.quantity.order = bar.order;
+  }
+}
+
+void put_time_bars(const CycleResult& usual, const CycleResult& longer, double part,
+                   CycleResult& r) {
+  for (CycleQuantity& q : r.quantities) {
+    const double a = value_of(usual, q.quantity.name);
+    const double b = value_of(longer, q.quantity.name);
+    if (a != 0.0) q.error_time = part * std::abs((b - a) / a * q.quantity.value);
+  }
+}
+
+}  // namespace
+
+CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
+  CycleResult r = solve_cycle(c, c.model.tier, control);
+  if (!r.verdict.good()) return r;
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<Grid> grids = coarse_grids(c);
+  if (grids.size() > 2) grids.erase(grids.begin(), grids.end() - 2);
+  std::vector<CycleResult> coarse;
+  for (const Grid& grid : grids) {
+    CycleResult on = on_grid(c, grid, control);
+    if (stopped(control)) return r;
+    if (on.verdict.good()) coarse.push_back(std::move(on));
+  }
+  if (coarse.empty()) {
+    r.warnings.push_back("no coarser grid carries this cycle: the bars are not known");
+    return r;
+  }
+  put_grid_bars(coarse, r);
+  Case longer = c;
+  const double part = lengthen_steps(longer);
+  const CycleResult late = on_grid(longer, coarse.back().grid, control);
+  if (late.verdict.good()) put_time_bars(coarse.back(), late, part, r);
+  r.cost.bars_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return r;
+}
+
+}  // namespace shellback::fidelity

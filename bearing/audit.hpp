@@ -1,7 +1,8 @@
 #pragma once
 /// Conservation audit of a solution: mass, energy, load, moment.
 ///
-///   mass    |supply flow - side flow| / the larger of them
+///   mass    |supply flow - side flow| / the larger of them, at least 1e-7 of the largest flow
+///           through a cell's face
 ///   energy  |friction power + pump power - heat by oil - heat to shell - heat to shaft|
 ///           / friction power; heat to shell and shaft as the solids took it up
 ///   load    |F + W| / |W|; not applicable with a given position

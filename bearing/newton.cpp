@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "bearing/bordered_film.hpp"
 #include "bearing/closed_gap.hpp"
@@ -87,12 +88,12 @@ bool NewtonIteration::evaluate_state() {
 }
 
 /// Little oil may pass where much goes round: what is lost is measured by what passes, and further
-/// steps reduce it until it is round-off, new in every step. The state that loses least is kept:
-/// steps for the oil alone never spoil what is converged.
+/// steps reduce it, at most until it is the round-off of what goes round. The state that loses
+/// least is kept: steps for the oil alone never spoil what is converged.
 bool NewtonIteration::converged() {
   constexpr double kUsual = 1e-11;  // film tolerance of a result [-]
   constexpr double kLost = 1e-9;    // of what passes, at the usual film tolerance [-]
-  constexpr int kMostPolish = 20;   // at round-off one step in some loses little
+  constexpr int kMostPolish = 20;   // quadratic: two or three do, or none
   if (polished_ > 0) ++polished_;
   const bool met = r_.within(options_) && s_.columns.mismatch <= options_.viscosity_tolerance &&
                    fluid::complementary(model_.scene, s_.film);
@@ -107,7 +108,9 @@ bool NewtonIteration::converged() {
     at_met_ = true;
   }
   polished_ = std::max(polished_, 1);
-  const double enough = polished_ > 3 ? 4.0 * allowed : allowed;
+  const double round =
+      std::numeric_limits<double>::epsilon() * fluid::flow_scale(model_.scene, s_.flow);
+  const double enough = std::max(allowed, round);
   return !(lost > enough) || polished_ > kMostPolish;
 }
 

@@ -1,5 +1,7 @@
 #include "validation/bench/scenes.hpp"
 
+#include <cmath>
+
 #include "core/constants.hpp"
 
 namespace shellback::bench {
@@ -87,6 +89,23 @@ Case scene(const std::string& name, std::array<int, 2> grid) {
                                          : ks_rig();
   c.model.grid = grid;
   return c;
+}
+
+LoadCycle pulse_over_two_turns(double omega, double pulse) {
+  constexpr int kRows = 144;
+  LoadCycle cycle;
+  cycle.crank_speed = omega;
+  cycle.period = 4.0 * kPi / omega;
+  cycle.interpolation = LoadInterpolation::periodic_spline;
+  cycle.journal_mass = 1.0;
+  for (int k = 0; k < kRows; ++k) {
+    const double angle = 4.0 * kPi * k / kRows;
+    const double from = angle - 2.0 * kPi;
+    cycle.t.push_back(angle / omega);
+    cycle.x.push_back(0.15 * pulse * std::cos(angle));
+    cycle.y.push_back(0.15 * pulse * std::sin(angle) - pulse * std::exp(-10.0 * from * from));
+  }
+  return cycle;
 }
 
 }  // namespace shellback::bench

@@ -11,4 +11,8 @@ namespace shellback::bench {
 /// "raimondi-boyd", "thd-plain-bearing" or "ks-rig-test-bearing" on nt x nz cells.
 [[nodiscard]] bearing::Case scene(const std::string& name, std::array<int, 2> grid);
 
+/// Over two turns: a turning load of 0.15 `pulse` and, in the middle, a pulse downwards, a spline
+/// through rows of five degrees; journal of 1 kg.
+[[nodiscard]] bearing::LoadCycle pulse_over_two_turns(double omega, double pulse);
+
 }  // namespace shellback::bench

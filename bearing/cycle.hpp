@@ -29,10 +29,10 @@ struct CycleInstant {
   double p_asperity_max = 0.0;        ///< [Pa]
   double torque = 0.0;                ///< of friction on the journal [N m]
   double torque_asperity = 0.0;       ///< part of it from asperities [N m]
-  double power = 0.0;                 ///< torque times speed [W]
-  double supply_flow = 0.0;           ///< mean over the step [m3/s]
-  double side_flow = 0.0;             ///< mean over the step [m3/s]
-  double oil = 0.0;                   ///< in the gap [kg]
+  double power = 0.0;  ///< torque times speed, and the work of the load on the moving journal [W]
+  double supply_flow = 0.0;                                       ///< mean over the step [m3/s]
+  double side_flow = 0.0;                                         ///< mean over the step [m3/s]
+  double oil = 0.0;                                               ///< in the gap [kg]
   double T_film_max = std::numeric_limits<double>::quiet_NaN();   ///< tiers thd, tehd [K]
   double T_shell_max = std::numeric_limits<double>::quiet_NaN();  ///< [K]
 };
@@ -46,9 +46,11 @@ struct CycleQuantity {
 
 /// Relative defects over the cycle that is told.
 struct CycleAudit {
-  double mass = 0.0;     ///< oil in - out - gathered, over the oil in the gap [-]
-  double impulse = 0.0;  ///< of film, load and inertia, over the mean load times the period [-]
-  double load = 0.0;     ///< largest residual of the force balance over the largest load [-]
+  double mass = 0.0;  ///< oil in - out - gathered, over the oil in the gap [-]
+  /// Impulse of the film plus that of the course of load less the change of the journal's momentum,
+  /// over the largest load times the period; NaN: the cycle was not ended [-]
+  double impulse = 0.0;
+  double load = 0.0;  ///< largest residual of the force balance over the largest load [-]
 };
 
 /// Full-width fields over the cycle.

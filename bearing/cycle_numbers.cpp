@@ -62,7 +62,7 @@ CycleNumbers cycle_numbers(const LoadCycle& c, double omega) {
   if (n.angle < 0.0) n.angle += 2.0 * kPi;
   n.mean = time > 0.0 ? n.mean / time : n.largest;
   n.mean_speed = time > 0.0 ? n.mean_speed / time : speed(c, 0, omega);
-  n.length = c.repeats() ? c.period : c.t.back();
+  n.length = c.length();
   return n;
 }
 

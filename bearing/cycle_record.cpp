@@ -47,7 +47,7 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
   i.p_asperity_max = largest(f.p_contact);
   i.torque = friction.viscous + friction.asperity;
   i.torque_asperity = friction.asperity;
-  i.power = i.torque * load.omega;
+  i.power = i.torque * load.omega + load.x * i.vx + load.y * i.vy;
   i.oil = oil_in_gap(now.oil);
   power_now_ = friction.stress.journal;
   const double mu = m.contact ? m.input.surfaces.contact->friction : 0.0;
@@ -63,8 +63,8 @@ void CycleRecord::begin(const FilmInTime& now) {
   const double rho = reference_density(film_->model());
   first.supply_flow = now.flows.supply / rho;
   first.side_flow = now.flows.side / rho;
-  oil_begun_ = first.oil;
-  v_begun_ = now.velocity;
+  oil_begun_ = oil_ended_ = first.oil;
+  v_begun_ = v_ended_ = now.velocity;
   p_max_ = now.film.film.p;
   p_asperity_max_ = now.film.p_contact;
   h_min_ = now.film.gap.cell;
@@ -94,6 +94,8 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   const double rho = reference_density(film_->model());
   i.supply_flow = step.supply / dt / rho;
   i.side_flow = step.side / dt / rho;
+  oil_ended_ = i.oil;
+  v_ended_ = step.after.velocity;
   supply_ += step.supply;
   side_ += step.side;
   for (int k = 0; k < 2; ++k) impulse_[k] += step.impulse[k];
@@ -113,8 +115,6 @@ double CycleRecord::mean(double CycleInstant::*value) const {
 }
 
 namespace {
-
-using Compare = bool (*)(double, double);
 
 /// The instant at which a value is smallest or largest.
 const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
@@ -159,49 +159,51 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   return out;
 }
 
-CycleAudit CycleRecord::audit(const FilmInTime& end) const {
+CycleAudit CycleRecord::audit() const {
   CycleAudit a;
-  const double oil = oil_in_gap(end.oil);
-  a.mass = std::abs(supply_ - side_ - (oil - oil_begun_)) / oil;
-  double push = 0.0;
-  for (const CycleInstant& i : instants_) push += i.dt * std::hypot(i.load_x, i.load_y);
-  const double mass = film_->mass();
-  if (mass > 0.0) {
-    for (int k = 0; k < 2; ++k) {
-      a.impulse =
-          larger(a.impulse, std::abs(impulse_[k] - mass * (end.velocity[k] - v_begun_[k])) / push);
-    }
-  } else {
-    a.impulse = std::hypot(impulse_[0], impulse_[1]) / push;
-  }
+  a.mass = std::abs(supply_ - side_ - (oil_ended_ - oil_begun_)) / oil_ended_;
   a.load = off_balance_ / course_->largest_load();
+  a.impulse = NAN;
+  if (std::abs(told() / length_ - 1.0) > 1e-6) return a;  // stopped before the end
+  const auto load = course_->impulse();
+  double off = 0.0;
+  for (int k = 0; k < 2; ++k) {
+    off =
+        larger(off, std::abs(impulse_[k] + load[k] - film_->mass() * (v_ended_[k] - v_begun_[k])));
+  }
+  a.impulse = off / (course_->largest_load() * length_);
   return a;
 }
 
 double CycleRecord::difference(const CycleRecord& other) const {
-  double most = 0.0;
-  const auto a = quantities();
-  const auto b = other.quantities();
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    const std::string& name = a[k].quantity.name;
-    if (name != "h_min" && name != "friction_torque") continue;
-    most = larger(most, std::abs(b[k].quantity.value / a[k].quantity.value - 1.0));
-  }
-  const double torque = extreme(instants_, &CycleInstant::torque, false).torque;
-  const double before = extreme(other.instants_, &CycleInstant::torque, false).torque;
-  return larger(most, std::abs(before / torque - 1.0));
+  const auto largest_torque = [](const CycleRecord& r) {
+    double most = 0.0;
+    for (const CycleInstant& i : r.instants_) most = larger(most, std::abs(i.torque));
+    return most;
+  };
+  const double h = extreme(instants_, &CycleInstant::h_min, true).h_min;
+  const double h_other = extreme(other.instants_, &CycleInstant::h_min, true).h_min;
+  const double torque = largest_torque(*this);
+  double most = larger(std::abs(oil_ended_ / oil_begun_ - 1.0), std::abs(h_other / h - 1.0));
+  if (torque == 0.0) return most;  // nothing turns
+  most = larger(most, std::abs(largest_torque(other) - torque) / torque);
+  const auto mean_of = [](const CycleRecord& r) { return r.mean(&CycleInstant::torque); };
+  return larger(most, std::abs(mean_of(other) - mean_of(*this)) / torque);
 }
 
-CycleResult CycleRecord::result(const FilmInTime& end) const {
+void CycleRecord::write(CycleResult& r) const {
   const BearingModel& m = film_->model();
   const FilmGrid& g = m.scene.grid;
-  CycleResult r;
   r.title = m.input.title;
   r.period = length_;
   r.crank_speed = m.input.cycle->crank_speed;
+  r.grid = {g.nt, g.full_nz()};
+  r.warnings = m.input.warnings;
+  r.assumptions = m.input.assumptions;
+  if (instants_.size() < 2) return;
   r.instants = instants_;
   r.quantities = quantities();
-  r.audit = audit(end);
+  r.audit = audit();
   r.fields.grid = full_grid(g);
   r.fields.p_max = mirror_to_full(g, p_max_);
   if (m.contact) r.fields.p_asperity_max = mirror_to_full(g, p_asperity_max_);
@@ -210,10 +212,6 @@ CycleResult CycleRecord::result(const FilmInTime& end) const {
   for (double& x : friction) x /= told();
   r.fields.friction_power = mirror_to_full(g, friction);
   r.frames = frames_;
-  r.warnings = m.input.warnings;
-  r.assumptions = m.input.assumptions;
-  r.grid = {g.nt, g.full_nz()};
-  return r;
 }
 
 }  // namespace shellback::bearing

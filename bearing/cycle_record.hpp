@@ -16,15 +16,16 @@ class CycleRecord {
   void add(const FilmStep& step, double dt, const SolveControl& control);
   /// Time that has been told [s].
   [[nodiscard]] double told() const { return instants_.back().t; }
-  /// Largest relative difference in smallest film, mean and largest torque.
+  /// Largest relative difference in smallest film, mean and largest torque, and relative change of
+  /// the oil in the gap from the cycle's beginning to its end.
   [[nodiscard]] double difference(const CycleRecord& other) const;
-  /// Without verdict and cost.
-  [[nodiscard]] CycleResult result(const FilmInTime& end) const;
+  /// All but verdict and cost; of a cycle without a step only what it is.
+  void write(CycleResult& r) const;
 
  private:
   [[nodiscard]] CycleInstant instant_of(const FilmInTime& now, double dt);
   [[nodiscard]] std::vector<CycleQuantity> quantities() const;
-  [[nodiscard]] CycleAudit audit(const FilmInTime& end) const;
+  [[nodiscard]] CycleAudit audit() const;
   [[nodiscard]] double oil_in_gap(const Field& oil) const;
   /// Mean over time of a value that is straight between instants.
   [[nodiscard]] double mean(double CycleInstant::*value) const;
@@ -37,9 +38,11 @@ class CycleRecord {
   std::vector<CycleFrame> frames_;
   double next_frame_ = 0.0;                          ///< [s]
   double oil_begun_ = 0.0;                           ///< [kg]
+  double oil_ended_ = 0.0;                           ///< [kg]
   double supply_ = 0.0, side_ = 0.0;                 ///< over the cycle [kg]
-  std::array<double, 2> impulse_{};                  ///< [N s]
+  std::array<double, 2> impulse_{};                  ///< of the film [N s]
   std::array<double, 2> v_begun_{};                  ///< [m/s]
+  std::array<double, 2> v_ended_{};                  ///< [m/s]
   double off_balance_ = 0.0;                         ///< [N]
   Field p_max_, p_asperity_max_, h_min_, friction_;  ///< on the solved grid
   Field power_now_;  ///< friction per area at the last instant [W/m2]

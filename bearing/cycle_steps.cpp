@@ -1,18 +1,18 @@
 #include "bearing/cycle_steps.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 namespace shellback::bearing {
 namespace {
 
-constexpr double kOrder = 3.0;     ///< of the error of one step in its length
-constexpr double kSafety = 0.9;    ///< of the length that the error allows, textbook
-constexpr double kLonger = 2.0;    ///< at most, from step to step, textbook
-constexpr double kShorter = 0.25;  ///< at most; also where a step is not found
-constexpr double kTaken = 4.0;  ///< a step of the period before stands until it errs so much more
+constexpr double kOrder = 3.0;      ///< of the error of a step in its length
+constexpr double kOrderAnew = 2.0;  ///< the same of a step that begins without slopes
+constexpr int kMostSteps = 200000;  ///< of a period: a hundred times what a long cycle takes
+constexpr double kSafety = 0.9;     ///< of the length that the error allows, textbook
+constexpr double kLonger = 2.0;     ///< at most, from step to step, textbook
+constexpr double kShorter = 0.25;   ///< at most; also where a step is not found
+constexpr double kTaken = 1.5;  ///< a step of the period before stands until it errs so much more
 
 constexpr double kRound = 1e-9;  ///< of the period: times nearer than this are one
 
@@ -24,7 +24,7 @@ CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
                        const StepOptions& options)
     : film_(film), length_(length), options_(options), wish_(options.after_jump) {
   for (LoadCorner c : course.corners()) {
-    if (c.t >= length) c.t -= length;
+    if (course.repeats() && c.t >= length) c.t -= length;
     corners_.push_back(c);
   }
 }
@@ -33,39 +33,51 @@ CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
 /// where that is more than the film's allowed error, the step ends on it.
 double CycleSteps::end_of_step(double since, double dt) const {
   const double round = kRound * length_;
-  double end = std::min(length_, since + dt);
+  double end = length_;
   for (const LoadCorner& c : corners_) {
     const bool felt = c.jump || c.slope_change * dt > 8.0 * options_.error;
-    if (felt && c.t > since + round && c.t < end + round) end = c.t;
+    if (felt && c.t > since + round && c.t < end) end = c.t;
   }
+  // No sliver is left: what is less than two steps is halved.
+  if (options_.fixed <= 0.0 && end - since > dt + round && end - since < 2.0 * dt) {
+    return since + 0.5 * (end - since);
+  }
+  end = std::min(end, since + dt);
   return length_ - end < round ? length_ : end;
 }
 
 bool CycleSteps::jump_at(double since) const {
   const double round = kRound * length_;
   return std::any_of(corners_.begin(), corners_.end(), [&](const LoadCorner& c) {
-    return c.jump && (std::abs(c.t - since) < round || std::abs(c.t + length_ - since) < round);
+    return c.jump && (std::abs(c.t - since) < round || std::abs(c.t - length_ - since) < round);
   });
+}
+
+double CycleSteps::length_for(const FilmStep& step, double dt, bool anew) const {
+  const double order = anew ? kOrderAnew : kOrder;
+  if (!step.verdict.good()) return kShorter * dt;
+  if (!(step.error > 0.0)) return kLonger * dt;
+  const double part = kSafety * std::pow(options_.error / step.error, 1.0 / order);
+  return dt * std::clamp(part, kShorter, kLonger);
 }
 
 FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, PeriodEnd& out,
                           EquilibriumCost& cost, const SolveControl& control) {
   const bool anew = now.oil_slope.empty();
-  const auto old = std::upper_bound(before_.begin(), before_.end(), since + kRound * length_);
+  const auto old = std::upper_bound(before_.begin(), before_.end(), since + kShorter * wish_);
   const bool again = old != before_.end() && *old - since <= kLonger * wish_;
   end = again ? *old : end_of_step(since, options_.fixed > 0.0 ? options_.fixed : wish_);
   double most = again ? kTaken * options_.error : options_.error;
-  if (anew || options_.fixed > 0.0) most = INFINITY;
   while (true) {
+    if (options_.fixed > 0.0) most = INFINITY;
     FilmStep step = film_.take(end - since, now, cost, control.stop);
     const bool good = step.verdict.good();
     if (step.verdict.status == Status::interrupted || (good && !(step.error > most))) return step;
-    ++out.rejected;
-    most = anew ? INFINITY : options_.error;
-    const double wanted = kSafety * std::pow(options_.error / step.error, 1.0 / kOrder);
-    const double shorter =
-        (good ? std::clamp(wanted, kShorter, kSafety) : kShorter) * (end - since);
+    most = options_.error;
+    const double shorter = std::min(length_for(step, end - since, anew), kSafety * (end - since));
     if (shorter < options_.shortest) return step;
+    ++out.rejected;
+    wish_ = shorter;
     end = since + shorter;
   }
 }
@@ -84,15 +96,19 @@ PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveCo
     double end = 0.0;
     FilmStep step = find(since, now, end, out, cost, control);
     if (stopped(control)) step.verdict = {Status::interrupted, "stopped by the user", "", ""};
+    if (step.verdict.good() && out.accepted == kMostSteps) {
+      step.verdict = {Status::iteration_limit, "the steps in time have become too short", "", ""};
+    }
     if (!step.verdict.good()) {
       out.verdict = step.verdict;
       return out;
     }
     const double dt = end - since;
-    const double grown =
-        step.error > 0.0 ? kSafety * std::pow(options_.error / step.error, 1.0 / kOrder) : kLonger;
-    if (step.error > options_.error) ++out.over;
-    wish_ = std::min(options_.longest, dt * std::clamp(grown, kShorter, kLonger));
+    const double next = length_for(step, dt, now.oil_slope.empty());
+    if (step.error > kTaken * options_.error) ++out.over;
+    // A step that was cut short says nothing against the length that was wished for.
+    const bool cut = dt < (1.0 - kRound) * wish_ && !(step.error > options_.error);
+    wish_ = std::min(options_.longest, cut ? std::max(wish_, next) : next);
     since = end;
     step.after.t = begun + since;
     ends_.push_back(since);

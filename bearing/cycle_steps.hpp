@@ -24,7 +24,8 @@ struct PeriodEnd {
   Verdict verdict;
   int accepted = 0;
   int rejected = 0;
-  int over = 0;  ///< steps whose error was above what is allowed: fixed, or behind a jump
+  int over = 0;  ///< steps that err by more than one and a half times what is allowed: given ones,
+                 ///< or of the shortest length
 };
 
 /// Called with every accepted step and the instant at which it began.
@@ -42,6 +43,8 @@ class CycleSteps {
   /// Where the step that begins at `since` (within the period) and may be `dt` long ends.
   [[nodiscard]] double end_of_step(double since, double dt) const;
   [[nodiscard]] bool jump_at(double since) const;
+  /// Length of the next step, or of the next attempt.
+  [[nodiscard]] double length_for(const FilmStep& step, double dt, bool anew) const;
   /// The step that begins at `since`, shortened until it is found and errs little enough.
   [[nodiscard]] FilmStep find(double since, const FilmInTime& now, double& end, PeriodEnd& out,
                               EquilibriumCost& cost, const SolveControl& control);

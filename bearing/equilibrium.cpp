@@ -159,7 +159,9 @@ Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
   constexpr double kNoGap = 1e-9;  // of smooth surfaces that all but touch [m]
   Residuals r;
   r.film = fluid::film_residual(model.scene, s.flow);
-  r.film_norm = largest_magnitude(r.film) / fluid::flow_scale(model.scene, s.flow);
+  const double most = largest_magnitude(r.film);
+  const double flow = fluid::flow_scale(model.scene, s.flow);
+  r.film_norm = most == 0.0 && flow == 0.0 ? 0.0 : most / flow;  // at rest nothing flows
   const fluid::Wrench wanted = target.wanted(s);
   const double unit = target.scale() * std::exp(s.ln_load);
   for (int k = 0; k < target.unknowns; ++k) {

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "bearing/newton.hpp"
+#include "bearing/pseudo_time.hpp"
+#include "core/contract.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::bearing {
@@ -36,14 +38,9 @@ Tableau sdirk2() {
   return {2, false, {g, 1.0, 0.0}, {{{g, 0.0, 0.0}, {1.0 - g, g, 0.0}, {}}}, {1.0, 0.0, 0.0}};
 }
 
-/// before + dt sum_j row_j k_j
+/// to + f k
 void add(double f, const Field& k, Field& to) {
   for (std::size_t c = 0; c < to.size(); ++c) to[c] += f * k[c];
-}
-
-/// The least fill ratio; a step may take more out of a cell than it holds.
-double least_fill(const fluid::FilmState& film) {
-  return *std::min_element(film.theta.begin(), film.theta.end());
 }
 
 }  // namespace
@@ -54,7 +51,7 @@ struct FilmSteps::Stage {
   std::array<double, 2> velocity{};      ///< [m/s]
   std::array<double, 2> acceleration{};  ///< [m/s2]
   fluid::OilFlows flows;                 ///< [kg/s]
-  std::array<double, 2> force{};         ///< of film and load [N]
+  std::array<double, 2> force{};         ///< of the film [N]
   double off_balance = 0.0;              ///< [N]
 };
 
@@ -65,12 +62,34 @@ FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double
   target_.unit = course.largest_load();
 }
 
-FilmInTime FilmSteps::at_rest(double T) const {
+FilmInTime FilmSteps::at_rest(double T) {
   FilmInTime now;
+  model_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
   now.film = cold_start(model_, T);
   for (int k = 0; k < target_.unknowns; ++k) now.film.position.q[k] = 0.0;
-  static_cast<void>(evaluate(model_, {}, options_.viscosity_tolerance, now.film));
+  [[maybe_unused]] const bool open = evaluate(model_, {}, options_.viscosity_tolerance, now.film);
+  EXPECTS(open);
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
+  return now;
+}
+
+std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
+                                            const std::atomic<bool>* stop) {
+  const LoadNow load = course_.at(0.0);
+  LoadTarget target = target_;
+  target.force[0] = -load.x;
+  target.force[1] = -load.y;
+  target.unit = 0.0;
+  if (load.omega == 0.0 || !(target.scale() > 0.0)) return std::nullopt;
+  model_.scene.speed = load.omega * model_.input.bearing.radius;
+  model_.scene.storage = {};
+  FilmInTime now;
+  now.film = cold_start(model_, T);
+  const Verdict v =
+      newton_or_through_time(model_, target, {}, EquilibriumOptions{}, now.film, cost, stop);
+  if (!v.good()) return std::nullopt;
+  now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
+  now.flows = fluid::oil_flows(model_.scene, now.film.flow);
   return now;
 }
 
@@ -101,9 +120,6 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
   predict(q, v, own, film);
   Verdict verdict = newton(model_, target_, {}, options_, film, cost, stop);
   if (!verdict.good()) return verdict;
-  if (least_fill(film.film) < 0.0) {
-    return {Status::iteration_limit, "a step takes more oil out of a cell than it holds", "", ""};
-  }
   const FilmGrid& g = model_.scene.grid;
   found.oil = fluid::net_outflow(model_.scene, film.flow);
   for (int c = 0; c < g.cells(); ++c) {
@@ -115,7 +131,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
   for (int k = 0; k < 2; ++k) {
     found.velocity[k] = (film.position.q[k] - q[k]) / own;
     found.acceleration[k] = mass_ > 0.0 ? (found.velocity[k] - v[k]) / own : 0.0;
-    found.force[k] = film.force[k] - target_.force[k];
+    found.force[k] = film.force[k];
     if (k < target_.unknowns) {
       found.off_balance = std::max(found.off_balance, std::abs(film.force[k] - wanted[k]));
     }
@@ -136,9 +152,9 @@ void FilmSteps::predict(const std::array<double, 2>& q, const std::array<double,
 
 namespace {
 
-/// Full cells of which no neighbour within two cells around is cavitated: as cells fill, one after
-/// the other, the pressure beside them jumps (of first order in time, methods 4) and the surfaces
-/// give way there, however short the steps.
+/// Full cells of which no neighbour within two cells to both sides around is cavitated: as cells
+/// fill, one after the other, the pressure beside them jumps (of first order in time, methods 4)
+/// and the surfaces give way there, however short the steps.
 std::vector<char> away_from_fronts(const FilmGrid& g, const std::vector<char>& full) {
   std::vector<char> inside = full;
   for (int i = 0; i < g.nt; ++i) {
@@ -164,6 +180,7 @@ double FilmSteps::error_of(const FilmInTime& now, const FilmEquilibrium& end,
   const FilmGrid& g = model_.scene.grid;
   const double loaded = kLoaded * course_.largest_load() / (2.0 * g.radius * g.width);
   double worst = 0.0;
+  bool any = false;
   if (now.full_before.empty()) return worst;
   std::vector<char> full = end.film.full;
   for (std::size_t c = 0; c < full.size(); ++c) {
@@ -172,12 +189,19 @@ double FilmSteps::error_of(const FilmInTime& now, const FilmEquilibrium& end,
   const std::vector<char> inside = away_from_fronts(g, full);
   for (int c = 0; c < g.cells(); ++c) {
     if (!inside[c] || model_.scene.supply.cell[c] >= 0 || end.film.p[c] < loaded) continue;
+    any = true;
     double missing = 0.0;
     for (int i = 0; i < by.stages; ++i) missing += (by.b(i) - by.other[i]) * stages[i].oil[c];
     const double height = end.oil.density[c] * (end.gap.cell[c] + model_.scene.rough.sigma);
     worst = larger(worst, std::abs(dt * missing) / height);
   }
-  return worst;
+  if (any || mass_ <= 0.0) return worst;
+  // Nothing is loaded: a journal in flight, judged by its own position.
+  std::array<double, 2> off{};
+  for (int k = 0; k < 2; ++k) {
+    for (int i = 0; i < by.stages; ++i) off[k] += (by.b(i) - by.other[i]) * stages[i].velocity[k];
+  }
+  return dt * std::hypot(off[0], off[1]) / room(model_, end);
 }
 
 FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost,
@@ -188,7 +212,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   FilmEquilibrium film = now.film;
   if (by.explicit_first) {
     stages[0] = {now.oil_slope, now.velocity, now.acceleration, now.flows, {}, 0.0};
-    for (int k = 0; k < 2; ++k) stages[0].force[k] = mass_ * now.acceleration[k];
+    for (int k = 0; k < 2; ++k) stages[0].force[k] = now.film.force[k];
   }
   for (int i = by.explicit_first ? 1 : 0; i < by.stages; ++i) {
     step.verdict = solve_stage(i, dt, stages, now, film, stages[i], cost, stop);

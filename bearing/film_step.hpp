@@ -38,7 +38,7 @@ struct FilmStep {
   double error = 0.0;   ///< estimated, of the loaded film over its height, max |dh|/(h + sigma) [-]
   double supply = 0.0;  ///< oil fed in over the step [kg]
   double side = 0.0;    ///< and lost at the sides [kg]
-  std::array<double, 2> impulse{};  ///< of film and load on the journal [N s]
+  std::array<double, 2> impulse{};  ///< of the film on the journal [N s]
   double off_balance = 0.0;         ///< largest residual of the force balance [N]
 };
 
@@ -50,7 +50,10 @@ class FilmSteps {
             const EquilibriumOptions& options);
 
   /// At rest in the middle of the clearance, in a full film of one temperature [K].
-  [[nodiscard]] FilmInTime at_rest(double T) const;
+  [[nodiscard]] FilmInTime at_rest(double T);
+  /// The steady state under load and speed at t = 0; none if it is not found.
+  [[nodiscard]] std::optional<FilmInTime> steady(double T, EquilibriumCost& cost,
+                                                 const std::atomic<bool>* stop);
   /// One step of dt from `now`.
   [[nodiscard]] FilmStep take(double dt, const FilmInTime& now, EquilibriumCost& cost,
                               const std::atomic<bool>* stop);

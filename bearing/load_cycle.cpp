@@ -34,6 +34,11 @@ struct LoadCourse::Splines {
 LoadCourse::LoadCourse(const LoadCycle& cycle, double omega) : cycle_(cycle) {
   EXPECTS(cycle_.t.size() >= 2 && cycle_.x.size() == cycle_.t.size() &&
           cycle_.y.size() == cycle_.t.size());
+  length_ = cycle_.length();
+  if (!cycle_.repeats()) {
+    const double first = cycle_.t.front();
+    for (double& t : cycle_.t) t -= first;
+  }
   if (cycle_.omega.empty()) cycle_.omega.assign(cycle_.t.size(), omega);
   if (cycle_.repeats()) {  // the first row once more, a period later
     cycle_.t.push_back(cycle_.t.front() + cycle_.period);
@@ -62,8 +67,7 @@ double LoadCourse::within_period(double t) const {
 
 LoadNow LoadCourse::at(double t, bool before_jump) const {
   constexpr double kRound = 1e-9;  // of the course: a time is known no better
-  const double length = cycle_.repeats() ? cycle_.period : cycle_.t.back() - cycle_.t.front();
-  const double at = within_period(before_jump ? t - kRound * length : t);
+  const double at = within_period(before_jump ? t - kRound * length_ : t);
   if (splines_) {
     return {gsl_spline_eval(splines_->x.get(), at, nullptr),
             gsl_spline_eval(splines_->y.get(), at, nullptr),
@@ -85,9 +89,12 @@ void LoadCourse::find_corners() {
   const std::size_t n = T.size();
   const auto slope = [&](std::size_t k) {  // of the line that begins in row k
     const double dt = T[k + 1] - T[k];
-    return std::array{(cycle_.x[k + 1] - cycle_.x[k]) / dt, (cycle_.y[k + 1] - cycle_.y[k]) / dt};
+    const auto of = [&](const std::vector<double>& v, double unit) {
+      return unit > 0.0 ? (v[k + 1] - v[k]) / dt / unit : 0.0;
+    };
+    return std::array{of(cycle_.x, largest_load_), of(cycle_.y, largest_load_),
+                      of(cycle_.omega, largest_speed_)};
   };
-  const double unit = largest_load_ > 0.0 ? largest_load_ : 1.0;
   for (std::size_t k = 0; k + 1 < n; ++k) {
     if (T[k + 1] <= T[k]) {
       corners_.push_back({T[k], true, INFINITY});
@@ -100,8 +107,32 @@ void LoadCourse::find_corners() {
     if (T[last + 1] <= T[last]) continue;  // the jump is at the end of the period
     const auto a = slope(last);
     const auto b = slope(k);
-    corners_.push_back({T[k], false, std::hypot(b[0] - a[0], b[1] - a[1]) / unit});
+    corners_.push_back({T[k], false, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])});
   }
+}
+
+std::array<double, 2> LoadCourse::impulse() const {
+  constexpr double kPieces = 4000.0;  // over the whole: a spline is then known to 1e-9
+  std::vector<double> ends{0.0, length_};
+  for (const LoadCorner& c : corners_) {
+    if (c.t > 0.0 && c.t < length_) ends.push_back(c.t);
+  }
+  std::sort(ends.begin(), ends.end());
+  std::array<double, 2> sum{};
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    const double line = ends[k] - ends[k - 1];
+    const int n = 1 + static_cast<int>(kPieces * line / length_);
+    for (int i = 0; i < n; ++i) {
+      const double dt = line / n;
+      const double t = ends[k - 1] + i * dt;
+      const LoadNow a = at(t);
+      const LoadNow m = at(t + 0.5 * dt);
+      const LoadNow b = at(t + dt, true);
+      sum[0] += dt / 6.0 * (a.x + 4.0 * m.x + b.x);
+      sum[1] += dt / 6.0 * (a.y + 4.0 * m.y + b.y);
+    }
+  }
+  return sum;
 }
 
 }  // namespace shellback::bearing

@@ -27,6 +27,8 @@ struct LoadCycle {
   std::optional<double> step{};  ///< of time, given [s]; else chosen by model.tolerance
   double crank_speed = 0.0;      ///< crank angle per time [rad/s]; 0: told in time
   [[nodiscard]] bool repeats() const { return period < std::numeric_limits<double>::infinity(); }
+  /// A period, or from the first row of an event to its last [s].
+  [[nodiscard]] double length() const { return repeats() ? period : t.back() - t.front(); }
 };
 
 /// Load and speed at one instant.
@@ -40,10 +42,10 @@ struct LoadNow {
 struct LoadCorner {
   double t = 0.0;             ///< within the first period [s]
   bool jump = false;          ///< of load or speed; else only of their slopes
-  double slope_change = 0.0;  ///< of the load over the largest load [1/s]
+  double slope_change = 0.0;  ///< of load and speed, each over its largest [1/s]
 };
 
-/// The course of load and speed, at any time.
+/// The course of load and speed, at any time; an event begins at 0 with its first row.
 class LoadCourse {
  public:
   /// `omega`: speed where the cycle has none [rad/s].
@@ -51,9 +53,12 @@ class LoadCourse {
 
   /// At time t >= 0 [s]; at a jump what holds after it, or before it.
   [[nodiscard]] LoadNow at(double t, bool before_jump = false) const;
-  /// Largest magnitude of the load [N] and of the speed [rad/s].
+  [[nodiscard]] bool repeats() const { return cycle_.repeats(); }
+  /// Largest magnitude of the load in the rows [N] and of the speed [rad/s].
   [[nodiscard]] double largest_load() const { return largest_load_; }
   [[nodiscard]] double largest_speed() const { return largest_speed_; }
+  /// Integral of the load over the first `length()`, by Simpson's rule between corners [N s].
+  [[nodiscard]] std::array<double, 2> impulse() const;
   /// Sorted by time; the end of a period counts as the beginning of the next.
   [[nodiscard]] const std::vector<LoadCorner>& corners() const { return corners_; }
 
@@ -66,6 +71,7 @@ class LoadCourse {
   std::shared_ptr<const Splines> splines_;  ///< none: straight lines
   double largest_load_ = 0.0;
   double largest_speed_ = 0.0;
+  double length_ = 0.0;  ///< [s]
   std::vector<LoadCorner> corners_;
 };
 

@@ -39,6 +39,7 @@ class NewtonIteration {
   /// Evaluates the state; true if it has residuals.
   [[nodiscard]] bool evaluate_state();
   [[nodiscard]] bool converged();
+  [[nodiscard]] bool overdrawn() const;
   /// Good unless the reduced pressure of the converged film exceeds its bound.
   [[nodiscard]] Verdict within_the_law() const;
   /// True if the state may be gone on from.
@@ -98,6 +99,12 @@ bool NewtonIteration::converged() {
   const bool met = r_.within(options_) && s_.columns.mismatch <= options_.viscosity_tolerance &&
                    fluid::complementary(model_.scene, s_.film);
   if (!met) return false;
+  if (model_.scene.storage.finite()) {  // in time the oil is carried as what flowed
+    met_ = s_;
+    at_met_ = true;
+    polished_ = 1;
+    return true;
+  }
   const auto flows = fluid::oil_flows(model_.scene, s_.flow);
   const double passes = std::max(std::abs(flows.supply), std::abs(flows.side));
   const double lost = std::abs(flows.supply - flows.side - flows.stored);
@@ -112,6 +119,13 @@ bool NewtonIteration::converged() {
       std::numeric_limits<double>::epsilon() * fluid::flow_scale(model_.scene, s_.flow);
   const double enough = std::max(allowed, round);
   return !(lost > enough) || polished_ > kMostPolish;
+}
+
+/// A step in time may leave a cell with less than no oil: solved, but no film.
+bool NewtonIteration::overdrawn() const {
+  constexpr double kRoundOff = 1e-9;  // of a fill ratio
+  if (!model_.scene.storage.finite() || !r_.within(options_)) return false;
+  return *std::min_element(s_.film.theta.begin(), s_.film.theta.end()) < -kRoundOff;
 }
 
 bool NewtonIteration::acceptable() const {
@@ -228,6 +242,9 @@ Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
     if (cost_.spent()) return given_up();
     const bool possible = evaluate_state();
     if (possible && converged()) return {};
+    if (possible && overdrawn()) {
+      return {Status::iteration_limit, "a step takes more oil out of a cell than it holds", "", ""};
+    }
     if (possible && acceptable()) {
       accept();
       held_ = 0;

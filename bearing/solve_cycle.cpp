@@ -20,7 +20,7 @@ constexpr int kMostCycles = 40;              ///< starved films gather their oil
 constexpr double kOfTolerance = 0.1;         ///< error of a step, of model.tolerance [-]
 constexpr double kFewestSteps = 90.0;        ///< of a period: 8 degrees of two turns
 constexpr double kAfterJump = 1.0 / 7200.0;  ///< of a period: 0.1 degrees of two turns (methods 4)
-constexpr double kShortest = 1e-9;           ///< of a period
+constexpr double kShortest = 1e-7;           ///< of a period
 
 void expect_served([[maybe_unused]] const Case& c, Tier tier) {
   EXPECTS(c.cycle.has_value());
@@ -31,17 +31,19 @@ void expect_served([[maybe_unused]] const Case& c, Tier tier) {
                                to_string(tier)));
 }
 
-/// Length of what is told: a period, or the rows of an event.
-double length_of(const LoadCycle& cycle) {
-  return cycle.repeats() ? cycle.period : cycle.t.back() - cycle.t.front();
-}
-
-StepOptions step_options(const Case& c, double length) {
+/// All lengths go with the error allowed, as steps do that it chooses.
+StepOptions step_options(const Case& c, const LoadCourse& course, double length) {
+  constexpr double kUsual = 0.01;          // model.tolerance for which lengths are meant
+  constexpr double kDegrees = kPi / 1800;  // 0.1 degrees of the journal's turn
+  const double longer = std::cbrt(c.model.tolerance / kUsual);
   StepOptions o;
   o.error = kOfTolerance * c.model.tolerance;
-  o.longest = length / kFewestSteps;
+  o.longest = longer * length / kFewestSteps;
   o.shortest = kShortest * length;
-  o.after_jump = kAfterJump * length;
+  o.after_jump = longer * kAfterJump * length;
+  if (course.largest_speed() > 0.0) {
+    o.after_jump = std::min(o.after_jump, longer * kDegrees / course.largest_speed());
+  }
   o.fixed = c.cycle->step.value_or(0.0);
   return o;
 }
@@ -61,7 +63,8 @@ Verdict not_closed(int cycles, double closure) {
                       "torque (1e-4 is asked for)",
                       cycles, closure),
           "",
-          "tighten model.tolerance, or look at the orbit: it may repeat itself over several "
+          "repeat the load several times in a longer period (oil of a starved film gathers over "
+          "more than 40 short ones), or look at the orbit: it may repeat itself over several "
           "periods, as journals that whirl do"};
 }
 
@@ -70,62 +73,85 @@ Verdict at_instant(Verdict v, double t, double crank_speed) {
   const std::string when = crank_speed > 0.0
                                ? fmt::format("{:.4g} deg", t * crank_speed * 180.0 / kPi)
                                : fmt::format("{:.4g} s", t);
+  if (v.status == Status::interrupted) return v;
+  v.status = Status::iteration_limit;
   v.reason = fmt::format("no step in time is found at {} of the cycle: {}", when, v.reason);
+  v.cure =
+      "give load_cycle.journal_mass (a journal without mass may have to leap), elastic "
+      "deformation, a lower load, or a finer grid";
   return v;
 }
+
+constexpr const char* kFromSteady = "the event begins in the steady state of its first row";
+constexpr const char* kFromRest =
+    "the event begins with the journal at rest in the middle of a full film: no steady state of "
+    "its "
+    "first row was found";
+constexpr const char* kOverLong = "steps in time that err by more than they may";
+
+/// How cycles draw near to the periodic state: where the change falls by the ratio rho from cycle
+/// to cycle, rho/(1 - rho) of the last one is still to come.
+struct Closure {
+  double last = NAN;    ///< difference of the last two cycles [-]
+  double before = NAN;  ///< of the two before [-]
+  void add(double difference) {
+    before = last;
+    last = difference;
+  }
+  [[nodiscard]] bool closed() const {
+    constexpr double kSlowest = 0.99;  // slower is not seen from noise
+    const double rho = std::isfinite(before) ? std::min(last / before, kSlowest) : 0.0;
+    return last * std::max(1.0, rho / (1.0 - rho)) <= kClosure;
+  }
+};
 
 }  // namespace
 
 CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
   expect_served(c, tier);
   const auto begin = std::chrono::steady_clock::now();
-  const double length = length_of(*c.cycle);
+  const double length = c.cycle->length();
   const LoadCourse course(*c.cycle, c.operation.omega);
-  const StepOptions steps = step_options(c, length);
-  const BearingModel model = make_bearing(c, physics_of(c, tier), c.model.grid);
-  FilmSteps film(model, course, c.cycle->journal_mass, film_options(steps.error));
+  const StepOptions steps = step_options(c, course, length);
+  FilmSteps film(make_bearing(c, physics_of(c, tier), c.model.grid), course, c.cycle->journal_mass,
+                 film_options(steps.error));
   CycleSteps periods(film, course, length, steps);
-  FilmInTime now = film.at_rest(equivalent_temperature(c));
   EquilibriumCost cost;
-  CycleRecord last(film, course, length);
-  double closure = NAN;
-  Verdict verdict;
-  int cycles = 0;
-  PeriodEnd end;
+  const double T = equivalent_temperature(c);
+  std::optional<FilmInTime> begun;
+  if (!c.cycle->repeats()) begun = film.steady(T, cost, control.stop);
+  const bool from_rest = !begun.has_value();
+  FilmInTime now = begun ? *std::move(begun) : film.at_rest(T);
+  CycleRecord told(film, course, length);
+  Closure closure;
+  CycleResult r;
   while (true) {
     CycleRecord record(film, course, length);
     record.begin(now);
-    end = periods.pass(now, cost, control,
-                       [&](const FilmStep& step, double dt) { record.add(step, dt, control); });
-    verdict = end.verdict;
-    const bool stopped = verdict.status == Status::interrupted && cycles > 0;
-    if (stopped) break;  // the last whole cycle stands
-    ++cycles;
-    if (cycles > 1) closure = record.difference(last);
-    last = std::move(record);
-    if (!verdict.good()) {
-      verdict = at_instant(verdict, last.told(), c.cycle->crank_speed);
-      break;
-    }
-    if (!c.cycle->repeats() || closure <= kClosure) break;
-    if (cycles == kMostCycles) {
-      verdict = not_closed(cycles, closure);
-      break;
-    }
+    const PeriodEnd end = periods.pass(now, cost, control, [&](const FilmStep& step, double dt) {
+      record.add(step, dt, control);
+    });
+    r.verdict = end.verdict;
+    if (end.verdict.status == Status::interrupted && r.cycles > 0) break;  // a whole one stands
+    if (end.verdict.good() && r.cycles > 0) closure.add(record.difference(told));
+    ++r.cycles;
+    r.steps = end.accepted;
+    r.rejected_steps = end.rejected;
+    r.limiters.clear();
+    if (end.over > 0) r.limiters.push_back({kOverLong, end.over});
+    told = std::move(record);
+    if (!r.verdict.good()) r.verdict = at_instant(r.verdict, told.told(), c.cycle->crank_speed);
+    if (!r.verdict.good() || !c.cycle->repeats() || closure.closed()) break;
+    if (r.cycles == kMostCycles) r.verdict = not_closed(r.cycles, closure.last);
+    if (!r.verdict.good()) break;
   }
-  CycleResult r = last.result(now);
-  r.verdict = verdict;
+  told.write(r);
+  if (!c.cycle->repeats()) r.assumptions.push_back(from_rest ? kFromRest : kFromSteady);
   r.tier = tier;
-  r.cycles = cycles;
-  r.closure = closure;
-  r.steps = end.accepted;
-  r.rejected_steps = end.rejected;
+  r.closure = closure.last;
   r.cost.factorizations = cost.factorizations;
   r.cost.newton_iterations = cost.newton_iterations;
   r.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (end.over > 0) {
-    r.limiters.push_back({"steps in time longer than their error allows", end.over});
-  }
   return r;
 }
 

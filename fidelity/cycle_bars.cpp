@@ -36,9 +36,9 @@ CycleResult on_grid(Case c, Grid grid, const SolveControl& control) {
 
 /// With longer steps, and what their change tells of the usual ones.
 double lengthen_steps(Case& c) {
-  if (c.cycle->step) {
+  if (c.cycle->step) {  // steps end on corners: there only the first order is sure
     *c.cycle->step *= 2.0;
-    return kSafety / 3.0;
+    return c.cycle->interpolation == LoadInterpolation::linear ? kSafety : kSafety / 3.0;
   }
   c.model.tolerance *= 4.0;
   return kSafety / (std::cbrt(16.0) - 1.0);
@@ -63,7 +63,9 @@ void put_time_bars(const CycleResult& usual, const CycleResult& longer, double p
   for (CycleQuantity& q : r.quantities) {
     const double a = value_of(usual, q.quantity.name);
     const double b = value_of(longer, q.quantity.name);
-    if (a != 0.0) q.error_time = part * std::abs((b - a) / a * q.quantity.value);
+    const double size = std::max(std::abs(a), std::abs(q.quantity.value));
+    if (size > 0.0) q.error_time = part * std::abs((b - a) / size * q.quantity.value);
+    if (size == 0.0) q.error_time = 0.0;
   }
 }
 
@@ -78,11 +80,17 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   std::vector<CycleResult> coarse;
   for (const Grid& grid : grids) {
     CycleResult on = on_grid(c, grid, control);
-    if (stopped(control)) return r;
+    if (stopped(control)) break;
     if (on.verdict.good()) coarse.push_back(std::move(on));
   }
-  if (coarse.empty()) {
-    r.warnings.push_back("no coarser grid carries this cycle: the bars are not known");
+  const auto so_far = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  if (coarse.empty() || stopped(control)) {
+    r.warnings.push_back(stopped(control) ? "stopped by the user before the bars were found"
+                                          : "no coarser grid carries this cycle: the bars are "
+                                            "not known");
+    r.cost.bars_s = so_far();
     return r;
   }
   put_grid_bars(coarse, r);
@@ -90,7 +98,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   const double part = lengthen_steps(longer);
   const CycleResult late = on_grid(longer, coarse.back().grid, control);
   if (late.verdict.good()) put_time_bars(coarse.back(), late, part, r);
-  r.cost.bars_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  r.cost.bars_s = so_far();
   return r;
 }
 

@@ -67,6 +67,23 @@ Json operation(const Operation& o) {
   return json;
 }
 
+/// The rows as they were solved, in SI units, so that the cycle can be run again without its table.
+Json load_cycle(const LoadCycle& cycle) {
+  const auto column = [](const std::vector<double>& v, const char* unit) {
+    return Json{{"unit", unit}, {"values", v}};
+  };
+  Json json{{"time", column(cycle.t, "s")},
+            {"load_x", column(cycle.x, "N")},
+            {"load_y", column(cycle.y, "N")}};
+  if (!cycle.omega.empty()) json["speed"] = column(cycle.omega, "rad/s");
+  if (cycle.repeats()) json["period"] = si(cycle.period, "s");
+  json["interpolation"] =
+      cycle.interpolation == LoadInterpolation::linear ? "linear" : "periodic_spline";
+  json["journal_mass"] = si(cycle.journal_mass, "kg");
+  if (cycle.step) json["step"] = si(*cycle.step, "s");
+  return json;
+}
+
 /// One law of the oil, by its alternative.
 struct LawJson {
   Json operator()(const rheology::ConstantViscosity& l) const {
@@ -238,6 +255,11 @@ nlohmann::ordered_json case_json(const Case& c) {
   Json json{{"bearing", bearing(c.bearing)}, {"supply", Json::array()}};
   for (const Supply& s : c.supplies) json["supply"].push_back(supply(s));
   json["operation"] = operation(c.operation);
+  if (c.cycle) {
+    json["operation"].erase("load");  // it is that of the cycle
+    json["operation"].erase("load_angle");
+    json["load_cycle"] = load_cycle(*c.cycle);
+  }
   json["oil"] = oil(c);
   if (c.shell) json["shell"] = shell(*c.shell);
   if (c.shaft) json["shaft"] = shaft(*c.shaft);

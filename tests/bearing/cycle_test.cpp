@@ -302,6 +302,99 @@ TEST_CASE("AnInterruptedCycleKeepsWhatItHas", "[cycle]") {
   CHECK(r.instants.size() > 20);
 }
 
+TEST_CASE("ACycleInterruptedInItsSecondRoundKeepsTheFirstWhole", "[cycle]") {
+  const Case c = pulsed_case();
+  std::atomic<bool> stop = false;
+  SolveControl control;
+  control.stop = &stop;
+  double told = 0.0;
+  int rounds = 0;
+  control.progress = [&](const Progress& p) {
+    rounds += p.residual < told;
+    told = p.residual;
+    stop = rounds == 1 && told > 0.5;
+  };
+  const CycleResult r = solve_cycle(c, Tier::isothermal, control);
+  CHECK(r.verdict.status == Status::interrupted);
+  CHECK(r.cycles == 1);
+  CHECK(r.instants.back().t == Approx(c.cycle->period));
+  CHECK(r.audit.mass < 1e-12);  // of the round that was ended
+  CHECK(r.audit.impulse < 1e-4);
+}
+
+TEST_CASE("AnEventBeginsWithItsFirstRowWhateverItsClock", "[cycle]") {
+  Case c = pulsed_case();
+  LoadCycle event;
+  event.t = {0.0, 0.01, 0.015, 0.02};
+  event.x = {0.0, 0.0, 0.0, 0.0};
+  event.y = {-1e3, -1e3, -3e3, -1e3};
+  event.journal_mass = 0.5;
+  c.cycle = event;
+  const CycleResult a = converged(c);
+  for (double& t : c.cycle->t) t += 7.0;
+  const CycleResult b = converged(c);
+  CHECK(value(b, "h_min") == Approx(value(a, "h_min")).epsilon(1e-6));
+  CHECK(named(b, "h_min").at == Approx(named(a, "h_min").at).epsilon(1e-6));
+  set_load(c, 1e3);
+  const Quantities steady = solve(c).values();
+  CHECK(a.instants[1].h_min == Approx(steady.h_min).epsilon(1e-4));  // it begins at rest
+}
+
+TEST_CASE("AJumpAtTheEndOfThePeriodIsOneAtItsBeginning", "[cycle]") {
+  Case c = pulsed_case();
+  const double T = c.cycle->period;
+  LoadCycle jump;
+  jump.t = {0.0, 0.0, 0.5 * T};
+  jump.x = {0.0, 0.0, 0.0};
+  jump.y = {-3e3, -1e3, -2e3};  // from 2 to 3 kN, and at once down to 1
+  jump.period = T;
+  jump.journal_mass = 0.5;
+  c.cycle = jump;
+  const LoadCourse course(jump, 1.0);
+  CHECK(course.at(0.0).y == Approx(-1e3));
+  CHECK(course.at(T, true).y == Approx(-3e3).epsilon(1e-6));
+  CHECK(course.at(3.0 * T, true).y == Approx(-3e3).epsilon(1e-6));
+  CHECK(course.impulse()[1] == Approx(-2e3 * T));
+  const CycleResult r = converged(c);
+  CHECK(r.instants[1].dt * c.operation.omega <= 0.1001 * kDegree);
+  CHECK(r.audit.impulse < 1e-4);
+}
+
+TEST_CASE("SpeedMayPassThroughZero", "[cycle]") {
+  Case c = pulsed_case();
+  LoadCycle turn;
+  const double T = 0.2;
+  turn.t = {0.0, 0.25 * T, 0.75 * T};
+  turn.x = {0.0, 0.0, 0.0};
+  turn.y = {-500.0, -500.0, -500.0};
+  turn.omega = {100.0, 200.0, -200.0};
+  turn.period = T;
+  turn.journal_mass = 0.5;
+  c.cycle = turn;
+  const CycleResult r = converged(c);
+  const auto torque = [&](bool forward) {
+    double most = 0.0;
+    for (const CycleInstant& i : r.instants) {
+      if ((i.omega > 0.0) == forward) most = std::max(most, std::abs(i.torque));
+    }
+    return most;
+  };
+  CHECK(torque(true) > 0.0);
+  CHECK(torque(false) > 0.0);
+  CHECK(r.audit.impulse < 1e-4);
+}
+
+TEST_CASE("AMomentTiltsTheJournalOverTheCycle", "[cycle]") {
+  Case c = pulsed_case();
+  c.operation.alignment = MomentGiven{0.5, 0.0};
+  const CycleResult r = converged(c);
+  double most = 0.0;
+  for (const CycleInstant& i : r.instants) most = std::max(most, std::abs(i.tilt_x));
+  CHECK(most > 1e-6);
+  c.operation.alignment = TiltGiven{};
+  CHECK(value(r, "h_min") < value(converged(c), "h_min"));
+}
+
 TEST_CASE("TiersThatCannotServeACycleSaySo", "[cycle]") {
   CHECK_THROWS_AS(solve_cycle(pulsed_case(), Tier::tehd), InputError);
 }

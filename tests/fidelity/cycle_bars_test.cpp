@@ -1,0 +1,66 @@
+// Bars of load cycles: what a finer grid and shorter steps give lies within them.
+#include "fidelity/cycle_bars.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+Case pulsed() {
+  Case c = plain_case();
+  c.supplies[0].pressure = 1e5;
+  c.supplies[0].arc = 20.0 * kDegree;
+  c.supplies[0].length = 0.02;
+  LoadCycle cycle;
+  cycle.crank_speed = c.operation.omega;
+  cycle.period = 4.0 * kPi / c.operation.omega;
+  for (int k = 0; k < 144; ++k) {
+    const double angle = 4.0 * kPi * k / 144;
+    const double from = angle - 2.0 * kPi;
+    cycle.t.push_back(angle / c.operation.omega);
+    cycle.x.push_back(1e3 * std::cos(angle));
+    cycle.y.push_back(1e3 * std::sin(angle) - 6e3 * std::exp(-from * from / 0.2));
+  }
+  cycle.interpolation = LoadInterpolation::periodic_spline;
+  cycle.journal_mass = 0.5;
+  c.cycle = cycle;
+  c.model.grid = {96, 17};
+  return c;
+}
+
+const CycleQuantity& named(const CycleResult& r, const std::string& name) {
+  for (const CycleQuantity& q : r.quantities) {
+    if (q.quantity.name == name) return q;
+  }
+  throw std::runtime_error("no quantity " + name);
+}
+
+}  // namespace
+
+TEST_CASE("BarsOfACycleHoldAFinerGridAndShorterSteps", "[cycle]") {
+  Case c = pulsed();
+  const CycleResult usual = fidelity::solve_cycle_with_bars(c);
+  REQUIRE(usual.verdict.good());
+  Case shorter = c;
+  shorter.model.tolerance = 1e-3;
+  const CycleResult in_time = solve_cycle(shorter, Tier::isothermal);
+  c.model.grid = {192, 33};
+  const CycleResult finer = solve_cycle(c, Tier::isothermal);
+  for (const char* name : {"friction_torque", "h_min", "side_flow"}) {
+    INFO(name);
+    const CycleQuantity& q = named(usual, name);
+    const double grid = named(finer, name).quantity.value - q.quantity.value;
+    const double time = named(in_time, name).quantity.value - q.quantity.value;
+    REQUIRE(std::isfinite(q.quantity.error_grid));
+    REQUIRE(std::isfinite(q.error_time));
+    CHECK(std::abs(grid) <= q.quantity.error_grid + q.error_time);
+    // Means and extremes of one cycle against another are known to 1e-4 (closure).
+    CHECK(std::abs(time) <= q.error_time + 2e-4 * q.quantity.value);
+    CHECK(q.quantity.error_grid < 0.2 * q.quantity.value);  // and the bar says something
+  }
+}

@@ -15,7 +15,6 @@ namespace {
 using bearing::CycleInstant;
 using bearing::CycleResult;
 
-constexpr double kPerMilli = 1e3;     ///< ms per s
 constexpr double kKilonewton = 1e-3;  ///< kN per N
 constexpr double kKilowatt = 1e-3;    ///< kW per W
 
@@ -90,25 +89,6 @@ void draw_maps(Svg& svg, const bearing::Case& c, const CycleResult& cycle, const
 }
 
 }  // namespace
-
-Axis cycle_axis(const CycleResult& cycle) {
-  const bool whole = std::isfinite(cycle.period) && cycle.period > 0.0;
-  const double last = whole ? cycle.period : cycle.instants.empty() ? 0.0 : cycle.instants.back().t;
-  const double end = on_axis(cycle, last);
-  if (!has_crank(cycle)) return tight_axis(0.0, end > 0.0 ? end : 1.0, 8, "time [ms]");
-  Axis axis{0.0, end > 0.0 ? end : 720.0, {}, 0, "crank angle [°]"};
-  constexpr double kFewest = 45.0;  // [deg]
-  double step = kFewest;
-  while (axis.high / step > 8.5) step *= 2.0;
-  for (double tick = 0.0; tick <= axis.high * (1.0 + 1e-9); tick += step) {
-    axis.ticks.push_back(tick);
-  }
-  return axis;
-}
-
-double on_axis(const CycleResult& cycle, double t) {
-  return has_crank(cycle) ? told(cycle, t) : kPerMilli * t;
-}
 
 LinePlot cycle_plot(const CycleResult& cycle, CycleCurve which, const Theme& theme) {
   const std::string& colour = theme.series[0];

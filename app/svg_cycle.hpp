@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cycle_axis.hpp"
 #include "app/svg_lines.hpp"
 #include "app/svg_map.hpp"
 #include "bearing/cycle.hpp"
@@ -13,12 +14,6 @@ namespace shellback::app {
 
 enum class CycleCurve { film, pressure, torque, load };
 enum class CycleMap { pressure, contact, gap, friction };
-
-/// The crank angle [deg], or the time [ms].
-[[nodiscard]] Axis cycle_axis(const bearing::CycleResult& cycle);
-
-/// An instant on that axis.
-[[nodiscard]] double on_axis(const bearing::CycleResult& cycle, double t);
 
 /// One curve, or a quantity and what is part of it.
 [[nodiscard]] LinePlot cycle_plot(const bearing::CycleResult& cycle, CycleCurve which,

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/svg_cycle.hpp"
+#include "app/cycle_axis.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::app {

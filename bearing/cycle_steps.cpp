@@ -31,13 +31,18 @@ CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
 
 /// A corner in the middle of a step moves the load by an eighth of its change of slope times dt:
 /// where that is more than the film's allowed error, the step ends on it.
-double CycleSteps::end_of_step(double since, double dt) const {
-  const double round = kRound * length_;
-  double end = length_;
+double CycleSteps::next_corner(double since, double dt) const {
+  double next = length_;
   for (const LoadCorner& c : corners_) {
     const bool felt = c.jump || c.slope_change * dt > 8.0 * options_.error;
-    if (felt && c.t > since + round && c.t < end) end = c.t;
+    if (felt && c.t > since + kRound * length_ && c.t < next) next = c.t;
   }
+  return next;
+}
+
+double CycleSteps::end_of_step(double since, double dt) const {
+  const double round = kRound * length_;
+  double end = next_corner(since, dt);
   // No sliver is left: what is less than two steps is halved.
   if (options_.fixed <= 0.0 && end - since > dt + round && end - since < 2.0 * dt) {
     return since + 0.5 * (end - since);
@@ -66,7 +71,8 @@ FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, Peri
   const bool anew = now.oil_slope.empty();
   const auto old = std::upper_bound(before_.begin(), before_.end(), since + kShorter * wish_);
   const bool again = old != before_.end() && *old - since <= kLonger * wish_;
-  end = again ? *old : end_of_step(since, options_.fixed > 0.0 ? options_.fixed : wish_);
+  end = again ? std::min(*old, next_corner(since, *old - since))
+              : end_of_step(since, options_.fixed > 0.0 ? options_.fixed : wish_);
   double most = again ? kTaken * options_.error : options_.error;
   while (true) {
     if (options_.fixed > 0.0) most = INFINITY;

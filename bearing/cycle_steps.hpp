@@ -40,6 +40,8 @@ class CycleSteps {
                                const TellStep& tell);
 
  private:
+  /// The next corner that a step of dt would feel, or the end of the period.
+  [[nodiscard]] double next_corner(double since, double dt) const;
   /// Where the step that begins at `since` (within the period) and may be `dt` long ends.
   [[nodiscard]] double end_of_step(double since, double dt) const;
   [[nodiscard]] bool jump_at(double since) const;

@@ -78,7 +78,9 @@ FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, Peri
     if (options_.fixed > 0.0) most = INFINITY;
     FilmStep step = film_.take(end - since, now, cost, control.stop);
     const bool good = step.verdict.good();
-    if (step.verdict.status == Status::interrupted || (good && !(step.error > most))) return step;
+    const bool ended =
+        step.verdict.status == Status::interrupted || step.verdict.status == Status::invalid_number;
+    if (ended || (good && !(step.error > most))) return step;
     most = options_.error;
     const double shorter = std::min(length_for(step, end - since, anew), kSafety * (end - since));
     if (shorter < options_.shortest) return step;

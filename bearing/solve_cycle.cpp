@@ -73,7 +73,8 @@ Verdict at_instant(Verdict v, double t, double crank_speed) {
   const std::string when = crank_speed > 0.0
                                ? fmt::format("{:.4g} deg", t * crank_speed * 180.0 / kPi)
                                : fmt::format("{:.4g} s", t);
-  if (v.status == Status::interrupted) return v;
+  const bool defect = v.status == Status::invalid_number;  // to be reported, nothing physical
+  if (v.status == Status::interrupted || defect) return v;
   v.status = Status::iteration_limit;
   v.reason = fmt::format("no step in time is found at {} of the cycle: {}", when, v.reason);
   v.cure =

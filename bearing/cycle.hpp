@@ -34,7 +34,9 @@ struct CycleInstant {
   double side_flow = 0.0;                                         ///< mean over the step [m3/s]
   double oil = 0.0;                                               ///< in the gap [kg]
   double T_film_max = std::numeric_limits<double>::quiet_NaN();   ///< tiers thd, tehd [K]
-  double T_shell_max = std::numeric_limits<double>::quiet_NaN();  ///< [K]
+  double T_shell_max = std::numeric_limits<double>::quiet_NaN();  ///< at the surface [K]
+  double heat_to_shell = std::numeric_limits<double>::quiet_NaN();  ///< mean over the step [W]
+  double heat_to_shaft = std::numeric_limits<double>::quiet_NaN();  ///< the same [W]
 };
 
 /// A scalar of the whole cycle: a mean, or an extreme with its instant.
@@ -51,6 +53,15 @@ struct CycleAudit {
   /// over the largest load times the period; NaN: the cycle was not ended [-]
   double impulse = 0.0;
   double load = 0.0;  ///< largest residual of the force balance over the largest load [-]
+  /// Film heat made - into the walls - carried off - stored, over the heat made [-]; NaN: no film
+  /// temperatures.
+  double energy = std::numeric_limits<double>::quiet_NaN();
+  /// Work of shaft, load and supply less the heat that film and asperities make, over that work:
+  /// what the steps in time lose of the elastic work, of second order in them [-]. NaN as before.
+  double work = std::numeric_limits<double>::quiet_NaN();
+  /// Largest change of a wall's mean temperature from the last cycle to the next [K]. NaN as
+  /// before.
+  double walls = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Full-width fields over the cycle.
@@ -60,6 +71,11 @@ struct CycleFields {
   Field p_asperity_max;  ///< largest contact pressure; empty: no contact [Pa]
   Field h_min;           ///< smallest gap [m]
   Field friction_power;  ///< mean over the cycle, per area [W/m2]
+  // Tiers with film temperatures; otherwise empty.
+  Field T_shell;         ///< surface, mean over the cycle [K]
+  Field T_shell_max;     ///< surface, largest [K]
+  Field heat_to_shell;   ///< mean over the cycle, per area [W/m2]
+  Field growth;          ///< thermal widening of the gap [m]
 };
 
 /// Film at a chosen instant.
@@ -90,10 +106,13 @@ struct CycleResult {
   int rejected_steps = 0;  ///< of the last cycle
 };
 
-/// Solves the load cycle of the case (`Case::cycle`) in tier isothermal, rigid or elastic, on the
-/// case's grid: cycles from rest in the middle of the clearance until two agree within 1e-4 in
-/// smallest film and torque. A single event is run once. What has been found is kept where a step
-/// is not found or `control` says stop. Throws InputError for other tiers.
+/// Solves the load cycle of the case (`Case::cycle`) on the case's grid, in tier isothermal (at the
+/// equivalent temperature), lumped (at the temperature at which the oil of a mean cycle carries off
+/// its heat), thd or tehd: cycles from rest in the middle of the clearance until two agree within
+/// 1e-4 in smallest film and torque, and until the walls' mean temperatures agree with the heat
+/// that enters them within a few millikelvins. A single event is run once, from the steady state of
+/// its first row and with the walls of that. What has been found is kept where a step is not found
+/// or `control` says stop. Throws InputError for tier estimate or without a cycle.
 [[nodiscard]] CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control = {});
 
 }  // namespace shellback::bearing

@@ -23,6 +23,13 @@ double CycleRecord::oil_in_gap(const Field& oil) const {
   return g.multiplicity() * sum;
 }
 
+Field CycleRecord::shell_surface(const FilmInTime& now) const {
+  const auto n = static_cast<std::size_t>(film_->model().gl.n);
+  Field T(now.oil.size());
+  for (std::size_t c = 0; c < T.size(); ++c) T[c] = now.heat.T[c * n];
+  return T;
+}
+
 CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
   const BearingModel& m = film_->model();
   const FilmEquilibrium& f = now.film;
@@ -49,6 +56,10 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
   i.torque_asperity = friction.asperity;
   i.power = i.torque * load.omega + load.x * i.vx + load.y * i.vy;
   i.oil = oil_in_gap(now.oil);
+  if (film_->heat() && !now.heat.T.empty()) {
+    i.T_film_max = largest(now.heat.T);
+    i.T_shell_max = largest(shell_surface(now));
+  }
   power_now_ = friction.stress.journal;
   const double mu = m.contact ? m.input.surfaces.contact->friction : 0.0;
   for (std::size_t c = 0; c < power_now_.size(); ++c) {
@@ -69,6 +80,13 @@ void CycleRecord::begin(const FilmInTime& now) {
   p_asperity_max_ = now.film.p_contact;
   h_min_ = now.film.gap.cell;
   friction_.assign(p_max_.size(), 0.0);
+  if (film_->heat()) {
+    T_shell_.assign(p_max_.size(), 0.0);
+    T_shell_max_ = shell_surface(now);
+    const double both = film_->model().scene.grid.multiplicity();
+    first.heat_to_shell = both * now.heat.flows.balance.to_shell;
+    first.heat_to_shaft = both * now.heat.flows.balance.to_shaft;
+  }
   instants_.push_back(first);
 }
 
@@ -88,12 +106,28 @@ void CycleRecord::gather_fields(const FilmInTime& now, double dt) {
   next_frame_ += length_ / kFrames;
 }
 
+void CycleRecord::gather_heat(const FilmStep& step, double dt) {
+  const FilmGrid& g = film_->model().scene.grid;
+  heat_.add(1.0, step.heat);
+  const Field T = shell_surface(step.after);
+  CycleInstant& i = instants_.back();
+  i.heat_to_shell = i.heat_to_shaft = 0.0;
+  for (int c = 0; c < g.cells(); ++c) {
+    T_shell_[c] += dt * T[c];
+    T_shell_max_[c] = larger(T_shell_max_[c], T[c]);
+    const double area = g.multiplicity() * g.area(c / g.nz, c % g.nz);
+    i.heat_to_shell += area * step.heat.to_shell[c] / dt;
+    i.heat_to_shaft += area * step.heat.to_shaft[c] / dt;
+  }
+}
+
 void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& control) {
   gather_fields(step.after, dt);
   CycleInstant& i = instants_.back();
   const double rho = reference_density(film_->model());
   i.supply_flow = step.supply / dt / rho;
   i.side_flow = step.side / dt / rho;
+  if (film_->heat()) gather_heat(step, dt);
   oil_ended_ = i.oil;
   v_ended_ = step.after.velocity;
   supply_ += step.supply;
@@ -156,6 +190,20 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   const double rho = reference_density(film_->model());
   out.push_back(named("side_flow", side_ / told() / rho));
   out.push_back(named("supply_flow", supply_ / told() / rho));
+  if (heat_.to_shell.empty()) return out;
+  add_extreme("T_film_max", &CycleInstant::T_film_max, false);
+  add_extreme("T_shell_max", &CycleInstant::T_shell_max, false);
+  const auto over_area = [&](const Field& heat) {
+    const FilmGrid& g = film_->model().scene.grid;
+    double sum = 0.0;
+    for (int c = 0; c < g.cells(); ++c) sum += heat[c] * g.area(c / g.nz, c % g.nz);
+    return g.multiplicity() * sum / told();
+  };
+  const double both = film_->model().scene.grid.multiplicity();
+  const auto& b = heat_.balance;
+  out.push_back(named("heat_by_oil", both * (b.carried_out - b.carried_in) / told()));
+  out.push_back(named("heat_to_shell", over_area(heat_.to_shell)));
+  out.push_back(named("heat_to_shaft", over_area(heat_.to_shaft)));
   return out;
 }
 
@@ -164,6 +212,11 @@ CycleAudit CycleRecord::audit() const {
   a.mass = std::abs(supply_ - side_ - (oil_ended_ - oil_begun_)) / oil_ended_;
   a.load = off_balance_ / course_->largest_load();
   a.impulse = NAN;
+  if (!heat_.to_shell.empty()) {
+    const double both = film_->model().scene.grid.multiplicity();
+    a.energy = std::abs(heat_.balance.imbalance()) / heat_.balance.heat;
+    a.work = (heat_.work - both * (heat_.balance.heat + heat_.rubbed)) / heat_.work;
+  }
   if (std::abs(told() / length_ - 1.0) > 1e-6) return a;  // stopped before the end
   const auto load = course_->impulse();
   double off = 0.0;
@@ -212,6 +265,21 @@ void CycleRecord::write(CycleResult& r) const {
   for (double& x : friction) x /= told();
   r.fields.friction_power = mirror_to_full(g, friction);
   r.frames = frames_;
+  if (film_->heat() && !heat_.to_shell.empty()) write_heat(r);
+}
+
+void CycleRecord::write_heat(CycleResult& r) const {
+  const FilmGrid& g = film_->model().scene.grid;
+  const auto mean_over_time = [&](Field x) {
+    for (double& v : x) v /= told();
+    return mirror_to_full(g, x);
+  };
+  r.fields.T_shell = mean_over_time(T_shell_);
+  r.fields.heat_to_shell = mean_over_time(heat_.to_shell);
+  r.fields.T_shell_max = mirror_to_full(g, T_shell_max_);
+  if (!film_->heat()->walls.growth.empty()) {
+    r.fields.growth = mirror_to_full(g, film_->heat()->walls.growth);
+  }
 }
 
 }  // namespace shellback::bearing

@@ -27,9 +27,12 @@ class CycleRecord {
   [[nodiscard]] std::vector<CycleQuantity> quantities() const;
   [[nodiscard]] CycleAudit audit() const;
   [[nodiscard]] double oil_in_gap(const Field& oil) const;
+  [[nodiscard]] Field shell_surface(const FilmInTime& now) const;
   /// Mean over time of a value that is straight between instants.
   [[nodiscard]] double mean(double CycleInstant::*value) const;
   void gather_fields(const FilmInTime& now, double dt);
+  void gather_heat(const FilmStep& step, double dt);
+  void write_heat(CycleResult& r) const;
 
   const FilmSteps* film_;
   const LoadCourse* course_;
@@ -46,6 +49,8 @@ class CycleRecord {
   double off_balance_ = 0.0;                         ///< [N]
   Field p_max_, p_asperity_max_, h_min_, friction_;  ///< on the solved grid
   Field power_now_;  ///< friction per area at the last instant [W/m2]
+  HeatFlows heat_;   ///< over the cycle [J], [J/m2]; nothing without film temperatures
+  Field T_shell_, T_shell_max_;  ///< integral over time [K s], largest [K]
 };
 
 }  // namespace shellback::bearing

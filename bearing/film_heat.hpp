@@ -40,7 +40,7 @@ struct Friction {
     std::optional<thermal::FilmStorage> storage = {});
 
 /// cp (T - T_reference) of every node at the temperatures `T` [K]: what a time step begins with
-/// (FilmStorage::enthalpy_before) [J/kg].
+/// (thermal::heat_content) [J/kg].
 [[nodiscard]] std::vector<double> film_enthalpy(const BearingModel& model,
                                                 const std::vector<double>& T);
 

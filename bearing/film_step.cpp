@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
@@ -43,6 +44,17 @@ void add(double f, const Field& k, Field& to) {
   for (std::size_t c = 0; c < to.size(); ++c) to[c] += f * k[c];
 }
 
+double mean(const Field& x) {
+  return x.empty() ? 0.0
+                   : std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+}
+
+/// Per area -> per cell.
+Field of_cells(const FilmGrid& g, Field x) {
+  for (int c = 0; c < g.cells(); ++c) x[c] *= g.area(c / g.nz, c % g.nz);
+  return x;
+}
+
 }  // namespace
 
 /// Slopes of one stage.
@@ -53,6 +65,7 @@ struct FilmSteps::Stage {
   fluid::OilFlows flows;                 ///< [kg/s]
   std::array<double, 2> force{};         ///< of the film [N]
   double off_balance = 0.0;              ///< [N]
+  HeatStage heat;
 };
 
 FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
@@ -67,7 +80,8 @@ FilmInTime FilmSteps::at_rest(double T) {
   model_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
   now.film = cold_start(model_, T);
   for (int k = 0; k < target_.unknowns; ++k) now.film.position.q[k] = 0.0;
-  [[maybe_unused]] const bool open = evaluate(model_, {}, options_.viscosity_tolerance, now.film);
+  [[maybe_unused]] const bool open =
+      evaluate(model_, growth(), options_.viscosity_tolerance, now.film);
   EXPECTS(open);
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
   return now;
@@ -118,7 +132,8 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
     target_.inertia = Inertia{mass_ / (own * own), {q[0] + own * v[0], q[1] + own * v[1]}};
   }
   predict(q, v, own, film);
-  Verdict verdict = newton(model_, target_, {}, options_, film, cost, stop);
+  if (heat_) expect_temperatures(i, dt, stages, now, film);
+  Verdict verdict = newton(model_, target_, growth(), options_, film, cost, stop);
   if (!verdict.good()) return verdict;
   const FilmGrid& g = model_.scene.grid;
   found.oil = fluid::net_outflow(model_.scene, film.flow);
@@ -136,7 +151,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
       found.off_balance = std::max(found.off_balance, std::abs(film.force[k] - wanted[k]));
     }
   }
-  return verdict;
+  return heat_ ? solve_heat(i, dt, stages, now, film, found) : verdict;
 }
 
 /// First guess of the journal's position: where its velocity leads to, if the film stays.
@@ -211,7 +226,9 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   std::vector<Stage> stages(by.stages);
   FilmEquilibrium film = now.film;
   if (by.explicit_first) {
-    stages[0] = {now.oil_slope, now.velocity, now.acceleration, now.flows, {}, 0.0};
+    stages[0] = {now.oil_slope, now.velocity, now.acceleration, now.flows, {}, 0.0, {}};
+    stages[0].heat.held_slope = now.heat.held_slope;
+    stages[0].heat.skin_slope = now.heat.skin_slope;
     for (int k = 0; k < 2; ++k) stages[0].force[k] = now.film.force[k];
   }
   for (int i = by.explicit_first ? 1 : 0; i < by.stages; ++i) {
@@ -220,6 +237,11 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     step.off_balance = std::max(step.off_balance, stages[i].off_balance);
   }
   step.error = error_of(now, film, stages, dt);
+  if (heat_) {
+    constexpr double kOfViscosity = 0.1;  // missed viscosity turns into film by a tenth and less
+    step.error = larger(step.error,
+                        kOfViscosity * heat_->surprise(model_, film, stages.back().heat.T));
+  }
   step.after.oil = now.oil;
   for (int i = 0; i < by.stages; ++i) {
     const double f = by.b(i) * dt;
@@ -228,6 +250,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     step.side += f * stages[i].flows.side;
     for (int k = 0; k < 2; ++k) step.impulse[k] += f * stages[i].force[k];
   }
+  if (heat_) end_heat(dt, now, stages, step);
   Stage& last = stages.back();
   step.after.t = now.t + dt;
   step.after.full_before = now.film.film.full;
@@ -237,6 +260,90 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.after.oil_slope = std::move(last.oil);
   step.after.flows = std::move(last.flows);
   return step;
+}
+
+void FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmInTime& now) {
+  if (!heat_) heat_.emplace(model_, period, shortest);
+  const FilmGrid& g = model_.scene.grid;
+  const int n = model_.gl.n;
+  for (int c = 0; c < g.cells(); ++c) {
+    if (model_.scene.supply.cell[c] >= 0) continue;
+    now.film.columns.T[static_cast<std::size_t>(c) * n] = walls.shell[c];
+    now.film.columns.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
+  }
+  const double before = model_.clearance + mean(heat_->walls.growth);
+  const double after = model_.clearance + mean(walls.growth);
+  heat_->walls = std::move(walls);
+  for (int k = 0; k < 2; ++k) now.film.position.q[k] *= after / before;
+  while (!evaluate(model_, growth(), options_.viscosity_tolerance, now.film)) {
+    for (int k = 0; k < 2; ++k) now.film.position.q[k] *= 0.9;  // a start only, open in the end
+  }
+  now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
+  now.oil_slope.clear();
+  std::vector<double> skin = std::move(now.heat.skin);
+  now.heat = heat_->begin(model_, now.film.columns.T, of_cells(g, now.oil));
+  if (!skin.empty()) now.heat.skin = std::move(skin);
+}
+
+void FilmSteps::expect_temperatures(int i, double dt, const std::vector<Stage>& stages,
+                                    const FilmInTime& now, FilmEquilibrium& film) const {
+  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+  const int first = by.explicit_first ? 1 : 0;
+  std::vector<double>& T = film.columns.T;
+  T = now.heat.T;
+  const double ahead = by.c[i] * dt;
+  if (i > first) {
+    const std::vector<double>& before = stages[i - 1].heat.T;
+    // From the first stage of a step that begins anew nothing is carried on: it still settles.
+    const double part = by.explicit_first ? by.c[i] / by.c[i - 1] : 1.0;
+    for (std::size_t k = 0; k < T.size(); ++k) T[k] += part * (before[k] - T[k]);
+  } else if (!now.heat.T_slope.empty()) {
+    add(ahead, now.heat.T_slope, T);
+  }
+}
+
+Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<Stage>& stages,
+                              const FilmInTime& now, const FilmEquilibrium& film,
+                              Stage& found) const {
+  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+  const double own = by.a[i][i] * dt;
+  std::vector<double> held = now.heat.held;
+  std::vector<double> skin = now.heat.skin;
+  for (int j = 0; j < i; ++j) {
+    add(by.a[i][j] * dt, stages[j].heat.held_slope, held);
+    add(by.a[i][j] * dt, stages[j].heat.skin_slope, skin);
+  }
+  const FilmGrid& g = model_.scene.grid;
+  Field after = model_.scene.storage.before;
+  add(own, found.oil, after);
+  found.heat = heat_->stage(model_, film, own, of_cells(g, model_.scene.storage.before),
+                            of_cells(g, std::move(after)), held, std::move(skin));
+  for (int k = 0; k < 2; ++k) found.heat.flows.work -= film.force[k] * found.velocity[k];
+  if (found.heat.possible) return {};
+  return {Status::iteration_limit, "a film temperature leaves what an oil can be", "",
+          "a finer grid, or tier isothermal"};
+}
+
+void FilmSteps::end_heat(double dt, const FilmInTime& now, std::vector<Stage>& stages,
+                         FilmStep& step) const {
+  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+  HeatStage& last = stages.back().heat;
+  HeatInTime& heat = step.after.heat;
+  heat.held = now.heat.held;
+  for (int i = 0; i < by.stages; ++i) {
+    const bool before = by.explicit_first && i == 0;
+    add(by.b(i) * dt, stages[i].heat.held_slope, heat.held);
+    step.heat.add(by.b(i) * dt, before ? now.heat.flows : stages[i].heat.flows);
+  }
+  heat.T_slope = last.T;
+  for (std::size_t k = 0; k < heat.T_slope.size(); ++k) {
+    heat.T_slope[k] = (heat.T_slope[k] - now.heat.T[k]) / dt;
+  }
+  heat.T = std::move(last.T);
+  heat.skin = std::move(last.skin);
+  heat.held_slope = std::move(last.held_slope);
+  heat.skin_slope = std::move(last.skin_slope);
+  heat.flows = std::move(last.flows);
 }
 
 }  // namespace shellback::bearing

@@ -12,9 +12,11 @@
 /// every stage.
 /// TR-BDF2 (three stages, the first explicit) where the load is smooth, SDIRK2 where no slope at
 /// the step's beginning is known: at the start and behind a jump of load or speed. Both are of
-/// second order and stiffly accurate. Source: textbook (Hosea and Shampine's form of TR-BDF2;
+/// second order and stiffly accurate. Where film temperatures are solved, heat takes its stage
+/// behind the film's (heat_in_time.hpp). Source: textbook (Hosea and Shampine's form of TR-BDF2;
 /// Alexander's SDIRK2); methods 4.
 #include "bearing/equilibrium.hpp"
+#include "bearing/heat_in_time.hpp"
 #include "bearing/load_cycle.hpp"
 
 namespace shellback::bearing {
@@ -29,6 +31,7 @@ struct FilmInTime {
   Field oil_slope;                       ///< dM/dt at t; empty: not known, the step begins anew
   fluid::OilFlows flows;                 ///< at t [kg/s]
   std::vector<char> full_before;         ///< cells full when the step that led here began
+  HeatInTime heat;                       ///< tiers with film temperatures
 };
 
 /// What a step found.
@@ -40,6 +43,7 @@ struct FilmStep {
   double side = 0.0;    ///< and lost at the sides [kg]
   std::array<double, 2> impulse{};  ///< of the film on the journal [N s]
   double off_balance = 0.0;         ///< largest residual of the force balance [N]
+  HeatFlows heat;                   ///< over the step [J]; tiers with film temperatures
 };
 
 /// The bearing in time, on one grid, under a course of load and speed.
@@ -51,6 +55,9 @@ class FilmSteps {
 
   /// At rest in the middle of the clearance, in a full film of one temperature [K].
   [[nodiscard]] FilmInTime at_rest(double T);
+  /// Solves film temperatures from here on, with these walls; the heat of `now` begins anew, at
+  /// the temperatures of its film. Oil keeps its fill ratios where the gap has grown.
+  void set_walls(WallMeans walls, double period, double shortest, FilmInTime& now);
   /// The steady state under load and speed at t = 0; none if it is not found.
   [[nodiscard]] std::optional<FilmInTime> steady(double T, EquilibriumCost& cost,
                                                  const std::atomic<bool>* stop);
@@ -61,6 +68,8 @@ class FilmSteps {
   [[nodiscard]] const BearingModel& model() const { return model_; }
   /// Of the journal [kg].
   [[nodiscard]] double mass() const { return mass_; }
+  /// None: one temperature for the whole film.
+  [[nodiscard]] const HeatSteps* heat() const { return heat_ ? &*heat_ : nullptr; }
 
  private:
   struct Stage;
@@ -68,16 +77,30 @@ class FilmSteps {
   [[nodiscard]] Verdict solve_stage(int i, double dt, const std::vector<Stage>& stages,
                                     const FilmInTime& now, FilmEquilibrium& film, Stage& found,
                                     EquilibriumCost& cost, const std::atomic<bool>* stop);
+  /// The film's temperatures in stage i, carried on from the stages and steps before.
+  void expect_temperatures(int i, double dt, const std::vector<Stage>& stages,
+                           const FilmInTime& now, FilmEquilibrium& film) const;
+  /// Heat in stage i, whose film is solved.
+  [[nodiscard]] Verdict solve_heat(int i, double dt, const std::vector<Stage>& stages,
+                                   const FilmInTime& now, const FilmEquilibrium& film,
+                                   Stage& found) const;
+  /// Heat at the end of the step, and what flowed in it.
+  void end_heat(double dt, const FilmInTime& now, std::vector<Stage>& stages, FilmStep& step) const;
   void predict(const std::array<double, 2>& q, const std::array<double, 2>& v, double own,
                FilmEquilibrium& film) const;
   [[nodiscard]] double error_of(const FilmInTime& now, const FilmEquilibrium& end,
                                 const std::vector<Stage>& stages, double dt) const;
+
+  /// Thermal widening of the gap.
+  [[nodiscard]] const Field& growth() const { return heat_ ? heat_->walls.growth : none_; }
 
   BearingModel model_;
   const LoadCourse& course_;
   double mass_;
   EquilibriumOptions options_;
   LoadTarget target_;
+  std::optional<HeatSteps> heat_;
+  Field none_;
 };
 
 }  // namespace shellback::bearing

@@ -61,10 +61,11 @@ Lack lack_for_heat(const Case& c, const std::string& tier) {
 }  // namespace
 
 Lack lack_for(const Case& c, Tier tier) {
-  if (c.cycle && tier != Tier::isothermal) {
+  const bool in_time = tier == Tier::isothermal || tier == Tier::thd || tier == Tier::tehd;
+  if (c.cycle && !in_time) {
     return lack("model.tier",
                 "not yet available for load cycles: tier " + std::string(to_string(tier)),
-                "use run with tier isothermal");
+                "use run with tier isothermal, thd or tehd");
   }
   if (c.cycle && c.model.coefficients) {
     return lack("model.coefficients",

@@ -8,11 +8,10 @@
 #include "solid/revolution_elasticity.hpp"
 
 namespace shellback::bearing {
-namespace {
 
 using Layers = Solids::Layers;
 
-Layers layers_of(const Case& c) {
+Layers wall_layers(const Case& c) {
   if (!c.shell || c.shell->layers.empty()) {
     throw InputError(
         "the shell's layers are needed for heat conduction and deformation; give "
@@ -32,6 +31,8 @@ Layers layers_of(const Case& c) {
   }
   return out;
 }
+
+namespace {
 
 RevolutionMesh shell_mesh(const Case& c, const Layers& layers, const FilmGrid& grid,
                           int harmonics) {
@@ -75,7 +76,7 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
   reference_ = c.bearing.reference_temperature;
   if (!c.shaft) throw InputError("the shaft's data are needed; give [shaft] material");
   const int N = harmonics_.highest();
-  const Layers layers = layers_of(c);
+  const Layers layers = wall_layers(c);
   const RevolutionMesh mesh = shell_mesh(c, layers, grid_, N);
   if (effects.heat) build_heat(c, layers, mesh);
   if (effects.elastic || effects.growth) {

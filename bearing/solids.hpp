@@ -160,4 +160,7 @@ class Solids {
   double setup_s_ = 0.0;
 };
 
+/// Throws InputError if the case has no layers.
+[[nodiscard]] Solids::Layers wall_layers(const Case& c);
+
 }  // namespace shellback::bearing

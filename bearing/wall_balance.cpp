@@ -18,7 +18,8 @@ thermal::FilmEnergyProblem WallBalance::problem(const Friction& friction) const 
     const FilmGrid& g = s_.model.scene.grid;
     Field mass = fluid::oil_content(s_.model.scene, s_.film.gap, s_.film.oil, s_.film.film);
     for (int c = 0; c < g.cells(); ++c) mass[c] *= g.area(c / g.nz, c % g.nz);
-    storage = thermal::FilmStorage{step_->dt, mass, mass, step_->enthalpy_before};
+    storage = thermal::FilmStorage{step_->dt, mass, mass,
+                                   thermal::heat_content(mass, step_->enthalpy_before)};
   }
   return film_energy_problem(s_.model, s_.film, friction, std::move(storage));
 }

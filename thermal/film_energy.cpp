@@ -72,6 +72,13 @@ void project(const GaussLobatto& gl, std::vector<double>& flow) {
 
 }  // namespace
 
+std::vector<double> heat_content(const Field& mass, const std::vector<double>& enthalpy) {
+  const std::size_t n = enthalpy.size() / mass.size();
+  std::vector<double> heat(enthalpy.size());
+  for (std::size_t k = 0; k < heat.size(); ++k) heat[k] = mass[k / n] * enthalpy[k];
+  return heat;
+}
+
 FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   EXPECTS(p_.grid && p_.gl && p_.gl->n <= kMostNodes);
   const FilmGrid& g = *p_.grid;
@@ -97,6 +104,12 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   by_shaft_.assign(cells * inner, 0.0);
   inflow_.assign(cells * 4 * n_, 0.0);
   source_.assign(cells * 4, 0);
+  if (p_.shell) {
+    EXPECTS(p_.shell->impedance > 0.0 && p_.shell->free.size() == cells);
+    EXPECTS(p_.shell->rubbed.size() == cells);
+    shell_row_.assign(cells * n_, 0.0);
+    shell_pivot_.assign(cells, 0.0);
+  }
   for (const SupplyVessel& v : p_.vessels) T_mix_.push_back(v.T_supply);
   shell_ring_.assign(g.nz, 0.0);
   shaft_ring_.assign(g.nz, 0.0);
@@ -119,14 +132,13 @@ void FilmEnergy::take_storage() {
   if (!p_.storage) return;
   const FilmStorage& s = *p_.storage;
   EXPECTS(s.dt > 0.0 && s.mass.size() == cells && s.mass_before.size() == cells);
-  EXPECTS(s.enthalpy_before.size() == cells * n_);
+  EXPECTS(s.heat_before.size() == cells * n_);
   brought_.assign(cells * n_, 0.0);
   for (std::size_t c = 0; c < cells; ++c) {
     if (p_.patch[c] >= 0) continue;
     growth_[c] = (s.mass[c] - s.mass_before[c]) / s.dt;
     for (int k = 0; k < n_; ++k) {
-      const double w = p_.gl->w[k] / s.dt;
-      brought_[c * n_ + k] = w * s.mass_before[c] * s.enthalpy_before[c * n_ + k];
+      brought_[c * n_ + k] = p_.gl->w[k] / s.dt * s.heat_before[c * n_ + k];
     }
   }
 }
@@ -201,6 +213,7 @@ void FilmEnergy::build_column(int i, int j) {
   for (int k = 0; k < n; ++k) out[k] += gl.w[k] * store;
   if (blend_[cell] > 0.0) ++blended_;
   if (blend_[cell] > 0.0 || p_.storage) invert_column(cell);
+  if (p_.shell) let_shell_yield(cell);
   const int m = n - 2;
   const double* by_shell = &by_shell_[static_cast<std::size_t>(cell) * m];
   const double* by_shaft = &by_shaft_[static_cast<std::size_t>(cell) * m];
@@ -244,6 +257,32 @@ void FilmEnergy::invert_column(int cell) {
       by_shaft_[at] += inverse[r * m + c] * A[c * n + n - 1];
     }
   }
+}
+
+void FilmEnergy::let_shell_yield(int cell) {
+  const int m = n_ - 2;
+  const FilmGrid& g = *p_.grid;
+  const double part = p_.shell->impedance / g.area(cell / g.nz, cell % g.nz);
+  double* row = &shell_row_[static_cast<std::size_t>(cell) * n_];
+  matrix_row(cell, 0, row);
+  for (int k = 0; k < n_; ++k) row[k] *= part;
+  double pivot = 1.0 + row[0];
+  for (int r = 0; r < m; ++r) {
+    pivot -= row[r + 1] * by_shell_[static_cast<std::size_t>(cell) * m + r];
+  }
+  shell_pivot_[cell] = pivot;
+}
+
+double FilmEnergy::yielded(int cell, const double* x, double shaft, double in) const {
+  const FilmGrid& g = *p_.grid;
+  const std::size_t at = static_cast<std::size_t>(cell) * n_;
+  const double part = p_.shell->impedance / g.area(cell / g.nz, cell % g.nz);
+  const double* row = &shell_row_[at];
+  const double heat = p_.heat[at] + (brought_.empty() ? 0.0 : brought_[at]) + in;
+  double sum = p_.shell->free[cell] - p_.T_reference +
+               p_.shell->impedance * p_.shell->rubbed[cell] + part * heat - row[n_ - 1] * shaft;
+  for (int k = 0; k + 2 < n_; ++k) sum -= row[k + 1] * x[k];
+  return sum / shell_pivot_[cell];
 }
 
 double FilmEnergy::negative_weights(int cell) const {
@@ -376,20 +415,31 @@ double FilmEnergy::march(std::vector<double>& T) {
     const double* inflow = &inflow_[at * 4];
     const int* source = &source_[static_cast<std::size_t>(cell) * 4];
     double in[N > 0 ? N : kMostNodes] = {};
+    double at_shell = 0.0;
     for (int f = 0; f < 4; ++f) {
       const double* enthalpy = &enthalpy_[static_cast<std::size_t>(source[f]) * n];
+      at_shell += inflow[f * n] * enthalpy[0];
       for (int k = 0; k < m; ++k) in[k] += inflow[f * n + k + 1] * enthalpy[k + 1];
     }
-    const double shell = T[at] - T0;
     const double shaft = T[at + n - 1] - T0;
     const double* inverse = &inverse_[at_inner * m];
+    double x[N > 0 ? N : kMostNodes];
     for (int k = 0; k < m; ++k) {
-      double x =
-          base_[at_inner + k] - by_shell_[at_inner + k] * shell - by_shaft_[at_inner + k] * shaft;
-      for (int l = 0; l < m; ++l) x += inverse[k * m + l] * in[l];
-      change = std::max(change, std::abs(T0 + x - T[at + k + 1]));
-      T[at + k + 1] = T0 + x;
-      enthalpy_[at + k + 1] = p_.cp[at + k + 1] * x;
+      x[k] = base_[at_inner + k] - by_shaft_[at_inner + k] * shaft;
+      for (int l = 0; l < m; ++l) x[k] += inverse[k * m + l] * in[l];
+    }
+    if (p_.shell) {
+      const double now = T0 + yielded(cell, x, shaft, at_shell);
+      change = std::max(change, std::abs(now - T[at]));
+      T[at] = now;
+      enthalpy_[at] = p_.cp[at] * (now - T0);
+    }
+    const double shell = T[at] - T0;
+    for (int k = 0; k < m; ++k) {
+      x[k] -= by_shell_[at_inner + k] * shell;
+      change = std::max(change, std::abs(T0 + x[k] - T[at + k + 1]));
+      T[at + k + 1] = T0 + x[k];
+      enthalpy_[at + k + 1] = p_.cp[at + k + 1] * x[k];
     }
   };
   const int middle = g.half ? 0 : g.nz / 2;

@@ -61,7 +61,21 @@ struct FilmStorage {
   double dt = 0.0;                      ///< [s]
   std::vector<double> mass;             ///< per cell, at the end of the step [kg]
   std::vector<double> mass_before;      ///< per cell, at its beginning [kg]
-  std::vector<double> enthalpy_before;  ///< per node: cp (T - T_reference) [J/kg]
+  std::vector<double> heat_before;  ///< per node: (M cp (T - T_reference))_before [J]
+};
+
+/// What nodes of the enthalpy cp (T - T_reference) [J/kg] hold in cells of a mass [kg] each [J].
+[[nodiscard]] std::vector<double> heat_content(const Field& mass,
+                                               const std::vector<double>& enthalpy);
+
+/// A shell whose surface follows the heat that enters it within the step:
+///   T_shell = free + impedance (q + rubbed),   q of the film into the wall [W/m2]     (5)
+/// as a skin of a wall does over a step in time (thermal/wall_skin.hpp). Eliminated column by
+/// column with the nodes between: no iteration between film and wall.
+struct YieldingShell {
+  double impedance = 0.0;  ///< [K m2/W], positive
+  Field free;              ///< temperature without any heat entering, per cell [K]
+  Field rubbed;            ///< heat of asperities into the shell, per cell [W/m2]
 };
 
 /// All that is fixed while the film temperature is solved. Node arrays have index cell * n + k.
@@ -82,6 +96,7 @@ struct FilmEnergyProblem {
   double cp_edge = 0.0;                ///< its mean heat capacity from the reference on [J/(kg K)]
   bool forward = true;                 ///< the journal moves in +phi
   std::optional<FilmStorage> storage;  ///< none: steady
+  std::optional<YieldingShell> shell;  ///< none: its temperature is given
 };
 
 /// Enthalpy and heat flows of a film temperature field, whole solved part [W].
@@ -122,8 +137,8 @@ class FilmEnergy {
   explicit FilmEnergy(FilmEnergyProblem problem);
 
   /// One marching sweep in the direction of motion. `T` [K], node layout; its wall nodes hold the
-  /// wall temperatures and stay; interior nodes and patch cells are updated. Returns the largest
-  /// change [K].
+  /// wall temperatures and stay (but those of a yielding shell); interior nodes and patch cells are
+  /// updated. Returns the largest change [K].
   double sweep(std::vector<double>& T);
 
   [[nodiscard]] WallHeat wall_heat(const std::vector<double>& T) const;
@@ -156,6 +171,11 @@ class FilmEnergy {
   void build_column(int i, int j);
   /// Inverse of the column's interior rows and what it makes of heat and walls.
   void invert_column(int cell);
+  /// (5) of the inverted column.
+  void let_shell_yield(int cell);
+  /// The shell's temperature by (5), from T_reference, where the column's nodes without its share
+  /// are `x` (n - 2), the shaft stands at `shaft` and `in` enters at the shell's node [W].
+  [[nodiscard]] double yielded(int cell, const double* x, double shaft, double in) const;
   /// nu of the header, of the inverted column.
   [[nodiscard]] double negative_weights(int cell) const;
   /// M_k of (3) for k = 0 .. n - 2 [kg/s].
@@ -187,6 +207,9 @@ class FilmEnergy {
   std::vector<double> inverse_;                  ///< (n-2)^2 per cell
   std::vector<double> base_;                     ///< n-2 per cell [K]
   std::vector<double> by_shell_, by_shaft_;      ///< n-2 per cell [-]
+  // Yielding shell: its row of the matrix, per area and times the impedance, and what it holds.
+  std::vector<double> shell_row_;     ///< n per cell [-]
+  std::vector<double> shell_pivot_;   ///< per cell: the column following [-]
   std::vector<double> inflow_;                   ///< 4 faces x n per cell, weights included [kg/s]
   std::vector<int> source_;                      ///< 4 slots per cell from which that flow comes
   std::vector<double> enthalpy_;                 ///< n per slot [J/kg]

@@ -98,7 +98,8 @@ TEST_CASE("WarmUpStoresWhatItDoesNotLoseAndEndsSteady", "[warm_up]") {
   double before = 0.0;
   for (const double dt : {0.01, 1.0, 30.0, 30.0, 1e3, 1e4, 1e5, 1e7, 1e9, 1e9}) {
     step = warm.solids().step(dt, state, &step);
-    warm.solve(thermal::FilmStorage{dt, warm.mass(), warm.mass(), film_enthalpy(s.model, warm.T)},
+    warm.solve(thermal::FilmStorage{dt, warm.mass(), warm.mass(),
+                                    thermal::heat_content(warm.mass(), film_enthalpy(s.model, warm.T))},
                &step);
     state = warm.solids().state(warm.walls, &step);
     const double in = 2.0 * (warm.film.heat + warm.film.carried_in - warm.film.carried_out);
@@ -124,7 +125,9 @@ TEST_CASE("SteadyBearingStaysSteadyInTime", "[warm_up]") {
   const SolidState state = w.solids().state(w.walls);
   for (const double dt : {1e-3, 1.0, 1e3}) {
     const SolidStep step = w.solids().step(dt, state);
-    w.solve(thermal::FilmStorage{dt, w.mass(), w.mass(), film_enthalpy(s.model, T)}, &step);
+    w.solve(thermal::FilmStorage{dt, w.mass(), w.mass(),
+                                 thermal::heat_content(w.mass(), film_enthalpy(s.model, T))},
+            &step);
     CHECK(largest_difference(w.T, T) < 1e-6);  // [K]
     CHECK(std::abs(w.walls.shell.stored + w.walls.shaft.stored + 2.0 * w.film.stored) <
           1e-6 * w.film.heat * std::max(1.0, 1.0 / dt));

@@ -40,7 +40,8 @@ Ring gathering_ring(unsigned seed, double warm) {
       s.mass[c] = s.mass_before[c] + kStep * gain;
     }
   }
-  std::fill(s.enthalpy_before.begin(), s.enthalpy_before.end(), 2000.0 * (warm - 300.0));
+  s.heat_before = heat_content(
+      s.mass_before, std::vector<double>(r.T.size(), 2000.0 * (warm - 300.0)));
   r.problem.storage = std::move(s);
   r.problem.T_edge = warm;
   r.problem.vessels.push_back({warm, 2000.0, 2000.0, 0.7, 0.0});
@@ -56,7 +57,7 @@ Ring random_ring_in_time(unsigned seed) {
   r.problem.T_edge = 305.0;
   for (double& cp : r.problem.cp) cp = 1900.0 + 200.0 * uniform(engine);
   for (double& T : r.T) T = 300.0 + 40.0 * uniform(engine);
-  for (double& e : r.problem.storage->enthalpy_before) e = 8e4 * uniform(engine);
+  for (double& e : r.problem.storage->heat_before) e = 4e-6 * 8e4 * uniform(engine);
   for (std::size_t k = 0; k < r.T.size(); ++k) {
     if (r.problem.patch[k / r.n()] < 0) r.problem.heat[k] = 0.4 * uniform(engine);
   }
@@ -83,7 +84,7 @@ double film_middle(double x, int steps, int n) {
   const auto cells = static_cast<std::size_t>(r.grid.cells());
   for (int i = 0; i < steps; ++i) {
     FilmStorage s{dt, Field(cells, mass), Field(cells, mass), r.T};
-    for (double& e : s.enthalpy_before) e = 2000.0 * (e - 300.0);
+    for (double& e : s.heat_before) e = mass * 2000.0 * (e - 300.0);
     r.problem.storage = std::move(s);
     r.set_walls(340.0, 340.0);
     FilmEnergy film = r.film();
@@ -156,7 +157,8 @@ TEST_CASE("LongMarchOfTheFilmEndsSteady", "[film_in_time]") {
     settle(film, r.T);
     b = film.balance(r.T);
     for (std::size_t k = 0; k < r.T.size(); ++k) {
-      r.problem.storage->enthalpy_before[k] = cp[k] * (r.T[k] - 300.0);
+      r.problem.storage->heat_before[k] =
+          r.problem.storage->mass_before[k / r.n()] * cp[k] * (r.T[k] - 300.0);
     }
   }
   double error = 0.0;
@@ -184,7 +186,7 @@ TEST_CASE("StepWithoutEndIsTheSteadyFilm", "[film_in_time]") {
 TEST_CASE("ResponseToTheWallsIsThatOfTheStepNotOfItsPast", "[film_in_time]") {
   Ring r = random_ring_in_time(9);
   const WallResponse with = r.film().wall_response(5);
-  auto& before = r.problem.storage->enthalpy_before;
+  auto& before = r.problem.storage->heat_before;
   std::fill(before.begin(), before.end(), 0.0);
   const WallResponse without = r.film().wall_response(5);
   CHECK(with.shell == Approx(without.shell).epsilon(1e-12));

@@ -1,0 +1,67 @@
+#include "bearing/cycle_walls.hpp"
+
+#include "core/constants.hpp"
+
+namespace shellback::bearing {
+
+void CycleHeat::begin(const FilmInTime& now) {
+  last_ = now.heat.skin;
+  skin_.assign(last_.size(), 0.0);
+}
+
+void CycleHeat::add(const FilmStep& step, double dt) {
+  flows_.add(1.0, step.heat);
+  const std::vector<double>& now = step.after.heat.skin;
+  for (std::size_t k = 0; k < now.size(); ++k) skin_[k] += 0.5 * dt * (last_[k] + now[k]);
+  last_ = now;
+  time_ += dt;
+}
+
+void CycleHeat::look_at(const BearingModel& model, const FilmEquilibrium& s) {
+  constexpr int kLaps = 3;  // sweeps for the film's response, as in wall_balance.cpp
+  const thermal::WallResponse r = lasting_film(model, s).wall_response(kLaps);
+  response_.shell += r.shell;
+  response_.shaft += r.shaft;
+  response_.across += r.across;
+  response_.back += r.back;
+  response_.shell_local += r.shell_local;
+  response_.shell_ring += r.shell_ring;
+  response_.shaft_ring += r.shaft_ring;
+  ++looks_;
+}
+
+thermal::WallResponse CycleHeat::response() const {
+  const double part = 1.0 / looks_;
+  const thermal::WallResponse& r = response_;
+  return {part * r.shell,       part * r.shaft,      part * r.across,    part * r.back,
+          part * r.shell_local, part * r.shell_ring, part * r.shaft_ring};
+}
+
+std::vector<double> CycleHeat::mean_skin() const {
+  std::vector<double> mean = skin_;
+  for (double& x : mean) x /= time_;
+  return mean;
+}
+
+BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
+                              const CycleHeat& heat, const thermal::WallResponse& response,
+                              int skin_nodes) {
+  const FilmGrid& g = model.scene.grid;
+  const std::vector<double> skin = heat.mean_skin();
+  WallFlux q{Field(g.cells(), 0.0), std::vector<double>(g.nz, 0.0), response};
+  Field met = walls.shell;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int c = g.index(i, j);
+      q.shell[c] = heat.flows().to_shell[c] / heat.time();
+      q.shaft[j] += heat.flows().to_shaft[c] / heat.time() * g.dphi[i] / (2.0 * kPi);
+      met[c] += skin[static_cast<std::size_t>(c) * skin_nodes];
+    }
+  }
+  BodiesAnswer out;
+  out.solids = model.solids->answer(q, met, walls.shaft, {model.physics.growth, true});
+  out.walls = {out.solids.shell.surface, out.solids.shaft.temperature, q.shell, out.solids.growth};
+  return out;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,175 @@
+#include "bearing/heat_in_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/told_temperature.hpp"
+#include "core/largest.hpp"
+#include "rheology/viscosity.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+std::vector<thermal::SkinLayer> skin_layers(const Case& c) {
+  const Solids::Layers layers = wall_layers(c);
+  std::vector<thermal::SkinLayer> out;
+  for (std::size_t k = 0; k < layers.thickness.size(); ++k) {
+    const solid::Material& m = layers.material[k];
+    out.push_back({layers.thickness[k], m.conductivity, m.density * m.heat_capacity});
+  }
+  return out;
+}
+
+/// Sweeps until nothing changes any more but by round-off of the balance.
+void settle(thermal::FilmEnergy& energy, std::vector<double>& T) {
+  constexpr double kSettled = 1e-7;  // per sweep: of a rise of 10 K and more, 1e-8 [K]
+  constexpr int kMostSweeps = 100;
+  for (int k = 0; k < kMostSweeps; ++k) {
+    if (!(energy.sweep(T) > kSettled)) return;
+  }
+}
+
+bool possible(const std::vector<double>& T) {
+  return std::all_of(T.begin(), T.end(),
+                     [](double t) { return t > kColdestTold && t < kHottestTold; });
+}
+
+}  // namespace
+
+WallMeans uniform_walls(const BearingModel& model, double T) {
+  const FilmGrid& g = model.scene.grid;
+  return {Field(g.cells(), T), std::vector<double>(g.nz, T), Field(g.cells(), 0.0),
+          model.solids->at(model.solids->uniform_state(T)).growth};
+}
+
+void HeatFlows::add(double f, const HeatFlows& other) {
+  if (to_shell.empty()) {
+    to_shell.assign(other.to_shell.size(), 0.0);
+    to_shaft.assign(other.to_shaft.size(), 0.0);
+  }
+  for (std::size_t c = 0; c < to_shell.size(); ++c) {
+    to_shell[c] += f * other.to_shell[c];
+    to_shaft[c] += f * other.to_shaft[c];
+  }
+  balance.heat += f * other.balance.heat;
+  balance.to_shell += f * other.balance.to_shell;
+  balance.to_shaft += f * other.balance.to_shaft;
+  balance.carried_out += f * other.balance.carried_out;
+  balance.carried_in += f * other.balance.carried_in;
+  balance.stored += f * other.balance.stored;
+  rubbed += f * other.rubbed;
+  work += f * other.work;
+}
+
+HeatSteps::HeatSteps(const BearingModel& model, double period, double shortest)
+    : skin_(skin_layers(model.input), period, shortest) {}
+
+HeatInTime HeatSteps::begin(const BearingModel& model, std::vector<double> T,
+                            const Field& mass) const {
+  HeatInTime heat;
+  heat.held = thermal::heat_content(mass, film_enthalpy(model, T));
+  heat.T = std::move(T);
+  heat.skin.assign(mass.size() * skin_.nodes(), 0.0);
+  return heat;
+}
+
+HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, double own,
+                           const Field& before, const Field& after,
+                           const std::vector<double>& held, std::vector<double> skin) const {
+  const FilmGrid& g = model.scene.grid;
+  const int n = model.gl.n;
+  const int nodes = skin_.nodes();
+  const ContactHeat rubbed = contact_heat(model, s);
+  HeatStage out;
+  out.skin = skin;
+  out.skin_slope = std::move(skin);  // for now: what it was
+  const thermal::SkinStep step = skin_.over(own);
+  thermal::YieldingShell shell{step.impedance(), Field(g.cells()), rubbed.shell};
+  for (int c = 0; c < g.cells(); ++c) {
+    double* T = &out.skin[static_cast<std::size_t>(c) * nodes];
+    skin_.relax(step, T);
+    shell.free[c] = walls.shell[c] + T[0] - step.impedance() * walls.flux[c];
+  }
+  const Friction friction = friction_of(model, s);
+  thermal::FilmEnergyProblem problem =
+      film_energy_problem(model, s, friction, thermal::FilmStorage{own, after, before, held});
+  problem.shell = shell;
+  out.T = s.columns.T;
+  for (int c = 0; c < g.cells(); ++c) {
+    if (model.scene.supply.cell[c] < 0) {
+      out.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
+    }
+  }
+  const std::vector<double> cp = problem.cp;
+  const double T_ref = problem.T_reference;
+  thermal::FilmEnergy energy(std::move(problem));
+  settle(energy, out.T);
+  out.possible = possible(out.T);
+  out.blended_columns = energy.blended_columns();
+  out.flows.balance = energy.balance(out.T);
+  out.flows.work =
+      (friction.viscous + friction.asperity) * model.scene.speed / g.radius + pump_power(model, s);
+  const thermal::WallHeat walls_heat = energy.wall_heat(out.T);
+  out.flows.to_shell.assign(g.cells(), 0.0);
+  out.flows.to_shaft.assign(g.cells(), 0.0);
+  out.held_slope.assign(out.T.size(), 0.0);
+  for (int c = 0; c < g.cells(); ++c) {
+    const double area = g.area(c / g.nz, c % g.nz);
+    const bool film = model.scene.supply.cell[c] < 0;
+    double* T = &out.skin[static_cast<std::size_t>(c) * nodes];
+    double* slope = &out.skin_slope[static_cast<std::size_t>(c) * nodes];
+    if (film) {
+      out.flows.to_shell[c] = walls_heat.shell[c] / area + rubbed.shell[c];
+      out.flows.to_shaft[c] = walls_heat.shaft[c] / area + rubbed.shaft[c];
+      out.flows.rubbed += area * (rubbed.shell[c] + rubbed.shaft[c]);
+    }
+    const double beyond = film ? out.flows.to_shell[c] - walls.flux[c] : 0.0;
+    for (int k = 0; k < nodes; ++k) {
+      T[k] += step.by_flux[k] * beyond;
+      slope[k] = (T[k] - slope[k]) / own;
+    }
+    for (int k = 0; film && k < n; ++k) {
+      const std::size_t at = static_cast<std::size_t>(c) * n + k;
+      out.held_slope[at] = (after[c] * cp[at] * (out.T[at] - T_ref) - held[at]) / own;
+    }
+  }
+  return out;
+}
+
+double HeatSteps::surprise(const BearingModel& model, const FilmEquilibrium& s,
+                           const std::vector<double>& T) const {
+  const FilmGrid& g = model.scene.grid;
+  const int n = model.gl.n;
+  double sum = 0.0;
+  double load = 0.0;
+  for (int c = 0; c < g.cells(); ++c) {
+    if (model.scene.supply.cell[c] >= 0 || !s.film.full[c]) continue;
+    double off = 0.0;
+    for (int k = 0; k < n; ++k) {
+      const std::size_t at = static_cast<std::size_t>(c) * n + k;
+      off += model.gl.w[k] * (T[at] - s.columns.T[at]);
+    }
+    const double weight = std::max(s.film.p[c], 0.0) * g.area(c / g.nz, c % g.nz);
+    const double by_T =
+        rheology::viscosity_slopes(model.oil, s.columns.T_mean[c], s.film.p[c], 0.0).dln_dT;
+    sum += weight * std::abs(off * by_T);
+    load += weight;
+  }
+  return load > 0.0 ? sum / load : 0.0;
+}
+
+thermal::FilmEnergy lasting_film(const BearingModel& model, const FilmEquilibrium& s) {
+  const FilmGrid& g = model.scene.grid;
+  const double dt = 1.0;  // [s]; only the rate of M counts
+  Field gained = fluid::net_outflow(model.scene, s.flow);
+  Field lost = gained;
+  for (std::size_t c = 0; c < gained.size(); ++c) {
+    gained[c] = std::max(-dt * gained[c], 0.0);
+    lost[c] = std::max(dt * lost[c], 0.0);
+  }
+  const std::vector<double> none(static_cast<std::size_t>(g.cells()) * model.gl.n, 0.0);
+  return thermal::FilmEnergy(film_energy_problem(
+      model, s, friction_of(model, s), thermal::FilmStorage{dt, gained, lost, none}));
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,96 @@
+#pragma once
+/// Heat of film and shell surface in time: one stage of a step.
+///
+/// The heat H = M cp (T - T_ref) of every node of the film and the temperatures of the shell's skin
+/// follow their balances (thermal/film_energy.hpp (4), thermal/wall_skin.hpp (1)). Like the oil M
+/// (film_step.hpp) they are advanced by stages: each is a step of backward Euler over own = a_ii dt
+/// from
+///   H* = H_n + dt sum_j<i a_ij dH_j,   likewise the skin                               (1)
+/// with the flows, the oil and the friction of that stage, so that heat is conserved to the round-
+/// off of the sweeps. Shell and film are solved together, column by column.
+/// The walls' bodies answer far more slowly than a cycle lasts: they hold their mean over it
+/// (cycle_walls.hpp), and the skin swings about it. The shaft turns: its surface is at its mean
+/// (thermal/shaft_fin.hpp).
+/// The film's viscosity in a stage is that of temperatures carried on in a straight line from the
+/// stages before, not of the last ones. Source: methods 3.5, 4; textbook.
+#include <optional>
+
+#include "bearing/film_heat.hpp"
+#include "thermal/wall_skin.hpp"
+
+namespace shellback::bearing {
+
+/// What the walls' bodies hold over a cycle.
+struct WallMeans {
+  Field shell;                ///< bore [K]
+  std::vector<double> shaft;  ///< per axial cell [K]
+  Field flux;                 ///< heat into the bore that belongs to it [W/m2]
+  Field growth;               ///< thermal widening of the gap [m]; empty without growth
+};
+
+/// All bodies at one temperature [K], without heat.
+[[nodiscard]] WallMeans uniform_walls(const BearingModel& model, double T);
+
+/// Heat that flows at an instant, or has flowed in a step.
+struct HeatFlows {
+  Field to_shell;                  ///< per cell, with that of asperities [W/m2] or [J/m2]
+  Field to_shaft;                  ///< the same
+  thermal::EnergyBalance balance;  ///< of the film, solved part [W] or [J]
+  double rubbed = 0.0;             ///< by asperities, into both walls, solved part [W] or [J]
+  double work = 0.0;  ///< of shaft, load and supply on the oil, whole bearing [W] or [J]
+  /// this + f other.
+  void add(double f, const HeatFlows& other);
+};
+
+/// Heat of film and skin at one instant.
+struct HeatInTime {
+  std::vector<double> T;           ///< film nodes, walls included [K]
+  std::vector<double> held;        ///< H of every node as carried [J]
+  std::vector<double> skin;        ///< above the mean, cell by cell, WallSkin::nodes() each [K]
+  std::vector<double> held_slope;  ///< at this instant [W]; empty: not known
+  std::vector<double> skin_slope;  ///< [K/s]
+  std::vector<double> T_slope;     ///< over the last step [K/s]; empty: not known
+  HeatFlows flows;                 ///< at this instant
+};
+
+/// What a stage found.
+struct HeatStage {
+  std::vector<double> T;           ///< [K]
+  std::vector<double> skin;        ///< [K]
+  std::vector<double> held_slope;  ///< [W]
+  std::vector<double> skin_slope;  ///< [K/s]
+  HeatFlows flows;
+  long blended_columns = 0;
+  bool possible = true;  ///< all temperatures are numbers within what an oil can be
+};
+
+class HeatSteps {
+ public:
+  /// Of a bearing whose loads change over `period`, in steps down to `shortest` [s].
+  HeatSteps(const BearingModel& model, double period, double shortest);
+
+  /// Film and skin of these walls at the film's temperatures; `mass` of the cells' oil [kg].
+  [[nodiscard]] HeatInTime begin(const BearingModel& model, std::vector<double> T,
+                                 const Field& mass) const;
+  /// Solves a stage of length `own` [s] for the film that `s` holds, from the oil `before` of the
+  /// cells to `after` [kg], the heat `held` and the skin `skin` of (1).
+  [[nodiscard]] HeatStage stage(const BearingModel& model, const FilmEquilibrium& s, double own,
+                                const Field& before, const Field& after,
+                                const std::vector<double>& held, std::vector<double> skin) const;
+  /// How far the film's viscosity was missed by temperatures `T` where those of `s` were expected:
+  /// mean over the film, by its pressure [-].
+  [[nodiscard]] double surprise(const BearingModel& model, const FilmEquilibrium& s,
+                                const std::vector<double>& T) const;
+
+  WallMeans walls;  ///< of this cycle
+  [[nodiscard]] const thermal::WallSkin& skin() const { return skin_; }
+
+ private:
+  thermal::WallSkin skin_;
+};
+
+/// The film's energy equation as it stands, as if its flow would stay: oil that cells gain or lose
+/// counts, heat that they store does not.
+[[nodiscard]] thermal::FilmEnergy lasting_film(const BearingModel& model, const FilmEquilibrium& s);
+
+}  // namespace shellback::bearing

@@ -1,0 +1,57 @@
+#pragma once
+/// The skin of a wall in time: what its surface does beyond the mean that the body behind it holds.
+///
+///   rho c dT/dt = d/dy (k dT/dy),   -k dT/dy (0) = q',   T(depth) = 0                 (1)
+///
+/// per cell of the wall, y into it, layers of different materials in perfect contact; q' is the
+/// heat that enters beyond its mean over the period. Heat swings reach sqrt(a period/pi) deep, far
+/// less than a cell is wide, so that nothing flows sideways. `depth` is three such depths (or the
+/// end of the layers): what is held there changes the answer to the period by exp(-6), and less
+/// what is quicker. Linear elements with lumped heat on nodes graded from a fraction of the depth
+/// that the shortest step reaches.
+///
+/// Over a step dt from the temperatures T_before (implicit Euler, or a stage of a diagonally
+/// implicit Runge-Kutta method)
+///   (C/dt + K) T = C/dt T_before + e_0 q',   surface: T_0 = r_0 + Z q'                (2)
+/// Z the impedance, r what is left of before. Sources: textbook; methods 3.5.
+#include <vector>
+
+namespace shellback::thermal {
+
+/// From the surface inwards.
+struct SkinLayer {
+  double thickness = 0.0;     ///< [m]
+  double conductivity = 0.0;  ///< [W/(m K)]
+  double capacity = 0.0;      ///< rho c [J/(m3 K)]
+};
+
+/// What depends on the length of a step alone.
+struct SkinStep {
+  double dt = 0.0;               ///< [s]
+  std::vector<double> pivot;     ///< of the tridiagonal matrix of (2), eliminated from the depth
+  std::vector<double> by_flux;   ///< of every node per heat that enters [K m2/W]
+  [[nodiscard]] double impedance() const { return by_flux.front(); }
+};
+
+class WallSkin {
+ public:
+  /// For changes of this period and steps down to `shortest` of it [s]. Needs a layer; thicknesses,
+  /// conductivities and capacities positive.
+  WallSkin(const std::vector<SkinLayer>& layers, double period, double shortest);
+
+  [[nodiscard]] int nodes() const { return static_cast<int>(y_.size()) - 1; }
+  /// Depths of the nodes, the first at the surface, and of where T = 0 [m].
+  [[nodiscard]] const std::vector<double>& depths() const { return y_; }
+  [[nodiscard]] SkinStep over(double dt) const;
+  /// r of (2) for one cell: `T` holds its nodes before the step, and then r [K].
+  void relax(const SkinStep& step, double* T) const;
+  /// Heat held per area [J/m2].
+  [[nodiscard]] double heat(const double* T) const;
+
+ private:
+  std::vector<double> y_;            ///< nodes + 1 [m]
+  std::vector<double> conductance_;  ///< between a node and the next one [W/(m2 K)]
+  std::vector<double> capacity_;     ///< of a node [J/(m2 K)]
+};
+
+}  // namespace shellback::thermal

@@ -60,6 +60,7 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
     i.T_film_max = largest(now.heat.T);
     i.T_shell_max = largest(shell_surface(now));
   }
+  pump_now_ = pump_power(m, f);
   power_now_ = friction.stress.journal;
   const double mu = m.contact ? m.input.surfaces.contact->friction : 0.0;
   for (std::size_t c = 0; c < power_now_.size(); ++c) {
@@ -92,7 +93,9 @@ void CycleRecord::begin(const FilmInTime& now) {
 
 void CycleRecord::gather_fields(const FilmInTime& now, double dt) {
   const Field before = power_now_;
+  const double pump_before = pump_now_;
   instants_.push_back(instant_of(now, dt));
+  pump_ += 0.5 * dt * (pump_before + pump_now_);
   for (std::size_t c = 0; c < p_max_.size(); ++c) {
     p_max_[c] = larger(p_max_[c], now.film.film.p[c]);
     p_asperity_max_[c] = larger(p_asperity_max_[c], now.film.p_contact[c]);
@@ -226,6 +229,10 @@ CycleAudit CycleRecord::audit() const {
   }
   a.impulse = off / (course_->largest_load() * length_);
   return a;
+}
+
+CycleMeans CycleRecord::means() const {
+  return {mean(&CycleInstant::power) + pump_ / told(), side_ / told()};
 }
 
 double CycleRecord::difference(const CycleRecord& other) const {

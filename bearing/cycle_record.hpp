@@ -5,6 +5,12 @@
 
 namespace shellback::bearing {
 
+/// Means over a cycle.
+struct CycleMeans {
+  double power = 0.0;           ///< of shaft, load and supply [W]
+  double side_mass_flow = 0.0;  ///< [kg/s]
+};
+
 class CycleRecord {
  public:
   /// `film` and `course` must outlive the record.
@@ -19,6 +25,7 @@ class CycleRecord {
   /// Largest relative difference in smallest film, mean and largest torque, and relative change of
   /// the oil in the gap from the cycle's beginning to its end.
   [[nodiscard]] double difference(const CycleRecord& other) const;
+  [[nodiscard]] CycleMeans means() const;
   /// All but verdict and cost; of a cycle without a step only what it is.
   void write(CycleResult& r) const;
 
@@ -46,6 +53,7 @@ class CycleRecord {
   std::array<double, 2> impulse_{};                  ///< of the film [N s]
   std::array<double, 2> v_begun_{};                  ///< [m/s]
   std::array<double, 2> v_ended_{};                  ///< [m/s]
+  double pump_now_ = 0.0, pump_ = 0.0;               ///< at the last instant [W], over the cycle [J]
   double off_balance_ = 0.0;                         ///< [N]
   Field p_max_, p_asperity_max_, h_min_, friction_;  ///< on the solved grid
   Field power_now_;  ///< friction per area at the last instant [W/m2]

@@ -61,11 +61,11 @@ Lack lack_for_heat(const Case& c, const std::string& tier) {
 }  // namespace
 
 Lack lack_for(const Case& c, Tier tier) {
-  const bool in_time = tier == Tier::isothermal || tier == Tier::thd || tier == Tier::tehd;
-  if (c.cycle && !in_time) {
+  const bool no_film = tier == Tier::estimate || tier == Tier::automatic;
+  if (c.cycle && no_film) {
     return lack("model.tier",
                 "not yet available for load cycles: tier " + std::string(to_string(tier)),
-                "use run with tier isothermal, thd or tehd");
+                "take tier isothermal, lumped, thd or tehd");
   }
   if (c.cycle && c.model.coefficients) {
     return lack("model.coefficients",

@@ -1,0 +1,261 @@
+#include "bearing/cycle_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/fixed_point.hpp"
+#include "bearing/nested.hpp"
+#include "bearing/solve.hpp"
+#include "core/constants.hpp"
+#include "core/largest.hpp"
+#include "rheology/viscosity.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr int kMostCycles = 40;              ///< starved films gather their oil over ten and more
+constexpr double kOfTolerance = 0.1;         ///< error of a step, of model.tolerance [-]
+constexpr double kFewestSteps = 90.0;        ///< of a period: 8 degrees of two turns
+constexpr double kAfterJump = 1.0 / 7200.0;  ///< of a period: 0.1 degrees of two turns (methods 4)
+constexpr double kShortest = 1e-7;           ///< of a period
+constexpr double kUnit = 10.0;               ///< one unit of the walls' temperatures [K]
+constexpr double kSkinSteps = 8.0;           ///< longest step over the one that skins resolve
+
+/// All lengths go with the error allowed, as steps do that it chooses.
+StepOptions step_options(const Case& c, const LoadCourse& course, double length) {
+  constexpr double kUsual = 0.01;          // model.tolerance for which lengths are meant
+  constexpr double kDegrees = kPi / 1800;  // 0.1 degrees of the journal's turn
+  const double longer = std::cbrt(c.model.tolerance / kUsual);
+  StepOptions o;
+  o.error = kOfTolerance * c.model.tolerance;
+  o.longest = longer * length / kFewestSteps;
+  o.shortest = kShortest * length;
+  o.after_jump = longer * kAfterJump * length;
+  if (course.largest_speed() > 0.0) {
+    o.after_jump = std::min(o.after_jump, longer * kDegrees / course.largest_speed());
+  }
+  o.fixed = c.cycle->step.value_or(0.0);
+  return o;
+}
+
+/// In time a film need not be known better than the steps err; oil is conserved in any case.
+EquilibriumOptions film_options(double error) {
+  constexpr double kPart = 1e-2;  // of the error of a step
+  EquilibriumOptions o;
+  o.film_tolerance = o.load_tolerance = kPart * error;
+  o.elastic_tolerance = o.viscosity_tolerance = kPart * error;
+  return o;
+}
+
+constexpr const char* kFromSteady = "the event begins in the steady state of its first row";
+constexpr const char* kFromRest =
+    "the event begins with the journal at rest in the middle of a full film: no steady state of "
+    "its first row was found";
+constexpr const char* kColdWalls =
+    "walls and film begin at the equivalent temperature, without heat: no steady state of the "
+    "event's first row was found";
+constexpr const char* kOverLong = "steps in time that err by more than they may";
+
+/// Heat that a steady film gives its shell [W/m2].
+Field steady_flux(const Solution& s) {
+  const FilmGrid& g = s.model.scene.grid;
+  const thermal::FilmEnergy energy(
+      film_energy_problem(s.model, s.film, friction_of(s.model, s.film)));
+  Field q = energy.wall_heat(s.film.columns.T).shell;
+  const ContactHeat rubbed = contact_heat(s.model, s.film);
+  for (int c = 0; c < g.cells(); ++c) {
+    q[c] = q[c] / g.area(c / g.nz, c % g.nz) + rubbed.shell[c];
+  }
+  return q;
+}
+
+}  // namespace
+
+CycleSearch::CycleSearch(const Case& c, Tier tier, const SolveControl& control)
+    : c_(c),
+      tier_(tier),
+      control_(control),
+      length_(c_.cycle->length()),
+      course_(*c_.cycle, c_.operation.omega),
+      steps_(step_options(c_, course_, length_)),
+      film_(make_bearing(c_, physics_of(c_, tier), c_.model.grid), course_, c_.cycle->journal_mass,
+            film_options(steps_.error)),
+      periods_(film_, course_, length_, steps_),
+      told_(film_, course_, length_) {}
+
+void CycleSearch::begin(double T) {
+  std::optional<FilmInTime> begun;
+  const bool heat = film_.model().physics.film_energy;
+  if (!c_.cycle->repeats() && heat && begin_warm()) return;
+  if (!c_.cycle->repeats()) begun = film_.steady(T, cost_, control_.stop);
+  from_rest_ = !begun.has_value();
+  now_ = begun ? *std::move(begun) : film_.at_rest(T);
+  if (!heat) return;
+  walls_ = uniform_walls(film_.model(), T);
+  if (!c_.cycle->repeats()) put_walls();
+}
+
+bool CycleSearch::begin_warm() {
+  const LoadNow first = course_.at(0.0);
+  Case steady = c_;
+  steady.cycle.reset();
+  steady.operation.omega = first.omega;
+  steady.operation.position =
+      LoadGiven{std::hypot(first.x, first.y), std::atan2(first.y, first.x)};
+  if (first.omega == 0.0 || !(std::hypot(first.x, first.y) > 0.0)) return false;
+  const Solution s = solve_tier(steady, tier_, control_, film_.model().solids);
+  cost_.newton_iterations += s.cost.newton_iterations;
+  cost_.factorizations += s.cost.factorizations;
+  if (!s.verdict.good()) return false;
+  now_ = film_.at_rest(s.film.columns.T.front());
+  now_.film = s.film;
+  now_.film.contact_growth.reset();
+  walls_ = WallMeans{s.heat.T_shell, s.heat.T_shaft, steady_flux(s), s.heat.growth};
+  put_walls();
+  from_rest_ = false;
+  return true;
+}
+
+void CycleSearch::begin(const CycleSearch& coarser) {
+  const BearingModel& from = coarser.film_.model();
+  const BearingModel& to = film_.model();
+  now_ = film_.at_rest(coarser.now_.film.columns.T.front());
+  now_.film = carry_over(from, coarser.now_.film, to);
+  HeatState walls;
+  walls.T_shell = coarser.walls_->shell;
+  walls.T_shaft = coarser.walls_->shaft;
+  walls.growth = coarser.walls_->growth;
+  walls = carry_over(from, walls, to);
+  walls_ = WallMeans{walls.T_shell, walls.T_shaft,
+                     interpolate(from.scene.grid, coarser.walls_->flux, to.scene.grid),
+                     walls.growth};
+  response_ = coarser.response_;
+  looked_ = coarser.looked_;
+}
+
+void CycleSearch::set_temperature(double T) {
+  std::fill(now_.film.columns.T.begin(), now_.film.columns.T.end(), T);
+  closure_ = {};
+}
+
+bool CycleSearch::pass() {
+  constexpr int kLooks = 24;        // of a cycle, at the film's response to its walls
+  constexpr int kCyclesLooked = 2;  // after which it hardly changes any more
+  CycleRecord record(film_, course_, length_);
+  record.begin(now_);
+  const bool heat = film_.heat() != nullptr;
+  heat_ = {};
+  if (heat) heat_.begin(now_);
+  const bool look = heat && c_.cycle->repeats() && looked_ < kCyclesLooked;
+  double next_look = 0.0;
+  const PeriodEnd end = periods_.pass(now_, cost_, control_, [&](const FilmStep& step, double dt) {
+    record.add(step, dt, control_);
+    if (heat) heat_.add(step, dt);
+    if (!look || heat_.time() < next_look) return;
+    heat_.look_at(film_.model(), step.after.film);
+    next_look += length_ / kLooks;
+  });
+  r_.verdict = end.verdict;
+  if (end.verdict.status == Status::interrupted && r_.cycles > 0) return false;
+  if (end.verdict.good() && r_.cycles > 0) closure_.add(record.difference(told_));
+  if (look && heat_.looked()) {
+    response_ = heat_.response();
+    ++looked_;
+  }
+  ++r_.cycles;
+  r_.steps = end.accepted;
+  r_.rejected_steps = end.rejected;
+  r_.limiters.clear();
+  if (end.over > 0) r_.limiters.push_back({kOverLong, end.over});
+  told_ = std::move(record);
+  if (!r_.verdict.good()) r_.verdict = at_instant(r_.verdict, told_.told(), c_.cycle->crank_speed);
+  return r_.verdict.good();
+}
+
+void CycleSearch::until_closed() {
+  const int most = r_.cycles + kMostCycles;
+  while (pass() && c_.cycle->repeats() && !closure_.closed()) {
+    if (r_.cycles < most) continue;
+    r_.verdict = not_closed(r_.cycles, closure_.last);
+    return;
+  }
+}
+
+std::vector<double> CycleSearch::packed(const WallMeans& w) const {
+  std::vector<double> x;
+  x.reserve(w.shell.size() + w.shaft.size() + w.growth.size());
+  for (const double T : w.shell) x.push_back(T / kUnit);
+  for (const double T : w.shaft) x.push_back(T / kUnit);
+  for (const double d : w.growth) x.push_back(d / film_.model().clearance);
+  return x;
+}
+
+void CycleSearch::unpack(const std::vector<double>& x, WallMeans& w) const {
+  auto at = x.begin();
+  for (double& T : w.shell) T = kUnit * *at++;
+  for (double& T : w.shaft) T = kUnit * *at++;
+  for (double& d : w.growth) d = film_.model().clearance * *at++;
+}
+
+void CycleSearch::put_walls() {
+  film_.set_walls(*walls_, length_, steps_.longest / kSkinSteps, now_);
+}
+
+bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>& g) {
+  unpack(x, *walls_);
+  put_walls();
+  if (!pass()) return false;
+  const BodiesAnswer next = answer_of_bodies(film_.model(), *walls_, heat_, *response_,
+                                             film_.heat()->skin().nodes());
+  walls_->flux = next.walls.flux;
+  const std::vector<double> mean = heat_.mean_skin();
+  for (std::size_t k = 0; k < mean.size(); ++k) now_.heat.skin[k] -= mean[k];
+  g = packed(next.walls);
+  wall_change_ = kUnit * largest_difference(g, x);
+  return true;
+}
+
+void CycleSearch::settle_walls(bool rough) {
+  constexpr int kDepth = 5;         // methods 3.5
+  constexpr double kRoughly = 0.1;  // [K]; a finer grid moves the walls by more
+  constexpr double kOfViscosity = 0.1;  // of model.tolerance: viscosity missed by the walls
+  const double T = c_.supplies.front().temperature;
+  const double by_T = -rheology::viscosity_slopes(film_.model().oil, T, 0.0, 0.0).dln_dT;
+  const double enough = rough ? kRoughly : kOfViscosity * c_.model.tolerance / by_T;
+  std::vector<double> x = packed(*walls_);
+  const auto map = [this](const std::vector<double>& at, std::vector<double>& g) {
+    return answer_walls(at, g);
+  };
+  const FixedPointEnd end = fixed_point(map, {kDepth, 1, kMostCycles, enough / kUnit}, x);
+  if (end == FixedPointEnd::iteration_limit) r_.verdict = walls_not_found(r_.cycles, wall_change_);
+}
+
+const Verdict& CycleSearch::search(bool rough) {
+  const bool heat = film_.model().physics.film_energy;
+  if (!heat || !c_.cycle->repeats()) {
+    until_closed();
+    return r_.verdict;
+  }
+  if (looked_ == 0 && !pass()) return r_.verdict;  // the orbit, before heat is looked at
+  settle_walls(rough);
+  closure_ = {};
+  if (r_.verdict.good() && !rough) until_closed();
+  return r_.verdict;
+}
+
+CycleResult CycleSearch::result() const {
+  CycleResult r = r_;
+  told_.write(r);
+  r.audit.walls = wall_change_;
+  if (!c_.cycle->repeats()) {
+    r.assumptions.push_back(from_rest_ ? kFromRest : kFromSteady);
+    if (from_rest_ && walls_) r.assumptions.push_back(kColdWalls);
+  }
+  r.tier = tier_;
+  r.closure = closure_.last;
+  r.cost.factorizations = cost_.factorizations;
+  r.cost.newton_iterations = cost_.newton_iterations;
+  return r;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,79 @@
+#pragma once
+/// The periodic state of a bearing under a load cycle, on one grid.
+///
+///   one temperature   cycle after cycle until two agree
+///   film energy       the fixed point of the walls: one cycle with walls that stay as they are ->
+///                     its mean heat -> the walls of the next (cycle_walls.hpp), Anderson
+///                     acceleration (KINSOL); then cycles with the last walls until two agree
+/// A single event is passed once.
+#include <optional>
+
+#include "bearing/cycle.hpp"
+#include "bearing/cycle_endings.hpp"
+#include "bearing/cycle_record.hpp"
+#include "bearing/cycle_steps.hpp"
+#include "bearing/cycle_walls.hpp"
+
+namespace shellback::bearing {
+
+class CycleSearch {
+ public:
+  /// On the grid of the case. `control` must outlive the search; refers to itself, is not copied.
+  CycleSearch(const Case& c, Tier tier, const SolveControl& control);
+  CycleSearch(const CycleSearch&) = delete;
+  CycleSearch& operator=(const CycleSearch&) = delete;
+
+  /// From rest in a film of one temperature [K]; an event from the steady state of its first row,
+  /// if there is one.
+  void begin(double T);
+  /// From what a search on a coarser grid has found.
+  void begin(const CycleSearch& coarser);
+  /// From where it stands, in a film of another temperature [K].
+  void set_temperature(double T);
+
+  /// Searches; `rough`: only so far as a finer grid needs to begin.
+  const Verdict& search(bool rough);
+  [[nodiscard]] const Verdict& verdict() const { return r_.verdict; }
+  /// The cycle that was passed last.
+  [[nodiscard]] const CycleRecord& told() const { return told_; }
+  [[nodiscard]] const EquilibriumCost& cost() const { return cost_; }
+  [[nodiscard]] int cycles() const { return r_.cycles; }
+  [[nodiscard]] CycleResult result() const;
+
+ private:
+  /// Passes the period once more; false where the search has ended.
+  bool pass();
+  /// Cycles until two agree.
+  void until_closed();
+  /// The walls' fixed point.
+  void settle_walls(bool rough);
+  /// One turn of it: walls and their growth in units -> what they come to.
+  bool answer_walls(const std::vector<double>& x, std::vector<double>& g);
+  [[nodiscard]] std::vector<double> packed(const WallMeans& w) const;
+  void unpack(const std::vector<double>& x, WallMeans& w) const;
+  void put_walls();
+  /// The steady state of an event's first row in a resolved tier; false if none is found.
+  bool begin_warm();
+
+  Case c_;
+  Tier tier_;
+  const SolveControl& control_;
+  double length_;
+  LoadCourse course_;
+  StepOptions steps_;
+  FilmSteps film_;
+  CycleSteps periods_;
+  EquilibriumCost cost_;
+  FilmInTime now_;
+  CycleRecord told_;
+  Closure closure_;
+  CycleHeat heat_;
+  std::optional<thermal::WallResponse> response_;  ///< of the film to its walls
+  int looked_ = 0;                                 ///< cycles that have measured it
+  std::optional<WallMeans> walls_;
+  double wall_change_ = NAN;  ///< of the last turn [K]
+  bool from_rest_ = true;
+  CycleResult r_;  ///< verdict and counts, as they come
+};
+
+}  // namespace shellback::bearing

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/table_parts.hpp"
 #include "bearing/quantities.hpp"
 #include "core/constants.hpp"
 
@@ -48,6 +49,10 @@ constexpr std::array kMembers{
     Member{"oil", "kg", "oil in the gap", &CycleInstant::oil},
     Member{"T_film_max", "K", "largest film temperature", &CycleInstant::T_film_max},
     Member{"T_shell_max", "K", "largest shell temperature", &CycleInstant::T_shell_max},
+    Member{"heat_to_shell", "W", "heat into the shell, mean over the step",
+           &CycleInstant::heat_to_shell},
+    Member{"heat_to_shaft", "W", "heat into the shaft, mean over the step",
+           &CycleInstant::heat_to_shaft},
     Member{"step", "s", "length of the time step that led there", &CycleInstant::dt}};
 
 std::vector<double> column(const CycleResult& cycle, double CycleInstant::*value, double factor) {
@@ -131,10 +136,26 @@ bearing::Result head_of(const CycleResult& cycle) {
   return head;
 }
 
-bearing::CycleAudit audit_of(const CycleResult& cycle) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  if (cycle.instants.empty()) return {kUnknown, kUnknown, kUnknown};
-  return cycle.audit;
+std::vector<AuditFigure> audit_of(const CycleResult& cycle) {
+  const double none = cycle.instants.empty() ? std::numeric_limits<double>::quiet_NaN() : 1.0;
+  const bearing::CycleAudit& a = cycle.audit;
+  std::vector<AuditFigure> all{
+      {"mass", none * a.mass}, {"impulse", none * a.impulse}, {"load", none * a.load}};
+  if (!std::isfinite(a.energy)) return all;
+  all.push_back({"energy", a.energy});
+  all.push_back({"work", a.work});
+  all.push_back({"walls", a.walls, "K"});
+  return all;
+}
+
+std::string audit_words(const CycleResult& cycle) {
+  std::string words;
+  for (const AuditFigure& a : audit_of(cycle)) {
+    if (!words.empty()) words += "  ";
+    words += a.name + " " + audit_figure(a.value);
+    if (a.unit != "1") words += " " + a.unit;
+  }
+  return words;
 }
 
 std::string meaning_of_the_rest(const CycleResult& cycle) {

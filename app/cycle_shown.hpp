@@ -46,8 +46,18 @@ struct CycleSeries {
 /// What a cycle has in common with the result of a steady state: verdict, notes, grid and cost.
 [[nodiscard]] bearing::Result head_of(const bearing::CycleResult& cycle);
 
-/// Not-a-number where nothing was found.
-[[nodiscard]] bearing::CycleAudit audit_of(const bearing::CycleResult& cycle);
+/// A figure of the audit, relative unless it has a unit.
+struct AuditFigure {
+  std::string name;
+  double value = 0.0;
+  std::string unit = "1";
+};
+
+/// All that the tier knows; not-a-number where nothing was found.
+[[nodiscard]] std::vector<AuditFigure> audit_of(const bearing::CycleResult& cycle);
+
+/// "mass 2.1e-15  impulse 3.0e-06 ...".
+[[nodiscard]] std::string audit_words(const bearing::CycleResult& cycle);
 
 /// What the numbers of a cycle that did not converge are.
 [[nodiscard]] std::string meaning_of_the_rest(const bearing::CycleResult& cycle);

@@ -84,12 +84,10 @@ std::string cycle_quantities_html(const CycleResult& cycle) {
 }
 
 std::string cycle_audit_html(const CycleResult& cycle) {
-  const bearing::CycleAudit a = audit_of(cycle);
   return fmt::format(
-      "<p>{}.</p>\n<p>Relative imbalances over the cycle: mass {}, impulse {}, load {}. Grid {} × "
+      "<p>{}.</p>\n<p>Relative imbalances over the cycle: {}. Grid {} × "
       "{}, {} Newton iterations, {} factorizations, {} s.</p>\n",
-      how_it_ran(cycle), audit_figure(a.mass), audit_figure(a.impulse), audit_figure(a.load),
-      cycle.grid[0], cycle.grid[1], cycle.cost.newton_iterations, cycle.cost.factorizations,
+      how_it_ran(cycle), audit_words(cycle), cycle.grid[0], cycle.grid[1], cycle.cost.newton_iterations, cycle.cost.factorizations,
       figures(cycle.cost.wall_s, 3));
 }
 
@@ -100,21 +98,15 @@ std::string cycle_curves_html(const bearing::Case& c, const CycleResult& cycle) 
   html += figure(600.0, "Path of the journal",
                  [&](Svg& svg, const Box& box) { draw_orbit(svg, box, c, cycle, theme); });
   Svg svg(kWidth, 600.0);
-  const auto place = [&](CycleCurve which, double x, double y) {
-    draw_lines(svg, {x, y, 0.5 * kWidth, 300.0}, cycle_plot(cycle, which, theme), theme);
-  };
-  place(CycleCurve::film, 0.0, 0.0);
-  place(CycleCurve::pressure, 0.5 * kWidth, 0.0);
-  place(CycleCurve::torque, 0.0, 300.0);
-  place(CycleCurve::load, 0.5 * kWidth, 300.0);
+  draw_cycle_curves(svg, {0.0, 0.0, kWidth, 600.0}, cycle, theme);
   html += "<figure>" + svg.inline_element("Curves over the cycle") + "</figure>\n";
   return html + "</div>\n";
 }
 
 std::string cycle_maps_html(const bearing::Case& c, const CycleResult& cycle) {
   std::string html;
-  for (const CycleMap which :
-       {CycleMap::pressure, CycleMap::contact, CycleMap::gap, CycleMap::friction}) {
+  for (const CycleMap which : {CycleMap::pressure, CycleMap::contact, CycleMap::gap,
+                               CycleMap::friction, CycleMap::shell, CycleMap::shell_heat}) {
     const auto map = cycle_map(c, cycle, which);
     if (!map) continue;
     html += figure(232.0, map->title,

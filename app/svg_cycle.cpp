@@ -1,13 +1,13 @@
 #include "app/svg_cycle.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 #include "app/cycle_shown.hpp"
 #include "app/svg_film.hpp"
 #include "app/svg_orbit.hpp"
+#include "core/constants.hpp"
 
 namespace shellback::app {
 namespace {
@@ -47,7 +47,9 @@ FieldMap map_of(const bearing::Case& c, const CycleResult& cycle, FilmField whic
   bearing::Result film;
   film.fields.grid = cycle.fields.grid;
   for (const auto& q : cycle.quantities) film.quantities.push_back(q.quantity);
-  (which == FilmField::gap ? film.fields.h : film.fields.p) = field;
+  (which == FilmField::gap                 ? film.fields.h
+   : which == FilmField::shell_temperature ? film.fields.T_shell_surface
+                                           : film.fields.p) = field;
   ColourScale scale = common_scale({&film}, which);
   if (which == FilmField::gap) {  // the depth of supply features does not count
     scale.high = std::min(scale.high, kWidestGap * 1e6 * c.bearing.radial_clearance);
@@ -61,26 +63,29 @@ FieldMap unmarked(FieldMap map) {
   return map;
 }
 
+/// Power per area [W/m2].
+FieldMap power_map(const bearing::Case& c, const CycleResult& cycle, const Field& field,
+                   const std::string& title) {
+  Field shown;
+  const DisplayUnit pressure = display_unit("p", "Pa");  // in which the map will show it
+  for (const double v : field) shown.push_back(kKilowatt * v / pressure.scale);
+  FieldMap map = unmarked(map_of(c, cycle, FilmField::pressure, shown, title));
+  map.unit = "kW/m²";
+  return map;
+}
+
 std::string status_words(const CycleResult& cycle) {
   std::string words = "Load cycle, tier " + std::string(to_string(cycle.tier)) + ": ";
   if (cycle.verdict.good()) return words + how_it_ran(cycle);
   return words + status_line(head_of(cycle)) + "; " + cycle.verdict.reason;
 }
 
-void draw_curves(Svg& svg, const CycleResult& cycle, const Theme& theme) {
-  const std::array places{std::pair{CycleCurve::film, Point{520.0, 84.0}},
-                          std::pair{CycleCurve::pressure, Point{880.0, 84.0}},
-                          std::pair{CycleCurve::torque, Point{520.0, 344.0}},
-                          std::pair{CycleCurve::load, Point{880.0, 344.0}}};
-  for (const auto& [which, at] : places) {
-    draw_lines(svg, {at.x, at.y, 344.0, 252.0}, cycle_plot(cycle, which, theme), theme);
-  }
-}
+bool has_heat(const CycleResult& cycle) { return !cycle.fields.T_shell.empty(); }
 
 void draw_maps(Svg& svg, const bearing::Case& c, const CycleResult& cycle, const Theme& theme) {
   double x = 8.0;
   for (const CycleMap which :
-       {CycleMap::pressure, CycleMap::contact, CycleMap::gap, CycleMap::friction}) {
+       {CycleMap::pressure, CycleMap::shell, CycleMap::contact, CycleMap::gap, CycleMap::friction}) {
     const auto map = cycle_map(c, cycle, which);
     if (!map || x > 0.5 * kWidth + 20.0) continue;
     draw_map(svg, {x, 630.0, 604.0, 270.0}, *map, theme);
@@ -126,8 +131,41 @@ LinePlot cycle_plot(const CycleResult& cycle, CycleCurve which, const Theme& the
           curve(cycle, "Y", theme.series[2], kKilonewton, [](const auto& i) { return i.load_y; })};
       plot.series[1].dash = plot.series[2].dash = "5 3";
       break;
+    case CycleCurve::temperature:
+      plot.title = "Largest temperatures";
+      plot.y_title = "[°C]";
+      plot.series = {curve(cycle, "film", colour, 1.0,
+                           [](const auto& i) { return i.T_film_max - kZeroCelsius; }),
+                     curve(cycle, "shell", theme.more, 1.0,
+                           [](const auto& i) { return i.T_shell_max - kZeroCelsius; })};
+      break;
+    case CycleCurve::heat:
+      plot.title = "Heat of the film";
+      plot.y_title = "[W]";
+      plot.series = {
+          curve(cycle, "into the shell", theme.more, 1.0,
+                [](const auto& i) { return i.heat_to_shell; }),
+          curve(cycle, "into the shaft", colour, 1.0, [](const auto& i) { return i.heat_to_shaft; })};
+      break;
   }
   return plot;
+}
+
+void draw_cycle_curves(Svg& svg, const Box& box, const CycleResult& cycle, const Theme& theme) {
+  constexpr double kSpace = 8.0;  // between curves [px]
+  std::vector<CycleCurve> curves{CycleCurve::film, CycleCurve::pressure, CycleCurve::torque,
+                                 CycleCurve::load};
+  if (has_heat(cycle)) {
+    curves.insert(curves.end(), {CycleCurve::temperature, CycleCurve::heat});
+  }
+  const double width = 0.5 * box.width;
+  const double height = box.height / static_cast<double>((curves.size() + 1) / 2);
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const double x = box.x + static_cast<double>(k % 2) * width;
+    const double y = box.y + static_cast<double>(k / 2) * height;
+    draw_lines(svg, {x, y, width - kSpace, height - kSpace}, cycle_plot(cycle, curves[k], theme),
+               theme);
+  }
 }
 
 std::optional<FieldMap> cycle_map(const bearing::Case& c, const CycleResult& cycle,
@@ -151,16 +189,17 @@ std::optional<FieldMap> cycle_map(const bearing::Case& c, const CycleResult& cyc
       if (!known(f.h_min)) return {};
       return map_of(c, cycle, FilmField::gap, f.h_min, "Smallest gap of each place");
     case CycleMap::friction:
-      break;
+      if (!known(f.friction_power)) return {};
+      return power_map(c, cycle, f.friction_power, "Friction power, mean of the cycle");
+    case CycleMap::shell:
+      if (!known(f.T_shell)) return {};
+      return map_of(c, cycle, FilmField::shell_temperature, f.T_shell,
+                    "Temperature of the shell, mean of the cycle");
+    case CycleMap::shell_heat:
+      if (!known(f.heat_to_shell)) return {};
+      return power_map(c, cycle, f.heat_to_shell, "Heat into the shell, mean of the cycle");
   }
-  if (!known(f.friction_power)) return {};
-  Field shown;
-  const DisplayUnit pressure = display_unit("p", "Pa");  // in which the map will show it
-  for (const double v : f.friction_power) shown.push_back(kKilowatt * v / pressure.scale);
-  FieldMap map =
-      unmarked(map_of(c, cycle, FilmField::pressure, shown, "Friction power, mean of the cycle"));
-  map.unit = "kW/m²";
-  return map;
+  return {};
 }
 
 std::string cycle_svg(const bearing::Case& c, const CycleResult& cycle) {
@@ -171,7 +210,9 @@ std::string cycle_svg(const bearing::Case& c, const CycleResult& cycle) {
   svg.text({24.0, 58.0}, status_words(cycle),
            {cycle.verdict.good() ? theme.muted : theme.more, 12.5});
   draw_orbit(svg, {24.0, 84.0, 480.0, 512.0}, c, cycle, theme);
-  if (!cycle.instants.empty()) draw_curves(svg, cycle, theme);
+  if (!cycle.instants.empty()) {
+    draw_cycle_curves(svg, {520.0, 84.0, 712.0, 516.0}, cycle, theme);
+  }
   draw_maps(svg, c, cycle, theme);
   return svg.document(c.title);
 }

@@ -12,15 +12,20 @@
 
 namespace shellback::app {
 
-enum class CycleCurve { film, pressure, torque, load };
-enum class CycleMap { pressure, contact, gap, friction };
+enum class CycleCurve { film, pressure, torque, load, temperature, heat };
+enum class CycleMap { pressure, contact, gap, friction, shell, shell_heat };
 
 /// One curve, or a quantity and what is part of it.
 [[nodiscard]] LinePlot cycle_plot(const bearing::CycleResult& cycle, CycleCurve which,
                                   const Theme& theme);
 
-/// Largest pressure, largest contact pressure, smallest gap, mean friction power of each place on
-/// the unrolled bearing; none if the cycle does not have it (or has no contact).
+/// All curves that the tier knows, in two columns within `box`.
+void draw_cycle_curves(Svg& svg, const Box& box, const bearing::CycleResult& cycle,
+                       const Theme& theme);
+
+/// Largest pressure, largest contact pressure, smallest gap, mean friction power, mean temperature
+/// of the shell and mean heat into it of each place on the unrolled bearing; none if the cycle does
+/// not have it (or has no contact).
 [[nodiscard]] std::optional<FieldMap> cycle_map(const bearing::Case& c,
                                                 const bearing::CycleResult& cycle, CycleMap which);
 

@@ -42,11 +42,8 @@ void write_scalars(hid_t file, const CycleResult& cycle) {
     known("_error_grid", q.quantity.error_grid);
     known("_error_time", q.error_time);
   }
-  const bearing::CycleAudit relative = audit_of(cycle);
   const Handle audit = group(file, "audit");
-  attribute(audit, "mass", relative.mass);
-  attribute(audit, "impulse", relative.impulse);
-  attribute(audit, "load", relative.load);
+  for (const AuditFigure& a : audit_of(cycle)) attribute(audit, a.name, a.value);
 }
 
 /// Times, and crank angles if there is a crank.
@@ -79,6 +76,10 @@ void write_fields(hid_t file, const CycleResult& cycle, const std::string& state
   cells("p_asperity_max", f.p_asperity_max, "Pa", "largest contact pressure over the cycle");
   cells("h_min", f.h_min, "m", "smallest gap over the cycle");
   cells("friction_power", f.friction_power, "W/m2", "friction power, mean over the cycle");
+  cells("T_shell", f.T_shell, "K", "temperature of the bore, mean over the cycle");
+  cells("T_shell_max", f.T_shell_max, "K", "temperature of the bore, largest over the cycle");
+  cells("heat_to_shell", f.heat_to_shell, "W/m2", "heat into the bore, mean over the cycle");
+  cells("growth", f.growth, "m", "thermal widening of the gap");
 }
 
 /// A member of all frames, one after another.

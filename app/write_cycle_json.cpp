@@ -54,10 +54,7 @@ std::string cycle_json(const bearing::Case& c, const CycleResult& cycle) {
   json["tier"] = to_string(cycle.tier);
   json["title"] = cycle.title;
   json["quantities"] = quantities(cycle);
-  const bearing::CycleAudit audit = audit_of(cycle);
-  json["audit"] = {{"mass", number(audit.mass)},
-                   {"impulse", number(audit.impulse)},
-                   {"load", number(audit.load)}};
+  for (const AuditFigure& a : audit_of(cycle)) json["audit"][a.name] = number(a.value);
   json["cycle"] = over_the_cycle(c, cycle);
   json["limiters"] = limiters_json(cycle.limiters);
   json["warnings"] = cycle.warnings;

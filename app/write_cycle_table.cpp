@@ -52,10 +52,8 @@ void write_cycle_table(std::ostream& out, const bearing::Case& c, const CycleRes
     print_quantities(out, cycle);
     out << '\n';
   }
-  const bearing::CycleAudit audit = audit_of(cycle);
   out << how_it_ran(cycle) << '\n';
-  out << fmt::format("audit (relative)  mass {}  impulse {}  load {}\n", audit_figure(audit.mass),
-                     audit_figure(audit.impulse), audit_figure(audit.load));
+  out << "audit (relative)  " << audit_words(cycle) << '\n';
   print_limiters(out, {head});
   print_list(out, "warnings", cycle.warnings);
   print_list(out, "assumptions", cycle.assumptions);

@@ -111,6 +111,7 @@ bool CycleSearch::begin_warm() {
   now_.film = s.film;
   now_.film.contact_growth.reset();
   walls_ = WallMeans{s.heat.T_shell, s.heat.T_shaft, steady_flux(s), s.heat.growth};
+  now_.growth = mean_growth(*walls_);
   put_walls();
   from_rest_ = false;
   return true;
@@ -121,6 +122,7 @@ void CycleSearch::begin(const CycleSearch& coarser) {
   const BearingModel& to = film_.model();
   now_ = film_.at_rest(coarser.now_.film.columns.T.front());
   now_.film = carry_over(from, coarser.now_.film, to);
+  now_.growth = coarser.now_.growth;
   HeatState walls;
   walls.T_shell = coarser.walls_->shell;
   walls.T_shaft = coarser.walls_->shaft;

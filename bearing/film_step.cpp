@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
@@ -42,11 +41,6 @@ Tableau sdirk2() {
 /// to + f k
 void add(double f, const Field& k, Field& to) {
   for (std::size_t c = 0; c < to.size(); ++c) to[c] += f * k[c];
-}
-
-double mean(const Field& x) {
-  return x.empty() ? 0.0
-                   : std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }
 
 /// Per area -> per cell.
@@ -254,6 +248,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   Stage& last = stages.back();
   step.after.t = now.t + dt;
   step.after.full_before = now.film.film.full;
+  step.after.growth = now.growth;
   step.after.film = std::move(film);
   step.after.velocity = last.velocity;
   step.after.acceleration = last.acceleration;
@@ -271,10 +266,11 @@ void FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
     now.film.columns.T[static_cast<std::size_t>(c) * n] = walls.shell[c];
     now.film.columns.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
   }
-  const double before = model_.clearance + mean(heat_->walls.growth);
-  const double after = model_.clearance + mean(walls.growth);
+  const double growth_now = mean_growth(walls);
+  const double wider = (model_.clearance + growth_now) / (model_.clearance + now.growth);
+  now.growth = growth_now;
   heat_->walls = std::move(walls);
-  for (int k = 0; k < 2; ++k) now.film.position.q[k] *= after / before;
+  for (int k = 0; k < 2; ++k) now.film.position.q[k] *= wider;
   while (!evaluate(model_, growth(), options_.viscosity_tolerance, now.film)) {
     for (int k = 0; k < 2; ++k) now.film.position.q[k] *= 0.9;  // a start only, open in the end
   }

@@ -32,6 +32,7 @@ struct FilmInTime {
   fluid::OilFlows flows;                 ///< at t [kg/s]
   std::vector<char> full_before;         ///< cells full when the step that led here began
   HeatInTime heat;                       ///< tiers with film temperatures
+  double growth = 0.0;                   ///< mean thermal widening of its gap [m]
 };
 
 /// What a step found.

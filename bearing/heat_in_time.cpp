@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "bearing/told_temperature.hpp"
 #include "core/largest.hpp"
@@ -40,6 +41,12 @@ WallMeans uniform_walls(const BearingModel& model, double T) {
   const FilmGrid& g = model.scene.grid;
   return {Field(g.cells(), T), std::vector<double>(g.nz, T), Field(g.cells(), 0.0),
           model.solids->at(model.solids->uniform_state(T)).growth};
+}
+
+double mean_growth(const WallMeans& walls) {
+  const Field& x = walls.growth;
+  if (x.empty()) return 0.0;
+  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }
 
 void HeatFlows::add(double f, const HeatFlows& other) {

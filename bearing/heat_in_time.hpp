@@ -31,6 +31,9 @@ struct WallMeans {
 /// All bodies at one temperature [K], without heat.
 [[nodiscard]] WallMeans uniform_walls(const BearingModel& model, double T);
 
+/// Of all cells [m]; 0 without growth.
+[[nodiscard]] double mean_growth(const WallMeans& walls);
+
 /// Heat that flows at an instant, or has flowed in a step.
 struct HeatFlows {
   Field to_shell;                  ///< per cell, with that of asperities [W/m2] or [J/m2]

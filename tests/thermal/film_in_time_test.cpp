@@ -221,3 +221,26 @@ TEST_CASE("StrongFlowAcrossTheFilmOvershootsLittleInTime", "[film_in_time]") {
     }
   }
 }
+
+TEST_CASE("AYieldingShellIsWhereItsHeatLeadsIt", "[film_in_time]") {
+  for (const double impedance : {1e-8, 1e-5, 1e-2}) {  // hardly yields; nearly insulated [K m2/W]
+    Ring r = random_ring_in_time(11);
+    const FilmGrid& g = r.grid;
+    const auto cells = static_cast<std::size_t>(g.cells());
+    r.problem.shell = YieldingShell{impedance, Field(cells, 315.0), Field(cells, 2e3)};
+    FilmEnergy film = r.film();
+    settle(film, r.T);
+    const WallHeat q = film.wall_heat(r.T);
+    double off = 0.0;
+    for (int c = 0; c < g.cells(); ++c) {
+      if (r.problem.patch[c] >= 0) continue;
+      const double area = g.area(c / g.nz, c % g.nz);
+      const double led = 315.0 + impedance * (q.shell[c] / area + 2e3);
+      off = std::max(off, std::abs(r.T[r.at(c, 0)] - led));
+    }
+    INFO(impedance);
+    CHECK(off < 1e-8);  // [K]; heat of some 1e5 W/m2 to round-off times 1e-2
+    const EnergyBalance b = film.balance(r.T);
+    CHECK(std::abs(b.imbalance()) < 1e-9 * b.heat);
+  }
+}

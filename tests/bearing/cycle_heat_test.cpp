@@ -1,0 +1,137 @@
+// Load cycles with film temperatures: against the steady tiers, balances, order in time.
+#include <catch2/catch.hpp>
+
+#include "bearing/cycle.hpp"
+#include "bearing/solve.hpp"
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// A load of `mean` downwards that swings by `swing` of it once in two turns.
+LoadCycle swinging(const Case& c, double mean, double swing) {
+  constexpr int kRows = 72;
+  LoadCycle cycle;
+  cycle.crank_speed = std::abs(c.operation.omega);
+  cycle.period = 4.0 * kPi / cycle.crank_speed;
+  for (int k = 0; k < kRows; ++k) {
+    cycle.t.push_back(cycle.period * k / kRows);
+    cycle.x.push_back(0.0);
+    cycle.y.push_back(-mean * (1.0 + swing * std::sin(2.0 * kPi * k / kRows)));
+  }
+  cycle.interpolation = LoadInterpolation::periodic_spline;
+  cycle.journal_mass = 0.5;
+  return cycle;
+}
+
+Case warm_cycle_case(double mean, double swing) {
+  Case c = warm_case();
+  c.model.grid = {48, 6};
+  set_load(c, mean);
+  c.cycle = swinging(c, mean, swing);
+  return c;
+}
+
+CycleResult converged(const Case& c, Tier tier) {
+  const CycleResult r = solve_cycle(c, tier);
+  INFO(r.verdict.reason);
+  REQUIRE(r.verdict.good());
+  return r;
+}
+
+double value(const CycleResult& r, const std::string& name) {
+  for (const CycleQuantity& q : r.quantities) {
+    if (q.quantity.name == name) return q.quantity.value;
+  }
+  throw std::runtime_error("no quantity " + name);
+}
+
+}  // namespace
+
+TEST_CASE("UnderASteadyLoadTheCycleIsTheSteadyResolvedTier", "[cycle_heat]") {
+  const double load = 1.5e3;
+  Case c = warm_cycle_case(load, 0.0);
+  for (const Tier tier : {Tier::thd, Tier::tehd}) {
+    const CycleResult r = converged(c, tier);
+    Case still = c;
+    still.cycle.reset();
+    still.model.tier = tier;
+    const Quantities steady = solve(still).values();
+    INFO(to_string(tier));
+    // walls agree within 0.1 % of viscosity, 30 mK; the film follows by a half of that
+    CHECK(value(r, "T_film_max") == Approx(steady.T_film_max).margin(0.06));
+    CHECK(value(r, "T_shell_max") == Approx(steady.T_shell_max).margin(0.06));
+    CHECK(value(r, "friction_torque") == Approx(steady.friction_torque).epsilon(2e-3));
+    CHECK(value(r, "h_min") == Approx(steady.h_min).epsilon(2e-3));
+    CHECK(value(r, "heat_to_shell") == Approx(steady.heat_to_shell).epsilon(0.01));
+    CHECK(value(r, "heat_to_shaft") ==
+          Approx(steady.heat_to_shaft).margin(0.01 * steady.heat_to_shell));
+    CHECK(value(r, "heat_by_oil") == Approx(steady.heat_by_oil).epsilon(0.01));
+    CHECK(r.audit.energy < 1e-9);
+    CHECK(std::abs(r.audit.work) < 1e-6);  // nothing swings
+  }
+}
+
+TEST_CASE("HeatOfACycleIsConserved", "[cycle_heat]") {
+  Case c = warm_cycle_case(1.5e3, 0.6);
+  const CycleResult r = converged(c, Tier::thd);
+  CHECK(r.audit.mass < 1e-12);
+  CHECK(r.audit.energy < 1e-9);
+  // The work of shaft, load and supply is the heat of the film. Without elasticity nothing else
+  // takes it; what is missing is Newton's tolerance, 1e-5 of the largest flow.
+  CHECK(std::abs(r.audit.work) < 1e-4);
+  const double heat = value(r, "heat_by_oil") + value(r, "heat_to_shell") + value(r, "heat_to_shaft");
+  // ... but for what supply pressure adds, 0.1 MPa on some 0.1 l/min: below a thousandth
+  CHECK(heat == Approx(value(r, "power_loss")).epsilon(0.01));
+  CHECK(r.audit.walls < 0.1);  // [K]
+}
+
+TEST_CASE("AnEventWithHeatBeginsInItsSteadyState", "[cycle_heat]") {
+  Case c = warm_cycle_case(1.5e3, 0.0);
+  c.cycle->period = std::numeric_limits<double>::infinity();
+  const CycleResult r = converged(c, Tier::tehd);
+  const CycleInstant& first = r.instants.front();
+  const CycleInstant& last = r.instants.back();
+  CHECK(first.T_film_max > 300.0);
+  CHECK(last.T_film_max == Approx(first.T_film_max).margin(0.02));  // nothing happens [K]
+  CHECK(last.T_shell_max == Approx(first.T_shell_max).margin(0.02));
+  CHECK(last.torque == Approx(first.torque).epsilon(1e-3));
+}
+
+TEST_CASE("LumpedCyclesMeetTheHeatBalanceOfTheirMeans", "[cycle_heat]") {
+  Case c = warm_cycle_case(1.5e3, 0.0);
+  Case still = c;
+  still.cycle.reset();
+  still.model.tier = Tier::lumped;
+  const Result steady = solve(still);
+  const CycleResult r = converged(c, Tier::lumped);
+  // 0.01 K of r, 1e-4 of the cycle's closure
+  CHECK(value(r, "friction_torque") == Approx(steady.values().friction_torque).epsilon(2e-3));
+  CHECK(value(r, "h_min") == Approx(steady.values().h_min).epsilon(2e-3));
+}
+
+TEST_CASE("TemperaturesOfACycleDoNotDependOnTheSteps", "[cycle_heat]") {
+  Case c = warm_cycle_case(1.5e3, 0.6);
+  std::vector<double> torque, swing;
+  for (const double steps : {48.0, 96.0, 192.0}) {
+    c.cycle->step = c.cycle->period / steps;
+    c.model.tolerance = 1e-3;  // of the walls
+    const CycleResult r = converged(c, Tier::thd);
+    torque.push_back(value(r, "friction_torque"));
+    double low = INFINITY, high = 0.0;
+    for (const CycleInstant& i : r.instants) {
+      low = std::min(low, i.heat_to_shell);
+      high = std::max(high, i.heat_to_shell);
+    }
+    swing.push_back(high - low);
+  }
+  // of second order: a quarter from one to the next; a third leaves room for the walls' 1e-4
+  CHECK(std::abs(torque[2] - torque[1]) < std::abs(torque[1] - torque[0]) / 3.0 + 2e-4 * torque[2]);
+  CHECK(swing[2] == Approx(swing[1]).epsilon(0.02));
+  CHECK(swing[2] > 2.0);  // [W]; there is something to follow
+}

@@ -1,0 +1,97 @@
+/// The skin of a wall: closed forms of the half space and of a coating, heat balance.
+#include "thermal/wall_skin.hpp"
+
+#include <catch2/catch.hpp>
+#include <complex>
+
+#include "core/constants.hpp"
+
+using namespace shellback;
+using namespace shellback::thermal;
+
+namespace {
+
+const SkinLayer kSteel{0.01, 50.0, 7850.0 * 460.0};
+const SkinLayer kPolymer{20e-6, 0.25, 1300.0 * 1100.0};
+constexpr double kPeriod = 0.06;  ///< four strokes at 2000 rpm [s]
+
+/// Amplitude of the surface's temperature per heat that swings n times in the period, found in
+/// `steps` steps a swing by the implicit midpoint of two half steps' slopes (Crank-Nicolson).
+std::complex<double> swing(const WallSkin& skin, int n, int steps) {
+  const double dt = kPeriod / n / steps;
+  const double omega = 2.0 * kPi * n / kPeriod;
+  const SkinStep step = skin.over(0.5 * dt);
+  std::vector<double> T(skin.nodes(), 0.0);
+  std::complex<double> sum = 0.0;
+  const int settled = 20 * n;
+  for (int k = 0; k < (settled + 1) * steps; ++k) {
+    const double q = std::cos(omega * (k + 0.5) * dt);
+    std::vector<double> middle = T;
+    skin.relax(step, middle.data());
+    for (std::size_t i = 0; i < T.size(); ++i) {
+      T[i] = 2.0 * (middle[i] + step.by_flux[i] * q) - T[i];
+    }
+    if (k < settled * steps) continue;
+    sum += 2.0 / steps * T[0] * std::polar(1.0, -omega * (k + 1) * dt);
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("SwingsOfAHalfSpaceAreThoseOfTheClosedForm", "[wall_skin]") {
+  const WallSkin skin({kSteel}, kPeriod, kPeriod / 720.0);
+  CHECK(skin.nodes() <= 10);
+  for (const int n : {1, 2, 5, 20}) {
+    const double omega = 2.0 * kPi * n / kPeriod;
+    const std::complex<double> exact =
+        1.0 / std::sqrt(std::complex<double>(0.0, omega * kSteel.conductivity * kSteel.capacity));
+    const std::complex<double> found = swing(skin, n, 400);
+    INFO(n << ": " << found << " for " << exact);
+    // ten linear elements; exp(-6) of the fundamental comes back from the depth
+    CHECK(std::abs(found - exact) < 0.02 * std::abs(exact));
+  }
+}
+
+TEST_CASE("ACoatingOfPolymerSwingsAsTheClosedFormOfTwoLayers", "[wall_skin]") {
+  const WallSkin skin({kPolymer, kSteel}, kPeriod, kPeriod / 720.0);
+  CHECK(skin.nodes() <= 12);
+  for (const int n : {1, 2, 5, 20}) {
+    const std::complex<double> i_omega(0.0, 2.0 * kPi * n / kPeriod);
+    const auto impedance = [&](const SkinLayer& l) {
+      return 1.0 / std::sqrt(i_omega * l.conductivity * l.capacity);
+    };
+    const std::complex<double> x =
+        std::sqrt(i_omega * kPolymer.capacity / kPolymer.conductivity) * kPolymer.thickness;
+    const std::complex<double> Z = impedance(kPolymer), below = impedance(kSteel);
+    const std::complex<double> exact =
+        Z * (below + Z * std::tanh(x)) / (Z + below * std::tanh(x));  // a line with its end, textbook
+    const std::complex<double> found = swing(skin, n, 400);
+    INFO(n << ": " << found << " for " << exact);
+    CHECK(std::abs(found - exact) < 0.02 * std::abs(exact));
+  }
+}
+
+TEST_CASE("HeatThatEntersTheSkinIsHeldOrGoesOn", "[wall_skin]") {
+  const WallSkin skin({kPolymer, kSteel}, kPeriod, kPeriod / 720.0);
+  std::vector<double> T(skin.nodes());
+  for (int k = 0; k < skin.nodes(); ++k) T[k] = std::sin(1.0 + k);
+  const double before = skin.heat(T.data());
+  const double last = skin.depths()[skin.nodes()] - skin.depths()[skin.nodes() - 1];
+  const SkinStep step = skin.over(1e-4);
+  const double q = 3e5;  // [W/m2]
+  skin.relax(step, T.data());
+  for (int k = 0; k < skin.nodes(); ++k) T[k] += step.by_flux[k] * q;
+  const double on = kSteel.conductivity / last * T.back();  // into the body, held at 0
+  const double stored = (skin.heat(T.data()) - before) / step.dt;
+  CHECK(q - on - stored == Approx(0.0).margin(1e-9 * q));
+  CHECK(step.impedance() == step.by_flux.front());
+}
+
+TEST_CASE("ASkinEndsWhereItsLayersEnd", "[wall_skin]") {
+  const SkinLayer thin{50e-6, 180.0, 3110.0 * 760.0};
+  const WallSkin skin({thin}, kPeriod, kPeriod / 720.0);
+  CHECK(skin.depths().back() == Approx(50e-6));
+  const SkinStep endless = skin.over(1e9);
+  CHECK(endless.impedance() == Approx(50e-6 / 180.0));  // nothing but conduction
+}

@@ -123,19 +123,6 @@ DisplayUnit cycle_unit(const CycleQuantity& q) {
   return display_unit(q.quantity.name, q.quantity.unit, std::abs(q.quantity.value));
 }
 
-bearing::Result head_of(const CycleResult& cycle) {
-  bearing::Result head;
-  head.verdict = cycle.verdict;
-  head.tier = cycle.tier;
-  head.title = cycle.title;
-  head.limiters = cycle.limiters;
-  head.warnings = cycle.warnings;
-  head.assumptions = cycle.assumptions;
-  head.grid = cycle.grid;
-  head.cost = cycle.cost;
-  return head;
-}
-
 std::vector<AuditFigure> audit_of(const CycleResult& cycle) {
   const double none = cycle.instants.empty() ? std::numeric_limits<double>::quiet_NaN() : 1.0;
   const bearing::CycleAudit& a = cycle.audit;

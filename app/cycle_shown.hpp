@@ -43,9 +43,6 @@ struct CycleSeries {
 /// For people; kilowatts and the like after the value itself.
 [[nodiscard]] DisplayUnit cycle_unit(const bearing::CycleQuantity& q);
 
-/// What a cycle has in common with the result of a steady state: verdict, notes, grid and cost.
-[[nodiscard]] bearing::Result head_of(const bearing::CycleResult& cycle);
-
 /// A figure of the audit, relative unless it has a unit.
 struct AuditFigure {
   std::string name;

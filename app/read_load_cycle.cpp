@@ -75,6 +75,13 @@ void read_mass_and_step(const Section& file, const Section& section, double omeg
                        : step->value;
 }
 
+/// By which every load is multiplied.
+double read_factor(const Section& section) {
+  const double factor = section.maybe_quantity("factor", kNumber).value_or(1.0);
+  if (factor > 0.0) return factor;
+  section.fail("factor", "the loads are multiplied by it: give a number above 0");
+}
+
 LoadCycle cycle_of_table(const Section& file, const Section& section, double omega) {
   const auto period = maybe_extent(section, "period");
   const LoadInterpolation interpolation = read_interpolation(section, period.has_value());
@@ -148,11 +155,15 @@ std::optional<LoadCycle> read_load_cycle(const Section& file, double omega) {
   if (!file.has("load_cycle") && !file.has("crank")) return std::nullopt;
   const auto section = file.maybe_section("load_cycle");
   if (section) {
-    section->only({"file", "period", "interpolation", "journal_mass", "frame", "step"},
+    section->only({"file", "period", "interpolation", "journal_mass", "frame", "step", "factor"},
                   "[load_cycle]");
   }
-  if (read_frame(file, section) == Frame::rod) return cycle_of_crank(file, section, omega);
-  return cycle_of_table(file, *section, omega);
+  const bool rod = read_frame(file, section) == Frame::rod;
+  LoadCycle c = rod ? cycle_of_crank(file, section, omega) : cycle_of_table(file, *section, omega);
+  const double factor = section ? read_factor(*section) : 1.0;
+  for (double& x : c.x) x *= factor;
+  for (double& y : c.y) y *= factor;
+  return c;
 }
 
 }  // namespace shellback::app

@@ -34,6 +34,18 @@ const Result* richest(const Comparison& comparison, FilmField which) {
   return best;
 }
 
+void draw_film(Svg& svg, const Box& box, const bearing::Case& c, const Comparison& comparison,
+               FilmField which, const char* title, const Theme& theme) {
+  const Result* result = richest(comparison, which);
+  if (!result) return;
+  const auto scale = common_scale({result}, which);
+  const std::string full_title = fmt::format("{}, {}{}", title, to_string(result->tier),
+                                             result->verdict.good() ? "" : " (NOT CONVERGED)");
+  draw_map(svg, box, film_map(c, *result, which, scale, full_title), theme);
+}
+
+}  // namespace
+
 void draw_heading(Svg& svg, const bearing::Case& c, const Comparison& comparison,
                   const Theme& theme) {
   svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
@@ -51,18 +63,6 @@ void draw_heading(Svg& svg, const bearing::Case& c, const Comparison& comparison
     svg.text({kWidth - 24.0, 36.0}, failed, {theme.more, 13.0, Anchor::end, true});
   }
 }
-
-void draw_film(Svg& svg, const Box& box, const bearing::Case& c, const Comparison& comparison,
-               FilmField which, const char* title, const Theme& theme) {
-  const Result* result = richest(comparison, which);
-  if (!result) return;
-  const auto scale = common_scale({result}, which);
-  const std::string full_title = fmt::format("{}, {}{}", title, to_string(result->tier),
-                                             result->verdict.good() ? "" : " (NOT CONVERGED)");
-  draw_map(svg, box, film_map(c, *result, which, scale, full_title), theme);
-}
-
-}  // namespace
 
 std::string comparison_svg(const bearing::Case& c, const Comparison& comparison) {
   const Theme theme = print_theme();

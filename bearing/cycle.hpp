@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bearing/control.hpp"
+#include "bearing/heat_in_time.hpp"
 #include "bearing/result.hpp"
 
 namespace shellback::bearing {
@@ -102,9 +103,19 @@ struct CycleResult {
   std::vector<std::string> assumptions;
   std::array<int, 2> grid{0, 0};
   Cost cost;
+  std::optional<WallMeans> walls;  ///< of the last cycle, on the solved grid; resolved tiers
   int steps = 0;           ///< accepted, of the last cycle
   int rejected_steps = 0;  ///< of the last cycle
 };
+
+/// Value of the quantity `name`, or not-a-number if the cycle's tier does not know it.
+[[nodiscard]] double value_of(const CycleResult& r, const std::string& name);
+
+/// What a cycle has in common with the result of a steady state: verdict, notes, grid and cost.
+[[nodiscard]] Result head_of(const CycleResult& r);
+
+/// The same with the cycle's quantities; the bar of time counts with that of the grid.
+[[nodiscard]] Result as_result(const CycleResult& r);
 
 /// Solves the load cycle of the case (`Case::cycle`) on the case's grid, in tier isothermal (at the
 /// equivalent temperature), lumped (at the temperature at which the oil of a mean cycle carries off

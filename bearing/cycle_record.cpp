@@ -115,13 +115,22 @@ void CycleRecord::gather_heat(const FilmStep& step, double dt) {
   const Field T = shell_surface(step.after);
   CycleInstant& i = instants_.back();
   i.heat_to_shell = i.heat_to_shaft = 0.0;
+  const GaussLobatto& gl = film_->model().gl;
+  double mass = 0.0;
+  double by_mass = 0.0;
   for (int c = 0; c < g.cells(); ++c) {
+    const double oil = step.after.oil[c] * g.area(c / g.nz, c % g.nz);
+    mass += oil;
+    for (int k = 0; k < gl.n; ++k) {
+      by_mass += oil * gl.w[k] * step.after.heat.T[static_cast<std::size_t>(c) * gl.n + k];
+    }
     T_shell_[c] += dt * T[c];
     T_shell_max_[c] = larger(T_shell_max_[c], T[c]);
     const double area = g.multiplicity() * g.area(c / g.nz, c % g.nz);
     i.heat_to_shell += area * step.heat.to_shell[c] / dt;
     i.heat_to_shaft += area * step.heat.to_shaft[c] / dt;
   }
+  T_film_ += dt * by_mass / mass;
 }
 
 void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& control) {
@@ -195,6 +204,7 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   out.push_back(named("supply_flow", supply_ / told() / rho));
   if (heat_.to_shell.empty()) return out;
   add_extreme("T_film_max", &CycleInstant::T_film_max, false);
+  out.push_back(named("T_film_mean", T_film_ / told()));
   add_extreme("T_shell_max", &CycleInstant::T_shell_max, false);
   const auto over_area = [&](const Field& heat) {
     const FilmGrid& g = film_->model().scene.grid;
@@ -232,7 +242,8 @@ CycleAudit CycleRecord::audit() const {
 }
 
 CycleMeans CycleRecord::means() const {
-  return {mean(&CycleInstant::power) + pump_ / told(), side_ / told()};
+  return {mean(&CycleInstant::torque), mean(&CycleInstant::torque_asperity), T_film_ / told(),
+          mean(&CycleInstant::power) + pump_ / told(), side_ / told()};
 }
 
 double CycleRecord::difference(const CycleRecord& other) const {
@@ -281,6 +292,7 @@ void CycleRecord::write_heat(CycleResult& r) const {
     for (double& v : x) v /= told();
     return mirror_to_full(g, x);
   };
+  r.walls = film_->heat()->walls;
   r.fields.T_shell = mean_over_time(T_shell_);
   r.fields.heat_to_shell = mean_over_time(heat_.to_shell);
   r.fields.T_shell_max = mirror_to_full(g, T_shell_max_);

@@ -7,6 +7,9 @@ namespace shellback::bearing {
 
 /// Means over a cycle.
 struct CycleMeans {
+  double torque = 0.0;          ///< [N m]
+  double torque_asperity = 0.0;  ///< part of it [N m]
+  double T_film = 0.0;          ///< of the oil, by its mass; resolved tiers [K]
   double power = 0.0;           ///< of shaft, load and supply [W]
   double side_mass_flow = 0.0;  ///< [kg/s]
 };
@@ -58,6 +61,7 @@ class CycleRecord {
   Field p_max_, p_asperity_max_, h_min_, friction_;  ///< on the solved grid
   Field power_now_;  ///< friction per area at the last instant [W/m2]
   HeatFlows heat_;   ///< over the cycle [J], [J/m2]; nothing without film temperatures
+  double T_film_ = 0.0;  ///< integral over time [K s]
   Field T_shell_, T_shell_max_;  ///< integral over time [K s], largest [K]
 };
 

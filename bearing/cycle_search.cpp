@@ -72,13 +72,17 @@ Field steady_flux(const Solution& s) {
 }  // namespace
 
 CycleSearch::CycleSearch(const Case& c, Tier tier, const SolveControl& control)
+    : CycleSearch(c, tier, physics_of(c, tier), control) {}
+
+CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
+                         const SolveControl& control)
     : c_(c),
       tier_(tier),
       control_(control),
       length_(c_.cycle->length()),
       course_(*c_.cycle, c_.operation.omega),
       steps_(step_options(c_, course_, length_)),
-      film_(make_bearing(c_, physics_of(c_, tier), c_.model.grid), course_, c_.cycle->journal_mass,
+      film_(make_bearing(c_, physics, c_.model.grid), course_, c_.cycle->journal_mass,
             film_options(steps_.error)),
       periods_(film_, course_, length_, steps_),
       told_(film_, course_, length_) {}
@@ -133,6 +137,12 @@ void CycleSearch::begin(const CycleSearch& coarser) {
                      walls.growth};
   response_ = coarser.response_;
   looked_ = coarser.looked_;
+}
+
+void CycleSearch::hold(const WallMeans& walls) {
+  walls_ = walls;
+  held_ = true;
+  put_walls();
 }
 
 void CycleSearch::set_temperature(double T) {
@@ -234,7 +244,7 @@ void CycleSearch::settle_walls(bool rough) {
 
 const Verdict& CycleSearch::search(bool rough) {
   const bool heat = film_.model().physics.film_energy;
-  if (!heat || !c_.cycle->repeats()) {
+  if (!heat || held_ || !c_.cycle->repeats()) {
     until_closed();
     return r_.verdict;
   }

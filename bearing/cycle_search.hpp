@@ -20,6 +20,8 @@ class CycleSearch {
  public:
   /// On the grid of the case. `control` must outlive the search; refers to itself, is not copied.
   CycleSearch(const Case& c, Tier tier, const SolveControl& control);
+  /// The same with other physics than the tier's.
+  CycleSearch(const Case& c, Tier tier, const Physics& physics, const SolveControl& control);
   CycleSearch(const CycleSearch&) = delete;
   CycleSearch& operator=(const CycleSearch&) = delete;
 
@@ -28,6 +30,8 @@ class CycleSearch {
   void begin(double T);
   /// From what a search on a coarser grid has found.
   void begin(const CycleSearch& coarser);
+  /// Holds these walls from here on, whatever heat enters them.
+  void hold(const WallMeans& walls);
   /// From where it stands, in a film of another temperature [K].
   void set_temperature(double T);
 
@@ -71,6 +75,7 @@ class CycleSearch {
   std::optional<thermal::WallResponse> response_;  ///< of the film to its walls
   int looked_ = 0;                                 ///< cycles that have measured it
   std::optional<WallMeans> walls_;
+  bool held_ = false;
   double wall_change_ = NAN;  ///< of the last turn [K]
   bool from_rest_ = true;
   CycleResult r_;  ///< verdict and counts, as they come

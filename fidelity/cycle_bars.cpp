@@ -15,13 +15,6 @@ namespace {
 
 constexpr double kSafety = 1.5;  // as grid_error.cpp
 
-double value_of(const CycleResult& r, const std::string& name) {
-  for (const CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return q.quantity.value;
-  }
-  return NAN;
-}
-
 /// The cycle on another grid; not good where the grid cannot carry the supplies.
 CycleResult on_grid(Case c, Grid grid, const SolveControl& control) {
   c.model.grid = grid;

@@ -12,11 +12,14 @@
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
 #include "app/svg_comparison.hpp"
+#include "app/write_cycle_comparison.hpp"
 #include "app/write_html.hpp"
 #include "app/write_json.hpp"
 #include "app/write_table.hpp"
+#include "bearing/compare_cycles.hpp"
 #include "bearing/judge_case.hpp"
 #include "core/contract.hpp"
+#include "fidelity/cycle_bars.hpp"
 #include "fidelity/solve.hpp"
 #include "validation/rivals/rivals.hpp"
 
@@ -66,6 +69,27 @@ Comparison solve_all(const Case& subject, const std::vector<Tier>& tiers) {
   return bearing::compare(subject, tiers, control, judged);
 }
 
+int compare_over_cycle(const Request& request, const std::string& text, const Case& subject,
+                       const std::vector<Tier>& tiers) {
+  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request), tiers));
+  tell_warnings(subject);
+  ProgressLine line;
+  const SolveControl control = control_for(line);
+  const CycleComparison comparison = compare_cycles(
+      subject, tiers, control,
+      [&](const Case& one) { return fidelity::solve_cycle_with_bars(one, control); });
+  if (request.json != "-") write_comparison_table(std::cout, subject, comparison.sums);
+  int code = kDone;
+  for (const CycleResult& r : comparison.cycles) {
+    tell_verdict(r.tier, r.verdict);
+    code = std::max(code, code_of(r.verdict));
+  }
+  outputs.give("--json", [&] { return comparison_json(subject, comparison.sums); });
+  outputs.give("-o", [&] { return cycle_comparison_html(subject, comparison); });
+  outputs.give("--picture", [&] { return cycle_comparison_svg(subject, comparison); });
+  return outputs.code(code);
+}
+
 }  // namespace
 
 int compare(const Request& request) {
@@ -73,7 +97,10 @@ int compare(const Request& request) {
   const std::string text = read_text_file(request.case_file);
   const Case subject = validation::with_rivals(
       read_case_text(text, request.case_file, overrides_of(request), tiers));
-  expect_no_cycle(subject, "compare");
+  if (subject.cycle) {
+    return compare_over_cycle(request, text, subject,
+                              tiers.empty() ? default_tiers(subject) : tiers);
+  }
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request), tiers));
   tell_warnings(subject);
   if (tiers.empty()) tiers = default_tiers(subject);

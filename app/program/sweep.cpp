@@ -86,7 +86,6 @@ int sweep(const Request& request) {
   if (!request.picture.empty()) expect_drawable(axes);
   const std::string text = read_text_file(request.case_file);
   const bearing::Case subject = sweep_subject(text, request.case_file, set, axes);
-  bearing::expect_no_cycle(subject, "sweep");
   Outputs outputs(request, files_of_sweep(text, request.case_file, set, axes));
   warn_of_one_measurement(subject, axes);
   const Sweep done = solve_all(axes, case_source(text, request.case_file, set, axes),

@@ -17,8 +17,9 @@ namespace {
 
 enum Side : unsigned { kFromBelow = 1U, kFromAbove = 2U, kFromCold = 4U };
 
-bool stands_alone(bearing::Tier tier) {
-  return tier == bearing::Tier::estimate || tier == bearing::Tier::automatic;
+bool stands_alone(const Case& c) {
+  const bearing::Tier tier = c.model.tier;
+  return c.cycle || tier == bearing::Tier::estimate || tier == bearing::Tier::automatic;
 }
 
 unsigned side_of(int direction) { return direction > 0 ? kFromBelow : kFromAbove; }
@@ -56,7 +57,7 @@ Curve::Curve(const Axis& axis, Along case_at, std::vector<SweepPoint*> points,
       failed_from_(points_.size(), 0U),
       solved_(points_.size(), 0) {
   for (int k = 0; k < static_cast<int>(points_.size()); ++k) {
-    alone_.push_back(stands_alone(case_at_(k).model.tier) ? 1 : 0);
+    alone_.push_back(stands_alone(case_at_(k)) ? 1 : 0);
   }
 }
 

@@ -1,0 +1,124 @@
+#include "bearing/compare_cycles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/bracketed_root.hpp"
+#include "bearing/cycle_search.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+struct Torque {
+  double viscous = NAN;
+  double asperity = NAN;
+};
+
+Torque torque_of(const CycleResult& r) {
+  const double asperity = value_of(r, "friction_torque_asperity");
+  return {value_of(r, "friction_torque") - asperity, asperity};
+}
+
+Torque torque_of(const CycleSearch& s) {
+  if (!s.verdict().good()) return {};
+  const CycleMeans m = s.told().means();
+  return {m.torque - m.torque_asperity, m.torque_asperity};
+}
+
+/// Film temperatures solved between walls that are held.
+Torque between_walls(const Case& c, Tier tier, bool growth, bool elastic, const WallMeans& walls,
+                     double T, const SolveControl& control) {
+  Physics physics = physics_of(c, tier);
+  physics.elastic = elastic;
+  physics.growth = growth;
+  WallMeans held = walls;
+  if (!growth) held.growth.clear();
+  CycleSearch search(c, tier, physics, control);
+  search.begin(T);
+  search.hold(held);
+  search.search(false);
+  return torque_of(search);
+}
+
+void split_friction(const Case& c, const CycleResult& isothermal, const CycleResult& full,
+                    CycleSearch& at_one_temperature, const SolveControl& control,
+                    FrictionSplit& split) {
+  const Torque start = torque_of(isothermal);
+  const Torque end = torque_of(full);
+  split.from = start.viscous + start.asperity;
+  split.to = end.viscous + end.asperity;
+  const double T = value_of(full, "T_film_mean");
+  at_one_temperature.set_temperature(T);
+  at_one_temperature.search(false);
+  const Torque level = torque_of(at_one_temperature);
+  const bool elastic = physics_of(c, Tier::isothermal).elastic;
+  const Physics whole = physics_of(c, full.tier);
+  const Torque variation = between_walls(c, full.tier, false, elastic, *full.walls, T, control);
+  const bool last = elastic == whole.elastic;  // growth is all that is left
+  const Torque clearance =
+      !whole.growth ? variation
+      : last        ? end
+                    : between_walls(c, full.tier, true, elastic, *full.walls, T, control);
+  split.steps = {{"viscosity level", level.viscous - start.viscous},
+                 {"viscosity variation", variation.viscous - level.viscous},
+                 {"clearance", clearance.viscous - variation.viscous}};
+  if (!last) split.steps.push_back({"elasticity", end.viscous - clearance.viscous});
+  split.steps.push_back({"asperity share", end.asperity - start.asperity});
+  const bool known = std::all_of(split.steps.begin(), split.steps.end(),
+                                 [](const FrictionStep& s) { return std::isfinite(s.change); });
+  if (known) return;  // else a cycle between them was not found: only what is known
+  split.steps = {{"all viscous effects together", end.viscous - start.viscous},
+                 {"asperity share", end.asperity - start.asperity}};
+}
+
+/// Film temperature at which the mean torque of isothermal cycles is `wanted` [K]; NaN: none.
+double calibrate(CycleSearch& search, double wanted, double guess) {
+  constexpr double kHalfRange = 60.0;  // searched on both sides of the guess [K]
+  constexpr double kEnough = 1e-4;     // of the torque: the closure of cycles [-]
+  constexpr double kNarrowest = 1e-3;  // [K]
+  const auto excess = [&](double T) {
+    search.set_temperature(T);
+    return search.search(false).good() ? search.told().means().torque - wanted : double{NAN};
+  };
+  KnownPoint here{guess, excess(guess)};
+  KnownPoint other = here;
+  for (double reach = 4.0; reach <= kHalfRange && other.f * here.f > 0.0; reach *= 2.0) {
+    here = other;
+    other.x = here.f > 0.0 ? guess + reach : guess - reach;  // warmer oil, less friction
+    other.f = excess(other.x);
+  }
+  if (!(other.f * here.f < 0.0)) return NAN;
+  const BracketedRoot root =
+      bracketed_root(excess, here, other, {kEnough * std::abs(wanted), kNarrowest});
+  return root.found ? root.at.x : NAN;
+}
+
+}  // namespace
+
+CycleComparison compare_cycles(const Case& c, const std::vector<Tier>& tiers,
+                               const SolveControl& control, const SolveCycle& solve) {
+  CycleComparison out;
+  out.sums.T_calibrated = NAN;
+  std::optional<CycleResult> isothermal, full;
+  for (const Tier tier : tiers) {
+    Case one = c;
+    one.model.tier = tier;
+    CycleResult r = solve(one);
+    out.sums.results.push_back(as_result(r));
+    const bool good = r.verdict.good();
+    const bool interrupted = r.verdict.status == Status::interrupted;
+    if (good && tier == Tier::isothermal) isothermal = r;
+    if (good && r.walls) full = r;
+    out.cycles.push_back(std::move(r));
+    if (interrupted) return out;  // what is finished is kept
+  }
+  if (!isothermal || !full) return out;
+  const double T = value_of(*full, "T_film_mean");
+  CycleSearch one(c, Tier::isothermal, control);
+  one.begin(T);
+  split_friction(c, *isothermal, *full, one, control, out.sums.split);
+  out.sums.T_calibrated = calibrate(one, out.sums.split.to, T);
+  return out;
+}
+
+}  // namespace shellback::bearing

@@ -133,6 +133,7 @@ LinePlot cycle_plot(const CycleResult& cycle, CycleCurve which, const Theme& the
       break;
     case CycleCurve::temperature:
       plot.title = "Largest temperatures";
+      plot.from_zero = false;
       plot.y_title = "[°C]";
       plot.series = {curve(cycle, "film", colour, 1.0,
                            [](const auto& i) { return i.T_film_max - kZeroCelsius; }),

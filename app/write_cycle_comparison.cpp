@@ -38,6 +38,7 @@ LinePlot of_all_tiers(const CycleComparison& comparison, CycleCurve which, const
       all.x = one.x;
       all.title = one.title;
       all.y_title = one.y_title;
+      all.from_zero = one.from_zero;
     }
     all.series.push_back(series);
   }

@@ -20,6 +20,7 @@
 #include "app/write_sweep_table.hpp"
 #include "bearing/judge_case.hpp"
 #include "core/contract.hpp"
+#include "bearing/cycle.hpp"
 #include "fidelity/solve.hpp"
 #include "fidelity/solve_case.hpp"
 #include "validation/rivals/rivals.hpp"
@@ -40,7 +41,11 @@ Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int
   study::SweepOptions options;
   options.threads = threads;
   options.stop = &catch_interrupt();
-  options.solve_alone = fidelity::solve_case;
+  options.solve_alone = [&](const bearing::Case& c, const bearing::SolveControl& control) {
+    const bool cycle_alone = c.cycle && request.no_bars;
+    return cycle_alone ? bearing::as_result(bearing::solve_cycle(c, c.model.tier, control))
+                       : fidelity::solve_case(c, control);
+  };
   fidelity::KeptSolids kept;
   const auto bars =
       request.bars ? fidelity::WantedBars::grid_and_model : fidelity::WantedBars::grid;

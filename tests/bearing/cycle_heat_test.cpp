@@ -1,6 +1,7 @@
 // Load cycles with film temperatures: against the steady tiers, balances, order in time.
 #include <catch2/catch.hpp>
 
+#include "bearing/compare_cycles.hpp"
 #include "bearing/cycle.hpp"
 #include "bearing/solve.hpp"
 #include "core/constants.hpp"
@@ -134,4 +135,26 @@ TEST_CASE("TemperaturesOfACycleDoNotDependOnTheSteps", "[cycle_heat]") {
   CHECK(std::abs(torque[2] - torque[1]) < std::abs(torque[1] - torque[0]) / 3.0 + 2e-4 * torque[2]);
   CHECK(swing[2] == Approx(swing[1]).epsilon(0.02));
   CHECK(swing[2] > 2.0);  // [W]; there is something to follow
+}
+
+TEST_CASE("TheFrictionOfACycleIsSplitIntoItsCauses", "[cycle_heat]") {
+  Case c = warm_cycle_case(1.5e3, 0.6);
+  c.oil_temperature = 303.15;  // the isothermal film is far too cold
+  const auto solve = [](const Case& one) { return solve_cycle(one, one.model.tier); };
+  const CycleComparison all = compare_cycles(c, {Tier::isothermal, Tier::tehd}, {}, solve);
+  REQUIRE(all.cycles.size() == 2);
+  const FrictionSplit& split = all.sums.split;
+  REQUIRE(split.steps.size() == 5);
+  double sum = split.from;
+  for (const FrictionStep& step : split.steps) sum += step.change;
+  CHECK(sum == Approx(split.to).epsilon(1e-9));
+  CHECK(split.from == Approx(value(all.cycles[0], "friction_torque")));
+  CHECK(split.to == Approx(value(all.cycles[1], "friction_torque")));
+  CHECK(split.steps.front().name == "viscosity level");
+  CHECK(split.steps.front().change < 0.0);  // warmer oil
+  // at the calibrated temperature isothermal cycles have the full friction, within their closure
+  Case at = c;
+  at.oil_temperature = all.sums.T_calibrated;
+  CHECK(value(converged(at, Tier::isothermal), "friction_torque") ==
+        Approx(split.to).epsilon(5e-4));
 }

@@ -1,6 +1,10 @@
 /// run on a case with a load cycle: what is refused, before anything is solved.
 #include <catch2/catch.hpp>
 
+#include <sstream>
+
+#include "app/case_text.hpp"
+#include "app/library.hpp"
 #include "app/program/commands.hpp"
 #include "app/read_case.hpp"
 #include "core/contract.hpp"
@@ -39,4 +43,45 @@ TEST_CASE("PicturesAndPagesAreOfWhatChangesInTime") {
   check_parts(said_of({"--page", scratch.path("a.html")}), {"--page", "load cycle"});
   check_parts(said_of({"--page", scratch.path("a.html"), "--transient"}), {"--page"});
   check_parts(said_of({"--until", "2 s"}), {"--until", "--transient"});
+}
+
+TEST_CASE("ASweepRunsCyclesOverTheLoad") {
+  const Ended ended = run_words({"sweep", case_path("rotating-load").string(), "--vary",
+                                 "load_cycle.factor=0.5,1", "--set", "model.grid=[48,7]",
+                                 "--no-bars", "--csv", "-"});
+  REQUIRE(ended.code == kDone);
+  std::vector<double> h_min;
+  std::istringstream rows(ended.out);
+  std::string row;
+  std::getline(rows, row);
+  std::size_t column = 0;
+  {
+    std::istringstream head(row);
+    for (std::string name; std::getline(head, name, ','); ++column) {
+      if (name == "h_min [m]") break;
+    }
+  }
+  while (std::getline(rows, row)) {
+    std::istringstream cells(row);
+    std::string cell;
+    for (std::size_t k = 0; k <= column; ++k) std::getline(cells, cell, ',');
+    h_min.push_back(std::stod(cell));
+  }
+  REQUIRE(h_min.size() == 2);
+  CHECK(h_min[0] > h_min[1]);  // half the load
+  CHECK(h_min[1] > 0.0);
+}
+
+TEST_CASE("CompareTakesALoadCycle") {
+  const ScratchFolder scratch;
+  const Ended ended = run_words({"compare", case_path("big-end").string(), "--tiers",
+                                 "isothermal,tehd", "--set", "model.grid=[48,5]", "--picture",
+                                 scratch.path("a.svg"), "-o", scratch.path("a.html"), "--json",
+                                 scratch.path("a.json")});
+  REQUIRE(ended.code == kDone);
+  check_parts(ended.out, {"viscosity level", "clearance", "calibrated equivalent temperature",
+                          "heat into the shell"});
+  check_parts(read_text_file(scratch.path("a.svg")), {"Friction torque", "Largest temperatures", "tehd"});
+  check_parts(read_text_file(scratch.path("a.html")), {"Over the cycle", "Friction difference"});
+  check_parts(read_text_file(scratch.path("a.json")), {"friction_split", "T_calibrated"});
 }

@@ -87,8 +87,8 @@ std::string cycle_audit_html(const CycleResult& cycle) {
   return fmt::format(
       "<p>{}.</p>\n<p>Relative imbalances over the cycle: {}. Grid {} × "
       "{}, {} Newton iterations, {} factorizations, {} s.</p>\n",
-      how_it_ran(cycle), audit_words(cycle), cycle.grid[0], cycle.grid[1], cycle.cost.newton_iterations, cycle.cost.factorizations,
-      figures(cycle.cost.wall_s, 3));
+      how_it_ran(cycle), audit_words(cycle), cycle.grid[0], cycle.grid[1],
+      cycle.cost.newton_iterations, cycle.cost.factorizations, figures(cycle.cost.wall_s, 3));
 }
 
 std::string cycle_curves_html(const bearing::Case& c, const CycleResult& cycle) {

@@ -84,8 +84,8 @@ bool has_heat(const CycleResult& cycle) { return !cycle.fields.T_shell.empty(); 
 
 void draw_maps(Svg& svg, const bearing::Case& c, const CycleResult& cycle, const Theme& theme) {
   double x = 8.0;
-  for (const CycleMap which :
-       {CycleMap::pressure, CycleMap::shell, CycleMap::contact, CycleMap::gap, CycleMap::friction}) {
+  for (const CycleMap which : {CycleMap::pressure, CycleMap::shell, CycleMap::contact,
+                               CycleMap::gap, CycleMap::friction}) {
     const auto map = cycle_map(c, cycle, which);
     if (!map || x > 0.5 * kWidth + 20.0) continue;
     draw_map(svg, {x, 630.0, 604.0, 270.0}, *map, theme);
@@ -143,10 +143,10 @@ LinePlot cycle_plot(const CycleResult& cycle, CycleCurve which, const Theme& the
     case CycleCurve::heat:
       plot.title = "Heat of the film";
       plot.y_title = "[W]";
-      plot.series = {
-          curve(cycle, "into the shell", theme.more, 1.0,
-                [](const auto& i) { return i.heat_to_shell; }),
-          curve(cycle, "into the shaft", colour, 1.0, [](const auto& i) { return i.heat_to_shaft; })};
+      plot.series = {curve(cycle, "into the shell", theme.more, 1.0,
+                           [](const auto& i) { return i.heat_to_shell; }),
+                     curve(cycle, "into the shaft", colour, 1.0,
+                           [](const auto& i) { return i.heat_to_shaft; })};
       break;
   }
   return plot;

@@ -31,11 +31,11 @@ struct CycleInstant {
   double torque = 0.0;                ///< of friction on the journal [N m]
   double torque_asperity = 0.0;       ///< part of it from asperities [N m]
   double power = 0.0;  ///< torque times speed, and the work of the load on the moving journal [W]
-  double supply_flow = 0.0;                                       ///< mean over the step [m3/s]
-  double side_flow = 0.0;                                         ///< mean over the step [m3/s]
-  double oil = 0.0;                                               ///< in the gap [kg]
-  double T_film_max = std::numeric_limits<double>::quiet_NaN();   ///< tiers thd, tehd [K]
-  double T_shell_max = std::numeric_limits<double>::quiet_NaN();  ///< at the surface [K]
+  double supply_flow = 0.0;                                         ///< mean over the step [m3/s]
+  double side_flow = 0.0;                                           ///< mean over the step [m3/s]
+  double oil = 0.0;                                                 ///< in the gap [kg]
+  double T_film_max = std::numeric_limits<double>::quiet_NaN();     ///< tiers thd, tehd [K]
+  double T_shell_max = std::numeric_limits<double>::quiet_NaN();    ///< at the surface [K]
   double heat_to_shell = std::numeric_limits<double>::quiet_NaN();  ///< mean over the step [W]
   double heat_to_shaft = std::numeric_limits<double>::quiet_NaN();  ///< the same [W]
 };
@@ -73,10 +73,10 @@ struct CycleFields {
   Field h_min;           ///< smallest gap [m]
   Field friction_power;  ///< mean over the cycle, per area [W/m2]
   // Tiers with film temperatures; otherwise empty.
-  Field T_shell;         ///< surface, mean over the cycle [K]
-  Field T_shell_max;     ///< surface, largest [K]
-  Field heat_to_shell;   ///< mean over the cycle, per area [W/m2]
-  Field growth;          ///< thermal widening of the gap [m]
+  Field T_shell;        ///< surface, mean over the cycle [K]
+  Field T_shell_max;    ///< surface, largest [K]
+  Field heat_to_shell;  ///< mean over the cycle, per area [W/m2]
+  Field growth;         ///< thermal widening of the gap [m]
 };
 
 /// Film at a chosen instant.
@@ -104,8 +104,8 @@ struct CycleResult {
   std::array<int, 2> grid{0, 0};
   Cost cost;
   std::optional<WallMeans> walls;  ///< of the last cycle, on the solved grid; resolved tiers
-  int steps = 0;           ///< accepted, of the last cycle
-  int rejected_steps = 0;  ///< of the last cycle
+  int steps = 0;                   ///< accepted, of the last cycle
+  int rejected_steps = 0;          ///< of the last cycle
 };
 
 /// Value of the quantity `name`, or not-a-number if the cycle's tier does not know it.

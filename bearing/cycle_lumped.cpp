@@ -9,8 +9,8 @@
 namespace shellback::bearing {
 
 Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
-  constexpr double kFirstRise = 5.0;  // of the search upwards, doubled from try to try [K]
-  constexpr double kSettled = 0.01;   // |r|: 3e-4 of viscosity [K]
+  constexpr double kFirstRise = 5.0;   // of the search upwards, doubled from try to try [K]
+  constexpr double kSettled = 0.01;    // |r|: 3e-4 of viscosity [K]
   constexpr double kNarrowest = 1e-3;  // bracket below which r is the closure of cycles [K]
   const double T_supply = c.supplies.front().temperature;
   Verdict last;

@@ -7,11 +7,11 @@ namespace shellback::bearing {
 
 /// Means over a cycle.
 struct CycleMeans {
-  double torque = 0.0;          ///< [N m]
+  double torque = 0.0;           ///< [N m]
   double torque_asperity = 0.0;  ///< part of it [N m]
-  double T_film = 0.0;          ///< of the oil, by its mass; resolved tiers [K]
-  double power = 0.0;           ///< of shaft, load and supply [W]
-  double side_mass_flow = 0.0;  ///< [kg/s]
+  double T_film = 0.0;           ///< of the oil, by its mass; resolved tiers [K]
+  double power = 0.0;            ///< of shaft, load and supply [W]
+  double side_mass_flow = 0.0;   ///< [kg/s]
 };
 
 class CycleRecord {
@@ -43,8 +43,8 @@ class CycleRecord {
   void gather_fields(const FilmInTime& now, double dt);
   void gather_heat(const FilmStep& step, double dt);
   void write_heat(CycleResult& r) const;
-  /// By how much the shaft's surface would swing about its mean, as it turns and over the cycle: the
-  /// half space under the first harmonic of either, q/(k sqrt(omega/a)) (textbook) [K].
+  /// By how much the shaft's surface would swing about its mean, as it turns and over the cycle:
+  /// the half space under the first harmonic of either, q/(k sqrt(omega/a)) (textbook) [K].
   [[nodiscard]] double shaft_swing() const;
 
   const FilmSteps* film_;
@@ -52,19 +52,19 @@ class CycleRecord {
   double length_;
   std::vector<CycleInstant> instants_;
   std::vector<CycleFrame> frames_;
-  double next_frame_ = 0.0;                          ///< [s]
-  double oil_begun_ = 0.0;                           ///< [kg]
-  double oil_ended_ = 0.0;                           ///< [kg]
-  double supply_ = 0.0, side_ = 0.0;                 ///< over the cycle [kg]
-  std::array<double, 2> impulse_{};                  ///< of the film [N s]
-  std::array<double, 2> v_begun_{};                  ///< [m/s]
-  std::array<double, 2> v_ended_{};                  ///< [m/s]
-  double pump_now_ = 0.0, pump_ = 0.0;               ///< at the last instant [W], over the cycle [J]
-  double off_balance_ = 0.0;                         ///< [N]
+  double next_frame_ = 0.0;             ///< [s]
+  double oil_begun_ = 0.0;              ///< [kg]
+  double oil_ended_ = 0.0;              ///< [kg]
+  double supply_ = 0.0, side_ = 0.0;    ///< over the cycle [kg]
+  std::array<double, 2> impulse_{};     ///< of the film [N s]
+  std::array<double, 2> v_begun_{};     ///< [m/s]
+  std::array<double, 2> v_ended_{};     ///< [m/s]
+  double pump_now_ = 0.0, pump_ = 0.0;  ///< at the last instant [W], over the cycle [J]
+  double off_balance_ = 0.0;            ///< [N]
   Field p_max_, p_asperity_max_, h_min_, friction_;  ///< on the solved grid
-  Field power_now_;  ///< friction per area at the last instant [W/m2]
-  HeatFlows heat_;   ///< over the cycle [J], [J/m2]; nothing without film temperatures
-  double T_film_ = 0.0;  ///< integral over time [K s]
+  Field power_now_;              ///< friction per area at the last instant [W/m2]
+  HeatFlows heat_;               ///< over the cycle [J], [J/m2]; nothing without film temperatures
+  double T_film_ = 0.0;          ///< integral over time [K s]
   Field T_shell_, T_shell_max_;  ///< integral over time [K s], largest [K]
 };
 

@@ -104,8 +104,7 @@ bool CycleSearch::begin_warm() {
   Case steady = c_;
   steady.cycle.reset();
   steady.operation.omega = first.omega;
-  steady.operation.position =
-      LoadGiven{std::hypot(first.x, first.y), std::atan2(first.y, first.x)};
+  steady.operation.position = LoadGiven{std::hypot(first.x, first.y), std::atan2(first.y, first.x)};
   if (first.omega == 0.0 || !(std::hypot(first.x, first.y) > 0.0)) return false;
   const Solution s = solve_tier(steady, tier_, control_, film_.model().solids);
   cost_.newton_iterations += s.cost.newton_iterations;
@@ -132,9 +131,9 @@ void CycleSearch::begin(const CycleSearch& coarser) {
   walls.T_shaft = coarser.walls_->shaft;
   walls.growth = coarser.walls_->growth;
   walls = carry_over(from, walls, to);
-  walls_ = WallMeans{walls.T_shell, walls.T_shaft,
-                     interpolate(from.scene.grid, coarser.walls_->flux, to.scene.grid),
-                     walls.growth};
+  walls_ =
+      WallMeans{walls.T_shell, walls.T_shaft,
+                interpolate(from.scene.grid, coarser.walls_->flux, to.scene.grid), walls.growth};
   response_ = coarser.response_;
   looked_ = coarser.looked_;
 }
@@ -217,8 +216,8 @@ bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>
   unpack(x, *walls_);
   put_walls();
   if (!pass()) return false;
-  const BodiesAnswer next = answer_of_bodies(film_.model(), *walls_, heat_, *response_,
-                                             film_.heat()->skin().nodes());
+  const BodiesAnswer next =
+      answer_of_bodies(film_.model(), *walls_, heat_, *response_, film_.heat()->skin().nodes());
   walls_->flux = next.walls.flux;
   const std::vector<double> mean = heat_.mean_skin();
   for (std::size_t k = 0; k < mean.size(); ++k) now_.heat.skin[k] -= mean[k];
@@ -228,8 +227,8 @@ bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>
 }
 
 void CycleSearch::settle_walls(bool rough) {
-  constexpr int kDepth = 5;         // methods 3.5
-  constexpr double kRoughly = 0.1;  // [K]; a finer grid moves the walls by more
+  constexpr int kDepth = 5;             // methods 3.5
+  constexpr double kRoughly = 0.1;      // [K]; a finer grid moves the walls by more
   constexpr double kOfViscosity = 0.1;  // of model.tolerance: viscosity missed by the walls
   const double T = c_.supplies.front().temperature;
   const double by_T = -rheology::viscosity_slopes(film_.model().oil, T, 0.0, 0.0).dln_dT;

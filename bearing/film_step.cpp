@@ -233,8 +233,8 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.error = error_of(now, film, stages, dt);
   if (heat_) {
     constexpr double kOfViscosity = 0.1;  // missed viscosity turns into film by a tenth and less
-    step.error = larger(step.error,
-                        kOfViscosity * heat_->surprise(model_, film, stages.back().heat.T));
+    step.error =
+        larger(step.error, kOfViscosity * heat_->surprise(model_, film, stages.back().heat.T));
   }
   step.after.oil = now.oil;
   for (int i = 0; i < by.stages; ++i) {

@@ -81,8 +81,8 @@ HeatInTime HeatSteps::begin(const BearingModel& model, std::vector<double> T,
 }
 
 HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, double own,
-                           const Field& before, const Field& after,
-                           const std::vector<double>& held, std::vector<double> skin) const {
+                           const Field& before, const Field& after, const std::vector<double>& held,
+                           std::vector<double> skin) const {
   const FilmGrid& g = model.scene.grid;
   const int n = model.gl.n;
   const int nodes = skin_.nodes();
@@ -175,8 +175,8 @@ thermal::FilmEnergy lasting_film(const BearingModel& model, const FilmEquilibriu
     lost[c] = std::max(dt * lost[c], 0.0);
   }
   const std::vector<double> none(static_cast<std::size_t>(g.cells()) * model.gl.n, 0.0);
-  return thermal::FilmEnergy(film_energy_problem(
-      model, s, friction_of(model, s), thermal::FilmStorage{dt, gained, lost, none}));
+  return thermal::FilmEnergy(film_energy_problem(model, s, friction_of(model, s),
+                                                 thermal::FilmStorage{dt, gained, lost, none}));
 }
 
 }  // namespace shellback::bearing

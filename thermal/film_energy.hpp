@@ -58,9 +58,9 @@ struct SupplyVessel {
 
 /// The oil of the cells over a time step, (4). Supply patches are not looked at.
 struct FilmStorage {
-  double dt = 0.0;                      ///< [s]
-  std::vector<double> mass;             ///< per cell, at the end of the step [kg]
-  std::vector<double> mass_before;      ///< per cell, at its beginning [kg]
+  double dt = 0.0;                  ///< [s]
+  std::vector<double> mass;         ///< per cell, at the end of the step [kg]
+  std::vector<double> mass_before;  ///< per cell, at its beginning [kg]
   std::vector<double> heat_before;  ///< per node: (M cp (T - T_reference))_before [J]
 };
 
@@ -204,12 +204,12 @@ class FilmEnergy {
   std::vector<double> brought_;    ///< w_k (M cp T)_before / dt per node [W]; empty: steady
   // Interior nodes of a column, solved: T = base - by_shell T_shell - by_shaft T_shaft
   // + inverse (inflow of enthalpy), temperatures from T_reference.
-  std::vector<double> inverse_;                  ///< (n-2)^2 per cell
-  std::vector<double> base_;                     ///< n-2 per cell [K]
-  std::vector<double> by_shell_, by_shaft_;      ///< n-2 per cell [-]
+  std::vector<double> inverse_;              ///< (n-2)^2 per cell
+  std::vector<double> base_;                 ///< n-2 per cell [K]
+  std::vector<double> by_shell_, by_shaft_;  ///< n-2 per cell [-]
   // Yielding shell: its row of the matrix, per area and times the impedance, and what it holds.
-  std::vector<double> shell_row_;     ///< n per cell [-]
-  std::vector<double> shell_pivot_;   ///< per cell: the column following [-]
+  std::vector<double> shell_row_;                ///< n per cell [-]
+  std::vector<double> shell_pivot_;              ///< per cell: the column following [-]
   std::vector<double> inflow_;                   ///< 4 faces x n per cell, weights included [kg/s]
   std::vector<int> source_;                      ///< 4 slots per cell from which that flow comes
   std::vector<double> enthalpy_;                 ///< n per slot [J/kg]

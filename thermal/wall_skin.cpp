@@ -9,9 +9,9 @@
 namespace shellback::thermal {
 namespace {
 
-constexpr double kReach = 3.0;   ///< of the skin, in depths that the period reaches (header) [-]
-constexpr double kFirst = 0.5;   ///< first interval, of the depth that the shortest step reaches [-]
-constexpr int kIntervals = 10;   ///< methods 3.5: 6 to 10 nodes; layers add one each
+constexpr double kReach = 3.0;  ///< of the skin, in depths that the period reaches (header) [-]
+constexpr double kFirst = 0.5;  ///< first interval, of the depth that the shortest step reaches [-]
+constexpr int kIntervals = 10;  ///< methods 3.5: 6 to 10 nodes; layers add one each
 constexpr double kSliver = 0.3;  ///< of an interval: a node nearer to a layer's end moves onto it
 
 /// Where x goes through the layers, counted in the depths that a period reaches in each.

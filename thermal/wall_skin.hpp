@@ -27,9 +27,9 @@ struct SkinLayer {
 
 /// What depends on the length of a step alone.
 struct SkinStep {
-  double dt = 0.0;               ///< [s]
-  std::vector<double> pivot;     ///< of the tridiagonal matrix of (2), eliminated from the depth
-  std::vector<double> by_flux;   ///< of every node per heat that enters [K m2/W]
+  double dt = 0.0;              ///< [s]
+  std::vector<double> pivot;    ///< of the tridiagonal matrix of (2), eliminated from the depth
+  std::vector<double> by_flux;  ///< of every node per heat that enters [K m2/W]
   [[nodiscard]] double impedance() const { return by_flux.front(); }
 };
 

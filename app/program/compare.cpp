@@ -75,9 +75,9 @@ int compare_over_cycle(const Request& request, const std::string& text, const Ca
   tell_warnings(subject);
   ProgressLine line;
   const SolveControl control = control_for(line);
-  const CycleComparison comparison = compare_cycles(
-      subject, tiers, control,
-      [&](const Case& one) { return fidelity::solve_cycle_with_bars(one, control); });
+  const CycleComparison comparison = compare_cycles(subject, tiers, control, [&](const Case& one) {
+    return fidelity::solve_cycle_with_bars(one, control);
+  });
   if (request.json != "-") write_comparison_table(std::cout, subject, comparison.sums);
   int code = kDone;
   for (const CycleResult& r : comparison.cycles) {

@@ -86,7 +86,8 @@ TEST_CASE("HeatOfACycleIsConserved", "[cycle_heat]") {
   // The work of shaft, load and supply is the heat of the film. Without elasticity nothing else
   // takes it; what is missing is Newton's tolerance, 1e-5 of the largest flow.
   CHECK(std::abs(r.audit.work) < 1e-4);
-  const double heat = value(r, "heat_by_oil") + value(r, "heat_to_shell") + value(r, "heat_to_shaft");
+  const double heat =
+      value(r, "heat_by_oil") + value(r, "heat_to_shell") + value(r, "heat_to_shaft");
   // ... but for what supply pressure adds, 0.1 MPa on some 0.1 l/min: below a thousandth
   CHECK(heat == Approx(value(r, "power_loss")).epsilon(0.01));
   CHECK(r.audit.walls < 0.1);  // [K]

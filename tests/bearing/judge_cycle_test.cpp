@@ -152,9 +152,9 @@ TEST_CASE("AJournalAtRestIsJudgedByTheCycle") {
 
 TEST_CASE("WhatCannotTakeACycleSaysSo") {
   CHECK_NOTHROW(expect_no_cycle(plain_case(), "chart"));
-  CHECK_THROWS_WITH(expect_no_cycle(cycle_case(), "chart"),
-                    Catch::Contains("not yet available for load cycles: chart") &&
-                        Catch::Contains("use run"));
+  CHECK_THROWS_WITH(
+      expect_no_cycle(cycle_case(), "chart"),
+      Catch::Contains("not yet available for load cycles: chart") && Catch::Contains("use run"));
   for (const Tier tier : {Tier::estimate, Tier::automatic}) {
     REQUIRE(lack_for(cycle_case(), tier));
     CHECK(lack_for(cycle_case(), tier)->key == "model.tier");

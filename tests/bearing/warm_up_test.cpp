@@ -98,9 +98,10 @@ TEST_CASE("WarmUpStoresWhatItDoesNotLoseAndEndsSteady", "[warm_up]") {
   double before = 0.0;
   for (const double dt : {0.01, 1.0, 30.0, 30.0, 1e3, 1e4, 1e5, 1e7, 1e9, 1e9}) {
     step = warm.solids().step(dt, state, &step);
-    warm.solve(thermal::FilmStorage{dt, warm.mass(), warm.mass(),
-                                    thermal::heat_content(warm.mass(), film_enthalpy(s.model, warm.T))},
-               &step);
+    warm.solve(
+        thermal::FilmStorage{dt, warm.mass(), warm.mass(),
+                             thermal::heat_content(warm.mass(), film_enthalpy(s.model, warm.T))},
+        &step);
     state = warm.solids().state(warm.walls, &step);
     const double in = 2.0 * (warm.film.heat + warm.film.carried_in - warm.film.carried_out);
     const auto& w = warm.walls;

@@ -40,8 +40,8 @@ Ring gathering_ring(unsigned seed, double warm) {
       s.mass[c] = s.mass_before[c] + kStep * gain;
     }
   }
-  s.heat_before = heat_content(
-      s.mass_before, std::vector<double>(r.T.size(), 2000.0 * (warm - 300.0)));
+  s.heat_before =
+      heat_content(s.mass_before, std::vector<double>(r.T.size(), 2000.0 * (warm - 300.0)));
   r.problem.storage = std::move(s);
   r.problem.T_edge = warm;
   r.problem.vessels.push_back({warm, 2000.0, 2000.0, 0.7, 0.0});

@@ -64,8 +64,8 @@ TEST_CASE("ACoatingOfPolymerSwingsAsTheClosedFormOfTwoLayers", "[wall_skin]") {
     const std::complex<double> x =
         std::sqrt(i_omega * kPolymer.capacity / kPolymer.conductivity) * kPolymer.thickness;
     const std::complex<double> Z = impedance(kPolymer), below = impedance(kSteel);
-    const std::complex<double> exact =
-        Z * (below + Z * std::tanh(x)) / (Z + below * std::tanh(x));  // a line with its end, textbook
+    const std::complex<double> exact = Z * (below + Z * std::tanh(x)) /
+                                       (Z + below * std::tanh(x));  // a line with its end, textbook
     const std::complex<double> found = swing(skin, n, 400);
     INFO(n << ": " << found << " for " << exact);
     CHECK(std::abs(found - exact) < 0.02 * std::abs(exact));

@@ -40,6 +40,8 @@ constexpr std::array kMembers{
     Member{"friction_torque", "N m", "friction torque on the journal", &CycleInstant::torque},
     Member{"friction_torque_asperity", "N m", "part of it from asperities",
            &CycleInstant::torque_asperity},
+    Member{"breakaway_torque", "N m", "torque at which a journal at rest begins to turn",
+           &CycleInstant::breakaway},
     Member{"power_loss", "W", "friction torque times speed", &CycleInstant::power},
     Member{"load_x", "N", "load on the journal, X", &CycleInstant::load_x},
     Member{"load_y", "N", "load on the journal, Y", &CycleInstant::load_y},

@@ -30,6 +30,9 @@ struct CycleInstant {
   double p_asperity_max = 0.0;        ///< [Pa]
   double torque = 0.0;                ///< of friction on the journal [N m]
   double torque_asperity = 0.0;       ///< part of it from asperities [N m]
+  /// Torque at which the journal would begin to turn: the boundary coefficient times the contact's
+  /// sum, of a journal at rest; 0 while it turns [N m].
+  double breakaway = 0.0;
   double power = 0.0;  ///< torque times speed, and the work of the load on the moving journal [W]
   double supply_flow = 0.0;                                         ///< mean over the step [m3/s]
   double side_flow = 0.0;                                           ///< mean over the step [m3/s]

@@ -65,10 +65,14 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
   }
   pump_now_ = pump_power(m, f);
   power_now_ = friction.stress.journal;
-  const double mu = m.contact ? m.input.surfaces.contact->friction : 0.0;
+  const double mu = m.contact ? m.contact->friction(m.scene.speed) : 0.0;
   for (std::size_t c = 0; c < power_now_.size(); ++c) {
-    const double sign = m.scene.speed >= 0.0 ? 1.0 : -1.0;
-    power_now_[c] = (power_now_[c] + sign * mu * f.p_contact[c]) * m.scene.speed;
+    power_now_[c] = (power_now_[c] + mu * f.p_contact[c]) * m.scene.speed;
+  }
+  if (m.contact && load.omega == 0.0) {
+    Field rubbed = f.p_contact;
+    for (double& p : rubbed) p *= m.contact->friction();
+    i.breakaway = fluid::torque(m.scene, rubbed);
   }
   return i;
 }
@@ -201,6 +205,9 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   add_extreme("p_max", &CycleInstant::p_max, false);
   if (film_->model().contact) {
     add_extreme("p_asperity_max", &CycleInstant::p_asperity_max, false);
+  }
+  if (extreme(instants_, &CycleInstant::breakaway, false).breakaway > 0.0) {
+    add_extreme("breakaway_torque", &CycleInstant::breakaway, false);
   }
   const double rho = reference_density(film_->model());
   out.push_back(named("side_flow", side_ / told() / rho));

@@ -47,6 +47,9 @@ EquilibriumOptions film_options(double error) {
   return o;
 }
 
+/// Speed over that of micro-slip from which on asperities slide: tanh is 0.995.
+constexpr double kSliding = 3.0;
+
 constexpr const char* kFromSteady = "the event begins in the steady state of its first row";
 constexpr const char* kFromRest =
     "the event begins with the journal at rest in the middle of a full film: no steady state of "
@@ -80,7 +83,8 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
       tier_(tier),
       control_(control),
       length_(c_.cycle->length()),
-      course_(*c_.cycle, c_.operation.omega),
+      course_(*c_.cycle, c_.operation.omega,
+              kSliding * solid::AsperityContact::kMicroSlip / c_.bearing.radius),
       steps_(step_options(c_, course_, length_)),
       film_(make_bearing(c_, physics, c_.model.grid), course_, c_.cycle->journal_mass,
             film_options(steps_.error)),

@@ -22,7 +22,7 @@ Friction friction_of(const BearingModel& model, const FilmEquilibrium& s) {
   f.viscous_shell = fluid::torque(scene, f.stress.shell);
   if (model.contact) {
     Field tau = s.p_contact;
-    const double mu = model.contact->friction() * (scene.speed >= 0.0 ? 1.0 : -1.0);
+    const double mu = model.contact->friction(scene.speed);
     for (double& x : tau) x *= mu;
     f.asperity = fluid::torque(scene, tau);
   }
@@ -241,7 +241,7 @@ ContactHeatRate contact_heat_rate(const BearingModel& model) {
   };
   const double shell = effusivity(model.input.shell->layers.front().material);
   const double shaft = effusivity(model.input.shaft->material);
-  const double rate = model.contact->friction() * std::abs(model.scene.speed);
+  const double rate = model.contact->friction(model.scene.speed) * model.scene.speed;
   return {rate * shell / (shell + shaft), rate * shaft / (shell + shaft)};
 }
 

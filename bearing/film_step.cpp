@@ -88,7 +88,8 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   target.force[0] = -load.x;
   target.force[1] = -load.y;
   target.unit = 0.0;
-  if (load.omega == 0.0 || !(target.scale() > 0.0)) return std::nullopt;
+  const bool at_rest = load.omega == 0.0;  // the film carries nothing: asperities may
+  if ((at_rest && !model_.contact) || !(target.scale() > 0.0)) return std::nullopt;
   model_.scene.speed = load.omega * model_.input.bearing.radius;
   model_.scene.storage = {};
   FilmInTime now;

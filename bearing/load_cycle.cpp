@@ -31,7 +31,7 @@ struct LoadCourse::Splines {
   Spline x, y, omega;
 };
 
-LoadCourse::LoadCourse(const LoadCycle& cycle, double omega) : cycle_(cycle) {
+LoadCourse::LoadCourse(const LoadCycle& cycle, double omega, double slow) : cycle_(cycle) {
   EXPECTS(cycle_.t.size() >= 2 && cycle_.x.size() == cycle_.t.size() &&
           cycle_.y.size() == cycle_.t.size());
   length_ = cycle_.length();
@@ -54,6 +54,7 @@ LoadCourse::LoadCourse(const LoadCycle& cycle, double omega) : cycle_(cycle) {
                                                        periodic_spline(cycle_.t, cycle_.omega)});
   } else {
     find_corners();
+    if (slow > 0.0) find_rests(slow);
   }
 }
 
@@ -109,6 +110,20 @@ void LoadCourse::find_corners() {
     const auto b = slope(k);
     corners_.push_back({T[k], false, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])});
   }
+}
+
+void LoadCourse::find_rests(double slow) {
+  for (std::size_t k = 0; k + 1 < cycle_.t.size(); ++k) {
+    const double a = cycle_.omega[k];
+    const double b = cycle_.omega[k + 1];
+    for (const double at : {-slow, 0.0, slow}) {
+      if (a == b || (a - at) * (b - at) > 0.0) continue;
+      const double t = between(cycle_.t[k], cycle_.t[k + 1], (at - a) / (b - a));
+      if (!repeats() || t < length_) corners_.push_back({t, false, INFINITY});
+    }
+  }
+  std::stable_sort(corners_.begin(), corners_.end(),
+                   [](const LoadCorner& a, const LoadCorner& b) { return a.t < b.t; });
 }
 
 std::array<double, 2> LoadCourse::impulse() const {

@@ -48,8 +48,9 @@ struct LoadCorner {
 /// The course of load and speed, at any time; an event begins at 0 with its first row.
 class LoadCourse {
  public:
-  /// `omega`: speed where the cycle has none [rad/s].
-  LoadCourse(const LoadCycle& cycle, double omega);
+  /// `omega`: speed where the cycle has none [rad/s]. `slow`: magnitude of the speed at which, and
+  /// at rest, straight courses of the speed have corners: there friction turns [rad/s]; 0: none.
+  LoadCourse(const LoadCycle& cycle, double omega, double slow = 0.0);
 
   /// At time t >= 0 [s]; at a jump what holds after it, or before it.
   [[nodiscard]] LoadNow at(double t, bool before_jump = false) const;
@@ -66,6 +67,7 @@ class LoadCourse {
   struct Splines;
   [[nodiscard]] double within_period(double t) const;
   void find_corners();
+  void find_rests(double slow);
 
   LoadCycle cycle_;
   std::shared_ptr<const Splines> splines_;  ///< none: straight lines

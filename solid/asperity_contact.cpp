@@ -204,4 +204,8 @@ void AsperityContact::evaluate(std::span<const double> h, std::span<double> p,
   }
 }
 
+double AsperityContact::friction(double speed) const {
+  return friction_ * std::tanh(speed / kMicroSlip);
+}
+
 }  // namespace shellback::solid

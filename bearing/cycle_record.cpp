@@ -179,6 +179,19 @@ const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleIn
                   : *std::max_element(all.begin(), all.end(), less);
 }
 
+/// The first instant behind a rest in contact at which asperities rub with less than a hundredth of
+/// the breakaway torque; none: no start, or none that ends in a full film.
+const CycleInstant* lift_off(const std::vector<CycleInstant>& all, double slow) {
+  constexpr double kLifted = 0.01;  // a hundredth of a torque is not seen in any measured one
+  double breakaway = 0.0;
+  for (const CycleInstant& i : all) {
+    if (i.omega == 0.0) breakaway = i.breakaway;
+    if (std::abs(i.omega) <= slow || breakaway == 0.0) continue;
+    if (std::abs(i.torque_asperity) < kLifted * breakaway) return &i;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::vector<CycleQuantity> CycleRecord::quantities() const {
@@ -208,6 +221,13 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   }
   if (extreme(instants_, &CycleInstant::breakaway, false).breakaway > 0.0) {
     add_extreme("breakaway_torque", &CycleInstant::breakaway, false);
+    constexpr double kSliding = 3.0;  // micro-slips: what rubs then rubs wholly
+    const double slow =
+        kSliding * solid::AsperityContact::kMicroSlip / film_->model().scene.grid.radius;
+    if (const CycleInstant* lifted = lift_off(instants_, slow)) {
+      out.push_back(named("lift_off_speed", lifted->omega));
+      out.back().at = lifted->t;
+    }
   }
   const double rho = reference_density(film_->model());
   out.push_back(named("side_flow", side_ / told() / rho));

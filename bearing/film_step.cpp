@@ -94,11 +94,11 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   model_.scene.storage = {};
   FilmInTime now;
   now.film = cold_start(model_, T);
-  EquilibriumOptions exactly;
-  // Where nothing flows the rate of shear is round-off, and thinning by it known no better.
-  exactly.viscosity_tolerance = options_.viscosity_tolerance;
-  const Verdict v = newton_or_through_time(model_, target, {}, exactly, now.film, cost, stop);
+  const Verdict v =
+      at_rest ? come_to_rest(model_, target, options_, now.film, cost, stop)
+              : newton_or_through_time(model_, target, {}, EquilibriumOptions{}, now.film, cost, stop);
   if (!v.good()) return std::nullopt;
+  model_.scene.storage = {};
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
   now.flows = fluid::oil_flows(model_.scene, now.film.flow);
   return now;

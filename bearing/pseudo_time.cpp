@@ -18,24 +18,17 @@ constexpr int kMost = 25;           ///< iterations of one step
 constexpr int kMostSteps = 100;     ///< where a bearing comes to rest it takes 10 to 30
 constexpr double kLoose = 1e-3;     ///< residuals that will do on the way [-]
 
-}  // namespace
-
-Verdict march_to_steady(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                        const EquilibriumOptions& options, FilmEquilibrium& s,
-                        EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  EquilibriumOptions loose = options;
-  loose.film_tolerance = loose.load_tolerance = loose.elastic_tolerance = kLoose;
-  loose.viscosity_tolerance = kLoose;
-  loose.max_iterations = kMost;
+Verdict march_in_time(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                      const EquilibriumOptions& options, double radian, FilmEquilibrium& s,
+                      EquilibriumCost& cost, const std::atomic<bool>* stop) {
   BearingModel moving = model;
-  const double radian = 1.0 / std::abs(model.input.operation.omega);
   if (!evaluate(model, growth, kLoose, s)) return no_film(model, target, growth, s);
   double turn = kFirst;
   for (int step = 0; turn < kLongest; ++step) {
     moving.scene.storage = {turn * radian, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
     const State before = s;
     const int spent = cost.newton_iterations;
-    const Verdict v = newton(moving, target, growth, loose, s, cost, stop);
+    const Verdict v = newton(moving, target, growth, options, s, cost, stop);
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
     if (ended || cost.spent()) return v;
     if (step == kMostSteps) return not_at_rest(model, s, step);
@@ -48,7 +41,27 @@ Verdict march_to_steady(const BearingModel& model, const LoadTarget& target, con
       if (turn < kShortest) return v;
     }
   }
-  return newton(model, target, growth, options, s, cost, stop);
+  return {};
+}
+
+/// As loose as will do on the way.
+EquilibriumOptions on_the_way(const EquilibriumOptions& options) {
+  EquilibriumOptions loose = options;
+  loose.film_tolerance = loose.load_tolerance = loose.elastic_tolerance = kLoose;
+  loose.viscosity_tolerance = kLoose;
+  loose.max_iterations = kMost;
+  return loose;
+}
+
+}  // namespace
+
+Verdict march_to_steady(const BearingModel& model, const LoadTarget& target, const Field& growth,
+                        const EquilibriumOptions& options, FilmEquilibrium& s,
+                        EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  const double radian = 1.0 / std::abs(model.input.operation.omega);
+  const Verdict v =
+      march_in_time(model, target, growth, on_the_way(options), radian, s, cost, stop);
+  return v.good() ? newton(model, target, growth, options, s, cost, stop) : v;
 }
 
 namespace {
@@ -73,6 +86,16 @@ void put_in_the_middle(const BearingModel& model, const LoadTarget& target, Film
 }
 
 }  // namespace
+
+Verdict come_to_rest(const BearingModel& model, const LoadTarget& target,
+                     const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost,
+                     const std::atomic<bool>* stop) {
+  constexpr double kUnit = 10.0;  // the first step is a hundredth of it, the last a million s [s]
+  EquilibriumOptions steps = options;
+  steps.max_iterations = kMost;
+  put_in_the_middle(model, target, s);
+  return march_in_time(model, target, {}, steps, kUnit, s, cost, stop);
+}
 
 Verdict newton_or_through_time(const BearingModel& model, const LoadTarget& target,
                                const Field& growth, const EquilibriumOptions& options,

@@ -17,6 +17,12 @@ namespace shellback::bearing {
                                       FilmEquilibrium& state, EquilibriumCost& cost,
                                       const std::atomic<bool>* stop);
 
+/// A journal that does not turn, let go in the middle of a full film: until, after days, the film
+/// carries nothing any more and asperities all. Cavitated oil is left where it is.
+[[nodiscard]] Verdict come_to_rest(const BearingModel& model, const LoadTarget& target,
+                                   const EquilibriumOptions& options, FilmEquilibrium& state,
+                                   EquilibriumCost& cost, const std::atomic<bool>* stop);
+
 /// Newton's method; where it fails, through time.
 [[nodiscard]] Verdict newton_or_through_time(const BearingModel& model, const LoadTarget& target,
                                              const Field& growth, const EquilibriumOptions& options,

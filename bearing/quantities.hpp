@@ -33,6 +33,7 @@ struct Quantities {
   double friction_torque_asperity = kUnknown;  ///< part of it from asperities [N m]
   double friction_torque_shell = kUnknown;     ///< on the shell [N m]
   double breakaway_torque = kUnknown;          ///< at which a journal at rest begins to turn [N m]
+  double lift_off_speed = kUnknown;            ///< at which asperities hardly rub any more [rad/s]
   double power_loss = kUnknown;                ///< friction torque times speed [W]
   double pump_power = kUnknown;                ///< of the supplied pressure [W]
   double eccentricity_ratio = kUnknown;        ///< |e| over the cold radial clearance [-]
@@ -86,6 +87,7 @@ inline constexpr QuantityEntry kQuantities[] = {
     {&Quantities::friction_torque_shell, "friction_torque_shell", "N m",
      "friction torque on the shell"},
     {&Quantities::breakaway_torque, "breakaway_torque", "N m", "breakaway torque"},
+    {&Quantities::lift_off_speed, "lift_off_speed", "rad/s", "speed of lift-off"},
     {&Quantities::power_loss, "power_loss", "W", "power loss"},
     {&Quantities::pump_power, "pump_power", "W", "power of the supplied pressure"},
     {&Quantities::eccentricity_ratio, "eccentricity_ratio", "1", "eccentricity ratio"},

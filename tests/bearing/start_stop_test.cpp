@@ -1,0 +1,108 @@
+// From rest in contact to a full film and back, and through zero speed.
+#include <catch2/catch.hpp>
+
+#include "bearing/cycle.hpp"
+#include "core/constants.hpp"
+#include "solid/asperity_contact.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+constexpr double kLoad = 2.5e3;  ///< [N]
+constexpr double kTop = 260.0 * kPi / 30.0;
+
+/// At rest under the load for half a second, then to `top` within three seconds and back.
+Case starting(double top) {
+  Case c = rig_case();
+  c.model.grid = {60, 7};
+  c.model.switches.elastic_deformation = true;
+  LoadCycle event;
+  event.t = {0.0, 0.5, 3.5, 6.5, 7.0};
+  event.x.assign(5, 0.0);
+  event.y.assign(5, -kLoad);
+  event.omega = {0.0, 0.0, top, 0.0, 0.0};
+  event.journal_mass = 5.0;
+  c.cycle = event;
+  c.operation.position = LoadGiven{kLoad, 270.0 * kDegree};
+  return c;
+}
+
+CycleResult converged(const Case& c) {
+  const CycleResult r = solve_cycle(c, Tier::isothermal);
+  INFO(r.verdict.reason);
+  REQUIRE(r.verdict.good());
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("BoundaryFrictionIsSmoothThroughZeroAndWholeWhereSurfacesSlide", "[start_stop]") {
+  const Case c = rig_case();
+  const solid::AsperityContact contact(c.surfaces.shell, c.surfaces.shaft, *c.surfaces.contact);
+  CHECK(contact.friction(0.0) == 0.0);
+  for (const double v : {1e-5, 1e-3, 0.05}) CHECK(contact.friction(-v) == -contact.friction(v));
+  CHECK(contact.friction(0.05) == Approx(contact.friction()).epsilon(1e-12));
+  const double slope = contact.friction(1e-8) / 1e-8;
+  CHECK(slope == Approx(contact.friction() / solid::AsperityContact::kMicroSlip).epsilon(1e-6));
+}
+
+TEST_CASE("AtRestTheContactAloneCarriesTheLoad", "[start_stop]") {
+  const double arm = rig_case().bearing.radius;
+  std::vector<double> breakaway;
+  for (const double sigma : {0.28e-6, 0.23e-6}) {  // new, worn
+    Case c = starting(kTop);
+    c.surfaces.shell.summit_roughness = sigma;
+    c.surfaces.shell.summit_height = sigma > 0.25e-6 ? 0.39e-6 : 0.19e-6;
+    const CycleResult r = converged(c);
+    const CycleInstant& first = r.instants.front();
+    CHECK(first.torque == Approx(0.0).margin(1e-9));
+    CHECK(first.p_max <= c.supplies[0].pressure * (1.0 + 1e-9));  // the film carries nothing
+    CHECK(first.p_asperity_max > 1e6);
+    // mu F R, and more as pressures beside the load line do not point along it: 4/pi at most of a
+    // cosine over half the shell
+    CHECK(first.breakaway > 0.02 * kLoad * arm);
+    CHECK(first.breakaway < 4.0 / kPi * 0.02 * kLoad * arm);
+    breakaway.push_back(value_of(r, "breakaway_torque"));
+    double start = 0.0;
+    for (const CycleInstant& i : r.instants) {
+      if (i.t > 0.5 && i.t < 0.6) start = std::max(start, i.torque);
+    }
+    CHECK(start == Approx(breakaway.back()).epsilon(0.05));
+    CHECK(value_of(r, "lift_off_speed") < kTop);
+  }
+  CHECK(breakaway[1] == Approx(breakaway[0]).epsilon(0.01));  // the contact's sum is the load
+}
+
+TEST_CASE("StartingBackwardsIsTheMirrorImage", "[start_stop]") {
+  const CycleResult forward = converged(starting(kTop));
+  const CycleResult backward = converged(starting(-kTop));
+  // the hole lies on the load line: the bearing is its own mirror image; both take their own steps
+  CHECK(value_of(backward, "friction_torque") ==
+        Approx(-value_of(forward, "friction_torque")).epsilon(1e-3));
+  CHECK(value_of(backward, "h_min") == Approx(value_of(forward, "h_min")).epsilon(1e-3));
+  CHECK(value_of(backward, "power_loss") == Approx(value_of(forward, "power_loss")).epsilon(1e-3));
+}
+
+TEST_CASE("AReversalTurnsTheFrictionWithoutAJump", "[start_stop]") {
+  Case c = starting(kTop);
+  c.cycle->t = {0.0, 1.0, 1.02};
+  c.cycle->x.assign(3, 0.0);
+  c.cycle->y.assign(3, -kLoad);
+  c.cycle->omega = {1.0, 0.04, -0.04};  // 1 mm/s through zero in 20 ms
+  const CycleResult r = converged(c);
+  const double whole = 4.0 / kPi * 0.02 * kLoad * c.bearing.radius;
+  double largest_jump = 0.0;
+  for (std::size_t k = 1; k < r.instants.size(); ++k) {
+    const auto& a = r.instants[k - 1];
+    const auto& b = r.instants[k];
+    CHECK(b.torque_asperity * b.omega >= 0.0);  // against the motion
+    const double slip = std::abs(b.omega - a.omega) * c.bearing.radius;
+    const double most = whole * slip / solid::AsperityContact::kMicroSlip;  // slope of tanh at 0
+    largest_jump = std::max(largest_jump, std::abs(b.torque_asperity - a.torque_asperity) - most);
+  }
+  CHECK(largest_jump < 0.05 * whole);  // what else changes in a step: the contact itself
+}

@@ -128,7 +128,12 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
   if (mass_ > 0.0) {
     target_.inertia = Inertia{mass_ / (own * own), {q[0] + own * v[0], q[1] + own * v[1]}};
   }
-  predict(q, v, own, film);
+  if (i > (by.explicit_first ? 1 : 0)) {
+    const double since = (by.c[i] - by.c[i - 1]) * dt;
+    carry_on(FilmTrend(now.film, film, by.c[i - 1] * dt), since, film);
+  } else if (by.explicit_first) {
+    carry_on(now.trend, by.c[i] * dt, film);
+  }
   if (heat_) expect_temperatures(i, dt, stages, now, film);
   Verdict verdict = newton(model_, target_, growth(), options_, film, cost, stop);
   if (!verdict.good()) return verdict;
@@ -151,15 +156,26 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
   return heat_ ? solve_heat(i, dt, stages, now, film, found) : verdict;
 }
 
-/// First guess of the journal's position: where its velocity leads to, if the film stays.
-void FilmSteps::predict(const std::array<double, 2>& q, const std::array<double, 2>& v, double own,
-                        FilmEquilibrium& film) const {
-  constexpr double kMost = 0.3;  // of the room that is left
-  if (mass_ <= 0.0) return;
-  std::array<double, 2> move{};
-  for (int k = 0; k < 2; ++k) move[k] = q[k] + own * v[k] - film.position.q[k];
-  if (std::hypot(move[0], move[1]) > kMost * room(model_, film)) return;
-  for (int k = 0; k < 2; ++k) film.position.q[k] += move[k];
+FilmTrend::FilmTrend(const State& from, const State& to, double dt) {
+  p.assign(to.film.p.size(), 0.0);
+  for (std::size_t c = 0; c < p.size(); ++c) {
+    if (from.film.full[c] && to.film.full[c]) p[c] = (to.film.p[c] - from.film.p[c]) / dt;
+  }
+  elastic = to.elastic;
+  for (std::size_t c = 0; c < elastic.size(); ++c) {
+    elastic[c] = (to.elastic[c] - from.elastic[c]) / dt;
+  }
+  for (int k = 0; k < 4; ++k) q[k] = (to.position.q[k] - from.position.q[k]) / dt;
+}
+
+void FilmSteps::carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& film) const {
+  if (trend.p.empty()) return;
+  for (std::size_t c = 0; c < trend.p.size(); ++c) {
+    if (!film.film.full[c] || model_.scene.supply.cell[c] >= 0) continue;
+    film.film.p[c] = std::max(film.film.p[c] + ahead * trend.p[c], model_.scene.p_cavitation);
+  }
+  for (std::size_t c = 0; c < film.elastic.size(); ++c) film.elastic[c] += ahead * trend.elastic[c];
+  for (int k = 0; k < target_.unknowns; ++k) film.position.q[k] += ahead * trend.q[k];
 }
 
 namespace {
@@ -228,7 +244,9 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     stages[0].heat.skin_slope = now.heat.skin_slope;
     for (int k = 0; k < 2; ++k) stages[0].force[k] = now.film.force[k];
   }
+  State between;  // the last stage but one
   for (int i = by.explicit_first ? 1 : 0; i < by.stages; ++i) {
+    if (i + 1 == by.stages) between = film;
     step.verdict = solve_stage(i, dt, stages, now, film, stages[i], cost, stop);
     if (!step.verdict.good()) return step;
     step.off_balance = std::max(step.off_balance, stages[i].off_balance);
@@ -252,6 +270,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.after.t = now.t + dt;
   step.after.full_before = now.film.film.full;
   step.after.growth = now.growth;
+  step.after.trend = FilmTrend(between, film, (1.0 - by.c[by.stages - 2]) * dt);
   step.after.film = std::move(film);
   step.after.velocity = last.velocity;
   step.after.acceleration = last.acceleration;

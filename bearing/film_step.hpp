@@ -21,6 +21,16 @@
 
 namespace shellback::bearing {
 
+/// How unknowns move, per second: from one stage to the next, for the first guess of a stage.
+struct FilmTrend {
+  Field p;                     ///< [Pa/s]; empty: not known
+  Field elastic;               ///< [m/s]
+  std::array<double, 4> q{};   ///< of the position [m/s], [rad/s]
+  /// From the difference of two states over dt [s].
+  FilmTrend() = default;
+  FilmTrend(const State& from, const State& to, double dt);
+};
+
 /// Where the bearing stands in time: the unknowns and what carries over from step to step.
 struct FilmInTime {
   double t = 0.0;  ///< [s]
@@ -32,6 +42,7 @@ struct FilmInTime {
   fluid::OilFlows flows;                 ///< at t [kg/s]
   std::vector<char> full_before;         ///< cells full when the step that led here began
   HeatInTime heat;                       ///< tiers with film temperatures
+  FilmTrend trend;                       ///< over the last stage
   double growth = 0.0;                   ///< mean thermal widening of its gap [m]
 };
 
@@ -87,8 +98,8 @@ class FilmSteps {
                                    Stage& found) const;
   /// Heat at the end of the step, and what flowed in it.
   void end_heat(double dt, const FilmInTime& now, std::vector<Stage>& stages, FilmStep& step) const;
-  void predict(const std::array<double, 2>& q, const std::array<double, 2>& v, double own,
-               FilmEquilibrium& film) const;
+  /// The film carried on along its trend for `ahead` [s].
+  void carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& film) const;
   [[nodiscard]] double error_of(const FilmInTime& now, const FilmEquilibrium& end,
                                 const std::vector<Stage>& stages, double dt) const;
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/read_case.hpp"
+#include "bearing/cycle.hpp"
 #include "bearing/solve.hpp"
 #include "core/contract.hpp"
 #include "validation/evaluators/bearing_numbers.hpp"
@@ -33,9 +34,9 @@ Case case_of(const Question& q, const BearingPart& part) {
 }
 
 /// Adds the quantities of one bearing: the first one's as they are, torques and powers of all.
-void add_bearing(const Solution& s, const Case& c, const BearingPart& part, bool first,
-                 Values& values) {
-  for (const bearing::Quantity& quantity : bearing::quantities_of(s, c.model.tier)) {
+void add_bearing(const std::vector<bearing::Quantity>& quantities, const BearingPart& part,
+                 bool first, Values& values) {
+  for (const bearing::Quantity& quantity : quantities) {
     for (const char* summed : {"friction_torque", "friction_torque_asperity"}) {
       if (quantity.name != summed) continue;
       const std::string total = fmt::format("total_{}", summed);
@@ -45,7 +46,21 @@ void add_bearing(const Solution& s, const Case& c, const BearingPart& part, bool
     values.value[quantity.name + "." + part.name] = quantity.value;
     if (first) values.value[quantity.name] = quantity.value;
   }
+}
+
+/// One bearing, steady or over its cycle; its verdict.
+Verdict solve_bearing(const Question& q, const BearingPart& part, bool first, Values& values) {
+  const Case c = case_of(q, part);
+  if (c.cycle) {
+    const bearing::CycleResult r = bearing::solve_cycle(c, c.model.tier, q.control);
+    if (r.verdict.good()) add_bearing(bearing::as_result(r).quantities, part, first, values);
+    return r.verdict;
+  }
+  const Solution s = bearing::solve_tier(c, c.model.tier, q.control);
+  if (!s.verdict.good()) return s.verdict;
+  add_bearing(bearing::quantities_of(s, c.model.tier), part, first, values);
   if (first) add_bearing_numbers(s, values.value);
+  return s.verdict;
 }
 
 }  // namespace
@@ -57,16 +72,14 @@ Values bearing_values(const Question& q) {
                      "the evaluator \"bearings\" needs at least one [[bearing]] with a case file");
   }
   for (const BearingPart& part : q.entry.bearings) {
-    const Case c = case_of(q, part);
-    const Solution s = bearing::solve_tier(c, c.model.tier, q.control);
-    values.interrupted = s.verdict.status == Status::interrupted;
-    if (!s.verdict.good()) {
-      values.failure = fmt::format("{}: {}{}{}", part.name, to_string(s.verdict.status),
-                                   s.verdict.reason.empty() ? "" : ": ", s.verdict.reason);
-      values.value.clear();
-      return values;
-    }
-    add_bearing(s, c, part, &part == &q.entry.bearings.front(), values);
+    const bool first = &part == &q.entry.bearings.front();
+    const Verdict verdict = solve_bearing(q, part, first, values);
+    values.interrupted = verdict.status == Status::interrupted;
+    if (verdict.good()) continue;
+    values.failure = fmt::format("{}: {}{}{}", part.name, to_string(verdict.status),
+                                 verdict.reason.empty() ? "" : ": ", verdict.reason);
+    values.value.clear();
+    return values;
   }
   return values;
 }

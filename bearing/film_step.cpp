@@ -169,7 +169,12 @@ FilmTrend::FilmTrend(const State& from, const State& to, double dt) {
 }
 
 void FilmSteps::carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& film) const {
+  constexpr double kMost = 0.3;  // of the room that is left
   if (trend.p.empty()) return;
+  double move = std::hypot(trend.q[0], trend.q[1]);
+  if (!trend.elastic.empty()) move = std::max(move, largest_magnitude(trend.elastic));
+  const double most = kMost * room(model_, film);
+  if (ahead * move > most) ahead = std::max(most / move, 0.0);
   for (std::size_t c = 0; c < trend.p.size(); ++c) {
     if (!film.film.full[c] || model_.scene.supply.cell[c] >= 0) continue;
     film.film.p[c] = std::max(film.film.p[c] + ahead * trend.p[c], model_.scene.p_cavitation);

@@ -73,6 +73,12 @@ Lack lack_for(const Case& c, Tier tier) {
                 "steady position",
                 "take model.coefficients (--coefficients) away");
   }
+  if (c.cycle && !usual_methods(c)) {
+    return lack("model.methods",
+                "not yet available for load cycles: another method than the active set for "
+                "cavitation and Newton's for elasticity",
+                "take model.methods away");
+  }
   const bool thermal = tier == Tier::thd || tier == Tier::tehd;
   if (thermal) {
     if (auto missing = lack_for_heat(c, to_string(tier))) return missing;

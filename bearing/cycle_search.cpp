@@ -216,15 +216,22 @@ void CycleSearch::put_walls() {
   film_.set_walls(*walls_, length_, steps_.longest / kSkinSteps, now_);
 }
 
-bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>& g) {
-  unpack(x, *walls_);
+bool CycleSearch::pass_between(const WallMeans& walls) {
+  walls_ = walls;
   put_walls();
   if (!pass()) return false;
+  const std::vector<double> mean = heat_.mean_skin();
+  for (std::size_t k = 0; k < mean.size(); ++k) now_.heat.skin[k] -= mean[k];
+  return true;
+}
+
+bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>& g) {
+  WallMeans walls = *walls_;
+  unpack(x, walls);
+  if (!pass_between(walls)) return false;
   const BodiesAnswer next =
       answer_of_bodies(film_.model(), *walls_, heat_, *response_, film_.heat()->skin().nodes());
   walls_->flux = next.walls.flux;
-  const std::vector<double> mean = heat_.mean_skin();
-  for (std::size_t k = 0; k < mean.size(); ++k) now_.heat.skin[k] -= mean[k];
   g = packed(next.walls);
   wall_change_ = kUnit * largest_difference(g, x);
   return true;

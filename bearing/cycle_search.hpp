@@ -41,6 +41,13 @@ class CycleSearch {
   /// The cycle that was passed last.
   [[nodiscard]] const CycleRecord& told() const { return told_; }
   [[nodiscard]] const EquilibriumCost& cost() const { return cost_; }
+  /// One cycle with walls that stay as they are; false, with the verdict, if it does not end. What
+  /// the skin has warmed in the mean is then taken from it.
+  bool pass_between(const WallMeans& walls);
+  /// Mean heat of the last cycle, and the film's response to its walls.
+  [[nodiscard]] const CycleHeat& heat() const { return heat_; }
+  [[nodiscard]] const thermal::WallResponse& response() const { return *response_; }
+  [[nodiscard]] const FilmSteps& film() const { return film_; }
   [[nodiscard]] int cycles() const { return r_.cycles; }
   [[nodiscard]] CycleResult result() const;
 

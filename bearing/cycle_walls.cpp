@@ -45,7 +45,7 @@ std::vector<double> CycleHeat::mean_skin() const {
 
 BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
                               const CycleHeat& heat, const thermal::WallResponse& response,
-                              int skin_nodes) {
+                              int skin_nodes, const SolidStep* step) {
   const FilmGrid& g = model.scene.grid;
   const std::vector<double> skin = heat.mean_skin();
   WallFlux q{Field(g.cells(), 0.0), std::vector<double>(g.nz, 0.0), response};
@@ -59,7 +59,7 @@ BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
     }
   }
   BodiesAnswer out;
-  out.solids = model.solids->answer(q, met, walls.shaft, {model.physics.growth, true});
+  out.solids = model.solids->answer(q, met, walls.shaft, {model.physics.growth, true}, step);
   out.walls = {out.solids.shell.surface, out.solids.shaft.temperature, q.shell, out.solids.growth};
   return out;
 }

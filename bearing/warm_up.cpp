@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/first_film.hpp"
+#include "bearing/warm_up_cycles.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 
@@ -23,6 +24,7 @@ WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& o, const SolveCont
                      "a transient follows the walls' temperatures, which only the tiers thd and "
                      "tehd have");
   }
+  if (c.cycle) return warm_up_over_cycles(c, tier, o, control);
   WarmUp out;
   Solution& s = out.solution;
   const Physics physics = physics_of(c, tier);

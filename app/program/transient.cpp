@@ -91,7 +91,6 @@ int transient(const Request& request) {
   const std::string text = read_text_file(request.case_file);
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
-  expect_no_cycle(subject, "run --transient");
   const WarmUpOptions options = options_of(request);
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);

@@ -44,8 +44,8 @@ struct BodiesAnswer {
   SolidTemperature solids;
 };
 
-/// The walls for the mean heat that a cycle has found with `walls`: in the periodic state, or at the
-/// end of a step in time through which the bodies see that heat.
+/// The walls for the mean heat that a cycle has found with `walls`: in the periodic state, or at
+/// the end of a step in time through which the bodies see that heat.
 [[nodiscard]] BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
                                             const CycleHeat& heat,
                                             const thermal::WallResponse& response, int skin_nodes,

@@ -94,9 +94,9 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   model_.scene.storage = {};
   FilmInTime now;
   now.film = cold_start(model_, T);
-  const Verdict v =
-      at_rest ? come_to_rest(model_, target, options_, now.film, cost, stop)
-              : newton_or_through_time(model_, target, {}, EquilibriumOptions{}, now.film, cost, stop);
+  const Verdict v = at_rest ? come_to_rest(model_, target, options_, now.film, cost, stop)
+                            : newton_or_through_time(model_, target, {}, EquilibriumOptions{},
+                                                     now.film, cost, stop);
   if (!v.good()) return std::nullopt;
   model_.scene.storage = {};
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);

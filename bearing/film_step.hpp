@@ -23,9 +23,9 @@ namespace shellback::bearing {
 
 /// How unknowns move, per second: from one stage to the next, for the first guess of a stage.
 struct FilmTrend {
-  Field p;                     ///< [Pa/s]; empty: not known
-  Field elastic;               ///< [m/s]
-  std::array<double, 4> q{};   ///< of the position [m/s], [rad/s]
+  Field p;                    ///< [Pa/s]; empty: not known
+  Field elastic;              ///< [m/s]
+  std::array<double, 4> q{};  ///< of the position [m/s], [rad/s]
   /// From the difference of two states over dt [s].
   FilmTrend() = default;
   FilmTrend(const State& from, const State& to, double dt);

@@ -40,14 +40,13 @@ Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, dou
   i.heat_in = search.heat().flows().work / search.heat().time();
   i.heat_out = per_time * (film.carried_out - film.carried_in) + bodies.solids.shell.heat_back +
                bodies.solids.shell.heat_ends + bodies.solids.shaft.heat_out;
-  i.stored =
-      bodies.solids.shell.stored + bodies.solids.shaft.stored + per_time * film.stored;
+  i.stored = bodies.solids.shell.stored + bodies.solids.shaft.stored + per_time * film.stored;
   if (!bodies.walls.growth.empty()) i.deformation = mean_of(g, bodies.walls.growth);
   return i;
 }
 
-/// The film answers a wall that is warmer here and cooler there within two cycles, not at once: taken
-/// at twice its strength the local answer does not overshoot.
+/// The film answers a wall that is warmer here and cooler there within two cycles, not at once:
+/// taken at twice its strength the local answer does not overshoot.
 thermal::WallResponse delayed(thermal::WallResponse r) {
   constexpr double kCycles = 2.0;
   r.shell_local *= kCycles;
@@ -80,8 +79,8 @@ WarmUp warm_up_over_cycles(const Case& c, Tier tier, const WarmUpOptions& o,
   const Solids& solids = *model.solids;
   SolidState state = solids.uniform_state(o.T_start);
   const SolidTemperature cold = solids.at(state);
-  WallMeans walls{cold.shell.surface, cold.shaft.temperature,
-                  Field(cold.shell.surface.size(), 0.0), cold.growth};
+  WallMeans walls{cold.shell.surface, cold.shaft.temperature, Field(cold.shell.surface.size(), 0.0),
+                  cold.growth};
   const double shortest = c.cycle->length();
   double dt = shortest;
   SolidStep last;
@@ -96,7 +95,8 @@ WarmUp warm_up_over_cycles(const Case& c, Tier tier, const WarmUpOptions& o,
     double move = 0.0;
     for (double length = std::min(dt, o.end - out.end.t);; length /= kLonger) {
       step = solids.step(length, state, &last);
-      next = answer_of_bodies(model, walls, search.heat(), delayed(search.response()), nodes, &step);
+      next =
+          answer_of_bodies(model, walls, search.heat(), delayed(search.response()), nodes, &step);
       move = move_of(next.walls, walls);
       dt = length;
       if (move <= kMost || length <= shortest) break;
@@ -106,7 +106,10 @@ WarmUp warm_up_over_cycles(const Case& c, Tier tier, const WarmUpOptions& o,
     walls = next.walls;
     out.end.t += dt;
     out.instants.push_back(instant_after(search, next, out.end.t, dt));
-    if (getenv("DBG")) fprintf(stderr, "t %.3f dt %.3g move %.3g T %.2f cost %d steps %d\n", out.end.t, dt, move, walls.shell[0]-273.15, search.cost().newton_iterations, search.told().told() > 0 ? search.cycles() : 0);
+    if (getenv("DBG"))
+      fprintf(stderr, "t %.3f dt %.3g move %.3g T %.2f cost %d steps %d\n", out.end.t, dt, move,
+              walls.shell[0] - 273.15, search.cost().newton_iterations,
+              search.told().told() > 0 ? search.cycles() : 0);
     out.end.at_rest = dt >= 0.4 * out.end.t && move < kStill;
     if (out.end.at_rest) break;
     dt *= kLonger;  // halved again where it is too long: that costs no cycle

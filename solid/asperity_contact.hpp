@@ -61,9 +61,9 @@ class AsperityContact {
   [[nodiscard]] double least_gap() const { return delta_ - kWholeSurface * sigma_; }
   [[nodiscard]] double friction() const { return friction_; }  ///< boundary coefficient [-]
   /// The same of surfaces that slide at `speed` [m/s], with its sign: mu tanh(speed/v). Summits in
-  /// contact give way by about a micrometre before they slide (Rabinowicz, textbook); v is the speed
-  /// that a shaft has after so little under the accelerations at which bearings start (0.2 m/s2
-  /// and seconds to full speed: 0.6 mm/s). From 20 v on it is the coefficient to all digits.
+  /// contact give way by about a micrometre before they slide (Rabinowicz, textbook); v is the
+  /// speed that a shaft has after so little under the accelerations at which bearings start (0.2
+  /// m/s2 and seconds to full speed: 0.6 mm/s). From 20 v on it is the coefficient to all digits.
   [[nodiscard]] double friction(double speed) const;
   static constexpr double kMicroSlip = 1e-3;  ///< v [m/s]
 

@@ -4,6 +4,7 @@
 #include "bearing/compare_cycles.hpp"
 #include "bearing/cycle.hpp"
 #include "bearing/solve.hpp"
+#include "bearing/warm_up.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -158,4 +159,31 @@ TEST_CASE("TheFrictionOfACycleIsSplitIntoItsCauses", "[cycle_heat]") {
   at.oil_temperature = all.sums.T_calibrated;
   CHECK(value(converged(at, Tier::isothermal), "friction_torque") ==
         Approx(split.to).epsilon(5e-4));
+}
+
+TEST_CASE("AWarmUpOverCyclesEndsInThePeriodicState", "[cycle_heat]") {
+  Case c = warm_cycle_case(1.5e3, 0.6);
+  c.model.tier = Tier::thd;
+  const CycleResult periodic = converged(c, Tier::thd);
+  WarmUpOptions o;
+  o.T_start = 293.15;
+  const WarmUp run = warm_up(c, Tier::thd, o);
+  INFO(run.end.verdict.reason);
+  REQUIRE(run.end.verdict.good());
+  CHECK(run.end.at_rest);
+  const Instant& last = run.instants.back();
+  // walls still move by 0.05 K over nearly half of all time
+  CHECK(last.torque == Approx(value(periodic, "friction_torque")).epsilon(5e-3));
+  CHECK(last.T_shell_max == Approx(value(periodic, "T_shell_max")).margin(0.2));
+  CHECK(last.h_min == Approx(value(periodic, "h_min")).epsilon(5e-3));
+  CHECK(std::abs(last.heat_in - last.heat_out - last.stored) < 0.01 * last.heat_in);
+  double before = 0.0;
+  for (const Instant& i : run.instants) {
+    CHECK(i.T_shaft > before - 0.01);  // it only warms [K]
+    before = i.T_shaft;
+  }
+  CHECK(run.instants.front().T_shaft < 294.0);
+  Case event = c;
+  event.cycle->period = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS(warm_up(event, Tier::thd, o), InputError);
 }

@@ -263,7 +263,6 @@ TEST_CASE("WhatCannotTakeALoadCycleSaysSo") {
   const std::string file = case_path("pulse").string();
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{"chart", file},
-                                             {"run", file, "--transient"},
                                              {"run", file, "--tier", "estimate"},
                                              {"run", file, "--tier", "auto"},
                                              {"run", file, "--coefficients"}}) {

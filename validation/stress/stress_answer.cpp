@@ -24,8 +24,8 @@ constexpr double kEnergyBound = 1e-4;
 constexpr double kLoadBound = 1e-6;
 constexpr double kMomentBound = 0.05;
 constexpr double kCycleLoadBound = 2e-5;  ///< twice what a step is solved to at 1 % tolerance [-]
-constexpr double kThetaSlack = 1e-6;    ///< of the solve's tolerance [-]
-constexpr double kPressureSlack = 1.0;  ///< [Pa]
+constexpr double kThetaSlack = 1e-6;      ///< of the solve's tolerance [-]
+constexpr double kPressureSlack = 1.0;    ///< [Pa]
 /// What the discretisation may undershoot, where the solver itself refuses a little earlier.
 constexpr double kRippleLeast = 3.0;      ///< [K]
 constexpr double kRippleShare = 0.1;      ///< of the span of temperatures [-]

@@ -340,7 +340,7 @@ Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<Stage>& stages
   Field after = model_.scene.storage.before;
   add(own, found.oil, after);
   found.heat = heat_->stage(model_, film, own, of_cells(g, model_.scene.storage.before),
-                            of_cells(g, std::move(after)), held, std::move(skin));
+                            of_cells(g, std::move(after)), held, skin);
   for (int k = 0; k < 2; ++k) found.heat.flows.work -= film.force[k] * found.velocity[k];
   if (found.heat.possible) return {};
   return {Status::iteration_limit, "a film temperature leaves what an oil can be", "",

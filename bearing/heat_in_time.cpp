@@ -80,32 +80,47 @@ HeatInTime HeatSteps::begin(const BearingModel& model, std::vector<double> T,
   return heat;
 }
 
-HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, double own,
-                           const Field& before, const Field& after, const std::vector<double>& held,
-                           std::vector<double> skin) const {
-  const FilmGrid& g = model.scene.grid;
-  const int n = model.gl.n;
-  const int nodes = skin_.nodes();
-  const ContactHeat rubbed = contact_heat(model, s);
-  HeatStage out;
-  out.skin = skin;
-  out.skin_slope = std::move(skin);  // for now: what it was
-  const thermal::SkinStep step = skin_.over(own);
-  thermal::YieldingShell shell{step.impedance(), Field(g.cells()), rubbed.shell};
+thermal::YieldingShell HeatSteps::free_shell(const FilmGrid& g, const thermal::SkinStep& step,
+                                             Field rubbed, std::vector<double>& skin) const {
+  thermal::YieldingShell shell{step.impedance(), Field(g.cells()), std::move(rubbed)};
   for (int c = 0; c < g.cells(); ++c) {
-    double* T = &out.skin[static_cast<std::size_t>(c) * nodes];
+    double* T = &skin[static_cast<std::size_t>(c) * skin_.nodes()];
     skin_.relax(step, T);
     shell.free[c] = walls.shell[c] + T[0] - step.impedance() * walls.flux[c];
   }
+  return shell;
+}
+
+void HeatSteps::heat_skin(const thermal::SkinStep& step, const std::vector<double>& before,
+                          HeatStage& out) const {
+  const auto nodes = static_cast<std::size_t>(skin_.nodes());
+  for (std::size_t c = 0; c < walls.flux.size(); ++c) {
+    const double beyond = out.flows.to_shell[c] - walls.flux[c];
+    for (std::size_t k = 0; k < nodes; ++k) out.skin[c * nodes + k] += step.by_flux[k] * beyond;
+  }
+  out.skin_slope.resize(before.size());
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    out.skin_slope[k] = (out.skin[k] - before[k]) / step.dt;
+  }
+}
+
+HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, double own,
+                           const Field& before, const Field& after, const std::vector<double>& held,
+                           const std::vector<double>& skin) const {
+  const FilmGrid& g = model.scene.grid;
+  const int n = model.gl.n;
+  const auto film = [&](int c) { return model.scene.supply.cell[c] < 0; };
+  const ContactHeat rubbed = contact_heat(model, s);
+  HeatStage out;
+  out.skin = skin;
+  const thermal::SkinStep step = skin_.over(own);
   const Friction friction = friction_of(model, s);
   thermal::FilmEnergyProblem problem =
       film_energy_problem(model, s, friction, thermal::FilmStorage{own, after, before, held});
-  problem.shell = shell;
+  problem.shell = free_shell(g, step, rubbed.shell, out.skin);
   out.T = s.columns.T;
   for (int c = 0; c < g.cells(); ++c) {
-    if (model.scene.supply.cell[c] < 0) {
-      out.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
-    }
+    if (film(c)) out.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
   }
   const std::vector<double> cp = problem.cp;
   const double T_ref = problem.T_reference;
@@ -116,30 +131,22 @@ HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, 
   out.flows.balance = energy.balance(out.T);
   out.flows.work =
       (friction.viscous + friction.asperity) * model.scene.speed / g.radius + pump_power(model, s);
-  const thermal::WallHeat walls_heat = energy.wall_heat(out.T);
-  out.flows.to_shell.assign(g.cells(), 0.0);
+  const thermal::WallHeat into = energy.wall_heat(out.T);
+  out.flows.to_shell = walls.flux;  // supply features: no film, no swing
   out.flows.to_shaft.assign(g.cells(), 0.0);
   out.held_slope.assign(out.T.size(), 0.0);
   for (int c = 0; c < g.cells(); ++c) {
+    if (!film(c)) continue;
     const double area = g.area(c / g.nz, c % g.nz);
-    const bool film = model.scene.supply.cell[c] < 0;
-    double* T = &out.skin[static_cast<std::size_t>(c) * nodes];
-    double* slope = &out.skin_slope[static_cast<std::size_t>(c) * nodes];
-    if (film) {
-      out.flows.to_shell[c] = walls_heat.shell[c] / area + rubbed.shell[c];
-      out.flows.to_shaft[c] = walls_heat.shaft[c] / area + rubbed.shaft[c];
-      out.flows.rubbed += area * (rubbed.shell[c] + rubbed.shaft[c]);
-    }
-    const double beyond = film ? out.flows.to_shell[c] - walls.flux[c] : 0.0;
-    for (int k = 0; k < nodes; ++k) {
-      T[k] += step.by_flux[k] * beyond;
-      slope[k] = (T[k] - slope[k]) / own;
-    }
-    for (int k = 0; film && k < n; ++k) {
+    out.flows.to_shell[c] = into.shell[c] / area + rubbed.shell[c];
+    out.flows.to_shaft[c] = into.shaft[c] / area + rubbed.shaft[c];
+    out.flows.rubbed += area * (rubbed.shell[c] + rubbed.shaft[c]);
+    for (int k = 0; k < n; ++k) {
       const std::size_t at = static_cast<std::size_t>(c) * n + k;
       out.held_slope[at] = (after[c] * cp[at] * (out.T[at] - T_ref) - held[at]) / own;
     }
   }
+  heat_skin(step, skin, out);
   return out;
 }
 

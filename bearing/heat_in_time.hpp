@@ -79,7 +79,8 @@ class HeatSteps {
   /// cells to `after` [kg], the heat `held` and the skin `skin` of (1).
   [[nodiscard]] HeatStage stage(const BearingModel& model, const FilmEquilibrium& s, double own,
                                 const Field& before, const Field& after,
-                                const std::vector<double>& held, std::vector<double> skin) const;
+                                const std::vector<double>& held,
+                                const std::vector<double>& skin) const;
   /// How far the film's viscosity was missed by temperatures `T` where those of `s` were expected:
   /// mean over the film, by its pressure [-].
   [[nodiscard]] double surprise(const BearingModel& model, const FilmEquilibrium& s,
@@ -89,6 +90,13 @@ class HeatSteps {
   [[nodiscard]] const thermal::WallSkin& skin() const { return skin_; }
 
  private:
+  /// (5) of thermal/film_energy.hpp for this step; `skin` holds what is left of it then.
+  [[nodiscard]] thermal::YieldingShell free_shell(const FilmGrid& g, const thermal::SkinStep& step,
+                                                  Field rubbed, std::vector<double>& skin) const;
+  /// The skin by the heat that has entered, and its slopes from `before`.
+  void heat_skin(const thermal::SkinStep& step, const std::vector<double>& before,
+                 HeatStage& out) const;
+
   thermal::WallSkin skin_;
 };
 

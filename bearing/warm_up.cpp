@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "bearing/first_film.hpp"
-#include "bearing/warm_up_cycles.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 

@@ -34,4 +34,8 @@ struct WarmUp {
 [[nodiscard]] WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& options,
                              const SolveControl& control = {});
 
+/// The same for cases with a load cycle: what warm_up calls for them.
+[[nodiscard]] WarmUp warm_up_over_cycles(const Case& c, Tier tier, const WarmUpOptions& options,
+                                         const SolveControl& control);
+
 }  // namespace shellback::bearing

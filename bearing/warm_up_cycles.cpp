@@ -1,9 +1,8 @@
-#include "bearing/warm_up_cycles.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "bearing/cycle_search.hpp"
+#include "bearing/warm_up.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 

@@ -53,6 +53,14 @@ Verdict at_instant(Verdict v, double t, double crank_speed) {
   return v;
 }
 
+Verdict no_clearance(double growth, double clearance) {
+  return {Status::iteration_limit,
+          fmt::format("the walls that were tried leave the film no room: thermal deformation has "
+                      "taken {:.3g} um on the mean of a clearance of {:.3g} um",
+                      -1e6 * growth, 1e6 * clearance),
+          "", "more clearance, less speed or load, or better cooling"};
+}
+
 Verdict no_lumped_balance(double hottest) {
   return {Status::iteration_limit,
           fmt::format("from the supply's temperature to {} the oil of a mean cycle does not carry "

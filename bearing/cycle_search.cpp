@@ -151,6 +151,7 @@ void CycleSearch::hold(const WallMeans& walls) {
 void CycleSearch::set_temperature(double T) {
   std::fill(now_.film.columns.T.begin(), now_.film.columns.T.end(), T);
   closure_ = {};
+  r_.verdict = {};
 }
 
 bool CycleSearch::pass() {
@@ -212,14 +213,15 @@ void CycleSearch::unpack(const std::vector<double>& x, WallMeans& w) const {
   for (double& d : w.growth) d = film_.model().clearance * *at++;
 }
 
-void CycleSearch::put_walls() {
-  film_.set_walls(*walls_, length_, steps_.longest / kSkinSteps, now_);
+bool CycleSearch::put_walls() {
+  const bool open = film_.set_walls(*walls_, length_, steps_.longest / kSkinSteps, now_);
+  if (!open) r_.verdict = no_clearance(mean_growth(*walls_), film_.model().clearance);
+  return open;
 }
 
 bool CycleSearch::pass_between(const WallMeans& walls) {
   walls_ = walls;
-  put_walls();
-  if (!pass()) return false;
+  if (!put_walls() || !pass()) return false;
   const std::vector<double> mean = heat_.mean_skin();
   for (std::size_t k = 0; k < mean.size(); ++k) now_.heat.skin[k] -= mean[k];
   return true;
@@ -243,7 +245,9 @@ void CycleSearch::settle_walls(bool rough) {
   constexpr double kOfViscosity = 0.1;  // of model.tolerance: viscosity missed by the walls
   const double T = c_.supplies.front().temperature;
   const double by_T = -rheology::viscosity_slopes(film_.model().oil, T, 0.0, 0.0).dln_dT;
-  const double enough = rough ? kRoughly : kOfViscosity * c_.model.tolerance / by_T;
+  const bool coarsely = rough || !(by_T > 0.0);
+  const double enough =
+      coarsely ? kRoughly : std::min(kRoughly, kOfViscosity * c_.model.tolerance / by_T);
   std::vector<double> x = packed(*walls_);
   const auto map = [this](const std::vector<double>& at, std::vector<double>& g) {
     return answer_walls(at, g);
@@ -254,6 +258,7 @@ void CycleSearch::settle_walls(bool rough) {
 
 const Verdict& CycleSearch::search(bool rough) {
   const bool heat = film_.model().physics.film_energy;
+  if (!r_.verdict.good()) return r_.verdict;
   if (!heat || held_ || !c_.cycle->repeats()) {
     until_closed();
     return r_.verdict;

@@ -62,7 +62,8 @@ class CycleSearch {
   bool answer_walls(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] std::vector<double> packed(const WallMeans& w) const;
   void unpack(const std::vector<double>& x, WallMeans& w) const;
-  void put_walls();
+  /// The film between `walls_`; false, with the verdict, if they leave it no room.
+  bool put_walls();
   /// The steady state of an event's first row in a resolved tier; false if none is found.
   bool begin_warm();
 

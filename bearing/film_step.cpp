@@ -284,7 +284,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   return step;
 }
 
-void FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmInTime& now) {
+bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmInTime& now) {
   if (!heat_) heat_.emplace(model_, period, shortest);
   const FilmGrid& g = model_.scene.grid;
   const int n = model_.gl.n;
@@ -298,14 +298,18 @@ void FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
   now.growth = growth_now;
   heat_->walls = std::move(walls);
   for (int k = 0; k < 2; ++k) now.film.position.q[k] *= wider;
-  while (!evaluate(model_, growth(), options_.viscosity_tolerance, now.film)) {
-    for (int k = 0; k < 2; ++k) now.film.position.q[k] *= 0.9;  // a start only, open in the end
+  constexpr double kNearer = 0.9;  // to the middle, where the gap is closed: it is but a start
+  constexpr int kMost = 40;        // then it is in the middle within 2 %
+  for (int k = 0; !evaluate(model_, growth(), options_.viscosity_tolerance, now.film); ++k) {
+    if (k == kMost) return false;
+    for (int i = 0; i < 2; ++i) now.film.position.q[i] *= kNearer;
   }
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
   now.oil_slope.clear();
   std::vector<double> skin = std::move(now.heat.skin);
   now.heat = heat_->begin(model_, now.film.columns.T, of_cells(g, now.oil));
   if (!skin.empty()) now.heat.skin = std::move(skin);
+  return true;
 }
 
 void FilmSteps::expect_temperatures(int i, double dt, const std::vector<Stage>& stages,

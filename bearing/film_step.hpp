@@ -68,8 +68,9 @@ class FilmSteps {
   /// At rest in the middle of the clearance, in a full film of one temperature [K].
   [[nodiscard]] FilmInTime at_rest(double T);
   /// Solves film temperatures from here on, with these walls; the heat of `now` begins anew, at
-  /// the temperatures of its film. Oil keeps its fill ratios where the gap has grown.
-  void set_walls(WallMeans walls, double period, double shortest, FilmInTime& now);
+  /// the temperatures of its film. Oil keeps its fill ratios where the gap has grown. False if the
+  /// walls have grown together.
+  [[nodiscard]] bool set_walls(WallMeans walls, double period, double shortest, FilmInTime& now);
   /// The steady state under load and speed at t = 0; none if it is not found.
   [[nodiscard]] std::optional<FilmInTime> steady(double T, EquilibriumCost& cost,
                                                  const std::atomic<bool>* stop);

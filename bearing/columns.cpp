@@ -43,7 +43,8 @@ void stresses(const GaussLobatto& gl, double speed, const Field& h, const Field&
               const Field& gz, const OilColumns& c, std::vector<double>& tau) {
   const int n = gl.n;
   for (std::size_t cell = 0; cell < h.size(); ++cell) {
-    const double couette = speed / (h[cell] * c.g0[cell]);
+    // Surfaces pressed together on the way to a solution leave no gap: at rest nothing shears it.
+    const double couette = speed == 0.0 ? 0.0 : speed / (h[cell] * c.g0[cell]);
     for (int k = 0; k < n; ++k) {
       const double arm = h[cell] * (gl.s[k] - c.centre[cell]);
       const double x = gx[cell] * arm + couette;

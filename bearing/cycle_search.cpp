@@ -92,6 +92,7 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
       told_(film_, course_, length_) {}
 
 void CycleSearch::begin(double T) {
+  r_.verdict = {};
   std::optional<FilmInTime> begun;
   const bool heat = film_.model().physics.film_energy;
   if (!c_.cycle->repeats() && heat && begin_warm()) return;
@@ -149,6 +150,7 @@ void CycleSearch::hold(const WallMeans& walls) {
 }
 
 void CycleSearch::set_temperature(double T) {
+  if (!c_.cycle->repeats()) return begin(T);
   std::fill(now_.film.columns.T.begin(), now_.film.columns.T.end(), T);
   closure_ = {};
   r_.verdict = {};

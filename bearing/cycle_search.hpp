@@ -32,7 +32,7 @@ class CycleSearch {
   void begin(const CycleSearch& coarser);
   /// Holds these walls from here on, whatever heat enters them.
   void hold(const WallMeans& walls);
-  /// From where it stands, in a film of another temperature [K].
+  /// From where it stands, in a film of another temperature [K]; an event begins anew.
   void set_temperature(double T);
 
   /// Searches; `rough`: only so far as a finer grid needs to begin.

@@ -3,6 +3,7 @@
 
 #include "bearing/compare_cycles.hpp"
 #include "bearing/cycle.hpp"
+#include "bearing/cycle_search.hpp"
 #include "bearing/solve.hpp"
 #include "bearing/warm_up.hpp"
 #include "core/constants.hpp"
@@ -104,6 +105,23 @@ TEST_CASE("AnEventWithHeatBeginsInItsSteadyState", "[cycle_heat]") {
   CHECK(last.T_film_max == Approx(first.T_film_max).margin(0.02));  // nothing happens [K]
   CHECK(last.T_shell_max == Approx(first.T_shell_max).margin(0.02));
   CHECK(last.torque == Approx(first.torque).epsilon(1e-3));
+}
+
+TEST_CASE("AnEventBeginsAnewAtEveryTemperature", "[cycle_heat]") {
+  Case c = warm_cycle_case(1.5e3, 0.6);
+  c.cycle->period = std::numeric_limits<double>::infinity();
+  c.cycle->interpolation = LoadInterpolation::linear;
+  const SolveControl control;
+  CycleSearch search(c, Tier::isothermal, control);
+  search.begin(313.15);
+  REQUIRE(search.search(false).good());
+  const double torque = search.told().means().torque;
+  search.set_temperature(333.15);
+  REQUIRE(search.search(false).good());
+  CHECK(search.told().means().torque < 0.8 * torque);  // thinner oil
+  search.set_temperature(313.15);
+  REQUIRE(search.search(false).good());
+  CHECK(search.told().means().torque == Approx(torque).epsilon(1e-3));  // other steps
 }
 
 TEST_CASE("LumpedCyclesMeetTheHeatBalanceOfTheirMeans", "[cycle_heat]") {

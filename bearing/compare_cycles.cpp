@@ -81,6 +81,7 @@ double calibrate(CycleSearch& search, double wanted, double guess) {
     return search.search(false).good() ? search.told().means().torque - wanted : double{NAN};
   };
   KnownPoint here{guess, excess(guess)};
+  if (here.f == 0.0) return guess;
   KnownPoint other = here;
   for (double reach = 4.0; reach <= kHalfRange && other.f * here.f > 0.0; reach *= 2.0) {
     here = other;

@@ -255,7 +255,8 @@ void CycleSearch::settle_walls(bool rough) {
     return answer_walls(at, g);
   };
   const FixedPointEnd end = fixed_point(map, {kDepth, 1, kMostCycles, enough / kUnit}, x);
-  if (end == FixedPointEnd::iteration_limit) r_.verdict = walls_not_found(r_.cycles, wall_change_);
+  const bool open = end != FixedPointEnd::converged && r_.verdict.good();
+  if (open) r_.verdict = walls_not_found(r_.cycles, wall_change_);
 }
 
 const Verdict& CycleSearch::search(bool rough) {

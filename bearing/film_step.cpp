@@ -346,9 +346,11 @@ Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<Stage>& stages
   found.heat = heat_->stage(model_, film, own, of_cells(g, model_.scene.storage.before),
                             of_cells(g, std::move(after)), held, skin);
   for (int k = 0; k < 2; ++k) found.heat.flows.work -= film.force[k] * found.velocity[k];
-  if (found.heat.possible) return {};
-  return {Status::iteration_limit, "a film temperature leaves what an oil can be", "",
-          "a finer grid, or tier isothermal"};
+  if (found.heat.possible && found.heat.settled) return {};
+  return {Status::iteration_limit,
+          found.heat.possible ? "the film's temperatures did not settle"
+                              : "a film temperature leaves what an oil can be",
+          "", "a finer grid, or tier isothermal"};
 }
 
 void FilmSteps::end_heat(double dt, const FilmInTime& now, std::vector<Stage>& stages,

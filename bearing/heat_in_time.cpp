@@ -21,13 +21,14 @@ std::vector<thermal::SkinLayer> skin_layers(const Case& c) {
   return out;
 }
 
-/// Sweeps until nothing changes any more but by round-off of the balance.
-void settle(thermal::FilmEnergy& energy, std::vector<double>& T) {
+/// Sweeps until nothing changes any more but by round-off of the balance; false if it still does.
+bool settle(thermal::FilmEnergy& energy, std::vector<double>& T) {
   constexpr double kSettled = 1e-7;  // per sweep: of a rise of 10 K and more, 1e-8 [K]
   constexpr int kMostSweeps = 100;
   for (int k = 0; k < kMostSweeps; ++k) {
-    if (!(energy.sweep(T) > kSettled)) return;
+    if (energy.sweep(T) <= kSettled) return true;
   }
+  return false;
 }
 
 bool possible(const std::vector<double>& T) {
@@ -125,7 +126,7 @@ HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, 
   const std::vector<double> cp = problem.cp;
   const double T_ref = problem.T_reference;
   thermal::FilmEnergy energy(std::move(problem));
-  settle(energy, out.T);
+  out.settled = settle(energy, out.T);
   out.possible = possible(out.T);
   out.blended_columns = energy.blended_columns();
   out.flows.balance = energy.balance(out.T);

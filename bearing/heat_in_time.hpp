@@ -64,6 +64,7 @@ struct HeatStage {
   std::vector<double> skin_slope;  ///< [K/s]
   HeatFlows flows;
   long blended_columns = 0;
+  bool settled = true;   ///< the film's heat is balanced
   bool possible = true;  ///< all temperatures are numbers within what an oil can be
 };
 

@@ -105,10 +105,6 @@ WarmUp warm_up_over_cycles(const Case& c, Tier tier, const WarmUpOptions& o,
     walls = next.walls;
     out.end.t += dt;
     out.instants.push_back(instant_after(search, next, out.end.t, dt));
-    if (getenv("DBG"))
-      fprintf(stderr, "t %.3f dt %.3g move %.3g T %.2f cost %d steps %d\n", out.end.t, dt, move,
-              walls.shell[0] - 273.15, search.cost().newton_iterations,
-              search.told().told() > 0 ? search.cycles() : 0);
     out.end.at_rest = dt >= 0.4 * out.end.t && move < kStill;
     if (out.end.at_rest) break;
     dt *= kLonger;  // halved again where it is too long: that costs no cycle

@@ -34,8 +34,7 @@ Torque between_walls(const Case& c, Tier tier, bool growth, bool elastic, const 
   WallMeans held = walls;
   if (!growth) held.growth.clear();
   CycleSearch search(c, tier, physics, control);
-  search.begin(T);
-  search.hold(held);
+  search.begin_between(held, T);
   search.search(false);
   return torque_of(search);
 }

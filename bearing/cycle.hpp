@@ -63,8 +63,8 @@ struct CycleAudit {
   /// Work of shaft, load and supply less the heat that film and asperities make, over that work:
   /// what the steps in time lose of the elastic work, of second order in them [-]. NaN as before.
   double work = std::numeric_limits<double>::quiet_NaN();
-  /// Largest change of a wall's mean temperature from the last cycle to the next [K]. NaN as
-  /// before.
+  /// Largest change of a wall's mean temperature, or of its growth (10 K a clearance), in the last
+  /// turn of the search for the walls [K]. NaN as before.
   double walls = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -179,17 +179,31 @@ const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleIn
                   : *std::max_element(all.begin(), all.end(), less);
 }
 
-/// The first instant behind a rest in contact at which asperities rub with less than a hundredth of
-/// the breakaway torque; none: no start, or none that ends in a full film.
-const CycleInstant* lift_off(const std::vector<CycleInstant>& all, double slow) {
+struct LiftOff {
+  double t = 0.0;      ///< [s]
+  double omega = 0.0;  ///< [rad/s]
+};
+
+/// When, behind a rest in contact, asperities come to rub with a hundredth of the breakaway torque;
+/// none: no start, or none that ends in a full film. Between instants their torque falls about
+/// exponentially, as the tail of the heights does.
+std::optional<LiftOff> lift_off(const std::vector<CycleInstant>& all, double slow) {
   constexpr double kLifted = 0.01;  // a hundredth of a torque is not seen in any measured one
   double breakaway = 0.0;
-  for (const CycleInstant& i : all) {
-    if (i.omega == 0.0) breakaway = i.breakaway;
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const CycleInstant& i = all[k];
+    if (all[k - 1].omega == 0.0) breakaway = all[k - 1].breakaway;
     if (std::abs(i.omega) <= slow || breakaway == 0.0) continue;
-    if (std::abs(i.torque_asperity) < kLifted * breakaway) return &i;
+    const double wanted = kLifted * breakaway;
+    const double now = std::abs(i.torque_asperity);
+    const double before = std::abs(all[k - 1].torque_asperity);
+    if (now >= wanted) continue;
+    const bool between = before > wanted && now > 0.0;
+    const double part = between ? std::log(before / wanted) / std::log(before / now) : 1.0;
+    return LiftOff{all[k - 1].t + part * i.dt,
+                   all[k - 1].omega + part * (i.omega - all[k - 1].omega)};
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -221,10 +235,8 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   }
   if (extreme(instants_, &CycleInstant::breakaway, false).breakaway > 0.0) {
     add_extreme("breakaway_torque", &CycleInstant::breakaway, false);
-    constexpr double kSliding = 3.0;  // micro-slips: what rubs then rubs wholly
-    const double slow =
-        kSliding * solid::AsperityContact::kMicroSlip / film_->model().scene.grid.radius;
-    if (const CycleInstant* lifted = lift_off(instants_, slow)) {
+    const double slow = solid::AsperityContact::kSliding / film_->model().scene.grid.radius;
+    if (const auto lifted = lift_off(instants_, slow)) {
       out.push_back(named("lift_off_speed", lifted->omega));
       out.back().at = lifted->t;
     }

@@ -47,10 +47,9 @@ EquilibriumOptions film_options(double error) {
   return o;
 }
 
-/// Speed over that of micro-slip from which on asperities slide: tanh is 0.995.
-constexpr double kSliding = 3.0;
-
 constexpr const char* kFromSteady = "the event begins in the steady state of its first row";
+constexpr const char* kFromContact =
+    "the event begins at rest: asperities carry the load of its first row alone, the film nothing";
 constexpr const char* kFromRest =
     "the event begins with the journal at rest in the middle of a full film: no steady state of "
     "its first row was found";
@@ -83,22 +82,26 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
       tier_(tier),
       control_(control),
       length_(c_.cycle->length()),
-      course_(*c_.cycle, c_.operation.omega,
-              kSliding * solid::AsperityContact::kMicroSlip / c_.bearing.radius),
+      course_(*c_.cycle, c_.operation.omega, solid::AsperityContact::kSliding / c_.bearing.radius),
       steps_(step_options(c_, course_, length_)),
       film_(make_bearing(c_, physics, c_.model.grid), course_, c_.cycle->journal_mass,
             film_options(steps_.error)),
       periods_(film_, course_, length_, steps_),
       told_(film_, course_, length_) {}
 
-void CycleSearch::begin(double T) {
-  r_.verdict = {};
+void CycleSearch::begin_film(double T) {
   std::optional<FilmInTime> begun;
-  const bool heat = film_.model().physics.film_energy;
-  if (!c_.cycle->repeats() && heat && begin_warm()) return;
+  r_.verdict = {};
   if (!c_.cycle->repeats()) begun = film_.steady(T, cost_, control_.stop);
   from_rest_ = !begun.has_value();
   now_ = begun ? *std::move(begun) : film_.at_rest(T);
+}
+
+void CycleSearch::begin(double T) {
+  const bool heat = film_.model().physics.film_energy;
+  r_.verdict = {};
+  if (!c_.cycle->repeats() && heat && begin_warm()) return;
+  begin_film(T);
   if (!heat) return;
   walls_ = uniform_walls(film_.model(), T);
   if (!c_.cycle->repeats()) put_walls();
@@ -143,7 +146,8 @@ void CycleSearch::begin(const CycleSearch& coarser) {
   looked_ = coarser.looked_;
 }
 
-void CycleSearch::hold(const WallMeans& walls) {
+void CycleSearch::begin_between(const WallMeans& walls, double T) {
+  begin_film(T);
   walls_ = walls;
   held_ = true;
   put_walls();
@@ -278,7 +282,8 @@ CycleResult CycleSearch::result() const {
   told_.write(r);
   r.audit.walls = wall_change_;
   if (!c_.cycle->repeats()) {
-    r.assumptions.push_back(from_rest_ ? kFromRest : kFromSteady);
+    const bool still = course_.at(0.0).omega == 0.0;
+    r.assumptions.push_back(from_rest_ ? kFromRest : still ? kFromContact : kFromSteady);
     if (from_rest_ && walls_) r.assumptions.push_back(kColdWalls);
   }
   r.tier = tier_;

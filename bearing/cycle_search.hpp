@@ -30,8 +30,8 @@ class CycleSearch {
   void begin(double T);
   /// From what a search on a coarser grid has found.
   void begin(const CycleSearch& coarser);
-  /// Holds these walls from here on, whatever heat enters them.
-  void hold(const WallMeans& walls);
+  /// As begin(T), between walls that are held from here on, whatever heat enters them.
+  void begin_between(const WallMeans& walls, double T);
   /// From where it stands, in a film of another temperature [K]; an event begins anew.
   void set_temperature(double T);
 
@@ -52,6 +52,8 @@ class CycleSearch {
   [[nodiscard]] CycleResult result() const;
 
  private:
+  /// The film alone, of one temperature [K].
+  void begin_film(double T);
   /// Passes the period once more; false where the search has ended.
   bool pass();
   /// Cycles until two agree.

@@ -52,17 +52,6 @@ bool no_film_left(const Solution& s, const Verdict& v) {
   return v.status == Status::no_steady_state || pressed || thinner_than_a_molecule(s.model, s.film);
 }
 
-double area_mean(const FilmGrid& g, const Field& x) {
-  double sum = 0.0;
-  double area = 0.0;
-  for (int c = 0; c < g.cells(); ++c) {
-    const double a = g.area(c / g.nz, c % g.nz);
-    sum += a * x[c];
-    area += a;
-  }
-  return sum / area;
-}
-
 }  // namespace
 
 Instant instant_of(const Solution& s, double t, double dt) {

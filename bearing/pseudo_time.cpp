@@ -18,14 +18,15 @@ constexpr int kMost = 25;           ///< iterations of one step
 constexpr int kMostSteps = 100;     ///< where a bearing comes to rest it takes 10 to 30
 constexpr double kLoose = 1e-3;     ///< residuals that will do on the way [-]
 
+/// Steps are counted in `unit`: the time of a radian of turn, or another [s].
 Verdict march_in_time(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                      const EquilibriumOptions& options, double radian, FilmEquilibrium& s,
+                      const EquilibriumOptions& options, double unit, FilmEquilibrium& s,
                       EquilibriumCost& cost, const std::atomic<bool>* stop) {
   BearingModel moving = model;
   if (!evaluate(model, growth, kLoose, s)) return no_film(model, target, growth, s);
   double turn = kFirst;
   for (int step = 0; turn < kLongest; ++step) {
-    moving.scene.storage = {turn * radian, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
+    moving.scene.storage = {turn * unit, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
     const State before = s;
     const int spent = cost.newton_iterations;
     const Verdict v = newton(moving, target, growth, options, s, cost, stop);
@@ -91,7 +92,10 @@ Verdict come_to_rest(const BearingModel& model, const LoadTarget& target,
                      const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost,
                      const std::atomic<bool>* stop) {
   constexpr double kUnit = 10.0;  // the first step is a hundredth of it, the last a million s [s]
-  EquilibriumOptions steps = options;
+  // Gaps in contact hardly let oil pass: a little oil too much there is much pressure. Where
+  // nothing flows the rate of shear is round-off, and thinning by it known no better.
+  EquilibriumOptions steps;
+  steps.viscosity_tolerance = options.viscosity_tolerance;
   steps.max_iterations = kMost;
   put_in_the_middle(model, target, s);
   return march_in_time(model, target, {}, steps, kUnit, s, cost, stop);

@@ -15,18 +15,6 @@
 namespace shellback::bearing {
 namespace {
 
-double area_mean(const FilmGrid& g, const Field& x) {
-  double sum = 0.0;
-  double area = 0.0;
-  for (int i = 0; i < g.nt; ++i) {
-    for (int j = 0; j < g.nz; ++j) {
-      sum += x[g.index(i, j)] * g.area(i, j);
-      area += g.area(i, j);
-    }
-  }
-  return sum / area;
-}
-
 /// Film temperature, weighted by the oil that is there (theta h) [K].
 double oil_mean_temperature(const BearingModel& m, const FilmEquilibrium& f) {
   const FilmGrid& g = m.scene.grid;

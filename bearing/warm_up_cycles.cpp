@@ -9,16 +9,6 @@
 namespace shellback::bearing {
 namespace {
 
-double mean_of(const FilmGrid& g, const Field& x) {
-  double sum = 0.0;
-  double area = 0.0;
-  for (int c = 0; c < g.cells(); ++c) {
-    sum += x[c] * g.area(c / g.nz, c % g.nz);
-    area += g.area(c / g.nz, c % g.nz);
-  }
-  return sum / area;
-}
-
 /// The bearing after a cycle and the bodies' time behind it.
 Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, double t, double dt) {
   const FilmGrid& g = search.film().model().scene.grid;
@@ -33,19 +23,21 @@ Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, dou
   i.h_min = value_of(r, "h_min");
   i.T_film_max = value_of(r, "T_film_max");
   i.T_shell_max = value_of(r, "T_shell_max");
-  i.T_shell_back = mean_of(g, bodies.solids.shell.back);
+  i.T_shell_back = area_mean(g, bodies.solids.shell.back);
   for (int j = 0; j < g.nz; ++j) i.T_shaft += bodies.walls.shaft[j] * g.dz[j];
   i.T_shaft /= g.z_face.back() - g.z_face.front();
   i.heat_in = search.heat().flows().work / search.heat().time();
   i.heat_out = per_time * (film.carried_out - film.carried_in) + bodies.solids.shell.heat_back +
                bodies.solids.shell.heat_ends + bodies.solids.shaft.heat_out;
   i.stored = bodies.solids.shell.stored + bodies.solids.shaft.stored + per_time * film.stored;
-  if (!bodies.walls.growth.empty()) i.deformation = mean_of(g, bodies.walls.growth);
+  if (!bodies.walls.growth.empty()) i.deformation = area_mean(g, bodies.walls.growth);
   return i;
 }
 
-/// The film answers a wall that is warmer here and cooler there within two cycles, not at once:
-/// taken at twice its strength the local answer does not overshoot.
+/// The film answers a wall that is warmer here and cooler there within two cycles, not at once, and
+/// answers the walls before as well: taken at twice its strength the local answer does not
+/// overshoot. Measured (big end, 48 x 5): once, a cell swings by 1.9 K for ever; twice, at rest
+/// after 80 cycles.
 thermal::WallResponse delayed(thermal::WallResponse r) {
   constexpr double kCycles = 2.0;
   r.shell_local *= kCycles;

@@ -220,6 +220,17 @@ Between locate_circumferential(const std::vector<double>& phi, double x) {
 
 }  // namespace
 
+double area_mean(const FilmGrid& grid, const Field& field) {
+  double sum = 0.0;
+  double area = 0.0;
+  for (int c = 0; c < grid.cells(); ++c) {
+    const double a = grid.area(c / grid.nz, c % grid.nz);
+    sum += a * field[c];
+    area += a;
+  }
+  return sum / area;
+}
+
 Field interpolate(const FilmGrid& from, const Field& field, const FilmGrid& to) {
   Field out(static_cast<std::size_t>(to.cells()));
   std::vector<Between> axial;

@@ -52,6 +52,9 @@ struct FilmGrid {
 [[nodiscard]] FilmGrid full_grid(const FilmGrid& grid);
 [[nodiscard]] Field mirror_to_full(const FilmGrid& grid, const Field& half_field);
 
+/// Mean over the area of all cells.
+[[nodiscard]] double area_mean(const FilmGrid& grid, const Field& field);
+
 /// Field moved from one grid to another of the same bearing by bilinear interpolation between
 /// cell positions, periodic in phi, constant beyond the outermost axial cells.
 [[nodiscard]] Field interpolate(const FilmGrid& from, const Field& field, const FilmGrid& to);

@@ -66,6 +66,8 @@ class AsperityContact {
   /// m/s2 and seconds to full speed: 0.6 mm/s). From 20 v on it is the coefficient to all digits.
   [[nodiscard]] double friction(double speed) const;
   static constexpr double kMicroSlip = 1e-3;  ///< v [m/s]
+  /// Speed from which on summits slide: friction is then 99.5 % of the coefficient [m/s].
+  static constexpr double kSliding = 3.0 * kMicroSlip;
 
  private:
   /// -H at which pi^2 0.05^2 F_2(H) = 1, with F_2 = H^2 + 1 so far down [-].

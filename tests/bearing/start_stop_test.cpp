@@ -74,7 +74,8 @@ TEST_CASE("AtRestTheContactAloneCarriesTheLoad", "[start_stop]") {
     CHECK(start == Approx(breakaway.back()).epsilon(0.05));
     CHECK(value_of(r, "lift_off_speed") < kTop);
   }
-  CHECK(breakaway[1] == Approx(breakaway[0]).epsilon(0.01));  // the contact's sum is the load
+  // the sum of the contact is the load; how it is spread around moves it a little
+  CHECK(breakaway[1] == Approx(breakaway[0]).epsilon(2e-3));
 }
 
 TEST_CASE("StartingBackwardsIsTheMirrorImage", "[start_stop]") {

@@ -79,7 +79,7 @@ void write_fields(hid_t file, const CycleResult& cycle, const std::string& state
   cells("T_shell", f.T_shell, "K", "temperature of the bore, mean over the cycle");
   cells("T_shell_max", f.T_shell_max, "K", "temperature of the bore, largest over the cycle");
   cells("heat_to_shell", f.heat_to_shell, "W/m2", "heat into the bore, mean over the cycle");
-  cells("growth", f.growth, "m", "thermal widening of the gap");
+  cells("growth", f.thermal_deformation, "m", "thermal widening of the gap");
 }
 
 /// A member of all frames, one after another.

@@ -60,7 +60,7 @@ void write_fields(hid_t file, const Result& result) {
   cells("tau_journal", f.tau_journal, "Pa", "shear stress on the journal, against its motion");
   cells("tau_shell", f.tau_shell, "Pa", "shear stress on the shell, along the motion");
   cells("elastic", f.elastic, "m", "elastic widening of the gap");
-  cells("growth", f.growth, "m", "thermal widening of the gap");
+  cells("growth", f.thermal_deformation, "m", "thermal widening of the gap");
   field(fields, "T", f.T, across, {"K", "film temperature", "phi z s", state});
   field(fields, "T_shaft", f.T_shaft, {film[1]}, {"K", "shaft surface temperature", "z", state});
   field(fields, "T_solid", f.T_solid, {film[0], f.r.size()},

@@ -11,8 +11,8 @@
 ///   /grid         attributes radius [m], width [m]; datasets phi, dphi, phi_face [rad],
 ///                 z, dz, z_face [m], s [-] (y/h of the film temperatures), r [m] (of T_solid)
 ///   /fields       datasets [nt][nz]: p, p_asperity, theta, h, supplied, T_mean,
-///                 T_shell_surface, T_shell_back, tau_journal, tau_shell, elastic, growth;
-///                 T [nt][nz][ns]; T_shaft [nz]; T_solid [nt][nr]
+///                 T_shell_surface, T_shell_back, tau_journal, tau_shell, elastic, thermal
+///                 deformation; T [nt][nz][ns]; T_shaft [nz]; T_solid [nt][nr]
 ///   /history      datasets stage (text), residual, friction_torque, h_min: one per iteration
 ///   /effects      datasets name, included, indicator, meaning
 ///   /limiters     datasets what, count

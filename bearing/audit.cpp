@@ -38,9 +38,9 @@ double load(const Solution& s) {
 double pressure_moment(const Solution& s) {
   const fluid::FilmScene& scene = s.model.scene;
   const FilmGrid& g = scene.grid;
-  const Field& step = s.model.step;
+  const Field& profile = s.model.profile;
   const auto mean_gap = [&](int face, int side) {
-    const double h = s.film.gap.phi_face[face] + (step.empty() ? 0.0 : step[side]);
+    const double h = s.film.gap.phi_face[face] + (profile.empty() ? 0.0 : profile[side]);
     return fluid::gap_flow(scene.rough, h).average_gap;
   };
   double sum = 0.0;
@@ -49,7 +49,7 @@ double pressure_moment(const Solution& s) {
       const int k = g.index(i, j);
       const int east = g.index(g.next(i), j);
       sum -= s.film.film.p[k] * (mean_gap(east, k) - mean_gap(k, k)) * g.dz[j];
-      if (step.empty()) continue;
+      if (profile.empty()) continue;
       const double p_face = 0.5 * (s.film.film.p[k] + s.film.film.p[east]);
       sum -= p_face * (mean_gap(east, east) - mean_gap(east, k)) * g.dz[j];
     }

@@ -57,15 +57,15 @@ double profile_at(const Profile& p, double phi, double z) {
   return (1.0 - u) * line(a) + u * line(b);
 }
 
-Field steps_of(const Case& c, const FilmGrid& g) {
+Field profile_of_cells(const Case& c, const FilmGrid& g) {
   if (!c.bearing.profile) return {};
-  Field step(g.cells());
+  Field profile(g.cells());
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
-      step[g.index(i, j)] = profile_at(*c.bearing.profile, g.phi[i], g.z[j]);
+      profile[g.index(i, j)] = profile_at(*c.bearing.profile, g.phi[i], g.z[j]);
     }
   }
-  return step;
+  return profile;
 }
 
 bool profile_is_symmetric(const Profile& p) {
@@ -85,7 +85,7 @@ fluid::RoughPair rough_pair(const Surfaces& s) {
 }
 
 /// Only a film of resolved temperature asks for another set than the usual one.
-NodalSet nodes_across(const Case& c, const Physics& physics) {
+CrossFilmNodes nodes_across(const Case& c, const Physics& physics) {
   if (!physics.film_energy) return gauss_lobatto(c.model.film_nodes);
   switch (c.model.methods.across) {
     case AcrossFilm::layers:
@@ -134,7 +134,7 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   s.p_edge = std::max(0.0, s.p_cavitation);
   s.edges = c.model.edges == Edges::dry ? fluid::SideEdges::dry : fluid::SideEdges::flooded;
   if (physics.flow_factors) s.rough = rough_pair(c.surfaces);
-  m.step = steps_of(c, s.grid);
+  m.profile = profile_of_cells(c, s.grid);
   m.shear_rule = c.model.cavitated_shear == CavitatedShear::full ? fluid::CavitatedShear::full
                                                                  : fluid::CavitatedShear::filled;
   if (physics.contact) {
@@ -145,7 +145,7 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
     }
     m.contact.emplace(c.surfaces.shell, c.surfaces.shaft, *c.surfaces.contact);
   }
-  const SolidEffects wanted{physics.elastic, physics.film_energy, physics.growth};
+  const SolidEffects wanted{physics.elastic, physics.film_energy, physics.thermal_deformation};
   if (wanted.elastic || wanted.heat) {
     m.solids = solids && solids->serve(c, s.grid, wanted)
                    ? std::move(solids)

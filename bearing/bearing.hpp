@@ -19,9 +19,9 @@ class Solids;
 struct BearingModel {
   Case input;
   Physics physics;
-  GaussLobatto gl;
+  CrossFilmNodes gl;
   fluid::FilmScene scene;
-  Field step;              ///< designed deviation of the shell per cell; empty: none [m]
+  Field profile;           ///< designed deviation of the shell per cell; empty: none [m]
   double clearance = 0.0;  ///< cold radial clearance [m]
   rheology::Oil oil;       ///< with the switched-off effects taken out
   std::optional<solid::AsperityContact> contact;

@@ -38,20 +38,20 @@ double least_across(const FilmGrid& g, const fluid::Gap& gap) {
   return least;
 }
 
-void evaluate_gap(const BearingModel& model, const Field& growth, FilmEquilibrium& s) {
+void evaluate_gap(const BearingModel& model, const Field& thermal_deformation, FilmEquilibrium& s) {
   const fluid::FilmScene& scene = model.scene;
-  Field widening = growth.empty() ? s.elastic : growth;
-  if (!growth.empty()) {
+  Field widening = thermal_deformation.empty() ? s.elastic : thermal_deformation;
+  if (!thermal_deformation.empty()) {
     for (std::size_t k = 0; k < s.elastic.size(); ++k) widening[k] += s.elastic[k];
   }
-  s.gap =
-      fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position, widening, model.step);
-  s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
+  s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position, widening,
+                          model.profile);
+  s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
 }
 
 }  // namespace
 
-bool open_gap(const BearingModel& model, const LoadTarget& target, const Field& growth,
+bool open_gap(const BearingModel& model, const LoadTarget& target, const Field& thermal_deformation,
               FilmEquilibrium& s) {
   constexpr double kOpen = 0.02;   // of the clearance: a gap to begin with [-]
   constexpr int kMostMoves = 100;  // each opens the closest place and may close another
@@ -61,21 +61,21 @@ bool open_gap(const BearingModel& model, const LoadTarget& target, const Field& 
     const double missing = kOpen * model.clearance - s.least.h;
     s.position.q[0] -= missing * std::cos(s.least.phi);
     s.position.q[1] -= missing * std::sin(s.least.phi);
-    evaluate_gap(model, growth, s);
+    evaluate_gap(model, thermal_deformation, s);
     if (s.least.h > 0.0) return true;
   }
   s.position = before;
-  evaluate_gap(model, growth, s);
+  evaluate_gap(model, thermal_deformation, s);
   return false;
 }
 
-Verdict closed_gap(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                   const FilmEquilibrium& s) {
+Verdict closed_gap(const BearingModel& model, const LoadTarget& target,
+                   const Field& thermal_deformation, const FilmEquilibrium& s) {
   const int cell = cell_at(model.scene.grid, s.least);
-  const double by_growth = growth.empty() ? 0.0 : growth[cell];
+  const double by_heat = thermal_deformation.empty() ? 0.0 : thermal_deformation[cell];
   const double by_elasticity = s.elastic.empty() ? 0.0 : s.elastic[cell];
-  const double rest = s.least.h - by_growth - by_elasticity;
-  const bool grown = rest > 0.0 && by_growth < 0.0;
+  const double rest = s.least.h - by_heat - by_elasticity;
+  const bool grown = rest > 0.0 && by_heat < 0.0;
   const double across = least_across(model.scene.grid, s.gap);
   const bool proven = target.unknowns == 0 || across <= 0.0;
   std::string reason = fmt::format(
@@ -83,9 +83,9 @@ Verdict closed_gap(const BearingModel& model, const LoadTarget& target, const Fi
       "and "
       "profile leave {:.3g} um there",
       grown ? "the clearance is used up by thermal growth: " : "", s.least.h * 1e6, rest * 1e6);
-  if (!growth.empty()) {
-    reason += fmt::format(", thermal growth {} {:.3g} um", by_growth < 0.0 ? "takes" : "gives",
-                          std::abs(by_growth) * 1e6);
+  if (!thermal_deformation.empty()) {
+    reason += fmt::format(", thermal growth {} {:.3g} um", by_heat < 0.0 ? "takes" : "gives",
+                          std::abs(by_heat) * 1e6);
   }
   if (!s.elastic.empty()) {
     reason += fmt::format(", elasticity {} {:.3g} um", by_elasticity < 0.0 ? "takes" : "gives",

@@ -10,11 +10,11 @@
 ///      rho { theta hT' (B dx + d0) + hT theta0 } per area.                           (3)
 /// So the gap's rate acts in full film with that of the shell following it; in cavitated film the
 /// whole oil content does, theta h and not h: docs/decisions/013. Contact is part of K.
-/// Held at the solved state: temperatures and thermal growth (they follow far more slowly than any
-/// whirl), which cells are full, density, and the shear rate in the viscosity.
-/// Frame X right, Y up, rotation as the sign of omega. Load axes: x along the load on the journal,
-/// y a quarter turn on in the direction of rotation, as in Lund and Thomsen's tables.
-/// Sources: perturbation [textbook, Lund]; (3) is ours.
+/// Held at the solved state: temperatures and thermal deformation (they follow far more slowly than
+/// any whirl), which cells are full, density, and the shear rate in the viscosity. Frame X right, Y
+/// up, rotation as the sign of omega. Load axes: x along the load on the journal, y a quarter turn
+/// on in the direction of rotation, as in Lund and Thomsen's tables. Sources: perturbation
+/// [textbook, Lund]; (3) is ours.
 #include <array>
 #include <limits>
 #include <string>

@@ -17,7 +17,7 @@ bool thins(const rheology::Oil& oil) {
 }
 
 /// Integrals (1) of all columns for the viscosities in `c.eta`.
-void integrate(const GaussLobatto& gl, OilColumns& c, Field& g) {
+void integrate(const CrossFilmNodes& gl, OilColumns& c, Field& g) {
   const int n = gl.n;
   for (std::size_t cell = 0; cell < c.g0.size(); ++cell) {
     const double* eta = &c.eta[cell * n];
@@ -39,7 +39,7 @@ void integrate(const GaussLobatto& gl, OilColumns& c, Field& g) {
 }
 
 /// |tau| of (2) at every node.
-void stresses(const GaussLobatto& gl, double speed, const Field& h, const Field& gx,
+void stresses(const CrossFilmNodes& gl, double speed, const Field& h, const Field& gx,
               const Field& gz, const OilColumns& c, std::vector<double>& tau) {
   const int n = gl.n;
   for (std::size_t cell = 0; cell < h.size(); ++cell) {
@@ -67,8 +67,8 @@ OilColumns uniform_columns(int cells, int nodes, double T) {
   return c;
 }
 
-void update_columns(const rheology::Oil& oil, const GaussLobatto& gl, double speed, const Field& h,
-                    const fluid::FilmState& state, const Field& gx, const Field& gz,
+void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double speed,
+                    const Field& h, const fluid::FilmState& state, const Field& gx, const Field& gz,
                     double tolerance, OilColumns& c, fluid::FilmCoefficients& out) {
   const int n = gl.n;
   const std::size_t cells = h.size();
@@ -121,7 +121,7 @@ void update_columns(const rheology::Oil& oil, const GaussLobatto& gl, double spe
   }
 }
 
-std::vector<double> dissipation(const GaussLobatto& gl, double speed, const Field& h,
+std::vector<double> dissipation(const CrossFilmNodes& gl, double speed, const Field& h,
                                 const Field& gx, const Field& gz, const OilColumns& c) {
   std::vector<double> phi(c.eta.size());
   stresses(gl, speed, h, gx, gz, c, phi);
@@ -129,7 +129,7 @@ std::vector<double> dissipation(const GaussLobatto& gl, double speed, const Fiel
   return phi;
 }
 
-VelocityProfiles velocity_profiles(const GaussLobatto& gl, const OilColumns& c) {
+VelocityProfiles velocity_profiles(const CrossFilmNodes& gl, const OilColumns& c) {
   const int n = gl.n;
   VelocityProfiles v{std::vector<double>(c.eta.size()), std::vector<double>(c.eta.size())};
   for (std::size_t cell = 0; cell < c.g0.size(); ++cell) {

@@ -33,14 +33,15 @@ struct OilColumns {
 
 /// Recomputes viscosities, integrals (1) and the film's coefficients for the present state.
 /// `h` is the gap for shear [m] (positive), `gradient_*` the pressure gradients at cells [Pa/m].
-void update_columns(const rheology::Oil& oil, const GaussLobatto& gl, double speed, const Field& h,
-                    const fluid::FilmState& state, const Field& gradient_x, const Field& gradient_z,
-                    double tolerance, OilColumns& columns, fluid::FilmCoefficients& coefficients);
+void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double speed,
+                    const Field& h, const fluid::FilmState& state, const Field& gradient_x,
+                    const Field& gradient_z, double tolerance, OilColumns& columns,
+                    fluid::FilmCoefficients& coefficients);
 
 /// Dissipation per volume of film, tau^2/eta at the nodes [W/m3], index cell * n + k.
-[[nodiscard]] std::vector<double> dissipation(const GaussLobatto& gl, double speed, const Field& h,
-                                              const Field& gradient_x, const Field& gradient_z,
-                                              const OilColumns& columns);
+[[nodiscard]] std::vector<double> dissipation(const CrossFilmNodes& gl, double speed,
+                                              const Field& h, const Field& gradient_x,
+                                              const Field& gradient_z, const OilColumns& columns);
 
 /// Velocity profiles of unit mean at the nodes of every column: driven by the journal (Couette)
 /// and by pressure (Poiseuille).
@@ -48,6 +49,7 @@ struct VelocityProfiles {
   std::vector<double> couette;     ///< [-], index cell * n + k
   std::vector<double> poiseuille;  ///< [-]
 };
-[[nodiscard]] VelocityProfiles velocity_profiles(const GaussLobatto& gl, const OilColumns& columns);
+[[nodiscard]] VelocityProfiles velocity_profiles(const CrossFilmNodes& gl,
+                                                 const OilColumns& columns);
 
 }  // namespace shellback::bearing

@@ -26,23 +26,25 @@ double oil_mean(const Solution& full) {
   return summarize(full, full.model.input.model.tier).value("T_film_mean");
 }
 
-/// Rigid, at given temperatures and growth taken from the full solution.
-Torque rigid_with_heat_of(const Solution& full, bool growth, const SolveControl& control) {
+/// Rigid, at given temperatures and thermal deformation taken from the full solution.
+Torque rigid_with_heat_of(const Solution& full, bool thermal_deformation,
+                          const SolveControl& control) {
   const Case& c = full.model.input;
   Physics physics = full.model.physics;
-  physics.elastic = physics.film_energy = physics.growth = false;
+  physics.elastic = physics.film_energy = physics.thermal_deformation = false;
   Solution s;
   s.model = make_bearing(c, physics, c.model.grid);
   s.target = full.target;
   s.film = full.film;
   s.film.elastic.clear();
-  const Field& gap_growth = growth ? full.heat.growth : Field{};
-  s.verdict = solve_equilibrium(s.model, s.target, gap_growth, {}, s.film, s.cost, control.stop);
+  const Field& gap_widening = thermal_deformation ? full.heat.thermal_deformation : Field{};
+  s.verdict = solve_equilibrium(s.model, s.target, gap_widening, {}, s.film, s.cost, control.stop);
   if (!s.verdict.good()) {  // the deformed film is no start for the rigid one: begin anew
     const auto T = full.film.columns.T;
     s.film = cold_start(s.model, oil_mean(full));
     s.film.columns.T = T;
-    s.verdict = solve_equilibrium(s.model, s.target, gap_growth, {}, s.film, s.cost, control.stop);
+    s.verdict =
+        solve_equilibrium(s.model, s.target, gap_widening, {}, s.film, s.cost, control.stop);
   }
   return torque_of(s);
 }
@@ -66,7 +68,7 @@ void split_friction(const Solution& isothermal, const Solution& full, const Solv
   }
   const Torque variation = rigid_with_heat_of(full, false, control);
   const Torque clearance =
-      full.model.physics.growth ? rigid_with_heat_of(full, true, control) : variation;
+      full.model.physics.thermal_deformation ? rigid_with_heat_of(full, true, control) : variation;
   split.steps = {{"viscosity level", level.viscous - start.viscous},
                  {"viscosity variation", variation.viscous - level.viscous},
                  {"clearance", clearance.viscous - variation.viscous},

@@ -5,7 +5,7 @@
 /// substituting one thing after the other, each time solving film and position for the same load:
 ///   1 viscosity level      one temperature, but the oil-weighted mean of the full solution
 ///   2 viscosity variation  the full solution's temperature field, point by point
-///   3 clearance            its thermal growth as well
+///   3 clearance            its thermal deformation as well
 ///   4 elasticity           its elastic deformation as well: the full solution
 /// The changes of viscous torque are named so; the change of asperity torque over all steps is
 /// shown as one part, `asperity share`. The parts add up to the difference; another order would

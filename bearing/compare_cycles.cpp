@@ -26,13 +26,13 @@ Torque torque_of(const CycleSearch& s) {
 }
 
 /// Film temperatures solved between walls that are held.
-Torque between_walls(const Case& c, Tier tier, bool growth, bool elastic, const WallMeans& walls,
-                     double T, const SolveControl& control) {
+Torque between_walls(const Case& c, Tier tier, bool thermal_deformation, bool elastic,
+                     const WallMeans& walls, double T, const SolveControl& control) {
   Physics physics = physics_of(c, tier);
   physics.elastic = elastic;
-  physics.growth = growth;
+  physics.thermal_deformation = thermal_deformation;
   WallMeans held = walls;
-  if (!growth) held.growth.clear();
+  if (!thermal_deformation) held.thermal_deformation.clear();
   CycleSearch search(c, tier, physics, control);
   search.begin_between(held, T);
   search.search(false);
@@ -53,11 +53,11 @@ void split_friction(const Case& c, const CycleResult& isothermal, const CycleRes
   const bool elastic = physics_of(c, Tier::isothermal).elastic;
   const Physics whole = physics_of(c, full.tier);
   const Torque variation = between_walls(c, full.tier, false, elastic, *full.walls, T, control);
-  const bool last = elastic == whole.elastic;  // growth is all that is left
+  const bool last = elastic == whole.elastic;  // thermal deformation is all that is left
   const Torque clearance =
-      !whole.growth ? variation
-      : last        ? end
-                    : between_walls(c, full.tier, true, elastic, *full.walls, T, control);
+      !whole.thermal_deformation ? variation
+      : last                     ? end
+             : between_walls(c, full.tier, true, elastic, *full.walls, T, control);
   split.steps = {{"viscosity level", level.viscous - start.viscous},
                  {"viscosity variation", variation.viscous - level.viscous},
                  {"clearance", clearance.viscous - variation.viscous}};

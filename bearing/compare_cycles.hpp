@@ -5,7 +5,7 @@
 /// compare.hpp, each step a periodic state of its own:
 ///   1 viscosity level      one temperature, but the mean of the full cycle's oil
 ///   2 viscosity variation  film temperatures solved, walls held where the full cycle has them
-///   3 clearance            their thermal growth as well
+///   3 clearance            their thermal deformation as well
 ///   4 elasticity           elastic deformation as well: the full cycle (absent where the case has
 ///                          the isothermal film elastic, too)
 #include <functional>

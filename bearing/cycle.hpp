@@ -63,8 +63,8 @@ struct CycleAudit {
   /// Work of shaft, load and supply less the heat that film and asperities make, over that work:
   /// what the steps in time lose of the elastic work, of second order in them [-]. NaN as before.
   double work = std::numeric_limits<double>::quiet_NaN();
-  /// Largest change of a wall's mean temperature, or of its growth (10 K a clearance), in the last
-  /// turn of the search for the walls [K]. NaN as before.
+  /// Largest change of a wall's mean temperature, or of its thermal deformation (10 K a clearance),
+  /// in the last turn of the search for the walls [K]. NaN as before.
   double walls = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -76,10 +76,10 @@ struct CycleFields {
   Field h_min;           ///< smallest gap [m]
   Field friction_power;  ///< mean over the cycle, per area [W/m2]
   // Tiers with film temperatures; otherwise empty.
-  Field T_shell;        ///< surface, mean over the cycle [K]
-  Field T_shell_max;    ///< surface, largest [K]
-  Field heat_to_shell;  ///< mean over the cycle, per area [W/m2]
-  Field growth;         ///< thermal widening of the gap [m]
+  Field T_shell;              ///< surface, mean over the cycle [K]
+  Field T_shell_max;          ///< surface, largest [K]
+  Field heat_to_shell;        ///< mean over the cycle, per area [W/m2]
+  Field thermal_deformation;  ///< thermal widening of the gap [m]
 };
 
 /// Film at a chosen instant.

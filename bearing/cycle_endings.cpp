@@ -53,11 +53,11 @@ Verdict at_instant(Verdict v, double t, double crank_speed) {
   return v;
 }
 
-Verdict no_clearance(double growth, double clearance) {
+Verdict no_clearance(double thermal_deformation, double clearance) {
   return {Status::iteration_limit,
           fmt::format("the walls that were tried leave the film no room: thermal deformation has "
                       "taken {:.3g} um on the mean of a clearance of {:.3g} um",
-                      -1e6 * growth, 1e6 * clearance),
+                      -1e6 * thermal_deformation, 1e6 * clearance),
           "", "more clearance, less speed or load, or better cooling"};
 }
 

@@ -19,8 +19,8 @@ struct Closure {
 [[nodiscard]] Verdict not_closed(int cycles, double closure);
 /// `change` of the walls from the last cycle to the next [K].
 [[nodiscard]] Verdict walls_not_found(int cycles, double change);
-/// Thermal growth of the walls [m] against the cold clearance [m].
-[[nodiscard]] Verdict no_clearance(double growth, double clearance);
+/// Thermal deformation of the walls [m] against the cold clearance [m].
+[[nodiscard]] Verdict no_clearance(double thermal_deformation, double clearance);
 /// No temperature of the film at which the oil of a mean cycle carries off its heat.
 [[nodiscard]] Verdict no_lumped_balance(double hottest);
 /// A step that was not found, at `t` of the cycle [s]; `crank_speed` [rad/s], 0: told in time.

@@ -122,7 +122,7 @@ void CycleRecord::gather_heat(const FilmStep& step, double dt) {
   const Field T = shell_surface(step.after);
   CycleInstant& i = instants_.back();
   i.heat_to_shell = i.heat_to_shaft = 0.0;
-  const GaussLobatto& gl = film_->model().gl;
+  const CrossFilmNodes& gl = film_->model().gl;
   double mass = 0.0;
   double by_mass = 0.0;
   for (int c = 0; c < g.cells(); ++c) {
@@ -369,8 +369,8 @@ void CycleRecord::write_heat(CycleResult& r) const {
   r.fields.T_shell = mean_over_time(T_shell_);
   r.fields.heat_to_shell = mean_over_time(heat_.to_shell);
   r.fields.T_shell_max = mirror_to_full(g, T_shell_max_);
-  if (!film_->heat()->walls.growth.empty()) {
-    r.fields.growth = mirror_to_full(g, film_->heat()->walls.growth);
+  if (!film_->heat()->walls.thermal_deformation.empty()) {
+    r.fields.thermal_deformation = mirror_to_full(g, film_->heat()->walls.thermal_deformation);
   }
 }
 

@@ -120,9 +120,9 @@ bool CycleSearch::begin_warm() {
   if (!s.verdict.good()) return false;
   now_ = film_.at_rest(s.film.columns.T.front());
   now_.film = s.film;
-  now_.film.contact_growth.reset();
-  walls_ = WallMeans{s.heat.T_shell, s.heat.T_shaft, steady_flux(s), s.heat.growth};
-  now_.growth = mean_growth(*walls_);
+  now_.film.contact_widening.reset();
+  walls_ = WallMeans{s.heat.T_shell, s.heat.T_shaft, steady_flux(s), s.heat.thermal_deformation};
+  now_.thermal_deformation = mean_deformation(*walls_);
   put_walls();
   from_rest_ = false;
   return true;
@@ -133,15 +133,15 @@ void CycleSearch::begin(const CycleSearch& coarser) {
   const BearingModel& to = film_.model();
   now_ = film_.at_rest(coarser.now_.film.columns.T.front());
   now_.film = carry_over(from, coarser.now_.film, to);
-  now_.growth = coarser.now_.growth;
+  now_.thermal_deformation = coarser.now_.thermal_deformation;
   HeatState walls;
   walls.T_shell = coarser.walls_->shell;
   walls.T_shaft = coarser.walls_->shaft;
-  walls.growth = coarser.walls_->growth;
+  walls.thermal_deformation = coarser.walls_->thermal_deformation;
   walls = carry_over(from, walls, to);
-  walls_ =
-      WallMeans{walls.T_shell, walls.T_shaft,
-                interpolate(from.scene.grid, coarser.walls_->flux, to.scene.grid), walls.growth};
+  walls_ = WallMeans{walls.T_shell, walls.T_shaft,
+                     interpolate(from.scene.grid, coarser.walls_->flux, to.scene.grid),
+                     walls.thermal_deformation};
   response_ = coarser.response_;
   looked_ = coarser.looked_;
 }
@@ -205,10 +205,10 @@ void CycleSearch::until_closed() {
 
 std::vector<double> CycleSearch::packed(const WallMeans& w) const {
   std::vector<double> x;
-  x.reserve(w.shell.size() + w.shaft.size() + w.growth.size());
+  x.reserve(w.shell.size() + w.shaft.size() + w.thermal_deformation.size());
   for (const double T : w.shell) x.push_back(T / kUnit);
   for (const double T : w.shaft) x.push_back(T / kUnit);
-  for (const double d : w.growth) x.push_back(d / film_.model().clearance);
+  for (const double d : w.thermal_deformation) x.push_back(d / film_.model().clearance);
   return x;
 }
 
@@ -216,12 +216,12 @@ void CycleSearch::unpack(const std::vector<double>& x, WallMeans& w) const {
   auto at = x.begin();
   for (double& T : w.shell) T = kUnit * *at++;
   for (double& T : w.shaft) T = kUnit * *at++;
-  for (double& d : w.growth) d = film_.model().clearance * *at++;
+  for (double& d : w.thermal_deformation) d = film_.model().clearance * *at++;
 }
 
 bool CycleSearch::put_walls() {
   const bool open = film_.set_walls(*walls_, length_, steps_.longest / kSkinSteps, now_);
-  if (!open) r_.verdict = no_clearance(mean_growth(*walls_), film_.model().clearance);
+  if (!open) r_.verdict = no_clearance(mean_deformation(*walls_), film_.model().clearance);
   return open;
 }
 

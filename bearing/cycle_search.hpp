@@ -60,7 +60,7 @@ class CycleSearch {
   void until_closed();
   /// The walls' fixed point.
   void settle_walls(bool rough);
-  /// One turn of it: walls and their growth in units -> what they come to.
+  /// One turn of it: walls and their thermal deformation in units -> what they come to.
   bool answer_walls(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] std::vector<double> packed(const WallMeans& w) const;
   void unpack(const std::vector<double>& x, WallMeans& w) const;

@@ -59,8 +59,10 @@ BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
     }
   }
   BodiesAnswer out;
-  out.solids = model.solids->answer(q, met, walls.shaft, {model.physics.growth, true}, step);
-  out.walls = {out.solids.shell.surface, out.solids.shaft.temperature, q.shell, out.solids.growth};
+  out.solids =
+      model.solids->answer(q, met, walls.shaft, {model.physics.thermal_deformation, true}, step);
+  out.walls = {out.solids.shell.surface, out.solids.shaft.temperature, q.shell,
+               out.solids.thermal_deformation};
   return out;
 }
 

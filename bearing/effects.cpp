@@ -64,8 +64,9 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
   } else {
     out.push_back({"elastic deformation", false, NAN, "not computed in this tier"});
   }
-  if (has.growth) {
-    out.push_back({"thermal deformation", true, largest_magnitude(s.heat.growth) / m.clearance,
+  if (has.thermal_deformation) {
+    out.push_back({"thermal deformation", true,
+                   largest_magnitude(s.heat.thermal_deformation) / m.clearance,
                    "largest thermal change of the gap over clearance; above 0.05 model it"});
   } else {
     out.push_back({"thermal deformation", false, NAN, "not computed in this tier"});

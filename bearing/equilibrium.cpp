@@ -127,24 +127,24 @@ void evaluate_contact(const BearingModel& model, FilmEquilibrium& s) {
 /// (3) or (3a) of the pressures p and p_a.
 Field displacement(const BearingModel& model, const FilmEquilibrium& s) {
   Field d = model.solids->compliance(sum(s.film.p, s.p_contact));
-  return s.contact_growth ? sum(d, model.solids->widening(*s.contact_growth, s.p_contact)) : d;
+  return s.contact_widening ? sum(d, model.solids->widening(*s.contact_widening, s.p_contact)) : d;
 }
 
 }  // namespace
 
-bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
+bool evaluate(const BearingModel& model, const Field& thermal_deformation, double tolerance,
               FilmEquilibrium& s) {
   const fluid::FilmScene& scene = model.scene;
   s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position,
-                          sum(growth, s.elastic), model.step);
-  s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
+                          sum(thermal_deformation, s.elastic), model.profile);
+  s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
   if (is_closed(model, s) || !std::isfinite(largest_magnitude(s.gap.cell))) return false;
   s.shear_gap = shear_gap(model, s.gap.cell);
   s.gradient_x = fluid::pressure_gradient_x(scene, s.film);
   s.gradient_z = fluid::pressure_gradient_z(scene, s.film);
   update_columns(model.oil, model.gl, scene.speed, s.shear_gap, s.film, s.gradient_x, s.gradient_z,
                  tolerance, s.columns, s.oil);
-  fluid::evaluate_flow(scene, s.gap, model.step, s.oil, s.film, s.flow);
+  fluid::evaluate_flow(scene, s.gap, model.profile, s.oil, s.film, s.flow);
   evaluate_contact(model, s);
   s.force = fluid::wrench(scene, sum(s.film.p, s.p_contact));
   return true;

@@ -1,6 +1,6 @@
 #pragma once
 /// State and residual of film, journal and elastic surfaces, at given oil temperatures and thermal
-/// growth.
+/// thermal deformation.
 ///
 /// Unknowns: p or theta of every cell (u), journal position q (0, 2 or 4 components), elastic
 /// widening of the gap d (elastic bearings). At the end of a step dt in time:
@@ -11,9 +11,10 @@
 /// end is the steady bearing.
 ///
 /// Asperity heat makes the shell bulge towards the journal where they rub, and rub more. Taken in
-/// turns with the film this diverges in heavy contact; where `contact_growth` G is given, (3) reads
+/// turns with the film this diverges in heavy contact; where `contact_widening` G is given, (3)
+/// reads
 ///   d = C (p + p_a) + G p_a                                                                   (3a)
-/// and the growth given from outside is without G p_a.
+/// and the thermal deformation given from outside is without G p_a.
 /// Source: seed 000 Eq. 1; backward Euler, textbook.
 #include <limits>
 #include <memory>
@@ -52,7 +53,7 @@ struct Evaluation {
 /// A state and what its last evaluation found.
 struct FilmEquilibrium : State, Evaluation {
   OilColumns columns;  ///< temperatures as given by heat, viscosities as last found
-  std::shared_ptr<const HarmonicOperator> contact_growth;  ///< G of (3a) [m/Pa]; none: (3)
+  std::shared_ptr<const HarmonicOperator> contact_widening;  ///< G of (3a) [m/Pa]; none: (3)
 };
 
 struct EquilibriumOptions {
@@ -114,8 +115,8 @@ struct LoadTarget {
 [[nodiscard]] FilmEquilibrium cold_start(const BearingModel& model, double T);
 
 /// Evaluates everything below the unknowns. False if the gap of a smooth bearing is closed.
-[[nodiscard]] bool evaluate(const BearingModel& model, const Field& growth, double tolerance,
-                            FilmEquilibrium& state);
+[[nodiscard]] bool evaluate(const BearingModel& model, const Field& thermal_deformation,
+                            double tolerance, FilmEquilibrium& state);
 
 /// Residuals of an evaluated state, each in units of its tolerance's scale.
 struct Residuals {

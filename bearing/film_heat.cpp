@@ -151,7 +151,7 @@ void fill_heat(const BearingModel& model, const FilmEquilibrium& s, const Fricti
                thermal::FilmEnergyProblem& p) {
   const fluid::FilmScene& scene = model.scene;
   const FilmGrid& g = scene.grid;
-  const GaussLobatto& gl = model.gl;
+  const CrossFilmNodes& gl = model.gl;
   const Field work = flow_work(model, s);
   const Field fill = fluid::cell_fill(scene, s.film);
   p.heat = dissipation(gl, scene.speed, s.shear_gap, s.gradient_x, s.gradient_z, s.columns);

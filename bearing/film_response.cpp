@@ -20,17 +20,17 @@ constexpr double kCorrectionTolerance =
 
 }  // namespace
 
-LinearFilm::LinearFilm(const BearingModel& model, const FilmEquilibrium& s, const Field& growth,
-                       double tolerance)
+LinearFilm::LinearFilm(const BearingModel& model, const FilmEquilibrium& s,
+                       const Field& thermal_deformation, double tolerance)
     : model_(model),
       s_(s),
-      growth_(growth),
+      thermal_deformation_(thermal_deformation),
       tolerance_(tolerance),
       film_(model, s, 0, factor_, cost_),
       good_(film_.good()) {
   if (std::holds_alternative<rheology::NoShearThinning>(model.oil.shear)) return;
   FilmEquilibrium sharp = s;
-  good_ = good_ && evaluate(model, growth, kViscosityTolerance, sharp);
+  good_ = good_ && evaluate(model, thermal_deformation, kViscosityTolerance, sharp);
   residual_ = fluid::film_residual(model.scene, sharp.flow);
 }
 
@@ -74,7 +74,7 @@ Field LinearFilm::residual_along(const Answer& x, int component) const {
     (f.film.full[k] ? f.film.p : f.film.theta)[k] += t * x.u[k];
   }
   for (std::size_t k = 0; k < x.d.size(); ++k) f.elastic[k] += t * x.d[k];
-  if (!evaluate(model_, growth_, kViscosityTolerance, f)) return Field(n, NAN);
+  if (!evaluate(model_, thermal_deformation_, kViscosityTolerance, f)) return Field(n, NAN);
   Field r = fluid::film_residual(model_.scene, f.flow);
   for (std::size_t k = 0; k < n; ++k) r[k] = (r[k] - residual_[k]) / t;
   return r;

@@ -27,10 +27,10 @@ struct FilmResponse {
 
 class LinearFilm {
  public:
-  /// Linearises an evaluated state; `growth` as it was evaluated with. `tolerance`: of the
-  /// pressures of an answer, of their largest [-].
-  LinearFilm(const BearingModel& model, const FilmEquilibrium& state, const Field& growth,
-             double tolerance);
+  /// Linearises an evaluated state; `thermal_deformation` as it was evaluated with. `tolerance`: of
+  /// the pressures of an answer, of their largest [-].
+  LinearFilm(const BearingModel& model, const FilmEquilibrium& state,
+             const Field& thermal_deformation, double tolerance);
   [[nodiscard]] bool good() const { return good_; }  ///< false: singular matrix
 
   /// Answer to a change of journal position component `k`, per unit [1/m], [1/rad].
@@ -55,7 +55,7 @@ class LinearFilm {
 
   const BearingModel& model_;
   const FilmEquilibrium& s_;
-  const Field& growth_;
+  const Field& thermal_deformation_;
   Field residual_;  ///< of the state, if the oil thins; else empty [kg/s]
   double tolerance_;
   EquilibriumCost cost_;  ///< of the factorisation

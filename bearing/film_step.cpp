@@ -75,7 +75,7 @@ FilmInTime FilmSteps::at_rest(double T) {
   now.film = cold_start(model_, T);
   for (int k = 0; k < target_.unknowns; ++k) now.film.position.q[k] = 0.0;
   [[maybe_unused]] const bool open =
-      evaluate(model_, growth(), options_.viscosity_tolerance, now.film);
+      evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, now.film);
   EXPECTS(open);
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
   return now;
@@ -135,7 +135,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
     carry_on(now.trend, by.c[i] * dt, film);
   }
   if (heat_) expect_temperatures(i, dt, stages, now, film);
-  Verdict verdict = newton(model_, target_, growth(), options_, film, cost, stop);
+  Verdict verdict = newton(model_, target_, thermal_deformation(), options_, film, cost, stop);
   if (!verdict.good()) return verdict;
   const FilmGrid& g = model_.scene.grid;
   found.oil = fluid::net_outflow(model_.scene, film.flow);
@@ -274,7 +274,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   Stage& last = stages.back();
   step.after.t = now.t + dt;
   step.after.full_before = now.film.film.full;
-  step.after.growth = now.growth;
+  step.after.thermal_deformation = now.thermal_deformation;
   step.after.trend = FilmTrend(between, film, (1.0 - by.c[by.stages - 2]) * dt);
   step.after.film = std::move(film);
   step.after.velocity = last.velocity;
@@ -293,14 +293,16 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
     now.film.columns.T[static_cast<std::size_t>(c) * n] = walls.shell[c];
     now.film.columns.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
   }
-  const double growth_now = mean_growth(walls);
-  const double wider = (model_.clearance + growth_now) / (model_.clearance + now.growth);
-  now.growth = growth_now;
+  const double deformation_now = mean_deformation(walls);
+  const double wider =
+      (model_.clearance + deformation_now) / (model_.clearance + now.thermal_deformation);
+  now.thermal_deformation = deformation_now;
   heat_->walls = std::move(walls);
   for (int k = 0; k < 2; ++k) now.film.position.q[k] *= wider;
   constexpr double kNearer = 0.9;  // to the middle, where the gap is closed: it is but a start
   constexpr int kMost = 40;        // then it is in the middle within 2 %
-  for (int k = 0; !evaluate(model_, growth(), options_.viscosity_tolerance, now.film); ++k) {
+  for (int k = 0; !evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, now.film);
+       ++k) {
     if (k == kMost) return false;
     for (int i = 0; i < 2; ++i) now.film.position.q[i] *= kNearer;
   }

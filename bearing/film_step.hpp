@@ -43,7 +43,7 @@ struct FilmInTime {
   std::vector<char> full_before;         ///< cells full when the step that led here began
   HeatInTime heat;                       ///< tiers with film temperatures
   FilmTrend trend;                       ///< over the last stage
-  double growth = 0.0;                   ///< mean thermal widening of its gap [m]
+  double thermal_deformation = 0.0;      ///< mean thermal widening of its gap [m]
 };
 
 /// What a step found.
@@ -105,7 +105,9 @@ class FilmSteps {
                                 const std::vector<Stage>& stages, double dt) const;
 
   /// Thermal widening of the gap.
-  [[nodiscard]] const Field& growth() const { return heat_ ? heat_->walls.growth : none_; }
+  [[nodiscard]] const Field& thermal_deformation() const {
+    return heat_ ? heat_->walls.thermal_deformation : none_;
+  }
 
   BearingModel model_;
   const LoadCourse& course_;

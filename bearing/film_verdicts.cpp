@@ -39,19 +39,19 @@ Verdict no_pressure(const BearingModel& model, int cell) {
           "switch on elastic deformation, use the Roelands law, or lower the load"};
 }
 
-Verdict no_film(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                const FilmEquilibrium& s) {
+Verdict no_film(const BearingModel& model, const LoadTarget& target,
+                const Field& thermal_deformation, const FilmEquilibrium& s) {
   const fluid::FilmScene& scene = model.scene;
   for (const auto& found :
        {find_not_a_number(FieldName::journal_position, s.position.q, 4),
-        find_not_a_number(FieldName::thermal_growth, growth),
+        find_not_a_number(FieldName::thermal_deformation, thermal_deformation),
         find_not_a_number(FieldName::elastic_opening, s.elastic),
         find_not_a_number(FieldName::film_temperature, s.columns.T, model.gl.n)}) {
     if (!found) continue;
     const bool placed = found->field != FieldName::journal_position;
     return fluid::ended_by(scene.grid, {found->field, placed ? found->cell : -1});
   }
-  if (is_closed(model, s)) return closed_gap(model, target, growth, s);
+  if (is_closed(model, s)) return closed_gap(model, target, thermal_deformation, s);
   const auto contact = find_not_a_number(FieldName::contact_pressure, s.p_contact);
   const NotANumber in_film = fluid::first_not_a_number(s.gap, s.film, s.oil, s.flow);
   const bool later = contact && in_film.cell < 0;

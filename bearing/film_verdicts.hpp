@@ -17,7 +17,7 @@ namespace shellback::bearing {
 /// Why the state has no film or no residual: a field holds what is not a number, or the gap of
 /// smooth surfaces is closed.
 [[nodiscard]] Verdict no_film(const BearingModel& model, const LoadTarget& target,
-                              const Field& growth, const FilmEquilibrium& state);
+                              const Field& thermal_deformation, const FilmEquilibrium& state);
 
 /// The film matrix could not be factorised.
 [[nodiscard]] Verdict singular_film(const BearingModel& model, const FilmEquilibrium& state);

@@ -19,7 +19,7 @@ Verdict correct_film(Solution& s, Accuracy accuracy, const SolveControl& control
   if (accuracy == Accuracy::way_point) {
     o.film_tolerance = o.load_tolerance = o.elastic_tolerance = o.viscosity_tolerance = kLoose;
   }
-  return newton(s.model, s.target, s.heat.growth, o, s.film, s.cost, control.stop);
+  return newton(s.model, s.target, s.heat.thermal_deformation, o, s.film, s.cost, control.stop);
 }
 
 /// A rigid film of constant viscosity is found from any guess: the first guess for oil that
@@ -32,16 +32,18 @@ void guess_isoviscous(Solution& s, const SolveControl& control) {
   EquilibriumOptions loose;
   loose.film_tolerance = loose.load_tolerance = loose.viscosity_tolerance = kLoose;
   FilmEquilibrium guess = s.film;
-  const Verdict v = newton(isoviscous, s.target, s.heat.growth, loose, guess, s.cost, control.stop);
+  const Verdict v =
+      newton(isoviscous, s.target, s.heat.thermal_deformation, loose, guess, s.cost, control.stop);
   if (v.good()) s.film = std::move(guess);
 }
 
 }  // namespace
 
 Verdict first_film(Solution& s, double T, const SolveControl& control) {
-  const Field growth = s.heat.growth;
+  const Field thermal_deformation = s.heat.thermal_deformation;
   const auto start = [&] {
-    return solve_equilibrium(s.model, s.target, growth, {}, s.film, s.cost, control.stop);
+    return solve_equilibrium(s.model, s.target, thermal_deformation, {}, s.film, s.cost,
+                             control.stop);
   };
   s.film = cold_start(s.model, T);
   guess_isoviscous(s, control);

@@ -44,7 +44,7 @@ bool unbounded_closer(const Solution& s, const SolveControl& control) {
       f.position.q[k] -=
           part * room(s.model, f) * held.force[k] / std::hypot(held.force[0], held.force[1]);
     }
-    const Verdict v = newton(s.model, held, s.heat.growth, {}, f, cost, control.stop);
+    const Verdict v = newton(s.model, held, s.heat.thermal_deformation, {}, f, cost, control.stop);
     if (v.status == Status::no_steady_state && !is_closed(s.model, f)) return true;
   }
   return false;

@@ -1,18 +1,45 @@
 #include "bearing/gmres.hpp"
 
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
+
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <stdexcept>
 
 namespace shellback::bearing {
 namespace {
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
-  double s = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) s += a[k] * b[k];
-  return s;
+struct ContextDeleter {
+  void operator()(SUNContext c) const { SUNContext_Free(&c); }
+};
+struct VectorDeleter {
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+};
+struct SolverDeleter {
+  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
+};
+template <class T, class D>
+using Owned = std::unique_ptr<std::remove_pointer_t<T>, D>;
+
+void require(int flag) {
+  if (flag != 0) throw std::runtime_error("SUNDIALS SPGMR could not be set up");
 }
 
-void add(std::vector<double>& y, double f, const std::vector<double>& x) {
-  for (std::size_t k = 0; k < y.size(); ++k) y[k] += f * x[k];
+struct Operator {
+  const LinearOperator* apply;
+  std::vector<double> x;
+};
+
+int multiply(void* data, N_Vector x, N_Vector y) {
+  Operator& a = *static_cast<Operator*>(data);
+  const double* from = N_VGetArrayPointer(x);
+  a.x.assign(from, from + a.x.size());
+  const std::vector<double> product = (*a.apply)(a.x);
+  std::copy(product.begin(), product.end(), N_VGetArrayPointer(y));
+  return 0;
 }
 
 }  // namespace
@@ -21,48 +48,25 @@ KrylovResult gmres(const LinearOperator& apply, const std::vector<double>& b, do
                    int most) {
   KrylovResult out;
   out.x.assign(b.size(), 0.0);
-  const double norm = std::sqrt(dot(b, b));
-  if (norm == 0.0) return out;
-  std::vector<std::vector<double>> v{b};
-  for (double& x : v[0]) x /= norm;
-  std::vector<std::vector<double>> h;  // columns of the rotated Hessenberg matrix
-  std::vector<double> cosine, sine, rest{norm};
-  while (out.iterations < most) {
-    const int k = out.iterations;
-    std::vector<double> w = apply(v[k]);
-    std::vector<double> column(k + 2);
-    for (int i = 0; i <= k; ++i) {
-      column[i] = dot(w, v[i]);
-      add(w, -column[i], v[i]);
-    }
-    column[k + 1] = std::sqrt(dot(w, w));
-    const double next = column[k + 1];
-    for (int i = 0; i < k; ++i) {
-      const double t = cosine[i] * column[i] + sine[i] * column[i + 1];
-      column[i + 1] = -sine[i] * column[i] + cosine[i] * column[i + 1];
-      column[i] = t;
-    }
-    const double r = std::hypot(column[k], column[k + 1]);
-    if (r == 0.0) break;
-    cosine.push_back(column[k] / r);
-    sine.push_back(column[k + 1] / r);
-    column[k] = r;
-    rest.push_back(-sine[k] * rest[k]);
-    rest[k] *= cosine[k];
-    h.push_back(std::move(column));
-    ++out.iterations;
-    out.reduction = std::abs(rest[k + 1]) / norm;
-    if (out.reduction <= tolerance || next == 0.0) break;
-    for (double& x : w) x /= next;
-    v.push_back(std::move(w));
-  }
-  std::vector<double> y(out.iterations);
-  for (int i = out.iterations - 1; i >= 0; --i) {
-    y[i] = rest[i];
-    for (int c = i + 1; c < out.iterations; ++c) y[i] -= h[c][i] * y[c];
-    y[i] /= h[i][i];
-    add(out.x, y[i], v[i]);
-  }
+  SUNContext raw = nullptr;
+  require(SUNContext_Create(nullptr, &raw));
+  const Owned<SUNContext, ContextDeleter> context(raw);
+  const auto n = static_cast<sunindextype>(b.size());
+  std::vector<double> right = b;  // SUNDIALS takes no constant vector
+  const Owned<N_Vector, VectorDeleter> rhs(N_VMake_Serial(n, right.data(), raw));
+  const Owned<N_Vector, VectorDeleter> x(N_VMake_Serial(n, out.x.data(), raw));
+  const double norm = std::sqrt(N_VDotProd(rhs.get(), rhs.get()));
+  if (!(norm > 0.0)) return out;
+  const Owned<SUNLinearSolver, SolverDeleter> solver(
+      SUNLinSol_SPGMR(x.get(), SUN_PREC_NONE, most, raw));
+  Operator a{&apply, b};
+  require(SUNLinSolSetATimes(solver.get(), &a, multiply));
+  require(SUNLinSolInitialize(solver.get()));
+  require(SUNLinSolSetup(solver.get(), nullptr));
+  // What it answers is told by the residual: one that is not reached in `most` is a result, too.
+  SUNLinSolSolve(solver.get(), nullptr, x.get(), rhs.get(), tolerance * norm);
+  out.iterations = SUNLinSolNumIters(solver.get());
+  out.reduction = SUNLinSolResNorm(solver.get()) / norm;
   return out;
 }
 

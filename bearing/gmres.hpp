@@ -1,8 +1,8 @@
 #pragma once
 /// GMRES without restart for small relative tolerances and few iterations; x starts from zero.
 ///
-/// Minimises |b - A x| over the Krylov space by modified Gram-Schmidt and Givens rotations
-/// [textbook]. Stops at |b - A x| <= tolerance |b| or after `most` iterations, whichever is first.
+/// SPGMR of SUNDIALS without preconditioner, scaling and restart. Stops at |b - A x| <= tolerance
+/// |b| or after `most` iterations, whichever is first.
 #include <functional>
 #include <vector>
 

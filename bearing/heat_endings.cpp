@@ -14,7 +14,7 @@ namespace shellback::bearing {
 Verdict fields_finite(const Solution& s) {
   for (const auto& found :
        {find_not_a_number(FieldName::film_temperature, s.film.columns.T, s.model.gl.n),
-        find_not_a_number(FieldName::thermal_growth, s.heat.growth)}) {
+        find_not_a_number(FieldName::thermal_deformation, s.heat.thermal_deformation)}) {
     if (found) return fluid::ended_by(s.model.scene.grid, *found);
   }
   return {};

@@ -41,11 +41,11 @@ bool possible(const std::vector<double>& T) {
 WallMeans uniform_walls(const BearingModel& model, double T) {
   const FilmGrid& g = model.scene.grid;
   return {Field(g.cells(), T), std::vector<double>(g.nz, T), Field(g.cells(), 0.0),
-          model.solids->at(model.solids->uniform_state(T)).growth};
+          model.solids->at(model.solids->uniform_state(T)).thermal_deformation};
 }
 
-double mean_growth(const WallMeans& walls) {
-  const Field& x = walls.growth;
+double mean_deformation(const WallMeans& walls) {
+  const Field& x = walls.thermal_deformation;
   if (x.empty()) return 0.0;
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }

@@ -25,14 +25,14 @@ struct WallMeans {
   Field shell;                ///< bore [K]
   std::vector<double> shaft;  ///< per axial cell [K]
   Field flux;                 ///< heat into the bore that belongs to it [W/m2]
-  Field growth;               ///< thermal widening of the gap [m]; empty without growth
+  Field thermal_deformation;  ///< of the gap, opening positive [m]; empty: none
 };
 
 /// All bodies at one temperature [K], without heat.
 [[nodiscard]] WallMeans uniform_walls(const BearingModel& model, double T);
 
-/// Of all cells [m]; 0 without growth.
-[[nodiscard]] double mean_growth(const WallMeans& walls);
+/// Of all cells [m]; 0 without thermal deformation.
+[[nodiscard]] double mean_deformation(const WallMeans& walls);
 
 /// Heat that flows at an instant, or has flowed in a step.
 struct HeatFlows {

@@ -28,9 +28,9 @@ class HeatIteration {
   bool operator()(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] std::vector<double> pack() const;
   /// From here on the deformation by asperity heat goes with the film (equilibrium.hpp, (3a)).
-  void take_contact_growth();
+  void take_contact_widening();
   /// Counts it as thermal deformation again.
-  void give_contact_growth();
+  void give_contact_widening();
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
   [[nodiscard]] int iterations() const { return iterations_; }
   /// True if the last iteration points farther than it was let go: however small the change that
@@ -63,40 +63,41 @@ class HeatIteration {
 std::vector<double> HeatIteration::pack() const {
   std::vector<double> x;
   for (const double T : s_.film.columns.T) x.push_back((T - supply_temperature()) / kUnit);
-  for (const double d : s_.heat.growth) x.push_back(d / s_.model.clearance);
+  for (const double d : s_.heat.thermal_deformation) x.push_back(d / s_.model.clearance);
   return x;
 }
 
 void HeatIteration::unpack(const std::vector<double>& x) {
   auto& T = s_.film.columns.T;
   for (std::size_t k = 0; k < T.size(); ++k) T[k] = supply_temperature() + kUnit * x[k];
-  for (std::size_t k = 0; k < s_.heat.growth.size(); ++k) {
-    s_.heat.growth[k] = s_.model.clearance * x[T.size() + k];
+  for (std::size_t k = 0; k < s_.heat.thermal_deformation.size(); ++k) {
+    s_.heat.thermal_deformation[k] = s_.model.clearance * x[T.size() + k];
   }
   walls_.read_from_film();
 }
 
-void HeatIteration::take_contact_growth() {
+void HeatIteration::take_contact_widening() {
   const Physics& has = s_.model.physics;
-  if (s_.film.contact_growth || !s_.model.contact || !has.elastic || !has.growth) return;
+  if (s_.film.contact_widening || !s_.model.contact || !has.elastic || !has.thermal_deformation)
+    return;
   if (!(s_.heat.response.shell_local > 0.0) || s_.film.p_contact.empty()) return;
-  s_.film.contact_growth = std::make_shared<HarmonicOperator>(s_.model.solids->contact_growth(
+  s_.film.contact_widening = std::make_shared<HarmonicOperator>(s_.model.solids->contact_widening(
       contact_heat_rate(s_.model).shell, s_.heat.response, walls_.solid_step()));
-  const Field own = s_.model.solids->widening(*s_.film.contact_growth, s_.film.p_contact);
+  const Field own = s_.model.solids->widening(*s_.film.contact_widening, s_.film.p_contact);
   for (std::size_t k = 0; k < own.size(); ++k) {
-    s_.heat.growth[k] -= own[k];
+    s_.heat.thermal_deformation[k] -= own[k];
     s_.film.elastic[k] += own[k];
   }
 }
 
-void HeatIteration::give_contact_growth() {
-  if (!s_.film.contact_growth) return;
-  const Field own = s_.model.solids->widening(*s_.film.contact_growth, s_.film.p_contact);
+void HeatIteration::give_contact_widening() {
+  if (!s_.film.contact_widening) return;
+  const Field own = s_.model.solids->widening(*s_.film.contact_widening, s_.film.p_contact);
   for (std::size_t k = 0; k < own.size(); ++k) {
-    s_.heat.growth[k] += own[k];
+    s_.heat.thermal_deformation[k] += own[k];
     s_.film.elastic[k] -= own[k];
   }
-  s_.film.contact_growth.reset();
+  s_.film.contact_widening.reset();
 }
 
 /// No tighter than the temperatures are known: the map's noise stays well below its change.
@@ -155,8 +156,8 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
   unpack(x);
   verdict_ = temperatures_possible(s_);
   if (!verdict_.good()) return false;
-  verdict_ = solve_equilibrium_near(s_.model, s_.target, s_.heat.growth, film_options(), s_.film,
-                                    s_.cost, control_.stop);
+  verdict_ = solve_equilibrium_near(s_.model, s_.target, s_.heat.thermal_deformation,
+                                    film_options(), s_.film, s_.cost, control_.stop);
   if (!verdict_.good()) return false;
   friction_ = friction_of(s_.model, s_.film);
   walls_.begin(friction_, iterations_);
@@ -164,11 +165,11 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
   verdict_ = fields_finite(s_);
   if (!verdict_.good()) return false;
   walls_.deform();
-  if (s_.film.contact_growth) {
-    const Field own = s_.model.solids->widening(*s_.film.contact_growth, s_.film.p_contact);
-    for (std::size_t k = 0; k < own.size(); ++k) s_.heat.growth[k] -= own[k];
+  if (s_.film.contact_widening) {
+    const Field own = s_.model.solids->widening(*s_.film.contact_widening, s_.film.p_contact);
+    for (std::size_t k = 0; k < own.size(); ++k) s_.heat.thermal_deformation[k] -= own[k];
   } else {
-    take_contact_growth();  // the film's response is known from the first iteration on
+    take_contact_widening();  // the film's response is known from the first iteration on
   }
   verdict_ = fields_finite(s_);
   if (!verdict_.good()) return false;
@@ -183,13 +184,13 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
 
 void HeatIteration::finish() {
   unpack(last_);
-  const Field growth = s_.heat.growth;
-  verdict_ = solve_equilibrium_near(s_.model, s_.target, growth, options_.film, s_.film, s_.cost,
-                                    control_.stop);
+  const Field thermal_deformation = s_.heat.thermal_deformation;
+  verdict_ = solve_equilibrium_near(s_.model, s_.target, thermal_deformation, options_.film,
+                                    s_.film, s_.cost, control_.stop);
   if (!verdict_.good()) return;
   friction_ = friction_of(s_.model, s_.film);
   const double change = walls_.finish(friction_, options_.close);
-  s_.heat.growth = growth;                                          // that of the film
+  s_.heat.thermal_deformation = thermal_deformation;                // that of the film
   if (!walls_.solid_step()) verdict_ = colder_than_all_around(s_);  // in time, walls may be colder
   if (verdict_.good()) verdict_ = walls_unbalanced(change);
 }
@@ -199,7 +200,7 @@ void HeatIteration::finish() {
 HeatState cold_heat(const BearingModel& model, double T) {
   HeatState h;
   const FilmGrid& g = model.scene.grid;
-  if (model.physics.growth) h.growth.assign(g.cells(), 0.0);
+  if (model.physics.thermal_deformation) h.thermal_deformation.assign(g.cells(), 0.0);
   h.T_shell.assign(g.cells(), T);
   h.T_shaft.assign(g.nz, T);
   return h;
@@ -209,7 +210,7 @@ Verdict solve_heat(Solution& s, const ThermalOptions& options, const SolveContro
                    const HeatStep* step) {
   constexpr double kSlack = 10.0;  // of the change, where it is seen to fall fast [-]
   HeatIteration iteration(s, options, control, step);
-  iteration.take_contact_growth();
+  iteration.take_contact_widening();
   std::vector<double> x = iteration.pack();
   const FixedPointEnd end = fixed_point(
       std::ref(iteration),
@@ -221,7 +222,7 @@ Verdict solve_heat(Solution& s, const ThermalOptions& options, const SolveContro
   } else if (v.good()) {
     v = heat_unsettled(iteration.iterations(), s.heat.residual);
   }
-  iteration.give_contact_growth();
+  iteration.give_contact_widening();
   return v;
 }
 

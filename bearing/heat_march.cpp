@@ -72,7 +72,7 @@ Instant instant_of(const Solution& s, double t, double dt) {
   i.heat_in = i.torque * s.model.input.operation.omega + pump_power(s.model, s.film);
   i.heat_out = oil + solids.shell.heat_back + solids.shell.heat_ends + solids.shaft.heat_out;
   i.stored = solids.shell.stored + solids.shaft.stored + g.multiplicity() * s.heat.balance.stored;
-  if (!s.heat.growth.empty()) i.deformation = area_mean(g, s.heat.growth);
+  if (!s.heat.thermal_deformation.empty()) i.deformation = area_mean(g, s.heat.thermal_deformation);
   return i;
 }
 

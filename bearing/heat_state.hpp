@@ -11,7 +11,7 @@ namespace shellback::bearing {
 
 /// The unknowns of heat beside the temperatures across the film (OilColumns).
 struct HeatUnknowns {
-  Field growth;                 ///< thermal widening of the gap [m]; empty without growth
+  Field thermal_deformation;    ///< of the gap, opening positive [m]; empty: none
   Field T_shell;                ///< bore temperature seen by the film [K]
   std::vector<double> T_shaft;  ///< journal temperature seen by the film, per axial cell [K]
 };

@@ -19,9 +19,9 @@ struct EquilibriumCost;
 /// Solves for the equilibrium from a state, which is left at the last iterate whatever the verdict;
 /// as newton (bearing/newton.hpp).
 using EquilibriumMethod = Verdict (*)(const BearingModel& model, const LoadTarget& target,
-                                      const Field& growth, const EquilibriumOptions& options,
-                                      FilmEquilibrium& state, EquilibriumCost& cost,
-                                      const std::atomic<bool>* stop);
+                                      const Field& thermal_deformation,
+                                      const EquilibriumOptions& options, FilmEquilibrium& state,
+                                      EquilibriumCost& cost, const std::atomic<bool>* stop);
 
 enum class CavitationMethod {
   active_set,          ///< p and theta, semismooth Newton on the active set (mass-conserving)

@@ -61,7 +61,8 @@ HeatState carry_over(const BearingModel& from, const HeatState& heat, const Bear
   const FilmGrid& a = from.scene.grid;
   const FilmGrid& b = to.scene.grid;
   out.T_shell = interpolate(a, heat.T_shell, b);
-  if (to.physics.growth && !heat.growth.empty()) out.growth = interpolate(a, heat.growth, b);
+  if (to.physics.thermal_deformation && !heat.thermal_deformation.empty())
+    out.thermal_deformation = interpolate(a, heat.thermal_deformation, b);
   Field shaft(a.cells());
   for (int c = 0; c < a.cells(); ++c) shaft[c] = heat.T_shaft[c % a.nz];
   const Field finer = interpolate(a, shaft, b);

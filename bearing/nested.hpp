@@ -19,7 +19,7 @@ namespace shellback::bearing {
 [[nodiscard]] FilmEquilibrium carry_over(const BearingModel& from, const FilmEquilibrium& s,
                                          const BearingModel& to);
 
-/// Wall temperatures and growth on another grid of the same bearing.
+/// Wall temperatures and thermal deformation on another grid of the same bearing.
 [[nodiscard]] HeatState carry_over(const BearingModel& from, const HeatState& heat,
                                    const BearingModel& to);
 

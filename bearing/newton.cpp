@@ -27,9 +27,15 @@ constexpr double kThinner = 0.25;    ///< and thin its smallest gap so far [-]
 /// One Newton iteration after the other; what they share.
 class NewtonIteration {
  public:
-  NewtonIteration(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                  const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost)
-      : model_(model), target_(target), growth_(growth), options_(options), s_(s), cost_(cost) {}
+  NewtonIteration(const BearingModel& model, const LoadTarget& target,
+                  const Field& thermal_deformation, const EquilibriumOptions& options,
+                  FilmEquilibrium& s, EquilibriumCost& cost)
+      : model_(model),
+        target_(target),
+        thermal_deformation_(thermal_deformation),
+        options_(options),
+        s_(s),
+        cost_(cost) {}
 
   Verdict run(const std::atomic<bool>* stop);
 
@@ -60,7 +66,7 @@ class NewtonIteration {
 
   const BearingModel& model_;
   const LoadTarget& target_;
-  const Field& growth_;
+  const Field& thermal_deformation_;
   const EquilibriumOptions& options_;
   FilmEquilibrium& s_;
   EquilibriumCost& cost_;
@@ -83,7 +89,7 @@ class NewtonIteration {
 };
 
 bool NewtonIteration::evaluate_state() {
-  if (!evaluate(model_, growth_, viscosity_tolerance_, s_)) return false;
+  if (!evaluate(model_, thermal_deformation_, viscosity_tolerance_, s_)) return false;
   r_ = residuals_of(model_, target_, s_);
   return r_.finite();
 }
@@ -188,7 +194,7 @@ Verdict NewtonIteration::reduced_film() {
     update_columns(model_.oil, model_.gl, model_.scene.speed, s_.shear_gap, film, none, none, 1e-3,
                    s_.columns, c);
   };
-  auto film = fluid::film_by_reduced_pressure(model_.scene, s_.gap, model_.step, oil, s_.film);
+  auto film = fluid::film_by_reduced_pressure(model_.scene, s_.gap, model_.profile, oil, s_.film);
   if (film.good()) {
     s_.film = std::move(film.value);
     merit_ = INFINITY;
@@ -252,7 +258,8 @@ Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
       ++held_;  // cavitation has moved: the film follows first
     } else {
       held_ = 0;
-      const Verdict none = possible ? Verdict{} : no_film(model_, target_, growth_, s_);
+      const Verdict none =
+          possible ? Verdict{} : no_film(model_, target_, thermal_deformation_, s_);
       if (it == 0) return none;
       if (!reject()) {
         return none.status == Status::invalid_number ? none
@@ -279,10 +286,10 @@ Verdict NewtonIteration::run(const std::atomic<bool>* stop) {
 
 }  // namespace
 
-Verdict newton(const BearingModel& model, const LoadTarget& target, const Field& growth,
-               const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost,
-               const std::atomic<bool>* stop) {
-  return NewtonIteration(model, target, growth, options, s, cost).run(stop);
+Verdict newton(const BearingModel& model, const LoadTarget& target,
+               const Field& thermal_deformation, const EquilibriumOptions& options,
+               FilmEquilibrium& s, EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  return NewtonIteration(model, target, thermal_deformation, options, s, cost).run(stop);
 }
 
 }  // namespace shellback::bearing

@@ -14,7 +14,7 @@ namespace shellback::bearing {
 /// Solves (1)-(3) of the step in time that the model's scene holds, from `state`, which is left at
 /// the last iterate that was accepted whatever the verdict.
 [[nodiscard]] Verdict newton(const BearingModel& model, const LoadTarget& target,
-                             const Field& growth, const EquilibriumOptions& options,
+                             const Field& thermal_deformation, const EquilibriumOptions& options,
                              FilmEquilibrium& state, EquilibriumCost& cost,
                              const std::atomic<bool>* stop = nullptr);
 

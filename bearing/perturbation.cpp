@@ -47,7 +47,7 @@ Content content_by(const Solution& s, const fluid::OilStore& store, const FilmRe
 
 /// K and C; the part of C from cavitated film in `C_cavitated`.
 void perturb(const Solution& s, double tolerance, Coefficients& out, Matrix4& C_cavitated) {
-  LinearFilm film(s.model, s.film, s.heat.growth, tolerance);
+  LinearFilm film(s.model, s.film, s.heat.thermal_deformation, tolerance);
   if (!film.good()) {
     out.verdict = {Status::iteration_limit, "the matrix of the linearised film is singular", "",
                    "feed more oil"};

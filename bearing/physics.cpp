@@ -13,7 +13,7 @@ Physics physics_of(const Case& c, Tier tier) {
   Physics p;
   p.film_energy = tier == Tier::thd || tier == Tier::tehd;
   p.elastic = chosen(s.elastic_deformation, tier == Tier::tehd);
-  p.growth = p.film_energy && chosen(s.thermal_deformation, tier == Tier::tehd);
+  p.thermal_deformation = p.film_energy && chosen(s.thermal_deformation, tier == Tier::tehd);
   p.contact = chosen(s.asperity_contact, c.surfaces.contact.has_value());
   p.flow_factors = chosen(s.flow_factors, rough);
   p.pressure_dependence = chosen(s.pressure_dependence, true);

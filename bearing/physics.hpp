@@ -7,7 +7,7 @@ namespace shellback::bearing {
 struct Physics {
   bool film_energy = false;  ///< temperature resolved; otherwise one temperature
   bool elastic = false;
-  bool growth = false;
+  bool thermal_deformation = false;
   bool contact = false;
   bool flow_factors = false;
   bool pressure_dependence = true;

@@ -19,17 +19,19 @@ constexpr int kMostSteps = 100;     ///< where a bearing comes to rest it takes 
 constexpr double kLoose = 1e-3;     ///< residuals that will do on the way [-]
 
 /// Steps are counted in `unit`: the time of a radian of turn, or another [s].
-Verdict march_in_time(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                      const EquilibriumOptions& options, double unit, FilmEquilibrium& s,
-                      EquilibriumCost& cost, const std::atomic<bool>* stop) {
+Verdict march_in_time(const BearingModel& model, const LoadTarget& target,
+                      const Field& thermal_deformation, const EquilibriumOptions& options,
+                      double unit, FilmEquilibrium& s, EquilibriumCost& cost,
+                      const std::atomic<bool>* stop) {
   BearingModel moving = model;
-  if (!evaluate(model, growth, kLoose, s)) return no_film(model, target, growth, s);
+  if (!evaluate(model, thermal_deformation, kLoose, s))
+    return no_film(model, target, thermal_deformation, s);
   double turn = kFirst;
   for (int step = 0; turn < kLongest; ++step) {
     moving.scene.storage = {turn * unit, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
     const State before = s;
     const int spent = cost.newton_iterations;
-    const Verdict v = newton(moving, target, growth, options, s, cost, stop);
+    const Verdict v = newton(moving, target, thermal_deformation, options, s, cost, stop);
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
     if (ended || cost.spent()) return v;
     if (step == kMostSteps) return not_at_rest(model, s, step);
@@ -56,26 +58,26 @@ EquilibriumOptions on_the_way(const EquilibriumOptions& options) {
 
 }  // namespace
 
-Verdict march_to_steady(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                        const EquilibriumOptions& options, FilmEquilibrium& s,
-                        EquilibriumCost& cost, const std::atomic<bool>* stop) {
+Verdict march_to_steady(const BearingModel& model, const LoadTarget& target,
+                        const Field& thermal_deformation, const EquilibriumOptions& options,
+                        FilmEquilibrium& s, EquilibriumCost& cost, const std::atomic<bool>* stop) {
   const double radian = 1.0 / std::abs(model.input.operation.omega);
   const Verdict v =
-      march_in_time(model, target, growth, on_the_way(options), radian, s, cost, stop);
-  return v.good() ? newton(model, target, growth, options, s, cost, stop) : v;
+      march_in_time(model, target, thermal_deformation, on_the_way(options), radian, s, cost, stop);
+  return v.good() ? newton(model, target, thermal_deformation, options, s, cost, stop) : v;
 }
 
 namespace {
 
 /// True if a journal that is free to move starts deeper in the shell than asperities reach.
-bool starts_inside(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                   FilmEquilibrium& s) {
+bool starts_inside(const BearingModel& model, const LoadTarget& target,
+                   const Field& thermal_deformation, FilmEquilibrium& s) {
   constexpr double kReach = 3.0;  // roughnesses
   const fluid::FilmScene& scene = model.scene;
   if (target.unknowns == 0) return false;
   s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position,
-                          sum(growth, s.elastic), model.step);
-  s.least = fluid::smallest_gap(scene.grid, s.gap, model.step);
+                          sum(thermal_deformation, s.elastic), model.profile);
+  s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
   return s.least.h < -kReach * scene.rough.sigma;
 }
 
@@ -102,17 +104,17 @@ Verdict come_to_rest(const BearingModel& model, const LoadTarget& target,
 }
 
 Verdict newton_or_through_time(const BearingModel& model, const LoadTarget& target,
-                               const Field& growth, const EquilibriumOptions& options,
+                               const Field& thermal_deformation, const EquilibriumOptions& options,
                                FilmEquilibrium& s, EquilibriumCost& cost,
                                const std::atomic<bool>* stop) {
-  if (!starts_inside(model, target, growth, s)) {
-    const Verdict v = newton(model, target, growth, options, s, cost, stop);
+  if (!starts_inside(model, target, thermal_deformation, s)) {
+    const Verdict v = newton(model, target, thermal_deformation, options, s, cost, stop);
     const bool proven = target.unknowns == 0 && v.status == Status::no_steady_state;
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
     if (v.good() || ended || proven || cost.spent()) return v;
   }
   put_in_the_middle(model, target, s);
-  return march_to_steady(model, target, growth, options, s, cost, stop);
+  return march_to_steady(model, target, thermal_deformation, options, s, cost, stop);
 }
 
 }  // namespace shellback::bearing

@@ -13,9 +13,9 @@ namespace shellback::bearing {
 
 /// As newton, of the steady bearing.
 [[nodiscard]] Verdict march_to_steady(const BearingModel& model, const LoadTarget& target,
-                                      const Field& growth, const EquilibriumOptions& options,
-                                      FilmEquilibrium& state, EquilibriumCost& cost,
-                                      const std::atomic<bool>* stop);
+                                      const Field& thermal_deformation,
+                                      const EquilibriumOptions& options, FilmEquilibrium& state,
+                                      EquilibriumCost& cost, const std::atomic<bool>* stop);
 
 /// A journal that does not turn, let go in the middle of a full film: until, after days, the film
 /// carries nothing any more and asperities all. Cavitated oil is left where it is.
@@ -25,7 +25,8 @@ namespace shellback::bearing {
 
 /// Newton's method; where it fails, through time.
 [[nodiscard]] Verdict newton_or_through_time(const BearingModel& model, const LoadTarget& target,
-                                             const Field& growth, const EquilibriumOptions& options,
+                                             const Field& thermal_deformation,
+                                             const EquilibriumOptions& options,
                                              FilmEquilibrium& state, EquilibriumCost& cost,
                                              const std::atomic<bool>* stop);
 

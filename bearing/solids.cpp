@@ -79,15 +79,17 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
   const Layers layers = wall_layers(c);
   const RevolutionMesh mesh = shell_mesh(c, layers, grid_, N);
   if (effects.heat) build_heat(c, layers, mesh);
-  if (effects.elastic || effects.growth) {
-    auto ops = solid::shell_elasticity(mesh, grid_, layers.material,
-                                       {N, support_of(c), solid::AxialEnds::free, effects.growth,
-                                        solid::Elimination::cheapest, sample_.computed()});
+  if (effects.elastic || effects.thermal_deformation) {
+    auto ops = solid::shell_elasticity(
+        mesh, grid_, layers.material,
+        {N, support_of(c), solid::AxialEnds::free, effects.thermal_deformation,
+         solid::Elimination::cheapest, sample_.computed()});
     if (effects.elastic) build_compliance(c, sample_.complete(ops.compliance));
-    if (effects.growth) {
-      growth_per_flux_ = sample_.complete(compose(ops.growth, conduction_->nodal()));
-      uniform_growth_ = solid::uniform_growth(ops);
-      growth_ = std::move(ops.growth);
+    if (effects.thermal_deformation) {
+      deformation_per_flux_ =
+          sample_.complete(compose(ops.thermal_deformation, conduction_->nodal()));
+      uniform_expansion_ = solid::uniform_expansion(ops);
+      thermal_deformation_ = std::move(ops.thermal_deformation);
       shaft_expansion_ = c.shaft->material.expansion;
     }
   }
@@ -130,7 +132,7 @@ void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMes
 
 bool Solids::serve(const Case& c, const FilmGrid& grid, SolidEffects wanted) const {
   const bool effects = (effects_.elastic || !wanted.elastic) && (effects_.heat || !wanted.heat) &&
-                       (effects_.growth || !wanted.growth) &&
+                       (effects_.thermal_deformation || !wanted.thermal_deformation) &&
                        (effects_.every_harmonic || !wanted.every_harmonic);
   const bool bodies =
       c.shell == shell_ && c.shaft == shaft_ && c.bearing.reference_temperature == reference_;
@@ -143,11 +145,11 @@ Field Solids::compliance(const Field& pressure) const {
   return apply(harmonics_, compliance_, pressure, Tail::last);
 }
 
-HarmonicOperator Solids::contact_growth(double rate, const thermal::WallResponse& film,
-                                        const SolidStep* step) const {
+HarmonicOperator Solids::contact_widening(double rate, const thermal::WallResponse& film,
+                                          const SolidStep* step) const {
   const StepOperators* ops = step ? step->operators.get() : nullptr;
   const thermal::ShellConduction& shell = ops ? ops->shell : *conduction_;
-  HarmonicOperator op = compose(ops ? ops->growth_per_flux : growth_per_flux_,
+  HarmonicOperator op = compose(ops ? ops->deformation_per_flux : deformation_per_flux_,
                                 shell.entering({film.shell_ring, film.shell_local}));
   for (Eigen::MatrixXd& m : op) m *= rate;
   return op;
@@ -212,23 +214,26 @@ SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
   out.shell = shell.solve(to_shell, {ring, local}, T_shell, surroundings_, wanted.back,
                           ops ? &step.history : nullptr);
   out.shaft = thermal::solve_shaft(grid_, fin_, to_shaft, along, T_shaft, step.shaft);
-  if (!effects_.growth || !wanted.growth) return out;
-  Eigen::MatrixXd bore = multiply(ops ? ops->growth_per_flux : growth_per_flux_, out.shell.flux);
-  if (ops) bore += step.growth;
-  out.growth = total_growth(bore, out.shaft.temperature);
+  if (!effects_.thermal_deformation || !wanted.thermal_deformation) return out;
+  Eigen::MatrixXd bore =
+      multiply(ops ? ops->deformation_per_flux : deformation_per_flux_, out.shell.flux);
+  if (ops) bore += step.thermal_deformation;
+  out.thermal_deformation = total_deformation(bore, out.shaft.temperature);
   return out;
 }
 
-Field Solids::total_growth(const Eigen::MatrixXd& bore, const std::vector<double>& T_shaft) const {
-  Field growth = harmonics_.synthesise(bore);
+Field Solids::total_deformation(const Eigen::MatrixXd& bore,
+                                const std::vector<double>& T_shaft) const {
+  Field thermal_deformation = harmonics_.synthesise(bore);
   const std::vector<double> shaft =
-      solid::shaft_growth(grid_.radius, shaft_expansion_, T_shaft, reference_);
+      solid::shaft_expansion(grid_.radius, shaft_expansion_, T_shaft, reference_);
   for (int i = 0; i < grid_.nt; ++i) {
     for (int j = 0; j < grid_.nz; ++j) {
-      growth[grid_.index(i, j)] += uniform_growth_[j] * (surroundings_ - reference_) + shaft[j];
+      thermal_deformation[grid_.index(i, j)] +=
+          uniform_expansion_[j] * (surroundings_ - reference_) + shaft[j];
     }
   }
-  return growth;
+  return thermal_deformation;
 }
 
 std::vector<double> Solids::section_radii() const { return conduction_->section_radii(); }

@@ -22,7 +22,7 @@ namespace shellback::bearing {
 struct SolidEffects {
   bool elastic = false;
   bool heat = false;
-  bool growth = false;
+  bool thermal_deformation = false;
   /// No harmonic is interpolated, so that a march of time ends in the steady answer to round-off;
   /// otherwise to what HarmonicSample says of harmonics above the sixth.
   bool every_harmonic = false;
@@ -39,7 +39,8 @@ struct WallFlux {
 struct SolidTemperature {
   thermal::ShellTemperature shell;
   thermal::ShaftTemperature shaft;
-  Field growth;  ///< thermal widening of the gap, shell and shaft; empty without growth [m]
+  Field thermal_deformation;  ///< thermal widening of the gap, shell and shaft; empty without
+                              ///< thermal deformation [m]
 };
 
 /// All that shell, housing and shaft keep from one time step to the next.
@@ -52,16 +53,16 @@ struct SolidState {
 /// What depends on the length of a time step alone.
 struct StepOperators {
   thermal::ShellConduction shell;
-  HarmonicOperator growth;           ///< of the bore per nodal temperature [m/K]
-  HarmonicOperator growth_per_flux;  ///< [m3/W]
+  HarmonicOperator thermal_deformation;   ///< of the bore per nodal temperature [m/K]
+  HarmonicOperator deformation_per_flux;  ///< [m3/W]
 };
 
 /// The time from one state of the solids to the next; made by Solids::step.
 struct SolidStep {
   std::shared_ptr<const StepOperators> operators;  ///< none: a step without end
   thermal::ShellHistory history;
-  Eigen::MatrixXd growth;    ///< what that does to the bore, nz x (2 N + 1) [m]
-  thermal::ShaftStep shaft;  ///< with the step's length
+  Eigen::MatrixXd thermal_deformation;  ///< what that does to the bore, nz x (2 N + 1) [m]
+  thermal::ShaftStep shaft;             ///< with the step's length
 };
 
 class Solids {
@@ -71,12 +72,12 @@ class Solids {
 
   /// Widening of the gap by a pressure on shell and shaft [m].
   [[nodiscard]] Field compliance(const Field& pressure) const;
-  /// Growth of the gap by asperity heat, per contact pressure [m/Pa]: `rate` [m/s] is the part of
-  /// p_a mu U that goes into the shell over p_a; of that heat the film takes some back, as its
-  /// largest local response has it. Negative: the shell bulges towards the journal. An estimate:
-  /// the growth found with the temperatures is the true one.
-  [[nodiscard]] HarmonicOperator contact_growth(double rate, const thermal::WallResponse& film,
-                                                const SolidStep* step = nullptr) const;
+  /// Thermal deformation of the gap by asperity heat, per contact pressure [m/Pa]: `rate` [m/s] is
+  /// the part of p_a mu U that goes into the shell over p_a; of that heat the film takes some back,
+  /// as its largest local response has it. Negative: the shell bulges towards the journal. An
+  /// estimate: the thermal deformation found with the temperatures is the true one.
+  [[nodiscard]] HarmonicOperator contact_widening(double rate, const thermal::WallResponse& film,
+                                                  const SolidStep* step = nullptr) const;
   /// Widening by a field and such an operator [m].
   [[nodiscard]] Field widening(const HarmonicOperator& by, const Field& contact) const;
   /// Winkler foundation that stands for the compliance in a preconditioner [m/Pa].
@@ -86,9 +87,9 @@ class Solids {
   /// `T_shaft` (axial cells) [K], Robin-coupled by the film's response. The means of both walls
   /// are found together first: heat passes from one to the other through the film far more easily
   /// than out of the bearing, so that one after the other they would settle slowly.
-  /// Growth and the back's temperature are found only if wanted.
+  /// Thermal deformation and the back's temperature are found only if wanted.
   struct Wanted {
-    bool growth = true;
+    bool thermal_deformation = true;
     bool back = true;
   };
   [[nodiscard]] SolidTemperature answer(const WallFlux& q, const Field& T_shell,
@@ -105,7 +106,7 @@ class Solids {
                                  const SolidStep* step = nullptr) const;
   /// Everything at one temperature [K]; a prescribed back stays as it is prescribed.
   [[nodiscard]] SolidState uniform_state(double T) const;
-  /// Temperatures and growth of a state; no flux, no heat.
+  /// Temperatures and thermal deformation of a state; no flux, no heat.
   [[nodiscard]] SolidTemperature at(const SolidState& state) const;
 
   [[nodiscard]] double surroundings() const { return surroundings_; }  ///< of the shell [K]
@@ -135,9 +136,10 @@ class Solids {
   [[nodiscard]] MeanChange mean_change(const WallFlux& q, const Field& T_shell,
                                        const std::vector<double>& T_shaft,
                                        const SolidStep& step) const;
-  /// The bore's growth of these coefficients with that of the surroundings and of the shaft [m].
-  [[nodiscard]] Field total_growth(const Eigen::MatrixXd& bore,
-                                   const std::vector<double>& T_shaft) const;
+  /// The bore's thermal deformation of these coefficients with that of the surroundings and of the
+  /// shaft [m].
+  [[nodiscard]] Field total_deformation(const Eigen::MatrixXd& bore,
+                                        const std::vector<double>& T_shaft) const;
   void build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh);
 
   FilmGrid grid_;
@@ -149,10 +151,10 @@ class Solids {
   HarmonicOperator compliance_;
   double winkler_ = 0.0;
   std::optional<thermal::ShellConduction> conduction_;
-  std::vector<double> capacity_;  ///< density times heat capacity of each layer [J/(m3 K)]
-  HarmonicOperator growth_;       ///< per nodal temperature, computed harmonics only [m/K]
-  HarmonicOperator growth_per_flux_;
-  Eigen::VectorXd uniform_growth_;  ///< of the bore per kelvin, per axial cell [m/K]
+  std::vector<double> capacity_;          ///< density times heat capacity of each layer [J/(m3 K)]
+  HarmonicOperator thermal_deformation_;  ///< per nodal temperature, computed harmonics only [m/K]
+  HarmonicOperator deformation_per_flux_;
+  Eigen::VectorXd uniform_expansion_;  ///< of the bore per kelvin, per axial cell [m/K]
   thermal::ShaftFin fin_;
   double surroundings_ = 0.0;
   double reference_ = 0.0;

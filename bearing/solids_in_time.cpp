@@ -6,9 +6,11 @@
 namespace shellback::bearing {
 namespace {
 
-/// The bore's growth for nodal temperatures above the surroundings [m]; none without operators.
-Eigen::MatrixXd bore_growth(const HarmonicOperator& growth, const Eigen::MatrixXd& nodal) {
-  return growth.empty() ? Eigen::MatrixXd{} : multiply(growth, nodal);
+/// The bore's thermal deformation for nodal temperatures above the surroundings [m]; none without
+/// operators.
+Eigen::MatrixXd bore_expansion(const HarmonicOperator& thermal_deformation,
+                               const Eigen::MatrixXd& nodal) {
+  return thermal_deformation.empty() ? Eigen::MatrixXd{} : multiply(thermal_deformation, nodal);
 }
 
 }  // namespace
@@ -21,14 +23,15 @@ SolidStep Solids::step(double dt, const SolidState& before, const SolidStep* las
     step.operators = last->operators;
   } else {
     StepOperators ops{conduction_->over(dt, capacity_), {}, {}};
-    if (effects_.growth) {
-      ops.growth = sample_.complete(growth_);
-      ops.growth_per_flux = compose(ops.growth, ops.shell.nodal());
+    if (effects_.thermal_deformation) {
+      ops.thermal_deformation = sample_.complete(thermal_deformation_);
+      ops.deformation_per_flux = compose(ops.thermal_deformation, ops.shell.nodal());
     }
     step.operators = std::make_shared<const StepOperators>(std::move(ops));
   }
   step.history = step.operators->shell.history(before.shell);
-  step.growth = bore_growth(step.operators->growth, step.history.nodal);
+  step.thermal_deformation =
+      bore_expansion(step.operators->thermal_deformation, step.history.nodal);
   return step;
 }
 
@@ -51,9 +54,9 @@ SolidTemperature Solids::at(const SolidState& state) const {
   out.shaft.temperature = state.shaft.cells;
   out.shaft.high = state.shaft.high;
   out.shaft.low = state.shaft.low;
-  if (effects_.growth) {
-    out.growth =
-        total_growth(bore_growth(sample_.complete(growth_), state.shell), state.shaft.cells);
+  if (effects_.thermal_deformation) {
+    out.thermal_deformation = total_deformation(
+        bore_expansion(sample_.complete(thermal_deformation_), state.shell), state.shaft.cells);
   }
   return out;
 }

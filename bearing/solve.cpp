@@ -153,8 +153,8 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
   if (physics.film_energy) {
     s.heat = near.model.physics.film_energy ? carry_over(near.model, near.heat, s.model)
                                             : cold_heat(s.model, near.T_film);
-    if (physics.growth && s.heat.growth.empty()) {
-      s.heat.growth.assign(s.model.scene.grid.cells(), 0.0);
+    if (physics.thermal_deformation && s.heat.thermal_deformation.empty()) {
+      s.heat.thermal_deformation.assign(s.model.scene.grid.cells(), 0.0);
     }
   }
   solve_on_grid(s, tier, {true, false}, control);

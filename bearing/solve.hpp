@@ -17,7 +17,7 @@ namespace shellback::bearing {
                                   std::shared_ptr<const Solids> solids = nullptr);
 
 /// What to do where a near solution is no start.
-enum class Otherwise { from_cold, give_up };
+enum class Otherwise { from_cold, failure };
 
 /// Solves the case in one tier from the solution of a near one: the same bearing at another speed,
 /// load, temperature or in a tier below; on its own grid at once, without the sequence of coarser

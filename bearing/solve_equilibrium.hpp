@@ -9,13 +9,15 @@ namespace shellback::bearing {
 
 /// Solves from `state`, which is left at the last iterate whatever the verdict.
 [[nodiscard]] Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target,
-                                        const Field& growth, const EquilibriumOptions& options,
-                                        FilmEquilibrium& state, EquilibriumCost& cost,
+                                        const Field& thermal_deformation,
+                                        const EquilibriumOptions& options, FilmEquilibrium& state,
+                                        EquilibriumCost& cost,
                                         const std::atomic<bool>* stop = nullptr);
 
 /// The same from a state near the solution: Newton's method alone, not through time.
 [[nodiscard]] Verdict solve_equilibrium_near(const BearingModel& model, const LoadTarget& target,
-                                             const Field& growth, const EquilibriumOptions& options,
+                                             const Field& thermal_deformation,
+                                             const EquilibriumOptions& options,
                                              FilmEquilibrium& state, EquilibriumCost& cost,
                                              const std::atomic<bool>* stop = nullptr);
 

@@ -106,8 +106,8 @@ void add_heat(const Solution& s, Quantities& q) {
   q.heat_by_oil = twice * (s.heat.balance.carried_out - s.heat.balance.carried_in);
   q.heat_to_shell = s.heat.solids.shell.heat_in;
   q.heat_to_shaft = s.heat.solids.shaft.heat_in;
-  if (m.physics.growth) {
-    q.thermal_opening_mean = area_mean(m.scene.grid, s.heat.growth);
+  if (m.physics.thermal_deformation) {
+    q.thermal_opening_mean = area_mean(m.scene.grid, s.heat.thermal_deformation);
   }
 }
 
@@ -163,7 +163,7 @@ Fields fields_of(const Solution& s, const Friction& f) {
   out.tau_journal = on_full(m, f.stress.journal);
   out.tau_shell = on_full(m, f.stress.shell);
   out.elastic = on_full(m, s.film.elastic);
-  out.growth = on_full(m, s.heat.growth);
+  out.thermal_deformation = on_full(m, s.heat.thermal_deformation);
   if (!m.physics.film_energy || !s.heat.known()) return out;
   out.s = m.gl.s;
   out.T = nodes_on_full(m, s.film.columns.T);

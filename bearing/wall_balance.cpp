@@ -66,7 +66,8 @@ void WallBalance::balance_roughly(double tolerance) {
 void WallBalance::deform() {
   warm_the_walls({true, false});
   take_wall_temperatures();
-  if (!s_.heat.growth.empty()) s_.heat.growth = s_.heat.solids.growth;
+  if (!s_.heat.thermal_deformation.empty())
+    s_.heat.thermal_deformation = s_.heat.solids.thermal_deformation;
 }
 
 void WallBalance::impose_walls() {

@@ -30,14 +30,14 @@ WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& o, const SolveCont
   s.target = load_target(c);
   s.model = make_bearing(c, physics, c.model.grid);
   // Every harmonic computed: the march ends in the steady answer to round-off.
-  const SolidEffects effects{physics.elastic, true, physics.growth, true};
+  const SolidEffects effects{physics.elastic, true, physics.thermal_deformation, true};
   s.model.solids = std::make_shared<const Solids>(c, s.model.scene.grid, effects);
   SolidState state = s.model.solids->uniform_state(o.T_start);
   const SolidTemperature walls = s.model.solids->at(state);
   s.heat = cold_heat(s.model, o.T_start);
   s.heat.T_shell = walls.shell.surface;
   s.heat.T_shaft = walls.shaft.temperature;
-  if (physics.growth) s.heat.growth = walls.growth;
+  if (physics.thermal_deformation) s.heat.thermal_deformation = walls.thermal_deformation;
   s.T_film = c.supplies.front().temperature;
   out.end.verdict = first_film(s, s.T_film, control);
   if (!out.end.verdict.good()) return out;

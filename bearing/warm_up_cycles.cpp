@@ -30,7 +30,8 @@ Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, dou
   i.heat_out = per_time * (film.carried_out - film.carried_in) + bodies.solids.shell.heat_back +
                bodies.solids.shell.heat_ends + bodies.solids.shaft.heat_out;
   i.stored = bodies.solids.shell.stored + bodies.solids.shaft.stored + per_time * film.stored;
-  if (!bodies.walls.growth.empty()) i.deformation = area_mean(g, bodies.walls.growth);
+  if (!bodies.walls.thermal_deformation.empty())
+    i.deformation = area_mean(g, bodies.walls.thermal_deformation);
   return i;
 }
 
@@ -71,7 +72,7 @@ WarmUp warm_up_over_cycles(const Case& c, Tier tier, const WarmUpOptions& o,
   SolidState state = solids.uniform_state(o.T_start);
   const SolidTemperature cold = solids.at(state);
   WallMeans walls{cold.shell.surface, cold.shaft.temperature, Field(cold.shell.surface.size(), 0.0),
-                  cold.growth};
+                  cold.thermal_deformation};
   const double shortest = c.cycle->length();
   double dt = shortest;
   SolidStep last;

@@ -4,8 +4,8 @@
 
 namespace shellback {
 
-NodalSet bulk_node() {
-  NodalSet set = gauss_lobatto(3);  // Simpson's rule: exact for the fluidity integrals
+CrossFilmNodes bulk_node() {
+  CrossFilmNodes set = gauss_lobatto(3);  // Simpson's rule: exact for the fluidity integrals
   set.w = {0.0, 1.0, 0.0};
   set.D.assign(9, 0.0);  // no flow across: one temperature
   set.S = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};

@@ -8,10 +8,10 @@
 /// that is Nu = h q/(k (T_m - T_w)) = 6 for dissipation between walls of one temperature and
 /// k (T_shell - T_shaft)/h for pure conduction. Source: textbook (bulk-flow energy equation with
 /// parabolic profile). Valid for a film that convects little across: no thermal boundary layers.
-#include "core/nodal_set.hpp"
+#include "core/cross_film_nodes.hpp"
 
 namespace shellback {
 
-[[nodiscard]] NodalSet bulk_node();
+[[nodiscard]] CrossFilmNodes bulk_node();
 
 }  // namespace shellback

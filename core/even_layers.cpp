@@ -4,9 +4,9 @@
 
 namespace shellback {
 
-NodalSet even_layers(int layers) {
+CrossFilmNodes even_layers(int layers) {
   EXPECTS(layers >= 2 && layers <= 60);
-  NodalSet set;
+  CrossFilmNodes set;
   const int n = layers + 1;
   const int last = layers;
   const double d = 1.0 / layers;

@@ -7,11 +7,11 @@
 /// (T_{k+1} - T_k)/d between neighbours. Q is the inverse of D: V_1 = d f_0,
 /// V_{k+1} = V_{k-1} + 2 d f_k. What D cannot make is the alternating vector (1, -1, 1, ...): S
 /// takes it out. Source: textbook (summation-by-parts operators of second order).
-#include "core/nodal_set.hpp"
+#include "core/cross_film_nodes.hpp"
 
 namespace shellback {
 
 /// 2 <= layers <= 60.
-[[nodiscard]] NodalSet even_layers(int layers);
+[[nodiscard]] CrossFilmNodes even_layers(int layers);
 
 }  // namespace shellback

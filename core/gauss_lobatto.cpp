@@ -47,9 +47,9 @@ std::vector<double> nodes(int n) {
 
 }  // namespace
 
-GaussLobatto gauss_lobatto(int n) {
+CrossFilmNodes gauss_lobatto(int n) {
   EXPECTS(n >= 3 && n <= 32);
-  GaussLobatto gl;
+  CrossFilmNodes gl;
   gl.n = n;
   const int m = n - 1;
   const std::vector<double> x = nodes(n);

@@ -6,14 +6,11 @@
 /// highest Legendre mode (leaves degree n - 2 and the integral unchanged). Summation by parts
 /// holds exactly: sum w_k (D f)_k = f(1) - f(0). Source: textbook (Legendre polynomials by their
 /// three-term recurrence; nodes are the ends and the roots of P'_{n-1}).
-#include "core/nodal_set.hpp"
+#include "core/cross_film_nodes.hpp"
 
 namespace shellback {
 
-/// The members of NodalSet with S the projection onto degree n - 2.
-using GaussLobatto = NodalSet;
-
-/// Operators for n nodes, 3 <= n <= 32.
-[[nodiscard]] GaussLobatto gauss_lobatto(int n);
+/// Nodes and operators, 3 <= n <= 32; S is the projection onto degree n - 2.
+[[nodiscard]] CrossFilmNodes gauss_lobatto(int n);
 
 }  // namespace shellback

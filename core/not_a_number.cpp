@@ -9,7 +9,7 @@ const char* to_string(FieldName name) {
   switch (name) {
     case FieldName::journal_position:
       return "journal position";
-    case FieldName::thermal_growth:
+    case FieldName::thermal_deformation:
       return "thermal growth";
     case FieldName::elastic_opening:
       return "elastic opening";

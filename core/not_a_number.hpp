@@ -11,7 +11,7 @@ namespace shellback {
 /// Fields in which such a value may show first.
 enum class FieldName {
   journal_position,
-  thermal_growth,
+  thermal_deformation,
   elastic_opening,
   gap,
   film_pressure,

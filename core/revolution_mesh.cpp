@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kLeastRowsPerLayer = 2;      ///< a single row cannot bend between two stiff layers
 constexpr int kLeastColsPerHalf = 6;       ///< resolves edge loading of a bearing
-constexpr double kLargestGrowth = 2.0;     ///< ratio of neighbouring element sizes [-]
+constexpr double kLargestRatio = 2.0;      ///< ratio of neighbouring element sizes [-]
 constexpr double kSurfaceRowDepths = 2.0;  ///< surface row over decay depth R / n [-]
 
 /// Sizes that sum to `total`, at least `least` of them, the first at most `first`, growing by
@@ -20,9 +20,9 @@ std::vector<double> graded(double total, double first, int least) {
     return q - 1.0 < 1e-12 ? static_cast<double>(n) : (std::pow(q, n) - 1.0) / (q - 1.0);
   };
   int n = least;
-  while (first * sum(kLargestGrowth, n) < total) ++n;
+  while (first * sum(kLargestRatio, n) < total) ++n;
   if (first * n >= total) return std::vector<double>(n, total / n);
-  double low = 1.0, high = kLargestGrowth;
+  double low = 1.0, high = kLargestRatio;
   for (int k = 0; k < 60; ++k) {  // bisection to round-off
     const double q = 0.5 * (low + high);
     (first * sum(q, n) < total ? low : high) = q;
@@ -142,7 +142,7 @@ RadialRows rows_outwards(double radius, const std::vector<double>& thickness, do
     for (const double dr : graded(thickness[l], size, kLeastRowsPerLayer)) {
       rows.face.push_back(r += dr);
       rows.layer.push_back(static_cast<int>(l));
-      size = std::max(first, kLargestGrowth * dr);
+      size = std::max(first, kLargestRatio * dr);
     }
     rows.face.back() = bottom += thickness[l];  // no drift of the interface
   }
@@ -176,7 +176,7 @@ std::vector<double> axial_elements(const FilmGrid& grid, double overhang) {
   const double end = 0.5 * grid.width;
   std::vector<double> beyond;
   double z = end;
-  for (const double dz : graded(overhang, kLargestGrowth * (end - face[face.size() - 2]), 1)) {
+  for (const double dz : graded(overhang, kLargestRatio * (end - face[face.size() - 2]), 1)) {
     beyond.push_back(z += dz);
   }
   beyond.back() = end + overhang;

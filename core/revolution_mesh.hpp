@@ -57,7 +57,7 @@ struct RadialRows {
 [[nodiscard]] RadialRows rows_outwards(double radius, const std::vector<double>& thickness,
                                        double first);
 /// Rows of a solid cylinder, from the axis r = 0 to `radius`, `first` being the height at the
-/// surface and the growth towards the axis at most twofold.
+/// surface and the growth of the rows towards the axis at most twofold.
 [[nodiscard]] RadialRows rows_of_cylinder(double radius, double first);
 
 /// Height of the surface row that resolves circumferential harmonics up to `harmonics` [m]:

@@ -100,7 +100,7 @@ class Search {
   /// From the finest solution, if there is one, else from cold. False: it does not converge.
   bool solve_on(const Grid& grid) {
     const Case c = chosen_case(grid);
-    const Otherwise otherwise = grid == kFineGrid ? Otherwise::from_cold : Otherwise::give_up;
+    const Otherwise otherwise = grid == kFineGrid ? Otherwise::from_cold : Otherwise::failure;
     Solution s;
     try {
       s = levels_.empty() ? solve_tier(c, tier(), control_)

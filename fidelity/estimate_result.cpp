@@ -18,9 +18,10 @@ using namespace bearing;
 /// Indicator numbers. Source of numbers and limits: methods 7.2 (docs/models.md); names are those
 /// of the effects that a solved result reports. Orders of magnitude.
 struct Indicators {
-  double heating = 0.0;   ///< beta dT, dT of the heat balance [-]
-  double elastic = 0.0;   ///< opening of a held ring under p_max over h_min [-]; 0: no shell
-  double thermal = 0.0;   ///< free growth of the clearance over the clearance [-]; 0: no walls
+  double heating = 0.0;  ///< beta dT, dT of the heat balance [-]
+  double elastic = 0.0;  ///< opening of a held ring under p_max over h_min [-]; 0: no shell
+  double thermal =
+      0.0;  ///< free thermal deformation of the clearance over the clearance [-]; 0: no walls
   double pressure = 0.0;  ///< alpha p_max [-]
   std::vector<Effect> effects;
 };
@@ -29,7 +30,7 @@ const solid::Material& body(const Shell& shell) {
   return shell.housing ? shell.housing->material : shell.layers[0].material;
 }
 
-double thermal_growth(const Case& c, const Estimate& e) {
+double thermal_deformation(const Case& c, const Estimate& e) {
   if (!c.shell || !c.shaft) return 0.0;
   const double shaft = c.shaft->material.expansion;
   const double difference = std::abs(body(*c.shell).expansion - shaft);
@@ -45,7 +46,7 @@ Indicators indicators(const Case& c, const Estimate& e) {
   Indicators n;
   n.heating = -oil.dln_dT * std::abs(e.rise);
   if (c.shell) n.elastic = bore_compliance(c) * e.p_max / h;
-  n.thermal = thermal_growth(c, e);
+  n.thermal = thermal_deformation(c, e);
   n.pressure = rheology::pressure_slope(c.oil, e.T, 0.0) * e.p_max;
   const double nahme = -oil.dln_dT * e.eta * U * U / rheology::conductivity(c.oil, e.T, 0.0).k;
   const double lost = 1.0 - rheology::viscosity_slopes(c.oil, e.T, 0.0, U / h).eta / oil.eta;

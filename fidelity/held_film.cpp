@@ -16,7 +16,7 @@ Field widening(const Solution& s, const Physics& has) {
     for (std::size_t k = 0; k < d.size(); ++k) sum[k] += d[k];
   };
   if (has.elastic) add(s.film.elastic);
-  if (has.growth) add(s.heat.growth);
+  if (has.thermal_deformation) add(s.heat.thermal_deformation);
   return sum;
 }
 
@@ -33,14 +33,14 @@ void set_temperatures(const Case& c, const Held& held, int nodes, std::vector<do
 Solution held_film(const Solution& s, std::array<int, 2> grid, const Held& held,
                    const std::atomic<bool>* stop) {
   Physics film_only = held.physics;
-  film_only.film_energy = film_only.elastic = film_only.growth = false;
+  film_only.film_energy = film_only.elastic = film_only.thermal_deformation = false;
   Solution out;
   out.target = s.target;
   out.T_film = s.T_film;
   out.model = make_bearing(s.model.input, film_only, grid);
   out.film = carry_over(s.model, s.film, out.model);
   set_temperatures(s.model.input, held, out.model.gl.n, out.film.columns.T);
-  out.heat.growth =
+  out.heat.thermal_deformation =
       interpolate(s.model.scene.grid, widening(s, held.physics), out.model.scene.grid);
   // Friction and smallest film are then known to about these residuals, far better than the grids
   // that they stand for; a film that takes more steps is no neighbour of the solution.
@@ -48,8 +48,8 @@ Solution held_film(const Solution& s, std::array<int, 2> grid, const Held& held,
   EquilibriumOptions options;
   options.max_iterations = 30;
   options.film_tolerance = options.load_tolerance = options.viscosity_tolerance = kEnough;
-  out.verdict =
-      solve_equilibrium(out.model, out.target, out.heat.growth, options, out.film, out.cost, stop);
+  out.verdict = solve_equilibrium(out.model, out.target, out.heat.thermal_deformation, options,
+                                  out.film, out.cost, stop);
   return out;
 }
 

@@ -30,7 +30,8 @@ const std::vector<EffectRule>& effect_rules() {
   using S = Switches;
   static const std::vector<EffectRule> rules{
       {"temperature across the film", {{&P::film_energy, nullptr, knows_its_walls}}},
-      {"thermal deformation", {{&P::growth, &S::thermal_deformation, knows_its_walls}}},
+      {"thermal deformation",
+       {{&P::thermal_deformation, &S::thermal_deformation, knows_its_walls}}},
       {"elastic deformation", {{&P::elastic, &S::elastic_deformation, has_shell}}},
       {"viscosity with pressure",
        {{&P::pressure_dependence, &S::pressure_dependence, is_piezoviscous}}},
@@ -73,7 +74,7 @@ std::vector<PhysicsStep> richer_physics(const Case& c, Tier tier) {
   Case input = c;
   input.model.tier = tier;
   input.model.switches.elastic_deformation = has.elastic;  // not to change with the tier
-  input.model.switches.thermal_deformation = has.growth;
+  input.model.switches.thermal_deformation = has.thermal_deformation;
   std::vector<PhysicsStep> steps;
   if (tier == Tier::isothermal) {
     input.model.tier = Tier::lumped;

@@ -11,9 +11,9 @@
 
 namespace shellback::fluid {
 
-ActiveSet::ActiveSet(const FilmScene& scene, const Gap& gap, const Field& step, const OilLaw& oil,
-                     const FilmState& guess, const ReynoldsOptions& options)
-    : scene_(scene), gap_(gap), step_(step), oil_(oil), tolerance_(options.tolerance) {
+ActiveSet::ActiveSet(const FilmScene& scene, const Gap& gap, const Field& profile,
+                     const OilLaw& oil, const FilmState& guess, const ReynoldsOptions& options)
+    : scene_(scene), gap_(gap), profile_(profile), oil_(oil), tolerance_(options.tolerance) {
   const bool slow = scene.storage.finite() && scene.speed == 0.0;
   most_ = options.max_iterations + (slow ? scene.grid.nt : 0);
   out.value.state = guess;
@@ -52,7 +52,7 @@ ActiveSetEnd ActiveSet::run() {
   FilmSolution& v = out.value;
   while (it_ <= most_) {
     oil_(v.state, v.oil);
-    evaluate_flow(scene_, gap_, step_, v.oil, v.state, v.flow);
+    evaluate_flow(scene_, gap_, profile_, v.oil, v.state, v.flow);
     Field r = film_residual(scene_, v.flow);
     const double norm = largest_magnitude(r) / flow_scale(scene_, v.flow);
     out.history.push_back(norm);
@@ -65,7 +65,7 @@ ActiveSetEnd ActiveSet::run() {
     if (cycling_) {
       ++v.fallback_steps;
       ++v.factorizations;
-      if (!fischer_burmeister_step(scene_, gap_, step_, oil_, v)) break;
+      if (!fischer_burmeister_step(scene_, gap_, profile_, oil_, v)) break;
       continue;
     }
     if (!factorize()) break;

@@ -22,7 +22,7 @@ enum class ActiveSetEnd {
 class ActiveSet {
  public:
   /// The arguments must outlive it.
-  ActiveSet(const FilmScene& scene, const Gap& gap, const Field& step, const OilLaw& oil,
+  ActiveSet(const FilmScene& scene, const Gap& gap, const Field& profile, const OilLaw& oil,
             const FilmState& guess, const ReynoldsOptions& options);
 
   /// Iterates on out.value.state until it ends; after beyond_law it may be called again.
@@ -39,7 +39,7 @@ class ActiveSet {
 
   const FilmScene& scene_;
   const Gap& gap_;
-  const Field& step_;
+  const Field& profile_;
   const OilLaw& oil_;
   double tolerance_;
   int most_;

@@ -96,7 +96,7 @@ struct Transport {
 struct Evaluation {
   const FilmScene& scene;
   const Gap& gap;
-  const Field& step;
+  const Field& profile;
   const FilmCoefficients& oil;
   const FilmState& state;
   Field ln_g;
@@ -109,7 +109,7 @@ struct Evaluation {
     const double ln = ln_g[k] - oil.alpha[k] * (p - state.p[k]);
     return {p, std::exp(ln), ln, oil.alpha[k]};
   }
-  [[nodiscard]] bool steps() const { return !step.empty(); }
+  [[nodiscard]] bool steps() const { return !profile.empty(); }
 };
 
 /// Gaps on the two sides of every face (the second side only if there are steps).
@@ -119,8 +119,8 @@ void side_gaps(const Evaluation& e, std::vector<double>& left, std::vector<doubl
   right = left;
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
-      left[g.index(i, j)] += e.step[g.index(g.previous(i), j)];
-      right[g.index(i, j)] += e.step[g.index(i, j)];
+      left[g.index(i, j)] += e.profile[g.index(g.previous(i), j)];
+      right[g.index(i, j)] += e.profile[g.index(i, j)];
     }
   }
 }
@@ -131,8 +131,8 @@ void axial_side_gaps(const Evaluation& e, std::vector<double>& left, std::vector
   right = left;
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j <= g.nz; ++j) {
-      left[i * (g.nz + 1) + j] += e.step[g.index(i, std::max(j - 1, 0))];
-      right[i * (g.nz + 1) + j] += e.step[g.index(i, std::min(j, g.nz - 1))];
+      left[i * (g.nz + 1) + j] += e.profile[g.index(i, std::max(j - 1, 0))];
+      right[i * (g.nz + 1) + j] += e.profile[g.index(i, std::min(j, g.nz - 1))];
     }
   }
 }
@@ -291,9 +291,9 @@ OilStore oil_store(const FilmScene& scene, const Gap& gap, const FilmCoefficient
   return store;
 }
 
-void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& step,
+void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& profile,
                    const FilmCoefficients& oil, const FilmState& state, FilmFlow& flow) {
-  Evaluation e{scene, gap, step, oil, state, {}};
+  Evaluation e{scene, gap, profile, oil, state, {}};
   e.ln_g.resize(oil.fluidity.size());
   for (std::size_t k = 0; k < e.ln_g.size(); ++k) e.ln_g[k] = std::log(oil.fluidity[k]);
   circumferential_faces(e, flow);

@@ -116,8 +116,8 @@ struct OilStore {
 [[nodiscard]] OilStore oil_store(const FilmScene& scene, const Gap& gap,
                                  const FilmCoefficients& oil, const FilmState& state);
 
-/// Evaluates all faces. `step` as in film_gap.
-void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& step,
+/// Evaluates all faces. `profile` as in film_gap.
+void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& profile,
                    const FilmCoefficients& oil, const FilmState& state, FilmFlow& flow);
 
 /// Net mass flow out of every cell [kg/s]: in the film at a solution minus what is stored (zero in

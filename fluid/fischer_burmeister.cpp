@@ -77,7 +77,7 @@ std::size_t active_set_hash(const FilmState& s) {
   return std::hash<std::string_view>{}(std::string_view(s.full.data(), s.full.size()));
 }
 
-bool fischer_burmeister_step(const FilmScene& scene, const Gap& gap, const Field& step,
+bool fischer_burmeister_step(const FilmScene& scene, const Gap& gap, const Field& profile,
                              const OilLaw& oil, FilmSolution& v) {
   const double p_ref = pressure_scale(scene, v.state);
   const std::size_t n = v.state.p.size();
@@ -117,7 +117,7 @@ bool fischer_burmeister_step(const FilmScene& scene, const Gap& gap, const Field
     }
     snap(scene, p_ref, v.state);
     oil(v.state, v.oil);
-    evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
+    evaluate_flow(scene, gap, profile, v.oil, v.state, v.flow);
     if (merit(scene, v, p_ref) < before) return true;
   }
   return false;

@@ -12,7 +12,7 @@ namespace shellback::fluid {
 
 /// One damped step on solution.state; also refreshes its oil and flow. False if the matrix is
 /// singular or no step length reduces the merit.
-bool fischer_burmeister_step(const FilmScene& scene, const Gap& gap, const Field& step,
+bool fischer_burmeister_step(const FilmScene& scene, const Gap& gap, const Field& profile,
                              const OilLaw& oil, FilmSolution& solution);
 
 /// The highest pressure over that of cavitation, at least 1 Pa [Pa]: p_ref.

@@ -52,7 +52,7 @@ void to_faces(const FilmGrid& g, const Field& d, std::vector<double>& phi_face,
 }
 
 Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition& q, const Field& d,
-             const Field& step) {
+             const Field& profile) {
   Gap gap;
   if (d.empty()) {
     gap.phi_face.assign(g.cells(), 0.0);
@@ -65,7 +65,7 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
       gap.cell[k] += rigid(c, q, a.cos_cell[i], a.sin_cell[i], g.z[j]);
-      if (!step.empty()) gap.cell[k] += step[k];
+      if (!profile.empty()) gap.cell[k] += profile[k];
       gap.phi_face[k] += rigid(c, q, a.cos_face[i], a.sin_face[i], g.z[j]);
     }
     for (int j = 0; j <= g.nz; ++j) {
@@ -75,7 +75,7 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
   return gap;
 }
 
-SmallestGap smallest_gap(const FilmGrid& g, const Gap& gap, const Field& step) {
+SmallestGap smallest_gap(const FilmGrid& g, const Gap& gap, const Field& profile) {
   SmallestGap least{gap.cell[0], g.phi[0], g.z[0]};
   const auto consider = [&](double h, double phi, double z) {
     if (h < least.h) least = {h, phi, z};
@@ -84,13 +84,13 @@ SmallestGap smallest_gap(const FilmGrid& g, const Gap& gap, const Field& step) {
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
       consider(gap.cell[k], g.phi[i], g.z[j]);
-      const double high = std::max(step.empty() ? 0.0 : step[k],
-                                   step.empty() ? 0.0 : step[g.index(g.previous(i), j)]);
+      const double high = std::max(profile.empty() ? 0.0 : profile[k],
+                                   profile.empty() ? 0.0 : profile[g.index(g.previous(i), j)]);
       consider(gap.phi_face[k] + high, g.phi_face[i], g.z[j]);
     }
     for (const int j : {0, g.nz}) {
       if (j == 0 && g.half) continue;
-      const double s = step.empty() ? 0.0 : step[g.index(i, j == 0 ? 0 : g.nz - 1)];
+      const double s = profile.empty() ? 0.0 : profile[g.index(i, j == 0 ? 0 : g.nz - 1)];
       consider(gap.z_face[i * (g.nz + 1) + j] + s, g.phi[i], g.z_face[j]);
     }
   }

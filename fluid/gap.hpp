@@ -1,14 +1,14 @@
 #pragma once
 /// Film thickness: eccentricity, tilt, profile, displacement of the surfaces.
 ///
-///   h = c + step(phi,z) + d(phi,z) - (e_x + psi_y z) cos phi - (e_y - psi_x z) sin phi   [m]
+///   h = c + profile(phi,z) + d(phi,z) - (e_x + psi_y z) cos phi - (e_y - psi_x z) sin phi   [m]
 ///
 /// e = journal centre minus shell centre at mid-width [m]; psi_x, psi_y = rotation of the journal
-/// axis about X and Y [rad]; `step` = designed or measured deviation of the shell, taken constant
-/// per cell, so that its jumps lie on faces; d = elastic and thermal widening of the gap, smooth.
-/// Positive h is a gap; negative nominal h is legal for rough surfaces in contact.
-/// Source: methods 2.1; the signs from design 2 (displacement of the journal towards phi closes
-/// the gap there).
+/// axis about X and Y [rad]; `profile` = designed or measured deviation of the shell, taken
+/// constant per cell, so that its jumps lie on faces; d = elastic and thermal widening of the gap,
+/// smooth. Positive h is a gap; negative nominal h is legal for rough surfaces in contact. Source:
+/// methods 2.1; the signs from design 2 (displacement of the journal towards phi closes the gap
+/// there).
 #include <array>
 #include <string>
 
@@ -26,11 +26,11 @@ struct JournalPosition {
 };
 
 /// The gap where the film equation needs it. Face values leave the steps out; the limits on the
-/// two sides of a face are the face value plus the step of the cell on that side.
+/// two sides of a face are the face value plus the profile of the cell on that side.
 struct Gap {
-  Field cell;      ///< at cell positions, step included [m]
-  Field phi_face;  ///< on west faces, index i * nz + j, without step [m]
-  Field z_face;    ///< on axial faces, index i * (nz + 1) + j, without step [m]
+  Field cell;      ///< at cell positions, profile included [m]
+  Field phi_face;  ///< on west faces, index i * nz + j, without profile [m]
+  Field z_face;    ///< on axial faces, index i * (nz + 1) + j, without profile [m]
 };
 
 /// Change of the gap at (cos phi, sin phi, z) per unit change of component k of the position:
@@ -55,11 +55,11 @@ struct Angles {
   explicit Angles(const FilmGrid& grid);
 };
 
-/// The gap of a rigid bearing plus the smooth displacement d (cells; empty: none) and the step
+/// The gap of a rigid bearing plus the smooth displacement d (cells; empty: none) and the profile
 /// (cells; empty: none). Displacements are averaged to faces, linearly continued to the edges.
 [[nodiscard]] Gap film_gap(const FilmGrid& grid, const Angles& angles, double clearance,
                            const JournalPosition& position, const Field& displacement,
-                           const Field& step);
+                           const Field& profile);
 
 /// A smooth cell field on the faces: mean of the two cells by distance; on side edges continued
 /// linearly from the two outermost cells; on the plane of symmetry the cell's own value.
@@ -73,7 +73,7 @@ struct SmallestGap {
   double phi = 0.0;  ///< [rad]
   double z = 0.0;    ///< [m]
 };
-[[nodiscard]] SmallestGap smallest_gap(const FilmGrid& grid, const Gap& gap, const Field& step);
+[[nodiscard]] SmallestGap smallest_gap(const FilmGrid& grid, const Gap& gap, const Field& profile);
 /// "phi 212.4 deg, z 0.31 mm"; phi from 0 to 360.
 [[nodiscard]] std::string place_of(const SmallestGap& least);
 /// The same of the middle of a cell.

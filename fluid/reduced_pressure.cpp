@@ -11,7 +11,7 @@
 namespace shellback::fluid {
 
 Outcome<FilmState> film_by_reduced_pressure(const FilmScene& scene, const Gap& gap,
-                                            const Field& step, const OilLaw& oil,
+                                            const Field& profile, const OilLaw& oil,
                                             const FilmState& guess) {
   FilmState cold = guess;  // fluidities at no pressure, and alpha
   std::fill(cold.p.begin(), cold.p.end(), 0.0);
@@ -26,7 +26,7 @@ Outcome<FilmState> film_by_reduced_pressure(const FilmScene& scene, const Gap& g
   for (SupplyPatch& s : q_scene.supply.patches) s.pressure = reduced(s.pressure);
   const OilLaw isoviscous = [&](const FilmState&, FilmCoefficients& c) { c = plain; };
   // Without pressure in the viscosity no step leaves the law's range.
-  ActiveSet film(q_scene, gap, step, isoviscous, cold_film(q_scene), {});
+  ActiveSet film(q_scene, gap, profile, isoviscous, cold_film(q_scene), {});
   const ActiveSetEnd end = film.run();
   EXPECTS(end != ActiveSetEnd::beyond_law);
   Outcome<FilmState> out;

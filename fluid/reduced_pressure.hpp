@@ -12,7 +12,7 @@ namespace shellback::fluid {
 
 /// The film at this gap by its reduced pressure. Verdict no_steady_state if q reaches 1/alpha.
 [[nodiscard]] Outcome<FilmState> film_by_reduced_pressure(const FilmScene& scene, const Gap& gap,
-                                                          const Field& step, const OilLaw& oil,
+                                                          const Field& profile, const OilLaw& oil,
                                                           const FilmState& guess);
 
 }  // namespace shellback::fluid

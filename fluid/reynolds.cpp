@@ -7,13 +7,13 @@
 
 namespace shellback::fluid {
 
-Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, const Field& step,
+Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap, const Field& profile,
                                      const OilLaw& oil, const FilmState& guess,
                                      const ReynoldsOptions& options) {
-  ActiveSet film(scene, gap, step, oil, guess, options);
+  ActiveSet film(scene, gap, profile, oil, guess, options);
   ActiveSetEnd end = film.run();
   for (bool again = false; end == ActiveSetEnd::beyond_law; again = true) {
-    auto reduced = film_by_reduced_pressure(scene, gap, step, oil, film.out.value.state);
+    auto reduced = film_by_reduced_pressure(scene, gap, profile, oil, film.out.value.state);
     film.out.value.state = std::move(reduced.value);
     if (!reduced.good()) {
       film.out.verdict = reduced.verdict;

@@ -20,7 +20,7 @@ namespace shellback::fluid {
 
 /// Solves (1)-(2) from `guess`. Does not throw for lack of convergence: read the verdict.
 [[nodiscard]] Outcome<FilmSolution> solve_reynolds(const FilmScene& scene, const Gap& gap,
-                                                   const Field& step, const OilLaw& oil,
+                                                   const Field& profile, const OilLaw& oil,
                                                    const FilmState& guess,
                                                    const ReynoldsOptions& options = {});
 

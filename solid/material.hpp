@@ -1,5 +1,5 @@
 #pragma once
-/// One solid material: what conduction, elasticity and thermal growth need of it.
+/// One solid material: what conduction, elasticity and thermal deformation need of it.
 #include <string>
 
 namespace shellback::solid {

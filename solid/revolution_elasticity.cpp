@@ -161,29 +161,29 @@ struct Holding {
 
 /// Groups follow each other outwards: the outer surface is the last group.
 void solve_outwards(const ElasticBody& body, const Eigen::MatrixXd& p, int n, Holding h,
-                    Eigen::MatrixXd& compliance, Eigen::MatrixXd* growth) {
+                    Eigen::MatrixXd& compliance, Eigen::MatrixXd* thermal_deformation) {
   const int outer = body.mesh.rows;
   const bool floats = n == 1;
   Response r = respond(body, p, n, false, floats && h.free_load);
   compliance = work(r.y, h.free_load ? outer : outer - 1);
-  if (growth == nullptr) return;
+  if (thermal_deformation == nullptr) return;
   if (floats && h.free_heat && !h.free_load) push(body, p, n, true, r);
   if (!h.free_heat) r.y[outer].setZero();
   solve_upper(r.factor, r.y, h.free_heat ? outer : outer - 1);
   // The heat's load is in balance, so the rigid part of y does no work on it.
-  *growth = thermal_response(body, r.freedoms, n, r.y);
+  *thermal_deformation = thermal_response(body, r.freedoms, n, r.y);
 }
 
 /// Groups follow each other along the axis: every way of holding has its own factor.
 void solve_along(const ElasticBody& body, const Eigen::MatrixXd& p, int n, Holding h,
-                 Eigen::MatrixXd& compliance, Eigen::MatrixXd* growth) {
+                 Eigen::MatrixXd& compliance, Eigen::MatrixXd* thermal_deformation) {
   const bool floats = n == 1;
   Response r = respond(body, p, n, !h.free_load, floats && h.free_load);
   compliance = work(r.y, body.mesh.cols);
-  if (growth == nullptr) return;
+  if (thermal_deformation == nullptr) return;
   if (h.free_heat != h.free_load) r = respond(body, p, n, !h.free_heat, floats && h.free_heat);
   solve_upper(r.factor, r.y);
-  *growth = thermal_response(body, r.freedoms, n, r.y);
+  *thermal_deformation = thermal_response(body, r.freedoms, n, r.y);
 }
 
 ElasticOperators solve_all(const ElasticBody& body, const FilmGrid& grid,
@@ -195,14 +195,16 @@ ElasticOperators solve_all(const ElasticBody& body, const FilmGrid& grid,
   std::vector<int> wanted = options.only;
   for (int n = 0; n <= options.harmonics && options.only.empty(); ++n) wanted.push_back(n);
   out.compliance.resize(wanted.size());
-  if (options.growth) out.growth.resize(wanted.size());
+  if (options.thermal_deformation) out.thermal_deformation.resize(wanted.size());
   const Holding holding{options.support == Support::free, options.support != Support::clamped};
   const auto solve = body.order == Elimination::outwards ? solve_outwards : solve_along;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
-    Eigen::MatrixXd* growth = options.growth ? &out.growth[k] : nullptr;
-    solve(body, p, wanted[k], holding, out.compliance[k], growth);
+    Eigen::MatrixXd* thermal_deformation =
+        options.thermal_deformation ? &out.thermal_deformation[k] : nullptr;
+    solve(body, p, wanted[k], holding, out.compliance[k], thermal_deformation);
     out.compliance[k] = grid.radius * per_cell.asDiagonal() * out.compliance[k];
-    if (growth != nullptr) *growth = per_cell.asDiagonal() * *growth;
+    if (thermal_deformation != nullptr)
+      *thermal_deformation = per_cell.asDiagonal() * *thermal_deformation;
   }
   return out;
 }
@@ -213,7 +215,8 @@ ElasticOperators shell_elasticity(const RevolutionMesh& mesh, const FilmGrid& gr
                                   const std::vector<Material>& layers,
                                   const ElasticOptions& options) {
   EXPECTS(mesh.r_face.front() > 0.0 && mesh.half == grid.half);
-  const int factorisations = options.growth && options.support == Support::held ? 2 : 1;
+  const int factorisations =
+      options.thermal_deformation && options.support == Support::held ? 2 : 1;
   return solve_all(make_elastic_body(mesh, layers, options.ends == AxialEnds::plane_strain, 0,
                                      options.order, factorisations),
                    grid, options);
@@ -230,9 +233,9 @@ HarmonicOperator shaft_compliance(const RevolutionMesh& mesh, const FilmGrid& gr
       .compliance;
 }
 
-std::vector<double> shaft_growth(double radius, double expansion,
-                                 const std::vector<double>& shaft_temperature,
-                                 double reference_temperature) {
+std::vector<double> shaft_expansion(double radius, double expansion,
+                                    const std::vector<double>& shaft_temperature,
+                                    double reference_temperature) {
   std::vector<double> opening;
   for (const double t : shaft_temperature) {
     opening.push_back(-expansion * radius * (t - reference_temperature));
@@ -240,9 +243,9 @@ std::vector<double> shaft_growth(double radius, double expansion,
   return opening;
 }
 
-Eigen::VectorXd uniform_growth(const ElasticOperators& operators) {
-  EXPECTS(!operators.growth.empty());
-  return operators.growth.front().rowwise().sum();
+Eigen::VectorXd uniform_expansion(const ElasticOperators& operators) {
+  EXPECTS(!operators.thermal_deformation.empty());
+  return operators.thermal_deformation.front().rowwise().sum();
 }
 
 }  // namespace shellback::solid

@@ -1,5 +1,5 @@
 #pragma once
-/// Elastic compliance and thermal growth of shell and shaft, by circumferential harmonics.
+/// Elastic compliance and thermal deformation of shell and shaft, by circumferential harmonics.
 ///
 ///   K_n u_n = R P p_n + G_n T_n,    gap_n(j) = 1/dz_j sum_m P_mj u_m            (1)
 ///
@@ -9,11 +9,11 @@
 /// nodal temperature rise [K]. Hence
 ///
 ///   compliance C_n = R diag(1/dz) P^T K_n^-1 P   (nz x nz) [m/Pa]               (2)
-///   growth     U_n = diag(1/dz) P^T K_n^-1 G_n   (nz x nodes) [m/K]             (3)
+///   thermal deformation     U_n = diag(1/dz) P^T K_n^-1 G_n   (nz x nodes) [m/K]             (3)
 ///
 /// and diag(dz) C_n is symmetric and positive semi-definite. Sign: a positive entry opens the gap.
-/// Pressure pushes the shell outwards and the shaft inwards: both open it. Growth of the bore
-/// opens it; growth of the shaft (shaft_growth) closes it.
+/// Pressure pushes the shell outwards and the shaft inwards: both open it. Thermal deformation of
+/// the bore opens it; thermal deformation of the shaft (shaft_expansion) closes it.
 ///
 /// The sections are built with rows_outwards / rows_of_cylinder and axial_elements; the shell's
 /// bore is the innermost line of its mesh, the shaft's journal surface the outermost. Small
@@ -51,14 +51,14 @@ struct ElasticOptions {
   int harmonics = 48;               ///< highest circumferential harmonic [-]
   Support support = Support::held;  ///< of the outer surface
   AxialEnds ends = AxialEnds::free;
-  bool growth = true;  ///< also (3); about doubles the work
+  bool thermal_deformation = true;  ///< also (3); about doubles the work
   Elimination order = Elimination::cheapest;
   std::vector<int> only{};  ///< harmonics that are wanted; empty: 0 .. harmonics
 };
 
 struct ElasticOperators {
-  HarmonicOperator compliance;  ///< C_n of (2), for each harmonic that is wanted [m/Pa]
-  HarmonicOperator growth;      ///< U_n of (3) [m/K]; empty if not wanted
+  HarmonicOperator compliance;           ///< C_n of (2), for each harmonic that is wanted [m/Pa]
+  HarmonicOperator thermal_deformation;  ///< U_n of (3) [m/K]; empty if not wanted
 };
 
 /// Operators of the shell with its housing. `layers[mesh.layer[row]]` is the material of a row.
@@ -80,11 +80,12 @@ struct ElasticOperators {
 /// (T_s(z) - T_ref). Exact for a free shaft whose temperature is uniform over its section and
 /// linear in z: u_r = a r T, u_z = a int T dz - a r^2 T'/2, with a the expansion, is free of
 /// stress. Otherwise the error is of the order a R^3 d2T/dz2.
-[[nodiscard]] std::vector<double> shaft_growth(double radius, double expansion,
-                                               const std::vector<double>& shaft_temperature,
-                                               double reference_temperature);
+[[nodiscard]] std::vector<double> shaft_expansion(double radius, double expansion,
+                                                  const std::vector<double>& shaft_temperature,
+                                                  double reference_temperature);
 
-/// Growth of the bore [m] of each axial cell for 1 K uniform temperature rise of the whole body.
-[[nodiscard]] Eigen::VectorXd uniform_growth(const ElasticOperators& operators);
+/// Thermal deformation of the bore [m] of each axial cell for 1 K uniform temperature rise of the
+/// whole body.
+[[nodiscard]] Eigen::VectorXd uniform_expansion(const ElasticOperators& operators);
 
 }  // namespace shellback::solid

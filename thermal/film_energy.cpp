@@ -57,7 +57,7 @@ void invert(double* a, int m) {
 }
 
 /// Takes the highest mode out of every node vector of a face array.
-void project(const GaussLobatto& gl, std::vector<double>& flow) {
+void project(const CrossFilmNodes& gl, std::vector<double>& flow) {
   const int n = gl.n;
   double f[kMostNodes];
   for (std::size_t at = 0; at + n <= flow.size(); at += n) {
@@ -128,7 +128,7 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
 
 void FilmEnergy::take_storage() {
   const auto cells = static_cast<std::size_t>(p_.grid->cells());
-  growth_.assign(cells, 0.0);
+  accumulation_.assign(cells, 0.0);
   if (!p_.storage) return;
   const FilmStorage& s = *p_.storage;
   EXPECTS(s.dt > 0.0 && s.mass.size() == cells && s.mass_before.size() == cells);
@@ -136,7 +136,7 @@ void FilmEnergy::take_storage() {
   brought_.assign(cells * n_, 0.0);
   for (std::size_t c = 0; c < cells; ++c) {
     if (p_.patch[c] >= 0) continue;
-    growth_[c] = (s.mass[c] - s.mass_before[c]) / s.dt;
+    accumulation_[c] = (s.mass[c] - s.mass_before[c]) / s.dt;
     for (int k = 0; k < n_; ++k) {
       brought_[c * n_ + k] = p_.gl->w[k] / s.dt * s.heat_before[c * n_ + k];
     }
@@ -178,12 +178,12 @@ double FilmEnergy::source_enthalpy(const Inflow& f, int k, const std::vector<dou
 
 void FilmEnergy::build_column(int i, int j) {
   const int n = n_;
-  const GaussLobatto& gl = *p_.gl;
+  const CrossFilmNodes& gl = *p_.gl;
   const int cell = p_.grid->index(i, j);
   double* V = &cross_[static_cast<std::size_t>(cell) * n];
   double* out = &outflow_[static_cast<std::size_t>(cell) * n];
   double divergence[kMostNodes];
-  std::fill_n(divergence, n, growth_[cell]);
+  std::fill_n(divergence, n, accumulation_[cell]);
   Inflow faces[4];
   const int count = faces_of(i, j, faces);
   const int patches = static_cast<int>(p_.vessels.size());
@@ -204,7 +204,8 @@ void FilmEnergy::build_column(int i, int j) {
   for (int k = 1; k + 1 < n; ++k) {
     for (int l = 0; l < n; ++l) V[k] -= gl.Q[k * n + l] * divergence[l];
   }
-  const double gained = std::max(growth_[cell], 0.0);  // stays: the least that leaves the flow
+  const double gained =
+      std::max(accumulation_[cell], 0.0);  // stays: the least that leaves the flow
   for (int k = 0; k < n; ++k) out[k] += gl.w[k] * gained;
   invert_column(cell);
   blend_[cell] =
@@ -304,7 +305,7 @@ double FilmEnergy::negative_weights(int cell) const {
 }
 
 void FilmEnergy::node_fluxes(int cell, double* M) const {
-  const GaussLobatto& gl = *p_.gl;
+  const CrossFilmNodes& gl = *p_.gl;
   const double* V = &cross_[static_cast<std::size_t>(cell) * n_];
   double sum = 0.0;
   for (int k = 0; k + 1 < n_; ++k) {
@@ -314,7 +315,7 @@ void FilmEnergy::node_fluxes(int cell, double* M) const {
 }
 
 void FilmEnergy::matrix_row(int cell, int k, double* row) const {
-  const GaussLobatto& gl = *p_.gl;
+  const CrossFilmNodes& gl = *p_.gl;
   const double* V = &cross_[static_cast<std::size_t>(cell) * n_];
   const double* cp = &p_.cp[static_cast<std::size_t>(cell) * n_];
   const double K = p_.conductance[cell];

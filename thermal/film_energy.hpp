@@ -81,7 +81,7 @@ struct YieldingShell {
 /// All that is fixed while the film temperature is solved. Node arrays have index cell * n + k.
 struct FilmEnergyProblem {
   const FilmGrid* grid = nullptr;
-  const GaussLobatto* gl = nullptr;
+  const CrossFilmNodes* gl = nullptr;
   std::vector<double> phi_flow;  ///< west faces [kg/s per unit s], + in +phi
   std::vector<double> z_flow;    ///< axial faces, index (i (nz+1) + j) n + k, + in +z
   std::vector<LineFlow> lines;
@@ -200,7 +200,7 @@ class FilmEnergy {
   std::vector<double> cross_;      ///< V per cell and node [kg/s]
   std::vector<double> outflow_;    ///< w_k * sum of outflows and M/dt, per cell and node [kg/s]
   Field blend_;                    ///< b per cell [-]
-  Field growth_;                   ///< (M - M_before)/dt per cell [kg/s]
+  Field accumulation_;             ///< (M - M_before)/dt per cell [kg/s]
   std::vector<double> brought_;    ///< w_k (M cp T)_before / dt per node [W]; empty: steady
   // Interior nodes of a column, solved: T = base - by_shell T_shell - by_shaft T_shaft
   // + inverse (inflow of enthalpy), temperatures from T_reference.

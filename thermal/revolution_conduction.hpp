@@ -118,8 +118,8 @@ class ShellConduction {
   [[nodiscard]] const HarmonicOperator& surface() const { return surface_; }
   /// Rise at the back of the shell per flux, B_n, nz x nz [K m2/W].
   [[nodiscard]] const HarmonicOperator& back() const { return back_; }
-  /// Rise of every node of the mesh per flux, nodes x nz [K m2/W]: the input of thermal growth.
-  /// One for each computed harmonic of the sample.
+  /// Rise of every node of the mesh per flux, nodes x nz [K m2/W]: the input of thermal
+  /// deformation. One for each computed harmonic of the sample.
   [[nodiscard]] const HarmonicOperator& nodal() const { return nodal_; }
   /// Rise at the nodes of the section z = 0 per flux, n_r x nz [K m2/W], bore first.
   [[nodiscard]] HarmonicOperator section() const;

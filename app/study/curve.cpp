@@ -68,7 +68,7 @@ Curve::Known Curve::solve(int k, double at, const Trail* trail) {
   const bearing::Tier tier = subject.model.tier;
   Solution s = trail == nullptr ? solve_tier(subject, tier, control())
                                 : solve_tier_from(subject, tier, predicted(axis_, *trail, at),
-                                                  control(), bearing::Otherwise::give_up);
+                                                  control(), bearing::Otherwise::failure);
   SweepPoint& point = *points_[k];
   ++point.tries;
   point.wall_s += s.wall_s;
@@ -86,14 +86,14 @@ Curve::Known Curve::reach(int k, const Trail& trail) {
   if (!beside(k, trail) || !axis_.has_between()) return nullptr;
   point.start = Start::between;
   try {
-    return creep(k, trail);
+    return halve_steps(k, trail);
   } catch (const InputError&) {
     return nullptr;  // the key takes whole numbers only: there is nothing between
   }
 }
 
 /// From the trail's end to point k in steps that are halved where they fail.
-Curve::Known Curve::creep(int k, Trail trail) {
+Curve::Known Curve::halve_steps(int k, Trail trail) {
   constexpr double kShortest = 1.0 / 16.0;  // of the way from point to point
   constexpr int kMostTries = 24;            // half of them for the shortest steps all the way
   double step = 0.5 * (k - trail.near.at);

@@ -45,7 +45,7 @@ class Curve {
   static bearing::Solution predicted(const Axis& axis, const Trail& trail, double at);
   Known solve(int k, double at, const Trail* trail);
   Known reach(int k, const Trail& trail);
-  Known creep(int k, Trail trail);
+  Known halve_steps(int k, Trail trail);
   Known cold(int k);
   void solve_alone(int k);
   void walk(Trail trail, int direction, int low, int high, bool to_first_failure);

@@ -44,7 +44,7 @@ Solution extrapolated(const Solution& near, const Solution& before, double step)
   extrapolate(s.film.position.q, before.film.position.q, step);
   extrapolate(s.film.elastic, before.film.elastic, step);
   extrapolate(s.film.columns.T, before.film.columns.T, step);
-  extrapolate(s.heat.growth, before.heat.growth, step);
+  extrapolate(s.heat.thermal_deformation, before.heat.thermal_deformation, step);
   extrapolate(s.heat.T_shell, before.heat.T_shell, step);
   extrapolate(s.heat.T_shaft, before.heat.T_shaft, step);
   extrapolate_film(before.film.film, s.model.scene.p_cavitation, step, s.film.film);

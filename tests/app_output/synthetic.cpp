@@ -58,7 +58,7 @@ void fill_film(Fields& f, const Film& film) {
       f.tau_journal.push_back(film.eta * U / h);
       f.tau_shell.push_back(0.98 * film.eta * U / h);
       f.elastic.push_back(bend);
-      f.growth.push_back(film.bend > 0.0 ? 1.2e-6 : 0.0);
+      f.thermal_deformation.push_back(film.bend > 0.0 ? 1.2e-6 : 0.0);
     }
   }
 }
@@ -140,7 +140,7 @@ Result made_result(Tier tier, const Film& film, double torque) {
     r.audit.energy = std::numeric_limits<double>::quiet_NaN();
     r.quantities.push_back({"T_equivalent", 371.15, "K"});
     r.fields.elastic.clear();
-    r.fields.growth.clear();
+    r.fields.thermal_deformation.clear();
   }
   r.effects = {{"elastic deformation", tier == Tier::tehd, 0.21,
                 "elastic widening over smallest film; matters above 0.1"},

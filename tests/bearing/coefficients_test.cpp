@@ -29,7 +29,8 @@ Coefficients of(const Solution& s) {
   return k;
 }
 
-/// The film re-solved at another position, journal held there, oil and growth as they are.
+/// The film re-solved at another position, journal held there, oil and thermal deformation as they
+/// are.
 FilmEquilibrium again(const Solution& s, const BearingModel& model, int k, double step) {
   FilmEquilibrium f = s.film;
   f.position.q[k] += step;
@@ -40,7 +41,7 @@ FilmEquilibrium again(const Solution& s, const BearingModel& model, int k, doubl
   EquilibriumCost cost;
   LoadTarget held;
   held.unknowns = 0;
-  const Verdict v = solve_equilibrium(model, held, s.heat.growth, sharp, f, cost);
+  const Verdict v = solve_equilibrium(model, held, s.heat.thermal_deformation, sharp, f, cost);
   INFO(v.reason);
   REQUIRE(v.good());
   return f;

@@ -17,7 +17,7 @@ namespace {
 /// A few columns of given gap, gradients and temperatures.
 struct Scene {
   rheology::Oil oil;
-  GaussLobatto gl;
+  CrossFilmNodes gl;
   double speed = 8.0;  // [m/s]
   Field h, gx, gz;
   fluid::FilmState film;

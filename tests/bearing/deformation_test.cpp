@@ -1,4 +1,4 @@
-/// Tier tehd: thermal growth and elastic deformation with the heat that causes them.
+/// Tier tehd: thermal deformation and elastic deformation with the heat that causes them.
 #include <catch2/catch.hpp>
 
 #include "bearing/solids.hpp"
@@ -10,14 +10,14 @@ using namespace shellback::bearing::tests;
 
 namespace {
 
-/// Growth of the gap with film, shell and shaft all at one temperature.
-Field growth_at(const Case& c, double T) {
+/// Thermal deformation of the gap with film, shell and shaft all at one temperature.
+Field deformation_at(const Case& c, double T) {
   const FilmGrid grid = make_grid(c.bearing.radius, c.bearing.width, 48, 9, true);
   const Solids solids(c, grid, {false, true, true});
   WallFlux none{Field(grid.cells(), 0.0), std::vector<double>(grid.nz, 0.0), {}};
   none.response.shaft = 1e6;  // a film that holds the shaft at T
   return solids.answer(none, Field(grid.cells(), T), std::vector<double>(grid.nz, T), {true, false})
-      .growth;
+      .thermal_deformation;
 }
 
 Case all_steel(double back) {
@@ -36,7 +36,7 @@ TEST_CASE("SteelBearingOnSteelShaftKeepsItsRelativeClearance", "[deformation]") 
   const Case c = all_steel(T);
   // Shell and shaft of radius R grow alike: the gap by alpha dT times the difference of their
   // radii, which the linear theory leaves out.
-  const Field d = growth_at(c, T);
+  const Field d = deformation_at(c, T);
   const double one = steel().expansion * (T - c.bearing.reference_temperature) * c.bearing.radius;
   CHECK(largest_magnitude(d) < 1e-6 * one);  // 27 um each; round-off of the stiffness matrix
 }
@@ -50,11 +50,11 @@ TEST_CASE("AluminiumHousingOpensTheGapAndABronzeShaftClosesIt", "[deformation]")
                   ConvectiveBack{200.0, T},
                   50.0};
   const double R = c.bearing.radius;
-  for (const double x : growth_at(c, T)) {  // one free body: R (alpha_Al - alpha_steel) dT
+  for (const double x : deformation_at(c, T)) {  // one free body: R (alpha_Al - alpha_steel) dT
     CHECK(x == Approx(R * (23e-6 - 11e-6) * dT).epsilon(1e-6));
   }
   c.shaft->material.expansion = 30e-6;
-  for (const double x : growth_at(c, T)) {
+  for (const double x : deformation_at(c, T)) {
     CHECK(x == Approx(R * (23e-6 - 30e-6) * dT).epsilon(1e-6));
   }
 }
@@ -73,7 +73,7 @@ TEST_CASE("StiffSolidsThatDoNotGrowAreThoseOfTierThd", "[deformation]") {
   const Solution tehd = solve_tier(c, Tier::tehd);
   REQUIRE(thd.verdict.good());
   REQUIRE(tehd.verdict.good());
-  CHECK(largest_magnitude(tehd.heat.growth) == 0.0);
+  CHECK(largest_magnitude(tehd.heat.thermal_deformation) == 0.0);
   // fixed points to 1e-3 K and beta = 0.035 1/K
   CHECK(torque_of(tehd) == Approx(torque_of(thd)).epsilon(1e-4));
   CHECK(tehd.film.least.h == Approx(thd.film.least.h).epsilon(1e-4));
@@ -93,8 +93,10 @@ TEST_CASE("SwitchesTurnTierTehdIntoTierThd", "[deformation]") {
 TEST_CASE("ThermalGrowthIsThatOfTheSolidsTemperature", "[deformation]") {
   const Solution s = solve_tier(grooved_case(), Tier::tehd);
   REQUIRE(s.verdict.good());
-  // the film was solved for a growth that its heat makes again, to the loop's 3e-4 clearances
-  CHECK(largest_difference(s.heat.growth, s.heat.solids.growth) < 3e-4 * s.model.clearance);
+  // the film was solved for a thermal deformation that its heat makes again, to the loop's 3e-4
+  // clearances
+  CHECK(largest_difference(s.heat.thermal_deformation, s.heat.solids.thermal_deformation) <
+        3e-4 * s.model.clearance);
   CHECK(largest_difference(s.heat.T_shell, s.heat.solids.shell.surface) < 2e-3);  // [K]
 }
 
@@ -109,6 +111,6 @@ TEST_CASE("WarmShaftInAColdShellLosesClearance", "[deformation]") {
   const Solution unchanged = solve_tier(rigid, Tier::tehd);
   REQUIRE(grown.verdict.good());
   REQUIRE(unchanged.verdict.good());
-  for (const double d : grown.heat.growth) CHECK(d < 0.0);
+  for (const double d : grown.heat.thermal_deformation) CHECK(d < 0.0);
   CHECK(torque_of(grown) > torque_of(unchanged));
 }

@@ -22,8 +22,8 @@ Solution solved_film() {
   return s;
 }
 
-Verdict solved_again(Solution& s, const Field& growth) {
-  return solve_equilibrium(s.model, s.target, growth, {}, s.film, s.cost);
+Verdict solved_again(Solution& s, const Field& thermal_deformation) {
+  return solve_equilibrium(s.model, s.target, thermal_deformation, {}, s.film, s.cost);
 }
 
 bool says(const std::string& text, const std::string& words) {
@@ -42,14 +42,15 @@ TEST_CASE("ANotANumberIsNamedByFieldAndPlaceNotAsPhysics", "[not_a_number]") {
       {"fill ratio", [](Solution& s, Field&, int c) { s.film.film.theta[c] = NAN; }},
       {"film temperature",
        [](Solution& s, Field&, int c) { s.film.columns.T[c * s.model.gl.n] = NAN; }},
-      {"thermal growth", [](Solution&, Field& growth, int c) { growth[c] = NAN; }}};
+      {"thermal growth",
+       [](Solution&, Field& thermal_deformation, int c) { thermal_deformation[c] = NAN; }}};
   for (const Spoilt& way : ways) {
     Solution s = solved_film();
     const FilmGrid& g = s.model.scene.grid;
     const int cell = g.index(17, 2);
-    Field growth(g.cells(), 0.0);
-    way.spoil(s, growth, cell);
-    const Verdict v = solved_again(s, growth);
+    Field thermal_deformation(g.cells(), 0.0);
+    way.spoil(s, thermal_deformation, cell);
+    const Verdict v = solved_again(s, thermal_deformation);
     INFO(v.reason);
     CHECK(v.status == Status::invalid_number);
     CHECK(v.reason == "not a number in " + way.name);
@@ -86,8 +87,8 @@ TEST_CASE("AFixedPointThatHoldsANotANumberIsNotConverged", "[not_a_number]") {
 
 TEST_CASE("AClearanceClosedByGrowthIsToldByTheGap", "[closed_gap]") {
   Solution s = solved_film();
-  const Field growth(s.model.scene.grid.cells(), -1.2 * s.model.clearance);
-  const Verdict v = solved_again(s, growth);
+  const Field thermal_deformation(s.model.scene.grid.cells(), -1.2 * s.model.clearance);
+  const Verdict v = solved_again(s, thermal_deformation);
   INFO(v.reason);
   CHECK(v.status == Status::no_steady_state);
   CHECK(says(v.reason, "clearance is used up by thermal growth"));
@@ -100,9 +101,9 @@ TEST_CASE("GrowthThatClosesOneSideMovesAFreeJournal", "[closed_gap]") {
   // More than half of the clearance is left and carries the load, only not where the journal was.
   Solution s = solved_film();
   const double before = s.film.least.h;
-  const Field growth(s.model.scene.grid.cells(), -1.01 * before);
+  const Field thermal_deformation(s.model.scene.grid.cells(), -1.01 * before);
   REQUIRE(before < 0.5 * s.model.clearance);
-  const Verdict v = solved_again(s, growth);
+  const Verdict v = solved_again(s, thermal_deformation);
   INFO(v.reason);
   CHECK(v.good());
   CHECK(s.film.least.h > 0.0);
@@ -110,5 +111,5 @@ TEST_CASE("GrowthThatClosesOneSideMovesAFreeJournal", "[closed_gap]") {
   // With the position given there is nothing to move.
   Solution held = solved_film();
   held.target.unknowns = 0;
-  CHECK(solved_again(held, growth).status == Status::no_steady_state);
+  CHECK(solved_again(held, thermal_deformation).status == Status::no_steady_state);
 }

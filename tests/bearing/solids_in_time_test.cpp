@@ -1,4 +1,5 @@
-/// Shell, housing and shaft over time steps: balance, limits, growth, the walls' predictor.
+/// Shell, housing and shaft over time steps: balance, limits, thermal deformation, the walls'
+/// predictor.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -100,7 +101,8 @@ TEST_CASE("HeatIntoTheSolidsLeavesOrIsStored", "[solids_in_time]") {
       state = solids.state(now, &step);
       const SolidTemperature again = solids.at(state);
       CHECK(largest_difference(again.shell.surface, now.shell.surface) < 1e-10);
-      CHECK(largest_difference(again.growth, now.growth) < 1e-9 * c.bearing.radial_clearance);
+      CHECK(largest_difference(again.thermal_deformation, now.thermal_deformation) <
+            1e-9 * c.bearing.radial_clearance);
     }
   }
 }
@@ -123,7 +125,8 @@ TEST_CASE("LongMarchOfTheSolidsEndsInTheSteadyAnswer", "[solids_in_time]") {
     CHECK(largest_difference(now.shell.surface, steady.shell.surface) < 1e-9);  // [K]
     CHECK(largest_difference(now.shell.back, steady.shell.back) < 1e-9);
     CHECK(largest_difference(now.shaft.temperature, steady.shaft.temperature) < 1e-9);
-    CHECK(largest_difference(now.growth, steady.growth) < 1e-9 * c.bearing.radial_clearance);
+    CHECK(largest_difference(now.thermal_deformation, steady.thermal_deformation) <
+          1e-9 * c.bearing.radial_clearance);
     CHECK(std::abs(now.shell.stored) + std::abs(now.shaft.stored) < 1e-8 * now.shell.heat_in);
     CHECK(largest_difference(solids.section(state), solids.section(steady.shell)) < 1e-9);
     const SolidState end = solids.state(steady);
@@ -145,7 +148,8 @@ TEST_CASE("InterpolatedHarmonicsMoveTheEndOfAMarchByLess", "[solids_in_time]") {
   const SolidTemperature end = solids.answer(q, T, shaft, {true, true}, &step);
   // 1.3e-4 of their norm (HarmonicSample), of harmonics that hold a few kelvin here
   CHECK(largest_difference(end.shell.surface, steady.shell.surface) < 2e-4);
-  CHECK(largest_difference(end.growth, steady.growth) < 1e-4 * c.bearing.radial_clearance);
+  CHECK(largest_difference(end.thermal_deformation, steady.thermal_deformation) <
+        1e-4 * c.bearing.radial_clearance);
 }
 
 TEST_CASE("StepWithoutEndIsTheSteadyAnswer", "[solids_in_time]") {
@@ -160,7 +164,7 @@ TEST_CASE("StepWithoutEndIsTheSteadyAnswer", "[solids_in_time]") {
   const auto b = solids.answer(film(T, shaft), T, shaft, {true, true});
   CHECK(a.shell.surface == b.shell.surface);
   CHECK(a.shaft.temperature == b.shaft.temperature);
-  CHECK(a.growth == b.growth);
+  CHECK(a.thermal_deformation == b.thermal_deformation);
 }
 
 TEST_CASE("UniformStateOfAFreeBearingGrowsWithItsRadius", "[solids_in_time]") {
@@ -169,12 +173,12 @@ TEST_CASE("UniformStateOfAFreeBearingGrowsWithItsRadius", "[solids_in_time]") {
   const FilmGrid grid = grid_of(c);
   const double one = std::abs(steel().expansion * dT * R);
   const Solids same(c, grid, {false, true, true});
-  CHECK(largest_magnitude(same.at(same.uniform_state(T)).growth) < 1e-6 * one);
-  CHECK(largest_magnitude(same.at(same.uniform_state(293.15)).growth) < 1e-6 * one);
+  CHECK(largest_magnitude(same.at(same.uniform_state(T)).thermal_deformation) < 1e-6 * one);
+  CHECK(largest_magnitude(same.at(same.uniform_state(293.15)).thermal_deformation) < 1e-6 * one);
   c.shell->layers[0].material = aluminium();
   c.shell->housing->material = aluminium();
   const Solids other(c, grid, {false, true, true});
-  for (const double x : other.at(other.uniform_state(T)).growth) {
+  for (const double x : other.at(other.uniform_state(T)).thermal_deformation) {
     CHECK(x == Approx(R * (23e-6 - 11e-6) * dT).epsilon(1e-6));
   }
 }
@@ -184,13 +188,13 @@ TEST_CASE("ClampedHousingGrowsIntoTheGap", "[solids_in_time]") {
   const FilmGrid grid = grid_of(c);
   const Solids solids(c, grid, {false, true, true});
   const double dT = 60.0, R = c.bearing.radius;
-  const Field warm = solids.at(solids.uniform_state(293.15 + dT)).growth;
-  const Field cold = solids.at(solids.uniform_state(293.15 - dT)).growth;
+  const Field warm = solids.at(solids.uniform_state(293.15 + dT)).thermal_deformation;
+  const Field cold = solids.at(solids.uniform_state(293.15 - dT)).thermal_deformation;
   for (std::size_t k = 0; k < warm.size(); ++k) {
     CHECK(warm[k] < -steel().expansion * dT * R);  // the shaft's part, and the bore's on top
     CHECK(cold[k] == Approx(-warm[k]).epsilon(1e-9));
   }
-  CHECK(largest_magnitude(solids.at(solids.uniform_state(293.15)).growth) < 1e-15);
+  CHECK(largest_magnitude(solids.at(solids.uniform_state(293.15)).thermal_deformation) < 1e-15);
 }
 
 TEST_CASE("WarmShaftClosesTheGapBeforeTheHousingOpensIt", "[solids_in_time]") {
@@ -203,14 +207,14 @@ TEST_CASE("WarmShaftClosesTheGapBeforeTheHousingOpensIt", "[solids_in_time]") {
   const Film film{grid};
   SolidState state = solids.uniform_state(293.15);
   SolidTemperature now = solids.at(state);
-  const Field end = balance(solids, film, now, nullptr).answer.growth;
+  const Field end = balance(solids, film, now, nullptr).answer.thermal_deformation;
   double least = 0.0;
   SolidStep step;
   for (int k = 0; k < 20; ++k) {
     step = solids.step(5.0, state, &step);
     now = balance(solids, film, now, &step).answer;
     state = solids.state(now, &step);
-    for (const double x : now.growth) least = std::min(least, x);
+    for (const double x : now.thermal_deformation) least = std::min(least, x);
   }
   CHECK(least < -2e-6);
   CHECK(least < *std::min_element(end.begin(), end.end()));
@@ -236,14 +240,14 @@ TEST_CASE("ContactGrowthOfAStepIsThatOfItsFlux", "[solids_in_time]") {
   const Solids solids(c, grid, {true, true, true});
   const SolidStep step = solids.step(0.5, solids.uniform_state(c.bearing.reference_temperature));
   const Field one(grid.cells(), 1.0);
-  const Field brief = solids.widening(solids.contact_growth(1e3, {}, &step), one);
-  const Field steady = solids.widening(solids.contact_growth(1e3, {}), one);
+  const Field brief = solids.widening(solids.contact_widening(1e3, {}, &step), one);
+  const Field steady = solids.widening(solids.contact_widening(1e3, {}), one);
   WallFlux q{Field(grid.cells(), 1e3), std::vector<double>(grid.nz, 0.0), {}};
   const Field cold(grid.cells(), 300.0);
   const std::vector<double> shaft(grid.nz, 300.0);
-  const Field with = solids.answer(q, cold, shaft, {true, false}, &step).growth;
+  const Field with = solids.answer(q, cold, shaft, {true, false}, &step).thermal_deformation;
   std::fill(q.shell.begin(), q.shell.end(), 0.0);
-  const Field without = solids.answer(q, cold, shaft, {true, false}, &step).growth;
+  const Field without = solids.answer(q, cold, shaft, {true, false}, &step).thermal_deformation;
   for (std::size_t k = 0; k < brief.size(); ++k) {
     CHECK(brief[k] == Approx(with[k] - without[k]).epsilon(1e-6));
     CHECK(std::abs(brief[k]) < std::abs(steady[k]));

@@ -27,7 +27,7 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-std::vector<double> sampled(const NodalSet& set, double (*f)(double)) {
+std::vector<double> sampled(const CrossFilmNodes& set, double (*f)(double)) {
   std::vector<double> x;
   for (const double s : set.s) x.push_back(f(s));
   return x;
@@ -39,7 +39,7 @@ double wave(double s) { return std::exp(s) * std::cos(3.0 * s); }
 
 TEST_CASE("EvenLayersSumByParts") {
   for (const int layers : {2, 5, 10, 40}) {
-    const NodalSet set = even_layers(layers);
+    const CrossFilmNodes set = even_layers(layers);
     const auto f = sampled(set, wave);
     CHECK(dot(set.w, times(set.D, f)) == Approx(f.back() - f.front()).margin(1e-13));
   }
@@ -47,7 +47,7 @@ TEST_CASE("EvenLayersSumByParts") {
 
 TEST_CASE("RunningIntegralOfAProjectedFlowHasThatFlowAsDerivative") {
   for (const int layers : {2, 5, 10, 40}) {
-    for (const NodalSet& set : {even_layers(layers), gauss_lobatto(layers % 20 + 3)}) {
+    for (const CrossFilmNodes& set : {even_layers(layers), gauss_lobatto(layers % 20 + 3)}) {
       const auto f = sampled(set, wave);
       const auto kept = times(set.S, f);
       const auto V = times(set.Q, kept);
@@ -61,7 +61,7 @@ TEST_CASE("RunningIntegralOfAProjectedFlowHasThatFlowAsDerivative") {
 }
 
 TEST_CASE("ConductionIsSymmetricKeepsHeatAndIsExactForALinearProfile") {
-  for (const NodalSet& set : {even_layers(7), gauss_lobatto(5), bulk_node()}) {
+  for (const CrossFilmNodes& set : {even_layers(7), gauss_lobatto(5), bulk_node()}) {
     const int n = set.n;
     const auto flux = times(set.A, set.s);  // -d2/ds2 of s, in the weak form: its two wall fluxes
     CHECK(flux.front() == Approx(-1.0));
@@ -82,14 +82,14 @@ TEST_CASE("EvenLayersIntegrateToSecondOrder") {
   const double exact =
       (std::exp(1.0) * (std::cos(3.0) + 3.0 * std::sin(3.0)) - 1.0) / 10.0;  // of wave
   const auto error = [&](int layers) {
-    const NodalSet set = even_layers(layers);
+    const CrossFilmNodes set = even_layers(layers);
     return dot(set.w, sampled(set, wave)) - exact;
   };
   CHECK(tests::order_of_errors(error(20), error(40)) == Approx(2.0).margin(0.15));
 }
 
 TEST_CASE("BulkNodeGivesTheHeatOfTheParabola") {
-  const NodalSet set = bulk_node();
+  const CrossFilmNodes set = bulk_node();
   const double shell = 3.0, shaft = 5.0, top = 2.0;  // T = linear + 4 top s (1 - s)
   const double mean = 0.5 * (shell + shaft) + 2.0 / 3.0 * top;
   const auto flux = times(set.A, {shell, mean, shaft});

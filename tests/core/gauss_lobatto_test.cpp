@@ -15,7 +15,7 @@ double power(double s, int d) { return std::pow(s - 0.3, d); }
 double integral(double s, int d) { return (power(s, d + 1) - power(0.0, d + 1)) / (d + 1); }
 double slope(double s, int d) { return d == 0 ? 0.0 : d * power(s, d - 1); }
 
-double apply(const std::vector<double>& m, const GaussLobatto& gl, int row, int degree) {
+double apply(const std::vector<double>& m, const CrossFilmNodes& gl, int row, int degree) {
   double sum = 0.0;
   for (int l = 0; l < gl.n; ++l) sum += m[row * gl.n + l] * power(gl.s[l], degree);
   return sum;
@@ -25,7 +25,7 @@ double apply(const std::vector<double>& m, const GaussLobatto& gl, int row, int 
 
 TEST_CASE("NodesRunFromWallToWallAndAreSymmetric") {
   for (int n = 3; n <= kMost; ++n) {
-    const GaussLobatto gl = gauss_lobatto(n);
+    const CrossFilmNodes gl = gauss_lobatto(n);
     CHECK(gl.s.front() == 0.0);
     CHECK(gl.s.back() == 1.0);
     for (int k = 0; k + 1 < n; ++k) CHECK(gl.s[k] < gl.s[k + 1]);
@@ -35,7 +35,7 @@ TEST_CASE("NodesRunFromWallToWallAndAreSymmetric") {
     }
   }
   // Four nodes, textbook (Abramowitz and Stegun 25.4.32): +-1/sqrt 5, weights 1/6, 5/6.
-  const GaussLobatto four = gauss_lobatto(4);
+  const CrossFilmNodes four = gauss_lobatto(4);
   CHECK(std::abs(four.s[1] - 0.5 * (1.0 - 1.0 / std::sqrt(5.0))) < kSlack);
   CHECK(std::abs(four.w[0] - 1.0 / 12.0) < kSlack);
   CHECK(std::abs(four.w[1] - 5.0 / 12.0) < kSlack);
@@ -43,7 +43,7 @@ TEST_CASE("NodesRunFromWallToWallAndAreSymmetric") {
 
 TEST_CASE("QuadratureIsExactToDegreeTwoNMinusThreeAndNotBeyond") {
   for (int n = 3; n <= kMost; ++n) {
-    const GaussLobatto gl = gauss_lobatto(n);
+    const CrossFilmNodes gl = gauss_lobatto(n);
     const auto error = [&](int degree) {
       double sum = 0.0;
       for (int k = 0; k < n; ++k) sum += gl.w[k] * power(gl.s[k], degree);
@@ -57,7 +57,7 @@ TEST_CASE("QuadratureIsExactToDegreeTwoNMinusThreeAndNotBeyond") {
 
 TEST_CASE("DerivativesAndRunningIntegralsOfPolynomialsAreExact") {
   for (int n = 3; n <= kMost; ++n) {
-    const GaussLobatto gl = gauss_lobatto(n);
+    const CrossFilmNodes gl = gauss_lobatto(n);
     for (int d = 0; d < n; ++d) {
       for (int k = 0; k < n; ++k) {
         CHECK(std::abs(apply(gl.D, gl, k, d) - slope(gl.s[k], d)) < kSlack * n);
@@ -70,7 +70,7 @@ TEST_CASE("DerivativesAndRunningIntegralsOfPolynomialsAreExact") {
 TEST_CASE("SummationByPartsHoldsExactly") {
   // W D + (W D)^T = diag(-1, 0, ..., 0, 1): the discrete product rule.
   for (int n = 3; n <= kMost; ++n) {
-    const GaussLobatto gl = gauss_lobatto(n);
+    const CrossFilmNodes gl = gauss_lobatto(n);
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) {
         const double sum = gl.w[i] * gl.D[i * n + j] + gl.w[j] * gl.D[j * n + i];
@@ -83,7 +83,7 @@ TEST_CASE("SummationByPartsHoldsExactly") {
 
 TEST_CASE("TheLastRunningIntegralIsTheQuadrature") {
   for (int n = 3; n <= kMost; ++n) {
-    const GaussLobatto gl = gauss_lobatto(n);
+    const CrossFilmNodes gl = gauss_lobatto(n);
     for (int l = 0; l < n; ++l) {
       CHECK(std::abs(gl.Q[l]) < kSlack);
       CHECK(std::abs(gl.Q[(n - 1) * n + l] - gl.w[l]) < kSlack);
@@ -93,7 +93,7 @@ TEST_CASE("TheLastRunningIntegralIsTheQuadrature") {
 
 TEST_CASE("ProjectionKeepsTheIntegralAndLowerDegreesAndRemovesTheHighestMode") {
   for (int n = 3; n <= kMost; ++n) {
-    const GaussLobatto gl = gauss_lobatto(n);
+    const CrossFilmNodes gl = gauss_lobatto(n);
     for (int d = 0; d <= n - 2; ++d) {
       for (int k = 0; k < n; ++k) {
         CHECK(std::abs(apply(gl.S, gl, k, d) - power(gl.s[k], d)) < kSlack);

@@ -71,7 +71,7 @@ void cut_both_ways(RingMatrix& a, int at) {
 }
 
 /// Residual and difference from a dense solution. Both are round-off: 1e-16 times the condition
-/// number (below 100 for these matrices) times the growth of about 1000 sums.
+/// number (below 100 for these matrices) times the growth of rounding over about 1000 sums.
 void check_solve(const RingMatrix& a, int count, unsigned seed) {
   const std::size_t n = a.c.size();
   const Vector b = random_vector(n * count, seed);

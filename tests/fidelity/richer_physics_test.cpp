@@ -14,9 +14,10 @@ namespace {
 constexpr Tier kTiers[] = {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd};
 
 bool same(const Physics& a, const Physics& b) {
-  return a.film_energy == b.film_energy && a.elastic == b.elastic && a.growth == b.growth &&
-         a.contact == b.contact && a.flow_factors == b.flow_factors &&
-         a.pressure_dependence == b.pressure_dependence && a.shear_thinning == b.shear_thinning;
+  return a.film_energy == b.film_energy && a.elastic == b.elastic &&
+         a.thermal_deformation == b.thermal_deformation && a.contact == b.contact &&
+         a.flow_factors == b.flow_factors && a.pressure_dependence == b.pressure_dependence &&
+         a.shear_thinning == b.shear_thinning;
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ TEST_CASE("TheWayFromEveryTierEndsAtTheFullPhysics") {
 
 TEST_CASE("EveryStepAddsAnEffectAndTakesNoneAway") {
   const auto count = [](const Physics& p) {
-    return p.film_energy + p.elastic + p.growth + p.contact + p.flow_factors +
+    return p.film_energy + p.elastic + p.thermal_deformation + p.contact + p.flow_factors +
            p.pressure_dependence + p.shear_thinning;
   };
   for (const Tier tier : kTiers) {

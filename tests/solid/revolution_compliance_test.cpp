@@ -153,7 +153,8 @@ TEST_CASE("HalfBushMovesAsTheFullOne", "[compliance]") {
       const auto even = even_part(f.compliance[n]);
       // round-off of the factorisation; the free bodies are pinned at other nodes
       CHECK((even - h.compliance[n]).norm() < 1e-9 * even.norm());
-      CHECK(f.growth[n].rowwise().sum().tail(7).isApprox(h.growth[n].rowwise().sum(), 1e-8));
+      CHECK(f.thermal_deformation[n].rowwise().sum().tail(7).isApprox(
+          h.thermal_deformation[n].rowwise().sum(), 1e-8));
     }
   }
 }
@@ -194,7 +195,8 @@ TEST_CASE("OrderOfEliminationDoesNotMatter", "[compliance]") {
       const auto out = run(Elimination::outwards), along = run(Elimination::along_axis);
       for (int n = 0; n <= 3; ++n) {  // round-off of two factorisations
         CHECK((out.compliance[n] - along.compliance[n]).norm() < 1e-8 * out.compliance[n].norm());
-        CHECK((out.growth[n] - along.growth[n]).norm() < 1e-8 * out.growth[n].norm());
+        CHECK((out.thermal_deformation[n] - along.thermal_deformation[n]).norm() <
+              1e-8 * out.thermal_deformation[n].norm());
       }
     }
   }
@@ -220,11 +222,12 @@ TEST_CASE("HarmonicsBetweenFollowFromTheirNeighbours", "[compliance]") {
       };
       const auto all = run({}), computed = run(sample.computed());
       const auto compliance = sample.complete(computed.compliance);
-      const auto growth = sample.complete(computed.growth);
+      const auto thermal_deformation = sample.complete(computed.thermal_deformation);
       REQUIRE(compliance.size() == all.compliance.size());
       for (int n = 0; n <= kHighest; ++n) {  // the mesh is off by about 1e-3
         const double off = (compliance[n] - all.compliance[n]).norm() / all.compliance[n].norm();
-        const double grown = (growth[n] - all.growth[n]).norm() / all.growth[n].norm();
+        const double grown = (thermal_deformation[n] - all.thermal_deformation[n]).norm() /
+                             all.thermal_deformation[n].norm();
         INFO("first layer " << shell.thickness[0] << " m, harmonic " << n);
         CHECK(off < 2e-4);
         CHECK(grown < 2e-4);

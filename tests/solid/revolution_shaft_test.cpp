@@ -116,7 +116,7 @@ TEST_CASE("SlenderShaftUnderAPairOfLoadsBendsAsABeamThatTurnsFreely", "[shaft]")
 }
 
 TEST_CASE("HotShaftClosesTheGap", "[shaft]") {
-  const auto opening = shaft_growth(0.024, 11e-6, {313.15, 293.15}, 293.15);
+  const auto opening = shaft_expansion(0.024, 11e-6, {313.15, 293.15}, 293.15);
   CHECK(opening[0] == Approx(-11e-6 * 0.024 * 20.0));
   CHECK(opening[1] == 0.0);
 }

@@ -13,7 +13,7 @@ namespace shellback::thermal::tests {
 /// A film at rest without heat: 10 mm x 10 mm bearing, its energy problem and its temperatures.
 struct Ring {
   FilmGrid grid;
-  GaussLobatto gl;
+  CrossFilmNodes gl;
   FilmEnergyProblem problem;
   std::vector<double> T;  ///< [K]
 
@@ -71,7 +71,7 @@ inline int settle(FilmEnergy& film, std::vector<double>& T, double change = 1e-1
 inline void random_flows(Ring& r, double mean, double scatter, std::mt19937& engine) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const FilmGrid& g = r.grid;
-  const GaussLobatto& gl = r.gl;
+  const CrossFilmNodes& gl = r.gl;
   const auto total = [&](const double* flow) {
     double sum = 0.0;
     for (int k = 0; k < gl.n; ++k) sum += gl.w[k] * flow[k];

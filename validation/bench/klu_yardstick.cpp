@@ -22,7 +22,7 @@ RingMatrix reynolds_matrix(const bearing::Case& source, int nt, int nz) {
   s.grid = full_grid(s.grid);
   s.angles = fluid::Angles(s.grid);
   s.supply = fluid::map_supplies(s.grid, s.supply.patches);
-  model.step.clear();
+  model.profile.clear();
   bearing::FilmEquilibrium film = bearing::cold_start(model, bearing::equivalent_temperature(c));
   bearing::EquilibriumCost cost;
   const auto verdict = bearing::solve_equilibrium(model, bearing::load_target(c), {},

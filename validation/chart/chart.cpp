@@ -126,7 +126,8 @@ bool is_richest(const Case& c) {
   const auto tiers = bearing::possible_tiers(c);
   return std::all_of(tiers.begin(), tiers.end(), [&](Tier tier) {
     const Physics p = physics_of(c, tier);
-    return p.film_energy <= own.film_energy && p.elastic <= own.elastic && p.growth <= own.growth;
+    return p.film_energy <= own.film_energy && p.elastic <= own.elastic &&
+           p.thermal_deformation <= own.thermal_deformation;
   });
 }
 

@@ -96,7 +96,7 @@ class HeatedFilm {
   }
 
   FilmGrid grid_;
-  GaussLobatto gl_;
+  CrossFilmNodes gl_;
   FilmEnergyProblem problem_;
   double speed_;
   double stress_ = 0.0;

@@ -67,9 +67,9 @@ void add_heated(const RevolutionMesh& mesh, const ElasticOperators& operators,
                 const std::string& outside, Openings& openings) {
   Eigen::VectorXd uneven(mesh.nodes());
   for (int m = 0; m < mesh.nodes(); ++m) uneven(m) = uneven_heat(mesh.r[m], mesh.z[m]);
-  openings.by_load["uniform heat, " + outside] = {{0, kHeating * uniform_growth(operators)}};
-  openings.by_load["uneven heat, " + outside] = {{0, operators.growth[0] * uneven},
-                                                 {1, operators.growth[1] * uneven}};
+  openings.by_load["uniform heat, " + outside] = {{0, kHeating * uniform_expansion(operators)}};
+  openings.by_load["uneven heat, " + outside] = {{0, operators.thermal_deformation[0] * uneven},
+                                                 {1, operators.thermal_deformation[1] * uneven}};
 }
 
 /// Film and section of a body as the solver takes them.
@@ -96,11 +96,11 @@ Section section_of(const Body& body) {
           {layer, steel, steel}};
 }
 
-ElasticOperators operators_of(const Section& s, Support support, bool growth,
+ElasticOperators operators_of(const Section& s, Support support, bool thermal_deformation,
                               std::vector<int> only) {
   ElasticOptions options;
   options.support = support;
-  options.growth = growth;
+  options.thermal_deformation = thermal_deformation;
   options.only = std::move(only);
   return shell_elasticity(s.mesh, s.grid, s.layers, options);
 }

@@ -15,7 +15,7 @@ namespace {
 using namespace bearing;
 
 constexpr int kTruthNodes = 7;  ///< across the film [-]
-/// Below this tolerance auto climbs to the truth's own grid and costs what the truth does: such
+/// Below this tolerance auto refines to the truth's own grid and costs what the truth does: such
 /// answers come after it, so that a budget that does not reach them still judges the others [-].
 constexpr double kAsDearAsTruth = 0.005;
 

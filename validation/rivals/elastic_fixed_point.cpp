@@ -46,7 +46,7 @@ Verdict diverged(const std::string& how, double opening, double film) {
 }  // namespace
 
 Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
-                            const Field& growth, const EquilibriumOptions& options,
+                            const Field& thermal_deformation, const EquilibriumOptions& options,
                             FilmEquilibrium& s, EquilibriumCost& cost,
                             const std::atomic<bool>* stop) {
   BearingModel rigid = model;
@@ -73,7 +73,7 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
     s.elastic.clear();
     const bool usual = model.input.model.methods.cavitation == CavitationMethod::active_set;
     const auto solve = usual ? newton_or_through_time : film_then_position;
-    const Verdict v = solve(rigid, target, sum(growth, d), film, s, cost, stop);
+    const Verdict v = solve(rigid, target, sum(thermal_deformation, d), film, s, cost, stop);
     s.elastic = d;
     if (v.status == Status::interrupted) return v;
     if (!v.good())

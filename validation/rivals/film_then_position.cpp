@@ -50,9 +50,15 @@ struct RestingFilm {
 
 class FilmAndPosition {
  public:
-  FilmAndPosition(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                  const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost)
-      : model_(model), target_(target), growth_(growth), options_(options), s_(s), cost_(cost) {}
+  FilmAndPosition(const BearingModel& model, const LoadTarget& target,
+                  const Field& thermal_deformation, const EquilibriumOptions& options,
+                  FilmEquilibrium& s, EquilibriumCost& cost)
+      : model_(model),
+        target_(target),
+        thermal_deformation_(thermal_deformation),
+        options_(options),
+        s_(s),
+        cost_(cost) {}
 
   /// Solves the film of the state at its position and evaluates all that follows.
   [[nodiscard]] RestingFilm settle(double tolerance);
@@ -69,7 +75,7 @@ class FilmAndPosition {
 
   const BearingModel& model_;
   const LoadTarget& target_;
-  const Field& growth_;
+  const Field& thermal_deformation_;
   const EquilibriumOptions& options_;
   FilmEquilibrium& s_;
   EquilibriumCost& cost_;
@@ -78,7 +84,7 @@ class FilmAndPosition {
 RestingFilm FilmAndPosition::relaxed(const fluid::OilLaw& oil, double tolerance) {
   RelaxationOptions o;
   o.tolerance = tolerance;
-  auto film = relax_p_theta(model_.scene, s_.gap, model_.step, oil, s_.film, o);
+  auto film = relax_p_theta(model_.scene, s_.gap, model_.profile, oil, s_.film, o);
   cost_.sweeps += film.value.sweeps;
   if (film.good()) s_.film = std::move(film.value.state);
   return {film.verdict, {}};
@@ -89,7 +95,7 @@ RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double toleran
   const auto solve = method == CavitationMethod::fischer_burmeister ? solve_fischer_burmeister
                                                                     : solve_swift_stieber;
   const fluid::ReynoldsOptions o{tolerance, options_.max_iterations};
-  auto film = solve(model_.scene, s_.gap, model_.step, oil, s_.film, o);
+  auto film = solve(model_.scene, s_.gap, model_.profile, oil, s_.film, o);
   cost_.factorizations += film.value.factorizations;
   cost_.work += static_cast<double>(film.value.factorizations) * model_.scene.grid.cells();
   cost_.newton_iterations += film.value.factorizations;
@@ -107,16 +113,17 @@ RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double toleran
 RestingFilm FilmAndPosition::settle(double tolerance) {
   const fluid::FilmScene& scene = model_.scene;
   if (cost_.spent()) return {given_up(), {}};
-  s_.gap = fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position, growth_,
-                           model_.step);
-  s_.least = fluid::smallest_gap(scene.grid, s_.gap, model_.step);
-  if (is_closed(model_, s_)) return {no_film(model_, target_, growth_, s_), {}};
+  s_.gap = fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position,
+                           thermal_deformation_, model_.profile);
+  s_.least = fluid::smallest_gap(scene.grid, s_.gap, model_.profile);
+  if (is_closed(model_, s_)) return {no_film(model_, target_, thermal_deformation_, s_), {}};
   s_.shear_gap = shear_gap(model_, s_.gap.cell);
   const fluid::OilLaw oil = oil_law(model_, s_, 0.3 * options_.viscosity_tolerance);
   const bool relaxing = model_.input.model.methods.cavitation == CavitationMethod::p_theta;
   RestingFilm film = relaxing ? relaxed(oil, tolerance) : factorised(oil, tolerance);
-  if (film.verdict.good() && !evaluate(model_, growth_, 0.3 * options_.viscosity_tolerance, s_)) {
-    film.verdict = no_film(model_, target_, growth_, s_);
+  if (film.verdict.good() &&
+      !evaluate(model_, thermal_deformation_, 0.3 * options_.viscosity_tolerance, s_)) {
+    film.verdict = no_film(model_, target_, thermal_deformation_, s_);
   }
   return film;
 }
@@ -216,14 +223,15 @@ double sharpest(const BearingModel& model, const EquilibriumOptions& options) {
 /// The search itself; see the head of the header.
 class PositionSearch {
  public:
-  PositionSearch(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                 const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost)
+  PositionSearch(const BearingModel& model, const LoadTarget& target,
+                 const Field& thermal_deformation, const EquilibriumOptions& options,
+                 FilmEquilibrium& s, EquilibriumCost& cost)
       : model_(model),
         target_(target),
         options_(options),
         s_(s),
         cost_(cost),
-        pair_(model, target, growth, options, s, cost),
+        pair_(model, target, thermal_deformation, options, s, cost),
         sharp_(sharpest(model, options)) {}
 
   Verdict run(const std::atomic<bool>* stop);
@@ -362,10 +370,11 @@ Verdict PositionSearch::run(const std::atomic<bool>* stop) {
 
 }  // namespace
 
-Verdict film_then_position(const BearingModel& model, const LoadTarget& target, const Field& growth,
-                           const EquilibriumOptions& options, FilmEquilibrium& s,
-                           EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  return PositionSearch(model, target, growth, options, s, cost).run(stop);
+Verdict film_then_position(const BearingModel& model, const LoadTarget& target,
+                           const Field& thermal_deformation, const EquilibriumOptions& options,
+                           FilmEquilibrium& s, EquilibriumCost& cost,
+                           const std::atomic<bool>* stop) {
+  return PositionSearch(model, target, thermal_deformation, options, s, cost).run(stop);
 }
 
 }  // namespace shellback::validation

@@ -13,12 +13,10 @@
 
 namespace shellback::validation {
 
-/// As solve_equilibrium, for a rigid bearing (growth and displacement given).
-[[nodiscard]] Verdict film_then_position(const bearing::BearingModel& model,
-                                         const bearing::LoadTarget& target, const Field& growth,
-                                         const bearing::EquilibriumOptions& options,
-                                         bearing::FilmEquilibrium& state,
-                                         bearing::EquilibriumCost& cost,
-                                         const std::atomic<bool>* stop);
+/// As solve_equilibrium, for a rigid bearing (thermal deformation and displacement given).
+[[nodiscard]] Verdict film_then_position(
+    const bearing::BearingModel& model, const bearing::LoadTarget& target,
+    const Field& thermal_deformation, const bearing::EquilibriumOptions& options,
+    bearing::FilmEquilibrium& state, bearing::EquilibriumCost& cost, const std::atomic<bool>* stop);
 
 }  // namespace shellback::validation

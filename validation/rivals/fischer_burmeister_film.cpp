@@ -41,13 +41,13 @@ void make_complementary(const FilmScene& scene, FilmState& s) {
 
 /// Half-Sommerfeld start of a film without pressure: the full film, cut at cavitation. Without it
 /// there is no scale for the pressures.
-bool first_pressures(const FilmScene& scene, const Gap& gap, const Field& step, const OilLaw& oil,
-                     FilmSolution& v) {
+bool first_pressures(const FilmScene& scene, const Gap& gap, const Field& profile,
+                     const OilLaw& oil, FilmSolution& v) {
   RingMatrix matrix;
   std::fill(v.state.full.begin(), v.state.full.end(), 1);
   std::fill(v.state.theta.begin(), v.state.theta.end(), 1.0);
   oil(v.state, v.oil);
-  evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
+  evaluate_flow(scene, gap, profile, v.oil, v.state, v.flow);
   assemble_film(scene, v.flow, active_set_unknowns(v.state), matrix);
   ++v.factorizations;
   if (!v.factor.factorize(matrix)) return false;
@@ -70,16 +70,16 @@ bool without_pressure(const FilmScene& scene, const FilmState& s) {
 }  // namespace
 
 Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap& gap,
-                                               const Field& step, const OilLaw& oil,
+                                               const Field& profile, const OilLaw& oil,
                                                const FilmState& guess,
                                                const ReynoldsOptions& options) {
   constexpr double kNearly = 1e-9;  // |phi| from which cells are what they are nearly [-]
   Outcome<FilmSolution> out;
   FilmSolution& v = out.value;
   v.state = guess;
-  bool stuck = without_pressure(scene, guess) && !first_pressures(scene, gap, step, oil, v);
+  bool stuck = without_pressure(scene, guess) && !first_pressures(scene, gap, profile, oil, v);
   oil(v.state, v.oil);
-  evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
+  evaluate_flow(scene, gap, profile, v.oil, v.state, v.flow);
   for (int it = 0; it <= options.max_iterations; ++it) {
     const double norm = largest_magnitude(film_residual(scene, v.flow)) / flow_scale(scene, v.flow);
     out.history.push_back(norm);
@@ -90,12 +90,12 @@ Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap
     }
     if (norm <= options.tolerance && complementary(scene, v.state)) return out;
     if (stuck || it == options.max_iterations) break;
-    stuck = !fischer_burmeister_step(scene, gap, step, oil, v);
+    stuck = !fischer_burmeister_step(scene, gap, profile, oil, v);
     ++v.factorizations;
     if (complementarity_gap(scene, v.state) > kNearly) continue;
     make_complementary(scene, v.state);
     oil(v.state, v.oil);
-    evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
+    evaluate_flow(scene, gap, profile, v.oil, v.state, v.flow);
   }
   out.verdict = {
       Status::iteration_limit,

@@ -6,7 +6,7 @@ namespace shellback::validation {
 
 /// As fluid::solve_reynolds.
 [[nodiscard]] Outcome<fluid::FilmSolution> solve_fischer_burmeister(
-    const fluid::FilmScene& scene, const fluid::Gap& gap, const Field& step,
+    const fluid::FilmScene& scene, const fluid::Gap& gap, const Field& profile,
     const fluid::OilLaw& oil, const fluid::FilmState& guess,
     const fluid::ReynoldsOptions& options = {});
 

@@ -79,7 +79,7 @@ void sweep(const FilmScene& scene, double over, Linearised& eq, FilmState& s) {
 
 }  // namespace
 
-Outcome<RelaxedFilm> relax_p_theta(const FilmScene& scene, const Gap& gap, const Field& step,
+Outcome<RelaxedFilm> relax_p_theta(const FilmScene& scene, const Gap& gap, const Field& profile,
                                    const OilLaw& oil, const FilmState& guess,
                                    const RelaxationOptions& options) {
   Outcome<RelaxedFilm> out;
@@ -93,7 +93,7 @@ Outcome<RelaxedFilm> relax_p_theta(const FilmScene& scene, const Gap& gap, const
   Linearised eq;
   while (true) {
     oil(s, coefficients);
-    evaluate_flow(scene, gap, step, coefficients, s, flow);
+    evaluate_flow(scene, gap, profile, coefficients, s, flow);
     eq.R0 = film_residual(scene, flow);
     const double norm = largest_magnitude(eq.R0) / flow_scale(scene, flow);
     out.history.push_back(norm);

@@ -27,7 +27,7 @@ struct RelaxedFilm {
 
 /// Relaxes from `guess`. Does not throw for lack of convergence: read the verdict.
 [[nodiscard]] Outcome<RelaxedFilm> relax_p_theta(const fluid::FilmScene& scene,
-                                                 const fluid::Gap& gap, const Field& step,
+                                                 const fluid::Gap& gap, const Field& profile,
                                                  const fluid::OilLaw& oil,
                                                  const fluid::FilmState& guess,
                                                  const RelaxationOptions& options = {});

@@ -60,9 +60,9 @@ void fill_up(const FilmScene& scene, FilmState& s) {
 
 }  // namespace
 
-Outcome<FilmSolution> solve_swift_stieber(const FilmScene& scene, const Gap& gap, const Field& step,
-                                          const OilLaw& oil, const FilmState& guess,
-                                          const ReynoldsOptions& options) {
+Outcome<FilmSolution> solve_swift_stieber(const FilmScene& scene, const Gap& gap,
+                                          const Field& profile, const OilLaw& oil,
+                                          const FilmState& guess, const ReynoldsOptions& options) {
   Outcome<FilmSolution> out;
   FilmSolution& v = out.value;
   v.state = guess;
@@ -73,7 +73,7 @@ Outcome<FilmSolution> solve_swift_stieber(const FilmScene& scene, const Gap& gap
   int beyond_barus = 0;
   for (int it = 0; it <= options.max_iterations; ++it) {
     oil(v.state, v.oil);
-    evaluate_flow(scene, gap, step, v.oil, v.state, v.flow);
+    evaluate_flow(scene, gap, profile, v.oil, v.state, v.flow);
     Field r = film_residual(scene, v.flow);
     const double scale = flow_scale(scene, v.flow);
     const double norm = largest_of_full(v.state, r) / scale;

@@ -13,7 +13,7 @@ namespace shellback::validation {
 
 /// Solves (1) from `guess`. Does not throw for lack of convergence: read the verdict.
 [[nodiscard]] Outcome<fluid::FilmSolution> solve_swift_stieber(
-    const fluid::FilmScene& scene, const fluid::Gap& gap, const Field& step,
+    const fluid::FilmScene& scene, const fluid::Gap& gap, const Field& profile,
     const fluid::OilLaw& oil, const fluid::FilmState& guess,
     const fluid::ReynoldsOptions& options = {});
 

@@ -11,12 +11,12 @@ using namespace shellback::test;
 
 namespace {
 
-/// Growth of the bore [m] under nodal temperatures f(r) of harmonic n.
+/// Thermal deformation of the bore [m] under nodal temperatures f(r) of harmonic n.
 Eigen::VectorXd grow(const Bush& b, const ElasticOperators& e, int n,
                      const std::function<double(double)>& f) {
   Eigen::VectorXd t(b.mesh.nodes());
   for (int a = 0; a < b.mesh.nodes(); ++a) t(a) = f(b.mesh.r[a]);
-  return e.growth[n] * t;
+  return e.thermal_deformation[n] * t;
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ TEST_CASE("UniformHeatingOfAFreeBodyScalesIt", "[growth]") {
     const auto b = bush(half, {1e-3, 10e-3});
     for (const Support s : {Support::held, Support::free}) {
       const auto e = shell_elasticity(b.mesh, b.grid, {steel(), steel()}, {1, s});
-      const Eigen::VectorXd u = uniform_growth(e);
+      const Eigen::VectorXd u = uniform_expansion(e);
       for (int j = 0; j < b.grid.nz; ++j) {
         CHECK(u(j) == Approx(11e-6 * 0.024).epsilon(1e-10));  // linear field: only round-off
       }
@@ -45,7 +45,7 @@ TEST_CASE("ClampedBushGrowsInwards", "[growth]") {
       -(1 + nu) / (1 - nu) * alpha * square / 2 / (b_out * b_out + a * a / (1 - 2 * nu));
   const double exact = c1 * a * 2 * (1 - nu) / (1 - 2 * nu);
   REQUIRE(exact < 0.0);
-  CHECK(uniform_growth(e)(2) == Approx(exact).epsilon(2e-4));  // as Lame's ring
+  CHECK(uniform_expansion(e)(2) == Approx(exact).epsilon(2e-4));  // as Lame's ring
 }
 
 TEST_CASE("BoreOfAFreeRingFollowsTheMeanTemperature", "[growth]") {
@@ -85,7 +85,7 @@ TEST_CASE("OuterLayerThatExpandsMoreOpensTheBore", "[growth]") {
   aluminium.expansion = 23e-6;
   aluminium.youngs_modulus = 70e9;
   const auto e = shell_elasticity(b.mesh, b.grid, {steel(), aluminium}, {0, Support::free});
-  const double u = uniform_growth(e)(0);
+  const double u = uniform_expansion(e)(0);
   CHECK(u > 11e-6 * 0.024);
   CHECK(u < 23e-6 * 0.024);
 }

@@ -1,8 +1,8 @@
-#include "core/nodal_set.hpp"
+#include "core/cross_film_nodes.hpp"
 
 namespace shellback {
 
-std::vector<double> conduction_of(const NodalSet& set) {
+std::vector<double> conduction_of(const CrossFilmNodes& set) {
   const int n = set.n;
   std::vector<double> a(static_cast<std::size_t>(n) * n, 0.0);
   for (int r = 0; r < n; ++r) {

@@ -10,7 +10,7 @@
 
 namespace shellback {
 
-struct NodalSet {
+struct CrossFilmNodes {
   int n = 0;
   std::vector<double> s;  ///< nodes [-], s[0] = 0, s[n-1] = 1
   std::vector<double> w;  ///< weights of what the oil carries and makes [-], sum 1
@@ -24,6 +24,6 @@ struct NodalSet {
 };
 
 /// D^T W D: the conduction of a set whose D is exact for what its nodes can hold.
-[[nodiscard]] std::vector<double> conduction_of(const NodalSet& set);
+[[nodiscard]] std::vector<double> conduction_of(const CrossFilmNodes& set);
 
 }  // namespace shellback

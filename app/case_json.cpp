@@ -23,6 +23,12 @@ Json bearing(const Bearing& b) {
             {"radial_clearance", si(b.radial_clearance, "m")},
             {"reference_temperature", si(b.reference_temperature, "K")}};
   if (b.profile) json["profile_points"] = {b.profile->phi.size(), b.profile->z.size()};
+  if (b.shape) json["shape_points"] = {b.shape->phi.size(), b.shape->z.size()};
+  const auto opening = [&](const char* key, const std::optional<EdgeOpening>& e) {
+    if (e) json[key] = {{"depth", si(e->depth, "m")}, {"length", si(e->length, "m")}};
+  };
+  opening("edge_relief", b.edge_relief);
+  opening("chamfer", b.chamfer);
   return json;
 }
 
@@ -171,7 +177,8 @@ Json material(const solid::Material& m) {
           {"heat_capacity", si(m.heat_capacity, "J/(kg K)")},
           {"youngs_modulus", si(m.youngs_modulus, "Pa")},
           {"poisson_ratio", plain(m.poisson_ratio)},
-          {"expansion", si(m.expansion, "1/K")}};
+          {"expansion", si(m.expansion, "1/K")},
+          {"hardness", m.hardness > 0.0 ? si(m.hardness, "Pa") : Json(nullptr)}};
 }
 
 Json shell(const Shell& s) {
@@ -198,10 +205,13 @@ Json shell(const Shell& s) {
 }
 
 Json shaft(const Shaft& s) {
-  return {{"material", material(s.material)},
-          {"overhang", si(s.overhang, "m")},
-          {"heat_transfer", si(s.heat_transfer, "W/(m2 K)")},
-          {"ambient", si(s.ambient, "K")}};
+  Json json{{"material", material(s.material)},
+            {"overhang", si(s.overhang, "m")},
+            {"heat_transfer", si(s.heat_transfer, "W/(m2 K)")},
+            {"ambient", si(s.ambient, "K")}};
+  if (s.elastic_overhang) json["elastic_overhang"] = si(*s.elastic_overhang, "m");
+  if (s.span) json["span"] = si(*s.span, "m");
+  return json;
 }
 
 Json surface(const solid::RoughSurface& s) {
@@ -215,17 +225,25 @@ Json surfaces(const Surfaces& s) {
   Json json{{"shell", surface(s.shell)}, {"shaft", surface(s.shaft)}};
   if (!s.contact) return json;
   const bool exact = s.contact->integral == solid::ContactIntegral::exact;
+  const double hardness = s.contact->hardness;
   json["contact"] = {{"elastic_factor", plain(s.contact->elastic_factor)},
                      {"composite_modulus", si(s.contact->composite_modulus, "Pa")},
                      {"friction", plain(s.contact->friction)},
                      {"integral", exact ? "exact" : "power-law"}};
+  if (hardness > 0.0) json["contact"]["hardness"] = si(hardness, "Pa");
   return json;
+}
+
+const char* spacing_name(const Model& m) {
+  if (!m.axial_spacing) return "auto";
+  return *m.axial_spacing == AxialSpacing::graded ? "graded" : "even";
 }
 
 Json model(const Model& m) {
   Json json{{"tier", to_string(m.tier)},
             {"tolerance", plain(m.tolerance)},
             {"grid", m.grid},
+            {"axial_spacing", spacing_name(m)},
             {"film_nodes", m.film_nodes}};
   const auto add = [&](const char* key, const std::optional<bool>& on) {
     json[key] = on ? Json(*on) : Json("auto");  // the choice of the tier

@@ -8,6 +8,15 @@ namespace {
 
 constexpr double kUsualReference = kZeroCelsius + 20.0;  ///< clearances are measured so [K]
 
+std::optional<bearing::EdgeOpening> read_edge_opening(const Section& section,
+                                                      const std::string& key) {
+  const auto opening = section.maybe_section(key);
+  if (!opening) return std::nullopt;
+  opening->only({"depth", "length"}, "bearing." + key);
+  return bearing::EdgeOpening{opening->quantity("depth", kLength, kPositive),
+                              opening->quantity("length", kLength, kPositive)};
+}
+
 }  // namespace
 
 std::string table_beside(const Section& section, const std::string& key) {
@@ -17,7 +26,8 @@ std::string table_beside(const Section& section, const std::string& key) {
 
 bearing::Bearing read_bearing(const Section& file) {
   const Section section = file.section("bearing");
-  section.only({"diameter", "width", "radial_clearance", "reference_temperature", "profile"},
+  section.only({"diameter", "width", "radial_clearance", "reference_temperature", "profile",
+                "shape", "edge_relief", "chamfer"},
                "[bearing]");
   bearing::Bearing bearing;
   bearing.radius = 0.5 * section.quantity("diameter", kLength, kPositive);
@@ -28,6 +38,9 @@ bearing::Bearing read_bearing(const Section& file) {
                           "the radial clearance is taken as measured at 20 degC "
                           "(bearing.reference_temperature is not given)");
   if (section.has("profile")) bearing.profile = read_profile(table_beside(section, "profile"));
+  if (section.has("shape")) bearing.shape = read_profile(table_beside(section, "shape"));
+  bearing.edge_relief = read_edge_opening(section, "edge_relief");
+  bearing.chamfer = read_edge_opening(section, "chamfer");
   return bearing;
 }
 

@@ -26,7 +26,7 @@ std::string with_overrides(const std::string& text, const std::vector<Override>&
 
 void read_sections(const Section& file, Case& result) {
   file.only({"title", "bearing", "supply", "operation", "load_cycle", "crank", "oil", "shell",
-             "shaft", "surfaces", "model", "measured"},
+             "shaft", "surfaces", "model", "measured", "running_in"},
             "the case");
   if (file.has("title")) result.title = file.text("title");
   result.bearing = read_bearing(file);
@@ -41,6 +41,7 @@ void read_sections(const Section& file, Case& result) {
   result.shaft = read_shaft(file);
   result.surfaces = read_surfaces(file);
   result.measured = read_measured(file);
+  result.running_in = read_running_in(file);
 }
 
 /// The key as the file has it: a value that can be given in two ways is judged as one.

@@ -78,6 +78,10 @@ Methods read_methods(const Section& model) {
 }
 
 void read_rules(const Section& section, Model& model) {
+  if (section.has("axial_spacing")) {
+    model.axial_spacing = section.choice<AxialSpacing>(
+        "axial_spacing", {{"graded", AxialSpacing::graded}, {"even", AxialSpacing::even}});
+  }
   if (section.has("cavitated_shear")) {
     model.cavitated_shear = section.choice<CavitatedShear>(
         "cavitated_shear", {{"filled", CavitatedShear::filled}, {"full", CavitatedShear::full}});
@@ -119,11 +123,12 @@ Model read_model(const Section& file) {
   static const toml::table kEmpty;  // a case without [model] relies on the defaults throughout
   const Section section =
       file.maybe_section("model").value_or(Section(file.reader(), kEmpty, "model"));
-  section.only({"tier", "tolerance", "grid", "film_nodes", "pressure_dependence", "shear_thinning",
-                "flow_factors", "asperity_contact", "elastic_deformation", "thermal_deformation",
-                "cavitated_shear", "edges", "cavitation_pressure", "cavitation_pressure_absolute",
-                "equivalent_temperature", "methods", "coefficients"},
-               "[model]");
+  section.only(
+      {"tier", "tolerance", "grid", "film_nodes", "pressure_dependence", "shear_thinning",
+       "flow_factors", "asperity_contact", "elastic_deformation", "thermal_deformation",
+       "cavitated_shear", "edges", "axial_spacing", "cavitation_pressure",
+       "cavitation_pressure_absolute", "equivalent_temperature", "methods", "coefficients"},
+      "[model]");
   Model model;
   if (section.has("tier")) {
     model.tier = tier_named(section.text("tier"), file.reader().place("model.tier"));

@@ -12,7 +12,7 @@ using namespace bearing;
 
 solid::Material read_properties(const Section& section, const std::string& name) {
   section.only({"name", "title", "source", "note", "assumed", "conductivity", "density",
-                "heat_capacity", "youngs_modulus", "poisson_ratio", "expansion"},
+                "heat_capacity", "youngs_modulus", "poisson_ratio", "expansion", "hardness"},
                "a material");
   for (const char* label : {"title", "source", "note"}) {  // words for the reader of the file
     if (section.has(label)) static_cast<void>(section.text(label));
@@ -25,6 +25,7 @@ solid::Material read_properties(const Section& section, const std::string& name)
   material.youngs_modulus = section.quantity("youngs_modulus", kPressure, kPositive);
   material.poisson_ratio = section.quantity("poisson_ratio", kNumber, kValueRanges.poisson_ratio);
   material.expansion = section.quantity("expansion", kPerKelvin, kNotNegative);
+  material.hardness = section.quantity_or("hardness", kPressure, 0.0, "", kPositive);
   for (const std::string& statement : section.texts("assumed")) {
     const std::string sentence = fmt::format("material {}: {}", material.name, statement);
     auto& known = section.reader().assumptions;
@@ -114,7 +115,8 @@ std::optional<Shell> read_shell(const Section& file) {
 std::optional<Shaft> read_shaft(const Section& file) {
   const auto section = file.maybe_section("shaft");
   if (!section) return std::nullopt;
-  section->only({"material", "overhang", "heat_transfer", "ambient"}, "[shaft]");
+  section->only({"material", "overhang", "elastic_overhang", "span", "heat_transfer", "ambient"},
+                "[shaft]");
   Shaft shaft;
   shaft.material = read_material(*section, "material");
   shaft.overhang = section->quantity_or(
@@ -122,6 +124,8 @@ std::optional<Shaft> read_shaft(const Section& file) {
       "the shaft is taken to end at the bearing's edges: no heat leaves along it "
       "(shaft.overhang is not given)",
       kNotNegative);
+  shaft.elastic_overhang = section->maybe_quantity("elastic_overhang", kLength, kNotNegative);
+  shaft.span = section->maybe_quantity("span", kLength, kPositive);
   if (shaft.overhang > 0.0) {
     shaft.heat_transfer = section->quantity("heat_transfer", kHeatTransfer, kNotNegative);
     shaft.ambient = section->quantity("ambient", kTemperature);

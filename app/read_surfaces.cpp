@@ -5,6 +5,23 @@ namespace {
 
 using solid::ContactIntegral;
 
+solid::ContactParameters read_contact(const Section& section) {
+  section.only({"elastic_factor", "composite_modulus", "friction", "integral", "hardness"},
+               "surfaces.contact");
+  solid::ContactParameters contact;
+  contact.elastic_factor = section.quantity("elastic_factor", kNumber, kPositive);
+  contact.composite_modulus = section.quantity("composite_modulus", kPressure, kPositive);
+  contact.friction = section.quantity("friction", kNumber, kUpToOne);
+  contact.hardness = section.quantity_or("hardness", kPressure, 0.0, "", kPositive);
+  if (section.has("integral")) {
+    contact.integral = section.choice<ContactIntegral>(
+        "integral", {{"exact", ContactIntegral::exact}, {"power-law", ContactIntegral::power_law}});
+  }
+  return contact;
+}
+
+}  // namespace
+
 solid::RoughSurface read_surface(const Section& section, const std::string& what) {
   section.only({"roughness", "orientation", "summit_roughness", "summit_height"}, what);
   solid::RoughSurface surface;
@@ -17,21 +34,6 @@ solid::RoughSurface read_surface(const Section& section, const std::string& what
   surface.summit_height = section.quantity_or("summit_height", kLength, 0.0, "");
   return surface;
 }
-
-solid::ContactParameters read_contact(const Section& section) {
-  section.only({"elastic_factor", "composite_modulus", "friction", "integral"}, "surfaces.contact");
-  solid::ContactParameters contact;
-  contact.elastic_factor = section.quantity("elastic_factor", kNumber, kPositive);
-  contact.composite_modulus = section.quantity("composite_modulus", kPressure, kPositive);
-  contact.friction = section.quantity("friction", kNumber, kUpToOne);
-  if (section.has("integral")) {
-    contact.integral = section.choice<ContactIntegral>(
-        "integral", {{"exact", ContactIntegral::exact}, {"power-law", ContactIntegral::power_law}});
-  }
-  return contact;
-}
-
-}  // namespace
 
 bearing::Surfaces read_surfaces(const Section& file) {
   bearing::Surfaces surfaces;

@@ -47,6 +47,9 @@ namespace shellback::app {
 
 [[nodiscard]] std::optional<bearing::Shell> read_shell(const Section& file);
 [[nodiscard]] std::optional<bearing::Shaft> read_shaft(const Section& file);
+/// Roughness of one surface; `what` names the section.
+[[nodiscard]] solid::RoughSurface read_surface(const Section& section, const std::string& what);
+[[nodiscard]] std::optional<bearing::RunningIn> read_running_in(const Section& file);
 [[nodiscard]] bearing::Surfaces read_surfaces(const Section& file);
 [[nodiscard]] bearing::Model read_model(const Section& file);
 [[nodiscard]] bearing::Measured read_measured(const Section& file);

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/bore_shape.hpp"
 #include "bearing/possible_methods.hpp"
 #include "bearing/solids.hpp"
 #include "core/bulk_node.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/even_layers.hpp"
-#include "core/largest.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace shellback::bearing {
@@ -35,50 +35,6 @@ std::vector<fluid::SupplyPatch> patches_of(const Case& c) {
   return patches;
 }
 
-/// Bilinear value of the profile table, periodic in phi, constant beyond its axial ends.
-double profile_at(const Profile& p, double phi, double z) {
-  const int n = static_cast<int>(p.phi.size());
-  const int m = static_cast<int>(p.z.size());
-  const double turn = 2.0 * kPi;
-  phi -= turn * std::floor((phi - p.phi.front()) / turn);
-  const int right =
-      static_cast<int>(std::upper_bound(p.phi.begin(), p.phi.end(), phi) - p.phi.begin());
-  const int a = right - 1;
-  const int b = right < n ? right : 0;
-  const double end = right < n ? p.phi[right] : p.phi.front() + turn;
-  const double u = n > 1 ? (phi - p.phi[a]) / (end - p.phi[a]) : 0.0;
-  const int up = static_cast<int>(std::upper_bound(p.z.begin(), p.z.end(), z) - p.z.begin());
-  const int lo = std::clamp(up - 1, 0, m - 1);
-  const int hi = std::clamp(up, 0, m - 1);
-  const double v = hi > lo ? (z - p.z[lo]) / (p.z[hi] - p.z[lo]) : 0.0;
-  const auto line = [&](int k) {
-    return (1.0 - v) * p.height[k * m + lo] + v * p.height[k * m + hi];
-  };
-  return (1.0 - u) * line(a) + u * line(b);
-}
-
-Field profile_of_cells(const Case& c, const FilmGrid& g) {
-  if (!c.bearing.profile) return {};
-  Field profile(g.cells());
-  for (int i = 0; i < g.nt; ++i) {
-    for (int j = 0; j < g.nz; ++j) {
-      profile[g.index(i, j)] = profile_at(*c.bearing.profile, g.phi[i], g.z[j]);
-    }
-  }
-  return profile;
-}
-
-bool profile_is_symmetric(const Profile& p) {
-  constexpr double kSlack = 1e-9;  // of the largest height
-  const double highest = largest_magnitude(p.height);
-  for (const double phi : p.phi) {
-    for (const double z : p.z) {
-      if (std::abs(profile_at(p, phi, z) - profile_at(p, phi, -z)) > kSlack * highest) return false;
-    }
-  }
-  return true;
-}
-
 fluid::RoughPair rough_pair(const Surfaces& s) {
   return fluid::rough_pair({s.shell.roughness, s.shell.orientation},
                            {s.shaft.roughness, s.shaft.orientation});
@@ -98,7 +54,23 @@ CrossFilmNodes nodes_across(const Case& c, const Physics& physics) {
   return gauss_lobatto(c.model.film_nodes);
 }
 
+/// That of the softer surface, as far as it is known; one that is given with the contact counts
+/// instead [Pa]; 0: none.
+double hardness_of_contact(const Case& c) {
+  if (c.surfaces.contact->hardness > 0.0) return c.surfaces.contact->hardness;
+  const bool shell = c.shell && !c.shell->layers.empty();
+  const double of_shell = shell ? c.shell->layers.front().material.hardness : 0.0;
+  const double of_shaft = c.shaft ? c.shaft->material.hardness : 0.0;
+  return of_shell > 0.0 && of_shaft > 0.0 ? std::min(of_shell, of_shaft)
+                                          : std::max(of_shell, of_shaft);
+}
+
 }  // namespace
+
+AxialSpacing axial_spacing(const Case& c) {
+  return c.model.axial_spacing.value_or(c.surfaces.contact ? AxialSpacing::graded
+                                                           : AxialSpacing::even);
+}
 
 bool symmetric_about_mid_width(const Case& c) {
   if (const auto* tilt = std::get_if<TiltGiven>(&c.operation.alignment)) {
@@ -108,7 +80,7 @@ bool symmetric_about_mid_width(const Case& c) {
   }
   const bool centred =
       std::all_of(c.supplies.begin(), c.supplies.end(), [](const Supply& s) { return s.z == 0.0; });
-  return centred && (!c.bearing.profile || profile_is_symmetric(*c.bearing.profile));
+  return centred && bore_is_symmetric(c.bearing);
 }
 
 BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int, 2> grid,
@@ -126,7 +98,8 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   fluid::FilmScene& s = m.scene;
   s.grid =
       make_grid(c.bearing.radius, c.bearing.width, grid[0], grid[1], symmetric_about_mid_width(c),
-                fluid::phi_edges(patches), fluid::z_edges(patches));
+                fluid::phi_edges(patches), fluid::z_edges(patches),
+                axial_spacing(c) == AxialSpacing::graded ? kEdgeGrading : 0.0);
   s.angles = fluid::Angles(s.grid);
   s.supply = fluid::map_supplies(s.grid, patches);
   s.speed = c.operation.omega * c.bearing.radius;
@@ -134,7 +107,8 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   s.p_edge = std::max(0.0, s.p_cavitation);
   s.edges = c.model.edges == Edges::dry ? fluid::SideEdges::dry : fluid::SideEdges::flooded;
   if (physics.flow_factors) s.rough = rough_pair(c.surfaces);
-  m.profile = profile_of_cells(c, s.grid);
+  m.profile = profile_of_cells(c.bearing, s.grid);
+  m.shape = shape_of(c.bearing, s.grid);
   m.shear_rule = c.model.cavitated_shear == CavitatedShear::full ? fluid::CavitatedShear::full
                                                                  : fluid::CavitatedShear::filled;
   if (physics.contact) {
@@ -143,7 +117,9 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
           "asperity contact is switched on but [surfaces] contact is missing; give "
           "elastic_factor, composite_modulus and friction, or switch it off");
     }
-    m.contact.emplace(c.surfaces.shell, c.surfaces.shaft, *c.surfaces.contact);
+    solid::ContactParameters contact = *c.surfaces.contact;
+    contact.hardness = hardness_of_contact(c);
+    m.contact.emplace(c.surfaces.shell, c.surfaces.shaft, contact);
   }
   const SolidEffects wanted{physics.elastic, physics.film_energy, physics.thermal_deformation};
   if (wanted.elastic || wanted.heat) {
@@ -152,6 +128,12 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
                    : std::make_shared<const Solids>(c, s.grid, wanted);
   }
   return m;
+}
+
+fluid::Gap gap_at(const BearingModel& m, const fluid::JournalPosition& position,
+                  const Field& displacement) {
+  return fluid::film_gap(m.scene.grid, m.scene.angles, m.clearance, position, displacement,
+                         m.profile, m.shape.cell.empty() ? nullptr : &m.shape);
 }
 
 Field shear_gap(const BearingModel& model, const Field& h) {

@@ -22,12 +22,18 @@ struct BearingModel {
   CrossFilmNodes gl;
   fluid::FilmScene scene;
   Field profile;           ///< designed deviation of the shell per cell; empty: none [m]
+  fluid::Gap shape;        ///< the same where it is smooth; empty: a cylinder [m]
   double clearance = 0.0;  ///< cold radial clearance [m]
   rheology::Oil oil;       ///< with the switched-off effects taken out
   std::optional<solid::AsperityContact> contact;
   std::shared_ptr<const Solids> solids;  ///< set if the physics needs them
   fluid::CavitatedShear shear_rule = fluid::CavitatedShear::filled;
 };
+
+/// As the case says; otherwise graded where surfaces can touch, whatever the tier: at the edges
+/// contact and elastic pressure are steepest. One case has one spacing, so that tiers and effects
+/// can be compared cell by cell.
+[[nodiscard]] AxialSpacing axial_spacing(const Case& c);
 
 /// True if nothing in the case distinguishes z from -z.
 [[nodiscard]] bool symmetric_about_mid_width(const Case& c);
@@ -38,6 +44,11 @@ struct BearingModel {
 [[nodiscard]] BearingModel make_bearing(const Case& c, const Physics& physics,
                                         std::array<int, 2> grid,
                                         std::shared_ptr<const Solids> solids = nullptr);
+
+/// The gap at a position of the journal, with a smooth displacement of the walls (cells; empty:
+/// none) [m].
+[[nodiscard]] fluid::Gap gap_at(const BearingModel& m, const fluid::JournalPosition& position,
+                                const Field& displacement);
 
 /// Gap with which the film shears [m]: the nominal gap, for rough surfaces the average gap, which
 /// is positive even in contact.

@@ -26,12 +26,22 @@ struct Profile {
   std::vector<double> height{};  ///< n x m, index i * m + k: gap added there [m]
 };
 
+/// The bore opens over `length` from each side edge inwards, by `depth` at the edge itself.
+struct EdgeOpening {
+  double depth = 0.0;   ///< [m]
+  double length = 0.0;  ///< [m]
+};
+
 struct Bearing {
-  double radius = 0.0;                    ///< R [m]
-  double width = 0.0;                     ///< B [m]
-  double radial_clearance = 0.0;          ///< cold radial clearance c [m]
-  double reference_temperature = 293.15;  ///< at which `radial_clearance` was measured [K]
-  std::optional<Profile> profile{};
+  double radius = 0.0;                       ///< R [m]
+  double width = 0.0;                        ///< B [m]
+  double radial_clearance = 0.0;             ///< cold radial clearance c [m]
+  double reference_temperature = 293.15;     ///< at which `radial_clearance` was measured [K]
+  std::optional<Profile> profile{};          ///< with jumps: constant on each cell
+  std::optional<Profile> shape{};            ///< smooth: relief, crowning, wear
+  std::optional<EdgeOpening> edge_relief{};  ///< a parabola, tangent to the cylinder
+  std::optional<EdgeOpening> chamfer{};      ///< a cone
+  std::optional<Profile> wear{};             ///< what running-in has taken away so far
 };
 
 enum class SupplyKind { hole, axial_groove, circumferential_groove };
@@ -114,9 +124,14 @@ struct Shell {
 
 struct Shaft {
   solid::Material material{};
-  double overhang = 0.0;       ///< length beyond the bearing on each side [m]
+  double overhang = 0.0;       ///< length beyond the bearing that gives off heat, each side [m]
   double heat_transfer = 0.0;  ///< from the overhang's surface [W/(m2 K)]
   double ambient = 0.0;        ///< of the overhang [K]
+  /// Length beyond the bearing that is elastic, each side; unset: the larger of overhang and
+  /// radius, beyond which the surface's own deformation has died out (Saint-Venant) [m].
+  std::optional<double> elastic_overhang{};
+  /// Between the middles of the supports, which lie as far to either side; unset: no bending [m].
+  std::optional<double> span{};
   [[nodiscard]] bool operator==(const Shaft&) const = default;
 };
 
@@ -129,6 +144,7 @@ struct Surfaces {
 /// The model ladder of design 4. `estimate` and `automatic` are the business of fidelity/; the
 /// solvers of bearing/ know the four between them.
 enum class Tier { estimate, isothermal, lumped, thd, tehd, automatic };
+enum class AxialSpacing { graded, even };
 enum class CavitatedShear { filled, full };
 enum class Edges { flooded, dry };
 
@@ -146,9 +162,10 @@ struct Model {
   Tier tier = Tier::tehd;
   double tolerance = 0.01;           ///< wished for on friction torque and smallest film [-]
   std::array<int, 2> grid{200, 25};  ///< circumferential x axial cells over the full width
-  bool grid_given = false;           ///< false: tier `auto` chooses the grid
-  int film_nodes = 5;                ///< Gauss-Lobatto-Legendre nodes across the film
-  bool film_nodes_given = false;     ///< false: tier `auto` chooses them
+  std::optional<AxialSpacing> axial_spacing{};  ///< unset: graded if surfaces can touch
+  bool grid_given = false;                      ///< false: tier `auto` chooses the grid
+  int film_nodes = 5;                           ///< Gauss-Lobatto-Legendre nodes across the film
+  bool film_nodes_given = false;                ///< false: tier `auto` chooses them
   Switches switches{};
   Methods methods{};
   CavitatedShear cavitated_shear = CavitatedShear::filled;
@@ -156,6 +173,16 @@ struct Model {
   double cavitation_pressure = 0.0;  ///< gauge [Pa]
   double kappa = 1.0;                ///< equivalent temperature factor [-]
   bool coefficients = false;         ///< stiffness, damping and whirl threshold are wanted
+};
+
+/// Wear of the shell (bearing/running_in.hpp).
+struct RunningIn {
+  double wear_coefficient = 0.0;     ///< C of Archard's C/H [-]
+  double hardness = 0.0;             ///< H of the shell's surface; 0: that of its material [Pa]
+  std::optional<double> duration{};  ///< unset: until it is worn in [s]
+  double limit_pressure = 0.0;       ///< contact pressure at which wear ceases [Pa]
+  std::optional<solid::RoughSurface> worn{};  ///< the shell's surface when worn
+  double worn_after = 0.0;                    ///< greatest depth from which on it is [m]
 };
 
 struct Measured {
@@ -191,6 +218,7 @@ struct Case {
   Surfaces surfaces;
   Model model;
   Measured measured;
+  std::optional<RunningIn> running_in;
   std::vector<std::string> assumptions;  ///< defaults and assumed data the reader relied on
   std::vector<std::string> warnings;     ///< possible but suspicious input
 };

@@ -44,8 +44,7 @@ void evaluate_gap(const BearingModel& model, const Field& thermal_deformation, F
   if (!thermal_deformation.empty()) {
     for (std::size_t k = 0; k < s.elastic.size(); ++k) widening[k] += s.elastic[k];
   }
-  s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position, widening,
-                          model.profile);
+  s.gap = gap_at(model, s.position, widening);
   s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
 }
 

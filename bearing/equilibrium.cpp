@@ -135,8 +135,7 @@ Field displacement(const BearingModel& model, const FilmEquilibrium& s) {
 bool evaluate(const BearingModel& model, const Field& thermal_deformation, double tolerance,
               FilmEquilibrium& s) {
   const fluid::FilmScene& scene = model.scene;
-  s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position,
-                          sum(thermal_deformation, s.elastic), model.profile);
+  s.gap = gap_at(model, s.position, sum(thermal_deformation, s.elastic));
   s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
   if (is_closed(model, s) || !std::isfinite(largest_magnitude(s.gap.cell))) return false;
   s.shear_gap = shear_gap(model, s.gap.cell);

@@ -13,17 +13,32 @@
 namespace shellback::bearing {
 namespace {
 
-void judge_profile(const Bearing& b, Findings& to) {
-  const auto [low, high] = std::minmax_element(b.profile->height.begin(), b.profile->height.end());
+void judge_table(const Profile& table, const char* key, const Bearing& b, Findings& to) {
+  const auto [low, high] = std::minmax_element(table.height.begin(), table.height.end());
   const bool rough = *high - *low > kBearingLimits.profile_most * b.radius;
   if (*high <= -b.radial_clearance || rough) {
-    to.refuse("bearing.profile",
+    to.refuse(key,
               fmt::format("heights from {} to {} leave no gap that could be a bearing's",
                           shown(*low, "um"), shown(*high, "um")),
               "check the unit in the header line (positive heights widen the gap)");
   } else if (*low <= -b.radial_clearance) {
-    to.suspect("bearing.profile",
-               "the profile takes away more than the whole radial clearance somewhere");
+    to.suspect(key, "the table takes away more than the whole radial clearance somewhere");
+  }
+}
+
+void judge_opening(const std::optional<EdgeOpening>& e, const std::string& key, const Bearing& b,
+                   Findings& to) {
+  if (!e) return;
+  if (e->length > 0.5 * b.width) {
+    to.refuse(key + ".length",
+              fmt::format("{} from either edge is more than the bearing is wide ({})",
+                          shown(e->length, "mm"), shown(b.width, "mm")),
+              "give the length from one edge inwards, at most half the width");
+  }
+  if (e->depth > kBearingLimits.profile_most * b.radius) {
+    to.refuse(key + ".depth",
+              fmt::format("{} leaves no gap that could be a bearing's", shown(e->depth, "mm")),
+              "check the unit");
   }
 }
 
@@ -40,7 +55,10 @@ void judge_bearing(const Bearing& b, Findings& to) {
   const double aspect = b.width / (2.0 * b.radius);
   compare(to, "bearing.width", aspect, limits.aspect,
           fmt::format("the width is {:.3g} of the diameter", aspect), "check the units of both");
-  if (b.profile) judge_profile(b, to);
+  if (b.profile) judge_table(*b.profile, "bearing.profile", b, to);
+  if (b.shape) judge_table(*b.shape, "bearing.shape", b, to);
+  judge_opening(b.edge_relief, "bearing.edge_relief", b, to);
+  judge_opening(b.chamfer, "bearing.chamfer", b, to);
 }
 
 void judge_speed(const Case& c, Findings& to) {

@@ -14,6 +14,7 @@ void judge_material(const solid::Material& m, const std::string& path, Findings&
   material.number("youngs_modulus", m.youngs_modulus, "GPa", kPositive);
   material.number("poisson_ratio", m.poisson_ratio, "", kValueRanges.poisson_ratio);
   material.number("expansion", m.expansion, "1/K", kNotNegative);
+  material.number("hardness", m.hardness, "MPa", kNotNegative);
 }
 
 /// No heat transfer at all is a back that is not given; the tiers that need one ask for it.
@@ -55,6 +56,10 @@ void judge_solid_values(const Case& c, Findings& to) {
   judge_material(c.shaft->material, "shaft", to);
   const ValueCheck shaft("shaft", to);
   shaft.number("overhang", c.shaft->overhang, "mm", kNotNegative);
+  if (c.shaft->elastic_overhang) {
+    shaft.number("elastic_overhang", *c.shaft->elastic_overhang, "mm", kNotNegative);
+  }
+  if (c.shaft->span) shaft.number("span", *c.shaft->span, "mm", kPositive);
   if (c.shaft->overhang <= 0.0) return;
   shaft.number("heat_transfer", c.shaft->heat_transfer, "W/(m2 K)", kNotNegative);
   shaft.temperature("ambient", c.shaft->ambient);

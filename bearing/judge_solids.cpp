@@ -60,6 +60,21 @@ void judge_shell(const Shell& shell, double R, Findings& to) {
   if (shell.housing) judge_housing(*shell.housing, R, R + thickness, to);
 }
 
+/// The supports stand beside the bearing, and the shaft is a shaft.
+void judge_span(const Case& c, Findings& to) {
+  if (!c.shaft->span) return;
+  const double span = *c.shaft->span;
+  if (span < c.bearing.width) {
+    to.refuse("shaft.span",
+              fmt::format("supports {} apart stand inside the bearing, which is {} wide",
+                          shown(span, "mm"), shown(c.bearing.width, "mm")),
+              "give the distance between the middles of the supports on either side");
+  }
+  if (span > kBearingLimits.overhang_most * c.bearing.radius) {
+    to.refuse("shaft.span", "it is more than 50 diameters", "check the unit");
+  }
+}
+
 }  // namespace
 
 void judge_solids(const Case& c, Findings& to) {
@@ -70,6 +85,7 @@ void judge_solids(const Case& c, Findings& to) {
   if (c.shaft->overhang > kBearingLimits.overhang_most * R) {
     to.refuse("shaft.overhang", "it is more than 50 diameters", "check the unit");
   }
+  judge_span(c, to);
 }
 
 }  // namespace shellback::bearing

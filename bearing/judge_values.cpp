@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/judge_parts.hpp"
+#include "bearing/running_in.hpp"
 #include "bearing/value_check.hpp"
 
 namespace shellback::bearing {
@@ -128,6 +129,7 @@ void judge_surfaces(const Surfaces& s, Findings& to) {
   contact.number("elastic_factor", s.contact->elastic_factor, "", kPositive);
   contact.number("composite_modulus", s.contact->composite_modulus, "GPa", kPositive);
   contact.number("friction", s.contact->friction, "", kUpToOne);
+  contact.number("hardness", s.contact->hardness, "MPa", kNotNegative);
 }
 
 void judge_model(const Model& m, Findings& to) {
@@ -156,6 +158,31 @@ void judge_measured(const Measured& m, Findings& to) {
   if (m.T_shell_max) measured.temperature("T_shell_max", *m.T_shell_max);
 }
 
+/// Wear without contact, or of a surface whose hardness nobody knows, is none.
+void judge_running_in(const Case& c, Findings& to) {
+  const RunningIn& r = *c.running_in;
+  const ValueCheck wear("running_in", to);
+  wear.number("wear_coefficient", r.wear_coefficient, "", kPositive);
+  if (r.duration) wear.number("until", *r.duration, "s", kPositive);
+  if (!r.duration) wear.number("limit_pressure", r.limit_pressure, "MPa", kPositive);
+  if (r.worn) {
+    judge_surface(*r.worn, ValueCheck("running_in.worn", to));
+    wear.number("worn_after", r.worn_after, "um", kPositive);
+  }
+  if (!(hardness_of_shell(c) > 0.0)) {
+    wear.refuse("hardness", "the hardness of the shell's surface is not known",
+                "give running_in.hardness, or the hardness of the first layer's material");
+  }
+  if (!c.surfaces.contact || !c.model.switches.asperity_contact.value_or(true)) {
+    wear.refuse("wear_coefficient", "nothing wears without asperity contact",
+                "give [surfaces] contact, and leave model.asperity_contact on");
+  }
+  if (c.cycle) {
+    wear.refuse("until", "running-in over load cycles is not computed yet",
+                "leave out [load_cycle] and give operation.load, the load that wears most");
+  }
+}
+
 }  // namespace
 
 void judge_values(const Case& c, Findings& to) {
@@ -169,6 +196,7 @@ void judge_values(const Case& c, Findings& to) {
   judge_solid_values(c, to);
   judge_surfaces(c.surfaces, to);
   judge_measured(c.measured, to);
+  if (c.running_in) judge_running_in(c, to);
 }
 
 }  // namespace shellback::bearing

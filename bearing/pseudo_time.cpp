@@ -75,8 +75,7 @@ bool starts_inside(const BearingModel& model, const LoadTarget& target,
   constexpr double kReach = 3.0;  // roughnesses
   const fluid::FilmScene& scene = model.scene;
   if (target.unknowns == 0) return false;
-  s.gap = fluid::film_gap(scene.grid, scene.angles, model.clearance, s.position,
-                          sum(thermal_deformation, s.elastic), model.profile);
+  s.gap = gap_at(model, s.position, sum(thermal_deformation, s.elastic));
   s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
   return s.least.h < -kReach * scene.rough.sigma;
 }

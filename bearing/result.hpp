@@ -75,6 +75,7 @@ struct Fields {
   FilmGrid grid;                ///< full width
   Field p;                      ///< film pressure, gauge [Pa]
   Field p_asperity;             ///< contact pressure [Pa]
+  Field summit_flow;            ///< flow of summits at the hardness; empty: none [m]
   Field theta;                  ///< fill ratio [-]
   Field h;                      ///< nominal gap [m], the depth of grooves included
   std::vector<char> supplied;   ///< 1 inside a supply feature

@@ -1,11 +1,13 @@
 #include "bearing/solids.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "core/contract.hpp"
 #include "core/revolution_mesh.hpp"
 #include "solid/revolution_elasticity.hpp"
+#include "solid/shaft_bending.hpp"
 
 namespace shellback::bearing {
 
@@ -99,11 +101,17 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
 void Solids::build_compliance(const Case& c, const HarmonicOperator& shell) {
   const int N = harmonics_.highest();
   const RadialRows rows = rows_of_cylinder(c.bearing.radius, surface_row(c.bearing.radius, N));
-  const RevolutionMesh shaft = make_revolution_mesh(
-      rows.face, rows.layer, axial_elements(grid_, c.shaft->overhang), grid_.half);
+  const double beyond =
+      c.shaft->elastic_overhang.value_or(std::max(c.shaft->overhang, c.bearing.radius));
+  const RevolutionMesh shaft =
+      make_revolution_mesh(rows.face, rows.layer, axial_elements(grid_, beyond), grid_.half);
   const HarmonicOperator journal = solid::shaft_compliance(shaft, grid_, c.shaft->material, N);
   compliance_ = shell;
   for (std::size_t n = 0; n < compliance_.size(); ++n) compliance_[n] += journal[n];
+  if (c.shaft->span && compliance_.size() > 1) {
+    compliance_[1] += solid::shaft_bending(grid_, c.shaft->material, *c.shaft->span,
+                                           c.bearing.width + 2.0 * beyond);
+  }
   winkler_ = mean_compliance(compliance_);
 }
 

@@ -150,6 +150,8 @@ Fields fields_of(const Solution& s, const Friction& f) {
   out.p = on_full(m, s.film.film.p);
   out.theta = on_full(m, s.film.film.theta);
   if (m.contact) out.p_asperity = on_full(m, s.film.p_contact);
+  const Field flow = summit_flow(s);
+  if (largest_magnitude(flow) > 0.0) out.summit_flow = on_full(m, flow);
   Field h = s.film.gap.cell;
   Field supplied(h.size(), 0.0);
   for (std::size_t c = 0; c < h.size(); ++c) {

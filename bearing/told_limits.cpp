@@ -60,6 +60,19 @@ void add_contact_warning(const Solution& s, std::vector<std::string>& warnings) 
       -s.film.least.h / s.model.contact->sigma(), cells, -s.model.contact->least_gap() * 1e6));
 }
 
+/// Where the contact pressure is held at the hardness: how much, and how deep summits have flowed.
+void add_flow_warning(const Solution& s, std::vector<std::string>& warnings) {
+  const Field flow = summit_flow(s);
+  const long cells = std::count_if(flow.begin(), flow.end(), [](double x) { return x > 0.0; });
+  if (cells == 0) return;
+  const auto deepest = std::max_element(flow.begin(), flow.end());
+  warnings.push_back(fmt::format(
+      "the contact pressure is held at the hardness of {:.4g} MPa in {} cells of the solved part: "
+      "summits flow there by up to {:.3g} um (at {})",
+      s.model.contact->hardness() * 1e-6, cells, *deepest * 1e6,
+      fluid::place_of(s.model.scene.grid, static_cast<int>(deepest - flow.begin()))));
+}
+
 void add_coefficient_warnings(const Coefficients& k, std::vector<std::string>& warnings) {
   constexpr double kTelling = 0.05;  // from here on the share is above the accuracy aimed at [-]
   if (!k.verdict.good()) {
@@ -90,11 +103,22 @@ void add_other_roots(const Solution& s, std::vector<std::string>& warnings) {
 
 }  // namespace
 
+Field summit_flow(const Solution& s) {
+  if (!s.model.contact || !std::isfinite(s.model.contact->flow_gap())) return {};
+  Field flow = s.film.gap.cell;
+  for (std::size_t k = 0; k < flow.size(); ++k) {
+    const bool supplied = s.model.scene.supply.cell[k] >= 0;
+    flow[k] = supplied ? 0.0 : std::max(0.0, s.model.contact->flow_gap() - flow[k]);
+  }
+  return flow;
+}
+
 std::vector<std::string> warnings_of(const Solution& s) {
   std::vector<std::string> warnings;
   if (s.coefficients) add_coefficient_warnings(*s.coefficients, warnings);
   add_range_warnings(s, warnings);
   add_contact_warning(s, warnings);
+  add_flow_warning(s, warnings);
   add_other_roots(s, warnings);
   return warnings;
 }
@@ -107,6 +131,9 @@ std::vector<LimiterCount> limiters_of(const Solution& s) {
   add("Newton steps taken back", s.cost.rejected_steps);
   add("film nodes with flow against the rotation", s.heat.backflow_nodes);
   add("film columns with upwind fluxes across the film", s.heat.blended_columns);
+  const Field flow = summit_flow(s);
+  add("cells whose contact pressure is held at the hardness",
+      std::count_if(flow.begin(), flow.end(), [](double x) { return x > 0.0; }));
   add("cells pressed beyond the range of the contact law", cells_beyond_contact_law(s));
   return out;
 }

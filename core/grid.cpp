@@ -107,6 +107,36 @@ std::vector<double> odd_half_faces(int n, double to, const std::vector<double>& 
 
 namespace {
 
+/// Between axial positions over B/2 and the coordinate in which cells are even.
+struct Grading {
+  double a;
+  [[nodiscard]] double even(double z) const {
+    return a > 0.0 ? std::atanh(z * std::tanh(a)) / a : z;
+  }
+  [[nodiscard]] double graded(double x) const {
+    return a > 0.0 ? std::tanh(a * x) / std::tanh(a) : x;
+  }
+};
+
+/// Axial faces of all cells that are solved [m].
+std::vector<double> graded_faces(double end, int full_nz, bool half,
+                                 const std::vector<double>& z_edges, const Grading& grading) {
+  std::vector<double> edges;
+  for (const double z : z_edges) {
+    const double place = half ? std::abs(z) : z;
+    const bool middle = half && place <= 2e-12 * end;
+    if (!middle && std::abs(z) < end * (1.0 - 1e-12)) edges.push_back(grading.even(place / end));
+  }
+  const int nz = half ? (full_nz + 1) / 2 : full_nz;
+  std::vector<double> face = half && full_nz % 2 == 1
+                                 ? odd_half_faces(nz, 1.0, edges)
+                                 : axial_faces(nz, half ? 0.0 : -1.0, 1.0, edges);
+  for (double& z : face) z = end * grading.graded(z);
+  face.back() = end;
+  if (!half) face.front() = -end;
+  return face;
+}
+
 /// True if with every edge its mirror image is there too.
 bool mirror_images(const std::vector<double>& edges, double width) {
   return std::all_of(edges.begin(), edges.end(), [&](double z) {
@@ -118,34 +148,20 @@ bool mirror_images(const std::vector<double>& edges, double width) {
 }  // namespace
 
 FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
-                   const std::vector<double>& phi_edges, const std::vector<double>& z_edges) {
+                   const std::vector<double>& phi_edges, const std::vector<double>& z_edges,
+                   double grading) {
   // A bearing that looks alike from both ends gets a grid that does.
   if (!half && full_nz > 1 && mirror_images(z_edges, width)) {
-    return full_grid(make_grid(radius, width, nt, full_nz, true, phi_edges, z_edges));
+    return full_grid(make_grid(radius, width, nt, full_nz, true, phi_edges, z_edges, grading));
   }
   FilmGrid g;
   g.radius = radius;
   g.width = width;
   g.half = half;
   g.nt = nt;
-  const double end = width / 2.0;
   const bool split_cell = half && full_nz % 2 == 1;
-  if (half) {
-    std::vector<double> edges;
-    for (const double z : z_edges) {
-      if (std::abs(z) > 1e-12 * width && std::abs(z) < end * (1.0 - 1e-12))
-        edges.push_back(std::abs(z));
-    }
-    g.nz = (full_nz + 1) / 2;
-    g.z_face = split_cell ? odd_half_faces(g.nz, end, edges) : axial_faces(g.nz, 0.0, end, edges);
-  } else {
-    std::vector<double> edges;
-    for (const double z : z_edges) {
-      if (std::abs(z) < end * (1.0 - 1e-12)) edges.push_back(z);
-    }
-    g.nz = full_nz;
-    g.z_face = axial_faces(full_nz, -end, end, edges);
-  }
+  g.nz = half ? (full_nz + 1) / 2 : full_nz;
+  g.z_face = graded_faces(0.5 * width, full_nz, half, z_edges, Grading{grading});
   g.phi_face = circumferential_faces(nt, phi_edges);
   for (int i = 0; i < nt; ++i) {
     g.phi.push_back(0.5 * (g.phi_face[i] + g.phi_face[i + 1]));

@@ -40,13 +40,20 @@ struct FilmGrid {
   [[nodiscard]] int full_nz() const { return half ? (z[0] == 0.0 ? 2 * nz - 1 : 2 * nz) : nz; }
 };
 
-/// Grid with `nt` x `full_nz` cells over the full bearing, as even as the edges allow.
+/// Axial cells that are finer at the side edges: faces at z = (B/2) tanh(a x)/tanh(a) for x evenly
+/// spaced in [-1, 1]; a = 0: even. Contact and elastic pressure are steepest there. With a = 2 the
+/// outermost cells are 0.15 of even ones, those at mid-width 2.07: set by the experiment of
+/// docs/decisions/031.
+inline constexpr double kEdgeGrading = 2.0;
+
+/// Grid with `nt` x `full_nz` cells over the full bearing, as even as the edges allow once the
+/// axial grading has been applied.
 /// `phi_edges` [rad, any branch] and `z_edges` [m, |z| < B/2] are positions on which a face
 /// must lie; edges closer together than a fifth of a cell are merged. With `half`, only
 /// |z_edges| on z >= 0 is used. Throws InputError if there are more edges than cells.
 [[nodiscard]] FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
                                  const std::vector<double>& phi_edges = {},
-                                 const std::vector<double>& z_edges = {});
+                                 const std::vector<double>& z_edges = {}, double grading = 0.0);
 
 /// Field on the full-width grid from one on a half grid (unchanged if the grid is full).
 [[nodiscard]] FilmGrid full_grid(const FilmGrid& grid);

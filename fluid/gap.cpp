@@ -52,7 +52,7 @@ void to_faces(const FilmGrid& g, const Field& d, std::vector<double>& phi_face,
 }
 
 Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition& q, const Field& d,
-             const Field& profile) {
+             const Field& profile, const Gap* shape) {
   Gap gap;
   if (d.empty()) {
     gap.phi_face.assign(g.cells(), 0.0);
@@ -71,6 +71,14 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
     for (int j = 0; j <= g.nz; ++j) {
       gap.z_face[i * (g.nz + 1) + j] += rigid(c, q, a.cos_cell[i], a.sin_cell[i], g.z_face[j]);
     }
+  }
+  if (shape != nullptr) {
+    const auto add = [](const Field& from, Field& to) {
+      for (std::size_t k = 0; k < to.size(); ++k) to[k] += from[k];
+    };
+    add(shape->cell, gap.cell);
+    add(shape->phi_face, gap.phi_face);
+    add(shape->z_face, gap.z_face);
   }
   return gap;
 }

@@ -1,11 +1,13 @@
 #pragma once
 /// Film thickness: eccentricity, tilt, profile, displacement of the surfaces.
 ///
-///   h = c + profile(phi,z) + d(phi,z) - (e_x + psi_y z) cos phi - (e_y - psi_x z) sin phi   [m]
+///   h = c + profile(phi,z) + shape(phi,z) + d(phi,z) - (e_x + psi_y z) cos phi - (e_y - psi_x z)
+///   sin phi   [m]
 ///
 /// e = journal centre minus shell centre at mid-width [m]; psi_x, psi_y = rotation of the journal
 /// axis about X and Y [rad]; `profile` = designed or measured deviation of the shell, taken
-/// constant per cell, so that its jumps lie on faces; d = elastic and thermal widening of the gap,
+/// constant per cell, so that its jumps lie on faces; `shape` = the same where it is smooth
+/// (relief, crowning, wear), known at cells and faces; d = elastic and thermal widening of the gap,
 /// smooth. Positive h is a gap; negative nominal h is legal for rough surfaces in contact. Source:
 /// methods 2.1; the signs from design 2 (displacement of the journal towards phi closes the gap
 /// there).
@@ -55,11 +57,12 @@ struct Angles {
   explicit Angles(const FilmGrid& grid);
 };
 
-/// The gap of a rigid bearing plus the smooth displacement d (cells; empty: none) and the profile
-/// (cells; empty: none). Displacements are averaged to faces, linearly continued to the edges.
+/// The gap of a rigid bearing plus the smooth displacement d (cells; empty: none), the profile
+/// (cells; empty: none) and the shape (none: a cylinder). Displacements are averaged to faces,
+/// linearly continued to the edges; the shape is taken as it is there.
 [[nodiscard]] Gap film_gap(const FilmGrid& grid, const Angles& angles, double clearance,
                            const JournalPosition& position, const Field& displacement,
-                           const Field& profile);
+                           const Field& profile, const Gap* shape = nullptr);
 
 /// A smooth cell field on the faces: mean of the two cells by distance; on side edges continued
 /// linearly from the two outermost cells; on the plane of symmetry the cell's own value.

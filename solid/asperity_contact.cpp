@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -16,6 +17,7 @@
 namespace shellback::solid {
 namespace {
 
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kLowest = -30.0;  ///< H below which the asymptotic series takes over [-]
 constexpr double kHighest = 10.0;  ///< H above which the contact is exactly zero [-]
 constexpr int kPieces = 40;        ///< unit intervals between them [-]
@@ -173,13 +175,36 @@ AsperityContact::AsperityContact(const RoughSurface& shell, const RoughSurface& 
       delta_(shell.summit_height + shaft.summit_height),
       scale_(parameters.elastic_factor * parameters.composite_modulus),
       friction_(parameters.friction),
+      hardness_(parameters.hardness > 0.0 ? parameters.hardness : kNoLimit),
       integral_(parameters.integral) {
   require_positive(sigma_, "the combined summit roughness", "m");
   require_positive(parameters.elastic_factor, "the elastic factor K", "");
   require_positive(parameters.composite_modulus, "the composite modulus E*", "Pa");
+  if (parameters.hardness < 0.0) require_positive(parameters.hardness, "the hardness", "Pa");
+  flow_gap_ = hardness_ == kNoLimit ? -kNoLimit : gap_of(hardness_);
+}
+
+double AsperityContact::gap_of(double p) const {
+  EXPECTS(p > 0.0);
+  const auto pressure = [this](double h) { return elastic(h).p; };
+  double high = delta_ + kHighest * sigma_;  // no contact
+  double reach = sigma_;
+  while (pressure(high - reach) < p) reach *= 2.0;
+  double low = high - reach;
+  while (high - low > 1e-12 * (sigma_ + std::abs(low))) {  // bisection to round-off
+    const double middle = 0.5 * (low + high);
+    if (middle == low || middle == high) break;
+    (pressure(middle) > p ? low : high) = middle;
+  }
+  return low;
 }
 
 ContactPressure AsperityContact::at(double h) const {
+  const ContactPressure c = elastic(h);
+  return c.p > hardness_ ? ContactPressure{hardness_, 0.0} : c;
+}
+
+ContactPressure AsperityContact::elastic(double h) const {
   const double H = (h - delta_) / sigma_;
   const FormFactor f = integral_ == ContactIntegral::exact ? exact(H, table()) : power_law(H);
   return {scale_ * f.F, scale_ * f.dF / sigma_};
@@ -201,6 +226,12 @@ void AsperityContact::evaluate(std::span<const double> h, std::span<double> p,
     each([&once](double H) { return exact(H, once); });
   } else {
     each(power_law);
+  }
+  if (hardness_ == kNoLimit) return;
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    if (!(p[i] > hardness_)) continue;
+    p[i] = hardness_;
+    dp_dh[i] = 0.0;
   }
 }
 

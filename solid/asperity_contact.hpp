@@ -11,6 +11,11 @@
 /// h = delta + 4 sigma. p_a > 0 pushes the surfaces apart, spread over the nominal area; h may
 /// be negative (nominal interpenetration).
 ///
+/// With a hardness the pressure ends there: summits that are pressed further flow,
+///   p_a = min(K E* F_{5/2}(H), hardness),  flowed by max(0, h_f - h),  p_a(h_f) = hardness
+/// (return mapping of an ideally plastic summit layer under loading, textbook). Valid while
+/// summits are loaded for the first time or further; unloading is not told apart.
+///
 /// The named alternative is the power law F = 4.4086e-5 (4 - H)^6.804 below H = 4, 0 above
 /// (seed 004, below its Eq. 2): 11 % low at H = 0, exact near 1.7, 74 % low at 3, zero at 4. It is
 /// what papers computed with AVL codes contain.
@@ -45,8 +50,8 @@ struct ContactPressure {
 /// 1e-16 Pa for any material, and a solver then need not carry such numbers.
 class AsperityContact {
  public:
-  /// Throws InputError if neither surface has a summit roughness, or if the elastic factor or the
-  /// composite modulus is not positive.
+  /// Throws InputError if neither surface has a summit roughness, if the elastic factor or the
+  /// composite modulus is not positive, or if the hardness is negative.
   AsperityContact(const RoughSurface& shell, const RoughSurface& shaft,
                   const ContactParameters& parameters);
 
@@ -55,8 +60,13 @@ class AsperityContact {
   /// All gaps at once: spans of equal size.
   void evaluate(std::span<const double> h, std::span<double> p, std::span<double> dp_dh) const;
 
-  [[nodiscard]] double sigma() const { return sigma_; }  ///< combined summit deviation [m]
-  [[nodiscard]] double delta() const { return delta_; }  ///< sum of summit heights [m]
+  /// Gap at which the contact pressure, without the limit, is p > 0 [m].
+  [[nodiscard]] double gap_of(double p) const;
+  /// Gap at which summits begin to flow [m]; -infinity without a hardness.
+  [[nodiscard]] double flow_gap() const { return flow_gap_; }
+  [[nodiscard]] double hardness() const { return hardness_; }  ///< infinity: none [Pa]
+  [[nodiscard]] double sigma() const { return sigma_; }        ///< combined summit deviation [m]
+  [[nodiscard]] double delta() const { return delta_; }        ///< sum of summit heights [m]
   /// Gap below which the whole surface would be in contact: beyond the law [m].
   [[nodiscard]] double least_gap() const { return delta_ - kWholeSurface * sigma_; }
   [[nodiscard]] double friction() const { return friction_; }  ///< boundary coefficient [-]
@@ -72,8 +82,11 @@ class AsperityContact {
  private:
   /// -H at which pi^2 0.05^2 F_2(H) = 1, with F_2 = H^2 + 1 so far down [-].
   static constexpr double kWholeSurface = 6.29;
-  double sigma_, delta_, scale_, friction_;
+  [[nodiscard]] ContactPressure elastic(double h) const;  ///< without the limit
+
+  double sigma_, delta_, scale_, friction_, hardness_;
   ContactIntegral integral_;
+  double flow_gap_;
 };
 
 }  // namespace shellback::solid

@@ -12,6 +12,7 @@ struct Material {
   double youngs_modulus = 0.0;  ///< [Pa]
   double poisson_ratio = 0.0;   ///< [-], below 0.5
   double expansion = 0.0;       ///< linear thermal expansion [1/K]
+  double hardness = 0.0;        ///< largest contact pressure; 0: not known [Pa]
   [[nodiscard]] bool operator==(const Material&) const = default;
 };
 

@@ -19,6 +19,7 @@ struct ContactParameters {
   double composite_modulus = 0.0;  ///< E* [Pa]
   double friction = 0.0;           ///< boundary friction coefficient [-]
   ContactIntegral integral = ContactIntegral::exact;
+  double hardness = 0.0;           ///< limit of the contact pressure; 0: none [Pa]
 };
 
 }  // namespace shellback::solid

@@ -209,7 +209,13 @@ void add_run(CLI::App& app, Request& request) {
       ->type_name("TEMPERATURE");
   run->add_option("--until", request.until, "end of the transient (default: until at rest)")
       ->type_name("TIME");
-  run->add_option("--picture", request.picture, "draw the transient or the load cycle (SVG)")
+  run->add_flag("--running-in", request.running_in,
+                "let the shell wear as [running_in] says: over a time, or until it is worn in");
+  run->add_option("--profile", request.profile,
+                  "write the worn shape, which a case takes as bearing.shape (CSV)")
+      ->type_name("FILE.csv");
+  run->add_option("--picture", request.picture,
+                  "draw the transient, the running-in or the load cycle (SVG)")
       ->type_name("FILE.svg");
   run->add_option("--page", request.page, "write the load cycle as a page, film in motion (HTML)")
       ->type_name("FILE.html");

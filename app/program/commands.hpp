@@ -17,7 +17,8 @@ namespace shellback::program {
 [[nodiscard]] int cycle(const Request& request, const std::string& text,
                         const bearing::Case& subject);
 [[nodiscard]] int sweep(const Request& request);
-[[nodiscard]] int transient(const Request& request);  ///< of run
+[[nodiscard]] int running_in(const Request& request);  ///< of run
+[[nodiscard]] int transient(const Request& request);   ///< of run
 [[nodiscard]] int validate(const Request& request);
 
 }  // namespace shellback::program

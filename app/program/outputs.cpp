@@ -34,6 +34,7 @@ std::vector<Output> wanted_by(const Request& request) {
       {"-o", request.output, main_format(request.command)},
       {"--json", request.json, Format::json},
       {"--csv", request.csv, Format::csv},
+      {"--profile", request.profile, Format::csv},
       {"--coefficients-table", request.coefficients_table, Format::coefficients},
       {"--picture", request.picture, Format::svg},
       {"--page", request.page, Format::html},

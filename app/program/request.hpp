@@ -43,6 +43,8 @@ struct Request {
   std::string picture;                       ///< --picture
   std::string page;                          ///< run --page
   bool transient = false;                    ///< run --transient
+  bool running_in = false;                   ///< run --running-in
+  std::string profile;                       ///< run --profile: the worn shape
   std::string from;                          ///< run --from: temperature of the walls
   std::string until;                         ///< run --until: time
   double budget_s = 32.0;                    ///< honesty, auto-honesty --budget: of a case [s]

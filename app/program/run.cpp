@@ -73,6 +73,10 @@ void expect_steady(const Request& request) {
 }  // namespace
 
 int run(const Request& request) {
+  if (request.running_in) return running_in(request);
+  if (!request.profile.empty()) {
+    throw InputError("--profile", "belongs to a running-in; add --running-in");
+  }
   if (request.transient) return transient(request);
   expect_no_end(request);
   const std::string text = read_text_file(request.case_file);

@@ -266,3 +266,27 @@ TEST_CASE("AHoleIsNotCalledAGroove") {
   check_parts(wide, {"the hole is as wide as the bearing"});
   CHECK(wide.find("groove") == std::string::npos);
 }
+
+TEST_CASE("EdgesAndSupportsThatCannotBeAreRefused") {
+  const auto bearing = [](const std::string& key, const std::vector<std::string>& parts) {
+    check_refused("width = \"25 mm\"", "width = \"25 mm\"\n" + key, parts);
+  };
+  bearing("edge_relief = { depth = \"3 um\" }", {"case.toml:6:", "edge_relief.length", "missing"});
+  bearing("edge_relief = { depth = \"3 um\", length = \"20 mm\" }",
+          {"case.toml:6:", "20 mm from either edge", "at most half the width"});
+  bearing("edge_relief = { depth = \"-3 um\", length = \"2 mm\" }", {"case.toml:6:", "positive"});
+  bearing("chamfer = { depth = \"8 mm\", length = \"2 mm\" }", {"case.toml:6:", "check the unit"});
+}
+
+TEST_CASE("RunningInThatCannotBeIsRefused") {
+  const auto refused = [](const std::string& keys, const std::vector<std::string>& parts) {
+    check_refused("[operation]", "[running_in]\n" + keys + "\n\n[operation]", parts);
+  };
+  refused("until = \"200 s\"", {"running_in.wear_coefficient", "missing"});
+  refused("wear_coefficient = 1e-8", {"running_in.until", "worn_in"});
+  refused("wear_coefficient = 1e-8\nuntil = \"worn_in\"", {"limit_pressure", "missing"});
+  refused("wear_coefficient = -1e-8\nuntil = \"200 s\"", {"case.toml:16:", "positive"});
+  refused("wear_coefficient = 1e-8\nuntil = \"200 s\"\nworn_after = \"1 um\"",
+          {"case.toml:18:", "running_in.worn"});
+  refused("wear_coefficient = 1e-8\nuntil = \"200 s\"", {"running_in.", "hardness"});
+}

@@ -38,7 +38,7 @@ TEST_CASE("DisplacementIsThatOfTheFinalPressure", "[elastic]") {
       const double gap = s.film.least.h + s.model.scene.rough.sigma;
       CHECK(largest_difference(s.model.solids->compliance(total), s.film.elastic) < 1e-8 * gap);
       CHECK(std::abs(s.film.force[1] / load - 1.0) < 1e-9);
-      CHECK(largest(s.film.elastic) > 0.1 * s.film.least.h);  // it does give way
+      CHECK(largest(s.film.elastic) > 0.05 * s.film.least.h);  // it does give way
     }
   }
 }

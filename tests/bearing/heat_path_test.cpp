@@ -16,6 +16,7 @@ Case coarse_rig(double force) {
   Case c = rig_case();
   set_load(c, force);
   c.model.grid = {48, 8};
+  soften_edges(c);
   return c;
 }
 

@@ -93,6 +93,13 @@ inline constexpr double kDegree = kPi / 180.0;
   return c;
 }
 
+/// The rig's edges made soft: a shaft that ends with the bearing, even cells. Its surfaces touch
+/// from about 15 kN on and carry heat up to some 20 kN on few cells.
+inline void soften_edges(Case& c) {
+  c.shaft->elastic_overhang = 0.0;
+  c.model.axial_spacing = AxialSpacing::even;
+}
+
 /// Plain bearing with one axial groove as cases/thd-plain-bearing.toml has it: 4 kN, 2000 rpm.
 [[nodiscard]] inline Case grooved_case() {
   Case c;

@@ -19,6 +19,7 @@ constexpr double kTop = 260.0 * kPi / 30.0;
 Case starting(double top) {
   Case c = rig_case();
   c.model.grid = {60, 7};
+  soften_edges(c);
   c.model.switches.elastic_deformation = true;
   LoadCycle event;
   event.t = {0.0, 0.5, 3.5, 6.5, 7.0};

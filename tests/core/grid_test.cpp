@@ -205,3 +205,30 @@ TEST_CASE("InterpolationOntoTheSameGridChangesNothing") {
     }
   }
 }
+
+TEST_CASE("GradedCellsCoverTheBearingAndKeepTheEdgesOfSupplies") {
+  const std::vector<double> edges{-0.003, 0.003};
+  for (const int nz : {9, 10, 25}) {
+    const FilmGrid g = make_grid(kRadius, kWidth, 20, nz, false, {}, edges, kEdgeGrading);
+    check_cells(g);
+    for (const double z : edges) CHECK(nearest_face(g.z_face, z, 0.0) < kSlack);
+    const FilmGrid h = make_grid(kRadius, kWidth, 20, nz, true, {}, edges, kEdgeGrading);
+    check_cells(h);
+    for (int j = 0; j < h.nz; ++j) {
+      CHECK(std::abs(h.z_face[j + 1] - g.z_face[nz - h.nz + j + 1]) < kSlack * kWidth);
+    }
+  }
+}
+
+TEST_CASE("GradedFacesAreThoseOfTheMap") {
+  constexpr int kCells = 24;
+  const FilmGrid g = make_grid(kRadius, kWidth, 20, kCells, false, {}, {}, kEdgeGrading);
+  for (int j = 0; j <= kCells; ++j) {
+    const double x = 2.0 * j / kCells - 1.0;
+    const double z = 0.5 * kWidth * std::tanh(kEdgeGrading * x) / std::tanh(kEdgeGrading);
+    CHECK(std::abs(g.z_face[j] - z) < kSlack * kWidth);
+  }
+  // told beside kEdgeGrading, for ever more cells; of 24 they are up to a sixth off
+  CHECK(g.dz.front() / (kWidth / kCells) == Approx(0.15).epsilon(0.2));
+  CHECK(g.dz[kCells / 2] / (kWidth / kCells) == Approx(2.1).epsilon(0.04));
+}

@@ -197,3 +197,22 @@ TEST_CASE("AContactWithoutSummitsIsRefused") {
                   InputError);
   CHECK_THROWS_AS(AsperityContact(kShell, kShaft, ContactParameters{0.001, 0.0, 0.02}), InputError);
 }
+
+TEST_CASE("SummitsFlowAtTheHardnessAndNotBefore") {
+  ContactParameters hard = kExact;
+  hard.hardness = 30e6;
+  const AsperityContact elastic(kShell, kShaft, kExact), flowing(kShell, kShaft, hard);
+  const double h_f = flowing.flow_gap();
+  CHECK(elastic.at(h_f).p == Approx(30e6).epsilon(1e-9));  // bisected to round-off
+  std::vector<double> h{h_f - 1e-6, h_f - 1e-9, h_f + 1e-9, h_f + 1e-6};
+  std::vector<double> p(4), slope(4);
+  flowing.evaluate(h, p, slope);
+  for (int k = 0; k < 4; ++k) {
+    CHECK(p[k] == Approx(flowing.at(h[k]).p).epsilon(1e-12));
+    CHECK(p[k] == Approx(std::min(30e6, elastic.at(h[k]).p)).epsilon(1e-12));
+    CHECK(slope[k] == Approx(k < 2 ? 0.0 : elastic.at(h[k]).dp_dh).epsilon(1e-12));
+  }
+  CHECK(elastic.flow_gap() == -INFINITY);
+  hard.hardness = -1.0;
+  CHECK_THROWS_AS(AsperityContact(kShell, kShaft, hard), InputError);
+}

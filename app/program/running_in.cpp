@@ -1,0 +1,83 @@
+/// run --running-in: the shell wears until the time given, or until it is worn in.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "app/case_text.hpp"
+#include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
+#include "app/program/session.hpp"
+#include "app/read_case.hpp"
+#include "app/write_running_in.hpp"
+#include "core/contract.hpp"
+#include "validation/rivals/rivals.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+using namespace bearing;
+
+namespace {
+
+/// What else `run` writes belongs to one state.
+void expect_written(const Request& request) {
+  for (const auto& [option, asked] :
+       {std::pair{"-o", !request.output.empty()}, std::pair{"--coefficients", request.coefficients},
+        std::pair{"--transient", request.transient}, std::pair{"--page", !request.page.empty()}}) {
+    if (!asked) continue;
+    throw InputError(option,
+                     "a running-in writes --json, --picture and --profile; give the profile to a "
+                     "case as bearing.shape and run that for all else");
+  }
+}
+
+void expect_running_in(const Case& c) {
+  if (!c.running_in) {
+    throw InputError(c.path,
+                     "there is no [running_in]; give wear_coefficient = \"1e-8\" and until = "
+                     "\"200 s\" or \"worn_in\" with limit_pressure = \"5 MPa\"");
+  }
+  if (c.model.tier != Tier::isothermal && c.model.tier != Tier::thd && c.model.tier != Tier::tehd) {
+    throw InputError("model.tier", "running-in needs a solved film; take isothermal, thd or tehd");
+  }
+}
+
+void print_line(const RunningInState& s) {
+  const std::string t = std::isfinite(s.t) ? fmt::format("{:.4g}", s.t) : "worn in";
+  fmt::print("{:>10} {:>10.4g} {:>12.4g} {:>12.4g} {:>12.4g} {:>12.4g}\n", t, 1e6 * s.depth,
+             1e9 * s.volume, 1e-6 * s.p_asperity_max, s.torque, 1e6 * s.h_min);
+}
+
+}  // namespace
+
+int running_in(const Request& request) {
+  expect_written(request);
+  const std::string text = read_text_file(request.case_file);
+  const Case subject =
+      validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
+  expect_running_in(subject);
+  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
+  tell_warnings(subject);
+  ProgressLine progress;
+  const RunningInRun run = run_in(subject, subject.model.tier, control_for(progress));
+  if (!run.states.empty() && request.json != "-") {
+    fmt::print("{}\nrunning-in, tier {}, grid {} x {}\n\n", subject.title,
+               to_string(subject.model.tier), subject.model.grid[0], subject.model.grid[1]);
+    fmt::print("{:>10} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "time [s]", "wear [um]",
+               "volume [mm3]", "contact [MPa]", "torque [N m]", "h_min [um]");
+    for (const RunningInState& s : run.states) print_line(s);
+    if (!subject.running_in->duration) {
+      fmt::print("\ncomplementarity of wear and contact pressure {:.1e}\n", run.complementarity);
+    }
+  }
+  if (!run.verdict.good()) tell_verdict(subject.model.tier, run.verdict);
+  outputs.give("--json", [&] { return running_in_json(subject, run); });
+  if (!run.states.empty()) {
+    outputs.give("--picture", [&] { return running_in_svg(subject, run); });
+    outputs.give("--profile", [&] { return worn_shape_csv(subject, run); });
+  }
+  return outputs.code(code_of(run.verdict));
+}
+
+}  // namespace shellback::program

@@ -1,0 +1,174 @@
+#include "app/write_running_in.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "app/json_parts.hpp"
+#include "app/svg_contour.hpp"
+#include "app/svg_lines.hpp"
+#include "app/svg_map.hpp"
+#include "bearing/bore_shape.hpp"
+#include "core/constants.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::app {
+namespace {
+
+using bearing::RunningInRun;
+using bearing::RunningInState;
+using Json = nlohmann::ordered_json;
+
+constexpr double kWidth = 1200.0;  ///< [px]
+constexpr double kHeight = 780.0;  ///< [px]
+constexpr double kMicro = 1e6;
+constexpr double kDegrees = 180.0 / kPi;
+
+struct Followed {
+  const char* name;
+  const char* unit;
+  double RunningInState::*value;
+};
+constexpr std::array kFollowed{Followed{"step", "s", &RunningInState::step},
+                               Followed{"wear_depth", "m", &RunningInState::depth},
+                               Followed{"wear_volume", "m3", &RunningInState::volume},
+                               Followed{"p_asperity_max", "Pa", &RunningInState::p_asperity_max},
+                               Followed{"friction_torque", "N m", &RunningInState::torque},
+                               Followed{"h_min", "m", &RunningInState::h_min}};
+
+std::vector<double> over_time(const RunningInRun& run, double RunningInState::*value) {
+  std::vector<double> out;
+  for (const RunningInState& s : run.states) out.push_back(s.*value);
+  return out;
+}
+
+/// One curve over time, shown in its unit; the state before anything wore stands at the left end.
+/// States of no time of their own (new, worn in) are joined by a straight line.
+void draw_curve(Svg& svg, const Box& box, const RunningInRun& run, double RunningInState::*value,
+                double factor, const std::string& title, const Theme& theme) {
+  std::vector<double> t = over_time(run, &RunningInState::t);
+  const bool in_time = t.size() > 2 && std::isfinite(t.back());
+  if (in_time) {
+    t.front() = 0.5 * t[1];
+  } else {
+    for (std::size_t k = 0; k < t.size(); ++k) t[k] = static_cast<double>(k);
+  }
+  LinePlot plot;
+  plot.title = title;
+  plot.x = in_time ? log_axis(t.front(), t.back(), "time [s]")
+                   : tight_axis(0.0, std::max(t.back(), 1.0), 1, "0: new, 1: worn in");
+  Series series{"", t, {}, theme.series[0], ""};
+  for (const double v : over_time(run, value)) series.y.push_back(factor * v);
+  plot.y = round_axis(0.0, largest(series.y), 5, "");
+  plot.series.push_back(std::move(series));
+  draw_lines(svg, box, plot, theme);
+}
+
+/// Depth along the bearing where it is deepest.
+void draw_section(Svg& svg, const Box& box, const RunningInRun& run, const Theme& theme) {
+  const auto deepest = std::max_element(run.wear.begin(), run.wear.end());
+  const int i = static_cast<int>(std::distance(run.wear.begin(), deepest)) / run.grid.nz;
+  Series series{"", {}, {}, theme.series[0], ""};
+  for (int j = 0; j < run.grid.nz; ++j) {
+    series.x.push_back(1e3 * run.grid.z[j]);
+    series.y.push_back(kMicro * run.wear[run.grid.index(i, j)]);
+  }
+  LinePlot plot;
+  plot.title = fmt::format("Wear along the bearing at {:.0f}° [µm]",
+                           std::fmod(kDegrees * run.grid.phi[i] + 720.0, 360.0));
+  plot.x = round_axis(-500.0 * run.grid.width, 500.0 * run.grid.width, 6, "z [mm]");
+  plot.y = round_axis(0.0, largest(series.y), 5, "");
+  plot.series.push_back(std::move(series));
+  draw_lines(svg, box, plot, theme);
+}
+
+void draw_shape(Svg& svg, const Box& box, const RunningInRun& run, const Theme& theme) {
+  FieldMap map;
+  map.title = "Wear of the shell";
+  map.unit = "µm";
+  Field shown = run.wear;
+  for (double& x : shown) x *= kMicro;
+  map.surface = unrolled(run.grid, shown);
+  map.scale = {kCool, 0.0, std::max(largest(shown), 1e-3)};
+  map.x = degree_axis();
+  map.y = tight_axis(-500.0 * run.grid.width, 500.0 * run.grid.width, 6, "z [mm]");
+  draw_map(svg, box, map, theme);
+}
+
+std::string told(const RunningInRun& run) {
+  if (!run.verdict.good()) return run.verdict.reason;
+  const RunningInState& last = run.states.back();
+  const std::string when =
+      std::isfinite(last.t) ? fmt::format("after {:.4g} s", last.t) : std::string("worn in");
+  return fmt::format("{}: wear up to {:.3g} µm, {:.3g} mm³", when, kMicro * last.depth,
+                     1e9 * last.volume);
+}
+
+}  // namespace
+
+std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
+  Json json;
+  json["status"] = run.verdict.good() ? "converged" : to_string(run.verdict.status);
+  json["converged"] = run.verdict.good();
+  if (!run.verdict.good()) {
+    json["reason"] = run.verdict.reason;
+    json["cure"] = run.verdict.cure;
+  }
+  json["title"] = c.title;
+  json["tier"] = to_string(c.model.tier);
+  json["grid"] = c.model.grid;
+  Json times = Json::array();
+  for (const RunningInState& s : run.states) {
+    times.push_back(std::isfinite(s.t) ? Json(s.t) : Json(nullptr));
+  }
+  json["time"] = {{"unit", "s"}, {"values", times}};
+  for (const Followed& q : kFollowed) {
+    json["quantities"][q.name] = {{"unit", q.unit}, {"values", over_time(run, q.value)}};
+  }
+  json["rejected_steps"] = run.rejected_steps;
+  const bool end = c.running_in && !c.running_in->duration;
+  json["complementarity"] = end ? Json(run.complementarity) : Json(nullptr);
+  json["provenance"] = json_parts::provenance_json(c);
+  return json.dump(2) + "\n";
+}
+
+std::string running_in_svg(const bearing::Case& c, const RunningInRun& run) {
+  const Theme theme = print_theme();
+  Svg svg(kWidth, kHeight);
+  svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
+  svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
+  svg.text({24.0, 58.0},
+           "Running-in, tier " + std::string(to_string(c.model.tier)) + ", " + told(run),
+           {run.verdict.good() ? theme.muted : theme.more, 12.5});
+  draw_curve(svg, {70.0, 110.0, 300.0, 270.0}, run, &RunningInState::depth, kMicro,
+             "Greatest wear [µm]", theme);
+  draw_curve(svg, {460.0, 110.0, 300.0, 270.0}, run, &RunningInState::p_asperity_max, 1e-6,
+             "Largest contact pressure [MPa]", theme);
+  draw_curve(svg, {850.0, 110.0, 300.0, 270.0}, run, &RunningInState::torque, 1.0,
+             "Friction torque [N m]", theme);
+  draw_shape(svg, {8.0, 430.0, 604.0, 330.0}, run, theme);
+  draw_section(svg, {690.0, 470.0, 460.0, 240.0}, run, theme);
+  return svg.document(c.title);
+}
+
+std::string worn_shape_csv(const bearing::Case& c, const RunningInRun& run) {
+  std::string csv = "phi [deg], z [mm], height [um]\n";
+  const bearing::Profile table = bearing::wear_table(run.grid, run.wear);
+  bearing::Bearing before;
+  before.shape = c.bearing.shape;
+  std::size_t at = 0;
+  for (const double phi : table.phi) {
+    const double degrees = kDegrees * phi - 360.0 * std::floor(kDegrees * phi / 360.0);
+    for (const double z : table.z) {
+      const double height = table.height[at++] + bearing::shape_at(before, phi, z);
+      csv += fmt::format("{:.10g}, {:.10g}, {:.10g}\n", degrees, 1e3 * z, kMicro * height);
+    }
+  }
+  return csv;
+}
+
+}  // namespace shellback::app

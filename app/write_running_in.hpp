@@ -1,0 +1,22 @@
+#pragma once
+/// A running-in as JSON, as a picture and as the shape that it leaves.
+#include <string>
+
+#include "bearing/running_in.hpp"
+
+namespace shellback::app {
+
+/// status, [reason, cure], title, tier, grid, `time` and every quantity over time as {unit,
+/// values} (time null: worn in, whenever that is), `rejected_steps`, `complementarity` (null: not
+/// asked for), provenance.
+[[nodiscard]] std::string running_in_json(const bearing::Case& c, const bearing::RunningInRun& run);
+
+/// Greatest wear and worn volume, contact pressure and friction over time, the worn shape on the
+/// unrolled bearing and in the section of the greatest depth (1200 x 780, white background).
+[[nodiscard]] std::string running_in_svg(const bearing::Case& c, const bearing::RunningInRun& run);
+
+/// phi [deg], z [mm], height [um]: what bearing.shape of a case takes; the shape that the case had
+/// before is in it.
+[[nodiscard]] std::string worn_shape_csv(const bearing::Case& c, const bearing::RunningInRun& run);
+
+}  // namespace shellback::app

@@ -1,0 +1,29 @@
+#pragma once
+/// The designed or measured bore: how far it lies outside the cylinder of radius R.
+///
+/// Two kinds. `profile` may jump (grooves, dimples): constant on each cell, its jumps on faces.
+/// The smooth rest enters the gap as a displacement, known where the film equation needs it, and is
+/// of second order up to the side edges:
+///   shape(phi, z) = table + d_r (x_r/l_r)^2 + d_c x_c/l_c,   x = max(0, |z| - (B/2 - l))      (1)
+/// table: shape and wear, bilinear between its points, periodic in phi, constant beyond its axial
+/// ends; edge relief of depth d_r over the length l_r, a parabola; chamfer d_c over l_c, a cone.
+/// Positive opens the gap [m]. Textbook.
+#include "bearing/case.hpp"
+#include "core/grid.hpp"
+#include "fluid/gap.hpp"
+
+namespace shellback::bearing {
+
+/// `profile` at the cells' middles [m]; empty: none.
+[[nodiscard]] Field profile_of_cells(const Bearing& b, const FilmGrid& grid);
+
+/// (1) at one place [m].
+[[nodiscard]] double shape_at(const Bearing& b, double phi, double z);
+
+/// (1) at cells and faces [m]; all empty: a cylinder.
+[[nodiscard]] fluid::Gap shape_of(const Bearing& b, const FilmGrid& grid);
+
+/// True if profile and shape are the same on both sides of mid-width.
+[[nodiscard]] bool bore_is_symmetric(const Bearing& b);
+
+}  // namespace shellback::bearing

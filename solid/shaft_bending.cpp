@@ -1,0 +1,54 @@
+#include "solid/shaft_bending.hpp"
+
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::solid {
+namespace {
+
+struct Beam {
+  double EI;    ///< [N m2]
+  double kGA;   ///< [N]
+  double span;  ///< L [m]
+  double a;     ///< l/2 [m]
+
+  /// (1): per unit net force [m/N].
+  [[nodiscard]] double by_force(double z) const {
+    z = std::abs(z);
+    const double supports = (span * z * z / 4.0 - z * z * z / 6.0) / 2.0;
+    const double body =
+        (a * a * z * z / 2.0 - a * z * z * z / 3.0 + z * z * z * z / 12.0) / (4.0 * a);
+    return -(supports - body) / EI - z * z / (4.0 * a * kGA);
+  }
+  /// (2): per unit net moment [1/N].
+  [[nodiscard]] double by_moment(double z) const {
+    const double z3 = z * z * z;
+    const double bent = (3.0 / (4.0 * a) - 1.0 / span) * z3 / 6.0 - z3 * z * z / (80.0 * a * a * a);
+    return -bent / EI - z3 / (4.0 * a * a * a * kGA);
+  }
+};
+
+}  // namespace
+
+Eigen::MatrixXd shaft_bending(const FilmGrid& g, const Material& m, double span, double length) {
+  EXPECTS(span >= g.width && length >= g.width);
+  const double R = g.radius;
+  const double area = kPi * R * R;
+  const Beam beam{m.youngs_modulus * 0.25 * area * R * R,
+                  m.youngs_modulus * area * 3.0 / (7.0 + 6.0 * m.poisson_ratio), span,
+                  0.5 * length};
+  Eigen::MatrixXd C(g.nz, g.nz);
+  for (int j = 0; j < g.nz; ++j) {
+    for (int k = 0; k < g.nz; ++k) {
+      const double force = beam.by_force(g.z[j]) + beam.by_force(g.z[k]);
+      const double moment =
+          g.half ? 0.0 : beam.by_moment(g.z[j]) * g.z[k] + g.z[j] * beam.by_moment(g.z[k]);
+      C(j, k) = kPi * R * g.dz[k] * (g.multiplicity() * force + moment);
+    }
+  }
+  return C;
+}
+
+}  // namespace shellback::solid

@@ -1,0 +1,62 @@
+#include "bearing/bore_shape.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "bearing/film_heat.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+TEST_CASE("ReliefIsAParabolaAndChamferACone") {
+  Bearing b = plain_case().bearing;
+  b.edge_relief = EdgeOpening{4e-6, 2e-3};
+  b.chamfer = EdgeOpening{50e-6, 0.5e-3};
+  const double edge = 0.5 * b.width;
+  CHECK(shape_at(b, 1.0, 0.0) == 0.0);
+  CHECK(shape_at(b, 1.0, edge - 2e-3) == Approx(0.0).margin(1e-18));
+  CHECK(shape_at(b, 1.0, edge - 1e-3) == Approx(1e-6));
+  CHECK(shape_at(b, 1.0, -(edge - 1e-3)) == Approx(1e-6));
+  CHECK(shape_at(b, 1.0, edge - 0.25e-3) == Approx(4e-6 * 0.875 * 0.875 + 25e-6));
+  CHECK(shape_at(b, 1.0, edge) == Approx(54e-6));
+}
+
+TEST_CASE("AShapeThatIsEverywhereTheSameIsClearance") {
+  Case wider = plain_case();
+  wider.bearing.radial_clearance += 4e-6;
+  Case shaped = plain_case();
+  shaped.bearing.shape = Profile{{0.0}, {0.0}, {4e-6}};
+  const Solution a = solve_tier(wider, Tier::isothermal);
+  const Solution b = solve_tier(shaped, Tier::isothermal);
+  REQUIRE(a.verdict.good());
+  REQUIRE(b.verdict.good());
+  // the same equations: what iterations leave
+  CHECK(b.film.least.h == Approx(a.film.least.h).epsilon(1e-7));
+  CHECK(friction_of(b.model, b.film).viscous ==
+        Approx(friction_of(a.model, a.film).viscous).epsilon(1e-7));
+}
+
+TEST_CASE("ATableOfTheReliefIsTheRelief") {
+  Case key = plain_case();
+  key.bearing.edge_relief = EdgeOpening{10e-6, 8e-3};
+  Case table = plain_case();
+  Profile p{{0.0}, {}, {}};
+  constexpr int kPoints = 2000;  // bilinear: wrong by (B/2000)^2/8 of the curvature, 1e-7 of it
+  for (int k = 0; k <= kPoints; ++k) {
+    const double z = (static_cast<double>(k) / kPoints - 0.5) * key.bearing.width;
+    p.z.push_back(z);
+    p.height.push_back(shape_at(key.bearing, 0.0, z));
+  }
+  table.bearing.shape = p;
+  const Solution a = solve_tier(key, Tier::isothermal), b = solve_tier(table, Tier::isothermal);
+  REQUIRE(a.verdict.good());
+  REQUIRE(b.verdict.good());
+  CHECK(b.film.least.h == Approx(a.film.least.h).epsilon(1e-5));
+  CHECK(friction_of(b.model, b.film).viscous ==
+        Approx(friction_of(a.model, a.film).viscous).epsilon(1e-5));
+  // relief takes away what carries: the film is thinner than without it
+  const Solution none = solve_tier(plain_case(), Tier::isothermal);
+  CHECK(a.film.position.ey() * -1.0 > -none.film.position.ey());
+}

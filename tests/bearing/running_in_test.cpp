@@ -1,0 +1,122 @@
+#include "bearing/running_in.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "bearing/bore_shape.hpp"
+#include "bearing/judge_case.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// The KS bearing, elastic, at a speed at which its edges rub.
+Case rubbing_case() {
+  Case c = rig_case();
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {60, 13};
+  c.operation.omega = 600.0 * kPi / 30.0;
+  c.running_in = RunningIn{1e-8, 350e6, {}, 0.0, {}, 0.0};
+  return c;
+}
+
+double greatest(const Field& x) { return *std::max_element(x.begin(), x.end()); }
+
+}  // namespace
+
+TEST_CASE("WearBeginsAsArchardHasIt") {
+  Case c = rubbing_case();
+  c.running_in->duration = 1e-3;
+  const RunningInRun run = run_in(c, Tier::isothermal);
+  INFO(run.verdict.reason);
+  REQUIRE(run.verdict.good());
+  const Solution fresh = solve_tier(c, Tier::isothermal);
+  const double U = c.operation.omega * c.bearing.radius;
+  const double depth = 1e-8 / 350e6 * U * greatest(fresh.film.p_contact) * 1e-3;
+  // in a millisecond the contact pressure has fallen by less than one per cent
+  CHECK(run.states.back().depth == Approx(depth).epsilon(0.01));
+  double volume = 0.0;
+  const FilmGrid& g = fresh.model.scene.grid;
+  for (int k = 0; k < g.cells(); ++k) {
+    volume += g.multiplicity() * g.area(k / g.nz, k % g.nz) * fresh.film.p_contact[k];
+  }
+  CHECK(run.states.back().volume == Approx(volume * 1e-8 / 350e6 * U * 1e-3).epsilon(0.01));
+  CHECK(run.states.back().t == 1e-3);
+}
+
+TEST_CASE("EdgesRunInSmoothlyHoweverLongTheSteps") {
+  Case c = rubbing_case();
+  c.running_in->duration = 3600.0;
+  const RunningInRun run = run_in(c, Tier::isothermal);
+  INFO(run.verdict.reason);
+  REQUIRE(run.verdict.good());
+  REQUIRE(run.states.size() > 5);
+  for (std::size_t k = 1; k < run.states.size(); ++k) {
+    CHECK(run.states[k].depth >= run.states[k - 1].depth);
+    CHECK(run.states[k].volume >= run.states[k - 1].volume);
+    CHECK(run.states[k].p_asperity_max < run.states[k - 1].p_asperity_max);
+  }
+  // no sawtooth from cell to cell: depth falls from the edge inwards on the most loaded line
+  const auto deepest = std::max_element(run.wear.begin(), run.wear.end());
+  const int i = static_cast<int>(deepest - run.wear.begin()) / run.grid.nz;
+  for (int j = 1; j <= run.grid.nz / 2; ++j) {
+    CHECK(run.wear[run.grid.index(i, j)] <= run.wear[run.grid.index(i, j - 1)]);
+  }
+}
+
+TEST_CASE("TheWornInShapeIsWhereLongRunningArrives") {
+  Case c = rubbing_case();
+  c.running_in->limit_pressure = 2e6;
+  const RunningInRun end = run_in(c, Tier::isothermal);
+  INFO(end.verdict.reason);
+  REQUIRE(end.verdict.good());
+  CHECK(end.complementarity < 1e-6);
+  const Field& p = end.solution.film.p_contact;
+  CHECK(greatest(p) < 2e6 * (1.0 + 1e-5));  // 1e-6 summit roughnesses are 5e-6 of the pressure
+  CHECK(*std::min_element(end.wear.begin(), end.wear.end()) >= 0.0);
+  REQUIRE(end.states.back().depth > 0.1e-6);
+  c.running_in->duration = 1e7;
+  const RunningInRun late = run_in(c, Tier::isothermal);
+  INFO(late.verdict.reason);
+  REQUIRE(late.verdict.good());
+  CHECK(late.states.back().p_asperity_max == Approx(2e6).epsilon(0.02));
+  // steps may err by 2 % of the depth; both shapes are unique only where they touch
+  CHECK(late.states.back().depth == Approx(end.states.back().depth).epsilon(0.05));
+}
+
+TEST_CASE("TheWornShapeGivenBackIsTheWornBearing") {
+  Case c = rubbing_case();
+  c.running_in->duration = 60.0;
+  const RunningInRun run = run_in(c, Tier::isothermal);
+  REQUIRE(run.verdict.good());
+  Case again = rubbing_case();
+  again.running_in.reset();
+  again.bearing.shape = wear_table(run.grid, run.wear);
+  const Solution s = solve_tier(again, Tier::isothermal);
+  REQUIRE(s.verdict.good());
+  // the same film from cold: what iterations leave
+  CHECK(s.film.least.h == Approx(run.states.back().h_min).epsilon(1e-5));
+  CHECK(greatest(s.film.p_contact) == Approx(run.states.back().p_asperity_max).epsilon(1e-4));
+}
+
+TEST_CASE("WearNeedsContactAndAHardness") {
+  const auto refused = [](const Case& c) {
+    for (const Finding& f : judge(c, {Tier::isothermal})) {
+      if (f.refused() && f.key.rfind("running_in", 0) == 0) return true;
+    }
+    return false;
+  };
+  Case c = rubbing_case();
+  c.running_in->duration = 1.0;
+  CHECK_FALSE(refused(c));
+  c.running_in->hardness = 0.0;
+  CHECK(refused(c));
+  c.shell->layers.front().material.hardness = 350e6;
+  CHECK_FALSE(refused(c));
+  c.surfaces.contact.reset();
+  CHECK(refused(c));
+}

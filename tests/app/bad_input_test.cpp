@@ -282,11 +282,12 @@ TEST_CASE("RunningInThatCannotBeIsRefused") {
   const auto refused = [](const std::string& keys, const std::vector<std::string>& parts) {
     check_refused("[operation]", "[running_in]\n" + keys + "\n\n[operation]", parts);
   };
-  refused("until = \"200 s\"", {"running_in.wear_coefficient", "missing"});
-  refused("wear_coefficient = 1e-8", {"running_in.until", "worn_in"});
-  refused("wear_coefficient = 1e-8\nuntil = \"worn_in\"", {"limit_pressure", "missing"});
+  refused("until = \"200 s\"", {"case.toml:", "running_in.wear_coefficient", "missing"});
+  refused("wear_coefficient = 1e-8", {"case.toml:", "running_in.until", "worn_in"});
+  refused("wear_coefficient = 1e-8\nuntil = \"worn_in\"",
+          {"case.toml:", "limit_pressure", "missing"});
   refused("wear_coefficient = -1e-8\nuntil = \"200 s\"", {"case.toml:16:", "positive"});
   refused("wear_coefficient = 1e-8\nuntil = \"200 s\"\nworn_after = \"1 um\"",
           {"case.toml:18:", "running_in.worn"});
-  refused("wear_coefficient = 1e-8\nuntil = \"200 s\"", {"running_in.", "hardness"});
+  refused("wear_coefficient = 1e-8\nuntil = \"200 s\"", {"case.toml:", "running_in.", "hardness"});
 }

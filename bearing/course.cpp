@@ -1,5 +1,6 @@
 #include "bearing/course.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bearing/first_film.hpp"
@@ -65,14 +66,24 @@ class Course {
   }
 
   MarchEnd over_cycles(const Stretch& s) {
-    constexpr double kSteps = 16.0;  // of a stretch at least: see the head of course.hpp
+    constexpr double kSteps = 16.0;    // of a stretch at least: see the head of course.hpp
+    constexpr double kFirst = 1024.0;  // first step, of a stretch: shorter where walls move by 2 K
     CycleSearch search(s.subject, tier_, control_);
     search.begin(s.subject.supplies.front().temperature);
-    const Solids& solids = *search.film().model().solids;
-    if (!bodies_) bodies_ = uniform_bodies(solids, options_.T_start);
-    const MarchSpan span{s.duration, s.duration / kSteps, false};
-    return march_over_cycles(search, s.subject.cycle->length(), span, *bodies_,
-                             [this](const Instant& i) { tell(i); });
+    if (!bodies_) bodies_ = uniform_bodies(*search.film().model().solids, options_.T_start);
+    MarchSpan span;
+    span.duration = s.duration;
+    span.shortest = s.subject.cycle->length();
+    span.first = std::max(span.shortest, s.duration / kFirst);
+    span.longest = std::max(span.shortest, s.duration / kSteps);
+    span.until_rest = false;
+    // The orbit is found before its heat counts.
+    MarchEnd end;
+    if (!search.pass_between(bodies_->walls)) {
+      end.verdict = search.verdict();
+      return end;
+    }
+    return march_over_cycles(search, span, *bodies_, [this](const Instant& i) { tell(i); });
   }
 
   MarchEnd steadily_loaded(const Stretch& s) {

@@ -60,7 +60,7 @@ Bodies uniform_bodies(const Solids& solids, double T) {
   return b;
 }
 
-MarchEnd march_over_cycles(CycleSearch& search, double cycle, const MarchSpan& span, Bodies& bodies,
+MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, Bodies& bodies,
                            const std::function<void(const Instant&)>& tell) {
   constexpr double kMost = 2.0;    // move of a wall until a cycle is passed again [K] (methods 3.5)
   constexpr double kStill = 0.05;  // what walls leave open where the cycle is periodic [K]
@@ -68,7 +68,7 @@ MarchEnd march_over_cycles(CycleSearch& search, double cycle, const MarchSpan& s
   const BearingModel& model = search.film().model();
   const Solids& solids = *model.solids;
   MarchEnd end;
-  double dt = cycle;
+  double dt = span.first;
   SolidStep last;
   while (end.t < span.duration) {
     if (!search.pass_between(bodies.walls)) {
@@ -85,7 +85,7 @@ MarchEnd march_over_cycles(CycleSearch& search, double cycle, const MarchSpan& s
                               &step);
       move = move_of(next.walls, bodies.walls);
       dt = length;
-      if (move <= kMost || length <= cycle) break;
+      if (move <= kMost || length <= span.shortest) break;
     }
     bodies.state = solids.state(next.solids, &step);
     last = std::move(step);

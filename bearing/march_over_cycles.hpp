@@ -23,14 +23,15 @@ struct Bodies {
 /// How far a march goes.
 struct MarchSpan {
   double duration = std::numeric_limits<double>::infinity();  ///< [s]
-  double longest = std::numeric_limits<double>::infinity();   ///< step [s]
+  double first = 0.0;                                         ///< step [s]
+  double shortest = 0.0;  ///< step that is taken however far walls move: a cycle [s]
+  double longest = std::numeric_limits<double>::infinity();  ///< step [s]
   bool until_rest = true;  ///< ends early where walls move no more
 };
 
-/// Marches `bodies` under the cycle of `search`, which has begun. `cycle`: its length, the first
-/// step [s]. `tell` has each instant, counted from the beginning of the march.
-[[nodiscard]] MarchEnd march_over_cycles(CycleSearch& search, double cycle, const MarchSpan& span,
-                                         Bodies& bodies,
+/// Marches `bodies` under the cycle of `search`, which has begun. `tell` has each instant, counted
+/// from the beginning of the march.
+[[nodiscard]] MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, Bodies& bodies,
                                          const std::function<void(const Instant&)>& tell);
 
 }  // namespace shellback::bearing

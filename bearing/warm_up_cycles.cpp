@@ -16,9 +16,11 @@ WarmUp warm_up_over_cycles(const Case& c, Tier tier, const WarmUpOptions& o,
   search.begin(c.supplies.front().temperature);
   out.solution.model = search.film().model();
   Bodies bodies = uniform_bodies(*out.solution.model.solids, o.T_start);
-  const MarchSpan span{o.end, std::numeric_limits<double>::infinity(), true};
-  out.end = march_over_cycles(search, c.cycle->length(), span, bodies,
-                              [&](const Instant& i) { out.instants.push_back(i); });
+  MarchSpan span;
+  span.duration = o.end;
+  span.first = span.shortest = c.cycle->length();
+  out.end =
+      march_over_cycles(search, span, bodies, [&](const Instant& i) { out.instants.push_back(i); });
   out.solution.verdict = out.end.verdict;
   return out;
 }

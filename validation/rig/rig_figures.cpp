@@ -22,6 +22,7 @@ using app::Theme;
 
 constexpr double kWidth = 560.0;   ///< [px]
 constexpr double kHeight = 360.0;  ///< [px]
+constexpr double kMargin = 14.0;   ///< right of the box, for half a label [px]
 constexpr double kMega = 1e-6;
 constexpr double kMinute = 60.0;  ///< [s]
 
@@ -111,7 +112,7 @@ RigFigure oil_figure(const RigStudy& study, OilModel oil, int number) {
     if (full) plot.series.push_back(warm);
   }
   Svg svg(kWidth, kHeight);
-  const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth, kHeight}, plot, theme);
+  const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
   if (full) draw_bands(svg, frame, study, theme);
   std::erase_if(plot.series, [](const Series& s) { return !s.dash.empty(); });
   draw_marks(svg, frame, plot.series, theme);
@@ -153,7 +154,7 @@ RigFigure solved_figure(const RigStudy& study) {
     plot.series.push_back(ends);
   }
   Svg svg(kWidth, kHeight);
-  const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth, kHeight}, plot, theme);
+  const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
   std::erase_if(plot.series, [](const Series& s) { return s.dash == "1 4"; });
   draw_marks(svg, frame, plot.series, theme);
   return finished(svg, plot.title,
@@ -183,7 +184,7 @@ RigFigure time_figure(const RigStudy& study, const RigCourse& course, const std:
   }
   plot.x = app::round_axis(0.0, std::max(end, 1.0), 8, "time [min]");
   Svg svg(kWidth, kHeight);
-  draw_lines(svg, {0.0, 0.0, kWidth, kHeight}, plot, theme);
+  draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
   return finished(svg, title,
                   fmt::format("{}, {:.0f} minutes a step, bodies from the supply's temperature.",
                               load_words(course.peak), study.plan.hold / kMinute));
@@ -210,14 +211,14 @@ RigFigure hysteresis_figure(const RigStudy& study) {
     }
     plot.series.push_back(s);
   }
-  plot.y = app::round_axis(-0.5, 3.5, 8, plot.y_title);
+  plot.y = app::round_axis(-1.0, 4.0, 5, plot.y_title);
   plot.series.push_back({"paper: 3 K",
                          {study.plan.rpm.front(), study.plan.rpm.back()},
                          {3.0, 3.0},
                          theme.muted,
                          "5 4"});
   Svg svg(kWidth, kHeight);
-  const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth, kHeight}, plot, theme);
+  const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
   plot.series.pop_back();
   draw_marks(svg, frame, plot.series, theme);
   return finished(svg, plot.title,
@@ -245,8 +246,13 @@ RigFigure film_figure(const RigStudy& study, const std::string& title, const std
   if (value == &RigCycle::p_max) paper.x.front() = study.plan.rpm.front();
   paper.y = {reference, reference};
   plot.series.push_back(paper);
+  double high = reference;
+  for (const Series& one : plot.series) {
+    for (const double y : one.y) high = std::isfinite(y) ? std::max(high, y) : high;
+  }
+  plot.y = app::round_axis(0.0, 1.1 * high, 6, unit);
   Svg svg(kWidth, kHeight);
-  const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth, kHeight}, plot, theme);
+  const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
   plot.series.pop_back();
   draw_marks(svg, frame, plot.series, theme);
   return finished(svg, title, words);
@@ -273,7 +279,7 @@ std::vector<RigFigure> film_figures(const RigStudy& study) {
   constexpr double kPaperPeak = 200.0;  // [MPa], 80 kN
   return {film_figure(study, "Largest film pressure, test bearing", "[MPa]", &RigCycle::p_max,
                       kMega, kPaperPeak, "The paper: around 200 MPa at 80 kN at every speed."),
-          film_figure(study, "Largest shear rate U/h_min, test bearing", "[1e6 1/s]",
+          film_figure(study, "Largest shear rate at mid-width, test bearing", "[1e6 1/s]",
                       &RigCycle::shear, kMega, kPaperShear,
                       "The paper: 2.2e7 1/s at 7000 rpm, ten times less at 1000 rpm.")};
 }
@@ -286,6 +292,7 @@ std::vector<RigFigure> start_figures(const RigStudy& study) {
   double end = 1.0;
   Series speed{"speed, 0 to 260 rpm", {}, {}, theme.muted, "5 4"};
   for (const RigStart& start : study.starts) {
+    if (start.T != study.plan.start_films.front()) continue;
     Series s{
         start.worn ? "worn surface" : "new surface", {}, {}, theme.series[start.worn ? 2 : 3], ""};
     for (const RigInstant& i : start.series) {
@@ -302,7 +309,7 @@ std::vector<RigFigure> start_figures(const RigStudy& study) {
   plot.series.push_back(speed);
   plot.x = app::round_axis(0.0, end, 8, "time [s]");
   Svg svg(1.5 * kWidth, kHeight);
-  const Frame frame = draw_lines(svg, {0.0, 0.0, 1.5 * kWidth, kHeight}, plot, theme);
+  const Frame frame = draw_lines(svg, {0.0, 0.0, 1.5 * kWidth - kMargin, kHeight}, plot, theme);
   for (const double t : {1.5, 2.0}) {
     svg.line(frame.at(t, frame.y.low), frame.at(t, frame.y.high), {theme.muted, 0.9, "2 3"});
   }

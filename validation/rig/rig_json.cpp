@@ -49,7 +49,7 @@ Json cycle_json(const RigCycle& c, RigBearing bearing) {
   json["friction_torque_asperity"] = with_unit(c.asperity, "N m");
   json["p_max"] = with_unit(c.p_max, "Pa");
   json["h_min"] = with_unit(c.h_min, "m");
-  json["shear_rate_max"] = with_unit(c.shear, "1/s");
+  json["shear_rate_mid_width"] = with_unit(c.shear, "1/s");
   return json;
 }
 
@@ -69,6 +69,7 @@ Json point_json(const RigPoint& p) {
 Json start_json(const RigStart& s) {
   Json json;
   json["surface"] = s.worn ? "worn" : "new";
+  json["T"] = with_unit(s.T, "K");
   for (int k = 0; k < 2; ++k) {
     Json one;
     one["bearing"] = to_string(kRigBearings[k]);

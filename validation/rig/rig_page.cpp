@@ -132,6 +132,20 @@ std::string effects_html(const RigStudy& study) {
   return html + "</tbody></table></div>\n";
 }
 
+std::string starts_html(const RigStudy& study) {
+  std::string html =
+      "<div class=\"scroll\"><table>\n<thead><tr><th>film [&deg;C]</th><th>surface</th>"
+      "<th>breakaway [N m]</th><th>mu times the sum of F R</th><th>full film [s]</th></tr></thead>"
+      "\n<tbody>\n";
+  for (const RigStart& s : study.starts) {
+    html +=
+        fmt::format("<tr><td>{:.0f}</td><td>{}</td>{}<td>{:.3f}</td>{}</tr>\n", s.T - kZeroCelsius,
+                    s.worn ? "worn" : "new", cell(s.series.empty() ? NAN : s.breakaway, 3),
+                    s.boundary, cell(s.full_film, 2));
+  }
+  return html + "</tbody></table></div>\n";
+}
+
 std::string list(const std::vector<std::string>& lines, const std::string& none) {
   if (lines.empty()) return fmt::format("<p class=\"scene\">{}</p>\n", none);
   std::string html = "<ul>\n";
@@ -149,7 +163,7 @@ std::string assumed() {
        "relation and its measured temperatures are not published",
        "bodies: rings of 140 mm (rod, aluminium) and 150 mm (supports, steel), cooled at their "
        "outside; oil supplied at 80 degC throughout, no tank that warms",
-       "start and stop: film of 60 degC, isothermal"},
+       "start and stop: film of 60 degC, isothermal (the table has 40 and 80 degC)"},
       "");
 }
 
@@ -169,7 +183,7 @@ std::string rig_page(const RigStudy& study) {
   html += torques_html(study);
   html += section("Run-up and run-down", figures(course_figures(study)));
   html += section("Film of the test bearing", figures(film_figures(study)));
-  html += section("Start and stop", figures(start_figures(study)));
+  html += section("Start and stop", figures(start_figures(study)) + starts_html(study));
   html += section("Unknown inputs", effects_html(study));
   html += section("Not found", list(rig_failures(study), "Every point was found."));
   html += section("Assumed", assumed());

@@ -130,9 +130,9 @@ Case rig_isothermal_case(RigBearing bearing, const RigSetting& s, OilModel oil, 
   return read(bearing, s, set);
 }
 
-Case rig_start_stop_case(RigBearing bearing, bool worn, std::array<int, 2> grid) {
+Case rig_start_stop_case(RigBearing bearing, bool worn, double T, std::array<int, 2> grid) {
   const char* name = bearing == RigBearing::test ? "start-stop" : "start-stop-support";
-  std::vector<Override> set{on_grid(grid)};
+  std::vector<Override> set{on_grid(grid), changed("oil.temperature", fmt::format("{:.10g} K", T))};
   if (worn) {  // Table 3
     set.push_back(changed("surfaces.shell.roughness", "0.26 um"));
     set.push_back(changed("surfaces.shell.summit_roughness", "0.23 um"));

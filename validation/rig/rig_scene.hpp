@@ -50,8 +50,9 @@ struct RigSetting {
 [[nodiscard]] bearing::Case rig_isothermal_case(RigBearing bearing, const RigSetting& setting,
                                                 OilModel oil, double T);
 
-/// The start and stop of section 4.4 with the new or the worn surface of its Table 3.
-[[nodiscard]] bearing::Case rig_start_stop_case(RigBearing bearing, bool worn,
+/// The start and stop of section 4.4 in a film of temperature T [K], with the new or the worn
+/// surface of its Table 3.
+[[nodiscard]] bearing::Case rig_start_stop_case(RigBearing bearing, bool worn, double T,
                                                 std::array<int, 2> grid);
 
 /// Largest load of the shipped trace on the test bearing [N], and the test bearing's projected

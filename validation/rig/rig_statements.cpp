@@ -132,7 +132,8 @@ void Judge::shear() {
   const double fast = test(kHigh, kFastest, &RigCycle::shear);
   const double slow = test(kHigh, kSlowest, &RigCycle::shear);
   add("4.1.2", "largest shear rate 2.2e7 1/s at 7000 rpm", "1.8e7 to 2.6e7 1/s (20 %)",
-      fmt::format("{:.2e} 1/s (U/h_min)", fast), within(fast, 1.8e7, 2.6e7));
+      fmt::format("{:.2e} 1/s (mid-width: the worn edges of theirs are not in ours)", fast),
+      within(fast, 1.8e7, 2.6e7));
   add("4.1.2", "ten times smaller at 1000 rpm", "7 to 14 times (told without digits)",
       fmt::format("{:.3g} times", fast / slow), within(fast / slow, 7.0, 14.0));
   const double T = test(kHigh, kFastest, &RigCycle::T);

@@ -114,6 +114,14 @@ double temperature_of(const RigStudy& study, const RigPoint& p, RigBearing beari
   return kNone;
 }
 
+/// Smallest film at mid-width over the cycle [m].
+double mid_width_film(const CycleResult& r) {
+  const auto& g = r.fields.grid;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < g.nt; ++i) least = std::min(least, r.fields.h_min[g.index(i, g.nz / 2)]);
+  return least;
+}
+
 RigCycle cycle_of(const RigPlan& plan, const RigPoint& p, RigBearing bearing, double T,
                   const SolveControl& control) {
   RigCycle out;
@@ -135,11 +143,8 @@ RigCycle cycle_of(const RigPlan& plan, const RigPoint& p, RigBearing bearing, do
   out.asperity = value_of(r, "friction_torque_asperity");
   out.p_max = value_of(r, "p_max");
   out.h_min = value_of(r, "h_min");
-  for (const bearing::CycleInstant& i : r.instants) {
-    if (i.h_min > 0.0) {
-      out.shear = std::max(out.shear, std::abs(i.omega) * c.bearing.radius / i.h_min);
-    }
-  }
+  const double h = mid_width_film(r);
+  out.shear = h > 0.0 ? std::abs(c.operation.omega) * c.bearing.radius / h : kNone;
   return out;
 }
 
@@ -163,18 +168,26 @@ void sum_up(RigStart& start) {
 }
 
 void run_starts(const RigPlan& plan, Crew& crew, RigStudy& study) {
-  study.starts.resize(2);
-  study.starts[1].worn = true;
-  std::array<std::array<double, 2>, 2> boundary{};
-  crew.work("start and stop", 4, [&](int k) {
+  for (const double T : plan.start_films) {
+    for (const bool worn : {false, true}) {
+      study.starts.emplace_back();
+      study.starts.back().worn = worn;
+      study.starts.back().T = T;
+    }
+  }
+  const std::size_t count = study.starts.size();
+  std::vector<std::array<double, 2>> boundary(count);
+  crew.work("start and stop", 2 * static_cast<int>(count), [&](int k) {
     RigStart& start = study.starts[static_cast<std::size_t>(k / 2)];
-    const bearing::Case c = rig_start_stop_case(kRigBearings[k % 2], start.worn, plan.grid);
+    const bearing::Case c =
+        rig_start_stop_case(kRigBearings[k % 2], start.worn, start.T, plan.grid);
     start.cycle[k % 2] = solve_cycle(c, Tier::isothermal, crew.control());
     start.verdict[k % 2] = start.cycle[k % 2].verdict;
-    boundary[k / 2][k % 2] = c.surfaces.contact->friction *
-                             std::hypot(c.cycle->x.front(), c.cycle->y.front()) * c.bearing.radius;
+    boundary[static_cast<std::size_t>(k / 2)][k % 2] =
+        c.surfaces.contact->friction * std::hypot(c.cycle->x.front(), c.cycle->y.front()) *
+        c.bearing.radius;
   });
-  for (std::size_t k = 0; k < study.starts.size(); ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     sum_up(study.starts[k]);
     study.starts[k].boundary = rig_torque(boundary[k][0], boundary[k][1]);
   }
@@ -187,8 +200,9 @@ RigPlan rig_plan(bool quick) {
   plan.peaks = {40e3, 80e3};
   plan.rpm = {1000, 2000, 3000, 4000, 5000, 6000, 7000};
   plan.few_rpm = {1000, 4000, 7000};
+  plan.start_films = {333.15, 313.15, 353.15};
   if (quick) {
-    plan.rpm = {1000, 4000, 6000, 7000};
+    plan.rpm = plan.few_rpm;
     plan.grid = {48, 7};
     plan.bands = false;
   }

@@ -37,6 +37,7 @@ struct RigPlan {
   double warmer = 3.0;          ///< paper: run-down against run-up [K]
   std::array<int, 2> grid{60, 9};
   bool bands = true;
+  std::vector<double> start_films{333.15};  ///< of start and stop; the first as taken [K]
 };
 [[nodiscard]] RigPlan rig_plan(bool quick);
 
@@ -72,7 +73,8 @@ struct RigCycle {
   double asperity = 0.0;  ///< part of it [N m]
   double p_max = 0.0;     ///< [Pa]
   double h_min = 0.0;     ///< [m]
-  double shear = 0.0;     ///< largest U/h_min of the cycle's instants [1/s]
+  double shear =
+      0.0;  ///< largest at mid-width, U over the smallest film there; none: surfaces touch [1/s]
 };
 
 /// An isothermal point of the whole rig.
@@ -92,6 +94,7 @@ struct RigPoint {
 /// Start and stop with one surface.
 struct RigStart {
   bool worn = false;
+  double T = 0.0;  ///< of the film [K]
   std::array<Verdict, 2> verdict{
       {{Status::interrupted, "not run", "", ""}, {Status::interrupted, "not run", "", ""}}};
   std::array<bearing::CycleResult, 2> cycle;

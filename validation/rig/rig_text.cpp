@@ -38,33 +38,50 @@ void write_torques(std::ostream& out, const RigStudy& s, double peak) {
   out << "\n";
 }
 
+std::string course_failure(const RigCourse& c, int k) {
+  const auto& end = c.run[k].end;
+  const std::size_t passed = c.run[k].ends.size();
+  return fmt::format("run-up and run-down, {:.0f} kN{}, {}, at {:.0f} rpm after {:.0f} s: {}",
+                     1e-3 * c.peak, changed_words(c.unknown, c.end), to_string(kRigBearings[k]),
+                     passed < c.rpm.size() ? c.rpm[passed] : c.rpm.back(), end.t,
+                     end.verdict.reason);
+}
+
+std::string point_failure(const RigPoint& p) {
+  return fmt::format("isothermal, {:.0f} kN, {:.0f} rpm, {}{}{}: {}", 1e-3 * p.peak, p.rpm,
+                     to_string(p.oil), p.warmer != 0.0 ? ", warmer" : "",
+                     changed_words(p.unknown, p.end), p.reason());
+}
+
 }  // namespace
 
 std::vector<std::string> rig_failures(const RigStudy& study) {
   std::vector<std::string> lines;
+  int stopped = 0;
+  const auto failed = [&](const Verdict& v) {
+    if (v.status == Status::interrupted) ++stopped;
+    return !v.good() && v.status != Status::interrupted;
+  };
   for (const RigCourse& c : study.courses) {
     for (int k = 0; k < 2; ++k) {
-      const auto& end = c.run[k].end;
-      if (!c.tried || end.verdict.good()) continue;
-      const std::size_t passed = c.run[k].ends.size();
-      lines.push_back(fmt::format(
-          "run-up and run-down, {:.0f} kN{}, {}, at {:.0f} rpm after {:.0f} s: {}", 1e-3 * c.peak,
-          changed_words(c.unknown, c.end), to_string(kRigBearings[k]),
-          passed < c.rpm.size() ? c.rpm[passed] : c.rpm.back(), end.t, end.verdict.reason));
+      if (!c.tried) ++stopped;
+      if (c.tried && failed(c.run[k].end.verdict)) lines.push_back(course_failure(c, k));
     }
   }
   for (const RigPoint& p : study.points) {
-    if (p.good()) continue;
-    lines.push_back(fmt::format("isothermal, {:.0f} kN, {:.0f} rpm, {}{}{}: {}", 1e-3 * p.peak,
-                                p.rpm, to_string(p.oil), p.warmer != 0.0 ? ", warmer" : "",
-                                changed_words(p.unknown, p.end), p.reason()));
+    const bool test = failed(p.cycle[0].verdict);
+    if (failed(p.cycle[1].verdict) || test) lines.push_back(point_failure(p));
   }
   for (const RigStart& s : study.starts) {
     for (int k = 0; k < 2; ++k) {
-      if (s.verdict[k].good()) continue;
-      lines.push_back(fmt::format("start and stop, {} surface, {}: {}", s.worn ? "worn" : "new",
+      if (!failed(s.verdict[k])) continue;
+      lines.push_back(fmt::format("start and stop, {} surface, {:.0f} degC, {}: {}",
+                                  s.worn ? "worn" : "new", s.T - kZeroCelsius,
                                   to_string(kRigBearings[k]), s.verdict[k].reason));
     }
+  }
+  if (stopped > 0) {
+    lines.push_back(fmt::format("{} solves were stopped or not begun: interrupted", stopped));
   }
   return lines;
 }

@@ -172,6 +172,21 @@ void add_honesty(CLI::App& app, Request& request) {
   add_threads(*honesty, request, "cases solved at the same time");
 }
 
+void add_study(CLI::App& app, Request& request) {
+  auto* study = app.add_subcommand("study", "rerun a published series of tests: ks-rig");
+  study->add_option("NAME", request.name, "which study; without one they are listed");
+  study->add_flag("--quick", request.quick, "fewer speeds, a coarser grid, no bands");
+  study->add_option("-o", request.output, "write the page (HTML)")->type_name("FILE.html");
+  study
+      ->add_option("--json", request.json,
+                   "also write every number as JSON; - is standard output, without the tables")
+      ->type_name("FILE");
+  add_force(*study, request);
+  study->add_option("-j", request.cores, "threads (default: all cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
 void add_coefficient_options(CLI::App& command, Request& request) {
   command.add_flag("--coefficients", request.coefficients,
                    "also stiffness, damping and whirl threshold (as model.coefficients = true)");
@@ -214,6 +229,14 @@ void add_run(CLI::App& app, Request& request) {
   run->add_option("--profile", request.profile,
                   "write the worn shape, which a case takes as bearing.shape (CSV)")
       ->type_name("FILE.csv");
+  run->add_option("--speeds", request.speeds,
+                  "with --transient: speeds one after the other, bodies carried over: --speeds "
+                  "\"1000 rpm,2000 rpm,1000 rpm\"")
+      ->type_name("A,B,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  run->add_option("--hold", request.hold, "time for which each of --speeds is held: \"20 min\"")
+      ->type_name("TIME");
   run->add_option("--picture", request.picture,
                   "draw the transient, the running-in or the load cycle (SVG)")
       ->type_name("FILE.svg");
@@ -266,6 +289,7 @@ const std::vector<Offer> kOffers{
     {"honesty", Command::honesty, add_honesty},
     {"chart", Command::chart, add_chart},
     {"stress", Command::stress, add_stress},
+    {"study", Command::study, add_study},
     {"validate", Command::validate, add_validate},
 };
 

@@ -3,6 +3,7 @@
 /// InputError and FileError.
 #include "app/program/request.hpp"
 #include "bearing/case.hpp"
+#include "bearing/warm_up.hpp"
 
 namespace shellback::program {
 
@@ -16,6 +17,9 @@ namespace shellback::program {
 /// Of run: a case with a load cycle, `text` of its file.
 [[nodiscard]] int cycle(const Request& request, const std::string& text,
                         const bearing::Case& subject);
+/// Of run --transient: speeds one after the other.
+[[nodiscard]] int course(const Request& request, const bearing::WarmUpOptions& options);
+[[nodiscard]] int study(const Request& request);
 [[nodiscard]] int sweep(const Request& request);
 [[nodiscard]] int running_in(const Request& request);  ///< of run
 [[nodiscard]] int transient(const Request& request);   ///< of run

@@ -24,6 +24,7 @@ enum class Command {
   sweep,
   chart,
   stress,
+  study,
   honesty,
   auto_honesty,
   validate,
@@ -32,7 +33,7 @@ enum class Command {
 /// What was asked for.
 struct Request {
   Command command = Command::none;
-  std::string name;  ///< init: shipped case
+  std::string name;  ///< init: shipped case; study: which
   std::string case_file;
   std::string tier;                          ///< --tier
   std::vector<std::string> tiers;            ///< --tiers
@@ -47,6 +48,8 @@ struct Request {
   std::string profile;                       ///< run --profile: the worn shape
   std::string from;                          ///< run --from: temperature of the walls
   std::string until;                         ///< run --until: time
+  std::vector<std::string> speeds;           ///< run --speeds: one after the other
+  std::string hold;                          ///< run --hold: time for each of them
   double budget_s = 32.0;                    ///< honesty, auto-honesty --budget: of a case [s]
   bool coefficients = false;                 ///< --coefficients
   std::string coefficients_table;            ///< --coefficients-table

@@ -51,9 +51,12 @@ void expect_film(const Case& subject) {
 
 /// Options of a transient.
 void expect_no_end(const Request& request) {
-  if (request.from.empty() && request.until.empty()) return;
-  throw InputError(!request.from.empty() ? "--from" : "--until",
-                   "belongs to a transient; add --transient");
+  for (const auto& [option, given] :
+       {std::pair{"--from", !request.from.empty()}, std::pair{"--until", !request.until.empty()},
+        std::pair{"--speeds", !request.speeds.empty()},
+        std::pair{"--hold", !request.hold.empty()}}) {
+    if (given) throw InputError(option, "belongs to a transient; add --transient");
+  }
 }
 
 /// Pictures are of what changes in time.

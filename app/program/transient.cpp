@@ -88,6 +88,8 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
 }  // namespace
 
 int transient(const Request& request) {
+  if (!request.speeds.empty()) return course(request, options_of(request));
+  if (!request.hold.empty()) throw InputError("--hold", "belongs to --speeds; add them");
   const std::string text = read_text_file(request.case_file);
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));

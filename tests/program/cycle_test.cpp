@@ -42,6 +42,15 @@ TEST_CASE("PicturesAndPagesAreOfWhatChangesInTime") {
   check_parts(said_of({"--page", scratch.path("a.html")}), {"--page", "load cycle"});
   check_parts(said_of({"--page", scratch.path("a.html"), "--transient"}), {"--page"});
   check_parts(said_of({"--until", "2 s"}), {"--until", "--transient"});
+  check_parts(said_of({"--speeds", "2000 rpm"}), {"--speeds", "--transient"});
+  check_parts(said_of({"--hold", "2 s"}), {"--hold", "--transient"});
+  check_parts(said_of({"--transient", "--hold", "2 s"}), {"--hold", "--speeds"});
+  check_parts(said_of({"--transient", "--speeds", "2000 rpm"}), {"--speeds", "--hold"});
+  check_parts(said_of({"--transient", "--speeds", "2000 rpm", "--hold", "2 m"}), {"--hold"});
+  check_parts(said_of({"--transient", "--speeds", "2000 rpm", "--hold", "0 s"}), {"positive"});
+  check_parts(said_of({"--transient", "--speeds", "2000", "--hold", "2 s"}), {"--speeds", "unit"});
+  check_parts(said_of({"--transient", "--speeds", "2000 rpm", "--hold", "2 s", "--until", "3 s"}),
+              {"--until"});
 }
 
 TEST_CASE("ASweepRunsCyclesOverTheLoad") {
@@ -100,4 +109,32 @@ TEST_CASE("CompareTakesALoadCycle") {
               {"Friction torque", "Largest temperatures", "thd"});
   check_parts(read_text_file(scratch.path("a.html")), {"Over the cycle", "Friction difference"});
   check_parts(read_text_file(scratch.path("a.json")), {"friction_split", "T_calibrated"});
+}
+
+TEST_CASE("ACourseOfSpeedsTellsEachOfThem") {
+  const ScratchFolder scratch;
+  const std::string file = case_path("thd-plain-bearing").string();
+  const Ended ended =
+      run_words({"run", file, "--transient", "--from", "40 degC", "--speeds",
+                 "1000 rpm,2000 rpm,1000 rpm", "--hold", "30 s", "--set", "model.grid=[48,6]",
+                 "--json", scratch.path("a.json"), "--picture", scratch.path("a.svg")});
+  INFO(ended.err);
+  REQUIRE(ended.code == kDone);
+  check_parts(ended.out, {"1000", "2000", "audit"});
+  check_parts(read_text_file(scratch.path("a.json")), {"stretches", "\"passed\": true", "T_shaft"});
+  check_parts(read_text_file(scratch.path("a.svg")), {"Course of speeds", "speed [rpm]"});
+}
+
+TEST_CASE("StudiesAreListedAndNamed") {
+  const Ended list = run_words({"study"});
+  CHECK(list.code == kDone);
+  check_parts(list.out, {"ks-rig"});
+  const Ended wrong = run_words({"study", "ks-rgi"});
+  CHECK(wrong.code == kBadInput);
+  check_parts(wrong.err, {"ks-rgi", "ks-rig"});
+  const ScratchFolder scratch;
+  const std::string precious = scratch.write("page.html", "mine");
+  const Ended kept = run_words({"study", "ks-rig", "-o", precious});
+  CHECK(kept.code == kBadInput);
+  CHECK(read_text_file(precious) == "mine");
 }

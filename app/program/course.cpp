@@ -1,0 +1,79 @@
+/// run --transient --speeds: bodies in time while the speed goes in steps.
+#include "bearing/course.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "app/case_text.hpp"
+#include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
+#include "app/program/session.hpp"
+#include "app/read_case.hpp"
+#include "app/units.hpp"
+#include "app/write_course.hpp"
+#include "core/contract.hpp"
+#include "validation/rivals/rivals.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+using namespace bearing;
+
+namespace {
+
+/// Time for which each speed is held [s].
+double held(const Request& request) {
+  if (request.hold.empty()) {
+    throw InputError("--speeds", "tells no time; add --hold, for example --hold \"20 min\"");
+  }
+  double time = 0.0;
+  try {
+    time = parse_quantity(request.hold, kTime);
+  } catch (const UnitError& e) {
+    throw InputError("--hold", e.what());
+  }
+  if (!(time > 0.0)) throw InputError("--hold", "the time is not positive");
+  return time;
+}
+
+/// The case at each speed, read anew so that all judgements hold.
+std::vector<Stretch> stretches_of(const Request& request, const std::string& text) {
+  const double time = held(request);
+  if (!request.until.empty()) {
+    throw InputError("--until", "a course ends with its last speed; leave it out");
+  }
+  std::vector<Stretch> stretches;
+  for (const std::string& speed : request.speeds) {
+    std::vector<Override> set = overrides_of(request);
+    set.push_back({"operation.speed", speed, "--speeds"});
+    stretches.push_back(
+        {validation::with_rivals(read_case_text(text, request.case_file, set)), time});
+  }
+  return stretches;
+}
+
+}  // namespace
+
+int course(const Request& request, const WarmUpOptions& options) {
+  const std::string text = read_text_file(request.case_file);
+  const std::vector<Stretch> stretches = stretches_of(request, text);
+  const Case& first = stretches.front().subject;
+  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
+  tell_warnings(first);
+  const CourseRun run = [&] {
+    ProgressLine line;
+    return run_course(stretches, first.model.tier, options, control_for(line));
+  }();
+  if (request.json != "-") write_course_table(std::cout, stretches, run);
+  if (!run.end.verdict.good()) {
+    std::cerr << fmt::format("error: course: ended after {:.4g} s: {}\n", run.end.t,
+                             run.end.verdict.reason);
+    if (!run.end.verdict.cure.empty()) std::cerr << "  cure:  " << run.end.verdict.cure << "\n";
+  }
+  outputs.give("--json", [&] { return course_json(stretches, options, run); });
+  outputs.give("--picture", [&] { return course_svg(stretches, run); });
+  return outputs.code(code_of(run.end.verdict));
+}
+
+}  // namespace shellback::program

@@ -1,0 +1,26 @@
+#pragma once
+/// A course of speeds as a table, as JSON and as a picture.
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "bearing/course.hpp"
+
+namespace shellback::app {
+
+/// One line a stretch: speed, time at its end, and what the bearing is then.
+void write_course_table(std::ostream& out, const std::vector<bearing::Stretch>& stretches,
+                        const bearing::CourseRun& run);
+
+/// status, [reason, place, cure], title, tier, grid, `start` (temperature of the bodies),
+/// `stretches`: speed, duration, passed, and where it was, every quantity at its end; `time` and
+/// every quantity over time as {unit, values}, `audit` {energy at the ends}, provenance.
+[[nodiscard]] std::string course_json(const std::vector<bearing::Stretch>& stretches,
+                                      const bearing::WarmUpOptions& options,
+                                      const bearing::CourseRun& run);
+
+/// Torque, temperatures and smallest film over time, and torque over speed (1200 x 780).
+[[nodiscard]] std::string course_svg(const std::vector<bearing::Stretch>& stretches,
+                                     const bearing::CourseRun& run);
+
+}  // namespace shellback::app

@@ -1,0 +1,146 @@
+#include "bearing/course.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/first_film.hpp"
+#include "bearing/march_over_cycles.hpp"
+#include "core/contract.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+bool one_bearing(const Case& a, const Case& b) {
+  return a.shell == b.shell && a.shaft == b.shaft && a.bearing.radius == b.bearing.radius &&
+         a.bearing.width == b.bearing.width && a.model.grid == b.model.grid &&
+         a.bearing.reference_temperature == b.bearing.reference_temperature &&
+         a.cycle.has_value() == b.cycle.has_value();
+}
+
+void expect_course(const std::vector<Stretch>& stretches, Tier tier) {
+  if (tier != Tier::thd && tier != Tier::tehd) {
+    throw InputError("model.tier",
+                     "a course follows the walls' temperatures, which only the tiers thd and tehd "
+                     "have");
+  }
+  if (stretches.empty()) throw InputError("course", "it has no stretch; give one speed or more");
+  for (const Stretch& s : stretches) {
+    if (!(s.duration > 0.0) || !std::isfinite(s.duration)) {
+      throw InputError("course", "the time of a stretch is not a positive number of seconds");
+    }
+    if (s.subject.cycle && !s.subject.cycle->repeats()) {
+      throw InputError("load_cycle.period",
+                       "a course passes many cycles, and the case has a single event; give its "
+                       "period");
+    }
+    if (!one_bearing(s.subject, stretches.front().subject)) {
+      throw InputError("course",
+                       "its stretches are not of one bearing: shell, shaft, diameter, width and "
+                       "grid may not change on the way");
+    }
+  }
+}
+
+/// The course as it is passed.
+class Course {
+ public:
+  Course(Tier tier, const WarmUpOptions& options, const SolveControl& control, CourseRun& run)
+      : tier_(tier), options_(options), control_(control), run_(run) {}
+
+  /// True if the stretch was passed to its end.
+  bool pass(const Stretch& s) {
+    const MarchEnd end = s.subject.cycle ? over_cycles(s) : steadily_loaded(s);
+    run_.end = end;
+    run_.end.t += begun_;
+    if (!end.verdict.good()) return false;
+    run_.ends.push_back(run_.instants.size() - 1);
+    begun_ += s.duration;
+    return true;
+  }
+
+ private:
+  void tell(Instant i) {
+    i.t += begun_;
+    run_.instants.push_back(i);
+  }
+
+  MarchEnd over_cycles(const Stretch& s) {
+    constexpr double kSteps = 16.0;    // of a stretch at least: see the head of course.hpp
+    constexpr double kFirst = 1024.0;  // first step, of a stretch: shorter where walls move by 2 K
+    CycleSearch search(s.subject, tier_, control_);
+    search.begin(s.subject.supplies.front().temperature);
+    if (!bodies_) bodies_ = uniform_bodies(*search.film().model().solids, options_.T_start);
+    MarchSpan span;
+    span.duration = s.duration;
+    span.shortest = s.subject.cycle->length();
+    span.first = std::max(span.shortest, s.duration / kFirst);
+    span.longest = std::max(span.shortest, s.duration / kSteps);
+    span.until_rest = false;
+    // The orbit is found before its heat counts.
+    MarchEnd end;
+    if (!search.pass_between(bodies_->walls)) {
+      end.verdict = search.verdict();
+      return end;
+    }
+    return march_over_cycles(search, span, *bodies_, [this](const Instant& i) { tell(i); });
+  }
+
+  MarchEnd steadily_loaded(const Stretch& s) {
+    Solution now;
+    const Physics physics = physics_of(s.subject, tier_);
+    now.target = load_target(s.subject);
+    now.model = make_bearing(s.subject, physics, s.subject.model.grid);
+    const SolidEffects effects{physics.elastic, true, physics.thermal_deformation, true};
+    if (!solids_) {
+      solids_ = std::make_shared<const Solids>(s.subject, now.model.scene.grid, effects);
+      bodies_ = uniform_bodies(*solids_, options_.T_start);
+    }
+    now.model.solids = solids_;
+    const SolidTemperature walls = solids_->at(bodies_->state);
+    now.heat = cold_heat(now.model, options_.T_start);
+    now.heat.T_shell = walls.shell.surface;
+    now.heat.T_shaft = walls.shaft.temperature;
+    if (physics.thermal_deformation) now.heat.thermal_deformation = walls.thermal_deformation;
+    now.T_film = s.subject.supplies.front().temperature;
+    MarchEnd end;
+    end.verdict = first_film(now, now.T_film, control_);
+    if (!end.verdict.good()) return end;
+    MarchOptions march;
+    march.end = s.duration;
+    march.error = options_.error;
+    return march_heat(now, bodies_->state, march, control_, [this](const Instant& i) { tell(i); });
+  }
+
+  Tier tier_;
+  const WarmUpOptions& options_;
+  const SolveControl& control_;
+  CourseRun& run_;
+  double begun_ = 0.0;  ///< of the present stretch [s]
+  std::optional<Bodies> bodies_;
+  std::shared_ptr<const Solids> solids_;  ///< under a steady load
+};
+
+}  // namespace
+
+double CourseRun::imbalance_at_ends() const {
+  double most = 0.0;
+  for (const std::size_t k : ends) {
+    const Instant& i = instants[k];
+    most = larger(most, std::abs(i.heat_in - i.heat_out - i.stored) / std::abs(i.heat_in));
+  }
+  return most;
+}
+
+CourseRun run_course(const std::vector<Stretch>& stretches, Tier tier, const WarmUpOptions& options,
+                     const SolveControl& control) {
+  expect_course(stretches, tier);
+  CourseRun run;
+  Course course(tier, options, control, run);
+  for (const Stretch& s : stretches) {
+    if (!course.pass(s)) break;
+  }
+  return run;
+}
+
+}  // namespace shellback::bearing

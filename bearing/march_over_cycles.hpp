@@ -1,0 +1,37 @@
+#pragma once
+/// Bodies in time, load cycles between: multirate steps.
+///
+/// One cycle is passed with walls that stay as they are; then shell, housing and shaft see its mean
+/// heat through a step of backward Euler, and so on. The step is halved until no wall moves by more
+/// than 2 K. Its error is of first order in the longest step. Source: methods 3.5.
+#include <functional>
+
+#include "bearing/cycle_search.hpp"
+#include "bearing/heat_march.hpp"
+
+namespace shellback::bearing {
+
+/// The bodies at one time: what a march leaves and the next one begins with.
+struct Bodies {
+  SolidState state;
+  WallMeans walls;
+};
+
+/// Shell, housing and shaft at one temperature [K].
+[[nodiscard]] Bodies uniform_bodies(const Solids& solids, double T);
+
+/// How far a march goes.
+struct MarchSpan {
+  double duration = std::numeric_limits<double>::infinity();  ///< [s]
+  double first = 0.0;                                         ///< step [s]
+  double shortest = 0.0;  ///< step that is taken however far walls move: a cycle [s]
+  double longest = std::numeric_limits<double>::infinity();  ///< step [s]
+  bool until_rest = true;  ///< ends early where walls move no more
+};
+
+/// Marches `bodies` under the cycle of `search`, which has begun. `tell` has each instant, counted
+/// from the beginning of the march.
+[[nodiscard]] MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, Bodies& bodies,
+                                         const std::function<void(const Instant&)>& tell);
+
+}  // namespace shellback::bearing

@@ -1,0 +1,113 @@
+// A course of speeds: bodies carried over, films begun anew.
+#include "bearing/course.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bearing/solve.hpp"
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+Case coarse() {
+  Case c = warm_case();
+  c.model.tier = Tier::thd;
+  c.model.grid = {48, 6};
+  return c;
+}
+
+Case at_speed(Case c, double part) {
+  c.operation.omega *= part;
+  return c;
+}
+
+/// The steady load of the case as a cycle that does not swing.
+Case as_cycle(Case c) {
+  const auto load = std::get<LoadGiven>(c.operation.position);
+  LoadCycle cycle;
+  cycle.period = 4.0 * kPi / std::abs(c.operation.omega);
+  cycle.t = {0.0};
+  cycle.x = {load.force * std::cos(load.angle)};
+  cycle.y = {load.force * std::sin(load.angle)};
+  cycle.journal_mass = 0.5;
+  c.cycle = cycle;
+  return c;
+}
+
+CourseRun passed(const std::vector<Stretch>& stretches) {
+  WarmUpOptions o;
+  o.T_start = 313.15;
+  const CourseRun run = run_course(stretches, Tier::thd, o);
+  INFO(run.end.verdict.reason);
+  REQUIRE(run.end.verdict.good());
+  REQUIRE(run.ends.size() == stretches.size());
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("AStretchThatIsCutInTwoEndsTheSame", "[course]") {
+  const Case c = coarse();
+  const CourseRun whole = passed({{c, 120.0}});
+  const CourseRun halves = passed({{c, 60.0}, {c, 60.0}});
+  CHECK(halves.instants.back().t == Approx(120.0));
+  // each march allows itself 0.2 K a step
+  CHECK(halves.instants.back().T_shaft == Approx(whole.instants.back().T_shaft).margin(0.5));
+  CHECK(halves.instants.back().torque == Approx(whole.instants.back().torque).epsilon(5e-3));
+}
+
+TEST_CASE("ARunDownIsWarmerThanTheRunUpUnlessItIsSlow", "[course]") {
+  const Case slow = at_speed(coarse(), 0.5);
+  const Case fast = coarse();
+  const auto warmer = [&](double hold) {
+    const CourseRun run = passed({{slow, hold}, {fast, hold}, {slow, hold}});
+    const auto shaft = [&](std::size_t k) { return run.instants[run.ends[k]].T_shaft; };
+    CHECK(shaft(1) > shaft(0));
+    return shaft(2) - shaft(0);
+  };
+  CHECK(warmer(30.0) > 0.5);  // [K]; the bodies take minutes
+  // after hours nothing is left of the past but what a march leaves at rest
+  CHECK(std::abs(warmer(1e5)) < 0.02);
+}
+
+TEST_CASE("ACourseOverCyclesThatDoNotSwingIsTheSteadyOne", "[course]") {
+  const Case slow = at_speed(coarse(), 0.5);
+  const Case fast = coarse();
+  constexpr double kHold = 200.0;
+  const CourseRun steady = passed({{slow, kHold}, {fast, kHold}});
+  const CourseRun cycles = passed({{as_cycle(slow), kHold}, {as_cycle(fast), kHold}});
+  CHECK(cycles.imbalance_at_ends() < 0.02);  // the film changes while the walls move
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Instant& a = steady.instants[steady.ends[k]];
+    const Instant& b = cycles.instants[cycles.ends[k]];
+    // a sixteenth of a stretch a step, of first order: some per cent of the change within it
+    CHECK(b.t == Approx((static_cast<double>(k) + 1.0) * kHold));
+    CHECK(b.T_shaft == Approx(a.T_shaft).margin(1.0));
+    CHECK(b.torque == Approx(a.torque).epsilon(0.02));
+  }
+}
+
+TEST_CASE("ACourseIsOfOneBearing", "[course]") {
+  const Case c = coarse();
+  const auto refused = [](const std::vector<Stretch>& stretches, Tier tier = Tier::thd) {
+    CHECK_THROWS_AS(run_course(stretches, tier, {}), InputError);
+  };
+  refused({});
+  refused({{c, 0.0}});
+  refused({{c, std::numeric_limits<double>::infinity()}});
+  refused({{c, 1.0}}, Tier::isothermal);
+  Case wider = c;
+  wider.bearing.width *= 1.1;
+  refused({{c, 1.0}, {wider, 1.0}});
+  Case finer = c;
+  finer.model.grid = {60, 6};
+  refused({{c, 1.0}, {finer, 1.0}});
+  Case event = as_cycle(c);
+  event.cycle->period = std::numeric_limits<double>::infinity();
+  refused({{event, 1.0}});
+}

@@ -172,7 +172,7 @@ AsperityContact::AsperityContact(const RoughSurface& shell, const RoughSurface& 
     : sigma_(std::hypot(shell.summit_roughness, shaft.summit_roughness)),
       delta_(shell.summit_height + shaft.summit_height),
       scale_(parameters.elastic_factor * parameters.composite_modulus),
-      friction_(parameters.friction),
+      friction_(parameters, sigma_),
       integral_(parameters.integral) {
   require_positive(sigma_, "the combined summit roughness", "m");
   require_positive(parameters.elastic_factor, "the elastic factor K", "");
@@ -202,10 +202,6 @@ void AsperityContact::evaluate(std::span<const double> h, std::span<double> p,
   } else {
     each(power_law);
   }
-}
-
-double AsperityContact::friction(double speed) const {
-  return friction_ * std::tanh(speed / kMicroSlip);
 }
 
 }  // namespace shellback::solid

@@ -221,6 +221,21 @@ Json surface(const solid::RoughSurface& s) {
           {"summit_height", si(s.summit_height, "m")}};
 }
 
+Json friction_law(const solid::GenericFriction& f) {
+  Json json{{"abrasive", plain(f.abrasive)},
+            {"adhesive", plain(f.adhesive)},
+            {"a", plain(f.a)},
+            {"b", plain(f.b)},
+            {"c", plain(f.c)},
+            {"summit_radius", si(f.summit_radius, "m")}};
+  if (f.L_s) {
+    json["reference_length"] = si(*f.L_s, "m");
+  } else {
+    json["orientation"] = plain(f.orientation);
+  }
+  return json;
+}
+
 Json surfaces(const Surfaces& s) {
   Json json{{"shell", surface(s.shell)}, {"shaft", surface(s.shaft)}};
   if (!s.contact) return json;
@@ -228,9 +243,13 @@ Json surfaces(const Surfaces& s) {
   const double hardness = s.contact->hardness;
   json["contact"] = {{"elastic_factor", plain(s.contact->elastic_factor)},
                      {"composite_modulus", si(s.contact->composite_modulus, "Pa")},
-                     {"friction", plain(s.contact->friction)},
                      {"integral", exact ? "exact" : "power-law"}};
   if (hardness > 0.0) json["contact"]["hardness"] = si(hardness, "Pa");
+  if (s.contact->friction_law) {
+    json["contact"]["friction_law"] = friction_law(*s.contact->friction_law);
+  } else {
+    json["contact"]["friction"] = plain(s.contact->friction);
+  }
   return json;
 }
 

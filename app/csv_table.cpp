@@ -89,7 +89,8 @@ void CsvTable::read_header(const std::string& line, const std::vector<CsvKind>& 
           place, fmt::format("the column {} names no unit; write for example {}", name, example_));
     }
     try {
-      columns_.push_back({name, unit, unit_factor(unit, kind), {}, {}});
+      if (kind.absolute) static_cast<void>(parse_quantity("300 " + unit, kind));
+      columns_.push_back({name, unit, kind, kind.absolute ? 1.0 : unit_factor(unit, kind), {}, {}});
     } catch (const UnitError& error) {
       throw InputError(place, error.what());
     }
@@ -114,17 +115,24 @@ void CsvTable::read_row(const std::string& line, int number) {
                                                     "the row out",
                                                     columns_[k].name));
     }
-    try {
-      columns_[k].values.push_back(parse_quantity(cells[k].text, kNumber) * columns_[k].factor);
-    } catch (const UnitError& error) {
-      throw InputError(place(cells[k]), error.what());
-    }
-    if (!std::isfinite(columns_[k].values.back())) {
-      throw InputError(place(cells[k]), "this number is too large to be computed with");
-    }
-    columns_[k].cells.push_back(cells[k]);
+    read_cell(columns_[k], cells[k], place(cells[k]));
   }
   lines_.push_back(number);
+}
+
+void CsvTable::read_cell(Column& column, const CsvCell& cell, const std::string& place) {
+  try {
+    const double number = parse_quantity(cell.text, kNumber);
+    column.values.push_back(column.kind.absolute
+                                ? parse_quantity(cell.text + " " + column.unit, column.kind)
+                                : number * column.factor);
+  } catch (const UnitError& error) {
+    throw InputError(place, error.what());
+  }
+  if (!std::isfinite(column.values.back())) {
+    throw InputError(place, "this number is too large to be computed with");
+  }
+  column.cells.push_back(cell);
 }
 
 const CsvTable::Column* CsvTable::find(const std::string& name) const {

@@ -56,10 +56,12 @@ class CsvTable {
   struct Column {
     std::string name;
     std::string unit;
-    double factor = 1.0;  ///< to SI
+    Kind kind;
+    double factor = 1.0;  ///< to SI; of a temperature the unit's zero counts, too
     std::vector<double> values;
     std::vector<CsvCell> cells;
   };
+  void read_cell(Column& column, const CsvCell& cell, const std::string& place);
   void read_header(const std::string& line, const std::vector<CsvKind>& possible);
   void read_row(const std::string& line, int number);
   [[nodiscard]] const Column* find(const std::string& name) const;

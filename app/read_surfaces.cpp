@@ -5,13 +5,46 @@ namespace {
 
 using solid::ContactIntegral;
 
+solid::GenericFriction read_friction_law(const Section& section) {
+  section.only(
+      {"abrasive", "adhesive", "a", "b", "c", "summit_radius", "orientation", "reference_length"},
+      "surfaces.contact.friction_law");
+  solid::GenericFriction law;
+  law.abrasive = section.quantity("abrasive", kNumber, kUpToOne);
+  law.adhesive = section.quantity("adhesive", kNumber, kUpToOne);
+  law.a = section.quantity("a", kNumber, kAboveOne);
+  law.b = section.quantity("b", kNumber, kNotNegative);
+  law.c = section.quantity("c", kNumber, kNotNegative);
+  law.summit_radius = section.quantity("summit_radius", kLength, kPositive);
+  law.L_s = section.maybe_quantity("reference_length", kLength, kPositive);
+  if (law.L_s && section.has("orientation")) {
+    section.fail("orientation",
+                 "orientation only serves to find reference_length, which is given; keep one");
+  }
+  if (!law.L_s) {
+    law.orientation = section.quantity_or(
+        "orientation", kNumber, law.orientation,
+        "surfaces.contact.friction_law: the summits' orientation is taken as 1", kPositive);
+  }
+  return law;
+}
+
 solid::ContactParameters read_contact(const Section& section) {
-  section.only({"elastic_factor", "composite_modulus", "friction", "integral", "hardness"},
-               "surfaces.contact");
+  section.only(
+      {"elastic_factor", "composite_modulus", "friction", "friction_law", "integral", "hardness"},
+      "surfaces.contact");
   solid::ContactParameters contact;
   contact.elastic_factor = section.quantity("elastic_factor", kNumber, kPositive);
   contact.composite_modulus = section.quantity("composite_modulus", kPressure, kPositive);
-  contact.friction = section.quantity("friction", kNumber, kUpToOne);
+  if (const auto law = section.maybe_section("friction_law")) {
+    if (section.has("friction")) {
+      section.fail("friction",
+                   "friction is a constant coefficient and friction_law a law; keep one of them");
+    }
+    contact.friction_law = read_friction_law(*law);
+  } else {
+    contact.friction = section.quantity("friction", kNumber, kUpToOne);
+  }
   contact.hardness = section.quantity_or("hardness", kPressure, 0.0, "", kPositive);
   if (section.has("integral")) {
     contact.integral = section.choice<ContactIntegral>(

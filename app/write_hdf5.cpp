@@ -60,6 +60,10 @@ void write_fields(hid_t file, const Result& result) {
   cells("T_shell_back", f.T_shell_back, "K", "shell temperature at its back");
   cells("tau_journal", f.tau_journal, "Pa", "shear stress on the journal, against its motion");
   cells("tau_shell", f.tau_shell, "Pa", "shear stress on the shell, along the motion");
+  cells("tau_abrasive", f.tau_abrasive, "Pa", "asperity shear stress, abrasive part");
+  cells("tau_adhesive", f.tau_adhesive, "Pa", "asperity shear stress, adhesive part");
+  cells("tau_micro_hydrodynamic", f.tau_micro_hydrodynamic, "Pa",
+        "asperity shear stress, micro-hydrodynamic part");
   cells("elastic", f.elastic, "m", "elastic widening of the gap");
   cells("growth", f.thermal_deformation, "m", "thermal widening of the gap");
   field(fields, "T", f.T, across, {"K", "film temperature", "phi z s", state});

@@ -229,7 +229,7 @@ CompliantAnswer with_compliance(const BearingModel& model, const FilmEquilibrium
   const auto beyond_winkler = [&](const BorderedFilm::Answer& x) {
     Field y = model.solids->compliance(x.P);
     for (std::size_t k = 0; k < y.size(); ++k) y[k] -= tau * x.P[k];
-    return s.contact_widening ? sum(y, model.solids->widening(*s.contact_widening, x.contact)) : y;
+    return s.contact_widening ? sum(y, widening(*model.solids, *s.contact_widening, x.contact)) : y;
   };
   const Field rhs = beyond_winkler(solve(defect, false));
   const auto apply = [&](const Field& b) {

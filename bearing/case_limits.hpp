@@ -47,8 +47,11 @@ struct BearingLimits {
   Limits specific_load{0.0, 1e3, 150e6, 2e9};    // [Pa] engines reach about 150 MPa peak
   Limits edge_tilt{0.0, 0.0, 0.5, 1.0};          // over the clearance [-]; 1: across the whole gap
   Limits roughness{0.0, 0.0, 0.05, 0.5};         // combined, over the clearance [-]
-  Limits viscosity{1e-6, 5e-4, 2.0, 1e3};        // [Pa s] air to pitch; oils lie between
-  Limits bulk_modulus{1e8, 8e8, 6e9, 1e11};      // [Pa] liquids: 0.8 (petrol) to 5 GPa
+  /// [-] Engineering surfaces 0.03 to 0.05 (Greenwood and Tripp, textbook); from 0.3 on all is
+  /// contact as soon as the mean planes meet: pi^2 0.3^2 F_2(0) = 0.44.
+  Limits summit_product{0.0, 0.01, 0.15, 0.3};
+  Limits viscosity{1e-6, 5e-4, 2.0, 1e3};    // [Pa s] air to pitch; oils lie between
+  Limits bulk_modulus{1e8, 8e8, 6e9, 1e11};  // [Pa] liquids: 0.8 (petrol) to 5 GPa
   /// [1/K] Lubricating oils 6.4e-4 to 7.3e-4 (seed 002, after Eq. 28); at 5e-3 the density would
   /// be gone 200 K above its reference.
   Limits oil_expansion{0.0, 0.0, 1.5e-3, 5e-3};

@@ -30,6 +30,10 @@ struct CycleInstant {
   double p_asperity_max = 0.0;        ///< [Pa]
   double torque = 0.0;                ///< of friction on the journal [N m]
   double torque_asperity = 0.0;       ///< part of it from asperities [N m]
+  // Parts of that; not a number without a friction law [N m].
+  double torque_abrasive = std::numeric_limits<double>::quiet_NaN();
+  double torque_adhesive = std::numeric_limits<double>::quiet_NaN();
+  double torque_micro_hydrodynamic = std::numeric_limits<double>::quiet_NaN();
   /// Torque at which the journal would begin to turn: the boundary coefficient times the contact's
   /// sum, of a journal at rest; 0 while it turns [N m].
   double breakaway = 0.0;

@@ -33,6 +33,16 @@ Field CycleRecord::shell_surface(const FilmInTime& now) const {
   return T;
 }
 
+void CycleRecord::add_contact(const FilmEquilibrium& f, CycleInstant& i) {
+  const BearingModel& m = film_->model();
+  const AsperityStress tau = asperity_stress(m, f);
+  power_now_ = sum(power_now_, tau.sum());
+  if (!m.input.surfaces.contact->friction_law) return;
+  i.torque_abrasive = fluid::torque(m.scene, tau.abrasive);
+  i.torque_adhesive = fluid::torque(m.scene, tau.adhesive);
+  i.torque_micro_hydrodynamic = fluid::torque(m.scene, tau.micro_hydrodynamic);
+}
+
 CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
   const BearingModel& m = film_->model();
   const FilmEquilibrium& f = now.film;
@@ -65,15 +75,9 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
   }
   pump_now_ = pump_power(m, f);
   power_now_ = friction.stress.journal;
-  const double mu = m.contact ? m.contact->friction(m.scene.speed) : 0.0;
-  for (std::size_t c = 0; c < power_now_.size(); ++c) {
-    power_now_[c] = (power_now_[c] + mu * f.p_contact[c]) * m.scene.speed;
-  }
-  if (m.contact && load.omega == 0.0) {
-    Field rubbed = f.p_contact;
-    for (double& p : rubbed) p *= m.contact->friction();
-    i.breakaway = fluid::torque(m.scene, rubbed);
-  }
+  if (m.contact) add_contact(f, i);
+  for (double& power : power_now_) power *= m.scene.speed;
+  if (load.omega == 0.0) i.breakaway = breakaway_torque(m, f);
   return i;
 }
 
@@ -227,6 +231,11 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   };
   add_mean("friction_torque", &CycleInstant::torque);
   add_mean("friction_torque_asperity", &CycleInstant::torque_asperity);
+  if (std::isfinite(instants_.front().torque_abrasive)) {
+    add_mean("friction_torque_abrasive", &CycleInstant::torque_abrasive);
+    add_mean("friction_torque_adhesive", &CycleInstant::torque_adhesive);
+    add_mean("friction_torque_micro_hydrodynamic", &CycleInstant::torque_micro_hydrodynamic);
+  }
   add_mean("power_loss", &CycleInstant::power);
   add_extreme("h_min", &CycleInstant::h_min, true);
   add_extreme("p_max", &CycleInstant::p_max, false);
@@ -235,7 +244,7 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   }
   if (extreme(instants_, &CycleInstant::breakaway, false).breakaway > 0.0) {
     add_extreme("breakaway_torque", &CycleInstant::breakaway, false);
-    const double slow = solid::AsperityContact::kSliding / film_->model().scene.grid.radius;
+    const double slow = solid::BoundaryFriction::kSliding / film_->model().scene.grid.radius;
     if (const auto lifted = lift_off(instants_, slow)) {
       out.push_back(named("lift_off_speed", lifted->omega));
       out.back().at = lifted->t;

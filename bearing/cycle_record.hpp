@@ -33,6 +33,7 @@ class CycleRecord {
   void write(CycleResult& r) const;
 
  private:
+  void add_contact(const FilmEquilibrium& f, CycleInstant& i);
   [[nodiscard]] CycleInstant instant_of(const FilmInTime& now, double dt);
   [[nodiscard]] std::vector<CycleQuantity> quantities() const;
   [[nodiscard]] CycleAudit audit() const;

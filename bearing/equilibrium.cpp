@@ -127,10 +127,16 @@ void evaluate_contact(const BearingModel& model, FilmEquilibrium& s) {
 /// (3) or (3a) of the pressures p and p_a.
 Field displacement(const BearingModel& model, const FilmEquilibrium& s) {
   Field d = model.solids->compliance(sum(s.film.p, s.p_contact));
-  return s.contact_widening ? sum(d, model.solids->widening(*s.contact_widening, s.p_contact)) : d;
+  return s.contact_widening ? sum(d, widening(*model.solids, *s.contact_widening, s.p_contact)) : d;
 }
 
 }  // namespace
+
+Field widening(const Solids& solids, const ContactWidening& by, const Field& p_contact) {
+  Field heat = p_contact;
+  for (std::size_t c = 0; c < heat.size(); ++c) heat[c] *= by.rate[c];
+  return solids.widening(by.by_heat, heat);
+}
 
 bool evaluate(const BearingModel& model, const Field& thermal_deformation, double tolerance,
               FilmEquilibrium& s) {

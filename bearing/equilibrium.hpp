@@ -13,8 +13,9 @@
 /// Asperity heat makes the shell bulge towards the journal where they rub, and rub more. Taken in
 /// turns with the film this diverges in heavy contact; where `contact_widening` G is given, (3)
 /// reads
-///   d = C (p + p_a) + G p_a                                                                   (3a)
-/// and the thermal deformation given from outside is without G p_a.
+///   d = C (p + p_a) + G (r p_a)                                                               (3a)
+/// and the thermal deformation given from outside is without G (r p_a); r is the heat that enters
+/// the shell per contact pressure, held while G is.
 /// Source: seed 000 Eq. 1; backward Euler, textbook.
 #include <limits>
 #include <memory>
@@ -50,10 +51,19 @@ struct Evaluation {
   fluid::SmallestGap least;
 };
 
+/// Thermal deformation by asperity heat as (3a) has it.
+struct ContactWidening {
+  HarmonicOperator by_heat;  ///< G [m3/W]
+  Field rate;                ///< r, heat into the shell per contact pressure [m/s]
+};
+/// G (r p_a) of a field of contact pressures, or of their changes [m].
+[[nodiscard]] Field widening(const Solids& solids, const ContactWidening& by,
+                             const Field& p_contact);
+
 /// A state and what its last evaluation found.
 struct FilmEquilibrium : State, Evaluation {
   OilColumns columns;  ///< temperatures as given by heat, viscosities as last found
-  std::shared_ptr<const HarmonicOperator> contact_widening;  ///< G of (3a) [m/Pa]; none: (3)
+  std::shared_ptr<const ContactWidening> contact_widening;  ///< of (3a); none: (3)
 };
 
 struct EquilibriumOptions {

@@ -20,13 +20,46 @@ Friction friction_of(const BearingModel& model, const FilmEquilibrium& s) {
                                  model.shear_rule);
   f.viscous = fluid::torque(scene, f.stress.journal);
   f.viscous_shell = fluid::torque(scene, f.stress.shell);
-  if (model.contact) {
-    Field tau = s.p_contact;
-    const double mu = model.contact->friction(scene.speed);
-    for (double& x : tau) x *= mu;
-    f.asperity = fluid::torque(scene, tau);
-  }
+  if (model.contact) f.asperity = fluid::torque(scene, asperity_stress(model, s).sum());
   return f;
+}
+
+Field AsperityStress::sum() const {
+  Field all = abrasive;
+  for (std::size_t c = 0; c < all.size(); ++c) all[c] += adhesive[c] + micro_hydrodynamic[c];
+  return all;
+}
+
+namespace {
+
+solid::RubbingPlace rubbing(const BearingModel& model, const FilmEquilibrium& s, std::size_t c) {
+  return model.contact->place(s.gap.cell[c], s.p_contact[c], 1.0 / s.columns.g0[c],
+                              model.scene.speed);
+}
+
+}  // namespace
+
+AsperityStress asperity_stress(const BearingModel& model, const FilmEquilibrium& s) {
+  AsperityStress tau;
+  if (!model.contact) return tau;
+  const std::size_t cells = s.p_contact.size();
+  for (Field* part : {&tau.abrasive, &tau.adhesive, &tau.micro_hydrodynamic}) {
+    part->assign(cells, 0.0);
+  }
+  for (std::size_t c = 0; c < cells; ++c) {
+    const solid::FrictionParts parts = model.contact->friction().stress(rubbing(model, s, c));
+    tau.abrasive[c] = parts.abrasive;
+    tau.adhesive[c] = parts.adhesive;
+    tau.micro_hydrodynamic[c] = parts.micro_hydrodynamic;
+  }
+  return tau;
+}
+
+double breakaway_torque(const BearingModel& model, const FilmEquilibrium& s) {
+  if (!model.contact) return 0.0;
+  Field tau = s.p_contact;
+  for (double& p : tau) p *= model.contact->friction().at_rest();
+  return fluid::torque(model.scene, tau);
 }
 
 double reference_density(const BearingModel& model) {
@@ -235,23 +268,38 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const 
   return p;
 }
 
-ContactHeatRate contact_heat_rate(const BearingModel& model) {
+namespace {
+
+/// Part of the contact's heat that enters the shell [-].
+double share_of_shell(const BearingModel& model) {
   const auto effusivity = [](const solid::Material& m) {
     return std::sqrt(m.conductivity * m.density * m.heat_capacity);
   };
   const double shell = effusivity(model.input.shell->layers.front().material);
   const double shaft = effusivity(model.input.shaft->material);
-  const double rate = model.contact->friction(model.scene.speed) * model.scene.speed;
-  return {rate * shell / (shell + shaft), rate * shaft / (shell + shaft)};
+  return shell / (shell + shaft);
+}
+
+}  // namespace
+
+Field contact_heat_rate(const BearingModel& model, const FilmEquilibrium& s) {
+  const double heat = share_of_shell(model) * model.scene.speed;
+  Field rate(s.p_contact.size());
+  for (std::size_t c = 0; c < rate.size(); ++c) {
+    rate[c] = heat * model.contact->friction().per_pressure(rubbing(model, s, c));
+  }
+  return rate;
 }
 
 ContactHeat contact_heat(const BearingModel& model, const FilmEquilibrium& s) {
   ContactHeat q{Field(s.p_contact.size(), 0.0), Field(s.p_contact.size(), 0.0)};
   if (!model.contact) return q;
-  const ContactHeatRate rate = contact_heat_rate(model);
-  for (std::size_t k = 0; k < s.p_contact.size(); ++k) {
-    q.shell[k] = rate.shell * s.p_contact[k];
-    q.shaft[k] = rate.shaft * s.p_contact[k];
+  const double to_shell = share_of_shell(model);
+  const Field tau = asperity_stress(model, s).sum();
+  for (std::size_t c = 0; c < tau.size(); ++c) {
+    const double heat = tau[c] * model.scene.speed;
+    q.shell[c] = to_shell * heat;
+    q.shaft[c] = (1.0 - to_shell) * heat;
   }
   return q;
 }

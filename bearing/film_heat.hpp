@@ -7,7 +7,7 @@
 /// second part telescopes to supply pressure times supply flow, and where cells gain oil to
 /// -sum p dM/dt / rho_ref as well, the power of the walls that squeeze it. Across the film it is
 /// spread as tau^2/eta (2 of columns.hpp); what that quadrature misses of (1) is spread evenly.
-/// Asperity friction p_a mu U heats the two walls, split by thermal effusivity.
+/// Asperity friction tau_a U heats the two walls, split by thermal effusivity.
 #include <optional>
 #include <vector>
 
@@ -25,6 +25,19 @@ struct Friction {
   double asperity = 0.0;       ///< torque [N m]
 };
 [[nodiscard]] Friction friction_of(const BearingModel& model, const FilmEquilibrium& s);
+
+/// Shear stress of the asperities per cell, in its parts [Pa], opposing the motion; empty without
+/// contact. Pressure, gap and, harmonic across the film as for viscous shear, viscosity are those
+/// of the cell (at its temperature, pressure and shear rate).
+struct AsperityStress {
+  Field abrasive, adhesive, micro_hydrodynamic;
+  [[nodiscard]] Field sum() const;
+};
+[[nodiscard]] AsperityStress asperity_stress(const BearingModel& model, const FilmEquilibrium& s);
+
+/// Torque at which a journal at rest would begin to turn: that of the boundary coefficient at rest
+/// on the contact pressure [N m].
+[[nodiscard]] double breakaway_torque(const BearingModel& model, const FilmEquilibrium& s);
 
 /// Power that the supply spends on pressing the oil through the film [W], whole bearing.
 [[nodiscard]] double pump_power(const BearingModel& model, const FilmEquilibrium& s);
@@ -49,12 +62,9 @@ struct ContactHeat {
   Field shell;
   Field shaft;
 };
-/// Heat into shell and shaft per contact pressure, [W/m2] over [Pa]: p_a mu U, split by effusivity.
-struct ContactHeatRate {
-  double shell = 0.0;  ///< [m/s]
-  double shaft = 0.0;  ///< [m/s]
-};
-[[nodiscard]] ContactHeatRate contact_heat_rate(const BearingModel& model);
+/// Heat into the shell per contact pressure, [W/m2] over [Pa] = [m/s]; where nothing touches,
+/// that of its abrasive part.
+[[nodiscard]] Field contact_heat_rate(const BearingModel& model, const FilmEquilibrium& s);
 [[nodiscard]] ContactHeat contact_heat(const BearingModel& model, const FilmEquilibrium& s);
 
 }  // namespace shellback::bearing

@@ -29,6 +29,9 @@ class HeatIteration {
   [[nodiscard]] std::vector<double> pack() const;
   /// From here on the deformation by asperity heat goes with the film (equilibrium.hpp, (3a)).
   void take_contact_widening();
+  [[nodiscard]] Field own_widening() const {
+    return widening(*s_.model.solids, *s_.film.contact_widening, s_.film.p_contact);
+  }
   /// Counts it as thermal deformation again.
   void give_contact_widening();
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
@@ -81,9 +84,10 @@ void HeatIteration::take_contact_widening() {
   if (s_.film.contact_widening || !s_.model.contact || !has.elastic || !has.thermal_deformation)
     return;
   if (!(s_.heat.response.shell_local > 0.0) || s_.film.p_contact.empty()) return;
-  s_.film.contact_widening = std::make_shared<HarmonicOperator>(s_.model.solids->contact_widening(
-      contact_heat_rate(s_.model).shell, s_.heat.response, walls_.solid_step()));
-  const Field own = s_.model.solids->widening(*s_.film.contact_widening, s_.film.p_contact);
+  s_.film.contact_widening = std::make_shared<ContactWidening>(
+      ContactWidening{s_.model.solids->contact_widening(1.0, s_.heat.response, walls_.solid_step()),
+                      contact_heat_rate(s_.model, s_.film)});
+  const Field own = own_widening();
   for (std::size_t k = 0; k < own.size(); ++k) {
     s_.heat.thermal_deformation[k] -= own[k];
     s_.film.elastic[k] += own[k];
@@ -92,7 +96,7 @@ void HeatIteration::take_contact_widening() {
 
 void HeatIteration::give_contact_widening() {
   if (!s_.film.contact_widening) return;
-  const Field own = s_.model.solids->widening(*s_.film.contact_widening, s_.film.p_contact);
+  const Field own = own_widening();
   for (std::size_t k = 0; k < own.size(); ++k) {
     s_.heat.thermal_deformation[k] += own[k];
     s_.film.elastic[k] -= own[k];
@@ -166,7 +170,7 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
   if (!verdict_.good()) return false;
   walls_.deform();
   if (s_.film.contact_widening) {
-    const Field own = s_.model.solids->widening(*s_.film.contact_widening, s_.film.p_contact);
+    const Field own = own_widening();
     for (std::size_t k = 0; k < own.size(); ++k) s_.heat.thermal_deformation[k] -= own[k];
   } else {
     take_contact_widening();  // the film's response is known from the first iteration on

@@ -9,6 +9,7 @@
 #include "bearing/judge_parts.hpp"
 #include "bearing/shown.hpp"
 #include "core/contract.hpp"
+#include "solid/boundary_friction.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -110,6 +111,14 @@ void judge_surfaces(const Case& c, Findings& to) {
     to.refuse("surfaces.contact",
               "asperity contact needs summit_roughness (and summit_height) of surfaces.shell and "
               "surfaces.shaft");
+  }
+  if (s.contact && s.contact->friction_law && summits > 0.0) {
+    const double density = solid::summit_product(s.contact->elastic_factor, summits,
+                                                 s.contact->friction_law->summit_radius);
+    compare(to, "surfaces.contact.friction_law.summit_radius", density,
+            kBearingLimits.summit_product,
+            fmt::format("summit density times radius times summit roughness is {:.3g}", density),
+            "it follows from elastic_factor, the summit roughnesses and this radius");
   }
   const Switches& on = c.model.switches;
   if (on.asperity_contact.value_or(false) && !s.contact) {

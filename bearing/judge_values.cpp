@@ -121,6 +121,18 @@ void judge_surface(const solid::RoughSurface& s, const ValueCheck& surface) {
   surface.number("summit_height", s.summit_height, "um");
 }
 
+void judge_friction_law(const solid::GenericFriction& f, Findings& to) {
+  const ValueCheck law("surfaces.contact.friction_law", to);
+  law.number("abrasive", f.abrasive, "", kUpToOne);
+  law.number("adhesive", f.adhesive, "", kUpToOne);
+  law.number("a", f.a, "", kAboveOne);
+  law.number("b", f.b, "", kNotNegative);
+  law.number("c", f.c, "", kNotNegative);
+  law.number("summit_radius", f.summit_radius, "um", kPositive);
+  law.number("orientation", f.orientation, "", kPositive);
+  if (f.L_s) law.number("reference_length", *f.L_s, "um", kPositive);
+}
+
 void judge_surfaces(const Surfaces& s, Findings& to) {
   judge_surface(s.shell, ValueCheck("surfaces.shell", to));
   judge_surface(s.shaft, ValueCheck("surfaces.shaft", to));
@@ -130,6 +142,7 @@ void judge_surfaces(const Surfaces& s, Findings& to) {
   contact.number("composite_modulus", s.contact->composite_modulus, "GPa", kPositive);
   contact.number("friction", s.contact->friction, "", kUpToOne);
   contact.number("hardness", s.contact->hardness, "MPa", kNotNegative);
+  if (s.contact->friction_law) judge_friction_law(*s.contact->friction_law, to);
 }
 
 void judge_model(const Model& m, Findings& to) {

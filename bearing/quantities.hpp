@@ -31,12 +31,20 @@ struct Quantities {
 
   double friction_torque = kUnknown;           ///< on the journal, of film and asperities [N m]
   double friction_torque_asperity = kUnknown;  ///< part of it from asperities [N m]
-  double friction_torque_shell = kUnknown;     ///< on the shell [N m]
-  double breakaway_torque = kUnknown;          ///< at which a journal at rest begins to turn [N m]
-  double lift_off_speed = kUnknown;            ///< at which asperities hardly rub any more [rad/s]
-  double power_loss = kUnknown;                ///< friction torque times speed [W]
-  double pump_power = kUnknown;                ///< of the supplied pressure [W]
-  double eccentricity_ratio = kUnknown;        ///< |e| over the cold radial clearance [-]
+  // Parts of the asperity torque, and each over the torque of a coefficient of one: known where
+  // the case has a friction law.
+  double friction_torque_abrasive = kUnknown;            ///< [N m]
+  double friction_torque_adhesive = kUnknown;            ///< [N m]
+  double friction_torque_micro_hydrodynamic = kUnknown;  ///< [N m]
+  double mu_abrasive = kUnknown;                         ///< mean coefficient [-]
+  double mu_adhesive = kUnknown;                         ///< [-]
+  double mu_micro_hydrodynamic = kUnknown;               ///< [-]
+  double friction_torque_shell = kUnknown;               ///< on the shell [N m]
+  double breakaway_torque = kUnknown;       ///< at which a journal at rest begins to turn [N m]
+  double lift_off_speed = kUnknown;         ///< at which asperities hardly rub any more [rad/s]
+  double power_loss = kUnknown;             ///< friction torque times speed [W]
+  double pump_power = kUnknown;             ///< of the supplied pressure [W]
+  double eccentricity_ratio = kUnknown;     ///< |e| over the cold radial clearance [-]
   double attitude_angle = kUnknown;         ///< load line to line of centres, with the speed [deg]
   double tilt_x = kUnknown;                 ///< of the journal about X, if it is tilted [rad]
   double tilt_y = kUnknown;                 ///< about Y [rad]
@@ -84,6 +92,16 @@ inline constexpr QuantityEntry kQuantities[] = {
     {&Quantities::friction_torque, "friction_torque", "N m", "friction torque"},
     {&Quantities::friction_torque_asperity, "friction_torque_asperity", "N m",
      "  of it from asperities"},
+    {&Quantities::friction_torque_abrasive, "friction_torque_abrasive", "N m",
+     "    of that abrasive"},
+    {&Quantities::friction_torque_adhesive, "friction_torque_adhesive", "N m",
+     "    of that adhesive"},
+    {&Quantities::friction_torque_micro_hydrodynamic, "friction_torque_micro_hydrodynamic", "N m",
+     "    of that micro-hydrodynamic"},
+    {&Quantities::mu_abrasive, "mu_abrasive", "1", "boundary friction, abrasive"},
+    {&Quantities::mu_adhesive, "mu_adhesive", "1", "boundary friction, adhesive"},
+    {&Quantities::mu_micro_hydrodynamic, "mu_micro_hydrodynamic", "1",
+     "boundary friction, micro-hydrodynamic"},
     {&Quantities::friction_torque_shell, "friction_torque_shell", "N m",
      "friction torque on the shell"},
     {&Quantities::breakaway_torque, "breakaway_torque", "N m", "breakaway torque"},

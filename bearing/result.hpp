@@ -87,8 +87,10 @@ struct Fields {
   std::vector<double> T_shaft;  ///< shaft surface temperature per axial cell [K]
   Field tau_journal;            ///< viscous shear stress on the journal, opposing its motion [Pa]
   Field tau_shell;              ///< viscous shear stress on the shell, along the motion [Pa]
-  Field elastic;                ///< elastic widening of the gap, shell and shaft [m]
-  Field thermal_deformation;    ///< thermal widening of the gap, shell and shaft [m]
+  // Parts of the asperity shear stress, opposing the motion; empty without a friction law [Pa].
+  Field tau_abrasive, tau_adhesive, tau_micro_hydrodynamic;
+  Field elastic;              ///< elastic widening of the gap, shell and shaft [m]
+  Field thermal_deformation;  ///< thermal widening of the gap, shell and shaft [m]
   /// Shell and housing temperature in the section z = 0: radii and values, index i * r.size() + k.
   std::vector<double> r;
   std::vector<double> T_solid;

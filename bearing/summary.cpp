@@ -53,6 +53,21 @@ double attitude(const Solution& s) {
   return turn * std::remainder(centres - load_line, 2.0 * kPi) * 180.0 / kPi;
 }
 
+/// Parts of the asperity torque, each also over that of a coefficient of one.
+void add_friction_parts(const Solution& s, Quantities& q) {
+  const BearingModel& m = s.model;
+  if (!m.contact || !m.input.surfaces.contact->friction_law) return;
+  const AsperityStress tau = asperity_stress(m, s.film);
+  const double pressed = fluid::torque(m.scene, s.film.p_contact);
+  const auto mean = [&](double part) { return pressed > 0.0 ? part / pressed : 0.0; };
+  q.friction_torque_abrasive = fluid::torque(m.scene, tau.abrasive);
+  q.friction_torque_adhesive = fluid::torque(m.scene, tau.adhesive);
+  q.friction_torque_micro_hydrodynamic = fluid::torque(m.scene, tau.micro_hydrodynamic);
+  q.mu_abrasive = mean(q.friction_torque_abrasive);
+  q.mu_adhesive = mean(q.friction_torque_adhesive);
+  q.mu_micro_hydrodynamic = mean(q.friction_torque_micro_hydrodynamic);
+}
+
 void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
   const BearingModel& m = s.model;
   const double omega = m.input.operation.omega;
@@ -73,6 +88,7 @@ void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
   if (m.contact) {
     q.p_asperity_max = largest(s.film.p_contact);
     const fluid::Wrench contact = fluid::wrench(m.scene, s.film.p_contact);
+    add_friction_parts(s, q);
     q.asperity_load_share =
         std::hypot(contact[0], contact[1]) / std::hypot(s.film.force[0], s.film.force[1]);
   }
@@ -164,6 +180,12 @@ Fields fields_of(const Solution& s, const Friction& f) {
   for (const double x : on_full(m, supplied)) out.supplied.push_back(x > 0.5);
   out.tau_journal = on_full(m, f.stress.journal);
   out.tau_shell = on_full(m, f.stress.shell);
+  if (m.contact && m.input.surfaces.contact->friction_law) {
+    const AsperityStress tau = asperity_stress(m, s.film);
+    out.tau_abrasive = on_full(m, tau.abrasive);
+    out.tau_adhesive = on_full(m, tau.adhesive);
+    out.tau_micro_hydrodynamic = on_full(m, tau.micro_hydrodynamic);
+  }
   out.elastic = on_full(m, s.film.elastic);
   out.thermal_deformation = on_full(m, s.heat.thermal_deformation);
   if (!m.physics.film_energy || !s.heat.known()) return out;

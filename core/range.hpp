@@ -20,6 +20,7 @@ inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 inline constexpr Range kAnyValue{};
 inline constexpr Range kPositive{0.0, kInfinite, true, "be positive"};
 inline constexpr Range kNotNegative{0.0, kInfinite, false, "not be negative"};
+inline constexpr Range kAboveOne{1.0, kInfinite, true, "be greater than 1"};
 inline constexpr Range kUpToOne{0.0, 1.0, false, "lie between 0 and 1"};
 
 }  // namespace shellback

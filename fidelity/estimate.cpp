@@ -66,7 +66,8 @@ class Estimator {
   /// Everything at one film temperature.
   Estimate at(double T) const {
     const auto beyond_load = [&](double eps) {
-      return std::log((film(curve_.at(eps), viscosity(eps, T)) + contact(eps).load) / load_);
+      const double eta = viscosity(eps, T);
+      return std::log((film(curve_.at(eps), eta) + contact(eps, eta).load) / load_);
     };
     const double least = 1e-9;  // concentric
     return state(eps_ ? *eps_ : load_ > 0.0 ? eccentricity_where(beyond_load) : least, T);
@@ -96,16 +97,18 @@ class Estimator {
     return n.so * area() * eta * omega_ / (psi() * psi());
   }
 
-  ContactSum contact(double eps) const {
+  ContactSum contact(double eps, double eta) const {
     constexpr int kPoints = 180;  // around
     ContactSum sum;
     if (!contact_) return sum;
     const double patch = c_.bearing.radius * width_ * 2.0 * kPi / kPoints;
     for (int k = 0; k < kPoints; ++k) {
       const double phi = 2.0 * kPi * k / kPoints;  // from the smallest gap
-      const double p = contact_->at(c_.bearing.radial_clearance * (1.0 - eps * std::cos(phi))).p;
+      const double h = c_.bearing.radial_clearance * (1.0 - eps * std::cos(phi));
+      const double p = contact_->at(h).p;
       sum.load += p * std::cos(phi) * patch;
-      sum.torque += contact_->friction() * p * c_.bearing.radius * patch;
+      const auto place = contact_->place(h, p, eta, omega_ * c_.bearing.radius);
+      sum.torque += contact_->friction().stress(place).sum() * c_.bearing.radius * patch;
     }
     return sum;
   }
@@ -113,7 +116,7 @@ class Estimator {
   Estimate state(double eps, double T) const {
     const Bearing& b = c_.bearing;
     const BearingNumbers n = curve_.at(eps);
-    const ContactSum touching = contact(eps);
+    const ContactSum touching = contact(eps, viscosity(eps, T));
     Estimate e;
     e.T = T;
     e.rise = T - c_.supplies.front().temperature;

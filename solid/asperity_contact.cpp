@@ -174,7 +174,7 @@ AsperityContact::AsperityContact(const RoughSurface& shell, const RoughSurface& 
     : sigma_(std::hypot(shell.summit_roughness, shaft.summit_roughness)),
       delta_(shell.summit_height + shaft.summit_height),
       scale_(parameters.elastic_factor * parameters.composite_modulus),
-      friction_(parameters.friction),
+      friction_(parameters, sigma_),
       hardness_(parameters.hardness > 0.0 ? parameters.hardness : kNoLimit),
       integral_(parameters.integral) {
   require_positive(sigma_, "the combined summit roughness", "m");
@@ -233,10 +233,6 @@ void AsperityContact::evaluate(std::span<const double> h, std::span<double> p,
     p[i] = hardness_;
     dp_dh[i] = 0.0;
   }
-}
-
-double AsperityContact::friction(double speed) const {
-  return friction_ * std::tanh(speed / kMicroSlip);
 }
 
 }  // namespace shellback::solid

@@ -27,6 +27,7 @@
 #include <span>
 #include <vector>
 
+#include "solid/boundary_friction.hpp"
 #include "solid/surface.hpp"
 
 namespace shellback::solid {
@@ -69,22 +70,22 @@ class AsperityContact {
   [[nodiscard]] double delta() const { return delta_; }        ///< sum of summit heights [m]
   /// Gap below which the whole surface would be in contact: beyond the law [m].
   [[nodiscard]] double least_gap() const { return delta_ - kWholeSurface * sigma_; }
-  [[nodiscard]] double friction() const { return friction_; }  ///< boundary coefficient [-]
-  /// The same of surfaces that slide at `speed` [m/s], with its sign: mu tanh(speed/v). Summits in
-  /// contact give way by about a micrometre before they slide (Rabinowicz, textbook); v is the
-  /// speed that a shaft has after so little under the accelerations at which bearings start (0.2
-  /// m/s2 and seconds to full speed: 0.6 mm/s). From 20 v on it is the coefficient to all digits.
-  [[nodiscard]] double friction(double speed) const;
-  static constexpr double kMicroSlip = 1e-3;  ///< v [m/s]
-  /// Speed from which on summits slide: friction is then 99.5 % of the coefficient [m/s].
-  static constexpr double kSliding = 3.0 * kMicroSlip;
+  /// Friction of the pair (solid/boundary_friction.hpp).
+  [[nodiscard]] const BoundaryFriction& friction() const { return friction_; }
+  /// What friction asks for where the gap is `h` [m] and the contact presses with `p` [Pa], with
+  /// oil of viscosity `eta` [Pa s] around the summits and the sliding speed `du` [m/s].
+  [[nodiscard]] RubbingPlace place(double h, double p, double eta, double du) const {
+    return {p, p > 0.0 ? friction_.contact_ratio((h - delta_) / sigma_) : 0.0, eta, du};
+  }
 
  private:
   /// -H at which pi^2 0.05^2 F_2(H) = 1, with F_2 = H^2 + 1 so far down [-].
   static constexpr double kWholeSurface = 6.29;
   [[nodiscard]] ContactPressure elastic(double h) const;  ///< without the limit
 
-  double sigma_, delta_, scale_, friction_, hardness_;
+  double sigma_, delta_, scale_;
+  BoundaryFriction friction_;
+  double hardness_;
   ContactIntegral integral_;
   double flow_gap_;
 };

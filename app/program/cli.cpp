@@ -45,6 +45,8 @@ int work(const Request& request) {
       return study(request);
     case Command::sweep:
       return sweep(request);
+    case Command::identify:
+      return identify(request);
     case Command::honesty:
       return honesty(request);
     case Command::validate:

@@ -104,6 +104,42 @@ void add_sweep(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_identify(CLI::App& app, Request& request) {
+  auto* identify = app.add_subcommand("identify", "fit keys of a case to measurements");
+  add_case_options(*identify, request);
+  identify
+      ->add_option("--measured", request.measured,
+                   "measured points (CSV): where (speed [rpm], load [kN], ...) and what "
+                   "(friction_torque [N m], friction_torque_sd [N m], ...)")
+      ->type_name("DATA.csv");
+  identify
+      ->add_option("--fit", request.fit,
+                   "keys to be fitted, from their values in the case; parted by commas or repeated")
+      ->type_name("KEY,KEY")
+      ->allow_extra_args(false);
+  identify
+      ->add_option("--bounds", request.bounds,
+                   "of a fitted key, in the unit that the case has it in; repeated for each")
+      ->type_name("KEY=LOW:HIGH")
+      ->allow_extra_args(false);
+  identify->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
+  identify
+      ->add_option("--csv", request.csv,
+                   "write measured and computed values; - is standard "
+                   "output")
+      ->type_name("FILE.csv");
+  identify->add_option("--picture", request.picture, "draw measured and fitted curves (SVG)")
+      ->type_name("FILE.svg");
+  identify
+      ->add_option("--json", request.json,
+                   "write keys, deviations and points; - is standard output")
+      ->type_name("FILE");
+  add_force(*identify, request);
+  identify->add_option("-j", request.cores, "threads (default: all cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
 void add_stress(CLI::App& app, Request& request) {
   constexpr double kLongest = 1e5;  // a day and more
   auto* stress = app.add_subcommand("stress", "the stability map: hard scenes by methods");
@@ -285,6 +321,7 @@ const std::vector<Offer> kOffers{
     {"run", Command::run, add_run},
     {"compare", Command::compare, add_compare},
     {"sweep", Command::sweep, add_sweep},
+    {"identify", Command::identify, add_identify},
     {"auto-honesty", Command::auto_honesty, add_auto_honesty},
     {"honesty", Command::honesty, add_honesty},
     {"chart", Command::chart, add_chart},

@@ -22,6 +22,7 @@ enum class Command {
   run,
   compare,
   sweep,
+  identify,
   chart,
   stress,
   study,
@@ -67,7 +68,10 @@ struct Request {
   std::string truth = "400x50";              ///< honesty --truth
   bool bars = false;                         ///< sweep --bars: of the physics left out as well
   bool no_bars = false;                      ///< sweep --no-bars
-  int cores = 0;                             ///< sweep -j; 0: all there are
+  int cores = 0;                             ///< sweep, identify -j; 0: all there are
+  std::string measured;                      ///< identify --measured
+  std::vector<std::string> fit;              ///< identify --fit, each KEY or KEY,KEY
+  std::vector<std::string> bounds;           ///< identify --bounds, each KEY=LOW:HIGH
   std::string table;                         ///< stress --table
   bool only_default = false;                 ///< stress --only-default
   double limit_s = 60.0;                     ///< stress --limit [s]

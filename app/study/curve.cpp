@@ -48,12 +48,13 @@ Solution Curve::predicted(const Axis& axis, const Trail& trail, double at) {
 }
 
 Curve::Curve(const Axis& axis, Along case_at, std::vector<SweepPoint*> points,
-             const SweepOptions& options, Finished finished)
+             const SweepOptions& options, Finished finished, FinishedAlone finished_alone)
     : axis_(axis),
       case_at_(std::move(case_at)),
       points_(std::move(points)),
       options_(options),
       finished_(std::move(finished)),
+      finished_alone_(std::move(finished_alone)),
       failed_from_(points_.size(), 0U),
       solved_(points_.size(), 0) {
   for (int k = 0; k < static_cast<int>(points_.size()); ++k) {
@@ -146,7 +147,7 @@ void Curve::settle(int k, const Known& solution) {
   } else if (stopped()) {
     point.result.verdict = {Status::interrupted, "interrupted before the point was solved", "", ""};
   }
-  finished_(k, solution != nullptr);
+  finished_(k, solution);
 }
 
 /// From the trail's end in one direction through [low, high), up to the first solved point.
@@ -191,7 +192,7 @@ void Curve::solve_alone(int k) {
   } else {
     point.result.quantities.clear();
   }
-  finished_(k, good);
+  finished_alone_(k, good);
 }
 
 void Curve::solve_piece(int low, int high) {

@@ -22,11 +22,14 @@ namespace shellback::study {
 class Curve {
  public:
   using Along = std::function<bearing::Case(double index)>;  ///< the case along the curve
-  using Finished = std::function<void(int k, bool good)>;    ///< told after each point
+  using Known = std::shared_ptr<const bearing::Solution>;
+  /// Told after each point with its solution; null: none was found.
+  using Finished = std::function<void(int k, const Known& solution)>;
+  using FinishedAlone = std::function<void(int k, bool good)>;  ///< of a tier without a film
 
   /// `points` are those of the curve in their order; they must outlive it, as must `options`.
   Curve(const Axis& axis, Along case_at, std::vector<SweepPoint*> points,
-        const SweepOptions& options, Finished finished);
+        const SweepOptions& options, Finished finished, FinishedAlone finished_alone = {});
 
   /// Solves the points of [low, high), as far as they can be reached from within.
   void solve_piece(int low, int high);
@@ -34,7 +37,6 @@ class Curve {
   void mend();
 
  private:
-  using Known = std::shared_ptr<const bearing::Solution>;
   struct Step {
     double at = 0.0;
     Known solution;
@@ -62,6 +64,7 @@ class Curve {
   std::vector<SweepPoint*> points_;
   const SweepOptions& options_;
   Finished finished_;
+  FinishedAlone finished_alone_;
   std::vector<char> alone_;            ///< per point: its tier has no film to go on from
   std::vector<unsigned> failed_from_;  ///< per point: Side bits from which it cannot be solved
 

@@ -92,9 +92,10 @@ std::vector<std::unique_ptr<Curve>> make_curves(Sweep& sweep, const std::vector<
       const double whole = std::round(at);
       return at == whole ? cases[index(static_cast<int>(whole))] : case_at({at, on});
     };
-    const auto finished = [&counter, index](int k, bool good) { counter.tell(index(k), good); };
-    curves.push_back(
-        std::make_unique<Curve>(sweep.axes.front(), along, std::move(points), options, finished));
+    const auto told = [&counter, index](int k, bool good) { counter.tell(index(k), good); };
+    const auto finished = [told](int k, const Curve::Known& s) { told(k, s != nullptr); };
+    curves.push_back(std::make_unique<Curve>(sweep.axes.front(), along, std::move(points), options,
+                                             finished, told));
   }
   return curves;
 }

@@ -3,7 +3,7 @@
 
 #include "bearing/cycle.hpp"
 #include "core/constants.hpp"
-#include "solid/asperity_contact.hpp"
+#include "solid/boundary_friction.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -43,12 +43,13 @@ CycleResult converged(const Case& c) {
 
 TEST_CASE("BoundaryFrictionIsSmoothThroughZeroAndWholeWhereSurfacesSlide", "[start_stop]") {
   const Case c = rig_case();
-  const solid::AsperityContact contact(c.surfaces.shell, c.surfaces.shaft, *c.surfaces.contact);
-  CHECK(contact.friction(0.0) == 0.0);
-  for (const double v : {1e-5, 1e-3, 0.05}) CHECK(contact.friction(-v) == -contact.friction(v));
-  CHECK(contact.friction(0.05) == Approx(contact.friction()).epsilon(1e-12));
-  const double slope = contact.friction(1e-8) / 1e-8;
-  CHECK(slope == Approx(contact.friction() / solid::AsperityContact::kMicroSlip).epsilon(1e-6));
+  const solid::BoundaryFriction law(*c.surfaces.contact, 0.3e-6);
+  const auto friction = [&](double du) { return law.per_pressure({1e6, 1e-3, 0.01, du}); };
+  CHECK(friction(0.0) == 0.0);
+  for (const double v : {1e-5, 1e-3, 0.05}) CHECK(friction(-v) == -friction(v));
+  CHECK(friction(0.05) == Approx(law.at_rest()).epsilon(1e-12));
+  const double slope = friction(1e-8) / 1e-8;
+  CHECK(slope == Approx(law.at_rest() / solid::BoundaryFriction::kMicroSlip).epsilon(1e-6));
 }
 
 TEST_CASE("AtRestTheContactAloneCarriesTheLoad", "[start_stop]") {
@@ -103,7 +104,7 @@ TEST_CASE("AReversalTurnsTheFrictionWithoutAJump", "[start_stop]") {
     const auto& b = r.instants[k];
     CHECK(b.torque_asperity * b.omega >= 0.0);  // against the motion
     const double slip = std::abs(b.omega - a.omega) * c.bearing.radius;
-    const double most = whole * slip / solid::AsperityContact::kMicroSlip;  // slope of tanh at 0
+    const double most = whole * slip / solid::BoundaryFriction::kMicroSlip;  // slope of tanh at 0
     largest_jump = std::max(largest_jump, std::abs(b.torque_asperity - a.torque_asperity) - most);
   }
   CHECK(largest_jump < 0.05 * whole);  // what else changes in a step: the contact itself

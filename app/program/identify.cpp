@@ -1,0 +1,89 @@
+#include "app/study/identify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+#include "app/case_text.hpp"
+#include "app/identify_case.hpp"
+#include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
+#include "app/program/session.hpp"
+#include "app/read_case.hpp"
+#include "app/write_identify.hpp"
+#include "core/contract.hpp"
+#include "validation/rivals/rivals.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+
+namespace {
+
+int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+study::Identification search(const MeasuredTable& table, const std::vector<FittedKey>& keys,
+                             const study::MeasuredCase& case_at, int threads) {
+  ProgressLine line;
+  study::IdentifyOptions options;
+  options.threads = threads;
+  options.stop = &catch_interrupt();
+  options.progress = [&](const study::IdentifyProgress& now) {
+    line.show(fmt::format("evaluation {}, chi2 {:.4g}", now.evaluation, now.chi2));
+  };
+  std::vector<study::FitParameter> values;
+  for (const FittedKey& key : keys) values.push_back(key.value);
+  const auto with_rivals_at = [&](double at, const std::vector<double>& x) {
+    return validation::with_rivals(case_at(at, x));
+  };
+  return study::identify(table.points, values, with_rivals_at, options);
+}
+
+int code_of(const IdentifyView& v) {
+  if (v.end.fit.status == study::FitStatus::interrupted) {
+    std::cerr << "interrupted: the keys are those of the last step\n";
+    return kInterrupted;
+  }
+  if (const std::string words = misfit(v); !words.empty())
+    std::cerr << "warning: " << words << "\n";
+  const std::vector<std::string> why = complaints(v);
+  for (const std::string& reason : why) std::cerr << "error: " << reason << "\n";
+  return why.empty() ? kDone : kNotConverged;
+}
+
+}  // namespace
+
+int identify(const Request& request) {
+  const std::vector<Override> set = overrides_of(request);
+  const std::string text = read_text_file(request.case_file);
+  const bearing::Case given = read_case_text(text, request.case_file, set);
+  if (request.measured.empty()) {
+    throw InputError("--measured",
+                     "the table of measurements is missing; give --measured DATA.csv");
+  }
+  if (request.fit.empty()) {
+    throw InputError("--fit", "no key is named; give --fit KEY with --bounds KEY=LOW:HIGH");
+  }
+  const MeasuredTable table =
+      read_measured_table(request.measured, static_cast<int>(given.supplies.size()),
+                          given.model.tier == bearing::Tier::isothermal);
+  const std::vector<FittedKey> keys =
+      fitted_keys(text, request.case_file, set, request.fit, request.bounds, table);
+  std::vector<std::string> inputs = files_of_case(text, request.case_file, set);
+  inputs.push_back(request.measured);
+  Outputs outputs(request, inputs);
+  tell_warnings(given);
+  const study::Identification end =
+      search(table, keys, measured_case(text, request.case_file, set, table, keys),
+             request.cores > 0 ? request.cores : all_cores());
+  const IdentifyView view{given, keys, table, end};
+  if (request.json != "-" && request.csv != "-") write_identify_table(std::cout, view);
+  outputs.give("--json", [&] { return identify_json(view); });
+  outputs.give("--csv", [&] { return identify_csv(view); });
+  outputs.give("--picture", [&] { return identify_svg(view); });
+  return outputs.code(code_of(view));
+}
+
+}  // namespace shellback::program

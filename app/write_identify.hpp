@@ -1,0 +1,23 @@
+#pragma once
+/// Identified keys for terminals, scripts and pictures.
+#include <iosfwd>
+#include <string>
+
+#include "app/identify_words.hpp"
+
+namespace shellback::app {
+
+/// Keys with deviations and bounds, correlations, directions, every point; --set lines at the end.
+void write_identify_table(std::ostream& out, const IdentifyView& v);
+
+/// All of it, SI but for the keys, which are in the case's unit.
+[[nodiscard]] std::string identify_json(const IdentifyView& v);
+
+/// One line a measured value: point, inputs as measured, measured, deviation, computed at the start
+/// and with the fitted keys (SI, empty where not found).
+[[nodiscard]] std::string identify_csv(const IdentifyView& v);
+
+/// Measured points with their deviations, computed curves at the start (dashed) and fitted.
+[[nodiscard]] std::string identify_svg(const IdentifyView& v);
+
+}  // namespace shellback::app

@@ -1,0 +1,137 @@
+/// shellback identify: files, exit codes, and what the program says.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/case_text.hpp"
+#include "bearing/solve.hpp"
+#include "tests/app/sample_case.hpp"
+#include "tests/program/run_words.hpp"
+
+using namespace shellback;
+using namespace shellback::app;
+using namespace shellback::program;
+using namespace shellback::program::tests;
+
+namespace {
+
+/// The sample, isothermal on a coarse grid, rough, with a law of boundary friction.
+std::string rubbing_case() {
+  std::string text = sample_with(
+      "tier = \"tehd\"", "tier = \"isothermal\"\ngrid = [48, 7]\nelastic_deformation = false");
+  return text + R"(
+[surfaces.shell]
+roughness = "0.34 um"
+summit_roughness = "0.28 um"
+summit_height = "0.39 um"
+[surfaces.shaft]
+roughness = "0.20 um"
+[surfaces.contact]
+elastic_factor = 0.001
+composite_modulus = "53.3 GPa"
+[surfaces.contact.friction_law]
+abrasive = 0.01
+adhesive = 0.05
+a = 10.0
+b = 300.0
+c = 0.0
+summit_radius = "10 um"
+)";
+}
+
+const std::string kLaw = "surfaces.contact.friction_law.";
+
+/// Torques of the case at these speeds, with an adhesion of 0.08, as a table.
+std::string torques(const std::vector<int>& rpm) {
+  std::string table = "speed [rpm], friction_torque [N m], friction_torque_sd [N m]\n";
+  for (const int n : rpm) {
+    const auto c = read_case_text(rubbing_case(), "case.toml",
+                                  {parse_override(fmt::format("operation.speed={} rpm", n)),
+                                   parse_override(kLaw + "adhesive=0.08")});
+    const bearing::Result r = bearing::solve(c);
+    REQUIRE(r.verdict.good());
+    table += fmt::format("{}, {:.12g}, 0.001\n", n, r.value("friction_torque"));
+  }
+  return table;
+}
+
+}  // namespace
+
+TEST_CASE("IdentifyFindsAKeyAndWritesWhatItFound", "[identify]") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", rubbing_case());
+  const auto data = scratch.write("data.csv", torques({10, 40, 150}));
+  const Ended ended =
+      run_words({"identify", path, "--measured", data, "--fit", kLaw + "adhesive", "--bounds",
+                 kLaw + "adhesive=0.01:0.5", "--json", scratch.path("fit.json"), "--csv",
+                 scratch.path("fit.csv"), "--picture", scratch.path("fit.svg")});
+  INFO(ended.err);
+  REQUIRE(ended.code == kDone);
+  check_parts(ended.out, {"settled", "determined", "--set " + kLaw + "adhesive=\"0.08"});
+  std::ifstream file(scratch.path("fit.json"));
+  const auto json = nlohmann::json::parse(file);
+  CHECK(json["sound"] == true);
+  CHECK(json["keys"][0]["value"].get<double>() == Approx(0.08).epsilon(1e-5));
+  CHECK(json["keys"][0]["deviation"].get<double>() > 0.0);
+  CHECK(json["points"].size() == 3);
+  check_parts(read_text_file(scratch.path("fit.svg")), {"<svg", "friction torque", "adhesive = "});
+  check_parts(read_text_file(scratch.path("fit.csv")), {"point,speed [rpm],quantity"});
+}
+
+TEST_CASE("IdentifyRefusesWhatTheDataCannotTellWithThree", "[identify]") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", rubbing_case());
+  const auto data = scratch.write("data.csv", torques({10, 40, 150}));
+  const Ended ended = run_words({"identify", path, "--measured", data, "--fit",
+                                 kLaw + "a," + kLaw + "b", "--set", kLaw + "adhesive=0.08",
+                                 "--bounds", kLaw + "a=1.5:100", "--bounds", kLaw + "b=1:1e5"});
+  CHECK(ended.code == kNotConverged);
+  check_parts(ended.err, {"do not determine", "a x ", "b x ", "--set"});
+  check_parts(ended.out, {"NOT determined"});
+  const Ended few =
+      run_words({"identify", path, "--measured", scratch.write("one.csv", torques({40})), "--fit",
+                 kLaw + "adhesive," + kLaw + "b", "--bounds", kLaw + "b=1:1e5", "--bounds",
+                 kLaw + "adhesive=0.01:0.5"});
+  CHECK(few.code == kNotConverged);
+  check_parts(few.err, {"1 measured values cannot determine 2 keys"});
+}
+
+TEST_CASE("IdentifyWithoutWhatItNeedsEndsWithTwo", "[identify]") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", rubbing_case());
+  const auto data = scratch.write("data.csv", "speed [rpm], friction_torque [N m]\n40, x\n");
+  const auto code = [&](std::vector<std::string> more, const std::string& part) {
+    more.insert(more.begin(), {"identify", path});
+    const Ended ended = run_words(more);
+    check_parts(ended.err, {part});
+    return ended.code;
+  };
+  const std::string key = kLaw + "adhesive";
+  const std::string bounds = key + "=0.01:0.5";
+  CHECK(code({"--fit", key, "--bounds", bounds}, "--measured DATA.csv") == kBadInput);
+  CHECK(code({"--measured", data, "--fit", key, "--bounds", bounds}, "data.csv:2:5") == kBadInput);
+  const auto good = scratch.write("good.csv", "speed [rpm], friction_torque [N m]\n40, 1\n");
+  CHECK(code({"--measured", good}, "--fit KEY") == kBadInput);
+  CHECK(code({"--measured", good, "--fit", key}, "bounds are missing") == kBadInput);
+  CHECK(code({"--measured", good, "--fit", key, "--bounds", key + "=0.01:2"}, "between 0 and 1") ==
+        kBadInput);
+  CHECK(code({"--measured", good, "--fit", key, "--bounds", bounds, "--tier", "auto"},
+             "tier auto") == kBadInput);
+  const auto slow = scratch.write("slow.csv", "speed [rpm], T_shell_max [degC]\n40, 90\n");
+  CHECK(code({"--measured", slow, "--fit", key, "--bounds", bounds},
+             "does not compute T_shell_max") == kBadInput);
+}
+
+TEST_CASE("IdentifyWarnsWhereTheCaseDoesNotDescribeTheData", "[identify]") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", rubbing_case());
+  const auto data = scratch.write("data.csv", torques({10, 40, 150}));
+  const Ended ended =
+      run_words({"identify", path, "--measured", data, "--fit", kLaw + "adhesive", "--bounds",
+                 kLaw + "adhesive=0.01:0.5", "--set", kLaw + "b=10"});  // 300 made the torques
+  CHECK(ended.code == kDone);
+  check_parts(ended.err, {"warning: ", "chi2", "does not describe"});
+}

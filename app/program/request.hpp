@@ -42,6 +42,8 @@ struct Request {
   bool force = false;                        ///< --force: replace files that are no results
   std::string picture;                       ///< --picture
   std::string page;                          ///< run --page
+  std::string state;                         ///< run --state
+  bool resume = false;                       ///< run --resume
   bool transient = false;                    ///< run --transient
   std::string from;                          ///< run --from: temperature of the walls
   std::string until;                         ///< run --until: time

@@ -141,8 +141,8 @@ Tape::Content read_run_state(const std::string& path, const bearing::Case& c) {
   Read r;
   try {
     r = read_file(path);
-  } catch (const FileError& error) {
-    throw damaged(error.what());
+  } catch (const FileError&) {
+    throw damaged("it is cut short, or no HDF5 file");
   }
   const Json kept = Json::parse(r.identity, nullptr, false);
   if (kept.is_discarded() || r.sum != sum_of(r.kept)) throw damaged("its check sum is wrong");

@@ -24,7 +24,7 @@ constexpr double kOfSteps = 0.25;   ///< and the steps in time
 constexpr int kRounds = 3;          ///< of grids and steps
 const std::vector<Grid> kProbes{
     {48, 8}, {60, 10}, {80, 14}};  ///< the first that holds the supplies
-constexpr Grid kFirst{60, 10};
+constexpr Grid kFirst{96, 12};
 
 /// Of the mean torque and of the smallest film [-].
 struct Pair {
@@ -138,7 +138,7 @@ class Search {
 
   /// Cells that bring one bar within what is left of the tolerance, over those that there are.
   [[nodiscard]] double more_cells(const char* name, double bar, double left_out) const {
-    constexpr double kMost = 9.0;  // in one round: three times as many in each direction
+    constexpr double kMost = 4.0;  // in one round: twice as many in each direction
     const double wanted = (1.0 - kOfSteps) * case_.model.tolerance - left_out;
     const double order = named(last_, name)->quantity.order;
     const double p = std::isfinite(order) && order > 0.0 ? order : 1.0;
@@ -172,8 +172,10 @@ class Search {
   CycleResult chosen(CycleResult r) const {
     if (stopped(control_)) r.verdict = {Status::interrupted, "stopped by the user", "", ""};
     const Pair known = bars_of(r);
-    r.choice = AutoChoice{case_.model.tolerance, known.larger() <= case_.model.tolerance,
-                          known.friction, known.h_min, solved_};
+    if (r.verdict.good()) {
+      r.choice = AutoChoice{case_.model.tolerance, known.larger() <= case_.model.tolerance,
+                            known.friction, known.h_min, solved_};
+    }
     for (CycleQuantity& q : r.quantities) {
       const double size = std::abs(q.quantity.value);
       const bool torque = q.quantity.name == "friction_torque" || q.quantity.name == "power_loss";

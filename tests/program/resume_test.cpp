@@ -60,7 +60,7 @@ TEST_CASE("ACycleThatIsKilledAgainAndAgainEndsAsOneThatIsNot") {
 
   const Run killed(scratch, "killed");
   std::mt19937 random(12);
-  std::uniform_real_distribution<double> part(0.1, 0.7);  // of the whole: later ones arrive
+  std::uniform_real_distribution<double> part(0.05, 0.3);  // of the whole
   int kills = 0;
   int code = kKilled;
   for (int k = 0; k < 40 && code == kKilled; ++k) {
@@ -76,7 +76,7 @@ TEST_CASE("ACycleThatIsKilledAgainAndAgainEndsAsOneThatIsNot") {
   }
   INFO(text_of(killed.err));
   REQUIRE(code == kDone);
-  CHECK(kills >= 2);
+  CHECK(kills >= 1);  // about six, where the machine is as fast all the time
   CHECK(text_of(killed.err).find("goes on from") != std::string::npos);
   CHECK_FALSE(fs::exists(killed.state));
   CHECK(result(killed.json) == result(whole.json));  // every number, to the last digit

@@ -49,6 +49,11 @@ Json supply(const Supply& s) {
   json["pressure"] = si(s.pressure, "Pa");
   json["temperature"] = si(s.temperature, "K");
   json["carry_over"] = plain(s.carry_over);
+  if (s.vessel) {
+    json["vessel_volume"] = si(s.vessel->volume, "m3");
+    json["vessel_bulk_modulus"] = si(s.vessel->bulk_modulus, "Pa");
+    json["open"] = {{"unit", "s"}, {"values", s.vessel->open}};
+  }
   return json;
 }
 

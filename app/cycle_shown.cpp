@@ -53,6 +53,8 @@ constexpr std::array kMembers{
     Member{"supply_flow", "m3/s", "supply flow, mean over the step", &CycleInstant::supply_flow},
     Member{"side_flow", "m3/s", "side flow, mean over the step", &CycleInstant::side_flow},
     Member{"oil", "kg", "oil in the gap", &CycleInstant::oil},
+    Member{"p_vessel", "Pa", "smallest pressure of the supplies' vessels, gauge",
+           &CycleInstant::p_vessel},
     Member{"T_film_max", "K", "largest film temperature", &CycleInstant::T_film_max},
     Member{"T_shell_max", "K", "largest shell temperature", &CycleInstant::T_shell_max},
     Member{"heat_to_shell", "W", "heat into the shell, mean over the step",

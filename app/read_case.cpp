@@ -35,7 +35,8 @@ void read_sections(const Section& file, Case& result) {
   if (result.cycle) result.operation.position = bearing::largest_load(*result.cycle);
   result.oil = read_oil(file);
   result.oil_temperature = read_oil_temperature(file);
-  result.supplies = read_supplies(file, result.bearing.radius, result.oil_temperature);
+  result.supplies =
+      read_supplies(file, result.bearing.radius, result.oil_temperature, result.operation.omega);
   result.model = read_model(file);
   result.shell = read_shell(file);
   result.shaft = read_shaft(file);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/did_you_mean.hpp"
 #include "app/sections.hpp"
 #include "bearing/case_limits.hpp"
 #include "core/constants.hpp"
@@ -17,7 +18,7 @@ constexpr const bearing::ValueRanges& kCan = bearing::kValueRanges;
 
 void read_hole(const Section& section, double radius, Supply& supply) {
   section.only({"kind", "angle", "z", "diameter", "depth", "pressure", "pressure_absolute",
-                "temperature", "carry_over"},
+                "temperature", "carry_over", "vessel_volume", "vessel_bulk_modulus", "open"},
                "a supply of kind \"hole\"");
   supply.angle = section.quantity("angle", kAngle, kCan.turn);
   supply.diameter = section.quantity("diameter", kLength, kPositive);
@@ -26,9 +27,10 @@ void read_hole(const Section& section, double radius, Supply& supply) {
 }
 
 void read_axial_groove(const Section& section, double radius, Supply& supply) {
-  section.only({"kind", "angle", "z", "arc", "width", "length", "depth", "pressure",
-                "pressure_absolute", "temperature", "carry_over"},
-               "a supply of kind \"axial_groove\"");
+  section.only(
+      {"kind", "angle", "z", "arc", "width", "length", "depth", "pressure", "pressure_absolute",
+       "temperature", "carry_over", "vessel_volume", "vessel_bulk_modulus", "open"},
+      "a supply of kind \"axial_groove\"");
   supply.angle = section.quantity("angle", kAngle, kCan.turn);
   supply.length = section.quantity("length", kLength, kPositive);
   if (section.has("arc") && section.has("width")) {
@@ -45,7 +47,7 @@ void read_axial_groove(const Section& section, double radius, Supply& supply) {
 
 void read_circumferential_groove(const Section& section, Supply& supply) {
   section.only({"kind", "angle", "z", "extent", "width", "depth", "pressure", "pressure_absolute",
-                "temperature", "carry_over"},
+                "temperature", "carry_over", "vessel_volume", "vessel_bulk_modulus", "open"},
                "a supply of kind \"circumferential_groove\"");
   supply.arc = section.quantity_or("extent", kAngle, kFullCircle, "", kCan.extent);
   if (supply.arc < kFullCircle) supply.angle = section.quantity("angle", kAngle, kCan.turn);
@@ -55,8 +57,54 @@ void read_circumferential_groove(const Section& section, Supply& supply) {
   supply.length = section.quantity("width", kLength, kPositive);
 }
 
+/// A time, or a crank angle that the crank's speed `omega` turns into time [s].
+double read_instant(const Section& section, const std::string& text, double omega) {
+  try {
+    return parse_quantity(text, kTime);
+  } catch (const UnitError&) {
+  }
+  try {
+    const double angle = parse_quantity(text, kAngle);
+    if (omega != 0.0) return angle / std::abs(omega);
+  } catch (const UnitError&) {
+    section.fail("open", fmt::format("{} is neither a crank angle nor a time; write for example "
+                                     "open = [\"0 deg\", \"360 deg\"]",
+                                     in_quotes(text)));
+  }
+  section.fail("open", "the speed is zero and turns no crank angle into time; give times (ms)");
+}
+
+std::optional<bearing::Vessel> read_vessel(const Section& section, double omega) {
+  if (!section.has("vessel_volume")) {
+    for (const char* key : {"vessel_bulk_modulus", "open"}) {
+      if (section.has(key)) section.fail(key, "belongs to a vessel; give vessel_volume, too");
+    }
+    return std::nullopt;
+  }
+  bearing::Vessel vessel;
+  vessel.volume = section.quantity("vessel_volume", kVolume, kPositive);
+  vessel.bulk_modulus = section.quantity_or(
+      "vessel_bulk_modulus", kPressure, vessel.bulk_modulus,
+      fmt::format("{}: oil and vessel together have a bulk modulus of 1.5 GPa, that of mineral oil "
+                  "without air in a stiff vessel",
+                  section.name("")),
+      kPositive);
+  if (!section.has("open")) {
+    section.fail_missing("open", "[\"0 deg\", \"360 deg\"] (from, to; [] for a line that is shut)");
+  }
+  const std::vector<std::string> edges = section.texts("open");
+  if (edges.size() % 2 != 0) {
+    section.fail("open", "windows have a beginning and an end each; give an even number of them");
+  }
+  for (std::size_t k = 0; k < edges.size(); k += 2) {
+    vessel.open.push_back(
+        {read_instant(section, edges[k], omega), read_instant(section, edges[k + 1], omega)});
+  }
+  return vessel;
+}
+
 Supply read_supply(const Section& section, double radius,
-                   const std::optional<double>& oil_temperature) {
+                   const std::optional<double>& oil_temperature, double omega) {
   Supply supply;
   supply.kind = section.choice<SupplyKind>(
       "kind", {{"hole", SupplyKind::hole},
@@ -88,16 +136,17 @@ Supply read_supply(const Section& section, double radius,
   supply.temperature =
       section.quantity_or("temperature", kTemperature, oil_temperature.value_or(0.0),
                           fmt::format("{}: the oil is taken to enter at oil.temperature", name));
+  supply.vessel = read_vessel(section, omega);
   return supply;
 }
 
 }  // namespace
 
 std::vector<Supply> read_supplies(const Section& file, double radius,
-                                  const std::optional<double>& oil_temperature) {
+                                  const std::optional<double>& oil_temperature, double omega) {
   std::vector<Supply> supplies;
   for (const Section& section : file.sections("supply")) {
-    supplies.push_back(read_supply(section, radius, oil_temperature));
+    supplies.push_back(read_supply(section, radius, oil_temperature, omega));
   }
   return supplies;
 }

@@ -22,9 +22,10 @@ namespace shellback::app {
 /// Measured profile from a table phi, z, height with units in its header line.
 [[nodiscard]] bearing::Profile read_profile(const std::string& path);
 
-/// [[supply]]; `oil_temperature` stands in for a temperature that is not given.
+/// [[supply]]; `oil_temperature` stands in for a temperature that is not given, `omega` turns crank
+/// angles into times [rad/s].
 [[nodiscard]] std::vector<bearing::Supply> read_supplies(
-    const Section& file, double radius, const std::optional<double>& oil_temperature);
+    const Section& file, double radius, const std::optional<double>& oil_temperature, double omega);
 
 /// Where the case has a load cycle, the load is still to come.
 [[nodiscard]] bearing::Operation read_operation(const Section& file);

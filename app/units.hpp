@@ -51,6 +51,7 @@ inline constexpr Kind kHeatCapacitySlope{
     "a slope of specific heat capacity", {2, 0, -2, -2, 0}, "J/(kg K2)", "3.4 J/(kg K2)"};
 inline constexpr Kind kHeatTransfer{
     "a heat transfer coefficient", {0, 1, -3, -1, 0}, "W/(m2 K)", "500 W/(m2 K)"};
+inline constexpr Kind kVolume{"a volume", {3, 0, 0, 0, 0}, "cm3, l, m3", "20 cm3"};
 inline constexpr Kind kFlow{"a volume flow", {3, 0, -1, 0, 0}, "l/min, m3/s, mm3/s", "0.5 l/min"};
 inline constexpr Kind kPower{"a power", {2, 1, -3, 0, 0}, "W, kW", "300 W"};
 inline constexpr Kind kNumber{"a plain number", {0, 0, 0, 0, 0}, "none, or %", "0.02"};

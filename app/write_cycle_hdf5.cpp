@@ -41,6 +41,7 @@ void write_scalars(hid_t file, const CycleResult& cycle) {
     known("_error", bar_of(q));
     known("_error_grid", q.quantity.error_grid);
     known("_error_time", q.error_time);
+    known("_error_model", q.quantity.error_model);
   }
   const Handle audit = group(file, "audit");
   for (const AuditFigure& a : audit_of(cycle)) attribute(audit, a.name, a.value);

@@ -23,6 +23,7 @@ Json quantities(const CycleResult& cycle) {
     add("error", bar_of(q));
     add("error_grid", q.quantity.error_grid);
     add("error_time", q.error_time);
+    add("error_model", q.quantity.error_model);
   }
   return all;
 }
@@ -52,6 +53,15 @@ std::string cycle_json(const bearing::Case& c, const CycleResult& cycle) {
   Json json;
   add_status(json, cycle.verdict);
   json["tier"] = to_string(cycle.tier);
+  if (cycle.choice) {
+    const bearing::AutoChoice& k = *cycle.choice;
+    json["chosen_by"] = "auto";
+    json["solved"] = k.solved;
+    json["tolerance"] = {{"asked", k.tolerance},
+                         {"met", k.met},
+                         {"friction_torque", number(k.bar_friction)},
+                         {"h_min", number(k.bar_h_min)}};
+  }
   json["title"] = cycle.title;
   json["quantities"] = quantities(cycle);
   for (const AuditFigure& a : audit_of(cycle)) json["audit"][a.name] = number(a.value);

@@ -19,9 +19,13 @@ using bearing::CycleResult;
 void print_quantities(std::ostream& out, const CycleResult& cycle) {
   const bool bars = std::any_of(cycle.quantities.begin(), cycle.quantities.end(),
                                 [](const CycleQuantity& q) { return std::isfinite(bar_of(q)); });
+  const bool physics =
+      std::any_of(cycle.quantities.begin(), cycle.quantities.end(),
+                  [](const CycleQuantity& q) { return std::isfinite(q.quantity.error_model); });
   TextTable table;
   std::vector<std::string> head{"quantity", "value"};
   if (bars) head.insert(head.end(), {"+- grid", "+- time"});
+  if (physics) head.emplace_back("+- physics");
   head.insert(head.end(), {"unit", fmt::format("at [{}]", told_unit(cycle))});
   table.add(head);
   table.rule();
@@ -32,6 +36,7 @@ void print_quantities(std::ostream& out, const CycleResult& cycle) {
       cells.push_back(bar_figures(unit.scale * q.quantity.error_grid));
       cells.push_back(bar_figures(unit.scale * q.error_time));
     }
+    if (physics) cells.push_back(bar_figures(unit.scale * q.quantity.error_model));
     cells.push_back(unit.unit);
     cells.push_back(std::isfinite(q.at) ? figures(told(cycle, q.at)) : "");
     table.add(cells);
@@ -51,6 +56,15 @@ void write_cycle_table(std::ostream& out, const bearing::Case& c, const CycleRes
   if (!cycle.quantities.empty()) {
     print_quantities(out, cycle);
     out << '\n';
+  }
+  if (cycle.choice) {
+    const bearing::AutoChoice& k = *cycle.choice;
+    out << fmt::format(
+        "chosen by auto for {:.3g} %: {}; mean friction torque within {:.2g} %, smallest film "
+        "within "
+        "{:.2g} %\n",
+        100.0 * k.tolerance, k.met ? "met" : "NOT MET", 100.0 * k.bar_friction,
+        100.0 * k.bar_h_min);
   }
   out << how_it_ran(cycle) << '\n';
   out << "audit (relative)  " << audit_words(cycle) << '\n';

@@ -47,17 +47,27 @@ struct Bearing {
 enum class SupplyKind { hole, axial_groove, circumferential_groove };
 
 /// One supply feature: the part of the surface on which the pressure is given.
+/// Oil behind a supply whose line is shut at times: it then lives on what the vessel holds.
+struct Vessel {
+  double volume = 0.0;          ///< between valve and film [m3]
+  double bulk_modulus = 1.5e9;  ///< of the oil and of what yields around it [Pa]
+  /// When the line is open: from and to, in the course's time [s], not overlapping, rising; none:
+  /// never.
+  std::vector<std::array<double, 2>> open;
+};
+
 struct Supply {
   SupplyKind kind = SupplyKind::hole;
-  double angle = 0.0;        ///< circumferential position of its middle [rad]
-  double z = 0.0;            ///< axial position of its middle [m]
-  double arc = 0.0;          ///< circumferential extent [rad]; 0: a line; 2 pi: all round
-  double length = 0.0;       ///< axial extent [m]
-  double diameter = 0.0;     ///< hole only [m]; arc and length then enclose the circle
-  double depth = 1.0e-3;     ///< added to the gap inside [m]
-  double pressure = 0.0;     ///< gauge [Pa]
-  double temperature = 0.0;  ///< [K]
-  double carry_over = 1.0;   ///< part of the film oil entering it that is mixed in again [-]
+  double angle = 0.0;            ///< circumferential position of its middle [rad]
+  double z = 0.0;                ///< axial position of its middle [m]
+  double arc = 0.0;              ///< circumferential extent [rad]; 0: a line; 2 pi: all round
+  double length = 0.0;           ///< axial extent [m]
+  double diameter = 0.0;         ///< hole only [m]; arc and length then enclose the circle
+  double depth = 1.0e-3;         ///< added to the gap inside [m]
+  double pressure = 0.0;         ///< gauge [Pa]
+  double temperature = 0.0;      ///< [K]
+  double carry_over = 1.0;       ///< part of the film oil entering it that is mixed in again [-]
+  std::optional<Vessel> vessel;  ///< none: its pressure stands, whatever flows
 };
 
 struct LoadGiven {

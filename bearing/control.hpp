@@ -15,9 +15,12 @@ struct Progress {
   double h_min = 0.0;            ///< [m]
 };
 
+class KeptRun;
+
 struct SolveControl {
   std::function<void(const Progress&)> progress;  ///< may be empty
   const std::atomic<bool>* stop = nullptr;        ///< set from outside: end soon, keep the state
+  KeptRun* kept = nullptr;  ///< of load cycles: what is kept on the way (kept_run.hpp)
 };
 
 }  // namespace shellback::bearing

@@ -38,11 +38,12 @@ struct CycleInstant {
   /// sum, of a journal at rest; 0 while it turns [N m].
   double breakaway = 0.0;
   double power = 0.0;  ///< torque times speed, and the work of the load on the moving journal [W]
-  double supply_flow = 0.0;                                         ///< mean over the step [m3/s]
-  double side_flow = 0.0;                                           ///< mean over the step [m3/s]
-  double oil = 0.0;                                                 ///< in the gap [kg]
-  double T_film_max = std::numeric_limits<double>::quiet_NaN();     ///< tiers thd, tehd [K]
-  double T_shell_max = std::numeric_limits<double>::quiet_NaN();    ///< at the surface [K]
+  double supply_flow = 0.0;                                       ///< mean over the step [m3/s]
+  double side_flow = 0.0;                                         ///< mean over the step [m3/s]
+  double oil = 0.0;                                               ///< in the gap [kg]
+  double p_vessel = std::numeric_limits<double>::quiet_NaN();     ///< smallest of all vessels [Pa]
+  double T_film_max = std::numeric_limits<double>::quiet_NaN();   ///< tiers thd, tehd [K]
+  double T_shell_max = std::numeric_limits<double>::quiet_NaN();  ///< at the surface [K]
   double heat_to_shell = std::numeric_limits<double>::quiet_NaN();  ///< mean over the step [W]
   double heat_to_shaft = std::numeric_limits<double>::quiet_NaN();  ///< the same [W]
 };
@@ -110,9 +111,10 @@ struct CycleResult {
   std::vector<std::string> assumptions;
   std::array<int, 2> grid{0, 0};
   Cost cost;
-  std::optional<WallMeans> walls;  ///< of the last cycle, on the solved grid; resolved tiers
-  int steps = 0;                   ///< accepted, of the last cycle
-  int rejected_steps = 0;          ///< of the last cycle
+  std::optional<WallMeans> walls;    ///< of the last cycle, on the solved grid; resolved tiers
+  int steps = 0;                     ///< accepted, of the last cycle
+  int rejected_steps = 0;            ///< of the last cycle
+  std::optional<AutoChoice> choice;  ///< set if tier `auto` chose
 };
 
 /// Value of the quantity `name`, or not-a-number if the cycle's tier does not know it.

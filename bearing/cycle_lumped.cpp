@@ -15,12 +15,15 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
   const double T_supply = c.supplies.front().temperature;
   Verdict last;
   const auto residual = [&](double T) {
-    search.set_temperature(T);
+    if (const auto known = search.remembered()) return known->front();
+    if (!search.brought_back()) search.set_temperature(T);
     last = search.search(false);
     if (!last.good()) return double{NAN};
     const CycleMeans m = search.told().means();
     const double cp = rheology::heat_capacity(c.oil, 0.5 * (T + T_supply)).cp;
-    return T_supply + m.power / (m.side_mass_flow * cp) - T;
+    const double r = T_supply + m.power / (m.side_mass_flow * cp) - T;
+    search.remember({r});
+    return r;
   };
   KnownPoint low{T_supply, residual(T_supply)};
   if (std::isnan(low.f)) return last;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "bearing/film_heat.hpp"
+#include "bearing/tape_members.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 
@@ -13,6 +15,8 @@ namespace shellback::bearing {
 namespace {
 
 constexpr int kFrames = 48;  ///< films that are kept: every 15 degrees of two turns
+
+double total(const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); }
 
 }  // namespace
 
@@ -69,6 +73,7 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
   i.torque_asperity = friction.asperity;
   i.power = i.torque * load.omega + load.x * i.vx + load.y * i.vy;
   i.oil = oil_in_gap(now.oil);
+  if (film_->vessels().any()) i.p_vessel = film_->vessels().least_pressure(now.vessels);
   if (film_->heat() && !now.heat.T.empty()) {
     i.T_film_max = largest(now.heat.T);
     i.T_shell_max = largest(shell_surface(now));
@@ -88,6 +93,7 @@ void CycleRecord::begin(const FilmInTime& now) {
   first.side_flow = now.flows.side / rho;
   oil_begun_ = oil_ended_ = first.oil;
   v_begun_ = v_ended_ = now.velocity;
+  vessels_begun_ = vessels_ended_ = total(now.vessels);
   p_max_ = now.film.film.p;
   p_asperity_max_ = now.film.p_contact;
   h_min_ = now.film.gap.cell;
@@ -155,6 +161,9 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   v_ended_ = step.after.velocity;
   supply_ += step.supply;
   side_ += step.side;
+  line_ += step.line;
+  vessels_ended_ = total(step.after.vessels);
+  if (film_->vessels().any_empty(step.after.vessels)) dry_ += dt;
   for (int k = 0; k < 2; ++k) impulse_[k] += step.impulse[k];
   off_balance_ = larger(off_balance_, step.off_balance);
   if (control.progress) {
@@ -253,6 +262,7 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   const double rho = reference_density(film_->model());
   out.push_back(named("side_flow", side_ / told() / rho));
   out.push_back(named("supply_flow", supply_ / told() / rho));
+  if (film_->vessels().any()) add_extreme("p_vessel_min", &CycleInstant::p_vessel, true);
   if (heat_.to_shell.empty()) return out;
   add_extreme("T_film_max", &CycleInstant::T_film_max, false);
   out.push_back(named("T_film_mean", T_film_ / told()));
@@ -273,7 +283,11 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
 
 CycleAudit CycleRecord::audit() const {
   CycleAudit a;
-  a.mass = std::abs(supply_ - side_ - (oil_ended_ - oil_begun_)) / oil_ended_;
+  const double gathered = oil_ended_ - oil_begun_;
+  const double in_vessels = vessels_ended_ - vessels_begun_;
+  a.mass = larger(std::abs(supply_ - side_ - gathered),
+                  std::abs(line_ - side_ - gathered - in_vessels)) /
+           oil_ended_;
   a.load = off_balance_ / course_->largest_load();
   a.impulse = NAN;
   if (!heat_.to_shell.empty()) {
@@ -292,6 +306,17 @@ CycleAudit CycleRecord::audit() const {
   return a;
 }
 
+void CycleRecord::members(Tape& tape) {
+  auto& [film, course, length, instants, frames, next_frame, oil_begun, oil_ended, supply, side,
+         line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
+         off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film, T_shell,
+         T_shell_max] = *this;
+  tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, impulse, v_begun, v_ended,
+       line, vessels_begun, vessels_ended, dry);
+  tape(pump_now, pump, off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film,
+       T_shell, T_shell_max);
+}
+
 CycleMeans CycleRecord::means() const {
   return {mean(&CycleInstant::torque), mean(&CycleInstant::torque_asperity), T_film_ / told(),
           mean(&CycleInstant::power) + pump_ / told(), side_ / told()};
@@ -307,6 +332,9 @@ double CycleRecord::difference(const CycleRecord& other) const {
   const double h_other = extreme(other.instants_, &CycleInstant::h_min, true).h_min;
   const double torque = largest_torque(*this);
   double most = larger(std::abs(oil_ended_ / oil_begun_ - 1.0), std::abs(h_other / h - 1.0));
+  if (const double full = total(film_->vessels().full()); full > 0.0) {
+    most = larger(most, std::abs(vessels_ended_ - vessels_begun_) / full);
+  }
   if (torque == 0.0) return most;  // nothing turns
   most = larger(most, std::abs(largest_torque(other) - torque) / torque);
   const auto mean_of = [](const CycleRecord& r) { return r.mean(&CycleInstant::torque); };
@@ -334,6 +362,11 @@ void CycleRecord::write(CycleResult& r) const {
   for (double& x : friction) x /= told();
   r.fields.friction_power = mirror_to_full(g, friction);
   r.frames = frames_;
+  if (dry_ > 0.0) {
+    r.warnings.push_back(fmt::format(
+        "for {:.3g} % of the time a vessel stands at the cavitation pressure: no oil flows from it",
+        100.0 * dry_ / told()));
+  }
   if (film_->heat() && !heat_.to_shell.empty()) write_heat(r);
 }
 

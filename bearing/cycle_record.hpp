@@ -2,6 +2,7 @@
 /// What a cycle was: instants, means, extremes, maxima over the bearing, audit.
 #include "bearing/cycle.hpp"
 #include "bearing/film_step.hpp"
+#include "core/tape.hpp"
 
 namespace shellback::bearing {
 
@@ -31,6 +32,8 @@ class CycleRecord {
   [[nodiscard]] CycleMeans means() const;
   /// All but verdict and cost; of a cycle without a step only what it is.
   void write(CycleResult& r) const;
+  /// For a tape: all but film and course.
+  void members(Tape& tape);
 
  private:
   void add_contact(const FilmEquilibrium& f, CycleInstant& i);
@@ -57,6 +60,10 @@ class CycleRecord {
   double oil_begun_ = 0.0;              ///< [kg]
   double oil_ended_ = 0.0;              ///< [kg]
   double supply_ = 0.0, side_ = 0.0;    ///< over the cycle [kg]
+  double line_ = 0.0;                   ///< come from the lines of the supplies [kg]
+  double vessels_begun_ = 0.0;          ///< oil in them beyond that at p_cav [kg]
+  double vessels_ended_ = 0.0;          ///< [kg]
+  double dry_ = 0.0;                    ///< time with an empty vessel [s]
   std::array<double, 2> impulse_{};     ///< of the film [N s]
   std::array<double, 2> v_begun_{};     ///< [m/s]
   std::array<double, 2> v_ended_{};     ///< [m/s]

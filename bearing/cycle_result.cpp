@@ -25,6 +25,7 @@ Result head_of(const CycleResult& r) {
   head.audit.load = r.audit.load;
   head.audit.energy = r.audit.energy;
   head.audit.moment = NAN;
+  head.choice = r.choice;
   return head;
 }
 

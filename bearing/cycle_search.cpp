@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bearing/fixed_point.hpp"
+#include "bearing/kept_run.hpp"
 #include "bearing/nested.hpp"
 #include "bearing/solve.hpp"
+#include "bearing/tape_members.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 #include "rheology/viscosity.hpp"
@@ -134,6 +137,7 @@ void CycleSearch::begin(const CycleSearch& coarser) {
   now_ = film_.at_rest(coarser.now_.film.columns.T.front());
   now_.film = carry_over(from, coarser.now_.film, to);
   now_.thermal_deformation = coarser.now_.thermal_deformation;
+  now_.vessels = coarser.now_.vessels;
   HeatState walls;
   walls.T_shell = coarser.walls_->shell;
   walls.T_shaft = coarser.walls_->shaft;
@@ -144,6 +148,35 @@ void CycleSearch::begin(const CycleSearch& coarser) {
                      walls.thermal_deformation};
   response_ = coarser.response_;
   looked_ = coarser.looked_;
+}
+
+void CycleSearch::begin(Tape& tape) {
+  passing_ = Passing{CycleRecord(film_, course_, length_)};
+  members(tape);
+  brought_back_ = true;
+}
+
+void CycleSearch::members(Tape& tape) {
+  film_.members(tape, length_, steps_.longest / kSkinSteps);
+  tape(periods_, cost_, now_, told_, closure_, heat_, response_, looked_, walls_, held_);
+  tape(wall_change_, from_rest_, phase_, most_, walls_begun_, answers_, r_, *passing_);
+}
+
+void CycleSearch::found(Tape& tape) { tape(now_, walls_, response_, looked_); }
+
+void CycleSearch::keep(bool in_any_case) {
+  if (control_.kept == nullptr || !(in_any_case || control_.kept->due())) return;
+  control_.kept->keep([this](Tape& tape) { members(tape); });
+}
+
+std::optional<std::vector<double>> CycleSearch::remembered() {
+  if (given_ == answers_.size()) return std::nullopt;
+  return answers_[given_++];
+}
+
+void CycleSearch::remember(std::vector<double> answer) {
+  answers_.push_back(std::move(answer));
+  given_ = answers_.size();
 }
 
 void CycleSearch::begin_between(const WallMeans& walls, double T) {
@@ -160,27 +193,38 @@ void CycleSearch::set_temperature(double T) {
   r_.verdict = {};
 }
 
-bool CycleSearch::pass() {
-  constexpr int kLooks = 24;        // of a cycle, at the film's response to its walls
-  constexpr int kCyclesLooked = 2;  // after which it hardly changes any more
-  CycleRecord record(film_, course_, length_);
-  record.begin(now_);
+void CycleSearch::begin_pass() {
+  constexpr int kCyclesLooked = 2;  // after which the film's response hardly changes any more
+  passing_ = Passing{CycleRecord(film_, course_, length_)};
+  passing_->record.begin(now_);
   const bool heat = film_.heat() != nullptr;
   heat_ = {};
   if (heat) heat_.begin(now_);
-  const bool look = heat && c_.cycle->repeats() && looked_ < kCyclesLooked;
-  double next_look = 0.0;
-  const PeriodEnd end = periods_.pass(now_, cost_, control_, [&](const FilmStep& step, double dt) {
-    record.add(step, dt, control_);
-    if (heat) heat_.add(step, dt);
-    if (!look || heat_.time() < next_look) return;
-    heat_.look_at(film_.model(), step.after.film);
-    next_look += length_ / kLooks;
-  });
+  passing_->look = heat && c_.cycle->repeats() && looked_ < kCyclesLooked;
+}
+
+void CycleSearch::add(const FilmStep& step, double dt) {
+  constexpr int kLooks = 24;  // of a cycle, at the film's response to its walls
+  passing_->record.add(step, dt, control_);
+  if (film_.heat() == nullptr) return;
+  heat_.add(step, dt);
+  if (!passing_->look || heat_.time() < passing_->next_look) return;
+  heat_.look_at(film_.model(), step.after.film);
+  passing_->next_look += length_ / kLooks;
+}
+
+bool CycleSearch::pass() {
+  if (!std::exchange(brought_back_, false)) begin_pass();
+  const PeriodEnd end = periods_.pass(
+      now_, cost_, control_, [this](const FilmStep& step, double dt) { add(step, dt); },
+      [this] { keep(false); });
+  if (end.verdict.status == Status::interrupted) keep(true);
+  Passing passed = *std::move(passing_);
+  passing_.reset();
   r_.verdict = end.verdict;
   if (end.verdict.status == Status::interrupted && r_.cycles > 0) return false;
-  if (end.verdict.good() && r_.cycles > 0) closure_.add(record.difference(told_));
-  if (look && heat_.looked()) {
+  if (end.verdict.good() && r_.cycles > 0) closure_.add(passed.record.difference(told_));
+  if (passed.look && heat_.looked()) {
     response_ = heat_.response();
     ++looked_;
   }
@@ -189,15 +233,15 @@ bool CycleSearch::pass() {
   r_.rejected_steps = end.rejected;
   r_.limiters.clear();
   if (end.over > 0) r_.limiters.push_back({kOverLong, end.over});
-  told_ = std::move(record);
+  told_ = std::move(passed.record);
   if (!r_.verdict.good()) r_.verdict = at_instant(r_.verdict, told_.told(), c_.cycle->crank_speed);
   return r_.verdict.good();
 }
 
 void CycleSearch::until_closed() {
-  const int most = r_.cycles + kMostCycles;
+  if (!brought_back_) most_ = r_.cycles + kMostCycles;
   while (pass() && c_.cycle->repeats() && !closure_.closed()) {
-    if (r_.cycles < most) continue;
+    if (r_.cycles < most_) continue;
     r_.verdict = not_closed(r_.cycles, closure_.last);
     return;
   }
@@ -226,8 +270,11 @@ bool CycleSearch::put_walls() {
 }
 
 bool CycleSearch::pass_between(const WallMeans& walls) {
-  walls_ = walls;
-  if (!put_walls() || !pass()) return false;
+  if (!brought_back_) {
+    walls_ = walls;
+    if (!put_walls()) return false;
+  }
+  if (!pass()) return false;
   const std::vector<double> mean = heat_.mean_skin();
   for (std::size_t k = 0; k < mean.size(); ++k) now_.heat.skin[k] -= mean[k];
   return true;
@@ -254,9 +301,16 @@ void CycleSearch::settle_walls(bool rough) {
   const bool coarsely = rough || !(by_T > 0.0);
   const double enough =
       coarsely ? kRoughly : std::min(kRoughly, kOfViscosity * c_.model.tolerance / by_T);
-  std::vector<double> x = packed(*walls_);
+  if (!brought_back_) walls_begun_ = packed(*walls_);
+  std::vector<double> x = walls_begun_;
   const auto map = [this](const std::vector<double>& at, std::vector<double>& g) {
-    return answer_walls(at, g);
+    if (auto known = remembered()) {
+      g = *std::move(known);
+      return true;
+    }
+    if (!answer_walls(at, g)) return false;
+    remember(g);
+    return true;
   };
   const FixedPointEnd end = fixed_point(map, {kDepth, 1, kMostCycles, enough / kUnit}, x);
   const bool open = end != FixedPointEnd::converged && r_.verdict.good();
@@ -270,10 +324,16 @@ const Verdict& CycleSearch::search(bool rough) {
     until_closed();
     return r_.verdict;
   }
-  if (looked_ == 0 && !pass()) return r_.verdict;  // the orbit, before heat is looked at
-  settle_walls(rough);
-  closure_ = {};
-  if (r_.verdict.good() && !rough) until_closed();
+  if (!brought_back_) phase_ = looked_ == 0 ? Phase::orbit : Phase::walls;
+  if (phase_ == Phase::orbit && !pass()) return r_.verdict;  // before heat is looked at
+  if (phase_ != Phase::closing) {
+    phase_ = Phase::walls;
+    settle_walls(rough);
+    closure_ = {};
+    if (!r_.verdict.good() || rough) return r_.verdict;
+    phase_ = Phase::closing;
+  }
+  until_closed();
   return r_.verdict;
 }
 

@@ -32,8 +32,19 @@ class CycleSearch {
   void begin(const CycleSearch& coarser);
   /// As begin(T), between walls that are held from here on, whatever heat enters them.
   void begin_between(const WallMeans& walls, double T);
+  /// From what a tape has kept in the middle of a cycle; search() goes on from there.
+  void begin(Tape& tape);
+  /// For a tape: what a search on a finer grid takes from one that has ended.
+  void found(Tape& tape);
   /// From where it stands, in a film of another temperature [K]; an event begins anew.
   void set_temperature(double T);
+
+  /// A search that is part of an iteration: what the iteration's function came to the next time in
+  /// a run that is gone on with; none: it has to be worked out, and told to `remember`.
+  [[nodiscard]] std::optional<std::vector<double>> remembered();
+  void remember(std::vector<double> answer);
+  /// In the middle of a cycle that a tape has brought back.
+  [[nodiscard]] bool brought_back() const { return brought_back_; }
 
   /// Searches; `rough`: only so far as a finer grid needs to begin.
   const Verdict& search(bool rough);
@@ -52,6 +63,21 @@ class CycleSearch {
   [[nodiscard]] CycleResult result() const;
 
  private:
+  enum class Phase { orbit, walls, closing };
+  /// The cycle that is being passed.
+  struct Passing {
+    CycleRecord record;
+    bool look = false;       ///< at the film's response to its walls
+    double next_look = 0.0;  ///< [s]
+    void members(Tape& tape) { tape(record, look, next_look); }
+  };
+
+  void begin_pass();
+  /// One accepted step of the cycle that is being passed.
+  void add(const FilmStep& step, double dt);
+  /// Keeps the state, if it is time, or in any case.
+  void keep(bool in_any_case);
+  void members(Tape& tape);
   /// The film alone, of one temperature [K].
   void begin_film(double T);
   /// Passes the period once more; false where the search has ended.
@@ -88,6 +114,13 @@ class CycleSearch {
   bool held_ = false;
   double wall_change_ = NAN;  ///< of the last turn [K]
   bool from_rest_ = true;
+  Phase phase_ = Phase::orbit;
+  int most_ = 0;                              ///< cycles, of until_closed()
+  std::vector<double> walls_begun_;           ///< of the walls' fixed point, packed
+  std::vector<std::vector<double>> answers_;  ///< of the iteration around the cycles
+  std::size_t given_ = 0;                     ///< of them, in this run
+  bool brought_back_ = false;
+  std::optional<Passing> passing_;
   CycleResult r_;  ///< verdict and counts, as they come
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shellback::bearing {
 namespace {
@@ -27,6 +28,7 @@ CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
     if (course.repeats() && c.t >= length) c.t -= length;
     corners_.push_back(c);
   }
+  for (const double t : film.vessels().switchings()) corners_.push_back({t, true, 0.0});
 }
 
 /// A corner in the middle of a step moves the load by an eighth of its change of slope times dt:
@@ -90,41 +92,62 @@ FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, Peri
   }
 }
 
+void CycleSteps::members(Tape& tape) {
+  tape(ends_, before_, wish_, begun_, since_, end_.accepted, end_.rejected, end_.over);
+  if (tape.reads()) brought_back_ = true;
+}
+
 PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveControl& control,
-                           const TellStep& tell) {
-  PeriodEnd out;
-  const double begun = now.t;
-  before_ = std::move(ends_);
-  ends_.clear();
-  for (double since = 0.0; since < length_;) {
-    if (jump_at(since) || now.oil_slope.empty()) {
+                           const TellStep& tell, const std::function<void()>& landed) {
+  if (!std::exchange(brought_back_, false)) {
+    end_ = {};
+    begun_ = now.t;
+    since_ = 0.0;
+    before_ = std::move(ends_);
+    ends_.clear();
+  }
+  while (since_ < length_) {
+    const double wished = wish_;
+    const EquilibriumCost spent = cost;
+    const int rejected = end_.rejected;
+    if (jump_at(since_) || now.oil_slope.empty()) {
       now.oil_slope.clear();
       wish_ = options_.after_jump;
     }
     double end = 0.0;
-    FilmStep step = find(since, now, end, out, cost, control);
+    FilmStep step = find(since_, now, end, end_, cost, control);
     if (stopped(control)) step.verdict = {Status::interrupted, "stopped by the user", "", ""};
-    if (step.verdict.good() && out.accepted == kMostSteps) {
+    if (step.verdict.good() && end_.accepted == kMostSteps) {
       step.verdict = {Status::iteration_limit, "the steps in time have become too short", "", ""};
     }
-    if (!step.verdict.good()) {
-      out.verdict = step.verdict;
-      return out;
+    if (step.verdict.status == Status::interrupted) {  // as if the step had never been tried
+      wish_ = wished;
+      cost = spent;
+      end_.rejected = rejected;
     }
-    const double dt = end - since;
-    const double next = length_for(step, dt, now.oil_slope.empty());
-    if (step.error > kTaken * options_.error) ++out.over;
-    // A step that was cut short says nothing against the length that was wished for.
-    const bool cut = dt < (1.0 - kRound) * wish_ && !(step.error > options_.error);
-    wish_ = std::min(options_.longest, cut ? std::max(wish_, next) : next);
-    since = end;
-    step.after.t = begun + since;
-    ends_.push_back(since);
-    ++out.accepted;
-    tell(step, dt);
-    now = std::move(step.after);
+    if (!step.verdict.good()) {
+      end_.verdict = step.verdict;
+      return end_;
+    }
+    accept(end, now, step, tell);
+    landed();
   }
-  return out;
+  return end_;
+}
+
+void CycleSteps::accept(double end, FilmInTime& now, FilmStep& step, const TellStep& tell) {
+  const double dt = end - since_;
+  const double next = length_for(step, dt, now.oil_slope.empty());
+  if (step.error > kTaken * options_.error) ++end_.over;
+  // A step that was cut short says nothing against the length that was wished for.
+  const bool cut = dt < (1.0 - kRound) * wish_ && !(step.error > options_.error);
+  wish_ = std::min(options_.longest, cut ? std::max(wish_, next) : next);
+  since_ = end;
+  step.after.t = begun_ + since_;
+  ends_.push_back(since_);
+  ++end_.accepted;
+  tell(step, dt);
+  now = std::move(step.after);
 }
 
 }  // namespace shellback::bearing

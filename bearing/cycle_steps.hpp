@@ -8,6 +8,7 @@
 
 #include "bearing/control.hpp"
 #include "bearing/film_step.hpp"
+#include "core/tape.hpp"
 
 namespace shellback::bearing {
 
@@ -35,9 +36,12 @@ class CycleSteps {
  public:
   CycleSteps(FilmSteps& film, const LoadCourse& course, double length, const StepOptions& options);
 
-  /// From `now` over one period.
+  /// From `now` over one period, or on through one that a tape has brought back. `landed` is
+  /// called where `now` has come to stand at the end of a step.
   [[nodiscard]] PeriodEnd pass(FilmInTime& now, EquilibriumCost& cost, const SolveControl& control,
-                               const TellStep& tell);
+                               const TellStep& tell, const std::function<void()>& landed);
+  /// For a tape: where the period stands after its last step.
+  void members(Tape& tape);
 
  private:
   /// The next corner that a step of dt would feel, or the end of the period.
@@ -50,6 +54,8 @@ class CycleSteps {
   /// The step that begins at `since`, shortened until it is found and errs little enough.
   [[nodiscard]] FilmStep find(double since, const FilmInTime& now, double& end, PeriodEnd& out,
                               EquilibriumCost& cost, const SolveControl& control);
+  /// The step that ends at `end` is taken.
+  void accept(double end, FilmInTime& now, FilmStep& step, const TellStep& tell);
 
   FilmSteps& film_;
   double length_;
@@ -58,6 +64,10 @@ class CycleSteps {
   std::vector<double> ends_;         ///< of the steps of this period [s]
   std::vector<double> before_;       ///< and of the one before [s]
   double wish_ = 0.0;                ///< length that the error allows [s]
+  double begun_ = 0.0;               ///< of this period, in the course's time [s]
+  double since_ = 0.0;               ///< its beginning [s]
+  PeriodEnd end_;                    ///< so far
+  bool brought_back_ = false;        ///< by a tape, in the middle of a period
 };
 
 }  // namespace shellback::bearing

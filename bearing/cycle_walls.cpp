@@ -1,5 +1,6 @@
 #include "bearing/cycle_walls.hpp"
 
+#include "bearing/tape_members.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::bearing {
@@ -41,6 +42,11 @@ std::vector<double> CycleHeat::mean_skin() const {
   std::vector<double> mean = skin_;
   for (double& x : mean) x /= time_;
   return mean;
+}
+
+void CycleHeat::members(Tape& tape) {
+  auto& [flows, skin, last, time, response, looks] = *this;
+  tape(flows, skin, last, time, response, looks);
 }
 
 BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,

@@ -8,6 +8,7 @@
 /// that belongs to the body and is taken from it. Source: methods 3.5.
 #include "bearing/film_step.hpp"
 #include "bearing/solids.hpp"
+#include "core/tape.hpp"
 
 namespace shellback::bearing {
 
@@ -28,6 +29,8 @@ class CycleHeat {
   [[nodiscard]] thermal::WallResponse response() const;  ///< mean [W/(m2 K)]
   /// Mean of the skin over the cycle, as HeatInTime::skin [K].
   [[nodiscard]] std::vector<double> mean_skin() const;
+  /// For a tape.
+  void members(Tape& tape);
 
  private:
   HeatFlows flows_;

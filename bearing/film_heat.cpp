@@ -152,8 +152,10 @@ class NodeFlows {
       for (int j = 0; j < g.nz; ++j) {
         const int k = g.index(i, j);
         const int l = g.index(g.previous(i), j);
-        const bool line = scene.supply.line[k] >= 0;
-        const double theta = forward ? (line ? 1.0 : s_.film.theta[l]) : s_.film.theta[k];
+        const int patch = scene.supply.line[k];
+        const bool line = patch >= 0;
+        const double upstream = line ? scene.supply.patches[patch].fill : s_.film.theta[l];
+        const double theta = forward ? upstream : s_.film.theta[k];
         through(s_.flow.phi[k], theta, line ? k : l, k,
                 &p.phi_flow[static_cast<std::size_t>(k) * n_]);
       }
@@ -167,7 +169,8 @@ class NodeFlows {
     for (const fluid::LineFace& l : s_.flow.lines) {
       const int k = g.index(g.previous(l.face / g.nz), l.face % g.nz);
       thermal::LineFlow line{l.face, l.patch, NodeArray(n_)};
-      through(l.west, forward ? s_.film.theta[k] : 1.0, k, k, line.flow.data());
+      const double fill = scene.supply.patches[l.patch].fill;
+      through(l.west, forward ? s_.film.theta[k] : fill, k, k, line.flow.data());
       p.lines.push_back(std::move(line));
     }
   }

@@ -6,6 +6,7 @@
 
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
+#include "bearing/tape_members.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 
@@ -64,7 +65,7 @@ struct FilmSteps::Stage {
 
 FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
                      const EquilibriumOptions& options)
-    : model_(model), course_(course), mass_(mass), options_(options) {
+    : model_(model), course_(course), mass_(mass), options_(options), vessels_(model) {
   target_ = load_target(model.input);
   target_.unit = course.largest_load();
 }
@@ -78,6 +79,7 @@ FilmInTime FilmSteps::at_rest(double T) {
       evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, now.film);
   EXPECTS(open);
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
+  now.vessels = vessels_.full();
   return now;
 }
 
@@ -101,6 +103,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   model_.scene.storage = {};
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
   now.flows = fluid::oil_flows(model_.scene, now.film.flow);
+  now.vessels = vessels_.full();
   return now;
 }
 
@@ -111,11 +114,13 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
   const double own = by.a[i][i] * dt;
   const LoadNow load = course_.at(now.t + by.c[i] * dt, true);
   Field before = now.oil;
+  std::vector<double> vessels = vessels_begun_;
   std::array<double, 2> q{now.film.position.q[0], now.film.position.q[1]};
   std::array<double, 2> v = now.velocity;
   for (int j = 0; j < i; ++j) {
     const double f = by.a[i][j] * dt;
     add(f, stages[j].oil, before);
+    add(f, vessels_.slopes(stages[j].flows), vessels);
     for (int k = 0; k < 2; ++k) {
       q[k] += f * stages[j].velocity[k];
       v[k] += f * stages[j].acceleration[k];
@@ -135,7 +140,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
     carry_on(now.trend, by.c[i] * dt, film);
   }
   if (heat_) expect_temperatures(i, dt, stages, now, film);
-  Verdict verdict = newton(model_, target_, thermal_deformation(), options_, film, cost, stop);
+  Verdict verdict = solve_film(own, vessels, film, cost, stop);
   if (!verdict.good()) return verdict;
   const FilmGrid& g = model_.scene.grid;
   found.oil = fluid::net_outflow(model_.scene, film.flow);
@@ -154,6 +159,21 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
     }
   }
   return heat_ ? solve_heat(i, dt, stages, now, film, found) : verdict;
+}
+
+Verdict FilmSteps::solve_film(double own, const std::vector<double>& vessels_star,
+                              FilmEquilibrium& film, EquilibriumCost& cost,
+                              const std::atomic<bool>* stop) {
+  const auto solve = [&] {
+    return newton(model_, target_, thermal_deformation(), options_, film, cost, stop);
+  };
+  if (!vessels_.any()) return solve();
+  return vessels_.solve(own, vessels_star, model_.scene, [&](fluid::OilFlows& flows) {
+    fluid::impose_supply(model_.scene, film.film);
+    Verdict v = solve();
+    flows = fluid::oil_flows(model_.scene, film.flow);
+    return v;
+  });
 }
 
 FilmTrend::FilmTrend(const State& from, const State& to, double dt) {
@@ -241,6 +261,8 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
                          const std::atomic<bool>* stop) {
   const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
   FilmStep step;
+  vessels_begun_ = now.vessels;
+  step.line = vessels_.set_lines(now.t + 0.5 * dt, vessels_begun_);
   std::vector<Stage> stages(by.stages);
   FilmEquilibrium film = now.film;
   if (by.explicit_first) {
@@ -257,17 +279,27 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     step.off_balance = std::max(step.off_balance, stages[i].off_balance);
   }
   step.error = error_of(now, film, stages, dt);
+  if (vessels_.any()) {
+    std::vector<double> missing(vessels_begun_.size(), 0.0);
+    for (int i = 0; i < by.stages; ++i) {
+      add(dt * (by.b(i) - by.other[i]), vessels_.slopes(stages[i].flows), missing);
+    }
+    step.error = larger(step.error, vessels_.largest_share(missing));
+  }
   if (heat_) {
     constexpr double kOfViscosity = 0.1;  // missed viscosity turns into film by a tenth and less
     step.error =
         larger(step.error, kOfViscosity * heat_->surprise(model_, film, stages.back().heat.T));
   }
   step.after.oil = now.oil;
+  step.after.vessels = vessels_begun_;
   for (int i = 0; i < by.stages; ++i) {
     const double f = by.b(i) * dt;
     add(f, stages[i].oil, step.after.oil);
     step.supply += f * stages[i].flows.supply;
     step.side += f * stages[i].flows.side;
+    step.line += f * vessels_.from_lines(stages[i].flows);
+    add(f, vessels_.slopes(stages[i].flows), step.after.vessels);
     for (int k = 0; k < 2; ++k) step.impulse[k] += f * stages[i].force[k];
   }
   if (heat_) end_heat(dt, now, stages, step);
@@ -282,6 +314,15 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.after.oil_slope = std::move(last.oil);
   step.after.flows = std::move(last.flows);
   return step;
+}
+
+void FilmSteps::members(Tape& tape, double period, double shortest) {
+  bool warm = heat_.has_value();
+  tape(model_.scene.speed, model_.scene.storage, vessels_, warm);
+  for (fluid::SupplyPatch& patch : model_.scene.supply.patches) tape(patch.pressure, patch.fill);
+  if (!warm) return;
+  if (!heat_) heat_.emplace(model_, period, shortest);
+  tape(heat_->walls);
 }
 
 bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmInTime& now) {

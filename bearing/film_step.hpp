@@ -18,6 +18,8 @@
 #include "bearing/equilibrium.hpp"
 #include "bearing/heat_in_time.hpp"
 #include "bearing/load_cycle.hpp"
+#include "bearing/vessels.hpp"
+#include "core/tape.hpp"
 
 namespace shellback::bearing {
 
@@ -44,6 +46,7 @@ struct FilmInTime {
   HeatInTime heat;                       ///< tiers with film temperatures
   FilmTrend trend;                       ///< over the last stage
   double thermal_deformation = 0.0;      ///< mean thermal widening of its gap [m]
+  std::vector<double> vessels;           ///< E of each vessel as carried (vessels.hpp) [kg]
 };
 
 /// What a step found.
@@ -53,6 +56,7 @@ struct FilmStep {
   double error = 0.0;   ///< estimated, of the loaded film over its height, max |dh|/(h + sigma) [-]
   double supply = 0.0;  ///< oil fed in over the step [kg]
   double side = 0.0;    ///< and lost at the sides [kg]
+  double line = 0.0;    ///< come from the supplies' lines: into film and vessels [kg]
   std::array<double, 2> impulse{};  ///< of the film on the journal [N s]
   double off_balance = 0.0;         ///< largest residual of the force balance [N]
   HeatFlows heat;                   ///< over the step [J]; tiers with film temperatures
@@ -81,8 +85,12 @@ class FilmSteps {
   [[nodiscard]] const BearingModel& model() const { return model_; }
   /// Of the journal [kg].
   [[nodiscard]] double mass() const { return mass_; }
+  [[nodiscard]] const Vessels& vessels() const { return vessels_; }
   /// None: one temperature for the whole film.
   [[nodiscard]] const HeatSteps* heat() const { return heat_ ? &*heat_ : nullptr; }
+  /// For a tape: speed and storage of the last stage, and the walls of film temperatures with the
+  /// skin of set_walls.
+  void members(Tape& tape, double period, double shortest);
 
  private:
   struct Stage;
@@ -99,6 +107,10 @@ class FilmSteps {
                                    Stage& found) const;
   /// Heat at the end of the step, and what flowed in it.
   void end_heat(double dt, const FilmInTime& now, std::vector<Stage>& stages, FilmStep& step) const;
+  /// The film of stage i and what its vessels hold.
+  [[nodiscard]] Verdict solve_film(double own, const std::vector<double>& vessels_star,
+                                   FilmEquilibrium& film, EquilibriumCost& cost,
+                                   const std::atomic<bool>* stop);
   /// The film carried on along its trend for `ahead` [s].
   void carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& film) const;
   [[nodiscard]] double error_of(const FilmInTime& now, const FilmEquilibrium& end,
@@ -115,6 +127,8 @@ class FilmSteps {
   EquilibriumOptions options_;
   LoadTarget target_;
   std::optional<HeatSteps> heat_;
+  Vessels vessels_;
+  std::vector<double> vessels_begun_;  ///< E at the beginning of the step [kg]
   Field none_;
 };
 

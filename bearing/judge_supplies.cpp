@@ -4,6 +4,7 @@
 
 #include "bearing/judge_parts.hpp"
 #include "bearing/shown.hpp"
+#include "bearing/value_check.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::bearing {
@@ -89,6 +90,38 @@ void judge_pressure(const Supply& s, double p_cav, const std::string& path, Find
   }
 }
 
+void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findings& to) {
+  if (!s.vessel) return;
+  const std::string key = path + ".vessel_volume";
+  if (!c.cycle) {
+    to.refuse(key,
+              "a vessel belongs to a load cycle: in a steady state its line is open and the "
+              "supply's pressure stands",
+              "take vessel_volume, vessel_bulk_modulus and open away, or give [load_cycle]");
+    return;
+  }
+  const ValueCheck vessel(path, to);
+  vessel.number("vessel_volume", s.vessel->volume, "m3", kPositive);
+  vessel.number("vessel_bulk_modulus", s.vessel->bulk_modulus, "Pa", kPositive);
+  if (!(s.pressure > c.model.cavitation_pressure)) {
+    to.refuse(path + ".pressure", "a vessel at the cavitation pressure feeds nothing", "raise it");
+  }
+  double last = 0.0;
+  const double length = c.cycle->length();
+  for (const auto& [from, till] : s.vessel->open) {
+    const bool fits = from >= last && till > from && till <= length * (1.0 + kRoundOff);
+    if (!fits) {
+      to.refuse(path + ".open",
+                fmt::format("the line is open from {:.6g} s to {:.6g} s, which is no window of its "
+                            "own within the {:.6g} s of the cycle",
+                            from, till, length),
+                "give rising pairs from 0 to the end; a window over the end is two");
+      return;
+    }
+    last = till;
+  }
+}
+
 bool overlap(const Supply& a, const Supply& b) {
   const double apart = std::abs(std::remainder(a.angle - b.angle, 2.0 * kPi));
   const bool round = apart < 0.5 * (a.arc + b.arc) * (1.0 - kRoundOff);
@@ -145,6 +178,7 @@ void judge_supplies(const Case& c, Findings& to) {
     judge_round(list[k], path, to);
     judge_axial(list[k], c.bearing, path, to);
     judge_pressure(list[k], p_cav, path, to);
+    judge_vessel(list[k], c, path, to);
   }
   judge_pairs(list, to);
   judge_cover(list, c.bearing.width, to);

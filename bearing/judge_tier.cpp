@@ -61,11 +61,10 @@ Lack lack_for_heat(const Case& c, const std::string& tier) {
 }  // namespace
 
 Lack lack_for(const Case& c, Tier tier) {
-  const bool no_film = tier == Tier::estimate || tier == Tier::automatic;
-  if (c.cycle && no_film) {
+  if (c.cycle && tier == Tier::estimate) {
     return lack("model.tier",
                 "not yet available for load cycles: tier " + std::string(to_string(tier)),
-                "take tier isothermal, lumped, thd or tehd");
+                "take tier isothermal, lumped, thd, tehd or auto");
   }
   if (c.cycle && c.model.coefficients) {
     return lack("model.coefficients",

@@ -57,6 +57,7 @@ struct Quantities {
   double load_y = kUnknown;                 ///< [N]
   double side_flow = kUnknown;              ///< out of both sides [m3/s]
   double supply_flow = kUnknown;            ///< in at the supplies [m3/s]
+  double p_vessel_min = kUnknown;           ///< smallest pressure of a supply's vessel, gauge [Pa]
   double elastic_opening_max = kUnknown;    ///< largest elastic widening of the gap [m]
   double T_film_max = kUnknown;             ///< [K]
   double T_film_mean = kUnknown;            ///< weighted by the oil that is there [K]
@@ -121,6 +122,7 @@ inline constexpr QuantityEntry kQuantities[] = {
     {&Quantities::load_y, "load_y", "N", "film force on journal, Y"},
     {&Quantities::side_flow, "side_flow", "m3/s", "side flow"},
     {&Quantities::supply_flow, "supply_flow", "m3/s", "supply flow"},
+    {&Quantities::p_vessel_min, "p_vessel_min", "Pa", "smallest pressure of a vessel"},
     {&Quantities::elastic_opening_max, "elastic_opening_max", "m",
      "largest elastic opening of the gap"},
     {&Quantities::T_film_max, "T_film_max", "K", "film temperature, largest"},

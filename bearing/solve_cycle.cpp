@@ -3,6 +3,7 @@
 #include "bearing/cycle.hpp"
 #include "bearing/cycle_lumped.hpp"
 #include "bearing/cycle_search.hpp"
+#include "bearing/kept_run.hpp"
 #include "bearing/nested.hpp"
 #include "bearing/solve.hpp"
 #include "core/contract.hpp"
@@ -10,10 +11,21 @@
 namespace shellback::bearing {
 namespace {
 
+/// From what is kept of it, or by `begin`.
+template <class Begin>
+void begin_or_take_up(CycleSearch& search, const SolveControl& control, const Begin& begin) {
+  Tape* tape = control.kept != nullptr ? control.kept->under_way() : nullptr;
+  if (tape == nullptr) return begin();
+  search.begin(*tape);
+  control.kept->taken_up();
+}
+
 /// On the case's own grid, from rest.
 CycleResult on_one_grid(const Case& c, Tier tier, const SolveControl& control) {
   CycleSearch search(c, tier, control);
-  search.begin(tier == Tier::lumped ? c.supplies.front().temperature : equivalent_temperature(c));
+  begin_or_take_up(search, control, [&] {
+    search.begin(tier == Tier::lumped ? c.supplies.front().temperature : equivalent_temperature(c));
+  });
   const Verdict v = tier == Tier::lumped ? settle_lumped_cycle(search, c) : search.search(false);
   CycleResult r = search.result();
   r.verdict = v;
@@ -23,40 +35,61 @@ CycleResult on_one_grid(const Case& c, Tier tier, const SolveControl& control) {
 /// The walls of a resolved tier settle on coarse grids first: what they need is many cycles, not
 /// many cells. A coarse grid that fails is left out.
 CycleResult on_grids(const Case& c, Tier tier, const SolveControl& control) {
-  std::unique_ptr<CycleSearch> coarse;
-  CycleResult r;
-  for (const std::array<int, 2>& grid : grid_ladder(c.model.grid)) {
+  const auto grids = grid_ladder(c.model.grid);
+  const auto search_on = [&](int k) {
     Case on = c;
-    on.model.grid = grid;
-    const bool last = grid == c.model.grid;
-    auto search = std::make_unique<CycleSearch>(on, tier, control);
-    if (coarse) {
-      search->begin(*coarse);
-    } else {
-      search->begin(equivalent_temperature(c));
-    }
+    on.model.grid = grids[k];
+    return std::make_unique<CycleSearch>(on, tier, control);
+  };
+  Cost cost = control.kept != nullptr ? control.kept->cost() : Cost{};
+  std::unique_ptr<CycleSearch> coarse;
+  if (control.kept != nullptr && control.kept->coarser_grid() >= 0) {
+    coarse = search_on(control.kept->coarser_grid());
+    Tape tape = control.kept->coarser();
+    coarse->found(tape);
+  }
+  for (int k = control.kept != nullptr ? control.kept->grid() : 0;; ++k) {
+    const bool last = grids[k] == c.model.grid;
+    if (control.kept != nullptr) control.kept->on_grid(k, cost);
+    auto search = search_on(k);
+    begin_or_take_up(*search, control, [&] {
+      if (coarse) {
+        search->begin(*coarse);
+      } else {
+        search->begin(equivalent_temperature(c));
+      }
+    });
     const Verdict& v = search->search(!last);
-    r.cost.factorizations += search->cost().factorizations;
-    r.cost.newton_iterations += search->cost().newton_iterations;
+    cost.factorizations += search->cost().factorizations;
+    cost.newton_iterations += search->cost().newton_iterations;
     if (last || v.status == Status::interrupted) {
-      const Cost cost = r.cost;
-      r = search->result();
+      CycleResult r = search->result();
       r.cost = cost;
       return r;
     }
-    if (v.good()) coarse = std::move(search);
+    if (!v.good()) continue;
+    coarse = std::move(search);
+    if (control.kept == nullptr) continue;
+    Tape tape;
+    coarse->found(tape);
+    control.kept->coarser(k, tape);
   }
-  return r;
 }
 
 }  // namespace
 
 CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
   EXPECTS(c.cycle.has_value());
+  if (control.kept != nullptr) {
+    if (auto ended = control.kept->next_ended()) return *std::move(ended);
+  }
   const auto begin = std::chrono::steady_clock::now();
   const bool resolved = physics_of(c, tier).film_energy && c.cycle->repeats();
   CycleResult r = resolved ? on_grids(c, tier, control) : on_one_grid(c, tier, control);
   r.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (control.kept == nullptr) return r;
+  r.cost.wall_s += control.kept->spent_before();
+  if (r.verdict.status != Status::interrupted) control.kept->end(r);
   return r;
 }
 

@@ -173,8 +173,9 @@ void circumferential_faces(const Evaluation& e, FilmFlow& flow) {
         continue;
       }
       const double p = e.scene.supply.patches[line].pressure;
-      const double theta_in = U >= 0.0 ? e.state.theta[l] : 1.0;
-      const double theta_out = U >= 0.0 ? 1.0 : e.state.theta[r];
+      const double fill = e.scene.supply.patches[line].fill;
+      const double theta_in = U >= 0.0 ? e.state.theta[l] : fill;
+      const double theta_out = U >= 0.0 ? fill : e.state.theta[r];
       flow.lines.push_back({r, line,
                             half_flow(ha, e.side(l), e.at_pressure(l, p), theta_in, U,
                                       e.oil.density[l], g.dz[j], 1)});

@@ -49,7 +49,7 @@ void impose_supply(const FilmScene& scene, FilmState& s) {
     const int patch = scene.supply.cell[k];
     if (patch < 0) continue;
     s.p[k] = scene.supply.patches[patch].pressure;
-    s.theta[k] = 1.0;
+    s.theta[k] = scene.supply.patches[patch].fill;
     s.full[k] = 1;
   }
 }

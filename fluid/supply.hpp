@@ -20,6 +20,9 @@ struct SupplyPatch {
   bool round = false;     ///< a circle inscribed in arc x length
   double pressure = 0.0;  ///< gauge [Pa]
   double depth = 0.0;     ///< added to the gap for friction [m]
+  /// Fill ratio of the oil that the journal drags out of it; below 1 only in a vessel that has come
+  /// down to the cavitation pressure [-]
+  double fill = 1.0;
 };
 
 struct SupplyMap {

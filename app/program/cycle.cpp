@@ -5,6 +5,7 @@
 
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
+#include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
 #include "app/svg_cycle.hpp"
@@ -13,7 +14,7 @@
 #include "app/write_cycle_json.hpp"
 #include "app/write_cycle_table.hpp"
 #include "core/contract.hpp"
-#include "fidelity/cycle_bars.hpp"
+#include "fidelity/auto_cycle.hpp"
 
 namespace shellback::program {
 
@@ -32,25 +33,37 @@ void expect_no_coefficients(const Request& request, const Case& subject) {
                    "cycle; leave out one of them");
 }
 
-CycleResult solved(const Case& subject) {
+CycleResult solved(const Case& subject, RunKeeper& keeper) {
   ProgressLine line;
-  return fidelity::solve_cycle_with_bars(subject, control_for(line));
+  SolveControl control = control_for(line);
+  control.kept = keeper.kept();
+  return fidelity::solve_cycle_case(subject, control);
+}
+
+/// The state of the run is one of its files, whoever names it.
+Request with_state(Request request) {
+  request.state = state_path(request);
+  return request;
 }
 
 }  // namespace
 
 int cycle(const Request& request, const std::string& text, const Case& subject) {
   expect_no_coefficients(request, subject);
-  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
+  RunKeeper keeper(request, subject);
+  Outputs outputs(with_state(request),
+                  files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
-  const CycleResult result = solved(subject);
+  const CycleResult result = solved(subject, keeper);
   if (request.json != "-") write_cycle_table(std::cout, subject, result);
   tell_verdict(result.tier, result.verdict);
   outputs.give("--json", [&] { return cycle_json(subject, result); });
   outputs.give("-o", [&] { return cycle_hdf5(subject, result); });
   outputs.give("--picture", [&] { return cycle_svg(subject, result); });
   outputs.give("--page", [&] { return cycle_html(subject, result); });
-  return outputs.code(code_of(result.verdict));
+  const int code = outputs.code(code_of(result.verdict));
+  keeper.end(code);
+  return code;
 }
 
 }  // namespace shellback::program

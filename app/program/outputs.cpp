@@ -39,6 +39,7 @@ std::vector<Output> wanted_by(const Request& request) {
       {"--coefficients-table", request.coefficients_table, Format::coefficients},
       {"--picture", request.picture, Format::svg},
       {"--page", request.page, Format::html},
+      {"--state", request.state, Format::hdf5},
       {"--png", request.png, Format::png},
       {"--table", request.table, Format::markdown}};
   std::erase_if(wanted, [](const Output& output) { return output.path.empty(); });

@@ -44,6 +44,8 @@ struct Request {
   bool force = false;                        ///< --force: replace files that are no results
   std::string picture;                       ///< --picture
   std::string page;                          ///< run --page
+  std::string state;                         ///< run --state
+  bool resume = false;                       ///< run --resume
   bool transient = false;                    ///< run --transient
   bool running_in = false;                   ///< run --running-in
   std::string profile;                       ///< run --profile: the worn shape

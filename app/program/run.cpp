@@ -66,6 +66,11 @@ void expect_steady(const Request& request) {
                      "belongs to a transient or a load cycle; add --transient, or [load_cycle] to "
                      "the case");
   }
+  if (request.resume || !request.state.empty()) {
+    throw InputError(request.resume ? "--resume" : "--state",
+                     "belongs to a load cycle, and the case has none; a steady state is solved "
+                     "anew");
+  }
   if (!request.page.empty()) {
     throw InputError("--page",
                      "belongs to a load cycle, and the case has none; compare writes a page of "

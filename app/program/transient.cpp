@@ -36,7 +36,8 @@ void expect_written(const Request& request) {
   for (const auto& [option, asked] :
        {std::pair{"-o", !request.output.empty()}, std::pair{"--coefficients", request.coefficients},
         std::pair{"--coefficients-table", !request.coefficients_table.empty()},
-        std::pair{"--page", !request.page.empty()}}) {
+        std::pair{"--page", !request.page.empty()}, std::pair{"--state", !request.state.empty()},
+        std::pair{"--resume", request.resume}}) {
     if (!asked) continue;
     throw InputError(option,
                      "a transient writes --json and --picture; leave out --transient for the "

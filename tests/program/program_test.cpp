@@ -264,7 +264,6 @@ TEST_CASE("WhatCannotTakeALoadCycleSaysSo") {
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{"chart", file},
                                              {"run", file, "--tier", "estimate"},
-                                             {"run", file, "--tier", "auto"},
                                              {"run", file, "--coefficients"}}) {
     const Ended ended = run_words(words);
     INFO(words[0]);

@@ -1,0 +1,66 @@
+#include "app/program/run_keeper.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+#include "app/file_identity.hpp"
+#include "app/pending_file.hpp"
+#include "app/result_mark.hpp"
+#include "app/run_state.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+
+std::string state_path(const Request& request) {
+  if (!request.state.empty()) return request.state;
+  for (const std::string& file : {request.output, request.json, request.page, request.picture}) {
+    if (!file.empty() && file != "-" && !is_stream(file)) return file + ".state";
+  }
+  return "";
+}
+
+RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject)
+    : path_(state_path(request)) {
+  if (path_.empty() && request.resume) {
+    throw InputError("--resume",
+                     "a run that writes no file keeps no state; give --state FILE, or the files of "
+                     "the run that was interrupted");
+  }
+  if (path_.empty()) return;
+  const auto saved = [this, &subject](const Tape::Content& state) { save(subject, state); };
+  std::error_code error;
+  there_ = std::filesystem::exists(path_, error);
+  if (!request.resume || !there_) {
+    if (request.resume) std::cerr << "note: there is no " << path_ << ": the run begins anew\n";
+    run_.emplace(saved);
+    return;
+  }
+  run_.emplace(saved, read_run_state(path_, subject));
+  std::cerr << "note: the run goes on from " << path_ << "\n";
+}
+
+void RunKeeper::save(const bearing::Case& subject, const Tape::Content& state) {
+  if (lost_) return;
+  try {
+    write_file(path_, run_state(subject, state));
+    there_ = true;
+  } catch (const FileError& why) {  // the run itself is none the worse for it
+    lost_ = true;
+    std::cerr << "warning: the state of the run is no longer kept: " << why.what() << "\n";
+  }
+}
+
+void RunKeeper::end(int code) const {
+  if (!there_) return;
+  if (code == kInterrupted || code == kBadFile) {
+    std::cerr << "the state of the run is kept in " << path_
+              << "; the same command with --resume goes on from there\n";
+    return;
+  }
+  std::error_code error;
+  if (is_result(path_)) std::filesystem::remove(path_, error);
+}
+
+}  // namespace shellback::program

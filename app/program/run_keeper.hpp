@@ -1,0 +1,37 @@
+#pragma once
+/// The state of a run over load cycles in its file: written on the way, gone on with, taken away at
+/// the end.
+#include <optional>
+#include <string>
+
+#include "app/program/request.hpp"
+#include "bearing/kept_run.hpp"
+
+namespace shellback::program {
+
+/// Where the run keeps its state: --state, else beside its first file, NAME.state; empty: it writes
+/// no file and keeps none.
+[[nodiscard]] std::string state_path(const Request& request);
+
+class RunKeeper {
+ public:
+  /// With --resume goes on from the file, if there is one. Throws InputError for a state of another
+  /// case, FileError for one that is damaged.
+  RunKeeper(const Request& request, const bearing::Case& subject);
+
+  /// For SolveControl; none: nothing is kept.
+  [[nodiscard]] bearing::KeptRun* kept() { return run_ ? &*run_ : nullptr; }
+  /// Takes the file away, unless the run was interrupted or one of its files was lost (`code`):
+  /// then tells how to go on.
+  void end(int code) const;
+
+ private:
+  void save(const bearing::Case& subject, const Tape::Content& state);
+
+  std::string path_;
+  bool lost_ = false;  ///< the file cannot be written
+  bool there_ = false;
+  std::optional<bearing::KeptRun> run_;
+};
+
+}  // namespace shellback::program

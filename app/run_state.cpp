@@ -1,0 +1,167 @@
+#include "app/run_state.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/case_json.hpp"
+#include "app/hdf5_parts.hpp"
+#include "app/provenance.hpp"
+#include "bearing/solve.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::app {
+namespace {
+
+using namespace hdf5;
+using Json = nlohmann::json;
+
+constexpr const char* kFormat = "shellback state";
+constexpr int kVersion = 1;  ///< of the order in which values stand on the tape
+
+/// The bits of numbers, as text.
+std::string bits_of(const std::vector<double>& x) {
+  return fnv1a_64({reinterpret_cast<const char*>(x.data()), x.size() * sizeof(double)});
+}
+
+/// All on which the numbers of a run depend.
+Json identity(const bearing::Case& c) {
+  const Provenance p = provenance(c);
+  Json program{{"version", p.version}, {"git", p.git}, {"state", kVersion}};
+  for (const auto& [name, version] : p.libraries) program[name] = version;
+  Json subject = case_json(c);
+  if (c.bearing.profile) {
+    subject["bearing"]["profile"] = {bits_of(c.bearing.profile->phi), bits_of(c.bearing.profile->z),
+                                     bits_of(c.bearing.profile->height)};
+  }
+  subject["equivalent_temperature"] = bearing::equivalent_temperature(c);  // by what was measured
+  if (c.cycle) subject["load_cycle"]["crank_speed"] = c.cycle->crank_speed;
+  return {{"program", program}, {"case", subject}};
+}
+
+/// Keys by which two of them differ, "load_cycle.load_x", each once.
+std::vector<std::string> different(const Json& kept, const Json& now) {
+  constexpr std::size_t kMost = 5;   // that are told
+  constexpr std::size_t kDepth = 2;  // of keys: below are values, units and rows
+  std::vector<std::string> keys;
+  std::set<std::string> known;
+  for (const Json& change : Json::diff(kept, now)) {
+    const std::string path = change["path"].get<std::string>().substr(1);
+    std::string key;
+    std::size_t depth = 0;
+    for (const char letter : path) {
+      if (letter == '/' && ++depth > kDepth) break;
+      key += letter == '/' ? '.' : letter;
+    }
+    if (known.insert(key).second && keys.size() < kMost)
+      keys.push_back(key.substr(key.find('.') + 1));
+  }
+  return keys;
+}
+
+std::string read_text(hid_t file, const char* name) {
+  const Handle id(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
+  char* text = nullptr;
+  check(H5Aread(id, text_type(), &text), name);
+  std::string out = text;
+  H5free_memory(text);
+  return out;
+}
+
+template <class List>
+List read_list(hid_t file, const char* name, hid_t type) {
+  const Handle id(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose, name);
+  const Handle space(H5Dget_space(id), H5Sclose, name);
+  const hssize_t size = H5Sget_simple_extent_npoints(space);
+  check(size < 0 ? -1 : 0, name);
+  List list;
+  list.resize(static_cast<std::size_t>(size));
+  if (size > 0) check(H5Dread(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, list.data()), name);
+  return list;
+}
+
+struct Read {
+  std::string identity;
+  Tape::Content kept;
+  std::string sum;
+};
+
+Read read_file(const std::string& path) {
+  const QuietErrors quiet;
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "the file");
+  Read r;
+  r.identity = read_list<std::string>(file, "identity", H5T_NATIVE_CHAR);
+  r.sum = read_text(file, "sum");
+  r.kept.numbers = read_list<std::vector<double>>(file, "numbers", H5T_NATIVE_DOUBLE);
+  r.kept.counts = read_list<std::vector<std::int64_t>>(file, "counts", H5T_NATIVE_INT64);
+  r.kept.text = read_list<std::string>(file, "text", H5T_NATIVE_CHAR);
+  return r;
+}
+
+std::string sum_of(const Tape::Content& kept) {
+  const auto bytes = reinterpret_cast<const char*>(kept.counts.data());
+  return bits_of(kept.numbers) + fnv1a_64({bytes, kept.counts.size() * sizeof(std::int64_t)}) +
+         fnv1a_64(kept.text);
+}
+
+}  // namespace
+
+std::string run_state(const bearing::Case& c, const Tape::Content& kept) {
+  return file_bytes([&](hid_t file) {
+    attribute(file, "format", std::string(kFormat));
+    attribute(file, "title", c.title);
+    attribute(file, "sum", sum_of(kept));
+    const std::string who = identity(c).dump();
+    dataset(file, "identity", H5T_NATIVE_CHAR, who.data(), {who.size()},
+            {"-", "case and program, JSON", "", ""});
+    doubles(file, "numbers", kept.numbers, "-",
+            "numbers of the state, in the order of the program");
+    dataset(file, "counts", H5T_NATIVE_INT64, kept.counts.data(), {kept.counts.size()},
+            {"-", "whole numbers and lengths of lists", "", ""});
+    dataset(file, "text", H5T_NATIVE_CHAR, kept.text.data(), {kept.text.size()},
+            {"-", "texts of the state", "", ""});
+  });
+}
+
+Tape::Content read_run_state(const std::string& path, const bearing::Case& c) {
+  if (const std::string format = format_of(path); !format.empty() && format != kFormat) {
+    throw FileError(
+        fmt::format("{} is no state of a run but a {}; give the file that the "
+                    "interrupted run named",
+                    path, format));
+  }
+  const auto damaged = [&](const std::string& why) {
+    return FileError(
+        fmt::format("{} cannot be gone on with: it is damaged or no state of a run "
+                    "({}); take the file away and leave out --resume to begin anew",
+                    path, why));
+  };
+  Read r;
+  try {
+    r = read_file(path);
+  } catch (const FileError&) {
+    throw damaged("it is cut short, or no HDF5 file");
+  }
+  const Json kept = Json::parse(r.identity, nullptr, false);
+  if (kept.is_discarded() || r.sum != sum_of(r.kept)) throw damaged("its check sum is wrong");
+  const Json now = identity(c);
+  if (kept.value("program", Json()) != now["program"]) {
+    throw InputError("--resume",
+                     fmt::format("{} was written by another version of shellback, whose numbers "
+                                 "may differ; go on with that one, or leave out --resume to begin "
+                                 "anew",
+                                 path));
+  }
+  if (kept.value("case", Json()) != now["case"]) {
+    throw InputError(
+        "--resume",
+        fmt::format("{} is the state of another case: {} differ; go on with the case as it was, or "
+                    "leave out --resume to begin this one anew (which replaces the state)",
+                    path, fmt::join(different(kept, now), ", ")));
+  }
+  return std::move(r.kept);
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,73 @@
+#include "bearing/kept_run.hpp"
+
+#include <algorithm>
+
+#include "bearing/tape_members.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+double seconds(std::chrono::steady_clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
+
+}  // namespace
+
+KeptRun::KeptRun(Save save) : save_(std::move(save)) {}
+
+KeptRun::KeptRun(Save save, Tape::Content from) : save_(std::move(save)), tape_(std::move(from)) {
+  (*tape_)(ended_, grid_, cost_, coarser_grid_, coarser_, spent_before_);
+}
+
+std::optional<CycleResult> KeptRun::next_ended() {
+  if (given_ < ended_.size()) return ended_[given_++];
+  begun_ = Clock::now();
+  return std::nullopt;
+}
+
+void KeptRun::end(const CycleResult& result) {
+  ended_.push_back(result);
+  given_ = ended_.size();
+  grid_ = 0;
+  cost_ = {};
+  coarser_grid_ = -1;
+  coarser_ = {};
+  spent_before_ = 0.0;
+}
+
+void KeptRun::taken_up() {
+  if (!tape_->ended()) throw FileError("a kept state goes on after all of it is read");
+  tape_.reset();
+}
+
+void KeptRun::on_grid(int grid, const Cost& cost) {
+  grid_ = grid;
+  cost_ = cost;
+}
+
+void KeptRun::coarser(int grid, const Tape& found) {
+  coarser_grid_ = grid;
+  coarser_ = found.content();
+}
+
+bool KeptRun::due() const {
+  constexpr double kShare = 0.02;   // of the time may go into saving
+  constexpr double kSoonest = 0.1;  // [s]
+  constexpr double kLatest = 30.0;  // [s]
+  const double wait = std::clamp(saving_s_ / kShare, kSoonest, std::max(kLatest, saving_s_));
+  return seconds(Clock::now() - kept_) >= wait;
+}
+
+void KeptRun::keep(const std::function<void(Tape&)>& search) {
+  const auto begin = Clock::now();
+  Tape tape;
+  double spent = spent_before_ + seconds(begin - begun_);
+  tape(ended_, grid_, cost_, coarser_grid_, coarser_, spent);
+  search(tape);
+  save_(tape.content());
+  kept_ = Clock::now();
+  saving_s_ = seconds(kept_ - begin);
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,96 @@
+#pragma once
+/// Values put one behind the other and taken off again in the same order: how a state is kept.
+///
+/// A type tells its members once, for both directions: a free function members(Tape&, T&) in
+/// namespace shellback, or a member function of that name. Numbers are kept with all their bits.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace shellback {
+
+class Tape {
+ public:
+  /// What is on a tape.
+  struct Content {
+    std::vector<double> numbers;
+    std::vector<std::int64_t> counts;  ///< whole numbers, and how long lists and texts are
+    std::string text;
+  };
+
+  /// To be written.
+  Tape() = default;
+  /// To be read, from its beginning.
+  explicit Tape(Content content) : content_(std::move(content)), reads_(true) {}
+
+  /// Writes the values, or sets them to what comes next. Throws FileError where nothing comes.
+  template <class... T>
+  void operator()(T&... x) {
+    (one(x), ...);
+  }
+  [[nodiscard]] bool reads() const { return reads_; }
+  /// Read to the end.
+  [[nodiscard]] bool ended() const;
+  [[nodiscard]] const Content& content() const { return content_; }
+
+ private:
+  template <class T>
+  struct IsVector : std::false_type {};
+  template <class T>
+  struct IsVector<std::vector<T>> : std::true_type {};
+  template <class T>
+  struct IsArray : std::false_type {};
+  template <class T, std::size_t N>
+  struct IsArray<std::array<T, N>> : std::true_type {};
+  template <class T>
+  struct IsOptional : std::false_type {};
+  template <class T>
+  struct IsOptional<std::optional<T>> : std::true_type {};
+
+  template <class T>
+  void one(T& x) {
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::string> ||
+                  std::is_same_v<T, std::vector<double>>) {
+      value(x);
+    } else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) {
+      auto n = static_cast<std::int64_t>(x);
+      count(n);
+      x = static_cast<T>(n);
+    } else if constexpr (IsVector<T>::value) {
+      auto n = static_cast<std::int64_t>(x.size());
+      length(n);
+      x.resize(static_cast<std::size_t>(n));
+      for (auto& each : x) one(each);
+    } else if constexpr (IsArray<T>::value) {
+      for (auto& each : x) one(each);
+    } else if constexpr (IsOptional<T>::value) {
+      bool there = x.has_value();
+      one(there);
+      if (reads_ && there) x.emplace();
+      if (!there) x.reset();
+      if (there) one(*x);
+    } else if constexpr (requires { x.members(*this); }) {
+      x.members(*this);
+    } else {
+      members(*this, x);
+    }
+  }
+
+  void value(double& x);
+  void value(std::vector<double>& x);
+  void value(std::string& x);
+  void count(std::int64_t& n);
+  /// A count of things that are each worth at least one entry of the tape.
+  void length(std::int64_t& n);
+
+  Content content_;
+  bool reads_ = false;
+  std::size_t number_ = 0;  ///< read so far
+  std::size_t count_ = 0;
+  std::size_t letter_ = 0;
+};
+
+}  // namespace shellback

@@ -1,0 +1,236 @@
+#include "fidelity/auto_cycle.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "bearing/judge_case.hpp"
+#include "core/contract.hpp"
+#include "fidelity/cycle_bars.hpp"
+#include "fidelity/grid_sequence.hpp"
+#include "fidelity/left_out.hpp"
+
+namespace shellback::fidelity {
+
+using namespace bearing;
+
+namespace {
+
+constexpr double kOfPhysics = 0.5;  ///< part of the tolerance that the physics left out may take
+constexpr double kOfSteps = 0.25;   ///< and the steps in time
+constexpr int kRounds = 3;          ///< of grids and steps
+const std::vector<Grid> kProbes{
+    {48, 8}, {60, 10}, {80, 14}};  ///< the first that holds the supplies
+constexpr Grid kFirst{96, 12};
+
+/// Of the mean torque and of the smallest film [-].
+struct Pair {
+  double friction = 0.0;
+  double h_min = 0.0;
+  [[nodiscard]] double larger() const { return std::max(friction, h_min); }
+};
+
+const CycleQuantity* named(const CycleResult& r, const char* name) {
+  for (const CycleQuantity& q : r.quantities) {
+    if (q.quantity.name == name) return &q;
+  }
+  return nullptr;
+}
+
+/// One number of each of the two.
+template <class F>
+Pair both(const CycleResult& r, F of) {
+  const CycleQuantity* friction = named(r, "friction_torque");
+  const CycleQuantity* h_min = named(r, "h_min");
+  if (friction == nullptr || h_min == nullptr) return {INFINITY, INFINITY};
+  return {of(*friction), of(*h_min)};
+}
+
+double over_value(double bar, const CycleQuantity& q) {
+  const double part = bar / std::abs(q.quantity.value);
+  return std::isfinite(part) ? part : INFINITY;
+}
+
+class Search {
+ public:
+  Search(const Case& c, const SolveControl& control) : case_(c), control_(control) {}
+
+  CycleResult run() {
+    if (!choose_tier()) return chosen(std::move(last_));
+    on_.model.tier = tier_;
+    if (!case_.model.grid_given) on_.model.grid = kFirst;
+    for (int k = 0; k < kRounds; ++k) {
+      last_ = solve_cycle_with_bars(on_, control_);
+      note(last_);
+      if (!last_.verdict.good() || stopped(control_) || within() || !refine()) break;
+    }
+    return chosen(std::move(last_));
+  }
+
+ private:
+  void note(const CycleResult& r) {
+    solved_.push_back(fmt::format("{} on {} x {}{}", to_string(r.tier), r.grid[0], r.grid[1],
+                                  r.verdict.good() ? "" : " (did not converge)"));
+  }
+
+  CycleResult probe(Tier tier) {
+    Case c = on_;
+    c.model.tier = tier;
+    CycleResult r = solve_cycle(c, tier, control_);
+    note(r);
+    return r;
+  }
+
+  /// A grid that holds the supplies.
+  void choose_probe() {
+    for (const Grid& grid : kProbes) {
+      on_.model.grid = grid;
+      try {
+        static_cast<void>(make_bearing(on_, {}, grid));
+        return;
+      } catch (const InputError&) {
+        if (grid == kProbes.back()) throw;
+      }
+    }
+  }
+
+  /// False: no tier is found on the coarse grid; `last_` tells why.
+  bool choose_tier() {
+    choose_probe();
+    std::vector<Tier> tiers = possible_tiers(case_);
+    CycleResult rich;
+    while (!tiers.empty()) {
+      rich = probe(tiers.back());
+      last_ = rich;
+      if (rich.verdict.good() || stopped(control_)) break;
+      tiers.pop_back();
+    }
+    if (!rich.verdict.good()) return false;
+    tier_ = tiers.back();
+    for (const Tier tier : tiers) {
+      if (tier == tier_) break;
+      const CycleResult cheap = probe(tier);
+      if (stopped(control_)) return false;
+      if (!cheap.verdict.good()) continue;
+      const auto change = [&](const CycleQuantity& q) {
+        const double rich_value = value_of(rich, q.quantity.name);
+        return kModelSafety * over_value(q.quantity.value - rich_value, q);
+      };
+      const Pair left = both(cheap, [&](const CycleQuantity& q) { return std::abs(change(q)); });
+      if (left.larger() > kOfPhysics * case_.model.tolerance) continue;
+      tier_ = tier;
+      left_out_ = left;
+      break;
+    }
+    return true;
+  }
+
+  [[nodiscard]] Pair of_grid() const {
+    return both(last_, [](const CycleQuantity& q) { return over_value(q.quantity.error_grid, q); });
+  }
+  [[nodiscard]] Pair of_steps() const {
+    return both(last_, [](const CycleQuantity& q) { return over_value(q.error_time, q); });
+  }
+  [[nodiscard]] bool within() const { return bars_of(last_).larger() <= case_.model.tolerance; }
+
+  /// Cells that bring one bar within what is left of the tolerance, over those that there are.
+  [[nodiscard]] double more_cells(const char* name, double bar, double left_out) const {
+    constexpr double kMost = 4.0;  // in one round: twice as many in each direction
+    const double wanted = (1.0 - kOfSteps) * case_.model.tolerance - left_out;
+    const double order = named(last_, name)->quantity.order;
+    const double p = std::isfinite(order) && order > 0.0 ? order : 1.0;
+    const double more = std::pow(bar / wanted, 2.0 / p);
+    return std::isfinite(more) ? std::clamp(more, 1.0, kMost) : kMost;
+  }
+
+  /// Finer grid and shorter steps for the next round; false: nothing is left to refine.
+  bool refine() {
+    constexpr double kMargin = 1.2;  // of cells, as an order is only observed
+    constexpr double kLeast = 0.02;  // of the error of a step, in one round
+    constexpr double kOrder = 1.5;   // of a step's error in the bar: its inverse is 2/3
+    const Grid before = on_.model.grid;
+    const double steps = of_steps().larger();
+    const double allowed = kOfSteps * case_.model.tolerance;
+    const bool shorter = !case_.cycle->step && steps > allowed;
+    if (shorter) on_.model.tolerance *= std::clamp(std::pow(allowed / steps, kOrder), kLeast, 1.0);
+    const Pair grid = of_grid();
+    const double more = std::max(more_cells("friction_torque", grid.friction, left_out_.friction),
+                                 more_cells("h_min", grid.h_min, left_out_.h_min));
+    if (!case_.model.grid_given && more > 1.0) {
+      const double by = std::sqrt(kMargin * more);
+      for (int k = 0; k < 2; ++k) {
+        const int cells = static_cast<int>(std::lround(by * on_.model.grid[k]));
+        on_.model.grid[k] = std::min(cells, kUsualGrid[k]);
+      }
+    }
+    return shorter || on_.model.grid != before;
+  }
+
+  CycleResult chosen(CycleResult r) const {
+    if (stopped(control_)) r.verdict = {Status::interrupted, "stopped by the user", "", ""};
+    const Pair known = bars_of(r);
+    if (r.verdict.good()) {
+      r.choice = AutoChoice{case_.model.tolerance, known.larger() <= case_.model.tolerance,
+                            known.friction, known.h_min, solved_};
+    }
+    for (CycleQuantity& q : r.quantities) {
+      const double size = std::abs(q.quantity.value);
+      const bool torque = q.quantity.name == "friction_torque" || q.quantity.name == "power_loss";
+      if (torque) q.quantity.error_model = left_out_.friction * size;
+      if (q.quantity.name == "h_min") q.quantity.error_model = left_out_.h_min * size;
+    }
+    r.assumptions.push_back(fmt::format(
+        "tier auto took tier {} on {} x {} cells; the physics that it leaves out is worth at most "
+        "{:.2g} % of the mean torque and {:.2g} % of the smallest film; solved on the way: {}",
+        to_string(r.tier), r.grid[0], r.grid[1], 100.0 * left_out_.friction,
+        100.0 * left_out_.h_min, fmt::join(solved_, ", ")));
+    if (!knows_its_walls(case_)) {
+      r.assumptions.emplace_back(
+          "the case has no data of shell and shaft: what their heat and deformation change is in "
+          "no "
+          "bar");
+    }
+    if (r.verdict.good() && !r.choice->met) {
+      r.warnings.push_back(fmt::format(
+          "the tolerance of {:.2g} % is not met: the mean friction torque is known within {:.2g} "
+          "%, the smallest film within {:.2g} %; a finer model.grid or another tolerance",
+          100.0 * case_.model.tolerance, 100.0 * known.friction, 100.0 * known.h_min));
+    }
+    return r;
+  }
+
+  [[nodiscard]] Pair bars_of(const CycleResult& r) const {
+    const Pair bars = both(r, [](const CycleQuantity& q) {
+      return over_value(q.quantity.error_grid + q.error_time, q);
+    });
+    return {bars.friction + left_out_.friction, bars.h_min + left_out_.h_min};
+  }
+
+  const Case& case_;
+  const SolveControl& control_;
+  Case on_ = case_;  ///< with what is tried: grid, tolerance, tier
+  Tier tier_ = Tier::isothermal;
+  Pair left_out_;
+  CycleResult last_;
+  std::vector<std::string> solved_;
+};
+
+}  // namespace
+
+CycleResult solve_auto_cycle(const Case& c, const SolveControl& control) {
+  const auto begin = std::chrono::steady_clock::now();
+  CycleResult r = Search(c, control).run();
+  r.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  r.cost.bars_s = 0.0;  // part of it
+  return r;
+}
+
+CycleResult solve_cycle_case(const Case& c, const SolveControl& control) {
+  return c.model.tier == Tier::automatic ? solve_auto_cycle(c, control)
+                                         : solve_cycle_with_bars(c, control);
+}
+
+}  // namespace shellback::fidelity

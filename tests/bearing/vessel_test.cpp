@@ -1,0 +1,162 @@
+// Supplies that live on what a vessel holds.
+#include <catch2/catch.hpp>
+
+#include "bearing/cycle.hpp"
+#include "bearing/judge_case.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// A journal that neither turns nor moves in the middle of a bearing with a groove all round, whose
+/// line is shut: the film lets out oil in proportion to the vessel's pressure.
+Case leaking_case() {
+  Case c = plain_case();
+  Supply& s = c.supplies[0];
+  s.kind = SupplyKind::circumferential_groove;
+  s.arc = 2.0 * kPi;
+  s.length = 5e-3;
+  s.pressure = 2e5;
+  s.vessel = Vessel{1e-5, 1.5e9, {}};
+  c.model.cavitation_pressure = -1e5;
+  c.model.grid = {24, 10};
+  c.model.tolerance = 1e-3;
+  c.operation.omega = 0.0;
+  LoadCycle cycle;
+  cycle.t = {0.0, 4e-3};
+  cycle.x = {1.0, 1.0};
+  cycle.y = {0.0, 0.0};
+  cycle.journal_mass = 1e4;  // moves by a picometre
+  c.cycle = cycle;
+  return c;
+}
+
+/// Rate of (dp/dt)/p: two lands of length (B - groove)/2, each a slot of the clearance.
+double leak_rate(const Case& c) {
+  const Supply& s = c.supplies[0];
+  const double land = 0.5 * (c.bearing.width - s.length);
+  const double h = c.bearing.radial_clearance;
+  const double eta = std::get<rheology::ConstantViscosity>(c.oil.temperature).eta;
+  const double flow = 2.0 * 2.0 * kPi * c.bearing.radius * h * h * h / (12.0 * eta * land);
+  return flow * s.vessel->bulk_modulus / s.vessel->volume;
+}
+
+CycleResult solved(const Case& c) {
+  CycleResult r = solve_cycle(c, Tier::isothermal);
+  INFO(r.verdict.reason);
+  REQUIRE(r.verdict.good());
+  CHECK(r.audit.mass < 1e-10);  // film, and film with vessels: carried as what flows
+  return r;
+}
+
+/// A load that stands, and a groove whose line is shut for half of the cycle.
+Case cut_off_case(double volume) {
+  Case c = plain_case();
+  Supply& s = c.supplies[0];
+  s.arc = 20.0 * kDegree;
+  s.length = 0.02;
+  s.pressure = 2e5;
+  c.cycle = LoadCycle{};
+  c.cycle->period = 4.0 * kPi / c.operation.omega;
+  const double t = c.cycle->period;
+  c.cycle->t = {0.0, 0.25 * t, 0.5 * t, 0.75 * t};
+  c.cycle->x = {0.0, 300.0, 0.0, -300.0};
+  c.cycle->y = {-1e3, -1e3, -1e3, -1e3};
+  c.cycle->journal_mass = 1.0;
+  c.model.grid = {48, 8};
+  s.vessel = Vessel{volume, 1.5e9, {{0.0, 0.5 * t}}};
+  return c;
+}
+
+/// Oil that flows into the film while the line is shut [m3], and the pressures of the vessel then.
+struct Shut {
+  double oil = 0.0;
+  double p_begin = NAN, p_end = NAN, p_least = INFINITY;
+};
+Shut while_shut(const CycleResult& r) {
+  Shut shut;
+  for (std::size_t k = 1; k < r.instants.size(); ++k) {
+    const CycleInstant& i = r.instants[k];
+    if (i.t < 0.5 * r.period * (1.0 + 1e-9)) shut.p_begin = i.p_vessel;
+    if (i.t < 0.5 * r.period * (1.0 + 1e-9)) continue;
+    shut.oil += i.dt * i.supply_flow;
+    shut.p_end = i.p_vessel;
+    shut.p_least = std::min(shut.p_least, i.p_vessel);
+  }
+  return shut;
+}
+
+}  // namespace
+
+TEST_CASE("AVesselThatLeaksEmptiesExponentially", "[vessel]") {
+  Case c = leaking_case();
+  const double p = c.supplies[0].pressure;
+  const auto off = [&](double step) {
+    c.cycle->step = step;
+    const CycleResult r = solved(c);
+    const CycleInstant& end = r.instants.back();
+    return std::abs(end.p_vessel / (p * std::exp(-leak_rate(c) * end.t)) - 1.0);
+  };
+  const double coarse = off(2e-4);
+  const double fine = off(1e-4);
+  CHECK(fine < 5e-3);
+  CHECK(std::log2(coarse / fine) == Approx(2.0).margin(0.15));  // TR-BDF2 and SDIRK2
+}
+
+TEST_CASE("WhatFlowsFromAShutVesselIsWhatItsPressureLoses", "[vessel]") {
+  const double volume = 2e-6;
+  const CycleResult r = solved(cut_off_case(volume));
+  const Shut shut = while_shut(r);
+  CHECK(shut.p_begin == Approx(2e5).epsilon(1e-12));
+  CHECK(shut.p_end < 1.9e5);
+  CHECK(shut.p_least >= 0.0);
+  const double lost = volume / 1.5e9 * (shut.p_begin - shut.p_end);
+  CHECK(shut.oil / lost == Approx(1.0).epsilon(1e-3));
+}
+
+TEST_CASE("NoOilFlowsFromAVesselAtTheCavitationPressure", "[vessel]") {
+  const double volume = 1e-8;  // a drilling: it lasts for a part of a degree
+  const CycleResult r = solved(cut_off_case(volume));
+  const Shut shut = while_shut(r);
+  CHECK(shut.p_least >= 0.0);
+  CHECK(shut.p_least < 2e3);
+  // All that it had and no more, but for what the film in time is solved to.
+  CHECK(shut.oil / (volume / 1.5e9 * 2e5) == Approx(1.0).epsilon(1e-3));
+  REQUIRE(!r.warnings.empty());
+  CHECK(r.warnings.back().find("vessel stands at the cavitation pressure") != std::string::npos);
+}
+
+TEST_CASE("AVeryLargeVesselIsASupplyOfGivenPressure", "[vessel]") {
+  Case c = cut_off_case(1.0);
+  const CycleResult large = solved(c);
+  c.supplies[0].vessel.reset();
+  const CycleResult given = solved(c);
+  // The steps differ, as they end where the line opens and shuts: by what they err.
+  CHECK(value_of(large, "h_min") == Approx(value_of(given, "h_min")).epsilon(3e-3));
+  CHECK(value_of(large, "friction_torque") ==
+        Approx(value_of(given, "friction_torque")).epsilon(3e-3));
+  CHECK(value_of(large, "supply_flow") == Approx(value_of(given, "supply_flow")).epsilon(1e-2));
+}
+
+TEST_CASE("AVesselBelongsToALoadCycle", "[vessel]") {
+  Case c = cut_off_case(1e-6);
+  const auto refused = [&](const char* key) {
+    for (const Finding& f : judge(c, {Tier::isothermal})) {
+      if (f.refused() && f.key == key) return true;
+    }
+    return false;
+  };
+  CHECK_FALSE(refused("supply.0.vessel_volume"));
+  c.supplies[0].vessel->open = {{0.0, 1.0}};
+  CHECK(refused("supply.0.open"));
+  c.supplies[0].vessel->open = {{1e-3, 0.5e-3}};
+  CHECK(refused("supply.0.open"));
+  c.supplies[0].vessel->open.clear();
+  c.supplies[0].vessel->volume = 0.0;
+  CHECK(refused("supply.0.vessel_volume"));
+  c.cycle.reset();
+  CHECK(refused("supply.0.vessel_volume"));
+}

@@ -1,0 +1,76 @@
+/// Tier auto over shipped load cycles against finer grids and richer tiers.
+#include "fidelity/auto_cycle.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "app/library.hpp"
+#include "app/read_case.hpp"
+#include "bearing/judge_case.hpp"
+#include "tests/program/run_words.hpp"
+
+using namespace shellback;
+using namespace shellback::app;
+using namespace shellback::bearing;
+using namespace shellback::program::tests;
+
+namespace {
+
+Case shipped(const std::string& name, const std::string& tolerance) {
+  return read_case(case_path(name).string(),
+                   {{"model.tier", "\"auto\"", "--set"}, {"model.tolerance", tolerance, "--set"}});
+}
+
+void check_within(const std::string& name, double tolerance, const std::string& words) {
+  Case c = shipped(name, words);
+  c.model.grid_given = false;
+  const CycleResult r = fidelity::solve_auto_cycle(c);
+  INFO(name << ": " << r.verdict.reason);
+  REQUIRE(r.verdict.good());
+  REQUIRE(r.choice);
+  CHECK(r.choice->met);
+  CHECK(r.choice->bar_friction <= tolerance);
+  CHECK(r.choice->bar_h_min <= tolerance);
+  Case truth = c;
+  truth.model.tier = possible_tiers(c).back();
+  truth.model.grid = {140, 20};
+  truth.model.tolerance = 0.25 * tolerance;
+  const CycleResult fine = solve_cycle(truth, truth.model.tier);
+  REQUIRE(fine.verdict.good());
+  for (const char* quantity : {"friction_torque", "h_min"}) {
+    INFO(quantity);
+    CHECK(value_of(r, quantity) == Approx(value_of(fine, quantity)).epsilon(tolerance));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("AutoOverARotatingLoadIsWithinItsTolerance") {
+  check_within("rotating-load", 0.1, "\"10 %\"");
+}
+
+TEST_CASE("AutoOverAPulseIsWithinItsTolerance") { check_within("pulse", 0.05, "\"5 %\""); }
+
+TEST_CASE("AutoKeepsTheGridThatACaseGivesAndSaysWhatItIsWorth") {
+  Case c = shipped("rotating-load", "\"0.1 %\"");
+  c.model.grid = {48, 8};
+  c.model.grid_given = true;
+  c.cycle->step = c.cycle->period / 90.0;
+  const CycleResult r = fidelity::solve_auto_cycle(c);
+  REQUIRE(r.verdict.good());
+  CHECK(r.grid == std::array{48, 8});
+  REQUIRE(r.choice);
+  CHECK_FALSE(r.choice->met);
+  REQUIRE(!r.warnings.empty());
+  CHECK(r.warnings.back().find("tolerance") != std::string::npos);
+}
+
+TEST_CASE("CommandsTakeTierAutoOverACycle") {
+  const std::string file = case_path("rotating-load").string();
+  CHECK(run_words({"check", file, "--tier", "auto"}).code == program::kDone);
+  const Ended run = run_words({"run", file, "--tier", "auto", "--set", "model.tolerance=10 %",
+                               "--set", "model.grid=[48,8]"});
+  CHECK(run.code == program::kDone);
+  CHECK(run.out.find("tier auto took tier") != std::string::npos);
+  CHECK(run_words({"compare", file, "--set", "model.tier=\"auto\"", "--set", "model.grid=[48,8]"})
+            .code == program::kDone);
+}

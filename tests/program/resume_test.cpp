@@ -1,0 +1,132 @@
+/// Load cycles that are killed or interrupted and gone on with.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <thread>
+
+#include "app/library.hpp"
+#include "app/program/cli.hpp"
+#include "tests/app/sample_case.hpp"
+#include "tests/program/process.hpp"
+#include "tests/program/run_words.hpp"
+
+using namespace shellback;
+using namespace shellback::app;
+using namespace shellback::program;
+using namespace shellback::program::tests;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kKilled = 1000 + SIGKILL;
+
+/// The shipped case with long steps on a coarse grid, and its files.
+struct Run {
+  explicit Run(const ScratchFolder& scratch, const std::string& name)
+      : json(scratch.path(name + ".json")),
+        state(json + ".state"),
+        out(scratch.path(name + ".out")),
+        err(scratch.path(name + ".err")) {}
+  [[nodiscard]] Process start(const Words& more = {}) const {
+    Words words{"run", case_path("rotating-load").string(), "--set", "model.grid=[60,9]", "--json",
+                json};
+    words.insert(words.end(), more.begin(), more.end());
+    return {words, out, err};
+  }
+  std::string json, state, out, err;
+};
+
+/// A result without what the clock says.
+nlohmann::json result(const std::string& path) {
+  nlohmann::json json = nlohmann::json::parse(text_of(path));
+  json.erase("cost");
+  json.erase("provenance");
+  return json;
+}
+
+}  // namespace
+
+TEST_CASE("ACycleThatIsKilledAgainAndAgainEndsAsOneThatIsNot") {
+  const ScratchFolder scratch;
+  const Run whole(scratch, "whole");
+  const auto begin = Clock::now();
+  REQUIRE(whole.start().wait() == kDone);
+  const double took = std::chrono::duration<double>(Clock::now() - begin).count();
+  CHECK_FALSE(fs::exists(whole.state));
+
+  const Run killed(scratch, "killed");
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> part(0.05, 0.3);  // of the whole
+  int kills = 0;
+  int code = kKilled;
+  for (int k = 0; k < 40 && code == kKilled; ++k) {
+    const Process process = killed.start({"--resume"});
+    const auto wait = std::chrono::duration<double>(k < 30 ? part(random) * took : 10.0 * took);
+    const auto till = Clock::now() + wait;
+    while (Clock::now() < till && !process.ended()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    ::kill(process.pid(), SIGKILL);
+    code = process.wait();
+    kills += code == kKilled ? 1 : 0;
+  }
+  INFO(text_of(killed.err));
+  REQUIRE(code == kDone);
+  CHECK(kills >= 1);  // about six, where the machine is as fast all the time
+  CHECK(text_of(killed.err).find("goes on from") != std::string::npos);
+  CHECK_FALSE(fs::exists(killed.state));
+  CHECK(result(killed.json) == result(whole.json));  // every number, to the last digit
+}
+
+TEST_CASE("AStateIsOfOneCaseAndWholeOrRefused") {
+  const ScratchFolder scratch;
+  const Run run(scratch, "a");
+  for (int k = 0; k < 100 && !fs::exists(run.state); ++k) {
+    const Process process = run.start();
+    const auto till = Clock::now() + std::chrono::seconds(20);
+    while (!fs::exists(run.state) && Clock::now() < till) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ::kill(process.pid(), SIGINT);
+    const int code = process.wait();
+    if (code == kDone) continue;
+    CHECK(code == kInterrupted);
+    check_parts(text_of(run.err), {run.state, "--resume"});
+  }
+  REQUIRE(fs::exists(run.state));
+
+  CHECK(run.start({"--resume", "--set", "operation.speed=2900 rpm"}).wait() == kBadInput);
+  check_parts(text_of(run.err), {"--resume", "another case", "operation.speed"});
+
+  const std::string bytes = text_of(run.state);
+  scratch.write("a.json.state", bytes.substr(0, bytes.size() / 2));
+  CHECK(run.start({"--resume"}).wait() == kBadFile);
+  check_parts(text_of(run.err), {run.state, "damaged", "leave out --resume"});
+
+  std::string other = bytes;
+  other[other.size() / 2] = static_cast<char>(other[other.size() / 2] ^ 0x10);
+  scratch.write("a.json.state", other);
+  CHECK(run.start({"--resume"}).wait() != kDone);  // not a bit of it may differ
+
+  scratch.write("a.json.state", bytes);
+  REQUIRE(run.start({"--resume"}).wait() == kDone);
+  check_parts(text_of(run.err), {"goes on from", run.state});
+  CHECK_FALSE(fs::exists(run.state));
+}
+
+TEST_CASE("ARunWithoutAStateSaysSo") {
+  const ScratchFolder scratch;
+  const std::string steady = scratch.write("case.toml", kSampleCase);
+  const auto refused = [&](const Words& words) {
+    const Ended ended = run_words(words);
+    CHECK(ended.code == kBadInput);
+    return ended.err;
+  };
+  check_parts(refused({"run", steady, "--resume"}), {"--resume", "load cycle"});
+  check_parts(refused({"run", steady, "--state", scratch.path("s")}), {"--state", "load cycle"});
+  check_parts(refused({"run", case_path("pulse").string(), "--resume"}), {"--resume", "--state"});
+}

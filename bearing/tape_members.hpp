@@ -162,11 +162,13 @@ inline void members(Tape& tape, bearing::CycleQuantity& x) {
 
 inline void members(Tape& tape, bearing::CycleInstant& x) {
   auto& [t, dt, load_x, load_y, omega, ex, ey, vx, vy, tilt_x, tilt_y, h_min, h_min_angle, p_max,
-         p_asperity_max, torque, torque_asperity, breakaway, power, supply_flow, side_flow, oil,
-         p_vessel, T_film_max, T_shell_max, heat_to_shell, heat_to_shaft] = x;
+         p_asperity_max, torque, torque_asperity, torque_abrasive, torque_adhesive,
+         torque_micro_hydrodynamic, breakaway, power, supply_flow, side_flow, oil, p_vessel,
+         T_film_max, T_shell_max, heat_to_shell, heat_to_shaft] = x;
   tape(t, dt, load_x, load_y, omega, ex, ey, vx, vy, tilt_x, tilt_y, h_min, h_min_angle, p_max,
-       p_asperity_max, torque, torque_asperity, breakaway, power, supply_flow, side_flow, oil,
-       p_vessel, T_film_max, T_shell_max, heat_to_shell, heat_to_shaft);
+       p_asperity_max, torque, torque_asperity, torque_abrasive, torque_adhesive,
+       torque_micro_hydrodynamic, breakaway, power, supply_flow, side_flow, oil, p_vessel,
+       T_film_max, T_shell_max, heat_to_shell, heat_to_shaft);
 }
 
 inline void members(Tape& tape, bearing::CycleAudit& x) {

@@ -41,6 +41,8 @@ int work(const Request& request) {
       return chart(request);
     case Command::stress:
       return stress(request);
+    case Command::surface:
+      return surface(request);
     case Command::sweep:
       return sweep(request);
     case Command::honesty:

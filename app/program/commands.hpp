@@ -16,6 +16,7 @@ namespace shellback::program {
 /// Of run: a case with a load cycle, `text` of its file.
 [[nodiscard]] int cycle(const Request& request, const std::string& text,
                         const bearing::Case& subject);
+[[nodiscard]] int surface(const Request& request);
 [[nodiscard]] int sweep(const Request& request);
 [[nodiscard]] int running_in(const Request& request);  ///< of run
 [[nodiscard]] int transient(const Request& request);   ///< of run

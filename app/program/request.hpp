@@ -24,6 +24,7 @@ enum class Command {
   sweep,
   chart,
   stress,
+  surface,
   honesty,
   auto_honesty,
   validate,
@@ -32,8 +33,8 @@ enum class Command {
 /// What was asked for.
 struct Request {
   Command command = Command::none;
-  std::string name;  ///< init: shipped case
-  std::string case_file;
+  std::string name;                          ///< init: shipped case
+  std::string case_file;                     ///< surface: the height map
   std::string tier;                          ///< --tier
   std::vector<std::string> tiers;            ///< --tiers
   std::vector<std::string> set;              ///< --set, each KEY=VALUE
@@ -64,7 +65,15 @@ struct Request {
   std::string truth = "400x50";              ///< honesty --truth
   bool bars = false;                         ///< sweep --bars: of the physics left out as well
   bool no_bars = false;                      ///< sweep --no-bars
-  int cores = 0;                             ///< sweep -j; 0: all there are
+  int cores = 0;                             ///< sweep, surface -j; 0: all there are
+  std::string motion = "x";                  ///< surface --motion
+  int form = 2;                              ///< surface --form
+  std::string fill;                          ///< surface --fill; empty: holes are refused
+  std::string gaps;                          ///< surface --gaps; empty: the usual ones
+  std::string error;                         ///< surface --error: of Rq
+  bool periodic = false;                     ///< surface --periodic
+  std::string modulus;                       ///< surface --composite-modulus
+  std::string hardness;                      ///< surface --hardness
   std::string table;                         ///< stress --table
   bool only_default = false;                 ///< stress --only-default
   double limit_s = 60.0;                     ///< stress --limit [s]

@@ -90,10 +90,11 @@ void note_limits(SurfaceReport& r) {
         r.correlation.shortest.length / pitch));
   }
   if (r.summits < kFewSummits) {
-    r.notes.push_back(
-        fmt::format("only {} summits were counted: their roughness is uncertain by "
-                    "{:.0f} %",
-                    r.summits, 100.0 / std::sqrt(2.0 * std::max<double>(1.0, r.summits))));
+    r.notes.push_back(fmt::format(
+        "only {} summits were counted: their roughness is uncertain by "
+        "{:.0f} %",
+        r.summits,
+        100.0 / std::sqrt(2.0 * static_cast<double>(std::max<std::size_t>(1, r.summits)))));
   }
   if (r.holes.count > 0) {
     r.notes.push_back(fmt::format("{} holes ({:.2g} %) were filled by harmonic interpolation",

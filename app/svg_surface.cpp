@@ -18,13 +18,13 @@ using surface::FactorRow;
 
 constexpr double kWidth = 1200.0;  ///< [px]
 constexpr double kHeight = 820.0;  ///< [px]
-constexpr int kMostDrawn = 160;    ///< points each way: finer is not seen
+constexpr int kMostDrawn = 110;    ///< points each way: finer is not seen
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Heights in um over um; of a large map every so many-th point.
 void draw_heights(Svg& svg, const Box& box, const SurfaceReport& r, const Theme& theme) {
   const surface::HeightMap& map = r.map;
-  const int every = std::max(1, std::max(map.nx, map.ny) / kMostDrawn);
+  const int every = (std::max(map.nx, map.ny) + kMostDrawn - 1) / kMostDrawn;
   FieldMap field;
   field.title = every == 1 ? "Heights without form"
                            : fmt::format("Heights without form, one point in {} each way", every);
@@ -104,9 +104,9 @@ void draw_factors(Svg& svg, const Box& box, const SurfaceReport& r, const char* 
 
 void draw_contact(Svg& svg, const Box& box, const SurfaceReport& r, const Theme& theme) {
   const auto log_of = [](double p) { return p > 0.0 ? std::log10(p) : kNone; };
-  Series formula{"two such: Greenwood-Tripp", {}, {}, theme.series[0], ""};
+  Series formula{"Greenwood-Tripp", {}, {}, theme.series[0], ""};
   Series summits{"its own summits", {}, {}, theme.series[1], ""};
-  Series plane{"on a plane: summits", {}, {}, theme.series[2], "6 3"};
+  Series plane{"on a plane", {}, {}, theme.series[2], "6 3"};
   for (const surface::ContactRow& row : r.contact) {
     for (Series* s : {&formula, &summits, &plane}) s->x.push_back(row.h / r.heights.Rq);
     formula.y.push_back(log_of(row.pair_formula));

@@ -15,6 +15,7 @@ constexpr std::array kFactors{&FactorRow::contact, &FactorRow::average_gap, &Fac
                               &FactorRow::phi_z,   &FactorRow::phi_s,       &FactorRow::phi_f,
                               &FactorRow::phi_fs,  &FactorRow::phi_fp};
 
+/// A quarter of the map as a map of its own: its mean is 0.
 HeightMap quarter(const HeightMap& map, int which) {
   const int nx = map.nx / 2, ny = map.ny / 2;
   const int i0 = which % 2 == 0 ? 0 : map.nx - nx, j0 = which < 2 ? 0 : map.ny - ny;
@@ -23,7 +24,17 @@ HeightMap quarter(const HeightMap& map, int which) {
   for (int j = 0; j < ny; ++j) {
     for (int i = 0; i < nx; ++i) out.z.push_back(map.at(i0 + i, j0 + j));
   }
+  double mean = 0.0;
+  for (const double z : out.z) mean += z / static_cast<double>(out.z.size());
+  for (double& z : out.z) z -= mean;
   return out;
+}
+
+/// Rq of a quarter; that of the whole if the quarter is flat.
+double roughness_of(const HeightMap& map, double whole) {
+  double squares = 0.0;
+  for (const double z : map.z) squares += z * z / static_cast<double>(map.z.size());
+  return squares > 0.0 ? std::sqrt(squares) : whole;
 }
 
 FactorRow error_of(const std::array<FactorRow, kQuarters>& quarters) {
@@ -82,8 +93,9 @@ FactorRows map_factors(const HeightMap& map, double sigma, const std::vector<dou
     std::array<FactorRow, kQuarters> quarters;
     for (int q = 0; q < kQuarters && !stopped(); ++q) {
       // A part of a periodic surface repeats itself no more.
+      const HeightMap part = quarter(map, q);
       quarters[static_cast<std::size_t>(q)] =
-          factors_at(quarter(map, q), sigma, H[at], PatchEnds::patch);
+          factors_at(part, roughness_of(part, sigma), H[at], PatchEnds::patch);
     }
     out.errors[at] = error_of(quarters);
     const int now = ++done;

@@ -11,8 +11,9 @@
 /// touch: the cell lets nothing through and shears no oil. Nothing deforms: as Patir and Cheng, the
 /// map is cut off at the wall.
 ///
-/// Standard errors: of the four quarters of the map, each solved alone, over sqrt 4. They are those
-/// of this surface's own scatter (and of the ends of the quarters), not of the grid.
+/// Standard errors: of the four quarters of the map, each a map of its own (mean plane, Rq), over
+/// sqrt 4. They are those of this surface's own scatter (and of the ends of the quarters), not of
+/// the pitch.
 ///
 /// Sources: Patir and Cheng 1978, 1979; Almqvist et al. for the cell problem (textbook).
 #include <atomic>

@@ -1,7 +1,7 @@
 #include "surface/contact_curve.hpp"
 
 #include <catch2/catch.hpp>
-#include <random>
+#include <cmath>
 
 #include "core/constants.hpp"
 #include "solid/asperity_contact.hpp"
@@ -79,17 +79,22 @@ TEST_CASE("TheBearingAreaOfAGaussianSurfaceIsTheNormalTail") {
 }
 
 TEST_CASE("SharpHighSummitsOfAGaussianMapCarryLessThanTheFormulaSays") {
+  // The higher a summit the sharper (Nayak): the sum over a map's pairs lies below the formula of
+  // one mean radius, the more the higher the summits that touch. Means over 5 maps of some 1000
+  // summits: 0.84 at H = 0 and 0.77 at H = 1, with standard errors of 0.01 and 0.03.
+  double at_mean = 0.0, above = 0.0;
   for (unsigned seed = 1; seed < 6; ++seed) {
     const HeightMap map = gaussian_surface(
         {400, 400, 1e-6, 1e-6, 0.4e-6, 8e-6, 8e-6, CorrelationShape::smooth, seed});
     const auto summits = count_summits(map);
     const SummitStatistics one = statistics_of(summits, map);
     const double s = std::sqrt(2.0) * one.roughness;
-    std::printf("seed %u:", seed);
-    for (const double H : {-1.0, 0.0, 1.0, 2.0}) {
-      const auto row = contact_curve(map, summits, one, {2.0 * one.height + H * s})[0];
-      std::printf("  %g: %.3f", H, row.pair_summits / row.pair_formula);
-    }
-    std::printf("\n");
+    const auto rows = contact_curve(map, summits, one, {2.0 * one.height, 2.0 * one.height + s});
+    at_mean += rows[0].pair_summits / rows[0].pair_formula / 5.0;
+    above += rows[1].pair_summits / rows[1].pair_formula / 5.0;
   }
+  CHECK(at_mean < 0.95);
+  CHECK(at_mean > 0.7);
+  CHECK(above < at_mean);
+  CHECK(above > 0.6);
 }

@@ -13,7 +13,7 @@ using namespace shellback::surface;
 
 namespace {
 
-/// A patch with as many correlation lengths each way, of the surfaces of Patir (1978).
+/// A patch with as many correlation lengths each way.
 HeightMap patch(double gamma, unsigned seed, int lengths, double shortest) {
   const double lx = gamma > 1.0 ? gamma * shortest : shortest;
   const double ly = gamma < 1.0 ? shortest / gamma : shortest;
@@ -24,7 +24,7 @@ HeightMap patch(double gamma, unsigned seed, int lengths, double shortest) {
                     1.0,
                     lx,
                     ly,
-                    CorrelationShape::linear,
+                    CorrelationShape::smooth,
                     seed};
   HeightMap map = gaussian_surface(g);
   double mean = 0.0;
@@ -47,52 +47,58 @@ Spread spread(const std::vector<FactorRow>& rows, double FactorRow::*factor) {
   return out;
 }
 
+/// Patches of one orientation against Patir and Cheng: 8 of 16 correlation lengths each way, 4
+/// pitches to the shorter one; phi_z of an orientation is phi_x of its reciprocal. The published
+/// fits are means over patches no larger: within two standard deviations of a patch, and 0.03 for
+/// the fit. phi_f is a closed form of heights cut off at 3 sigma, H E[1/h]: 10 %. phi_fs is not
+/// compared: ours is up to three times as large (docs/surfaces.md), and right where perturbation
+/// theory says what is right (a test below).
+void check_patir_cheng(double gamma) {
+  constexpr unsigned kPatches = 8;
+  const fluid::RoughPair pair = fluid::rough_pair({0.0, 1.0}, {1.0, gamma});
+  std::vector<HeightMap> patches;
+  for (unsigned k = 0; k < kPatches; ++k) patches.push_back(patch(gamma, 10 + k, 16, 4.0));
+  for (const double H : {1.0, 3.0}) {
+    std::vector<FactorRow> rows;
+    for (const HeightMap& map : patches) {
+      rows.push_back(factors_at(map, height_statistics(map).Rq, H, PatchEnds::periodic));
+    }
+    const fluid::FlowFactors f = fluid::flow_factors(pair, H);
+    const auto compare = [&](const char* name, double FactorRow::*factor, double published) {
+      const Spread own = spread(rows, factor);
+      INFO("gamma " << gamma << ", H " << H << ": " << name << " " << own.mean << " +- "
+                    << own.deviation << ", Patir and Cheng " << published);
+      CHECK(std::abs(own.mean - published) < 2.0 * own.deviation + 0.03);
+    };
+    compare("phi_x", &FactorRow::phi_x, f.phi_x);
+    compare("phi_z", &FactorRow::phi_z, f.phi_z);
+    compare("phi_s", &FactorRow::phi_s, f.sigma_phi_s);
+    compare("phi_fp", &FactorRow::phi_fp, f.phi_fp);
+    CHECK(spread(rows, &FactorRow::phi_f).mean == Approx(f.phi_f).epsilon(0.1));
+  }
+}
+
 }  // namespace
 
-TEST_CASE("FactorsOfGaussianSurfacesArePatirAndChengsWithinTheScatterOfPatches") {
-  // 6 patches of 16 correlation lengths each way, 4 pitches to the shorter one; phi_z of an
-  // orientation is phi_x of its reciprocal. The published fits are means over patches no larger:
-  // phi_x and phi_fp must lie within two standard deviations of a patch, and 0.03 for the fit.
-  // phi_f is a closed form of a cut-off distribution, H E[1/h]: 8 %. phi_s of the coarser published
-  // grids lies below ours where ridges lie along the motion or gaps are small: 0.9 to 1.45 of it.
-  // phi_fs is not compared: ours is above it by up to 2.5 times (docs/surfaces.md), and right where
-  // perturbation theory says what is right (test below).
-  constexpr unsigned kPatches = 6;
-  for (const double gamma : {1.0 / 9.0, 1.0 / 3.0, 1.0, 3.0, 9.0}) {
-    const fluid::RoughPair pair = fluid::rough_pair({0.0, 1.0}, {1.0, gamma});
-    std::vector<HeightMap> patches;
-    for (unsigned k = 0; k < kPatches; ++k) patches.push_back(patch(gamma, 10 + k, 16, 4.0));
-    for (const double H : {1.0, 2.0, 4.0}) {
-      std::vector<FactorRow> rows;
-      for (const HeightMap& map : patches) {
-        rows.push_back(factors_at(map, height_statistics(map).Rq, H, PatchEnds::periodic));
-      }
-      const fluid::FlowFactors f = fluid::flow_factors(pair, H);
-      const Spread x = spread(rows, &FactorRow::phi_x), z = spread(rows, &FactorRow::phi_z),
-                   s = spread(rows, &FactorRow::phi_s), fp = spread(rows, &FactorRow::phi_fp),
-                   ff = spread(rows, &FactorRow::phi_f);
-      UNSCOPED_INFO("gamma " << gamma << ", H " << H);
-      UNSCOPED_INFO("phi_x " << x.mean << " +- " << x.deviation << ", Patir-Cheng " << f.phi_x);
-      UNSCOPED_INFO("phi_z " << z.mean << " +- " << z.deviation << ", Patir-Cheng " << f.phi_z);
-      UNSCOPED_INFO("phi_s " << s.mean << ", Patir-Cheng " << f.sigma_phi_s);
-      UNSCOPED_INFO("phi_fp " << fp.mean << " +- " << fp.deviation << ", " << f.phi_fp);
-      CHECK(std::abs(x.mean - f.phi_x) < 2.0 * x.deviation + 0.03);
-      CHECK(std::abs(z.mean - f.phi_z) < 2.0 * z.deviation + 0.03);
-      CHECK(std::abs(fp.mean - f.phi_fp) < 2.0 * fp.deviation + 0.03);
-      CHECK(ff.mean == Approx(f.phi_f).epsilon(0.08));
-      CHECK(s.mean > 0.9 * f.sigma_phi_s);
-      CHECK(s.mean < 1.45 * f.sigma_phi_s);
-    }
-  }
+TEST_CASE("FactorsOfTransverseSurfacesArePatirAndChengsWithinTheScatterOfPatches") {
+  check_patir_cheng(1.0 / 9.0);
+  check_patir_cheng(1.0 / 3.0);
+}
+
+TEST_CASE("FactorsOfIsotropicAndLongitudinalSurfacesArePatirAndChengsWithinTheScatterOfPatches") {
+  check_patir_cheng(1.0);
+  check_patir_cheng(3.0);
+  check_patir_cheng(9.0);
 }
 
 TEST_CASE("FarFromTheWallTheFactorsAreThoseOfPerturbationTheory") {
   // Tripp 1983 (textbook), R of elliptical contours, e = 1/H:
   //   phi_x = 1 + 3 e^2 (1 - 3/(1 + gamma)),  Phi_s = 3 e/(1 + gamma),  phi_f = 1 + e^2,
   //   Phi_fs = 3 e^2/(1 + gamma),  phi_fp = 1 - 3 e^2/(1 + gamma)
-  // At H = 12 the next terms are below 4 % of these; a patch of 32 x 32 correlation lengths
-  // scatters by 4 % in 1/(1 + gamma), 4 pitches to a length leave 4 %: 10 % of the deviation.
-  constexpr double H = 12.0, e = 1.0 / H;
+  // At H = 20 the next terms are some 1/H^2 times ten of these, 3 %; a patch of 32 x 32 correlation
+  // lengths scatters by 4 % in 1/(1 + gamma), 5 pitches to a length leave 3 %: 10 % of the
+  // deviation.
+  constexpr double H = 20.0, e = 1.0 / H;
   for (const double gamma : {1.0 / 3.0, 1.0, 3.0}) {
     const double lx = gamma > 1.0 ? 15.0 : 5.0, ly = lx / gamma;
     HeightMap map = gaussian_surface({static_cast<int>(32 * lx), static_cast<int>(32 * ly), 1.0,
@@ -151,7 +157,7 @@ TEST_CASE("TheStandardErrorIsTheScatterOfWholeMaps") {
   double told = 0.0;
   for (unsigned seed = 1; seed <= 12; ++seed) {
     const HeightMap map = patch(1.0, seed, 20, 3.0);
-    const FactorRows one = map_factors(map, 1.0, {2.0}, {});
+    const FactorRows one = map_factors(map, height_statistics(map).Rq, {2.0}, {});
     rows.push_back(one.rows[0]);
     told += one.errors[0].phi_x / 12.0;
   }

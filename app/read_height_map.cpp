@@ -121,15 +121,19 @@ GridLine grid_line(std::vector<double> positions, const MapText& text, const cha
   std::sort(positions.begin(), positions.end());
   const double range = positions.back() - positions.front();
   constexpr double kSame = 1e-7;  // of the range: more digits than instruments write
-  double pitch = std::numeric_limits<double>::infinity();
+  std::vector<double> rises;
   for (std::size_t k = 1; k < positions.size(); ++k) {
-    const double step = positions[k] - positions[k - 1];
-    if (step > kSame * range) pitch = std::min(pitch, step);
+    const double rise = positions[k] - positions[k - 1];
+    if (rise > kSame * range) rises.push_back(rise);
   }
-  if (!std::isfinite(pitch)) {
+  if (rises.empty()) {
     throw InputError(text.path(),
                      fmt::format("all points have the same {}: this is a profile, no map", axis));
   }
+  // The median: a line that is missing or stands askew does not change it.
+  const auto middle = rises.begin() + static_cast<std::ptrdiff_t>(rises.size() / 2);
+  std::nth_element(rises.begin(), middle, rises.end());
+  const double pitch = *middle;
   const double steps = range / pitch;
   if (steps > static_cast<double>(kMost)) expect_size(text, kMost, kFewest);
   GridLine line{positions.front(), 0.0, static_cast<int>(std::lround(steps)) + 1};

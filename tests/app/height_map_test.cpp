@@ -32,7 +32,7 @@ std::string columns() {
   return text;
 }
 
-std::string refusal(const std::string& text) {
+std::string map_refusal(const std::string& text) {
   const ScratchFolder scratch;
   try {
     static_cast<void>(read_height_map(scratch.write("map.txt", text), Motion::x));
@@ -112,30 +112,31 @@ TEST_CASE("HolesAreEmptyOrNamed") {
 }
 
 TEST_CASE("WrongOrMissingUnitsOfAMapAreRefusedAtTheirLine") {
-  check_words(refusal(changed(kHeader, "# Value units: nm\n", "") + rows()),
+  check_words(map_refusal(changed(kHeader, "# Value units: nm\n", "") + rows()),
               {"map.txt:4:1", "no unit of the heights", "# Value units: nm"});
-  check_words(refusal(changed(kHeader, ": nm", ": V") + rows()), {"map.txt:4:1", "Value units"});
-  check_words(refusal(changed(kHeader, ": nm", ": Pa") + rows()), {"map.txt:4:1", "a length"});
-  check_words(refusal(changed(kHeader, "18 µm", "18") + rows()),
+  check_words(map_refusal(changed(kHeader, ": nm", ": V") + rows()),
+              {"map.txt:4:1", "Value units"});
+  check_words(map_refusal(changed(kHeader, ": nm", ": Pa") + rows()), {"map.txt:4:1", "a length"});
+  check_words(map_refusal(changed(kHeader, "18 µm", "18") + rows()),
               {"map.txt:2:1", "Width", "no unit"});
-  check_words(refusal(changed(kHeader, "# Height: 4.0 um\n", "") + rows()),
+  check_words(map_refusal(changed(kHeader, "# Height: 4.0 um\n", "") + rows()),
               {"map.txt:4:1", "no Height", "# Pitch"});
-  check_words(refusal("# Pitch: 1 um\n" + kHeader + rows()), {"map.txt:1:1", "keep one"});
-  check_words(refusal(changed(columns(), "z [nm]", "z")), {"map.txt:1:17", "names no unit"});
-  check_words(refusal(changed(columns(), "z [nm]", "z [s]")), {"map.txt:1:17", "a length"});
-  check_words(refusal(changed(columns(), "z [nm]", "q [nm]")), {"not known", "x [um]"});
+  check_words(map_refusal("# Pitch: 1 um\n" + kHeader + rows()), {"map.txt:1:1", "keep one"});
+  check_words(map_refusal(changed(columns(), "z [nm]", "z")), {"map.txt:1:17", "names no unit"});
+  check_words(map_refusal(changed(columns(), "z [nm]", "z [s]")), {"map.txt:1:17", "a length"});
+  check_words(map_refusal(changed(columns(), "z [nm]", "q [nm]")), {"not known", "x [um]"});
 }
 
 TEST_CASE("AMapThatIsNoGridIsRefusedAtItsLine") {
-  check_words(refusal(kHeader + changed(rows(), "\t33\t", "\t")),
+  check_words(map_refusal(kHeader + changed(rows(), "\t33\t", "\t")),
               {"map.txt:8:", "8 heights", "the first one has 9"});
-  check_words(refusal(kHeader + changed(rows(), "33", "3x3")), {"map.txt:8:", "no height"});
-  check_words(refusal(kHeader + changed(rows(), "33", "1e999")), {"no height"});
-  check_words(refusal(changed(columns(), "1, 0.004, 22", "1, 0.0045, 22")), {"resample"});
-  check_words(refusal(columns() + "0, 0, 3\n"), {"map.txt:74:1", "given before"});
-  check_words(refusal(changed(columns(), "1, 0.004, 22", "1, 22")), {"2 fields"});
-  check_words(refusal("# Pitch: 1 um\n# Value units: um\n1 2\n3 4\n"), {"2 x 2", "8 or more"});
-  check_words(refusal("# nothing\n"), {"no heights"});
+  check_words(map_refusal(kHeader + changed(rows(), "33", "3x3")), {"map.txt:8:", "no height"});
+  check_words(map_refusal(kHeader + changed(rows(), "33", "1e999")), {"no height"});
+  check_words(map_refusal(changed(columns(), "1, 0.004, 22", "1, 0.0045, 22")), {"resample"});
+  check_words(map_refusal(columns() + "0, 0, 3\n"), {"map.txt:74:1", "given before"});
+  check_words(map_refusal(changed(columns(), "1, 0.004, 22", "1, 22")), {"2 fields"});
+  check_words(map_refusal("# Pitch: 1 um\n# Value units: um\n1 2\n3 4\n"), {"2 x 2", "8 or more"});
+  check_words(map_refusal("# nothing\n"), {"no heights"});
 }
 
 TEST_CASE("HolesAreRefusedWithCountAndPlaceUnlessTheyAreToBeFilled") {

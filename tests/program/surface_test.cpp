@@ -15,12 +15,12 @@ namespace {
 
 const std::string kMap =
     std::string(SHELLBACK_SOURCE_DIR) + "/data/surfaces/generated-longitudinal.txt";
-const std::string kTable = const std::string kMap =
-    std::string(SHELLBACK_SOURCE_DIR) + "/data/surfaces/generated-longitudinal.txt";
-0.3, 1, 1.08, 0.5, 0.4, 0.8, 1.6, 1.1, 0.28
-0.3, 2, 2.01, 0.7, 0.6, 0.7, 1.6, 0.7, 0.65
-0.3, 4, 4, 0.9, 0.85, 0.4, 1.1, 0.1, 0.9
-)";
+const std::string kTable =
+    "sigma [um], h_over_sigma [1], average_gap [1], phi_x [1], phi_z [1], phi_s [1], "
+    "phi_f [1], phi_fs [1], phi_fp [1]\n"
+    "0.3, 1, 1.08, 0.5, 0.4, 0.8, 1.6, 1.1, 0.28\n"
+    "0.3, 2, 2.01, 0.7, 0.6, 0.7, 1.6, 0.7, 0.65\n"
+    "0.3, 4, 4, 0.9, 0.85, 0.4, 1.1, 0.1, 0.9\n";
 
 std::string with_factors(const std::string& surfaces) {
   std::string text = kSampleCase;

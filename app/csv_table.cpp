@@ -12,6 +12,7 @@
 namespace shellback::app {
 namespace {
 
+constexpr const char* kMark = "shellback";              ///< last column of our own tables
 constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  ///< some spreadsheets begin with it
 
 /// "load_x [kN]" in its two parts; no unit: nothing behind.
@@ -70,7 +71,10 @@ CsvTable::CsvTable(const std::string& path, const std::vector<CsvKind>& possible
 void CsvTable::read_header(const std::string& line, const std::vector<CsvKind>& possible) {
   std::vector<std::string> names;
   for (const CsvKind& known : possible) names.emplace_back(known.name);
-  for (const CsvCell& cell : split_cells(line)) {
+  std::vector<CsvCell> cells = split_cells(line);
+  marked_ = cells.size() > 1 && cells.back().text == kMark;
+  if (marked_) cells.pop_back();
+  for (const CsvCell& cell : cells) {
     const auto [name, unit] = split_name(cell.text);
     const std::string place = fmt::format("{}:{}:{}", path_, header_, cell.column);
     const auto known = std::find(names.begin(), names.end(), name);
@@ -98,7 +102,8 @@ void CsvTable::read_header(const std::string& line, const std::vector<CsvKind>& 
 }
 
 void CsvTable::read_row(const std::string& line, int number) {
-  const std::vector<CsvCell> cells = split_cells(line);
+  std::vector<CsvCell> cells = split_cells(line);
+  if (marked_ && cells.size() > columns_.size()) cells.pop_back();
   const auto place = [&](const CsvCell& cell) {
     return fmt::format("{}:{}:{}", path_, number, cell.column);
   };

@@ -6,7 +6,8 @@
 ///   0, 12.5, -3000
 ///
 /// Fields end at a comma, semicolon or tab; lines that begin with # and empty lines count for
-/// nothing. Decimals stand after a point. All errors are InputError at file:line:column.
+/// nothing. So does a last column `shellback`, the mark of our own tables (app/result_mark.hpp).
+/// Decimals stand after a point. All errors are InputError at file:line:column.
 #include <string>
 #include <vector>
 
@@ -68,7 +69,8 @@ class CsvTable {
 
   std::string path_;
   std::string example_;
-  int header_ = 0;  ///< its line; 0: not read yet
+  int header_ = 0;       ///< its line; 0: not read yet
+  bool marked_ = false;  ///< the last column is our mark
   std::vector<Column> columns_;
   std::vector<int> lines_;  ///< of the rows
 };

@@ -77,7 +77,7 @@ bearing::Surfaces read_surfaces(const Section& file) {
         "given)");
     return surfaces;
   }
-  section->only({"shell", "shaft", "contact"}, "[surfaces]");
+  section->only({"shell", "shaft", "contact", "flow_factors"}, "[surfaces]");
   if (const auto shell = section->maybe_section("shell")) {
     surfaces.shell = read_surface(*shell, "surfaces.shell");
   } else {
@@ -92,6 +92,10 @@ bearing::Surfaces read_surfaces(const Section& file) {
     surfaces.contact = read_contact(*contact);
   } else {
     section->assume("asperity contact is left out (surfaces.contact is not given)");
+  }
+  if (section->has("flow_factors")) {
+    surfaces.flow_factors = read_flow_factors(table_beside(*section, "flow_factors"));
+    surfaces.flow_factors->name = section->text("flow_factors");
   }
   return surfaces;
 }

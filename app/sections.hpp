@@ -52,6 +52,8 @@ namespace shellback::app {
 [[nodiscard]] solid::RoughSurface read_surface(const Section& section, const std::string& what);
 [[nodiscard]] std::optional<bearing::RunningIn> read_running_in(const Section& file);
 [[nodiscard]] bearing::Surfaces read_surfaces(const Section& file);
+/// A table of flow factors, as `shellback surface --csv` writes it.
+[[nodiscard]] fluid::FactorTable read_flow_factors(const std::string& path);
 [[nodiscard]] bearing::Model read_model(const Section& file);
 [[nodiscard]] bearing::Measured read_measured(const Section& file);
 

@@ -37,7 +37,8 @@ std::vector<fluid::SupplyPatch> patches_of(const Case& c) {
 
 fluid::RoughPair rough_pair(const Surfaces& s) {
   return fluid::rough_pair({s.shell.roughness, s.shell.orientation},
-                           {s.shaft.roughness, s.shaft.orientation});
+                           {s.shaft.roughness, s.shaft.orientation},
+                           s.flow_factors ? &*s.flow_factors : nullptr);
 }
 
 /// Only a film of resolved temperature asks for another set than the usual one.

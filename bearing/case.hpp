@@ -13,6 +13,7 @@
 
 #include "bearing/load_cycle.hpp"
 #include "bearing/methods.hpp"
+#include "fluid/measured_factors.hpp"
 #include "rheology/oil.hpp"
 #include "solid/material.hpp"
 #include "solid/surface.hpp"
@@ -149,6 +150,7 @@ struct Surfaces {
   solid::RoughSurface shell{};
   solid::RoughSurface shaft{};
   std::optional<solid::ContactParameters> contact{};
+  std::optional<fluid::FactorTable> flow_factors{};  ///< measured, instead of Patir and Cheng's
 };
 
 /// The model ladder of design 4. `estimate` and `automatic` are the business of fidelity/; the

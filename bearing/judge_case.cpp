@@ -99,6 +99,41 @@ void judge_tilt(const Case& c, Findings& to) {
           "above 1 it cannot fit into the bearing; check the unit (mrad?)");
 }
 
+/// A measured table of factors against the surfaces that are to take it.
+void judge_flow_factors(const Case& c, Findings& to) {
+  const Surfaces& s = c.surfaces;
+  if (!s.flow_factors) return;
+  const double sigma = std::hypot(s.shell.roughness, s.shaft.roughness);
+  const char* const key = "surfaces.flow_factors";
+  if (const auto fault = fluid::fault_of(*s.flow_factors); !fault.problem.empty()) {
+    to.refuse(key, fault.problem, "write the table anew with shellback surface");
+    return;
+  }
+  if (sigma <= 0.0) {
+    to.refuse(key, "there are flow factors, but both surfaces are smooth",
+              "give surfaces.shell or surfaces.shaft its roughness");
+    return;
+  }
+  if (c.model.switches.flow_factors == false) {
+    to.suspect(key, "the table is not used: model.flow_factors is false");
+  }
+  constexpr double kAlike = 0.2;  // of the roughness: what maps of one surface differ by [-]
+  const double measured = s.flow_factors->sigma;
+  if (measured > 0.0 && std::abs(measured / sigma - 1.0) > kAlike) {
+    to.suspect(key,
+               fmt::format("the factors were measured on a roughness of {:.3g} um and are used, "
+                           "by h/sigma, for a combined one of {:.3g} um",
+                           1e6 * measured, 1e6 * sigma),
+               "is it the same surface?");
+  }
+  if (s.shell.roughness > 0.0 && s.shaft.roughness > 0.0) {
+    to.suspect(key,
+               "both surfaces are rough and take the factors of one table: its texture is taken "
+               "for both",
+               "exact only if one is smooth against the other");
+  }
+}
+
 void judge_surfaces(const Case& c, Findings& to) {
   const Surfaces& s = c.surfaces;
   const double sigma = std::hypot(s.shell.roughness, s.shaft.roughness);
@@ -129,6 +164,7 @@ void judge_surfaces(const Case& c, Findings& to) {
     to.refuse("model.flow_factors", "flow factors are switched on, but both surfaces are smooth",
               "give [surfaces], or write \"auto\"");
   }
+  judge_flow_factors(c, to);
 }
 
 void judge_grid(const Model& model, Findings& to) {

@@ -13,6 +13,20 @@
 namespace shellback::bearing {
 namespace {
 
+/// Cells whose gap is smaller than the first of a measured table of flow factors.
+void add_factor_warning(const Solution& s, std::vector<std::string>& warnings) {
+  const auto& measured = s.model.scene.rough.measured;
+  if (!measured) return;
+  const double first = measured->H_low * measured->sigma;
+  const auto& h = s.film.gap.cell;
+  const long cells = std::count_if(h.begin(), h.end(), [first](double x) { return x < first; });
+  if (cells == 0) return;
+  warnings.push_back(fmt::format(
+      "in {} cells of the solved part the gap is below {:.3g} um, the smallest of the measured "
+      "flow factors (h/sigma = {:.3g}): they are continued there",
+      cells, 1e6 * first, measured->H_low));
+}
+
 void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
   const auto& range = s.model.oil.range;
   const auto [low, high] = std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
@@ -33,6 +47,7 @@ void add_range_warnings(const Solution& s, std::vector<std::string>& warnings) {
         "a roughness orientation lies outside the range 1/9 to 9 of the tabulated "
         "flow factors: the end of the table is used");
   }
+  add_factor_warning(s, warnings);
   if (largest(s.film.film.p) > range.p_max) {
     warnings.push_back("film pressures leave the range in which the oil's pressure law is known");
   }

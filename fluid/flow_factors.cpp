@@ -238,12 +238,17 @@ bool outside_table(const SurfaceTexture& surface) {
 
 }  // namespace
 
-RoughPair rough_pair(const SurfaceTexture& shell, const SurfaceTexture& journal) {
+RoughPair rough_pair(const SurfaceTexture& shell, const SurfaceTexture& journal,
+                     const FactorTable* measured) {
   judge(shell, "shell");
   judge(journal, "shaft");
   RoughPair pair;
   pair.sigma = std::hypot(shell.roughness, journal.roughness);
   if (pair.sigma == 0.0) return pair;
+  if (measured != nullptr) {
+    pair.measured = measured_factors(*measured, shell.roughness, journal.roughness);
+    return pair;
+  }
   const auto share = [&](const SurfaceTexture& s) {
     return s.roughness * s.roughness / (pair.sigma * pair.sigma);
   };
@@ -263,16 +268,20 @@ RoughPair rough_pair(const SurfaceTexture& shell, const SurfaceTexture& journal)
 }
 
 GapFlow gap_flow(const RoughPair& pair, double h) {
+  if (pair.measured) return gap_flow(*pair.measured, h);
   return pair.sigma > 0.0 ? rough_flow(pair, h) : smooth_flow(h);
 }
 
 GapShear gap_shear(const RoughPair& pair, double h) {
+  if (pair.measured) return gap_shear(*pair.measured, h);
   return pair.sigma > 0.0 ? rough_shear(pair, h) : smooth_shear(h);
 }
 
 void gap_flow(const RoughPair& pair, std::span<const double> h, const GapFlowSpans& out) {
   EXPECTS(out.average_gap.size() == h.size() && out.dsigma_phi_s.size() == h.size());
-  if (pair.sigma > 0.0) {
+  if (pair.measured) {
+    flow_loop(h, out, [&m = *pair.measured](double gap) { return gap_flow(m, gap); });
+  } else if (pair.sigma > 0.0) {
     flow_loop(h, out, [pair](double gap) { return rough_flow(pair, gap); });
   } else {
     flow_loop(h, out, [](double gap) { return smooth_flow(gap); });
@@ -281,7 +290,9 @@ void gap_flow(const RoughPair& pair, std::span<const double> h, const GapFlowSpa
 
 void gap_shear(const RoughPair& pair, std::span<const double> h, const GapShearSpans& out) {
   EXPECTS(out.phi_f_over_h.size() == h.size() && out.h_phi_fp.size() == h.size());
-  if (pair.sigma > 0.0) {
+  if (pair.measured) {
+    shear_loop(h, out, [&m = *pair.measured](double gap) { return gap_shear(m, gap); });
+  } else if (pair.sigma > 0.0) {
     shear_loop(h, out, [pair](double gap) { return rough_shear(pair, gap); });
   } else {
     shear_loop(h, out, [](double gap) { return smooth_shear(gap); });

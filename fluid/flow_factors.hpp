@@ -48,7 +48,12 @@
 ///
 /// A smooth pair (sigma = 0) has exactly 1 and 0, hT = h; for h <= 0 its gap is closed: hT and
 /// phi h^3 are 0, which a film equation cannot take, and gap_shear (1/h) is not defined.
+///
+/// A pair with a measured table (fluid/measured_factors.hpp) takes all factors from there.
+#include <optional>
 #include <span>
+
+#include "fluid/measured_factors.hpp"
 
 namespace shellback::fluid {
 
@@ -82,11 +87,13 @@ struct RoughPair {
   ShearFlowLaw journal, shell;
   double D = 0.0, s = 1.0;    ///< phi_fp
   bool beyond_table = false;  ///< an orientation lies outside [1/9, 9]: its end row is used; warn
+  std::optional<MeasuredFactors> measured{};  ///< instead of the laws of Patir and Cheng
 };
 
 /// Throws InputError if a roughness is negative or the orientation of a rough surface is not
-/// positive.
-[[nodiscard]] RoughPair rough_pair(const SurfaceTexture& shell, const SurfaceTexture& journal);
+/// positive. `measured`: a sound table whose factors take the place of the laws, or none.
+[[nodiscard]] RoughPair rough_pair(const SurfaceTexture& shell, const SurfaceTexture& journal,
+                                   const FactorTable* measured = nullptr);
 
 /// What the film equation needs at one gap; finite for every h.
 struct GapFlow {

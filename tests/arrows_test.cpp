@@ -1,5 +1,5 @@
 // The arrows of the house: core <- rheology, fluid, thermal, solid <- bearing <- fidelity <-
-// app/study
+// app/study; surface stands on fluid and solid, beside bearing; both
 // <- app <- validation <- app/program. A folder within a folder is one of its own if it is named
 // here. Every include in the production folders is read; nobody includes tests.
 #include <algorithm>
@@ -24,15 +24,19 @@ const std::map<std::string, Folders> kArrows{
     {"fluid", {"core"}},
     {"thermal", {"core"}},
     {"solid", {"core"}},
+    {"surface", {"core", "fluid", "solid"}},
     {"bearing", {"core", "rheology", "fluid", "thermal", "solid"}},
     {"fidelity", {"core", "rheology", "fluid", "thermal", "solid", "bearing"}},
     {"app/study", {"core", "rheology", "fluid", "thermal", "solid", "bearing", "fidelity"}},
-    {"app", {"core", "rheology", "fluid", "thermal", "solid", "bearing", "fidelity", "app/study"}},
+    {"app",
+     {"core", "rheology", "fluid", "thermal", "solid", "surface", "bearing", "fidelity",
+      "app/study"}},
     {"validation",
-     {"core", "rheology", "fluid", "thermal", "solid", "bearing", "fidelity", "app/study", "app"}},
+     {"core", "rheology", "fluid", "thermal", "solid", "surface", "bearing", "fidelity",
+      "app/study", "app"}},
     {"app/program",
-     {"core", "rheology", "fluid", "thermal", "solid", "bearing", "fidelity", "app/study", "app",
-      "validation"}},
+     {"core", "rheology", "fluid", "thermal", "solid", "surface", "bearing", "fidelity",
+      "app/study", "app", "validation"}},
 };
 
 /// The folder of the arrows in which a path from the root stands.

@@ -43,6 +43,8 @@ int work(const Request& request) {
       return stress(request);
     case Command::study:
       return study(request);
+    case Command::surface:
+      return surface(request);
     case Command::sweep:
       return sweep(request);
     case Command::identify:

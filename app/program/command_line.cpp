@@ -1,8 +1,11 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "app/did_you_mean.hpp"
 #include "app/program/cli.hpp"
+#include "surface/form.hpp"
 
 namespace shellback::program {
 namespace {
@@ -315,6 +318,51 @@ void add_auto_honesty(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_surface_choices(CLI::App& surface, Request& request) {
+  surface
+      .add_option("--motion", request.motion,
+                  "axis of the map along which surfaces slide (default x)")
+      ->check(CLI::IsMember({"x", "y"}));
+  surface
+      .add_option("--form", request.form, "degree of the form removed (default 2; 1: tilt only)")
+      ->check(CLI::Range(0, surface::kHighestForm));
+  surface
+      .add_option("--fill", request.fill,
+                  "fill holes: laplace (harmonic interpolation); without it they are refused")
+      ->check(CLI::IsMember({"laplace"}));
+  surface.add_option("--gaps", request.gaps, "h/sigma of the flow factors (default 0.5 to 10)")
+      ->type_name("H,H,...");
+  surface
+      .add_option("--error", request.error, "largest standard error of Rq allowed (default 10 %)")
+      ->type_name("SHARE");
+  surface.add_flag("--periodic", request.periodic,
+                   "the map repeats itself at its sides (default: no flow over them)");
+  surface.add_option("--composite-modulus", request.modulus, "contact pressures in MPa: E*")
+      ->type_name("PRESSURE");
+  surface
+      .add_option("--hardness", request.hardness, "of the softer surface: bearing area times it")
+      ->type_name("PRESSURE");
+}
+
+void add_surface(CLI::App& app, Request& request) {
+  auto* surface = app.add_subcommand(
+      "surface", "roughness, summits, contact and flow factors of a measured height map");
+  surface->add_option("MAP", request.case_file, "height map (text; docs/surfaces.md)")->required();
+  add_surface_choices(*surface, request);
+  surface->add_option("--csv", request.csv, "write the flow factors for surfaces.flow_factors")
+      ->type_name("FILE");
+  surface
+      ->add_option("--json", request.json,
+                   "also write everything as JSON; - is standard output, without the table")
+      ->type_name("FILE");
+  surface->add_option("--picture", request.picture, "draw map, heights, factors, contact (SVG)")
+      ->type_name("FILE.svg");
+  add_force(*surface, request);
+  surface->add_option("-j", request.cores, "gaps solved at the same time (default: all cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
 /// A command as it is offered.
 struct Offer {
   std::string name;
@@ -328,6 +376,7 @@ const std::vector<Offer> kOffers{
     {"compare", Command::compare, add_compare},
     {"sweep", Command::sweep, add_sweep},
     {"identify", Command::identify, add_identify},
+    {"surface", Command::surface, add_surface},
     {"auto-honesty", Command::auto_honesty, add_auto_honesty},
     {"honesty", Command::honesty, add_honesty},
     {"chart", Command::chart, add_chart},
@@ -372,7 +421,9 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   }
   if (command.get_name() != "init" && !chosen.empty() &&
       dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-    return "the case file is missing: shellback " + command.get_name() + " CASE.toml";
+    const bool map = command.get_name() == "surface";
+    return fmt::format("the {} file is missing: shellback {} {}", map ? "map's" : "case",
+                       command.get_name(), map ? "MAP.csv" : "CASE.toml");
   }
   return error.what();
 }

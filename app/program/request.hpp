@@ -26,6 +26,7 @@ enum class Command {
   chart,
   stress,
   study,
+  surface,
   honesty,
   auto_honesty,
   validate,
@@ -34,8 +35,8 @@ enum class Command {
 /// What was asked for.
 struct Request {
   Command command = Command::none;
-  std::string name;  ///< init: shipped case; study: which
-  std::string case_file;
+  std::string name;                          ///< init: shipped case; study: which
+  std::string case_file;                     ///< surface: the height map
   std::string tier;                          ///< --tier
   std::vector<std::string> tiers;            ///< --tiers
   std::vector<std::string> set;              ///< --set, each KEY=VALUE
@@ -70,10 +71,18 @@ struct Request {
   std::string truth = "400x50";              ///< honesty --truth
   bool bars = false;                         ///< sweep --bars: of the physics left out as well
   bool no_bars = false;                      ///< sweep --no-bars
-  int cores = 0;                             ///< sweep, identify -j; 0: all there are
+  int cores = 0;                             ///< sweep, identify, surface -j; 0: all there are
   std::string measured;                      ///< identify --measured
   std::vector<std::string> fit;              ///< identify --fit, each KEY or KEY,KEY
   std::vector<std::string> bounds;           ///< identify --bounds, each KEY=LOW:HIGH
+  std::string motion = "x";                  ///< surface --motion
+  int form = 2;                              ///< surface --form
+  std::string fill;                          ///< surface --fill; empty: holes are refused
+  std::string gaps;                          ///< surface --gaps; empty: the usual ones
+  std::string error;                         ///< surface --error: of Rq
+  bool periodic = false;                     ///< surface --periodic
+  std::string modulus;                       ///< surface --composite-modulus
+  std::string hardness;                      ///< surface --hardness
   std::string table;                         ///< stress --table
   bool only_default = false;                 ///< stress --only-default
   double limit_s = 60.0;                     ///< stress --limit [s]

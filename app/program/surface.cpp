@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
+#include "app/progress.hpp"
+#include "app/surface_report.hpp"
+#include "app/svg_surface.hpp"
+#include "app/units.hpp"
+#include "app/write_surface.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::program {
+
+using namespace app;
+
+namespace {
+
+double value_of(const std::string& text, const char* option, const Kind& kind) {
+  double value = 0.0;
+  try {
+    value = parse_quantity(text, kind);
+  } catch (const UnitError& error) {
+    throw InputError(option, error.what());
+  }
+  if (value > 0.0) return value;
+  throw InputError(option, fmt::format("{} must be positive", text));
+}
+
+/// "0.5,1,2" as rising positive numbers.
+std::vector<double> gaps_of(const std::string& text) {
+  std::vector<double> gaps;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    gaps.push_back(value_of(word, "--gaps", kNumber));
+    if (gaps.size() > 1 && gaps.back() <= gaps[gaps.size() - 2]) {
+      throw InputError("--gaps", fmt::format("{} does not rise; give h/sigma from small to large, "
+                                             "for example 0.5,1,2,3,6",
+                                             text));
+    }
+  }
+  constexpr std::size_t kFewest = 3;  // that a case can interpolate
+  if (gaps.size() >= kFewest) return gaps;
+  throw InputError("--gaps", "give three or more values of h/sigma, for example 0.5,1,2,3,6");
+}
+
+SurfaceOptions options_of(const Request& request) {
+  SurfaceOptions o;
+  o.path = request.case_file;
+  o.motion = request.motion == "y" ? Motion::y : Motion::x;
+  o.form = request.form;
+  o.fill = !request.fill.empty();
+  o.periodic = request.periodic;
+  if (!request.error.empty()) o.error = value_of(request.error, "--error", kNumber);
+  if (!request.gaps.empty()) o.gaps = gaps_of(request.gaps);
+  if (!request.modulus.empty()) {
+    o.modulus = value_of(request.modulus, "--composite-modulus", kPressure);
+  }
+  if (!request.hardness.empty()) o.hardness = value_of(request.hardness, "--hardness", kPressure);
+  return o;
+}
+
+}  // namespace
+
+int surface(const Request& request) {
+  SurfaceOptions options = options_of(request);
+  Outputs outputs(request, {request.case_file});
+  ProgressLine line;
+  std::mutex one_at_a_time;
+  options.threads = request.cores > 0
+                        ? request.cores
+                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.stop = &catch_interrupt();
+  options.progress = [&](int done, int of) {
+    const std::lock_guard lock(one_at_a_time);
+    line.show(fmt::format("flow factors: {} of {} gaps", done, of));
+  };
+  const SurfaceReport report = describe_surface(options);
+  line.wipe();
+  if (report.factors.rows.empty()) {
+    std::cerr << "interrupted: the flow factors are not finished; nothing is written\n";
+    return kInterrupted;
+  }
+  if (request.json != "-" && request.csv != "-") write_surface_table(std::cout, report);
+  outputs.give("--csv", [&] { return surface_csv(report); });
+  outputs.give("--json", [&] { return surface_json(report); });
+  outputs.give("--picture", [&] { return surface_svg(report); });
+  return outputs.code(kDone);
+}
+
+}  // namespace shellback::program

@@ -1,0 +1,152 @@
+#include "app/surface_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::app {
+namespace {
+
+using namespace surface;
+
+/// Part of the map that may be filled: what is filled has neither summits nor roughness, so that
+/// Rq^2 loses as large a part [-].
+constexpr double kMostHoles = 0.1;
+constexpr double kFewPitches = 4.0;       ///< to a correlation length: below, the pitch is seen [-]
+constexpr std::size_t kFewSummits = 100;  ///< their roughness is known to 7 % with so many
+constexpr double kAligned = 10.0 * kPi / 180.0;  ///< lay off the axes: gamma is off by few % [rad]
+constexpr double kRound = 1.5;  ///< longest over shortest length: hardly a lay below [-]
+
+void judge_holes(const HeightMap& map, const Holes& holes, const SurfaceOptions& options) {
+  if (holes.count == 0) return;
+  const double share = holes.share(map);
+  const std::string what = fmt::format(
+      "{} of {} heights ({:.2g} %) were not measured, the first at x = {:.4g} um, y = {:.4g} um",
+      holes.count, map.z.size(), 100.0 * share, 1e6 * holes.i * map.dx, 1e6 * holes.j * map.dy);
+  if (share > kMostHoles) {
+    throw InputError(options.path,
+                     fmt::format("{}: more than the {:.0f} % that may be filled; measure again, or "
+                                 "export a part of the map with fewer holes",
+                                 what, 100.0 * kMostHoles));
+  }
+  if (options.fill) return;
+  throw InputError(options.path,
+                   fmt::format("{}; give --fill laplace to fill them by harmonic interpolation, or "
+                               "a map without holes",
+                               what));
+}
+
+std::string length_words(const CorrelationLength& l) {
+  return fmt::format("{}{:.3g} um", l.at_least ? "at least " : "", 1e6 * l.length);
+}
+
+/// Says how large the patch would have to be.
+void judge_size(const SurfaceReport& r) {
+  const Correlation& c = r.correlation;
+  const double error = c.error_of_Rq(), allowed = r.options.error;
+  const bool unknown = c.longest.at_least && c.shortest.at_least;
+  if (error <= allowed && !unknown) return;
+  const double sides = lengths_for(independent_areas_for(allowed));
+  throw InputError(
+      r.options.path,
+      fmt::format("the patch of {:.4g} x {:.4g} um is too small for statistics: heights are "
+                  "correlated over {} (along the lay) and {} (across it), so that Rq has a "
+                  "standard error of {:.0f} %, and {:.3g} % is allowed; measure {:.1f} correlation "
+                  "lengths each way, {:.3g} um along the lay and {:.3g} um across{}, remove more "
+                  "form (--form), or allow more (--error)",
+                  1e6 * r.map.length(), 1e6 * r.map.width(), length_words(c.longest),
+                  length_words(c.shortest), 100.0 * error, 100.0 * allowed, sides,
+                  1e6 * sides * c.longest.length, 1e6 * sides * c.shortest.length,
+                  c.longest.at_least ? " or more" : ""));
+}
+
+void note_lay(SurfaceReport& r) {
+  const Correlation& c = r.correlation;
+  if (c.bounded()) {
+    r.notes.push_back(
+        fmt::format("heights stay correlated {} over more than half the patch: gamma is {} {:.3g}",
+                    c.along.at_least ? "along the motion" : "across the motion",
+                    c.along.at_least ? "at least" : "at most", c.gamma));
+  }
+  const double off = std::min(std::abs(c.lay), 0.5 * kPi - std::abs(c.lay));
+  if (c.longest.length > kRound * c.shortest.length && off > kAligned) {
+    r.notes.push_back(
+        fmt::format("the lay runs at {:.0f} deg to the motion: gamma and the moments are those of "
+                    "the two axes, and the cross flow that such a lay drives is left out",
+                    c.lay * 180.0 / kPi));
+  }
+}
+
+void note_limits(SurfaceReport& r) {
+  const double pitch = std::max(r.map.dx, r.map.dy);
+  if (r.correlation.shortest.length < kFewPitches * pitch) {
+    r.notes.push_back(fmt::format(
+        "the shorter correlation length is {:.2g} pitches: summits and the factors of small gaps "
+        "depend on the map's pitch",
+        r.correlation.shortest.length / pitch));
+  }
+  if (r.summits < kFewSummits) {
+    r.notes.push_back(fmt::format(
+        "only {} summits were counted: their roughness is uncertain by "
+        "{:.0f} %",
+        r.summits,
+        100.0 / std::sqrt(2.0 * static_cast<double>(std::max<std::size_t>(1, r.summits)))));
+  }
+  if (r.holes.count > 0) {
+    r.notes.push_back(fmt::format("{} holes ({:.2g} %) were filled by harmonic interpolation",
+                                  r.holes.count, 100.0 * r.holes.share(r.map)));
+  }
+  const std::size_t closed = r.factors.rows.size() - r.table.H.size();
+  if (closed > 0) {
+    r.notes.push_back(
+        fmt::format("at {} of the smallest gaps nothing flows through the patch: a "
+                    "case's table (--csv) leaves them out",
+                    closed));
+  }
+}
+
+/// Separations of the contact's table: none of a Gaussian surface's summits reaches farther.
+std::vector<double> separations(double Rq) {
+  constexpr double kFarthest = 6.0, kStep = 0.5;  // in Rq
+  std::vector<double> h;
+  for (double x = 0.0; x <= kFarthest; x += kStep) h.push_back(x * Rq);
+  return h;
+}
+
+}  // namespace
+
+SurfaceReport describe_surface(const SurfaceOptions& options) {
+  SurfaceReport r;
+  r.options = options;
+  const HeightMap measured = read_height_map(options.path, options.motion);
+  r.holes = holes_of(measured);
+  judge_holes(measured, r.holes, options);
+  Levelled levelled = remove_form(measured, options.form);
+  r.form = levelled.form;
+  r.map = fill_laplace(std::move(levelled.map));
+  double mean = 0.0;
+  for (const double z : r.map.z) mean += z / static_cast<double>(r.map.z.size());
+  for (double& z : r.map.z) z -= mean;
+  r.heights = height_statistics(r.map);
+  r.correlation = correlation_of(r.map);
+  judge_size(r);
+  r.moments = spectral_moments(r.map);
+  r.by_moments = summits_of(r.moments);
+  const std::vector<Summit> summits = count_summits(r.map);
+  r.summits = summits.size();
+  r.counted = statistics_of(summits, r.map);
+  r.contact = contact_curve(r.map, summits, r.counted, separations(r.heights.Rq));
+  r.factors = map_factors(r.map, r.heights.Rq, options.gaps,
+                          {options.periodic ? PatchEnds::periodic : PatchEnds::patch,
+                           options.threads, options.progress, options.stop});
+  r.table = factor_table(r.factors.rows, r.heights.Rq);
+  note_lay(r);
+  note_limits(r);
+  return r;
+}
+
+}  // namespace shellback::app

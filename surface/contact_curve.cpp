@@ -1,0 +1,82 @@
+#include "surface/contact_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/constants.hpp"
+#include "solid/asperity_contact.hpp"
+
+namespace shellback::surface {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Summits from the highest down, so that sums may stop at the first that does not reach.
+std::vector<Summit> sorted(std::vector<Summit> summits) {
+  std::sort(summits.begin(), summits.end(),
+            [](const Summit& a, const Summit& b) { return a.height > b.height; });
+  return summits;
+}
+
+/// Sum over pairs, per area squared [-].
+double pair_pressure(const std::vector<Summit>& s, double h, double area) {
+  double sum = 0.0;
+  for (const Summit& a : s) {
+    if (a.height + s.front().height <= h) break;
+    for (const Summit& b : s) {
+      const double w = a.height + b.height - h;
+      if (w <= 0.0) break;
+      const double ra = 1.0 / a.curvature, rb = 1.0 / b.curvature;
+      sum += (ra + rb) * std::sqrt(ra * rb / (ra + rb)) * w * w * std::sqrt(w);
+    }
+  }
+  return 16.0 * kPi / 15.0 * sum / (area * area);
+}
+
+double plane_pressure(const std::vector<Summit>& s, double h, double area) {
+  double sum = 0.0;
+  for (const Summit& a : s) {
+    const double w = a.height - h;
+    if (w <= 0.0) break;
+    sum += std::sqrt(w / a.curvature) * w;
+  }
+  return 4.0 / 3.0 * sum / area;
+}
+
+}  // namespace
+
+double elastic_factor(const SummitStatistics& one) {
+  const double s = std::sqrt(2.0) * one.roughness, x = s * one.radius * one.density;
+  return 16.0 * std::sqrt(2.0) * kPi / 15.0 * x * x * std::sqrt(s / one.radius);
+}
+
+std::vector<ContactRow> contact_curve(const HeightMap& map, const std::vector<Summit>& summits,
+                                      const SummitStatistics& one, const std::vector<double>& h) {
+  const std::vector<Summit> s = sorted(summits);
+  std::vector<double> heights = map.z;
+  std::sort(heights.begin(), heights.end());
+  const double area = static_cast<double>(map.nx - 2) * map.dx * (map.ny - 2) * map.dy;
+  const double pair_sigma = std::sqrt(2.0) * one.roughness;
+  const double K = elastic_factor(one), x = pair_sigma * one.radius * one.density;
+  std::vector<ContactRow> rows;
+  for (const double gap : h) {
+    ContactRow row;
+    row.h = gap;
+    const double H = (gap - 2.0 * one.height) / pair_sigma;
+    const bool known = std::isfinite(H);
+    constexpr double kFar = 30.0;  // F is zero to all digits there, and the quadrature ends
+    row.pair_formula = known ? (H < kFar ? K * solid::gt_integral(2.5, H) : 0.0) : kNone;
+    row.pair_contact_ratio =
+        known ? (H < kFar ? kPi * kPi * x * x * solid::gt_integral(2.0, H) : 0.0) : kNone;
+    row.pair_summits = s.empty() ? 0.0 : pair_pressure(s, gap, area);
+    row.plane_summits = plane_pressure(s, gap, area);
+    const auto above = heights.end() - std::upper_bound(heights.begin(), heights.end(), gap);
+    row.bearing_area = static_cast<double>(above) / static_cast<double>(heights.size());
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace shellback::surface

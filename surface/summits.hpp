@@ -1,0 +1,59 @@
+#pragma once
+/// Summits of a surface: by spectral moments (Nayak, McCool) and by counting.
+///
+///   m0 = <z^2>,  m2 = <(dz/ds)^2>,  m4 = <(d2z/ds2)^2>  along profiles in x and in y;
+///   m2 = sqrt(m2x m2y), m4 = sqrt(m4x m4y): the isotropic surface in the place of this one
+///   density   m4/m2/(6 pi sqrt3)              radius    3 sqrt(pi)/(8 sqrt(m4))
+///   roughness sqrt((1 - 0.8968/alpha) m0)     height    4 sqrt(m0/(pi alpha)),  alpha = m0 m4/m2^2
+///
+/// of a Gaussian surface; height is the mean of the summits over the mean plane, radius the inverse
+/// of their mean curvature. Source: Nayak 1971, McCool 1987 (textbook).
+///
+/// Counted: a point is a summit if it is higher than its eight neighbours; its curvature is the
+/// mean of both directions, -(z_xx + z_yy)/2. No assumption about the heights.
+///
+/// Both use differences over one pitch: they belong to the map's pitch, as summits of every real
+/// surface do, and noise of the instrument makes summits too.
+#include <vector>
+
+#include "surface/height_map.hpp"
+
+namespace shellback::surface {
+
+struct SpectralMoments {
+  double m0 = 0.0;              ///< [m2]
+  double m2x = 0.0, m2y = 0.0;  ///< [-]
+  double m4x = 0.0, m4y = 0.0;  ///< [1/m2]
+  [[nodiscard]] double m2() const { return std::sqrt(m2x * m2y); }
+  [[nodiscard]] double m4() const { return std::sqrt(m4x * m4y); }
+  [[nodiscard]] double alpha() const { return m0 * m4() / (m2() * m2()); }  ///< bandwidth [-]
+};
+
+/// By central differences of second order over one pitch, z' between two points.
+/// Of a map without holes, three points or more each way, mean 0.
+[[nodiscard]] SpectralMoments spectral_moments(const HeightMap& map);
+
+struct SummitStatistics {
+  double density = 0.0;    ///< eta [1/m2]
+  double radius = 0.0;     ///< beta [m]
+  double roughness = 0.0;  ///< standard deviation of summit heights [m]
+  double height = 0.0;     ///< mean height over the mean plane [m]
+};
+
+/// Valid for alpha > 0.8968 (1.5 is the least of any isotropic Gaussian surface); the roughness is
+/// NaN below.
+[[nodiscard]] SummitStatistics summits_of(const SpectralMoments& moments);
+
+struct Summit {
+  double height = 0.0;     ///< over the mean plane [m]
+  double curvature = 0.0;  ///< [1/m], positive
+};
+
+/// All of a map without holes, mean 0; none on its rim.
+[[nodiscard]] std::vector<Summit> count_summits(const HeightMap& map);
+
+/// Roughness is NaN with one summit, all but the density with none.
+[[nodiscard]] SummitStatistics statistics_of(const std::vector<Summit>& summits,
+                                             const HeightMap& map);
+
+}  // namespace shellback::surface

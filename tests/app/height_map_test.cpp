@@ -1,0 +1,181 @@
+// A height map is read as it is written, or refused with its place and a cure.
+#include <fmt/format.h>
+
+#include "app/read_height_map.hpp"
+#include "app/surface_report.hpp"
+#include "surface/gaussian_surface.hpp"
+#include "tests/app/sample_case.hpp"
+
+using namespace shellback;
+using namespace shellback::app;
+
+namespace {
+
+/// 8 rows of 9 heights, row j from the top: 10 j + i.
+std::string rows(const char* separator = "\t") {
+  std::string text;
+  for (int j = 0; j < 8; ++j) {
+    for (int i = 0; i < 9; ++i) text += fmt::format("{}{}", i == 0 ? "" : separator, 10 * j + i);
+    text += "\n";
+  }
+  return text;
+}
+
+const std::string kHeader =
+    "# Channel: Topography\n# Width: 18 µm\n# Height: 4.0 um\n# Value units: nm\n";
+
+std::string columns() {
+  std::string text = "y [um], x [mm], z [nm]\n";
+  for (int j = 0; j < 8; ++j) {
+    for (int i = 0; i < 9; ++i) text += fmt::format("{}, {}, {}\n", 0.5 * j, 0.002 * i, 10 * j + i);
+  }
+  return text;
+}
+
+std::string map_refusal(const std::string& text) {
+  const ScratchFolder scratch;
+  try {
+    static_cast<void>(read_height_map(scratch.write("map.txt", text), Motion::x));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+void check_words(const std::string& said, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) {
+    INFO(said);
+    CHECK(said.find(part) != std::string::npos);
+  }
+}
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+std::string report_refusal(const SurfaceOptions& options) {
+  try {
+    static_cast<void>(describe_surface(options));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "described";
+}
+
+/// As a matrix with a pitch, in nm.
+std::string written(const surface::HeightMap& map) {
+  std::string text = fmt::format("# Pitch: {} um\n# Value units: nm\n", 1e6 * map.dx);
+  for (int j = map.ny - 1; j >= 0; --j) {
+    for (int i = 0; i < map.nx; ++i) text += fmt::format("{:.1f} ", 1e9 * map.at(i, j));
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("AMatrixOfGwyddionIsReadFromItsTop") {
+  const ScratchFolder scratch;
+  for (const char* separator : {"\t", ", ", ";", "  "}) {
+    const auto map =
+        read_height_map(scratch.write("map.txt", kHeader + rows(separator)), Motion::x);
+    REQUIRE((map.nx == 9 && map.ny == 8));
+    CHECK(map.dx == Approx(2e-6).epsilon(1e-12));
+    CHECK(map.dy == Approx(0.5e-6).epsilon(1e-12));
+    CHECK(map.at(0, 7) == Approx(0.0).margin(1e-20));
+    CHECK(map.at(3, 6) == Approx(13e-9).epsilon(1e-12));
+    CHECK(map.at(8, 0) == Approx(78e-9).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("PointsInColumnsAreTheSameMapInAnyOrder") {
+  const ScratchFolder scratch;
+  const auto map = read_height_map(scratch.write("map.csv", columns()), Motion::x);
+  REQUIRE((map.nx == 9 && map.ny == 8));
+  CHECK(map.dx == Approx(2e-6).epsilon(1e-12));
+  CHECK(map.at(3, 1) == Approx(13e-9).epsilon(1e-12));
+  const std::string gone = changed(columns(), "1, 0.004, 22\n", "");
+  const auto holed = read_height_map(scratch.write("map.csv", gone), Motion::x);
+  CHECK(std::isnan(holed.at(2, 2)));
+  const auto turned = read_height_map(scratch.write("map.csv", columns()), Motion::y);
+  CHECK((turned.nx == 8 && turned.at(1, 3) == map.at(3, 1)));
+}
+
+TEST_CASE("HolesAreEmptyOrNamed") {
+  const ScratchFolder scratch;
+  for (const char* hole : {"", "nan", "NaN", "bad", "BAD"}) {
+    const std::string text = kHeader + changed(rows(), "\t33\t", fmt::format("\t{}\t", hole));
+    const auto map = read_height_map(scratch.write("map.txt", text), Motion::x);
+    CHECK(std::isnan(map.at(3, 4)));
+    CHECK(surface::holes_of(map).count == 1);
+  }
+}
+
+TEST_CASE("WrongOrMissingUnitsOfAMapAreRefusedAtTheirLine") {
+  check_words(map_refusal(changed(kHeader, "# Value units: nm\n", "") + rows()),
+              {"map.txt:4:1", "no unit of the heights", "# Value units: nm"});
+  check_words(map_refusal(changed(kHeader, ": nm", ": V") + rows()),
+              {"map.txt:4:1", "Value units"});
+  check_words(map_refusal(changed(kHeader, ": nm", ": Pa") + rows()), {"map.txt:4:1", "a length"});
+  check_words(map_refusal(changed(kHeader, "18 µm", "18") + rows()),
+              {"map.txt:2:1", "Width", "no unit"});
+  check_words(map_refusal(changed(kHeader, "# Height: 4.0 um\n", "") + rows()),
+              {"map.txt:4:1", "no Height", "# Pitch"});
+  check_words(map_refusal("# Pitch: 1 um\n" + kHeader + rows()), {"map.txt:1:1", "keep one"});
+  check_words(map_refusal(changed(columns(), "z [nm]", "z")), {"map.txt:1:17", "names no unit"});
+  check_words(map_refusal(changed(columns(), "z [nm]", "z [s]")), {"map.txt:1:17", "a length"});
+  check_words(map_refusal(changed(columns(), "z [nm]", "q [nm]")), {"not known", "x [um]"});
+}
+
+TEST_CASE("AMapThatIsNoGridIsRefusedAtItsLine") {
+  check_words(map_refusal(kHeader + changed(rows(), "\t33\t", "\t")),
+              {"map.txt:8:", "8 heights", "the first one has 9"});
+  check_words(map_refusal(kHeader + changed(rows(), "33", "3x3")), {"map.txt:8:", "no height"});
+  check_words(map_refusal(kHeader + changed(rows(), "33", "1e999")), {"no height"});
+  check_words(map_refusal(changed(columns(), "1, 0.004, 22", "1, 0.0045, 22")), {"resample"});
+  check_words(map_refusal(columns() + "0, 0, 3\n"), {"map.txt:74:1", "given before"});
+  check_words(map_refusal(changed(columns(), "1, 0.004, 22", "1, 22")), {"2 fields"});
+  check_words(map_refusal("# Pitch: 1 um\n# Value units: um\n1 2\n3 4\n"), {"2 x 2", "8 or more"});
+  check_words(map_refusal("# nothing\n"), {"no heights"});
+}
+
+TEST_CASE("HolesAreRefusedWithCountAndPlaceUnlessTheyAreToBeFilled") {
+  const ScratchFolder scratch;
+  surface::HeightMap map = surface::gaussian_surface({90, 80, 1e-6, 1e-6, 2e-7, 5e-6, 5e-6});
+  for (int i = 20; i < 30; ++i) map.z[map.index(i, 40)] = NAN;
+  SurfaceOptions options;
+  options.path = scratch.write("map.txt", written(map));
+  options.gaps = {1.0, 2.0, 4.0};
+  check_words(report_refusal(options),
+              {"map.txt", "10 of 7200", "x = 20 um, y = 40 um", "--fill laplace"});
+  options.fill = true;
+  const SurfaceReport report = describe_surface(options);
+  CHECK(report.holes.count == 10);
+  CHECK(surface::holes_of(report.map).count == 0);
+  CHECK(report.notes.size() > 0);
+  for (std::size_t c = 0; c < 1000; ++c) map.z[c] = NAN;
+  options.path = scratch.write("map.txt", written(map));
+  check_words(report_refusal(options), {"more than the 10 %"});
+}
+
+TEST_CASE("APatchTooSmallIsRefusedWithTheSizeThatWouldDo") {
+  const ScratchFolder scratch;
+  const auto map = surface::gaussian_surface({60, 50, 1e-6, 1e-6, 2e-7, 10e-6, 10e-6});
+  SurfaceOptions options;
+  options.path = scratch.write("map.txt", written(map));
+  options.gaps = {1.0, 2.0, 4.0};
+  options.form = 1;
+  check_words(report_refusal(options),
+              {"60 x 50 um", "too small", "10.6 correlation lengths", "10 % is allowed"});
+  options.error = 0.9;
+  CHECK(report_refusal(options) == "described");
+}
+
+TEST_CASE("AFlatMapHasNoRoughness") {
+  const ScratchFolder scratch;
+  std::string text = "# Pitch: 1 um\n# Value units: um\n";
+  for (int j = 0; j < 10; ++j) text += "0 0 0 0 0 0 0 0 0 0\n";
+  SurfaceOptions options;
+  options.path = scratch.write("map.txt", text);
+  check_words(report_refusal(options), {"no roughness"});
+}

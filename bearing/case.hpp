@@ -68,7 +68,7 @@ struct Supply {
   double pressure = 0.0;         ///< gauge [Pa]
   double temperature = 0.0;      ///< [K]
   double carry_over = 1.0;       ///< part of the film oil entering it that is mixed in again [-]
-  std::optional<Vessel> vessel;  ///< none: its pressure stands, whatever flows
+  std::optional<Vessel> vessel{};  ///< none: its pressure stands, whatever flows
 };
 
 struct LoadGiven {

@@ -212,7 +212,7 @@ void add_honesty(CLI::App& app, Request& request) {
 }
 
 void add_study(CLI::App& app, Request& request) {
-  auto* study = app.add_subcommand("study", "rerun a published series of tests: ks-rig");
+  auto* study = app.add_subcommand("study", "rerun a published series of tests: ks-rig, shells");
   study->add_option("NAME", request.name, "which study; without one they are listed");
   study->add_flag("--quick", request.quick, "fewer speeds, a coarser grid, no bands");
   study->add_option("-o", request.output, "write the page (HTML)")->type_name("FILE.html");

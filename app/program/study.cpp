@@ -11,6 +11,7 @@
 #include "app/program/session.hpp"
 #include "core/contract.hpp"
 #include "validation/rig/rig_page.hpp"
+#include "validation/shells/shells_page.hpp"
 
 namespace shellback::program {
 
@@ -19,19 +20,57 @@ using namespace validation;
 
 namespace {
 
-const std::vector<std::string> kStudies{"ks-rig"};
+const std::vector<std::string> kStudies{"ks-rig", "shells"};
 
-RigStudy solved(const Request& request) {
-  ProgressLine line;
-  RigOptions options;
+/// Threads, stop and progress, which every study takes.
+template <class Options>
+Options options_of(const Request& request, ProgressLine& line) {
+  Options options;
   options.quick = request.quick;
   const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   options.threads = request.cores > 0 ? request.cores : all;
   options.stop = &catch_interrupt();
-  options.tell = [&](const std::string& what, int done, int of) {
+  options.tell = [&line](const std::string& what, int done, int of) {
     line.show(fmt::format("{}: {} of {}", what, done, of));
   };
-  return run_rig_study(options);
+  return options;
+}
+
+int ended(const Outputs& outputs, bool interrupted, int failed) {
+  if (interrupted) {
+    std::cerr << "interrupted: what was finished is written\n";
+    return outputs.code(kInterrupted);
+  }
+  if (failed > 0) {
+    std::cerr << fmt::format("error: {} solves were not found; they are told with their reasons\n",
+                             failed);
+    return outputs.code(kNotConverged);
+  }
+  return outputs.code(kDone);
+}
+
+int study_rig(const Request& request) {
+  Outputs outputs(request, {});
+  const RigStudy done = [&] {
+    ProgressLine line;
+    return run_rig_study(options_of<RigOptions>(request, line));
+  }();
+  if (request.json != "-") write_rig_tables(std::cout, done);
+  outputs.give("-o", [&] { return rig_page(done); });
+  outputs.give("--json", [&] { return rig_json(done); });
+  return ended(outputs, done.interrupted, done.count_failed());
+}
+
+int study_shells(const Request& request) {
+  Outputs outputs(request, {});
+  const ShellsStudy done = [&] {
+    ProgressLine line;
+    return run_shells_study(options_of<ShellsOptions>(request, line));
+  }();
+  if (request.json != "-") write_shells_tables(std::cout, done);
+  outputs.give("-o", [&] { return shells_page(done); });
+  outputs.give("--json", [&] { return shells_json(done); });
+  return ended(outputs, done.interrupted, done.count_failed());
 }
 
 }  // namespace
@@ -39,28 +78,15 @@ RigStudy solved(const Request& request) {
 int study(const Request& request) {
   if (request.name.empty()) {
     std::cout << "ks-rig  KS rig of Sander, Allmaier, Priebsch 2016: torque of three bearings over "
-                 "speed, run-up and run-down, start and stop\n";
+                 "speed, run-up and run-down, start and stop\n"
+                 "shells  shells of Offner and Knaus 2015 in a big end: plain and grooved AlSn, "
+                 "polymer; friction, heat, load capability\n";
     return kDone;
   }
-  if (std::find(kStudies.begin(), kStudies.end(), request.name) == kStudies.end()) {
-    throw InputError("NAME", "there is no study " + in_quotes(request.name) +
-                                 choices_for(request.name, kStudies, "studies are"));
-  }
-  Outputs outputs(request, {});
-  const RigStudy done = solved(request);
-  if (request.json != "-") write_rig_tables(std::cout, done);
-  outputs.give("-o", [&] { return rig_page(done); });
-  outputs.give("--json", [&] { return rig_json(done); });
-  if (done.interrupted) {
-    std::cerr << "interrupted: what was finished is written\n";
-    return outputs.code(kInterrupted);
-  }
-  if (const int failed = done.count_failed(); failed > 0) {
-    std::cerr << fmt::format("error: {} solves were not found; they are told with their reasons\n",
-                             failed);
-    return outputs.code(kNotConverged);
-  }
-  return outputs.code(kDone);
+  if (request.name == "ks-rig") return study_rig(request);
+  if (request.name == "shells") return study_shells(request);
+  throw InputError("NAME", "there is no study " + in_quotes(request.name) +
+                               choices_for(request.name, kStudies, "studies are"));
 }
 
 }  // namespace shellback::program

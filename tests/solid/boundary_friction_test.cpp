@@ -16,7 +16,8 @@ namespace {
 constexpr double kSigma = 0.28e-6;  ///< plain AlSn shell on its journal, seed 001 Table 2 [m]
 
 ContactParameters pair_with(const GenericFriction& law) {
-  ContactParameters p{0.001, 53.3e9, 0.0, ContactIntegral::exact, law};
+  ContactParameters p{0.001, 53.3e9, 0.0, ContactIntegral::exact};
+  p.friction_law = law;
   return p;
 }
 

@@ -75,7 +75,8 @@ TEST_CASE("UnknownInputsSpanABand") {
   Entry entry = shipped("ks-stribeck");
   entry.features.clear();
   entry.unknowns.resize(1);  // the clearance: less of it is more torque in the full film
-  entry.table = Table("load_N,rpm,M_ref_Nm,hmin_ref_um\n4000,2000,0.7,\n", "reduced");
+  entry.table =
+      Table("load_N,rpm,M_ref_Nm,hmin_ref_um,M_from_400_Nm\n4000,2000,0.7,,0.7\n", "reduced");
   entry.figure.series.clear();
   entry.bearings.resize(1);
   std::erase_if(entry.vary, [](const Vary& v) { return v.bearing == "support"; });

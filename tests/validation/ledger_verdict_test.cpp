@@ -107,8 +107,8 @@ TEST_CASE("ThePublishedStribeckCurveIsMetInItsThreeRegimes") {
   Entry entry = shipped("ks-stribeck");
   entry.features.resize(1);  // the transition at 8 kN
   entry.table = Table(
-      "load_N,rpm,M_ref_Nm,hmin_ref_um\n8000,3000,1.06,2\n8000,500,0.43,\n8000,150,1.71,0.7\n"
-      "4000,300,0.243,\n4000,3000,0.96,\n",
+      "load_N,rpm,M_ref_Nm,hmin_ref_um,M_from_400_Nm\n8000,3000,1.06,2,1.06\n"
+      "8000,500,0.43,,0.43\n8000,150,1.71,0.7,\n4000,300,0.243,,\n4000,3000,0.96,,0.96\n",
       "reduced");
   EntryReport report = run(entry);
   for (const QuantityReport& q : report.quantities) {

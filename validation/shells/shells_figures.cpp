@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/cycle_axis.hpp"
+#include "app/svg_cycle.hpp"
+#include "app/svg_lines.hpp"
+#include "app/svg_map.hpp"
+#include "core/largest.hpp"
+#include "validation/shells/shells_page.hpp"
+
+namespace shellback::validation {
+namespace {
+
+using app::LinePlot;
+using app::Series;
+using app::Svg;
+using app::Theme;
+using bearing::CycleInstant;
+using bearing::Tier;
+
+constexpr double kWidth = 560.0;   ///< [px]
+constexpr double kHeight = 340.0;  ///< [px]
+constexpr double kMargin = 14.0;   ///< right of the box, for half a label [px]
+
+ShellFigure finished(const Svg& svg, const std::string& label, std::string caption) {
+  return {svg.inline_element(label), std::move(caption)};
+}
+
+/// One curve for each shell over the cycle with temperatures.
+template <class Value>
+ShellFigure curve(const ShellsStudy& study, const std::string& title, const std::string& unit,
+                  const Value& value, const std::string& caption) {
+  const Theme theme = app::page_theme();
+  LinePlot plot;
+  plot.title = title;
+  plot.y_title = unit;
+  for (int k = 0; k < kShells; ++k) {
+    const bearing::CycleResult& r = study.cycles[k][0].result;
+    if (r.instants.empty()) continue;
+    plot.x = app::cycle_axis(r);
+    Series s{shell_kinds()[k].name, {}, {}, theme.series[static_cast<std::size_t>(k)], ""};
+    for (const CycleInstant& i : r.instants) {
+      s.x.push_back(app::on_axis(r, i.t));
+      s.y.push_back(value(i));
+    }
+    plot.series.push_back(std::move(s));
+  }
+  if (plot.series.empty()) return {"", "No shell was solved over the cycle."};
+  Svg svg(kWidth, kHeight);
+  draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
+  return finished(svg, title, caption);
+}
+
+}  // namespace
+
+std::vector<ShellFigure> shell_curves(const ShellsStudy& study) {
+  return {curve(
+              study, "Largest film pressure", "[MPa]",
+              [](const CycleInstant& i) { return 1e-6 * i.p_max; },
+              "Over the cycle, tier tehd; after Figure 14 of the paper."),
+          curve(
+              study, "Largest contact pressure", "[MPa]",
+              [](const CycleInstant& i) { return 1e-6 * i.p_asperity_max; }, "The same."),
+          curve(
+              study, "Friction power of the film", "[W]",
+              [](const CycleInstant& i) { return (i.torque - i.torque_asperity) * i.omega; },
+              "Viscous torque times the speed of the pin in the rod."),
+          curve(
+              study, "Friction power of asperities", "[W]",
+              [](const CycleInstant& i) { return i.torque_asperity * i.omega; }, "The same.")};
+}
+
+std::vector<ShellFigure> shell_maps(const ShellsStudy& study) {
+  const Theme theme = app::page_theme();
+  std::vector<ShellFigure> all;
+  for (const auto& [which, words] :
+       {std::pair{app::CycleMap::friction, "Friction power per area, mean over the cycle"},
+        std::pair{app::CycleMap::shell, "Temperature of the lining's surface, mean"},
+        std::pair{app::CycleMap::shell_heat, "Heat into the shell, mean"},
+        std::pair{app::CycleMap::contact, "Largest contact pressure of each place"}}) {
+    std::vector<std::optional<app::FieldMap>> maps;
+    double low = INFINITY, high = -INFINITY;
+    for (const auto& shell : study.cycles) {
+      maps.push_back(shell[0].result.instants.empty()
+                         ? std::nullopt
+                         : app::cycle_map(shell[0].input, shell[0].result, which));
+      if (!maps.back()) continue;
+      low = std::min(low, maps.back()->scale.low);
+      high = std::max(high, maps.back()->scale.high);
+    }
+    for (int k = 0; k < kShells; ++k) {
+      if (!maps[k]) continue;
+      maps[k]->scale.low = low;  // one scale for all shells
+      maps[k]->scale.high = high;
+      maps[k]->title = shell_kinds()[k].name;
+      Svg svg(kWidth, 280.0);
+      draw_map(svg, {0.0, 0.0, kWidth - kMargin, 280.0}, *maps[k], theme);
+      all.push_back(finished(svg, words, fmt::format("{}: {}.", shell_kinds()[k].name, words)));
+    }
+  }
+  return all;
+}
+
+std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
+  const Theme theme = app::page_theme();
+  LinePlot plot;
+  plot.title = "Load capability";
+  plot.y_title = "largest load of the cycle [kN]";
+  const auto& rpm = study.plan.rpm;
+  plot.x = app::round_axis(0.0, *std::max_element(rpm.begin(), rpm.end()), 6, "speed [rpm]");
+  double most = 0.0;
+  for (const Tier tier : {Tier::tehd, Tier::isothermal}) {
+    for (int k = 0; k < kShells; ++k) {
+      const bool heat = tier == Tier::tehd;
+      Series s{heat ? shell_kinds()[k].name : "",
+               {},
+               {},
+               theme.series[static_cast<std::size_t>(k)],
+               heat ? "" : "5 4"};
+      for (const double n : rpm) {
+        const Capability* c = study.at(k, tier, n);
+        s.x.push_back(n);
+        s.y.push_back(c != nullptr && c->good > 0.0 ? 1e-3 * c->peak : NAN);
+        if (std::isfinite(s.y.back())) most = std::max(most, s.y.back());
+      }
+      plot.series.push_back(std::move(s));
+    }
+  }
+  plot.y = app::round_axis(0.0, std::max(most, 1.0), 6, plot.y_title);
+  Svg svg(kWidth, kHeight);
+  const app::Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
+  for (const Series& s : plot.series) {
+    for (std::size_t n = 0; n < s.x.size(); ++n) {
+      if (std::isfinite(s.y[n]))
+        svg.circle(frame.at(s.x[n], s.y[n]), 3.0, s.colour, {s.colour, 1.0});
+    }
+  }
+  return {finished(svg, plot.title,
+                   "Largest load that is borne; solid: temperatures solved, dashed: isothermal at "
+                   "the oil temperature of the case. Found by bisection: the table below says what "
+                   "the next load met.")};
+}
+
+}  // namespace shellback::validation

@@ -1,0 +1,201 @@
+#include "validation/shells/shells_page.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/html_style.hpp"
+#include "app/html_tables.hpp"
+#include "app/svg.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::validation {
+namespace {
+
+using app::escape_markup;
+using bearing::Tier;
+
+constexpr const char* kStyle = R"css(
+td.left, th.left { text-align: left; white-space: normal; }
+.note { border-left: 4px solid var(--total); background: var(--panel); padding: 8px 14px;
+  max-width: 96ch; }
+)css";
+
+constexpr const char* kIntroduction =
+    "<p class=\"note\"><strong>The engine is a substitute.</strong> The paper's engine, oil, "
+    "bearing sizes, temperatures and the constants of its friction law are not published. Surfaces "
+    "(its Tables 1 to 3) are the paper's; engine, oil and cooling are those of the case big-end, "
+    "constants of friction follow from its Table 4 with choices that the table leaves open. What "
+    "can be compared is the order of the shells and their ratios, not the watts.</p>\n";
+
+std::string head() {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>Shells of a big end</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n"
+      "<p class=\"kicker\">Shellback study</p>\n<h1>AlSn against polymer shells</h1>\n"
+      "<p class=\"scene\">After Offner and Knaus, Lubricants 3 (2015) 522-538: plain AlSn, grooved "
+      "AlSn and polymer-coated shell in the big end of a Diesel, 2000 rpm, full load</p>\n",
+      app::page_style(), kStyle);
+}
+
+std::string figures(const std::vector<ShellFigure>& all) {
+  std::string html = "<div class=\"figures\">\n";
+  for (const ShellFigure& f : all) {
+    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", f.svg,
+                        escape_markup(f.caption));
+  }
+  return html + "</div>\n";
+}
+
+std::string cell(double v, int decimals) {
+  return std::isfinite(v) ? fmt::format("<td>{:.{}f}</td>", v, decimals)
+                          : "<td class=\"bad\">not found</td>";
+}
+
+std::string table(const std::string& header, const std::string& rows) {
+  return fmt::format(
+      "<div class=\"scroll\"><table>\n<thead><tr><th></th>{}</tr></thead>\n<tbody>\n{}</tbody>"
+      "</table></div>\n",
+      header, rows);
+}
+
+double value(const ShellCycle& c, const char* name) {
+  return c.result.verdict.good() ? bearing::value_of(c.result, name) : NAN;
+}
+
+double power(const ShellCycle& c) {
+  return c.result.verdict.good() ? c.film_power + c.asperity_power : NAN;
+}
+
+std::string powers_html(const ShellsStudy& study) {
+  std::string rows;
+  for (int k = 0; k < kShells; ++k) {
+    const ShellCycle& hot = study.cycles[k][0];
+    const ShellCycle& even = study.cycles[k][1];
+    const ShellKind& kind = shell_kinds()[k];
+    rows += fmt::format("<tr><td class=\"left\">{}</td>", kind.name);
+    const bool good = hot.result.verdict.good();
+    rows += cell(good ? hot.film_power : NAN, 1) + cell(good ? hot.asperity_power : NAN, 1);
+    rows += cell(power(hot), 1) + cell(power(hot) / power(study.cycles[0][0]), 2);
+    rows += cell(kind.power, 1) + cell(kind.power / shell_kinds()[0].power, 2);
+    rows += cell(power(even), 1) + cell(power(even) / power(study.cycles[0][1]), 2) + "</tr>\n";
+  }
+  return table(
+      "<th>film [W]</th><th>asperities [W]</th><th>sum [W]</th><th>over plain</th>"
+      "<th>paper, Table 5 [W]</th><th>over plain</th><th>isothermal [W]</th><th>over plain</th>",
+      rows);
+}
+
+std::string films_html(const ShellsStudy& study) {
+  std::string rows;
+  for (int k = 0; k < kShells; ++k) {
+    for (int t = 0; t < 2; ++t) {
+      const ShellCycle& c = study.cycles[k][t];
+      rows += fmt::format("<tr><td class=\"left\">{}, {}</td>", shell_kinds()[k].name,
+                          t == 0 ? "tehd" : "isothermal");
+      rows += cell(1e6 * value(c, "h_min"), 2) + cell(1e-6 * value(c, "p_max"), 0);
+      rows += cell(1e-6 * value(c, "p_asperity_max"), 1);
+      if (t == 0) {
+        rows += cell(value(c, "T_film_max") - kZeroCelsius, 1);
+        rows += cell(value(c, "T_shell_max") - kZeroCelsius, 1);
+      } else {
+        rows += "<td></td><td></td>";
+      }
+      rows += "</tr>\n";
+    }
+  }
+  return table(
+      "<th>smallest film [&micro;m]</th><th>film pressure [MPa]</th><th>contact [MPa]</th>"
+      "<th>film [&deg;C]</th><th>lining [&deg;C]</th>",
+      rows);
+}
+
+std::string parts_html(const ShellsStudy& study) {
+  std::string rows;
+  for (int k = 0; k < kShells; ++k) {
+    const solid::FrictionParts& p = study.parts[k];
+    const auto& t = shell_kinds()[k].coefficients;
+    rows += fmt::format("<tr><td class=\"left\">{}</td>", shell_kinds()[k].name);
+    for (const auto& [ours, theirs] :
+         {std::pair{p.abrasive, t[0]}, std::pair{p.adhesive, t[1]},
+          std::pair{p.micro_hydrodynamic, t[2]}, std::pair{p.sum(), t[0] + t[1] + t[2]}}) {
+      rows += cell(ours, 4) + cell(theirs, 4);
+    }
+    rows += "</tr>\n";
+  }
+  return table(
+             "<th>abrasive</th><th>paper</th><th>adhesive</th><th>paper</th>"
+             "<th>micro-hydrodynamic</th><th>paper</th><th>sum</th><th>paper</th>",
+             rows) +
+         "<p class=\"scene\">At 10 MPa contact pressure, 0.01 Pa s, 10 m/s. The constants were "
+         "identified from this table: it is a check of the law, not evidence for it.</p>\n";
+}
+
+std::string capability_html(const ShellsStudy& study) {
+  std::string rows;
+  for (const Capability& c : study.capability) {
+    rows +=
+        fmt::format("<tr><td class=\"left\">{}, {}, {:.0f} rpm</td>", shell_kinds()[c.shell].name,
+                    c.tier == Tier::tehd ? "tehd" : "isothermal", c.rpm);
+    if (!c.tried) {
+      rows += "<td class=\"bad\">not run</td><td></td><td></td><td></td></tr>\n";
+      continue;
+    }
+    rows += c.good > 0.0 ? cell(c.good, 2) + cell(1e-3 * c.peak, 0)
+                         : fmt::format("<td class=\"bad\">below {:.2f}</td><td></td>",
+                                       study.plan.factors[0]);
+    rows += c.bad > 0.0 ? cell(c.bad, 2) : fmt::format("<td>above {:.2f}</td>", c.good);
+    rows += fmt::format("<td class=\"left\">{}{}</td></tr>\n", to_string(c.limit),
+                        c.reason.empty() ? "" : ": " + escape_markup(c.reason));
+  }
+  return table(
+      "<th>borne, of the load</th><th>peak [kN]</th><th>not borne</th><th class=\"left\">met "
+      "first</th>",
+      rows);
+}
+
+std::string failures_html(const ShellsStudy& study) {
+  std::string html;
+  for (int k = 0; k < kShells; ++k) {
+    for (const ShellCycle& c : study.cycles[k]) {
+      if (!c.tried || c.result.verdict.good()) continue;
+      html += fmt::format("<li>{}, {}: {}</li>\n", shell_kinds()[k].name, to_string(c.result.tier),
+                          escape_markup(c.result.verdict.reason));
+    }
+  }
+  return html.empty() ? "<p class=\"scene\">Every cycle was found.</p>\n"
+                      : "<ul>\n" + html + "</ul>\n";
+}
+
+std::string section(const std::string& heading, const std::string& content) {
+  return fmt::format("<h2>{}</h2>\n{}", heading, content);
+}
+
+}  // namespace
+
+std::string shells_page(const ShellsStudy& study) {
+  std::string html = head() + kIntroduction;
+  if (study.interrupted) {
+    html += "<p class=\"note\"><strong>Interrupted:</strong> what was finished is shown.</p>\n";
+  }
+  html += section("Friction power (Table 5)", powers_html(study));
+  html += section("Film and temperatures", films_html(study));
+  html += section("Over the cycle", figures(shell_curves(study)));
+  html += section("On the shell", figures(shell_maps(study)));
+  html += section("Boundary friction at one point (Table 4)", parts_html(study));
+  html += section("Thermal load capability",
+                  figures(capability_figures(study)) + capability_html(study) +
+                      "<p class=\"scene\">Limits assumed: lining 170 &deg;C (AlSn), 200 &deg;C "
+                      "(polymer); smallest film the combined roughness of the pair.</p>\n");
+  html += section("Not found", failures_html(study));
+  html += fmt::format(
+      "<footer>\n<h2>Provenance</h2>\n<p>Cycles on {} x {}, capability on {} x {} cells, {} "
+      "threads, {:.0f} s. Cases shell-plain.toml, shell-grooved.toml, shell-polymer.toml; below, "
+      "the first.</p>\n{}</footer>\n</main>\n</body>\n</html>\n",
+      study.plan.grid[0], study.plan.grid[1], study.plan.coarse[0], study.plan.coarse[1],
+      study.threads, study.wall_s, app::provenance_html(study.cycles[0][0].input));
+  return html;
+}
+
+}  // namespace shellback::validation

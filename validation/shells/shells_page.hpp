@@ -1,0 +1,31 @@
+#pragma once
+/// The study of the shells as a page, as JSON and as lines of text.
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "validation/shells/shells_study.hpp"
+
+namespace shellback::validation {
+
+/// A picture and what it shows.
+struct ShellFigure {
+  std::string svg;
+  std::string caption;
+};
+
+/// Pressures and friction power over the cycle of all shells.
+[[nodiscard]] std::vector<ShellFigure> shell_curves(const ShellsStudy& study);
+/// Friction power, surface temperature and heat into the shell on the unrolled bearing.
+[[nodiscard]] std::vector<ShellFigure> shell_maps(const ShellsStudy& study);
+/// Highest load over speed, with and without temperatures.
+[[nodiscard]] std::vector<ShellFigure> capability_figures(const ShellsStudy& study);
+
+/// One page (HTML).
+[[nodiscard]] std::string shells_page(const ShellsStudy& study);
+/// Every number (JSON).
+[[nodiscard]] std::string shells_json(const ShellsStudy& study);
+/// The tables, for a terminal.
+void write_shells_tables(std::ostream& out, const ShellsStudy& study);
+
+}  // namespace shellback::validation

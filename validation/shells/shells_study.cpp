@@ -1,0 +1,223 @@
+#include "validation/shells/shells_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include "app/library.hpp"
+#include "app/overrides.hpp"
+#include "app/read_case.hpp"
+#include "core/constants.hpp"
+#include "core/parallel.hpp"
+
+namespace shellback::validation {
+namespace {
+
+using bearing::Case;
+using bearing::CycleResult;
+using bearing::Tier;
+
+constexpr const char* kPlace = "study shells";
+constexpr std::array kTiers{Tier::tehd, Tier::isothermal};
+
+struct Setting {
+  std::array<int, 2> grid;
+  double rpm = 2000.0;
+  double factor = 1.0;
+};
+
+Case case_of(int shell, Tier tier, const Setting& s) {
+  const std::vector<app::Override> set{
+      {"model.grid", fmt::format("[{}, {}]", s.grid[0], s.grid[1]), kPlace},
+      {"model.tier", tier == Tier::tehd ? "tehd" : "isothermal", kPlace},
+      {"operation.speed", fmt::format("{:.10g} rpm", s.rpm), kPlace},
+      {"load_cycle.factor", fmt::format("{:.10g}", s.factor), kPlace}};
+  return app::read_case(app::case_path(shell_kinds()[shell].file).string(), set);
+}
+
+/// Means over the cycle of the power at which film and asperities are sheared [W].
+void add_powers(ShellCycle& c) {
+  const auto& all = c.result.instants;
+  if (all.size() < 2) return;
+  double film = 0.0, asperity = 0.0;
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const auto& a = all[k - 1];
+    const auto& b = all[k];
+    const double half = 0.5 * (b.t - a.t);
+    asperity += half * (a.torque_asperity * a.omega + b.torque_asperity * b.omega);
+    film += half *
+            ((a.torque - a.torque_asperity) * a.omega + (b.torque - b.torque_asperity) * b.omega);
+  }
+  const double time = all.back().t - all.front().t;
+  c.film_power = film / time;
+  c.asperity_power = asperity / time;
+}
+
+/// Work on several threads, told and stopped.
+class Crew {
+ public:
+  explicit Crew(const ShellsOptions& options) : options_(options) { control_.stop = options.stop; }
+  void work(const std::string& what, int count, const std::function<void(int)>& task) {
+    int done = 0;
+    parallel_for(count, options_.threads, [&](int k) {
+      if (!stopped()) task(k);
+      const std::lock_guard lock(guard_);
+      if (options_.tell) options_.tell(what, ++done, count);
+    });
+  }
+  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  [[nodiscard]] const bearing::SolveControl& control() const { return control_; }
+
+ private:
+  const ShellsOptions& options_;
+  bearing::SolveControl control_;
+  std::mutex guard_;
+};
+
+/// What the cycle meets first: no periodic state, a lining too hot, a film too thin.
+ShellLimit limit_of(int shell, const Case& c, const CycleResult& r) {
+  if (!r.verdict.good()) return ShellLimit::state;
+  const double T = bearing::value_of(r, "T_shell_max");
+  if (std::isfinite(T) && T > shell_kinds()[shell].T_limit) return ShellLimit::lining;
+  return bearing::value_of(r, "h_min") < least_film(c) ? ShellLimit::film : ShellLimit::none;
+}
+
+/// Bisection of ln(factor) between a load that is borne and one that is not.
+void find_capability(const ShellsPlan& plan, Crew& crew, Capability& c) {
+  const auto borne = [&](double factor) {
+    const Case subject = case_of(c.shell, c.tier, {plan.coarse, c.rpm, factor});
+    const CycleResult r = bearing::solve_cycle(subject, c.tier, crew.control());
+    if (crew.stopped()) return false;
+    const ShellLimit limit = limit_of(c.shell, subject, r);
+    if (limit != ShellLimit::none) {
+      c.bad = factor;
+      c.limit = limit;
+      c.reason = r.verdict.reason;
+      return false;
+    }
+    c.good = factor;
+    c.peak = 0.0;
+    for (const auto& i : r.instants) c.peak = std::max(c.peak, std::hypot(i.load_x, i.load_y));
+    return true;
+  };
+  double low = plan.factors[0], high = plan.factors[1];
+  if (borne(high) || crew.stopped() || !borne(low)) {
+    c.tried = !crew.stopped();
+    return;
+  }
+  for (int k = 0; k < plan.halvings && !crew.stopped(); ++k) {
+    const double middle = std::sqrt(low * high);
+    (borne(middle) ? low : high) = middle;
+  }
+  c.tried = !crew.stopped();
+}
+
+void run_cycles(Crew& crew, ShellsStudy& study) {
+  crew.work("cycles", 2 * kShells, [&](int k) {
+    ShellCycle& c = study.cycles[k / 2][k % 2];
+    c.input = case_of(k / 2, kTiers[k % 2], {study.plan.grid, 2000.0, 1.0});
+    c.result = bearing::solve_cycle(c.input, kTiers[k % 2], crew.control());
+    c.tried = true;
+    if (c.result.verdict.good()) add_powers(c);
+  });
+}
+
+}  // namespace
+
+const std::array<ShellKind, kShells>& shell_kinds() {
+  // Limits: AlSn20 loses half its strength and its tin nears melting (232 degC) from about 170 degC
+  // on; polyamide-imide coatings serve to about 200 degC (both textbook).
+  static const std::array<ShellKind, kShells> kKinds{
+      {{"AlSn, plain", "shell-plain", {0.02, 0.02, 0.005}, 102.5, 170.0 + kZeroCelsius},
+       {"AlSn, grooved", "shell-grooved", {0.02, 0.015, 0.007}, 96.2, 170.0 + kZeroCelsius},
+       {"polymer", "shell-polymer", {0.005, 0.0025, 0.01}, 71.5, 200.0 + kZeroCelsius}}};
+  return kKinds;
+}
+
+ShellsPlan shells_plan(bool quick) {
+  ShellsPlan plan;
+  if (!quick) return plan;
+  plan.grid = {60, 9};
+  plan.coarse = {48, 7};
+  plan.rpm = {2000.0};
+  plan.halvings = 3;
+  return plan;
+}
+
+const char* to_string(ShellLimit limit) {
+  switch (limit) {
+    case ShellLimit::lining:
+      return "lining too hot";
+    case ShellLimit::film:
+      return "film too thin";
+    case ShellLimit::state:
+      return "no periodic state found";
+    case ShellLimit::none:
+      break;
+  }
+  return "none met";
+}
+
+double least_film(const Case& c) {
+  return std::hypot(c.surfaces.shell.roughness, c.surfaces.shaft.roughness);
+}
+
+solid::FrictionParts parts_at_the_papers_point(const Case& c) {
+  constexpr double kPressure = 10e6, kViscosity = 0.01, kSlide = 10.0;  // paper, 4.1
+  const solid::AsperityContact contact(c.surfaces.shell, c.surfaces.shaft, *c.surfaces.contact);
+  const double h = contact.gap_of(kPressure);
+  return contact.friction().coefficient(contact.place(h, kPressure, kViscosity, kSlide));
+}
+
+const Capability* ShellsStudy::at(int shell, Tier tier, double rpm) const {
+  for (const Capability& c : capability) {
+    if (c.shell == shell && c.tier == tier && c.rpm == rpm) return &c;
+  }
+  return nullptr;
+}
+
+int ShellsStudy::count_failed() const {
+  int failed = 0;
+  for (const auto& shell : cycles) {
+    for (const ShellCycle& c : shell) failed += c.tried && !c.result.verdict.good() ? 1 : 0;
+  }
+  return failed;
+}
+
+ShellsStudy run_shells_study(const ShellsPlan& plan, const ShellsOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  ShellsStudy study;
+  study.plan = plan;
+  study.threads = options.threads;
+  Crew crew(options);
+  for (int k = 0; k < kShells; ++k) {
+    study.parts[k] = parts_at_the_papers_point(case_of(k, Tier::tehd, {plan.grid, 2000.0, 1.0}));
+  }
+  run_cycles(crew, study);
+  for (const double rpm : plan.rpm) {
+    for (const Tier tier : kTiers) {
+      for (int k = 0; k < kShells; ++k) {
+        Capability c;
+        c.shell = k;
+        c.tier = tier;
+        c.rpm = rpm;
+        study.capability.push_back(c);
+      }
+    }
+  }
+  crew.work("load capability", static_cast<int>(study.capability.size()),
+            [&](int k) { find_capability(plan, crew, study.capability[k]); });
+  study.interrupted = crew.stopped();
+  const auto spent = std::chrono::steady_clock::now() - begin;
+  study.wall_s = std::chrono::duration<double>(spent).count();
+  return study;
+}
+
+ShellsStudy run_shells_study(const ShellsOptions& options) {
+  return run_shells_study(shells_plan(options.quick), options);
+}
+
+}  // namespace shellback::validation

@@ -96,7 +96,7 @@ std::vector<ShellFigure> shell_maps(const ShellsStudy& study) {
       maps[k]->scale.high = high;
       maps[k]->title = shell_kinds()[k].name;
       Svg svg(kWidth, 280.0);
-      draw_map(svg, {0.0, 0.0, kWidth - kMargin, 280.0}, *maps[k], theme);
+      draw_map(svg, {12.0, 0.0, kWidth - kMargin - 12.0, 280.0}, *maps[k], theme);
       all.push_back(finished(svg, words, fmt::format("{}: {}.", shell_kinds()[k].name, words)));
     }
   }

@@ -69,8 +69,8 @@ double hardness_of_contact(const Case& c) {
 }  // namespace
 
 AxialSpacing axial_spacing(const Case& c) {
-  return c.model.axial_spacing.value_or(c.surfaces.contact ? AxialSpacing::graded
-                                                           : AxialSpacing::even);
+  const bool edges_rule = c.surfaces.contact && !c.cycle;
+  return c.model.axial_spacing.value_or(edges_rule ? AxialSpacing::graded : AxialSpacing::even);
 }
 
 bool symmetric_about_mid_width(const Case& c) {

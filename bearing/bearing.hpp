@@ -30,9 +30,10 @@ struct BearingModel {
   fluid::CavitatedShear shear_rule = fluid::CavitatedShear::filled;
 };
 
-/// As the case says; otherwise graded where surfaces can touch, whatever the tier: at the edges
-/// contact and elastic pressure are steepest. One case has one spacing, so that tiers and effects
-/// can be compared cell by cell.
+/// As the case says; otherwise graded where surfaces can touch under a load that stands still,
+/// whatever the tier: at the edges contact and elastic pressure are steepest. Load cycles stay on
+/// even cells: on their coarse grids graded ones lose TEHD cycles (docs/decisions/031). One case
+/// has one spacing, so that tiers and effects can be compared cell by cell.
 [[nodiscard]] AxialSpacing axial_spacing(const Case& c);
 
 /// True if nothing in the case distinguishes z from -z.

@@ -6,7 +6,6 @@
 
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
-#include "bearing/tape_members.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 
@@ -314,15 +313,6 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.after.oil_slope = std::move(last.oil);
   step.after.flows = std::move(last.flows);
   return step;
-}
-
-void FilmSteps::members(Tape& tape, double period, double shortest) {
-  bool warm = heat_.has_value();
-  tape(model_.scene.speed, model_.scene.storage, vessels_, warm);
-  for (fluid::SupplyPatch& patch : model_.scene.supply.patches) tape(patch.pressure, patch.fill);
-  if (!warm) return;
-  if (!heat_) heat_.emplace(model_, period, shortest);
-  tape(heat_->walls);
 }
 
 bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmInTime& now) {

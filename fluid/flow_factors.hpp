@@ -53,6 +53,7 @@
 #include <optional>
 #include <span>
 
+#include "fluid/gap_factors.hpp"
 #include "fluid/measured_factors.hpp"
 
 namespace shellback::fluid {
@@ -95,14 +96,6 @@ struct RoughPair {
 [[nodiscard]] RoughPair rough_pair(const SurfaceTexture& shell, const SurfaceTexture& journal,
                                    const FactorTable* measured = nullptr);
 
-/// What the film equation needs at one gap; finite for every h.
-struct GapFlow {
-  double average_gap;                               ///< hT [m]
-  double h3_x;                                      ///< phi_x h^3 [m3], positive
-  double h3_z;                                      ///< phi_z h^3 [m3], positive
-  double sigma_phi_s;                               ///< sigma phi_s [m], |sigma phi_s| < hT
-  double daverage_gap, dh3_x, dh3_z, dsigma_phi_s;  ///< derivatives by h
-};
 [[nodiscard]] GapFlow gap_flow(const RoughPair& pair, double h);
 
 /// The same for many gaps: spans as long as h, not overlapping.
@@ -112,13 +105,6 @@ struct GapFlowSpans {
 };
 void gap_flow(const RoughPair& pair, std::span<const double> h, const GapFlowSpans& out);
 
-/// What friction needs at one gap, in the combinations that stay finite for every h.
-struct GapShear {
-  double phi_f_over_h;      ///< phi_f/h [1/m], not negative; 0 where h < -3 sigma
-  double phi_fs_over_h;     ///< phi_fs/h [1/m]
-  double phi_total_over_h;  ///< phi_total/h [1/m]
-  double h_phi_fp;          ///< h phi_fp [m], not negative
-};
 [[nodiscard]] GapShear gap_shear(const RoughPair& pair, double h);
 
 struct GapShearSpans {

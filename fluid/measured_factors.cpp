@@ -7,7 +7,6 @@
 #include <functional>
 
 #include "core/contract.hpp"
-#include "fluid/flow_factors.hpp"
 
 namespace shellback::fluid {
 namespace {

@@ -26,12 +26,10 @@
 #include <string>
 #include <vector>
 
+#include "fluid/gap_factors.hpp"
 #include "fluid/monotone_cubic.hpp"
 
 namespace shellback::fluid {
-
-struct GapFlow;
-struct GapShear;
 
 /// Factors of one surface over the gap, as `shellback surface` writes them.
 struct FactorTable {

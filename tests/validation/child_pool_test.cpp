@@ -66,12 +66,12 @@ TEST_CASE("CrashHangExceptionAndAnswerAreToldApart") {
 
 TEST_CASE("AtItsLimitAChildMayGiveTheAnswerThatItHas") {
   ChildEnd end;
-  const auto patient = [](int) {
+  const auto waits_long = [](int) {
     const std::atomic<bool>& stop = stop_at_limit();
     for (volatile double x = 0.0; !stop.load();) x = x + 1.0;
     return std::string("half an answer");
   };
-  CHECK(run_in_children(1, {1, 1.0, 5.0}, patient, [&](int, const ChildEnd& e) { end = e; }));
+  CHECK(run_in_children(1, {1, 1.0, 5.0}, waits_long, [&](int, const ChildEnd& e) { end = e; }));
   CHECK(end.how == How::answered);
   CHECK(end.answer == "half an answer");
   CHECK(end.processor_s >= 0.5);  // the clock of the limit and this one differ by a tenth and more

@@ -201,7 +201,7 @@ bool run_in_children(int count, const ChildPoolOptions& options,
     for (std::size_t k = 0; k < children.size();) {
       Child& child = children[k];
       const bool late =
-          seconds_since(child.begin) > options.patience * (options.limit_s + options.grace_s);
+          seconds_since(child.begin) > options.wait_factor * (options.limit_s + options.grace_s);
       if (!late && (!has_words(child) || listen(child))) {
         ++k;
         continue;

@@ -20,7 +20,7 @@ struct ChildPoolOptions {
   double limit_s = 60.0;  ///< processor time of a child
   double grace_s = 1.0;   ///< processor time beyond it for a child that ends by itself at the limit
   /// Clock time granted over processor time: for children that sleep, and for busy machines [-].
-  double patience = 4.0;
+  double wait_factor = 4.0;
   const std::atomic<bool>* stop = nullptr;  ///< set from outside: end the children and return
 };
 

@@ -24,6 +24,11 @@ Met within(double value, double low, double high) {
   return value >= low && value <= high ? Met::yes : Met::no;
 }
 
+/// Words of a value, or that there is none.
+std::string told(double value, std::string words) {
+  return std::isnan(value) ? "not solved" : std::move(words);
+}
+
 /// Smallest and largest of what is known.
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -132,10 +137,11 @@ void Judge::shear() {
   const double fast = test(kHigh, kFastest, &RigCycle::shear);
   const double slow = test(kHigh, kSlowest, &RigCycle::shear);
   add("4.1.2", "largest shear rate 2.2e7 1/s at 7000 rpm", "1.8e7 to 2.6e7 1/s (20 %)",
-      fmt::format("{:.2e} 1/s (mid-width: the worn edges of theirs are not in ours)", fast),
+      told(fast,
+           fmt::format("{:.2e} 1/s (mid-width: the worn edges of theirs are not in ours)", fast)),
       within(fast, 1.8e7, 2.6e7));
   add("4.1.2", "ten times smaller at 1000 rpm", "7 to 14 times (told without digits)",
-      fmt::format("{:.3g} times", fast / slow), within(fast / slow, 7.0, 14.0));
+      told(fast / slow, fmt::format("{:.3g} times", fast / slow)), within(fast / slow, 7.0, 14.0));
   const double T = test(kHigh, kFastest, &RigCycle::T);
   double lost = kNone;
   if (!std::isnan(fast)) {
@@ -145,7 +151,7 @@ void Judge::shear() {
            rheology::viscosity_slopes(c.oil, T, 0.0, fast).eta / rheology::viscosity(c.oil, T, 0.0);
   }
   add("4.1.2", "viscosity lost at the largest shear rate: 25 %", "20 to 30 %",
-      fmt::format("{:.3g} %", 100.0 * lost), within(lost, 0.2, 0.3));
+      told(lost, fmt::format("{:.3g} %", 100.0 * lost)), within(lost, 0.2, 0.3));
 }
 
 void Judge::effects() {

@@ -23,9 +23,8 @@ namespace {
 const std::vector<std::string> kStudies{"ks-rig", "shells"};
 
 /// Threads, stop and progress, which every study takes.
-template <class Options>
-Options options_of(const Request& request, ProgressLine& line) {
-  Options options;
+StudyOptions options_of(const Request& request, ProgressLine& line) {
+  StudyOptions options;
   options.quick = request.quick;
   const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   options.threads = request.cores > 0 ? request.cores : all;
@@ -53,7 +52,7 @@ int study_rig(const Request& request) {
   Outputs outputs(request, {});
   const RigStudy done = [&] {
     ProgressLine line;
-    return run_rig_study(options_of<RigOptions>(request, line));
+    return run_rig_study(options_of(request, line));
   }();
   if (request.json != "-") write_rig_tables(std::cout, done);
   outputs.give("-o", [&] { return rig_page(done); });
@@ -65,7 +64,7 @@ int study_shells(const Request& request) {
   Outputs outputs(request, {});
   const ShellsStudy done = [&] {
     ProgressLine line;
-    return run_shells_study(options_of<ShellsOptions>(request, line));
+    return run_shells_study(options_of(request, line));
   }();
   if (request.json != "-") write_shells_tables(std::cout, done);
   outputs.give("-o", [&] { return shells_page(done); });

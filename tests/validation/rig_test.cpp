@@ -113,7 +113,7 @@ TEST_CASE("ATinyStudyOfTheRigIsWhole", "[rig]") {
 
 TEST_CASE("AStudyThatIsStoppedTellsWhatItHas", "[rig]") {
   const std::atomic<bool> stop{true};
-  RigOptions options;
+  StudyOptions options;
   options.stop = &stop;
   const RigStudy study = run_rig_study(tiny_plan(), options);
   CHECK(study.interrupted);

@@ -44,7 +44,7 @@ TEST_CASE("TheShellsDifferInNothingButSurfacesAndCoating", "[shells]") {
 
 TEST_CASE("AStudyOfShellsThatIsStoppedSaysSo", "[shells]") {
   const std::atomic<bool> stop = true;
-  ShellsOptions options;
+  StudyOptions options;
   options.stop = &stop;
   const ShellsStudy study = run_shells_study(shells_plan(true), options);
   CHECK(study.interrupted);

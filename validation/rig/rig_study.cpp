@@ -6,10 +6,8 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <mutex>
 
 #include "core/constants.hpp"
-#include "core/parallel.hpp"
 
 namespace shellback::validation {
 namespace {
@@ -21,32 +19,6 @@ using bearing::Stretch;
 using bearing::Tier;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-/// Work on several threads, told and stopped.
-class Crew {
- public:
-  explicit Crew(const RigOptions& options) : options_(options) { control_.stop = options.stop; }
-
-  void work(const std::string& what, int count, const std::function<void(int)>& task) {
-    int done = 0;
-    tell(what, 0, count);
-    parallel_for(count, options_.threads, [&](int k) {
-      if (!stopped()) task(k);
-      const std::lock_guard lock(guard_);
-      tell(what, ++done, count);
-    });
-  }
-  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
-  [[nodiscard]] const SolveControl& control() const { return control_; }
-
- private:
-  void tell(const std::string& what, int done, int of) const {
-    if (options_.tell) options_.tell(what, done, of);
-  }
-  const RigOptions& options_;
-  SolveControl control_;
-  std::mutex guard_;
-};
 
 std::vector<RigCourse> courses_of(const RigPlan& plan) {
   std::vector<RigCourse> courses;
@@ -74,7 +46,7 @@ CourseRun run_of(const RigPlan& plan, const RigCourse& course, RigBearing bearin
   return run_course(stretches, Tier::tehd, options, control);
 }
 
-void run_courses(const RigPlan& plan, Crew& crew, RigStudy& study) {
+void run_courses(const RigPlan& plan, StudyCrew& crew, RigStudy& study) {
   study.courses = courses_of(plan);
   const int count = 2 * static_cast<int>(study.courses.size());
   crew.work("run-up and run-down", count, [&](int k) {
@@ -148,7 +120,7 @@ RigCycle cycle_of(const RigPlan& plan, const RigPoint& p, RigBearing bearing, do
   return out;
 }
 
-void run_points(const RigPlan& plan, Crew& crew, RigStudy& study) {
+void run_points(const RigPlan& plan, StudyCrew& crew, RigStudy& study) {
   study.points = points_of(plan);
   const int count = 2 * static_cast<int>(study.points.size());
   crew.work("isothermal cycles", count, [&](int k) {
@@ -167,7 +139,7 @@ void sum_up(RigStart& start) {
   start.full_film = time_of_full_film(start.series, start.breakaway);
 }
 
-void run_starts(const RigPlan& plan, Crew& crew, RigStudy& study) {
+void run_starts(const RigPlan& plan, StudyCrew& crew, RigStudy& study) {
   for (const double T : plan.start_films) {
     for (const bool worn : {false, true}) {
       study.starts.emplace_back();
@@ -277,17 +249,17 @@ int RigStudy::count_failed() const {
   return n;
 }
 
-RigStudy run_rig_study(const RigOptions& options) {
+RigStudy run_rig_study(const StudyOptions& options) {
   return run_rig_study(rig_plan(options.quick), options);
 }
 
-RigStudy run_rig_study(const RigPlan& plan, const RigOptions& options) {
+RigStudy run_rig_study(const RigPlan& plan, const StudyOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   RigStudy study;
   study.plan = plan;
   study.threads = options.threads;
   study.specific_area = rig_projected_area();
-  Crew crew(options);
+  StudyCrew crew(options);
   run_starts(plan, crew, study);
   run_courses(plan, crew, study);
   run_points(plan, crew, study);

@@ -9,23 +9,14 @@
 ///   4  start and stop with the new and the worn surface
 ///
 /// Points that are not found carry their reason. Torques of the rig by rig_sum.hpp.
-#include <atomic>
-#include <functional>
 #include <vector>
 
 #include "bearing/course.hpp"
 #include "validation/rig/rig_scene.hpp"
 #include "validation/rig/rig_sum.hpp"
+#include "validation/study_crew.hpp"
 
 namespace shellback::validation {
-
-struct RigOptions {
-  bool quick = false;
-  int threads = 1;
-  const std::atomic<bool>* stop = nullptr;
-  /// Told after each piece of work, never twice at once; may be empty.
-  std::function<void(const std::string& what, int done, int of)> tell;
-};
 
 /// What the study walks through; rig_plan says it for the whole and the quick study.
 struct RigPlan {
@@ -123,8 +114,8 @@ struct RigStudy {
 };
 
 /// Runs the study. Throws InputError where a shipped case does not read.
-[[nodiscard]] RigStudy run_rig_study(const RigOptions& options);
+[[nodiscard]] RigStudy run_rig_study(const StudyOptions& options);
 /// The same by a plan of one's own.
-[[nodiscard]] RigStudy run_rig_study(const RigPlan& plan, const RigOptions& options);
+[[nodiscard]] RigStudy run_rig_study(const RigPlan& plan, const StudyOptions& options);
 
 }  // namespace shellback::validation

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 
 #include "app/library.hpp"
 #include "app/overrides.hpp"
 #include "app/read_case.hpp"
 #include "core/constants.hpp"
-#include "core/parallel.hpp"
 
 namespace shellback::validation {
 namespace {
@@ -56,27 +54,6 @@ void add_powers(ShellCycle& c) {
   c.asperity_power = asperity / time;
 }
 
-/// Work on several threads, told and stopped.
-class Crew {
- public:
-  explicit Crew(const ShellsOptions& options) : options_(options) { control_.stop = options.stop; }
-  void work(const std::string& what, int count, const std::function<void(int)>& task) {
-    int done = 0;
-    parallel_for(count, options_.threads, [&](int k) {
-      if (!stopped()) task(k);
-      const std::lock_guard lock(guard_);
-      if (options_.tell) options_.tell(what, ++done, count);
-    });
-  }
-  [[nodiscard]] bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
-  [[nodiscard]] const bearing::SolveControl& control() const { return control_; }
-
- private:
-  const ShellsOptions& options_;
-  bearing::SolveControl control_;
-  std::mutex guard_;
-};
-
 /// What the cycle meets first: no periodic state, a lining too hot, a film too thin.
 ShellLimit limit_of(int shell, const Case& c, const CycleResult& r) {
   if (!r.verdict.good()) return ShellLimit::state;
@@ -86,7 +63,7 @@ ShellLimit limit_of(int shell, const Case& c, const CycleResult& r) {
 }
 
 /// Bisection of ln(factor) between a load that is borne and one that is not.
-void find_capability(const ShellsPlan& plan, Crew& crew, Capability& c) {
+void find_capability(const ShellsPlan& plan, StudyCrew& crew, Capability& c) {
   const auto borne = [&](double factor) {
     const Case subject = case_of(c.shell, c.tier, {plan.coarse, c.rpm, factor});
     const CycleResult r = bearing::solve_cycle(subject, c.tier, crew.control());
@@ -115,7 +92,7 @@ void find_capability(const ShellsPlan& plan, Crew& crew, Capability& c) {
   c.tried = !crew.stopped();
 }
 
-void run_cycles(Crew& crew, ShellsStudy& study) {
+void run_cycles(StudyCrew& crew, ShellsStudy& study) {
   crew.work("cycles", 2 * kShells, [&](int k) {
     ShellCycle& c = study.cycles[k / 2][k % 2];
     c.input = case_of(k / 2, kTiers[k % 2], {study.plan.grid, 2000.0, 1.0});
@@ -187,12 +164,12 @@ int ShellsStudy::count_failed() const {
   return failed;
 }
 
-ShellsStudy run_shells_study(const ShellsPlan& plan, const ShellsOptions& options) {
+ShellsStudy run_shells_study(const ShellsPlan& plan, const StudyOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   ShellsStudy study;
   study.plan = plan;
   study.threads = options.threads;
-  Crew crew(options);
+  StudyCrew crew(options);
   for (int k = 0; k < kShells; ++k) {
     study.parts[k] = parts_at_the_papers_point(case_of(k, Tier::tehd, {plan.grid, 2000.0, 1.0}));
   }
@@ -216,7 +193,7 @@ ShellsStudy run_shells_study(const ShellsPlan& plan, const ShellsOptions& option
   return study;
 }
 
-ShellsStudy run_shells_study(const ShellsOptions& options) {
+ShellsStudy run_shells_study(const StudyOptions& options) {
   return run_shells_study(shells_plan(options.quick), options);
 }
 

@@ -12,13 +12,12 @@
 /// The paper's engine is not published: the engine is that of the case big-end. Limits of lining
 /// and film are assumptions told with the result. Points that are not found carry their reason.
 #include <array>
-#include <atomic>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "bearing/cycle.hpp"
 #include "solid/boundary_friction.hpp"
+#include "validation/study_crew.hpp"
 
 namespace shellback::validation {
 
@@ -32,14 +31,6 @@ struct ShellKind {
 };
 inline constexpr int kShells = 3;
 [[nodiscard]] const std::array<ShellKind, kShells>& shell_kinds();
-
-struct ShellsOptions {
-  bool quick = false;
-  int threads = 1;
-  const std::atomic<bool>* stop = nullptr;
-  /// Told after each piece of work, never twice at once; may be empty.
-  std::function<void(const std::string& what, int done, int of)> tell;
-};
 
 struct ShellsPlan {
   std::array<int, 2> grid{100, 13};  ///< of the cycles
@@ -97,7 +88,7 @@ struct ShellsStudy {
 [[nodiscard]] solid::FrictionParts parts_at_the_papers_point(const bearing::Case& c);
 
 /// Runs the study. Throws InputError where a shipped case does not read.
-[[nodiscard]] ShellsStudy run_shells_study(const ShellsOptions& options);
-[[nodiscard]] ShellsStudy run_shells_study(const ShellsPlan& plan, const ShellsOptions& options);
+[[nodiscard]] ShellsStudy run_shells_study(const StudyOptions& options);
+[[nodiscard]] ShellsStudy run_shells_study(const ShellsPlan& plan, const StudyOptions& options);
 
 }  // namespace shellback::validation

@@ -8,6 +8,7 @@
 
 #include "bearing/film_heat.hpp"
 #include "bearing/tape_members.hpp"
+#include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 
@@ -367,7 +368,19 @@ void CycleRecord::write(CycleResult& r) const {
         "for {:.3g} % of the time a vessel stands at the cavitation pressure: no oil flows from it",
         100.0 * dry_ / told()));
   }
+  tell_ranges(r);
   if (film_->heat() && !heat_.to_shell.empty()) write_heat(r);
+}
+
+void CycleRecord::tell_ranges(CycleResult& r) const {
+  const BearingModel& m = film_->model();
+  const auto at = static_cast<int>(std::min_element(h_min_.begin(), h_min_.end()) - h_min_.begin());
+  const FilmGrid& g = m.scene.grid;
+  const fluid::SmallestGap least{h_min_[at], g.phi[at / g.nz], g.z[at % g.nz]};
+  const double T = extreme(instants_, &CycleInstant::T_film_max, false).T_film_max;
+  const FilmReach reach{NAN, T, largest(p_max_), h_min_, least};
+  for (std::string& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
+  for (LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(std::move(l));
 }
 
 double CycleRecord::shaft_swing() const {

@@ -47,6 +47,8 @@ class CycleRecord {
   void gather_fields(const FilmInTime& now, double dt);
   void gather_heat(const FilmStep& step, double dt);
   void write_heat(CycleResult& r) const;
+  /// Ranges of the laws that were left, at the extremes of each place.
+  void tell_ranges(CycleResult& r) const;
   /// By how much the shaft's surface would swing about its mean, as it turns and over the cycle:
   /// the half space under the first harmonic of either, q/(k sqrt(omega/a)) (textbook) [K].
   [[nodiscard]] double shaft_swing() const;

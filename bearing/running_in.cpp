@@ -80,6 +80,7 @@ class WornBearing {
     const double part = std::min(1.0, depth / given_.worn_after);
     const auto mix = [part](double& a, double b) { a += part * (b - a); };
     mix(c.surfaces.shell.roughness, given_.worn->roughness);
+    mix(c.surfaces.shell.orientation, given_.worn->orientation);
     mix(c.surfaces.shell.summit_roughness, given_.worn->summit_roughness);
     mix(c.surfaces.shell.summit_height, given_.worn->summit_height);
   }
@@ -136,7 +137,10 @@ void march(WornBearing& b, const SolveControl& control, double end,
   Field w(b.grid().cells(), 0.0);
   double t = 0.0;
   const double fastest = largest(b.rate());
-  if (!(fastest > 0.0)) return;  // nothing rubs
+  if (!(fastest > 0.0)) {  // nothing rubs, for however long
+    note(b, end, end, w, run);
+    return;
+  }
   const double first = kFirstDepth * b.sigma() / fastest;
   double dt = std::min(first, end);
   while (t < end) {
@@ -206,7 +210,9 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
     return true;
   };
   std::vector<double> x(b.grid().cells(), 0.0);
-  const FixedPointEnd end = fixed_point(map, {8, 2, 200, kComplementarity, 1.0}, x);
+  FixedPointOptions options;
+  options.tolerance = kComplementarity;
+  const FixedPointEnd end = fixed_point(map, options, x);
   Field w = x;
   for (double& v : w) v = std::max(0.0, v * unit);
   if (end == FixedPointEnd::map_failed) {

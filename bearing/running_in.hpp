@@ -45,7 +45,7 @@ struct RunningInRun {
   Field wear;                    ///< [m]
   Solution solution;             ///< of the last state
   Verdict verdict;               ///< not good: the last state is the last that was found
-  double complementarity = 0.0;  ///< of (3): largest |min(w/sigma_s, 1 - p_a/p_lim)| [-]
+  double complementarity = 0.0;  ///< of (3): largest |min(w, h(p_a) - h(p_lim))|/sigma_s [-]
   int rejected_steps = 0;
 };
 

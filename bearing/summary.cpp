@@ -8,6 +8,7 @@
 #include "bearing/effects.hpp"
 #include "bearing/solids.hpp"
 #include "bearing/solve.hpp"
+#include "bearing/told_ranges.hpp"
 #include "bearing/told_limits.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
@@ -166,7 +167,7 @@ Fields fields_of(const Solution& s, const Friction& f) {
   out.p = on_full(m, s.film.film.p);
   out.theta = on_full(m, s.film.film.theta);
   if (m.contact) out.p_asperity = on_full(m, s.film.p_contact);
-  const Field flow = summit_flow(s);
+  const Field flow = summit_flow(m, s.film.gap.cell);
   if (largest_magnitude(flow) > 0.0) out.summit_flow = on_full(m, flow);
   Field h = s.film.gap.cell;
   Field supplied(h.size(), 0.0);

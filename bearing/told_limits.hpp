@@ -8,10 +8,6 @@
 
 namespace shellback::bearing {
 
-/// How far summits have flowed at the contact's hardness, in the middle of each cell [m]; empty:
-/// no hardness is known.
-[[nodiscard]] Field summit_flow(const Solution& s);
-
 /// One sentence for each law that is used beyond its range, for stiffness and damping that are only
 /// a guide, and for further roots of the heat balance. For an evaluated film.
 [[nodiscard]] std::vector<std::string> warnings_of(const Solution& s);

@@ -109,3 +109,25 @@ TEST_CASE("AReversalTurnsTheFrictionWithoutAJump", "[start_stop]") {
   }
   CHECK(largest_jump < 0.05 * whole);  // what else changes in a step: the contact itself
 }
+
+TEST_CASE("ContactThatIsHeldAtTheHardnessIsToldOverACycle", "[start_stop]") {
+  Case c = starting(kTop);
+  const CycleResult elastic = converged(c);
+  const double most = value_of(elastic, "p_asperity_max");
+  const auto told = [](const CycleResult& r) {
+    for (const std::string& w : r.warnings) {
+      if (w.find("held at the hardness") != std::string::npos) return true;
+    }
+    return false;
+  };
+  CHECK_FALSE(told(elastic));
+  c.surfaces.contact->hardness = 0.8 * most;
+  const CycleResult flowing = converged(c);
+  CHECK(value_of(flowing, "p_asperity_max") == Approx(0.8 * most).epsilon(1e-12));
+  CHECK(told(flowing));
+  REQUIRE(!flowing.limiters.empty());
+  CHECK(flowing.limiters.back().count > 0);
+  // the contact carries the load at rest, flowing or not: a wider patch under less pressure
+  CHECK(value_of(flowing, "breakaway_torque") ==
+        Approx(value_of(elastic, "breakaway_torque")).epsilon(0.02));
+}

@@ -1,0 +1,33 @@
+#pragma once
+/// Where a film leaves the ranges of its laws: a steady state, or the extremes of a cycle.
+#include <string>
+#include <vector>
+
+#include "bearing/bearing.hpp"
+#include "bearing/result.hpp"
+#include "fluid/gap.hpp"
+
+namespace shellback::bearing {
+
+/// What a film has come to.
+struct FilmReach {
+  double T_low = 0.0;          ///< NaN: not known [K]
+  double T_high = 0.0;         ///< NaN: not known [K]
+  double p_max = 0.0;          ///< [Pa]
+  const Field& h;              ///< smallest gap of each cell [m]
+  fluid::SmallestGap least{};  ///< of all
+};
+
+/// How far summits have flowed at the contact's hardness where the gap is `h` [m], in the middle of
+/// each cell [m]; empty: no hardness is known.
+[[nodiscard]] Field summit_flow(const BearingModel& m, const Field& h);
+
+/// One sentence for each range that was left: temperature and pressure of the oil's laws, flow
+/// factors, contact (beyond its law, or held at the hardness): how much, where.
+[[nodiscard]] std::vector<std::string> range_warnings(const BearingModel& m,
+                                                      const FilmReach& reach);
+
+/// Cells of the contact at its limits, `h` as in FilmReach.
+[[nodiscard]] std::vector<LimiterCount> contact_limiters(const BearingModel& m, const Field& h);
+
+}  // namespace shellback::bearing

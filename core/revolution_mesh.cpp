@@ -14,7 +14,7 @@ constexpr double kLargestRatio = 2.0;      ///< ratio of neighbouring element si
 constexpr double kSurfaceRowDepths = 2.0;  ///< surface row over decay depth R / n [-]
 
 /// Sizes that sum to `total`, at least `least` of them, the first at most `first`, growing by
-/// one common factor between 1 and kLargestGrowth.
+/// one common factor between 1 and kLargestRatio.
 std::vector<double> graded(double total, double first, int least) {
   const auto sum = [](double q, int n) {
     return q - 1.0 < 1e-12 ? static_cast<double>(n) : (std::pow(q, n) - 1.0) / (q - 1.0);

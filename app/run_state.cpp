@@ -19,7 +19,7 @@ using namespace hdf5;
 using Json = nlohmann::json;
 
 constexpr const char* kFormat = "shellback state";
-constexpr int kVersion = 1;  ///< of the order in which values stand on the tape
+constexpr int kVersion = 2;  ///< of the order in which values stand on the tape
 
 /// The bits of numbers, as text.
 std::string bits_of(const std::vector<double>& x) {
@@ -32,10 +32,13 @@ Json identity(const bearing::Case& c) {
   Json program{{"version", p.version}, {"git", p.git}, {"state", kVersion}};
   for (const auto& [name, version] : p.libraries) program[name] = version;
   Json subject = case_json(c);
-  if (c.bearing.profile) {
-    subject["bearing"]["profile"] = {bits_of(c.bearing.profile->phi), bits_of(c.bearing.profile->z),
-                                     bits_of(c.bearing.profile->height)};
-  }
+  const auto add_table = [&](const char* key, const std::optional<bearing::Profile>& t) {
+    if (t) subject["bearing"][key] = {bits_of(t->phi), bits_of(t->z), bits_of(t->height)};
+  };
+  add_table("profile", c.bearing.profile);
+  add_table("shape", c.bearing.shape);
+  add_table("wear", c.bearing.wear);
+  subject["model"]["grid_given"] = c.model.grid_given;
   subject["equivalent_temperature"] = bearing::equivalent_temperature(c);  // by what was measured
   if (c.cycle) subject["load_cycle"]["crank_speed"] = c.cycle->crank_speed;
   return {{"program", program}, {"case", subject}};
@@ -100,10 +103,10 @@ Read read_file(const std::string& path) {
   return r;
 }
 
-std::string sum_of(const Tape::Content& kept) {
+std::string sum_of(const std::string& identity, const Tape::Content& kept) {
   const auto bytes = reinterpret_cast<const char*>(kept.counts.data());
   return bits_of(kept.numbers) + fnv1a_64({bytes, kept.counts.size() * sizeof(std::int64_t)}) +
-         fnv1a_64(kept.text);
+         fnv1a_64(kept.text) + fnv1a_64(identity);
 }
 
 }  // namespace
@@ -112,8 +115,8 @@ std::string run_state(const bearing::Case& c, const Tape::Content& kept) {
   return file_bytes([&](hid_t file) {
     attribute(file, "format", std::string(kFormat));
     attribute(file, "title", c.title);
-    attribute(file, "sum", sum_of(kept));
     const std::string who = identity(c).dump();
+    attribute(file, "sum", sum_of(who, kept));
     dataset(file, "identity", H5T_NATIVE_CHAR, who.data(), {who.size()},
             {"-", "case and program, JSON", "", ""});
     doubles(file, "numbers", kept.numbers, "-",
@@ -145,7 +148,8 @@ Tape::Content read_run_state(const std::string& path, const bearing::Case& c) {
     throw damaged("it is cut short, or no HDF5 file");
   }
   const Json kept = Json::parse(r.identity, nullptr, false);
-  if (kept.is_discarded() || r.sum != sum_of(r.kept)) throw damaged("its check sum is wrong");
+  if (!kept.is_object() || r.sum != sum_of(r.identity, r.kept))
+    throw damaged("its check sum is wrong");
   const Json now = identity(c);
   if (kept.value("program", Json()) != now["program"]) {
     throw InputError("--resume",

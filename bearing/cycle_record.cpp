@@ -164,7 +164,7 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   side_ += step.side;
   line_ += step.line;
   vessels_ended_ = total(step.after.vessels);
-  if (film_->vessels().any_empty(step.after.vessels)) dry_ += dt;
+  if (film_->vessels().any_empty(film_->model().scene)) dry_ += dt;
   for (int k = 0; k < 2; ++k) impulse_[k] += step.impulse[k];
   off_balance_ = larger(off_balance_, step.off_balance);
   if (control.progress) {

@@ -95,7 +95,9 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
 void CycleSearch::begin_film(double T) {
   std::optional<FilmInTime> begun;
   r_.verdict = {};
-  if (!c_.cycle->repeats()) begun = film_.steady(T, cost_, control_.stop);
+  const bool event = !c_.cycle->repeats();
+  if (event) begun = film_.steady(T, cost_, control_.stop);
+  if (event && !begun && is_stopped()) r_.verdict = {Status::interrupted, "stopped by the user", "", ""};
   from_rest_ = !begun.has_value();
   now_ = begun ? *std::move(begun) : film_.at_rest(T);
 }
@@ -103,12 +105,14 @@ void CycleSearch::begin_film(double T) {
 void CycleSearch::begin(double T) {
   const bool heat = film_.model().physics.film_energy;
   r_.verdict = {};
-  if (!c_.cycle->repeats() && heat && begin_warm()) return;
+  if (!c_.cycle->repeats() && heat && begin_warm()) return;  // else, unless stopped, from cold
   begin_film(T);
   if (!heat) return;
   walls_ = uniform_walls(film_.model(), T);
   if (!c_.cycle->repeats()) put_walls();
 }
+
+bool CycleSearch::is_stopped() const { return control_.stop != nullptr && control_.stop->load(); }
 
 bool CycleSearch::begin_warm() {
   const LoadNow first = course_.at(0.0);
@@ -214,6 +218,7 @@ void CycleSearch::add(const FilmStep& step, double dt) {
 }
 
 bool CycleSearch::pass() {
+  if (r_.verdict.status == Status::interrupted) return false;  // before it had begun
   if (!std::exchange(brought_back_, false)) begin_pass();
   const PeriodEnd end = periods_.pass(
       now_, cost_, control_, [this](const FilmStep& step, double dt) { add(step, dt); },

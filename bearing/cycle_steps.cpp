@@ -110,6 +110,7 @@ PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveCo
     const double wished = wish_;
     const EquilibriumCost spent = cost;
     const int rejected = end_.rejected;
+    const FilmSteps::Supplies supplies = film_.supplies();
     if (jump_at(since_) || now.oil_slope.empty()) {
       now.oil_slope.clear();
       wish_ = options_.after_jump;
@@ -124,6 +125,7 @@ PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveCo
       wish_ = wished;
       cost = spent;
       end_.rejected = rejected;
+      film_.put_back(supplies);
     }
     if (!step.verdict.good()) {
       end_.verdict = step.verdict;

@@ -71,6 +71,7 @@ FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double
 
 FilmInTime FilmSteps::at_rest(double T) {
   FilmInTime now;
+  now.vessels = vessels_.begin(model_.scene);
   model_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
   now.film = cold_start(model_, T);
   for (int k = 0; k < target_.unknowns; ++k) now.film.position.q[k] = 0.0;
@@ -78,7 +79,6 @@ FilmInTime FilmSteps::at_rest(double T) {
       evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, now.film);
   EXPECTS(open);
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
-  now.vessels = vessels_.full();
   return now;
 }
 
@@ -94,6 +94,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   model_.scene.speed = load.omega * model_.input.bearing.radius;
   model_.scene.storage = {};
   FilmInTime now;
+  now.vessels = vessels_.begin(model_.scene);
   now.film = cold_start(model_, T);
   const Verdict v = at_rest ? come_to_rest(model_, target, options_, now.film, cost, stop)
                             : newton_or_through_time(model_, target, {}, EquilibriumOptions{},
@@ -102,7 +103,6 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   model_.scene.storage = {};
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
   now.flows = fluid::oil_flows(model_.scene, now.film.flow);
-  now.vessels = vessels_.full();
   return now;
 }
 
@@ -313,6 +313,13 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.after.oil_slope = std::move(last.oil);
   step.after.flows = std::move(last.flows);
   return step;
+}
+
+FilmSteps::Supplies FilmSteps::supplies() const { return {vessels_, model_.scene.supply.patches}; }
+
+void FilmSteps::put_back(const Supplies& before) {
+  vessels_ = before.vessels;
+  model_.scene.supply.patches = before.patches;
 }
 
 bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmInTime& now) {

@@ -86,6 +86,13 @@ class FilmSteps {
   /// Of the journal [kg].
   [[nodiscard]] double mass() const { return mass_; }
   [[nodiscard]] const Vessels& vessels() const { return vessels_; }
+  /// Vessels and supplies, which a step moves: to put them back if it is not to count.
+  struct Supplies {
+    Vessels vessels;
+    std::vector<fluid::SupplyPatch> patches;
+  };
+  [[nodiscard]] Supplies supplies() const;
+  void put_back(const Supplies& before);
   /// None: one temperature for the whole film.
   [[nodiscard]] const HeatSteps* heat() const { return heat_ ? &*heat_ : nullptr; }
   /// For a tape: speed and storage of the last stage, and the walls of film temperatures with the

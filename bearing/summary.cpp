@@ -8,8 +8,8 @@
 #include "bearing/effects.hpp"
 #include "bearing/solids.hpp"
 #include "bearing/solve.hpp"
-#include "bearing/told_ranges.hpp"
 #include "bearing/told_limits.hpp"
+#include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 

@@ -40,11 +40,16 @@ double Vessels::least_pressure(const std::vector<double>& oil) const {
   return least;
 }
 
-bool Vessels::any_empty(const std::vector<double>& oil) const {
-  constexpr double kEmpty = 1e-6;  // of what it holds when full
-  const std::vector<double> most = full();
-  for (std::size_t k = 0; k < oil.size(); ++k) {
-    if (oil[k] <= kEmpty * most[k]) return true;
+std::vector<double> Vessels::begin(fluid::FilmScene& scene) const {
+  for (std::size_t k = 0; k < of_patch_.size(); ++k) {
+    put(static_cast<int>(k), p_supply_[k] - p_cav_, scene);
+  }
+  return full();
+}
+
+bool Vessels::any_empty(const fluid::FilmScene& scene) const {
+  for (std::size_t k = 0; k < of_patch_.size(); ++k) {
+    if (!open_[k] && !(unknown(static_cast<int>(k), scene) > 0.0)) return true;
   }
   return false;
 }

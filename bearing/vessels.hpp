@@ -27,12 +27,14 @@ class Vessels {
   explicit Vessels(const BearingModel& model);
 
   [[nodiscard]] bool any() const { return !of_patch_.empty(); }
-  /// E with which a course begins: all at the pressure of their supplies [kg].
+  /// E of vessels at the pressure of their supplies [kg].
   [[nodiscard]] std::vector<double> full() const;
+  /// The beginning of a course: all full, and `scene` says so. Gives E [kg].
+  [[nodiscard]] std::vector<double> begin(fluid::FilmScene& scene) const;
   /// (1), the smallest of all vessels [Pa].
   [[nodiscard]] double least_pressure(const std::vector<double>& oil) const;
-  /// Whether one of them has come down to the cavitation pressure.
-  [[nodiscard]] bool any_empty(const std::vector<double>& oil) const;
+  /// Whether one of them stands at the cavitation pressure in what `solve` found.
+  [[nodiscard]] bool any_empty(const fluid::FilmScene& scene) const;
   /// Largest |oil| over what its vessel holds when full [-].
   [[nodiscard]] double largest_share(const std::vector<double>& oil) const;
   /// Instants within the period, or from the beginning of an event, at which lines open or shut
@@ -41,9 +43,6 @@ class Vessels {
   /// Lines as they are between two switchings, at time t of the course; vessels whose line is open
   /// are filled up, and what that takes is handed back [kg].
   double set_lines(double t, std::vector<double>& oil);
-  [[nodiscard]] bool open(int vessel) const { return open_[vessel]; }
-  /// Supply patch of each vessel.
-  [[nodiscard]] const std::vector<int>& patches() const { return of_patch_; }
 
   /// Solves (4) for the vessels whose line is shut. `film` solves the film for what `scene` says of
   /// its supplies and tells the outflow of every patch [kg/s]; `scene` keeps what was found.

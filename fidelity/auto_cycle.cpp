@@ -61,10 +61,12 @@ class Search {
   CycleResult run() {
     if (!choose_tier()) return chosen(std::move(last_));
     on_.model.tier = tier_;
-    if (!case_.model.grid_given) on_.model.grid = kFirst;
+    on_.model.grid = case_.model.grid_given ? case_.model.grid : kFirst;
     for (int k = 0; k < kRounds; ++k) {
-      last_ = solve_cycle_with_bars(on_, control_);
-      note(last_);
+      CycleResult next = solve_cycle_with_bars(on_, control_);
+      note(next);
+      if (k > 0 && !next.verdict.good() && !stopped(control_)) break;  // the round before stands
+      last_ = std::move(next);
       if (!last_.verdict.good() || stopped(control_) || within() || !refine()) break;
     }
     return chosen(std::move(last_));
@@ -106,6 +108,10 @@ class Search {
       rich = probe(tiers.back());
       last_ = rich;
       if (rich.verdict.good() || stopped(control_)) break;
+      if (unjudged_.empty()) {
+        unjudged_ = fmt::format("tier {} was not found on {} x {} cells ({})", to_string(rich.tier),
+                                rich.grid[0], rich.grid[1], rich.verdict.reason);
+      }
       tiers.pop_back();
     }
     if (!rich.verdict.good()) return false;
@@ -125,6 +131,7 @@ class Search {
       left_out_ = left;
       break;
     }
+    if (!unjudged_.empty()) left_out_ = {INFINITY, INFINITY};  // by nothing richer
     return true;
   }
 
@@ -139,7 +146,8 @@ class Search {
   /// Cells that bring one bar within what is left of the tolerance, over those that there are.
   [[nodiscard]] double more_cells(const char* name, double bar, double left_out) const {
     constexpr double kMost = 4.0;  // in one round: twice as many in each direction
-    const double wanted = (1.0 - kOfSteps) * case_.model.tolerance - left_out;
+    const double physics = std::isfinite(left_out) ? left_out : 0.0;
+    const double wanted = (1.0 - kOfSteps) * case_.model.tolerance - physics;
     const double order = named(last_, name)->quantity.order;
     const double p = std::isfinite(order) && order > 0.0 ? order : 1.0;
     const double more = std::pow(bar / wanted, 2.0 / p);
@@ -179,27 +187,38 @@ class Search {
     for (CycleQuantity& q : r.quantities) {
       const double size = std::abs(q.quantity.value);
       const bool torque = q.quantity.name == "friction_torque" || q.quantity.name == "power_loss";
+      if (!unjudged_.empty()) continue;  // no bar of the physics left out
       if (torque) q.quantity.error_model = left_out_.friction * size;
       if (q.quantity.name == "h_min") q.quantity.error_model = left_out_.h_min * size;
     }
     r.assumptions.push_back(fmt::format(
-        "tier auto took tier {} on {} x {} cells; the physics that it leaves out is worth at most "
-        "{:.2g} % of the mean torque and {:.2g} % of the smallest film; solved on the way: {}",
-        to_string(r.tier), r.grid[0], r.grid[1], 100.0 * left_out_.friction,
-        100.0 * left_out_.h_min, fmt::join(solved_, ", ")));
+        "tier auto took tier {} on {} x {} cells; {}; solved on the "
+        "way: {}",
+        to_string(r.tier), r.grid[0], r.grid[1], physics_words(), fmt::join(solved_, ", ")));
     if (!knows_its_walls(case_)) {
       r.assumptions.emplace_back(
           "the case has no data of shell and shaft: what their heat and deformation change is in "
           "no "
           "bar");
     }
-    if (r.verdict.good() && !r.choice->met) {
+    if (!unjudged_.empty()) {
+      r.warnings.push_back(
+          fmt::format("what richer physics would change is not known: {}", unjudged_));
+    } else if (r.verdict.good() && !r.choice->met) {
       r.warnings.push_back(fmt::format(
           "the tolerance of {:.2g} % is not met: the mean friction torque is known within {:.2g} "
           "%, the smallest film within {:.2g} %; a finer model.grid or another tolerance",
           100.0 * case_.model.tolerance, 100.0 * known.friction, 100.0 * known.h_min));
     }
     return r;
+  }
+
+  [[nodiscard]] std::string physics_words() const {
+    if (!unjudged_.empty()) return "the physics that it leaves out is not known: " + unjudged_;
+    return fmt::format(
+        "the physics that it leaves out is worth at most {:.2g} % of the mean torque and {:.2g} % "
+        "of the smallest film",
+        100.0 * left_out_.friction, 100.0 * left_out_.h_min);
   }
 
   [[nodiscard]] Pair bars_of(const CycleResult& r) const {
@@ -214,6 +233,7 @@ class Search {
   Case on_ = case_;  ///< with what is tried: grid, tolerance, tier
   Tier tier_ = Tier::isothermal;
   Pair left_out_;
+  std::string unjudged_;  ///< why the richest tier judges nothing; empty: it does
   CycleResult last_;
   std::vector<std::string> solved_;
 };

@@ -4,9 +4,10 @@
 /// case.
 ///
 /// 1. On a coarse grid the cycle is solved in the richest tier that the case has data for, and in
-///    the cheaper ones from tier isothermal on. The first whose torque and film differ from the
-///    richest by no more than half the tolerance is taken; 1.75 times its difference is the bar of
-///    the physics left out (left_out.hpp).
+///    the cheaper ones from tier isothermal on. The first whose difference from the richest
+///    in torque and film, times 1.75 (the bar of the physics left out, left_out.hpp), is no more
+///    than half the tolerance is taken. Where the richest is not found no bar can be given: the
+///    tolerance is then not met, and the result says why.
 /// 2. In that tier the cycle is solved with the bars of its grid and steps (cycle_bars.hpp). Where
 ///    they exceed the tolerance the grid is refined to what tolerance.hpp (1) expects to do, and
 ///    the steps so that their bar, of order 2/3 in the error of one of them, is a quarter of it; up

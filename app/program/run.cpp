@@ -81,7 +81,14 @@ void expect_steady(const Request& request) {
 }  // namespace
 
 int run(const Request& request) {
-  if (request.running_in) return running_in(request);
+  if (request.running_in) {
+    if (request.resume || !request.state.empty()) {
+      throw InputError(request.resume ? "--resume" : "--state",
+                       "belongs to a load cycle; give the worn profile to the case as "
+                       "bearing.shape and run it in from there");
+    }
+    return running_in(request);
+  }
   if (!request.profile.empty()) {
     throw InputError("--profile", "belongs to a running-in; add --running-in");
   }

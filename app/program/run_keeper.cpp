@@ -38,6 +38,7 @@ RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject)
     return;
   }
   run_.emplace(saved, read_run_state(path_, subject));
+  of_this_run_ = true;
   std::cerr << "note: the run goes on from " << path_ << "\n";
 }
 
@@ -45,7 +46,7 @@ void RunKeeper::save(const bearing::Case& subject, const Tape::Content& state) {
   if (lost_) return;
   try {
     write_file(path_, run_state(subject, state));
-    there_ = true;
+    there_ = of_this_run_ = true;
   } catch (const FileError& why) {  // the run itself is none the worse for it
     lost_ = true;
     std::cerr << "warning: the state of the run is no longer kept: " << why.what() << "\n";
@@ -54,6 +55,10 @@ void RunKeeper::save(const bearing::Case& subject, const Tape::Content& state) {
 
 void RunKeeper::end(int code) const {
   if (!there_) return;
+  if (code == kInterrupted && !of_this_run_) {
+    std::cerr << "note: nothing had been found yet: the run keeps no state\n";
+    return;
+  }
   if (code == kInterrupted || code == kBadFile) {
     std::cerr << "the state of the run is kept in " << path_
               << "; the same command with --resume goes on from there\n";

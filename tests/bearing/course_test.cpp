@@ -31,9 +31,9 @@ Case as_cycle(Case c) {
   const auto load = std::get<LoadGiven>(c.operation.position);
   LoadCycle cycle;
   cycle.period = 4.0 * kPi / std::abs(c.operation.omega);
-  cycle.t = {0.0};
-  cycle.x = {load.force * std::cos(load.angle)};
-  cycle.y = {load.force * std::sin(load.angle)};
+  cycle.t = {0.0, 0.5 * cycle.period};
+  cycle.x.assign(2, load.force * std::cos(load.angle));
+  cycle.y.assign(2, load.force * std::sin(load.angle));
   cycle.journal_mass = 0.5;
   c.cycle = cycle;
   return c;

@@ -111,6 +111,31 @@ TEST_CASE("AnEventInPiecesIsTheWhole", "[kept]") {
   check_in_pieces(c, Tier::thd);
 }
 
+TEST_CASE("ACycleWithAVesselInPiecesIsTheWhole", "[kept]") {
+  Case c = warm_case();
+  let_load_turn(c);
+  c.supplies[0].vessel = Vessel{2e-6, 1.5e9, {{0.0, 0.5 * c.cycle->period}}};
+  check_in_pieces(c, Tier::isothermal);
+}
+
+TEST_CASE("AnEventThatIsStoppedBeforeItHasBegunLeavesNothing", "[kept]") {
+  Case c = warm_case();
+  let_load_turn(c);
+  c.cycle->period = INFINITY;
+  for (const Tier tier : {Tier::isothermal, Tier::thd}) {  // its steady beginning is being solved
+    const std::atomic<bool> stop{true};
+    bool saved = false;
+    KeptRun kept([&](const Tape::Content&) { saved = true; });
+    SolveControl control;
+    control.stop = &stop;
+    control.kept = &kept;
+    const CycleResult r = solve_cycle(c, tier, control);
+    CHECK(r.verdict.status == Status::interrupted);
+    CHECK(r.instants.empty());
+    CHECK_FALSE(saved);
+  }
+}
+
 TEST_CASE("ResultsThatHaveEndedAreNotSolvedAgain", "[kept]") {
   Case c = plain_case();
   let_load_turn(c);

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "bearing/cycle.hpp"
+#include "bearing/film_step.hpp"
 #include "bearing/judge_case.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -126,7 +127,30 @@ TEST_CASE("NoOilFlowsFromAVesselAtTheCavitationPressure", "[vessel]") {
   // All that it had and no more, but for what the film in time is solved to.
   CHECK(shut.oil / (volume / 1.5e9 * 2e5) == Approx(1.0).epsilon(1e-3));
   REQUIRE(!r.warnings.empty());
-  CHECK(r.warnings.back().find("vessel stands at the cavitation pressure") != std::string::npos);
+  const std::string& told = r.warnings.back();
+  CHECK(told.find("vessel stands at the cavitation pressure") != std::string::npos);
+  // it is empty for all but the first part of a degree of the half cycle in which it is shut
+  CHECK(std::stod(told.substr(told.find("for ") + 4)) == Approx(50.0).margin(1.0));
+}
+
+TEST_CASE("ACourseBeginsWithFullVesselsWhateverWasBefore", "[vessel]") {
+  const Case c = cut_off_case(1e-6);
+  const LoadCourse course(*c.cycle, c.operation.omega, 0.0);
+  FilmSteps steps(make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid, nullptr), course,
+                  1.0, EquilibriumOptions{});
+  FilmSteps::Supplies drained = steps.supplies();
+  drained.patches[0].pressure = 0.0;
+  drained.patches[0].fill = 0.5;
+  EquilibriumCost cost;
+  steps.put_back(drained);
+  const FilmInTime rest = steps.at_rest(313.15);
+  CHECK(steps.model().scene.supply.patches[0].pressure == 2e5);
+  CHECK(steps.model().scene.supply.patches[0].fill == 1.0);
+  CHECK(rest.vessels == steps.vessels().full());
+  steps.put_back(drained);
+  REQUIRE(steps.steady(313.15, cost, nullptr));
+  CHECK(steps.model().scene.supply.patches[0].pressure == 2e5);
+  CHECK(steps.model().scene.supply.patches[0].fill == 1.0);
 }
 
 TEST_CASE("AVeryLargeVesselIsASupplyOfGivenPressure", "[vessel]") {

@@ -101,6 +101,7 @@ TEST_CASE("AStateIsOfOneCaseAndWholeOrRefused") {
 
   CHECK(run.start({"--resume", "--set", "operation.speed=2900 rpm"}).wait() == kBadInput);
   check_parts(text_of(run.err), {"--resume", "another case", "operation.speed"});
+  CHECK(run.start({"--resume", "--set", "model.grid=[52,8]"}).wait() == kBadInput);
 
   const std::string bytes = text_of(run.state);
   scratch.write("a.json.state", bytes.substr(0, bytes.size() / 2));

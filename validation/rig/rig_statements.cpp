@@ -29,6 +29,10 @@ std::string told(double value, std::string words) {
   return std::isnan(value) ? "not solved" : std::move(words);
 }
 
+std::string told_full_film(double t) {
+  return std::isnan(t) ? "asperities rub to the end" : fmt::format("{:.3g} s", t);
+}
+
 /// Smallest and largest of what is known.
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -158,7 +162,11 @@ void Judge::effects() {
   const auto high = differences(kHigh, OilModel::pressure, OilModel::temperature, 0.0);
   const auto low = differences(kLow, OilModel::pressure, OilModel::temperature, 0.0);
   Range both = high;
-  both.take(low.count > 0 ? low.low : kNone);
+  if (low.count > 0) {
+    both.take(low.low);
+    both.take(low.high);
+  }
+  both.missing += low.missing;
   add("4.1.2", "pressure dependence raises the torque everywhere", "above 0 at every point",
       both.words(" N m"), both.in(0.0, 1e9));
   Range larger;
@@ -236,7 +244,10 @@ void Judge::starts() {
         start->worn ? "full film at 1.5 s with the worn surface"
                     : "full film at 2.0 s with the new surface",
         "+- 0.3 s; asperities below a hundredth of the breakaway torque",
-        fmt::format("{:.3g} s", start->full_film), within(start->full_film, t - 0.3, t + 0.3));
+        start->series.empty() ? "not solved" : told_full_film(start->full_film),
+        !start->series.empty() && std::isnan(start->full_film)
+            ? Met::no
+            : within(start->full_film, t - 0.3, t + 0.3));
   }
   const auto peak_at_stop = [](const RigStart& s) {
     double most = 0.0;

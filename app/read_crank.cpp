@@ -106,14 +106,37 @@ bool is_period(double period) {
   return std::abs(period - kTurn) < kSame * kTurn || std::abs(period - 2.0 * kTurn) < kSame * kTurn;
 }
 
+/// What only main bearings know of: the throw's counterweight and the share of one bearing.
+void read_throw(const Section& section, bearing::CrankFrame frame, bearing::Crank& crank) {
+  if (frame == bearing::CrankFrame::rod) {
+    for (const char* key : {"counterweight", "share"}) {
+      if (!section.has(key)) continue;
+      section.fail(key, fmt::format("{} belongs to a main bearing, not to the big end; take it "
+                                    "out, or write load_cycle.frame = \"block\"",
+                                    key));
+    }
+    return;
+  }
+  if (section.has("counterweight")) {
+    crank.counterweight = section.quantity("counterweight", kMassMoment, kNotNegative);
+  } else {
+    section.assume("the crank has no counterweight (crank.counterweight is not given)");
+  }
+  if (!section.has("share")) {
+    section.assume("two main bearings share the load of the throw (crank.share is not given)");
+    return;
+  }
+  crank.share = section.quantity("share", kNumber, kPositive);
+  if (crank.share > 1.0) section.fail("share", "a bearing carries at most the whole throw: 1");
+}
+
 }  // namespace
 
-bearing::Crank read_crank(const Section& section, const std::optional<double>& period) {
-  if (section.has("counterweight")) {
-    section.fail("counterweight",
-                 "a counterweight loads the main bearings, not the big end; take it out");
-  }
-  section.only({"stroke", "rod_length", "bore", "piston_mass", "rod_mass", "pressure"}, "[crank]");
+bearing::Crank read_crank(const Section& section, const std::optional<double>& period,
+                          bearing::CrankFrame frame) {
+  section.only({"stroke", "rod_length", "bore", "piston_mass", "rod_mass", "pressure",
+                "counterweight", "share"},
+               "[crank]");
   if (period && !is_period(*period)) {
     throw error_at(section.reader().place("load_cycle.period"), "load_cycle.period",
                    "a cylinder fires every 360 deg (two strokes) or 720 deg (four)");
@@ -123,6 +146,7 @@ bearing::Crank read_crank(const Section& section, const std::optional<double>& p
   crank.rod_length = section.quantity("rod_length", kLength, kPositive);
   crank.piston_mass = section.quantity("piston_mass", kMass, kNotNegative);
   crank.rod_mass = section.quantity("rod_mass", kMass, kNotNegative);
+  read_throw(section, frame, crank);
   const double ratio = 0.5 * crank.stroke / crank.rod_length;
   if (ratio >= 1.0) {
     section.fail("rod_length",

@@ -103,7 +103,8 @@ LoadCycle cycle_of_table(const Section& file, const Section& section, double ome
   return c;
 }
 
-LoadCycle cycle_of_crank(const Section& file, const std::optional<Section>& section, double omega) {
+LoadCycle cycle_of_crank(const Section& file, const std::optional<Section>& section,
+                         CrankFrame frame, double omega) {
   std::optional<double> period;
   if (section) {
     for (const char* key : {"file", "interpolation"}) {
@@ -116,35 +117,36 @@ LoadCycle cycle_of_crank(const Section& file, const std::optional<Section>& sect
     }
   }
   const Section crank_section = file.section("crank");
-  const Crank crank = read_crank(crank_section, period);
+  const Crank crank = read_crank(crank_section, period, frame);
   static_cast<void>(crank_speed(file, omega, "[crank] tells the load by the crank's angle"));
-  LoadCycle c = crank_load(crank, omega);
+  LoadCycle c = crank_load(crank, omega, frame);
   if (section) read_mass_and_step(file, *section, omega, c);
   if (c.journal_mass <= 0.0 && vanishing_load(c)) {
-    crank_section.fail("",
-                       "the load of the big end vanishes or passes through zero, and nothing tells "
-                       "where a journal without mass then is; give rod_mass, or "
-                       "load_cycle.journal_mass");
+    crank_section.fail(
+        "", fmt::format("the load of the {} vanishes or passes through zero, and nothing tells "
+                        "where a journal without mass then is; give rod_mass, or "
+                        "load_cycle.journal_mass",
+                        frame == CrankFrame::rod ? "big end" : "main bearing"));
   }
   return c;
 }
 
-enum class Frame { shell, rod };
-
-Frame read_frame(const Section& file, const std::optional<Section>& section) {
+/// None: the shell stands still, and the load comes from a table.
+std::optional<CrankFrame> read_frame(const Section& file, const std::optional<Section>& section) {
+  using Frame = std::optional<CrankFrame>;
   const bool crank = file.has("crank");
-  if (!section || !section->has("frame")) return crank ? Frame::rod : Frame::shell;
-  const Frame frame =
-      section->choice<Frame>("frame", {{"shell", Frame::shell}, {"rod", Frame::rod}});
-  if (frame == Frame::rod && !crank) {
-    section->fail("frame",
-                  "in the frame of a rod load and speed come from [crank], which is not given; add "
-                  "it, or write \"shell\"");
+  if (!section || !section->has("frame")) return crank ? Frame(CrankFrame::rod) : std::nullopt;
+  const auto frame = section->choice<Frame>(
+      "frame", {{"shell", std::nullopt}, {"rod", CrankFrame::rod}, {"block", CrankFrame::block}});
+  if (frame && !crank) {
+    section->fail("frame", fmt::format("in the frame of a {} load and speed come from [crank], "
+                                       "which is not given; add it, or write \"shell\"",
+                                       *frame == CrankFrame::rod ? "rod" : "block"));
   }
-  if (frame == Frame::shell && crank) {
+  if (!frame && crank) {
     section->fail("frame",
-                  "[crank] gives the load in the frame of the rod; write \"rod\", or take [crank] "
-                  "out");
+                  "[crank] gives the load of a big end in the frame of the rod, or of a main "
+                  "bearing in that of the block; write \"rod\" or \"block\", or take [crank] out");
   }
   return frame;
 }
@@ -158,8 +160,9 @@ std::optional<LoadCycle> read_load_cycle(const Section& file, double omega) {
     section->only({"file", "period", "interpolation", "journal_mass", "frame", "step", "factor"},
                   "[load_cycle]");
   }
-  const bool rod = read_frame(file, section) == Frame::rod;
-  LoadCycle c = rod ? cycle_of_crank(file, section, omega) : cycle_of_table(file, *section, omega);
+  const auto frame = read_frame(file, section);
+  LoadCycle c =
+      frame ? cycle_of_crank(file, section, *frame, omega) : cycle_of_table(file, *section, omega);
   const double factor = section ? read_factor(*section) : 1.0;
   for (double& x : c.x) x *= factor;
   for (double& y : c.y) y *= factor;

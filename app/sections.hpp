@@ -35,7 +35,8 @@ namespace shellback::app {
 [[nodiscard]] std::optional<bearing::LoadCycle> read_load_cycle(const Section& file, double omega);
 
 /// [crank]; `period`: what load_cycle.period says [rad], else the pressure's table does.
-[[nodiscard]] bearing::Crank read_crank(const Section& crank, const std::optional<double>& period);
+[[nodiscard]] bearing::Crank read_crank(const Section& crank, const std::optional<double>& period,
+                                        bearing::CrankFrame frame);
 
 [[nodiscard]] rheology::Oil read_oil(const Section& file);
 [[nodiscard]] std::optional<double> read_oil_temperature(const Section& file);

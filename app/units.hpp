@@ -28,6 +28,8 @@ inline constexpr Kind kAngle{"an angle", {0, 0, 0, 0, 1}, "deg, rad, mrad", "90 
 inline constexpr Kind kSpeed{"a rotational speed", {0, 0, -1, 0, 1}, "rpm, rad/s, Hz", "3000 rpm"};
 inline constexpr Kind kForce{"a force", {1, 1, -2, 0, 0}, "N, kN, MN, lbf", "8 kN"};
 inline constexpr Kind kMass{"a mass", {0, 1, 0, 0, 0}, "kg, g", "1.2 kg"};
+inline constexpr Kind kMassMoment{
+    "a mass times a distance", {1, 1, 0, 0, 0}, "kg m, kg mm, g m", "0.2 kg m"};
 inline constexpr Kind kTorque{"a moment", {2, 1, -2, 0, 0}, "N m, N mm, kN m", "1.06 N m"};
 inline constexpr Kind kPressure{
     "a pressure", {-1, 1, -2, 0, 0}, "Pa, kPa, MPa, GPa, bar, psi", "2 bar"};

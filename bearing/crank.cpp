@@ -69,13 +69,26 @@ LoadNow crank_load_at(const Crank& crank, double theta, double omega) {
           omega + turn * m.rod_rate};
 }
 
-LoadCycle crank_load(const Crank& crank, double omega, int n) {
+LoadNow main_bearing_load_at(const Crank& crank, double theta, double omega) {
+  const double turn = omega < 0.0 ? -1.0 : 1.0;
+  const LoadNow pin = crank_load_at(crank, theta, std::abs(omega));
+  const double beta = crank_motion(crank, theta, std::abs(omega)).rod_angle;
+  const double sine = std::sin(beta);
+  const double cosine = std::cos(beta);
+  const double pull = crank.counterweight * omega * omega;
+  const double x = -(pin.x * cosine + pin.y * sine) + pull * std::sin(theta);
+  const double y = pin.x * sine - pin.y * cosine - pull * std::cos(theta);
+  return {turn * crank.share * x, crank.share * y, omega};
+}
+
+LoadCycle crank_load(const Crank& crank, double omega, CrankFrame frame, int n) {
   EXPECTS(omega != 0.0 && n >= 1 && crank.period > 0.0);
   LoadCycle cycle;
   cycle.crank_speed = std::abs(omega);
   cycle.period = crank.period / cycle.crank_speed;
   for (const double theta : row_angles(crank, n)) {
-    const LoadNow load = crank_load_at(crank, theta, omega);
+    const LoadNow load = frame == CrankFrame::rod ? crank_load_at(crank, theta, omega)
+                                                  : main_bearing_load_at(crank, theta, omega);
     cycle.t.push_back(theta / cycle.crank_speed);
     cycle.x.push_back(load.x);
     cycle.y.push_back(load.y);

@@ -1,5 +1,6 @@
 #pragma once
-/// Load of a big end: what the crank pin carries in a connecting rod.
+/// Load of a big end: what the crank pin carries in a connecting rod; and of a main bearing beside
+/// the throw.
 ///
 ///   s = r cos theta + l cos beta,   l sin beta = r sin theta                          (1)
 ///   m_p s'' = S cos beta - p A,     S: thrust along the rod                           (2)
@@ -14,14 +15,26 @@
 /// part of the rod pulls the cap onto it, at 270 deg. (3) and (4) stand for a crank that turns
 /// counter-clockwise; clockwise, W_x and omega_rel change their sign.
 ///
+/// A main bearing stands still in the block: X to the right, Y along the cylinder from the crank to
+/// the piston. Its journal carries a share b of what acts on the crank's throw, the film's force at
+/// the pin, -W turned into the block, and the pull of the counterweight U (mass times distance from
+/// the axis, opposite the pin):
+///   L = b (-S a + (m_r r - U) omega^2 P/r),   a = (sin beta, cos beta),
+///   P/r = (-sin theta, cos theta)                                                     (5)
+/// Gas presses it upon the cap of the main bearing, at phi = 270 deg. Its speed is omega.
+///
 /// Valid for a rigid rod of two lumped masses, a pin without offset, a crank at constant speed, no
-/// friction at piston and piston pin, no weight. A counterweight loads the main bearings, not the
-/// big end. Source: textbook mechanics, derived in docs/theory.md; SI units throughout.
+/// friction at piston and piston pin, no weight; (5) for a crank that is as if cut between its
+/// throws: what neighbouring throws and a bent block do is not in it. Source: textbook mechanics,
+/// derived in docs/theory.md; SI units throughout.
 #include <vector>
 
 #include "bearing/load_cycle.hpp"
 
 namespace shellback::bearing {
+
+/// Where the bearing is, and with that the frame in which its shell stands still.
+enum class CrankFrame { rod, block };
 
 /// A slider-crank and the gas above its piston.
 struct Crank {
@@ -30,6 +43,8 @@ struct Crank {
   double bore = 0.0;               ///< diameter of A [m]; without pressure of no effect
   double piston_mass = 0.0;        ///< m_p: piston, its pin, reciprocating part of the rod [kg]
   double rod_mass = 0.0;           ///< m_r: rotating part of the rod [kg]
+  double counterweight = 0.0;      ///< U: of one throw, less pin and webs [kg m]; main bearings
+  double share = 0.5;              ///< b: of the throw's load on one main bearing [-]
   double period = 0.0;             ///< 4 pi (four strokes) or 2 pi [rad]
   std::vector<double> angle{};     ///< theta, rising within [0, period) [rad]; empty: no gas
   std::vector<double> pressure{};  ///< there, above that in the crankcase [Pa]
@@ -55,8 +70,13 @@ struct CrankMotion {
 /// (2)-(4) at crank angle theta [rad] and speed omega [rad/s], negative: clockwise.
 [[nodiscard]] LoadNow crank_load_at(const Crank& crank, double theta, double omega);
 
-/// Load cycle of the big end over one period: rows at n equal steps and at the points of the
-/// pressure, straight lines between them; t = theta/|omega|. omega as above, not zero; n >= 1.
-[[nodiscard]] LoadCycle crank_load(const Crank& crank, double omega, int n = 720);
+/// (5) and omega, likewise.
+[[nodiscard]] LoadNow main_bearing_load_at(const Crank& crank, double theta, double omega);
+
+/// Load cycle of the big end (rod) or of the main bearing (block) over one period: rows at n equal
+/// steps and at the points of the pressure, straight lines between them; t = theta/|omega|. omega
+/// as above, not zero; n >= 1.
+[[nodiscard]] LoadCycle crank_load(const Crank& crank, double omega,
+                                   CrankFrame frame = CrankFrame::rod, int n = 720);
 
 }  // namespace shellback::bearing

@@ -282,6 +282,18 @@ TEST_CASE("ACrankGivesLoadAndSpeedInTheRod") {
   CHECK(alone.y == c.cycle->y);
 }
 
+TEST_CASE("ACrankGivesTheLoadOfAMainBearingInTheBlock") {
+  const LoadCycle pin = cycle_of(kCrank, kTrace);
+  const LoadCycle half = cycle_of("[load_cycle]\nframe = \"block\"\n" + kCrank, kTrace);
+  CHECK(half.period == pin.period);
+  for (const double w : half.omega) CHECK(w == kOmega);
+  for (std::size_t k = 0; k < half.t.size(); ++k) {  // half of what acts on the pin, turned
+    CHECK(std::hypot(half.x[k], half.y[k]) ==
+          Approx(0.5 * std::hypot(pin.x[k], pin.y[k])).epsilon(1e-12));
+  }
+  CHECK(half.y[0] == Approx(-0.5 * pin.y[0]));  // gas: onto the cap, which lies below
+}
+
 TEST_CASE("APressureWithinOneTurnIsThatOfTwoStrokes") {
   const std::string turn = "angle [deg], pressure [bar]\n0, 140\n90, 10\n360, 140\n";
   CHECK(cycle_of(kCrank, turn).period == Approx(kTurn));
@@ -316,8 +328,11 @@ TEST_CASE("ACrankThatCannotTurnIsRefused") {
   check_against(kTrace, {"case.toml:20:14", "shorter than half the stroke"},
                 changed("207 mm", "60 mm"));
   check_against(kTrace, {"case.toml:22:15", "must not be negative"}, changed("2.5 kg", "-1 kg"));
-  check_against(kTrace, {"case.toml:25:17", "loads the main bearings"},
-                kCrank + "counterweight = \"1 kg\"\n");
+  check_against(kTrace, {"case.toml:25:17", "belongs to a main bearing", "\"block\""},
+                kCrank + "counterweight = \"1 kg m\"\n");
+  const std::string block = "[load_cycle]\nframe = \"block\"\n" + kCrank;
+  check_against(kTrace, {"case.toml:27:9", "at most the whole throw"}, block + "share = 2\n");
+  check_against(kTrace, {"case.toml:27:17", "kg m"}, block + "counterweight = \"1 kg\"\n");
   check_against(kTrace, {"case.toml:19:8", "comes from [crank]"},
                 "[load_cycle]\nfile = \"load.csv\"\n" + kCrank);
   check_against(kTrace, {"case.toml:19:9", "write \"rod\""},

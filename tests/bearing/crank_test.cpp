@@ -179,3 +179,52 @@ TEST_CASE("NoPointOfThePressureIsLost") {
   CHECK(cycle.y[k] == Approx(crank_load_at(c, 7.4 * kDeg, kOmega).y));
   for (std::size_t i = 1; i < cycle.t.size(); ++i) CHECK(cycle.t[i] > cycle.t[i - 1]);
 }
+
+TEST_CASE("AFullCounterweightLeavesTheMainBearingThePistonAlone", "[crank]") {
+  Crank c = bare();
+  c.piston_mass = 2.5;
+  c.rod_mass = 1.6;
+  c.counterweight = c.rod_mass * radius(c);
+  c.share = 0.3;
+  for (double theta = 0.05; theta < 12.0; theta += 0.3) {
+    const CrankMotion m = crank_motion(c, theta, kOmega);
+    const LoadNow load = main_bearing_load_at(c, theta, kOmega);
+    // The piston's inertia along the cylinder, and what leans on its wall across.
+    const double along = -c.share * c.piston_mass * m.piston_acceleration;
+    const double size = c.share * c.piston_mass * radius(c) * kOmega * kOmega;
+    CHECK(load.y == Approx(along).margin(1e-12 * size));
+    CHECK(load.x == Approx(along * std::tan(m.rod_angle)).margin(1e-12 * size));
+    CHECK(load.omega == kOmega);
+  }
+}
+
+TEST_CASE("GasTurnsTheCrankByTheLeverOfThePin", "[crank]") {
+  // Work: what gas does on the piston is what the rod's force does on the pin: p A (-s') = M omega.
+  Crank c = bare();
+  c.angle = {0.0, 90.0 * kDeg, 700.0 * kDeg};
+  c.pressure = {100e5, 10e5, 10e5};
+  c.share = 1.0;
+  const double area = 0.25 * kPi * c.bore * c.bore;
+  for (double theta = 0.05; theta < 12.0; theta += 0.3) {
+    const LoadNow at = main_bearing_load_at(c, theta, kOmega);
+    const double moment = -radius(c) * (std::sin(theta) * at.y + std::cos(theta) * at.x);
+    const double power =
+        -cylinder_pressure(c, theta) * area * crank_motion(c, theta, kOmega).piston_velocity;
+    CHECK(moment * kOmega == Approx(power).margin(1e-9 * 100e5 * area));
+  }
+  CHECK(main_bearing_load_at(c, 0.0, kOmega).y == Approx(-100e5 * area));  // onto the cap
+}
+
+TEST_CASE("AMainBearingTurningClockwiseIsTheMirrorImage", "[crank]") {
+  Crank c = bare();
+  c.piston_mass = 2.5;
+  c.rod_mass = 1.6;
+  c.counterweight = 0.05;
+  for (double theta = 0.0; theta < 12.0; theta += 0.7) {
+    const LoadNow a = main_bearing_load_at(c, theta, kOmega);
+    const LoadNow b = main_bearing_load_at(c, theta, -kOmega);
+    CHECK(b.x == -a.x);
+    CHECK(b.y == a.y);
+    CHECK(b.omega == -a.omega);
+  }
+}

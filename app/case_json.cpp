@@ -33,10 +33,11 @@ Json bearing(const Bearing& b) {
 }
 
 Json supply(const Supply& s) {
-  const char* const kinds[] = {"hole", "axial_groove", "circumferential_groove"};
+  const char* const kinds[] = {"hole", "axial_groove", "circumferential_groove", "drilling"};
   Json json{
       {"kind", kinds[static_cast<int>(s.kind)]}, {"angle", degrees(s.angle)}, {"z", si(s.z, "m")}};
-  if (s.kind == SupplyKind::hole) {
+  const bool drilling = s.kind == SupplyKind::drilling;
+  if (s.kind == SupplyKind::hole || drilling) {
     json["diameter"] = si(s.diameter, "m");
   } else if (s.kind == SupplyKind::axial_groove) {
     json["arc"] = degrees(s.arc);
@@ -45,10 +46,10 @@ Json supply(const Supply& s) {
     json["extent"] = degrees(s.arc);
     json["width"] = si(s.length, "m");
   }
-  json["depth"] = si(s.depth, "m");
+  if (!drilling) json["depth"] = si(s.depth, "m");
   json["pressure"] = si(s.pressure, "Pa");
   json["temperature"] = si(s.temperature, "K");
-  json["carry_over"] = plain(s.carry_over);
+  if (!drilling) json["carry_over"] = plain(s.carry_over);
   if (s.vessel) {
     json["vessel_volume"] = si(s.vessel->volume, "m3");
     json["vessel_bulk_modulus"] = si(s.vessel->bulk_modulus, "Pa");

@@ -16,7 +16,15 @@ using bearing::SupplyKind;
 constexpr double kFullCircle = 2.0 * kPi;  ///< [rad]
 constexpr const bearing::ValueRanges& kCan = bearing::kValueRanges;
 
+/// A hole of the shell, or the mouth of a drilling of the journal.
 void read_hole(const Section& section, double radius, Supply& supply) {
+  const bool drilling = supply.kind == SupplyKind::drilling;
+  if (drilling) {
+    section.only({"kind", "angle", "z", "diameter", "pressure", "pressure_absolute", "temperature",
+                  "vessel_volume", "vessel_bulk_modulus", "open"},
+                 "a supply of kind \"drilling\"");
+    supply.carry_over = 0.0;  // what is pressed back into it does not come again
+  }
   section.only({"kind", "angle", "z", "diameter", "depth", "pressure", "pressure_absolute",
                 "temperature", "carry_over", "vessel_volume", "vessel_bulk_modulus", "open"},
                "a supply of kind \"hole\"");
@@ -109,8 +117,10 @@ Supply read_supply(const Section& section, double radius,
   supply.kind = section.choice<SupplyKind>(
       "kind", {{"hole", SupplyKind::hole},
                {"axial_groove", SupplyKind::axial_groove},
-               {"circumferential_groove", SupplyKind::circumferential_groove}});
-  if (supply.kind == SupplyKind::hole) read_hole(section, radius, supply);
+               {"circumferential_groove", SupplyKind::circumferential_groove},
+               {"drilling", SupplyKind::drilling}});
+  const bool drilling = supply.kind == SupplyKind::drilling;
+  if (supply.kind == SupplyKind::hole || drilling) read_hole(section, radius, supply);
   if (supply.kind == SupplyKind::axial_groove) read_axial_groove(section, radius, supply);
   if (supply.kind == SupplyKind::circumferential_groove) {
     read_circumferential_groove(section, supply);
@@ -118,18 +128,22 @@ Supply read_supply(const Section& section, double radius,
   const std::string name = section.name("");
   supply.angle -= kFullCircle * std::floor(supply.angle / kFullCircle);
   supply.z = section.quantity_or("z", kLength, 0.0, "");
-  supply.depth =
-      section.quantity_or("depth", kLength, supply.depth,
-                          fmt::format("{}: a depth of 1 mm is assumed", name), kPositive);
+  if (!drilling) {
+    supply.depth =
+        section.quantity_or("depth", kLength, supply.depth,
+                            fmt::format("{}: a depth of 1 mm is assumed", name), kPositive);
+  }
   const auto pressure = section.maybe_gauge_pressure("pressure");
   if (!pressure) section.fail_missing("pressure", "\"2 bar\" (gauge) or pressure_absolute");
   supply.pressure = *pressure;
-  supply.carry_over = section.quantity_or(
-      "carry_over", kNumber, supply.carry_over,
-      fmt::format("{}: all film oil that enters it is taken to be mixed in again "
-                  "(carry_over = 1)",
-                  name),
-      kUpToOne);
+  if (!drilling) {
+    supply.carry_over = section.quantity_or(
+        "carry_over", kNumber, supply.carry_over,
+        fmt::format("{}: all film oil that enters it is taken to be mixed in again "
+                    "(carry_over = 1)",
+                    name),
+        kUpToOne);
+  }
   if (!section.has("temperature") && !oil_temperature) {
     section.fail_missing("temperature", "\"80 degC\"");
   }

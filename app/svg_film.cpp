@@ -152,6 +152,7 @@ FieldMap film_map(const Case& c, const Result& result, FilmField which, const Co
                {},
                marks_of(result, which)};
   for (const auto& supply : c.supplies) {
+    if (supply.kind == bearing::SupplyKind::drilling) continue;  // it is everywhere in turn
     const auto raw = supply_outline(supply, c.bearing.radius);
     for (int turn = -2; turn <= 2; ++turn) {
       std::vector<Point> moved = raw;

@@ -25,7 +25,8 @@ std::vector<fluid::SupplyPatch> patches_of(const Case& c) {
     p.length = s.length;
     p.pressure = s.pressure;
     p.depth = s.depth;
-    if (s.kind == SupplyKind::hole) {
+    p.moving = s.kind == SupplyKind::drilling;
+    if (s.kind == SupplyKind::hole || p.moving) {
       p.round = true;
       p.arc = s.diameter / c.bearing.radius;
       p.length = s.diameter;

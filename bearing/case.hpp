@@ -45,7 +45,8 @@ struct Bearing {
   std::optional<Profile> wear{};             ///< what running-in has taken away so far
 };
 
-enum class SupplyKind { hole, axial_groove, circumferential_groove };
+/// A drilling is a hole of the journal and turns with it; it belongs to load cycles.
+enum class SupplyKind { hole, axial_groove, circumferential_groove, drilling };
 
 /// One supply feature: the part of the surface on which the pressure is given.
 /// Oil behind a supply whose line is shut at times: it then lives on what the vessel holds.
@@ -59,11 +60,11 @@ struct Vessel {
 
 struct Supply {
   SupplyKind kind = SupplyKind::hole;
-  double angle = 0.0;            ///< circumferential position of its middle [rad]
+  double angle = 0.0;            ///< of its middle, of a drilling as the cycle begins [rad]
   double z = 0.0;                ///< axial position of its middle [m]
   double arc = 0.0;              ///< circumferential extent [rad]; 0: a line; 2 pi: all round
   double length = 0.0;           ///< axial extent [m]
-  double diameter = 0.0;         ///< hole only [m]; arc and length then enclose the circle
+  double diameter = 0.0;         ///< hole and drilling [m]; arc and length then enclose the circle
   double depth = 1.0e-3;         ///< added to the gap inside [m]
   double pressure = 0.0;         ///< gauge [Pa]
   double temperature = 0.0;      ///< [K]

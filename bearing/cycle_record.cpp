@@ -368,6 +368,7 @@ void CycleRecord::write(CycleResult& r) const {
         "for {:.3g} % of the time a vessel stands at the cavitation pressure: no oil flows from it",
         100.0 * dry_ / told()));
   }
+  for (std::string& w : film_->drillings().told(m.scene)) r.warnings.push_back(std::move(w));
   tell_ranges(r);
   if (film_->heat() && !heat_.to_shell.empty()) write_heat(r);
 }

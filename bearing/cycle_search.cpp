@@ -33,6 +33,12 @@ StepOptions step_options(const Case& c, const LoadCourse& course, double length)
   o.error = kOfTolerance * c.model.tolerance;
   o.longest = longer * length / kFewestSteps;
   o.shortest = kShortest * length;
+  for (const Supply& s : c.supplies) {
+    constexpr double kOfMouth = 0.5;  // of its width: no place that it passes over is left out
+    const double speed = course.largest_speed() * c.bearing.radius;
+    if (s.kind != SupplyKind::drilling || !(speed > 0.0)) continue;
+    o.longest = std::min(o.longest, kOfMouth * s.diameter / speed);
+  }
   o.after_jump = longer * kAfterJump * length;
   if (course.largest_speed() > 0.0) {
     o.after_jump = std::min(o.after_jump, longer * kDegrees / course.largest_speed());

@@ -122,6 +122,11 @@ Field flow_work(const BearingModel& model, const FilmEquilibrium& s) {
     const double p = scene.supply.patches[l.patch].pressure;
     if (film(k)) work[k] += l.west.m * (s.film.p[k] - p) * per_mass;
   }
+  for (std::size_t k = 0; k < s.flow.fed.size(); ++k) {
+    const fluid::Mouth& m = scene.supply.mouths[k];
+    const double p = scene.supply.patches[m.patch].pressure;
+    work[m.cell] += s.flow.fed[k] * (p - s.film.p[m.cell]) * per_mass;
+  }
   return work;
 }
 
@@ -266,6 +271,10 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const 
     }
   }
   NodeFlows(model, s).fill(p);
+  for (std::size_t k = 0; k < s.flow.fed.size(); ++k) {
+    const fluid::Mouth& m = scene.supply.mouths[k];
+    p.fed.push_back({m.cell, m.patch, s.flow.fed[k]});
+  }
   fill_heat(model, s, friction, p);
   p.storage = std::move(storage);
   return p;

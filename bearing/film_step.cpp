@@ -64,7 +64,12 @@ struct FilmSteps::Stage {
 
 FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
                      const EquilibriumOptions& options)
-    : model_(model), course_(course), mass_(mass), options_(options), vessels_(model) {
+    : model_(model),
+      course_(course),
+      mass_(mass),
+      options_(options),
+      drillings_(model, course),
+      vessels_(model) {
   target_ = load_target(model.input);
   target_.unit = course.largest_load();
 }
@@ -82,6 +87,15 @@ FilmInTime FilmSteps::at_rest(double T) {
   return now;
 }
 
+void FilmSteps::open_mouths(double t, FilmEquilibrium& film) {
+  if (!drillings_.any()) return;
+  [[maybe_unused]] const bool open =
+      evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, film);
+  EXPECTS(open);
+  drillings_.take(model_, film);
+  drillings_.place(t, model_.scene);
+}
+
 std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
                                             const std::atomic<bool>* stop) {
   const LoadNow load = course_.at(0.0);
@@ -96,6 +110,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   FilmInTime now;
   now.vessels = vessels_.begin(model_.scene);
   now.film = cold_start(model_, T);
+  open_mouths(0.0, now.film);
   const Verdict v = at_rest ? come_to_rest(model_, target, options_, now.film, cost, stop)
                             : newton_or_through_time(model_, target, {}, EquilibriumOptions{},
                                                      now.film, cost, stop);
@@ -139,6 +154,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
     carry_on(now.trend, by.c[i] * dt, film);
   }
   if (heat_) expect_temperatures(i, dt, stages, now, film);
+  if (drillings_.any()) drillings_.place(now.t + by.c[i] * dt, model_.scene);
   Verdict verdict = solve_film(own, vessels, film, cost, stop);
   if (!verdict.good()) return verdict;
   const FilmGrid& g = model_.scene.grid;
@@ -261,6 +277,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
   FilmStep step;
   vessels_begun_ = now.vessels;
+  if (drillings_.any()) drillings_.take(model_, now.film);
   step.line = vessels_.set_lines(now.t + 0.5 * dt, vessels_begun_);
   std::vector<Stage> stages(by.stages);
   FilmEquilibrium film = now.film;

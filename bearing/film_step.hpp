@@ -15,6 +15,7 @@
 /// second order and stiffly accurate. Where film temperatures are solved, heat takes its stage
 /// behind the film's (heat_in_time.hpp). Source: textbook (Hosea and Shampine's form of TR-BDF2;
 /// Alexander's SDIRK2); methods 4.
+#include "bearing/drillings.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/heat_in_time.hpp"
 #include "bearing/load_cycle.hpp"
@@ -86,6 +87,7 @@ class FilmSteps {
   /// Of the journal [kg].
   [[nodiscard]] double mass() const { return mass_; }
   [[nodiscard]] const Vessels& vessels() const { return vessels_; }
+  [[nodiscard]] const Drillings& drillings() const { return drillings_; }
   /// Vessels and supplies, which a step moves: to put them back if it is not to count.
   struct Supplies {
     Vessels vessels;
@@ -118,6 +120,8 @@ class FilmSteps {
   [[nodiscard]] Verdict solve_film(double own, const std::vector<double>& vessels_star,
                                    FilmEquilibrium& film, EquilibriumCost& cost,
                                    const std::atomic<bool>* stop);
+  /// Mouths of drillings as they stand at time t [s], by this film.
+  void open_mouths(double t, FilmEquilibrium& film);
   /// The film carried on along its trend for `ahead` [s].
   void carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& film) const;
   [[nodiscard]] double error_of(const FilmInTime& now, const FilmEquilibrium& end,
@@ -134,6 +138,7 @@ class FilmSteps {
   EquilibriumOptions options_;
   LoadTarget target_;
   std::optional<HeatSteps> heat_;
+  Drillings drillings_;
   Vessels vessels_;
   std::vector<double> vessels_begun_;  ///< E at the beginning of the step [kg]
   Field none_;

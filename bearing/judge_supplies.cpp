@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_parts.hpp"
 #include "bearing/shown.hpp"
 #include "bearing/value_check.hpp"
@@ -14,7 +15,7 @@ constexpr double kRoundOff = 1e-9;  ///< relative slack when lengths are compare
 
 /// A supply by the rectangle that encloses it.
 Supply enclosed(Supply s, double radius) {
-  if (s.kind == SupplyKind::hole) {
+  if (s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling) {
     s.arc = s.diameter / radius;
     s.length = s.diameter;
   }
@@ -24,6 +25,7 @@ Supply enclosed(Supply s, double radius) {
 std::string key_of_length(const Supply& s, const std::string& path) {
   switch (s.kind) {
     case SupplyKind::hole:
+    case SupplyKind::drilling:
       return path + ".diameter";
     case SupplyKind::axial_groove:
       return path + ".length";
@@ -49,7 +51,7 @@ void judge_axial(const Supply& s, const Bearing& b, const std::string& path, Fin
   } else if (line || reach < half * (1.0 - kRoundOff)) {
     return;
   } else if (s.length >= b.width * (1.0 - kRoundOff)) {
-    const bool hole = s.kind == SupplyKind::hole;
+    const bool hole = s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
     to.refuse(key,
               fmt::format(
                   "the {} is as wide as the bearing and so open to the sides, where ambient "
@@ -67,7 +69,7 @@ void judge_axial(const Supply& s, const Bearing& b, const std::string& path, Fin
 /// Refuses a supply that reaches round more than the bearing.
 void judge_round(const Supply& s, const std::string& path, Findings& to) {
   if (s.arc < 2.0 * kPi || s.kind == SupplyKind::circumferential_groove) return;
-  if (s.kind == SupplyKind::hole) {
+  if (s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling) {
     to.refuse(path + ".diameter", "the hole is larger than the bearing's circumference");
   } else {
     to.refuse(path + ".arc",
@@ -122,7 +124,31 @@ void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findi
   }
 }
 
+/// A drilling comes back to where it began, and needs a cycle to turn in.
+void judge_drilling(const Supply& s, const Case& c, const std::string& path, Findings& to) {
+  if (s.kind != SupplyKind::drilling) return;
+  if (!c.cycle) {
+    to.refuse(path + ".kind",
+              "a drilling turns with the journal and belongs to a load cycle: a steady film has "
+              "none",
+              "give [load_cycle], or write \"hole\" for one in the shell");
+    return;
+  }
+  if (!c.cycle->repeats()) return;
+  constexpr double kRound = 1e-3;  // of a turn: a third of a degree, less than tables resolve
+  const double turns =
+      cycle_numbers(*c.cycle, c.operation.omega).mean_speed * c.cycle->period / (2.0 * kPi);
+  if (std::abs(turns - std::round(turns)) <= kRound) return;
+  to.refuse(path + ".kind",
+            fmt::format("the journal turns {:.6g} times in a period of {:.6g} s, so that the "
+                        "drilling does not stand at its end where it began",
+                        turns, c.cycle->period),
+            "give a period of whole turns (load_cycle.period, operation.speed), or a supply in the "
+            "shell");
+}
+
 bool overlap(const Supply& a, const Supply& b) {
+  if ((a.kind == SupplyKind::drilling) != (b.kind == SupplyKind::drilling)) return false;
   const double apart = std::abs(std::remainder(a.angle - b.angle, 2.0 * kPi));
   const bool round = apart < 0.5 * (a.arc + b.arc) * (1.0 - kRoundOff);
   const bool along = std::abs(a.z - b.z) < 0.5 * (a.length + b.length) * (1.0 - kRoundOff);
@@ -147,7 +173,8 @@ void judge_pairs(const std::vector<Supply>& list, Findings& to) {
 void judge_cover(const std::vector<Supply>& list, double width, Findings& to) {
   double covered = 0.0;
   for (const Supply& s : list) {
-    const double circle = s.kind == SupplyKind::hole ? kPi / 4.0 : 1.0;
+    const bool round = s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
+    const double circle = round ? kPi / 4.0 : 1.0;
     covered += circle * s.arc * s.length / (2.0 * kPi * width);
   }
   const std::string share =
@@ -179,6 +206,7 @@ void judge_supplies(const Case& c, Findings& to) {
     judge_axial(list[k], c.bearing, path, to);
     judge_pressure(list[k], p_cav, path, to);
     judge_vessel(list[k], c, path, to);
+    judge_drilling(list[k], c, path, to);
   }
   judge_pairs(list, to);
   judge_cover(list, c.bearing.width, to);

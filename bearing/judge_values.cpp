@@ -48,6 +48,7 @@ void judge_supply(const Supply& s, const ValueCheck& supply) {
   supply.number("z", s.z, "mm");
   switch (s.kind) {
     case SupplyKind::hole:
+    case SupplyKind::drilling:
       supply.number("diameter", s.diameter, "mm", kPositive);
       break;
     case SupplyKind::axial_groove:

@@ -84,6 +84,24 @@ LoadNow LoadCourse::at(double t, bool before_jump) const {
           between(cycle_.omega[k - 1], cycle_.omega[k], part)};
 }
 
+double LoadCourse::turned_within(double t) const {
+  const auto& T = cycle_.t;
+  const auto& w = cycle_.omega;
+  if (splines_) return gsl_spline_eval_integ(splines_->omega.get(), T.front(), t, nullptr);
+  double sum = 0.0;
+  for (std::size_t k = 1; k < T.size() && T[k - 1] < t; ++k) {
+    const double line = T[k] - T[k - 1];
+    const double part = std::min((t - T[k - 1]) / line, 1.0);
+    sum += part * line * 0.5 * (w[k - 1] + between(w[k - 1], w[k], part));
+  }
+  return sum;
+}
+
+double LoadCourse::turned(double t) const {
+  const double held = cycle_.repeats() ? 0.0 : std::max(t - length_, 0.0) * cycle_.omega.back();
+  return turned_within(within_period(t)) - turned_within(within_period(0.0)) + held;
+}
+
 /// Every row is a corner of straight lines; rows at one time are a jump.
 void LoadCourse::find_corners() {
   const auto& T = cycle_.t;

@@ -54,6 +54,9 @@ class LoadCourse {
 
   /// At time t >= 0 [s]; at a jump what holds after it, or before it.
   [[nodiscard]] LoadNow at(double t, bool before_jump = false) const;
+  /// By how much the journal has turned against the shell since the beginning, up to whole turns of
+  /// the periods passed: the integral of the speed [rad].
+  [[nodiscard]] double turned(double t) const;
   [[nodiscard]] bool repeats() const { return cycle_.repeats(); }
   /// Largest magnitude of the load in the rows [N] and of the speed [rad/s].
   [[nodiscard]] double largest_load() const { return largest_load_; }
@@ -66,6 +69,8 @@ class LoadCourse {
  private:
   struct Splines;
   [[nodiscard]] double within_period(double t) const;
+  /// Integral of the speed from the first row to time t within the rows [rad].
+  [[nodiscard]] double turned_within(double t) const;
   void find_corners();
   void find_rests(double slow);
 

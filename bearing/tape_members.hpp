@@ -61,9 +61,14 @@ inline void members(Tape& tape, fluid::LineFace& x) {
   tape(face, patch, west);
 }
 
+inline void members(Tape& tape, fluid::Mouth& x) {
+  auto& [cell, patch, conductance] = x;
+  tape(cell, patch, conductance);
+}
+
 inline void members(Tape& tape, fluid::FilmFlow& x) {
-  auto& [phi, z, lines, stored, by_theta, by_p, by_gap] = x;
-  tape(phi, z, lines, stored, by_theta, by_p, by_gap);
+  auto& [phi, z, lines, fed, stored, by_theta, by_p, by_gap] = x;
+  tape(phi, z, lines, fed, stored, by_theta, by_p, by_gap);
 }
 
 inline void members(Tape& tape, fluid::OilFlows& x) {

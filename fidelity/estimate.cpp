@@ -20,7 +20,7 @@ using namespace bearing;
 /// Number and widths [m] of the parts of the surface that carry: two beside a groove all round.
 std::pair<int, double> lands_of(const Case& c) {
   for (const Supply& s : c.supplies) {
-    const bool all_round = s.kind != SupplyKind::hole && s.arc >= 1.999 * kPi;
+    const bool all_round = s.kind == SupplyKind::circumferential_groove && s.arc >= 1.999 * kPi;
     if (all_round && s.length < c.bearing.width) return {2, 0.5 * (c.bearing.width - s.length)};
   }
   return {1, c.bearing.width};

@@ -5,8 +5,10 @@ namespace shellback::fluid {
 std::vector<int> empty_rings(const FilmScene& scene, const FilmState& s) {
   const FilmGrid& g = scene.grid;
   std::vector<int> rings;
+  std::vector<char> mouth(g.nz, 0);
+  for (const Mouth& m : scene.supply.mouths) mouth[m.cell % g.nz] = 1;
   for (int j = 0; j < g.nz; ++j) {
-    bool fed = false;
+    bool fed = mouth[j] != 0;
     for (int i = 0; i < g.nt; ++i) {
       const int k = g.index(i, j);
       fed = fed || s.full[k] || scene.supply.cell[k] >= 0 || scene.supply.line[k] >= 0;

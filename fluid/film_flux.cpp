@@ -300,6 +300,10 @@ void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& profile,
   circumferential_faces(e, flow);
   axial_faces(e, flow);
   storage(e, flow);
+  flow.fed.clear();
+  for (const Mouth& m : scene.supply.mouths) {
+    flow.fed.push_back(m.conductance * (scene.supply.patches[m.patch].pressure - state.p[m.cell]));
+  }
 }
 
 Field net_outflow(const FilmScene& scene, const FilmFlow& flow) {
@@ -317,6 +321,7 @@ Field net_outflow(const FilmScene& scene, const FilmFlow& flow) {
     const int west = g.index(g.previous(i), l.face % g.nz);
     r[west] += l.west.m - flow.phi[l.face].m;
   }
+  for (std::size_t k = 0; k < flow.fed.size(); ++k) r[scene.supply.mouths[k].cell] -= flow.fed[k];
   return r;
 }
 

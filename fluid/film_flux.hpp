@@ -97,6 +97,7 @@ struct FilmFlow {
   std::vector<FaceFlow> phi;  ///< west faces, index i * nz + j
   std::vector<FaceFlow> z;    ///< axial faces, index i * (nz + 1) + j
   std::vector<LineFace> lines;
+  Field fed;              ///< into the cells of scene.supply.mouths, in their order [kg/s]
   Field stored;           ///< d(oil in the cell)/dt, zero in supply cells; empty: steady [kg/s]
   Field stored_by_theta;  ///< its derivatives: by theta of the cell [kg/s],
   Field stored_by_p;      ///< by its pressure [kg/(s Pa)],
@@ -120,8 +121,8 @@ struct OilStore {
 void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& profile,
                    const FilmCoefficients& oil, const FilmState& state, FilmFlow& flow);
 
-/// Net mass flow out of every cell [kg/s]: in the film at a solution minus what is stored (zero in
-/// the steady film); at supply cells the flow fed in.
+/// Net mass flow out of every cell, less what a drilling feeds into it [kg/s]: in the film at a
+/// solution minus what is stored (zero in the steady film); at supply cells the flow fed in.
 [[nodiscard]] Field net_outflow(const FilmScene& scene, const FilmFlow& flow);
 
 }  // namespace shellback::fluid

@@ -80,6 +80,7 @@ void assemble_film(const FilmScene& scene, const FilmFlow& flow, const UnknownMa
   for (std::size_t k = 0; k < flow.stored_by_theta.size(); ++k) {
     a.c[k] += flow.stored_by_theta[k] * u.a_theta[k] + flow.stored_by_p[k] * u.a_p[k];
   }
+  for (const Mouth& m : scene.supply.mouths) a.c[m.cell] += m.conductance * u.a_p[m.cell];
   fix_supply_rows(scene, a);
 }
 

@@ -142,6 +142,9 @@ OilFlows oil_flows(const FilmScene& s, const FilmFlow& flow) {
   for (const LineFace& l : flow.lines) {
     out.patch[l.patch] += twice * (flow.phi[l.face].m - l.west.m);
   }
+  for (std::size_t k = 0; k < flow.fed.size(); ++k) {
+    out.patch[s.supply.mouths[k].patch] += twice * flow.fed[k];
+  }
   for (const double q : out.patch) out.supply += q;
   for (const double m : flow.stored) out.stored += twice * m;
   for (int i = 0; i < g.nt; ++i) {

@@ -115,6 +115,7 @@ class Reaches {
 std::vector<double> phi_edges(const std::vector<SupplyPatch>& patches) {
   std::vector<double> edges;
   for (const auto& s : patches) {
+    if (s.moving) continue;
     if (s.arc >= 2.0 * kPi * (1.0 - kRoundOff)) continue;
     edges.push_back(s.phi - 0.5 * s.arc);
     if (s.arc > 0.0) edges.push_back(s.phi + 0.5 * s.arc);
@@ -125,6 +126,7 @@ std::vector<double> phi_edges(const std::vector<SupplyPatch>& patches) {
 std::vector<double> z_edges(const std::vector<SupplyPatch>& patches) {
   std::vector<double> edges;
   for (const auto& s : patches) {
+    if (s.moving) continue;
     edges.push_back(s.z - 0.5 * s.length);
     edges.push_back(s.z + 0.5 * s.length);
   }
@@ -138,6 +140,7 @@ SupplyMap map_supplies(const FilmGrid& g, const std::vector<SupplyPatch>& patche
   map.line.assign(g.cells(), -1);
   for (int k = 0; k < static_cast<int>(patches.size()); ++k) {
     const SupplyPatch& s = patches[k];
+    if (s.moving) continue;
     if (s.arc == 0.0) {
       mark_line(g, s, k, map);
       continue;

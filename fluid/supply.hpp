@@ -5,6 +5,15 @@
 /// a line on the face between two cells. Make the grid with the patches' edges, so that their
 /// extents are met exactly; a hole is the set of cells whose positions lie inside its circle
 /// (at least one cell).
+///
+/// A drilling of the journal turns with it: its mouth is no set of cells. Oil enters cell c through
+///   m = G (p_mouth - p)                                                       [kg/s]  (1)
+/// where G is large for cells whose unknown lies inside the mouth, and otherwise what makes the
+/// links to such cells, of length d, as if p_mouth stood where the mouth's edge cuts them, at the
+/// distance r from the unknown:
+///   G = sum of K L (1/r - 1/d)                                             [kg/(s Pa)] (2)
+/// K the conductance of a square of film, L the width of the link. As the mouth moves, r and with
+/// it the flow change without jumps. Valid while the mouth is wider than a cell's diagonal.
 #include <vector>
 
 #include "core/grid.hpp"
@@ -23,6 +32,14 @@ struct SupplyPatch {
   /// Fill ratio of the oil that the journal drags out of it; below 1 only in a vessel that has come
   /// down to the cavitation pressure [-]
   double fill = 1.0;
+  bool moving = false;  ///< the mouth of a drilling: phi changes, and it takes no cell
+};
+
+/// Where oil of a moving patch enters a cell, (1).
+struct Mouth {
+  int cell = 0;
+  int patch = 0;
+  double conductance = 0.0;  ///< G [kg/(s Pa)]
 };
 
 struct SupplyMap {
@@ -30,6 +47,7 @@ struct SupplyMap {
   std::vector<int> cell;  ///< per cell: patch it lies in, -1 for film
   std::vector<int> line;  ///< per west face of a cell: patch of the line on it, -1 for none
   bool has_lines = false;
+  std::vector<Mouth> mouths;  ///< of moving patches as they stand; one a cell at most
   /// Distance from the unknown of a film cell to the edge of the patch in the cell beside it, along
   /// the link between the two [m]; per west face of a cell, and per axial face, i (nz + 1) + j.
   /// Half the film cell where a face is the edge; the circle itself where a round hole's edge cuts
@@ -41,7 +59,14 @@ struct SupplyMap {
 [[nodiscard]] std::vector<double> phi_edges(const std::vector<SupplyPatch>& patches);
 [[nodiscard]] std::vector<double> z_edges(const std::vector<SupplyPatch>& patches);
 
-/// Marks cells and faces. Throws InputError if two patches overlap.
+/// Marks cells and faces of patches that do not move. Throws InputError if two patches overlap.
 [[nodiscard]] SupplyMap map_supplies(const FilmGrid& grid, const std::vector<SupplyPatch>& patches);
+
+/// Largest diagonal of a cell [m]: mouths of a smaller diameter are taken as wide as that.
+[[nodiscard]] double cell_diagonal(const FilmGrid& grid);
+
+/// The mouths of moving patches where they stand now, by (2). `conductance`: K per cell,
+/// rho h^3 phi g [kg/(s Pa)].
+void place_mouths(const FilmGrid& grid, const Field& conductance, SupplyMap& supply);
 
 }  // namespace shellback::fluid

@@ -82,6 +82,14 @@ EnergyBalance FilmEnergy::balance(const std::vector<double>& T) const {
       }
     }
   }
+  b.heat -= fed_heat_;
+  b.carried_in += fed_heat_;
+  for (const FedOil& f : p_.fed) {
+    for (int k = 0; k < n_ && f.flow < 0.0; ++k) {
+      const std::size_t at = static_cast<std::size_t>(f.cell) * n_ + k;
+      b.carried_out -= p_.gl->w[k] * f.flow * p_.cp[at] * (T[at] - p_.T_reference);
+    }
+  }
   const auto flows = vessel_flows(T);
   for (std::size_t v = 0; v < flows.size(); ++v) {
     const SupplyVessel& s = p_.vessels[v];

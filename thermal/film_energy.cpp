@@ -95,6 +95,7 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   cross_.assign(nodes, 0.0);
   outflow_.assign(nodes, 0.0);
   take_storage();
+  take_fed_oil();
   blend_.assign(g.cells(), 0.0);
   const auto cells = static_cast<std::size_t>(g.cells());
   const auto inner = static_cast<std::size_t>(n_ - 2);
@@ -122,6 +123,22 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
       const bool at_shore = std::any_of(
           faces, faces + count, [](const Inflow& f) { return f.source < 0 && f.source != kEdge; });
       if (at_shore) shore_.push_back(g.index(i, j));
+    }
+  }
+}
+
+void FilmEnergy::take_fed_oil() {
+  if (p_.fed.empty()) return;
+  fed_.assign(p_.grid->cells(), 0.0);
+  for (const FedOil& f : p_.fed) {
+    EXPECTS(p_.patch[f.cell] < 0);
+    fed_[f.cell] += f.flow;
+    if (!(f.flow > 0.0)) continue;
+    const SupplyVessel& v = p_.vessels[f.vessel];
+    const double heat = f.flow * v.cp_supply * (v.T_supply - p_.T_reference);
+    fed_heat_ += heat;
+    for (int k = 0; k < n_; ++k) {
+      p_.heat[static_cast<std::size_t>(f.cell) * n_ + k] += p_.gl->w[k] * heat;
     }
   }
 }
@@ -198,6 +215,11 @@ void FilmEnergy::build_column(int i, int j) {
       if (in < 0.0) out[k] -= gl.w[k] * in;
       if (in > 0.0) inflow[k] = gl.w[k] * in;
     }
+  }
+  const double fed = fed_.empty() ? 0.0 : fed_[cell];
+  for (int k = 0; k < n; ++k) {
+    divergence[k] -= fed;
+    if (fed < 0.0) out[k] -= gl.w[k] * fed;
   }
   const double direction = p_.forward ? 1.0 : -1.0;
   for (int k = 0; k < n; ++k) backflow_ += faces[0].flow[k] * direction < 0.0;

@@ -48,6 +48,14 @@ struct LineFlow {
   std::vector<double> flow;  ///< n: mass flow into the line per unit s [kg/s]
 };
 
+/// Oil that enters a cell through its surface, spread evenly in s, at its vessel's temperature of
+/// supply; what leaves that way is as warm as the film and does not come back.
+struct FedOil {
+  int cell = 0;
+  int vessel = 0;
+  double flow = 0.0;  ///< positive into the film [kg/s]
+};
+
 struct SupplyVessel {
   double T_supply = 0.0;    ///< [K]
   double cp_supply = 0.0;   ///< mean heat capacity between the reference and T_supply [J/(kg K)]
@@ -91,6 +99,7 @@ struct FilmEnergyProblem {
   std::vector<double> heat;         ///< per node, weights included [W]
   std::vector<double> cp;           ///< mean heat capacity from T_reference on, per node [J/(kg K)]
   std::vector<SupplyVessel> vessels;
+  std::vector<FedOil> fed;
   double T_reference = 0.0;            ///< enthalpies count from here [K]
   double T_edge = 0.0;                 ///< of oil that enters at a side edge [K]
   double cp_edge = 0.0;                ///< its mean heat capacity from the reference on [J/(kg K)]
@@ -166,6 +175,8 @@ class FilmEnergy {
   /// The (up to four) faces of a cell as inflows.
   int faces_of(int i, int j, Inflow* faces) const;
   [[nodiscard]] double source_enthalpy(const Inflow& f, int k, const std::vector<double>& T) const;
+  /// Puts the enthalpy of oil that is fed into the cells to their heat.
+  void take_fed_oil();
   /// What (4) brings from before the step, and how fast cells gain oil.
   void take_storage();
   void build_column(int i, int j);
@@ -218,6 +229,8 @@ class FilmEnergy {
   std::vector<const LineFlow*> line_west_;       ///< per face: the flow into its line
   double shell_local_ = 0.0;                     ///< largest of all columns [W/(m2 K)]
   std::vector<double> shell_ring_, shaft_ring_;  ///< mean over the columns at each z [W/(m2 K)]
+  Field fed_;                                    ///< per cell [kg/s]; empty: none
+  double fed_heat_ = 0.0;                        ///< of what enters that way [W]
   long backflow_ = 0;
   long blended_ = 0;
 };

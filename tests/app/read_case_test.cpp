@@ -103,6 +103,13 @@ TEST_CASE("AHoleIsEnclosedByItsArcAndLength") {
   CHECK(s.arc * 0.025 == near(0.005));
 }
 
+TEST_CASE("ADrillingTurnsAndSoNeedsALoadCycle") {
+  const std::string drilling = "kind = \"drilling\"\nangle = \"90 deg\"\ndiameter = \"5 mm\"";
+  check_refused(kHole, drilling, {"case.toml:9:8", "belongs to a load cycle", "\"hole\""});
+  check_refused(kHole, drilling + "\ndepth = \"1 mm\"", {"case.toml:12:1", "depth", "drilling"});
+  check_refused(kHole, drilling + "\ncarry_over = 0.5", {"case.toml:12:1", "carry_over"});
+}
+
 TEST_CASE("GroovesHaveArcOrWidth") {
   const std::string axial = "kind = \"axial_groove\"\nangle = \"-90 deg\"\nlength = \"15 mm\"\n";
   const auto by_arc = read_sample(kHole, axial + "arc = \"18 deg\"").supplies.at(0);

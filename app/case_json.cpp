@@ -177,14 +177,17 @@ Json oil(const Case& c) {
 }
 
 Json material(const solid::Material& m) {
-  return {{"name", m.name},
-          {"conductivity", si(m.conductivity, "W/(m K)")},
-          {"density", si(m.density, "kg/m3")},
-          {"heat_capacity", si(m.heat_capacity, "J/(kg K)")},
-          {"youngs_modulus", si(m.youngs_modulus, "Pa")},
-          {"poisson_ratio", plain(m.poisson_ratio)},
-          {"expansion", si(m.expansion, "1/K")},
-          {"hardness", m.hardness > 0.0 ? si(m.hardness, "Pa") : Json(nullptr)}};
+  Json json{{"name", m.name},
+            {"conductivity", si(m.conductivity, "W/(m K)")},
+            {"density", si(m.density, "kg/m3")},
+            {"heat_capacity", si(m.heat_capacity, "J/(kg K)")},
+            {"youngs_modulus", si(m.youngs_modulus, "Pa")},
+            {"poisson_ratio", plain(m.poisson_ratio)},
+            {"expansion", si(m.expansion, "1/K")},
+            {"hardness", m.hardness > 0.0 ? si(m.hardness, "Pa") : Json(nullptr)}};
+  if (m.progression > 0.0) json["progression_rate"] = plain(m.progression);
+  if (m.damping_ratio > 0.0) json["damping_ratio"] = si(m.damping_ratio, "s");
+  return json;
 }
 
 Json shell(const Shell& s) {
@@ -192,6 +195,7 @@ Json shell(const Shell& s) {
   for (const ShellLayer& layer : s.layers) {
     json["layers"].push_back(
         {{"material", material(layer.material)}, {"thickness", si(layer.thickness, "m")}});
+    if (layer.elasto_plastic) json["layers"].back()["elasto_plastic"] = true;
   }
   if (s.housing) {
     const char* const supports[] = {"held", "free", "clamped"};

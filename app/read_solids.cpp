@@ -12,7 +12,8 @@ using namespace bearing;
 
 solid::Material read_properties(const Section& section, const std::string& name) {
   section.only({"name", "title", "source", "note", "assumed", "conductivity", "density",
-                "heat_capacity", "youngs_modulus", "poisson_ratio", "expansion", "hardness"},
+                "heat_capacity", "youngs_modulus", "poisson_ratio", "expansion", "hardness",
+                "progression_rate", "damping_ratio"},
                "a material");
   for (const char* label : {"title", "source", "note"}) {  // words for the reader of the file
     if (section.has(label)) static_cast<void>(section.text(label));
@@ -26,6 +27,8 @@ solid::Material read_properties(const Section& section, const std::string& name)
   material.poisson_ratio = section.quantity("poisson_ratio", kNumber, kValueRanges.poisson_ratio);
   material.expansion = section.quantity("expansion", kPerKelvin, kNotNegative);
   material.hardness = section.quantity_or("hardness", kPressure, 0.0, "", kPositive);
+  material.progression = section.quantity_or("progression_rate", kNumber, 0.0, "", kNotNegative);
+  material.damping_ratio = section.quantity_or("damping_ratio", kTime, 0.0, "", kPositive);
   for (const std::string& statement : section.texts("assumed")) {
     const std::string sentence = fmt::format("material {}: {}", material.name, statement);
     auto& known = section.reader().assumptions;
@@ -94,9 +97,10 @@ std::optional<Shell> read_shell(const Section& file) {
   section->only({"layers", "housing", "back", "end_heat_transfer"}, "[shell]");
   Shell shell;
   for (const Section& layer : section->sections("layers")) {
-    layer.only({"material", "thickness"}, "a layer of the shell");
-    shell.layers.push_back(
-        {read_material(layer, "material"), layer.quantity("thickness", kLength, kPositive)});
+    layer.only({"material", "thickness", "elasto_plastic"}, "a layer of the shell");
+    shell.layers.push_back({read_material(layer, "material"),
+                            layer.quantity("thickness", kLength, kPositive),
+                            layer.maybe_switch("elasto_plastic").value_or(false)});
   }
   if (const auto housing = section->maybe_section("housing")) {
     shell.housing = read_housing(*housing);

@@ -77,6 +77,7 @@ void write_fields(hid_t file, const CycleResult& cycle, const std::string& state
   cells("p_asperity_max", f.p_asperity_max, "Pa", "largest contact pressure over the cycle");
   cells("h_min", f.h_min, "m", "smallest gap over the cycle");
   cells("friction_power", f.friction_power, "W/m2", "friction power, mean over the cycle");
+  cells("layer_depth", f.layer_depth, "m", "lasting depth of the surface layer at the end");
   cells("T_shell", f.T_shell, "K", "temperature of the bore, mean over the cycle");
   cells("T_shell_max", f.T_shell_max, "K", "temperature of the bore, largest over the cycle");
   cells("heat_to_shell", f.heat_to_shell, "W/m2", "heat into the bore, mean over the cycle");

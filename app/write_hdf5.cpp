@@ -52,6 +52,7 @@ void write_fields(hid_t file, const Result& result) {
   };
   cells("p", f.p, "Pa", "film pressure, gauge");
   cells("p_asperity", f.p_asperity, "Pa", "asperity contact pressure");
+  cells("layer_depth", f.layer_depth, "m", "lasting depth of the surface layer");
   cells("summit_flow", f.summit_flow, "m", "plastic flow of summits at the hardness");
   cells("theta", f.theta, "-", "fill ratio");
   cells("h", f.h, "m", "nominal gap, depth of supply features included");

@@ -123,6 +123,7 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
     contact.hardness = hardness_of_contact(c);
     m.contact.emplace(c.surfaces.shell, c.surfaces.shaft, contact);
   }
+  if (physics.elastic) m.layer = pressed_layer(c, s.grid.cells());
   const SolidEffects wanted{physics.elastic, physics.film_energy, physics.thermal_deformation};
   if (wanted.elastic || wanted.heat) {
     m.solids = solids && solids->serve(c, s.grid, wanted)

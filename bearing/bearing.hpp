@@ -6,6 +6,7 @@
 
 #include "bearing/case.hpp"
 #include "bearing/physics.hpp"
+#include "bearing/pressed_layer.hpp"
 #include "core/gauss_lobatto.hpp"
 #include "fluid/film_flux.hpp"
 #include "fluid/resultants.hpp"
@@ -28,6 +29,7 @@ struct BearingModel {
   std::optional<solid::AsperityContact> contact;
   std::shared_ptr<const Solids> solids;  ///< set if the physics needs them
   fluid::CavitatedShear shear_rule = fluid::CavitatedShear::filled;
+  std::optional<PressedLayer> layer;  ///< none: no elasto-plastic layer, or rigid surfaces
 };
 
 /// As the case says; otherwise graded where surfaces can touch under a load that stands still,

@@ -42,12 +42,13 @@ BorderedFilm::BorderedFilm(const BearingModel& model, const FilmEquilibrium& s, 
   RingMatrix& matrix = workspace().matrix;
   fluid::assemble_film(scene, s.flow, fluid::active_set_unknowns(s.film), matrix);
   if (!s.elastic.empty()) {
-    tau_ = model.solids->winkler();
+    tau_.assign(n, model.solids->winkler());
+    for (std::size_t k = 0; k < s.layer.size(); ++k) tau_[k] += s.layer[k].by_pressure;
     kappa_.resize(n);
     Field soft(n);
     for (int k = 0; k < n; ++k) {
-      kappa_[k] = 1.0 / (1.0 - tau_ * s.dp_contact[k]);
-      soft[k] = free(k) ? kappa_[k] * tau_ : 0.0;
+      kappa_[k] = 1.0 / (1.0 - tau_[k] * s.dp_contact[k]);
+      soft[k] = free(k) ? kappa_[k] * tau_[k] : 0.0;
     }
     fluid::add_gap_compliance(scene, s.flow, soft, matrix);
   }
@@ -65,7 +66,7 @@ BorderedFilm::BorderedFilm(const BearingModel& model, const FilmEquilibrium& s, 
     Field b;
     if (!kappa_.empty()) {
       b.resize(n);
-      for (int k = 0; k < n; ++k) b[k] = tau_ * s.dp_contact[k] * slope[k];
+      for (int k = 0; k < n; ++k) b[k] = tau_[k] * s.dp_contact[k] * slope[k];
     }
     Answer x = held(a, b);
     for (int k = 0; k < n; ++k) {
@@ -97,7 +98,7 @@ BorderedFilm::Answer BorderedFilm::held(const Field& a, const Field& b) const {
   x.contact.resize(n);
   for (int k = 0; k < n; ++k) {
     const double du = free(k) ? x.u[k] : 0.0;
-    x.d[k] += kappa_[k] * tau_ * du;
+    x.d[k] += kappa_[k] * tau_[k] * du;
     x.contact[k] = s_.dp_contact[k] * x.d[k];
     x.P[k] = du + x.contact[k];
   }

@@ -38,6 +38,9 @@ class BorderedFilm {
   BorderedFilm(const BearingModel& model, const FilmEquilibrium& state, int journal,
                RingFactor& factor, EquilibriumCost& cost);
   [[nodiscard]] bool good() const { return good_; }
+  /// Compliance of each cell of the foundation: mean elastic one and that of an elasto-plastic
+  /// layer [m/Pa]; empty: rigid.
+  [[nodiscard]] const Field& foundation() const { return tau_; }
 
   struct Answer {
     Field u;        ///< film unknowns
@@ -60,8 +63,8 @@ class BorderedFilm {
   const BearingModel& model_;
   const FilmEquilibrium& s_;
   int m_;
-  double tau_ = 0.0;  ///< [m/Pa]; 0: rigid
-  Field kappa_;       ///< empty: rigid
+  Field tau_;    ///< [m/Pa]; empty: rigid
+  Field kappa_;  ///< empty: rigid
   RingFactor& factor_;
   std::vector<Answer> response_;  ///< to the movement of one component, per unit
   bool good_ = false;

@@ -80,6 +80,7 @@ struct CycleFields {
   Field p_asperity_max;  ///< largest contact pressure; empty: no contact [Pa]
   Field h_min;           ///< smallest gap [m]
   Field friction_power;  ///< mean over the cycle, per area [W/m2]
+  Field layer_depth;     ///< lasting, of an elasto-plastic layer at the end; empty: none [m]
   // Tiers with film temperatures; otherwise empty.
   Field T_shell;              ///< surface, mean over the cycle [K]
   Field T_shell_max;          ///< surface, largest [K]

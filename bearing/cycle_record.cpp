@@ -167,6 +167,8 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   if (film_->vessels().any_empty(film_->model().scene)) dry_ += dt;
   for (int k = 0; k < 2; ++k) impulse_[k] += step.impulse[k];
   off_balance_ = larger(off_balance_, step.off_balance);
+  layer_loss_ += step.layer_loss;
+  layer_depth_ = lasting_depth(step.after.layer.now);
   if (control.progress) {
     control.progress(
         {"cycle", static_cast<int>(instants_.size()) - 1, told() / length_, i.torque, i.h_min});
@@ -264,6 +266,12 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   out.push_back(named("side_flow", side_ / told() / rho));
   out.push_back(named("supply_flow", supply_ / told() / rho));
   if (film_->vessels().any()) add_extreme("p_vessel_min", &CycleInstant::p_vessel, true);
+  if (!layer_depth_.empty()) {
+    out.push_back(named("layer_depth", largest(layer_depth_)));
+    out.back().at = instants_.back().t;
+    out.push_back(
+        named("layer_loss", film_->model().scene.grid.multiplicity() * layer_loss_ / told()));
+  }
   if (heat_.to_shell.empty()) return out;
   add_extreme("T_film_max", &CycleInstant::T_film_max, false);
   out.push_back(named("T_film_mean", T_film_ / told()));
@@ -294,7 +302,8 @@ CycleAudit CycleRecord::audit() const {
   if (!heat_.to_shell.empty()) {
     const double both = film_->model().scene.grid.multiplicity();
     a.energy = std::abs(heat_.balance.imbalance()) / heat_.balance.heat;
-    a.work = (heat_.work - both * (heat_.balance.heat + heat_.rubbed)) / heat_.work;
+    const double made = heat_.balance.heat + heat_.rubbed + layer_loss_;
+    a.work = (heat_.work - both * made) / heat_.work;
   }
   if (std::abs(told() / length_ - 1.0) > 1e-6) return a;  // stopped before the end
   const auto load = course_->impulse();
@@ -310,10 +319,10 @@ CycleAudit CycleRecord::audit() const {
 void CycleRecord::members(Tape& tape) {
   auto& [film, course, length, instants, frames, next_frame, oil_begun, oil_ended, supply, side,
          line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
-         off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film, T_shell,
-         T_shell_max] = *this;
+         off_balance, layer_loss, layer_depth, p_max, p_asperity_max, h_min, friction, power_now,
+         heat, T_film, T_shell, T_shell_max] = *this;
   tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, impulse, v_begun, v_ended,
-       line, vessels_begun, vessels_ended, dry);
+       line, vessels_begun, vessels_ended, dry, layer_loss, layer_depth);
   tape(pump_now, pump, off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film,
        T_shell, T_shell_max);
 }
@@ -362,6 +371,7 @@ void CycleRecord::write(CycleResult& r) const {
   Field friction = friction_;
   for (double& x : friction) x /= told();
   r.fields.friction_power = mirror_to_full(g, friction);
+  if (!layer_depth_.empty()) r.fields.layer_depth = mirror_to_full(g, layer_depth_);
   r.frames = frames_;
   if (dry_ > 0.0) {
     r.warnings.push_back(fmt::format(

@@ -71,6 +71,8 @@ class CycleRecord {
   std::array<double, 2> v_ended_{};     ///< [m/s]
   double pump_now_ = 0.0, pump_ = 0.0;  ///< at the last instant [W], over the cycle [J]
   double off_balance_ = 0.0;            ///< [N]
+  double layer_loss_ = 0.0;             ///< of an elasto-plastic layer so far, solved part [J]
+  Field layer_depth_;                   ///< lasting, as it stands [m]; empty: none
   Field p_max_, p_asperity_max_, h_min_, friction_;  ///< on the solved grid
   Field power_now_;              ///< friction per area at the last instant [W/m2]
   HeatFlows heat_;               ///< over the cycle [J], [J/m2]; nothing without film temperatures

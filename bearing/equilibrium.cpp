@@ -127,6 +127,7 @@ void evaluate_contact(const BearingModel& model, FilmEquilibrium& s) {
 /// (3) or (3a) of the pressures p and p_a.
 Field displacement(const BearingModel& model, const FilmEquilibrium& s) {
   Field d = model.solids->compliance(sum(s.film.p, s.p_contact));
+  for (std::size_t k = 0; k < s.layer.size(); ++k) d[k] += s.layer[k].now.sum();
   return s.contact_widening ? sum(d, widening(*model.solids, *s.contact_widening, s.p_contact)) : d;
 }
 
@@ -151,6 +152,7 @@ bool evaluate(const BearingModel& model, const Field& thermal_deformation, doubl
                  tolerance, s.columns, s.oil);
   fluid::evaluate_flow(scene, s.gap, model.profile, s.oil, s.film, s.flow);
   evaluate_contact(model, s);
+  if (model.layer && !s.elastic.empty()) s.layer = model.layer->press(s.film.p, s.p_contact);
   s.force = fluid::wrench(scene, sum(s.film.p, s.p_contact));
   return true;
 }

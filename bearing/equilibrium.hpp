@@ -6,7 +6,7 @@
 /// widening of the gap d (elastic bearings). At the end of a step dt in time:
 ///   R(u, q, d) = (M - M_before)/dt + outflow = 0     film, fluid/film_flux.hpp       (1)
 ///   F(p + p_a) + W - m (q - q_free)/dt^2 = 0         load, moment, journal's mass    (2)
-///   d = C (p + p_a(h))                               elasticity                      (3)
+///   d = C (p + p_a(h)) + r(p + p_a)                  elasticity, r: pressed_layer.hpp  (3)
 /// q_free is where the journal would be without any force, q_before + dt v_before. A step without
 /// end is the steady bearing.
 ///
@@ -44,10 +44,11 @@ struct Evaluation {
   Field shear_gap;  ///< [m]
   fluid::FilmCoefficients oil;
   fluid::FilmFlow flow;
-  Field gradient_x, gradient_z;  ///< of p at cells [Pa/m]
-  Field p_contact;               ///< asperity pressure [Pa]
-  Field dp_contact;              ///< its derivative by h, not positive [Pa/m]
-  fluid::Wrench force{};         ///< of film and contact on the journal
+  Field gradient_x, gradient_z;             ///< of p at cells [Pa/m]
+  Field p_contact;                          ///< asperity pressure [Pa]
+  Field dp_contact;                         ///< its derivative by h, not positive [Pa/m]
+  std::vector<solid::PressedColumn> layer;  ///< r of (3); empty: no elasto-plastic layer
+  fluid::Wrench force{};                    ///< of film and contact on the journal
   fluid::SmallestGap least;
 };
 
@@ -131,7 +132,7 @@ struct LoadTarget {
 /// Residuals of an evaluated state, each in units of its tolerance's scale.
 struct Residuals {
   Field film;          ///< R [kg/s]
-  Field displacement;  ///< C (p + p_a) - d [m]; empty: rigid
+  Field displacement;  ///< of (3), right side less left [m]; empty: rigid
   double film_norm = 0.0;
   double load_norm = 0.0;
   double elastic_norm = 0.0;

@@ -40,11 +40,10 @@ LinearFilm::Answer LinearFilm::solve(const Field& a, const Field& r, double tole
     x.P = sum(x.P, r);
     return x;
   }
-  const double tau = model_.solids->winkler();
   const auto answer = [&](const Field& b, bool homogeneous) {
     if (homogeneous) return film_.held({}, b);
     Field pressed = r;  // on the foundation the pressure that is known beforehand is a displacement
-    for (double& x : pressed) x *= tau;
+    for (std::size_t k = 0; k < pressed.size(); ++k) pressed[k] *= film_.foundation()[k];
     Answer x = film_.held(a, sum(b, pressed));
     x.P = sum(x.P, r);
     return x;

@@ -60,6 +60,7 @@ struct FilmSteps::Stage {
   std::array<double, 2> force{};         ///< of the film [N]
   double off_balance = 0.0;              ///< [N]
   HeatStage heat;
+  LayerInTime layer;
 };
 
 FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
@@ -84,6 +85,7 @@ FilmInTime FilmSteps::at_rest(double T) {
       evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, now.film);
   EXPECTS(open);
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
+  if (model_.layer) now.layer.now.assign(model_.scene.grid.cells(), {});
   return now;
 }
 
@@ -107,6 +109,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   if ((at_rest && !model_.contact) || !(target.scale() > 0.0)) return std::nullopt;
   model_.scene.speed = load.omega * model_.input.bearing.radius;
   model_.scene.storage = {};
+  if (model_.layer) model_.layer->hold(model_.scene.grid.cells());
   FilmInTime now;
   now.vessels = vessels_.begin(model_.scene);
   now.film = cold_start(model_, T);
@@ -118,6 +121,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   model_.scene.storage = {};
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
   now.flows = fluid::oil_flows(model_.scene, now.film.flow);
+  for (const solid::PressedColumn& c : now.film.layer) now.layer.now.push_back(c.now);
   return now;
 }
 
@@ -129,12 +133,14 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
   const LoadNow load = course_.at(now.t + by.c[i] * dt, true);
   Field before = now.oil;
   std::vector<double> vessels = vessels_begun_;
+  Columns layer = now.layer.now;
   std::array<double, 2> q{now.film.position.q[0], now.film.position.q[1]};
   std::array<double, 2> v = now.velocity;
   for (int j = 0; j < i; ++j) {
     const double f = by.a[i][j] * dt;
     add(f, stages[j].oil, before);
     add(f, vessels_.slopes(stages[j].flows), vessels);
+    add(f, stages[j].layer.slope, layer);
     for (int k = 0; k < 2; ++k) {
       q[k] += f * stages[j].velocity[k];
       v[k] += f * stages[j].acceleration[k];
@@ -142,6 +148,10 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
   }
   model_.scene.speed = load.omega * model_.input.bearing.radius;
   model_.scene.storage = {own, std::move(before)};
+  if (model_.layer) {
+    model_.layer->own = own;
+    model_.layer->before = std::move(layer);
+  }
   target_.force[0] = -load.x;
   target_.force[1] = -load.y;
   if (mass_ > 0.0) {
@@ -164,6 +174,9 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
     found.oil[c] = supplied ? 0.0 : -found.oil[c] / g.area(c / g.nz, c % g.nz);
   }
   found.flows = fluid::oil_flows(model_.scene, film.flow);
+  if (model_.layer) {
+    found.layer = stage_of(*model_.layer, g, film.film.p, film.p_contact, film.layer);
+  }
   const fluid::Wrench wanted = target_.wanted(film);
   for (int k = 0; k < 2; ++k) {
     found.velocity[k] = (film.position.q[k] - q[k]) / own;
@@ -282,7 +295,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   std::vector<Stage> stages(by.stages);
   FilmEquilibrium film = now.film;
   if (by.explicit_first) {
-    stages[0] = {now.oil_slope, now.velocity, now.acceleration, now.flows, {}, 0.0, {}};
+    stages[0] = {now.oil_slope, now.velocity, now.acceleration, now.flows, {}, 0.0, {}, now.layer};
     stages[0].heat.held_slope = now.heat.held_slope;
     stages[0].heat.skin_slope = now.heat.skin_slope;
     for (int k = 0; k < 2; ++k) stages[0].force[k] = now.film.force[k];
@@ -309,6 +322,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   }
   step.after.oil = now.oil;
   step.after.vessels = vessels_begun_;
+  step.after.layer.now = now.layer.now;
   for (int i = 0; i < by.stages; ++i) {
     const double f = by.b(i) * dt;
     add(f, stages[i].oil, step.after.oil);
@@ -316,6 +330,8 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     step.side += f * stages[i].flows.side;
     step.line += f * vessels_.from_lines(stages[i].flows);
     add(f, vessels_.slopes(stages[i].flows), step.after.vessels);
+    add(f, stages[i].layer.slope, step.after.layer.now);
+    step.layer_loss += f * stages[i].layer.loss;
     for (int k = 0; k < 2; ++k) step.impulse[k] += f * stages[i].force[k];
   }
   if (heat_) end_heat(dt, now, stages, step);
@@ -329,6 +345,8 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.after.acceleration = last.acceleration;
   step.after.oil_slope = std::move(last.oil);
   step.after.flows = std::move(last.flows);
+  step.after.layer.slope = std::move(last.layer.slope);
+  step.after.layer.loss = last.layer.loss;
   return step;
 }
 

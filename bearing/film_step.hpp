@@ -48,6 +48,7 @@ struct FilmInTime {
   FilmTrend trend;                       ///< over the last stage
   double thermal_deformation = 0.0;      ///< mean thermal widening of its gap [m]
   std::vector<double> vessels;           ///< E of each vessel as carried (vessels.hpp) [kg]
+  LayerInTime layer;                     ///< of an elasto-plastic layer
 };
 
 /// What a step found.
@@ -57,7 +58,8 @@ struct FilmStep {
   double error = 0.0;   ///< estimated, of the loaded film over its height, max |dh|/(h + sigma) [-]
   double supply = 0.0;  ///< oil fed in over the step [kg]
   double side = 0.0;    ///< and lost at the sides [kg]
-  double line = 0.0;    ///< come from the supplies' lines: into film and vessels [kg]
+  double layer_loss = 0.0;  ///< turned into heat in an elasto-plastic layer, solved part [J]
+  double line = 0.0;        ///< come from the supplies' lines: into film and vessels [kg]
   std::array<double, 2> impulse{};  ///< of the film on the journal [N s]
   double off_balance = 0.0;         ///< largest residual of the force balance [N]
   HeatFlows heat;                   ///< over the step [J]; tiers with film temperatures

@@ -15,6 +15,8 @@ void judge_material(const solid::Material& m, const std::string& path, Findings&
   material.number("poisson_ratio", m.poisson_ratio, "", kValueRanges.poisson_ratio);
   material.number("expansion", m.expansion, "1/K", kNotNegative);
   material.number("hardness", m.hardness, "MPa", kNotNegative);
+  material.number("progression_rate", m.progression, "", kNotNegative);
+  material.number("damping_ratio", m.damping_ratio, "s", kNotNegative);
 }
 
 /// No heat transfer at all is a back that is not given; the tiers that need one ask for it.

@@ -44,6 +44,43 @@ void judge_housing(const Housing& housing, double R, double inner, Findings& to)
   }
 }
 
+/// An elasto-plastic layer is a coating whose law is known.
+void judge_coating(const Case& c, Findings& to) {
+  const std::vector<ShellLayer>& layers = c.shell->layers;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (!layers[k].elasto_plastic) continue;
+    const std::string path = fmt::format("shell.layers.{}", k);
+    const solid::Material& m = layers[k].material;
+    if (k > 0) {
+      to.refuse(path + ".elasto_plastic", "only the first layer, which the film touches, can be so",
+                "take it out, or put the layer first");
+    }
+    if (layers.size() < 2 && !c.shell->housing) {
+      to.refuse(path + ".elasto_plastic", "the layer lies on nothing", "give what it lies on");
+    }
+    if (!(m.hardness > 0.0) || !(m.damping_ratio > 0.0)) {
+      to.refuse(path + ".material",
+                fmt::format("an elasto-plastic layer needs the {} of its material",
+                            m.hardness > 0.0 ? "damping_ratio" : "hardness"),
+                "give hardness (for example \"120 MPa\") and damping_ratio (\"1e-4 s\")");
+    }
+    if (layers[k].thickness > c.bearing.radial_clearance) {
+      to.refuse(
+          path + ".thickness",
+          fmt::format("an elasto-plastic layer of {} is thicker than the clearance of {} "
+                      "allows: its columns yield each for itself",
+                      shown(layers[k].thickness, "um"), shown(c.bearing.radial_clearance, "um")),
+          "take elasto_plastic out: the layer is then elastic as a whole");
+    }
+    if (c.model.coefficients) {
+      to.refuse("model.coefficients",
+                "stiffness and damping of a bearing with an elasto-plastic layer depend on the "
+                "frequency",
+                "take model.coefficients or elasto_plastic out");
+    }
+  }
+}
+
 void judge_shell(const Shell& shell, double R, Findings& to) {
   double thickness = 0.0;
   for (std::size_t k = 0; k < shell.layers.size(); ++k) {
@@ -80,6 +117,7 @@ void judge_span(const Case& c, Findings& to) {
 void judge_solids(const Case& c, Findings& to) {
   const double R = c.bearing.radius;
   if (c.shell) judge_shell(*c.shell, R, to);
+  if (c.shell) judge_coating(c, to);
   if (!c.shaft) return;
   judge_material(c.shaft->material, "shaft.material", to);
   if (c.shaft->overhang > kBearingLimits.overhang_most * R) {

@@ -183,7 +183,8 @@ fluid::UpdateReport NewtonIteration::take(const NewtonStep& step) {
   }
   const Field more = model_.solids->compliance(beyond);
   for (std::size_t k = 0; k < before.size(); ++k) {
-    s_.elastic[k] += fraction * step.elastic[k] + more[k];
+    const double by_layer = s_.layer.empty() ? 0.0 : s_.layer[k].by_pressure * beyond[k];
+    s_.elastic[k] += fraction * step.elastic[k] + more[k] + by_layer;
   }
   return report;
 }

@@ -1,5 +1,6 @@
 #include "bearing/possible_methods.hpp"
 
+#include "bearing/pressed_layer.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::bearing {
@@ -17,6 +18,10 @@ std::string impossible_methods(const Case& c, const Physics& physics) {
   if (m.cavitation == CavitationMethod::swift_stieber && c.model.coefficients) {
     return "cavitation = \"swift-stieber\" has no fill ratio, which stiffness and damping need "
            "(model.coefficients); take another method";
+  }
+  if (physics.elastic && m.elastic == ElasticMethod::fixed_point && pressed_layer(c, 0)) {
+    return "elastic = \"fixed-point\" knows no elasto-plastic layer; take elastic = \"newton\", or "
+           "shell.layers.0.elasto_plastic out";
   }
   if (m.cavitation != CavitationMethod::active_set && physics.elastic &&
       m.elastic == ElasticMethod::newton) {

@@ -59,6 +59,8 @@ struct Quantities {
   double supply_flow = kUnknown;            ///< in at the supplies [m3/s]
   double p_vessel_min = kUnknown;           ///< smallest pressure of a supply's vessel, gauge [Pa]
   double elastic_opening_max = kUnknown;    ///< largest elastic widening of the gap [m]
+  double layer_depth = kUnknown;            ///< largest lasting one of an elasto-plastic layer [m]
+  double layer_loss = kUnknown;             ///< heat made in it, mean over a cycle [W]
   double T_film_max = kUnknown;             ///< [K]
   double T_film_mean = kUnknown;            ///< weighted by the oil that is there [K]
   double T_shell_max = kUnknown;            ///< on its surface [K]
@@ -123,6 +125,8 @@ inline constexpr QuantityEntry kQuantities[] = {
     {&Quantities::side_flow, "side_flow", "m3/s", "side flow"},
     {&Quantities::supply_flow, "supply_flow", "m3/s", "supply flow"},
     {&Quantities::p_vessel_min, "p_vessel_min", "Pa", "smallest pressure of a vessel"},
+    {&Quantities::layer_depth, "layer_depth", "m", "lasting depth of the surface layer"},
+    {&Quantities::layer_loss, "layer_loss", "W", "power lost in the surface layer"},
     {&Quantities::elastic_opening_max, "elastic_opening_max", "m",
      "largest elastic opening of the gap"},
     {&Quantities::T_film_max, "T_film_max", "K", "film temperature, largest"},

@@ -76,6 +76,7 @@ struct Fields {
   Field p;                      ///< film pressure, gauge [Pa]
   Field p_asperity;             ///< contact pressure [Pa]
   Field summit_flow;            ///< flow of summits at the hardness; empty: none [m]
+  Field layer_depth;            ///< lasting, of an elasto-plastic layer; empty: none [m]
   Field theta;                  ///< fill ratio [-]
   Field h;                      ///< nominal gap [m], the depth of grooves included
   std::vector<char> supplied;   ///< 1 inside a supply feature

@@ -65,6 +65,16 @@ double mean_compliance(const HarmonicOperator& op) {
   return sum / static_cast<double>(op.size());
 }
 
+/// What bends and is pressed: an elasto-plastic layer yields by a law of its own, and is as stiff as
+/// what it lies on here.
+std::vector<solid::Material> elastic_materials(const Case& c, const Layers& layers) {
+  std::vector<solid::Material> materials = layers.material;
+  if (!c.shell->layers.front().elasto_plastic) return materials;
+  materials[0].youngs_modulus = materials.at(1).youngs_modulus;
+  materials[0].poisson_ratio = materials[1].poisson_ratio;
+  return materials;
+}
+
 }  // namespace
 
 Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
@@ -83,7 +93,7 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
   if (effects.heat) build_heat(c, layers, mesh);
   if (effects.elastic || effects.thermal_deformation) {
     auto ops = solid::shell_elasticity(
-        mesh, grid_, layers.material,
+        mesh, grid_, elastic_materials(c, layers),
         {N, support_of(c), solid::AxialEnds::free, effects.thermal_deformation,
          solid::Elimination::cheapest, sample_.computed()});
     if (effects.elastic) build_compliance(c, sample_.complete(ops.compliance));

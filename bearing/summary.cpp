@@ -100,6 +100,7 @@ void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
   q.side_flow = flows.side / rho;
   q.supply_flow = flows.supply / rho;
   if (m.physics.elastic) q.elastic_opening_max = largest(s.film.elastic);
+  if (!s.film.layer.empty()) q.layer_depth = largest(lasting_depth(s.film.layer));
 }
 
 void add_heat(const Solution& s, Quantities& q) {
@@ -169,6 +170,7 @@ Fields fields_of(const Solution& s, const Friction& f) {
   if (m.contact) out.p_asperity = on_full(m, s.film.p_contact);
   const Field flow = summit_flow(m, s.film.gap.cell);
   if (largest_magnitude(flow) > 0.0) out.summit_flow = on_full(m, flow);
+  if (!s.film.layer.empty()) out.layer_depth = on_full(m, lasting_depth(s.film.layer));
   Field h = s.film.gap.cell;
   Field supplied(h.size(), 0.0);
   for (std::size_t c = 0; c < h.size(); ++c) {

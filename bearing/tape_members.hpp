@@ -91,10 +91,26 @@ inline void members(Tape& tape, bearing::State& x) {
   tape(film, position, ln_load, elastic);
 }
 
+inline void members(Tape& tape, solid::LayerColumn& x) {
+  auto& [elastic, plastic] = x;
+  tape(elastic, plastic);
+}
+
+inline void members(Tape& tape, solid::PressedColumn& x) {
+  auto& [now, by_pressure] = x;
+  tape(now, by_pressure);
+}
+
+inline void members(Tape& tape, bearing::LayerInTime& x) {
+  auto& [now, slope, loss] = x;
+  tape(now, slope, loss);
+}
+
 inline void members(Tape& tape, bearing::Evaluation& x) {
-  auto& [gap, shear_gap, oil, flow, gradient_x, gradient_z, p_contact, dp_contact, force, least] =
-      x;
-  tape(gap, shear_gap, oil, flow, gradient_x, gradient_z, p_contact, dp_contact, force, least);
+  auto& [gap, shear_gap, oil, flow, gradient_x, gradient_z, p_contact, dp_contact, layer, force,
+         least] = x;
+  tape(gap, shear_gap, oil, flow, gradient_x, gradient_z, p_contact, dp_contact, layer, force,
+       least);
 }
 
 /// Over a cycle contact widens nothing by itself (`contact_widening` is none).
@@ -138,9 +154,9 @@ inline void members(Tape& tape, bearing::FilmTrend& x) {
 
 inline void members(Tape& tape, bearing::FilmInTime& x) {
   auto& [t, film, oil, velocity, acceleration, oil_slope, flows, full_before, heat, trend,
-         thermal_deformation, vessels] = x;
+         thermal_deformation, vessels, layer] = x;
   tape(t, film, oil, velocity, acceleration, oil_slope, flows, full_before, heat, trend,
-       thermal_deformation, vessels);
+       thermal_deformation, vessels, layer);
 }
 
 inline void members(Tape& tape, bearing::EquilibriumCost& x) {
@@ -182,10 +198,10 @@ inline void members(Tape& tape, bearing::CycleAudit& x) {
 }
 
 inline void members(Tape& tape, bearing::CycleFields& x) {
-  auto& [grid, p_max, p_asperity_max, h_min, friction_power, T_shell, T_shell_max, heat_to_shell,
-         thermal_deformation] = x;
-  tape(grid, p_max, p_asperity_max, h_min, friction_power, T_shell, T_shell_max, heat_to_shell,
-       thermal_deformation);
+  auto& [grid, p_max, p_asperity_max, h_min, friction_power, layer_depth, T_shell, T_shell_max,
+         heat_to_shell, thermal_deformation] = x;
+  tape(grid, p_max, p_asperity_max, h_min, friction_power, layer_depth, T_shell, T_shell_max,
+       heat_to_shell, thermal_deformation);
 }
 
 inline void members(Tape& tape, bearing::CycleFrame& x) {

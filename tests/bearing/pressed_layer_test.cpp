@@ -1,0 +1,149 @@
+/// An elasto-plastic layer under a film, steady and over load cycles.
+#include "bearing/pressed_layer.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bearing/cycle.hpp"
+#include "bearing/judge_case.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// Table 3 of Offner and Knaus on steel, with another hardness.
+Case coated(double hardness) {
+  Case c = plain_case();
+  c.supplies[0].length = 0.02;
+  c.supplies[0].arc = 20.0 * kDegree;
+  solid::Material polymer{"polymer", 0.3, 1450.0, 1000.0, 2e9, 0.4, 40e-6, hardness, 1.0, 1e-4};
+  c.shell = Shell{{{polymer, 20e-6, true}, {steel(), 2e-3}},
+                  Housing{steel(), 0.06, HousingSupport::held},
+                  ConvectiveBack{200.0, 303.15},
+                  50.0};
+  c.shaft = Shaft{steel(), 0.05, 100.0, 303.15};
+  c.model.switches.elastic_deformation = true;
+  return c;
+}
+
+/// `pulses` of up to `most` over 1 kN, one every two turns.
+LoadCycle pulsing(const Case& c, double most, int pulses = 1) {
+  LoadCycle cycle;
+  cycle.period = 4.0 * kPi / c.operation.omega;
+  for (int k = 0; k < 48 * pulses; ++k) {
+    const double s = std::sin(kPi * k / 48.0);
+    cycle.t.push_back(cycle.period * k / 48.0);
+    cycle.x.push_back(0.0);
+    cycle.y.push_back(-(1e3 + (most - 1e3) * std::pow(s, 8.0)));
+  }
+  cycle.journal_mass = 0.5;
+  return cycle;
+}
+
+Result solved(const Case& c) {
+  const Result r = solve(c);
+  INFO(r.verdict.reason);
+  REQUIRE(r.verdict.good());
+  return r;
+}
+
+double largest_total(const Fields& f) { return largest(f.p); }
+
+}  // namespace
+
+TEST_CASE("ALayerThatHoldsIsElastic", "[layer]") {
+  // Under 5 MPa r = s p/(E + p): the same bearing with an elastic coating of that stiffness, whose
+  // columns cannot swell (1 - 2 nu -> 1: nu = 0 makes E/s of it).
+  Case c = coated(120e6);
+  const Result layer = solved(c);
+  CHECK(layer.values().layer_depth == 0.0);
+  c.shell->layers[0].elasto_plastic = false;
+  c.shell->layers[0].material.poisson_ratio = 0.0;
+  const Result elastic = solved(c);
+  // The elastic body resolves what spreads along the layer, too, and is linear: r differs by p/E.
+  CHECK(layer.values().h_min == Approx(elastic.values().h_min).epsilon(5e-3));
+  CHECK(layer.values().p_max == Approx(elastic.values().p_max).epsilon(1e-2));
+}
+
+TEST_CASE("AFilmEndsAtTheHardnessOfItsLayer", "[layer]") {
+  const double free = solved(coated(120e6)).values().p_max;
+  const double hardness = 0.8 * free;
+  const Result r = solved(coated(hardness));
+  CHECK(r.values().layer_depth > 0.0);
+  const double depth = r.values().layer_depth;
+  const double stiffness =
+      2e9 / 20e-6 * (1.0 + hardness / 2e9);  // c_y = (E + hardness)/s for N = 1
+  CHECK(largest_total(r.fields) <
+        hardness + 1.001e-4 * (depth * stiffness + hardness));  // (1) of the header
+  for (std::size_t k = 0; k < r.fields.p.size(); ++k) {  // it has flowed where it is pressed so
+    if (r.fields.layer_depth[k] > 0.0) CHECK(r.fields.p[k] > hardness * (1.0 - 1e-9));
+  }
+}
+
+TEST_CASE("ALoadThatStandsHoldsTheLayerAsTheSteadyFilmDoes", "[layer]") {
+  Case c = coated(120e6);
+  c.cycle = pulsing(c, 1e3);
+  const CycleResult r = solve_cycle(c, Tier::isothermal);
+  INFO(r.verdict.reason);
+  REQUIRE(r.verdict.good());
+  c.cycle.reset();
+  c.operation.position = LoadGiven{1e3, 1.5 * kPi};
+  const Quantities steady = solved(c).values();
+  CHECK(value_of(r, "h_min") == Approx(steady.h_min).epsilon(1e-3));
+  CHECK(value_of(r, "friction_torque") == Approx(steady.friction_torque).epsilon(1e-3));
+  CHECK(value_of(r, "layer_depth") == 0.0);
+}
+
+TEST_CASE("EveryPulseLeavesItsMarkAndEachOneLess", "[layer]") {
+  Case c = coated(10e6);
+  std::vector<double> depth{0.0};
+  double p_max = INFINITY;
+  for (const int pulses : {1, 2, 3}) {
+    c.cycle = pulsing(c, 8e3, pulses);
+    c.cycle->period = INFINITY;
+    const CycleResult r = solve_cycle(c, Tier::isothermal);
+    INFO(r.verdict.reason);
+    REQUIRE(r.verdict.good());
+    CHECK(value_of(r, "layer_loss") > 0.0);
+    CHECK(r.audit.mass < 1e-12);
+    depth.push_back(value_of(r, "layer_depth"));
+    CHECK(largest(r.fields.layer_depth) == depth.back());
+    if (pulses == 1) p_max = value_of(r, "p_max");
+  }
+  CHECK(depth[1] > 0.0);
+  CHECK(depth[2] > depth[1]);
+  CHECK(depth[2] - depth[1] < depth[1]);  // the mark spreads the load
+  CHECK(depth[3] - depth[2] < depth[2] - depth[1]);
+  c.shell->layers[0].material.hardness = 1e9;
+  c.cycle = pulsing(c, 8e3);
+  c.cycle->period = INFINITY;
+  const CycleResult hard = solve_cycle(c, Tier::isothermal);
+  REQUIRE(hard.verdict.good());
+  CHECK(value_of(hard, "layer_depth") == 0.0);
+  CHECK(value_of(hard, "p_max") > p_max);
+}
+
+TEST_CASE("ALayerWithoutItsLawIsRefused", "[layer]") {
+  const auto refused = [](const Case& c) {
+    for (const Finding& f : judge(c)) {
+      if (f.refused()) return f.problem;
+    }
+    return std::string();
+  };
+  Case c = coated(120e6);
+  CHECK(refused(c).empty());
+  c.shell->layers[0].material.damping_ratio = 0.0;
+  CHECK(refused(c).find("needs the damping_ratio") != std::string::npos);
+  c = coated(0.0);
+  CHECK(refused(c).find("needs the hardness") != std::string::npos);
+  c = coated(-1.0);
+  CHECK(!refused(c).empty());
+  c = coated(120e6);
+  c.shell->layers[0].thickness = 50e-6;
+  CHECK(refused(c).find("thicker than the clearance") != std::string::npos);
+  c = coated(120e6);
+  std::swap(c.shell->layers[0], c.shell->layers[1]);
+  CHECK(refused(c).find("only the first layer") != std::string::npos);
+}

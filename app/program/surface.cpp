@@ -86,9 +86,9 @@ int surface(const Request& request) {
     return kInterrupted;
   }
   if (request.json != "-" && request.csv != "-") write_surface_table(std::cout, report);
-  outputs.give("--csv", [&] { return surface_csv(report); });
   outputs.give("--json", [&] { return surface_json(report); });
   outputs.give("--picture", [&] { return surface_svg(report); });
+  outputs.give("--csv", [&] { return surface_csv(report); });  // may be refused: the others stand
   return outputs.code(kDone);
 }
 

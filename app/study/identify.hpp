@@ -37,7 +37,7 @@ using MeasuredCase = std::function<bearing::Case(double at, const std::vector<do
 /// What is known of a point at the end.
 struct FittedPoint {
   std::vector<double> start;   ///< computed with the keys at the start, per value; empty: not found
-  std::vector<double> fitted;  ///< at the end
+  std::vector<double> fitted;  ///< with Fit::x, as computed at that step; empty: not found
   Verdict verdict;             ///< of the last try at the start
   [[nodiscard]] bool used() const { return !start.empty(); }
 };

@@ -11,7 +11,6 @@ namespace {
 
 using Values = std::vector<double>;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDecade = 10.0;  ///< ratio of bounds from which on a logarithm serves better [-]
 constexpr double kSettled = 0.1;  ///< of a deviation: nobody sees the difference [-]
 using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
@@ -116,16 +115,6 @@ bool judge(const FitProblem& p, BoundedSearch& s, Fit& fit) {
 }
 
 }  // namespace
-
-bool in_logarithms(const FitParameter& p) { return p.low > 0.0 && p.high >= kDecade * p.low; }
-
-double fit_coordinate(const FitParameter& p, double x) {
-  return in_logarithms(p) ? std::log(x) : x;
-}
-
-double fit_value(const FitParameter& p, double y) {
-  return std::clamp(in_logarithms(p) ? std::exp(y) : y, p.low, p.high);
-}
 
 bool Fit::computed() const { return std::isfinite(chi2_start); }
 

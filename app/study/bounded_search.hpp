@@ -3,8 +3,9 @@
 ///
 /// J by central differences, as said there. What was found is the step of least chi2.
 #include <Eigen/Dense>
+#include <limits>
 
-#include "app/study/bounded_fit.hpp"
+#include "app/study/fit_problem.hpp"
 
 namespace shellback::study {
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/study/measured_residuals.hpp"
 #include "app/study/predictor.hpp"
 #include "bearing/bearing.hpp"
 #include "core/contract.hpp"

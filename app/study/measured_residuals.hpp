@@ -1,12 +1,25 @@
 #pragma once
-/// Residuals of measured points: r of (1) in study/bounded_fit.hpp.
+/// Measured points, and their residuals: r of (1) in study/bounded_fit.hpp.
 ///
 ///   r = (computed - measured)/deviation,   noise^2 = <(accuracy computed/deviation)^2>
+#include <limits>
+#include <string>
 #include <vector>
 
-#include "app/study/identify.hpp"
-
 namespace shellback::study {
+
+/// A measured quantity at a point, SI.
+struct MeasuredValue {
+  std::string quantity;  ///< of bearing/quantities.hpp
+  double value = 0.0;
+  double deviation = std::numeric_limits<double>::quiet_NaN();  ///< standard; NaN: not known
+};
+
+struct MeasuredPoint {
+  std::string name;   ///< "data.csv:4, speed = 300 rpm"
+  std::string curve;  ///< points that follow one another have one name here
+  std::vector<MeasuredValue> values;
+};
 
 /// Values of every point, in the order of the measured ones; none of points that are left out.
 using PointValues = std::vector<std::vector<double>>;

@@ -250,11 +250,16 @@ Json surfaces(const Surfaces& s) {
   Json json{{"shell", surface(s.shell)}, {"shaft", surface(s.shaft)}};
   if (s.flow_factors) {
     const fluid::FactorTable& t = *s.flow_factors;
-    json["flow_factors"] = {{"table", t.name},     {"roughness", si(t.sigma, "m")},
-                            {"h_over_sigma", t.H}, {"phi_x", t.phi_x},
-                            {"phi_z", t.phi_z},    {"phi_s", t.phi_s},
-                            {"phi_f", t.phi_f},    {"phi_fs", t.phi_fs},
-                            {"phi_fp", t.phi_fp},  {"average_gap", t.average_gap}};
+    json["flow_factors"] = {{"table", t.name},
+                            {"roughness", si(t.sigma, "m")},
+                            {"h_over_sigma", t.H},
+                            {"phi_x", t.phi_x},
+                            {"phi_z", t.phi_z},
+                            {"phi_s", t.phi_s},
+                            {"phi_f", t.phi_f},
+                            {"phi_fs", t.phi_fs},
+                            {"average_gap", t.average_gap}};
+    if (!t.phi_fp.empty()) json["flow_factors"]["phi_fp"] = t.phi_fp;
   }
   if (!s.contact) return json;
   const bool exact = s.contact->integral == solid::ContactIntegral::exact;

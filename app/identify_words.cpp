@@ -53,9 +53,11 @@ void add_status(const IdentifyView& v, std::vector<std::string>& all) {
         values, keys, values == keys ? " and their own scatter (no deviations are given)" : ""));
   }
   if (fit.status == FitStatus::not_computed) {
-    all.push_back(
-        "the points cannot be solved around the last keys; begin at other values with --set, or "
-        "take narrower bounds");
+    all.push_back(fit.computed()
+                      ? "the points cannot be solved around the keys found, which are the best "
+                        "until then; go on from other values with --set, or take narrower bounds"
+                      : "the points cannot be solved with the keys of the start; begin at other "
+                        "values with --set");
   }
   if (fit.status == FitStatus::unsettled && !fit.directions.empty()) {
     all.push_back(

@@ -13,7 +13,7 @@ fluid::FactorTable read_flow_factors(const std::string& path) {
   fluid::FactorTable table;
   table.name = path;
   for (const FactorColumn& column : kFactorColumns) {
-    table.*column.values = csv.column(column.name);
+    if (column.required || csv.has(column.name)) table.*column.values = csv.column(column.name);
   }
   const std::vector<double>& sigma = csv.column("sigma");
   for (std::size_t row = 0; row < csv.rows(); ++row) {

@@ -12,18 +12,18 @@ solid::GenericFriction read_friction_law(const Section& section) {
   solid::GenericFriction law;
   law.abrasive = section.quantity("abrasive", kNumber, kUpToOne);
   law.adhesive = section.quantity("adhesive", kNumber, kUpToOne);
-  law.a = section.quantity("a", kNumber, kAboveOne);
-  law.b = section.quantity("b", kNumber, kNotNegative);
-  law.c = section.quantity("c", kNumber, kNotNegative);
-  law.summit_radius = section.quantity("summit_radius", kLength, kPositive);
-  law.L_s = section.maybe_quantity("reference_length", kLength, kPositive);
+  law.a = section.quantity("a", kNumber.such_as("10.0"), kAboveOne);
+  law.b = section.quantity("b", kNumber.such_as("300.0"), kNotNegative);
+  law.c = section.quantity("c", kNumber.such_as("2000.0"), kNotNegative);
+  law.summit_radius = section.quantity("summit_radius", kLength.such_as("10 um"), kPositive);
+  law.L_s = section.maybe_quantity("reference_length", kLength.such_as("1 um"), kPositive);
   if (law.L_s && section.has("orientation")) {
     section.fail("orientation",
                  "orientation only serves to find reference_length, which is given; keep one");
   }
   if (!law.L_s) {
     law.orientation = section.quantity_or(
-        "orientation", kNumber, law.orientation,
+        "orientation", kNumber.such_as("1.0"), law.orientation,
         "surfaces.contact.friction_law: the summits' orientation is taken as 1", kPositive);
   }
   return law;
@@ -34,8 +34,9 @@ solid::ContactParameters read_contact(const Section& section) {
       {"elastic_factor", "composite_modulus", "friction", "friction_law", "integral", "hardness"},
       "surfaces.contact");
   solid::ContactParameters contact;
-  contact.elastic_factor = section.quantity("elastic_factor", kNumber, kPositive);
-  contact.composite_modulus = section.quantity("composite_modulus", kPressure, kPositive);
+  contact.elastic_factor = section.quantity("elastic_factor", kNumber.such_as("0.001"), kPositive);
+  contact.composite_modulus =
+      section.quantity("composite_modulus", kPressure.such_as("50 GPa"), kPositive);
   if (const auto law = section.maybe_section("friction_law")) {
     if (section.has("friction")) {
       section.fail("friction",
@@ -45,7 +46,8 @@ solid::ContactParameters read_contact(const Section& section) {
   } else {
     contact.friction = section.quantity("friction", kNumber, kUpToOne);
   }
-  contact.hardness = section.quantity_or("hardness", kPressure, 0.0, "", kPositive);
+  contact.hardness =
+      section.quantity_or("hardness", kPressure.such_as("300 MPa"), 0.0, "", kPositive);
   if (section.has("integral")) {
     contact.integral = section.choice<ContactIntegral>(
         "integral", {{"exact", ContactIntegral::exact}, {"power-law", ContactIntegral::power_law}});
@@ -58,13 +60,13 @@ solid::ContactParameters read_contact(const Section& section) {
 solid::RoughSurface read_surface(const Section& section, const std::string& what) {
   section.only({"roughness", "orientation", "summit_roughness", "summit_height"}, what);
   solid::RoughSurface surface;
-  surface.roughness = section.quantity("roughness", kLength, kNotNegative);
+  surface.roughness = section.quantity("roughness", kLength.such_as("0.3 um"), kNotNegative);
   surface.orientation = section.quantity_or(
-      "orientation", kNumber, surface.orientation,
+      "orientation", kNumber.such_as("1.0"), surface.orientation,
       what + ": the roughness is taken as isotropic (orientation = 1)", kPositive);
   surface.summit_roughness =
-      section.quantity_or("summit_roughness", kLength, 0.0, "", kNotNegative);
-  surface.summit_height = section.quantity_or("summit_height", kLength, 0.0, "");
+      section.quantity_or("summit_roughness", kLength.such_as("0.3 um"), 0.0, "", kNotNegative);
+  surface.summit_height = section.quantity_or("summit_height", kLength.such_as("0.3 um"), 0.0, "");
   return surface;
 }
 

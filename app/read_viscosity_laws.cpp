@@ -90,7 +90,8 @@ ShearLaw read_shear_law(const Section& law) {
     return NoShearThinning{};
   }
   law.only({"law", "r", "K", "m"}, "a shear law \"cross\"");
-  return Cross{law.quantity("r", kNumber, kUpToOne), law.quantity("K", kTime, kPositive),
+  return Cross{law.quantity("r", kNumber.such_as("0.5"), kUpToOne),
+               law.quantity("K", kTime.such_as("4.5e-8 s"), kPositive),
                law.quantity("m", kNumber, kPositive)};
 }
 

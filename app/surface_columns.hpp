@@ -10,6 +10,7 @@ namespace shellback::app {
 struct FactorColumn {
   const char* name;
   std::vector<double> fluid::FactorTable::*values;
+  bool required = true;
 };
 inline constexpr std::array kFactorColumns{
     FactorColumn{"h_over_sigma", &fluid::FactorTable::H},
@@ -19,7 +20,7 @@ inline constexpr std::array kFactorColumns{
     FactorColumn{"phi_s", &fluid::FactorTable::phi_s},
     FactorColumn{"phi_f", &fluid::FactorTable::phi_f},
     FactorColumn{"phi_fs", &fluid::FactorTable::phi_fs},
-    FactorColumn{"phi_fp", &fluid::FactorTable::phi_fp}};
+    FactorColumn{"phi_fp", &fluid::FactorTable::phi_fp, false}};
 
 /// Columns that are written for the reader's eye and not needed: standard errors, what the map is.
 inline constexpr std::array kFactorNotes{"gamma",        "contact_area", "phi_x_error",

@@ -20,6 +20,11 @@ constexpr double kFewPitches = 4.0;       ///< to a correlation length: below, t
 constexpr std::size_t kFewSummits = 100;  ///< their roughness is known to 7 % with so many
 constexpr double kAligned = 10.0 * kPi / 180.0;  ///< lay off the axes: gamma is off by few % [rad]
 constexpr double kRound = 1.5;  ///< longest over shortest length: hardly a lay below [-]
+/// Rq over the largest height: less is what double precision leaves of a form [-].
+constexpr double kNothingLeft = 1e-12;
+constexpr double kSteepest = 1.0;  ///< rms slope: 45 degrees, which no instrument of heights sees
+constexpr double kSteep = 0.3;     ///< rms slope: thin films' equation errs by its square, 9 %
+constexpr double kOblong = 10.0;   ///< pitch over pitch: more is hardly meant [-]
 
 void judge_holes(const HeightMap& map, const Holes& holes, const SurfaceOptions& options) {
   if (holes.count == 0) return;
@@ -42,6 +47,36 @@ void judge_holes(const HeightMap& map, const Holes& holes, const SurfaceOptions&
 
 std::string length_words(const CorrelationLength& l) {
   return fmt::format("{}{:.3g} um", l.at_least ? "at least " : "", 1e6 * l.length);
+}
+
+/// Form alone is no roughness: what is left of it is round-off.
+void judge_roughness(const HeightMap& measured, const SurfaceReport& r) {
+  double highest = 0.0;
+  for (const double z : measured.z) {
+    if (std::isfinite(z)) highest = std::max(highest, std::abs(z));
+  }
+  double squares = 0.0;
+  for (const double z : r.map.z) squares += z * z / static_cast<double>(r.map.z.size());
+  if (std::sqrt(squares) > kNothingLeft * highest) return;
+  throw InputError(r.options.path,
+                   fmt::format("the heights are nothing but a form of degree {}: no roughness is "
+                               "left; check that the file holds measured heights, or remove less "
+                               "form (--form)",
+                               r.form.degree));
+}
+
+/// Of the gradient [-].
+double rms_slope(const SpectralMoments& m) { return std::sqrt(m.m2x + m.m2y); }
+
+void judge_slopes(const SurfaceReport& r) {
+  const double slope = rms_slope(r.moments);
+  if (slope <= kSteepest) return;
+  throw InputError(
+      r.options.path,
+      fmt::format("the surface is steeper than any that can be measured or lubricated: slopes of "
+                  "{:.3g} (root mean square; 1 is 45 degrees) over pitches of {:.3g} and {:.3g} um "
+                  "with Rq = {:.3g} um; check the units of heights and sizes",
+                  slope, 1e6 * r.map.dx, 1e6 * r.map.dy, 1e6 * r.heights.Rq));
 }
 
 /// Says how large the patch would have to be.
@@ -81,32 +116,83 @@ void note_lay(SurfaceReport& r) {
   }
 }
 
-void note_limits(SurfaceReport& r) {
-  const double pitch = std::max(r.map.dx, r.map.dy);
-  if (r.correlation.shortest.length < kFewPitches * pitch) {
+/// Finest wave along the shortest correlation, as a pitch: a grid of dx, dy resolves a wave at an
+/// angle if it resolves both of its parts.
+double pitch_across_lay(const SurfaceReport& r) {
+  return std::max(r.map.dx * std::abs(std::sin(r.correlation.lay)),
+                  r.map.dy * std::abs(std::cos(r.correlation.lay)));
+}
+
+void note_grid(SurfaceReport& r) {
+  const double pitches = r.correlation.shortest.length / pitch_across_lay(r);
+  if (pitches < kFewPitches) {
     r.notes.push_back(fmt::format(
         "the shorter correlation length is {:.2g} pitches: summits and the factors of small gaps "
         "depend on the map's pitch",
-        r.correlation.shortest.length / pitch));
+        pitches));
+  }
+  const double ratio = r.map.dx / r.map.dy;
+  if (ratio > kOblong || ratio * kOblong < 1.0) {
+    r.notes.push_back(
+        fmt::format("the pitch is {:.3g} um along the motion and {:.3g} um across it: check that "
+                    "both sizes are meant",
+                    1e6 * r.map.dx, 1e6 * r.map.dy));
+  }
+  const double slope = rms_slope(r.moments);
+  if (slope > kSteep) {
+    r.notes.push_back(
+        fmt::format("slopes of {:.2g} (root mean square) are steep: the thin-film equation errs by "
+                    "about {:.0f} %; check the units of heights and sizes",
+                    slope, 100.0 * slope * slope));
+  }
+}
+
+void note_summits(SurfaceReport& r) {
+  if (r.summits == 0) {
+    r.notes.push_back(
+        "no summit was counted (a point higher than its eight neighbours): contact pressures are "
+        "not known; grooves without end have none, noise and a finer pitch make some");
+    return;
+  }
+  if (!scattered(r.counted, r.heights.Rq)) {
+    r.notes.push_back(fmt::format(
+        "{}: Greenwood-Tripp's formula, its factor K and its r_c, which "
+        "are of summits that scatter, are not given; the sums over summits are",
+        r.summits == 1 ? "there is one summit"
+                       : fmt::format("the summits are equal (their heights scatter by less than "
+                                     "{:g} of Rq)",
+                                     kAlikeSummits)));
   }
   if (r.summits < kFewSummits) {
-    r.notes.push_back(fmt::format(
-        "only {} summits were counted: their roughness is uncertain by "
-        "{:.0f} %",
-        r.summits,
-        100.0 / std::sqrt(2.0 * static_cast<double>(std::max<std::size_t>(1, r.summits)))));
+    r.notes.push_back(
+        fmt::format("only {} summits were counted: their roughness is uncertain by {:.0f} %",
+                    r.summits, 100.0 / std::sqrt(2.0 * static_cast<double>(r.summits))));
   }
-  if (r.holes.count > 0) {
-    r.notes.push_back(fmt::format("{} holes ({:.2g} %) were filled by harmonic interpolation",
-                                  r.holes.count, 100.0 * r.holes.share(r.map)));
-  }
+}
+
+void note_table(SurfaceReport& r) {
   const std::size_t closed = r.factors.rows.size() - r.table.H.size();
-  if (closed > 0) {
+  if (closed > 0 && !r.factors.rows.empty()) {
     r.notes.push_back(
         fmt::format("at {} of the smallest gaps nothing flows through the patch: a "
                     "case's table (--csv) leaves them out",
                     closed));
   }
+  if (!r.factors.rows.empty() && !r.fault.problem.empty()) {
+    r.notes.push_back(
+        fmt::format("no case can take these factors (--csv is refused): {}", r.fault.problem));
+  }
+}
+
+void note_limits(SurfaceReport& r) {
+  note_lay(r);
+  note_grid(r);
+  note_summits(r);
+  if (r.holes.count > 0) {
+    r.notes.push_back(fmt::format("{} holes ({:.2g} %) were filled by harmonic interpolation",
+                                  r.holes.count, 100.0 * r.holes.share(r.map)));
+  }
+  note_table(r);
 }
 
 /// Separations of the contact's table: none of a Gaussian surface's summits reaches farther.
@@ -131,10 +217,12 @@ SurfaceReport describe_surface(const SurfaceOptions& options) {
   double mean = 0.0;
   for (const double z : r.map.z) mean += z / static_cast<double>(r.map.z.size());
   for (double& z : r.map.z) z -= mean;
+  judge_roughness(measured, r);
   r.heights = height_statistics(r.map);
+  r.moments = spectral_moments(r.map);
+  judge_slopes(r);
   r.correlation = correlation_of(r.map);
   judge_size(r);
-  r.moments = spectral_moments(r.map);
   r.by_moments = summits_of(r.moments);
   const std::vector<Summit> summits = count_summits(r.map);
   r.summits = summits.size();
@@ -144,7 +232,7 @@ SurfaceReport describe_surface(const SurfaceOptions& options) {
                           {options.periodic ? PatchEnds::periodic : PatchEnds::patch,
                            options.threads, options.progress, options.stop});
   r.table = factor_table(r.factors.rows, r.heights.Rq);
-  note_lay(r);
+  r.fault = fluid::fault_of(r.table);
   note_limits(r);
   return r;
 }

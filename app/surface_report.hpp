@@ -46,12 +46,14 @@ struct SurfaceReport {
   std::vector<surface::ContactRow> contact;
   surface::FactorRows factors;     ///< rows empty: interrupted
   fluid::FactorTable table;        ///< the rows that a case can take
+  fluid::FactorFault fault;        ///< why it cannot
   std::vector<std::string> notes;  ///< what the numbers do not tell of themselves
 };
 
 /// Reads, judges and solves. Throws FileError and InputError (app/read_height_map.hpp): holes
-/// without `fill` or more than a tenth of them, a form that the map does not determine, a patch too
-/// small for its own correlation lengths.
+/// without `fill` or more than a tenth of them, a form that the map does not determine, heights
+/// that are nothing but form, slopes that no machined surface has, a patch too small for its own
+/// correlation lengths.
 [[nodiscard]] SurfaceReport describe_surface(const SurfaceOptions& options);
 
 }  // namespace shellback::app

@@ -148,10 +148,11 @@ std::string found_words(const IdentifyView& v) {
   for (std::size_t k = 0; k < v.keys.size(); ++k) {
     const FittedKey& key = v.keys[k];
     const double deviation = k < v.end.fit.deviation.size() ? v.end.fit.deviation[k] : NAN;
-    words += fmt::format("{}{} = {}{}{}{}", k == 0 ? "" : ",  ",
-                         key.key.substr(key.key.rfind('.') + 1), figures(v.end.fit.x[k]),
-                         std::isfinite(deviation) ? " ± " + figures(deviation, 2) : "",
-                         key.unit.empty() ? "" : " ", typeset_unit(key.unit));
+    words +=
+        fmt::format("{}{} = {}{}{}{}", k == 0 ? "" : ",  ", key.key.substr(key.key.rfind('.') + 1),
+                    v.end.fit.computed() ? figures(v.end.fit.x[k]) : "n/a",
+                    std::isfinite(deviation) ? " ± " + figures(deviation, 2) : "",
+                    key.unit.empty() ? "" : " ", typeset_unit(key.unit));
   }
   return words;
 }

@@ -21,6 +21,12 @@ struct Kind {
   const char* units;      ///< units that would do: "um, mm, m, in"
   const char* example;    ///< a complete value: "10 mm"
   bool absolute = false;  ///< a temperature (with a zero), not a difference
+  /// The same kind with an example that suits one key: "0.3 um" of a roughness.
+  [[nodiscard]] constexpr Kind such_as(const char* other) const {
+    Kind kind = *this;
+    kind.example = other;
+    return kind;
+  }
 };
 
 inline constexpr Kind kLength{"a length", {1, 0, 0, 0, 0}, "um, mm, cm, m, in", "10 mm"};
@@ -42,7 +48,7 @@ inline constexpr Kind kPerPressure{
     "a pressure coefficient", {1, -1, 2, 0, 0}, "1/Pa, 1/MPa, 1/GPa", "9.5e-9 1/Pa"};
 inline constexpr Kind kViscosity{
     "a dynamic viscosity", {-1, 1, -1, 0, 0}, "mPa s, Pa s, cP", "8 mPa s"};
-inline constexpr Kind kTime{"a time", {0, 0, 1, 0, 0}, "s, ms, us, min", "4.5e-8 s"};
+inline constexpr Kind kTime{"a time", {0, 0, 1, 0, 0}, "s, ms, us, min", "200 s"};
 inline constexpr Kind kShearRate{"a shear rate", {0, 0, -1, 0, 0}, "1/s", "1e6 1/s"};
 inline constexpr Kind kDensity{"a density", {-3, 1, 0, 0, 0}, "kg/m3, g/cm3, kg/l", "860 kg/m3"};
 inline constexpr Kind kConductivity{

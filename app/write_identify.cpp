@@ -26,7 +26,7 @@ void write_keys(std::ostream& out, const IdentifyView& v) {
   for (std::size_t k = 0; k < v.keys.size(); ++k) {
     const FittedKey& key = v.keys[k];
     const bool judged = k < fit.deviation.size();
-    table.add({key.key, figures(key.value.start, 5), figures(fit.x[k], 5),
+    table.add({key.key, figures(key.value.start, 5), fit.computed() ? figures(fit.x[k], 5) : "n/a",
                judged ? figures(fit.deviation[k], 2) : "n/a", key.unit,
                fmt::format("{:.4g} to {:.4g}", key.value.low, key.value.high),
                judged && fit.at_bound[k] != 0 ? "at its bound: no value of the data's" : ""});
@@ -98,6 +98,7 @@ void write_sum(std::ostream& out, const IdentifyView& v) {
   if (fit.refused_steps > 0) {
     out << fmt::format("{} steps were not taken: a point was not found there\n", fit.refused_steps);
   }
+  if (!fit.computed()) return;
   if (v.table.deviations_known) {
     out << fmt::format("chi2 {:.4g} (start {:.4g}) for {} values more than keys\n", fit.chi2,
                        fit.chi2_start, fit.freedom);
@@ -128,6 +129,7 @@ void write_identify_table(std::ostream& out, const IdentifyView& v) {
   write_correlations(out, v);
   write_directions(out, v);
   write_points(out, v);
+  if (!v.end.fit.computed()) return;
   out << "\nThe fitted case:";
   for (std::size_t k = 0; k < v.keys.size(); ++k) {
     const FittedKey& key = v.keys[k];

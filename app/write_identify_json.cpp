@@ -25,12 +25,12 @@ Json keys_json(const IdentifyView& v) {
     list.push_back({{"key", key.key},
                     {"unit", key.unit},
                     {"start", key.value.start},
-                    {"value", number(fit.x[k])},
+                    {"value", number(fit.computed() ? fit.x[k] : NAN)},
                     {"deviation", number(judged ? fit.deviation[k] : NAN)},
                     {"bounds", {key.value.low, key.value.high}},
                     {"coordinate", in_logarithms(key.value) ? "logarithm" : "value"},
                     {"at_bound", judged && fit.at_bound[k] != 0},
-                    {"set", key.words(fit.x[k])}});
+                    {"set", fit.computed() ? Json(key.words(fit.x[k])) : Json(nullptr)}});
   }
   return list;
 }
@@ -91,6 +91,7 @@ std::string identify_json(const IdentifyView& v) {
                     {"refused_steps", fit.refused_steps},
                     {"remaining", number(fit.remaining)},
                     {"accuracy", v.end.accuracy},
+                    {"scale", number(fit.scale)},
                     {"difference_step", std::cbrt(v.end.accuracy)},
                     {"wall_s", v.end.wall_s}};
   json["points"] = points_json(v);

@@ -10,6 +10,7 @@
 #include "app/surface_columns.hpp"
 #include "app/text_table.hpp"
 #include "core/constants.hpp"
+#include "core/contract.hpp"
 
 namespace shellback::app {
 namespace {
@@ -20,6 +21,11 @@ using json_parts::number;
 using json_parts::with_unit;
 
 std::string um(double x) { return fmt::format("{:.4g} um", 1e6 * x); }
+
+/// "n/a" of what is not known.
+std::string shown(const char* form, double x) {
+  return std::isfinite(x) ? fmt::format(fmt::runtime(form), x) : "n/a";
+}
 
 std::string length(const CorrelationLength& l) { return (l.at_least ? "> " : "") + um(l.length); }
 
@@ -50,19 +56,24 @@ void write_heights(std::ostream& out, const SurfaceReport& r) {
   table.print(out);
 }
 
+/// K of the counted summits; NaN where the formula is not given.
+double counted_factor(const SurfaceReport& r) {
+  return scattered(r.counted, r.heights.Rq) ? elastic_factor(r.counted) : NAN;
+}
+
 void write_summits(std::ostream& out, const SurfaceReport& r) {
   TextTable table(1);
   table.add({"summits", "spectral moments", fmt::format("counted ({})", r.summits)});
   table.rule();
   const SummitStatistics &a = r.by_moments, &b = r.counted;
   const auto add = [&table](const char* name, double x, double y, double factor) {
-    table.add({name, fmt::format("{:.4g}", factor * x), fmt::format("{:.4g}", factor * y)});
+    table.add({name, shown("{:.4g}", factor * x), shown("{:.4g}", factor * y)});
   };
   add("density [1/mm2]", a.density, b.density, 1e-6);
   add("mean radius [um]", a.radius, b.radius, 1e6);
   add("summit roughness [um]", a.roughness, b.roughness, 1e6);
   add("mean summit height [um]", a.height, b.height, 1e6);
-  add("elastic factor K, two such [-]", elastic_factor(a), elastic_factor(b), 1.0);
+  add("elastic factor K, two such [-]", elastic_factor(a), counted_factor(r), 1.0);
   table.print(out);
 }
 
@@ -77,12 +88,10 @@ void write_contact(std::ostream& out, const SurfaceReport& r) {
   table.add(head);
   table.rule();
   for (const ContactRow& row : r.contact) {
-    std::vector<std::string> cells{fmt::format("{:.1f}", row.h / r.heights.Rq),
-                                   fmt::format("{:.3e}", scale * row.pair_formula),
-                                   fmt::format("{:.3e}", scale * row.pair_summits),
-                                   fmt::format("{:.3e}", row.pair_contact_ratio),
-                                   fmt::format("{:.3e}", scale * row.plane_summits),
-                                   fmt::format("{:.4f}", row.bearing_area)};
+    std::vector<std::string> cells{
+        fmt::format("{:.1f}", row.h / r.heights.Rq), shown("{:.3e}", scale * row.pair_formula),
+        shown("{:.3e}", scale * row.pair_summits),   shown("{:.3e}", row.pair_contact_ratio),
+        shown("{:.3e}", scale * row.plane_summits),  fmt::format("{:.4f}", row.bearing_area)};
     if (hardness) cells.push_back(fmt::format("{:.3e}", 1e-6 * *hardness * row.bearing_area));
     table.add(cells);
   }
@@ -107,23 +116,27 @@ void write_factors(std::ostream& out, const SurfaceReport& r) {
   table.print(out);
 }
 
-/// The lines of a case for this surface.
+/// The lines of a case for this surface, without those that the map does not tell.
 void write_case_lines(std::ostream& out, const SurfaceReport& r) {
   out << fmt::format(
       "\nIn a case (counted summits):\n"
       "  [surfaces.shell]   # or surfaces.shaft\n"
-      "  roughness = \"{}\"\n  orientation = {:.4g}\n"
-      "  summit_roughness = \"{}\"\n  summit_height = \"{}\"\n"
-      "  [surfaces]\n  flow_factors = \"FILE.csv\"   # what --csv FILE.csv writes\n",
-      um(r.heights.Rq), r.correlation.gamma, um(r.counted.roughness), um(r.counted.height));
+      "  roughness = \"{}\"\n  orientation = {:.4g}\n",
+      um(r.heights.Rq), r.correlation.gamma);
+  if (scattered(r.counted, r.heights.Rq)) {
+    out << fmt::format("  summit_roughness = \"{}\"\n  summit_height = \"{}\"\n",
+                       um(r.counted.roughness), um(r.counted.height));
+  }
+  if (!r.fault.problem.empty()) return;
+  out << "  [surfaces]\n  flow_factors = \"FILE.csv\"   # what --csv FILE.csv writes\n";
 }
 
-Json summit_json(const SummitStatistics& s) {
+Json summit_json(const SummitStatistics& s, double factor) {
   return {{"density", with_unit(s.density, "1/m2")},
           {"radius", with_unit(s.radius, "m")},
           {"summit_roughness", with_unit(s.roughness, "m")},
           {"summit_height", with_unit(s.height, "m")},
-          {"elastic_factor_of_two_such", number(elastic_factor(s))}};
+          {"elastic_factor_of_two_such", number(factor)}};
 }
 
 Json length_json(const CorrelationLength& l) {
@@ -213,8 +226,8 @@ std::string surface_json(const SurfaceReport& r) {
                      {"m2", {number(r.moments.m2x), number(r.moments.m2y)}},
                      {"m4", {with_unit(r.moments.m4x, "1/m2"), with_unit(r.moments.m4y, "1/m2")}},
                      {"alpha", number(r.moments.alpha())}};
-  json["summits"] = {{"by_moments", summit_json(r.by_moments)},
-                     {"counted", summit_json(r.counted)},
+  json["summits"] = {{"by_moments", summit_json(r.by_moments, elastic_factor(r.by_moments))},
+                     {"counted", summit_json(r.counted, counted_factor(r))},
                      {"count", r.summits}};
   json["contact"] = contact_json(r);
   Json rows = Json::array(), errors = Json::array();
@@ -228,6 +241,12 @@ std::string surface_json(const SurfaceReport& r) {
 }
 
 std::string surface_csv(const SurfaceReport& r) {
+  if (!r.fault.problem.empty()) {
+    throw InputError(r.options.path,
+                     fmt::format("no case can take the factors of this map, and --csv is not "
+                                 "written: {}; take other gaps (--gaps) or a larger map",
+                                 r.fault.problem));
+  }
   constexpr std::array kErrors{&FactorRow::phi_x, &FactorRow::phi_z,  &FactorRow::phi_s,
                                &FactorRow::phi_f, &FactorRow::phi_fs, &FactorRow::phi_fp};
   std::string out = "sigma [um]";
@@ -235,7 +254,7 @@ std::string surface_csv(const SurfaceReport& r) {
   for (const char* note : kFactorNotes) out += fmt::format(",{} [1]", note);
   out += "\n";
   for (std::size_t k = 0; k < r.table.H.size(); ++k) {
-    // Rows of closed gaps come first and are not in the table.
+    // The table holds the last rows: those above the last closed gap.
     const std::size_t row = r.factors.rows.size() - r.table.H.size() + k;
     out += fmt::format("{:.8g}", 1e6 * r.table.sigma);
     for (const FactorColumn& column : kFactorColumns) {

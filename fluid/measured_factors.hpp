@@ -8,10 +8,12 @@
 ///   phi_x h^3, phi_z h^3    ln(H^3 phi) over ln H: rises with the gap if the table does
 ///   hT                      hT/sigma over H
 ///   sigma Phi_s             Phi_s sigma/hT over H: below 1 everywhere if the table is
-///   phi_f/h, phi_fp, Phi_fs ln(phi_f/H) over ln H; phi_fp and Phi_fs over H
+///   phi_f/h, Phi_fs         ln(phi_f/H) over ln H; Phi_fs over H
+///   h phi_fp                hT - sigma Phi_s (momentum, reciprocity), not a column: shear by
+///                           pressure and flow by sliding are one number (flow_factors.hpp)
 ///
-/// Two rough surfaces share the table: only the combined heights count for phi_x, phi_z, phi_f,
-/// phi_fp (Patir and Cheng's premise), and phi_s = (sj^2 - ss^2)/sigma^2 Phi_s, likewise phi_fs:
+/// Two rough surfaces share the table: only the combined heights count for phi_x, phi_z, phi_f
+/// (Patir and Cheng's premise), and phi_s = (sj^2 - ss^2)/sigma^2 Phi_s, likewise phi_fs:
 /// exact if one of them is smooth, else the table's texture is taken for both.
 ///
 /// Above the table second-order perturbation holds for every surface: phi - 1, Phi_s sigma/hT and
@@ -21,7 +23,7 @@
 /// regular:
 ///   phi h^3      continued in value and slope by an exponential to a floor of 1e-6 of its value
 ///   hT           continued in value and slope by an exponential that vanishes with the gap
-///   sigma Phi_s  keeps its ratio to hT;  h phi_fp = hT - sigma Phi_s (momentum, reciprocity)
+///   sigma Phi_s  keeps its ratio to hT
 ///   phi_f/h, Phi_fs/h   in proportion to hT: the area that is still open
 #include <string>
 #include <vector>
@@ -42,10 +44,12 @@ struct FactorTable {
   std::vector<double> phi_s;        ///< shear flow, 0 <= phi_s < hT/sigma [-]
   std::vector<double> phi_f;        ///< sliding shear, positive [-]
   std::vector<double> phi_fs;       ///< roughness shear, not negative [-]
-  std::vector<double> phi_fp;       ///< pressure shear, not negative [-]
+  std::vector<double> phi_fp;       ///< pressure shear, may be empty; only judged: fault_of [-]
 };
 
 /// Row and column of the first number that no surface can have, and why; empty if all is well.
+/// phi_fp, where it is given, has to fulfil |H phi_fp - (hT/sigma - Phi_s)| <= 0.05 hT/sigma: the
+/// fits of Patir and Cheng do to 0.03 h (tests of flow_factors), the factors of one map to 1e-7.
 struct FactorFault {
   std::size_t row = 0;
   std::string column;
@@ -59,7 +63,7 @@ struct MeasuredFactors {
   MonotoneCubic average_gap;     ///< hT/sigma over H
   MonotoneCubic carried;         ///< Phi_s sigma/hT over H
   MonotoneCubic ln_f;            ///< ln(phi_f/H) over ln H
-  MonotoneCubic phi_fs, phi_fp;  ///< over H
+  MonotoneCubic phi_fs;          ///< over H
   double H_low = 0.0, H_high = 0.0;
   double sigma = 0.0;        ///< combined standard deviation of heights of the pair [m]
   double shear_share = 0.0;  ///< (sj^2 - ss^2)/sigma^2 [-]

@@ -47,6 +47,10 @@ double plane_pressure(const std::vector<Summit>& s, double h, double area) {
 
 }  // namespace
 
+bool scattered(const SummitStatistics& one, double Rq) {
+  return one.roughness > 0.0 && one.roughness >= kAlikeSummits * Rq;
+}
+
 double elastic_factor(const SummitStatistics& one) {
   const double s = std::sqrt(2.0) * one.roughness, x = s * one.radius * one.density;
   return 16.0 * std::sqrt(2.0) * kPi / 15.0 * x * x * std::sqrt(s / one.radius);
@@ -60,18 +64,22 @@ std::vector<ContactRow> contact_curve(const HeightMap& map, const std::vector<Su
   const double area = static_cast<double>(map.nx - 2) * map.dx * (map.ny - 2) * map.dy;
   const double pair_sigma = std::sqrt(2.0) * one.roughness;
   const double K = elastic_factor(one), x = pair_sigma * one.radius * one.density;
+  double squares = 0.0;
+  for (const double z : map.z) squares += z * z;
+  const double Rq = std::sqrt(squares / static_cast<double>(map.z.size()));
+  const bool usable = scattered(one, Rq);
   std::vector<ContactRow> rows;
   for (const double gap : h) {
     ContactRow row;
     row.h = gap;
     const double H = (gap - 2.0 * one.height) / pair_sigma;
-    const bool known = std::isfinite(H);
-    constexpr double kFar = 30.0;  // F is zero to all digits there, and the quadrature ends
+    constexpr double kDeep = -100.0, kFar = 30.0;  // ends of the quadrature; F is zero beyond kFar
+    const bool known = usable && H >= kDeep;
     row.pair_formula = known ? (H < kFar ? K * solid::gt_integral(2.5, H) : 0.0) : kNone;
     row.pair_contact_ratio =
         known ? (H < kFar ? kPi * kPi * x * x * solid::gt_integral(2.0, H) : 0.0) : kNone;
-    row.pair_summits = s.empty() ? 0.0 : pair_pressure(s, gap, area);
-    row.plane_summits = plane_pressure(s, gap, area);
+    row.pair_summits = s.empty() ? kNone : pair_pressure(s, gap, area);
+    row.plane_summits = s.empty() ? kNone : plane_pressure(s, gap, area);
     const auto above = heights.end() - std::upper_bound(heights.begin(), heights.end(), gap);
     row.bearing_area = static_cast<double>(above) / static_cast<double>(heights.size());
     rows.push_back(row);

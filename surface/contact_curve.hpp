@@ -19,7 +19,9 @@
 ///   bearing area  = part of the surface above h (Abbott); times the hardness of the softer surface
 ///                   it is the pressure at which all that overlaps flows: an upper bound
 ///
-/// Validity: summits that do not feel each other, bearing area small against 1. Sources: Greenwood
+/// Validity: summits that do not feel each other, bearing area small against 1. The formula needs
+/// summits of different height, at H >= -100 (solid::gt_integral); elsewhere it is NaN, and without
+/// summits so is all but the bearing area. Sources: Greenwood
 /// and Tripp 1971, Greenwood and Williamson 1966, Bowden and Tabor (textbook).
 #include <vector>
 
@@ -27,15 +29,22 @@
 
 namespace shellback::surface {
 
-/// K of two surfaces like this one [-].
+/// Part of the surface's Rq that summit heights scatter by at least: below, they are equal but for
+/// the map's digits, and F(H) of heights over their scatter says nothing [-].
+inline constexpr double kAlikeSummits = 1e-3;
+
+/// True if the formula can be used: two summits or more, of different height. Rq of the map [m].
+[[nodiscard]] bool scattered(const SummitStatistics& one, double Rq);
+
+/// K of two surfaces like this one [-]; NaN without summits.
 [[nodiscard]] double elastic_factor(const SummitStatistics& one);
 
 struct ContactRow {
   double h = 0.0;                   ///< separation of the mean planes [m]
-  double pair_formula = 0.0;        ///< p/E* [-]
-  double pair_summits = 0.0;        ///< p/E* [-]
-  double pair_contact_ratio = 0.0;  ///< r_c [-]
-  double plane_summits = 0.0;       ///< p/E* [-]
+  double pair_formula = 0.0;        ///< p/E* [-]; NaN: not known
+  double pair_summits = 0.0;        ///< p/E* [-]; NaN: no summits
+  double pair_contact_ratio = 0.0;  ///< r_c [-]; NaN: not known
+  double plane_summits = 0.0;       ///< p/E* [-]; NaN: no summits
   double bearing_area = 0.0;        ///< [-]
 };
 

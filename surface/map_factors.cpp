@@ -1,5 +1,6 @@
 #include "surface/map_factors.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -48,6 +49,9 @@ FactorRow error_of(const std::array<FactorRow, kQuarters>& quarters) {
   }
   return error;
 }
+
+/// Grooves along the motion carry nothing: zero but for round-off.
+double not_negative(double factor) { return std::abs(factor) < kOpen ? 0.0 : factor; }
 
 }  // namespace
 
@@ -105,19 +109,24 @@ FactorRows map_factors(const HeightMap& map, double sigma, const std::vector<dou
   return out;
 }
 
+bool is_open(const FactorRow& row) {
+  return std::min(row.phi_x, row.phi_z) * std::pow(row.H, 3) > kOpen;
+}
+
 fluid::FactorTable factor_table(const std::vector<FactorRow>& rows, double sigma) {
   fluid::FactorTable table;
   table.sigma = sigma;
-  for (const FactorRow& row : rows) {
-    if (!(row.phi_x > 0.0 && row.phi_z > 0.0)) continue;
+  const auto closed = std::find_if_not(rows.rbegin(), rows.rend(), is_open);
+  for (auto at = closed.base(); at != rows.end(); ++at) {
+    const FactorRow& row = *at;
     table.H.push_back(row.H);
     table.average_gap.push_back(row.average_gap);
     table.phi_x.push_back(row.phi_x);
     table.phi_z.push_back(row.phi_z);
-    table.phi_s.push_back(std::max(row.phi_s, 0.0));
+    table.phi_s.push_back(not_negative(row.phi_s));
     table.phi_f.push_back(row.phi_f);
-    table.phi_fs.push_back(std::max(row.phi_fs, 0.0));
-    table.phi_fp.push_back(std::max(row.phi_fp, 0.0));
+    table.phi_fs.push_back(not_negative(row.phi_fs));
+    table.phi_fp.push_back(not_negative(row.phi_fp));
   }
   return table;
 }

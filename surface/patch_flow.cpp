@@ -11,6 +11,13 @@ namespace shellback::surface {
 namespace {
 
 constexpr int kNobody = -1;
+constexpr int kLeftEnd = 1, kRightEnd = 2;  ///< bits of the ends that a region reaches
+
+/// An open cell beside another one.
+struct Neighbour {
+  int cell = 0;
+  int rounds = 0;  ///< how often the way there goes round the periodic patch along x
+};
 
 /// Numbers the open cells and solves for them.
 class Patch {
@@ -23,6 +30,9 @@ class Patch {
     }
     if (open_ > 0) factorise();
   }
+
+  /// Whether oil gets from one end to the other.
+  [[nodiscard]] bool passes() const { return passes_; }
 
   /// Flows over the faces in x per width, index j * (nx + 1) + i: pressure flow (couette = 0) or
   /// sliding (driven = 0); pressures are those of (1) or 1/12 of (2).
@@ -69,6 +79,9 @@ class Patch {
     return periodic_ &&
            face % static_cast<std::size_t>(g_.nx + 1) == static_cast<std::size_t>(g_.nx);
   }
+  [[nodiscard]] bool is_first_of_seam(std::size_t face) const {
+    return periodic_ && face % static_cast<std::size_t>(g_.nx + 1) == 0;
+  }
   [[nodiscard]] static double cube(double h) { return h * h * h; }
 
   /// Two half cells in series; 0 if one is closed.
@@ -104,61 +117,70 @@ class Patch {
 
   void factorise() {
     std::vector<Eigen::Triplet<double>> entries;
-    std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(open_));
-    std::vector<char> held(static_cast<std::size_t>(open_), 0);
-    const auto join = [&](int a, int b, double w) {
+    std::vector<std::vector<Neighbour>> neighbours(static_cast<std::size_t>(open_));
+    std::vector<int> ends(static_cast<std::size_t>(open_), 0);
+    const auto join = [&](int a, int b, double w, int rounds) {
       entries.emplace_back(a, a, w);
       entries.emplace_back(b, b, w);
       entries.emplace_back(a, b, -w);
       entries.emplace_back(b, a, -w);
-      neighbours[static_cast<std::size_t>(a)].push_back(b);
-      neighbours[static_cast<std::size_t>(b)].push_back(a);
+      neighbours[static_cast<std::size_t>(a)].push_back({b, rounds});
+      neighbours[static_cast<std::size_t>(b)].push_back({a, -rounds});
     };
     each_x_face([&](std::size_t face, int left, int right, double k, double, double d) {
       const double w = k * g_.dy / d;
       if (left != kNobody && right != kNobody) {
-        if (!is_second_of_seam(face)) join(left, right, w);
+        if (!is_second_of_seam(face)) join(left, right, w, is_first_of_seam(face) ? 1 : 0);
       } else {
         const int inner = left == kNobody ? right : left;
         entries.emplace_back(inner, inner, w);
-        held[static_cast<std::size_t>(inner)] = 1;
+        ends[static_cast<std::size_t>(inner)] |= left == kNobody ? kLeftEnd : kRightEnd;
       }
     });
     for (int j = periodic_ ? 0 : 1; j < g_.ny; ++j) {
       for (int i = 0; i < g_.nx; ++i) {
         const std::size_t a = cell(i, (j + g_.ny - 1) % g_.ny), b = cell(i, j);
         const double k = series(g_.h[a], g_.h[b]);
-        if (k > 0.0) join(number_[a], number_[b], k * g_.dx / g_.dy);
+        if (k > 0.0) join(number_[a], number_[b], k * g_.dx / g_.dy, 0);
       }
     }
-    hold_enclosed(neighbours, held, entries);
+    visit_regions(neighbours, ends, entries);
     factor_ = std::make_unique<SparseSpd>(open_, entries);
   }
 
-  /// One cell of every connected region that no end holds.
-  void hold_enclosed(const std::vector<std::vector<int>>& neighbours, const std::vector<char>& held,
-                     std::vector<Eigen::Triplet<double>>& entries) const {
+  /// Holds one cell of every connected region that no end holds, and finds out whether oil passes:
+  /// through a region that reaches both ends or, of a periodic patch, comes back to where it began
+  /// after going round.
+  void visit_regions(const std::vector<std::vector<Neighbour>>& neighbours,
+                     const std::vector<int>& ends, std::vector<Eigen::Triplet<double>>& entries) {
     std::vector<char> seen(static_cast<std::size_t>(open_), 0);
+    std::vector<int> rounds(static_cast<std::size_t>(open_), 0);  // since the region's first cell
     std::vector<double> scale(static_cast<std::size_t>(open_), 0.0);
     for (std::size_t c = 0; c < number_.size(); ++c) {
       if (number_[c] != kNobody) scale[static_cast<std::size_t>(number_[c])] = cube(g_.h[c]);
     }
     for (int first = 0; first < open_; ++first) {
       if (seen[static_cast<std::size_t>(first)]) continue;
-      bool is_held = false;
+      int reached = 0;
       std::vector<int> stack{first};
       seen[static_cast<std::size_t>(first)] = 1;
       while (!stack.empty()) {
         const auto c = static_cast<std::size_t>(stack.back());
         stack.pop_back();
-        is_held = is_held || held[c] != 0;
-        for (const int next : neighbours[c]) {
-          if (seen[static_cast<std::size_t>(next)]) continue;
-          seen[static_cast<std::size_t>(next)] = 1;
-          stack.push_back(next);
+        reached |= ends[c];
+        for (const Neighbour& next : neighbours[c]) {
+          const auto n = static_cast<std::size_t>(next.cell);
+          if (seen[n]) {
+            passes_ = passes_ || rounds[n] != rounds[c] + next.rounds;
+            continue;
+          }
+          seen[n] = 1;
+          rounds[n] = rounds[c] + next.rounds;
+          stack.push_back(next.cell);
         }
       }
-      if (!is_held) entries.emplace_back(first, first, scale[static_cast<std::size_t>(first)]);
+      passes_ = passes_ || reached == (kLeftEnd | kRightEnd);
+      if (reached == 0) entries.emplace_back(first, first, scale[static_cast<std::size_t>(first)]);
     }
   }
 
@@ -166,6 +188,7 @@ class Patch {
   bool periodic_;
   std::vector<int> number_;  ///< of a cell among the open ones
   int open_ = 0;
+  bool passes_ = false;
   std::unique_ptr<SparseSpd> factor_;
 };
 
@@ -176,8 +199,10 @@ PatchMeans patch_flow(const PatchGap& gap, PatchEnds ends) {
   const std::vector<double> pressure = patch.flows(1.0, 0.0);
   const std::vector<double> sliding = patch.flows(0.0, 1.0);
   PatchMeans m;
-  m.conductance = patch.mean(pressure, [](double, double q) { return q; });
-  m.pressure_shear = patch.mean(pressure, [](double h, double q) { return q / (h * h); });
+  if (patch.passes()) {
+    m.conductance = patch.mean(pressure, [](double, double q) { return q; });
+    m.pressure_shear = patch.mean(pressure, [](double h, double q) { return q / (h * h); });
+  }
   m.couette = 2.0 * patch.mean(sliding, [](double, double q) { return q; });
   m.sliding_pressure =
       patch.mean(sliding, [](double h, double q) { return 3.0 / h - 6.0 * q / (h * h); });
@@ -186,6 +211,7 @@ PatchMeans patch_flow(const PatchGap& gap, PatchEnds ends) {
 
 double patch_conductance(const PatchGap& gap, PatchEnds ends) {
   const Patch patch(gap, ends);
+  if (!patch.passes()) return 0.0;
   return patch.mean(patch.flows(1.0, 0.0), [](double, double q) { return q; });
 }
 

@@ -13,6 +13,8 @@
 /// series, for pressure flow and for sliding. Grooves across and along are exact then: the
 /// harmonic and the arithmetic mean of h^3. A cell of no gap lets nothing through; where such
 /// cells enclose others the pressure of the enclosed is held at one cell, which changes no flow.
+/// Whether oil passes at all is found from the open cells' neighbours: where it does not, the
+/// conductance is exactly zero, whatever the solution's round-off says.
 /// (1) and (2) have one matrix and are adjoint: couette = pressure_shear to round-off, which is
 /// h phi_fp = hT - sigma Phi_s of fluid/flow_factors.hpp (Onsager; momentum).
 #include <vector>
@@ -30,8 +32,8 @@ struct PatchGap {
 
 /// Means over the patch, in the unit of h.
 struct PatchMeans {
-  double conductance = 0.0;       ///< <h^3 dP/dx> of (1): phi_x h^3
-  double pressure_shear = 0.0;    ///< <h dP/dx> of (1): h phi_fp
+  double conductance = 0.0;       ///< <h^3 dP/dx> of (1): phi_x h^3; 0: closed
+  double pressure_shear = 0.0;    ///< <h dP/dx> of (1): h phi_fp; 0: closed
   double couette = 0.0;           ///< 2 <flow> of (2): hT - sigma Phi_s
   double sliding_pressure = 0.0;  ///< <h/2 dp/dx> of (2): Phi_fs/h, per unit of h
 };

@@ -43,7 +43,9 @@ study::Identification search(const MeasuredTable& table, const std::vector<Fitte
 
 int code_of(const IdentifyView& v) {
   if (v.end.fit.status == study::FitStatus::interrupted) {
-    std::cerr << "interrupted: the keys are those of the last step\n";
+    std::cerr << (v.end.fit.computed()
+                      ? "interrupted: the keys are the best that were found until then\n"
+                      : "interrupted: no set of keys was computed yet\n");
     return kInterrupted;
   }
   if (const std::string words = misfit(v); !words.empty())

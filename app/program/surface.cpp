@@ -86,9 +86,12 @@ int surface(const Request& request) {
     return kInterrupted;
   }
   if (request.json != "-" && request.csv != "-") write_surface_table(std::cout, report);
-  outputs.give("--csv", [&] { return surface_csv(report); });
   outputs.give("--json", [&] { return surface_json(report); });
   outputs.give("--picture", [&] { return surface_svg(report); });
+  if (!request.csv.empty()) {
+    const std::string factors = surface_csv(report);  // may be refused: the others stand
+    outputs.give("--csv", [&] { return factors; });
+  }
   return outputs.code(kDone);
 }
 

@@ -5,11 +5,16 @@
 ///   y = ln x if low > 0 and high/low >= 10, else y = x                                    (2)
 ///   y = y_low + (y_high - y_low) (1 + sin u)/2,  u free                                   (3)
 ///   cov(y) = s^2 (J^T J)^-1,  J = dr/dy at the end                                        (4)
+///   remaining = max_k |u_k . r|/s                                                         (5)
+///   settled: s remaining <= sqrt((s_data/10)^2 + noise^2)                                 (6)
 ///
-/// r: (computed - measured)/standard deviation. s = 1 if the deviations are known; otherwise they
-/// are taken as equal and s^2 = chi2/(values - parameters). (1), (4) textbook; solved by
-/// Levenberg-Marquardt steps in u (gsl_multifit_nlinear). (3) is the sine transform of bounds,
-/// textbook.
+/// r: (computed - measured)/standard deviation. s^2 = s_data^2 + noise^2: s_data = 1 if the
+/// deviations are known; otherwise they are taken as equal and s_data^2 = chi2/(values -
+/// parameters); noise is what r is uncertain by because it is computed. (1), (4) textbook; solved
+/// by Levenberg-Marquardt steps in u (gsl_multifit_nlinear). (3) is the sine transform of bounds,
+/// textbook. (5) is the Gauss-Newton step that is still wanted along the directions u_k that the
+/// data determine (below), in deviations of (4): settled if nobody sees it, or if it is within what
+/// the noise of one value moves the minimum by.
 ///
 /// J by central differences over h = accuracy^(1/3) of a unit of (2) (1 for a logarithm, the larger
 /// of |y| and a tenth of the bounds' distance else): where round-off accuracy/h and truncation h^2
@@ -22,33 +27,12 @@
 ///
 /// Validity: one minimum between the bounds; (4) where r is nearly linear over a deviation. A
 /// parameter at its bound is held there in (4) and has no deviation.
-#include <functional>
 #include <limits>
-#include <optional>
-#include <string>
 #include <vector>
 
+#include "app/study/fit_problem.hpp"
+
 namespace shellback::study {
-
-struct FitParameter {
-  double start = 0.0;  ///< strictly between the bounds
-  double low = 0.0;
-  double high = 0.0;
-};
-
-/// What an evaluation serves: a step of the search, or a difference of (4) beside it.
-enum class Purpose { step, difference };
-
-struct FitProblem {
-  std::vector<FitParameter> parameters;
-  /// r at x; nothing if it cannot be computed there: a step that leads there is not taken.
-  std::function<std::optional<std::vector<double>>(const std::vector<double>& x, Purpose)>
-      residuals;
-  double accuracy = 1e-9;        ///< of what r is computed from, relative [-]
-  bool deviations_known = true;  ///< s = 1
-  int most_iterations = 60;
-  std::function<bool()> stopped{};  ///< may be empty
-};
 
 /// One direction in the space of parameters, from the best to the least determined.
 struct FitDirection {
@@ -62,27 +46,23 @@ enum class FitStatus { settled, unsettled, not_computed, interrupted };
 
 struct Fit {
   FitStatus status = FitStatus::unsettled;
-  std::vector<double> x;
-  std::vector<double> deviation;                 ///< of x; NaN: at its bound, or without end
+  std::vector<double> x;          ///< the best that was found; the start if !computed()
+  std::vector<double> deviation;  ///< of x; NaN: at its bound, or without end
   std::vector<std::vector<double>> correlation;  ///< of y; NaN beside a parameter at its bound
   std::vector<char> at_bound;
   std::vector<FitDirection> directions;
-  double chi2 = 0.0;
-  double chi2_start = 0.0;
+  double chi2 = std::numeric_limits<double>::quiet_NaN();  ///< at x; NaN: !computed()
+  double chi2_start = std::numeric_limits<double>::quiet_NaN();
   int freedom = 0;         ///< values - parameters
   double scale = 1.0;      ///< s of (4)
-  double remaining = 0.0;  ///< largest step still wanted along a determined direction [deviations]
+  double remaining = 0.0;  ///< (5): largest step still wanted [deviations of (4)]
   int iterations = 0;
   int evaluations = 0;
   int refused_steps = 0;  ///< that led to where r cannot be computed
+  /// r could be computed at the start, so that x is a result.
+  [[nodiscard]] bool computed() const;
   [[nodiscard]] bool determined() const;
 };
-
-/// True if (2) takes the logarithm.
-[[nodiscard]] bool in_logarithms(const FitParameter& p);
-/// (2) and back.
-[[nodiscard]] double fit_coordinate(const FitParameter& p, double x);
-[[nodiscard]] double fit_value(const FitParameter& p, double y);
 
 /// Solves (1). Does not throw for lack of convergence: read `status`. A broken contract (start
 /// outside the bounds, no parameter) is one.

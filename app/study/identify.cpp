@@ -28,6 +28,12 @@ struct Stretch {
   int high = 0;
 };
 
+/// All used points at one set of keys.
+struct Computed {
+  std::vector<Values> values;  ///< of every point, in the order of its measured ones
+  std::vector<Known> films;
+};
+
 /// The measured points as a function of the keys.
 class MeasuredBearing {
  public:
@@ -37,9 +43,10 @@ class MeasuredBearing {
 
   /// Values of every point, in the order of its measured ones; empty: not found. Along the curves.
   std::vector<Values> first(const Values& x, std::vector<FittedPoint>& out);
-  /// The same near the last step; `used` says which are asked for. Nothing if one is not found.
-  std::optional<std::vector<Values>> near(const Values& x, Purpose purpose,
-                                          const std::vector<char>& used);
+  /// The same near the films kept; `used` says which are asked for. Nothing if one is not found.
+  [[nodiscard]] std::optional<Computed> near(const Values& x, const std::vector<char>& used) const;
+  /// What points start from: the films of a step that was accepted.
+  void keep(std::vector<Known> films) { kept_ = std::move(films); }
 
  private:
   [[nodiscard]] std::vector<Stretch> curves() const;
@@ -135,43 +142,19 @@ Known MeasuredBearing::found_near(int i, const Values& x) const {
   return good(solve_tier(subject, tier, control()));
 }
 
-std::optional<std::vector<Values>> MeasuredBearing::near(const Values& x, Purpose purpose,
-                                                         const std::vector<char>& used) {
+std::optional<Computed> MeasuredBearing::near(const Values& x,
+                                              const std::vector<char>& used) const {
   const int n = static_cast<int>(points_.size());
-  std::vector<Known> found(n);
+  Computed out{std::vector<Values>(n), std::vector<Known>(n)};
   parallel_for(n, options_.threads, [&](int i) {
-    if (used[i] != 0) found[i] = found_near(i, x);
+    if (used[i] != 0) out.films[i] = found_near(i, x);
   });
-  std::vector<Values> values(n);
   for (int i = 0; i < n; ++i) {
     if (used[i] == 0) continue;
-    if (!found[i]) return std::nullopt;
-    values[i] = values_of(i, *found[i]);
+    if (!out.films[i]) return std::nullopt;
+    out.values[i] = values_of(i, *out.films[i]);
   }
-  if (purpose == Purpose::step) kept_ = std::move(found);
-  return values;
-}
-
-/// r of (1) in bounded_fit.hpp, of the points that are used. Where no deviation is known all have
-/// that of the measured root mean square, so that chi2 is of relative squares.
-Values residuals(const std::vector<MeasuredPoint>& measured, const std::vector<Values>& computed) {
-  double squares = 0.0;
-  int count = 0;
-  for (const MeasuredPoint& p : measured) {
-    for (const MeasuredValue& m : p.values) {
-      squares += m.value * m.value;
-      ++count;
-    }
-  }
-  const double unit = squares > 0.0 ? std::sqrt(squares / count) : 1.0;
-  Values r;
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    for (std::size_t k = 0; k < computed[i].size(); ++k) {
-      const MeasuredValue& m = measured[i].values[k];
-      r.push_back((computed[i][k] - m.value) / (std::isfinite(m.deviation) ? m.deviation : unit));
-    }
-  }
-  return r;
+  return out;
 }
 
 /// Every case that the search begins or can end with, read before any work.
@@ -203,37 +186,35 @@ void read_all(const std::vector<MeasuredPoint>& measured, const std::vector<FitP
   }
 }
 
-bool deviations_known(const std::vector<MeasuredPoint>& measured) {
-  return std::all_of(measured.begin(), measured.end(), [](const MeasuredPoint& p) {
-    return std::all_of(p.values.begin(), p.values.end(),
-                       [](const MeasuredValue& m) { return std::isfinite(m.deviation); });
-  });
-}
+/// The step with the least chi2, which is the last that was accepted: no step goes up.
+struct Best {
+  double chi2 = INFINITY;
+  std::vector<Values> values;
+};
 
-FitProblem problem_of(const std::vector<MeasuredPoint>& measured,
-                      const std::vector<FitParameter>& keys, double accuracy,
-                      MeasuredBearing& bearing, const std::vector<char>& used,
-                      const IdentifyOptions& options) {
-  FitProblem p;
-  p.parameters = keys;
-  p.accuracy = accuracy;
-  p.deviations_known = deviations_known(measured);
-  p.stopped = [&options] { return options.stop != nullptr && options.stop->load(); };
-  auto count = std::make_shared<IdentifyProgress>();
-  p.residuals = [&measured, &bearing, &used, &options, count](
-                    const Values& x, Purpose purpose) -> std::optional<Values> {
-    const auto computed = bearing.near(x, purpose, used);
+/// r as a function of the keys; `best` and the films that points start from follow the steps that
+/// are accepted.
+std::function<std::optional<Values>(const Values&, Purpose)> residual_function(
+    const std::vector<MeasuredPoint>& measured, const std::vector<Values>& deviations,
+    const std::vector<char>& used, MeasuredBearing& bearing, Best& best,
+    const IdentifyOptions& options) {
+  auto now = std::make_shared<IdentifyProgress>();
+  return [&, now](const Values& x, Purpose purpose) -> std::optional<Values> {
+    std::optional<Computed> computed = bearing.near(x, used);
     if (!computed) return std::nullopt;
-    Values r = residuals(measured, *computed);
-    ++count->evaluation;
+    Values r = residuals_of(measured, deviations, computed->values);
+    ++now->evaluation;
     if (purpose == Purpose::step) {
-      count->chi2 = 0.0;
-      for (const double v : r) count->chi2 += v * v;
+      now->chi2 = 0.0;
+      for (const double v : r) now->chi2 += v * v;
+      if (now->chi2 < best.chi2) {
+        best = {now->chi2, std::move(computed->values)};
+        bearing.keep(std::move(computed->films));
+      }
     }
-    if (options.progress) options.progress(*count);
+    if (options.progress) options.progress(*now);
     return r;
   };
-  return p;
 }
 
 }  // namespace
@@ -276,9 +257,18 @@ Identification identify(const std::vector<MeasuredPoint>& measured,
     out.points[i].start = computed[i];
     used.push_back(out.points[i].used() ? 1 : 0);
   }
-  out.fit = fit_bounded(problem_of(measured, keys, out.accuracy, bearing, used, options));
-  if (const auto fitted = bearing.near(out.fit.x, Purpose::step, used)) {
-    for (std::size_t i = 0; i < measured.size(); ++i) out.points[i].fitted = (*fitted)[i];
+  const std::vector<Values> deviations = deviations_of(measured);
+  Best best;
+  FitProblem p;
+  p.parameters = keys;
+  p.accuracy = out.accuracy;
+  p.noise = noise_of(deviations, computed, out.accuracy);
+  p.deviations_known = deviations_known(measured);
+  p.stopped = [&options] { return options.stop != nullptr && options.stop->load(); };
+  p.residuals = residual_function(measured, deviations, used, bearing, best, options);
+  out.fit = fit_bounded(p);
+  for (std::size_t i = 0; i < best.values.size(); ++i) {
+    out.points[i].fitted = std::move(best.values[i]);
   }
   out.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;

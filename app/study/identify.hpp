@@ -13,22 +13,10 @@
 
 #include "app/study/bounded_fit.hpp"
 #include "app/study/curve.hpp"
+#include "app/study/measured_residuals.hpp"
 #include "bearing/solve.hpp"
 
 namespace shellback::study {
-
-/// A measured quantity at a point, SI.
-struct MeasuredValue {
-  std::string quantity;  ///< of bearing/quantities.hpp
-  double value = 0.0;
-  double deviation = std::numeric_limits<double>::quiet_NaN();  ///< standard; NaN: not known
-};
-
-struct MeasuredPoint {
-  std::string name;   ///< "data.csv:4, speed = 300 rpm"
-  std::string curve;  ///< points that follow one another have one name here
-  std::vector<MeasuredValue> values;
-};
 
 /// The judged case at place `at` among the points (between two: a fraction) with the keys `x`.
 /// Throws InputError. Called from several threads at once.
@@ -37,7 +25,7 @@ using MeasuredCase = std::function<bearing::Case(double at, const std::vector<do
 /// What is known of a point at the end.
 struct FittedPoint {
   std::vector<double> start;   ///< computed with the keys at the start, per value; empty: not found
-  std::vector<double> fitted;  ///< at the end
+  std::vector<double> fitted;  ///< with Fit::x, as computed at that step; empty: not found
   Verdict verdict;             ///< of the last try at the start
   [[nodiscard]] bool used() const { return !start.empty(); }
 };

@@ -284,6 +284,8 @@ TEST_CASE("RunningInThatCannotBeIsRefused") {
   };
   refused("until = \"200 s\"", {"case.toml:", "running_in.wear_coefficient", "missing"});
   refused("wear_coefficient = 1e-8", {"case.toml:", "running_in.until", "worn_in"});
+  refused("wear_coefficient = 1e-8\nuntil = 5",
+          {"case.toml:17:", "running_in.until", "until = \"200 s\""});
   refused("wear_coefficient = 1e-8\nuntil = \"worn_in\"",
           {"case.toml:", "limit_pressure", "missing"});
   refused("wear_coefficient = -1e-8\nuntil = \"200 s\"", {"case.toml:16:", "positive"});

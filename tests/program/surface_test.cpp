@@ -1,4 +1,9 @@
 // From a height map to a case that runs with its factors.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "app/read_case.hpp"
@@ -96,6 +101,9 @@ TEST_CASE("ATableOfFactorsThatCannotBeIsRefusedWithItsPlace") {
   other.replace(other.find("0.3, 2"), 6, "0.4, 2");
   check_words(refused(scratch, other), {"factors.csv:3:1", "same in every row"});
   check_words(refused(scratch, kTable.substr(0, kTable.find("0.3, 4"))), {"2 rows", "3 or more"});
+  std::string shear = kTable;
+  shear.replace(shear.find("0.7, 0.65"), 9, "0.7, 0.95");
+  check_words(refused(scratch, shear), {"factors.csv:3:", "phi_fp is 0.95", "reciprocity"});
   check_words(refused(scratch, kTable, "[surfaces]\nflow_factors = \"factors.csv\"\n"),
               {"surfaces.flow_factors", "smooth"});
 }
@@ -121,4 +129,93 @@ TEST_CASE("SurfaceRefusesWrongOptionsAndItsOwnMapAsOutput") {
   CHECK(run_words({"surface", kMap, "--motion", "z"}).code == kBadInput);
   CHECK(run_words({"surface", kMap, "--csv", kMap, "--force"}).code == kBadInput);
   CHECK(run_words({"surface", "no-such-map.txt"}).code == kBadFile);
+}
+
+namespace {
+
+/// A map of z(i, j) in um, 64 x 48 points, a pitch of 1 um, over a case's file.
+std::string map_of(const ScratchFolder& scratch, const std::function<double(int, int)>& z,
+                   const std::string& header = "# Pitch: 1 um\n# Value units: um\n") {
+  std::string text = header;
+  for (int j = 0; j < 48; ++j) {
+    for (int i = 0; i < 64; ++i) text += fmt::format("{:.17g} ", z(i, j));
+    text += "\n";
+  }
+  return scratch.write("map.txt", text);
+}
+
+constexpr double kTurn = 2.0 * 3.14159265358979323846;
+
+double grooves_across(int i, int) { return 0.3 * std::sin(kTurn * (i + 0.25) / 16.0); }
+
+double egg_box(int i, int j) {
+  return 0.1 * (std::sin(kTurn * (i + 0.25) / 16.0) + std::sin(kTurn * (j + 0.25) / 16.0));
+}
+
+double noise(int i, int j) {
+  return std::fmod(std::abs(std::sin(i * 12.9898 + j * 78.233)) * 43758.5, 1.0);
+}
+
+}  // namespace
+
+TEST_CASE("AMapThatIsFormAloneIsRefusedByName") {
+  const ScratchFolder scratch;
+  const auto refused_map = [&](const std::function<double(int, int)>& z, const char* degree) {
+    const Ended ended = run_words({"surface", map_of(scratch, z), "--form", degree, "-j", "1"});
+    CHECK(ended.code == kBadInput);
+    check_words(ended.err, {"map.txt", "no roughness is left"});
+  };
+  refused_map([](int, int) { return 3.7; }, "0");
+  refused_map([](int i, int j) { return 5.0 + 0.01 * i - 0.02 * j; }, "1");
+  refused_map([](int i, int j) { return 5.0 + 1e-3 * i * i - 2e-3 * i * j; }, "2");
+}
+
+TEST_CASE("AMapInWrongUnitsIsRefusedOrToldBySlopes") {
+  // Noise of 1 um over a pitch of 1 um: neighbours differ by 0.41 um (uniform, standing apart),
+  // sqrt(2/12) along each axis, 0.58 in all; in mm a thousandfold.
+  const ScratchFolder scratch;
+  const std::vector<std::string> more{"--error", "1", "--gaps", "3,4,6", "-j", "1"};
+  const auto run_map = [&](const std::string& header) {
+    std::vector<std::string> words{"surface", map_of(scratch, noise, header)};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_words(words);
+  };
+  const Ended wrong = run_map("# Pitch: 1 um\n# Value units: mm\n");
+  CHECK(wrong.code == kBadInput);
+  check_words(wrong.err, {"map.txt", "slopes of 5", "check the units"});
+  const Ended steep = run_map("# Pitch: 1 um\n# Value units: um\n");
+  CHECK(steep.code == kDone);
+  check_words(steep.out, {"note: slopes of 0.5", "thin-film"});
+  const Ended oblong = run_map("# Width: 64 um\n# Height: 48 mm\n# Value units: nm\n");
+  CHECK(oblong.code == kDone);
+  check_words(oblong.out, {"note: the pitch is 1 um along the motion and 1e+03 um across"});
+}
+
+TEST_CASE("AMapWithoutSummitsOrWithEqualOnesTellsWhatIsNotKnown") {
+  const ScratchFolder scratch;
+  const auto told = [&](const std::function<double(int, int)>& z) {
+    const Ended ended = run_words({"surface", map_of(scratch, z), "--error", "1", "--form", "0",
+                                   "--gaps", "2,3,4,6", "-j", "1"});
+    INFO(ended.err);
+    CHECK(ended.code == kDone);
+    CHECK(ended.out.find("nan") == std::string::npos);
+    CHECK(ended.out.find("summit_height") == std::string::npos);  // not in the case's lines
+    return ended.out;
+  };
+  check_words(told(grooves_across), {"note: no summit was counted", "n/a"});
+  check_words(told(egg_box), {"note: the summits are equal", "n/a"});
+}
+
+TEST_CASE("ATableThatNoCaseCanTakeIsNotWritten") {
+  // Grooves across, closed below h/sigma = 1.42: of four gaps two are left.
+  const ScratchFolder scratch;
+  const std::string csv = scratch.path("closed.csv"), json = scratch.path("closed.json");
+  const Ended ended =
+      run_words({"surface", map_of(scratch, grooves_across), "--error", "1", "--form", "0",
+                 "--gaps", "0.5,1,2,4", "-j", "1", "--csv", csv, "--json", json});
+  CHECK(ended.code == kBadInput);
+  check_words(ended.err, {"map.txt", "2 rows", "--gaps"});
+  CHECK_FALSE(std::filesystem::exists(csv));
+  CHECK(std::filesystem::exists(json));  // what was found is not lost
+  check_words(ended.out, {"note: at 2 of the smallest gaps", "note: no case can take"});
 }

@@ -131,6 +131,16 @@ TEST_CASE("TheContactAreaIsTheGreenwoodTrippIntegral", "[boundary_friction]") {
         Approx(0.001).epsilon(1e-14));
 }
 
+TEST_CASE("TheContactRatioIsThatOfTheSummits", "[boundary_friction]") {
+  // (6): r_c = pi^2 (eta beta sigma)^2 F_2, F_2(0) = 1/2, eta beta sigma by (5) from K alone.
+  const BoundaryFriction f(pair_with(law()), kSigma);
+  const double product = summit_product(0.001, kSigma, 10e-6);
+  CHECK(f.summits() == Approx(product).epsilon(1e-14));
+  CHECK(f.contact_ratio(0.0) == Approx(0.5 * kPi * kPi * product * product).epsilon(1e-13));
+  CHECK(f.contact_ratio(1.5) ==
+        Approx(kPi * kPi * product * product * gt_integral(2.0, 1.5)).epsilon(1e-10));
+}
+
 TEST_CASE("TheReferenceLengthFollowsFromTheSummits", "[boundary_friction]") {
   GenericFriction f = law();
   f.orientation = 4.0;

@@ -147,3 +147,131 @@ TEST_CASE("FewerValuesThanKeysSettleNothing", "[bounded_fit]") {
   CHECK(fit.status == FitStatus::unsettled);
   CHECK_FALSE(fit.determined());
 }
+
+TEST_CASE("TheDeviationsOfAStraightLineAreTheClosedForm", "[bounded_fit]") {
+  // y = a + b t with known deviation sd: var(b) = sd^2/Stt, var(a) = sd^2 (1/n + m^2/Stt), cov =
+  // -m sd^2/Stt; m mean of t, Stt = sum (t - m)^2. Linear: differences are exact to round-off,
+  // 1e-6.
+  const Values t{0.0, 0.1, 0.3, 0.4, 0.8, 0.9, 1.0};
+  const double sd = 0.05, n = 7.0, m = 0.5;
+  double Stt = 0.0;
+  for (const double v : t) Stt += (v - m) * (v - m);
+  for (const bool known : {true, false}) {
+    FitProblem p;
+    p.parameters = {{1.0, -5.0, 5.0}, {1.0, -20.0, 20.0}};
+    p.deviations_known = known;
+    p.residuals = [t, sd](const Values& x, Purpose) {
+      Values r;
+      for (std::size_t k = 0; k < t.size(); ++k) {
+        const double y = 2.0 - 3.0 * t[k] + (k % 2 == 0 ? 0.06 : -0.07);
+        r.push_back((x[0] + x[1] * t[k] - y) / sd);
+      }
+      return std::optional(r);
+    };
+    const Fit fit = fit_bounded(p);
+    REQUIRE(fit.status == FitStatus::settled);
+    CHECK(fit.freedom == 5);
+    const double s = sd * (known ? 1.0 : std::sqrt(fit.chi2 / 5.0));
+    CHECK(fit.deviation[1] == Approx(s / std::sqrt(Stt)).epsilon(1e-6));
+    CHECK(fit.deviation[0] == Approx(s * std::sqrt(1.0 / n + m * m / Stt)).epsilon(1e-6));
+    CHECK(fit.correlation[0][1] == Approx(-m / std::sqrt(Stt / n + m * m)).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("WhatComputingAddsIsInTheDeviations", "[bounded_fit]") {
+  // (4) with s^2 = 1 + noise^2
+  FitProblem p = decay(0.02, 13);
+  const Fit exact = fit_bounded(p);
+  p.noise = 3.0;
+  const Fit noisy = fit_bounded(p);
+  for (int k : {0, 1}) {
+    CHECK(noisy.deviation[k] == Approx(std::sqrt(10.0) * exact.deviation[k]).epsilon(1e-2));
+  }
+}
+
+TEST_CASE("ACoarseModelIsFittedToATenthOfTheDeviations", "[bounded_fit]") {
+  // Data of many more digits than the differences have: what is "settled" lies within a tenth of a
+  // deviation of the minimum, and what the slopes' error, 1e-4^(2/3) of |r|, moves it by.
+  for (const double sd : {1e-3, 1e-5, 1e-7}) {
+    FitProblem p = decay(sd, 15);
+    const Fit fine = fit_bounded(p);
+    REQUIRE(fine.status == FitStatus::settled);
+    p.accuracy = 1e-4;
+    const Fit coarse = fit_bounded(p);
+    REQUIRE(coarse.status == FitStatus::settled);
+    for (int k : {0, 1}) {
+      INFO(sd << ": " << (coarse.x[k] - fine.x[k]) / fine.deviation[k] << " deviations");
+      CHECK(std::abs(coarse.x[k] - fine.x[k]) < 0.2 * fine.deviation[k]);
+    }
+  }
+}
+
+TEST_CASE("ASearchThatIsCutShortIsNotCalledSettledFarFromTheMinimum", "[bounded_fit]") {
+  // Cut after each number of steps: what is called settled is within a tenth of a deviation along
+  // both directions of the ellipse.
+  for (const double sd : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    FitProblem p = decay(sd, 21);
+    const Fit fine = fit_bounded(p);
+    p.accuracy = 1e-4;
+    int settled = 0;
+    for (int steps = 1; steps <= 30; ++steps) {
+      p.most_iterations = steps;
+      const Fit fit = fit_bounded(p);
+      if (fit.status != FitStatus::settled) continue;
+      ++settled;
+      for (int k : {0, 1}) {
+        INFO(sd << ", " << steps << ": " << (fit.x[k] - fine.x[k]) / fine.deviation[k]);
+        CHECK(std::abs(fit.x[k] - fine.x[k]) < 0.2 * fine.deviation[k]);
+      }
+    }
+    CHECK(settled > 10);
+  }
+}
+
+TEST_CASE("AnInterruptedFitGivesTheBestThatItFound", "[bounded_fit]") {
+  // Stopped while the n-th evaluation runs: as a film solver, it then computes nothing more.
+  for (const int last : {0, 1, 7, 12, 18}) {
+    FitProblem p = decay(0.02, 17);
+    int asked = 0;
+    double best = INFINITY;
+    Values at;
+    p.stopped = [&] { return asked > last; };
+    p.residuals = [&, r = p.residuals](const Values& x, Purpose purpose) {
+      ++asked;
+      auto out = asked > last ? std::optional<Values>() : r(x, purpose);
+      double chi2 = 0.0;
+      for (const double v : out.value_or(Values{})) chi2 += v * v;
+      if (out && purpose == Purpose::step && chi2 < best) best = chi2, at = x;
+      return out;
+    };
+    const Fit fit = fit_bounded(p);
+    INFO("stopped after " << last);
+    CHECK(fit.status == FitStatus::interrupted);
+    CHECK(fit.refused_steps == 0);
+    CHECK(fit.computed() == (last > 0));
+    if (last == 0) continue;
+    CHECK(fit.x == at);
+    CHECK(fit.chi2 == best);
+    CHECK(fit.freedom == 18);
+    if (last > 12) CHECK(fit.chi2 < 0.5 * fit.chi2_start);
+  }
+}
+
+TEST_CASE("AFitThatLosesItsSlopesGivesTheBestThatItFound", "[bounded_fit]") {
+  FitProblem p = decay(0.02, 19);
+  double near = INFINITY;
+  p.residuals = [&near, r = p.residuals](const Values& x, Purpose purpose) {
+    if (purpose == Purpose::difference && near < 1.0) return std::optional<Values>();
+    if (purpose == Purpose::step) near = std::min(near, std::abs(x[0] - 2.0));
+    return r(x, purpose);
+  };
+  const Fit fit = fit_bounded(p);
+  CHECK(fit.status == FitStatus::not_computed);
+  CHECK(fit.chi2 < fit.chi2_start);
+  CHECK(fit.freedom == 18);
+  double chi2 = 0.0;
+  const auto again = p.residuals(fit.x, Purpose::step);
+  REQUIRE(again);
+  for (const double v : *again) chi2 += v * v;
+  CHECK(chi2 == Approx(fit.chi2).epsilon(1e-12));
+}

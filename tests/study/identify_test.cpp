@@ -1,6 +1,7 @@
 // Keys of bearings from computed measurements with noise.
 #include "app/study/identify.hpp"
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -147,4 +148,30 @@ TEST_CASE("APointThatIsNotFoundIsLeftOutAndKept", "[identify]") {
   CHECK(end.values_used(points) == 3);
   CHECK(end.fit.status == FitStatus::settled);
   CHECK(std::abs(end.fit.x[0] - kTruth[0]) < 3.0 * end.fit.deviation[0]);
+}
+
+TEST_CASE("AnInterruptedIdentificationShowsTheBestKeysWithTheirTorques", "[identify]") {
+  const std::vector<Place> places{{30.0, 8e3}, {80.0, 8e3}, {200.0, 8e3}, {400.0, 8e3}};
+  const auto points = measured(places, kTruth, 0.01, 7);
+  std::atomic<bool> stop{false};
+  IdentifyOptions options;
+  options.stop = &stop;
+  options.progress = [&](const IdentifyProgress& now) { stop = now.evaluation >= 8; };
+  const Identification end = identify(points, kKeys, source(places), options);
+  CHECK(end.fit.status == FitStatus::interrupted);
+  REQUIRE(end.fit.computed());
+  CHECK(end.fit.chi2 <= end.fit.chi2_start);
+  CHECK(end.fit.freedom == 1);
+  CHECK(end.fit.refused_steps == 0);
+  double chi2 = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    REQUIRE(end.points[i].fitted.size() == 1);
+    const auto& m = points[i].values[0];
+    chi2 += std::pow((end.points[i].fitted[0] - m.value) / m.deviation, 2);
+    // The torque of a new solution with these keys: solver tolerance (accuracy_of) of the torque.
+    const Case again = rubbing(places[i].rpm, places[i].load, end.fit.x);
+    CHECK(bearing::solve(again).value("friction_torque") ==
+          Approx(end.points[i].fitted[0]).epsilon(1e-7));
+  }
+  CHECK(chi2 == Approx(end.fit.chi2).epsilon(1e-12));
 }

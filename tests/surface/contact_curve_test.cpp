@@ -98,3 +98,66 @@ TEST_CASE("SharpHighSummitsOfAGaussianMapCarryLessThanTheFormulaSays") {
   CHECK(above < at_mean);
   CHECK(above > 0.6);
 }
+
+namespace {
+
+/// a (sin + sin) of one period each way: all summits equal, at 2 a.
+HeightMap egg_box(double a, int points, int periods) {
+  HeightMap map{points * periods, points * periods, 1e-6, 1e-6, {}};
+  const auto wave = [&](int k) { return std::sin(2.0 * kPi * (k + 0.25) / points); };
+  for (int j = 0; j < map.ny; ++j) {
+    for (int i = 0; i < map.nx; ++i) map.z.push_back(a * (wave(i) + wave(j)));
+  }
+  return map;
+}
+
+}  // namespace
+
+TEST_CASE("EqualSummitsAreSummedAndTheFormulaOfScatteredOnesIsNotUsed") {
+  // n equal pairs to the area: (16 pi/15) (2 b) sqrt(b/2) w^(5/2) (n/A)^2, on a plane 4/3 sqrt(b)
+  // w^(3/2) n/A. The summits differ by the round-off of their sines.
+  const double a = 0.2e-6;
+  const HeightMap map = egg_box(a, 25, 8);
+  const auto summits = count_summits(map);
+  REQUIRE(summits.size() == 64);
+  const SummitStatistics one = statistics_of(summits, map);
+  CHECK_FALSE(scattered(one, a));
+  const double b = one.radius, eta = one.density;
+  for (const double h : {0.0, a, 1.5 * a, 4.5 * a}) {
+    const ContactRow row = contact_curve(map, summits, one, {h})[0];
+    const double pair = std::max(2.0 * one.height - h, 0.0), plane = std::max(one.height - h, 0.0);
+    CHECK(row.pair_summits ==
+          Approx(16.0 * kPi / 15.0 * 2.0 * b * std::sqrt(0.5 * b) * std::pow(pair, 2.5) * eta * eta)
+              .epsilon(1e-9));
+    CHECK(row.plane_summits ==
+          Approx(4.0 / 3.0 * std::sqrt(b) * std::pow(plane, 1.5) * eta).epsilon(1e-9));
+    CHECK(std::isnan(row.pair_formula));
+    CHECK(std::isnan(row.pair_contact_ratio));
+  }
+}
+
+TEST_CASE("WithoutSummitsThereIsNoContactPressureToTell") {
+  // Grooves: no point is higher than its neighbours along the groove.
+  HeightMap map{40, 40, 1e-6, 1e-6, {}};
+  for (int c = 0; c < 1600; ++c) map.z.push_back(1e-7 * std::sin(2.0 * kPi * (c % 40) / 10.0));
+  const auto summits = count_summits(map);
+  REQUIRE(summits.empty());
+  const ContactRow row = contact_curve(map, summits, statistics_of(summits, map), {0.0})[0];
+  CHECK(std::isnan(row.pair_formula));
+  CHECK(std::isnan(row.pair_summits));
+  CHECK(std::isnan(row.plane_summits));
+  CHECK(row.bearing_area > 0.3);  // Abbott's curve needs no summits
+}
+
+TEST_CASE("TheFormulaEndsWhereItsIntegralDoes") {
+  // F_5/2(-x) = E[(s + x)^5/2] = x^5/2 (1 + 15/8 x^-2 + ...) as deep as it is known.
+  const auto summits = gaussian_summits(100);
+  const HeightMap map{402, 402, 1e-6, 1e-6, std::vector<double>(402 * 402, 0.0)};
+  const SummitStatistics one = statistics_of(summits, map);
+  const double s = std::sqrt(2.0) * one.roughness;
+  const auto rows = contact_curve(map, summits, one, {-99.0 * s, -101.0 * s});
+  CHECK(rows[0].pair_formula ==
+        Approx(elastic_factor(one) * std::pow(99.0, 2.5) * (1.0 + 15.0 / 8.0 / (99.0 * 99.0)))
+            .epsilon(1e-6));
+  CHECK(std::isnan(rows[1].pair_formula));
+}

@@ -180,3 +180,52 @@ TEST_CASE("ATableLeavesOutTheGapsThroughWhichNothingFlows") {
   options.stop = &stop;
   CHECK(map_factors(map, 1.0, {1.0}, options).rows.empty());
 }
+
+TEST_CASE("GroovesAcrossThatTouchLetNothingThroughWhateverRoundOffSays") {
+  // z = sin over the motion, a = sqrt2 sigma: closed along the motion at H <= sqrt2 + 0.01, while
+  // across the grooves stay open. Round-off would leave a conductance of either sign there.
+  HeightMap map{96, 16, 1.0, 1.0, {}};
+  for (int j = 0; j < map.ny; ++j) {
+    for (int i = 0; i < map.nx; ++i) map.z.push_back(std::sin(2.0 * 3.14159265358979 * i / 24.0));
+  }
+  const double sigma = height_statistics(map).Rq;
+  std::vector<double> gaps;
+  for (double H = 0.1; H < 1.42; H += 0.06) gaps.push_back(H);
+  for (const double H : {1.5, 2.0, 3.0, 4.0}) gaps.push_back(H);
+  for (const PatchEnds ends : {PatchEnds::patch, PatchEnds::periodic}) {
+    FactorOptions options;
+    options.ends = ends;
+    const FactorRows all = map_factors(map, sigma, gaps, options);
+    for (const FactorRow& row : all.rows) {
+      INFO(row.H << ": " << row.phi_x * std::pow(row.H, 3) << " " << row.phi_z);
+      CHECK(row.phi_z > 0.0);
+      CHECK(is_open(row) == (row.H > std::sqrt(2.0) + kTouching));
+      if (!is_open(row)) CHECK(row.phi_x == 0.0);
+    }
+    const fluid::FactorTable table = factor_table(all.rows, sigma);
+    CHECK(table.H == std::vector<double>{1.5, 2.0, 3.0, 4.0});
+    CHECK(fluid::fault_of(table).problem.empty());
+  }
+}
+
+TEST_CASE("ATableBeginsBehindTheLastClosedGap") {
+  // Of a conductance that seems to be open below a closed gap, nothing is believed.
+  std::vector<FactorRow> rows;
+  for (const double H : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0}) {
+    FactorRow row{H, 0.0, H, 0.5, 0.5, 0.1, 1.0, 0.1, 0.9};
+    if (H == 1.0) row.phi_x = -1e-17;
+    rows.push_back(row);
+  }
+  CHECK(factor_table(rows, 1.0).H == std::vector<double>{1.5, 2.0, 3.0, 4.0});
+}
+
+TEST_CASE("AChannelOfTheNarrowestGapThroughALargeMapIsOpen") {
+  // One cell in 2000 of the gap below which surfaces touch: 0.01^3/2000 = 5e-10 sigma^3.
+  const int n = 2000;
+  HeightMap map{8, n, 1.0, 1.0, std::vector<double>(8 * n, 2.0)};
+  for (int i = 0; i < map.nx; ++i) map.z[map.index(i, n / 2)] = 1.0 - 1.001 * kTouching;
+  for (int i = 0; i < map.nx; ++i) map.z[map.index(i, n / 3)] = 1.0 - 0.999 * kTouching;
+  const FactorRow f = factors_at(map, 1.0, 1.0, PatchEnds::patch);
+  CHECK(f.phi_x == Approx(std::pow(1.001 * kTouching, 3) / n).epsilon(1e-10));
+  CHECK(f.phi_x > kOpen);
+}

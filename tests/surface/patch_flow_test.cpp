@@ -158,3 +158,24 @@ TEST_CASE("ASmoothGapConvergesWithSecondOrder") {
   CHECK(ratio > 3.0);
   CHECK(ratio < 5.5);
 }
+
+TEST_CASE("OnlyAChannelThatGoesRoundOpensAPeriodicPatch") {
+  // Diagonal staircase of open cells, one cell up per cell along: it closes on itself after a round
+  // along x if the patch is as high as long. A wall across every row but with a way up and back on
+  // the same side of the seam opens nothing.
+  const int n = 12;
+  PatchGap stairs{n, n, 1.0, 1.0, std::vector<double>(n * n, 0.0)};
+  for (int i = 0; i < n; ++i) {
+    stairs.h[static_cast<std::size_t>(i * n + i)] = 1.0;
+    stairs.h[static_cast<std::size_t>(i * n + (i + 1) % n)] = 1.0;
+  }
+  CHECK(patch_conductance(stairs, PatchEnds::periodic) > 1e-3);
+  PatchGap walled{n, n, 1.0, 1.0, std::vector<double>(n * n, 1.0)};
+  for (int j = 0; j < n; ++j) walled.h[static_cast<std::size_t>(j * n + 5)] = 0.0;
+  CHECK(patch_conductance(walled, PatchEnds::periodic) == 0.0);
+  CHECK(patch_conductance(walled, PatchEnds::patch) == 0.0);
+  CHECK(patch_conductance(exchanged(walled), PatchEnds::periodic) > 0.5);
+  PatchGap seam{n, n, 1.0, 1.0, std::vector<double>(n * n, 1.0)};
+  for (int j = 0; j < n; ++j) seam.h[static_cast<std::size_t>(j * n)] = 0.0;
+  CHECK(patch_conductance(seam, PatchEnds::periodic) == 0.0);
+}

@@ -60,15 +60,15 @@ struct Vessel {
 
 struct Supply {
   SupplyKind kind = SupplyKind::hole;
-  double angle = 0.0;            ///< of its middle, of a drilling as the cycle begins [rad]
-  double z = 0.0;                ///< axial position of its middle [m]
-  double arc = 0.0;              ///< circumferential extent [rad]; 0: a line; 2 pi: all round
-  double length = 0.0;           ///< axial extent [m]
-  double diameter = 0.0;         ///< hole and drilling [m]; arc and length then enclose the circle
-  double depth = 1.0e-3;         ///< added to the gap inside [m]
-  double pressure = 0.0;         ///< gauge [Pa]
-  double temperature = 0.0;      ///< [K]
-  double carry_over = 1.0;       ///< part of the film oil entering it that is mixed in again [-]
+  double angle = 0.0;        ///< of its middle, of a drilling as the cycle begins [rad]
+  double z = 0.0;            ///< axial position of its middle [m]
+  double arc = 0.0;          ///< circumferential extent [rad]; 0: a line; 2 pi: all round
+  double length = 0.0;       ///< axial extent [m]
+  double diameter = 0.0;     ///< hole and drilling [m]; arc and length then enclose the circle
+  double depth = 1.0e-3;     ///< added to the gap inside [m]
+  double pressure = 0.0;     ///< gauge [Pa]
+  double temperature = 0.0;  ///< [K]
+  double carry_over = 1.0;   ///< part of the film oil entering it that is mixed in again [-]
   std::optional<Vessel> vessel{};  ///< none: its pressure stands, whatever flows
 };
 
@@ -113,6 +113,8 @@ struct Housing {
   solid::Material material{};
   double outer_radius = 0.0;  ///< [m]
   HousingSupport support = HousingSupport::held;
+  double joint_conductance =
+      0.0;  ///< of the joint with the shell [W/(m2 K)]; 0: without resistance
   [[nodiscard]] bool operator==(const Housing&) const = default;
 };
 /// Heat leaves the outer surface of the housing (of the shell if there is no housing).

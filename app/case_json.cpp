@@ -202,6 +202,9 @@ Json shell(const Shell& s) {
     json["housing"] = {{"material", material(s.housing->material)},
                        {"outer_diameter", si(2.0 * s.housing->outer_radius, "m")},
                        {"support", supports[static_cast<int>(s.housing->support)]}};
+    if (s.housing->joint_conductance > 0.0) {
+      json["housing"]["joint_conductance"] = si(s.housing->joint_conductance, "W/(m2 K)");
+    }
   }
   if (const auto* back = std::get_if<PrescribedBack>(&s.back)) {
     json["back"] = {{"temperature", si(back->temperature, "K")}};

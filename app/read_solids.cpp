@@ -40,10 +40,12 @@ solid::Material read_properties(const Section& section, const std::string& name)
 }
 
 Housing read_housing(const Section& section) {
-  section.only({"material", "outer_diameter", "support"}, "shell.housing");
+  section.only({"material", "outer_diameter", "support", "joint_conductance"}, "shell.housing");
   Housing housing;
   housing.material = read_material(section, "material");
   housing.outer_radius = 0.5 * section.quantity("outer_diameter", kLength, kPositive);
+  housing.joint_conductance =
+      section.quantity_or("joint_conductance", kHeatTransfer, 0.0, "", kPositive);
   if (section.has("support")) {
     housing.support =
         section.choice<HousingSupport>("support", {{"held", HousingSupport::held},

@@ -114,6 +114,8 @@ struct Housing {
   solid::Material material{};
   double outer_radius = 0.0;  ///< [m]
   HousingSupport support = HousingSupport::held;
+  double joint_conductance =
+      0.0;  ///< of the joint with the shell [W/(m2 K)]; 0: without resistance
   [[nodiscard]] bool operator==(const Housing&) const = default;
 };
 /// Heat leaves the outer surface of the housing (of the shell if there is no housing).

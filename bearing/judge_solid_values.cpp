@@ -44,6 +44,8 @@ void judge_shell(const Shell& s, Findings& to) {
   }
   if (s.housing) {
     judge_material(s.housing->material, "shell.housing", to);
+    shell.number("housing.joint_conductance", s.housing->joint_conductance, "W/(m2 K)",
+                 kNotNegative);
     shell.number("housing.outer_diameter", 2.0 * s.housing->outer_radius, "mm", kPositive);
   }
   judge_back(s, to);

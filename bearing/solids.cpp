@@ -13,6 +13,10 @@ namespace shellback::bearing {
 
 using Layers = Solids::Layers;
 
+/// A joint is a layer of the housing so thick, whose conductivity makes its conductance: a
+/// thousandth of a shell's thickness, so that it carries no heat along and moves nothing [m].
+constexpr double kJoint = 2e-6;
+
 Layers wall_layers(const Case& c) {
   if (!c.shell || c.shell->layers.empty()) {
     throw InputError(
@@ -27,10 +31,16 @@ Layers wall_layers(const Case& c) {
     radius += layer.thickness;
   }
   out.last_of_shell = static_cast<int>(out.material.size()) - 1;
-  if (c.shell->housing) {
-    out.material.push_back(c.shell->housing->material);
-    out.thickness.push_back(c.shell->housing->outer_radius - radius);
+  if (!c.shell->housing) return out;
+  const Housing& housing = *c.shell->housing;
+  if (housing.joint_conductance > 0.0) {
+    out.material.push_back(housing.material);
+    out.material.back().conductivity = housing.joint_conductance * kJoint;
+    out.thickness.push_back(kJoint);
+    radius += kJoint;
   }
+  out.material.push_back(housing.material);
+  out.thickness.push_back(housing.outer_radius - radius);
   return out;
 }
 

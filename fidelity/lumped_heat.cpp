@@ -26,6 +26,8 @@ HeatPath shell_path(const Case& c, double film) {
     return {c.bearing.width / resistance, back->temperature};
   }
   if (shell.housing) {
+    const double joint = shell.housing->joint_conductance;
+    if (joint > 0.0) resistance += 1.0 / (2.0 * kPi * r * joint);
     resistance += layer(r, shell.housing->outer_radius, shell.housing->material);
     r = shell.housing->outer_radius;
   }

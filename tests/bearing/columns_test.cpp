@@ -198,3 +198,33 @@ TEST_CASE("NodeFlowsAddUpToTheFaceFlows", "[columns]") {
   check(s.film.flow.phi, p.phi_flow);
   check(s.film.flow.z, p.z_flow);
 }
+
+TEST_CASE("ADryColumnHasTheTemperaturesOfItsWalls") {
+  Case c = shellback::bearing::tests::warm_case();
+  BearingModel model = make_bearing(c, physics_of(c, Tier::thd), {24, 4});
+  FilmEquilibrium film = cold_start(model, 313.15);
+  const int nz = model.scene.grid.nz;
+  const int cell = 12 * nz;  // no oil comes to it, and none is there: neighbours and speed at rest
+  model.scene.speed = 0.0;
+  for (int k = 0; k < model.scene.grid.cells(); ++k) {
+    if (model.scene.supply.cell[k] >= 0) continue;
+    film.film.theta[k] = 0.0;
+    film.film.full[k] = 0;
+  }
+  REQUIRE(evaluate(model, {}, 1e-10, film));
+  auto problem = film_energy_problem(model, film, friction_of(model, film));
+  std::fill(problem.phi_flow.begin(), problem.phi_flow.end(), 0.0);
+  std::fill(problem.z_flow.begin(), problem.z_flow.end(), 0.0);
+  std::fill(problem.heat.begin(), problem.heat.end(), 0.0);
+  thermal::FilmEnergy energy(std::move(problem));
+  const int n = model.gl.n;
+  std::vector<double> T = film.columns.T;
+  const double shell = 320.0;
+  const double shaft = 330.0;
+  T[cell * n] = shell;
+  T[cell * n + n - 1] = shaft;
+  static_cast<void>(energy.sweep(T));
+  for (int k = 0; k < n; ++k) {
+    CHECK(T[cell * n + k] == Approx(shell + model.gl.s[k] * (shaft - shell)).epsilon(1e-9));
+  }
+}

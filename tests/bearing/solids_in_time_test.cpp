@@ -107,6 +107,36 @@ TEST_CASE("HeatIntoTheSolidsLeavesOrIsStored", "[solids_in_time]") {
   }
 }
 
+TEST_CASE("AJointDropsItsTemperature", "[solids_in_time]") {
+  // Without heat through the ends what enters at the bore passes the joint: q/h less hot behind it.
+  Case c = warm_case();
+  c.shell->end_heat_transfer = 0.0;
+  const double h = 2e3;
+  c.shell->housing->joint_conductance = h;
+  const FilmGrid grid = grid_of(c);
+  const Solids solids(c, grid, {false, true, true});
+  const Film film{grid};
+  const SolidTemperature cold = solids.at(solids.uniform_state(303.15));
+  const SolidTemperature t = balance(solids, film, cold, nullptr).answer;
+  const WallFlux q = film(t.shell.surface, t.shaft.temperature);
+  double mean = 0.0;
+  for (const double x : q.shell) mean += x / static_cast<double>(q.shell.size());
+  const double joint = c.bearing.radius + 5e-3;
+  const std::vector<double> r = solids.section_radii();
+  const std::vector<double> T = solids.section(t.shell);
+  const auto inner = static_cast<std::size_t>(
+      std::find_if(r.begin(), r.end(), [&](double x) { return x > joint - 1e-9; }) - r.begin());
+  const auto outer = static_cast<std::size_t>(
+      std::find_if(r.begin(), r.end(), [&](double x) { return x > joint + 1.9e-6; }) - r.begin());
+  double drop = 0.0;
+  for (int i = 0; i < grid.nt; ++i) {
+    drop += (T[i * r.size() + inner] - T[i * r.size() + outer]) / grid.nt;
+  }
+  // 2 um on a radius of 30 mm: the cylinder's logarithm is 3e-5 of it off a plane.
+  CHECK(drop == Approx(mean * c.bearing.radius / joint / h).epsilon(1e-4));
+  CHECK(imbalance(t) < 1e-10 * (t.shell.heat_in + t.shaft.heat_in));
+}
+
 TEST_CASE("LongMarchOfTheSolidsEndsInTheSteadyAnswer", "[solids_in_time]") {
   for (const int nt : {48, 100}) {  // 12 harmonics; 25, of which some would be interpolated
     const Case c = warm_case();

@@ -349,8 +349,8 @@ void CycleRecord::write(CycleResult& r) const {
   r.period = length_;
   r.crank_speed = m.input.cycle->crank_speed;
   r.grid = {g.nt, g.full_nz()};
-  r.warnings = m.input.warnings;
-  r.assumptions = m.input.assumptions;
+  r.warnings.assign(m.input.warnings.begin(), m.input.warnings.end());
+  r.assumptions.assign(m.input.assumptions.begin(), m.input.assumptions.end());
   if (instants_.size() < 2) return;
   r.instants = instants_;
   r.quantities = quantities();
@@ -364,9 +364,7 @@ void CycleRecord::write(CycleResult& r) const {
   r.fields.friction_power = mirror_to_full(g, friction);
   r.frames = frames_;
   if (dry_ > 0.0) {
-    r.warnings.push_back(fmt::format(
-        "for {:.3g} % of the time a vessel stands at the cavitation pressure: no oil flows from it",
-        100.0 * dry_ / told()));
+    r.warnings.push_back(note::VesselEmpty{dry_ / told()});
   }
   tell_ranges(r);
   if (film_->heat() && !heat_.to_shell.empty()) write_heat(r);
@@ -379,7 +377,7 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   const fluid::SmallestGap least{h_min_[at], g.phi[at / g.nz], g.z[at % g.nz]};
   const double T = extreme(instants_, &CycleInstant::T_film_max, false).T_film_max;
   const FilmReach reach{NAN, T, largest(p_max_), h_min_, least};
-  for (std::string& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
+  for (Note& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
   for (LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(std::move(l));
 }
 

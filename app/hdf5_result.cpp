@@ -3,6 +3,8 @@
 #include <functional>
 #include <numeric>
 
+#include "app/words/ending_words.hpp"
+#include "app/words/note_words.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app::hdf5 {
@@ -16,9 +18,10 @@ void write_head(hid_t file, const Result& result) {
   attribute(file, "tier", std::string(to_string(result.tier)));
   attribute(file, "status", std::string(to_string(result.verdict.status)));
   attribute(file, "converged", result.verdict.good() ? 1 : 0);
-  attribute(file, "reason", result.verdict.reason);
-  attribute(file, "place", result.verdict.place);
-  attribute(file, "cure", result.verdict.cure);
+  const EndingWords words = words_of(result.verdict);
+  attribute(file, "reason", words.reason);
+  attribute(file, "place", words.place);
+  attribute(file, "cure", words.cure);
 }
 
 void write_cost(hid_t file, const bearing::Cost& k) {
@@ -59,8 +62,8 @@ void write_notes(hid_t file, const Result& result) {
   doubles(limiters, "count", column<double>(result.limiters, &LimiterCount::count), "-",
           "how often it acted");
   const Handle notes = group(file, "notes");
-  texts(notes, "warnings", result.warnings, "warnings");
-  texts(notes, "assumptions", result.assumptions, "defaults and assumed data relied on");
+  texts(notes, "warnings", words_of(result.warnings), "warnings");
+  texts(notes, "assumptions", words_of(result.assumptions), "defaults and assumed data relied on");
 }
 
 }  // namespace shellback::app::hdf5

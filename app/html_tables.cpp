@@ -11,6 +11,8 @@
 #include "app/quantity_label.hpp"
 #include "app/svg.hpp"
 #include "app/tolerance_words.hpp"
+#include "app/words/ending_words.hpp"
+#include "app/words/note_words.hpp"
 
 namespace shellback::app {
 namespace {
@@ -93,7 +95,7 @@ std::string measured_sentence(const bearing::Case& c, const Comparison& comparis
 
 std::string failure_html(const std::string& name, const Result& result,
                          const std::string& meaning) {
-  const Verdict& v = result.verdict;
+  const EndingWords v = words_of(result.verdict);
   std::string html = fmt::format("<section class=\"failed\"><strong>{}: {}</strong><dl>",
                                  escape_markup(name), status_line(result));
   for (const auto& [term, words] :
@@ -213,8 +215,8 @@ std::string notes_html(const Comparison& comparison) {
   std::vector<std::string> assumptions;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const Result& r = comparison.results[k];
-    for (const auto& line : r.warnings) add_once(warnings, line);
-    for (const auto& line : r.assumptions) add_once(assumptions, line);
+    for (const auto& line : words_of(r.warnings)) add_once(warnings, line);
+    for (const auto& line : words_of(r.assumptions)) add_once(assumptions, line);
     for (const auto& l : r.limiters) {
       limiters.push_back(fmt::format("{}: {}, {} times", names[k], l.what, l.count));
     }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/words/ending_words.hpp"
+
 namespace shellback::app {
 
 using study::FitDirection;
@@ -127,8 +129,9 @@ std::vector<std::string> complaints(const IdentifyView& v) {
   for (std::size_t i = 0; i < v.end.points.size(); ++i) {
     const study::FittedPoint& p = v.end.points[i];
     if (p.used() || v.end.fit.status == FitStatus::interrupted) continue;
-    all.push_back(fmt::format("{} is left out: {}{}{}", v.table.points[i].name, p.verdict.reason,
-                              p.verdict.cure.empty() ? "" : "; ", p.verdict.cure));
+    const EndingWords why = words_of(p.verdict);
+    all.push_back(fmt::format("{} is left out: {}{}{}", v.table.points[i].name, why.reason,
+                              why.cure.empty() ? "" : "; ", why.cure));
   }
   add_status(v, all);
   add_undetermined(v, all);

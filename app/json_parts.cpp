@@ -4,6 +4,7 @@
 
 #include "app/case_json.hpp"
 #include "app/provenance.hpp"
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::app::json_parts {
@@ -19,9 +20,10 @@ void add_status(Json& json, const Verdict& verdict) {
   json["status"] = to_string(verdict.status);
   json["converged"] = verdict.good();
   if (verdict.good()) return;
-  json["reason"] = verdict.reason;
-  json["place"] = verdict.place;
-  json["cure"] = verdict.cure;
+  const EndingWords words = words_of(verdict);
+  json["reason"] = words.reason;
+  json["place"] = words.place;
+  json["cure"] = words.cure;
 }
 
 Json cost_json(const bearing::Cost& k) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "bearing/told_temperature.hpp"
+#include "bearing/temperature_limits.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::app {
@@ -44,7 +44,7 @@ const bearing::Quantity* find(const bearing::Result& result, const std::string& 
 /// it.
 bool beyond_oil(const bearing::Quantity& q) {
   return q.unit == "K" && q.name.starts_with("T_") &&
-         !(q.value >= bearing::kColdestTold && q.value <= bearing::kHottestTold);
+         !(q.value >= bearing::kColdestOil && q.value <= bearing::kHottestOil);
 }
 
 /// Largest magnitude of a quantity over the results; the components of a force count together.

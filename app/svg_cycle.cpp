@@ -7,6 +7,7 @@
 #include "app/cycle_shown.hpp"
 #include "app/svg_film.hpp"
 #include "app/svg_orbit.hpp"
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::app {
@@ -77,7 +78,7 @@ FieldMap power_map(const bearing::Case& c, const CycleResult& cycle, const Field
 std::string status_words(const CycleResult& cycle) {
   std::string words = "Load cycle, tier " + std::string(to_string(cycle.tier)) + ": ";
   if (cycle.verdict.good()) return words + how_it_ran(cycle);
-  return words + status_line(head_of(cycle)) + "; " + cycle.verdict.reason;
+  return words + status_line(head_of(cycle)) + "; " + reason_of(cycle.verdict);
 }
 
 bool has_heat(const CycleResult& cycle) { return !cycle.fields.T_shell.empty(); }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/words/note_words.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::app {
@@ -118,7 +119,7 @@ std::string describe_subject(const bearing::Case& c, const Sweep& sweep, Writing
 std::vector<std::string> sweep_warnings(const Sweep& sweep) {
   std::vector<std::string> all;
   for (const SweepPoint& point : sweep.points) {
-    for (const std::string& warning : point.result.warnings) {
+    for (const std::string& warning : words_of(point.result.warnings)) {
       if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
     }
   }

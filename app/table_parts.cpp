@@ -7,6 +7,7 @@
 
 #include "app/command_words.hpp"
 #include "app/quantity_label.hpp"
+#include "app/words/ending_words.hpp"
 
 namespace shellback::app {
 
@@ -20,11 +21,11 @@ std::string audit_figure(double value) {
 void print_failure(std::ostream& out, const std::string& name, const Result& result,
                    const std::string& meaning) {
   if (result.verdict.good()) return;
-  const auto& v = result.verdict;
+  const EndingWords words = words_of(result.verdict);
   out << fmt::format("*** {}: {} ***\n", name, status_line(result));
-  if (!v.reason.empty()) out << "    reason: " << v.reason << '\n';
-  if (!v.place.empty()) out << "    place:  " << v.place << '\n';
-  if (!v.cure.empty()) out << "    cure:   " << v.cure << '\n';
+  if (!words.reason.empty()) out << "    reason: " << words.reason << '\n';
+  if (!words.place.empty()) out << "    place:  " << words.place << '\n';
+  if (!words.cure.empty()) out << "    cure:   " << words.cure << '\n';
   out << "    " << meaning << "\n\n";
 }
 

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/json_parts.hpp"
 #include "app/provenance.hpp"
 #include "app/svg_lines.hpp"
+#include "app/words/ending_words.hpp"
 #include "app/write_json.hpp"
 #include "core/constants.hpp"
 
@@ -100,7 +102,7 @@ void draw_over_speed(Svg& svg, const Box& box, const std::vector<Stretch>& stret
 
 std::string how_it_ended(const std::vector<Stretch>& stretches, const CourseRun& run) {
   if (run.end.verdict.good()) return fmt::format("{} stretches", stretches.size());
-  return fmt::format("ended after {:.4g} s: {}", run.end.t, run.end.verdict.reason);
+  return fmt::format("ended after {:.4g} s: {}", run.end.t, reason_of(run.end.verdict));
 }
 
 }  // namespace
@@ -129,14 +131,7 @@ std::string course_json(const std::vector<Stretch>& stretches,
                         const bearing::WarmUpOptions& options, const CourseRun& run) {
   const bearing::Case& c = stretches.front().subject;
   Json json;
-  const bool good = run.end.verdict.good();
-  json["status"] = good ? "converged" : to_string(run.end.verdict.status);
-  json["converged"] = good;
-  if (!good) {
-    json["reason"] = run.end.verdict.reason;
-    json["place"] = run.end.verdict.place;
-    json["cure"] = run.end.verdict.cure;
-  }
+  json_parts::add_status(json, run.end.verdict);
   json["title"] = c.title;
   json["tier"] = to_string(c.model.tier);
   json["grid"] = c.model.grid;

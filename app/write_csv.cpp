@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/sweep_columns.hpp"
+#include "app/words/ending_words.hpp"
 
 namespace shellback::app {
 
@@ -76,7 +77,7 @@ std::string row(const Sweep& sweep, int index, const std::vector<SweepQuantity>&
     cells.push_back(good ? std::to_string(x) : "");
   }
   cells.push_back(cell(point.wall_s));
-  cells.push_back(good ? "" : cell(result.verdict.reason));
+  cells.push_back(good ? "" : cell(reason_of(result.verdict)));
   return line(cells);
 }
 

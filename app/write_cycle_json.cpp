@@ -4,6 +4,7 @@
 
 #include "app/cycle_shown.hpp"
 #include "app/json_parts.hpp"
+#include "app/words/note_words.hpp"
 
 namespace shellback::app {
 namespace {
@@ -67,8 +68,8 @@ std::string cycle_json(const bearing::Case& c, const CycleResult& cycle) {
   for (const AuditFigure& a : audit_of(cycle)) json["audit"][a.name] = number(a.value);
   json["cycle"] = over_the_cycle(c, cycle);
   json["limiters"] = limiters_json(cycle.limiters);
-  json["warnings"] = cycle.warnings;
-  json["assumptions"] = cycle.assumptions;
+  json["warnings"] = words_of(cycle.warnings);
+  json["assumptions"] = words_of(cycle.assumptions);
   json["grid"] = cycle.grid;
   json["cost"] = cost_json(cycle.cost);
   json["provenance"] = provenance_json(c);

@@ -9,6 +9,7 @@
 #include "app/cycle_shown.hpp"
 #include "app/table_parts.hpp"
 #include "app/text_table.hpp"
+#include "app/words/note_words.hpp"
 
 namespace shellback::app {
 namespace {
@@ -69,8 +70,8 @@ void write_cycle_table(std::ostream& out, const bearing::Case& c, const CycleRes
   out << how_it_ran(cycle) << '\n';
   out << "audit (relative)  " << audit_words(cycle) << '\n';
   print_limiters(out, {head});
-  print_list(out, "warnings", cycle.warnings);
-  print_list(out, "assumptions", cycle.assumptions);
+  print_list(out, "warnings", words_of(cycle.warnings));
+  print_list(out, "assumptions", words_of(cycle.assumptions));
   print_cost(out, head);
 }
 

@@ -9,6 +9,8 @@
 #include "app/quantity_label.hpp"
 #include "app/sweep_columns.hpp"
 #include "app/tolerance_words.hpp"
+#include "app/words/ending_words.hpp"
+#include "app/words/note_words.hpp"
 #include "fidelity/tolerance.hpp"
 
 namespace shellback::app {
@@ -56,7 +58,7 @@ const char* words(bearing::WhirlVerdict verdict) {
 Json coefficients(const bearing::Coefficients& k) {
   Json json;
   if (!k.verdict.good()) {
-    json["reason"] = k.verdict.reason;
+    json["reason"] = reason_of(k.verdict);
     return json;
   }
   json["convention"] =
@@ -158,8 +160,8 @@ Json to_json(const bearing::Case& c, const bearing::Result& result) {
   if (!result.heat_roots.empty()) json["heat_roots"] = heat_roots(result);
   json["effects"] = effects(result);
   json["limiters"] = limiters_json(result.limiters);
-  json["warnings"] = result.warnings;
-  json["assumptions"] = result.assumptions;
+  json["warnings"] = words_of(result.warnings);
+  json["assumptions"] = words_of(result.assumptions);
   json["grid"] = result.grid;
   json["cost"] = cost_json(result.cost);
   json["history"] = history(result);
@@ -222,7 +224,7 @@ Json point_json(const study::Sweep& sweep, int index) {
   }
   json["quantities"] = quantities(point.result);
   json["audit"] = audit_json(point.result.audit);
-  json["warnings"] = point.result.warnings;
+  json["warnings"] = words_of(point.result.warnings);
   json["grid"] = point.result.grid;
   json["cost"] = cost_json(point.result.cost);
   return json;

@@ -12,6 +12,7 @@
 #include "app/svg_contour.hpp"
 #include "app/svg_lines.hpp"
 #include "app/svg_map.hpp"
+#include "app/words/ending_words.hpp"
 #include "bearing/bore_shape.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
@@ -100,7 +101,7 @@ void draw_shape(Svg& svg, const Box& box, const RunningInRun& run, const Theme& 
 }
 
 std::string told(const RunningInRun& run) {
-  if (!run.verdict.good()) return run.verdict.reason;
+  if (!run.verdict.good()) return reason_of(run.verdict);
   const RunningInState& last = run.states.back();
   const std::string when =
       std::isfinite(last.t) ? fmt::format("after {:.4g} s", last.t) : std::string("worn in");
@@ -115,8 +116,8 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
   json["status"] = run.verdict.good() ? "converged" : to_string(run.verdict.status);
   json["converged"] = run.verdict.good();
   if (!run.verdict.good()) {
-    json["reason"] = run.verdict.reason;
-    json["cure"] = run.verdict.cure;
+    json["reason"] = reason_of(run.verdict);
+    json["cure"] = words_of(run.verdict).cure;
   }
   json["title"] = c.title;
   json["tier"] = to_string(c.model.tier);

@@ -6,6 +6,7 @@
 #include "app/hdf5_parts.hpp"
 #include "app/quantity_label.hpp"
 #include "app/sweep_columns.hpp"
+#include "app/words/ending_words.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
@@ -141,7 +142,7 @@ void write_state(hid_t file, const GridWriter& grid) {
   grid.words(state, "start", "from where the last try began",
              [](const SweepPoint& point) { return std::string(to_string(point.start)); });
   grid.words(state, "reason", "why the point is not solved", [](const SweepPoint& point) {
-    return point.good() ? std::string() : point.result.verdict.reason;
+    return point.good() ? std::string() : reason_of(point.result.verdict);
   });
 }
 

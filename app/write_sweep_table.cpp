@@ -14,6 +14,7 @@
 #include "app/sweep_columns.hpp"
 #include "app/text_table.hpp"
 #include "app/tolerance_words.hpp"
+#include "app/words/ending_words.hpp"
 
 namespace shellback::app {
 
@@ -133,13 +134,14 @@ void print_failures(std::ostream& out, const Sweep& sweep) {
     const SweepPoint& point = sweep.points[index];
     const Verdict& verdict = point.result.verdict;
     if (!point.tried() || point.good() || verdict.status == Status::interrupted) continue;
+    const EndingWords words = words_of(verdict);
     const std::vector<int> at = indices_of(sweep, index);
     out << fmt::format(
         "\nnot solved at {} ({} tries)\n  {}: {}\n",
         position_words(sweep.axes, {static_cast<double>(at.front()), {at.begin() + 1, at.end()}}),
-        point.tries, to_string(verdict.status), verdict.reason);
-    if (!verdict.place.empty()) out << "  where: " << verdict.place << '\n';
-    if (!verdict.cure.empty()) out << "  cure:  " << verdict.cure << '\n';
+        point.tries, to_string(verdict.status), words.reason);
+    if (!words.place.empty()) out << "  where: " << words.place << '\n';
+    if (!words.cure.empty()) out << "  cure:  " << words.cure << '\n';
   }
 }
 

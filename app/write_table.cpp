@@ -11,6 +11,7 @@
 #include "app/table_parts.hpp"
 #include "app/text_table.hpp"
 #include "app/tolerance_words.hpp"
+#include "app/words/note_words.hpp"
 #include "app/write_coefficients.hpp"
 
 namespace shellback::app {
@@ -150,8 +151,8 @@ void print_table(std::ostream& out, const Case* c, const Result& result) {
     print_effects(out, result);
   }
   print_limiters(out, {result});
-  print_list(out, "warnings", result.warnings);
-  print_list(out, "assumptions", result.assumptions);
+  print_list(out, "warnings", words_of(result.warnings));
+  print_list(out, "assumptions", words_of(result.assumptions));
   print_cost(out, result);
   out << '\n';
   print_failure(out, to_string(result.tier), result);
@@ -206,8 +207,10 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
   print_checks(out, comparison);
   if (!results.empty()) print_effects(out, results.back());
   print_limiters(out, results);
-  print_list(out, "warnings", gathered(results, [](const Result& r) { return r.warnings; }));
-  print_list(out, "assumptions", gathered(results, [](const Result& r) { return r.assumptions; }));
+  print_list(out, "warnings",
+             gathered(results, [](const Result& r) { return words_of(r.warnings); }));
+  print_list(out, "assumptions",
+             gathered(results, [](const Result& r) { return words_of(r.assumptions); }));
   out << '\n';
   for (std::size_t i = 0; i < results.size(); ++i) print_failure(out, names[i], results[i]);
 }

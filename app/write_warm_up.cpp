@@ -7,7 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/json_parts.hpp"
 #include "app/svg_lines.hpp"
+#include "app/words/ending_words.hpp"
 #include "app/write_json.hpp"
 #include "core/constants.hpp"
 
@@ -93,7 +95,7 @@ class Panel {
 
 std::string how_it_ended(const WarmUp& run) {
   if (!run.end.verdict.good()) {
-    return fmt::format("ended after {:.4g} s: {}", run.end.t, run.end.verdict.reason);
+    return fmt::format("ended after {:.4g} s: {}", run.end.t, reason_of(run.end.verdict));
   }
   return run.end.at_rest ? "at rest in the end; dashed: the steady state solved for itself"
                          : fmt::format("shown up to {:.4g} s", run.end.t);
@@ -104,13 +106,7 @@ std::string how_it_ended(const WarmUp& run) {
 std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
                          const bearing::WarmUpOptions& options, const bearing::Result& steady) {
   Json json;
-  json["status"] = run.end.verdict.good() ? "converged" : to_string(run.end.verdict.status);
-  json["converged"] = run.end.verdict.good();
-  if (!run.end.verdict.good()) {
-    json["reason"] = run.end.verdict.reason;
-    json["place"] = run.end.verdict.place;
-    json["cure"] = run.end.verdict.cure;
-  }
+  json_parts::add_status(json, run.end.verdict);
   json["title"] = c.title;
   json["tier"] = to_string(c.model.tier);
   json["grid"] = c.model.grid;

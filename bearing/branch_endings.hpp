@@ -1,5 +1,5 @@
 #pragma once
-/// How a branch of steady states ended: reason, place, cure.
+/// How a branch of steady states ended, and where it shows.
 #include "bearing/follow.hpp"
 #include "bearing/heat_march.hpp"
 
@@ -10,9 +10,6 @@ namespace shellback::bearing {
 
 /// Under a little more than the branch carries film and walls ran away in time.
 [[nodiscard]] Verdict ran_away_from(const Solution& s, const Branch& branch, const MarchEnd& end);
-
-/// Not even a light load or a low speed has a state.
-[[nodiscard]] Verdict no_light_state(const Solution& s);
 
 /// Where the branches of two grids end does not agree, or there is but one.
 [[nodiscard]] Verdict limit_not_resolved(const Solution& s);

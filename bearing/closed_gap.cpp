@@ -1,7 +1,5 @@
 #include "bearing/closed_gap.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -71,35 +69,11 @@ bool open_gap(const BearingModel& model, const LoadTarget& target, const Field& 
 Verdict closed_gap(const BearingModel& model, const LoadTarget& target,
                    const Field& thermal_deformation, const FilmEquilibrium& s) {
   const int cell = cell_at(model.scene.grid, s.least);
-  const double by_heat = thermal_deformation.empty() ? 0.0 : thermal_deformation[cell];
-  const double by_elasticity = s.elastic.empty() ? 0.0 : s.elastic[cell];
-  const double rest = s.least.h - by_heat - by_elasticity;
-  const bool grown = rest > 0.0 && by_heat < 0.0;
-  const double across = least_across(model.scene.grid, s.gap);
-  const bool proven = target.unknowns == 0 || across <= 0.0;
-  std::string reason = fmt::format(
-      "{}smooth surfaces touch before a film is sought: the smallest gap is {:.3g} um; position "
-      "and "
-      "profile leave {:.3g} um there",
-      grown ? "the clearance is used up by thermal growth: " : "", s.least.h * 1e6, rest * 1e6);
-  if (!thermal_deformation.empty()) {
-    reason += fmt::format(", thermal growth {} {:.3g} um", by_heat < 0.0 ? "takes" : "gives",
-                          std::abs(by_heat) * 1e6);
-  }
-  if (!s.elastic.empty()) {
-    reason += fmt::format(", elasticity {} {:.3g} um", by_elasticity < 0.0 ? "takes" : "gives",
-                          std::abs(by_elasticity) * 1e6);
-  }
-  if (across <= 0.0) {
-    reason += fmt::format(
-        "; across the bearing {:.3g} um are missing, which no position of the journal mends",
-        -across * 1e6);
-  }
-  return {proven ? Status::no_steady_state : Status::iteration_limit, reason,
-          fluid::place_of(s.least),
-          grown ? "a larger clearance, less heat, or shell and housing that can grow outwards"
-                : "give roughness and contact data, a larger clearance, or a smaller eccentricity "
-                  "or tilt"};
+  ending::GapClosed e{s.least.h, s.least.h, NAN, NAN, least_across(model.scene.grid, s.gap)};
+  if (!thermal_deformation.empty()) e.by_position -= e.by_heat = thermal_deformation[cell];
+  if (!s.elastic.empty()) e.by_position -= e.by_elasticity = s.elastic[cell];
+  const bool proven = target.unknowns == 0 || e.across <= 0.0;
+  return {proven ? Status::no_steady_state : Status::iteration_limit, e, s.least.place()};
 }
 
 }  // namespace shellback::bearing

@@ -108,8 +108,8 @@ struct CycleResult {
   CycleFields fields;
   std::vector<CycleFrame> frames;
   std::vector<LimiterCount> limiters;
-  std::vector<std::string> warnings;
-  std::vector<std::string> assumptions;
+  std::vector<Note> warnings;
+  std::vector<Note> assumptions;
   std::array<int, 2> grid{0, 0};
   Cost cost;
   std::optional<WallMeans> walls;    ///< of the last cycle, on the solved grid; resolved tiers

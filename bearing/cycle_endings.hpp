@@ -1,5 +1,5 @@
 #pragma once
-/// When a search for a periodic state has come to its end, and how that is told.
+/// When a search for a periodic state has come to its end.
 #include <cmath>
 
 #include "core/outcome.hpp"
@@ -16,14 +16,8 @@ struct Closure {
   [[nodiscard]] bool closed() const;
 };
 
-[[nodiscard]] Verdict not_closed(int cycles, double closure);
-/// `change` of the walls from the last cycle to the next [K].
-[[nodiscard]] Verdict walls_not_found(int cycles, double change);
-/// Thermal deformation of the walls [m] against the cold clearance [m].
-[[nodiscard]] Verdict no_clearance(double thermal_deformation, double clearance);
-/// No temperature of the film at which the oil of a mean cycle carries off its heat.
-[[nodiscard]] Verdict no_lumped_balance(double hottest);
-/// A step that was not found, at `t` of the cycle [s]; `crank_speed` [rad/s], 0: told in time.
+/// A step that was not found because of `v`, at `t` of the cycle [s]; `crank_speed` [rad/s], 0:
+/// none.
 [[nodiscard]] Verdict at_instant(Verdict v, double t, double crank_speed);
 
 }  // namespace shellback::bearing

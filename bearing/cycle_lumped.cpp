@@ -14,6 +14,10 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
   constexpr double kNarrowest = 1e-3;  // bracket below which r is the closure of cycles [K]
   const double T_supply = c.supplies.front().temperature;
   Verdict last;
+  const auto unbalanced = [](double hottest) -> Verdict {
+    return {Status::iteration_limit,
+            ending::AtTemperature{ending::Thermal::unbalanced_cycle, hottest}};
+  };
   const auto residual = [&](double T) {
     if (const auto known = search.remembered()) return known->front();
     if (!search.brought_back()) search.set_temperature(T);
@@ -28,7 +32,7 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
   KnownPoint low{T_supply, residual(T_supply)};
   if (std::isnan(low.f)) return last;
   for (double rise = kFirstRise; std::abs(low.f) > kSettled; rise *= 2.0) {
-    if (rise > kHottestRise) return no_lumped_balance(T_supply + kHottestRise);
+    if (rise > kHottestRise) return unbalanced(T_supply + kHottestRise);
     const KnownPoint high{T_supply + rise, residual(T_supply + rise)};
     if (std::isnan(high.f)) return last;
     if (high.f > 0.0) {
@@ -36,7 +40,7 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
       continue;
     }
     if (!bracketed_root(residual, low, high, {kSettled, kNarrowest}).found && last.good()) {
-      return no_lumped_balance(high.x);
+      return unbalanced(high.x);
     }
     break;
   }

@@ -195,6 +195,22 @@ const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleIn
                   : *std::max_element(all.begin(), all.end(), less);
 }
 
+CycleQuantity named(const char* name, double value) {
+  CycleQuantity q;
+  q.quantity.name = name;
+  q.quantity.value = value;
+  q.quantity.unit = std::string(find_quantity(name)->unit);
+  return q;
+}
+
+CycleQuantity extreme_named(const char* name, const std::vector<CycleInstant>& all,
+                            double CycleInstant::*value, bool smallest) {
+  const CycleInstant& i = extreme(all, value, smallest);
+  CycleQuantity q = named(name, i.*value);
+  q.at = i.t;
+  return q;
+}
+
 struct LiftOff {
   double t = 0.0;      ///< [s]
   double omega = 0.0;  ///< [rad/s]
@@ -226,20 +242,11 @@ std::optional<LiftOff> lift_off(const std::vector<CycleInstant>& all, double slo
 
 std::vector<CycleQuantity> CycleRecord::quantities() const {
   std::vector<CycleQuantity> out;
-  const auto named = [](const char* name, double value) {
-    CycleQuantity q;
-    q.quantity.name = name;
-    q.quantity.value = value;
-    q.quantity.unit = std::string(find_quantity(name)->unit);
-    return q;
-  };
   const auto add_mean = [&](const char* name, double CycleInstant::*v) {
     out.push_back(named(name, mean(v)));
   };
   const auto add_extreme = [&](const char* name, double CycleInstant::*v, bool smallest) {
-    const CycleInstant& i = extreme(instants_, v, smallest);
-    out.push_back(named(name, i.*v));
-    out.back().at = i.t;
+    out.push_back(extreme_named(name, instants_, v, smallest));
   };
   add_mean("friction_torque", &CycleInstant::torque);
   add_mean("friction_torque_asperity", &CycleInstant::torque_asperity);
@@ -272,10 +279,14 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
     out.push_back(
         named("layer_loss", film_->model().scene.grid.multiplicity() * layer_loss_ / told()));
   }
-  if (heat_.to_shell.empty()) return out;
-  add_extreme("T_film_max", &CycleInstant::T_film_max, false);
+  if (!heat_.to_shell.empty()) add_heat(out);
+  return out;
+}
+
+void CycleRecord::add_heat(std::vector<CycleQuantity>& out) const {
+  out.push_back(extreme_named("T_film_max", instants_, &CycleInstant::T_film_max, false));
   out.push_back(named("T_film_mean", T_film_ / told()));
-  add_extreme("T_shell_max", &CycleInstant::T_shell_max, false);
+  out.push_back(extreme_named("T_shell_max", instants_, &CycleInstant::T_shell_max, false));
   const auto over_area = [&](const Field& heat) {
     const FilmGrid& g = film_->model().scene.grid;
     double sum = 0.0;
@@ -287,7 +298,6 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   out.push_back(named("heat_by_oil", both * (b.carried_out - b.carried_in) / told()));
   out.push_back(named("heat_to_shell", over_area(heat_.to_shell)));
   out.push_back(named("heat_to_shaft", over_area(heat_.to_shaft)));
-  return out;
 }
 
 CycleAudit CycleRecord::audit() const {
@@ -358,8 +368,8 @@ void CycleRecord::write(CycleResult& r) const {
   r.period = length_;
   r.crank_speed = m.input.cycle->crank_speed;
   r.grid = {g.nt, g.full_nz()};
-  r.warnings = m.input.warnings;
-  r.assumptions = m.input.assumptions;
+  r.warnings.assign(m.input.warnings.begin(), m.input.warnings.end());
+  r.assumptions.assign(m.input.assumptions.begin(), m.input.assumptions.end());
   if (instants_.size() < 2) return;
   r.instants = instants_;
   r.quantities = quantities();
@@ -374,11 +384,9 @@ void CycleRecord::write(CycleResult& r) const {
   if (!layer_depth_.empty()) r.fields.layer_depth = mirror_to_full(g, layer_depth_);
   r.frames = frames_;
   if (dry_ > 0.0) {
-    r.warnings.push_back(fmt::format(
-        "for {:.3g} % of the time a vessel stands at the cavitation pressure: no oil flows from it",
-        100.0 * dry_ / told()));
+    r.warnings.push_back(note::VesselEmpty{dry_ / told()});
   }
-  for (std::string& w : film_->drillings().told(m.scene)) r.warnings.push_back(std::move(w));
+  for (const note::MouthWidened& w : film_->drillings().widened(m.scene)) r.warnings.push_back(w);
   tell_ranges(r);
   if (film_->heat() && !heat_.to_shell.empty()) write_heat(r);
 }
@@ -390,7 +398,7 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   const fluid::SmallestGap least{h_min_[at], g.phi[at / g.nz], g.z[at % g.nz]};
   const double T = extreme(instants_, &CycleInstant::T_film_max, false).T_film_max;
   const FilmReach reach{NAN, T, largest(p_max_), h_min_, least};
-  for (std::string& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
+  for (Note& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
   for (LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(std::move(l));
 }
 

@@ -39,6 +39,8 @@ class CycleRecord {
   void add_contact(const FilmEquilibrium& f, CycleInstant& i);
   [[nodiscard]] CycleInstant instant_of(const FilmInTime& now, double dt);
   [[nodiscard]] std::vector<CycleQuantity> quantities() const;
+  /// Those of tiers with film temperatures.
+  void add_heat(std::vector<CycleQuantity>& out) const;
   [[nodiscard]] CycleAudit audit() const;
   [[nodiscard]] double oil_in_gap(const Field& oil) const;
   [[nodiscard]] Field shell_surface(const FilmInTime& now) const;

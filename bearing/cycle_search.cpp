@@ -103,7 +103,7 @@ void CycleSearch::begin_film(double T) {
   r_.verdict = {};
   const bool event = !c_.cycle->repeats();
   if (event) begun = film_.steady(T, cost_, control_.stop);
-  if (event && !begun && is_stopped()) r_.verdict = {Status::interrupted, "stopped by the user", "", ""};
+  if (event && !begun && is_stopped()) r_.verdict = {Status::interrupted};
   from_rest_ = !begun.has_value();
   now_ = begun ? *std::move(begun) : film_.at_rest(T);
 }
@@ -253,7 +253,8 @@ void CycleSearch::until_closed() {
   if (!brought_back_) most_ = r_.cycles + kMostCycles;
   while (pass() && c_.cycle->repeats() && !closure_.closed()) {
     if (r_.cycles < most_) continue;
-    r_.verdict = not_closed(r_.cycles, closure_.last);
+    r_.verdict = {Status::iteration_limit,
+                  ending::Unsettled{ending::Iteration::cycles, r_.cycles, closure_.last}};
     return;
   }
 }
@@ -276,7 +277,10 @@ void CycleSearch::unpack(const std::vector<double>& x, WallMeans& w) const {
 
 bool CycleSearch::put_walls() {
   const bool open = film_.set_walls(*walls_, length_, steps_.longest / kSkinSteps, now_);
-  if (!open) r_.verdict = no_clearance(mean_deformation(*walls_), film_.model().clearance);
+  if (!open) {
+    r_.verdict = {Status::iteration_limit,
+                  ending::NoClearance{mean_deformation(*walls_), film_.model().clearance}};
+  }
   return open;
 }
 
@@ -325,7 +329,9 @@ void CycleSearch::settle_walls(bool rough) {
   };
   const FixedPointEnd end = fixed_point(map, {kDepth, 1, kMostCycles, enough / kUnit}, x);
   const bool open = end != FixedPointEnd::converged && r_.verdict.good();
-  if (open) r_.verdict = walls_not_found(r_.cycles, wall_change_);
+  if (open)
+    r_.verdict = {Status::iteration_limit,
+                  ending::Unsettled{ending::Iteration::walls_of_cycles, r_.cycles, wall_change_}};
 }
 
 const Verdict& CycleSearch::search(bool rough) {

@@ -117,9 +117,9 @@ PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveCo
     }
     double end = 0.0;
     FilmStep step = find(since_, now, end, end_, cost, control);
-    if (stopped(control)) step.verdict = {Status::interrupted, "stopped by the user", "", ""};
+    if (stopped(control)) step.verdict = {Status::interrupted};
     if (step.verdict.good() && end_.accepted == kMostSteps) {
-      step.verdict = {Status::iteration_limit, "the steps in time have become too short", "", ""};
+      step.verdict = {Status::iteration_limit, ending::Plain::steps_too_short};
     }
     if (step.verdict.status == Status::interrupted) {  // as if the step had never been tried
       wish_ = wished;

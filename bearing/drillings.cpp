@@ -1,9 +1,5 @@
 #include "bearing/drillings.hpp"
 
-#include <fmt/format.h>
-
-#include "bearing/shown.hpp"
-
 namespace shellback::bearing {
 
 Drillings::Drillings(const BearingModel& model, const LoadCourse& course) : course_(course) {
@@ -32,17 +28,14 @@ void Drillings::place(double t, fluid::FilmScene& scene) const {
   fluid::place_mouths(scene.grid, conductance_, scene.supply);
 }
 
-std::vector<std::string> Drillings::told(const fluid::FilmScene& scene) const {
-  std::vector<std::string> words;
+std::vector<note::MouthWidened> Drillings::widened(const fluid::FilmScene& scene) const {
+  std::vector<note::MouthWidened> all;
   const double least = fluid::cell_diagonal(scene.grid);
   for (const int k : of_patch_) {
     const double diameter = scene.supply.patches[k].length;
-    if (diameter >= least) continue;
-    words.push_back(fmt::format(
-        "supply.{}: the mouth of {} is finer than the grid and taken as {} wide: a finer model.grid",
-        k, shown(diameter, "mm"), shown(least, "mm")));
+    if (diameter < least) all.push_back({k, diameter, least});
   }
-  return words;
+  return all;
 }
 
 }  // namespace shellback::bearing

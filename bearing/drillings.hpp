@@ -8,6 +8,7 @@
 #include "bearing/bearing.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/load_cycle.hpp"
+#include "bearing/note.hpp"
 
 namespace shellback::bearing {
 
@@ -21,8 +22,8 @@ class Drillings {
   void take(const BearingModel& model, const FilmEquilibrium& film);
   /// Puts the mouths into `scene` where they stand at time t of the course.
   void place(double t, fluid::FilmScene& scene) const;
-  /// Mouths that are finer than the grid, in words.
-  [[nodiscard]] std::vector<std::string> told(const fluid::FilmScene& scene) const;
+  /// Mouths that are finer than the grid.
+  [[nodiscard]] std::vector<note::MouthWidened> widened(const fluid::FilmScene& scene) const;
 
  private:
   const LoadCourse& course_;

@@ -423,9 +423,7 @@ Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<Stage>& stages
   for (int k = 0; k < 2; ++k) found.heat.flows.work -= film.force[k] * found.velocity[k];
   if (found.heat.possible && found.heat.settled) return {};
   return {Status::iteration_limit,
-          found.heat.possible ? "the film's temperatures did not settle"
-                              : "a film temperature leaves what an oil can be",
-          "", "a finer grid, or tier isothermal"};
+          found.heat.possible ? ending::Plain::film_unsettled : ending::Plain::film_impossible};
 }
 
 void FilmSteps::end_heat(double dt, const FilmInTime& now, std::vector<Stage>& stages,

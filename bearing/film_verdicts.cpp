@@ -1,7 +1,5 @@
 #include "bearing/film_verdicts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,30 +11,9 @@ namespace shellback::bearing {
 
 Verdict limit_load(const BearingModel& model, const LoadTarget& target, double carried,
                    int worst_cell) {
-  const std::string place =
-      worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : std::string();
-  if (worst_cell < 0) {  // not the pressure law: the gap gave out
-    return {Status::iteration_limit,
-            "no position was found in which the film carries the load: each step closes the gap",
-            place, "lower the load or the tilt, or give roughness and contact data"};
-  }
-  return {
-      Status::no_steady_state,
-      fmt::format("the film cannot carry {:.4g} N: it carries about {:.4g} N, then the pressure "
-                  "grows without bound (with rigid surfaces and viscosity rising as exp(alpha p), "
-                  "the reduced pressure q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
-                  target.scale(), carried),
-      worst_cell >= 0 ? fluid::place_of(model.scene.grid, worst_cell) : "",
-      "switch on elastic deformation, use the Roelands law, or lower the load"};
-}
-
-Verdict no_pressure(const BearingModel& model, int cell) {
-  return {Status::no_steady_state,
-          "the film has no steady pressure at this gap: with the pressure-viscosity law "
-          "chosen, the reduced pressure would have to exceed its bound 1/alpha "
-          "(q = (1 - exp(-alpha p))/alpha)",
-          fluid::place_of(model.scene.grid, cell),
-          "switch on elastic deformation, use the Roelands law, or lower the load"};
+  if (worst_cell < 0) return {Status::iteration_limit, ending::Plain::no_position};
+  return {Status::no_steady_state, ending::BeyondPressureBound{target.scale(), carried},
+          fluid::place_of(model.scene.grid, worst_cell)};
 }
 
 Verdict no_film(const BearingModel& model, const LoadTarget& target,
@@ -65,60 +42,21 @@ Verdict singular_film(const BearingModel& model, const FilmEquilibrium& s) {
   constexpr double kDeep = 10.0;  // below the mean plane no oil is left between rough surfaces [-]
   const double sigma = scene.rough.sigma;
   if (sigma > 0.0 && s.least.h < -kDeep * sigma) {
-    return {Status::iteration_limit,
-            fmt::format("no oil passes where the surfaces lie in each other: the nominal gap is "
-                        "{:.3g} um, {:.0f} times the roughness below zero",
-                        s.least.h * 1e6, -s.least.h / sigma),
-            fluid::place_of(s.least),
-            "lower the load or the tilt, or give a larger clearance or stiffer contact"};
+    return {Status::iteration_limit, ending::SurfacesInterlocked{s.least.h, sigma},
+            s.least.place()};
   }
   const std::vector<int> rings = fluid::empty_rings(scene, s.film);
-  if (!rings.empty()) {
-    return {
-        Status::iteration_limit,
-        "a ring of the film is cavitated all round and fed by nothing: its oil only goes round, "
-        "and how much of it there is cannot be told",
-        fmt::format("z {:.2f} mm", scene.grid.z[rings.front()] * 1e3),
-        "feed more oil, or over more of the width"};
-  }
-  return {Status::iteration_limit, "the film matrix is singular: parts of the film get no oil", "",
-          "feed more oil, or turn the supply away from the load"};
+  if (rings.empty()) return {Status::iteration_limit, ending::Plain::singular_film};
+  return {Status::iteration_limit, ending::Plain::empty_ring, {NAN, scene.grid.z[rings.front()]}};
 }
 
 Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residuals& r,
               int iterations) {
   const auto worst = std::max_element(r.film.begin(), r.film.end(),
                                       [](double a, double b) { return std::abs(a) < std::abs(b); });
-  return {
-      Status::iteration_limit,
-      fmt::format("film and journal position did not settle in {} Newton iterations (film {:.1e}, "
-                  "load {:.1e}, elasticity {:.1e}, smallest gap {:.3g} um)",
-                  iterations, r.film_norm, r.load_norm, r.elastic_norm, s.least.h * 1e6),
-      fluid::place_of(model.scene.grid, static_cast<int>(worst - r.film.begin())),
-      "try a finer grid, a lower load, or tier isothermal first"};
-}
-
-Verdict not_at_rest(const BearingModel&, const FilmEquilibrium& s, int steps) {
   return {Status::iteration_limit,
-          fmt::format("the journal did not come to rest in {} steps in time (smallest gap {:.3g} "
-                      "um)",
-                      steps, s.least.h * 1e6),
-          fluid::place_of(s.least), "try a finer grid, a lower load, or tier isothermal first"};
-}
-
-Verdict film_vanishes(const FilmEquilibrium& s) {
-  return {Status::no_steady_state,
-          fmt::format("no film carries the load: the journal is pressed towards the shell until "
-                      "less than a molecule of oil is left ({:.3g} um)",
-                      s.least.h * 1e6),
-          fluid::place_of(s.least),
-          "give roughness and contact data, switch on elastic deformation, or lower the load"};
-}
-
-Verdict given_up() {
-  return {Status::iteration_limit,
-          "the search was given up after twenty times the work of a usual solve on this grid", "",
-          "a coarser grid first, or a nearby operating point"};
+          ending::FilmUnsettled{iterations, r.film_norm, r.load_norm, r.elastic_norm, s.least.h},
+          fluid::place_of(model.scene.grid, static_cast<int>(worst - r.film.begin()))};
 }
 
 }  // namespace shellback::bearing

@@ -1,5 +1,5 @@
 #pragma once
-/// Why film, position and elastic surfaces found no equilibrium: reason, place, cure. A closed gap
+/// Why film, position and elastic surfaces found no equilibrium, and where it shows. A closed gap
 /// is told by bearing/closed_gap.hpp.
 #include "bearing/equilibrium.hpp"
 
@@ -11,9 +11,6 @@ namespace shellback::bearing {
 [[nodiscard]] Verdict limit_load(const BearingModel& model, const LoadTarget& target,
                                  double carried, int worst_cell);
 
-/// A film of given position has no pressure in a cell: beyond the bound of the reduced pressure.
-[[nodiscard]] Verdict no_pressure(const BearingModel& model, int cell);
-
 /// Why the state has no film or no residual: a field holds what is not a number, or the gap of
 /// smooth surfaces is closed.
 [[nodiscard]] Verdict no_film(const BearingModel& model, const LoadTarget& target,
@@ -21,16 +18,6 @@ namespace shellback::bearing {
 
 /// The film matrix could not be factorised.
 [[nodiscard]] Verdict singular_film(const BearingModel& model, const FilmEquilibrium& state);
-
-/// The search has cost as much as it may.
-[[nodiscard]] Verdict given_up();
-
-/// Time went on for so many steps and the journal is still moving.
-[[nodiscard]] Verdict not_at_rest(const BearingModel& model, const FilmEquilibrium& state,
-                                  int steps);
-
-/// The journal is pressed nearer and nearer to the shell, by now than a molecule of oil is long.
-[[nodiscard]] Verdict film_vanishes(const FilmEquilibrium& state);
 
 /// The iteration ended without any of these.
 [[nodiscard]] Verdict stuck(const BearingModel& model, const FilmEquilibrium& state,

@@ -24,8 +24,6 @@ struct Reached {
 
 bool stopped(const SolveControl& control) { return control.stop && control.stop->load(); }
 
-Verdict interrupted() { return {Status::interrupted, "stopped by the user", "", ""}; }
-
 /// Rigid surfaces and Barus oil, whose reduced pressure has a bound.
 bool has_bound(const Solution& s) {
   return !s.model.physics.elastic && std::holds_alternative<rheology::Barus>(s.model.oil.pressure);
@@ -135,7 +133,7 @@ Branch LoadBranch::run(double begun) {
     s_.target.path = next_row(step);
     const Verdict v = correct_(s_, Accuracy::way_point);
     if (v.status == Status::interrupted || stopped(control_)) {
-      failure_ = interrupted();
+      failure_ = {Status::interrupted};
       return ended(BranchEnd::interrupted);
     }
     if (!v.good()) {
@@ -189,7 +187,7 @@ Branch follow_speed(Solution& s, double begun, const Corrector& correct,
     const Verdict v = correct(s, next == 1.0 ? Accuracy::result : Accuracy::way_point);
     if (v.status == Status::interrupted || stopped(control)) {
       branch.end = BranchEnd::interrupted;
-      branch.last = interrupted();
+      branch.last = {Status::interrupted};
       break;
     }
     if (v.good()) {

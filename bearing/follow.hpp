@@ -21,15 +21,7 @@ namespace shellback::bearing {
 enum class Accuracy { way_point, result };
 using Corrector = std::function<Verdict(Solution& s, Accuracy accuracy)>;
 
-/// How the branch ended; the highest value that was reached is what it carries.
-enum class BranchEnd {
-  reached,    ///< the whole load or speed: the state is the solution
-  turned,     ///< beyond the end there are only states of less load: a turning point
-  unbounded,  ///< rigid surfaces and Barus oil: closer the reduced pressure exceeds its bound
-  molecule,   ///< smooth surfaces nearer than a molecule of oil
-  lost,       ///< the corrector fails, and nothing shows why
-  interrupted,
-};
+using ending::BranchEnd;
 
 /// What of the operating point is raised along a branch.
 enum class Raised { load, speed };

@@ -1,5 +1,5 @@
 #pragma once
-/// Why film and heat found no common state: reason, place, cure.
+/// Why film and heat found no common state, and where it shows.
 #include "bearing/solution.hpp"
 
 namespace shellback::bearing {
@@ -23,7 +23,5 @@ inline constexpr double kHottestRise = 400.0;
 
 /// Good unless the last change of the walls [K] is too large for a balance.
 [[nodiscard]] Verdict walls_unbalanced(double change);
-
-[[nodiscard]] Verdict heat_unsettled(int iterations, double residual);
 
 }  // namespace shellback::bearing

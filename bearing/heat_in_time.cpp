@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "bearing/told_temperature.hpp"
+#include "bearing/temperature_limits.hpp"
 #include "core/largest.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -33,7 +33,7 @@ bool settle(thermal::FilmEnergy& energy, std::vector<double>& T) {
 
 bool possible(const std::vector<double>& T) {
   return std::all_of(T.begin(), T.end(),
-                     [](double t) { return t > kColdestTold && t < kHottestTold; });
+                     [](double t) { return t > kColdestOil && t < kHottestOil; });
 }
 
 }  // namespace

@@ -224,7 +224,8 @@ Verdict solve_heat(Solution& s, const ThermalOptions& options, const SolveContro
     iteration.finish();
     v = iteration.verdict();
   } else if (v.good()) {
-    v = heat_unsettled(iteration.iterations(), s.heat.residual);
+    v = {Status::iteration_limit,
+         ending::Unsettled{ending::Iteration::heat, iteration.iterations(), s.heat.residual}};
   }
   iteration.give_contact_widening();
   return v;

@@ -1,7 +1,5 @@
 #include "bearing/lumped.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +10,6 @@
 #include "bearing/heat_scan.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/solve_equilibrium.hpp"
-#include "core/constants.hpp"
 #include "rheology/heat.hpp"
 
 namespace shellback::bearing {
@@ -95,8 +92,7 @@ std::optional<double> LumpedBalance::residual(double T) {
   Verdict v = film_at(T);
   const double flow = v.good() ? fluid::oil_flows(s_.model.scene, s_.film.flow).side : 0.0;
   if (v.good() && !(flow > 0.0)) {
-    v = {Status::no_steady_state, "no oil leaves the bearing: its heat cannot be carried away", "",
-         "check the supply"};
+    v = {Status::no_steady_state, ending::Plain::no_oil_leaves};
   }
   if (!v.good()) {
     if (T < T_failed_ || v.status == Status::interrupted) failure_ = v;
@@ -164,12 +160,8 @@ Verdict LumpedBalance::take_lowest_stable() {
   const auto stable = std::find_if(s_.heat_roots.begin(), s_.heat_roots.end(),
                                    [](const HeatRoot& root) { return root.stable(); });
   if (stable == s_.heat_roots.end()) {
-    return {
-        Status::no_steady_state,
-        fmt::format("the heat balance is met at {:.1f} degC alone, where it is unstable: a film "
-                    "that is a little warmer makes more heat than leaves",
-                    s_.heat_roots.front().T - kZeroCelsius),
-        "", "lower speed or load, or feed more oil"};
+    return {Status::no_steady_state,
+            ending::AtTemperature{ending::Thermal::unstable_root, s_.heat_roots.front().T}};
   }
   if (s_.T_film == stable->T || residual(stable->T)) return {};
   return failure_;
@@ -193,32 +185,17 @@ Verdict LumpedBalance::search() {
   std::reverse(s_.heat_roots.begin(), s_.heat_roots.end());
   if (settled) return take_lowest_stable();
   return {Status::iteration_limit,
-          fmt::format("the heat balance did not settle at {:.1f} degC",
-                      s_.heat_roots.front().T - kZeroCelsius),
-          "", "try tier thd"};
+          ending::AtTemperature{ending::Thermal::unsettled_root, s_.heat_roots.front().T}};
 }
 
 Verdict LumpedBalance::no_root(const std::vector<HeatSample>& samples) const {
   const auto good = [](const HeatSample& s) { return s.residual.has_value(); };
   const HeatSample& low = *std::find_if(samples.begin(), samples.end(), good);
   const HeatSample& high = *std::find_if(samples.rbegin(), samples.rend(), good);
-  const double less = *low.residual < 0.0 ? -1.0 : 1.0;
-  const std::string balance = fmt::format(
-      "from {:.1f} to {:.1f} degC the film makes {} heat than its oil carries off, by {:.3g} W at "
-      "the one end and {:.3g} W at the other",
-      low.T - kZeroCelsius, high.T - kZeroCelsius, less > 0.0 ? "more" : "less",
-      less * nearest(low.T).surplus, less * nearest(high.T).surplus);
-  const std::string cure = "lower speed or load, or feed more or cooler oil";
-  if (failure_.good()) {
-    return {Status::no_steady_state, "thermal runaway: " + balance, "", cure};
-  }
-  Verdict v = failure_;
-  const bool runaway = less > 0.0 && v.status == Status::no_steady_state;
-  v.reason =
-      fmt::format("{}{}; at {:.1f} degC there is no film: {}", runaway ? "thermal runaway: " : "",
-                  balance, T_failed_ - kZeroCelsius, failure_.reason);
-  v.cure = cure;
-  return v;
+  const ending::NoHeatBalance none{low.T, high.T, nearest(low.T).surplus, nearest(high.T).surplus,
+                                   T_failed_};
+  if (failure_.good()) return {Status::no_steady_state, none};
+  return {failure_.status, none, failure_.place, {failure_}};
 }
 
 Verdict LumpedBalance::run() {

@@ -239,18 +239,19 @@ void NewtonIteration::step(Verdict& ended) {
 Verdict NewtonIteration::within_the_law() const {
   const int cell = beyond_reduced_pressure(model_, s_);
   if (cell < 0) return {};
-  return target_.unknowns > 0 ? limit_load(model_, target_, carried_, cell)
-                              : no_pressure(model_, cell);
+  if (target_.unknowns > 0) return limit_load(model_, target_, carried_, cell);
+  return {Status::no_steady_state, ending::Plain::no_pressure,
+          fluid::place_of(model_.scene.grid, cell)};
 }
 
 Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
   for (int it = 0; it <= options_.max_iterations; ++it) {
-    if (stop && stop->load()) return {Status::interrupted, "stopped by the user", "", ""};
-    if (cost_.spent()) return given_up();
+    if (stop && stop->load()) return {Status::interrupted};
+    if (cost_.spent()) return {Status::iteration_limit, ending::Plain::given_up};
     const bool possible = evaluate_state();
     if (possible && converged()) return {};
     if (possible && overdrawn()) {
-      return {Status::iteration_limit, "a step takes more oil out of a cell than it holds", "", ""};
+      return {Status::iteration_limit, ending::Plain::overdrawn};
     }
     if (possible && acceptable()) {
       accept();

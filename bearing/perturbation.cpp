@@ -49,8 +49,7 @@ Content content_by(const Solution& s, const fluid::OilStore& store, const FilmRe
 void perturb(const Solution& s, double tolerance, Coefficients& out, Matrix4& C_cavitated) {
   LinearFilm film(s.model, s.film, s.heat.thermal_deformation, tolerance);
   if (!film.good()) {
-    out.verdict = {Status::iteration_limit, "the matrix of the linearised film is singular", "",
-                   "feed more oil"};
+    out.verdict = {Status::iteration_limit, ending::Plain::singular_response};
     return;
   }
   const fluid::OilStore store =
@@ -65,9 +64,7 @@ void perturb(const Solution& s, double tolerance, Coefficients& out, Matrix4& C_
   }
   out.krylov_iterations = film.krylov_iterations();
   if (!film.converged()) {
-    out.verdict = {Status::iteration_limit,
-                   "the linearised elastic film did not settle (GMRES stopped at its limit)", "",
-                   "try a finer grid"};
+    out.verdict = {Status::iteration_limit, ending::Plain::unsettled_response};
   }
 }
 

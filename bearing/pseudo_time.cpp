@@ -34,9 +34,13 @@ Verdict march_in_time(const BearingModel& model, const LoadTarget& target,
     const Verdict v = newton(moving, target, thermal_deformation, options, s, cost, stop);
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
     if (ended || cost.spent()) return v;
-    if (step == kMostSteps) return not_at_rest(model, s, step);
+    if (step == kMostSteps) {
+      return {Status::iteration_limit, ending::NotAtRest{step, s.least.h}, s.least.place()};
+    }
     if (v.good()) {
-      if (target.unknowns > 0 && thinner_than_a_molecule(model, s)) return film_vanishes(s);
+      if (target.unknowns > 0 && thinner_than_a_molecule(model, s)) {
+        return {Status::no_steady_state, ending::NotAtRest{0, s.least.h}, s.least.place()};
+      }
       if (cost.newton_iterations - spent <= kQuick) turn *= kLonger;
     } else {
       static_cast<State&>(s) = before;

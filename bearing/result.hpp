@@ -8,6 +8,7 @@
 
 #include "bearing/case.hpp"
 #include "bearing/coefficients.hpp"
+#include "bearing/note.hpp"
 #include "bearing/quantities.hpp"
 #include "core/grid.hpp"
 #include "core/outcome.hpp"
@@ -114,8 +115,8 @@ struct Result {
   Audit audit;
   std::vector<Effect> effects;
   std::vector<LimiterCount> limiters;
-  std::vector<std::string> warnings;
-  std::vector<std::string> assumptions;
+  std::vector<Note> warnings;
+  std::vector<Note> assumptions;
   std::array<int, 2> grid{0, 0};
   Cost cost;
   std::vector<HistoryEntry> history;

@@ -1,7 +1,5 @@
 #include "bearing/running_in.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -100,7 +98,7 @@ double volume_of(const FilmGrid& g, const Field& wear) {
   return sum * g.multiplicity();
 }
 
-void note(const WornBearing& b, double t, double step, const Field& wear, RunningInRun& run) {
+void note_state(const WornBearing& b, double t, double step, const Field& wear, RunningInRun& run) {
   const Solution& s = b.solution();
   RunningInState state;
   state.t = t;
@@ -126,10 +124,7 @@ Field after(const WornBearing& b, Field w, double dt) {
 
 bool stopped(const SolveControl& control) { return control.stop != nullptr && *control.stop; }
 
-Verdict interrupted(double t) {
-  return {Status::interrupted, fmt::format("stopped by the user after {:.4g} s of running-in", t),
-          "", ""};
-}
+Verdict interrupted(double t) { return {Status::interrupted, ending::RunningInEnded{t}}; }
 
 /// (1) up to the time `end`; steps as long as their error allows.
 void march(WornBearing& b, const SolveControl& control, double end,
@@ -138,7 +133,7 @@ void march(WornBearing& b, const SolveControl& control, double end,
   double t = 0.0;
   const double fastest = largest(b.rate());
   if (!(fastest > 0.0)) {  // nothing rubs, for however long
-    note(b, end, end, w, run);
+    note_state(b, end, end, w, run);
     return;
   }
   const double first = kFirstDepth * b.sigma() / fastest;
@@ -163,18 +158,14 @@ void march(WornBearing& b, const SolveControl& control, double end,
       ++run.rejected_steps;
       dt *= found ? std::max(0.2, 0.9 * std::sqrt(allowed / error)) : 0.25;
       if (dt < kShortest * first) {
-        run.verdict = why;
-        run.verdict.reason = fmt::format(
-            "the worn bearing has no film after {:.4g} s of "
-            "running-in: {}",
-            t, why.reason);
+        run.verdict = {why.status, ending::RunningInEnded{t}, why.place, {why}};
         return;
       }
       continue;
     }
     t += dt;
     w = halves;
-    note(b, t, dt, w, run);
+    note_state(b, t, dt, w, run);
     if (seen) seen(run);
     dt *= std::min(kLongest, 0.9 * std::sqrt(allowed / std::max(error, 1e-12 * allowed)));
   }
@@ -219,16 +210,12 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
     run.verdict = why;
     return;
   }
-  note(b, std::numeric_limits<double>::infinity(), 0.0, w, run);
+  note_state(b, std::numeric_limits<double>::infinity(), 0.0, w, run);
   const Field g = lacking(w);
   run.complementarity = largest_difference(g, w) / unit;
   if (end == FixedPointEnd::iteration_limit) {
     run.verdict = {Status::iteration_limit,
-                   fmt::format("no worn-in shape was found: wear still changes by {:.3g} um where "
-                               "the contact pressure is to end at the limit",
-                               run.complementarity * unit * 1e6),
-                   "",
-                   "raise running_in.limit_pressure, or follow the wear in time (until = a time)"};
+                   ending::Unsettled{ending::Iteration::wear, 0, run.complementarity * unit}};
   }
 }
 
@@ -241,7 +228,7 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
   WornBearing b(c, tier, control);
   run.verdict = b.solution().verdict;
   if (!run.verdict.good()) return run;
-  note(b, 0.0, 0.0, Field(b.grid().cells(), 0.0), run);
+  note_state(b, 0.0, 0.0, Field(b.grid().cells(), 0.0), run);
   if (seen) seen(run);
   if (c.running_in->duration) {
     march(b, control, *c.running_in->duration, seen, run);

@@ -237,8 +237,8 @@ Result summarize(const Solution& s, Tier tier) {
   r.verdict = s.verdict;
   r.tier = tier;
   r.title = m.input.title;
-  r.warnings = m.input.warnings;
-  r.assumptions = m.input.assumptions;
+  r.warnings.assign(m.input.warnings.begin(), m.input.warnings.end());
+  r.assumptions.assign(m.input.assumptions.begin(), m.input.assumptions.end());
   r.grid = {m.scene.grid.nt, m.scene.grid.full_nz()};
   r.history = s.history;
   r.levels = s.levels;
@@ -258,7 +258,7 @@ Result summarize(const Solution& s, Tier tier) {
   }
   r.limiters = limiters_of(s);
   r.coefficients = s.coefficients;
-  for (std::string& w : warnings_of(s)) r.warnings.push_back(std::move(w));
+  for (Note& w : warnings_of(s)) r.warnings.push_back(std::move(w));
   r.heat_roots = s.heat_roots;
   r.fields = fields_of(s, f);
   return r;

@@ -1,23 +1,13 @@
 #pragma once
-/// What states and results over a load cycle are made of, for a tape (core/tape.hpp). A member that
-/// is added to one of these types and not here does not compile.
+/// What states and results over a load cycle are made of, for a tape (core/tape.hpp, which counts
+/// up to five members for itself). A member that is added to one of these types and not here does
+/// not compile.
 #include "bearing/cycle.hpp"
 #include "bearing/cycle_endings.hpp"
 #include "bearing/film_step.hpp"
 #include "core/tape.hpp"
 
 namespace shellback {
-
-inline void members(Tape& tape, Verdict& x) {
-  auto& [status, reason, place, cure] = x;
-  tape(status, reason, place, cure);
-}
-
-/// A tape on a tape.
-inline void members(Tape& tape, Tape::Content& x) {
-  auto& [numbers, counts, text] = x;
-  tape(numbers, counts, text);
-}
 
 inline void members(Tape& tape, FilmGrid& x) {
   auto& [nt, nz, half, radius, width, phi_face, phi, dphi, z_face, z, dz] = x;
@@ -26,84 +16,14 @@ inline void members(Tape& tape, FilmGrid& x) {
 
 // The film.
 
-inline void members(Tape& tape, fluid::FilmState& x) {
-  auto& [p, theta, full] = x;
-  tape(p, theta, full);
-}
-
-inline void members(Tape& tape, fluid::JournalPosition& x) {
-  auto& [q] = x;
-  tape(q);
-}
-
-inline void members(Tape& tape, fluid::Gap& x) {
-  auto& [cell, phi_face, z_face] = x;
-  tape(cell, phi_face, z_face);
-}
-
-inline void members(Tape& tape, fluid::SmallestGap& x) {
-  auto& [h, phi, z] = x;
-  tape(h, phi, z);
-}
-
-inline void members(Tape& tape, fluid::FilmCoefficients& x) {
-  auto& [fluidity, chi, alpha, density, compressibility] = x;
-  tape(fluidity, chi, alpha, density, compressibility);
-}
-
-inline void members(Tape& tape, fluid::FaceFlow& x) {
-  auto& [m, d_left, d_right, d_theta, d_h] = x;
-  tape(m, d_left, d_right, d_theta, d_h);
-}
-
-inline void members(Tape& tape, fluid::LineFace& x) {
-  auto& [face, patch, west] = x;
-  tape(face, patch, west);
-}
-
-inline void members(Tape& tape, fluid::Mouth& x) {
-  auto& [cell, patch, conductance] = x;
-  tape(cell, patch, conductance);
-}
-
 inline void members(Tape& tape, fluid::FilmFlow& x) {
   auto& [phi, z, lines, fed, stored, by_theta, by_p, by_gap] = x;
   tape(phi, z, lines, fed, stored, by_theta, by_p, by_gap);
 }
 
-inline void members(Tape& tape, fluid::OilFlows& x) {
-  auto& [supply, side, side_inflow, stored, patch] = x;
-  tape(supply, side, side_inflow, stored, patch);
-}
-
-inline void members(Tape& tape, fluid::FilmStorage& x) {
-  auto& [dt, before] = x;
-  tape(dt, before);
-}
-
 inline void members(Tape& tape, bearing::OilColumns& x) {
   auto& [T, eta, g0, centre, T_mean, substitutions, mismatch] = x;
   tape(T, eta, g0, centre, T_mean, substitutions, mismatch);
-}
-
-inline void members(Tape& tape, bearing::State& x) {
-  auto& [film, position, ln_load, elastic] = x;
-  tape(film, position, ln_load, elastic);
-}
-
-inline void members(Tape& tape, solid::LayerColumn& x) {
-  auto& [elastic, plastic] = x;
-  tape(elastic, plastic);
-}
-
-inline void members(Tape& tape, solid::PressedColumn& x) {
-  auto& [now, by_pressure] = x;
-  tape(now, by_pressure);
-}
-
-inline void members(Tape& tape, bearing::LayerInTime& x) {
-  auto& [now, slope, loss] = x;
-  tape(now, slope, loss);
 }
 
 inline void members(Tape& tape, bearing::Evaluation& x) {
@@ -130,16 +50,6 @@ inline void members(Tape& tape, thermal::WallResponse& x) {
   tape(shell, shaft, across, back, shell_local, shell_ring, shaft_ring);
 }
 
-inline void members(Tape& tape, bearing::WallMeans& x) {
-  auto& [shell, shaft, flux, thermal_deformation] = x;
-  tape(shell, shaft, flux, thermal_deformation);
-}
-
-inline void members(Tape& tape, bearing::HeatFlows& x) {
-  auto& [to_shell, to_shaft, balance, rubbed, work] = x;
-  tape(to_shell, to_shaft, balance, rubbed, work);
-}
-
 inline void members(Tape& tape, bearing::HeatInTime& x) {
   auto& [T, held, skin, held_slope, skin_slope, T_slope, flows] = x;
   tape(T, held, skin, held_slope, skin_slope, T_slope, flows);
@@ -164,21 +74,11 @@ inline void members(Tape& tape, bearing::EquilibriumCost& x) {
   tape(factorizations, newton, krylov, rejected, sweeps, rounds, work, most_work);
 }
 
-inline void members(Tape& tape, bearing::Closure& x) {
-  auto& [last, before] = x;
-  tape(last, before);
-}
-
 // Results.
 
 inline void members(Tape& tape, bearing::Quantity& x) {
   auto& [name, value, unit, error_grid, error_model, order] = x;
   tape(name, value, unit, error_grid, error_model, order);
-}
-
-inline void members(Tape& tape, bearing::CycleQuantity& x) {
-  auto& [quantity, at, error_time] = x;
-  tape(quantity, at, error_time);
 }
 
 inline void members(Tape& tape, bearing::CycleInstant& x) {
@@ -204,24 +104,14 @@ inline void members(Tape& tape, bearing::CycleFields& x) {
        heat_to_shell, thermal_deformation);
 }
 
-inline void members(Tape& tape, bearing::CycleFrame& x) {
-  auto& [t, p, theta, h] = x;
-  tape(t, p, theta, h);
-}
-
-inline void members(Tape& tape, bearing::LimiterCount& x) {
-  auto& [what, count] = x;
-  tape(what, count);
+inline void members(Tape& tape, bearing::note::TierTaken& x) {
+  auto& [tier, grid, friction, h_min, unjudged, solved] = x;
+  tape(tier, grid, friction, h_min, unjudged, solved);
 }
 
 inline void members(Tape& tape, bearing::Cost& x) {
   auto& [wall_s, setup_s, factorizations, newton_iterations, outer_iterations, bars_s] = x;
   tape(wall_s, setup_s, factorizations, newton_iterations, outer_iterations, bars_s);
-}
-
-inline void members(Tape& tape, bearing::AutoChoice& x) {
-  auto& [tolerance, met, bar_friction, bar_h_min, solved] = x;
-  tape(tolerance, met, bar_friction, bar_h_min, solved);
 }
 
 inline void members(Tape& tape, bearing::CycleResult& x) {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "bearing/branch_endings.hpp"
-#include "bearing/film_verdicts.hpp"
 #include "bearing/first_film.hpp"
 #include "bearing/follow.hpp"
 #include "bearing/heat_march.hpp"
@@ -82,10 +81,10 @@ Verdict follow_heat(Solution& s, bool coarse, const SolveControl& control) {
   std::optional<Branch> branch;
   if (s.target.unknowns > 0) branch = follow_from(s, Raised::load, kLight, start, correct, control);
   if (!branch) branch = follow_from(s, Raised::speed, kLight, start, correct, control);
-  if (!branch) return no_light_state(s);
+  if (!branch) return {Status::iteration_limit, ending::Plain::no_light_state};
   if (branch->end == BranchEnd::reached) return {};
   if (branch->end == BranchEnd::interrupted) return branch->last;
-  if (s.cost.spent()) return given_up();
+  if (s.cost.spent()) return {Status::iteration_limit, ending::Plain::given_up};
   if (branch->end != BranchEnd::lost) {
     note_limit(s, *branch, true);
     return branch_ended(s, *branch);

@@ -8,9 +8,9 @@
 
 namespace shellback::bearing {
 
-/// One sentence for each law that is used beyond its range, for stiffness and damping that are only
+/// One note for each law that is used beyond its range, for stiffness and damping that are only
 /// a guide, and for further roots of the heat balance. For an evaluated film.
-[[nodiscard]] std::vector<std::string> warnings_of(const Solution& s);
+[[nodiscard]] std::vector<Note> warnings_of(const Solution& s);
 
 /// Limiters that acted, and how often.
 [[nodiscard]] std::vector<LimiterCount> limiters_of(const Solution& s);

@@ -1,11 +1,7 @@
 #include "bearing/told_ranges.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-
-#include "bearing/told_temperature.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -36,65 +32,48 @@ Field summit_flow(const BearingModel& m, const Field& h) {
 namespace {
 
 /// Cells whose gap is smaller than the first of a measured table of flow factors.
-void add_factors(const BearingModel& m, const Field& h, std::vector<std::string>& out) {
+void add_factors(const BearingModel& m, const Field& h, std::vector<Note>& out) {
   if (m.scene.rough.beyond_table) {
-    out.emplace_back(
-        "a roughness orientation lies outside the range 1/9 to 9 of the tabulated "
-        "flow factors: the end of the table is used");
+    out.push_back(note::Plain::orientation_beyond_table);
   }
   const auto& measured = m.scene.rough.measured;
   if (!measured) return;
   const double first = measured->H_low * measured->sigma;
   const long cells = std::count_if(h.begin(), h.end(), [first](double x) { return x < first; });
   if (cells == 0) return;
-  out.push_back(fmt::format(
-      "in {} cells of the solved part the gap is below {:.3g} um, the smallest of the measured "
-      "flow factors (h/sigma = {:.3g}): they are continued there",
-      cells, 1e6 * first, measured->H_low));
+  out.push_back(note::FactorsContinued{cells, first, measured->H_low});
 }
 
-void add_temperatures(const BearingModel& m, const FilmReach& reach,
-                      std::vector<std::string>& out) {
+void add_temperatures(const BearingModel& m, const FilmReach& reach, std::vector<Note>& out) {
   const auto& range = m.oil.range;
   if (!(reach.T_low < range.T_min) && !(reach.T_high > range.T_max)) return;
-  const std::string from =
-      std::isnan(reach.T_low) ? "up" : told_temperature(reach.T_low);  // to the highest
-  out.push_back("film temperatures of " + from + " to " + told_temperature(reach.T_high) +
-                " leave the oil's range of " + told_temperature(range.T_min) + " to " +
-                told_temperature(range.T_max) + ": its viscosity is extrapolated");
+  out.push_back(note::BeyondOilRange{reach.T_low, reach.T_high, range.T_min, range.T_max});
 }
 
-void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<std::string>& out) {
+void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<Note>& out) {
   const Field& h = reach.h;
   const fluid::SmallestGap& least = reach.least;
   if (const long cells = cells_beyond_law(m, h); cells > 0) {
-    out.push_back(fmt::format(
-        "the surfaces interpenetrate by up to {:.3g} um (at {}), {:.0f} times their summit "
-        "roughness, in {} cells of the solved part: beyond {:.3g} um the whole surface would be in "
-        "contact, and the contact law no longer describes it: contact pressure, friction and film "
-        "are no prediction there",
-        -least.h * 1e6, fluid::place_of(least), -least.h / m.contact->sigma(), cells,
-        -m.contact->least_gap() * 1e6));
+    out.push_back(note::BeyondContactLaw{cells, least.h, m.contact->sigma(), m.contact->least_gap(),
+                                         least.place()});
   }
   const Field flow = summit_flow(m, h);
   if (const long cells = cells_that_flow(flow); cells > 0) {
     const auto deepest = std::max_element(flow.begin(), flow.end());
-    out.push_back(fmt::format(
-        "the contact pressure is held at the hardness of {:.4g} MPa in {} cells of the solved "
-        "part: summits flow there by up to {:.3g} um (at {})",
-        m.contact->hardness() * 1e-6, cells, *deepest * 1e6,
-        fluid::place_of(m.scene.grid, static_cast<int>(deepest - flow.begin()))));
+    out.push_back(note::HeldAtHardness{
+        m.contact->hardness(), cells, *deepest,
+        fluid::place_of(m.scene.grid, static_cast<int>(deepest - flow.begin()))});
   }
 }
 
 }  // namespace
 
-std::vector<std::string> range_warnings(const BearingModel& m, const FilmReach& reach) {
-  std::vector<std::string> out;
+std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) {
+  std::vector<Note> out;
   add_temperatures(m, reach, out);
   add_factors(m, reach.h, out);
   if (reach.p_max > m.oil.range.p_max) {
-    out.emplace_back("film pressures leave the range in which the oil's pressure law is known");
+    out.push_back(note::Plain::pressure_beyond_law);
   }
   add_contact(m, reach, out);
   return out;

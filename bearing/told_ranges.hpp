@@ -22,10 +22,9 @@ struct FilmReach {
 /// each cell [m]; empty: no hardness is known.
 [[nodiscard]] Field summit_flow(const BearingModel& m, const Field& h);
 
-/// One sentence for each range that was left: temperature and pressure of the oil's laws, flow
+/// One note for each range that was left: temperature and pressure of the oil's laws, flow
 /// factors, contact (beyond its law, or held at the hardness): how much, where.
-[[nodiscard]] std::vector<std::string> range_warnings(const BearingModel& m,
-                                                      const FilmReach& reach);
+[[nodiscard]] std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach);
 
 /// Cells of the contact at its limits, `h` as in FilmReach.
 [[nodiscard]] std::vector<LimiterCount> contact_limiters(const BearingModel& m, const Field& h);

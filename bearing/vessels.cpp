@@ -154,8 +154,7 @@ Verdict Vessels::solve(double own, const std::vector<double>& oil_star, fluid::F
     }
     if (all) return {};
   }
-  return {Status::iteration_limit, "the pressure in the vessel of a supply is not found", "",
-          "a larger vessel, or a finer grid"};
+  return {Status::iteration_limit, ending::Plain::no_vessel_pressure};
 }
 
 std::vector<double> Vessels::slopes(const fluid::OilFlows& flows) const {

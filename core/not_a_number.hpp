@@ -4,8 +4,6 @@
 #include <optional>
 #include <span>
 
-#include "core/outcome.hpp"
-
 namespace shellback {
 
 /// Fields in which such a value may show first.
@@ -21,7 +19,6 @@ enum class FieldName {
   contact_pressure,
   film_flow,
 };
-[[nodiscard]] const char* to_string(FieldName name);
 
 struct NotANumber {
   FieldName field = FieldName::film_pressure;
@@ -32,8 +29,5 @@ struct NotANumber {
 [[nodiscard]] std::optional<NotANumber> find_not_a_number(FieldName name,
                                                           std::span<const double> field,
                                                           int per_cell = 1);
-
-/// How the solve ends there; `place` in words.
-[[nodiscard]] Verdict ended_by(const NotANumber& found, const std::string& place);
 
 }  // namespace shellback

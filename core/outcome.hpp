@@ -1,7 +1,9 @@
 #pragma once
 /// How a solver reports: value, status, history. Failing to converge is a result.
-#include <string>
+#include <cmath>
 #include <vector>
+
+#include "core/ending.hpp"
 
 namespace shellback {
 
@@ -13,13 +15,30 @@ enum class Status {
   interrupted,      ///< stopped by the user
 };
 
-/// Why a solve ended, in words for the user. Empty when converged.
+/// A place in the film. Not-a-number: all round, along the whole width; both: no place.
+struct FilmPlace {
+  double phi = NAN;  ///< [rad]
+  double z = NAN;    ///< from mid-width [m]
+  [[nodiscard]] bool operator==(const FilmPlace&) const = default;
+};
+
+/// How a solve ended; its words are those of app/words.
 struct Verdict {
   Status status = Status::converged;
-  std::string reason;  ///< what went wrong, with numbers
-  std::string place;   ///< where in the film ("phi 212 deg, z 0.3 mm")
-  std::string cure;    ///< what to try
+  Ending ending = ending::Plain::none;
+  FilmPlace place{};             ///< where it shows
+  std::vector<Verdict> cause{};  ///< the ending within, for which this one stands; one, or none
+
   [[nodiscard]] bool good() const { return status == Status::converged; }
+  [[nodiscard]] bool is(ending::Plain plain) const {
+    const auto* own = as<ending::Plain>();
+    return own != nullptr && *own == plain;
+  }
+  /// The data of an ending of this kind; none if it is another.
+  template <class E>
+  [[nodiscard]] const E* as() const {
+    return std::get_if<E>(&ending);
+  }
 };
 
 template <class T>

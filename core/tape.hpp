@@ -2,13 +2,18 @@
 /// Values put one behind the other and taken off again in the same order: how a state is kept.
 ///
 /// A type tells its members once, for both directions: a free function members(Tape&, T&) in
-/// namespace shellback, or a member function of that name. Numbers are kept with all their bits.
+/// namespace shellback, or a member function of that name; small aggregates need not. Numbers are
+/// kept with all their bits.
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
+
+#include "core/contract.hpp"
 
 namespace shellback {
 
@@ -49,6 +54,10 @@ class Tape {
   struct IsOptional : std::false_type {};
   template <class T>
   struct IsOptional<std::optional<T>> : std::true_type {};
+  template <class T>
+  struct IsVariant : std::false_type {};
+  template <class... T>
+  struct IsVariant<std::variant<T...>> : std::true_type {};
 
   template <class T>
   void one(T& x) {
@@ -72,11 +81,63 @@ class Tape {
       if (reads_ && there) x.emplace();
       if (!there) x.reset();
       if (there) one(*x);
+    } else if constexpr (IsVariant<T>::value) {
+      auto which = static_cast<std::int64_t>(x.index());
+      count(which);
+      if (reads_) take_up(x, which, std::make_index_sequence<std::variant_size_v<T>>());
+      std::visit([this](auto& held) { one(held); }, x);
     } else if constexpr (requires { x.members(*this); }) {
       x.members(*this);
-    } else {
+    } else if constexpr (requires { members(*this, x); }) {
       members(*this, x);
+    } else {
+      few(x);
     }
+  }
+
+  /// Stands for a value of any type.
+  struct Any {
+    template <class T>
+    operator T() const;
+  };
+  /// How many members an aggregate has.
+  template <class T, class... Counted>
+  static constexpr std::size_t count_members() {
+    if constexpr (requires { T{Counted{}..., Any{}}; }) {
+      return count_members<T, Counted..., Any>();
+    } else {
+      return sizeof...(Counted);
+    }
+  }
+
+  /// All members of a struct that has no more than five and does not tell them.
+  template <class T>
+  void few(T& x) {
+    constexpr std::size_t n = count_members<T>();
+    static_assert(n >= 1 && n <= 5, "tell its members");
+    if constexpr (n == 1) {
+      auto& [a] = x;
+      (*this)(a);
+    } else if constexpr (n == 2) {
+      auto& [a, b] = x;
+      (*this)(a, b);
+    } else if constexpr (n == 3) {
+      auto& [a, b, c] = x;
+      (*this)(a, b, c);
+    } else if constexpr (n == 4) {
+      auto& [a, b, c, d] = x;
+      (*this)(a, b, c, d);
+    } else {
+      auto& [a, b, c, d, e] = x;
+      (*this)(a, b, c, d, e);
+    }
+  }
+
+  /// The alternative of a variant with this number. Throws FileError where it has none.
+  template <class T, std::size_t... k>
+  void take_up(T& x, std::int64_t which, std::index_sequence<k...>) {
+    const bool known = ((which == k && (x.template emplace<k>(), true)) || ...);
+    if (!known) throw FileError("a kind of ending or note that is not known");
   }
 
   void value(double& x);

@@ -1,6 +1,7 @@
 /// A plain bearing of 100 mm bore, filled by hand: judged, solved, printed. SI units.
 #include <cstdio>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/judge_case.hpp"
 #include "fidelity/solve_case.hpp"
 
@@ -30,5 +31,6 @@ int main() {
     const Quantities q = r.values();
     std::printf("%-10s %s: friction torque %.3f N m, smallest film %.1f um\n", to_string(tier),
                 to_string(r.verdict.status), q.friction_torque, 1e6 * q.h_min);
+    if (!r.verdict.good()) std::puts(shellback::app::reason_of(r.verdict).c_str());
   }
 }

@@ -108,10 +108,7 @@ class Search {
       rich = probe(tiers.back());
       last_ = rich;
       if (rich.verdict.good() || stopped(control_)) break;
-      if (unjudged_.empty()) {
-        unjudged_ = fmt::format("tier {} was not found on {} x {} cells ({})", to_string(rich.tier),
-                                rich.grid[0], rich.grid[1], rich.verdict.reason);
-      }
+      if (unjudged_.empty()) unjudged_ = {{rich.tier, rich.grid, rich.verdict}};
       tiers.pop_back();
     }
     if (!rich.verdict.good()) return false;
@@ -178,7 +175,7 @@ class Search {
   }
 
   CycleResult chosen(CycleResult r) const {
-    if (stopped(control_)) r.verdict = {Status::interrupted, "stopped by the user", "", ""};
+    if (stopped(control_)) r.verdict = {Status::interrupted};
     const Pair known = bars_of(r);
     if (r.verdict.good()) {
       r.choice = AutoChoice{case_.model.tolerance, known.larger() <= case_.model.tolerance,
@@ -191,10 +188,8 @@ class Search {
       if (torque) q.quantity.error_model = left_out_.friction * size;
       if (q.quantity.name == "h_min") q.quantity.error_model = left_out_.h_min * size;
     }
-    r.assumptions.push_back(fmt::format(
-        "tier auto took tier {} on {} x {} cells; {}; solved on the "
-        "way: {}",
-        to_string(r.tier), r.grid[0], r.grid[1], physics_words(), fmt::join(solved_, ", ")));
+    r.assumptions.push_back(
+        note::TierTaken{r.tier, r.grid, left_out_.friction, left_out_.h_min, unjudged_, solved_});
     if (!knows_its_walls(case_)) {
       r.assumptions.emplace_back(
           "the case has no data of shell and shaft: what their heat and deformation change is in "
@@ -202,8 +197,7 @@ class Search {
           "bar");
     }
     if (!unjudged_.empty()) {
-      r.warnings.push_back(
-          fmt::format("what richer physics would change is not known: {}", unjudged_));
+      r.warnings.push_back(unjudged_.front());
     } else if (r.verdict.good() && !r.choice->met) {
       r.warnings.push_back(fmt::format(
           "the tolerance of {:.2g} % is not met: the mean friction torque is known within {:.2g} "
@@ -211,14 +205,6 @@ class Search {
           100.0 * case_.model.tolerance, 100.0 * known.friction, 100.0 * known.h_min));
     }
     return r;
-  }
-
-  [[nodiscard]] std::string physics_words() const {
-    if (!unjudged_.empty()) return "the physics that it leaves out is not known: " + unjudged_;
-    return fmt::format(
-        "the physics that it leaves out is worth at most {:.2g} % of the mean torque and {:.2g} % "
-        "of the smallest film",
-        100.0 * left_out_.friction, 100.0 * left_out_.h_min);
   }
 
   [[nodiscard]] Pair bars_of(const CycleResult& r) const {
@@ -233,7 +219,7 @@ class Search {
   Case on_ = case_;  ///< with what is tried: grid, tolerance, tier
   Tier tier_ = Tier::isothermal;
   Pair left_out_;
-  std::string unjudged_;  ///< why the richest tier judges nothing; empty: it does
+  std::vector<note::NothingRicher> unjudged_;  ///< the richest tier, where it judges nothing
   CycleResult last_;
   std::vector<std::string> solved_;
 };

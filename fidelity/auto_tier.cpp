@@ -57,7 +57,7 @@ class Search {
     Result r = stopped(control_) ? bearing::summarize(finest_, tier())
                : sequence        ? extrapolated()
                                  : on_one_grid();
-    if (stopped(control_)) r.verdict = {Status::interrupted, "stopped by the user", "", ""};
+    if (stopped(control_)) r.verdict = {Status::interrupted};
     return r;
   }
 

@@ -144,18 +144,15 @@ Result estimate_result(const Case& c) {
   Result r;
   r.tier = Tier::estimate;
   r.title = c.title;
-  r.warnings = c.warnings;
-  r.assumptions = c.assumptions;
+  r.warnings.assign(c.warnings.begin(), c.warnings.end());
+  r.assumptions.assign(c.assumptions.begin(), c.assumptions.end());
   r.assumptions.push_back(
       "estimate: rigid circular bearing fed at the widest gap, one temperature from a heat balance "
       "in lumps; regime " +
       std::string(to_string(e.regime)));
   r.audit = {NAN, NAN, NAN, NAN};  // there is no field whose balance could be drawn
   if (!e.balanced) {
-    r.verdict = {
-        Status::no_steady_state,
-        "the estimate finds no film temperature at which the friction heat is carried away", "",
-        "lower speed or load, feed more oil, or ask a tier that resolves the heat"};
+    r.verdict = {Status::no_steady_state, ending::Plain::estimate_unbalanced};
     return r;
   }
   r.quantities = quantities(c, e, numbers);

@@ -1,7 +1,5 @@
 #include "fluid/active_set.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "core/largest.hpp"
@@ -43,9 +41,7 @@ UpdateReport ActiveSet::newton_step(Field& r) {
 
 Verdict ActiveSet::stopped() const {
   return {Status::iteration_limit,
-          fmt::format("the cavitation solve stopped after {} steps at residual {:.1e}", most_,
-                      out.history.back()),
-          "", "refine the grid or start from a lower load"};
+          ending::Unsettled{ending::Iteration::cavitation, most_, out.history.back()}};
 }
 
 ActiveSetEnd ActiveSet::run() {

@@ -21,7 +21,7 @@ NotANumber first_not_a_number(const Gap& gap, const FilmState& s, const FilmCoef
 }
 
 Verdict ended_by(const FilmGrid& grid, const NotANumber& found) {
-  return shellback::ended_by(found, found.cell < 0 ? "" : place_of(grid, found.cell));
+  return {Status::invalid_number, ending::NotANumber{found.field}, place_of(grid, found.cell)};
 }
 
 }  // namespace shellback::fluid

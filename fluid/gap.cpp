@@ -1,10 +1,6 @@
 #include "fluid/gap.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-
-#include "core/constants.hpp"
 
 namespace shellback::fluid {
 
@@ -105,14 +101,9 @@ SmallestGap smallest_gap(const FilmGrid& g, const Gap& gap, const Field& profile
   return least;
 }
 
-std::string place_of(const SmallestGap& least) {
-  double deg = std::fmod(least.phi * 180.0 / kPi, 360.0);
-  if (deg < 0.0) deg += 360.0;
-  return fmt::format("phi {:.1f} deg, z {:.2f} mm", deg, least.z * 1e3);
-}
-
-std::string place_of(const FilmGrid& g, int cell) {
-  return place_of(SmallestGap{0.0, g.phi[cell / g.nz], g.z[cell % g.nz]});
+FilmPlace place_of(const FilmGrid& g, int cell) {
+  if (cell < 0) return {};
+  return {g.phi[cell / g.nz], g.z[cell % g.nz]};
 }
 
 }  // namespace shellback::fluid

@@ -12,9 +12,9 @@
 /// methods 2.1; the signs from design 2 (displacement of the journal towards phi closes the gap
 /// there).
 #include <array>
-#include <string>
 
 #include "core/grid.hpp"
+#include "core/outcome.hpp"
 
 namespace shellback::fluid {
 
@@ -75,11 +75,10 @@ struct SmallestGap {
   double h = 0.0;    ///< [m]
   double phi = 0.0;  ///< [rad]
   double z = 0.0;    ///< [m]
+  [[nodiscard]] FilmPlace place() const { return {phi, z}; }
 };
 [[nodiscard]] SmallestGap smallest_gap(const FilmGrid& grid, const Gap& gap, const Field& profile);
-/// "phi 212.4 deg, z 0.31 mm"; phi from 0 to 360.
-[[nodiscard]] std::string place_of(const SmallestGap& least);
-/// The same of the middle of a cell.
-[[nodiscard]] std::string place_of(const FilmGrid& grid, int cell);
+/// The middle of a cell; -1: no place.
+[[nodiscard]] FilmPlace place_of(const FilmGrid& grid, int cell);
 
 }  // namespace shellback::fluid

@@ -36,12 +36,8 @@ Outcome<FilmState> film_by_reduced_pressure(const FilmScene& scene, const Gap& g
   if (!out.good()) return out;
   const auto peak = std::max_element(out.value.p.begin(), out.value.p.end());
   if (alpha * *peak >= 1.0) {
-    out.verdict = {Status::no_steady_state,
-                   "the film has no steady pressure at this gap: with the pressure-viscosity law "
-                   "chosen, the reduced pressure would have to exceed its bound 1/alpha "
-                   "(q = (1 - exp(-alpha p))/alpha)",
-                   place_of(scene.grid, static_cast<int>(peak - out.value.p.begin())),
-                   "switch on elastic deformation, use the Roelands law, or lower the load"};
+    out.verdict = {Status::no_steady_state, ending::Plain::no_pressure,
+                   place_of(scene.grid, static_cast<int>(peak - out.value.p.begin()))};
     return out;
   }
   for (double& p : out.value.p) p = alpha > 0.0 ? -std::log1p(-alpha * p) / alpha : p;

@@ -1,5 +1,5 @@
 // The arrows of the house: core <- rheology, fluid, thermal, solid <- bearing <- fidelity <-
-// app/study; surface stands on fluid and solid, beside bearing; both
+// app/study; surface stands on fluid and solid, and app/words on bearing, beside them; all
 // <- app <- validation <- app/program. A folder within a folder is one of its own if it is named
 // here. Every include in the production folders is read; nobody includes tests.
 #include <algorithm>
@@ -28,15 +28,16 @@ const std::map<std::string, Folders> kArrows{
     {"bearing", {"core", "rheology", "fluid", "thermal", "solid"}},
     {"fidelity", {"core", "rheology", "fluid", "thermal", "solid", "bearing"}},
     {"app/study", {"core", "rheology", "fluid", "thermal", "solid", "bearing", "fidelity"}},
+    {"app/words", {"core", "rheology", "fluid", "thermal", "solid", "bearing"}},
     {"app",
      {"core", "rheology", "fluid", "thermal", "solid", "surface", "bearing", "fidelity",
-      "app/study"}},
+      "app/study", "app/words"}},
     {"validation",
      {"core", "rheology", "fluid", "thermal", "solid", "surface", "bearing", "fidelity",
-      "app/study", "app"}},
+      "app/study", "app/words", "app"}},
     {"app/program",
      {"core", "rheology", "fluid", "thermal", "solid", "surface", "bearing", "fidelity",
-      "app/study", "app", "validation"}},
+      "app/study", "app/words", "app", "validation"}},
 };
 
 /// The folder of the arrows in which a path from the root stands.
@@ -123,6 +124,7 @@ TEST_CASE("ThePlantedWrongIncludeIsFound") {
   CHECK(wrong("app", "#include \"validation/run.hpp\"") == 1);
   CHECK(wrong("app", "#include \"app/study/sweep.hpp\"") == 0);
   CHECK(wrong("app/study", "#include \"app/case.hpp\"") == 1);
+  CHECK(wrong("bearing", "#include \"app/words/ending_words.hpp\"") == 1);
   CHECK(wrong("validation", "#include \"app/program/case.hpp\"") == 1);
   CHECK(wrong("fluid", "#include \"gap.hpp\"") == 1);  // not from the root
   CHECK(wrong("fluid", "#include \"fluid/../app/case.hpp\"") == 1);

@@ -12,6 +12,7 @@
 #include "app/program/session.hpp"
 #include "app/progress.hpp"
 #include "app/read_case.hpp"
+#include "app/words/ending_words.hpp"
 #include "app/write_png.hpp"
 #include "bearing/judge_case.hpp"
 #include "validation/chart/chart_csv.hpp"
@@ -64,7 +65,7 @@ void print_scene(std::ostream& out, const ChartScene& scene) {
     out << fmt::format("  {:<11} {:<11} {:>9} ", to_string(s.family), s.mark, grid);
     if (!p.verdict.good()) {
       out << fmt::format("{} after {:.3g} ms: {}\n", to_string(p.verdict.status), 1e3 * p.wall_s,
-                         p.verdict.reason);
+                         app::reason_of(p.verdict));
       continue;
     }
     const std::string kelvin = std::isfinite(p.error[2]) ? fmt::format("{:.3g}", p.error[2]) : "-";
@@ -115,7 +116,7 @@ int chart(const Request& request) {
   for (const ChartScene& scene : scenes) {
     if (scene.verdict.good()) continue;
     std::cerr << "error: " << scene.name << ": " << to_string(scene.verdict.status) << ": "
-              << scene.verdict.reason << "\n";
+              << app::reason_of(scene.verdict) << "\n";
   }
   outputs.give("-o", [&] { return chart_svg(scenes); });
   outputs.give("--png", [&] { return app::png_of(chart_svg(scenes)); });

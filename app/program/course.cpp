@@ -11,6 +11,7 @@
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
 #include "app/units.hpp"
+#include "app/words/ending_words.hpp"
 #include "app/write_course.hpp"
 #include "core/contract.hpp"
 #include "validation/rivals/rivals.hpp"
@@ -67,9 +68,9 @@ int course(const Request& request, const WarmUpOptions& options) {
   }();
   if (request.json != "-") write_course_table(std::cout, stretches, run);
   if (!run.end.verdict.good()) {
-    std::cerr << fmt::format("error: course: ended after {:.4g} s: {}\n", run.end.t,
-                             run.end.verdict.reason);
-    if (!run.end.verdict.cure.empty()) std::cerr << "  cure:  " << run.end.verdict.cure << "\n";
+    const EndingWords why = words_of(run.end.verdict);
+    std::cerr << fmt::format("error: course: ended after {:.4g} s: {}\n", run.end.t, why.reason);
+    if (!why.cure.empty()) std::cerr << "  cure:  " << why.cure << "\n";
   }
   outputs.give("--json", [&] { return course_json(stretches, options, run); });
   outputs.give("--picture", [&] { return course_svg(stretches, run); });

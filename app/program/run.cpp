@@ -8,6 +8,7 @@
 #include "app/program/outputs.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
+#include "app/words/ending_words.hpp"
 #include "app/write_coefficients.hpp"
 #include "app/write_hdf5.hpp"
 #include "app/write_json.hpp"
@@ -34,7 +35,7 @@ int give_coefficients(Outputs& outputs, const Result& result) {
   if (!result.coefficients) return kDone;
   const Coefficients& k = *result.coefficients;
   if (!k.verdict.good()) {
-    std::cerr << "error: no stiffness and damping: " << k.verdict.reason << "\n";
+    std::cerr << "error: no stiffness and damping: " << reason_of(k.verdict) << "\n";
     return kNotConverged;
   }
   outputs.give("--coefficients-table", [&] { return coefficients_csv(k); });

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "app/read_case.hpp"
+#include "app/words/ending_words.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::program {
@@ -40,10 +41,11 @@ void tell_verdict(const Result& result) { tell_verdict(result.tier, result.verdi
 void tell_verdict(Tier tier, const Verdict& verdict) {
   if (verdict.good()) return;
   std::cerr << "error: " << to_string(tier) << ": " << to_string(verdict.status);
-  if (!verdict.reason.empty()) std::cerr << ": " << verdict.reason;
+  const EndingWords words = words_of(verdict);
+  if (!words.reason.empty()) std::cerr << ": " << words.reason;
   std::cerr << "\n";
-  if (!verdict.place.empty()) std::cerr << "  where: " << verdict.place << "\n";
-  if (!verdict.cure.empty()) std::cerr << "  cure:  " << verdict.cure << "\n";
+  if (!words.place.empty()) std::cerr << "  where: " << words.place << "\n";
+  if (!words.cure.empty()) std::cerr << "  cure:  " << words.cure << "\n";
 }
 
 SolveControl control_for(ProgressLine& line) {

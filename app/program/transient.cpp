@@ -9,6 +9,7 @@
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
 #include "app/units.hpp"
+#include "app/words/ending_words.hpp"
 #include "app/write_warm_up.hpp"
 #include "bearing/judge_case.hpp"
 #include "core/constants.hpp"
@@ -101,7 +102,7 @@ int transient(const Request& request) {
   const SolveControl control = control_for(progress);
   const WarmUp run = warm_up(subject, subject.model.tier, options, control);
   if (run.instants.empty()) {
-    std::cerr << "error: transient: " << run.end.verdict.reason << "\n";
+    std::cerr << "error: transient: " << reason_of(run.end.verdict) << "\n";
     outputs.give("--json", [&] { return warm_up_json(subject, run, options, {}); });
     return outputs.code(code_of(run.end.verdict));
   }
@@ -110,7 +111,7 @@ int transient(const Request& request) {
   if (request.json != "-") print_warm_up(subject, run, steady);
   if (!run.end.verdict.good()) {
     std::cerr << fmt::format("error: transient: ended after {:.4g} s: {}\n", run.end.t,
-                             run.end.verdict.reason);
+                             reason_of(run.end.verdict));
   }
   outputs.give("--json", [&] { return warm_up_json(subject, run, options, steady); });
   outputs.give("--picture", [&] { return warm_up_svg(subject, run, steady); });

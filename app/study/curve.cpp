@@ -145,7 +145,7 @@ void Curve::settle(int k, const Known& solution) {
     kept_[k] = solution;
     for (int j = k - 1; j <= k + 1; ++j) forget_inner(j);
   } else if (stopped()) {
-    point.result.verdict = {Status::interrupted, "interrupted before the point was solved", "", ""};
+    point.result.verdict = {Status::interrupted, ending::Plain::not_reached};
   }
   finished_(k, solution);
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/words/ending_words.hpp"
 #include "app/write_coefficients.hpp"
 #include "app/write_json.hpp"
 #include "synthetic.hpp"
@@ -79,9 +80,9 @@ TEST_CASE("JsonHasBothMatricesWithTheirUnits", "[coefficients]") {
 
 TEST_CASE("CoefficientsThatWereNotFoundAreNotWritten", "[coefficients]") {
   bearing::Result r = with_coefficients();
-  r.coefficients->verdict = {Status::iteration_limit, "it did not settle", "", ""};
+  r.coefficients->verdict = {Status::iteration_limit, ending::Plain::unsettled_response};
   const json j = written(r)["coefficients"];
-  CHECK(j["reason"] == "it did not settle");
+  CHECK(j["reason"] == app::reason_of(r.coefficients->verdict));
   CHECK_FALSE(j.contains("K"));
   std::ostringstream out;
   app::print_coefficients(out, r);

@@ -1,6 +1,7 @@
 #include "app/hdf5_parts.hpp"
 #include "app/pending_file.hpp"
 #include "app/result_mark.hpp"
+#include "app/words/ending_words.hpp"
 #include "app/write_cycle_hdf5.hpp"
 #include "core/constants.hpp"
 #include "hdf5_reader.hpp"
@@ -95,7 +96,7 @@ TEST_CASE("AStoppedCycleIsAFileThatSaysSo") {
   const Written written(cycle);
   const test::Reader file(written.scratch.path());
   CHECK(file.number(".", "converged") == 0.0);
-  CHECK(file.text(".", "reason") == cycle.verdict.reason);
+  CHECK(file.text(".", "reason") == app::reason_of(cycle.verdict));
   CHECK(file.shape("series/h_min") == Shape{3});
   CHECK_FALSE(file.has("frames/p"));
   CHECK_FALSE(file.has("fields/p_max"));

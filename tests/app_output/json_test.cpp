@@ -100,9 +100,9 @@ TEST_CASE("AFailedSolveSaysReasonPlaceAndCure") {
   const auto j = json::parse(app::result_json(test::synthetic_case(), result));
   CHECK(j["status"] == "iteration limit");
   CHECK(j["converged"] == false);
-  CHECK(j["reason"] == result.verdict.reason);
-  CHECK(j["place"] == result.verdict.place);
-  CHECK(j["cure"] == result.verdict.cure);
+  CHECK(j["reason"].get<std::string>().find("film 3.2e-03") != std::string::npos);
+  CHECK(j["place"] == "phi 301.9 deg, z 0.30 mm");  // 5.27 rad
+  CHECK(j["cure"].get<std::string>().find("finer grid") != std::string::npos);
 }
 
 TEST_CASE("BrokenUtf8InATitleDoesNotStopTheOutput") {

@@ -200,8 +200,8 @@ Comparison synthetic_comparison() {
 Result synthetic_result() { return synthetic_comparison().results.back(); }
 
 Result not_converged(Result result) {
-  result.verdict = {Status::iteration_limit, "residual 3.2e-3 after 200 outer iterations",
-                    "phi 302 deg, z 0.3 mm", "smaller steps, or more axial cells"};
+  result.verdict = {
+      Status::iteration_limit, ending::FilmUnsettled{80, 3.2e-3, 1.0, 0.0, 1e-6}, {5.27, 0.3e-3}};
   return result;
 }
 

@@ -170,8 +170,10 @@ CycleResult timed_cycle() {
 
 CycleResult stopped_cycle() {
   CycleResult r = synthetic_cycle();
-  r.verdict = {Status::iteration_limit, "no step was found after 31.2 ms", "phi 302 deg, z 0.3 mm",
-               "a smaller load_cycle.step"};
+  r.verdict = {Status::iteration_limit,
+               ending::NoStep{31.2e-3, 0.0},
+               {5.27, 0.3e-3},
+               {{Status::iteration_limit, ending::Plain::overdrawn}}};
   r.instants.resize(3);
   r.frames.clear();
   r.fields = {};

@@ -1,6 +1,7 @@
 // A friction law of the contact in a bearing: parts, torque, heat and starts.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/audit.hpp"
 #include "bearing/cycle.hpp"
 #include "bearing/film_heat.hpp"
@@ -37,7 +38,7 @@ Case with_law(Case c) {
 
 Solution good(const Case& c) {
   Solution s = solve_tier(c, c.model.tier);
-  INFO(s.verdict.reason);
+  INFO(app::reason_of(s.verdict));
   REQUIRE(s.verdict.good());
   return s;
 }
@@ -116,7 +117,7 @@ TEST_CASE("ABearingAtRestBreaksAwayWithAbrasionAndAdhesion", "[boundary_friction
   c.cycle = event;
   c.operation.position = LoadGiven{2.5e3, 270.0 * kDegree};
   const CycleResult r = solve_cycle(c, Tier::isothermal);
-  INFO(r.verdict.reason);
+  INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   const CycleInstant& first = r.instants.front();
   const double arm = c.bearing.radius;

@@ -1,6 +1,7 @@
 /// Stiffness, damping and whirl threshold.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/film_response.hpp"
 #include "bearing/perturbation.hpp"
 #include "bearing/solids.hpp"
@@ -17,14 +18,14 @@ namespace {
 
 Solution solved(const Case& c, Tier tier) {
   Solution s = solve_tier(c, tier);
-  INFO(s.verdict.reason);
+  INFO(app::reason_of(s.verdict));
   REQUIRE(s.verdict.good());
   return s;
 }
 
 Coefficients of(const Solution& s) {
   Coefficients k = coefficients_of(s, 1e-5);
-  INFO(k.verdict.reason);
+  INFO(app::reason_of(k.verdict));
   REQUIRE(k.verdict.good());
   return k;
 }
@@ -42,7 +43,7 @@ FilmEquilibrium again(const Solution& s, const BearingModel& model, int k, doubl
   LoadTarget held;
   held.unknowns = 0;
   const Verdict v = solve_equilibrium(model, held, s.heat.thermal_deformation, sharp, f, cost);
-  INFO(v.reason);
+  INFO(app::reason_of(v));
   REQUIRE(v.good());
   return f;
 }

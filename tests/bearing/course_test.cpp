@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/solve.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
@@ -43,7 +44,7 @@ CourseRun passed(const std::vector<Stretch>& stretches) {
   WarmUpOptions o;
   o.T_start = 313.15;
   const CourseRun run = run_course(stretches, Tier::thd, o);
-  INFO(run.end.verdict.reason);
+  INFO(app::reason_of(run.end.verdict));
   REQUIRE(run.end.verdict.good());
   REQUIRE(run.ends.size() == stretches.size());
   return run;

@@ -1,6 +1,7 @@
 // Load cycles with film temperatures: against the steady tiers, balances, order in time.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/compare_cycles.hpp"
 #include "bearing/cycle.hpp"
 #include "bearing/cycle_search.hpp"
@@ -42,7 +43,7 @@ Case warm_cycle_case(double mean, double swing) {
 
 CycleResult converged(const Case& c, Tier tier) {
   const CycleResult r = solve_cycle(c, tier);
-  INFO(r.verdict.reason);
+  INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   return r;
 }
@@ -186,7 +187,7 @@ TEST_CASE("AWarmUpOverCyclesEndsInThePeriodicState", "[cycle_heat]") {
   WarmUpOptions o;
   o.T_start = 293.15;
   const WarmUp run = warm_up(c, Tier::thd, o);
-  INFO(run.end.verdict.reason);
+  INFO(app::reason_of(run.end.verdict));
   REQUIRE(run.end.verdict.good());
   CHECK(run.end.at_rest);
   const Instant& last = run.instants.back();

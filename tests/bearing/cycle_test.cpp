@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <complex>
 
+#include "app/words/ending_words.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -52,7 +53,7 @@ Case pulsed_case() {
 
 CycleResult converged(const Case& c) {
   const CycleResult r = solve_cycle(c, Tier::isothermal);
-  INFO(r.verdict.reason);
+  INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   CHECK(r.audit.mass < 1e-12);  // carried as what flows: round-off
   return r;

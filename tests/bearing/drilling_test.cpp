@@ -1,6 +1,7 @@
 /// Supplies that turn with the journal, over load cycles.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/crank.hpp"
 #include "bearing/cycle.hpp"
 #include "bearing/drillings.hpp"
@@ -64,7 +65,7 @@ TEST_CASE("ADrillingThatTurnsWithTheLoadIsAHoleOfASteadyBearing", "[drilling]") 
   Case c = drilled();
   c.model.tolerance = 3e-3;
   const CycleResult r = solve_cycle(c, Tier::isothermal);
-  INFO(r.verdict.reason);
+  INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   Case steady = c;
   steady.cycle.reset();
@@ -118,7 +119,7 @@ TEST_CASE("HeatOfADrilledBearingIsBalanced", "[drilling]") {
   c.cycle = turning_load(c.operation.omega, -1);  // the mouth passes through the loaded film
   c.cycle->journal_mass = 0.5;
   const CycleResult r = solve_cycle(c, Tier::thd);
-  INFO(r.verdict.reason);
+  INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   CHECK(std::abs(r.audit.mass) < 1e-12);
   CHECK(std::abs(r.audit.energy) < 1e-8);

@@ -1,6 +1,7 @@
 // A dry patch of the film is carried along with the mean speed of the surfaces.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/film_step.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -83,7 +84,7 @@ TEST_CASE("ADryPatchIsCarriedWithTheMeanSpeedAndKeepsWhatItLacks", "[cycle]") {
     constexpr int kSteps = 60;
     for (int n = 0; n < kSteps; ++n) {
       FilmStep s = steps.take(way / (0.5 * omega) / kSteps, now, cost, nullptr);
-      INFO(s.verdict.reason);
+      INFO(app::reason_of(s.verdict));
       REQUIRE(s.verdict.good());
       now = std::move(s.after);
       left += s.side - s.supply;

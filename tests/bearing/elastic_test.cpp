@@ -1,6 +1,7 @@
 /// Elastic shell and shaft under film and contact pressure, isothermal.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/solids.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -75,9 +76,8 @@ TEST_CASE("ElasticBearingCarriesWhatARigidBarusFilmCannot", "[elastic]") {
   rigid.surfaces = {};  // contact would carry the rest
   const Solution refused = solve_tier(rigid, Tier::isothermal);
   CHECK(refused.verdict.status == Status::no_steady_state);
-  CHECK(refused.verdict.reason.find("cannot carry 8e+04 N") != std::string::npos);
-  CHECK_FALSE(refused.verdict.place.empty());
-  CHECK_FALSE(refused.verdict.cure.empty());
+  CHECK(load_beyond_bound(refused.verdict) == Approx(80e3));
+  CHECK(std::isfinite(refused.verdict.place.phi));
 
   rigid.model.switches.pressure_dependence = false;
   const Solution isoviscous = solve_tier(rigid, Tier::isothermal);
@@ -119,7 +119,7 @@ TEST_CASE("TiltedElasticJournalBalancesForceAndMoment", "[elastic]") {
   c.model.grid = {60, 12};
   c.operation.alignment = MomentGiven{4.0, 0.0};
   const Solution s = solve_tier(c, Tier::isothermal);
-  INFO(s.verdict.reason);
+  INFO(app::reason_of(s.verdict));
   REQUIRE(s.verdict.good());
   const double unit = 8e3 * 0.5 * c.bearing.width;
   CHECK(std::abs(s.film.force[2] + 4.0) < 1e-9 * unit);

@@ -1,6 +1,7 @@
 /// Journal and film in balance: isothermal, rigid.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -11,7 +12,7 @@ namespace {
 
 Solution isothermal(const Case& c) {
   Solution s = solve_tier(c, Tier::isothermal);
-  INFO(s.verdict.reason);
+  INFO(app::reason_of(s.verdict));
   REQUIRE(s.verdict.good());
   return s;
 }

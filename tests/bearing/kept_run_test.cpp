@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/tape_members.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -68,7 +69,7 @@ CycleResult in_pieces(const Case& c, Tier tier, const std::function<int()>& wait
 
 void check_in_pieces(const Case& c, Tier tier) {
   const CycleResult whole = solve_cycle(c, tier);
-  INFO(whole.verdict.reason);
+  INFO(app::reason_of(whole.verdict));
   REQUIRE(whole.verdict.good());
   std::mt19937 random(7);
   std::uniform_int_distribution<int> steps(1, 1 + whole.cycles * whole.steps / 3);

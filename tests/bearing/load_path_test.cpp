@@ -1,6 +1,7 @@
 /// Rigid films that the joint Newton iteration does not find, or that do not exist.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/follow.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
@@ -24,7 +25,7 @@ Case barus_case(double force) {
 /// The force at which the refusal of a too large load says that the film ends [N].
 double limit_told(double force) {
   const Solution s = solve_tier(barus_case(force), Tier::isothermal);
-  INFO(s.verdict.reason);
+  INFO(app::reason_of(s.verdict));
   CHECK(s.verdict.status == Status::no_steady_state);
   return std::hypot(s.film.force[0], s.film.force[1]);
 }
@@ -46,7 +47,7 @@ TEST_CASE("ALightlyLoadedFilmIsFoundHoweverThickTheOil") {
     c.oil.temperature = rheology::ConstantViscosity{eta};
     c.model.tier = Tier::isothermal;
     const Solution s = solve_tier(c, Tier::isothermal);
-    INFO(eta << ": " << s.verdict.reason);
+    INFO(eta << ": " << app::reason_of(s.verdict));
     CHECK(s.verdict.good());
   }
 }
@@ -131,7 +132,7 @@ TEST_CASE("AJournalWithMassFollowsNewtonsLaw") {
     for (int k = 0; k < 2; ++k) target.inertia->free[k] = s.position.q[k] + dt * velocity[k];
     EquilibriumCost cost;
     const Verdict v = newton(model, target, {}, {}, s, cost);
-    INFO(mass << " kg: " << v.reason);
+    INFO(mass << " kg: " << app::reason_of(v));
     REQUIRE(v.good());
     CHECK(cost.newton_iterations < 15);  // quadratic: a wrong sign of the mass in the border is not
     double off = 0.0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "rheology/heat.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 /// Temperature that the heat of the isothermal film at T would give the oil, minus T [K].
 double residual_at(const Case& c, double T) {
   const Solution s = solve_isothermal_at(c, T);
-  INFO(s.verdict.reason);
+  INFO(app::reason_of(s.verdict));
   REQUIRE(s.verdict.good());
   const double T_supply = c.supplies[0].temperature;
   const double power = std::abs(torque_of(s) * c.operation.omega) + pump_power(s.model, s.film);
@@ -41,7 +42,7 @@ TEST_CASE("OilThatWouldBoilWhileColdThinsUntilItsHeatLeaves", "[lumped]") {
     INFO("eta " << eta);
     CHECK(residual_at(c, c.supplies[0].temperature) > 400.0);
     const Solution s = solve_tier(c, Tier::lumped);
-    INFO(s.verdict.reason);
+    INFO(app::reason_of(s.verdict));
     REQUIRE(s.verdict.good());
     REQUIRE(s.heat_roots.size() == 1);
     CHECK(s.heat_roots.front().stable());
@@ -74,10 +75,15 @@ TEST_CASE("ABalanceWithoutARootIsRefusedWithBothEnds", "[lumped]") {
   Case c = plain_case();  // no heat capacity to speak of, and a viscosity that heat does not change
   c.oil.heat_capacity = rheology::ConstantHeatCapacity{2.0};
   const Solution s = solve_tier(c, Tier::lumped);
-  INFO(s.verdict.reason);
+  INFO(app::reason_of(s.verdict));
   CHECK(s.verdict.status == Status::no_steady_state);
-  CHECK(s.verdict.reason.find("thermal runaway: from 40.0 to 440.0 degC") != std::string::npos);
-  CHECK(s.verdict.reason.find("more heat than its oil carries off") != std::string::npos);
+  const auto* e = s.verdict.as<ending::NoHeatBalance>();
+  REQUIRE(e != nullptr);
+  CHECK(e->T_low == Approx(313.15));
+  CHECK(e->T_high == Approx(313.15 + 400.0));
+  CHECK(e->surplus_low > 0.0);  // more heat than leaves, at both ends
+  CHECK(e->surplus_high > 0.0);
+  CHECK(std::isinf(e->T_none));  // a film at every temperature
   CHECK(s.heat_roots.empty());
   CHECK(s.T_film <= 313.15 + 400.0);
 }
@@ -87,7 +93,7 @@ TEST_CASE("EveryRootIsToldAndTheLowestStableOneTaken", "[lumped]") {
   c.oil.temperature = rheology::ReynoldsSlope{0.003, 313.15, -0.03};
   place_journal(c, 0.6, 0.7);
   const Solution s = solve_tier(c, Tier::lumped);
-  INFO(s.verdict.reason);
+  INFO(app::reason_of(s.verdict));
   REQUIRE(s.verdict.good());
   REQUIRE(s.heat_roots.size() == 2);
   CHECK(s.heat_roots[0].stable());
@@ -97,9 +103,13 @@ TEST_CASE("EveryRootIsToldAndTheLowestStableOneTaken", "[lumped]") {
   CHECK(residual_at(c, s.heat_roots[1].T + 5.0) > 0.0);
   const Result r = summarize(s, Tier::lumped);
   CHECK(r.heat_roots.size() == 2);
-  CHECK(std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& w) {
-    return w.find("heat balance is met at 2 temperatures") != std::string::npos;
-  }));
+  const auto told = std::find_if(r.warnings.begin(), r.warnings.end(), [](const Note& w) {
+    return std::holds_alternative<note::OtherRoots>(w);
+  });
+  REQUIRE(told != r.warnings.end());
+  const auto& roots = std::get<note::OtherRoots>(*told).roots;
+  REQUIRE(roots.size() == 2);
+  CHECK((roots[0].stable && roots[0].taken && !roots[1].stable && !roots[1].taken));
   CHECK(r.value("T_film_mean") == s.heat_roots[0].T);
 }
 

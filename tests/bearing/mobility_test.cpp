@@ -9,6 +9,7 @@
 // against the oil, which goes round with omega/2.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/film_step.hpp"
 #include "tests/analytic/journal_film.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -112,7 +113,7 @@ class Orbit {
     const Vector v = seen_ == Vector{} ? booker(c_, e(), load()) : seen_;
     const double room = c_.bearing.radial_clearance - length(e());
     FilmStep s = steps_.take(part * room / length(v), now_, cost_, nullptr);
-    INFO(s.verdict.reason);
+    INFO(app::reason_of(s.verdict));
     REQUIRE(s.verdict.good());
     now_ = std::move(s.after);
     seen_ = seen_by_oil(c_, e(), now_.velocity);

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/cycle.hpp"
 #include "bearing/judge_case.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -44,7 +45,7 @@ LoadCycle pulsing(const Case& c, double most, int pulses = 1) {
 
 Result solved(const Case& c) {
   const Result r = solve(c);
-  INFO(r.verdict.reason);
+  INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   return r;
 }
@@ -86,7 +87,7 @@ TEST_CASE("ALoadThatStandsHoldsTheLayerAsTheSteadyFilmDoes", "[layer]") {
   Case c = coated(120e6);
   c.cycle = pulsing(c, 1e3);
   const CycleResult r = solve_cycle(c, Tier::isothermal);
-  INFO(r.verdict.reason);
+  INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   c.cycle.reset();
   c.operation.position = LoadGiven{1e3, 1.5 * kPi};
@@ -104,7 +105,7 @@ TEST_CASE("EveryPulseLeavesItsMarkAndEachOneLess", "[layer]") {
     c.cycle = pulsing(c, 8e3, pulses);
     c.cycle->period = INFINITY;
     const CycleResult r = solve_cycle(c, Tier::isothermal);
-    INFO(r.verdict.reason);
+    INFO(app::reason_of(r.verdict));
     REQUIRE(r.verdict.good());
     CHECK(value_of(r, "layer_loss") > 0.0);
     CHECK(r.audit.mass < 1e-12);

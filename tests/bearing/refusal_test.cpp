@@ -1,6 +1,7 @@
 /// Solves that end without a solution say so, and by name.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/compare.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -23,8 +24,12 @@ Case runaway_case() {
   return c;
 }
 
-bool says(const Verdict& v, const std::string& words) {
-  return v.reason.find(words) != std::string::npos;
+/// Film and walls run away, or more heat is made than carried off at every temperature.
+bool runs_away(const Verdict& v) {
+  const auto* lumped = v.as<ending::NoHeatBalance>();
+  const auto* branch = v.as<ending::BranchEnded>();
+  return v.as<ending::RanAway>() || (lumped && lumped->surplus_low > 0.0) ||
+         (branch && branch->end == ending::BranchEnd::turned && branch->with_heat);
 }
 
 }  // namespace
@@ -33,10 +38,9 @@ TEST_CASE("ThermalRunawayIsRefusedByName", "[refusal]") {
   for (const Tier tier : {Tier::lumped, Tier::thd, Tier::tehd}) {
     INFO(to_string(tier));
     const Solution s = solve_tier(runaway_case(), tier);
-    INFO(s.verdict.reason);
+    INFO(app::reason_of(s.verdict));
     CHECK(s.verdict.status == Status::no_steady_state);
-    CHECK(says(s.verdict, "thermal runaway"));
-    CHECK_FALSE(s.verdict.cure.empty());
+    CHECK(runs_away(s.verdict));
     const Result r = summarize(s, tier);  // the last state can be looked at
     CHECK(r.verdict.status == Status::no_steady_state);
   }
@@ -48,9 +52,8 @@ TEST_CASE("RigidBarusLimitIsRefusedWithItsName", "[refusal]") {
   set_load(c, 80e3);
   const Solution s = solve_tier(c, Tier::isothermal);
   CHECK(s.verdict.status == Status::no_steady_state);
-  CHECK(says(s.verdict, "cannot carry 8e+04 N"));
-  CHECK(says(s.verdict, "1/alpha"));
-  CHECK_FALSE(s.verdict.place.empty());
+  CHECK(load_beyond_bound(s.verdict) == Approx(80e3));
+  CHECK(std::isfinite(s.verdict.place.phi));
 }
 
 TEST_CASE("SmoothJournalBeyondTheClearanceIsRefused", "[refusal]") {
@@ -58,7 +61,10 @@ TEST_CASE("SmoothJournalBeyondTheClearanceIsRefused", "[refusal]") {
   place_journal(c, 1.02, 0.3);
   const Solution s = solve_tier(c, Tier::isothermal);
   CHECK(s.verdict.status == Status::no_steady_state);
-  CHECK(says(s.verdict, "touch"));
+  const auto* e = s.verdict.as<ending::GapClosed>();
+  REQUIRE(e != nullptr);
+  CHECK(e->h == Approx(-0.02 * c.bearing.radial_clearance).epsilon(0.01));  // between cells
+  CHECK_FALSE(e->by_growth());
 }
 
 TEST_CASE("ShrunkenClearanceIsRefused", "[refusal]") {
@@ -66,9 +72,11 @@ TEST_CASE("ShrunkenClearanceIsRefused", "[refusal]") {
   c.bearing.reference_temperature = 213.15;
   c.shell->housing->support = HousingSupport::clamped;
   const Solution s = solve_tier(c, Tier::tehd);
-  INFO(s.verdict.reason);
+  INFO(app::reason_of(s.verdict));
   CHECK(s.verdict.status == Status::no_steady_state);
-  CHECK(says(s.verdict, "clearance is used up by thermal growth"));
+  const auto* e = s.verdict.as<ending::GapClosed>();
+  REQUIRE(e != nullptr);
+  CHECK(e->by_growth());
 }
 
 TEST_CASE("StopFlagEndsEverySolve", "[refusal]") {
@@ -114,12 +122,12 @@ TEST_CASE("SurfacesPressedBeyondTheContactLawAreMarked", "[refusal]") {
   c.model.switches.pressure_dependence = false;
   place_journal(c, 1.1, 0.3);  // 2.4 um into each other, where the law ends at 1.3 um
   const auto marked = [](const Result& r) {
-    return std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& w) {
-      return w.find("no longer describes it") != std::string::npos;
+    return std::any_of(r.warnings.begin(), r.warnings.end(), [](const Note& w) {
+      return std::holds_alternative<note::BeyondContactLaw>(w);
     });
   };
   const Result r = summarize(solve_tier(c, Tier::isothermal), Tier::isothermal);
-  INFO(r.verdict.reason);
+  INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   const double sigma = std::hypot(0.28e-6, 0.13e-6), delta = 0.60e-6;  // of the two surfaces
   REQUIRE(r.value("h_min") < delta - 6.3 * sigma);

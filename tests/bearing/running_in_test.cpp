@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/bore_shape.hpp"
 #include "bearing/judge_case.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -32,7 +33,7 @@ TEST_CASE("WearBeginsAsArchardHasIt") {
   Case c = rubbing_case();
   c.running_in->duration = 1e-3;
   const RunningInRun run = run_in(c, Tier::isothermal);
-  INFO(run.verdict.reason);
+  INFO(app::reason_of(run.verdict));
   REQUIRE(run.verdict.good());
   const Solution fresh = solve_tier(c, Tier::isothermal);
   const double U = c.operation.omega * c.bearing.radius;
@@ -52,7 +53,7 @@ TEST_CASE("EdgesRunInSmoothlyHoweverLongTheSteps") {
   Case c = rubbing_case();
   c.running_in->duration = 3600.0;
   const RunningInRun run = run_in(c, Tier::isothermal);
-  INFO(run.verdict.reason);
+  INFO(app::reason_of(run.verdict));
   REQUIRE(run.verdict.good());
   REQUIRE(run.states.size() > 5);
   for (std::size_t k = 1; k < run.states.size(); ++k) {
@@ -72,7 +73,7 @@ TEST_CASE("TheWornInShapeIsWhereLongRunningArrives") {
   Case c = rubbing_case();
   c.running_in->limit_pressure = 2e6;
   const RunningInRun end = run_in(c, Tier::isothermal);
-  INFO(end.verdict.reason);
+  INFO(app::reason_of(end.verdict));
   REQUIRE(end.verdict.good());
   CHECK(end.complementarity < 1e-6);
   const Field& p = end.solution.film.p_contact;
@@ -81,7 +82,7 @@ TEST_CASE("TheWornInShapeIsWhereLongRunningArrives") {
   REQUIRE(end.states.back().depth > 0.1e-6);
   c.running_in->duration = 1e7;
   const RunningInRun late = run_in(c, Tier::isothermal);
-  INFO(late.verdict.reason);
+  INFO(app::reason_of(late.verdict));
   REQUIRE(late.verdict.good());
   CHECK(late.states.back().p_asperity_max == Approx(2e6).epsilon(0.02));
   // steps may err by 2 % of the depth; both shapes are unique only where they touch

@@ -140,6 +140,14 @@ inline void set_load(Case& c, double force) {
   return f.viscous + f.asperity;
 }
 
+/// The load asked for where a bound of the reduced pressure forbids it [N]; other endings: none.
+[[nodiscard]] inline double load_beyond_bound(const Verdict& v) {
+  const auto* film = v.as<ending::BeyondPressureBound>();
+  const auto* branch = v.as<ending::BranchEnded>();
+  if (branch && branch->end == ending::BranchEnd::unbounded) return branch->carried.whole;
+  return film ? film->wanted : NAN;
+}
+
 [[nodiscard]] inline double largest_difference(const Field& a, const Field& b) {
   double m = a.size() == b.size() ? 0.0 : INFINITY;
   for (std::size_t k = 0; k < a.size() && k < b.size(); ++k) m = larger(m, std::abs(a[k] - b[k]));

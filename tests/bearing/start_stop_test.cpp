@@ -1,6 +1,7 @@
 // From rest in contact to a full film and back, and through zero speed.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/cycle.hpp"
 #include "core/constants.hpp"
 #include "solid/boundary_friction.hpp"
@@ -34,7 +35,7 @@ Case starting(double top) {
 
 CycleResult converged(const Case& c) {
   const CycleResult r = solve_cycle(c, Tier::isothermal);
-  INFO(r.verdict.reason);
+  INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   return r;
 }
@@ -115,8 +116,8 @@ TEST_CASE("ContactThatIsHeldAtTheHardnessIsToldOverACycle", "[start_stop]") {
   const CycleResult elastic = converged(c);
   const double most = value_of(elastic, "p_asperity_max");
   const auto told = [](const CycleResult& r) {
-    for (const std::string& w : r.warnings) {
-      if (w.find("held at the hardness") != std::string::npos) return true;
+    for (const Note& w : r.warnings) {
+      if (std::holds_alternative<note::HeldAtHardness>(w)) return true;
     }
     return false;
   };

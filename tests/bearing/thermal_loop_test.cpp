@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/audit.hpp"
 #include "rheology/heat.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 Result solved(const Case& c, Tier tier) {
   Result r = summarize(solve_tier(c, tier), tier);
-  INFO(c.title << ": " << r.verdict.reason);
+  INFO(c.title << ": " << app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   return r;
 }
@@ -200,7 +201,7 @@ TEST_CASE("NoFilmIsColderThanAllAroundIt", "[thermal_loop]") {
         std::min({c.supplies[0].temperature, std::get<ConvectiveBack>(c.shell->back).ambient,
                   c.shaft->ambient});
     const Solution s = solve_tier(c, Tier::thd);
-    INFO(c.title << ": " << s.verdict.reason);
+    INFO(c.title << ": " << app::reason_of(s.verdict));
     REQUIRE(s.verdict.good());
     const auto [low, high] = std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
     CHECK(*low > coldest - 2.0);  // 2 K: what a polynomial of five nodes may swing below

@@ -1,6 +1,7 @@
 /// A bearing from cold walls to its steady state, and one that seizes on the way.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/solve.hpp"
 #include "bearing/warm_up.hpp"
 #include "core/contract.hpp"
@@ -23,7 +24,7 @@ TEST_CASE("AWarmUpEndsInTheSteadyStateAndLosesNoHeat", "[transient]") {
   for (const auto& [c, tier] :
        {std::pair{coarse(warm_case()), Tier::thd}, std::pair{coarse(rig_case()), Tier::tehd}}) {
     const WarmUp run = warm_up(c, tier, {});
-    INFO(c.title << ": " << run.end.verdict.reason);
+    INFO(c.title << ": " << app::reason_of(run.end.verdict));
     REQUIRE(run.end.verdict.good());
     CHECK(run.end.at_rest);
     CHECK(run.imbalance() < 1e-8);
@@ -78,7 +79,7 @@ TEST_CASE("AClearanceThatGrowthUsesUpSeizesAtATime", "[transient]") {
   c.bearing.radial_clearance = 8e-6;  // the shaft alone grows by a third of a micrometre per kelvin
   const WarmUp run = warm_up(c, Tier::tehd, {});
   REQUIRE_FALSE(run.instants.empty());
-  INFO(run.end.verdict.reason);
+  INFO(app::reason_of(run.end.verdict));
   CHECK_FALSE(run.end.verdict.good());
   CHECK(run.end.t > 0.0);
   CHECK(run.end.t < 3600.0);

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <complex>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/film_step.hpp"
 #include "bearing/solve.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -35,7 +36,7 @@ double growth(const Case& c, double mass, double nu) {
     swept.push_back(0.0);
     for (int k = 0; k < kSteps; ++k) {
       FilmStep s = steps.take(2.0 * kPi / nu / kSteps, *now, cost, nullptr);
-      INFO(s.verdict.reason);
+      INFO(app::reason_of(s.verdict));
       REQUIRE(s.verdict.good());
       now = std::move(s.after);
       const auto& q = now->film.position.q;

@@ -42,9 +42,5 @@ TEST_CASE("ANotANumberIsToldByFieldAndCell") {
   const auto found = find_not_a_number(FieldName::film_temperature, nodes, 3);
   REQUIRE(found);
   CHECK(found->cell == 2);
-  const Verdict v = ended_by(*found, "phi 10.0 deg, z 1.00 mm");
-  CHECK(v.status == Status::invalid_number);
-  CHECK(v.reason == "not a number in film temperature");
-  CHECK(v.place == "phi 10.0 deg, z 1.00 mm");
-  CHECK(v.cure.find("report it") != std::string::npos);
+  CHECK(found->field == FieldName::film_temperature);
 }

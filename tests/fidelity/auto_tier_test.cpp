@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "app/words/note_words.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/held_film.hpp"
 #include "fidelity/solve_case.hpp"
@@ -169,7 +170,7 @@ TEST_CASE("WithoutWallsAutoSaysThatTheHeatIsUncertain") {
   CHECK(r.tier == Tier::lumped);
   CHECK_FALSE(r.choice->met);
   REQUIRE_FALSE(r.warnings.empty());
-  CHECK(r.warnings.back().find("shell and shaft") != std::string::npos);
+  CHECK(app::words_of(r.warnings.back()).find("shell and shaft") != std::string::npos);
   // Constant viscosity does not mind the heat.
   c.oil.temperature = rheology::ConstantViscosity{0.02};
   const Result constant = solve_case(c);

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "../bearing/sample_bearing.hpp"
+#include "app/words/note_words.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -62,7 +63,7 @@ TEST_CASE("ConstantViscosityFeelsNoHeat") {
   CHECK(quantity(r, "friction_torque").error_model ==
         Approx(0.0).margin(1e-6 * r.value("friction_torque")));
   CHECK(quantity(r, "T_film_mean").error_model > 0.1);  // its temperature does [K]
-  CHECK(says(r.assumptions, "elastic deformation"));
+  CHECK(says(app::words_of(r.assumptions), "elastic deformation"));
 }
 
 TEST_CASE("TheModelBarOfAPoorTierHoldsTheFullTier") {
@@ -89,7 +90,7 @@ TEST_CASE("TheFullTierHasNoModelBarAndSaysSo") {
   const Result r = fidelity::solve(c);
   REQUIRE(r.verdict.good());
   CHECK(std::isnan(quantity(r, "friction_torque").error_model));
-  CHECK(says(r.assumptions, "nothing richer"));
+  CHECK(says(app::words_of(r.assumptions), "nothing richer"));
 }
 
 TEST_CASE("EffectsLeftOutTellWhatTheyWouldChange") {

@@ -20,7 +20,7 @@ Setup loaded() {
 
 FilmSolution solved(const Setup& s) {
   const auto film = solve(make_bearing(s));
-  INFO(film.verdict.reason);
+  INFO(to_string(film.verdict.status));
   REQUIRE(film.good());
   return film.value;
 }

@@ -41,7 +41,7 @@ Fed fed(const Setup& s) {
     place_mouths(f.bearing.scene.grid, conductance, f.bearing.scene.supply);
   }
   Outcome<FilmSolution> solved = solve(f.bearing);
-  INFO(solved.verdict.reason);
+  INFO(to_string(solved.verdict.status));
   REQUIRE(solved.good());
   f.film = std::move(solved.value);
   return f;

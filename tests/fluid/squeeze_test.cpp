@@ -17,7 +17,7 @@ namespace {
 
 FilmSolution solved(const Bearing& b) {
   const auto film = solve(b);
-  INFO(film.verdict.reason);
+  INFO(to_string(film.verdict.status));
   REQUIRE(film.good());
   return film.value;
 }

@@ -5,6 +5,8 @@
 
 #include "app/library.hpp"
 #include "app/read_case.hpp"
+#include "app/words/ending_words.hpp"
+#include "app/words/note_words.hpp"
 #include "bearing/judge_case.hpp"
 #include "tests/program/run_words.hpp"
 
@@ -24,7 +26,7 @@ void check_within(const std::string& name, double tolerance, const std::string& 
   Case c = shipped(name, words);
   c.model.grid_given = false;
   const CycleResult r = fidelity::solve_auto_cycle(c);
-  INFO(name << ": " << r.verdict.reason);
+  INFO(name << ": " << app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   REQUIRE(r.choice);
   CHECK(r.choice->met);
@@ -61,7 +63,7 @@ TEST_CASE("AutoKeepsTheGridThatACaseGivesAndSaysWhatItIsWorth") {
   REQUIRE(r.choice);
   CHECK_FALSE(r.choice->met);
   REQUIRE(!r.warnings.empty());
-  CHECK(r.warnings.back().find("tolerance") != std::string::npos);
+  CHECK(app::words_of(r.warnings.back()).find("tolerance") != std::string::npos);
 }
 
 TEST_CASE("CommandsTakeTierAutoOverACycle") {

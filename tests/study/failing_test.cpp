@@ -41,10 +41,10 @@ TEST_CASE("APointWithoutSolutionCarriesItsReasonAndTheOthersAreSolved") {
   for (const SweepPoint& point : sweep.points) {
     CHECK(point.tried());
     if (point.good()) {
-      CHECK(point.result.verdict.reason.empty());
+      CHECK(point.result.verdict.is(ending::Plain::none));
       CHECK_FALSE(point.result.quantities.empty());
     } else {
-      CHECK_FALSE(point.result.verdict.reason.empty());
+      CHECK_FALSE(point.result.verdict.is(ending::Plain::none));
       CHECK(point.result.quantities.empty());  // a failed state is no value
       CHECK(point.tries >= 2);                 // from the neighbour and from cold at least
     }

@@ -144,7 +144,7 @@ TEST_CASE("APointThatIsNotFoundIsLeftOutAndKept", "[identify]") {
   CHECK(end.lost() == 1);
   REQUIRE_FALSE(end.points[2].used());
   CHECK_FALSE(end.points[2].verdict.good());
-  CHECK_FALSE(end.points[2].verdict.reason.empty());
+  CHECK_FALSE(end.points[2].verdict.is(ending::Plain::none));
   CHECK(end.values_used(points) == 3);
   CHECK(end.fit.status == FitStatus::settled);
   CHECK(std::abs(end.fit.x[0] - kTruth[0]) < 3.0 * end.fit.deviation[0]);

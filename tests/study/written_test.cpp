@@ -6,6 +6,7 @@
 
 #include "app/pending_file.hpp"
 #include "app/svg_sweep.hpp"
+#include "app/words/ending_words.hpp"
 #include "app/write_csv.hpp"
 #include "app/write_json.hpp"
 #include "app/write_sweep_hdf5.hpp"
@@ -30,8 +31,8 @@ Sweep broken_sweep() {
   REQUIRE(sweep.count_good() == 6);
   SweepPoint& failed = sweep.points[3];
   failed.result.quantities.clear();
-  failed.result.verdict = {Status::iteration_limit, "did not settle, \"badly\"", "phi 0 deg",
-                           "wait"};
+  failed.result.verdict = {
+      Status::iteration_limit, ending::FilmUnsettled{80, 1.0, 1.0, 0.0, 1e-6}, {0.0, 1e-3}};
   sweep.points[5] = {};
   return sweep;
 }
@@ -100,7 +101,7 @@ TEST_CASE("TheCsvHoldsEveryPointCurveAfterCurve") {
     }
   }
   CHECK(rows[5][2] == "iteration limit");
-  CHECK(rows[5].back() == "did not settle, \"badly\"");
+  CHECK(rows[5].back() == app::reason_of(sweep.points[3].result.verdict));  // with its commas
   CHECK(rows[6][2] == "not started");
 }
 
@@ -148,7 +149,7 @@ TEST_CASE("TheJsonGivesNoQuantitiesForWhatFailed") {
     CHECK(point.contains("quantities") == point["converged"].get<bool>());
   }
   CHECK(json["points"][4]["at"] == std::vector<int>{1, 1});
-  CHECK(json["points"][4]["reason"] == "did not settle, \"badly\"");
+  CHECK(json["points"][4]["reason"] == app::reason_of(sweep.points[3].result.verdict));
   CHECK(json["axes"][0]["unit"] == "rpm");
 }
 

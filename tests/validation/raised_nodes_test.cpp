@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/solve.hpp"
 #include "validation/honesty/population.hpp"
@@ -15,7 +16,7 @@ TEST_CASE("FiveNodesAcrossTheFilmKeepHotBearingsAboveAllThatIsColdAroundThem") {
     c.model.tier = Tier::thd;
     c.model.grid = {48, 8};
     const Solution five = solve_tier(c, Tier::thd);
-    INFO("seed " << seed << ": " << five.verdict.reason);
+    INFO("seed " << seed << ": " << app::reason_of(five.verdict));
     REQUIRE(five.verdict.good());
     CHECK(five.model.gl.n == c.model.film_nodes);
     const auto& T = five.film.columns.T;

@@ -1,6 +1,7 @@
 // Other methods for the same cavitation: they must end in the same film, or say how they do not.
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
 #include "tests/fluid/film_scenes.hpp"
 #include "validation/rivals/fischer_burmeister_film.hpp"
 #include "validation/rivals/p_theta.hpp"
@@ -47,7 +48,7 @@ TEST_CASE("FischerBurmeisterNewtonEndsInTheFilmOfTheActiveSet") {
       const auto known = solve_reynolds(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
       const auto other =
           solve_fischer_burmeister(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
-      INFO("ratio " << ratio << ", barus " << barus << ": " << other.verdict.reason);
+      INFO("ratio " << ratio << ", barus " << barus << ": " << app::reason_of(other.verdict));
       REQUIRE(known.good());
       REQUIRE(other.good());
       // both to 1e-12 of the flow; pressures answer to flow with the condition of the matrix
@@ -64,7 +65,7 @@ TEST_CASE("RelaxationEndsInTheFilmOfTheActiveSet") {
       const Bearing b = make_bearing(cavitating(ratio, barus));
       const auto known = solve_reynolds(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
       const auto other = relax_p_theta(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
-      INFO("ratio " << ratio << ", barus " << barus << ": " << other.verdict.reason);
+      INFO("ratio " << ratio << ", barus " << barus << ": " << app::reason_of(other.verdict));
       REQUIRE(known.good());
       REQUIRE(other.good());
       // residual 1e-10 of the flow, and a condition number of some thousands
@@ -91,14 +92,18 @@ TEST_CASE("RelaxationThatRunsOutOfSweepsSaysSo") {
   few.max_sweeps = 20;
   const auto film = relax_p_theta(b.scene, b.gap, b.step, b.oil, cold_film(b.scene), few);
   CHECK(film.verdict.status == Status::iteration_limit);
-  CHECK(film.verdict.reason.find("20 sweeps") != std::string::npos);
+  const auto* e = film.verdict.as<ending::Unsettled>();
+  REQUIRE(e != nullptr);
+  CHECK(e->of == ending::Iteration::p_theta);
+  CHECK(e->steps == 20);
+  CHECK(e->left == film.history.back());
 }
 
 TEST_CASE("SwiftStieberFilmsSatisfyTheirComplementarity") {
   for (const double ratio : {0.3, 0.7, 0.95}) {
     const Bearing b = make_bearing(cavitating(ratio, 0.0));
     const auto film = solve_swift_stieber(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
-    INFO("ratio " << ratio << ": " << film.verdict.reason);
+    INFO("ratio " << ratio << ": " << app::reason_of(film.verdict));
     REQUIRE(film.good());
     const FilmState& s = film.value.state;
     const Field r = film_residual(b.scene, film.value.flow);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/cycle.hpp"
 #include "bearing/nested.hpp"
 #include "bearing/solids.hpp"
@@ -40,7 +41,7 @@ std::string label(const std::string& task, const std::string& scene, Grid g) {
 }
 
 void expect_good(const Solution& s, benchmark::State& state) {
-  if (!s.verdict.good()) state.SkipWithError(s.verdict.reason.c_str());
+  if (!s.verdict.good()) state.SkipWithError(app::reason_of(s.verdict).c_str());
 }
 
 void register_task(const std::string& name, std::function<void(benchmark::State&)> run) {
@@ -126,7 +127,7 @@ void cycle(const std::string& task, const std::string& scene, double pulse, bool
     c.model.tolerance = 0.01;  // error of a step in the film: 1e-3
     for (auto _ : state) {
       const CycleResult r = solve_cycle(c, Tier::isothermal);
-      if (!r.verdict.good()) state.SkipWithError(r.verdict.reason.c_str());
+      if (!r.verdict.good()) state.SkipWithError(app::reason_of(r.verdict).c_str());
       const double degrees = 720.0 * r.cycles;
       state.SetIterationTime(r.cost.wall_s / degrees);
       state.counters["factorisations_per_degree"] = r.cost.factorizations / degrees;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/bearing.hpp"
 #include "bearing/solve.hpp"
 #include "bearing/solve_equilibrium.hpp"
@@ -27,7 +28,7 @@ RingMatrix reynolds_matrix(const bearing::Case& source, int nt, int nz) {
   bearing::EquilibriumCost cost;
   const auto verdict = bearing::solve_equilibrium(model, bearing::load_target(c), {},
                                                   bearing::EquilibriumOptions{}, film, cost);
-  if (!verdict.good()) throw std::runtime_error("the yardstick film: " + verdict.reason);
+  if (!verdict.good()) throw std::runtime_error("the yardstick film: " + app::reason_of(verdict));
   RingMatrix matrix;
   fluid::assemble_film(s, film.flow, fluid::active_set_unknowns(film.film), matrix);
   return matrix;

@@ -168,7 +168,7 @@ ChartScene chart_scene(const std::string& name, const Case& c, const ChartOption
     ChartPoint p;
     p.setting = setting;
     if (stopped(options) || !measure(c, options, p)) {
-      scene.verdict = {Status::interrupted, "stopped by the user", "", ""};
+      scene.verdict = {Status::interrupted};
       break;
     }
     judge(scene, has_heat(c), p);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/possible_methods.hpp"
 
 namespace shellback::validation {
@@ -41,7 +42,7 @@ std::string row(const ChartScene& scene, const ChartPoint& p) {
     line += fmt::format(",{},{},{},{},{}", s.grid[0], s.grid[1], across_of(s),
                         to_string(s.methods.cavitation), elastic_of(s.methods));
   }
-  line += fmt::format(",{},{}", to_string(p.verdict.status), quoted(p.verdict.reason));
+  line += fmt::format(",{},{}", to_string(p.verdict.status), quoted(app::reason_of(p.verdict)));
   const bool good = p.verdict.good();
   for (const double v : p.value) line += "," + number(good ? v : NAN);
   for (const double e : p.error) line += "," + number(e);
@@ -60,7 +61,7 @@ std::string chart_csv(const std::vector<ChartScene>& scenes) {
       "front_T_film_max\n";
   for (const ChartScene& scene : scenes) {
     text += fmt::format("{},reference,,,,,,,,{},{}", scene.name, to_string(scene.verdict.status),
-                        quoted(scene.verdict.reason));
+                        quoted(app::reason_of(scene.verdict)));
     for (const ReferenceValue& r : scene.reference) text += "," + number(r.value);
     for (const double f : scene.floor) text += "," + number(f);
     text += ",,,,,,\n";

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/read_case.hpp"
+#include "app/words/ending_words.hpp"
 #include "bearing/cycle.hpp"
 #include "bearing/solve.hpp"
 #include "core/contract.hpp"
@@ -76,8 +77,9 @@ Values bearing_values(const Question& q) {
     const Verdict verdict = solve_bearing(q, part, first, values);
     values.interrupted = verdict.status == Status::interrupted;
     if (verdict.good()) continue;
+    const std::string why = app::reason_of(verdict);
     values.failure = fmt::format("{}: {}{}{}", part.name, to_string(verdict.status),
-                                 verdict.reason.empty() ? "" : ": ", verdict.reason);
+                                 why.empty() ? "" : ": ", why);
     values.value.clear();
     return values;
   }

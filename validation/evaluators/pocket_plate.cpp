@@ -1,4 +1,5 @@
 /// A slider of finite width with a pocket: Barus oil of varying density, two-dimensional film.
+#include "app/words/ending_words.hpp"
 #include "validation/evaluators/barotropic_oil.hpp"
 #include "validation/evaluators/evaluators.hpp"
 #include "validation/evaluators/slider.hpp"
@@ -51,7 +52,7 @@ Values pocket_plate_values(const Question& q) {
   const auto& film = std::any_cast<const SliderFilm&>(q.prepared);
   Values values;
   if (!film.verdict.good()) {
-    values.failure = film.verdict.reason;
+    values.failure = app::reason_of(film.verdict);
     return values;
   }
   values.value["p_max"] = film.p_max;

@@ -1,4 +1,5 @@
 /// The exact pocket slider: endlessly wide, isoviscous, incompressible.
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 #include "validation/evaluators/evaluators.hpp"
 #include "validation/evaluators/plain_oil.hpp"
@@ -40,7 +41,7 @@ Values pocket_slider_values(const Question& q) {
                                                  : solve_on(static_cast<int>(q.number("cells")));
   Values values;
   if (!film.verdict.good()) {
-    values.failure = film.verdict.reason;
+    values.failure = app::reason_of(film.verdict);
     return values;
   }
   values.value = {{"flow_per_width", film.flow_per_width},

@@ -1,6 +1,7 @@
 /// The film between a shell and a journal that does not turn and moves along the line of centres.
 #include <cmath>
 
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "fluid/resultants.hpp"
@@ -55,7 +56,7 @@ Values squeeze_film_values(const Question& q) {
   const auto film = solve_reynolds(scene, gap, {}, oil, cold_film(scene));
   Values values;
   if (!film.good()) {
-    values.failure = film.verdict.reason;
+    values.failure = app::reason_of(film.verdict);
     return values;
   }
   const double psi = kClearance / kRadius;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
@@ -89,7 +90,7 @@ Values wide_film_values(const Question& q) {
   const auto film = solve_reynolds(scene, gap, {}, oil, cold_film(scene));
   Values values;
   if (!film.good()) {
-    values.failure = film.verdict.reason;
+    values.failure = app::reason_of(film.verdict);
     return values;
   }
   add_numbers(scene, gap, film.value, values.value);

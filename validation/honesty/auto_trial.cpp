@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/solve.hpp"
 #include "fidelity/auto_tier.hpp"
 #include "validation/honesty/population.hpp"
@@ -113,11 +114,11 @@ struct Truth {
 };
 Truth find_truth(const Case& c, const SolveControl& control, AutoTrial& t) {
   const Full usual = solve_full(c, {400, 50}, control);
-  t.why = usual.verdict.reason;
+  t.why = app::reason_of(usual.verdict);
   if (!usual.verdict.good())
     return {};  // nor would the truth: a refusal costs more than a solution
   const Full truth = solve_full(c, {800, 100}, control);
-  t.why = truth.verdict.reason;
+  t.why = app::reason_of(truth.verdict);
   t.truth_converged = truth.verdict.good();
   if (!t.truth_converged) return {};
   t.truth_seconds = truth.seconds;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/judge_case.hpp"
 #include "core/contract.hpp"
 #include "fidelity/grid_error.hpp"
@@ -61,7 +62,8 @@ class Trial {
       refuse(tier, grid, "input", error.what());
       return false;
     }
-    if (!s.verdict.good()) refuse(tier, grid, to_string(s.verdict.status), s.verdict.reason);
+    if (!s.verdict.good())
+      refuse(tier, grid, to_string(s.verdict.status), app::reason_of(s.verdict));
     return s.verdict.good();
   }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::validation {
@@ -99,10 +100,7 @@ RigCycle cycle_of(const RigPlan& plan, const RigPoint& p, RigBearing bearing, do
   RigCycle out;
   out.T = T + p.warmer;
   if (std::isnan(T)) {
-    out.verdict = {Status::iteration_limit,
-                   fmt::format("no film temperature: the run-up of the {} did not reach this speed",
-                               to_string(bearing)),
-                   "", ""};
+    out.verdict = {Status::iteration_limit};
     return out;
   }
   const RigSetting setting{p.peak, p.rpm, plan.grid, p.unknown, p.end};
@@ -213,8 +211,14 @@ std::string RigPoint::reason() const {
   for (int k = 0; k < 2; ++k) {
     const Verdict& v = cycle[k].verdict;
     if (v.good()) continue;
-    words += fmt::format("{}{}: {}", words.empty() ? "" : "; ", to_string(kRigBearings[k]),
-                         v.reason.empty() ? to_string(v.status) : v.reason);
+    const char* bearing = to_string(kRigBearings[k]);
+    std::string why = app::reason_of(v);
+    if (std::isnan(cycle[k].T)) {
+      why = fmt::format("no film temperature: the run-up of the {} did not reach this speed",
+                        bearing);
+    }
+    words += fmt::format("{}{}: {}", words.empty() ? "" : "; ", bearing,
+                         why.empty() ? to_string(v.status) : why);
   }
   return words;
 }

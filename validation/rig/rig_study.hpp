@@ -58,8 +58,8 @@ struct RigCourse {
 
 /// One bearing over an isothermal cycle.
 struct RigCycle {
-  Verdict verdict{Status::interrupted, "not run", "", ""};
-  double T = 0.0;         ///< of the film [K]
+  Verdict verdict{Status::interrupted, ending::Plain::not_run};
+  double T = 0.0;         ///< of the film [K]; not-a-number: no run-up has told it
   double torque = 0.0;    ///< mean [N m]
   double asperity = 0.0;  ///< part of it [N m]
   double p_max = 0.0;     ///< [Pa]
@@ -86,8 +86,8 @@ struct RigPoint {
 struct RigStart {
   bool worn = false;
   double T = 0.0;  ///< of the film [K]
-  std::array<Verdict, 2> verdict{
-      {{Status::interrupted, "not run", "", ""}, {Status::interrupted, "not run", "", ""}}};
+  std::array<Verdict, 2> verdict{{{Status::interrupted, ending::Plain::not_run},
+                                  {Status::interrupted, ending::Plain::not_run}}};
   std::array<bearing::CycleResult, 2> cycle;
   std::vector<RigInstant> series;  ///< of the rig; empty if a bearing was not solved
   double breakaway = 0.0;          ///< of the rig [N m]

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 #include "validation/rig/rig_page.hpp"
 #include "validation/rig/rig_statements.hpp"
@@ -44,7 +45,7 @@ std::string course_failure(const RigCourse& c, int k) {
   return fmt::format("run-up and run-down, {:.0f} kN{}, {}, at {:.0f} rpm after {:.0f} s: {}",
                      1e-3 * c.peak, changed_words(c.unknown, c.end), to_string(kRigBearings[k]),
                      passed < c.rpm.size() ? c.rpm[passed] : c.rpm.back(), end.t,
-                     end.verdict.reason);
+                     app::reason_of(end.verdict));
 }
 
 std::string point_failure(const RigPoint& p) {
@@ -77,7 +78,7 @@ std::vector<std::string> rig_failures(const RigStudy& study) {
       if (!failed(s.verdict[k])) continue;
       lines.push_back(fmt::format("start and stop, {} surface, {:.0f} degC, {}: {}",
                                   s.worn ? "worn" : "new", s.T - kZeroCelsius,
-                                  to_string(kRigBearings[k]), s.verdict[k].reason));
+                                  to_string(kRigBearings[k]), app::reason_of(s.verdict[k])));
     }
   }
   if (stopped > 0) {

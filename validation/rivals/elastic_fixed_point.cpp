@@ -1,7 +1,5 @@
 #include "validation/rivals/elastic_fixed_point.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -35,14 +33,6 @@ double aitken(double omega, const Field& before, const Field& now) {
   return square > 0.0 ? std::clamp(-omega * along / square, kLeast, 1.0) : omega;
 }
 
-Verdict diverged(const std::string& how, double opening, double film) {
-  return {Status::iteration_limit,
-          fmt::format("the fixed point between film and displacement diverges: {} (elastic opening "
-                      "{:.3g} um, smallest gap {:.3g} um)",
-                      how, opening * 1e6, film * 1e6),
-          "", "take elastic = \"newton\", a smaller relaxation, or a lower load"};
-}
-
 }  // namespace
 
 Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
@@ -62,7 +52,7 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
   for (; round < kMostRounds; ++round) {
     if (stop && stop->load()) {
       s.elastic = d;
-      return {Status::interrupted, "stopped by the user", "", ""};
+      return {Status::interrupted};
     }
     ++cost.elastic_rounds;
     EquilibriumOptions film = options;  // no tighter than the displacement is known
@@ -76,9 +66,12 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
     const Verdict v = solve(rigid, target, sum(thermal_deformation, d), film, s, cost, stop);
     s.elastic = d;
     if (v.status == Status::interrupted) return v;
-    if (!v.good())
-      return diverged("round " + std::to_string(round + 1) + " has no film: " + v.reason,
-                      largest_magnitude(d), s.least.h);
+    if (!v.good()) {
+      return {Status::iteration_limit,
+              ending::FixedPointDiverged{round + 1, NAN, largest_magnitude(d), s.least.h},
+              {},
+              {v}};
+    }
     Field total = s.film.p;
     for (std::size_t k = 0; k < total.size(); ++k) total[k] += s.p_contact[k];
     Field r = model.solids->compliance(total);
@@ -87,8 +80,8 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
     const bool settled = norm <= options.elastic_tolerance;
     if (settled && loose <= options.load_tolerance) return {};
     if (!(norm < std::max(kGrown * best, kLost))) {
-      return diverged(fmt::format("the mismatch grows to {:.2g} gaps", norm), largest_magnitude(d),
-                      s.least.h);
+      return {Status::iteration_limit,
+              ending::FixedPointDiverged{round + 1, norm, largest_magnitude(d), s.least.h}};
     }
     if (norm < best) {
       best = norm;
@@ -101,10 +94,7 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
   }
   s.elastic = d;
   return {Status::iteration_limit,
-          fmt::format("the fixed point between film and displacement did not settle in {} rounds "
-                      "(mismatch {:.1e} of the smallest gap, relaxation {:.2g})",
-                      std::min(round + 1, kMostRounds), norm, omega),
-          "", "take elastic = \"newton\""};
+          ending::FixedPointUnsettled{std::min(round + 1, kMostRounds), norm, omega}};
 }
 
 }  // namespace shellback::validation

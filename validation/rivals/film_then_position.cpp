@@ -1,7 +1,5 @@
 #include "validation/rivals/film_then_position.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -112,7 +110,7 @@ RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double toleran
 
 RestingFilm FilmAndPosition::settle(double tolerance) {
   const fluid::FilmScene& scene = model_.scene;
-  if (cost_.spent()) return {given_up(), {}};
+  if (cost_.spent()) return {{Status::iteration_limit, ending::Plain::given_up}, {}};
   s_.gap = fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position,
                            thermal_deformation_, model_.profile);
   s_.least = fluid::smallest_gap(scene.grid, s_.gap, model_.profile);
@@ -338,16 +336,12 @@ bool PositionSearch::move(bool has_matrix) {
 
 Verdict PositionSearch::lost() const {
   if (!failure_.good() && reach_ < kShortestReach) return failure_;
-  return {Status::iteration_limit,
-          fmt::format("the journal found no position for its load (load residual {:.1e}, smallest "
-                      "gap {:.3g} um)",
-                      best_, s_.least.h * 1e6),
-          "", "use the active-set method, a finer grid or a lower load"};
+  return {Status::iteration_limit, ending::PositionUnsettled{best_, s_.least.h}};
 }
 
 Verdict PositionSearch::run(const std::atomic<bool>* stop) {
   for (int it = 0; it <= options_.max_iterations; ++it) {
-    if (stop && stop->load()) return {Status::interrupted, "stopped by the user", "", ""};
+    if (stop && stop->load()) return {Status::interrupted};
     const double tolerance = film_tolerance();
     RestingFilm now = pair_.settle(tolerance);
     if (met(now, tolerance)) return {};

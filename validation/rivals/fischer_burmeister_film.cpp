@@ -1,7 +1,5 @@
 #include "validation/rivals/fischer_burmeister_film.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -84,8 +82,7 @@ Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap
     const double norm = largest_magnitude(film_residual(scene, v.flow)) / flow_scale(scene, v.flow);
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
-      out.verdict = ended_by(scene.grid, first_not_a_number(gap, v.state, v.oil, v.flow));
-      out.verdict.cure = kMethodDiverged;
+      out.verdict = method_diverged(scene.grid, first_not_a_number(gap, v.state, v.oil, v.flow));
       return out;
     }
     if (norm <= options.tolerance && complementary(scene, v.state)) return out;
@@ -97,12 +94,9 @@ Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap
     oil(v.state, v.oil);
     evaluate_flow(scene, gap, profile, v.oil, v.state, v.flow);
   }
-  out.verdict = {
-      Status::iteration_limit,
-      fmt::format("the Fischer-Burmeister film stopped after {} steps at residual {:.1e}"
-                  "{}",
-                  v.factorizations, out.history.back(), stuck ? ": no step length lessens it" : ""),
-      "", "use the active-set method, or start from a lower load"};
+  out.verdict = {Status::iteration_limit,
+                 ending::Unsettled{ending::Iteration::fischer_burmeister, v.factorizations,
+                                   out.history.back(), stuck}};
   return out;
 }
 

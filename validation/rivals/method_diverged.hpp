@@ -1,10 +1,13 @@
 #pragma once
-/// What a rival that has run away advises.
+/// How a rival ends that has run away.
+#include "fluid/film_numbers.hpp"
 
 namespace shellback::validation {
 
-/// Cure where a method that is shown as it is known elsewhere, without our help, has run away.
-inline constexpr const char* kMethodDiverged =
-    "this method has diverged: take model.methods.cavitation = \"active-set\"";
+/// The ending of a method that is shown as it is known elsewhere, without our help.
+inline Verdict method_diverged(const FilmGrid& grid, const NotANumber& found) {
+  return {Status::invalid_number, ending::NotANumber{found.field, true},
+          fluid::place_of(grid, found.cell)};
+}
 
 }  // namespace shellback::validation

@@ -1,7 +1,5 @@
 #include "validation/rivals/p_theta.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "core/constants.hpp"
@@ -98,8 +96,7 @@ Outcome<RelaxedFilm> relax_p_theta(const FilmScene& scene, const Gap& gap, const
     const double norm = largest_magnitude(eq.R0) / flow_scale(scene, flow);
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
-      out.verdict = ended_by(scene.grid, first_not_a_number(gap, s, coefficients, flow));
-      out.verdict.cure = kMethodDiverged;
+      out.verdict = method_diverged(scene.grid, first_not_a_number(gap, s, coefficients, flow));
       return out;
     }
     if (norm <= options.tolerance && complementary(scene, s)) return out;
@@ -111,10 +108,8 @@ Outcome<RelaxedFilm> relax_p_theta(const FilmScene& scene, const Gap& gap, const
     for (int k = 0; k < options.between; ++k) sweep(scene, over, eq, s);
     out.value.sweeps += options.between;
   }
-  out.verdict = {Status::iteration_limit,
-                 fmt::format("p-theta relaxation: {} sweeps left a residual of {:.1e}",
-                             out.value.sweeps, out.history.back()),
-                 "", "use the active-set method, a coarser grid or a lower load"};
+  out.verdict = {Status::iteration_limit, ending::Unsettled{ending::Iteration::p_theta,
+                                                            out.value.sweeps, out.history.back()}};
   return out;
 }
 

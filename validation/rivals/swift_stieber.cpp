@@ -1,7 +1,5 @@
 #include "validation/rivals/swift_stieber.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <set>
 
@@ -79,8 +77,7 @@ Outcome<FilmSolution> solve_swift_stieber(const FilmScene& scene, const Gap& gap
     const double norm = largest_of_full(v.state, r) / scale;
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
-      out.verdict = ended_by(scene.grid, first_not_a_number(gap, v.state, v.oil, v.flow));
-      out.verdict.cure = kMethodDiverged;
+      out.verdict = method_diverged(scene.grid, first_not_a_number(gap, v.state, v.oil, v.flow));
       return out;
     }
     const int moved = refill(scene, r, options.tolerance * scale, cycling, v.state);
@@ -98,12 +95,9 @@ Outcome<FilmSolution> solve_swift_stieber(const FilmScene& scene, const Gap& gap
     beyond_barus += advance(scene, v.oil, r, 1.0, v.state).beyond_barus;
     cycling = !seen.insert(active_set_hash(v.state)).second && norm > options.tolerance;
   }
-  out.verdict = {
-      Status::iteration_limit,
-      fmt::format("the Swift-Stieber film stopped after {} steps at residual {:.1e}{}",
-                  v.factorizations, out.history.back(),
-                  beyond_barus > 0 ? "; its pressures left the range of the pressure law" : ""),
-      "", "refine the grid or lower the load"};
+  out.verdict = {Status::iteration_limit,
+                 ending::Unsettled{ending::Iteration::swift_stieber, v.factorizations,
+                                   out.history.back(), beyond_barus > 0}};
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "app/html_style.hpp"
 #include "app/html_tables.hpp"
 #include "app/svg.hpp"
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::validation {
@@ -161,7 +162,7 @@ std::string failures_html(const ShellsStudy& study) {
     for (const ShellCycle& c : study.cycles[k]) {
       if (!c.tried || c.result.verdict.good()) continue;
       html += fmt::format("<li>{}, {}: {}</li>\n", shell_kinds()[k].name, to_string(c.result.tier),
-                          escape_markup(c.result.verdict.reason));
+                          escape_markup(app::reason_of(c.result.verdict)));
     }
   }
   return html.empty() ? "<p class=\"scene\">Every cycle was found.</p>\n"

@@ -9,6 +9,7 @@
 #include "app/library.hpp"
 #include "app/overrides.hpp"
 #include "app/read_case.hpp"
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::validation {
@@ -72,7 +73,7 @@ void find_capability(const ShellsPlan& plan, StudyCrew& crew, Capability& c) {
     if (limit != ShellLimit::none) {
       c.bad = factor;
       c.limit = limit;
-      c.reason = r.verdict.reason;
+      c.reason = app::reason_of(r.verdict);
       return false;
     }
     c.good = factor;

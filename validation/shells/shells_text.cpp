@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "app/json_parts.hpp"
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 #include "validation/shells/shells_page.hpp"
 
@@ -15,7 +16,8 @@ using bearing::Tier;
 
 Json cycle_json(const ShellCycle& c) {
   Json json;
-  add_status(json, c.tried ? c.result.verdict : Verdict{Status::interrupted, "not run", "", ""});
+  add_status(json,
+             c.tried ? c.result.verdict : Verdict{Status::interrupted, ending::Plain::not_run});
   if (!c.tried || !c.result.verdict.good()) return json;
   json["film_power"] = with_unit(c.film_power, "W");
   json["asperity_power"] = with_unit(c.asperity_power, "W");
@@ -75,7 +77,7 @@ void write_shells_tables(std::ostream& out, const ShellsStudy& study) {
       const char* tier = t == 0 ? "tehd" : "isothermal";
       if (!c.result.verdict.good() || !c.tried) {
         out << fmt::format("{:<16} {:<11} {}\n", shell_kinds()[k].name, tier,
-                           c.tried ? c.result.verdict.reason : "not run");
+                           c.tried ? app::reason_of(c.result.verdict) : "not run");
         continue;
       }
       const ShellCycle& plain = study.cycles[0][t];

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/read_case.hpp"
+#include "app/words/ending_words.hpp"
 #include "bearing/bearing.hpp"
 #include "bearing/cycle.hpp"
 #include "bearing/solve.hpp"
@@ -97,7 +98,7 @@ double coldest_given(const Case& c) {
 void compare_mirror(const Result& result, const Result& mirror, StressAnswer& a) {
   if (mirror.verdict.status == Status::iteration_limit && result.verdict.good()) {
     a.status = to_string(mirror.verdict.status);  // not found is no contradiction
-    a.reason = "its mirror image was not found: " + mirror.verdict.reason;
+    a.reason = "its mirror image was not found: " + app::reason_of(mirror.verdict);
     return;
   }
   if (result.verdict.status == Status::iteration_limit) return;
@@ -191,8 +192,9 @@ StressAnswer solve_stress_case(const StressScene& scene, const std::vector<std::
     const Case c = with_rivals(app::read_case(scene.case_path, changes));
     const Result result = c.cycle ? as_result(solve_cycle(c, c.model.tier)) : solve(c);
     a.status = to_string(result.verdict.status);
-    a.reason = result.verdict.reason;
-    a.place = result.verdict.place;
+    const app::EndingWords words = app::words_of(result.verdict);
+    a.reason = words.reason;
+    a.place = words.place;
     a.audit = result.audit;
     a.wall_s = result.cost.wall_s;
     for (const Quantity& q : result.quantities) a.quantities.emplace_back(q.name, q.value);

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <vector>
 
+#include "app/words/ending_words.hpp"
 #include "bearing/solve.hpp"
 #include "core/constants.hpp"
 
@@ -118,7 +119,7 @@ int main(int argc, char** argv) {
     for (const double eps : eccentricities) {
       const Solution s = solve_tier(plain_bearing(eps, b), Tier::isothermal);
       if (!s.verdict.good() || s.levels.size() < 3) {
-        fmt::print(stderr, "B/D {} eps {}: {}\n", b, eps, s.verdict.reason);
+        fmt::print(stderr, "B/D {} eps {}: {}\n", b, eps, app::reason_of(s.verdict));
         return 3;
       }
       const std::size_t n = s.levels.size();

@@ -1,11 +1,11 @@
 // Messages tell temperatures that an oil can have, and words beyond.
-#include "bearing/told_temperature.hpp"
+#include "app/words/temperature_words.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
 
 using namespace shellback;
-using namespace shellback::bearing;
+using namespace shellback::app;
 
 namespace {
 

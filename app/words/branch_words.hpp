@@ -1,0 +1,66 @@
+#pragma once
+/// Where branches of steady states over load or speed end.
+#include <fmt/format.h>
+
+#include "app/words/told.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::app::told {
+
+/// "4.1e+03 N of 8e+03 N".
+inline std::string reached(const ending::Carried& c) {
+  const double whole = c.of_speed ? c.whole * 30.0 / kPi : c.whole;
+  const char* unit = c.of_speed ? "rpm" : "N";
+  return fmt::format("{:.4g} {} of {:.4g} {}", c.part * whole, unit, whole, unit);
+}
+
+inline std::string followed(const ending::Carried& c, double h_min) {
+  return fmt::format("followed from {}, steady states are found up to {} (smallest gap {:.3g} um)",
+                     c.of_speed ? "a low speed" : "a light load", reached(c), h_min * 1e6);
+}
+
+inline Told told(const ending::BranchEnded& e, const About& a) {
+  const std::string way = followed(e.carried, e.h_min);
+  switch (e.end) {
+    case ending::BranchEnd::turned:
+      return {fmt::format("{}{}; there the branch turns back: beyond it only states of less load "
+                          "follow",
+                          e.with_heat ? "thermal runaway: " : "", way),
+              e.with_heat ? kLessHeat
+                          : "lower the load or the tilt, feed more oil, or give contact data"};
+    case ending::BranchEnd::unbounded:
+      return {fmt::format("the film cannot carry {:.4g} N: {}; closer the pressure grows without "
+                          "bound (rigid surfaces and viscosity rising as exp(alpha p): the reduced "
+                          "pressure q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
+                          e.carried.whole, way),
+              kBeyondBarus};
+    case ending::BranchEnd::molecule:
+      return {fmt::format("no film carries the load: {}, less than a molecule of oil", way),
+              kContactElseElastic};
+    case ending::BranchEnd::reached:
+    case ending::BranchEnd::lost:
+    case ending::BranchEnd::interrupted:
+      break;
+  }
+  return {fmt::format("no steady state was found: {}, then none ({})", way, a.within.reason),
+          kContactElseLoad};
+}
+
+inline Told told(const ending::RanAway& e, const About& a) {
+  return {fmt::format("thermal runaway: {}; with a tenth more, film and walls run away within "
+                      "{:.3g} s ({})",
+                      followed(e.carried, e.h_min), e.t, a.within.reason),
+          kLessHeat};
+}
+
+inline Told told(const ending::LimitMoves& e, const About& a) {
+  std::string all;
+  for (const ending::LimitOnGrid& l : e.limits) {
+    all += fmt::format("{}{} on {} x {} cells", all.empty() ? "" : ", ", reached(l.carried),
+                       l.grid[0], l.grid[1]);
+  }
+  return {fmt::format("not resolved: the limit moves with the grid ({}); {}", all, a.within.reason),
+          "a finer grid, or a lower load"};
+}
+
+}  // namespace shellback::app::told

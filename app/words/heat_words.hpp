@@ -1,0 +1,87 @@
+#pragma once
+/// Endings of film and heat, steady and over time.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/words/temperature_words.hpp"
+#include "app/words/told.hpp"
+
+namespace shellback::app::told {
+
+inline Told told(const ending::AtTemperature& e, const About&) {
+  const double degC = e.T - kZeroCelsius;
+  switch (e.what) {
+    case ending::Thermal::oil_laws:
+      return {fmt::format("film and heat did not settle: on the way a temperature of {} came up, "
+                          "at which the laws of the oil do not hold",
+                          told_temperature(e.T)),
+              kFinerElseTighter};
+    case ending::Thermal::too_cold:
+      return {fmt::format("the film temperature falls to {}, below everything around it: the grid "
+                          "does not resolve the heat of the film there",
+                          told_temperature(e.T)),
+              "a finer grid, more model.film_nodes, or methods.across = \"layers\""};
+    case ending::Thermal::unstable_root:
+      return {fmt::format("the heat balance is met at {:.1f} degC alone, where it is unstable: a "
+                          "film that is a little warmer makes more heat than leaves",
+                          degC),
+              "lower speed or load, or feed more oil"};
+    case ending::Thermal::unsettled_root:
+      return {fmt::format("the heat balance did not settle at {:.1f} degC", degC), "try tier thd"};
+    case ending::Thermal::unbalanced_cycle:
+      return {fmt::format("from the supply's temperature to {} the oil of a mean cycle does not "
+                          "carry off the heat that it makes",
+                          told_temperature(e.T)),
+              "feed more or cooler oil, lower speed or load, or take tier thd"};
+  }
+  return {};
+}
+
+inline Told told(const ending::FilmTooHot& e, const About&) {
+  return {"film and heat did not settle: " + told_rise(e.T, e.T_supply) + " and rises", kLessHeat};
+}
+
+inline Told told(const ending::NoHeatBalance& e, const About& a) {
+  const double sign = e.surplus_low < 0.0 ? -1.0 : 1.0;
+  const bool film_ends = std::isfinite(e.T_none);
+  const bool runaway = !film_ends || (sign > 0.0 && a.verdict.status == Status::no_steady_state);
+  std::string reason = fmt::format(
+      "{}from {:.1f} to {:.1f} degC the film makes {} heat than its oil carries off, by {:.3g} W "
+      "at the one end and {:.3g} W at the other",
+      runaway ? "thermal runaway: " : "", e.T_low - kZeroCelsius, e.T_high - kZeroCelsius,
+      sign > 0.0 ? "more" : "less", sign * e.surplus_low, sign * e.surplus_high);
+  if (film_ends) {
+    reason += fmt::format("; at {:.1f} degC there is no film: {}", e.T_none - kZeroCelsius,
+                          a.within.reason);
+  }
+  return {reason, "lower speed or load, or feed more or cooler oil"};
+}
+
+inline Told told(const ending::NoClearance& e, const About&) {
+  return {fmt::format("the walls that were tried leave the film no room: thermal deformation has "
+                      "taken {:.3g} um on the mean of a clearance of {:.3g} um",
+                      -1e6 * e.deformation, 1e6 * e.clearance),
+          "more clearance, less speed or load, or better cooling"};
+}
+
+inline Told told(const ending::NoStep& e, const About& a) {
+  const std::string when = e.crank_speed > 0.0
+                               ? fmt::format("{:.4g} deg", e.t * e.crank_speed * 180.0 / kPi)
+                               : fmt::format("{:.4g} s", e.t);
+  return {fmt::format("no step in time is found at {} of the cycle: {}", when, a.within.reason),
+          "give load_cycle.journal_mass (a journal without mass may have to leap), elastic "
+          "deformation, a lower load, or a finer grid"};
+}
+
+/// Stopped by the user, or without a film in the state of wear that it has come to.
+inline Told told(const ending::RunningInEnded& e, const About& a) {
+  if (a.verdict.cause.empty()) {
+    return {fmt::format("stopped by the user after {:.4g} s of running-in", e.t), ""};
+  }
+  return {fmt::format("the worn bearing has no film after {:.4g} s of running-in: {}", e.t,
+                      a.within.reason),
+          a.within.cure};
+}
+
+}  // namespace shellback::app::told

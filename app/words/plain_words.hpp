@@ -1,0 +1,115 @@
+#pragma once
+/// Endings without data, and iterations that did not settle, of every subject.
+#include <fmt/format.h>
+
+#include "app/words/told.hpp"
+
+namespace shellback::app::told {
+
+inline Told told(ending::Plain e, const About& a) {
+  using ending::Plain;
+  switch (e) {
+    case Plain::none:
+      return {a.verdict.status == Status::interrupted ? "stopped by the user" : "", ""};
+    case Plain::not_run:
+      return {"not run", ""};
+    case Plain::not_reached:
+      return {"interrupted before the point was solved", ""};
+    case Plain::given_up:
+      return {"the search was given up after twenty times the work of a usual solve on this grid",
+              "a coarser grid first, or a nearby operating point"};
+    case Plain::no_oil_leaves:
+      return {"no oil leaves the bearing: its heat cannot be carried away", "check the supply"};
+    case Plain::no_pressure:
+      return {
+          "the film has no steady pressure at this gap: with the pressure-viscosity law "
+          "chosen, the reduced pressure would have to exceed its bound 1/alpha "
+          "(q = (1 - exp(-alpha p))/alpha)",
+          kBeyondBarus};
+    case Plain::no_position:
+      return {"no position was found in which the film carries the load: each step closes the gap",
+              kContactElseLoad};
+    case Plain::empty_ring:
+      return {
+          "a ring of the film is cavitated all round and fed by nothing: its oil only goes "
+          "round, and how much of it there is cannot be told",
+          "feed more oil, or over more of the width"};
+    case Plain::singular_film:
+      return {"the film matrix is singular: parts of the film get no oil",
+              "feed more oil, or turn the supply away from the load"};
+    case Plain::overdrawn:
+      return {"a step takes more oil out of a cell than it holds", ""};
+    case Plain::singular_response:
+      return {"the matrix of the linearised film is singular", "feed more oil"};
+    case Plain::unsettled_response:
+      return {"the linearised elastic film did not settle (GMRES stopped at its limit)",
+              "try a finer grid"};
+    case Plain::no_vessel_pressure:
+      return {"the pressure in the vessel of a supply is not found",
+              "a larger vessel, or a finer grid"};
+    case Plain::no_light_state:
+      return {
+          "no light load and no low speed was found under which film and heat have a common "
+          "state",
+          kFinerElseTighter};
+    case Plain::estimate_unbalanced:
+      return {"the estimate finds no film temperature at which the friction heat is carried away",
+              "lower speed or load, feed more oil, or ask a tier that resolves the heat"};
+    case Plain::film_unsettled:
+      return {"the film's temperatures did not settle", kFinerElseIsothermal};
+    case Plain::film_impossible:
+      return {"a film temperature leaves what an oil can be", kFinerElseIsothermal};
+    case Plain::steps_too_short:
+      return {"the steps in time have become too short", ""};
+  }
+  return {};
+}
+
+inline Told told(const ending::Unsettled& e, const About&) {
+  switch (e.of) {
+    case ending::Iteration::cavitation:
+      return {fmt::format("the cavitation solve stopped after {} steps at residual {:.1e}", e.steps,
+                          e.left),
+              "refine the grid or start from a lower load"};
+    case ending::Iteration::swift_stieber:
+      return {fmt::format("the Swift-Stieber film stopped after {} steps at residual {:.1e}{}",
+                          e.steps, e.left,
+                          e.hopeless ? "; its pressures left the range of the pressure law" : ""),
+              "refine the grid or lower the load"};
+    case ending::Iteration::fischer_burmeister:
+      return {fmt::format("the Fischer-Burmeister film stopped after {} steps at residual {:.1e}{}",
+                          e.steps, e.left, e.hopeless ? ": no step length lessens it" : ""),
+              "use the active-set method, or start from a lower load"};
+    case ending::Iteration::p_theta:
+      return {
+          fmt::format("p-theta relaxation: {} sweeps left a residual of {:.1e}", e.steps, e.left),
+          "use the active-set method, a coarser grid or a lower load"};
+    case ending::Iteration::heat:
+      return {fmt::format("film and heat did not settle in {} iterations (last change {:.1e} of 10 "
+                          "K)",
+                          e.steps, e.left),
+              kFinerElseTighter};
+    case ending::Iteration::walls:
+      return {fmt::format("film and walls do not come to balance (last change {:.2g} K)", e.left),
+              "try a finer grid or another cooling of shell and shaft"};
+    case ending::Iteration::cycles:
+      return {fmt::format("after {} cycles two of them still differ by {:.1e} in smallest film or "
+                          "torque (1e-4 is asked for)",
+                          e.steps, e.left),
+              "repeat the load several times in a longer period (oil of a starved film gathers "
+              "over more than 40 short ones), or look at the orbit: it may repeat itself over "
+              "several periods, as journals that whirl do"};
+    case ending::Iteration::walls_of_cycles:
+      return {fmt::format("after {} cycles the walls still change by {:.2g} K from one to the next",
+                          e.steps, e.left),
+              "a finer grid, a lower load, or tier isothermal"};
+    case ending::Iteration::wear:
+      return {fmt::format("no worn-in shape was found: wear still changes by {:.3g} um where the "
+                          "contact pressure is to end at the limit",
+                          e.left * 1e6),
+              "raise running_in.limit_pressure, or follow the wear in time (until = a time)"};
+  }
+  return {};
+}
+
+}  // namespace shellback::app::told

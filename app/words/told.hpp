@@ -1,0 +1,33 @@
+#pragma once
+/// Reason and cure of an ending, and cures that several share.
+#include <string>
+
+#include "core/outcome.hpp"
+
+namespace shellback::app::told {
+
+struct Told {
+  std::string reason;
+  std::string cure;
+};
+
+/// What an ending's words may need beside its data.
+struct About {
+  const Verdict& verdict;
+  Told within;  ///< of its cause; empty: it has none
+};
+
+inline constexpr const char* kBeyondBarus =
+    "switch on elastic deformation, use the Roelands law, or lower the load";
+inline constexpr const char* kContactElseLoad =
+    "lower the load or the tilt, or give roughness and contact data";
+inline constexpr const char* kContactElseElastic =
+    "give roughness and contact data, switch on elastic deformation, or lower the load";
+inline constexpr const char* kFinerElseTighter = "try a finer grid or a tighter range of operation";
+inline constexpr const char* kFinerElseIsothermal = "a finer grid, or tier isothermal";
+inline constexpr const char* kIsothermalFirst =
+    "try a finer grid, a lower load, or tier isothermal first";
+inline constexpr const char* kLessHeat =
+    "lower speed or load, feed more or cooler oil, or improve the cooling of the shell";
+
+}  // namespace shellback::app::told

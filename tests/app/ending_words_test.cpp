@@ -1,0 +1,119 @@
+// Every ending has words; nested ones tell what is within; the sentences are those that users know.
+#include "app/words/ending_words.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "core/constants.hpp"
+
+using namespace shellback;
+using app::reason_of;
+using app::words_of;
+
+namespace {
+
+constexpr auto kNone = Status::no_steady_state;
+constexpr auto kLimit = Status::iteration_limit;
+
+bool has_reason(const Ending& e) { return !reason_of({kLimit, e}).empty(); }
+
+template <std::size_t... k>
+void check_each(std::index_sequence<k...>) {
+  // the first is Plain::none, of which the status says all
+  for (const bool has : {(k == 0 || has_reason(std::variant_alternative_t<k, Ending>{}))...}) {
+    CHECK(has);
+  }
+}
+
+/// All enumerators up to the last.
+template <class E, class Check>
+void check_up_to(E last, Check has_words) {
+  for (int k = 0; k <= static_cast<int>(last); ++k) {
+    INFO(k);
+    CHECK(has_words(static_cast<E>(k)));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("EveryEndingHasAReason", "[words]") {
+  check_each(std::make_index_sequence<std::variant_size_v<Ending>>());
+  check_up_to(ending::Plain::steps_too_short,
+              [](ending::Plain e) { return e == ending::Plain::none || has_reason(e); });
+  check_up_to(ending::Iteration::wear, [](ending::Iteration e) {
+    return has_reason(ending::Unsettled{e, 1, 1.0, true});
+  });
+  check_up_to(ending::Thermal::unbalanced_cycle, [](ending::Thermal e) {
+    return has_reason(ending::AtTemperature{e, 350.0});
+  });
+  check_up_to(FieldName::film_flow, [](FieldName e) {
+    return has_reason(ending::NotANumber{e, false});
+  });
+  CHECK(reason_of({}).empty());
+  CHECK(reason_of({Status::interrupted}) == "stopped by the user");
+}
+
+TEST_CASE("PlacesAreToldFromZeroToAFullTurn", "[words]") {
+  CHECK(words_of(FilmPlace{-0.5 * kPi, 0.31e-3}) == "phi 270.0 deg, z 0.31 mm");
+  CHECK(words_of(FilmPlace{2.5 * kPi, -2e-3}) == "phi 90.0 deg, z -2.00 mm");
+  CHECK(words_of(FilmPlace{NAN, 1e-3}) == "z 1.00 mm");  // a ring
+  CHECK(words_of(FilmPlace{}).empty());
+}
+
+TEST_CASE("AClosedGapTellsWhatClosedIt", "[words]") {
+  const ending::GapClosed e{-0.0888e-6, 5.74e-6, -6.12e-6, 0.291e-6, -0.00839e-6};
+  CHECK(reason_of({kNone, e}) ==
+        "the clearance is used up by thermal growth: smooth surfaces touch before a film is "
+        "sought: the smallest gap is -0.0888 um; position and profile leave 5.74 um there, thermal "
+        "growth takes 6.12 um, elasticity gives 0.291 um; across the bearing 0.00839 um are "
+        "missing, which no position of the journal mends");
+  const ending::GapClosed rigid{-0.6e-6, -0.6e-6, NAN, NAN, 50e-6};
+  CHECK(reason_of({kNone, rigid}) ==
+        "smooth surfaces touch before a film is sought: the smallest gap is -0.6 um; position and "
+        "profile leave -0.6 um there");
+}
+
+TEST_CASE("ABranchTellsHowFarItWasFollowedAndWhatCameThen", "[words]") {
+  const ending::BranchEnded bound{
+      ending::BranchEnd::unbounded, {false, 0.549, 6e4}, 4.24e-6, false};
+  CHECK(reason_of({kNone, bound}) ==
+        "the film cannot carry 6e+04 N: followed from a light load, steady states are found up to "
+        "3.294e+04 N of 6e+04 N (smallest gap 4.24 um); closer the pressure grows without bound "
+        "(rigid surfaces and viscosity rising as exp(alpha p): the reduced pressure q = (1 - "
+        "exp(-alpha p))/alpha cannot exceed 1/alpha)");
+  const Verdict within{kLimit, ending::Unsettled{ending::Iteration::heat, 25, 3.6e-3}};
+  const ending::Carried rpm{true, 0.3123, 100.0 * kPi};  // 3000 rpm
+  const ending::BranchEnded lost{ending::BranchEnd::lost, rpm, 1.16e-6, true};
+  CHECK(reason_of({kLimit, lost, {}, {within}}) ==
+        "no steady state was found: followed from a low speed, steady states are found up to 936.9 "
+        "rpm of 3000 rpm (smallest gap 1.16 um), then none (film and heat did not settle in 25 "
+        "iterations (last change 3.6e-03 of 10 K))");
+  const ending::LimitMoves moves{{{{72, 12}, {true, 1.33 / 3000.0, 100.0 * kPi}},
+                                  {{48, 8}, {true, 5.098 / 3000.0, 100.0 * kPi}}}};
+  CHECK(reason_of({kLimit, moves, {}, {{kNone, ending::Plain::no_pressure}}}) ==
+        "not resolved: the limit moves with the grid (1.33 rpm of 3000 rpm on 72 x 12 cells, 5.098 "
+        "rpm of 3000 rpm on 48 x 8 cells); the film has no steady pressure at this gap: with the "
+        "pressure-viscosity law chosen, the reduced pressure would have to exceed its bound "
+        "1/alpha (q = (1 - exp(-alpha p))/alpha)");
+}
+
+TEST_CASE("AStepTellsItsInstantAndItsCauseAndHasACureOfItsOwn", "[words]") {
+  const Verdict within{kLimit, ending::Plain::overdrawn};
+  const auto told = words_of({kLimit, ending::NoStep{0.01, 100.0 * kPi}, {}, {within}});
+  CHECK(told.reason ==
+        "no step in time is found at 180 deg of the cycle: a step takes more oil out of a cell "
+        "than it holds");
+  CHECK(told.cure.find("load_cycle.journal_mass") == 5);
+}
+
+TEST_CASE("AHeatBalanceWithoutARootTellsBothEndsAndWhetherFilmsEnd", "[words]") {
+  ending::NoHeatBalance e{313.15, 713.15, 8.0, 4.0, INFINITY};
+  CHECK(reason_of({kNone, e}) ==
+        "thermal runaway: from 40.0 to 440.0 degC the film makes more heat than its oil carries "
+        "off, by 8 W at the one end and 4 W at the other");
+  e.surplus_low = -8.0;
+  e.T_none = 353.15;
+  CHECK(reason_of({kLimit, e, {}, {{kLimit, ending::Plain::given_up}}}) ==
+        "from 40.0 to 440.0 degC the film makes less heat than its oil carries off, by 8 W at the "
+        "one end and -4 W at the other; at 80.0 degC there is no film: the search was given up "
+        "after twenty times the work of a usual solve on this grid");
+}

@@ -64,7 +64,7 @@ Vector short_film(const Case& c, const Vector& e, const Vector& v) {
 }
 
 /// Velocity as the oil sees it by Booker's closed form [m/s]: xi, eta the eccentricity ratio along
-/// and across the load W (Booker 1965),
+/// and across the load W (Booker 1965, through ibell/pdsim),
 ///   c W psi^2/(mu B D) {(1-xi)^(5/2)/(pi (B/D)^2), -4 eta (1-xi)^(3/2)/(pi^2 (B/D)^2)}.
 Vector booker(const Case& c, const Vector& e, const Vector& load) {
   const double W = length(load);

@@ -1,0 +1,116 @@
+// Load cycles at their hardest: found and audited, or refused with when and where.
+#include <catch2/catch.hpp>
+
+#include "bearing/cycle.hpp"
+#include "app/words/ending_words.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// A bearing with a groove; loads come over two turns.
+Case cycled_case(double mass) {
+  Case c = plain_case();
+  c.supplies[0].pressure = 2e5;
+  c.supplies[0].arc = 20.0 * kDegree;
+  c.supplies[0].length = 0.02;
+  c.cycle = LoadCycle{};
+  c.cycle->crank_speed = c.operation.omega;
+  c.cycle->period = 4.0 * kPi / c.operation.omega;
+  c.cycle->journal_mass = mass;
+  return c;
+}
+
+/// Rows of crank angle [deg], load along X and Y [N].
+void set_rows(Case& c, const std::vector<std::array<double, 3>>& rows) {
+  for (const auto& [angle, x, y] : rows) {
+    c.cycle->t.push_back(angle * kDegree / c.operation.omega);
+    c.cycle->x.push_back(x);
+    c.cycle->y.push_back(y);
+  }
+}
+
+/// From 500 N to `load` [N] within a degree, and down again over a quarter turn.
+void set_impact(Case& c, double load) {
+  set_rows(c,
+           {{0.0, 0.0, -500.0}, {360.0, 0.0, -500.0}, {361.0, 0.0, -load}, {450.0, 0.0, -500.0}});
+}
+
+/// Oil, impulse and load are balanced, and the film is one.
+void check_audits(const CycleResult& r) {
+  INFO(app::reason_of(r.verdict));
+  REQUIRE(r.verdict.good());
+  CHECK(r.audit.mass < 1e-10);  // carried as what flows
+  CHECK(r.audit.impulse <
+        1e-5);  // steps end on the corners of the load; a hundredth of their error
+  CHECK(r.audit.load < 1e-4);
+  CHECK(value_of(r, "h_min") > 0.0);
+  CHECK(std::isfinite(value_of(r, "friction_torque")));
+}
+
+/// Not found between two crank angles [deg], for this reason; what came before is a film.
+void check_refusal(const CycleResult& r, double from, double to, const std::string& why) {
+  INFO(app::reason_of(r.verdict));
+  CHECK_FALSE(r.verdict.good());
+  const std::string told = "no step in time is found at ";
+  REQUIRE(r.verdict.reason.rfind(told, 0) == 0);
+  const double angle = std::stod(r.verdict.reason.substr(told.size()));
+  CHECK(angle >= from);
+  CHECK(angle <= to);
+  CHECK(r.verdict.reason.find(why) != std::string::npos);
+  CHECK(r.verdict.place.find("phi") != std::string::npos);
+  REQUIRE(r.instants.size() > 2);
+  for (const CycleInstant& i : r.instants) CHECK(i.h_min > 2e-9);
+}
+
+}  // namespace
+
+TEST_CASE("AnImpactWithinADegreeIsCarriedByAnyJournal", "[cycle]") {
+  std::vector<double> h_min;
+  for (const double mass : {0.0, 0.01, 1000.0}) {  // [kg]
+    Case c = cycled_case(mass);
+    set_impact(c, 20e3);
+    const CycleResult r = solve_cycle(c, Tier::isothermal);
+    INFO(mass << " kg");
+    check_audits(r);
+    h_min.push_back(value_of(r, "h_min"));
+  }
+  // 10 g that go the clearance within the degree: 40 N of 20 kN.
+  CHECK(h_min[1] == Approx(h_min[0]).epsilon(2e-3));
+}
+
+TEST_CASE("AnImpactThatNoFilmCarriesIsRefusedWithWhenAndWhere", "[cycle]") {
+  for (const double mass : {0.0, 0.01, 1000.0}) {  // [kg]
+    INFO(mass << " kg");
+    // Rigid surfaces and Barus oil: the reduced pressure is below 1/alpha on the bearing's half,
+    // whatever squeezes the film; below 2 R B/alpha = 62.5 kN.
+    Case c = cycled_case(mass);
+    set_impact(c, 100e3);
+    c.oil.pressure = rheology::Barus{2e-8};
+    check_refusal(solve_cycle(c, Tier::isothermal), 360.0, 370.0, "reduced pressure");
+    // Smooth surfaces and 2 MN, long enough to squeeze the film out.
+    c = cycled_case(mass);
+    set_impact(c, 2e6);
+    check_refusal(solve_cycle(c, Tier::isothermal), 361.0, 450.0, "less than a molecule");
+  }
+}
+
+TEST_CASE("ElasticSurfacesCarryAPeakOf160KiloNewtons", "[cycle]") {
+  // 195 MPa on the projected area.
+  Case c = rig_case();
+  c.model.grid = {40, 5};
+  c.model.tolerance = 0.03;
+  c.model.switches.elastic_deformation = true;
+  c.supplies[0].pressure = 2e5;
+  c.cycle = LoadCycle{};
+  c.cycle->crank_speed = c.operation.omega;
+  c.cycle->period = 4.0 * kPi / c.operation.omega;
+  c.cycle->journal_mass = 1.0;
+  set_rows(c, {{0.0, 0.0, -4e3}, {340.0, 0.0, -4e3}, {370.0, 0.0, -160e3}, {430.0, 0.0, -4e3}});
+  const CycleResult r = solve_cycle(c, Tier::isothermal);
+  check_audits(r);
+  CHECK(value_of(r, "p_max") > 160e3 / (2.0 * c.bearing.radius * c.bearing.width));
+}

@@ -47,6 +47,14 @@ std::vector<double> over_time(const RunningInRun& run, double RunningInState::*v
   return out;
 }
 
+/// The axis of states that have no time of their own: the new bearing and the last one.
+Axis two_states(const RunningInRun& run) {
+  const char* last = std::isfinite(run.states.back().t) ? "at the end"
+                     : run.verdict.good()               ? "worn in"
+                                                        : "last tried";
+  return tight_axis(0.0, 1.0, 1, fmt::format("0: new, 1: {}", last));
+}
+
 /// One curve over time, shown in its unit; the state before anything wore stands at the left end.
 /// States of no time of their own (new, worn in) are joined by a straight line.
 void draw_curve(Svg& svg, const Box& box, const RunningInRun& run, double RunningInState::*value,
@@ -60,8 +68,7 @@ void draw_curve(Svg& svg, const Box& box, const RunningInRun& run, double Runnin
   }
   LinePlot plot;
   plot.title = title;
-  plot.x = in_time ? log_axis(t.front(), t.back(), "time [s]")
-                   : tight_axis(0.0, std::max(t.back(), 1.0), 1, "0: new, 1: worn in");
+  plot.x = in_time ? log_axis(t.front(), t.back(), "time [s]") : two_states(run);
   Series series{"", t, {}, theme.series[0], ""};
   for (const double v : over_time(run, value)) series.y.push_back(factor * v);
   plot.y = round_axis(0.0, largest(series.y), 5, "");
@@ -131,8 +138,8 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
     json["quantities"][q.name] = {{"unit", q.unit}, {"values", over_time(run, q.value)}};
   }
   json["rejected_steps"] = run.rejected_steps;
-  const bool end = c.running_in && !c.running_in->duration;
-  json["complementarity"] = end ? Json(run.complementarity) : Json(nullptr);
+  const bool sought = std::isfinite(run.complementarity);
+  json["complementarity"] = sought ? Json(run.complementarity) : Json(nullptr);
   json["provenance"] = json_parts::provenance_json(c);
   return json.dump(2) + "\n";
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "bearing/film_verdicts.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
 #include "core/contract.hpp"
@@ -168,7 +167,9 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
   if (drillings_.any()) drillings_.place(now.t + by.c[i] * dt, model_.scene);
   Verdict verdict = solve_film(own, vessels, film, cost, stop);
   if (!verdict.good()) return verdict;
-  if (thinner_than_a_molecule(model_, film)) return film_vanishes(film);
+  if (thinner_than_a_molecule(model_, film)) {
+    return {Status::no_steady_state, ending::NotAtRest{0, film.least.h}, film.least.place()};
+  }
   const FilmGrid& g = model_.scene.grid;
   found.oil = fluid::net_outflow(model_.scene, film.flow);
   for (int c = 0; c < g.cells(); ++c) {

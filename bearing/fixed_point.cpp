@@ -24,7 +24,7 @@ struct Call {
   double rate = 1.0;    ///< change over the one before
   int calls = 0;
   bool near = false;  ///< G(x) is as near as asked for by the rate of the changes
-  bool lost = false;  ///< KINSOL came with an x that is not a number
+  bool lost = false;  ///< KINSOL came with an x that is not a number, or out of reach
 
   /// Takes note of the change of this call.
   void judge(double now) {
@@ -42,7 +42,8 @@ int evaluate(N_Vector x, N_Vector g, void* data) {
   const double* from = N_VGetArrayPointer(x);
   call.x.assign(from, from + call.x.size());
   const auto finite = [](double v) { return std::isfinite(v); };
-  call.lost = !std::all_of(call.x.begin(), call.x.end(), finite);
+  call.lost = !std::all_of(call.x.begin(), call.x.end(), finite) ||
+              (call.calls > 0 && largest_difference(call.x, call.g) > call.options->reach);
   if (call.lost) return -1;
   if (!(*call.map)(call.x, call.g)) return -1;
   const double change = largest_difference(call.g, call.x);
@@ -92,7 +93,8 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   require(KINSetNumMaxIters(solver.get(), o.max_iterations));
   // KINSOL's own word is not enough: its norm is not |G(x) - x|, and one that is not a number
   // passes its test. Where it stops early it goes on from there. Where changes repeat, its least
-  // squares divide by nothing and the next x is not a number: it begins anew at the map's value.
+  // squares divide by nothing and the next x is not a number, or far away: it begins anew at the
+  // map's value.
   long used = 0;
   while (true) {
     const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());

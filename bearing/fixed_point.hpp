@@ -1,6 +1,7 @@
 #pragma once
 /// Fixed points x = G(x) with Anderson acceleration, by SUNDIALS' KINSOL (KIN_FP).
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace shellback::bearing {
@@ -14,6 +15,9 @@ struct FixedPointOptions {
   /// tolerance of the fixed point: with rho the larger of the last two ratios of changes, the
   /// distance is about rho/(1 - rho) |G(x) - x| (Banach). 1: the change alone counts [-]
   double slack = 1.0;
+  /// An x that lies further than this from the last G(x) in any component is not tried: least
+  /// squares of changes that hardly differ throw it there. It begins anew at G(x) [-]
+  double reach = std::numeric_limits<double>::infinity();
 };
 
 enum class FixedPointEnd { converged, iteration_limit, map_failed };

@@ -13,11 +13,21 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr double kFirstDepth = 0.1;   ///< of the first step, in summit roughnesses [-]
-constexpr double kDepthError = 0.02;  ///< of a step, over the depth or the summit roughness [-]
-constexpr double kShortest = 1e-6;    ///< step over the first one: below, nothing moves [-]
-constexpr double kLongest = 4.0;      ///< growth of the step [-]
+constexpr double kFirstDepth = 0.1;    ///< of the first step, in summit roughnesses [-]
+constexpr double kDepthError = 0.005;  ///< of a step before it is extrapolated, over the depth or
+                                       ///< the summit roughness [-]
+constexpr double kShortest = 1e-6;     ///< step over the first one: below, nothing moves [-]
+constexpr double kLongest = 4.0;       ///< growth of the step [-]
 constexpr double kComplementarity = 1e-6;  ///< of (3), in summit roughnesses [-]
+
+// Towards (3): shapes tried for the KS bearing worn in at 5 MPa under 40, 60, 80 kN are 34, 139,
+// 325 with 15 vectors, 34, 170, 553 with 8; at 80 kN 278 with 30, and 403 at 1 MPa. A delay of 1
+// takes 338, of 0 or 10 meets a shape without a film. Out of any reach so do 100 kN, and 20 and 80
+// kN at 3000 rpm on 60 x 13 cells (2 MPa); within 3 the latter two take 17 and 235, within 10 not.
+constexpr int kEndDepth = 15;         ///< shapes kept by the acceleration [-]
+constexpr int kEndDelay = 2;          ///< plain shapes before it [-]
+constexpr int kEndIterations = 1000;  ///< three times what 80 kN needs
+constexpr double kEndReach = 3.0;     ///< of the next shape, in summit roughnesses [-]
 
 /// (e^x - 1)/x.
 double phi_1(double x) { return std::abs(x) < 1e-8 ? 1.0 + 0.5 * x : std::expm1(x) / x; }
@@ -126,6 +136,38 @@ bool stopped(const SolveControl& control) { return control.stop != nullptr && *c
 
 Verdict interrupted(double t) { return {Status::interrupted, ending::RunningInEnded{t}}; }
 
+/// A step of (1) that has been tried.
+struct Attempt {
+  Field w;            ///< wear after it [m]
+  double over = 0.0;  ///< its error over the one that is allowed [-]
+  bool found = false;
+  Verdict why;  ///< it was not found
+
+  [[nodiscard]] bool good() const { return found && over <= 1.0; }
+};
+
+/// From the wear `w`, in which the bearing stands: once whole, once in halves, and extrapolated to
+/// steps of no length. What has gone does not come back. A good step leaves the bearing so worn.
+Attempt attempt(WornBearing& b, const Field& w, double dt) {
+  Attempt a;
+  const Field whole = after(b, w, dt);
+  a.w = after(b, w, 0.5 * dt);
+  a.found = b.wear_to(a.w, a.why);
+  if (!a.found) return a;
+  a.w = after(b, a.w, 0.5 * dt);
+  a.over = largest_difference(whole, a.w) / (kDepthError * std::max(b.sigma(), largest(a.w)));
+  if (!a.good()) return a;
+  for (std::size_t k = 0; k < w.size(); ++k) a.w[k] = std::max(w[k], 2.0 * a.w[k] - whole[k]);
+  a.found = b.wear_to(a.w, a.why);
+  return a;
+}
+
+/// No step is short enough.
+Verdict too_short(const Attempt& last, double t) {
+  if (last.found) return {Status::iteration_limit, ending::RunningInEnded{t, last.over}};
+  return {last.why.status, ending::RunningInEnded{t}, last.why.place, {last.why}};
+}
+
 /// (1) up to the time `end`; steps as long as their error allows.
 void march(WornBearing& b, const SolveControl& control, double end,
            const std::function<void(const RunningInRun&)>& seen, RunningInRun& run) {
@@ -144,31 +186,46 @@ void march(WornBearing& b, const SolveControl& control, double end,
       return;
     }
     dt = std::min(dt, end - t);
-    const Field whole = after(b, w, dt);
     const Solution before = b.solution();
-    Verdict why;
-    Field halves = after(b, w, 0.5 * dt);
-    bool found = b.wear_to(halves, why);
-    if (found) halves = after(b, halves, 0.5 * dt);
-    const double allowed = kDepthError * std::max(b.sigma(), largest(halves));
-    const double error = largest_difference(whole, halves);
-    if (found && error <= allowed) found = b.wear_to(halves, why);
-    if (!found || !(error <= allowed)) {
+    const Attempt step = attempt(b, w, dt);
+    if (!step.good()) {
       b.back_to(before);
       ++run.rejected_steps;
-      dt *= found ? std::max(0.2, 0.9 * std::sqrt(allowed / error)) : 0.25;
+      dt *= step.found ? std::max(0.2, 0.9 / std::sqrt(step.over)) : 0.25;
       if (dt < kShortest * first) {
-        run.verdict = {why.status, ending::RunningInEnded{t}, why.place, {why}};
+        run.verdict = too_short(step, t);
         return;
       }
       continue;
     }
     t += dt;
-    w = halves;
+    w = step.w;
     note_state(b, t, dt, w, run);
     if (seen) seen(run);
-    dt *= std::min(kLongest, 0.9 * std::sqrt(allowed / std::max(error, 1e-12 * allowed)));
+    dt *= std::min(kLongest, 0.9 / std::sqrt(std::max(step.over, 1e-12)));
   }
+}
+
+/// Wear at which every cell's contact pressure would be `limit` if the film stayed as it is.
+Field asked_for(const WornBearing& b, const Field& w, double limit) {
+  const Solution& s = b.solution();
+  const double open = s.model.contact->gap_of(limit);
+  Field to = w;
+  for (std::size_t k = 0; k < w.size(); ++k) {
+    const double p = s.film.p_contact[k];
+    if (s.model.scene.supply.cell[k] >= 0) continue;
+    const double h = p > 0.0 ? s.model.contact->gap_of(p) : s.film.gap.cell[k];
+    to[k] = std::max(0.0, w[k] + open - h);
+  }
+  return to;
+}
+
+/// Why there is no shape of (3): the map ended by `why`, or (3) is still `lack` away [m].
+Verdict not_worn_in(FixedPointEnd end, const Verdict& why, double lack) {
+  if (why.status == Status::interrupted) return why;
+  const ending::Unsettled unsettled{ending::Iteration::wear, 0, lack};
+  if (end != FixedPointEnd::map_failed) return {Status::iteration_limit, unsettled};
+  return {Status::iteration_limit, unsettled, why.place, {why}};
 }
 
 /// (3) by its own fixed point: in every cell the depth changes by what the gap lacks to the one at
@@ -176,47 +233,35 @@ void march(WornBearing& b, const SolveControl& control, double end,
 void find_end(WornBearing& b, const SolveControl& control, double limit, RunningInRun& run) {
   const double unit = b.sigma();
   Verdict why;
-  const auto lacking = [&](const Field& w) {
-    const Solution& s = b.solution();
-    const double open = s.model.contact->gap_of(limit);
-    Field to = w;
-    for (std::size_t k = 0; k < w.size(); ++k) {
-      const double p = s.film.p_contact[k];
-      if (s.model.scene.supply.cell[k] >= 0) continue;
-      const double h = p > 0.0 ? s.model.contact->gap_of(p) : s.film.gap.cell[k];
-      to[k] = std::max(0.0, w[k] + open - h);
-    }
-    return to;
-  };
+  Field w;  // of the film that was found last
   const auto map = [&](const std::vector<double>& x, std::vector<double>& g) {
-    Field w = x;
-    for (double& v : w) v = std::max(0.0, v * unit);
+    Field next = x;
+    for (double& v : next) v = std::max(0.0, v * unit);
     if (stopped(control)) {
       why = interrupted(0.0);
       return false;
     }
-    if (!b.wear_to(w, why)) return false;
-    g = lacking(w);
+    if (!b.wear_to(next, why)) return false;
+    w = std::move(next);
+    g = asked_for(b, w, limit);
     for (double& v : g) v /= unit;
     return true;
   };
   std::vector<double> x(b.grid().cells(), 0.0);
   FixedPointOptions options;
+  options.depth = kEndDepth;
+  options.delay = kEndDelay;
+  options.max_iterations = kEndIterations;
   options.tolerance = kComplementarity;
+  options.reach = kEndReach;
   const FixedPointEnd end = fixed_point(map, options, x);
-  Field w = x;
-  for (double& v : w) v = std::max(0.0, v * unit);
-  if (end == FixedPointEnd::map_failed) {
-    run.verdict = why;
-    return;
+  double lack = NAN;
+  if (end != FixedPointEnd::map_failed) {
+    note_state(b, std::numeric_limits<double>::infinity(), 0.0, w, run);
+    lack = largest_difference(asked_for(b, w, limit), w);
+    run.complementarity = lack / unit;
   }
-  note_state(b, std::numeric_limits<double>::infinity(), 0.0, w, run);
-  const Field g = lacking(w);
-  run.complementarity = largest_difference(g, w) / unit;
-  if (end == FixedPointEnd::iteration_limit) {
-    run.verdict = {Status::iteration_limit,
-                   ending::Unsettled{ending::Iteration::wear, 0, run.complementarity * unit}};
-  }
+  if (end != FixedPointEnd::converged) run.verdict = not_worn_in(end, why, lack);
 }
 
 }  // namespace

@@ -12,15 +12,20 @@
 ///   w_1 = w_0 + dt phi_1(-dt J) (C/H) p_a |U|,   phi_1(x) = (e^x - 1)/x
 ///   J = (C/H) |U| |dp_a/dh| / (1 + tau |dp_a/dh|)                                              (2)
 /// with tau the solids' local compliance: the rest of the load moves elsewhere. Cells cannot
-/// overshoot however long the step is, so edges do not oscillate. Error by step doubling.
+/// overshoot however long the step is, so edges do not oscillate. Each step is done whole and in
+/// halves: their difference bounds its length and is taken off once more (local extrapolation,
+/// textbook), which leaves errors of second order in it; what has gone does not come back.
 ///
-/// Its end: nothing is pressed harder than p_lim,
+/// A shape at rest, in which nothing is pressed harder than p_lim:
 ///   w >= 0,  p_a <= p_lim,  w (p_lim - p_a) = 0 in every cell                                  (3)
-/// solved for itself, without the way there. A load that only contact can carry has no such end.
+/// solved for itself, without the way there. Wear in time ends beside it, a little deeper:
+/// a cell that has worn and is relieved later, by its neighbours or a smoother surface, stays worn
+/// at less than p_lim. A load that only contact can carry has no such end.
 ///
 /// The shaft does not wear (much harder, seed 000 4.2.1). The roughness moves from that of the case
 /// to `worn` in proportion to the greatest depth. Units SI.
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -41,11 +46,13 @@ struct RunningInState {
 
 struct RunningInRun {
   std::vector<RunningInState> states;
-  FilmGrid grid;                 ///< of `wear`, over the full bearing
-  Field wear;                    ///< [m]
-  Solution solution;             ///< of the last state
-  Verdict verdict;               ///< not good: the last state is the last that was found
-  double complementarity = 0.0;  ///< of (3): largest |min(w, h(p_a) - h(p_lim))|/sigma_s [-]
+  FilmGrid grid;      ///< of `wear`, over the full bearing
+  Field wear;         ///< [m]
+  Solution solution;  ///< of the last state
+  Verdict verdict;    ///< not good: the last state is the last that was found
+  /// Of (3): largest |min(w, h(p_a) - h(p_lim))|/sigma_s; not a number if it was not sought or no
+  /// shape has a film [-].
+  double complementarity = std::numeric_limits<double>::quiet_NaN();
   int rejected_steps = 0;
 };
 

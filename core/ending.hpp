@@ -44,7 +44,7 @@ enum class Iteration {
   walls,               ///< of film and walls: change of the walls [K]
   cycles,              ///< difference of two cycles in smallest film and torque [-]
   walls_of_cycles,     ///< change of the walls from cycle to cycle [K]
-  wear,                ///< the worn-in shape: change of its depth [m]
+  wear,                ///< the worn-in shape: change of its depth [m]; cause: it has no film
 };
 
 struct Unsettled {
@@ -186,9 +186,11 @@ struct NoStep {
   double crank_speed = 0.0;  ///< [rad/s]; 0: of no crank
 };
 
-/// Stopped by the user, as the status says, or the worn bearing has no film; cause: why.
+/// Stopped by the user, as the status says; or the worn bearing has no film; cause: why; or steps
+/// err by `over` times what is allowed, however short they are.
 struct RunningInEnded {
-  double t = 0.0;  ///< of running-in [s]
+  double t = 0.0;     ///< of running-in [s]
+  double over = 0.0;  ///< [-]; 0: it is not that
 };
 
 // Methods of others (model.methods; validation/rivals/).

@@ -69,15 +69,11 @@ std::vector<double> circumferential_faces(int nt, std::vector<double> edges) {
   return fitted_faces(merged, nt);
 }
 
+/// `edges` lie between `from` and `to`, sorted.
 std::vector<double> axial_faces(int n, double from, double to, std::vector<double> edges) {
-  std::sort(edges.begin(), edges.end());
-  const double closest = kMergeFraction * (to - from) / n;
-  std::vector<double> merged{from};
-  for (const double e : edges) {
-    if (to - e > closest) append_merged(merged, e, closest);
-  }
-  merged.push_back(to);
-  return fitted_faces(merged, n);
+  edges.insert(edges.begin(), from);
+  edges.push_back(to);
+  return fitted_faces(edges, n);
 }
 
 /// Faces of the half z >= 0 of an odd grid: its first cell is half as wide as the next one.
@@ -90,14 +86,14 @@ std::vector<double> odd_half_faces(int n, double to, const std::vector<double>& 
     return face;
   }
   // With edges: mirror them, fit the full width with an odd number of cells in the middle segment.
-  const double first = *std::min_element(edges.begin(), edges.end());
+  const double first = edges.front();
   const int full = 2 * n - 1;
   const double share = 2.0 * first / (2.0 * to) * full;
   int middle = std::max(0, static_cast<int>(std::lround((share - 1.0) / 2.0)));  // full cells
   middle = std::min(middle, n - 2);
   std::vector<double> face{0.0};
   for (int j = 0; j <= middle; ++j) face.push_back(first * (j + 0.5) / (middle + 0.5));
-  const auto outer = axial_faces(n - 1 - middle, first, to, edges);
+  const auto outer = axial_faces(n - 1 - middle, first, to, {edges.begin() + 1, edges.end()});
   face.back() = outer.front();
   face.insert(face.end(), outer.begin() + 1, outer.end());
   return face;
@@ -118,15 +114,33 @@ struct Grading {
   }
 };
 
-/// Axial faces of all cells that are solved [m].
-std::vector<double> graded_faces(double end, int full_nz, bool half,
-                                 const std::vector<double>& z_edges, const Grading& grading) {
+/// Edges on which axial faces lie [-, over B/2], sorted, those that count as one merged: by their
+/// distance on the bearing, so that one of its edges is lost on graded cells where it is on even
+/// ones.
+std::vector<double> axial_edges(double end, int full_nz, bool half,
+                                const std::vector<double>& z_edges) {
   std::vector<double> edges;
   for (const double z : z_edges) {
     const double place = half ? std::abs(z) : z;
     const bool middle = half && place <= 2e-12 * end;
-    if (!middle && std::abs(z) < end * (1.0 - 1e-12)) edges.push_back(grading.even(place / end));
+    if (!middle && std::abs(z) < end * (1.0 - 1e-12)) edges.push_back(place / end);
   }
+  std::sort(edges.begin(), edges.end());
+  const double closest = kMergeFraction * 2.0 / full_nz;
+  // no face lies at mid-width of an odd half: its first edge has nothing to merge with
+  std::vector<double> merged{half && full_nz % 2 == 0 ? 0.0 : -1.0};
+  for (const double e : edges) {
+    if (1.0 - e > closest) append_merged(merged, e, closest);
+  }
+  merged.erase(merged.begin());
+  return merged;
+}
+
+/// Axial faces of all cells that are solved [m].
+std::vector<double> graded_faces(double end, int full_nz, bool half,
+                                 const std::vector<double>& z_edges, const Grading& grading) {
+  std::vector<double> edges = axial_edges(end, full_nz, half, z_edges);
+  for (double& z : edges) z = grading.even(z);
   const int nz = half ? (full_nz + 1) / 2 : full_nz;
   std::vector<double> face = half && full_nz % 2 == 1
                                  ? odd_half_faces(nz, 1.0, edges)

@@ -48,8 +48,8 @@ inline constexpr double kEdgeGrading = 2.0;
 
 /// Grid with `nt` x `full_nz` cells over the full bearing, as even as the edges allow once the
 /// axial grading has been applied.
-/// `phi_edges` [rad, any branch] and `z_edges` [m, |z| < B/2] are positions on which a face
-/// must lie; edges closer together than a fifth of a cell are merged. With `half`, only
+/// A face lies on each of `phi_edges` [rad, any branch] and `z_edges` [m, |z| < B/2], but edges
+/// closer together than a fifth of an even cell are merged, whatever the grading. With `half`, only
 /// |z_edges| on z >= 0 is used. Throws InputError if there are more edges than cells.
 [[nodiscard]] FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
                                  const std::vector<double>& phi_edges = {},

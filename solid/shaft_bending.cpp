@@ -13,6 +13,7 @@ struct Beam {
   double kGA;   ///< [N]
   double span;  ///< L [m]
   double a;     ///< l/2 [m]
+  double beta;  ///< (3) [-]
 
   /// (1): per unit net force [m/N].
   [[nodiscard]] double by_force(double z) const {
@@ -24,9 +25,11 @@ struct Beam {
   }
   /// (2): per unit net moment [1/N].
   [[nodiscard]] double by_moment(double z) const {
-    const double z3 = z * z * z;
-    const double bent = (3.0 / (4.0 * a) - 1.0 / span) * z3 / 6.0 - z3 * z * z / (80.0 * a * a * a);
-    return -bent / EI - z3 / (4.0 * a * a * a * kGA);
+    const double z3 = z * z * z, a3 = a * a * a;
+    const double bent =
+        ((1.0 - beta) * 3.0 / (4.0 * a) + beta / (2.0 * a) - 1.0 / span) * z3 / 6.0 -
+        (1.0 - beta) * z3 * z * z / (80.0 * a3);
+    return -bent / EI - (1.0 - beta) * z3 / (4.0 * a3 * kGA);
   }
 };
 
@@ -37,8 +40,8 @@ Eigen::MatrixXd shaft_bending(const FilmGrid& g, const Material& m, double span,
   const double R = g.radius;
   const double area = kPi * R * R;
   const Beam beam{m.youngs_modulus * 0.25 * area * R * R,
-                  m.youngs_modulus * area * 3.0 / (7.0 + 6.0 * m.poisson_ratio), span,
-                  0.5 * length};
+                  m.youngs_modulus * area * 3.0 / (7.0 + 6.0 * m.poisson_ratio), span, 0.5 * length,
+                  3.0 * R * R / (3.0 * R * R + length * length)};
   Eigen::MatrixXd C(g.nz, g.nz);
   for (int j = 0; j < g.nz; ++j) {
     for (int k = 0; k < g.nz; ++k) {

@@ -43,8 +43,9 @@ void expect_running_in(const Case& c) {
   }
 }
 
-void print_line(const RunningInState& s) {
-  const std::string t = std::isfinite(s.t) ? fmt::format("{:.4g}", s.t) : "worn in";
+void print_line(const RunningInState& s, bool found) {
+  const std::string t =
+      std::isfinite(s.t) ? fmt::format("{:.4g}", s.t) : (found ? "worn in" : "last tried");
   fmt::print("{:>10} {:>10.4g} {:>12.4g} {:>12.4g} {:>12.4g} {:>12.4g}\n", t, 1e6 * s.depth,
              1e9 * s.volume, 1e-6 * s.p_asperity_max, s.torque, 1e6 * s.h_min);
 }
@@ -66,8 +67,8 @@ int running_in(const Request& request) {
                to_string(subject.model.tier), subject.model.grid[0], subject.model.grid[1]);
     fmt::print("{:>10} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "time [s]", "wear [um]",
                "volume [mm3]", "contact [MPa]", "torque [N m]", "h_min [um]");
-    for (const RunningInState& s : run.states) print_line(s);
-    if (!subject.running_in->duration) {
+    for (const RunningInState& s : run.states) print_line(s, run.verdict.good());
+    if (std::isfinite(run.complementarity)) {
       fmt::print("\ncomplementarity of wear and contact pressure {:.1e}\n", run.complementarity);
     }
   }

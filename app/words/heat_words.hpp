@@ -74,8 +74,15 @@ inline Told told(const ending::NoStep& e, const About& a) {
           "deformation, a lower load, or a finer grid"};
 }
 
-/// Stopped by the user, or without a film in the state of wear that it has come to.
+/// Stopped by the user, with steps too short, or without a film in the state of wear that it has
+/// come to.
 inline Told told(const ending::RunningInEnded& e, const About& a) {
+  if (e.over > 0.0) {
+    return {fmt::format("the steps of running-in became too short after {:.4g} s: they err by "
+                        "{:.3g} times what is allowed, however short",
+                        e.t, e.over),
+            "end it before (running_in.until)"};
+  }
   if (a.verdict.cause.empty()) {
     return {fmt::format("stopped by the user after {:.4g} s of running-in", e.t), ""};
   }

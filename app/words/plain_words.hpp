@@ -65,7 +65,7 @@ inline Told told(ending::Plain e, const About& a) {
   return {};
 }
 
-inline Told told(const ending::Unsettled& e, const About&) {
+inline Told told(const ending::Unsettled& e, const About& a) {
   switch (e.of) {
     case ending::Iteration::cavitation:
       return {fmt::format("the cavitation solve stopped after {} steps at residual {:.1e}", e.steps,
@@ -104,9 +104,12 @@ inline Told told(const ending::Unsettled& e, const About&) {
                           e.steps, e.left),
               "a finer grid, a lower load, or tier isothermal"};
     case ending::Iteration::wear:
-      return {fmt::format("no worn-in shape was found: wear still changes by {:.3g} um where the "
-                          "contact pressure is to end at the limit",
-                          e.left * 1e6),
+      return {a.verdict.cause.empty()
+                  ? fmt::format("no worn-in shape was found: wear still changes by {:.3g} um where "
+                                "the contact pressure is to end at the limit",
+                                e.left * 1e6)
+                  : "no worn-in shape was found; the film of the last shape tried was not: " +
+                        a.within.reason,
               "raise running_in.limit_pressure, or follow the wear in time (until = a time)"};
   }
   return {};

@@ -1,5 +1,6 @@
 #include "bearing/fixed_point.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -53,4 +54,23 @@ TEST_CASE("AMapWhoseChangesRepeatIsFollowedToItsFixedPoint", "[fixed_point]") {
   };
   CHECK(fixed_point(map, {}, x) == FixedPointEnd::converged);
   CHECK(x[0] == Approx(10.0));
+}
+
+TEST_CASE("AnIterateThatIsThrownOutOfReachIsNotTried", "[fixed_point]") {
+  // Steps that differ by a billionth: acceleration follows the line through two of them to where
+  // it thinks they vanish, a billion steps away.
+  double farthest = 0.0;
+  const auto map = [&](const std::vector<double>& from, std::vector<double>& to) {
+    farthest = std::max({farthest, std::abs(from[0]), std::abs(from[1])});
+    to = {std::min(from[0] + 1.0 + 1e-9 * from[0], 10.0),
+          std::min(from[1] + 1.0 + 1e-9 * from[1], 10.0)};
+    return true;
+  };
+  FixedPointOptions options;
+  options.reach = 5.0;
+  std::vector<double> x{0.0, 0.0};
+  CHECK(fixed_point(map, options, x) == FixedPointEnd::converged);
+  CHECK(x[0] == Approx(10.0));
+  CHECK(x[1] == Approx(10.0));
+  CHECK(farthest <= 15.0);  // from the last value, at most the fixed point, no further than asked
 }

@@ -232,3 +232,25 @@ TEST_CASE("GradedFacesAreThoseOfTheMap") {
   CHECK(g.dz.front() / (kWidth / kCells) == Approx(0.15).epsilon(0.2));
   CHECK(g.dz[kCells / 2] / (kWidth / kCells) == Approx(2.1).epsilon(0.04));
 }
+
+TEST_CASE("EdgesAreLostOnGradedCellsWhereTheyAreOnEvenOnes") {
+  // What counts as one edge is a distance on the bearing: a small hole keeps its size at mid-width,
+  // where graded cells are twice as wide, and edges near the sides are merged no less.
+  const auto kept = [](int nz, const std::vector<double>& edges, double grading) {
+    const FilmGrid g = make_grid(kRadius, kWidth, 20, nz, false, {}, edges, grading);
+    std::vector<bool> there;
+    for (const double z : edges) there.push_back(nearest_face(g.z_face, z, 0.0) < kSlack);
+    return there;
+  };
+  for (const int nz : {10, 24, 25}) {
+    const double cell = kWidth / nz;
+    // holes that stand alone at mid-width, beside the edge of another, and beside the side edge
+    for (const double half : {0.05, 0.15, 0.21, 0.25, 0.35, 0.5}) {
+      for (const double at : {0.0, 0.12 * kWidth, 0.5 * kWidth - 1.2 * cell}) {
+        const std::vector<double> edges{at - half * cell, at + half * cell};
+        INFO(nz << " cells, hole of " << 2.0 * half << " cells at " << at / kWidth);
+        CHECK(kept(nz, edges, kEdgeGrading) == kept(nz, edges, 0.0));
+      }
+    }
+  }
+}

@@ -67,7 +67,7 @@ TEST_CASE("TheFrontBetweenSwingingPlatesIsWithinACell", "[squeeze]") {
     before.oil(film, oil);
     b.scene.storage = {kStep, oil_content(before.scene, before.gap, oil, film)};
     const auto found = solve_reynolds(b.scene, b.gap, b.step, b.oil, film, {.tolerance = 1e-9});
-    INFO("t " << ends << ": " << found.verdict.reason);
+    INFO("t " << ends << ": " << to_string(found.verdict.status));
     REQUIRE(found.good());
     film = found.value.state;
     before = std::move(b);

@@ -51,7 +51,7 @@ FilmSolution moving_film(double eps, double turning, double rate, int nt, int nz
   b.oil(before, oil);
   b.scene.storage = {dt, oil_content(b.scene, gap, oil, before)};
   const auto film = solve(b, {.tolerance = 1e-10});
-  INFO(film.verdict.reason);
+  INFO(to_string(film.verdict.status));
   REQUIRE(film.good());
   if (made != nullptr) *made = b;
   return film.value;

@@ -39,15 +39,16 @@ Eigen::VectorXd bent(const FilmGrid& grid, const Eigen::VectorXd& u) {
 
 TEST_CASE("TheShaftBendsAlikeHoweverMuchOfItIsMeshed") {
   // Supports stand at the same places: where the finite elements end must not matter. Beyond a
-  // radius the local field has died out to a few per cent; longer sections bend more as bodies.
+  // radius the local field has died out; longer sections bend more as bodies.
   const FilmGrid grid = make_grid(kRadius, kWidth, 48, kCells, false);
   const Eigen::MatrixXd shorter = whole(grid, 0.03), longer = whole(grid, 0.048);
   for (const bool moment : {false, true}) {
     Eigen::VectorXd p(grid.nz);
     for (int j = 0; j < grid.nz; ++j) p(j) = moment ? grid.z[j] / kWidth : 1.0;
     const Eigen::VectorXd a = bent(grid, shorter * p), b = bent(grid, longer * p);
-    // beam theory leaves what ends of the body and plane sections are worth: 2 %
-    CHECK((a - b).norm() < 0.02 * b.norm());
+    // beam theory leaves what ends of the body and plane sections are worth: under a force 0.7 %
+    // (0.04 against 0.06 m: 0.5 %), under a moment, which decays faster, a tenth of that
+    CHECK((a - b).norm() / b.norm() < (moment ? 0.001 : 0.01));
   }
   // without the beam's part they differ by far more
   const Eigen::VectorXd one = Eigen::VectorXd::Ones(grid.nz);

@@ -80,12 +80,16 @@ std::string powers_html(const ShellsStudy& study) {
     rows += cell(good ? hot.film_power : NAN, 1) + cell(good ? hot.asperity_power : NAN, 1);
     rows += cell(power(hot), 1) + cell(power(hot) / power(study.cycles[0][0]), 2);
     rows += cell(kind.power, 1) + cell(kind.power / shell_kinds()[0].power, 2);
-    rows += cell(power(even), 1) + cell(power(even) / power(study.cycles[0][1]), 2) + "</tr>\n";
+    rows += cell(power(even), 1) + cell(power(even) / power(study.cycles[0][1]), 2);
+    rows += cell(good ? hot.load_power : NAN, 1) + "</tr>\n";
   }
   return table(
-      "<th>film [W]</th><th>asperities [W]</th><th>sum [W]</th><th>over plain</th>"
-      "<th>paper, Table 5 [W]</th><th>over plain</th><th>isothermal [W]</th><th>over plain</th>",
-      rows);
+             "<th>film [W]</th><th>asperities [W]</th><th>sum [W]</th><th>over plain</th>"
+             "<th>paper, Table 5 [W]</th><th>over plain</th><th>isothermal [W]</th>"
+             "<th>over plain</th><th>squeezing [W]</th>",
+             rows) +
+         "<p class=\"scene\">Torque on the pin times its speed. Left out of the sums is "
+         "squeezing: what the load spends on the film by moving the pin.</p>\n";
 }
 
 std::string films_html(const ShellsStudy& study) {
@@ -134,25 +138,29 @@ std::string parts_html(const ShellsStudy& study) {
 }
 
 std::string capability_html(const ShellsStudy& study) {
+  const auto film = [](double h) {
+    return std::isfinite(h) ? cell(1e6 * h, 2) : std::string("<td></td>");
+  };
   std::string rows;
   for (const Capability& c : study.capability) {
     rows +=
         fmt::format("<tr><td class=\"left\">{}, {}, {:.0f} rpm</td>", shell_kinds()[c.shell].name,
                     c.tier == Tier::tehd ? "tehd" : "isothermal", c.rpm);
     if (!c.tried) {
-      rows += "<td class=\"bad\">not run</td><td></td><td></td><td></td></tr>\n";
+      rows += "<td class=\"bad\">not run</td><td></td><td></td><td></td><td></td><td></td></tr>\n";
       continue;
     }
-    rows += c.good > 0.0 ? cell(c.good, 2) + cell(1e-3 * c.peak, 0)
-                         : fmt::format("<td class=\"bad\">below {:.2f}</td><td></td>",
+    rows += c.good > 0.0 ? cell(c.good, 2) + cell(1e-3 * c.peak, 0) + film(c.h_good)
+                         : fmt::format("<td class=\"bad\">below {:.2f}</td><td></td><td></td>",
                                        study.plan.factors[0]);
     rows += c.bad > 0.0 ? cell(c.bad, 2) : fmt::format("<td>above {:.2f}</td>", c.good);
+    rows += film(c.h_bad);
     rows += fmt::format("<td class=\"left\">{}{}</td></tr>\n", to_string(c.limit),
                         c.reason.empty() ? "" : ": " + escape_markup(c.reason));
   }
   return table(
-      "<th>borne, of the load</th><th>peak [kN]</th><th>not borne</th><th class=\"left\">met "
-      "first</th>",
+      "<th>borne, of the load</th><th>peak [kN]</th><th>smallest film [&micro;m]</th>"
+      "<th>not borne</th><th>smallest film [&micro;m]</th><th class=\"left\">met first</th>",
       rows);
 }
 

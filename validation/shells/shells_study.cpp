@@ -37,24 +37,6 @@ Case case_of(int shell, Tier tier, const Setting& s) {
   return app::read_case(app::case_path(shell_kinds()[shell].file).string(), set);
 }
 
-/// Means over the cycle of the power at which film and asperities are sheared [W].
-void add_powers(ShellCycle& c) {
-  const auto& all = c.result.instants;
-  if (all.size() < 2) return;
-  double film = 0.0, asperity = 0.0;
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    const auto& a = all[k - 1];
-    const auto& b = all[k];
-    const double half = 0.5 * (b.t - a.t);
-    asperity += half * (a.torque_asperity * a.omega + b.torque_asperity * b.omega);
-    film += half *
-            ((a.torque - a.torque_asperity) * a.omega + (b.torque - b.torque_asperity) * b.omega);
-  }
-  const double time = all.back().t - all.front().t;
-  c.film_power = film / time;
-  c.asperity_power = asperity / time;
-}
-
 /// What the cycle meets first: no periodic state, a lining too hot, a film too thin.
 ShellLimit limit_of(int shell, const Case& c, const CycleResult& r) {
   if (!r.verdict.good()) return ShellLimit::state;
@@ -70,13 +52,16 @@ void find_capability(const ShellsPlan& plan, StudyCrew& crew, Capability& c) {
     const CycleResult r = bearing::solve_cycle(subject, c.tier, crew.control());
     if (crew.stopped()) return false;
     const ShellLimit limit = limit_of(c.shell, subject, r);
+    const double h = r.verdict.good() ? bearing::value_of(r, "h_min") : NAN;
     if (limit != ShellLimit::none) {
       c.bad = factor;
+      c.h_bad = h;
       c.limit = limit;
       c.reason = app::reason_of(r.verdict);
       return false;
     }
     c.good = factor;
+    c.h_good = h;
     c.peak = 0.0;
     for (const auto& i : r.instants) c.peak = std::max(c.peak, std::hypot(i.load_x, i.load_y));
     return true;
@@ -137,6 +122,25 @@ const char* to_string(ShellLimit limit) {
       break;
   }
   return "none met";
+}
+
+void add_powers(ShellCycle& c) {
+  const auto& all = c.result.instants;
+  if (all.size() < 2) return;
+  double film = 0.0, asperity = 0.0, load = 0.0;
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const auto& a = all[k - 1];
+    const auto& b = all[k];
+    const double half = 0.5 * (b.t - a.t);
+    asperity += half * (a.torque_asperity * a.omega + b.torque_asperity * b.omega);
+    film += half *
+            ((a.torque - a.torque_asperity) * a.omega + (b.torque - b.torque_asperity) * b.omega);
+    load += half * (a.power - a.torque * a.omega + b.power - b.torque * b.omega);
+  }
+  const double time = all.back().t - all.front().t;
+  c.film_power = film / time;
+  c.asperity_power = asperity / time;
+  c.load_power = load / time;
 }
 
 double least_film(const Case& c) {

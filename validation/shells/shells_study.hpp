@@ -3,7 +3,9 @@
 /// AlSn, polymer-coated; 2000 rpm, full load.
 ///
 ///   1  each shell over the load cycle, with temperatures (tier tehd) and isothermal at the same
-///      oil temperature: friction power of film and asperities, pressures, heat, temperatures
+///      oil temperature: friction power of film and asperities, pressures, heat, temperatures. It
+///      is torque times speed; what the load spends on squeezing the film is told beside it (with
+///      it the sum is the cycle's power_loss)
 ///   2  parts of the boundary friction coefficient at the paper's operating point (its Table 4)
 ///   3  thermal load capability: the highest multiple of the load at each speed at which a periodic
 ///      state exists, the lining stays below its limit and the film above its own, by bisection of
@@ -12,6 +14,7 @@
 /// The paper's engine is not published: the engine is that of the case big-end. Limits of lining
 /// and film are assumptions told with the result. Points that are not found carry their reason.
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -46,8 +49,9 @@ struct ShellCycle {
   bearing::Case input;
   bearing::CycleResult result;
   bool tried = false;
-  double film_power = 0.0;      ///< mean friction power of the film [W]
-  double asperity_power = 0.0;  ///< and of the asperities [W]
+  double film_power = 0.0;      ///< mean viscous torque on the journal times its speed [W]
+  double asperity_power = 0.0;  ///< the same of the asperities [W]
+  double load_power = 0.0;      ///< mean work of the load on the moving journal, left out above [W]
 };
 
 enum class ShellLimit { none, lining, film, state };
@@ -61,8 +65,10 @@ struct Capability {
   double good = 0.0;  ///< largest multiple that was borne; 0: none of those tried [-]
   double bad = 0.0;   ///< smallest that was not; 0: all were borne [-]
   double peak = 0.0;  ///< largest load of the cycle at `good` [N]
-  ShellLimit limit = ShellLimit::none;  ///< what `bad` met
-  std::string reason;                   ///< of a state that was not found
+  double h_good = std::numeric_limits<double>::quiet_NaN();  ///< smallest film at `good` [m]
+  double h_bad = std::numeric_limits<double>::quiet_NaN();   ///< and at `bad`, if it was found [m]
+  ShellLimit limit = ShellLimit::none;                       ///< what `bad` met
+  std::string reason;                                        ///< of a state that was not found
   bool tried = false;
 };
 
@@ -78,6 +84,9 @@ struct ShellsStudy {
   /// Cycles that were tried and not solved.
   [[nodiscard]] int count_failed() const;
 };
+
+/// Sets the powers of a cycle from its instants, by trapezia over time.
+void add_powers(ShellCycle& cycle);
 
 /// Smallest film of the capability: the combined roughness of the pair (textbook: below it film and
 /// asperities share the load) [m].

@@ -21,6 +21,7 @@ Json cycle_json(const ShellCycle& c) {
   if (!c.tried || !c.result.verdict.good()) return json;
   json["film_power"] = with_unit(c.film_power, "W");
   json["asperity_power"] = with_unit(c.asperity_power, "W");
+  json["load_power"] = with_unit(c.load_power, "W");
   for (const auto& q : c.result.quantities) {
     json["quantities"][q.quantity.name] = with_unit(q.quantity.value, q.quantity.unit);
   }
@@ -36,6 +37,8 @@ Json capability_json(const Capability& c) {
   json["borne"] = c.good > 0.0 ? Json(c.good) : Json(nullptr);
   json["not_borne"] = c.bad > 0.0 ? Json(c.bad) : Json(nullptr);
   json["peak_load"] = c.good > 0.0 ? with_unit(c.peak, "N") : Json(nullptr);
+  json["h_min_borne"] = std::isfinite(c.h_good) ? with_unit(c.h_good, "m") : Json(nullptr);
+  json["h_min_not_borne"] = std::isfinite(c.h_bad) ? with_unit(c.h_bad, "m") : Json(nullptr);
   json["limit"] = to_string(c.limit);
   if (!c.reason.empty()) json["reason"] = c.reason;
   return json;
@@ -69,8 +72,9 @@ std::string shells_json(const ShellsStudy& study) {
 
 void write_shells_tables(std::ostream& out, const ShellsStudy& study) {
   out << "Shells of a big end, 2000 rpm, full load (substitute engine)\n\n";
-  out << fmt::format("{:<16} {:<11} {:>9} {:>13} {:>9} {:>11} {:>10} {:>10}\n", "shell", "tier",
-                     "film [W]", "asperity [W]", "sum [W]", "over plain", "h_min [um]", "p [MPa]");
+  out << fmt::format("{:<16} {:<11} {:>9} {:>13} {:>9} {:>11} {:>14} {:>10} {:>10}\n", "shell",
+                     "tier", "film [W]", "asperity [W]", "sum [W]", "over plain", "squeezing [W]",
+                     "h_min [um]", "p [MPa]");
   for (int k = 0; k < kShells; ++k) {
     for (int t = 0; t < 2; ++t) {
       const ShellCycle& c = study.cycles[k][t];
@@ -83,19 +87,24 @@ void write_shells_tables(std::ostream& out, const ShellsStudy& study) {
       const ShellCycle& plain = study.cycles[0][t];
       const double sum = c.film_power + c.asperity_power;
       out << fmt::format(
-          "{:<16} {:<11} {:>9.1f} {:>13.1f} {:>9.1f} {:>11.2f} {:>10.3f} {:>10.0f}\n",
+          "{:<16} {:<11} {:>9.1f} {:>13.1f} {:>9.1f} {:>11.2f} {:>14.1f} {:>10.3f} {:>10.0f}\n",
           shell_kinds()[k].name, tier, c.film_power, c.asperity_power, sum,
-          sum / (plain.film_power + plain.asperity_power),
+          sum / (plain.film_power + plain.asperity_power), c.load_power,
           1e6 * bearing::value_of(c.result, "h_min"), 1e-6 * bearing::value_of(c.result, "p_max"));
     }
   }
-  out << fmt::format("\n{:<16} {:<11} {:>7} {:>8} {:>10} {:>10}  {}\n", "shell", "tier", "rpm",
-                     "borne", "peak [kN]", "not borne", "met first");
+  out << "\nfilm, asperity: torque times speed; squeezing, left out of the sum: work of the load "
+         "on "
+         "the moving pin\n";
+  out << fmt::format("\n{:<16} {:<11} {:>7} {:>8} {:>10} {:>10} {:>10} {:>10}  {}\n", "shell",
+                     "tier", "rpm", "borne", "peak [kN]", "h_min [um]", "not borne", "h_min [um]",
+                     "met first");
+  const auto film = [](double h) { return std::isfinite(h) ? fmt::format("{:.3f}", 1e6 * h) : ""; };
   for (const Capability& c : study.capability) {
     if (!c.tried) continue;
-    out << fmt::format("{:<16} {:<11} {:>7.0f} {:>8.2f} {:>10.0f} {:>10.2f}  {}\n",
+    out << fmt::format("{:<16} {:<11} {:>7.0f} {:>8.2f} {:>10.0f} {:>10} {:>10.2f} {:>10}  {}\n",
                        shell_kinds()[c.shell].name, to_string(c.tier), c.rpm, c.good, 1e-3 * c.peak,
-                       c.bad, to_string(c.limit));
+                       film(c.h_good), c.bad, film(c.h_bad), to_string(c.limit));
   }
 }
 

@@ -29,10 +29,10 @@ const std::string kCoarse = "model.grid=[48, 9]";
 
 TEST_CASE("AnEndingGivesItsExitCode") {
   CHECK(code_of(Verdict{}) == kDone);
-  CHECK(code_of({Status::no_steady_state, "", "", ""}) == kNotConverged);
-  CHECK(code_of({Status::iteration_limit, "", "", ""}) == kNotConverged);
-  CHECK(code_of({Status::interrupted, "", "", ""}) == kInterrupted);
-  CHECK(code_of({Status::invalid_number, "", "", ""}) == kDefect);  // not the bearing's fault
+  CHECK(code_of(Verdict{Status::no_steady_state}) == kNotConverged);
+  CHECK(code_of(Verdict{Status::iteration_limit}) == kNotConverged);
+  CHECK(code_of(Verdict{Status::interrupted}) == kInterrupted);
+  CHECK(code_of(Verdict{Status::invalid_number}) == kDefect);  // not the bearing's fault
 }
 
 TEST_CASE("ABadCaseEndsWithTwoAndShowsTheLine") {
@@ -261,10 +261,8 @@ TEST_CASE("CompareSaysWhatTheGridLeavesOpen") {
 
 TEST_CASE("WhatCannotTakeALoadCycleSaysSo") {
   const std::string file = case_path("pulse").string();
-  for (const std::vector<std::string>& words :
-       std::vector<std::vector<std::string>>{{"chart", file},
-                                             {"run", file, "--tier", "estimate"},
-                                             {"run", file, "--coefficients"}}) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"chart", file}, {"run", file, "--tier", "estimate"}, {"run", file, "--coefficients"}}) {
     const Ended ended = run_words(words);
     INFO(words[0]);
     CHECK(ended.code == kBadInput);

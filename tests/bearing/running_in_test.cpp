@@ -152,7 +152,7 @@ TEST_CASE("AWornInShapeThatIsNotFoundIsNoShape") {
   const RunningInRun run = run_in(c, Tier::isothermal);
   CHECK(run.verdict.status == Status::iteration_limit);
   CHECK(app::reason_of(run.verdict).rfind("no worn-in shape was found", 0) == 0);
-  CHECK(run.verdict.cure.find("until = a time") != std::string::npos);
+  CHECK(app::words_of(run.verdict).cure.find("until = a time") != std::string::npos);
   CHECK(std::isnan(run.complementarity));
   CHECK(run.states.size() == 1);  // the new bearing
 }

@@ -58,7 +58,7 @@ TEST_CASE("TheLoadAtWhichHeatRunsAwayDoesNotDependOnTheLoadAskedFor", "[heat_pat
     const auto* far = s->verdict.as<ending::BranchEnded>();
     const auto* fled = s->verdict.as<ending::RanAway>();
     const auto* moved = s->verdict.as<ending::LimitMoves>();
-    CHECK((far || fled || (moved && !moved->limits.empty())));  // all know how far it went
+    CHECK((far || fled || (moved && !moved->limits.empty())));   // all know how far it went
     CHECK(s->target.scale() == Approx(s == &a ? 82e3 : 164e3));  // the case's own load is put back
   }
   CHECK(carried(a) == Approx(carried(b)).epsilon(0.1));

@@ -21,7 +21,7 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
 }
 
 void add_coefficient_warnings(const Coefficients& k, std::vector<Note>& warnings) {
-  constexpr double kTelling = 0.05;  // from here on the share is above the accuracy aimed at [-]
+  constexpr double kTelling = 0.01;  // the critical mass is told too small by five times it [-]
   if (!k.verdict.good()) {
     warnings.push_back(note::NoCoefficients{k.verdict});
   } else if (k.cavitated_share > kTelling) {

@@ -127,6 +127,7 @@ bool CycleSearch::begin_warm() {
   steady.operation.omega = first.omega;
   steady.operation.position = LoadGiven{std::hypot(first.x, first.y), std::atan2(first.y, first.x)};
   if (first.omega == 0.0 || !(std::hypot(first.x, first.y) > 0.0)) return false;
+  if (film_.drillings().any()) return false;  // a steady bearing knows none
   const Solution s = solve_tier(steady, tier_, control_, film_.model().solids);
   cost_.newton_iterations += s.cost.newton_iterations;
   cost_.factorizations += s.cost.factorizations;
@@ -134,6 +135,8 @@ bool CycleSearch::begin_warm() {
   now_ = film_.at_rest(s.film.columns.T.front());
   now_.film = s.film;
   now_.film.contact_widening.reset();
+  now_.layer.now.clear();
+  for (const solid::PressedColumn& c : s.film.layer) now_.layer.now.push_back(c.now);
   walls_ = WallMeans{s.heat.T_shell, s.heat.T_shaft, steady_flux(s), s.heat.thermal_deformation};
   now_.thermal_deformation = mean_deformation(*walls_);
   put_walls();
@@ -199,6 +202,8 @@ void CycleSearch::begin_between(const WallMeans& walls, double T) {
 void CycleSearch::set_temperature(double T) {
   if (!c_.cycle->repeats()) return begin(T);
   std::fill(now_.film.columns.T.begin(), now_.film.columns.T.end(), T);
+  now_.layer.now.assign(now_.layer.now.size(),
+                        {});  // marks of another temperature are none of this
   closure_ = {};
   r_.verdict = {};
 }

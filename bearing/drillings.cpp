@@ -1,5 +1,7 @@
 #include "bearing/drillings.hpp"
 
+#include <cmath>
+
 namespace shellback::bearing {
 
 Drillings::Drillings(const BearingModel& model, const LoadCourse& course) : course_(course) {
@@ -16,7 +18,7 @@ void Drillings::take(const BearingModel& model, const FilmEquilibrium& film) {
   fluid::gap_transport(model.scene.rough, film.gap.cell, gap);
   conductance_ = film.oil.density;
   for (std::size_t c = 0; c < conductance_.size(); ++c) {
-    conductance_[c] *= gap.h3_x[c] * film.oil.fluidity[c];
+    conductance_[c] *= std::sqrt(gap.h3_x[c] * gap.h3_z[c]) * film.oil.fluidity[c];
   }
 }
 

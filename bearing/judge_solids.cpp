@@ -2,6 +2,7 @@
 
 #include "bearing/judge_parts.hpp"
 #include "bearing/shown.hpp"
+#include "solid/surface_layer.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -63,6 +64,18 @@ void judge_coating(const Case& c, Findings& to) {
                 fmt::format("an elasto-plastic layer needs the {} of its material",
                             m.hardness > 0.0 ? "damping_ratio" : "hardness"),
                 "give hardness (for example \"120 MPa\") and damping_ratio (\"1e-4 s\")");
+    }
+    const solid::SurfaceLayer law{layers[k].thickness, m.youngs_modulus, m.hardness, m.progression,
+                                  m.damping_ratio};
+    constexpr double kMostPressed =
+        0.5;  // of the thickness: columns beside each other shear by then
+    if (m.hardness > 0.0 && m.youngs_modulus > 0.0 && layers[k].thickness > 0.0 &&
+        law.yield_depth() > kMostPressed * law.thickness) {
+      to.refuse(path + ".material",
+                fmt::format("before it flows at {} the layer would be pressed to less than half of "
+                            "its thickness",
+                            shown(m.hardness, "MPa")),
+                "check hardness and youngs_modulus");
     }
     if (layers[k].thickness > c.bearing.radial_clearance) {
       to.refuse(

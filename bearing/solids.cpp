@@ -75,13 +75,14 @@ double mean_compliance(const HarmonicOperator& op) {
   return sum / static_cast<double>(op.size());
 }
 
-/// What bends and is pressed: an elasto-plastic layer yields by a law of its own, and is as stiff as
-/// what it lies on here.
+/// What bends and is pressed: an elasto-plastic layer yields by a law of its own, and is as stiff
+/// as what it lies on here.
 std::vector<solid::Material> elastic_materials(const Case& c, const Layers& layers) {
   std::vector<solid::Material> materials = layers.material;
   if (!c.shell->layers.front().elasto_plastic) return materials;
   materials[0].youngs_modulus = materials.at(1).youngs_modulus;
   materials[0].poisson_ratio = materials[1].poisson_ratio;
+  materials[0].expansion = materials[1].expansion;  // it is too soft to stretch what it lies on
   return materials;
 }
 

@@ -76,6 +76,11 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
     out.push_back(note::Plain::pressure_beyond_law);
   }
   add_contact(m, reach, out);
+  if (!m.physics.elastic && pressed_layer(m.input, 0)) {
+    out.emplace_back(
+        "the surfaces are rigid (model.elastic_deformation, or the tier): the elasto-plastic layer "
+        "does not yield");
+  }
   return out;
 }
 

@@ -107,6 +107,7 @@ struct Vessels::Search {
   double low = -INFINITY, high = INFINITY;  ///< between which it lies [Pa]
   double u_before = NAN, out_before = NAN;
   bool found = false;
+  double least = 0.0;  ///< u of no fill; of a drilling, whose mouth nothing is dragged from, 0 [Pa]
 };
 
 /// (4) with `out` of the vessel flowing at `s.u`: it rises with u, with another slope above zero
@@ -120,7 +121,7 @@ void Vessels::advance(int k, double own, double star, double out, Search& s) {
   if (slope > 0.0 && std::isfinite(slope)) conductance_[k] = slope;
   if (!(conductance_[k] > 0.0)) conductance_[k] = std::abs(out) / span;
   const double rate = own * conductance_[k] + (holds ? kappa_[k] : 0.0);
-  const bool nothing_left = s.u <= -span && r > 0.0;  // it takes in all that the journal brings
+  const bool nothing_left = s.u <= s.least && r > 0.0;  // it takes in all that the journal brings
   s.found = nothing_left || std::abs(r) <= kEnough * rate * span;
   if (s.found) return;
   (r > 0.0 ? s.high : s.low) = s.u;
@@ -130,7 +131,7 @@ void Vessels::advance(int k, double own, double star, double out, Search& s) {
   double next = s.u - r / rate;
   if (next * s.u < 0.0) next = 0.0;  // the law changes there
   if (!(next > s.low && next < s.high)) next = 0.5 * (s.low + s.high);
-  s.u = std::isfinite(next) ? std::max(next, -span) : 0.0;
+  s.u = std::isfinite(next) ? std::max(next, s.least) : 0.0;
 }
 
 Verdict Vessels::solve(double own, const std::vector<double>& oil_star, fluid::FilmScene& scene,
@@ -138,9 +139,13 @@ Verdict Vessels::solve(double own, const std::vector<double>& oil_star, fluid::F
   constexpr int kMost = 40;
   const int n = static_cast<int>(of_patch_.size());
   std::vector<Search> search(n);
-  for (int k = 0; k < n; ++k) search[k].u = unknown(k, scene);
   for (int k = 0; k < n; ++k) {
-    if (open_[k]) search[k] = {p_supply_[k] - p_cav_, 0.0, 0.0, 0.0, 0.0, true};
+    const bool mouth = scene.supply.patches[of_patch_[k]].moving;
+    search[k].least = mouth ? 0.0 : -(p_supply_[k] - p_cav_);
+    search[k].u = std::max(unknown(k, scene), search[k].least);
+  }
+  for (int k = 0; k < n; ++k) {
+    if (open_[k]) search[k] = {p_supply_[k] - p_cav_, 0.0, 0.0, 0.0, 0.0, true, 0.0};
   }
   fluid::OilFlows flows;
   for (int i = 0; i < kMost; ++i) {

@@ -15,8 +15,8 @@ constexpr double kShortestReach = 1e-3;
 /// One mouth over the grid.
 class Placing {
  public:
-  Placing(const FilmGrid& g, const SupplyPatch& s, const Field& K)
-      : g_(g), s_(s), K_(K), radius_(0.5 * std::max(s.length, cell_diagonal(g))) {}
+  Placing(const FilmGrid& g, const SupplyPatch& s, const SupplyMap& supply, const Field& K)
+      : g_(g), s_(s), supply_(supply), K_(K), radius_(0.5 * std::max(s.length, cell_diagonal(g))) {}
 
   /// G of cell (i, j).
   [[nodiscard]] double conductance(int i, int j) const {
@@ -24,7 +24,8 @@ class Placing {
     const double z = g_.z[j] - s_.z;
     const bool within = inside(x, z);
     double sum = 0.0;
-    const auto link = [&](double other_x, double other_z, double width) {
+    const auto link = [&](double other_x, double other_z, double width, int other) {
+      if (supply_.cell[other] >= 0) return;  // a groove stands there, whatever the mouth does
       const double d = std::abs(other_x - x) + std::abs(other_z - z);
       if (within) {
         sum += width / (kShortestReach * d);
@@ -36,10 +37,12 @@ class Placing {
         sum += width * (1.0 / std::max(reach, kShortestReach * d) - 1.0 / d);
       }
     };
-    for (const int other : {g_.previous(i), g_.next(i)}) link(x + way(i, other), z, g_.dz[j]);
+    for (const int other : {g_.previous(i), g_.next(i)}) {
+      link(x + way(i, other), z, g_.dz[j], g_.index(other, j));
+    }
     const double round = g_.radius * g_.dphi[i];
-    if (j > 0) link(x, g_.z[j - 1] - s_.z, round);
-    if (j + 1 < g_.nz) link(x, g_.z[j + 1] - s_.z, round);
+    if (j > 0) link(x, g_.z[j - 1] - s_.z, round, g_.index(i, j - 1));
+    if (j + 1 < g_.nz) link(x, g_.z[j + 1] - s_.z, round, g_.index(i, j + 1));
     return sum * K_[g_.index(i, j)];
   }
 
@@ -55,6 +58,7 @@ class Placing {
 
   const FilmGrid& g_;
   const SupplyPatch& s_;
+  const SupplyMap& supply_;
   const Field& K_;
   double radius_;
 };
@@ -71,7 +75,7 @@ void place_mouths(const FilmGrid& g, const Field& K, SupplyMap& supply) {
   std::vector<int> at(g.cells(), -1);
   for (int k = 0; k < static_cast<int>(supply.patches.size()); ++k) {
     if (!supply.patches[k].moving) continue;
-    const Placing placing(g, supply.patches[k], K);
+    const Placing placing(g, supply.patches[k], supply, K);
     for (int c = 0; c < g.cells(); ++c) {
       if (supply.cell[c] >= 0) continue;
       const double G = placing.conductance(c / g.nz, c % g.nz);

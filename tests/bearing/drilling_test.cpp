@@ -141,3 +141,23 @@ TEST_CASE("ADrillingThatDoesNotComeBackIsRefused", "[drilling]") {
   c.cycle.reset();
   CHECK(judged(c).find("belongs to a load cycle") != std::string::npos);
 }
+
+TEST_CASE("ADrillingLivesOnItsVesselWhileItsLineIsShut", "[drilling]") {
+  Case c = drilled();
+  c.model.grid = {48, 8};
+  c.model.tolerance = 0.03;  // long steps: oil is conserved in any
+  c.cycle->journal_mass = 0.5;
+  for (const double volume : {2e-9, 1e-3}) {  // empty at once; hardly emptied
+    c.supplies[0].vessel = Vessel{volume, 1.5e9, {{0.0, 0.3 * c.cycle->period}}};
+    const CycleResult r = solve_cycle(c, Tier::isothermal);
+    CAPTURE(volume, app::reason_of(r.verdict));
+    REQUIRE(r.verdict.good());
+    CHECK(r.audit.mass < 1e-10);
+    CHECK(value_of(r, "p_vessel_min") >= c.model.cavitation_pressure);
+    if (volume < 1e-8) {
+      CHECK(value_of(r, "p_vessel_min") == Approx(c.model.cavitation_pressure).margin(1e3));
+    } else {
+      CHECK(value_of(r, "p_vessel_min") > 0.0);
+    }
+  }
+}

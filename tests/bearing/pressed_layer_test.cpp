@@ -145,6 +145,26 @@ TEST_CASE("ALayerWithoutItsLawIsRefused", "[layer]") {
   c.shell->layers[0].thickness = 50e-6;
   CHECK(refused(c).find("thicker than the clearance") != std::string::npos);
   c = coated(120e6);
+  c.shell->layers[0].material.youngs_modulus = 0.05e9;  // r_y = s p/(E + p): two thirds of s
+  CHECK(refused(c).find("less than half of its thickness") != std::string::npos);
+  c = coated(120e6);
   std::swap(c.shell->layers[0], c.shell->layers[1]);
   CHECK(refused(c).find("only the first layer") != std::string::npos);
+}
+
+TEST_CASE("AnEventBeginsWithTheLayerOfItsSteadyState", "[layer]") {
+  Case c = coated(120e6);
+  c.oil.temperature = rheology::ReynoldsSlope{0.03, 313.15, 0.035};
+  c.cycle = pulsing(c, 1e3);  // a load that stands
+  c.cycle->period = INFINITY;
+  for (const Tier tier : {Tier::isothermal, Tier::thd}) {
+    const CycleResult r = solve_cycle(c, tier);
+    CAPTURE(app::reason_of(r.verdict));
+    REQUIRE(r.verdict.good());
+    // Nothing moves: of the power of friction the layer takes none.
+    CHECK(value_of(r, "layer_loss") < 1e-6 * value_of(r, "power_loss"));
+    for (const CycleInstant& i : r.instants) {
+      CHECK(i.h_min == Approx(r.instants.front().h_min).epsilon(2e-3));
+    }
+  }
 }

@@ -43,6 +43,19 @@ void add(double f, const Field& k, Field& to) {
   for (std::size_t c = 0; c < to.size(); ++c) to[c] += f * k[c];
 }
 
+/// An elasto-plastic layer, if there is one, begins a stage of length `own` from these columns.
+void begin_layer(double own, Columns columns, BearingModel& model) {
+  if (!model.layer) return;
+  model.layer->own = own;
+  model.layer->before = std::move(columns);
+}
+
+/// And what the stage has made of it.
+LayerInTime layer_of(const BearingModel& model, const FilmEquilibrium& film) {
+  if (!model.layer) return {};
+  return stage_of(*model.layer, model.scene.grid, film.film.p, film.p_contact, film.layer);
+}
+
 /// Per area -> per cell.
 Field of_cells(const FilmGrid& g, Field x) {
   for (int c = 0; c < g.cells(); ++c) x[c] *= g.area(c / g.nz, c % g.nz);
@@ -148,10 +161,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
   }
   model_.scene.speed = load.omega * model_.input.bearing.radius;
   model_.scene.storage = {own, std::move(before)};
-  if (model_.layer) {
-    model_.layer->own = own;
-    model_.layer->before = std::move(layer);
-  }
+  begin_layer(own, std::move(layer), model_);
   target_.force[0] = -load.x;
   target_.force[1] = -load.y;
   if (mass_ > 0.0) {
@@ -177,9 +187,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
     found.oil[c] = supplied ? 0.0 : -found.oil[c] / g.area(c / g.nz, c % g.nz);
   }
   found.flows = fluid::oil_flows(model_.scene, film.flow);
-  if (model_.layer) {
-    found.layer = stage_of(*model_.layer, g, film.film.p, film.p_contact, film.layer);
-  }
+  found.layer = layer_of(model_, film);
   const fluid::Wrench wanted = target_.wanted(film);
   for (int k = 0; k < 2; ++k) {
     found.velocity[k] = (film.position.q[k] - q[k]) / own;
@@ -325,7 +333,6 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   }
   step.after.oil = now.oil;
   step.after.vessels = vessels_begun_;
-  step.after.layer.now = now.layer.now;
   for (int i = 0; i < by.stages; ++i) {
     const double f = by.b(i) * dt;
     add(f, stages[i].oil, step.after.oil);
@@ -333,7 +340,6 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     step.side += f * stages[i].flows.side;
     step.line += f * vessels_.from_lines(stages[i].flows);
     add(f, vessels_.slopes(stages[i].flows), step.after.vessels);
-    add(f, stages[i].layer.slope, step.after.layer.now);
     step.layer_loss += f * stages[i].layer.loss;
     for (int k = 0; k < 2; ++k) step.impulse[k] += f * stages[i].force[k];
   }
@@ -348,8 +354,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.after.acceleration = last.acceleration;
   step.after.oil_slope = std::move(last.oil);
   step.after.flows = std::move(last.flows);
-  step.after.layer.slope = std::move(last.layer.slope);
-  step.after.layer.loss = last.layer.loss;
+  step.after.layer = std::move(last.layer);  // stiffly accurate: the last stage is the end
   return step;
 }
 

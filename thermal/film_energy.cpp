@@ -193,6 +193,18 @@ double FilmEnergy::source_enthalpy(const Inflow& f, int k, const std::vector<dou
   return p_.vessels[patch].cp_mix * (T_mix_[patch] - p_.T_reference);
 }
 
+namespace {
+
+/// Oil that enters through the surface, or leaves that way [kg/s].
+void add_fed(double fed, const CrossFilmNodes& gl, double* divergence, double* out) {
+  for (int k = 0; k < gl.n; ++k) {
+    divergence[k] -= fed;
+    if (fed < 0.0) out[k] -= gl.w[k] * fed;
+  }
+}
+
+}  // namespace
+
 void FilmEnergy::build_column(int i, int j) {
   const int n = n_;
   const CrossFilmNodes& gl = *p_.gl;
@@ -216,11 +228,7 @@ void FilmEnergy::build_column(int i, int j) {
       if (in > 0.0) inflow[k] = gl.w[k] * in;
     }
   }
-  const double fed = fed_.empty() ? 0.0 : fed_[cell];
-  for (int k = 0; k < n; ++k) {
-    divergence[k] -= fed;
-    if (fed < 0.0) out[k] -= gl.w[k] * fed;
-  }
+  if (!fed_.empty()) add_fed(fed_[cell], gl, divergence, out);
   const double direction = p_.forward ? 1.0 : -1.0;
   for (int k = 0; k < n; ++k) backflow_ += faces[0].flow[k] * direction < 0.0;
   for (int k = 1; k + 1 < n; ++k) {

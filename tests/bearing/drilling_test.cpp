@@ -147,8 +147,11 @@ TEST_CASE("ADrillingLivesOnItsVesselWhileItsLineIsShut", "[drilling]") {
   c.model.grid = {48, 8};
   c.model.tolerance = 0.03;  // long steps: oil is conserved in any
   c.cycle->journal_mass = 0.5;
+  c.cycle->period = INFINITY;  // passed once
+  c.cycle->interpolation = LoadInterpolation::linear;
+  const double length = c.cycle->length();
   for (const double volume : {2e-9, 1e-3}) {  // empty at once; hardly emptied
-    c.supplies[0].vessel = Vessel{volume, 1.5e9, {{0.0, 0.3 * c.cycle->period}}};
+    c.supplies[0].vessel = Vessel{volume, 1.5e9, {{0.0, 0.3 * length}}};
     const CycleResult r = solve_cycle(c, Tier::isothermal);
     CAPTURE(volume, app::reason_of(r.verdict));
     REQUIRE(r.verdict.good());

@@ -202,8 +202,10 @@ void CycleSearch::begin_between(const WallMeans& walls, double T) {
 void CycleSearch::set_temperature(double T) {
   if (!c_.cycle->repeats()) return begin(T);
   std::fill(now_.film.columns.T.begin(), now_.film.columns.T.end(), T);
-  now_.layer.now.assign(now_.layer.now.size(),
-                        {});  // marks of another temperature are none of this
+  if (!now_.layer.now.empty()) {  // marks of another temperature are none of this one
+    now_.layer = {Columns(now_.layer.now.size()), {}, 0.0};
+    now_.oil_slope.clear();
+  }
   closure_ = {};
   r_.verdict = {};
 }

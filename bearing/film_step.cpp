@@ -358,11 +358,14 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   return step;
 }
 
-FilmSteps::Supplies FilmSteps::supplies() const { return {vessels_, model_.scene.supply.patches}; }
+FilmSteps::Supplies FilmSteps::supplies() const {
+  return {vessels_, model_.scene.supply.patches, model_.scene.supply.mouths};
+}
 
 void FilmSteps::put_back(const Supplies& before) {
   vessels_ = before.vessels;
   model_.scene.supply.patches = before.patches;
+  model_.scene.supply.mouths = before.mouths;
 }
 
 bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmInTime& now) {

@@ -94,6 +94,7 @@ class FilmSteps {
   struct Supplies {
     Vessels vessels;
     std::vector<fluid::SupplyPatch> patches;
+    std::vector<fluid::Mouth> mouths;
   };
   [[nodiscard]] Supplies supplies() const;
   void put_back(const Supplies& before);

@@ -119,6 +119,19 @@ TEST_CASE("ACycleWithAVesselInPiecesIsTheWhole", "[kept]") {
   check_in_pieces(c, Tier::isothermal);
 }
 
+TEST_CASE("ACycleWithADrillingInPiecesIsTheWhole", "[kept]") {
+  Case c = warm_case();
+  let_load_turn(c);
+  Supply drilling;
+  drilling.kind = SupplyKind::drilling;
+  drilling.diameter = 8e-3;
+  drilling.pressure = 2e5;
+  drilling.temperature = 313.15;
+  drilling.carry_over = 0.0;
+  c.supplies = {drilling};
+  check_in_pieces(c, Tier::isothermal);
+}
+
 TEST_CASE("AnEventThatIsStoppedBeforeItHasBegunLeavesNothing", "[kept]") {
   Case c = warm_case();
   let_load_turn(c);

@@ -168,3 +168,19 @@ TEST_CASE("AnEventBeginsWithTheLayerOfItsSteadyState", "[layer]") {
     }
   }
 }
+
+TEST_CASE("ALayerLosesAsMuchOnHalfABearingAsOnTheWhole", "[layer]") {
+  Case c = coated(10e6);
+  c.model.grid = {48, 8};
+  c.cycle = pulsing(c, 8e3);
+  c.cycle->period = INFINITY;
+  std::vector<double> loss;
+  for (const double z : {0.0, 1e-9}) {  // off the middle: both halves are solved
+    c.supplies[0].z = z;
+    const CycleResult r = solve_cycle(c, Tier::isothermal);
+    REQUIRE(r.verdict.good());
+    loss.push_back(value_of(r, "layer_loss"));
+  }
+  CHECK(loss[1] ==
+        Approx(loss[0]).epsilon(1e-3));  // the same steps but for round-off of their choice
+}

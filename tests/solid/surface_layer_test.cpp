@@ -101,6 +101,29 @@ TEST_CASE("TheTangentOfAColumnIsItsSlope") {
   }
 }
 
+TEST_CASE("WhatLoadingLosesIsWorkLessWhatIsStored") {
+  // Under a load that stands P r is given and c r^2/2 stored, N = 0; above the hardness all is
+  // lost.
+  const SurfaceLayer l = polymer(0.0);
+  const double c = l.youngs_modulus / l.thickness;
+  for (const double P : {80e6, 150e6}) {
+    LayerColumn now{P > l.hardness ? l.yield_depth() : 0.0, 0.0};
+    const LayerColumn first = now;
+    double lost = 0.0;
+    const double own = 1e-3 * l.damping_ratio;
+    for (int k = 0; k < 3000; ++k) {
+      const LayerColumn next = press(l, P, own, now).now;
+      const LayerColumn rate{(next.elastic - now.elastic) / own,
+                             (next.plastic - now.plastic) / own};
+      lost += own * layer_loss(l, P, next, rate);
+      now = next;
+    }
+    const double stored = 0.5 * c * (now.elastic * now.elastic - first.elastic * first.elastic);
+    const double given = P * (now.sum() - first.sum());
+    CHECK(lost == Approx(given - stored).epsilon(2e-3));  // first order: a thousandth a step
+  }
+}
+
 TEST_CASE("ALayerNeverGivesMoreThanItWasGiven") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> part(0.0, 1.0);

@@ -120,6 +120,11 @@ TEST_CASE("UniformTemperatureStaysUniform", "[film_energy]") {
     const double warm = 350.0;
     r.problem.T_edge = warm;
     r.problem.vessels.push_back({warm, 2000.0, 2000.0, 1.0, 0.0});
+    const double fed = 3e-5;  // into one cell, through the next one, and out of the third
+    r.problem.fed = {{r.grid.index(8, 2), 0, fed}, {r.grid.index(10, 2), 0, -fed}};
+    for (const int i : {9, 10}) {
+      for (int k = 0; k < r.gl.n; ++k) r.problem.phi_flow[r.at(r.grid.index(i, 2), k)] += fed;
+    }
     for (double& T : r.T) T = warm;
     FilmEnergy film = r.film();
     CHECK(film.backflow_nodes() > 0);

@@ -2,6 +2,7 @@
 /// What a running solve tells, and how it is told to stop.
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace shellback::bearing {
@@ -21,6 +22,8 @@ struct SolveControl {
   std::function<void(const Progress&)> progress;  ///< may be empty
   const std::atomic<bool>* stop = nullptr;        ///< set from outside: end soon, keep the state
   KeptRun* kept = nullptr;  ///< of load cycles: what is kept on the way (kept_run.hpp)
+  /// Work from which a search from cold is given up, if before its own bound (`most_work`) [cells].
+  double most_work = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace shellback::bearing

@@ -22,24 +22,26 @@ double equivalent_temperature(const Case& c) {
   return c.oil_temperature.value_or(T_supply);
 }
 
+double price_of_search(const Case& c, Tier tier) {
+  constexpr double kSolves = 20.0;  // what a refusal may cost, in solves
+  constexpr double kRigid = 30.0, kHeatOrElastic = 52.0;
+  const bool rigid = tier == Tier::isothermal && !physics_of(c, tier).elastic;
+  const double sides = symmetric_about_mid_width(c) ? 0.5 : 1.0;
+  return kSolves * (rigid ? kRigid : kHeatOrElastic) * sides * c.model.grid[0] * c.model.grid[1];
+}
+
 namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Work after which a search is given up [cells]: as many times that of a usual solve on the grid.
-/// A usual solve takes as many film iterations, counted on the finest grid, as 90 to 95 % of random
-/// bearings need (docs/decisions/022). Grids coarser than the default one, where continuation has
-/// no coarser grid to lean on, may cost as much as that one: seconds.
-double most_work(const Case& c, Tier tier) {
-  constexpr double kSolves = 20.0;  // what a refusal may cost, in solves
-  constexpr double kRigid = 30.0, kHeatOrElastic = 52.0;
-  const bool rigid = tier == Tier::isothermal && !physics_of(c, tier).elastic;
+/// Work after which a search is given up [cells]. Grids coarser than the default one, where continuation
+/// has no coarser grid to lean on, may cost as much as that one: seconds.
+double most_work(const Case& c, Tier tier, const SolveControl& control) {
   const auto cells = [](const std::array<int, 2>& grid) { return grid[0] * grid[1]; };
-  const double sides = symmetric_about_mid_width(c) ? 0.5 : 1.0;
-  return kSolves * (rigid ? kRigid : kHeatOrElastic) * sides *
-         std::max(cells(c.model.grid), cells(Model{}.grid));
+  const double coarse = std::max(1.0, double(cells(Model{}.grid)) / cells(c.model.grid));
+  return std::min(control.most_work, coarse * price_of_search(c, tier));
 }
 
 /// Solves on every grid of the sequence, each from the one before. A coarse grid that fails is left
@@ -78,7 +80,7 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
   for (int& n : second.model.grid) n = std::max(3, static_cast<int>(std::lround(kSecond * n)));
   Solution on;
   on.T_film = s.T_film;
-  on.cost.most_work = most_work(c, tier);
+  on.cost.most_work = most_work(c, tier, control);
   on.target = s.target;
   on.model = make_bearing(second, physics_of(second, tier), second.model.grid);
   solve_on_grid(on, tier, {false, true}, control);
@@ -112,7 +114,7 @@ Solution from_cold(const Case& c, Tier tier, double T, const SolveControl& contr
   const auto begin = std::chrono::steady_clock::now();
   Solution s;
   s.T_film = T;
-  s.cost.most_work = most_work(c, tier);
+  s.cost.most_work = most_work(c, tier, control);
   solve_on_sequence(c, tier, control, std::move(solids), s);
   confirm_limit(c, tier, control, s);
   if (s.verdict.good() && c.model.coefficients) s.coefficients = coefficients_of(s);

@@ -65,10 +65,14 @@ std::vector<Grid> coarse_grids(const Case& c) {
   return grids;
 }
 
-std::optional<Solution> solve_near(const Case& c, const Solution& near,
-                                   const SolveControl& control) {
+std::optional<Solution> solve_near(const Case& c, const Solution& near, const SolveControl& control,
+                                   double* work) {
+  SolveControl quiet;
+  quiet.stop = control.stop;
+  quiet.most_work = control.most_work;
   try {
-    Solution s = solve_tier_from(c, c.model.tier, near, {{}, control.stop});
+    Solution s = solve_tier_from(c, c.model.tier, near, quiet);
+    if (work != nullptr) *work += s.cost.work;
     if (s.verdict.good()) return s;
   } catch (const InputError&) {  // the supplies need more cells than this grid has
   }

@@ -23,10 +23,12 @@ inline constexpr Grid kUsualGrid{400, 50};
 
 /// The case, in the tier and on the grid that it names, from a solution that is near (other grid,
 /// physics or nodes, same bearing), from cold if that does not converge; none if this does not
-/// either or the grid cannot carry the supplies. Tells nothing, stops with the others.
+/// either or the grid cannot carry the supplies. Tells nothing, stops with the others. `work`: the
+/// work of it is added [cells].
 [[nodiscard]] std::optional<bearing::Solution> solve_near(const bearing::Case& c,
                                                           const bearing::Solution& near,
-                                                          const bearing::SolveControl& control);
+                                                          const bearing::SolveControl& control,
+                                                          double* work = nullptr);
 
 /// The solution with two more nodes across the film; none if there is none.
 [[nodiscard]] std::optional<bearing::Solution> with_more_nodes(

@@ -113,8 +113,11 @@ ModelError model_error(const Solution& coarse, const SolveControl& control) {
   const auto steps = richer_physics(c, c.model.tier);
   out.richest = steps.empty();
   Solution here = coarse;
+  SolveControl bounded = control;
+  double work = 0.0;
   for (const PhysicsStep& step : steps) {
-    auto next = solve_near(step.input, here, control);
+    bounded.most_work = price_of_search(step.input, step.input.model.tier) - work;
+    auto next = solve_near(step.input, here, bounded, &work);
     out.complete = next.has_value();
     if (!next) {
       out.failed.push_back(step.effect);

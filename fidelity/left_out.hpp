@@ -70,7 +70,8 @@ struct ModelError {
   bool richest = false;               ///< the tier is the full physics already
 };
 
-/// From the coarse solution, in the tier that its case names, to the full physics of the case.
+/// From the coarse solution, in the tier that its case names, to the full physics of the case. All its searches
+/// together cost no more than one on the coarse grid may (`bearing::price_of_search`).
 [[nodiscard]] ModelError model_error(const bearing::Solution& coarse,
                                      const bearing::SolveControl& control);
 

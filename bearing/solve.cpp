@@ -36,8 +36,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Work after which a search is given up [cells]. Grids coarser than the default one, where continuation
-/// has no coarser grid to lean on, may cost as much as that one: seconds.
+/// Work after which a search is given up [cells]. Grids coarser than the default one, where
+/// continuation has no coarser grid to lean on, may cost as much as that one: seconds.
 double most_work(const Case& c, Tier tier, const SolveControl& control) {
   const auto cells = [](const std::array<int, 2>& grid) { return grid[0] * grid[1]; };
   const double coarse = std::max(1.0, double(cells(Model{}.grid)) / cells(c.model.grid));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "bearing/branch_endings.hpp"
 #include "bearing/first_film.hpp"
@@ -84,11 +85,11 @@ Verdict follow_heat(Solution& s, bool coarse, const SolveControl& control) {
   if (!branch) return {Status::iteration_limit, ending::Plain::no_light_state};
   if (branch->end == BranchEnd::reached) return {};
   if (branch->end == BranchEnd::interrupted) return branch->last;
-  if (s.cost.spent()) return {Status::iteration_limit, ending::Plain::given_up};
   if (branch->end != BranchEnd::lost) {
     note_limit(s, *branch, true);
     return branch_ended(s, *branch);
   }
+  if (s.cost.spent()) return {Status::iteration_limit, ending::Plain::given_up};
   const Solution last = s;
   const MarchEnd beyond = transient_beyond(s, *branch, control);
   const bool ran_away = beyond.left_bounds && !s.cost.spent();
@@ -112,17 +113,22 @@ Verdict solve_resolved(Solution& s, Level level, const SolveControl& control) {
     return v.good() || stopped(v) ? v : film;
   }
   const FilmEquilibrium first = s.film;
-  Verdict v = solve_heat(s, options, control);
-  if (v.good() || stopped(v) || s.cost.spent()) return v;
-  s.film = first;
-  s.heat = cold_heat(s.model, T);
-  v = warm_up(s, options, control);
-  const bool ended = v.good() || stopped(v) || s.cost.spent();
-  if (ended || !usual_methods(s.model.input)) return v;
-  const Verdict along = follow_heat(s, level.coarse, control);
+  const Verdict direct = solve_heat(s, options, control);
+  const bool ended = direct.good() || stopped(direct) || s.cost.spent();
+  if (ended || (level.coarse && !usual_methods(s.model.input))) return direct;
+  const bool followed = usual_methods(s.model.input);
+  const Verdict along = followed ? follow_heat(s, level.coarse, control) : direct;
+  if (along.good() || stopped(along) || s.cost.spent() || level.coarse) return along;
+  const FilmEquilibrium end = std::exchange(s.film, first);
+  const HeatState heat_at_end = std::exchange(s.heat, cold_heat(s.model, T));
+  const Verdict in_time = warm_up(s, options, control);
   // Where no branch begins, what the warming bearing comes to in time stands for itself.
-  const bool in_time = along.status == Status::iteration_limit && s.limits.empty();
-  return in_time && v.status == Status::no_steady_state ? v : along;
+  const bool begun = followed && !s.limits.empty();
+  const bool stands = !followed || (!begun && in_time.status == Status::no_steady_state);
+  if (in_time.good() || stopped(in_time) || stands) return in_time;
+  s.film = end;
+  s.heat = heat_at_end;
+  return along;
 }
 
 }  // namespace

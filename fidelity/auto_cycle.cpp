@@ -10,6 +10,7 @@
 #include "bearing/judge_case.hpp"
 #include "core/contract.hpp"
 #include "fidelity/cycle_bars.hpp"
+#include "fidelity/estimate_cycle.hpp"
 #include "fidelity/grid_sequence.hpp"
 #include "fidelity/left_out.hpp"
 
@@ -235,6 +236,7 @@ CycleResult solve_auto_cycle(const Case& c, const SolveControl& control) {
 }
 
 CycleResult solve_cycle_case(const Case& c, const SolveControl& control) {
+  if (c.model.tier == Tier::estimate) return estimate_cycle(c, control);
   return c.model.tier == Tier::automatic ? solve_auto_cycle(c, control)
                                          : solve_cycle_with_bars(c, control);
 }

@@ -114,7 +114,7 @@ std::vector<CycleQuantity> quantities(const JournalPath& path, double T) {
 struct HistoryParts {
   double torque, film, peak;
 };
-constexpr HistoryParts kHistory{0.10, 0.25, 0.25};
+constexpr HistoryParts kHistory{0.10, 0.40, 0.80};
 
 void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>& longer,
               const EstimateBars& bars) {
@@ -137,7 +137,7 @@ void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>
     const bool temperature = q.name == "T_film_mean";
     q.error_grid = temperature ? 0.0 : of_table(q.name) * kMobilityError * size;
     q.error_model = temperature ? bars.temperature : relative(q.name) * size;
-    if (!longer.empty()) list[k].error_time = std::abs(longer[k].quantity.value - q.value);
+    list[k].error_time = std::abs(longer[k].quantity.value - q.value);
   }
 }
 
@@ -172,6 +172,7 @@ void tell_what_is_left_out(const Case& c, const JournalPath& path, CycleResult& 
 
 CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
   const auto begin = std::chrono::steady_clock::now();
+  JournalPath rough(c, kLonger * kOfTolerance * c.model.tolerance, control);
   JournalPath path(c, kOfTolerance * c.model.tolerance, control);
   CycleResult r;
   r.tier = Tier::estimate;
@@ -180,7 +181,11 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
   r.crank_speed = c.cycle->crank_speed;
   r.audit.mass = r.audit.load = r.audit.impulse = NAN;  // there is no field to draw a balance of
   double T = 0.0;
-  r.verdict = settle_heat(path, c, T);
+  r.verdict = settle_heat(rough, c, T);
+  if (r.verdict.good()) {
+    path.begin_as(rough);
+    r.verdict = path.find(T);
+  }
   r.cycles = path.cycles();
   r.closure = path.closure();
   r.steps = path.steps();
@@ -189,10 +194,7 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
   if (r.verdict.good()) {
     r.instants = path.instants();
     r.quantities = quantities(path, T);
-    JournalPath coarse(c, kLonger * kOfTolerance * c.model.tolerance, control);
-    const bool found = coarse.find(T).good();
-    put_bars(r.quantities, found ? quantities(coarse, T) : std::vector<CycleQuantity>{},
-             estimate_bars(c, worst_of(path, c, T)));
+    put_bars(r.quantities, quantities(rough, T), estimate_bars(c, worst_of(path, c, T)));
   }
   r.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return r;

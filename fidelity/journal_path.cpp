@@ -13,29 +13,34 @@ using namespace bearing;
 
 namespace {
 
+constexpr double kFewestSteps = 90.0;  ///< of a course, as the solved film's; sees every pulse
 constexpr int kInstants = 720;    ///< told: every degree of a four-stroke
 constexpr int kMostCycles = 400;  ///< a light load brings the journal nearer by a hundredth a cycle
 
 double gap_left(const Pair& x) { return 1.0 - std::hypot(x[0], x[1]); }
 
-/// Instants that are told, and corners; jumps are marked.
-std::vector<LoadCorner> stops_of(const LoadCourse& course, double length) {
-  std::vector<LoadCorner> all;
-  for (int k = 1; k <= kInstants; ++k) all.push_back({length * k / kInstants, false, 0.0});
+/// Ends of the smooth pieces within the course, and its end.
+std::vector<LoadCorner> corners_of(const LoadCourse& course, double length) {
   constexpr double kSame = 1e-9;  // of the length
+  std::vector<LoadCorner> all;
   for (const LoadCorner& c : course.corners()) {
-    const bool inside = c.t > kSame * length && c.t < (1.0 - kSame) * length;
-    if (!inside) continue;
-    const auto near = std::find_if(all.begin(), all.end(), [&](const LoadCorner& s) {
-      return std::abs(s.t - c.t) <= kSame * length;
-    });
-    if (near == all.end()) {
-      all.push_back(c);
-    } else {
-      near->jump = near->jump || c.jump;
-    }
+    if (c.t > kSame * length && c.t < (1.0 - kSame) * length) all.push_back(c);
   }
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+  all.push_back({length, false, 0.0});
+  return all;
+}
+
+/// Even instants that are told, without those at corners.
+std::vector<double> told_of(const std::vector<LoadCorner>& corners, double length) {
+  constexpr double kSame = 1e-9;  // of the length
+  std::vector<double> all;
+  for (int k = 1; k < kInstants; ++k) {
+    const double t = length * k / kInstants;
+    const bool known = std::any_of(corners.begin(), corners.end(), [&](const LoadCorner& c) {
+      return std::abs(c.t - t) <= kSame * length;
+    });
+    if (!known) all.push_back(t);
+  }
   return all;
 }
 
@@ -48,29 +53,34 @@ JournalPath::JournalPath(const Case& c, double tolerance, const SolveControl& co
       tolerance_(tolerance),
       course_(*c.cycle, c.operation.omega),
       motion_(c, course_),
-      stops_(stops_of(course_, length_)) {}
+      corners_(corners_of(course_, length_)),
+      told_(told_of(corners_, length_)) {}
 
 std::optional<Pair> JournalPath::pass(const Pair& from, bool record) {
-  double end = 0.0;
-  Motion motion{[&](double t, const Pair& x, Pair& v) {
-                  return motion_.rate(t, t >= end, x, v);  // up to the end what holds before it
-                },
-                gap_left, tolerance_};
+  double end = 0.0;  // of the smooth piece: up to it what holds before a jump
+  const Motion motion{
+      [&](double t, const Pair& x, Pair& v) { return motion_.rate(t, t >= end, x, v); }, gap_left,
+      tolerance_, length_ / kFewestSteps};
   SmoothMotion path(motion);
-  path.begin(0.0, from);
   if (record) instants_ = {motion_.instant(0.0, false, from)};
-  for (const LoadCorner& stop : stops_) {
-    end = stop.t;
-    lost_at_ = end;
+  const auto tell = [&](double t, bool before_jump) {
+    if (!record) return;
+    instants_.push_back(motion_.instant(t, before_jump, path.now()));
+    instants_.back().dt = t - instants_[instants_.size() - 2].t;
+  };
+  path.begin(0.0, from);
+  std::size_t next = 0;
+  for (const LoadCorner& corner : corners_) {
+    end = lost_at_ = corner.t;
+    path.stop_at(end);
+    for (; record && next < told_.size() && told_[next] < end; ++next) {
+      if (!path.go_to(told_[next])) return std::nullopt;
+      tell(told_[next], true);
+    }
     if (!path.go_to(end)) return std::nullopt;
-    const auto tell = [&](bool before_jump) {
-      if (!record) return;
-      instants_.push_back(motion_.instant(end, before_jump, path.now()));
-      instants_.back().dt = end - instants_[instants_.size() - 2].t;
-    };
-    tell(true);
-    if (!stop.jump || end >= length_) continue;
-    tell(false);
+    tell(end, true);
+    if (!corner.jump || end >= length_) continue;
+    tell(end, false);
     path.begin(end, path.now());
   }
   steps_ = static_cast<int>(path.steps());
@@ -82,8 +92,9 @@ Pair JournalPath::steady_place() {
   constexpr double kTurns = 1000.0;  // of the journal, in which it has to come to rest
   constexpr double kAtRest = 1e-6;   // of its speed, over the gap that is left
   const double omega = std::abs(course_.at(0.0).omega);
-  Motion motion{[&](double, const Pair& x, Pair& v) { return motion_.rate(0.0, false, x, v); },
-                gap_left, tolerance_};
+  const Motion motion{
+      [&](double, const Pair& x, Pair& v) { return motion_.rate(0.0, false, x, v); }, gap_left,
+      tolerance_, INFINITY};
   SmoothMotion path(motion);
   path.begin(0.0, {0.0, 0.0});
   for (double turns = 1.0; turns <= kTurns && omega > 0.0; turns *= 2.0) {

@@ -16,6 +16,8 @@ class JournalPath {
   /// Finds the periodic path, from where the last one ended; of an event the path from the steady
   /// place of its first row. On success instants() hold it.
   [[nodiscard]] Verdict find(double T);
+  /// Begins the next search where the last path of `other` ended.
+  void begin_as(const JournalPath& other) { at_ = other.at_; }
   [[nodiscard]] const std::vector<bearing::CycleInstant>& instants() const { return instants_; }
   /// Mean over time of a value that is straight between instants.
   [[nodiscard]] double mean(double bearing::CycleInstant::*value) const;
@@ -45,7 +47,8 @@ class JournalPath {
   double tolerance_;
   bearing::LoadCourse course_;
   MobilityMotion motion_;
-  std::vector<bearing::LoadCorner> stops_;  ///< told instants and corners, up to the end
+  std::vector<bearing::LoadCorner> corners_;  ///< of the load, the end with them
+  std::vector<double> told_;                  ///< instants between [s]
   double lost_at_ = 0.0;                    ///< [s]
   Pair at_{};                               ///< where the last path ended, over the clearance
   std::vector<bearing::CycleInstant> instants_;

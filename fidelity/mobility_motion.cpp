@@ -21,7 +21,10 @@ double cross(const Pair& a, const Pair& b) { return a[0] * b[1] - a[1] * b[0]; }
 }  // namespace
 
 MobilityMotion::MobilityMotion(const Case& c, const LoadCourse& course)
-    : c_(c), course_(course), scene_(c), map_(scene_.b()), curve_(scene_.b()) {}
+    : c_(c), course_(course), scene_(c), map_(scene_.b()), curve_(scene_.b()) {
+  drilled_ = std::any_of(c.supplies.begin(), c.supplies.end(),
+                         [](const Supply& s) { return s.kind == SupplyKind::drilling; });
+}
 
 MobilityMotion::Now MobilityMotion::look(double t, bool before_jump, const Pair& x) const {
   Now now;
@@ -86,7 +89,7 @@ CycleInstant MobilityMotion::instant(double t, bool before_jump, const Pair& x) 
   add_torque(now, i);
   i.side_flow = now.m.side * 2.0 * c_.bearing.radius * scene_.width() * clearance *
                     length(now.seen) +
-                pressure_fed_flow(c_, now.eps, angle, now.eta, course_.turned(t));
+                pressure_fed_flow(c_, now.eps, angle, now.eta, drilled_ ? course_.turned(t) : 0.0);
   return i;
 }
 

@@ -51,6 +51,7 @@ class MobilityMotion {
   EstimateScene scene_;
   MobilityMap map_;
   BearingCurve curve_;
+  bool drilled_ = false;  ///< some oil comes through the journal
   double T_ = 0.0;
 };
 

@@ -48,8 +48,27 @@ void keep_new(std::vector<double>& nodes, double x) {
   }
 }
 
+/// The table's numbers as ratios in which they are smooth.
+std::vector<Numbers> smoothed(const Table& t, const std::vector<Mobility>& rows) {
+  std::vector<Numbers> all(rows.size());
+  const std::size_t each = t.u.size() * t.s.size();
+  for (std::size_t k = 0; k < each; ++k) {
+    const double eps = -std::expm1(-t.u[k / t.s.size()]);
+    const double alpha = angle_at(t.s[k % t.s.size()], eps);
+    for (std::size_t w = 0; w < t.v.size(); ++w) {
+      const Mobility& m = rows[w * each + k];
+      const double b = std::exp(t.v[w]);
+      all[w * each + k] = {std::log(m.along / bridge(eps, alpha, b)),
+                           m.across / (m.along * lean(eps, alpha)), std::log(m.pressure),
+                           std::log(m.side / side_scale(b))};
+    }
+  }
+  return all;
+}
+
 Table read_table() {
   Table t;
+  std::vector<Mobility> rows;
   std::istringstream text(bearing_mobility_table());
   for (std::string line; std::getline(text, line);) {
     if (line.empty() || line[0] == '#' || line[0] == 'B') continue;
@@ -61,11 +80,9 @@ Table read_table() {
     keep_new(t.v, std::log(b));
     keep_new(t.u, -std::log1p(-eps));
     keep_new(t.s, kPi * s);
-    const double alpha = angle_at(kPi * s, eps);
-    t.numbers.push_back({std::log(m.along / bridge(eps, alpha, b)),
-                         m.across / (m.along * lean(eps, alpha)), std::log(m.pressure),
-                         std::log(m.side / side_scale(b))});
+    rows.push_back(m);
   }
+  t.numbers = smoothed(t, rows);
   ENSURES(t.numbers.size() == t.v.size() * t.u.size() * t.s.size());
   return t;
 }

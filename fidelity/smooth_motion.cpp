@@ -115,12 +115,14 @@ void SmoothMotion::begin(double t, const Pair& y) {
   require(CVodeSetUserData(cvode, &s));
   require(CVodeWFtolerances(cvode, Solver::weights));
   require(CVodeSetLinearSolver(cvode, s.linear.get(), s.matrix.get()));
+  if (std::isfinite(s.motion->longest)) require(CVodeSetMaxStep(cvode, s.motion->longest));
   require(CVodeSetMaxNumSteps(cvode, kMostSteps));
 }
 
+void SmoothMotion::stop_at(double t) { require(CVodeSetStopTime(solver_->cvode.get(), t)); }
+
 bool SmoothMotion::go_to(double t) {
   Solver& s = *solver_;
-  require(CVodeSetStopTime(s.cvode.get(), t));
   const int end = CVode(s.cvode.get(), t, s.y.get(), &s.t, CV_NORMAL);
   s.now = pair_of(s.y.get());
   return end >= 0 && std::isfinite(s.now[0]) && std::isfinite(s.now[1]);

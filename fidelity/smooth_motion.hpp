@@ -6,6 +6,7 @@
 /// that the caller refuses is tried again with a shorter step.
 #include <array>
 #include <functional>
+#include <limits>
 #include <memory>
 
 namespace shellback::fidelity {
@@ -18,6 +19,7 @@ struct Motion {
   /// Size against which errors of y count, positive.
   std::function<double(const Pair& y)> size;
   double tolerance = 1e-5;  ///< of a step, over the size [-]
+  double longest = std::numeric_limits<double>::infinity();  ///< step [unit of t]
 };
 
 class SmoothMotion {
@@ -30,7 +32,10 @@ class SmoothMotion {
 
   /// Begins at (t, y), forgetting what was before: at the start and behind a jump of f.
   void begin(double t, const Pair& y);
-  /// Goes on to `t`, no step beyond it; false: it does not get there.
+  /// No step beyond this t, from here on.
+  void stop_at(double t);
+  /// The state at `t`, between two steps that of CVODE's own polynomial; false: it does not get
+  /// there.
   [[nodiscard]] bool go_to(double t);
   [[nodiscard]] const Pair& now() const;
   /// Steps so far, and those that were tried in vain.

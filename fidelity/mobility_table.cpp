@@ -13,8 +13,8 @@ namespace {
 
 using Numbers = std::array<double, 4>;
 
-/// Side flow falls with the width about as this does.
-double side_scale(double b) { return 1.0 / (1.0 + b); }
+/// Side flow falls with the width about as this does; the narrow bearing's below the table.
+double side_scale(double b) { return 1.0 / (1.0 + std::max(b, 0.05)); }
 
 double bridge(double eps, double alpha, double b) {
   return narrow_mobility(eps, alpha, b) + wide_mobility(eps, alpha);

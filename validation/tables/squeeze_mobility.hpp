@@ -12,16 +12,19 @@
 /// at the ends of the bearing. (1) is the condition of Swift and Stieber for any direction of v. It
 /// is what a film that conserves oil does as long as it is full where it closes (a full film in
 /// which oil can only be lost), and (1) and (2) are the conditions of a minimum: p and v exist and
-/// are unique, and v is the slope of a convex function of W,
+/// are unique, and v is the slope of a convex function of W; with alpha the angle from the load to
+/// the line of centres (counter-clockwise, as "across"),
 ///
-///   v = c |W| psi^2/(eta B D) M(alpha),   M_across = d M_along/(2 d alpha').               (3)
+///   v = c |W| psi^2/(eta B D) M(alpha),   M_across = -1/2 d M_along/d alpha.               (3)
 ///
 /// Cells of second order on the half width, crowded where the film is thin and towards the edge;
 /// the cells with pressure are found by Newton's method for (1)-(2) (an active set).
-#include "core/eigen.hpp"
-#include <Eigen/SparseCholesky>
 #include <optional>
 #include <vector>
+
+#include "core/eigen.hpp"
+// after the alignment
+#include <Eigen/SparseCholesky>
 
 namespace shellback::validation {
 
@@ -33,8 +36,9 @@ struct MobilityPoint {
   double side = 0.0;      ///< oil pressed out of the edges over 2 R B |v| [-]
 };
 
-/// Sweeps with this share of equal steps around: half in the angle phi, half in the angle of
-/// Sommerfeld's substitution, in which the thin film is as wide as any. `eps` below 1.
+/// The angle phi from the line of centres at which the sweep is s, -pi ... pi [rad]: half the angle
+/// plus half that of Sommerfeld's substitution, in which the thin film is as wide as any. Equal
+/// steps of s spread the thin film and leave the rest its cells. `eps` below 1.
 [[nodiscard]] double angle_of_sweep(double s, double eps);
 
 class SqueezeMobility {

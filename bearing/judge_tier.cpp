@@ -72,10 +72,11 @@ Lack lack_for_heat(const Case& c, const std::string& tier) {
 
 Lack lack_for(const Case& c, Tier tier) {
   if (tier == Tier::estimate && begins_at_rest(c)) {
-    return lack("model.tier",
-                "the event begins with a load on a journal at rest, which no film carries, and tier "
-                "estimate has no contact of a journal at rest",
-                "take tier isothermal, lumped, thd, tehd or auto");
+    return lack(
+        "model.tier",
+        "the event begins with a load on a journal at rest, which no film carries, and tier "
+        "estimate has no contact of a journal at rest",
+        "take tier isothermal, lumped, thd, tehd or auto");
   }
   if (c.cycle && c.model.coefficients) {
     return lack("model.coefficients",

@@ -79,9 +79,8 @@ class Search {
   [[nodiscard]] std::optional<CycleResult> good_estimate() {
     if (case_.model.grid_given || lack_for(case_, Tier::estimate)) return {};
     CycleResult r = estimate_cycle(case_, control_);
-    const Pair bars = both(r, [](const CycleQuantity& q) {
-      return over_value(q.quantity.error() + q.error_time, q);
-    });
+    const Pair bars = both(
+        r, [](const CycleQuantity& q) { return over_value(q.quantity.error() + q.error_time, q); });
     if (!r.verdict.good() || bars.larger() > case_.model.tolerance) return {};
     r.choice = AutoChoice{case_.model.tolerance, true, bars.friction, bars.h_min, {"estimate"}};
     return r;

@@ -13,10 +13,10 @@ inline constexpr double kMostBar = 2.0;  ///< beyond this a bar says nothing mor
 struct EstimateBars {
   double torque = 0.0;
   double film = 0.0;
-  double peak = 0.0;         ///< largest pressure
-  double flow = 0.0;         ///< out of the edges
-  double angle = 0.0;        ///< attitude
-  double temperature = 0.0;  ///< [K]
+  double peak = 0.0;                     ///< largest pressure
+  double flow = 0.0;                     ///< out of the edges
+  double angle = 0.0;                    ///< attitude
+  double temperature = 0.0;              ///< [K]
   std::vector<bearing::Effect> effects;  ///< by name and indicator, as a solved result has them
 };
 

@@ -16,8 +16,8 @@ using namespace bearing;
 
 namespace {
 
-/// Of a step in time, over the gap that is left and model.tolerance: a hundredth of what the solved
-/// film's steps err by, since it costs a third more.
+/// Error of a step in time over the gap that is left, over model.tolerance: a hundredth of the
+/// solved film's (0.1), so that the bar of time vanishes beside the others.
 constexpr double kOfTolerance = 1e-3;
 constexpr double kLonger = 10.0;  ///< error of a step that the bar of time is made with, over that
 
@@ -39,8 +39,8 @@ Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
   const auto surplus = [&](double at) {
     last = path.find(at);
     if (!last.good()) return double{NAN};
-    const double away = path.motion().scene().heat_away(at, path.mean(&CycleInstant::side_flow),
-                                                        ways.paths);
+    const double away =
+        path.motion().scene().heat_away(at, path.mean(&CycleInstant::side_flow), ways.paths);
     return away - path.mean(&CycleInstant::power);
   };
   T = ways.coldest;
@@ -148,14 +148,13 @@ void tell_what_is_left_out(const Case& c, const JournalPath& path, CycleResult& 
       "estimate: rigid circular bearing whose film is full wherever it closes (Booker's mobility, "
       "table of the finite bearing), one temperature from the heat of a mean cycle in lumps");
   if (c.cycle->journal_mass > 0.0) {
-    r.assumptions.push_back(
-        fmt::format("estimate: the journal's mass of {:.3g} kg is left out", c.cycle->journal_mass));
+    r.assumptions.push_back(fmt::format("estimate: the journal's mass of {:.3g} kg is left out",
+                                        c.cycle->journal_mass));
   }
   const bool shut = std::any_of(c.supplies.begin(), c.supplies.end(),
                                 [](const Supply& s) { return s.vessel.has_value(); });
-  const bool drilled = std::any_of(c.supplies.begin(), c.supplies.end(), [](const Supply& s) {
-    return s.kind == SupplyKind::drilling;
-  });
+  const bool drilled = std::any_of(c.supplies.begin(), c.supplies.end(),
+                                   [](const Supply& s) { return s.kind == SupplyKind::drilling; });
   if (shut) r.assumptions.emplace_back("estimate: supplies with a vessel are taken as always open");
   if (drilled) {
     r.assumptions.emplace_back(

@@ -1,8 +1,9 @@
 #pragma once
-/// Tier `estimate` over a load cycle: the journal's path by Booker's mobility (mobility_motion.hpp),
-/// one temperature from the heat of a mean cycle in lumps (lumped_heat.hpp).
+/// Tier `estimate` over a load cycle: the journal's path by Booker's mobility
+/// (mobility_motion.hpp), one temperature from the heat of a mean cycle in lumps (lumped_heat.hpp).
 ///
-///   e(t + period; T) = e(t; T),   <P>(T) = rho cp <Q> (T - T_supply) + sum of G (T - T_outside) (1)
+///   e(t + period; T) = e(t; T),   <P>(T) = rho cp <Q> (T - T_supply) + sum of G (T - T_outside)
+///   (1)
 ///
 /// <P> mean power of shaft and load, <Q> mean flow out of the edges. Cycle after cycle until the
 /// journal comes back to where it was within 1e-4 of the gap that is left there, what is still to

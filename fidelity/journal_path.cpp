@@ -14,14 +14,14 @@ using namespace bearing;
 namespace {
 
 constexpr double kFewestSteps = 90.0;  ///< of a course, as the solved film's; sees every pulse
-constexpr int kInstants = 720;    ///< told: every degree of a four-stroke
+constexpr double kSame = 1e-9;         ///< of a course: a time is known no better
+constexpr int kInstants = 720;         ///< told: every degree of a four-stroke
 constexpr int kMostCycles = 400;  ///< a light load brings the journal nearer by a hundredth a cycle
 
 double gap_left(const Pair& x) { return 1.0 - std::hypot(x[0], x[1]); }
 
 /// Ends of the smooth pieces within the course, and its end.
 std::vector<LoadCorner> corners_of(const LoadCourse& course, double length) {
-  constexpr double kSame = 1e-9;  // of the length
   std::vector<LoadCorner> all;
   for (const LoadCorner& c : course.corners()) {
     if (c.t > kSame * length && c.t < (1.0 - kSame) * length) all.push_back(c);
@@ -32,7 +32,6 @@ std::vector<LoadCorner> corners_of(const LoadCourse& course, double length) {
 
 /// Even instants that are told, without those at corners.
 std::vector<double> told_of(const std::vector<LoadCorner>& corners, double length) {
-  constexpr double kSame = 1e-9;  // of the length
   std::vector<double> all;
   for (int k = 1; k < kInstants; ++k) {
     const double t = length * k / kInstants;
@@ -108,7 +107,9 @@ Pair JournalPath::steady_place() {
 }
 
 Verdict JournalPath::lost() const {
-  return {Status::iteration_limit, ending::NoStep{lost_at_, c_.cycle->crank_speed}, {},
+  return {Status::iteration_limit,
+          ending::NoStep{lost_at_, c_.cycle->crank_speed},
+          {},
           {{Status::iteration_limit, ending::Plain::steps_too_short}}};
 }
 
@@ -134,8 +135,7 @@ Verdict JournalPath::find(double T) {
     ++cycles_;
     return pass(at_, true) ? Verdict{} : lost();
   }
-  return {Status::iteration_limit,
-          ending::Unsettled{ending::Iteration::cycles, cycles_, closure_}};
+  return {Status::iteration_limit, ending::Unsettled{ending::Iteration::cycles, cycles_, closure_}};
 }
 
 double JournalPath::mean(double CycleInstant::*value) const {

@@ -49,8 +49,8 @@ class JournalPath {
   MobilityMotion motion_;
   std::vector<bearing::LoadCorner> corners_;  ///< of the load, the end with them
   std::vector<double> told_;                  ///< instants between [s]
-  double lost_at_ = 0.0;                    ///< [s]
-  Pair at_{};                               ///< where the last path ended, over the clearance
+  double lost_at_ = 0.0;                      ///< [s]
+  Pair at_{};                                 ///< where the last path ended, over the clearance
   std::vector<bearing::CycleInstant> instants_;
   int cycles_ = 0;
   double closure_ = 0.0;

@@ -69,7 +69,8 @@ double pressure_fed_flow(const Case& c, double eps, double closest, double eta, 
     constexpr int kPoints = 16;  // around
     for (int k = 0; k < kPoints; ++k) {
       const double phi = middle + around / b.radius * ((k + 0.5) / kPoints - 0.5);
-      h3 += std::pow(b.radial_clearance * (1.0 - eps * std::cos(phi - closest)), 3) / kPoints;
+      const double h = b.radial_clearance * (1.0 - eps * std::cos(phi - closest));
+      h3 += h * h * h / kPoints;
     }
     for (const double z : {s.z, -s.z}) {
       const double way = std::max(0.5 * (b.width - length) + z, 0.02 * b.width);

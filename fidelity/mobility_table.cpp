@@ -131,7 +131,8 @@ double value(const Piece& p, double low, double high, double low_slope, double h
 }  // namespace
 
 double narrow_mobility(double eps, double alpha, double b) {
-  return std::pow(1.0 - eps * std::cos(alpha), 2.5) / (kPi * b * b);
+  const double room = 1.0 - eps * std::cos(alpha);
+  return room * room * std::sqrt(room) / (kPi * b * b);
 }
 
 double wide_mobility(double eps, double alpha) {

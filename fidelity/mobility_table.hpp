@@ -15,8 +15,8 @@
 ///
 /// The table holds B/D = 0.05 ... 8, eps = 0.02 ... 0.999 and all alpha. Interpolated (cubics in ln
 /// B/D, -ln(1 - eps) and a sweep of alpha that spreads the thin film) are ratios to the sum of the
-/// narrow bearing's and the wide bearing's mobility (closed forms below), so that beyond the table's
-/// ends these rule; B/D above 8 is taken as 8.
+/// narrow bearing's and the wide bearing's mobility (closed forms below), so that beyond the
+/// table's ends these rule; B/D above 8 is taken as 8.
 #include <array>
 #include <vector>
 

@@ -18,7 +18,7 @@ struct Motion {
   std::function<bool(double t, const Pair& y, Pair& rate)> rate;
   /// Size against which errors of y count, positive.
   std::function<double(const Pair& y)> size;
-  double tolerance = 1e-5;  ///< of a step, over the size [-]
+  double tolerance = 1e-5;                                   ///< of a step, over the size [-]
   double longest = std::numeric_limits<double>::infinity();  ///< step [unit of t]
 };
 

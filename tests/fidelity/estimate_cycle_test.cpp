@@ -78,8 +78,8 @@ double processor_time(F f) {
 }  // namespace
 
 TEST_CASE("FromAFullFilmTheConservingFilmMovesByTheMobility", "[mobility]") {
-  // Another method: a short step in time of the film that conserves oil. From a full film on oil can
-  // only be lost, which is the condition of the mobility. 96 x 32 cells: 1 %, table 1 %.
+  // Another method: a short step in time of the film that conserves oil. From a full film on oil
+  // can only be lost, which is the condition of the mobility. 96 x 32 cells: 1 %, table 1 %.
   for (const double b : {0.25, 1.0}) {
     Case c = plain_case();
     c.bearing.width = 2.0 * c.bearing.radius * b;
@@ -89,14 +89,13 @@ TEST_CASE("FromAFullFilmTheConservingFilmMovesByTheMobility", "[mobility]") {
       for (const double direction : {0.0, 70.0, 140.0}) {  // of e, from the load
         const Case loaded = turned(c, 500.0, 20.0 * kDegree, 0.0);
         const LoadCourse course(*loaded.cycle, c.operation.omega);
-        FilmSteps film(make_bearing(loaded, physics_of(c, Tier::isothermal), c.model.grid),
-                             course, 0.0, {});
+        FilmSteps film(make_bearing(loaded, physics_of(c, Tier::isothermal), c.model.grid), course,
+                       0.0, {});
         FilmInTime now = film.at_rest(c.oil_temperature.value());
         const double angle = (20.0 + direction) * kDegree, e = eps * c.bearing.radial_clearance;
         now.film.position.q = {e * std::cos(angle), e * std::sin(angle), 0.0, 0.0};
         REQUIRE(evaluate(film.model(), {}, 1e-10, now.film));
-        now.oil =
-            fluid::oil_content(film.model().scene, now.film.gap, now.film.oil, now.film.film);
+        now.oil = fluid::oil_content(film.model().scene, now.film.gap, now.film.oil, now.film.film);
         Case fed = loaded;
         fed.supplies = plain_case().supplies;  // the motion asks for no supply, the heat does
         MobilityMotion motion(fed, course);
@@ -118,8 +117,8 @@ TEST_CASE("FromAFullFilmTheConservingFilmMovesByTheMobility", "[mobility]") {
 }
 
 TEST_CASE("UnderALoadThatStandsStillTheEstimateIsTheSteadyOne", "[cycle]") {
-  // Raimondi and Boyd's film against one that begins with no slope: 3 % of So (mobility_table_test),
-  // two thirds of that in the film.
+  // Raimondi and Boyd's film against one that begins with no slope: 3 % of So
+  // (mobility_table_test), two thirds of that in the film.
   for (const double W : {300.0, 3e3, 15e3}) {
     const Case c = turned(plain_case(), W, 200.0 * kDegree, 0.0);
     const CycleResult r = estimate_cycle(c);
@@ -155,9 +154,7 @@ TEST_CASE("ALoadThatTurnsIsASteadyLoadAtTheSpeedThatIsLeft", "[cycle]") {
     REQUIRE(s.verdict.good());
     const double eps = eps_of(plain, s.instants.back());
     for (const CycleInstant& i : r.instants) CHECK(eps_of(plain, i) == Approx(eps).margin(1e-3));
-    const auto ahead = [](const CycleInstant& i) {
-      return i.load_x * i.ey - i.load_y * i.ex;
-    };
+    const auto ahead = [](const CycleInstant& i) { return i.load_x * i.ey - i.load_y * i.ex; };
     CHECK(ahead(r.instants.back()) == Approx(ahead(s.instants.back())).epsilon(5e-3));
   }
 }
@@ -238,7 +235,8 @@ TEST_CASE("TheSolvedCycleLiesWithinTheBarsOfTheEstimateAtAHundredthOfItsCost", "
   REQUIRE(solved.verdict.good());
   for (const char* name : {"friction_torque", "power_loss", "h_min", "p_max", "side_flow"}) {
     const Quantity& q = named(quick, name);
-    INFO(name << ": " << q.value << " +- " << q.error() << ", solved " << named(solved, name).value);
+    INFO(name << ": " << q.value << " +- " << q.error() << ", solved "
+              << named(solved, name).value);
     REQUIRE(std::isfinite(q.error()));
     CHECK(std::abs(named(solved, name).value - q.value) < q.error());
   }

@@ -126,8 +126,8 @@ TEST_CASE("NarrowMobilityIsThatOfTheHalfFilm", "[mobility]") {
 }
 
 TEST_CASE("WideMobilityIsThatOfTheFilmWithoutEnds", "[mobility]") {
-  // Along the line of centres. Ends take part in 1/b: from B/D = 4 and 8 to none. What is left is of
-  // order 1/b^2 times what the ends take, which falls as the film grows thin against the width.
+  // Along the line of centres. Ends take part in 1/b: from B/D = 4 and 8 to none. What is left is
+  // of order 1/b^2 times what the ends take, which falls as the film grows thin against the width.
   const MobilityMap four(4.0), eight(8.0);
   for (const double eps : {0.1, 0.5, 0.8, 0.95}) {
     const double limit = 2.0 * eight.at(eps, 0.0).along - four.at(eps, 0.0).along;
@@ -155,8 +155,8 @@ TEST_CASE("MobilityIsTheSlopeOfAPotential", "[mobility]") {
 }
 
 TEST_CASE("SqueezeAlongTheLineOfCentresIsThatOfButenschoen", "[mobility]") {
-  // So = F psi^2/(B D eta |deps/dt|) = 1/M_along. The column of an independent program, where it has
-  // none the thesis's, printed to four decimals.
+  // So = F psi^2/(B D eta |deps/dt|) = 1/M_along. The column of an independent program, where it
+  // has none the thesis's, printed to four decimals.
   int rows = 0;
   for (const CsvRow& row : read_csv("validation/data/butenschoen_1976_squeeze.csv")) {
     const double eps = row.at("eps"), own = row.at("own_So");
@@ -193,7 +193,8 @@ TEST_CASE("MobilityMirrorsAndHasNoSeam", "[mobility]") {
   const MobilityMap map(0.5);
   for (const double eps : {0.0, 0.3, 0.9, 0.9995}) {
     for (const double alpha : {0.3, 1.5, 2.9, kPi}) {
-      const Mobility a = map.at(eps, alpha), b = map.at(eps, -alpha), c = map.at(eps, alpha + 2 * kPi);
+      const Mobility a = map.at(eps, alpha), b = map.at(eps, -alpha),
+                     c = map.at(eps, alpha + 2 * kPi);
       CHECK(a.along == Approx(b.along));
       CHECK(a.across == Approx(-b.across).margin(1e-12));
       CHECK(a.along == Approx(c.along));

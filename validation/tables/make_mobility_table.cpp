@@ -28,7 +28,7 @@ using validation::SqueezeMobility;
 constexpr double kEnd = 0.02;  ///< of pi; nearer to the line of centres M_across is lost in cells
 
 struct Nodes {
-  std::vector<double> b;      ///< B/D
+  std::vector<double> b;  ///< B/D
   std::vector<double> eps;
   std::vector<double> sweep;  ///< over pi, of the angle between load and line of centres
   int around;                 ///< cells of the finer grid, sixteen times those along
@@ -57,7 +57,8 @@ Nodes nodes(bool between) {
 /// The limit of two grids of which the second has half the steps, second order.
 double limit(double coarse, double fine) { return fine + (fine - coarse) / 3.0; }
 
-std::string row(double b, double eps, double sweep, SqueezeMobility& coarse, SqueezeMobility& fine) {
+std::string row(double b, double eps, double sweep, SqueezeMobility& coarse,
+                SqueezeMobility& fine) {
   const double angle = validation::angle_of_sweep(kPi * sweep, eps);
   const auto one = coarse.at(-angle);  // the line of centres lies counter-clockwise of the load
   const auto two = fine.at(-angle);

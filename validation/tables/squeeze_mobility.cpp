@@ -52,9 +52,11 @@ void SqueezeMobility::assemble() {
   const auto centre = [](double a, double b) { return 0.5 * (a + b); };
   for (int i = 0; i < nt_; ++i) {
     const double low = face_[i], high = face_[i + 1], phi = centre(low, high);
-    const double beyond = i + 1 < nt_ ? centre(high, face_[i + 2]) : centre(high, face_[1] + 2 * kPi);
+    const double beyond =
+        i + 1 < nt_ ? centre(high, face_[i + 2]) : centre(high, face_[1] + 2 * kPi);
     const double around = cube(gap(eps_, high)) / (beyond - phi);
-    const double h3 = (cube(gap(eps_, low)) + 4.0 * cube(gap(eps_, phi)) + cube(gap(eps_, high))) / 6.0;
+    const double h3 =
+        (cube(gap(eps_, low)) + 4.0 * cube(gap(eps_, phi)) + cube(gap(eps_, high))) / 6.0;
     for (int j = 0; j < nz_; ++j) {
       const int cell = i * nz_ + j;
       const double width = edge_[j + 1] - edge_[j];

@@ -31,37 +31,35 @@ const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleIn
 
 /// The temperature at which the heat of a mean cycle leaves: the path there, or why there is none.
 Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
-  constexpr double kFirstRise = 5.0;   // of the search upwards, doubled from try to try [K]
   constexpr double kMostRise = 400.0;  // of the film above all that cools it, as estimate.cpp [K]
   constexpr double kSettled = 0.01;    // 3e-4 of viscosity [K]
   const HeatWays ways = heat_ways(c);
   Verdict last;
+  const auto away = [&](double at) {
+    return path.motion().scene().heat_away(at, path.mean(&CycleInstant::side_flow), ways.paths);
+  };
   const auto surplus = [&](double at) {
     last = path.find(at);
-    if (!last.good()) return double{NAN};
-    const double away =
-        path.motion().scene().heat_away(at, path.mean(&CycleInstant::side_flow), ways.paths);
-    return away - path.mean(&CycleInstant::power);
+    return last.good() ? away(at) - path.mean(&CycleInstant::power) : double{NAN};
   };
   T = ways.coldest;
-  double below = surplus(T);
-  for (double rise = kFirstRise; below < 0.0; rise *= 2.0) {
-    const double high = ways.coldest + rise;
-    if (rise > kMostRise + ways.warmest - ways.coldest) {
-      return {Status::iteration_limit,
-              ending::AtTemperature{ending::Thermal::unbalanced_cycle, high}};
-    }
-    const double above = surplus(high);
+  const double below = surplus(T);
+  if (!(below < 0.0)) return last;  // no heat to speak of, or no path
+  // The friction of the coldest film would be carried off with this rise; warmer films rub less.
+  const double hottest = ways.warmest + kMostRise;
+  for (double rise = -below / (away(T + 1.0) - away(T)); T + rise <= hottest; rise *= 2.0) {
+    const double above = surplus(T + rise);
     if (std::isnan(above)) return last;
-    if (above >= 0.0) {  // the lowest of several balances: that of a bearing which is started cold
-      T = bracketed_root(surplus, T, high, kSettled);
-      static_cast<void>(surplus(T));
-      return last;
+    if (above < 0.0) {
+      T += rise;
+      continue;
     }
-    T = high;
-    below = above;
+    T = bracketed_root(surplus, T, T + rise, kSettled);
+    if (last.good()) static_cast<void>(surplus(T));
+    return last;
   }
-  return last;
+  return {Status::iteration_limit,
+          ending::AtTemperature{ending::Thermal::unbalanced_cycle, hottest}};
 }
 
 /// The state by which the estimate's bars are judged: the extremes of the cycle.

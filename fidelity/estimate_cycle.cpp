@@ -108,7 +108,7 @@ std::vector<CycleQuantity> quantities(const JournalPath& path, double T) {
 }
 
 /// What the film's history is worth, of the value: measured on cycles of the isothermal tier
-/// (docs/auto-tier.md).
+/// (docs/load-cycles.md).
 struct HistoryParts {
   double torque, film, peak;
 };

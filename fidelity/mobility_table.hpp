@@ -22,7 +22,7 @@
 
 namespace shellback::fidelity {
 
-/// Relative error of interpolated mobilities, table and interpolation together: 99 of 100 points
+/// Relative error of interpolated mobilities, table and interpolation together: 98 of 100 numbers
 /// between the rows of the table lie within it (tests/fidelity/mobility_table_test.cpp,
 /// docs/auto-tier.md). Of |M| [-].
 inline constexpr double kMobilityError = 0.01;

@@ -8,10 +8,12 @@
 #include "app/derived.hpp"
 #include "app/indicators.hpp"
 #include "app/units.hpp"
+#include "app/words/ending_words.hpp"
 #include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_case.hpp"
 #include "core/constants.hpp"
 #include "fidelity/estimate.hpp"
+#include "fidelity/estimate_cycle.hpp"
 
 namespace shellback::app {
 namespace {
@@ -93,6 +95,21 @@ void print_estimate(std::ostream& out, const Case& subject) {
   line(out, "peak pressure", show(e.p_max, "MPa", kPressure));
 }
 
+/// The whole cycle by mobility, if the tier serves it.
+void print_cycle_estimate(std::ostream& out, const Case& subject) {
+  if (lack_for(subject, Tier::estimate)) return;
+  const CycleResult r = fidelity::estimate_cycle(subject);
+  out << "\nEstimate of the cycle (mobility, heat in lumps; tier estimate)\n";
+  if (!r.verdict.good()) {
+    out << "  none: " << reason_of(r.verdict) << "\n";
+    return;
+  }
+  line(out, "film temperature", show(value_of(r, "T_film_mean"), "degC", kTemperature));
+  line(out, "friction torque, mean", show(value_of(r, "friction_torque"), "N m", kTorque));
+  line(out, "smallest film", show(value_of(r, "h_min"), "um", kLength));
+  line(out, "largest pressure", show(value_of(r, "p_max"), "MPa", kPressure));
+}
+
 std::string in_degrees(double angle) { return fmt::format("{:.5g} deg", angle * 180.0 / kPi); }
 
 /// An instant of the cycle, told as the cycle is.
@@ -162,6 +179,7 @@ void print_check(std::ostream& out, const Case& subject) {
                      to_string(subject.model.tier), tier_names(possible_tiers(subject)));
   if (subject.cycle) {
     print_cycle(out, subject);
+    print_cycle_estimate(out, subject);
     const Case steady = at_largest_load(subject);
     if (steady.operation.omega != 0.0) {
       out << "\nBelow: as if the largest load and the mean speed would stay. A film that is "

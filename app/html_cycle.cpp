@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -66,18 +67,23 @@ constexpr const char* kPlayer = R"html(
 
 std::string cycle_quantities_html(const CycleResult& cycle) {
   if (cycle.quantities.empty()) return "";
+  const bool physics =
+      std::any_of(cycle.quantities.begin(), cycle.quantities.end(),
+                  [](const auto& q) { return std::isfinite(q.quantity.error_model); });
   std::string html = fmt::format(
       "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>value</th><th>grid</th>"
-      "<th>time steps</th><th class=\"unit\">unit</th><th>at [{}]</th></tr></thead><tbody>\n",
-      typeset_unit(told_unit(cycle)));
+      "<th>time steps</th>{}<th class=\"unit\">unit</th><th>at [{}]</th></tr></thead><tbody>\n",
+      physics ? "<th>physics</th>" : "", typeset_unit(told_unit(cycle)));
   for (const auto& q : cycle.quantities) {
     const DisplayUnit unit = cycle_unit(q);
     html += fmt::format(
-        "<tr data-quantity=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+        "<tr data-quantity=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}"
         "<td class=\"unit\">{}</td><td>{}</td></tr>\n",
         escape_markup(q.quantity.name), escape_markup(cycle_label(q)),
         typeset_number(figures(unit(q.quantity.value))), bar(unit.scale * q.quantity.error_grid),
-        bar(unit.scale * q.error_time), escape_markup(typeset_unit(unit.unit)),
+        bar(unit.scale * q.error_time),
+        physics ? "<td>" + bar(unit.scale * q.quantity.error_model) + "</td>" : "",
+        escape_markup(typeset_unit(unit.unit)),
         std::isfinite(q.at) ? figures(told(cycle, q.at)) : "");
   }
   return html + "</tbody></table></div>\n";

@@ -133,7 +133,8 @@ struct CycleResult {
 /// 1e-4 in smallest film and torque, and until the walls' mean temperatures agree with the heat
 /// that enters them within a few millikelvins. A single event is run once, from the steady state of
 /// its first row and with the walls of that. What has been found is kept where a step is not found
-/// or `control` says stop. Throws InputError for tier estimate or without a cycle.
+/// or `control` says stop. Throws InputError for the
+/// tiers estimate and auto, which fidelity/auto_cycle.hpp serves. Needs a cycle.
 [[nodiscard]] CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control = {});
 
 }  // namespace shellback::bearing

@@ -1,4 +1,6 @@
 /// The data that each tier needs; part of judge_case.hpp.
+#include <cmath>
+
 #include "bearing/judge_case.hpp"
 #include "bearing/possible_methods.hpp"
 
@@ -20,6 +22,14 @@ bool temperature_known(const Case& c) {
 bool heat_leaves(const Shell& shell) {
   const auto* back = std::get_if<ConvectiveBack>(&shell.back);
   return back == nullptr || back->heat_transfer > 0.0;
+}
+
+/// A single event whose first row has a load and no speed.
+bool begins_at_rest(const Case& c) {
+  if (!c.cycle || c.cycle->repeats()) return false;
+  const LoadCycle& e = *c.cycle;
+  const double omega = e.omega.empty() ? c.operation.omega : e.omega.front();
+  return omega == 0.0 && std::hypot(e.x.front(), e.y.front()) > 0.0;
 }
 
 Lack lack_for_switches(const Case& c, bool thermal) {
@@ -61,10 +71,12 @@ Lack lack_for_heat(const Case& c, const std::string& tier) {
 }  // namespace
 
 Lack lack_for(const Case& c, Tier tier) {
-  if (c.cycle && tier == Tier::estimate) {
-    return lack("model.tier",
-                "not yet available for load cycles: tier " + std::string(to_string(tier)),
-                "take tier isothermal, lumped, thd, tehd or auto");
+  if (tier == Tier::estimate && begins_at_rest(c)) {
+    return lack(
+        "model.tier",
+        "the event begins with a load on a journal at rest, which no film carries, and tier "
+        "estimate has no contact of a journal at rest",
+        "take tier isothermal, lumped, thd, tehd or auto");
   }
   if (c.cycle && c.model.coefficients) {
     return lack("model.coefficients",

@@ -80,6 +80,11 @@ CycleResult on_grids(const Case& c, Tier tier, const SolveControl& control) {
 
 CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
   EXPECTS(c.cycle.has_value());
+  if (tier == Tier::estimate || tier == Tier::automatic) {
+    throw InputError("model.tier", std::string("the tier ") + to_string(tier) +
+                                       " solves no film over a cycle by itself; take isothermal, "
+                                       "lumped, thd or tehd, or fidelity::solve_cycle_case");
+  }
   if (control.kept != nullptr) {
     if (auto ended = control.kept->next_ended()) return *std::move(ended);
   }

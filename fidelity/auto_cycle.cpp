@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "bearing/judge_case.hpp"
 #include "core/contract.hpp"
 #include "fidelity/cycle_bars.hpp"
+#include "fidelity/estimate_cycle.hpp"
 #include "fidelity/grid_sequence.hpp"
 #include "fidelity/left_out.hpp"
 
@@ -59,6 +61,7 @@ class Search {
   Search(const Case& c, const SolveControl& control) : case_(c), control_(control) {}
 
   CycleResult run() {
+    if (auto quick = good_estimate()) return *std::move(quick);
     if (!choose_tier()) return chosen(std::move(last_));
     on_.model.tier = tier_;
     on_.model.grid = case_.model.grid_given ? case_.model.grid : kFirst;
@@ -73,6 +76,16 @@ class Search {
   }
 
  private:
+  [[nodiscard]] std::optional<CycleResult> good_estimate() {
+    if (case_.model.grid_given || lack_for(case_, Tier::estimate)) return {};
+    CycleResult r = estimate_cycle(case_, control_);
+    const Pair bars = both(
+        r, [](const CycleQuantity& q) { return over_value(q.quantity.error() + q.error_time, q); });
+    if (!r.verdict.good() || bars.larger() > case_.model.tolerance) return {};
+    r.choice = AutoChoice{case_.model.tolerance, true, bars.friction, bars.h_min, {"estimate"}};
+    return r;
+  }
+
   void note(const CycleResult& r) {
     solved_.push_back(fmt::format("{} on {} x {}{}", to_string(r.tier), r.grid[0], r.grid[1],
                                   r.verdict.good() ? "" : " (did not converge)"));
@@ -235,6 +248,7 @@ CycleResult solve_auto_cycle(const Case& c, const SolveControl& control) {
 }
 
 CycleResult solve_cycle_case(const Case& c, const SolveControl& control) {
+  if (c.model.tier == Tier::estimate) return estimate_cycle(c, control);
   return c.model.tier == Tier::automatic ? solve_auto_cycle(c, control)
                                          : solve_cycle_with_bars(c, control);
 }

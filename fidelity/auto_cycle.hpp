@@ -3,6 +3,8 @@
 /// error on the mean friction torque and the smallest film of the cycle meets the tolerance of the
 /// case.
 ///
+/// 0. The estimate by mobility (estimate_cycle.hpp), if its bars meet the tolerance and the case
+///    gives no grid.
 /// 1. On a coarse grid the cycle is solved in the richest tier that the case has data for, and in
 ///    the cheaper ones from tier isothermal on. The first whose difference from the richest
 ///    in torque and film, times 1.75 (the bar of the physics left out, left_out.hpp), is no more
@@ -22,7 +24,8 @@ namespace shellback::fidelity {
 [[nodiscard]] bearing::CycleResult solve_auto_cycle(const bearing::Case& c,
                                                     const bearing::SolveControl& control = {});
 
-/// The cycle in the tier that its case names, `auto` or one with bars (cycle_bars.hpp).
+/// The cycle in the tier that its case names: `estimate` (estimate_cycle.hpp), `auto` or one with
+/// bars (cycle_bars.hpp).
 [[nodiscard]] bearing::CycleResult solve_cycle_case(const bearing::Case& c,
                                                     const bearing::SolveControl& control = {});
 

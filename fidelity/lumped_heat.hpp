@@ -25,9 +25,9 @@ struct HeatPath {
 
 /// Flow that supply pressure drives through the film [m3/s]: each patch feeds the edges through
 /// the film between (ours, a magnitude): p h^3/(12 eta) times (arc + s)/s to either side, s its
-/// distance from that edge, h^3 its mean over the patch. `closest`: angle of the smallest gap
-/// [rad].
+/// distance from that edge, h^3 its mean over the patch. `closest`: angle of the smallest gap,
+/// `turned`: by how much the journal has turned with its drillings [rad].
 [[nodiscard]] double pressure_fed_flow(const bearing::Case& c, double eps, double closest,
-                                       double eta);
+                                       double eta, double turned = 0.0);
 
 }  // namespace shellback::fidelity

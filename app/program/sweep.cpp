@@ -42,7 +42,9 @@ Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int
   options.threads = threads;
   options.stop = &catch_interrupt();
   options.solve_alone = [&](const bearing::Case& c, const bearing::SolveControl& control) {
-    const bool cycle_alone = c.cycle && request.no_bars;
+    const bool tier_alone =
+        c.model.tier != bearing::Tier::estimate && c.model.tier != bearing::Tier::automatic;
+    const bool cycle_alone = c.cycle && request.no_bars && tier_alone;
     return cycle_alone ? bearing::as_result(bearing::solve_cycle(c, c.model.tier, control))
                        : fidelity::solve_case(c, control);
   };

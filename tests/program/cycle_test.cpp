@@ -96,6 +96,42 @@ std::string swinging_case(const ScratchFolder& scratch) {
                                          "interpolation = \"periodic_spline\"\n");
 }
 
+TEST_CASE("CommandsTakeTierEstimateOverACycle") {
+  // All outputs without a field; the sweep, with bars and without, is the estimate's own.
+  const ScratchFolder scratch;
+  const std::string file = case_path("pulse").string();
+  const Ended run = run_words({"run", file, "--tier", "estimate", "--json", scratch.path("e.json"),
+                               "-o", scratch.path("e.h5"), "--page", scratch.path("e.html"),
+                               "--picture", scratch.path("e.svg")});
+  INFO(run.err);
+  REQUIRE(run.code == kDone);
+  check_parts(run.out, {"tier estimate, converged", "smallest film", "mobility", "+- physics"});
+  CHECK(run.out.find("supply flow") == std::string::npos);
+  const std::string json = read_text_file(scratch.path("e.json"));
+  check_parts(json, {"\"h_min\"", "\"eccentricity_x\"", "\"error_model\""});
+  for (const char* unknown : {"\"supply_flow\"", "\"tilt_x\"", "\"T_film_max\""}) {
+    CHECK(json.find(unknown) == std::string::npos);
+  }
+  CHECK(read_text_file(scratch.path("e.svg")).find("nan") == std::string::npos);
+  const auto swept = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{
+        "sweep", file, "--tier", "estimate", "--vary", "load_cycle.factor=1,2", "--csv", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ended ended = run_words(words);
+    CHECK(ended.code == kDone);
+    check_parts(ended.out, {"estimate"});
+    // What the sweep costs and how its rows end depends on the run; its first numbers do not.
+    const auto first = ended.out.find("\n1,");
+    return ended.out.substr(first, 60);
+  };
+  CHECK(swept({}) == swept({"--no-bars"}));
+  check_parts(run_words({"run", case_path("start-stop").string(), "--tier", "estimate"}).err,
+              {"model.tier", "at rest", "take tier isothermal"});
+  check_parts(run_words({"compare", file, "--tiers", "estimate,isothermal"}).err,
+              {"no film of its own"});
+  check_parts(run_words({"check", file}).out, {"Estimate of the cycle", "smallest film"});
+}
+
 TEST_CASE("CompareTakesALoadCycle") {
   const ScratchFolder scratch;
   const Ended ended = run_words({"compare", swinging_case(scratch), "--tiers", "isothermal,thd",

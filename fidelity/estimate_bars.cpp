@@ -1,0 +1,121 @@
+#include "fidelity/estimate_bars.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/physics.hpp"
+#include "fidelity/indicators.hpp"
+#include "rheology/density.hpp"
+#include "rheology/heat.hpp"
+#include "rheology/viscosity.hpp"
+
+namespace shellback::fidelity {
+namespace {
+
+using namespace bearing;
+
+/// Indicator numbers. Source of numbers and limits: methods 7.2 (docs/models.md); names are those
+/// of the effects that a solved result reports. Orders of magnitude.
+struct Indicators {
+  double heating = 0.0;  ///< beta dT, dT of the heat balance [-]
+  double elastic = 0.0;  ///< opening of a held ring under p_max over h_min [-]; 0: no shell
+  double thermal =
+      0.0;  ///< free thermal deformation of the clearance over the clearance [-]; 0: no walls
+  double pressure = 0.0;  ///< alpha p_max [-]
+  std::vector<Effect> effects;
+};
+
+const solid::Material& body(const Shell& shell) {
+  return shell.housing ? shell.housing->material : shell.layers[0].material;
+}
+
+double thermal_deformation(const Case& c, const Estimate& e) {
+  if (!c.shell || !c.shaft) return 0.0;
+  const double shaft = c.shaft->material.expansion;
+  const double difference = std::abs(body(*c.shell).expansion - shaft);
+  return std::max(difference, 0.3 * shaft) *  // alike: the shaft is the warmer one
+         std::abs(e.T - c.bearing.reference_temperature) * c.bearing.radius /
+         c.bearing.radial_clearance;
+}
+
+Indicators indicators(const Case& c, const Estimate& e) {
+  const double U = std::abs(c.operation.omega) * c.bearing.radius;
+  const double gap = c.bearing.radial_clearance, h = std::max(e.h_min, 1e-9);
+  const auto oil = rheology::viscosity_slopes(c.oil, e.T, 0.0, 0.0);
+  Indicators n;
+  n.heating = -oil.dln_dT * std::abs(e.rise);
+  if (c.shell) n.elastic = bore_compliance(c) * e.p_max / h;
+  n.thermal = thermal_deformation(c, e);
+  n.pressure = rheology::pressure_slope(c.oil, e.T, 0.0) * e.p_max;
+  const double nahme = -oil.dln_dT * e.eta * U * U / rheology::conductivity(c.oil, e.T, 0.0).k;
+  const double lost = 1.0 - rheology::viscosity_slopes(c.oil, e.T, 0.0, U / h).eta / oil.eta;
+  const double reynolds = rheology::density(c.oil, e.T, 0.0).rho * U * gap / e.eta;
+  const double taylor = 41.2 * std::sqrt(c.bearing.radius / gap);
+  const Physics has = physics_of(c, Tier::isothermal);
+  n.effects = {
+      {"heating", false, n.heating,
+       "beta dT of the oil flow; below 0.02 none, above 0.3 resolve it"},
+      {"temperature across the film", false, nahme,
+       "Nahme number; below 0.05 none, above 0.2 resolve it"},
+      {"elastic deformation", false, n.elastic,
+       "opening of a ring over smallest film; below 0.03 none, above 0.1 model it"},
+      {"thermal deformation", false, n.thermal,
+       "growth of the clearance over clearance; above 0.05 model it"},
+      {"viscosity with pressure", has.pressure_dependence, n.pressure,
+       "alpha p_max; below 0.05 none, above 0.1 model it, above 10 use Roelands"},
+      {"shear thinning", has.shear_thinning, lost,
+       "loss of viscosity at the smallest film; below 0.02 none, above 0.05 model it"},
+      {"roughness and contact", has.contact, e.lambda,
+       "smallest film over roughness; above 6 none, below 4 model it"},
+      {"turbulence and Taylor vortices", false, reynolds / taylor,
+       "Reynolds number over 41.2 sqrt(R/c); above 1 the laminar film is left"},
+  };
+  return n;
+}
+
+/// A relative bar: what it is at least, and more per unit of each indicator number.
+struct BarParts {
+  double least, heating, thermal, elastic, pressure, contact;
+};
+constexpr struct {
+  BarParts torque{0.10, 0.30, 0.10, 0.05, 0.15, 0.5};
+  BarParts film{0.10, 0.25, 1.0, 0.5, 0.2, 1.0};
+  BarParts flow{1.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+  BarParts angle{0.1, 0.0, 0.5, 0.5, 0.0, 0.0};
+} kParts;
+
+double bar(const BarParts& part, const Estimate& e, const Indicators& n) {
+  return std::min(kMostBar, part.least + part.heating * n.heating + part.thermal * n.thermal +
+                                part.elastic * n.elastic + part.pressure * n.pressure +
+                                part.contact * e.asperity_share);
+}
+
+}  // namespace
+
+double bore_compliance(const Case& c) {
+  const double a = c.bearing.radius;
+  double b = a;
+  for (const ShellLayer& layer : c.shell->layers) b += layer.thickness;
+  if (c.shell->housing) b = c.shell->housing->outer_radius;
+  const solid::Material& m = body(*c.shell);
+  const double nu = m.poisson_ratio;
+  return (1.0 + nu) * (b * b - a * a) /
+         (a * m.youngs_modulus * (1.0 / (1.0 - 2.0 * nu) + b * b / (a * a)));
+}
+
+EstimateBars estimate_bars(const Case& c, const Estimate& e) {
+  Indicators n = indicators(c, e);
+  Indicators bounded = n;  // friction feels a larger gap less and less
+  bounded.elastic = std::min(n.elastic, 1.0);
+  EstimateBars bars;
+  bars.torque = bar(kParts.torque, e, bounded);
+  bars.film = bar(kParts.film, e, n);
+  bars.peak = std::min(kMostBar, 2.0 * bars.film);
+  bars.flow = bar(kParts.flow, e, n);
+  bars.angle = bar(kParts.angle, e, n);
+  bars.temperature = std::max(2.0, 0.5 * std::abs(e.rise));
+  bars.effects = std::move(n.effects);
+  return bars;
+}
+
+}  // namespace shellback::fidelity

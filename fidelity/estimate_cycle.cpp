@@ -1,0 +1,200 @@
+#include "fidelity/estimate_cycle.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "fidelity/bracketed_root.hpp"
+#include "fidelity/estimate_bars.hpp"
+#include "fidelity/journal_path.hpp"
+
+namespace shellback::fidelity {
+
+using namespace bearing;
+
+namespace {
+
+/// Error of a step in time over the gap that is left, over model.tolerance: a hundredth of the
+/// solved film's (0.1), so that the bar of time vanishes beside the others.
+constexpr double kOfTolerance = 1e-3;
+constexpr double kLonger = 10.0;  ///< error of a step that the bar of time is made with, over that
+
+/// Instants whose value is smallest or largest.
+const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
+                            bool smallest) {
+  const auto less = [&](const auto& a, const auto& b) { return a.*value < b.*value; };
+  return smallest ? *std::min_element(all.begin(), all.end(), less)
+                  : *std::max_element(all.begin(), all.end(), less);
+}
+
+/// The temperature at which the heat of a mean cycle leaves: the path there, or why there is none.
+Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
+  constexpr double kMostRise = 400.0;  // of the film above all that cools it, as estimate.cpp [K]
+  constexpr double kSettled = 0.01;    // 3e-4 of viscosity [K]
+  const HeatWays ways = heat_ways(c);
+  Verdict last;
+  const auto away = [&](double at) {
+    return path.motion().scene().heat_away(at, path.mean(&CycleInstant::side_flow), ways.paths);
+  };
+  const auto surplus = [&](double at) {
+    last = path.find(at);
+    return last.good() ? away(at) - path.mean(&CycleInstant::power) : double{NAN};
+  };
+  T = ways.coldest;
+  const double below = surplus(T);
+  if (!(below < 0.0)) return last;  // no heat to speak of, or no path
+  // The friction of the coldest film would be carried off with this rise; warmer films rub less.
+  const double hottest = ways.warmest + kMostRise;
+  for (double rise = -below / (away(T + 1.0) - away(T)); T + rise <= hottest; rise *= 2.0) {
+    const double above = surplus(T + rise);
+    if (std::isnan(above)) return last;
+    if (above < 0.0) {
+      T += rise;
+      continue;
+    }
+    T = bracketed_root(surplus, T, T + rise, kSettled);
+    if (last.good()) static_cast<void>(surplus(T));
+    return last;
+  }
+  return {Status::iteration_limit,
+          ending::AtTemperature{ending::Thermal::unbalanced_cycle, hottest}};
+}
+
+/// The state by which the estimate's bars are judged: the extremes of the cycle.
+Estimate worst_of(const JournalPath& path, const Case& c, double T) {
+  const auto& all = path.instants();
+  const CycleInstant& thinnest = extreme(all, &CycleInstant::h_min, true);
+  Estimate e;
+  e.T = T;
+  e.rise = T - c.supplies.front().temperature;
+  e.h_min = thinnest.h_min;
+  e.eps = 1.0 - e.h_min / c.bearing.radial_clearance;
+  e.eta = path.motion().scene().viscosity(e.eps, T, std::hypot(thinnest.load_x, thinnest.load_y),
+                                          std::abs(thinnest.omega));
+  e.p_max = extreme(all, &CycleInstant::p_max, false).p_max;
+  e.asperity_share = path.asperity_share();
+  const double sigma = std::hypot(c.surfaces.shell.roughness, c.surfaces.shaft.roughness);
+  e.lambda = sigma > 0.0 ? e.h_min / sigma : INFINITY;
+  return e;
+}
+
+/// Means and extremes without bars.
+std::vector<CycleQuantity> quantities(const JournalPath& path, double T) {
+  std::vector<CycleQuantity> list;
+  const auto add = [&](const char* name, double value, double at = NAN) {
+    CycleQuantity q;
+    q.quantity.name = name;
+    q.quantity.value = value;
+    q.quantity.unit = std::string(find_quantity(name)->unit);
+    q.at = at;
+    list.push_back(q);
+  };
+  const auto add_extreme = [&](const char* name, double CycleInstant::*value, bool smallest) {
+    const CycleInstant& i = extreme(path.instants(), value, smallest);
+    add(name, i.*value, i.t);
+  };
+  const bool rough = path.motion().scene().touches();
+  add("friction_torque", path.mean(&CycleInstant::torque));
+  if (rough) add("friction_torque_asperity", path.mean(&CycleInstant::torque_asperity));
+  add("power_loss", path.mean(&CycleInstant::power));
+  add_extreme("h_min", &CycleInstant::h_min, true);
+  add_extreme("p_max", &CycleInstant::p_max, false);
+  if (rough) add_extreme("p_asperity_max", &CycleInstant::p_asperity_max, false);
+  add("side_flow", path.mean(&CycleInstant::side_flow));
+  add("T_film_mean", T);
+  return list;
+}
+
+/// What the film's history is worth, of the value: measured on cycles of the isothermal tier
+/// (docs/load-cycles.md).
+struct HistoryParts {
+  double torque, film, peak;
+};
+constexpr HistoryParts kHistory{0.10, 0.40, 0.80};
+
+void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>& longer,
+              const EstimateBars& bars) {
+  const auto most = [](double bar) { return std::min(kMostBar, bar); };
+  const auto relative = [&](const std::string& name) {
+    if (name == "h_min") return most(bars.film + kHistory.film);
+    if (name == "p_max") return most(bars.peak + kHistory.peak);
+    if (name == "side_flow") return bars.flow;
+    if (name == "friction_torque" || name == "power_loss") {
+      return most(bars.torque + kHistory.torque);
+    }
+    return kMostBar;  // of asperities, as in the steady estimate
+  };
+  // A film squeezed for long goes with the square of its mobility: int dh/h^(3/2) ~ M times the
+  // load's impulse.
+  const auto of_table = [](const std::string& name) { return name == "h_min" ? 2.0 : 1.0; };
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    Quantity& q = list[k].quantity;
+    const double size = std::abs(q.value);
+    const bool temperature = q.name == "T_film_mean";
+    q.error_grid = temperature ? 0.0 : of_table(q.name) * kMobilityError * size;
+    q.error_model = temperature ? bars.temperature : relative(q.name) * size;
+    list[k].error_time = std::abs(longer[k].quantity.value - q.value);
+  }
+}
+
+void tell_what_is_left_out(const Case& c, const JournalPath& path, CycleResult& r) {
+  r.warnings.assign(c.warnings.begin(), c.warnings.end());
+  r.assumptions.assign(c.assumptions.begin(), c.assumptions.end());
+  r.assumptions.emplace_back(
+      "estimate: rigid circular bearing whose film is full wherever it closes (Booker's mobility, "
+      "table of the finite bearing), one temperature from the heat of a mean cycle in lumps");
+  if (c.cycle->journal_mass > 0.0) {
+    r.assumptions.push_back(fmt::format("estimate: the journal's mass of {:.3g} kg is left out",
+                                        c.cycle->journal_mass));
+  }
+  const bool shut = std::any_of(c.supplies.begin(), c.supplies.end(),
+                                [](const Supply& s) { return s.vessel.has_value(); });
+  const bool drilled = std::any_of(c.supplies.begin(), c.supplies.end(),
+                                   [](const Supply& s) { return s.kind == SupplyKind::drilling; });
+  if (shut) r.assumptions.emplace_back("estimate: supplies with a vessel are taken as always open");
+  if (drilled) {
+    r.assumptions.emplace_back(
+        "estimate: a drilling feeds the flow out of the edges; the film does not feel its mouth");
+  }
+  if (c.cycle->repeats()) return;
+  r.assumptions.emplace_back(path.began_steady()
+                                 ? "the event begins in the steady state of its first row"
+                                 : "the event begins with the journal in the middle of a full "
+                                   "film: no steady place under its first row was found");
+}
+
+}  // namespace
+
+CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
+  const auto begin = std::chrono::steady_clock::now();
+  JournalPath rough(c, kLonger * kOfTolerance * c.model.tolerance, control);
+  JournalPath path(c, kOfTolerance * c.model.tolerance, control);
+  CycleResult r;
+  r.tier = Tier::estimate;
+  r.title = c.title;
+  r.period = path.length();
+  r.crank_speed = c.cycle->crank_speed;
+  r.audit.mass = r.audit.load = r.audit.impulse = NAN;  // there is no field to draw a balance of
+  double T = 0.0;
+  r.verdict = settle_heat(rough, c, T);
+  if (r.verdict.good()) {
+    path.begin_as(rough);
+    r.verdict = path.find(T);
+  }
+  r.cycles = path.cycles();
+  r.closure = path.closure();
+  r.steps = path.steps();
+  r.rejected_steps = path.rejected();
+  tell_what_is_left_out(c, path, r);
+  if (r.verdict.good()) {
+    r.instants = path.instants();
+    r.quantities = quantities(path, T);
+    put_bars(r.quantities, quantities(rough, T), estimate_bars(c, worst_of(path, c, T)));
+  }
+  r.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return r;
+}
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,158 @@
+#include "fidelity/journal_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/cycle_endings.hpp"
+#include "core/constants.hpp"
+#include "fidelity/grid_sequence.hpp"
+
+namespace shellback::fidelity {
+
+using namespace bearing;
+
+namespace {
+
+constexpr double kFewestSteps = 90.0;  ///< of a course, as the solved film's; sees every pulse
+constexpr double kSame = 1e-9;         ///< of a course: a time is known no better
+constexpr int kInstants = 720;         ///< told: every degree of a four-stroke
+constexpr int kMostCycles = 400;  ///< a light load brings the journal nearer by a hundredth a cycle
+
+double gap_left(const Pair& x) { return 1.0 - std::hypot(x[0], x[1]); }
+
+/// Ends of the smooth pieces within the course, and its end.
+std::vector<LoadCorner> corners_of(const LoadCourse& course, double length) {
+  std::vector<LoadCorner> all;
+  for (const LoadCorner& c : course.corners()) {
+    if (c.t > kSame * length && c.t < (1.0 - kSame) * length) all.push_back(c);
+  }
+  all.push_back({length, false, 0.0});
+  return all;
+}
+
+/// Even instants that are told, without those at corners.
+std::vector<double> told_of(const std::vector<LoadCorner>& corners, double length) {
+  std::vector<double> all;
+  for (int k = 1; k < kInstants; ++k) {
+    const double t = length * k / kInstants;
+    const bool known = std::any_of(corners.begin(), corners.end(), [&](const LoadCorner& c) {
+      return std::abs(c.t - t) <= kSame * length;
+    });
+    if (!known) all.push_back(t);
+  }
+  return all;
+}
+
+}  // namespace
+
+JournalPath::JournalPath(const Case& c, double tolerance, const SolveControl& control)
+    : c_(c),
+      control_(control),
+      length_(c.cycle->length()),
+      tolerance_(tolerance),
+      course_(*c.cycle, c.operation.omega),
+      motion_(c, course_),
+      corners_(corners_of(course_, length_)),
+      told_(told_of(corners_, length_)) {}
+
+std::optional<Pair> JournalPath::pass(const Pair& from, bool record) {
+  double end = 0.0;  // of the smooth piece: up to it what holds before a jump
+  const Motion motion{
+      [&](double t, const Pair& x, Pair& v) { return motion_.rate(t, t >= end, x, v); }, gap_left,
+      tolerance_, length_ / kFewestSteps};
+  SmoothMotion path(motion);
+  if (record) instants_ = {motion_.instant(0.0, false, from)};
+  const auto tell = [&](double t, bool before_jump) {
+    if (!record) return;
+    instants_.push_back(motion_.instant(t, before_jump, path.now()));
+    instants_.back().dt = t - instants_[instants_.size() - 2].t;
+  };
+  path.begin(0.0, from);
+  std::size_t next = 0;
+  for (const LoadCorner& corner : corners_) {
+    end = lost_at_ = corner.t;
+    path.stop_at(end);
+    for (; record && next < told_.size() && told_[next] < end; ++next) {
+      if (!path.go_to(told_[next])) return std::nullopt;
+      tell(told_[next], true);
+    }
+    if (!path.go_to(end)) return std::nullopt;
+    tell(end, true);
+    if (!corner.jump || end >= length_) continue;
+    tell(end, false);
+    path.begin(end, path.now());
+  }
+  steps_ = static_cast<int>(path.steps());
+  rejected_ = static_cast<int>(path.rejected());
+  return path.now();
+}
+
+Pair JournalPath::steady_place() {
+  constexpr double kTurns = 1000.0;  // of the journal, in which it has to come to rest
+  constexpr double kAtRest = 1e-6;   // of its speed, over the gap that is left
+  const double omega = std::abs(course_.at(0.0).omega);
+  const Motion motion{
+      [&](double, const Pair& x, Pair& v) { return motion_.rate(0.0, false, x, v); }, gap_left,
+      tolerance_, INFINITY};
+  SmoothMotion path(motion);
+  path.begin(0.0, {0.0, 0.0});
+  for (double turns = 1.0; turns <= kTurns && omega > 0.0; turns *= 2.0) {
+    if (!path.go_to(2.0 * kPi * turns / omega)) break;
+    Pair v{};
+    const bool known = motion_.rate(0.0, false, path.now(), v);
+    if (known && std::hypot(v[0], v[1]) < kAtRest * omega * gap_left(path.now())) return path.now();
+  }
+  began_steady_ = false;
+  return {0.0, 0.0};
+}
+
+Verdict JournalPath::lost() const {
+  return {Status::iteration_limit,
+          ending::NoStep{lost_at_, c_.cycle->crank_speed},
+          {},
+          {{Status::iteration_limit, ending::Plain::steps_too_short}}};
+}
+
+Verdict JournalPath::find(double T) {
+  motion_.set_temperature(T);
+  cycles_ = 0;
+  closure_ = NAN;
+  if (!c_.cycle->repeats()) {
+    at_ = steady_place();
+    cycles_ = 1;
+    return pass(at_, true) ? Verdict{} : lost();
+  }
+  Closure closure;
+  while (cycles_ < kMostCycles) {
+    if (stopped(control_)) return {Status::interrupted};
+    const auto next = pass(at_, false);
+    if (!next) return lost();
+    ++cycles_;
+    closure.add(std::hypot((*next)[0] - at_[0], (*next)[1] - at_[1]) / gap_left(*next));
+    at_ = *next;
+    closure_ = closure.last;
+    if (!closure.closed()) continue;
+    ++cycles_;
+    return pass(at_, true) ? Verdict{} : lost();
+  }
+  return {Status::iteration_limit, ending::Unsettled{ending::Iteration::cycles, cycles_, closure_}};
+}
+
+double JournalPath::mean(double CycleInstant::*value) const {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < instants_.size(); ++k) {
+    sum += 0.5 * instants_[k].dt * (instants_[k].*value + instants_[k - 1].*value);
+  }
+  return sum / length_;
+}
+
+double JournalPath::asperity_share() const {
+  double most = 0.0;
+  for (const CycleInstant& i : instants_) {
+    const double clearance = c_.bearing.radial_clearance;
+    most = std::max(most, motion_.asperity_share(i.t, true, {i.ex / clearance, i.ey / clearance}));
+  }
+  return most;
+}
+
+}  // namespace shellback::fidelity

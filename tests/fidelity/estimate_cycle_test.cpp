@@ -1,0 +1,311 @@
+// Tier estimate over load cycles: the film that conserves oil from a full film on, steady loads and
+// loads that turn by closed equivalences, invariances, the solved cycle within the bars.
+#include "fidelity/estimate_cycle.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <ctime>
+
+#include "bearing/film_step.hpp"
+#include "bearing/judge_case.hpp"
+#include "fidelity/auto_cycle.hpp"
+#include "fidelity/bearing_table.hpp"
+#include "fidelity/estimate.hpp"
+#include "fidelity/mobility_motion.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+namespace shellback::fidelity {
+namespace {
+
+using namespace bearing;
+using namespace bearing::tests;
+
+const Quantity& named(const CycleResult& r, const std::string& name) {
+  for (const CycleQuantity& q : r.quantities) {
+    if (q.quantity.name == name) return q.quantity;
+  }
+  throw std::runtime_error("no quantity " + name);
+}
+
+/// `c` under `W` that turns with `turning` [rad/s] from `angle` on; one turn of the journal, or of
+/// the load.
+Case turned(Case c, double W, double angle, double turning) {
+  constexpr int kRows = 180;
+  LoadCycle cycle;
+  cycle.period = 2.0 * kPi / std::abs(turning != 0.0 ? turning : c.operation.omega);
+  for (int k = 0; k < kRows; ++k) {
+    cycle.t.push_back(cycle.period * k / kRows);
+    cycle.x.push_back(W * std::cos(angle + turning * cycle.t.back()));
+    cycle.y.push_back(W * std::sin(angle + turning * cycle.t.back()));
+  }
+  cycle.interpolation = LoadInterpolation::periodic_spline;
+  c.cycle = cycle;
+  c.model.tier = Tier::estimate;
+  return c;
+}
+
+/// A turning load with a pulse in it, told from the row `first` on.
+Case pulsed(std::size_t first = 0) {
+  Case c = plain_case();
+  constexpr std::size_t kRows = 144;
+  LoadCycle cycle;
+  cycle.period = 4.0 * kPi / c.operation.omega;
+  for (std::size_t k = 0; k < kRows; ++k) {
+    const double angle = 4.0 * kPi * static_cast<double>((k + first) % kRows) / kRows;
+    const double from = angle - 2.0 * kPi;
+    cycle.t.push_back(cycle.period * static_cast<double>(k) / kRows);
+    cycle.x.push_back(1e3 * std::cos(angle));
+    cycle.y.push_back(1e3 * std::sin(angle) - 6e3 * std::exp(-from * from / 0.2));
+  }
+  cycle.interpolation = LoadInterpolation::periodic_spline;
+  c.cycle = cycle;
+  c.model.tier = Tier::estimate;
+  return c;
+}
+
+double eps_of(const Case& c, const CycleInstant& i) {
+  return std::hypot(i.ex, i.ey) / c.bearing.radial_clearance;
+}
+
+/// Seconds of this process.
+template <class F>
+double processor_time(F f) {
+  const std::clock_t begin = std::clock();
+  f();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+}  // namespace
+
+TEST_CASE("FromAFullFilmTheConservingFilmMovesByTheMobility", "[mobility]") {
+  // Another method: a short step in time of the film that conserves oil. From a full film on oil
+  // can only be lost, which is the condition of the mobility. 96 x 32 cells: 1 %, table 1 %.
+  for (const double b : {0.25, 1.0}) {
+    Case c = plain_case();
+    c.bearing.width = 2.0 * c.bearing.radius * b;
+    c.supplies.clear();
+    c.model.grid = {96, 32};
+    for (const double eps : {0.3, 0.8}) {
+      for (const double direction : {0.0, 70.0, 140.0}) {  // of e, from the load
+        const Case loaded = turned(c, 500.0, 20.0 * kDegree, 0.0);
+        const LoadCourse course(*loaded.cycle, c.operation.omega);
+        FilmSteps film(make_bearing(loaded, physics_of(c, Tier::isothermal), c.model.grid), course,
+                       0.0, {});
+        FilmInTime now = film.at_rest(c.oil_temperature.value());
+        const double angle = (20.0 + direction) * kDegree, e = eps * c.bearing.radial_clearance;
+        now.film.position.q = {e * std::cos(angle), e * std::sin(angle), 0.0, 0.0};
+        REQUIRE(evaluate(film.model(), {}, 1e-10, now.film));
+        now.oil = fluid::oil_content(film.model().scene, now.film.gap, now.film.oil, now.film.film);
+        Case fed = loaded;
+        fed.supplies = plain_case().supplies;  // the motion asks for no supply, the heat does
+        MobilityMotion motion(fed, course);
+        motion.set_temperature(c.oil_temperature.value());
+        Pair v{};
+        REQUIRE(motion.rate(0.0, false, {eps * std::cos(angle), eps * std::sin(angle)}, v));
+        EquilibriumCost cost;
+        const double speed = std::hypot(v[0], v[1]);
+        const FilmStep step = film.take(1e-3 * (1.0 - eps) / speed, now, cost, nullptr);
+        REQUIRE(step.verdict.good());
+        for (int k = 0; k < 2; ++k) {
+          INFO("B/D " << b << ", eps " << eps << ", " << direction << " deg, component " << k);
+          const double solved = step.after.velocity[k] / c.bearing.radial_clearance;
+          CHECK(v[k] == Approx(solved).margin(0.02 * speed));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("UnderALoadThatStandsStillTheEstimateIsTheSteadyOne", "[cycle]") {
+  // Raimondi and Boyd's film against one that begins with no slope: 3 % of So
+  // (mobility_table_test), two thirds of that in the film.
+  for (const double W : {300.0, 3e3, 15e3}) {
+    const Case c = turned(plain_case(), W, 200.0 * kDegree, 0.0);
+    const CycleResult r = estimate_cycle(c);
+    REQUIRE(r.verdict.good());
+    CHECK(r.closure < 1e-4);
+    Case steady = c;
+    steady.cycle.reset();
+    steady.operation.position = LoadGiven{W, 200.0 * kDegree};
+    const Estimate e = estimate(steady);
+    CHECK(named(r, "h_min").value == Approx(e.h_min).epsilon(0.03));
+    CHECK(named(r, "friction_torque").value == Approx(e.torque).epsilon(0.02));
+    CHECK(named(r, "p_max").value == Approx(e.p_max).epsilon(0.03));
+    CHECK(named(r, "side_flow").value == Approx(e.side_flow).epsilon(0.03));
+    CHECK(named(r, "T_film_mean").value - e.T == Approx(0.0).margin(0.05 * e.rise + 0.02));
+    const CycleInstant& last = r.instants.back();
+    const double ahead = std::atan2(last.ey, last.ex) - 200.0 * kDegree;
+    CHECK(std::remainder(ahead - e.attitude, 2.0 * kPi) == Approx(0.0).margin(3.0 * kDegree));
+    CHECK(std::hypot(last.vx, last.vy) < 1e-3 * c.operation.omega * c.bearing.radial_clearance);
+  }
+}
+
+TEST_CASE("ALoadThatTurnsIsASteadyLoadAtTheSpeedThatIsLeft", "[cycle]") {
+  // In the frame of a load that turns with w, oil goes round with omega/2 - w: the same
+  // eccentricity as under a steady load at omega - 2 w, on the other side of the load if negative.
+  const Case plain = plain_case();
+  const double omega = plain.operation.omega;
+  for (const double part : {1.0, -0.5, 0.25}) {
+    const CycleResult r = estimate_cycle(turned(plain, 2e3, 0.3, part * omega));
+    REQUIRE(r.verdict.good());
+    Case still = plain;
+    still.operation.omega = (1.0 - 2.0 * part) * omega;
+    const CycleResult s = estimate_cycle(turned(still, 2e3, 0.3, 0.0));
+    REQUIRE(s.verdict.good());
+    const double eps = eps_of(plain, s.instants.back());
+    for (const CycleInstant& i : r.instants) CHECK(eps_of(plain, i) == Approx(eps).margin(1e-3));
+    const auto ahead = [](const CycleInstant& i) { return i.load_x * i.ey - i.load_y * i.ex; };
+    CHECK(ahead(r.instants.back()) == Approx(ahead(s.instants.back())).epsilon(5e-3));
+  }
+}
+
+TEST_CASE("AnEstimatedCycleMirrorsScalesAndDoesNotKnowWhereItBegins", "[cycle]") {
+  const Case c = pulsed();
+  const CycleResult r = estimate_cycle(c);
+  REQUIRE(r.verdict.good());
+  Case mirrored = c;
+  mirrored.operation.omega = -c.operation.omega;
+  for (double& x : mirrored.cycle->x) x = -x;
+  Case scaled = c;  // twice the load and twice the viscosity: the same path
+  scaled.oil.temperature = rheology::ConstantViscosity{0.030};
+  for (auto* v : {&scaled.cycle->x, &scaled.cycle->y}) {
+    for (double& x : *v) x *= 2.0;
+  }
+  const CycleResult m = estimate_cycle(mirrored), s = estimate_cycle(scaled);
+  const CycleResult later = estimate_cycle(pulsed(50));
+  for (const CycleResult* other : {&m, &s, &later}) {
+    REQUIRE(other->verdict.good());
+    CHECK(named(*other, "h_min").value == Approx(named(r, "h_min").value).epsilon(3e-4));
+  }
+  CHECK(named(m, "friction_torque").value == Approx(-named(r, "friction_torque").value));
+  CHECK(named(m, "power_loss").value == Approx(named(r, "power_loss").value));
+  CHECK(named(s, "friction_torque").value == Approx(2.0 * named(r, "friction_torque").value));
+  CHECK(named(s, "p_max").value == Approx(2.0 * named(r, "p_max").value).epsilon(1e-3));
+  CHECK(named(later, "friction_torque").value ==
+        Approx(named(r, "friction_torque").value).epsilon(3e-4));
+}
+
+TEST_CASE("TheHeatOfTheMeanCycleLeaves", "[cycle]") {
+  Case c = pulsed();
+  c.oil.temperature = rheology::ReynoldsSlope{0.03, 313.15, 0.035};
+  const CycleResult r = estimate_cycle(c);
+  REQUIRE(r.verdict.good());
+  const double rise = named(r, "T_film_mean").value - c.supplies.front().temperature;
+  CHECK(rise > 1.0);
+  // rho cp of the plain oil; the balance is met to 0.01 K.
+  CHECK(860.0 * 2000.0 * named(r, "side_flow").value * rise ==
+        Approx(named(r, "power_loss").value).epsilon(0.02 / rise + 1e-3));
+}
+
+TEST_CASE("AnEventBeginsSteadyAndAJumpIsFelt", "[cycle]") {
+  Case c = plain_case();
+  LoadCycle event;
+  event.t = {0.0, 0.01, 0.01, 0.02};
+  event.x = {0.0, 0.0, 0.0, 0.0};
+  event.y = {-1e3, -1e3, -8e3, -8e3};
+  c.cycle = event;
+  c.model.tier = Tier::estimate;
+  const CycleResult r = estimate_cycle(c);
+  REQUIRE(r.verdict.good());
+  const double eps = eps_of(c, r.instants.front());
+  for (const CycleInstant& i : r.instants) {
+    if (i.t < 0.01) CHECK(eps_of(c, i) == Approx(eps).margin(1e-5));
+  }
+  CHECK(eps_of(c, r.instants.back()) > eps + 0.1);
+  // The pressure follows the load at once, the place does not.
+  double before = 0.0, behind = 0.0;
+  for (const CycleInstant& i : r.instants) {
+    if (std::abs(i.t - 0.01) > 1e-9) continue;
+    (before == 0.0 ? before : behind) = i.p_max;
+  }
+  CHECK(behind / before > 5.0);
+}
+
+TEST_CASE("TheSolvedCycleLiesWithinTheBarsOfTheEstimateAtAHundredthOfItsCost", "[cycle]") {
+  Case c = pulsed();
+  c.supplies[0].pressure = 1e5;
+  c.supplies[0].arc = 20.0 * kDegree;
+  c.supplies[0].length = 0.02;
+  CycleResult quick, solved;
+  static_cast<void>(estimate_cycle(c));  // the table is read once
+  const double cheap = processor_time([&] { quick = estimate_cycle(c); });
+  c.model.grid = {96, 13};
+  const double dear = processor_time([&] { solved = solve_cycle(c, Tier::isothermal); });
+  REQUIRE(quick.verdict.good());
+  REQUIRE(solved.verdict.good());
+  for (const char* name : {"friction_torque", "power_loss", "h_min", "p_max", "side_flow"}) {
+    const Quantity& q = named(quick, name);
+    INFO(name << ": " << q.value << " +- " << q.error() << ", solved "
+              << named(solved, name).value);
+    REQUIRE(std::isfinite(q.error()));
+    CHECK(std::abs(named(solved, name).value - q.value) < q.error());
+  }
+  WARN("processor time of the solved cycle over that of the estimate: " << dear / cheap);
+  CHECK(dear / cheap > 20.0);
+}
+
+TEST_CASE("WhatMobilityDoesNotKnowIsNotThere", "[cycle]") {
+  const CycleResult r = solve_cycle_case(pulsed());
+  REQUIRE(r.verdict.good());
+  CHECK(r.tier == Tier::estimate);
+  for (const CycleInstant& i : r.instants) {
+    CHECK(std::isnan(i.oil));
+    CHECK(std::isnan(i.supply_flow));
+    CHECK(std::isnan(i.tilt_x));
+  }
+  for (const char* name : {"supply_flow", "T_film_max", "heat_by_oil"}) {
+    CHECK(std::isnan(value_of(r, name)));
+  }
+  CHECK(std::isnan(r.audit.mass));
+  CHECK(r.fields.p_max.empty());
+  CHECK(r.frames.empty());
+}
+
+TEST_CASE("AsperitiesCarryTheirPartOfACycle", "[cycle]") {
+  // Slow and heavily loaded, the film's part is what is left: as in the steady estimate.
+  Case c = rig_case();
+  c.operation.omega *= 0.02;
+  Case still = turned(c, 8e3, 270.0 * kDegree, 0.0);
+  const CycleResult r = estimate_cycle(still);
+  REQUIRE(r.verdict.good());
+  c.operation.position = LoadGiven{8e3, 270.0 * kDegree};
+  const Estimate e = estimate(c);
+  CHECK(e.asperity_share > 0.05);
+  CHECK(named(r, "h_min").value == Approx(e.h_min).epsilon(0.03));
+  CHECK(named(r, "friction_torque_asperity").value == Approx(e.torque_asperity).epsilon(0.05));
+  // A faster journal lifts off.
+  still.operation.omega *= 100.0;
+  const CycleResult fast = estimate_cycle(still);
+  REQUIRE(fast.verdict.good());
+  CHECK(named(fast, "friction_torque_asperity").value <
+        0.1 * named(r, "friction_torque_asperity").value);
+}
+
+TEST_CASE("AnEventFromRestIsRefusedByTheEstimate", "[cycle]") {
+  Case c = plain_case();
+  LoadCycle event;
+  event.t = {0.0, 1.0};
+  event.x = {0.0, 0.0};
+  event.y = {-1e3, -1e3};
+  event.omega = {0.0, 100.0};
+  c.cycle = event;
+  REQUIRE(lack_for(c, Tier::estimate));
+  CHECK(lack_for(c, Tier::estimate)->key == "model.tier");
+  c.cycle->omega = {100.0, 0.0};
+  CHECK_FALSE(lack_for(c, Tier::estimate));
+}
+
+TEST_CASE("AutoTakesTheEstimateOfACycleOnlyWithinItsBars", "[cycle]") {
+  Case c = pulsed();
+  c.model.tier = Tier::automatic;
+  c.model.grid_given = false;
+  c.model.tolerance = 0.9;
+  const CycleResult r = solve_cycle_case(c);
+  REQUIRE(r.choice);
+  CHECK(r.tier == Tier::estimate);
+  CHECK(r.choice->met);
+  CHECK(r.choice->bar_h_min < 0.9);
+  CHECK(r.choice->bar_h_min > 0.4);
+}
+
+}  // namespace shellback::fidelity

@@ -116,17 +116,18 @@ std::optional<bearing::Vessel> read_vessel(const Section& section, double omega)
 /// Heat between a supply's oil and the walls: a value, or the law of a channel of its depth.
 void read_heat_transfer(const Section& section, Supply& supply) {
   const char* const key = "heat_transfer";
-  const bool line = supply.kind == SupplyKind::axial_groove && supply.arc == 0.0;
-  if (line) {
-    if (!section.has(key)) return;
+  const bool given = section.has(key);
+  if (supply.kind == SupplyKind::axial_groove && supply.arc == 0.0) {
+    if (!given) return;
     section.fail(key, "a groove without circumferential extent has no surface; give arc or width");
   }
-  if (section.has(key) && section.text(key) != "channel") {
-    supply.heat_transfer = section.quantity(key, kHeatTransfer, kNotNegative);
-  } else if (section.has(key) || section.has("depth")) {
+  const bool word = given && section.is_text(key) && section.text(key) == "channel";
+  if (word || (!given && section.has("depth"))) {
     supply.heat_transfer = bearing::ChannelHeat{};
+  } else if (given) {
+    supply.heat_transfer = section.quantity(key, kHeatTransfer, kNotNegative);
   }
-  if (section.has(key)) return;
+  if (given) return;
   section.assume(section.has("depth")
                      ? fmt::format("{}: its oil exchanges heat with the walls like laminar flow in "
                                    "a channel of its depth (heat_transfer = \"channel\")",

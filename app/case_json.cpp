@@ -50,6 +50,11 @@ Json supply(const Supply& s) {
   json["pressure"] = si(s.pressure, "Pa");
   json["temperature"] = si(s.temperature, "K");
   if (!drilling) json["carry_over"] = plain(s.carry_over);
+  if (const double* h = std::get_if<double>(&s.heat_transfer)) {
+    if (!drilling) json["heat_transfer"] = si(*h, "W/(m2 K)");
+  } else {
+    json["heat_transfer"] = "channel";
+  }
   if (s.vessel) {
     json["vessel_volume"] = si(s.vessel->volume, "m3");
     json["vessel_bulk_modulus"] = si(s.vessel->bulk_modulus, "Pa");

@@ -25,9 +25,10 @@ void read_hole(const Section& section, double radius, Supply& supply) {
                  "a supply of kind \"drilling\"");
     supply.carry_over = 0.0;  // what is pressed back into it does not come again
   }
-  section.only({"kind", "angle", "z", "diameter", "depth", "pressure", "pressure_absolute",
-                "temperature", "carry_over", "vessel_volume", "vessel_bulk_modulus", "open"},
-               "a supply of kind \"hole\"");
+  section.only(
+      {"kind", "angle", "z", "diameter", "depth", "pressure", "pressure_absolute", "temperature",
+       "carry_over", "heat_transfer", "vessel_volume", "vessel_bulk_modulus", "open"},
+      "a supply of kind \"hole\"");
   supply.angle = section.quantity("angle", kAngle, kCan.turn);
   supply.diameter = section.quantity("diameter", kLength, kPositive);
   supply.arc = supply.diameter / radius;
@@ -35,10 +36,10 @@ void read_hole(const Section& section, double radius, Supply& supply) {
 }
 
 void read_axial_groove(const Section& section, double radius, Supply& supply) {
-  section.only(
-      {"kind", "angle", "z", "arc", "width", "length", "depth", "pressure", "pressure_absolute",
-       "temperature", "carry_over", "vessel_volume", "vessel_bulk_modulus", "open"},
-      "a supply of kind \"axial_groove\"");
+  section.only({"kind", "angle", "z", "arc", "width", "length", "depth", "pressure",
+                "pressure_absolute", "temperature", "carry_over", "heat_transfer", "vessel_volume",
+                "vessel_bulk_modulus", "open"},
+               "a supply of kind \"axial_groove\"");
   supply.angle = section.quantity("angle", kAngle, kCan.turn);
   supply.length = section.quantity("length", kLength, kPositive);
   if (section.has("arc") && section.has("width")) {
@@ -55,7 +56,8 @@ void read_axial_groove(const Section& section, double radius, Supply& supply) {
 
 void read_circumferential_groove(const Section& section, Supply& supply) {
   section.only({"kind", "angle", "z", "extent", "width", "depth", "pressure", "pressure_absolute",
-                "temperature", "carry_over", "vessel_volume", "vessel_bulk_modulus", "open"},
+                "temperature", "carry_over", "heat_transfer", "vessel_volume",
+                "vessel_bulk_modulus", "open"},
                "a supply of kind \"circumferential_groove\"");
   supply.arc = section.quantity_or("extent", kAngle, kFullCircle, "", kCan.extent);
   if (supply.arc < kFullCircle) supply.angle = section.quantity("angle", kAngle, kCan.turn);
@@ -111,6 +113,30 @@ std::optional<bearing::Vessel> read_vessel(const Section& section, double omega)
   return vessel;
 }
 
+/// Heat between a supply's oil and the walls: a value, or the law of a channel of its depth.
+void read_heat_transfer(const Section& section, Supply& supply) {
+  const char* const key = "heat_transfer";
+  const bool given = section.has(key);
+  if (supply.kind == SupplyKind::axial_groove && supply.arc == 0.0) {
+    if (!given) return;
+    section.fail(key, "a groove without circumferential extent has no surface; give arc or width");
+  }
+  const bool word = given && section.is_text(key) && section.text(key) == "channel";
+  if (word || (!given && section.has("depth"))) {
+    supply.heat_transfer = bearing::ChannelHeat{};
+  } else if (given) {
+    supply.heat_transfer = section.quantity(key, kHeatTransfer, kNotNegative);
+  }
+  if (given) return;
+  section.assume(section.has("depth")
+                     ? fmt::format("{}: its oil exchanges heat with the walls like laminar flow in "
+                                   "a channel of its depth (heat_transfer = \"channel\")",
+                                   section.name(""))
+                     : fmt::format("{}: its oil exchanges no heat with the walls (no depth and no "
+                                   "heat_transfer is given)",
+                                   section.name("")));
+}
+
 Supply read_supply(const Section& section, double radius,
                    const std::optional<double>& oil_temperature, double omega) {
   Supply supply;
@@ -144,6 +170,7 @@ Supply read_supply(const Section& section, double radius,
                     name),
         kUpToOne);
   }
+  if (!drilling) read_heat_transfer(section, supply);
   if (!section.has("temperature") && !oil_temperature) {
     section.fail_missing("temperature", "\"80 degC\"");
   }

@@ -48,6 +48,12 @@ struct Bearing {
 /// A drilling is a hole of the journal and turns with it; it belongs to load cycles.
 enum class SupplyKind { hole, axial_groove, circumferential_groove, drilling };
 
+/// Laminar flow between parallel plates of one temperature, a groove's depth d apart: h = Nu k/(2
+/// d) with Nu = 7.54 [textbook: Shah and London, Laminar Flow Forced Convection in Ducts].
+struct ChannelHeat {
+  static constexpr double kNusselt = 7.54;  ///< on the hydraulic diameter 2 d [-]
+};
+
 /// One supply feature: the part of the surface on which the pressure is given.
 /// Oil behind a supply whose line is shut at times: it then lives on what the vessel holds.
 struct Vessel {
@@ -69,6 +75,8 @@ struct Supply {
   double pressure = 0.0;     ///< gauge [Pa]
   double temperature = 0.0;  ///< [K]
   double carry_over = 1.0;   ///< part of the film oil entering it that is mixed in again [-]
+  /// Heat between its oil and each of the walls that it lies between [W/(m2 K)]; 0: none.
+  std::variant<double, ChannelHeat> heat_transfer = 0.0;
   std::optional<Vessel> vessel{};  ///< none: its pressure stands, whatever flows
 };
 

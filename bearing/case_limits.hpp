@@ -61,7 +61,7 @@ struct BearingLimits {
   double profile_most = 0.1;            ///< heights' spread over the radius: no gap beyond [-]
   double wall_most = 5.0;               ///< shell over radius: no bush's wall is thicker [-]
   double housing_most = 50.0;    ///< outer over inner radius: beyond, a full space does as well [-]
-  double overhang_most = 100.0;  ///< over the radius: a fin is infinite by then [-]
+  double overhang_most = 100.0;  ///< over the radius: a shaft is infinite by then [-]
   int fewest_cells_round = 16;   ///< below, not even a full film's maximum is resolved
   int most_cells = 2000000;      ///< memory: some kB per cell
 };

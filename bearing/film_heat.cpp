@@ -238,6 +238,15 @@ std::vector<double> film_enthalpy(const BearingModel& model, const std::vector<d
   return e;
 }
 
+double supply_heat_transfer(const BearingModel& model, int patch) {
+  if (patch < 0) return 0.0;
+  const Supply& supply = model.input.supplies[patch];
+  if (supply.kind == SupplyKind::drilling) return 0.0;
+  if (const double* given = std::get_if<double>(&supply.heat_transfer)) return *given;
+  const double k = rheology::conductivity(model.oil, supply.temperature, 0.0).k;
+  return ChannelHeat::kNusselt * k / (2.0 * supply.depth);
+}
+
 thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const FilmEquilibrium& s,
                                                const Friction& friction,
                                                std::optional<thermal::FilmStorage> storage) {
@@ -255,6 +264,7 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const 
   p.cp_edge = mean_heat_capacity(model.oil, p.T_reference, p.T_edge);
   for (const Supply& supply : model.input.supplies) {
     thermal::SupplyVessel v;
+    v.heat_transfer = supply_heat_transfer(model, static_cast<int>(p.vessels.size()));
     v.T_supply = supply.temperature;
     v.carry_over = supply.carry_over;
     v.cp_supply = mean_heat_capacity(model.oil, p.T_reference, supply.temperature);
@@ -273,7 +283,7 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const 
       const double wet = std::max(s.film.theta[c], kDry);
       p.conductance[c] = k * g.area(i, j) * wet / s.shear_gap[c];
       const int patch = scene.supply.cell[c];
-      if (patch >= 0) p.vessels[patch].cp_mix = p.cp[static_cast<std::size_t>(c) * n];
+      if (patch >= 0) p.vessels[patch].cp_mix = p.cp[static_cast<std::size_t>(c) * n + n / 2];
     }
   }
   NodeFlows(model, s).fill(p);

@@ -45,6 +45,15 @@ struct AsperityStress {
 /// Density with which flow work and enthalpies are reckoned [kg/m3].
 [[nodiscard]] double reference_density(const BearingModel& model);
 
+/// Heat transfer coefficient between the oil of supply `patch` and each wall [W/(m2 K)], its
+/// conductivity being that at the temperature of supply; 0 of drillings and none (patch < 0).
+[[nodiscard]] double supply_heat_transfer(const BearingModel& model, int patch);
+/// True of film cells, and of those of supplies that exchange heat with the walls.
+[[nodiscard]] inline bool meets_walls(const BearingModel& model, int cell) {
+  const int patch = model.scene.supply.cell[cell];
+  return patch < 0 || supply_heat_transfer(model, patch) > 0.0;
+}
+
 /// The energy problem of the film as it stands, with the temperatures of its columns for the oil's
 /// conductivity and heat capacity; over a time step with the oil that it has stored. Refers to
 /// `model` and `model.gl`.

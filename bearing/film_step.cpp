@@ -373,7 +373,7 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
   const FilmGrid& g = model_.scene.grid;
   const int n = model_.gl.n;
   for (int c = 0; c < g.cells(); ++c) {
-    if (model_.scene.supply.cell[c] >= 0) continue;
+    if (!meets_walls(model_, c)) continue;
     now.film.columns.T[static_cast<std::size_t>(c) * n] = walls.shell[c];
     now.film.columns.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
   }

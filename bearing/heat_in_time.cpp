@@ -121,7 +121,8 @@ HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, 
   problem.shell = free_shell(g, step, rubbed.shell, out.skin);
   out.T = s.columns.T;
   for (int c = 0; c < g.cells(); ++c) {
-    if (film(c)) out.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
+    if (!meets_walls(model, c)) continue;
+    out.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
   }
   const std::vector<double> cp = problem.cp;
   const double T_ref = problem.T_reference;
@@ -133,16 +134,16 @@ HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, 
   out.flows.work =
       (friction.viscous + friction.asperity) * model.scene.speed / g.radius + pump_power(model, s);
   const thermal::WallHeat into = energy.wall_heat(out.T);
-  out.flows.to_shell = walls.flux;  // supply features: no film, no swing
+  out.flows.to_shell = walls.flux;  // of supplies that exchange no heat: no swing
   out.flows.to_shaft.assign(g.cells(), 0.0);
   out.held_slope.assign(out.T.size(), 0.0);
   for (int c = 0; c < g.cells(); ++c) {
-    if (!film(c)) continue;
+    if (!meets_walls(model, c)) continue;
     const double area = g.area(c / g.nz, c % g.nz);
     out.flows.to_shell[c] = into.shell[c] / area + rubbed.shell[c];
     out.flows.to_shaft[c] = into.shaft[c] / area + rubbed.shaft[c];
     out.flows.rubbed += area * (rubbed.shell[c] + rubbed.shaft[c]);
-    for (int k = 0; k < n; ++k) {
+    for (int k = 0; k < n && film(c); ++k) {
       const std::size_t at = static_cast<std::size_t>(c) * n + k;
       out.held_slope[at] = (after[c] * cp[at] * (out.T[at] - T_ref) - held[at]) / own;
     }

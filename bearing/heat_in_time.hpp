@@ -10,7 +10,7 @@
 /// off of the sweeps. Shell and film are solved together, column by column.
 /// The walls' bodies answer far more slowly than a cycle lasts: they hold their mean over it
 /// (cycle_walls.hpp), and the skin swings about it. The shaft turns: its surface is at its mean
-/// (thermal/shaft_fin.hpp).
+/// (thermal/shaft_conduction.hpp).
 /// The film's viscosity in a stage is that of temperatures carried on in a straight line from the
 /// stages before, not of the last ones. Source: methods 3.5, 4; textbook.
 #include <optional>

@@ -64,6 +64,9 @@ void judge_supply(const Supply& s, const ValueCheck& supply) {
   supply.number("pressure", s.pressure, "bar", can.gauge_pressure);
   supply.temperature("temperature", s.temperature);
   supply.number("carry_over", s.carry_over, "", kUpToOne);
+  if (const double* h = std::get_if<double>(&s.heat_transfer)) {
+    supply.number("heat_transfer", *h, "W/(m2 K)", kNotNegative);
+  }
 }
 
 void judge_list_of_supplies(const Case& c, Findings& to) {

@@ -66,6 +66,11 @@ solid::Support support_of(const Case& c) {
   return solid::Support::held;
 }
 
+/// Length of shaft beyond the bearing that is elastic, each side [m].
+double elastic_overhang(const Case& c) {
+  return c.shaft->elastic_overhang.value_or(std::max(c.shaft->overhang, c.bearing.radius));
+}
+
 constexpr double kLocalPart = 0.55;  ///< of the film's largest local response; above 1/2 [-]
 
 /// Mean over harmonics of the mean eigenvalue: what a pressure of no particular shape meets.
@@ -113,7 +118,6 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
           sample_.complete(compose(ops.thermal_deformation, conduction_->nodal()));
       uniform_expansion_ = solid::uniform_expansion(ops);
       thermal_deformation_ = std::move(ops.thermal_deformation);
-      shaft_expansion_ = c.shaft->material.expansion;
     }
   }
   setup_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -122,8 +126,7 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
 void Solids::build_compliance(const Case& c, const HarmonicOperator& shell) {
   const int N = harmonics_.highest();
   const RadialRows rows = rows_of_cylinder(c.bearing.radius, surface_row(c.bearing.radius, N));
-  const double beyond =
-      c.shaft->elastic_overhang.value_or(std::max(c.shaft->overhang, c.bearing.radius));
+  const double beyond = elastic_overhang(c);
   const RevolutionMesh shaft =
       make_revolution_mesh(rows.face, rows.layer, axial_elements(grid_, beyond), grid_.half);
   const HarmonicOperator journal = solid::shaft_compliance(shaft, grid_, c.shaft->material, N);
@@ -154,9 +157,29 @@ void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMes
   }
   boundary.back_line = thermal::outer_line(mesh, layers.last_of_shell);
   conduction_.emplace(mesh, grid_, k, boundary, harmonics_, sample_);
-  const solid::Material& m = c.shaft->material;
-  fin_ = {m.conductivity, c.shaft->overhang, c.shaft->heat_transfer, c.shaft->ambient,
-          m.density * m.heat_capacity};
+  build_shaft(c);
+}
+
+void Solids::build_shaft(const Case& c) {
+  const Shaft& shaft = *c.shaft;
+  const solid::Material& m = shaft.material;
+  // Without overhang no ambient is met; temperatures count from one that they are near.
+  shaft_ambient_ = shaft.overhang > 0.0 ? shaft.ambient : reference_;
+  const RevolutionMesh mesh = thermal::shaft_mesh(grid_, shaft.overhang);
+  shaft_conduction_.emplace(mesh, grid_,
+                            thermal::ShaftBody{m.conductivity, shaft.heat_transfer, shaft_ambient_,
+                                               m.density * m.heat_capacity});
+  if (!effects_.thermal_deformation) return;
+  // Where the elastic shaft is longer it is as warm there as at the end of the one that conducts.
+  const double more = std::max(0.0, elastic_overhang(c) - shaft.overhang);
+  const RevolutionMesh longer = make_revolution_mesh(
+      mesh.r_face, mesh.layer, continued(mesh.z_face, more, mesh.half), mesh.half);
+  const Eigen::MatrixXd by_node = solid::shaft_thermal_deformation(longer, grid_, m);
+  const std::vector<int> node = nearest_along(longer, mesh);
+  shaft_thermal_deformation_ = Eigen::MatrixXd::Zero(grid_.nz, mesh.nodes());
+  for (std::size_t a = 0; a < node.size(); ++a) {
+    shaft_thermal_deformation_.col(node[a]) += by_node.col(static_cast<Eigen::Index>(a));
+  }
 }
 
 bool Solids::serve(const Case& c, const FilmGrid& grid, SolidEffects wanted) const {
@@ -194,6 +217,7 @@ Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
   // What is missing to balance now: both vanish at the solution.
   const StepOperators* ops = step.operators.get();
   const thermal::ShellConduction& shell = ops ? ops->shell : *conduction_;
+  const thermal::ShaftConduction& shaft = ops ? ops->shaft : *shaft_conduction_;
   const double now = shell.mean_surface(q.shell, surroundings_, ops ? &step.history : nullptr);
   double missing = 0.0;
   double area = 0.0;
@@ -206,16 +230,15 @@ Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,
   }
   const double whole = area * grid_.multiplicity();
   const double b1 = missing / area;  // [K]
-  const double b2 =
-      thermal::shaft_imbalance(grid_, fin_, q.shaft, T_shaft, step.shaft) / whole;  // [W/m2]
-  // dTs (1 + R Gs) - R across dTj = b1,   -back dTs + (fin + Gj) dTj = b2
-  const double fin = thermal::shaft_conductance(grid_, fin_, step.shaft.dt) / whole;
+  const double b2 = shaft.imbalance(q.shaft, T_shaft, ops ? &step.shaft : nullptr) / whole;
+  // dTs (1 + R Gs) - R across dTj = b1,   -back dTs + (draw + Gj) dTj = b2 [W/m2]
+  const double draw = shaft.conductance() / whole;
   const double R = shell.resistance();
   const auto& r = q.response;
   const double a11 = 1.0 + R * r.shell;
   const double a12 = -R * r.across;
   const double a21 = -r.back;
-  const double a22 = fin + r.shaft;
+  const double a22 = draw + r.shaft;
   const double det = a11 * a22 - a12 * a21;
   if (!(det > 0.0)) return {};
   return {(b1 * a22 - a12 * b2) / det, (a11 * b2 - a21 * b1) / det};
@@ -242,24 +265,24 @@ SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
   const thermal::ShellConduction& shell = ops ? ops->shell : *conduction_;
   out.shell = shell.solve(to_shell, {ring, local}, T_shell, surroundings_, wanted.back,
                           ops ? &step.history : nullptr);
-  out.shaft = thermal::solve_shaft(grid_, fin_, to_shaft, along, T_shaft, step.shaft);
+  const thermal::ShaftConduction& shaft = ops ? ops->shaft : *shaft_conduction_;
+  out.shaft = shaft.solve(to_shaft, along, T_shaft, ops ? &step.shaft : nullptr);
   if (!effects_.thermal_deformation || !wanted.thermal_deformation) return out;
   Eigen::MatrixXd bore =
       multiply(ops ? ops->deformation_per_flux : deformation_per_flux_, out.shell.flux);
   if (ops) bore += step.thermal_deformation;
-  out.thermal_deformation = total_deformation(bore, out.shaft.temperature);
+  out.thermal_deformation = total_deformation(bore, out.shaft.nodal);
   return out;
 }
 
-Field Solids::total_deformation(const Eigen::MatrixXd& bore,
-                                const std::vector<double>& T_shaft) const {
+Field Solids::total_deformation(const Eigen::MatrixXd& bore, const Eigen::VectorXd& shaft) const {
   Field thermal_deformation = harmonics_.synthesise(bore);
-  const std::vector<double> shaft =
-      solid::shaft_expansion(grid_.radius, shaft_expansion_, T_shaft, reference_);
+  const Eigen::VectorXd journal =
+      shaft_thermal_deformation_ * (shaft.array() + (shaft_ambient_ - reference_)).matrix();
   for (int i = 0; i < grid_.nt; ++i) {
     for (int j = 0; j < grid_.nz; ++j) {
       thermal_deformation[grid_.index(i, j)] +=
-          uniform_expansion_[j] * (surroundings_ - reference_) + shaft[j];
+          uniform_expansion_[j] * (surroundings_ - reference_) + journal[j];
     }
   }
   return thermal_deformation;

@@ -14,7 +14,7 @@
 #include "core/revolution_mesh.hpp"
 #include "thermal/film_energy.hpp"
 #include "thermal/revolution_conduction.hpp"
-#include "thermal/shaft_fin.hpp"
+#include "thermal/shaft_conduction.hpp"
 
 namespace shellback::bearing {
 
@@ -47,12 +47,13 @@ struct SolidTemperature {
 struct SolidState {
   /// Nodal temperatures above the shell's surroundings, nodes x (2 N + 1) coefficients [K].
   Eigen::MatrixXd shell;
-  thermal::ShaftState shaft;  ///< [K]
+  Eigen::VectorXd shaft;  ///< nodal temperatures above the shaft's ambient [K]
 };
 
 /// What depends on the length of a time step alone.
 struct StepOperators {
   thermal::ShellConduction shell;
+  thermal::ShaftConduction shaft;
   HarmonicOperator thermal_deformation;   ///< of the bore per nodal temperature [m/K]
   HarmonicOperator deformation_per_flux;  ///< [m3/W]
 };
@@ -62,7 +63,7 @@ struct SolidStep {
   std::shared_ptr<const StepOperators> operators;  ///< none: a step without end
   thermal::ShellHistory history;
   Eigen::MatrixXd thermal_deformation;  ///< what that does to the bore, nz x (2 N + 1) [m]
-  thermal::ShaftStep shaft;             ///< with the step's length
+  thermal::ShaftHistory shaft;
 };
 
 class Solids {
@@ -137,10 +138,12 @@ class Solids {
                                        const std::vector<double>& T_shaft,
                                        const SolidStep& step) const;
   /// The bore's thermal deformation of these coefficients with that of the surroundings and of the
-  /// shaft [m].
+  /// shaft, whose nodes are `shaft` above its ambient [m].
   [[nodiscard]] Field total_deformation(const Eigen::MatrixXd& bore,
-                                        const std::vector<double>& T_shaft) const;
+                                        const Eigen::VectorXd& shaft) const;
   void build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh);
+  /// Conduction of the shaft and, if wanted, what its temperature does to the gap.
+  void build_shaft(const Case& c);
 
   FilmGrid grid_;
   std::optional<Shell> shell_;  ///< what the operators were built for
@@ -155,10 +158,11 @@ class Solids {
   HarmonicOperator thermal_deformation_;  ///< per nodal temperature, computed harmonics only [m/K]
   HarmonicOperator deformation_per_flux_;
   Eigen::VectorXd uniform_expansion_;  ///< of the bore per kelvin, per axial cell [m/K]
-  thermal::ShaftFin fin_;
+  std::optional<thermal::ShaftConduction> shaft_conduction_;
+  double shaft_ambient_ = 0.0;                 ///< [K]
+  Eigen::MatrixXd shaft_thermal_deformation_;  ///< of the gap per nodal temperature [m/K]
   double surroundings_ = 0.0;
   double reference_ = 0.0;
-  double shaft_expansion_ = 0.0;
   double setup_s_ = 0.0;
 };
 

@@ -18,11 +18,10 @@ Eigen::MatrixXd bore_expansion(const HarmonicOperator& thermal_deformation,
 SolidStep Solids::step(double dt, const SolidState& before, const SolidStep* last) const {
   SolidStep step;
   if (std::isinf(dt) && dt > 0.0) return step;
-  step.shaft = {dt, before.shaft};
   if (last && last->operators && last->operators->shell.dt() == dt) {
     step.operators = last->operators;
   } else {
-    StepOperators ops{conduction_->over(dt, capacity_), {}, {}};
+    StepOperators ops{conduction_->over(dt, capacity_), shaft_conduction_->over(dt), {}, {}};
     if (effects_.thermal_deformation) {
       ops.thermal_deformation = sample_.complete(thermal_deformation_);
       ops.deformation_per_flux = compose(ops.thermal_deformation, ops.shell.nodal());
@@ -30,6 +29,7 @@ SolidStep Solids::step(double dt, const SolidState& before, const SolidStep* las
     step.operators = std::make_shared<const StepOperators>(std::move(ops));
   }
   step.history = step.operators->shell.history(before.shell);
+  step.shaft = step.operators->shaft.history(before.shaft);
   step.thermal_deformation =
       bore_expansion(step.operators->thermal_deformation, step.history.nodal);
   return step;
@@ -40,23 +40,20 @@ SolidState Solids::state(const SolidTemperature& answer, const SolidStep* step) 
   const Eigen::MatrixXd& flux = answer.shell.flux;
   return {ops ? ops->shell.nodal_temperatures(flux, &step->history)
               : conduction_->nodal_temperatures(flux),
-          answer.shaft.state()};
+          answer.shaft.nodal};
 }
 
 SolidState Solids::uniform_state(double T) const {
-  return {conduction_->uniform_temperatures(T - surroundings_),
-          thermal::uniform_shaft(grid_, fin_, T)};
+  return {conduction_->uniform_temperatures(T - surroundings_), shaft_conduction_->uniform(T)};
 }
 
 SolidTemperature Solids::at(const SolidState& state) const {
   SolidTemperature out;
   out.shell = conduction_->at(state.shell, surroundings_);
-  out.shaft.temperature = state.shaft.cells;
-  out.shaft.high = state.shaft.high;
-  out.shaft.low = state.shaft.low;
+  out.shaft = shaft_conduction_->at(state.shaft);
   if (effects_.thermal_deformation) {
     out.thermal_deformation = total_deformation(
-        bore_expansion(sample_.complete(thermal_deformation_), state.shell), state.shaft.cells);
+        bore_expansion(sample_.complete(thermal_deformation_), state.shell), state.shaft);
   }
   return out;
 }

@@ -29,7 +29,7 @@ void WallBalance::read_from_film() {
   const auto& T = s_.film.columns.T;
   const int n = s_.model.gl.n;
   for (int c = 0; c < g.cells(); ++c) {
-    if (s_.model.scene.supply.cell[c] < 0) s_.heat.T_shell[c] = T[c * n];
+    if (meets_walls(s_.model, c)) s_.heat.T_shell[c] = T[c * n];
   }
   for (int j = 0; j < g.nz; ++j) {
     double sum = 0.0;
@@ -74,7 +74,7 @@ void WallBalance::impose_walls() {
   const FilmGrid& g = s_.model.scene.grid;
   const int n = s_.model.gl.n;
   for (int c = 0; c < g.cells(); ++c) {
-    if (s_.model.scene.supply.cell[c] >= 0) continue;
+    if (!meets_walls(s_.model, c)) continue;
     s_.film.columns.T[c * n] = s_.heat.T_shell[c];
     s_.film.columns.T[c * n + n - 1] = s_.heat.T_shaft[c % g.nz];
   }

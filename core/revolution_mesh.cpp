@@ -172,20 +172,42 @@ std::vector<double> axial_elements(const FilmGrid& grid, double overhang) {
   if (!grid.half && mirrors_itself(cells)) put_mid_width(cells);
   const int per_half = static_cast<int>(cells.size() - 1) / (grid.half ? 1 : 2);
   std::vector<double> face = cut(cells, (kLeastColsPerHalf + per_half - 1) / per_half);
-  if (overhang == 0.0) return face;
-  const double end = 0.5 * grid.width;
+  return continued(std::move(face), overhang, grid.half);
+}
+
+std::vector<double> continued(std::vector<double> face, double length, bool half) {
+  EXPECTS(length >= 0.0 && face.size() >= 2);
+  if (length == 0.0) return face;
+  const double end = face.back();
   std::vector<double> beyond;
   double z = end;
-  for (const double dz : graded(overhang, kLargestRatio * (end - face[face.size() - 2]), 1)) {
+  for (const double dz : graded(length, kLargestRatio * (end - face[face.size() - 2]), 1)) {
     beyond.push_back(z += dz);
   }
-  beyond.back() = end + overhang;
+  beyond.back() = end + length;
   face.insert(face.end(), beyond.begin(), beyond.end());
-  if (grid.half) return face;
+  if (half) return face;
   std::vector<double> full;
   for (auto far = beyond.rbegin(); far != beyond.rend(); ++far) full.push_back(-*far);
   full.insert(full.end(), face.begin(), face.end());
   return full;
+}
+
+std::vector<int> nearest_along(const RevolutionMesh& longer, const RevolutionMesh& mesh) {
+  const int added = longer.cols - mesh.cols, low = longer.half ? 0 : added / 2;
+  EXPECTS(longer.r_face == mesh.r_face && longer.half == mesh.half && added >= 0);
+  EXPECTS(longer.half || added % 2 == 0);
+  std::vector<int> node;
+  for (int k = 0; k <= mesh.rows; ++k) {
+    for (int m = 0; m < longer.line_nodes(); ++m) {
+      node.push_back(mesh.group_begin(k) + std::clamp(m - 2 * low, 0, 2 * mesh.cols));
+    }
+    if (k == mesh.rows) break;
+    for (int m = 0; m <= longer.cols; ++m) {
+      node.push_back(mesh.mid_node(k, std::clamp(m - low, 0, mesh.cols)));
+    }
+  }
+  return node;
 }
 
 std::vector<double> halved(const std::vector<double>& face) { return cut(face, 2); }

@@ -72,6 +72,15 @@ struct RadialRows {
 /// on each side (one side if the grid is half) is added in elements that double in length.
 [[nodiscard]] std::vector<double> axial_elements(const FilmGrid& grid, double overhang = 0.0);
 
+/// Faces with `length` [m] added on each side (the high one if `half`) in elements that double in
+/// length.
+[[nodiscard]] std::vector<double> continued(std::vector<double> face, double length, bool half);
+
+/// For each node of a mesh that goes on beyond another of the same rows, by as many elements on
+/// each side: the other's node in its place, or at its end on the same radius.
+[[nodiscard]] std::vector<int> nearest_along(const RevolutionMesh& longer,
+                                             const RevolutionMesh& mesh);
+
 /// Faces with every interval halved: the refinement of convergence studies.
 [[nodiscard]] std::vector<double> halved(const std::vector<double>& face);
 [[nodiscard]] RadialRows halved(const RadialRows& rows);

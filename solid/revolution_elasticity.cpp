@@ -233,14 +233,14 @@ HarmonicOperator shaft_compliance(const RevolutionMesh& mesh, const FilmGrid& gr
       .compliance;
 }
 
-std::vector<double> shaft_expansion(double radius, double expansion,
-                                    const std::vector<double>& shaft_temperature,
-                                    double reference_temperature) {
-  std::vector<double> opening;
-  for (const double t : shaft_temperature) {
-    opening.push_back(-expansion * radius * (t - reference_temperature));
-  }
-  return opening;
+Eigen::MatrixXd shaft_thermal_deformation(const RevolutionMesh& mesh, const FilmGrid& grid,
+                                          const Material& material) {
+  EXPECTS(mesh.r_face.front() == 0.0 && mesh.half == grid.half);
+  ElasticOptions options;
+  options.support = Support::free;
+  options.only = {0};
+  const ElasticBody body = make_elastic_body(mesh, {material}, false, mesh.rows, options.order, 1);
+  return -solve_all(body, grid, options).thermal_deformation.front();
 }
 
 Eigen::VectorXd uniform_expansion(const ElasticOperators& operators) {

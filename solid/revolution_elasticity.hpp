@@ -13,7 +13,7 @@
 ///
 /// and diag(dz) C_n is symmetric and positive semi-definite. Sign: a positive entry opens the gap.
 /// Pressure pushes the shell outwards and the shaft inwards: both open it. Thermal deformation of
-/// the bore opens it; thermal deformation of the shaft (shaft_expansion) closes it.
+/// the bore opens it; that of the shaft (shaft_thermal_deformation) closes it.
 ///
 /// The sections are built with rows_outwards / rows_of_cylinder and axial_elements; the shell's
 /// bore is the innermost line of its mesh, the shaft's journal surface the outermost. Small
@@ -76,13 +76,12 @@ struct ElasticOperators {
                                                 AxialEnds ends = AxialEnds::free,
                                                 Elimination order = Elimination::cheapest);
 
-/// Gap opening [m] from the shaft's temperature, one value for each axial cell: -expansion R
-/// (T_s(z) - T_ref). Exact for a free shaft whose temperature is uniform over its section and
-/// linear in z: u_r = a r T, u_z = a int T dz - a r^2 T'/2, with a the expansion, is free of
-/// stress. Otherwise the error is of the order a R^3 d2T/dz2.
-[[nodiscard]] std::vector<double> shaft_expansion(double radius, double expansion,
-                                                  const std::vector<double>& shaft_temperature,
-                                                  double reference_temperature);
+/// Gap opening [m/K] of each axial cell per nodal temperature of a free solid shaft (mesh from
+/// r = 0), the same all round: -U_0 of (3), nz x nodes. A shaft of one temperature opens the gap by
+/// -expansion R per kelvin. Throws as shell_elasticity.
+[[nodiscard]] Eigen::MatrixXd shaft_thermal_deformation(const RevolutionMesh& mesh,
+                                                        const FilmGrid& grid,
+                                                        const Material& material);
 
 /// Thermal deformation of the bore [m] of each axial cell for 1 K uniform temperature rise of the
 /// whole body.

@@ -12,19 +12,13 @@ namespace {
 void require_possible(const std::vector<double>& conductivity, const ConductionBoundary& b) {
   for (const double k : conductivity) {
     if (k > 0.0) continue;
-    throw InputError(
-        fmt::format("conductivity of a shell layer is {} W/(m K) (must be positive)", k));
+    throw InputError(fmt::format("conductivity of a layer is {} W/(m K) (must be positive)", k));
   }
   if (b.back_heat_transfer < 0.0 || b.end_heat_transfer < 0.0) {
     throw InputError(fmt::format(
-        "heat transfer coefficients {} and {} W/(m2 K) of the shell's back and ends (must not be "
+        "heat transfer coefficients {} and {} W/(m2 K) of a body's surface and ends (must not be "
         "negative)",
         b.back_heat_transfer, b.end_heat_transfer));
-  }
-  if (b.kind == BackKind::convective && b.back_heat_transfer + b.end_heat_transfer == 0.0) {
-    throw InputError(
-        "no heat can leave the shell: both heat transfer coefficients are zero; give the back or "
-        "the ends a positive one, or prescribe the back temperature");
   }
 }
 
@@ -47,7 +41,7 @@ ConductionSystem::ConductionSystem(const ConductionSystem& steady, const std::ve
                                    double dt)
     : ConductionSystem(steady) {
   if (!(dt > 0.0) || std::isinf(dt)) {
-    throw InputError(fmt::format("time step {} s of the shell (must be positive and finite)", dt));
+    throw InputError(fmt::format("time step {} s of conduction (must be positive and finite)", dt));
   }
   dt_ = dt;
   storage_.clear();
@@ -55,7 +49,7 @@ ConductionSystem::ConductionSystem(const ConductionSystem& steady, const std::ve
     const double c = rho_c[mesh_.layer[row]];
     if (!(c > 0.0)) {
       throw InputError(fmt::format(
-          "density times heat capacity of a shell layer is {} J/(m3 K) (must be positive)", c));
+          "density times heat capacity of a layer is {} J/(m3 K) (must be positive)", c));
     }
     for (int col = 0; col < mesh_.cols; ++col) {
       storage_.push_back(heat_capacity_matrix(mesh_, row, col, c) / dt);
@@ -67,7 +61,7 @@ int ConductionSystem::free_nodes() const {
   return held() ? mesh_.group_begin(rows_) : mesh_.nodes();
 }
 
-BlockTridiagonal ConductionSystem::factor(int n) const {
+BlockTridiagonal ConductionSystem::factor(int n, const Eigen::MatrixXd& outer_line) const {
   BlockTridiagonal a;
   const int line = mesh_.line_nodes();
   for (int k = 0; k <= rows_; ++k) {
@@ -93,6 +87,7 @@ BlockTridiagonal ConductionSystem::factor(int n) const {
     a.diagonal.pop_back();
     a.coupling.pop_back();
   }
+  if (outer_line.size() > 0) a.diagonal.back() += outer_line;
   if (!factorise(a)) throw InputError("the conduction matrix is not positive definite");
   return a;
 }

@@ -1,5 +1,6 @@
 #pragma once
-/// The discrete heat equation of the layered shell and its housing, harmonic by harmonic.
+/// The discrete heat equation of a body of revolution, harmonic by harmonic: the layered shell with
+/// its housing, or the shaft.
 ///
 ///   (K_n + M/dt) T_n = f_n + M/dt T_n,before                                              (1)
 ///
@@ -20,7 +21,7 @@ namespace shellback::thermal {
 class ConductionSystem {
  public:
   /// Steady. `conductivity[mesh.layer[row]]` [W/(m K)]. Throws InputError if a conductivity is not
-  /// positive, a coefficient is negative, or no heat can leave.
+  /// positive or a coefficient is negative.
   ConductionSystem(const RevolutionMesh& mesh, const std::vector<double>& conductivity,
                    const ConductionBoundary& boundary);
   /// The same body over a time step dt [s]; `rho_c[mesh.layer[row]]` [J/(m3 K)]. Throws InputError
@@ -32,8 +33,9 @@ class ConductionSystem {
   /// Nodes in front of a prescribed back; all of them otherwise.
   [[nodiscard]] int free_nodes() const;
 
-  /// Factor of K_n + M/dt, held nodes left out.
-  [[nodiscard]] BlockTridiagonal factor(int n) const;
+  /// Factor of K_n + M/dt, held nodes left out; `outer_line` is added to it on the outermost corner
+  /// line, if it is given. Throws InputError if nothing holds the temperature.
+  [[nodiscard]] BlockTridiagonal factor(int n, const Eigen::MatrixXd& outer_line = {}) const;
   /// Nodal temperatures under nodal heat `load`, nodes x any number of right-hand sides.
   [[nodiscard]] Eigen::MatrixXd solve(const BlockTridiagonal& factor,
                                       const Eigen::MatrixXd& load) const;

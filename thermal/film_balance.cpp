@@ -30,7 +30,7 @@ WallResponse FilmEnergy::wall_response(int laps) const {
     for (int i = 0; i < g.nt; ++i) {
       for (int j = 0; j < g.nz; ++j) {
         const int c = g.index(i, j);
-        if (p_.patch[c] >= 0) continue;
+        if (p_.patch[c] >= 0 && !(vessel_transfer(c) > 0.0)) continue;
         sum[0] += q.shell[c];
         sum[1] += q.shaft[c];
         area += g.area(i, j);
@@ -56,9 +56,9 @@ EnergyBalance FilmEnergy::balance(const std::vector<double>& T) const {
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int cell = g.index(i, j);
-      if (p_.patch[cell] >= 0) continue;
       b.to_shell += q.shell[cell];
       b.to_shaft += q.shaft[cell];
+      if (p_.patch[cell] >= 0) continue;
       for (int k = 0; k < n_; ++k) {
         const std::size_t at = static_cast<std::size_t>(cell) * n_ + k;
         b.heat += p_.heat[at];

@@ -116,7 +116,13 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   shaft_ring_.assign(g.nz, 0.0);
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
-      if (p_.patch[g.index(i, j)] >= 0) continue;
+      if (p_.patch[g.index(i, j)] >= 0) {
+        const double h = vessel_transfer(g.index(i, j)), part = g.dphi[i] / (2.0 * kPi);
+        shell_local_ = std::max(shell_local_, h);
+        shell_ring_[j] += part * h;
+        shaft_ring_[j] += part * h;
+        continue;
+      }
       build_column(i, j);
       Inflow faces[4];
       const int count = faces_of(i, j, faces);
@@ -391,46 +397,6 @@ void FilmEnergy::enthalpies_of(const std::vector<double>& T, std::vector<double>
   std::fill_n(enthalpy.end() - n_, n_, p_.cp_edge * (p_.T_edge - p_.T_reference));
 }
 
-std::vector<FilmEnergy::VesselFlow> FilmEnergy::vessel_flows(const std::vector<double>& T) const {
-  std::vector<VesselFlow> flows(p_.vessels.size());
-  for (const int cell : shore_) {
-    Inflow faces[4];
-    const int count = faces_of(cell / p_.grid->nz, cell % p_.grid->nz, faces);
-    for (int f = 0; f < count; ++f) {
-      if (faces[f].source >= 0 || faces[f].source == kEdge) continue;
-      VesselFlow& v = flows[-1 - faces[f].source];
-      for (int k = 0; k < n_; ++k) {
-        const double in = p_.gl->w[k] * faces[f].sign * faces[f].flow[k];
-        if (in > 0.0) {
-          v.out += in;
-        } else {
-          const std::size_t at = static_cast<std::size_t>(cell) * n_ + k;
-          v.in -= in;
-          v.in_heat -= in * p_.cp[at] * (T[at] - p_.T_reference);
-        }
-      }
-    }
-  }
-  return flows;
-}
-
-void FilmEnergy::mix(std::vector<double>& T) {
-  const auto flows = vessel_flows(T);
-  for (std::size_t v = 0; v < flows.size(); ++v) {
-    const SupplyVessel& s = p_.vessels[v];
-    const double returned = s.carry_over * flows[v].in;
-    const double fresh = flows[v].out - returned;
-    double heat = s.carry_over * flows[v].in_heat + s.heat;
-    if (fresh > 0.0) heat += fresh * s.cp_supply * (s.T_supply - p_.T_reference);
-    const double through = std::max(flows[v].out, returned);
-    T_mix_[v] = through > 0.0 ? p_.T_reference + heat / (through * s.cp_mix) : s.T_supply;
-  }
-  for (std::size_t c = 0; c < p_.patch.size(); ++c) {
-    if (p_.patch[c] < 0) continue;
-    std::fill_n(&T[c * n_], n_, T_mix_[p_.patch[c]]);
-  }
-}
-
 template <int N>
 double FilmEnergy::march(std::vector<double>& T) {
   const FilmGrid& g = *p_.grid;
@@ -503,7 +469,13 @@ WallHeat FilmEnergy::wall_heat(const std::vector<double>& T) const {
   std::vector<double> enthalpy;
   enthalpies_of(T, enthalpy);
   for (int cell = 0; cell < g.cells(); ++cell) {
-    if (p_.patch[cell] >= 0) continue;
+    if (p_.patch[cell] >= 0) {
+      const double hA = vessel_transfer(cell) * g.area(cell / g.nz, cell % g.nz);
+      const std::size_t at = static_cast<std::size_t>(cell) * n_;
+      q.shell[cell] = hA * (T_mix_[p_.patch[cell]] - T[at]);
+      q.shaft[cell] = hA * (T_mix_[p_.patch[cell]] - T[at + n_ - 1]);
+      continue;
+    }
     q.shell[cell] = wall_row(cell, 0, T, enthalpy);
     q.shaft[cell] = wall_row(cell, n_ - 1, T, enthalpy);
   }

@@ -31,7 +31,12 @@
 ///   T_mix O = lambda sum(I T) + (O - lambda I) T_supply + heat/cp                   (2)
 /// O, I gross mass flows out of and into the patch, lambda the part of the film oil that is mixed
 /// in again; (1 - lambda) I drains at its own temperature and is replaced by fresh oil. If
-/// O < lambda I the surplus leaves through the supply at T_mix.
+/// O < lambda I the surplus leaves through the supply at T_mix. A vessel may exchange heat with
+/// both walls over its cells; (2) then has on its right
+///   - sum over cells of h A [(T_mix - T_shell) + (T_mix - T_shaft)] / cp                 (6)
+/// which the walls receive. The wall nodes of its cells hold the walls' temperatures. Oil that is
+/// drawn off evenly along a groove cools on its way as m cp dT = -h dA (T - T_wall), m falling to
+/// zero at its end: it leaves at a mean of T_wall + (T_in - T_wall)/(1 + h A/(O cp)), which is (6).
 /// Sources: methods 3.1, 3.2; the projection is ours (docs/theory.md).
 #include <optional>
 #include <vector>
@@ -62,6 +67,8 @@ struct SupplyVessel {
   double cp_mix = 0.0;      ///< the same for the mixed oil [J/(kg K)]
   double carry_over = 1.0;  ///< lambda [-]
   double heat = 0.0;        ///< dissipated inside the patch [W] (of the solved part)
+  /// h of (6), its oil against each wall [W/(m2 K)]; 0: none
+  double heat_transfer = 0.0;
 };
 
 /// The oil of the cells over a time step, (4). Supply patches are not looked at.
@@ -177,6 +184,17 @@ class FilmEnergy {
   [[nodiscard]] double source_enthalpy(const Inflow& f, int k, const std::vector<double>& T) const;
   /// Puts the enthalpy of oil that is fed into the cells to their heat.
   void take_fed_oil();
+  /// h of (6) for the vessel that the cell lies in; 0 in the film [W/(m2 K)].
+  [[nodiscard]] double vessel_transfer(int cell) const;
+  /// (6) of one cell with an unyielding shell: h A of shell and shaft [W/K], and the temperatures
+  /// against which they stand, from T_reference [K].
+  struct VesselWalls {
+    double shell = 0.0, shaft = 0.0;
+    double T_shell = 0.0, T_shaft = 0.0;
+  };
+  [[nodiscard]] VesselWalls vessel_walls(int cell, const std::vector<double>& T) const;
+  /// Puts T_mix to the cells of the vessels; a yielding shell warms by what it receives.
+  void fill_vessels(std::vector<double>& T) const;
   /// What (4) brings from before the step, and how fast cells gain oil.
   void take_storage();
   void build_column(int i, int j);

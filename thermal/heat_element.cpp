@@ -38,7 +38,9 @@ HeatElement heat_element(const RevolutionMesh& mesh, int row, int col, double k,
   const double h = boundary.end_heat_transfer;
   if (col == 0 && !mesh.half) add_edge(e.ends, kLowEnd, h, r0, r1, r1 - r0);
   if (col == mesh.cols - 1) add_edge(e.ends, kHighEnd, h, r0, r1, r1 - r0);
-  if (row == mesh.rows - 1 && boundary.kind == BackKind::convective) {
+  const double z = 0.5 * (mesh.z_face[col] + mesh.z_face[col + 1]);
+  const bool bare = boundary.kind == BackKind::convective && std::abs(z) > boundary.covered;
+  if (row == mesh.rows - 1 && bare) {
     add_edge(e.outer, kOuterEdge, boundary.back_heat_transfer, r1, r1,
              mesh.z_face[col + 1] - mesh.z_face[col]);
   }

@@ -24,7 +24,9 @@ struct ConductionBoundary {
   BackKind kind = BackKind::convective;
   double back_heat_transfer = 0.0;  ///< of the outer surface, convective only [W/(m2 K)]
   double end_heat_transfer = 0.0;   ///< of the end faces [W/(m2 K)]
-  int back_line = 0;  ///< corner line at the back of the shell (outermost shell layer)
+  int back_line = 0;     ///< corner line at the back of the shell (outermost shell layer)
+  double covered = 0.0;  ///< half-width of the outer surface that the film covers: it meets no
+                         ///< ambient; of a shaft [m]
 };
 
 using Matrix8 = Eigen::Matrix<double, 8, 8>;

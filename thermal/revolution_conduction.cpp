@@ -44,6 +44,12 @@ ShellConduction::ShellConduction(const RevolutionMesh& mesh, const FilmGrid& gri
       sample_(std::move(sample)),
       cells_(cell_integrals(mesh, grid)) {
   EXPECTS(mesh.half == grid.half && mesh.r_face.front() > 0.0);
+  const bool insulated = boundary.back_heat_transfer + boundary.end_heat_transfer == 0.0;
+  if (boundary.kind == BackKind::convective && insulated) {
+    throw InputError(
+        "no heat can leave the shell: both heat transfer coefficients are zero; give the back or "
+        "the ends a positive one, or prescribe the back temperature");
+  }
   compute();
 }
 

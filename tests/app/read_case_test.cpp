@@ -110,6 +110,32 @@ TEST_CASE("ADrillingTurnsAndSoNeedsALoadCycle") {
   check_refused(kHole, drilling + "\ncarry_over = 0.5", {"case.toml:12:1", "carry_over"});
 }
 
+TEST_CASE("OilOfSuppliesMeetsTheWallsIfItsDepthIsKnown") {
+  const auto with = [](const std::string& keys) { return read_sample(kHole, kHole + keys); };
+  const auto value = [](const bearing::Case& c) {
+    return std::get<double>(c.supplies[0].heat_transfer);
+  };
+  const auto channel = [](const bearing::Case& c) {
+    return std::holds_alternative<bearing::ChannelHeat>(c.supplies[0].heat_transfer);
+  };
+  const auto bare = with("");
+  CHECK(value(bare) == 0.0);
+  CHECK(holds(bare.assumptions, "exchanges no heat with the walls"));
+  const auto deep = with("\ndepth = \"2 mm\"");
+  CHECK(channel(deep));
+  CHECK(holds(deep.assumptions, "heat_transfer = \"channel\""));
+  CHECK(channel(with("\nheat_transfer = \"channel\"")));
+  const auto given = with("\ndepth = \"2 mm\"\nheat_transfer = \"800 W/(m2 K)\"");
+  CHECK(value(given) == near(800.0));
+  CHECK_FALSE(holds(given.assumptions, "heat with the walls"));
+  check_refused(kHole, kHole + "\nheat_transfer = \"-1 W/(m2 K)\"",
+                {"case.toml:12:17", "heat_transfer", "negative"});
+  check_refused(kHole,
+                "kind = \"axial_groove\"\nangle = \"90 deg\"\nlength = \"15 mm\"\narc = \"0 "
+                "deg\"\nheat_transfer = \"channel\"",
+                {"case.toml:13:17", "no surface", "give arc or width"});
+}
+
 TEST_CASE("GroovesHaveArcOrWidth") {
   const std::string axial = "kind = \"axial_groove\"\nangle = \"-90 deg\"\nlength = \"15 mm\"\n";
   const auto by_arc = read_sample(kHole, axial + "arc = \"18 deg\"").supplies.at(0);

@@ -116,7 +116,29 @@ TEST_CASE("SlenderShaftUnderAPairOfLoadsBendsAsABeamThatTurnsFreely", "[shaft]")
 }
 
 TEST_CASE("HotShaftClosesTheGap", "[shaft]") {
-  const auto opening = shaft_expansion(0.024, 11e-6, {313.15, 293.15}, 293.15);
-  CHECK(opening[0] == Approx(-11e-6 * 0.024 * 20.0));
-  CHECK(opening[1] == 0.0);
+  // free of stress, hence exact on any mesh: u_r = a r T for a temperature linear in z, all round
+  for (const bool half : {true, false}) {
+    const auto s = shaft(0.02, 0.02, 0.03, half);
+    const Eigen::MatrixXd opening = shaft_thermal_deformation(s.mesh, s.grid, steel());
+    const double per_kelvin = -steel().expansion * s.grid.radius;
+    const Eigen::VectorXd uniform = opening.rowwise().sum();
+    for (const double x : uniform) CHECK(x == Approx(per_kelvin).epsilon(1e-9));
+    if (half) continue;
+    const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(s.mesh.z.data(), s.mesh.nodes());
+    const Eigen::VectorXd linear = opening * z;
+    for (int j = 0; j < s.grid.nz; ++j) {
+      CHECK(linear[j] ==
+            Approx(per_kelvin * s.grid.z[j]).margin(1e-9 * std::abs(per_kelvin) * s.grid.width));
+    }
+  }
+}
+
+TEST_CASE("LongShaftGrowsWithItsMeanTemperature", "[shaft]") {
+  // T = (r/R)^2: u_r(R) = 2 a / R int T r dr = a R / 2 far from its free ends (textbook)
+  const auto s = shaft(0.02, 0.02, 0.12, true);
+  const Eigen::MatrixXd opening = shaft_thermal_deformation(s.mesh, s.grid, steel());
+  Eigen::VectorXd T(s.mesh.nodes());
+  for (int a = 0; a < s.mesh.nodes(); ++a) T[a] = std::pow(s.mesh.r[a] / s.grid.radius, 2);
+  const Eigen::VectorXd u = opening * T;
+  CHECK(u[0] == Approx(-0.5 * steel().expansion * s.grid.radius).epsilon(1e-3));
 }

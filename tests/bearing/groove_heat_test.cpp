@@ -1,0 +1,133 @@
+/// Heat between the oil of supplies and the walls of a bearing: balance, limits, cycles.
+#include <catch2/catch.hpp>
+
+#include "app/words/ending_words.hpp"
+#include "bearing/audit.hpp"
+#include "bearing/cycle.hpp"
+#include "bearing/film_heat.hpp"
+#include "bearing/solve.hpp"
+#include "bearing/warm_up.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// A bearing with a deep groove in hot walls.
+Case groove_with(std::variant<double, ChannelHeat> heat) {
+  Case c = grooved_case();
+  c.model.grid = {60, 9};
+  c.supplies[0].heat_transfer = heat;
+  return c;
+}
+
+Solution solved(const Case& c, Tier tier) {
+  Solution s = solve_tier(c, tier);
+  INFO(app::reason_of(s.verdict));
+  REQUIRE(s.verdict.good());
+  return s;
+}
+
+/// Heat from the groove's oil into shell and shaft [W], whole bearing.
+double into_walls(const Solution& s) {
+  const FilmGrid& g = s.model.scene.grid;
+  double sum = 0.0;
+  for (int c = 0; c < g.cells(); ++c) {
+    const int patch = s.model.scene.supply.cell[c];
+    if (patch < 0) continue;
+    const double hA = supply_heat_transfer(s.model, patch) * g.area(c / g.nz, c % g.nz);
+    sum += hA * (2.0 * s.heat.T_mix[patch] - s.heat.T_shell[c] - s.heat.T_shaft[c % g.nz]);
+  }
+  return g.multiplicity() * sum;
+}
+
+}  // namespace
+
+TEST_CASE("HeatOfAGrooveWithItsWallsIsConserved", "[groove_heat]") {
+  double before = 0.0;
+  for (const double h : {0.0, 500.0, 5000.0}) {
+    for (const Tier tier : {Tier::thd, Tier::tehd}) {
+      const Solution s = solved(groove_with(h), tier);
+      CHECK(audit_of(s, friction_of(s.model, s.film)).energy < 1e-8);
+    }
+    const Solution s = solved(groove_with(h), Tier::thd);
+    if (h == 0.0) {
+      CHECK(into_walls(s) == 0.0);
+      before = s.heat.T_mix[0];
+      continue;
+    }
+    // shell and shaft are hotter than the oil that enters: they warm it
+    CHECK(into_walls(s) < 0.0);
+    CHECK(s.heat.T_mix[0] > before);
+  }
+}
+
+TEST_CASE("AGrooveOfStrongExchangeIsAsWarmAsItsWalls", "[groove_heat]") {
+  const Solution s = solved(groove_with(1e6), Tier::thd);
+  const FilmGrid& g = s.model.scene.grid;
+  double walls = 0.0, area = 0.0;
+  for (int c = 0; c < g.cells(); ++c) {
+    if (s.model.scene.supply.cell[c] < 0) continue;
+    const double A = g.area(c / g.nz, c % g.nz);
+    walls += 0.5 * A * (s.heat.T_shell[c] + s.heat.T_shaft[c % g.nz]);
+    area += A;
+  }
+  // flow 0.1 kg/s of 2 kJ/(kg K) over 1e6 W/(m2 K) on twice 1e-3 m2: a tenth of the difference
+  CHECK(s.heat.T_mix[0] == Approx(walls / area).margin(1.0));
+}
+
+TEST_CASE("AChannelsHeatTransferIsThatOfPlates", "[groove_heat]") {
+  const Solution s = solved(groove_with(ChannelHeat{}), Tier::thd);
+  const double h = 7.54 * 0.13 / (2.0 * 1e-3);  // Nu k / (2 d), oil of 0.13 W/(m K), 1 mm deep
+  CHECK(supply_heat_transfer(s.model, 0) == Approx(h).epsilon(1e-12));
+  const Solution same = solved(groove_with(h), Tier::thd);
+  CHECK(s.heat.T_mix[0] == Approx(same.heat.T_mix[0]).epsilon(1e-12));
+  CHECK(supply_heat_transfer(s.model, -1) == 0.0);
+}
+
+TEST_CASE("AWarmUpWithGroovesLosesNoHeat", "[groove_heat]") {
+  const Case c = groove_with(2000.0);
+  const WarmUp run = warm_up(c, Tier::thd, {});
+  INFO(app::reason_of(run.end.verdict));
+  REQUIRE(run.end.verdict.good());
+  CHECK(run.imbalance() < 1e-8);
+  const Solution steady = solved(c, Tier::thd);
+  CHECK(run.instants.back().T_film_max ==
+        Approx(largest(steady.film.columns.T)).margin(0.02));  // each a fixed point to 3 mK
+}
+
+TEST_CASE("GroovesExchangeHeatOverACycleToo", "[groove_heat]") {
+  Case c = warm_case();
+  c.model.grid = {48, 6};
+  set_load(c, 1.5e3);
+  LoadCycle cycle;
+  cycle.crank_speed = std::abs(c.operation.omega);
+  cycle.period = 4.0 * kPi / cycle.crank_speed;
+  for (int k = 0; k < 4; ++k) {
+    cycle.t.push_back(cycle.period * k / 4);
+    cycle.x.push_back(0.0);
+    cycle.y.push_back(-1.5e3);
+  }
+  cycle.interpolation = LoadInterpolation::periodic_spline;
+  cycle.journal_mass = 0.5;
+  c.supplies[0].heat_transfer = 2e4;
+  const Solution steady = solved(c, Tier::thd);
+  CHECK(std::abs(into_walls(steady)) > 1.0);  // [W]: it matters here
+  c.cycle = cycle;
+  const CycleResult r = solve_cycle(c, Tier::thd);
+  INFO(app::reason_of(r.verdict));
+  REQUIRE(r.verdict.good());
+  CHECK(r.audit.energy < 1e-9);
+  CHECK(r.audit.walls < 0.1);  // [K]
+  for (const CycleQuantity& q : r.quantities) {
+    // under a steady load the cycle is the steady bearing, to what its walls are found (30 mK)
+    if (q.quantity.name == "T_shell_max") {
+      CHECK(q.quantity.value == Approx(largest(steady.heat.T_shell)).margin(0.06));
+    }
+    if (q.quantity.name == "heat_to_shell") {
+      CHECK(q.quantity.value == Approx(steady.heat.solids.shell.heat_in).epsilon(0.01));
+    }
+  }
+}

@@ -20,7 +20,7 @@
 ///
 /// A shaft that is slender against its heat path is the fin of the textbooks: h R / k and
 /// (R / B)^2 small, d/dz (k A dT/dz) + 2 pi R q = rho c A dT/dt with A = pi R^2. Sources: textbook
-/// [Carslaw and Jaeger, Conduction of Heat in Solids]; decision 035.
+/// [Carslaw and Jaeger, Conduction of Heat in Solids]; decision 036.
 #include <limits>
 #include <vector>
 

@@ -14,7 +14,7 @@ using namespace shellback::bearing::tests;
 
 namespace {
 
-constexpr double kWear = 1e-7;       ///< [-]
+constexpr double kWear = 1e-6;       ///< [-]
 constexpr double kHardness = 350e6;  ///< [Pa]
 
 /// The KS bearing, elastic, at a speed at which its edges rub, under a load of one turn's period:
@@ -69,14 +69,14 @@ TEST_CASE("WornVolumeIsTheFrictionWorkOfAsperities") {
   // Archard's law over a cycle: V = (C/H) <int p_a |U| dA> t = C/(H mu) <T_a omega> t, with the
   // asperities' torque as it is told of the cycle.
   Case c = cycle_case(6e3, 5e3);
-  const double t = 1e-3;
+  const double t = 1e-4;
   c.running_in->duration = t;
   const RunningInRun run = worn(c);
   const double torque = value_of(*run.cycle, "friction_torque_asperity");
   const double mu = c.surfaces.contact->friction;
   const double volume = kWear / (kHardness * mu) * torque * c.operation.omega * t;
   REQUIRE(torque > 0.0);
-  // in a millisecond the contact pressure falls by less than 0.1 %
+  // in a tenth of a millisecond the contact pressure falls by less than 0.1 %
   CHECK(run.states.back().volume == Approx(volume).epsilon(2e-3));
   double profile = 0.0;
   for (int k = 0; k < run.grid.cells(); ++k) {
@@ -90,7 +90,7 @@ TEST_CASE("WearOverACycleDoesNotHangOnItsStepsInTime") {
   const RunningInState usual = worn(c).states.back();
   c.model.tolerance = 0.002;  // steps shorter by 1.7, each five times more exact
   const RunningInState fine = worn(c).states.back();
-  REQUIRE(usual.depth > 0.05e-6);
+  REQUIRE(usual.depth > 0.1e-6);
   // 1e-3 of the film in a step is about 1 % of a contact pressure that falls by e within its sigma
   CHECK(usual.depth == Approx(fine.depth).epsilon(0.01));
   CHECK(usual.volume == Approx(fine.volume).epsilon(0.01));

@@ -332,7 +332,7 @@ bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>
 
 void CycleSearch::settle_walls(bool rough) {
   constexpr int kDepth = 5;             // methods 3.5
-  constexpr double kRoughly = 0.1;          // [K]; a finer grid moves the walls by more
+  constexpr double kRoughly = 0.1;      // [K]; a finer grid moves the walls by more
   constexpr double kOfViscosity = 0.1;  // of model.tolerance: viscosity missed by the walls
   const double T = c_.supplies.front().temperature;
   const double by_T = -rheology::viscosity_slopes(film_.model().oil, T, 0.0, 0.0).dln_dT;
@@ -385,12 +385,14 @@ const Verdict& CycleSearch::follow() {
     } else {
       pass();
     }
-    if (!r_.verdict.good() || told_.drift() <= steps_.error) return r_.verdict;
+    if (!r_.verdict.good()) return r_.verdict;
+    closure_.last = told_.drift();
+    if (closure_.last <= steps_.error) return r_.verdict;
     walls_ = heat ? answered_ : walls_;
   }
   if (r_.verdict.good()) {
     r_.verdict = {Status::iteration_limit,
-                  ending::Unsettled{ending::Iteration::cycles, r_.cycles, told_.drift()}};
+                  ending::Unsettled{ending::Iteration::cycles, r_.cycles, closure_.last}};
   }
   return r_.verdict;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
 #include <optional>
 #include <utility>
 
@@ -23,7 +22,6 @@ constexpr double kShorter = 0.25;      ///< at most; also where a step is not fo
 constexpr double kSafety = 0.9;        ///< of the length that the error allows, textbook [-]
 constexpr double kOrder = 3.0;         ///< of the error of a step in its length
 constexpr double kFirstOrder = 2.0;    ///< of that of the first step
-constexpr double kSmallestError = 1e-3;  ///< over the allowed one: less asks for no longer step
 constexpr double kComplementarity = 1e-6;  ///< of (3), in summit roughnesses [-]
 
 // Towards (3): shapes tried for the KS bearing worn in at 5 MPa under 40, 60, 80 kN are 34, 139,
@@ -190,7 +188,7 @@ void March::to(double end) {
     dt = std::min(dt, end - t_);
     const bool good = take(dt);
     const double order = past_ > 0.0 && before_ ? kOrder : kFirstOrder;
-    const double longer = kSafety * std::pow(std::max(over_, kSmallestError), -1.0 / order);
+    const double longer = kSafety * std::pow(over_, -1.0 / order);
     if (good) {
       note_state(b_, t_, dt, now_.w, run_);
       if (seen_) seen_(run_);
@@ -282,27 +280,6 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
 double hardness_of_shell(const Case& c) {
   if (c.running_in && c.running_in->hardness > 0.0) return c.running_in->hardness;
   return c.shell && !c.shell->layers.empty() ? c.shell->layers.front().material.hardness : 0.0;
-}
-
-Profile wear_table(const FilmGrid& g, const Field& wear) {
-  Profile table;
-  table.phi = g.phi;
-  table.z.push_back(g.z_face.front());
-  table.z.insert(table.z.end(), g.z.begin(), g.z.end());
-  table.z.push_back(g.z_face.back());
-  const auto beyond = [&](int i, int last, int inner, double z) {
-    const double a = wear[g.index(i, last)];
-    if (last == inner) return a;
-    const double slope = (a - wear[g.index(i, inner)]) / (g.z[last] - g.z[inner]);
-    return std::max(0.0, a + slope * (z - g.z[last]));
-  };
-  const int end = g.nz - 1;
-  for (int i = 0; i < g.nt; ++i) {
-    table.height.push_back(beyond(i, 0, std::min(1, end), g.z_face.front()));
-    for (int j = 0; j < g.nz; ++j) table.height.push_back(wear[g.index(i, j)]);
-    table.height.push_back(beyond(i, end, std::max(end - 1, 0), g.z_face.back()));
-  }
-  return table;
 }
 
 }  // namespace shellback::bearing

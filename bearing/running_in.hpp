@@ -6,10 +6,10 @@
 /// w: depth of wear of the shell, opening the gap [m]; C: wear coefficient [-]; H: hardness of the
 /// softer surface [Pa]; L: wear load (wear_load.hpp) of a film under a load that stands still, or
 /// mean over the periodic state of a load cycle [W/m2]; p_a: contact pressure [Pa]; p_lim: that at
-/// which wear ceases, if one is given (our own: Archard knows none) [Pa]. The film, or the cycle, is
-/// solved again for every shape. Wear takes pressure away from where it is: over a step of length
-/// dt each cell follows the exponential that its own contact stiffness asks for, and what that
-/// leaves of the rate is carried on in a straight line from the step before (exponential Adams
+/// which wear ceases, if one is given (our own: Archard knows none) [Pa]. The film, or the cycle,
+/// is solved again for every shape. Wear takes pressure away from where it is: over a step of
+/// length dt each cell follows the exponential that its own contact stiffness asks for, and what
+/// that leaves of the rate is carried on in a straight line from the step before (exponential Adams
 /// method of two steps, textbook),
 ///   w_n+1 = w_n + dt phi_1(-dt J) r_n + dt phi_2(-dt J) (dt/dt_before) (N_n - N_n-1)           (2)
 ///   N = r + J (w - w_n),   J = (C/H) S at t_n
@@ -29,52 +29,18 @@
 /// The shaft does not wear (much harder, seed 000 4.2.1). The roughness moves from that of the case
 /// to `worn` in proportion to the greatest depth. Units SI.
 #include <functional>
-#include <limits>
-#include <optional>
-#include <vector>
 
-#include "bearing/cycle.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/running_in_run.hpp"
 
 namespace shellback::bearing {
-
-/// One state on the way. Of a load cycle contact pressure and film are the extremes of the cycle,
-/// friction is its mean.
-struct RunningInState {
-  double t = 0.0;               ///< since the start [s]
-  double step = 0.0;            ///< length of the step that led here [s]
-  double depth = 0.0;           ///< greatest wear [m]
-  double volume = 0.0;          ///< worn away [m3]
-  double p_asperity_max = 0.0;  ///< [Pa]
-  double torque = 0.0;          ///< friction on the journal [N m]
-  double h_min = 0.0;           ///< [m]
-  int cycles = 0;               ///< that were passed for it
-};
-
-struct RunningInRun {
-  std::vector<RunningInState> states;
-  FilmGrid grid;      ///< of `wear`, over the full bearing
-  Field wear;         ///< [m]
-  Solution solution;  ///< of the last state, under a standing load
-  std::optional<CycleResult> cycle;  ///< of the last state, over a load cycle
-  Verdict verdict;    ///< not good: the last state is the last that was found
-  /// Of (3): largest |min(w, h(p_a) - h(p_lim))|/sigma_s; not a number if it was not sought or no
-  /// shape has a film [-].
-  double complementarity = std::numeric_limits<double>::quiet_NaN();
-  int rejected_steps = 0;
-};
 
 /// H of (1): as [running_in] has it, else of the shell's first layer; 0: not known [Pa].
 [[nodiscard]] double hardness_of_shell(const Case& c);
 
-/// Runs the case in (its [running_in]) under its load or its load cycle, from the shape that it has. `seen` is told
-/// every state that has been found. Of a load cycle the verdict of an end that is not sought
-/// (worn_in) is `judge`'s to refuse. Throws InputError where the case has no [running_in].
+/// Runs the case in (its [running_in]) under its load or its load cycle, from the shape that it
+/// has. `seen` is told every state that has been found. Throws InputError where the case has no
+/// [running_in].
 [[nodiscard]] RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control = {},
                                   const std::function<void(const RunningInRun&)>& seen = {});
-
-/// The wear as a table that a case takes as bearing.shape: positions of the cells and, continued
-/// linearly, both side edges.
-[[nodiscard]] Profile wear_table(const FilmGrid& full, const Field& wear);
 
 }  // namespace shellback::bearing

@@ -6,7 +6,7 @@
 /// cells of the solved grid.
 #include <memory>
 
-#include "bearing/running_in.hpp"
+#include "bearing/running_in_run.hpp"
 #include "bearing/wear_load.hpp"
 
 namespace shellback::bearing {

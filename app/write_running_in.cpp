@@ -13,6 +13,7 @@
 #include "app/svg_lines.hpp"
 #include "app/svg_map.hpp"
 #include "app/words/ending_words.hpp"
+#include "app/words/note_words.hpp"
 #include "bearing/bore_shape.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
@@ -107,6 +108,31 @@ void draw_shape(Svg& svg, const Box& box, const RunningInRun& run, const Theme& 
   draw_map(svg, box, map, theme);
 }
 
+/// Means and extremes of the last cycle, in the units of the quantities.
+Json cycle_quantities(const bearing::CycleResult& cycle) {
+  Json all = Json::object();
+  for (const auto& q : cycle.quantities) {
+    Json& entry = all[q.quantity.name] = json_parts::with_unit(q.quantity.value, q.quantity.unit);
+    if (std::isfinite(q.at)) entry["at"] = json_parts::with_unit(q.at, "s");
+  }
+  return all;
+}
+
+void add_cycle(Json& json, const RunningInRun& run) {
+  Json passed = Json::array();
+  for (const RunningInState& s : run.states) passed.push_back(s.cycles);
+  json["cycles"] = passed;
+  const bearing::CycleAudit& a = run.cycle->audit;
+  json["cycle"] = {{"closure", json_parts::number(run.cycle->closure)},
+                   {"audit",
+                    {{"mass", json_parts::number(a.mass)},
+                     {"energy", json_parts::number(a.energy)},
+                     {"walls", json_parts::number(a.walls)}}},
+                   {"quantities", cycle_quantities(*run.cycle)},
+                   {"limiters", json_parts::limiters_json(run.cycle->limiters)},
+                   {"warnings", words_of(run.cycle->warnings)}};
+}
+
 std::string told(const RunningInRun& run) {
   if (!run.verdict.good()) return reason_of(run.verdict);
   const RunningInState& last = run.states.back();
@@ -140,6 +166,7 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
   json["rejected_steps"] = run.rejected_steps;
   const bool sought = std::isfinite(run.complementarity);
   json["complementarity"] = sought ? Json(run.complementarity) : Json(nullptr);
+  if (run.cycle) add_cycle(json, run);
   json["provenance"] = json_parts::provenance_json(c);
   return json.dump(2) + "\n";
 }
@@ -154,10 +181,13 @@ std::string running_in_svg(const bearing::Case& c, const RunningInRun& run) {
            {run.verdict.good() ? theme.muted : theme.more, 12.5});
   draw_curve(svg, {70.0, 110.0, 300.0, 270.0}, run, &RunningInState::depth, kMicro,
              "Greatest wear [µm]", theme);
-  draw_curve(svg, {460.0, 110.0, 300.0, 270.0}, run, &RunningInState::p_asperity_max, 1e-6,
-             "Largest contact pressure [MPa]", theme);
+  draw_curve(
+      svg, {460.0, 110.0, 300.0, 270.0}, run, &RunningInState::p_asperity_max, 1e-6,
+      run.cycle ? "Largest contact pressure of the cycle [MPa]" : "Largest contact pressure [MPa]",
+      theme);
   draw_curve(svg, {850.0, 110.0, 300.0, 270.0}, run, &RunningInState::torque, 1.0,
-             "Friction torque [N m]", theme);
+             run.cycle ? "Friction torque, mean of the cycle [N m]" : "Friction torque [N m]",
+             theme);
   draw_shape(svg, {8.0, 430.0, 604.0, 330.0}, run, theme);
   draw_section(svg, {690.0, 470.0, 460.0, 240.0}, run, theme);
   return svg.document(c.title);

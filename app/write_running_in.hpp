@@ -8,7 +8,9 @@ namespace shellback::app {
 
 /// status, [reason, cure], title, tier, grid, `time` and every quantity over time as {unit,
 /// values} (time null: worn in, whenever that is), `rejected_steps`, `complementarity` (null: not
-/// asked for), provenance.
+/// asked for), provenance. Over a load cycle p_asperity_max and h_min are its extremes and
+/// friction_torque is its mean; `cycles` passed for each state, and `cycle`, that of the last one:
+/// closure, audit {mass, energy, walls}, quantities {value, unit, [at]}, limiters, warnings.
 [[nodiscard]] std::string running_in_json(const bearing::Case& c, const bearing::RunningInRun& run);
 
 /// Greatest wear and worn volume, contact pressure and friction over time, the worn shape on the

@@ -99,6 +99,9 @@ void CycleRecord::begin(const FilmInTime& now) {
   p_asperity_max_ = now.film.p_contact;
   h_min_ = now.film.gap.cell;
   friction_.assign(p_max_.size(), 0.0);
+  if (const auto& worn = film_->model().input.running_in) {
+    wear_.begin(wear_load_of(film_->model(), now.film, worn->limit_pressure));
+  }
   if (film_->heat()) {
     T_shell_.assign(p_max_.size(), 0.0);
     T_shell_max_ = shell_surface(now);
@@ -119,6 +122,9 @@ void CycleRecord::gather_fields(const FilmInTime& now, double dt) {
     p_asperity_max_[c] = larger(p_asperity_max_[c], now.film.p_contact[c]);
     h_min_[c] = std::min(h_min_[c], now.film.gap.cell[c]);
     friction_[c] += 0.5 * dt * (before[c] + power_now_[c]);
+  }
+  if (const auto& worn = film_->model().input.running_in) {
+    wear_.add(wear_load_of(film_->model(), now.film, worn->limit_pressure), dt);
   }
   if (told() < next_frame_) return;
   const FilmGrid& g = film_->model().scene.grid;
@@ -330,11 +336,11 @@ void CycleRecord::members(Tape& tape) {
   auto& [film, course, length, instants, frames, next_frame, oil_begun, oil_ended, supply, side,
          line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
          off_balance, layer_loss, layer_depth, p_max, p_asperity_max, h_min, friction, power_now,
-         heat, T_film, T_shell, T_shell_max] = *this;
+         heat, T_film, T_shell, T_shell_max, wear] = *this;
   tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, impulse, v_begun, v_ended,
        line, vessels_begun, vessels_ended, dry, layer_loss, layer_depth);
   tape(pump_now, pump, off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film,
-       T_shell, T_shell_max);
+       T_shell, T_shell_max, wear);
 }
 
 CycleMeans CycleRecord::means() const {
@@ -342,21 +348,35 @@ CycleMeans CycleRecord::means() const {
           mean(&CycleInstant::power) + pump_ / told(), side_ / told()};
 }
 
+namespace {
+
+double largest_torque(const std::vector<CycleInstant>& all) {
+  double most = 0.0;
+  for (const CycleInstant& i : all) most = larger(most, std::abs(i.torque));
+  return most;
+}
+
+}  // namespace
+
+double CycleRecord::drift() const {
+  const CycleInstant& first = instants_.front();
+  const CycleInstant& last = instants_.back();
+  const double most =
+      larger(std::abs(oil_ended_ / oil_begun_ - 1.0), std::abs(last.h_min / first.h_min - 1.0));
+  const double torque = largest_torque(instants_);
+  return torque > 0.0 ? larger(most, std::abs(last.torque - first.torque) / torque) : most;
+}
+
 double CycleRecord::difference(const CycleRecord& other) const {
-  const auto largest_torque = [](const CycleRecord& r) {
-    double most = 0.0;
-    for (const CycleInstant& i : r.instants_) most = larger(most, std::abs(i.torque));
-    return most;
-  };
   const double h = extreme(instants_, &CycleInstant::h_min, true).h_min;
   const double h_other = extreme(other.instants_, &CycleInstant::h_min, true).h_min;
-  const double torque = largest_torque(*this);
+  const double torque = largest_torque(instants_);
   double most = larger(std::abs(oil_ended_ / oil_begun_ - 1.0), std::abs(h_other / h - 1.0));
   if (const double full = total(film_->vessels().full()); full > 0.0) {
     most = larger(most, std::abs(vessels_ended_ - vessels_begun_) / full);
   }
   if (torque == 0.0) return most;  // nothing turns
-  most = larger(most, std::abs(largest_torque(other) - torque) / torque);
+  most = larger(most, std::abs(largest_torque(other.instants_) - torque) / torque);
   const auto mean_of = [](const CycleRecord& r) { return r.mean(&CycleInstant::torque); };
   return larger(most, std::abs(mean_of(other) - mean_of(*this)) / torque);
 }

@@ -2,6 +2,7 @@
 /// What a cycle was: instants, means, extremes, maxima over the bearing, audit.
 #include "bearing/cycle.hpp"
 #include "bearing/film_step.hpp"
+#include "bearing/wear_load.hpp"
 #include "core/tape.hpp"
 
 namespace shellback::bearing {
@@ -30,6 +31,14 @@ class CycleRecord {
   /// the oil in the gap from the cycle's beginning to its end.
   [[nodiscard]] double difference(const CycleRecord& other) const;
   [[nodiscard]] CycleMeans means() const;
+  /// By how much the film ends otherwise than it began: relative change of smallest film, of torque
+  /// (over its largest) and of the oil in the gap [-].
+  [[nodiscard]] double drift() const;
+  /// Mean over the cycle, on the solved grid; of a case with [running_in].
+  [[nodiscard]] WearLoad wear_load() const { return wear_.mean(); }
+  /// Largest contact pressure [Pa] and smallest gap [m] of each place, on the solved grid.
+  [[nodiscard]] const Field& largest_contact() const { return p_asperity_max_; }
+  [[nodiscard]] const Field& smallest_gap() const { return h_min_; }
   /// All but verdict and cost; of a cycle without a step only what it is.
   void write(CycleResult& r) const;
   /// For a tape: all but film and course.
@@ -80,6 +89,7 @@ class CycleRecord {
   HeatFlows heat_;               ///< over the cycle [J], [J/m2]; nothing without film temperatures
   double T_film_ = 0.0;          ///< integral over time [K s]
   Field T_shell_, T_shell_max_;  ///< integral over time [K s], largest [K]
+  MeanWearLoad wear_;            ///< of a case with [running_in]
 };
 
 }  // namespace shellback::bearing

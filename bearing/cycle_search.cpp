@@ -86,15 +86,15 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const SolveControl& control)
     : CycleSearch(c, tier, physics_of(c, tier), control) {}
 
 CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
-                         const SolveControl& control)
+                         const SolveControl& control, std::shared_ptr<const Solids> solids)
     : c_(c),
       tier_(tier),
       control_(control),
       length_(c_.cycle->length()),
       course_(*c_.cycle, c_.operation.omega, solid::BoundaryFriction::kSliding / c_.bearing.radius),
       steps_(step_options(c_, course_, length_)),
-      film_(make_bearing(c_, physics, c_.model.grid), course_, c_.cycle->journal_mass,
-            film_options(steps_.error)),
+      film_(make_bearing(c_, physics, c_.model.grid, std::move(solids)), course_,
+            c_.cycle->journal_mass, film_options(steps_.error)),
       periods_(film_, course_, length_, steps_),
       told_(film_, course_, length_) {}
 
@@ -161,6 +161,21 @@ void CycleSearch::begin(const CycleSearch& coarser) {
                      walls.thermal_deformation};
   response_ = coarser.response_;
   looked_ = coarser.looked_;
+}
+
+bool CycleSearch::begin_reshaped(const CycleSearch& other) {
+  now_ = other.now_;
+  film_.put_back(other.film_.supplies());
+  periods_.repeat(other.periods_);
+  walls_ = other.answered_;
+  response_ = other.response_;
+  looked_ = other.looked_;
+  from_rest_ = false;
+  if (walls_) return put_walls();
+  if (!film_.reshape(now_)) {
+    r_.verdict = {Status::iteration_limit, ending::NoClearance{0.0, film_.model().clearance}};
+  }
+  return r_.verdict.good();
 }
 
 void CycleSearch::begin(Tape& tape) {
@@ -309,6 +324,7 @@ bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>
   const BodiesAnswer next =
       answer_of_bodies(film_.model(), *walls_, heat_, *response_, film_.heat()->skin().nodes());
   walls_->flux = next.walls.flux;
+  answered_ = next.walls;
   g = packed(next.walls);
   wall_change_ = kUnit * largest_difference(g, x);
   return true;
@@ -358,6 +374,26 @@ const Verdict& CycleSearch::search(bool rough) {
     phase_ = Phase::closing;
   }
   until_closed();
+  return r_.verdict;
+}
+
+const Verdict& CycleSearch::follow() {
+  const bool heat = film_.model().physics.film_energy;
+  for (int k = 0; k < kMostCycles && r_.verdict.good(); ++k) {
+    if (heat) {
+      settle_walls(true);
+    } else {
+      pass();
+    }
+    if (!r_.verdict.good()) return r_.verdict;
+    closure_.last = told_.drift();
+    if (closure_.last <= steps_.error) return r_.verdict;
+    walls_ = heat ? answered_ : walls_;
+  }
+  if (r_.verdict.good()) {
+    r_.verdict = {Status::iteration_limit,
+                  ending::Unsettled{ending::Iteration::cycles, r_.cycles, closure_.last}};
+  }
   return r_.verdict;
 }
 

@@ -6,6 +6,7 @@
 ///                     its mean heat -> the walls of the next (cycle_walls.hpp), Anderson
 ///                     acceleration (KINSOL); then cycles with the last walls until two agree
 /// A single event is passed once.
+#include <memory>
 #include <optional>
 
 #include "bearing/cycle.hpp"
@@ -21,7 +22,9 @@ class CycleSearch {
   /// On the grid of the case. `control` must outlive the search; refers to itself, is not copied.
   CycleSearch(const Case& c, Tier tier, const SolveControl& control);
   /// The same with other physics than the tier's.
-  CycleSearch(const Case& c, Tier tier, const Physics& physics, const SolveControl& control);
+  /// `solids`: operators of a former search of the same geometry.
+  CycleSearch(const Case& c, Tier tier, const Physics& physics, const SolveControl& control,
+              std::shared_ptr<const Solids> solids = nullptr);
   CycleSearch(const CycleSearch&) = delete;
   CycleSearch& operator=(const CycleSearch&) = delete;
 
@@ -32,6 +35,9 @@ class CycleSearch {
   void begin(const CycleSearch& coarser);
   /// As begin(T), between walls that are held from here on, whatever heat enters them.
   void begin_between(const WallMeans& walls, double T);
+  /// From what a search of the same bearing with a shell of another shape has found, on the same
+  /// grid, in the steps in time that it took. False, with the verdict, if the gap is closed.
+  bool begin_reshaped(const CycleSearch& other);
   /// From what a tape has kept in the middle of a cycle; search() goes on from there.
   void begin(Tape& tape);
   /// For a tape: what a search on a finer grid takes from one that has ended.
@@ -48,6 +54,10 @@ class CycleSearch {
 
   /// Searches; `rough`: only so far as a finer grid needs to begin.
   const Verdict& search(bool rough);
+  /// The periodic state of a shape that has hardly changed since begin_reshaped(): cycles until the
+  /// film ends one as it began it, within the error of a step in time, and the walls agree with its
+  /// heat within a tenth of a kelvin.
+  const Verdict& follow();
   [[nodiscard]] const Verdict& verdict() const { return r_.verdict; }
   /// The cycle that was passed last.
   [[nodiscard]] const CycleRecord& told() const { return told_; }
@@ -112,6 +122,7 @@ class CycleSearch {
   std::optional<thermal::WallResponse> response_;  ///< of the film to its walls
   int looked_ = 0;                                 ///< cycles that have measured it
   std::optional<WallMeans> walls_;
+  std::optional<WallMeans> answered_;  ///< what the cycle's heat makes of them; not kept
   bool held_ = false;
   double wall_change_ = NAN;  ///< of the last turn [K]
   bool from_rest_ = true;
@@ -124,5 +135,10 @@ class CycleSearch {
   std::optional<Passing> passing_;
   CycleResult r_;  ///< verdict and counts, as they come
 };
+
+/// The search that solve_cycle makes, ended with its verdict; not for tier lumped. `control` must
+/// outlive it. `cost`: that of all grids.
+[[nodiscard]] std::unique_ptr<CycleSearch> search_cycle(const Case& c, Tier tier,
+                                                        const SolveControl& control, Cost& cost);
 
 }  // namespace shellback::bearing

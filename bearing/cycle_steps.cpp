@@ -92,6 +92,11 @@ FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, Peri
   }
 }
 
+void CycleSteps::repeat(const CycleSteps& other) {
+  ends_ = other.ends_;
+  wish_ = other.wish_;
+}
+
 void CycleSteps::members(Tape& tape) {
   tape(ends_, before_, wish_, begun_, since_, end_.accepted, end_.rejected, end_.over);
   if (tape.reads()) brought_back_ = true;

@@ -40,6 +40,8 @@ class CycleSteps {
   /// called where `now` has come to stand at the end of a step.
   [[nodiscard]] PeriodEnd pass(FilmInTime& now, EquilibriumCost& cost, const SolveControl& control,
                                const TellStep& tell, const std::function<void()>& landed);
+  /// The next period takes the steps of the one that `other` has passed last.
+  void repeat(const CycleSteps& other);
   /// For a tape: where the period stands after its last step.
   void members(Tape& tape);
 

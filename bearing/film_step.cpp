@@ -383,6 +383,14 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
   now.thermal_deformation = deformation_now;
   heat_->walls = std::move(walls);
   for (int k = 0; k < 2; ++k) now.film.position.q[k] *= wider;
+  if (!reshape(now)) return false;
+  std::vector<double> skin = std::move(now.heat.skin);
+  now.heat = heat_->begin(model_, now.film.columns.T, of_cells(g, now.oil));
+  if (!skin.empty()) now.heat.skin = std::move(skin);
+  return true;
+}
+
+bool FilmSteps::reshape(FilmInTime& now) {
   constexpr double kNearer = 0.9;  // to the middle, where the gap is closed: it is but a start
   constexpr int kMost = 40;        // then it is in the middle within 2 %
   for (int k = 0; !evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, now.film);
@@ -392,9 +400,6 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
   }
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
   now.oil_slope.clear();
-  std::vector<double> skin = std::move(now.heat.skin);
-  now.heat = heat_->begin(model_, now.film.columns.T, of_cells(g, now.oil));
-  if (!skin.empty()) now.heat.skin = std::move(skin);
   return true;
 }
 

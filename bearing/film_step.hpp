@@ -78,6 +78,9 @@ class FilmSteps {
   /// the temperatures of its film. Oil keeps its fill ratios where the gap has grown. False if the
   /// walls have grown together.
   [[nodiscard]] bool set_walls(WallMeans walls, double period, double shortest, FilmInTime& now);
+  /// `now` of the same bearing with a shell of another shape: oil keeps its fill ratios where the
+  /// gap has grown. False if the gap is closed.
+  [[nodiscard]] bool reshape(FilmInTime& now);
   /// The steady state under load and speed at t = 0; none if it is not found.
   [[nodiscard]] std::optional<FilmInTime> steady(double T, EquilibriumCost& cost,
                                                  const std::atomic<bool>* stop);

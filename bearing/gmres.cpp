@@ -9,6 +9,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "core/eigen.hpp"
+
 namespace shellback::bearing {
 namespace {
 
@@ -29,7 +31,7 @@ void require(int flag) {
 }
 
 struct Operator {
-  const LinearOperator* apply;
+  const LinearOperator* apply = nullptr;
   std::vector<double> x;
 };
 
@@ -42,32 +44,72 @@ int multiply(void* data, N_Vector x, N_Vector y) {
   return 0;
 }
 
+/// Inner product in as many partial sums as the machine has lanes: that of SUNDIALS adds one number
+/// after the other, and orthogonalisation is little else.
+double dot(N_Vector a, N_Vector b) {
+  const auto n = N_VGetLength(a);
+  using Numbers = Eigen::Map<const Eigen::VectorXd>;
+  return Numbers(N_VGetArrayPointer(a), n).dot(Numbers(N_VGetArrayPointer(b), n));
+}
+
+/// SPGMR and its vectors, one per thread and used again by every solve of its size: they are
+/// eighty, and to make them anew takes longer than what is done with them.
+class KrylovSpace {
+ public:
+  KrylovSpace(sunindextype n, int most) : n_(n), most_(most) {
+    SUNContext raw = nullptr;
+    require(SUNContext_Create(nullptr, &raw));
+    context_.reset(raw);
+    rhs_.reset(N_VNew_Serial(n, raw));
+    x_.reset(N_VNew_Serial(n, raw));
+    rhs_->ops->nvdotprod = dot;
+    x_->ops->nvdotprod = dot;  // clones are made with the operations of their model
+    solver_.reset(SUNLinSol_SPGMR(x_.get(), SUN_PREC_NONE, most, raw));
+    require(SUNLinSolSetATimes(solver_.get(), &operator_, multiply));
+    require(SUNLinSolInitialize(solver_.get()));
+    require(SUNLinSolSetup(solver_.get(), nullptr));
+  }
+  /// SPGMR holds the address of the operator.
+  KrylovSpace(const KrylovSpace&) = delete;
+  KrylovSpace& operator=(const KrylovSpace&) = delete;
+
+  [[nodiscard]] bool serves(sunindextype n, int most) const { return n == n_ && most == most_; }
+
+  KrylovResult solve(const LinearOperator& apply, const std::vector<double>& b, double tolerance) {
+    KrylovResult out;
+    out.x.assign(b.size(), 0.0);
+    std::copy(b.begin(), b.end(), N_VGetArrayPointer(rhs_.get()));
+    const double norm = std::sqrt(dot(rhs_.get(), rhs_.get()));
+    if (!(norm > 0.0)) return out;
+    N_VConst(0.0, x_.get());
+    operator_ = {&apply, b};
+    // What it answers is told by the residual: one not reached in `most` is a result, too.
+    SUNLinSolSolve(solver_.get(), nullptr, x_.get(), rhs_.get(), tolerance * norm);
+    const double* found = N_VGetArrayPointer(x_.get());
+    std::copy(found, found + n_, out.x.begin());
+    out.iterations = SUNLinSolNumIters(solver_.get());
+    out.reduction = SUNLinSolResNorm(solver_.get()) / norm;
+    return out;
+  }
+
+ private:
+  sunindextype n_;
+  int most_;
+  Operator operator_;
+  Owned<SUNContext, ContextDeleter> context_;
+  Owned<N_Vector, VectorDeleter> rhs_;
+  Owned<N_Vector, VectorDeleter> x_;
+  Owned<SUNLinearSolver, SolverDeleter> solver_;
+};
+
 }  // namespace
 
 KrylovResult gmres(const LinearOperator& apply, const std::vector<double>& b, double tolerance,
                    int most) {
-  KrylovResult out;
-  out.x.assign(b.size(), 0.0);
-  SUNContext raw = nullptr;
-  require(SUNContext_Create(nullptr, &raw));
-  const Owned<SUNContext, ContextDeleter> context(raw);
+  static thread_local std::unique_ptr<KrylovSpace> space;
   const auto n = static_cast<sunindextype>(b.size());
-  std::vector<double> right = b;  // SUNDIALS takes no constant vector
-  const Owned<N_Vector, VectorDeleter> rhs(N_VMake_Serial(n, right.data(), raw));
-  const Owned<N_Vector, VectorDeleter> x(N_VMake_Serial(n, out.x.data(), raw));
-  const double norm = std::sqrt(N_VDotProd(rhs.get(), rhs.get()));
-  if (!(norm > 0.0)) return out;
-  const Owned<SUNLinearSolver, SolverDeleter> solver(
-      SUNLinSol_SPGMR(x.get(), SUN_PREC_NONE, most, raw));
-  Operator a{&apply, b};
-  require(SUNLinSolSetATimes(solver.get(), &a, multiply));
-  require(SUNLinSolInitialize(solver.get()));
-  require(SUNLinSolSetup(solver.get(), nullptr));
-  // What it answers is told by the residual: one that is not reached in `most` is a result, too.
-  SUNLinSolSolve(solver.get(), nullptr, x.get(), rhs.get(), tolerance * norm);
-  out.iterations = SUNLinSolNumIters(solver.get());
-  out.reduction = SUNLinSolResNorm(solver.get()) / norm;
-  return out;
+  if (!space || !space->serves(n, most)) space = std::make_unique<KrylovSpace>(n, most);
+  return space->solve(apply, b, tolerance);
 }
 
 }  // namespace shellback::bearing

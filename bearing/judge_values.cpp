@@ -194,9 +194,13 @@ void judge_running_in(const Case& c, Findings& to) {
     wear.refuse("wear_coefficient", "nothing wears without asperity contact",
                 "give [surfaces] contact, and leave model.asperity_contact on");
   }
-  if (c.cycle) {
-    wear.refuse("until", "running-in over load cycles is not computed yet",
-                "leave out [load_cycle] and give operation.load, the load that wears most");
+  if (c.cycle && !c.cycle->repeats()) {
+    wear.refuse("until", "a single event does not run a bearing in: wear needs a mean over a cycle",
+                "give load_cycle.period, or leave out [load_cycle] and give operation.load");
+  }
+  if (c.cycle && !r.duration) {
+    wear.refuse("until", "the worn-in shape itself is sought under a standing load only",
+                "give a time (until = \"3000 s\") beside limit_pressure: wear then ceases there");
   }
 }
 

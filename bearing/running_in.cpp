@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
-#include "bearing/film_heat.hpp"
 #include "bearing/fixed_point.hpp"
-#include "bearing/solids.hpp"
+#include "bearing/worn_bearing.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 
@@ -14,10 +15,13 @@ namespace shellback::bearing {
 namespace {
 
 constexpr double kFirstDepth = 0.1;    ///< of the first step, in summit roughnesses [-]
-constexpr double kDepthError = 0.005;  ///< of a step before it is extrapolated, over the depth or
-                                       ///< the summit roughness [-]
+constexpr double kDepthError = 0.001;  ///< of a step, over the depth or the summit roughness [-]
 constexpr double kShortest = 1e-6;     ///< step over the first one: below, nothing moves [-]
-constexpr double kLongest = 4.0;       ///< growth of the step [-]
+constexpr double kLongest = 2.0;       ///< growth of the step, textbook [-]
+constexpr double kShorter = 0.25;      ///< at most; also where a step is not found [-]
+constexpr double kSafety = 0.9;        ///< of the length that the error allows, textbook [-]
+constexpr double kOrder = 3.0;         ///< of the error of a step in its length
+constexpr double kFirstOrder = 2.0;    ///< of that of the first step
 constexpr double kComplementarity = 1e-6;  ///< of (3), in summit roughnesses [-]
 
 // Towards (3): shapes tried for the KS bearing worn in at 5 MPa under 40, 60, 80 kN are 34, 139,
@@ -29,78 +33,9 @@ constexpr int kEndDelay = 2;          ///< plain shapes before it [-]
 constexpr int kEndIterations = 1000;  ///< three times what 80 kN needs
 constexpr double kEndReach = 3.0;     ///< of the next shape, in summit roughnesses [-]
 
-/// (e^x - 1)/x.
+/// (e^x - 1)/x and (phi_1(x) - 1)/x, by their series where those lose their digits.
 double phi_1(double x) { return std::abs(x) < 1e-8 ? 1.0 + 0.5 * x : std::expm1(x) / x; }
-
-/// A case whose shell has worn, and its solution.
-class WornBearing {
- public:
-  WornBearing(const Case& c, Tier tier, const SolveControl& control)
-      : case_(c), tier_(tier), control_(control), given_(*c.running_in) {
-    now_ = solve_tier(c, tier, control);
-    if (!now_.verdict.good()) return;
-    sigma_ = now_.model.contact->sigma();
-    rate_ = given_.wear_coefficient / hardness_of_shell(c);
-  }
-
-  [[nodiscard]] const Solution& solution() const { return now_; }
-  [[nodiscard]] double sigma() const { return sigma_; }
-  [[nodiscard]] FilmGrid grid() const { return now_.model.scene.grid; }
-  [[nodiscard]] double speed() const { return std::abs(now_.model.scene.speed); }
-
-  /// Solves with this wear [m]. False: no solution; the last good one stays.
-  bool wear_to(const Field& wear, Verdict& why) {
-    Case worn = case_;
-    worn.bearing.wear = wear_table(full_grid(grid()), mirror_to_full(grid(), wear));
-    roughen(worn, largest(wear));
-    Solution next = solve_tier_from(worn, tier_, now_, control_, Otherwise::failure);
-    if (!next.verdict.good()) {
-      why = next.verdict;
-      return false;
-    }
-    now_ = std::move(next);
-    return true;
-  }
-
-  void back_to(const Solution& s) { now_ = s; }
-
-  /// (1) [m/s].
-  [[nodiscard]] Field rate() const {
-    Field r = now_.film.p_contact;
-    for (double& p : r) p = rate_ * speed() * std::max(0.0, p - given_.limit_pressure);
-    return r;
-  }
-  /// (2) [1/s].
-  [[nodiscard]] Field stiffness() const {
-    const double tau = now_.model.physics.elastic ? now_.model.solids->winkler() : 0.0;
-    Field J = now_.film.dp_contact;
-    for (std::size_t k = 0; k < J.size(); ++k) {
-      const bool wears = now_.film.p_contact[k] > given_.limit_pressure;
-      J[k] = wears ? rate_ * speed() * -J[k] / (1.0 - tau * J[k]) : 0.0;
-    }
-    return J;
-  }
-
- private:
-  /// The shell's surface on its way from new to worn.
-  void roughen(Case& c, double depth) const {
-    if (!given_.worn) return;
-    const double part = std::min(1.0, depth / given_.worn_after);
-    const auto mix = [part](double& a, double b) { a += part * (b - a); };
-    mix(c.surfaces.shell.roughness, given_.worn->roughness);
-    mix(c.surfaces.shell.orientation, given_.worn->orientation);
-    mix(c.surfaces.shell.summit_roughness, given_.worn->summit_roughness);
-    mix(c.surfaces.shell.summit_height, given_.worn->summit_height);
-  }
-
-  Case case_;
-  Tier tier_;
-  SolveControl control_;
-  RunningIn given_;
-  Solution now_;
-  double sigma_ = 0.0;
-  double rate_ = 0.0;
-};
+double phi_2(double x) { return std::abs(x) < 1e-5 ? 0.5 + x / 6.0 : (phi_1(x) - 1.0) / x; }
 
 double volume_of(const FilmGrid& g, const Field& wear) {
   double sum = 0.0;
@@ -109,112 +44,171 @@ double volume_of(const FilmGrid& g, const Field& wear) {
 }
 
 void note_state(const WornBearing& b, double t, double step, const Field& wear, RunningInRun& run) {
-  const Solution& s = b.solution();
+  const FilmGrid& g = b.model().scene.grid;
   RunningInState state;
   state.t = t;
   state.step = step;
   state.depth = largest(wear);
-  state.volume = volume_of(b.grid(), wear);
-  state.p_asperity_max = largest(s.film.p_contact);
-  const Friction f = friction_of(s.model, s.film);
-  state.torque = f.viscous + f.asperity;
-  state.h_min = s.film.least.h;
+  state.volume = volume_of(g, wear);
+  b.tell(state, run);
   run.states.push_back(state);
-  run.grid = full_grid(b.grid());
-  run.wear = mirror_to_full(b.grid(), wear);
-  run.solution = s;
-}
-
-/// Wear after dt from `w`, the bearing standing in that state.
-Field after(const WornBearing& b, Field w, double dt) {
-  const Field rate = b.rate(), J = b.stiffness();
-  for (std::size_t k = 0; k < w.size(); ++k) w[k] += dt * phi_1(-dt * J[k]) * rate[k];
-  return w;
+  run.grid = full_grid(g);
+  run.wear = mirror_to_full(g, wear);
 }
 
 bool stopped(const SolveControl& control) { return control.stop != nullptr && *control.stop; }
 
 Verdict interrupted(double t) { return {Status::interrupted, ending::RunningInEnded{t}}; }
 
-/// A step of (1) that has been tried.
-struct Attempt {
-  Field w;            ///< wear after it [m]
-  double over = 0.0;  ///< its error over the one that is allowed [-]
-  bool found = false;
-  Verdict why;  ///< it was not found
-
-  [[nodiscard]] bool good() const { return found && over <= 1.0; }
+/// Wear, what wears it and how much less it will with more of it, at one time.
+struct WearPoint {
+  Field w;  ///< [m]
+  Field r;  ///< (1) [m/s]
+  Field J;  ///< (2) [1/s]
 };
 
-/// From the wear `w`, in which the bearing stands: once whole, once in halves, and extrapolated to
-/// steps of no length. What has gone does not come back. A good step leaves the bearing so worn.
-Attempt attempt(WornBearing& b, const Field& w, double dt) {
-  Attempt a;
-  const Field whole = after(b, w, dt);
-  a.w = after(b, w, 0.5 * dt);
-  a.found = b.wear_to(a.w, a.why);
-  if (!a.found) return a;
-  a.w = after(b, a.w, 0.5 * dt);
-  a.over = largest_difference(whole, a.w) / (kDepthError * std::max(b.sigma(), largest(a.w)));
-  if (!a.good()) return a;
-  for (std::size_t k = 0; k < w.size(); ++k) a.w[k] = std::max(w[k], 2.0 * a.w[k] - whole[k]);
-  a.found = b.wear_to(a.w, a.why);
-  return a;
+WearPoint point_of(const WornBearing& b, double per_load, Field w) {
+  WearLoad load = b.load();
+  for (double& x : load.load) x *= per_load;
+  for (double& x : load.stiffness) x *= per_load;
+  return {std::move(w), std::move(load.load), std::move(load.stiffness)};
 }
 
-/// No step is short enough.
-Verdict too_short(const Attempt& last, double t) {
-  if (last.found) return {Status::iteration_limit, ending::RunningInEnded{t, last.over}};
-  return {last.why.status, ending::RunningInEnded{t}, last.why.place, {last.why}};
+/// A step of (2) from `now`; what it rests on.
+struct WearStep {
+  double dt = 0.0;
+  Field slope;  ///< of N over time, carried on [m/s2]
+};
+
+/// N of another point less that of `now`, cell k.
+double change_of_rest(const WearPoint& now, const WearPoint& other, std::size_t k) {
+  return other.r[k] - now.r[k] + now.J[k] * (other.w[k] - now.w[k]);
 }
 
-/// (1) up to the time `end`; steps as long as their error allows.
-void march(WornBearing& b, const SolveControl& control, double end,
-           const std::function<void(const RunningInRun&)>& seen, RunningInRun& run) {
-  Field w(b.grid().cells(), 0.0);
-  double t = 0.0;
-  const double fastest = largest(b.rate());
+/// N in a straight line through the point before, `past` [s] ago; without one it stays.
+WearStep step_of(const WearPoint& now, const WearPoint* before, double past, double dt) {
+  WearStep step{dt, Field(now.w.size(), 0.0)};
+  for (std::size_t k = 0; before != nullptr && k < now.w.size(); ++k) {
+    step.slope[k] = -change_of_rest(now, *before, k) / past;
+  }
+  return step;
+}
+
+Field after(const WearPoint& now, const WearStep& step) {
+  const double dt = step.dt;
+  Field w = now.w;
+  for (std::size_t k = 0; k < w.size(); ++k) {
+    const double x = -dt * now.J[k];
+    w[k] += std::max(0.0, dt * (phi_1(x) * now.r[k] + phi_2(x) * dt * step.slope[k]));
+  }
+  return w;
+}
+
+/// By how much the rate at the end moves the wear of the step [m].
+double error_of(const WearPoint& now, const WearStep& step, const WearPoint& end) {
+  double worst = 0.0;
+  for (std::size_t k = 0; k < now.w.size(); ++k) {
+    const double off = change_of_rest(now, end, k) - step.dt * step.slope[k];
+    worst = larger(worst, std::abs(step.dt * phi_2(-step.dt * now.J[k]) * off));
+  }
+  return worst;
+}
+
+/// (1) up to a time; steps as long as their error allows.
+class March {
+ public:
+  March(WornBearing& b, const Case& c, const SolveControl& control,
+        const std::function<void(const RunningInRun&)>& seen, RunningInRun& run)
+      : b_(b),
+        control_(control),
+        seen_(seen),
+        run_(run),
+        per_load_(c.running_in->wear_coefficient / hardness_of_shell(c)),
+        unit_(b.model().contact->sigma()),
+        now_(point_of(b, per_load_, Field(b.model().scene.grid.cells(), 0.0))) {}
+
+  void to(double end);
+
+ private:
+  /// Tries a step; false, and back where it began, if it is not found or errs too much.
+  bool take(double dt);
+  /// No step is short enough.
+  void end_too_short();
+
+  WornBearing& b_;
+  const SolveControl& control_;
+  const std::function<void(const RunningInRun&)>& seen_;
+  RunningInRun& run_;
+  double per_load_;  ///< C/H [1/Pa]
+  double unit_;      ///< summit roughness of the new surfaces [m]
+  double t_ = 0.0;
+  double past_ = 0.0;  ///< length of the last step [s]
+  WearPoint now_;
+  std::optional<WearPoint> before_;
+  double over_ = 0.0;  ///< error of the last step tried over the one that is allowed [-]
+  bool found_ = true;  ///< it was found
+  Verdict why_;        ///< not
+};
+
+bool March::take(double dt) {
+  const WearStep step = step_of(now_, before_ ? &*before_ : nullptr, past_, dt);
+  Field w = after(now_, step);
+  found_ = b_.wear_to(w, why_);
+  if (!found_) return false;
+  WearPoint end = point_of(b_, per_load_, std::move(w));
+  over_ = error_of(now_, step, end) / (kDepthError * std::max(unit_, largest(end.w)));
+  if (!(over_ <= 1.0)) {
+    b_.go_back();
+    return false;
+  }
+  before_ = std::exchange(now_, std::move(end));
+  past_ = dt;
+  t_ += dt;
+  return true;
+}
+
+void March::end_too_short() {
+  run_.verdict = found_ ? Verdict{Status::iteration_limit, ending::RunningInEnded{t_, over_}}
+                        : Verdict{why_.status, ending::RunningInEnded{t_}, why_.place, {why_}};
+}
+
+void March::to(double end) {
+  const double fastest = largest(now_.r);
   if (!(fastest > 0.0)) {  // nothing rubs, for however long
-    note_state(b, end, end, w, run);
+    note_state(b_, end, end, now_.w, run_);
     return;
   }
-  const double first = kFirstDepth * b.sigma() / fastest;
-  double dt = std::min(first, end);
-  while (t < end) {
-    if (stopped(control)) {
-      run.verdict = interrupted(t);
+  const double first = kFirstDepth * unit_ / fastest;
+  double dt = first;
+  while (t_ < end) {
+    if (stopped(control_)) {
+      run_.verdict = interrupted(t_);
       return;
     }
-    dt = std::min(dt, end - t);
-    const Solution before = b.solution();
-    const Attempt step = attempt(b, w, dt);
-    if (!step.good()) {
-      b.back_to(before);
-      ++run.rejected_steps;
-      dt *= step.found ? std::max(0.2, 0.9 / std::sqrt(step.over)) : 0.25;
-      if (dt < kShortest * first) {
-        run.verdict = too_short(step, t);
-        return;
-      }
-      continue;
+    dt = std::min(dt, end - t_);
+    const bool good = take(dt);
+    const double order = past_ > 0.0 && before_ ? kOrder : kFirstOrder;
+    const double longer = kSafety * std::pow(over_, -1.0 / order);
+    if (good) {
+      note_state(b_, t_, dt, now_.w, run_);
+      if (seen_) seen_(run_);
+    } else {
+      ++run_.rejected_steps;
+      if (dt < kShortest * first) return end_too_short();
     }
-    t += dt;
-    w = step.w;
-    note_state(b, t, dt, w, run);
-    if (seen) seen(run);
-    dt *= std::min(kLongest, 0.9 / std::sqrt(std::max(step.over, 1e-12)));
+    dt *= found_ ? std::clamp(longer, kShorter, good ? kLongest : kSafety) : kShorter;
   }
 }
 
 /// Wear at which every cell's contact pressure would be `limit` if the film stayed as it is.
 Field asked_for(const WornBearing& b, const Field& w, double limit) {
-  const Solution& s = b.solution();
-  const double open = s.model.contact->gap_of(limit);
+  const BearingModel& m = b.model();
+  const double open = m.contact->gap_of(limit);
   Field to = w;
   for (std::size_t k = 0; k < w.size(); ++k) {
-    const double p = s.film.p_contact[k];
-    if (s.model.scene.supply.cell[k] >= 0) continue;
-    const double h = p > 0.0 ? s.model.contact->gap_of(p) : s.film.gap.cell[k];
+    const double p = b.contact()[k];
+    if (m.scene.supply.cell[k] >= 0) continue;
+    const double h = p > 0.0 ? m.contact->gap_of(p) : b.gap()[k];
     to[k] = std::max(0.0, w[k] + open - h);
   }
   return to;
@@ -231,7 +225,7 @@ Verdict not_worn_in(FixedPointEnd end, const Verdict& why, double lack) {
 /// (3) by its own fixed point: in every cell the depth changes by what the gap lacks to the one at
 /// which the contact pressure is the limit.
 void find_end(WornBearing& b, const SolveControl& control, double limit, RunningInRun& run) {
-  const double unit = b.sigma();
+  const double unit = b.model().contact->sigma();
   Verdict why;
   Field w;  // of the film that was found last
   const auto map = [&](const std::vector<double>& x, std::vector<double>& g) {
@@ -247,7 +241,7 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
     for (double& v : g) v /= unit;
     return true;
   };
-  std::vector<double> x(b.grid().cells(), 0.0);
+  std::vector<double> x(b.model().scene.grid.cells(), 0.0);
   FixedPointOptions options;
   options.depth = kEndDepth;
   options.delay = kEndDelay;
@@ -270,15 +264,15 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
                     const std::function<void(const RunningInRun&)>& seen) {
   EXPECTS(c.running_in);
   RunningInRun run;
-  WornBearing b(c, tier, control);
-  run.verdict = b.solution().verdict;
+  const auto b = new_bearing(c, tier, control);
+  run.verdict = b->verdict();
   if (!run.verdict.good()) return run;
-  note_state(b, 0.0, 0.0, Field(b.grid().cells(), 0.0), run);
+  note_state(*b, 0.0, 0.0, Field(b->model().scene.grid.cells(), 0.0), run);
   if (seen) seen(run);
   if (c.running_in->duration) {
-    march(b, control, *c.running_in->duration, seen, run);
+    March(*b, c, control, seen, run).to(*c.running_in->duration);
   } else {
-    find_end(b, control, c.running_in->limit_pressure, run);
+    find_end(*b, control, c.running_in->limit_pressure, run);
   }
   return run;
 }
@@ -286,27 +280,6 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
 double hardness_of_shell(const Case& c) {
   if (c.running_in && c.running_in->hardness > 0.0) return c.running_in->hardness;
   return c.shell && !c.shell->layers.empty() ? c.shell->layers.front().material.hardness : 0.0;
-}
-
-Profile wear_table(const FilmGrid& g, const Field& wear) {
-  Profile table;
-  table.phi = g.phi;
-  table.z.push_back(g.z_face.front());
-  table.z.insert(table.z.end(), g.z.begin(), g.z.end());
-  table.z.push_back(g.z_face.back());
-  const auto beyond = [&](int i, int last, int inner, double z) {
-    const double a = wear[g.index(i, last)];
-    if (last == inner) return a;
-    const double slope = (a - wear[g.index(i, inner)]) / (g.z[last] - g.z[inner]);
-    return std::max(0.0, a + slope * (z - g.z[last]));
-  };
-  const int end = g.nz - 1;
-  for (int i = 0; i < g.nt; ++i) {
-    table.height.push_back(beyond(i, 0, std::min(1, end), g.z_face.front()));
-    for (int j = 0; j < g.nz; ++j) table.height.push_back(wear[g.index(i, j)]);
-    table.height.push_back(beyond(i, end, std::max(end - 1, 0), g.z_face.back()));
-  }
-  return table;
 }
 
 }  // namespace shellback::bearing

@@ -21,12 +21,21 @@ void begin_or_take_up(CycleSearch& search, const SolveControl& control, const Be
 }
 
 /// On the case's own grid, from rest.
-CycleResult on_one_grid(const Case& c, Tier tier, const SolveControl& control) {
-  CycleSearch search(c, tier, control);
-  begin_or_take_up(search, control, [&] {
-    search.begin(tier == Tier::lumped ? c.supplies.front().temperature : equivalent_temperature(c));
-  });
-  const Verdict v = tier == Tier::lumped ? settle_lumped_cycle(search, c) : search.search(false);
+std::unique_ptr<CycleSearch> on_one_grid(const Case& c, Tier tier, const SolveControl& control,
+                                         Cost& cost) {
+  auto search = std::make_unique<CycleSearch>(c, tier, control);
+  begin_or_take_up(*search, control, [&] { search->begin(equivalent_temperature(c)); });
+  search->search(false);
+  cost.factorizations = search->cost().factorizations;
+  cost.newton_iterations = search->cost().newton_iterations;
+  return search;
+}
+
+/// The lumped tier, on the case's own grid.
+CycleResult at_one_temperature(const Case& c, const SolveControl& control) {
+  CycleSearch search(c, Tier::lumped, control);
+  begin_or_take_up(search, control, [&] { search.begin(c.supplies.front().temperature); });
+  const Verdict v = settle_lumped_cycle(search, c);
   CycleResult r = search.result();
   r.verdict = v;
   return r;
@@ -34,14 +43,15 @@ CycleResult on_one_grid(const Case& c, Tier tier, const SolveControl& control) {
 
 /// The walls of a resolved tier settle on coarse grids first: what they need is many cycles, not
 /// many cells. A coarse grid that fails is left out.
-CycleResult on_grids(const Case& c, Tier tier, const SolveControl& control) {
+std::unique_ptr<CycleSearch> on_grids(const Case& c, Tier tier, const SolveControl& control,
+                                      Cost& cost) {
   const auto grids = grid_ladder(c.model.grid);
   const auto search_on = [&](int k) {
     Case on = c;
     on.model.grid = grids[k];
     return std::make_unique<CycleSearch>(on, tier, control);
   };
-  Cost cost = control.kept != nullptr ? control.kept->cost() : Cost{};
+  if (control.kept != nullptr) cost = control.kept->cost();
   std::unique_ptr<CycleSearch> coarse;
   if (control.kept != nullptr && control.kept->coarser_grid() >= 0) {
     coarse = search_on(control.kept->coarser_grid());
@@ -62,11 +72,7 @@ CycleResult on_grids(const Case& c, Tier tier, const SolveControl& control) {
     const Verdict& v = search->search(!last);
     cost.factorizations += search->cost().factorizations;
     cost.newton_iterations += search->cost().newton_iterations;
-    if (last || v.status == Status::interrupted) {
-      CycleResult r = search->result();
-      r.cost = cost;
-      return r;
-    }
+    if (last || v.status == Status::interrupted) return search;
     if (!v.good()) continue;
     coarse = std::move(search);
     if (control.kept == nullptr) continue;
@@ -77,6 +83,13 @@ CycleResult on_grids(const Case& c, Tier tier, const SolveControl& control) {
 }
 
 }  // namespace
+
+std::unique_ptr<CycleSearch> search_cycle(const Case& c, Tier tier, const SolveControl& control,
+                                          Cost& cost) {
+  EXPECTS(c.cycle.has_value() && tier != Tier::lumped);
+  const bool resolved = physics_of(c, tier).film_energy && c.cycle->repeats();
+  return resolved ? on_grids(c, tier, control, cost) : on_one_grid(c, tier, control, cost);
+}
 
 CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
   EXPECTS(c.cycle.has_value());
@@ -89,8 +102,14 @@ CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
     if (auto ended = control.kept->next_ended()) return *std::move(ended);
   }
   const auto begin = std::chrono::steady_clock::now();
-  const bool resolved = physics_of(c, tier).film_energy && c.cycle->repeats();
-  CycleResult r = resolved ? on_grids(c, tier, control) : on_one_grid(c, tier, control);
+  CycleResult r;
+  if (tier == Tier::lumped) {
+    r = at_one_temperature(c, control);
+  } else {
+    Cost cost;
+    r = search_cycle(c, tier, control, cost)->result();
+    r.cost = cost;
+  }
   r.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (control.kept == nullptr) return r;
   r.cost.wall_s += control.kept->spent_before();

@@ -9,6 +9,7 @@
 #include "app/program/outputs.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
+#include "app/words/note_words.hpp"
 #include "app/write_running_in.hpp"
 #include "core/contract.hpp"
 #include "validation/rivals/rivals.hpp"
@@ -43,6 +44,35 @@ void expect_running_in(const Case& c) {
   }
 }
 
+/// The cycle of the last state: how it was told, its audit, and what it has to say.
+void print_cycle(const CycleResult& cycle, int cycles) {
+  fmt::print("\ncontact and film are extremes of the cycle, torque is its mean; {} cycles passed\n",
+             cycles);
+  fmt::print("last cycle: closed within {:.1e}, audit mass {:.1e}, energy {:.1e}, walls {:.1e} K\n",
+             cycle.closure, cycle.audit.mass, cycle.audit.energy, cycle.audit.walls);
+  std::vector<std::string> told = words_of(cycle.warnings);
+  for (const LimiterCount& l : cycle.limiters) {
+    told.push_back(fmt::format("{}, {} times", l.what, l.count));
+  }
+  for (const std::string& line : told) fmt::print("  - {}\n", line);
+}
+
+int cycles_of(const RunningInRun& run) {
+  int sum = 0;
+  for (const RunningInState& s : run.states) sum += s.cycles;
+  return sum;
+}
+
+/// Control that shows where the wear has come to while a state is solved.
+SolveControl control_over(ProgressLine& line, RunningInState& latest) {
+  SolveControl control = control_for(line);
+  control.progress = [&line, &latest](const Progress& p) {
+    line.show(fmt::format("running-in {:.4g} s, wear {:.3g} um: {} step {}", latest.t,
+                          1e6 * latest.depth, p.stage, p.step));
+  };
+  return control;
+}
+
 void print_line(const RunningInState& s, bool found) {
   const std::string t =
       std::isfinite(s.t) ? fmt::format("{:.4g}", s.t) : (found ? "worn in" : "last tried");
@@ -61,13 +91,18 @@ int running_in(const Request& request) {
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
   ProgressLine progress;
-  const RunningInRun run = run_in(subject, subject.model.tier, control_for(progress));
+  RunningInState latest;
+  const RunningInRun run =
+      run_in(subject, subject.model.tier, control_over(progress, latest),
+             [&](const RunningInRun& so_far) { latest = so_far.states.back(); });
+  progress.wipe();
   if (!run.states.empty() && request.json != "-") {
     fmt::print("{}\nrunning-in, tier {}, grid {} x {}\n\n", subject.title,
                to_string(subject.model.tier), subject.model.grid[0], subject.model.grid[1]);
     fmt::print("{:>10} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "time [s]", "wear [um]",
                "volume [mm3]", "contact [MPa]", "torque [N m]", "h_min [um]");
     for (const RunningInState& s : run.states) print_line(s, run.verdict.good());
+    if (run.cycle) print_cycle(*run.cycle, cycles_of(run));
     if (std::isfinite(run.complementarity)) {
       fmt::print("\ncomplementarity of wear and contact pressure {:.1e}\n", run.complementarity);
     }

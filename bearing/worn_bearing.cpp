@@ -1,0 +1,119 @@
+#include "bearing/worn_bearing.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "bearing/cycle_search.hpp"
+#include "bearing/film_heat.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// The case with this wear, and with a surface on its way from new to worn.
+Case worn_case(const Case& c, const FilmGrid& grid, const Field& wear) {
+  const RunningIn& given = *c.running_in;
+  Case out = c;
+  out.bearing.wear = wear_table(full_grid(grid), mirror_to_full(grid, wear));
+  if (!given.worn) return out;
+  solid::RoughSurface& shell = out.surfaces.shell;
+  const double part = std::min(1.0, largest(wear) / given.worn_after);
+  const auto mix = [part](double& a, double b) { a += part * (b - a); };
+  mix(shell.roughness, given.worn->roughness);
+  mix(shell.orientation, given.worn->orientation);
+  mix(shell.summit_roughness, given.worn->summit_roughness);
+  mix(shell.summit_height, given.worn->summit_height);
+  return out;
+}
+
+class UnderStandingLoad final : public WornBearing {
+ public:
+  UnderStandingLoad(const Case& c, Tier tier, const SolveControl& control)
+      : case_(c), tier_(tier), control_(control), now_(solve_tier(c, tier, control)) {}
+
+  [[nodiscard]] const Verdict& verdict() const override { return now_.verdict; }
+  [[nodiscard]] const BearingModel& model() const override { return now_.model; }
+  [[nodiscard]] WearLoad load() const override {
+    return wear_load_of(now_.model, now_.film, case_.running_in->limit_pressure);
+  }
+  [[nodiscard]] const Field& contact() const override { return now_.film.p_contact; }
+  [[nodiscard]] const Field& gap() const override { return now_.film.gap.cell; }
+
+  bool wear_to(const Field& wear, Verdict& why) override {
+    const Case worn = worn_case(case_, now_.model.scene.grid, wear);
+    Solution next = solve_tier_from(worn, tier_, now_, control_, Otherwise::failure);
+    if (!next.verdict.good()) {
+      why = next.verdict;
+      return false;
+    }
+    before_ = std::exchange(now_, std::move(next));
+    return true;
+  }
+  void go_back() override { now_ = std::move(before_); }
+
+  void tell(RunningInState& state, RunningInRun& run) const override {
+    const Friction f = friction_of(now_.model, now_.film);
+    state.p_asperity_max = largest(now_.film.p_contact);
+    state.torque = f.viscous + f.asperity;
+    state.h_min = now_.film.least.h;
+    run.solution = now_;
+  }
+
+ private:
+  Case case_;
+  Tier tier_;
+  const SolveControl& control_;
+  Solution now_;
+  Solution before_;
+};
+
+class OverLoadCycle final : public WornBearing {
+ public:
+  OverLoadCycle(const Case& c, Tier tier, const SolveControl& control)
+      : case_(c), tier_(tier), control_(control), now_(search_cycle(c, tier, control, cost_)) {}
+
+  [[nodiscard]] const Verdict& verdict() const override { return now_->verdict(); }
+  [[nodiscard]] const BearingModel& model() const override { return now_->film().model(); }
+  [[nodiscard]] WearLoad load() const override { return now_->told().wear_load(); }
+  [[nodiscard]] const Field& contact() const override { return now_->told().largest_contact(); }
+  [[nodiscard]] const Field& gap() const override { return now_->told().smallest_gap(); }
+
+  bool wear_to(const Field& wear, Verdict& why) override {
+    const Case worn = worn_case(case_, model().scene.grid, wear);
+    auto next = std::make_unique<CycleSearch>(worn, tier_, physics_of(worn, tier_), control_,
+                                              model().solids);
+    if (!next->begin_reshaped(*now_) || !next->follow().good()) {
+      why = next->verdict();
+      return false;
+    }
+    before_ = std::exchange(now_, std::move(next));
+    return true;
+  }
+  void go_back() override { now_ = std::move(before_); }
+
+  void tell(RunningInState& state, RunningInRun& run) const override {
+    CycleResult r = now_->result();
+    state.p_asperity_max = value_of(r, "p_asperity_max");
+    state.torque = value_of(r, "friction_torque");
+    state.h_min = value_of(r, "h_min");
+    state.cycles = r.cycles;
+    run.cycle = std::move(r);
+  }
+
+ private:
+  Case case_;
+  Tier tier_;
+  const SolveControl& control_;
+  Cost cost_;  ///< of the new bearing
+  std::unique_ptr<CycleSearch> now_;
+  std::unique_ptr<CycleSearch> before_;
+};
+
+}  // namespace
+
+std::unique_ptr<WornBearing> new_bearing(const Case& c, Tier tier, const SolveControl& control) {
+  if (c.cycle) return std::make_unique<OverLoadCycle>(c, tier, control);
+  return std::make_unique<UnderStandingLoad>(c, tier, control);
+}
+
+}  // namespace shellback::bearing

@@ -173,13 +173,13 @@ std::string tier_names(const std::vector<Tier>& tiers) {
 
 }  // namespace
 
-void print_check(std::ostream& out, const Case& subject) {
+void print_check(std::ostream& out, const Case& subject, WholeCycle cycle) {
   out << (subject.title.empty() ? subject.path : subject.title) << "\n";
   out << fmt::format("  {}: the case can be solved; tier {}, data for {}\n", subject.path,
                      to_string(subject.model.tier), tier_names(possible_tiers(subject)));
   if (subject.cycle) {
     print_cycle(out, subject);
-    print_cycle_estimate(out, subject);
+    if (cycle == WholeCycle::estimated) print_cycle_estimate(out, subject);
     const Case steady = at_largest_load(subject);
     if (steady.operation.omega != 0.0) {
       out << "\nBelow: as if the largest load and the mean speed would stay. A film that is "

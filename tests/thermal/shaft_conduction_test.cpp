@@ -110,7 +110,7 @@ TEST_CASE("UniformHeatingFollowsTheParabola", "[shaft_conduction]") {
   const double R = 0.002, B = 0.08, q = 2e4;
   const auto grid = make_grid(R, B, 8, 60, true);
   const auto t =
-      shaft_on(grid).solve(std::vector<double>(60, q), 0.0, std::vector<double>(60, 0.0));
+      shaft_on(grid).solve(std::vector<double>(grid.nz, q), 0.0, std::vector<double>(grid.nz, 0.0));
   const double per_z2 = q / (kSteelShaft.conductivity * R);
   const auto z2 = [&](int j) { return grid.z[j] * grid.z[j] + grid.dz[j] * grid.dz[j] / 12.0; };
   for (int j = 0; grid.z[j] < 0.5 * B - 5.0 * R; ++j) {  // what the ends do dies out with 3.8 z/R
@@ -130,7 +130,8 @@ TEST_CASE("SlenderShaftIsTheFinOfTheTextbooks", "[shaft_conduction]") {
     const double fin = s.conductivity * kPi * R * R * m * std::tanh(m * L);
     // heat narrows to the section within a radius of the edge: m R of the fin's resistance
     CHECK(shaft.conductance() == Approx(2.0 * fin).epsilon(m * R));
-    const auto t = shaft.solve(std::vector<double>(20, 100.0), 0.0, std::vector<double>(20, 0.0));
+    const auto t =
+        shaft.solve(std::vector<double>(grid.nz, 100.0), 0.0, std::vector<double>(grid.nz, 0.0));
     const auto& mesh = shaft.mesh();
     const double edge = t.heat_out / (2.0 * fin);  // of the fin, by its heat
     CHECK(t.nodal[mesh.line_nodes() - 1] == Approx(edge / std::cosh(m * L)).epsilon(m * R));

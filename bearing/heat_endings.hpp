@@ -4,10 +4,9 @@
 
 namespace shellback::bearing {
 
-/// Largest rise of the film over the supply that is looked at [K]: fed at 40 to 120 degC the film
-/// is then at 340 to 420 degC, where base oils crack and, at ambient pressure, boil (textbook), and
-/// no law of an oil holds.
-inline constexpr double kHottestRise = 300.0;
+/// Largest rise of the film over the supply that is looked at [K]: no oil film survives hotter, and
+/// no law of an oil holds there.
+inline constexpr double kHottestRise = 400.0;
 
 /// Good unless a temperature or the thermal deformation is not a number.
 [[nodiscard]] Verdict fields_finite(const Solution& s);

@@ -3,7 +3,8 @@
 ///
 ///   isothermal   newton -> through time (pseudo_time.hpp) -> along the load (follow.hpp)
 ///   lumped       the root of the heat balance over films of one temperature (lumped.hpp)
-///   thd, tehd    the outer iteration over heat -> along load or speed -> through time with the real heat
+///   thd, tehd    the outer iteration over heat -> along load or speed -> through time with the
+///   real heat
 ///                capacities (heat_march.hpp), this on the asked grid alone
 /// each arrow only where what stands before it does not arrive. What is said to have no steady
 /// state has a turning point, a bound of the equations, or a trajectory that leaves every bound;

@@ -16,7 +16,7 @@ namespace {
 Case hot_case(double rpm) {
   Case c = bearing::tests::plain_case();
   c.model.tier = bearing::Tier::lumped;
-  c.oil.heat_capacity = rheology::ConstantHeatCapacity{3.0};  // hardly more than a thousandth of an oil's
+  c.oil.heat_capacity = rheology::ConstantHeatCapacity{2.0};  // a thousandth of an oil's
   c.operation.omega = rpm * kPi / 30.0;
   return c;
 }

@@ -48,6 +48,10 @@ void print_limiters(std::ostream& out, const std::vector<Result>& results) {
 
 void print_cost(std::ostream& out, const Result& result) {
   const auto& k = result.cost;
+  if (result.tier == bearing::Tier::estimate) {
+    out << fmt::format("\nno film was solved: no grid, {} s\n", figures(k.wall_s, 3));
+    return;
+  }
   out << fmt::format(
       "\ngrid {} x {}, {} outer iterations, {} Newton iterations, {} factorizations, {} s",
       result.grid[0], result.grid[1], k.outer_iterations, k.newton_iterations, k.factorizations,

@@ -23,7 +23,7 @@ struct Call {
   double change = 0.0;  ///< largest |G(x) - x| of the last call
   double rate = 1.0;    ///< change over the one before
   int calls = 0;
-  bool near = false;  ///< G(x) is as near as asked for by the rate of the changes
+  bool near = false;  ///< the change is within the tolerance, or G(x) is by the rate of changes
   bool lost = false;  ///< KINSOL came with an x that is not a number, or out of reach
 
   /// Takes note of the change of this call.
@@ -32,8 +32,9 @@ struct Call {
     const double rho = std::max(rate, rate_now);
     rate = rate_now;
     change = now;
-    near = options->slack > 1.0 && rho < 1.0 && now <= options->slack * options->tolerance &&
-           rho / (1.0 - rho) * now <= options->tolerance;
+    near = now <= options->tolerance ||
+           (options->slack > 1.0 && rho < 1.0 && now <= options->slack * options->tolerance &&
+            rho / (1.0 - rho) * now <= options->tolerance);
   }
 };
 
@@ -89,12 +90,11 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   require(KINSetDelayAA(solver.get(), o.delay));
   require(KINInit(solver.get(), evaluate, u.get()));
   require(KINSetUserData(solver.get(), &call));
-  require(KINSetFuncNormTol(solver.get(), o.tolerance));
+  // Its norm is that of its own step, not |G(x) - x|: evaluate() ends it.
+  require(KINSetFuncNormTol(solver.get(), std::numeric_limits<double>::min()));
   require(KINSetNumMaxIters(solver.get(), o.max_iterations));
-  // KINSOL's own word is not enough: its norm is not |G(x) - x|, and one that is not a number
-  // passes its test. Where it stops early it goes on from there. Where changes repeat, its least
-  // squares divide by nothing and the next x is not a number, or far away: it begins anew at the
-  // map's value.
+  // Where changes repeat, KINSOL's least squares divide by nothing and the next x is not a number,
+  // or far away: it begins anew at the map's value. So it does where its step has come to nothing.
   long used = 0;
   while (true) {
     const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
@@ -105,7 +105,6 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
       return end == KIN_MAXITER_REACHED ? FixedPointEnd::iteration_limit
                                         : FixedPointEnd::map_failed;
     }
-    if (!anew && call.change <= o.tolerance) return FixedPointEnd::converged;
     long now = 0;
     require(KINGetNumNonlinSolvIters(solver.get(), &now));
     used += std::max(now, 1L);

@@ -106,7 +106,7 @@ void HeatIteration::give_contact_widening() {
 
 /// No tighter than the temperatures are known: the map's noise stays well below its change.
 EquilibriumOptions HeatIteration::film_options() const {
-  constexpr double kNoise = 1e-2;  // of the last change
+  constexpr double kNoise = 1e-3;  // of the last change
   EquilibriumOptions o = options_.film;
   const double noise = iterations_ <= 1 ? kNoise : kNoise * std::min(s_.heat.residual, 1.0);
   o.film_tolerance = std::max(o.film_tolerance, noise);

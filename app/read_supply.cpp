@@ -19,6 +19,9 @@ constexpr const bearing::ValueRanges& kCan = bearing::kValueRanges;
 /// A hole of the shell, or the mouth of a drilling of the journal.
 void read_hole(const Section& section, double radius, Supply& supply) {
   const bool drilling = supply.kind == SupplyKind::drilling;
+  if (drilling && section.has("heat_transfer")) {
+    section.fail("heat_transfer", "a drilling has no surface that the film sees; remove the key");
+  }
   if (drilling) {
     section.only({"kind", "angle", "z", "diameter", "pressure", "pressure_absolute", "temperature",
                   "vessel_volume", "vessel_bulk_modulus", "open"},
@@ -125,16 +128,18 @@ void read_heat_transfer(const Section& section, Supply& supply) {
   if (word || (!given && section.has("depth"))) {
     supply.heat_transfer = bearing::ChannelHeat{};
   } else if (given) {
-    supply.heat_transfer = section.quantity(key, kHeatTransfer, kNotNegative);
+    supply.heat_transfer = section.quantity(key, kHeatTransfer, kCan.groove_heat);
   }
   if (given) return;
-  section.assume(section.has("depth")
-                     ? fmt::format("{}: its oil exchanges heat with the walls like laminar flow in "
-                                   "a channel of its depth (heat_transfer = \"channel\")",
-                                   section.name(""))
-                     : fmt::format("{}: its oil exchanges no heat with the walls (no depth and no "
-                                   "heat_transfer is given)",
-                                   section.name("")));
+  section.assume(
+      section.has("depth")
+          ? fmt::format("{}: in tiers with heat its oil exchanges it with the walls like "
+                        "laminar flow in a channel of its depth (heat_transfer = "
+                        "\"channel\")",
+                        section.name(""))
+          : fmt::format("{}: in tiers with heat its oil exchanges none with the walls "
+                        "(no depth and no heat_transfer is given)",
+                        section.name("")));
 }
 
 Supply read_supply(const Section& section, double radius,

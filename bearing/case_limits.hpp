@@ -21,6 +21,8 @@ struct ValueRanges {
   Range poisson_ratio{0.0, 0.4999, false, "lie between 0 and 0.5 (below it)"};
   Range gauge_pressure{-101325.0, kInfinite, false,  // standard atmosphere, definition
                        "not lie below vacuum (-1.013 bar)"};
+  /// [W/(m2 K)] Boiling and jets reach 1e5; beyond 1e6 oil and walls have one temperature.
+  Range groove_heat{0.0, 1e6, false, "not be negative, nor more than 1e6 W/(m2 K)"};
   Range tolerance{0.0, 0.5, true, "be positive and at most 50 %"};
   Range kappa{0.0, 5.0, false, "lie between 0 and 5"};
   Range relaxation{0.0, 1.0, true, "be positive and at most 1"};
@@ -61,7 +63,11 @@ struct BearingLimits {
   double profile_most = 0.1;            ///< heights' spread over the radius: no gap beyond [-]
   double wall_most = 5.0;               ///< shell over radius: no bush's wall is thicker [-]
   double housing_most = 50.0;    ///< outer over inner radius: beyond, a full space does as well [-]
+  double overhang_least = 1e-4;  ///< over the radius: below, none; elements degenerate [-]
   double overhang_most = 100.0;  ///< over the radius: a shaft is infinite by then [-]
+  /// [-] Over the radius: the local field is gone after two; a free body of 40 bends by itself
+  /// (friction of thd-plain-bearing: 2.3530, 2.3502, 2.3423 N m with 1, 40, 100).
+  double elastic_overhang_most = 20.0;
   int fewest_cells_round = 16;   ///< below, not even a full film's maximum is resolved
   int most_cells = 2000000;      ///< memory: some kB per cell
 };

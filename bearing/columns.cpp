@@ -68,26 +68,22 @@ OilColumns uniform_columns(int cells, int nodes, double T) {
 }
 
 void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double speed,
-                    const Field& h, const fluid::FilmState& state, const Field& gx, const Field& gz,
-                    double tolerance, OilColumns& c, fluid::FilmCoefficients& out) {
+                    const Field& h, const std::vector<int>& supply, const fluid::FilmState& state,
+                    const Field& gx, const Field& gz, double tolerance, OilColumns& c,
+                    fluid::FilmCoefficients& out) {
   const int n = gl.n;
   const std::size_t cells = h.size();
   std::vector<double> p(cells * n), low(cells * n);
+  std::vector<double> T = c.T;
   for (std::size_t cell = 0; cell < cells; ++cell) {
     std::fill_n(&p[cell * n], n, state.p[cell]);
     double mean = 0.0;
     for (int k = 0; k < n; ++k) mean += gl.w[k] * c.T[cell * n + k];
-    c.T_mean[cell] = mean;
+    const bool mixed = supply[cell] >= 0;  // between walls that are as warm as they are
+    c.T_mean[cell] = mixed ? c.T[cell * n + 1] : mean;
+    if (mixed || gl.one_temperature) std::fill_n(&T[cell * n], n, c.T_mean[cell]);
   }
-  if (gl.one_temperature) {
-    std::vector<double> T(cells * n);
-    for (std::size_t cell = 0; cell < cells; ++cell) {
-      std::fill_n(&T[cell * n], n, c.T_mean[cell]);
-    }
-    rheology::viscosity(oil, T, p, low);
-  } else {
-    rheology::viscosity(oil, c.T, p, low);
-  }
+  rheology::viscosity(oil, T, p, low);
   out.fluidity.resize(cells);
   out.chi.resize(cells);
   out.alpha.resize(cells);

@@ -33,10 +33,11 @@ struct OilColumns {
 
 /// Recomputes viscosities, integrals (1) and the film's coefficients for the present state.
 /// `h` is the gap for shear [m] (positive), `gradient_*` the pressure gradients at cells [Pa/m].
+/// Where `supply` is not negative oil is mixed and has one temperature, that of its inner nodes.
 void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double speed,
-                    const Field& h, const fluid::FilmState& state, const Field& gradient_x,
-                    const Field& gradient_z, double tolerance, OilColumns& columns,
-                    fluid::FilmCoefficients& coefficients);
+                    const Field& h, const std::vector<int>& supply, const fluid::FilmState& state,
+                    const Field& gradient_x, const Field& gradient_z, double tolerance,
+                    OilColumns& columns, fluid::FilmCoefficients& coefficients);
 
 /// Dissipation per volume of film, tau^2/eta at the nodes [W/m3], index cell * n + k.
 [[nodiscard]] std::vector<double> dissipation(const CrossFilmNodes& gl, double speed,

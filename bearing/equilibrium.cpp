@@ -148,8 +148,8 @@ bool evaluate(const BearingModel& model, const Field& thermal_deformation, doubl
   s.shear_gap = shear_gap(model, s.gap.cell);
   s.gradient_x = fluid::pressure_gradient_x(scene, s.film);
   s.gradient_z = fluid::pressure_gradient_z(scene, s.film);
-  update_columns(model.oil, model.gl, scene.speed, s.shear_gap, s.film, s.gradient_x, s.gradient_z,
-                 tolerance, s.columns, s.oil);
+  update_columns(model.oil, model.gl, scene.speed, s.shear_gap, scene.supply.cell, s.film,
+                 s.gradient_x, s.gradient_z, tolerance, s.columns, s.oil);
   fluid::evaluate_flow(scene, s.gap, model.profile, s.oil, s.film, s.flow);
   evaluate_contact(model, s);
   if (model.layer && !s.elastic.empty()) s.layer = model.layer->press(s.film.p, s.p_contact);

@@ -125,6 +125,16 @@ void judge_span(const Case& c, Findings& to) {
   }
 }
 
+/// A length of shaft beyond the bearing, at most `most` radii [m].
+void judge_overhang(const char* key, double length, double most, double R, Findings& to) {
+  if (length > most * R) {
+    to.refuse(key, fmt::format("it is more than {:.0f} diameters", 0.5 * most), "check the unit");
+  }
+  if (length > 0.0 && length < kBearingLimits.overhang_least * R) {
+    to.refuse(key, "it is less than a ten-thousandth of the radius", "give 0, or check the unit");
+  }
+}
+
 }  // namespace
 
 void judge_solids(const Case& c, Findings& to) {
@@ -133,9 +143,9 @@ void judge_solids(const Case& c, Findings& to) {
   if (c.shell) judge_coating(c, to);
   if (!c.shaft) return;
   judge_material(c.shaft->material, "shaft.material", to);
-  if (c.shaft->overhang > kBearingLimits.overhang_most * R) {
-    to.refuse("shaft.overhang", "it is more than 50 diameters", "check the unit");
-  }
+  judge_overhang("shaft.overhang", c.shaft->overhang, kBearingLimits.overhang_most, R, to);
+  judge_overhang("shaft.elastic_overhang", c.shaft->elastic_overhang.value_or(0.0),
+                 kBearingLimits.elastic_overhang_most, R, to);
   judge_span(c, to);
 }
 

@@ -77,6 +77,17 @@ void judge_round(const Supply& s, const std::string& path, Findings& to) {
   }
 }
 
+/// Refuses a recess that is none.
+void judge_depth(const Supply& s, const Bearing& b, const std::string& path, Findings& to) {
+  const bool line = s.kind == SupplyKind::axial_groove && s.arc == 0.0;
+  if (line || s.depth >= b.radial_clearance) return;
+  to.refuse(path + ".depth",
+            fmt::format("{} is less than the radial clearance of {}: there oil flows as film, and "
+                        "no pressure is held",
+                        shown(s.depth, "um"), shown(b.radial_clearance, "um")),
+            "check the unit; grooves are tenths of a millimetre deep and more");
+}
+
 void judge_pressure(const Supply& s, double p_cav, const std::string& path, Findings& to) {
   const std::string key = path + ".pressure";
   if (s.pressure < p_cav) {
@@ -204,6 +215,7 @@ void judge_supplies(const Case& c, Findings& to) {
     const std::string path = fmt::format("supply.{}", k);
     judge_round(list[k], path, to);
     judge_axial(list[k], c.bearing, path, to);
+    judge_depth(list[k], c.bearing, path, to);
     judge_pressure(list[k], p_cav, path, to);
     judge_vessel(list[k], c, path, to);
     judge_drilling(list[k], c, path, to);

@@ -65,7 +65,7 @@ void judge_supply(const Supply& s, const ValueCheck& supply) {
   supply.temperature("temperature", s.temperature);
   supply.number("carry_over", s.carry_over, "", kUpToOne);
   if (const double* h = std::get_if<double>(&s.heat_transfer)) {
-    supply.number("heat_transfer", *h, "W/(m2 K)", kNotNegative);
+    supply.number("heat_transfer", *h, "W/(m2 K)", can.groove_heat);
   }
 }
 

@@ -192,8 +192,8 @@ fluid::UpdateReport NewtonIteration::take(const NewtonStep& step) {
 Verdict NewtonIteration::reduced_film() {
   const auto oil = [&](const fluid::FilmState& film, fluid::FilmCoefficients& c) {
     const Field none(film.p.size(), 0.0);
-    update_columns(model_.oil, model_.gl, model_.scene.speed, s_.shear_gap, film, none, none, 1e-3,
-                   s_.columns, c);
+    update_columns(model_.oil, model_.gl, model_.scene.speed, s_.shear_gap,
+                   model_.scene.supply.cell, film, none, none, 1e-3, s_.columns, c);
   };
   auto film = fluid::film_by_reduced_pressure(model_.scene, s_.gap, model_.profile, oil, s_.film);
   if (film.good()) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "bearing/case_limits.hpp"
 #include "core/contract.hpp"
 #include "core/revolution_mesh.hpp"
 #include "solid/revolution_elasticity.hpp"
@@ -68,7 +69,9 @@ solid::Support support_of(const Case& c) {
 
 /// Length of shaft beyond the bearing that is elastic, each side [m].
 double elastic_overhang(const Case& c) {
-  return c.shaft->elastic_overhang.value_or(std::max(c.shaft->overhang, c.bearing.radius));
+  const double R = c.bearing.radius;
+  return c.shaft->elastic_overhang.value_or(
+      std::clamp(c.shaft->overhang, R, kBearingLimits.elastic_overhang_most * R));
 }
 
 constexpr double kLocalPart = 0.55;  ///< of the film's largest local response; above 1/2 [-]

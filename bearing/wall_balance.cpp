@@ -36,7 +36,7 @@ void WallBalance::read_from_film() {
     int count = 0;
     for (int i = 0; i < g.nt; ++i) {
       const int c = g.index(i, j);
-      if (s_.model.scene.supply.cell[c] >= 0) continue;
+      if (!meets_walls(s_.model, c)) continue;
       sum += T[c * n + n - 1];
       ++count;
     }
@@ -56,9 +56,8 @@ void WallBalance::begin(const Friction& friction, int iteration) {
 
 void WallBalance::balance_roughly(double tolerance) {
   constexpr double kWallPart = 0.03;  // of the first round's change: what is left for later
-  constexpr int kWallRounds = 20;     // three times what most films need
+  constexpr int kWallRounds = 20;     // twice what most films need
   const double change = round();
-  if(getenv("SBW"))fprintf(stderr,"outer\n");
   const double enough = kWallPart * std::max(change, tolerance);
   if (change > enough) balance(enough, kWallRounds);
   for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
@@ -101,7 +100,6 @@ void WallBalance::warm_the_walls(Solids::Wanted wanted) {
 
 double WallBalance::take_wall_temperatures() {
   HeatState& h = s_.heat;
-  if(getenv("SBW"))fprintf(stderr,"  round shell %.3e shaft %.3e\n",largest_difference(h.solids.shell.surface, h.T_shell),largest_difference(h.solids.shaft.temperature, h.T_shaft));
   const double change = larger(largest_difference(h.solids.shell.surface, h.T_shell),
                                largest_difference(h.solids.shaft.temperature, h.T_shaft));
   h.T_shell = h.solids.shell.surface;
@@ -111,43 +109,36 @@ double WallBalance::take_wall_temperatures() {
 }
 
 double WallBalance::round() {
-  energy_->sweep(s_.film.columns.T);
+  for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
   warm_the_walls({false, false});
   return take_wall_temperatures();
 }
 
 double WallBalance::balance(double enough, int rounds) {
   constexpr int kDepth = 12;
-  HeatState& h = s_.heat;
-  std::vector<double>& T = s_.film.columns.T;
-  double least = INFINITY;  // of the best round: all is left as it was there
-  std::vector<double> best_T = T;
-  HeatState best = h;
-  const auto pack = [&] {
-    std::vector<double> x = h.T_shell;
-    x.insert(x.end(), h.T_shaft.begin(), h.T_shaft.end());
-    x.insert(x.end(), T.begin(), T.end());
-    return x;
-  };
+  const auto cells = static_cast<std::ptrdiff_t>(s_.heat.T_shell.size());
+  double least = INFINITY;  // of the best round: the walls are left as they were there
+  std::vector<double> best_T = s_.film.columns.T;
+  HeatState best = s_.heat;
   const auto map = [&](const std::vector<double>& x, std::vector<double>& g) {
-    auto from = x.begin();
-    for (std::vector<double>* part : {&h.T_shell, &h.T_shaft, &T}) {
-      std::copy_n(from, part->size(), part->begin());
-      from += static_cast<std::ptrdiff_t>(part->size());
-    }
+    std::copy_n(x.begin(), cells, s_.heat.T_shell.begin());
+    std::copy(x.begin() + cells, x.end(), s_.heat.T_shaft.begin());
+    impose_walls();
     const double change = round();
-    g = pack();
     if (change < least) {
       least = change;
-      best_T = T;
-      best = h;
+      best_T = s_.film.columns.T;
+      best = s_.heat;
     }
+    g = s_.heat.T_shell;
+    g.insert(g.end(), s_.heat.T_shaft.begin(), s_.heat.T_shaft.end());
     return true;
   };
-  std::vector<double> x = pack();
+  std::vector<double> x = s_.heat.T_shell;
+  x.insert(x.end(), s_.heat.T_shaft.begin(), s_.heat.T_shaft.end());
   if (fixed_point(map, {kDepth, 1, rounds, enough}, x) != FixedPointEnd::converged) {
-    T = best_T;
-    h = best;
+    s_.film.columns.T = best_T;
+    s_.heat = best;
   }
   return least;
 }
@@ -155,7 +146,7 @@ double WallBalance::balance(double enough, int rounds) {
 double WallBalance::finish(const Friction& friction, bool close) {
   constexpr int kMostSweeps = 400;
   constexpr int kMostRounds = 60;
-  constexpr double kWalls = 1e-7;           // change per round that leaves their heat balanced [K]
+  constexpr double kWalls = 1e-8;           // change per round that leaves their heat balanced [K]
   constexpr double kSettled = 1e-9;         // change per sweep, balance near round-off [K]
   constexpr double kRoughlySettled = 1e-3;  // the same where the balance need not close [K]
   energy_.emplace(problem(friction));

@@ -53,9 +53,9 @@ ShaftConduction::ShaftConduction(ConductionSystem system, const FilmGrid& grid,
       out_(whole() * system_.to_back()),
       store_(whole() * system_.to_store()) {
   insulated_ = steady() && out_.sum() == 0.0;
-  held_ = insulated_ ? body.conductivity / grid.radius : 0.0;
+  held_ = steady() ? body.conductivity / grid.radius : 0.0;
   Eigen::MatrixXd film;
-  if (insulated_) {
+  if (steady()) {
     film = held_ * grid.radius * cells_ * dz_.cwiseInverse().asDiagonal() * cells_.transpose();
   }
   factor_ = system_.factor(0, film);
@@ -66,7 +66,8 @@ ShaftConduction::ShaftConduction(ConductionSystem system, const FilmGrid& grid,
   const Eigen::VectorXd root = dz_.cwiseSqrt(), over_root = root.cwiseInverse();
   const Eigen::MatrixXd z = root.asDiagonal() * surface(nodal_) * over_root.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (z + z.transpose()));
-  mu_ = eigen.eigenvalues().cwiseInverse().array() - held_;
+  mu_ = (eigen.eigenvalues().cwiseInverse().array() - held_).max(0.0);
+  if (insulated_) mu_[grid.nz - 1] = 0.0;  // of the largest eigenvalue of Z: the mean's
   modes_ = over_root.asDiagonal() * eigen.eigenvectors();
   draw_ = whole() * grid.radius * (dz_.transpose() * modes_) * mu_.asDiagonal() *
           modes_.transpose() * dz_.asDiagonal();

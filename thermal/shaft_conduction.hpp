@@ -15,8 +15,8 @@
 ///   T = A^-1 P R q + A^-1 M/dt T_before   (nodes),   t = Z q + history   (cells)       (2)
 /// Z = R diag(1/dz) P^T A^-1 P, diag(dz) Z symmetric and positive: Z = V diag(1/mu) V^T diag(dz),
 /// V^T diag(dz) V = 1, mu >= 0 the conductances of its modes [W/(m2 K)]. In the steady state a
-/// shaft that can lose no heat has mu = 0 for its mean: A is then eliminated with s = k/R on the
-/// film's cells, which is taken from mu again. Heat in = out + stored to round-off.
+/// shaft that can lose no heat, or hardly any, has mu near 0 for its mean: A is eliminated with
+/// s = k/R on the film's cells, which is taken from mu again. Heat in = out + stored to round-off.
 ///
 /// A shaft that is slender against its heat path is the fin of the textbooks: h R / k and
 /// (R / B)^2 small, d/dz (k A dT/dz) + 2 pi R q = rho c A dT/dt with A = pi R^2. Sources: textbook
@@ -105,7 +105,7 @@ class ShaftConduction {
   Eigen::VectorXd dz_;        ///< of the film's cells [m]
   Eigen::MatrixXd cells_;     ///< P: line nodes x nz [m]
   bool insulated_ = false;    ///< steady, and no heat can leave
-  double held_ = 0.0;         ///< s, if insulated [W/(m2 K)]
+  double held_ = 0.0;         ///< s, in the steady state [W/(m2 K)]
   BlockTridiagonal factor_;   ///< A of a time step; empty: steady
   Eigen::MatrixXd nodal_;     ///< rise of the nodes per flux of each cell [K m2/W]
   Eigen::MatrixXd modes_;     ///< V

@@ -58,6 +58,11 @@ TEST_CASE("AbsurdGeometryIsRefusedWithTheReason") {
   check_refused("\"25 mm\"", "\"25 m\"", {"case.toml:5:9", "width is 500 of the diameter"});
   check_refused("\"50 mm\"", "\"50 m\"", {"case.toml:4:12", "diameter is 5e+04 mm"});
   check_refused("\"5 kN\"", "\"5e6 kN\"", {"case.toml:17:8", "4e+06 MPa"});
+  check_refused("temperature = \"80 degC\"", "temperature = \"80 degC\"\ndepth = \"5 um\"",
+                {"case.toml:14:9", "supply.0.depth", "radial clearance", "check the unit"});
+  check_refused("temperature = \"80 degC\"",
+                "temperature = \"80 degC\"\nheat_transfer = \"2e6 W/(m2 K)\"",
+                {"case.toml:14:17", "heat_transfer", "1e6 W/(m2 K)"});
   check_refused("\"3000 rpm\"", "\"3e6 rpm\"", {"case.toml:16:9", "surface speed"});
   check_refused("thickness = \"2 mm\"", "thickness = \"2 m\"", {"case.toml:30:", "2000 mm thick"});
   check_refused("[model]", "[model]\ngrid = [4, 3]", {"case.toml:37:8", "4 cells"});

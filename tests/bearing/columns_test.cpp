@@ -23,9 +23,11 @@ struct Scene {
   fluid::FilmState film;
   OilColumns columns;
   fluid::FilmCoefficients out;
+  std::vector<int> supply;  ///< none
 
   Scene(int cells, int n) : gl(gauss_lobatto(n)), columns(uniform_columns(cells, n, 373.15)) {
     h = random_field(cells, 1, 1e-6, 20e-6);
+    supply.assign(cells, -1);
     gx = random_field(cells, 2, -1e10, 1e10);
     gz = random_field(cells, 3, -1e10, 1e10);
     film.p = random_field(cells, 4, 0.0, 8e7);
@@ -36,7 +38,7 @@ struct Scene {
     for (std::size_t k = 0; k < columns.T.size(); ++k) columns.T[k] = profile(gl.s[k % gl.n]);
   }
   void update(double tolerance = 1e-13) {
-    update_columns(oil, gl, speed, h, film, gx, gz, tolerance, columns, out);
+    update_columns(oil, gl, speed, h, supply, film, gx, gz, tolerance, columns, out);
   }
   [[nodiscard]] double stress(std::size_t cell, int k) const {
     const double arm = h[cell] * (gl.s[k] - columns.centre[cell]);

@@ -1,4 +1,5 @@
 /// Heat between the oil of supplies and the walls of a bearing: balance, limits, cycles.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
@@ -76,6 +77,21 @@ TEST_CASE("AGrooveOfStrongExchangeIsAsWarmAsItsWalls", "[groove_heat]") {
   }
   // flow 0.1 kg/s of 2 kJ/(kg K) over 1e6 W/(m2 K) on twice 1e-3 m2: a tenth of the difference
   CHECK(s.heat.T_mix[0] == Approx(walls / area).margin(1.0));
+}
+
+TEST_CASE("HardlyAnyExchangeOfAGrooveIsNone", "[groove_heat]") {
+  const Solution none = solved(groove_with(0.0), Tier::thd);
+  const Solution hardly = solved(groove_with(1e-9), Tier::thd);
+  // the same equations but for 1e-9 of what 1 W/(m2 K) does: as near as iterations settle
+  CHECK(hardly.heat.T_mix[0] == Approx(none.heat.T_mix[0]).margin(1e-3));
+  CHECK(hardly.film.position.ex() == Approx(none.film.position.ex()).epsilon(1e-5));
+  CHECK(hardly.film.position.ey() == Approx(none.film.position.ey()).epsilon(1e-5));
+  const int c = [&] {
+    const auto& cells = none.model.scene.supply.cell;
+    return static_cast<int>(std::find_if(cells.begin(), cells.end(), [](int p) { return p >= 0; }) -
+                            cells.begin());
+  }();
+  CHECK(hardly.film.columns.T_mean[c] == Approx(hardly.heat.T_mix[0]).margin(1e-3));
 }
 
 TEST_CASE("AChannelsHeatTransferIsThatOfPlates", "[groove_heat]") {

@@ -181,6 +181,26 @@ TEST_CASE("InsulatedShaftTakesTheFilmsTemperature", "[shaft_conduction]") {
   }
 }
 
+TEST_CASE("ShaftThatCanHardlyLoseHeatIsNearlyTheInsulatedOne", "[shaft_conduction]") {
+  const auto grid = make_grid(0.024, 0.02, 40, 15, false);
+  const double g = 4e3, old = 340.0;
+  ShaftBody body = kSteelShaft;
+  body.heat_transfer = 0.0;
+  const auto solved = [&] {
+    return shaft_on(grid, body, 0.05).solve(uneven_flux(15), g, std::vector<double>(15, old));
+  };
+  const ShaftTemperature sealed = solved();
+  for (const double h : {1e-15, 1e-12, 1e-9, 1e-6, 1e-3}) {
+    body.heat_transfer = h;
+    const ShaftTemperature s = solved();
+    // both overhangs' surface at the mean temperature: 30 mW/K per W/(m2 K) against g A of 12 W/K
+    for (int j = 0; j < 15; ++j) {
+      CHECK(s.temperature[j] == Approx(sealed.temperature[j]).margin(1e-9 + 0.5 * h));
+    }
+    CHECK(s.heat_in == Approx(s.heat_out).margin(1e-9));  // round-off of 600 W offered
+  }
+}
+
 TEST_CASE("ShaftOfImpossibleDataIsRefused", "[shaft_conduction]") {
   const auto grid = shaft_grid(true);
   CHECK_THROWS_AS(shaft_on(grid, {0.0, 80.0, 300.0, 3.6e6}), InputError);

@@ -35,8 +35,8 @@ fluid::OilLaw oil_law(const BearingModel& model, FilmEquilibrium& s, double tole
   return [&model, &s, tolerance](const fluid::FilmState& film, fluid::FilmCoefficients& c) {
     const Field gx = fluid::pressure_gradient_x(model.scene, film);
     const Field gz = fluid::pressure_gradient_z(model.scene, film);
-    update_columns(model.oil, model.gl, model.scene.speed, s.shear_gap, film, gx, gz, tolerance,
-                   s.columns, c);
+    update_columns(model.oil, model.gl, model.scene.speed, s.shear_gap, model.scene.supply.cell,
+                   film, gx, gz, tolerance, s.columns, c);
   };
 }
 

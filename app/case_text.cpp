@@ -113,10 +113,11 @@ std::string read_text_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (error || status.type() == std::filesystem::file_type::not_found) {
+    const bool table = path.ends_with(".csv") || path.ends_with(".txt") || path.ends_with(".dat");
     throw FileError(
-        fmt::format("{}: there is no such file; \"shellback init\" lists cases to "
-                    "start from",
-                    path));
+        fmt::format("{}: there is no such file; {}", path,
+                    table ? "a table named in a case is looked for from the folder of the case"
+                          : "\"shellback init\" lists cases to start from"));
   }
   if (std::filesystem::is_directory(status)) {
     throw FileError(fmt::format("{}: this is a folder; give the case file in it", path));

@@ -92,7 +92,10 @@ std::string MapText::place(const MapLine& line, std::string_view field) const {
 
 std::vector<std::string_view> map_fields(std::string_view line) {
   std::vector<std::string_view> fields;
-  const bool separated = line.find_first_of(",;\t") != std::string_view::npos;
+  // Where something else parts the fields, a comma is one of a number's, and refused with it.
+  const bool apart = line.find_first_of(";\t") != std::string_view::npos;
+  const char* const marks = apart ? ";\t" : ",";
+  const bool separated = line.find_first_of(marks) != std::string_view::npos;
   if (!separated) {
     for (std::size_t at = line.find_first_not_of(' '); at < line.size();) {
       const std::size_t end = std::min(line.find(' ', at), line.size());
@@ -102,7 +105,7 @@ std::vector<std::string_view> map_fields(std::string_view line) {
     return fields;
   }
   for (std::size_t at = 0;;) {
-    const std::size_t end = std::min(line.find_first_of(",;\t", at), line.size());
+    const std::size_t end = std::min(line.find_first_of(marks, at), line.size());
     const std::string_view raw = line.substr(at, end - at), inner = stripped(raw, " ");
     fields.push_back(inner.empty() ? raw.substr(0, 0) : inner);
     if (end == line.size()) return fields;
@@ -121,6 +124,12 @@ double map_height(std::string_view field, double factor, const MapText& text, co
   const std::string_view digits = field.starts_with('+') ? field.substr(1) : field;
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (field.find_first_of(", ") != std::string_view::npos) {
+    throw InputError(text.place(line, field),
+                     fmt::format("{} has a comma within a number, or blanks beside commas; write "
+                                 "decimals after a point and part the heights by one mark",
+                                 in_quotes(field)));
+  }
   if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {
     throw InputError(text.place(line, field),
                      fmt::format("{} is no height; write a number with its decimals after a point, "

@@ -115,12 +115,14 @@ void write_course_table(std::ostream& out, const std::vector<Stretch>& stretches
   out << fmt::format("{:>12} {:>10} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "speed [rpm]",
                      "end [s]", "torque [N m]", "h_min [um]", "film [C]", "shell [C]", "back [C]",
                      "shaft [C]");
+  double end = 0.0;  // of the stretch: the last instant may be before, where all has come to rest
   for (std::size_t k = 0; k < run.ends.size(); ++k) {
     const Instant& i = run.instants[run.ends[k]];
+    end += stretches[k].duration;
     out << fmt::format(
         "{:>12.6g} {:>10.6g} {:>12.5g} {:>10.4g} {:>10.2f} {:>10.2f} {:>10.2f} "
         "{:>10.2f}\n",
-        rpm(stretches[k]), i.t, i.torque, 1e6 * i.h_min, i.T_film_max - kZeroCelsius,
+        rpm(stretches[k]), end, i.torque, 1e6 * i.h_min, i.T_film_max - kZeroCelsius,
         i.T_shell_max - kZeroCelsius, i.T_shell_back - kZeroCelsius, i.T_shaft - kZeroCelsius);
   }
   out << fmt::format("\naudit (relative)  heat in - out - stored at the ends: {:.1e}\n",

@@ -57,19 +57,22 @@ struct BearingLimits {
   /// [1/K] Lubricating oils 6.4e-4 to 7.3e-4 (seed 002, after Eq. 28); at 5e-3 the density would
   /// be gone 200 K above its reference.
   Limits oil_expansion{0.0, 0.0, 1.5e-3, 5e-3};
-  double supply_cover_usual = 0.3;      ///< of the surface [-]
-  double supply_cover_most = 0.9;       ///< above, hardly any film is left [-]
-  double supply_pressure_usual = 50e5;  ///< above, the supply is hydrostatic [Pa]
-  double profile_most = 0.1;            ///< heights' spread over the radius: no gap beyond [-]
-  double wall_most = 5.0;               ///< shell over radius: no bush's wall is thicker [-]
+  /// C of Archard's law [-]: from lubricated to unlubricated metals 1e-10 to 1e-2 (textbook).
+  Limits wear_coefficient{0.0, 1e-12, 1e-2, 1.0};
+  Limits hardness{1e6, 1e7, 2e10, 1e12};  // [Pa] polymers from 50 MPa, nitrided steel 10 GPa
+  double supply_cover_usual = 0.3;        ///< of the surface [-]
+  double supply_cover_most = 0.9;         ///< above, hardly any film is left [-]
+  double supply_pressure_usual = 50e5;    ///< above, the supply is hydrostatic [Pa]
+  double profile_most = 0.1;              ///< heights' spread over the radius: no gap beyond [-]
+  double wall_most = 5.0;                 ///< shell over radius: no bush's wall is thicker [-]
   double housing_most = 50.0;    ///< outer over inner radius: beyond, a full space does as well [-]
   double overhang_least = 1e-4;  ///< over the radius: below, none; elements degenerate [-]
   double overhang_most = 100.0;  ///< over the radius: a shaft is infinite by then [-]
   /// [-] Over the radius: the local field is gone after two; a free body of 40 bends by itself
   /// (friction of thd-plain-bearing: 2.3530, 2.3502, 2.3423 N m with 1, 40, 100).
   double elastic_overhang_most = 20.0;
-  int fewest_cells_round = 16;   ///< below, not even a full film's maximum is resolved
-  int most_cells = 2000000;      ///< memory: some kB per cell
+  int fewest_cells_round = 16;  ///< below, not even a full film's maximum is resolved
+  int most_cells = 2000000;     ///< memory: some kB per cell
 };
 inline constexpr BearingLimits kBearingLimits{};
 

@@ -358,11 +358,16 @@ double largest_torque(const std::vector<CycleInstant>& all) {
 
 }  // namespace
 
+double CycleRecord::oil_drift() const {
+  const double film = std::abs(oil_ended_ / oil_begun_ - 1.0);
+  const double full = total(film_->vessels().full());
+  return full > 0.0 ? larger(film, std::abs(vessels_ended_ - vessels_begun_) / full) : film;
+}
+
 double CycleRecord::drift() const {
   const CycleInstant& first = instants_.front();
   const CycleInstant& last = instants_.back();
-  const double most =
-      larger(std::abs(oil_ended_ / oil_begun_ - 1.0), std::abs(last.h_min / first.h_min - 1.0));
+  const double most = larger(oil_drift(), std::abs(last.h_min / first.h_min - 1.0));
   const double torque = largest_torque(instants_);
   return torque > 0.0 ? larger(most, std::abs(last.torque - first.torque) / torque) : most;
 }
@@ -371,10 +376,7 @@ double CycleRecord::difference(const CycleRecord& other) const {
   const double h = extreme(instants_, &CycleInstant::h_min, true).h_min;
   const double h_other = extreme(other.instants_, &CycleInstant::h_min, true).h_min;
   const double torque = largest_torque(instants_);
-  double most = larger(std::abs(oil_ended_ / oil_begun_ - 1.0), std::abs(h_other / h - 1.0));
-  if (const double full = total(film_->vessels().full()); full > 0.0) {
-    most = larger(most, std::abs(vessels_ended_ - vessels_begun_) / full);
-  }
+  double most = larger(oil_drift(), std::abs(h_other / h - 1.0));
   if (torque == 0.0) return most;  // nothing turns
   most = larger(most, std::abs(largest_torque(other.instants_) - torque) / torque);
   const auto mean_of = [](const CycleRecord& r) { return r.mean(&CycleInstant::torque); };

@@ -60,6 +60,8 @@ class CycleRecord {
   void write_heat(CycleResult& r) const;
   /// Ranges of the laws that were left, at the extremes of each place.
   void tell_ranges(CycleResult& r) const;
+  /// Relative change of the oil in gap and vessels over the cycle [-].
+  [[nodiscard]] double oil_drift() const;
   /// By how much the shaft's surface would swing about its mean, as it turns and over the cycle:
   /// the half space under the first harmonic of either, q/(k sqrt(omega/a)) (textbook) [K].
   [[nodiscard]] double shaft_swing() const;

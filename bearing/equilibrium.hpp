@@ -157,9 +157,9 @@ struct Residuals {
 
 /// True if smooth surfaces are nearer than an oil molecule of 30 carbon atoms is long (2 to 4 nm,
 /// textbook): no film is left that Reynolds' equation could describe.
+inline constexpr double kMolecule = 2e-9;  ///< [m]
 [[nodiscard]] inline bool thinner_than_a_molecule(const BearingModel& model,
                                                   const FilmEquilibrium& s) {
-  constexpr double kMolecule = 2e-9;  // [m]
   return model.scene.rough.sigma <= 0.0 && s.least.h < kMolecule;
 }
 

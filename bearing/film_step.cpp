@@ -393,6 +393,7 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
 bool FilmSteps::reshape(FilmInTime& now) {
   constexpr double kNearer = 0.9;  // to the middle, where the gap is closed: it is but a start
   constexpr int kMost = 40;        // then it is in the middle within 2 %
+  model_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
   for (int k = 0; !evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, now.film);
        ++k) {
     if (k == kMost) return false;

@@ -6,6 +6,7 @@
 
 #include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_parts.hpp"
+#include "bearing/load_cycle.hpp"
 #include "bearing/value_check.hpp"
 
 namespace shellback::bearing {
@@ -87,6 +88,29 @@ void judge_scalars(const LoadCycle& c, const ValueCheck& cycle) {
   }
 }
 
+/// Rows far apart: a spline may swing between them to loads that nobody gave.
+void judge_swing(const LoadCycle& c, double largest, const ValueCheck& cycle) {
+  constexpr double kMostSwing = 2.0;  // of the largest row: that is no interpolation any more [-]
+  constexpr int kSamples = 8;         // between rows: a cubic has two extremes there
+  if (c.interpolation != LoadInterpolation::periodic_spline) return;
+  const LoadCourse course(c, 0.0);
+  for (std::size_t k = 0; k < c.t.size(); ++k) {
+    const double next = k + 1 < c.t.size() ? c.t[k + 1] : c.t.front() + c.period;
+    for (int i = 1; i < kSamples; ++i) {
+      const LoadNow w = course.at(c.t[k] + (next - c.t[k]) * i / kSamples);
+      const double load = std::hypot(w.x, w.y);
+      if (load <= kMostSwing * largest) continue;
+      cycle.refuse("period",
+                   fmt::format("between the row at {:.4g} s and the next, {:.4g} s later, the "
+                               "spline swings to {:.4g} kN, {:.3g} times the largest row",
+                               c.t[k], next - c.t[k], 1e-3 * load, load / largest),
+                   "check the period and its unit, give rows in between, or write interpolation = "
+                   "\"linear\"");
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 void judge_cycle_values(const LoadCycle& c, Findings& to) {
@@ -99,6 +123,7 @@ void judge_cycle_values(const LoadCycle& c, Findings& to) {
   if (n.largest <= 0.0) {
     cycle.refuse("file", "the load is zero throughout", "check the columns of the load");
   }
+  judge_swing(c, n.largest, cycle);
   if (c.step && *c.step > n.length) {
     cycle.refuse(
         "step",

@@ -181,6 +181,14 @@ void judge_running_in(const Case& c, Findings& to) {
   const ValueCheck wear("running_in", to);
   wear.number("wear_coefficient", r.wear_coefficient, "", kPositive);
   if (r.duration) wear.number("until", *r.duration, "s", kPositive);
+  compare(to, "running_in.wear_coefficient", r.wear_coefficient, kBearingLimits.wear_coefficient,
+          fmt::format("C of Archard's C/H is {:.3g}", r.wear_coefficient),
+          "it has no unit; give C itself, not C/H");
+  if (const double H = hardness_of_shell(c); H > 0.0) {
+    compare(to, "running_in.hardness", H, kBearingLimits.hardness,
+            fmt::format("the hardness of the shell's surface is {:.4g} MPa", 1e-6 * H),
+            "check the unit");
+  }
   if (!r.duration) wear.number("limit_pressure", r.limit_pressure, "MPa", kPositive);
   if (r.worn) {
     judge_surface(*r.worn, ValueCheck("running_in.worn", to));
@@ -193,6 +201,13 @@ void judge_running_in(const Case& c, Findings& to) {
   if (!c.surfaces.contact || !c.model.switches.asperity_contact.value_or(true)) {
     wear.refuse("wear_coefficient", "nothing wears without asperity contact",
                 "give [surfaces] contact, and leave model.asperity_contact on");
+  }
+  if (c.cycle && c.cycle->repeats() && r.duration && *r.duration < c.cycle->period) {
+    wear.refuse("until",
+                fmt::format("{:.4g} s is shorter than the load cycle of {:.4g} s, over whose mean "
+                            "the shell wears",
+                            *r.duration, c.cycle->period),
+                "check the unit");
   }
   if (c.cycle && !c.cycle->repeats()) {
     wear.refuse("until", "a single event does not run a bearing in: wear needs a mean over a cycle",

@@ -108,6 +108,7 @@ Field after(const WearPoint& now, const WearStep& step) {
 double error_of(const WearPoint& now, const WearStep& step, const WearPoint& end) {
   double worst = 0.0;
   for (std::size_t k = 0; k < now.w.size(); ++k) {
+    if (now.r[k] == 0.0 && end.r[k] == 0.0) continue;  // it rests, whatever the line says
     const double off = change_of_rest(now, end, k) - step.dt * step.slope[k];
     worst = larger(worst, std::abs(step.dt * phi_2(-step.dt * now.J[k]) * off));
   }
@@ -176,6 +177,8 @@ void March::to(double end) {
   const double fastest = largest(now_.r);
   if (!(fastest > 0.0)) {  // nothing rubs, for however long
     note_state(b_, end, end, now_.w, run_);
+    run_.states.back().cycles = 0;  // told with the first state
+    if (seen_) seen_(run_);
     return;
   }
   const double first = kFirstDepth * unit_ / fastest;
@@ -192,6 +195,9 @@ void March::to(double end) {
     if (good) {
       note_state(b_, t_, dt, now_.w, run_);
       if (seen_) seen_(run_);
+    } else if (!found_ && why_.status == Status::interrupted) {
+      run_.verdict = interrupted(t_);
+      return;
     } else {
       ++run_.rejected_steps;
       if (dt < kShortest * first) return end_too_short();

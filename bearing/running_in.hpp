@@ -15,10 +15,11 @@
 ///   N = r + J (w - w_n),   J = (C/H) S at t_n
 ///   phi_1(x) = (e^x - 1)/x,   phi_2(x) = (phi_1(x) - 1)/x
 /// with S the stiffness of the wear load, solids included: the rest of the load moves elsewhere.
-/// Cells cannot overshoot however long the step is, so edges do not oscillate. One solve makes one
-/// step, of second order; the first one is of first order and short. Its error is judged by what
-/// the rate at its end says, N_n+1 in place of the straight line; it bounds the next step's length,
-/// and a step that errs too much is taken back. What has gone does not come back.
+/// A cell cannot wear past where its pressure ends, so edges do not oscillate (of the straight line
+/// the step's error sees to that). One solve makes one step, of second order; the first one is of
+/// first order and short. Its error is judged by what the rate at its end says, N_n+1 in place of
+/// the straight line; it bounds the next step's length, and a step that errs too much is taken
+/// back. What has gone does not come back.
 ///
 /// A shape at rest, in which nothing is pressed harder than p_lim:
 ///   w >= 0,  p_a <= p_lim,  w (p_lim - p_a) = 0 in every cell                                  (3)

@@ -12,9 +12,9 @@ namespace shellback::bearing {
 /// relation itself is not available and not claimed.
 [[nodiscard]] double equivalent_temperature(const Case& c);
 
-/// Work after which a search on the case's own grid is given up [cells]: twenty times that of a usual solve,
-/// which takes as many film iterations, counted on the finest grid, as 90 to 95 % of random bearings
-/// need (docs/decisions/022).
+/// Work after which a search on the case's own grid is given up [cells]: twenty times that of a
+/// usual solve, which takes as many film iterations, counted on the finest grid, as 90 to 95 % of
+/// random bearings need (docs/decisions/022).
 [[nodiscard]] double price_of_search(const Case& c, Tier tier);
 
 /// Solves the case in one tier. `solids`: operators of a former solve of the same geometry.

@@ -44,12 +44,6 @@ void add_factors(const BearingModel& m, const Field& h, std::vector<Note>& out) 
   out.push_back(note::FactorsContinued{cells, first, measured->H_low});
 }
 
-void add_temperatures(const BearingModel& m, const FilmReach& reach, std::vector<Note>& out) {
-  const auto& range = m.oil.range;
-  if (!(reach.T_low < range.T_min) && !(reach.T_high > range.T_max)) return;
-  out.push_back(note::BeyondOilRange{reach.T_low, reach.T_high, range.T_min, range.T_max});
-}
-
 void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<Note>& out) {
   const Field& h = reach.h;
   const fluid::SmallestGap& least = reach.least;
@@ -68,13 +62,20 @@ void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<Note
 
 }  // namespace
 
-std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) {
+std::vector<Note> oil_range_warnings(const rheology::Oil& oil, double T_low, double T_high,
+                                     double p_max) {
+  const auto& range = oil.range;
   std::vector<Note> out;
-  add_temperatures(m, reach, out);
-  add_factors(m, reach.h, out);
-  if (reach.p_max > m.oil.range.p_max) {
-    out.push_back(note::Plain::pressure_beyond_law);
+  if (T_low < range.T_min || T_high > range.T_max) {
+    out.push_back(note::BeyondOilRange{T_low, T_high, range.T_min, range.T_max});
   }
+  if (p_max > range.p_max) out.push_back(note::Plain::pressure_beyond_law);
+  return out;
+}
+
+std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) {
+  std::vector<Note> out = oil_range_warnings(m.oil, reach.T_low, reach.T_high, reach.p_max);
+  add_factors(m, reach.h, out);
   add_contact(m, reach, out);
   if (!m.physics.elastic && pressed_layer(m.input, 0)) {
     out.emplace_back(

@@ -22,6 +22,11 @@ struct FilmReach {
 /// each cell [m]; empty: no hardness is known.
 [[nodiscard]] Field summit_flow(const BearingModel& m, const Field& h);
 
+/// One note for each range of the oil's laws that a film from T_low to T_high [K] (NaN: not known)
+/// with pressures up to p_max [Pa] leaves.
+[[nodiscard]] std::vector<Note> oil_range_warnings(const rheology::Oil& oil, double T_low,
+                                                   double T_high, double p_max);
+
 /// One note for each range that was left: temperature and pressure of the oil's laws, flow
 /// factors, contact (beyond its law, or held at the hardness): how much, where.
 [[nodiscard]] std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach);

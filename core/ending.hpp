@@ -184,6 +184,7 @@ struct NoClearance {
 struct NoStep {
   double t = 0.0;            ///< of the cycle [s]
   double crank_speed = 0.0;  ///< [rad/s]; 0: of no crank
+  bool estimated = false;    ///< of the journal's path by its mobility
 };
 
 /// Stopped by the user, as the status says; or the worn bearing has no film; cause: why; or steps

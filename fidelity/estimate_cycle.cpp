@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "bearing/equilibrium.hpp"
+#include "bearing/told_ranges.hpp"
 #include "fidelity/bracketed_root.hpp"
 #include "fidelity/estimate_bars.hpp"
 #include "fidelity/journal_path.hpp"
@@ -78,6 +80,17 @@ Estimate worst_of(const JournalPath& path, const Case& c, double T) {
   const double sigma = std::hypot(c.surfaces.shell.roughness, c.surfaces.shaft.roughness);
   e.lambda = sigma > 0.0 ? e.h_min / sigma : INFINITY;
   return e;
+}
+
+/// A path on which nothing that Reynolds' equation could describe is left of the film.
+Verdict thinner_than_a_molecule(const Case& c, const JournalPath& path) {
+  if (path.motion().scene().touches()) return {};
+  const CycleInstant& thinnest = extreme(path.instants(), &CycleInstant::h_min, true);
+  if (thinnest.h_min >= kMolecule) return {};
+  return {Status::iteration_limit,
+          ending::NoStep{thinnest.t, c.cycle->crank_speed, true},
+          {},
+          {{Status::no_steady_state, ending::NotAtRest{0, thinnest.h_min}}}};
 }
 
 /// Means and extremes without bars.
@@ -179,17 +192,22 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
   r.audit.mass = r.audit.load = r.audit.impulse = NAN;  // there is no field to draw a balance of
   double T = 0.0;
   r.verdict = settle_heat(rough, c, T);
-  if (r.verdict.good()) {
+  const bool settled = r.verdict.good();
+  if (settled) {
     path.begin_as(rough);
     r.verdict = path.find(T);
   }
-  r.cycles = path.cycles();
-  r.closure = path.closure();
-  r.steps = path.steps();
-  r.rejected_steps = path.rejected();
+  const JournalPath& last = settled ? path : rough;
+  r.cycles = last.cycles();
+  r.closure = last.closure();
+  r.steps = last.steps();
+  r.rejected_steps = last.rejected();
   tell_what_is_left_out(c, path, r);
+  if (r.verdict.good()) r.verdict = thinner_than_a_molecule(c, path);
   if (r.verdict.good()) {
     r.instants = path.instants();
+    const double p_max = extreme(path.instants(), &CycleInstant::p_max, false).p_max;
+    for (Note& w : oil_range_warnings(c.oil, T, T, p_max)) r.warnings.push_back(std::move(w));
     r.quantities = quantities(path, T);
     put_bars(r.quantities, quantities(rough, T), estimate_bars(c, worst_of(path, c, T)));
   }

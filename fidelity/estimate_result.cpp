@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "fidelity/bearing_table.hpp"
 #include "fidelity/estimate.hpp"
@@ -59,6 +60,7 @@ Result estimate_result(const Case& c) {
     r.verdict = {Status::no_steady_state, ending::Plain::estimate_unbalanced};
     return r;
   }
+  for (Note& w : oil_range_warnings(c.oil, e.T, e.T, e.p_max)) r.warnings.push_back(std::move(w));
   r.quantities = quantities(c, e, bars);
   r.effects = bars.effects;
   return r;

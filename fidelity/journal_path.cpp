@@ -108,7 +108,7 @@ Pair JournalPath::steady_place() {
 
 Verdict JournalPath::lost() const {
   return {Status::iteration_limit,
-          ending::NoStep{lost_at_, c_.cycle->crank_speed},
+          ending::NoStep{lost_at_, c_.cycle->crank_speed, true},
           {},
           {{Status::iteration_limit, ending::Plain::steps_too_short}}};
 }

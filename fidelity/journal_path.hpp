@@ -1,5 +1,6 @@
 #pragma once
 /// The journal's path over a load cycle by its mobility, at one temperature of the film.
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -53,7 +54,7 @@ class JournalPath {
   Pair at_{};                                 ///< where the last path ended, over the clearance
   std::vector<bearing::CycleInstant> instants_;
   int cycles_ = 0;
-  double closure_ = 0.0;
+  double closure_ = NAN;
   int steps_ = 0;
   int rejected_ = 0;
   bool began_steady_ = true;

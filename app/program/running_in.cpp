@@ -48,8 +48,12 @@ void expect_running_in(const Case& c) {
 void print_cycle(const CycleResult& cycle, int cycles) {
   fmt::print("\ncontact and film are extremes of the cycle, torque is its mean; {} cycles passed\n",
              cycles);
-  fmt::print("last cycle: closed within {:.1e}, audit mass {:.1e}, energy {:.1e}, walls {:.1e} K\n",
-             cycle.closure, cycle.audit.mass, cycle.audit.energy, cycle.audit.walls);
+  fmt::print("last cycle: closed within {:.1e}, audit mass {:.1e}", cycle.closure,
+             cycle.audit.mass);
+  if (std::isfinite(cycle.audit.energy)) {
+    fmt::print(", energy {:.1e}, walls {:.1e} K", cycle.audit.energy, cycle.audit.walls);
+  }
+  fmt::print("\n");
   std::vector<std::string> told = words_of(cycle.warnings);
   for (const LimiterCount& l : cycle.limiters) {
     told.push_back(fmt::format("{}, {} times", l.what, l.count));

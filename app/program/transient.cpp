@@ -1,6 +1,7 @@
 /// run --transient: from one wall temperature to the steady state, in time.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iostream>
 
 #include "app/case_text.hpp"
@@ -11,6 +12,7 @@
 #include "app/units.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/write_warm_up.hpp"
+#include "bearing/case_limits.hpp"
 #include "bearing/judge_case.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
@@ -51,7 +53,10 @@ WarmUpOptions options_of(const Request& request) {
   WarmUpOptions o;
   if (!request.from.empty()) o.T_start = given("--from", request.from, kTemperature);
   if (!request.until.empty()) o.end = given("--until", request.until, kTime);
-  if (!(o.T_start > 0.0)) throw InputError("--from", "the temperature is not above absolute zero");
+  if (const Range& can = kValueRanges.temperature; !can.holds(o.T_start)) {
+    throw InputError("--from",
+                     fmt::format("\"{}\" is not possible (it must {})", request.from, can.words));
+  }
   if (!(o.end > 0.0)) throw InputError("--until", "the time is not positive");
   return o;
 }
@@ -64,8 +69,11 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
   double next = 0.0;
   const auto line = [](const char* t, double torque, double h, double a, double b, double d,
                        double e) {
-    fmt::print("{:>12} {:>12.4g} {:>10.4g} {:>10.1f} {:>10.1f} {:>10.1f} {:>10.1f}\n", t, torque,
-               1e6 * h, a - kZeroCelsius, b - kZeroCelsius, d - kZeroCelsius, e - kZeroCelsius);
+    fmt::print("{:>12} {:>12.4g} {:>10.4g}", t, torque, 1e6 * h);
+    for (const double T : {a, b, d, e}) {
+      fmt::print(" {:>10}", std::isfinite(T) ? fmt::format("{:.1f}", T - kZeroCelsius) : "-");
+    }
+    fmt::print("\n");
   };
   for (const Instant& i : run.instants) {
     if (i.t < next && &i != &run.instants.back()) continue;

@@ -69,6 +69,11 @@ inline Told told(const ending::NoStep& e, const About& a) {
   const std::string when = e.crank_speed > 0.0
                                ? fmt::format("{:.4g} deg", e.t * e.crank_speed * 180.0 / kPi)
                                : fmt::format("{:.4g} s", e.t);
+  if (e.estimated) {
+    return {fmt::format("the journal's path ends at {} of the cycle: {}", when, a.within.reason),
+            "a lower load, a shorter time under it, or rough surfaces with contact data; tier "
+            "isothermal or tehd has what the estimate leaves out"};
+  }
   return {fmt::format("no step in time is found at {} of the cycle: {}", when, a.within.reason),
           "give load_cycle.journal_mass (a journal without mass may have to leap), elastic "
           "deformation, a lower load, or a finer grid"};

@@ -132,6 +132,8 @@ TEST_CASE("AMapThatIsNoGridIsRefusedAtItsLine") {
               {"map.txt:8:", "8 heights", "the first one has 9"});
   check_words(map_refusal(kHeader + changed(rows(), "33", "3x3")), {"map.txt:8:", "no height"});
   check_words(map_refusal(kHeader + changed(rows(), "33", "1e999")), {"no height"});
+  check_words(map_refusal(kHeader + changed(rows(), "33", "3,3")),
+              {"map.txt:8:", "\"3,3\"", "decimals after a point"});
   check_words(map_refusal(changed(columns(), "1, 0.004, 22", "1, 0.0045, 22")), {"resample"});
   check_words(map_refusal(columns() + "0, 0, 3\n"), {"map.txt:74:1", "given before"});
   check_words(map_refusal(changed(columns(), "1, 0.004, 22", "1, 22")), {"2 fields"});

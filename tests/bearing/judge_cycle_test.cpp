@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "bearing/cycle_endings.hpp"
 #include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_case.hpp"
 #include "core/contract.hpp"
@@ -110,6 +111,35 @@ TEST_CASE("ASplineNeedsAPeriodAndNoJumps") {
   CHECK(spline([](LoadCycle& c) { c.t[2] = c.t[1]; }) == "load_cycle.interpolation");
   CHECK(spline([](LoadCycle& c) { c.t.resize(2), c.x.resize(2), c.y.resize(2); }) ==
         "load_cycle.interpolation");
+}
+
+TEST_CASE("ASplineThatSwingsToLoadsThatNobodyGaveIsRefused") {
+  // The period a hundred times too long: one interval of 4 s beside three of 10 ms.
+  const auto far = [](LoadInterpolation how) {
+    return refusal([how](LoadCycle& c) {
+      c.interpolation = how;
+      c.period = 4.0;
+    });
+  };
+  const Finding swung = far(LoadInterpolation::periodic_spline);
+  CHECK(swung.key == "load_cycle.period");
+  CHECK(holds(swung.problem, "times the largest row"));
+  CHECK_FALSE(far(LoadInterpolation::linear).refused());
+}
+
+TEST_CASE("TwoCyclesAgreeOnceTheirRateIsKnown") {
+  // Differences that shrink by rho leave rho/(1 - rho) of the last one to come.
+  for (const double rho : {0.0, 0.5, 0.97}) {
+    Closure closure;
+    double left = 5e-5;  // of a periodic state that is 5e-5/(1 - rho) away
+    closure.add(left);
+    CHECK_FALSE(closure.closed());
+    while (!closure.closed()) closure.add(left *= rho);
+    CHECK(left * rho / (1.0 - rho) <= 1e-4);
+  }
+  Closure same;
+  same.add(1e-9);  // near whatever the rate
+  CHECK(same.closed());
 }
 
 TEST_CASE("ALoadThatVanishesNeedsAMass") {

@@ -1,4 +1,5 @@
 // Running-in over load cycles: against loads that stand still, friction work, mirror and pieces.
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -153,6 +154,20 @@ TEST_CASE("ARunningInThatIsStoppedKeepsWhatItHas") {
   REQUIRE(run.states.size() == 3);
   CHECK(*std::max_element(run.wear.begin(), run.wear.end()) == run.states.back().depth);
   CHECK(run.cycle->verdict.good());
+}
+
+TEST_CASE("WearOfLessThanACycleOrOfImpossibleSurfacesIsRefused") {
+  const auto refused = [](const char* key, auto change) {
+    Case c = cycle_case(8e3, 4e3);
+    change(*c.running_in);
+    const auto found = judge(c);
+    return std::any_of(found.begin(), found.end(),
+                       [key](const Finding& f) { return f.refused() && f.key == key; });
+  };
+  CHECK_FALSE(refused("running_in.until", [](RunningIn& r) { r.duration = 0.11; }));
+  CHECK(refused("running_in.until", [](RunningIn& r) { r.duration = 0.09; }));
+  CHECK(refused("running_in.hardness", [](RunningIn& r) { r.hardness = 350.0; }));
+  CHECK(refused("running_in.wear_coefficient", [](RunningIn& r) { r.wear_coefficient = 2.0; }));
 }
 
 TEST_CASE("WearOverACycleNeedsAPeriodAndATime") {

@@ -77,10 +77,10 @@ void judge_round(const Supply& s, const std::string& path, Findings& to) {
   }
 }
 
-/// Refuses a recess that is none.
+/// Refuses a channel that is none.
 void judge_depth(const Supply& s, const Bearing& b, const std::string& path, Findings& to) {
-  const bool line = s.kind == SupplyKind::axial_groove && s.arc == 0.0;
-  if (line || s.depth >= b.radial_clearance) return;
+  const bool channel = std::holds_alternative<ChannelHeat>(s.heat_transfer);
+  if (!channel || s.depth >= b.radial_clearance) return;
   to.refuse(path + ".depth",
             fmt::format("{} is less than the radial clearance of {}: there oil flows as film, and "
                         "no pressure is held",

@@ -122,13 +122,16 @@ std::string read_text_file(const std::string& path) {
   if (std::filesystem::is_directory(status)) {
     throw FileError(fmt::format("{}: this is a folder; give the case file in it", path));
   }
-  if (std::filesystem::is_regular_file(status) &&
-      std::filesystem::file_size(path, error) > kLargestFile) {
-    refuse_size(path);
+  std::size_t most = kLargestFile;  // pipes have no size beforehand
+  if (std::filesystem::is_regular_file(status)) {
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (size > kLargestFile) refuse_size(path);
+    // Where it is 0 it may be one of the system's, which tell none; one that grows is cut short.
+    if (size > 0) most = static_cast<std::size_t>(size);
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  std::string text(kLargestFile + 1, '\0');  // pipes have no size beforehand
+  std::string text(most + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) throw FileError(fmt::format("{}: reading it failed", path));
   text.resize(static_cast<std::size_t>(file.gcount()));

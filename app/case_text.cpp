@@ -122,11 +122,10 @@ std::string read_text_file(const std::string& path) {
   if (std::filesystem::is_directory(status)) {
     throw FileError(fmt::format("{}: this is a folder; give the case file in it", path));
   }
-  std::size_t most = kLargestFile;  // pipes have no size beforehand
+  std::size_t most = kLargestFile;  // pipes, and files of the system, have no size beforehand
   if (std::filesystem::is_regular_file(status)) {
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (size > kLargestFile) refuse_size(path);
-    // Where it is 0 it may be one of the system's, which tell none; one that grows is cut short.
     if (size > 0) most = static_cast<std::size_t>(size);
   }
   std::ifstream file(path, std::ios::binary);
@@ -135,6 +134,10 @@ std::string read_text_file(const std::string& path) {
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) throw FileError(fmt::format("{}: reading it failed", path));
   text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > most && most < kLargestFile) {
+    throw FileError(
+        fmt::format("{}: it grew while it was read; once it is complete, try again", path));
+  }
   expect_text(text, path);
   return text;
 }

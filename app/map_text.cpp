@@ -124,7 +124,8 @@ double map_height(std::string_view field, double factor, const MapText& text, co
   const std::string_view digits = field.starts_with('+') ? field.substr(1) : field;
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (field.find_first_of(", ") != std::string_view::npos) {
+  const bool more = error == std::errc{} && end != digits.data() + digits.size() && *end == ' ';
+  if (more || field.find(',') != std::string_view::npos) {
     throw InputError(text.place(line, field),
                      fmt::format("{} has a comma within a number, or blanks beside commas; write "
                                  "decimals after a point and part the heights by one mark",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/solve.hpp"
+#include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "rheology/density.hpp"
 #include "rheology/heat.hpp"
@@ -13,8 +14,6 @@ namespace shellback::app {
 namespace {
 
 using namespace bearing;
-
-constexpr double kTaylor = 41.2;  ///< Taylor's limit: Re = 41.2 sqrt(R/c), textbook [-]
 
 /// Whether the shell-back temperature is known, and with it the equivalent one.
 bool back_known(const Case& subject) {

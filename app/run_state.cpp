@@ -26,8 +26,25 @@ std::string bits_of(const std::vector<double>& x) {
   return fnv1a_64({reinterpret_cast<const char*>(x.data()), x.size() * sizeof(double)});
 }
 
+Json running_in_json(const bearing::RunningIn& r) {
+  Json json{{"wear_coefficient", r.wear_coefficient},
+            {"hardness", r.hardness},
+            {"until", r.duration ? Json(*r.duration) : Json("worn_in")},
+            {"limit_pressure", r.limit_pressure},
+            {"worn_after", r.worn_after}};
+  if (r.worn) {
+    json["worn"] = {r.worn->roughness, r.worn->orientation, r.worn->summit_roughness,
+                    r.worn->summit_height};
+  }
+  return json;
+}
+
+const char* name_of(RunOf run) {
+  return run == RunOf::running_in ? "a running-in (run --running-in)" : "a load cycle (run)";
+}
+
 /// All on which the numbers of a run depend.
-Json identity(const bearing::Case& c) {
+Json identity(const bearing::Case& c, RunOf run) {
   const Provenance p = provenance(c);
   Json program{{"version", p.version}, {"git", p.git}, {"state", kVersion}};
   for (const auto& [name, version] : p.libraries) program[name] = version;
@@ -41,7 +58,8 @@ Json identity(const bearing::Case& c) {
   subject["model"]["grid_given"] = c.model.grid_given;
   subject["equivalent_temperature"] = bearing::equivalent_temperature(c);  // by what was measured
   if (c.cycle) subject["load_cycle"]["crank_speed"] = c.cycle->crank_speed;
-  return {{"program", program}, {"case", subject}};
+  if (run == RunOf::running_in) subject["running_in"] = running_in_json(*c.running_in);
+  return {{"program", program}, {"run", name_of(run)}, {"case", subject}};
 }
 
 /// Keys by which two of them differ, "load_cycle.load_x", each once.
@@ -111,11 +129,11 @@ std::string sum_of(const std::string& identity, const Tape::Content& kept) {
 
 }  // namespace
 
-std::string run_state(const bearing::Case& c, const Tape::Content& kept) {
+std::string run_state(const bearing::Case& c, RunOf run, const Tape::Content& kept) {
   return file_bytes([&](hid_t file) {
     attribute(file, "format", std::string(kFormat));
     attribute(file, "title", c.title);
-    const std::string who = identity(c).dump();
+    const std::string who = identity(c, run).dump();
     attribute(file, "sum", sum_of(who, kept));
     dataset(file, "identity", H5T_NATIVE_CHAR, who.data(), {who.size()},
             {"-", "case and program, JSON", "", ""});
@@ -128,7 +146,7 @@ std::string run_state(const bearing::Case& c, const Tape::Content& kept) {
   });
 }
 
-Tape::Content read_run_state(const std::string& path, const bearing::Case& c) {
+Tape::Content read_run_state(const std::string& path, const bearing::Case& c, RunOf run) {
   if (const std::string format = format_of(path); !format.empty() && format != kFormat) {
     throw FileError(
         fmt::format("{} is no state of a run but a {}; give the file that the "
@@ -150,13 +168,20 @@ Tape::Content read_run_state(const std::string& path, const bearing::Case& c) {
   const Json kept = Json::parse(r.identity, nullptr, false);
   if (!kept.is_object() || r.sum != sum_of(r.identity, r.kept))
     throw damaged("its check sum is wrong");
-  const Json now = identity(c);
+  const Json now = identity(c, run);
   if (kept.value("program", Json()) != now["program"]) {
     throw InputError("--resume",
                      fmt::format("{} was written by another version of shellback, whose numbers "
                                  "may differ; go on with that one, or leave out --resume to begin "
                                  "anew",
                                  path));
+  }
+  if (kept.value("run", Json()) != now["run"]) {
+    throw InputError("--resume",
+                     fmt::format("{} is the state of {}, and this is {}; give the options of that "
+                                 "run, or leave out --resume to begin this one anew (which "
+                                 "replaces the state)",
+                                 path, kept.value("run", "another run"), name_of(run)));
   }
   if (kept.value("case", Json()) != now["case"]) {
     throw InputError(

@@ -1,6 +1,6 @@
 #pragma once
-/// The state of a run over load cycles as a file, HDF5: what bearing/kept_run.hpp keeps, the case
-/// as it was solved and the program that solved it.
+/// The state of a run over load cycles, or of a running-in, as a file, HDF5: what
+/// bearing/kept_run.hpp keeps, the case as it was solved and the program that solved it.
 ///
 /// A state is gone on with only by the same program with the same case: anything else would end
 /// with numbers that no single run gives.
@@ -11,11 +11,15 @@
 
 namespace shellback::app {
 
-/// The bytes of the file.
-[[nodiscard]] std::string run_state(const bearing::Case& c, const Tape::Content& kept);
+/// What is run.
+enum class RunOf { load_cycle, running_in };
 
-/// What the file keeps for the case `c`. Throws InputError where it is of another case or program
-/// (and says what differs), FileError where it is damaged or no such file.
-[[nodiscard]] Tape::Content read_run_state(const std::string& path, const bearing::Case& c);
+/// The bytes of the file.
+[[nodiscard]] std::string run_state(const bearing::Case& c, RunOf run, const Tape::Content& kept);
+
+/// What the file keeps for the case `c`. Throws InputError where it is of another case, run or
+/// program (and says what differs), FileError where it is damaged or no such file.
+[[nodiscard]] Tape::Content read_run_state(const std::string& path, const bearing::Case& c,
+                                           RunOf run);
 
 }  // namespace shellback::app

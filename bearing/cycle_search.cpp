@@ -190,6 +190,12 @@ void CycleSearch::members(Tape& tape) {
   tape(wall_change_, from_rest_, phase_, most_, walls_begun_, answers_, r_, *passing_);
 }
 
+void CycleSearch::ended(Tape& tape) {
+  film_.members(tape, length_, steps_.longest / kSkinSteps);
+  tape(periods_, cost_, now_, told_, closure_, heat_, response_, looked_, walls_, answered_);
+  tape(wall_change_, r_);
+}
+
 void CycleSearch::found(Tape& tape) { tape(now_, walls_, response_, looked_); }
 
 void CycleSearch::keep(bool in_any_case) {

@@ -42,6 +42,8 @@ class CycleSearch {
   void begin(Tape& tape);
   /// For a tape: what a search on a finer grid takes from one that has ended.
   void found(Tape& tape);
+  /// For a tape: all of a search that has ended, or one that has just been made in its place.
+  void ended(Tape& tape);
   /// From where it stands, in a film of another temperature [K]; an event begins anew.
   void set_temperature(double T);
 
@@ -122,7 +124,7 @@ class CycleSearch {
   std::optional<thermal::WallResponse> response_;  ///< of the film to its walls
   int looked_ = 0;                                 ///< cycles that have measured it
   std::optional<WallMeans> walls_;
-  std::optional<WallMeans> answered_;  ///< what the cycle's heat makes of them; not kept
+  std::optional<WallMeans> answered_;  ///< what the cycle's heat makes of them
   bool held_ = false;
   double wall_change_ = NAN;  ///< of the last turn [K]
   bool from_rest_ = true;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/told_ranges.hpp"
 #include "core/largest.hpp"
-#include "rheology/density.hpp"
 #include "rheology/heat.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -81,11 +81,8 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
   out.push_back({"roughness and contact", has.contact || has.flow_factors,
                  sigma > 0.0 ? s.film.least.h / sigma : INFINITY,
                  "smallest film over roughness; above 6 none, below 4 model it"});
-  const double rho = rheology::density(m.oil, p.T, 0.0).rho;
-  const double c = m.clearance;
-  const double reynolds = rho * std::abs(U) * c / p.eta;
-  out.push_back({"turbulence and Taylor vortices", false,
-                 reynolds / (41.2 * std::sqrt(m.input.bearing.radius / c)),
+  const note::NotLaminar film = reynolds_number(m, U, p.T);
+  out.push_back({"turbulence and Taylor vortices", false, film.reynolds / film.limit,
                  "Reynolds number over 41.2 sqrt(R/c); above 1 the laminar film is left"});
   return out;
 }

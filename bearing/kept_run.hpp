@@ -1,5 +1,6 @@
 #pragma once
-/// What a run over load cycles has found so far, kept so that it can be gone on with later.
+/// What a run over load cycles, or a running-in, has found so far, kept so that it can be gone on
+/// with later.
 ///
 /// A run solves cycles one after the other (the case's own, those of its bars). Kept are the
 /// results of those that have ended and the whole state of the one under way, after a step that it

@@ -65,6 +65,18 @@ struct BeyondContactLaw {
   FilmPlace place{};   ///< of the smallest gap
 };
 
+/// The gap at a side edge, continued from the last cells, is closed while no cell's is.
+struct EdgeNotResolved {
+  double edge = 0.0;  ///< negative [m]
+  double cell = 0.0;  ///< smallest of all cells [m]
+};
+
+/// Oil that is driven faster than a laminar film bears.
+struct NotLaminar {
+  double reynolds = 0.0;  ///< Re of the clearance [-]
+  double limit = 0.0;     ///< beyond which vortices or turbulence begin [-]
+};
+
 /// Contact pressure held at the hardness: summits flow.
 struct HeldAtHardness {
   double hardness = 0.0;  ///< [Pa]
@@ -104,10 +116,10 @@ struct TierTaken {
 
 }  // namespace note
 
-using Note =
-    std::variant<std::string, note::Plain, note::ColdSpot, note::NoCoefficients,
-                 note::CavitatedDamping, note::OtherRoots, note::FactorsContinued,
-                 note::BeyondOilRange, note::BeyondContactLaw, note::HeldAtHardness,
-                 note::VesselEmpty, note::MouthWidened, note::NothingRicher, note::TierTaken>;
+using Note = std::variant<std::string, note::Plain, note::ColdSpot, note::NoCoefficients,
+                          note::CavitatedDamping, note::OtherRoots, note::FactorsContinued,
+                          note::BeyondOilRange, note::BeyondContactLaw, note::HeldAtHardness,
+                          note::EdgeNotResolved, note::NotLaminar, note::VesselEmpty,
+                          note::MouthWidened, note::NothingRicher, note::TierTaken>;
 
 }  // namespace shellback::bearing

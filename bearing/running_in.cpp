@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "bearing/fixed_point.hpp"
+#include "bearing/kept_run.hpp"
+#include "bearing/solution_members.hpp"
 #include "bearing/worn_bearing.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
@@ -59,6 +61,35 @@ void note_state(const WornBearing& b, double t, double step, const Field& wear, 
 bool stopped(const SolveControl& control) { return control.stop != nullptr && *control.stop; }
 
 Verdict interrupted(double t) { return {Status::interrupted, ending::RunningInEnded{t}}; }
+
+/// What has been found, for a tape: all but the last solution, which its bearing tells anew.
+void members(Tape& tape, WornBearing& b, RunningInRun& run) {
+  tape(run.states, run.rejected_steps);
+  if (!tape.reads() || run.states.empty()) return;
+  RunningInState told;
+  b.tell(told, run);
+  run.grid = full_grid(b.model().scene.grid);
+  run.wear = mirror_to_full(b.model().scene.grid, b.wear());
+}
+
+/// Keeps bearing, states and what `more` writes, if it is time or in any case.
+template <class More>
+void keep(KeptRun* kept, bool in_any_case, WornBearing& b, RunningInRun& run, More& more) {
+  if (kept == nullptr || !(in_any_case || kept->due())) return;
+  kept->keep([&](Tape& tape) {
+    b.keep(tape);
+    members(tape, b, run);
+    tape(more);
+  });
+}
+
+/// What `more` was when it was kept, after bearing and states; nothing was: as it is.
+template <class More>
+void take_up(KeptRun* kept, More& more) {
+  if (kept == nullptr || kept->under_way() == nullptr) return;
+  (*kept->under_way())(more);
+  kept->taken_up();
+}
 
 /// Wear, what wears it and how much less it will with more of it, at one time.
 struct WearPoint {
@@ -126,15 +157,22 @@ class March {
         run_(run),
         per_load_(c.running_in->wear_coefficient / hardness_of_shell(c)),
         unit_(b.model().contact->sigma()),
-        now_(point_of(b, per_load_, Field(b.model().scene.grid.cells(), 0.0))) {}
+        now_(point_of(b, per_load_, b.wear())) {
+    take_up(control.kept, *this);
+  }
 
   void to(double end);
+  void members(Tape& tape) { tape(unit_, t_, dt_, first_, past_, before_); }
 
  private:
   /// Tries a step; false, and back where it began, if it is not found or errs too much.
   bool take(double dt);
+  /// The first step's length; false if nothing rubs, for however long.
+  bool begin(double end);
   /// No step is short enough.
   void end_too_short();
+  /// From outside; where it is, is kept.
+  void stop();
 
   WornBearing& b_;
   const SolveControl& control_;
@@ -143,7 +181,9 @@ class March {
   double per_load_;  ///< C/H [1/Pa]
   double unit_;      ///< summit roughness of the new surfaces [m]
   double t_ = 0.0;
-  double past_ = 0.0;  ///< length of the last step [s]
+  double dt_ = 0.0;     ///< length of the next step [s]
+  double first_ = 0.0;  ///< of the first one; 0: there was none [s]
+  double past_ = 0.0;   ///< of the last one [s]
   WearPoint now_;
   std::optional<WearPoint> before_;
   double over_ = 0.0;  ///< error of the last step tried over the one that is allowed [-]
@@ -173,36 +213,42 @@ void March::end_too_short() {
                         : Verdict{why_.status, ending::RunningInEnded{t_}, why_.place, {why_}};
 }
 
-void March::to(double end) {
+void March::stop() {
+  run_.verdict = interrupted(t_);
+  keep(control_.kept, true, b_, run_, *this);
+}
+
+bool March::begin(double end) {
   const double fastest = largest(now_.r);
-  if (!(fastest > 0.0)) {  // nothing rubs, for however long
-    note_state(b_, end, end, now_.w, run_);
-    run_.states.back().cycles = 0;  // told with the first state
-    if (seen_) seen_(run_);
-    return;
+  if (fastest > 0.0) {
+    first_ = dt_ = kFirstDepth * unit_ / fastest;
+    return true;
   }
-  const double first = kFirstDepth * unit_ / fastest;
-  double dt = first;
+  note_state(b_, end, end, now_.w, run_);  // nothing rubs, for however long
+  run_.states.back().cycles = 0;           // told with the first state
+  if (seen_) seen_(run_);
+  return false;
+}
+
+void March::to(double end) {
+  if (first_ == 0.0 && !begin(end)) return;
   while (t_ < end) {
-    if (stopped(control_)) {
-      run_.verdict = interrupted(t_);
-      return;
-    }
-    dt = std::min(dt, end - t_);
-    const bool good = take(dt);
+    if (stopped(control_)) return stop();
+    dt_ = std::min(dt_, end - t_);
+    const bool good = take(dt_);
     const double order = past_ > 0.0 && before_ ? kOrder : kFirstOrder;
     const double longer = kSafety * std::pow(over_, -1.0 / order);
     if (good) {
-      note_state(b_, t_, dt, now_.w, run_);
+      note_state(b_, t_, dt_, now_.w, run_);
       if (seen_) seen_(run_);
     } else if (!found_ && why_.status == Status::interrupted) {
-      run_.verdict = interrupted(t_);
-      return;
+      return stop();
     } else {
       ++run_.rejected_steps;
-      if (dt < kShortest * first) return end_too_short();
+      if (dt_ < kShortest * first_) return end_too_short();
     }
-    dt *= found_ ? std::clamp(longer, kShorter, good ? kLongest : kSafety) : kShorter;
+    dt_ *= found_ ? std::clamp(longer, kShorter, good ? kLongest : kSafety) : kShorter;
+    keep(control_.kept, false, b_, run_, *this);
   }
 }
 
@@ -228,23 +274,39 @@ Verdict not_worn_in(FixedPointEnd end, const Verdict& why, double lack) {
   return {Status::iteration_limit, unsettled, why.place, {why}};
 }
 
+/// What the iteration for (3) was told, to be led through it once more.
+struct ShapesTried {
+  double unit = 0.0;         ///< summit roughness of the new surfaces [m]
+  std::vector<Field> asked;  ///< for every shape tried, in units [-]
+};
+
 /// (3) by its own fixed point: in every cell the depth changes by what the gap lacks to the one at
 /// which the contact pressure is the limit.
 void find_end(WornBearing& b, const SolveControl& control, double limit, RunningInRun& run) {
-  const double unit = b.model().contact->sigma();
+  ShapesTried tried{b.model().contact->sigma(), {}};
+  take_up(control.kept, tried);
+  const double unit = tried.unit;
   Verdict why;
-  Field w;  // of the film that was found last
+  std::size_t given = 0;
   const auto map = [&](const std::vector<double>& x, std::vector<double>& g) {
-    Field next = x;
-    for (double& v : next) v = std::max(0.0, v * unit);
+    if (given < tried.asked.size()) {
+      g = tried.asked[given++];
+      return true;
+    }
     if (stopped(control)) {
       why = interrupted(0.0);
       return false;
     }
+    Field next = x;
+    for (double& v : next) v = std::max(0.0, v * unit);
     if (!b.wear_to(next, why)) return false;
-    w = std::move(next);
-    g = asked_for(b, w, limit);
+    g = asked_for(b, next, limit);
+    const double lack = largest_difference(g, next) / unit;
     for (double& v : g) v /= unit;
+    tried.asked.push_back(g);
+    given = tried.asked.size();
+    if (control.progress) control.progress({"shape", static_cast<int>(given), lack, NAN, NAN});
+    keep(control.kept, false, b, run, tried);
     return true;
   };
   std::vector<double> x(b.model().scene.grid.cells(), 0.0);
@@ -257,10 +319,11 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
   const FixedPointEnd end = fixed_point(map, options, x);
   double lack = NAN;
   if (end != FixedPointEnd::map_failed) {
-    note_state(b, std::numeric_limits<double>::infinity(), 0.0, w, run);
-    lack = largest_difference(asked_for(b, w, limit), w);
+    note_state(b, std::numeric_limits<double>::infinity(), 0.0, b.wear(), run);
+    lack = largest_difference(asked_for(b, b.wear(), limit), b.wear());
     run.complementarity = lack / unit;
   }
+  if (why.status == Status::interrupted) keep(control.kept, true, b, run, tried);
   if (end != FixedPointEnd::converged) run.verdict = not_worn_in(end, why, lack);
 }
 
@@ -270,10 +333,18 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
                     const std::function<void(const RunningInRun&)>& seen) {
   EXPECTS(c.running_in);
   RunningInRun run;
-  const auto b = new_bearing(c, tier, control);
+  SolveControl within = control;  // of each shape; kept is what lies between them
+  within.kept = nullptr;
+  Tape* tape = control.kept != nullptr ? control.kept->under_way() : nullptr;
+  const auto b =
+      tape != nullptr ? kept_bearing(c, tier, within, *tape) : new_bearing(c, tier, within);
   run.verdict = b->verdict();
   if (!run.verdict.good()) return run;
-  note_state(*b, 0.0, 0.0, Field(b->model().scene.grid.cells(), 0.0), run);
+  if (tape != nullptr) {
+    members(*tape, *b, run);
+  } else {
+    note_state(*b, 0.0, 0.0, b->wear(), run);
+  }
   if (seen) seen(run);
   if (c.running_in->duration) {
     March(*b, c, control, seen, run).to(*c.running_in->duration);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "bearing/heat_endings.hpp"
 #include "bearing/told_ranges.hpp"
@@ -18,6 +19,9 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   }
   const FilmReach reach{*low, *high, largest(s.film.film.p), s.film.gap.cell, s.film.least};
   for (Note& w : range_warnings(s.model, reach)) warnings.push_back(std::move(w));
+  const Field& T = s.film.columns.T_mean;
+  const double mean = std::accumulate(T.begin(), T.end(), 0.0) / static_cast<double>(T.size());
+  add_turbulence(s.model, s.model.scene.speed, mean, warnings);
 }
 
 void add_coefficient_warnings(const Coefficients& k, std::vector<Note>& warnings) {

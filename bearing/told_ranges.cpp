@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rheology/density.hpp"
+#include "rheology/viscosity.hpp"
+
 namespace shellback::bearing {
 namespace {
 
@@ -60,7 +63,27 @@ void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<Note
   }
 }
 
+/// A last cell that is open says nothing of the edge if the line through its neighbour closes
+/// there.
+void add_edge(const FilmReach& reach, std::vector<Note>& out) {
+  const double cell = *std::min_element(reach.h.begin(), reach.h.end());
+  if (reach.least.h < 0.0 && cell > 0.0) {
+    out.push_back(note::EdgeNotResolved{reach.least.h, cell});
+  }
+}
+
 }  // namespace
+
+note::NotLaminar reynolds_number(const BearingModel& m, double U, double T) {
+  const double c = m.clearance;
+  const double nu = rheology::viscosity(m.input.oil, T, 0.0) / rheology::density(m.oil, T, 0.0).rho;
+  return {std::abs(U) * c / nu, kTaylor * std::sqrt(m.input.bearing.radius / c)};
+}
+
+void add_turbulence(const BearingModel& m, double U, double T, std::vector<Note>& notes) {
+  const note::NotLaminar film = reynolds_number(m, U, T);
+  if (film.reynolds > film.limit) notes.push_back(film);
+}
 
 std::vector<Note> oil_range_warnings(const rheology::Oil& oil, double T_low, double T_high,
                                      double p_max) {
@@ -77,6 +100,7 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   std::vector<Note> out = oil_range_warnings(m.oil, reach.T_low, reach.T_high, reach.p_max);
   add_factors(m, reach.h, out);
   add_contact(m, reach, out);
+  add_edge(reach, out);
   if (!m.physics.elastic && pressed_layer(m.input, 0)) {
     out.emplace_back(
         "the surfaces are rigid (model.elastic_deformation, or the tier): the elasto-plastic layer "

@@ -31,6 +31,14 @@ struct FilmReach {
 /// factors, contact (beyond its law, or held at the hardness): how much, where.
 [[nodiscard]] std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach);
 
+/// Reynolds number of the clearance at the sliding speed U [m/s] and film temperature T [K], and
+/// that at which Taylor vortices begin in a concentric gap,
+///   Re = rho |U| c/eta,   Re_limit = 41.2 sqrt(R/c)      Source: Taylor 1923, textbook form
+inline constexpr double kTaylor = 41.2;  ///< [-]
+[[nodiscard]] note::NotLaminar reynolds_number(const BearingModel& m, double U, double T);
+/// One note if that limit is passed.
+void add_turbulence(const BearingModel& m, double U, double T, std::vector<Note>& notes);
+
 /// Cells of the contact at its limits, `h` as in FilmReach.
 [[nodiscard]] std::vector<LimiterCount> contact_limiters(const BearingModel& m, const Field& h);
 

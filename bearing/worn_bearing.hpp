@@ -8,6 +8,7 @@
 
 #include "bearing/running_in_run.hpp"
 #include "bearing/wear_load.hpp"
+#include "core/tape.hpp"
 
 namespace shellback::bearing {
 
@@ -21,16 +22,24 @@ class WornBearing {
   /// Largest contact pressure of each cell [Pa] and its smallest gap [m].
   [[nodiscard]] virtual const Field& contact() const = 0;
   [[nodiscard]] virtual const Field& gap() const = 0;
+  /// Of the last good solution [m].
+  [[nodiscard]] virtual const Field& wear() const = 0;
   /// Solves with this wear [m]. False: no solution; the last good one stays.
   [[nodiscard]] virtual bool wear_to(const Field& wear, Verdict& why) = 0;
   /// To the state before the last wear_to that was good; once.
   virtual void go_back() = 0;
   /// Contact pressure, friction and film of the state; the solution itself.
   virtual void tell(RunningInState& state, RunningInRun& run) const = 0;
+  /// All that the next shape starts from.
+  virtual void keep(Tape& tape) = 0;
 };
 
 /// Solves the new bearing, from cold. `control` must outlive it.
 [[nodiscard]] std::unique_ptr<WornBearing> new_bearing(const Case& c, Tier tier,
                                                        const SolveControl& control);
+
+/// As keep() has left it on a tape.
+[[nodiscard]] std::unique_ptr<WornBearing> kept_bearing(const Case& c, Tier tier,
+                                                        const SolveControl& control, Tape& tape);
 
 }  // namespace shellback::bearing

@@ -281,12 +281,14 @@ void add_run(CLI::App& app, Request& request) {
       ->type_name("FILE.svg");
   run->add_option("--page", request.page, "write the load cycle as a page, film in motion (HTML)")
       ->type_name("FILE.html");
-  run->add_option("--state", request.state,
-                  "where a load cycle keeps its state on the way (default: beside its first file, "
-                  "NAME.state)")
+  run->add_option(
+         "--state", request.state,
+         "where a load cycle or a running-in keeps its state on the way (default: beside its "
+         "first file, NAME.state)")
       ->type_name("FILE");
-  run->add_flag("--resume", request.resume,
-                "go on from the state of a load cycle that was interrupted or killed");
+  run->add_flag(
+      "--resume", request.resume,
+      "go on from the state of a load cycle or running-in that was interrupted or killed");
 }
 
 void add_compare(CLI::App& app, Request& request) {

@@ -40,17 +40,11 @@ CycleResult solved(const Case& subject, RunKeeper& keeper) {
   return fidelity::solve_cycle_case(subject, control);
 }
 
-/// The state of the run is one of its files, whoever names it.
-Request with_state(Request request) {
-  request.state = state_path(request);
-  return request;
-}
-
 }  // namespace
 
 int cycle(const Request& request, const std::string& text, const Case& subject) {
   expect_no_coefficients(request, subject);
-  RunKeeper keeper(request, subject);
+  RunKeeper keeper(request, subject, RunOf::load_cycle);
   Outputs outputs(with_state(request),
                   files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);

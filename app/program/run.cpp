@@ -69,8 +69,7 @@ void expect_steady(const Request& request) {
   }
   if (request.resume || !request.state.empty()) {
     throw InputError(request.resume ? "--resume" : "--state",
-                     "belongs to a load cycle, and the case has none; a steady state is solved "
-                     "anew");
+                     "belongs to a load cycle or a running-in; a steady state is solved anew");
   }
   if (!request.page.empty()) {
     throw InputError("--page",
@@ -82,14 +81,7 @@ void expect_steady(const Request& request) {
 }  // namespace
 
 int run(const Request& request) {
-  if (request.running_in) {
-    if (request.resume || !request.state.empty()) {
-      throw InputError(request.resume ? "--resume" : "--state",
-                       "belongs to a load cycle; give the worn profile to the case as "
-                       "bearing.shape and run it in from there");
-    }
-    return running_in(request);
-  }
+  if (request.running_in) return running_in(request);
   if (!request.profile.empty()) {
     throw InputError("--profile", "belongs to a running-in; add --running-in");
   }

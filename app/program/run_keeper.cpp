@@ -6,7 +6,6 @@
 #include "app/file_identity.hpp"
 #include "app/pending_file.hpp"
 #include "app/result_mark.hpp"
-#include "app/run_state.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::program {
@@ -15,13 +14,19 @@ using namespace app;
 
 std::string state_path(const Request& request) {
   if (!request.state.empty()) return request.state;
-  for (const std::string& file : {request.output, request.json, request.page, request.picture}) {
+  for (const std::string& file :
+       {request.output, request.json, request.page, request.picture, request.profile}) {
     if (!file.empty() && file != "-" && !is_stream(file)) return file + ".state";
   }
   return "";
 }
 
-RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject)
+Request with_state(Request request) {
+  request.state = state_path(request);
+  return request;
+}
+
+RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject, RunOf run)
     : path_(state_path(request)) {
   if (path_.empty() && request.resume) {
     throw InputError("--resume",
@@ -29,7 +34,9 @@ RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject)
                      "the run that was interrupted");
   }
   if (path_.empty()) return;
-  const auto saved = [this, &subject](const Tape::Content& state) { save(subject, state); };
+  const auto saved = [this, &subject, run](const Tape::Content& state) {
+    save(subject, run, state);
+  };
   std::error_code error;
   there_ = std::filesystem::exists(path_, error);
   if (!request.resume || !there_) {
@@ -37,15 +44,15 @@ RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject)
     run_.emplace(saved);
     return;
   }
-  run_.emplace(saved, read_run_state(path_, subject));
+  run_.emplace(saved, read_run_state(path_, subject, run));
   of_this_run_ = true;
   std::cerr << "note: the run goes on from " << path_ << "\n";
 }
 
-void RunKeeper::save(const bearing::Case& subject, const Tape::Content& state) {
+void RunKeeper::save(const bearing::Case& subject, RunOf run, const Tape::Content& state) {
   if (lost_) return;
   try {
-    write_file(path_, run_state(subject, state));
+    write_file(path_, run_state(subject, run, state));
     there_ = of_this_run_ = true;
   } catch (const FileError& why) {  // the run itself is none the worse for it
     lost_ = true;

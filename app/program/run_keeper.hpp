@@ -1,10 +1,11 @@
 #pragma once
-/// The state of a run over load cycles in its file: written on the way, gone on with, taken away at
-/// the end.
+/// The state of a run over load cycles, or of a running-in, in its file: written on the way, gone
+/// on with, taken away at the end.
 #include <optional>
 #include <string>
 
 #include "app/program/request.hpp"
+#include "app/run_state.hpp"
 #include "bearing/kept_run.hpp"
 
 namespace shellback::program {
@@ -13,11 +14,15 @@ namespace shellback::program {
 /// no file and keeps none.
 [[nodiscard]] std::string state_path(const Request& request);
 
+/// The same request with that file named: the state of the run is one of its files, whoever names
+/// it.
+[[nodiscard]] Request with_state(Request request);
+
 class RunKeeper {
  public:
   /// With --resume goes on from the file, if there is one. Throws InputError for a state of another
   /// case, FileError for one that is damaged.
-  RunKeeper(const Request& request, const bearing::Case& subject);
+  RunKeeper(const Request& request, const bearing::Case& subject, app::RunOf run);
 
   /// For SolveControl; none: nothing is kept.
   [[nodiscard]] bearing::KeptRun* kept() { return run_ ? &*run_ : nullptr; }
@@ -26,7 +31,7 @@ class RunKeeper {
   void end(int code) const;
 
  private:
-  void save(const bearing::Case& subject, const Tape::Content& state);
+  void save(const bearing::Case& subject, app::RunOf run, const Tape::Content& state);
 
   std::string path_;
   bool lost_ = false;  ///< the file cannot be written

@@ -7,6 +7,7 @@
 #include "app/case_text.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
+#include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
 #include "app/words/note_words.hpp"
@@ -92,12 +93,16 @@ int running_in(const Request& request) {
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   expect_running_in(subject);
-  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
+  RunKeeper keeper(request, subject, RunOf::running_in);
+  Outputs outputs(with_state(request),
+                  files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
   ProgressLine progress;
   RunningInState latest;
+  SolveControl control = control_over(progress, latest);
+  control.kept = keeper.kept();
   const RunningInRun run =
-      run_in(subject, subject.model.tier, control_over(progress, latest),
+      run_in(subject, subject.model.tier, control,
              [&](const RunningInRun& so_far) { latest = so_far.states.back(); });
   progress.wipe();
   if (!run.states.empty() && request.json != "-") {
@@ -117,7 +122,9 @@ int running_in(const Request& request) {
     outputs.give("--picture", [&] { return running_in_svg(subject, run); });
     outputs.give("--profile", [&] { return worn_shape_csv(subject, run); });
   }
-  return outputs.code(code_of(run.verdict));
+  const int code = outputs.code(code_of(run.verdict));
+  keeper.end(code);
+  return code;
 }
 
 }  // namespace shellback::program

@@ -80,6 +80,22 @@ std::string told(const note::BeyondContactLaw& n) {
       -n.h * 1e6, words_of(n.place), -n.h / n.sigma, n.cells, -n.least * 1e6);
 }
 
+std::string told(const note::EdgeNotResolved& n) {
+  return fmt::format(
+      "the smallest film is not resolved: at a side edge the gap, continued from the last cells, "
+      "falls to {:.3g} um, while no cell has less than {:.3g} um: more cells along in model.grid, "
+      "or model.axial_spacing = \"graded\"",
+      1e6 * n.edge, 1e6 * n.cell);
+}
+
+std::string told(const note::NotLaminar& n) {
+  return fmt::format(
+      "the film is not laminar: its Reynolds number {:.4g} is beyond 41.2 sqrt(R/c) = {:.4g}, "
+      "where "
+      "Taylor vortices and turbulence begin: friction and temperatures are no prediction",
+      n.reynolds, n.limit);
+}
+
 std::string told(const note::HeldAtHardness& n) {
   return fmt::format(
       "the contact pressure is held at the hardness of {:.4g} MPa in {} cells of the solved part: "

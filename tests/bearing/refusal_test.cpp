@@ -3,6 +3,7 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/compare.hpp"
+#include "bearing/told_ranges.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -117,6 +118,40 @@ TEST_CASE("InterruptedComparisonKeepsWhatIsFinished", "[refusal]") {
   CHECK(c.results[0].verdict.good());
   CHECK(c.results[1].verdict.status == Status::interrupted);
   CHECK(c.split.steps.empty());
+}
+
+TEST_CASE("AFilmThatIsNotLaminarIsMarked", "[refusal]") {
+  // Taylor vortices from Re = rho U c/eta = 41.2 sqrt(R/c) on
+  Case c = plain_case();
+  place_journal(c, 0.3, 0.0);
+  const double R = c.bearing.radius, gap = c.bearing.radial_clearance;
+  const double rho = std::get<rheology::ConstantDensity>(c.oil.density).rho;
+  c.oil.temperature = rheology::ConstantViscosity{1e-3};
+  const double U = 41.2 * std::sqrt(R / gap) * 1e-3 / (rho * gap);
+  const auto marked = [&](double part) {
+    c.operation.omega = part * U / R;
+    const Result r = summarize(solve_tier(c, Tier::isothermal), Tier::isothermal);
+    REQUIRE(r.verdict.good());
+    return std::any_of(r.warnings.begin(), r.warnings.end(),
+                       [](const Note& w) { return std::holds_alternative<note::NotLaminar>(w); });
+  };
+  CHECK_FALSE(marked(0.99));
+  CHECK(marked(1.01));
+  CHECK(marked(-1.01));
+}
+
+TEST_CASE("AnEdgeThatIsClosedWhileNoCellIsIsMarked", "[refusal]") {
+  const Case c = plain_case();
+  const BearingModel m = make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid);
+  const Field h(m.scene.grid.cells(), 1e-6);
+  const auto marked = [&](double edge) {
+    const auto notes = range_warnings(m, {NAN, NAN, 1e6, h, {edge, 0.0, 0.0125}});
+    return std::any_of(notes.begin(), notes.end(), [](const Note& w) {
+      return std::holds_alternative<note::EdgeNotResolved>(w);
+    });
+  };
+  CHECK(marked(-0.1e-6));
+  CHECK_FALSE(marked(0.1e-6));
 }
 
 TEST_CASE("SurfacesPressedBeyondTheContactLawAreMarked", "[refusal]") {

@@ -8,6 +8,8 @@
 
 #include "app/library.hpp"
 #include "app/program/cli.hpp"
+#include "app/read_case.hpp"
+#include "app/run_state.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/process.hpp"
 #include "tests/program/run_words.hpp"
@@ -82,6 +84,44 @@ TEST_CASE("ACycleThatIsKilledAgainAndAgainEndsAsOneThatIsNot") {
   CHECK(result(killed.json) == result(whole.json));  // every number, to the last digit
 }
 
+TEST_CASE("ARunningInThatIsKilledAgainAndAgainEndsAsOneThatIsNot") {
+  const ScratchFolder scratch;
+  const auto words = [&](const std::string& json) {
+    return Words{"run",          case_path("running-in").string(),
+                 "--running-in", "--resume",
+                 "--set",        "model.grid=[60,9]",
+                 "--set",        "running_in.until=900 s",
+                 "--json",       json};
+  };
+  const std::string err = scratch.path("err");
+  const std::string whole = scratch.path("whole.json");
+  REQUIRE(Process(words(whole), scratch.path("out"), err).wait() == kDone);
+  const std::string killed = scratch.path("killed.json");
+  int kills = 0;
+  int code = kKilled;
+  std::string last;  // state at the last kill
+  for (int k = 0; k < 40 && code == kKilled; ++k) {
+    const Process process(words(killed), scratch.path("out"), err);
+    const auto till = Clock::now() + std::chrono::seconds(60);
+    const auto state = [&] {
+      const std::string path = killed + ".state";
+      return fs::exists(path) ? text_of(path) : std::string();
+    };
+    while (!process.ended() && Clock::now() < till && (state() == last || state().empty())) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    ::kill(process.pid(), SIGKILL);
+    code = process.wait();
+    kills += code == kKilled ? 1 : 0;
+    last = state();
+  }
+  INFO(text_of(err));
+  REQUIRE(code == kDone);
+  CHECK(kills >= 1);
+  CHECK_FALSE(fs::exists(killed + ".state"));
+  CHECK(result(killed) == result(whole));
+}
+
 TEST_CASE("AStateIsOfOneCaseAndWholeOrRefused") {
   const ScratchFolder scratch;
   const Run run(scratch, "a");
@@ -117,6 +157,20 @@ TEST_CASE("AStateIsOfOneCaseAndWholeOrRefused") {
   REQUIRE(run.start({"--resume"}).wait() == kDone);
   check_parts(text_of(run.err), {"goes on from", run.state});
   CHECK_FALSE(fs::exists(run.state));
+}
+
+TEST_CASE("AStateIsOfOneKindOfRun") {
+  const ScratchFolder scratch;
+  bearing::Case c = read_case(case_path("running-in-cycle").string(), {});
+  const std::string path = scratch.write("s", run_state(c, RunOf::load_cycle, {{1.0}, {2}, "x"}));
+  CHECK(read_run_state(path, c, RunOf::load_cycle).text == "x");
+  CHECK_THROWS_WITH(read_run_state(path, c, RunOf::running_in),
+                    Catch::Contains("state of a load cycle") && Catch::Contains("running-in"));
+  scratch.write("s", run_state(c, RunOf::running_in, {{1.0}, {2}, "x"}));
+  CHECK(read_run_state(path, c, RunOf::running_in).text == "x");
+  c.running_in->wear_coefficient *= 2.0;
+  CHECK_THROWS_WITH(read_run_state(path, c, RunOf::running_in),
+                    Catch::Contains("running_in.wear_coefficient"));
 }
 
 TEST_CASE("ARunWithoutAStateSaysSo") {

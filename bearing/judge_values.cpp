@@ -213,10 +213,6 @@ void judge_running_in(const Case& c, Findings& to) {
     wear.refuse("until", "a single event does not run a bearing in: wear needs a mean over a cycle",
                 "give load_cycle.period, or leave out [load_cycle] and give operation.load");
   }
-  if (c.cycle && !r.duration) {
-    wear.refuse("until", "the worn-in shape itself is sought under a standing load only",
-                "give a time (until = \"3000 s\") beside limit_pressure: wear then ceases there");
-  }
 }
 
 }  // namespace

@@ -23,7 +23,8 @@
 ///
 /// A shape at rest, in which nothing is pressed harder than p_lim:
 ///   w >= 0,  p_a <= p_lim,  w (p_lim - p_a) = 0 in every cell                                  (3)
-/// solved for itself, without the way there, for loads that stand still. Wear in time ends beside
+/// solved for itself, without the way there; over a load cycle p_a is the largest of each cell in
+/// the periodic state. Wear in time ends beside
 /// it, a little deeper: a cell that has worn and is relieved later, by its neighbours or a smoother
 /// surface, stays worn at less than p_lim. A load that only contact can carry has no such end.
 ///

@@ -4,6 +4,7 @@
 
 #include "app/library.hpp"
 #include "app/read_case.hpp"
+#include "core/constants.hpp"
 #include "validation/shells/shells_page.hpp"
 
 using namespace shellback;
@@ -65,6 +66,44 @@ TEST_CASE("PowersOfFilmAsperitiesAndLoadAreThePowerLossOfTheCycle", "[shells]") 
   CHECK(c.film_power + c.asperity_power + c.load_power == Approx(loss).epsilon(1e-12));
   CHECK(c.asperity_power > 0.0);
   CHECK(c.asperity_power < 0.02 * 205.0);  // never more than its largest torque and speed
+}
+
+TEST_CASE("TheLoadThatMeetsALimitIsOnTheLineThroughTwo", "[shells]") {
+  // h = 0.8 um (1/f)^1.5 and T = 400 K + 20 K ln f: both lines are straight there
+  const auto at = [](double f) {
+    return LoadTried{f, 0.8e-6 * std::pow(f, -1.5), 400.0 + 20.0 * std::log(f)};
+  };
+  const double film = std::pow(0.5 / 0.8, -1.0 / 1.5);
+  CHECK(load_met(ShellLimit::film, at(1.0), at(2.0), 0.5e-6, 443.15) ==
+        Approx(film).epsilon(1e-12));
+  CHECK(load_met(ShellLimit::film, at(0.25), at(0.5), 0.5e-6, 443.15) ==
+        Approx(film).epsilon(1e-12));  // carried on beyond the two
+  CHECK(load_met(ShellLimit::lining, at(1.0), at(2.0), 0.5e-6, 410.0) ==
+        Approx(std::exp(0.5)).epsilon(1e-12));
+  CHECK(std::isnan(load_met(ShellLimit::state, at(1.0), at(2.0), 0.5e-6, 410.0)));
+  CHECK(std::isnan(load_met(ShellLimit::film, at(1.0), LoadTried{2.0, NAN, NAN}, 0.5e-6, 410.0)));
+  CHECK(std::isnan(load_met(ShellLimit::film, {}, at(2.0), 0.5e-6, 410.0)));
+}
+
+TEST_CASE("AtTheHardestInstantShearTimesSpeedIsTheFrictionOfTheBore", "[shells]") {
+  ShellCycle c;
+  c.input = shipped(shell_kinds()[0]);
+  for (const double p : {40e6, 90e6, 60e6}) {
+    bearing::CycleInstant i;
+    i.t = 1e-9 * p;
+    i.p_max = p;
+    i.p_asperity_max = 1e6;
+    i.omega = 200.0;
+    i.torque = 1.5e-8 * p;
+    i.torque_asperity = 0.1 * i.torque;
+    c.result.instants.push_back(i);
+  }
+  const HardestInstant at = hardest_instant(c);
+  CHECK(at.pressure == Approx(91e6));
+  const double R = c.input.bearing.radius;
+  CHECK((at.tau_film + at.tau_asperity) * 200.0 * R == Approx(at.friction).epsilon(1e-12));
+  const double area = 2.0 * kPi * R * c.input.bearing.width;
+  CHECK(at.friction * area == Approx(1.35 * 200.0).epsilon(1e-12));
 }
 
 TEST_CASE("AStudyOfShellsThatIsStoppedSaysSo", "[shells]") {

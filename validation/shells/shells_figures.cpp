@@ -110,6 +110,7 @@ std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
   plot.y_title = "largest load of the cycle [kN]";
   const auto& rpm = study.plan.rpm;
   plot.x = app::round_axis(0.0, *std::max_element(rpm.begin(), rpm.end()), 6, "speed [rpm]");
+  std::vector<std::vector<double>> bars;  // of each series
   double most = 0.0;
   for (const Tier tier : {Tier::tehd, Tier::isothermal}) {
     for (int k = 0; k < kShells; ++k) {
@@ -119,10 +120,15 @@ std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
                {},
                theme.series[static_cast<std::size_t>(k)],
                heat ? "" : "5 4"};
+      std::vector<double>& bar = bars.emplace_back();
       for (const double n : rpm) {
         const Capability* c = study.at(k, tier, n);
         s.x.push_back(n);
-        s.y.push_back(c != nullptr && c->good > 0.0 ? 1e-3 * c->peak : NAN);
+        const bool borne = c != nullptr && c->good.factor > 0.0;
+        const double per_load = borne ? 1e-3 * c->peak / c->good.factor : NAN;  // [kN]
+        const bool met = borne && std::isfinite(c->met);
+        s.y.push_back(met ? per_load * c->met : borne ? 1e-3 * c->peak : NAN);
+        bar.push_back(met ? per_load * c->met_error : NAN);
         if (std::isfinite(s.y.back())) most = std::max(most, s.y.back());
       }
       plot.series.push_back(std::move(s));
@@ -131,16 +137,22 @@ std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
   plot.y = app::round_axis(0.0, std::max(most, 1.0), 6, plot.y_title);
   Svg svg(kWidth, kHeight);
   const app::Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
-  for (const Series& s : plot.series) {
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const Series& s = plot.series[k];
     for (std::size_t n = 0; n < s.x.size(); ++n) {
-      if (std::isfinite(s.y[n]))
-        svg.circle(frame.at(s.x[n], s.y[n]), 3.0, s.colour, {s.colour, 1.0});
+      if (!std::isfinite(s.y[n])) continue;
+      svg.circle(frame.at(s.x[n], s.y[n]), 3.0, s.colour, {s.colour, 1.0});
+      if (!std::isfinite(bars[k][n])) continue;
+      const double low = std::max(s.y[n] - bars[k][n], 0.0);
+      const double high = std::min(s.y[n] + bars[k][n], plot.y->high);
+      svg.line(frame.at(s.x[n], low), frame.at(s.x[n], high), {s.colour, 1.2});
     }
   }
-  return {finished(svg, plot.title,
-                   "Largest load that is borne; solid: temperatures solved, dashed: isothermal at "
-                   "the oil temperature of the case. Found by bisection: the table below says what "
-                   "the next load met.")};
+  return {
+      finished(svg, plot.title,
+               "Largest load that is borne; solid: temperatures solved, dashed: isothermal at "
+               "the oil temperature of the case. Points: where the limit is met; bars: what the "
+               "grid moves it by. The table below says which limit.")};
 }
 
 }  // namespace shellback::validation

@@ -49,6 +49,11 @@ std::string figures(const std::vector<ShellFigure>& all) {
   return html + "</div>\n";
 }
 
+std::string met_of(const Capability& c) {
+  return std::isfinite(c.met_error) ? fmt::format("{:.2f} &plusmn;{:.2g}", c.met, c.met_error)
+                                    : fmt::format("{:.2f}", c.met);
+}
+
 std::string cell(double v, int decimals) {
   return std::isfinite(v) ? fmt::format("<td>{:.{}f}</td>", v, decimals)
                           : "<td class=\"bad\">not found</td>";
@@ -147,21 +152,52 @@ std::string capability_html(const ShellsStudy& study) {
         fmt::format("<tr><td class=\"left\">{}, {}, {:.0f} rpm</td>", shell_kinds()[c.shell].name,
                     c.tier == Tier::tehd ? "tehd" : "isothermal", c.rpm);
     if (!c.tried) {
-      rows += "<td class=\"bad\">not run</td><td></td><td></td><td></td><td></td><td></td></tr>\n";
+      rows +=
+          "<td class=\"bad\">not "
+          "run</td><td></td><td></td><td></td><td></td><td></td><td></td></tr>\n";
       continue;
     }
-    rows += c.good > 0.0 ? cell(c.good, 2) + cell(1e-3 * c.peak, 0) + film(c.h_good)
-                         : fmt::format("<td class=\"bad\">below {:.2f}</td><td></td><td></td>",
-                                       study.plan.factors[0]);
-    rows += c.bad > 0.0 ? cell(c.bad, 2) : fmt::format("<td>above {:.2f}</td>", c.good);
-    rows += film(c.h_bad);
+    const double good = c.good.factor;
+    rows += good > 0.0 ? cell(good, 2) + cell(1e-3 * c.peak, 0) + film(c.good.h)
+                       : fmt::format("<td class=\"bad\">below {:.2f}</td><td></td><td></td>",
+                                     study.plan.factors[0]);
+    rows += c.bad.factor > 0.0 ? cell(c.bad.factor, 2) : fmt::format("<td>above {:.2f}</td>", good);
+    rows += film(c.bad.h);
+    rows += std::isfinite(c.met) ? fmt::format("<td>{}</td>", met_of(c)) : "<td></td>";
     rows += fmt::format("<td class=\"left\">{}{}</td></tr>\n", to_string(c.limit),
                         c.reason.empty() ? "" : ": " + escape_markup(c.reason));
   }
   return table(
       "<th>borne, of the load</th><th>peak [kN]</th><th>smallest film [&micro;m]</th>"
-      "<th>not borne</th><th>smallest film [&micro;m]</th><th class=\"left\">met first</th>",
+      "<th>not borne</th><th>smallest film [&micro;m]</th><th>limit met at</th>"
+      "<th class=\"left\">met first</th>",
       rows);
+}
+
+std::string hardest_html(const ShellsStudy& study) {
+  std::string rows;
+  for (int k = 0; k < kShells; ++k) {
+    const ShellCycle& c = study.cycles[k][0];
+    const bool good = c.result.verdict.good() && c.tried;
+    const HardestInstant at = good ? hardest_instant(c) : HardestInstant{};
+    rows += fmt::format("<tr><td class=\"left\">{}</td>", shell_kinds()[k].name);
+    for (const auto& [x, decimals] :
+         {std::pair{at.angle, 0}, std::pair{1e-6 * at.pressure, 1},
+          std::pair{1e-3 * at.tau_film, 1}, std::pair{1e-3 * at.tau_asperity, 2},
+          std::pair{1e-3 * at.friction, 1}, std::pair{1e-3 * at.heat, 1},
+          std::pair{at.T_shell - kZeroCelsius, 1}, std::pair{at.T_film - kZeroCelsius, 1}}) {
+      rows += cell(good ? x : NAN, decimals);
+    }
+    rows += "</tr>\n";
+  }
+  return table(
+             "<th>crank [&deg;]</th><th>film and contact [MPa]</th><th>shear, film [kPa]</th>"
+             "<th>shear, asperities [kPa]</th><th>friction [kW/m&sup2;]</th>"
+             "<th>heat into the shell [kW/m&sup2;]</th><th>lining [&deg;C]</th><th>film "
+             "[&deg;C]</th>",
+             rows) +
+         "<p class=\"scene\">Tier tehd. Shear, friction power and heat are means over the whole "
+         "bore, pressures and temperatures the largest of it.</p>\n";
 }
 
 std::string failures_html(const ShellsStudy& study) {
@@ -192,11 +228,14 @@ std::string shells_page(const ShellsStudy& study) {
   html += section("Film and temperatures", films_html(study));
   html += section("Over the cycle", figures(shell_curves(study)));
   html += section("On the shell", figures(shell_maps(study)));
+  html += section("At the instant of the largest pressure", hardest_html(study));
   html += section("Boundary friction at one point (Table 4)", parts_html(study));
   html += section("Thermal load capability",
                   figures(capability_figures(study)) + capability_html(study) +
                       "<p class=\"scene\">Limits assumed: lining 170 &deg;C (AlSn), 200 &deg;C "
-                      "(polymer); smallest film the combined roughness of the pair.</p>\n");
+                      "(polymer); smallest film the combined roughness of the pair. The limit is "
+                      "met where what it names goes through its bound between the last two loads; "
+                      "its bar is twice what two thirds of the cells move it by.</p>\n");
   html += section("Not found", failures_html(study));
   html += fmt::format(
       "<footer>\n<h2>Provenance</h2>\n<p>Cycles on {} x {}, capability on {} x {} cells, {} "

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/cycle_axis.hpp"
 #include "app/library.hpp"
 #include "app/overrides.hpp"
 #include "app/read_case.hpp"
@@ -45,6 +46,33 @@ ShellLimit limit_of(int shell, const Case& c, const CycleResult& r) {
   return bearing::value_of(r, "h_min") < least_film(c) ? ShellLimit::film : ShellLimit::none;
 }
 
+LoadTried tried(double factor, const CycleResult& r) {
+  if (!r.verdict.good()) return {factor, NAN, NAN};
+  return {factor, bearing::value_of(r, "h_min"), bearing::value_of(r, "T_shell_max")};
+}
+
+/// Where the limit is met, here and on two thirds of the cells. Edges and mouths leave an error of
+/// first order: what is missing on this grid is twice the difference.
+void add_bar(const ShellsPlan& plan, StudyCrew& crew, Capability& c) {
+  constexpr double kCells = 1.5, kBar = 2.0;  // h/(1.5 h - h)
+  const Case subject = case_of(c.shell, c.tier, {plan.coarse, c.rpm, 1.0});
+  const auto met = [&](const LoadTried& good, const LoadTried& bad) {
+    return load_met(c.limit, good, bad, least_film(subject), shell_kinds()[c.shell].T_limit);
+  };
+  c.met = met(c.good, c.bad);
+  if (!std::isfinite(c.met)) return;
+  const auto coarser = [&](const LoadTried& at) {
+    Setting s{plan.coarse, c.rpm, at.factor};
+    for (int& n : s.grid) n = std::max(3, static_cast<int>(std::lround(n / kCells)));
+    const Case on = case_of(c.shell, c.tier, s);
+    return tried(at.factor, bearing::solve_cycle(on, c.tier, crew.control()));
+  };
+  if (crew.stopped()) return;
+  const LoadTried good = coarser(c.good);
+  if (crew.stopped()) return;
+  c.met_error = kBar * std::abs(met(good, coarser(c.bad)) - c.met);
+}
+
 /// Bisection of ln(factor) between a load that is borne and one that is not.
 void find_capability(const ShellsPlan& plan, StudyCrew& crew, Capability& c) {
   const auto borne = [&](double factor) {
@@ -52,16 +80,13 @@ void find_capability(const ShellsPlan& plan, StudyCrew& crew, Capability& c) {
     const CycleResult r = bearing::solve_cycle(subject, c.tier, crew.control());
     if (crew.stopped()) return false;
     const ShellLimit limit = limit_of(c.shell, subject, r);
-    const double h = r.verdict.good() ? bearing::value_of(r, "h_min") : NAN;
     if (limit != ShellLimit::none) {
-      c.bad = factor;
-      c.h_bad = h;
+      c.bad = tried(factor, r);
       c.limit = limit;
       c.reason = app::reason_of(r.verdict);
       return false;
     }
-    c.good = factor;
-    c.h_good = h;
+    c.good = tried(factor, r);
     c.peak = 0.0;
     for (const auto& i : r.instants) c.peak = std::max(c.peak, std::hypot(i.load_x, i.load_y));
     return true;
@@ -75,6 +100,7 @@ void find_capability(const ShellsPlan& plan, StudyCrew& crew, Capability& c) {
     const double middle = std::sqrt(low * high);
     (borne(middle) ? low : high) = middle;
   }
+  add_bar(plan, crew, c);
   c.tried = !crew.stopped();
 }
 
@@ -141,6 +167,40 @@ void add_powers(ShellCycle& c) {
   c.film_power = film / time;
   c.asperity_power = asperity / time;
   c.load_power = load / time;
+}
+
+HardestInstant hardest_instant(const ShellCycle& c) {
+  const auto pressed = [](const bearing::CycleInstant& i) {
+    return i.p_max + (std::isfinite(i.p_asperity_max) ? i.p_asperity_max : 0.0);
+  };
+  const auto& all = c.result.instants;
+  if (all.empty()) return {};
+  const auto at = std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+    return pressed(a) < pressed(b);
+  });
+  const double R = c.input.bearing.radius;
+  const double area = 2.0 * kPi * R * c.input.bearing.width;
+  const double asperity = at->torque_asperity;
+  return {app::on_axis(c.result, at->t),
+          pressed(*at),
+          (at->torque - asperity) / (R * area),
+          asperity / (R * area),
+          at->torque * at->omega / area,
+          at->heat_to_shell / area,
+          at->T_shell_max,
+          at->T_film_max};
+}
+
+double load_met(ShellLimit limit, const LoadTried& a, const LoadTried& b, double h_least,
+                double T_most) {
+  const auto beyond = [&](const LoadTried& at) {
+    return limit == ShellLimit::film     ? std::log(at.h / h_least)
+           : limit == ShellLimit::lining ? T_most - at.T
+                                         : NAN;
+  };
+  const double m = beyond(a), n = beyond(b);
+  if (!(a.factor > 0.0) || !(b.factor > 0.0) || !std::isfinite(m - n) || m == n) return NAN;
+  return a.factor * std::pow(b.factor / a.factor, m / (m - n));
 }
 
 double least_film(const Case& c) {

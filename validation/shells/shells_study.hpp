@@ -9,7 +9,9 @@
 ///   2  parts of the boundary friction coefficient at the paper's operating point (its Table 4)
 ///   3  thermal load capability: the highest multiple of the load at each speed at which a periodic
 ///      state exists, the lining stays below its limit and the film above its own, by bisection of
-///      the logarithm; what limits it
+///      the logarithm; what limits it. Between the last two loads the limit stands where what it
+///      names (ln of the film, temperature of the lining) goes through its bound on the straight
+///      line over ln of the load; the same on two thirds of the cells gives its bar
 ///
 /// The paper's engine is not published: the engine is that of the case big-end. Limits of lining
 /// and film are assumptions told with the result. Points that are not found carry their reason.
@@ -54,21 +56,43 @@ struct ShellCycle {
   double load_power = 0.0;      ///< mean work of the load on the moving journal, left out above [W]
 };
 
+/// A shell at the instant at which film and contact press hardest; means are over the whole bore.
+struct HardestInstant {
+  double angle = 0.0;     ///< of the crank [deg]
+  double pressure = 0.0;  ///< largest of the film and largest of the contact, together [Pa]
+  double tau_film = 0.0;  ///< mean shear stress on the journal, of the film [Pa]
+  double tau_asperity = 0.0;
+  double friction = 0.0;  ///< mean friction power per area [W/m2]
+  double heat = 0.0;      ///< mean heat flux into the shell; not a number: isothermal [W/m2]
+  double T_shell = 0.0;   ///< highest of the lining's surface, like T_film [K]
+  double T_film = 0.0;
+};
+[[nodiscard]] HardestInstant hardest_instant(const ShellCycle& cycle);
+
 enum class ShellLimit { none, lining, film, state };
 [[nodiscard]] const char* to_string(ShellLimit limit);
+
+/// What a load came to.
+struct LoadTried {
+  double factor = 0.0;                                  ///< of the load; 0: none [-]
+  double h = std::numeric_limits<double>::quiet_NaN();  ///< smallest film [m]
+  double T = std::numeric_limits<double>::quiet_NaN();  ///< hottest lining [K]
+};
 
 /// The highest load that a shell bears at one speed.
 struct Capability {
   int shell = 0;
   bearing::Tier tier = bearing::Tier::tehd;
   double rpm = 0.0;
-  double good = 0.0;  ///< largest multiple that was borne; 0: none of those tried [-]
-  double bad = 0.0;   ///< smallest that was not; 0: all were borne [-]
+  LoadTried good;     ///< largest that was borne
+  LoadTried bad;      ///< smallest that was not
   double peak = 0.0;  ///< largest load of the cycle at `good` [N]
-  double h_good = std::numeric_limits<double>::quiet_NaN();  ///< smallest film at `good` [m]
-  double h_bad = std::numeric_limits<double>::quiet_NaN();   ///< and at `bad`, if it was found [m]
-  ShellLimit limit = ShellLimit::none;                       ///< what `bad` met
-  std::string reason;                                        ///< of a state that was not found
+  /// Multiple of the load at which the limit is met, and what the grid moves it by; not a number:
+  /// not known [-]
+  double met = std::numeric_limits<double>::quiet_NaN();
+  double met_error = std::numeric_limits<double>::quiet_NaN();
+  ShellLimit limit = ShellLimit::none;  ///< what `bad` met
+  std::string reason;                   ///< of a state that was not found
   bool tried = false;
 };
 
@@ -95,6 +119,12 @@ void add_powers(ShellCycle& cycle);
 /// Parts of the coefficient where the contact presses with 10 MPa, oil of 0.01 Pa s, 10 m/s (the
 /// paper's section 4.1).
 [[nodiscard]] solid::FrictionParts parts_at_the_papers_point(const bearing::Case& c);
+
+/// Multiple of the load at which `limit` is met, `h_least` and `T_most` being its bounds: the root
+/// of the straight line through two loads in (ln load, ln film) or (ln load, temperature); not a
+/// number where both say the same or one is not known.
+[[nodiscard]] double load_met(ShellLimit limit, const LoadTried& a, const LoadTried& b,
+                              double h_least, double T_most);
 
 /// Runs the study. Throws InputError where a shipped case does not read.
 [[nodiscard]] ShellsStudy run_shells_study(const StudyOptions& options);

@@ -22,6 +22,16 @@ Json cycle_json(const ShellCycle& c) {
   json["film_power"] = with_unit(c.film_power, "W");
   json["asperity_power"] = with_unit(c.asperity_power, "W");
   json["load_power"] = with_unit(c.load_power, "W");
+  const HardestInstant at = hardest_instant(c);
+  for (const auto& [name, x, unit] :
+       {std::tuple{"angle", at.angle, "deg"}, std::tuple{"pressure", at.pressure, "Pa"},
+        std::tuple{"shear_stress_film", at.tau_film, "Pa"},
+        std::tuple{"shear_stress_asperity", at.tau_asperity, "Pa"},
+        std::tuple{"friction_power_per_area", at.friction, "W/m2"},
+        std::tuple{"heat_flux_to_shell", at.heat, "W/m2"},
+        std::tuple{"T_shell_max", at.T_shell, "K"}, std::tuple{"T_film_max", at.T_film, "K"}}) {
+    if (std::isfinite(x)) json["at_largest_pressure"][name] = with_unit(x, unit);
+  }
   for (const auto& q : c.result.quantities) {
     json["quantities"][q.quantity.name] = with_unit(q.quantity.value, q.quantity.unit);
   }
@@ -34,11 +44,17 @@ Json capability_json(const Capability& c) {
   json["tier"] = to_string(c.tier);
   json["speed_rpm"] = c.rpm;
   json["tried"] = c.tried;
-  json["borne"] = c.good > 0.0 ? Json(c.good) : Json(nullptr);
-  json["not_borne"] = c.bad > 0.0 ? Json(c.bad) : Json(nullptr);
-  json["peak_load"] = c.good > 0.0 ? with_unit(c.peak, "N") : Json(nullptr);
-  json["h_min_borne"] = std::isfinite(c.h_good) ? with_unit(c.h_good, "m") : Json(nullptr);
-  json["h_min_not_borne"] = std::isfinite(c.h_bad) ? with_unit(c.h_bad, "m") : Json(nullptr);
+  const auto known = [](double x, const char* unit) {
+    return std::isfinite(x) ? with_unit(x, unit) : Json(nullptr);
+  };
+  for (const auto& [name, at] : {std::pair{"borne", &c.good}, std::pair{"not_borne", &c.bad}}) {
+    json[name] = at->factor > 0.0 ? Json(at->factor) : Json(nullptr);
+    json[std::string("h_min_") + name] = known(at->h, "m");
+    json[std::string("T_shell_max_") + name] = known(at->T, "K");
+  }
+  json["peak_load"] = c.good.factor > 0.0 ? with_unit(c.peak, "N") : Json(nullptr);
+  json["met"] = known(c.met, "1");
+  json["met_error"] = known(c.met_error, "1");
   json["limit"] = to_string(c.limit);
   if (!c.reason.empty()) json["reason"] = c.reason;
   return json;
@@ -96,15 +112,30 @@ void write_shells_tables(std::ostream& out, const ShellsStudy& study) {
   out << "\nfilm, asperity: torque times speed; squeezing, left out of the sum: work of the load "
          "on "
          "the moving pin\n";
-  out << fmt::format("\n{:<16} {:<11} {:>7} {:>8} {:>10} {:>10} {:>10} {:>10}  {}\n", "shell",
-                     "tier", "rpm", "borne", "peak [kN]", "h_min [um]", "not borne", "h_min [um]",
-                     "met first");
+  out << fmt::format("\n{:<16} {:>9} {:>7} {:>14} {:>18} {:>18} {:>14} {:>8}\n", "hardest, tehd",
+                     "at [deg]", "[MPa]", "film tau [kPa]", "asperity tau [kPa]",
+                     "friction [kW/m2]", "heat [kW/m2]", "T [degC]");
+  for (int k = 0; k < kShells; ++k) {
+    const ShellCycle& c = study.cycles[k][0];
+    if (!c.tried || !c.result.verdict.good()) continue;
+    const HardestInstant at = hardest_instant(c);
+    out << fmt::format(
+        "{:<16} {:>9.0f} {:>7.1f} {:>14.1f} {:>18.2f} {:>18.1f} {:>14.1f} {:>8.1f}\n",
+        shell_kinds()[k].name, at.angle, 1e-6 * at.pressure, 1e-3 * at.tau_film,
+        1e-3 * at.tau_asperity, 1e-3 * at.friction, 1e-3 * at.heat, at.T_shell - kZeroCelsius);
+  }
+  out << fmt::format("\n{:<16} {:<11} {:>7} {:>8} {:>10} {:>10} {:>10} {:>10} {:>14}  {}\n",
+                     "shell", "tier", "rpm", "borne", "peak [kN]", "h_min [um]", "not borne",
+                     "h_min [um]", "limit met at", "met first");
   const auto film = [](double h) { return std::isfinite(h) ? fmt::format("{:.3f}", 1e6 * h) : ""; };
   for (const Capability& c : study.capability) {
     if (!c.tried) continue;
-    out << fmt::format("{:<16} {:<11} {:>7.0f} {:>8.2f} {:>10.0f} {:>10} {:>10.2f} {:>10}  {}\n",
-                       shell_kinds()[c.shell].name, to_string(c.tier), c.rpm, c.good, 1e-3 * c.peak,
-                       film(c.h_good), c.bad, film(c.h_bad), to_string(c.limit));
+    const std::string met =
+        std::isfinite(c.met) ? fmt::format("{:.2f} +-{:.2g}", c.met, c.met_error) : "";
+    out << fmt::format(
+        "{:<16} {:<11} {:>7.0f} {:>8.2f} {:>10.0f} {:>10} {:>10.2f} {:>10} {:>14}  {}\n",
+        shell_kinds()[c.shell].name, to_string(c.tier), c.rpm, c.good.factor, 1e-3 * c.peak,
+        film(c.good.h), c.bad.factor, film(c.bad.h), met, to_string(c.limit));
   }
 }
 

@@ -23,6 +23,7 @@ using bearing::Tier;
 constexpr double kWidth = 560.0;   ///< [px]
 constexpr double kHeight = 340.0;  ///< [px]
 constexpr double kMargin = 14.0;   ///< right of the box, for half a label [px]
+constexpr double kApart = 6.0;     ///< bars at one speed [px]
 
 ShellFigure finished(const Svg& svg, const std::string& label, std::string caption) {
   return {svg.inline_element(label), std::move(caption)};
@@ -109,8 +110,9 @@ std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
   plot.title = "Load capability";
   plot.y_title = "largest load of the cycle [kN]";
   const auto& rpm = study.plan.rpm;
-  plot.x = app::round_axis(0.0, *std::max_element(rpm.begin(), rpm.end()), 6, "speed [rpm]");
-  std::vector<std::vector<double>> bars;  // of each series
+  const double fastest = *std::max_element(rpm.begin(), rpm.end());
+  plot.x = app::round_axis(0.0, 1.1 * fastest, 6, "speed [rpm]");  // room for bars beside
+  std::vector<std::vector<double>> bars;                           // of each series
   double most = 0.0;
   for (const Tier tier : {Tier::tehd, Tier::isothermal}) {
     for (int k = 0; k < kShells; ++k) {
@@ -137,15 +139,20 @@ std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
   plot.y = app::round_axis(0.0, std::max(most, 1.0), 6, plot.y_title);
   Svg svg(kWidth, kHeight);
   const app::Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
-  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+  const auto beside = [&](std::size_t k, double x, double y) {  // each series a little apart
+    app::Point p = frame.at(x, y);
+    p.x += kApart * (static_cast<double>(k) - 0.5 * static_cast<double>(bars.size() - 1));
+    return p;
+  };
+  for (std::size_t k = 0; k < bars.size(); ++k) {
     const Series& s = plot.series[k];
     for (std::size_t n = 0; n < s.x.size(); ++n) {
       if (!std::isfinite(s.y[n])) continue;
-      svg.circle(frame.at(s.x[n], s.y[n]), 3.0, s.colour, {s.colour, 1.0});
+      svg.circle(beside(k, s.x[n], s.y[n]), 3.0, s.colour, {s.colour, 1.0});
       if (!std::isfinite(bars[k][n])) continue;
       const double low = std::max(s.y[n] - bars[k][n], 0.0);
       const double high = std::min(s.y[n] + bars[k][n], plot.y->high);
-      svg.line(frame.at(s.x[n], low), frame.at(s.x[n], high), {s.colour, 1.2});
+      svg.line(beside(k, s.x[n], low), beside(k, s.x[n], high), {s.colour, 1.2});
     }
   }
   return {

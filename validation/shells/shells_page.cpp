@@ -51,7 +51,7 @@ std::string figures(const std::vector<ShellFigure>& all) {
 
 std::string met_of(const Capability& c) {
   return std::isfinite(c.met_error) ? fmt::format("{:.2f} &plusmn;{:.2g}", c.met, c.met_error)
-                                    : fmt::format("{:.2f}", c.met);
+                                    : fmt::format("{:.2f} &plusmn; ?", c.met);
 }
 
 std::string cell(double v, int decimals) {
@@ -235,7 +235,8 @@ std::string shells_page(const ShellsStudy& study) {
                       "<p class=\"scene\">Limits assumed: lining 170 &deg;C (AlSn), 200 &deg;C "
                       "(polymer); smallest film the combined roughness of the pair. The limit is "
                       "met where what it names goes through its bound between the last two loads; "
-                      "its bar is twice what two thirds of the cells move it by.</p>\n");
+                      "its bar is twice what two thirds of the cells move it by (one difference, "
+                      "which may be small by chance).</p>\n");
   html += section("Not found", failures_html(study));
   html += fmt::format(
       "<footer>\n<h2>Provenance</h2>\n<p>Cycles on {} x {}, capability on {} x {} cells, {} "

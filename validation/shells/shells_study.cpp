@@ -194,7 +194,7 @@ HardestInstant hardest_instant(const ShellCycle& c) {
 double load_met(ShellLimit limit, const LoadTried& a, const LoadTried& b, double h_least,
                 double T_most) {
   const auto beyond = [&](const LoadTried& at) {
-    return limit == ShellLimit::film     ? std::log(at.h / h_least)
+    return limit == ShellLimit::film     ? at.h - h_least
            : limit == ShellLimit::lining ? T_most - at.T
                                          : NAN;
   };

@@ -10,7 +10,7 @@
 ///   3  thermal load capability: the highest multiple of the load at each speed at which a periodic
 ///      state exists, the lining stays below its limit and the film above its own, by bisection of
 ///      the logarithm; what limits it. Between the last two loads the limit stands where what it
-///      names (ln of the film, temperature of the lining) goes through its bound on the straight
+///      names (smallest film, temperature of the lining) goes through its bound on the straight
 ///      line over ln of the load; the same on two thirds of the cells gives its bar
 ///
 /// The paper's engine is not published: the engine is that of the case big-end. Limits of lining
@@ -121,8 +121,8 @@ void add_powers(ShellCycle& cycle);
 [[nodiscard]] solid::FrictionParts parts_at_the_papers_point(const bearing::Case& c);
 
 /// Multiple of the load at which `limit` is met, `h_least` and `T_most` being its bounds: the root
-/// of the straight line through two loads in (ln load, ln film) or (ln load, temperature); not a
-/// number where both say the same or one is not known.
+/// of the straight line through two loads in (ln load, smallest film) or (ln load, temperature);
+/// not a number where both say the same or one is not known.
 [[nodiscard]] double load_met(ShellLimit limit, const LoadTried& a, const LoadTried& b,
                               double h_least, double T_most);
 

@@ -130,8 +130,10 @@ void write_shells_tables(std::ostream& out, const ShellsStudy& study) {
   const auto film = [](double h) { return std::isfinite(h) ? fmt::format("{:.3f}", 1e6 * h) : ""; };
   for (const Capability& c : study.capability) {
     if (!c.tried) continue;
-    const std::string met =
-        std::isfinite(c.met) ? fmt::format("{:.2f} +-{:.2g}", c.met, c.met_error) : "";
+    const std::string met = !std::isfinite(c.met) ? ""
+                            : std::isfinite(c.met_error)
+                                ? fmt::format("{:.2f} +-{:.2g}", c.met, c.met_error)
+                                : fmt::format("{:.2f} +- ?", c.met);
     out << fmt::format(
         "{:<16} {:<11} {:>7.0f} {:>8.2f} {:>10.0f} {:>10} {:>10.2f} {:>10} {:>14}  {}\n",
         shell_kinds()[c.shell].name, to_string(c.tier), c.rpm, c.good.factor, 1e-3 * c.peak,

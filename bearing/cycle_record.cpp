@@ -419,11 +419,12 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   const auto at = static_cast<int>(std::min_element(h_min_.begin(), h_min_.end()) - h_min_.begin());
   const FilmGrid& g = m.scene.grid;
   const double h_min = extreme(instants_, &CycleInstant::h_min, true).h_min;  // of edges, too
-  const fluid::SmallestGap least{std::min(h_min_[at], h_min), g.phi[at / g.nz], g.z[at % g.nz]};
+  const fluid::SmallestGap least{h_min_[at], g.phi[at / g.nz], g.z[at % g.nz]};
   const double T = extreme(instants_, &CycleInstant::T_film_max, false).T_film_max;
-  const FilmReach reach{NAN, T, largest(p_max_), h_min_, least};
+  const FilmReach reach{NAN, T, largest(p_max_), h_min_, least, h_min};
   for (Note& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
-  const double T_film = std::isfinite(T) ? T : equivalent_temperature(m.input);
+  const double T_film =
+      film_->heat() ? area_mean(g, film_->heat()->walls.shell) : equivalent_temperature(m.input);
   add_turbulence(m, course_->largest_speed() * m.input.bearing.radius, T_film, r.warnings);
   for (LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(std::move(l));
 }

@@ -294,7 +294,7 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
       return true;
     }
     if (stopped(control)) {
-      why = interrupted(0.0);
+      why = {Status::interrupted};
       return false;
     }
     Field next = x;
@@ -323,7 +323,12 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
     lack = largest_difference(asked_for(b, b.wear(), limit), b.wear());
     run.complementarity = lack / unit;
   }
-  if (why.status == Status::interrupted) keep(control.kept, true, b, run, tried);
+  if (why.status == Status::interrupted) {
+    keep(control.kept, true, b, run, tried);
+    if (!tried.asked.empty()) {  // told, not kept: the shape tried last
+      note_state(b, std::numeric_limits<double>::infinity(), 0.0, b.wear(), run);
+    }
+  }
   if (end != FixedPointEnd::converged) run.verdict = not_worn_in(end, why, lack);
 }
 

@@ -67,8 +67,8 @@ void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<Note
 /// there.
 void add_edge(const FilmReach& reach, std::vector<Note>& out) {
   const double cell = *std::min_element(reach.h.begin(), reach.h.end());
-  if (reach.least.h < 0.0 && cell > 0.0) {
-    out.push_back(note::EdgeNotResolved{reach.least.h, cell});
+  if (reach.h_min < 0.0 && cell > 0.0) {
+    out.push_back(note::EdgeNotResolved{reach.h_min, cell});
   }
 }
 

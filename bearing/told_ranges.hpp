@@ -16,6 +16,7 @@ struct FilmReach {
   double p_max = 0.0;          ///< [Pa]
   const Field& h;              ///< smallest gap of each cell [m]
   fluid::SmallestGap least{};  ///< of all
+  double h_min = least.h;      ///< the same, with side edges [m]
 };
 
 /// How far summits have flowed at the contact's hardness where the gap is `h` [m], in the middle of

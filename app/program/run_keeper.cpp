@@ -61,9 +61,10 @@ void RunKeeper::save(const bearing::Case& subject, RunOf run, const Tape::Conten
 }
 
 void RunKeeper::end(int code) const {
-  if (!there_) return;
-  if (code == kInterrupted && !of_this_run_) {
-    std::cerr << "note: nothing had been found yet: the run keeps no state\n";
+  if (!of_this_run_) {  // a file that is there is another run's, and stays
+    if (run_ && code == kInterrupted) {
+      std::cerr << "note: nothing had been found yet: the run keeps no state\n";
+    }
     return;
   }
   if (code == kInterrupted || code == kBadFile) {

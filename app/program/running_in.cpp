@@ -72,6 +72,11 @@ int cycles_of(const RunningInRun& run) {
 SolveControl control_over(ProgressLine& line, RunningInState& latest) {
   SolveControl control = control_for(line);
   control.progress = [&line, &latest](const Progress& p) {
+    if (p.stage == "shape") {
+      line.show(
+          fmt::format("worn-in shape {}: {:.1e} summit roughnesses away", p.step, p.residual));
+      return;
+    }
     line.show(fmt::format("running-in {:.4g} s, wear {:.3g} um: {} step {}", latest.t,
                           1e6 * latest.depth, p.stage, p.step));
   };

@@ -84,7 +84,7 @@ std::string told(const note::EdgeNotResolved& n) {
   return fmt::format(
       "the smallest film is not resolved: at a side edge the gap, continued from the last cells, "
       "falls to {:.3g} um, while no cell has less than {:.3g} um: more cells along in model.grid, "
-      "or model.axial_spacing = \"graded\"",
+      "graded towards the edges (model.axial_spacing)",
       1e6 * n.edge, 1e6 * n.cell);
 }
 

@@ -1,4 +1,5 @@
 // A running-in that is stopped and gone on with against one that is not.
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <catch2/catch.hpp>
@@ -82,6 +83,8 @@ RunningInRun in_pieces(const Case& c, const std::function<int()>& wait, int& pie
     RunningInRun run = run_in(c, c.model.tier, control, seen);
     if (run.verdict.status != Status::interrupted) return run;
     REQUIRE(state);
+    REQUIRE(!run.states.empty());
+    CHECK(*std::max_element(run.wear.begin(), run.wear.end()) == run.states.back().depth);
   }
 }
 

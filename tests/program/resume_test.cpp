@@ -8,6 +8,7 @@
 
 #include "app/library.hpp"
 #include "app/program/cli.hpp"
+#include "app/program/run_keeper.hpp"
 #include "app/read_case.hpp"
 #include "app/run_state.hpp"
 #include "tests/app/sample_case.hpp"
@@ -171,6 +172,29 @@ TEST_CASE("AStateIsOfOneKindOfRun") {
   c.running_in->wear_coefficient *= 2.0;
   CHECK_THROWS_WITH(read_run_state(path, c, RunOf::running_in),
                     Catch::Contains("running_in.wear_coefficient"));
+}
+
+TEST_CASE("AStateOfAnotherRunStaysUntilThisOneHasItsOwn") {
+  const ScratchFolder scratch;
+  const bearing::Case c = read_case(case_path("running-in").string(), {});
+  Request request;
+  request.json = scratch.path("a.json");
+  const std::string bytes = run_state(c, RunOf::running_in, {{1.0}, {2}, "x"});
+  const std::string path = scratch.write("a.json.state", bytes);
+  RunKeeper keeper(request, c, RunOf::running_in);
+  for (const int code : {kDone, kNotConverged, kInterrupted, kBadFile}) {
+    keeper.end(code);
+    CHECK(text_of(path) == bytes);
+  }
+  keeper.kept()->keep([](Tape& tape) {
+    double x = 3.0;
+    tape(x);
+  });
+  CHECK(text_of(path) != bytes);
+  keeper.end(kInterrupted);
+  CHECK(fs::exists(path));
+  keeper.end(kDone);
+  CHECK_FALSE(fs::exists(path));
 }
 
 TEST_CASE("ARunWithoutAStateSaysSo") {

@@ -131,7 +131,8 @@ std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
         const bool met = borne && std::isfinite(c->met);
         s.y.push_back(met ? per_load * c->met : borne ? 1e-3 * c->peak : NAN);
         bar.push_back(met ? per_load * c->met_error : NAN);
-        if (std::isfinite(s.y.back())) most = std::max(most, s.y.back());
+        const double top = s.y.back() + (std::isfinite(bar.back()) ? bar.back() : 0.0);
+        if (std::isfinite(top)) most = std::max(most, top);
       }
       plot.series.push_back(std::move(s));
     }
@@ -155,11 +156,12 @@ std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
       svg.line(beside(k, s.x[n], low), beside(k, s.x[n], high), {s.colour, 1.2});
     }
   }
-  return {
-      finished(svg, plot.title,
-               "Largest load that is borne; solid: temperatures solved, dashed: isothermal at "
-               "the oil temperature of the case. Points: where the limit is met; bars: what the "
-               "grid moves it by. The table below says which limit.")};
+  return {finished(
+      svg, plot.title,
+      "Solid: temperatures solved, dashed: isothermal at the oil temperature of the case. "
+      "Points, drawn a little apart: the load at which the limit is met, or the largest that "
+      "was borne where that is not known; bars: what the grid moves it by. The table below "
+      "says which limit.")};
 }
 
 }  // namespace shellback::validation

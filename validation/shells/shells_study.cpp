@@ -56,9 +56,17 @@ LoadTried tried(double factor, const CycleResult& r) {
 void add_bar(const ShellsPlan& plan, StudyCrew& crew, Capability& c) {
   constexpr double kCells = 1.5, kBar = 2.0;  // h/(1.5 h - h)
   const Case subject = case_of(c.shell, c.tier, {plan.coarse, c.rpm, 1.0});
-  const auto met = [&](const LoadTried& good, const LoadTried& bad) {
-    return load_met(c.limit, good, bad, least_film(subject), shell_kinds()[c.shell].T_limit);
+  const auto met_by = [&](ShellLimit limit, const LoadTried& good, const LoadTried& bad) {
+    return load_met(limit, good, bad, least_film(subject), shell_kinds()[c.shell].T_limit);
   };
+  const auto met = [&](const LoadTried& good, const LoadTried& bad) {
+    return met_by(c.limit, good, bad);
+  };
+  // The last load may break both bounds: what is met first is at the lesser load.
+  const bool hot = c.limit == ShellLimit::lining && c.bad.h < least_film(subject);
+  if (hot && met_by(ShellLimit::film, c.good, c.bad) < met(c.good, c.bad)) {
+    c.limit = ShellLimit::film;
+  }
   c.met = met(c.good, c.bad);
   if (!std::isfinite(c.met)) return;
   const auto coarser = [&](const LoadTried& at) {

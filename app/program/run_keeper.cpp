@@ -38,8 +38,8 @@ RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject, RunOf
     save(subject, run, state);
   };
   std::error_code error;
-  there_ = std::filesystem::exists(path_, error);
-  if (!request.resume || !there_) {
+  const bool there = std::filesystem::exists(path_, error);
+  if (!request.resume || !there) {
     if (request.resume) std::cerr << "note: there is no " << path_ << ": the run begins anew\n";
     run_.emplace(saved);
     return;
@@ -53,7 +53,7 @@ void RunKeeper::save(const bearing::Case& subject, RunOf run, const Tape::Conten
   if (lost_) return;
   try {
     write_file(path_, run_state(subject, run, state));
-    there_ = of_this_run_ = true;
+    of_this_run_ = true;
   } catch (const FileError& why) {  // the run itself is none the worse for it
     lost_ = true;
     std::cerr << "warning: the state of the run is no longer kept: " << why.what() << "\n";

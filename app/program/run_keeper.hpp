@@ -35,7 +35,6 @@ class RunKeeper {
 
   std::string path_;
   bool lost_ = false;  ///< the file cannot be written
-  bool there_ = false;
   bool of_this_run_ = false;  ///< the file is no older run's
   std::optional<bearing::KeptRun> run_;
 };

@@ -83,7 +83,9 @@ TEST_CASE("ARefusalBesideASteadyStateOfTheSameEquationsIsWrong") {
           StressClass::missed);
     CHECK(beside(none(kNobody), name, none(kNobody)) == StressClass::no_steady_state);
   }
-  CHECK(beside(none(kNobody), Question::other_grid, solution()) == StressClass::wrong_refusal);
+  for (const Question grid : {Question::coarser_grid, Question::finer_grid}) {
+    CHECK(beside(none(kNobody), grid, solution()) == StressClass::wrong_refusal);
+  }
   CHECK(is_fault(StressClass::wrong_refusal));
   CHECK_FALSE(is_fault(StressClass::missed));
 }
@@ -92,7 +94,25 @@ TEST_CASE("AFaultyResultContradictsNothing") {
   StressCell leaky = solution();
   leaky.result = StressClass::wrong;
   CHECK(beside(none(kNobody), "p-theta", leaky) == StressClass::no_steady_state);
-  CHECK(beside(none(kNobody), Question::other_grid, leaky) == StressClass::no_steady_state);
+  CHECK(beside(none(kNobody), Question::finer_grid, leaky) == StressClass::no_steady_state);
+}
+
+TEST_CASE("ACoarserGridContradictsNothingThatTheFinerOneConfirms") {
+  const auto between = [](const StressCell& coarser, const StressCell& finer) {
+    StressRow row = row_with(none(kBarus));
+    row.asked[0] = {{Question::coarser_grid, "32x5", coarser},
+                    {Question::finer_grid, "72x12", finer}};
+    const std::string overruled = overruled_by_finer(row, 0);
+    return std::pair{judged(row), overruled};
+  };
+  CHECK(between(solution(), none(kBarus)) ==
+        std::pair{StressClass::no_steady_state, std::string("32x5")});
+  // What the finer grid did not find it does not confirm.
+  CHECK(between(solution(), refusal(StressClass::not_found, "stuck")).first ==
+        StressClass::wrong_refusal);
+  CHECK(between(none(kBarus), solution()) == std::pair{StressClass::wrong_refusal, std::string()});
+  CHECK(between(none(kBarus), none(kBarus)) ==
+        std::pair{StressClass::no_steady_state, std::string()});
 }
 
 TEST_CASE("LessPhysicsContradictsNothing") {

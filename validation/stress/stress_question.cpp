@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "app/read_case.hpp"
 #include "core/contract.hpp"
@@ -27,10 +28,9 @@ std::array<int, 2> grid_of(const StressScene& scene, const std::vector<std::stri
   return app::read_case(scene.case_path, changes, {scene.tier}).model.grid;
 }
 
-StressQuestion on_grid(const StressScene& scene, const std::vector<std::string>& words,
-                       std::array<int, 2> grid) {
-  StressQuestion q{
-      Question::other_grid, fmt::format("a grid of {}x{}", grid[0], grid[1]), scene, {}};
+StressQuestion on_grid(Question question, const StressScene& scene,
+                       const std::vector<std::string>& words, std::array<int, 2> grid) {
+  StressQuestion q{question, fmt::format("a grid of {}x{}", grid[0], grid[1]), scene, {}};
   for (const std::string& word : words) {
     if (!word.starts_with(kGridKey)) q.words.push_back(word);
   }
@@ -41,10 +41,13 @@ StressQuestion on_grid(const StressScene& scene, const std::vector<std::string>&
 void ask_other_grids(const StressScene& scene, const std::vector<std::string>& words,
                      std::vector<StressQuestion>& questions) {
   const std::array<int, 2> grid = grid_of(scene, words);
-  for (const double factor : {kCoarser, kFiner}) {
+  using Wanted = std::pair<Question, double>;
+  for (const auto& [question, factor] :
+       {Wanted{Question::coarser_grid, kCoarser}, Wanted{Question::finer_grid, kFiner}}) {
     const std::array<int, 2> other{static_cast<int>(std::lround(factor * grid[0])),
                                    static_cast<int>(std::lround(factor * grid[1]))};
-    if (other[0] * other[1] <= kMostCells) questions.push_back(on_grid(scene, words, other));
+    if (other[0] * other[1] <= kMostCells)
+      questions.push_back(on_grid(question, scene, words, other));
   }
 }
 

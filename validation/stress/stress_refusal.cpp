@@ -27,6 +27,13 @@ bool took_part(const StressCell& cell) {
   return cell.result != StressClass::not_run && cell.result != StressClass::refused_input;
 }
 
+/// True if the step's finer grid claims that there is no steady state, either.
+bool finer_claims_none(const std::vector<StressWitness>& asked) {
+  return std::any_of(asked.begin(), asked.end(), [](const StressWitness& w) {
+    return w.question == Question::finer_grid && claims_none(w.cell.result);
+  });
+}
+
 /// All solves that may speak on the cell, with their names.
 struct Voice {
   std::string name;
@@ -42,8 +49,11 @@ std::vector<Voice> voices_on(const StressRow& row, std::size_t method, std::size
     if (speaks(methods[m], methods[method], ground)) voices.push_back({methods[m].title, &cell});
   }
   if (step >= row.asked.size()) return voices;
+  const bool both_claim =
+      claims_none(row.cells[method][step].result) && finer_claims_none(row.asked[step]);
   for (const StressWitness& w : row.asked[step]) {
     if (!took_part(w.cell)) continue;
+    if (both_claim && w.question == Question::coarser_grid) continue;
     if (speaks(w.question, methods[method], ground)) voices.push_back({w.name, &w.cell});
   }
   return voices;
@@ -103,6 +113,16 @@ void find_unexpected(StressRow& row) {
       }
     }
   }
+}
+
+std::string overruled_by_finer(const StressRow& row, std::size_t step) {
+  if (step >= row.asked.size() || !claims_none(row.cells.front()[step].result)) return "";
+  if (!finer_claims_none(row.asked[step])) return "";
+  for (const StressWitness& w : row.asked[step]) {
+    const bool converged = w.cell.result == StressClass::converged;
+    if (w.question == Question::coarser_grid && converged) return w.name;
+  }
+  return "";
 }
 
 int silent_witnesses(const StressRow& row, std::size_t step) {

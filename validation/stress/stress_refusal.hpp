@@ -12,6 +12,9 @@
 /// Less physics contradicts nothing: one temperature across the film, or oil that is not conserved
 /// (Swift-Stieber), may well find what is not there. Nor does an elastic film contradict a rigid
 /// one: it has another gap, and the limit of Barus' oil between rigid surfaces stays what it is.
+/// Nor does a coarser grid where the finer one refuses, too: a tilted film presses within a few
+/// tenths of a millimetre of its edge, and cells wider than that do not see the pressure that has
+/// its bound.
 #include "validation/stress/stress_row.hpp"
 
 namespace shellback::validation {
@@ -26,6 +29,9 @@ void find_contradicted(StressRow& row);
 
 /// The same for what the scene expects; converging where it expects nothing is wrong.
 void find_unexpected(StressRow& row);
+
+/// The coarser grid that converges where the default and the finer grid refuse; "" if none.
+[[nodiscard]] std::string overruled_by_finer(const StressRow& row, std::size_t step);
 
 /// How many solves spoke on the refusal of the default at a step, all of them without a result.
 [[nodiscard]] int silent_witnesses(const StressRow& row, std::size_t step);

@@ -12,14 +12,15 @@ namespace shellback::validation {
 
 /// What the shipped method is asked beside a cell.
 enum class Question {
-  other_grid,   ///< the same case on a coarser or finer grid
-  richer_heat,  ///< the same film with heat resolved: tier thd beside lumped
-  full_shear,   ///< the same case with the cavitated film sheared in full, as Swift-Stieber has it
+  coarser_grid,  ///< the same case on fewer cells
+  finer_grid,    ///< the same case on more cells
+  richer_heat,   ///< the same film with heat resolved: tier thd beside lumped
+  full_shear,    ///< the same case with the cavitated film sheared in full, as Swift-Stieber has it
 };
 
 /// Its answer.
 struct StressWitness {
-  Question question = Question::other_grid;
+  Question question = Question::finer_grid;
   std::string name;  ///< "72x12 cells", "tier thd"
   StressCell cell;
 };

@@ -75,7 +75,10 @@ std::string nobody_else(const StressRow& row, std::size_t step) {
   const StressClass c = row.cells.front()[step].result;
   if (c != StressClass::no_steady_state && c != StressClass::not_found) return "";
   const int asked = silent_witnesses(row, step);
-  return asked > 0 ? fmt::format(" ({} others found none either)", asked) : " (nobody else asked)";
+  const std::string coarser = overruled_by_finer(row, step);
+  const std::string but = coarser.empty() ? "" : "; " + coarser + " converges, the finer refuses";
+  return asked > 0 ? fmt::format(" ({} others found none either{})", asked, but)
+                   : " (nobody else asked)";
 }
 
 /// What ended the default's row, value by value.

@@ -1,9 +1,7 @@
-#include "bearing/film_step.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "bearing/film_stage.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
 #include "core/contract.hpp"
@@ -11,37 +9,6 @@
 
 namespace shellback::bearing {
 namespace {
-
-/// A diagonally implicit Runge-Kutta method; the weights of its result are its last row.
-struct Tableau {
-  int stages = 0;
-  bool explicit_first = false;  ///< the first stage is the beginning of the step
-  std::array<double, 3> c{};
-  std::array<std::array<double, 3>, 3> a{};
-  std::array<double, 3> other{};  ///< weights of the result that is compared: error estimate
-  [[nodiscard]] double b(int i) const { return a[stages - 1][i]; }
-};
-
-Tableau tr_bdf2() {
-  const double d = 1.0 - std::numbers::sqrt2 / 2.0;
-  const double w = std::numbers::sqrt2 / 4.0;
-  return {3,
-          true,
-          {0.0, 2.0 * d, 1.0},
-          {{{0.0, 0.0, 0.0}, {d, d, 0.0}, {w, w, d}}},
-          {(1.0 - w) / 3.0, (3.0 * w + 1.0) / 3.0, d / 3.0}};
-}
-
-Tableau sdirk2() {
-  const double g = 1.0 - std::numbers::sqrt2 / 2.0;
-  // Compared with the first stage carried on in a straight line: of first order, a safe bound.
-  return {2, false, {g, 1.0, 0.0}, {{{g, 0.0, 0.0}, {1.0 - g, g, 0.0}, {}}}, {1.0, 0.0, 0.0}};
-}
-
-/// to + f k
-void add(double f, const Field& k, Field& to) {
-  for (std::size_t c = 0; c < to.size(); ++c) to[c] += f * k[c];
-}
 
 /// An elasto-plastic layer, if there is one, begins a stage of length `own` from these columns.
 void begin_layer(double own, Columns columns, BearingModel& model) {
@@ -56,25 +23,7 @@ LayerInTime layer_of(const BearingModel& model, const FilmEquilibrium& film) {
   return stage_of(*model.layer, model.scene.grid, film.film.p, film.p_contact, film.layer);
 }
 
-/// Per area -> per cell.
-Field of_cells(const FilmGrid& g, Field x) {
-  for (int c = 0; c < g.cells(); ++c) x[c] *= g.area(c / g.nz, c % g.nz);
-  return x;
-}
-
 }  // namespace
-
-/// Slopes of one stage.
-struct FilmSteps::Stage {
-  Field oil;                             ///< [kg/(m2 s)]
-  std::array<double, 2> velocity{};      ///< [m/s]
-  std::array<double, 2> acceleration{};  ///< [m/s2]
-  fluid::OilFlows flows;                 ///< [kg/s]
-  std::array<double, 2> force{};         ///< of the film [N]
-  double off_balance = 0.0;              ///< [N]
-  HeatStage heat;
-  LayerInTime layer;
-};
 
 FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
                      const EquilibriumOptions& options)
@@ -95,7 +44,7 @@ FilmInTime FilmSteps::at_rest(double T) {
   now.film = cold_start(model_, T);
   for (int k = 0; k < target_.unknowns; ++k) now.film.position.q[k] = 0.0;
   [[maybe_unused]] const bool open =
-      evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, now.film);
+      evaluate(model_, widening_, options_.viscosity_tolerance, now.film);
   EXPECTS(open);
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
   if (model_.layer) now.layer.now.assign(model_.scene.grid.cells(), {});
@@ -105,7 +54,7 @@ FilmInTime FilmSteps::at_rest(double T) {
 void FilmSteps::open_mouths(double t, FilmEquilibrium& film) {
   if (!drillings_.any()) return;
   [[maybe_unused]] const bool open =
-      evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, film);
+      evaluate(model_, widening_, options_.viscosity_tolerance, film);
   EXPECTS(open);
   drillings_.take(model_, film);
   drillings_.place(t, model_.scene);
@@ -141,7 +90,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
 Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stages,
                                const FilmInTime& now, FilmEquilibrium& film, Stage& found,
                                EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+  const Tableau by = method_at(now);
   const double own = by.a[i][i] * dt;
   const LoadNow load = course_.at(now.t + by.c[i] * dt, true);
   Field before = now.oil;
@@ -203,9 +152,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stage
 Verdict FilmSteps::solve_film(double own, const std::vector<double>& vessels_star,
                               FilmEquilibrium& film, EquilibriumCost& cost,
                               const std::atomic<bool>* stop) {
-  const auto solve = [&] {
-    return newton(model_, target_, thermal_deformation(), options_, film, cost, stop);
-  };
+  const auto solve = [&] { return newton(model_, target_, widening_, options_, film, cost, stop); };
   if (!vessels_.any()) return solve();
   return vessels_.solve(own, vessels_star, model_.scene, [&](fluid::OilFlows& flows) {
     fluid::impose_supply(model_.scene, film.film);
@@ -267,7 +214,7 @@ std::vector<char> away_from_fronts(const FilmGrid& g, const std::vector<char>& f
 
 double FilmSteps::error_of(const FilmInTime& now, const FilmEquilibrium& end,
                            const std::vector<Stage>& stages, double dt) const {
-  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+  const Tableau by = method_at(now);
   constexpr double kLoaded = 0.01;  // of the largest specific load of the course: counts as loaded
   const FilmGrid& g = model_.scene.grid;
   const double loaded = kLoaded * course_.largest_load() / (2.0 * g.radius * g.width);
@@ -298,7 +245,7 @@ double FilmSteps::error_of(const FilmInTime& now, const FilmEquilibrium& end,
 
 FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost,
                          const std::atomic<bool>* stop) {
-  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+  const Tableau by = method_at(now);
   FilmStep step;
   vessels_begun_ = now.vessels;
   if (drillings_.any()) drillings_.take(model_, now.film);
@@ -355,6 +302,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.after.oil_slope = std::move(last.oil);
   step.after.flows = std::move(last.flows);
   step.after.layer = std::move(last.layer);  // stiffly accurate: the last stage is the end
+  if (heat_) step.heat.work += work_of_growth(now, step.after);
   return step;
 }
 
@@ -368,101 +316,17 @@ void FilmSteps::put_back(const Supplies& before) {
   model_.scene.supply.mouths = before.mouths;
 }
 
-bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmInTime& now) {
-  if (!heat_) heat_.emplace(model_, period, shortest);
-  const FilmGrid& g = model_.scene.grid;
-  const int n = model_.gl.n;
-  for (int c = 0; c < g.cells(); ++c) {
-    if (!meets_walls(model_, c)) continue;
-    now.film.columns.T[static_cast<std::size_t>(c) * n] = walls.shell[c];
-    now.film.columns.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
-  }
-  const double deformation_now = mean_deformation(walls);
-  const double wider =
-      (model_.clearance + deformation_now) / (model_.clearance + now.thermal_deformation);
-  now.thermal_deformation = deformation_now;
-  heat_->walls = std::move(walls);
-  for (int k = 0; k < 2; ++k) now.film.position.q[k] *= wider;
-  if (!reshape(now)) return false;
-  std::vector<double> skin = std::move(now.heat.skin);
-  now.heat = heat_->begin(model_, now.film.columns.T, of_cells(g, now.oil));
-  if (!skin.empty()) now.heat.skin = std::move(skin);
-  return true;
-}
-
 bool FilmSteps::reshape(FilmInTime& now) {
   constexpr double kNearer = 0.9;  // to the middle, where the gap is closed: it is but a start
   constexpr int kMost = 40;        // then it is in the middle within 2 %
   model_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
-  for (int k = 0; !evaluate(model_, thermal_deformation(), options_.viscosity_tolerance, now.film);
-       ++k) {
+  for (int k = 0; !evaluate(model_, widening_, options_.viscosity_tolerance, now.film); ++k) {
     if (k == kMost) return false;
     for (int i = 0; i < 2; ++i) now.film.position.q[i] *= kNearer;
   }
   now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
   now.oil_slope.clear();
   return true;
-}
-
-void FilmSteps::expect_temperatures(int i, double dt, const std::vector<Stage>& stages,
-                                    const FilmInTime& now, FilmEquilibrium& film) const {
-  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
-  const int first = by.explicit_first ? 1 : 0;
-  std::vector<double>& T = film.columns.T;
-  T = now.heat.T;
-  const double ahead = by.c[i] * dt;
-  if (i > first) {
-    const std::vector<double>& before = stages[i - 1].heat.T;
-    // From the first stage of a step that begins anew nothing is carried on: it still settles.
-    const double part = by.explicit_first ? by.c[i] / by.c[i - 1] : 1.0;
-    for (std::size_t k = 0; k < T.size(); ++k) T[k] += part * (before[k] - T[k]);
-  } else if (!now.heat.T_slope.empty()) {
-    add(ahead, now.heat.T_slope, T);
-  }
-}
-
-Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<Stage>& stages,
-                              const FilmInTime& now, const FilmEquilibrium& film,
-                              Stage& found) const {
-  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
-  const double own = by.a[i][i] * dt;
-  std::vector<double> held = now.heat.held;
-  std::vector<double> skin = now.heat.skin;
-  for (int j = 0; j < i; ++j) {
-    add(by.a[i][j] * dt, stages[j].heat.held_slope, held);
-    add(by.a[i][j] * dt, stages[j].heat.skin_slope, skin);
-  }
-  const FilmGrid& g = model_.scene.grid;
-  Field after = model_.scene.storage.before;
-  add(own, found.oil, after);
-  found.heat = heat_->stage(model_, film, own, of_cells(g, model_.scene.storage.before),
-                            of_cells(g, std::move(after)), held, skin);
-  for (int k = 0; k < 2; ++k) found.heat.flows.work -= film.force[k] * found.velocity[k];
-  if (found.heat.possible && found.heat.settled) return {};
-  return {Status::iteration_limit,
-          found.heat.possible ? ending::Plain::film_unsettled : ending::Plain::film_impossible};
-}
-
-void FilmSteps::end_heat(double dt, const FilmInTime& now, std::vector<Stage>& stages,
-                         FilmStep& step) const {
-  const Tableau by = now.oil_slope.empty() ? sdirk2() : tr_bdf2();
-  HeatStage& last = stages.back().heat;
-  HeatInTime& heat = step.after.heat;
-  heat.held = now.heat.held;
-  for (int i = 0; i < by.stages; ++i) {
-    const bool before = by.explicit_first && i == 0;
-    add(by.b(i) * dt, stages[i].heat.held_slope, heat.held);
-    step.heat.add(by.b(i) * dt, before ? now.heat.flows : stages[i].heat.flows);
-  }
-  heat.T_slope = last.T;
-  for (std::size_t k = 0; k < heat.T_slope.size(); ++k) {
-    heat.T_slope[k] = (heat.T_slope[k] - now.heat.T[k]) / dt;
-  }
-  heat.T = std::move(last.T);
-  heat.skin = std::move(last.skin);
-  heat.held_slope = std::move(last.held_slope);
-  heat.skin_slope = std::move(last.skin_slope);
-  heat.flows = std::move(last.flows);
 }
 
 }  // namespace shellback::bearing

@@ -75,8 +75,11 @@ class FilmSteps {
   /// At rest in the middle of the clearance, in a full film of one temperature [K].
   [[nodiscard]] FilmInTime at_rest(double T);
   /// Solves film temperatures from here on, with these walls; the heat of `now` begins anew, at
-  /// the temperatures of its film. Oil keeps its fill ratios where the gap has grown. False if the
-  /// walls have grown together.
+  /// the temperatures of its film. The first walls stand as they are, oil keeps its fill ratios
+  /// where the gap has grown. From the walls of one cycle to those of the next the gap grows over
+  /// the first tenth of the period and displaces its oil: a gap that jumped would ask pressure and
+  /// elastic surfaces for a jump that no short step makes smaller (docs/decisions/039). False if
+  /// the walls would grow together.
   [[nodiscard]] bool set_walls(WallMeans walls, double period, double shortest, FilmInTime& now);
   /// `now` of the same bearing with a shell of another shape: oil keeps its fill ratios where the
   /// gap has grown. False if the gap is closed.
@@ -113,9 +116,10 @@ class FilmSteps {
   [[nodiscard]] Verdict solve_stage(int i, double dt, const std::vector<Stage>& stages,
                                     const FilmInTime& now, FilmEquilibrium& film, Stage& found,
                                     EquilibriumCost& cost, const std::atomic<bool>* stop);
-  /// The film's temperatures in stage i, carried on from the stages and steps before.
+  /// Temperatures of the film and growth of the walls in stage i, carried on in a straight line
+  /// from the stages and steps before.
   void expect_temperatures(int i, double dt, const std::vector<Stage>& stages,
-                           const FilmInTime& now, FilmEquilibrium& film) const;
+                           const FilmInTime& now, FilmEquilibrium& film);
   /// Heat in stage i, whose film is solved.
   [[nodiscard]] Verdict solve_heat(int i, double dt, const std::vector<Stage>& stages,
                                    const FilmInTime& now, const FilmEquilibrium& film,
@@ -133,10 +137,12 @@ class FilmSteps {
   [[nodiscard]] double error_of(const FilmInTime& now, const FilmEquilibrium& end,
                                 const std::vector<Stage>& stages, double dt) const;
 
-  /// Thermal widening of the gap.
-  [[nodiscard]] const Field& thermal_deformation() const {
-    return heat_ ? heat_->walls.thermal_deformation : none_;
-  }
+  /// The thermal widening of the gap at time t [s] with these skins.
+  [[nodiscard]] Field widening_at(double t, const std::vector<double>& skin) const;
+  /// Work of walls that grow on oil and asperities, whole bearing [J].
+  [[nodiscard]] double work_of_growth(const FilmInTime& now, const FilmInTime& after) const;
+  /// True if these walls leave the journal a place.
+  [[nodiscard]] bool leave_room(const WallMeans& walls, const FilmInTime& now) const;
 
   BearingModel model_;
   const LoadCourse& course_;
@@ -147,7 +153,14 @@ class FilmSteps {
   Drillings drillings_;
   Vessels vessels_;
   std::vector<double> vessels_begun_;  ///< E at the beginning of the step [kg]
-  Field none_;
+  /// How the gap comes from the walls of one cycle to those of the next.
+  struct Growth {
+    Field from;           ///< thermal widening before; empty: none [m]
+    double begun = 0.0;   ///< [s]
+    double length = 0.0;  ///< [s]; 0: done
+  };
+  Growth growth_;
+  Field widening_;  ///< thermal, of the gap, now; empty: none [m]
 };
 
 }  // namespace shellback::bearing

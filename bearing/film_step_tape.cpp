@@ -12,7 +12,7 @@ void FilmSteps::members(Tape& tape, double period, double shortest) {
   tape(model_.scene.supply.mouths);
   if (!warm) return;
   if (!heat_) heat_.emplace(model_, period, shortest);
-  tape(heat_->walls);
+  tape(heat_->walls, growth_.from, growth_.begun, growth_.length, widening_);
 }
 
 }  // namespace shellback::bearing

@@ -16,7 +16,9 @@ std::vector<thermal::SkinLayer> skin_layers(const Case& c) {
   std::vector<thermal::SkinLayer> out;
   for (std::size_t k = 0; k < layers.thickness.size(); ++k) {
     const solid::Material& m = layers.material[k];
-    out.push_back({layers.thickness[k], m.conductivity, m.density * m.heat_capacity});
+    const double held = (1.0 + m.poisson_ratio) / (1.0 - m.poisson_ratio);
+    out.push_back(
+        {layers.thickness[k], m.conductivity, m.density * m.heat_capacity, held * m.expansion});
   }
   return out;
 }
@@ -150,6 +152,13 @@ HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, 
   }
   heat_skin(step, skin, out);
   return out;
+}
+
+Field HeatSteps::swelling(const std::vector<double>& skin) const {
+  Field narrower(skin.empty() ? 0 : walls.thermal_deformation.size());
+  const auto nodes = static_cast<std::size_t>(skin_.nodes());
+  for (std::size_t c = 0; c < narrower.size(); ++c) narrower[c] = skin_.swelling(&skin[c * nodes]);
+  return narrower;
 }
 
 double HeatSteps::surprise(const BearingModel& model, const FilmEquilibrium& s,

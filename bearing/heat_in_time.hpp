@@ -9,10 +9,10 @@
 /// with the flows, the oil and the friction of that stage, so that heat is conserved to the round-
 /// off of the sweeps. Shell and film are solved together, column by column.
 /// The walls' bodies answer far more slowly than a cycle lasts: they hold their mean over it
-/// (cycle_walls.hpp), and the skin swings about it. The shaft turns: its surface is at its mean
-/// (thermal/shaft_conduction.hpp).
-/// The film's viscosity in a stage is that of temperatures carried on in a straight line from the
-/// stages before, not of the last ones. Source: methods 3.5, 4; textbook.
+/// (cycle_walls.hpp), and the skin swings about it and swells (thermal/wall_skin.hpp (3)). The
+/// shaft turns: its surface is at its mean (thermal/shaft_conduction.hpp). The film's viscosity in
+/// a stage is that of temperatures carried on in a straight line from the stages before, not of the
+/// last ones. Source: methods 3.5, 4; textbook.
 #include <optional>
 
 #include "bearing/film_heat.hpp"
@@ -86,6 +86,9 @@ class HeatSteps {
   /// mean over the film, by its pressure [-].
   [[nodiscard]] double surprise(const BearingModel& model, const FilmEquilibrium& s,
                                 const std::vector<double>& T) const;
+
+  /// By which the skins of temperatures `skin` narrow the gap [m]; empty: no thermal deformation.
+  [[nodiscard]] Field swelling(const std::vector<double>& skin) const;
 
   WallMeans walls;  ///< of this cycle
   [[nodiscard]] const thermal::WallSkin& skin() const { return skin_; }

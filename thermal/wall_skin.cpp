@@ -93,12 +93,16 @@ WallSkin::WallSkin(const std::vector<SkinLayer>& layers, double period, double s
   const std::size_t n = y_.size() - 1;
   conductance_.assign(n, 0.0);
   capacity_.assign(n, 0.0);
+  swelling_.assign(n, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
     const SkinLayer& l = layers[depths.layer(0.5 * (x[k] + x[k + 1]))];
     const double length = y_[k + 1] - y_[k];
     conductance_[k] = l.conductivity / length;
-    capacity_[k] += 0.5 * length * l.capacity;
-    if (k + 1 < n) capacity_[k + 1] += 0.5 * length * l.capacity;
+    for (const std::size_t at : {k, k + 1}) {
+      if (at == n) continue;  // held at 0
+      capacity_[at] += 0.5 * length * l.capacity;
+      swelling_[at] += 0.5 * length * l.swelling;
+    }
   }
 }
 
@@ -132,6 +136,12 @@ void WallSkin::relax(const SkinStep& step, double* T) const {
 double WallSkin::heat(const double* T) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < capacity_.size(); ++k) sum += capacity_[k] * T[k];
+  return sum;
+}
+
+double WallSkin::swelling(const double* T) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < swelling_.size(); ++k) sum += swelling_[k] * T[k];
   return sum;
 }
 

@@ -13,7 +13,10 @@
 /// Over a step dt from the temperatures T_before (implicit Euler, or a stage of a diagonally
 /// implicit Runge-Kutta method)
 ///   (C/dt + K) T = C/dt T_before + e_0 q',   surface: T_0 = r_0 + Z q'                (2)
-/// Z the impedance, r what is left of before. Sources: textbook; methods 3.5.
+/// Z the impedance, r what is left of before. The skin swells as a layer that the body behind it
+/// holds in its plane,
+///   u = int (1 + nu)/(1 - nu) alpha T dy                                             (3)
+/// towards the film. Sources: textbook (Boley and Weiner's plate held at its edges); methods 3.5.
 #include <vector>
 
 namespace shellback::thermal {
@@ -23,6 +26,7 @@ struct SkinLayer {
   double thickness = 0.0;     ///< [m]
   double conductivity = 0.0;  ///< [W/(m K)]
   double capacity = 0.0;      ///< rho c [J/(m3 K)]
+  double swelling = 0.0;      ///< (1 + nu)/(1 - nu) alpha [1/K]
 };
 
 /// What depends on the length of a step alone.
@@ -47,11 +51,14 @@ class WallSkin {
   void relax(const SkinStep& step, double* T) const;
   /// Heat held per area [J/m2].
   [[nodiscard]] double heat(const double* T) const;
+  /// u of (3) [m].
+  [[nodiscard]] double swelling(const double* T) const;
 
  private:
   std::vector<double> y_;            ///< nodes + 1 [m]
   std::vector<double> conductance_;  ///< between a node and the next one [W/(m2 K)]
   std::vector<double> capacity_;     ///< of a node [J/(m2 K)]
+  std::vector<double> swelling_;     ///< of a node [m/K]
 };
 
 }  // namespace shellback::thermal

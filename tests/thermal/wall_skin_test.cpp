@@ -95,3 +95,24 @@ TEST_CASE("ASkinEndsWhereItsLayersEnd", "[wall_skin]") {
   const SkinStep endless = skin.over(1e9);
   CHECK(endless.impedance() == Approx(50e-6 / 180.0));  // nothing but conduction
 }
+
+TEST_CASE("ASkinSwellsByTheHeatThatItHolds", "[wall_skin]") {
+  // Of one material: u = (1 + nu)/(1 - nu) alpha/(rho c) times the heat, whatever the profile.
+  const double alpha = 1.9 * 11e-6;
+  SkinLayer steel = kSteel, polymer = kPolymer;
+  steel.swelling = alpha;
+  const WallSkin plain({steel}, kPeriod, kPeriod / 720.0);
+  std::vector<double> T(plain.nodes());
+  for (int k = 0; k < plain.nodes(); ++k) T[k] = 5.0 * std::cos(0.7 * k);
+  CHECK(plain.swelling(T.data()) ==
+        Approx(alpha / kSteel.capacity * plain.heat(T.data())).epsilon(1e-12));
+  // A coating and its backing at one temperature, but for the last interval, which falls to 0.
+  polymer.swelling = 3.0 * 60e-6;
+  const WallSkin coated({polymer, steel}, kPeriod, kPeriod / 720.0);
+  T.assign(coated.nodes(), 2.0);
+  const double end = coated.depths().back();
+  const double last = end - coated.depths()[coated.nodes() - 1];
+  const double below = end - 0.5 * last - kPolymer.thickness;
+  CHECK(coated.swelling(T.data()) ==
+        Approx(2.0 * (polymer.swelling * kPolymer.thickness + alpha * below)).epsilon(1e-12));
+}

@@ -1,0 +1,58 @@
+#pragma once
+/// Methods of one step in time, and what a stage of theirs finds (film_step.hpp).
+#include <array>
+#include <numbers>
+
+#include "bearing/film_step.hpp"
+
+namespace shellback::bearing {
+
+/// A diagonally implicit Runge-Kutta method; the weights of its result are its last row.
+struct Tableau {
+  int stages = 0;
+  bool explicit_first = false;  ///< the first stage is the beginning of the step
+  std::array<double, 3> c{};
+  std::array<std::array<double, 3>, 3> a{};
+  std::array<double, 3> other{};  ///< weights of the result that is compared: error estimate
+  [[nodiscard]] double b(int i) const { return a[stages - 1][i]; }
+};
+
+inline Tableau tr_bdf2() {
+  const double d = 1.0 - std::numbers::sqrt2 / 2.0;
+  const double w = std::numbers::sqrt2 / 4.0;
+  return {3,
+          true,
+          {0.0, 2.0 * d, 1.0},
+          {{{0.0, 0.0, 0.0}, {d, d, 0.0}, {w, w, d}}},
+          {(1.0 - w) / 3.0, (3.0 * w + 1.0) / 3.0, d / 3.0}};
+}
+
+inline Tableau sdirk2() {
+  const double g = 1.0 - std::numbers::sqrt2 / 2.0;
+  // Compared with the first stage carried on in a straight line: of first order, a safe bound.
+  return {2, false, {g, 1.0, 0.0}, {{{g, 0.0, 0.0}, {1.0 - g, g, 0.0}, {}}}, {1.0, 0.0, 0.0}};
+}
+
+/// Of a step that begins at `now`.
+inline Tableau method_at(const FilmInTime& now) {
+  return now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+}
+
+/// to + f k
+inline void add(double f, const Field& k, Field& to) {
+  for (std::size_t c = 0; c < to.size(); ++c) to[c] += f * k[c];
+}
+
+/// Slopes of one stage.
+struct FilmSteps::Stage {
+  Field oil;                             ///< [kg/(m2 s)]
+  std::array<double, 2> velocity{};      ///< [m/s]
+  std::array<double, 2> acceleration{};  ///< [m/s2]
+  fluid::OilFlows flows;                 ///< [kg/s]
+  std::array<double, 2> force{};         ///< of the film [N]
+  double off_balance = 0.0;              ///< [N]
+  HeatStage heat;
+  LayerInTime layer;
+};
+
+}  // namespace shellback::bearing

@@ -1,0 +1,124 @@
+// Walls that grow in time: skins between the steps of a cycle, bodies from one cycle to the next.
+#include <catch2/catch.hpp>
+
+#include "app/words/ending_words.hpp"
+#include "bearing/cycle.hpp"
+#include "bearing/film_step.hpp"
+#include "core/constants.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+constexpr double kPeriod = 0.06;  ///< two turns at 2000 rpm [s]
+
+/// Rigid, but for its heat, under a load that swings.
+struct Swinging {
+  Case c = warm_case();
+  LoadCycle cycle;
+  Physics physics;
+  BearingModel model;
+  LoadCourse course;
+  FilmSteps steps;
+  FilmInTime now;
+  EquilibriumCost cost;
+
+  static LoadCycle load() {
+    LoadCycle out;
+    out.period = kPeriod;
+    constexpr int kRows = 72;
+    for (int k = 0; k < kRows; ++k) {
+      out.t.push_back(kPeriod * k / kRows);
+      out.x.push_back(0.0);
+      out.y.push_back(-1.5e3 * (1.0 + 0.6 * std::sin(2.0 * kPi * k / kRows)));
+    }
+    out.interpolation = LoadInterpolation::periodic_spline;
+    return out;
+  }
+  Swinging()
+      : cycle(load()),
+        physics{.film_energy = true, .thermal_deformation = true},
+        model(make_bearing(c, physics, {48, 6})),
+        course(cycle, c.operation.omega),
+        steps(model, course, 0.5, EquilibriumOptions{}) {
+    const double T = c.supplies[0].temperature;
+    auto steady = steps.steady(T, cost, nullptr);
+    REQUIRE(steady);
+    now = *std::move(steady);
+    REQUIRE(stand(uniform_walls(model, T)));
+  }
+  bool stand(const WallMeans& walls) {
+    return steps.set_walls(walls, kPeriod, kPeriod / 720.0, now);
+  }
+  void go(int n, double dt) {
+    for (int k = 0; k < n; ++k) {
+      FilmStep s = steps.take(dt, now, cost, nullptr);
+      INFO(app::reason_of(s.verdict));
+      REQUIRE(s.verdict.good());
+      now = std::move(s.after);
+    }
+  }
+  /// What is wider in the film's gap than in that of the rigid bearing [m].
+  [[nodiscard]] Field widening() const {
+    Field gap = now.film.gap.cell;
+    const Field rigid = fluid::film_gap(model.scene.grid, model.scene.angles, model.clearance,
+                                        now.film.position, {}, {})
+                            .cell;
+    for (std::size_t c = 0; c < gap.size(); ++c) gap[c] -= rigid[c];
+    return gap;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("TheSkinNarrowsTheGapAsItSwells", "[wall_growth]") {
+  // Its temperatures are carried on in a straight line into each stage: of second order in time.
+  const auto missed = [](int steps) {
+    Swinging b;
+    b.go(steps, 0.25 * kPeriod / steps);
+    const Field swelling = b.steps.heat()->swelling(b.now.heat.skin);
+    Field off = b.widening();
+    for (std::size_t c = 0; c < off.size(); ++c) {
+      off[c] -= b.steps.heat()->walls.thermal_deformation[c] - swelling[c];
+    }
+    return std::pair{largest_magnitude(off), largest_magnitude(swelling)};
+  };
+  const auto [coarse, swelling] = missed(40);
+  const auto [fine, same] = missed(80);
+  INFO(coarse << ", " << fine << " of " << swelling << ", " << same);
+  CHECK(swelling > 1e-10);  // something has swollen [m]
+  CHECK(coarse < 0.03 * swelling);
+  CHECK(coarse / fine == Approx(4.0).margin(1.0));
+}
+
+TEST_CASE("TheGapGrowsFromTheWallsOfOneCycleToThoseOfTheNext", "[wall_growth]") {
+  Swinging b;
+  b.go(60, kPeriod / 360.0);
+  const Field before = b.widening();
+  const double oil = b.now.oil[7];
+  WallMeans warmer = uniform_walls(b.model, b.c.supplies[0].temperature + 20.0);
+  const Field standing = warmer.thermal_deformation;
+  const double jump = largest_magnitude(standing);
+  REQUIRE(jump > 1e-8);
+  REQUIRE(b.stand(warmer));
+  CHECK(b.now.oil[7] == oil);  // of no cell does the oil change
+  // A thousandth of the time over which it grows: 3 (1e-3)^2 of the way, and what the skin does.
+  b.go(1, 1e-4 * kPeriod);
+  CHECK(largest_difference(b.widening(), before) < 1e-4 * jump);
+  b.go(40, 0.1 * kPeriod / 40.0);
+  const Field swelling = b.steps.heat()->swelling(b.now.heat.skin);
+  Field whole = standing;
+  for (std::size_t c = 0; c < whole.size(); ++c) whole[c] -= swelling[c];
+  CHECK(largest_difference(b.widening(), whole) < 1e-3 * jump);
+}
+
+TEST_CASE("ANextCycleWithoutRoomIsRefused", "[wall_growth]") {
+  Swinging b;
+  b.go(3, kPeriod / 360.0);
+  WallMeans walls = uniform_walls(b.model, b.c.supplies[0].temperature);
+  for (double& d : walls.thermal_deformation) d = -1.1 * b.c.bearing.radial_clearance;
+  CHECK_FALSE(b.stand(walls));
+}

@@ -110,6 +110,10 @@ TEST_CASE("ACoarserGridContradictsNothingThatTheFinerOneConfirms") {
   // What the finer grid did not find it does not confirm.
   CHECK(between(solution(), refusal(StressClass::not_found, "stuck")).first ==
         StressClass::wrong_refusal);
+  // But a bound that it meets is one, though its limit is elsewhere and no third grid agrees.
+  StressCell moves = refusal(StressClass::not_found, "not resolved: the limit moves with the grid");
+  moves.answer.meets_bound = true;
+  CHECK(between(solution(), moves).first == StressClass::no_steady_state);
   CHECK(between(none(kBarus), solution()) == std::pair{StressClass::wrong_refusal, std::string()});
   CHECK(between(none(kBarus), none(kBarus)) ==
         std::pair{StressClass::no_steady_state, std::string()});

@@ -171,6 +171,9 @@ TEST_CASE("AnswersPassBetweenProcessesWhole") {
   CHECK(std::isnan(b.value("friction_torque")));
   CHECK(std::isnan(b.audit.energy));
   CHECK(b.faults == a.faults);
+  CHECK_FALSE(b.meets_bound);
+  a.meets_bound = true;
+  CHECK(answer_from(to_text(a)).meets_bound);
 }
 
 TEST_CASE("AMirrorImageOfAMirrorImageIsTheBearing") {

@@ -139,6 +139,17 @@ Profile mirrored(const Profile& p) {
 
 }  // namespace
 
+namespace {
+
+/// By how the branch has ended on the grid of the answer.
+bool meets_bound(const Verdict& v) {
+  if (v.as<ending::LimitMoves>() != nullptr) return meets_bound(v.cause.front());
+  const auto* branch = v.as<ending::BranchEnded>();
+  return branch != nullptr && branch->end == ending::BranchEnd::unbounded;
+}
+
+}  // namespace
+
 bool StressAnswer::converged() const { return status == to_string(Status::converged); }
 
 double StressAnswer::value(const std::string& name) const {
@@ -195,6 +206,7 @@ StressAnswer solve_stress_case(const StressScene& scene, const std::vector<std::
     const app::EndingWords words = app::words_of(result.verdict);
     a.reason = words.reason;
     a.place = words.place;
+    a.meets_bound = meets_bound(result.verdict);
     a.audit = result.audit;
     a.wall_s = result.cost.wall_s;
     for (const Quantity& q : result.quantities) a.quantities.emplace_back(q.name, q.value);
@@ -216,6 +228,7 @@ std::string to_text(const StressAnswer& a) {
   j["quantities"] = a.quantities;
   j["faults"] = a.faults;
   j["not_a_number"] = a.not_a_number;
+  j["meets_bound"] = a.meets_bound;
   j["wall_s"] = a.wall_s;
   return j.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -234,6 +247,7 @@ StressAnswer answer_from(const std::string& text) {
   for (const auto& q : j.at("quantities")) a.quantities.emplace_back(q[0], number(q[1]));
   a.faults = j.at("faults").get<std::vector<std::string>>();
   a.not_a_number = j.at("not_a_number");
+  a.meets_bound = j.at("meets_bound");
   a.wall_s = number(j.at("wall_s"));
   return a;
 }

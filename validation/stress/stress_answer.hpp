@@ -21,6 +21,9 @@ struct StressAnswer {
   std::vector<std::pair<std::string, double>> quantities;  ///< SI
   std::vector<std::string> faults;  ///< what cannot be, in words; empty: nothing
   bool not_a_number = false;        ///< one of the faults is that
+  /// Refused where the film's equations meet their bound on this grid, be it that another grid was
+  /// not found to agree.
+  bool meets_bound = false;
   double wall_s = 0.0;
 
   [[nodiscard]] bool converged() const;

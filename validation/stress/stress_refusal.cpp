@@ -27,10 +27,12 @@ bool took_part(const StressCell& cell) {
   return cell.result != StressClass::not_run && cell.result != StressClass::refused_input;
 }
 
-/// True if the step's finer grid claims that there is no steady state, either.
+/// True if the step's finer grid claims that there is no steady state, either, or meets a bound of
+/// the equations before the load asked for.
 bool finer_claims_none(const std::vector<StressWitness>& asked) {
   return std::any_of(asked.begin(), asked.end(), [](const StressWitness& w) {
-    return w.question == Question::finer_grid && claims_none(w.cell.result);
+    const bool none = claims_none(w.cell.result) || w.cell.answer.meets_bound;
+    return w.question == Question::finer_grid && none;
   });
 }
 

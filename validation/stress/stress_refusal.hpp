@@ -12,9 +12,9 @@
 /// Less physics contradicts nothing: one temperature across the film, or oil that is not conserved
 /// (Swift-Stieber), may well find what is not there. Nor does an elastic film contradict a rigid
 /// one: it has another gap, and the limit of Barus' oil between rigid surfaces stays what it is.
-/// Nor does a coarser grid where the finer one refuses, too: a tilted film presses within a few
-/// tenths of a millimetre of its edge, and cells wider than that do not see the pressure that has
-/// its bound.
+/// Nor does a coarser grid where the finer one refuses, too, or meets a bound of the equations: a
+/// tilted film presses within a few tenths of a millimetre of its edge, and cells wider than that
+/// do not see the pressure that has its bound.
 #include "validation/stress/stress_row.hpp"
 
 namespace shellback::validation {

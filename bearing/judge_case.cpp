@@ -212,10 +212,4 @@ void expect_solvable(const Case& c) {
   }
 }
 
-void expect_no_cycle(const Case& c, const std::string& what) {
-  if (!c.cycle) return;
-  throw InputError("load_cycle",
-                   "not yet available for load cycles: " + what + "; use run, compare or sweep");
-}
-
 }  // namespace shellback::bearing

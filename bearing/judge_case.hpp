@@ -25,9 +25,6 @@ namespace shellback::bearing {
 /// Throws InputError with key, problem and cure of the first refusal, if there is one.
 void expect_solvable(const Case& c);
 
-/// Throws InputError if the case has a load cycle, which `what` ("compare") cannot take.
-void expect_no_cycle(const Case& c, const std::string& what);
-
 /// What the tier needs and the case does not hold.
 [[nodiscard]] std::optional<Finding> lack_for(const Case& c, Tier tier);
 

@@ -160,6 +160,13 @@ std::optional<Computed> MeasuredBearing::near(const Values& x,
 /// Every case that the search begins or can end with, read before any work.
 void read_all(const std::vector<MeasuredPoint>& measured, const std::vector<FitParameter>& keys,
               const MeasuredCase& case_at) {
+  std::size_t known = 0;
+  for (const MeasuredPoint& m : measured) known += m.values.size();
+  if (known < keys.size()) {
+    throw InputError("--fit", fmt::format("{} measured value{} cannot determine {} keys; give more "
+                                          "points, or fit fewer keys",
+                                          known, known == 1 ? "" : "s", keys.size()));
+  }
   Values start;
   for (const FitParameter& k : keys) start.push_back(k.start);
   for (std::size_t j = 0; j < keys.size(); ++j) {

@@ -94,11 +94,12 @@ inline Told told(const ending::Unsettled& e, const About& a) {
               "try a finer grid or another cooling of shell and shaft"};
     case ending::Iteration::cycles:
       return {fmt::format("after {} cycles two of them still differ by {:.1e} in smallest film or "
-                          "torque (1e-4 is asked for)",
+                          "torque, and this falls too slowly to be within 1e-4 of where it leads",
                           e.steps, e.left),
-              "repeat the load several times in a longer period (oil of a starved film gathers "
-              "over more than 40 short ones), or look at the orbit: it may repeat itself over "
-              "several periods, as journals that whirl do"};
+              "where it is about 1e-4, a smaller model.tolerance (it is the choice of steps that "
+              "differs); else repeat the load several times in a longer period (oil of a starved "
+              "film gathers over more than 40 short ones), or look at the orbit: it may repeat "
+              "itself over several periods, as journals that whirl do"};
     case ending::Iteration::walls_of_cycles:
       return {fmt::format("after {} cycles the walls still change by {:.2g} K from one to the next",
                           e.steps, e.left),

@@ -180,11 +180,7 @@ TEST_CASE("AJournalAtRestIsJudgedByTheCycle") {
   CHECK(judge(c).front().key == "operation.eccentricity_ratio");
 }
 
-TEST_CASE("WhatCannotTakeACycleSaysSo") {
-  CHECK_NOTHROW(expect_no_cycle(plain_case(), "chart"));
-  CHECK_THROWS_WITH(
-      expect_no_cycle(cycle_case(), "chart"),
-      Catch::Contains("not yet available for load cycles: chart") && Catch::Contains("use run"));
+TEST_CASE("TiersTakeACycleAsTheyTakeASteadyLoad") {
   CHECK_FALSE(lack_for(cycle_case(), Tier::estimate));
   CHECK_FALSE(lack_for(cycle_case(), Tier::automatic));
   CHECK(lack_for(cycle_case(), Tier::thd)->key == "shell");  // as without a cycle

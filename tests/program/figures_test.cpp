@@ -10,6 +10,7 @@
 #include "app/case_text.hpp"
 #include "app/program/cli.hpp"
 #include "core/contract.hpp"
+#include "validation/chart/chart_scenes.hpp"
 #include "validation/stress/stress_scenes.hpp"
 
 using namespace shellback;
@@ -83,8 +84,9 @@ std::string wrong_with_request(const std::vector<std::string>& words) {
     if (!fs::exists(kRoot / "validation" / name / "entry.toml")) return "no entry " + name;
   }
   for (const std::string& scene : r.scenes) {
-    const bool charted = fs::exists(kRoot / "validation" / "chart" / (scene + ".toml"));
-    if (r.command == Command::chart && !charted) return "no scene " + scene;
+    const auto charted = validation::chart_scene_names();
+    const bool known = std::find(charted.begin(), charted.end(), scene) != charted.end();
+    if (r.command == Command::chart && !known) return "no scene " + scene;
   }
   if (r.command == Command::stress) {
     static_cast<void>(

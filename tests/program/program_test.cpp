@@ -261,14 +261,10 @@ TEST_CASE("CompareSaysWhatTheGridLeavesOpen") {
 
 TEST_CASE("WhatCannotTakeALoadCycleSaysSo") {
   const std::string file = case_path("pulse").string();
-  for (const std::vector<std::string>& words :
-       std::vector<std::vector<std::string>>{{"chart", file}, {"run", file, "--coefficients"}}) {
-    const Ended ended = run_words(words);
-    INFO(words[0]);
-    CHECK(ended.code == kBadInput);
-    CHECK(ended.out.empty());
-    check_parts(ended.err, {"not yet available for load cycles"});
-  }
+  const Ended ended = run_words({"run", file, "--coefficients"});
+  CHECK(ended.code == kBadInput);
+  CHECK(ended.out.empty());
+  check_parts(ended.err, {"not yet available for load cycles"});
   CHECK(run_words({"check", file}).code == kDone);
 }
 

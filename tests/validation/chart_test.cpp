@@ -93,6 +93,37 @@ TEST_CASE("ChartOfAThermalSceneComparesNodesLayersMeanAndTiers") {
   }
 }
 
+TEST_CASE("ChartOfALoadCycleVariesGridsAndSteps") {
+  ChartOptions o = coarse();
+  o.of_cycles.ladder = {{12, 3}, {24, 5}};
+  o.of_cycles.compared = {{24, 5}};
+  o.of_cycles.reference = {{{20, 4}, {40, 8}, {80, 16}}};
+  const ChartScene s = chart_scene("cycle", chart_case("flores-slider-crank"), o);
+  REQUIRE(s.verdict.good());
+  CHECK(count(s, ChartFamily::grid) == 2);
+  CHECK(count(s, ChartFamily::steps) == 3);  // the case's own tolerance is that of the grids
+  CHECK(count(s, ChartFamily::tier) == 1);
+  CHECK(count(s, ChartFamily::cavitation) == 0);  // methods to compare with know no time
+  CHECK(count(s, ChartFamily::automatic) == 1);
+  CHECK(s.points[1].error[0] < 0.5 * s.points[0].error[0]);  // a grid twice as fine
+  CHECK(std::isnan(s.points[0].error[2]));
+  CHECK(s.floor[0] > 0.0);
+  const auto of_steps = [&](const char* mark) {
+    const auto p = std::find_if(s.points.begin(), s.points.end(), [&](const ChartPoint& x) {
+      return x.setting.family == ChartFamily::steps && x.setting.mark == mark;
+    });
+    REQUIRE(p != s.points.end());
+    return *p;
+  };
+  // Shorter steps solve more matrices and come nearer to the grid's own cycle in time.
+  CHECK(of_steps("0.3 %").factorizations > of_steps("10 %").factorizations);
+  for (const int q : {0, 1}) {  // and each keeps the tolerance that it was asked for
+    const double settled = of_steps("0.3 %").value[q];
+    CHECK(of_steps("3 %").value[q] == Approx(settled).epsilon(0.03));
+    CHECK(of_steps("10 %").value[q] == Approx(settled).epsilon(0.1));
+  }
+}
+
 TEST_CASE("FailuresAreChartedByName") {
   ChartOptions o = coarse();
   o.grids.ladder = {{48, 7}};

@@ -9,6 +9,7 @@
 #include "bearing/judge_case.hpp"
 #include "bearing/solve.hpp"
 #include "core/parallel.hpp"
+#include "fidelity/auto_cycle.hpp"
 #include "fidelity/solve_case.hpp"
 #include "validation/chart/pareto.hpp"
 
@@ -32,62 +33,84 @@ ChartValues values_of(const Solution& s, Tier tier) {
 }
 
 ChartValues values_of(const Result& r) {
-  const double T = r.has("T_film_max") ? r.value("T_film_max") : r.value("T_equivalent");
-  return {r.value("friction_torque"), r.value("h_min"), T};
+  const double T = named(r.quantities, r.has("T_film_max") ? "T_film_max" : "T_equivalent");
+  return {named(r.quantities, "friction_torque"), named(r.quantities, "h_min"), T};
 }
 
 bool stopped(const ChartOptions& o) { return o.stop && o.stop->load(); }
 
 bool has_heat(const Case& c) { return physics_of(c, c.model.tier).film_energy; }
 
+/// One solve of a case, steady or over its cycle.
+struct Solved {
+  Verdict verdict;
+  ChartValues value{};
+  long factorizations = 0;
+  long sweeps = 0;
+};
+
+Solved solved(const Case& c, Tier tier, const SolveControl& control) {
+  const bool chosen = tier == Tier::automatic || tier == Tier::estimate;
+  if (!c.cycle && !chosen) {
+    const Solution s = solve_tier(c, tier, control);
+    return {s.verdict, s.verdict.good() ? values_of(s, tier) : ChartValues{}, s.cost.factorizations,
+            s.cost.sweeps};
+  }
+  const auto over_cycle = [&] {
+    return as_result(chosen ? fidelity::solve_cycle_case(c, control)
+                            : solve_cycle(c, tier, control));
+  };
+  const Result r = c.cycle ? over_cycle() : fidelity::solve_case(c, control);
+  return {r.verdict, values_of(r), r.cost.factorizations, 0};
+}
+
+const ChartGrids& grids_for(const Case& c, const ChartOptions& options) {
+  return c.cycle ? options.of_cycles : options.grids;
+}
+
 void find_reference(const Case& c, const ChartOptions& options, ChartScene& scene) {
-  std::array<ChartValues, 3> values{};
-  std::array<Verdict, 3> verdicts;
+  constexpr double kSteps = 1e-3;         // tolerance of a cycle's steps [-]
+  constexpr double kCoarserSteps = 3e-3;  // of those that tell what steps leave [-]
+  const int solves = c.cycle ? 4 : 3;
+  std::array<Solved, 4> found;
   SolveControl control;
   control.stop = options.stop;
   // The costliest first.
-  parallel_for(3, options.threads, [&](int task) {
-    const int k = 2 - task;
+  parallel_for(solves, options.threads, [&](int task) {
+    const int k = task < 3 ? 2 - task : 3;
     ChartSetting setting;
     setting.tier = c.model.tier;
-    setting.grid = options.grids.reference[k];
+    setting.grid = grids_for(c, options).reference[k % 3];
     setting.film_nodes = kReferenceNodes;
-    const Solution s = solve_tier(with_setting(c, setting), c.model.tier, control);
-    verdicts[k] = s.verdict;
-    if (s.verdict.good()) values[k] = values_of(s, c.model.tier);
+    if (c.cycle) setting.tolerance = k < 3 ? kSteps : kCoarserSteps;
+    found[k] = solved(with_setting(c, setting), c.model.tier, control);
   });
-  for (const Verdict& v : verdicts) {
-    if (!v.good()) scene.verdict = v;
+  for (int k = 0; k < solves; ++k) {
+    if (!found[k].verdict.good()) scene.verdict = found[k].verdict;
   }
   if (!scene.verdict.good()) return;
   for (int q = 0; q < kChartQuantities; ++q) {
-    scene.reference[q] = reference_value(values[0][q], values[1][q], values[2][q]);
+    const double coarse = found[0].value[q];
+    ReferenceValue& r = scene.reference[q];
+    r = reference_value(coarse, found[1].value[q], found[2].value[q]);
+    if (c.cycle) r.uncertainty += std::abs(found[3].value[q] - coarse);
     const bool relative = q != static_cast<int>(ChartQuantity::T_max);
-    scene.floor[q] =
-        scene.reference[q].uncertainty / (relative ? std::abs(scene.reference[q].value) : 1.0);
+    scene.floor[q] = r.uncertainty / (relative ? std::abs(r.value) : 1.0);
   }
 }
 
 /// One solve; false if it was stopped.
 bool measure_once(const Case& c, const ChartOptions& options, ChartPoint& p) {
-  double wall = 0.0;
   SolveControl control;
   control.stop = options.stop;
-  if (p.setting.tier == Tier::automatic || p.setting.tier == Tier::estimate) {
-    const auto begin = std::chrono::steady_clock::now();
-    const Result r = fidelity::solve_case(c, control);
-    wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    p.verdict = r.verdict;
-    p.value = values_of(r);
-    p.factorizations = r.cost.factorizations;
-  } else {
-    const Solution s = solve_tier(c, p.setting.tier, control);
-    p.verdict = s.verdict;
-    p.value = values_of(s, p.setting.tier);
-    p.factorizations = s.cost.factorizations;
-    p.sweeps = s.cost.sweeps;
-    wall = s.wall_s;
-  }
+  const auto begin = std::chrono::steady_clock::now();
+  const Solved s = solved(c, p.setting.tier, control);
+  const double wall =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  p.verdict = s.verdict;
+  p.value = s.value;
+  p.factorizations = s.factorizations;
+  p.sweeps = s.sweeps;
   p.wall_s = p.wall_s > 0.0 ? std::min(p.wall_s, wall) : wall;
   return p.verdict.status != Status::interrupted;
 }
@@ -132,7 +155,7 @@ bool is_richest(const Case& c) {
 }
 
 std::vector<ChartSetting> all_settings(const Case& c, const ChartOptions& options) {
-  auto settings = chart_settings(c, options.grids);
+  auto settings = chart_settings(c, grids_for(c, options));
   if (!is_richest(c)) return settings;
   for (const double tolerance : options.tolerances) {
     ChartSetting s;

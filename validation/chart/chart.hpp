@@ -7,7 +7,9 @@
 /// film temperature is that one; of an isothermal scene there is none. Tier `auto` is charted where
 /// the scene's own tier is the richest that its data allow: it chooses among all of them. Wall
 /// times are those of cold solves, solid operators and coarser grids included, on one thread, the
-/// best of a few repeats.
+/// best of a few repeats. Of a load cycle the mean torque, the smallest film and the highest
+/// temperature over it are charted; its reference is stepped to 0.1 %, and what 0.3 % moves it by
+/// counts as uncertainty.
 #include <array>
 #include <atomic>
 #include <functional>
@@ -46,6 +48,7 @@ struct ChartScene {
 
 struct ChartOptions {
   ChartGrids grids;
+  ChartGrids of_cycles = cycle_grids();
   int threads = 1;        ///< for the references, which are not timed
   int repeats = 5;        ///< at most, of each timed solve
   double enough_s = 0.5;  ///< time spent on one point after which it is not repeated [s]

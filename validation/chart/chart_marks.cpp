@@ -26,6 +26,7 @@ const std::vector<Look> kLooks{
     {ChartFamily::tier, "#009e73", "simpler tier"},
     {ChartFamily::cavitation, "#cc79a7", "cavitation: FB Newton, p-θ relaxation, Swift-Stieber"},
     {ChartFamily::elastic, "#d55e00", "elastic fixed point: Aitken, 0.05"},
+    {ChartFamily::steps, "#7a3b9a", "steps of a load cycle, to a tolerance"},
     {ChartFamily::automatic, "#000000", "auto, to its tolerance"},
 };
 
@@ -67,6 +68,8 @@ void draw_mark(Svg& svg, Point c, ChartFamily family) {
       return shape(polygon(c, 1.2 * kMark, 6, 0.0));
     case ChartFamily::elastic:
       return shape(polygon(c, 1.3 * kMark, 3, kPi));
+    case ChartFamily::steps:
+      return svg.circle(c, 0.9 * kMark, "#ffffff", edge);
     case ChartFamily::automatic:
       return shape(polygon(c, 1.4 * kMark, 5, 0.0));
   }

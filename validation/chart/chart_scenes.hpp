@@ -1,5 +1,5 @@
 #pragma once
-/// The scenes that come with the chart: case files in validation/chart/ of the library.
+/// The scenes that come with the chart: case files in validation/chart/ and cases/ of the library.
 #include <string>
 #include <vector>
 

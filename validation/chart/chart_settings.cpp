@@ -1,5 +1,7 @@
 #include "validation/chart/chart_settings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "bearing/bearing.hpp"
@@ -25,11 +27,14 @@ class Star {
     for (const auto& grid : grids_.ladder) {
       add(ChartFamily::grid, std::to_string(grid[0]), grid, [](ChartSetting&) {});
     }
-    if (thermal_) add_nodal_sets();
+    if (c_.cycle) add_steps();
+    if (thermal_) add_nodes();
+    if (thermal_ && !c_.cycle) add_other_profiles();
     add(ChartFamily::tier, "estimate", grids_.compared.front(),
         [](ChartSetting& s) { s.tier = Tier::estimate; });
     for (const auto& grid : grids_.compared) {
       add_tiers(grid);
+      if (c_.cycle) continue;
       if (!elastic_) add_cavitation(grid);
       if (elastic_) add_elastic(grid);
     }
@@ -47,12 +52,24 @@ class Star {
     }
   }
 
-  void add_nodal_sets() {
+  void add_steps() {
+    for (const double tolerance : {0.1, 0.03, 0.01, 0.003}) {
+      if (tolerance == c_.model.tolerance && !c_.cycle->step) continue;
+      add(ChartFamily::steps, fmt::format("{:.3g} %", 100.0 * tolerance), grids_.compared.front(),
+          [&](ChartSetting& s) { s.tolerance = tolerance; });
+    }
+  }
+
+  void add_nodes() {
     const auto grid = grids_.compared.front();
     for (const int n : {3, 5, 7, 9}) {
       if (n == c_.model.film_nodes) continue;
       add(ChartFamily::nodes, std::to_string(n), grid, [&](ChartSetting& s) { s.film_nodes = n; });
     }
+  }
+
+  void add_other_profiles() {
+    const auto grid = grids_.compared.front();
     for (const int n : {10, 20, 40}) {
       add(ChartFamily::layers, std::to_string(n), grid, [&](ChartSetting& s) {
         s.methods.across = AcrossFilm::layers;
@@ -107,6 +124,15 @@ ChartGrids quick_grids() {
   return {{{48, 7}, {100, 13}}, {{100, 13}}, {{{100, 13}, {200, 25}, {400, 50}}}};
 }
 
+ChartGrids cycle_grids() {
+  return {
+      {{24, 4}, {48, 7}, {100, 13}, {200, 25}}, {{100, 13}}, {{{100, 12}, {200, 24}, {400, 48}}}};
+}
+
+ChartGrids quick_cycle_grids() {
+  return {{{24, 4}, {48, 7}}, {{48, 7}}, {{{24, 4}, {48, 8}, {96, 16}}}};
+}
+
 std::vector<ChartSetting> chart_settings(const Case& c, const ChartGrids& grids) {
   return Star(c, grids).take();
 }
@@ -114,8 +140,11 @@ std::vector<ChartSetting> chart_settings(const Case& c, const ChartGrids& grids)
 Case with_setting(const Case& c, const ChartSetting& setting) {
   Case changed = c;
   changed.model.tier = setting.tier;
-  if (setting.family == ChartFamily::automatic) {
+  if (setting.tolerance > 0.0) {
     changed.model.tolerance = setting.tolerance;
+    if (changed.cycle) changed.cycle->step.reset();
+  }
+  if (setting.family == ChartFamily::automatic) {
     changed.model.grid_given = false;
     return with_rivals(std::move(changed));
   }
@@ -142,6 +171,8 @@ const char* to_string(ChartFamily family) {
       return "cavitation";
     case ChartFamily::elastic:
       return "elastic";
+    case ChartFamily::steps:
+      return "steps";
     case ChartFamily::automatic:
       return "auto";
   }

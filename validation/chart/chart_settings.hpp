@@ -9,7 +9,7 @@
 namespace shellback::validation {
 
 /// What a point varies; the rest is as in the default.
-enum class ChartFamily { grid, nodes, layers, mean, tier, cavitation, elastic, automatic };
+enum class ChartFamily { grid, nodes, layers, mean, tier, cavitation, elastic, steps, automatic };
 
 struct ChartSetting {
   ChartFamily family = ChartFamily::grid;
@@ -18,7 +18,7 @@ struct ChartSetting {
   std::array<int, 2> grid{200, 25};
   int film_nodes = 5;
   bearing::Methods methods;
-  double tolerance = 0.0;  ///< of ChartFamily::automatic [-]
+  double tolerance = 0.0;  ///< of tier `auto`, or of a cycle's steps in time; 0: the case's [-]
 };
 
 /// The grids of a chart.
@@ -30,8 +30,12 @@ struct ChartGrids {
   std::array<std::array<int, 2>, 3> reference{{{200, 25}, {400, 50}, {800, 100}}};
 };
 [[nodiscard]] ChartGrids quick_grids();
+/// The same for load cycles, of which each instant is a solve.
+[[nodiscard]] ChartGrids cycle_grids();
+[[nodiscard]] ChartGrids quick_cycle_grids();
 
-/// The settings that make sense for the case, whose own tier is the richest.
+/// The settings that make sense for the case, whose own tier is the richest. Methods to compare
+/// with know no time: a load cycle is charted over grids, steps, nodes and tiers.
 [[nodiscard]] std::vector<ChartSetting> chart_settings(const bearing::Case& c,
                                                        const ChartGrids& grids);
 

@@ -143,15 +143,17 @@ void Picture::legend() {
             "Each scene drives one number from harmless (left) to where a steady film ends; "
             "the value reached stands in the cell.",
             {theme_.muted, 12.0});
-  double x = kMargin;
+  Point at{kMargin, 62.0};
   for (const Look& look : kLooks) {
     if (look.what == StressClass::not_run) continue;
-    svg_.rect({x, 62.0, 16.0, 14.0}, look.colour);
-    svg_.frame({x, 62.0, 16.0, 14.0}, {theme_.muted, 0.5, ""});
-    svg_.text({x + 8.0, 73.0}, look.sign, {look.ink, 11.0, Anchor::middle, true});
     const std::string words = to_string(look.what);
-    svg_.text({x + 21.0, 73.5}, words, {theme_.ink, 12.0});
-    x += 36.0 + 6.3 * static_cast<double>(words.size());
+    const double room = 36.0 + 6.3 * static_cast<double>(words.size());
+    if (at.x + room > width()) at = {kMargin, at.y + 18.0};
+    svg_.rect({at.x, at.y, 16.0, 14.0}, look.colour);
+    svg_.frame({at.x, at.y, 16.0, 14.0}, {theme_.muted, 0.5, ""});
+    svg_.text({at.x + 8.0, at.y + 11.0}, look.sign, {look.ink, 11.0, Anchor::middle, true});
+    svg_.text({at.x + 21.0, at.y + 11.5}, words, {theme_.ink, 12.0});
+    at.x += room;
   }
 }
 

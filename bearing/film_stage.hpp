@@ -3,7 +3,8 @@
 #include <array>
 #include <numbers>
 
-#include "bearing/film_step.hpp"
+#include "bearing/equilibrium.hpp"
+#include "bearing/heat_in_time.hpp"
 
 namespace shellback::bearing {
 
@@ -33,18 +34,13 @@ inline Tableau sdirk2() {
   return {2, false, {g, 1.0, 0.0}, {{{g, 0.0, 0.0}, {1.0 - g, g, 0.0}, {}}}, {1.0, 0.0, 0.0}};
 }
 
-/// Of a step that begins at `now`.
-inline Tableau method_at(const FilmInTime& now) {
-  return now.oil_slope.empty() ? sdirk2() : tr_bdf2();
-}
-
 /// to + f k
 inline void add(double f, const Field& k, Field& to) {
   for (std::size_t c = 0; c < to.size(); ++c) to[c] += f * k[c];
 }
 
 /// Slopes of one stage.
-struct FilmSteps::Stage {
+struct FilmStage {
   Field oil;                             ///< [kg/(m2 s)]
   std::array<double, 2> velocity{};      ///< [m/s]
   std::array<double, 2> acceleration{};  ///< [m/s2]

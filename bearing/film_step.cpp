@@ -1,7 +1,8 @@
+#include "bearing/film_step.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/film_stage.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
 #include "core/contract.hpp"
@@ -87,8 +88,8 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   return now;
 }
 
-Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<Stage>& stages,
-                               const FilmInTime& now, FilmEquilibrium& film, Stage& found,
+Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& stages,
+                               const FilmInTime& now, FilmEquilibrium& film, FilmStage& found,
                                EquilibriumCost& cost, const std::atomic<bool>* stop) {
   const Tableau by = method_at(now);
   const double own = by.a[i][i] * dt;
@@ -213,7 +214,7 @@ std::vector<char> away_from_fronts(const FilmGrid& g, const std::vector<char>& f
 }  // namespace
 
 double FilmSteps::error_of(const FilmInTime& now, const FilmEquilibrium& end,
-                           const std::vector<Stage>& stages, double dt) const {
+                           const std::vector<FilmStage>& stages, double dt) const {
   const Tableau by = method_at(now);
   constexpr double kLoaded = 0.01;  // of the largest specific load of the course: counts as loaded
   const FilmGrid& g = model_.scene.grid;
@@ -250,7 +251,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   vessels_begun_ = now.vessels;
   if (drillings_.any()) drillings_.take(model_, now.film);
   step.line = vessels_.set_lines(now.t + 0.5 * dt, vessels_begun_);
-  std::vector<Stage> stages(by.stages);
+  std::vector<FilmStage> stages(by.stages);
   FilmEquilibrium film = now.film;
   if (by.explicit_first) {
     stages[0] = {now.oil_slope, now.velocity, now.acceleration, now.flows, {}, 0.0, {}, now.layer};
@@ -290,8 +291,8 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     step.layer_loss += f * stages[i].layer.loss;
     for (int k = 0; k < 2; ++k) step.impulse[k] += f * stages[i].force[k];
   }
-  if (heat_) end_heat(dt, now, stages, step);
-  Stage& last = stages.back();
+  if (heat_) end_heat(dt, now, film, stages, step);
+  FilmStage& last = stages.back();
   step.after.t = now.t + dt;
   step.after.full_before = now.film.film.full;
   step.after.thermal_deformation = now.thermal_deformation;
@@ -302,7 +303,6 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.after.oil_slope = std::move(last.oil);
   step.after.flows = std::move(last.flows);
   step.after.layer = std::move(last.layer);  // stiffly accurate: the last stage is the end
-  if (heat_) step.heat.work += work_of_growth(now, step.after);
   return step;
 }
 

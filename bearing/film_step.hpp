@@ -17,6 +17,7 @@
 /// Alexander's SDIRK2); methods 4.
 #include "bearing/drillings.hpp"
 #include "bearing/equilibrium.hpp"
+#include "bearing/film_stage.hpp"
 #include "bearing/heat_in_time.hpp"
 #include "bearing/load_cycle.hpp"
 #include "bearing/vessels.hpp"
@@ -50,6 +51,11 @@ struct FilmInTime {
   std::vector<double> vessels;           ///< E of each vessel as carried (vessels.hpp) [kg]
   LayerInTime layer;                     ///< of an elasto-plastic layer
 };
+
+/// Of the step that begins there.
+[[nodiscard]] inline Tableau method_at(const FilmInTime& now) {
+  return now.oil_slope.empty() ? sdirk2() : tr_bdf2();
+}
 
 /// What a step found.
 struct FilmStep {
@@ -111,21 +117,21 @@ class FilmSteps {
   void members(Tape& tape, double period, double shortest);
 
  private:
-  struct Stage;
   /// Solves stage i; `stages` holds those before.
-  [[nodiscard]] Verdict solve_stage(int i, double dt, const std::vector<Stage>& stages,
-                                    const FilmInTime& now, FilmEquilibrium& film, Stage& found,
+  [[nodiscard]] Verdict solve_stage(int i, double dt, const std::vector<FilmStage>& stages,
+                                    const FilmInTime& now, FilmEquilibrium& film, FilmStage& found,
                                     EquilibriumCost& cost, const std::atomic<bool>* stop);
   /// Temperatures of the film and growth of the walls in stage i, carried on in a straight line
   /// from the stages and steps before.
-  void expect_temperatures(int i, double dt, const std::vector<Stage>& stages,
+  void expect_temperatures(int i, double dt, const std::vector<FilmStage>& stages,
                            const FilmInTime& now, FilmEquilibrium& film);
   /// Heat in stage i, whose film is solved.
-  [[nodiscard]] Verdict solve_heat(int i, double dt, const std::vector<Stage>& stages,
+  [[nodiscard]] Verdict solve_heat(int i, double dt, const std::vector<FilmStage>& stages,
                                    const FilmInTime& now, const FilmEquilibrium& film,
-                                   Stage& found) const;
-  /// Heat at the end of the step, and what flowed in it.
-  void end_heat(double dt, const FilmInTime& now, std::vector<Stage>& stages, FilmStep& step) const;
+                                   FilmStage& found) const;
+  /// Heat at the end of the step, whose film is `film`, and what flowed in it.
+  void end_heat(double dt, const FilmInTime& now, const FilmEquilibrium& film,
+                std::vector<FilmStage>& stages, FilmStep& step) const;
   /// The film of stage i and what its vessels hold.
   [[nodiscard]] Verdict solve_film(double own, const std::vector<double>& vessels_star,
                                    FilmEquilibrium& film, EquilibriumCost& cost,
@@ -135,12 +141,14 @@ class FilmSteps {
   /// The film carried on along its trend for `ahead` [s].
   void carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& film) const;
   [[nodiscard]] double error_of(const FilmInTime& now, const FilmEquilibrium& end,
-                                const std::vector<Stage>& stages, double dt) const;
+                                const std::vector<FilmStage>& stages, double dt) const;
 
   /// The thermal widening of the gap at time t [s] with these skins.
   [[nodiscard]] Field widening_at(double t, const std::vector<double>& skin) const;
-  /// Work of walls that grow on oil and asperities, whole bearing [J].
-  [[nodiscard]] double work_of_growth(const FilmInTime& now, const FilmInTime& after) const;
+  /// Work of walls that grow on oil and asperities from `now` to `film` at time t with the skins
+  /// `skin`, whole bearing [J].
+  [[nodiscard]] double work_of_growth(const FilmInTime& now, double t, const FilmEquilibrium& film,
+                                      const std::vector<double>& skin) const;
   /// True if these walls leave the journal a place.
   [[nodiscard]] bool leave_room(const WallMeans& walls, const FilmInTime& now) const;
 

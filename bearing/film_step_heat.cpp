@@ -1,7 +1,7 @@
 /// Heat of one step in time: temperatures of film and skin, growth of the walls.
 #include <algorithm>
 
-#include "bearing/film_stage.hpp"
+#include "bearing/film_step.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -30,7 +30,7 @@ std::vector<double> carried_on(const Tableau& by, int i, double dt,
 
 }  // namespace
 
-void FilmSteps::expect_temperatures(int i, double dt, const std::vector<Stage>& stages,
+void FilmSteps::expect_temperatures(int i, double dt, const std::vector<FilmStage>& stages,
                                     const FilmInTime& now, FilmEquilibrium& film) {
   const Tableau by = method_at(now);
   const HeatStage* before = i > (by.explicit_first ? 1 : 0) ? &stages[i - 1].heat : nullptr;
@@ -94,9 +94,9 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
   return true;
 }
 
-Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<Stage>& stages,
+Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<FilmStage>& stages,
                               const FilmInTime& now, const FilmEquilibrium& film,
-                              Stage& found) const {
+                              FilmStage& found) const {
   const Tableau by = method_at(now);
   const double own = by.a[i][i] * dt;
   std::vector<double> held = now.heat.held;
@@ -116,8 +116,8 @@ Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<Stage>& stages
           found.heat.possible ? ending::Plain::film_unsettled : ending::Plain::film_impossible};
 }
 
-void FilmSteps::end_heat(double dt, const FilmInTime& now, std::vector<Stage>& stages,
-                         FilmStep& step) const {
+void FilmSteps::end_heat(double dt, const FilmInTime& now, const FilmEquilibrium& film,
+                         std::vector<FilmStage>& stages, FilmStep& step) const {
   const Tableau by = method_at(now);
   HeatStage& last = stages.back().heat;
   HeatInTime& heat = step.after.heat;
@@ -136,16 +136,18 @@ void FilmSteps::end_heat(double dt, const FilmInTime& now, std::vector<Stage>& s
   heat.held_slope = std::move(last.held_slope);
   heat.skin_slope = std::move(last.skin_slope);
   heat.flows = std::move(last.flows);
+  step.heat.work += work_of_growth(now, now.t + dt, film, heat.skin);
 }
 
-double FilmSteps::work_of_growth(const FilmInTime& now, const FilmInTime& after) const {
+double FilmSteps::work_of_growth(const FilmInTime& now, double t, const FilmEquilibrium& film,
+                                 const std::vector<double>& skin) const {
   const FilmGrid& g = model_.scene.grid;
   const Field before = widening_at(now.t, now.heat.skin);
-  const Field behind = widening_at(after.t, after.heat.skin);
+  const Field behind = widening_at(t, skin);
   double work = 0.0;
   for (std::size_t c = 0; c < behind.size(); ++c) {
     const auto pressure = [c](const FilmEquilibrium& f) { return f.film.p[c] + f.p_contact[c]; };
-    const double mean = 0.5 * (pressure(now.film) + pressure(after.film));
+    const double mean = 0.5 * (pressure(now.film) + pressure(film));
     const int cell = static_cast<int>(c);
     work += mean * (before[c] - behind[c]) * g.area(cell / g.nz, cell % g.nz);
   }

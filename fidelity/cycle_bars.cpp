@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/grid_sequence.hpp"
 
@@ -47,6 +48,9 @@ void put_grid_bars(const std::vector<CycleResult>& coarse_to_fine, CycleResult& 
     values.push_back({size(r.grid), q.quantity.value, 0.0});
     const GridBar bar = grid_bar(values, size(r.grid));
     q.quantity.error_grid = bar.bar;
+    if (q.quantity.name == "h_min") {
+      q.quantity.error_grid += edge_error(r.fields.grid, r.fields.h_min);
+    }
     q.quantity.order = bar.order;
   }
 }

@@ -19,6 +19,12 @@ double next_change(const GridValue& f3, const GridValue& f2, const GridValue& f1
   return onward(1.0 / f3.h, 1.0 / f2.h, 1.0 / f1.h, p);
 }
 
+/// Whether three values move on in one direction with steps that fall slower than with kSlowOrder.
+bool moves_on(const GridValue& f3, const GridValue& f2, const GridValue& f1) {
+  const double before = f3.value - f2.value, last = f2.value - f1.value;
+  return last / before > next_change(f3, f2, f1, kSlowOrder);
+}
+
 }  // namespace
 
 double onward(double m, double n, double end, double p) {
@@ -33,7 +39,7 @@ double observed_order(const std::vector<GridValue>& v) {
   const double before = f3.value - f2.value, last = f2.value - f1.value;
   if (last == 0.0) return kMostOrder;
   const auto short_of = [&](double p) { return next_change(f3, f2, f1, p) - last / before; };
-  if (!(last / before >= 0.0) || short_of(0.5 * kLeastOrder) < 0.0) return NAN;
+  if (!(last / before >= 0.0) || moves_on(f3, f2, f1)) return NAN;
   if (short_of(kLeastOrder) <= 0.0) return kLeastOrder;
   if (short_of(kMostOrder) >= 0.0) return kMostOrder;
   return bracketed_root(short_of, kLeastOrder, kMostOrder, 1e-9);
@@ -43,12 +49,14 @@ GridBar grid_bar(const std::vector<GridValue>& v, double h) {
   if (v.size() < 2) return {NAN, NAN};
   const GridValue &f2 = v[v.size() - 2], &f1 = v[v.size() - 1];
   double d = std::abs(f2.value - f1.value);
+  double least = kLeastOrder;
   if (v.size() > 2) {
     const GridValue& f3 = v[v.size() - 3];
     d = std::max(d, std::abs(f3.value - f2.value) * next_change(f3, f2, f1, kMostOrder));
+    if (moves_on(f3, f2, f1)) least = kSlowOrder;
   }
   const double observed = observed_order(v);
-  const double p = std::isfinite(observed) ? observed : kLeastOrder;
+  const double p = std::isfinite(observed) ? observed : least;
   const double rest = d * onward(1.0 / f2.h, 1.0 / f1.h, INFINITY, p);
   return {safety(h) * rest * std::pow(h / f1.h, p) + f1.noise, observed};
 }

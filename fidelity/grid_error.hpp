@@ -49,6 +49,9 @@ struct GridBar {
 /// bars short while 94 % hold (table in docs/decisions/011).
 inline constexpr double kLeastOrder = 1.0;
 inline constexpr double kMostOrder = 1.75;
+/// Values that move on in one direction slower than with this order have no limit in sight: they
+/// get no order, and the bar of this one.
+inline constexpr double kSlowOrder = 0.5;
 
 /// Order p in [kLeastOrder, kMostOrder] of three values, coarsest first; NaN if they do not
 /// approach a limit (oscillating, or moving away).

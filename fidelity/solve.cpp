@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
 
 namespace shellback::fidelity {
@@ -45,6 +46,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     const GridBar bar = grid_bar(values, cell_size(record.grid));
     const double nodes = std::abs(value_in(record.node_change, q.name));
     q.error_grid = bar.bar + (std::isfinite(nodes) ? nodes : 0.0);
+    if (q.name == "h_min") q.error_grid += record.edge;
     q.order = bar.order;
     judged.emplace_back(&q, size);
     if (std::isfinite(q.error_grid / size)) relative.push_back(q.error_grid / size);
@@ -113,6 +115,7 @@ BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control
   own.model.input.model.tier = tier;
   BarRecord record;
   record.grid = own.model.input.model.grid;
+  record.edge = edge_error(own.model.scene.grid, own.film.gap.cell, own.film.least);
   GridSequence sequence = grid_sequence(own, control, kept);
   record.coarse = std::move(sequence.coarse);
   record.levels = std::move(sequence.levels);

@@ -13,6 +13,7 @@ struct BarRecord {
   /// Change of each quantity by two more nodes across the film, on the coarse grid.
   std::vector<bearing::Quantity> node_change;
   std::vector<bearing::LevelRecord> levels;  ///< grids used, from the coarsest on
+  double edge = 0.0;                         ///< of the smallest film, edge_error.hpp [m]
   ModelError model;
   double wall_s = 0.0;
 };

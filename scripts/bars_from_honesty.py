@@ -18,7 +18,7 @@ def onward(m, n, end, p):
     return (error(n) - error(end)) / (error(m) - error(n))
 
 
-def grid_bar(s, least, most, safety, iteration, memory):
+def grid_bar(s, least, most, safety, iteration, memory, slow):
     """fidelity/grid_error.hpp (2) to (4)."""
     v = [(h, number(f)) for h, f in zip(s["cell_sizes"], s["levels"]) if math.isfinite(number(f))]
     if len(v) < 2:
@@ -34,22 +34,25 @@ def grid_bar(s, least, most, safety, iteration, memory):
             d = max(d, abs(before) * nxt(most))
         if last == 0.0:
             p = most
-        elif before != 0.0 and 0.0 <= last / before <= nxt(0.5 * least):
+        elif before != 0.0 and 0.0 <= last / before <= nxt(0.5):
             low, high = least, most
             for _ in range(40):
                 p = 0.5 * (low + high)
                 low, high = (p, high) if nxt(p) > last / before else (low, p)
+        elif before != 0.0 and last / before > nxt(0.5):
+            p = slow
     F = safety * math.sqrt(max(1.0, own * math.sqrt(5000.0)))
     bar = F * d * onward(1 / h2, 1 / h1, math.inf, p) * (own / h1) ** p + iteration * number(s["size"])
     nodes = abs(number(s["node_change"]))
     return bar + (nodes if math.isfinite(nodes) else 0.0)
 
 
-def judge(samples, label, least=1.0, most=1.75, safety=1.5, iteration=1e-4, memory=True, model=1.75, share=0.2):
+def judge(samples, label, least=1.0, most=1.75, safety=1.5, iteration=1e-4, memory=True, model=1.75, share=0.2,
+          slow=0.5):
     grid, limit, total = [], [], []
     bars, results = [], {}
     for s in samples:
-        bar = math.nan if s["given"] else grid_bar(s, least, most, safety, iteration, memory)
+        bar = math.nan if s["given"] else grid_bar(s, least, most, safety, iteration, memory, slow)
         bars.append(bar)
         if math.isfinite(bar) and number(s["size"]) > 0.0:
             results.setdefault((s["case"], s["tier"], tuple(s["grid"])), []).append(bar / s["size"])
@@ -88,4 +91,6 @@ for x in (1.5, 2.0):
     judge(samples, f"most order {x}", most=x)
 for x in (0.0, 1e-3):
     judge(samples, f"iteration {x}", iteration=x)
+for x in (0.25, 0.35, 1.0):
+    judge(samples, f"slow order {x}", slow=x)
 judge(samples, "without (3)", memory=False)

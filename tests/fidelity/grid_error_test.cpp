@@ -55,6 +55,17 @@ TEST_CASE("TheBarHoldsTheLimitOfEverySeriesTheSchemeCanHave") {
   }
 }
 
+TEST_CASE("TheBarHoldsTheLimitOfASeriesThatHardlyFalls") {
+  // Slower than half the lowest order: no order is claimed, and the bar is that of kSlowOrder,
+  // whose safety of 1.5 holds orders down to 0.36.
+  for (double p = 0.36; p < 0.5; p += 0.02) {
+    const auto values = series(1.0, 0.3, p);
+    INFO(p);
+    CHECK(std::isnan(observed_order(values)));
+    CHECK(grid_bar(values).bar >= std::abs(values.back().value - 1.0));
+  }
+}
+
 TEST_CASE("TheBarHoldsTheMiddleOfASwing") {
   // Whatever the limit is, a swing that does not grow has its last turn around it.
   const std::vector<GridValue> values{{0.4, 1.0, 0.0}, {0.2, 2.0, 0.0}, {0.1, 1.4, 0.0}};

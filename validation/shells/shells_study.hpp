@@ -6,12 +6,18 @@
 ///      oil temperature: friction power of film and asperities, pressures, heat, temperatures. It
 ///      is torque times speed; what the load spends on squeezing the film is told beside it (with
 ///      it the sum is the cycle's power_loss)
-///   2  parts of the boundary friction coefficient at the paper's operating point (its Table 4)
-///   3  thermal load capability: the highest multiple of the load at each speed at which a periodic
+///   2  the same, isothermal, with what the paper leaves open taken otherwise (shell_variants):
+///   what
+///      the order of the shells hangs on
+///   3  parts of the boundary friction coefficient at the paper's operating point (its Table 4)
+///   4  thermal load capability: the highest multiple of the load at each speed at which a periodic
 ///      state exists, the lining stays below its limit and the film above its own, by bisection of
 ///      the logarithm; what limits it. Between the last two loads the limit stands where what it
 ///      names (smallest film, temperature of the lining) goes through its bound on the straight
 ///      line over ln of the load; the same on two thirds of the cells gives its bar
+///
+/// The axial cells of the cases are graded: asperities of these shells rub at the edges, as the
+/// paper says (its section 4.2), and even cells do not see them.
 ///
 /// The paper's engine is not published: the engine is that of the case big-end. Limits of lining
 /// and film are assumptions told with the result. Points that are not found carry their reason.
@@ -37,9 +43,25 @@ struct ShellKind {
 inline constexpr int kShells = 3;
 [[nodiscard]] const std::array<ShellKind, kShells>& shell_kinds();
 
+/// What the paper does not tell, or not in numbers, taken otherwise than the cases have it.
+struct ShellVariant {
+  const char* name;  ///< as shown
+  /// Of the mouth of a drilling in the pin, ahead of the rod's axis in the direction of rotation
+  /// when film and contact press hardest; not a number: oil comes through the shell [rad]
+  double mouth;
+  double warmer;  ///< oil, above that of the case [K]
+};
+inline constexpr int kVariants = 4;
+/// Section 4.2 of the paper: the mouth of the pin's drilling stands 20 deg beside the rod's axis at
+/// the largest pressure, on a side that is not told.
+[[nodiscard]] const std::array<ShellVariant, kVariants>& shell_variants();
+/// The case with it. Errors: InputError as of judge, from solving it.
+[[nodiscard]] bearing::Case varied(bearing::Case c, const ShellVariant& variant);
+
 struct ShellsPlan {
-  std::array<int, 2> grid{100, 13};  ///< of the cycles
-  std::array<int, 2> coarse{60, 9};  ///< of the capability
+  std::array<int, 2> grid{100, 25};       ///< of the cycles
+  std::array<int, 2> left_open{100, 13};  ///< of the variants
+  std::array<int, 2> coarse{60, 9};       ///< of the capability
   std::vector<double> rpm{1000.0, 2000.0, 3000.0};
   std::array<double, 2> factors{0.25, 4.0};  ///< multiples of the load between which is looked [-]
   int halvings = 5;
@@ -54,6 +76,10 @@ struct ShellCycle {
   double film_power = 0.0;      ///< mean viscous torque on the journal times its speed [W]
   double asperity_power = 0.0;  ///< the same of the asperities [W]
   double load_power = 0.0;      ///< mean work of the load on the moving journal, left out above [W]
+  [[nodiscard]] bool good() const { return tried && result.verdict.good(); }
+  [[nodiscard]] double power() const { return film_power + asperity_power; }  ///< [W]
+  /// Bars of the mean torque (grid and steps) at the mean speed; not a number: not known [W]
+  [[nodiscard]] double power_error() const;
 };
 
 /// A shell at the instant at which film and contact press hardest; means are over the whole bore.
@@ -98,8 +124,9 @@ struct Capability {
 
 struct ShellsStudy {
   ShellsPlan plan;
-  std::array<std::array<ShellCycle, 2>, kShells> cycles;  ///< tehd, isothermal
-  std::array<solid::FrictionParts, kShells> parts;        ///< at the paper's point [-]
+  std::array<std::array<ShellCycle, 2>, kShells> cycles;            ///< tehd, isothermal
+  std::array<std::array<ShellCycle, kShells>, kVariants> variants;  ///< isothermal, without bars
+  std::array<solid::FrictionParts, kShells> parts;                  ///< at the paper's point [-]
   std::vector<Capability> capability;
   int threads = 1;
   double wall_s = 0.0;
@@ -108,6 +135,9 @@ struct ShellsStudy {
   /// Cycles that were tried and not solved.
   [[nodiscard]] int count_failed() const;
 };
+
+/// Bars of grid and steps of the quantity `name` together; not a number: not known.
+[[nodiscard]] double error_of(const bearing::CycleResult& r, const std::string& name);
 
 /// Sets the powers of a cycle from its instants, by trapezia over time.
 void add_powers(ShellCycle& cycle);

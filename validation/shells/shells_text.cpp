@@ -33,7 +33,10 @@ Json cycle_json(const ShellCycle& c) {
     if (std::isfinite(x)) json["at_largest_pressure"][name] = with_unit(x, unit);
   }
   for (const auto& q : c.result.quantities) {
-    json["quantities"][q.quantity.name] = with_unit(q.quantity.value, q.quantity.unit);
+    Json& told = json["quantities"][q.quantity.name];
+    told = with_unit(q.quantity.value, q.quantity.unit);
+    if (std::isfinite(q.quantity.error_grid)) told["error_grid"] = q.quantity.error_grid;
+    if (std::isfinite(q.error_time)) told["error_time"] = q.error_time;
   }
   return json;
 }
@@ -78,6 +81,9 @@ std::string shells_json(const ShellsStudy& study) {
     shell["friction_at_the_papers_point"] = {{"abrasive", p.abrasive},
                                              {"adhesive", p.adhesive},
                                              {"micro_hydrodynamic", p.micro_hydrodynamic}};
+    for (int v = 0; v < kVariants; ++v) {
+      shell["isothermal_with"][shell_variants()[v].name] = cycle_json(study.variants[v][k]);
+    }
     json["shells"].push_back(shell);
   }
   json["capability"] = Json::array();
@@ -86,32 +92,64 @@ std::string shells_json(const ShellsStudy& study) {
   return json.dump(2) + "\n";
 }
 
+namespace {
+
+std::string with_bar(double v, double error, int decimals) {
+  const std::string value = fmt::format("{:.{}f}", v, decimals);
+  return std::isfinite(error) ? fmt::format("{} +-{:.2g}", value, error) : value;
+}
+
+void write_variants(std::ostream& out, const ShellsStudy& study) {
+  out << "\nisothermal, what the paper leaves open taken otherwise: asperities and sum [W], sum "
+         "over "
+         "plain\n";
+  for (int v = 0; v < kVariants; ++v) {
+    out << fmt::format("{:<42}", shell_variants()[v].name);
+    for (int k = 0; k < kShells; ++k) {
+      const ShellCycle& c = study.variants[v][k];
+      const ShellCycle& plain = study.variants[v][0];
+      if (!c.good()) {
+        out << fmt::format("{:>24}", c.tried ? "not found" : "not run");
+        continue;
+      }
+      out << fmt::format("{:>8.1f} {:>7.1f}", c.asperity_power, c.power());
+      out << (k > 0 && plain.good() ? fmt::format("{:>8.3f}", c.power() / plain.power())
+                                    : std::string(8, ' '));
+    }
+    out << '\n';
+  }
+}
+
+}  // namespace
+
 void write_shells_tables(std::ostream& out, const ShellsStudy& study) {
   out << "Shells of a big end, 2000 rpm, full load (substitute engine)\n\n";
-  out << fmt::format("{:<16} {:<11} {:>9} {:>13} {:>9} {:>11} {:>14} {:>10} {:>10}\n", "shell",
+  out << fmt::format("{:<16} {:<11} {:>9} {:>13} {:>15} {:>11} {:>14} {:>16} {:>10}\n", "shell",
                      "tier", "film [W]", "asperity [W]", "sum [W]", "over plain", "squeezing [W]",
                      "h_min [um]", "p [MPa]");
   for (int k = 0; k < kShells; ++k) {
     for (int t = 0; t < 2; ++t) {
       const ShellCycle& c = study.cycles[k][t];
       const char* tier = t == 0 ? "tehd" : "isothermal";
-      if (!c.result.verdict.good() || !c.tried) {
+      if (!c.good()) {
         out << fmt::format("{:<16} {:<11} {}\n", shell_kinds()[k].name, tier,
                            c.tried ? app::reason_of(c.result.verdict) : "not run");
         continue;
       }
       const ShellCycle& plain = study.cycles[0][t];
-      const double sum = c.film_power + c.asperity_power;
       out << fmt::format(
-          "{:<16} {:<11} {:>9.1f} {:>13.1f} {:>9.1f} {:>11.2f} {:>14.1f} {:>10.3f} {:>10.0f}\n",
-          shell_kinds()[k].name, tier, c.film_power, c.asperity_power, sum,
-          sum / (plain.film_power + plain.asperity_power), c.load_power,
-          1e6 * bearing::value_of(c.result, "h_min"), 1e-6 * bearing::value_of(c.result, "p_max"));
+          "{:<16} {:<11} {:>9.1f} {:>13.1f} {:>15} {:>11.2f} {:>14.1f} {:>16} {:>10.0f}\n",
+          shell_kinds()[k].name, tier, c.film_power, c.asperity_power,
+          with_bar(c.power(), c.power_error(), 1), c.power() / plain.power(), c.load_power,
+          with_bar(1e6 * bearing::value_of(c.result, "h_min"), 1e6 * error_of(c.result, "h_min"),
+                   3),
+          1e-6 * bearing::value_of(c.result, "p_max"));
     }
   }
   out << "\nfilm, asperity: torque times speed; squeezing, left out of the sum: work of the load "
          "on "
          "the moving pin\n";
+  write_variants(out, study);
   out << fmt::format("\n{:<16} {:>9} {:>7} {:>14} {:>18} {:>18} {:>14} {:>8}\n", "hardest, tehd",
                      "at [deg]", "[MPa]", "film tau [kPa]", "asperity tau [kPa]",
                      "friction [kW/m2]", "heat [kW/m2]", "T [degC]");

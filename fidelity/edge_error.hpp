@@ -1,0 +1,30 @@
+#pragma once
+/// What the smallest film at a side edge may still fall by between the last cells and the edge.
+///
+/// The gap on a side edge is the rigid one and the displacement, continued by the straight line
+/// through the last two cells (fluid/gap.hpp). Beside a sharp edge that is pressed, elastic
+/// surfaces fall off as h = h_edge + A s^a, s being the distance from the edge; a = 1/2 beside a
+/// flat rigid punch (textbook), nearer to 1 where the pressure ends softly. With the middles s1 <
+/// s2 < s3 of the last three cells and their gaps
+///   (h3 - h2)/(h2 - h1) = (s3^a - s2^a)/(s2^a - s1^a),   1/2 <= a <= 1,                      (1)
+///   A = (h2 - h1)/(s2^a - s1^a),
+///   left = A s1^a - (h2 - h1) s1/(s2 - s1)                                                  (2)
+/// is what the straight line leaves. It is zero for a = 1, for gaps that open towards the edge, and
+/// where the smallest film stands elsewhere. Grids of one family leave it in all their differences:
+/// it comes on top of the bar of those (decision 040).
+#include "fluid/gap.hpp"
+
+namespace shellback::fidelity {
+
+/// (2) [m]: `h` gap of all cells [m], `least` the smallest film.
+[[nodiscard]] double edge_error(const FilmGrid& grid, const Field& h,
+                                const fluid::SmallestGap& least);
+
+/// The same for the smallest gap of each place over a load cycle: full-width, from where its line
+/// through the last two cells is least on an edge, if no cell has less.
+[[nodiscard]] double edge_error(const FilmGrid& grid, const Field& h);
+
+/// (2) of three gaps at distances s from the edge, nearest first.
+[[nodiscard]] double left_of_edge(const std::array<double, 3>& s, const std::array<double, 3>& h);
+
+}  // namespace shellback::fidelity

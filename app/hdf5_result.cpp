@@ -3,6 +3,7 @@
 #include <functional>
 #include <numeric>
 
+#include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "core/contract.hpp"
@@ -58,7 +59,10 @@ void field(hid_t parent, const char* name, const std::vector<double>& values, co
 void write_notes(hid_t file, const Result& result) {
   using bearing::LimiterCount;
   const Handle limiters = group(file, "limiters");
-  texts(limiters, "what", column<std::string>(result.limiters, &LimiterCount::what), "limiter");
+  texts(
+      limiters, "what",
+      column<std::string>(result.limiters, [](const LimiterCount& l) { return words_of(l.what); }),
+      "limiter");
   doubles(limiters, "count", column<double>(result.limiters, &LimiterCount::count), "-",
           "how often it acted");
   const Handle notes = group(file, "notes");

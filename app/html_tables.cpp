@@ -11,6 +11,7 @@
 #include "app/quantity_label.hpp"
 #include "app/svg.hpp"
 #include "app/tolerance_words.hpp"
+#include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 
@@ -202,8 +203,8 @@ std::string effects_html(const Comparison& comparison) {
       "<th class=\"unit\">meaning</th></tr></thead><tbody>\n";
   for (const auto& e : comparison.results.back().effects) {
     html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n",
-                        escape_markup(e.name), e.included ? "yes" : "no", figures(e.indicator, 3),
-                        escape_markup(e.meaning));
+                        escape_markup(name_of(e.kind)), e.included ? "yes" : "no",
+                        figures(e.indicator, 3), escape_markup(meaning_of(e)));
   }
   return html + "</tbody></table></div>\n";
 }
@@ -218,7 +219,7 @@ std::string notes_html(const Comparison& comparison) {
     for (const auto& line : words_of(r.warnings)) add_once(warnings, line);
     for (const auto& line : words_of(r.assumptions)) add_once(assumptions, line);
     for (const auto& l : r.limiters) {
-      limiters.push_back(fmt::format("{}: {}, {} times", names[k], l.what, l.count));
+      limiters.push_back(fmt::format("{}: {}, {} times", names[k], words_of(l.what), l.count));
     }
   }
   const std::string lists = list_html("Warnings", warnings) +

@@ -4,6 +4,7 @@
 
 #include "app/case_json.hpp"
 #include "app/provenance.hpp"
+#include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 
@@ -37,7 +38,7 @@ Json cost_json(const bearing::Cost& k) {
 
 Json limiters_json(const std::vector<bearing::LimiterCount>& limiters) {
   Json all = Json::array();
-  for (const auto& l : limiters) all.push_back({{"what", l.what}, {"count", l.count}});
+  for (const auto& l : limiters) all.push_back({{"what", words_of(l.what)}, {"count", l.count}});
   return all;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/command_words.hpp"
 #include "app/quantity_label.hpp"
+#include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 
 namespace shellback::app {
@@ -40,7 +41,7 @@ void print_limiters(std::ostream& out, const std::vector<Result>& results) {
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < results.size(); ++k) {
     for (const auto& l : results[k].limiters) {
-      lines.push_back(fmt::format("{}: {}, {} times", names[k], l.what, l.count));
+      lines.push_back(fmt::format("{}: {}, {} times", names[k], words_of(l.what), l.count));
     }
   }
   print_list(out, "limiters that acted", lines);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/hdf5_result.hpp"
+#include "app/words/effect_words.hpp"
 
 namespace shellback::app {
 
@@ -92,12 +93,14 @@ void write_history(hid_t file, const Result& result) {
 void write_effects(hid_t file, const Result& result) {
   using bearing::Effect;
   const Handle effects = group(file, "effects");
-  texts(effects, "name", column<std::string>(result.effects, &Effect::name), "effect");
+  texts(effects, "name",
+        column<std::string>(result.effects, [](const Effect& e) { return name_of(e.kind); }),
+        "effect");
   doubles(effects, "included", column<double>(result.effects, &Effect::included), "-",
           "1: part of the model, 0: left out");
   doubles(effects, "indicator", column<double>(result.effects, &Effect::indicator), "-",
           "indicator number of the effect");
-  texts(effects, "meaning", column<std::string>(result.effects, &Effect::meaning),
+  texts(effects, "meaning", column<std::string>(result.effects, meaning_of),
         "what the indicator is");
 }
 

@@ -9,6 +9,7 @@
 #include "app/quantity_label.hpp"
 #include "app/sweep_columns.hpp"
 #include "app/tolerance_words.hpp"
+#include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "fidelity/tolerance.hpp"
@@ -88,12 +89,12 @@ Json coefficients(const bearing::Coefficients& k) {
 Json effects(const bearing::Result& result) {
   Json all = Json::array();
   for (const auto& e : result.effects) {
-    all.push_back({{"name", e.name},
+    all.push_back({{"name", name_of(e.kind)},
                    {"included", e.included},
                    {"indicator", number(e.indicator)},
                    {"change_in_friction", number(e.change_in_friction)},
                    {"change_in_h_min", number(e.change_in_h_min)},
-                   {"meaning", e.meaning}});
+                   {"meaning", meaning_of(e)}});
   }
   return all;
 }

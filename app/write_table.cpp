@@ -11,6 +11,7 @@
 #include "app/table_parts.hpp"
 #include "app/text_table.hpp"
 #include "app/tolerance_words.hpp"
+#include "app/words/effect_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_coefficients.hpp"
 
@@ -25,10 +26,12 @@ void print_effects(std::ostream& out, const Result& result) {
   if (result.effects.empty()) return;
   out << "\neffects\n";
   std::size_t width = 0;
-  for (const auto& e : result.effects) width = std::max(width, e.name.size());
   for (const auto& e : result.effects) {
-    out << fmt::format("  {:<{}}  {:<3}  {:>8}  {}\n", e.name, width, e.included ? "in" : "out",
-                       figures(e.indicator, 3), e.meaning);
+    width = std::max(width, std::string_view(name_of(e.kind)).size());
+  }
+  for (const auto& e : result.effects) {
+    out << fmt::format("  {:<{}}  {:<3}  {:>8}  {}\n", name_of(e.kind), width,
+                       e.included ? "in" : "out", figures(e.indicator, 3), meaning_of(e));
   }
 }
 
@@ -47,8 +50,8 @@ void print_choice(std::ostream& out, const Result& result) {
   TextTable table;
   table.add({"  effect", "", "indicator", "friction torque", "smallest film"});
   for (const auto& e : result.effects) {
-    table.add({"  " + e.name, e.included ? "in" : "out", figures(e.indicator, 3),
-               change(e.change_in_friction), change(e.change_in_h_min)});
+    table.add({std::string("  ") + name_of(e.kind), e.included ? "in" : "out",
+               figures(e.indicator, 3), change(e.change_in_friction), change(e.change_in_h_min)});
   }
   table.print(out);
   out << "  Changes by the effect alone, on the coarsest grid, temperatures held.\n";

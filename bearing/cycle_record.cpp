@@ -426,7 +426,7 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   const double T_film =
       film_->heat() ? area_mean(g, film_->heat()->walls.shell) : equivalent_temperature(m.input);
   add_turbulence(m, course_->largest_speed() * m.input.bearing.radius, T_film, r.warnings);
-  for (LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(std::move(l));
+  for (const LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(l);
 }
 
 double CycleRecord::shaft_swing() const {
@@ -463,10 +463,7 @@ void CycleRecord::write_heat(CycleResult& r) const {
     return mirror_to_full(g, x);
   };
   r.walls = film_->heat()->walls;
-  r.assumptions.push_back(
-      fmt::format("the shaft's surface is at its mean over the cycle: as it turns, and over the "
-                  "cycle, it would swing by about {:.2g} K",
-                  shaft_swing()));
+  r.assumptions.push_back(note::ShaftSwing{shaft_swing()});
   r.fields.T_shell = mean_over_time(T_shell_);
   r.fields.heat_to_shell = mean_over_time(heat_.to_shell);
   r.fields.T_shell_max = mirror_to_full(g, T_shell_max_);

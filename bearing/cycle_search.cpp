@@ -56,17 +56,6 @@ EquilibriumOptions film_options(double error) {
   return o;
 }
 
-constexpr const char* kFromSteady = "the event begins in the steady state of its first row";
-constexpr const char* kFromContact =
-    "the event begins at rest: asperities carry the load of its first row alone, the film nothing";
-constexpr const char* kFromRest =
-    "the event begins with the journal at rest in the middle of a full film: no steady state of "
-    "its first row was found";
-constexpr const char* kColdWalls =
-    "walls and film begin at the equivalent temperature, without heat: no steady state of the "
-    "event's first row was found";
-constexpr const char* kOverLong = "steps in time that err by more than they may";
-
 /// Heat that a steady film gives its shell [W/m2].
 Field steady_flux(const Solution& s) {
   const FilmGrid& g = s.model.scene.grid;
@@ -271,7 +260,7 @@ bool CycleSearch::pass() {
   r_.steps = end.accepted;
   r_.rejected_steps = end.rejected;
   r_.limiters.clear();
-  if (end.over > 0) r_.limiters.push_back({kOverLong, end.over});
+  if (end.over > 0) r_.limiters.push_back({Limiter::steps_too_long, end.over});
   told_ = std::move(passed.record);
   if (!r_.verdict.good()) r_.verdict = at_instant(r_.verdict, told_.told(), c_.cycle->crank_speed);
   return r_.verdict.good();
@@ -409,8 +398,10 @@ CycleResult CycleSearch::result() const {
   r.audit.walls = wall_change_;
   if (!c_.cycle->repeats()) {
     const bool still = course_.at(0.0).omega == 0.0;
-    r.assumptions.push_back(from_rest_ ? kFromRest : still ? kFromContact : kFromSteady);
-    if (from_rest_ && walls_) r.assumptions.push_back(kColdWalls);
+    r.assumptions.push_back(from_rest_ ? note::Plain::event_in_the_middle
+                            : still    ? note::Plain::event_at_rest
+                                       : note::Plain::event_from_steady);
+    if (from_rest_ && walls_) r.assumptions.push_back(note::Plain::event_without_heat);
   }
   r.tier = tier_;
   r.closure = closure_.last;

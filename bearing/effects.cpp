@@ -52,39 +52,23 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
   const Probe p = probe(s);
   const double U = m.scene.speed;
   const double k = rheology::conductivity(m.oil, p.T, 0.0).k;
-  std::vector<Effect> out;
-  out.push_back({"heating", has.film_energy, p.beta * temperature_rise(s, f, p),
-                 "beta dT of the oil flow; below 0.02 none, above 0.3 resolve it"});
-  out.push_back({"temperature across the film", has.film_energy, p.beta * p.eta * U * U / k,
-                 "Nahme number; below 0.05 none, above 0.2 resolve it"});
-  if (has.elastic) {
-    const double opening = largest(s.film.elastic);
-    out.push_back({"elastic deformation", true, opening / p.h_min,
-                   "largest opening over smallest film; below 0.03 none, above 0.1 model it"});
-  } else {
-    out.push_back({"elastic deformation", false, NAN, "not computed in this tier"});
-  }
-  if (has.thermal_deformation) {
-    out.push_back({"thermal deformation", true,
-                   largest_magnitude(s.heat.thermal_deformation) / m.clearance,
-                   "largest thermal change of the gap over clearance; above 0.05 model it"});
-  } else {
-    out.push_back({"thermal deformation", false, NAN, "not computed in this tier"});
-  }
   const double alpha = rheology::pressure_slope(m.input.oil, p.T, 0.0);
-  out.push_back({"viscosity with pressure", has.pressure_dependence, alpha * p.p_max,
-                 "alpha p_max; below 0.05 none, above 0.1 model it, above 10 use Roelands"});
-  out.push_back({"shear thinning", has.shear_thinning, p.slope,
-                 "loss of viscosity at the smallest film; below 0.02 none, above 0.05 model it"});
   const double sigma =
       std::hypot(m.input.surfaces.shell.roughness, m.input.surfaces.shaft.roughness);
-  out.push_back({"roughness and contact", has.contact || has.flow_factors,
-                 sigma > 0.0 ? s.film.least.h / sigma : INFINITY,
-                 "smallest film over roughness; above 6 none, below 4 model it"});
   const note::NotLaminar film = reynolds_number(m, U, p.T);
-  out.push_back({"turbulence and Taylor vortices", false, film.reynolds / film.limit,
-                 "Reynolds number over 41.2 sqrt(R/c); above 1 the laminar film is left"});
-  return out;
+  return {
+      {EffectKind::heating, has.film_energy, p.beta * temperature_rise(s, f, p)},
+      {EffectKind::temperature_across_film, has.film_energy, p.beta * p.eta * U * U / k},
+      {EffectKind::elastic_deformation, has.elastic,
+       has.elastic ? largest(s.film.elastic) / p.h_min : NAN},
+      {EffectKind::thermal_deformation, has.thermal_deformation,
+       has.thermal_deformation ? largest_magnitude(s.heat.thermal_deformation) / m.clearance : NAN},
+      {EffectKind::viscosity_with_pressure, has.pressure_dependence, alpha * p.p_max},
+      {EffectKind::shear_thinning, has.shear_thinning, p.slope},
+      {EffectKind::roughness_and_contact, has.contact || has.flow_factors,
+       sigma > 0.0 ? s.film.least.h / sigma : INFINITY},
+      {EffectKind::turbulence, false, film.reynolds / film.limit},
+  };
 }
 
 }  // namespace shellback::bearing

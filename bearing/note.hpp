@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bearing/case.hpp"
+#include "bearing/effect_kind.hpp"
 #include "core/outcome.hpp"
 
 namespace shellback::bearing {
@@ -16,6 +17,71 @@ namespace note {
 enum class Plain {
   orientation_beyond_table,  ///< of the roughness, for the tabulated flow factors
   pressure_beyond_law,       ///< of the oil
+  rigid_layer,               ///< elasto-plastic, under surfaces taken as rigid
+  edge_oil_as_supply,        ///< oil that comes in again at a side edge
+  // Where an event of a load cycle begins.
+  event_from_steady,       ///< state of its first row
+  event_at_rest,           ///< asperities carrying the load of its first row
+  event_in_the_middle,     ///< of a full film: no steady state of its first row
+  event_without_heat,      ///< walls and film at the equivalent temperature, for the same reason
+  estimate_in_the_middle,  ///< as event_in_the_middle, by mobility
+  // Of error bars.
+  bars_interrupted,
+  bars_unknown,        ///< no other grid gave a solution
+  cycle_bars_unknown,  ///< no coarser grid carries the cycle
+  nodes_not_judged,    ///< more nodes across the film gave no solution
+  nothing_richer,      ///< than this physics
+  walls_not_judged,    ///< no data of shell and shaft
+  // Of tier estimate.
+  estimate_of_cycle,
+  estimate_vessel_open,
+  estimate_drilling,
+};
+
+/// Error bars made with a finer grid, no coarser one having given a solution.
+struct BarsFromFinerGrid {
+  std::array<int, 2> grid{0, 0};
+};
+
+/// Richer physics that gave no solution on the coarse grid: no bars of the physics left out.
+struct RicherNotFound {
+  std::vector<EffectKind> effects;
+};
+
+/// Effects that cannot be judged for want of data of shell and shaft.
+struct EffectsNotJudged {
+  std::vector<EffectKind> effects;
+};
+
+/// Scalars of a finer grid than the fields, by tier `auto`.
+struct ScalarsOfFinerGrid {
+  std::array<int, 2> scalars{0, 0};
+  std::array<int, 2> fields{0, 0};
+  std::vector<std::string> solved;  ///< on the way
+};
+
+/// The tolerance of tier `auto` is not met: what the bars leave, and why.
+struct ToleranceNotMet {
+  enum class Why { no_walls, grid_given, grid_limit, cycle_grid };
+  double tolerance = 0.0;  ///< [-]
+  double friction = 0.0;   ///< [-]
+  double h_min = 0.0;      ///< [-]
+  Why why = Why::grid_limit;
+};
+
+/// The shaft's surface is at its mean over the cycle.
+struct ShaftSwing {
+  double T = 0.0;  ///< by which it would swing [K]
+};
+
+/// Tier estimate of a steady bearing.
+struct EstimateOfFilm {
+  std::string regime;
+};
+
+/// Tier estimate leaves the journal's mass out.
+struct EstimateWithoutMass {
+  double mass = 0.0;  ///< [kg]
 };
 
 /// The film is colder at one place than everything around it.
@@ -116,10 +182,12 @@ struct TierTaken {
 
 }  // namespace note
 
-using Note = std::variant<std::string, note::Plain, note::ColdSpot, note::NoCoefficients,
-                          note::CavitatedDamping, note::OtherRoots, note::FactorsContinued,
-                          note::BeyondOilRange, note::BeyondContactLaw, note::HeldAtHardness,
-                          note::EdgeNotResolved, note::NotLaminar, note::VesselEmpty,
-                          note::MouthWidened, note::NothingRicher, note::TierTaken>;
+using Note = std::variant<
+    std::string, note::Plain, note::ColdSpot, note::NoCoefficients, note::CavitatedDamping,
+    note::OtherRoots, note::FactorsContinued, note::BeyondOilRange, note::BeyondContactLaw,
+    note::HeldAtHardness, note::EdgeNotResolved, note::NotLaminar, note::VesselEmpty,
+    note::MouthWidened, note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid,
+    note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet,
+    note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -8,6 +8,7 @@
 
 #include "bearing/case.hpp"
 #include "bearing/coefficients.hpp"
+#include "bearing/effect_kind.hpp"
 #include "bearing/note.hpp"
 #include "bearing/quantities.hpp"
 #include "core/grid.hpp"
@@ -30,10 +31,9 @@ struct Audit {
 };
 
 struct Effect {
-  std::string name;
+  EffectKind kind = EffectKind::heating;
   bool included = false;
-  double indicator = 0.0;  ///< the indicator number of the effect [-]
-  std::string meaning;     ///< what the number is, and from which value on it matters
+  double indicator = 0.0;  ///< the indicator number of the effect; NaN: not computed [-]
   /// Relative change of friction torque and smallest film by the effect; NaN: not estimated [-].
   double change_in_friction = std::numeric_limits<double>::quiet_NaN();
   double change_in_h_min = std::numeric_limits<double>::quiet_NaN();
@@ -67,7 +67,7 @@ struct HeatRoot {
 
 /// A limiter that acted: what, how often, where last.
 struct LimiterCount {
-  std::string what;
+  Limiter what = Limiter::rejected_steps;
   long count = 0;
 };
 

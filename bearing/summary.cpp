@@ -254,7 +254,7 @@ Result summarize(const Solution& s, Tier tier) {
   r.audit = audit_of(s, f);
   r.effects = effects_of(s, f);
   if (m.physics.film_energy && fluid::oil_flows(m.scene, s.film.flow).side_inflow > 0.0) {
-    r.assumptions.push_back("oil that comes in again at a side edge is as warm as the supply");
+    r.assumptions.push_back(note::Plain::edge_oil_as_supply);
   }
   r.limiters = limiters_of(s);
   r.coefficients = s.coefficients;

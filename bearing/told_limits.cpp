@@ -55,13 +55,13 @@ std::vector<Note> warnings_of(const Solution& s) {
 
 std::vector<LimiterCount> limiters_of(const Solution& s) {
   std::vector<LimiterCount> out;
-  const auto add = [&](const std::string& what, long count) {
+  const auto add = [&](Limiter what, long count) {
     if (count > 0) out.push_back({what, count});
   };
-  add("Newton steps taken back", s.cost.rejected_steps);
-  add("film nodes with flow against the rotation", s.heat.backflow_nodes);
-  add("film columns with upwind fluxes across the film", s.heat.blended_columns);
-  for (LimiterCount& l : contact_limiters(s.model, s.film.gap.cell)) out.push_back(std::move(l));
+  add(Limiter::rejected_steps, s.cost.rejected_steps);
+  add(Limiter::backflow_nodes, s.heat.backflow_nodes);
+  add(Limiter::upwind_columns, s.heat.blended_columns);
+  for (const LimiterCount& l : contact_limiters(s.model, s.film.gap.cell)) out.push_back(l);
   return out;
 }
 

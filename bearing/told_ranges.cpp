@@ -102,20 +102,18 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   add_contact(m, reach, out);
   add_edge(reach, out);
   if (!m.physics.elastic && pressed_layer(m.input, 0)) {
-    out.emplace_back(
-        "the surfaces are rigid (model.elastic_deformation, or the tier): the elasto-plastic layer "
-        "does not yield");
+    out.emplace_back(note::Plain::rigid_layer);
   }
   return out;
 }
 
 std::vector<LimiterCount> contact_limiters(const BearingModel& m, const Field& h) {
   std::vector<LimiterCount> out;
-  const auto add = [&](const char* what, long count) {
+  const auto add = [&](Limiter what, long count) {
     if (count > 0) out.push_back({what, count});
   };
-  add("cells whose contact pressure is held at the hardness", cells_that_flow(summit_flow(m, h)));
-  add("cells pressed beyond the range of the contact law", cells_beyond_law(m, h));
+  add(Limiter::held_at_hardness, cells_that_flow(summit_flow(m, h)));
+  add(Limiter::beyond_contact_law, cells_beyond_law(m, h));
   return out;
 }
 

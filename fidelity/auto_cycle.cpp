@@ -204,18 +204,13 @@ class Search {
     r.assumptions.push_back(
         note::TierTaken{r.tier, r.grid, left_out_.friction, left_out_.h_min, unjudged_, solved_});
     if (!knows_its_walls(case_)) {
-      r.assumptions.emplace_back(
-          "the case has no data of shell and shaft: what their heat and deformation change is in "
-          "no "
-          "bar");
+      r.assumptions.emplace_back(note::Plain::walls_not_judged);
     }
     if (!unjudged_.empty()) {
       r.warnings.push_back(unjudged_.front());
     } else if (r.verdict.good() && !r.choice->met) {
-      r.warnings.push_back(fmt::format(
-          "the tolerance of {:.2g} % is not met: the mean friction torque is known within {:.2g} "
-          "%, the smallest film within {:.2g} %; a finer model.grid or another tolerance",
-          100.0 * case_.model.tolerance, 100.0 * known.friction, 100.0 * known.h_min));
+      r.warnings.push_back(note::ToleranceNotMet{case_.model.tolerance, known.friction, known.h_min,
+                                                 note::ToleranceNotMet::Why::cycle_grid});
     }
     return r;
   }

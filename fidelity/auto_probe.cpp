@@ -28,7 +28,7 @@ Bars changes(const Solution& s, const Held& held, const std::atomic<bool>* stop,
 
 /// True if the indicator number itself says that the effect is not there.
 bool absent(const Effect& e) {
-  return e.name == "roughness and contact" ? std::isinf(e.indicator) : e.indicator == 0.0;
+  return e.kind == EffectKind::roughness_and_contact ? std::isinf(e.indicator) : e.indicator == 0.0;
 }
 
 }  // namespace
@@ -68,14 +68,14 @@ EffectChoice choose_effects(const Solution& probe, double tolerance, const std::
   EffectChoice out{bearing::summarize(probe, c.model.tier).effects, c.model.switches};
   for (Effect& e : out.effects) {
     if (!e.included) continue;
-    const Held held{without(e.name, probe.model.physics), e.name != "heating"};
+    const Held held{without(e.kind, probe.model.physics), e.kind != EffectKind::heating};
     const Bars off = absent(e) ? Bars{0.0, 0.0} : changes(probe, held, stop, cost);
     if (!std::isfinite(off.friction)) continue;  // the film does not stand without it
     e.change_in_friction = -off.friction;
     e.change_in_h_min = -off.h_min;
     const Bars size{std::abs(off.friction), std::abs(off.h_min)};
     if (!size.within(kNegligible * tolerance)) continue;
-    if (!switch_off(e.name, c.model.switches, out.switches)) continue;
+    if (!switch_off(e.kind, c.model.switches, out.switches)) continue;
     e.included = false;
     out.left_out.friction += kModelSafety * size.friction;
     out.left_out.h_min += kModelSafety * size.h_min;

@@ -228,11 +228,7 @@ class Search {
       if (torque) q.error_model = model_bars().friction * std::abs(q.value);
       if (q.name == "h_min") q.error_model = model_bars().h_min * std::abs(q.value);
     }
-    r.assumptions.push_back(fmt::format(
-        "scalars are those of {} x {} cells, {} what auto solved: {}; fields, history and audit "
-        "are those of {} x {} cells",
-        kFineGrid[0], kFineGrid[1], r.grid == kFineGrid ? "the last of" : "extrapolated from",
-        fmt::join(solved_, ", "), r.grid[0], r.grid[1]));
+    r.assumptions.push_back(note::ScalarsOfFinerGrid{kFineGrid, r.grid, solved_});
     return chosen(std::move(r), bars());
   }
 
@@ -245,19 +241,15 @@ class Search {
     r.choice =
         AutoChoice{tolerance(), bars.within(tolerance()), bars.friction, bars.h_min, solved_};
     if (!nodes_.known) {
-      r.warnings.emplace_back(
-          "more nodes across the film gave no solution on the coarse grid: what they would change "
-          "is in no bar");
+      r.warnings.emplace_back(note::Plain::nodes_not_judged);
     }
     if (r.choice->met) return r;
     const bool heat = heat_.friction + heat_.h_min > 0.5 * tolerance();
-    r.warnings.push_back(fmt::format(
-        "the tolerance of {:.2g} % is not met: the friction torque is known within {:.2g} %, the "
-        "smallest film within {:.2g} %; {}",
-        100.0 * tolerance(), 100.0 * bars.friction, 100.0 * bars.h_min,
-        heat ? "the case has no data of shell and shaft, so that the heat is only known in lumps"
-        : case_.model.grid_given ? "the grid is given in the case"
-                                 : "model.grid = [400, 50] or finer is solved as it is"));
+    using Why = note::ToleranceNotMet::Why;
+    r.warnings.push_back(note::ToleranceNotMet{tolerance(), bars.friction, bars.h_min,
+                                               heat                     ? Why::no_walls
+                                               : case_.model.grid_given ? Why::grid_given
+                                                                        : Why::grid_limit});
     return r;
   }
 

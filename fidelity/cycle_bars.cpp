@@ -84,9 +84,8 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   if (coarse.empty() || stopped(control)) {
-    r.warnings.push_back(stopped(control) ? "stopped by the user before the bars were found"
-                                          : "no coarser grid carries this cycle: the bars are "
-                                            "not known");
+    r.warnings.push_back(stopped(control) ? note::Plain::bars_interrupted
+                                          : note::Plain::cycle_bars_unknown);
     r.cost.bars_s = so_far();
     return r;
   }

@@ -53,22 +53,14 @@ Indicators indicators(const Case& c, const Estimate& e) {
   const double taylor = 41.2 * std::sqrt(c.bearing.radius / gap);
   const Physics has = physics_of(c, Tier::isothermal);
   n.effects = {
-      {"heating", false, n.heating,
-       "beta dT of the oil flow; below 0.02 none, above 0.3 resolve it"},
-      {"temperature across the film", false, nahme,
-       "Nahme number; below 0.05 none, above 0.2 resolve it"},
-      {"elastic deformation", false, n.elastic,
-       "opening of a ring over smallest film; below 0.03 none, above 0.1 model it"},
-      {"thermal deformation", false, n.thermal,
-       "growth of the clearance over clearance; above 0.05 model it"},
-      {"viscosity with pressure", has.pressure_dependence, n.pressure,
-       "alpha p_max; below 0.05 none, above 0.1 model it, above 10 use Roelands"},
-      {"shear thinning", has.shear_thinning, lost,
-       "loss of viscosity at the smallest film; below 0.02 none, above 0.05 model it"},
-      {"roughness and contact", has.contact, e.lambda,
-       "smallest film over roughness; above 6 none, below 4 model it"},
-      {"turbulence and Taylor vortices", false, reynolds / taylor,
-       "Reynolds number over 41.2 sqrt(R/c); above 1 the laminar film is left"},
+      {EffectKind::heating, false, n.heating},
+      {EffectKind::temperature_across_film, false, nahme},
+      {EffectKind::elastic_deformation, false, n.elastic},
+      {EffectKind::thermal_deformation, false, n.thermal},
+      {EffectKind::viscosity_with_pressure, has.pressure_dependence, n.pressure},
+      {EffectKind::shear_thinning, has.shear_thinning, lost},
+      {EffectKind::roughness_and_contact, has.contact, e.lambda},
+      {EffectKind::turbulence, false, reynolds / taylor},
   };
   return n;
 }

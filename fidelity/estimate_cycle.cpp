@@ -155,27 +155,19 @@ void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>
 void tell_what_is_left_out(const Case& c, const JournalPath& path, CycleResult& r) {
   r.warnings.assign(c.warnings.begin(), c.warnings.end());
   r.assumptions.assign(c.assumptions.begin(), c.assumptions.end());
-  r.assumptions.emplace_back(
-      "estimate: rigid circular bearing whose film is full wherever it closes (Booker's mobility, "
-      "table of the finite bearing), one temperature from the heat of a mean cycle in lumps");
+  r.assumptions.emplace_back(note::Plain::estimate_of_cycle);
   if (c.cycle->journal_mass > 0.0) {
-    r.assumptions.push_back(fmt::format("estimate: the journal's mass of {:.3g} kg is left out",
-                                        c.cycle->journal_mass));
+    r.assumptions.push_back(note::EstimateWithoutMass{c.cycle->journal_mass});
   }
   const bool shut = std::any_of(c.supplies.begin(), c.supplies.end(),
                                 [](const Supply& s) { return s.vessel.has_value(); });
   const bool drilled = std::any_of(c.supplies.begin(), c.supplies.end(),
                                    [](const Supply& s) { return s.kind == SupplyKind::drilling; });
-  if (shut) r.assumptions.emplace_back("estimate: supplies with a vessel are taken as always open");
-  if (drilled) {
-    r.assumptions.emplace_back(
-        "estimate: a drilling feeds the flow out of the edges; the film does not feel its mouth");
-  }
+  if (shut) r.assumptions.emplace_back(note::Plain::estimate_vessel_open);
+  if (drilled) r.assumptions.emplace_back(note::Plain::estimate_drilling);
   if (c.cycle->repeats()) return;
-  r.assumptions.emplace_back(path.began_steady()
-                                 ? "the event begins in the steady state of its first row"
-                                 : "the event begins with the journal in the middle of a full "
-                                   "film: no steady place under its first row was found");
+  r.assumptions.emplace_back(path.began_steady() ? note::Plain::event_from_steady
+                                                 : note::Plain::estimate_in_the_middle);
 }
 
 }  // namespace

@@ -51,10 +51,7 @@ Result estimate_result(const Case& c) {
   r.title = c.title;
   r.warnings.assign(c.warnings.begin(), c.warnings.end());
   r.assumptions.assign(c.assumptions.begin(), c.assumptions.end());
-  r.assumptions.push_back(
-      "estimate: rigid circular bearing fed at the widest gap, one temperature from a heat balance "
-      "in lumps; regime " +
-      std::string(to_string(e.regime)));
+  r.assumptions.push_back(note::EstimateOfFilm{to_string(e.regime)});
   r.audit = {NAN, NAN, NAN, NAN};  // there is no field whose balance could be drawn
   if (!e.balanced) {
     r.verdict = {Status::no_steady_state, ending::Plain::estimate_unbalanced};

@@ -8,11 +8,10 @@
 namespace shellback::fidelity {
 namespace {
 
+constexpr double kSafety = 1.5;  // on 200 x 25 cells and finer [-]
+
 /// F of (4).
-double safety(double h) {
-  constexpr double kSafety = 1.5;  // on 200 x 25 cells and finer [-]
-  return kSafety * std::sqrt(std::max(1.0, h * std::sqrt(200.0 * 25.0)));
-}
+double safety(double h) { return kSafety * std::sqrt(std::max(1.0, h * std::sqrt(200.0 * 25.0))); }
 
 /// Part of the change between the two coarser of three grids that the next change is.
 double next_change(const GridValue& f3, const GridValue& f2, const GridValue& f1, double p) {
@@ -20,7 +19,10 @@ double next_change(const GridValue& f3, const GridValue& f2, const GridValue& f1
 }
 
 /// Whether three values move on in one direction with steps that fall slower than with kSlowOrder.
+/// Grids that are nearer to each other than halved ones cannot tell that from chance.
 bool moves_on(const GridValue& f3, const GridValue& f2, const GridValue& f1) {
+  constexpr double kHalved = 1.7;  // of cell sizes: between 2 and the 1.4 of grid_sequence.cpp [-]
+  if (f2.h < kHalved * f1.h || f3.h < kHalved * f2.h) return false;
   const double before = f3.value - f2.value, last = f2.value - f1.value;
   return last / before > next_change(f3, f2, f1, kSlowOrder);
 }
@@ -39,7 +41,7 @@ double observed_order(const std::vector<GridValue>& v) {
   const double before = f3.value - f2.value, last = f2.value - f1.value;
   if (last == 0.0) return kMostOrder;
   const auto short_of = [&](double p) { return next_change(f3, f2, f1, p) - last / before; };
-  if (!(last / before >= 0.0) || moves_on(f3, f2, f1)) return NAN;
+  if (!(last / before >= 0.0) || short_of(kSlowOrder) < 0.0) return NAN;
   if (short_of(kLeastOrder) <= 0.0) return kLeastOrder;
   if (short_of(kMostOrder) >= 0.0) return kMostOrder;
   return bracketed_root(short_of, kLeastOrder, kMostOrder, 1e-9);
@@ -49,16 +51,18 @@ GridBar grid_bar(const std::vector<GridValue>& v, double h) {
   if (v.size() < 2) return {NAN, NAN};
   const GridValue &f2 = v[v.size() - 2], &f1 = v[v.size() - 1];
   double d = std::abs(f2.value - f1.value);
-  double least = kLeastOrder;
+  const auto rest = [&](double p) {
+    return d * onward(1.0 / f2.h, 1.0 / f1.h, INFINITY, p) * std::pow(h / f1.h, p);
+  };
+  double slow = 0.0;
   if (v.size() > 2) {
     const GridValue& f3 = v[v.size() - 3];
     d = std::max(d, std::abs(f3.value - f2.value) * next_change(f3, f2, f1, kMostOrder));
-    if (moves_on(f3, f2, f1)) least = kSlowOrder;
+    if (moves_on(f3, f2, f1)) slow = kSafety * rest(kSlowOrder);
   }
   const double observed = observed_order(v);
-  const double p = std::isfinite(observed) ? observed : least;
-  const double rest = d * onward(1.0 / f2.h, 1.0 / f1.h, INFINITY, p);
-  return {safety(h) * rest * std::pow(h / f1.h, p) + f1.noise, observed};
+  const double p = std::isfinite(observed) ? observed : kLeastOrder;
+  return {std::max(safety(h) * rest(p), slow) + f1.noise, observed};
 }
 
 GridLimit film_limit(double whole, double film, int cells, int film_cells) {

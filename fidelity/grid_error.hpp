@@ -12,9 +12,12 @@
 ///   bar = F(h1) d onward(n2, n1, infinity, p) + noise,                                    (2)
 ///   d = max(|f2 - f1|, |f3 - f2| onward(n3, n2, n1, q)),   q the highest order            (3)
 ///   F(h) = 1.5 sqrt(max(1, h/h_200x25))                                                   (4)
-/// (3): two values that happen to agree are no proof of a limit; the change before tells what is
-/// left at best. (4): coarse sequences are further from (1). Orders and F were set on random
-/// bearings, docs/decisions/011. Source: methods 7.1, 5 (GCI with three grids); (3), (4) our own.
+/// Values that move on in one direction slower than with order 1/2 on grids that are halved show no
+/// limit; their bar is, if longer, 1.5 d onward(n2, n1, infinity, 1/2): F does not come on top,
+/// which stands for the same. (3): two values that happen to agree are no proof of a limit; the
+/// change before tells what is left at best. (4): coarse sequences are further from (1). Orders and
+/// F were set on random bearings, docs/decisions/011. Source: methods 7.1, 5 (GCI with three
+/// grids); (3), (4) our own.
 ///
 /// One direction after the other (tier `auto`): around the bearing the film alone needs fine cells;
 /// temperatures and deformation are smooth around, but steep towards the edges. So each full

@@ -29,31 +29,31 @@ const std::vector<EffectRule>& effect_rules() {
   using P = Physics;
   using S = Switches;
   static const std::vector<EffectRule> rules{
-      {"temperature across the film", {{&P::film_energy, nullptr, knows_its_walls}}},
-      {"thermal deformation",
+      {EffectKind::temperature_across_film, {{&P::film_energy, nullptr, knows_its_walls}}},
+      {EffectKind::thermal_deformation,
        {{&P::thermal_deformation, &S::thermal_deformation, knows_its_walls}}},
-      {"elastic deformation", {{&P::elastic, &S::elastic_deformation, has_shell}}},
-      {"viscosity with pressure",
+      {EffectKind::elastic_deformation, {{&P::elastic, &S::elastic_deformation, has_shell}}},
+      {EffectKind::viscosity_with_pressure,
        {{&P::pressure_dependence, &S::pressure_dependence, is_piezoviscous}}},
-      {"shear thinning", {{&P::shear_thinning, &S::shear_thinning, is_thinning}}},
-      {"roughness and contact",
+      {EffectKind::shear_thinning, {{&P::shear_thinning, &S::shear_thinning, is_thinning}}},
+      {EffectKind::roughness_and_contact,
        {{&P::flow_factors, &S::flow_factors, is_rough},
         {&P::contact, &S::asperity_contact, has_contact}}},
   };
   return rules;
 }
 
-Physics without(const std::string& effect, Physics physics) {
+Physics without(EffectKind effect, Physics physics) {
   for (const EffectRule& rule : effect_rules()) {
-    if (rule.name != effect) continue;
+    if (rule.effect != effect) continue;
     for (const EffectRule::Part& part : rule.parts) physics.*part.has = false;
   }
   return physics;
 }
 
-bool switch_off(const std::string& effect, const Switches& given, Switches& switches) {
+bool switch_off(EffectKind effect, const Switches& given, Switches& switches) {
   for (const EffectRule& rule : effect_rules()) {
-    if (rule.name != effect) continue;
+    if (rule.effect != effect) continue;
     for (const EffectRule::Part& part : rule.parts) {
       if (part.wish == nullptr || given.*part.wish) return false;
     }
@@ -78,7 +78,7 @@ std::vector<PhysicsStep> richer_physics(const Case& c, Tier tier) {
   std::vector<PhysicsStep> steps;
   if (tier == Tier::isothermal) {
     input.model.tier = Tier::lumped;
-    steps.push_back({"heating", input});
+    steps.push_back({EffectKind::heating, input});
   }
   for (const EffectRule& rule : effect_rules()) {
     bool added = false;
@@ -91,19 +91,19 @@ std::vector<PhysicsStep> richer_physics(const Case& c, Tier tier) {
         input.model.tier = Tier::thd;
       }
     }
-    if (added) steps.push_back({rule.name, input});
+    if (added) steps.push_back({rule.effect, input});
   }
   return steps;
 }
 
-std::vector<std::string> unknown_effects(const Case& c) {
-  std::vector<std::string> names;
+std::vector<EffectKind> unknown_effects(const Case& c) {
+  std::vector<EffectKind> effects;
   for (const EffectRule& rule : effect_rules()) {
     const auto data = rule.parts.front().data;
     const bool of_solids = data == knows_its_walls || data == has_shell;
-    if (of_solids && !data(c)) names.push_back(rule.name);
+    if (of_solids && !data(c)) effects.push_back(rule.effect);
   }
-  return names;
+  return effects;
 }
 
 ModelError model_error(const Solution& coarse, const SolveControl& control) {

@@ -22,7 +22,7 @@ struct EffectRule {
     std::optional<bool> bearing::Switches::*wish;  ///< null: a matter of the tier
     bool (*data)(const bearing::Case&);            ///< the case has what it needs
   };
-  std::string name;  ///< as in bearing/effects
+  bearing::EffectKind effect;
   std::vector<Part> parts;
 };
 
@@ -30,11 +30,11 @@ struct EffectRule {
 /// from tier isothermal to lumped.
 [[nodiscard]] const std::vector<EffectRule>& effect_rules();
 
-/// The same physics without the effect of that name.
-[[nodiscard]] bearing::Physics without(const std::string& effect, bearing::Physics physics);
+/// The same physics without the effect.
+[[nodiscard]] bearing::Physics without(bearing::EffectKind effect, bearing::Physics physics);
 
 /// Switches an effect off where `given` leaves it open. False: it cannot be left out.
-[[nodiscard]] bool switch_off(const std::string& effect, const bearing::Switches& given,
+[[nodiscard]] bool switch_off(bearing::EffectKind effect, const bearing::Switches& given,
                               bearing::Switches& switches);
 
 /// True if the case has what the heat in shell and shaft needs: both, and a way out for the heat.
@@ -42,7 +42,7 @@ struct EffectRule {
 
 /// One more effect than the step before.
 struct PhysicsStep {
-  std::string effect;
+  bearing::EffectKind effect;
   bearing::Case input;  ///< the case with tier and switches set for it
 };
 
@@ -51,11 +51,11 @@ struct PhysicsStep {
 [[nodiscard]] std::vector<PhysicsStep> richer_physics(const bearing::Case& c, bearing::Tier tier);
 
 /// Effects that nothing can be said about, since the case lacks data of shell or shaft.
-[[nodiscard]] std::vector<std::string> unknown_effects(const bearing::Case& c);
+[[nodiscard]] std::vector<bearing::EffectKind> unknown_effects(const bearing::Case& c);
 
 /// What one effect changes on the coarse grid, relative [-]; NaN: not known.
 struct EffectChange {
-  std::string effect;
+  bearing::EffectKind effect;
   double friction = 0.0;
   double h_min = 0.0;
 };
@@ -63,15 +63,15 @@ struct EffectChange {
 struct ModelError {
   /// Change of each quantity from the tier to the full physics, on the coarse grid.
   std::vector<bearing::Quantity> change;
-  std::vector<EffectChange> effects;  ///< of the effects left out
-  std::vector<std::string> unknown;   ///< effects for which the case has no data
-  std::vector<std::string> failed;    ///< effects whose coarse solve gave nothing
-  bool complete = false;              ///< the full physics was reached (and `change` is filled)
-  bool richest = false;               ///< the tier is the full physics already
+  std::vector<EffectChange> effects;         ///< of the effects left out
+  std::vector<bearing::EffectKind> unknown;  ///< effects for which the case has no data
+  std::vector<bearing::EffectKind> failed;   ///< effects whose coarse solve gave nothing
+  bool complete = false;  ///< the full physics was reached (and `change` is filled)
+  bool richest = false;   ///< the tier is the full physics already
 };
 
-/// From the coarse solution, in the tier that its case names, to the full physics of the case. All its searches
-/// together cost no more than one on the coarse grid may (`bearing::price_of_search`).
+/// From the coarse solution, in the tier that its case names, to the full physics of the case. All
+/// its searches together cost no more than one on the coarse grid may (`bearing::price_of_search`).
 [[nodiscard]] ModelError model_error(const bearing::Solution& coarse,
                                      const bearing::SolveControl& control);
 

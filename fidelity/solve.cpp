@@ -1,8 +1,5 @@
 #include "fidelity/solve.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -76,34 +73,19 @@ double model_change(const BarRecord& record, const std::vector<Quantity>& coarse
   return one_sign(q) && size > 0.0 ? std::max(change, change / size * std::abs(q.value)) : change;
 }
 
-void put_words(const BarRecord& record, Result& result) {
+void put_notes(const BarRecord& record, Result& result) {
   const ModelError& m = record.model;
   if (!record.coarse) {
-    result.warnings.push_back(
-        "neither a coarser grid nor a finer one gave a solution: the error bars are unknown");
+    result.warnings.emplace_back(note::Plain::bars_unknown);
     return;
   }
-  if (record.levels.back().grid != record.grid) {
-    const auto [nt, nz] = record.levels.back().grid;
-    result.assumptions.push_back(fmt::format(
-        "no coarser grid gave a solution: the error bars are made with a finer one, {} x {} cells",
-        nt, nz));
-  }
+  const Grid& used = record.levels.back().grid;
+  if (used != record.grid) result.assumptions.emplace_back(note::BarsFromFinerGrid{used});
   if (!m.failed.empty() && !m.complete) {
-    result.warnings.push_back(fmt::format(
-        "the richer physics ({}) gave no solution on the coarse grid: the model bars are unknown",
-        fmt::join(m.failed, ", ")));
+    result.warnings.emplace_back(note::RicherNotFound{m.failed});
   }
-  if (m.richest && m.unknown.empty()) {
-    result.assumptions.push_back(
-        "nothing richer than this physics is there to judge it by: no model bars");
-  }
-  if (!m.unknown.empty()) {
-    result.assumptions.push_back(
-        fmt::format("the case has no data (shell, shaft) to judge what is left out by leaving out "
-                    "{}; the error bars do not hold it",
-                    fmt::join(m.unknown, ", ")));
-  }
+  if (m.richest && m.unknown.empty()) result.assumptions.emplace_back(note::Plain::nothing_richer);
+  if (!m.unknown.empty()) result.assumptions.emplace_back(note::EffectsNotJudged{m.unknown});
 }
 
 }  // namespace
@@ -139,12 +121,12 @@ void put_bars(const BarRecord& record, Result& result) {
   }
   for (Effect& e : result.effects) {
     for (const EffectChange& change : record.model.effects) {
-      if (change.effect != e.name) continue;
+      if (change.effect != e.kind) continue;
       e.change_in_friction = change.friction;
       e.change_in_h_min = change.h_min;
     }
   }
-  put_words(record, result);
+  put_notes(record, result);
 }
 
 Result summarize(const Solution& s, Tier tier, const SolveControl& control, WantedBars bars,
@@ -153,7 +135,7 @@ Result summarize(const Solution& s, Tier tier, const SolveControl& control, Want
   if (!s.verdict.good()) return result;
   const BarRecord record = measure_bars(s, tier, control, bars, kept);
   if (stopped(control)) {
-    result.warnings.push_back("interrupted before the error bars were known");
+    result.warnings.emplace_back(note::Plain::bars_interrupted);
   } else {
     put_bars(record, result);
   }

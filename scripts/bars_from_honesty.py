@@ -25,7 +25,7 @@ def grid_bar(s, least, most, safety, iteration, memory, slow):
         return math.nan
     own = 1.0 / math.sqrt(s["grid"][0] * s["grid"][1])
     (h2, f2), (h1, f1) = v[-2], v[-1]
-    d, p = abs(f2 - f1), least
+    d, p, moves_on = abs(f2 - f1), least, False
     if len(v) > 2:
         h3, f3 = v[-3]
         nxt = lambda q: onward(1 / h3, 1 / h2, 1 / h1, q)
@@ -39,10 +39,11 @@ def grid_bar(s, least, most, safety, iteration, memory, slow):
             for _ in range(40):
                 p = 0.5 * (low + high)
                 low, high = (p, high) if nxt(p) > last / before else (low, p)
-        elif before != 0.0 and last / before > nxt(0.5):
-            p = slow
+        elif before != 0.0 and last / before > nxt(0.5) and min(h2 / h1, h3 / h2) >= 1.7:
+            moves_on = True
     F = safety * math.sqrt(max(1.0, own * math.sqrt(5000.0)))
-    bar = F * d * onward(1 / h2, 1 / h1, math.inf, p) * (own / h1) ** p + iteration * number(s["size"])
+    rest = lambda q: d * onward(1 / h2, 1 / h1, math.inf, q) * (own / h1) ** q
+    bar = max(F * rest(p), safety * rest(slow) if moves_on else 0.0) + iteration * number(s["size"])
     nodes = abs(number(s["node_change"]))
     return bar + (nodes if math.isfinite(nodes) else 0.0)
 

@@ -10,6 +10,7 @@
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
+#include "app/words/effect_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_running_in.hpp"
 #include "core/contract.hpp"
@@ -57,7 +58,7 @@ void print_cycle(const CycleResult& cycle, int cycles) {
   fmt::print("\n");
   std::vector<std::string> told = words_of(cycle.warnings);
   for (const LimiterCount& l : cycle.limiters) {
-    told.push_back(fmt::format("{}, {} times", l.what, l.count));
+    told.push_back(fmt::format("{}, {} times", words_of(l.what), l.count));
   }
   for (const std::string& line : told) fmt::print("  - {}\n", line);
 }

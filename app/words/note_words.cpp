@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/temperature_words.hpp"
 
@@ -24,10 +25,128 @@ std::string not_found(const note::NothingRicher& n) {
 std::string told(const std::string& words) { return words; }
 
 std::string told(note::Plain n) {
-  return n == note::Plain::orientation_beyond_table
-             ? "a roughness orientation lies outside the range 1/9 to 9 of the tabulated flow "
-               "factors: the end of the table is used"
-             : "film pressures leave the range in which the oil's pressure law is known";
+  using note::Plain;
+  switch (n) {
+    case Plain::orientation_beyond_table:
+      return "a roughness orientation lies outside the range 1/9 to 9 of the tabulated flow "
+             "factors: the end of the table is used";
+    case Plain::pressure_beyond_law:
+      return "film pressures leave the range in which the oil's pressure law is known";
+    case Plain::rigid_layer:
+      return "the surfaces are rigid (model.elastic_deformation, or the tier): the elasto-plastic "
+             "layer does not yield";
+    case Plain::edge_oil_as_supply:
+      return "oil that comes in again at a side edge is as warm as the supply";
+    case Plain::event_from_steady:
+      return "the event begins in the steady state of its first row";
+    case Plain::event_at_rest:
+      return "the event begins at rest: asperities carry the load of its first row alone, the film "
+             "nothing";
+    case Plain::event_in_the_middle:
+      return "the event begins with the journal at rest in the middle of a full film: no steady "
+             "state of its first row was found";
+    case Plain::event_without_heat:
+      return "walls and film begin at the equivalent temperature, without heat: no steady state of "
+             "the event's first row was found";
+    case Plain::estimate_in_the_middle:
+      return "the event begins with the journal in the middle of a full film: no steady place "
+             "under its first row was found";
+    case Plain::bars_interrupted:
+      return "interrupted before the error bars were known";
+    case Plain::bars_unknown:
+      return "neither a coarser grid nor a finer one gave a solution: the error bars are unknown";
+    case Plain::cycle_bars_unknown:
+      return "no coarser grid carries this cycle: the bars are not known";
+    case Plain::nodes_not_judged:
+      return "more nodes across the film gave no solution on the coarse grid: what they would "
+             "change is in no bar";
+    case Plain::nothing_richer:
+      return "nothing richer than this physics is there to judge it by: no model bars";
+    case Plain::walls_not_judged:
+      return "the case has no data of shell and shaft: what their heat and deformation change is "
+             "in no bar";
+    case Plain::estimate_of_cycle:
+      return "estimate: rigid circular bearing whose film is full wherever it closes (Booker's "
+             "mobility, table of the finite bearing), one temperature from the heat of a mean "
+             "cycle in lumps";
+    case Plain::estimate_vessel_open:
+      return "estimate: supplies with a vessel are taken as always open";
+    case Plain::estimate_drilling:
+      break;
+  }
+  return "estimate: a drilling feeds the flow out of the edges; the film does not feel its mouth";
+}
+
+std::string listed(const std::vector<EffectKind>& effects) {
+  std::vector<std::string> names;
+  for (const EffectKind effect : effects) names.emplace_back(name_of(effect));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string told(const note::BarsFromFinerGrid& n) {
+  return fmt::format(
+      "no coarser grid gave a solution: the error bars are made with a finer one, {} x {} cells",
+      n.grid[0], n.grid[1]);
+}
+
+std::string told(const note::RicherNotFound& n) {
+  return fmt::format(
+      "the richer physics ({}) gave no solution on the coarse grid: the model bars are unknown",
+      listed(n.effects));
+}
+
+std::string told(const note::EffectsNotJudged& n) {
+  return fmt::format(
+      "the case has no data (shell, shaft) to judge what is left out by leaving out {}; the error "
+      "bars do not hold it",
+      listed(n.effects));
+}
+
+std::string told(const note::ScalarsOfFinerGrid& n) {
+  return fmt::format(
+      "scalars are those of {} x {} cells, {} what auto solved: {}; fields, history and audit are "
+      "those of {} x {} cells",
+      n.scalars[0], n.scalars[1], n.fields == n.scalars ? "the last of" : "extrapolated from",
+      fmt::join(n.solved, ", "), n.fields[0], n.fields[1]);
+}
+
+const char* told(note::ToleranceNotMet::Why why) {
+  switch (why) {
+    case note::ToleranceNotMet::Why::no_walls:
+      return "the case has no data of shell and shaft, so that the heat is only known in lumps";
+    case note::ToleranceNotMet::Why::grid_given:
+      return "the grid is given in the case";
+    case note::ToleranceNotMet::Why::grid_limit:
+      return "model.grid = [400, 50] or finer is solved as it is";
+    case note::ToleranceNotMet::Why::cycle_grid:
+      break;
+  }
+  return "a finer model.grid or another tolerance";
+}
+
+std::string told(const note::ToleranceNotMet& n) {
+  const bool cycle = n.why == note::ToleranceNotMet::Why::cycle_grid;
+  return fmt::format(
+      "the tolerance of {:.2g} % is not met: the {}friction torque is known within {:.2g} %, the "
+      "smallest film within {:.2g} %; {}",
+      100.0 * n.tolerance, cycle ? "mean " : "", 100.0 * n.friction, 100.0 * n.h_min, told(n.why));
+}
+
+std::string told(const note::ShaftSwing& n) {
+  return fmt::format(
+      "the shaft's surface is at its mean over the cycle: as it turns, and over the cycle, it "
+      "would swing by about {:.2g} K",
+      n.T);
+}
+
+std::string told(const note::EstimateOfFilm& n) {
+  return "estimate: rigid circular bearing fed at the widest gap, one temperature from a heat "
+         "balance in lumps; regime " +
+         n.regime;
+}
+
+std::string told(const note::EstimateWithoutMass& n) {
+  return fmt::format("estimate: the journal's mass of {:.3g} kg is left out", n.mass);
 }
 
 std::string told(const note::ColdSpot& n) {

@@ -142,9 +142,8 @@ Result made_result(Tier tier, const Film& film, double torque) {
     r.fields.elastic.clear();
     r.fields.thermal_deformation.clear();
   }
-  r.effects = {{"elastic deformation", tier == Tier::tehd, 0.21,
-                "elastic widening over smallest film; matters above 0.1"},
-               {"shear thinning", true, 0.33, "shear rate times K; matters above 0.1"}};
+  r.effects = {{EffectKind::elastic_deformation, tier == Tier::tehd, 0.21},
+               {EffectKind::shear_thinning, true, 0.33}};
   r.assumptions = {"specific heat of 0W20 assumed, 2083 J/(kg K)", "flooded edges"};
   r.cost = {0.062, 0.011, 64, 41, film.rise > 0.0 ? 14 : 1, 0.0};
   r.history = {{"film", 1e-2, 1.2 * torque, 3e-6}, {"heat", 1e-6, torque, 2.4e-6}};
@@ -185,7 +184,7 @@ Comparison synthetic_comparison() {
                         made_result(Tier::thd, {0.880, line + 0.47, 0.0066, 24.0, 0.0}, 1.01),
                         made_result(Tier::tehd, {0.885, line + 0.49, 0.0064, 21.0, 0.9e-6}, 0.968)};
   comparison.results.back().warnings = {"pressure above the oil's fitted range in 3 cells"};
-  comparison.results.back().limiters = {{"step of the journal halved", 2}};
+  comparison.results.back().limiters = {{Limiter::rejected_steps, 2}};
   comparison.split = {1.16,
                       0.968,
                       {{"viscosity level", -0.131},

@@ -55,7 +55,7 @@ TEST_CASE("TheTableShowsEveryQuantityAndTheMeasuredDifference") {
   CHECK(text.find("-3.2 %") != std::string::npos);  // 0.968 against 1.00
   CHECK(text.find("+1.0 K") != std::string::npos);  // 99 degC against 98 degC
   CHECK(text.find("audit") != std::string::npos);
-  CHECK(text.find("step of the journal halved, 2 times") != std::string::npos);
+  CHECK(text.find("Newton steps rejected, 2 times") != std::string::npos);
   CHECK(text.find("flooded edges") != std::string::npos);
 }
 

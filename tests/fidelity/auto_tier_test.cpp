@@ -16,11 +16,11 @@ namespace {
 using namespace bearing;
 using namespace bearing::tests;
 
-const Effect& effect(const Result& r, const std::string& name) {
+const Effect& effect(const Result& r, EffectKind kind) {
   for (const Effect& e : r.effects) {
-    if (e.name == name) return e;
+    if (e.kind == kind) return e;
   }
-  throw std::runtime_error("no effect " + name);
+  throw std::runtime_error("no such effect");
 }
 
 Case automatic(Case c, double tolerance) {
@@ -138,13 +138,13 @@ TEST_CASE("AutoLeavesOutWhatChangesNothingAndSaysSo") {
   const Result r = solve_case(automatic(warm_case(), 0.05));
   REQUIRE(r.verdict.good());
   // The oil has neither pressure nor shear law.
-  CHECK_FALSE(effect(r, "viscosity with pressure").included);
-  CHECK(effect(r, "viscosity with pressure").change_in_friction == 0.0);
-  CHECK_FALSE(effect(r, "shear thinning").included);
+  CHECK_FALSE(effect(r, EffectKind::viscosity_with_pressure).included);
+  CHECK(effect(r, EffectKind::viscosity_with_pressure).change_in_friction == 0.0);
+  CHECK_FALSE(effect(r, EffectKind::shear_thinning).included);
   // Heated oil is thinner: heating lowers friction and film.
-  CHECK(effect(r, "heating").included);
-  CHECK(effect(r, "heating").change_in_friction < -0.05);
-  CHECK(effect(r, "heating").change_in_h_min < 0.0);
+  CHECK(effect(r, EffectKind::heating).included);
+  CHECK(effect(r, EffectKind::heating).change_in_friction < -0.05);
+  CHECK(effect(r, EffectKind::heating).change_in_h_min < 0.0);
 }
 
 TEST_CASE("AutoRespectsSwitchesAndGridOfTheCase") {
@@ -155,7 +155,7 @@ TEST_CASE("AutoRespectsSwitchesAndGridOfTheCase") {
   const Result r = solve_case(c);
   REQUIRE(r.verdict.good());
   CHECK(r.grid == std::array<int, 2>{96, 13});
-  CHECK_FALSE(effect(r, "elastic deformation").included);
+  CHECK_FALSE(effect(r, EffectKind::elastic_deformation).included);
   const Result direct = summarize(solve_tier(c, Tier::tehd), Tier::tehd);
   // The values are those of the given grid, to the tolerance of the thermal loop.
   CHECK(r.value("h_min") == Approx(direct.value("h_min")).epsilon(2e-3));

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "../bearing/sample_bearing.hpp"
+#include "app/words/effect_words.hpp"
 #include "fidelity/left_out.hpp"
 
 using namespace shellback;
@@ -50,7 +51,8 @@ TEST_CASE("EveryStepAddsAnEffectAndTakesNoneAway") {
     Physics before = physics_of(rig_case(), tier);
     for (const auto& step : richer_physics(rig_case(), tier)) {
       const Physics here = physics_of(step.input, step.input.model.tier);
-      const bool heating = step.effect == "heating";  // isothermal to lumped: same equations
+      const bool heating =
+          step.effect == bearing::EffectKind::heating;  // isothermal to lumped: same equations
       CHECK(count(here) == count(before) + (heating ? 0 : 1));
       before = here;
     }
@@ -73,11 +75,11 @@ TEST_CASE("WithoutShellOnlyHeatingIsJudged") {
 TEST_CASE("EachIncludedEffectIsTakenOutAlone") {
   const Physics full = physics_of(rig_case(), Tier::tehd);
   for (const auto& rule : fidelity::effect_rules()) {
-    INFO(rule.name);
-    const Physics poorer = fidelity::without(rule.name, full);
+    INFO(app::name_of(rule.effect));
+    const Physics poorer = fidelity::without(rule.effect, full);
     CHECK_FALSE(same(poorer, full));
     for (const auto& other : fidelity::effect_rules()) {
-      if (other.name == rule.name) continue;
+      if (other.effect == rule.effect) continue;
       for (const auto& part : other.parts) CHECK(poorer.*part.has == full.*part.has);
     }
   }
@@ -87,9 +89,9 @@ TEST_CASE("OnlyWhatTheCaseLeavesOpenIsSwitchedOff") {
   Switches given;
   given.elastic_deformation = true;
   Switches switches = given;
-  CHECK_FALSE(fidelity::switch_off("elastic deformation", given, switches));
-  CHECK_FALSE(fidelity::switch_off("temperature across the film", given, switches));
-  CHECK(fidelity::switch_off("roughness and contact", given, switches));
+  CHECK_FALSE(fidelity::switch_off(bearing::EffectKind::elastic_deformation, given, switches));
+  CHECK_FALSE(fidelity::switch_off(bearing::EffectKind::temperature_across_film, given, switches));
+  CHECK(fidelity::switch_off(bearing::EffectKind::roughness_and_contact, given, switches));
   CHECK(switches.flow_factors == false);
   CHECK(switches.asperity_contact == false);
   CHECK(switches.elastic_deformation == true);

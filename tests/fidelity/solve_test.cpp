@@ -105,7 +105,7 @@ TEST_CASE("EffectsLeftOutTellWhatTheyWouldChange") {
     if (e.included) CHECK_FALSE(known);
     told += known;
     // Thicker oil under pressure lifts the journal.
-    if (e.name == "viscosity with pressure") CHECK(e.change_in_h_min > 0.0);
+    if (e.kind == EffectKind::viscosity_with_pressure) CHECK(e.change_in_h_min > 0.0);
   }
   CHECK(told == 3);  // elastic, thermal deformation, pressure
 }

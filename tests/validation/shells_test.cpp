@@ -4,6 +4,7 @@
 
 #include "app/library.hpp"
 #include "app/read_case.hpp"
+#include "bearing/judge_case.hpp"
 #include "core/constants.hpp"
 #include "validation/shells/shells_page.hpp"
 
@@ -40,6 +41,28 @@ TEST_CASE("TheShellsDifferInNothingButSurfacesAndCoating", "[shells]") {
     for (const auto& layer : c.shell->layers) thickness += layer.thickness;
     CHECK(thickness == Approx(2e-3).epsilon(1e-12));
     CHECK(least_film(c) > 0.3e-6);
+  }
+}
+
+TEST_CASE("WhatThePaperLeavesOpenIsACaseOfItsOwn", "[shells]") {
+  // The mouth turns with the pin through the dead centre, in the rod by theta + beta; 8 deg after
+  // it the film presses hardest, and the mouth must stand where the variant says.
+  const bearing::Case usual = shipped(shell_kinds()[0]);
+  for (const ShellVariant& v : shell_variants()) {
+    INFO(v.name);
+    const bearing::Case c = varied(usual, v);
+    CHECK(bearing::judge(c).empty());
+    CHECK(*c.oil_temperature == Approx(*usual.oil_temperature + v.warmer));
+    CHECK(c.supplies.at(0).temperature == Approx(usual.supplies.at(0).temperature + v.warmer));
+    if (std::isnan(v.mouth)) {
+      CHECK(c.supplies[0].kind == usual.supplies[0].kind);
+      continue;
+    }
+    CHECK(c.supplies[0].kind == bearing::SupplyKind::drilling);
+    const double theta = 8.0 * kPi / 180.0;
+    const double beta = std::asin(0.5 * 137.0 / 207.0 * std::sin(theta));
+    // 0.1 deg: the angle is given to that
+    CHECK(c.supplies[0].angle + theta + beta - 0.5 * kPi == Approx(v.mouth).margin(0.0018));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "bearing/solve.hpp"
 #include "core/parallel.hpp"
 #include "fidelity/auto_cycle.hpp"
+#include "fidelity/edge_error.hpp"
 #include "fidelity/solve_case.hpp"
 #include "validation/chart/pareto.hpp"
 
@@ -47,6 +48,7 @@ struct Solved {
   ChartValues value{};
   long factorizations = 0;
   long sweeps = 0;
+  double edge = 0.0;  ///< fidelity/edge_error.hpp, of a steady film [m]
 };
 
 Solved solved(const Case& c, Tier tier, const SolveControl& control) {
@@ -54,14 +56,14 @@ Solved solved(const Case& c, Tier tier, const SolveControl& control) {
   if (!c.cycle && !chosen) {
     const Solution s = solve_tier(c, tier, control);
     return {s.verdict, s.verdict.good() ? values_of(s, tier) : ChartValues{}, s.cost.factorizations,
-            s.cost.sweeps};
+            s.cost.sweeps, fidelity::edge_error(s.model.scene.grid, s.film.gap.cell, s.film.least)};
   }
   const auto over_cycle = [&] {
     return as_result(chosen ? fidelity::solve_cycle_case(c, control)
                             : solve_cycle(c, tier, control));
   };
   const Result r = c.cycle ? over_cycle() : fidelity::solve_case(c, control);
-  return {r.verdict, values_of(r), r.cost.factorizations, 0};
+  return {r.verdict, values_of(r), r.cost.factorizations, 0, 0.0};
 }
 
 const ChartGrids& grids_for(const Case& c, const ChartOptions& options) {
@@ -93,6 +95,7 @@ void find_reference(const Case& c, const ChartOptions& options, ChartScene& scen
     const double coarse = found[0].value[q];
     ReferenceValue& r = scene.reference[q];
     r = reference_value(coarse, found[1].value[q], found[2].value[q]);
+    if (q == static_cast<int>(ChartQuantity::h_min)) r.uncertainty += found[2].edge;
     if (c.cycle) r.uncertainty += std::abs(found[3].value[q] - coarse);
     const bool relative = q != static_cast<int>(ChartQuantity::T_max);
     scene.floor[q] = r.uncertainty / (relative ? std::abs(r.value) : 1.0);

@@ -1,7 +1,6 @@
 #include "fidelity/auto_tier.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,6 +8,7 @@
 #include "bearing/solids.hpp"
 #include "core/contract.hpp"
 #include "fidelity/auto_probe.hpp"
+#include "fidelity/edge_error.hpp"
 #include "fidelity/estimate.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/held_film.hpp"
@@ -226,7 +226,10 @@ class Search {
       q.error_grid = l.bar + l.beyond + nodes_left(q.name);
       const bool torque = q.name == "friction_torque" || q.name == "power_loss";
       if (torque) q.error_model = model_bars().friction * std::abs(q.value);
-      if (q.name == "h_min") q.error_model = model_bars().h_min * std::abs(q.value);
+      if (q.name != "h_min") continue;
+      q.error_model = model_bars().h_min * std::abs(q.value);
+      q.error_grid +=  // of no grid, as `beyond`
+          edge_error(finest_.model.scene.grid, finest_.film.gap.cell, finest_.film.least);
     }
     r.assumptions.push_back(note::ScalarsOfFinerGrid{kFineGrid, r.grid, solved_});
     return chosen(std::move(r), bars());

@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "bearing/solve.hpp"
 #include "core/contract.hpp"
+#include "fidelity/solve_case.hpp"
 #include "validation/chart/chart_csv.hpp"
 #include "validation/chart/chart_picture.hpp"
 #include "validation/chart/chart_scenes.hpp"
@@ -157,4 +159,23 @@ TEST_CASE("StoppedChartsKeepWhatIsFinished") {
 TEST_CASE("AnUnknownSceneIsRefusedWithTheKnownOnes") {
   CHECK_THROWS_WITH(static_cast<void>(chart_case("raimondi-bod")),
                     Catch::Contains("raimondi-boyd"));
+}
+
+TEST_CASE("TheBarOfAFilmAtASharpEdgeHoldsFourTimesAsManyCellsAlong") {
+  // The film falls by the same amount whenever the cells at the edge are halved: the change to
+  // cells four times as fine is no limit yet, and the bar must reach beyond it (docs/decisions/040:
+  // 0.27 um).
+  bearing::Case c = chart_case("ks-rig-80kN");
+  c.model.grid = {200, 25};
+  const bearing::Result coarse = fidelity::solve_case(c);
+  c.model.grid = {200, 97};
+  const bearing::Solution fine = solve_tier(c, bearing::Tier::isothermal);
+  REQUIRE(coarse.verdict.good());
+  REQUIRE(fine.verdict.good());
+  const auto h_min = std::find_if(coarse.quantities.begin(), coarse.quantities.end(),
+                                  [](const auto& q) { return q.name == "h_min"; });
+  REQUIRE(h_min != coarse.quantities.end());
+  CHECK(h_min->value - fine.film.least.h > 0.02e-6);
+  CHECK(h_min->value - h_min->error_grid < 0.27e-6);
+  CHECK(h_min->value - h_min->error_grid > 0.2e-6);  // and says something
 }

@@ -110,18 +110,14 @@ std::string powers_html(const ShellsStudy& study) {
 /// Isothermal friction of the shells with what the paper leaves open taken otherwise.
 std::string variants_html(const ShellsStudy& study) {
   std::string rows;
-  const auto row = [&](const std::string& name, const auto& cycle) {
-    rows += fmt::format("<tr><td class=\"left\">{}</td>", name);
+  for (int v = 0; v < kVariants; ++v) {
+    rows += fmt::format("<tr><td class=\"left\">{}</td>", shell_variants()[v].name);
     for (int k = 0; k < kShells; ++k) {
-      const ShellCycle& c = cycle(k);
+      const ShellCycle& c = study.variants[v][k];
       rows += cell(c.good() ? c.asperity_power : NAN, 1) + cell(power(c), 1);
-      if (k > 0) rows += cell(power(c) / power(cycle(0)), 3);
+      if (k > 0) rows += cell(power(c) / power(study.variants[v][0]), 3);
     }
     rows += "</tr>\n";
-  };
-  row("as in the cases", [&](int k) -> const ShellCycle& { return study.cycles[k][1]; });
-  for (int v = 0; v < kVariants; ++v) {
-    row(shell_variants()[v].name, [&](int k) -> const ShellCycle& { return study.variants[v][k]; });
   }
   std::string header = "<th>plain: asperities [W]</th><th>sum [W]</th>";
   for (const char* name : {"grooved", "polymer"}) {

@@ -150,7 +150,8 @@ const std::array<ShellVariant, kVariants>& shell_variants() {
   constexpr double kBeside = 20.0 * kPi / 180.0;  // paper, 4.2
   constexpr double kWarmer = 30.0;                // 130 degC: a hot, heavily loaded bearing
   static const std::array<ShellVariant, kVariants> kAll{
-      {{"oil 30 K warmer", NAN, kWarmer},
+      {{"as in the cases", NAN, 0.0},
+       {"oil 30 K warmer", NAN, kWarmer},
        {"drilling, 20 deg ahead", kBeside, 0.0},
        {"drilling, 20 deg behind", -kBeside, 0.0},
        {"drilling, 20 deg behind, oil 30 K warmer", -kBeside, kWarmer}}};

@@ -51,9 +51,10 @@ struct ShellVariant {
   double mouth;
   double warmer;  ///< oil, above that of the case [K]
 };
-inline constexpr int kVariants = 4;
-/// Section 4.2 of the paper: the mouth of the pin's drilling stands 20 deg beside the rod's axis at
-/// the largest pressure, on a side that is not told.
+inline constexpr int kVariants = 5;
+/// The first is the case as it is, on the grid of the others. Section 4.2 of the paper: the mouth
+/// of the pin's drilling stands 20 deg beside the rod's axis at the largest pressure, on a side
+/// that is not told.
 [[nodiscard]] const std::array<ShellVariant, kVariants>& shell_variants();
 /// The case with it. Errors: InputError as of judge, from solving it.
 [[nodiscard]] bearing::Case varied(bearing::Case c, const ShellVariant& variant);

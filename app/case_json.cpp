@@ -313,7 +313,8 @@ Json model(const Model& m) {
   json["methods"] = {
       {"cavitation", cavitation[static_cast<int>(m.methods.cavitation)]},
       {"across", across[static_cast<int>(m.methods.across)]},
-      {"elastic", m.methods.elastic == ElasticMethod::newton ? "newton" : "fixed-point"}};
+      {"elastic", m.methods.elastic == ElasticMethod::newton ? "newton" : "fixed-point"},
+      {"transport", m.methods.transport == FillTransport::upwind ? "upwind" : "van-leer"}};
   return json;
 }
 

@@ -68,6 +68,10 @@ Methods read_methods(const Section& model) {
         "elastic",
         {{"newton", ElasticMethod::newton}, {"fixed-point", ElasticMethod::fixed_point}});
   }
+  if (section->has("transport")) {
+    m.transport = section->choice<FillTransport>(
+        "transport", {{"upwind", FillTransport::upwind}, {"van-leer", FillTransport::van_leer}});
+  }
   if (section->has("relaxation")) {
     m.relaxation = section->quantity("relaxation", kNumber, kCan.relaxation);
     if (m.elastic != ElasticMethod::fixed_point) {

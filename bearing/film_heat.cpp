@@ -136,13 +136,12 @@ class NodeFlows {
   NodeFlows(const BearingModel& model, const FilmEquilibrium& s)
       : model_(model), s_(s), v_(velocity_profiles(model.gl, s.columns)), n_(model.gl.n) {}
 
-  void through(const fluid::FaceFlow& f, double theta_up, int a, int b, double* out) const {
-    const double couette = theta_up * f.d_theta;
-    const double poiseuille = f.m - couette;
+  void through(const fluid::FaceFlow& f, int a, int b, double* out) const {
+    const double poiseuille = f.m - f.carried;
     for (int k = 0; k < n_; ++k) {
       const std::size_t ka = static_cast<std::size_t>(a) * n_ + k;
       const std::size_t kb = static_cast<std::size_t>(b) * n_ + k;
-      out[k] = 0.5 * (couette * (v_.couette[ka] + v_.couette[kb]) +
+      out[k] = 0.5 * (f.carried * (v_.couette[ka] + v_.couette[kb]) +
                       poiseuille * (v_.poiseuille[ka] + v_.poiseuille[kb]));
     }
   }
@@ -150,32 +149,26 @@ class NodeFlows {
   void fill(thermal::FilmEnergyProblem& p) const {
     const fluid::FilmScene& scene = model_.scene;
     const FilmGrid& g = scene.grid;
-    const bool forward = scene.speed >= 0.0;
     p.phi_flow.assign(static_cast<std::size_t>(g.cells()) * n_, 0.0);
     p.z_flow.assign(static_cast<std::size_t>(g.nt) * (g.nz + 1) * n_, 0.0);
     for (int i = 0; i < g.nt; ++i) {
       for (int j = 0; j < g.nz; ++j) {
         const int k = g.index(i, j);
         const int l = g.index(g.previous(i), j);
-        const int patch = scene.supply.line[k];
-        const bool line = patch >= 0;
-        const double upstream = line ? scene.supply.patches[patch].fill : s_.film.theta[l];
-        const double theta = forward ? upstream : s_.film.theta[k];
-        through(s_.flow.phi[k], theta, line ? k : l, k,
-                &p.phi_flow[static_cast<std::size_t>(k) * n_]);
+        const bool line = scene.supply.line[k] >= 0;
+        through(s_.flow.phi[k], line ? k : l, k, &p.phi_flow[static_cast<std::size_t>(k) * n_]);
       }
       for (int j = 0; j <= g.nz; ++j) {
         const int f = i * (g.nz + 1) + j;
         const int a = g.index(i, std::max(j - 1, 0));
         const int b = g.index(i, std::min(j, g.nz - 1));
-        through(s_.flow.z[f], 0.0, a, b, &p.z_flow[static_cast<std::size_t>(f) * n_]);
+        through(s_.flow.z[f], a, b, &p.z_flow[static_cast<std::size_t>(f) * n_]);
       }
     }
     for (const fluid::LineFace& l : s_.flow.lines) {
       const int k = g.index(g.previous(l.face / g.nz), l.face % g.nz);
       thermal::LineFlow line{l.face, l.patch, NodeArray(n_)};
-      const double fill = scene.supply.patches[l.patch].fill;
-      through(l.west, forward ? s_.film.theta[k] : fill, k, k, line.flow.data());
+      through(l.west, k, k, line.flow.data());
       p.lines.push_back(std::move(line));
     }
   }

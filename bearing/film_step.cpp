@@ -7,6 +7,7 @@
 #include "bearing/pseudo_time.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
+#include "fluid/fill_front.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -22,6 +23,16 @@ void begin_layer(double own, Columns columns, BearingModel& model) {
 LayerInTime layer_of(const BearingModel& model, const FilmEquilibrium& film) {
   if (!model.layer) return {};
   return stage_of(*model.layer, model.scene.grid, film.film.p, film.p_contact, film.layer);
+}
+
+/// Oil that these flows gather in every cell, zero in supply cells [kg/(m2 s)].
+Field gathered(const fluid::FilmScene& scene, const fluid::FilmFlow& flow) {
+  const FilmGrid& g = scene.grid;
+  Field oil = fluid::net_outflow(scene, flow);
+  for (int c = 0; c < g.cells(); ++c) {
+    oil[c] = scene.supply.cell[c] >= 0 ? 0.0 : -oil[c] / g.area(c / g.nz, c % g.nz);
+  }
+  return oil;
 }
 
 }  // namespace
@@ -111,6 +122,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   }
   model_.scene.speed = load.omega * model_.input.bearing.radius;
   model_.scene.storage = {own, std::move(before)};
+  (void)move_fronts(film);
   begin_layer(own, std::move(layer), model_);
   target_.force[0] = -load.x;
   target_.force[1] = -load.y;
@@ -126,16 +138,12 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   if (heat_) expect_temperatures(i, dt, stages, now, film);
   if (drillings_.any()) drillings_.place(now.t + by.c[i] * dt, model_.scene);
   Verdict verdict = solve_film(own, vessels, film, cost, stop);
+  if (verdict.good() && move_fronts(film)) verdict = solve_film(own, vessels, film, cost, stop);
   if (!verdict.good()) return verdict;
   if (thinner_than_a_molecule(model_, film)) {
     return {Status::no_steady_state, ending::NotAtRest{0, film.least.h}, film.least.place()};
   }
-  const FilmGrid& g = model_.scene.grid;
-  found.oil = fluid::net_outflow(model_.scene, film.flow);
-  for (int c = 0; c < g.cells(); ++c) {
-    const bool supplied = model_.scene.supply.cell[c] >= 0;
-    found.oil[c] = supplied ? 0.0 : -found.oil[c] / g.area(c / g.nz, c % g.nz);
-  }
+  found.oil = gathered(model_.scene, film.flow);
   found.flows = fluid::oil_flows(model_.scene, film.flow);
   found.layer = layer_of(model_, film);
   const fluid::Wrench wanted = target_.wanted(film);
@@ -148,6 +156,14 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
     }
   }
   return heat_ ? solve_heat(i, dt, stages, now, film, found) : verdict;
+}
+
+bool FilmSteps::move_fronts(const FilmEquilibrium& film) {
+  if (model_.input.model.methods.transport == FillTransport::upwind) return false;
+  Field front = fluid::fill_fronts(model_.scene, film.film, film.flow);
+  if (front == model_.scene.storage.front) return false;
+  model_.scene.storage.front = std::move(front);
+  return true;
 }
 
 Verdict FilmSteps::solve_film(double own, const std::vector<double>& vessels_star,

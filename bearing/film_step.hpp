@@ -136,6 +136,9 @@ class FilmSteps {
   [[nodiscard]] Verdict solve_film(double own, const std::vector<double>& vessels_star,
                                    FilmEquilibrium& film, EquilibriumCost& cost,
                                    const std::atomic<bool>* stop);
+  /// With FillTransport::van_leer: fronts of oil as this film has them, first as the stage begins,
+  /// then as it ends. True if they have moved.
+  [[nodiscard]] bool move_fronts(const FilmEquilibrium& film);
   /// Mouths of drillings as they stand at time t [s], by this film.
   void open_mouths(double t, FilmEquilibrium& film);
   /// The film carried on along its trend for `ahead` [s].

@@ -16,6 +16,11 @@ inline void members(Tape& tape, FilmGrid& x) {
 
 // The film.
 
+inline void members(Tape& tape, fluid::FaceFlow& x) {
+  auto& [m, couette, carried, d_left, d_right, d_theta, d_h] = x;
+  tape(m, couette, carried, d_left, d_right, d_theta, d_h);
+}
+
 inline void members(Tape& tape, fluid::FilmFlow& x) {
   auto& [phi, z, lines, fed, stored, by_theta, by_p, by_gap] = x;
   tape(phi, z, lines, fed, stored, by_theta, by_p, by_gap);

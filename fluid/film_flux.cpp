@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fluid/carried_fill.hpp"
+
 namespace shellback::fluid {
 namespace {
 
@@ -43,7 +45,7 @@ struct Side {
 
 /// Flow through a face of `length` from `left` to `right`; both halves in series.
 FaceFlow series_flow(const Half& a, const Half& b, const Side& left, const Side& right,
-                     double theta_up, double speed, double rho, double length) {
+                     CarriedFill fill, double speed, double rho, double length) {
   const double ra = a.distance / a.h3;
   const double rb = b.distance / b.h3;
   const double sum = ra + rb;
@@ -54,32 +56,37 @@ FaceFlow series_flow(const Half& a, const Half& b, const Side& left, const Side&
   const double poiseuille = g.value * dp / sum;
   const double scale = rho * length;
   FaceFlow f;
-  f.m = scale * (theta_up * couette + poiseuille);
-  f.d_theta = scale * couette;
+  f.couette = scale * couette;
+  f.carried = fill.value * f.couette;
+  f.m = f.carried + scale * poiseuille;
+  f.d_theta = fill.slope * f.couette;
   f.d_left = scale / sum * (g.value - dp * g.d_first * left.alpha * left.g);
   f.d_right = -scale / sum * (g.value + dp * g_back.d_first * right.alpha * right.g);
   const double dra = -ra * a.dh3 / a.h3;
   const double drb = -rb * b.dh3 / b.h3;
   const double jump = speed * (a.couette - b.couette) / (sum * sum);
-  f.d_h = scale * (theta_up * (speed * (ra * a.dcouette + rb * b.dcouette) / sum +
-                               jump * (rb * dra - ra * drb)) -
+  f.d_h = scale * (fill.value * (speed * (ra * a.dcouette + rb * b.dcouette) / sum +
+                                 jump * (rb * dra - ra * drb)) -
                    poiseuille * (dra + drb) / sum);
   return f;
 }
 
 /// Flow from a half cell to a place of given pressure at the face (or from it, by `sign` = -1).
-FaceFlow half_flow(const Half& a, const Side& cell, const Side& face, double theta_up, double speed,
-                   double rho, double length, int sign) {
+FaceFlow half_flow(const Half& a, const Side& cell, const Side& face, CarriedFill fill,
+                   double speed, double rho, double length, int sign) {
   const LogMean g = log_mean(cell.g, face.g, cell.ln_g - face.ln_g);
   const double dp = cell.p - face.p;
   const double conductance = rho * length * a.h3 / a.distance;
   const double couette = rho * length * speed * a.couette;
   FaceFlow f;
-  f.m = theta_up * couette + sign * conductance * g.value * dp;
-  f.d_theta = couette;
+  f.couette = couette;
+  f.carried = fill.value * couette;
+  f.m = f.carried + sign * conductance * g.value * dp;
+  f.d_theta = fill.slope * couette;
   const double d = conductance * (g.value - dp * g.d_first * cell.alpha * cell.g);
   (sign > 0 ? f.d_left : f.d_right) = sign * d;
-  f.d_h = rho * length * (theta_up * speed * a.dcouette + sign * a.dh3 / a.distance * g.value * dp);
+  f.d_h =
+      rho * length * (fill.value * speed * a.dcouette + sign * a.dh3 / a.distance * g.value * dp);
   return f;
 }
 
@@ -110,6 +117,11 @@ struct Evaluation {
     return {p, std::exp(ln), ln, oil.alpha[k]};
   }
   [[nodiscard]] bool steps() const { return !profile.empty(); }
+  /// What the journal carries out of cell k.
+  [[nodiscard]] CarriedFill out_of(int k) const {
+    const Field& front = scene.storage.front;
+    return carried_fill(state.theta[k], front.empty() ? 0.0 : front[k]);
+  }
 };
 
 /// Gaps on the two sides of every face (the second side only if there are steps).
@@ -167,20 +179,20 @@ void circumferential_faces(const Evaluation& e, FilmFlow& flow) {
       const Half hb = c.half(r, to_supply ? 0.0 : of_r, e.oil.chi[r], false);
       const int line = e.scene.supply.line[r];
       if (line < 0) {
-        const double theta = U >= 0.0 ? e.state.theta[l] : e.state.theta[r];
+        const CarriedFill fill = e.out_of(U >= 0.0 ? l : r);
         const double rho = 0.5 * (e.oil.density[l] + e.oil.density[r]);
-        flow.phi[r] = series_flow(ha, hb, e.side(l), e.side(r), theta, U, rho, g.dz[j]);
+        flow.phi[r] = series_flow(ha, hb, e.side(l), e.side(r), fill, U, rho, g.dz[j]);
         continue;
       }
       const double p = e.scene.supply.patches[line].pressure;
-      const double fill = e.scene.supply.patches[line].fill;
-      const double theta_in = U >= 0.0 ? e.state.theta[l] : fill;
-      const double theta_out = U >= 0.0 ? fill : e.state.theta[r];
-      flow.lines.push_back({r, line,
-                            half_flow(ha, e.side(l), e.at_pressure(l, p), theta_in, U,
-                                      e.oil.density[l], g.dz[j], 1)});
-      flow.phi[r] = half_flow(hb, e.side(r), e.at_pressure(r, p), theta_out, U, e.oil.density[r],
-                              g.dz[j], -1);
+      const CarriedFill supplied{e.scene.supply.patches[line].fill, 1.0};
+      const CarriedFill in = U >= 0.0 ? e.out_of(l) : supplied;
+      const CarriedFill out = U >= 0.0 ? supplied : e.out_of(r);
+      flow.lines.push_back(
+          {r, line,
+           half_flow(ha, e.side(l), e.at_pressure(l, p), in, U, e.oil.density[l], g.dz[j], 1)});
+      flow.phi[r] =
+          half_flow(hb, e.side(r), e.at_pressure(r, p), out, U, e.oil.density[r], g.dz[j], -1);
     }
   }
 }
@@ -193,7 +205,7 @@ FaceFlow edge_flow(const Evaluation& e, const Transport& t, int i, int j) {
   const Half half = t.half(static_cast<std::size_t>(i) * (g.nz + 1) + j, distance, 0.0, true);
   const int sign = j == 0 ? -1 : 1;
   if (e.scene.edges == SideEdges::dry && e.state.p[k] <= e.scene.p_edge) return {};
-  return half_flow(half, e.side(k), e.at_pressure(k, e.scene.p_edge), 0.0, 0.0, e.oil.density[k],
+  return half_flow(half, e.side(k), e.at_pressure(k, e.scene.p_edge), {}, 0.0, e.oil.density[k],
                    g.radius * g.dphi[i], sign);
 }
 
@@ -228,7 +240,7 @@ void axial_faces(const Evaluation& e, FilmFlow& flow) {
         const Half hb = c.half(f, to_supply ? 0.0 : of_r, 0.0, true);
         const double rho = 0.5 * (e.oil.density[r - 1] + e.oil.density[r]);
         flow.z[f] =
-            series_flow(ha, hb, e.side(r - 1), e.side(r), 0.0, 0.0, rho, g.radius * g.dphi[i]);
+            series_flow(ha, hb, e.side(r - 1), e.side(r), {}, 0.0, rho, g.radius * g.dphi[i]);
       }
     }
   }

@@ -2,7 +2,7 @@
 /// Mass flow through every face of the film, and its derivatives.
 ///
 /// Averaged generalized Reynolds flux per width, journal speed U, shell at rest [kg/(m s)]:
-///   m_x = rho { theta_up [U chi hT + U/2 sigma phi_s] - phi_x h^3 g dp/dx }
+///   m_x = rho { theta_f [U chi hT + U/2 sigma phi_s] - phi_x h^3 g dp/dx }
 ///   m_z = -rho phi_z h^3 g dp/dz
 /// Over a step dt a cell stores oil, per area [kg/(m2 s)]:
 ///   (M - M_before)/dt,   M = rho(p) theta hT                                    [kg/m2]
@@ -15,7 +15,8 @@
 /// uniform) and the Couette share chi = 1 - F1/(h F0) [-] (1/2 if uniform); hT the average gap of
 /// rough surfaces, phi_* the flow factors. Sources: seed 000 Eq. 1; methods 1.1.
 ///
-/// Discretisation. h at faces is centred (second order), theta is taken upstream, the fluidity of
+/// Discretisation. h at faces is centred (second order), theta_f is the fill ratio of the upstream
+/// cell (in time sharpened where fronts wander, fill_front.hpp), the fluidity of
 /// a face is the logarithmic mean of its cells: for Barus oil that is the exact mean of
 /// exp(-alpha p) between the two pressures, so that the flux is linear in
 /// q = (1 - exp(-alpha p))/alpha. Where the gap jumps on a face, the two half cells are in
@@ -43,7 +44,8 @@ enum class SideEdges {
 /// without end.
 struct FilmStorage {
   double dt = std::numeric_limits<double>::infinity();  ///< [s]
-  Field before;  ///< M per cell at the beginning; empty: a step without end [kg/m2]
+  Field before;   ///< M per cell at the beginning; empty: a step without end [kg/m2]
+  Field front{};  ///< f of fill_front.hpp; empty: each cell's own fill ratio is carried [-]
   [[nodiscard]] bool finite() const { return !before.empty(); }
 };
 
@@ -79,6 +81,8 @@ struct FilmState {
 /// A face's mass flow and its derivatives. Per unit: whole face, not per width.
 struct FaceFlow {
   double m = 0.0;        ///< mass flow in +phi or +z [kg/s]
+  double couette = 0.0;  ///< what the journal would carry out of full film [kg/s]
+  double carried = 0.0;  ///< and what it carries, a part of m [kg/s]
   double d_left = 0.0;   ///< d m / d p on the - side [kg/(s Pa)]
   double d_right = 0.0;  ///< d m / d p on the + side
   double d_theta = 0.0;  ///< d m / d theta of the upstream cell [kg/s]

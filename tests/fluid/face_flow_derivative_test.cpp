@@ -182,6 +182,15 @@ TEST_CASE("FlowDerivativesAtAShortSupplyLine") {
   check_all(s);
 }
 
+TEST_CASE("FlowDerivativesWhereFrontsWander") {
+  Setup s = tilted();
+  s.patches = {{.phi = 1.0, .length = s.width, .pressure = 3e5}};
+  Tangle t(s, 0.6);
+  t.bearing.scene.storage.front = random_field(t.bearing.scene.grid.cells(), 7, -1.0, 1.0);
+  check_pressure_and_fill(t);
+  check_gap(t);
+}
+
 TEST_CASE("FlowDerivativesAtAGroove") {
   Setup s = tilted();
   s.patches = {{.phi = 2.0, .z = 1e-3, .arc = 1.2, .length = 9e-3, .pressure = 3e5}};

@@ -44,7 +44,7 @@ Methods read_methods(const Section& model) {
   Methods m;
   const auto section = model.maybe_section("methods");
   if (!section) return m;
-  section->only({"cavitation", "across", "layers", "elastic", "relaxation"}, "model.methods");
+  section->only({"cavitation", "across", "layers", "elastic", "transport", "relaxation"}, "model.methods");
   if (section->has("cavitation")) {
     m.cavitation = section->choice<CavitationMethod>(
         "cavitation", {{"active-set", CavitationMethod::active_set},

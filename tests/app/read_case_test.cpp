@@ -442,6 +442,19 @@ TEST_CASE("MethodsAreReadFromTheCaseAndFromTheCommandLine") {
   CHECK(c.model.methods.elastic == ElasticMethod::fixed_point);
 }
 
+TEST_CASE("TheTransportOfTheFillIsReadAndAnUnknownOneIsRefused") {
+  using namespace bearing;
+  const auto with = [](const std::string& transport) {
+    return read_case_text(kSampleCase, "case.toml",
+                          {parse_override("model.methods.transport=" + transport)});
+  };
+  CHECK(with("van-leer").model.methods.transport == FillTransport::van_leer);
+  CHECK(with("upwind").model.methods.transport == FillTransport::upwind);
+  CHECK_THROWS_AS(with("van-lear"), InputError);
+  CHECK_THROWS_AS(with("2"), InputError);
+  CHECK_THROWS_AS(with("[\"upwind\"]"), InputError);
+}
+
 TEST_CASE("AHousingThatIsNotGivenIsAnAssumption") {
   const auto says_held = [](const std::string& text) {
     const auto c = read_case_text(text, "case.toml");

@@ -90,7 +90,7 @@ TEST_CASE("ARunningInThatIsKilledAgainAndAgainEndsAsOneThatIsNot") {
   const auto words = [&](const std::string& json) {
     return Words{"run",          case_path("running-in").string(),
                  "--running-in", "--resume",
-                 "--set",        "model.grid=[60,9]",
+                 "--set",        "model.grid=[120,17]",
                  "--set",        "running_in.until=900 s",
                  "--json",       json};
   };
@@ -98,28 +98,30 @@ TEST_CASE("ARunningInThatIsKilledAgainAndAgainEndsAsOneThatIsNot") {
   const std::string whole = scratch.path("whole.json");
   REQUIRE(Process(words(whole), scratch.path("out"), err).wait() == kDone);
   const std::string killed = scratch.path("killed.json");
+  const std::string state = killed + ".state";
+  const auto kept = [&] { return fs::exists(state) ? text_of(state) : std::string(); };
   int kills = 0;
-  int code = kKilled;
-  std::string last;  // state at the last kill
-  for (int k = 0; k < 40 && code == kKilled; ++k) {
-    const Process process(words(killed), scratch.path("out"), err);
-    const auto till = Clock::now() + std::chrono::seconds(60);
-    const auto state = [&] {
-      const std::string path = killed + ".state";
-      return fs::exists(path) ? text_of(path) : std::string();
-    };
-    while (!process.ended() && Clock::now() < till && (state() == last || state().empty())) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  // A loaded machine may wake the test when the run has ended; such a run says nothing.
+  for (int runs = 0; runs < 100 && kills == 0; ++runs) {
+    fs::remove(killed);
+    int code = kKilled;
+    std::string last;  // state at the last kill
+    for (int k = 0; k < 40 && code == kKilled; ++k) {
+      const Process process(words(killed), scratch.path("out"), err);
+      const auto till = Clock::now() + std::chrono::seconds(60);
+      while (!process.ended() && Clock::now() < till && (kept() == last || kept().empty())) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      }
+      ::kill(process.pid(), SIGKILL);
+      code = process.wait();
+      kills += code == kKilled ? 1 : 0;
+      last = kept();
     }
-    ::kill(process.pid(), SIGKILL);
-    code = process.wait();
-    kills += code == kKilled ? 1 : 0;
-    last = state();
+    INFO(text_of(err));
+    REQUIRE(code == kDone);
+    REQUIRE_FALSE(fs::exists(state));
   }
-  INFO(text_of(err));
-  REQUIRE(code == kDone);
-  CHECK(kills >= 1);
-  CHECK_FALSE(fs::exists(killed + ".state"));
+  REQUIRE(kills >= 1);
   CHECK(result(killed) == result(whole));
 }
 

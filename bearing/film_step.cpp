@@ -72,6 +72,23 @@ void FilmSteps::open_mouths(double t, FilmEquilibrium& film) {
   drillings_.place(t, model_.scene);
 }
 
+namespace {
+
+/// Oil of a steady film [kg/m2], in which theta of a cavitated cell is that of its downstream face
+/// (fill_front.hpp).
+Field begun_with(const BearingModel& model, const FilmEquilibrium& film) {
+  fluid::FilmState middle = film.film;
+  if (model.input.model.methods.transport == FillTransport::van_leer) {
+    const Field fill = fluid::cell_fill(model.scene, film.film);
+    for (std::size_t k = 0; k < fill.size(); ++k) {
+      if (!middle.full[k]) middle.theta[k] = fill[k];
+    }
+  }
+  return fluid::oil_content(model.scene, film.gap, film.oil, middle);
+}
+
+}  // namespace
+
 std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
                                             const std::atomic<bool>* stop) {
   const LoadNow load = course_.at(0.0);
@@ -93,7 +110,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
                                                      now.film, cost, stop);
   if (!v.good()) return std::nullopt;
   model_.scene.storage = {};
-  now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
+  now.oil = begun_with(model_, now.film);
   now.flows = fluid::oil_flows(model_.scene, now.film.flow);
   for (const solid::PressedColumn& c : now.film.layer) now.layer.now.push_back(c.now);
   return now;

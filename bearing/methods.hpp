@@ -42,15 +42,15 @@ enum class ElasticMethod {
 /// What oil a cavitated cell hands on while the film changes in time (fluid/fill_front.hpp). A
 /// steady film is the same with both.
 enum class FillTransport {
-  upwind,    ///< its own fill ratio: fronts of oil widen on their way
-  van_leer,  ///< fronts kept sharp, each stage of a step solved twice
+  upwind,    ///< its own fill ratio, of first order: fronts of oil widen on their way
+  van_leer,  ///< oil of second order, fronts kept sharp; each stage of a step solved twice
 };
 
 struct Methods {
   CavitationMethod cavitation = CavitationMethod::active_set;
   AcrossFilm across = AcrossFilm::lobatto;
   ElasticMethod elastic = ElasticMethod::newton;
-  FillTransport transport = FillTransport::upwind;
+  FillTransport transport = FillTransport::van_leer;
   int layers = 20;          ///< of AcrossFilm::layers, 2 to 60
   double relaxation = 0.0;  ///< of ElasticMethod::fixed_point: part of each change taken [-]; 0:
                             ///< Aitken's

@@ -1,7 +1,6 @@
 #include "fluid/fill_front.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace shellback::fluid {
 namespace {
@@ -9,55 +8,58 @@ namespace {
 /// Harmonic mean of two slopes of one sign, else zero (van Leer).
 double limited(double a, double b) { return a * b > 0.0 ? 2.0 * a * b / (a + b) : 0.0; }
 
-/// The smaller of two numbers of one sign, else zero.
-double smaller(double a, double b) {
-  if (!(a * b > 0.0)) return 0.0;
-  return std::abs(a) < std::abs(b) ? a : b;
-}
+/// A cell, the one from which its oil comes, and the one to which it goes.
+struct Along {
+  int cell, behind, ahead;
+  double length;               ///< of the cell [rad]
+  double to_behind, to_ahead;  ///< from middle to middle [rad]
+  bool fed;                    ///< a supply, or a line of one, lies at one of its ends
+};
 
-/// What every cell would lose if each carried its own fill ratio [kg/s].
-Field loss(const FilmScene& scene, const FilmState& film, const FilmFlow& flow) {
-  const FilmGrid& g = scene.grid;
-  Field lost = net_outflow(scene, flow);
-  for (int i = 0; i < g.nt; ++i) {
-    for (int j = 0; j < g.nz; ++j) {
-      const int east = g.index(i, j);
-      const int west = g.index(g.previous(i), j);
-      if (scene.supply.line[east] >= 0) continue;
-      const FaceFlow& f = flow.phi[east];
-      const double more = f.couette * film.theta[scene.speed > 0.0 ? west : east] - f.carried;
-      lost[west] += more;
-      lost[east] -= more;
-    }
+Along along(const FilmScene& s, int i, int j) {
+  const FilmGrid& g = s.grid;
+  const bool forward = s.speed > 0.0;
+  const int up = forward ? g.previous(i) : g.next(i);
+  const int down = forward ? g.next(i) : g.previous(i);
+  Along a{g.index(i, j),
+          g.index(up, j),
+          g.index(down, j),
+          g.dphi[i],
+          0.5 * (g.dphi[up] + g.dphi[i]),
+          0.5 * (g.dphi[down] + g.dphi[i]),
+          false};
+  for (const int k : {a.behind, a.ahead}) a.fed = a.fed || s.supply.cell[k] >= 0;
+  for (const int face : {a.cell, forward ? a.ahead : a.behind}) {
+    a.fed = a.fed || s.supply.line[face] >= 0;
   }
-  return lost;
+  return a;
 }
 
 }  // namespace
 
 Field fill_fronts(const FilmScene& scene, const FilmState& film, const FilmFlow& flow) {
+  constexpr double kFlattest = -0.5;  // (3): 1 + f of two, and of a half
+  constexpr double kSteepest = 1.0;
   const FilmGrid& g = scene.grid;
   Field front(g.cells(), 0.0);
-  if (scene.speed == 0.0 || flow.phi.size() != front.size()) return front;
-  const bool forward = scene.speed > 0.0;
-  const Field lost = loss(scene, film, flow);
+  if (scene.speed == 0.0 || flow.stored_by_theta.size() != front.size()) return front;
+  Field room = flow.stored_by_theta;  // rho hT, in units of the step that it was stored in
+  for (int k = 0; k < g.cells(); ++k) room[k] /= g.area(k / g.nz, k % g.nz);
+  const auto oil = [&](int k) { return room[k] * film.theta[k]; };
   for (int i = 0; i < g.nt; ++i) {
-    const int up = forward ? g.previous(i) : g.next(i);
-    const int down = forward ? g.next(i) : g.previous(i);
-    const double to_up = 0.5 * (g.dphi[up] + g.dphi[i]);
-    const double to_down = 0.5 * (g.dphi[down] + g.dphi[i]);
     for (int j = 0; j < g.nz; ++j) {
-      const int k = g.index(i, j);
-      const int behind = g.index(up, j);
-      const int ahead = g.index(down, j);
-      const double theta = film.theta[k];
-      const double room = theta * (1.0 - theta);
-      const double couette = std::abs(flow.phi[forward ? ahead : k].couette);
-      if (film.full[k] || scene.supply.cell[k] >= 0 || !(room > 0.0) || couette == 0.0) continue;
-      const double of_fill =
-          limited((theta - film.theta[behind]) / to_up, (film.theta[ahead] - theta) / to_down);
-      const double of_loss = limited(lost[k] / g.dphi[i], lost[ahead] / g.dphi[down]) / couette;
-      front[k] = std::clamp(-0.5 * g.dphi[i] * smaller(of_fill, of_loss) / room, -1.0, 1.0);
+      const Along a = along(scene, i, j);
+      const double theta = film.theta[a.cell];
+      if (film.full[a.cell] || scene.supply.cell[a.cell] >= 0) continue;
+      if (!(theta > 0.0 && theta < 1.0 && room[a.ahead] > 0.0)) continue;
+      const double M = oil(a.cell);
+      const double slope =
+          a.fed ? 0.0 : limited((M - oil(a.behind)) / a.to_behind, (oil(a.ahead) - M) / a.to_ahead);
+      const double share = 0.5 * a.length / a.to_ahead;  // of the way ahead: the face
+      const double room_at_face = room[a.cell] + share * (room[a.ahead] - room[a.cell]);
+      const double at_face = (M + 0.5 * a.length * slope) / room_at_face;
+      if (!(at_face > 0.0)) continue;
+      front[a.cell] = std::clamp((theta / at_face - 1.0) / (1.0 - theta), kFlattest, kSteepest);
     }
   }
   return front;

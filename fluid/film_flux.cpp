@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fluid/carried_fill.hpp"
-
 namespace shellback::fluid {
 namespace {
 
@@ -118,10 +116,7 @@ struct Evaluation {
   }
   [[nodiscard]] bool steps() const { return !profile.empty(); }
   /// What the journal carries out of cell k.
-  [[nodiscard]] CarriedFill out_of(int k) const {
-    const Field& front = scene.storage.front;
-    return carried_fill(state.theta[k], front.empty() ? 0.0 : front[k]);
-  }
+  [[nodiscard]] CarriedFill out_of(int k) const { return carried_out_of(scene, state, k); }
 };
 
 /// Gaps on the two sides of every face (the second side only if there are steps).

@@ -16,7 +16,7 @@
 /// rough surfaces, phi_* the flow factors. Sources: seed 000 Eq. 1; methods 1.1.
 ///
 /// Discretisation. h at faces is centred (second order), theta_f is the fill ratio of the upstream
-/// cell (in time sharpened where fronts wander, fill_front.hpp), the fluidity of
+/// cell (in time such that its oil is carried with second order, fill_front.hpp), the fluidity of
 /// a face is the logarithmic mean of its cells: for Barus oil that is the exact mean of
 /// exp(-alpha p) between the two pressures, so that the flux is linear in
 /// q = (1 - exp(-alpha p))/alpha. Where the gap jumps on a face, the two half cells are in
@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
+#include "fluid/carried_fill.hpp"
 #include "fluid/flow_factors.hpp"
 #include "fluid/gap.hpp"
 #include "fluid/gap_transport.hpp"
@@ -96,6 +97,13 @@ struct LineFace {
   int patch = 0;  ///< supply patch
   FaceFlow west;
 };
+
+/// What the journal carries out of cell k.
+[[nodiscard]] inline CarriedFill carried_out_of(const FilmScene& scene, const FilmState& state,
+                                                int k) {
+  const Field& front = scene.storage.front;
+  return carried_fill(state.theta[k], front.empty() ? 0.0 : front[k]);
+}
 
 struct FilmFlow {
   std::vector<FaceFlow> phi;  ///< west faces, index i * nz + j

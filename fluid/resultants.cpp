@@ -89,14 +89,15 @@ Field pressure_gradient_z(const FilmScene& s, const FilmState& state) {
 Field cell_fill(const FilmScene& s, const FilmState& state) {
   const FilmGrid& g = s.grid;
   Field fill = state.theta;
+  const auto carried = [&](int k) { return carried_out_of(s, state, k).value; };
   for (int i = 0; i < g.nt; ++i) {
     const int upstream = s.speed >= 0.0 ? g.previous(i) : g.next(i);
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
       if (s.supply.cell[k] >= 0) continue;
       const int face = s.speed >= 0.0 ? k : g.index(upstream, j);  // on the upstream side
-      const double entering = s.supply.line[face] >= 0 ? 1.0 : state.theta[g.index(upstream, j)];
-      fill[k] = 0.5 * (entering + state.theta[k]);
+      const double entering = s.supply.line[face] >= 0 ? 1.0 : carried(g.index(upstream, j));
+      fill[k] = 0.5 * (entering + carried(k));
     }
   }
   return fill;

@@ -38,11 +38,10 @@ struct ShearStress {
   Field shell;    ///< [Pa]
 };
 
-/// Mean fill ratio over each cell [-]. The flux pairs theta of a cell with the gap of its
-/// downstream face, so that theta belongs to that face; the mean over the cell is half the sum of
-/// the values on its two faces. Taking theta at the cell's middle instead shifts the cavitated zone
-/// by half a cell and makes the torque of first order. A supply line feeds full film; patches keep
-/// their own value.
+/// Mean fill ratio over each cell [-]: half the sum of what is carried through its two faces. In the
+/// steady film theta itself is what is carried through the downstream face; taking it at the cell's
+/// middle shifts the cavitated zone by half a cell and makes the torque of first order. A supply
+/// line feeds full film; patches keep their own value.
 [[nodiscard]] Field cell_fill(const FilmScene& scene, const FilmState& state);
 
 enum class CavitatedShear { filled, full };

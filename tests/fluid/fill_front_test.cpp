@@ -31,9 +31,14 @@ FilmState filled(const FilmGrid& g, const Profile& theta) {
   return film;
 }
 
-FilmFlow flow_of(const Bearing& b, const FilmState& film) {
+/// Flows of the film in a step in time, which begins with what the film holds.
+FilmFlow flow_of(Bearing b, const FilmState& film) {
   FilmCoefficients oil;
   b.oil(film, oil);
+  if (!b.scene.storage.finite()) {
+    b.scene.storage.dt = 1.0;
+    b.scene.storage.before = oil_content(b.scene, b.gap, oil, film);
+  }
   FilmFlow flow;
   evaluate_flow(b.scene, b.gap, b.step, oil, film, flow);
   return flow;
@@ -76,7 +81,7 @@ double error_half_round(int cells, bool sharpened) {
 }  // namespace
 
 TEST_CASE("WhatIsCarriedLiesBetweenNothingAndFullFilmAndRisesWithTheFill", "[front]") {
-  for (const double front : {-1.0, -0.3, 0.0, 0.4, 1.0}) {
+  for (const double front : {-0.5, -0.3, 0.0, 0.4, 1.0}) {
     CHECK(carried_fill(0.0, front).value == 0.0);
     CHECK(carried_fill(1.0, front).value == 1.0);
     for (double theta = 0.05; theta < 1.0; theta += 0.05) {
@@ -84,12 +89,13 @@ TEST_CASE("WhatIsCarriedLiesBetweenNothingAndFullFilmAndRisesWithTheFill", "[fro
       INFO("theta " << theta << ", f " << front);
       CHECK(c.value >= 0.0);
       CHECK(c.value <= 1.0);
-      CHECK(c.slope >= 0.0);
-      constexpr double kStep = 1e-4;  // the law is quadratic: only round-off is left
+      CHECK(c.slope >= 0.5);
+      CHECK(c.slope <= 2.0);
+      constexpr double kStep = 1e-4;  // its square times the third derivative: 2e-8 and less
       const double difference =
           (carried_fill(theta + kStep, front).value - carried_fill(theta - kStep, front).value) /
           (2.0 * kStep);
-      CHECK(c.slope == Approx(difference).epsilon(1e-9).margin(1e-11));
+      CHECK(c.slope == Approx(difference).epsilon(1e-7));
     }
   }
 }
@@ -122,22 +128,32 @@ TEST_CASE("AFrontThatWandersHalfRoundStaysSharp", "[front]") {
   CHECK(coarse < 0.5 * error_half_round(60, false));
 }
 
-TEST_CASE("ASteadyFilmHasNoFronts", "[front]") {
-  Setup s;
-  s.position = eccentric(0.6 * s.clearance, 1.0);
-  s.patches = {line_supply(s, 1.0)};
-  const Bearing b = make_bearing(s);
-  const auto found = solve(b, {.tolerance = 1e-9});
-  REQUIRE(found.good());
-  const FilmState& film = found.value.state;
-  const Field front = fill_fronts(b.scene, film, found.value.flow);
-  int cavitated = 0;
-  for (std::size_t k = 0; k < front.size(); ++k) {
-    cavitated += film.full[k] ? 0 : 1;
-    INFO("cell " << k << ", theta " << film.theta[k]);
-    CHECK(std::abs(front[k]) < 1e-6);
-  }
-  CHECK(cavitated > 10);
+TEST_CASE("OilIsCarriedAsItIsWhateverTheGap", "[front]") {
+  // The same oil everywhere, in a gap that changes: its flow is the same everywhere, at the mean
+  // speed of the surfaces [textbook].
+  constexpr double kOil = 0.3;  // of the film at its smallest gap
+  const auto error = [&](int cells, bool with_fronts) {
+    Setup setup;
+    setup.half = true;
+    setup.nt = cells;
+    setup.nz = 2;
+    setup.position = eccentric(0.8 * setup.clearance, 1.0);
+    Bearing b = make_bearing(setup);
+    const FilmGrid& g = b.scene.grid;
+    const double height = kOil * 0.2 * setup.clearance;
+    FilmState film = filled(g, [](double) { return 1.0; });
+    for (int k = 0; k < g.cells(); ++k) film.theta[k] = height / b.gap.cell[k];
+    if (with_fronts) b.scene.storage.front = fill_fronts(b.scene, film, flow_of(b, film));
+    const FilmFlow flow = flow_of(b, film);
+    const double expected = setup.density * height * 0.5 * setup.speed * g.dz[0];
+    double worst = 0.0;
+    for (int k = 0; k < g.cells(); ++k) {
+      worst = std::max(worst, std::abs(flow.phi[k].carried / expected - 1.0));
+    }
+    return worst;
+  };
+  CHECK(std::log2(error(48, true) / error(96, true)) == Approx(2.0).margin(0.15));
+  CHECK(std::log2(error(48, false) / error(96, false)) == Approx(1.0).margin(0.15));
 }
 
 TEST_CASE("AJournalThatTurnsBackHasTheMirroredFronts", "[front]") {

@@ -97,8 +97,8 @@ TEST_CASE("ChartOfAThermalSceneComparesNodesLayersMeanAndTiers") {
 
 TEST_CASE("ChartOfALoadCycleVariesGridsAndSteps") {
   ChartOptions o = coarse();
-  o.of_cycles.ladder = {{12, 3}, {24, 5}};
-  o.of_cycles.compared = {{24, 5}};
+  o.of_cycles.ladder = {{20, 4}, {40, 8}};
+  o.of_cycles.compared = {{40, 8}};
   o.of_cycles.reference = {{{20, 4}, {40, 8}, {80, 16}}};
   const ChartScene s = chart_scene("cycle", chart_case("flores-slider-crank"), o);
   REQUIRE(s.verdict.good());

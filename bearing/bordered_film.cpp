@@ -18,6 +18,7 @@ constexpr double kMostCartesian = 0.3;     ///< largest step near the centre, in
 constexpr double kNearCentre = 0.05;       ///< eccentricity below which steps are Cartesian [-]
 constexpr double kMostLog = 2.5;           ///< largest |ln| of the force ratio used [-]
 constexpr double kKrylovTolerance = 1e-4;  ///< tighter gains no Newton iteration (methods 2.2)
+constexpr double kKrylovInTime = 1e-2;  ///< over a step in time: as many iterations, half as long
 constexpr int kMostKrylov = 80;
 
 /// Storage of the film's linear system, one per thread and used again by every step: fresh pages
@@ -284,7 +285,8 @@ void StepProblem::solve_elastic() {
     if (moved) film.move(moved->dq, y);
     return y;
   };
-  CompliantAnswer answer = with_compliance(model, s, r.displacement, balanced, kKrylovTolerance);
+  const double tolerance = model.scene.storage.finite() ? kKrylovInTime : kKrylovTolerance;
+  CompliantAnswer answer = with_compliance(model, s, r.displacement, balanced, tolerance);
   cost.krylov_iterations += answer.iterations;
   x = std::move(answer.x);
 }

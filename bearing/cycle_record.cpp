@@ -49,7 +49,7 @@ void CycleRecord::add_contact(const FilmEquilibrium& f, CycleInstant& i) {
   i.torque_micro_hydrodynamic = fluid::torque(m.scene, tau.micro_hydrodynamic);
 }
 
-CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
+CycleInstant CycleRecord::instant_of(const FilmInTime& now, const Field& p, double dt) {
   const BearingModel& m = film_->model();
   const FilmEquilibrium& f = now.film;
   const double t = instants_.empty() ? 0.0 : instants_.back().t + dt;
@@ -69,7 +69,7 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
   i.tilt_y = f.position.psi_y();
   i.h_min = f.least.h;
   i.h_min_angle = f.least.phi;
-  i.p_max = largest(f.film.p);
+  i.p_max = largest(p);
   i.p_asperity_max = largest(f.p_contact);
   i.torque = friction.viscous + friction.asperity;
   i.torque_asperity = friction.asperity;
@@ -89,7 +89,7 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, double dt) {
 }
 
 void CycleRecord::begin(const FilmInTime& now) {
-  CycleInstant first = instant_of(now, 0.0);
+  CycleInstant first = instant_of(now, now.film.film.p, 0.0);
   const double rho = reference_density(film_->model());
   first.supply_flow = now.flows.supply / rho;
   first.side_flow = now.flows.side / rho;
@@ -113,13 +113,13 @@ void CycleRecord::begin(const FilmInTime& now) {
   instants_.push_back(first);
 }
 
-void CycleRecord::gather_fields(const FilmInTime& now, double dt) {
+void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt) {
   const Field before = power_now_;
   const double pump_before = pump_now_;
-  instants_.push_back(instant_of(now, dt));
+  instants_.push_back(instant_of(now, p, dt));
   pump_ += 0.5 * dt * (pump_before + pump_now_);
   for (std::size_t c = 0; c < p_max_.size(); ++c) {
-    p_max_[c] = larger(p_max_[c], now.film.film.p[c]);
+    p_max_[c] = larger(p_max_[c], p[c]);
     p_asperity_max_[c] = larger(p_asperity_max_[c], now.film.p_contact[c]);
     h_min_[c] = std::min(h_min_[c], now.film.gap.cell[c]);
     friction_[c] += 0.5 * dt * (before[c] + power_now_[c]);
@@ -129,8 +129,8 @@ void CycleRecord::gather_fields(const FilmInTime& now, double dt) {
   }
   if (told() < next_frame_) return;
   const FilmGrid& g = film_->model().scene.grid;
-  frames_.push_back({told(), mirror_to_full(g, now.film.film.p),
-                     mirror_to_full(g, now.film.film.theta), mirror_to_full(g, now.film.gap.cell)});
+  frames_.push_back({told(), mirror_to_full(g, p), mirror_to_full(g, now.film.film.theta),
+                     mirror_to_full(g, now.film.gap.cell)});
   next_frame_ += length_ / kFrames;
 }
 
@@ -159,7 +159,7 @@ void CycleRecord::gather_heat(const FilmStep& step, double dt) {
 }
 
 void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& control) {
-  gather_fields(step.after, dt);
+  gather_fields(step.after, step.p, dt);
   CycleInstant& i = instants_.back();
   const double rho = reference_density(film_->model());
   i.supply_flow = step.supply / dt / rho;

@@ -46,7 +46,8 @@ class CycleRecord {
 
  private:
   void add_contact(const FilmEquilibrium& f, CycleInstant& i);
-  [[nodiscard]] CycleInstant instant_of(const FilmInTime& now, double dt);
+  /// `p`: the film pressure that is told [Pa].
+  [[nodiscard]] CycleInstant instant_of(const FilmInTime& now, const Field& p, double dt);
   [[nodiscard]] std::vector<CycleQuantity> quantities() const;
   /// Those of tiers with film temperatures.
   void add_heat(std::vector<CycleQuantity>& out) const;
@@ -55,7 +56,7 @@ class CycleRecord {
   [[nodiscard]] Field shell_surface(const FilmInTime& now) const;
   /// Mean over time of a value that is straight between instants.
   [[nodiscard]] double mean(double CycleInstant::*value) const;
-  void gather_fields(const FilmInTime& now, double dt);
+  void gather_fields(const FilmInTime& now, const Field& p, double dt);
   void gather_heat(const FilmStep& step, double dt);
   void write_heat(CycleResult& r) const;
   /// Ranges of the laws that were left, at the extremes of each place.

@@ -47,12 +47,11 @@ StepOptions step_options(const Case& c, const LoadCourse& course, double length)
   return o;
 }
 
-/// In time a film need not be known better than the steps err; oil is conserved in any case.
+/// Of the film in a step with this error; oil is conserved in any case.
 EquilibriumOptions film_options(double error) {
-  constexpr double kPart = 1e-2;  // of the error of a step
   EquilibriumOptions o;
-  o.film_tolerance = o.load_tolerance = kPart * error;
-  o.elastic_tolerance = o.viscosity_tolerance = kPart * error;
+  o.film_tolerance = o.load_tolerance = kFilmPart * error;
+  o.elastic_tolerance = o.viscosity_tolerance = kFilmPart * error;
   return o;
 }
 

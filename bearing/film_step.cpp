@@ -138,8 +138,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
     }
   }
   model_.scene.speed = load.omega * model_.input.bearing.radius;
-  model_.scene.storage = {own, std::move(before)};
-  (void)move_fronts(film);
+  model_.scene.storage = {own, std::move(before), fronts_of(film)};
   begin_layer(own, std::move(layer), model_);
   target_.force[0] = -load.x;
   target_.force[1] = -load.y;
@@ -154,8 +153,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   }
   if (heat_) expect_temperatures(i, dt, stages, now, film);
   if (drillings_.any()) drillings_.place(now.t + by.c[i] * dt, model_.scene);
-  Verdict verdict = solve_film(own, vessels, film, cost, stop);
-  if (verdict.good() && move_fronts(film)) verdict = solve_film(own, vessels, film, cost, stop);
+  const Verdict verdict = solve_film_and_fronts(own, vessels, film, cost, stop);
   if (!verdict.good()) return verdict;
   if (thinner_than_a_molecule(model_, film)) {
     return {Status::no_steady_state, ending::NotAtRest{0, film.least.h}, film.least.place()};
@@ -175,18 +173,32 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   return heat_ ? solve_heat(i, dt, stages, now, film, found) : verdict;
 }
 
-bool FilmSteps::move_fronts(const FilmEquilibrium& film) {
-  if (model_.input.model.methods.transport == FillTransport::upwind) return false;
-  Field front = fluid::fill_fronts(model_.scene, film.film, film.flow);
-  if (front == model_.scene.storage.front) return false;
-  model_.scene.storage.front = std::move(front);
-  return true;
+Field FilmSteps::fronts_of(const FilmEquilibrium& film) const {
+  if (model_.input.model.methods.transport == FillTransport::upwind) return {};
+  return fluid::fill_fronts(model_.scene, film.film, film.flow);
+}
+
+Verdict FilmSteps::solve_film_and_fronts(double own, const std::vector<double>& vessels_star,
+                                         FilmEquilibrium& film, EquilibriumCost& cost,
+                                         const std::atomic<bool>* stop) {
+  if (model_.input.model.methods.transport == FillTransport::upwind) {
+    return solve_film(own, vessels_star, options_, film, cost, stop);
+  }
+  EquilibriumOptions loose = options_;
+  for (double* tolerance : {&loose.film_tolerance, &loose.load_tolerance, &loose.elastic_tolerance,
+                            &loose.viscosity_tolerance}) {
+    *tolerance /= kFilmPart;
+  }
+  const Verdict v = solve_film(own, vessels_star, loose, film, cost, stop);
+  if (!v.good()) return v;
+  model_.scene.storage.front = fronts_of(film);
+  return solve_film(own, vessels_star, options_, film, cost, stop);
 }
 
 Verdict FilmSteps::solve_film(double own, const std::vector<double>& vessels_star,
-                              FilmEquilibrium& film, EquilibriumCost& cost,
-                              const std::atomic<bool>* stop) {
-  const auto solve = [&] { return newton(model_, target_, widening_, options_, film, cost, stop); };
+                              const EquilibriumOptions& options, FilmEquilibrium& film,
+                              EquilibriumCost& cost, const std::atomic<bool>* stop) {
+  const auto solve = [&] { return newton(model_, target_, widening_, options, film, cost, stop); };
   if (!vessels_.any()) return solve();
   return vessels_.solve(own, vessels_star, model_.scene, [&](fluid::OilFlows& flows) {
     fluid::impose_supply(model_.scene, film.film);
@@ -300,6 +312,10 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     step.off_balance = std::max(step.off_balance, stages[i].off_balance);
   }
   step.error = error_of(now, film, stages, dt);
+  step.p = film.film.p;
+  for (std::size_t c = 0; !by.explicit_first && c < step.p.size(); ++c) {
+    step.p[c] = by.b(0) * between.film.p[c] + by.b(1) * film.film.p[c];
+  }
   if (vessels_.any()) {
     std::vector<double> missing(vessels_begun_.size(), 0.0);
     for (int i = 0; i < by.stages; ++i) {

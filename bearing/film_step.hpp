@@ -12,9 +12,12 @@
 /// every stage.
 /// TR-BDF2 (three stages, the first explicit) where the load is smooth, SDIRK2 where no slope at
 /// the step's beginning is known: at the start and behind a jump of load or speed. Both are of
-/// second order and stiffly accurate. Where film temperatures are solved, heat takes its stage
-/// behind the film's (heat_in_time.hpp). Source: textbook (Hosea and Shampine's form of TR-BDF2;
-/// Alexander's SDIRK2); methods 4.
+/// second order and stiffly accurate. The last stage of SDIRK2 has a pressure that swings from step
+/// to step where film forms again, by a tenth and more; told is the mean over its step,
+///   p = sum_i b_i p_i,                                                               (3)
+/// and with TR-BDF2, which swings by a few per cent, the last stage's. Where film temperatures are
+/// solved, heat takes its stage behind the film's (heat_in_time.hpp). Source: textbook (Hosea and
+/// Shampine's form of TR-BDF2; Alexander's SDIRK2); methods 4.
 #include "bearing/drillings.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/film_stage.hpp"
@@ -61,6 +64,7 @@ struct FilmInTime {
 struct FilmStep {
   Verdict verdict;
   FilmInTime after;     ///< good: the state at its end
+  Field p;              ///< film pressure told of its end (3) [Pa]
   double error = 0.0;   ///< estimated, of the loaded film over its height, max |dh|/(h + sigma) [-]
   double supply = 0.0;  ///< oil fed in over the step [kg]
   double side = 0.0;    ///< and lost at the sides [kg]
@@ -71,10 +75,15 @@ struct FilmStep {
   HeatFlows heat;                   ///< over the step [J]; tiers with film temperatures
 };
 
+/// Part of the error that a step may have to which its film is solved: in time a film need not be
+/// known better [-].
+inline constexpr double kFilmPart = 1e-2;
+
 /// The bearing in time, on one grid, under a course of load and speed.
 class FilmSteps {
  public:
-  /// `mass` of the journal [kg], 0: none.
+  /// `mass` of the journal [kg], 0: none. `options`: of a stage's film. The film from
+  /// which it takes its fronts of oil is solved to the error of a step: these over kFilmPart.
   FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
             const EquilibriumOptions& options);
 
@@ -134,11 +143,15 @@ class FilmSteps {
                 std::vector<FilmStage>& stages, FilmStep& step) const;
   /// The film of stage i and what its vessels hold.
   [[nodiscard]] Verdict solve_film(double own, const std::vector<double>& vessels_star,
-                                   FilmEquilibrium& film, EquilibriumCost& cost,
-                                   const std::atomic<bool>* stop);
-  /// With FillTransport::van_leer: fronts of oil as this film has them, first as the stage begins,
-  /// then as it ends. True if they have moved.
-  [[nodiscard]] bool move_fronts(const FilmEquilibrium& film);
+                                   const EquilibriumOptions& options, FilmEquilibrium& film,
+                                   EquilibriumCost& cost, const std::atomic<bool>* stop);
+  /// Fronts of oil as this film has them; empty with FillTransport::upwind.
+  [[nodiscard]] Field fronts_of(const FilmEquilibrium& film) const;
+  /// With FillTransport::van_leer the stage is solved loosely with the fronts of oil that it begins
+  /// with, and then with its own (fluid/fill_front.hpp).
+  [[nodiscard]] Verdict solve_film_and_fronts(double own, const std::vector<double>& vessels_star,
+                                              FilmEquilibrium& film, EquilibriumCost& cost,
+                                              const std::atomic<bool>* stop);
   /// Mouths of drillings as they stand at time t [s], by this film.
   void open_mouths(double t, FilmEquilibrium& film);
   /// The film carried on along its trend for `ahead` [s].

@@ -125,7 +125,7 @@ std::vector<CycleQuantity> quantities(const JournalPath& path, double T) {
 struct HistoryParts {
   double torque, film, peak;
 };
-constexpr HistoryParts kHistory{0.10, 0.40, 0.80};
+constexpr HistoryParts kHistory{0.10, 0.50, 0.80};
 
 void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>& longer,
               const EstimateBars& bars) {

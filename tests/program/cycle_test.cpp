@@ -56,7 +56,8 @@ TEST_CASE("PicturesAndPagesAreOfWhatChangesInTime") {
 /// The smallest films of a sweep over the rotating load [m].
 std::vector<double> films_of_sweep(const std::vector<std::string>& more) {
   std::vector<std::string> words{
-      "sweep",    case_path("rotating-load").string(), "--set", "model.grid=[24,4]", "--csv", "-",
+      "sweep",    case_path("rotating-load").string(), "--set", "model.grid=[32,5]",
+      "--set",    "load_cycle.step=\"8 deg\"",         "--csv", "-",
       "--no-bars"};
   words.insert(words.end(), more.begin(), more.end());
   const Ended ended = run_words(words);

@@ -49,7 +49,7 @@ LoadCycle LoadTable::cycle(double scale, double period, LoadInterpolation interp
     expect_within(k, period);
   }
   expect_order(interpolation);
-  expect_no_gap(period);
+  judge_gaps(period);
   if (period < kInfinite) close(period, interpolation);
   LoadCycle c;
   c.period = period;
@@ -183,20 +183,23 @@ LoadTable::Change LoadTable::change(const Row& a, const Row& b) const {
 
 /// A long stretch between two rows that are alike says that the load stays; behind the last row of
 /// a period it may as well be that the period is wrong.
-void LoadTable::expect_no_gap(double period) const {
+void LoadTable::judge_gaps(double period) {
   std::vector<double> t;
   for (const Row& row : rows_) t.push_back(row.t);
   for (const bearing::RowGap& gap : bearing::row_gaps(t, period)) {
     const Change c = change(rows_[gap.from], rows_[gap.to]);
+    const bool changes = c.of_load || c.of_speed;
     const bool last = gap.to == 0;
-    if (gap.times <= bearing::kLineToRefuse || !(last || c.of_load || c.of_speed)) continue;
-    table_.fail(gap.from, when_,
-                fmt::format("from {} to {}{} no row tells the load, {:.3g} times as far as rows "
-                            "stand apart elsewhere; add the rows{}; a straight line that is meant "
-                            "has a row half way",
-                            table_.written(gap.from, when_), table_.written(gap.to, when_),
-                            last ? " of the next period" : "", gap.times,
-                            last ? ", or correct load_cycle.period" : ""));
+    if (!last && !changes) continue;
+    const std::string problem = fmt::format(
+        "from {} to {}{} no row tells the load, {:.3g} times as far as rows stand "
+        "apart elsewhere; add the rows{}; a straight line that is meant has a row half "
+        "way",
+        table_.written(gap.from, when_), table_.written(gap.to, when_),
+        last ? " of the next period" : "", gap.times, last ? ", or correct load_cycle.period" : "");
+    if (gap.times > bearing::kLineToRefuse) table_.fail(gap.from, when_, problem);
+    // The rows as the cycle has them (judge_cycle.cpp) tell the others.
+    if (last && (!changes || rows_.front().t > 0.0)) doubts_.push_back(problem);
   }
 }
 

@@ -30,6 +30,9 @@ class LoadTable {
   [[nodiscard]] bearing::LoadCycle cycle(double scale, double period,
                                          bearing::LoadInterpolation interpolation);
 
+  /// What is unusual about its end, found by cycle(): a shorter stretch without a row.
+  [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
+
   /// Throws InputError at the row where the load of `cycle` vanishes, unless its journal has mass.
   void expect_mass(const bearing::LoadCycle& cycle) const;
 
@@ -51,7 +54,7 @@ class LoadTable {
     bool of_speed = false;
   };
   [[nodiscard]] Change change(const Row& a, const Row& b) const;
-  void expect_no_gap(double period) const;
+  void judge_gaps(double period);
   void close(double period, bearing::LoadInterpolation interpolation);
   void expect_periodic() const;
   void move_to_front();
@@ -61,6 +64,7 @@ class LoadTable {
   bool angle_;
   std::string when_;  ///< name of the column of angle or time
   std::vector<Row> rows_;
+  std::vector<std::string> doubts_;
 };
 
 }  // namespace shellback::app

@@ -252,6 +252,16 @@ TEST_CASE("AFewRowsThatAreLostAreTold") {
   check_parts(told.front(), {"case.toml:19:8", "load_cycle.file", "no row tells the load",
                              "5 times", "half way"});
   CHECK(warnings(turning(0, 100) + turning(120, 350)).empty());
+  // Behind the last row: told once, alike or not, from 0 on or not.
+  const auto end = [&](const std::string& rows) {
+    const auto list = warnings(rows);
+    REQUIRE(list.size() == 1);
+    return list.front();
+  };
+  CHECK(end(turning(0, 310)).find("5 times") != std::string::npos);
+  CHECK(end(turning(0, 300) + "310,1,0\n").find("310 deg to 0 deg of the next") !=
+        std::string::npos);
+  CHECK(end(turning(30, 340)).find("340 deg to 30 deg of the next") != std::string::npos);
 }
 
 TEST_CASE("FieldsThatAreNoNumbersAreRefused") {

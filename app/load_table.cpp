@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bearing/cycle_numbers.hpp"
+#include "bearing/row_gaps.hpp"
 #include "core/range.hpp"
 
 namespace shellback::app {
@@ -48,6 +49,7 @@ LoadCycle LoadTable::cycle(double scale, double period, LoadInterpolation interp
     expect_within(k, period);
   }
   expect_order(interpolation);
+  judge_gaps(period);
   if (period < kInfinite) close(period, interpolation);
   LoadCycle c;
   c.period = period;
@@ -164,21 +166,50 @@ void LoadTable::close(double period, LoadInterpolation interpolation) {
   }
 }
 
-void LoadTable::expect_periodic() const {
-  const Row& a = rows_.front();
-  const Row& b = rows_.back();
+LoadTable::Change LoadTable::change(const Row& a, const Row& b) const {
   double load = 0.0;
   double speed = 0.0;
   for (const Row& row : rows_) {
     load = std::max(load, std::hypot(row.load.x, row.load.y));
     speed = std::max(speed, std::abs(row.load.omega));
   }
-  const double jump = std::hypot(a.load.x - b.load.x, a.load.y - b.load.y);
-  const double turn = a.load.omega - b.load.omega;
-  if (jump <= kSameLoad * load && std::abs(turn) <= kSameLoad * speed) return;
-  const std::string what = jump > kSameLoad * load
-                               ? fmt::format("the load jumps by {:.4g} N", jump)
-                               : fmt::format("the speed jumps by {:.4g} rad/s", std::abs(turn));
+  Change c;
+  c.load = std::hypot(a.load.x - b.load.x, a.load.y - b.load.y);
+  c.speed = std::abs(a.load.omega - b.load.omega);
+  c.of_load = c.load > kSameLoad * load;
+  c.of_speed = c.speed > kSameLoad * speed;
+  return c;
+}
+
+/// A long stretch between two rows that are alike says that the load stays; behind the last row of
+/// a period it may as well be that the period is wrong.
+void LoadTable::judge_gaps(double period) {
+  std::vector<double> t;
+  for (const Row& row : rows_) t.push_back(row.t);
+  for (const bearing::RowGap& gap : bearing::row_gaps(t, period)) {
+    const Change c = change(rows_[gap.from], rows_[gap.to]);
+    const bool changes = c.of_load || c.of_speed;
+    const bool last = gap.to == 0;
+    if (!last && !changes) continue;
+    const std::string problem = fmt::format(
+        "from {} to {}{} no row tells the load, {:.3g} times as far as rows stand "
+        "apart elsewhere; add the rows{}; a straight line that is meant has a row half "
+        "way",
+        table_.written(gap.from, when_), table_.written(gap.to, when_),
+        last ? " of the next period" : "", gap.times, last ? ", or correct load_cycle.period" : "");
+    if (gap.times > bearing::kLineToRefuse) table_.fail(gap.from, when_, problem);
+    // The rows as the cycle has them (judge_cycle.cpp) tell the others.
+    if (last && (!changes || rows_.front().t > 0.0)) doubts_.push_back(problem);
+  }
+}
+
+void LoadTable::expect_periodic() const {
+  const Row& a = rows_.front();
+  const Row& b = rows_.back();
+  const Change c = change(a, b);
+  if (!c.of_load && !c.of_speed) return;
+  const std::string what = c.of_load ? fmt::format("the load jumps by {:.4g} N", c.load)
+                                     : fmt::format("the speed jumps by {:.4g} rad/s", c.speed);
   table_.fail(b.line, when_,
               fmt::format("the table is not periodic: from {} back to {} {}; make the last row "
                           "equal to the first, or leave it out; a jump that is meant has two "

@@ -24,10 +24,14 @@ class LoadTable {
 
   /// The cycle; `scale` turns crank angle into time [s/rad], 1 where the rows stand over time;
   /// `period`: infinite of a single event [s]. Throws InputError for rows that are not sorted, lie
-  /// out of the period, stand three at a time, do not return to the first, or begin after 0 where
-  /// nothing tells what is before; for jumps in a spline.
+  /// out of the period, stand three at a time, do not return to the first, leave a stretch without
+  /// a row (bearing/row_gaps.hpp), or begin after 0 where nothing tells what is before; for jumps
+  /// in a spline.
   [[nodiscard]] bearing::LoadCycle cycle(double scale, double period,
                                          bearing::LoadInterpolation interpolation);
+
+  /// What is unusual about its end, found by cycle(): a shorter stretch without a row.
+  [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
 
   /// Throws InputError at the row where the load of `cycle` vanishes, unless its journal has mass.
   void expect_mass(const bearing::LoadCycle& cycle) const;
@@ -42,6 +46,15 @@ class LoadTable {
   void make_rows(double scale);
   void expect_within(std::size_t k, double period) const;
   void expect_order(bearing::LoadInterpolation interpolation) const;
+  /// Between two rows; of more than a millionth of the largest, or of none.
+  struct Change {
+    double load = 0.0;   ///< [N]
+    double speed = 0.0;  ///< [rad/s]
+    bool of_load = false;
+    bool of_speed = false;
+  };
+  [[nodiscard]] Change change(const Row& a, const Row& b) const;
+  void judge_gaps(double period);
   void close(double period, bearing::LoadInterpolation interpolation);
   void expect_periodic() const;
   void move_to_front();
@@ -51,6 +64,7 @@ class LoadTable {
   bool angle_;
   std::string when_;  ///< name of the column of angle or time
   std::vector<Row> rows_;
+  std::vector<std::string> doubts_;
 };
 
 }  // namespace shellback::app

@@ -6,6 +6,7 @@
 
 #include "app/csv_table.hpp"
 #include "app/sections.hpp"
+#include "bearing/row_gaps.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 
@@ -13,12 +14,14 @@ namespace shellback::app {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
-constexpr double kSame = 1e-9;          ///< of a turn: angles closer than this are one [-]
-constexpr double kSamePressure = 1e-6;  ///< of the largest: as much as tables have [-]
-constexpr double kLowestPeak = 5e5;     ///< an engine that hardly compresses has 10 bar [Pa]
-constexpr double kHighestPeak = 500e5;  ///< twice what large diesels reach [Pa]
-constexpr double kVacuum = -101325.0;   ///< gauge; standard atmosphere, definition [Pa]
-constexpr double kUsualRodRatio = 0.5;  ///< r/l; engines have 0.2 to 0.35 [-]
+constexpr double kSame = 1e-9;           ///< of a turn: angles closer than this are one [-]
+constexpr double kSamePressure = 1e-6;   ///< of the largest: as much as tables have [-]
+constexpr double kLowestPeak = 5e5;      ///< an engine that hardly compresses has 10 bar [Pa]
+constexpr double kHighestPeak = 500e5;   ///< twice what large diesels reach [Pa]
+constexpr double kVacuum = -101325.0;    ///< gauge; standard atmosphere, definition [Pa]
+constexpr double kLowCompression = 8.0;  ///< of petrol 8 to 12, diesel 12 to 24 (textbook) [-]
+constexpr double kPolytropic = 1.3;      ///< of compression in engines: 1.3 to 1.35 (textbook) [-]
+constexpr double kUsualRodRatio = 0.5;   ///< r/l; engines have 0.2 to 0.35 [-]
 constexpr const char* kExample = "angle [deg], pressure [bar]";
 
 void expect_angles(const CsvTable& table, double period) {
@@ -53,6 +56,42 @@ void expect_pressures(const CsvTable& table) {
                            "bar); check the unit in the first line",
                            table.written(row(high), "pressure")));
   }
+}
+
+/// A trace covers its period. Unlike a load, no pressure stays for long in a cylinder whose piston
+/// moves: also between two rows that are alike the line must be said to be meant.
+void expect_no_gap(const Section& section, const CsvTable& table, double period) {
+  for (const bearing::RowGap& gap : bearing::row_gaps(table.column("angle"), period)) {
+    const bool last = gap.to == 0;
+    const std::string problem = fmt::format(
+        "from {} to {}{} no row tells the pressure, {:.3g} times as far as rows stand apart "
+        "elsewhere; add the rows{}; a straight line that is meant has a row half way",
+        table.written(gap.from, "angle"), table.written(gap.to, "angle"),
+        last ? " of the next period" : "", gap.times,
+        last ? fmt::format(", or correct load_cycle.period (taken: {:.6g} deg)",
+                           period * 180.0 / kPi)
+             : "");
+    if (gap.times > bearing::kLineToRefuse) table.fail(gap.from, "angle", problem);
+    section.warn("pressure", problem);
+  }
+}
+
+/// Gauge pressures in a wrong unit lose what ambient pressure adds to them: the trace spans less
+/// than its own compression. What a compressor or an engine that hardly compresses has is told.
+void expect_compression(const Section& section, const CsvTable& table) {
+  const std::vector<double>& p = table.column("pressure");
+  const auto [low, high] = std::minmax_element(p.begin(), p.end());
+  const double span = (*high - kVacuum) / (*low - kVacuum);
+  const double compressed = std::pow(kLowCompression, kPolytropic);
+  if (!(span < compressed)) return;
+  const auto row = static_cast<std::size_t>(high - p.begin());
+  section.warn(
+      "pressure",
+      fmt::format("the largest cylinder pressure, {} ({}), is {:.3g} times the smallest (both "
+                  "absolute), less than the {:.3g} times that compression to an eighth makes "
+                  "without any combustion; unless this is a compressor, check the unit in the "
+                  "first line (psi or MPa given as bar look like this)",
+                  table.written(row, "pressure"), table.place(row, "pressure"), span, compressed));
 }
 
 /// The end of the period is its beginning: a last row there says so and goes.
@@ -99,6 +138,8 @@ void read_pressure(const Section& section, const std::optional<double>& period,
   crank.period = period_of(section, table, period);
   expect_angles(table, crank.period);
   expect_pressures(table);
+  expect_no_gap(section, table, crank.period);
+  expect_compression(section, table);
   close(table, crank);
 }
 

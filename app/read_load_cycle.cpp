@@ -97,6 +97,7 @@ LoadCycle cycle_of_table(const Section& file, const Section& section, double ome
       angle ? crank_speed(file, omega, "the load's table is told in crank angle") : 0.0;
   const double scale = angle ? 1.0 / speed : 1.0;
   LoadCycle c = table.cycle(scale, period ? period->value * scale : kInfinite, interpolation);
+  for (const std::string& doubt : table.doubts()) section.warn("file", doubt);
   c.crank_speed = speed;
   read_mass_and_step(file, section, omega, c);
   table.expect_mass(c);

@@ -7,6 +7,7 @@
 #include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_parts.hpp"
 #include "bearing/load_cycle.hpp"
+#include "bearing/row_gaps.hpp"
 #include "bearing/value_check.hpp"
 
 namespace shellback::bearing {
@@ -88,6 +89,30 @@ void judge_scalars(const LoadCycle& c, const ValueCheck& cycle) {
   }
 }
 
+/// Whether load and speed in the rows are the same to as many digits as tables have.
+bool stays(const LoadCycle& c, const RowGap& gap, double largest, double fastest) {
+  const double load = std::hypot(c.x[gap.to] - c.x[gap.from], c.y[gap.to] - c.y[gap.from]);
+  const double speed = c.omega.empty() ? 0.0 : std::abs(c.omega[gap.to] - c.omega[gap.from]);
+  return load <= kVanishingLoad * largest && speed <= kVanishingLoad * fastest;
+}
+
+/// Long stretches without a row. Where both ends are alike the table says that the load stays.
+void judge_gaps(const LoadCycle& c, const CycleNumbers& n, Findings& to) {
+  for (const RowGap& gap : row_gaps(c.t, c.period)) {
+    if (stays(c, gap, n.largest, n.largest_speed)) continue;
+    const std::string problem = fmt::format(
+        "from {:.6g} s on no row tells the load for {:.4g} s, {:.3g} times as far as rows stand "
+        "apart elsewhere",
+        c.t[gap.from], gap.length, gap.times);
+    const std::string cure = "add the rows; a straight line that is meant has a row half way";
+    if (gap.times > kLineToRefuse) {
+      to.refuse("load_cycle.file", problem, cure);
+    } else {
+      to.suspect("load_cycle.file", problem, cure);
+    }
+  }
+}
+
 /// Rows far apart: a spline may swing between them to loads that nobody gave.
 void judge_swing(const LoadCycle& c, double largest, const ValueCheck& cycle) {
   constexpr double kMostSwing = 2.0;  // of the largest row: that is no interpolation any more [-]
@@ -123,6 +148,7 @@ void judge_cycle_values(const LoadCycle& c, Findings& to) {
   if (n.largest <= 0.0) {
     cycle.refuse("file", "the load is zero throughout", "check the columns of the load");
   }
+  judge_gaps(c, n, to);
   judge_swing(c, n.largest, cycle);
   if (c.step && *c.step > n.length) {
     cycle.refuse(

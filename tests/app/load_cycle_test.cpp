@@ -186,6 +186,84 @@ TEST_CASE("RowsInDisorderAreRefused") {
   check_against("# nothing\n", {"load.csv:1:1", "empty", "angle [deg], load_x [N]"});
 }
 
+namespace {
+
+/// A load that turns with its angle: rows from one angle to another, `step` apart [deg].
+std::string turning(int from, int to, int step = 10) {
+  std::string rows;
+  for (int a = from; a <= to; a += step)
+    rows += std::to_string(a) + ",1," + std::to_string(a) + "\n";
+  return rows;
+}
+
+const std::string kTurning = "angle [deg], load [kN], direction [deg]\n";
+
+}  // namespace
+
+TEST_CASE("AStretchWithoutRowsIsRefusedWithItsEnds") {
+  check_against(kTurning + turning(0, 100),
+                {"load.csv:12:1", "from 100 deg to 0 deg of the next period no row tells the load",
+                 "26 times", "add the rows, or correct load_cycle.period", "half way"});
+  check_against(kTurning + turning(0, 100) + turning(220, 350),
+                {"load.csv:12:1", "from 100 deg to 220 deg no row", "12 times", "add the rows;"});
+  check_against(kTurning + turning(40, 140),  // a row at 0 that nobody gave does not count
+                {"load.csv:12:1", "from 140 deg to 40 deg of the next period", "26 times"});
+  check_against("time [ms], load_x [N], load_y [N]\n0,0,-1\n1,0,-2\n2,0,-3\n13,0,-1\n",
+                {"load.csv:4:1", "from 2 ms to 13 ms no row", "11 times"},
+                "[load_cycle]\nfile = \"load.csv\"\n");
+  check_against(
+      "time [ms], load_x [N], load_y [N], speed [rpm]\n0,0,-1,0\n1,0,-1,1\n2,0,-1,2\n"
+      "13,0,-1,300\n",
+      {"load.csv:4:1", "from 2 ms to 13 ms no row"}, "[load_cycle]\nfile = \"load.csv\"\n");
+}
+
+TEST_CASE("ATableOfOneTurnIsNoneOfTwo") {
+  const std::string two = "[load_cycle]\nfile = \"load.csv\"\nperiod = \"720 deg\"\n";
+  check_against(kTurning + turning(0, 360),  // whose ends are alike
+                {"load.csv:38:1", "from 360 deg to 0 deg of the next period", "36 times",
+                 "correct load_cycle.period"},
+                two);
+  CHECK_NOTHROW(cycle_of(two, kTurning + turning(0, 720)));
+}
+
+TEST_CASE("AStraightLineThatIsMeantIsSaidByARow") {
+  CHECK_NOTHROW(cycle_of(kInDegrees, kTurning + turning(0, 100) + "230,1,50\n"));   // half way
+  CHECK_NOTHROW(cycle_of(kInDegrees, kTurning + turning(0, 100) + "350,1,100\n"));  // it stays
+}
+
+TEST_CASE("TablesOfAFewCornersHaveNoGaps") {
+  const std::string head = "angle [deg], load_x [N], load_y [N]\n";
+  for (const std::string rows :
+       {"0,0,-1000\n1,0,-2000\n",                            // two rows
+        "0,0,-1000\n1,0,-2000\n180,0,-2500\n181,0,-1000\n",  // a roof on short ramps
+        "0,0,-1000\n0,0,-2000\n180,0,-2500\n180,0,-1000\n",  // on jumps
+        "0,0,-1000\n1,0,-1500\n2,0,-2000\n3,0,-1500\n5,0,-1000\n360,0,-1000\n"}) {  // a pulse
+    CHECK_NOTHROW(cycle_of(kInDegrees, head + rows));
+  }
+}
+
+TEST_CASE("AFewRowsThatAreLostAreTold") {
+  const ScratchFolder folder;
+  const auto warnings = [&](const std::string& rows) {
+    return read(folder, kInDegrees, kTurning + rows).warnings;
+  };
+  const auto told = warnings(turning(0, 100) + turning(150, 350));
+  REQUIRE(told.size() == 1);
+  check_parts(told.front(), {"case.toml:19:8", "load_cycle.file", "no row tells the load",
+                             "5 times", "half way"});
+  CHECK(warnings(turning(0, 100) + turning(120, 350)).empty());
+  // Behind the last row: told once, alike or not, from 0 on or not.
+  const auto end = [&](const std::string& rows) {
+    const auto list = warnings(rows);
+    REQUIRE(list.size() == 1);
+    return list.front();
+  };
+  CHECK(end(turning(0, 310)).find("5 times") != std::string::npos);
+  CHECK(end(turning(0, 300) + "310,1,0\n").find("310 deg to 0 deg of the next") !=
+        std::string::npos);
+  CHECK(end(turning(30, 340)).find("340 deg to 30 deg of the next") != std::string::npos);
+}
+
 TEST_CASE("FieldsThatAreNoNumbersAreRefused") {
   const std::string head = "angle [deg], load_x [N], load_y [N]\n0, 0, -1\n";
   check_against(head + "90, , -1\n", {"load.csv:3:4", "load_x is missing", "fill the gap"});
@@ -318,6 +396,47 @@ TEST_CASE("APressureTraceInAWrongUnitIsRefused") {
   said("angle [deg], pressure [bar]\n0, 140\n750, 3\n", {"p.csv:3:1", "out of the period"});
   said("angle [deg], pressure [bar]\n0, 140\n", {"p.csv:1:1", "two rows"});
   said("angle [deg], presure [bar]\n0, 140\n", {"p.csv:1:14", "did you mean \"pressure\"?"});
+}
+
+namespace {
+
+/// Gas that is compressed and expands again with exponent 1.3 in a cylinder of volume ratio 17, as
+/// a trace every 10 deg up to an angle; `factor`: what a wrong unit makes of it.
+std::string trace(int to, double factor = 1.0) {
+  std::string rows = "angle [deg], pressure [bar]\n";
+  for (int a = 0; a <= to; a += 10) {
+    const double open = 0.5 * (1.0 - std::cos(a * kDeg));
+    const bool closed = a < 180 || a > 540;
+    const double p = closed ? 2.5 * std::pow(17.0 / (1.0 + 16.0 * open), 1.3) : 2.5;
+    rows += std::to_string(a) + "," + std::to_string(factor * (p - 1.01325)) + "\n";
+  }
+  return rows;
+}
+
+std::vector<std::string> crank_warnings(const std::string& table) {
+  const ScratchFolder folder;
+  return read(folder, "[load_cycle]\nperiod = \"720 deg\"\n" + kCrank, table).warnings;
+}
+
+}  // namespace
+
+TEST_CASE("APressureTraceCoversItsPeriod") {
+  check_against(trace(400),
+                {"p.csv:42:1", "from 400 deg to 0 deg of the next period no row tells the pressure",
+                 "32 times", "(taken: 720 deg)"},
+                kCrank);
+  CHECK(crank_warnings(trace(710)).empty());
+  const auto told = crank_warnings(trace(640));
+  REQUIRE(told.size() == 1);
+  check_parts(told.front(), {"crank.pressure", "from 640 deg to 0 deg", "8 times"});
+}
+
+TEST_CASE("APressureTraceThatSpansLessThanCompressionIsTold") {
+  // Gas alone spans 17^1.3 = 39.8; in psi given as bar, 2.5 bar of intake are 1.1 and 98 are 7.7.
+  CHECK(crank_warnings(trace(710)).empty());
+  const auto told = crank_warnings(trace(710, 1.0 / 14.5038));
+  REQUIRE(told.size() == 1);
+  check_parts(told.front(), {"p.csv", "crank.pressure", "both absolute", "14.9 times", "psi"});
 }
 
 TEST_CASE("ACrankThatCannotTurnIsRefused") {

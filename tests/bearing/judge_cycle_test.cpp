@@ -5,6 +5,7 @@
 #include "bearing/cycle_endings.hpp"
 #include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_case.hpp"
+#include "bearing/row_gaps.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -114,17 +115,49 @@ TEST_CASE("ASplineNeedsAPeriodAndNoJumps") {
 }
 
 TEST_CASE("ASplineThatSwingsToLoadsThatNobodyGaveIsRefused") {
-  // The period a hundred times too long: one interval of 4 s beside three of 10 ms.
+  // The period a hundred times too long: one interval of 4 s beside three of 10 ms, over which the
+  // load is said to stay.
   const auto far = [](LoadInterpolation how) {
     return refusal([how](LoadCycle& c) {
       c.interpolation = how;
       c.period = 4.0;
+      c.x.back() = 0.0;
+      c.y.back() = -1000.0;
     });
   };
   const Finding swung = far(LoadInterpolation::periodic_spline);
   CHECK(swung.key == "load_cycle.period");
   CHECK(holds(swung.problem, "times the largest row"));
   CHECK_FALSE(far(LoadInterpolation::linear).refused());
+}
+
+TEST_CASE("ALongStretchWithoutRowsIsRefusedUnlessTheLoadStays") {
+  // The period a hundred times too long: one line of 3.97 s beside three of 10 ms.
+  const auto far = [](double last) {
+    return refusal([last](LoadCycle& c) {
+      c.period = 4.0;
+      c.x.back() = 0.0;
+      c.y.back() = last;
+    });
+  };
+  const Finding lost = far(-2000.0);
+  CHECK(lost.key == "load_cycle.file");
+  CHECK(holds(lost.words(), "from 0.03 s on no row tells the load for 3.97 s, 397 times"));
+  CHECK_FALSE(far(-1000.0).refused());  // the load of the first row
+}
+
+TEST_CASE("AStretchIsMeasuredAgainstTheTableAndItsNeighbours") {
+  const auto times = [](const std::vector<double>& t, double period) {
+    const auto gaps = row_gaps(t, period);
+    return gaps.empty() ? 0.0 : gaps.front().times;
+  };
+  CHECK(times({0.0, 1.0, 2.0, 3.0}, 44.0) == Approx(41.0));
+  CHECK(times({0.0, 1.0, 2.0, 3.0}, INFINITY) == 0.0);            // an event ends with its last row
+  CHECK(times({0.0, 1.0, 2.0, 3.0, 23.0}, 44.0) == 0.0);          // a row near half way
+  CHECK(times({0.0, 1.0, 2.0, 6.0, 24.0}, 24.0) == Approx(4.5));  // beside one of four
+  CHECK(times({0.0, 1.0, 20.0, 21.0}, 40.0) == 0.0);              // half of all lines are long
+  CHECK(times({0.0, 0.0, 1.0, 1.0}, 40.0) == 0.0);                // jumps are no stretches
+  CHECK(times({0.0}, 40.0) == 0.0);
 }
 
 TEST_CASE("TwoCyclesAgreeOnceTheirRateIsKnown") {

@@ -1,5 +1,6 @@
 // From rest in contact to a full film and back, and through zero speed.
 #include <catch2/catch.hpp>
+#include <utility>
 
 #include "app/words/ending_words.hpp"
 #include "bearing/cycle.hpp"
@@ -79,6 +80,49 @@ TEST_CASE("AtRestTheContactAloneCarriesTheLoad", "[start_stop]") {
   }
   // the sum of the contact is the load; how it is spread around moves it a little
   CHECK(breakaway[1] == Approx(breakaway[0]).epsilon(2e-3));
+}
+
+TEST_CASE("TheBreakawayTorqueIsTheCoefficientTimesTheSumOfTheContact", "[start_stop]") {
+  Case c = starting(kTop);
+  LoadCycle rest = *c.cycle;
+  rest.t = {0.0, 0.1};
+  rest.x.assign(2, 0.0);
+  rest.y.assign(2, -kLoad);
+  rest.omega = {0.0, 0.0};
+  const LoadCycle start = std::exchange(*c.cycle, rest);
+  const CycleResult at_rest = converged(c);
+  const FilmGrid& g = at_rest.fields.grid;
+  double contact = 0.0;  // nothing moves: the largest pressures are those of every instant [N]
+  double carried = 0.0;  // [N]
+  for (int k = 0; k < g.cells(); ++k) {
+    const double force = at_rest.fields.p_asperity_max[k] * g.area(k / g.nz, k % g.nz);
+    contact += force;
+    carried -= force * std::sin(g.phi[k / g.nz]);
+  }
+  // The film carries nothing but what the supply's pressure presses upon.
+  CHECK(carried == Approx(kLoad).epsilon(0.01));
+  const double wanted = c.surfaces.contact->friction * contact * c.bearing.radius;
+  CHECK(value_of(at_rest, "breakaway_torque") == Approx(wanted).epsilon(1e-9));
+  c.cycle = start;
+  const CycleResult r = converged(c);
+  const auto most = [&](double from, double to) {
+    double torque = 0.0;
+    for (const CycleInstant& i : r.instants) {
+      if (i.t > from && i.t < to) torque = std::max(torque, i.torque);
+    }
+    return torque;
+  };
+  CHECK(most(0.5, 0.6) == Approx(wanted).epsilon(0.05));  // as it begins to turn
+  // Run-down: asperities come back before the stop, while the surfaces still slide.
+  const double slides = 6.5 - 3.0 * solid::BoundaryFriction::kSliding / (kTop * c.bearing.radius);
+  double least = INFINITY;
+  double at = 0.0;
+  for (const CycleInstant& i : r.instants) {
+    if (i.t > 3.5 && i.t < slides && i.torque < least) least = i.torque, at = i.t;
+  }
+  CHECK(at < 6.0);
+  CHECK(most(at, slides) > 10.0 * least);
+  CHECK(most(at, slides) < wanted);
 }
 
 TEST_CASE("StartingBackwardsIsTheMirrorImage", "[start_stop]") {

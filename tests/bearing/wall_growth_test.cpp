@@ -3,6 +3,7 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/cycle.hpp"
+#include "bearing/cycle_record.hpp"
 #include "bearing/film_step.hpp"
 #include "core/constants.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -121,4 +122,42 @@ TEST_CASE("ANextCycleWithoutRoomIsRefused", "[wall_growth]") {
   WallMeans walls = uniform_walls(b.model, b.c.supplies[0].temperature);
   for (double& d : walls.thermal_deformation) d = -1.1 * b.c.bearing.radial_clearance;
   CHECK_FALSE(b.stand(walls));
+}
+
+TEST_CASE("TheShaftsSwingThatIsToldIsThatOfAHalfSpaceUnderTheFluxOfTheCycle", "[wall_growth]") {
+  // A flux that stands still while the shaft turns, q_1 cos phi, and one that swings all round by
+  // q_0 once in the period: each swings the surface by q/(k sqrt(omega/a)) [textbook].
+  constexpr double kStanding = 3e4;  // q_1 [W/m2]
+  constexpr double kSwinging = 2e4;  // q_0 [W/m2]
+  constexpr int kSteps = 24;
+  constexpr double kStep = kPeriod / kSteps;
+  Swinging b;
+  b.now.heat.flows.balance.to_shaft = 0.0;
+  CycleRecord record(b.steps, b.course, kPeriod);
+  record.begin(b.now);
+  const FilmGrid& g = b.model.scene.grid;
+  for (int n = 0; n < kSteps; ++n) {
+    FilmStep s = b.steps.take(kStep, b.now, b.cost, nullptr);
+    REQUIRE(s.verdict.good());
+    for (int c = 0; c < g.cells(); ++c) {
+      const double q = kStanding * std::cos(g.phi[c / g.nz]) + (n < 12 ? kSwinging : -kSwinging);
+      s.heat.to_shaft[c] = kStep * q;
+    }
+    record.add(s, kStep, {});
+    b.now = std::move(s.after);
+  }
+  CycleResult r;
+  record.write(r);
+  double told = NAN;
+  for (const Note& n : r.assumptions) {
+    if (const auto* swing = std::get_if<note::ShaftSwing>(&n)) told = swing->T;
+  }
+  const solid::Material& m = b.c.shaft->material;
+  const auto swing = [&](double q, double omega) {
+    const double a = m.conductivity / (m.density * m.heat_capacity);
+    return q / (m.conductivity * std::sqrt(omega / a));
+  };
+  const double wanted =
+      swing(kStanding, b.c.operation.omega) + swing(kSwinging, 2.0 * kPi / kPeriod);
+  CHECK(told == Approx(wanted).epsilon(1e-3));  // cells of unequal length beside the groove
 }

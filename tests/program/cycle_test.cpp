@@ -53,10 +53,14 @@ TEST_CASE("PicturesAndPagesAreOfWhatChangesInTime") {
               {"--until"});
 }
 
-TEST_CASE("ASweepRunsCyclesOverTheLoad") {
-  const Ended ended =
-      run_words({"sweep", case_path("rotating-load").string(), "--vary", "load_cycle.factor=0.5,1",
-                 "--set", "model.grid=[48,7]", "--no-bars", "--csv", "-"});
+/// The smallest films of a sweep over the rotating load [m].
+std::vector<double> films_of_sweep(const std::vector<std::string>& more) {
+  std::vector<std::string> words{
+      "sweep",    case_path("rotating-load").string(), "--set", "model.grid=[32,5]",
+      "--set",    "load_cycle.step=\"8 deg\"",         "--csv", "-",
+      "--no-bars"};
+  words.insert(words.end(), more.begin(), more.end());
+  const Ended ended = run_words(words);
   REQUIRE(ended.code == kDone);
   std::vector<double> h_min;
   std::istringstream rows(ended.out);
@@ -75,9 +79,26 @@ TEST_CASE("ASweepRunsCyclesOverTheLoad") {
     for (std::size_t k = 0; k <= column; ++k) std::getline(cells, cell, ',');
     h_min.push_back(std::stod(cell));
   }
+  return h_min;
+}
+
+TEST_CASE("ASweepRunsCyclesOverTheLoad") {
+  const auto h_min = films_of_sweep({"--vary", "load_cycle.factor=0.5,1"});
   REQUIRE(h_min.size() == 2);
   CHECK(h_min[0] > h_min[1]);  // half the load
   CHECK(h_min[1] > 0.0);
+}
+
+TEST_CASE("ASweepRunsCyclesOverTheSpeed") {
+  // The film of a journal without mass knows speed times viscosity alone; the load comes over the
+  // angle.
+  const auto h_min = films_of_sweep({"--vary", "operation.speed=1500 rpm,3000 rpm"});
+  REQUIRE(h_min.size() == 2);
+  CHECK(h_min[0] < h_min[1]);
+  const auto thick = films_of_sweep({"--vary", "operation.speed=1500 rpm", "--set",
+                                     "oil.viscosity.temperature.eta=\"30 mPa s\""});
+  REQUIRE(thick.size() == 1);
+  CHECK(thick[0] == Approx(h_min[1]).epsilon(1e-6));
 }
 
 /// The shipped bearing under a load that swings by a half once in two turns.

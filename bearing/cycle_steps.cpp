@@ -29,6 +29,10 @@ CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
     corners_.push_back(c);
   }
   for (const double t : film.vessels().switchings()) corners_.push_back({t, true, 0.0});
+  if (!film.model().input.cycle) return;
+  for (const double t : film.model().input.cycle->fields_at) {
+    corners_.push_back({t, false, INFINITY});  // steps end there, however little is felt
+  }
 }
 
 /// A corner in the middle of a step moves the load by an eighth of its change of slope times dt:

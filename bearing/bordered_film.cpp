@@ -303,7 +303,7 @@ void StepProblem::solve_rigid(StepLimits limits) {
   moved = solve_border(target, s, film.stiffness(predicted.full), aim,
                        target.path ? target.path->missing(s) : 0.0);
   if (!moved) return;
-  const double gap = std::max(s.least.h, 0.0) + 3.0 * model.scene.rough.sigma;
+  const double gap = gap_with_summits(model, s);
   moved->dq = limited(s.position, moved->dq, gap, model.clearance, 0.5 * model.scene.grid.width,
                       limits.reach);
   film.move(moved->dq, x);

@@ -17,6 +17,11 @@
 
 namespace shellback::bearing {
 
+/// Steps of a period at least: 8 degrees of two turns. From a steady place no pulse is passed over.
+inline constexpr double kFewestSteps = 90.0;
+/// Cycles within which the film answers its walls: then its response hardly changes any more.
+inline constexpr int kCyclesOfAnswer = 2;
+
 class CycleSearch {
  public:
   /// On the grid of the case. `control` must outlive the search; refers to itself, is not copied.

@@ -110,6 +110,10 @@ double room(const BearingModel& model, const FilmEquilibrium& s) {
   return 0.5 * (s.least.h + std::hypot(s.least.h, 2.0 * model.scene.rough.sigma));
 }
 
+double gap_with_summits(const BearingModel& model, const FilmEquilibrium& s) {
+  return std::max(s.least.h, 0.0) + kSummits * model.scene.rough.sigma;
+}
+
 namespace {
 
 void evaluate_contact(const BearingModel& model, FilmEquilibrium& s) {

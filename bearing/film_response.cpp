@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "bearing/solids.hpp"
 #include "core/largest.hpp"
 
@@ -13,7 +14,6 @@ namespace {
 constexpr double kViscosityTolerance = 1e-9;  ///< of the states compared [-]
 constexpr double kMove =
     3e-5;  ///< how far they lie apart [-]; both errors are then 3e-5 of the answer
-constexpr int kMostSweeps = 20;      ///< enough where a sweep leaves a half
 constexpr double kKrylovPart = 0.1;  ///< of the tolerance that GMRES may use up [-]
 constexpr double kCorrectionTolerance =
     1e-3;  ///< of GMRES for a correction, itself a few per cent [-]
@@ -56,7 +56,7 @@ LinearFilm::Answer LinearFilm::solve(const Field& a, const Field& r, double tole
 
 Field LinearFilm::residual_along(const Answer& x, int component) const {
   const std::size_t n = x.u.size();
-  const double gap = std::max(s_.least.h, 0.0) + 3.0 * model_.scene.rough.sigma;
+  const double gap = gap_with_summits(model_, s_);
   const double p_scale = largest_magnitude(s_.film.p);
   double size = 0.0;  // how far one unit of the answer moves the film, relative
   for (std::size_t k = 0; k < n; ++k) {
@@ -86,7 +86,7 @@ FilmResponse LinearFilm::sharpened(const Field& a, const Field& r, const Field& 
   double last = largest_magnitude(x.P);
   bool settled =
       residual_.empty() || (largest_magnitude(x.u) == 0.0 && largest_magnitude(x.P) == 0.0);
-  for (int sweep = 0; sweep < kMostSweeps && !settled; ++sweep) {
+  for (int sweep = 0; sweep < kMostIterations && !settled; ++sweep) {
     Field defect = residual_along(x, component);
     for (std::size_t k = 0; k < n; ++k) {
       defect[k] = -defect[k] - (stored.empty() ? 0.0 : stored[k]);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bearing/newton.hpp"
+#include "bearing/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -13,7 +14,6 @@ constexpr double kFirstStep = 0.5;       ///< of the path: load times 1.65 [-]
 constexpr double kLongestStep = 1.5;     ///< [-]
 constexpr double kShortestStep = 0.005;  ///< load known to half a per cent: a twentieth of what two
                                          ///< grids may differ in a limit [-]
-constexpr int kMostSteps = 80;
 constexpr std::array kCloser{0.003, 0.01, 0.03};  ///< of the gap: a little closer [-]
 
 /// What a state is, without what follows from it.
@@ -129,7 +129,7 @@ Branch LoadBranch::run(double begun) {
   h_min_ = s_.film.least.h;
   last_ = {s_.film, s_.heat};
   double step = kFirstStep;
-  for (int k = 0; k < kMostSteps && step > kShortestStep; ++k) {
+  for (int k = 0; k < kMostIterations && step > kShortestStep; ++k) {
     s_.target.path = next_row(step);
     const Verdict v = correct_(s_, Accuracy::way_point);
     if (v.status == Status::interrupted || stopped(control_)) {
@@ -181,7 +181,7 @@ Branch follow_speed(Solution& s, double begun, const Corrector& correct,
   Branch branch{Raised::speed, BranchEnd::lost, begun, s.film.least.h, {}};
   Reached last{s.film, s.heat};
   double step = kFirstStep;
-  for (int k = 0; k < kMostSteps && step > kShortestStep; ++k) {
+  for (int k = 0; k < kMostIterations && step > kShortestStep; ++k) {
     const double next = std::min(1.0, branch.carried * std::exp(step));
     take(next);
     const Verdict v = correct(s, next == 1.0 ? Accuracy::result : Accuracy::way_point);

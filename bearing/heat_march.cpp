@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/heat_endings.hpp"
+#include "bearing/step_control.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::bearing {
@@ -78,10 +79,8 @@ Instant instant_of(const Solution& s, double t, double dt) {
 
 MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
                     const SolveControl& control, const std::function<void(const Instant&)>& tell) {
-  constexpr double kLonger = 2.0;   // lengths are powers of two: operators serve again
-  constexpr double kStill = 3e-3;   // what one iteration may leave: ThermalOptions::tolerance [K]
-  constexpr int kCalm = 3;          // steps before one that was rejected is tried as long again
-  constexpr double kEasily = 0.25;  // of the error allowed: the next step may be twice as long
+  constexpr int kCalm = 3;  // steps before one that was rejected is tried as long again
+  const double still = kHeatUnit * ThermalOptions{}.tolerance;  // what one iteration may leave [K]
   const bool accurate = std::isfinite(o.error);
   MarchEnd end;
   double dt = o.first;
@@ -109,7 +108,7 @@ MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
         end.left_bounds = !given_up && (hot || no_film_left(s, end.verdict));
         return end;
       }
-      dt /= end.verdict.good() ? kLonger : kLonger * kLonger;
+      dt *= end.verdict.good() ? 1.0 / kStepLonger : kStepShorter;
       calm = 0;
       continue;
     }
@@ -121,11 +120,13 @@ MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
     if (tell) tell(instant_of(s, end.t, length));
     // Nearly half of all time has passed in one step, and nothing moved but by what the iteration
     // leaves.
-    end.at_rest = accurate && length >= 0.4 * end.t && largest_move(now, before) < kStill;
+    end.at_rest = accurate && length >= 0.4 * end.t && largest_move(now, before) < still;
     if (end.at_rest) break;
     ++calm;
-    if (!accurate && calm > kCalm) dt *= kLonger * kLonger;
-    if (accurate && error <= kEasily * o.error && calm > 1) dt *= kLonger;
+    if (!accurate && calm > kCalm) dt /= kStepShorter;
+    // A step so much longer errs by the square of that.
+    const bool easily = std::pow(kStepLonger, kStepOrderAnew) * error <= o.error;
+    if (accurate && easily && calm > 1) dt *= kStepLonger;
   }
   end.verdict = {};
   end.at_rest = end.at_rest || dt > o.longest;

@@ -9,6 +9,7 @@
 #include "bearing/fixed_point.hpp"
 #include "bearing/kept_run.hpp"
 #include "bearing/solution_members.hpp"
+#include "bearing/step_control.hpp"
 #include "bearing/worn_bearing.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
@@ -18,12 +19,6 @@ namespace {
 
 constexpr double kFirstDepth = 0.1;    ///< of the first step, in summit roughnesses [-]
 constexpr double kDepthError = 0.001;  ///< of a step, over the depth or the summit roughness [-]
-constexpr double kShortest = 1e-6;     ///< step over the first one: below, nothing moves [-]
-constexpr double kLongest = 2.0;       ///< growth of the step, textbook [-]
-constexpr double kShorter = 0.25;      ///< at most; also where a step is not found [-]
-constexpr double kSafety = 0.9;        ///< of the length that the error allows, textbook [-]
-constexpr double kOrder = 3.0;         ///< of the error of a step in its length
-constexpr double kFirstOrder = 2.0;    ///< of that of the first step
 constexpr double kComplementarity = 1e-6;  ///< of (3), in summit roughnesses [-]
 
 // Towards (3): shapes tried for the KS bearing worn in at 5 MPa under 40, 60, 80 kN are 34, 139,
@@ -236,8 +231,7 @@ void March::to(double end) {
     if (stopped(control_)) return stop();
     dt_ = std::min(dt_, end - t_);
     const bool good = take(dt_);
-    const double order = past_ > 0.0 && before_ ? kOrder : kFirstOrder;
-    const double longer = kSafety * std::pow(over_, -1.0 / order);
+    const double longer = step_growth(1.0, over_, !(past_ > 0.0 && before_));
     if (good) {
       note_state(b_, t_, dt_, now_.w, run_);
       if (seen_) seen_(run_);
@@ -245,9 +239,9 @@ void March::to(double end) {
       return stop();
     } else {
       ++run_.rejected_steps;
-      if (dt_ < kShortest * first_) return end_too_short();
+      if (dt_ < kStepShortest * first_) return end_too_short();
     }
-    dt_ *= found_ ? std::clamp(longer, kShorter, good ? kLongest : kSafety) : kShorter;
+    dt_ *= !found_ ? kStepShorter : good ? longer : std::min(longer, kStepSafety);
     keep(control_.kept, false, b_, run_, *this);
   }
 }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bearing/judge_case.hpp"
+#include "bearing/step_control.hpp"
 #include "core/contract.hpp"
 #include "fidelity/cycle_bars.hpp"
 #include "fidelity/estimate_cycle.hpp"
@@ -168,12 +169,13 @@ class Search {
   bool refine() {
     constexpr double kMargin = 1.2;  // of cells, as an order is only observed
     constexpr double kLeast = 0.02;  // of the error of a step, in one round
-    constexpr double kOrder = 1.5;   // of a step's error in the bar: its inverse is 2/3
     const Grid before = on_.model.grid;
     const double steps = of_steps().larger();
     const double allowed = kOfSteps * case_.model.tolerance;
+    // The bar goes with the second power of a step, the error of one with the third.
+    const double power = kStepOrder / (kStepOrder - 1.0);
     const bool shorter = !case_.cycle->step && steps > allowed;
-    if (shorter) on_.model.tolerance *= std::clamp(std::pow(allowed / steps, kOrder), kLeast, 1.0);
+    if (shorter) on_.model.tolerance *= std::clamp(std::pow(allowed / steps, power), kLeast, 1.0);
     const Pair grid = of_grid();
     const double more = std::max(more_cells("friction_torque", grid.friction, left_out_.friction),
                                  more_cells("h_min", grid.h_min, left_out_.h_min));

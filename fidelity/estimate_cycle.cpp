@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "bearing/cycle_lumped.hpp"
 #include "bearing/equilibrium.hpp"
+#include "bearing/heat_endings.hpp"
 #include "bearing/told_ranges.hpp"
 #include "fidelity/bracketed_root.hpp"
 #include "fidelity/estimate_bars.hpp"
@@ -33,8 +35,6 @@ const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleIn
 
 /// The temperature at which the heat of a mean cycle leaves: the path there, or why there is none.
 Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
-  constexpr double kMostRise = 400.0;  // of the film above all that cools it, as estimate.cpp [K]
-  constexpr double kSettled = 0.01;    // 3e-4 of viscosity [K]
   const HeatWays ways = heat_ways(c);
   Verdict last;
   const auto away = [&](double at) {
@@ -48,7 +48,7 @@ Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
   const double below = surplus(T);
   if (!(below < 0.0)) return last;  // no heat to speak of, or no path
   // The friction of the coldest film would be carried off with this rise; warmer films rub less.
-  const double hottest = ways.warmest + kMostRise;
+  const double hottest = ways.warmest + kHottestRise;
   for (double rise = -below / (away(T + 1.0) - away(T)); T + rise <= hottest; rise *= 2.0) {
     const double above = surplus(T + rise);
     if (std::isnan(above)) return last;
@@ -56,7 +56,7 @@ Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
       T += rise;
       continue;
     }
-    T = bracketed_root(surplus, T, T + rise, kSettled);
+    T = bracketed_root(surplus, T, T + rise, kCycleBalance);
     if (last.good()) static_cast<void>(surplus(T));
     return last;
   }

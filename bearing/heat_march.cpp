@@ -55,11 +55,22 @@ bool no_film_left(const Solution& s, const Verdict& v) {
 
 }  // namespace
 
+void tell_bodies(const FilmGrid& g, const SolidTemperature& solids,
+                 const thermal::EnergyBalance& film, double films, const Field& deformation,
+                 Instant& i) {
+  i.T_shell_back = area_mean(g, solids.shell.back);
+  for (int j = 0; j < g.nz; ++j) i.T_shaft += solids.shaft.temperature[j] * g.dz[j];
+  i.T_shaft /= g.z_face.back() - g.z_face.front();
+  i.heat_out = films * (film.carried_out - film.carried_in) + solids.shell.heat_back +
+               solids.shell.heat_ends + solids.shaft.heat_out;
+  i.stored = solids.shell.stored + solids.shaft.stored + films * film.stored;
+  if (!deformation.empty()) i.deformation = area_mean(g, deformation);
+}
+
 Instant instant_of(const Solution& s, double t, double dt) {
   const FilmGrid& g = s.model.scene.grid;
   const Friction f = friction_of(s.model, s.film);
   const SolidTemperature& solids = s.heat.solids;
-  const double oil = g.multiplicity() * (s.heat.balance.carried_out - s.heat.balance.carried_in);
   Instant i;
   i.t = t;
   i.dt = dt;
@@ -67,13 +78,8 @@ Instant instant_of(const Solution& s, double t, double dt) {
   i.h_min = s.film.least.h;
   i.T_film_max = largest(s.film.columns.T);
   i.T_shell_max = largest(solids.shell.surface);
-  i.T_shell_back = area_mean(g, solids.shell.back);
-  for (int j = 0; j < g.nz; ++j) i.T_shaft += solids.shaft.temperature[j] * g.dz[j];
-  i.T_shaft /= g.z_face.back() - g.z_face.front();
   i.heat_in = i.torque * s.model.input.operation.omega + pump_power(s.model, s.film);
-  i.heat_out = oil + solids.shell.heat_back + solids.shell.heat_ends + solids.shaft.heat_out;
-  i.stored = solids.shell.stored + solids.shaft.stored + g.multiplicity() * s.heat.balance.stored;
-  if (!s.heat.thermal_deformation.empty()) i.deformation = area_mean(g, s.heat.thermal_deformation);
+  tell_bodies(g, solids, s.heat.balance, g.multiplicity(), s.heat.thermal_deformation, i);
   return i;
 }
 

@@ -14,7 +14,6 @@ Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, dou
   const FilmGrid& g = search.film().model().scene.grid;
   CycleResult r;
   search.told().write(r);
-  const thermal::EnergyBalance& film = search.heat().flows().balance;
   const double per_time = g.multiplicity() / search.heat().time();
   Instant i;
   i.t = t;
@@ -23,15 +22,9 @@ Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, dou
   i.h_min = value_of(r, "h_min");
   i.T_film_max = value_of(r, "T_film_max");
   i.T_shell_max = value_of(r, "T_shell_max");
-  i.T_shell_back = area_mean(g, bodies.solids.shell.back);
-  for (int j = 0; j < g.nz; ++j) i.T_shaft += bodies.walls.shaft[j] * g.dz[j];
-  i.T_shaft /= g.z_face.back() - g.z_face.front();
   i.heat_in = search.heat().flows().work / search.heat().time();
-  i.heat_out = per_time * (film.carried_out - film.carried_in) + bodies.solids.shell.heat_back +
-               bodies.solids.shell.heat_ends + bodies.solids.shaft.heat_out;
-  i.stored = bodies.solids.shell.stored + bodies.solids.shaft.stored + per_time * film.stored;
-  if (!bodies.walls.thermal_deformation.empty())
-    i.deformation = area_mean(g, bodies.walls.thermal_deformation);
+  tell_bodies(g, bodies.solids, search.heat().flows().balance, per_time,
+              bodies.walls.thermal_deformation, i);
   return i;
 }
 

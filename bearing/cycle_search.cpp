@@ -19,7 +19,6 @@ namespace shellback::bearing {
 namespace {
 
 constexpr int kMostCycles = 40;        ///< starved films gather their oil over ten and more
-constexpr double kOfTolerance = 0.1;   ///< error of a step, of model.tolerance [-]
 constexpr double kAfterJump = 3600.0;  ///< steps of a turn, behind a jump: 0.1 degrees (methods 4)
 constexpr double kSkinSteps = 8.0;     ///< longest step over the one that skins resolve
 
@@ -323,7 +322,6 @@ bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>
 }
 
 void CycleSearch::settle_walls(bool rough) {
-  constexpr int kDepth = 5;  // methods 3.5
   const double T = c_.supplies.front().temperature;
   const double by_T = -rheology::viscosity_slopes(film_.model().oil, T, 0.0, 0.0).dln_dT;
   const bool coarsely = rough || !(by_T > 0.0);
@@ -339,7 +337,8 @@ void CycleSearch::settle_walls(bool rough) {
     remember(g);
     return true;
   };
-  const FixedPointEnd end = fixed_point(map, {kDepth, 1, kMostCycles, enough / kHeatUnit}, x);
+  const FixedPointEnd end =
+      fixed_point(map, {FixedPointOptions{}.depth, 1, kMostCycles, enough / kHeatUnit}, x);
   const bool open = end != FixedPointEnd::converged && r_.verdict.good();
   if (open)
     r_.verdict = {Status::iteration_limit,

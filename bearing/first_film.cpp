@@ -1,7 +1,5 @@
 #include "bearing/first_film.hpp"
 
-#include <array>
-
 #include "bearing/branch_endings.hpp"
 #include "bearing/follow.hpp"
 #include "bearing/newton.hpp"
@@ -10,8 +8,6 @@
 
 namespace shellback::bearing {
 namespace {
-
-constexpr std::array kLight{0.5, 0.2, 0.05, 0.01, 0.001};  ///< parts of the load to begin with [-]
 
 Verdict correct_film(Solution& s, Accuracy accuracy, const SolveControl& control) {
   EquilibriumOptions o;

@@ -104,9 +104,8 @@ void HeatIteration::give_contact_widening() {
 
 /// No tighter than the temperatures are known: the map's noise stays well below its change.
 EquilibriumOptions HeatIteration::film_options() const {
-  constexpr double kNoise = 1e-3;  // of the last change
   EquilibriumOptions o = options_.film;
-  const double noise = iterations_ <= 1 ? kNoise : kNoise * std::min(s_.heat.residual, 1.0);
+  const double noise = iterations_ <= 1 ? kWayPoint : kWayPoint * std::min(s_.heat.residual, 1.0);
   o.film_tolerance = std::max(o.film_tolerance, noise);
   o.load_tolerance = std::max(o.load_tolerance, noise);
   o.elastic_tolerance = std::max(o.elastic_tolerance, noise);

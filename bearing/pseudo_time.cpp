@@ -11,10 +11,9 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr double kFirst = 1e-2;     ///< first step, in radians of turn [-]
-constexpr double kShortest = 1e-8;  ///< step below which there is no way on [rad]
-constexpr double kLongest = 1e5;    ///< step after which nothing moves any more [rad]
-constexpr int kQuick = 6;           ///< iterations after which the next step is longer
+constexpr double kFirst = 1e-2;   ///< first step, in radians of turn [-]
+constexpr double kLongest = 1e5;  ///< step after which nothing moves any more [rad]
+constexpr int kQuick = 6;         ///< iterations after which the next step is longer
 
 /// Steps are counted in `unit`: the time of a radian of turn, or another [s].
 Verdict march_in_time(const BearingModel& model, const LoadTarget& target,
@@ -43,7 +42,7 @@ Verdict march_in_time(const BearingModel& model, const LoadTarget& target,
     } else {
       static_cast<State&>(s) = before;
       turn *= kStepShorter;
-      if (turn < kShortest) return v;
+      if (turn < kStepShortest * kFirst) return v;
     }
   }
   return {};

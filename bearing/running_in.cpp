@@ -28,7 +28,6 @@ constexpr double kComplementarity = 1e-6;  ///< of (3), in summit roughnesses [-
 constexpr int kEndDepth = 15;         ///< shapes kept by the acceleration [-]
 constexpr int kEndDelay = 2;          ///< plain shapes before it [-]
 constexpr int kEndIterations = 1000;  ///< three times what 80 kN needs
-constexpr double kEndReach = 3.0;     ///< of the next shape, in summit roughnesses [-]
 
 /// (e^x - 1)/x and (phi_1(x) - 1)/x, by their series where those lose their digits.
 double phi_1(double x) { return std::abs(x) < 1e-8 ? 1.0 + 0.5 * x : std::expm1(x) / x; }
@@ -309,7 +308,7 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
   options.delay = kEndDelay;
   options.max_iterations = kEndIterations;
   options.tolerance = kComplementarity;
-  options.reach = kEndReach;
+  options.reach = kSummits;
   const FixedPointEnd end = fixed_point(map, options, x);
   double lack = NAN;
   if (end != FixedPointEnd::map_failed) {

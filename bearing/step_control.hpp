@@ -3,7 +3,8 @@
 ///   next/last = 0.9 (allowed/error)^(1/n), between 1/4 and 2                                  (1)
 /// n the order of the error of one step. Where nothing is known but that a step was not found it is
 /// a quarter as long; where steps must be powers of two, for factorised operators to serve again,
-/// it is halved or doubled. Source: textbook (elementary step control of one-step methods).
+/// it is halved or doubled. Source: textbook (elementary step
+/// control of one-step methods).
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,6 @@
 #include "bearing/tiers.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -18,8 +17,7 @@ namespace shellback::bearing {
 namespace {
 
 constexpr double kLooseHeat = 3e-3;  ///< change per iteration on the way and on coarser grids [-]
-constexpr std::array kLight{0.3, 0.1, 0.02, 2e-3, 2e-4};  ///< of load or speed, to begin with
-constexpr double kTransientError = 2.0;                   ///< per step of that transient [K]
+constexpr double kTransientError = 2.0;  ///< per step of that transient [K]
 /// Its shortest step [s]: a film that explodes heats within microseconds, and a step shorter than
 /// that is always found; with 1e-6 and 1e-8 the trajectories of the tests leave the same bound.
 constexpr double kTransientShortest = 1e-6;

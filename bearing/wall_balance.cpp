@@ -56,10 +56,9 @@ void WallBalance::begin(const Friction& friction, int iteration) {
 
 void WallBalance::balance_roughly(double tolerance) {
   constexpr double kWallPart = 0.03;  // of the first round's change: what is left for later
-  constexpr int kWallRounds = 20;     // twice what most films need
   const double change = round();
   const double enough = kWallPart * std::max(change, tolerance);
-  if (change > enough) balance(enough, kWallRounds);
+  if (change > enough) balance(enough, kMostIterations);
   for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
 }
 
@@ -144,13 +143,12 @@ double WallBalance::balance(double enough, int rounds) {
 }
 
 double WallBalance::finish(const Friction& friction, bool close) {
-  constexpr int kMostSweeps = 400;
   constexpr double kWalls = 1e-8;           // change per round that leaves their heat balanced [K]
   constexpr double kSettled = 1e-9;         // change per sweep, balance near round-off [K]
   constexpr double kRoughlySettled = 1e-3;  // the same where the balance need not close [K]
   energy_.emplace(problem(friction));
   const double change = close ? balance(kWalls, kMostIterations) : 0.0;
-  for (int k = 0; k < kMostSweeps; ++k) {
+  for (int k = 0; k < kMostIterations; ++k) {
     if (energy_->sweep(s_.film.columns.T) < (close ? kSettled : kRoughlySettled)) break;
   }
   warm_the_walls({true, true});

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bearing/cycle_lumped.hpp"
+#include "bearing/cycle_search.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/told_ranges.hpp"
@@ -20,10 +21,10 @@ using namespace bearing;
 
 namespace {
 
-/// Error of a step in time over the gap that is left, over model.tolerance: a hundredth of the
-/// solved film's (0.1), so that the bar of time vanishes beside the others.
-constexpr double kOfTolerance = 1e-3;
-constexpr double kLonger = 10.0;  ///< error of a step that the bar of time is made with, over that
+/// The path of the bar of time errs in a step, over the gap that is left, by so much less than the
+/// solved film, and the path that is told by so much less again: its bar of time vanishes beside
+/// the others.
+constexpr double kFiner = 10.0;
 
 /// Instants whose value is smallest or largest.
 const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
@@ -174,8 +175,8 @@ void tell_what_is_left_out(const Case& c, const JournalPath& path, CycleResult& 
 
 CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
   const auto begin = std::chrono::steady_clock::now();
-  JournalPath rough(c, kLonger * kOfTolerance * c.model.tolerance, control);
-  JournalPath path(c, kOfTolerance * c.model.tolerance, control);
+  JournalPath rough(c, kOfTolerance / kFiner * c.model.tolerance, control);
+  JournalPath path(c, kOfTolerance / (kFiner * kFiner) * c.model.tolerance, control);
   CycleResult r;
   r.tier = Tier::estimate;
   r.title = c.title;

@@ -15,8 +15,10 @@ using namespace bearing;
 
 namespace {
 
-constexpr int kInstants = 720;    ///< told: every degree of a four-stroke
-constexpr int kMostCycles = 400;  ///< a light load brings the journal nearer by a hundredth a cycle
+constexpr int kInstants = 720;  ///< told: every degree of a four-stroke
+/// Cycles, or turns of an event's first place, until the journal has come to rest: a light load
+/// brings it nearer by a hundredth a cycle.
+constexpr int kMostCycles = 1000;
 
 double gap_left(const Pair& x) { return 1.0 - std::hypot(x[0], x[1]); }
 
@@ -88,15 +90,14 @@ std::optional<Pair> JournalPath::pass(const Pair& from, bool record) {
 }
 
 Pair JournalPath::steady_place() {
-  constexpr double kTurns = 1000.0;  // of the journal, in which it has to come to rest
-  constexpr double kAtRest = 1e-6;   // of its speed, over the gap that is left
+  constexpr double kAtRest = 1e-6;  // of its speed, over the gap that is left
   const double omega = std::abs(course_.at(0.0).omega);
   const Motion motion{
       [&](double, const Pair& x, Pair& v) { return motion_.rate(0.0, false, x, v); }, gap_left,
       tolerance_, INFINITY};
   SmoothMotion path(motion);
   path.begin(0.0, {0.0, 0.0});
-  for (double turns = 1.0; turns <= kTurns && omega > 0.0; turns *= 2.0) {
+  for (double turns = 1.0; turns <= kMostCycles && omega > 0.0; turns *= 2.0) {
     if (!path.go_to(2.0 * kPi * turns / omega)) break;
     Pair v{};
     const bool known = motion_.rate(0.0, false, path.now(), v);

@@ -14,7 +14,8 @@ inline constexpr double kStepLonger = 2.0;     ///< at most, over the last one [
 inline constexpr double kStepShorter = 0.25;   ///< at least, and where a step is not found [-]
 inline constexpr double kStepSafety = 0.9;     ///< of the length that the error allows [-]
 inline constexpr double kStepOrder = 3.0;      ///< n of a method of second order [-]
-inline constexpr double kStepOrderAnew = 2.0;  ///< n of its step that knows no slope before [-]
+inline constexpr double kStepOrderAnew = 2.0;  ///< n of first order: backward Euler, and a step of
+                                               ///< the former that knows no slope before [-]
 /// A step this part of the first one or of a period: below, nothing moves any more [-].
 inline constexpr double kStepShortest = 1e-7;
 /// Steps of a period or between two instants: a hundred times what a long cycle takes.

@@ -143,12 +143,13 @@ double WallBalance::balance(double enough, int rounds) {
 }
 
 double WallBalance::finish(const Friction& friction, bool close) {
+  constexpr int kMostSweeps = 400;          // oil that returns by nine tenths needs 150
   constexpr double kWalls = 1e-8;           // change per round that leaves their heat balanced [K]
   constexpr double kSettled = 1e-9;         // change per sweep, balance near round-off [K]
   constexpr double kRoughlySettled = 1e-3;  // the same where the balance need not close [K]
   energy_.emplace(problem(friction));
   const double change = close ? balance(kWalls, kMostIterations) : 0.0;
-  for (int k = 0; k < kMostIterations; ++k) {
+  for (int k = 0; k < kMostSweeps; ++k) {
     if (energy_->sweep(s_.film.columns.T) < (close ? kSettled : kRoughlySettled)) break;
   }
   warm_the_walls({true, true});

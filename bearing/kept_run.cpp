@@ -53,8 +53,9 @@ void KeptRun::coarser(int grid, const Tape& found) {
 
 bool KeptRun::due() const {
   constexpr double kShare = 0.02;   // of the time may go into saving
+  constexpr double kSoonest = 0.1;  // [s]
   constexpr double kLatest = 30.0;  // [s]
-  const double wait = std::min(saving_s_ / kShare, std::max(kLatest, saving_s_));
+  const double wait = std::clamp(saving_s_ / kShare, kSoonest, std::max(kLatest, saving_s_));
   return seconds(Clock::now() - kept_) >= wait;
 }
 

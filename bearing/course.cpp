@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/first_film.hpp"
-#include "bearing/march_over_cycles.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 
@@ -76,7 +74,11 @@ class Course {
 
   /// True if the stretch was passed to its end.
   bool pass(const Stretch& s) {
-    const MarchEnd end = s.subject.cycle ? over_cycles(s) : steadily_loaded(s);
+    WarmUpOptions one = options_;
+    one.end = s.duration;
+    Solution now;
+    const MarchEnd end = pass_stretch(s.subject, tier_, one, StretchEnd::in_time, control_,
+                                      carried_, now, [this](const Instant& i) { tell(i); });
     run_.end = end;
     run_.end.t += begun_;
     if (!end.verdict.good()) return false;
@@ -91,60 +93,12 @@ class Course {
     run_.instants.push_back(i);
   }
 
-  MarchEnd over_cycles(const Stretch& s) {
-    constexpr double kSteps = 16.0;    // of a stretch at least: see the head of course.hpp
-    constexpr double kFirst = 1024.0;  // first step, of a stretch: shorter where walls move by 2 K
-    CycleSearch search(s.subject, tier_, control_);
-    search.begin(s.subject.supplies.front().temperature);
-    if (!bodies_) bodies_ = uniform_bodies(*search.film().model().solids, options_.T_start);
-    MarchSpan span;
-    span.duration = s.duration;
-    span.shortest = s.subject.cycle->length();
-    span.first = std::max(span.shortest, s.duration / kFirst);
-    span.longest = std::max(span.shortest, s.duration / kSteps);
-    span.until_rest = false;
-    // The orbit is found before its heat counts.
-    MarchEnd end;
-    if (!search.pass_between(bodies_->walls)) {
-      end.verdict = search.verdict();
-      return end;
-    }
-    return march_over_cycles(search, span, *bodies_, [this](const Instant& i) { tell(i); });
-  }
-
-  MarchEnd steadily_loaded(const Stretch& s) {
-    Solution now;
-    const Physics physics = physics_of(s.subject, tier_);
-    now.target = load_target(s.subject);
-    now.model = make_bearing(s.subject, physics, s.subject.model.grid);
-    const SolidEffects effects{physics.elastic, true, physics.thermal_deformation, true};
-    if (!solids_) {
-      solids_ = std::make_shared<const Solids>(s.subject, now.model.scene.grid, effects);
-      bodies_ = uniform_bodies(*solids_, options_.T_start);
-    }
-    now.model.solids = solids_;
-    const SolidTemperature walls = solids_->at(bodies_->state);
-    now.heat = cold_heat(now.model, options_.T_start);
-    now.heat.T_shell = walls.shell.surface;
-    now.heat.T_shaft = walls.shaft.temperature;
-    if (physics.thermal_deformation) now.heat.thermal_deformation = walls.thermal_deformation;
-    now.T_film = s.subject.supplies.front().temperature;
-    MarchEnd end;
-    end.verdict = first_film(now, now.T_film, control_);
-    if (!end.verdict.good()) return end;
-    MarchOptions march;
-    march.end = s.duration;
-    march.error = options_.error;
-    return march_heat(now, bodies_->state, march, control_, [this](const Instant& i) { tell(i); });
-  }
-
   Tier tier_;
   const WarmUpOptions& options_;
   const SolveControl& control_;
   CourseRun& run_;
   double begun_ = 0.0;  ///< of the present stretch [s]
-  std::optional<Bodies> bodies_;
-  std::shared_ptr<const Solids> solids_;  ///< under a steady load
+  CarriedOver carried_;
 };
 
 }  // namespace

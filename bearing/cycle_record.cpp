@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "bearing/film_heat.hpp"
+#include "bearing/round_off.hpp"
 #include "bearing/solve.hpp"
 #include "bearing/tape_members.hpp"
 #include "bearing/told_ranges.hpp"
@@ -133,10 +134,9 @@ void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt
 }
 
 void CycleRecord::keep_frame(const FilmInTime& now, const Field& p) {
-  constexpr double kRound = 1e-9;  // of the whole: steps end on the instants
   const auto& cycle = film_->model().input.cycle;
   const std::vector<double> at = cycle ? cycle->fields_at : std::vector<double>{};
-  const auto is_now = [&](double t) { return std::abs(t - told()) <= kRound * length_; };
+  const auto is_now = [&](double t) { return std::abs(t - told()) <= kRoundOff * length_; };
   const bool due = at.empty() ? told() >= next_frame_ : std::any_of(at.begin(), at.end(), is_now);
   if (!due) return;
   const FilmGrid& g = film_->model().scene.grid;

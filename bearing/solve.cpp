@@ -102,7 +102,6 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
 /// That a branch ends is a fact of the bearing only if two grids agree on where, within a tenth;
 /// or, where an equation has a bound, if both end before the load or speed asked for.
 void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
-  constexpr double kAgree = 0.1;  // of the limit [-]
   if (s.verdict.status != Status::no_steady_state || s.limits.empty()) return;
   const Limit own = s.limits.back();
   const auto agrees = [&](const Limit& l) {

@@ -258,8 +258,8 @@ std::vector<char> away_from_fronts(const FilmGrid& g, const std::vector<char>& f
 
 }  // namespace
 
-double FilmSteps::error_of(const FilmInTime& now, const FilmEquilibrium& end,
-                           const std::vector<FilmStage>& stages, double dt) const {
+double FilmSteps::error_of_film(const FilmInTime& now, const FilmEquilibrium& end,
+                                const std::vector<FilmStage>& stages, double dt) const {
   const Tableau by = method_at(now);
   constexpr double kLoaded = 0.01;  // of the largest specific load of the course: counts as loaded
   const FilmGrid& g = model_.scene.grid;
@@ -289,6 +289,38 @@ double FilmSteps::error_of(const FilmInTime& now, const FilmEquilibrium& end,
   return dt * std::hypot(off[0], off[1]) / room(model_, end);
 }
 
+double FilmSteps::error_of(const FilmInTime& now, const FilmEquilibrium& end,
+                           const std::vector<FilmStage>& stages, double dt) const {
+  const Tableau by = method_at(now);
+  double error = error_of_film(now, end, stages, dt);
+  if (vessels_.any()) {
+    std::vector<double> missing(vessels_begun_.size(), 0.0);
+    for (int i = 0; i < by.stages; ++i) {
+      add(dt * (by.b(i) - by.other[i]), vessels_.slopes(stages[i].flows), missing);
+    }
+    error = larger(error, vessels_.largest_share(missing));
+  }
+  if (heat_) {
+    constexpr double kOfViscosity = 0.1;  // missed viscosity turns into film by a tenth and less
+    error = larger(error, kOfViscosity * heat_->surprise(model_, end, stages.back().heat.T));
+  }
+  return error;
+}
+
+namespace {
+
+/// (3), from the film at the last stage but one and at the step's end [Pa].
+Field told_pressure(const Tableau& by, const State& between, const State& end) {
+  Field p = end.film.p;
+  if (by.explicit_first) return p;
+  for (std::size_t c = 0; c < p.size(); ++c) {
+    p[c] = by.b(0) * between.film.p[c] + by.b(1) * end.film.p[c];
+  }
+  return p;
+}
+
+}  // namespace
+
 FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost,
                          const std::atomic<bool>* stop) {
   const Tableau by = method_at(now);
@@ -311,23 +343,8 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     if (!step.verdict.good()) return step;
     step.off_balance = std::max(step.off_balance, stages[i].off_balance);
   }
+  step.p = told_pressure(by, between, film);
   step.error = error_of(now, film, stages, dt);
-  step.p = film.film.p;
-  for (std::size_t c = 0; !by.explicit_first && c < step.p.size(); ++c) {
-    step.p[c] = by.b(0) * between.film.p[c] + by.b(1) * film.film.p[c];
-  }
-  if (vessels_.any()) {
-    std::vector<double> missing(vessels_begun_.size(), 0.0);
-    for (int i = 0; i < by.stages; ++i) {
-      add(dt * (by.b(i) - by.other[i]), vessels_.slopes(stages[i].flows), missing);
-    }
-    step.error = larger(step.error, vessels_.largest_share(missing));
-  }
-  if (heat_) {
-    constexpr double kOfViscosity = 0.1;  // missed viscosity turns into film by a tenth and less
-    step.error =
-        larger(step.error, kOfViscosity * heat_->surprise(model_, film, stages.back().heat.T));
-  }
   step.after.oil = now.oil;
   step.after.vessels = vessels_begun_;
   for (int i = 0; i < by.stages; ++i) {

@@ -156,8 +156,11 @@ class FilmSteps {
   void open_mouths(double t, FilmEquilibrium& film);
   /// The film carried on along its trend for `ahead` [s].
   void carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& film) const;
+  /// Estimated error of the step: of the loaded film, the vessels' oil and viscosity [-].
   [[nodiscard]] double error_of(const FilmInTime& now, const FilmEquilibrium& end,
                                 const std::vector<FilmStage>& stages, double dt) const;
+  [[nodiscard]] double error_of_film(const FilmInTime& now, const FilmEquilibrium& end,
+                                     const std::vector<FilmStage>& stages, double dt) const;
 
   /// The thermal widening of the gap at time t [s] with these skins.
   [[nodiscard]] Field widening_at(double t, const std::vector<double>& skin) const;

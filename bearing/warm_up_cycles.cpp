@@ -1,4 +1,5 @@
-#include "bearing/march_over_cycles.hpp"
+#include "bearing/kept_run.hpp"
+#include "bearing/march_members.hpp"
 #include "bearing/warm_up.hpp"
 #include "core/contract.hpp"
 
@@ -12,15 +13,27 @@ WarmUp warm_up_over_cycles(const Case& c, Tier tier, const WarmUpOptions& o,
                      "period");
   }
   WarmUp out;
-  CycleSearch search(c, tier, control);
-  search.begin(c.supplies.front().temperature);
+  SolveControl within = control;  // of each cycle; kept is what lies between them
+  within.kept = nullptr;
+  CycleSearch search(c, tier, within);
+  CycleMarch march;
+  const auto members = [&](Tape& tape) {
+    tape(out.instants, march);
+    search.ended(tape);
+  };
+  if (!take_up_noted(control.kept, members)) {
+    search.begin(c.supplies.front().temperature);
+    march.bodies = uniform_bodies(*search.film().model().solids, o.T_start);
+  }
   out.solution.model = search.film().model();
-  Bodies bodies = uniform_bodies(*out.solution.model.solids, o.T_start);
   MarchSpan span;
   span.duration = o.end;
   span.first = span.shortest = c.cycle->length();
-  out.end =
-      march_over_cycles(search, span, bodies, [&](const Instant& i) { out.instants.push_back(i); });
+  out.end = march_over_cycles(search, span, march, [&](const Instant& i) {
+    out.instants.push_back(i);
+    keep_between(control.kept, members);
+  });
+  keep_stopped(control.kept, out.end.verdict);
   out.solution.verdict = out.end.verdict;
   return out;
 }

@@ -26,7 +26,8 @@ Request with_state(Request request) {
   return request;
 }
 
-RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject, RunOf run)
+RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject, RunOf run,
+                     const RunOptions& options)
     : path_(state_path(request)) {
   if (path_.empty() && request.resume) {
     throw InputError("--resume",
@@ -34,8 +35,8 @@ RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject, RunOf
                      "the run that was interrupted");
   }
   if (path_.empty()) return;
-  const auto saved = [this, &subject, run](const Tape::Content& state) {
-    save(subject, run, state);
+  const auto saved = [this, &subject, run, options](const Tape::Content& state) {
+    write([&] { return run_state(subject, run, state, options); });
   };
   std::error_code error;
   const bool there = std::filesystem::exists(path_, error);
@@ -44,15 +45,15 @@ RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject, RunOf
     run_.emplace(saved);
     return;
   }
-  run_.emplace(saved, read_run_state(path_, subject, run));
+  run_.emplace(saved, read_run_state(path_, subject, run, options));
   of_this_run_ = true;
   std::cerr << "note: the run goes on from " << path_ << "\n";
 }
 
-void RunKeeper::save(const bearing::Case& subject, RunOf run, const Tape::Content& state) {
+void RunKeeper::write(const std::function<std::string()>& state) {
   if (lost_) return;
   try {
-    write_file(path_, run_state(subject, run, state));
+    write_file(path_, state());
     of_this_run_ = true;
   } catch (const FileError& why) {  // the run itself is none the worse for it
     lost_ = true;
@@ -60,7 +61,8 @@ void RunKeeper::save(const bearing::Case& subject, RunOf run, const Tape::Conten
   }
 }
 
-void RunKeeper::end(int code) const {
+void RunKeeper::end(int code) {
+  if (run_ && (code == kInterrupted || code == kBadFile)) run_->keep_noted();
   if (!of_this_run_) {  // a file that is there is another run's, and stays
     if (run_ && code == kInterrupted) {
       std::cerr << "note: nothing had been found yet: the run keeps no state\n";

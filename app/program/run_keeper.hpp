@@ -29,18 +29,27 @@ class RunKeeper {
 
   /// For SolveControl; none: nothing is kept.
   [[nodiscard]] bearing::KeptRun* kept() { return run_ ? &*run_ : nullptr; }
+  /// For a search that follows when that run has ended; the state in which it did stays kept.
+  [[nodiscard]] bearing::KeptRun* next();
   /// Takes the file away, unless the run was interrupted or one of its files was lost (`code`):
   /// then tells how to go on.
   void end(int code);
 
  private:
+  /// What the file keeps.
+  struct Kept {
+    Tape::Content run;
+    Tape::Content next;  ///< empty: not begun
+  };
   /// Writes the file.
-  void write(const std::function<std::string()>& state);
+  void write(const std::function<std::string(const Tape::Content&)>& file);
 
   std::string path_;
   bool lost_ = false;         ///< the file cannot be written
   bool of_this_run_ = false;  ///< the file is no older run's
-  std::optional<bearing::KeptRun> run_;
+  Kept parts_;
+  std::function<void()> save_;
+  std::optional<bearing::KeptRun> run_, next_;
 };
 
 }  // namespace shellback::program

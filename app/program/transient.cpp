@@ -61,10 +61,9 @@ WarmUpOptions options_of(const Request& request) {
   return o;
 }
 
-/// The steady state, or the periodic one, which ends the warm-up; it is solved anew where a run is
-/// gone on with.
-Result steady_state(const Case& subject, SolveControl control) {
-  control.kept = nullptr;
+/// The steady or the periodic state, in which a warm-up ends.
+Result steady_state(const Case& subject, SolveControl control, RunKeeper& keeper) {
+  control.kept = subject.cycle ? keeper.next() : nullptr;  // none of a steady one is kept
   return fidelity::solve_case(subject, control);
 }
 
@@ -128,7 +127,7 @@ int transient(const Request& request) {
     return code;
   }
   const bool stopped = run.end.verdict.status == Status::interrupted;
-  const Result steady = stopped ? Result{} : steady_state(subject, control);
+  const Result steady = stopped ? Result{} : steady_state(subject, control, keeper);
   if (request.json != "-") print_warm_up(subject, run, steady);
   if (!run.end.verdict.good()) {
     std::cerr << fmt::format("error: transient: ended after {:.4g} s: {}\n", run.end.t,

@@ -256,6 +256,34 @@ TEST_CASE("AStateOfAnotherRunStaysUntilThisOneHasItsOwn") {
   CHECK_FALSE(fs::exists(path));
 }
 
+TEST_CASE("ASearchThatFollowsIsKeptBesideWhatItFollows") {
+  const ScratchFolder scratch;
+  const bearing::Case c = read_case(case_path("running-in-cycle").string(), {});
+  Request request;
+  request.json = scratch.path("a.json");
+  request.resume = true;
+  double x = 0.0;
+  const auto members = [&](Tape& tape) { tape(x); };
+  const auto number_in = [&](bearing::KeptRun* kept) {
+    x = 0.0;
+    return bearing::take_up_noted(kept, members) ? x : 0.0;
+  };
+  {
+    RunKeeper keeper(request, c, RunOf::warm_up);
+    x = 3.0;
+    keeper.kept()->keep(members);
+    x = 4.0;
+    keeper.kept()->note(members);  // too soon for the file
+    bearing::KeptRun* next = keeper.next();
+    CHECK(number_in(next) == 0.0);
+    x = 5.0;
+    next->keep(members);
+  }
+  RunKeeper keeper(request, c, RunOf::warm_up);
+  CHECK(number_in(keeper.kept()) == 4.0);
+  CHECK(number_in(keeper.next()) == 5.0);
+}
+
 TEST_CASE("ARunWithoutAStateSaysSo") {
   const ScratchFolder scratch;
   const std::string steady = scratch.write("case.toml", kSampleCase);

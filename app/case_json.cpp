@@ -98,6 +98,7 @@ Json load_cycle(const LoadCycle& cycle) {
       cycle.interpolation == LoadInterpolation::linear ? "linear" : "periodic_spline";
   json["journal_mass"] = si(cycle.journal_mass, "kg");
   if (cycle.step) json["step"] = si(*cycle.step, "s");
+  if (!cycle.fields_at.empty()) json["fields_at"] = column(cycle.fields_at, "s");
   return json;
 }
 

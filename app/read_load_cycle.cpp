@@ -67,9 +67,14 @@ LoadInterpolation read_interpolation(const Section& section, bool periodic) {
   return chosen;
 }
 
-void read_mass_and_step(const Section& file, const Section& section, double omega, LoadCycle& c) {
+void read_mass_step_and_instants(const Section& file, const Section& section, double omega,
+                                 LoadCycle& c) {
   c.journal_mass = section.maybe_quantity("journal_mass", kMass, kNotNegative).value_or(0.0);
   const auto step = maybe_extent(section, "step");
+  for (const std::string& at :
+       section.has("fields_at") ? section.texts("fields_at") : std::vector<std::string>{}) {
+    c.fields_at.push_back(read_instant(section, "fields_at", at, omega));
+  }
   if (!step) return;
   c.step = step->angle ? step->value / crank_speed(file, omega, "load_cycle.step is a crank angle")
                        : step->value;
@@ -99,7 +104,7 @@ LoadCycle cycle_of_table(const Section& file, const Section& section, double ome
   LoadCycle c = table.cycle(scale, period ? period->value * scale : kInfinite, interpolation);
   for (const std::string& doubt : table.doubts()) section.warn("file", doubt);
   c.crank_speed = speed;
-  read_mass_and_step(file, section, omega, c);
+  read_mass_step_and_instants(file, section, omega, c);
   table.expect_mass(c);
   return c;
 }
@@ -121,7 +126,7 @@ LoadCycle cycle_of_crank(const Section& file, const std::optional<Section>& sect
   const Crank crank = read_crank(crank_section, period, frame);
   static_cast<void>(crank_speed(file, omega, "[crank] tells the load by the crank's angle"));
   LoadCycle c = crank_load(crank, omega, frame);
-  if (section) read_mass_and_step(file, *section, omega, c);
+  if (section) read_mass_step_and_instants(file, *section, omega, c);
   if (c.journal_mass <= 0.0 && vanishing_load(c)) {
     crank_section.fail(
         "", fmt::format("the load of the {} vanishes or passes through zero, and nothing tells "
@@ -154,12 +159,30 @@ std::optional<CrankFrame> read_frame(const Section& file, const std::optional<Se
 
 }  // namespace
 
+double read_instant(const Section& section, const std::string& key, const std::string& text,
+                    double omega) {
+  try {
+    return parse_quantity(text, kTime);
+  } catch (const UnitError&) {
+  }
+  try {
+    const double angle = parse_quantity(text, kAngle);
+    if (omega != 0.0) return angle / std::abs(omega);
+  } catch (const UnitError&) {
+    section.fail(key, fmt::format("{} is neither a crank angle nor a time; write for example "
+                                  "{} = [\"0 deg\", \"360 deg\"]",
+                                  in_quotes(text), key));
+  }
+  section.fail(key, "the speed is zero and turns no crank angle into time; give times (ms)");
+}
+
 std::optional<LoadCycle> read_load_cycle(const Section& file, double omega) {
   if (!file.has("load_cycle") && !file.has("crank")) return std::nullopt;
   const auto section = file.maybe_section("load_cycle");
   if (section) {
-    section->only({"file", "period", "interpolation", "journal_mass", "frame", "step", "factor"},
-                  "[load_cycle]");
+    section->only(
+        {"file", "period", "interpolation", "journal_mass", "frame", "step", "factor", "fields_at"},
+        "[load_cycle]");
   }
   const auto frame = read_frame(file, section);
   LoadCycle c =

@@ -70,23 +70,6 @@ void read_circumferential_groove(const Section& section, Supply& supply) {
   supply.length = section.quantity("width", kLength, kPositive);
 }
 
-/// A time, or a crank angle that the crank's speed `omega` turns into time [s].
-double read_instant(const Section& section, const std::string& text, double omega) {
-  try {
-    return parse_quantity(text, kTime);
-  } catch (const UnitError&) {
-  }
-  try {
-    const double angle = parse_quantity(text, kAngle);
-    if (omega != 0.0) return angle / std::abs(omega);
-  } catch (const UnitError&) {
-    section.fail("open", fmt::format("{} is neither a crank angle nor a time; write for example "
-                                     "open = [\"0 deg\", \"360 deg\"]",
-                                     in_quotes(text)));
-  }
-  section.fail("open", "the speed is zero and turns no crank angle into time; give times (ms)");
-}
-
 std::optional<bearing::Vessel> read_vessel(const Section& section, double omega) {
   if (!section.has("vessel_volume")) {
     for (const char* key : {"vessel_bulk_modulus", "open"}) {
@@ -110,8 +93,8 @@ std::optional<bearing::Vessel> read_vessel(const Section& section, double omega)
     section.fail("open", "windows have a beginning and an end each; give an even number of them");
   }
   for (std::size_t k = 0; k < edges.size(); k += 2) {
-    vessel.open.push_back(
-        {read_instant(section, edges[k], omega), read_instant(section, edges[k + 1], omega)});
+    vessel.open.push_back({read_instant(section, "open", edges[k], omega),
+                           read_instant(section, "open", edges[k + 1], omega)});
   }
   return vessel;
 }

@@ -27,6 +27,11 @@ namespace shellback::app {
 [[nodiscard]] std::vector<bearing::Supply> read_supplies(
     const Section& file, double radius, const std::optional<double>& oil_temperature, double omega);
 
+/// `text` of the key: a time, or a crank angle that the crank's speed `omega` [rad/s] turns into
+/// time [s].
+[[nodiscard]] double read_instant(const Section& section, const std::string& key,
+                                  const std::string& text, double omega);
+
 /// Where the case has a load cycle, the load is still to come.
 [[nodiscard]] bearing::Operation read_operation(const Section& file);
 

@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "bearing/gmres.hpp"
+#include "bearing/round_off.hpp"
 #include "bearing/solids.hpp"
 
 namespace shellback::bearing {
@@ -19,7 +20,6 @@ constexpr double kNearCentre = 0.05;       ///< eccentricity below which steps a
 constexpr double kMostLog = 2.5;           ///< largest |ln| of the force ratio used [-]
 constexpr double kKrylovTolerance = 1e-4;  ///< tighter gains no Newton iteration (methods 2.2)
 constexpr double kKrylovInTime = 1e-2;  ///< over a step in time: as many iterations, half as long
-constexpr int kMostKrylov = 80;
 
 /// Storage of the film's linear system, one per thread and used again by every step: fresh pages
 /// would cost a good part of a factorisation.
@@ -133,14 +133,13 @@ std::array<std::array<double, 4>, 4> BorderedFilm::stiffness(const std::vector<c
 }
 
 fluid::Wrench wanted_change(const fluid::Wrench& now, const fluid::Wrench& target) {
-  constexpr double kLike = 1.5;  // angle between two forces of like direction [rad]
   fluid::Wrench d{};
   for (int k = 0; k < 4; ++k) d[k] = target[k] - now[k];
   const std::complex<double> f(now[0], now[1]);
   const std::complex<double> aim(target[0], target[1]);
   if (std::abs(f) > 1e-6 * std::abs(aim)) {
     std::complex<double> ln = std::log(aim / f);
-    if (std::abs(ln.imag()) < kLike) {
+    if ((aim / f).real() > 0.0) {  // forces of like direction
       ln.real(std::clamp(ln.real(), -kMostLog, kMostLog));
       const std::complex<double> change = f * ln;
       d[0] = change.real();
@@ -239,7 +238,7 @@ CompliantAnswer with_compliance(const BearingModel& model, const FilmEquilibrium
     for (std::size_t k = 0; k < y.size(); ++k) y[k] = b[k] - y[k];
     return y;
   };
-  const KrylovResult correction = gmres(apply, rhs, tolerance, kMostKrylov);
+  const KrylovResult correction = gmres(apply, rhs, tolerance, kMostIterations);
   return {solve(sum(defect, correction.x), false), correction.iterations, correction.reduction};
 }
 
@@ -305,7 +304,7 @@ void StepProblem::solve_rigid(StepLimits limits) {
   moved = solve_border(target, s, film.stiffness(predicted.full), aim,
                        target.path ? target.path->missing(s) : 0.0);
   if (!moved) return;
-  const double gap = std::max(s.least.h, 0.0) + 3.0 * model.scene.rough.sigma;
+  const double gap = gap_with_summits(model, s);
   moved->dq = limited(s.position, moved->dq, gap, model.clearance, 0.5 * model.scene.grid.width,
                       limits.reach);
   film.move(moved->dq, x);

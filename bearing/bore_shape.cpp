@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 
@@ -37,11 +38,10 @@ double way_into(const EdgeOpening& e, const Bearing& b, double z) {
 }
 
 bool table_is_symmetric(const Profile& p) {
-  constexpr double kSlack = 1e-9;  // of the largest height
   const double highest = largest_magnitude(p.height);
   for (const double phi : p.phi) {
     for (const double z : p.z) {
-      if (std::abs(table_at(p, phi, z) - table_at(p, phi, -z)) > kSlack * highest) return false;
+      if (std::abs(table_at(p, phi, z) - table_at(p, phi, -z)) > kRoundOff * highest) return false;
     }
   }
   return true;

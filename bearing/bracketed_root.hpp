@@ -2,6 +2,8 @@
 /// Root of a function between two points where its sign differs, by GSL's Brent-Dekker method.
 #include <functional>
 
+#include "bearing/round_off.hpp"
+
 namespace shellback::bearing {
 
 /// A point at which the function is known.
@@ -13,7 +15,7 @@ struct KnownPoint {
 struct BracketOptions {
   double enough = 0.0;     ///< |f| that ends the search
   double narrowest = 0.0;  ///< width of the bracket that ends it
-  int max_iterations = 100;
+  int max_iterations = kMostIterations;
 };
 
 /// `found` is false where `f` gave no finite number, or where the iterations ran out; `x` and `f`

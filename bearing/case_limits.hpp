@@ -4,6 +4,7 @@
 /// One table each; every line tells where its numbers come from.
 #include <array>
 
+#include "bearing/temperature_limits.hpp"
 #include "core/constants.hpp"
 #include "core/range.hpp"
 
@@ -12,8 +13,7 @@ namespace shellback::bearing {
 /// What a single value can be. Outside, nothing can be computed.
 struct ValueRanges {
   /// [K] No bearing runs colder, no oil film survives hotter.
-  Range temperature{kZeroCelsius - 60.0, kZeroCelsius + 400.0, false,
-                    "lie between -60 and 400 degC"};
+  Range temperature{kZeroCelsius - 60.0, kHottestOil, false, "lie between -60 and 400 degC"};
   Range turn{-2.0 * kPi, 2.0 * kPi, false, "lie between -360 deg and 360 deg"};
   Range arc{0.0, 2.0 * kPi, false, "lie between 0 deg (a line) and 360 deg"};
   Range extent{0.0, 2.0 * kPi, true, "be positive and at most 360 deg"};

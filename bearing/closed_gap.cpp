@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::bearing {
@@ -50,11 +51,11 @@ void evaluate_gap(const BearingModel& model, const Field& thermal_deformation, F
 
 bool open_gap(const BearingModel& model, const LoadTarget& target, const Field& thermal_deformation,
               FilmEquilibrium& s) {
-  constexpr double kOpen = 0.02;   // of the clearance: a gap to begin with [-]
-  constexpr int kMostMoves = 100;  // each opens the closest place and may close another
+  constexpr double kOpen = 0.02;  // of the clearance: a gap to begin with [-]
   if (!is_closed(model, s) || target.unknowns == 0) return false;
   const fluid::JournalPosition before = s.position;
-  for (int k = 0; k < kMostMoves; ++k) {
+  // Each move opens the closest place and may close another.
+  for (int k = 0; k < kMostIterations; ++k) {
     const double missing = kOpen * model.clearance - s.least.h;
     s.position.q[0] -= missing * std::cos(s.least.phi);
     s.position.q[1] -= missing * std::sin(s.least.phi);

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "core/largest.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace shellback::bearing {
 namespace {
-
-constexpr int kMostSubstitutions = 60;
 
 bool thins(const rheology::Oil& oil) {
   return !std::holds_alternative<rheology::NoShearThinning>(oil.shear);
@@ -103,7 +102,7 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
       for (std::size_t k = 0; k < tau.size(); ++k) {
         c.mismatch = larger(c.mismatch, std::abs(c.eta[k] / before[k] - 1.0));
       }
-    } while (++c.substitutions < kMostSubstitutions && c.mismatch > tolerance);
+    } while (++c.substitutions < kMostIterations && c.mismatch > tolerance);
   } else {
     c.eta = low;
   }

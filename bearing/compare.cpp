@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/bracketed_root.hpp"
+#include "bearing/friction_split.hpp"
 #include "bearing/nested.hpp"
 #include "bearing/solve_equilibrium.hpp"
 
 namespace shellback::bearing {
 namespace {
-
-struct Torque {
-  double viscous = NAN;
-  double asperity = NAN;
-  [[nodiscard]] double total() const { return viscous + asperity; }
-};
 
 Torque torque_of(const Solution& s) {
   if (!s.verdict.good()) return {};
@@ -62,8 +56,8 @@ void split_friction(const Solution& isothermal, const Solution& full, const Solv
   const bool rigid_steps = elastic_step || !full.model.physics.elastic;
   if (!rigid_steps) {
     split.steps = {{"viscosity level", level.viscous - start.viscous},
-                   {"viscosity variation and clearance", end.viscous - level.viscous},
-                   {"asperity share", end.asperity - start.asperity}};
+                   {"viscosity variation and clearance", end.viscous - level.viscous}};
+    close_split(start, end, split);
     return;
   }
   const Torque variation = rigid_with_heat_of(full, false, control);
@@ -72,20 +66,13 @@ void split_friction(const Solution& isothermal, const Solution& full, const Solv
   split.steps = {{"viscosity level", level.viscous - start.viscous},
                  {"viscosity variation", variation.viscous - level.viscous},
                  {"clearance", clearance.viscous - variation.viscous},
-                 {"elasticity", end.viscous - clearance.viscous},
-                 {"asperity share", end.asperity - start.asperity}};
-  const bool known = std::all_of(split.steps.begin(), split.steps.end(),
-                                 [](const FrictionStep& s) { return std::isfinite(s.change); });
-  if (!known) {  // a step of the ladder has no steady state: keep only what is known
-    split.steps = {{"all viscous effects together", end.viscous - start.viscous},
-                   {"asperity share", end.asperity - start.asperity}};
-  }
+                 {"elasticity", end.viscous - clearance.viscous}};
+  close_split(start, end, split);
 }
 
 /// Film temperature at which the isothermal torque is `wanted` [K]; NaN if none within the oil's
 /// range. Warm-started from T to T.
 double calibrate(const Case& c, double wanted, double guess, const SolveControl& control) {
-  constexpr double kHalfRange = 60.0;  // searched on both sides of the guess [K]
   constexpr double kTolerance = 1e-4;  // [K]
   Solution s = solve_isothermal_at(c, guess, control);
   if (!s.verdict.good()) return NAN;
@@ -100,17 +87,7 @@ double calibrate(const Case& c, double wanted, double guess, const SolveControl&
     const Friction friction = friction_of(s.model, trial);
     return friction.viscous + friction.asperity - wanted;
   };
-  KnownPoint here{guess, excess(guess)};
-  if (here.f == 0.0) return guess;
-  KnownPoint other = here;
-  for (double reach = 4.0; reach <= kHalfRange && other.f * here.f > 0.0; reach *= 2.0) {
-    here = other;
-    other.x = here.f > 0.0 ? guess + reach : guess - reach;  // warmer oil, less friction
-    other.f = excess(other.x);
-  }
-  if (!(other.f * here.f < 0.0)) return NAN;
-  const BracketedRoot root = bracketed_root(excess, here, other, {0.0, kTolerance});
-  return root.found ? root.at.x : NAN;
+  return calibrated_temperature(excess, guess, {0.0, kTolerance});
 }
 
 }  // namespace

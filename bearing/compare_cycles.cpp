@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/bracketed_root.hpp"
-#include "bearing/cycle_search.hpp"
+#include "bearing/cycle_endings.hpp"
+#include "bearing/cycle_lumped.hpp"
+#include "bearing/friction_split.hpp"
 
 namespace shellback::bearing {
 namespace {
-
-struct Torque {
-  double viscous = NAN;
-  double asperity = NAN;
-};
 
 Torque torque_of(const CycleResult& r) {
   const double asperity = value_of(r, "friction_torque_asperity");
@@ -44,8 +40,8 @@ void split_friction(const Case& c, const CycleResult& isothermal, const CycleRes
                     FrictionSplit& split) {
   const Torque start = torque_of(isothermal);
   const Torque end = torque_of(full);
-  split.from = start.viscous + start.asperity;
-  split.to = end.viscous + end.asperity;
+  split.from = start.total();
+  split.to = end.total();
   const double T = value_of(full, "T_film_mean");
   at_one_temperature.set_temperature(T);
   at_one_temperature.search(false);
@@ -62,35 +58,17 @@ void split_friction(const Case& c, const CycleResult& isothermal, const CycleRes
                  {"viscosity variation", variation.viscous - level.viscous},
                  {"clearance", clearance.viscous - variation.viscous}};
   if (!last) split.steps.push_back({"elasticity", end.viscous - clearance.viscous});
-  split.steps.push_back({"asperity share", end.asperity - start.asperity});
-  const bool known = std::all_of(split.steps.begin(), split.steps.end(),
-                                 [](const FrictionStep& s) { return std::isfinite(s.change); });
-  if (known) return;  // else a cycle between them was not found: only what is known
-  split.steps = {{"all viscous effects together", end.viscous - start.viscous},
-                 {"asperity share", end.asperity - start.asperity}};
+  close_split(start, end, split);
 }
 
 /// Film temperature at which the mean torque of isothermal cycles is `wanted` [K]; NaN: none.
 double calibrate(CycleSearch& search, double wanted, double guess) {
-  constexpr double kHalfRange = 60.0;  // searched on both sides of the guess [K]
-  constexpr double kEnough = 1e-4;     // of the torque: the closure of cycles [-]
-  constexpr double kNarrowest = 1e-3;  // [K]
   const auto excess = [&](double T) {
     search.set_temperature(T);
     return search.search(false).good() ? search.told().means().torque - wanted : double{NAN};
   };
-  KnownPoint here{guess, excess(guess)};
-  if (here.f == 0.0) return guess;
-  KnownPoint other = here;
-  for (double reach = 4.0; reach <= kHalfRange && other.f * here.f > 0.0; reach *= 2.0) {
-    here = other;
-    other.x = here.f > 0.0 ? guess + reach : guess - reach;  // warmer oil, less friction
-    other.f = excess(other.x);
-  }
-  if (!(other.f * here.f < 0.0)) return NAN;
-  const BracketedRoot root =
-      bracketed_root(excess, here, other, {kEnough * std::abs(wanted), kNarrowest});
-  return root.found ? root.at.x : NAN;
+  // No better than cycles close.
+  return calibrated_temperature(excess, guess, {kClosed * std::abs(wanted), kCycleBracket});
 }
 
 }  // namespace

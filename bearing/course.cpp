@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/first_film.hpp"
 #include "bearing/kept_run.hpp"
 #include "bearing/march_members.hpp"
 #include "core/contract.hpp"
@@ -73,23 +72,29 @@ void expect_course(const std::vector<Stretch>& stretches, Tier tier) {
 class Course {
  public:
   Course(Tier tier, const WarmUpOptions& options, const SolveControl& control, CourseRun& run)
-      : tier_(tier), options_(options), control_(control), within_(control), run_(run) {
-    within_.kept = nullptr;
-  }
+      : tier_(tier), options_(options), control_(control), run_(run) {}
 
-  /// How many stretches lie behind, those of a run that is gone on with included.
+  /// How many stretches lie behind: of a run that is gone on with.
   std::size_t take_up() {
-    if (control_.kept != nullptr && control_.kept->under_way() != nullptr)
-      members(*control_.kept->under_way());
+    begin_take_up(control_.kept, told_);
     return run_.ends.size();
   }
 
   /// True if the stretch was passed to its end.
   bool pass(const Stretch& s) {
-    const MarchEnd end = s.subject.cycle ? over_cycles(s) : steadily_loaded(s);
+    WarmUpOptions one = options_;
+    one.end = s.duration;
+    Solution now;
+    const MarchEnd end =
+        pass_stretch(s.subject, tier_, one, StretchEnd::in_time, control_, carried_, now,
+                     [this](Instant i, const std::function<void(Tape&)>& stand) {
+                       i.t += begun_;
+                       run_.instants.push_back(i);
+                       keep_between(control_.kept, told_, stand);
+                     });
+    keep_stopped(control_.kept, end.verdict);
     run_.end = end;
     run_.end.t += begun_;
-    keep_stopped(control_.kept, end.verdict);
     if (!end.verdict.good()) return false;
     run_.ends.push_back(run_.instants.size() - 1);
     begun_ += s.duration;
@@ -97,90 +102,13 @@ class Course {
   }
 
  private:
-  void tell(Instant i, const std::function<void(Tape&)>& march) {
-    i.t += begun_;
-    run_.instants.push_back(i);
-    keep_between(control_.kept, [&](Tape& tape) {
-      members(tape);
-      march(tape);
-    });
-  }
-  void members(Tape& tape) { tape(run_.instants, run_.ends, begun_); }
-
-  MarchEnd over_cycles(const Stretch& s) {
-    constexpr double kSteps = 16.0;    // of a stretch at least: see the head of course.hpp
-    constexpr double kFirst = 1024.0;  // first step, of a stretch: shorter where walls move by 2 K
-    CycleSearch search(s.subject, tier_, within_);
-    CycleMarch march;
-    const auto members = [&](Tape& tape) {
-      search.ended(tape);
-      tape(march);
-    };
-    MarchSpan span;
-    span.duration = s.duration;
-    span.shortest = s.subject.cycle->length();
-    span.first = std::max(span.shortest, s.duration / kFirst);
-    span.longest = std::max(span.shortest, s.duration / kSteps);
-    span.until_rest = false;
-    if (!take_up_noted(control_.kept, members)) {
-      search.begin(s.subject.supplies.front().temperature);
-      march.bodies =
-          bodies_ ? *bodies_ : uniform_bodies(*search.film().model().solids, options_.T_start);
-      // The orbit is found before its heat counts.
-      if (!search.pass_between(march.bodies.walls)) return {search.verdict()};
-    }
-    const MarchEnd end =
-        march_over_cycles(search, span, march, [&](const Instant& i) { tell(i, members); });
-    bodies_ = std::move(march.bodies);
-    return end;
-  }
-
-  MarchEnd steadily_loaded(const Stretch& s) {
-    Solution now;
-    const Physics physics = physics_of(s.subject, tier_);
-    now.target = load_target(s.subject);
-    now.model = make_bearing(s.subject, physics, s.subject.model.grid);
-    const SolidEffects effects{physics.elastic, true, physics.thermal_deformation, true};
-    if (!solids_) {
-      solids_ = std::make_shared<const Solids>(s.subject, now.model.scene.grid, effects);
-      if (!bodies_) bodies_ = uniform_bodies(*solids_, options_.T_start);
-    }
-    now.model.solids = solids_;
-    MarchStand stand{bodies_->state};
-    const auto members = [&](Tape& tape) { tape(now, stand); };
-    if (!take_up_noted(control_.kept, members)) {
-      const Verdict v = begin_film(now);
-      if (!v.good()) return {v};
-    }
-    MarchOptions march;
-    march.end = s.duration;
-    march.error = options_.error;
-    const MarchEnd end =
-        march_heat(now, stand, march, within_, [&](const Instant& i) { tell(i, members); });
-    bodies_->state = std::move(stand.bodies);
-    return end;
-  }
-
-  /// Between the bodies as they are.
-  Verdict begin_film(Solution& now) {
-    const SolidTemperature walls = solids_->at(bodies_->state);
-    now.heat = cold_heat(now.model, options_.T_start);
-    now.heat.T_shell = walls.shell.surface;
-    now.heat.T_shaft = walls.shaft.temperature;
-    if (now.model.physics.thermal_deformation)
-      now.heat.thermal_deformation = walls.thermal_deformation;
-    now.T_film = now.model.input.supplies.front().temperature;
-    return first_film(now, now.T_film, within_);
-  }
-
   Tier tier_;
   const WarmUpOptions& options_;
   const SolveControl& control_;
-  SolveControl within_;  ///< of what lies between two steps
   CourseRun& run_;
   double begun_ = 0.0;  ///< of the present stretch [s]
-  std::optional<Bodies> bodies_;
-  std::shared_ptr<const Solids> solids_;  ///< under a steady load
+  CarriedOver carried_;
+  std::function<void(Tape&)> told_ = [this](Tape& tape) { tape(run_.instants, run_.ends, begun_); };
 };
 
 }  // namespace

@@ -3,20 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::bearing {
 namespace {
 
-constexpr double kSameAngle = 1e-9;  ///< rows closer than this are one [rad]
-
 /// Crank angles of the rows: n steps of equal size, and the points of the pressure.
 std::vector<double> row_angles(const Crank& crank, int n) {
   std::vector<double> angles = crank.angle;
   for (int k = 0; k < n; ++k) angles.push_back(crank.period * k / n);
   std::sort(angles.begin(), angles.end());
-  const auto same = [](double a, double b) { return b - a < kSameAngle; };
+  const auto same = [](double a, double b) { return b - a < kRoundOff; };
   angles.erase(std::unique(angles.begin(), angles.end(), same), angles.end());
   return angles;
 }

@@ -11,11 +11,10 @@ void Closure::add(double difference) {
 }
 
 bool Closure::closed() const {
-  constexpr double kEnough = 1e-4;   // of smallest film and torque
   constexpr double kSlowest = 0.99;  // slower is not seen from noise
   // One difference tells no rate: it may be the slowest.
   const double rho = std::isfinite(before) ? std::min(last / before, kSlowest) : kSlowest;
-  return last * std::max(1.0, rho / (1.0 - rho)) <= kEnough;
+  return last * std::max(1.0, rho / (1.0 - rho)) <= kClosed;
 }
 
 Verdict at_instant(Verdict v, double t, double crank_speed) {

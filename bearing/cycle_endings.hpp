@@ -6,13 +6,16 @@
 
 namespace shellback::bearing {
 
+/// Two cycles that agree so well are one, of smallest film and torque [-].
+inline constexpr double kClosed = 1e-4;
+
 /// How cycles draw near to the periodic state: where the change falls by the ratio rho from cycle
 /// to cycle, rho/(1 - rho) of the last one is still to come.
 struct Closure {
   double last = NAN;    ///< difference of the last two cycles [-]
   double before = NAN;  ///< of the two before [-]
   void add(double difference);
-  /// Two cycles agree within 1e-4 in smallest film and torque.
+  /// Within kClosed of the periodic state.
   [[nodiscard]] bool closed() const;
 };
 

@@ -9,9 +9,7 @@
 namespace shellback::bearing {
 
 Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
-  constexpr double kFirstRise = 5.0;   // of the search upwards, doubled from try to try [K]
-  constexpr double kSettled = 0.01;    // |r|: 3e-4 of viscosity [K]
-  constexpr double kNarrowest = 1e-3;  // bracket below which r is the closure of cycles [K]
+  constexpr double kFirstRise = 5.0;  // of the search upwards, doubled from try to try [K]
   const double T_supply = c.supplies.front().temperature;
   Verdict last;
   const auto unbalanced = [](double hottest) -> Verdict {
@@ -31,7 +29,7 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
   };
   KnownPoint low{T_supply, residual(T_supply)};
   if (std::isnan(low.f)) return last;
-  for (double rise = kFirstRise; std::abs(low.f) > kSettled; rise *= 2.0) {
+  for (double rise = kFirstRise; std::abs(low.f) > kCycleBalance; rise *= 2.0) {
     if (rise > kHottestRise) return unbalanced(T_supply + kHottestRise);
     const KnownPoint high{T_supply + rise, residual(T_supply + rise)};
     if (std::isnan(high.f)) return last;
@@ -39,7 +37,7 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
       low = high;
       continue;
     }
-    if (!bracketed_root(residual, low, high, {kSettled, kNarrowest}).found && last.good()) {
+    if (!bracketed_root(residual, low, high, {kCycleBalance, kCycleBracket}).found && last.good()) {
       return unbalanced(high.x);
     }
     break;

@@ -12,6 +12,12 @@
 
 namespace shellback::bearing {
 
+/// |r| that ends the search [K]: 3e-4 of viscosity.
+inline constexpr double kCycleBalance = 0.01;
+/// Bracket of temperatures within which the numbers of two cycles differ by their closure alone
+/// [K].
+inline constexpr double kCycleBracket = 1e-3;
+
 /// Leaves `search` at the root; its verdict otherwise.
 [[nodiscard]] Verdict settle_lumped_cycle(CycleSearch& search, const Case& c);
 

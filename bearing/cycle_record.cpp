@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "bearing/film_heat.hpp"
+#include "bearing/round_off.hpp"
 #include "bearing/solve.hpp"
 #include "bearing/tape_members.hpp"
 #include "bearing/told_ranges.hpp"
@@ -111,6 +112,8 @@ void CycleRecord::begin(const FilmInTime& now) {
     first.heat_to_shaft = both * now.heat.flows.balance.to_shaft;
   }
   instants_.push_back(first);
+  const auto& cycle = film_->model().input.cycle;
+  if (cycle && !cycle->fields_at.empty()) keep_frame(now, now.film.film.p);
 }
 
 void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt) {
@@ -127,7 +130,15 @@ void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt
   if (const auto& worn = film_->model().input.running_in) {
     wear_.add(wear_load_of(film_->model(), now.film, worn->limit_pressure), dt);
   }
-  if (told() < next_frame_) return;
+  keep_frame(now, p);
+}
+
+void CycleRecord::keep_frame(const FilmInTime& now, const Field& p) {
+  const auto& cycle = film_->model().input.cycle;
+  const std::vector<double> at = cycle ? cycle->fields_at : std::vector<double>{};
+  const auto is_now = [&](double t) { return std::abs(t - told()) <= kRoundOff * length_; };
+  const bool due = at.empty() ? told() >= next_frame_ : std::any_of(at.begin(), at.end(), is_now);
+  if (!due) return;
   const FilmGrid& g = film_->model().scene.grid;
   frames_.push_back({told(), mirror_to_full(g, p), mirror_to_full(g, now.film.film.theta),
                      mirror_to_full(g, now.film.gap.cell)});

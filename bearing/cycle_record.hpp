@@ -57,6 +57,8 @@ class CycleRecord {
   /// Mean over time of a value that is straight between instants.
   [[nodiscard]] double mean(double CycleInstant::*value) const;
   void gather_fields(const FilmInTime& now, const Field& p, double dt);
+  /// Keeps the film, if it is time: at the instants that the case gives, or evenly.
+  void keep_frame(const FilmInTime& now, const Field& p);
   void gather_heat(const FilmStep& step, double dt);
   void write_heat(CycleResult& r) const;
   /// Ranges of the laws that were left, at the extremes of each place.

@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "bearing/fixed_point.hpp"
+#include "bearing/heat_endings.hpp"
 #include "bearing/kept_run.hpp"
 #include "bearing/nested.hpp"
 #include "bearing/solve.hpp"
+#include "bearing/step_control.hpp"
 #include "bearing/tape_members.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
@@ -16,32 +18,27 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr int kMostCycles = 40;              ///< starved films gather their oil over ten and more
-constexpr double kOfTolerance = 0.1;         ///< error of a step, of model.tolerance [-]
-constexpr double kFewestSteps = 90.0;        ///< of a period: 8 degrees of two turns
-constexpr double kAfterJump = 1.0 / 7200.0;  ///< of a period: 0.1 degrees of two turns (methods 4)
-constexpr double kShortest = 1e-7;           ///< of a period
-constexpr double kUnit = 10.0;               ///< one unit of the walls' temperatures [K]
-constexpr double kSkinSteps = 8.0;           ///< longest step over the one that skins resolve
+constexpr int kMostCycles = 40;        ///< starved films gather their oil over ten and more
+constexpr double kAfterJump = 3600.0;  ///< steps of a turn, behind a jump: 0.1 degrees (methods 4)
+constexpr double kSkinSteps = 8.0;     ///< longest step over the one that skins resolve
 
 /// All lengths go with the error allowed, as steps do that it chooses.
 StepOptions step_options(const Case& c, const LoadCourse& course, double length) {
-  constexpr double kUsual = 0.01;          // model.tolerance for which lengths are meant
-  constexpr double kDegrees = kPi / 1800;  // 0.1 degrees of the journal's turn
-  const double longer = std::cbrt(c.model.tolerance / kUsual);
+  const double longer = std::cbrt(c.model.tolerance / Model{}.tolerance);
   StepOptions o;
   o.error = kOfTolerance * c.model.tolerance;
   o.longest = longer * length / kFewestSteps;
-  o.shortest = kShortest * length;
+  o.shortest = kStepShortest * length;
   for (const Supply& s : c.supplies) {
     constexpr double kOfMouth = 0.5;  // of its width: no place that it passes over is left out
     const double speed = course.largest_speed() * c.bearing.radius;
     if (s.kind != SupplyKind::drilling || !(speed > 0.0)) continue;
     o.longest = std::min(o.longest, kOfMouth * s.diameter / speed);
   }
-  o.after_jump = longer * kAfterJump * length;
+  o.after_jump = longer * (1.0 / (2.0 * kAfterJump)) * length;
   if (course.largest_speed() > 0.0) {
-    o.after_jump = std::min(o.after_jump, longer * kDegrees / course.largest_speed());
+    o.after_jump =
+        std::min(o.after_jump, longer * (2.0 * kPi / kAfterJump) / course.largest_speed());
   }
   o.fixed = c.cycle->step.value_or(0.0);
   return o;
@@ -221,13 +218,12 @@ void CycleSearch::set_temperature(double T) {
 }
 
 void CycleSearch::begin_pass() {
-  constexpr int kCyclesLooked = 2;  // after which the film's response hardly changes any more
   passing_ = Passing{CycleRecord(film_, course_, length_)};
   passing_->record.begin(now_);
   const bool heat = film_.heat() != nullptr;
   heat_ = {};
   if (heat) heat_.begin(now_);
-  passing_->look = heat && c_.cycle->repeats() && looked_ < kCyclesLooked;
+  passing_->look = heat && c_.cycle->repeats() && looked_ < kCyclesOfAnswer;
 }
 
 void CycleSearch::add(const FilmStep& step, double dt) {
@@ -279,16 +275,16 @@ void CycleSearch::until_closed() {
 std::vector<double> CycleSearch::packed(const WallMeans& w) const {
   std::vector<double> x;
   x.reserve(w.shell.size() + w.shaft.size() + w.thermal_deformation.size());
-  for (const double T : w.shell) x.push_back(T / kUnit);
-  for (const double T : w.shaft) x.push_back(T / kUnit);
+  for (const double T : w.shell) x.push_back(T / kHeatUnit);
+  for (const double T : w.shaft) x.push_back(T / kHeatUnit);
   for (const double d : w.thermal_deformation) x.push_back(d / film_.model().clearance);
   return x;
 }
 
 void CycleSearch::unpack(const std::vector<double>& x, WallMeans& w) const {
   auto at = x.begin();
-  for (double& T : w.shell) T = kUnit * *at++;
-  for (double& T : w.shaft) T = kUnit * *at++;
+  for (double& T : w.shell) T = kHeatUnit * *at++;
+  for (double& T : w.shaft) T = kHeatUnit * *at++;
   for (double& d : w.thermal_deformation) d = film_.model().clearance * *at++;
 }
 
@@ -321,19 +317,15 @@ bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>
   walls_->flux = next.walls.flux;
   answered_ = next.walls;
   g = packed(next.walls);
-  wall_change_ = kUnit * largest_difference(g, x);
+  wall_change_ = kHeatUnit * largest_difference(g, x);
   return true;
 }
 
 void CycleSearch::settle_walls(bool rough) {
-  constexpr int kDepth = 5;             // methods 3.5
-  constexpr double kRoughly = 0.1;      // [K]; a finer grid moves the walls by more
-  constexpr double kOfViscosity = 0.1;  // of model.tolerance: viscosity missed by the walls
   const double T = c_.supplies.front().temperature;
   const double by_T = -rheology::viscosity_slopes(film_.model().oil, T, 0.0, 0.0).dln_dT;
   const bool coarsely = rough || !(by_T > 0.0);
-  const double enough =
-      coarsely ? kRoughly : std::min(kRoughly, kOfViscosity * c_.model.tolerance / by_T);
+  const double enough = coarsely ? kWallsOff : std::min(kWallsOff, steps_.error / by_T);
   if (!brought_back_) walls_begun_ = packed(*walls_);
   std::vector<double> x = walls_begun_;
   const auto map = [this](const std::vector<double>& at, std::vector<double>& g) {
@@ -345,7 +337,8 @@ void CycleSearch::settle_walls(bool rough) {
     remember(g);
     return true;
   };
-  const FixedPointEnd end = fixed_point(map, {kDepth, 1, kMostCycles, enough / kUnit}, x);
+  const FixedPointEnd end =
+      fixed_point(map, {FixedPointOptions{}.depth, 1, kMostCycles, enough / kHeatUnit}, x);
   const bool open = end != FixedPointEnd::converged && r_.verdict.good();
   if (open)
     r_.verdict = {Status::iteration_limit,

@@ -17,6 +17,13 @@
 
 namespace shellback::bearing {
 
+/// Steps of a period at least: 8 degrees of two turns. From a steady place no pulse is passed over.
+inline constexpr double kFewestSteps = 90.0;
+/// Error of a step in time, over model.tolerance [-] (decision 024).
+inline constexpr double kOfTolerance = 0.1;
+/// Cycles within which the film answers its walls: then its response hardly changes any more.
+inline constexpr int kCyclesOfAnswer = 2;
+
 class CycleSearch {
  public:
   /// On the grid of the case. `control` must outlive the search; refers to itself, is not copied.

@@ -4,18 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "bearing/round_off.hpp"
+#include "bearing/step_control.hpp"
+
 namespace shellback::bearing {
 namespace {
 
-constexpr double kOrder = 3.0;      ///< of the error of a step in its length
-constexpr double kOrderAnew = 2.0;  ///< the same of a step that begins without slopes
-constexpr int kMostSteps = 200000;  ///< of a period: a hundred times what a long cycle takes
-constexpr double kSafety = 0.9;     ///< of the length that the error allows, textbook
-constexpr double kLonger = 2.0;     ///< at most, from step to step, textbook
-constexpr double kShorter = 0.25;   ///< at most; also where a step is not found
 constexpr double kTaken = 1.5;  ///< a step of the period before stands until it errs so much more
-
-constexpr double kRound = 1e-9;  ///< of the period: times nearer than this are one
 
 bool stopped(const SolveControl& control) { return control.stop && control.stop->load(); }
 
@@ -29,6 +24,10 @@ CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
     corners_.push_back(c);
   }
   for (const double t : film.vessels().switchings()) corners_.push_back({t, true, 0.0});
+  if (!film.model().input.cycle) return;
+  for (const double t : film.model().input.cycle->fields_at) {
+    corners_.push_back({t, false, INFINITY});  // steps end there, however little is felt
+  }
 }
 
 /// A corner in the middle of a step moves the load by an eighth of its change of slope times dt:
@@ -37,13 +36,13 @@ double CycleSteps::next_corner(double since, double dt) const {
   double next = length_;
   for (const LoadCorner& c : corners_) {
     const bool felt = c.jump || c.slope_change * dt > 8.0 * options_.error;
-    if (felt && c.t > since + kRound * length_ && c.t < next) next = c.t;
+    if (felt && c.t > since + kRoundOff * length_ && c.t < next) next = c.t;
   }
   return next;
 }
 
 double CycleSteps::end_of_step(double since, double dt) const {
-  const double round = kRound * length_;
+  const double round = kRoundOff * length_;
   double end = next_corner(since, dt);
   // No sliver is left: what is less than two steps is halved.
   if (options_.fixed <= 0.0 && end - since > dt + round && end - since < 2.0 * dt) {
@@ -54,25 +53,22 @@ double CycleSteps::end_of_step(double since, double dt) const {
 }
 
 bool CycleSteps::jump_at(double since) const {
-  const double round = kRound * length_;
+  const double round = kRoundOff * length_;
   return std::any_of(corners_.begin(), corners_.end(), [&](const LoadCorner& c) {
     return c.jump && (std::abs(c.t - since) < round || std::abs(c.t - length_ - since) < round);
   });
 }
 
 double CycleSteps::length_for(const FilmStep& step, double dt, bool anew) const {
-  const double order = anew ? kOrderAnew : kOrder;
-  if (!step.verdict.good()) return kShorter * dt;
-  if (!(step.error > 0.0)) return kLonger * dt;
-  const double part = kSafety * std::pow(options_.error / step.error, 1.0 / order);
-  return dt * std::clamp(part, kShorter, kLonger);
+  if (!step.verdict.good()) return kStepShorter * dt;
+  return dt * step_growth(options_.error, step.error, anew);
 }
 
 FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, PeriodEnd& out,
                           EquilibriumCost& cost, const SolveControl& control) {
   const bool anew = now.oil_slope.empty();
-  const auto old = std::upper_bound(before_.begin(), before_.end(), since + kShorter * wish_);
-  const bool again = old != before_.end() && *old - since <= kLonger * wish_;
+  const auto old = std::upper_bound(before_.begin(), before_.end(), since + kStepShorter * wish_);
+  const bool again = old != before_.end() && *old - since <= kStepLonger * wish_;
   end = again ? std::min(*old, next_corner(since, *old - since))
               : end_of_step(since, options_.fixed > 0.0 ? options_.fixed : wish_);
   double most = again ? kTaken * options_.error : options_.error;
@@ -84,7 +80,8 @@ FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, Peri
         step.verdict.status == Status::interrupted || step.verdict.status == Status::invalid_number;
     if (ended || (good && !(step.error > most))) return step;
     most = options_.error;
-    const double shorter = std::min(length_for(step, end - since, anew), kSafety * (end - since));
+    const double shorter =
+        std::min(length_for(step, end - since, anew), kStepSafety * (end - since));
     if (shorter < options_.shortest) return step;
     ++out.rejected;
     wish_ = shorter;
@@ -123,7 +120,7 @@ PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveCo
     double end = 0.0;
     FilmStep step = find(since_, now, end, end_, cost, control);
     if (stopped(control)) step.verdict = {Status::interrupted};
-    if (step.verdict.good() && end_.accepted == kMostSteps) {
+    if (step.verdict.good() && end_.accepted == kMostStepsInTime) {
       step.verdict = {Status::iteration_limit, ending::Plain::steps_too_short};
     }
     if (step.verdict.status == Status::interrupted) {  // as if the step had never been tried
@@ -147,7 +144,7 @@ void CycleSteps::accept(double end, FilmInTime& now, FilmStep& step, const TellS
   const double next = length_for(step, dt, now.oil_slope.empty());
   if (step.error > kTaken * options_.error) ++end_.over;
   // A step that was cut short says nothing against the length that was wished for.
-  const bool cut = dt < (1.0 - kRound) * wish_ && !(step.error > options_.error);
+  const bool cut = dt < (1.0 - kRoundOff) * wish_ && !(step.error > options_.error);
   wish_ = std::min(options_.longest, cut ? std::max(wish_, next) : next);
   since_ = end;
   step.after.t = begun_ + since_;

@@ -1,5 +1,6 @@
 #include "bearing/cycle_walls.hpp"
 
+#include "bearing/heat_state.hpp"
 #include "bearing/tape_members.hpp"
 #include "core/constants.hpp"
 
@@ -19,8 +20,7 @@ void CycleHeat::add(const FilmStep& step, double dt) {
 }
 
 void CycleHeat::look_at(const BearingModel& model, const FilmEquilibrium& s) {
-  constexpr int kLaps = 3;  // sweeps for the film's response, as in wall_balance.cpp
-  const thermal::WallResponse r = lasting_film(model, s).wall_response(kLaps);
+  const thermal::WallResponse r = lasting_film(model, s).wall_response(kSweepsOfResponse);
   response_.shell += r.shell;
   response_.shaft += r.shaft;
   response_.across += r.across;

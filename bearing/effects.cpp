@@ -33,7 +33,7 @@ Probe probe(const Solution& s) {
   p.beta = -v.dln_dT;
   p.slope = 1.0 - v.eta / p.eta;
   p.p_max = largest(s.film.film.p);
-  p.h_min = std::max(s.film.least.h, 1e-9);
+  p.h_min = std::max(s.film.least.h, kMolecule);
   return p;
 }
 

@@ -110,6 +110,10 @@ double room(const BearingModel& model, const FilmEquilibrium& s) {
   return 0.5 * (s.least.h + std::hypot(s.least.h, 2.0 * model.scene.rough.sigma));
 }
 
+double gap_with_summits(const BearingModel& model, const FilmEquilibrium& s) {
+  return std::max(s.least.h, 0.0) + kSummits * model.scene.rough.sigma;
+}
+
 namespace {
 
 void evaluate_contact(const BearingModel& model, FilmEquilibrium& s) {
@@ -163,7 +167,6 @@ bool Residuals::finite() const {
 
 Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
                        const FilmEquilibrium& s) {
-  constexpr double kNoGap = 1e-9;  // of smooth surfaces that all but touch [m]
   Residuals r;
   r.film = fluid::film_residual(model.scene, s.flow);
   const double most = largest_magnitude(r.film);
@@ -180,7 +183,7 @@ Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
     r.displacement = displacement(model, s);
     for (std::size_t k = 0; k < r.displacement.size(); ++k) r.displacement[k] -= s.elastic[k];
     r.elastic_norm = largest_magnitude(r.displacement) /
-                     (std::max(s.least.h, 0.0) + model.scene.rough.sigma + kNoGap);
+                     (std::max(s.least.h, 0.0) + model.scene.rough.sigma + kMolecule);
   }
   return r;
 }

@@ -75,6 +75,11 @@ struct EquilibriumOptions {
   int max_iterations = 80;
 };
 
+/// A film on the way to another one: its residuals in the units of EquilibriumOptions [-] (decision
+/// 023), and the iterations after which a shorter way is taken.
+inline constexpr double kWayPoint = 1e-3;
+inline constexpr int kMostOfWayPoint = 25;
+
 struct EquilibriumCost {
   int factorizations = 0;
   int newton_iterations = 0;
@@ -148,6 +153,12 @@ struct Residuals {
 /// Distance by which the surfaces may still approach [m]: the smallest gap; rough surfaces stay
 /// apart by their asperities, so that the nominal gap may go through zero.
 [[nodiscard]] double room(const BearingModel& model, const FilmEquilibrium& state);
+
+/// Summits reach this many times the combined roughness [-]: three deviations of a Gaussian height,
+/// beyond which a thousandth of it lies (textbook).
+inline constexpr double kSummits = 3.0;
+/// The smallest gap from where summits begin to touch [m]: what surfaces that rub may give way by.
+[[nodiscard]] double gap_with_summits(const BearingModel& model, const FilmEquilibrium& state);
 
 /// True if the gap last evaluated is one of smooth surfaces and closed somewhere. A gap that is not
 /// a number is not closed.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "bearing/solids.hpp"
 #include "core/largest.hpp"
 
@@ -10,10 +11,6 @@ namespace shellback::bearing {
 
 namespace {
 
-constexpr double kViscosityTolerance = 1e-9;  ///< of the states compared [-]
-constexpr double kMove =
-    3e-5;  ///< how far they lie apart [-]; both errors are then 3e-5 of the answer
-constexpr int kMostSweeps = 20;      ///< enough where a sweep leaves a half
 constexpr double kKrylovPart = 0.1;  ///< of the tolerance that GMRES may use up [-]
 constexpr double kCorrectionTolerance =
     1e-3;  ///< of GMRES for a correction, itself a few per cent [-]
@@ -30,7 +27,7 @@ LinearFilm::LinearFilm(const BearingModel& model, const FilmEquilibrium& s,
       good_(film_.good()) {
   if (std::holds_alternative<rheology::NoShearThinning>(model.oil.shear)) return;
   FilmEquilibrium sharp = s;
-  good_ = good_ && evaluate(model, thermal_deformation, kViscosityTolerance, sharp);
+  good_ = good_ && evaluate(model, thermal_deformation, kRoundOff, sharp);
   residual_ = fluid::film_residual(model.scene, sharp.flow);
 }
 
@@ -56,7 +53,7 @@ LinearFilm::Answer LinearFilm::solve(const Field& a, const Field& r, double tole
 
 Field LinearFilm::residual_along(const Answer& x, int component) const {
   const std::size_t n = x.u.size();
-  const double gap = std::max(s_.least.h, 0.0) + 3.0 * model_.scene.rough.sigma;
+  const double gap = gap_with_summits(model_, s_);
   const double p_scale = largest_magnitude(s_.film.p);
   double size = 0.0;  // how far one unit of the answer moves the film, relative
   for (std::size_t k = 0; k < n; ++k) {
@@ -65,7 +62,8 @@ Field LinearFilm::residual_along(const Answer& x, int component) const {
   if (component >= 0)
     size = std::max(size, (component < 2 ? 1.0 : 0.5 * model_.scene.grid.width) / gap);
   size = larger(size, largest_magnitude(x.d) / gap);
-  const double t = kMove / size;
+  // Difference and round-off err alike by the root of what the states are known to.
+  const double t = std::sqrt(kRoundOff) / size;
   FilmEquilibrium f = s_;
   if (component >= 0) f.position.q[component] += t;
   for (std::size_t k = 0; k < n; ++k) {
@@ -73,7 +71,7 @@ Field LinearFilm::residual_along(const Answer& x, int component) const {
     (f.film.full[k] ? f.film.p : f.film.theta)[k] += t * x.u[k];
   }
   for (std::size_t k = 0; k < x.d.size(); ++k) f.elastic[k] += t * x.d[k];
-  if (!evaluate(model_, thermal_deformation_, kViscosityTolerance, f)) return Field(n, NAN);
+  if (!evaluate(model_, thermal_deformation_, kRoundOff, f)) return Field(n, NAN);
   Field r = fluid::film_residual(model_.scene, f.flow);
   for (std::size_t k = 0; k < n; ++k) r[k] = (r[k] - residual_[k]) / t;
   return r;
@@ -86,7 +84,7 @@ FilmResponse LinearFilm::sharpened(const Field& a, const Field& r, const Field& 
   double last = largest_magnitude(x.P);
   bool settled =
       residual_.empty() || (largest_magnitude(x.u) == 0.0 && largest_magnitude(x.P) == 0.0);
-  for (int sweep = 0; sweep < kMostSweeps && !settled; ++sweep) {
+  for (int sweep = 0; sweep < kMostIterations && !settled; ++sweep) {
     Field defect = residual_along(x, component);
     for (std::size_t k = 0; k < n; ++k) {
       defect[k] = -defect[k] - (stored.empty() ? 0.0 : stored[k]);

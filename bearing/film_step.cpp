@@ -185,9 +185,9 @@ Verdict FilmSteps::solve_film_and_fronts(double own, const std::vector<double>& 
     return solve_film(own, vessels_star, options_, film, cost, stop);
   }
   EquilibriumOptions loose = options_;
-  for (double* tolerance : {&loose.film_tolerance, &loose.load_tolerance, &loose.elastic_tolerance,
-                            &loose.viscosity_tolerance}) {
-    *tolerance /= kFilmPart;
+  for (double* tolerance :
+       {&loose.film_tolerance, &loose.elastic_tolerance, &loose.viscosity_tolerance}) {
+    *tolerance /= kFilmPart;  // not that of the load: its balance is audited over the cycle
   }
   const Verdict v = solve_film(own, vessels_star, loose, film, cost, stop);
   if (!v.good()) return v;

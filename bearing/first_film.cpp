@@ -1,7 +1,5 @@
 #include "bearing/first_film.hpp"
 
-#include <array>
-
 #include "bearing/branch_endings.hpp"
 #include "bearing/follow.hpp"
 #include "bearing/newton.hpp"
@@ -11,13 +9,10 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr double kLoose = 1e-3;                            ///< residuals of a film on the way [-]
-constexpr std::array kLight{0.5, 0.2, 0.05, 0.01, 0.001};  ///< parts of the load to begin with [-]
-
 Verdict correct_film(Solution& s, Accuracy accuracy, const SolveControl& control) {
   EquilibriumOptions o;
   if (accuracy == Accuracy::way_point) {
-    o.film_tolerance = o.load_tolerance = o.elastic_tolerance = o.viscosity_tolerance = kLoose;
+    o.film_tolerance = o.load_tolerance = o.elastic_tolerance = o.viscosity_tolerance = kWayPoint;
   }
   return newton(s.model, s.target, s.heat.thermal_deformation, o, s.film, s.cost, control.stop);
 }
@@ -30,7 +25,7 @@ void guess_isoviscous(Solution& s, const SolveControl& control) {
   BearingModel isoviscous = s.model;
   isoviscous.oil.pressure = rheology::NoPressureEffect{};
   EquilibriumOptions loose;
-  loose.film_tolerance = loose.load_tolerance = loose.viscosity_tolerance = kLoose;
+  loose.film_tolerance = loose.load_tolerance = loose.viscosity_tolerance = kWayPoint;
   FilmEquilibrium guess = s.film;
   const Verdict v =
       newton(isoviscous, s.target, s.heat.thermal_deformation, loose, guess, s.cost, control.stop);

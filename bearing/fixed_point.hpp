@@ -4,12 +4,14 @@
 #include <limits>
 #include <vector>
 
+#include "bearing/round_off.hpp"
+
 namespace shellback::bearing {
 
 struct FixedPointOptions {
   int depth = 5;  ///< vectors kept, not more than x has components [-]
   int delay = 1;  ///< plain iterations before acceleration [-]
-  int max_iterations = 100;
+  int max_iterations = kMostIterations;
   double tolerance = 1e-6;  ///< largest |G(x) - x| [-]
   /// The change may be this many times larger where it falls so fast that G(x) is within the
   /// tolerance of the fixed point: with rho the larger of the last two ratios of changes, the

@@ -7,6 +7,7 @@
 /// where the corrector is quick and shrinks where it fails; where the load's part of the tangent
 /// changes its sign the branch has turned: more is not carried on it. Source: textbook (Keller's
 /// pseudo-arclength continuation).
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -22,6 +23,9 @@ enum class Accuracy { way_point, result };
 using Corrector = std::function<Verdict(Solution& s, Accuracy accuracy)>;
 
 using ending::BranchEnd;
+
+/// Parts of load or speed from which a branch may begin, the first that is found [-].
+inline constexpr std::array kLight{0.3, 0.1, 0.02, 2e-3, 2e-4};
 
 /// What of the operating point is raised along a branch.
 enum class Raised { load, speed };

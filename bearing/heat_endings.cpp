@@ -45,18 +45,16 @@ double coldest_around(const BearingModel& model) {
 
 Verdict colder_than_all_around(const Solution& s) {
   constexpr double kRipple = 0.5;  // of the rise: beyond it is no ripple of the polynomials [-]
-  constexpr double kMargin = 2.0;  // [K]
   const auto& T = s.film.columns.T;
   const auto [low, high] = std::minmax_element(T.begin(), T.end());
   const double coldest = coldest_around(s.model);
-  if (*low >= coldest - kMargin - kRipple * (*high - coldest)) return {};
+  if (*low >= coldest - kUndershoot - kRipple * (*high - coldest)) return {};
   return {Status::iteration_limit, ending::AtTemperature{ending::Thermal::too_cold, *low},
           fluid::place_of(s.model.scene.grid, static_cast<int>(low - T.begin()) / s.model.gl.n)};
 }
 
 Verdict walls_unbalanced(double change) {
-  constexpr double kUnbalanced = 0.1;  // change that the walls must not be left with [K]
-  if (change < kUnbalanced) return {};
+  if (change < kWallsOff) return {};
   return {Status::iteration_limit, ending::Unsettled{ending::Iteration::walls, 0, change}};
 }
 

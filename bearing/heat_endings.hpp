@@ -8,6 +8,12 @@ namespace shellback::bearing {
 /// no law of an oil holds there.
 inline constexpr double kHottestRise = 400.0;
 
+/// The polynomials across the film ripple by this much [K]: less is not worth telling.
+inline constexpr double kUndershoot = 2.0;
+/// Change of the walls from one iteration to the next that is too large for a balance, and that a
+/// finer grid makes in any case [K].
+inline constexpr double kWallsOff = 0.1;
+
 /// Good unless a temperature or the thermal deformation is not a number.
 [[nodiscard]] Verdict fields_finite(const Solution& s);
 

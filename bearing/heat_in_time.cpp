@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bearing/round_off.hpp"
 #include "bearing/temperature_limits.hpp"
 #include "core/largest.hpp"
 #include "rheology/viscosity.hpp"
@@ -26,8 +27,7 @@ std::vector<thermal::SkinLayer> skin_layers(const Case& c) {
 /// Sweeps until nothing changes any more but by round-off of the balance; false if it still does.
 bool settle(thermal::FilmEnergy& energy, std::vector<double>& T) {
   constexpr double kSettled = 1e-7;  // per sweep: of a rise of 10 K and more, 1e-8 [K]
-  constexpr int kMostSweeps = 100;
-  for (int k = 0; k < kMostSweeps; ++k) {
+  for (int k = 0; k < kMostIterations; ++k) {
     if (energy.sweep(T) <= kSettled) return true;
   }
   return false;

@@ -16,8 +16,6 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr double kUnit = 10.0;  ///< one unit of the iteration's temperatures [K]
-
 /// The map of the fixed point, on the states it works on.
 class HeatIteration {
  public:
@@ -65,14 +63,14 @@ class HeatIteration {
 
 std::vector<double> HeatIteration::pack() const {
   std::vector<double> x;
-  for (const double T : s_.film.columns.T) x.push_back((T - supply_temperature()) / kUnit);
+  for (const double T : s_.film.columns.T) x.push_back((T - supply_temperature()) / kHeatUnit);
   for (const double d : s_.heat.thermal_deformation) x.push_back(d / s_.model.clearance);
   return x;
 }
 
 void HeatIteration::unpack(const std::vector<double>& x) {
   auto& T = s_.film.columns.T;
-  for (std::size_t k = 0; k < T.size(); ++k) T[k] = supply_temperature() + kUnit * x[k];
+  for (std::size_t k = 0; k < T.size(); ++k) T[k] = supply_temperature() + kHeatUnit * x[k];
   for (std::size_t k = 0; k < s_.heat.thermal_deformation.size(); ++k) {
     s_.heat.thermal_deformation[k] = s_.model.clearance * x[T.size() + k];
   }
@@ -106,9 +104,8 @@ void HeatIteration::give_contact_widening() {
 
 /// No tighter than the temperatures are known: the map's noise stays well below its change.
 EquilibriumOptions HeatIteration::film_options() const {
-  constexpr double kNoise = 1e-3;  // of the last change
   EquilibriumOptions o = options_.film;
-  const double noise = iterations_ <= 1 ? kNoise : kNoise * std::min(s_.heat.residual, 1.0);
+  const double noise = iterations_ <= 1 ? kWayPoint : kWayPoint * std::min(s_.heat.residual, 1.0);
   o.film_tolerance = std::max(o.film_tolerance, noise);
   o.load_tolerance = std::max(o.load_tolerance, noise);
   o.elastic_tolerance = std::max(o.elastic_tolerance, noise);
@@ -122,7 +119,7 @@ double HeatIteration::relaxation(const std::vector<double>& g) const {
   double mean = 0.0;
   const std::size_t nodes = s_.film.columns.T.size();
   for (std::size_t k = 0; k < nodes; ++k) mean += g[k];
-  const double rise = kUnit * mean / static_cast<double>(nodes);
+  const double rise = kHeatUnit * mean / static_cast<double>(nodes);
   const double beta =
       -rheology::viscosity_slopes(s_.model.oil, supply_temperature() + rise, 0.0, 0.0).dln_dT;
   return 1.0 / (1.0 + std::max(beta * rise, 0.0));
@@ -131,14 +128,14 @@ double HeatIteration::relaxation(const std::vector<double>& g) const {
 /// Oil that is still cold makes far more heat in one iteration than it will once warm, and the
 /// solids answer that heat: what this leads to is no state, and no iteration goes farther to it.
 void HeatIteration::limit_change(const std::vector<double>& x, std::vector<double>& g) {
-  constexpr double kMostChange = 100.0 / kUnit;  // of a temperature
+  constexpr double kMostChange = 100.0 / kHeatUnit;  // of a temperature
   constexpr double kMostClosing = 0.5;  // of the gap, over the smallest film and the roughness [-]
   const std::size_t nodes = s_.film.columns.T.size();
   const std::vector<double> wanted = g;
   for (std::size_t k = 0; k < nodes; ++k) {
     g[k] = x[k] + std::clamp(g[k] - x[k], -kMostChange, kMostChange);
   }
-  const double gap = std::max(s_.film.least.h, 0.0) + 3.0 * s_.model.scene.rough.sigma;
+  const double gap = gap_with_summits(s_.model, s_.film);
   for (std::size_t k = nodes; k < x.size(); ++k) {
     g[k] = std::max(g[k], x[k] - kMostClosing * gap / s_.model.clearance);
   }
@@ -165,7 +162,7 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
   if (!verdict_.good()) return false;
   friction_ = friction_of(s_.model, s_.film);
   walls_.begin(friction_, iterations_);
-  walls_.balance_roughly(kUnit * options_.tolerance);
+  walls_.balance_roughly(kHeatUnit * options_.tolerance);
   verdict_ = fields_finite(s_);
   if (!verdict_.good()) return false;
   walls_.deform();

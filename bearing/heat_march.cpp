@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/heat_endings.hpp"
+#include "bearing/step_control.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::bearing {
@@ -50,11 +51,22 @@ bool no_film_left(const Solution& s, const Verdict& v) {
 
 }  // namespace
 
+void tell_bodies(const FilmGrid& g, const SolidTemperature& solids,
+                 const thermal::EnergyBalance& film, double films, const Field& deformation,
+                 Instant& i) {
+  i.T_shell_back = area_mean(g, solids.shell.back);
+  for (int j = 0; j < g.nz; ++j) i.T_shaft += solids.shaft.temperature[j] * g.dz[j];
+  i.T_shaft /= g.z_face.back() - g.z_face.front();
+  i.heat_out = films * (film.carried_out - film.carried_in) + solids.shell.heat_back +
+               solids.shell.heat_ends + solids.shaft.heat_out;
+  i.stored = solids.shell.stored + solids.shaft.stored + films * film.stored;
+  if (!deformation.empty()) i.deformation = area_mean(g, deformation);
+}
+
 Instant instant_of(const Solution& s, double t, double dt) {
   const FilmGrid& g = s.model.scene.grid;
   const Friction f = friction_of(s.model, s.film);
   const SolidTemperature& solids = s.heat.solids;
-  const double oil = g.multiplicity() * (s.heat.balance.carried_out - s.heat.balance.carried_in);
   Instant i;
   i.t = t;
   i.dt = dt;
@@ -62,21 +74,14 @@ Instant instant_of(const Solution& s, double t, double dt) {
   i.h_min = s.film.least.h;
   i.T_film_max = largest(s.film.columns.T);
   i.T_shell_max = largest(solids.shell.surface);
-  i.T_shell_back = area_mean(g, solids.shell.back);
-  for (int j = 0; j < g.nz; ++j) i.T_shaft += solids.shaft.temperature[j] * g.dz[j];
-  i.T_shaft /= g.z_face.back() - g.z_face.front();
   i.heat_in = i.torque * s.model.input.operation.omega + pump_power(s.model, s.film);
-  i.heat_out = oil + solids.shell.heat_back + solids.shell.heat_ends + solids.shaft.heat_out;
-  i.stored = solids.shell.stored + solids.shaft.stored + g.multiplicity() * s.heat.balance.stored;
-  if (!s.heat.thermal_deformation.empty()) i.deformation = area_mean(g, s.heat.thermal_deformation);
+  tell_bodies(g, solids, s.heat.balance, g.multiplicity(), s.heat.thermal_deformation, i);
   return i;
 }
 
 MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
                     const SolveControl& control, const std::function<void(const Instant&)>& tell) {
-  constexpr double kLonger = 2.0;   // lengths are powers of two: operators serve again
-  constexpr double kStill = 3e-3;   // what one iteration may leave: ThermalOptions::tolerance [K]
-  constexpr double kEasily = 0.25;  // of the error allowed: the next step may be twice as long
+  const double still = kHeatUnit * ThermalOptions{}.tolerance;  // what one iteration may leave [K]
   const bool accurate = std::isfinite(o.error);
   auto& [bodies, end, dt, rate, calm] = stand;
   if (dt == 0.0) dt = o.first;
@@ -102,7 +107,7 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
         end.left_bounds = !given_up && (hot || no_film_left(s, end.verdict));
         return end;
       }
-      dt /= end.verdict.good() ? kLonger : kLonger * kLonger;
+      dt *= end.verdict.good() ? 1.0 / kStepLonger : kStepShorter;
       calm = 0;
       continue;
     }
@@ -113,10 +118,12 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
     last = std::move(step.solids);
     // Nearly half of all time has passed in one step, and nothing moved but by what the iteration
     // leaves.
-    end.at_rest = accurate && length >= 0.4 * end.t && largest_move(now, before) < kStill;
+    end.at_rest = accurate && length >= 0.4 * end.t && largest_move(now, before) < still;
     ++calm;
-    if (!accurate && calm > MarchStand::kCalm) dt *= kLonger * kLonger;
-    if (accurate && error <= kEasily * o.error && calm > 1) dt *= kLonger;
+    if (!accurate && calm > MarchStand::kCalm) dt /= kStepShorter;
+    // A step so much longer errs by the square of that.
+    const bool easily = std::pow(kStepLonger, kStepOrderAnew) * error <= o.error;
+    if (accurate && easily && calm > 1) dt *= kStepLonger;
     if (tell) tell(instant_of(s, end.t, length));
   }
   end.verdict = {};

@@ -72,6 +72,13 @@ struct MarchStand {
                                   const SolveControl& control,
                                   const std::function<void(const Instant&)>& tell = {});
 
+/// Puts what bodies and film hold and give away into an instant: all but what is the film's alone.
+/// `films`: factor of the film's balance, its multiplicity, over the time if it is a sum [-],
+/// [1/s].
+void tell_bodies(const FilmGrid& g, const SolidTemperature& solids,
+                 const thermal::EnergyBalance& film, double films, const Field& deformation,
+                 Instant& i);
+
 /// The bearing as it stands, after a step.
 [[nodiscard]] Instant instant_of(const Solution& s, double t, double dt);
 

@@ -9,12 +9,19 @@
 
 namespace shellback::bearing {
 
+/// One unit of temperatures in iterations over heat [K], beside deformations in clearances: oil
+/// changes its viscosity by some tens of per cent.
+inline constexpr double kHeatUnit = 10.0;
+
 /// The unknowns of heat beside the temperatures across the film (OilColumns).
 struct HeatUnknowns {
   Field thermal_deformation;    ///< of the gap, opening positive [m]; empty: none
   Field T_shell;                ///< bore temperature seen by the film [K]
   std::vector<double> T_shaft;  ///< journal temperature seen by the film, per axial cell [K]
 };
+
+/// Sweeps after which the film's response to its walls is known, as in one iteration (methods 3.4).
+inline constexpr int kSweepsOfResponse = 3;
 
 /// What the last iteration found with them.
 struct HeatEvaluation {

@@ -78,6 +78,13 @@ void judge_scalars(const LoadCycle& c, const ValueCheck& cycle) {
   cycle.number("journal_mass", c.journal_mass, "", kNotNegative);
   cycle.number("crank_speed", c.crank_speed, "rad/s", kNotNegative);
   if (c.step) cycle.number("step", *c.step, "s", kPositive);
+  for (const double t : c.fields_at) {
+    if (t >= 0.0 && t <= c.length()) continue;
+    cycle.refuse(
+        "fields_at",
+        fmt::format("{:.6g} s lies outside the cycle, which takes {:.6g} s", t, c.length()),
+        "give instants from its beginning to its end");
+  }
   if (c.interpolation == LoadInterpolation::linear) return;
   if (!c.repeats()) {
     cycle.refuse("interpolation", "a periodic spline needs a period",

@@ -4,14 +4,13 @@
 
 #include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_parts.hpp"
+#include "bearing/round_off.hpp"
 #include "bearing/shown.hpp"
 #include "bearing/value_check.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::bearing {
 namespace {
-
-constexpr double kRoundOff = 1e-9;  ///< relative slack when lengths are compared [-]
 
 /// A supply by the rectangle that encloses it.
 Supply enclosed(Supply s, double radius) {

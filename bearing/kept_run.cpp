@@ -88,6 +88,10 @@ void KeptRun::keep_noted() {
   saving_s_ = seconds(kept_ - begin);
 }
 
+void begin_take_up(KeptRun* kept, const std::function<void(Tape&)>& search) {
+  if (kept != nullptr && kept->under_way() != nullptr) search(*kept->under_way());
+}
+
 bool take_up_noted(KeptRun* kept, const std::function<void(Tape&)>& search) {
   if (kept == nullptr || kept->under_way() == nullptr) return false;
   search(*kept->under_way());
@@ -95,8 +99,13 @@ bool take_up_noted(KeptRun* kept, const std::function<void(Tape&)>& search) {
   return true;
 }
 
-void keep_between(KeptRun* kept, const std::function<void(Tape&)>& search) {
-  if (kept != nullptr) kept->note(search);
+void keep_between(KeptRun* kept, const std::function<void(Tape&)>& first,
+                  const std::function<void(Tape&)>& rest) {
+  if (kept == nullptr) return;
+  kept->note([&](Tape& tape) {
+    first(tape);
+    rest(tape);
+  });
 }
 
 void keep_stopped(KeptRun* kept, const Verdict& verdict) {

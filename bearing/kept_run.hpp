@@ -79,9 +79,13 @@ class KeptRun {
 
 // For a run that notes; without `kept` they do nothing.
 
+/// Reads the first part of what was noted; take_up_noted() reads the rest.
+void begin_take_up(KeptRun* kept, const std::function<void(Tape&)>& search);
 /// Reads what `search` has noted, which is called once more; false: it has not.
 [[nodiscard]] bool take_up_noted(KeptRun* kept, const std::function<void(Tape&)>& search);
-void keep_between(KeptRun* kept, const std::function<void(Tape&)>& search);
+/// Notes both parts, to be kept when it is time.
+void keep_between(KeptRun* kept, const std::function<void(Tape&)>& first,
+                  const std::function<void(Tape&)>& rest);
 /// Keeps what was noted if the run has been interrupted.
 void keep_stopped(KeptRun* kept, const Verdict& verdict);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::bearing {
@@ -67,8 +68,7 @@ double LoadCourse::within_period(double t) const {
 }
 
 LoadNow LoadCourse::at(double t, bool before_jump) const {
-  constexpr double kRound = 1e-9;  // of the course: a time is known no better
-  const double at = within_period(before_jump ? t - kRound * length_ : t);
+  const double at = within_period(before_jump ? t - kRoundOff * length_ : t);
   if (splines_) {
     return {gsl_spline_eval(splines_->x.get(), at, nullptr),
             gsl_spline_eval(splines_->y.get(), at, nullptr),

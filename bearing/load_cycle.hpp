@@ -26,6 +26,8 @@ struct LoadCycle {
   double journal_mass = 0.0;     ///< what the film carries [kg]; 0: a journal without inertia
   std::optional<double> step{};  ///< of time, given [s]; else chosen by model.tolerance
   double crank_speed = 0.0;      ///< crank angle per time [rad/s]; 0: told in time
+  /// Instants whose films are kept, steps end on them [s]; empty: films evenly over the whole.
+  std::vector<double> fields_at{};
   [[nodiscard]] bool repeats() const { return period < std::numeric_limits<double>::infinity(); }
   /// A period, or from the first row of an event to its last [s].
   [[nodiscard]] double length() const { return repeats() ? period : t.back() - t.front(); }

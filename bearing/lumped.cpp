@@ -15,8 +15,7 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr double kSettled = 1e-7;    ///< |r| of a result [K]
-constexpr double kNarrowest = 1e-8;  ///< bracket below which r is round-off of the film [K]
+constexpr double kSettled = 1e-7;  ///< |r| of a result, and its temperature [K]
 
 /// A film that was solved: what it says of heat, and where it is, to start others from.
 struct Tried {
@@ -122,7 +121,7 @@ std::optional<double> LumpedBalance::residual(double T) {
 bool LumpedBalance::settle(const KnownPoint& a, const KnownPoint& b) {
   constexpr double kApart = 1e-3;  // far enough for a slope: r is known to 1e-7 K [K]
   const auto r = [this](double T) { return residual(T).value_or(NAN); };
-  const BracketedRoot root = bracketed_root(r, a, b, {kSettled, kNarrowest});
+  const BracketedRoot root = bracketed_root(r, a, b, {kSettled, kSettled});
   HeatRoot found = nearest(root.at.x).heat;
   double distance = INFINITY;
   for (const Tried& t : tried_) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/step_control.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::bearing {
@@ -13,7 +14,6 @@ Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, dou
   const FilmGrid& g = search.film().model().scene.grid;
   CycleResult r;
   search.told().write(r);
-  const thermal::EnergyBalance& film = search.heat().flows().balance;
   const double per_time = g.multiplicity() / search.heat().time();
   Instant i;
   i.t = t;
@@ -22,15 +22,9 @@ Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, dou
   i.h_min = value_of(r, "h_min");
   i.T_film_max = value_of(r, "T_film_max");
   i.T_shell_max = value_of(r, "T_shell_max");
-  i.T_shell_back = area_mean(g, bodies.solids.shell.back);
-  for (int j = 0; j < g.nz; ++j) i.T_shaft += bodies.walls.shaft[j] * g.dz[j];
-  i.T_shaft /= g.z_face.back() - g.z_face.front();
   i.heat_in = search.heat().flows().work / search.heat().time();
-  i.heat_out = per_time * (film.carried_out - film.carried_in) + bodies.solids.shell.heat_back +
-               bodies.solids.shell.heat_ends + bodies.solids.shaft.heat_out;
-  i.stored = bodies.solids.shell.stored + bodies.solids.shaft.stored + per_time * film.stored;
-  if (!bodies.walls.thermal_deformation.empty())
-    i.deformation = area_mean(g, bodies.walls.thermal_deformation);
+  tell_bodies(g, bodies.solids, search.heat().flows().balance, per_time,
+              bodies.walls.thermal_deformation, i);
   return i;
 }
 
@@ -39,10 +33,9 @@ Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, dou
 /// overshoot. Measured (big end, 48 x 5): once, a cell swings by 1.9 K for ever; twice, at rest
 /// after 80 cycles.
 thermal::WallResponse delayed(thermal::WallResponse r) {
-  constexpr double kCycles = 2.0;
-  r.shell_local *= kCycles;
-  r.shell_ring *= kCycles;
-  r.shaft_ring *= kCycles;
+  r.shell_local *= kCyclesOfAnswer;
+  r.shell_ring *= kCyclesOfAnswer;
+  r.shaft_ring *= kCyclesOfAnswer;
   return r;
 }
 
@@ -64,7 +57,6 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
                            const std::function<void(const Instant&)>& tell) {
   constexpr double kMost = 2.0;    // move of a wall until a cycle is passed again [K] (methods 3.5)
   constexpr double kStill = 0.05;  // what walls leave open where the cycle is periodic [K]
-  constexpr double kLonger = 2.0;  // lengths are powers of two: operators serve again
   const BearingModel& model = search.film().model();
   const Solids& solids = *model.solids;
   auto& [bodies, end, dt] = march;
@@ -79,7 +71,8 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
     BodiesAnswer next;
     SolidStep step;
     double move = 0.0;
-    for (double length = std::min({dt, span.longest, span.duration - end.t});; length /= kLonger) {
+    for (double length = std::min({dt, span.longest, span.duration - end.t});;
+         length /= kStepLonger) {
       step = solids.step(length, bodies.state, &last);
       next = answer_of_bodies(model, bodies.walls, search.heat(), delayed(search.response()), nodes,
                               &step);
@@ -93,7 +86,7 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
     end.t += dt;
     const Instant instant = instant_after(search, next, end.t, dt);
     end.at_rest = dt >= 0.4 * end.t && move < kStill;
-    dt *= kLonger;  // halved again where it is too long: that costs no cycle
+    dt *= kStepLonger;  // halved again where it is too long: that costs no cycle
     tell(instant);
   }
   return end;

@@ -5,21 +5,21 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr int kCoarsestTurn = 48;  ///< circumferential cells below which nothing is gained
-constexpr int kCoarsestAxial = 5;
+constexpr std::array kCoarsest{48, 5};  ///< cells of a grid below which nothing is gained
 constexpr double kFullFrom =
     0.9;  ///< share of full neighbours from which a new cell starts full [-]
 
 }  // namespace
 
+std::optional<std::array<int, 2>> halved(std::array<int, 2> grid) {
+  const std::array<int, 2> coarser{grid[0] / 2, (grid[1] + 1) / 2};
+  if (coarser[0] < kCoarsest[0] || coarser[1] < kCoarsest[1]) return std::nullopt;
+  return coarser;
+}
+
 std::vector<std::array<int, 2>> grid_ladder(std::array<int, 2> fine) {
   std::vector<std::array<int, 2>> ladder{fine};
-  while (true) {
-    const auto [nt, nz] = ladder.back();
-    const std::array<int, 2> coarser{nt / 2, nz % 2 == 1 ? (nz + 1) / 2 : nz / 2};
-    if (coarser[0] < kCoarsestTurn || coarser[1] < kCoarsestAxial) break;
-    ladder.push_back(coarser);
-  }
+  while (const auto coarser = halved(ladder.back())) ladder.push_back(*coarser);
   std::reverse(ladder.begin(), ladder.end());
   return ladder;
 }

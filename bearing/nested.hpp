@@ -4,6 +4,7 @@
 /// The coarse solutions cost little, place the cavitation boundary and the journal, and leave the
 /// fine grid one to three Newton iterations (methods 1.2, 8).
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
@@ -11,6 +12,9 @@
 #include "bearing/solve_equilibrium.hpp"
 
 namespace shellback::bearing {
+
+/// Half the cells of each axis, rounded up along it; none where a grid is coarse enough already.
+[[nodiscard]] std::optional<std::array<int, 2>> halved(std::array<int, 2> grid);
 
 /// Grids from the coarsest to `fine`, each axis about halved from one to the next.
 [[nodiscard]] std::vector<std::array<int, 2>> grid_ladder(std::array<int, 2> fine);

@@ -8,6 +8,7 @@
 #include "bearing/bordered_film.hpp"
 #include "bearing/closed_gap.hpp"
 #include "bearing/film_verdicts.hpp"
+#include "bearing/round_off.hpp"
 #include "bearing/solids.hpp"
 #include "core/largest.hpp"
 #include "fluid/empty_rings.hpp"
@@ -78,7 +79,7 @@ class NewtonIteration {
   double damping_ = 1.0;     ///< part of the wanted change of force that is asked for [-]
   double carried_ = 0.0;     ///< force there [N]
   double reach_ = 1.0;
-  double viscosity_tolerance_ = 1e-3;
+  double viscosity_tolerance_ = kWayPoint;
   State met_;                     ///< the state within all tolerances that loses least oil
   double least_lost_ = INFINITY;  ///< there [kg/s]
   bool at_met_ = false;           ///< the evaluated state is that one
@@ -98,9 +99,8 @@ bool NewtonIteration::evaluate_state() {
 /// steps reduce it, at most until it is the round-off of what goes round. The state that loses
 /// least is kept: steps for the oil alone never spoil what is converged.
 bool NewtonIteration::converged() {
-  constexpr double kUsual = 1e-11;  // film tolerance of a result [-]
-  constexpr double kLost = 1e-9;    // of what passes, at the usual film tolerance [-]
-  constexpr int kMostPolish = 20;   // quadratic: two or three do, or none
+  constexpr double kLost = 1e-9;   // of what passes, at the usual film tolerance [-]
+  constexpr int kMostPolish = 20;  // quadratic: two or three do, or none
   if (polished_ > 0) ++polished_;
   const bool met = r_.within(options_) && s_.columns.mismatch <= options_.viscosity_tolerance &&
                    fluid::complementary(model_.scene, s_.film);
@@ -114,7 +114,8 @@ bool NewtonIteration::converged() {
   const auto flows = fluid::oil_flows(model_.scene, s_.flow);
   const double passes = std::max(std::abs(flows.supply), std::abs(flows.side));
   const double lost = std::abs(flows.supply - flows.side - flows.stored);
-  const double allowed = kLost * std::max(1.0, options_.film_tolerance / kUsual) * passes;
+  const double allowed =
+      kLost * std::max(1.0, options_.film_tolerance / EquilibriumOptions{}.film_tolerance) * passes;
   if (lost < least_lost_) {
     least_lost_ = lost;
     met_ = s_;
@@ -129,7 +130,6 @@ bool NewtonIteration::converged() {
 
 /// A step in time may leave a cell with less than no oil: solved, but no film.
 bool NewtonIteration::overdrawn() const {
-  constexpr double kRoundOff = 1e-9;  // of a fill ratio
   if (!model_.scene.storage.finite() || !r_.within(options_)) return false;
   return *std::min_element(s_.film.theta.begin(), s_.film.theta.end()) < -kRoundOff;
 }
@@ -193,7 +193,7 @@ Verdict NewtonIteration::reduced_film() {
   const auto oil = [&](const fluid::FilmState& film, fluid::FilmCoefficients& c) {
     const Field none(film.p.size(), 0.0);
     update_columns(model_.oil, model_.gl, model_.scene.speed, s_.shear_gap,
-                   model_.scene.supply.cell, film, none, none, 1e-3, s_.columns, c);
+                   model_.scene.supply.cell, film, none, none, kWayPoint, s_.columns, c);
   };
   auto film = fluid::film_by_reduced_pressure(model_.scene, s_.gap, model_.profile, oil, s_.film);
   if (film.good()) {
@@ -206,8 +206,8 @@ Verdict NewtonIteration::reduced_film() {
 void NewtonIteration::step(Verdict& ended) {
   constexpr int kMostRefills = 5;  // a ring that stays empty is one
   at_met_ = false;
-  viscosity_tolerance_ =
-      std::clamp(1e-2 * (r_.film_norm + r_.load_norm), 0.3 * options_.viscosity_tolerance, 1e-3);
+  viscosity_tolerance_ = std::clamp(1e-2 * (r_.film_norm + r_.load_norm),
+                                    0.3 * options_.viscosity_tolerance, kWayPoint);
   ++cost_.newton_iterations;
   cost_.work += model_.scene.grid.cells();
   LoadTarget now = target_;

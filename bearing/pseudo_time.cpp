@@ -5,18 +5,15 @@
 
 #include "bearing/film_verdicts.hpp"
 #include "bearing/newton.hpp"
+#include "bearing/round_off.hpp"
+#include "bearing/step_control.hpp"
 
 namespace shellback::bearing {
 namespace {
 
-constexpr double kFirst = 1e-2;     ///< first step, in radians of turn [-]
-constexpr double kShortest = 1e-8;  ///< step below which there is no way on [rad]
-constexpr double kLongest = 1e5;    ///< step after which nothing moves any more [rad]
-constexpr double kLonger = 4.0;     ///< from step to step where Newton's method is quick
-constexpr int kQuick = 6;           ///< iterations that are quick
-constexpr int kMost = 25;           ///< iterations of one step
-constexpr int kMostSteps = 100;     ///< where a bearing comes to rest it takes 10 to 30
-constexpr double kLoose = 1e-3;     ///< residuals that will do on the way [-]
+constexpr double kFirst = 1e-2;   ///< first step, in radians of turn [-]
+constexpr double kLongest = 1e5;  ///< step after which nothing moves any more [rad]
+constexpr int kQuick = 6;         ///< iterations after which the next step is longer
 
 /// Steps are counted in `unit`: the time of a radian of turn, or another [s].
 Verdict march_in_time(const BearingModel& model, const LoadTarget& target,
@@ -24,7 +21,7 @@ Verdict march_in_time(const BearingModel& model, const LoadTarget& target,
                       double unit, FilmEquilibrium& s, EquilibriumCost& cost,
                       const std::atomic<bool>* stop) {
   BearingModel moving = model;
-  if (!evaluate(model, thermal_deformation, kLoose, s))
+  if (!evaluate(model, thermal_deformation, kWayPoint, s))
     return no_film(model, target, thermal_deformation, s);
   double turn = kFirst;
   for (int step = 0; turn < kLongest; ++step) {
@@ -34,18 +31,18 @@ Verdict march_in_time(const BearingModel& model, const LoadTarget& target,
     const Verdict v = newton(moving, target, thermal_deformation, options, s, cost, stop);
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
     if (ended || cost.spent()) return v;
-    if (step == kMostSteps) {
+    if (step == kMostIterations) {
       return {Status::iteration_limit, ending::NotAtRest{step, s.least.h}, s.least.place()};
     }
     if (v.good()) {
       if (target.unknowns > 0 && thinner_than_a_molecule(model, s)) {
         return {Status::no_steady_state, ending::NotAtRest{0, s.least.h}, s.least.place()};
       }
-      if (cost.newton_iterations - spent <= kQuick) turn *= kLonger;
+      if (cost.newton_iterations - spent <= kQuick) turn /= kStepShorter;
     } else {
       static_cast<State&>(s) = before;
-      turn /= kLonger;
-      if (turn < kShortest) return v;
+      turn *= kStepShorter;
+      if (turn < kStepShortest * kFirst) return v;
     }
   }
   return {};
@@ -54,9 +51,9 @@ Verdict march_in_time(const BearingModel& model, const LoadTarget& target,
 /// As loose as will do on the way.
 EquilibriumOptions on_the_way(const EquilibriumOptions& options) {
   EquilibriumOptions loose = options;
-  loose.film_tolerance = loose.load_tolerance = loose.elastic_tolerance = kLoose;
-  loose.viscosity_tolerance = kLoose;
-  loose.max_iterations = kMost;
+  loose.film_tolerance = loose.load_tolerance = loose.elastic_tolerance = kWayPoint;
+  loose.viscosity_tolerance = kWayPoint;
+  loose.max_iterations = kMostOfWayPoint;
   return loose;
 }
 
@@ -76,12 +73,11 @@ namespace {
 /// True if a journal that is free to move starts deeper in the shell than asperities reach.
 bool starts_inside(const BearingModel& model, const LoadTarget& target,
                    const Field& thermal_deformation, FilmEquilibrium& s) {
-  constexpr double kReach = 3.0;  // roughnesses
   const fluid::FilmScene& scene = model.scene;
   if (target.unknowns == 0) return false;
   s.gap = gap_at(model, s.position, sum(thermal_deformation, s.elastic));
   s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
-  return s.least.h < -kReach * scene.rough.sigma;
+  return s.least.h < -kSummits * scene.rough.sigma;
 }
 
 /// At rest in the middle of the clearance, in a full film.
@@ -101,7 +97,7 @@ Verdict come_to_rest(const BearingModel& model, const LoadTarget& target,
   // nothing flows the rate of shear is round-off, and thinning by it known no better.
   EquilibriumOptions steps;
   steps.viscosity_tolerance = options.viscosity_tolerance;
-  steps.max_iterations = kMost;
+  steps.max_iterations = kMostOfWayPoint;
   put_in_the_middle(model, target, s);
   return march_in_time(model, target, {}, steps, kUnit, s, cost, stop);
 }

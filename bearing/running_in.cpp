@@ -9,6 +9,7 @@
 #include "bearing/fixed_point.hpp"
 #include "bearing/kept_run.hpp"
 #include "bearing/solution_members.hpp"
+#include "bearing/step_control.hpp"
 #include "bearing/worn_bearing.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
@@ -18,12 +19,6 @@ namespace {
 
 constexpr double kFirstDepth = 0.1;    ///< of the first step, in summit roughnesses [-]
 constexpr double kDepthError = 0.001;  ///< of a step, over the depth or the summit roughness [-]
-constexpr double kShortest = 1e-6;     ///< step over the first one: below, nothing moves [-]
-constexpr double kLongest = 2.0;       ///< growth of the step, textbook [-]
-constexpr double kShorter = 0.25;      ///< at most; also where a step is not found [-]
-constexpr double kSafety = 0.9;        ///< of the length that the error allows, textbook [-]
-constexpr double kOrder = 3.0;         ///< of the error of a step in its length
-constexpr double kFirstOrder = 2.0;    ///< of that of the first step
 constexpr double kComplementarity = 1e-6;  ///< of (3), in summit roughnesses [-]
 
 // Towards (3): shapes tried for the KS bearing worn in at 5 MPa under 40, 60, 80 kN are 34, 139,
@@ -33,7 +28,6 @@ constexpr double kComplementarity = 1e-6;  ///< of (3), in summit roughnesses [-
 constexpr int kEndDepth = 15;         ///< shapes kept by the acceleration [-]
 constexpr int kEndDelay = 2;          ///< plain shapes before it [-]
 constexpr int kEndIterations = 1000;  ///< three times what 80 kN needs
-constexpr double kEndReach = 3.0;     ///< of the next shape, in summit roughnesses [-]
 
 /// (e^x - 1)/x and (phi_1(x) - 1)/x, by their series where those lose their digits.
 double phi_1(double x) { return std::abs(x) < 1e-8 ? 1.0 + 0.5 * x : std::expm1(x) / x; }
@@ -236,8 +230,7 @@ void March::to(double end) {
     if (stopped(control_)) return stop();
     dt_ = std::min(dt_, end - t_);
     const bool good = take(dt_);
-    const double order = past_ > 0.0 && before_ ? kOrder : kFirstOrder;
-    const double longer = kSafety * std::pow(over_, -1.0 / order);
+    const double longer = step_growth(1.0, over_, !(past_ > 0.0 && before_));
     if (good) {
       note_state(b_, t_, dt_, now_.w, run_);
       if (seen_) seen_(run_);
@@ -245,9 +238,9 @@ void March::to(double end) {
       return stop();
     } else {
       ++run_.rejected_steps;
-      if (dt_ < kShortest * first_) return end_too_short();
+      if (dt_ < kStepShortest * first_) return end_too_short();
     }
-    dt_ *= found_ ? std::clamp(longer, kShorter, good ? kLongest : kSafety) : kShorter;
+    dt_ *= !found_ ? kStepShorter : good ? longer : std::min(longer, kStepSafety);
     keep(control_.kept, false, b_, run_, *this);
   }
 }
@@ -315,7 +308,7 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
   options.delay = kEndDelay;
   options.max_iterations = kEndIterations;
   options.tolerance = kComplementarity;
-  options.reach = kEndReach;
+  options.reach = kSummits;
   const FixedPointEnd end = fixed_point(map, options, x);
   double lack = NAN;
   if (end != FixedPointEnd::map_failed) {

@@ -44,6 +44,10 @@ double most_work(const Case& c, Tier tier, const SolveControl& control) {
   return std::min(control.most_work, coarse * price_of_search(c, tier));
 }
 
+/// Of the work that is left: most that a coarse grid may take. The verdict is the last grid's,
+/// which is not to go without a try for want of a start (decision 022).
+constexpr double kForStarts = 0.5;  ///< [-]
+
 /// Solves on every grid of the sequence, each from the one before. A coarse grid that fails is left
 /// out; where its state is no start for the next, that one starts from cold. The verdict is that of
 /// the last grid alone.
@@ -52,6 +56,7 @@ void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
   const auto grids = grid_ladder(c.model.grid);
   s.target = load_target(c);
   const double T_start = s.T_film;
+  const double whole = s.cost.most_work;
   bool warm = false;
   for (std::size_t level = 0; level < grids.size(); ++level) {
     const bool last = level + 1 == grids.size();
@@ -62,6 +67,7 @@ void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
       if (model.physics.film_energy) s.heat = carry_over(s.model, s.heat, model);
     }
     s.model = std::move(model);
+    s.cost.most_work = last ? whole : s.cost.work + kForStarts * (whole - s.cost.work);
     solve_on_grid(s, tier, {warm, !last}, control);
     if (warm && !s.verdict.good() && s.verdict.status != Status::interrupted) {
       s.T_film = T_start;
@@ -96,7 +102,6 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
 /// That a branch ends is a fact of the bearing only if two grids agree on where, within a tenth;
 /// or, where an equation has a bound, if both end before the load or speed asked for.
 void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
-  constexpr double kAgree = 0.1;  // of the limit [-]
   if (s.verdict.status != Status::no_steady_state || s.limits.empty()) return;
   const Limit own = s.limits.back();
   const auto agrees = [&](const Limit& l) {

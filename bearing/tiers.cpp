@@ -1,7 +1,6 @@
 #include "bearing/tiers.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,11 +16,7 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr double kLooseHeat = 3e-3;   ///< change per iteration on the way [-]
-constexpr double kCoarseHeat = 3e-3;  ///< the same where it is the start of a finer grid
-constexpr int kMostWayPoint = 25;     ///< iterations of heat, and of a film in it, of a way point
-constexpr std::array kLight{0.3, 0.1, 0.02, 2e-3, 2e-4};  ///< of load or speed, to begin with
-constexpr double kBeyond = 1.1;  ///< of a branch's end: load of the transient that starts there [-]
+constexpr double kLooseHeat = 3e-3;  ///< change per iteration on the way and on coarser grids [-]
 constexpr double kTransientError = 2.0;  ///< per step of that transient [K]
 /// Its shortest step [s]: a film that explodes heats within microseconds, and a step shorter than
 /// that is always found; with 1e-6 and 1e-8 the trajectories of the tests leave the same bound.
@@ -33,12 +28,12 @@ double supply_temperature(const Solution& s) { return s.model.input.supplies.fro
 
 ThermalOptions options_of(Accuracy accuracy, bool coarse) {
   ThermalOptions o;
-  if (coarse) o.tolerance = kCoarseHeat;
+  if (coarse) o.tolerance = kLooseHeat;
   o.close = !coarse;
   if (accuracy == Accuracy::result) return o;
   o.tolerance = kLooseHeat;
-  o.max_iterations = kMostWayPoint;
-  o.film.max_iterations = kMostWayPoint;
+  o.max_iterations = kMostOfWayPoint;
+  o.film.max_iterations = kMostOfWayPoint;
   return o;
 }
 
@@ -58,11 +53,12 @@ Verdict warm_up(Solution& s, const ThermalOptions& options, const SolveControl& 
   return solve_heat(s, options, control);
 }
 
-/// From the last state of a branch under a little more load: a trajectory that leaves every bound
-/// shows that the branch ends; one that comes to rest is a state of more load.
+/// From the last state of a branch under more load than two ends that agree may differ by: a
+/// trajectory that leaves every bound shows that the branch ends; one that comes to rest is a state
+/// of more load.
 MarchEnd transient_beyond(Solution& s, const Branch& branch, const SolveControl& control) {
   Part of(s, branch.raised);
-  of.take(std::min(1.0, kBeyond * branch.carried));
+  of.take(std::min(1.0, (1.0 + kAgree) * branch.carried));
   MarchOptions march;
   march.error = kTransientError;
   march.shortest = kTransientShortest;

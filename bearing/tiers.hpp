@@ -14,6 +14,9 @@
 
 namespace shellback::bearing {
 
+/// Two ends of a branch that are nearer than this are one [-].
+inline constexpr double kAgree = 0.1;
+
 /// How a grid is begun.
 struct Level {
   bool warm = false;    ///< from the state that is there; else from cold

@@ -13,7 +13,6 @@ namespace {
 
 void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   const auto [low, high] = std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
-  constexpr double kUndershoot = 2.0;  // worth telling [K]
   if (s.model.physics.film_energy && *low < coldest_around(s.model) - kUndershoot) {
     warnings.push_back(note::ColdSpot{*low});
   }

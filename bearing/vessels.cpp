@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "rheology/density.hpp"
 
 namespace shellback::bearing {
@@ -136,7 +137,6 @@ void Vessels::advance(int k, double own, double star, double out, Search& s) {
 
 Verdict Vessels::solve(double own, const std::vector<double>& oil_star, fluid::FilmScene& scene,
                        const Film& film) {
-  constexpr int kMost = 40;
   const int n = static_cast<int>(of_patch_.size());
   std::vector<Search> search(n);
   for (int k = 0; k < n; ++k) {
@@ -148,7 +148,7 @@ Verdict Vessels::solve(double own, const std::vector<double>& oil_star, fluid::F
     if (open_[k]) search[k] = {p_supply_[k] - p_cav_, 0.0, 0.0, 0.0, 0.0, true, 0.0};
   }
   fluid::OilFlows flows;
-  for (int i = 0; i < kMost; ++i) {
+  for (int i = 0; i < kMostIterations; ++i) {
     for (int k = 0; k < n; ++k) put(k, search[k].u, scene);
     if (Verdict v = film(flows); !v.good()) return v;
     bool all = true;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/fixed_point.hpp"
+#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 
@@ -45,21 +46,19 @@ void WallBalance::read_from_film() {
 }
 
 void WallBalance::begin(const Friction& friction, int iteration) {
-  constexpr int kLaps = 3;   // sweeps for the film's response to its walls
   constexpr int kAgain = 4;  // iteration that measures it again; till then that of a coarser grid
   energy_.emplace(problem(friction));
   for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
   if (!(s_.heat.response.shell_local > 0.0) || iteration == kAgain) {
-    s_.heat.response = energy_->wall_response(kLaps);
+    s_.heat.response = energy_->wall_response(kSweepsOfResponse);
   }
 }
 
 void WallBalance::balance_roughly(double tolerance) {
   constexpr double kWallPart = 0.03;  // of the first round's change: what is left for later
-  constexpr int kWallRounds = 20;     // twice what most films need
   const double change = round();
   const double enough = kWallPart * std::max(change, tolerance);
-  if (change > enough) balance(enough, kWallRounds);
+  if (change > enough) balance(enough, kMostIterations);
   for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
 }
 
@@ -144,13 +143,12 @@ double WallBalance::balance(double enough, int rounds) {
 }
 
 double WallBalance::finish(const Friction& friction, bool close) {
-  constexpr int kMostSweeps = 400;
-  constexpr int kMostRounds = 60;
+  constexpr int kMostSweeps = 400;          // oil that returns by nine tenths needs 150
   constexpr double kWalls = 1e-8;           // change per round that leaves their heat balanced [K]
   constexpr double kSettled = 1e-9;         // change per sweep, balance near round-off [K]
   constexpr double kRoughlySettled = 1e-3;  // the same where the balance need not close [K]
   energy_.emplace(problem(friction));
-  const double change = close ? balance(kWalls, kMostRounds) : 0.0;
+  const double change = close ? balance(kWalls, kMostIterations) : 0.0;
   for (int k = 0; k < kMostSweeps; ++k) {
     if (energy_->sweep(s_.film.columns.T) < (close ? kSettled : kRoughlySettled)) break;
   }

@@ -6,17 +6,9 @@
 /// seize on the way the time is told. At each instant
 ///   heat in (friction, pump) = heat out (oil, back, ends, overhangs) + heat stored      [W]
 /// with what is stored in the film's oil, shell, housing and shaft.
-#include <functional>
-
-#include "bearing/heat_march.hpp"
+#include "bearing/stretch.hpp"
 
 namespace shellback::bearing {
-
-struct WarmUpOptions {
-  double T_start = 293.15;                               ///< of shell, housing and shaft [K]
-  double end = std::numeric_limits<double>::infinity();  ///< [s]; infinity: until at rest
-  double error = 0.2;  ///< of the wall temperatures in one step [K]
-};
 
 struct WarmUp {
   std::vector<Instant> instants;
@@ -33,9 +25,5 @@ struct WarmUp {
 /// stands in the imbalance. Throws InputError for other tiers and for single events.
 [[nodiscard]] WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& options,
                              const SolveControl& control = {});
-
-/// The same for cases with a load cycle: what warm_up calls for them.
-[[nodiscard]] WarmUp warm_up_over_cycles(const Case& c, Tier tier, const WarmUpOptions& options,
-                                         const SolveControl& control);
 
 }  // namespace shellback::bearing

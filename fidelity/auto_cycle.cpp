@@ -9,11 +9,13 @@
 #include <optional>
 
 #include "bearing/judge_case.hpp"
+#include "bearing/step_control.hpp"
 #include "core/contract.hpp"
 #include "fidelity/cycle_bars.hpp"
 #include "fidelity/estimate_cycle.hpp"
 #include "fidelity/grid_sequence.hpp"
 #include "fidelity/left_out.hpp"
+#include "fidelity/tolerance.hpp"
 
 namespace shellback::fidelity {
 
@@ -21,9 +23,10 @@ using namespace bearing;
 
 namespace {
 
-constexpr double kOfPhysics = 0.5;  ///< part of the tolerance that the physics left out may take
-constexpr double kOfSteps = 0.25;   ///< and the steps in time
-constexpr int kRounds = 3;          ///< of grids and steps
+constexpr double kOfSteps = 0.25;  ///< part of the tolerance that the steps in time may take
+constexpr int kRounds = 3;         ///< of grids and steps
+/// In one round: cells, twice as many in each direction, and steps.
+constexpr double kMost = 4.0;
 const std::vector<Grid> kProbes{
     {48, 8}, {60, 10}, {80, 14}};  ///< the first that holds the supplies
 constexpr Grid kFirst{96, 12};
@@ -136,7 +139,7 @@ class Search {
         return kModelSafety * over_value(q.quantity.value - rich_value, q);
       };
       const Pair left = both(cheap, [&](const CycleQuantity& q) { return std::abs(change(q)); });
-      if (left.larger() > kOfPhysics * case_.model.tolerance) continue;
+      if (left.larger() > (1.0 - kOfSteps - kWorthAGrid) * case_.model.tolerance) continue;
       tier_ = tier;
       left_out_ = left;
       break;
@@ -155,7 +158,6 @@ class Search {
 
   /// Cells that bring one bar within what is left of the tolerance, over those that there are.
   [[nodiscard]] double more_cells(const char* name, double bar, double left_out) const {
-    constexpr double kMost = 4.0;  // in one round: twice as many in each direction
     const double physics = std::isfinite(left_out) ? left_out : 0.0;
     const double wanted = (1.0 - kOfSteps) * case_.model.tolerance - physics;
     const double order = named(last_, name)->quantity.order;
@@ -167,13 +169,14 @@ class Search {
   /// Finer grid and shorter steps for the next round; false: nothing is left to refine.
   bool refine() {
     constexpr double kMargin = 1.2;  // of cells, as an order is only observed
-    constexpr double kLeast = 0.02;  // of the error of a step, in one round
-    constexpr double kOrder = 1.5;   // of a step's error in the bar: its inverse is 2/3
     const Grid before = on_.model.grid;
     const double steps = of_steps().larger();
     const double allowed = kOfSteps * case_.model.tolerance;
+    // The bar goes with the second power of a step, the error of one with the third.
+    const double power = kStepOrder / (kStepOrder - 1.0);
+    const double least = std::pow(kMost, -kStepOrder);
     const bool shorter = !case_.cycle->step && steps > allowed;
-    if (shorter) on_.model.tolerance *= std::clamp(std::pow(allowed / steps, kOrder), kLeast, 1.0);
+    if (shorter) on_.model.tolerance *= std::clamp(std::pow(allowed / steps, power), least, 1.0);
     const Pair grid = of_grid();
     const double more = std::max(more_cells("friction_torque", grid.friction, left_out_.friction),
                                  more_cells("h_min", grid.h_min, left_out_.h_min));

@@ -14,8 +14,6 @@ using namespace bearing;
 
 namespace {
 
-constexpr double kSafety = 1.5;  // as grid_error.cpp
-
 /// The cycle on another grid; not good where the grid cannot carry the supplies.
 CycleResult on_grid(Case c, Grid grid, const SolveControl& control) {
   c.model.grid = grid;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "fidelity/bracketed_root.hpp"
 
 namespace shellback::fidelity {
 
 double left_of_edge(const std::array<double, 3>& s, const std::array<double, 3>& h) {
-  constexpr double kPunch = 0.5;   // a beside a flat rigid punch
-  constexpr double kExact = 1e-6;  // of a
+  constexpr double kPunch = 0.5;  // a beside a flat rigid punch
   const double last = h[1] - h[0];
   if (!(last > 0.0)) return 0.0;
   const auto missed = [&](double a) {
@@ -17,7 +17,8 @@ double left_of_edge(const std::array<double, 3>& s, const std::array<double, 3>&
     return (power[2] - power[1]) / (power[1] - power[0]) - (h[2] - h[1]) / last;
   };
   if (missed(1.0) <= 0.0) return 0.0;
-  const double a = missed(kPunch) >= 0.0 ? kPunch : bracketed_root(missed, kPunch, 1.0, kExact);
+  const double a =
+      missed(kPunch) >= 0.0 ? kPunch : bracketed_root(missed, kPunch, 1.0, bearing::kRoundOff);
   const double first = std::pow(s[0], a);
   return last * (first / (std::pow(s[1], a) - first) - s[0] / (s[1] - s[0]));
 }

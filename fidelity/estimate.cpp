@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "bearing/heat_endings.hpp"
+#include "bearing/round_off.hpp"
 #include "fidelity/bearing_table.hpp"
 #include "fidelity/estimate_scene.hpp"
 
@@ -25,7 +27,7 @@ class Estimator {
   explicit Estimator(const Case& c) : c_(c), scene_(c), curve_(scene_.b()) {
     omega_ = std::abs(c.operation.omega);
     if (const auto* given = std::get_if<EccentricityGiven>(&c.operation.position)) {
-      eps_ = std::max(given->ratio, 1e-9);
+      eps_ = std::max(given->ratio, kRoundOff);
       load_angle_ = given->load_angle;
     } else {
       load_ = std::get<LoadGiven>(c.operation.position).force;
@@ -39,8 +41,7 @@ class Estimator {
       const double eta = viscosity(eps, T);
       return std::log((film(curve_.at(eps), eta) + scene_.contact(eps, eta, omega_).load) / load_);
     };
-    const double least = 1e-9;  // concentric
-    return state(eps_ ? *eps_ : load_ > 0.0 ? eccentricity_where(beyond_load) : least, T);
+    return state(eps_ ? *eps_ : load_ > 0.0 ? eccentricity_where(beyond_load) : kRoundOff, T);
   }
 
   /// Heat that leaves minus friction power [W]; rises with T.
@@ -110,8 +111,7 @@ Estimate estimate(const Case& c) {
   const HeatWays ways = heat_ways(c);
   const auto surplus = [&](double T) { return estimator.surplus(estimator.at(T), ways.paths); };
   if (surplus(ways.coldest) >= 0.0) return estimator.at(ways.coldest);  // no heat to speak of
-  constexpr double kMostRise = 400.0;  // of the film above all that cools it [K]
-  const double span = ways.warmest + kMostRise - ways.coldest;
+  const double span = ways.warmest + kHottestRise - ways.coldest;
   for (double part = 1.0 / 256.0, low = ways.coldest; part <= 1.0; part *= 2.0) {
     const double high = ways.coldest + part * span;
     // The lowest of several balances: that of a bearing which is started cold. To a millikelvin.

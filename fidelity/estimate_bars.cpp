@@ -69,12 +69,13 @@ Indicators indicators(const Case& c, const Estimate& e) {
 struct BarParts {
   double least, heating, thermal, elastic, pressure, contact;
 };
-constexpr struct {
+struct AllParts {
   BarParts torque{0.10, 0.30, 0.10, 0.05, 0.15, 0.5};
   BarParts film{0.10, 0.25, 1.0, 0.5, 0.2, 1.0};
   BarParts flow{1.0, 0.0, 1.0, 0.0, 0.0, 0.0};
   BarParts angle{0.1, 0.0, 0.5, 0.5, 0.0, 0.0};
-} kParts;
+};
+constexpr AllParts kParts{};
 
 double bar(const BarParts& part, const Estimate& e, const Indicators& n) {
   return std::min(kMostBar, part.least + part.heating * n.heating + part.thermal * n.thermal +

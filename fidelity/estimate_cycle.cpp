@@ -6,7 +6,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "bearing/cycle_lumped.hpp"
+#include "bearing/cycle_search.hpp"
 #include "bearing/equilibrium.hpp"
+#include "bearing/heat_endings.hpp"
 #include "bearing/told_ranges.hpp"
 #include "fidelity/bracketed_root.hpp"
 #include "fidelity/estimate_bars.hpp"
@@ -18,10 +21,10 @@ using namespace bearing;
 
 namespace {
 
-/// Error of a step in time over the gap that is left, over model.tolerance: a hundredth of the
-/// solved film's (0.1), so that the bar of time vanishes beside the others.
-constexpr double kOfTolerance = 1e-3;
-constexpr double kLonger = 10.0;  ///< error of a step that the bar of time is made with, over that
+/// The path of the bar of time errs in a step, over the gap that is left, by so much less than the
+/// solved film, and the path that is told by so much less again: its bar of time vanishes beside
+/// the others.
+constexpr double kFiner = 10.0;
 
 /// Instants whose value is smallest or largest.
 const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
@@ -33,8 +36,6 @@ const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleIn
 
 /// The temperature at which the heat of a mean cycle leaves: the path there, or why there is none.
 Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
-  constexpr double kMostRise = 400.0;  // of the film above all that cools it, as estimate.cpp [K]
-  constexpr double kSettled = 0.01;    // 3e-4 of viscosity [K]
   const HeatWays ways = heat_ways(c);
   Verdict last;
   const auto away = [&](double at) {
@@ -48,7 +49,7 @@ Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
   const double below = surplus(T);
   if (!(below < 0.0)) return last;  // no heat to speak of, or no path
   // The friction of the coldest film would be carried off with this rise; warmer films rub less.
-  const double hottest = ways.warmest + kMostRise;
+  const double hottest = ways.warmest + kHottestRise;
   for (double rise = -below / (away(T + 1.0) - away(T)); T + rise <= hottest; rise *= 2.0) {
     const double above = surplus(T + rise);
     if (std::isnan(above)) return last;
@@ -56,7 +57,7 @@ Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
       T += rise;
       continue;
     }
-    T = bracketed_root(surplus, T, T + rise, kSettled);
+    T = bracketed_root(surplus, T, T + rise, kCycleBalance);
     if (last.good()) static_cast<void>(surplus(T));
     return last;
   }
@@ -174,8 +175,8 @@ void tell_what_is_left_out(const Case& c, const JournalPath& path, CycleResult& 
 
 CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
   const auto begin = std::chrono::steady_clock::now();
-  JournalPath rough(c, kLonger * kOfTolerance * c.model.tolerance, control);
-  JournalPath path(c, kOfTolerance * c.model.tolerance, control);
+  JournalPath rough(c, kOfTolerance / kFiner * c.model.tolerance, control);
+  JournalPath path(c, kOfTolerance / (kFiner * kFiner) * c.model.tolerance, control);
   CycleResult r;
   r.tier = Tier::estimate;
   r.title = c.title;

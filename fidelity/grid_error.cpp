@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "fidelity/bracketed_root.hpp"
+#include "fidelity/grid_sequence.hpp"
 
 namespace shellback::fidelity {
 namespace {
-
-constexpr double kSafety = 1.5;  // on 200 x 25 cells and finer [-]
 
 /// F of (4).
 double safety(double h) { return kSafety * std::sqrt(std::max(1.0, h * std::sqrt(200.0 * 25.0))); }
@@ -21,8 +21,8 @@ double next_change(const GridValue& f3, const GridValue& f2, const GridValue& f1
 /// Whether three values move on in one direction with steps that fall slower than with kSlowOrder.
 /// Grids that are nearer to each other than halved ones cannot tell that from chance.
 bool moves_on(const GridValue& f3, const GridValue& f2, const GridValue& f1) {
-  constexpr double kHalved = 1.7;  // of cell sizes: between 2 and the 1.4 of grid_sequence.cpp [-]
-  if (f2.h < kHalved * f1.h || f3.h < kHalved * f2.h) return false;
+  const double halved = std::sqrt(2.0 * kRefinement);  // between the refinements there are
+  if (f2.h < halved * f1.h || f3.h < halved * f2.h) return false;
   const double before = f3.value - f2.value, last = f2.value - f1.value;
   return last / before > next_change(f3, f2, f1, kSlowOrder);
 }
@@ -44,7 +44,7 @@ double observed_order(const std::vector<GridValue>& v) {
   if (!(last / before >= 0.0) || short_of(kSlowOrder) < 0.0) return NAN;
   if (short_of(kLeastOrder) <= 0.0) return kLeastOrder;
   if (short_of(kMostOrder) >= 0.0) return kMostOrder;
-  return bracketed_root(short_of, kLeastOrder, kMostOrder, 1e-9);
+  return bracketed_root(short_of, kLeastOrder, kMostOrder, bearing::kRoundOff);
 }
 
 GridBar grid_bar(const std::vector<GridValue>& v, double h) {

@@ -56,6 +56,9 @@ inline constexpr double kMostOrder = 1.75;
 /// get no order, and the bar of this one.
 inline constexpr double kSlowOrder = 0.5;
 
+/// F of (4) on 200 x 25 cells and finer [-].
+inline constexpr double kSafety = 1.5;
+
 /// Order p in [kLeastOrder, kMostOrder] of three values, coarsest first; NaN if they do not
 /// approach a limit (oscillating, or moving away).
 [[nodiscard]] double observed_order(const std::vector<GridValue>& coarse_to_fine);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/nested.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::fidelity {
@@ -11,9 +12,8 @@ using namespace bearing;
 
 namespace {
 
-constexpr std::size_t kGrids = 3;    ///< with which an order can be observed [-]
-constexpr double kRefinement = 1.4;  ///< of each direction between grids that can be told apart [-]
-constexpr int kMoreNodes = 2;        ///< across the film; their number stays odd [-]
+constexpr std::size_t kGrids = 3;  ///< with which an order can be observed [-]
+constexpr int kMoreNodes = 2;      ///< across the film; their number stays odd [-]
 
 int cells(const Grid& grid) { return grid[0] * grid[1]; }
 
@@ -48,10 +48,9 @@ std::optional<Solution> beside(const Solution& s, const Grid& grid, const SolveC
 std::vector<Grid> coarse_grids(const Case& c) {
   std::vector<Grid> grids;
   for (Grid grid = c.model.grid;;) {
-    const Grid half{grid[0] / 2, (grid[1] + 1) / 2};
-    const bool enough = half[0] >= 48 && half[1] >= 5;  // as the nested iteration has it
-    if (!enough && grids.size() + 1 >= kGrids) break;
-    grid = enough ? half : scaled(grid, 1.0 / kRefinement);
+    const std::optional<Grid> half = halved(grid);
+    if (!half && grids.size() + 1 >= kGrids) break;
+    grid = half ? *half : scaled(grid, 1.0 / kRefinement);
     if (grid[0] < 20 || grid[1] < 3) break;
     grids.insert(grids.begin(), grid);
   }

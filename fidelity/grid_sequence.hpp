@@ -15,6 +15,10 @@ using Grid = std::array<int, 2>;
 /// there as it is.
 inline constexpr Grid kUsualGrid{400, 50};
 
+/// Refinement of each direction between grids that can be told apart, where they are not halved
+/// [-].
+inline constexpr double kRefinement = 1.4;
+
 /// Grids coarser than that of the case, from the coarsest on, each axis about halved, or 0.7 of it
 /// where that leaves fewer than two; down to 20 x 3. Where a grid cannot resolve the edges of the
 /// supplies, it gets as many more cells as it takes, along and then around; grids that come to the

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "bearing/cycle_endings.hpp"
+#include "bearing/cycle_search.hpp"
+#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
 #include "fidelity/grid_sequence.hpp"
 
@@ -13,10 +15,10 @@ using namespace bearing;
 
 namespace {
 
-constexpr double kFewestSteps = 90.0;  ///< of a course, as the solved film's; sees every pulse
-constexpr double kSame = 1e-9;         ///< of a course: a time is known no better
-constexpr int kInstants = 720;         ///< told: every degree of a four-stroke
-constexpr int kMostCycles = 400;  ///< a light load brings the journal nearer by a hundredth a cycle
+constexpr int kInstants = 720;  ///< told: every degree of a four-stroke
+/// Cycles, or turns of an event's first place, until the journal has come to rest: a light load
+/// brings it nearer by a hundredth a cycle.
+constexpr int kMostCycles = 1000;
 
 double gap_left(const Pair& x) { return 1.0 - std::hypot(x[0], x[1]); }
 
@@ -24,7 +26,7 @@ double gap_left(const Pair& x) { return 1.0 - std::hypot(x[0], x[1]); }
 std::vector<LoadCorner> corners_of(const LoadCourse& course, double length) {
   std::vector<LoadCorner> all;
   for (const LoadCorner& c : course.corners()) {
-    if (c.t > kSame * length && c.t < (1.0 - kSame) * length) all.push_back(c);
+    if (c.t > kRoundOff * length && c.t < (1.0 - kRoundOff) * length) all.push_back(c);
   }
   all.push_back({length, false, 0.0});
   return all;
@@ -36,7 +38,7 @@ std::vector<double> told_of(const std::vector<LoadCorner>& corners, double lengt
   for (int k = 1; k < kInstants; ++k) {
     const double t = length * k / kInstants;
     const bool known = std::any_of(corners.begin(), corners.end(), [&](const LoadCorner& c) {
-      return std::abs(c.t - t) <= kSame * length;
+      return std::abs(c.t - t) <= kRoundOff * length;
     });
     if (!known) all.push_back(t);
   }
@@ -88,15 +90,14 @@ std::optional<Pair> JournalPath::pass(const Pair& from, bool record) {
 }
 
 Pair JournalPath::steady_place() {
-  constexpr double kTurns = 1000.0;  // of the journal, in which it has to come to rest
-  constexpr double kAtRest = 1e-6;   // of its speed, over the gap that is left
+  constexpr double kAtRest = 1e-6;  // of its speed, over the gap that is left
   const double omega = std::abs(course_.at(0.0).omega);
   const Motion motion{
       [&](double, const Pair& x, Pair& v) { return motion_.rate(0.0, false, x, v); }, gap_left,
       tolerance_, INFINITY};
   SmoothMotion path(motion);
   path.begin(0.0, {0.0, 0.0});
-  for (double turns = 1.0; turns <= kTurns && omega > 0.0; turns *= 2.0) {
+  for (double turns = 1.0; turns <= kMostCycles && omega > 0.0; turns *= 2.0) {
     if (!path.go_to(2.0 * kPi * turns / omega)) break;
     Pair v{};
     const bool known = motion_.rate(0.0, false, path.now(), v);

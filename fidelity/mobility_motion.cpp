@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::fidelity {
@@ -10,8 +11,6 @@ namespace shellback::fidelity {
 using namespace bearing;
 
 namespace {
-
-constexpr double kConcentric = 1e-9;  ///< eccentricity ratio below which there is no direction
 
 double length(const Pair& v) { return std::hypot(v[0], v[1]); }
 double dot(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
@@ -33,13 +32,13 @@ MobilityMotion::Now MobilityMotion::look(double t, bool before_jump, const Pair&
   const double W = std::hypot(now.load.x, now.load.y);
   now.eta = scene_.viscosity(now.eps, T_, W, std::abs(now.load.omega));
   now.film = {now.load.x, now.load.y};
-  if (scene_.touches() && now.eps > kConcentric) {
+  if (scene_.touches() && now.eps > kRoundOff) {
     const double pushed = scene_.contact_load(now.eps) / now.eps;
     for (int k = 0; k < 2; ++k) now.film[k] -= pushed * x[k];
   }
   const double F = length(now.film);
   const double alpha = std::atan2(cross(now.film, x), dot(now.film, x));
-  now.m = map_.at(now.eps, now.eps > kConcentric ? alpha : 0.0);
+  now.m = map_.at(now.eps, now.eps > kRoundOff ? alpha : 0.0);
   if (F == 0.0) return now;
   const double unit = scene_.psi() * scene_.psi() / (now.eta * scene_.area());  // |F| in F below
   now.seen = {unit * (now.m.along * now.film[0] - now.m.across * now.film[1]),
@@ -58,7 +57,7 @@ bool MobilityMotion::rate(double t, bool before_jump, const Pair& x, Pair& out) 
 void MobilityMotion::add_torque(const Now& now, CycleInstant& i) const {
   const double omega = std::abs(now.load.omega);
   const ContactSum touching = scene_.contact(now.eps, now.eta, omega);
-  const double fill = curve_.at(std::max(now.eps, kConcentric)).couette;
+  const double fill = curve_.at(std::max(now.eps, kRoundOff)).couette;
   const double sheared = scene_.couette(now.eps, fill, now.eta, omega);
   i.p_asperity_max = touching.pressure;
   i.torque_asperity = std::copysign(touching.torque, now.load.omega);

@@ -9,10 +9,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bearing/step_control.hpp"
+
 namespace shellback::fidelity {
 namespace {
-
-constexpr long kMostSteps = 100000;  ///< from one told instant to the next
 
 struct ContextDeleter {
   void operator()(SUNContext c) const { SUNContext_Free(&c); }
@@ -116,7 +116,7 @@ void SmoothMotion::begin(double t, const Pair& y) {
   require(CVodeWFtolerances(cvode, Solver::weights));
   require(CVodeSetLinearSolver(cvode, s.linear.get(), s.matrix.get()));
   if (std::isfinite(s.motion->longest)) require(CVodeSetMaxStep(cvode, s.motion->longest));
-  require(CVodeSetMaxNumSteps(cvode, kMostSteps));
+  require(CVodeSetMaxNumSteps(cvode, bearing::kMostStepsInTime));
 }
 
 void SmoothMotion::stop_at(double t) { require(CVodeSetStopTime(solver_->cvode.get(), t)); }

@@ -47,7 +47,6 @@ RelativeBars relative_bars(const Result& r, const std::string& quantity) {
 }
 
 Shortfall shortfall(const Result& r, double tolerance) {
-  constexpr double kWorthAGrid = 0.25;  // of the tolerance; for less the cells grow without end [-]
   Shortfall s{tolerance, relative_bars(r, "friction_torque"), relative_bars(r, "h_min")};
   s.grid = r.grid;
   for (const RelativeBars* bars : {&s.friction, &s.h_min}) {

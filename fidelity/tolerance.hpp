@@ -32,6 +32,9 @@ struct Shortfall {
   std::array<int, 2> grid{0, 0};  ///< by (1), no finer than the finest that values are meant for
   double expected = 0.0;          ///< larger of both bars there [-]
 };
+/// Part of the tolerance that a grid must be left for it to be worth while: its cells grow as the
+/// inverse square [-].
+inline constexpr double kWorthAGrid = 0.25;
 [[nodiscard]] Shortfall shortfall(const bearing::Result& r, double tolerance);
 
 /// True if the values differ by more than the bars of their grids together (the sum: a bar holds

@@ -129,6 +129,17 @@ TEST_CASE("AStepMayBeAnAngle") {
   CHECK(*c.step == Approx(kTurn / 360.0));
 }
 
+TEST_CASE("InstantsOfFieldsAreAnglesOrTimes") {
+  const LoadCycle c = cycle_of(kInDegrees + "fields_at = [\"90 deg\", \"1 ms\"]\n", kRows);
+  REQUIRE(c.fields_at.size() == 2);
+  CHECK(c.fields_at[0] == Approx(kTurn / 4.0));
+  CHECK(c.fields_at[1] == Approx(1e-3));
+  check_against(kRows, {"case.toml:", "fields_at", "\"2 mm\"", "neither a crank angle nor a time"},
+                kInDegrees + "fields_at = [\"2 mm\"]\n");
+  check_against(kRows, {"case.toml:", "load_cycle.fields_at", "0.025 s lies outside the cycle"},
+                kInDegrees + "fields_at = [\"450 deg\"]\n");
+}
+
 TEST_CASE("WithoutAPeriodItIsASingleEvent") {
   const std::string once = "[load_cycle]\nfile = \"load.csv\"\n";
   const LoadCycle c =

@@ -1,14 +1,17 @@
 #include "bearing/bore_shape.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "bearing/film_heat.hpp"
 #include "tests/bearing/sample_bearing.hpp"
+#include "tests/observed_order.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
 using namespace shellback::bearing::tests;
+using shellback::tests::observed_order;
 
 TEST_CASE("ReliefIsAParabolaAndChamferACone") {
   Bearing b = plain_case().bearing;
@@ -59,4 +62,28 @@ TEST_CASE("ATableOfTheReliefIsTheRelief") {
   // relief takes away what carries: the film is thinner than without it
   const Solution none = solve_tier(plain_case(), Tier::isothermal);
   CHECK(a.film.position.ey() * -1.0 > -none.film.position.ey());
+}
+
+TEST_CASE("AReliefConvergesWithSecondOrderUpToTheSideEdge") {
+  // A full film between held surfaces; the relief's foot, where its curvature jumps, lies inside
+  // the cells, and the pressure falls to nothing where the gap is known at the edge itself.
+  for (const AxialSpacing spacing : {AxialSpacing::even, AxialSpacing::graded}) {
+    std::array<double, 3> load{}, torque{};
+    for (int k = 0; k < 3; ++k) {
+      Case c = plain_case();
+      c.bearing.edge_relief = EdgeOpening{9e-6, 8e-3};
+      c.model.axial_spacing = spacing;
+      c.model.grid = {60 << k, 12 << k};
+      c.model.cavitation_pressure = -1e12;  // never reached: a front would move by cells
+      place_journal(c, 0.6, 0.3);
+      const Solution s = solve_tier(c, Tier::isothermal);
+      REQUIRE(s.verdict.good());
+      load[k] = std::hypot(s.film.force[0], s.film.force[1]);
+      torque[k] = torque_of(s);
+    }
+    CAPTURE(static_cast<int>(spacing));
+    // three grids at a cell's size over the relief's length of an eighth and less
+    CHECK(std::abs(observed_order(load[0], load[1], load[2]) - 2.0) < 0.15);
+    CHECK(std::abs(observed_order(torque[0], torque[1], torque[2]) - 2.0) < 0.15);
+  }
 }

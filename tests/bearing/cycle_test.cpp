@@ -7,6 +7,7 @@
 
 #include "app/words/ending_words.hpp"
 #include "core/contract.hpp"
+#include "core/largest.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -122,6 +123,22 @@ TEST_CASE("ALoadThatTurnsIsASteadyLoadAtAnotherSpeed", "[cycle]") {
   }
   CHECK(pressure == Approx(steady.p_max).epsilon(0.02));
   CHECK(most / least < 1.01);  // the orbit is a circle
+}
+
+TEST_CASE("FilmsAreKeptAtTheInstantsThatTheCaseGives", "[cycle]") {
+  Case c = pulsed_case();
+  c.model.grid = {24, 5};
+  const double degree = kDegree / c.cycle->crank_speed;
+  // Not where steps end by themselves; the beginning counts, and so does the end.
+  c.cycle->fields_at = {0.0, 123.4 * degree, 361.7 * degree, c.cycle->period};
+  const CycleResult r = converged(c);
+  REQUIRE(r.frames.size() == 4);
+  for (std::size_t k = 0; k < 4; ++k) {
+    INFO("instant " << k);
+    CHECK(r.frames[k].t == Approx(c.cycle->fields_at[k]).margin(1e-12 * r.period));
+  }
+  // The cycle ends as it begins, to its closure.
+  CHECK(largest(r.frames[3].p) == Approx(largest(r.frames[0].p)).epsilon(1e-2));
 }
 
 TEST_CASE("WithFrontsKeptSharpALoadThatStandsStillGivesTheSteadyBearing", "[cycle]") {

@@ -1,0 +1,29 @@
+#pragma once
+/// What steady bearings and load cycles share when friction of two solutions is compared.
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "bearing/bracketed_root.hpp"
+#include "bearing/result.hpp"
+
+namespace shellback::bearing {
+
+/// Friction torque by its origin [N m]; NaN: not known.
+struct Torque {
+  double viscous = NAN;
+  double asperity = NAN;
+  [[nodiscard]] double total() const { return viscous + asperity; }
+};
+
+/// Closes the steps of viscous torque from `start` to `end` by the share of asperities. Where one
+/// of them is not known (it has no steady state, or its cycle was not found) only what is known
+/// stays: all of them together.
+void close_split(const Torque& start, const Torque& end, FrictionSplit& split);
+
+/// Film temperature at which `excess` of isothermal torque over the wanted one vanishes [K],
+/// searched on both sides of `guess`; NaN if there is none, or `excess` is NaN on the way.
+[[nodiscard]] double calibrated_temperature(const std::function<double(double)>& excess,
+                                            double guess, const BracketOptions& options);
+
+}  // namespace shellback::bearing

@@ -1,0 +1,44 @@
+#pragma once
+/// A bearing through one operation, held for a time: what a warm-up is and a course is made of.
+///
+/// Shell, housing and shaft come from the stretch before, or start at one temperature; the film,
+/// which forgets within milliseconds, begins anew. Under a steady load as in heat_march.hpp, over
+/// load cycles as in march_over_cycles.hpp from the orbit of the first cycle on.
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "bearing/heat_march.hpp"
+#include "bearing/march_over_cycles.hpp"
+
+namespace shellback::bearing {
+
+struct WarmUpOptions {
+  double T_start = 293.15;                               ///< of shell, housing and shaft [K]
+  double end = std::numeric_limits<double>::infinity();  ///< [s]; infinity: until at rest
+  double error = 0.2;  ///< of the wall temperatures in one step [K]
+};
+
+/// What goes from one stretch into the next; empty: there is none before.
+struct CarriedOver {
+  std::optional<Bodies> bodies;
+  std::shared_ptr<const Solids> solids;  ///< operators, under a steady load
+};
+
+/// Whether a stretch over load cycles ends early where walls move no more, or is passed to its end
+/// in sixteen steps at least: what backward Euler leaves there is then told to some per cent of the
+/// change within it.
+enum class StretchEnd { at_rest, in_time };
+
+/// Has each instant, counted from the beginning of the stretch; `stand` puts on a tape all that the
+/// next one depends on.
+using TellStretch = std::function<void(const Instant&, const std::function<void(Tape&)>& stand)>;
+
+/// Passes `options.end` of the operation of `c` in tier thd or tehd; a cycle must repeat itself.
+/// `last` is left at the last instant (over cycles its bearing alone). On from where the tape of
+/// `control.kept` stands, if one is under way.
+[[nodiscard]] MarchEnd pass_stretch(const Case& c, Tier tier, const WarmUpOptions& options,
+                                    StretchEnd ends, const SolveControl& control,
+                                    CarriedOver& carried, Solution& last, const TellStretch& tell);
+
+}  // namespace shellback::bearing

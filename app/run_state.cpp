@@ -19,7 +19,7 @@ using namespace hdf5;
 using Json = nlohmann::json;
 
 constexpr const char* kFormat = "shellback state";
-constexpr int kVersion = 5;  ///< of the order in which values stand on the tape
+constexpr int kVersion = 6;  ///< of the order in which values stand on the tape
 
 /// The bits of numbers, as text.
 std::string bits_of(const std::vector<double>& x) {
@@ -40,11 +40,21 @@ Json running_in_json(const bearing::RunningIn& r) {
 }
 
 const char* name_of(RunOf run) {
-  return run == RunOf::running_in ? "a running-in (run --running-in)" : "a load cycle (run)";
+  switch (run) {
+    case RunOf::running_in:
+      return "a running-in (run --running-in)";
+    case RunOf::warm_up:
+      return "a warm-up (run --transient)";
+    case RunOf::course:
+      return "a course (run --transient --speeds)";
+    case RunOf::load_cycle:
+      break;
+  }
+  return "a load cycle (run)";
 }
 
 /// All on which the numbers of a run depend.
-Json identity(const bearing::Case& c, RunOf run) {
+Json identity(const bearing::Case& c, RunOf run, const RunOptions& options) {
   const Provenance p = provenance(c);
   Json program{{"version", p.version}, {"git", p.git}, {"state", kVersion}};
   for (const auto& [name, version] : p.libraries) program[name] = version;
@@ -59,6 +69,7 @@ Json identity(const bearing::Case& c, RunOf run) {
   subject["equivalent_temperature"] = bearing::equivalent_temperature(c);  // by what was measured
   if (c.cycle) subject["load_cycle"]["crank_speed"] = c.cycle->crank_speed;
   if (run == RunOf::running_in) subject["running_in"] = running_in_json(*c.running_in);
+  for (const auto& [option, values] : options) subject[option] = bits_of(values);
   return {{"program", program}, {"run", name_of(run)}, {"case", subject}};
 }
 
@@ -129,11 +140,12 @@ std::string sum_of(const std::string& identity, const Tape::Content& kept) {
 
 }  // namespace
 
-std::string run_state(const bearing::Case& c, RunOf run, const Tape::Content& kept) {
+std::string run_state(const bearing::Case& c, RunOf run, const Tape::Content& kept,
+                      const RunOptions& options) {
   return file_bytes([&](hid_t file) {
     attribute(file, "format", std::string(kFormat));
     attribute(file, "title", c.title);
-    const std::string who = identity(c, run).dump();
+    const std::string who = identity(c, run, options).dump();
     attribute(file, "sum", sum_of(who, kept));
     dataset(file, "identity", H5T_NATIVE_CHAR, who.data(), {who.size()},
             {"-", "case and program, JSON", "", ""});
@@ -146,7 +158,8 @@ std::string run_state(const bearing::Case& c, RunOf run, const Tape::Content& ke
   });
 }
 
-Tape::Content read_run_state(const std::string& path, const bearing::Case& c, RunOf run) {
+Tape::Content read_run_state(const std::string& path, const bearing::Case& c, RunOf run,
+                             const RunOptions& options) {
   if (const std::string format = format_of(path); !format.empty() && format != kFormat) {
     throw FileError(
         fmt::format("{} is no state of a run but a {}; give the file that the "
@@ -168,7 +181,7 @@ Tape::Content read_run_state(const std::string& path, const bearing::Case& c, Ru
   const Json kept = Json::parse(r.identity, nullptr, false);
   if (!kept.is_object() || r.sum != sum_of(r.identity, r.kept))
     throw damaged("its check sum is wrong");
-  const Json now = identity(c, run);
+  const Json now = identity(c, run, options);
   if (kept.value("program", Json()) != now["program"]) {
     throw InputError("--resume",
                      fmt::format("{} was written by another version of shellback, whose numbers "

@@ -21,7 +21,7 @@ class KeptRun;
 struct SolveControl {
   std::function<void(const Progress&)> progress;  ///< may be empty
   const std::atomic<bool>* stop = nullptr;        ///< set from outside: end soon, keep the state
-  KeptRun* kept = nullptr;  ///< of load cycles and running-in: kept on the way (kept_run.hpp)
+  KeptRun* kept = nullptr;  ///< of all but steady states: kept on the way (kept_run.hpp)
   /// Work from which a search from cold is given up, if before its own bound (`most_work`) [cells].
   double most_work = std::numeric_limits<double>::infinity();
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/kept_run.hpp"
+#include "bearing/march_members.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 
@@ -72,13 +74,25 @@ class Course {
   Course(Tier tier, const WarmUpOptions& options, const SolveControl& control, CourseRun& run)
       : tier_(tier), options_(options), control_(control), run_(run) {}
 
+  /// How many stretches lie behind: of a run that is gone on with.
+  std::size_t take_up() {
+    begin_take_up(control_.kept, told_);
+    return run_.ends.size();
+  }
+
   /// True if the stretch was passed to its end.
   bool pass(const Stretch& s) {
     WarmUpOptions one = options_;
     one.end = s.duration;
     Solution now;
-    const MarchEnd end = pass_stretch(s.subject, tier_, one, StretchEnd::in_time, control_,
-                                      carried_, now, [this](const Instant& i) { tell(i); });
+    const MarchEnd end =
+        pass_stretch(s.subject, tier_, one, StretchEnd::in_time, control_, carried_, now,
+                     [this](Instant i, const std::function<void(Tape&)>& stand) {
+                       i.t += begun_;
+                       run_.instants.push_back(i);
+                       keep_between(control_.kept, told_, stand);
+                     });
+    keep_stopped(control_.kept, end.verdict);
     run_.end = end;
     run_.end.t += begun_;
     if (!end.verdict.good()) return false;
@@ -88,17 +102,13 @@ class Course {
   }
 
  private:
-  void tell(Instant i) {
-    i.t += begun_;
-    run_.instants.push_back(i);
-  }
-
   Tier tier_;
   const WarmUpOptions& options_;
   const SolveControl& control_;
   CourseRun& run_;
   double begun_ = 0.0;  ///< of the present stretch [s]
   CarriedOver carried_;
+  std::function<void(Tape&)> told_ = [this](Tape& tape) { tape(run_.instants, run_.ends, begun_); };
 };
 
 }  // namespace
@@ -117,9 +127,7 @@ CourseRun run_course(const std::vector<Stretch>& stretches, Tier tier, const War
   expect_course(stretches, tier);
   CourseRun run;
   Course course(tier, options, control, run);
-  for (const Stretch& s : stretches) {
-    if (!course.pass(s)) break;
-  }
+  for (std::size_t k = course.take_up(); k < stretches.size() && course.pass(stretches[k]);) ++k;
   return run;
 }
 

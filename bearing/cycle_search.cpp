@@ -179,6 +179,7 @@ void CycleSearch::ended(Tape& tape) {
   film_.members(tape, length_, steps_.longest / kSkinSteps);
   tape(periods_, cost_, now_, told_, closure_, heat_, response_, looked_, walls_, answered_);
   tape(wall_change_, r_);
+  if (tape.reads()) periods_.begin_next();
 }
 
 void CycleSearch::found(Tape& tape) { tape(now_, walls_, response_, looked_); }

@@ -44,6 +44,8 @@ class CycleSteps {
   void repeat(const CycleSteps& other);
   /// For a tape: where the period stands after its last step.
   void members(Tape& tape);
+  /// The period that a tape has brought back was passed to its end: the next one begins.
+  void begin_next() { brought_back_ = false; }
 
  private:
   /// The next corner that a step of dt would feel, or the end of the period.

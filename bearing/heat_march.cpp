@@ -10,11 +10,7 @@
 namespace shellback::bearing {
 namespace {
 
-/// Wall temperatures of an instant.
-struct Walls {
-  Field shell;
-  std::vector<double> shaft;
-};
+using Walls = MarchStand::Walls;
 
 /// Half the distance of the walls from where the last step's rate would have led them: the local
 /// error of backward Euler, as dt^2 T''/2 [K].
@@ -83,19 +79,16 @@ Instant instant_of(const Solution& s, double t, double dt) {
   return i;
 }
 
-MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
+MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
                     const SolveControl& control, const std::function<void(const Instant&)>& tell) {
-  constexpr int kCalm = 3;  // steps before one that was rejected is tried as long again
   const double still = kHeatUnit * ThermalOptions{}.tolerance;  // what one iteration may leave [K]
   const bool accurate = std::isfinite(o.error);
-  MarchEnd end;
-  double dt = o.first;
-  Walls rate;
+  auto& [bodies, end, dt, rate, calm] = stand;
+  if (dt == 0.0) dt = o.first;
   SolidStep last;
-  int calm = kCalm;  // steps since one was rejected
-  while (end.t < o.end && dt <= o.longest) {
+  while (!end.at_rest && end.t < o.end && dt <= o.longest) {
     const double length = std::min(dt, o.end - end.t);
-    HeatStep step{s.model.solids->step(length, state, &last), length,
+    HeatStep step{s.model.solids->step(length, bodies, &last), length,
                   film_enthalpy(s.model, s.film.columns.T)};
     const FilmEquilibrium film = s.film;
     const HeatState heat = s.heat;
@@ -120,19 +113,18 @@ MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& o,
     }
     if (error > o.error) ++end.jumps;
     rate = rate_of(now, before, length);
-    state = s.model.solids->state(s.heat.solids, &step.solids);
+    bodies = s.model.solids->state(s.heat.solids, &step.solids);
     end.t += length;
     last = std::move(step.solids);
-    if (tell) tell(instant_of(s, end.t, length));
     // Nearly half of all time has passed in one step, and nothing moved but by what the iteration
     // leaves.
     end.at_rest = accurate && length >= 0.4 * end.t && largest_move(now, before) < still;
-    if (end.at_rest) break;
     ++calm;
-    if (!accurate && calm > kCalm) dt /= kStepShorter;
+    if (!accurate && calm > MarchStand::kCalm) dt /= kStepShorter;
     // A step so much longer errs by the square of that.
     const bool easily = std::pow(kStepLonger, kStepOrderAnew) * error <= o.error;
     if (accurate && easily && calm > 1) dt *= kStepLonger;
+    if (tell) tell(instant_of(s, end.t, length));
   }
   end.verdict = {};
   end.at_rest = end.at_rest || dt > o.longest;

@@ -50,8 +50,25 @@ struct MarchEnd {
   int jumps = 0;
 };
 
-/// Marches `s` from its film and the walls' `state`, which is left at the last instant.
-[[nodiscard]] MarchEnd march_heat(Solution& s, SolidState& state, const MarchOptions& options,
+/// Where a march stands between two steps: with film and heat all that the next step depends on.
+struct MarchStand {
+  static constexpr int kCalm = 3;  ///< steps before one that was rejected is tried as long again
+  /// Temperatures of the walls, or how fast they change.
+  struct Walls {
+    Field shell;                ///< [K], [K/s]
+    std::vector<double> shaft;  ///< [K], [K/s]
+  };
+
+  SolidState bodies;
+  MarchEnd end{};    ///< so far
+  double dt = 0.0;   ///< next step [s]; 0: the march begins
+  Walls rate{};      ///< over the last step; empty: there was none
+  int calm = kCalm;  ///< steps since one was rejected
+};
+
+/// Marches `s` on from its film and heat; `stand` is left at the last instant. `tell` has each
+/// instant as soon as `stand` is there.
+[[nodiscard]] MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& options,
                                   const SolveControl& control,
                                   const std::function<void(const Instant&)>& tell = {});
 

@@ -59,15 +59,57 @@ bool KeptRun::due() const {
   return seconds(Clock::now() - kept_) >= wait;
 }
 
-void KeptRun::keep(const std::function<void(Tape&)>& search) {
-  const auto begin = Clock::now();
+Tape::Content KeptRun::written(const std::function<void(Tape&)>& search) {
   Tape tape;
-  double spent = spent_before_ + seconds(begin - begun_);
+  double spent = spent_before_ + seconds(Clock::now() - begun_);
   tape(ended_, grid_, cost_, coarser_grid_, coarser_, spent);
   search(tape);
-  save_(tape.content());
+  return tape.content();
+}
+
+void KeptRun::keep(const std::function<void(Tape&)>& search) {
+  const auto begin = Clock::now();
+  save_(written(search));
   kept_ = Clock::now();
   saving_s_ = seconds(kept_ - begin);
+}
+
+void KeptRun::note(const std::function<void(Tape&)>& search) {
+  noted_ = written(search);
+  if (due()) keep_noted();
+}
+
+void KeptRun::keep_noted() {
+  if (!noted_) return;
+  const auto begin = Clock::now();
+  save_(*noted_);
+  noted_.reset();
+  kept_ = Clock::now();
+  saving_s_ = seconds(kept_ - begin);
+}
+
+void begin_take_up(KeptRun* kept, const std::function<void(Tape&)>& search) {
+  if (kept != nullptr && kept->under_way() != nullptr) search(*kept->under_way());
+}
+
+bool take_up_noted(KeptRun* kept, const std::function<void(Tape&)>& search) {
+  if (kept == nullptr || kept->under_way() == nullptr) return false;
+  search(*kept->under_way());
+  kept->taken_up();
+  return true;
+}
+
+void keep_between(KeptRun* kept, const std::function<void(Tape&)>& first,
+                  const std::function<void(Tape&)>& rest) {
+  if (kept == nullptr) return;
+  kept->note([&](Tape& tape) {
+    first(tape);
+    rest(tape);
+  });
+}
+
+void keep_stopped(KeptRun* kept, const Verdict& verdict) {
+  if (kept != nullptr && verdict.status == Status::interrupted) kept->keep_noted();
 }
 
 }  // namespace shellback::bearing

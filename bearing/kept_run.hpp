@@ -1,6 +1,6 @@
 #pragma once
-/// What a run over load cycles, or a running-in, has found so far, kept so that it can be gone on
-/// with later.
+/// What a run over load cycles, a running-in or a warm-up has found so far, kept so that it can be
+/// gone on with later.
 ///
 /// A run solves cycles one after the other (the case's own, those of its bars). Kept are the
 /// results of those that have ended and the whole state of the one under way, after a step that it
@@ -51,8 +51,15 @@ class KeptRun {
   [[nodiscard]] bool due() const;
   /// Keeps the state that `search` writes.
   void keep(const std::function<void(Tape&)>& search);
+  /// The same where what follows cannot be undone when it is stopped: keeps it if it is time, else
+  /// notes it for keep_noted().
+  void note(const std::function<void(Tape&)>& search);
+  /// Keeps what was noted last, unless it is kept already.
+  void keep_noted();
 
  private:
+  Tape::Content written(const std::function<void(Tape&)>& search);
+
   using Clock = std::chrono::steady_clock;
 
   Save save_;
@@ -67,6 +74,19 @@ class KeptRun {
   Clock::time_point begun_ = Clock::now();  ///< the cycle under way, in this run
   Clock::time_point kept_ = Clock::now();
   double saving_s_ = 0.0;  ///< that the last saving has taken
+  std::optional<Tape::Content> noted_;
 };
+
+// For a run that notes; without `kept` they do nothing.
+
+/// Reads the first part of what was noted; take_up_noted() reads the rest.
+void begin_take_up(KeptRun* kept, const std::function<void(Tape&)>& search);
+/// Reads what `search` has noted, which is called once more; false: it has not.
+[[nodiscard]] bool take_up_noted(KeptRun* kept, const std::function<void(Tape&)>& search);
+/// Notes both parts, to be kept when it is time.
+void keep_between(KeptRun* kept, const std::function<void(Tape&)>& first,
+                  const std::function<void(Tape&)>& rest);
+/// Keeps what was noted if the run has been interrupted.
+void keep_stopped(KeptRun* kept, const Verdict& verdict);
 
 }  // namespace shellback::bearing

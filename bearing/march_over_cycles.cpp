@@ -53,16 +53,16 @@ Bodies uniform_bodies(const Solids& solids, double T) {
   return b;
 }
 
-MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, Bodies& bodies,
+MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarch& march,
                            const std::function<void(const Instant&)>& tell) {
   constexpr double kMost = 2.0;    // move of a wall until a cycle is passed again [K] (methods 3.5)
   constexpr double kStill = 0.05;  // what walls leave open where the cycle is periodic [K]
   const BearingModel& model = search.film().model();
   const Solids& solids = *model.solids;
-  MarchEnd end;
-  double dt = span.first;
+  auto& [bodies, end, dt] = march;
+  if (dt == 0.0) dt = span.first;
   SolidStep last;
-  while (end.t < span.duration) {
+  while (end.t < span.duration && !(end.at_rest && span.until_rest)) {
     if (!search.pass_between(bodies.walls)) {
       end.verdict = search.verdict();
       return end;
@@ -84,10 +84,10 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, Bodies& b
     last = std::move(step);
     bodies.walls = next.walls;
     end.t += dt;
-    tell(instant_after(search, next, end.t, dt));
+    const Instant instant = instant_after(search, next, end.t, dt);
     end.at_rest = dt >= 0.4 * end.t && move < kStill;
-    if (end.at_rest && span.until_rest) break;
     dt *= kStepLonger;  // halved again where it is too long: that costs no cycle
+    tell(instant);
   }
   return end;
 }

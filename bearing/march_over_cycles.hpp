@@ -29,9 +29,17 @@ struct MarchSpan {
   bool until_rest = true;  ///< ends early where walls move no more
 };
 
-/// Marches `bodies` under the cycle of `search`, which has begun. `tell` has each instant, counted
-/// from the beginning of the march.
-[[nodiscard]] MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, Bodies& bodies,
+/// Where a march stands between two steps: with the search all that the next step depends on.
+struct CycleMarch {
+  Bodies bodies;
+  MarchEnd end{};   ///< so far
+  double dt = 0.0;  ///< next step [s]; 0: the march begins
+};
+
+/// Goes on with `march` under the cycle of `search`, which has begun. `tell` has each instant,
+/// counted from the beginning of the march, as soon as `march` is there.
+[[nodiscard]] MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span,
+                                         CycleMarch& march,
                                          const std::function<void(const Instant&)>& tell);
 
 }  // namespace shellback::bearing

@@ -3,35 +3,58 @@
 #include <algorithm>
 
 #include "bearing/first_film.hpp"
+#include "bearing/kept_run.hpp"
+#include "bearing/march_members.hpp"
 
 namespace shellback::bearing {
 namespace {
 
 MarchEnd over_cycles(const Case& c, Tier tier, const WarmUpOptions& o, StretchEnd ends,
                      const SolveControl& control, CarriedOver& carried, Solution& last,
-                     const std::function<void(const Instant&)>& tell) {
+                     const TellStretch& tell) {
   constexpr double kSteps = 16.0;  // of a stretch at least: see the header
-  CycleSearch search(c, tier, control);
-  search.begin(c.supplies.front().temperature);
+  SolveControl within = control;   // of each cycle; kept is what lies between them
+  within.kept = nullptr;
+  CycleSearch search(c, tier, within);
   last.model = search.film().model();
-  if (!carried.bodies) carried.bodies = uniform_bodies(*last.model.solids, o.T_start);
+  CycleMarch march;
+  const auto members = [&](Tape& tape) {
+    tape(march);
+    search.ended(tape);
+  };
   MarchSpan span;
   span.duration = o.end;
   span.first = span.shortest = c.cycle->length();
   span.until_rest = ends == StretchEnd::at_rest;
   if (!span.until_rest) span.longest = std::max(span.shortest, o.end / kSteps);
-  // The orbit is found before its heat counts.
-  MarchEnd end;
-  if (!search.pass_between(carried.bodies->walls)) {
-    end.verdict = search.verdict();
-    return end;
+  if (!take_up_noted(control.kept, members)) {
+    search.begin(c.supplies.front().temperature);
+    march.bodies = carried.bodies ? *carried.bodies : uniform_bodies(*last.model.solids, o.T_start);
+    // The orbit is found before its heat counts.
+    if (!search.pass_between(march.bodies.walls)) return {search.verdict()};
   }
-  return march_over_cycles(search, span, *carried.bodies, tell);
+  MarchEnd end =
+      march_over_cycles(search, span, march, [&](const Instant& i) { tell(i, members); });
+  last.model = search.film().model();
+  carried.bodies = std::move(march.bodies);
+  return end;
+}
+
+/// Between the bodies as they stand.
+Verdict begin_film(const SolidState& bodies, double T_cold, const SolveControl& control,
+                   Solution& s) {
+  const SolidTemperature walls = s.model.solids->at(bodies);
+  s.heat = cold_heat(s.model, T_cold);
+  s.heat.T_shell = walls.shell.surface;
+  s.heat.T_shaft = walls.shaft.temperature;
+  if (s.model.physics.thermal_deformation) s.heat.thermal_deformation = walls.thermal_deformation;
+  s.T_film = s.model.input.supplies.front().temperature;
+  return first_film(s, s.T_film, control);
 }
 
 MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
                          const SolveControl& control, CarriedOver& carried, Solution& s,
-                         const std::function<void(const Instant&)>& tell) {
+                         const TellStretch& tell) {
   const Physics physics = physics_of(c, tier);
   s.target = load_target(c);
   s.model = make_bearing(c, physics, c.model.grid);
@@ -42,26 +65,25 @@ MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
     carried.bodies = uniform_bodies(*carried.solids, o.T_start);
   }
   s.model.solids = carried.solids;
-  const SolidTemperature walls = s.model.solids->at(carried.bodies->state);
-  s.heat = cold_heat(s.model, o.T_start);
-  s.heat.T_shell = walls.shell.surface;
-  s.heat.T_shaft = walls.shaft.temperature;
-  if (physics.thermal_deformation) s.heat.thermal_deformation = walls.thermal_deformation;
-  s.T_film = c.supplies.front().temperature;
-  MarchEnd end;
-  end.verdict = first_film(s, s.T_film, control);
-  if (!end.verdict.good()) return end;
+  MarchStand stand{carried.bodies->state};
+  const auto members = [&](Tape& tape) { tape(s, stand); };
+  if (!take_up_noted(control.kept, members)) {
+    const Verdict film = begin_film(stand.bodies, o.T_start, control, s);
+    if (!film.good()) return {film};
+  }
   MarchOptions march;
   march.end = o.end;
   march.error = o.error;
-  return march_heat(s, carried.bodies->state, march, control, tell);
+  MarchEnd end = march_heat(s, stand, march, control, [&](const Instant& i) { tell(i, members); });
+  carried.bodies->state = std::move(stand.bodies);
+  return end;
 }
 
 }  // namespace
 
 MarchEnd pass_stretch(const Case& c, Tier tier, const WarmUpOptions& options, StretchEnd ends,
                       const SolveControl& control, CarriedOver& carried, Solution& last,
-                      const std::function<void(const Instant&)>& tell) {
+                      const TellStretch& tell) {
   return c.cycle ? over_cycles(c, tier, options, ends, control, carried, last, tell)
                  : steadily_loaded(c, tier, options, control, carried, last, tell);
 }

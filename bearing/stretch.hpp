@@ -30,12 +30,15 @@ struct CarriedOver {
 /// change within it.
 enum class StretchEnd { at_rest, in_time };
 
+/// Has each instant, counted from the beginning of the stretch; `stand` puts on a tape all that the
+/// next one depends on.
+using TellStretch = std::function<void(const Instant&, const std::function<void(Tape&)>& stand)>;
+
 /// Passes `options.end` of the operation of `c` in tier thd or tehd; a cycle must repeat itself.
-/// `last` is left at the last instant (over cycles its bearing alone), `tell` has each, counted
-/// from the beginning of the stretch.
+/// `last` is left at the last instant (over cycles its bearing alone). On from where the tape of
+/// `control.kept` stands, if one is under way.
 [[nodiscard]] MarchEnd pass_stretch(const Case& c, Tier tier, const WarmUpOptions& options,
                                     StretchEnd ends, const SolveControl& control,
-                                    CarriedOver& carried, Solution& last,
-                                    const std::function<void(const Instant&)>& tell);
+                                    CarriedOver& carried, Solution& last, const TellStretch& tell);
 
 }  // namespace shellback::bearing

@@ -47,8 +47,8 @@ Verdict solve_isothermal(Solution& s, bool warm, const SolveControl& control) {
 Verdict warm_up(Solution& s, const ThermalOptions& options, const SolveControl& control) {
   MarchOptions march;
   march.heat = options_of(Accuracy::way_point, true);
-  SolidState state = s.model.solids->uniform_state(supply_temperature(s));
-  const MarchEnd end = march_heat(s, state, march, control);
+  MarchStand stand{s.model.solids->uniform_state(supply_temperature(s))};
+  const MarchEnd end = march_heat(s, stand, march, control);
   if (!end.verdict.good()) return end.verdict;
   return solve_heat(s, options, control);
 }
@@ -63,8 +63,8 @@ MarchEnd transient_beyond(Solution& s, const Branch& branch, const SolveControl&
   march.error = kTransientError;
   march.shortest = kTransientShortest;
   march.heat = options_of(Accuracy::way_point, true);
-  SolidState state = s.model.solids->state(s.heat.solids);
-  const MarchEnd end = march_heat(s, state, march, control);
+  MarchStand stand{s.model.solids->state(s.heat.solids)};
+  const MarchEnd end = march_heat(s, stand, march, control);
   of.take(1.0);
   return end;
 }

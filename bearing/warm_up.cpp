@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/kept_run.hpp"
+#include "bearing/march_members.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 
@@ -28,9 +30,15 @@ WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& o, const SolveCont
                      "period");
   }
   WarmUp out;
+  const auto told = [&](Tape& tape) { tape(out.instants); };
+  begin_take_up(control.kept, told);
   CarriedOver none;
   out.end = pass_stretch(c, tier, o, StretchEnd::at_rest, control, none, out.solution,
-                         [&](const Instant& i) { out.instants.push_back(i); });
+                         [&](const Instant& i, const std::function<void(Tape&)>& stand) {
+                           out.instants.push_back(i);
+                           keep_between(control.kept, told, stand);
+                         });
+  keep_stopped(control.kept, out.end.verdict);
   out.solution.verdict = out.end.verdict;
   return out;
 }

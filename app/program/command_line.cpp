@@ -283,12 +283,13 @@ void add_run(CLI::App& app, Request& request) {
       ->type_name("FILE.html");
   run->add_option(
          "--state", request.state,
-         "where a load cycle or a running-in keeps its state on the way (default: beside its "
-         "first file, NAME.state)")
+         "where a load cycle, a running-in or a transient keeps its state on the way (default: "
+         "beside its first file, NAME.state)")
       ->type_name("FILE");
   run->add_flag(
       "--resume", request.resume,
-      "go on from the state of a load cycle or running-in that was interrupted or killed");
+      "go on from the state of a load cycle, running-in or transient that was interrupted or "
+      "killed");
 }
 
 void add_compare(CLI::App& app, Request& request) {

@@ -8,6 +8,7 @@
 #include "app/case_text.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
+#include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
 #include "app/units.hpp"
@@ -54,17 +55,30 @@ std::vector<Stretch> stretches_of(const Request& request, const std::string& tex
   return stretches;
 }
 
+/// What is not that of the first stretch's case.
+RunOptions run_options(const std::vector<Stretch>& stretches, const WarmUpOptions& options) {
+  std::vector<double> speeds;
+  for (const Stretch& s : stretches) speeds.push_back(s.subject.operation.omega);
+  return {{"--from", {options.T_start}},
+          {"--speeds", speeds},
+          {"--hold", {stretches.front().duration}}};
+}
+
 }  // namespace
 
 int course(const Request& request, const WarmUpOptions& options) {
   const std::string text = read_text_file(request.case_file);
   const std::vector<Stretch> stretches = stretches_of(request, text);
   const Case& first = stretches.front().subject;
-  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
+  RunKeeper keeper(request, first, RunOf::course, run_options(stretches, options));
+  Outputs outputs(with_state(request),
+                  files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(first);
   const CourseRun run = [&] {
     ProgressLine line;
-    return run_course(stretches, first.model.tier, options, control_for(line));
+    SolveControl control = control_for(line);
+    control.kept = keeper.kept();
+    return run_course(stretches, first.model.tier, options, control);
   }();
   if (request.json != "-") write_course_table(std::cout, stretches, run);
   if (!run.end.verdict.good()) {
@@ -74,7 +88,9 @@ int course(const Request& request, const WarmUpOptions& options) {
   }
   outputs.give("--json", [&] { return course_json(stretches, options, run); });
   outputs.give("--picture", [&] { return course_svg(stretches, run); });
-  return outputs.code(code_of(run.end.verdict));
+  const int code = outputs.code(code_of(run.end.verdict));
+  keeper.end(code);
+  return code;
 }
 
 }  // namespace shellback::program

@@ -68,8 +68,9 @@ void expect_steady(const Request& request) {
                      "the case");
   }
   if (request.resume || !request.state.empty()) {
-    throw InputError(request.resume ? "--resume" : "--state",
-                     "belongs to a load cycle or a running-in; a steady state is solved anew");
+    throw InputError(
+        request.resume ? "--resume" : "--state",
+        "belongs to a load cycle, a running-in or a transient; a steady state is solved anew");
   }
   if (!request.page.empty()) {
     throw InputError("--page",

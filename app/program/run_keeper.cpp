@@ -11,6 +11,7 @@
 namespace shellback::program {
 
 using namespace app;
+using bearing::KeptRun;
 
 std::string state_path(const Request& request) {
   if (!request.state.empty()) return request.state;
@@ -26,7 +27,8 @@ Request with_state(Request request) {
   return request;
 }
 
-RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject, RunOf run)
+RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject, RunOf run,
+                     const RunOptions& options)
     : path_(state_path(request)) {
   if (path_.empty() && request.resume) {
     throw InputError("--resume",
@@ -34,8 +36,12 @@ RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject, RunOf
                      "the run that was interrupted");
   }
   if (path_.empty()) return;
-  const auto saved = [this, &subject, run](const Tape::Content& state) {
-    save(subject, run, state);
+  save_ = [this, &subject, run, options] {
+    write([&](const Tape::Content& kept) { return run_state(subject, run, kept, options); });
+  };
+  const auto saved = [this](const Tape::Content& state) {
+    parts_.run = state;
+    save_();
   };
   std::error_code error;
   const bool there = std::filesystem::exists(path_, error);
@@ -44,15 +50,35 @@ RunKeeper::RunKeeper(const Request& request, const bearing::Case& subject, RunOf
     run_.emplace(saved);
     return;
   }
-  run_.emplace(saved, read_run_state(path_, subject, run));
+  Tape kept(read_run_state(path_, subject, run, options));
+  kept(parts_);
+  if (!kept.ended()) throw FileError(path_ + " goes on after all of it is read");
+  run_.emplace(saved, parts_.run);
   of_this_run_ = true;
   std::cerr << "note: the run goes on from " << path_ << "\n";
 }
 
-void RunKeeper::save(const bearing::Case& subject, RunOf run, const Tape::Content& state) {
+KeptRun* RunKeeper::next() {
+  if (!run_) return nullptr;
+  run_->keep_noted();
+  const auto saved = [this](const Tape::Content& state) {
+    parts_.next = state;
+    save_();
+  };
+  if (parts_.next.counts.empty()) {
+    next_.emplace(saved);
+  } else {
+    next_.emplace(saved, parts_.next);
+  }
+  return &*next_;
+}
+
+void RunKeeper::write(const std::function<std::string(const Tape::Content&)>& file) {
   if (lost_) return;
   try {
-    write_file(path_, run_state(subject, run, state));
+    Tape kept;
+    kept(parts_);
+    write_file(path_, file(kept.content()));
     of_this_run_ = true;
   } catch (const FileError& why) {  // the run itself is none the worse for it
     lost_ = true;
@@ -60,7 +86,8 @@ void RunKeeper::save(const bearing::Case& subject, RunOf run, const Tape::Conten
   }
 }
 
-void RunKeeper::end(int code) const {
+void RunKeeper::end(int code) {
+  if (run_ && (code == kInterrupted || code == kBadFile)) run_->keep_noted();
   if (!of_this_run_) {  // a file that is there is another run's, and stays
     if (run_ && code == kInterrupted) {
       std::cerr << "note: nothing had been found yet: the run keeps no state\n";

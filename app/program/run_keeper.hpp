@@ -1,6 +1,7 @@
 #pragma once
-/// The state of a run over load cycles, or of a running-in, in its file: written on the way, gone
-/// on with, taken away at the end.
+/// The state of a run over load cycles, of a running-in, a warm-up or a course in its file: written
+/// on the way, gone on with, taken away at the end.
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -22,21 +23,33 @@ class RunKeeper {
  public:
   /// With --resume goes on from the file, if there is one. Throws InputError for a state of another
   /// case, FileError for one that is damaged.
-  RunKeeper(const Request& request, const bearing::Case& subject, app::RunOf run);
+  /// `options`: of the run, beside the case.
+  RunKeeper(const Request& request, const bearing::Case& subject, app::RunOf run,
+            const app::RunOptions& options = {});
 
   /// For SolveControl; none: nothing is kept.
   [[nodiscard]] bearing::KeptRun* kept() { return run_ ? &*run_ : nullptr; }
+  /// For a search that follows when that run has ended; the state in which it did stays kept.
+  [[nodiscard]] bearing::KeptRun* next();
   /// Takes the file away, unless the run was interrupted or one of its files was lost (`code`):
   /// then tells how to go on.
-  void end(int code) const;
+  void end(int code);
 
  private:
-  void save(const bearing::Case& subject, app::RunOf run, const Tape::Content& state);
+  /// What the file keeps.
+  struct Kept {
+    Tape::Content run;
+    Tape::Content next;  ///< empty: not begun
+  };
+  /// Writes the file.
+  void write(const std::function<std::string(const Tape::Content&)>& file);
 
   std::string path_;
-  bool lost_ = false;  ///< the file cannot be written
+  bool lost_ = false;         ///< the file cannot be written
   bool of_this_run_ = false;  ///< the file is no older run's
-  std::optional<bearing::KeptRun> run_;
+  Kept parts_;
+  std::function<void()> save_;
+  std::optional<bearing::KeptRun> run_, next_;
 };
 
 }  // namespace shellback::program

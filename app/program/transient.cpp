@@ -7,6 +7,7 @@
 #include "app/case_text.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
+#include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
 #include "app/units.hpp"
@@ -39,8 +40,7 @@ void expect_written(const Request& request) {
   for (const auto& [option, asked] :
        {std::pair{"-o", !request.output.empty()}, std::pair{"--coefficients", request.coefficients},
         std::pair{"--coefficients-table", !request.coefficients_table.empty()},
-        std::pair{"--page", !request.page.empty()}, std::pair{"--state", !request.state.empty()},
-        std::pair{"--resume", request.resume}}) {
+        std::pair{"--page", !request.page.empty()}}) {
     if (!asked) continue;
     throw InputError(option,
                      "a transient writes --json and --picture; leave out --transient for the "
@@ -59,6 +59,12 @@ WarmUpOptions options_of(const Request& request) {
   }
   if (!(o.end > 0.0)) throw InputError("--until", "the time is not positive");
   return o;
+}
+
+/// The steady or the periodic state, in which a warm-up ends.
+Result steady_state(const Case& subject, SolveControl control, RunKeeper& keeper) {
+  control.kept = subject.cycle ? keeper.next() : nullptr;  // none of a steady one is kept
+  return fidelity::solve_case(subject, control);
 }
 
 void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
@@ -104,18 +110,24 @@ int transient(const Request& request) {
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   const WarmUpOptions options = options_of(request);
-  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
+  RunKeeper keeper(request, subject, RunOf::warm_up,
+                   {{"--from", {options.T_start}}, {"--until", {options.end}}});
+  Outputs outputs(with_state(request),
+                  files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
   ProgressLine progress;
-  const SolveControl control = control_for(progress);
+  SolveControl control = control_for(progress);
+  control.kept = keeper.kept();
   const WarmUp run = warm_up(subject, subject.model.tier, options, control);
   if (run.instants.empty()) {
     std::cerr << "error: transient: " << reason_of(run.end.verdict) << "\n";
     outputs.give("--json", [&] { return warm_up_json(subject, run, options, {}); });
-    return outputs.code(code_of(run.end.verdict));
+    const int code = outputs.code(code_of(run.end.verdict));
+    keeper.end(code);
+    return code;
   }
   const bool stopped = run.end.verdict.status == Status::interrupted;
-  const Result steady = stopped ? Result{} : fidelity::solve_case(subject, control);
+  const Result steady = stopped ? Result{} : steady_state(subject, control, keeper);
   if (request.json != "-") print_warm_up(subject, run, steady);
   if (!run.end.verdict.good()) {
     std::cerr << fmt::format("error: transient: ended after {:.4g} s: {}\n", run.end.t,
@@ -123,7 +135,11 @@ int transient(const Request& request) {
   }
   outputs.give("--json", [&] { return warm_up_json(subject, run, options, steady); });
   outputs.give("--picture", [&] { return warm_up_svg(subject, run, steady); });
-  return outputs.code(code_of(run.end.verdict));
+  const bool late = run.end.verdict.good() && steady.verdict.status == Status::interrupted;
+  if (late) tell_verdict(steady);
+  const int code = outputs.code(code_of(late ? steady.verdict : run.end.verdict));
+  keeper.end(code);
+  return code;
 }
 
 }  // namespace shellback::program

@@ -164,6 +164,61 @@ TEST_CASE("AStateIsOfOneCaseAndWholeOrRefused") {
   CHECK_FALSE(fs::exists(run.state));
 }
 
+TEST_CASE("AWarmUpThatIsInterruptedEndsAsOneThatIsNot") {
+  const ScratchFolder scratch;
+  const std::string err = scratch.path("err");
+  const auto start = [&](const std::string& json, const Words& more) {
+    Words words{"run",        case_path("thd-plain-bearing").string(),
+                "--set",      "model.grid=[60,9]",
+                "--json",     json,
+                "--transient"};
+    words.insert(words.end(), more.begin(), more.end());
+    return Process(words, scratch.path("out"), err);
+  };
+  const Words till{"--until", "2000 s"};
+  const std::string whole = scratch.path("whole.json");
+  REQUIRE(start(whole, till).wait() == kDone);
+  const std::string cut = scratch.path("cut.json");
+  const std::string state = cut + ".state";
+  for (int k = 0; k < 100 && !fs::exists(state); ++k) {
+    const Process process = start(cut, till);
+    const auto end = Clock::now() + std::chrono::seconds(20);
+    while (!fs::exists(state) && !process.ended() && Clock::now() < end) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ::kill(process.pid(), SIGINT);
+    const int code = process.wait();
+    if (code != kDone) CHECK(code == kInterrupted);
+  }
+  REQUIRE(fs::exists(state));
+  check_parts(text_of(err), {state, "--resume"});
+
+  CHECK(start(cut, {"--resume", "--until", "1000 s"}).wait() == kBadInput);
+  check_parts(text_of(err), {"another case", "--until"});
+  CHECK(start(cut, {"--resume", "--speeds", "2000 rpm", "--hold", "2000 s"}).wait() == kBadInput);
+  check_parts(text_of(err), {"state of a warm-up", "this is a course"});
+  CHECK(start(cut, {"--resume", "--until", "2000 s"}).wait() == kDone);
+  check_parts(text_of(err), {"goes on from", state});
+  CHECK_FALSE(fs::exists(state));
+  nlohmann::json a = result(cut);
+  nlohmann::json b = result(whole);
+  CHECK(a == b);
+}
+
+TEST_CASE("AStateOfACourseIsOfItsSpeeds") {
+  const ScratchFolder scratch;
+  const bearing::Case c = read_case(case_path("thd-plain-bearing").string(), {});
+  const auto speeds = [](double second) {
+    return RunOptions{{"--speeds", {100.0, second}}, {"--hold", {60.0}}};
+  };
+  const std::string path =
+      scratch.write("s", run_state(c, RunOf::course, {{1.0}, {2}, "x"}, speeds(200.0)));
+  CHECK(read_run_state(path, c, RunOf::course, speeds(200.0)).text == "x");
+  CHECK_THROWS_WITH(read_run_state(path, c, RunOf::course, speeds(201.0)),
+                    Catch::Contains("--speeds differ"));
+  CHECK_THROWS_WITH(read_run_state(path, c, RunOf::warm_up), Catch::Contains("state of a course"));
+}
+
 TEST_CASE("AStateIsOfOneKindOfRun") {
   const ScratchFolder scratch;
   bearing::Case c = read_case(case_path("running-in-cycle").string(), {});
@@ -199,6 +254,34 @@ TEST_CASE("AStateOfAnotherRunStaysUntilThisOneHasItsOwn") {
   CHECK(fs::exists(path));
   keeper.end(kDone);
   CHECK_FALSE(fs::exists(path));
+}
+
+TEST_CASE("ASearchThatFollowsIsKeptBesideWhatItFollows") {
+  const ScratchFolder scratch;
+  const bearing::Case c = read_case(case_path("running-in-cycle").string(), {});
+  Request request;
+  request.json = scratch.path("a.json");
+  request.resume = true;
+  double x = 0.0;
+  const auto members = [&](Tape& tape) { tape(x); };
+  const auto number_in = [&](bearing::KeptRun* kept) {
+    x = 0.0;
+    return bearing::take_up_noted(kept, members) ? x : 0.0;
+  };
+  {
+    RunKeeper keeper(request, c, RunOf::warm_up);
+    x = 3.0;
+    keeper.kept()->keep(members);
+    x = 4.0;
+    keeper.kept()->note(members);  // too soon for the file
+    bearing::KeptRun* next = keeper.next();
+    CHECK(number_in(next) == 0.0);
+    x = 5.0;
+    next->keep(members);
+  }
+  RunKeeper keeper(request, c, RunOf::warm_up);
+  CHECK(number_in(keeper.kept()) == 4.0);
+  CHECK(number_in(keeper.next()) == 5.0);
 }
 
 TEST_CASE("ARunWithoutAStateSaysSo") {

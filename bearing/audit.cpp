@@ -11,32 +11,33 @@ namespace {
 constexpr double kPasses = 1e-7;
 
 double mass(const Solution& s) {
-  const auto flows = fluid::oil_flows(s.model.scene, s.film.flow);
-  const double round = kPasses * fluid::flow_scale(s.model.scene, s.film.flow);
+  const auto flows = fluid::oil_flows(s.point.scene, s.film.flow);
+  const double round = kPasses * fluid::flow_scale(s.point.scene, s.film.flow);
   const double scale = std::max({std::abs(flows.supply), std::abs(flows.side), round});
   return scale > 0.0 ? std::abs(flows.supply - flows.side - flows.stored) / scale : 0.0;
 }
 
 double energy(const Solution& s, const Friction& f) {
   if (!s.model.physics.film_energy || !s.heat.known()) return NAN;
-  const double twice = s.model.scene.grid.multiplicity();
+  const double twice = s.model.domain.grid.multiplicity();
   const auto& b = s.heat.balance;
-  const double power = (f.viscous + f.asperity) * s.model.input.operation.omega;
+  const double power = (f.viscous + f.asperity) * s.point.omega();
   // The walls' share as the solids took it up (asperity heat included), not as the film gave it.
   const double gone = twice * (b.carried_out - b.carried_in) + s.heat.solids.shell.heat_in +
                       s.heat.solids.shaft.heat_in;
-  return std::abs(power + pump_power(s.model, s.film) - gone) / std::abs(power);
+  return std::abs(power + pump_power(s.model, s.point, s.film) - gone) / std::abs(power);
 }
 
 double load(const Solution& s) {
-  if (s.target.unknowns == 0) return NAN;
-  return std::hypot(s.film.force[0] - s.target.force[0], s.film.force[1] - s.target.force[1]) /
-         s.target.scale();
+  if (s.point.load.unknowns == 0) return NAN;
+  return std::hypot(s.film.force[0] - s.point.load.force[0],
+                    s.film.force[1] - s.point.load.force[1]) /
+         s.point.load.scale();
 }
 
 /// - int p dhT/dphi dA over the film, the mean gap hT as the film equation has it at the faces.
 double pressure_moment(const Solution& s) {
-  const fluid::FilmScene& scene = s.model.scene;
+  const fluid::FilmScene& scene = s.point.scene;
   const FilmGrid& g = scene.grid;
   const Field& profile = s.model.profile;
   const auto mean_gap = [&](int face, int side) {

@@ -97,14 +97,13 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   if (!physics.pressure_dependence) m.oil = rheology::without_pressure_effect(m.oil);
   if (!physics.shear_thinning) m.oil = rheology::without_shear_thinning(m.oil);
   const auto patches = patches_of(c);
-  fluid::FilmScene& s = m.scene;
+  fluid::FilmDomain& s = m.domain;
   s.grid =
       make_grid(c.bearing.radius, c.bearing.width, grid[0], grid[1], symmetric_about_mid_width(c),
                 fluid::phi_edges(patches), fluid::z_edges(patches),
                 axial_spacing(c) == AxialSpacing::graded ? kEdgeGrading : 0.0);
   s.angles = fluid::Angles(s.grid);
-  s.supply = fluid::map_supplies(s.grid, patches);
-  s.speed = c.operation.omega * c.bearing.radius;
+  m.supply = fluid::map_supplies(s.grid, patches);
   s.p_cavitation = c.model.cavitation_pressure;
   s.p_edge = std::max(0.0, s.p_cavitation);
   s.edges = c.model.edges == Edges::dry ? fluid::SideEdges::dry : fluid::SideEdges::flooded;
@@ -123,7 +122,6 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
     contact.hardness = hardness_of_contact(c);
     m.contact.emplace(c.surfaces.shell, c.surfaces.shaft, contact);
   }
-  if (physics.elastic) m.layer = pressed_layer(c, s.grid.cells());
   const SolidEffects wanted{physics.elastic, physics.film_energy, physics.thermal_deformation};
   if (wanted.elastic || wanted.heat) {
     m.solids = solids && solids->serve(c, s.grid, wanted)
@@ -135,14 +133,14 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
 
 fluid::Gap gap_at(const BearingModel& m, const fluid::JournalPosition& position,
                   const Field& displacement) {
-  return fluid::film_gap(m.scene.grid, m.scene.angles, m.clearance, position, displacement,
+  return fluid::film_gap(m.domain.grid, m.domain.angles, m.clearance, position, displacement,
                          m.profile, m.shape.cell.empty() ? nullptr : &m.shape);
 }
 
 Field shear_gap(const BearingModel& model, const Field& h) {
-  if (model.scene.rough.sigma <= 0.0) return h;
+  if (model.domain.rough.sigma <= 0.0) return h;
   fluid::GapTransport gap;
-  fluid::gap_transport(model.scene.rough, h, gap);
+  fluid::gap_transport(model.domain.rough, h, gap);
   return std::move(gap.average_gap);
 }
 

@@ -1,12 +1,11 @@
 #pragma once
-/// A case made ready to solve: grid, scene, oil, contact, solids; fixed for one geometry.
+/// A case made ready to solve: grid, oil, contact, solids; fixed for one geometry.
 #include <functional>
 #include <memory>
 #include <optional>
 
 #include "bearing/case.hpp"
 #include "bearing/physics.hpp"
-#include "bearing/pressed_layer.hpp"
 #include "core/gauss_lobatto.hpp"
 #include "fluid/film_flux.hpp"
 #include "fluid/resultants.hpp"
@@ -16,20 +15,21 @@ namespace shellback::bearing {
 
 class Solids;
 
-/// Everything that stays the same while one operating point is solved.
+/// A bearing: what no solve changes. What it is asked to do is its OperatingPoint
+/// (operating_point.hpp).
 struct BearingModel {
   Case input;
   Physics physics;
   CrossFilmNodes gl;
-  fluid::FilmScene scene;
-  Field profile;           ///< designed deviation of the shell per cell; empty: none [m]
-  fluid::Gap shape;        ///< the same where it is smooth; empty: a cylinder [m]
-  double clearance = 0.0;  ///< cold radial clearance [m]
-  rheology::Oil oil;       ///< with the switched-off effects taken out
+  fluid::FilmDomain domain;
+  fluid::SupplyMap supply;  ///< as the case gives it; drillings and vessels move it in time
+  Field profile;            ///< designed deviation of the shell per cell; empty: none [m]
+  fluid::Gap shape;         ///< the same where it is smooth; empty: a cylinder [m]
+  double clearance = 0.0;   ///< cold radial clearance [m]
+  rheology::Oil oil;        ///< with the switched-off effects taken out
   std::optional<solid::AsperityContact> contact;
   std::shared_ptr<const Solids> solids;  ///< set if the physics needs them
   fluid::CavitatedShear shear_rule = fluid::CavitatedShear::filled;
-  std::optional<PressedLayer> layer;  ///< none: no elasto-plastic layer, or rigid surfaces
 };
 
 /// As the case says; otherwise graded where surfaces can touch under a load that stands still,

@@ -34,10 +34,10 @@ Workspace& workspace() {
 
 }  // namespace
 
-BorderedFilm::BorderedFilm(const BearingModel& model, const FilmEquilibrium& s, int journal,
-                           RingFactor& factor, EquilibriumCost& cost)
-    : model_(model), s_(s), m_(journal), factor_(factor) {
-  const fluid::FilmScene& scene = model.scene;
+BorderedFilm::BorderedFilm(const BearingModel& model, const fluid::FilmScene& scene,
+                           const FilmEquilibrium& s, int journal, RingFactor& factor,
+                           EquilibriumCost& cost)
+    : scene_(scene), s_(s), m_(journal), factor_(factor) {
   const FilmGrid& g = scene.grid;
   const int n = g.cells();
   RingMatrix& matrix = workspace().matrix;
@@ -80,7 +80,7 @@ BorderedFilm::BorderedFilm(const BearingModel& model, const FilmEquilibrium& s, 
 }
 
 BorderedFilm::Answer BorderedFilm::held(const Field& a, const Field& b) const {
-  const int n = model_.scene.grid.cells();
+  const int n = scene_.grid.cells();
   Answer x;
   x.u = a.empty() ? Field(n, 0.0) : a;
   x.P.assign(n, 0.0);
@@ -92,7 +92,7 @@ BorderedFilm::Answer BorderedFilm::held(const Field& a, const Field& b) const {
   x.d.assign(n, 0.0);
   if (!b.empty()) {
     for (int k = 0; k < n; ++k) x.d[k] = kappa_[k] * b[k];
-    const Field moved = fluid::residual_by_gap(model_.scene, s_.flow, x.d);
+    const Field moved = fluid::residual_by_gap(scene_, s_.flow, x.d);
     for (int k = 0; k < n; ++k) x.u[k] -= moved[k];
   }
   factor_.solve(x.u.data());
@@ -119,14 +119,14 @@ void BorderedFilm::move(const std::array<double, 4>& dq, Answer& x) const {
 }
 
 std::array<std::array<double, 4>, 4> BorderedFilm::stiffness(const std::vector<char>& full) const {
-  const FilmGrid& g = model_.scene.grid;
+  const FilmGrid& g = scene_.grid;
   std::array<std::array<double, 4>, 4> out{};
   for (int l = 0; l < m_; ++l) {
     Field P = response_[l].P;
     for (int k = 0; k < g.cells(); ++k) {
       if (s_.film.full[k] && !full[k]) P[k] -= response_[l].u[k];  // it will be cavitated
     }
-    const fluid::Wrench w = fluid::wrench(model_.scene, P);
+    const fluid::Wrench w = fluid::wrench(scene_, P);
     for (int k = 0; k < 4; ++k) out[k][l] = w[k];
   }
   return out;
@@ -186,23 +186,23 @@ struct Movement {
 
 /// The border: S dq - (k dq) - F_wanted d(ln load) = aim, and the row of the path with `missing` on
 /// its right-hand side.
-std::optional<Movement> solve_border(const LoadTarget& target, const FilmEquilibrium& s,
+std::optional<Movement> solve_border(const LoadTarget& load, const FilmEquilibrium& s,
                                      const std::array<std::array<double, 4>, 4>& stiffness,
                                      const fluid::Wrench& aim, double missing) {
-  const int m = target.unknowns;
-  const int n = m + (target.path ? 1 : 0);
+  const int m = load.unknowns;
+  const int n = m + (load.path ? 1 : 0);
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 5, 5> A(n, n);
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 5, 1> b(n);
   for (int k = 0; k < m; ++k) {
     for (int l = 0; l < m; ++l) A(k, l) = stiffness[k][l];
-    if (target.inertia && k < 2) A(k, k) -= target.inertia->stiffness;
+    if (load.inertia && k < 2) A(k, k) -= load.inertia->stiffness;
     b(k) = aim[k];
   }
-  if (target.path) {
-    const PathRow& p = *target.path;
+  if (load.path) {
+    const PathRow& p = *load.path;
     b(m) = missing;
     for (int k = 0; k < m; ++k) {
-      A(k, m) = -target.force[k] * std::exp(s.ln_load);
+      A(k, m) = -load.force[k] * std::exp(s.ln_load);
       A(m, k) = p.along[k] / p.unit[k];
     }
     A(m, m) = p.along_load;
@@ -218,7 +218,7 @@ std::optional<Movement> solve_border(const LoadTarget& target, const FilmEquilib
   if (!x.allFinite()) return std::nullopt;
   Movement out;
   for (int k = 0; k < m; ++k) out.dq[k] = x(k);
-  if (target.path) out.ln_load = x(m);
+  if (load.path) out.ln_load = x(m);
   return out;
 }
 
@@ -247,7 +247,8 @@ namespace {
 /// What one step is made of.
 struct StepProblem {
   const BearingModel& model;
-  const LoadTarget& target;
+  const fluid::FilmScene& scene;
+  const LoadTarget& load;
   const FilmEquilibrium& s;
   const Residuals& r;
   const BorderedFilm& film;
@@ -260,7 +261,7 @@ struct StepProblem {
   /// Wanted change of a force. Over a finite step the force is that of squeezing, linear in the
   /// journal's movement.
   [[nodiscard]] fluid::Wrench aim_from(const fluid::Wrench& now) const {
-    if (!model.scene.storage.finite()) return wanted_change(now, wanted);
+    if (!scene.storage.finite()) return wanted_change(now, wanted);
     fluid::Wrench d{};
     for (int k = 0; k < 4; ++k) d[k] = wanted[k] - now[k];
     return d;
@@ -270,21 +271,21 @@ struct StepProblem {
 };
 
 void StepProblem::solve_elastic() {
-  const int m = target.unknowns;
+  const int m = load.unknowns;
   const auto stiffness = film.stiffness(s.film.full);
   const fluid::Wrench aim = aim_from(s.force);
-  const double missing = target.path ? target.path->missing(s) : 0.0;
+  const double missing = load.path ? load.path->missing(s) : 0.0;
   const auto balanced = [&](const Field& b, bool homogeneous) {
     BorderedFilm::Answer y = film.held(homogeneous ? Field{} : a, b);
     if (m == 0) return y;
-    const fluid::Wrench now = fluid::wrench(model.scene, y.P);
+    const fluid::Wrench now = fluid::wrench(scene, y.P);
     fluid::Wrench rest{};
     for (int k = 0; k < m; ++k) rest[k] = (homogeneous ? 0.0 : aim[k]) - now[k];
-    moved = solve_border(target, s, stiffness, rest, homogeneous ? 0.0 : missing);
+    moved = solve_border(load, s, stiffness, rest, homogeneous ? 0.0 : missing);
     if (moved) film.move(moved->dq, y);
     return y;
   };
-  const double tolerance = model.scene.storage.finite() ? kKrylovInTime : kKrylovTolerance;
+  const double tolerance = scene.storage.finite() ? kKrylovInTime : kKrylovTolerance;
   CompliantAnswer answer = with_compliance(model, s, r.displacement, balanced, tolerance);
   cost.krylov_iterations += answer.iterations;
   x = std::move(answer.x);
@@ -292,32 +293,32 @@ void StepProblem::solve_elastic() {
 
 void StepProblem::solve_rigid(StepLimits limits) {
   x = film.held(a, {});
-  if (target.unknowns == 0) return;
+  if (load.unknowns == 0) return;
   fluid::FilmState predicted = s.film;  // where the film step alone leads to
-  if (model.scene.storage.finite()) {
+  if (scene.storage.finite()) {
     for (std::size_t k = 0; k < x.P.size(); ++k) predicted.p[k] += x.P[k];
   } else {
-    fluid::advance(model.scene, s.oil, x.u, 1.0, predicted);
+    fluid::advance(scene, s.oil, x.u, 1.0, predicted);
   }
-  fluid::Wrench aim = aim_from(fluid::wrench(model.scene, sum(predicted.p, s.p_contact)));
+  fluid::Wrench aim = aim_from(fluid::wrench(scene, sum(predicted.p, s.p_contact)));
   for (double& f : aim) f *= limits.damping;
-  moved = solve_border(target, s, film.stiffness(predicted.full), aim,
-                       target.path ? target.path->missing(s) : 0.0);
+  moved = solve_border(load, s, film.stiffness(predicted.full), aim,
+                       load.path ? load.path->missing(s) : 0.0);
   if (!moved) return;
   const double gap = gap_with_summits(model, s);
-  moved->dq = limited(s.position, moved->dq, gap, model.clearance, 0.5 * model.scene.grid.width,
+  moved->dq = limited(s.position, moved->dq, gap, model.clearance, 0.5 * model.domain.grid.width,
                       limits.reach);
   film.move(moved->dq, x);
 }
 
 }  // namespace
 
-NewtonStep newton_step(const BearingModel& model, const LoadTarget& target,
-                       const FilmEquilibrium& s, const Residuals& r, StepLimits limits,
-                       EquilibriumCost& cost) {
-  const BorderedFilm film(model, s, target.unknowns, workspace().factor, cost);
+NewtonStep newton_step(const BearingModel& model, const fluid::FilmScene& scene,
+                       const LoadTarget& load, const FilmEquilibrium& s, const Residuals& r,
+                       StepLimits limits, EquilibriumCost& cost) {
+  const BorderedFilm film(model, scene, s, load.unknowns, workspace().factor, cost);
   if (!film.good()) return {};
-  StepProblem problem{model, target, s, r, film, cost, r.film, target.wanted(s)};
+  StepProblem problem{model, scene, load, s, r, film, cost, r.film, load.wanted(s)};
   for (double& v : problem.a) v = -v;
   if (s.elastic.empty()) {
     problem.solve_rigid(limits);

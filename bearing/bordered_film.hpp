@@ -35,8 +35,9 @@ struct NewtonStep {
 class BorderedFilm {
  public:
   /// For an evaluated state; `journal`: components of its position that may move.
-  BorderedFilm(const BearingModel& model, const FilmEquilibrium& state, int journal,
-               RingFactor& factor, EquilibriumCost& cost);
+  BorderedFilm(const BearingModel& model, const fluid::FilmScene& scene,
+               const FilmEquilibrium& state, int journal, RingFactor& factor,
+               EquilibriumCost& cost);
   [[nodiscard]] bool good() const { return good_; }
   /// Compliance of each cell of the foundation: mean elastic one and that of an elasto-plastic
   /// layer [m/Pa]; empty: rigid.
@@ -56,11 +57,9 @@ class BorderedFilm {
   [[nodiscard]] std::array<std::array<double, 4>, 4> stiffness(const std::vector<char>& full) const;
 
  private:
-  [[nodiscard]] bool free(int k) const {
-    return s_.film.full[k] && model_.scene.supply.cell[k] < 0;
-  }
+  [[nodiscard]] bool free(int k) const { return s_.film.full[k] && scene_.supply.cell[k] < 0; }
 
-  const BearingModel& model_;
+  const fluid::FilmScene& scene_;
   const FilmEquilibrium& s_;
   int m_;
   Field tau_;    ///< [m/Pa]; empty: rigid
@@ -91,9 +90,10 @@ struct StepLimits {
 };
 
 /// The step from an evaluated state with its residuals.
-[[nodiscard]] NewtonStep newton_step(const BearingModel& model, const LoadTarget& target,
-                                     const FilmEquilibrium& state, const Residuals& residuals,
-                                     StepLimits limits, EquilibriumCost& cost);
+[[nodiscard]] NewtonStep newton_step(const BearingModel& model, const fluid::FilmScene& scene,
+                                     const LoadTarget& load, const FilmEquilibrium& state,
+                                     const Residuals& residuals, StepLimits limits,
+                                     EquilibriumCost& cost);
 
 /// Wanted change of force for a force `now`: now ln(target/now) as complex numbers where the two
 /// are of like direction, else target - now. Moments: plain difference.

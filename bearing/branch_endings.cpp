@@ -6,7 +6,7 @@ namespace shellback::bearing {
 namespace {
 
 ending::Carried carried(const Solution& s, bool of_speed, double part) {
-  return {of_speed, part, of_speed ? std::abs(s.model.input.operation.omega) : s.target.scale()};
+  return {of_speed, part, of_speed ? std::abs(s.point.omega()) : s.point.load.scale()};
 }
 
 }  // namespace

@@ -38,21 +38,20 @@ double least_across(const FilmGrid& g, const fluid::Gap& gap) {
 }
 
 void evaluate_gap(const BearingModel& model, const Field& thermal_deformation, FilmEquilibrium& s) {
-  const fluid::FilmScene& scene = model.scene;
   Field widening = thermal_deformation.empty() ? s.elastic : thermal_deformation;
   if (!thermal_deformation.empty()) {
     for (std::size_t k = 0; k < s.elastic.size(); ++k) widening[k] += s.elastic[k];
   }
   s.gap = gap_at(model, s.position, widening);
-  s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
+  s.least = fluid::smallest_gap(model.domain.grid, s.gap, model.profile);
 }
 
 }  // namespace
 
-bool open_gap(const BearingModel& model, const LoadTarget& target, const Field& thermal_deformation,
-              FilmEquilibrium& s) {
+bool open_gap(const BearingModel& model, const OperatingPoint& point,
+              const Field& thermal_deformation, FilmEquilibrium& s) {
   constexpr double kOpen = 0.02;  // of the clearance: a gap to begin with [-]
-  if (!is_closed(model, s) || target.unknowns == 0) return false;
+  if (!is_closed(model, s) || point.load.unknowns == 0) return false;
   const fluid::JournalPosition before = s.position;
   // Each move opens the closest place and may close another.
   for (int k = 0; k < kMostIterations; ++k) {
@@ -67,13 +66,13 @@ bool open_gap(const BearingModel& model, const LoadTarget& target, const Field& 
   return false;
 }
 
-Verdict closed_gap(const BearingModel& model, const LoadTarget& target,
+Verdict closed_gap(const BearingModel& model, const OperatingPoint& point,
                    const Field& thermal_deformation, const FilmEquilibrium& s) {
-  const int cell = cell_at(model.scene.grid, s.least);
-  ending::GapClosed e{s.least.h, s.least.h, NAN, NAN, least_across(model.scene.grid, s.gap)};
+  const int cell = cell_at(model.domain.grid, s.least);
+  ending::GapClosed e{s.least.h, s.least.h, NAN, NAN, least_across(model.domain.grid, s.gap)};
   if (!thermal_deformation.empty()) e.by_position -= e.by_heat = thermal_deformation[cell];
   if (!s.elastic.empty()) e.by_position -= e.by_elasticity = s.elastic[cell];
-  const bool proven = target.unknowns == 0 || e.across <= 0.0;
+  const bool proven = point.load.unknowns == 0 || e.across <= 0.0;
   return {proven ? Status::no_steady_state : Status::iteration_limit, e, s.least.place()};
 }
 

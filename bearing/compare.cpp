@@ -12,7 +12,7 @@ namespace {
 
 Torque torque_of(const Solution& s) {
   if (!s.verdict.good()) return {};
-  const Friction f = friction_of(s.model, s.film);
+  const Friction f = friction_of(s.model, s.point, s.film);
   return {f.viscous, f.asperity};
 }
 
@@ -28,17 +28,16 @@ Torque rigid_with_heat_of(const Solution& full, bool thermal_deformation,
   physics.elastic = physics.film_energy = physics.thermal_deformation = false;
   Solution s;
   s.model = make_bearing(c, physics, c.model.grid);
-  s.target = full.target;
+  s.point = full.point;
   s.film = full.film;
   s.film.elastic.clear();
   const Field& gap_widening = thermal_deformation ? full.heat.thermal_deformation : Field{};
-  s.verdict = solve_equilibrium(s.model, s.target, gap_widening, {}, s.film, s.cost, control.stop);
+  s.verdict = solve_equilibrium(s.model, s.point, gap_widening, {}, s.film, s.cost, control.stop);
   if (!s.verdict.good()) {  // the deformed film is no start for the rigid one: begin anew
     const auto T = full.film.columns.T;
-    s.film = cold_start(s.model, oil_mean(full));
+    s.film = cold_start(s.model, s.point, oil_mean(full));
     s.film.columns.T = T;
-    s.verdict =
-        solve_equilibrium(s.model, s.target, gap_widening, {}, s.film, s.cost, control.stop);
+    s.verdict = solve_equilibrium(s.model, s.point, gap_widening, {}, s.film, s.cost, control.stop);
   }
   return torque_of(s);
 }
@@ -81,10 +80,10 @@ double calibrate(const Case& c, double wanted, double guess, const SolveControl&
     FilmEquilibrium trial = s.film;
     EquilibriumOptions loose;
     loose.load_tolerance = 1e-7;
-    const Verdict v = solve_equilibrium(s.model, s.target, {}, loose, trial, s.cost, control.stop);
+    const Verdict v = solve_equilibrium(s.model, s.point, {}, loose, trial, s.cost, control.stop);
     if (!v.good()) return static_cast<double>(NAN);
     s.film = trial;
-    const Friction friction = friction_of(s.model, trial);
+    const Friction friction = friction_of(s.model, s.point, trial);
     return friction.viscous + friction.asperity - wanted;
   };
   return calibrated_temperature(excess, guess, {0.0, kTolerance});

@@ -27,7 +27,7 @@ CycleRecord::CycleRecord(const FilmSteps& film, const LoadCourse& course, double
     : film_(&film), course_(&course), length_(length) {}
 
 double CycleRecord::oil_in_gap(const Field& oil) const {
-  const FilmGrid& g = film_->model().scene.grid;
+  const FilmGrid& g = film_->model().domain.grid;
   double sum = 0.0;
   for (int c = 0; c < g.cells(); ++c) sum += oil[c] * g.area(c / g.nz, c % g.nz);
   return g.multiplicity() * sum;
@@ -42,12 +42,12 @@ Field CycleRecord::shell_surface(const FilmInTime& now) const {
 
 void CycleRecord::add_contact(const FilmEquilibrium& f, CycleInstant& i) {
   const BearingModel& m = film_->model();
-  const AsperityStress tau = asperity_stress(m, f);
+  const AsperityStress tau = asperity_stress(m, film_->point(), f);
   power_now_ = sum(power_now_, tau.sum());
   if (!m.input.surfaces.contact->friction_law) return;
-  i.torque_abrasive = fluid::torque(m.scene, tau.abrasive);
-  i.torque_adhesive = fluid::torque(m.scene, tau.adhesive);
-  i.torque_micro_hydrodynamic = fluid::torque(m.scene, tau.micro_hydrodynamic);
+  i.torque_abrasive = fluid::torque(m.domain, tau.abrasive);
+  i.torque_adhesive = fluid::torque(m.domain, tau.adhesive);
+  i.torque_micro_hydrodynamic = fluid::torque(m.domain, tau.micro_hydrodynamic);
 }
 
 CycleInstant CycleRecord::instant_of(const FilmInTime& now, const Field& p, double dt) {
@@ -55,7 +55,7 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, const Field& p, doub
   const FilmEquilibrium& f = now.film;
   const double t = instants_.empty() ? 0.0 : instants_.back().t + dt;
   const LoadNow load = course_->at(now.t, true);
-  const Friction friction = friction_of(m, f);
+  const Friction friction = friction_of(m, film_->point(), f);
   CycleInstant i;
   i.t = t;
   i.dt = dt;
@@ -81,11 +81,11 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, const Field& p, doub
     i.T_film_max = largest(now.heat.T);
     i.T_shell_max = largest(shell_surface(now));
   }
-  pump_now_ = pump_power(m, f);
+  pump_now_ = pump_power(m, film_->point(), f);
   power_now_ = friction.stress.journal;
   if (m.contact) add_contact(f, i);
-  for (double& power : power_now_) power *= m.scene.speed;
-  if (load.omega == 0.0) i.breakaway = breakaway_torque(m, f);
+  for (double& power : power_now_) power *= film_->point().scene.speed;
+  if (load.omega == 0.0) i.breakaway = breakaway_torque(m, film_->point(), f);
   return i;
 }
 
@@ -102,12 +102,12 @@ void CycleRecord::begin(const FilmInTime& now) {
   h_min_ = now.film.gap.cell;
   friction_.assign(p_max_.size(), 0.0);
   if (const auto& worn = film_->model().input.running_in) {
-    wear_.begin(wear_load_of(film_->model(), now.film, worn->limit_pressure));
+    wear_.begin(wear_load_of(film_->model(), film_->point(), now.film, worn->limit_pressure));
   }
   if (film_->heat()) {
     T_shell_.assign(p_max_.size(), 0.0);
     T_shell_max_ = shell_surface(now);
-    const double both = film_->model().scene.grid.multiplicity();
+    const double both = film_->model().domain.grid.multiplicity();
     first.heat_to_shell = both * now.heat.flows.balance.to_shell;
     first.heat_to_shaft = both * now.heat.flows.balance.to_shaft;
   }
@@ -128,7 +128,7 @@ void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt
     friction_[c] += 0.5 * dt * (before[c] + power_now_[c]);
   }
   if (const auto& worn = film_->model().input.running_in) {
-    wear_.add(wear_load_of(film_->model(), now.film, worn->limit_pressure), dt);
+    wear_.add(wear_load_of(film_->model(), film_->point(), now.film, worn->limit_pressure), dt);
   }
   keep_frame(now, p);
 }
@@ -139,14 +139,14 @@ void CycleRecord::keep_frame(const FilmInTime& now, const Field& p) {
   const auto is_now = [&](double t) { return std::abs(t - told()) <= kRoundOff * length_; };
   const bool due = at.empty() ? told() >= next_frame_ : std::any_of(at.begin(), at.end(), is_now);
   if (!due) return;
-  const FilmGrid& g = film_->model().scene.grid;
+  const FilmGrid& g = film_->model().domain.grid;
   frames_.push_back({told(), mirror_to_full(g, p), mirror_to_full(g, now.film.film.theta),
                      mirror_to_full(g, now.film.gap.cell)});
   next_frame_ += length_ / kFrames;
 }
 
 void CycleRecord::gather_heat(const FilmStep& step, double dt) {
-  const FilmGrid& g = film_->model().scene.grid;
+  const FilmGrid& g = film_->model().domain.grid;
   heat_.add(1.0, step.heat);
   const Field T = shell_surface(step.after);
   CycleInstant& i = instants_.back();
@@ -182,7 +182,7 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   side_ += step.side;
   line_ += step.line;
   vessels_ended_ = total(step.after.vessels);
-  if (film_->vessels().any_empty(film_->model().scene)) dry_ += dt;
+  if (film_->vessels().any_empty(film_->point().scene)) dry_ += dt;
   for (int k = 0; k < 2; ++k) impulse_[k] += step.impulse[k];
   off_balance_ = larger(off_balance_, step.off_balance);
   layer_loss_ += step.layer_loss;
@@ -281,7 +281,7 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   }
   if (extreme(instants_, &CycleInstant::breakaway, false).breakaway > 0.0) {
     add_extreme("breakaway_torque", &CycleInstant::breakaway, false);
-    const double slow = solid::BoundaryFriction::kSliding / film_->model().scene.grid.radius;
+    const double slow = solid::BoundaryFriction::kSliding / film_->model().domain.grid.radius;
     if (const auto lifted = lift_off(instants_, slow)) {
       out.push_back(named("lift_off_speed", lifted->omega));
       out.back().at = lifted->t;
@@ -295,7 +295,7 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
     out.push_back(named("layer_depth", largest(layer_depth_)));
     out.back().at = instants_.back().t;
     out.push_back(
-        named("layer_loss", film_->model().scene.grid.multiplicity() * layer_loss_ / told()));
+        named("layer_loss", film_->model().domain.grid.multiplicity() * layer_loss_ / told()));
   }
   if (!heat_.to_shell.empty()) add_heat(out);
   return out;
@@ -306,12 +306,12 @@ void CycleRecord::add_heat(std::vector<CycleQuantity>& out) const {
   out.push_back(named("T_film_mean", T_film_ / told()));
   out.push_back(extreme_named("T_shell_max", instants_, &CycleInstant::T_shell_max, false));
   const auto over_area = [&](const Field& heat) {
-    const FilmGrid& g = film_->model().scene.grid;
+    const FilmGrid& g = film_->model().domain.grid;
     double sum = 0.0;
     for (int c = 0; c < g.cells(); ++c) sum += heat[c] * g.area(c / g.nz, c % g.nz);
     return g.multiplicity() * sum / told();
   };
-  const double both = film_->model().scene.grid.multiplicity();
+  const double both = film_->model().domain.grid.multiplicity();
   const auto& b = heat_.balance;
   out.push_back(named("heat_by_oil", both * (b.carried_out - b.carried_in) / told()));
   out.push_back(named("heat_to_shell", over_area(heat_.to_shell)));
@@ -328,7 +328,7 @@ CycleAudit CycleRecord::audit() const {
   a.load = off_balance_ / course_->largest_load();
   a.impulse = NAN;
   if (!heat_.to_shell.empty()) {
-    const double both = film_->model().scene.grid.multiplicity();
+    const double both = film_->model().domain.grid.multiplicity();
     a.energy = std::abs(heat_.balance.imbalance()) / heat_.balance.heat;
     const double made = heat_.balance.heat + heat_.rubbed + layer_loss_;
     a.work = (heat_.work - both * made) / heat_.work;
@@ -371,7 +371,7 @@ double largest_torque(const std::vector<CycleInstant>& all) {
 }  // namespace
 
 double CycleRecord::oil_drift() const {
-  const double film = std::abs(oil_ended_ / oil_begun_ - 1.0);
+  const double film = std::abs(oil_gathered());
   const double full = total(film_->vessels().full());
   return full > 0.0 ? larger(film, std::abs(vessels_ended_ - vessels_begun_) / full) : film;
 }
@@ -397,7 +397,7 @@ double CycleRecord::difference(const CycleRecord& other) const {
 
 void CycleRecord::write(CycleResult& r) const {
   const BearingModel& m = film_->model();
-  const FilmGrid& g = m.scene.grid;
+  const FilmGrid& g = m.domain.grid;
   r.title = m.input.title;
   r.period = length_;
   r.crank_speed = m.input.cycle->crank_speed;
@@ -420,7 +420,8 @@ void CycleRecord::write(CycleResult& r) const {
   if (dry_ > 0.0) {
     r.warnings.push_back(note::VesselEmpty{dry_ / told()});
   }
-  for (const note::MouthWidened& w : film_->drillings().widened(m.scene)) r.warnings.push_back(w);
+  for (const note::MouthWidened& w : film_->drillings().widened(film_->point().scene))
+    r.warnings.push_back(w);
   tell_ranges(r);
   if (film_->heat() && !heat_.to_shell.empty()) write_heat(r);
 }
@@ -428,7 +429,7 @@ void CycleRecord::write(CycleResult& r) const {
 void CycleRecord::tell_ranges(CycleResult& r) const {
   const BearingModel& m = film_->model();
   const auto at = static_cast<int>(std::min_element(h_min_.begin(), h_min_.end()) - h_min_.begin());
-  const FilmGrid& g = m.scene.grid;
+  const FilmGrid& g = m.domain.grid;
   const double h_min = extreme(instants_, &CycleInstant::h_min, true).h_min;  // of edges, too
   const fluid::SmallestGap least{h_min_[at], g.phi[at / g.nz], g.z[at % g.nz]};
   const double T = extreme(instants_, &CycleInstant::T_film_max, false).T_film_max;
@@ -442,7 +443,7 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
 
 double CycleRecord::shaft_swing() const {
   const BearingModel& m = film_->model();
-  const FilmGrid& g = m.scene.grid;
+  const FilmGrid& g = m.domain.grid;
   std::array<double, 2> first{};
   double low = INFINITY;
   double high = -INFINITY;
@@ -468,7 +469,7 @@ double CycleRecord::shaft_swing() const {
 }
 
 void CycleRecord::write_heat(CycleResult& r) const {
-  const FilmGrid& g = film_->model().scene.grid;
+  const FilmGrid& g = film_->model().domain.grid;
   const auto mean_over_time = [&](Field x) {
     for (double& v : x) v /= told();
     return mirror_to_full(g, x);

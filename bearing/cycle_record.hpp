@@ -34,6 +34,8 @@ class CycleRecord {
   /// By how much the film ends otherwise than it began: relative change of smallest film, of torque
   /// (over its largest) and of the oil in the gap [-].
   [[nodiscard]] double drift() const;
+  /// Oil that the film has gained over the cycle, over what it held as it began [-].
+  [[nodiscard]] double oil_gathered() const { return oil_ended_ / oil_begun_ - 1.0; }
   /// Mean over the cycle, on the solved grid; of a case with [running_in].
   [[nodiscard]] WearLoad wear_load() const { return wear_.mean(); }
   /// Largest contact pressure [Pa] and smallest gap [m] of each place, on the solved grid.

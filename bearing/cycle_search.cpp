@@ -54,11 +54,11 @@ EquilibriumOptions film_options(double error) {
 
 /// Heat that a steady film gives its shell [W/m2].
 Field steady_flux(const Solution& s) {
-  const FilmGrid& g = s.model.scene.grid;
+  const FilmGrid& g = s.model.domain.grid;
   const thermal::FilmEnergy energy(
-      film_energy_problem(s.model, s.film, friction_of(s.model, s.film)));
+      film_energy_problem(s.model, s.point, s.film, friction_of(s.model, s.point, s.film)));
   Field q = energy.wall_heat(s.film.columns.T).shell;
-  const ContactHeat rubbed = contact_heat(s.model, s.film);
+  const ContactHeat rubbed = contact_heat(s.model, s.point, s.film);
   for (int c = 0; c < g.cells(); ++c) {
     q[c] = q[c] / g.area(c / g.nz, c % g.nz) + rubbed.shell[c];
   }
@@ -142,7 +142,7 @@ void CycleSearch::begin(const CycleSearch& coarser) {
   walls.thermal_deformation = coarser.walls_->thermal_deformation;
   walls = carry_over(from, walls, to);
   walls_ = WallMeans{walls.T_shell, walls.T_shaft,
-                     interpolate(from.scene.grid, coarser.walls_->flux, to.scene.grid),
+                     interpolate(from.domain.grid, coarser.walls_->flux, to.domain.grid),
                      walls.thermal_deformation};
   response_ = coarser.response_;
   looked_ = coarser.looked_;
@@ -232,7 +232,7 @@ void CycleSearch::add(const FilmStep& step, double dt) {
   if (film_.heat() == nullptr) return;
   heat_.add(step, dt);
   if (!passing_->look || heat_.time() < passing_->next_look) return;
-  heat_.look_at(film_.model(), step.after.film);
+  heat_.look_at(film_.model(), film_.point(), step.after.film);
   passing_->next_look += length_ / kLooks;
 }
 
@@ -267,7 +267,8 @@ void CycleSearch::until_closed() {
   while (pass() && c_.cycle->repeats() && !closure_.closed()) {
     if (r_.cycles < most_) continue;
     r_.verdict = {Status::iteration_limit,
-                  ending::Unsettled{ending::Iteration::cycles, r_.cycles, closure_.last}};
+                  ending::Unsettled{ending::Iteration::cycles, r_.cycles, closure_.last, false,
+                                    told_.oil_gathered()}};
     return;
   }
 }
@@ -380,7 +381,8 @@ const Verdict& CycleSearch::follow() {
   }
   if (r_.verdict.good()) {
     r_.verdict = {Status::iteration_limit,
-                  ending::Unsettled{ending::Iteration::cycles, r_.cycles, closure_.last}};
+                  ending::Unsettled{ending::Iteration::cycles, r_.cycles, closure_.last, false,
+                                    told_.oil_gathered()}};
   }
   return r_.verdict;
 }

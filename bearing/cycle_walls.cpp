@@ -19,8 +19,9 @@ void CycleHeat::add(const FilmStep& step, double dt) {
   time_ += dt;
 }
 
-void CycleHeat::look_at(const BearingModel& model, const FilmEquilibrium& s) {
-  const thermal::WallResponse r = lasting_film(model, s).wall_response(kSweepsOfResponse);
+void CycleHeat::look_at(const BearingModel& model, const OperatingPoint& point,
+                        const FilmEquilibrium& s) {
+  const thermal::WallResponse r = lasting_film(model, point, s).wall_response(kSweepsOfResponse);
   response_.shell += r.shell;
   response_.shaft += r.shaft;
   response_.across += r.across;
@@ -52,7 +53,7 @@ void CycleHeat::members(Tape& tape) {
 BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
                               const CycleHeat& heat, const thermal::WallResponse& response,
                               int skin_nodes, const SolidStep* step) {
-  const FilmGrid& g = model.scene.grid;
+  const FilmGrid& g = model.domain.grid;
   const std::vector<double> skin = heat.mean_skin();
   WallFlux q{Field(g.cells(), 0.0), std::vector<double>(g.nz, 0.0), response};
   Field met = walls.shell;

@@ -20,7 +20,7 @@ class CycleHeat {
   /// One accepted step of dt.
   void add(const FilmStep& step, double dt);
   /// Measures how the film of this instant would answer its walls.
-  void look_at(const BearingModel& model, const FilmEquilibrium& s);
+  void look_at(const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& s);
 
   [[nodiscard]] bool looked() const { return looks_ > 0; }
   [[nodiscard]] double time() const { return time_; }  ///< [s]

@@ -5,7 +5,7 @@
 namespace shellback::bearing {
 
 Drillings::Drillings(const BearingModel& model, const LoadCourse& course) : course_(course) {
-  const auto& patches = model.scene.supply.patches;
+  const auto& patches = model.supply.patches;
   for (std::size_t k = 0; k < patches.size(); ++k) {
     if (!patches[k].moving) continue;
     of_patch_.push_back(static_cast<int>(k));
@@ -15,7 +15,7 @@ Drillings::Drillings(const BearingModel& model, const LoadCourse& course) : cour
 
 void Drillings::take(const BearingModel& model, const FilmEquilibrium& film) {
   fluid::GapTransport gap;
-  fluid::gap_transport(model.scene.rough, film.gap.cell, gap);
+  fluid::gap_transport(model.domain.rough, film.gap.cell, gap);
   conductance_ = film.oil.density;
   for (std::size_t c = 0; c < conductance_.size(); ++c) {
     conductance_[c] *= std::sqrt(gap.h3_x[c] * gap.h3_z[c]) * film.oil.fluidity[c];

@@ -27,7 +27,7 @@ Probe probe(const Solution& s) {
   Probe p{};
   for (const double T : s.film.columns.T_mean) p.T += T;
   p.T /= static_cast<double>(s.film.columns.T_mean.size());
-  p.rate = std::abs(m.scene.speed) / std::max(s.film.least.h, 0.1 * m.clearance);
+  p.rate = std::abs(s.point.scene.speed) / std::max(s.film.least.h, 0.1 * m.clearance);
   const auto v = rheology::viscosity_slopes(m.input.oil, p.T, 0.0, p.rate);
   p.eta = rheology::viscosity(m.input.oil, p.T, 0.0);
   p.beta = -v.dln_dT;
@@ -38,9 +38,9 @@ Probe probe(const Solution& s) {
 }
 
 double temperature_rise(const Solution& s, const Friction& f, const Probe& p) {
-  const double flow = fluid::oil_flows(s.model.scene, s.film.flow).side;
+  const double flow = fluid::oil_flows(s.point.scene, s.film.flow).side;
   const double cp = rheology::heat_capacity(s.model.oil, p.T).cp;
-  const double power = std::abs((f.viscous + f.asperity) * s.model.input.operation.omega);
+  const double power = std::abs((f.viscous + f.asperity) * s.point.omega());
   return flow > 0.0 ? power / (flow * cp) : INFINITY;
 }
 
@@ -50,7 +50,7 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
   const BearingModel& m = s.model;
   const Physics& has = m.physics;
   const Probe p = probe(s);
-  const double U = m.scene.speed;
+  const double U = s.point.scene.speed;
   const double k = rheology::conductivity(m.oil, p.T, 0.0).k;
   const double alpha = rheology::pressure_slope(m.input.oil, p.T, 0.0);
   const double sigma =

@@ -9,43 +9,6 @@
 
 namespace shellback::bearing {
 
-double LoadTarget::scale() const { return unit > 0.0 ? unit : std::hypot(force[0], force[1]); }
-
-double PathRow::missing(const FilmEquilibrium& s) const {
-  double left = length - along_load * (s.ln_load - from_load);
-  for (int k = 0; k < 4; ++k) {
-    if (along[k] != 0.0) left -= along[k] * (s.position.q[k] - from.q[k]) / unit[k];
-  }
-  return left;
-}
-
-fluid::Wrench LoadTarget::wanted(const FilmEquilibrium& s) const {
-  fluid::Wrench w = force;
-  if (path) {
-    for (double& f : w) f *= std::exp(s.ln_load);
-  }
-  if (inertia) {
-    for (int k = 0; k < 2; ++k) w[k] += inertia->stiffness * (s.position.q[k] - inertia->free[k]);
-  }
-  return w;
-}
-
-LoadTarget load_target(const Case& c) {
-  LoadTarget t;
-  if (const auto* load = std::get_if<LoadGiven>(&c.operation.position)) {
-    t.force = {-load->force * std::cos(load->angle), -load->force * std::sin(load->angle), 0.0,
-               0.0};
-  } else {
-    t.unknowns = 0;
-  }
-  if (const auto* moment = std::get_if<MomentGiven>(&c.operation.alignment)) {
-    t.unknowns = 4;
-    t.force[2] = -moment->about_x;
-    t.force[3] = -moment->about_y;
-  }
-  return t;
-}
-
 fluid::JournalPosition first_position(const Case& c, double clearance) {
   constexpr double kFirstEccentricity = 0.6;             // where most bearings run [-]
   constexpr double kFirstAttitude = 50.0 * kPi / 180.0;  // that of a half-wide bearing there
@@ -68,12 +31,12 @@ fluid::JournalPosition first_position(const Case& c, double clearance) {
   return q;
 }
 
-FilmEquilibrium cold_start(const BearingModel& model, double T) {
+FilmEquilibrium cold_start(const BearingModel& model, const OperatingPoint& point, double T) {
   FilmEquilibrium s;
-  s.film = fluid::cold_film(model.scene);
+  s.film = fluid::cold_film(point.scene);
   s.position = first_position(model.input, model.clearance);
-  if (model.physics.elastic) s.elastic.assign(model.scene.grid.cells(), 0.0);
-  s.columns = uniform_columns(model.scene.grid.cells(), model.gl.n, T);
+  if (model.physics.elastic) s.elastic.assign(model.domain.grid.cells(), 0.0);
+  s.columns = uniform_columns(model.domain.grid.cells(), model.gl.n, T);
   return s;
 }
 
@@ -85,13 +48,13 @@ Field sum(const Field& a, const Field& b) {
   return c;
 }
 
-int beyond_reduced_pressure(const BearingModel& model, const FilmEquilibrium& s) {
-  const fluid::FilmScene& scene = model.scene;
-  const FilmGrid& g = scene.grid;
+int beyond_reduced_pressure(const BearingModel& model, const OperatingPoint& point,
+                            const FilmEquilibrium& s) {
+  const FilmGrid& g = model.domain.grid;
   if (!s.elastic.empty() || !std::holds_alternative<rheology::Barus>(model.oil.pressure)) return -1;
   const auto w = [&](int k) { return -std::expm1(-s.oil.alpha[k] * s.film.p[k]); };  // alpha q
   for (int k = 0; k < g.cells(); ++k) {
-    if (!s.film.full[k] || scene.supply.cell[k] >= 0) continue;
+    if (!s.film.full[k] || point.scene.supply.cell[k] >= 0) continue;
     const int i = k / g.nz;
     const int j = k % g.nz;
     const double here = w(k);
@@ -107,22 +70,22 @@ int beyond_reduced_pressure(const BearingModel& model, const FilmEquilibrium& s)
 }
 
 double room(const BearingModel& model, const FilmEquilibrium& s) {
-  return 0.5 * (s.least.h + std::hypot(s.least.h, 2.0 * model.scene.rough.sigma));
+  return 0.5 * (s.least.h + std::hypot(s.least.h, 2.0 * model.domain.rough.sigma));
 }
 
 double gap_with_summits(const BearingModel& model, const FilmEquilibrium& s) {
-  return std::max(s.least.h, 0.0) + kSummits * model.scene.rough.sigma;
+  return std::max(s.least.h, 0.0) + kSummits * model.domain.rough.sigma;
 }
 
 namespace {
 
-void evaluate_contact(const BearingModel& model, FilmEquilibrium& s) {
+void evaluate_contact(const BearingModel& model, const OperatingPoint& point, FilmEquilibrium& s) {
   s.p_contact.assign(s.film.p.size(), 0.0);
   s.dp_contact.assign(s.film.p.size(), 0.0);
   if (!model.contact) return;
   model.contact->evaluate(s.gap.cell, s.p_contact, s.dp_contact);
   for (std::size_t k = 0; k < s.p_contact.size(); ++k) {
-    if (model.scene.supply.cell[k] < 0) continue;
+    if (point.scene.supply.cell[k] < 0) continue;
     s.p_contact[k] = 0.0;  // nothing to touch over a groove
     s.dp_contact[k] = 0.0;
   }
@@ -143,9 +106,9 @@ Field widening(const Solids& solids, const ContactWidening& by, const Field& p_c
   return solids.widening(by.by_heat, heat);
 }
 
-bool evaluate(const BearingModel& model, const Field& thermal_deformation, double tolerance,
-              FilmEquilibrium& s) {
-  const fluid::FilmScene& scene = model.scene;
+bool evaluate(const BearingModel& model, const OperatingPoint& point,
+              const Field& thermal_deformation, double tolerance, FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = point.scene;
   s.gap = gap_at(model, s.position, sum(thermal_deformation, s.elastic));
   s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
   if (is_closed(model, s) || !std::isfinite(largest_magnitude(s.gap.cell))) return false;
@@ -155,8 +118,8 @@ bool evaluate(const BearingModel& model, const Field& thermal_deformation, doubl
   update_columns(model.oil, model.gl, scene.speed, s.shear_gap, scene.supply.cell, s.film,
                  s.gradient_x, s.gradient_z, tolerance, s.columns, s.oil);
   fluid::evaluate_flow(scene, s.gap, model.profile, s.oil, s.film, s.flow);
-  evaluate_contact(model, s);
-  if (model.layer && !s.elastic.empty()) s.layer = model.layer->press(s.film.p, s.p_contact);
+  evaluate_contact(model, point, s);
+  if (point.layer && !s.elastic.empty()) s.layer = point.layer->press(s.film.p, s.p_contact);
   s.force = fluid::wrench(scene, sum(s.film.p, s.p_contact));
   return true;
 }
@@ -165,25 +128,25 @@ bool Residuals::finite() const {
   return std::isfinite(film_norm) && std::isfinite(load_norm) && !std::isnan(elastic_norm);
 }
 
-Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
+Residuals residuals_of(const BearingModel& model, const OperatingPoint& point,
                        const FilmEquilibrium& s) {
   Residuals r;
-  r.film = fluid::film_residual(model.scene, s.flow);
+  r.film = fluid::film_residual(point.scene, s.flow);
   const double most = largest_magnitude(r.film);
-  const double flow = fluid::flow_scale(model.scene, s.flow);
+  const double flow = fluid::flow_scale(point.scene, s.flow);
   r.film_norm = most == 0.0 && flow == 0.0 ? 0.0 : most / flow;  // at rest nothing flows
-  const fluid::Wrench wanted = target.wanted(s);
-  const double unit = target.scale() * std::exp(s.ln_load);
-  for (int k = 0; k < target.unknowns; ++k) {
-    const double arm = k < 2 ? 1.0 : 0.5 * model.scene.grid.width;
+  const fluid::Wrench wanted = point.load.wanted(s);
+  const double unit = point.load.scale() * std::exp(s.ln_load);
+  for (int k = 0; k < point.load.unknowns; ++k) {
+    const double arm = k < 2 ? 1.0 : 0.5 * model.domain.grid.width;
     r.load_norm = larger(r.load_norm, std::abs(s.force[k] - wanted[k]) / (unit * arm));
   }
-  if (target.path) r.load_norm = larger(r.load_norm, std::abs(target.path->missing(s)));
+  if (point.load.path) r.load_norm = larger(r.load_norm, std::abs(point.load.path->missing(s)));
   if (!s.elastic.empty()) {
     r.displacement = displacement(model, s);
     for (std::size_t k = 0; k < r.displacement.size(); ++k) r.displacement[k] -= s.elastic[k];
     r.elastic_norm = largest_magnitude(r.displacement) /
-                     (std::max(s.least.h, 0.0) + model.scene.rough.sigma + kMolecule);
+                     (std::max(s.least.h, 0.0) + model.domain.rough.sigma + kMolecule);
   }
   return r;
 }

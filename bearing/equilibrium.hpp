@@ -23,20 +23,13 @@
 
 #include "bearing/bearing.hpp"
 #include "bearing/columns.hpp"
+#include "bearing/operating_point.hpp"
+#include "bearing/state.hpp"
 #include "core/harmonics.hpp"
 #include "fluid/resultants.hpp"
 #include "fluid/reynolds.hpp"
 
 namespace shellback::bearing {
-
-/// The unknowns of film, journal and elastic surfaces, and nothing that follows from them. (Those
-/// of heat: HeatUnknowns, heat_state.hpp, and the temperatures across the film, OilColumns.)
-struct State {
-  fluid::FilmState film;
-  fluid::JournalPosition position;
-  double ln_load = 0.0;  ///< of the load's factor, unknown along a path of loads [-]
-  Field elastic;         ///< widening (3), shell and shaft [m]; empty: rigid
-};
 
 /// All that follows from a state on a bearing.
 struct Evaluation {
@@ -92,47 +85,17 @@ struct EquilibriumCost {
   [[nodiscard]] bool spent() const { return work > most_work; }
 };
 
-/// Mass of the journal over a finite step.
-struct Inertia {
-  double stiffness = 0.0;        ///< m/dt^2 [N/m]
-  std::array<double, 2> free{};  ///< q_free of (2): e_x, e_y [m]
-};
-
-/// One more row of the border: position and load stand so far along a path,
-///   sum_k along_k (q_k - from_k)/unit_k + along_load (ln_load - from_load) = length.       (4)
-struct PathRow {
-  std::array<double, 4> along{};  ///< [-]
-  std::array<double, 4> unit{};   ///< [m], [rad]
-  double along_load = 1.0;        ///< [-]
-  fluid::JournalPosition from;
-  double from_load = 0.0;  ///< [-]
-  double length = 0.0;     ///< [-]
-  /// `length` less what the state stands along [-].
-  [[nodiscard]] double missing(const FilmEquilibrium& s) const;
-};
-
-/// What the journal must balance.
-struct LoadTarget {
-  int unknowns = 2;       ///< 0: position given; 2: e; 4: e and tilt
-  fluid::Wrench force{};  ///< wanted film force and moment on the journal: minus the load
-  std::optional<Inertia> inertia;
-  std::optional<PathRow> path;         ///< the load's factor is an unknown, too
-  double unit = 0.0;                   ///< by which residuals are measured [N]; 0: |force|
-  [[nodiscard]] double scale() const;  ///< `unit`, or |force| [N]
-  /// The force wanted of this state: with its factor and the journal's inertia.
-  [[nodiscard]] fluid::Wrench wanted(const FilmEquilibrium& s) const;
-};
-[[nodiscard]] LoadTarget load_target(const Case& c);
-
 /// Position given in the case, or a first guess for a load.
 [[nodiscard]] fluid::JournalPosition first_position(const Case& c, double clearance);
 
 /// A cold start: full film, one temperature, guessed position.
-[[nodiscard]] FilmEquilibrium cold_start(const BearingModel& model, double T);
+[[nodiscard]] FilmEquilibrium cold_start(const BearingModel& model, const OperatingPoint& point,
+                                         double T);
 
 /// Evaluates everything below the unknowns. False if the gap of a smooth bearing is closed.
-[[nodiscard]] bool evaluate(const BearingModel& model, const Field& thermal_deformation,
-                            double tolerance, FilmEquilibrium& state);
+[[nodiscard]] bool evaluate(const BearingModel& model, const OperatingPoint& point,
+                            const Field& thermal_deformation, double tolerance,
+                            FilmEquilibrium& state);
 
 /// Residuals of an evaluated state, each in units of its tolerance's scale.
 struct Residuals {
@@ -147,7 +110,7 @@ struct Residuals {
            elastic_norm <= o.elastic_tolerance;
   }
 };
-[[nodiscard]] Residuals residuals_of(const BearingModel& model, const LoadTarget& target,
+[[nodiscard]] Residuals residuals_of(const BearingModel& model, const OperatingPoint& point,
                                      const FilmEquilibrium& state);
 
 /// Distance by which the surfaces may still approach [m]: the smallest gap; rough surfaces stay
@@ -163,7 +126,7 @@ inline constexpr double kSummits = 3.0;
 /// True if the gap last evaluated is one of smooth surfaces and closed somewhere. A gap that is not
 /// a number is not closed.
 [[nodiscard]] inline bool is_closed(const BearingModel& model, const FilmEquilibrium& s) {
-  return model.scene.rough.sigma <= 0.0 && s.least.h <= 0.0;
+  return model.domain.rough.sigma <= 0.0 && s.least.h <= 0.0;
 }
 
 /// True if smooth surfaces are nearer than an oil molecule of 30 carbon atoms is long (2 to 4 nm,
@@ -171,14 +134,15 @@ inline constexpr double kSummits = 3.0;
 inline constexpr double kMolecule = 2e-9;  ///< [m]
 [[nodiscard]] inline bool thinner_than_a_molecule(const BearingModel& model,
                                                   const FilmEquilibrium& s) {
-  return model.scene.rough.sigma <= 0.0 && s.least.h < kMolecule;
+  return model.domain.rough.sigma <= 0.0 && s.least.h < kMolecule;
 }
 
 /// A cell of a rigid film in which Barus oil has no pressure, -1: none. The values of cells are
 /// means: inside, the reduced pressure q = (1 - exp(-alpha p))/alpha stands higher by a 24th of its
 /// second differences (parabola), and nowhere can it exceed 1/alpha. Without this a single cell
 /// would carry any load, its p = -ln(1 - alpha q)/alpha being unbounded.
-[[nodiscard]] int beyond_reduced_pressure(const BearingModel& model, const FilmEquilibrium& s);
+[[nodiscard]] int beyond_reduced_pressure(const BearingModel& model, const OperatingPoint& point,
+                                          const FilmEquilibrium& s);
 
 /// Element by element; an empty field is zero.
 [[nodiscard]] Field sum(const Field& a, const Field& b);

@@ -8,8 +8,9 @@
 
 namespace shellback::bearing {
 
-Friction friction_of(const BearingModel& model, const FilmEquilibrium& s) {
-  const fluid::FilmScene& scene = model.scene;
+Friction friction_of(const BearingModel& model, const OperatingPoint& point,
+                     const FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = point.scene;
   Field h = s.gap.cell;
   for (std::size_t k = 0; k < h.size(); ++k) {
     const int patch = scene.supply.cell[k];
@@ -20,7 +21,7 @@ Friction friction_of(const BearingModel& model, const FilmEquilibrium& s) {
                                  model.shear_rule);
   f.viscous = fluid::torque(scene, f.stress.journal);
   f.viscous_shell = fluid::torque(scene, f.stress.shell);
-  if (model.contact) f.asperity = fluid::torque(scene, asperity_stress(model, s).sum());
+  if (model.contact) f.asperity = fluid::torque(scene, asperity_stress(model, point, s).sum());
   return f;
 }
 
@@ -32,14 +33,16 @@ Field AsperityStress::sum() const {
 
 namespace {
 
-solid::RubbingPlace rubbing(const BearingModel& model, const FilmEquilibrium& s, std::size_t c) {
+solid::RubbingPlace rubbing(const BearingModel& model, const OperatingPoint& point,
+                            const FilmEquilibrium& s, std::size_t c) {
   return model.contact->place(s.gap.cell[c], s.p_contact[c], 1.0 / s.columns.g0[c],
-                              model.scene.speed);
+                              point.scene.speed);
 }
 
 }  // namespace
 
-AsperityStress asperity_stress(const BearingModel& model, const FilmEquilibrium& s) {
+AsperityStress asperity_stress(const BearingModel& model, const OperatingPoint& point,
+                               const FilmEquilibrium& s) {
   AsperityStress tau;
   if (!model.contact) return tau;
   const std::size_t cells = s.p_contact.size();
@@ -47,7 +50,8 @@ AsperityStress asperity_stress(const BearingModel& model, const FilmEquilibrium&
     part->assign(cells, 0.0);
   }
   for (std::size_t c = 0; c < cells; ++c) {
-    const solid::FrictionParts parts = model.contact->friction().stress(rubbing(model, s, c));
+    const solid::FrictionParts parts =
+        model.contact->friction().stress(rubbing(model, point, s, c));
     tau.abrasive[c] = parts.abrasive;
     tau.adhesive[c] = parts.adhesive;
     tau.micro_hydrodynamic[c] = parts.micro_hydrodynamic;
@@ -55,11 +59,12 @@ AsperityStress asperity_stress(const BearingModel& model, const FilmEquilibrium&
   return tau;
 }
 
-double breakaway_torque(const BearingModel& model, const FilmEquilibrium& s) {
+double breakaway_torque(const BearingModel& model, const OperatingPoint& point,
+                        const FilmEquilibrium& s) {
   if (!model.contact) return 0.0;
   Field tau = s.p_contact;
   for (double& p : tau) p *= model.contact->friction().at_rest();
-  return fluid::torque(model.scene, tau);
+  return fluid::torque(point.scene, tau);
 }
 
 double reference_density(const BearingModel& model) {
@@ -67,11 +72,12 @@ double reference_density(const BearingModel& model) {
   return rheology::density(model.oil, T, 0.0).rho;
 }
 
-double pump_power(const BearingModel& model, const FilmEquilibrium& s) {
-  const auto flows = fluid::oil_flows(model.scene, s.flow);
-  double power = -flows.side * model.scene.p_edge;
+double pump_power(const BearingModel& model, const OperatingPoint& point,
+                  const FilmEquilibrium& s) {
+  const auto flows = fluid::oil_flows(point.scene, s.flow);
+  double power = -flows.side * model.domain.p_edge;
   for (std::size_t k = 0; k < flows.patch.size(); ++k) {
-    power += flows.patch[k] * model.scene.supply.patches[k].pressure;
+    power += flows.patch[k] * point.scene.supply.patches[k].pressure;
   }
   return power / reference_density(model);
 }
@@ -81,8 +87,8 @@ namespace {
 using NodeArray = std::vector<double>;
 
 /// Work of the pressure on the flow through every face, given to the film cells beside it [W].
-Field flow_work(const BearingModel& model, const FilmEquilibrium& s) {
-  const fluid::FilmScene& scene = model.scene;
+Field flow_work(const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = point.scene;
   const FilmGrid& g = scene.grid;
   const double per_mass = 1.0 / reference_density(model);
   Field work(g.cells(), 0.0);
@@ -133,8 +139,8 @@ Field flow_work(const BearingModel& model, const FilmEquilibrium& s) {
 /// Splits face flows over the nodes by the velocity profiles of the cells beside them.
 class NodeFlows {
  public:
-  NodeFlows(const BearingModel& model, const FilmEquilibrium& s)
-      : model_(model), s_(s), v_(velocity_profiles(model.gl, s.columns)), n_(model.gl.n) {}
+  NodeFlows(const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& s)
+      : scene_(point.scene), s_(s), v_(velocity_profiles(model.gl, s.columns)), n_(model.gl.n) {}
 
   void through(const fluid::FaceFlow& f, int a, int b, double* out) const {
     const double poiseuille = f.m - f.carried;
@@ -147,7 +153,7 @@ class NodeFlows {
   }
 
   void fill(thermal::FilmEnergyProblem& p) const {
-    const fluid::FilmScene& scene = model_.scene;
+    const fluid::FilmScene& scene = scene_;
     const FilmGrid& g = scene.grid;
     p.phi_flow.assign(static_cast<std::size_t>(g.cells()) * n_, 0.0);
     p.z_flow.assign(static_cast<std::size_t>(g.nt) * (g.nz + 1) * n_, 0.0);
@@ -174,19 +180,19 @@ class NodeFlows {
   }
 
  private:
-  const BearingModel& model_;
+  const fluid::FilmScene& scene_;
   const FilmEquilibrium& s_;
   VelocityProfiles v_;
   int n_;
 };
 
 /// Heat per node [W] by (1), and the heat of every supply patch.
-void fill_heat(const BearingModel& model, const FilmEquilibrium& s, const Friction& friction,
-               thermal::FilmEnergyProblem& p) {
-  const fluid::FilmScene& scene = model.scene;
+void fill_heat(const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& s,
+               const Friction& friction, thermal::FilmEnergyProblem& p) {
+  const fluid::FilmScene& scene = point.scene;
   const FilmGrid& g = scene.grid;
   const CrossFilmNodes& gl = model.gl;
-  const Field work = flow_work(model, s);
+  const Field work = flow_work(model, point, s);
   const Field fill = fluid::cell_fill(scene, s.film);
   p.heat = dissipation(gl, scene.speed, s.shear_gap, s.gradient_x, s.gradient_z, s.columns);
   for (int i = 0; i < g.nt; ++i) {
@@ -240,14 +246,15 @@ double supply_heat_transfer(const BearingModel& model, int patch) {
   return ChannelHeat::kNusselt * k / (2.0 * supply.depth);
 }
 
-thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const FilmEquilibrium& s,
-                                               const Friction& friction,
+thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model,
+                                               const OperatingPoint& point,
+                                               const FilmEquilibrium& s, const Friction& friction,
                                                std::optional<thermal::FilmStorage> storage) {
-  const fluid::FilmScene& scene = model.scene;
+  const fluid::FilmScene& scene = point.scene;
   const FilmGrid& g = scene.grid;
   const int n = model.gl.n;
   thermal::FilmEnergyProblem p;
-  p.grid = &scene.grid;
+  p.grid = &model.domain.grid;
   p.gl = &model.gl;
   p.patch = scene.supply.cell;
   p.line = scene.supply.line;
@@ -279,12 +286,12 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model, const 
       if (patch >= 0) p.vessels[patch].cp_mix = p.cp[static_cast<std::size_t>(c) * n + n / 2];
     }
   }
-  NodeFlows(model, s).fill(p);
+  NodeFlows(model, point, s).fill(p);
   for (std::size_t k = 0; k < s.flow.fed.size(); ++k) {
     const fluid::Mouth& m = scene.supply.mouths[k];
     p.fed.push_back({m.cell, m.patch, s.flow.fed[k]});
   }
-  fill_heat(model, s, friction, p);
+  fill_heat(model, point, s, friction, p);
   p.storage = std::move(storage);
   return p;
 }
@@ -303,22 +310,24 @@ double share_of_shell(const BearingModel& model) {
 
 }  // namespace
 
-Field contact_heat_rate(const BearingModel& model, const FilmEquilibrium& s) {
-  const double heat = share_of_shell(model) * model.scene.speed;
+Field contact_heat_rate(const BearingModel& model, const OperatingPoint& point,
+                        const FilmEquilibrium& s) {
+  const double heat = share_of_shell(model) * point.scene.speed;
   Field rate(s.p_contact.size());
   for (std::size_t c = 0; c < rate.size(); ++c) {
-    rate[c] = heat * model.contact->friction().per_pressure(rubbing(model, s, c));
+    rate[c] = heat * model.contact->friction().per_pressure(rubbing(model, point, s, c));
   }
   return rate;
 }
 
-ContactHeat contact_heat(const BearingModel& model, const FilmEquilibrium& s) {
+ContactHeat contact_heat(const BearingModel& model, const OperatingPoint& point,
+                         const FilmEquilibrium& s) {
   ContactHeat q{Field(s.p_contact.size(), 0.0), Field(s.p_contact.size(), 0.0)};
   if (!model.contact) return q;
   const double to_shell = share_of_shell(model);
-  const Field tau = asperity_stress(model, s).sum();
+  const Field tau = asperity_stress(model, point, s).sum();
   for (std::size_t c = 0; c < tau.size(); ++c) {
-    const double heat = tau[c] * model.scene.speed;
+    const double heat = tau[c] * point.scene.speed;
     q.shell[c] = to_shell * heat;
     q.shaft[c] = (1.0 - to_shell) * heat;
   }

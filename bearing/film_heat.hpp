@@ -24,7 +24,8 @@ struct Friction {
   double viscous_shell = 0.0;  ///< torque on the shell [N m]
   double asperity = 0.0;       ///< torque [N m]
 };
-[[nodiscard]] Friction friction_of(const BearingModel& model, const FilmEquilibrium& s);
+[[nodiscard]] Friction friction_of(const BearingModel& model, const OperatingPoint& point,
+                                   const FilmEquilibrium& s);
 
 /// Shear stress of the asperities per cell, in its parts [Pa], opposing the motion; empty without
 /// contact. Pressure, gap and, harmonic across the film as for viscous shear, viscosity are those
@@ -33,14 +34,17 @@ struct AsperityStress {
   Field abrasive, adhesive, micro_hydrodynamic;
   [[nodiscard]] Field sum() const;
 };
-[[nodiscard]] AsperityStress asperity_stress(const BearingModel& model, const FilmEquilibrium& s);
+[[nodiscard]] AsperityStress asperity_stress(const BearingModel& model, const OperatingPoint& point,
+                                             const FilmEquilibrium& s);
 
 /// Torque at which a journal at rest would begin to turn: that of the boundary coefficient at rest
 /// on the contact pressure [N m].
-[[nodiscard]] double breakaway_torque(const BearingModel& model, const FilmEquilibrium& s);
+[[nodiscard]] double breakaway_torque(const BearingModel& model, const OperatingPoint& point,
+                                      const FilmEquilibrium& s);
 
 /// Power that the supply spends on pressing the oil through the film [W], whole bearing.
-[[nodiscard]] double pump_power(const BearingModel& model, const FilmEquilibrium& s);
+[[nodiscard]] double pump_power(const BearingModel& model, const OperatingPoint& point,
+                                const FilmEquilibrium& s);
 
 /// Density with which flow work and enthalpies are reckoned [kg/m3].
 [[nodiscard]] double reference_density(const BearingModel& model);
@@ -50,7 +54,7 @@ struct AsperityStress {
 [[nodiscard]] double supply_heat_transfer(const BearingModel& model, int patch);
 /// True of film cells, and of those of supplies that exchange heat with the walls.
 [[nodiscard]] inline bool meets_walls(const BearingModel& model, int cell) {
-  const int patch = model.scene.supply.cell[cell];
+  const int patch = model.supply.cell[cell];
   return patch < 0 || supply_heat_transfer(model, patch) > 0.0;
 }
 
@@ -58,8 +62,8 @@ struct AsperityStress {
 /// conductivity and heat capacity; over a time step with the oil that it has stored. Refers to
 /// `model` and `model.gl`.
 [[nodiscard]] thermal::FilmEnergyProblem film_energy_problem(
-    const BearingModel& model, const FilmEquilibrium& s, const Friction& friction,
-    std::optional<thermal::FilmStorage> storage = {});
+    const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& s,
+    const Friction& friction, std::optional<thermal::FilmStorage> storage = {});
 
 /// cp (T - T_reference) of every node at the temperatures `T` [K]: what a time step begins with
 /// (thermal::heat_content) [J/kg].
@@ -73,7 +77,9 @@ struct ContactHeat {
 };
 /// Heat into the shell per contact pressure, [W/m2] over [Pa] = [m/s]; where nothing touches,
 /// that of its abrasive part.
-[[nodiscard]] Field contact_heat_rate(const BearingModel& model, const FilmEquilibrium& s);
-[[nodiscard]] ContactHeat contact_heat(const BearingModel& model, const FilmEquilibrium& s);
+[[nodiscard]] Field contact_heat_rate(const BearingModel& model, const OperatingPoint& point,
+                                      const FilmEquilibrium& s);
+[[nodiscard]] ContactHeat contact_heat(const BearingModel& model, const OperatingPoint& point,
+                                       const FilmEquilibrium& s);
 
 }  // namespace shellback::bearing

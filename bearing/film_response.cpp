@@ -17,18 +17,19 @@ constexpr double kCorrectionTolerance =
 
 }  // namespace
 
-LinearFilm::LinearFilm(const BearingModel& model, const FilmEquilibrium& s,
-                       const Field& thermal_deformation, double tolerance)
+LinearFilm::LinearFilm(const BearingModel& model, const OperatingPoint& point,
+                       const FilmEquilibrium& s, const Field& thermal_deformation, double tolerance)
     : model_(model),
+      point_(point),
       s_(s),
       thermal_deformation_(thermal_deformation),
       tolerance_(tolerance),
-      film_(model, s, 0, factor_, cost_),
+      film_(model, point.scene, s, 0, factor_, cost_),
       good_(film_.good()) {
   if (std::holds_alternative<rheology::NoShearThinning>(model.oil.shear)) return;
   FilmEquilibrium sharp = s;
-  good_ = good_ && evaluate(model, thermal_deformation, kRoundOff, sharp);
-  residual_ = fluid::film_residual(model.scene, sharp.flow);
+  good_ = good_ && evaluate(model, point, thermal_deformation, kRoundOff, sharp);
+  residual_ = fluid::film_residual(point.scene, sharp.flow);
 }
 
 LinearFilm::Answer LinearFilm::solve(const Field& a, const Field& r, double tolerance) {
@@ -60,19 +61,19 @@ Field LinearFilm::residual_along(const Answer& x, int component) const {
     size = larger(size, std::abs(x.u[k]) / (s_.film.full[k] ? p_scale : 1.0));
   }
   if (component >= 0)
-    size = std::max(size, (component < 2 ? 1.0 : 0.5 * model_.scene.grid.width) / gap);
+    size = std::max(size, (component < 2 ? 1.0 : 0.5 * model_.domain.grid.width) / gap);
   size = larger(size, largest_magnitude(x.d) / gap);
   // Difference and round-off err alike by the root of what the states are known to.
   const double t = std::sqrt(kRoundOff) / size;
   FilmEquilibrium f = s_;
   if (component >= 0) f.position.q[component] += t;
   for (std::size_t k = 0; k < n; ++k) {
-    if (model_.scene.supply.cell[k] >= 0) continue;
+    if (model_.supply.cell[k] >= 0) continue;
     (f.film.full[k] ? f.film.p : f.film.theta)[k] += t * x.u[k];
   }
   for (std::size_t k = 0; k < x.d.size(); ++k) f.elastic[k] += t * x.d[k];
-  if (!evaluate(model_, thermal_deformation_, kRoundOff, f)) return Field(n, NAN);
-  Field r = fluid::film_residual(model_.scene, f.flow);
+  if (!evaluate(model_, point_, thermal_deformation_, kRoundOff, f)) return Field(n, NAN);
+  Field r = fluid::film_residual(point_.scene, f.flow);
   for (std::size_t k = 0; k < n; ++k) r[k] = (r[k] - residual_[k]) / t;
   return r;
 }
@@ -109,7 +110,7 @@ FilmResponse LinearFilm::sharpened(const Field& a, const Field& r, const Field& 
 }
 
 FilmResponse LinearFilm::to_position(int component) {
-  const fluid::FilmScene& scene = model_.scene;
+  const fluid::FilmScene& scene = point_.scene;
   const FilmGrid& g = scene.grid;
   Field a = fluid::residual_by_position(scene, s_.flow, component);
   for (double& x : a) x = -x;

@@ -29,7 +29,7 @@ class LinearFilm {
  public:
   /// Linearises an evaluated state; `thermal_deformation` as it was evaluated with. `tolerance`: of
   /// the pressures of an answer, of their largest [-].
-  LinearFilm(const BearingModel& model, const FilmEquilibrium& state,
+  LinearFilm(const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& state,
              const Field& thermal_deformation, double tolerance);
   [[nodiscard]] bool good() const { return good_; }  ///< false: singular matrix
 
@@ -54,6 +54,7 @@ class LinearFilm {
   [[nodiscard]] Field residual_along(const Answer& x, int component) const;
 
   const BearingModel& model_;
+  const OperatingPoint& point_;
   const FilmEquilibrium& s_;
   const Field& thermal_deformation_;
   Field residual_;  ///< of the state, if the oil thins; else empty [kg/s]

@@ -13,16 +13,16 @@ namespace shellback::bearing {
 namespace {
 
 /// An elasto-plastic layer, if there is one, begins a stage of length `own` from these columns.
-void begin_layer(double own, Columns columns, BearingModel& model) {
-  if (!model.layer) return;
-  model.layer->own = own;
-  model.layer->before = std::move(columns);
+void begin_layer(double own, Columns columns, OperatingPoint& point) {
+  if (!point.layer) return;
+  point.layer->own = own;
+  point.layer->before = std::move(columns);
 }
 
 /// And what the stage has made of it.
-LayerInTime layer_of(const BearingModel& model, const FilmEquilibrium& film) {
-  if (!model.layer) return {};
-  return stage_of(*model.layer, model.scene.grid, film.film.p, film.p_contact, film.layer);
+LayerInTime layer_of(const OperatingPoint& point, const FilmEquilibrium& film) {
+  if (!point.layer) return {};
+  return stage_of(*point.layer, point.scene.grid, film.film.p, film.p_contact, film.layer);
 }
 
 /// Oil that these flows gather in every cell, zero in supply cells [kg/(m2 s)].
@@ -43,48 +43,49 @@ FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double
       course_(course),
       mass_(mass),
       options_(options),
+      point_(operating_point(model)),
       drillings_(model, course),
       vessels_(model) {
-  target_ = load_target(model.input);
-  target_.unit = course.largest_load();
+  point_.load.unit = course.largest_load();
 }
 
 FilmInTime FilmSteps::at_rest(double T) {
   FilmInTime now;
-  now.vessels = vessels_.begin(model_.scene);
-  model_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
-  now.film = cold_start(model_, T);
-  for (int k = 0; k < target_.unknowns; ++k) now.film.position.q[k] = 0.0;
+  now.vessels = vessels_.begin(point_.scene);
+  point_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
+  now.film = cold_start(model_, point_, T);
+  for (int k = 0; k < point_.load.unknowns; ++k) now.film.position.q[k] = 0.0;
   [[maybe_unused]] const bool open =
-      evaluate(model_, widening_, options_.viscosity_tolerance, now.film);
+      evaluate(model_, point_, widening_, options_.viscosity_tolerance, now.film);
   EXPECTS(open);
-  now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
-  if (model_.layer) now.layer.now.assign(model_.scene.grid.cells(), {});
+  now.oil = fluid::oil_content(point_.scene, now.film.gap, now.film.oil, now.film.film);
+  if (point_.layer) now.layer.now.assign(model_.domain.grid.cells(), {});
   return now;
 }
 
 void FilmSteps::open_mouths(double t, FilmEquilibrium& film) {
   if (!drillings_.any()) return;
   [[maybe_unused]] const bool open =
-      evaluate(model_, widening_, options_.viscosity_tolerance, film);
+      evaluate(model_, point_, widening_, options_.viscosity_tolerance, film);
   EXPECTS(open);
   drillings_.take(model_, film);
-  drillings_.place(t, model_.scene);
+  drillings_.place(t, point_.scene);
 }
 
 namespace {
 
 /// Oil of a steady film [kg/m2], in which theta of a cavitated cell is that of its downstream face
 /// (fill_front.hpp).
-Field begun_with(const BearingModel& model, const FilmEquilibrium& film) {
+Field begun_with(const BearingModel& model, const OperatingPoint& point,
+                 const FilmEquilibrium& film) {
   fluid::FilmState middle = film.film;
   if (model.input.model.methods.transport == FillTransport::van_leer) {
-    const Field fill = fluid::cell_fill(model.scene, film.film);
+    const Field fill = fluid::cell_fill(point.scene, film.film);
     for (std::size_t k = 0; k < fill.size(); ++k) {
       if (!middle.full[k]) middle.theta[k] = fill[k];
     }
   }
-  return fluid::oil_content(model.scene, film.gap, film.oil, middle);
+  return fluid::oil_content(point.scene, film.gap, film.oil, middle);
 }
 
 }  // namespace
@@ -92,26 +93,28 @@ Field begun_with(const BearingModel& model, const FilmEquilibrium& film) {
 std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
                                             const std::atomic<bool>* stop) {
   const LoadNow load = course_.at(0.0);
-  LoadTarget target = target_;
+  LoadTarget target = point_.load;
   target.force[0] = -load.x;
   target.force[1] = -load.y;
   target.unit = 0.0;
   const bool at_rest = load.omega == 0.0;  // the film carries nothing: asperities may
   if ((at_rest && !model_.contact) || !(target.scale() > 0.0)) return std::nullopt;
-  model_.scene.speed = load.omega * model_.input.bearing.radius;
-  model_.scene.storage = {};
-  if (model_.layer) model_.layer->hold(model_.scene.grid.cells());
+  point_.scene.speed = load.omega * model_.input.bearing.radius;
+  point_.scene.storage = {};
+  if (point_.layer) point_.layer->hold(model_.domain.grid.cells());
   FilmInTime now;
-  now.vessels = vessels_.begin(model_.scene);
-  now.film = cold_start(model_, T);
+  now.vessels = vessels_.begin(point_.scene);
+  now.film = cold_start(model_, point_, T);
   open_mouths(0.0, now.film);
-  const Verdict v = at_rest ? come_to_rest(model_, target, options_, now.film, cost, stop)
-                            : newton_or_through_time(model_, target, {}, EquilibriumOptions{},
+  OperatingPoint point = point_;
+  point.load = target;
+  const Verdict v = at_rest ? come_to_rest(model_, point, options_, now.film, cost, stop)
+                            : newton_or_through_time(model_, point, {}, EquilibriumOptions{},
                                                      now.film, cost, stop);
   if (!v.good()) return std::nullopt;
-  model_.scene.storage = {};
-  now.oil = begun_with(model_, now.film);
-  now.flows = fluid::oil_flows(model_.scene, now.film.flow);
+  point_.scene.storage = {};
+  now.oil = begun_with(model_, point_, now.film);
+  now.flows = fluid::oil_flows(point_.scene, now.film.flow);
   for (const solid::PressedColumn& c : now.film.layer) now.layer.now.push_back(c.now);
   return now;
 }
@@ -137,13 +140,13 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
       v[k] += f * stages[j].acceleration[k];
     }
   }
-  model_.scene.speed = load.omega * model_.input.bearing.radius;
-  model_.scene.storage = {own, std::move(before), fronts_of(film)};
-  begin_layer(own, std::move(layer), model_);
-  target_.force[0] = -load.x;
-  target_.force[1] = -load.y;
+  point_.scene.speed = load.omega * model_.input.bearing.radius;
+  point_.scene.storage = {own, std::move(before), fronts_of(film)};
+  begin_layer(own, std::move(layer), point_);
+  point_.load.force[0] = -load.x;
+  point_.load.force[1] = -load.y;
   if (mass_ > 0.0) {
-    target_.inertia = Inertia{mass_ / (own * own), {q[0] + own * v[0], q[1] + own * v[1]}};
+    point_.load.inertia = Inertia{mass_ / (own * own), {q[0] + own * v[0], q[1] + own * v[1]}};
   }
   if (i > (by.explicit_first ? 1 : 0)) {
     const double since = (by.c[i] - by.c[i - 1]) * dt;
@@ -152,21 +155,21 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
     carry_on(now.trend, by.c[i] * dt, film);
   }
   if (heat_) expect_temperatures(i, dt, stages, now, film);
-  if (drillings_.any()) drillings_.place(now.t + by.c[i] * dt, model_.scene);
+  if (drillings_.any()) drillings_.place(now.t + by.c[i] * dt, point_.scene);
   const Verdict verdict = solve_film_and_fronts(own, vessels, film, cost, stop);
   if (!verdict.good()) return verdict;
   if (thinner_than_a_molecule(model_, film)) {
     return {Status::no_steady_state, ending::NotAtRest{0, film.least.h}, film.least.place()};
   }
-  found.oil = gathered(model_.scene, film.flow);
-  found.flows = fluid::oil_flows(model_.scene, film.flow);
-  found.layer = layer_of(model_, film);
-  const fluid::Wrench wanted = target_.wanted(film);
+  found.oil = gathered(point_.scene, film.flow);
+  found.flows = fluid::oil_flows(point_.scene, film.flow);
+  found.layer = layer_of(point_, film);
+  const fluid::Wrench wanted = point_.load.wanted(film);
   for (int k = 0; k < 2; ++k) {
     found.velocity[k] = (film.position.q[k] - q[k]) / own;
     found.acceleration[k] = mass_ > 0.0 ? (found.velocity[k] - v[k]) / own : 0.0;
     found.force[k] = film.force[k];
-    if (k < target_.unknowns) {
+    if (k < point_.load.unknowns) {
       found.off_balance = std::max(found.off_balance, std::abs(film.force[k] - wanted[k]));
     }
   }
@@ -175,7 +178,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
 
 Field FilmSteps::fronts_of(const FilmEquilibrium& film) const {
   if (model_.input.model.methods.transport == FillTransport::upwind) return {};
-  return fluid::fill_fronts(model_.scene, film.film, film.flow);
+  return fluid::fill_fronts(point_.scene, film.film, film.flow);
 }
 
 Verdict FilmSteps::solve_film_and_fronts(double own, const std::vector<double>& vessels_star,
@@ -191,19 +194,19 @@ Verdict FilmSteps::solve_film_and_fronts(double own, const std::vector<double>& 
   }
   const Verdict v = solve_film(own, vessels_star, loose, film, cost, stop);
   if (!v.good()) return v;
-  model_.scene.storage.front = fronts_of(film);
+  point_.scene.storage.front = fronts_of(film);
   return solve_film(own, vessels_star, options_, film, cost, stop);
 }
 
 Verdict FilmSteps::solve_film(double own, const std::vector<double>& vessels_star,
                               const EquilibriumOptions& options, FilmEquilibrium& film,
                               EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  const auto solve = [&] { return newton(model_, target_, widening_, options, film, cost, stop); };
+  const auto solve = [&] { return newton(model_, point_, widening_, options, film, cost, stop); };
   if (!vessels_.any()) return solve();
-  return vessels_.solve(own, vessels_star, model_.scene, [&](fluid::OilFlows& flows) {
-    fluid::impose_supply(model_.scene, film.film);
+  return vessels_.solve(own, vessels_star, point_.scene, [&](fluid::OilFlows& flows) {
+    fluid::impose_supply(point_.scene.supply, film.film);
     Verdict v = solve();
-    flows = fluid::oil_flows(model_.scene, film.flow);
+    flows = fluid::oil_flows(point_.scene, film.flow);
     return v;
   });
 }
@@ -228,11 +231,11 @@ void FilmSteps::carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& 
   const double most = kMost * room(model_, film);
   if (ahead * move > most) ahead = std::max(most / move, 0.0);
   for (std::size_t c = 0; c < trend.p.size(); ++c) {
-    if (!film.film.full[c] || model_.scene.supply.cell[c] >= 0) continue;
-    film.film.p[c] = std::max(film.film.p[c] + ahead * trend.p[c], model_.scene.p_cavitation);
+    if (!film.film.full[c] || model_.supply.cell[c] >= 0) continue;
+    film.film.p[c] = std::max(film.film.p[c] + ahead * trend.p[c], model_.domain.p_cavitation);
   }
   for (std::size_t c = 0; c < film.elastic.size(); ++c) film.elastic[c] += ahead * trend.elastic[c];
-  for (int k = 0; k < target_.unknowns; ++k) film.position.q[k] += ahead * trend.q[k];
+  for (int k = 0; k < point_.load.unknowns; ++k) film.position.q[k] += ahead * trend.q[k];
 }
 
 namespace {
@@ -262,7 +265,7 @@ double FilmSteps::error_of_film(const FilmInTime& now, const FilmEquilibrium& en
                                 const std::vector<FilmStage>& stages, double dt) const {
   const Tableau by = method_at(now);
   constexpr double kLoaded = 0.01;  // of the largest specific load of the course: counts as loaded
-  const FilmGrid& g = model_.scene.grid;
+  const FilmGrid& g = model_.domain.grid;
   const double loaded = kLoaded * course_.largest_load() / (2.0 * g.radius * g.width);
   double worst = 0.0;
   bool any = false;
@@ -273,11 +276,11 @@ double FilmSteps::error_of_film(const FilmInTime& now, const FilmEquilibrium& en
   }
   const std::vector<char> inside = away_from_fronts(g, full);
   for (int c = 0; c < g.cells(); ++c) {
-    if (!inside[c] || model_.scene.supply.cell[c] >= 0 || end.film.p[c] < loaded) continue;
+    if (!inside[c] || model_.supply.cell[c] >= 0 || end.film.p[c] < loaded) continue;
     any = true;
     double missing = 0.0;
     for (int i = 0; i < by.stages; ++i) missing += (by.b(i) - by.other[i]) * stages[i].oil[c];
-    const double height = end.oil.density[c] * (end.gap.cell[c] + model_.scene.rough.sigma);
+    const double height = end.oil.density[c] * (end.gap.cell[c] + model_.domain.rough.sigma);
     worst = larger(worst, std::abs(dt * missing) / height);
   }
   if (any || mass_ <= 0.0) return worst;
@@ -373,24 +376,25 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
 }
 
 FilmSteps::Supplies FilmSteps::supplies() const {
-  return {vessels_, model_.scene.supply.patches, model_.scene.supply.mouths};
+  return {vessels_, point_.scene.supply.patches, point_.scene.supply.mouths};
 }
 
 void FilmSteps::put_back(const Supplies& before) {
   vessels_ = before.vessels;
-  model_.scene.supply.patches = before.patches;
-  model_.scene.supply.mouths = before.mouths;
+  point_.scene.supply.patches = before.patches;
+  point_.scene.supply.mouths = before.mouths;
 }
 
 bool FilmSteps::reshape(FilmInTime& now) {
   constexpr double kNearer = 0.9;  // to the middle, where the gap is closed: it is but a start
   constexpr int kMost = 40;        // then it is in the middle within 2 %
-  model_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
-  for (int k = 0; !evaluate(model_, widening_, options_.viscosity_tolerance, now.film); ++k) {
+  point_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
+  for (int k = 0; !evaluate(model_, point_, widening_, options_.viscosity_tolerance, now.film);
+       ++k) {
     if (k == kMost) return false;
     for (int i = 0; i < 2; ++i) now.film.position.q[i] *= kNearer;
   }
-  now.oil = fluid::oil_content(model_.scene, now.film.gap, now.film.oil, now.film.film);
+  now.oil = fluid::oil_content(point_.scene, now.film.gap, now.film.oil, now.film.film);
   now.oil_slope.clear();
   return true;
 }

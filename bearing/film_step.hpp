@@ -105,8 +105,9 @@ class FilmSteps {
   /// One step of dt from `now`.
   [[nodiscard]] FilmStep take(double dt, const FilmInTime& now, EquilibriumCost& cost,
                               const std::atomic<bool>* stop);
-  /// The scene as it was at the end of the last step: with its speed.
   [[nodiscard]] const BearingModel& model() const { return model_; }
+  /// As it was in the last stage: its speed, load, supplies and step.
+  [[nodiscard]] const OperatingPoint& point() const { return point_; }
   /// Of the journal [kg].
   [[nodiscard]] double mass() const { return mass_; }
   [[nodiscard]] const Vessels& vessels() const { return vessels_; }
@@ -171,11 +172,11 @@ class FilmSteps {
   /// True if these walls leave the journal a place.
   [[nodiscard]] bool leave_room(const WallMeans& walls, const FilmInTime& now) const;
 
-  BearingModel model_;
+  const BearingModel model_;
   const LoadCourse& course_;
   double mass_;
   EquilibriumOptions options_;
-  LoadTarget target_;
+  OperatingPoint point_;
   std::optional<HeatSteps> heat_;
   Drillings drillings_;
   Vessels vessels_;

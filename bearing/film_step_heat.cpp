@@ -57,14 +57,14 @@ Field FilmSteps::widening_at(double t, const std::vector<double>& skin) const {
 bool FilmSteps::leave_room(const WallMeans& walls, const FilmInTime& now) const {
   FilmEquilibrium middle = now.film;
   middle.position.q[0] = middle.position.q[1] = 0.0;
-  return evaluate(model_, walls.thermal_deformation, options_.viscosity_tolerance, middle);
+  return evaluate(model_, point_, walls.thermal_deformation, options_.viscosity_tolerance, middle);
 }
 
 bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmInTime& now) {
   constexpr double kGrows = 0.1;  // of the period: docs/decisions/039
   const bool first = !heat_;
   if (first) heat_.emplace(model_, period, shortest);
-  const FilmGrid& g = model_.scene.grid;
+  const FilmGrid& g = model_.domain.grid;
   const int n = model_.gl.n;
   for (int c = 0; c < g.cells(); ++c) {
     if (!meets_walls(model_, c)) continue;
@@ -105,10 +105,10 @@ Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<FilmStage>& st
     add(by.a[i][j] * dt, stages[j].heat.held_slope, held);
     add(by.a[i][j] * dt, stages[j].heat.skin_slope, skin);
   }
-  const FilmGrid& g = model_.scene.grid;
-  Field after = model_.scene.storage.before;
+  const FilmGrid& g = model_.domain.grid;
+  Field after = point_.scene.storage.before;
   add(own, found.oil, after);
-  found.heat = heat_->stage(model_, film, own, of_cells(g, model_.scene.storage.before),
+  found.heat = heat_->stage(model_, point_, film, own, of_cells(g, point_.scene.storage.before),
                             of_cells(g, std::move(after)), held, skin);
   for (int k = 0; k < 2; ++k) found.heat.flows.work -= film.force[k] * found.velocity[k];
   if (found.heat.possible && found.heat.settled) return {};
@@ -141,7 +141,7 @@ void FilmSteps::end_heat(double dt, const FilmInTime& now, const FilmEquilibrium
 
 double FilmSteps::work_of_growth(const FilmInTime& now, double t, const FilmEquilibrium& film,
                                  const std::vector<double>& skin) const {
-  const FilmGrid& g = model_.scene.grid;
+  const FilmGrid& g = model_.domain.grid;
   const Field before = widening_at(now.t, now.heat.skin);
   const Field behind = widening_at(t, skin);
   double work = 0.0;

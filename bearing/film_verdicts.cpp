@@ -9,16 +9,16 @@
 
 namespace shellback::bearing {
 
-Verdict limit_load(const BearingModel& model, const LoadTarget& target, double carried,
+Verdict limit_load(const BearingModel& model, const OperatingPoint& point, double carried,
                    int worst_cell) {
   if (worst_cell < 0) return {Status::iteration_limit, ending::Plain::no_position};
-  return {Status::no_steady_state, ending::BeyondPressureBound{target.scale(), carried},
-          fluid::place_of(model.scene.grid, worst_cell)};
+  return {Status::no_steady_state, ending::BeyondPressureBound{point.load.scale(), carried},
+          fluid::place_of(model.domain.grid, worst_cell)};
 }
 
-Verdict no_film(const BearingModel& model, const LoadTarget& target,
+Verdict no_film(const BearingModel& model, const OperatingPoint& point,
                 const Field& thermal_deformation, const FilmEquilibrium& s) {
-  const fluid::FilmScene& scene = model.scene;
+  const fluid::FilmScene& scene = point.scene;
   for (const auto& found :
        {find_not_a_number(FieldName::journal_position, s.position.q, 4),
         find_not_a_number(FieldName::thermal_deformation, thermal_deformation),
@@ -28,15 +28,15 @@ Verdict no_film(const BearingModel& model, const LoadTarget& target,
     const bool placed = found->field != FieldName::journal_position;
     return fluid::ended_by(scene.grid, {found->field, placed ? found->cell : -1});
   }
-  if (is_closed(model, s)) return closed_gap(model, target, thermal_deformation, s);
+  if (is_closed(model, s)) return closed_gap(model, point, thermal_deformation, s);
   const auto contact = find_not_a_number(FieldName::contact_pressure, s.p_contact);
   const NotANumber in_film = fluid::first_not_a_number(s.gap, s.film, s.oil, s.flow);
   const bool later = contact && in_film.cell < 0;
   return fluid::ended_by(scene.grid, later ? *contact : in_film);
 }
 
-Verdict singular_film(const BearingModel& model, const FilmEquilibrium& s) {
-  const fluid::FilmScene& scene = model.scene;
+Verdict singular_film(const OperatingPoint& point, const FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = point.scene;
   const NotANumber found = fluid::first_not_a_number(s.gap, s.film, s.oil, s.flow);
   if (found.cell >= 0) return fluid::ended_by(scene.grid, found);
   constexpr double kDeep = 10.0;  // below the mean plane no oil is left between rough surfaces [-]
@@ -56,7 +56,7 @@ Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residua
                                       [](double a, double b) { return std::abs(a) < std::abs(b); });
   return {Status::iteration_limit,
           ending::FilmUnsettled{iterations, r.film_norm, r.load_norm, r.elastic_norm, s.least.h},
-          fluid::place_of(model.scene.grid, static_cast<int>(worst - r.film.begin()))};
+          fluid::place_of(model.domain.grid, static_cast<int>(worst - r.film.begin()))};
 }
 
 }  // namespace shellback::bearing

@@ -7,7 +7,7 @@
 
 namespace shellback::bearing {
 
-/// Solves `s.target` on the model's own grid at temperature T [K]. `s.film` is left at the last
+/// Solves `s.point` on the model's own grid at temperature T [K]. `s.film` is left at the last
 /// state.
 [[nodiscard]] Verdict first_film(Solution& s, double T, const SolveControl& control);
 

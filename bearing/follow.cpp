@@ -35,16 +35,16 @@ bool has_bound(const Solution& s) {
 
 /// True if a little closer, in the load's direction, the reduced pressure exceeds its bound.
 bool unbounded_closer(const Solution& s, const SolveControl& control) {
-  LoadTarget held = s.target;
-  held.unknowns = 0;
-  held.path.reset();
+  OperatingPoint held = s.point;
+  held.load.unknowns = 0;
+  held.load.path.reset();
   EquilibriumCost cost;
-  cost.most_work = 1e3 * s.model.scene.grid.cells();
+  cost.most_work = 1e3 * s.model.domain.grid.cells();
   for (const double part : kCloser) {
     FilmEquilibrium f = s.film;
+    const fluid::Wrench& force = held.load.force;
     for (int k = 0; k < 2; ++k) {
-      f.position.q[k] -=
-          part * room(s.model, f) * held.force[k] / std::hypot(held.force[0], held.force[1]);
+      f.position.q[k] -= part * room(s.model, f) * force[k] / std::hypot(force[0], force[1]);
     }
     const Verdict v = newton(s.model, held, s.heat.thermal_deformation, {}, f, cost, control.stop);
     if (v.status == Status::no_steady_state && !is_closed(s.model, f)) return true;
@@ -83,14 +83,14 @@ PathRow LoadBranch::next_row(double length) const {
   const FilmEquilibrium& now = last_.film;
   const double gap = room(s_.model, now);
   for (int k = 0; k < 4; ++k) {
-    row.unit[k] = k < 2 ? gap : gap / (0.5 * s_.model.scene.grid.width);
+    row.unit[k] = k < 2 ? gap : gap / (0.5 * s_.model.domain.grid.width);
   }
   row.from = now.position;
   row.from_load = now.ln_load;
   row.length = length;
   if (!secant_) return row;
   double norm = std::pow(now.ln_load - before_.film.ln_load, 2);
-  for (int k = 0; k < s_.target.unknowns; ++k) {
+  for (int k = 0; k < s_.point.load.unknowns; ++k) {
     row.along[k] = (now.position.q[k] - before_.film.position.q[k]) / row.unit[k];
     norm += row.along[k] * row.along[k];
   }
@@ -115,7 +115,7 @@ void LoadBranch::restore() {
 }
 
 bool LoadBranch::arrive() {
-  s_.target.path.reset();
+  s_.point.load.path.reset();
   s_.film.ln_load = 0.0;
   const Verdict v = correct_(s_, Accuracy::result);
   if (v.good()) return true;
@@ -134,7 +134,7 @@ Branch LoadBranch::run(double begun) {
   last_ = {s_.film, s_.heat};
   double step = kFirstStep;
   for (int k = 0; k < kMostIterations && step > kShortestStep; ++k) {
-    s_.target.path = next_row(step);
+    s_.point.load.path = next_row(step);
     const Verdict v = correct_(s_, Accuracy::way_point);
     if (v.status == Status::interrupted || stopped(control_)) {
       failure_ = {Status::interrupted};
@@ -167,32 +167,27 @@ Branch LoadBranch::run(double begun) {
 
 Branch follow_load(Solution& s, double begun, const Corrector& correct,
                    const SolveControl& control) {
-  const LoadTarget goal = s.target;
+  const LoadTarget goal = s.point.load;
   const Branch branch = LoadBranch(s, correct, control).run(begun);
-  s.target = goal;
+  s.point.load = goal;
   if (branch.end != BranchEnd::reached) s.film.ln_load = 0.0;
   return branch;
 }
 
-Part::Part(Solution& s, Raised raised)
-    : s_(s),
-      raised_(raised),
-      force_(s.target.force),
-      speed_(s.model.scene.speed),
-      omega_(s.model.input.operation.omega) {}
+Part::Part(OperatingPoint& point, Raised raised)
+    : point_(point), raised_(raised), force_(point.load.force), speed_(point.scene.speed) {}
 
 void Part::take(double part) {
   if (raised_ == Raised::load) {
-    for (int k = 0; k < 4; ++k) s_.target.force[k] = part * force_[k];
+    for (int k = 0; k < 4; ++k) point_.load.force[k] = part * force_[k];
   } else {
-    s_.model.scene.speed = part * speed_;
-    s_.model.input.operation.omega = part * omega_;
+    point_.scene.speed = part * speed_;
   }
 }
 
 Branch follow_speed(Solution& s, double begun, const Corrector& correct,
                     const SolveControl& control) {
-  Part of(s, Raised::speed);
+  Part of(s.point, Raised::speed);
   Branch branch{Raised::speed, BranchEnd::lost, begun, s.film.least.h, {}};
   Reached last{s.film, s.heat};
   double step = kFirstStep;
@@ -226,7 +221,7 @@ Branch follow_speed(Solution& s, double begun, const Corrector& correct,
 std::optional<Branch> follow_from(Solution& s, Raised raised, std::span<const double> parts,
                                   const std::function<Verdict()>& start, const Corrector& correct,
                                   const SolveControl& control) {
-  Part part(s, raised);
+  Part part(s.point, raised);
   for (const double begun : parts) {
     part.take(begun);
     const Verdict v = start();
@@ -240,7 +235,7 @@ std::optional<Branch> follow_from(Solution& s, Raised raised, std::span<const do
 }
 
 void note_limit(Solution& s, const Branch& branch, bool proven) {
-  const FilmGrid& g = s.model.scene.grid;
+  const FilmGrid& g = s.model.domain.grid;
   s.limits.push_back({{g.nt, g.full_nz()},
                       branch.raised == Raised::speed,
                       branch.carried,

@@ -17,7 +17,7 @@
 
 namespace shellback::bearing {
 
-/// Solves the steady state of `s.target` in `s.model` from the state that `s` holds, to the
+/// Solves the steady state of `s.point` in `s.model` from the state that `s` holds, to the
 /// accuracy of a way point or of a result.
 enum class Accuracy { way_point, result };
 using Corrector = std::function<Verdict(Solution& s, Accuracy accuracy)>;
@@ -26,6 +26,8 @@ using ending::BranchEnd;
 
 /// Parts of load or speed from which a branch may begin, the first that is found [-].
 inline constexpr std::array kLight{0.3, 0.1, 0.02, 2e-3, 2e-4};
+/// Two ends of a branch that are nearer than this are one [-].
+inline constexpr double kAgree = 0.1;
 
 /// What of the operating point is raised along a branch.
 enum class Raised { load, speed };
@@ -38,7 +40,7 @@ struct Branch {
   Verdict last;          ///< of the corrector where it failed
 };
 
-/// Follows the branch of `s`, a state at the part `begun` of the load (of `s.target`), to the whole
+/// Follows the branch of `s`, a state at the part `begun` of the load (of `s.point`), to the whole
 /// load; `s` is left at the solution or at the last state of the branch.
 [[nodiscard]] Branch follow_load(Solution& s, double begun, const Corrector& correct,
                                  const SolveControl& control);
@@ -47,17 +49,17 @@ struct Branch {
 [[nodiscard]] Branch follow_speed(Solution& s, double begun, const Corrector& correct,
                                   const SolveControl& control);
 
-/// Gives the scene a part of its load or of its speed.
+/// Gives the operating point a part of its load or of its speed.
 class Part {
  public:
-  Part(Solution& s, Raised raised);
+  Part(OperatingPoint& point, Raised raised);
   void take(double part);
 
  private:
-  Solution& s_;
+  OperatingPoint& point_;
   Raised raised_;
   fluid::Wrench force_;
-  double speed_, omega_;
+  double speed_;
 };
 
 /// From the first of `parts` at which `start` finds a state, along load or speed to the whole; none

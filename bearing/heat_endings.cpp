@@ -12,7 +12,7 @@ Verdict fields_finite(const Solution& s) {
   for (const auto& found :
        {find_not_a_number(FieldName::film_temperature, s.film.columns.T, s.model.gl.n),
         find_not_a_number(FieldName::thermal_deformation, s.heat.thermal_deformation)}) {
-    if (found) return fluid::ended_by(s.model.scene.grid, *found);
+    if (found) return fluid::ended_by(s.model.domain.grid, *found);
   }
   return {};
 }
@@ -23,7 +23,7 @@ Verdict temperatures_possible(const Solution& s) {
   const auto [low, high] = std::minmax_element(T.begin(), T.end());
   const double T_supply = s.model.input.supplies.front().temperature;
   const auto place = [&](auto node) {
-    return fluid::place_of(s.model.scene.grid, static_cast<int>(node - T.begin()) / s.model.gl.n);
+    return fluid::place_of(s.model.domain.grid, static_cast<int>(node - T.begin()) / s.model.gl.n);
   };
   if (!rheology::laws_hold(s.model.oil, *low)) {
     return {Status::iteration_limit, ending::AtTemperature{ending::Thermal::oil_laws, *low},
@@ -50,7 +50,7 @@ Verdict colder_than_all_around(const Solution& s) {
   const double coldest = coldest_around(s.model);
   if (*low >= coldest - kUndershoot - kRipple * (*high - coldest)) return {};
   return {Status::iteration_limit, ending::AtTemperature{ending::Thermal::too_cold, *low},
-          fluid::place_of(s.model.scene.grid, static_cast<int>(low - T.begin()) / s.model.gl.n)};
+          fluid::place_of(s.model.domain.grid, static_cast<int>(low - T.begin()) / s.model.gl.n)};
 }
 
 Verdict walls_unbalanced(double change) {

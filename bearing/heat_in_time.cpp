@@ -41,7 +41,7 @@ bool possible(const std::vector<double>& T) {
 }  // namespace
 
 WallMeans uniform_walls(const BearingModel& model, double T) {
-  const FilmGrid& g = model.scene.grid;
+  const FilmGrid& g = model.domain.grid;
   return {Field(g.cells(), T), std::vector<double>(g.nz, T), Field(g.cells(), 0.0),
           model.solids->at(model.solids->uniform_state(T)).thermal_deformation};
 }
@@ -107,19 +107,20 @@ void HeatSteps::heat_skin(const thermal::SkinStep& step, const std::vector<doubl
   }
 }
 
-HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, double own,
-                           const Field& before, const Field& after, const std::vector<double>& held,
+HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& point,
+                           const FilmEquilibrium& s, double own, const Field& before,
+                           const Field& after, const std::vector<double>& held,
                            const std::vector<double>& skin) const {
-  const FilmGrid& g = model.scene.grid;
+  const FilmGrid& g = model.domain.grid;
   const int n = model.gl.n;
-  const auto film = [&](int c) { return model.scene.supply.cell[c] < 0; };
-  const ContactHeat rubbed = contact_heat(model, s);
+  const auto film = [&](int c) { return model.supply.cell[c] < 0; };
+  const ContactHeat rubbed = contact_heat(model, point, s);
   HeatStage out;
   out.skin = skin;
   const thermal::SkinStep step = skin_.over(own);
-  const Friction friction = friction_of(model, s);
-  thermal::FilmEnergyProblem problem =
-      film_energy_problem(model, s, friction, thermal::FilmStorage{own, after, before, held});
+  const Friction friction = friction_of(model, point, s);
+  thermal::FilmEnergyProblem problem = film_energy_problem(
+      model, point, s, friction, thermal::FilmStorage{own, after, before, held});
   problem.shell = free_shell(g, step, rubbed.shell, out.skin);
   out.T = s.columns.T;
   for (int c = 0; c < g.cells(); ++c) {
@@ -133,8 +134,8 @@ HeatStage HeatSteps::stage(const BearingModel& model, const FilmEquilibrium& s, 
   out.possible = possible(out.T);
   out.blended_columns = energy.blended_columns();
   out.flows.balance = energy.balance(out.T);
-  out.flows.work =
-      (friction.viscous + friction.asperity) * model.scene.speed / g.radius + pump_power(model, s);
+  out.flows.work = (friction.viscous + friction.asperity) * point.scene.speed / g.radius +
+                   pump_power(model, point, s);
   const thermal::WallHeat into = energy.wall_heat(out.T);
   out.flows.to_shell = walls.flux;  // of supplies that exchange no heat: no swing
   out.flows.to_shaft.assign(g.cells(), 0.0);
@@ -163,12 +164,12 @@ Field HeatSteps::swelling(const std::vector<double>& skin) const {
 
 double HeatSteps::surprise(const BearingModel& model, const FilmEquilibrium& s,
                            const std::vector<double>& T) const {
-  const FilmGrid& g = model.scene.grid;
+  const FilmGrid& g = model.domain.grid;
   const int n = model.gl.n;
   double sum = 0.0;
   double load = 0.0;
   for (int c = 0; c < g.cells(); ++c) {
-    if (model.scene.supply.cell[c] >= 0 || !s.film.full[c]) continue;
+    if (model.supply.cell[c] >= 0 || !s.film.full[c]) continue;
     double off = 0.0;
     for (int k = 0; k < n; ++k) {
       const std::size_t at = static_cast<std::size_t>(c) * n + k;
@@ -183,17 +184,18 @@ double HeatSteps::surprise(const BearingModel& model, const FilmEquilibrium& s,
   return load > 0.0 ? sum / load : 0.0;
 }
 
-thermal::FilmEnergy lasting_film(const BearingModel& model, const FilmEquilibrium& s) {
-  const FilmGrid& g = model.scene.grid;
+thermal::FilmEnergy lasting_film(const BearingModel& model, const OperatingPoint& point,
+                                 const FilmEquilibrium& s) {
+  const FilmGrid& g = model.domain.grid;
   const double dt = 1.0;  // [s]; only the rate of M counts
-  Field gained = fluid::net_outflow(model.scene, s.flow);
+  Field gained = fluid::net_outflow(point.scene, s.flow);
   Field lost = gained;
   for (std::size_t c = 0; c < gained.size(); ++c) {
     gained[c] = std::max(-dt * gained[c], 0.0);
     lost[c] = std::max(dt * lost[c], 0.0);
   }
   const std::vector<double> none(static_cast<std::size_t>(g.cells()) * model.gl.n, 0.0);
-  return thermal::FilmEnergy(film_energy_problem(model, s, friction_of(model, s),
+  return thermal::FilmEnergy(film_energy_problem(model, point, s, friction_of(model, point, s),
                                                  thermal::FilmStorage{dt, gained, lost, none}));
 }
 

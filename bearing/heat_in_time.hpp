@@ -78,9 +78,9 @@ class HeatSteps {
                                  const Field& mass) const;
   /// Solves a stage of length `own` [s] for the film that `s` holds, from the oil `before` of the
   /// cells to `after` [kg], the heat `held` and the skin `skin` of (1).
-  [[nodiscard]] HeatStage stage(const BearingModel& model, const FilmEquilibrium& s, double own,
-                                const Field& before, const Field& after,
-                                const std::vector<double>& held,
+  [[nodiscard]] HeatStage stage(const BearingModel& model, const OperatingPoint& point,
+                                const FilmEquilibrium& s, double own, const Field& before,
+                                const Field& after, const std::vector<double>& held,
                                 const std::vector<double>& skin) const;
   /// How far the film's viscosity was missed by temperatures `T` where those of `s` were expected:
   /// mean over the film, by its pressure [-].
@@ -106,6 +106,8 @@ class HeatSteps {
 
 /// The film's energy equation as it stands, as if its flow would stay: oil that cells gain or lose
 /// counts, heat that they store does not.
-[[nodiscard]] thermal::FilmEnergy lasting_film(const BearingModel& model, const FilmEquilibrium& s);
+[[nodiscard]] thermal::FilmEnergy lasting_film(const BearingModel& model,
+                                               const OperatingPoint& point,
+                                               const FilmEquilibrium& s);
 
 }  // namespace shellback::bearing

@@ -84,7 +84,7 @@ void HeatIteration::take_contact_widening() {
   if (!(s_.heat.response.shell_local > 0.0) || s_.film.p_contact.empty()) return;
   s_.film.contact_widening = std::make_shared<ContactWidening>(
       ContactWidening{s_.model.solids->contact_widening(1.0, s_.heat.response, walls_.solid_step()),
-                      contact_heat_rate(s_.model, s_.film)});
+                      contact_heat_rate(s_.model, s_.point, s_.film)});
   const Field own = own_widening();
   for (std::size_t k = 0; k < own.size(); ++k) {
     s_.heat.thermal_deformation[k] -= own[k];
@@ -157,10 +157,10 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
   unpack(x);
   verdict_ = temperatures_possible(s_);
   if (!verdict_.good()) return false;
-  verdict_ = solve_equilibrium_near(s_.model, s_.target, s_.heat.thermal_deformation,
-                                    film_options(), s_.film, s_.cost, control_.stop);
+  verdict_ = solve_equilibrium_near(s_.model, s_.point, s_.heat.thermal_deformation, film_options(),
+                                    s_.film, s_.cost, control_.stop);
   if (!verdict_.good()) return false;
-  friction_ = friction_of(s_.model, s_.film);
+  friction_ = friction_of(s_.model, s_.point, s_.film);
   walls_.begin(friction_, iterations_);
   walls_.balance_roughly(kHeatUnit * options_.tolerance);
   verdict_ = fields_finite(s_);
@@ -186,10 +186,10 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
 void HeatIteration::finish() {
   unpack(last_);
   const Field thermal_deformation = s_.heat.thermal_deformation;
-  verdict_ = solve_equilibrium_near(s_.model, s_.target, thermal_deformation, options_.film,
-                                    s_.film, s_.cost, control_.stop);
+  verdict_ = solve_equilibrium_near(s_.model, s_.point, thermal_deformation, options_.film, s_.film,
+                                    s_.cost, control_.stop);
   if (!verdict_.good()) return;
-  friction_ = friction_of(s_.model, s_.film);
+  friction_ = friction_of(s_.model, s_.point, s_.film);
   const double change = walls_.finish(friction_, options_.close);
   s_.heat.thermal_deformation = thermal_deformation;                // that of the film
   if (!walls_.solid_step()) verdict_ = colder_than_all_around(s_);  // in time, walls may be colder
@@ -200,7 +200,7 @@ void HeatIteration::finish() {
 
 HeatState cold_heat(const BearingModel& model, double T) {
   HeatState h;
-  const FilmGrid& g = model.scene.grid;
+  const FilmGrid& g = model.domain.grid;
   if (model.physics.thermal_deformation) h.thermal_deformation.assign(g.cells(), 0.0);
   h.T_shell.assign(g.cells(), T);
   h.T_shaft.assign(g.nz, T);

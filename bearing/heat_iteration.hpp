@@ -25,7 +25,7 @@ struct ThermalOptions {
 /// Starts from all temperatures at `T`.
 [[nodiscard]] HeatState cold_heat(const BearingModel& model, double T);
 
-/// Solves `s.target` from the film and the heat that `s` holds, which hold the last iteration
+/// Solves `s.point` from the film and the heat that `s` holds, which hold the last iteration
 /// whatever the verdict. `step`: over which film and walls store heat; none: the steady state.
 [[nodiscard]] Verdict solve_heat(Solution& s, const ThermalOptions& options,
                                  const SolveControl& control, const HeatStep* step = nullptr);

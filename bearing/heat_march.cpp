@@ -64,8 +64,8 @@ void tell_bodies(const FilmGrid& g, const SolidTemperature& solids,
 }
 
 Instant instant_of(const Solution& s, double t, double dt) {
-  const FilmGrid& g = s.model.scene.grid;
-  const Friction f = friction_of(s.model, s.film);
+  const FilmGrid& g = s.model.domain.grid;
+  const Friction f = friction_of(s.model, s.point, s.film);
   const SolidTemperature& solids = s.heat.solids;
   Instant i;
   i.t = t;
@@ -74,7 +74,7 @@ Instant instant_of(const Solution& s, double t, double dt) {
   i.h_min = s.film.least.h;
   i.T_film_max = largest(s.film.columns.T);
   i.T_shell_max = largest(solids.shell.surface);
-  i.heat_in = i.torque * s.model.input.operation.omega + pump_power(s.model, s.film);
+  i.heat_in = i.torque * s.point.omega() + pump_power(s.model, s.point, s.film);
   tell_bodies(g, solids, s.heat.balance, g.multiplicity(), s.heat.thermal_deformation, i);
   return i;
 }

@@ -81,15 +81,15 @@ Verdict LumpedBalance::film_at(double T) {
     s_.film.elastic = start.elastic;
   }
   EquilibriumOptions options;  // the search for where films end is made once
-  return solve_equilibrium(s_.model, s_.target, {}, options, s_.film, s_.cost, control_.stop);
+  return solve_equilibrium(s_.model, s_.point, {}, options, s_.film, s_.cost, control_.stop);
 }
 
 std::optional<double> LumpedBalance::residual(double T) {
   // A load that is not carried by the oil of one temperature is not by hotter oil.
-  const bool ended = s_.target.unknowns > 0 && T >= T_failed_;
+  const bool ended = s_.point.load.unknowns > 0 && T >= T_failed_;
   if (interrupted() || ended) return std::nullopt;
   Verdict v = film_at(T);
-  const double flow = v.good() ? fluid::oil_flows(s_.model.scene, s_.film.flow).side : 0.0;
+  const double flow = v.good() ? fluid::oil_flows(s_.point.scene, s_.film.flow).side : 0.0;
   if (v.good() && !(flow > 0.0)) {
     v = {Status::no_steady_state, ending::Plain::no_oil_leaves};
   }
@@ -98,10 +98,10 @@ std::optional<double> LumpedBalance::residual(double T) {
     T_failed_ = std::min(T, T_failed_);
     return std::nullopt;
   }
-  const Friction f = friction_of(s_.model, s_.film);
+  const Friction f = friction_of(s_.model, s_.point, s_.film);
   const double torque = f.viscous + f.asperity;
   const double power =
-      std::abs(torque * s_.model.input.operation.omega) + pump_power(s_.model, s_.film);
+      std::abs(torque * s_.point.omega()) + pump_power(s_.model, s_.point, s_.film);
   const double rate = flow * rheology::heat_capacity(s_.model.oil, 0.5 * (T + T_supply_)).cp;
   const double r = T_supply_ + power / rate - T;
   s_.history.push_back({"lumped", std::abs(r), torque, s_.film.least.h});

@@ -11,7 +11,7 @@ namespace {
 
 /// The bearing after a cycle and the bodies' time behind it.
 Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, double t, double dt) {
-  const FilmGrid& g = search.film().model().scene.grid;
+  const FilmGrid& g = search.film().model().domain.grid;
   CycleResult r;
   search.told().write(r);
   const double per_time = g.multiplicity() / search.heat().time();

@@ -11,14 +11,14 @@
 namespace shellback::bearing {
 
 struct BearingModel;
-struct LoadTarget;
+struct OperatingPoint;
 struct EquilibriumOptions;
 struct FilmEquilibrium;
 struct EquilibriumCost;
 
 /// Solves for the equilibrium from a state, which is left at the last iterate whatever the verdict;
 /// as newton (bearing/newton.hpp).
-using EquilibriumMethod = Verdict (*)(const BearingModel& model, const LoadTarget& target,
+using EquilibriumMethod = Verdict (*)(const BearingModel& model, const OperatingPoint& point,
                                       const Field& thermal_deformation,
                                       const EquilibriumOptions& options, FilmEquilibrium& state,
                                       EquilibriumCost& cost, const std::atomic<bool>* stop);

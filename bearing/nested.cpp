@@ -27,8 +27,8 @@ std::vector<std::array<int, 2>> grid_ladder(std::array<int, 2> fine) {
 FilmEquilibrium carry_over(const BearingModel& from, const FilmEquilibrium& s,
                            const BearingModel& to) {
   FilmEquilibrium out;
-  const FilmGrid& a = from.scene.grid;
-  const FilmGrid& b = to.scene.grid;
+  const FilmGrid& a = from.domain.grid;
+  const FilmGrid& b = to.domain.grid;
   out.film.p = interpolate(a, s.film.p, b);
   out.film.theta = interpolate(a, s.film.theta, b);
   out.film.full.resize(b.cells());
@@ -37,9 +37,9 @@ FilmEquilibrium carry_over(const BearingModel& from, const FilmEquilibrium& s,
     const bool full = part_full[k] > kFullFrom;
     out.film.full[k] = full;
     if (full) out.film.theta[k] = 1.0;
-    if (!full) out.film.p[k] = to.scene.p_cavitation;
+    if (!full) out.film.p[k] = to.domain.p_cavitation;
   }
-  fluid::impose_supply(to.scene, out.film);
+  fluid::impose_supply(to.supply, out.film);
   out.position = s.position;
   if (to.physics.elastic) {
     out.elastic = s.elastic.empty() ? Field(b.cells(), 0.0) : interpolate(a, s.elastic, b);
@@ -58,8 +58,8 @@ FilmEquilibrium carry_over(const BearingModel& from, const FilmEquilibrium& s,
 
 HeatState carry_over(const BearingModel& from, const HeatState& heat, const BearingModel& to) {
   HeatState out;
-  const FilmGrid& a = from.scene.grid;
-  const FilmGrid& b = to.scene.grid;
+  const FilmGrid& a = from.domain.grid;
+  const FilmGrid& b = to.domain.grid;
   out.T_shell = interpolate(a, heat.T_shell, b);
   if (to.physics.thermal_deformation && !heat.thermal_deformation.empty())
     out.thermal_deformation = interpolate(a, heat.thermal_deformation, b);

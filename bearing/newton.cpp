@@ -28,11 +28,11 @@ constexpr double kThinner = 0.25;    ///< and thin its smallest gap so far [-]
 /// One Newton iteration after the other; what they share.
 class NewtonIteration {
  public:
-  NewtonIteration(const BearingModel& model, const LoadTarget& target,
+  NewtonIteration(const BearingModel& model, const OperatingPoint& point,
                   const Field& thermal_deformation, const EquilibriumOptions& options,
                   FilmEquilibrium& s, EquilibriumCost& cost)
       : model_(model),
-        target_(target),
+        point_(point),
         thermal_deformation_(thermal_deformation),
         options_(options),
         s_(s),
@@ -66,7 +66,7 @@ class NewtonIteration {
   [[nodiscard]] bool rigid() const { return s_.elastic.empty(); }
 
   const BearingModel& model_;
-  const LoadTarget& target_;
+  const OperatingPoint& point_;
   const Field& thermal_deformation_;
   const EquilibriumOptions& options_;
   FilmEquilibrium& s_;
@@ -90,8 +90,8 @@ class NewtonIteration {
 };
 
 bool NewtonIteration::evaluate_state() {
-  if (!evaluate(model_, thermal_deformation_, viscosity_tolerance_, s_)) return false;
-  r_ = residuals_of(model_, target_, s_);
+  if (!evaluate(model_, point_, thermal_deformation_, viscosity_tolerance_, s_)) return false;
+  r_ = residuals_of(model_, point_, s_);
   return r_.finite();
 }
 
@@ -103,15 +103,15 @@ bool NewtonIteration::converged() {
   constexpr int kMostPolish = 20;  // quadratic: two or three do, or none
   if (polished_ > 0) ++polished_;
   const bool met = r_.within(options_) && s_.columns.mismatch <= options_.viscosity_tolerance &&
-                   fluid::complementary(model_.scene, s_.film);
+                   fluid::complementary(point_.scene, s_.film);
   if (!met) return false;
-  if (model_.scene.storage.finite()) {  // in time the oil is carried as what flowed
+  if (point_.scene.storage.finite()) {  // in time the oil is carried as what flowed
     met_ = s_;
     at_met_ = true;
     polished_ = 1;
     return true;
   }
-  const auto flows = fluid::oil_flows(model_.scene, s_.flow);
+  const auto flows = fluid::oil_flows(point_.scene, s_.flow);
   const double passes = std::max(std::abs(flows.supply), std::abs(flows.side));
   const double lost = std::abs(flows.supply - flows.side - flows.stored);
   const double allowed =
@@ -123,14 +123,14 @@ bool NewtonIteration::converged() {
   }
   polished_ = std::max(polished_, 1);
   const double round =
-      std::numeric_limits<double>::epsilon() * fluid::flow_scale(model_.scene, s_.flow);
+      std::numeric_limits<double>::epsilon() * fluid::flow_scale(point_.scene, s_.flow);
   const double enough = std::max(allowed, round);
   return !(lost > enough) || polished_ > kMostPolish;
 }
 
 /// A step in time may leave a cell with less than no oil: solved, but no film.
 bool NewtonIteration::overdrawn() const {
-  if (!model_.scene.storage.finite() || !r_.within(options_)) return false;
+  if (!point_.scene.storage.finite() || !r_.within(options_)) return false;
   return *std::min_element(s_.film.theta.begin(), s_.film.theta.end()) < -kRoundOff;
 }
 
@@ -148,7 +148,7 @@ double distance(const fluid::Wrench& force, const fluid::Wrench& wanted) {
 
 void NewtonIteration::accept() {
   // Where cavitation moves with the journal the predicted force misleads: ask for less.
-  const double off = distance(s_.force, target_.wanted(s_));
+  const double off = distance(s_.force, point_.load.wanted(s_));
   const bool little = off > kFollowed && off > (1.0 - kLittleGain * damping_) * off_;
   damping_ = little ? std::max(0.1, 0.5 * damping_) : std::min(1.0, 2.0 * damping_);
   off_ = off;
@@ -172,13 +172,13 @@ fluid::UpdateReport NewtonIteration::take(const NewtonStep& step) {
   s_.ln_load += fraction * step.ln_load;
   const Field before = s_.film.p;
   const std::vector<char> full = s_.film.full;
-  const auto report = fluid::advance(model_.scene, s_.oil, step.film, fraction, s_.film);
+  const auto report = fluid::advance(point_.scene, s_.oil, step.film, fraction, s_.film);
   if (rigid()) return report;
   // The displacement follows the pressures as they come out of cavitation and of the pressure law,
   // not as the linear step has them.
   Field beyond(before.size());
   for (std::size_t k = 0; k < before.size(); ++k) {
-    const bool free = full[k] && model_.scene.supply.cell[k] < 0;
+    const bool free = full[k] && model_.supply.cell[k] < 0;
     beyond[k] = s_.film.p[k] - before[k] - (free ? fraction * step.film[k] : 0.0);
   }
   const Field more = model_.solids->compliance(beyond);
@@ -192,10 +192,10 @@ fluid::UpdateReport NewtonIteration::take(const NewtonStep& step) {
 Verdict NewtonIteration::reduced_film() {
   const auto oil = [&](const fluid::FilmState& film, fluid::FilmCoefficients& c) {
     const Field none(film.p.size(), 0.0);
-    update_columns(model_.oil, model_.gl, model_.scene.speed, s_.shear_gap,
-                   model_.scene.supply.cell, film, none, none, kWayPoint, s_.columns, c);
+    update_columns(model_.oil, model_.gl, point_.scene.speed, s_.shear_gap, model_.supply.cell,
+                   film, none, none, kWayPoint, s_.columns, c);
   };
-  auto film = fluid::film_by_reduced_pressure(model_.scene, s_.gap, model_.profile, oil, s_.film);
+  auto film = fluid::film_by_reduced_pressure(point_.scene, s_.gap, model_.profile, oil, s_.film);
   if (film.good()) {
     s_.film = std::move(film.value);
     merit_ = INFINITY;
@@ -209,19 +209,19 @@ void NewtonIteration::step(Verdict& ended) {
   viscosity_tolerance_ = std::clamp(1e-2 * (r_.film_norm + r_.load_norm),
                                     0.3 * options_.viscosity_tolerance, kWayPoint);
   ++cost_.newton_iterations;
-  cost_.work += model_.scene.grid.cells();
-  LoadTarget now = target_;
-  if (held_ > 0 && !model_.scene.storage.finite()) {
+  cost_.work += model_.domain.grid.cells();
+  LoadTarget now = point_.load;
+  if (held_ > 0 && !point_.scene.storage.finite()) {
     now.unknowns = 0;
     now.path.reset();
     now.inertia.reset();
   }
-  const NewtonStep step = newton_step(model_, now, s_, r_, {reach_, damping_}, cost_);
+  const NewtonStep step = newton_step(model_, point_.scene, now, s_, r_, {reach_, damping_}, cost_);
   if (!step.good) {
     const bool filled =
-        refilled_++ < kMostRefills && fluid::refill_empty_rings(model_.scene, s_.film);
+        refilled_++ < kMostRefills && fluid::refill_empty_rings(point_.scene, s_.film);
     merit_ = INFINITY;
-    if (!filled) ended = singular_film(model_, s_);
+    if (!filled) ended = singular_film(point_, s_);
     return;
   }
   const auto report = take(step);
@@ -229,19 +229,19 @@ void NewtonIteration::step(Verdict& ended) {
   if (report.beyond_barus == 0 || !rigid()) return;
   worst_cell_ = report.worst_cell;
   const bool barus = std::holds_alternative<rheology::Barus>(model_.oil.pressure);
-  if (target_.unknowns == 0) {
+  if (point_.load.unknowns == 0) {
     if (barus) ended = reduced_film();  // other laws: the step was held to 0.99 of theirs
   } else if (!reject()) {
-    ended = limit_load(model_, target_, carried_, worst_cell_);
+    ended = limit_load(model_, point_, carried_, worst_cell_);
   }
 }
 
 Verdict NewtonIteration::within_the_law() const {
-  const int cell = beyond_reduced_pressure(model_, s_);
+  const int cell = beyond_reduced_pressure(model_, point_, s_);
   if (cell < 0) return {};
-  if (target_.unknowns > 0) return limit_load(model_, target_, carried_, cell);
+  if (point_.load.unknowns > 0) return limit_load(model_, point_, carried_, cell);
   return {Status::no_steady_state, ending::Plain::no_pressure,
-          fluid::place_of(model_.scene.grid, cell)};
+          fluid::place_of(model_.domain.grid, cell)};
 }
 
 Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
@@ -260,12 +260,11 @@ Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
       ++held_;  // cavitation has moved: the film follows first
     } else {
       held_ = 0;
-      const Verdict none =
-          possible ? Verdict{} : no_film(model_, target_, thermal_deformation_, s_);
+      const Verdict none = possible ? Verdict{} : no_film(model_, point_, thermal_deformation_, s_);
       if (it == 0) return none;
       if (!reject()) {
         return none.status == Status::invalid_number ? none
-               : rigid() && worst_cell_ >= 0 ? limit_load(model_, target_, carried_, worst_cell_)
+               : rigid() && worst_cell_ >= 0 ? limit_load(model_, point_, carried_, worst_cell_)
                                              : stuck(model_, s_, r_, it);
       }
     }
@@ -288,10 +287,10 @@ Verdict NewtonIteration::run(const std::atomic<bool>* stop) {
 
 }  // namespace
 
-Verdict newton(const BearingModel& model, const LoadTarget& target,
+Verdict newton(const BearingModel& model, const OperatingPoint& point,
                const Field& thermal_deformation, const EquilibriumOptions& options,
                FilmEquilibrium& s, EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  return NewtonIteration(model, target, thermal_deformation, options, s, cost).run(stop);
+  return NewtonIteration(model, point, thermal_deformation, options, s, cost).run(stop);
 }
 
 }  // namespace shellback::bearing

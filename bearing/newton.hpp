@@ -13,7 +13,7 @@ namespace shellback::bearing {
 
 /// Solves (1)-(3) of the step in time that the model's scene holds, from `state`, which is left at
 /// the last iterate that was accepted whatever the verdict.
-[[nodiscard]] Verdict newton(const BearingModel& model, const LoadTarget& target,
+[[nodiscard]] Verdict newton(const BearingModel& model, const OperatingPoint& point,
                              const Field& thermal_deformation, const EquilibriumOptions& options,
                              FilmEquilibrium& state, EquilibriumCost& cost,
                              const std::atomic<bool>* stop = nullptr);

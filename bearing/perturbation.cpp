@@ -14,9 +14,9 @@ double largest_entry(const Matrix2& m) {
   return larger(largest_magnitude(m[0]), largest_magnitude(m[1]));
 }
 
-void put_column(const BearingModel& model, int unknowns, int column, const Field& pressure,
+void put_column(const fluid::FilmDomain& domain, int unknowns, int column, const Field& pressure,
                 Matrix4& m) {
-  const fluid::Wrench w = fluid::wrench(model.scene, pressure);
+  const fluid::Wrench w = fluid::wrench(domain, pressure);
   for (int i = 0; i < unknowns; ++i) m[i][column] -= w[i];
 }
 
@@ -28,7 +28,7 @@ struct Content {
 
 Content content_by(const Solution& s, const fluid::OilStore& store, const FilmResponse& answer,
                    int component) {
-  const fluid::FilmScene& scene = s.model.scene;
+  const fluid::FilmScene& scene = s.point.scene;
   const FilmGrid& g = scene.grid;
   Content m{Field(g.cells(), 0.0), Field(g.cells(), 0.0)};
   for (int i = 0; i < g.nt; ++i) {
@@ -47,20 +47,20 @@ Content content_by(const Solution& s, const fluid::OilStore& store, const FilmRe
 
 /// K and C; the part of C from cavitated film in `C_cavitated`.
 void perturb(const Solution& s, double tolerance, Coefficients& out, Matrix4& C_cavitated) {
-  LinearFilm film(s.model, s.film, s.heat.thermal_deformation, tolerance);
+  LinearFilm film(s.model, s.point, s.film, s.heat.thermal_deformation, tolerance);
   if (!film.good()) {
     out.verdict = {Status::iteration_limit, ending::Plain::singular_response};
     return;
   }
   const fluid::OilStore store =
-      fluid::oil_store(s.model.scene, s.film.gap, s.film.oil, s.film.film);
+      fluid::oil_store(s.point.scene, s.film.gap, s.film.oil, s.film.film);
   for (int j = 0; j < out.unknowns; ++j) {
     const FilmResponse slow = film.to_position(j);
-    put_column(s.model, out.unknowns, j, slow.total, out.K);
+    put_column(s.model.domain, out.unknowns, j, slow.total, out.K);
     const Content m = content_by(s, store, slow, j);
-    put_column(s.model, out.unknowns, j, film.to_storage(m.all).total, out.C);
+    put_column(s.model.domain, out.unknowns, j, film.to_storage(m.all).total, out.C);
     if (j > 1) continue;
-    put_column(s.model, 2, j, film.pressure_by_storage(m.cavitated), C_cavitated);
+    put_column(s.model.domain, 2, j, film.pressure_by_storage(m.cavitated), C_cavitated);
   }
   out.krylov_iterations = film.krylov_iterations();
   if (!film.converged()) {
@@ -72,7 +72,7 @@ void perturb(const Solution& s, double tolerance, Coefficients& out, Matrix4& C_
 void derive(const Solution& s, Coefficients& out) {
   out.load = std::hypot(s.film.force[0], s.film.force[1]);
   out.clearance = s.model.clearance;
-  out.omega = s.model.input.operation.omega;
+  out.omega = s.point.omega();
   const double speed = std::abs(out.omega);
   const double angle = std::atan2(-s.film.force[1], -s.film.force[0]);
   const int turn = out.omega >= 0.0 ? 1 : -1;
@@ -94,7 +94,7 @@ void derive(const Solution& s, Coefficients& out) {
 Coefficients coefficients_of(const Solution& s, double tolerance) {
   const auto begin = std::chrono::steady_clock::now();
   Coefficients out;
-  out.unknowns = s.model.scene.grid.half ? 2 : 4;
+  out.unknowns = s.model.domain.grid.half ? 2 : 4;
   Matrix4 C_cavitated{};
   perturb(s, tolerance, out, C_cavitated);
   if (out.verdict.good()) {

@@ -16,26 +16,26 @@ constexpr double kLongest = 1e5;  ///< step after which nothing moves any more [
 constexpr int kQuick = 6;         ///< iterations after which the next step is longer
 
 /// Steps are counted in `unit`: the time of a radian of turn, or another [s].
-Verdict march_in_time(const BearingModel& model, const LoadTarget& target,
+Verdict march_in_time(const BearingModel& model, const OperatingPoint& point,
                       const Field& thermal_deformation, const EquilibriumOptions& options,
                       double unit, FilmEquilibrium& s, EquilibriumCost& cost,
                       const std::atomic<bool>* stop) {
-  BearingModel moving = model;
-  if (!evaluate(model, thermal_deformation, kWayPoint, s))
-    return no_film(model, target, thermal_deformation, s);
+  OperatingPoint moving = point;
+  if (!evaluate(model, point, thermal_deformation, kWayPoint, s))
+    return no_film(model, point, thermal_deformation, s);
   double turn = kFirst;
   for (int step = 0; turn < kLongest; ++step) {
-    moving.scene.storage = {turn * unit, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
+    moving.scene.storage = {turn * unit, fluid::oil_content(point.scene, s.gap, s.oil, s.film)};
     const State before = s;
     const int spent = cost.newton_iterations;
-    const Verdict v = newton(moving, target, thermal_deformation, options, s, cost, stop);
+    const Verdict v = newton(model, moving, thermal_deformation, options, s, cost, stop);
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
     if (ended || cost.spent()) return v;
     if (step == kMostIterations) {
       return {Status::iteration_limit, ending::NotAtRest{step, s.least.h}, s.least.place()};
     }
     if (v.good()) {
-      if (target.unknowns > 0 && thinner_than_a_molecule(model, s)) {
+      if (point.load.unknowns > 0 && thinner_than_a_molecule(model, s)) {
         return {Status::no_steady_state, ending::NotAtRest{0, s.least.h}, s.least.place()};
       }
       if (cost.newton_iterations - spent <= kQuick) turn /= kStepShorter;
@@ -59,37 +59,36 @@ EquilibriumOptions on_the_way(const EquilibriumOptions& options) {
 
 }  // namespace
 
-Verdict march_to_steady(const BearingModel& model, const LoadTarget& target,
+Verdict march_to_steady(const BearingModel& model, const OperatingPoint& point,
                         const Field& thermal_deformation, const EquilibriumOptions& options,
                         FilmEquilibrium& s, EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  const double radian = 1.0 / std::abs(model.input.operation.omega);
+  const double radian = 1.0 / std::abs(point.omega());
   const Verdict v =
-      march_in_time(model, target, thermal_deformation, on_the_way(options), radian, s, cost, stop);
-  return v.good() ? newton(model, target, thermal_deformation, options, s, cost, stop) : v;
+      march_in_time(model, point, thermal_deformation, on_the_way(options), radian, s, cost, stop);
+  return v.good() ? newton(model, point, thermal_deformation, options, s, cost, stop) : v;
 }
 
 namespace {
 
 /// True if a journal that is free to move starts deeper in the shell than asperities reach.
-bool starts_inside(const BearingModel& model, const LoadTarget& target,
+bool starts_inside(const BearingModel& model, const OperatingPoint& point,
                    const Field& thermal_deformation, FilmEquilibrium& s) {
-  const fluid::FilmScene& scene = model.scene;
-  if (target.unknowns == 0) return false;
+  if (point.load.unknowns == 0) return false;
   s.gap = gap_at(model, s.position, sum(thermal_deformation, s.elastic));
-  s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
-  return s.least.h < -kSummits * scene.rough.sigma;
+  s.least = fluid::smallest_gap(model.domain.grid, s.gap, model.profile);
+  return s.least.h < -kSummits * model.domain.rough.sigma;
 }
 
 /// At rest in the middle of the clearance, in a full film.
-void put_in_the_middle(const BearingModel& model, const LoadTarget& target, FilmEquilibrium& s) {
-  s.film = fluid::cold_film(model.scene);
-  for (int k = 0; k < target.unknowns; ++k) s.position.q[k] = 0.0;
+void put_in_the_middle(const OperatingPoint& point, FilmEquilibrium& s) {
+  s.film = fluid::cold_film(point.scene);
+  for (int k = 0; k < point.load.unknowns; ++k) s.position.q[k] = 0.0;
   std::fill(s.elastic.begin(), s.elastic.end(), 0.0);
 }
 
 }  // namespace
 
-Verdict come_to_rest(const BearingModel& model, const LoadTarget& target,
+Verdict come_to_rest(const BearingModel& model, const OperatingPoint& point,
                      const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost,
                      const std::atomic<bool>* stop) {
   constexpr double kUnit = 10.0;  // the first step is a hundredth of it, the last a million s [s]
@@ -98,22 +97,22 @@ Verdict come_to_rest(const BearingModel& model, const LoadTarget& target,
   EquilibriumOptions steps;
   steps.viscosity_tolerance = options.viscosity_tolerance;
   steps.max_iterations = kMostOfWayPoint;
-  put_in_the_middle(model, target, s);
-  return march_in_time(model, target, {}, steps, kUnit, s, cost, stop);
+  put_in_the_middle(point, s);
+  return march_in_time(model, point, {}, steps, kUnit, s, cost, stop);
 }
 
-Verdict newton_or_through_time(const BearingModel& model, const LoadTarget& target,
+Verdict newton_or_through_time(const BearingModel& model, const OperatingPoint& point,
                                const Field& thermal_deformation, const EquilibriumOptions& options,
                                FilmEquilibrium& s, EquilibriumCost& cost,
                                const std::atomic<bool>* stop) {
-  if (!starts_inside(model, target, thermal_deformation, s)) {
-    const Verdict v = newton(model, target, thermal_deformation, options, s, cost, stop);
-    const bool proven = target.unknowns == 0 && v.status == Status::no_steady_state;
+  if (!starts_inside(model, point, thermal_deformation, s)) {
+    const Verdict v = newton(model, point, thermal_deformation, options, s, cost, stop);
+    const bool proven = point.load.unknowns == 0 && v.status == Status::no_steady_state;
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
     if (v.good() || ended || proven || cost.spent()) return v;
   }
-  put_in_the_middle(model, target, s);
-  return march_to_steady(model, target, thermal_deformation, options, s, cost, stop);
+  put_in_the_middle(point, s);
+  return march_to_steady(model, point, thermal_deformation, options, s, cost, stop);
 }
 
 }  // namespace shellback::bearing

@@ -12,19 +12,19 @@
 namespace shellback::bearing {
 
 /// As newton, of the steady bearing.
-[[nodiscard]] Verdict march_to_steady(const BearingModel& model, const LoadTarget& target,
+[[nodiscard]] Verdict march_to_steady(const BearingModel& model, const OperatingPoint& point,
                                       const Field& thermal_deformation,
                                       const EquilibriumOptions& options, FilmEquilibrium& state,
                                       EquilibriumCost& cost, const std::atomic<bool>* stop);
 
 /// A journal that does not turn, let go in the middle of a full film: until, after days, the film
 /// carries nothing any more and asperities all. Cavitated oil is left where it is.
-[[nodiscard]] Verdict come_to_rest(const BearingModel& model, const LoadTarget& target,
+[[nodiscard]] Verdict come_to_rest(const BearingModel& model, const OperatingPoint& point,
                                    const EquilibriumOptions& options, FilmEquilibrium& state,
                                    EquilibriumCost& cost, const std::atomic<bool>* stop);
 
 /// Newton's method; where it fails, through time.
-[[nodiscard]] Verdict newton_or_through_time(const BearingModel& model, const LoadTarget& target,
+[[nodiscard]] Verdict newton_or_through_time(const BearingModel& model, const OperatingPoint& point,
                                              const Field& thermal_deformation,
                                              const EquilibriumOptions& options,
                                              FilmEquilibrium& state, EquilibriumCost& cost,

@@ -40,7 +40,7 @@ double volume_of(const FilmGrid& g, const Field& wear) {
 }
 
 void note_state(const WornBearing& b, double t, double step, const Field& wear, RunningInRun& run) {
-  const FilmGrid& g = b.model().scene.grid;
+  const FilmGrid& g = b.model().domain.grid;
   RunningInState state;
   state.t = t;
   state.step = step;
@@ -62,8 +62,8 @@ void members(Tape& tape, WornBearing& b, RunningInRun& run) {
   if (!tape.reads() || run.states.empty()) return;
   RunningInState told;
   b.tell(told, run);
-  run.grid = full_grid(b.model().scene.grid);
-  run.wear = mirror_to_full(b.model().scene.grid, b.wear());
+  run.grid = full_grid(b.model().domain.grid);
+  run.wear = mirror_to_full(b.model().domain.grid, b.wear());
 }
 
 /// Keeps bearing, states and what `more` writes, if it is time or in any case.
@@ -252,7 +252,7 @@ Field asked_for(const WornBearing& b, const Field& w, double limit) {
   Field to = w;
   for (std::size_t k = 0; k < w.size(); ++k) {
     const double p = b.contact()[k];
-    if (m.scene.supply.cell[k] >= 0) continue;
+    if (m.supply.cell[k] >= 0) continue;
     const double h = p > 0.0 ? m.contact->gap_of(p) : b.gap()[k];
     to[k] = std::max(0.0, w[k] + open - h);
   }
@@ -302,7 +302,7 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
     keep(control.kept, false, b, run, tried);
     return true;
   };
-  std::vector<double> x(b.model().scene.grid.cells(), 0.0);
+  std::vector<double> x(b.model().domain.grid.cells(), 0.0);
   FixedPointOptions options;
   options.depth = kEndDepth;
   options.delay = kEndDelay;

@@ -21,7 +21,7 @@ struct Limit {
 
 struct Solution {
   BearingModel model;
-  LoadTarget target;
+  OperatingPoint point;
   FilmEquilibrium film;
   HeatState heat;                    ///< meaningful if model.physics.film_energy
   double T_film = 0.0;               ///< isothermal and lumped: the film's temperature [K]

@@ -45,8 +45,8 @@ inline void members(Tape& tape, std::shared_ptr<const bearing::ContactWidening>&
 
 /// Without stiffness and damping, which are found anew.
 inline void members(Tape& tape, bearing::Solution& x) {
-  auto& [model, target, film, heat, T_film, heat_roots, verdict, cost, history, limits,
-         coefficients, levels, wall_s] = x;
+  auto& [model, point, film, heat, T_film, heat_roots, verdict, cost, history, limits, coefficients,
+         levels, wall_s] = x;
   tape(film, film.contact_widening, heat, T_film, heat_roots, verdict, cost, history, limits,
        levels, wall_s);
 }

@@ -54,7 +54,6 @@ constexpr double kForStarts = 0.5;  ///< [-]
 void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
                        std::shared_ptr<const Solids> solids, Solution& s) {
   const auto grids = grid_ladder(c.model.grid);
-  s.target = load_target(c);
   const double T_start = s.T_film;
   const double whole = s.cost.most_work;
   bool warm = false;
@@ -67,6 +66,7 @@ void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
       if (model.physics.film_energy) s.heat = carry_over(s.model, s.heat, model);
     }
     s.model = std::move(model);
+    s.point = operating_point(s.model);
     s.cost.most_work = last ? whole : s.cost.work + kForStarts * (whole - s.cost.work);
     solve_on_grid(s, tier, {warm, !last}, control);
     if (warm && !s.verdict.good() && s.verdict.status != Status::interrupted) {
@@ -87,8 +87,8 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
   Solution on;
   on.T_film = s.T_film;
   on.cost.most_work = most_work(c, tier, control);
-  on.target = s.target;
   on.model = make_bearing(second, physics_of(second, tier), second.model.grid);
+  on.point = operating_point(on.model);
   solve_on_grid(on, tier, {false, true}, control);
   const bool of_speed = s.limits.back().of_speed;
   if (on.verdict.good()) on.limits.assign(1, {second.model.grid, of_speed, 1.0, false, false});
@@ -150,18 +150,18 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
   const Physics physics = physics_of(c, tier);
   Solution s;
   s.T_film = tier == Tier::isothermal ? equivalent_temperature(c) : near.T_film;
-  s.target = load_target(c);
   s.model = make_bearing(c, physics, c.model.grid, near.model.solids);
+  s.point = operating_point(s.model);
   s.film = carry_over(near.model, near.film, s.model);
-  if (s.target.unknowns < 4) {  // what the case gives is not taken from the near solution
+  if (s.point.load.unknowns < 4) {  // what the case gives is not taken from the near solution
     const auto given = first_position(c, s.model.clearance);
-    for (int k = s.target.unknowns; k < 4; ++k) s.film.position.q[k] = given.q[k];
+    for (int k = s.point.load.unknowns; k < 4; ++k) s.film.position.q[k] = given.q[k];
   }
   if (physics.film_energy) {
     s.heat = near.model.physics.film_energy ? carry_over(near.model, near.heat, s.model)
                                             : cold_heat(s.model, near.T_film);
     if (physics.thermal_deformation && s.heat.thermal_deformation.empty()) {
-      s.heat.thermal_deformation.assign(s.model.scene.grid.cells(), 0.0);
+      s.heat.thermal_deformation.assign(s.model.domain.grid.cells(), 0.0);
     }
   }
   solve_on_grid(s, tier, {true, false}, control);

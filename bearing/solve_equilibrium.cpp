@@ -19,20 +19,20 @@ EquilibriumMethod method_of(const BearingModel& model, const FilmEquilibrium& s,
 
 }  // namespace
 
-Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target,
+Verdict solve_equilibrium(const BearingModel& model, const OperatingPoint& point,
                           const Field& thermal_deformation, const EquilibriumOptions& options,
                           FilmEquilibrium& s, EquilibriumCost& cost,
                           const std::atomic<bool>* stop) {
   const EquilibriumMethod solve = method_of(model, s, newton_or_through_time);
-  return solve(model, target, thermal_deformation, options, s, cost, stop);
+  return solve(model, point, thermal_deformation, options, s, cost, stop);
 }
 
-Verdict solve_equilibrium_near(const BearingModel& model, const LoadTarget& target,
+Verdict solve_equilibrium_near(const BearingModel& model, const OperatingPoint& point,
                                const Field& thermal_deformation, const EquilibriumOptions& options,
                                FilmEquilibrium& s, EquilibriumCost& cost,
                                const std::atomic<bool>* stop) {
   const EquilibriumMethod solve = method_of(model, s, newton);
-  return solve(model, target, thermal_deformation, options, s, cost, stop);
+  return solve(model, point, thermal_deformation, options, s, cost, stop);
 }
 
 }  // namespace shellback::bearing

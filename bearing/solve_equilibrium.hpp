@@ -8,14 +8,14 @@
 namespace shellback::bearing {
 
 /// Solves from `state`, which is left at the last iterate whatever the verdict.
-[[nodiscard]] Verdict solve_equilibrium(const BearingModel& model, const LoadTarget& target,
+[[nodiscard]] Verdict solve_equilibrium(const BearingModel& model, const OperatingPoint& point,
                                         const Field& thermal_deformation,
                                         const EquilibriumOptions& options, FilmEquilibrium& state,
                                         EquilibriumCost& cost,
                                         const std::atomic<bool>* stop = nullptr);
 
 /// The same from a state near the solution: Newton's method alone, not through time.
-[[nodiscard]] Verdict solve_equilibrium_near(const BearingModel& model, const LoadTarget& target,
+[[nodiscard]] Verdict solve_equilibrium_near(const BearingModel& model, const OperatingPoint& point,
                                              const Field& thermal_deformation,
                                              const EquilibriumOptions& options,
                                              FilmEquilibrium& state, EquilibriumCost& cost,

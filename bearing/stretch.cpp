@@ -56,12 +56,12 @@ MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
                          const SolveControl& control, CarriedOver& carried, Solution& s,
                          const TellStretch& tell) {
   const Physics physics = physics_of(c, tier);
-  s.target = load_target(c);
   s.model = make_bearing(c, physics, c.model.grid);
+  s.point = operating_point(s.model);
   if (!carried.solids) {
     // Every harmonic computed: a march ends in the steady answer to round-off.
     const SolidEffects effects{physics.elastic, true, physics.thermal_deformation, true};
-    carried.solids = std::make_shared<const Solids>(c, s.model.scene.grid, effects);
+    carried.solids = std::make_shared<const Solids>(c, s.model.domain.grid, effects);
     carried.bodies = uniform_bodies(*carried.solids, o.T_start);
   }
   s.model.solids = carried.solids;

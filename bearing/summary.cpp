@@ -18,13 +18,13 @@ namespace {
 
 /// Film temperature, weighted by the oil that is there (theta h) [K].
 double oil_mean_temperature(const BearingModel& m, const FilmEquilibrium& f) {
-  const FilmGrid& g = m.scene.grid;
+  const FilmGrid& g = m.domain.grid;
   double sum = 0.0;
   double oil = 0.0;
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int c = g.index(i, j);
-      if (m.scene.supply.cell[c] >= 0) continue;
+      if (m.supply.cell[c] >= 0) continue;
       const double w = g.area(i, j) * f.film.theta[c] * f.shear_gap[c];
       double T = 0.0;
       for (int k = 0; k < m.gl.n; ++k) T += m.gl.w[k] * f.columns.T[c * m.gl.n + k];
@@ -36,7 +36,7 @@ double oil_mean_temperature(const BearingModel& m, const FilmEquilibrium& f) {
 }
 
 double gap_at_mid_width(const BearingModel& m, const FilmEquilibrium& f) {
-  const FilmGrid& g = m.scene.grid;
+  const FilmGrid& g = m.domain.grid;
   int mid = 0;
   for (int j = 1; j < g.nz; ++j) {
     if (std::abs(g.z[j]) < std::abs(g.z[mid])) mid = j;
@@ -50,7 +50,7 @@ double gap_at_mid_width(const BearingModel& m, const FilmEquilibrium& f) {
 double attitude(const Solution& s) {
   const double load_line = std::atan2(-s.film.force[1], -s.film.force[0]);
   const double centres = std::atan2(s.film.position.ey(), s.film.position.ex());
-  const double turn = s.model.scene.speed >= 0.0 ? 1.0 : -1.0;
+  const double turn = s.point.scene.speed >= 0.0 ? 1.0 : -1.0;
   return turn * std::remainder(centres - load_line, 2.0 * kPi) * 180.0 / kPi;
 }
 
@@ -58,12 +58,12 @@ double attitude(const Solution& s) {
 void add_friction_parts(const Solution& s, Quantities& q) {
   const BearingModel& m = s.model;
   if (!m.contact || !m.input.surfaces.contact->friction_law) return;
-  const AsperityStress tau = asperity_stress(m, s.film);
-  const double pressed = fluid::torque(m.scene, s.film.p_contact);
+  const AsperityStress tau = asperity_stress(m, s.point, s.film);
+  const double pressed = fluid::torque(s.point.scene, s.film.p_contact);
   const auto mean = [&](double part) { return pressed > 0.0 ? part / pressed : 0.0; };
-  q.friction_torque_abrasive = fluid::torque(m.scene, tau.abrasive);
-  q.friction_torque_adhesive = fluid::torque(m.scene, tau.adhesive);
-  q.friction_torque_micro_hydrodynamic = fluid::torque(m.scene, tau.micro_hydrodynamic);
+  q.friction_torque_abrasive = fluid::torque(s.point.scene, tau.abrasive);
+  q.friction_torque_adhesive = fluid::torque(s.point.scene, tau.adhesive);
+  q.friction_torque_micro_hydrodynamic = fluid::torque(s.point.scene, tau.micro_hydrodynamic);
   q.mu_abrasive = mean(q.friction_torque_abrasive);
   q.mu_adhesive = mean(q.friction_torque_adhesive);
   q.mu_micro_hydrodynamic = mean(q.friction_torque_micro_hydrodynamic);
@@ -71,15 +71,16 @@ void add_friction_parts(const Solution& s, Quantities& q) {
 
 void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
   const BearingModel& m = s.model;
-  const double omega = m.input.operation.omega;
+  const double omega = s.point.omega();
   q.friction_torque = f.viscous + f.asperity;
   q.friction_torque_asperity = f.asperity;
   q.friction_torque_shell = f.viscous_shell + f.asperity;
   q.power_loss = (f.viscous + f.asperity) * omega;
-  q.pump_power = pump_power(m, s.film);
+  q.pump_power = pump_power(m, s.point, s.film);
   q.eccentricity_ratio = std::hypot(s.film.position.ex(), s.film.position.ey()) / m.clearance;
   q.attitude_angle = attitude(s);
-  if (s.target.unknowns == 4 || s.film.position.psi_x() != 0.0 || s.film.position.psi_y() != 0.0) {
+  if (s.point.load.unknowns == 4 || s.film.position.psi_x() != 0.0 ||
+      s.film.position.psi_y() != 0.0) {
     q.tilt_x = s.film.position.psi_x();
     q.tilt_y = s.film.position.psi_y();
   }
@@ -88,14 +89,14 @@ void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
   q.p_max = largest(s.film.film.p);
   if (m.contact) {
     q.p_asperity_max = largest(s.film.p_contact);
-    const fluid::Wrench contact = fluid::wrench(m.scene, s.film.p_contact);
+    const fluid::Wrench contact = fluid::wrench(s.point.scene, s.film.p_contact);
     add_friction_parts(s, q);
     q.asperity_load_share =
         std::hypot(contact[0], contact[1]) / std::hypot(s.film.force[0], s.film.force[1]);
   }
   q.load_x = s.film.force[0];
   q.load_y = s.film.force[1];
-  const auto flows = fluid::oil_flows(m.scene, s.film.flow);
+  const auto flows = fluid::oil_flows(s.point.scene, s.film.flow);
   const double rho = reference_density(m);
   q.side_flow = flows.side / rho;
   q.supply_flow = flows.supply / rho;
@@ -110,22 +111,22 @@ void add_heat(const Solution& s, Quantities& q) {
     return;
   }
   if (!s.heat.known()) return;  // stopped before the first heat solution
-  const double twice = m.scene.grid.multiplicity();
+  const double twice = m.domain.grid.multiplicity();
   q.T_film_max = largest(s.film.columns.T);
   q.T_film_mean = oil_mean_temperature(m, s.film);
   q.T_shell_max = largest(s.heat.solids.shell.surface);
-  q.T_shell_back = area_mean(m.scene.grid, s.heat.solids.shell.back);
+  q.T_shell_back = area_mean(m.domain.grid, s.heat.solids.shell.back);
   q.T_shell_back_max = largest(s.heat.solids.shell.back);
   const auto& shaft = s.heat.solids.shaft.temperature;
   double T_shaft = 0.0;
-  for (std::size_t j = 0; j < shaft.size(); ++j) T_shaft += shaft[j] * m.scene.grid.dz[j];
-  q.T_shaft = T_shaft / (m.scene.grid.z_face.back() - m.scene.grid.z_face.front());
+  for (std::size_t j = 0; j < shaft.size(); ++j) T_shaft += shaft[j] * m.domain.grid.dz[j];
+  q.T_shaft = T_shaft / (m.domain.grid.z_face.back() - m.domain.grid.z_face.front());
   q.T_supply_mixed = s.heat.T_mix.front();
   q.heat_by_oil = twice * (s.heat.balance.carried_out - s.heat.balance.carried_in);
   q.heat_to_shell = s.heat.solids.shell.heat_in;
   q.heat_to_shaft = s.heat.solids.shaft.heat_in;
   if (m.physics.thermal_deformation) {
-    q.thermal_opening_mean = area_mean(m.scene.grid, s.heat.thermal_deformation);
+    q.thermal_opening_mean = area_mean(m.domain.grid, s.heat.thermal_deformation);
   }
 }
 
@@ -145,11 +146,11 @@ void add_coefficients(const Coefficients& k, Quantities& q) {
 }
 
 Field on_full(const BearingModel& m, const Field& x) {
-  return x.empty() ? x : mirror_to_full(m.scene.grid, x);
+  return x.empty() ? x : mirror_to_full(m.domain.grid, x);
 }
 
 std::vector<double> nodes_on_full(const BearingModel& m, const std::vector<double>& T) {
-  const FilmGrid& g = m.scene.grid;
+  const FilmGrid& g = m.domain.grid;
   const int n = m.gl.n;
   std::vector<double> out(static_cast<std::size_t>(full_grid(g).cells()) * n);
   Field layer(g.cells());
@@ -164,7 +165,7 @@ std::vector<double> nodes_on_full(const BearingModel& m, const std::vector<doubl
 Fields fields_of(const Solution& s, const Friction& f) {
   const BearingModel& m = s.model;
   Fields out;
-  out.grid = full_grid(m.scene.grid);
+  out.grid = full_grid(m.domain.grid);
   out.p = on_full(m, s.film.film.p);
   out.theta = on_full(m, s.film.film.theta);
   if (m.contact) out.p_asperity = on_full(m, s.film.p_contact);
@@ -174,9 +175,9 @@ Fields fields_of(const Solution& s, const Friction& f) {
   Field h = s.film.gap.cell;
   Field supplied(h.size(), 0.0);
   for (std::size_t c = 0; c < h.size(); ++c) {
-    const int patch = m.scene.supply.cell[c];
+    const int patch = m.supply.cell[c];
     if (patch < 0) continue;
-    h[c] += m.scene.supply.patches[patch].depth;
+    h[c] += s.point.scene.supply.patches[patch].depth;
     supplied[c] = 1.0;
   }
   out.h = on_full(m, h);
@@ -184,7 +185,7 @@ Fields fields_of(const Solution& s, const Friction& f) {
   out.tau_journal = on_full(m, f.stress.journal);
   out.tau_shell = on_full(m, f.stress.shell);
   if (m.contact && m.input.surfaces.contact->friction_law) {
-    const AsperityStress tau = asperity_stress(m, s.film);
+    const AsperityStress tau = asperity_stress(m, s.point, s.film);
     out.tau_abrasive = on_full(m, tau.abrasive);
     out.tau_adhesive = on_full(m, tau.adhesive);
     out.tau_micro_hydrodynamic = on_full(m, tau.micro_hydrodynamic);
@@ -194,16 +195,16 @@ Fields fields_of(const Solution& s, const Friction& f) {
   if (!m.physics.film_energy || !s.heat.known()) return out;
   out.s = m.gl.s;
   out.T = nodes_on_full(m, s.film.columns.T);
-  Field mean(m.scene.grid.cells(), 0.0);
+  Field mean(m.domain.grid.cells(), 0.0);
   for (std::size_t c = 0; c < mean.size(); ++c) {
     for (int k = 0; k < m.gl.n; ++k) mean[c] += m.gl.w[k] * s.film.columns.T[c * m.gl.n + k];
   }
   out.T_mean = on_full(m, mean);
   out.T_shell_surface = on_full(m, s.heat.solids.shell.surface);
   out.T_shell_back = on_full(m, s.heat.solids.shell.back);
-  Field shaft(m.scene.grid.cells());
-  for (int c = 0; c < m.scene.grid.cells(); ++c) {
-    shaft[c] = s.heat.solids.shaft.temperature[c % m.scene.grid.nz];
+  Field shaft(m.domain.grid.cells());
+  for (int c = 0; c < m.domain.grid.cells(); ++c) {
+    shaft[c] = s.heat.solids.shaft.temperature[c % m.domain.grid.nz];
   }
   const Field full = on_full(m, shaft);
   out.T_shaft.assign(full.begin(), full.begin() + out.grid.nz);
@@ -218,7 +219,7 @@ bool evaluated(const FilmEquilibrium& film) { return !film.flow.phi.empty(); }
 Quantities values_of(const Solution& s, Tier tier) {
   Quantities q;
   if (!evaluated(s.film)) return q;
-  add_mechanics(s, friction_of(s.model, s.film), q);
+  add_mechanics(s, friction_of(s.model, s.point, s.film), q);
   add_heat(s, q);
   if (tier == Tier::isothermal) q.T_equivalent = s.T_film;
   if (s.coefficients && s.coefficients->verdict.good()) add_coefficients(*s.coefficients, q);
@@ -239,7 +240,7 @@ Result summarize(const Solution& s, Tier tier) {
   r.title = m.input.title;
   r.warnings.assign(m.input.warnings.begin(), m.input.warnings.end());
   r.assumptions.assign(m.input.assumptions.begin(), m.input.assumptions.end());
-  r.grid = {m.scene.grid.nt, m.scene.grid.full_nz()};
+  r.grid = {m.domain.grid.nt, m.domain.grid.full_nz()};
   r.history = s.history;
   r.levels = s.levels;
   r.cost = {s.wall_s,
@@ -249,11 +250,11 @@ Result summarize(const Solution& s, Tier tier) {
             static_cast<int>(s.history.size()),
             0.0};
   if (!evaluated(s.film)) return r;  // stopped before the first evaluation was through
-  const Friction f = friction_of(m, s.film);
+  const Friction f = friction_of(m, s.point, s.film);
   r.quantities = quantities_of(s, tier);
   r.audit = audit_of(s, f);
   r.effects = effects_of(s, f);
-  if (m.physics.film_energy && fluid::oil_flows(m.scene, s.film.flow).side_inflow > 0.0) {
+  if (m.physics.film_energy && fluid::oil_flows(s.point.scene, s.film.flow).side_inflow > 0.0) {
     r.assumptions.push_back(note::Plain::edge_oil_as_supply);
   }
   r.limiters = limiters_of(s);

@@ -4,8 +4,7 @@
 ///   isothermal   newton -> through time (pseudo_time.hpp) -> along the load (follow.hpp)
 ///   lumped       the root of the heat balance over films of one temperature (lumped.hpp)
 ///   thd, tehd    the outer iteration over heat -> along load or speed -> through time with the
-///   real heat
-///                capacities (heat_march.hpp), this on the asked grid alone
+///                real heat capacities (heat_march.hpp), this on the asked grid alone
 /// each arrow only where what stands before it does not arrive. What is said to have no steady
 /// state has a turning point, a bound of the equations, or a trajectory that leaves every bound;
 /// solve.cpp compares where that is on two grids.
@@ -13,9 +12,6 @@
 #include "bearing/solution.hpp"
 
 namespace shellback::bearing {
-
-/// Two ends of a branch that are nearer than this are one [-].
-inline constexpr double kAgree = 0.1;
 
 /// How a grid is begun.
 struct Level {

@@ -20,7 +20,7 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   for (Note& w : range_warnings(s.model, reach)) warnings.push_back(std::move(w));
   const Field& T = s.film.columns.T_mean;
   const double mean = std::accumulate(T.begin(), T.end(), 0.0) / static_cast<double>(T.size());
-  add_turbulence(s.model, s.model.scene.speed, mean, warnings);
+  add_turbulence(s.model, s.point.scene.speed, mean, warnings);
 }
 
 void add_coefficient_warnings(const Coefficients& k, std::vector<Note>& warnings) {

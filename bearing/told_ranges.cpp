@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/pressed_layer.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -26,7 +27,7 @@ Field summit_flow(const BearingModel& m, const Field& h) {
   if (!m.contact || !std::isfinite(m.contact->flow_gap())) return {};
   Field flow = h;
   for (std::size_t k = 0; k < flow.size(); ++k) {
-    const bool supplied = m.scene.supply.cell[k] >= 0;
+    const bool supplied = m.supply.cell[k] >= 0;
     flow[k] = supplied ? 0.0 : std::max(0.0, m.contact->flow_gap() - h[k]);
   }
   return flow;
@@ -36,10 +37,10 @@ namespace {
 
 /// Cells whose gap is smaller than the first of a measured table of flow factors.
 void add_factors(const BearingModel& m, const Field& h, std::vector<Note>& out) {
-  if (m.scene.rough.beyond_table) {
+  if (m.domain.rough.beyond_table) {
     out.push_back(note::Plain::orientation_beyond_table);
   }
-  const auto& measured = m.scene.rough.measured;
+  const auto& measured = m.domain.rough.measured;
   if (!measured) return;
   const double first = measured->H_low * measured->sigma;
   const long cells = std::count_if(h.begin(), h.end(), [first](double x) { return x < first; });
@@ -59,7 +60,7 @@ void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<Note
     const auto deepest = std::max_element(flow.begin(), flow.end());
     out.push_back(note::HeldAtHardness{
         m.contact->hardness(), cells, *deepest,
-        fluid::place_of(m.scene.grid, static_cast<int>(deepest - flow.begin()))});
+        fluid::place_of(m.domain.grid, static_cast<int>(deepest - flow.begin()))});
   }
 }
 

@@ -8,7 +8,7 @@
 
 namespace shellback::bearing {
 
-Vessels::Vessels(const BearingModel& model) : p_cav_(model.scene.p_cavitation) {
+Vessels::Vessels(const BearingModel& model) : p_cav_(model.domain.p_cavitation) {
   const Case& c = model.input;
   if (!c.cycle) return;
   period_ = c.cycle->period;

@@ -16,17 +16,17 @@ WallBalance::WallBalance(Solution& s, int sweeps, const HeatStep* step)
 thermal::FilmEnergyProblem WallBalance::problem(const Friction& friction) const {
   std::optional<thermal::FilmStorage> storage;
   if (step_) {
-    const FilmGrid& g = s_.model.scene.grid;
-    Field mass = fluid::oil_content(s_.model.scene, s_.film.gap, s_.film.oil, s_.film.film);
+    const FilmGrid& g = s_.model.domain.grid;
+    Field mass = fluid::oil_content(s_.point.scene, s_.film.gap, s_.film.oil, s_.film.film);
     for (int c = 0; c < g.cells(); ++c) mass[c] *= g.area(c / g.nz, c % g.nz);
     storage = thermal::FilmStorage{step_->dt, mass, mass,
                                    thermal::heat_content(mass, step_->enthalpy_before)};
   }
-  return film_energy_problem(s_.model, s_.film, friction, std::move(storage));
+  return film_energy_problem(s_.model, s_.point, s_.film, friction, std::move(storage));
 }
 
 void WallBalance::read_from_film() {
-  const FilmGrid& g = s_.model.scene.grid;
+  const FilmGrid& g = s_.model.domain.grid;
   const auto& T = s_.film.columns.T;
   const int n = s_.model.gl.n;
   for (int c = 0; c < g.cells(); ++c) {
@@ -70,7 +70,7 @@ void WallBalance::deform() {
 }
 
 void WallBalance::impose_walls() {
-  const FilmGrid& g = s_.model.scene.grid;
+  const FilmGrid& g = s_.model.domain.grid;
   const int n = s_.model.gl.n;
   for (int c = 0; c < g.cells(); ++c) {
     if (!meets_walls(s_.model, c)) continue;
@@ -80,9 +80,9 @@ void WallBalance::impose_walls() {
 }
 
 void WallBalance::warm_the_walls(Solids::Wanted wanted) {
-  const FilmGrid& g = s_.model.scene.grid;
+  const FilmGrid& g = s_.model.domain.grid;
   const thermal::WallHeat walls = energy_->wall_heat(s_.film.columns.T);
-  const ContactHeat rubbed = contact_heat(s_.model, s_.film);
+  const ContactHeat rubbed = contact_heat(s_.model, s_.point, s_.film);
   WallFlux q{walls.shell, std::vector<double>(g.nz, 0.0), s_.heat.response};
   s_.heat.contact_heat = 0.0;
   for (int i = 0; i < g.nt; ++i) {

@@ -16,8 +16,9 @@ void add_both(double f, const Field& a, const Field& b, Field& to) {
 
 }  // namespace
 
-WearLoad wear_load_of(const BearingModel& model, const FilmEquilibrium& film, double limit) {
-  const double U = std::abs(model.scene.speed);
+WearLoad wear_load_of(const BearingModel& model, const OperatingPoint& point,
+                      const FilmEquilibrium& film, double limit) {
+  const double U = std::abs(point.scene.speed);
   const double tau = model.physics.elastic ? model.solids->winkler() : 0.0;
   WearLoad out{film.p_contact, film.dp_contact};
   for (std::size_t k = 0; k < out.load.size(); ++k) {

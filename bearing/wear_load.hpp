@@ -20,8 +20,8 @@ struct WearLoad {
 };
 
 /// (1), (2) of one film; `limit`: p_lim [Pa].
-[[nodiscard]] WearLoad wear_load_of(const BearingModel& model, const FilmEquilibrium& film,
-                                    double limit);
+[[nodiscard]] WearLoad wear_load_of(const BearingModel& model, const OperatingPoint& point,
+                                    const FilmEquilibrium& film, double limit);
 
 /// Their means over a cycle.
 class MeanWearLoad {

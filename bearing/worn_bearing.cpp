@@ -27,7 +27,7 @@ Case worn_case(const Case& c, const FilmGrid& grid, const Field& wear) {
   return out;
 }
 
-Field no_wear(const BearingModel& m) { return Field(m.scene.grid.cells(), 0.0); }
+Field no_wear(const BearingModel& m) { return Field(m.domain.grid.cells(), 0.0); }
 
 /// The wear of a tape, and the case that has it.
 Case read_worn_case(const Case& c, Tape& tape, Field& wear) {
@@ -48,7 +48,7 @@ class UnderStandingLoad final : public WornBearing {
       : case_(c), tier_(tier), control_(control) {
     const Case worn = read_worn_case(c, tape, wear_);
     now_.model = make_bearing(worn, physics_of(worn, tier), worn.model.grid);
-    now_.target = load_target(worn);
+    now_.point = operating_point(now_.model);
     tape(now_);
   }
 
@@ -56,13 +56,13 @@ class UnderStandingLoad final : public WornBearing {
   [[nodiscard]] const BearingModel& model() const override { return now_.model; }
   [[nodiscard]] const Field& wear() const override { return wear_; }
   [[nodiscard]] WearLoad load() const override {
-    return wear_load_of(now_.model, now_.film, case_.running_in->limit_pressure);
+    return wear_load_of(now_.model, now_.point, now_.film, case_.running_in->limit_pressure);
   }
   [[nodiscard]] const Field& contact() const override { return now_.film.p_contact; }
   [[nodiscard]] const Field& gap() const override { return now_.film.gap.cell; }
 
   bool wear_to(const Field& wear, Verdict& why) override {
-    const Case worn = worn_case(case_, now_.model.scene.grid, wear);
+    const Case worn = worn_case(case_, now_.model.domain.grid, wear);
     Solution next = solve_tier_from(worn, tier_, now_, control_, Otherwise::failure);
     if (!next.verdict.good()) {
       why = next.verdict;
@@ -78,13 +78,13 @@ class UnderStandingLoad final : public WornBearing {
   }
 
   void tell(RunningInState& state, RunningInRun& run) const override {
-    const Friction f = friction_of(now_.model, now_.film);
+    const Friction f = friction_of(now_.model, now_.point, now_.film);
     state.p_asperity_max = largest(now_.film.p_contact);
     state.torque = f.viscous + f.asperity;
     state.h_min = now_.film.least.h;
     run.solution = now_;
   }
-  void keep(Tape& tape) override { tape(now_.model.scene.grid, wear_, now_); }
+  void keep(Tape& tape) override { tape(now_.model.domain.grid, wear_, now_); }
 
  private:
   Case case_;
@@ -118,7 +118,7 @@ class OverLoadCycle final : public WornBearing {
   [[nodiscard]] const Field& wear() const override { return wear_; }
 
   bool wear_to(const Field& wear, Verdict& why) override {
-    const Case worn = worn_case(case_, model().scene.grid, wear);
+    const Case worn = worn_case(case_, model().domain.grid, wear);
     auto next = std::make_unique<CycleSearch>(worn, tier_, physics_of(worn, tier_), control_,
                                               model().solids);
     if (!next->begin_reshaped(*now_) || !next->follow().good()) {
@@ -143,7 +143,7 @@ class OverLoadCycle final : public WornBearing {
     run.cycle = std::move(r);
   }
   void keep(Tape& tape) override {
-    FilmGrid grid = model().scene.grid;
+    FilmGrid grid = model().domain.grid;
     tape(grid, wear_);
     now_->ended(tape);
   }

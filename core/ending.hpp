@@ -53,6 +53,7 @@ struct Unsettled {
   double left = 0.0;      ///< in the unit of the iteration
   bool hopeless = false;  ///< swift_stieber: pressures left the range of the pressure law on the
                           ///< way; fischer_burmeister: no step length lessens the residual
+  double gathered = 0.0;  ///< cycles: oil that the film gained in the last, over what it holds [-]
 };
 
 // Film, journal position and elastic surfaces.

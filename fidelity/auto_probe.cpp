@@ -16,10 +16,10 @@ namespace {
 Bars changes(const Solution& s, const Held& held, const std::atomic<bool>* stop,
              EquilibriumCost& cost) {
   const auto friction = [](const Solution& of) {
-    const Friction f = friction_of(of.model, of.film);
+    const Friction f = friction_of(of.model, of.point, of.film);
     return f.viscous + f.asperity;
   };
-  const FilmGrid& g = s.model.scene.grid;
+  const FilmGrid& g = s.model.domain.grid;
   const Solution film = held_film(s, {g.nt, g.full_nz()}, held, stop);
   add(film.cost, cost);
   if (!film.verdict.good()) return {};

@@ -11,7 +11,7 @@ namespace {
 using namespace bearing;
 
 Field widening(const Solution& s, const Physics& has) {
-  Field sum(s.model.scene.grid.cells(), 0.0);
+  Field sum(s.model.domain.grid.cells(), 0.0);
   const auto add = [&](const Field& d) {
     for (std::size_t k = 0; k < d.size(); ++k) sum[k] += d[k];
   };
@@ -35,20 +35,20 @@ Solution held_film(const Solution& s, std::array<int, 2> grid, const Held& held,
   Physics film_only = held.physics;
   film_only.film_energy = film_only.elastic = film_only.thermal_deformation = false;
   Solution out;
-  out.target = s.target;
+  out.point = s.point;
   out.T_film = s.T_film;
   out.model = make_bearing(s.model.input, film_only, grid);
   out.film = carry_over(s.model, s.film, out.model);
   set_temperatures(s.model.input, held, out.model.gl.n, out.film.columns.T);
   out.heat.thermal_deformation =
-      interpolate(s.model.scene.grid, widening(s, held.physics), out.model.scene.grid);
+      interpolate(s.model.domain.grid, widening(s, held.physics), out.model.domain.grid);
   // Friction and smallest film are then known to about these residuals, far better than the grids
   // that they stand for; a film that takes more steps is no neighbour of the solution.
   constexpr double kEnough = 1e-6;  // all in the units of EquilibriumOptions [-]
   EquilibriumOptions options;
   options.max_iterations = 30;
   options.film_tolerance = options.load_tolerance = options.viscosity_tolerance = kEnough;
-  out.verdict = solve_equilibrium(out.model, out.target, out.heat.thermal_deformation, options,
+  out.verdict = solve_equilibrium(out.model, out.point, out.heat.thermal_deformation, options,
                                   out.film, out.cost, stop);
   return out;
 }

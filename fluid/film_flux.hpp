@@ -50,16 +50,20 @@ struct FilmStorage {
   [[nodiscard]] bool finite() const { return !before.empty(); }
 };
 
-/// What stays the same while one film is solved.
-struct FilmScene {
+/// Cells, edges and surfaces of a film: the same at every instant.
+struct FilmDomain {
   FilmGrid grid;
   Angles angles{FilmGrid{}};
-  SupplyMap supply;
-  double speed = 0.0;         ///< surface speed of the journal U, positive in +phi [m/s]
   double p_cavitation = 0.0;  ///< [Pa]
   double p_edge = 0.0;        ///< pressure at the side edges [Pa]
   SideEdges edges = SideEdges::flooded;
   RoughPair rough;  ///< smooth: sigma = 0
+};
+
+/// What stays the same while one film is solved.
+struct FilmScene : FilmDomain {
+  SupplyMap supply;
+  double speed = 0.0;  ///< surface speed of the journal U, positive in +phi [m/s]
   FilmStorage storage;
 };
 

@@ -40,16 +40,16 @@ FilmState cold_film(const FilmScene& scene) {
   const auto n = static_cast<std::size_t>(scene.grid.cells());
   FilmState s{Field(n, std::max(scene.p_edge, scene.p_cavitation)), Field(n, 1.0),
               std::vector<char>(n, 1)};
-  impose_supply(scene, s);
+  impose_supply(scene.supply, s);
   return s;
 }
 
-void impose_supply(const FilmScene& scene, FilmState& s) {
+void impose_supply(const SupplyMap& supply, FilmState& s) {
   for (std::size_t k = 0; k < s.p.size(); ++k) {
-    const int patch = scene.supply.cell[k];
+    const int patch = supply.cell[k];
     if (patch < 0) continue;
-    s.p[k] = scene.supply.patches[patch].pressure;
-    s.theta[k] = scene.supply.patches[patch].fill;
+    s.p[k] = supply.patches[patch].pressure;
+    s.theta[k] = supply.patches[patch].fill;
     s.full[k] = 1;
   }
 }

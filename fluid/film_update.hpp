@@ -22,6 +22,6 @@ UpdateReport advance(const FilmScene& scene, const FilmCoefficients& oil, const 
 /// Full film at ambient pressure, supply cells at theirs: the cold start.
 [[nodiscard]] FilmState cold_film(const FilmScene& scene);
 /// Puts the supply pressures into a state (after interpolation from another grid, say).
-void impose_supply(const FilmScene& scene, FilmState& state);
+void impose_supply(const SupplyMap& supply, FilmState& state);
 
 }  // namespace shellback::fluid

@@ -41,7 +41,7 @@ Outcome<FilmState> film_by_reduced_pressure(const FilmScene& scene, const Gap& g
     return out;
   }
   for (double& p : out.value.p) p = alpha > 0.0 ? -std::log1p(-alpha * p) / alpha : p;
-  impose_supply(scene, out.value);
+  impose_supply(scene.supply, out.value);
   return out;
 }
 

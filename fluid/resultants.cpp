@@ -5,7 +5,7 @@
 
 namespace shellback::fluid {
 
-double wrench_weight(const FilmScene& s, int k, int i, int j) {
+double wrench_weight(const FilmDomain& s, int k, int i, int j) {
   const FilmGrid& g = s.grid;
   if (g.half && k > 1) return 0.0;
   // d(gap)/d(position k) is also minus the arm of the pressure: virtual work.
@@ -13,7 +13,7 @@ double wrench_weight(const FilmScene& s, int k, int i, int j) {
          gap_slope(k, s.angles.cos_cell[i], s.angles.sin_cell[i], g.z[j]);
 }
 
-Wrench wrench(const FilmScene& s, const Field& p) {
+Wrench wrench(const FilmDomain& s, const Field& p) {
   Wrench w{};
   const FilmGrid& g = s.grid;
   for (int i = 0; i < g.nt; ++i) {
@@ -121,7 +121,7 @@ ShearStress shear_stress(const FilmScene& s, const Field& h, const Field& g0, co
   return tau;
 }
 
-double torque(const FilmScene& s, const Field& tau) {
+double torque(const FilmDomain& s, const Field& tau) {
   const FilmGrid& g = s.grid;
   double sum = 0.0;
   for (int i = 0; i < g.nt; ++i) {

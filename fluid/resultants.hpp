@@ -24,9 +24,9 @@ namespace shellback::fluid {
 using Wrench = std::array<double, 4>;
 
 /// Wrench of the pressure field `p` (film plus contact) [Pa].
-[[nodiscard]] Wrench wrench(const FilmScene& scene, const Field& p);
+[[nodiscard]] Wrench wrench(const FilmDomain& scene, const Field& p);
 /// Weight of cell (i, j) in component k of the wrench: d wrench_k / d p_ij [m2] or [m3].
-[[nodiscard]] double wrench_weight(const FilmScene& scene, int k, int i, int j);
+[[nodiscard]] double wrench_weight(const FilmDomain& scene, int k, int i, int j);
 
 /// Difference p_east - p_west across the west face of each cell over the distance between the two
 /// unknowns, halves at supply lines: circumferential pressure gradient at cells [Pa/m].
@@ -38,10 +38,10 @@ struct ShearStress {
   Field shell;    ///< [Pa]
 };
 
-/// Mean fill ratio over each cell [-]: half the sum of what is carried through its two faces. In the
-/// steady film theta itself is what is carried through the downstream face; taking it at the cell's
-/// middle shifts the cavitated zone by half a cell and makes the torque of first order. A supply
-/// line feeds full film; patches keep their own value.
+/// Mean fill ratio over each cell [-]: half the sum of what is carried through its two faces. In
+/// the steady film theta itself is what is carried through the downstream face; taking it at the
+/// cell's middle shifts the cavitated zone by half a cell and makes the torque of first order. A
+/// supply line feeds full film; patches keep their own value.
 [[nodiscard]] Field cell_fill(const FilmScene& scene, const FilmState& state);
 
 enum class CavitatedShear { filled, full };
@@ -54,7 +54,7 @@ enum class CavitatedShear { filled, full };
                                        const Field& gradient_x, CavitatedShear rule);
 
 /// Torque of a stress field about the bearing axis [N m], whole bearing.
-[[nodiscard]] double torque(const FilmScene& scene, const Field& tau);
+[[nodiscard]] double torque(const FilmDomain& scene, const Field& tau);
 
 /// Oil flows [kg/s], whole bearing, from the face flows of the solved system.
 struct OilFlows {

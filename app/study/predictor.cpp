@@ -37,8 +37,8 @@ bool can_follow(const bearing::Case& next, const bearing::Case& near) {
 
 Solution extrapolated(const Solution& near, const Solution& before, double step) {
   Solution s = near;
-  if (near.model.scene.grid.phi_face != before.model.scene.grid.phi_face ||
-      near.model.scene.grid.z_face != before.model.scene.grid.z_face) {
+  if (near.model.domain.grid.phi_face != before.model.domain.grid.phi_face ||
+      near.model.domain.grid.z_face != before.model.domain.grid.z_face) {
     return s;
   }
   extrapolate(s.film.position.q, before.film.position.q, step);
@@ -47,7 +47,7 @@ Solution extrapolated(const Solution& near, const Solution& before, double step)
   extrapolate(s.heat.thermal_deformation, before.heat.thermal_deformation, step);
   extrapolate(s.heat.T_shell, before.heat.T_shell, step);
   extrapolate(s.heat.T_shaft, before.heat.T_shaft, step);
-  extrapolate_film(before.film.film, s.model.scene.p_cavitation, step, s.film.film);
+  extrapolate_film(before.film.film, s.model.domain.p_cavitation, step, s.film.film);
   s.T_film += step * (near.T_film - before.T_film);
   return s;
 }

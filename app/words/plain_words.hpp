@@ -2,6 +2,8 @@
 /// Endings without data, and iterations that did not settle, of every subject.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/words/told.hpp"
 
 namespace shellback::app::told {
@@ -65,6 +67,19 @@ inline Told told(ending::Plain e, const About& a) {
   return {};
 }
 
+/// What a film that is not periodic gains or loses.
+inline std::string gathered(const ending::Unsettled& e) {
+  constexpr double kTelling = 1e-4;  // as near as a cycle is closed [-]
+  if (std::abs(e.gathered) < kTelling) return "";
+  if (e.gathered > 0.0) {
+    return fmt::format("; in the last one the film gained {:.2g} % of its oil", 100.0 * e.gathered);
+  }
+  return fmt::format(
+      "; in the last one the film lost {:.2g} % of its oil: no supply makes up for "
+      "what leaves at the sides, or none lies where the oil comes by",
+      -100.0 * e.gathered);
+}
+
 inline Told told(const ending::Unsettled& e, const About& a) {
   switch (e.of) {
     case ending::Iteration::cavitation:
@@ -94,8 +109,8 @@ inline Told told(const ending::Unsettled& e, const About& a) {
               "try a finer grid or another cooling of shell and shaft"};
     case ending::Iteration::cycles:
       return {fmt::format("after {} cycles two of them still differ by {:.1e} in smallest film or "
-                          "torque, and this falls too slowly to be within 1e-4 of where it leads",
-                          e.steps, e.left),
+                          "torque, and this falls too slowly to be within 1e-4 of where it leads{}",
+                          e.steps, e.left, gathered(e)),
               "where it is about 1e-4, a smaller model.tolerance (it is the choice of steps that "
               "differs); else repeat the load several times in a longer period (oil of a starved "
               "film gathers over more than 40 short ones), or look at the orbit: it may repeat "

@@ -33,7 +33,7 @@ double volume_of(const Profile& table, const FilmGrid& g) {
 
 /// Archard's volume per time of a state, (C/H) int p_a |U| dA [m3/s].
 double rate_of(const Case& c, const Solution& s) {
-  const FilmGrid& g = s.model.scene.grid;
+  const FilmGrid& g = s.model.domain.grid;
   double force = 0.0;
   for (int k = 0; k < g.cells(); ++k) {
     force += g.multiplicity() * g.area(k / g.nz, k % g.nz) * s.film.p_contact[k];

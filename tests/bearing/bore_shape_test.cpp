@@ -37,8 +37,8 @@ TEST_CASE("AShapeThatIsEverywhereTheSameIsClearance") {
   REQUIRE(b.verdict.good());
   // the same equations: what iterations leave
   CHECK(b.film.least.h == Approx(a.film.least.h).epsilon(1e-7));
-  CHECK(friction_of(b.model, b.film).viscous ==
-        Approx(friction_of(a.model, a.film).viscous).epsilon(1e-7));
+  CHECK(friction_of(b.model, b.point, b.film).viscous ==
+        Approx(friction_of(a.model, a.point, a.film).viscous).epsilon(1e-7));
 }
 
 TEST_CASE("ATableOfTheReliefIsTheRelief") {
@@ -57,8 +57,8 @@ TEST_CASE("ATableOfTheReliefIsTheRelief") {
   REQUIRE(a.verdict.good());
   REQUIRE(b.verdict.good());
   CHECK(b.film.least.h == Approx(a.film.least.h).epsilon(1e-5));
-  CHECK(friction_of(b.model, b.film).viscous ==
-        Approx(friction_of(a.model, a.film).viscous).epsilon(1e-5));
+  CHECK(friction_of(b.model, b.point, b.film).viscous ==
+        Approx(friction_of(a.model, a.point, a.film).viscous).epsilon(1e-5));
   // relief takes away what carries: the film is thinner than without it
   const Solution none = solve_tier(plain_case(), Tier::isothermal);
   CHECK(a.film.position.ey() * -1.0 > -none.film.position.ey());

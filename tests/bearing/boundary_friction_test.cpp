@@ -81,7 +81,7 @@ TEST_CASE("AConstantIsTheLawOfAbrasionAloneInAWarmBearing", "[boundary_friction]
 
 TEST_CASE("EnergyClosesWithALawInTehd", "[boundary_friction]") {
   const Solution s = good(with_law(mixed(Tier::tehd)));
-  const Friction f = friction_of(s.model, s.film);
+  const Friction f = friction_of(s.model, s.point, s.film);
   REQUIRE(f.asperity > 0.1 * (f.viscous + f.asperity));
   CHECK(audit_of(s, f).energy < 1e-6);  // as of other bearings with constant friction
   const double heat = f.asperity * s.model.input.operation.omega;
@@ -90,7 +90,7 @@ TEST_CASE("EnergyClosesWithALawInTehd", "[boundary_friction]") {
 
 TEST_CASE("TheViscosityOfTheLawIsThatOfItsPlace", "[boundary_friction]") {
   const Solution s = good(with_law(mixed(Tier::tehd)));
-  const AsperityStress tau = asperity_stress(s.model, s.film);
+  const AsperityStress tau = asperity_stress(s.model, s.point, s.film);
   const auto& law = *s.model.input.surfaces.contact->friction_law;
   const solid::BoundaryFriction& f = s.model.contact->friction();
   int pressed = 0;
@@ -98,7 +98,7 @@ TEST_CASE("TheViscosityOfTheLawIsThatOfItsPlace", "[boundary_friction]") {
     const double p = s.film.p_contact[c];
     if (p < 1e5) continue;
     ++pressed;
-    const double L_N = s.model.scene.speed / (s.film.columns.g0[c] * p * f.L_s());
+    const double L_N = s.point.scene.speed / (s.film.columns.g0[c] * p * f.L_s());
     const double adhesive = law.adhesive * std::pow(law.a, -std::sqrt(law.b * L_N));
     CHECK(tau.adhesive[c] == Approx(p * adhesive).epsilon(1e-12));
   }

@@ -32,7 +32,7 @@ Coefficients of(const Solution& s) {
 
 /// The film re-solved at another position, journal held there, oil and thermal deformation as they
 /// are.
-FilmEquilibrium again(const Solution& s, const BearingModel& model, int k, double step) {
+FilmEquilibrium again(const Solution& s, const OperatingPoint& point, int k, double step) {
   FilmEquilibrium f = s.film;
   f.position.q[k] += step;
   EquilibriumOptions sharp;
@@ -40,9 +40,10 @@ FilmEquilibrium again(const Solution& s, const BearingModel& model, int k, doubl
   sharp.elastic_tolerance = 1e-10;
   sharp.viscosity_tolerance = 1e-13;
   EquilibriumCost cost;
-  LoadTarget held;
-  held.unknowns = 0;
-  const Verdict v = solve_equilibrium(model, held, s.heat.thermal_deformation, sharp, f, cost);
+  OperatingPoint held = point;
+  held.load = {};
+  held.load.unknowns = 0;
+  const Verdict v = solve_equilibrium(s.model, held, s.heat.thermal_deformation, sharp, f, cost);
   INFO(app::reason_of(v));
   REQUIRE(v.good());
   return f;
@@ -58,29 +59,30 @@ struct Differences {
 
 Differences differences(const Solution& s, int unknowns, double part) {
   Differences d;
-  const double h = s.film.least.h + 3.0 * s.model.scene.rough.sigma;
+  const double h = s.film.least.h + 3.0 * s.model.domain.rough.sigma;
   const double omega = std::abs(s.model.input.operation.omega);
   for (int j = 0; j < unknowns; ++j) {
     const double step = part * h / (j < 2 ? 1.0 : 0.5 * s.model.input.bearing.width);
-    const FilmEquilibrium up = again(s, s.model, j, step);
-    const FilmEquilibrium down = again(s, s.model, j, -step);
+    const FilmEquilibrium up = again(s, s.point, j, step);
+    const FilmEquilibrium down = again(s, s.point, j, -step);
     const auto motion = [&](double sign) {
-      BearingModel m = s.model;
+      OperatingPoint point = s.point;
       const double rate = sign * step * omega;  // per unit: the displacement of one radian of turn
-      const FilmGrid& g = m.scene.grid;
-      const auto store = fluid::oil_store(m.scene, s.film.gap, s.film.oil, s.film.film);
+      const FilmGrid& g = point.scene.grid;
+      const auto store = fluid::oil_store(point.scene, s.film.gap, s.film.oil, s.film.film);
       // Over so long a step the oil in the cells is nothing against its rate, which is given.
-      m.scene.storage = {kForever, Field(g.cells())};
+      point.scene.storage = {kForever, Field(g.cells())};
       for (int k = 0; k < g.cells(); ++k) {
         const double slope = rate / (2.0 * step);
         const double theta = slope * (up.film.theta[k] - down.film.theta[k]);
-        double h = rate * fluid::gap_slope(j, m.scene.angles.cos_cell[k / g.nz],
-                                           m.scene.angles.sin_cell[k / g.nz], g.z[k % g.nz]);
+        double h = rate * fluid::gap_slope(j, point.scene.angles.cos_cell[k / g.nz],
+                                           point.scene.angles.sin_cell[k / g.nz], g.z[k % g.nz]);
         if (!up.elastic.empty()) h += slope * (up.elastic[k] - down.elastic[k]);
-        m.scene.storage.before[k] = -kForever * (store.by_gap[k] * h + store.by_theta[k] * theta) /
-                                    g.area(k / g.nz, k % g.nz);
+        point.scene.storage.before[k] = -kForever *
+                                        (store.by_gap[k] * h + store.by_theta[k] * theta) /
+                                        g.area(k / g.nz, k % g.nz);
       }
-      return again(s, m, j, 0.0);
+      return again(s, point, j, 0.0);
     };
     const FilmEquilibrium forth = motion(1.0);
     const FilmEquilibrium back = motion(-1.0);

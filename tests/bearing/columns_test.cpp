@@ -184,9 +184,10 @@ TEST_CASE("VelocityProfilesHaveUnitMeanAndTheFilmsShape", "[columns]") {
 TEST_CASE("NodeFlowsAddUpToTheFaceFlows", "[columns]") {
   const Solution s = solve_tier(tests::grooved_case(), Tier::thd);
   REQUIRE(s.verdict.good());
-  const auto p = film_energy_problem(s.model, s.film, friction_of(s.model, s.film));
+  const auto p =
+      film_energy_problem(s.model, s.point, s.film, friction_of(s.model, s.point, s.film));
   const int n = s.model.gl.n;
-  const double scale = fluid::flow_scale(s.model.scene, s.film.flow);
+  const double scale = fluid::flow_scale(s.point.scene, s.film.flow);
   const auto check = [&](const std::vector<fluid::FaceFlow>& faces,
                          const std::vector<double>& nodes) {
     double worst = 0.0;
@@ -203,18 +204,19 @@ TEST_CASE("NodeFlowsAddUpToTheFaceFlows", "[columns]") {
 
 TEST_CASE("ADryColumnHasTheTemperaturesOfItsWalls") {
   Case c = shellback::bearing::tests::warm_case();
-  BearingModel model = make_bearing(c, physics_of(c, Tier::thd), {24, 4});
-  FilmEquilibrium film = cold_start(model, 313.15);
-  const int nz = model.scene.grid.nz;
+  const BearingModel model = make_bearing(c, physics_of(c, Tier::thd), {24, 4});
+  OperatingPoint point = operating_point(model);
+  FilmEquilibrium film = cold_start(model, point, 313.15);
+  const int nz = model.domain.grid.nz;
   const int cell = 12 * nz;  // no oil comes to it, and none is there: neighbours and speed at rest
-  model.scene.speed = 0.0;
-  for (int k = 0; k < model.scene.grid.cells(); ++k) {
-    if (model.scene.supply.cell[k] >= 0) continue;
+  point.scene.speed = 0.0;
+  for (int k = 0; k < model.domain.grid.cells(); ++k) {
+    if (model.supply.cell[k] >= 0) continue;
     film.film.theta[k] = 0.0;
     film.film.full[k] = 0;
   }
-  REQUIRE(evaluate(model, {}, 1e-10, film));
-  auto problem = film_energy_problem(model, film, friction_of(model, film));
+  REQUIRE(evaluate(model, point, {}, 1e-10, film));
+  auto problem = film_energy_problem(model, point, film, friction_of(model, point, film));
   std::fill(problem.phi_flow.begin(), problem.phi_flow.end(), 0.0);
   std::fill(problem.z_flow.begin(), problem.z_flow.end(), 0.0);
   std::fill(problem.heat.begin(), problem.heat.end(), 0.0);

@@ -17,13 +17,13 @@ struct Lack {
   double place = 0.0;
 };
 Lack lack_of(const FilmSteps& steps, const FilmInTime& now, const Field& full, double zero) {
-  const FilmGrid& g = steps.model().scene.grid;
+  const FilmGrid& g = steps.model().domain.grid;
   Lack lack;
   for (int i = 0; i < g.nt; ++i) {
     const double phi = std::remainder(g.phi[i] - zero - kPi, 2.0 * kPi) + kPi;  // 0 to 2 pi
     for (int j = 0; j < g.nz; ++j) {
       const int c = g.index(i, j);
-      if (steps.model().scene.supply.cell[c] >= 0) continue;
+      if (steps.point().scene.supply.cell[c] >= 0) continue;
       const double missing = g.multiplicity() * g.area(i, j) * (full[c] - now.oil[c]);
       lack.oil += missing;
       lack.place += missing * phi;
@@ -35,7 +35,7 @@ Lack lack_of(const FilmSteps& steps, const FilmInTime& now, const Field& full, d
 
 /// Leaves this part of the oil in the middle half of the width, between two angles [rad].
 void dry(const FilmSteps& steps, double from, double to, double left, FilmInTime& now) {
-  const FilmGrid& g = steps.model().scene.grid;
+  const FilmGrid& g = steps.model().domain.grid;
   for (int i = 0; i < g.nt; ++i) {
     const double past = std::remainder(g.phi[i] - from - kPi, 2.0 * kPi) + kPi;  // 0 to 2 pi
     if (past > to - from) continue;
@@ -44,7 +44,7 @@ void dry(const FilmSteps& steps, double from, double to, double left, FilmInTime
       const int k = g.index(i, j);
       now.film.film.theta[k] *= left;
       now.film.film.full[k] = 0;
-      now.film.film.p[k] = steps.model().scene.p_cavitation;
+      now.film.film.p[k] = steps.model().domain.p_cavitation;
       now.oil[k] *= left;
     }
   }
@@ -52,7 +52,7 @@ void dry(const FilmSteps& steps, double from, double to, double left, FilmInTime
 
 /// All oil of the gap [kg].
 double oil_of(const FilmSteps& steps, const FilmInTime& now) {
-  const FilmGrid& g = steps.model().scene.grid;
+  const FilmGrid& g = steps.model().domain.grid;
   double sum = 0.0;
   for (int c = 0; c < g.cells(); ++c) sum += now.oil[c] * g.area(c / g.nz, c % g.nz);
   return g.multiplicity() * sum;
@@ -135,7 +135,7 @@ TEST_CASE("ADryPatchIsCarriedWithTheMeanSpeedAndKeepsWhatItLacks", "[cycle]") {
       left -= step(whole);
     }
     const Lack ended = lack_of(steps, now, whole.oil, zero);
-    const double cell = 2.0 * kPi / steps.model().scene.grid.nt;
+    const double cell = 2.0 * kPi / steps.model().domain.grid.nt;
     const double gone = ended.place - begun.place;
     INFO("loaded " << loaded << ", gone " << gone / way << " of the way, left "
                    << left / begun.oil);

@@ -36,7 +36,7 @@ TEST_CASE("DisplacementIsThatOfTheFinalPressure", "[elastic]") {
       REQUIRE(s.verdict.good());
       Field total = s.film.film.p;
       for (std::size_t k = 0; k < total.size(); ++k) total[k] += s.film.p_contact[k];
-      const double gap = s.film.least.h + s.model.scene.rough.sigma;
+      const double gap = s.film.least.h + s.model.domain.rough.sigma;
       CHECK(largest_difference(s.model.solids->compliance(total), s.film.elastic) < 1e-8 * gap);
       CHECK(std::abs(s.film.force[1] / load - 1.0) < 1e-9);
       CHECK(largest(s.film.elastic) > 0.05 * s.film.least.h);  // it does give way
@@ -91,7 +91,7 @@ TEST_CASE("ComplianceIsSymmetricAndPositive", "[elastic]") {
     c.model.grid = {48, 9};
     if (!half) c.operation.alignment = TiltGiven{1e-6, 0.0};
     const BearingModel m = make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid);
-    const FilmGrid& g = m.scene.grid;
+    const FilmGrid& g = m.domain.grid;
     REQUIRE(g.half == half);
     const Field p = random_field(g.cells(), 1, 0.0, 1e7);
     const Field q = random_field(g.cells(), 2, -1e7, 1e7);

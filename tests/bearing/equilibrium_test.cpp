@@ -133,16 +133,16 @@ TEST_CASE("HalfBearingIsTheWholeOne", "[equilibrium]") {
     Case c = plain_case();
     c.model.grid = {48, nz};
     const Solution half = isothermal(c);
-    REQUIRE(half.model.scene.grid.half);
+    REQUIRE(half.model.domain.grid.half);
     c.operation.alignment = MomentGiven{};  // free to tilt: solved over the whole width
     const Solution whole = isothermal(c);
-    REQUIRE(!whole.model.scene.grid.half);
+    REQUIRE(!whole.model.domain.grid.half);
     CHECK(std::abs(whole.film.position.psi_x()) * c.bearing.width <
           1e-8 * c.bearing.radial_clearance);
     CHECK(torque_of(half) == Approx(torque_of(whole)).epsilon(1e-8));  // load tolerance 1e-9
     CHECK(half.film.least.h == Approx(whole.film.least.h).epsilon(1e-8));
-    CHECK(fluid::oil_flows(half.model.scene, half.film.flow).side ==
-          Approx(fluid::oil_flows(whole.model.scene, whole.film.flow).side).epsilon(1e-8));
+    CHECK(fluid::oil_flows(half.point.scene, half.film.flow).side ==
+          Approx(fluid::oil_flows(whole.point.scene, whole.film.flow).side).epsilon(1e-8));
   }
 }
 

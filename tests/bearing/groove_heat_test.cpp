@@ -33,10 +33,10 @@ Solution solved(const Case& c, Tier tier) {
 
 /// Heat from the groove's oil into shell and shaft [W], whole bearing.
 double into_walls(const Solution& s) {
-  const FilmGrid& g = s.model.scene.grid;
+  const FilmGrid& g = s.model.domain.grid;
   double sum = 0.0;
   for (int c = 0; c < g.cells(); ++c) {
-    const int patch = s.model.scene.supply.cell[c];
+    const int patch = s.point.scene.supply.cell[c];
     if (patch < 0) continue;
     const double hA = supply_heat_transfer(s.model, patch) * g.area(c / g.nz, c % g.nz);
     sum += hA * (2.0 * s.heat.T_mix[patch] - s.heat.T_shell[c] - s.heat.T_shaft[c % g.nz]);
@@ -51,7 +51,7 @@ TEST_CASE("HeatOfAGrooveWithItsWallsIsConserved", "[groove_heat]") {
   for (const double h : {0.0, 500.0, 5000.0}) {
     for (const Tier tier : {Tier::thd, Tier::tehd}) {
       const Solution s = solved(groove_with(h), tier);
-      CHECK(audit_of(s, friction_of(s.model, s.film)).energy < 1e-8);
+      CHECK(audit_of(s, friction_of(s.model, s.point, s.film)).energy < 1e-8);
     }
     const Solution s = solved(groove_with(h), Tier::thd);
     if (h == 0.0) {
@@ -67,10 +67,10 @@ TEST_CASE("HeatOfAGrooveWithItsWallsIsConserved", "[groove_heat]") {
 
 TEST_CASE("AGrooveOfStrongExchangeIsAsWarmAsItsWalls", "[groove_heat]") {
   const Solution s = solved(groove_with(1e6), Tier::thd);
-  const FilmGrid& g = s.model.scene.grid;
+  const FilmGrid& g = s.model.domain.grid;
   double walls = 0.0, area = 0.0;
   for (int c = 0; c < g.cells(); ++c) {
-    if (s.model.scene.supply.cell[c] < 0) continue;
+    if (s.point.scene.supply.cell[c] < 0) continue;
     const double A = g.area(c / g.nz, c % g.nz);
     walls += 0.5 * A * (s.heat.T_shell[c] + s.heat.T_shaft[c % g.nz]);
     area += A;
@@ -87,7 +87,7 @@ TEST_CASE("HardlyAnyExchangeOfAGrooveIsNone", "[groove_heat]") {
   CHECK(hardly.film.position.ex() == Approx(none.film.position.ex()).epsilon(1e-5));
   CHECK(hardly.film.position.ey() == Approx(none.film.position.ey()).epsilon(1e-5));
   const int c = [&] {
-    const auto& cells = none.model.scene.supply.cell;
+    const auto& cells = none.point.scene.supply.cell;
     return static_cast<int>(std::find_if(cells.begin(), cells.end(), [](int p) { return p >= 0; }) -
                             cells.begin());
   }();

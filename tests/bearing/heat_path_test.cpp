@@ -58,8 +58,9 @@ TEST_CASE("TheLoadAtWhichHeatRunsAwayDoesNotDependOnTheLoadAskedFor", "[heat_pat
     const auto* far = s->verdict.as<ending::BranchEnded>();
     const auto* fled = s->verdict.as<ending::RanAway>();
     const auto* moved = s->verdict.as<ending::LimitMoves>();
-    CHECK((far || fled || (moved && !moved->limits.empty())));   // all know how far it went
-    CHECK(s->target.scale() == Approx(s == &a ? 82e3 : 164e3));  // the case's own load is put back
+    CHECK((far || fled || (moved && !moved->limits.empty())));  // all know how far it went
+    CHECK(s->point.load.scale() ==
+          Approx(s == &a ? 82e3 : 164e3));  // the case's own load is put back
   }
   CHECK(carried(a) == Approx(carried(b)).epsilon(0.1));
   CHECK(solve_tier(coarse_rig(0.7 * carried(a)), Tier::tehd).verdict.good());
@@ -92,7 +93,7 @@ TEST_CASE("EdgesPressedBelowThreeRoughnessesCarry", "[heat_path]") {
   Case c = coarse_rig(8e3);
   c.operation.alignment = TiltGiven{2.4e-3, 0.0};  // 20.6 um at the edge of 23.9
   const Solution s = solved(c, Tier::tehd);
-  CHECK(s.film.least.h < -3.0 * s.model.scene.rough.sigma);
+  CHECK(s.film.least.h < -3.0 * s.model.domain.rough.sigma);
   CHECK(summarize(s, Tier::tehd).value("asperity_load_share") > 0.5);
   CHECK(carried(s) == Approx(8e3).epsilon(1e-8));
 }
@@ -102,12 +103,12 @@ TEST_CASE("OilIsBalancedWhereAlmostNonePasses", "[equilibrium]") {
   c.supplies[0].angle = 270.0 * kDegree;  // the load shuts the hole
   c.supplies[0].pressure = 0.2e5;
   const Solution s = solved(c, Tier::isothermal);
-  const auto flows = fluid::oil_flows(s.model.scene, s.film.flow);
+  const auto flows = fluid::oil_flows(s.point.scene, s.film.flow);
   CHECK(flows.side > 0.0);
-  CHECK(flows.side < 1e-6 * fluid::flow_scale(s.model.scene, s.film.flow));
+  CHECK(flows.side < 1e-6 * fluid::flow_scale(s.point.scene, s.film.flow));
   // What is lost is the round-off of what goes round.
   CHECK(std::abs(flows.supply - flows.side) <=
-        2.3e-16 * fluid::flow_scale(s.model.scene, s.film.flow));
+        2.3e-16 * fluid::flow_scale(s.point.scene, s.film.flow));
   CHECK(summarize(s, Tier::isothermal).audit.mass < 5e-9);
 }
 
@@ -128,7 +129,7 @@ TEST_CASE("AColdShellBackComesToRestAtAnyNodesAndGrid", "[heat_path]") {
       const Solution s = solve_tier(c, Tier::thd);
       INFO(nodes << " nodes on " << grid[0] << ": " << app::reason_of(s.verdict));
       REQUIRE(s.verdict.good());
-      torques.push_back(std::abs(friction_of(s.model, s.film).viscous));
+      torques.push_back(std::abs(friction_of(s.model, s.point, s.film).viscous));
     }
   }
   // Grids of second order in the film and first in the heat: the coarse one is a per cent or two
@@ -149,7 +150,7 @@ TEST_CASE("AGivenPositionThatOnlyHeatedOilCarriesIsFound", "[heat_path]") {
   const Solution warm = solve_tier(c, Tier::thd);
   INFO(app::reason_of(warm.verdict));
   REQUIRE(warm.verdict.good());
-  CHECK(warm.model.scene.speed == Approx(c.operation.omega * c.bearing.radius));  // the whole speed
+  CHECK(warm.point.scene.speed == Approx(c.operation.omega * c.bearing.radius));  // the whole speed
   const double T = *std::max_element(warm.film.columns.T.begin(), warm.film.columns.T.end());
   CHECK(T > c.supplies[0].temperature + 5.0);
   // With the viscosity that it has there the film also stands at one temperature.

@@ -57,13 +57,13 @@ TEST_CASE("ThePathEndsInTheEquilibriumThatNewtonFinds") {
   const Solution usual = solve_tier(c, Tier::isothermal);
   REQUIRE(usual.verdict.good());
   Solution s = usual;
-  Part part(s, Raised::load);
+  Part part(s.point, Raised::load);
   part.take(0.05);
-  s.film = cold_start(s.model, 313.15);
-  REQUIRE(solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost).good());
+  s.film = cold_start(s.model, s.point, 313.15);
+  REQUIRE(solve_equilibrium(s.model, s.point, {}, {}, s.film, s.cost).good());
   part.take(1.0);
   const Corrector correct = [](Solution& at, Accuracy) {
-    return newton(at.model, at.target, {}, {}, at.film, at.cost);
+    return newton(at.model, at.point, {}, {}, at.film, at.cost);
   };
   const Branch branch = follow_load(s, 0.05, correct, {});
   REQUIRE(branch.end == BranchEnd::reached);
@@ -79,10 +79,10 @@ TEST_CASE("ThroughTimeThereIsTheEquilibriumThatNewtonFinds") {
     c.model.switches.elastic_deformation = elastic;
     const Solution usual = solve_tier(c, Tier::isothermal);
     REQUIRE(usual.verdict.good());
-    FilmEquilibrium s = cold_start(usual.model, usual.T_film);
+    FilmEquilibrium s = cold_start(usual.model, usual.point, usual.T_film);
     s.position.q = {};
     EquilibriumCost cost;
-    REQUIRE(march_to_steady(usual.model, usual.target, {}, {}, s, cost, nullptr).good());
+    REQUIRE(march_to_steady(usual.model, usual.point, {}, {}, s, cost, nullptr).good());
     for (int k = 0; k < 2; ++k) {
       CHECK(s.position.q[k] ==
             Approx(usual.film.position.q[k]).margin(1e-7 * usual.model.clearance));
@@ -97,14 +97,14 @@ TEST_CASE("AnInterruptedBranchIsNoSolution", "[refusal]") {
   SolveControl control;
   control.stop = &stop;
   for (const Raised raised : {Raised::load, Raised::speed}) {
-    Part part(s, raised);
+    Part part(s.point, raised);
     part.take(0.05);
-    REQUIRE(solve_equilibrium(s.model, s.target, {}, {}, s.film, s.cost).good());
+    REQUIRE(solve_equilibrium(s.model, s.point, {}, {}, s.film, s.cost).good());
     part.take(1.0);
     stop = false;
     const Corrector correct = [&](Solution& at, Accuracy) {
       stop = true;  // during the first step, which arrives
-      return newton(at.model, at.target, {}, {}, at.film, at.cost);
+      return newton(at.model, at.point, {}, {}, at.film, at.cost);
     };
     const Branch branch = raised == Raised::load ? follow_load(s, 0.05, correct, control)
                                                  : follow_speed(s, 0.05, correct, control);
@@ -123,24 +123,24 @@ TEST_CASE("AJournalWithMassFollowsNewtonsLaw") {
   const std::array<double, 2> velocity{0.02, -0.03};  // [m/s]: 2 and 3 um in a step
   double farther = INFINITY;
   for (const double mass : {1e-3, 1.0, 1e3, 1e6}) {
-    BearingModel model = steady.model;
+    const BearingModel& model = steady.model;
+    OperatingPoint point = steady.point;
     FilmEquilibrium s = steady.film;
-    REQUIRE(evaluate(model, {}, 1e-12, s));
-    model.scene.storage = {dt, fluid::oil_content(model.scene, s.gap, s.oil, s.film)};
-    LoadTarget target = steady.target;
-    target.inertia = Inertia{mass / (dt * dt), {}};
-    for (int k = 0; k < 2; ++k) target.inertia->free[k] = s.position.q[k] + dt * velocity[k];
+    REQUIRE(evaluate(model, point, {}, 1e-12, s));
+    point.scene.storage = {dt, fluid::oil_content(point.scene, s.gap, s.oil, s.film)};
+    point.load.inertia = Inertia{mass / (dt * dt), {}};
+    for (int k = 0; k < 2; ++k) point.load.inertia->free[k] = s.position.q[k] + dt * velocity[k];
     EquilibriumCost cost;
-    const Verdict v = newton(model, target, {}, {}, s, cost);
+    const Verdict v = newton(model, point, {}, {}, s, cost);
     INFO(mass << " kg: " << app::reason_of(v));
     REQUIRE(v.good());
     CHECK(cost.newton_iterations < 15);  // quadratic: a wrong sign of the mass in the border is not
     double off = 0.0;
     for (int k = 0; k < 2; ++k) {
-      const double load = -steady.target.force[k];
-      const double acceleration = (s.position.q[k] - target.inertia->free[k]) / (dt * dt);
-      CHECK(std::abs(mass * acceleration - (s.force[k] + load)) < 1e-8 * steady.target.scale());
-      off = std::max(off, std::abs(s.position.q[k] - target.inertia->free[k]));
+      const double load = -steady.point.load.force[k];
+      const double acceleration = (s.position.q[k] - point.load.inertia->free[k]) / (dt * dt);
+      CHECK(std::abs(mass * acceleration - (s.force[k] + load)) < 1e-8 * steady.point.load.scale());
+      off = std::max(off, std::abs(s.position.q[k] - point.load.inertia->free[k]));
     }
     CHECK(off < farther);
     farther = off;

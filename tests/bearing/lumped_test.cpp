@@ -20,8 +20,9 @@ double residual_at(const Case& c, double T) {
   INFO(app::reason_of(s.verdict));
   REQUIRE(s.verdict.good());
   const double T_supply = c.supplies[0].temperature;
-  const double power = std::abs(torque_of(s) * c.operation.omega) + pump_power(s.model, s.film);
-  const double flow = fluid::oil_flows(s.model.scene, s.film.flow).side;
+  const double power =
+      std::abs(torque_of(s) * c.operation.omega) + pump_power(s.model, s.point, s.film);
+  const double flow = fluid::oil_flows(s.point.scene, s.film.flow).side;
   return T_supply + power / (flow * rheology::heat_capacity(c.oil, 0.5 * (T + T_supply)).cp) - T;
 }
 

@@ -104,9 +104,9 @@ class Orbit {
         steps_(make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid), course_, 0.0, {}),
         now_(steps_.at_rest(c.oil_temperature.value())) {
     now_.film.position.q = {e[0], e[1], 0.0, 0.0};
-    REQUIRE(evaluate(steps_.model(), {}, 1e-10, now_.film));
+    REQUIRE(evaluate(steps_.model(), steps_.point(), {}, 1e-10, now_.film));
     now_.oil =
-        fluid::oil_content(steps_.model().scene, now_.film.gap, now_.film.oil, now_.film.film);
+        fluid::oil_content(steps_.point().scene, now_.film.gap, now_.film.oil, now_.film.film);
   }
   /// A step in which the journal goes by about `part` of the smallest film.
   void step(double part) {

@@ -21,22 +21,22 @@ FilmEquilibrium disturbed(const Solution& s, double size) {
   f.position.q[1] -= 0.4 * size * f.least.h;
   const Field r = random_field(f.film.p.size(), 7, 0.0, 1.0);
   for (std::size_t k = 0; k < r.size(); ++k) {
-    if (s.model.scene.supply.cell[k] >= 0) continue;
+    if (s.point.scene.supply.cell[k] >= 0) continue;
     if (f.film.full[k]) f.film.p[k] *= 1.0 + size * r[k];
     if (!f.film.full[k]) f.film.theta[k] *= 1.0 - size * r[k];
     if (!f.elastic.empty()) f.elastic[k] *= 1.0 + size * r[k];
   }
-  REQUIRE(evaluate(s.model, {}, 1e-13, f));
+  REQUIRE(evaluate(s.model, s.point, {}, 1e-13, f));
   return f;
 }
 
 void take(const Solution& s, const NewtonStep& step, FilmEquilibrium& f) {
   REQUIRE(step.good);
   for (int k = 0; k < 4; ++k) f.position.q[k] += step.q[k];
-  const auto report = fluid::advance(s.model.scene, f.oil, step.film, 1.0, f.film);
+  const auto report = fluid::advance(s.point.scene, f.oil, step.film, 1.0, f.film);
   REQUIRE(report.moved == 0);  // near the solution: the film's region is settled
   for (std::size_t k = 0; k < f.elastic.size(); ++k) f.elastic[k] += step.elastic[k];
-  REQUIRE(evaluate(s.model, {}, 1e-13, f));
+  REQUIRE(evaluate(s.model, s.point, {}, 1e-13, f));
 }
 
 Case barus_case() {
@@ -59,8 +59,11 @@ TEST_CASE("RigidStepSquaresTheError", "[newton_step]") {
     for (const double size : {2e-4, 1e-4, 5e-5}) {
       FilmEquilibrium f = disturbed(s, size);
       EquilibriumCost cost;
-      take(s, newton_step(s.model, s.target, f, residuals_of(s.model, s.target, f), {}, cost), f);
-      const Residuals n = residuals_of(s.model, s.target, f);
+      take(s,
+           newton_step(s.model, s.point.scene, s.point.load, f, residuals_of(s.model, s.point, f),
+                       {}, cost),
+           f);
+      const Residuals n = residuals_of(s.model, s.point, f);
       const double error = n.film_norm + n.load_norm;
       INFO("size " << size << ": film " << n.film_norm << ", load " << n.load_norm);
       if (before > 0.0) CHECK(order_of_errors(before, error) == Approx(2.0).margin(0.15));
@@ -82,10 +85,10 @@ TEST_CASE("ElasticStepSquaresTheError", "[newton_step]") {
     double before = 0.0;
     for (const double size : {4e-3, 2e-3, 1e-3}) {
       FilmEquilibrium f = disturbed(s, size);
-      const Residuals start = residuals_of(s.model, s.target, f);
+      const Residuals start = residuals_of(s.model, s.point, f);
       EquilibriumCost cost;
-      take(s, newton_step(s.model, s.target, f, start, {}, cost), f);
-      const Residuals n = residuals_of(s.model, s.target, f);
+      take(s, newton_step(s.model, s.point.scene, s.point.load, f, start, {}, cost), f);
+      const Residuals n = residuals_of(s.model, s.point, f);
       INFO("size " << size << ": film " << n.film_norm << ", load " << n.load_norm << ", elastic "
                    << n.elastic_norm << " from " << start.elastic_norm);
       const double error =

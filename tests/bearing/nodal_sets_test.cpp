@@ -48,7 +48,7 @@ TEST_CASE("EveryNodalSetBalancesItsHeat") {
     m.layers = 10;
     const Solution s = solved(coarse(grooved_case()), m);
     REQUIRE(s.verdict.good());
-    CHECK(audit_of(s, friction_of(s.model, s.film)).energy < 1e-6);
+    CHECK(audit_of(s, friction_of(s.model, s.point, s.film)).energy < 1e-6);
   }
 }
 

@@ -24,7 +24,7 @@ Solution solved_film() {
 }
 
 Verdict solved_again(Solution& s, const Field& thermal_deformation) {
-  return solve_equilibrium(s.model, s.target, thermal_deformation, {}, s.film, s.cost);
+  return solve_equilibrium(s.model, s.point, thermal_deformation, {}, s.film, s.cost);
 }
 
 bool found_in(const Verdict& v, FieldName field) {
@@ -48,7 +48,7 @@ TEST_CASE("ANotANumberIsNamedByFieldAndPlaceNotAsPhysics", "[not_a_number]") {
        [](Solution&, Field& thermal_deformation, int c) { thermal_deformation[c] = NAN; }}};
   for (const Spoilt& way : ways) {
     Solution s = solved_film();
-    const FilmGrid& g = s.model.scene.grid;
+    const FilmGrid& g = s.model.domain.grid;
     const int cell = g.index(17, 2);
     Field thermal_deformation(g.cells(), 0.0);
     way.spoil(s, thermal_deformation, cell);
@@ -67,11 +67,11 @@ TEST_CASE("AFilmWithoutPositionNamesItToo", "[not_a_number]") {
     c = s.film.oil;
     c.fluidity[40] = NAN;
   };
-  const auto by_gap = fluid::solve_reynolds(s.model.scene, gap, {}, oil, s.film.film);
+  const auto by_gap = fluid::solve_reynolds(s.point.scene, gap, {}, oil, s.film.film);
   CHECK(found_in(by_gap.verdict, FieldName::gap));  // the cause comes first
-  const auto by_oil = fluid::solve_reynolds(s.model.scene, s.film.gap, {}, oil, s.film.film);
+  const auto by_oil = fluid::solve_reynolds(s.point.scene, s.film.gap, {}, oil, s.film.film);
   CHECK(found_in(by_oil.verdict, FieldName::viscosity));
-  CHECK(by_oil.verdict.place == fluid::place_of(s.model.scene.grid, 40));
+  CHECK(by_oil.verdict.place == fluid::place_of(s.model.domain.grid, 40));
 }
 
 TEST_CASE("AFixedPointThatHoldsANotANumberIsNotConverged", "[not_a_number]") {
@@ -86,7 +86,7 @@ TEST_CASE("AFixedPointThatHoldsANotANumberIsNotConverged", "[not_a_number]") {
 
 TEST_CASE("AClearanceClosedByGrowthIsToldByTheGap", "[closed_gap]") {
   Solution s = solved_film();
-  const Field thermal_deformation(s.model.scene.grid.cells(), -1.2 * s.model.clearance);
+  const Field thermal_deformation(s.model.domain.grid.cells(), -1.2 * s.model.clearance);
   const Verdict v = solved_again(s, thermal_deformation);
   INFO(app::reason_of(v));
   CHECK(v.status == Status::no_steady_state);
@@ -104,15 +104,15 @@ TEST_CASE("GrowthThatClosesOneSideMovesAFreeJournal", "[closed_gap]") {
   // More than half of the clearance is left and carries the load, only not where the journal was.
   Solution s = solved_film();
   const double before = s.film.least.h;
-  const Field thermal_deformation(s.model.scene.grid.cells(), -1.01 * before);
+  const Field thermal_deformation(s.model.domain.grid.cells(), -1.01 * before);
   REQUIRE(before < 0.5 * s.model.clearance);
   const Verdict v = solved_again(s, thermal_deformation);
   INFO(app::reason_of(v));
   CHECK(v.good());
   CHECK(s.film.least.h > 0.0);
-  CHECK(std::hypot(s.film.force[0], s.film.force[1]) == Approx(s.target.scale()).epsilon(1e-8));
+  CHECK(std::hypot(s.film.force[0], s.film.force[1]) == Approx(s.point.load.scale()).epsilon(1e-8));
   // With the position given there is nothing to move.
   Solution held = solved_film();
-  held.target.unknowns = 0;
+  held.point.load.unknowns = 0;
   CHECK(solved_again(held, thermal_deformation).status == Status::no_steady_state);
 }

@@ -143,7 +143,7 @@ TEST_CASE("AFilmThatIsNotLaminarIsMarked", "[refusal]") {
 TEST_CASE("AnEdgeThatIsClosedWhileNoCellIsIsMarked", "[refusal]") {
   const Case c = plain_case();
   const BearingModel m = make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid);
-  const Field h(m.scene.grid.cells(), 1e-6);
+  const Field h(m.domain.grid.cells(), 1e-6);
   const auto marked = [&](double edge) {
     const auto notes = range_warnings(m, {NAN, NAN, 1e6, h, {edge, 0.0, 0.0125}});
     return std::any_of(notes.begin(), notes.end(), [](const Note& w) {

@@ -41,7 +41,7 @@ TEST_CASE("WearBeginsAsArchardHasIt") {
   // in a millisecond the contact pressure has fallen by less than one per cent
   CHECK(run.states.back().depth == Approx(depth).epsilon(0.01));
   double volume = 0.0;
-  const FilmGrid& g = fresh.model.scene.grid;
+  const FilmGrid& g = fresh.model.domain.grid;
   for (int k = 0; k < g.cells(); ++k) {
     volume += g.multiplicity() * g.area(k / g.nz, k % g.nz) * fresh.film.p_contact[k];
   }
@@ -78,7 +78,7 @@ TEST_CASE("WearInTimeIsThatOfManyShortStepsOfAnotherMethod") {
   INFO(app::reason_of(run.verdict));
   REQUIRE(run.verdict.good());
   Solution now = solve_tier(c, Tier::isothermal);
-  const FilmGrid g = now.model.scene.grid;
+  const FilmGrid g = now.model.domain.grid;
   const double U = c.operation.omega * c.bearing.radius;
   const auto rate = [&](const Field& wear) {
     Case worn = c;

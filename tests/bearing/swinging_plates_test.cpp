@@ -131,7 +131,7 @@ TEST_CASE("TheFrontBetweenPlatesThatMoveApartIsWithinACell", "[cycle]") {
   REQUIRE(steps.set_walls(walls, 10.0 * kTime, kTime / kSteps, now));
   walls.thermal_deformation.assign(now.oil.size(), kWider);
   REQUIRE(steps.set_walls(walls, 10.0 * kTime, kTime / kSteps, now));
-  const FilmGrid& g = model.scene.grid;
+  const FilmGrid& g = model.domain.grid;
   const double cell = 2.0 * kEnd / g.nt;
   const double dt = 2.0 * kTime / kSteps;
   const auto take = [&](double length) {

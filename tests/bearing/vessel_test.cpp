@@ -145,13 +145,13 @@ TEST_CASE("ACourseBeginsWithFullVesselsWhateverWasBefore", "[vessel]") {
   EquilibriumCost cost;
   steps.put_back(drained);
   const FilmInTime rest = steps.at_rest(313.15);
-  CHECK(steps.model().scene.supply.patches[0].pressure == 2e5);
-  CHECK(steps.model().scene.supply.patches[0].fill == 1.0);
+  CHECK(steps.point().scene.supply.patches[0].pressure == 2e5);
+  CHECK(steps.point().scene.supply.patches[0].fill == 1.0);
   CHECK(rest.vessels == steps.vessels().full());
   steps.put_back(drained);
   REQUIRE(steps.steady(313.15, cost, nullptr));
-  CHECK(steps.model().scene.supply.patches[0].pressure == 2e5);
-  CHECK(steps.model().scene.supply.patches[0].fill == 1.0);
+  CHECK(steps.point().scene.supply.patches[0].pressure == 2e5);
+  CHECK(steps.point().scene.supply.patches[0].fill == 1.0);
 }
 
 TEST_CASE("AVeryLargeVesselIsASupplyOfGivenPressure", "[vessel]") {

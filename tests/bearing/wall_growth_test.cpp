@@ -65,7 +65,7 @@ struct Swinging {
   /// What is wider in the film's gap than in that of the rigid bearing [m].
   [[nodiscard]] Field widening() const {
     Field gap = now.film.gap.cell;
-    const Field rigid = fluid::film_gap(model.scene.grid, model.scene.angles, model.clearance,
+    const Field rigid = fluid::film_gap(model.domain.grid, model.domain.angles, model.clearance,
                                         now.film.position, {}, {})
                             .cell;
     for (std::size_t c = 0; c < gap.size(); ++c) gap[c] -= rigid[c];
@@ -135,7 +135,7 @@ TEST_CASE("TheShaftsSwingThatIsToldIsThatOfAHalfSpaceUnderTheFluxOfTheCycle", "[
   b.now.heat.flows.balance.to_shaft = 0.0;
   CycleRecord record(b.steps, b.course, kPeriod);
   record.begin(b.now);
-  const FilmGrid& g = b.model.scene.grid;
+  const FilmGrid& g = b.model.domain.grid;
   for (int n = 0; n < kSteps; ++n) {
     FilmStep s = b.steps.take(kStep, b.now, b.cost, nullptr);
     REQUIRE(s.verdict.good());

@@ -27,7 +27,7 @@ struct WarmUp {
     walls = solids().at(solids().uniform_state(temperature));
   }
   void impose_walls() {
-    const FilmGrid& g = model().scene.grid;
+    const FilmGrid& g = model().domain.grid;
     const int n = model().gl.n;
     for (int c = 0; c < g.cells(); ++c) {
       T[c * n] = walls.shell.surface[c];
@@ -36,7 +36,7 @@ struct WarmUp {
   }
   [[nodiscard]] WallFlux flux(const thermal::FilmEnergy& energy,
                               const thermal::WallResponse& response) const {
-    const FilmGrid& g = model().scene.grid;
+    const FilmGrid& g = model().domain.grid;
     const thermal::WallHeat heat = energy.wall_heat(T);
     WallFlux q{heat.shell, std::vector<double>(g.nz, 0.0), response};
     for (int c = 0; c < g.cells(); ++c) {
@@ -50,7 +50,8 @@ struct WarmUp {
     FilmEquilibrium now = bearing.film;
     now.columns.T = T;
     thermal::FilmEnergy energy(
-        film_energy_problem(model(), now, friction_of(model(), bearing.film), std::move(oil)));
+        film_energy_problem(model(), bearing.point, now,
+                            friction_of(model(), bearing.point, bearing.film), std::move(oil)));
     const auto response = energy.wall_response(3);
     change = INFINITY;
     for (int round = 0; change > 1e-10 && round < 400; ++round) {
@@ -70,7 +71,7 @@ struct WarmUp {
   }
   /// Oil of the cells, whose mass does not change [kg].
   [[nodiscard]] Field mass() const {
-    const FilmGrid& g = model().scene.grid;
+    const FilmGrid& g = model().domain.grid;
     Field m(g.cells());
     for (int c = 0; c < g.cells(); ++c) {
       m[c] = bearing.film.oil.density[c] * bearing.film.film.theta[c] * bearing.film.shear_gap[c] *

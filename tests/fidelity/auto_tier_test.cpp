@@ -65,8 +65,8 @@ TEST_CASE("HeldFilmOnItsOwnGridIsTheSolution") {
   REQUIRE(f.verdict.good());
   // To the tolerance of the thermal loop, which leaves the last change of temperature open.
   CHECK(f.film.least.h == Approx(s.film.least.h).epsilon(1e-4));
-  CHECK(friction_of(f.model, f.film).viscous ==
-        Approx(friction_of(s.model, s.film).viscous).epsilon(1e-4));
+  CHECK(friction_of(f.model, f.point, f.film).viscous ==
+        Approx(friction_of(s.model, s.point, s.film).viscous).epsilon(1e-4));
 }
 
 TEST_CASE("AutoIsWithinToleranceOfAFineSolution") {

@@ -85,8 +85,8 @@ TEST_CASE("FromAFullFilmTheConservingFilmMovesByTheMobility", "[mobility]") {
         FilmInTime now = film.at_rest(c.oil_temperature.value());
         const double angle = (20.0 + direction) * kDegree, e = eps * c.bearing.radial_clearance;
         now.film.position.q = {e * std::cos(angle), e * std::sin(angle), 0.0, 0.0};
-        REQUIRE(evaluate(film.model(), {}, 1e-10, now.film));
-        now.oil = fluid::oil_content(film.model().scene, now.film.gap, now.film.oil, now.film.film);
+        REQUIRE(evaluate(film.model(), film.point(), {}, 1e-10, now.film));
+        now.oil = fluid::oil_content(film.point().scene, now.film.gap, now.film.oil, now.film.film);
         Case fed = loaded;
         fed.supplies = plain_case().supplies;  // the motion asks for no supply, the heat does
         MobilityMotion motion(fed, course);

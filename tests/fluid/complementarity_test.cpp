@@ -151,7 +151,7 @@ TEST_CASE("FischerBurmeisterStepsReachTheSolutionOfTheActiveSets") {
       FilmSolution v = film.value;
       v.state.p = wobbled(v.state.p, seed, 0.3);
       v.state.theta = wobbled(v.state.theta, seed + 10, 0.2);
-      impose_supply(b.scene, v.state);
+      impose_supply(b.scene.supply, v.state);
       b.oil(v.state, v.oil);
       evaluate_flow(b.scene, b.gap, b.step, v.oil, v.state, v.flow);
       REQUIRE_FALSE(complementary(b.scene, v.state));

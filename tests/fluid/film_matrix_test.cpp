@@ -25,7 +25,7 @@ struct Probe {
     oil.chi = random_field(n, 4, 0.4, 0.6);
     oil.alpha = random_field(n, 5, 5e-9, 3e-8);
     oil.density = random_field(n, 6, 800.0, 900.0);
-    impose_supply(bearing.scene, state);
+    impose_supply(bearing.scene.supply, state);
     evaluate();
   }
   void evaluate() { evaluate_flow(bearing.scene, bearing.gap, bearing.step, oil, state, flow); }

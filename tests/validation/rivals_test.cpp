@@ -107,7 +107,7 @@ TEST_CASE("SwiftStieberCarriesTheLoadButItsMassAuditShowsTheOilMade") {
   c.model.tier = Tier::isothermal;
   const Solution s = solved(c, cavitation(CavitationMethod::swift_stieber));
   REQUIRE(s.verdict.good());
-  const Audit audit = audit_of(s, friction_of(s.model, s.film));
+  const Audit audit = audit_of(s, friction_of(s.model, s.point, s.film));
   CHECK(audit.load < 1e-8);
   CHECK(audit.mass > 0.05);
   CHECK(audit_of(solved(c, {}), {}).mass < 1e-10);

@@ -95,8 +95,8 @@ void statics(const std::string& scene, Grid g) {
   register_task(label("static warm", scene, g), [=](benchmark::State& state) {
     const Solution s = solve_tier(bench::scene(scene, g), Tier::isothermal);
     expect_good(s, state);
-    LoadTarget more = s.target;
-    for (double& f : more.force) f *= 1.02;
+    OperatingPoint more = s.point;
+    for (double& f : more.load.force) f *= 1.02;
     EquilibriumCost cost;
     for (auto _ : state) {
       FilmEquilibrium film = s.film;

@@ -19,18 +19,19 @@ RingMatrix reynolds_matrix(const bearing::Case& source, int nt, int nz) {
   c.operation.position = bearing::EccentricityGiven{0.9, 0.4, 4.71238898038469};
   bearing::BearingModel model =
       bearing::make_bearing(c, bearing::physics_of(c, bearing::Tier::isothermal), {nt, nz});
-  fluid::FilmScene& s = model.scene;  // the same scene on the full width
-  s.grid = full_grid(s.grid);
-  s.angles = fluid::Angles(s.grid);
-  s.supply = fluid::map_supplies(s.grid, s.supply.patches);
+  model.domain.grid = full_grid(model.domain.grid);  // the same scene on the full width
+  model.domain.angles = fluid::Angles(model.domain.grid);
+  model.supply = fluid::map_supplies(model.domain.grid, model.supply.patches);
   model.profile.clear();
-  bearing::FilmEquilibrium film = bearing::cold_start(model, bearing::equivalent_temperature(c));
+  const bearing::OperatingPoint point = bearing::operating_point(model);
+  bearing::FilmEquilibrium film =
+      bearing::cold_start(model, point, bearing::equivalent_temperature(c));
   bearing::EquilibriumCost cost;
-  const auto verdict = bearing::solve_equilibrium(model, bearing::load_target(c), {},
-                                                  bearing::EquilibriumOptions{}, film, cost);
+  const auto verdict =
+      bearing::solve_equilibrium(model, point, {}, bearing::EquilibriumOptions{}, film, cost);
   if (!verdict.good()) throw std::runtime_error("the yardstick film: " + app::reason_of(verdict));
   RingMatrix matrix;
-  fluid::assemble_film(s, film.flow, fluid::active_set_unknowns(film.film), matrix);
+  fluid::assemble_film(point.scene, film.flow, fluid::active_set_unknowns(film.film), matrix);
   return matrix;
 }
 

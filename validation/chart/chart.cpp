@@ -56,7 +56,8 @@ Solved solved(const Case& c, Tier tier, const SolveControl& control) {
   if (!c.cycle && !chosen) {
     const Solution s = solve_tier(c, tier, control);
     return {s.verdict, s.verdict.good() ? values_of(s, tier) : ChartValues{}, s.cost.factorizations,
-            s.cost.sweeps, fidelity::edge_error(s.model.scene.grid, s.film.gap.cell, s.film.least)};
+            s.cost.sweeps,
+            fidelity::edge_error(s.model.domain.grid, s.film.gap.cell, s.film.least)};
   }
   const auto over_cycle = [&] {
     return as_result(chosen ? fidelity::solve_cycle_case(c, control)

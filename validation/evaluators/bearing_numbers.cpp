@@ -13,7 +13,7 @@ namespace {
 
 /// Mass flow out of the supply lines into the cells that follow them [kg/s]; 0 without lines.
 double inlet_flow(const bearing::Solution& s) {
-  const fluid::FilmScene& scene = s.model.scene;
+  const fluid::FilmScene& scene = s.point.scene;
   if (!scene.supply.has_lines) return 0.0;
   double sum = 0.0;
   for (std::size_t k = 0; k < scene.supply.line.size(); ++k) {
@@ -51,7 +51,7 @@ void add_bearing_numbers(const bearing::Solution& s, std::map<std::string, doubl
   const double rho = rheology::density(s.model.oil, s.T_film, 0.0).rho;
   const double W = std::hypot(s.film.force[0], s.film.force[1]);
   const double peak = largest(s.film.film.p);
-  const double side = fluid::oil_flows(s.model.scene, s.film.flow).side / rho;
+  const double side = fluid::oil_flows(s.point.scene, s.film.flow).side / rho;
   const double inlet = inlet_flow(s) / rho;
   value["sommerfeld"] = std::pow(R / gap, 2) * eta * N * area / W;
   value["load_number"] = W * std::pow(gap / R, 2) / (area * eta * omega);

@@ -47,7 +47,7 @@ Full solve_full(Case c, std::array<int, 2> grid, const SolveControl& control) {
   const Solution s = solve_tier(c, Tier::tehd, control);
   Full full{s.verdict, {}, thread_seconds() - begin, s.cost.factorizations};
   if (!full.verdict.good()) return full;
-  const Friction f = friction_of(s.model, s.film);
+  const Friction f = friction_of(s.model, s.point, s.film);
   full.scalars = {f.viscous + f.asperity, s.film.least.h};
   return full;
 }

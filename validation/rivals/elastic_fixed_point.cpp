@@ -35,7 +35,7 @@ double aitken(double omega, const Field& before, const Field& now) {
 
 }  // namespace
 
-Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
+Verdict elastic_fixed_point(const BearingModel& model, const OperatingPoint& point,
                             const Field& thermal_deformation, const EquilibriumOptions& options,
                             FilmEquilibrium& s, EquilibriumCost& cost,
                             const std::atomic<bool>* stop) {
@@ -63,7 +63,7 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
     s.elastic.clear();
     const bool usual = model.input.model.methods.cavitation == CavitationMethod::active_set;
     const auto solve = usual ? newton_or_through_time : film_then_position;
-    const Verdict v = solve(rigid, target, sum(thermal_deformation, d), film, s, cost, stop);
+    const Verdict v = solve(rigid, point, sum(thermal_deformation, d), film, s, cost, stop);
     s.elastic = d;
     if (v.status == Status::interrupted) return v;
     if (!v.good()) {
@@ -76,7 +76,7 @@ Verdict elastic_fixed_point(const BearingModel& model, const LoadTarget& target,
     for (std::size_t k = 0; k < total.size(); ++k) total[k] += s.p_contact[k];
     Field r = model.solids->compliance(total);
     for (std::size_t k = 0; k < r.size(); ++k) r[k] -= d[k];
-    norm = largest_magnitude(r) / (std::max(s.least.h, 0.0) + model.scene.rough.sigma + 1e-9);
+    norm = largest_magnitude(r) / (std::max(s.least.h, 0.0) + model.domain.rough.sigma + 1e-9);
     const bool settled = norm <= options.elastic_tolerance;
     if (settled && loose <= options.load_tolerance) return {};
     if (!(norm < std::max(kGrown * best, kLost))) {

@@ -16,7 +16,7 @@ namespace shellback::validation {
 
 /// As solve_equilibrium, for an elastic bearing.
 [[nodiscard]] Verdict elastic_fixed_point(
-    const bearing::BearingModel& model, const bearing::LoadTarget& target,
+    const bearing::BearingModel& model, const bearing::OperatingPoint& point,
     const Field& thermal_deformation, const bearing::EquilibriumOptions& options,
     bearing::FilmEquilibrium& state, bearing::EquilibriumCost& cost, const std::atomic<bool>* stop);
 

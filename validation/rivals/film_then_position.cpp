@@ -31,12 +31,13 @@ constexpr double kSharper = 0.1;  ///< film residual over the last one that make
 constexpr double kSlow = 0.5;     ///< gain that Broyden's updates must bring, or dF/dq is old [-]
 
 /// The oil of the film as it is being solved.
-fluid::OilLaw oil_law(const BearingModel& model, FilmEquilibrium& s, double tolerance) {
-  return [&model, &s, tolerance](const fluid::FilmState& film, fluid::FilmCoefficients& c) {
-    const Field gx = fluid::pressure_gradient_x(model.scene, film);
-    const Field gz = fluid::pressure_gradient_z(model.scene, film);
-    update_columns(model.oil, model.gl, model.scene.speed, s.shear_gap, model.scene.supply.cell,
-                   film, gx, gz, tolerance, s.columns, c);
+fluid::OilLaw oil_law(const BearingModel& model, const fluid::FilmScene& scene, FilmEquilibrium& s,
+                      double tolerance) {
+  return [&model, &scene, &s, tolerance](const fluid::FilmState& film, fluid::FilmCoefficients& c) {
+    const Field gx = fluid::pressure_gradient_x(scene, film);
+    const Field gz = fluid::pressure_gradient_z(scene, film);
+    update_columns(model.oil, model.gl, scene.speed, s.shear_gap, scene.supply.cell, film, gx, gz,
+                   tolerance, s.columns, c);
   };
 }
 
@@ -48,11 +49,11 @@ struct RestingFilm {
 
 class FilmAndPosition {
  public:
-  FilmAndPosition(const BearingModel& model, const LoadTarget& target,
+  FilmAndPosition(const BearingModel& model, const OperatingPoint& point,
                   const Field& thermal_deformation, const EquilibriumOptions& options,
                   FilmEquilibrium& s, EquilibriumCost& cost)
       : model_(model),
-        target_(target),
+        point_(point),
         thermal_deformation_(thermal_deformation),
         options_(options),
         s_(s),
@@ -72,7 +73,7 @@ class FilmAndPosition {
   [[nodiscard]] RestingFilm factorised(const fluid::OilLaw& oil, double tolerance);
 
   const BearingModel& model_;
-  const LoadTarget& target_;
+  const OperatingPoint& point_;
   const Field& thermal_deformation_;
   const EquilibriumOptions& options_;
   FilmEquilibrium& s_;
@@ -82,7 +83,7 @@ class FilmAndPosition {
 RestingFilm FilmAndPosition::relaxed(const fluid::OilLaw& oil, double tolerance) {
   RelaxationOptions o;
   o.tolerance = tolerance;
-  auto film = relax_p_theta(model_.scene, s_.gap, model_.profile, oil, s_.film, o);
+  auto film = relax_p_theta(point_.scene, s_.gap, model_.profile, oil, s_.film, o);
   cost_.sweeps += film.value.sweeps;
   if (film.good()) s_.film = std::move(film.value.state);
   return {film.verdict, {}};
@@ -93,47 +94,47 @@ RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double toleran
   const auto solve = method == CavitationMethod::fischer_burmeister ? solve_fischer_burmeister
                                                                     : solve_swift_stieber;
   const fluid::ReynoldsOptions o{tolerance, options_.max_iterations};
-  auto film = solve(model_.scene, s_.gap, model_.profile, oil, s_.film, o);
+  auto film = solve(point_.scene, s_.gap, model_.profile, oil, s_.film, o);
   cost_.factorizations += film.value.factorizations;
-  cost_.work += static_cast<double>(film.value.factorizations) * model_.scene.grid.cells();
+  cost_.work += static_cast<double>(film.value.factorizations) * model_.domain.grid.cells();
   cost_.newton_iterations += film.value.factorizations;
   if (!film.good()) return {film.verdict, {}};
   s_.film = std::move(film.value.state);
   if (film.value.factorizations > 0) return {{}, std::move(film.value.factor)};
   RingMatrix matrix;  // the film was settled already
-  fluid::assemble_film(model_.scene, film.value.flow, fluid::active_set_unknowns(s_.film), matrix);
+  fluid::assemble_film(point_.scene, film.value.flow, fluid::active_set_unknowns(s_.film), matrix);
   RingFactor factor;
   ++cost_.factorizations;
   if (factor.factorize(matrix)) return {{}, std::move(factor)};
-  return {singular_film(model_, s_), {}};
+  return {singular_film(point_, s_), {}};
 }
 
 RestingFilm FilmAndPosition::settle(double tolerance) {
-  const fluid::FilmScene& scene = model_.scene;
+  const fluid::FilmScene& scene = point_.scene;
   if (cost_.spent()) return {{Status::iteration_limit, ending::Plain::given_up}, {}};
   s_.gap = fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position,
                            thermal_deformation_, model_.profile);
   s_.least = fluid::smallest_gap(scene.grid, s_.gap, model_.profile);
-  if (is_closed(model_, s_)) return {no_film(model_, target_, thermal_deformation_, s_), {}};
+  if (is_closed(model_, s_)) return {no_film(model_, point_, thermal_deformation_, s_), {}};
   s_.shear_gap = shear_gap(model_, s_.gap.cell);
-  const fluid::OilLaw oil = oil_law(model_, s_, 0.3 * options_.viscosity_tolerance);
+  const fluid::OilLaw oil = oil_law(model_, scene, s_, 0.3 * options_.viscosity_tolerance);
   const bool relaxing = model_.input.model.methods.cavitation == CavitationMethod::p_theta;
   RestingFilm film = relaxing ? relaxed(oil, tolerance) : factorised(oil, tolerance);
   if (film.verdict.good() &&
-      !evaluate(model_, thermal_deformation_, 0.3 * options_.viscosity_tolerance, s_)) {
-    film.verdict = no_film(model_, target_, thermal_deformation_, s_);
+      !evaluate(model_, point_, thermal_deformation_, 0.3 * options_.viscosity_tolerance, s_)) {
+    film.verdict = no_film(model_, point_, thermal_deformation_, s_);
   }
   return film;
 }
 
 Stiffness FilmAndPosition::stiffness_of(const RingFactor& factor,
                                         std::vector<Field>& response) const {
-  const fluid::FilmScene& scene = model_.scene;
+  const fluid::FilmScene& scene = point_.scene;
   const FilmGrid& g = scene.grid;
   const bool reynolds = model_.input.model.methods.cavitation == CavitationMethod::swift_stieber;
   Stiffness stiffness{};
   response.clear();
-  for (int l = 0; l < target_.unknowns; ++l) {
+  for (int l = 0; l < point_.load.unknowns; ++l) {
     Field t = fluid::residual_by_position(scene, s_.flow, l);
     for (std::size_t k = 0; k < t.size(); ++k) t[k] = reynolds && !s_.film.full[k] ? 0.0 : -t[k];
     factor.solve(t.data());
@@ -144,7 +145,7 @@ Stiffness FilmAndPosition::stiffness_of(const RingFactor& factor,
             fluid::gap_slope(l, scene.angles.cos_cell[i], scene.angles.sin_cell[i], g.z[j]);
         if (reynolds && !s_.film.full[c]) t[c] = 0.0;
         const double dp = s_.dp_contact[c] * slope + (s_.film.full[c] ? t[c] : 0.0);
-        for (int k = 0; k < target_.unknowns; ++k) {
+        for (int k = 0; k < point_.load.unknowns; ++k) {
           stiffness[k][l] += fluid::wrench_weight(scene, k, i, j) * dp;
         }
       }
@@ -158,10 +159,10 @@ bool FilmAndPosition::probe(double tolerance, Stiffness& stiffness) {
   const fluid::FilmState film = s_.film;
   const fluid::JournalPosition position = s_.position;
   const fluid::Wrench force = s_.force;
-  const double gap = std::max(s_.least.h, 0.0) + model_.scene.rough.sigma;
+  const double gap = std::max(s_.least.h, 0.0) + model_.domain.rough.sigma;
   bool good = true;
-  for (int l = 0; good && l < target_.unknowns; ++l) {
-    const double reach = l < 2 ? 1.0 : 2.0 / model_.scene.grid.width;
+  for (int l = 0; good && l < point_.load.unknowns; ++l) {
+    const double reach = l < 2 ? 1.0 : 2.0 / model_.domain.grid.width;
     const double move = -kFirstTry * gap * reach * (position.q[l] >= 0.0 ? 1.0 : -1.0);
     s_.position.q[l] += move;
     good = settle(std::min(tolerance, 1e-2 * kFirstTry)).verdict.good();
@@ -173,12 +174,12 @@ bool FilmAndPosition::probe(double tolerance, Stiffness& stiffness) {
 }
 
 double FilmAndPosition::off() const {
-  if (target_.unknowns == 0) return 0.0;
-  const double arm = 0.5 * model_.scene.grid.width;
+  if (point_.load.unknowns == 0) return 0.0;
+  const double arm = 0.5 * model_.domain.grid.width;
   double most = 0.0;
-  for (int k = 0; k < target_.unknowns; ++k) {
-    const double unit = k < 2 ? target_.scale() : target_.scale() * arm;
-    most = larger(most, std::abs(s_.force[k] - target_.force[k]) / unit);
+  for (int k = 0; k < point_.load.unknowns; ++k) {
+    const double unit = k < 2 ? point_.load.scale() : point_.load.scale() * arm;
+    most = larger(most, std::abs(s_.force[k] - point_.load.force[k]) / unit);
   }
   return most;
 }
@@ -221,15 +222,15 @@ double sharpest(const BearingModel& model, const EquilibriumOptions& options) {
 /// The search itself; see the head of the header.
 class PositionSearch {
  public:
-  PositionSearch(const BearingModel& model, const LoadTarget& target,
+  PositionSearch(const BearingModel& model, const OperatingPoint& point,
                  const Field& thermal_deformation, const EquilibriumOptions& options,
                  FilmEquilibrium& s, EquilibriumCost& cost)
       : model_(model),
-        target_(target),
+        point_(point),
         options_(options),
         s_(s),
         cost_(cost),
-        pair_(model, target, thermal_deformation, options, s, cost),
+        pair_(model, point, thermal_deformation, options, s, cost),
         sharp_(sharpest(model, options)) {}
 
   Verdict run(const std::atomic<bool>* stop);
@@ -249,7 +250,7 @@ class PositionSearch {
   [[nodiscard]] Verdict lost() const;
 
   const BearingModel& model_;
-  const LoadTarget& target_;
+  const OperatingPoint& point_;
   const EquilibriumOptions& options_;
   FilmEquilibrium& s_;
   EquilibriumCost& cost_;
@@ -268,7 +269,7 @@ class PositionSearch {
 };
 
 double PositionSearch::film_tolerance() const {
-  if (target_.unknowns == 0) return sharp_;
+  if (point_.load.unknowns == 0) return sharp_;
   const bool relaxing = model_.input.model.methods.cavitation == CavitationMethod::p_theta;
   const double part = relaxing ? kRelaxedShare : 1.0;
   return std::max(sharp_, part * std::min(kFarthest, kLoadShare * best_));
@@ -288,7 +289,7 @@ void PositionSearch::accept(bool has_matrix) {
     fluid::Wrench change{};
     for (int k = 0; k < 4; ++k) dq[k] = s_.position.q[k] - position_.q[k];
     for (int k = 0; k < 4; ++k) change[k] = s_.force[k] - force_[k];
-    broyden(target_.unknowns, dq, change, stiffness_);
+    broyden(point_.load.unknowns, dq, change, stiffness_);
     known_ = off < kSlow * best_;
   }
   best_ = off;
@@ -319,18 +320,18 @@ bool PositionSearch::learn(const RestingFilm& now) {
 }
 
 bool PositionSearch::move(bool has_matrix) {
-  std::array<double, 4> dq = wanted_change(s_.force, target_.force);
-  if (!solve_small(target_.unknowns, stiffness_, dq)) return false;
-  for (int k = target_.unknowns; k < 4; ++k) dq[k] = 0.0;
-  const double gap = std::max(s_.least.h, 0.0) + 3.0 * model_.scene.rough.sigma;
-  dq = limited(s_.position, dq, gap, model_.clearance, 0.5 * model_.scene.grid.width, reach_);
+  std::array<double, 4> dq = wanted_change(s_.force, point_.load.force);
+  if (!solve_small(point_.load.unknowns, stiffness_, dq)) return false;
+  for (int k = point_.load.unknowns; k < 4; ++k) dq[k] = 0.0;
+  const double gap = std::max(s_.least.h, 0.0) + 3.0 * model_.domain.rough.sigma;
+  dq = limited(s_.position, dq, gap, model_.clearance, 0.5 * model_.domain.grid.width, reach_);
   for (int k = 0; k < 4; ++k) s_.position.q[k] += reach_ * dq[k];
   if (!has_matrix) return true;
   Field t(s_.film.p.size(), 0.0);
-  for (int l = 0; l < target_.unknowns; ++l) {
+  for (int l = 0; l < point_.load.unknowns; ++l) {
     for (std::size_t k = 0; k < t.size(); ++k) t[k] += reach_ * dq[l] * response_[l][k];
   }
-  fluid::advance(model_.scene, s_.oil, t, 1.0, s_.film);
+  fluid::advance(point_.scene, s_.oil, t, 1.0, s_.film);
   return true;
 }
 
@@ -364,11 +365,11 @@ Verdict PositionSearch::run(const std::atomic<bool>* stop) {
 
 }  // namespace
 
-Verdict film_then_position(const BearingModel& model, const LoadTarget& target,
+Verdict film_then_position(const BearingModel& model, const OperatingPoint& point,
                            const Field& thermal_deformation, const EquilibriumOptions& options,
                            FilmEquilibrium& s, EquilibriumCost& cost,
                            const std::atomic<bool>* stop) {
-  return PositionSearch(model, target, thermal_deformation, options, s, cost).run(stop);
+  return PositionSearch(model, point, thermal_deformation, options, s, cost).run(stop);
 }
 
 }  // namespace shellback::validation

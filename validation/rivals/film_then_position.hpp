@@ -15,7 +15,7 @@ namespace shellback::validation {
 
 /// As solve_equilibrium, for a rigid bearing (thermal deformation and displacement given).
 [[nodiscard]] Verdict film_then_position(
-    const bearing::BearingModel& model, const bearing::LoadTarget& target,
+    const bearing::BearingModel& model, const bearing::OperatingPoint& point,
     const Field& thermal_deformation, const bearing::EquilibriumOptions& options,
     bearing::FilmEquilibrium& state, bearing::EquilibriumCost& cost, const std::atomic<bool>* stop);
 

@@ -53,7 +53,7 @@ void fill_up(const FilmScene& scene, FilmState& s) {
     if (s.full[k] && s.p[k] < scene.p_cavitation) s.full[k] = 0;
     if (!s.full[k]) s.p[k] = scene.p_cavitation;
   }
-  impose_supply(scene, s);
+  impose_supply(scene.supply, s);
 }
 
 }  // namespace

@@ -1,0 +1,128 @@
+#include "bearing/heat_search.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "bearing/branch_endings.hpp"
+#include "bearing/first_film.hpp"
+#include "bearing/heat_march.hpp"
+#include "bearing/possible_methods.hpp"
+#include "bearing/solve_equilibrium.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kLooseHeat = 3e-3;  ///< change per iteration on the way and on coarser grids [-]
+constexpr double kTransientError = 2.0;  ///< per step of that transient [K]
+/// Its shortest step [s]: a film that explodes heats within microseconds, and a step shorter than
+/// that is always found; with 1e-6 and 1e-8 the trajectories of the tests leave the same bound.
+constexpr double kTransientShortest = 1e-6;
+
+bool stopped(const Verdict& v) { return v.status == Status::interrupted; }
+
+ThermalOptions options_of(Accuracy accuracy, bool coarse) {
+  ThermalOptions o;
+  if (coarse) o.tolerance = kLooseHeat;
+  o.close = !coarse;
+  if (accuracy == Accuracy::result) return o;
+  o.tolerance = kLooseHeat;
+  o.max_iterations = kMostOfWayPoint;
+  o.film.max_iterations = kMostOfWayPoint;
+  return o;
+}
+
+/// From the last state of a branch under more load than two ends that agree may differ by: a
+/// trajectory that leaves every bound shows that the branch ends; one that comes to rest is a state
+/// of more load.
+MarchEnd transient_beyond(Solution& s, const Branch& branch, const SolveControl& control) {
+  Part of(s.point, branch.raised);
+  of.take(std::min(1.0, (1.0 + kAgree) * branch.carried));
+  MarchOptions march;
+  march.error = kTransientError;
+  march.shortest = kTransientShortest;
+  march.heat = options_of(Accuracy::way_point, true);
+  MarchStand stand{s.model.solids->state(s.heat.solids)};
+  const MarchEnd end = march_heat(s, stand, march, control);
+  of.take(1.0);
+  return end;
+}
+
+}  // namespace
+
+double HeatSearch::supply_temperature() const {
+  return s_.model.input.supplies.front().temperature;
+}
+
+bool HeatSearch::over(const Verdict& v) const { return v.good() || stopped(v) || s_.cost.spent(); }
+
+bool HeatSearch::may_follow() const { return usual_methods(s_.model.input); }
+
+void HeatSearch::back_to(Reached at) {
+  s_.film = std::move(at.film);
+  s_.heat = std::move(at.heat);
+}
+
+Verdict HeatSearch::cold_film() {
+  s_.heat = cold_heat(s_.model, supply_temperature());
+  const Verdict v = first_film(s_, supply_temperature(), control_);
+  cold_film_ = s_.film;
+  return v;
+}
+
+Verdict HeatSearch::iterate() {
+  return solve_heat(s_, options_of(Accuracy::result, coarse_), control_);
+}
+
+std::optional<Branch> HeatSearch::follow() {
+  const auto start = [&] {
+    s_.heat = cold_heat(s_.model, supply_temperature());
+    s_.film = cold_start(s_.model, s_.point, supply_temperature());
+    const Verdict v =
+        solve_equilibrium(s_.model, s_.point, {}, {}, s_.film, s_.cost, control_.stop);
+    return v.good() ? solve_heat(s_, options_of(Accuracy::way_point, true), control_) : v;
+  };
+  const Corrector correct = [&](Solution& at, Accuracy accuracy) {
+    const bool loose = coarse_ || accuracy == Accuracy::way_point;
+    return solve_heat(at, options_of(accuracy, loose), control_);
+  };
+  std::optional<Branch> branch;
+  if (s_.point.load.unknowns > 0) {
+    branch = follow_from(s_, Raised::load, kLight, start, correct, control_);
+  }
+  if (!branch) branch = follow_from(s_, Raised::speed, kLight, start, correct, control_);
+  return branch;
+}
+
+Verdict HeatSearch::along_branch() {
+  const std::optional<Branch> branch = follow();
+  if (!branch) return {Status::iteration_limit, ending::Plain::no_light_state};
+  if (branch->end == BranchEnd::reached) return {};
+  if (branch->end == BranchEnd::interrupted) return branch->last;
+  return ended(*branch);
+}
+
+Verdict HeatSearch::ended(const Branch& branch) {
+  if (branch.end != BranchEnd::lost) {
+    note_limit(s_, branch, true);
+    return branch_ended(s_, branch);
+  }
+  if (s_.cost.spent()) return {Status::iteration_limit, ending::Plain::given_up};
+  const Reached last = here();
+  const MarchEnd beyond = transient_beyond(s_, branch, control_);
+  const bool ran_away = beyond.left_bounds && !s_.cost.spent();
+  back_to(last);
+  note_limit(s_, branch, ran_away);
+  if (stopped(beyond.verdict)) return beyond.verdict;
+  return ran_away ? ran_away_from(s_, branch, beyond) : branch_ended(s_, branch);
+}
+
+Verdict HeatSearch::through_time() {
+  back_to({cold_film_, cold_heat(s_.model, supply_temperature())});
+  MarchOptions march;
+  march.heat = options_of(Accuracy::way_point, true);
+  MarchStand stand{s_.model.solids->uniform_state(supply_temperature())};
+  const MarchEnd end = march_heat(s_, stand, march, control_);
+  return end.verdict.good() ? iterate() : end.verdict;
+}
+
+}  // namespace shellback::bearing

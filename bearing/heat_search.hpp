@@ -1,0 +1,54 @@
+#pragma once
+/// The ways to a steady film with heat, one by one; tiers.cpp says in what order they are gone.
+#include <optional>
+
+#include "bearing/control.hpp"
+#include "bearing/follow.hpp"
+#include "bearing/heat_iteration.hpp"
+
+namespace shellback::bearing {
+
+/// Each way leaves `s` at its last state and answers how it ended.
+class HeatSearch {
+ public:
+  /// `coarse`: the solution is but the start of a finer grid's.
+  HeatSearch(Solution& s, bool coarse, const SolveControl& control)
+      : s_(s), coarse_(coarse), control_(control) {}
+
+  /// The film in oil and between walls of the supply's temperature.
+  [[nodiscard]] Verdict cold_film();
+  /// The outer iteration over film, heat and deformation.
+  [[nodiscard]] Verdict iterate();
+  /// From a light load, or a low speed, along the branch of steady states to the whole. Where the
+  /// branch is lost, what follows in time from its last state under a little more tells whether it
+  /// ends there.
+  [[nodiscard]] Verdict along_branch();
+  /// From the first film of cold_film through time, walls warming with their heat capacities.
+  [[nodiscard]] Verdict through_time();
+
+  /// True if the search ends here: found, stopped, or no work is left.
+  [[nodiscard]] bool over(const Verdict& v) const;
+  /// Methods of others know nothing of a path of loads.
+  [[nodiscard]] bool may_follow() const;
+  /// True if along_branch has found the beginning of one.
+  [[nodiscard]] bool branch_begun() const { return !s_.limits.empty(); }
+  /// Film and heat as they stand.
+  struct Reached {
+    FilmEquilibrium film;
+    HeatState heat;
+  };
+  [[nodiscard]] Reached here() const { return {s_.film, s_.heat}; }
+  void back_to(Reached at);
+
+ private:
+  [[nodiscard]] double supply_temperature() const;
+  [[nodiscard]] std::optional<Branch> follow();
+  [[nodiscard]] Verdict ended(const Branch& branch);
+
+  Solution& s_;
+  bool coarse_;
+  const SolveControl& control_;
+  FilmEquilibrium cold_film_;
+};
+
+}  // namespace shellback::bearing

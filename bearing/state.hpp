@@ -1,0 +1,17 @@
+#pragma once
+/// What is solved for.
+#include "core/grid.hpp"
+#include "fluid/film_flux.hpp"
+
+namespace shellback::bearing {
+
+/// The unknowns of film, journal and elastic surfaces, and nothing that follows from them. (Those
+/// of heat: HeatUnknowns, heat_state.hpp, and the temperatures across the film, OilColumns.)
+struct State {
+  fluid::FilmState film;
+  fluid::JournalPosition position;
+  double ln_load = 0.0;  ///< of the load's factor, unknown along a path of loads [-]
+  Field elastic;         ///< widening of equilibrium.hpp (3), shell and shaft [m]; empty: rigid
+};
+
+}  // namespace shellback::bearing

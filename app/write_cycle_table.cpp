@@ -9,6 +9,7 @@
 #include "app/cycle_shown.hpp"
 #include "app/table_parts.hpp"
 #include "app/text_table.hpp"
+#include "app/tolerance_words.hpp"
 #include "app/words/note_words.hpp"
 
 namespace shellback::app {
@@ -66,6 +67,11 @@ void write_cycle_table(std::ostream& out, const bearing::Case& c, const CycleRes
         "{:.2g} %\n",
         100.0 * k.tolerance, k.met ? "met" : "NOT MET", 100.0 * k.bar_friction,
         100.0 * k.bar_h_min);
+  } else {
+    for (const std::string& line :
+         tolerance_lines(c, missed_tolerance(c, bearing::as_result(cycle)))) {
+      out << line << '\n';
+    }
   }
   out << how_it_ran(cycle) << '\n';
   out << "audit (relative)  " << audit_words(cycle) << '\n';

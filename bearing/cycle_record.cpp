@@ -175,7 +175,11 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   const double rho = reference_density(film_->model());
   i.supply_flow = step.supply / dt / rho;
   i.side_flow = step.side / dt / rho;
-  if (film_->heat()) gather_heat(step, dt);
+  if (film_->heat()) {
+    gather_heat(step, dt);
+  } else {
+    T_film_ = told() * step.after.film.columns.T.front();  // the same at all places and instants
+  }
   oil_ended_ = i.oil;
   v_ended_ = step.after.velocity;
   supply_ += step.supply;
@@ -199,6 +203,15 @@ double CycleRecord::mean(double CycleInstant::*value) const {
     sum += 0.5 * instants_[k].dt * (instants_[k].*value + instants_[k - 1].*value);
   }
   return told() > 0.0 ? sum / told() : NAN;
+}
+
+double CycleRecord::mean_magnitude(double CycleInstant::*value) const {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < instants_.size(); ++k) {
+    sum +=
+        0.5 * instants_[k].dt * (std::abs(instants_[k].*value) + std::abs(instants_[k - 1].*value));
+  }
+  return told() > 0.0 ? sum / told() : 0.0;
 }
 
 namespace {
@@ -262,6 +275,7 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
   std::vector<CycleQuantity> out;
   const auto add_mean = [&](const char* name, double CycleInstant::*v) {
     out.push_back(named(name, mean(v)));
+    out.back().quantity.magnitude = mean_magnitude(v);
   };
   const auto add_extreme = [&](const char* name, double CycleInstant::*v, bool smallest) {
     out.push_back(extreme_named(name, instants_, v, smallest));
@@ -297,7 +311,11 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
     out.push_back(
         named("layer_loss", film_->model().domain.grid.multiplicity() * layer_loss_ / told()));
   }
-  if (!heat_.to_shell.empty()) add_heat(out);
+  if (heat_.to_shell.empty()) {
+    out.push_back(named("T_film_mean", T_film_ / told()));
+  } else {
+    add_heat(out);
+  }
   return out;
 }
 

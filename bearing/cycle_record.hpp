@@ -58,6 +58,7 @@ class CycleRecord {
   [[nodiscard]] Field shell_surface(const FilmInTime& now) const;
   /// Mean over time of a value that is straight between instants.
   [[nodiscard]] double mean(double CycleInstant::*value) const;
+  [[nodiscard]] double mean_magnitude(double CycleInstant::*value) const;
   void gather_fields(const FilmInTime& now, const Field& p, double dt);
   /// Keeps the film, if it is time: at the instants that the case gives, or evenly.
   void keep_frame(const FilmInTime& now, const Field& p);

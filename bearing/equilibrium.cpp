@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bearing/solids.hpp"
 #include "core/constants.hpp"
@@ -130,11 +131,16 @@ bool Residuals::finite() const {
 
 Residuals residuals_of(const BearingModel& model, const OperatingPoint& point,
                        const FilmEquilibrium& s) {
+  constexpr double kRoundings = 4.0;  // of two contents, their difference and the flows beside [-]
   Residuals r;
   r.film = fluid::film_residual(point.scene, s.flow);
   const double most = largest_magnitude(r.film);
   const double flow = fluid::flow_scale(point.scene, s.flow);
-  r.film_norm = most == 0.0 && flow == 0.0 ? 0.0 : most / flow;  // at rest nothing flows
+  // In time a residual is a difference of what cells hold, known to its round-off: as a film comes
+  // to rest nothing flows that it could be measured by.
+  const double round = kRoundings * std::numeric_limits<double>::epsilon() *
+                       largest_magnitude(s.flow.stored_by_theta);
+  r.film_norm = most <= round ? 0.0 : most / flow;
   const fluid::Wrench wanted = point.load.wanted(s);
   const double unit = point.load.scale() * std::exp(s.ln_load);
   for (int k = 0; k < point.load.unknowns; ++k) {

@@ -35,6 +35,13 @@ Field gathered(const fluid::FilmScene& scene, const fluid::FilmFlow& flow) {
   return oil;
 }
 
+/// What the search for a steady film takes for the limit of its load says in a step only that the
+/// step has no film.
+Verdict in_a_step(const Verdict& v) {
+  if (!v.as<ending::BeyondPressureBound>()) return v;
+  return {Status::iteration_limit, ending::Plain::out_of_the_law, v.place};
+}
+
 }  // namespace
 
 FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
@@ -157,7 +164,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   if (heat_) expect_temperatures(i, dt, stages, now, film);
   if (drillings_.any()) drillings_.place(now.t + by.c[i] * dt, point_.scene);
   const Verdict verdict = solve_film_and_fronts(own, vessels, film, cost, stop);
-  if (!verdict.good()) return verdict;
+  if (!verdict.good()) return in_a_step(verdict);
   if (thinner_than_a_molecule(model_, film)) {
     return {Status::no_steady_state, ending::NotAtRest{0, film.least.h}, film.least.place()};
   }

@@ -3,6 +3,8 @@
 ///
 /// Not-a-number: the tier does not know it. A new quantity is a member, a row of the table and the
 /// line of bearing/summary.cpp that computes it; its name is that of the result contract (JSON).
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -20,8 +22,11 @@ struct Quantity {
   double error_model = std::numeric_limits<double>::quiet_NaN();  ///< bar of the physics left out
   double order =
       std::numeric_limits<double>::quiet_NaN();  ///< observed, with which error_grid falls
+  double magnitude = 0.0;  ///< mean of |value| over a cycle in which it changes its sign
   /// Sum of the bars that are known; NaN: none is.
   [[nodiscard]] double error() const;
+  /// What bars are measured by: |value|, or the magnitude of what changes its sign.
+  [[nodiscard]] double size() const { return std::max(std::abs(value), magnitude); }
 };
 
 /// The values, typed. Torques and powers without sign are losses; forces are those of the film on
@@ -67,7 +72,7 @@ struct Quantities {
   double T_shell_back = kUnknown;           ///< mean over the back [K]
   double T_shell_back_max = kUnknown;       ///< [K]
   double T_shaft = kUnknown;                ///< mean over the width [K]
-  double T_supply_mixed = kUnknown;         ///< oil behind the first supply [K]
+  double T_supply_mixed = kUnknown;         ///< oil behind the supplies, mean by what they feed [K]
   double heat_by_oil = kUnknown;            ///< carried off [W]
   double heat_to_shell = kUnknown;          ///< [W]
   double heat_to_shaft = kUnknown;          ///< [W]

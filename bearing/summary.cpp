@@ -104,6 +104,23 @@ void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
   if (!s.film.layer.empty()) q.layer_depth = largest(lasting_depth(s.film.layer));
 }
 
+/// Of the oil behind the supplies, mean by what each feeds, or plain where oil is pressed back into
+/// all of them [K].
+double mixed_supply(const Solution& s) {
+  const std::vector<double>& T = s.heat.T_mix;
+  const auto flows = fluid::oil_flows(s.point.scene, s.film.flow);
+  double fed = 0.0;
+  double by_flow = 0.0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < T.size(); ++k) {
+    const double out = std::max(flows.patch[k], 0.0);
+    fed += out;
+    by_flow += out * T[k];
+    sum += T[k];
+  }
+  return fed > 0.0 ? by_flow / fed : sum / static_cast<double>(T.size());
+}
+
 void add_heat(const Solution& s, Quantities& q) {
   const BearingModel& m = s.model;
   if (!m.physics.film_energy) {
@@ -121,7 +138,7 @@ void add_heat(const Solution& s, Quantities& q) {
   double T_shaft = 0.0;
   for (std::size_t j = 0; j < shaft.size(); ++j) T_shaft += shaft[j] * m.domain.grid.dz[j];
   q.T_shaft = T_shaft / (m.domain.grid.z_face.back() - m.domain.grid.z_face.front());
-  q.T_supply_mixed = s.heat.T_mix.front();
+  q.T_supply_mixed = mixed_supply(s);
   q.heat_by_oil = twice * (s.heat.balance.carried_out - s.heat.balance.carried_in);
   q.heat_to_shell = s.heat.solids.shell.heat_in;
   q.heat_to_shaft = s.heat.solids.shaft.heat_in;

@@ -21,6 +21,7 @@ enum class Plain {
   no_position,         ///< each step towards the load closes the gap, which proves nothing
   empty_ring,          ///< cavitated all round and fed by nothing
   singular_film,       ///< the film matrix could not be factorised
+  out_of_the_law,      ///< in a step in time no pressure that the pressure-viscosity law knows
   overdrawn,           ///< a step in time takes more oil out of a cell than it holds
   singular_response,   ///< the matrix of the linearised film (stiffness and damping)
   unsettled_response,  ///< GMRES on the linearised elastic film

@@ -55,7 +55,7 @@ Pair both(const CycleResult& r, F of) {
 }
 
 double over_value(double bar, const CycleQuantity& q) {
-  const double part = bar / std::abs(q.quantity.value);
+  const double part = bar / q.quantity.size();
   return std::isfinite(part) ? part : INFINITY;
 }
 
@@ -198,7 +198,7 @@ class Search {
                             known.friction, known.h_min, solved_};
     }
     for (CycleQuantity& q : r.quantities) {
-      const double size = std::abs(q.quantity.value);
+      const double size = q.quantity.size();
       const bool torque = q.quantity.name == "friction_torque" || q.quantity.name == "power_loss";
       if (!unjudged_.empty()) continue;  // no bar of the physics left out
       if (torque) q.quantity.error_model = left_out_.friction * size;

@@ -26,11 +26,14 @@ CycleResult on_grid(Case c, Grid grid, const SolveControl& control) {
   }
 }
 
-/// With longer steps, and what their change tells of the usual ones.
-double lengthen_steps(Case& c) {
-  if (c.cycle->step) {  // steps end on corners: there only the first order is sure
-    *c.cycle->step *= 2.0;
-    return c.cycle->interpolation == LoadInterpolation::linear ? kSafety : kSafety / 3.0;
+/// Other steps than those of `usual`, and what the change tells of the usual ones (1).
+double change_steps(const CycleResult& usual, Case& c) {
+  if (c.cycle->step) {
+    double longest = 0.0;  // corners of the load cut steps short
+    for (const CycleInstant& i : usual.instants) longest = std::max(longest, i.dt);
+    c.cycle->step = 0.5 * longest;
+    // Steps end on corners: there only the first order is sure.
+    return kSafety * (c.cycle->interpolation == LoadInterpolation::linear ? 2.0 : 4.0 / 3.0);
   }
   c.model.tolerance *= 4.0;
   return kSafety / (std::cbrt(16.0) - 1.0);
@@ -53,11 +56,11 @@ void put_grid_bars(const std::vector<CycleResult>& coarse_to_fine, CycleResult& 
   }
 }
 
-void put_time_bars(const CycleResult& usual, const CycleResult& longer, double part,
+void put_time_bars(const CycleResult& usual, const CycleResult& other, double part,
                    CycleResult& r) {
   for (CycleQuantity& q : r.quantities) {
     const double a = value_of(usual, q.quantity.name);
-    const double b = value_of(longer, q.quantity.name);
+    const double b = value_of(other, q.quantity.name);
     const double size = std::max(std::abs(a), std::abs(q.quantity.value));
     if (size > 0.0) q.error_time = part * std::abs((b - a) / size * q.quantity.value);
     if (size == 0.0) q.error_time = 0.0;
@@ -88,10 +91,10 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
     return r;
   }
   put_grid_bars(coarse, r);
-  Case longer = c;
-  const double part = lengthen_steps(longer);
-  const CycleResult late = on_grid(longer, coarse.back().grid, control);
-  if (late.verdict.good()) put_time_bars(coarse.back(), late, part, r);
+  Case changed = c;
+  const double part = change_steps(coarse.back(), changed);
+  const CycleResult other = on_grid(changed, coarse.back().grid, control);
+  if (other.verdict.good()) put_time_bars(coarse.back(), other, part, r);
   r.cost.bars_s = so_far();
   return r;
 }

@@ -7,10 +7,11 @@ namespace shellback::fidelity {
 /// Solves the cycle of the case and, if it converges, gives its quantities their bars: of the grid
 /// from up to two coarser grids, each with steps of the same error (grid_error.hpp; the smallest
 /// film at an edge: edge_error.hpp, too), of the steps from the coarser grid once more with steps
-/// that may err four times as much (or, given ones, are twice as long). Steps of second order in
-/// their length are of order 2/3 in the error of one of them, which falls with its third power:
-///   bar = 1.5 |f(4 tol) - f(tol)| / (4^(2/3) - 1),   given steps: 1.5 |f(2 dt) - f(dt)| / 3  (1)
-/// (given steps under a load of straight lines, whose corners cut them: without the 3),
+/// that may err four times as much (or, given ones, are half as long as the longest taken). Steps
+/// of second order in their length are of order 2/3 in the error of one of them, which falls with
+/// its third power:
+///   bar = 1.5 |f(4 tol) - f(tol)| / (4^(2/3) - 1),   given: 1.5 |f(dt) - f(dt/2)| 4/3         (1)
+/// (given steps under a load of straight lines, whose corners cut them: 2 for 4/3),
 /// taken as a part of the value. 1.5 is the safety of the grid's bars. Source: Richardson,
 /// textbook. Bars are not-a-number where no coarser grid serves. Throws InputError as solve_cycle
 /// does.

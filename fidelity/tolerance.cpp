@@ -38,8 +38,8 @@ double RelativeBars::total() const { return std::isfinite(grid) ? grid + known(m
 
 RelativeBars relative_bars(const Result& r, const std::string& quantity) {
   for (const Quantity& q : r.quantities) {
-    if (q.name != quantity || q.value == 0.0) continue;
-    const double size = std::abs(q.value);
+    const double size = q.size();
+    if (q.name != quantity || size == 0.0) continue;
     return {q.error_grid / size, q.error_model / size,
             std::isfinite(q.order) ? q.order : kLeastOrder};
   }

@@ -40,8 +40,9 @@ std::string told(note::Plain n) {
     case Plain::event_from_steady:
       return "the event begins in the steady state of its first row";
     case Plain::event_at_rest:
-      return "the event begins at rest: asperities carry the load of its first row alone, the film "
-             "nothing";
+      return "the event begins at rest: asperities carry the load of its first row, the film "
+             "nothing but "
+             "what the supplies' pressure presses upon";
     case Plain::event_in_the_middle:
       return "the event begins with the journal at rest in the middle of a full film: no steady "
              "state of its first row was found";

@@ -39,6 +39,12 @@ inline Told told(ending::Plain e, const About& a) {
     case Plain::singular_film:
       return {"the film matrix is singular: parts of the film get no oil",
               "feed more oil, or turn the supply away from the load"};
+    case Plain::out_of_the_law:
+      return {
+          "of rigid surfaces, and viscosity that rises as exp(alpha p), no pressure moves the "
+          "journal so fast (the reduced pressure q = (1 - exp(-alpha p))/alpha cannot exceed "
+          "1/alpha)",
+          ""};
     case Plain::overdrawn:
       return {"a step takes more oil out of a cell than it holds", ""};
     case Plain::singular_response:

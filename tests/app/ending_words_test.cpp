@@ -52,6 +52,16 @@ TEST_CASE("EveryEndingHasAReason", "[words]") {
   CHECK(reason_of({Status::interrupted}) == "stopped by the user");
 }
 
+TEST_CASE("AFilmThatIsNotPeriodicTellsWhereItsOilGoes", "[words]") {
+  const auto told = [](double gathered) {
+    return reason_of(
+        {kLimit, ending::Unsettled{ending::Iteration::cycles, 40, 2e-3, false, gathered}});
+  };
+  CHECK(told(-0.013).find("lost 1.3 % of its oil") != std::string::npos);
+  CHECK(told(0.02).find("gained 2 % of its oil") != std::string::npos);
+  CHECK(told(1e-6).find("of its oil") == std::string::npos);
+}
+
 TEST_CASE("PlacesAreToldFromZeroToAFullTurn", "[words]") {
   CHECK(words_of(FilmPlace{-0.5 * kPi, 0.31e-3}) == "phi 270.0 deg, z 0.31 mm");
   CHECK(words_of(FilmPlace{2.5 * kPi, -2e-3}) == "phi 90.0 deg, z -2.00 mm");

@@ -198,6 +198,18 @@ TEST_CASE("TheTableOfACycleTellsMeansExtremesAndHowItRan") {
   }
 }
 
+TEST_CASE("TheTableOfACycleTellsThatItsToleranceIsMissedAndWhatWouldMeetIt") {
+  auto cycle = test::synthetic_cycle();
+  for (auto& q : cycle.quantities) q.quantity.error_grid = 0.1 * q.quantity.size();
+  const std::string printed = table(cycle);
+  CHECK(contains(printed, "is not met: friction torque +-"));
+  CHECK(contains(printed, "shellback run"));
+  for (auto& q : cycle.quantities) {
+    q.quantity.error_grid = q.error_time = 1e-6 * q.quantity.size();
+  }
+  CHECK_FALSE(contains(table(cycle), "not met"));
+}
+
 TEST_CASE("TheOrbitLiesWithinTheClearanceCircle") {
   const auto c = test::cycle_case();
   const auto cycle = test::synthetic_cycle();

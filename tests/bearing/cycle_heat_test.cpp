@@ -189,6 +189,7 @@ TEST_CASE("LumpedCyclesMeetTheHeatBalanceOfTheirMeans", "[cycle_heat]") {
   // 0.01 K of r, 1e-4 of the cycle's closure
   CHECK(value(r, "friction_torque") == Approx(steady.values().friction_torque).epsilon(2e-3));
   CHECK(value(r, "h_min") == Approx(steady.values().h_min).epsilon(2e-3));
+  CHECK(value(r, "T_film_mean") == Approx(steady.values().T_film_mean).margin(0.02));
 }
 
 TEST_CASE("TemperaturesOfACycleDoNotDependOnTheSteps", "[cycle_heat]") {

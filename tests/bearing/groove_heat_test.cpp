@@ -94,6 +94,18 @@ TEST_CASE("HardlyAnyExchangeOfAGrooveIsNone", "[groove_heat]") {
   CHECK(hardly.film.columns.T_mean[c] == Approx(hardly.heat.T_mix[0]).margin(1e-3));
 }
 
+TEST_CASE("TheMixedSupplyDoesNotDependOnTheOrderOfTheSupplies", "[groove_heat]") {
+  Case c = groove_with(0.0);
+  Supply other = c.supplies[0];
+  other.angle += kPi;
+  other.temperature += 10.0;
+  c.supplies.push_back(other);
+  const double one = summarize(solved(c, Tier::thd), Tier::thd).values().T_supply_mixed;
+  std::swap(c.supplies[0], c.supplies[1]);
+  const double two = summarize(solved(c, Tier::thd), Tier::thd).values().T_supply_mixed;
+  CHECK(two == Approx(one).margin(0.05));  // T_reference is the first supply's: enthalpies differ
+}
+
 TEST_CASE("AChannelsHeatTransferIsThatOfPlates", "[groove_heat]") {
   const Solution s = solved(groove_with(ChannelHeat{}), Tier::thd);
   const double h = 7.54 * 0.13 / (2.0 * 1e-3);  // Nu k / (2 d), oil of 0.13 W/(m K), 1 mm deep

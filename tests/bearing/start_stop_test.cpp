@@ -84,6 +84,8 @@ TEST_CASE("AtRestTheContactAloneCarriesTheLoad", "[start_stop]") {
 
 TEST_CASE("TheBreakawayTorqueIsTheCoefficientTimesTheSumOfTheContact", "[start_stop]") {
   Case c = starting(kTop);
+  // Without any pressure nothing flows in the end: the film is solved to the round-off of its oil.
+  c.supplies[0].pressure = GENERATE(1e5, 0.0);
   LoadCycle rest = *c.cycle;
   rest.t = {0.0, 0.1};
   rest.x.assign(2, 0.0);

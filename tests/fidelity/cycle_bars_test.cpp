@@ -64,3 +64,21 @@ TEST_CASE("BarsOfACycleHoldAFinerGridAndShorterSteps", "[cycle]") {
     CHECK(q.quantity.error_grid < 0.2 * q.quantity.value);  // and the bar says something
   }
 }
+
+TEST_CASE("BarsOfGivenStepsThatTheLoadsCornersCutHoldShorterOnes", "[cycle]") {
+  Case c = pulsed();
+  c.model.grid = {60, 9};
+  c.cycle->interpolation = LoadInterpolation::linear;  // a corner every five degrees
+  c.cycle->step = c.cycle->period;                     // longer than any step can be
+  const CycleResult usual = fidelity::solve_cycle_with_bars(c);
+  REQUIRE(usual.verdict.good());
+  c.cycle->step = c.cycle->period / 720.0;
+  const CycleResult shorter = solve_cycle(c, Tier::isothermal);
+  for (const char* name : {"friction_torque", "side_flow"}) {
+    INFO(name);
+    const CycleQuantity& q = named(usual, name);
+    const double time = named(shorter, name).quantity.value - q.quantity.value;
+    CHECK(q.error_time > 0.0);
+    CHECK(std::abs(time) <= q.error_time + 2e-4 * q.quantity.value);  // closure, as above
+  }
+}

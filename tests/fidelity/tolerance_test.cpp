@@ -71,6 +71,16 @@ TEST_CASE("ABarWithinTheToleranceIsMetAndAnUnknownOneMissesNothing") {
   CHECK(shortfall(with_bars(NAN, NAN, NAN), 0.01).met);
 }
 
+TEST_CASE("BarsOfWhatChangesItsSignAreMeasuredByItsMagnitude") {
+  Result r = with_bars(0.005, NAN, 1.0);
+  r.quantities[0].value = 0.0;  // the mean torque of a pin that swings
+  r.quantities[0].magnitude = 2.0;
+  CHECK(fidelity::relative_bars(r, "friction_torque").grid == Approx(0.005));
+  CHECK(shortfall(r, 0.01).met);
+  r.quantities[0].magnitude = 0.5;
+  CHECK_FALSE(shortfall(r, 0.01).met);
+}
+
 TEST_CASE("ResultsAreToldApartByMoreThanTheSumOfTheirBars") {
   const auto q = [](double value, double bar) {
     return Quantity{"friction_torque", value, "N m", bar, NAN};

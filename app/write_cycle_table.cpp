@@ -62,11 +62,9 @@ void write_cycle_table(std::ostream& out, const bearing::Case& c, const CycleRes
   if (cycle.choice) {
     const bearing::AutoChoice& k = *cycle.choice;
     out << fmt::format(
-        "chosen by auto for {:.3g} %: {}; mean friction torque within {:.2g} %, smallest film "
-        "within "
-        "{:.2g} %\n",
-        100.0 * k.tolerance, k.met ? "met" : "NOT MET", 100.0 * k.bar_friction,
-        100.0 * k.bar_h_min);
+        "chosen by auto for {:.3g} %: {}; mean friction torque {}, smallest film {}\n",
+        100.0 * k.tolerance, k.met ? "met" : "NOT MET", known_within(k.bar_friction),
+        known_within(k.bar_h_min));
   } else {
     for (const std::string& line :
          tolerance_lines(c, missed_tolerance(c, bearing::as_result(cycle)))) {

@@ -43,10 +43,9 @@ std::string change(double value) {
 void print_choice(std::ostream& out, const Result& result) {
   if (!result.choice) return;
   const auto& c = *result.choice;
-  out << fmt::format(
-      "\nchosen by auto for {:.3g} %: {}; friction torque within {:.2g} %, smallest film within "
-      "{:.2g} %\n",
-      100.0 * c.tolerance, c.met ? "met" : "NOT MET", 100.0 * c.bar_friction, 100.0 * c.bar_h_min);
+  out << fmt::format("\nchosen by auto for {:.3g} %: {}; friction torque {}, smallest film {}\n",
+                     100.0 * c.tolerance, c.met ? "met" : "NOT MET", known_within(c.bar_friction),
+                     known_within(c.bar_h_min));
   TextTable table;
   table.add({"  effect", "", "indicator", "friction torque", "smallest film"});
   for (const auto& e : result.effects) {

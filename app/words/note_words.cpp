@@ -10,6 +10,11 @@
 #include "app/words/temperature_words.hpp"
 
 namespace shellback::app {
+
+std::string known_within(double part) {
+  return std::isfinite(part) ? fmt::format("within {:.2g} %", 100.0 * part) : "without a bar";
+}
+
 namespace {
 
 using namespace bearing;
@@ -128,9 +133,10 @@ const char* told(note::ToleranceNotMet::Why why) {
 std::string told(const note::ToleranceNotMet& n) {
   const bool cycle = n.why == note::ToleranceNotMet::Why::cycle_grid;
   return fmt::format(
-      "the tolerance of {:.2g} % is not met: the {}friction torque is known within {:.2g} %, the "
-      "smallest film within {:.2g} %; {}",
-      100.0 * n.tolerance, cycle ? "mean " : "", 100.0 * n.friction, 100.0 * n.h_min, told(n.why));
+      "the tolerance of {:.2g} % is not met: the {}friction torque is known {}, the smallest film "
+      "{}; {}",
+      100.0 * n.tolerance, cycle ? "mean " : "", known_within(n.friction), known_within(n.h_min),
+      told(n.why));
 }
 
 std::string told(const note::ShaftSwing& n) {

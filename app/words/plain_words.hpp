@@ -8,6 +8,11 @@
 
 namespace shellback::app::told {
 
+inline constexpr const char* kOutOfTheLaw =
+    "between rigid surfaces, with viscosity that rises as exp(alpha p), no pressure in what oil "
+    "there is carries the load of that instant (the reduced pressure q = (1 - exp(-alpha p))/alpha "
+    "cannot exceed 1/alpha)";
+
 inline Told told(ending::Plain e, const About& a) {
   using ending::Plain;
   switch (e) {
@@ -40,11 +45,7 @@ inline Told told(ending::Plain e, const About& a) {
       return {"the film matrix is singular: parts of the film get no oil",
               "feed more oil, or turn the supply away from the load"};
     case Plain::out_of_the_law:
-      return {
-          "of rigid surfaces, and viscosity that rises as exp(alpha p), no pressure moves the "
-          "journal so fast (the reduced pressure q = (1 - exp(-alpha p))/alpha cannot exceed "
-          "1/alpha)",
-          ""};
+      return {kOutOfTheLaw, ""};
     case Plain::overdrawn:
       return {"a step takes more oil out of a cell than it holds", ""};
     case Plain::singular_response:

@@ -9,7 +9,7 @@
 namespace shellback::bearing {
 namespace {
 
-/// The bearing after a cycle and the bodies' time behind it.
+/// The bearing after the bodies' time and a cycle between the walls to which it has led.
 Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, double t, double dt) {
   const FilmGrid& g = search.film().model().domain.grid;
   CycleResult r;
@@ -60,13 +60,16 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
   const BearingModel& model = search.film().model();
   const Solids& solids = *model.solids;
   auto& [bodies, end, dt] = march;
-  if (dt == 0.0) dt = span.first;
+  const auto passed = [&] {
+    if (!search.pass_between(bodies.walls)) end.verdict = search.verdict();
+    return end.verdict.good();
+  };
+  if (dt == 0.0) {
+    dt = span.first;
+    if (!passed()) return end;
+  }
   SolidStep last;
   while (end.t < span.duration && !(end.at_rest && span.until_rest)) {
-    if (!search.pass_between(bodies.walls)) {
-      end.verdict = search.verdict();
-      return end;
-    }
     const int nodes = search.film().heat()->skin().nodes();
     BodiesAnswer next;
     SolidStep step;
@@ -84,6 +87,7 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
     last = std::move(step);
     bodies.walls = next.walls;
     end.t += dt;
+    if (!passed()) return end;
     const Instant instant = instant_after(search, next, end.t, dt);
     end.at_rest = dt >= 0.4 * end.t && move < kStill;
     dt *= kStepLonger;  // halved again where it is too long: that costs no cycle

@@ -93,6 +93,32 @@ TEST_CASE("ACourseOverCyclesThatDoNotSwingIsTheSteadyOne", "[course]") {
   }
 }
 
+TEST_CASE("AnInstantOverCyclesIsThatOfTheWallsOfThen", "[course]") {
+  const CourseRun steady = passed({{coarse(), 200.0}});
+  const CourseRun cycles = passed({{as_cycle(coarse()), 200.0}});
+  // Torque against the shaft's temperature, straight between the instants of the steady run.
+  const auto torque_at = [&](double T) {
+    for (std::size_t k = 1; k < steady.instants.size(); ++k) {
+      const Instant& a = steady.instants[k - 1];
+      const Instant& b = steady.instants[k];
+      if (a.T_shaft <= T && T <= b.T_shaft) {
+        return a.torque + (T - a.T_shaft) / (b.T_shaft - a.T_shaft) * (b.torque - a.torque);
+      }
+    }
+    return double{NAN};
+  };
+  int compared = 0;
+  for (const Instant& i : cycles.instants) {
+    const double torque = torque_at(i.T_shaft);
+    if (!(i.t > 10.0) || std::isnan(torque)) continue;  // shell and shaft warm in another ratio
+    INFO(i.t << " s");
+    CHECK(i.torque == Approx(torque).epsilon(5e-3));
+    CHECK(std::abs(i.heat_in - i.heat_out - i.stored) < 0.02 * i.heat_in);
+    ++compared;
+  }
+  CHECK(compared > 5);
+}
+
 TEST_CASE("ACourseIsOfOneBearing", "[course]") {
   const Case c = coarse();
   const auto refused = [](const std::vector<Stretch>& stretches, Tier tier = Tier::thd) {

@@ -26,8 +26,8 @@ namespace {
 /// What else `run` writes belongs to one state.
 void expect_written(const Request& request) {
   for (const auto& [option, asked] :
-       {std::pair{"-o", !request.output.empty()}, std::pair{"--coefficients", request.coefficients},
-        std::pair{"--transient", request.transient}, std::pair{"--page", !request.page.empty()}}) {
+       {std::pair{"-o", !request.output.empty()}, std::pair{"--transient", request.transient},
+        std::pair{"--page", !request.page.empty()}}) {
     if (!asked) continue;
     throw InputError(option,
                      "a running-in writes --json, --picture and --profile; give the profile to a "
@@ -99,6 +99,7 @@ int running_in(const Request& request) {
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   expect_running_in(subject);
+  expect_no_coefficients(request, subject, "a running-in is asked for");
   RunKeeper keeper(request, subject, RunOf::running_in);
   Outputs outputs(with_state(request),
                   files_of_case(text, request.case_file, overrides_of(request)));

@@ -38,9 +38,7 @@ double given(const std::string& option, const std::string& text, const Kind& kin
 /// What else `run` writes belongs to the steady state.
 void expect_written(const Request& request) {
   for (const auto& [option, asked] :
-       {std::pair{"-o", !request.output.empty()}, std::pair{"--coefficients", request.coefficients},
-        std::pair{"--coefficients-table", !request.coefficients_table.empty()},
-        std::pair{"--page", !request.page.empty()}}) {
+       {std::pair{"-o", !request.output.empty()}, std::pair{"--page", !request.page.empty()}}) {
     if (!asked) continue;
     throw InputError(option,
                      "a transient writes --json and --picture; leave out --transient for the "
@@ -109,6 +107,7 @@ int transient(const Request& request) {
   const std::string text = read_text_file(request.case_file);
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
+  expect_no_coefficients(request, subject, "a transient is asked for");
   const WarmUpOptions options = options_of(request);
   RunKeeper keeper(request, subject, RunOf::warm_up,
                    {{"--from", {options.T_start}}, {"--until", {options.end}}});

@@ -53,6 +53,45 @@ TEST_CASE("PicturesAndPagesAreOfWhatChangesInTime") {
               {"--until"});
 }
 
+TEST_CASE("NoOptionOfRunIsIgnoredBesideAnother") {
+  const ScratchFolder scratch;
+  const std::string steady = scratch.write("case.toml", kSampleCase);
+  const std::string wearing = case_path("running-in").string();
+  const std::string cyclic = case_path("pulse").string();
+  const std::string file = scratch.path("a");
+  using Words = std::vector<std::string>;
+  const std::vector<Words> of_transients{
+      {"--from", "20 degC"}, {"--until", "2 s"}, {"--speeds", "2000 rpm"}, {"--hold", "2 s"}};
+  const std::vector<Words> of_steady_states{{"--coefficients"}, {"--coefficients-table", file}};
+  const auto check_all = [&](Words words, const std::vector<Words>& options,
+                             const std::string& reason) {
+    for (const Words& option : options) {
+      Words all = words;
+      all.insert(all.end(), option.begin(), option.end());
+      const Ended ended = run_words(all);
+      INFO(all[1] << " " << option[0] << ": " << ended.err);
+      CHECK(ended.code == kBadInput);
+      CHECK(ended.out.empty());
+      check_parts(ended.err, {"error: " + option[0] + ": ", reason});
+    }
+  };
+  check_all({"run", wearing, "--running-in"}, of_transients, "belongs to a transient");
+  check_all({"run", wearing, "--running-in"}, of_steady_states, "a running-in is asked for");
+  check_all({"run", wearing, "--running-in"}, {{"--transient"}, {"-o", file}, {"--page", file}},
+            "a running-in writes");
+  check_all({"run", cyclic}, of_transients, "add --transient");
+  check_all({"run", cyclic}, of_steady_states, "load cycle");
+  check_all({"run", cyclic}, {{"--profile", file}}, "add --running-in");
+  check_all({"run", steady, "--transient"}, of_steady_states, "a transient is asked for");
+  check_all({"run", steady, "--transient", "--speeds", "2000 rpm", "--hold", "2 s"},
+            of_steady_states, "a transient is asked for");
+  check_all({"run", steady, "--transient"}, {{"-o", file}, {"--page", file}}, "a transient writes");
+  check_all({"run", steady}, of_transients, "add --transient");
+  const Ended key = run_words({"run", wearing, "--running-in", "--set", "model.coefficients=true"});
+  CHECK(key.code == kBadInput);
+  check_parts(key.err, {"model.coefficients", "leave out one of them"});
+}
+
 /// The smallest films of a sweep over the rotating load [m].
 std::vector<double> films_of_sweep(const std::vector<std::string>& more) {
   std::vector<std::string> words{

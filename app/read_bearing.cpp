@@ -21,7 +21,9 @@ std::optional<bearing::EdgeOpening> read_edge_opening(const Section& section,
 
 std::string table_beside(const Section& section, const std::string& key) {
   const std::filesystem::path folder = std::filesystem::path(section.reader().file).parent_path();
-  return section.reader().tables.emplace_back((folder / section.text(key)).string());
+  const std::string name = section.text(key);
+  if (name.empty()) section.fail(key, "this names no file; give that of the table, \"table.csv\"");
+  return section.reader().tables.emplace_back((folder / name).string());
 }
 
 bearing::Bearing read_bearing(const Section& file) {

@@ -1,5 +1,5 @@
 /// run --transient: from one wall temperature to the steady state, in time.
-#include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <cmath>
 #include <iostream>
@@ -66,18 +66,21 @@ Result steady_state(const Case& subject, SolveControl control, RunKeeper& keeper
 }
 
 void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
-  fmt::print("{}\ntransient, tier {}, grid {} x {}\n\n", c.title, to_string(c.model.tier),
-             c.model.grid[0], c.model.grid[1]);
-  fmt::print("{:>12} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "time [s]", "torque [N m]",
-             "h_min [um]", "film [C]", "shell [C]", "back [C]", "shaft [C]");
+  fmt::print(std::cout, "{}\ntransient, tier {}, grid {} x {}\n\n", c.title,
+             to_string(c.model.tier), c.model.grid[0], c.model.grid[1]);
+  fmt::print(std::cout, "{:>36} {:>10} {:>10} {:>10} {:>10}\n", "", "largest", "largest", "mean",
+             "mean");
+  fmt::print(std::cout, "{:>12} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "time [s]",
+             "torque [N m]", "h_min [um]", "film [C]", "shell [C]", "back [C]", "shaft [C]");
   double next = 0.0;
   const auto line = [](const char* t, double torque, double h, double a, double b, double d,
                        double e) {
-    fmt::print("{:>12} {:>12.4g} {:>10.4g}", t, torque, 1e6 * h);
+    fmt::print(std::cout, "{:>12} {:>12.4g} {:>10.4g}", t, torque, 1e6 * h);
     for (const double T : {a, b, d, e}) {
-      fmt::print(" {:>10}", std::isfinite(T) ? fmt::format("{:.1f}", T - kZeroCelsius) : "-");
+      fmt::print(std::cout, " {:>10}",
+                 std::isfinite(T) ? fmt::format("{:.1f}", T - kZeroCelsius) : "-");
     }
-    fmt::print("\n");
+    fmt::print(std::cout, "\n");
   };
   for (const Instant& i : run.instants) {
     if (i.t < next && &i != &run.instants.back()) continue;
@@ -92,11 +95,13 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
   }
   if (run.end.jumps > 0) {
     fmt::print(
+        std::cout,
         "\n{} steps of the shortest length err by more than was allowed: a wall's surface jumps "
         "where oil of another temperature first meets it\n",
         run.end.jumps);
   }
-  fmt::print("\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n", run.imbalance());
+  fmt::print(std::cout, "\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n",
+             run.imbalance());
 }
 
 }  // namespace

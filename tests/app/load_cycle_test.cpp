@@ -99,6 +99,32 @@ TEST_CASE("ATableInCrankAngleBecomesACycleInTime") {
   CHECK(files.back() == folder.path("load.csv"));
 }
 
+TEST_CASE("AShareIsNoValueOfAColumnThatHasAUnit") {
+  const std::string begin = "angle [deg], load_x [kN], load_y [kN]\n0, 1, 1\n";
+  check_against(begin + "90, 50%, 1\n", {"load.csv:3:5", "\"50%\"", "kN", "number alone"});
+  check_against(begin + "90, 50 %, 1\n", {"load.csv:3:5", "\"50 %\"", "kN"});
+  check_against(begin + "90, 2 kN, 1\n", {"load.csv:3:5", "first line names"});
+  check_against("angle [deg], load_x [%], load_y [kN]\n0, 1, 1\n", {"load.csv:1:14", "a force"});
+}
+
+TEST_CASE("ATableThatCannotBeReadIsCalledATable") {
+  check_against("", {"load.csv: the file is empty", "names columns and units"});
+  check_against("angle [deg]\n\x01\xFF", {"load.csv:2:2", "is this a table?"});
+  check_against(kRows, {"case.toml", "load_cycle.file", "names no file"},
+                "[load_cycle]\nfile = \"\"\n");
+  const ScratchFolder folder;
+  const auto said = [&](const std::string& file) {
+    try {
+      static_cast<void>(read(folder, "[load_cycle]\nfile = \"" + file + "\"\n", kRows));
+    } catch (const FileError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  check_parts(said("."), {"this is a folder; give the table in it"});
+  check_parts(said("none.csv"), {"no such file", "from the folder of the case"});
+}
+
 TEST_CASE("ACrankTurningClockwiseCountsItsAngleForwards") {
   const LoadCycle c = cycle_of(kInDegrees, kRows, "-3000 rpm");
   CHECK(c.t[1] == Approx(0.25 * kTurn));

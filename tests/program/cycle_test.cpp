@@ -1,5 +1,6 @@
 /// run on a case with a load cycle: what is refused, before anything is solved.
 #include <catch2/catch.hpp>
+#include <iterator>
 #include <sstream>
 
 #include "app/case_text.hpp"
@@ -207,6 +208,23 @@ TEST_CASE("CompareTakesALoadCycle") {
   check_parts(read_text_file(scratch.path("a.json")), {"friction_split", "T_calibrated"});
 }
 
+/// That the line above the names of the temperatures says which of each it is.
+void check_maxima_and_means(const std::string& table) {
+  const std::size_t names = table.rfind('\n', table.find("film [C]"));
+  const std::size_t above = table.rfind('\n', names - 1);
+  std::istringstream words(table.substr(above, names - above));
+  const std::vector<std::string> said{std::istream_iterator<std::string>(words), {}};
+  CHECK(said == std::vector<std::string>{"largest", "largest", "mean", "mean"});
+}
+
+TEST_CASE("AWarmUpTellsLargestAndMeanTemperatures") {
+  const Ended ended = run_words({"run", case_path("thd-plain-bearing").string(), "--transient",
+                                 "--until", "1 s", "--set", "model.grid=[32,5]"});
+  INFO(ended.err);
+  REQUIRE(ended.code == kDone);
+  check_maxima_and_means(ended.out);
+}
+
 TEST_CASE("ACourseOfSpeedsTellsEachOfThem") {
   const ScratchFolder scratch;
   const std::string file = case_path("thd-plain-bearing").string();
@@ -217,6 +235,7 @@ TEST_CASE("ACourseOfSpeedsTellsEachOfThem") {
   INFO(ended.err);
   REQUIRE(ended.code == kDone);
   check_parts(ended.out, {"1000", "2000", "audit"});
+  check_maxima_and_means(ended.out);
   check_parts(read_text_file(scratch.path("a.json")), {"stretches", "\"passed\": true", "T_shaft"});
   check_parts(read_text_file(scratch.path("a.svg")), {"Course of speeds", "speed [rpm]"});
 }

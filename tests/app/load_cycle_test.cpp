@@ -107,6 +107,26 @@ TEST_CASE("AShareIsNoValueOfAColumnThatHasAUnit") {
   check_against("angle [deg], load_x [%], load_y [kN]\n0, 1, 1\n", {"load.csv:1:14", "a force"});
 }
 
+TEST_CASE("ABulkModulusThatNoVesselHasIsRefusedOrTold") {
+  const ScratchFolder folder;
+  folder.write("load.csv", kRows);
+  const auto with = [&](const std::string& modulus) {
+    std::string text = sample_of(kInDegrees);
+    const std::string open = "open = [\"0 deg\", \"180 deg\"]\n";
+    text.insert(text.find("[operation]"), "vessel_volume = \"20 cm3\"\n" + open +
+                                              "vessel_bulk_modulus = \"" + modulus + "\"\n");
+    return read_case_text(text, folder.path("case.toml"));
+  };
+  CHECK_THROWS_WITH(with("1.5 Pa"), Catch::Contains("supply.0.vessel_bulk_modulus") &&
+                                        Catch::Contains("check its unit"));
+  CHECK_THROWS_AS(with("1e6 GPa"), InputError);
+  CHECK(with("1.5 GPa").warnings.empty());
+  CHECK(with("5 MPa").warnings.empty());  // a hose
+  const auto soft = with("0.2 MPa").warnings;
+  REQUIRE(soft.size() == 1);
+  check_parts(soft[0], {"supply.0.vessel_bulk_modulus", "unusual"});
+}
+
 TEST_CASE("ATableThatCannotBeReadIsCalledATable") {
   check_against("", {"load.csv: the file is empty", "names columns and units"});
   check_against("angle [deg]\n\x01\xFF", {"load.csv:2:2", "is this a table?"});

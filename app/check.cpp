@@ -173,7 +173,8 @@ std::vector<std::string> warnings_of(const Case& subject) {
   std::vector<std::string> told = subject.warnings;
   Tier tier = subject.model.tier;
   if (tier == Tier::estimate) return told;  // it takes the surfaces as smooth
-  if (tier == Tier::automatic) tier = possible_tiers(subject).back();
+  const std::vector<Tier> possible = possible_tiers(subject);
+  if (tier == Tier::automatic && !possible.empty()) tier = possible.back();
   for (const Note& note : input_warnings(subject, physics_of(subject, tier))) {
     told.push_back(words_of(note));
   }

@@ -34,11 +34,12 @@ void judge_table(const Profile& table, const char* key, const Bearing& b, Findin
               fmt::format("heights from {} to {} leave no gap that could be a bearing's",
                           shown(*low, "um"), shown(*high, "um")),
               "check the unit in the header line (positive heights widen the gap)");
-  } else if (*low <= -b.radial_clearance) {
-    to.suspect(key, "the table takes away more than the whole radial clearance somewhere");
-  } else {
-    judge_depth(*high, key, b, to);
+    return;
   }
+  if (*low <= -b.radial_clearance) {
+    to.suspect(key, "the table takes away more than the whole radial clearance somewhere");
+  }
+  judge_depth(*high, key, b, to);
 }
 
 void judge_opening(const std::optional<EdgeOpening>& e, const std::string& key, const Bearing& b,

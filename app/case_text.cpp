@@ -18,10 +18,33 @@ namespace {
 constexpr std::size_t kLargestFile = 10'000'000;  ///< [B]; a case is a few kB, a profile some 100
 constexpr int kDeepestKey = 16;  ///< names in a dotted key; the parser recurses on them
 
-[[noreturn]] void refuse_size(const std::string& name) {
-  throw InputError(name,
-                   "the file is larger than 10 MB, which no case needs; a measured profile "
-                   "belongs into a file of its own (bearing.profile)");
+/// Cures for a file that is not what it is to be.
+struct TextWords {
+  const char* absent;
+  const char* folder;
+  const char* large;
+  const char* empty;
+  const char* binary;
+};
+
+TextWords words_for(TextKind kind) {
+  if (kind == TextKind::case_file) {
+    return {"\"shellback init\" lists cases to start from", "give the case file in it",
+            "which no case needs; a measured profile belongs into a file of its own "
+            "(bearing.profile)",
+            "\"shellback init\" lists cases to start from",
+            "is this a case file? Case files are UTF-8 text"};
+  }
+  return {kind == TextKind::table_of_case
+              ? "a table named in a case is looked for from the folder of the case"
+              : "a table named on the command line is looked for from the current folder",
+          "give the table in it", "which no table needs; leave out columns, or every second row",
+          "the first line of a table names columns and units",
+          "is this a table? Tables are UTF-8 text, a spreadsheet's are exported as CSV"};
+}
+
+[[noreturn]] void refuse_size(const std::string& name, TextKind kind) {
+  throw InputError(name, fmt::format("the file is larger than 10 MB, {}", words_for(kind).large));
 }
 
 /// Bytes of the UTF-8 character at text[i], 0 if there is none (overlong forms, surrogates and
@@ -109,23 +132,19 @@ std::string reworded(std::string_view description) {
 
 }  // namespace
 
-std::string read_text_file(const std::string& path) {
+std::string read_text_file(const std::string& path, TextKind kind) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (error || status.type() == std::filesystem::file_type::not_found) {
-    const bool table = path.ends_with(".csv") || path.ends_with(".txt") || path.ends_with(".dat");
-    throw FileError(
-        fmt::format("{}: there is no such file; {}", path,
-                    table ? "a table named in a case is looked for from the folder of the case"
-                          : "\"shellback init\" lists cases to start from"));
+    throw FileError(fmt::format("{}: there is no such file; {}", path, words_for(kind).absent));
   }
   if (std::filesystem::is_directory(status)) {
-    throw FileError(fmt::format("{}: this is a folder; give the case file in it", path));
+    throw FileError(fmt::format("{}: this is a folder; {}", path, words_for(kind).folder));
   }
   std::size_t most = kLargestFile;  // pipes, and files of the system, have no size beforehand
   if (std::filesystem::is_regular_file(status)) {
     const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (size > kLargestFile) refuse_size(path);
+    if (size > kLargestFile) refuse_size(path, kind);
     if (size > 0) most = static_cast<std::size_t>(size);
   }
   std::ifstream file(path, std::ios::binary);
@@ -138,14 +157,14 @@ std::string read_text_file(const std::string& path) {
     throw FileError(
         fmt::format("{}: it grew while it was read; once it is complete, try again", path));
   }
-  expect_text(text, path);
+  expect_text(text, path, kind);
   return text;
 }
 
-void expect_text(const std::string& text, const std::string& name) {
-  if (text.size() > kLargestFile) refuse_size(name);
+void expect_text(const std::string& text, const std::string& name, TextKind kind) {
+  if (text.size() > kLargestFile) refuse_size(name, kind);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    throw InputError(name, "the file is empty; \"shellback init\" lists cases to start from");
+    throw InputError(name, fmt::format("the file is empty; {}", words_for(kind).empty));
   }
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     throw InputError(name, "the file is UTF-16; save it as UTF-8");
@@ -156,9 +175,8 @@ void expect_text(const std::string& text, const std::string& name) {
     const std::size_t length = utf8_length(text, i);
     if (text[i] == '\0' || length == 0) {
       throw InputError(fmt::format("{}:{}:{}", name, line, i - begin + 1),
-                       fmt::format("byte 0x{:02X} is no text: is this a case file? Case files "
-                                   "are UTF-8 text",
-                                   static_cast<unsigned char>(text[i])));
+                       fmt::format("byte 0x{:02X} is no text: {}",
+                                   static_cast<unsigned char>(text[i]), words_for(kind).binary));
     }
     i += length;
     if (text[i - 1] == '\n') {

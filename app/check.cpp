@@ -9,8 +9,10 @@
 #include "app/indicators.hpp"
 #include "app/units.hpp"
 #include "app/words/ending_words.hpp"
+#include "app/words/note_words.hpp"
 #include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_case.hpp"
+#include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "fidelity/estimate.hpp"
 #include "fidelity/estimate_cycle.hpp"
@@ -165,6 +167,20 @@ Case at_largest_load(const Case& subject) {
   return steady;
 }
 
+/// What the case's tier will warn of, whatever its film comes to; auto may choose any tier up to
+/// the richest.
+std::vector<std::string> warnings_of(const Case& subject) {
+  std::vector<std::string> told = subject.warnings;
+  Tier tier = subject.model.tier;
+  if (tier == Tier::estimate) return told;  // it takes the surfaces as smooth
+  const std::vector<Tier> possible = possible_tiers(subject);
+  if (tier == Tier::automatic && !possible.empty()) tier = possible.back();
+  for (const Note& note : input_warnings(subject, physics_of(subject, tier))) {
+    told.push_back(words_of(note));
+  }
+  return told;
+}
+
 std::string tier_names(const std::vector<Tier>& tiers) {
   std::string names;
   for (const Tier tier : tiers) names += (names.empty() ? "" : ", ") + std::string(to_string(tier));
@@ -189,7 +205,7 @@ void print_check(std::ostream& out, const Case& subject, WholeCycle cycle) {
   } else {
     print_steady(out, subject);
   }
-  print_list(out, "Warnings", subject.warnings);
+  print_list(out, "Warnings", warnings_of(subject));
   print_list(out, "Assumptions", subject.assumptions);
 }
 

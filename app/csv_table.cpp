@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/case_text.hpp"
 #include "app/did_you_mean.hpp"
 #include "core/contract.hpp"
 
@@ -42,10 +41,18 @@ std::vector<CsvCell> split_cells(const std::string& line) {
   }
 }
 
+double number_of(const std::string& field, const std::string& unit) {
+  constexpr Kind kBare{"a plain number", {}, "none, the first line names it", "12.5"};
+  const double number = parse_quantity(field, unit == "1" ? kNumber : kBare);
+  if (unit == "1" || !field.ends_with('%')) return number;
+  throw UnitError(fmt::format("{} is a share, but the column is in {}; write the number alone",
+                              in_quotes(field), unit));
+}
+
 CsvTable::CsvTable(const std::string& path, const std::vector<CsvKind>& possible,
-                   const std::string& example)
+                   const std::string& example, TextKind use)
     : path_(path), example_(example) {
-  std::string text = read_text_file(path);
+  std::string text = read_text_file(path, use);
   if (text.starts_with(kByteOrderMark)) text.erase(0, 3);
   std::size_t begin = 0;
   for (int number = 1; begin < text.size(); ++number) {
@@ -127,7 +134,7 @@ void CsvTable::read_row(const std::string& line, int number) {
 
 void CsvTable::read_cell(Column& column, const CsvCell& cell, const std::string& place) {
   try {
-    const double number = parse_quantity(cell.text, kNumber);
+    const double number = number_of(cell.text, column.unit);
     column.values.push_back(column.kind.absolute
                                 ? parse_quantity(cell.text + " " + column.unit, column.kind)
                                 : number * column.factor);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/case_text.hpp"
 #include "app/units.hpp"
 
 namespace shellback::app {
@@ -24,6 +25,10 @@ struct CsvCell {
 /// The fields of a line without the blanks around them.
 [[nodiscard]] std::vector<CsvCell> split_cells(const std::string& line);
 
+/// The number of a field in a column of `unit`, as it stands there; a share ("50 %") only where
+/// the unit is "1". Throws UnitError.
+[[nodiscard]] double number_of(const std::string& field, const std::string& unit);
+
 /// A column that a table may have; its unit is one of the kind.
 struct CsvKind {
   const char* name;
@@ -33,12 +38,12 @@ struct CsvKind {
 class CsvTable {
  public:
   /// Reads the file. `possible` are the columns that it may have, in any order; `example` is a
-  /// first line that would do. Throws FileError if the file cannot be read, InputError for: no
-  /// first line, a column that is unknown (did you mean) or named twice, a unit that is missing or
-  /// wrong, a row with more or fewer fields than columns, a field that is empty or no finite
-  /// number.
+  /// first line that would do; `use` is who names the table. Throws FileError if the file cannot be
+  /// read, InputError for: no first line, a column that is unknown (did you mean) or named twice, a
+  /// unit that is missing or wrong, a row with more or fewer fields than columns, a field that is
+  /// empty or no finite number.
   CsvTable(const std::string& path, const std::vector<CsvKind>& possible,
-           const std::string& example);
+           const std::string& example, TextKind use = TextKind::table_of_case);
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] bool has(const std::string& name) const;

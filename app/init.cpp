@@ -39,10 +39,12 @@ std::vector<Copy> tables_beside(const std::string& text, const std::string& sour
   if (is_stream(target)) return copies;
   for (const std::string& table : tables_of_case(text, source)) {
     const fs::path beside = fs::path(table).lexically_relative(fs::path(source).parent_path());
-    Copy copy{(fs::path(target).parent_path() / beside).string(), read_text_file(table)};
+    Copy copy{(fs::path(target).parent_path() / beside).string(),
+              read_text_file(table, TextKind::table_of_case)};
     if (!fs::exists(copy.target)) {
       copies.push_back(std::move(copy));
-    } else if (!fs::is_regular_file(copy.target) || read_text_file(copy.target) != copy.text) {
+    } else if (!fs::is_regular_file(copy.target) ||
+               read_text_file(copy.target, TextKind::table_of_case) != copy.text) {
       throw FileError(
           fmt::format("{}: exists already and is left as it is; the case needs a table "
                       "of this name beside it: write it into another folder with -o",

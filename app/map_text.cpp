@@ -76,13 +76,19 @@ MapText::MapText(const std::string& path) : path_(path), text_(read_all(path)) {
 }
 
 HeaderValue MapText::header(const std::string& name) const {
+  HeaderValue value;
   for (const MapLine& comment : comments_) {
     const std::size_t colon = comment.text.find(':');
     if (colon == std::string_view::npos) continue;
     if (lower(stripped(comment.text.substr(0, colon))) != lower(name)) continue;
-    return {comment.number, std::string(stripped(comment.text.substr(colon + 1)))};
+    if (value.line > 0) {
+      throw InputError(
+          fmt::format("{}:{}:1", path_, comment.number),
+          fmt::format("{} is given in line {} already; keep one of them", name, value.line));
+    }
+    value = {comment.number, std::string(stripped(comment.text.substr(colon + 1)))};
   }
-  return {};
+  return value;
 }
 
 std::string MapText::place(const MapLine& line, std::string_view field) const {

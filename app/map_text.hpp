@@ -28,7 +28,7 @@ class MapText {
   MapText& operator=(const MapText&) = delete;
 
   [[nodiscard]] const std::vector<MapLine>& lines() const { return lines_; }
-  /// Of the comments; names without regard to case.
+  /// Of the comments; names without regard to case. Throws InputError if it is given twice.
   [[nodiscard]] HeaderValue header(const std::string& name) const;
   [[nodiscard]] const std::string& path() const { return path_; }
   /// "file:line:column" of a field of a line.

@@ -88,7 +88,9 @@ Written written(const CsvTable& csv, std::size_t row, const std::string& name) {
 class Reading {
  public:
   Reading(const std::string& path, int supplies, bool isothermal)
-      : csv_(path, possible_columns(), kExample), supplies_(supplies), isothermal_(isothermal) {
+      : csv_(path, possible_columns(), kExample, TextKind::table),
+        supplies_(supplies),
+        isothermal_(isothermal) {
     table_.path = path;
   }
 

@@ -167,7 +167,7 @@ void read_throw(const Section& section, bearing::CrankFrame frame, bearing::Cran
     section.assume("two main bearings share the load of the throw (crank.share is not given)");
     return;
   }
-  crank.share = section.quantity("share", kNumber, kPositive);
+  crank.share = section.quantity("share", kNumber.such_as("0.5"), kPositive);
   if (crank.share > 1.0) section.fail("share", "a bearing carries at most the whole throw: 1");
 }
 
@@ -183,8 +183,8 @@ bearing::Crank read_crank(const Section& section, const std::optional<double>& p
                    "a cylinder fires every 360 deg (two strokes) or 720 deg (four)");
   }
   bearing::Crank crank;
-  crank.stroke = section.quantity("stroke", kLength, kPositive);
-  crank.rod_length = section.quantity("rod_length", kLength, kPositive);
+  crank.stroke = section.quantity("stroke", kLength.such_as("80 mm"), kPositive);
+  crank.rod_length = section.quantity("rod_length", kLength.such_as("140 mm"), kPositive);
   crank.piston_mass = section.quantity("piston_mass", kMass, kNotNegative);
   crank.rod_mass = section.quantity("rod_mass", kMass, kNotNegative);
   read_throw(section, frame, crank);
@@ -202,7 +202,7 @@ bearing::Crank read_crank(const Section& section, const std::optional<double>& p
       "the crank turns at constant speed; friction of piston and piston pin, and weight, are left "
       "out ([crank])");
   if (section.has("pressure")) {
-    crank.bore = section.quantity("bore", kLength, kPositive);
+    crank.bore = section.quantity("bore", kLength.such_as("80 mm"), kPositive);
     read_pressure(section, period, crank);
   } else {
     section.assume("there is no gas in the cylinder (crank.pressure is not given)");

@@ -82,7 +82,7 @@ void read_mass_step_and_instants(const Section& file, const Section& section, do
 
 /// By which every load is multiplied.
 double read_factor(const Section& section) {
-  const double factor = section.maybe_quantity("factor", kNumber).value_or(1.0);
+  const double factor = section.maybe_quantity("factor", kNumber.such_as("1.0")).value_or(1.0);
   if (factor > 0.0) return factor;
   section.fail("factor", "the loads are multiplied by it: give a number above 0");
 }

@@ -44,7 +44,8 @@ Methods read_methods(const Section& model) {
   Methods m;
   const auto section = model.maybe_section("methods");
   if (!section) return m;
-  section->only({"cavitation", "across", "layers", "elastic", "transport", "relaxation"}, "model.methods");
+  section->only({"cavitation", "across", "layers", "elastic", "transport", "relaxation"},
+                "model.methods");
   if (section->has("cavitation")) {
     m.cavitation = section->choice<CavitationMethod>(
         "cavitation", {{"active-set", CavitationMethod::active_set},
@@ -73,7 +74,7 @@ Methods read_methods(const Section& model) {
         "transport", {{"upwind", FillTransport::upwind}, {"van-leer", FillTransport::van_leer}});
   }
   if (section->has("relaxation")) {
-    m.relaxation = section->quantity("relaxation", kNumber, kCan.relaxation);
+    m.relaxation = section->quantity("relaxation", kNumber.such_as("0.5"), kCan.relaxation);
     if (m.elastic != ElasticMethod::fixed_point) {
       section->fail("relaxation", "relaxation belongs to elastic = \"fixed-point\"");
     }
@@ -96,7 +97,8 @@ void read_rules(const Section& section, Model& model) {
   } else {
     section.assume("the bearing's edges are taken as flooded with oil (model.edges)");
   }
-  const auto cavitation = section.maybe_gauge_pressure("cavitation_pressure");
+  const auto cavitation =
+      section.maybe_gauge_pressure("cavitation_pressure", kPressure.such_as("0 bar"));
   if (cavitation) {
     model.cavitation_pressure = *cavitation;
   } else {
@@ -106,7 +108,7 @@ void read_rules(const Section& section, Model& model) {
   }
   if (const auto equivalent = section.maybe_section("equivalent_temperature")) {
     equivalent->only({"kappa"}, "model.equivalent_temperature");
-    model.kappa = equivalent->quantity("kappa", kNumber, kCan.kappa);
+    model.kappa = equivalent->quantity("kappa", kNumber.such_as("1.0"), kCan.kappa);
   }
 }
 
@@ -160,11 +162,11 @@ Measured read_measured(const Section& file) {
                 "[measured]");
   measured.shell_back_temperature = section->maybe_quantity("shell_back_temperature", kTemperature);
   measured.friction_torque = section->maybe_quantity("friction_torque", kTorque, kNotNegative);
-  measured.h_min = section->maybe_quantity("h_min", kLength, kNotNegative);
-  measured.p_max = section->maybe_quantity("p_max", kPressure);
+  measured.h_min = section->maybe_quantity("h_min", kLength.such_as("2 um"), kNotNegative);
+  measured.p_max = section->maybe_quantity("p_max", kPressure.such_as("50 MPa"));
   measured.side_flow = section->maybe_quantity("side_flow", kFlow, kNotNegative);
   measured.eccentricity_ratio =
-      section->maybe_quantity("eccentricity_ratio", kNumber, kNotNegative);
+      section->maybe_quantity("eccentricity_ratio", kNumber.such_as("0.6"), kNotNegative);
   measured.T_shell_max = section->maybe_quantity("T_shell_max", kTemperature);
   return measured;
 }

@@ -31,8 +31,8 @@ void read_compressibility(const Section& law, DowsonHigginson& density) {
   }
   if (!law.has("C1")) law.fail_missing("C1", "\"2.22 GPa\", to go with C2");
   if (!law.has("C2")) law.fail_missing("C2", "1.66, to go with C1");
-  const double C1 = law.quantity("C1", kPressure, kPositive);
-  const double C2 = law.quantity("C2", kNumber, kRising);
+  const double C1 = law.quantity("C1", kPressure.such_as("2.22 GPa"), kPositive);
+  const double C2 = law.quantity("C2", kNumber.such_as("1.66"), kRising);
   density.rise = (C2 - 1.0) / C1;
   density.limit = 1.0 / C1;
 }
@@ -54,9 +54,9 @@ DensityLaw read_density(const Section& oil) {
     return ConstantDensity{law.quantity("rho", kDensity, kPositive)};
   }
   law.only({"law", "rho0", "at", "expansivity", "C1", "C2"}, "a density law \"dowson-higginson\"");
-  DowsonHigginson density{law.quantity("rho0", kDensity, kPositive),
-                          law.quantity("at", kTemperature),
-                          law.quantity("expansivity", kPerKelvin, kNotNegative)};
+  DowsonHigginson density{
+      law.quantity("rho0", kDensity, kPositive), law.quantity("at", kTemperature),
+      law.quantity("expansivity", kPerKelvin.such_as("7e-4 1/K"), kNotNegative)};
   read_compressibility(law, density);
   return density;
 }
@@ -121,12 +121,14 @@ ValidityRange read_range(const Section& oil) {
   }
   valid->only({"temperature", "pressure", "shear_rate"}, "oil.valid");
   if (valid->has("temperature")) {
-    const auto [low, high] = valid->pair_of_quantities("temperature", kTemperature);
+    const auto [low, high] =
+        valid->pair_of_quantities("temperature", kTemperature, "[\"20 degC\", \"150 degC\"]");
     if (low >= high) valid->fail("temperature", "the first temperature must be the lower one");
     range.T_min = low;
     range.T_max = high;
   }
-  range.p_max = valid->quantity_or("pressure", kPressure, range.p_max, "", kPositive);
+  range.p_max =
+      valid->quantity_or("pressure", kPressure.such_as("200 MPa"), range.p_max, "", kPositive);
   range.rate_max = valid->quantity_or("shear_rate", kShearRate, range.rate_max, "", kPositive);
   return range;
 }

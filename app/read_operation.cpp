@@ -33,7 +33,8 @@ std::variant<LoadGiven, EccentricityGiven> read_position(const Section& section)
     return LoadGiven{section.quantity("load", kForce, kPositive), load_angle(section)};
   }
   EccentricityGiven given;
-  given.ratio = section.quantity("eccentricity_ratio", kNumber, kCan.eccentricity_ratio);
+  given.ratio =
+      section.quantity("eccentricity_ratio", kNumber.such_as("0.6"), kCan.eccentricity_ratio);
   given.attitude = section.quantity("attitude_angle", kAngle, kCan.turn);
   given.load_angle = load_angle(section);
   return given;
@@ -51,8 +52,8 @@ std::variant<TiltGiven, MomentGiven> read_alignment(const Section& section) {
   TiltGiven given;
   if (const auto tilt = section.maybe_section("tilt")) {
     tilt->only({"about_x", "about_y"}, "operation.tilt");
-    given = {tilt->quantity_or("about_x", kAngle, 0.0, ""),
-             tilt->quantity_or("about_y", kAngle, 0.0, "")};
+    given = {tilt->quantity_or("about_x", kAngle.such_as("0.1 mrad"), 0.0, ""),
+             tilt->quantity_or("about_y", kAngle.such_as("0.1 mrad"), 0.0, "")};
   }
   return given;
 }

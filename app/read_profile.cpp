@@ -21,12 +21,14 @@ struct Column {
   const char* name;
   Kind kind;
   std::size_t at = 0;
+  std::string unit;
   double factor = 1.0;
 };
 
 /// Finds phi, z and height with their units in a header such as "phi [deg], z [mm], height [um]".
 std::array<Column, 3> read_header(const std::string& line, const std::string& place) {
-  std::array<Column, 3> columns{{{"phi", kAngle}, {"z", kLength}, {"height", kLength}}};
+  std::array<Column, 3> columns{
+      {{"phi", kAngle, 0, ""}, {"z", kLength, 0, ""}, {"height", kLength, 0, ""}}};
   const std::vector<CsvCell> cells = split_cells(line);
   for (Column& column : columns) {
     bool found = false;
@@ -43,7 +45,8 @@ std::array<Column, 3> read_header(const std::string& line, const std::string& pl
                                      column.name));
       }
       try {
-        column.factor = unit_factor(text.substr(open + 1, close - open - 1), column.kind);
+        column.unit = text.substr(open + 1, close - open - 1);
+        column.factor = unit_factor(column.unit, column.kind);
       } catch (const UnitError& error) {
         throw InputError(fmt::format("{}:{}", place, cells[k].column), error.what());
       }
@@ -66,7 +69,7 @@ double read_cell(const std::vector<CsvCell>& cells, const Column& column,
     throw InputError(place + ":1", fmt::format("this line has no {}", column.name));
   }
   try {
-    return parse_quantity(cells[column.at].text, kNumber) * column.factor;
+    return number_of(cells[column.at].text, column.unit) * column.factor;
   } catch (const UnitError& error) {
     throw InputError(fmt::format("{}:{}", place, cells[column.at].column), error.what());
   }
@@ -125,7 +128,8 @@ std::vector<Point> read_points(const std::string& text, const std::string& path)
 }  // namespace
 
 bearing::Profile read_profile(const std::string& path) {
-  const std::vector<Point> points = read_points(read_text_file(path), path);
+  const std::vector<Point> points =
+      read_points(read_text_file(path, TextKind::table_of_case), path);
   bearing::Profile profile;
   for (const Point& point : points) {
     profile.phi.push_back(point.phi);

@@ -20,15 +20,23 @@ solid::Material read_properties(const Section& section, const std::string& name)
   }
   solid::Material material;
   material.name = section.has("name") ? section.text("name") : name;
-  material.conductivity = section.quantity("conductivity", kConductivity, kPositive);
-  material.density = section.quantity("density", kDensity, kPositive);
-  material.heat_capacity = section.quantity("heat_capacity", kHeatCapacity, kPositive);
-  material.youngs_modulus = section.quantity("youngs_modulus", kPressure, kPositive);
-  material.poisson_ratio = section.quantity("poisson_ratio", kNumber, kValueRanges.poisson_ratio);
-  material.expansion = section.quantity("expansion", kPerKelvin, kNotNegative);
-  material.hardness = section.quantity_or("hardness", kPressure, 0.0, "", kPositive);
-  material.progression = section.quantity_or("progression_rate", kNumber, 0.0, "", kNotNegative);
-  material.damping_ratio = section.quantity_or("damping_ratio", kTime, 0.0, "", kPositive);
+  material.conductivity =
+      section.quantity("conductivity", kConductivity.such_as("50 W/(m K)"), kPositive);
+  material.density = section.quantity("density", kDensity.such_as("7800 kg/m3"), kPositive);
+  material.heat_capacity =
+      section.quantity("heat_capacity", kHeatCapacity.such_as("460 J/(kg K)"), kPositive);
+  material.youngs_modulus =
+      section.quantity("youngs_modulus", kPressure.such_as("200 GPa"), kPositive);
+  material.poisson_ratio =
+      section.quantity("poisson_ratio", kNumber.such_as("0.3"), kValueRanges.poisson_ratio);
+  material.expansion =
+      section.quantity("expansion", kPerKelvin.such_as("1.2e-5 1/K"), kNotNegative);
+  material.hardness =
+      section.quantity_or("hardness", kPressure.such_as("600 MPa"), 0.0, "", kPositive);
+  material.progression =
+      section.quantity_or("progression_rate", kNumber.such_as("1.0"), 0.0, "", kNotNegative);
+  material.damping_ratio =
+      section.quantity_or("damping_ratio", kTime.such_as("1e-4 s"), 0.0, "", kPositive);
   for (const std::string& statement : section.texts("assumed")) {
     const std::string sentence = fmt::format("material {}: {}", material.name, statement);
     auto& known = section.reader().assumptions;
@@ -43,7 +51,8 @@ Housing read_housing(const Section& section) {
   section.only({"material", "outer_diameter", "support", "joint_conductance"}, "shell.housing");
   Housing housing;
   housing.material = read_material(section, "material");
-  housing.outer_radius = 0.5 * section.quantity("outer_diameter", kLength, kPositive);
+  housing.outer_radius =
+      0.5 * section.quantity("outer_diameter", kLength.such_as("100 mm"), kPositive);
   housing.joint_conductance =
       section.quantity_or("joint_conductance", kHeatTransfer, 0.0, "", kPositive);
   if (section.has("support")) {
@@ -101,7 +110,7 @@ std::optional<Shell> read_shell(const Section& file) {
   for (const Section& layer : section->sections("layers")) {
     layer.only({"material", "thickness", "elasto_plastic"}, "a layer of the shell");
     shell.layers.push_back({read_material(layer, "material"),
-                            layer.quantity("thickness", kLength, kPositive),
+                            layer.quantity("thickness", kLength.such_as("1 mm"), kPositive),
                             layer.maybe_switch("elasto_plastic").value_or(false)});
   }
   if (const auto housing = section->maybe_section("housing")) {
@@ -131,7 +140,7 @@ std::optional<Shaft> read_shaft(const Section& file) {
       "(shaft.overhang is not given)",
       kNotNegative);
   shaft.elastic_overhang = section->maybe_quantity("elastic_overhang", kLength, kNotNegative);
-  shaft.span = section->maybe_quantity("span", kLength, kPositive);
+  shaft.span = section->maybe_quantity("span", kLength.such_as("100 mm"), kPositive);
   if (shaft.overhang > 0.0) {
     shaft.heat_transfer = section->quantity("heat_transfer", kHeatTransfer, kNotNegative);
     shaft.ambient = section->quantity("ambient", kTemperature);

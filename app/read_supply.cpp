@@ -33,7 +33,7 @@ void read_hole(const Section& section, double radius, Supply& supply) {
        "carry_over", "heat_transfer", "vessel_volume", "vessel_bulk_modulus", "open"},
       "a supply of kind \"hole\"");
   supply.angle = section.quantity("angle", kAngle, kCan.turn);
-  supply.diameter = section.quantity("diameter", kLength, kPositive);
+  supply.diameter = section.quantity("diameter", kLength.such_as("5 mm"), kPositive);
   supply.arc = supply.diameter / radius;
   supply.length = supply.diameter;
 }
@@ -44,7 +44,7 @@ void read_axial_groove(const Section& section, double radius, Supply& supply) {
                 "vessel_bulk_modulus", "open"},
                "a supply of kind \"axial_groove\"");
   supply.angle = section.quantity("angle", kAngle, kCan.turn);
-  supply.length = section.quantity("length", kLength, kPositive);
+  supply.length = section.quantity("length", kLength.such_as("10 mm"), kPositive);
   if (section.has("arc") && section.has("width")) {
     section.fail("width", "the groove's arc is given too; keep one of them");
   }
@@ -53,8 +53,9 @@ void read_axial_groove(const Section& section, double radius, Supply& supply) {
                  "the groove has no circumferential size; give arc = \"18 deg\" or "
                  "width = \"5 mm\"");
   }
-  supply.arc = section.has("arc") ? section.quantity("arc", kAngle, kCan.arc)
-                                  : section.quantity("width", kLength, kNotNegative) / radius;
+  supply.arc = section.has("arc")
+                   ? section.quantity("arc", kAngle.such_as("18 deg"), kCan.arc)
+                   : section.quantity("width", kLength.such_as("5 mm"), kNotNegative) / radius;
 }
 
 void read_circumferential_groove(const Section& section, Supply& supply) {
@@ -67,7 +68,7 @@ void read_circumferential_groove(const Section& section, Supply& supply) {
   if (supply.arc >= kFullCircle) {
     supply.angle = section.quantity_or("angle", kAngle, 0.0, "", kCan.turn);
   }
-  supply.length = section.quantity("width", kLength, kPositive);
+  supply.length = section.quantity("width", kLength.such_as("5 mm"), kPositive);
 }
 
 std::optional<bearing::Vessel> read_vessel(const Section& section, double omega) {
@@ -80,7 +81,7 @@ std::optional<bearing::Vessel> read_vessel(const Section& section, double omega)
   bearing::Vessel vessel;
   vessel.volume = section.quantity("vessel_volume", kVolume, kPositive);
   vessel.bulk_modulus = section.quantity_or(
-      "vessel_bulk_modulus", kPressure, vessel.bulk_modulus,
+      "vessel_bulk_modulus", kPressure.such_as("1.5 GPa"), vessel.bulk_modulus,
       fmt::format("{}: oil and vessel together have a bulk modulus of 1.5 GPa, that of mineral oil "
                   "without air in a stiff vessel",
                   section.name("")),
@@ -141,10 +142,10 @@ Supply read_supply(const Section& section, double radius,
   }
   const std::string name = section.name("");
   supply.angle -= kFullCircle * std::floor(supply.angle / kFullCircle);
-  supply.z = section.quantity_or("z", kLength, 0.0, "");
+  supply.z = section.quantity_or("z", kLength.such_as("0 mm"), 0.0, "");
   if (!drilling) {
     supply.depth =
-        section.quantity_or("depth", kLength, supply.depth,
+        section.quantity_or("depth", kLength.such_as("1 mm"), supply.depth,
                             fmt::format("{}: a depth of 1 mm is assumed", name), kPositive);
   }
   const auto pressure = section.maybe_gauge_pressure("pressure");
@@ -152,7 +153,7 @@ Supply read_supply(const Section& section, double radius,
   supply.pressure = *pressure;
   if (!drilling) {
     supply.carry_over = section.quantity_or(
-        "carry_over", kNumber, supply.carry_over,
+        "carry_over", kNumber.such_as("1.0"), supply.carry_over,
         fmt::format("{}: all film oil that enters it is taken to be mixed in again "
                     "(carry_over = 1)",
                     name),

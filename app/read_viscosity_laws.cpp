@@ -18,7 +18,7 @@ Vogel through_two_points(const Section& law) {
   const double eta2 = law.quantity("eta2", kViscosity, kPositive);
   const double T1 = law.quantity("T1", kTemperature) - kZeroCelsius;
   const double T2 = law.quantity("T2", kTemperature) - kZeroCelsius;
-  const double C = law.quantity_or("C", kTemperatureDifference, kCameron,
+  const double C = law.quantity_or("C", kTemperatureDifference.such_as("95 K"), kCameron,
                                    "oil: the two viscosities are joined by a Vogel law with "
                                    "C = 95 K");
   if (T1 == T2) law.fail("T2", "the two temperatures are the same");
@@ -44,9 +44,9 @@ TemperatureLaw read_temperature_law(const Section& law) {
       return ConstantViscosity{law.quantity("eta", kViscosity, kPositive)};
     case Law::vogel:
       law.only({"law", "A", "B", "C"}, "a viscosity law \"vogel\"");
-      return Vogel{law.quantity("A", kViscosity, kPositive),
+      return Vogel{law.quantity("A", kViscosity.such_as("0.1 mPa s"), kPositive),
                    law.quantity("B", kTemperatureDifference, kPositive),
-                   law.quantity("C", kTemperatureDifference, kPositive)};
+                   law.quantity("C", kTemperatureDifference.such_as("95 K"), kPositive)};
     case Law::reynolds:
       law.only({"law", "eta", "at", "beta"}, "a viscosity law \"reynolds\"");
       return ReynoldsSlope{law.quantity("eta", kViscosity, kPositive),
@@ -73,13 +73,13 @@ PressureLaw read_pressure_law(const Section& law) {
       return Barus{law.quantity("alpha", kPerPressure, kPositive)};
     case Law::roelands:
       law.only({"law", "Z"}, "a pressure law \"roelands\"");
-      return Roelands{law.quantity("Z", kNumber, kPositive)};
+      return Roelands{law.quantity("Z", kNumber.such_as("0.6"), kPositive)};
     case Law::houpert:
       break;
   }
   law.only({"law", "Z", "beta", "at"}, "a pressure law \"houpert\"");
-  return Houpert{law.quantity("Z", kNumber, kPositive), law.quantity("beta", kPerKelvin, kPositive),
-                 law.quantity("at", kTemperature)};
+  return Houpert{law.quantity("Z", kNumber.such_as("0.6"), kPositive),
+                 law.quantity("beta", kPerKelvin, kPositive), law.quantity("at", kTemperature)};
 }
 
 ShearLaw read_shear_law(const Section& law) {
@@ -92,7 +92,7 @@ ShearLaw read_shear_law(const Section& law) {
   law.only({"law", "r", "K", "m"}, "a shear law \"cross\"");
   return Cross{law.quantity("r", kNumber.such_as("0.5"), kUpToOne),
                law.quantity("K", kTime.such_as("4.5e-8 s"), kPositive),
-               law.quantity("m", kNumber, kPositive)};
+               law.quantity("m", kNumber.such_as("0.5"), kPositive)};
 }
 
 }  // namespace shellback::app

@@ -30,7 +30,7 @@ void judge_holes(const HeightMap& map, const Holes& holes, const SurfaceOptions&
   if (holes.count == 0) return;
   const double share = holes.share(map);
   const std::string what = fmt::format(
-      "{} of {} heights ({:.2g} %) were not measured, the first at x = {:.4g} um, y = {:.4g} um",
+      "{} of {} heights ({:.3g} %) were not measured, the first at x = {:.4g} um, y = {:.4g} um",
       holes.count, map.z.size(), 100.0 * share, 1e6 * holes.i * map.dx, 1e6 * holes.j * map.dy);
   if (share > kMostHoles) {
     throw InputError(options.path,
@@ -189,7 +189,7 @@ void note_limits(SurfaceReport& r) {
   note_grid(r);
   note_summits(r);
   if (r.holes.count > 0) {
-    r.notes.push_back(fmt::format("{} holes ({:.2g} %) were filled by harmonic interpolation",
+    r.notes.push_back(fmt::format("{} holes ({:.3g} %) were filled by harmonic interpolation",
                                   r.holes.count, 100.0 * r.holes.share(r.map)));
   }
   note_table(r);

@@ -172,13 +172,14 @@ double Section::quantity_or(const std::string& key, const Kind& kind, double fal
   return fallback;
 }
 
-std::optional<double> Section::maybe_gauge_pressure(const std::string& key) const {
+std::optional<double> Section::maybe_gauge_pressure(const std::string& key,
+                                                    const Kind& kind) const {
   const std::string absolute = key + "_absolute";
   if (has(key) && has(absolute)) {
     fail(absolute, fmt::format("{} is given too; keep one of them", key));
   }
-  if (has(absolute)) return quantity(absolute, kPressure, kNotNegative) - kAtmosphere;
-  const auto gauge = maybe_quantity(key, kPressure);
+  if (has(absolute)) return quantity(absolute, kind, kNotNegative) - kAtmosphere;
+  const auto gauge = maybe_quantity(key, kind);
   if (gauge && *gauge < -kAtmosphere) {
     fail(key,
          "this gauge pressure lies below vacuum (-1.013 bar); pressures are counted from "
@@ -234,8 +235,8 @@ std::array<int, 2> Section::pair_of_whole_numbers(const std::string& key, int lo
   return {whole(*list->get(0), key, low, high), whole(*list->get(1), key, low, high)};
 }
 
-std::array<double, 2> Section::pair_of_quantities(const std::string& key, const Kind& kind) const {
-  const std::string example = fmt::format("[\"{0}\", \"{0}\"]", kind.example);
+std::array<double, 2> Section::pair_of_quantities(const std::string& key, const Kind& kind,
+                                                  const std::string& example) const {
   const auto* list = need(key, example).as_array();
   if (list == nullptr || list->size() != 2) {
     fail(key, fmt::format("two values in brackets are wanted, as in {}", example));

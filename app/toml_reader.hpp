@@ -67,7 +67,8 @@ class Section {
                                    const std::string& assumption,
                                    const Range& range = kAnyValue) const;
   /// Pressure from `key` or, counted from vacuum, `key`_absolute; gauge [Pa].
-  [[nodiscard]] std::optional<double> maybe_gauge_pressure(const std::string& key) const;
+  [[nodiscard]] std::optional<double> maybe_gauge_pressure(const std::string& key,
+                                                           const Kind& kind = kPressure) const;
 
   [[nodiscard]] std::string text(const std::string& key) const;
   [[nodiscard]] bool is_text(const std::string& key) const;
@@ -77,8 +78,8 @@ class Section {
   [[nodiscard]] int whole_number(const std::string& key, int low, int high) const;
   [[nodiscard]] std::array<int, 2> pair_of_whole_numbers(const std::string& key, int low,
                                                          int high) const;
-  [[nodiscard]] std::array<double, 2> pair_of_quantities(const std::string& key,
-                                                         const Kind& kind) const;
+  [[nodiscard]] std::array<double, 2> pair_of_quantities(const std::string& key, const Kind& kind,
+                                                         const std::string& example) const;
   [[nodiscard]] std::vector<std::string> texts(const std::string& key) const;
 
   /// The alternative that the key's word names.

@@ -273,7 +273,9 @@ double parse_quantity(std::string_view text, const Kind& kind) {
 double unit_factor(std::string_view unit_text, const Kind& kind) {
   const Unit unit = UnitParser(trimmed(unit_text), kind).parse();
   check_dimension(unit_text, unit, kind);
-  if (unit.scale) throw UnitError(fmt::format("{} has an offset, not a factor", unit_text));
+  if (unit.scale) {
+    throw UnitError(fmt::format("{} is a temperature with its own zero; write K", unit_text));
+  }
   return unit.factor;
 }
 

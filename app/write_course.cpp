@@ -112,6 +112,8 @@ void write_course_table(std::ostream& out, const std::vector<Stretch>& stretches
   const bearing::Case& c = stretches.front().subject;
   out << fmt::format("{}\ncourse, tier {}, grid {} x {}\n\n", c.title, to_string(c.model.tier),
                      c.model.grid[0], c.model.grid[1]);
+  out << fmt::format("{:>47} {:>10} {:>10} {:>10} {:>10}\n", "", "largest", "largest", "mean",
+                     "mean");
   out << fmt::format("{:>12} {:>10} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "speed [rpm]",
                      "end [s]", "torque [N m]", "h_min [um]", "film [C]", "shell [C]", "back [C]",
                      "shaft [C]");

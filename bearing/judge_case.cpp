@@ -14,6 +14,18 @@
 namespace shellback::bearing {
 namespace {
 
+/// Clearances: the pressure of a film that is so much thicker is a hundredth [-].
+constexpr double kDeep = 10.0;
+
+/// Of the bore's shape, as film: what belongs to a supply or a chamfer is deeper.
+void judge_depth(double depth, const std::string& key, const Bearing& b, Findings& to) {
+  if (depth <= kDeep * b.radial_clearance) return;
+  to.suspect(key,
+             fmt::format("it widens the gap by {}, {:.3g} times the radial clearance",
+                         shown(depth, "um"), depth / b.radial_clearance),
+             "check the unit; a groove that is fed is a [[supply]]");
+}
+
 void judge_table(const Profile& table, const char* key, const Bearing& b, Findings& to) {
   const auto [low, high] = std::minmax_element(table.height.begin(), table.height.end());
   const bool rough = *high - *low > kBearingLimits.profile_most * b.radius;
@@ -22,9 +34,12 @@ void judge_table(const Profile& table, const char* key, const Bearing& b, Findin
               fmt::format("heights from {} to {} leave no gap that could be a bearing's",
                           shown(*low, "um"), shown(*high, "um")),
               "check the unit in the header line (positive heights widen the gap)");
-  } else if (*low <= -b.radial_clearance) {
+    return;
+  }
+  if (*low <= -b.radial_clearance) {
     to.suspect(key, "the table takes away more than the whole radial clearance somewhere");
   }
+  judge_depth(*high, key, b, to);
 }
 
 void judge_opening(const std::optional<EdgeOpening>& e, const std::string& key, const Bearing& b,
@@ -60,6 +75,7 @@ void judge_bearing(const Bearing& b, Findings& to) {
   if (b.shape) judge_table(*b.shape, "bearing.shape", b, to);
   judge_opening(b.edge_relief, "bearing.edge_relief", b, to);
   judge_opening(b.chamfer, "bearing.chamfer", b, to);
+  if (b.edge_relief) judge_depth(b.edge_relief->depth, "bearing.edge_relief.depth", b, to);
 }
 
 void judge_speed(const Case& c, Findings& to) {

@@ -102,6 +102,10 @@ void judge_pressure(const Supply& s, double p_cav, const std::string& path, Find
   }
 }
 
+/// [Pa] Possible from air alone, as stiff as its pressure is high, usual from a soft hose on; a
+/// liquid in a stiff wall has 1 to 3 GPa (textbook).
+constexpr Limits kVesselModulus{1e5, 1e6, 6e9, 1e11};
+
 void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findings& to) {
   if (!s.vessel) return;
   const std::string key = path + ".vessel_volume";
@@ -114,7 +118,10 @@ void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findi
   }
   const ValueCheck vessel(path, to);
   vessel.number("vessel_volume", s.vessel->volume, "m3", kPositive);
-  vessel.number("vessel_bulk_modulus", s.vessel->bulk_modulus, "Pa", kPositive);
+  compare(to, path + ".vessel_bulk_modulus", s.vessel->bulk_modulus, kVesselModulus,
+          fmt::format("oil and vessel together have a bulk modulus of {}",
+                      shown(s.vessel->bulk_modulus, "MPa")),
+          "check its unit; mineral oil without air in a stiff vessel has 1500 MPa");
   if (!(s.pressure > c.model.cavitation_pressure)) {
     to.refuse(path + ".pressure", "a vessel at the cavitation pressure feeds nothing", "raise it");
   }

@@ -37,9 +37,6 @@ namespace {
 
 /// Cells whose gap is smaller than the first of a measured table of flow factors.
 void add_factors(const BearingModel& m, const Field& h, std::vector<Note>& out) {
-  if (m.domain.rough.beyond_table) {
-    out.push_back(note::Plain::orientation_beyond_table);
-  }
   const auto& measured = m.domain.rough.measured;
   if (!measured) return;
   const double first = measured->H_low * measured->sigma;
@@ -97,14 +94,26 @@ std::vector<Note> oil_range_warnings(const rheology::Oil& oil, double T_low, dou
   return out;
 }
 
+std::vector<Note> input_warnings(const Case& c, const Physics& physics) {
+  std::vector<Note> out;
+  const auto texture = [](const solid::RoughSurface& s) {
+    return fluid::SurfaceTexture{s.roughness, s.orientation};
+  };
+  const bool tabulated = physics.flow_factors && !c.surfaces.flow_factors;
+  if (tabulated &&
+      fluid::rough_pair(texture(c.surfaces.shell), texture(c.surfaces.shaft)).beyond_table) {
+    out.emplace_back(note::Plain::orientation_beyond_table);
+  }
+  if (!physics.elastic && pressed_layer(c, 0)) out.emplace_back(note::Plain::rigid_layer);
+  return out;
+}
+
 std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) {
   std::vector<Note> out = oil_range_warnings(m.oil, reach.T_low, reach.T_high, reach.p_max);
+  for (const Note& note : input_warnings(m.input, m.physics)) out.push_back(note);
   add_factors(m, reach.h, out);
   add_contact(m, reach, out);
   add_edge(reach, out);
-  if (!m.physics.elastic && pressed_layer(m.input, 0)) {
-    out.emplace_back(note::Plain::rigid_layer);
-  }
   return out;
 }
 

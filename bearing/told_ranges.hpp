@@ -28,6 +28,9 @@ struct FilmReach {
 [[nodiscard]] std::vector<Note> oil_range_warnings(const rheology::Oil& oil, double T_low,
                                                    double T_high, double p_max);
 
+/// Those that follow from the case alone, whatever its film comes to.
+[[nodiscard]] std::vector<Note> input_warnings(const Case& c, const Physics& physics);
+
 /// One note for each range that was left: temperature and pressure of the oil's laws, flow
 /// factors, contact (beyond its law, or held at the hardness): how much, where.
 [[nodiscard]] std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach);

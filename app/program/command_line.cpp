@@ -24,6 +24,29 @@ void add_case_options(CLI::App& command, Request& request) {
       ->allow_extra_args(false);
 }
 
+bool is_blank(const std::string& text) { return text.find_first_not_of(' ') == text.npos; }
+
+/// An option that takes a list; each part of it says something.
+CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<std::string>& list,
+                      const std::string& words) {
+  const auto take = [name, &list](const std::vector<std::string>& given) {
+    list.clear();
+    for (const std::string& text : given) {
+      for (std::size_t begin = 0, end = 0; begin <= text.size(); begin = end + 1) {
+        end = std::min(text.find(',', begin), text.size());
+        list.push_back(text.substr(begin, end - begin));
+        if (!is_blank(list.back())) continue;
+        throw CLI::ValidationError(
+            name,
+            in_quotes(text) + " has a part that is empty; give a value on each side of a comma");
+      }
+    }
+  };
+  return command.add_option_function<std::vector<std::string>>(name, take, words)
+      ->type_name("A,B,...")
+      ->allow_extra_args(false);
+}
+
 void add_threads(CLI::App& command, Request& request, const std::string& words) {
   command.add_option("-j", request.threads, words)
       ->type_name("N")
@@ -188,14 +211,9 @@ void add_honesty(CLI::App& app, Request& request) {
   honesty->add_option("--seed", request.seed, "of the first of them (default: 1)")
       ->type_name("N")
       ->check(CLI::Range(0, 2000000000));
-  honesty->add_option("--tiers", request.tiers, kTierWords + " (default: all)")
-      ->type_name("A,B,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  honesty->add_option("--grids", request.grids, "whose bars are tested (default: 200x25)")
-      ->type_name("NxM,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_list(*honesty, "--tiers", request.tiers, kTierWords + " (default: all)");
+  add_list(*honesty, "--grids", request.grids, "whose bars are tested (default: 200x25)")
+      ->type_name("NxM,...");
   honesty->add_option("--truth", request.truth, "grid of the truth (default: 400x50)")
       ->type_name("NxM");
   honesty->add_option("--nodes", request.nodes, "nodes across the film of the truth (default: 7)")
@@ -268,12 +286,9 @@ void add_run(CLI::App& app, Request& request) {
   run->add_option("--profile", request.profile,
                   "write the worn shape, which a case takes as bearing.shape (CSV)")
       ->type_name("FILE.csv");
-  run->add_option("--speeds", request.speeds,
-                  "with --transient: speeds one after the other, bodies carried over: --speeds "
-                  "\"1000 rpm,2000 rpm,1000 rpm\"")
-      ->type_name("A,B,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_list(*run, "--speeds", request.speeds,
+           "with --transient: speeds one after the other, bodies carried over: --speeds "
+           "\"1000 rpm,2000 rpm,1000 rpm\"");
   run->add_option("--hold", request.hold, "time for which each of --speeds is held: \"20 min\"")
       ->type_name("TIME");
   run->add_option("--picture", request.picture,
@@ -295,10 +310,7 @@ void add_run(CLI::App& app, Request& request) {
 void add_compare(CLI::App& app, Request& request) {
   auto* compare = app.add_subcommand("compare", "solve a case in several tiers, side by side");
   add_solve_options(*compare, request);
-  compare->add_option("--tiers", request.tiers, "tiers to compare (default: all the case allows)")
-      ->type_name("A,B,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_list(*compare, "--tiers", request.tiers, "tiers to compare (default: all the case allows)");
   compare->add_option("-o", request.output, "write the comparison as a page (HTML)")
       ->type_name("FILE.html");
   compare->add_option("--picture", request.picture, "write the main picture (SVG)")
@@ -333,7 +345,7 @@ void add_surface_choices(CLI::App& surface, Request& request) {
       .add_option("--fill", request.fill,
                   "fill holes: laplace (harmonic interpolation); without it they are refused")
       ->check(CLI::IsMember({"laplace"}));
-  surface.add_option("--gaps", request.gaps, "h/sigma of the flow factors (default 0.5 to 10)")
+  add_list(surface, "--gaps", request.gaps, "h/sigma of the flow factors (default 0.5 to 10)")
       ->type_name("H,H,...");
   surface
       .add_option("--error", request.error, "largest standard error of Rq allowed (default 10 %)")
@@ -411,6 +423,17 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
+/// A word for which nothing was written: it would count as not given.
+void expect_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (!is_blank(value)) continue;
+      throw CLI::ValidationError(option->get_name(),
+                                 "its value is empty; give one, or leave it out");
+    }
+  }
+}
+
 /// What is wrong with the words, in ours.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
@@ -454,6 +477,7 @@ Reading read_command_line(const std::vector<std::string>& words) {
   }
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    for (const CLI::App* command : app.get_subcommands()) expect_values(*command);
   } catch (const CLI::CallForHelp&) {
     const auto chosen = app.get_subcommands();
     return {{}, chosen.empty() ? app.help() : chosen.front()->help(), kDone};

@@ -70,6 +70,7 @@ int course(const Request& request, const WarmUpOptions& options) {
   const std::string text = read_text_file(request.case_file);
   const std::vector<Stretch> stretches = stretches_of(request, text);
   const Case& first = stretches.front().subject;
+  expect_no_coefficients(request, first, "a transient is asked for");
   RunKeeper keeper(request, first, RunOf::course, run_options(stretches, options));
   Outputs outputs(with_state(request),
                   files_of_case(text, request.case_file, overrides_of(request)));

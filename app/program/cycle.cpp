@@ -13,7 +13,6 @@
 #include "app/write_cycle_html.hpp"
 #include "app/write_cycle_json.hpp"
 #include "app/write_cycle_table.hpp"
-#include "core/contract.hpp"
 #include "fidelity/auto_cycle.hpp"
 
 namespace shellback::program {
@@ -22,16 +21,6 @@ using namespace app;
 using namespace bearing;
 
 namespace {
-
-/// Stiffness and damping are those of a steady state.
-void expect_no_coefficients(const Request& request, const Case& subject) {
-  if (!subject.model.coefficients) return;
-  throw InputError(!request.coefficients_table.empty() ? "--coefficients-table"
-                   : request.coefficients              ? "--coefficients"
-                                                       : "model.coefficients",
-                   "stiffness and damping are those of a steady state, and the case has a load "
-                   "cycle; leave out one of them");
-}
 
 CycleResult solved(const Case& subject, RunKeeper& keeper) {
   ProgressLine line;
@@ -43,7 +32,7 @@ CycleResult solved(const Case& subject, RunKeeper& keeper) {
 }  // namespace
 
 int cycle(const Request& request, const std::string& text, const Case& subject) {
-  expect_no_coefficients(request, subject);
+  expect_no_coefficients(request, subject, "the case has a load cycle");
   RunKeeper keeper(request, subject, RunOf::load_cycle);
   Outputs outputs(with_state(request),
                   files_of_case(text, request.case_file, overrides_of(request)));

@@ -78,7 +78,7 @@ struct Request {
   std::string motion = "x";                  ///< surface --motion
   int form = 2;                              ///< surface --form
   std::string fill;                          ///< surface --fill; empty: holes are refused
-  std::string gaps;                          ///< surface --gaps; empty: the usual ones
+  std::vector<std::string> gaps;             ///< surface --gaps; empty: the usual ones
   std::string error;                         ///< surface --error: of Rq
   bool periodic = false;                     ///< surface --periodic
   std::string modulus;                       ///< surface --composite-modulus

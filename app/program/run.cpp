@@ -51,12 +51,16 @@ void expect_film(const Case& subject) {
 }
 
 /// Options of a transient.
-void expect_no_end(const Request& request) {
+void expect_no_transient(const Request& request) {
   for (const auto& [option, given] :
        {std::pair{"--from", !request.from.empty()}, std::pair{"--until", !request.until.empty()},
         std::pair{"--speeds", !request.speeds.empty()},
         std::pair{"--hold", !request.hold.empty()}}) {
-    if (given) throw InputError(option, "belongs to a transient; add --transient");
+    if (!given) continue;
+    throw InputError(option, request.running_in
+                                 ? "belongs to a transient; a running-in takes its speed and its "
+                                   "end from the case (operation.speed, running_in.until)"
+                                 : "belongs to a transient; add --transient");
   }
 }
 
@@ -82,12 +86,12 @@ void expect_steady(const Request& request) {
 }  // namespace
 
 int run(const Request& request) {
+  if (!request.transient) expect_no_transient(request);
   if (request.running_in) return running_in(request);
   if (!request.profile.empty()) {
     throw InputError("--profile", "belongs to a running-in; add --running-in");
   }
   if (request.transient) return transient(request);
-  expect_no_end(request);
   const std::string text = read_text_file(request.case_file);
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));

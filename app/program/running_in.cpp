@@ -1,5 +1,5 @@
 /// run --running-in: the shell wears until the time given, or until it is worn in.
-#include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <cmath>
 #include <iostream>
@@ -26,8 +26,8 @@ namespace {
 /// What else `run` writes belongs to one state.
 void expect_written(const Request& request) {
   for (const auto& [option, asked] :
-       {std::pair{"-o", !request.output.empty()}, std::pair{"--coefficients", request.coefficients},
-        std::pair{"--transient", request.transient}, std::pair{"--page", !request.page.empty()}}) {
+       {std::pair{"-o", !request.output.empty()}, std::pair{"--transient", request.transient},
+        std::pair{"--page", !request.page.empty()}}) {
     if (!asked) continue;
     throw InputError(option,
                      "a running-in writes --json, --picture and --profile; give the profile to a "
@@ -48,19 +48,20 @@ void expect_running_in(const Case& c) {
 
 /// The cycle of the last state: how it was told, its audit, and what it has to say.
 void print_cycle(const CycleResult& cycle, int cycles) {
-  fmt::print("\ncontact and film are extremes of the cycle, torque is its mean; {} cycles passed\n",
+  fmt::print(std::cout,
+             "\ncontact and film are extremes of the cycle, torque is its mean; {} cycles passed\n",
              cycles);
-  fmt::print("last cycle: closed within {:.1e}, audit mass {:.1e}", cycle.closure,
+  fmt::print(std::cout, "last cycle: closed within {:.1e}, audit mass {:.1e}", cycle.closure,
              cycle.audit.mass);
   if (std::isfinite(cycle.audit.energy)) {
-    fmt::print(", energy {:.1e}, walls {:.1e} K", cycle.audit.energy, cycle.audit.walls);
+    fmt::print(std::cout, ", energy {:.1e}, walls {:.1e} K", cycle.audit.energy, cycle.audit.walls);
   }
-  fmt::print("\n");
+  fmt::print(std::cout, "\n");
   std::vector<std::string> told = words_of(cycle.warnings);
   for (const LimiterCount& l : cycle.limiters) {
     told.push_back(fmt::format("{}, {} times", words_of(l.what), l.count));
   }
-  for (const std::string& line : told) fmt::print("  - {}\n", line);
+  for (const std::string& line : told) fmt::print(std::cout, "  - {}\n", line);
 }
 
 int cycles_of(const RunningInRun& run) {
@@ -87,8 +88,8 @@ SolveControl control_over(ProgressLine& line, RunningInState& latest) {
 void print_line(const RunningInState& s, bool found) {
   const std::string t =
       std::isfinite(s.t) ? fmt::format("{:.4g}", s.t) : (found ? "worn in" : "last tried");
-  fmt::print("{:>10} {:>10.4g} {:>12.4g} {:>12.4g} {:>12.4g} {:>12.4g}\n", t, 1e6 * s.depth,
-             1e9 * s.volume, 1e-6 * s.p_asperity_max, s.torque, 1e6 * s.h_min);
+  fmt::print(std::cout, "{:>10} {:>10.4g} {:>12.4g} {:>12.4g} {:>12.4g} {:>12.4g}\n", t,
+             1e6 * s.depth, 1e9 * s.volume, 1e-6 * s.p_asperity_max, s.torque, 1e6 * s.h_min);
 }
 
 }  // namespace
@@ -99,6 +100,7 @@ int running_in(const Request& request) {
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   expect_running_in(subject);
+  expect_no_coefficients(request, subject, "a running-in is asked for");
   RunKeeper keeper(request, subject, RunOf::running_in);
   Outputs outputs(with_state(request),
                   files_of_case(text, request.case_file, overrides_of(request)));
@@ -112,14 +114,15 @@ int running_in(const Request& request) {
              [&](const RunningInRun& so_far) { latest = so_far.states.back(); });
   progress.wipe();
   if (!run.states.empty() && request.json != "-") {
-    fmt::print("{}\nrunning-in, tier {}, grid {} x {}\n\n", subject.title,
+    fmt::print(std::cout, "{}\nrunning-in, tier {}, grid {} x {}\n\n", subject.title,
                to_string(subject.model.tier), subject.model.grid[0], subject.model.grid[1]);
-    fmt::print("{:>10} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "time [s]", "wear [um]",
+    fmt::print(std::cout, "{:>10} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "time [s]", "wear [um]",
                "volume [mm3]", "contact [MPa]", "torque [N m]", "h_min [um]");
     for (const RunningInState& s : run.states) print_line(s, run.verdict.good());
     if (run.cycle) print_cycle(*run.cycle, cycles_of(run));
     if (std::isfinite(run.complementarity)) {
-      fmt::print("\ncomplementarity of wear and contact pressure {:.1e}\n", run.complementarity);
+      fmt::print(std::cout, "\ncomplementarity of wear and contact pressure {:.1e}\n",
+                 run.complementarity);
     }
   }
   if (!run.verdict.good()) tell_verdict(subject.model.tier, run.verdict);

@@ -19,9 +19,20 @@ std::vector<Override> overrides_of(const Request& request) {
     overrides.push_back({"model.tier", "\"" + request.tier + "\"", "--tier"});
   }
   if (request.coefficients || !request.coefficients_table.empty()) {
-    overrides.push_back({"model.coefficients", "true", "--coefficients"});
+    overrides.push_back({"model.coefficients", "true",
+                         request.coefficients ? "--coefficients" : "--coefficients-table"});
   }
   return overrides;
+}
+
+void expect_no_coefficients(const Request& request, const Case& subject,
+                            const std::string& instead) {
+  if (!subject.model.coefficients) return;
+  throw InputError(!request.coefficients_table.empty() ? "--coefficients-table"
+                   : request.coefficients              ? "--coefficients"
+                                                       : "model.coefficients",
+                   "stiffness and damping are those of a steady state, and " + instead +
+                       "; leave out one of them");
 }
 
 void tell_warnings(const Case& subject) {

@@ -6,6 +6,7 @@
 #include "app/overrides.hpp"
 #include "app/program/request.hpp"
 #include "app/progress.hpp"
+#include "bearing/case.hpp"
 #include "bearing/control.hpp"
 #include "bearing/result.hpp"
 
@@ -13,6 +14,11 @@ namespace shellback::program {
 
 /// --set and --tier as overrides of the case file. Throws InputError.
 [[nodiscard]] std::vector<app::Override> overrides_of(const Request& request);
+
+/// Stiffness and damping are those of a steady state. Throws InputError if they are asked for;
+/// `instead` says what is solved in its place.
+void expect_no_coefficients(const Request& request, const bearing::Case& subject,
+                            const std::string& instead);
 
 /// The case's warnings, on standard error.
 void tell_warnings(const bearing::Case& subject);

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iostream>
 #include <mutex>
-#include <sstream>
 #include <thread>
 
 #include "app/program/commands.hpp"
@@ -31,16 +31,15 @@ double value_of(const std::string& text, const char* option, const Kind& kind) {
   throw InputError(option, fmt::format("{} must be positive", text));
 }
 
-/// "0.5,1,2" as rising positive numbers.
-std::vector<double> gaps_of(const std::string& text) {
+/// Rising positive numbers.
+std::vector<double> gaps_of(const std::vector<std::string>& words) {
   std::vector<double> gaps;
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
+  for (const std::string& word : words) {
     gaps.push_back(value_of(word, "--gaps", kNumber));
     if (gaps.size() > 1 && gaps.back() <= gaps[gaps.size() - 2]) {
       throw InputError("--gaps", fmt::format("{} does not rise; give h/sigma from small to large, "
                                              "for example 0.5,1,2,3,6",
-                                             text));
+                                             fmt::join(words, ",")));
     }
   }
   constexpr std::size_t kFewest = 3;  // that a case can interpolate

@@ -1,5 +1,5 @@
 /// run --transient: from one wall temperature to the steady state, in time.
-#include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <cmath>
 #include <iostream>
@@ -38,9 +38,7 @@ double given(const std::string& option, const std::string& text, const Kind& kin
 /// What else `run` writes belongs to the steady state.
 void expect_written(const Request& request) {
   for (const auto& [option, asked] :
-       {std::pair{"-o", !request.output.empty()}, std::pair{"--coefficients", request.coefficients},
-        std::pair{"--coefficients-table", !request.coefficients_table.empty()},
-        std::pair{"--page", !request.page.empty()}}) {
+       {std::pair{"-o", !request.output.empty()}, std::pair{"--page", !request.page.empty()}}) {
     if (!asked) continue;
     throw InputError(option,
                      "a transient writes --json and --picture; leave out --transient for the "
@@ -68,18 +66,21 @@ Result steady_state(const Case& subject, SolveControl control, RunKeeper& keeper
 }
 
 void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
-  fmt::print("{}\ntransient, tier {}, grid {} x {}\n\n", c.title, to_string(c.model.tier),
-             c.model.grid[0], c.model.grid[1]);
-  fmt::print("{:>12} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "time [s]", "torque [N m]",
-             "h_min [um]", "film [C]", "shell [C]", "back [C]", "shaft [C]");
+  fmt::print(std::cout, "{}\ntransient, tier {}, grid {} x {}\n\n", c.title,
+             to_string(c.model.tier), c.model.grid[0], c.model.grid[1]);
+  fmt::print(std::cout, "{:>36} {:>10} {:>10} {:>10} {:>10}\n", "", "largest", "largest", "mean",
+             "mean");
+  fmt::print(std::cout, "{:>12} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "time [s]",
+             "torque [N m]", "h_min [um]", "film [C]", "shell [C]", "back [C]", "shaft [C]");
   double next = 0.0;
   const auto line = [](const char* t, double torque, double h, double a, double b, double d,
                        double e) {
-    fmt::print("{:>12} {:>12.4g} {:>10.4g}", t, torque, 1e6 * h);
+    fmt::print(std::cout, "{:>12} {:>12.4g} {:>10.4g}", t, torque, 1e6 * h);
     for (const double T : {a, b, d, e}) {
-      fmt::print(" {:>10}", std::isfinite(T) ? fmt::format("{:.1f}", T - kZeroCelsius) : "-");
+      fmt::print(std::cout, " {:>10}",
+                 std::isfinite(T) ? fmt::format("{:.1f}", T - kZeroCelsius) : "-");
     }
-    fmt::print("\n");
+    fmt::print(std::cout, "\n");
   };
   for (const Instant& i : run.instants) {
     if (i.t < next && &i != &run.instants.back()) continue;
@@ -94,11 +95,13 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
   }
   if (run.end.jumps > 0) {
     fmt::print(
+        std::cout,
         "\n{} steps of the shortest length err by more than was allowed: a wall's surface jumps "
         "where oil of another temperature first meets it\n",
         run.end.jumps);
   }
-  fmt::print("\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n", run.imbalance());
+  fmt::print(std::cout, "\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n",
+             run.imbalance());
 }
 
 }  // namespace
@@ -109,6 +112,7 @@ int transient(const Request& request) {
   const std::string text = read_text_file(request.case_file);
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
+  expect_no_coefficients(request, subject, "a transient is asked for");
   const WarmUpOptions options = options_of(request);
   RunKeeper keeper(request, subject, RunOf::warm_up,
                    {{"--from", {options.T_start}}, {"--until", {options.end}}});

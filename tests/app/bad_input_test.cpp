@@ -1,6 +1,8 @@
 /// Every class of bad input: file, line and column, what, why and cure.
 #include <algorithm>
 
+#include "app/case_text.hpp"
+#include "app/library.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;
@@ -21,7 +23,7 @@ TEST_CASE("AMisspeltKeyIsRefusedWithTheRightOne") {
 
 TEST_CASE("AMissingKeyIsNamedWithAnExample") {
   check_refused("diameter = \"50 mm\"\n", "",
-                {"case.toml:3:1", "bearing.diameter", "missing", "diameter = \"10 mm\""});
+                {"case.toml:3:1", "bearing.diameter", "missing", "diameter = \"50 mm\""});
   check_refused("speed = \"3000 rpm\"\n", "", {"case.toml:15:1", "operation.speed", "rpm"});
   check_refused("[operation]\nspeed = \"3000 rpm\"\nload = \"5 kN\"\n", "",
                 {"case.toml: operation", "missing"});
@@ -32,6 +34,85 @@ TEST_CASE("ABareNumberIsRefusedWithUnitsThatWouldDo") {
   check_refused("\"50 mm\"", "50.5", {"case.toml:4:12", "50.5 has no unit"});
   check_refused("\"50 mm\"", "\"50\"", {"case.toml:4:12", "no unit", "um, mm"});
   check_refused("\"3000 rpm\"", "314.16", {"case.toml:16:9", "rpm, rad/s, Hz"});
+}
+
+namespace {
+
+/// Dotted names of all single values below the node.
+void add_names(const toml::node& node, const std::string& name, std::vector<std::string>& names) {
+  const std::string stem = name.empty() ? "" : name + ".";
+  if (const auto* table = node.as_table()) {
+    for (auto&& [key, value] : *table) add_names(value, stem + std::string(key.str()), names);
+  } else if (const auto* list = node.as_array()) {
+    for (std::size_t k = 0; k < list->size(); ++k) {
+      add_names(*list->get(k), stem + std::to_string(k), names);
+    }
+  } else {
+    names.push_back(name);
+  }
+}
+
+/// What is said of the case at its key: the refusal, or the warnings; empty if nothing is.
+std::string said_at(const std::string& key, const std::string& name,
+                    const std::vector<Override>& set) {
+  const std::string place = "--set " + key + ":";
+  std::string said;
+  try {
+    for (const std::string& warning : read_case(case_path(name).string(), set).warnings) {
+      if (warning.starts_with(place)) said += warning;
+    }
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    if (what.starts_with(place)) said = what;
+  }
+  return said;
+}
+
+/// The example of a refusal "... for example KEY = VALUE"; empty if it has none.
+std::string example_in(const std::string& refusal) {
+  const std::string words = "for example ";
+  const std::size_t at = refusal.rfind(words);
+  const std::size_t equal = refusal.find(" = ", at);
+  return at == refusal.npos || equal == refusal.npos ? "" : refusal.substr(equal + 3);
+}
+
+}  // namespace
+
+TEST_CASE("EveryExampleThatARefusalGivesIsTaken") {
+  using Changes = std::vector<std::string>;
+  std::vector<std::pair<std::string, Changes>> cases;
+  for (const std::string& name : shipped_cases()) cases.emplace_back(name, Changes{});
+  cases.emplace_back("rotating-load", Changes{"supply.0.vessel_volume=20 cm3", "supply.0.open=[]",
+                                              "supply.0.vessel_bulk_modulus=1.5 GPa"});
+  cases.emplace_back("running-in", Changes{"running_in.limit_pressure=5 MPa"});
+  cases.emplace_back("raimondi-boyd",
+                     Changes{"bearing.edge_relief.depth=5 um", "bearing.edge_relief.length=9 mm",
+                             "bearing.chamfer.depth=5 um", "bearing.chamfer.length=1 mm",
+                             "operation.tilt.about_x=0.1 mrad", "measured.h_min=2 um",
+                             "measured.p_max=50 MPa", "model.cavitation_pressure=0 bar"});
+  int tried = 0;
+  for (const auto& [name, changes] : cases) {
+    std::vector<Override> set;
+    std::vector<std::string> keys;
+    const std::string path = case_path(name).string();
+    if (changes.empty()) add_names(parse_toml(read_text_file(path), path), "", keys);
+    for (const std::string& change : changes) {
+      set.push_back(parse_override(change));
+      keys.push_back(set.back().key);
+    }
+    for (const std::string& key : keys) {
+      set.push_back(parse_override(key + "=true"));  // no quantity
+      const std::string example = example_in(said_at(key, name, set));
+      set.pop_back();
+      if (example.empty()) continue;
+      set.push_back(parse_override(key + "=" + example));
+      INFO(name << ": " << key << " = " << example);
+      CHECK(said_at(key, name, set).empty());
+      set.pop_back();
+      ++tried;
+    }
+  }
+  CHECK(tried > 300);
 }
 
 TEST_CASE("AWrongUnitIsRefused") {

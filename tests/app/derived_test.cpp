@@ -116,6 +116,25 @@ TEST_CASE("TheEquivalentTemperatureFollowsItsFormula") {
   CHECK(derive(c).T - kZeroCelsius == Approx(84.0).epsilon(1e-12));
 }
 
+TEST_CASE("TheCheckTellsTheWarningsOfARunThatFollowFromTheCaseAlone") {
+  const auto checked = [](const char* name, const std::vector<Override>& set) {
+    std::ostringstream out;
+    print_check(out, read_case(case_path(name).string(), set));
+    return out.str();
+  };
+  const auto flat = parse_override("surfaces.shell.orientation=9");
+  const auto round = parse_override("surfaces.shaft.orientation=1");
+  const std::string beyond = "orientation lies outside the range";
+  check_parts(checked("ks-rig-test-bearing", {}), {"Warnings\n", beyond});
+  check_parts(checked("ks-rig-test-bearing", {parse_override("model.tier=auto")}), {beyond});
+  CHECK(checked("ks-rig-test-bearing", {flat, round}).find(beyond) == std::string::npos);
+  CHECK(checked("ks-rig-test-bearing", {parse_override("model.flow_factors=false")}).find(beyond) ==
+        std::string::npos);
+  check_parts(checked("shell-polymer", {parse_override("shell.layers.0.elasto_plastic=true"),
+                                        parse_override("model.elastic_deformation=false")}),
+              {"elasto-plastic layer does not yield"});
+}
+
 TEST_CASE("TheCheckNamesNumbersWarningsAndAssumptions") {
   std::ostringstream out;
   print_check(out, read_sample("temperature = \"90 degC\"", "temperature = \"160 degC\""));

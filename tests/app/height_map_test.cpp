@@ -127,6 +127,14 @@ TEST_CASE("WrongOrMissingUnitsOfAMapAreRefusedAtTheirLine") {
   check_words(map_refusal(changed(columns(), "z [nm]", "q [nm]")), {"not known", "x [um]"});
 }
 
+TEST_CASE("AHeaderValueThatIsGivenTwiceIsRefusedAtItsSecondLine") {
+  check_words(map_refusal("# width: 192 um\n" + kHeader + rows()),
+              {"map.txt:3:1", "Width is given in line 1 already", "keep one"});
+  check_words(map_refusal(kHeader + "# Value units: um\n" + rows()),
+              {"map.txt:5:1", "Value units is given in line 4 already"});
+  check_words(map_refusal("# Channel: Topography\n" + kHeader + rows()), {"read"});
+}
+
 TEST_CASE("AMapThatIsNoGridIsRefusedAtItsLine") {
   check_words(map_refusal(kHeader + changed(rows(), "\t33\t", "\t")),
               {"map.txt:8:", "8 heights", "the first one has 9"});
@@ -158,6 +166,9 @@ TEST_CASE("HolesAreRefusedWithCountAndPlaceUnlessTheyAreToBeFilled") {
   for (std::size_t c = 0; c < 1000; ++c) map.z[c] = NAN;
   options.path = scratch.write("map.txt", written(map));
   check_words(report_refusal(options), {"more than the 10 %"});
+  for (double& z : map.z) z = NAN;
+  options.path = scratch.write("map.txt", written(map));
+  check_words(report_refusal(options), {"7200 of 7200 heights (100 %)"});
 }
 
 TEST_CASE("APatchTooSmallIsRefusedWithTheSizeThatWouldDo") {

@@ -99,6 +99,52 @@ TEST_CASE("ATableInCrankAngleBecomesACycleInTime") {
   CHECK(files.back() == folder.path("load.csv"));
 }
 
+TEST_CASE("AShareIsNoValueOfAColumnThatHasAUnit") {
+  const std::string begin = "angle [deg], load_x [kN], load_y [kN]\n0, 1, 1\n";
+  check_against(begin + "90, 50%, 1\n", {"load.csv:3:5", "\"50%\"", "kN", "number alone"});
+  check_against(begin + "90, 50 %, 1\n", {"load.csv:3:5", "\"50 %\"", "kN"});
+  check_against(begin + "90, 2 kN, 1\n", {"load.csv:3:5", "first line names"});
+  check_against("angle [deg], load_x [%], load_y [kN]\n0, 1, 1\n", {"load.csv:1:14", "a force"});
+}
+
+TEST_CASE("ABulkModulusThatNoVesselHasIsRefusedOrTold") {
+  const ScratchFolder folder;
+  folder.write("load.csv", kRows);
+  const auto with = [&](const std::string& modulus) {
+    std::string text = sample_of(kInDegrees);
+    const std::string open = "open = [\"0 deg\", \"180 deg\"]\n";
+    text.insert(text.find("[operation]"), "vessel_volume = \"20 cm3\"\n" + open +
+                                              "vessel_bulk_modulus = \"" + modulus + "\"\n");
+    return read_case_text(text, folder.path("case.toml"));
+  };
+  CHECK_THROWS_WITH(with("1.5 Pa"), Catch::Contains("supply.0.vessel_bulk_modulus") &&
+                                        Catch::Contains("check its unit"));
+  CHECK_THROWS_AS(with("1e6 GPa"), InputError);
+  CHECK(with("1.5 GPa").warnings.empty());
+  CHECK(with("5 MPa").warnings.empty());  // a hose
+  const auto soft = with("0.2 MPa").warnings;
+  REQUIRE(soft.size() == 1);
+  check_parts(soft[0], {"supply.0.vessel_bulk_modulus", "unusual"});
+}
+
+TEST_CASE("ATableThatCannotBeReadIsCalledATable") {
+  check_against("", {"load.csv: the file is empty", "names columns and units"});
+  check_against("angle [deg]\n\x01\xFF", {"load.csv:2:2", "is this a table?"});
+  check_against(kRows, {"case.toml", "load_cycle.file", "names no file"},
+                "[load_cycle]\nfile = \"\"\n");
+  const ScratchFolder folder;
+  const auto said = [&](const std::string& file) {
+    try {
+      static_cast<void>(read(folder, "[load_cycle]\nfile = \"" + file + "\"\n", kRows));
+    } catch (const FileError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  check_parts(said("."), {"this is a folder; give the table in it"});
+  check_parts(said("none.csv"), {"no such file", "from the folder of the case"});
+}
+
 TEST_CASE("ACrankTurningClockwiseCountsItsAngleForwards") {
   const LoadCycle c = cycle_of(kInDegrees, kRows, "-3000 rpm");
   CHECK(c.t[1] == Approx(0.25 * kTurn));

@@ -361,6 +361,7 @@ TEST_CASE("ABadProfileIsRefusedAtItsPlace") {
   check_parts(against("phi [deg], z [mm]\n0,0\n"), {"bad.csv:1:1", "no column height"});
   check_parts(against("phi [deg], z [mm], height [um]\n0, x, 0\n"), {"bad.csv:2:4", "number"});
   check_parts(against("phi [deg], z [mm], height [um]\n0, 0\n"), {"bad.csv:2:1", "no height"});
+  check_parts(against("phi [deg], z [mm], height [um]\n0, 0, 5 %\n"), {"bad.csv:2:7", "a share"});
   check_parts(against("phi [deg], z [mm], height [um]\n0,0,nan\n"), {"bad.csv:2:5", "finite"});
   check_parts(against("phi [deg], z [mm], height [um]\n"), {"no points"});
   check_parts(against("phi [deg], z [mm], height [um]\n0,0,1\n90,1,1\n"), {"rectangular grid"});

@@ -103,6 +103,30 @@ TEST_CASE("PossibleButUnusualInputIsToldAndNotRefused") {
   CHECK_NOTHROW(expect_solvable(c));
 }
 
+TEST_CASE("AShapeMuchDeeperThanTheClearanceIsTold") {
+  Case c = plain_case();
+  const double clearance = c.bearing.radial_clearance;
+  const auto told = [&] {
+    std::string keys;
+    for (const Finding& f : judge(c)) keys += (f.refused() ? "!" : "") + f.key + " ";
+    return keys;
+  };
+  for (const double times : {9.9, 10.1}) {
+    c.bearing.shape = Profile{{0.0, 1.0}, {0.0}, {0.0, times * clearance}};
+    CHECK(told() == (times > 10.0 ? "bearing.shape " : ""));
+    c.bearing.shape.reset();
+    c.bearing.profile = Profile{{0.0, 1.0}, {0.0}, {0.0, times * clearance}};
+    CHECK(told() == (times > 10.0 ? "bearing.profile " : ""));
+    c.bearing.profile.reset();
+    c.bearing.edge_relief = EdgeOpening{times * clearance, 1e-3};
+    CHECK(told() == (times > 10.0 ? "bearing.edge_relief.depth " : ""));
+    c.bearing.edge_relief.reset();
+    c.bearing.chamfer = EdgeOpening{times * clearance, 1e-3};
+    CHECK(told().empty());
+    c.bearing.chamfer.reset();
+  }
+}
+
 TEST_CASE("AHoleIsJudgedByItsDiameterAlone") {
   // Arc and length, which a reader fills in, are not asked of who fills a case by hand.
   Case c = rig_case();

@@ -42,6 +42,25 @@ TEST_CASE("CompareTakesAListOfTiers") {
   CHECK(reading.request.picture == "a.svg");
 }
 
+TEST_CASE("AListWithAnEmptyPartIsRefused") {
+  for (const char* speeds : {"1000 rpm,,2000 rpm", "1000 rpm,", ",1000 rpm", "1000 rpm, ", ""}) {
+    check_words({"run", "case.toml", "--speeds", speeds}, {"--speeds", "empty"});
+  }
+  check_words({"compare", "case.toml", "--tiers", "thd,,tehd"}, {"--tiers", "empty"});
+  check_words({"surface", "map.txt", "--gaps", "0.5,1,2,"}, {"--gaps", "empty"});
+  check_words({"honesty", "--grids", "200x25,"}, {"--grids", "empty"});
+  const Reading reading =
+      read_command_line({"run", "case.toml", "--speeds", "1000 rpm,2000 rpm", "--speeds", "0 rpm"});
+  CHECK(reading.request.speeds == std::vector<std::string>{"1000 rpm", "2000 rpm", "0 rpm"});
+}
+
+TEST_CASE("AnEmptyValueIsNotTakenForAnOptionThatIsLeftOut") {
+  for (const char* option : {"--until", "--hold", "--json", "--tier", "--profile"}) {
+    check_words({"run", "case.toml", option, ""}, {option, "empty", "leave it out"});
+  }
+  check_words({"run", ""}, {"CASE", "empty"});
+}
+
 TEST_CASE("SweepTakesItsAxesInTheirOrder") {
   const Reading reading =
       read_command_line({"sweep", "case.toml", "--vary", "operation.speed=3000 rpm..50 rpm/30log",

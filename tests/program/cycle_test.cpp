@@ -1,5 +1,6 @@
 /// run on a case with a load cycle: what is refused, before anything is solved.
 #include <catch2/catch.hpp>
+#include <iterator>
 #include <sstream>
 
 #include "app/case_text.hpp"
@@ -51,6 +52,45 @@ TEST_CASE("PicturesAndPagesAreOfWhatChangesInTime") {
   check_parts(said_of({"--transient", "--speeds", "2000", "--hold", "2 s"}), {"--speeds", "unit"});
   check_parts(said_of({"--transient", "--speeds", "2000 rpm", "--hold", "2 s", "--until", "3 s"}),
               {"--until"});
+}
+
+TEST_CASE("NoOptionOfRunIsIgnoredBesideAnother") {
+  const ScratchFolder scratch;
+  const std::string steady = scratch.write("case.toml", kSampleCase);
+  const std::string wearing = case_path("running-in").string();
+  const std::string cyclic = case_path("pulse").string();
+  const std::string file = scratch.path("a");
+  using Words = std::vector<std::string>;
+  const std::vector<Words> of_transients{
+      {"--from", "20 degC"}, {"--until", "2 s"}, {"--speeds", "2000 rpm"}, {"--hold", "2 s"}};
+  const std::vector<Words> of_steady_states{{"--coefficients"}, {"--coefficients-table", file}};
+  const auto check_all = [&](Words words, const std::vector<Words>& options,
+                             const std::string& reason) {
+    for (const Words& option : options) {
+      Words all = words;
+      all.insert(all.end(), option.begin(), option.end());
+      const Ended ended = run_words(all);
+      INFO(all[1] << " " << option[0] << ": " << ended.err);
+      CHECK(ended.code == kBadInput);
+      CHECK(ended.out.empty());
+      check_parts(ended.err, {"error: " + option[0] + ": ", reason});
+    }
+  };
+  check_all({"run", wearing, "--running-in"}, of_transients, "belongs to a transient");
+  check_all({"run", wearing, "--running-in"}, of_steady_states, "a running-in is asked for");
+  check_all({"run", wearing, "--running-in"}, {{"--transient"}, {"-o", file}, {"--page", file}},
+            "a running-in writes");
+  check_all({"run", cyclic}, of_transients, "add --transient");
+  check_all({"run", cyclic}, of_steady_states, "load cycle");
+  check_all({"run", cyclic}, {{"--profile", file}}, "add --running-in");
+  check_all({"run", steady, "--transient"}, of_steady_states, "a transient is asked for");
+  check_all({"run", steady, "--transient", "--speeds", "2000 rpm", "--hold", "2 s"},
+            of_steady_states, "a transient is asked for");
+  check_all({"run", steady, "--transient"}, {{"-o", file}, {"--page", file}}, "a transient writes");
+  check_all({"run", steady}, of_transients, "add --transient");
+  const Ended key = run_words({"run", wearing, "--running-in", "--set", "model.coefficients=true"});
+  CHECK(key.code == kBadInput);
+  check_parts(key.err, {"model.coefficients", "leave out one of them"});
 }
 
 /// The smallest films of a sweep over the rotating load [m].
@@ -168,6 +208,23 @@ TEST_CASE("CompareTakesALoadCycle") {
   check_parts(read_text_file(scratch.path("a.json")), {"friction_split", "T_calibrated"});
 }
 
+/// That the line above the names of the temperatures says which of each it is.
+void check_maxima_and_means(const std::string& table) {
+  const std::size_t names = table.rfind('\n', table.find("film [C]"));
+  const std::size_t above = table.rfind('\n', names - 1);
+  std::istringstream words(table.substr(above, names - above));
+  const std::vector<std::string> said{std::istream_iterator<std::string>(words), {}};
+  CHECK(said == std::vector<std::string>{"largest", "largest", "mean", "mean"});
+}
+
+TEST_CASE("AWarmUpTellsLargestAndMeanTemperatures") {
+  const Ended ended = run_words({"run", case_path("thd-plain-bearing").string(), "--transient",
+                                 "--until", "1 s", "--set", "model.grid=[32,5]"});
+  INFO(ended.err);
+  REQUIRE(ended.code == kDone);
+  check_maxima_and_means(ended.out);
+}
+
 TEST_CASE("ACourseOfSpeedsTellsEachOfThem") {
   const ScratchFolder scratch;
   const std::string file = case_path("thd-plain-bearing").string();
@@ -178,6 +235,7 @@ TEST_CASE("ACourseOfSpeedsTellsEachOfThem") {
   INFO(ended.err);
   REQUIRE(ended.code == kDone);
   check_parts(ended.out, {"1000", "2000", "audit"});
+  check_maxima_and_means(ended.out);
   check_parts(read_text_file(scratch.path("a.json")), {"stretches", "\"passed\": true", "T_shaft"});
   check_parts(read_text_file(scratch.path("a.svg")), {"Course of speeds", "speed [rpm]"});
 }

@@ -120,6 +120,11 @@ TEST_CASE("IdentifyWithoutWhatItNeedsEndsWithTwo", "[identify]") {
   const auto slow = scratch.write("slow.csv", "speed [rpm], T_shell_max [degC]\n40, 90\n");
   CHECK(code({"--measured", slow, "--fit", key, "--bounds", bounds},
              "does not compute T_shell_max") == kBadInput);
+  const auto scale = scratch.write(
+      "scale.csv", "speed [rpm], T_film_max [degC], T_film_max_sd [degC]\n40, 90, 1\n");
+  CHECK(code({"--measured", scale, "--fit", key, "--bounds", bounds}, "write K") == kBadInput);
+  const std::string none = scratch.path("none.csv");
+  CHECK(code({"--measured", none, "--fit", key}, "from the current folder") == kBadFile);
 }
 
 TEST_CASE("IdentifyWarnsWhereTheCaseDoesNotDescribeTheData", "[identify]") {

@@ -102,6 +102,9 @@ TEST_CASE("NorWhatComesWithTheProgram") {
   check_kept({"stress", "--quick", "--table"}, scene);
   check_kept({"honesty", "--json"}, library.path("cases/raimondi-boyd.toml"));
   check_kept({"auto-honesty", "--json"}, library.path("data/materials.toml"));
+  const std::string map = library.path("data/surfaces/generated-longitudinal.txt");
+  check_kept({"surface", map, "--csv"}, map);
+  check_kept({"surface", map, "--csv"}, library.path("data/tables/plain_bearing.csv"));
   check_kept({"run", library.path("cases/raimondi-boyd.toml"), "--json"},
              library.path("data/oils/") + shipped_oils().front() + ".toml");
 }

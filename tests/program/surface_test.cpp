@@ -108,6 +108,16 @@ TEST_CASE("ATableOfFactorsThatCannotBeIsRefusedWithItsPlace") {
               {"surfaces.flow_factors", "smooth"});
 }
 
+TEST_CASE("AColumnWithoutUnitTakesPerCent") {
+  const ScratchFolder scratch;
+  std::string table = kTable;
+  table.replace(table.find("0.7, 0.6, 0.7"), 13, "70 %, 0.6, 70%");
+  static_cast<void>(scratch.write("factors.csv", table));
+  const auto c = read_case(scratch.write("case.toml", with_factors(kRough)));
+  REQUIRE(c.surfaces.flow_factors);
+  CHECK(c.surfaces.flow_factors->phi_x.at(1) == Approx(0.7));
+}
+
 TEST_CASE("ATableForAnotherRoughnessOrForTwoSurfacesIsWarnedOf") {
   const ScratchFolder scratch;
   static_cast<void>(scratch.write("factors.csv", kTable));

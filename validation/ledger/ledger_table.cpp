@@ -122,6 +122,8 @@ std::map<std::string, double> Table::numbers(std::size_t line) const {
   return numbers;
 }
 
-Table read_table(const std::string& path) { return {app::read_text_file(path), path}; }
+Table read_table(const std::string& path) {
+  return {app::read_text_file(path, app::TextKind::table), path};
+}
 
 }  // namespace shellback::validation

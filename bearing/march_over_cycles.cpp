@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "bearing/step_control.hpp"
 #include "core/largest.hpp"
@@ -39,6 +41,18 @@ thermal::WallResponse delayed(thermal::WallResponse r) {
   return r;
 }
 
+Field difference(const Field& a, const Field& b) {
+  Field d = a;
+  for (std::size_t c = 0; c < d.size(); ++c) d[c] -= b[c];
+  return d;
+}
+
+/// True if the bore moves back from where it came by the step before.
+bool turns_back(const Field& before, const Field& now) {
+  return !before.empty() &&
+         std::inner_product(before.begin(), before.end(), now.begin(), 0.0) < 0.0;
+}
+
 double move_of(const WallMeans& a, const WallMeans& b) {
   return larger(largest_difference(a.shell, b.shell), largest_difference(a.shaft, b.shaft));
 }
@@ -59,7 +73,7 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
   constexpr double kStill = 0.05;  // what walls leave open where the cycle is periodic [K]
   const BearingModel& model = search.film().model();
   const Solids& solids = *model.solids;
-  auto& [bodies, end, dt] = march;
+  auto& [bodies, end, dt, moved] = march;
   const auto passed = [&] {
     if (!search.pass_between(bodies.walls)) end.verdict = search.verdict();
     return end.verdict.good();
@@ -85,9 +99,11 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
     }
     bodies.state = solids.state(next.solids, &step);
     last = std::move(step);
+    const Field move_now = difference(next.walls.shell, bodies.walls.shell);
+    const bool back = turns_back(std::exchange(moved, move_now), move_now);
     bodies.walls = next.walls;
     end.t += dt;
-    if (!passed()) return end;
+    if (!passed() || (back && !passed())) return end;
     const Instant instant = instant_after(search, next, end.t, dt);
     end.at_rest = dt >= 0.4 * end.t && move < kStill;
     dt *= kStepLonger;  // halved again where it is too long: that costs no cycle

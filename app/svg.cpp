@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace shellback::app {
@@ -160,6 +161,13 @@ std::string Svg::document(const std::string& label) const {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"{2}\" font-family=\"{3}\">\n{4}</svg>\n",
       coordinate(width_), coordinate(height_), escape_markup(label), kFont, body_);
+}
+
+double text_width(std::string_view words, double size) {
+  const auto letters = std::count_if(words.begin(), words.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // bytes that begin a letter
+  });
+  return 0.58 * size * static_cast<double>(letters);
 }
 
 }  // namespace shellback::app

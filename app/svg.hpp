@@ -100,4 +100,7 @@ class Svg {
   std::string body_;
 };
 
+/// Width of a line of text [px], from mean letter widths: exact enough to keep labels apart.
+[[nodiscard]] double text_width(std::string_view words, double size);
+
 }  // namespace shellback::app

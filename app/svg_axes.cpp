@@ -101,10 +101,15 @@ void draw_axes(Svg& svg, const Frame& frame, const Theme& theme, GridLines lines
   const Box& box = frame.box;
   const Stroke ink{theme.muted, 1.0, ""};
   const TextStyle label{theme.muted, kTickText, Anchor::middle, false, false, ""};
+  double free_from = -INFINITY;  // where the label before ends [px]
   for (const double tick : frame.x.ticks) {
     const double x = frame.at(tick, frame.y.low).x;
     svg.line({x, box.bottom()}, {x, box.bottom() + kTick}, ink);
-    svg.text({x, box.bottom() + kTick + 11.0}, tick_label(frame.x, tick), label);
+    const std::string text = tick_label(frame.x, tick);
+    const double half = 0.5 * text_width(text, kTickText);
+    if (x - half < free_from) continue;
+    svg.text({x, box.bottom() + kTick + 11.0}, text, label);
+    free_from = x + half;
   }
   TextStyle side = label;
   side.anchor = Anchor::end;

@@ -56,13 +56,6 @@ void draw_legend(Svg& svg, Point at, const LinePlot& plot, const Theme& theme) {
 
 }  // namespace
 
-double text_width(std::string_view words, double size) {
-  const auto letters = std::count_if(words.begin(), words.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // bytes that begin a letter
-  });
-  return 0.58 * size * static_cast<double>(letters);
-}
-
 Frame draw_lines(Svg& svg, const Box& box, const LinePlot& plot, const Theme& theme) {
   const Frame frame{
       {box.x + kLeft, box.y + kTop, box.width - kLeft - kRight, box.height - kTop - kBottom},

@@ -28,7 +28,4 @@ struct LinePlot {
 /// Draws into `box`, labels included. Gives the frame, for more to be drawn in it.
 Frame draw_lines(Svg& svg, const Box& box, const LinePlot& plot, const Theme& theme);
 
-/// Width of a line of text [px], from mean letter widths: exact enough to keep labels apart.
-[[nodiscard]] double text_width(std::string_view words, double size);
-
 }  // namespace shellback::app

@@ -147,7 +147,7 @@ OrbitFrame draw_orbit(Svg& svg, const Box& box, const bearing::Case& c, const Cy
   svg.text({box.x, foot - 2.0},
            fmt::format("Dot: start of the cycle. Numbers: {}. Arrows: load on the journal.",
                        cycle_axis(cycle).title),
-           {theme.muted, 10.5});
+           {theme.muted, 10.5, Anchor::start, false, false, theme.paper});
   return frame;
 }
 

@@ -168,6 +168,21 @@ TEST_CASE("RoundAxesEncloseTheDataWithTicksOfOneTwoOrFive") {
   CHECK(app::degree_axis().ticks.size() == 9);
 }
 
+TEST_CASE("LabelsOfALogarithmicAxisDoNotRunIntoEachOther") {
+  const auto labels = [](double width) {
+    app::Svg svg(width, 200.0);
+    const app::Frame frame{{50.0, 20.0, width - 60.0, 140.0},
+                           app::log_axis(30.0, 3000.0, "time [s]"),
+                           app::round_axis(0.0, 1.0, 5, "")};
+    app::draw_axes(svg, frame, app::Theme{}, app::GridLines::none);
+    const std::string picture = svg.document("");
+    return std::pair{picture.find(">1000<") != std::string::npos,
+                     picture.find(">2000<") != std::string::npos};
+  };
+  CHECK(labels(1000.0) == std::pair{true, true});
+  CHECK(labels(200.0) == std::pair{true, false});  // 21 px apart, each 24 px wide
+}
+
 TEST_CASE("TheWaterfallLeadsFromOneTorqueToTheOther") {
   const auto split = test::synthetic_comparison().split;
   const auto bars = app::waterfall_bars(split);

@@ -2,7 +2,11 @@
 /// Where branches of steady states over load or speed end.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/words/told.hpp"
+#include "bearing/follow.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::app::told {
@@ -53,13 +57,29 @@ inline Told told(const ending::RanAway& e, const About& a) {
           kLessHeat};
 }
 
+/// True if all grids end at the same part of load or speed, within what two may differ by.
+inline bool limits_agree(const std::vector<ending::LimitOnGrid>& limits) {
+  double least = INFINITY;
+  double most = 0.0;
+  for (const ending::LimitOnGrid& l : limits) {
+    least = std::min(least, l.carried.part);
+    most = std::max(most, l.carried.part);
+    if (l.carried.of_speed != limits.front().carried.of_speed) return false;
+  }
+  return limits.size() > 1 && most <= (1.0 + bearing::kAgree) * least;
+}
+
 inline Told told(const ending::LimitMoves& e, const About& a) {
   std::string all;
   for (const ending::LimitOnGrid& l : e.limits) {
     all += fmt::format("{}{} on {} x {} cells", all.empty() ? "" : ", ", reached(l.carried),
                        l.grid[0], l.grid[1]);
   }
-  return {fmt::format("not resolved: the limit moves with the grid ({}); {}", all, a.within.reason),
+  const char* why = limits_agree(e.limits)
+                        ? "the grids end at the same place, but that none lies beyond is shown on "
+                          "one of them alone"
+                        : "the limit moves with the grid";
+  return {fmt::format("not resolved: {} ({}); {}", why, all, a.within.reason),
           "a finer grid, or a lower load"};
 }
 

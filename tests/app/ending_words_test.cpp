@@ -104,6 +104,9 @@ TEST_CASE("ABranchTellsHowFarItWasFollowedAndWhatCameThen", "[words]") {
         "rpm of 3000 rpm on 48 x 8 cells); the film has no steady pressure at this gap: with the "
         "pressure-viscosity law chosen, the reduced pressure would have to exceed its bound "
         "1/alpha (q = (1 - exp(-alpha p))/alpha)");
+  const ending::LimitMoves alike{
+      {{{72, 12}, {true, 0.664, 100.0 * kPi}}, {{48, 8}, {true, 0.665, 100.0 * kPi}}}};
+  CHECK(reason_of({kLimit, alike}).find("not resolved: the grids end at the same place") == 0);
 }
 
 TEST_CASE("AStepTellsItsInstantAndItsCauseAndHasACureOfItsOwn", "[words]") {

@@ -28,7 +28,7 @@ Torque rigid_with_heat_of(const Solution& full, bool thermal_deformation,
   physics.elastic = physics.film_energy = physics.thermal_deformation = false;
   Solution s;
   s.model = make_bearing(c, physics, c.model.grid);
-  s.point = full.point;
+  s.point = operating_point(s.model);
   s.film = full.film;
   s.film.elastic.clear();
   const Field& gap_widening = thermal_deformation ? full.heat.thermal_deformation : Field{};

@@ -6,6 +6,7 @@
 
 #include "bearing/solids.hpp"
 #include "core/constants.hpp"
+#include "core/contract.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::bearing {
@@ -110,6 +111,7 @@ Field widening(const Solids& solids, const ContactWidening& by, const Field& p_c
 bool evaluate(const BearingModel& model, const OperatingPoint& point,
               const Field& thermal_deformation, double tolerance, FilmEquilibrium& s) {
   const fluid::FilmScene& scene = point.scene;
+  EXPECTS(scene.grid.cells() == model.domain.grid.cells());  // a point is of one bearing
   s.gap = gap_at(model, s.position, sum(thermal_deformation, s.elastic));
   s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
   if (is_closed(model, s) || !std::isfinite(largest_magnitude(s.gap.cell))) return false;

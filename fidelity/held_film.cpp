@@ -35,9 +35,9 @@ Solution held_film(const Solution& s, std::array<int, 2> grid, const Held& held,
   Physics film_only = held.physics;
   film_only.film_energy = film_only.elastic = film_only.thermal_deformation = false;
   Solution out;
-  out.point = s.point;
   out.T_film = s.T_film;
   out.model = make_bearing(s.model.input, film_only, grid);
+  out.point = operating_point(out.model);
   out.film = carry_over(s.model, s.film, out.model);
   set_temperatures(s.model.input, held, out.model.gl.n, out.film.columns.T);
   out.heat.thermal_deformation =

@@ -197,21 +197,24 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   }
 }
 
-double CycleRecord::mean(double CycleInstant::*value) const {
+namespace {
+
+/// Mean over the steps of f of each instant; not a number where there is none.
+template <class F>
+double mean_of(const std::vector<CycleInstant>& all, F f) {
   double sum = 0.0;
-  for (std::size_t k = 1; k < instants_.size(); ++k) {
-    sum += 0.5 * instants_[k].dt * (instants_[k].*value + instants_[k - 1].*value);
-  }
-  return told() > 0.0 ? sum / told() : NAN;
+  for (std::size_t k = 1; k < all.size(); ++k) sum += 0.5 * all[k].dt * (f(all[k]) + f(all[k - 1]));
+  return all.back().t > 0.0 ? sum / all.back().t : NAN;
+}
+
+}  // namespace
+
+double CycleRecord::mean(double CycleInstant::*value) const {
+  return mean_of(instants_, [value](const CycleInstant& i) { return i.*value; });
 }
 
 double CycleRecord::mean_magnitude(double CycleInstant::*value) const {
-  double sum = 0.0;
-  for (std::size_t k = 1; k < instants_.size(); ++k) {
-    sum +=
-        0.5 * instants_[k].dt * (std::abs(instants_[k].*value) + std::abs(instants_[k - 1].*value));
-  }
-  return told() > 0.0 ? sum / told() : 0.0;
+  return mean_of(instants_, [value](const CycleInstant& i) { return std::abs(i.*value); });
 }
 
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 /// State and residual of film, journal and elastic surfaces, at given oil temperatures and thermal
-/// thermal deformation.
+/// deformation.
 ///
 /// Unknowns: p or theta of every cell (u), journal position q (0, 2 or 4 components), elastic
 /// widening of the gap d (elastic bearings). At the end of a step dt in time:

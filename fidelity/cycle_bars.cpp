@@ -1,5 +1,6 @@
 #include "fidelity/cycle_bars.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -59,10 +60,13 @@ void put_grid_bars(const std::vector<CycleResult>& coarse_to_fine, CycleResult& 
 void put_time_bars(const CycleResult& usual, const CycleResult& other, double part,
                    CycleResult& r) {
   for (CycleQuantity& q : r.quantities) {
-    const double a = value_of(usual, q.quantity.name);
-    const double b = value_of(other, q.quantity.name);
-    const double size = std::max(std::abs(a), std::abs(q.quantity.value));
-    if (size > 0.0) q.error_time = part * std::abs((b - a) / size * q.quantity.value);
+    const auto same =
+        std::find_if(usual.quantities.begin(), usual.quantities.end(),
+                     [&](const CycleQuantity& of) { return of.quantity.name == q.quantity.name; });
+    if (same == usual.quantities.end()) continue;
+    const double change = value_of(other, q.quantity.name) - same->quantity.value;
+    const double size = std::max(same->quantity.size(), q.quantity.size());
+    if (size > 0.0) q.error_time = part * std::abs(change) / size * q.quantity.size();
     if (size == 0.0) q.error_time = 0.0;
   }
 }

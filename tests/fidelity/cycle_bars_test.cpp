@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/words/ending_words.hpp"
+#include "core/constants.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -81,4 +83,31 @@ TEST_CASE("BarsOfGivenStepsThatTheLoadsCornersCutHoldShorterOnes", "[cycle]") {
     CHECK(q.error_time > 0.0);
     CHECK(std::abs(time) <= q.error_time + 2e-4 * q.quantity.value);  // closure, as above
   }
+}
+
+TEST_CASE("BarsOfATorqueThatChangesItsSignHoldShorterSteps", "[cycle]") {
+  Case c = rig_case();  // rough surfaces, which carry while the journal turns back
+  c.model.grid = {60, 9};
+  LoadCycle swing;
+  swing.period = 1.0;
+  for (int k = 0; k < 24; ++k) {
+    swing.t.push_back(k / 24.0);
+    swing.omega.push_back(20.0 * std::cos(2.0 * kPi * k / 24.0));
+  }
+  swing.x.assign(24, 0.0);
+  swing.y.assign(24, -2.5e3);
+  swing.journal_mass = 5.0;
+  c.cycle = swing;
+  const CycleResult usual = fidelity::solve_cycle_with_bars(c);
+  INFO(app::reason_of(usual.verdict));
+  REQUIRE(usual.verdict.good());
+  c.model.tolerance = 1e-3;
+  const CycleResult shorter = solve_cycle(c, Tier::isothermal);
+  const CycleQuantity& q = named(usual, "friction_torque");
+  REQUIRE(q.quantity.magnitude > 20.0 * std::abs(q.quantity.value));
+  const double time = named(shorter, "friction_torque").quantity.value - q.quantity.value;
+  CHECK(std::abs(time) <= q.error_time + 2e-4 * q.quantity.magnitude);  // closure, as above
+  CHECK(q.error_time > 1e-6 * q.quantity.magnitude);
+  INFO(q.quantity.value << " " << q.quantity.magnitude << " " << q.error_time << " " << time);
+  CHECK(q.error_time < 0.05 * q.quantity.magnitude);
 }

@@ -24,6 +24,9 @@ struct SolveControl {
   KeptRun* kept = nullptr;  ///< of all but steady states: kept on the way (kept_run.hpp)
   /// Work from which a search from cold is given up, if before its own bound (`most_work`) [cells].
   double most_work = std::numeric_limits<double>::infinity();
+  /// Change per iteration with which heat may end, if less than its own bound
+  /// (ThermalOptions::tolerance), where this solve is one value of a map with a tolerance [-].
+  double heat_within = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace shellback::bearing

@@ -70,7 +70,9 @@ Verdict HeatSearch::cold_film() {
 }
 
 Verdict HeatSearch::iterate() {
-  return solve_heat(s_, options_of(Accuracy::result, coarse_), control_);
+  ThermalOptions o = options_of(Accuracy::result, coarse_);
+  o.tolerance = std::min(o.tolerance, control_.heat_within);
+  return solve_heat(s_, o, control_);
 }
 
 std::optional<Branch> HeatSearch::follow() {

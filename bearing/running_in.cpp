@@ -188,7 +188,7 @@ class March {
 bool March::take(double dt) {
   const WearStep step = step_of(now_, before_ ? &*before_ : nullptr, past_, dt);
   Field w = after(now_, step);
-  found_ = b_.wear_to(w, why_);
+  found_ = b_.wear_to(w, std::numeric_limits<double>::infinity(), why_);
   if (!found_) return false;
   WearPoint end = point_of(b_, per_load_, std::move(w));
   over_ = error_of(now_, step, end) / (kDepthError * std::max(unit_, largest(end.w)));
@@ -270,7 +270,7 @@ Verdict not_worn_in(FixedPointEnd end, const Verdict& why, double lack) {
 /// What the iteration for (3) was told, to be led through it once more.
 struct ShapesTried {
   double unit = 0.0;         ///< summit roughness of the new surfaces [m]
-  std::vector<Field> asked;  ///< for every shape tried, in units [-]
+  std::vector<Field> asked;  ///< for every shape tried [m]
 };
 
 /// (3) by its own fixed point: in every cell the depth changes by what the gap lacks to the one at
@@ -281,25 +281,26 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
   const double unit = tried.unit;
   Verdict why;
   std::size_t given = 0;
+  double lack = std::numeric_limits<double>::infinity();  // of the last shape [m]
   const auto map = [&](const std::vector<double>& x, std::vector<double>& g) {
-    if (given < tried.asked.size()) {
-      g = tried.asked[given++];
-      return true;
-    }
-    if (stopped(control)) {
-      why = {Status::interrupted};
-      return false;
-    }
     Field next = x;
     for (double& v : next) v = std::max(0.0, v * unit);
-    if (!b.wear_to(next, why)) return false;
-    g = asked_for(b, next, limit);
-    const double lack = largest_difference(g, next) / unit;
+    if (given == tried.asked.size()) {
+      if (stopped(control)) {
+        why = {Status::interrupted};
+        return false;
+      }
+      // heat no rougher than what the last shape lacked: noise is not accelerated
+      if (!b.wear_to(next, lack, why)) return false;
+      tried.asked.push_back(asked_for(b, next, limit));
+      const double away = largest_difference(tried.asked.back(), next) / unit;
+      const int shapes = static_cast<int>(tried.asked.size());
+      if (control.progress) control.progress({"shape", shapes, away, NAN, NAN});
+      keep(control.kept, false, b, run, tried);
+    }
+    g = tried.asked[given++];
+    lack = largest_difference(g, next);
     for (double& v : g) v /= unit;
-    tried.asked.push_back(g);
-    given = tried.asked.size();
-    if (control.progress) control.progress({"shape", static_cast<int>(given), lack, NAN, NAN});
-    keep(control.kept, false, b, run, tried);
     return true;
   };
   std::vector<double> x(b.model().domain.grid.cells(), 0.0);
@@ -310,7 +311,7 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
   options.tolerance = kComplementarity;
   options.reach = kSummits;
   const FixedPointEnd end = fixed_point(map, options, x);
-  double lack = NAN;
+  lack = NAN;
   if (end != FixedPointEnd::map_failed) {
     note_state(b, std::numeric_limits<double>::infinity(), 0.0, b.wear(), run);
     lack = largest_difference(asked_for(b, b.wear(), limit), b.wear());

@@ -61,9 +61,11 @@ class UnderStandingLoad final : public WornBearing {
   [[nodiscard]] const Field& contact() const override { return now_.film.p_contact; }
   [[nodiscard]] const Field& gap() const override { return now_.film.gap.cell; }
 
-  bool wear_to(const Field& wear, Verdict& why) override {
+  bool wear_to(const Field& wear, double within, Verdict& why) override {
+    SolveControl control = control_;
+    control.heat_within = within / now_.model.clearance;
     const Case worn = worn_case(case_, now_.model.domain.grid, wear);
-    Solution next = solve_tier_from(worn, tier_, now_, control_, Otherwise::failure);
+    Solution next = solve_tier_from(worn, tier_, now_, control, Otherwise::failure);
     if (!next.verdict.good()) {
       why = next.verdict;
       return false;
@@ -117,7 +119,7 @@ class OverLoadCycle final : public WornBearing {
   [[nodiscard]] const Field& gap() const override { return now_->told().smallest_gap(); }
   [[nodiscard]] const Field& wear() const override { return wear_; }
 
-  bool wear_to(const Field& wear, Verdict& why) override {
+  bool wear_to(const Field& wear, double /*within*/, Verdict& why) override {
     const Case worn = worn_case(case_, model().domain.grid, wear);
     auto next = std::make_unique<CycleSearch>(worn, tier_, physics_of(worn, tier_), control_,
                                               model().solids);

@@ -116,6 +116,7 @@ bool evaluate(const BearingModel& model, const OperatingPoint& point,
   s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
   if (is_closed(model, s) || !std::isfinite(largest_magnitude(s.gap.cell))) return false;
   s.shear_gap = shear_gap(model, s.gap.cell);
+  if (no_gap_shears(model, scene.speed, s)) return false;
   s.gradient_x = fluid::pressure_gradient_x(scene, s.film);
   s.gradient_z = fluid::pressure_gradient_z(scene, s.film);
   update_columns(model.oil, model.gl, scene.speed, s.shear_gap, scene.supply.cell, s.film,

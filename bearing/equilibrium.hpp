@@ -17,6 +17,7 @@
 /// and the thermal deformation given from outside is without G (r p_a); r is the heat that enters
 /// the shell per contact pressure, held while G is.
 /// Source: seed 000 Eq. 1; backward Euler, textbook.
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -127,6 +128,17 @@ inline constexpr double kSummits = 3.0;
 /// a number is not closed.
 [[nodiscard]] inline bool is_closed(const BearingModel& model, const FilmEquilibrium& s) {
   return model.domain.rough.sigma <= 0.0 && s.least.h <= 0.0;
+}
+
+/// True if rough surfaces lie so deep in each other that the average gap is zero in a double (some
+/// 38 roughnesses): a moving wall shears oil of no thickness without end, and where that sets its
+/// viscosity there is no film. Iterates go there, bearings do not.
+[[nodiscard]] inline bool no_gap_shears(const BearingModel& model, double speed,
+                                        const FilmEquilibrium& s) {
+  const bool sheared =
+      speed != 0.0 && !std::holds_alternative<rheology::NoShearThinning>(model.oil.shear);
+  return sheared &&
+         std::any_of(s.shear_gap.begin(), s.shear_gap.end(), [](double h) { return h <= 0.0; });
 }
 
 /// True if smooth surfaces are nearer than an oil molecule of 30 carbon atoms is long (2 to 4 nm,

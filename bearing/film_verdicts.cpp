@@ -8,6 +8,16 @@
 #include "fluid/film_numbers.hpp"
 
 namespace shellback::bearing {
+namespace {
+
+/// Rough surfaces so deep in each other that no oil is left between them: no verdict of the
+/// bearing.
+Verdict interlocked(const fluid::FilmScene& scene, const FilmEquilibrium& s) {
+  return {Status::iteration_limit, ending::SurfacesInterlocked{s.least.h, scene.rough.sigma},
+          s.least.place()};
+}
+
+}  // namespace
 
 Verdict limit_load(const BearingModel& model, const OperatingPoint& point, double carried,
                    int worst_cell) {
@@ -29,6 +39,7 @@ Verdict no_film(const BearingModel& model, const OperatingPoint& point,
     return fluid::ended_by(scene.grid, {found->field, placed ? found->cell : -1});
   }
   if (is_closed(model, s)) return closed_gap(model, point, thermal_deformation, s);
+  if (no_gap_shears(model, scene.speed, s)) return interlocked(scene, s);
   const auto contact = find_not_a_number(FieldName::contact_pressure, s.p_contact);
   const NotANumber in_film = fluid::first_not_a_number(s.gap, s.film, s.oil, s.flow);
   const bool later = contact && in_film.cell < 0;
@@ -41,10 +52,7 @@ Verdict singular_film(const OperatingPoint& point, const FilmEquilibrium& s) {
   if (found.cell >= 0) return fluid::ended_by(scene.grid, found);
   constexpr double kDeep = 10.0;  // below the mean plane no oil is left between rough surfaces [-]
   const double sigma = scene.rough.sigma;
-  if (sigma > 0.0 && s.least.h < -kDeep * sigma) {
-    return {Status::iteration_limit, ending::SurfacesInterlocked{s.least.h, sigma},
-            s.least.place()};
-  }
+  if (sigma > 0.0 && s.least.h < -kDeep * sigma) return interlocked(scene, s);
   const std::vector<int> rings = fluid::empty_rings(scene, s.film);
   if (rings.empty()) return {Status::iteration_limit, ending::Plain::singular_film};
   return {Status::iteration_limit, ending::Plain::empty_ring, {NAN, scene.grid.z[rings.front()]}};

@@ -130,15 +130,16 @@ inline constexpr double kSummits = 3.0;
   return model.domain.rough.sigma <= 0.0 && s.least.h <= 0.0;
 }
 
-/// True if rough surfaces lie so deep in each other that the average gap is zero in a double (some
-/// 38 roughnesses): a moving wall shears oil of no thickness without end, and where that sets its
-/// viscosity there is no film. Iterates go there, bearings do not.
+/// True if rough surfaces lie so deep in each other (some 21 roughnesses) that a double cannot hold
+/// the square of the stress with which a moving wall shears their average gap. Where that stress
+/// sets the viscosity there is no film. Iterates go there, bearings do not.
+inline constexpr double kNoGap = 1e-100;  ///< [m]
 [[nodiscard]] inline bool no_gap_shears(const BearingModel& model, double speed,
                                         const FilmEquilibrium& s) {
   const bool sheared =
       speed != 0.0 && !std::holds_alternative<rheology::NoShearThinning>(model.oil.shear);
   return sheared &&
-         std::any_of(s.shear_gap.begin(), s.shear_gap.end(), [](double h) { return h <= 0.0; });
+         std::any_of(s.shear_gap.begin(), s.shear_gap.end(), [](double h) { return h <= kNoGap; });
 }
 
 /// True if smooth surfaces are nearer than an oil molecule of 30 carbon atoms is long (2 to 4 nm,

@@ -1,5 +1,6 @@
 // From rest in contact to a full film and back, and through zero speed.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <utility>
 
 #include "app/words/ending_words.hpp"
@@ -155,6 +156,28 @@ TEST_CASE("AReversalTurnsTheFrictionWithoutAJump", "[start_stop]") {
     largest_jump = std::max(largest_jump, std::abs(b.torque_asperity - a.torque_asperity) - most);
   }
   CHECK(largest_jump < 0.05 * whole);  // what else changes in a step: the contact itself
+}
+
+TEST_CASE("FrictionOfACreepingJournalIsThatOfItsSlip", "[start_stop]") {
+  // All load is on the summits: T = T_slid tanh(U/v), whatever U below the speed at which they
+  // slide (on the way iterates lie in each other, where oil that thins by shear has no stress).
+  Case c = rig_case();
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {60, 9};
+  set_load(c, 4e3);
+  std::vector<double> slid;
+  for (const double rpm : {0.02, 0.005, 1e-4}) {
+    c.operation.omega = rpm * kPi / 30.0;
+    const Solution s = solve_tier(c, Tier::isothermal);
+    INFO(rpm << " rpm: " << app::reason_of(s.verdict));
+    REQUIRE(s.verdict.good());
+    const double U = c.operation.omega * c.bearing.radius;
+    slid.push_back(friction_of(s.model, s.point, s.film).asperity /
+                   std::tanh(U / solid::BoundaryFriction::kMicroSlip));
+  }
+  // the film of 0.02 rpm carries less than 1e-3 of the load
+  for (const double T : slid) CHECK(T == Approx(slid.back()).epsilon(1e-3));
 }
 
 TEST_CASE("ContactThatIsHeldAtTheHardnessIsToldOverACycle", "[start_stop]") {

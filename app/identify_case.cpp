@@ -45,12 +45,25 @@ const toml::node* node_at(const toml::table& root, const std::string& key) {
   return at;
 }
 
+/// "; did you mean ...?" of the section in which the key was looked for, or nothing.
+std::string near_to(const toml::table& root, const std::string& key) {
+  const std::size_t dot = key.rfind('.');
+  const bool inside = dot != std::string::npos;
+  const toml::node* const at = inside ? node_at(root, key.substr(0, dot)) : &root;
+  if (at == nullptr || !at->is_table()) return "";
+  std::vector<std::string> known;
+  for (const auto& [name, value] : *at->as_table()) {
+    known.push_back((inside ? key.substr(0, dot + 1) : "") + std::string(name.str()));
+  }
+  return did_you_mean(key, known);
+}
+
 struct NumberWithUnit {
   double number = 0.0;
   std::string unit;
 };
 
-/// "2.5 um" in its parts; nothing if it does not begin with a number.
+/// "2.5 um" in its parts; nothing if it does not begin with a number, or runs on as "0W20" does.
 std::optional<NumberWithUnit> taken_apart(const std::string& text) {
   std::size_t used = 0;
   NumberWithUnit out;
@@ -59,6 +72,7 @@ std::optional<NumberWithUnit> taken_apart(const std::string& text) {
   } catch (const std::exception&) {
     return std::nullopt;
   }
+  if (used < text.size() && text[used] != ' ' && text[used] != '%') return std::nullopt;
   const std::size_t first = text.find_first_not_of(' ', used);
   if (first != std::string::npos) out.unit = text.substr(first);
   while (out.unit.ends_with(' ')) out.unit.pop_back();
@@ -70,13 +84,15 @@ NumberWithUnit value_in_case(const toml::table& root, const std::string& key) {
   const toml::node* node = node_at(root, key);
   if (node == nullptr) {
     throw InputError(place, fmt::format("the case has no {} to begin with; give it there or with "
-                                        "--set {}=VALUE",
-                                        key, key));
+                                        "--set {}=VALUE{}",
+                                        key, key, near_to(root, key)));
   }
   if (const auto number = node->value<double>()) return {*number, ""};
   const auto text = node->value<std::string>();
   const auto apart = text ? taken_apart(*text) : std::nullopt;
-  if (!apart) throw InputError(place, fmt::format("{} is no number and cannot be fitted", key));
+  if (!apart)
+    throw InputError(
+        place, fmt::format("{} is no number, or number blank unit, and cannot be fitted", key));
   return *apart;
 }
 

@@ -6,7 +6,9 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <ctime>
 
 namespace shellback::app {
 namespace {
@@ -15,16 +17,30 @@ constexpr double kQuietTime = 1.0;         ///< shorter solves need no comfort [
 constexpr double kInterval = 0.1;          ///< between two lines [s]
 constexpr const char* kWipe = "\r\x1b[K";  ///< back to the line's begin, clear it
 
+/// The same wish told twice: `timeout` signals its child and then its whole group, a hurried finger
+/// comes again after 0.1 s or more [ns].
+constexpr std::int64_t kOnce = 100'000'000;
+
 // A signal handler can reach nothing else than a lock-free global.
 std::atomic<bool> interrupted{false};
+std::atomic<std::int64_t> first_signal{0};  ///< [ns]
 static_assert(std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
 /// The interrupt key, and what `kill`, batch systems and a machine going down send.
 constexpr std::array kInterrupts{SIGINT, SIGTERM};
 
-void on_interrupt(int /*signal*/) {
-  interrupted.store(true);
-  for (const int each : kInterrupts) std::signal(each, SIG_DFL);
+/// The first ends the work in good order, one that comes later ends the program.
+void on_interrupt(int signal) {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);  // a handler may call it
+  const std::int64_t now = std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec;
+  if (!interrupted.exchange(true)) {
+    first_signal.store(now);
+  } else if (now - first_signal.load() > kOnce) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 double now_s() {

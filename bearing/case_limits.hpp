@@ -52,6 +52,12 @@ struct BearingLimits {
   /// [-] Engineering surfaces 0.03 to 0.05 (Greenwood and Tripp, textbook); from 0.3 on all is
   /// contact as soon as the mean planes meet: pi^2 0.3^2 F_2(0) = 0.44.
   Limits summit_product{0.0, 0.01, 0.15, 0.3};
+  /// K of Greenwood and Tripp [-]: 16 sqrt(2) pi/15 of the square of that product times the root of
+  /// summit roughness over summit radius, here 1e-4 (ground), 0.1 (blasted), at most 1 (textbook).
+  Limits elastic_factor{0.0, 4.7e-6, 0.034, 0.43};
+  /// Mean height of the summits over the roughness [-]: 0.8 to 1.5 on Gaussian surfaces, less where
+  /// they are worn (textbook); beyond 4 a Gaussian surface has no height at all.
+  Limits summit_height{-4.0, -1.0, 3.0, 4.0};
   Limits viscosity{1e-6, 5e-4, 2.0, 1e3};    // [Pa s] air to pitch; oils lie between
   Limits bulk_modulus{1e8, 8e8, 6e9, 1e11};  // [Pa] liquids: 0.8 (petrol) to 5 GPa
   /// [1/K] Lubricating oils 6.4e-4 to 7.3e-4 (seed 002, after Eq. 28); at 5e-3 the density would

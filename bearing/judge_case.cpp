@@ -26,7 +26,37 @@ void judge_depth(double depth, const std::string& key, const Bearing& b, Finding
              "check the unit; a groove that is fed is a [[supply]]");
 }
 
+/// z counts from mid-width, and the last height goes on to the edge. True if all lies within.
+bool judge_reach(const Profile& table, const char* key, const Bearing& b, Findings& to) {
+  constexpr double kPrinted = 1e-5;  // of the width: what a table of six digits is off [-]
+  const std::vector<double>& z = table.z;
+  const double edge = 0.5 * b.width;
+  const double beyond = std::max(z.back(), -z.front()) - edge;
+  const std::string reach =
+      fmt::format("its z go from {} to {}", shown(z.front(), "mm"), shown(z.back(), "mm"));
+  if (beyond > kPrinted * b.width) {
+    to.refuse(
+        key,
+        fmt::format("{}, the bearing from {} to {}", reach, shown(-edge, "mm"), shown(edge, "mm")),
+        "count z from mid-width, check its unit in the header line, leave out what lies "
+        "beyond the edges");
+    return false;
+  }
+  const std::size_t last = z.size() - 1;
+  const bool lower = last > 0 && z[0] + edge > z[1] - z[0];
+  const bool upper = last > 0 && edge - z[last] > z[last] - z[last - 1];
+  if (lower || upper) {
+    to.suspect(
+        key,
+        fmt::format("{} and end more than a spacing before {}: there the last height goes on",
+                    reach, lower && upper ? "the edges" : "an edge"),
+        fmt::format("give heights up to {} and {}", shown(-edge, "mm"), shown(edge, "mm")));
+  }
+  return true;
+}
+
 void judge_table(const Profile& table, const char* key, const Bearing& b, Findings& to) {
+  if (!judge_reach(table, key, b, to)) return;
   const auto [low, high] = std::minmax_element(table.height.begin(), table.height.end());
   const bool rough = *high - *low > kBearingLimits.profile_most * b.radius;
   if (*high <= -b.radial_clearance || rough) {
@@ -150,6 +180,24 @@ void judge_flow_factors(const Case& c, Findings& to) {
   }
 }
 
+/// Summits of a surface that another one touches.
+void judge_summits(const solid::RoughSurface& s, const std::string& key, Findings& to) {
+  if (s.roughness <= 0.0) return;
+  if (s.summit_roughness <= 0.0) {
+    to.suspect(key + ".summit_roughness",
+               fmt::format("the surface is rough ({}) and touches another one, but its summits are "
+                           "not given and count as none",
+                           shown(s.roughness, "um")),
+               "give summit_roughness and summit_height (shellback surface finds them on a height "
+               "map)");
+    return;
+  }
+  const double over = s.summit_height / s.roughness;
+  compare(to, key + ".summit_height", over, kBearingLimits.summit_height,
+          fmt::format("the summits lie {:.3g} roughnesses above the mean plane", over),
+          "check the units of both");
+}
+
 void judge_surfaces(const Case& c, Findings& to) {
   const Surfaces& s = c.surfaces;
   const double sigma = std::hypot(s.shell.roughness, s.shaft.roughness);
@@ -162,6 +210,16 @@ void judge_surfaces(const Case& c, Findings& to) {
     to.refuse("surfaces.contact",
               "asperity contact needs summit_roughness (and summit_height) of surfaces.shell and "
               "surfaces.shaft");
+  }
+  if (s.contact && summits > 0.0) {
+    judge_summits(s.shell, "surfaces.shell", to);
+    judge_summits(s.shaft, "surfaces.shaft", to);
+    if (c.running_in && c.running_in->worn)
+      judge_summits(*c.running_in->worn, "running_in.worn", to);
+    compare(to, "surfaces.contact.elastic_factor", s.contact->elastic_factor,
+            kBearingLimits.elastic_factor,
+            fmt::format("the elastic factor is {:.3g}", s.contact->elastic_factor),
+            "engineering surfaces have 1e-4 to 5e-3");
   }
   if (s.contact && s.contact->friction_law && summits > 0.0) {
     const double density = solid::summit_product(s.contact->elastic_factor, summits,

@@ -5,6 +5,7 @@
 
 #include "bearing/judge_parts.hpp"
 #include "bearing/running_in.hpp"
+#include "bearing/shown.hpp"
 #include "bearing/value_check.hpp"
 
 namespace shellback::bearing {
@@ -16,20 +17,19 @@ bool rises(const std::vector<double>& x) {
                                           [](double a, double b) { return !(a < b); }) == x.end();
 }
 
-void judge_profile(const Profile& p, const ValueCheck& bearing) {
+void judge_table(const Profile& p, const char* key, const ValueCheck& bearing) {
   const bool once = rises(p.phi) && p.phi.front() >= 0.0 && p.phi.back() < 2.0 * kPi;
   if (!once || !rises(p.z)) {
     bearing.refuse(
-        "profile",
-        "its angles must rise from 0 to below 360 deg and its axial positions must rise");
+        key, "its angles must rise from 0 to below 360 deg and its axial positions must rise");
   } else if (p.height.size() != p.phi.size() * p.z.size()) {
-    bearing.refuse("profile", fmt::format("{} angles by {} axial positions need {} heights, but "
-                                          "there are {}",
-                                          p.phi.size(), p.z.size(), p.phi.size() * p.z.size(),
-                                          p.height.size()));
+    bearing.refuse(
+        key, fmt::format("{} angles by {} axial positions need {} heights, but "
+                         "there are {}",
+                         p.phi.size(), p.z.size(), p.phi.size() * p.z.size(), p.height.size()));
   }
   for (const double h : p.height) {
-    if (!std::isfinite(h)) return bearing.refuse("profile", "a height is not a finite number");
+    if (!std::isfinite(h)) return bearing.refuse(key, "a height is not a finite number");
   }
 }
 
@@ -39,7 +39,8 @@ void judge_bearing(const Bearing& b, Findings& to) {
   bearing.number("width", b.width, "mm", kPositive);
   bearing.number("radial_clearance", b.radial_clearance, "um", kPositive);
   bearing.temperature("reference_temperature", b.reference_temperature);
-  if (b.profile) judge_profile(*b.profile, bearing);
+  if (b.profile) judge_table(*b.profile, "profile", bearing);
+  if (b.shape) judge_table(*b.shape, "shape", bearing);
 }
 
 void judge_supply(const Supply& s, const ValueCheck& supply) {
@@ -190,6 +191,12 @@ void judge_running_in(const Case& c, Findings& to) {
             "check the unit");
   }
   if (!r.duration) wear.number("limit_pressure", r.limit_pressure, "MPa", kPositive);
+  if (const double H = hardness_of_shell(c); !r.duration && H > 0.0 && r.limit_pressure > H) {
+    wear.refuse("limit_pressure",
+                fmt::format("{} is more than the hardness of the shell, {}: nothing would wear",
+                            shown(r.limit_pressure, "MPa"), shown(H, "MPa")),
+                "check the unit; worn-in bearings bear some MPa");
+  }
   if (r.worn) {
     judge_surface(*r.worn, ValueCheck("running_in.worn", to));
     wear.number("worn_after", r.worn_after, "um", kPositive);

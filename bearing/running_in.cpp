@@ -161,8 +161,15 @@ class March {
  private:
   /// Tries a step; false, and back where it began, if it is not found or errs too much.
   bool take(double dt);
+  /// Error of a step's wear [m].
+  [[nodiscard]] double allowed(const Field& w) const {
+    return kDepthError * std::max(unit_, largest(w));
+  }
   /// The first step's length; false if nothing rubs, for however long.
   bool begin(double end);
+  /// Depths are allowed to err by more than a step wears that is not found: for its length it is
+  /// not.
+  [[nodiscard]] bool shorter_may_be_found() const;
   /// No step is short enough.
   void end_too_short();
   /// From outside; where it is, is kept.
@@ -180,18 +187,20 @@ class March {
   double past_ = 0.0;   ///< of the last one [s]
   WearPoint now_;
   std::optional<WearPoint> before_;
-  double over_ = 0.0;  ///< error of the last step tried over the one that is allowed [-]
-  bool found_ = true;  ///< it was found
-  Verdict why_;        ///< not
+  double depth_ = 0.0;  ///< wear of the last step tried, at most [m]
+  double over_ = 0.0;   ///< its error over the one that is allowed [-]
+  bool found_ = true;   ///< it was found
+  Verdict why_;         ///< not
 };
 
 bool March::take(double dt) {
   const WearStep step = step_of(now_, before_ ? &*before_ : nullptr, past_, dt);
   Field w = after(now_, step);
+  depth_ = largest_difference(w, now_.w);
   found_ = b_.wear_to(w, std::numeric_limits<double>::infinity(), why_);
   if (!found_) return false;
   WearPoint end = point_of(b_, per_load_, std::move(w));
-  over_ = error_of(now_, step, end) / (kDepthError * std::max(unit_, largest(end.w)));
+  over_ = error_of(now_, step, end) / allowed(end.w);
   if (!(over_ <= 1.0)) {
     b_.go_back();
     return false;
@@ -200,6 +209,10 @@ bool March::take(double dt) {
   past_ = dt;
   t_ += dt;
   return true;
+}
+
+bool March::shorter_may_be_found() const {
+  return found_ ? dt_ >= kStepShortest * first_ : depth_ >= allowed(now_.w);
 }
 
 void March::end_too_short() {
@@ -238,7 +251,7 @@ void March::to(double end) {
       return stop();
     } else {
       ++run_.rejected_steps;
-      if (dt_ < kStepShortest * first_) return end_too_short();
+      if (!shorter_may_be_found()) return end_too_short();
     }
     dt_ *= !found_ ? kStepShorter : good ? longer : std::min(longer, kStepSafety);
     keep(control_.kept, false, b_, run_, *this);
@@ -293,9 +306,9 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
       // heat no rougher than what the last shape lacked: noise is not accelerated
       if (!b.wear_to(next, lack, why)) return false;
       tried.asked.push_back(asked_for(b, next, limit));
-      const double away = largest_difference(tried.asked.back(), next) / unit;
+      const double off = largest_difference(tried.asked.back(), next) / unit;
       const int shapes = static_cast<int>(tried.asked.size());
-      if (control.progress) control.progress({"shape", shapes, away, NAN, NAN});
+      if (control.progress) control.progress({"shape", shapes, off, NAN, NAN});
       keep(control.kept, false, b, run, tried);
     }
     g = tried.asked[given++];
@@ -311,11 +324,11 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
   options.tolerance = kComplementarity;
   options.reach = kSummits;
   const FixedPointEnd end = fixed_point(map, options, x);
-  lack = NAN;
+  double away = NAN;  // of the last shape that was found [m]
   if (end != FixedPointEnd::map_failed) {
     note_state(b, std::numeric_limits<double>::infinity(), 0.0, b.wear(), run);
-    lack = largest_difference(asked_for(b, b.wear(), limit), b.wear());
-    run.complementarity = lack / unit;
+    away = largest_difference(asked_for(b, b.wear(), limit), b.wear());
+    run.complementarity = away / unit;
   }
   if (why.status == Status::interrupted) {
     keep(control.kept, true, b, run, tried);
@@ -323,7 +336,7 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
       note_state(b, std::numeric_limits<double>::infinity(), 0.0, b.wear(), run);
     }
   }
-  if (end != FixedPointEnd::converged) run.verdict = not_worn_in(end, why, lack);
+  if (end != FixedPointEnd::converged) run.verdict = not_worn_in(end, why, away);
 }
 
 }  // namespace

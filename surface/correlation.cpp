@@ -50,10 +50,10 @@ class Autocorrelation {
     double before = 1.0;
     for (double r = step; r < end; r += step) {
       const double now = at(r * cx, r * cy);
-      if (now <= kHalf) return {r - step * (kHalf - now) / (before - now), false};
+      if (now <= kHalf) return {r - step * (kHalf - now) / (before - now), false, kHalf};
       before = now;
     }
-    return {end, true};
+    return {end, true, before};
   }
 
  private:
@@ -94,6 +94,16 @@ double independent_areas_for(double error_of_Rq) { return 0.5 / (error_of_Rq * e
 
 double lengths_for(double independent) { return std::sqrt(kAreaFactor * independent); }
 
+namespace {
+
+/// Lengths beyond the patch are told apart by what is left of R.
+bool longer(const CorrelationLength& a, const CorrelationLength& b) {
+  if (a.at_least != b.at_least) return a.at_least;
+  return a.at_least ? a.R > b.R : a.length > b.length;
+}
+
+}  // namespace
+
 Correlation correlation_of(const HeightMap& map) {
   const Autocorrelation R(map);
   Correlation c;
@@ -105,12 +115,13 @@ Correlation correlation_of(const HeightMap& map) {
   for (int k = 0; k < kDirections; ++k) {
     const double angle = kPi * k / kDirections;
     const CorrelationLength l = R.length(angle);
-    if (l.length > c.longest.length) c.longest = l, c.lay = angle;
+    if (longer(l, c.longest)) c.longest = l, c.lay = angle;
   }
   c.shortest = R.length(c.lay + (c.lay < 0.5 * kPi ? 0.5 : -0.5) * kPi);
   if (c.lay > 0.5 * kPi) c.lay -= kPi;
-  c.independent = std::max(
-      map.length() * map.width() / (kAreaFactor * c.longest.length * c.shortest.length), 1.0);
+  c.independent =
+      std::clamp(map.length() * map.width() / (kAreaFactor * c.longest.length * c.shortest.length),
+                 1.0, static_cast<double>(map.z.size()));
   return c;
 }
 

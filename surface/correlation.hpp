@@ -6,12 +6,12 @@
 /// Correlation length of a direction: the distance at which R has fallen to 0.5 (Patir and Cheng's
 /// lambda_0.5). Peklenik's gamma is that along the motion over that across. The lay is the
 /// direction of the longest one. Lengths beyond half the patch are not known: the half is then a
-/// lower bound. Textbook.
+/// lower bound, and the lay that of them in which R is highest there. Textbook.
 ///
 /// Independent areas. The relative standard error of Rq is 1/sqrt(2 N), N = A/int R^2 dA; with R
 /// that falls to a half at lambda, int R^2 dA = k lambda_long lambda_short: k = 2.27 for
 /// R = exp(-ln2 (r/lambda)^2), 3.27 for exp(-ln2 r/lambda). The first is used: N is then an
-/// estimate, good to a factor of 1.5. Gaussian heights.
+/// estimate, good to a factor of 1.5, and at most the number of points. Gaussian heights.
 #include <array>
 
 #include "surface/height_map.hpp"
@@ -21,6 +21,7 @@ namespace shellback::surface {
 struct CorrelationLength {
   double length = 0.0;    ///< [m]
   bool at_least = false;  ///< the patch is too short: a lower bound
+  double R = 0.5;         ///< there [-]
 };
 
 struct Correlation {

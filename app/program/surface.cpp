@@ -13,6 +13,7 @@
 #include "app/units.hpp"
 #include "app/write_surface.hpp"
 #include "core/contract.hpp"
+#include "core/range.hpp"
 
 namespace shellback::program {
 
@@ -20,15 +21,16 @@ using namespace app;
 
 namespace {
 
-double value_of(const std::string& text, const char* option, const Kind& kind) {
+double value_of(const std::string& text, const char* option, const Kind& kind,
+                const Range& range = kPositive) {
   double value = 0.0;
   try {
     value = parse_quantity(text, kind);
   } catch (const UnitError& error) {
     throw InputError(option, error.what());
   }
-  if (value > 0.0) return value;
-  throw InputError(option, fmt::format("{} must be positive", text));
+  if (range.holds(value)) return value;
+  throw InputError(option, fmt::format("{} must {}", text, range.words));
 }
 
 /// Rising positive numbers.
@@ -54,7 +56,10 @@ SurfaceOptions options_of(const Request& request) {
   o.form = request.form;
   o.fill = !request.fill.empty();
   o.periodic = request.periodic;
-  if (!request.error.empty()) o.error = value_of(request.error, "--error", kNumber);
+  if (!request.error.empty()) {
+    o.error = value_of(request.error, "--error", kNumber,
+                       {0.0, 1.0, true, "be positive and at most 100 %"});
+  }
   if (!request.gaps.empty()) o.gaps = gaps_of(request.gaps);
   if (!request.modulus.empty()) {
     o.modulus = value_of(request.modulus, "--composite-modulus", kPressure);

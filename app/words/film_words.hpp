@@ -90,7 +90,7 @@ inline Told told(const ending::FilmUnsettled& e, const About&) {
       fmt::format("film and journal position did not settle in {} Newton iterations (film {:.1e}, "
                   "load {:.1e}, elasticity {:.1e}, smallest gap {:.3g} um)",
                   e.iterations, e.film, e.load, e.elastic, e.h_min * 1e6),
-      kIsothermalFirst};
+      kFinerElseLess};
 }
 
 inline Told told(const ending::NotAtRest& e, const About&) {
@@ -103,7 +103,7 @@ inline Told told(const ending::NotAtRest& e, const About&) {
   return {fmt::format("the journal did not come to rest in {} steps in time (smallest gap {:.3g} "
                       "um)",
                       e.steps, e.h_min * 1e6),
-          kIsothermalFirst};
+          kFinerElseLess};
 }
 
 inline Told told(const ending::PositionUnsettled& e, const About&) {

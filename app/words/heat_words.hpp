@@ -75,8 +75,9 @@ inline Told told(const ending::NoStep& e, const About& a) {
             "isothermal or tehd has what the estimate leaves out"};
   }
   return {fmt::format("no step in time is found at {} of the cycle: {}", when, a.within.reason),
-          "give load_cycle.journal_mass (a journal without mass may have to leap), elastic "
-          "deformation, a lower load, or a finer grid"};
+          "a lower load or a finer grid; a journal without mass may have to leap "
+          "(load_cycle.journal_mass), rigid surfaces may not carry the load "
+          "(model.elastic_deformation)"};
 }
 
 /// Stopped by the user, with steps too short, or without a film in the state of wear that it has
@@ -91,7 +92,7 @@ inline Told told(const ending::RunningInEnded& e, const About& a) {
   if (a.verdict.cause.empty()) {
     return {fmt::format("stopped by the user after {:.4g} s of running-in", e.t), ""};
   }
-  return {fmt::format("the worn bearing has no film after {:.4g} s of running-in: {}", e.t,
+  return {fmt::format("no film of the worn bearing is found after {:.4g} s of running-in: {}", e.t,
                       a.within.reason),
           a.within.cure};
 }

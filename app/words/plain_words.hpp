@@ -24,7 +24,7 @@ inline Told told(ending::Plain e, const About& a) {
       return {"interrupted before the point was solved", ""};
     case Plain::given_up:
       return {"the search was given up after twenty times the work of a usual solve on this grid",
-              "a coarser grid first, or a nearby operating point"};
+              "a coarser grid (model.grid) or a nearby operating point first"};
     case Plain::no_oil_leaves:
       return {"no oil leaves the bearing: its heat cannot be carried away", "check the supply"};
     case Plain::no_pressure:

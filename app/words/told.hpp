@@ -25,8 +25,7 @@ inline constexpr const char* kContactElseElastic =
     "give roughness and contact data, switch on elastic deformation, or lower the load";
 inline constexpr const char* kFinerElseTighter = "try a finer grid or a tighter range of operation";
 inline constexpr const char* kFinerElseIsothermal = "a finer grid, or tier isothermal";
-inline constexpr const char* kIsothermalFirst =
-    "try a finer grid, a lower load, or tier isothermal first";
+inline constexpr const char* kFinerElseLess = "try a finer grid or a lower load";
 inline constexpr const char* kLessHeat =
     "lower speed or load, feed more or cooler oil, or improve the cooling of the shell";
 

@@ -374,6 +374,8 @@ TEST_CASE("RunningInThatCannotBeIsRefused") {
           {"case.toml:17:", "running_in.until", "until = \"200 s\""});
   refused("wear_coefficient = 1e-8\nuntil = \"worn_in\"",
           {"case.toml:", "limit_pressure", "missing"});
+  refused("wear_coefficient = 1e-8\nuntil = \"Worn_in\"",
+          {"case.toml:17:", "running_in.until", "did you mean \"worn_in\""});
   refused("wear_coefficient = -1e-8\nuntil = \"200 s\"", {"case.toml:16:", "positive"});
   refused("wear_coefficient = 1e-8\nuntil = \"200 s\"\nworn_after = \"1 um\"",
           {"case.toml:18:", "running_in.worn"});

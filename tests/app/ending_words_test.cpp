@@ -115,7 +115,7 @@ TEST_CASE("AStepTellsItsInstantAndItsCauseAndHasACureOfItsOwn", "[words]") {
   CHECK(told.reason ==
         "no step in time is found at 180 deg of the cycle: a step takes more oil out of a cell "
         "than it holds");
-  CHECK(told.cure.find("load_cycle.journal_mass") == 5);
+  CHECK(told.cure.find("load_cycle.journal_mass") != std::string::npos);
 }
 
 TEST_CASE("AHeatBalanceWithoutARootTellsBothEndsAndWhetherFilmsEnd", "[words]") {

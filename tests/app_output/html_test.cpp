@@ -77,7 +77,7 @@ TEST_CASE("AnUnconvergedResultIsAnnouncedBeforeAnyNumber") {
   CHECK(html.find("NOT CONVERGED: iteration limit") < html.find("N·m"));
   CHECK(contains(html, "Film pressure, tehd (NOT CONVERGED)"));
   CHECK(contains(html, "tehd (not converged)"));
-  CHECK(contains(html, "try a finer grid, a lower load"));
+  CHECK(contains(html, "try a finer grid or a lower load"));
   CHECK_FALSE(contains(html, "results converged."));
 }
 

@@ -127,6 +127,51 @@ TEST_CASE("AShapeMuchDeeperThanTheClearanceIsTold") {
   }
 }
 
+TEST_CASE("ATableOfTheBoreCountsItsWidthFromTheMiddle") {
+  Case c = plain_case();
+  const double edge = 0.5 * c.bearing.width;
+  const auto told = [&](std::vector<double> z) {
+    const std::vector<double> heights(2 * z.size(), 1e-6);
+    std::string keys;
+    for (auto* table : {&c.bearing.shape, &c.bearing.profile}) {
+      *table = Profile{{0.0, 1.0}, z, heights};
+      for (const Finding& f : judge(c)) keys += (f.refused() ? "!" : "") + f.key + " ";
+      table->reset();
+    }
+    return keys;
+  };
+  CHECK(told({-edge, 0.0, edge}).empty());
+  CHECK(told({-edge * (1.0 + 1e-6), edge}).empty());  // printed with six digits
+  CHECK(told({0.0}).empty());                         // the same over the width
+  CHECK(told({0.0, edge, 2.0 * edge}) == "!bearing.shape !bearing.profile ");  // from one edge
+  CHECK(told({-edge * 1e3, 0.0, edge * 1e3}) == "!bearing.shape !bearing.profile ");  // m for mm
+  CHECK(told({-edge, -0.5 * edge}) == "bearing.shape bearing.profile ");  // it goes on for long
+  CHECK(told({-0.9 * edge, 0.0, 0.9 * edge}).empty());                    // cells' middles
+}
+
+TEST_CASE("SummitsThatNoSurfaceHasAreToldOrRefused") {
+  const auto key = [](auto change) { return refusal(rig_case(), change).key; };
+  CHECK(key([](Case& c) { c.surfaces.shell.summit_height = 25e-6; }) ==
+        "surfaces.shell.summit_height");
+  CHECK(key([](Case& c) { c.surfaces.contact->elastic_factor = 10.0; }) ==
+        "surfaces.contact.elastic_factor");
+  Case c = rig_case();
+  CHECK(judge(c).empty());
+  c.surfaces.shaft.summit_roughness = 0.0;
+  const auto findings = judge(c);
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].key == "surfaces.shaft.summit_roughness");
+  CHECK_FALSE(findings[0].refused());
+}
+
+TEST_CASE("AWornInShapeIsNotHarderThanTheShell") {
+  Case c = rig_case();
+  c.running_in = RunningIn{1e-8, 350e6, {}, 5e6, {}, 0.0};
+  CHECK(refusal(c, [](Case&) {}).key.empty());
+  CHECK(refusal(c, [](Case& x) { x.running_in->limit_pressure = 351e6; }).key ==
+        "running_in.limit_pressure");
+}
+
 TEST_CASE("AHoleIsJudgedByItsDiameterAlone") {
   // Arc and length, which a reader fills in, are not asked of who fills a case by hand.
   Case c = rig_case();

@@ -69,6 +69,32 @@ TEST_CASE("EdgesRunInSmoothlyHoweverLongTheSteps") {
   }
 }
 
+TEST_CASE("RunningInEndsWhereNoFilmOfTheWornBearingIsFound") {
+  // Under a coating that begins to flow films are found or not by their last digits: steps fell
+  // below any wear and went on without end.
+  Case c = rubbing_case();
+  c.model.grid = {40, 9};
+  c.operation.omega = 4000.0 * kPi / 30.0;
+  const solid::Material polymer{"polymer", 0.3, 1450.0, 1000.0, 2e9, 0.4, 40e-6, 120e6, 1.0, 1e-4};
+  c.shell->layers.insert(c.shell->layers.begin(), {polymer, 20e-6, true});
+  c.running_in->wear_coefficient = 2.8e-8;
+  c.running_in->duration = 3000.0;
+  std::atomic<bool> stop{false};
+  SolveControl control;
+  control.stop = &stop;
+  constexpr std::size_t kMost = 300;  // a run of 3000 s takes 70 steps where films are found
+  for (const double kN : {51.5, 53.0, 55.0}) {
+    set_load(c, 1e3 * kN);
+    stop = false;
+    const RunningInRun run = run_in(c, Tier::isothermal, control, [&](const RunningInRun& so_far) {
+      if (so_far.states.size() > kMost) stop = true;
+    });
+    INFO(kN << " kN: " << app::reason_of(run.verdict));
+    CHECK(run.verdict.status != Status::interrupted);
+    CHECK(run.states.size() <= kMost);
+  }
+}
+
 TEST_CASE("WearInTimeIsThatOfManyShortStepsOfAnotherMethod") {
   // Heun's explicit steps of a twentieth of the time that has passed: wear goes about as ln t, so
   // each is short, and its error, of third order in a step, is below 1e-4 of the depth.

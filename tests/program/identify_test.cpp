@@ -110,6 +110,9 @@ TEST_CASE("IdentifyWithoutWhatItNeedsEndsWithTwo", "[identify]") {
   const auto good = scratch.write("good.csv", "speed [rpm], friction_torque [N m]\n40, 1\n");
   CHECK(code({"--measured", good}, "--fit KEY") == kBadInput);
   CHECK(code({"--measured", good, "--fit", key}, "bounds are missing") == kBadInput);
+  CHECK(code({"--measured", good, "--set", "oil.name=0W20", "--fit", "oil.name"},
+             "oil.name is no number") == kBadInput);
+  CHECK(code({"--measured", good, "--fit", kLaw + "adhesvie"}, kLaw + "adhesive") == kBadInput);
   CHECK(code({"--measured", good, "--fit", key, "--bounds", key + "=0.01:2"}, "between 0 and 1") ==
         kBadInput);
   CHECK(code({"--measured", good, "--fit", key, "--bounds", bounds, "--tier", "auto"},

@@ -1,6 +1,8 @@
 #include "surface/correlation.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
 
 #include "core/constants.hpp"
 #include "surface/gaussian_surface.hpp"
@@ -53,6 +55,31 @@ TEST_CASE("GroovesLongerThanThePatchGiveALowerBound") {
   CHECK(c.along.at_least);
   CHECK_FALSE(c.across.at_least);
   CHECK(c.bounded());
+}
+
+TEST_CASE("TheLayOfGroovesLongerThanThePatchIsTheirDirection") {
+  for (const double angle : {0.0, 30.0, 90.0, 160.0}) {
+    HeightMap map{128, 128, 1e-6, 1e-6, {}};
+    const double turn = angle * kPi / 180.0;
+    for (int j = 0; j < map.ny; ++j) {
+      for (int i = 0; i < map.nx; ++i) {
+        const double across = -i * std::sin(turn) + j * std::cos(turn);
+        map.z.push_back(std::sin(2.0 * kPi * across / 16.0));
+      }
+    }
+    const double off = std::remainder(correlation_of(map).lay - turn, kPi);
+    CHECK(std::abs(off) < 0.5 * kPi / 180.0);  // searched in whole degrees, these are among them
+  }
+}
+
+TEST_CASE("ThereAreNoMoreIndependentHeightsThanPoints") {
+  std::mt19937 random(7);
+  std::normal_distribution<double> height(0.0, 1e-7);
+  HeightMap map{64, 64, 1e-6, 1e-6, {}};
+  for (int k = 0; k < map.nx * map.ny; ++k) map.z.push_back(height(random));
+  const Correlation c = correlation_of(map);  // white noise: each point is one
+  CHECK(c.independent <= 64.0 * 64.0);
+  CHECK(c.independent > 0.5 * 64.0 * 64.0);
 }
 
 TEST_CASE("TheErrorOfRqIsItsScatterOverManyPatches") {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/cycle_axis.hpp"
@@ -14,11 +15,15 @@ namespace {
 using bearing::CycleInstant;
 using bearing::CycleResult;
 
+Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+Point operator*(double f, Point a) { return {f * a.x, f * a.y}; }
+
 constexpr double kTop = 24.0;        ///< room for the title [px]
 constexpr double kRim = 34.0;        ///< around the clearance circle [px]
 constexpr double kArrow = 0.24;      ///< arrow of the largest load over the radius of the circle
 constexpr int kMostMarks = 8;        ///< instants with arrow and label
 constexpr double kLabelRoom = 13.0;  ///< from a mark to its label [px]
+constexpr double kMark = 2.6;        ///< radius of a mark [px]
 
 /// How far out the picture reaches: the circle, or a journal that an elastic shell lets beyond it.
 double reach(const CycleResult& cycle, double c) {
@@ -75,7 +80,12 @@ double largest_load(const CycleResult& cycle) {
   return largest;
 }
 
-void draw_circles(Svg& svg, const OrbitFrame& frame, const Theme& theme) {
+/// Where the letters of the axes stand: beyond circle and path, which reach as far as `most`.
+std::array<Point, 2> letters(const OrbitFrame& frame, double most) {
+  return {frame.at(most, 0.0) + Point{11.0, 4.0}, frame.at(0.0, most) + Point{0.0, -7.0}};
+}
+
+void draw_circles(Svg& svg, const OrbitFrame& frame, double most, const Theme& theme) {
   for (const double ratio : {0.25, 0.5, 0.75}) {
     svg.circle(frame.centre, ratio * frame.radius, "none", {theme.rule, 1.0, ""});
   }
@@ -84,33 +94,32 @@ void draw_circles(Svg& svg, const OrbitFrame& frame, const Theme& theme) {
   spoke(frame.at(0.0, -1.0), frame.at(0.0, 1.0));
   svg.circle(frame.centre, frame.radius, "none", {theme.muted, 1.4, ""});
   const TextStyle small{theme.muted, 10.5, Anchor::middle};
-  const Point right = frame.at(1.0, 0.0);
-  const Point top = frame.at(0.0, 1.0);
-  svg.text({right.x + 11.0, right.y + 4.0}, "X", small);
-  svg.text({top.x, top.y - 7.0}, "Y", small);
+  const auto [x, y] = letters(frame, most);
+  svg.text(x, "X", small);
+  svg.text(y, "Y", small);
   const Point half = frame.at(0.5, 0.0);
   svg.text({half.x + 3.0, half.y + 12.0}, "0.5", {theme.muted, 9.5});
 }
 
 /// Round instants: a dot, the load's arrow, and what instant it is, outwards of the path.
-void draw_instants(Svg& svg, const OrbitFrame& frame, double c, const CycleResult& cycle,
-                   const Theme& theme) {
+void draw_instants(Svg& svg, const OrbitFrame& frame, double most, double c,
+                   const CycleResult& cycle, const Theme& theme) {
   const Axis axis = cycle_axis(cycle);
   const double largest = largest_load(cycle);
-  std::vector<Point> labels;
+  const auto taken = letters(frame, most);
+  std::vector<Point> labels(taken.begin(), taken.end());
   for (const double x : round_instants(axis)) {
     const CycleInstant& i = nearest(cycle, x);
     const Point p = frame.at(i.ex / c, i.ey / c);
-    if (largest > 0.0) {
-      const double scale = kArrow * frame.radius / largest;
-      draw_arrow(svg, p, {p.x + scale * i.load_x, p.y - scale * i.load_y}, theme.more);
-    }
-    svg.circle(p, 2.6, theme.paper, {theme.series[0], 1.5, ""});
-    // The label stands on the side away from the load.
     const double load = std::hypot(i.load_x, i.load_y);
-    const double ux = load > 0.0 ? -i.load_x / load : 1.0;
-    const double uy = load > 0.0 ? i.load_y / load : 0.0;
-    const Point at{p.x + kLabelRoom * ux, p.y + kLabelRoom * uy + 3.5};
+    const Point to = load > 0.0 ? Point{i.load_x / load, -i.load_y / load} : Point{-1.0, 0.0};
+    svg.circle(p, kMark, theme.paper, {theme.series[0], 1.5, ""});
+    if (largest > 0.0) {  // from the mark's rim on: a small load is seen, too
+      const double length = kArrow * frame.radius * load / largest;
+      draw_arrow(svg, p + kMark * to, p + (kMark + length) * to, theme.more);
+    }
+    // The label stands on the side away from the load.
+    const Point at = p + -kLabelRoom * to + Point{0.0, 3.5};
     const auto near = [&](const Point& other) {
       return std::abs(other.x - at.x) < 24.0 && std::abs(other.y - at.y) < 11.0;
     };
@@ -132,14 +141,14 @@ OrbitFrame draw_orbit(Svg& svg, const Box& box, const bearing::Case& c, const Cy
                       const Theme& theme) {
   const double clearance = c.bearing.radial_clearance;
   const double half = 0.5 * std::min(box.width, box.height - kTop) - kRim;
-  const OrbitFrame frame{{box.x + kRim + half, box.y + kTop + kRim + half},
-                         half / reach(cycle, clearance)};
+  const double most = reach(cycle, clearance);
+  const OrbitFrame frame{{box.x + kRim + half, box.y + kTop + kRim + half}, half / most};
   svg.text({box.x, box.y + 14.0}, "Path of the journal in the clearance circle",
            {theme.ink, 12.5, Anchor::start, true});
-  draw_circles(svg, frame, theme);
+  draw_circles(svg, frame, most, theme);
   if (cycle.instants.empty()) return frame;
   svg.stroke(path_of(frame, clearance, cycle), {theme.series[0], 1.8, ""});
-  draw_instants(svg, frame, clearance, cycle, theme);
+  draw_instants(svg, frame, most, clearance, cycle, theme);
   const CycleInstant& start = cycle.instants.front();
   const Point p = frame.at(start.ex / clearance, start.ey / clearance);
   svg.circle(p, 4.6, theme.series[0], {theme.paper, 1.2, ""});

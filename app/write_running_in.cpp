@@ -12,6 +12,7 @@
 #include "app/svg_contour.hpp"
 #include "app/svg_lines.hpp"
 #include "app/svg_map.hpp"
+#include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "bearing/bore_shape.hpp"
@@ -133,6 +134,20 @@ void add_cycle(Json& json, const RunningInRun& run) {
                    {"warnings", words_of(run.cycle->warnings)}};
 }
 
+struct LastState {
+  std::vector<bearing::Note> warnings;  ///< without those of the input
+  std::vector<bearing::LimiterCount> limiters;
+};
+
+LastState last_state(const RunningInRun& run) {
+  if (run.cycle) return {run.cycle->warnings, run.cycle->limiters};
+  if (run.states.empty()) return {};
+  const bearing::Result r = bearing::summarize(run.solution, run.solution.model.input.model.tier);
+  const auto own =
+      r.warnings.begin() + static_cast<std::ptrdiff_t>(run.solution.model.input.warnings.size());
+  return {{own, r.warnings.end()}, r.limiters};
+}
+
 std::string told(const RunningInRun& run) {
   if (!run.verdict.good()) return reason_of(run.verdict);
   const RunningInState& last = run.states.back();
@@ -143,6 +158,15 @@ std::string told(const RunningInRun& run) {
 }
 
 }  // namespace
+
+std::vector<std::string> words_of_last_state(const RunningInRun& run) {
+  const LastState last = last_state(run);
+  std::vector<std::string> told = words_of(last.warnings);
+  for (const bearing::LimiterCount& l : last.limiters) {
+    told.push_back(fmt::format("{}, {} times", words_of(l.what), l.count));
+  }
+  return told;
+}
 
 std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
   Json json;
@@ -166,7 +190,13 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
   json["rejected_steps"] = run.rejected_steps;
   const bool sought = std::isfinite(run.complementarity);
   json["complementarity"] = sought ? Json(run.complementarity) : Json(nullptr);
-  if (run.cycle) add_cycle(json, run);
+  if (run.cycle) {
+    add_cycle(json, run);
+  } else {
+    const LastState last = last_state(run);
+    json["limiters"] = json_parts::limiters_json(last.limiters);
+    json["warnings"] = words_of(last.warnings);
+  }
   json["provenance"] = json_parts::provenance_json(c);
   return json.dump(2) + "\n";
 }

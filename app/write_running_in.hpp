@@ -1,6 +1,7 @@
 #pragma once
 /// A running-in as JSON, as a picture and as the shape that it leaves.
 #include <string>
+#include <vector>
 
 #include "bearing/running_in.hpp"
 
@@ -10,8 +11,13 @@ namespace shellback::app {
 /// values} (time null: worn in, whenever that is), `rejected_steps`, `complementarity` (null: not
 /// asked for), provenance. Over a load cycle p_asperity_max and h_min are its extremes and
 /// friction_torque is its mean; `cycles` passed for each state, and `cycle`, that of the last one:
-/// closure, audit {mass, energy, walls}, quantities {value, unit, [at]}, limiters, warnings.
+/// closure, audit {mass, energy, walls}, quantities {value, unit, [at]}, limiters, warnings. Under
+/// a standing load `warnings` and `limiters` are those of the last state.
 [[nodiscard]] std::string running_in_json(const bearing::Case& c, const bearing::RunningInRun& run);
+
+/// What the last state has to say: warnings of its range, and limiters that acted in it, by name
+/// and number of times. Over a load cycle those of the cycle.
+[[nodiscard]] std::vector<std::string> words_of_last_state(const bearing::RunningInRun& run);
 
 /// Greatest wear and worn volume, contact pressure and friction over time, the worn shape on the
 /// unrolled bearing and in the section of the greatest depth (1200 x 780, white background).

@@ -25,7 +25,9 @@ double energy(const Solution& s, const Friction& f) {
   // The walls' share as the solids took it up (asperity heat included), not as the film gave it.
   const double gone = twice * (b.carried_out - b.carried_in) + s.heat.solids.shell.heat_in +
                       s.heat.solids.shaft.heat_in;
-  return std::abs(power + pump_power(s.model, s.point, s.film) - gone) / std::abs(power);
+  const double round = kPasses * twice * (std::abs(b.carried_out) + std::abs(b.carried_in));
+  return std::abs(power + pump_power(s.model, s.point, s.film) - gone) /
+         std::max(std::abs(power), round);
 }
 
 double load(const Solution& s) {

@@ -19,7 +19,7 @@ struct Probe {
   double rate;   ///< U / c [1/s]
   double slope;  ///< -d ln eta / d ln rate at `rate` [-]
   double p_max;
-  double h_min;
+  double h_min;  ///< or the roughness, if that is more [m]
 };
 
 Probe probe(const Solution& s) {
@@ -33,7 +33,7 @@ Probe probe(const Solution& s) {
   p.beta = -v.dln_dT;
   p.slope = 1.0 - v.eta / p.eta;
   p.p_max = largest(s.film.film.p);
-  p.h_min = std::max(s.film.least.h, kMolecule);
+  p.h_min = std::max({s.film.least.h, m.domain.rough.sigma, kMolecule});
   return p;
 }
 

@@ -8,6 +8,7 @@
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/grid_sequence.hpp"
+#include "fidelity/quantities.hpp"
 
 namespace shellback::fidelity {
 
@@ -99,6 +100,11 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   const double part = change_steps(coarse.back(), changed);
   const CycleResult other = on_grid(changed, coarse.back().grid, control);
   if (other.verdict.good()) put_time_bars(coarse.back(), other, part, r);
+  for (CycleQuantity& q : r.quantities) {
+    const double most = furthest(c, q.quantity);
+    if (q.quantity.error_grid > most) q.quantity.error_grid = most;
+    if (q.error_time > most) q.error_time = most;
+  }
   r.cost.bars_s = so_far();
   return r;
 }

@@ -42,4 +42,13 @@ double natural_size(const Quantity& q, double T_supply, const std::vector<Quanti
   return std::abs(q.value);
 }
 
+double furthest(const bearing::Case& c, const Quantity& q) {
+  double most = INFINITY;
+  if (q.name == "asperity_load_share") most = 1.0;
+  if (q.name == "p_asperity_max" && c.surfaces.contact && c.surfaces.contact->hardness > 0.0) {
+    most = c.surfaces.contact->hardness;
+  }
+  return std::isfinite(most) ? std::max({q.value, most - q.value, 0.0}) : INFINITY;
+}
+
 }  // namespace shellback::fidelity

@@ -25,4 +25,8 @@ using bearing::Quantity;
 [[nodiscard]] double natural_size(const Quantity& q, double T_supply,
                                   const std::vector<Quantity>& all);
 
+/// How far the true value can be from `q` at most: shares of the load lie between 0 and 1, contact
+/// pressures end at the hardness. Infinity: nothing bounds it on both sides.
+[[nodiscard]] double furthest(const bearing::Case& c, const Quantity& q);
+
 }  // namespace shellback::fidelity

@@ -115,8 +115,12 @@ void put_bars(const BarRecord& record, Result& result) {
   if (record.coarse) {
     put_grid_bars(record, result);
     const auto coarse = scalars(*record.coarse);
+    const Case& c = record.coarse->model.input;
     for (Quantity& q : result.quantities) {
       q.error_model = kModelSafety * model_change(record, coarse, q);
+      const double most = furthest(c, q);
+      if (q.error_grid > most) q.error_grid = most;
+      if (q.error_model > most) q.error_model = most;
     }
   }
   for (Effect& e : result.effects) {

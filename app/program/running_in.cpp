@@ -10,8 +10,6 @@
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
-#include "app/words/effect_words.hpp"
-#include "app/words/note_words.hpp"
 #include "app/write_running_in.hpp"
 #include "core/contract.hpp"
 #include "validation/rivals/rivals.hpp"
@@ -46,7 +44,7 @@ void expect_running_in(const Case& c) {
   }
 }
 
-/// The cycle of the last state: how it was told, its audit, and what it has to say.
+/// The cycle of the last state: how it was told, and its audit.
 void print_cycle(const CycleResult& cycle, int cycles) {
   fmt::print(std::cout,
              "\ncontact and film are extremes of the cycle, torque is its mean; {} cycles passed\n",
@@ -57,10 +55,12 @@ void print_cycle(const CycleResult& cycle, int cycles) {
     fmt::print(std::cout, ", energy {:.1e}, walls {:.1e} K", cycle.audit.energy, cycle.audit.walls);
   }
   fmt::print(std::cout, "\n");
-  std::vector<std::string> told = words_of(cycle.warnings);
-  for (const LimiterCount& l : cycle.limiters) {
-    told.push_back(fmt::format("{}, {} times", words_of(l.what), l.count));
-  }
+}
+
+void print_words_of_last_state(const RunningInRun& run) {
+  const std::vector<std::string> told = words_of_last_state(run);
+  if (told.empty()) return;
+  if (!run.cycle) fmt::print(std::cout, "\nthe last state:\n");
   for (const std::string& line : told) fmt::print(std::cout, "  - {}\n", line);
 }
 
@@ -120,6 +120,7 @@ int running_in(const Request& request) {
                "volume [mm3]", "contact [MPa]", "torque [N m]", "h_min [um]");
     for (const RunningInState& s : run.states) print_line(s, run.verdict.good());
     if (run.cycle) print_cycle(*run.cycle, cycles_of(run));
+    print_words_of_last_state(run);
     if (std::isfinite(run.complementarity)) {
       fmt::print(std::cout, "\ncomplementarity of wear and contact pressure {:.1e}\n",
                  run.complementarity);

@@ -20,8 +20,10 @@ EffectWords words_of(EffectKind effect) {
     case EffectKind::temperature_across_film:
       return {"temperature across the film", "Nahme number; below 0.05 none, above 0.2 resolve it"};
     case EffectKind::elastic_deformation:
-      return {"elastic deformation",
-              "largest opening over smallest film; below 0.03 none, above 0.1 model it"};
+      return {
+          "elastic deformation",
+          "largest opening over smallest film (or roughness, if more); below 0.03 none, above 0.1 "
+          "model it"};
     case EffectKind::thermal_deformation:
       return {"thermal deformation",
               "largest thermal change of the gap over clearance; above 0.05 model it"};

@@ -76,6 +76,28 @@ TEST_CASE("TheWrittenProfileHoldsTheVolumeThatArchardWears") {
   CHECK(run.states.size() > 3);
 }
 
+TEST_CASE("ARunningInTellsWhatItsLastStateHasToSay") {
+  Case c = bearing::tests::rig_case();
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {48, 9};
+  c.operation.omega = 100.0 * kPi / 30.0;
+  bearing::tests::set_load(c, 20e3);
+  c.surfaces.contact->hardness = 1e6;  // summits flow at the edges, worn or not
+  c.running_in = RunningIn{1e-9, 350e6, 1.0, 0.0, {}, 0.0};
+  const RunningInRun run = run_in(c, Tier::isothermal);
+  INFO(reason_of(run.verdict));
+  REQUIRE(run.verdict.good());
+  const auto words = words_of_last_state(run);
+  const auto says = [&](const std::string& part) {
+    return std::any_of(words.begin(), words.end(), [&](const std::string& line) {
+      return line.find(part) != std::string::npos;
+    });
+  };
+  CHECK(says("held at the hardness of 1 MPa"));
+  check_parts(running_in_json(c, run), {"\"warnings\"", "held at the hardness of 1 MPa"});
+}
+
 TEST_CASE("TheShippedWornBearingCarriesItsLoadAlikeOnTwoGrids") {
   Case c = read_case(case_path("ks-rig-worn-in").string(), {});
   REQUIRE(c.model.tier == Tier::tehd);

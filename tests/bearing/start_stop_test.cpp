@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/words/ending_words.hpp"
+#include "bearing/audit.hpp"
 #include "bearing/cycle.hpp"
 #include "core/constants.hpp"
 #include "solid/boundary_friction.hpp"
@@ -178,6 +179,19 @@ TEST_CASE("FrictionOfACreepingJournalIsThatOfItsSlip", "[start_stop]") {
   }
   // the film of 0.02 rpm carries less than 1e-3 of the load
   for (const double T : slid) CHECK(T == Approx(slid.back()).epsilon(1e-3));
+}
+
+TEST_CASE("TheHeatOfACreepingJournalIsAuditedByWhatPasses", "[start_stop]") {
+  // 5 W of supply and cooling pass, friction makes 3e-11 W: less than the round-off of what passes.
+  Case c = rig_case();
+  c.model.grid = {48, 9};
+  set_load(c, 2e3);
+  c.operation.omega = 1e-5 * kPi / 30.0;
+  const Solution s = solve_tier(c, Tier::tehd);
+  INFO(app::reason_of(s.verdict));
+  REQUIRE(s.verdict.good());
+  // sums of some 1e4 terms err by 1e-10 of what passes, and 1e-7 of it is the measure
+  CHECK(audit_of(s, friction_of(s.model, s.point, s.film)).energy < 0.01);
 }
 
 TEST_CASE("ContactThatIsHeldAtTheHardnessIsToldOverACycle", "[start_stop]") {

@@ -5,6 +5,7 @@
 
 #include "../bearing/sample_bearing.hpp"
 #include "app/words/note_words.hpp"
+#include "fidelity/quantities.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -40,6 +41,30 @@ TEST_CASE("EveryQuantityOfAConvergedResultHasAGridBar") {
     }
     CHECK(r.cost.bars_s > 0.0);
   }
+}
+
+TEST_CASE("BarsOfContactEndWhereContactDoes") {
+  // A coarse grid under a heavy load with soft summits: nested grids differ by more than the
+  // hardness.
+  Case c = rig_case();
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {36, 7};
+  c.operation.omega = 3000.0 * kPi / 30.0;
+  set_load(c, 40e3);
+  const double hardness = c.surfaces.contact->hardness = 20e6;
+  const Result r = fidelity::solve(c);
+  REQUIRE(r.verdict.good());
+  const Quantity& p = quantity(r, "p_asperity_max");
+  CHECK(p.value <= hardness * (1.0 + 1e-12));
+  CHECK(p.error_grid == std::max(p.value, hardness - p.value));  // it was longer
+  const Quantity& share = quantity(r, "asperity_load_share");
+  CHECK(share.error_grid <= std::max(share.value, 1.0 - share.value));
+  // nothing else is bounded on both sides
+  CHECK_FALSE(std::isfinite(fidelity::furthest(c, quantity(r, "h_min"))));
+  c.surfaces.contact->hardness = 0.0;
+  CHECK_FALSE(std::isfinite(fidelity::furthest(c, p)));
+  CHECK(fidelity::furthest(c, share) == std::max(share.value, 1.0 - share.value));
 }
 
 TEST_CASE("BarsDoNotChangeTheResult") {

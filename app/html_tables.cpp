@@ -43,11 +43,13 @@ std::string list_html(const char* heading, const std::vector<std::string>& lines
   return html + "</ul></div>\n";
 }
 
-/// The two bars under a value: of the grid, of the physics left out.
+/// What stands under a value: the bars of the grid and of the physics left out, and what the grids
+/// lead to.
 std::string value_bars(const ShownBars& bars) {
   if (!std::isfinite(bars.grid)) return "";
   std::string html = "<small title=\"grid\">± " + figures(bars.grid, 2);
   if (std::isfinite(bars.model)) html += " ± " + figures(bars.model, 2) + " (model)";
+  if (std::isfinite(bars.limit)) html += " → " + figures(bars.limit) + " (extrapolated)";
   return html + "</small>";
 }
 

@@ -147,8 +147,9 @@ std::vector<QuantityRow> quantity_rows(const bearing::Measured& measured,
         row.values.push_back(q && !lost ? std::optional(round_off ? 0.0 : row.unit(q->value))
                                         : std::nullopt);
         const double s = row.unit.scale;
-        row.bars.push_back(q ? ShownBars{s * q->error_grid, s * q->error_model, s * q->error()}
-                             : ShownBars{NAN, NAN, NAN});
+        row.bars.push_back(
+            q ? ShownBars{s * q->error_grid, s * q->error_model, s * q->error(), row.unit(q->limit)}
+              : ShownBars{NAN, NAN, NAN, NAN});
       }
       if (const auto si = measured_si(measured, quantity.name)) row.measured = row.unit(*si);
       rows.push_back(std::move(row));

@@ -38,6 +38,7 @@ struct ShownBars {
   double grid = 0.0;
   double model = 0.0;
   double total = 0.0;
+  double limit = 0.0;  ///< no bar: what the grids lead to
 };
 
 /// One row of a comparison: a quantity in all results and its measured value.

@@ -24,6 +24,7 @@ void write_scalars(hid_t file, const Result& result) {
     bar("_error", q.error());
     bar("_error_grid", q.error_grid);
     bar("_error_model", q.error_model);
+    bar("_limit", q.limit);
   }
   const Handle audit = group(file, "audit");
   attribute(audit, "mass", result.audit.mass);

@@ -29,6 +29,7 @@ Json quantities(const bearing::Result& result) {
     add("error", q.error());
     add("error_grid", q.error_grid);
     add("error_model", q.error_model);
+    add("limit", q.limit);
   }
   return all;
 }

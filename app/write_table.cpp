@@ -63,6 +63,9 @@ void print_quantities(std::ostream& out, const bearing::Measured& measured,
   const bool with_measured = std::any_of(rows.begin(), rows.end(), has_measured);
   const bool single = results.size() == 1;
   const bool with_bars = std::any_of(rows.begin(), rows.end(), has_bars);
+  const bool with_limit = single && std::any_of(rows.begin(), rows.end(), [](const auto& row) {
+                            return std::isfinite(row.bars.front().limit);
+                          });
   TextTable table;
   std::vector<std::string> head{"quantity"};
   const auto names = column_names(results);
@@ -71,6 +74,7 @@ void print_quantities(std::ostream& out, const bearing::Measured& measured,
     if (with_bars && single) head.insert(head.end(), {"+- grid", "+- model"});
     if (with_bars && !single) head.emplace_back("+-");
   }
+  if (with_limit) head.emplace_back("extrapolated");
   head.emplace_back("unit");
   if (with_measured) head.emplace_back("measured");
   if (with_measured && single) head.emplace_back("difference");
@@ -85,6 +89,10 @@ void print_quantities(std::ostream& out, const bearing::Measured& measured,
         cells.insert(cells.end(), {bar_figures(bars.grid), bar_figures(bars.model)});
       }
       if (with_bars && !single) cells.push_back(bar_figures(bars.total));
+    }
+    if (with_limit) {
+      const double limit = row.bars.front().limit;
+      cells.push_back(std::isfinite(limit) ? figures(limit) : "");
     }
     cells.push_back(row.unit.unit);
     if (row.measured) cells.push_back(figures(*row.measured));

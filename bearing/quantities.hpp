@@ -23,6 +23,8 @@ struct Quantity {
   double order =
       std::numeric_limits<double>::quiet_NaN();  ///< observed, with which error_grid falls
   double magnitude = 0.0;  ///< mean of |value| over a cycle in which it changes its sign
+  /// What the grids of the bar lead to as cells get infinitely fine; NaN: not known.
+  double limit = std::numeric_limits<double>::quiet_NaN();
   /// Sum of the bars that are known; NaN: none is.
   [[nodiscard]] double error() const;
   /// What bars are measured by: |value|, or the magnitude of what changes its sign.

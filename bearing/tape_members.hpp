@@ -82,8 +82,8 @@ inline void members(Tape& tape, bearing::EquilibriumCost& x) {
 // Results.
 
 inline void members(Tape& tape, bearing::Quantity& x) {
-  auto& [name, value, unit, error_grid, error_model, order, magnitude] = x;
-  tape(name, value, unit, error_grid, error_model, order, magnitude);
+  auto& [name, value, unit, error_grid, error_model, order, magnitude, limit] = x;
+  tape(name, value, unit, error_grid, error_model, order, magnitude, limit);
 }
 
 inline void members(Tape& tape, bearing::CycleInstant& x) {

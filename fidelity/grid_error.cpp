@@ -48,7 +48,7 @@ double observed_order(const std::vector<GridValue>& v) {
 }
 
 GridBar grid_bar(const std::vector<GridValue>& v, double h) {
-  if (v.size() < 2) return {NAN, NAN};
+  if (v.size() < 2) return {NAN, NAN, NAN};
   const GridValue &f2 = v[v.size() - 2], &f1 = v[v.size() - 1];
   double d = std::abs(f2.value - f1.value);
   const auto rest = [&](double p) {
@@ -62,7 +62,9 @@ GridBar grid_bar(const std::vector<GridValue>& v, double h) {
   }
   const double observed = observed_order(v);
   const double p = std::isfinite(observed) ? observed : kLeastOrder;
-  return {std::max(safety(h) * rest(p), slow) + f1.noise, observed};
+  const double limit =
+      f1.value + (f1.value - f2.value) * onward(1.0 / f2.h, 1.0 / f1.h, INFINITY, kMostOrder);
+  return {std::max(safety(h) * rest(p), slow) + f1.noise, observed, limit};
 }
 
 GridLimit film_limit(double whole, double film, int cells, int film_cells) {

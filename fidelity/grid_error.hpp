@@ -19,10 +19,15 @@
 /// F were set on random bearings, docs/decisions/011. Source: methods 7.1, 5 (GCI with three
 /// grids); (3), (4) our own.
 ///
+/// What the grids lead to: from the two finest to infinitely many cells with the highest order,
+///   limit = f1 + (f1 - f2) onward(n2, n1, infinity, 1.75),                                (5)
+/// nearer to the truth than f1 on four bearings of five (docs/error-bars.md has the table, for
+/// orders from 1 to 2 and the observed one).
+///
 /// One direction after the other (tier `auto`): around the bearing the film alone needs fine cells;
 /// temperatures and deformation are smooth around, but steep towards the edges. So each full
 /// solution V on a x b cells is followed by its film F on r a x b cells (held_film.hpp); then
-///   L = F + (F - V) onward(a, r a, 800, p),  value = L1 + (L1 - L0) onward(b0, b1, 100, q)    (5)
+///   L = F + (F - V) onward(a, r a, 800, p),  value = L1 + (L1 - L0) onward(b0, b1, 100, q)    (6)
 /// is that of 800 x 100 cells. Around, the middle between the lowest and the highest order is taken
 /// and their difference is the bar; along, the last step with what it is led on by. What 800 x 100
 /// cells lack to the limit, the same steps with the lowest order, is told apart.
@@ -45,6 +50,7 @@ struct GridValue {
 struct GridBar {
   double bar = 0.0;    ///< same unit as the values; NaN: unknown
   double order = 0.0;  ///< observed order as used; NaN: two grids only
+  double limit = 0.0;  ///< (5), same unit; NaN: unknown
 };
 
 /// Orders that whole solutions show: films and their torque fall with the second, ends of the film
@@ -76,10 +82,10 @@ struct GridLimit {
   double beyond = 0.0;  ///< and from the fine grid to infinitely many cells
 };
 
-/// L of (5): `whole` V on `cells` around, `film` F on `film_cells` (NaN: not solved, then V).
+/// L of (6): `whole` V on `cells` around, `film` F on `film_cells` (NaN: not solved, then V).
 [[nodiscard]] GridLimit film_limit(double whole, double film, int cells, int film_cells);
 
-/// The value of (5): two L, on b0 and b1 cells along.
+/// The value of (6): two L, on b0 and b1 cells along.
 [[nodiscard]] GridLimit grid_limit(const GridLimit& coarse, const GridLimit& fine, int b0, int b1);
 
 }  // namespace shellback::fidelity

@@ -42,13 +42,17 @@ double natural_size(const Quantity& q, double T_supply, const std::vector<Quanti
   return std::abs(q.value);
 }
 
+Range bounds_of(const bearing::Case& c, const std::string& name) {
+  if (name == "asperity_load_share") return {0.0, 1.0};
+  const auto& contact = c.surfaces.contact;
+  if (name == "p_asperity_max" && contact && contact->hardness > 0.0)
+    return {0.0, contact->hardness};
+  return kAnyValue;
+}
+
 double furthest(const bearing::Case& c, const Quantity& q) {
-  double most = INFINITY;
-  if (q.name == "asperity_load_share") most = 1.0;
-  if (q.name == "p_asperity_max" && c.surfaces.contact && c.surfaces.contact->hardness > 0.0) {
-    most = c.surfaces.contact->hardness;
-  }
-  return std::isfinite(most) ? std::max({q.value, most - q.value, 0.0}) : INFINITY;
+  const Range bounds = bounds_of(c, q.name);
+  return std::max({q.value - bounds.low, bounds.high - q.value, 0.0});
 }
 
 }  // namespace shellback::fidelity

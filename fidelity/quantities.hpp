@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bearing/result.hpp"
+#include "core/range.hpp"
 
 namespace shellback::fidelity {
 
@@ -25,8 +26,11 @@ using bearing::Quantity;
 [[nodiscard]] double natural_size(const Quantity& q, double T_supply,
                                   const std::vector<Quantity>& all);
 
-/// How far the true value can be from `q` at most: shares of the load lie between 0 and 1, contact
-/// pressures end at the hardness. Infinity: nothing bounds it on both sides.
+/// Between what the true value lies, where both sides are bounded: shares of the load between 0 and
+/// 1, contact pressures between 0 and the hardness. Else anywhere.
+[[nodiscard]] Range bounds_of(const bearing::Case& c, const std::string& name);
+
+/// How far the true value can be from `q` at most; infinity: it is not bounded.
 [[nodiscard]] double furthest(const bearing::Case& c, const Quantity& q);
 
 }  // namespace shellback::fidelity

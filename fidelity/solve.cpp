@@ -19,6 +19,19 @@ bool nodes_matter(const BearingModel& m) {
   return m.physics.film_energy || !std::holds_alternative<rheology::NoShearThinning>(m.oil.shear);
 }
 
+/// True for quantities of one sign, of which a relative change means something.
+bool one_sign(const Quantity& q) {
+  const auto units = {"N m", "m", "Pa", "1", "m3/s"};
+  return q.name != "thermal_opening_mean" &&
+         std::any_of(units.begin(), units.end(), [&](const char* u) { return q.unit == u; });
+}
+
+/// `limit` if it can be one of the quantity, else not known.
+double limit_of(const Case& c, const Quantity& q, double limit) {
+  const bool turned = one_sign(q) && limit * q.value < 0.0;
+  return turned || !bounds_of(c, q.name).holds(limit) ? NAN : limit;
+}
+
 /// Bars of the grid with the orders observed; not-a-number where the value of the result's own grid
 /// is not there.
 void put_grid_bars(const BarRecord& record, Result& result) {
@@ -45,6 +58,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     q.error_grid = bar.bar + (std::isfinite(nodes) ? nodes : 0.0);
     if (q.name == "h_min") q.error_grid += record.edge;
     q.order = bar.order;
+    q.limit = limit_of(c, q, bar.limit);
     judged.emplace_back(&q, size);
     if (std::isfinite(q.error_grid / size)) relative.push_back(q.error_grid / size);
   }
@@ -55,13 +69,6 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     if (std::isfinite(q->error_grid))
       q->error_grid = std::max(q->error_grid, kShare * *middle * size);
   }
-}
-
-/// True for quantities of one sign, of which a relative change means something.
-bool one_sign(const Quantity& q) {
-  const auto units = {"N m", "m", "Pa", "1", "m3/s"};
-  return q.name != "thermal_opening_mean" &&
-         std::any_of(units.begin(), units.end(), [&](const char* u) { return q.unit == u; });
 }
 
 /// What the full physics would change on the fine grid: as much as on the coarse one, absolutely

@@ -27,6 +27,13 @@ GridBar grid_bar(const std::vector<GridValue>& values) {
 
 }  // namespace
 
+TEST_CASE("ValuesOfTheHighestOrderLeadToTheirLimit") {
+  const auto value = [](double h) { return 3.0 - 0.4 * std::pow(h, kMostOrder); };
+  const std::vector<GridValue> two{{0.2, value(0.2), 0.0}, {0.1, value(0.1), 0.0}};
+  CHECK(grid_bar(two, 0.1).limit == Approx(3.0).epsilon(1e-12));
+  CHECK(std::isnan(grid_bar({two.front()}, 0.2).limit));  // one grid leads nowhere
+}
+
 TEST_CASE("TheOrderOfAPureSeriesIsObservedForAnyRatioOfGrids") {
   for (const double p : {1.05, 1.25, 1.45}) {
     CHECK(observed_order(series(3.0, 7.0, p)) == Approx(p).margin(1e-6));

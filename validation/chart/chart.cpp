@@ -11,6 +11,7 @@
 #include "core/parallel.hpp"
 #include "fidelity/auto_cycle.hpp"
 #include "fidelity/edge_error.hpp"
+#include "fidelity/solve.hpp"
 #include "fidelity/solve_case.hpp"
 #include "validation/chart/pareto.hpp"
 
@@ -51,10 +52,24 @@ struct Solved {
   double edge = 0.0;  ///< fidelity/edge_error.hpp, of a steady film [m]
 };
 
-Solved solved(const Case& c, Tier tier, const SolveControl& control) {
+/// What the grids of the bars of a steady film lead to.
+Solved led_on(const Solution& s, Tier tier, const SolveControl& control) {
+  const Result r = fidelity::summarize(s, tier, control, fidelity::WantedBars::grid);
+  Solved out{r.verdict, values_of(r), s.cost.factorizations, s.cost.sweeps, 0.0};
+  const std::array names{"friction_torque", "h_min", r.has("T_film_max") ? "T_film_max" : ""};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    for (const Quantity& q : r.quantities) {
+      if (q.name == names[k] && std::isfinite(q.limit)) out.value[k] = q.limit;
+    }
+  }
+  return out;
+}
+
+Solved solved(const Case& c, Tier tier, const SolveControl& control, bool extrapolated = false) {
   const bool chosen = tier == Tier::automatic || tier == Tier::estimate;
   if (!c.cycle && !chosen) {
     const Solution s = solve_tier(c, tier, control);
+    if (extrapolated && s.verdict.good()) return led_on(s, tier, control);
     return {s.verdict, s.verdict.good() ? values_of(s, tier) : ChartValues{}, s.cost.factorizations,
             s.cost.sweeps,
             fidelity::edge_error(s.model.domain.grid, s.film.gap.cell, s.film.least)};
@@ -108,7 +123,8 @@ bool measure_once(const Case& c, const ChartOptions& options, ChartPoint& p) {
   SolveControl control;
   control.stop = options.stop;
   const auto begin = std::chrono::steady_clock::now();
-  const Solved s = solved(c, p.setting.tier, control);
+  const Solved s =
+      solved(c, p.setting.tier, control, p.setting.family == ChartFamily::extrapolated);
   const double wall =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   p.verdict = s.verdict;

@@ -20,6 +20,7 @@ constexpr double kMarkText = 10.0;
 
 const std::vector<Look> kLooks{
     {ChartFamily::grid, "#0072b2", "grid: cells around, ours (active set, Lobatto nodes, Newton)"},
+    {ChartFamily::extrapolated, "#0072b2", "the same, led on by the grids of its bars"},
     {ChartFamily::nodes, "#56b4e9", "other numbers of nodes"},
     {ChartFamily::layers, "#e69f00", "10, 20, 40 even layers"},
     {ChartFamily::mean, "#a06000", "film-mean temperature"},
@@ -56,6 +57,8 @@ void draw_mark(Svg& svg, Point c, ChartFamily family) {
   switch (family) {
     case ChartFamily::grid:
       return svg.circle(c, kMark, colour, edge);
+    case ChartFamily::extrapolated:
+      return svg.circle(c, kMark, "#ffffff", edge);
     case ChartFamily::nodes:
       return svg.circle(c, 0.8 * kMark, colour, edge);
     case ChartFamily::layers:

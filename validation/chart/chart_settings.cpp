@@ -26,6 +26,8 @@ class Star {
   std::vector<ChartSetting> take() {
     for (const auto& grid : grids_.ladder) {
       add(ChartFamily::grid, std::to_string(grid[0]), grid, [](ChartSetting&) {});
+      if (c_.cycle) continue;
+      add(ChartFamily::extrapolated, std::to_string(grid[0]), grid, [](ChartSetting&) {});
     }
     if (c_.cycle) add_steps();
     if (thermal_) add_nodes();
@@ -159,6 +161,8 @@ const char* to_string(ChartFamily family) {
   switch (family) {
     case ChartFamily::grid:
       return "grid";
+    case ChartFamily::extrapolated:
+      return "extrapolated";
     case ChartFamily::nodes:
       return "nodes";
     case ChartFamily::layers:

@@ -9,7 +9,18 @@
 namespace shellback::validation {
 
 /// What a point varies; the rest is as in the default.
-enum class ChartFamily { grid, nodes, layers, mean, tier, cavitation, elastic, steps, automatic };
+enum class ChartFamily {
+  grid,
+  extrapolated,  ///< the same grids, led on to fine ones by those of their bars
+  nodes,
+  layers,
+  mean,
+  tier,
+  cavitation,
+  elastic,
+  steps,
+  automatic
+};
 
 struct ChartSetting {
   ChartFamily family = ChartFamily::grid;

@@ -104,10 +104,12 @@ std::vector<ShellFigure> shell_maps(const ShellsStudy& study) {
   return all;
 }
 
-std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
+namespace {
+
+ShellFigure capability_figure(const ShellsStudy& study, bool worn) {
   const Theme theme = app::page_theme();
   LinePlot plot;
-  plot.title = "Load capability";
+  plot.title = worn ? "Load capability, run in" : "Load capability, new";
   plot.y_title = "largest load of the cycle [kN]";
   const auto& rpm = study.plan.rpm;
   const double fastest = *std::max_element(rpm.begin(), rpm.end());
@@ -124,7 +126,7 @@ std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
                heat ? "" : "5 4"};
       std::vector<double>& bar = bars.emplace_back();
       for (const double n : rpm) {
-        const Capability* c = study.at(k, tier, n);
+        const Capability* c = study.at(k, tier, n, worn);
         s.x.push_back(n);
         const bool borne = c != nullptr && c->good.factor > 0.0;
         const double per_load = borne ? 1e-3 * c->peak / c->good.factor : NAN;  // [kN]
@@ -156,12 +158,18 @@ std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
       svg.line(beside(k, s.x[n], low), beside(k, s.x[n], high), {s.colour, 1.2});
     }
   }
-  return {finished(
+  return finished(
       svg, plot.title,
       "Solid: temperatures solved, dashed: isothermal at the oil temperature of the case. "
       "Points, drawn a little apart: the load at which the limit is met, or the largest that "
       "was borne where that is not known; bars: what the grid moves it by. The table below "
-      "says which limit.")};
+      "says which limit.");
+}
+
+}  // namespace
+
+std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
+  return {capability_figure(study, false), capability_figure(study, true)};
 }
 
 }  // namespace shellback::validation

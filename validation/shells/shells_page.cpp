@@ -183,9 +183,9 @@ std::string capability_html(const ShellsStudy& study) {
   };
   std::string rows;
   for (const Capability& c : study.capability) {
-    rows +=
-        fmt::format("<tr><td class=\"left\">{}, {}, {:.0f} rpm</td>", shell_kinds()[c.shell].name,
-                    c.tier == Tier::tehd ? "tehd" : "isothermal", c.rpm);
+    rows += fmt::format("<tr><td class=\"left\">{}, {}, {}, {:.0f} rpm</td>",
+                        shell_kinds()[c.shell].name, c.worn ? "run in" : "new", to_string(c.tier),
+                        c.rpm);
     if (!c.tried) {
       rows +=
           "<td class=\"bad\">not "
@@ -207,6 +207,33 @@ std::string capability_html(const ShellsStudy& study) {
       "<th>not borne</th><th>smallest film [&micro;m]</th><th>limit met at</th>"
       "<th class=\"left\">met first</th>",
       rows);
+}
+
+std::string run_in_html(const ShellsStudy& study) {
+  std::string rows;
+  for (int k = 0; k < kShells; ++k) {
+    for (int t = 0; t < 2; ++t) {
+      const RunInShell& r = study.run_in[k][t];
+      rows += fmt::format("<tr><td class=\"left\">{}, {}</td>", shell_kinds()[k].name,
+                          t == 0 ? "tehd" : "isothermal");
+      const bool good = r.good();
+      rows += cell(good ? r.end.t : NAN, 0) + cell(good ? 1e6 * r.end.depth : NAN, 2) +
+              cell(good ? 1e9 * r.end.volume : NAN, 4);
+      for (const bearing::RunningInState* at : {&r.begin, &r.end}) {
+        rows += cell(good ? 1e-6 * at->p_asperity_max : NAN, 2) +
+                cell(good ? 1e6 * at->h_min : NAN, 2) + cell(good ? at->torque : NAN, 3);
+      }
+      rows += "</tr>\n";
+    }
+  }
+  return table(
+             "<th>time [s]</th><th>wear [&micro;m]</th><th>volume [mm&sup3;]</th>"
+             "<th>new: contact [MPa]</th><th>smallest film [&micro;m]</th><th>torque [N m]</th>"
+             "<th>run in: contact [MPa]</th><th>smallest film [&micro;m]</th><th>torque [N m]</th>",
+             rows) +
+         "<p class=\"scene\">Under the full load at 2000 rpm, on the cells of the capability. "
+         "Contact and film are extremes of the cycle, torque is its mean. The wear coefficient is "
+         "that of another bearing, the time a choice: see [running_in] of the cases.</p>\n";
 }
 
 std::string hardest_html(const ShellsStudy& study) {
@@ -243,6 +270,12 @@ std::string failures_html(const ShellsStudy& study) {
       html += fmt::format("<li>{}, {}: {}</li>\n", shell_kinds()[k].name, to_string(c.result.tier),
                           escape_markup(app::reason_of(c.result.verdict)));
     }
+    for (int t = 0; t < 2; ++t) {
+      const RunInShell& r = study.run_in[k][t];
+      if (!r.tried || r.good()) continue;
+      html += fmt::format("<li>{}, {}, running-in: {}</li>\n", shell_kinds()[k].name,
+                          t == 0 ? "tehd" : "isothermal", escape_markup(app::reason_of(r.verdict)));
+    }
     for (int v = 0; v < kVariants; ++v) {
       const ShellCycle& c = study.variants[v][k];
       if (!c.tried || c.good()) continue;
@@ -272,6 +305,7 @@ std::string shells_page(const ShellsStudy& study) {
   html += section("On the shell", figures(shell_maps(study)));
   html += section("At the instant of the largest pressure", hardest_html(study));
   html += section("Boundary friction at one point (Table 4)", parts_html(study));
+  html += section("Running-in", run_in_html(study));
   html += section("Thermal load capability",
                   figures(capability_figures(study)) + capability_html(study) +
                       "<p class=\"scene\">Limits assumed: lining 170 &deg;C (AlSn), 200 &deg;C "
@@ -282,8 +316,8 @@ std::string shells_page(const ShellsStudy& study) {
   html += section("Not found", failures_html(study));
   html += fmt::format(
       "<footer>\n<h2>Provenance</h2>\n<p>Cycles on {} x {}, what is left open on {} x {}, "
-      "capability "
-      "on {} x {} cells, {} threads, {:.0f} s. Cases shell-plain.toml, shell-grooved.toml, "
+      "running-in and capability on {} x {} cells, {} threads, {:.0f} s. Cases shell-plain.toml, "
+      "shell-grooved.toml, "
       "shell-polymer.toml; below, "
       "the first.</p>\n{}</footer>\n</main>\n</body>\n</html>\n",
       study.plan.grid[0], study.plan.grid[1], study.plan.left_open[0], study.plan.left_open[1],

@@ -18,7 +18,7 @@ struct ShellFigure {
 [[nodiscard]] std::vector<ShellFigure> shell_curves(const ShellsStudy& study);
 /// Friction power, surface temperature and heat into the shell on the unrolled bearing.
 [[nodiscard]] std::vector<ShellFigure> shell_maps(const ShellsStudy& study);
-/// Highest load over speed, with and without temperatures.
+/// Highest load over speed, with and without temperatures, of the new and of the run-in shells.
 [[nodiscard]] std::vector<ShellFigure> capability_figures(const ShellsStudy& study);
 
 /// One page (HTML).

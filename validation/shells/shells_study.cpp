@@ -1,16 +1,10 @@
 #include "validation/shells/shells_study.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "app/cycle_axis.hpp"
-#include "app/library.hpp"
-#include "app/overrides.hpp"
-#include "app/read_case.hpp"
-#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 #include "fidelity/cycle_bars.hpp"
 
@@ -21,102 +15,12 @@ using bearing::Case;
 using bearing::CycleResult;
 using bearing::Tier;
 
-constexpr const char* kPlace = "study shells";
 constexpr std::array kTiers{Tier::tehd, Tier::isothermal};
-
-struct Setting {
-  std::array<int, 2> grid;
-  double rpm = 2000.0;
-  double factor = 1.0;
-};
-
-Case case_of(int shell, Tier tier, const Setting& s) {
-  const std::vector<app::Override> set{
-      {"model.grid", fmt::format("[{}, {}]", s.grid[0], s.grid[1]), kPlace},
-      {"model.tier", tier == Tier::tehd ? "tehd" : "isothermal", kPlace},
-      {"operation.speed", fmt::format("{:.10g} rpm", s.rpm), kPlace},
-      {"load_cycle.factor", fmt::format("{:.10g}", s.factor), kPlace}};
-  return app::read_case(app::case_path(shell_kinds()[shell].file).string(), set);
-}
-
-/// What the cycle meets first: no periodic state, a lining too hot, a film too thin.
-ShellLimit limit_of(int shell, const Case& c, const CycleResult& r) {
-  if (!r.verdict.good()) return ShellLimit::state;
-  const double T = bearing::value_of(r, "T_shell_max");
-  if (std::isfinite(T) && T > shell_kinds()[shell].T_limit) return ShellLimit::lining;
-  return bearing::value_of(r, "h_min") < least_film(c) ? ShellLimit::film : ShellLimit::none;
-}
-
-LoadTried tried(double factor, const CycleResult& r) {
-  if (!r.verdict.good()) return {factor, NAN, NAN};
-  return {factor, bearing::value_of(r, "h_min"), bearing::value_of(r, "T_shell_max")};
-}
-
-/// Where the limit is met, here and on two thirds of the cells. Edges and mouths leave an error of
-/// first order: what is missing on this grid is twice the difference.
-void add_bar(const ShellsPlan& plan, StudyCrew& crew, Capability& c) {
-  constexpr double kCells = 1.5, kBar = 2.0;  // h/(1.5 h - h)
-  const Case subject = case_of(c.shell, c.tier, {plan.coarse, c.rpm, 1.0});
-  const auto met_by = [&](ShellLimit limit, const LoadTried& good, const LoadTried& bad) {
-    return load_met(limit, good, bad, least_film(subject), shell_kinds()[c.shell].T_limit);
-  };
-  const auto met = [&](const LoadTried& good, const LoadTried& bad) {
-    return met_by(c.limit, good, bad);
-  };
-  // The last load may break both bounds: what is met first is at the lesser load.
-  const bool hot = c.limit == ShellLimit::lining && c.bad.h < least_film(subject);
-  if (hot && met_by(ShellLimit::film, c.good, c.bad) < met(c.good, c.bad)) {
-    c.limit = ShellLimit::film;
-  }
-  c.met = met(c.good, c.bad);
-  if (!std::isfinite(c.met)) return;
-  const auto coarser = [&](const LoadTried& at) {
-    Setting s{plan.coarse, c.rpm, at.factor};
-    for (int& n : s.grid) n = std::max(3, static_cast<int>(std::lround(n / kCells)));
-    const Case on = case_of(c.shell, c.tier, s);
-    return tried(at.factor, bearing::solve_cycle(on, c.tier, crew.control()));
-  };
-  if (crew.stopped()) return;
-  const LoadTried good = coarser(c.good);
-  if (crew.stopped()) return;
-  c.met_error = kBar * std::abs(met(good, coarser(c.bad)) - c.met);
-}
-
-/// Bisection of ln(factor) between a load that is borne and one that is not.
-void find_capability(const ShellsPlan& plan, StudyCrew& crew, Capability& c) {
-  const auto borne = [&](double factor) {
-    const Case subject = case_of(c.shell, c.tier, {plan.coarse, c.rpm, factor});
-    const CycleResult r = bearing::solve_cycle(subject, c.tier, crew.control());
-    if (crew.stopped()) return false;
-    const ShellLimit limit = limit_of(c.shell, subject, r);
-    if (limit != ShellLimit::none) {
-      c.bad = tried(factor, r);
-      c.limit = limit;
-      c.reason = app::reason_of(r.verdict);
-      return false;
-    }
-    c.good = tried(factor, r);
-    c.peak = 0.0;
-    for (const auto& i : r.instants) c.peak = std::max(c.peak, std::hypot(i.load_x, i.load_y));
-    return true;
-  };
-  double low = plan.factors[0], high = plan.factors[1];
-  if (borne(high) || crew.stopped() || !borne(low)) {
-    c.tried = !crew.stopped();
-    return;
-  }
-  for (int k = 0; k < plan.halvings && !crew.stopped(); ++k) {
-    const double middle = std::sqrt(low * high);
-    (borne(middle) ? low : high) = middle;
-  }
-  add_bar(plan, crew, c);
-  c.tried = !crew.stopped();
-}
 
 void run_cycles(StudyCrew& crew, ShellsStudy& study) {
   crew.work("cycles", 2 * kShells, [&](int k) {
     ShellCycle& c = study.cycles[k / 2][k % 2];
-    c.input = case_of(k / 2, kTiers[k % 2], {study.plan.grid, 2000.0, 1.0});
+    c.input = shell_case(k / 2, kTiers[k % 2], {study.plan.grid, 2000.0, 1.0});
     c.result = fidelity::solve_cycle_with_bars(c.input, crew.control());
     c.tried = !crew.stopped();
     if (c.good()) add_powers(c);
@@ -126,7 +30,8 @@ void run_cycles(StudyCrew& crew, ShellsStudy& study) {
 void run_variants(StudyCrew& crew, ShellsStudy& study) {
   crew.work("what is left open", kVariants * kShells, [&](int k) {
     ShellCycle& c = study.variants[k / kShells][k % kShells];
-    const Case usual = case_of(k % kShells, Tier::isothermal, {study.plan.left_open, 2000.0, 1.0});
+    const Case usual =
+        shell_case(k % kShells, Tier::isothermal, {study.plan.left_open, 2000.0, 1.0});
     c.input = varied(usual, shell_variants()[k / kShells]);
     c.result = bearing::solve_cycle(c.input, Tier::isothermal, crew.control());
     c.tried = !crew.stopped();
@@ -134,17 +39,37 @@ void run_variants(StudyCrew& crew, ShellsStudy& study) {
   });
 }
 
-}  // namespace
-
-const std::array<ShellKind, kShells>& shell_kinds() {
-  // Limits: AlSn20 loses half its strength and its tin nears melting (232 degC) from about 170 degC
-  // on; polyamide-imide coatings serve to about 200 degC (both textbook).
-  static const std::array<ShellKind, kShells> kKinds{
-      {{"AlSn, plain", "shell-plain", {0.02, 0.02, 0.005}, 102.5, 170.0 + kZeroCelsius},
-       {"AlSn, grooved", "shell-grooved", {0.02, 0.015, 0.007}, 96.2, 170.0 + kZeroCelsius},
-       {"polymer", "shell-polymer", {0.005, 0.0025, 0.01}, 71.5, 200.0 + kZeroCelsius}}};
-  return kKinds;
+void run_shells_in(StudyCrew& crew, ShellsStudy& study) {
+  crew.work("running-in", 2 * kShells, [&](int k) {
+    study.run_in[k / 2][k % 2] = run_shell_in(study.plan, crew, k / 2, kTiers[k % 2]);
+  });
 }
+
+/// Of shells that were not run in there is none to find.
+void find_capabilities(StudyCrew& crew, ShellsStudy& study) {
+  for (const double rpm : study.plan.rpm) {
+    for (const Tier tier : kTiers) {
+      for (int k = 0; k < kShells; ++k) {
+        for (const bool worn : {false, true}) {
+          Capability c;
+          c.shell = k;
+          c.tier = tier;
+          c.rpm = rpm;
+          c.worn = worn;
+          study.capability.push_back(c);
+        }
+      }
+    }
+  }
+  crew.work("load capability", static_cast<int>(study.capability.size()), [&](int k) {
+    Capability& c = study.capability[k];
+    const RunInShell& run_in = study.run_in[c.shell][c.tier == kTiers[0] ? 0 : 1];
+    if (!c.worn) find_capability(study.plan, crew, nullptr, c);
+    if (c.worn && run_in.good()) find_capability(study.plan, crew, &run_in.wear, c);
+  });
+}
+
+}  // namespace
 
 const std::array<ShellVariant, kVariants>& shell_variants() {
   constexpr double kBeside = 20.0 * kPi / 180.0;  // paper, 4.2
@@ -172,31 +97,6 @@ Case varied(Case c, const ShellVariant& variant) {
     supply.carry_over = 0.0;     // and what is pressed back into it does not come again
   }
   return c;
-}
-
-ShellsPlan shells_plan(bool quick) {
-  ShellsPlan plan;
-  if (!quick) return plan;
-  plan.grid = {100, 13};
-  plan.left_open = {60, 9};
-  plan.coarse = {48, 7};
-  plan.rpm = {2000.0};
-  plan.halvings = 3;
-  return plan;
-}
-
-const char* to_string(ShellLimit limit) {
-  switch (limit) {
-    case ShellLimit::lining:
-      return "lining too hot";
-    case ShellLimit::film:
-      return "film too thin";
-    case ShellLimit::state:
-      return "no periodic state found";
-    case ShellLimit::none:
-      break;
-  }
-  return "none met";
 }
 
 void add_powers(ShellCycle& c) {
@@ -252,22 +152,6 @@ HardestInstant hardest_instant(const ShellCycle& c) {
           at->T_film_max};
 }
 
-double load_met(ShellLimit limit, const LoadTried& a, const LoadTried& b, double h_least,
-                double T_most) {
-  const auto beyond = [&](const LoadTried& at) {
-    return limit == ShellLimit::film     ? at.h - h_least
-           : limit == ShellLimit::lining ? T_most - at.T
-                                         : NAN;
-  };
-  const double m = beyond(a), n = beyond(b);
-  if (!(a.factor > 0.0) || !(b.factor > 0.0) || !std::isfinite(m - n) || m == n) return NAN;
-  return a.factor * std::pow(b.factor / a.factor, m / (m - n));
-}
-
-double least_film(const Case& c) {
-  return std::hypot(c.surfaces.shell.roughness, c.surfaces.shaft.roughness);
-}
-
 solid::FrictionParts parts_at_the_papers_point(const Case& c) {
   constexpr double kPressure = 10e6, kViscosity = 0.01, kSlide = 10.0;  // paper, 4.1
   const solid::AsperityContact contact(c.surfaces.shell, c.surfaces.shaft, *c.surfaces.contact);
@@ -275,9 +159,9 @@ solid::FrictionParts parts_at_the_papers_point(const Case& c) {
   return contact.friction().coefficient(contact.place(h, kPressure, kViscosity, kSlide));
 }
 
-const Capability* ShellsStudy::at(int shell, Tier tier, double rpm) const {
+const Capability* ShellsStudy::at(int shell, Tier tier, double rpm, bool worn) const {
   for (const Capability& c : capability) {
-    if (c.shell == shell && c.tier == tier && c.rpm == rpm) return &c;
+    if (c.shell == shell && c.tier == tier && c.rpm == rpm && c.worn == worn) return &c;
   }
   return nullptr;
 }
@@ -290,6 +174,9 @@ int ShellsStudy::count_failed() const {
   for (const auto& variant : variants) {
     for (const ShellCycle& c : variant) failed += c.tried && !c.good() ? 1 : 0;
   }
+  for (const auto& shell : run_in) {
+    for (const RunInShell& r : shell) failed += r.tried && !r.good() ? 1 : 0;
+  }
   return failed;
 }
 
@@ -300,23 +187,12 @@ ShellsStudy run_shells_study(const ShellsPlan& plan, const StudyOptions& options
   study.threads = options.threads;
   StudyCrew crew(options);
   for (int k = 0; k < kShells; ++k) {
-    study.parts[k] = parts_at_the_papers_point(case_of(k, Tier::tehd, {plan.grid, 2000.0, 1.0}));
+    study.parts[k] = parts_at_the_papers_point(shell_case(k, Tier::tehd, {plan.grid, 2000.0, 1.0}));
   }
   run_cycles(crew, study);
   run_variants(crew, study);
-  for (const double rpm : plan.rpm) {
-    for (const Tier tier : kTiers) {
-      for (int k = 0; k < kShells; ++k) {
-        Capability c;
-        c.shell = k;
-        c.tier = tier;
-        c.rpm = rpm;
-        study.capability.push_back(c);
-      }
-    }
-  }
-  crew.work("load capability", static_cast<int>(study.capability.size()),
-            [&](int k) { find_capability(plan, crew, study.capability[k]); });
+  run_shells_in(crew, study);
+  find_capabilities(crew, study);
   study.interrupted = crew.stopped();
   const auto spent = std::chrono::steady_clock::now() - begin;
   study.wall_s = std::chrono::duration<double>(spent).count();

@@ -41,11 +41,27 @@ Json cycle_json(const ShellCycle& c) {
   return json;
 }
 
+Json run_in_json(const RunInShell& r) {
+  Json json;
+  add_status(json, r.tried ? r.verdict : Verdict{Status::interrupted, ending::Plain::not_run});
+  if (!r.good()) return json;
+  json["time"] = with_unit(r.end.t, "s");
+  json["depth"] = with_unit(r.end.depth, "m");
+  json["volume"] = with_unit(r.end.volume, "m3");
+  for (const auto& [name, at] : {std::pair{"new", &r.begin}, std::pair{"run_in", &r.end}}) {
+    json[name] = {{"p_asperity_max", with_unit(at->p_asperity_max, "Pa")},
+                  {"h_min", with_unit(at->h_min, "m")},
+                  {"friction_torque", with_unit(at->torque, "N m")}};
+  }
+  return json;
+}
+
 Json capability_json(const Capability& c) {
   Json json;
   json["shell"] = shell_kinds()[c.shell].name;
   json["tier"] = to_string(c.tier);
   json["speed_rpm"] = c.rpm;
+  json["run_in"] = c.worn;
   json["tried"] = c.tried;
   const auto known = [](double x, const char* unit) {
     return std::isfinite(x) ? with_unit(x, unit) : Json(nullptr);
@@ -76,6 +92,8 @@ std::string shells_json(const ShellsStudy& study) {
     shell["case"] = kind.file;
     shell["tehd"] = cycle_json(study.cycles[k][0]);
     shell["isothermal"] = cycle_json(study.cycles[k][1]);
+    shell["running_in"] = {{"tehd", run_in_json(study.run_in[k][0])},
+                           {"isothermal", run_in_json(study.run_in[k][1])}};
     shell["paper_power"] = with_unit(kind.power, "W");
     const solid::FrictionParts& p = study.parts[k];
     shell["friction_at_the_papers_point"] = {{"abrasive", p.abrasive},
@@ -117,6 +135,48 @@ void write_variants(std::ostream& out, const ShellsStudy& study) {
                                     : std::string(8, ' '));
     }
     out << '\n';
+  }
+}
+
+void write_run_in(std::ostream& out, const ShellsStudy& study) {
+  out << fmt::format("\n{:<16} {:<11} {:>8} {:>10} {:>24} {:>22} {:>24}\n", "running-in", "tier",
+                     "time [s]", "wear [um]", "contact [MPa], new: worn", "h_min [um], new: worn",
+                     "torque [N m], new: worn");
+  for (int k = 0; k < kShells; ++k) {
+    for (int t = 0; t < 2; ++t) {
+      const RunInShell& r = study.run_in[k][t];
+      out << fmt::format("{:<16} {:<11} ", shell_kinds()[k].name, t == 0 ? "tehd" : "isothermal");
+      if (!r.good()) {
+        out << (r.tried ? app::reason_of(r.verdict) : "not run") << '\n';
+        continue;
+      }
+      const auto both = [](double begin, double end) {
+        return fmt::format("{:.3f}: {:.3f}", begin, end);
+      };
+      out << fmt::format("{:>8.0f} {:>10.3f} {:>24} {:>22} {:>24}\n", r.end.t, 1e6 * r.end.depth,
+                         both(1e-6 * r.begin.p_asperity_max, 1e-6 * r.end.p_asperity_max),
+                         both(1e6 * r.begin.h_min, 1e6 * r.end.h_min),
+                         both(r.begin.torque, r.end.torque));
+    }
+  }
+}
+
+void write_capability(std::ostream& out, const ShellsStudy& study) {
+  out << fmt::format("\n{:<16} {:<7} {:<11} {:>7} {:>8} {:>10} {:>10} {:>10} {:>10} {:>14}  {}\n",
+                     "shell", "", "tier", "rpm", "borne", "peak [kN]", "h_min [um]", "not borne",
+                     "h_min [um]", "limit met at", "met first");
+  const auto film = [](double h) { return std::isfinite(h) ? fmt::format("{:.3f}", 1e6 * h) : ""; };
+  for (const Capability& c : study.capability) {
+    if (!c.tried) continue;
+    const std::string met = !std::isfinite(c.met) ? ""
+                            : std::isfinite(c.met_error)
+                                ? fmt::format("{:.2f} +-{:.2g}", c.met, c.met_error)
+                                : fmt::format("{:.2f} +- ?", c.met);
+    out << fmt::format(
+        "{:<16} {:<7} {:<11} {:>7.0f} {:>8.2f} {:>10.0f} {:>10} {:>10.2f} {:>10} {:>14}  {}\n",
+        shell_kinds()[c.shell].name, c.worn ? "run in" : "new", to_string(c.tier), c.rpm,
+        c.good.factor, 1e-3 * c.peak, film(c.good.h), c.bad.factor, film(c.bad.h), met,
+        to_string(c.limit));
   }
 }
 
@@ -162,21 +222,8 @@ void write_shells_tables(std::ostream& out, const ShellsStudy& study) {
         shell_kinds()[k].name, at.angle, 1e-6 * at.pressure, 1e-3 * at.tau_film,
         1e-3 * at.tau_asperity, 1e-3 * at.friction, 1e-3 * at.heat, at.T_shell - kZeroCelsius);
   }
-  out << fmt::format("\n{:<16} {:<11} {:>7} {:>8} {:>10} {:>10} {:>10} {:>10} {:>14}  {}\n",
-                     "shell", "tier", "rpm", "borne", "peak [kN]", "h_min [um]", "not borne",
-                     "h_min [um]", "limit met at", "met first");
-  const auto film = [](double h) { return std::isfinite(h) ? fmt::format("{:.3f}", 1e6 * h) : ""; };
-  for (const Capability& c : study.capability) {
-    if (!c.tried) continue;
-    const std::string met = !std::isfinite(c.met) ? ""
-                            : std::isfinite(c.met_error)
-                                ? fmt::format("{:.2f} +-{:.2g}", c.met, c.met_error)
-                                : fmt::format("{:.2f} +- ?", c.met);
-    out << fmt::format(
-        "{:<16} {:<11} {:>7.0f} {:>8.2f} {:>10.0f} {:>10} {:>10.2f} {:>10} {:>14}  {}\n",
-        shell_kinds()[c.shell].name, to_string(c.tier), c.rpm, c.good.factor, 1e-3 * c.peak,
-        film(c.good.h), c.bad.factor, film(c.bad.h), met, to_string(c.limit));
-  }
+  write_run_in(out, study);
+  write_capability(out, study);
 }
 
 }  // namespace shellback::validation

@@ -1,0 +1,156 @@
+#include "validation/shells/shells_capability.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/words/ending_words.hpp"
+#include "bearing/running_in.hpp"
+
+namespace shellback::validation {
+namespace {
+
+using bearing::Case;
+using bearing::CycleResult;
+using bearing::Profile;
+using bearing::Tier;
+
+/// What the cycle meets first: no periodic state, a lining too hot, a film too thin.
+ShellLimit limit_of(int shell, const Case& c, const CycleResult& r) {
+  if (!r.verdict.good()) return ShellLimit::state;
+  const double T = bearing::value_of(r, "T_shell_max");
+  if (std::isfinite(T) && T > shell_kinds()[shell].T_limit) return ShellLimit::lining;
+  return bearing::value_of(r, "h_min") < least_film(c) ? ShellLimit::film : ShellLimit::none;
+}
+
+LoadTried tried(double factor, const CycleResult& r) {
+  if (!r.verdict.good()) return {factor, NAN, NAN};
+  return {factor, bearing::value_of(r, "h_min"), bearing::value_of(r, "T_shell_max")};
+}
+
+/// The search for one capability.
+class Search {
+ public:
+  Search(const ShellsPlan& plan, StudyCrew& crew, const Profile* wear, Capability& found)
+      : plan_(plan), crew_(crew), wear_(wear), found_(found) {}
+
+  /// Bisection of ln(factor) between a load that is borne and one that is not.
+  void bisect() {
+    double low = plan_.factors[0], high = plan_.factors[1];
+    if (borne(high) || crew_.stopped() || !borne(low)) return;
+    for (int k = 0; k < plan_.halvings && !crew_.stopped(); ++k) {
+      const double middle = std::sqrt(low * high);
+      (borne(middle) ? low : high) = middle;
+    }
+    add_bar();
+  }
+
+ private:
+  Case subject(const std::array<int, 2>& grid, double factor) const {
+    Case c = shell_case(found_.shell, found_.tier, {grid, found_.rpm, factor});
+    if (wear_ != nullptr) c.bearing.shape = *wear_;
+    return c;
+  }
+
+  CycleResult solved(const Case& c) const {
+    return bearing::solve_cycle(c, found_.tier, crew_.control());
+  }
+
+  bool borne(double factor) {
+    const Case c = subject(plan_.coarse, factor);
+    const CycleResult r = solved(c);
+    if (crew_.stopped()) return false;
+    const ShellLimit limit = limit_of(found_.shell, c, r);
+    if (limit != ShellLimit::none) {
+      found_.bad = tried(factor, r);
+      found_.limit = limit;
+      found_.reason = app::reason_of(r.verdict);
+      return false;
+    }
+    found_.good = tried(factor, r);
+    found_.peak = 0.0;
+    for (const auto& i : r.instants) {
+      found_.peak = std::max(found_.peak, std::hypot(i.load_x, i.load_y));
+    }
+    return true;
+  }
+
+  /// Where the limit is met, here and on two thirds of the cells. Edges and mouths leave an error
+  /// of first order: what is missing on this grid is twice the difference.
+  void add_bar() {
+    constexpr double kCells = 1.5, kBar = 2.0;  // h/(1.5 h - h)
+    const double h_least = least_film(subject(plan_.coarse, 1.0));
+    const double T_most = shell_kinds()[found_.shell].T_limit;
+    const auto met = [&](ShellLimit limit, const LoadTried& good, const LoadTried& bad) {
+      return load_met(limit, good, bad, h_least, T_most);
+    };
+    const LoadTried &good = found_.good, &bad = found_.bad;
+    // The last load may break both bounds: what is met first is at the lesser load.
+    const bool hot = found_.limit == ShellLimit::lining && bad.h < h_least;
+    if (hot && met(ShellLimit::film, good, bad) < met(found_.limit, good, bad)) {
+      found_.limit = ShellLimit::film;
+    }
+    found_.met = met(found_.limit, good, bad);
+    if (!std::isfinite(found_.met)) return;
+    std::array<int, 2> grid = plan_.coarse;
+    for (int& n : grid) n = std::max(3, static_cast<int>(std::lround(n / kCells)));
+    const auto coarser = [&](const LoadTried& at) {
+      if (crew_.stopped()) return LoadTried{};
+      return tried(at.factor, solved(subject(grid, at.factor)));
+    };
+    const LoadTried coarse_good = coarser(good), coarse_bad = coarser(bad);
+    found_.met_error = kBar * std::abs(met(found_.limit, coarse_good, coarse_bad) - found_.met);
+  }
+
+  const ShellsPlan& plan_;
+  StudyCrew& crew_;
+  const Profile* wear_;
+  Capability& found_;
+};
+
+}  // namespace
+
+const char* to_string(ShellLimit limit) {
+  switch (limit) {
+    case ShellLimit::lining:
+      return "lining too hot";
+    case ShellLimit::film:
+      return "film too thin";
+    case ShellLimit::state:
+      return "no periodic state found";
+    case ShellLimit::none:
+      break;
+  }
+  return "none met";
+}
+
+double load_met(ShellLimit limit, const LoadTried& a, const LoadTried& b, double h_least,
+                double T_most) {
+  const auto beyond = [&](const LoadTried& at) {
+    return limit == ShellLimit::film     ? at.h - h_least
+           : limit == ShellLimit::lining ? T_most - at.T
+                                         : NAN;
+  };
+  const double m = beyond(a), n = beyond(b);
+  if (!(a.factor > 0.0) || !(b.factor > 0.0) || !std::isfinite(m - n) || m == n) return NAN;
+  return a.factor * std::pow(b.factor / a.factor, m / (m - n));
+}
+
+RunInShell run_shell_in(const ShellsPlan& plan, StudyCrew& crew, int shell, Tier tier) {
+  const Case c = shell_case(shell, tier, {plan.coarse});
+  const bearing::RunningInRun run = bearing::run_in(c, tier, crew.control());
+  RunInShell found;
+  found.tried = !crew.stopped();
+  found.verdict = run.verdict;
+  if (run.states.empty()) return found;
+  found.begin = run.states.front();
+  found.end = run.states.back();
+  found.wear = bearing::wear_table(run.grid, run.wear);
+  return found;
+}
+
+void find_capability(const ShellsPlan& plan, StudyCrew& crew, const Profile* wear, Capability& c) {
+  Search(plan, crew, wear, c).bisect();
+  c.tried = !crew.stopped();
+}
+
+}  // namespace shellback::validation

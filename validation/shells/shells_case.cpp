@@ -1,0 +1,52 @@
+#include "validation/shells/shells_case.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/library.hpp"
+#include "app/overrides.hpp"
+#include "app/read_case.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::validation {
+
+using bearing::Case;
+using bearing::Tier;
+
+const std::array<ShellKind, kShells>& shell_kinds() {
+  // Limits: AlSn20 loses half its strength and its tin nears melting (232 degC) from about 170 degC
+  // on; polyamide-imide coatings serve to about 200 degC (both textbook).
+  static const std::array<ShellKind, kShells> kKinds{
+      {{"AlSn, plain", "shell-plain", {0.02, 0.02, 0.005}, 102.5, 170.0 + kZeroCelsius},
+       {"AlSn, grooved", "shell-grooved", {0.02, 0.015, 0.007}, 96.2, 170.0 + kZeroCelsius},
+       {"polymer", "shell-polymer", {0.005, 0.0025, 0.01}, 71.5, 200.0 + kZeroCelsius}}};
+  return kKinds;
+}
+
+ShellsPlan shells_plan(bool quick) {
+  ShellsPlan plan;
+  if (!quick) return plan;
+  plan.grid = {100, 13};
+  plan.left_open = {60, 9};
+  plan.coarse = {48, 7};
+  plan.rpm = {2000.0};
+  plan.halvings = 3;
+  return plan;
+}
+
+Case shell_case(int shell, Tier tier, const ShellSetting& s) {
+  constexpr const char* kPlace = "study shells";
+  const std::vector<app::Override> set{
+      {"model.grid", fmt::format("[{}, {}]", s.grid[0], s.grid[1]), kPlace},
+      {"model.tier", tier == Tier::tehd ? "tehd" : "isothermal", kPlace},
+      {"operation.speed", fmt::format("{:.10g} rpm", s.rpm), kPlace},
+      {"load_cycle.factor", fmt::format("{:.10g}", s.factor), kPlace}};
+  return app::read_case(app::case_path(shell_kinds()[shell].file).string(), set);
+}
+
+double least_film(const Case& c) {
+  return std::hypot(c.surfaces.shell.roughness, c.surfaces.shaft.roughness);
+}
+
+}  // namespace shellback::validation

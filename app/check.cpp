@@ -9,8 +9,10 @@
 #include "app/indicators.hpp"
 #include "app/units.hpp"
 #include "app/words/ending_words.hpp"
+#include "app/words/heat_words.hpp"
 #include "app/words/note_words.hpp"
 #include "bearing/cycle_numbers.hpp"
+#include "bearing/heat_endings.hpp"
 #include "bearing/judge_case.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
@@ -167,6 +169,15 @@ Case at_largest_load(const Case& subject) {
   return steady;
 }
 
+/// The bearing before it makes any heat. Closed rings differ little from one grid to another: a
+/// coarse one will do.
+ending::NoClearance fit_when_coldest(const Case& subject) {
+  const FilmGrid grid = make_grid(subject.bearing.radius, subject.bearing.width, 16, 9, false);
+  const Solids solids(subject, grid, {.elastic = false, .heat = true, .thermal_deformation = true});
+  return {widening_when_coldest(subject, solids, grid), subject.bearing.radial_clearance,
+          coldest_around(subject, solids)};
+}
+
 /// What the case's tier will warn of, whatever its film comes to; auto may choose any tier up to
 /// the richest.
 std::vector<std::string> warnings_of(const Case& subject) {
@@ -175,9 +186,11 @@ std::vector<std::string> warnings_of(const Case& subject) {
   if (tier == Tier::estimate) return told;  // it takes the surfaces as smooth
   const std::vector<Tier> possible = possible_tiers(subject);
   if (tier == Tier::automatic && !possible.empty()) tier = possible.back();
-  for (const Note& note : input_warnings(subject, physics_of(subject, tier))) {
-    told.push_back(words_of(note));
-  }
+  const Physics physics = physics_of(subject, tier);
+  for (const Note& note : input_warnings(subject, physics)) told.push_back(words_of(note));
+  if (!physics.thermal_deformation) return told;
+  const ending::NoClearance fit = fit_when_coldest(subject);
+  if (fit.deformation <= -fit.clearance) told.push_back(told::told_without_clearance(fit));
   return told;
 }
 

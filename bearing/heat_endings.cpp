@@ -35,19 +35,30 @@ Verdict temperatures_possible(const Solution& s) {
   return {};
 }
 
-double coldest_around(const BearingModel& model) {
-  double coldest = model.solids->surroundings();
-  for (const Supply& supply : model.input.supplies) coldest = std::min(coldest, supply.temperature);
-  const auto& shaft = model.input.shaft;
-  if (shaft && shaft->overhang > 0.0) coldest = std::min(coldest, shaft->ambient);
+double coldest_around(const Case& c, const Solids& solids) {
+  double coldest = solids.surroundings();
+  for (const Supply& supply : c.supplies) coldest = std::min(coldest, supply.temperature);
+  if (c.shaft && c.shaft->overhang > 0.0) coldest = std::min(coldest, c.shaft->ambient);
   return coldest;
+}
+
+double widening_when_coldest(const Case& c, const Solids& solids, const FilmGrid& grid) {
+  const Field widening =
+      solids.at(solids.uniform_state(coldest_around(c, solids))).thermal_deformation;
+  double sum = 0.0, area = 0.0;
+  for (int k = 0; k < grid.cells(); ++k) {
+    const double cell = grid.area(k / grid.nz, k % grid.nz);
+    sum += cell * widening[k];
+    area += cell;
+  }
+  return sum / area;
 }
 
 Verdict colder_than_all_around(const Solution& s) {
   constexpr double kRipple = 0.5;  // of the rise: beyond it is no ripple of the polynomials [-]
   const auto& T = s.film.columns.T;
   const auto [low, high] = std::minmax_element(T.begin(), T.end());
-  const double coldest = coldest_around(s.model);
+  const double coldest = coldest_around(s.model.input, *s.model.solids);
   if (*low >= coldest - kUndershoot - kRipple * (*high - coldest)) return {};
   return {Status::iteration_limit, ending::AtTemperature{ending::Thermal::too_cold, *low},
           fluid::place_of(s.model.domain.grid, static_cast<int>(low - T.begin()) / s.model.gl.n)};

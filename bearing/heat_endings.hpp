@@ -22,7 +22,13 @@ inline constexpr double kWallsOff = 0.1;
 
 /// Coldest temperature given: supplies, surroundings of the shell and, if it has an overhang, of
 /// the shaft [K].
-[[nodiscard]] double coldest_around(const BearingModel& model);
+[[nodiscard]] double coldest_around(const Case& c, const Solids& solids);
+
+/// What thermal deformation does to the gap before the bearing makes any heat: its mean over the
+/// cells of `grid` where everything has the coldest temperature given [m]; the operators must hold
+/// thermal deformation. Negative: closes.
+[[nodiscard]] double widening_when_coldest(const Case& c, const Solids& solids,
+                                           const FilmGrid& grid);
 
 /// Good unless the film is colder than everything around it, which the second law forbids.
 [[nodiscard]] Verdict colder_than_all_around(const Solution& s);

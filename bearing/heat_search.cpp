@@ -5,6 +5,7 @@
 
 #include "bearing/branch_endings.hpp"
 #include "bearing/first_film.hpp"
+#include "bearing/heat_endings.hpp"
 #include "bearing/heat_march.hpp"
 #include "bearing/possible_methods.hpp"
 #include "bearing/solve_equilibrium.hpp"
@@ -97,10 +98,22 @@ std::optional<Branch> HeatSearch::follow() {
 
 Verdict HeatSearch::along_branch() {
   const std::optional<Branch> branch = follow();
-  if (!branch) return {Status::iteration_limit, ending::Plain::no_light_state};
+  if (!branch) return no_branch();
   if (branch->end == BranchEnd::reached) return {};
   if (branch->end == BranchEnd::interrupted) return branch->last;
   return ended(*branch);
+}
+
+Verdict HeatSearch::no_branch() const {
+  const BearingModel& m = s_.model;
+  if (m.physics.thermal_deformation) {
+    const double widening = widening_when_coldest(m.input, *m.solids, m.domain.grid);
+    if (widening <= -m.clearance) {
+      return {Status::iteration_limit,
+              ending::NoClearance{widening, m.clearance, coldest_around(m.input, *m.solids)}};
+    }
+  }
+  return {Status::iteration_limit, ending::Plain::no_light_state};
 }
 
 Verdict HeatSearch::ended(const Branch& branch) {

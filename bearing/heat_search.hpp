@@ -43,6 +43,7 @@ class HeatSearch {
  private:
   [[nodiscard]] double supply_temperature() const;
   [[nodiscard]] std::optional<Branch> follow();
+  [[nodiscard]] Verdict no_branch() const;
   [[nodiscard]] Verdict ended(const Branch& branch);
 
   Solution& s_;

@@ -13,7 +13,7 @@ namespace {
 
 void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   const auto [low, high] = std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
-  if (s.model.physics.film_energy && *low < coldest_around(s.model) - kUndershoot) {
+  if (s.model.physics.film_energy && *low < coldest_around(s.model.input, *s.model.solids) - kUndershoot) {
     warnings.push_back(note::ColdSpot{*low});
   }
   const FilmReach reach{*low, *high, largest(s.film.film.p), s.film.gap.cell, s.film.least};

@@ -176,10 +176,12 @@ struct NoHeatBalance {
 
 // Time.
 
-/// The walls that were tried leave the film no room.
+/// The walls that were tried leave the film no room, or the bearing does before it makes any heat:
+/// everything at `T`, the coldest temperature given.
 struct NoClearance {
   double deformation = 0.0;  ///< mean thermal widening of the gap, negative [m]
   double clearance = 0.0;    ///< cold [m]
+  double T = 0.0;            ///< [K]; 0: it is not that
 };
 
 /// A step of a cycle that was not found; cause: why.

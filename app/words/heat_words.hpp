@@ -9,6 +9,18 @@
 
 namespace shellback::app::told {
 
+inline constexpr const char* kFit =
+    "a larger bearing.radial_clearance, or the temperature at which it was measured "
+    "(bearing.reference_temperature), or a housing that may give way (shell.housing.support)";
+
+inline std::string told_without_clearance(const ending::NoClearance& e) {
+  return fmt::format(
+      "thermal deformation closes the bearing before it turns: with everything at "
+      "{}, the coldest temperature around it, {:.3g} um on the mean of a clearance of "
+      "{:.3g} um are gone",
+      told_temperature(e.T), -1e6 * e.deformation, 1e6 * e.clearance);
+}
+
 inline Told told(const ending::AtTemperature& e, const About&) {
   const double degC = e.T - kZeroCelsius;
   switch (e.what) {
@@ -59,6 +71,7 @@ inline Told told(const ending::NoHeatBalance& e, const About& a) {
 }
 
 inline Told told(const ending::NoClearance& e, const About&) {
+  if (e.T > 0.0) return {told_without_clearance(e) + "; no state of film and heat was found", kFit};
   return {fmt::format("the walls that were tried leave the film no room: thermal deformation has "
                       "taken {:.3g} um on the mean of a clearance of {:.3g} um",
                       -1e6 * e.deformation, 1e6 * e.clearance),

@@ -169,13 +169,11 @@ Case at_largest_load(const Case& subject) {
   return steady;
 }
 
-/// The bearing before it makes any heat. Closed rings differ little from one grid to another: a
-/// coarse one will do.
-ending::NoClearance fit_when_coldest(const Case& subject) {
+/// Closed rings differ little from one grid to another: a coarse one will do.
+std::optional<ending::NoClearance> closed_at_rest(const Case& subject) {
   const FilmGrid grid = make_grid(subject.bearing.radius, subject.bearing.width, 16, 9, false);
   const Solids solids(subject, grid, {.elastic = false, .heat = true, .thermal_deformation = true});
-  return {widening_when_coldest(subject, solids, grid), subject.bearing.radial_clearance,
-          coldest_around(subject, solids)};
+  return bearing::closed_at_rest(subject, solids, grid);
 }
 
 /// What the case's tier will warn of, whatever its film comes to; auto may choose any tier up to
@@ -189,8 +187,9 @@ std::vector<std::string> warnings_of(const Case& subject) {
   const Physics physics = physics_of(subject, tier);
   for (const Note& note : input_warnings(subject, physics)) told.push_back(words_of(note));
   if (!physics.thermal_deformation) return told;
-  const ending::NoClearance fit = fit_when_coldest(subject);
-  if (fit.deformation <= -fit.clearance) told.push_back(told::told_without_clearance(fit));
+  if (const auto closed = closed_at_rest(subject)) {
+    told.push_back(told::told_without_clearance(*closed));
+  }
   return told;
 }
 

@@ -81,7 +81,8 @@ class LoadBranch {
 PathRow LoadBranch::next_row(double length) const {
   PathRow row;
   const FilmEquilibrium& now = last_.film;
-  const double gap = room(s_.model, now);
+  // Surfaces in each other give as they overlap: what is left between their summits is no measure.
+  const double gap = std::hypot(now.least.h, s_.model.domain.rough.sigma);
   for (int k = 0; k < 4; ++k) {
     row.unit[k] = k < 2 ? gap : gap / (0.5 * s_.model.domain.grid.width);
   }
@@ -159,6 +160,7 @@ Branch LoadBranch::run(double begun) {
     step = std::min(kLongerStep * step, kLongestStep);
   }
   restore();
+  if (failure_.good()) failure_ = {Status::iteration_limit, ending::Plain::endless_branch};
   const bool bound = has_bound(s_) && unbounded_closer(s_, control_);
   return ended(bound ? BranchEnd::unbounded : BranchEnd::lost);
 }

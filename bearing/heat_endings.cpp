@@ -1,6 +1,8 @@
 #include "bearing/heat_endings.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "core/largest.hpp"
 #include "fluid/film_numbers.hpp"
@@ -35,16 +37,20 @@ Verdict temperatures_possible(const Solution& s) {
   return {};
 }
 
-double coldest_around(const Case& c, const Solids& solids) {
-  double coldest = solids.surroundings();
-  for (const Supply& supply : c.supplies) coldest = std::min(coldest, supply.temperature);
-  if (c.shaft && c.shaft->overhang > 0.0) coldest = std::min(coldest, c.shaft->ambient);
-  return coldest;
+namespace {
+
+/// Coldest and warmest temperature given [K].
+std::pair<double, double> temperatures_around(const Case& c, const Solids& solids) {
+  std::vector<double> all{solids.surroundings()};
+  for (const Supply& supply : c.supplies) all.push_back(supply.temperature);
+  if (c.shaft && c.shaft->overhang > 0.0) all.push_back(c.shaft->ambient);
+  const auto [low, high] = std::minmax_element(all.begin(), all.end());
+  return {*low, *high};
 }
 
-double widening_when_coldest(const Case& c, const Solids& solids, const FilmGrid& grid) {
-  const Field widening =
-      solids.at(solids.uniform_state(coldest_around(c, solids))).thermal_deformation;
+/// Mean thermal widening of the gap with everything at one temperature [m].
+double widening_at(double T, const Solids& solids, const FilmGrid& grid) {
+  const Field widening = solids.at(solids.uniform_state(T)).thermal_deformation;
   double sum = 0.0, area = 0.0;
   for (int k = 0; k < grid.cells(); ++k) {
     const double cell = grid.area(k / grid.nz, k % grid.nz);
@@ -52,6 +58,24 @@ double widening_when_coldest(const Case& c, const Solids& solids, const FilmGrid
     area += cell;
   }
   return sum / area;
+}
+
+}  // namespace
+
+double coldest_around(const Case& c, const Solids& solids) {
+  return temperatures_around(c, solids).first;
+}
+
+std::optional<ending::NoClearance> closed_at_rest(const Case& c, const Solids& solids,
+                                                  const FilmGrid& grid) {
+  using At = ending::NoClearance::At;
+  const auto [low, high] = temperatures_around(c, solids);
+  const double clearance = c.bearing.radial_clearance;
+  for (const auto& [at, T] : {std::pair{At::coldest, low}, std::pair{At::warmest, high}}) {
+    const double widening = widening_at(T, solids, grid);
+    if (widening <= -clearance) return ending::NoClearance{widening, clearance, at, T};
+  }
+  return std::nullopt;
 }
 
 Verdict colder_than_all_around(const Solution& s) {

@@ -1,5 +1,7 @@
 #pragma once
 /// Why film and heat found no common state, and where it shows.
+#include <optional>
+
 #include "bearing/solution.hpp"
 
 namespace shellback::bearing {
@@ -24,11 +26,11 @@ inline constexpr double kWallsOff = 0.1;
 /// the shaft [K].
 [[nodiscard]] double coldest_around(const Case& c, const Solids& solids);
 
-/// What thermal deformation does to the gap before the bearing makes any heat: its mean over the
-/// cells of `grid` where everything has the coldest temperature given [m]; the operators must hold
-/// thermal deformation. Negative: closes.
-[[nodiscard]] double widening_when_coldest(const Case& c, const Solids& solids,
-                                           const FilmGrid& grid);
+/// Whether thermal deformation closes the bearing before it makes any heat: everything at the
+/// coldest temperature given, or else at the warmest one; none: there is room at both. The
+/// operators must hold thermal deformation.
+[[nodiscard]] std::optional<ending::NoClearance> closed_at_rest(const Case& c, const Solids& solids,
+                                                                const FilmGrid& grid);
 
 /// Good unless the film is colder than everything around it, which the second law forbids.
 [[nodiscard]] Verdict colder_than_all_around(const Solution& s);

@@ -48,6 +48,15 @@ MarchEnd transient_beyond(Solution& s, const Branch& branch, const SolveControl&
   return end;
 }
 
+/// Everything as warm as its surroundings, and so much deformed.
+HeatState heat_at_rest(const BearingModel& m) {
+  const double T = m.solids->surroundings();
+  HeatState h = cold_heat(m, T);
+  if (m.physics.thermal_deformation)
+    h.thermal_deformation = m.solids->at(m.solids->uniform_state(T)).thermal_deformation;
+  return h;
+}
+
 }  // namespace
 
 double HeatSearch::supply_temperature() const {
@@ -78,10 +87,10 @@ Verdict HeatSearch::iterate() {
 
 std::optional<Branch> HeatSearch::follow() {
   const auto start = [&] {
-    s_.heat = cold_heat(s_.model, supply_temperature());
-    s_.film = cold_start(s_.model, s_.point, supply_temperature());
-    const Verdict v =
-        solve_equilibrium(s_.model, s_.point, {}, {}, s_.film, s_.cost, control_.stop);
+    s_.heat = heat_at_rest(s_.model);
+    s_.film = cold_start(s_.model, s_.point, s_.heat.T_shell.front());
+    const Verdict v = solve_equilibrium(s_.model, s_.point, s_.heat.thermal_deformation, {},
+                                        s_.film, s_.cost, control_.stop);
     return v.good() ? solve_heat(s_, options_of(Accuracy::way_point, true), control_) : v;
   };
   const Corrector correct = [&](Solution& at, Accuracy accuracy) {
@@ -107,11 +116,8 @@ Verdict HeatSearch::along_branch() {
 Verdict HeatSearch::no_branch() const {
   const BearingModel& m = s_.model;
   if (m.physics.thermal_deformation) {
-    const double widening = widening_when_coldest(m.input, *m.solids, m.domain.grid);
-    if (widening <= -m.clearance) {
-      return {Status::iteration_limit,
-              ending::NoClearance{widening, m.clearance, coldest_around(m.input, *m.solids)}};
-    }
+    const auto closed = closed_at_rest(m.input, *m.solids, m.domain.grid);
+    if (closed) return {Status::iteration_limit, *closed};
   }
   return {Status::iteration_limit, ending::Plain::no_light_state};
 }

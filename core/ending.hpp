@@ -28,6 +28,7 @@ enum class Plain {
   no_vessel_pressure,  ///< of a supply with a vessel
   // Heat.
   no_light_state,       ///< no light load and no low speed has a common state of film and heat
+  endless_branch,       ///< states without end, that bring the load no nearer
   estimate_unbalanced,  ///< no temperature at which the estimate's friction heat is carried away
   film_unsettled,       ///< temperatures of the film in a stage of a step
   film_impossible,      ///< one of them leaves what an oil can be
@@ -177,11 +178,13 @@ struct NoHeatBalance {
 // Time.
 
 /// The walls that were tried leave the film no room, or the bearing does before it makes any heat:
-/// everything at `T`, the coldest temperature given.
+/// everything at `T`, one of the temperatures given.
 struct NoClearance {
+  enum class At { tried, coldest, warmest };
   double deformation = 0.0;  ///< mean thermal widening of the gap, negative [m]
   double clearance = 0.0;    ///< cold [m]
-  double T = 0.0;            ///< [K]; 0: it is not that
+  At at = At::tried;
+  double T = 0.0;  ///< [K]
 };
 
 /// A step of a cycle that was not found; cause: why.

@@ -14,11 +14,13 @@ inline constexpr const char* kFit =
     "(bearing.reference_temperature), or a housing that may give way (shell.housing.support)";
 
 inline std::string told_without_clearance(const ending::NoClearance& e) {
+  const bool coldest = e.at == ending::NoClearance::At::coldest;
   return fmt::format(
-      "thermal deformation closes the bearing before it turns: with everything at "
-      "{}, the coldest temperature around it, {:.3g} um on the mean of a clearance of "
+      "thermal deformation {} the bearing before it turns: with everything at {}, "
+      "the {} temperature around it, {:.3g} um on the mean of a clearance of "
       "{:.3g} um are gone",
-      told_temperature(e.T), -1e6 * e.deformation, 1e6 * e.clearance);
+      coldest ? "closes" : "may close", told_temperature(e.T), coldest ? "coldest" : "warmest",
+      -1e6 * e.deformation, 1e6 * e.clearance);
 }
 
 inline Told told(const ending::AtTemperature& e, const About&) {
@@ -71,7 +73,8 @@ inline Told told(const ending::NoHeatBalance& e, const About& a) {
 }
 
 inline Told told(const ending::NoClearance& e, const About&) {
-  if (e.T > 0.0) return {told_without_clearance(e) + "; no state of film and heat was found", kFit};
+  if (e.at != ending::NoClearance::At::tried)
+    return {told_without_clearance(e) + "; no state of film and heat was found", kFit};
   return {fmt::format("the walls that were tried leave the film no room: thermal deformation has "
                       "taken {:.3g} um on the mean of a clearance of {:.3g} um",
                       -1e6 * e.deformation, 1e6 * e.clearance),

@@ -13,6 +13,9 @@ inline constexpr const char* kOutOfTheLaw =
     "there is carries the load of that instant (the reduced pressure q = (1 - exp(-alpha p))/alpha "
     "cannot exceed 1/alpha)";
 
+inline constexpr const char* kNoLightState =
+    "no light load and no low speed was found under which film and heat have a common state";
+
 inline Told told(ending::Plain e, const About& a) {
   using ending::Plain;
   switch (e) {
@@ -57,10 +60,10 @@ inline Told told(ending::Plain e, const About& a) {
       return {"the pressure in the vessel of a supply is not found",
               "a larger vessel, or a finer grid"};
     case Plain::no_light_state:
-      return {
-          "no light load and no low speed was found under which film and heat have a common "
-          "state",
-          kFinerElseTighter};
+      return {kNoLightState, kFinerElseTighter};
+    case Plain::endless_branch:
+      return {"states were found one after the other, and the load has hardly risen",
+              kFinerElseTighter};
     case Plain::estimate_unbalanced:
       return {"the estimate finds no film temperature at which the friction heat is carried away",
               "lower speed or load, feed more oil, or ask a tier that resolves the heat"};

@@ -1,6 +1,7 @@
 /// Tier tehd: thermal deformation and elastic deformation with the heat that causes them.
 #include <catch2/catch.hpp>
 
+#include "bearing/heat_endings.hpp"
 #include "bearing/solids.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -57,6 +58,30 @@ TEST_CASE("AluminiumHousingOpensTheGapAndABronzeShaftClosesIt", "[deformation]")
   for (const double x : deformation_at(c, T)) {
     CHECK(x == Approx(R * (23e-6 - 30e-6) * dT).epsilon(1e-6));
   }
+}
+
+TEST_CASE("AShaftThatOutgrowsItsBoreClosesTheBearingBeforeItTurns", "[deformation]") {
+  // One free steel body around a shaft that grows by x more: the gap loses R x dT. 303 K around the
+  // bearing, 313 K in the supply, 293 K where the clearance was measured.
+  using At = ending::NoClearance::At;
+  Case c = all_steel(303.15);
+  const FilmGrid grid = make_grid(c.bearing.radius, c.bearing.width, 24, 5, true);
+  const double R = c.bearing.radius, gap = c.bearing.radial_clearance;
+  const auto closed = [&](double x) {
+    c.shaft->material.expansion = steel().expansion + x;
+    return closed_at_rest(c, Solids(c, grid, {false, true, true}), grid);
+  };
+  CHECK_FALSE(closed(0.99 * gap / (R * 20.0)));
+  const auto warmest = closed(1.01 * gap / (R * 20.0));
+  REQUIRE(warmest);
+  CHECK(warmest->at == At::warmest);
+  CHECK(warmest->T == Approx(313.15));
+  CHECK(warmest->deformation == Approx(-1.01 * gap).epsilon(1e-6));
+  const auto coldest = closed(1.01 * gap / (R * 10.0));
+  REQUIRE(coldest);
+  CHECK(coldest->at == At::coldest);
+  CHECK(coldest->T == Approx(303.15));
+  CHECK(coldest->deformation == Approx(-1.01 * gap).epsilon(1e-6));
 }
 
 TEST_CASE("StiffSolidsThatDoNotGrowAreThoseOfTierThd", "[deformation]") {

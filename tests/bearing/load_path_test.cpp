@@ -113,6 +113,31 @@ TEST_CASE("AnInterruptedBranchIsNoSolution", "[refusal]") {
   }
 }
 
+TEST_CASE("SurfacesInEachOtherArePassedByTheirOverlap") {
+  // Soft summits that overlap by micrometres: from half the load to the whole in few states. By
+  // what is left between the summits, a hundredth of the overlap, each brought half a per cent.
+  Case c = rig_case();
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {48, 9};
+  c.operation.omega = 1e-5;
+  c.surfaces.contact->elastic_factor = 1e-6;
+  set_load(c, 20e3);
+  const Solution half = solve_tier(c, Tier::isothermal);
+  REQUIRE(half.verdict.good());
+  REQUIRE(half.film.least.h < -10.0 * half.model.domain.rough.sigma);
+  Solution s = half;
+  for (double& f : s.point.load.force) f *= 2.0;
+  int states = 0;
+  const Corrector correct = [&](Solution& at, Accuracy) {
+    ++states;
+    return newton(at.model, at.point, {}, {}, at.film, at.cost);
+  };
+  const Branch branch = follow_load(s, 0.5, correct, {});
+  CHECK(branch.end == BranchEnd::reached);
+  CHECK(states < 20);
+}
+
 TEST_CASE("AJournalWithMassFollowsNewtonsLaw") {
   // m (q - q_free)/dt^2 = F + W at the end of a step, whatever the mass; the film yields to a light
   // journal and holds a heavy one nowhere but where it flies to.

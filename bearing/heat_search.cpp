@@ -91,7 +91,7 @@ std::optional<Branch> HeatSearch::follow() {
     s_.film = cold_start(s_.model, s_.point, s_.heat.T_shell.front());
     const Verdict v = solve_equilibrium(s_.model, s_.point, s_.heat.thermal_deformation, {},
                                         s_.film, s_.cost, control_.stop);
-    return v.good() ? solve_heat(s_, options_of(Accuracy::way_point, true), control_) : v;
+    return v.good() ? solve_heat(s_, options_of(Accuracy::result, true), control_) : v;
   };
   const Corrector correct = [&](Solution& at, Accuracy accuracy) {
     const bool loose = coarse_ || accuracy == Accuracy::way_point;

@@ -138,6 +138,23 @@ TEST_CASE("SurfacesInEachOtherArePassedByTheirOverlap") {
   CHECK(states < 20);
 }
 
+TEST_CASE("ABranchBeginsWhereSummitsCarryTheJournalAtRest") {
+  // A clamped housing of half the clearance: at 3000 rpm the walls meet, at a crawl the summits
+  // carry the load. That first state takes more iterations than those which follow it.
+  Case c = rig_case();
+  c.model.grid = {48, 8};
+  c.model.switches.elastic_deformation = true;
+  c.model.switches.thermal_deformation = true;
+  c.bearing.radial_clearance = 12e-6;
+  c.shell->housing->support = HousingSupport::clamped;
+  set_load(c, 8e3);
+  const Solution s = solve_tier(c, Tier::tehd);
+  REQUIRE_FALSE(s.verdict.good());
+  REQUIRE_FALSE(s.limits.empty());
+  CHECK(s.limits.front().of_speed);
+  CHECK(s.limits.front().part > 0.3);  // of the speed
+}
+
 TEST_CASE("AJournalWithMassFollowsNewtonsLaw") {
   // m (q - q_free)/dt^2 = F + W at the end of a step, whatever the mass; the film yields to a light
   // journal and holds a heavy one nowhere but where it flies to.

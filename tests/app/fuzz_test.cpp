@@ -74,22 +74,25 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-/// The lines of the corpus that give a key a value, each key of a section in the first two cases
-/// that have it: what a value does to the reader hangs on its key, and the corpus says most of its
-/// keys a dozen times.
+/// The lines of the corpus that give a key a value, or begin a section if `headers` too, each key
+/// of a section in the first two cases that have it: what a line does to the reader hangs on its
+/// key, and the corpus says most of its keys a dozen times.
 class ValueLines {
  public:
-  /// Numbers of the lines of `lines`, the next case of the corpus, in which a value is to be
-  /// replaced.
+  explicit ValueLines(bool headers = false) : headers_(headers) {}
+
+  /// Numbers of the lines of `lines`, the next case of the corpus, that are to be changed.
   std::vector<std::size_t> next(const std::vector<std::string>& lines) {
     std::set<std::string> here;
     std::vector<std::size_t> places;
     std::string section;
     for (std::size_t k = 0; k < lines.size(); ++k) {
-      if (lines[k].starts_with('[')) section = lines[k];
+      const bool header = lines[k].starts_with('[');
+      if (header) section = lines[k];
       const std::size_t equal = lines[k].find('=');
-      if (equal == std::string::npos || lines[k].starts_with('#')) continue;
-      const std::string key = section + lines[k].substr(0, equal);
+      const bool says = header ? headers_ : equal != std::string::npos;
+      if (!says || lines[k].starts_with('#')) continue;
+      const std::string key = header ? section : section + lines[k].substr(0, equal);
       if (cases_with_[key] < 2) places.push_back(k);
       here.insert(key);
     }
@@ -98,24 +101,32 @@ class ValueLines {
   }
 
  private:
+  bool headers_;
   std::map<std::string, int> cases_with_;
 };
 
 }  // namespace
 
 TEST_CASE("FuzzTruncatedCases") {
+  ValueLines places(true);
   for (const std::string& text : corpus()) {
-    for (std::size_t end = 0; end < text.size(); end += 7) {
-      expect_case_or_refusal(text.substr(0, end));
+    const auto lines = lines_of(text);
+    for (const std::size_t k : places.next(lines)) {
+      const std::string before =
+          joined({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(k)});
+      for (std::size_t end = k % 5; end < lines[k].size(); end += 5) {
+        expect_case_or_refusal(before + lines[k].substr(0, end));
+      }
     }
   }
   SUCCEED();
 }
 
 TEST_CASE("FuzzLinesDeletedDoubledAndSwapped") {
+  ValueLines places(true);
   for (const std::string& text : corpus()) {
     const auto lines = lines_of(text);
-    for (std::size_t k = 0; k < lines.size(); ++k) {
+    for (const std::size_t k : places.next(lines)) {
       auto without = lines;
       without.erase(without.begin() + static_cast<std::ptrdiff_t>(k));
       expect_case_or_refusal(joined(without));
@@ -133,7 +144,7 @@ TEST_CASE("FuzzLinesDeletedDoubledAndSwapped") {
 TEST_CASE("FuzzCharactersSwappedAndReplaced") {
   Random random(1);
   for (const std::string& text : corpus()) {
-    for (int round = 0; round < 600; ++round) {
+    for (int round = 0; round < 200; ++round) {
       std::string mutated = text;
       const std::size_t edits = 1 + below(random, 4);
       for (std::size_t e = 0; e < edits; ++e) {

@@ -10,10 +10,24 @@ void Closure::add(double difference) {
   last = difference;
 }
 
+namespace {
+
+constexpr double kSlowest = 0.99;  ///< slower is not seen from noise
+
+/// One difference tells no rate: it may be the slowest.
+double rate_of(const Closure& c) {
+  return std::isfinite(c.before) ? std::clamp(c.last / c.before, c.rate, kSlowest) : kSlowest;
+}
+
+}  // namespace
+
+void Closure::lead_on() {
+  rate = 0.0;  // that of these cycles counts, not that of earlier ones
+  *this = {NAN, NAN, rate_of(*this)};
+}
+
 bool Closure::closed() const {
-  constexpr double kSlowest = 0.99;  // slower is not seen from noise
-  // One difference tells no rate: it may be the slowest.
-  const double rho = std::isfinite(before) ? std::min(last / before, kSlowest) : kSlowest;
+  const double rho = rate_of(*this);
   return last * std::max(1.0, rho / (1.0 - rho)) <= kClosed;
 }
 

@@ -14,7 +14,11 @@ inline constexpr double kClosed = 1e-4;
 struct Closure {
   double last = NAN;    ///< difference of the last two cycles [-]
   double before = NAN;  ///< of the two before [-]
+  double rate = 0.0;    ///< least rho that is counted on [-]
   void add(double difference);
+  /// The next cycle begins with what these lead to: its difference from the last one says nothing,
+  /// but what is still wrong dies out no faster than before.
+  void lead_on();
   /// Within kClosed of the periodic state.
   [[nodiscard]] bool closed() const;
 };

@@ -18,7 +18,13 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr int kMostCycles = 40;        ///< starved films gather their oil over ten and more
+constexpr int kMostCycles = 40;   ///< with walls that settle
+constexpr int kMostOfFilm = 300;  ///< starved films gather their oil over a hundred
+constexpr int kOrbits = 3;        ///< cycles in which the journal finds its orbit
+/// Behind each time that oil is led on: cycles in which the film follows, and those that count.
+constexpr int kFollowing = 2;
+constexpr int kCounted = 3;
+constexpr std::size_t kLeading = 8;    ///< last cycles that lead on
 constexpr double kAfterJump = 3600.0;  ///< steps of a turn, behind a jump: 0.1 degrees (methods 4)
 constexpr double kSkinSteps = 8.0;     ///< longest step over the one that skins resolve
 
@@ -172,7 +178,8 @@ void CycleSearch::begin(Tape& tape) {
 void CycleSearch::members(Tape& tape) {
   film_.members(tape, length_, steps_.longest / kSkinSteps);
   tape(periods_, cost_, now_, told_, closure_, heat_, response_, looked_, walls_, held_);
-  tape(wall_change_, from_rest_, phase_, most_, walls_begun_, answers_, r_, *passing_);
+  tape(wall_change_, from_rest_, phase_, most_, oil_, oil_begun_, plain_, walls_begun_, answers_,
+       r_, *passing_);
 }
 
 void CycleSearch::ended(Tape& tape) {
@@ -214,6 +221,7 @@ void CycleSearch::set_temperature(double T) {
     now_.oil_slope.clear();
   }
   closure_ = {};
+  oil_.clear();
   r_.verdict = {};
 }
 
@@ -247,12 +255,14 @@ bool CycleSearch::pass() {
   passing_.reset();
   r_.verdict = end.verdict;
   if (end.verdict.status == Status::interrupted && r_.cycles > 0) return false;
-  if (end.verdict.good() && r_.cycles > 0) closure_.add(passed.record.difference(told_));
+  const bool from_another = r_.cycles > 0 && plain_ > 0;
+  if (end.verdict.good() && from_another) closure_.add(passed.record.difference(told_));
   if (passed.look && heat_.looked()) {
     response_ = heat_.response();
     ++looked_;
   }
   ++r_.cycles;
+  ++plain_;
   r_.steps = end.accepted;
   r_.rejected_steps = end.rejected;
   r_.limiters.clear();
@@ -263,14 +273,31 @@ bool CycleSearch::pass() {
 }
 
 void CycleSearch::until_closed() {
-  if (!brought_back_) most_ = r_.cycles + kMostCycles;
+  if (!brought_back_) most_ = r_.cycles + (film_.heat() == nullptr ? kMostOfFilm : kMostCycles);
   while (pass() && c_.cycle->repeats() && !closure_.closed()) {
+    lead_oil_on();
     if (r_.cycles < most_) continue;
     r_.verdict = {Status::iteration_limit,
                   ending::Unsettled{ending::Iteration::cycles, r_.cycles, closure_.last, false,
                                     told_.oil_gathered()}};
     return;
   }
+}
+
+void CycleSearch::lead_oil_on() {
+  if (film_.heat() != nullptr || !now_.layer.now.empty()) return;  // they remember more than oil
+  std::vector<double> oil = film_.oil_of(now_);
+  const bool followed = plain_ > kFollowing && r_.cycles > kOrbits;
+  if (followed) oil_.push_back({std::move(oil_begun_), oil});
+  if (oil_.size() > kLeading) oil_.erase(oil_.begin());
+  oil_begun_ = std::move(oil);
+  if (plain_ < kFollowing + kCounted || static_cast<int>(oil_.size()) < kCounted) return;
+  const auto leads_to = extrapolated(oil_);
+  if (!leads_to) return;
+  film_.put_oil(*leads_to, now_);
+  oil_begun_ = film_.oil_of(now_);
+  closure_.lead_on();
+  plain_ = 0;
 }
 
 std::vector<double> CycleSearch::packed(const WallMeans& w) const {

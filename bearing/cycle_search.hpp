@@ -1,7 +1,8 @@
 #pragma once
 /// The periodic state of a bearing under a load cycle, on one grid.
 ///
-///   one temperature   cycle after cycle until two agree
+///   one temperature   cycle after cycle until two agree; what the film gathers or loses over many
+///                     of them is led on to where it leads (extrapolation.hpp)
 ///   film energy       the fixed point of the walls: one cycle with walls that stay as they are ->
 ///                     its mean heat -> the walls of the next (cycle_walls.hpp), Anderson
 ///                     acceleration (KINSOL); then cycles with the last walls until two agree
@@ -14,6 +15,7 @@
 #include "bearing/cycle_record.hpp"
 #include "bearing/cycle_steps.hpp"
 #include "bearing/cycle_walls.hpp"
+#include "bearing/extrapolation.hpp"
 
 namespace shellback::bearing {
 
@@ -103,6 +105,8 @@ class CycleSearch {
   bool pass();
   /// Cycles until two agree.
   void until_closed();
+  /// From time to time, the oil to which the last cycles lead.
+  void lead_oil_on();
   /// The walls' fixed point.
   void settle_walls(bool rough);
   /// One turn of it: walls and their thermal deformation in units -> what they come to.
@@ -137,6 +141,9 @@ class CycleSearch {
   bool from_rest_ = true;
   Phase phase_ = Phase::orbit;
   int most_ = 0;                              ///< cycles, of until_closed()
+  std::vector<Iterate> oil_;                  ///< of the cycles that lead on
+  std::vector<double> oil_begun_;             ///< with which the present cycle has begun
+  int plain_ = 0;                             ///< cycles since the oil was led on
   std::vector<double> walls_begun_;           ///< of the walls' fixed point, packed
   std::vector<std::vector<double>> answers_;  ///< of the iteration around the cycles
   std::size_t given_ = 0;                     ///< of them, in this run

@@ -392,6 +392,28 @@ void FilmSteps::put_back(const Supplies& before) {
   point_.scene.supply.mouths = before.mouths;
 }
 
+std::vector<double> FilmSteps::oil_of(const FilmInTime& now) const {
+  const FilmGrid& g = model_.domain.grid;
+  std::vector<double> oil = now.oil;
+  for (int c = 0; c < g.cells(); ++c) oil[c] *= g.area(c / g.nz, c % g.nz);
+  oil.insert(oil.end(), now.vessels.begin(), now.vessels.end());
+  return oil;
+}
+
+void FilmSteps::put_oil(const std::vector<double>& oil, FilmInTime& now) const {
+  const FilmGrid& g = model_.domain.grid;
+  fluid::FilmState& film = now.film.film;
+  fluid::FilmState whole = film;
+  std::fill(whole.theta.begin(), whole.theta.end(), 1.0);
+  const Field most = fluid::oil_content(point_.scene, now.film.gap, now.film.oil, whole);
+  for (int c = 0; c < g.cells(); ++c) {
+    if (film.full[c] || model_.supply.cell[c] >= 0) continue;
+    now.oil[c] = std::clamp(oil[c] / g.area(c / g.nz, c % g.nz), 0.0, most[c]);
+    film.theta[c] = now.oil[c] / most[c];
+  }
+  std::copy(oil.begin() + g.cells(), oil.end(), now.vessels.begin());
+}
+
 bool FilmSteps::reshape(FilmInTime& now) {
   constexpr double kNearer = 0.9;  // to the middle, where the gap is closed: it is but a start
   constexpr int kMost = 40;        // then it is in the middle within 2 %

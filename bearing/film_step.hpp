@@ -99,6 +99,11 @@ class FilmSteps {
   /// `now` of the same bearing with a shell of another shape: oil keeps its fill ratios where the
   /// gap has grown. False if the gap is closed.
   [[nodiscard]] bool reshape(FilmInTime& now);
+  /// What may come to rest only over many periods: the oil of every cell and vessel [kg].
+  [[nodiscard]] std::vector<double> oil_of(const FilmInTime& now) const;
+  /// Puts that oil into cavitated cells, as much as they hold, and into vessels; full cells keep
+  /// theirs. The next step begins anew.
+  void put_oil(const std::vector<double>& oil, FilmInTime& now) const;
   /// The steady state under load and speed at t = 0; none if it is not found.
   [[nodiscard]] std::optional<FilmInTime> steady(double T, EquilibriumCost& cost,
                                                  const std::atomic<bool>* stop);

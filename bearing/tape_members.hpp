@@ -4,6 +4,7 @@
 /// not compile.
 #include "bearing/cycle.hpp"
 #include "bearing/cycle_endings.hpp"
+#include "bearing/extrapolation.hpp"
 #include "bearing/film_step.hpp"
 #include "core/tape.hpp"
 
@@ -78,6 +79,8 @@ inline void members(Tape& tape, bearing::EquilibriumCost& x) {
   auto& [factorizations, newton, krylov, rejected, sweeps, rounds, work, most_work] = x;
   tape(factorizations, newton, krylov, rejected, sweeps, rounds, work, most_work);
 }
+
+inline void members(Tape& tape, bearing::Iterate& x) { tape(x.x, x.g); }
 
 // Results.
 

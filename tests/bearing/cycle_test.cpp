@@ -6,6 +6,8 @@
 #include <complex>
 
 #include "app/words/ending_words.hpp"
+#include "bearing/cycle_endings.hpp"
+#include "bearing/cycle_steps.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -167,6 +169,40 @@ TEST_CASE("AStarvedFilmNeedsAQuarterOfTheCellsWithFrontsKeptSharp", "[cycle]") {
   // so that four times as many cells leave half of it.
   CHECK(finer < upwind);
   CHECK(film(32, FillTransport::van_leer) < finer);
+}
+
+TEST_CASE("OilThatManyCyclesGatherIsLedOnToWhereTheyLead", "[cycle]") {
+  // A short groove that feeds a light load that turns with the journal.
+  Case c = pulsed_case();
+  c.cycle = over_two_turns(c, [](double a) { return Load{300 * std::cos(a), 300 * std::sin(a)}; });
+  c.supplies[0].pressure = 1e4;
+  c.supplies[0].length = 0.004;
+  c.model.grid = {32, 7};
+  c.cycle->step = 8.0 * kDegree / c.cycle->crank_speed;
+  const CycleResult r = converged(c);
+  // The judge: one cycle after the other in the same steps, each from where the last one ended.
+  const double length = c.cycle->length();
+  const LoadCourse course(*c.cycle, c.operation.omega);
+  FilmSteps film(make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid), course,
+                 c.cycle->journal_mass, {});
+  CycleSteps steps(film, course, length, {1e-3, length, 1e-7 * length, length, *c.cycle->step});
+  FilmInTime now = film.at_rest(equivalent_temperature(c));
+  EquilibriumCost cost;
+  Closure closure;
+  double least = INFINITY, before = 0.0;
+  int cycles = 0, until_closed = 0;
+  while (std::abs(least / before - 1.0) > 1e-6) {
+    before = std::exchange(least, INFINITY);
+    const auto tell = [&](const FilmStep& s, double) {
+      least = std::min(least, s.after.film.least.h);
+    };
+    REQUIRE(steps.pass(now, cost, {}, tell, [] {}).verdict.good());
+    ++cycles;
+    closure.add(std::abs(least / before - 1.0));
+    if (until_closed == 0 && closure.closed()) until_closed = cycles;
+  }
+  CHECK(value(r, "h_min") == Approx(least).epsilon(1e-4));  // to which a search closes
+  CHECK(r.cycles < until_closed);
 }
 
 TEST_CASE("FilmAndTorqueAreOfSecondOrderInTime", "[cycle]") {

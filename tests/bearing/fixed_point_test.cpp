@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "bearing/extrapolation.hpp"
+
 using namespace shellback::bearing;
 
 namespace {
@@ -73,4 +75,30 @@ TEST_CASE("AnIterateThatIsThrownOutOfReachIsNotTried", "[fixed_point]") {
   CHECK(x[0] == Approx(10.0));
   CHECK(x[1] == Approx(10.0));
   CHECK(farthest <= 15.0);  // from the last value, at most the fixed point, no further than asked
+}
+
+TEST_CASE("IteratesOfThreeModesLeadToTheirLimit", "[fixed_point]") {
+  // x = b + sum_m v_m lambda^k: a slow one, one that swings and one between them.
+  const std::vector<double> limit{1.0, -2.0, 3.0, 0.5};
+  const auto at = [&](double slow, double swings, double fast) {
+    return std::vector<double>{limit[0] + slow + fast, limit[1] - slow + 2.0 * swings,
+                               limit[2] + swings - fast, limit[3] + 0.3 * slow};
+  };
+  const auto from = [&](double slow, double swings, double fast) {
+    return Iterate{at(slow, swings, fast), at(0.97 * slow, -0.8 * swings, 0.4 * fast)};
+  };
+  const auto check = [&](const std::vector<Iterate>& of) {
+    const auto s = extrapolated(of);
+    REQUIRE(s);
+    for (std::size_t k = 0; k < 4; ++k) CHECK((*s)[k] == Approx(limit[k]).epsilon(1e-9));
+  };
+  std::vector<Iterate> sequence;
+  for (int k = 0; k < 4; ++k) {
+    sequence.push_back(from(std::pow(0.97, k), std::pow(-0.8, k), std::pow(0.4, k)));
+  }
+  check(sequence);
+  check({from(1.0, 0.3, 0.0), from(0.2, -0.5, 1.0), from(0.6, 0.1, 0.4), from(2.0, 1.0, -1.0)});
+  const Iterate there = from(0.0, 0.0, 0.0);
+  CHECK_FALSE(extrapolated({there, there}));
+  CHECK_FALSE(extrapolated({there, from(NAN, 0.0, 0.0)}));
 }

@@ -175,6 +175,19 @@ TEST_CASE("TwoCyclesAgreeOnceTheirRateIsKnown") {
   CHECK(same.closed());
 }
 
+TEST_CASE("CyclesThatWereLedOnDrawNearNoFasterThanBefore") {
+  // A mode of 0.9 per cycle, of which a little is left, beside one that is gone at once.
+  Closure closure;
+  closure.add(1e-2);
+  closure.add(0.9e-2);
+  closure.lead_on();
+  closure.add(2e-3);
+  closure.add(1e-4);              // alone it would tell of 0.05, and of 5e-6 to come
+  CHECK_FALSE(closure.closed());  // 9e-4 may be to come
+  closure.add(1.1e-5);
+  CHECK(closure.closed());  // 9.9e-5
+}
+
 TEST_CASE("ALoadThatVanishesNeedsAMass") {
   const auto through_zero = [](LoadCycle& c) {
     c.x = {0.0, 0.0, 0.0, 0.0};

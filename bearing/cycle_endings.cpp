@@ -6,6 +6,7 @@
 namespace shellback::bearing {
 
 void Closure::add(double difference) {
+  earlier = before;
   before = last;
   last = difference;
 }
@@ -16,14 +17,16 @@ constexpr double kSlowest = 0.99;  ///< slower is not seen from noise
 
 /// One difference tells no rate: it may be the slowest.
 double rate_of(const Closure& c) {
-  return std::isfinite(c.before) ? std::clamp(c.last / c.before, c.rate, kSlowest) : kSlowest;
+  if (!std::isfinite(c.before)) return kSlowest;
+  const double rho = std::isfinite(c.earlier) ? std::sqrt(c.last / c.earlier) : c.last / c.before;
+  return std::clamp(rho, c.rate, kSlowest);
 }
 
 }  // namespace
 
 void Closure::lead_on() {
   rate = 0.0;  // that of these cycles counts, not that of earlier ones
-  *this = {NAN, NAN, rate_of(*this)};
+  *this = {NAN, NAN, NAN, rate_of(*this)};
 }
 
 bool Closure::closed() const {

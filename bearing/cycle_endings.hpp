@@ -10,11 +10,13 @@ namespace shellback::bearing {
 inline constexpr double kClosed = 1e-4;
 
 /// How cycles draw near to the periodic state: where the change falls by the ratio rho from cycle
-/// to cycle, rho/(1 - rho) of the last one is still to come.
+/// to cycle, rho/(1 - rho) of the last one is still to come. rho is that of two cycles, where so
+/// many are known: changes that swing are large and small in turn.
 struct Closure {
-  double last = NAN;    ///< difference of the last two cycles [-]
-  double before = NAN;  ///< of the two before [-]
-  double rate = 0.0;    ///< least rho that is counted on [-]
+  double last = NAN;     ///< difference of the last two cycles [-]
+  double before = NAN;   ///< of the two before [-]
+  double earlier = NAN;  ///< and before those [-]
+  double rate = 0.0;     ///< least rho that is counted on [-]
   void add(double difference);
   /// The next cycle begins with what these lead to: its difference from the last one says nothing,
   /// but what is still wrong dies out no faster than before.

@@ -170,6 +170,11 @@ TEST_CASE("TwoCyclesAgreeOnceTheirRateIsKnown") {
     while (!closure.closed()) closure.add(left *= rho);
     CHECK(left * rho / (1.0 - rho) <= 1e-4);
   }
+  Closure swings;  // 0.8 a cycle, large and small in turn: 2.8e-4 are to come behind the last one
+  for (const double d : {5e-4, 1.1e-4, 3.2e-4, 0.704e-4}) {
+    swings.add(d);
+    CHECK_FALSE(swings.closed());
+  }
   Closure same;
   same.add(1e-9);  // near whatever the rate
   CHECK(same.closed());

@@ -411,7 +411,10 @@ void FilmSteps::put_oil(const std::vector<double>& oil, FilmInTime& now) const {
     now.oil[c] = std::clamp(oil[c] / g.area(c / g.nz, c % g.nz), 0.0, most[c]);
     film.theta[c] = now.oil[c] / most[c];
   }
-  std::copy(oil.begin() + g.cells(), oil.end(), now.vessels.begin());
+  const std::vector<double> filled = vessels_.full();
+  for (std::size_t v = 0; v < now.vessels.size(); ++v) {
+    now.vessels[v] = std::clamp(oil[g.cells() + v], 0.0, std::max(filled[v], now.vessels[v]));
+  }
 }
 
 bool FilmSteps::reshape(FilmInTime& now) {

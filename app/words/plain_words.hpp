@@ -123,8 +123,8 @@ inline Told told(const ending::Unsettled& e, const About& a) {
                           e.steps, e.left, gathered(e)),
               "where it is about 1e-4, a smaller model.tolerance (it is the choice of steps that "
               "differs); else repeat the load several times in a longer period (oil of a starved "
-              "film gathers over more than a hundred short ones), or look at the orbit: it may repeat "
-              "itself over several periods, as journals that whirl do"};
+              "film gathers over more than a hundred short ones), or look at the orbit: it may "
+              "repeat itself over several periods, as journals that whirl do"};
     case ending::Iteration::walls_of_cycles:
       return {fmt::format("after {} cycles the walls still change by {:.2g} K from one to the next",
                           e.steps, e.left),

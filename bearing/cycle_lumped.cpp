@@ -1,15 +1,16 @@
 #include "bearing/cycle_lumped.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bearing/bracketed_root.hpp"
 #include "bearing/heat_endings.hpp"
 #include "rheology/heat.hpp"
+#include "rheology/viscosity.hpp"
 
 namespace shellback::bearing {
 
 Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
-  constexpr double kFirstRise = 5.0;  // of the search upwards, doubled from try to try [K]
   const double T_supply = c.supplies.front().temperature;
   Verdict last;
   const auto unbalanced = [](double hottest) -> Verdict {
@@ -22,6 +23,10 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
     last = search.search(false);
     if (!last.good()) return double{NAN};
     const CycleMeans m = search.told().means();
+    if (!(m.side_mass_flow > 0.0)) {
+      last = {Status::no_steady_state, ending::Plain::no_oil_leaves};
+      return double{NAN};
+    }
     const double cp = rheology::heat_capacity(c.oil, 0.5 * (T + T_supply)).cp;
     const double r = T_supply + m.power / (m.side_mass_flow * cp) - T;
     search.remember({r});
@@ -29,18 +34,20 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
   };
   KnownPoint low{T_supply, residual(T_supply)};
   if (std::isnan(low.f)) return last;
-  for (double rise = kFirstRise; std::abs(low.f) > kCycleBalance; rise *= 2.0) {
-    if (rise > kHottestRise) return unbalanced(T_supply + kHottestRise);
-    const KnownPoint high{T_supply + rise, residual(T_supply + rise)};
-    if (std::isnan(high.f)) return last;
-    if (high.f > 0.0) {
-      low = high;
-      continue;
+  const double by_T = -rheology::viscosity_slopes(c.oil, T_supply, 0.0, 0.0).dln_dT;
+  double slope = -1.0 - by_T * low.f;  // of heat over flow that goes with the viscosity
+  while (low.f > kCycleBalance) {
+    const double T = low.x - low.f / std::min(slope, -1.0);
+    if (T - T_supply > kHottestRise) return unbalanced(T_supply + kHottestRise);
+    const KnownPoint next{T, residual(T)};
+    if (std::isnan(next.f)) return last;
+    if (next.f < 0.0) {
+      const BracketOptions options{kCycleBalance, kCycleBracket};
+      const bool found = bracketed_root(residual, low, next, options).found;
+      return found || !last.good() ? last : unbalanced(next.x);
     }
-    if (!bracketed_root(residual, low, high, {kCycleBalance, kCycleBracket}).found && last.good()) {
-      return unbalanced(high.x);
-    }
-    break;
+    slope = (next.f - low.f) / (next.x - low.x);
+    low = next;
   }
   return last;
 }

@@ -29,9 +29,9 @@ void Closure::lead_on() {
   *this = {NAN, NAN, NAN, rate_of(*this)};
 }
 
-bool Closure::closed() const {
+bool Closure::closed(double within) const {
   const double rho = rate_of(*this);
-  return last * std::max(1.0, rho / (1.0 - rho)) <= kClosed;
+  return last * std::max(1.0, rho / (1.0 - rho)) <= within;
 }
 
 Verdict at_instant(Verdict v, double t, double crank_speed) {

@@ -21,8 +21,8 @@ struct Closure {
   /// The next cycle begins with what these lead to: its difference from the last one says nothing,
   /// but what is still wrong dies out no faster than before.
   void lead_on();
-  /// Within kClosed of the periodic state.
-  [[nodiscard]] bool closed() const;
+  /// Within `within` of the periodic state.
+  [[nodiscard]] bool closed(double within = kClosed) const;
 };
 
 /// A step that was not found because of `v`, at `t` of the cycle [s]; `crank_speed` [rad/s], 0:

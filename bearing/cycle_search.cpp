@@ -18,8 +18,9 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr int kMostCycles = 40;   ///< with walls that settle
-constexpr int kMostOfFilm = 300;  ///< starved films gather their oil over a hundred
+constexpr int kMostCycles = 300;  ///< starved films gather their oil over a hundred
+constexpr int kTurns = 15;        ///< of the walls, after which the oil is given time to follow
+constexpr int kFollowed = 40;     ///< turns of the walls, and cycles, of a worn shape
 constexpr int kOrbits = 3;        ///< cycles in which the journal finds its orbit
 /// Behind each time that oil is led on: cycles in which the film follows, and those that count.
 constexpr int kFollowing = 2;
@@ -178,8 +179,8 @@ void CycleSearch::begin(Tape& tape) {
 void CycleSearch::members(Tape& tape) {
   film_.members(tape, length_, steps_.longest / kSkinSteps);
   tape(periods_, cost_, now_, told_, closure_, heat_, response_, looked_, walls_, held_);
-  tape(wall_change_, from_rest_, phase_, most_, oil_, oil_begun_, plain_, walls_begun_, answers_,
-       r_, *passing_);
+  tape(wall_change_, from_rest_, phase_, most_, oil_, oil_begun_, plain_, settled_, walls_begun_,
+       answers_, r_, *passing_);
 }
 
 void CycleSearch::ended(Tape& tape) {
@@ -220,8 +221,6 @@ void CycleSearch::set_temperature(double T) {
     now_.layer = {Columns(now_.layer.now.size()), {}, 0.0};
     now_.oil_slope.clear();
   }
-  closure_ = {};
-  oil_.clear();
   r_.verdict = {};
 }
 
@@ -272,11 +271,16 @@ bool CycleSearch::pass() {
   return r_.verdict.good();
 }
 
-void CycleSearch::until_closed() {
-  if (!brought_back_) most_ = r_.cycles + (film_.heat() == nullptr ? kMostOfFilm : kMostCycles);
-  while (pass() && c_.cycle->repeats() && !closure_.closed()) {
+void CycleSearch::until_closed(double within) {
+  if (!brought_back_) {
+    closure_ = {};
+    oil_.clear();
+    oil_begun_ = film_.oil_of(now_);
+  }
+  while (pass() && c_.cycle->repeats() && !closure_.closed(within)) {
+    const bool seen = std::isfinite(closure_.last);  // of a cycle that was not begun with led oil
     lead_oil_on();
-    if (r_.cycles < most_) continue;
+    if (r_.cycles < most_ || !seen) continue;
     r_.verdict = {Status::iteration_limit,
                   ending::Unsettled{ending::Iteration::cycles, r_.cycles, closure_.last, false,
                                     told_.oil_gathered()}};
@@ -285,7 +289,7 @@ void CycleSearch::until_closed() {
 }
 
 void CycleSearch::lead_oil_on() {
-  if (film_.heat() != nullptr || !now_.layer.now.empty()) return;  // they remember more than oil
+  if (!now_.layer.now.empty()) return;  // marks of what has flowed are not of the oil alone
   std::vector<double> oil = film_.oil_of(now_);
   const bool followed = plain_ > kFollowing && r_.cycles > kOrbits;
   if (followed) oil_.push_back({std::move(oil_begun_), oil});
@@ -340,21 +344,28 @@ bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>
   WallMeans walls = *walls_;
   unpack(x, walls);
   if (!pass_between(walls)) return false;
-  const BodiesAnswer next =
-      answer_of_bodies(film_.model(), *walls_, heat_, *response_, film_.heat()->skin().nodes());
-  walls_->flux = next.walls.flux;
-  answered_ = next.walls;
-  g = packed(next.walls);
+  answered_ = bodies_answer();
+  walls_->flux = answered_->flux;
+  g = packed(*answered_);
   wall_change_ = kHeatUnit * largest_difference(g, x);
   return true;
 }
 
-void CycleSearch::settle_walls(bool rough) {
+WallMeans CycleSearch::bodies_answer() const {
+  const int nodes = film_.heat()->skin().nodes();
+  return answer_of_bodies(film_.model(), *walls_, heat_, *response_, nodes).walls;
+}
+
+bool CycleSearch::settle_walls(bool rough, int turns) {
   const double T = c_.supplies.front().temperature;
   const double by_T = -rheology::viscosity_slopes(film_.model().oil, T, 0.0, 0.0).dln_dT;
   const bool coarsely = rough || !(by_T > 0.0);
   const double enough = coarsely ? kWallsOff : std::min(kWallsOff, steps_.error / by_T);
-  if (!brought_back_) walls_begun_ = packed(*walls_);
+  if (!brought_back_) {
+    walls_begun_ = packed(*walls_);
+    answers_.clear();
+    given_ = 0;
+  }
   std::vector<double> x = walls_begun_;
   const auto map = [this](const std::vector<double>& at, std::vector<double>& g) {
     if (auto known = remembered()) {
@@ -365,39 +376,57 @@ void CycleSearch::settle_walls(bool rough) {
     remember(g);
     return true;
   };
-  const FixedPointEnd end =
-      fixed_point(map, {FixedPointOptions{}.depth, 1, kMostCycles, enough / kHeatUnit}, x);
-  const bool open = end != FixedPointEnd::converged && r_.verdict.good();
-  if (open)
-    r_.verdict = {Status::iteration_limit,
-                  ending::Unsettled{ending::Iteration::walls_of_cycles, r_.cycles, wall_change_}};
+  return fixed_point(map, {FixedPointOptions{}.depth, 1, turns, enough / kHeatUnit}, x) ==
+         FixedPointEnd::converged;
+}
+
+void CycleSearch::settle_walls_and_oil(bool rough) {
+  while (true) {
+    const bool to_walls = !brought_back_ || phase_ != Phase::closing;
+    if (to_walls) {
+      phase_ = Phase::walls;
+      settled_ = settle_walls(rough, kTurns);
+      if (!r_.verdict.good() || (settled_ && rough)) return;
+    }
+    phase_ = Phase::closing;
+    until_closed(settled_ ? kClosed : steps_.error);
+    if (!r_.verdict.good()) return;
+    answered_ = bodies_answer();
+    wall_change_ = kHeatUnit * largest_difference(packed(*answered_), packed(*walls_));
+    if (settled_ && wall_change_ <= kWallsOff) return;
+    if (r_.cycles >= most_) {
+      r_.verdict = walls_unsettled();
+      return;
+    }
+    walls_ = answered_;
+  }
+}
+
+Verdict CycleSearch::walls_unsettled() const {
+  return {Status::iteration_limit,
+          ending::Unsettled{ending::Iteration::walls_of_cycles, r_.cycles, wall_change_}};
 }
 
 const Verdict& CycleSearch::search(bool rough) {
   const bool heat = film_.model().physics.film_energy;
   if (!r_.verdict.good()) return r_.verdict;
+  if (!brought_back_) most_ = r_.cycles + kMostCycles;
   if (!heat || held_ || !c_.cycle->repeats()) {
-    until_closed();
+    until_closed(kClosed);
     return r_.verdict;
   }
   if (!brought_back_) phase_ = looked_ == 0 ? Phase::orbit : Phase::walls;
   if (phase_ == Phase::orbit && !pass()) return r_.verdict;  // before heat is looked at
-  if (phase_ != Phase::closing) {
-    phase_ = Phase::walls;
-    settle_walls(rough);
-    closure_ = {};
-    if (!r_.verdict.good() || rough) return r_.verdict;
-    phase_ = Phase::closing;
-  }
-  until_closed();
+  settle_walls_and_oil(rough);
   return r_.verdict;
 }
 
 const Verdict& CycleSearch::follow() {
   const bool heat = film_.model().physics.film_energy;
-  for (int k = 0; k < kMostCycles && r_.verdict.good(); ++k) {
+  for (int k = 0; k < kFollowed && r_.verdict.good(); ++k) {
     if (heat) {
-      settle_walls(true);
+      settled_ = settle_walls(true, kFollowed);
+      if (!settled_ && r_.verdict.good()) r_.verdict = walls_unsettled();
     } else {
       pass();
     }

@@ -5,7 +5,9 @@
 ///                     of them is led on to where it leads (extrapolation.hpp)
 ///   film energy       the fixed point of the walls: one cycle with walls that stay as they are ->
 ///                     its mean heat -> the walls of the next (cycle_walls.hpp), Anderson
-///                     acceleration (KINSOL); then cycles with the last walls until two agree
+///                     acceleration (KINSOL); then cycles between the last walls until two agree,
+///                     the oil led on. Walls that oil has moved meanwhile, or that did not settle
+///                     while it moved, settle again: until both hold
 /// A single event is passed once.
 #include <memory>
 #include <optional>
@@ -103,14 +105,19 @@ class CycleSearch {
   void begin_film(double T);
   /// Passes the period once more; false where the search has ended.
   bool pass();
-  /// Cycles until two agree.
-  void until_closed();
+  /// Cycles until two agree within `within`, between walls that stay as they are.
+  void until_closed(double within);
   /// From time to time, the oil to which the last cycles lead.
   void lead_oil_on();
-  /// The walls' fixed point.
-  void settle_walls(bool rough);
+  /// The walls' fixed point, a cycle a turn; false if they still change, or with the verdict.
+  bool settle_walls(bool rough, int turns);
+  /// Walls and oil by turns, until both hold; `rough`: walls.
+  void settle_walls_and_oil(bool rough);
   /// One turn of it: walls and their thermal deformation in units -> what they come to.
   bool answer_walls(const std::vector<double>& x, std::vector<double>& g);
+  [[nodiscard]] Verdict walls_unsettled() const;
+  /// What the bodies make of the heat of the last cycle.
+  [[nodiscard]] WallMeans bodies_answer() const;
   [[nodiscard]] std::vector<double> packed(const WallMeans& w) const;
   void unpack(const std::vector<double>& x, WallMeans& w) const;
   /// The film between `walls_`; false, with the verdict, if they leave it no room.
@@ -140,10 +147,11 @@ class CycleSearch {
   double wall_change_ = NAN;  ///< of the last turn [K]
   bool from_rest_ = true;
   Phase phase_ = Phase::orbit;
-  int most_ = 0;                              ///< cycles, of until_closed()
+  int most_ = 0;                              ///< cycles, of search()
   std::vector<Iterate> oil_;                  ///< of the cycles that lead on
   std::vector<double> oil_begun_;             ///< with which the present cycle has begun
   int plain_ = 0;                             ///< cycles since the oil was led on
+  bool settled_ = false;                      ///< the walls, when they were looked at last
   std::vector<double> walls_begun_;           ///< of the walls' fixed point, packed
   std::vector<std::vector<double>> answers_;  ///< of the iteration around the cycles
   std::size_t given_ = 0;                     ///< of them, in this run

@@ -119,6 +119,29 @@ Json cycle_quantities(const bearing::CycleResult& cycle) {
   return all;
 }
 
+struct LastState {
+  std::vector<bearing::Note> warnings;  ///< without those of the input
+  std::vector<bearing::LimiterCount> limiters;
+};
+
+LastState last_state(const RunningInRun& run) {
+  if (run.states.empty()) return {};
+  LastState last{run.warnings, {}};
+  const auto add = [&](const std::vector<bearing::Note>& notes, std::size_t from) {
+    last.warnings.insert(last.warnings.end(), notes.begin() + static_cast<std::ptrdiff_t>(from),
+                         notes.end());
+  };
+  if (run.cycle) {
+    add(run.cycle->warnings, 0);
+    last.limiters = run.cycle->limiters;
+    return last;
+  }
+  const bearing::Result r = bearing::summarize(run.solution, run.solution.model.input.model.tier);
+  add(r.warnings, run.solution.model.input.warnings.size());
+  last.limiters = r.limiters;
+  return last;
+}
+
 void add_cycle(Json& json, const RunningInRun& run) {
   Json passed = Json::array();
   for (const RunningInState& s : run.states) passed.push_back(s.cycles);
@@ -131,21 +154,7 @@ void add_cycle(Json& json, const RunningInRun& run) {
                      {"walls", json_parts::number(a.walls)}}},
                    {"quantities", cycle_quantities(*run.cycle)},
                    {"limiters", json_parts::limiters_json(run.cycle->limiters)},
-                   {"warnings", words_of(run.cycle->warnings)}};
-}
-
-struct LastState {
-  std::vector<bearing::Note> warnings;  ///< without those of the input
-  std::vector<bearing::LimiterCount> limiters;
-};
-
-LastState last_state(const RunningInRun& run) {
-  if (run.cycle) return {run.cycle->warnings, run.cycle->limiters};
-  if (run.states.empty()) return {};
-  const bearing::Result r = bearing::summarize(run.solution, run.solution.model.input.model.tier);
-  const auto own =
-      r.warnings.begin() + static_cast<std::ptrdiff_t>(run.solution.model.input.warnings.size());
-  return {{own, r.warnings.end()}, r.limiters};
+                   {"warnings", words_of(last_state(run).warnings)}};
 }
 
 std::string told(const RunningInRun& run) {

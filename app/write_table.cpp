@@ -201,8 +201,11 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
   print_quantities(out, c.measured, results);
   if (std::any_of(results.begin(), results.end(),
                   [](const Result& r) { return r.cost.bars_s > 0.0; })) {
-    out << "\n+- is the bar of the grid and of the physics left out together; where the physics "
-           "cannot be\njudged, of the grid alone.\n";
+    out << (c.cycle
+                ? "\n+- is the bar of the grid and of the steps in time; what physics is worth is "
+                  "what the columns\ndiffer by.\n"
+                : "\n+- is the bar of the grid and of the physics left out together; where the "
+                  "physics cannot be\njudged, of the grid alone.\n");
   }
   print_list(out, "cannot be told apart on this grid (their difference is within its bars)",
              indistinct_words(comparison));

@@ -26,10 +26,15 @@ namespace shellback::bearing {
 using Matrix4 = std::array<std::array<double, 4>, 4>;
 using Matrix2 = std::array<std::array<double, 2>, 2>;
 
+/// Share of the damping from the cavitated film from which on it is told: the critical mass is told
+/// too small by five times it [-] (tests/bearing/whirl_onset_test.cpp).
+inline constexpr double kTelling = 0.01;
+
 enum class WhirlVerdict {
   threshold,      ///< stable up to a critical mass
   always_stable,  ///< whatever the mass
   never_stable,   ///< whatever the mass
+  unknown,        ///< none from K and C of slow motions, oil of the cavitated film being in them
 };
 
 /// Threshold of a rigid rotor in bearings alike: the mass per bearing, at the present speed, at
@@ -63,7 +68,8 @@ struct Coefficients {
   double speed_ratio = 0.0;  ///< |omega| sqrt(c m/W) at the critical mass m [-]; inf; 0
   /// Largest entry of the part of C that comes from the oil content of the cavitated film, over the
   /// largest of C [-] (forces). Where it is not small, C holds for motions much slower than the
-  /// oil's way through the cavitated film, about one turn.
+  /// oil's way through the cavitated film, about one turn: above kTelling the critical mass is too
+  /// small, and that no mass is stable is not known.
   double cavitated_share = 0.0;
   int krylov_iterations = 0;
   double wall_s = 0.0;

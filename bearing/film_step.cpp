@@ -408,8 +408,11 @@ void FilmSteps::put_oil(const std::vector<double>& oil, FilmInTime& now) const {
   const Field most = fluid::oil_content(point_.scene, now.film.gap, now.film.oil, whole);
   for (int c = 0; c < g.cells(); ++c) {
     if (film.full[c] || model_.supply.cell[c] >= 0) continue;
+    const double held = now.oil[c];
     now.oil[c] = std::clamp(oil[c] / g.area(c / g.nz, c % g.nz), 0.0, most[c]);
     film.theta[c] = now.oil[c] / most[c];
+    // What a cell loses goes with what it holds: one that is emptied loses nothing.
+    if (!now.oil_slope.empty() && now.oil[c] < held) now.oil_slope[c] *= now.oil[c] / held;
   }
   const std::vector<double> filled = vessels_.full();
   for (std::size_t v = 0; v < now.vessels.size(); ++v) {

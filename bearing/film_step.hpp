@@ -102,8 +102,8 @@ class FilmSteps {
   /// What may come to rest only over many periods: the oil of every cell and vessel [kg].
   [[nodiscard]] std::vector<double> oil_of(const FilmInTime& now) const;
   /// Puts that oil into cavitated cells, as much as they hold, and into vessels; full cells keep
-  /// theirs, and the slope dM/dt stays that of before: the next step errs by its share of what was
-  /// put in, which ends as that does.
+  /// theirs, and the slope dM/dt stays that of before, less by the share of what is taken out: the
+  /// next step errs by its share of what was put in, which ends as that does.
   void put_oil(const std::vector<double>& oil, FilmInTime& now) const;
   /// The steady state under load and speed at t = 0; none if it is not found.
   [[nodiscard]] std::optional<FilmInTime> steady(double T, EquilibriumCost& cost,

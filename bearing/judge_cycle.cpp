@@ -8,6 +8,7 @@
 #include "bearing/judge_parts.hpp"
 #include "bearing/load_cycle.hpp"
 #include "bearing/row_gaps.hpp"
+#include "bearing/step_control.hpp"
 #include "bearing/value_check.hpp"
 
 namespace shellback::bearing {
@@ -163,6 +164,28 @@ void judge_cycle_values(const LoadCycle& c, Findings& to) {
         fmt::format("a step of {:.4g} s is longer than the whole of {:.4g} s", *c.step, n.length),
         "check its unit");
   }
+  if (c.step && *c.step < kStepShortest * n.length) {
+    cycle.refuse("step",
+                 fmt::format("a step of {:.4g} s is shorter than {:.0e} of the whole of {:.4g} s",
+                             *c.step, kStepShortest, n.length),
+                 "check its unit");
+  }
+}
+
+/// A journal that its load hardly moves looks periodic before it has begun to move: two cycles
+/// agree within 1e-4 and what is to come is a hundred times that at most (cycle_endings.hpp).
+void judge_mass(const Case& c, double load, Findings& to) {
+  constexpr double kLeastWay = 0.01;  // of the clearance [-]
+  const double m = c.cycle->journal_mass;
+  const double T = c.cycle->length();
+  const double way = 0.5 * load * T * T / (m * c.bearing.radial_clearance);
+  if (!c.cycle->repeats() || way >= kLeastWay) return;
+  to.refuse("load_cycle.journal_mass",
+            fmt::format("the largest load moves a free journal of {:.4g} kg by {:.2g} of the "
+                        "clearance within a period: no periodic state would be told from one that "
+                        "has not begun to move",
+                        m, way),
+            "check its unit; or give the load as a single event");
 }
 
 void judge_cycle(const Case& c, Findings& to) {
@@ -170,11 +193,11 @@ void judge_cycle(const Case& c, Findings& to) {
   const double specific = n.largest / (2.0 * c.bearing.radius * c.bearing.width);
   compare(to, "load_cycle.file", specific, kBearingLimits.specific_load,
           fmt::format("the largest load over the projected area is {:.4g} MPa", 1e-6 * specific),
-          "check the unit of the load");
+          "check the unit of the load (with [crank]: of its masses and pressures)");
   const double u = n.largest_speed * c.bearing.radius;
   compare(to, "operation.speed", u, kBearingLimits.surface_speed,
           fmt::format("the largest surface speed is {:.4g} m/s", u), "check the unit of the speed");
-  if (c.cycle->journal_mass > 0.0) return;
+  if (c.cycle->journal_mass > 0.0) return judge_mass(c, n.largest, to);
   if (const auto row = vanishing_load(*c.cycle)) {
     to.refuse("load_cycle.journal_mass",
               fmt::format("at {:.4g} s the load vanishes, or passes through zero before the next "

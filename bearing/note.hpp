@@ -151,6 +151,12 @@ struct HeldAtHardness {
   FilmPlace place{};  ///< there
 };
 
+/// Wear that has gone through the shell's first layer.
+struct WornThrough {
+  double depth = 0.0;      ///< [m]
+  double thickness = 0.0;  ///< of that layer [m]
+};
+
 /// A vessel of a supply at the cavitation pressure.
 struct VesselEmpty {
   double part = 0.0;  ///< of the time [-]
@@ -186,8 +192,8 @@ using Note = std::variant<
     std::string, note::Plain, note::ColdSpot, note::NoCoefficients, note::CavitatedDamping,
     note::OtherRoots, note::FactorsContinued, note::BeyondOilRange, note::BeyondContactLaw,
     note::HeldAtHardness, note::EdgeNotResolved, note::NotLaminar, note::VesselEmpty,
-    note::MouthWidened, note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid,
-    note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet,
-    note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::MouthWidened, note::WornThrough, note::NothingRicher, note::TierTaken,
+    note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid,
+    note::ToleranceNotMet, note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -101,6 +101,10 @@ Coefficients coefficients_of(const Solution& s, double tolerance) {
     derive(s, out);
     const double C = largest_entry(forces_of(out.C));
     out.cavitated_share = C > 0.0 ? largest_entry(forces_of(C_cavitated)) / C : 0.0;
+    if (out.whirl.verdict == WhirlVerdict::never_stable && out.cavitated_share > kTelling) {
+      out.whirl = {WhirlVerdict::unknown};
+      out.speed_ratio = NAN;
+    }
   }
   out.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return out;

@@ -363,6 +363,10 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
   } else {
     find_end(*b, control, c.running_in->limit_pressure, run);
   }
+  const double depth = run.states.back().depth;
+  if (c.shell && !c.shell->layers.empty() && depth > c.shell->layers.front().thickness) {
+    run.warnings.emplace_back(note::WornThrough{depth, c.shell->layers.front().thickness});
+  }
   return run;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bearing/cycle.hpp"
+#include "bearing/note.hpp"
 #include "bearing/solve.hpp"
 
 namespace shellback::bearing {
@@ -33,6 +34,7 @@ struct RunningInRun {
   /// shape has a film [-].
   double complementarity = std::numeric_limits<double>::quiet_NaN();
   int rejected_steps = 0;
+  std::vector<Note> warnings;  ///< of the wear itself
 };
 
 /// The wear as a table that a case takes as bearing.shape: positions of the cells and, continued

@@ -13,7 +13,8 @@ namespace {
 
 void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   const auto [low, high] = std::minmax_element(s.film.columns.T.begin(), s.film.columns.T.end());
-  if (s.model.physics.film_energy && *low < coldest_around(s.model.input, *s.model.solids) - kUndershoot) {
+  if (s.model.physics.film_energy &&
+      *low < coldest_around(s.model.input, *s.model.solids) - kUndershoot) {
     warnings.push_back(note::ColdSpot{*low});
   }
   const FilmReach reach{*low, *high, largest(s.film.film.p), s.film.gap.cell, s.film.least};
@@ -24,7 +25,6 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
 }
 
 void add_coefficient_warnings(const Coefficients& k, std::vector<Note>& warnings) {
-  constexpr double kTelling = 0.01;  // the critical mass is told too small by five times it [-]
   if (!k.verdict.good()) {
     warnings.push_back(note::NoCoefficients{k.verdict});
   } else if (k.cavitated_share > kTelling) {

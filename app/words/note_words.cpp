@@ -243,6 +243,13 @@ std::string told(const note::MouthWidened& n) {
       n.supply, n.diameter * 1e3, n.taken * 1e3);
 }
 
+std::string told(const note::WornThrough& n) {
+  return fmt::format(
+      "the wear of {:.3g} um has gone through the shell's first layer ({:.3g} um): below it lies "
+      "another material, and what is told here is that of the first",
+      1e6 * n.depth, 1e6 * n.thickness);
+}
+
 std::string told(const note::NoCoefficients& n) {
   return "stiffness and damping are not given: " + reason_of(n.why);
 }

@@ -205,6 +205,36 @@ TEST_CASE("OilThatManyCyclesGatherIsLedOnToWhereTheyLead", "[cycle]") {
   CHECK(r.cycles < until_closed);
 }
 
+TEST_CASE("OilThatIsLedOnIsNotTakenFromEmptyCells", "[cycle]") {
+  // A light journal between rough surfaces, its load standing, in periods of a twentieth of a turn:
+  // the oil of twelve of them empties cells. "A step takes more oil out of a cell than it holds"
+  // was the end.
+  Case c = plain_case();
+  c.bearing = {0.015, 0.015, 15e-6, 353.15, {}};
+  c.supplies[0].arc = 20.0 * kDegree;
+  c.supplies[0].length = 0.01;
+  c.supplies[0].pressure = 2e5;
+  c.oil.temperature = rheology::ConstantViscosity{0.01};
+  c.surfaces.shell = {0.3e-6, 1.0, 0.25e-6, 0.3e-6};
+  c.surfaces.shaft = {0.2e-6, 1.0, 0.15e-6, 0.2e-6};
+  c.surfaces.contact = solid::ContactParameters{0.001, 80e9, 0.1, solid::ContactIntegral::exact};
+  c.operation.omega = 300.0 * kPi / 30.0;
+  c.model.grid = {60, 9};
+  c.model.axial_spacing = AxialSpacing::even;
+  set_load(c, 3e3);
+  const Quantities steady = solve(c).values();
+  c.cycle = over_two_turns(c, [](double) { return Load{0.0, -3e3}; });
+  c.cycle->t = {0.0};
+  c.cycle->x = {0.0};
+  c.cycle->y = {-3e3};
+  c.cycle->interpolation = LoadInterpolation::linear;
+  c.cycle->period = 0.01;
+  c.cycle->journal_mass = 1.0;
+  const CycleResult r = converged(c);
+  CHECK(value(r, "h_min") == Approx(steady.h_min).epsilon(2e-4));
+  CHECK(value(r, "friction_torque") == Approx(steady.friction_torque).epsilon(1e-3));
+}
+
 TEST_CASE("FilmAndTorqueAreOfSecondOrderInTime", "[cycle]") {
   Case c = pulsed_case();
   c.model.tolerance = 1e-4;  // films that are known far better than the steps err

@@ -51,6 +51,20 @@ TEST_CASE("ALoadCycleFilledByHandIsTaken") {
   CHECK(possible_tiers(cycle_case()) == std::vector{Tier::isothermal, Tier::lumped});
 }
 
+TEST_CASE("AJournalThatItsLoadDoesNotMoveIsRefused") {
+  const Finding heavy = refusal([](LoadCycle& cycle) { cycle.journal_mass = 1e12; });
+  CHECK(heavy.key == "load_cycle.journal_mass");
+  CHECK(holds(heavy.problem, "of the clearance within a period"));
+  const double most = 0.5 * 3e3 * 0.04 * 0.04 / (0.01 * 30e-6);
+  CHECK(refusal([&](LoadCycle& cycle) { cycle.journal_mass = 0.99 * most; }).key.empty());
+  CHECK(refusal([&](LoadCycle& cycle) { cycle.journal_mass = 1.01 * most; }).refused());
+}
+
+TEST_CASE("StepsShorterThanAnyThatASearchTakesAreRefused") {
+  CHECK(refusal([](LoadCycle& cycle) { cycle.step = 1e-9; }).key == "load_cycle.step");
+  CHECK(refusal([](LoadCycle& cycle) { cycle.step = 1e-5; }).key.empty());
+}
+
 TEST_CASE("NumbersOfACycleAreThoseOfItsRows") {
   const CycleNumbers n = cycle_numbers(*cycle_case().cycle, -20.0);
   CHECK(n.length == 0.04);

@@ -49,6 +49,24 @@ TEST_CASE("WearBeginsAsArchardHasIt") {
   CHECK(run.states.back().t == 1e-3);
 }
 
+TEST_CASE("WearThroughTheFirstLayerIsTold") {
+  const auto told = [](double lining) {
+    Case c = rubbing_case();
+    c.model.grid = {48, 9};
+    c.shell->layers[0].thickness = lining;
+    c.running_in->duration = 600.0;
+    const RunningInRun run = run_in(c, Tier::isothermal);
+    INFO(app::reason_of(run.verdict));
+    REQUIRE(run.verdict.good());
+    REQUIRE(run.states.back().depth > 0.1e-6);  // both linings wear by some tenths of a micrometre
+    REQUIRE(run.states.back().depth < 0.1e-3);
+    return std::any_of(run.warnings.begin(), run.warnings.end(),
+                       [](const Note& n) { return std::holds_alternative<note::WornThrough>(n); });
+  };
+  CHECK(told(0.1e-6));
+  CHECK_FALSE(told(0.1e-3));
+}
+
 TEST_CASE("EdgesRunInSmoothlyHoweverLongTheSteps") {
   Case c = rubbing_case();
   c.running_in->duration = 3600.0;

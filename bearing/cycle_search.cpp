@@ -98,6 +98,25 @@ void CycleSearch::begin_film(double T) {
   if (event && !begun && is_stopped()) r_.verdict = {Status::interrupted};
   from_rest_ = !begun.has_value();
   now_ = begun ? *std::move(begun) : film_.at_rest(T);
+  if (!from_rest_) carry_oil_round();
+}
+
+void CycleSearch::carry_oil_round() {
+  constexpr int kTurnsBefore = 4;   // two laps: oil goes round at half the journal's speed
+  constexpr int kStepsOfTurn = 16;  // the film that stays is the same in any steps
+  const double omega = std::abs(course_.at(0.0).omega);
+  if (!(omega > 0.0) || film_.drillings().any() || film_.vessels().any()) return;
+  const double dt = 2.0 * kPi / omega / kStepsOfTurn;
+  FilmInTime now = now_;
+  for (int k = kTurnsBefore * kStepsOfTurn; k > 0; --k) {
+    now.t = -k * dt;  // an event stands there in its first row
+    FilmStep step = film_.take(dt, now, cost_, control_.stop);
+    if (step.verdict.status == Status::interrupted) r_.verdict = step.verdict;
+    if (!step.verdict.good()) return;  // it begins with the oil of the steady film
+    now = std::move(step.after);
+  }
+  now.t = 0.0;
+  now_ = std::move(now);
 }
 
 void CycleSearch::begin(double T) {
@@ -133,6 +152,7 @@ bool CycleSearch::begin_warm() {
   now_.thermal_deformation = mean_deformation(*walls_);
   put_walls();
   from_rest_ = false;
+  carry_oil_round();
   return true;
 }
 

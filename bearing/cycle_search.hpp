@@ -103,6 +103,9 @@ class CycleSearch {
   void members(Tape& tape);
   /// The film alone, of one temperature [K].
   void begin_film(double T);
+  /// The oil of a steady film is not quite that of one that carries its oil in time
+  /// (fluid/fill_front.hpp): before an event its first load stands while the oil goes round twice.
+  void carry_oil_round();
   /// Passes the period once more; false where the search has ended.
   bool pass();
   /// Cycles until two agree within `within`, between walls that stay as they are.

@@ -26,6 +26,12 @@ void add_case_options(CLI::App& command, Request& request) {
 
 bool is_blank(const std::string& text) { return text.find_first_not_of(' ') == text.npos; }
 
+std::string without_blanks_around(const std::string& text) {
+  if (is_blank(text)) return "";
+  const std::size_t begin = text.find_first_not_of(' ');
+  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
 /// An option that takes a list; each part of it says something.
 CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<std::string>& list,
                       const std::string& words) {
@@ -34,8 +40,8 @@ CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<st
     for (const std::string& text : given) {
       for (std::size_t begin = 0, end = 0; begin <= text.size(); begin = end + 1) {
         end = std::min(text.find(',', begin), text.size());
-        list.push_back(text.substr(begin, end - begin));
-        if (!is_blank(list.back())) continue;
+        list.push_back(without_blanks_around(text.substr(begin, end - begin)));
+        if (!list.back().empty()) continue;
         throw CLI::ValidationError(
             name,
             in_quotes(text) + " has a part that is empty; give a value on each side of a comma");

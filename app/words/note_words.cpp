@@ -62,7 +62,8 @@ std::string told(note::Plain n) {
     case Plain::bars_unknown:
       return "neither a coarser grid nor a finer one gave a solution: the error bars are unknown";
     case Plain::cycle_bars_unknown:
-      return "no coarser grid carries this cycle: the bars are not known";
+      return "none of the coarser grids that were tried carries this cycle: the bars are not known "
+             "(a journal without mass may have to leap on them: load_cycle.journal_mass)";
     case Plain::nodes_not_judged:
       return "more nodes across the film gave no solution on the coarse grid: what they would "
              "change is in no bar";

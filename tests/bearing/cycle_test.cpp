@@ -434,6 +434,33 @@ TEST_CASE("ACycleInterruptedInItsSecondRoundKeepsTheFirstWhole", "[cycle]") {
   CHECK(r.audit.impulse < 1e-4);
 }
 
+TEST_CASE("AnEventWithoutAnyEventStaysAsItBegins", "[cycle]") {
+  // A hole opposite to the load: its flow depends on the oil that comes round.
+  Case c = plain_case();
+  c.supplies[0] = Supply{};
+  c.supplies[0].angle = 90.0 * kDegree;
+  c.supplies[0].diameter = 4e-3;
+  c.supplies[0].pressure = 2e5;
+  c.supplies[0].temperature = 313.15;
+  set_load(c, 2e3);
+  LoadCycle event;
+  event.t = {0.0, 0.03};
+  event.x = {0.0, 0.0};
+  event.y = {-2e3, -2e3};
+  c.cycle = event;
+  const CycleResult r = converged(c);
+  Case still = c;
+  still.cycle.reset();
+  const Quantities steady = solve(still).values();
+  for (const CycleInstant& i : r.instants) {
+    if (i.dt == 0.0) continue;  // flows are means over the step that leads there
+    // Newton's tolerance of a step, a hundredth of the error of 1e-3 that one may have
+    CHECK(i.supply_flow == Approx(steady.supply_flow).epsilon(1e-4));
+    CHECK(i.side_flow == Approx(steady.side_flow).epsilon(1e-3));
+    CHECK(i.torque == Approx(steady.friction_torque).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("AnEventBeginsWithItsFirstRowWhateverItsClock", "[cycle]") {
   Case c = pulsed_case();
   LoadCycle event;

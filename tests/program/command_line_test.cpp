@@ -33,8 +33,8 @@ TEST_CASE("RunTakesItsOptions") {
 }
 
 TEST_CASE("CompareTakesAListOfTiers") {
-  const Reading reading = read_command_line(
-      {"compare", "--tiers", "isothermal,tehd", "case.toml", "--picture", "a.svg", "-o", "a.html"});
+  const Reading reading = read_command_line({"compare", "--tiers", "isothermal, tehd", "case.toml",
+                                             "--picture", "a.svg", "-o", "a.html"});
   INFO(reading.words);
   REQUIRE(reading.words.empty());
   CHECK(reading.request.tiers == std::vector<std::string>{"isothermal", "tehd"});
@@ -47,6 +47,7 @@ TEST_CASE("AListWithAnEmptyPartIsRefused") {
     check_words({"run", "case.toml", "--speeds", speeds}, {"--speeds", "empty"});
   }
   check_words({"compare", "case.toml", "--tiers", "thd,,tehd"}, {"--tiers", "empty"});
+  check_words({"compare", "case.toml", "--tiers", "thd, ,tehd"}, {"--tiers", "empty"});
   check_words({"surface", "map.txt", "--gaps", "0.5,1,2,"}, {"--gaps", "empty"});
   check_words({"honesty", "--grids", "200x25,"}, {"--grids", "empty"});
   const Reading reading =

@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kMostCycles = 300;  ///< starved films gather their oil over a hundred
 constexpr int kTurns = 15;        ///< of the walls, after which the oil is given time to follow
+constexpr int kStalled = 2;       ///< rounds of walls and oil after which walls change no less
 constexpr int kFollowed = 40;     ///< turns of the walls, and cycles, of a worn shape
 constexpr int kOrbits = 3;        ///< cycles in which the journal finds its orbit
 /// Behind each time that oil is led on: cycles in which the film follows, and those that count.
@@ -199,8 +200,8 @@ void CycleSearch::begin(Tape& tape) {
 void CycleSearch::members(Tape& tape) {
   film_.members(tape, length_, steps_.longest / kSkinSteps);
   tape(periods_, cost_, now_, told_, closure_, heat_, response_, looked_, walls_, held_);
-  tape(wall_change_, from_rest_, phase_, most_, oil_, oil_begun_, plain_, settled_, walls_begun_,
-       answers_, r_, *passing_);
+  tape(wall_change_, from_rest_, phase_, most_, oil_, oil_begun_, plain_, settled_, round_change_,
+       stalled_, walls_begun_, answers_, r_, *passing_);
 }
 
 void CycleSearch::ended(Tape& tape) {
@@ -364,10 +365,9 @@ bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>
   WallMeans walls = *walls_;
   unpack(x, walls);
   if (!pass_between(walls)) return false;
-  answered_ = bodies_answer();
+  wall_change_ = change_of_walls();
   walls_->flux = answered_->flux;
   g = packed(*answered_);
-  wall_change_ = kHeatUnit * largest_difference(g, x);
   return true;
 }
 
@@ -411,15 +411,20 @@ void CycleSearch::settle_walls_and_oil(bool rough) {
     phase_ = Phase::closing;
     until_closed(settled_ ? kClosed : steps_.error);
     if (!r_.verdict.good()) return;
-    answered_ = bodies_answer();
-    wall_change_ = kHeatUnit * largest_difference(packed(*answered_), packed(*walls_));
+    wall_change_ = change_of_walls();
     if (settled_ && wall_change_ <= kWallsOff) return;
-    if (r_.cycles >= most_) {
+    stalled_ = wall_change_ < round_change_ ? 0 : stalled_ + 1;
+    round_change_ = wall_change_;
+    if (r_.cycles >= most_ || stalled_ == kStalled) {
       r_.verdict = walls_unsettled();
       return;
     }
-    walls_ = answered_;
   }
+}
+
+double CycleSearch::change_of_walls() {
+  answered_ = bodies_answer();
+  return kHeatUnit * largest_difference(packed(*answered_), packed(*walls_));
 }
 
 Verdict CycleSearch::walls_unsettled() const {
@@ -430,7 +435,11 @@ Verdict CycleSearch::walls_unsettled() const {
 const Verdict& CycleSearch::search(bool rough) {
   const bool heat = film_.model().physics.film_energy;
   if (!r_.verdict.good()) return r_.verdict;
-  if (!brought_back_) most_ = r_.cycles + kMostCycles;
+  if (!brought_back_) {
+    most_ = r_.cycles + kMostCycles;
+    round_change_ = INFINITY;
+    stalled_ = 0;
+  }
   if (!heat || held_ || !c_.cycle->repeats()) {
     until_closed(kClosed);
     return r_.verdict;

@@ -119,6 +119,8 @@ class CycleSearch {
   /// One turn of it: walls and their thermal deformation in units -> what they come to.
   bool answer_walls(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] Verdict walls_unsettled() const;
+  /// By how much the last cycle would change a wall, or its growth in units [K].
+  [[nodiscard]] double change_of_walls();
   /// What the bodies make of the heat of the last cycle.
   [[nodiscard]] WallMeans bodies_answer() const;
   [[nodiscard]] std::vector<double> packed(const WallMeans& w) const;
@@ -150,12 +152,14 @@ class CycleSearch {
   double wall_change_ = NAN;  ///< of the last turn [K]
   bool from_rest_ = true;
   Phase phase_ = Phase::orbit;
-  int most_ = 0;                              ///< cycles, of search()
-  std::vector<Iterate> oil_;                  ///< of the cycles that lead on
-  std::vector<double> oil_begun_;             ///< with which the present cycle has begun
-  int plain_ = 0;                             ///< cycles since the oil was led on
-  bool settled_ = false;                      ///< the walls, when they were looked at last
-  std::vector<double> walls_begun_;           ///< of the walls' fixed point, packed
+  int most_ = 0;                     ///< cycles, of search()
+  std::vector<Iterate> oil_;         ///< of the cycles that lead on
+  std::vector<double> oil_begun_;    ///< with which the present cycle has begun
+  int plain_ = 0;                    ///< cycles since the oil was led on
+  bool settled_ = false;             ///< the walls, when they were looked at last
+  double round_change_ = INFINITY;   ///< of the walls, as a round of walls and oil has left it [K]
+  int stalled_ = 0;                  ///< rounds since it has fallen
+  std::vector<double> walls_begun_;  ///< of the walls' fixed point, packed
   std::vector<std::vector<double>> answers_;  ///< of the iteration around the cycles
   std::size_t given_ = 0;                     ///< of them, in this run
   bool brought_back_ = false;

@@ -34,6 +34,7 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
   };
   KnownPoint low{T_supply, residual(T_supply)};
   if (std::isnan(low.f)) return last;
+  if (low.f < -kCycleBalance) return unbalanced(T_supply);  // the film would make cold
   const double by_T = -rheology::viscosity_slopes(c.oil, T_supply, 0.0, 0.0).dln_dT;
   double slope = -1.0 - by_T * low.f;  // of heat over flow that goes with the viscosity
   while (low.f > kCycleBalance) {

@@ -151,9 +151,8 @@ bool CycleSearch::begin_warm() {
   for (const solid::PressedColumn& c : s.film.layer) now_.layer.now.push_back(c.now);
   walls_ = WallMeans{s.heat.T_shell, s.heat.T_shaft, steady_flux(s), s.heat.thermal_deformation};
   now_.thermal_deformation = mean_deformation(*walls_);
-  put_walls();
   from_rest_ = false;
-  carry_oil_round();
+  if (put_walls()) carry_oil_round();
   return true;
 }
 

@@ -436,12 +436,7 @@ TEST_CASE("ACycleInterruptedInItsSecondRoundKeepsTheFirstWhole", "[cycle]") {
 
 TEST_CASE("AnEventWithoutAnyEventStaysAsItBegins", "[cycle]") {
   // A hole opposite to the load: its flow depends on the oil that comes round.
-  Case c = plain_case();
-  c.supplies[0] = Supply{};
-  c.supplies[0].angle = 90.0 * kDegree;
-  c.supplies[0].diameter = 4e-3;
-  c.supplies[0].pressure = 2e5;
-  c.supplies[0].temperature = 313.15;
+  Case c = hole_case();
   set_load(c, 2e3);
   LoadCycle event;
   event.t = {0.0, 0.03};

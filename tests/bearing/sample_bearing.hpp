@@ -40,7 +40,19 @@ inline constexpr double kDegree = kPi / 180.0;
   return c;
 }
 
-/// The same with walls and an oil that knows heat: steel shell and shaft, cooled outside.
+/// The same, fed at 2 bar by a hole in place of the line.
+[[nodiscard]] inline Case hole_case() {
+  Case c = plain_case();
+  Supply hole;
+  hole.angle = 90.0 * kDegree;
+  hole.diameter = 4e-3;
+  hole.pressure = 2e5;
+  hole.temperature = 313.15;
+  c.supplies = {hole};
+  return c;
+}
+
+/// Plain, with walls and an oil that knows heat: steel shell and shaft, cooled outside.
 [[nodiscard]] inline Case warm_case() {
   Case c = plain_case();
   c.supplies[0].arc = 20.0 * kDegree;

@@ -112,12 +112,7 @@ TEST_CASE("OilOfTheCavitatedFilmPutsOffTheOnsetOfWhirl", "[whirl]") {
 TEST_CASE("WhatSlowMotionsCannotTellOfWhirlIsNotTold", "[whirl]") {
   // A hole opposite to the load: a third of C comes from the cavitated film, and C of slow motions
   // is not even positive. In time the journal comes to rest.
-  Case c = plain_case();
-  c.supplies[0] = Supply{};
-  c.supplies[0].angle = 90.0 * kDegree;
-  c.supplies[0].diameter = 4e-3;
-  c.supplies[0].pressure = 2e5;
-  c.supplies[0].temperature = 313.15;
+  Case c = hole_case();
   c.operation.omega = 3000.0 * kPi / 30.0;
   const Coefficients k = coefficients_of(c);
   REQUIRE(whirl_threshold(forces_of(k.K), forces_of(k.C)).verdict == WhirlVerdict::never_stable);

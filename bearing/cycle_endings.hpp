@@ -8,6 +8,8 @@ namespace shellback::bearing {
 
 /// Two cycles that agree so well are one, of smallest film and torque [-].
 inline constexpr double kClosed = 1e-4;
+/// Cycles of a search: starved films gather their oil over a hundred.
+inline constexpr int kMostCycles = 300;
 
 /// How cycles draw near to the periodic state: where the change falls by the ratio rho from cycle
 /// to cycle, rho/(1 - rho) of the last one is still to come. rho is that of two cycles, where so

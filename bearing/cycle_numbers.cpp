@@ -45,6 +45,8 @@ CycleNumbers cycle_numbers(const LoadCycle& c, double omega) {
   CycleNumbers n;
   n.smallest = magnitude(c, 0);
   double time = 0.0;
+  double x = 0.0;
+  double y = 0.0;
   for (std::size_t a = 0; a < c.t.size(); ++a) {
     const double load = magnitude(c, a);
     if (load > n.largest) {
@@ -57,10 +59,13 @@ CycleNumbers cycle_numbers(const LoadCycle& c, double omega) {
     const auto [b, dt] = next_of(c, a);
     time += dt;
     n.mean += 0.5 * dt * (load + magnitude(c, b));
+    x += 0.5 * dt * (c.x[a] + c.x[b]);
+    y += 0.5 * dt * (c.y[a] + c.y[b]);
     n.mean_speed += 0.5 * dt * (speed(c, a, omega) + speed(c, b, omega));
   }
   if (n.angle < 0.0) n.angle += 2.0 * kPi;
   n.mean = time > 0.0 ? n.mean / time : n.largest;
+  n.net = time > 0.0 ? std::hypot(x, y) / time : n.largest;
   n.mean_speed = time > 0.0 ? n.mean_speed / time : speed(c, 0, omega);
   n.length = c.length();
   return n;

@@ -20,6 +20,7 @@ struct CycleNumbers {
   double at = 0.0;             ///< time of the largest [s]
   double smallest = 0.0;       ///< magnitude of the load [N]
   double mean = 0.0;           ///< over time, of the magnitude [N]
+  double net = 0.0;            ///< magnitude of the load's mean over time [N]
   double mean_speed = 0.0;     ///< of the journal against the shell, with its sign [rad/s]
   double largest_speed = 0.0;  ///< magnitude [rad/s]
 };

@@ -397,6 +397,13 @@ double CycleRecord::oil_drift() const {
   return full > 0.0 ? larger(film, std::abs(vessels_ended_ - vessels_begun_) / full) : film;
 }
 
+double CycleRecord::momentum_drift() const {
+  const double change = std::hypot(v_ended_[0] - v_begun_[0], v_ended_[1] - v_begun_[1]);
+  const double load =
+      mean_of(instants_, [](const CycleInstant& i) { return std::hypot(i.load_x, i.load_y); });
+  return load > 0.0 ? film_->mass() * change / (load * told()) : 0.0;
+}
+
 double CycleRecord::drift() const {
   const CycleInstant& first = instants_.front();
   const CycleInstant& last = instants_.back();
@@ -409,7 +416,7 @@ double CycleRecord::difference(const CycleRecord& other) const {
   const double h = extreme(instants_, &CycleInstant::h_min, true).h_min;
   const double h_other = extreme(other.instants_, &CycleInstant::h_min, true).h_min;
   const double torque = largest_torque(instants_);
-  double most = larger(oil_drift(), std::abs(h_other / h - 1.0));
+  double most = larger(larger(oil_drift(), momentum_drift()), std::abs(h_other / h - 1.0));
   if (torque == 0.0) return most;  // nothing turns
   most = larger(most, std::abs(largest_torque(other.instants_) - torque) / torque);
   const auto mean_of = [](const CycleRecord& r) { return r.mean(&CycleInstant::torque); };

@@ -27,8 +27,9 @@ class CycleRecord {
   void add(const FilmStep& step, double dt, const SolveControl& control);
   /// Time that has been told [s].
   [[nodiscard]] double told() const { return instants_.back().t; }
-  /// Largest relative difference in smallest film, mean and largest torque, and relative change of
-  /// the oil in the gap from the cycle's beginning to its end.
+  /// Largest relative difference in smallest film, mean and largest torque, and what the cycle ends
+  /// with otherwise than it began: relative change of the oil in the gap, and the journal's change
+  /// of momentum over the impulse of the load's magnitude (the mean film force is the mean load).
   [[nodiscard]] double difference(const CycleRecord& other) const;
   [[nodiscard]] CycleMeans means() const;
   /// By how much the film ends otherwise than it began: relative change of smallest film, of torque
@@ -68,6 +69,8 @@ class CycleRecord {
   void tell_ranges(CycleResult& r) const;
   /// Relative change of the oil in gap and vessels over the cycle [-].
   [[nodiscard]] double oil_drift() const;
+  /// Change of the journal's momentum over the cycle, over the impulse of the load's magnitude [-].
+  [[nodiscard]] double momentum_drift() const;
   /// By how much the shaft's surface would swing about its mean, as it turns and over the cycle:
   /// the half space under the first harmonic of either, q/(k sqrt(omega/a)) (textbook) [K].
   [[nodiscard]] double shaft_swing() const;

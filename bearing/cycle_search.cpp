@@ -18,7 +18,6 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr int kMostCycles = 300;  ///< starved films gather their oil over a hundred
 constexpr int kTurns = 15;        ///< of the walls, after which the oil is given time to follow
 constexpr int kStalled = 2;       ///< rounds of walls and oil after which walls change no less
 constexpr int kFollowed = 40;     ///< turns of the walls, and cycles, of a worn shape

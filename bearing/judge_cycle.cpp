@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/cycle_endings.hpp"
 #include "bearing/cycle_numbers.hpp"
 #include "bearing/judge_parts.hpp"
 #include "bearing/load_cycle.hpp"
@@ -172,19 +173,17 @@ void judge_cycle_values(const LoadCycle& c, Findings& to) {
   }
 }
 
-/// A journal that its load hardly moves looks periodic before it has begun to move: two cycles
-/// agree within 1e-4 and what is to come is a hundred times that at most (cycle_endings.hpp).
-void judge_mass(const Case& c, double load, Findings& to) {
-  constexpr double kLeastWay = 0.01;  // of the clearance [-]
+/// A journal begins at rest in the middle. Free of any film, the mean load moves it by this way in
+/// all cycles that a search takes: with less than the clearance nothing will hold the load.
+void judge_mass(const Case& c, const CycleNumbers& n, Findings& to) {
   const double m = c.cycle->journal_mass;
-  const double T = c.cycle->length();
-  const double way = 0.5 * load * T * T / (m * c.bearing.radial_clearance);
-  if (!c.cycle->repeats() || way >= kLeastWay) return;
+  const double time = kMostCycles * c.cycle->length();
+  const double way = 0.5 * n.net * time * time / (m * c.bearing.radial_clearance);
+  if (!c.cycle->repeats() || n.net <= kVanishingLoad * n.largest || way >= 1.0) return;
   to.refuse("load_cycle.journal_mass",
-            fmt::format("the largest load moves a free journal of {:.4g} kg by {:.2g} of the "
-                        "clearance within a period: no periodic state would be told from one that "
-                        "has not begun to move",
-                        m, way),
+            fmt::format("in the {} cycles of a search the mean load moves a free journal of {:.4g} "
+                        "kg by {:.2g} of the clearance: no film will have come to carry it",
+                        kMostCycles, m, way),
             "check its unit; or give the load as a single event");
 }
 
@@ -197,7 +196,7 @@ void judge_cycle(const Case& c, Findings& to) {
   const double u = n.largest_speed * c.bearing.radius;
   compare(to, "operation.speed", u, kBearingLimits.surface_speed,
           fmt::format("the largest surface speed is {:.4g} m/s", u), "check the unit of the speed");
-  if (c.cycle->journal_mass > 0.0) return judge_mass(c, n.largest, to);
+  if (c.cycle->journal_mass > 0.0) return judge_mass(c, n, to);
   if (const auto row = vanishing_load(*c.cycle)) {
     to.refuse("load_cycle.journal_mass",
               fmt::format("at {:.4g} s the load vanishes, or passes through zero before the next "

@@ -224,9 +224,9 @@ TEST_CASE("OilThatIsLedOnIsNotTakenFromEmptyCells", "[cycle]") {
   set_load(c, 3e3);
   const Quantities steady = solve(c).values();
   c.cycle = over_two_turns(c, [](double) { return Load{0.0, -3e3}; });
-  c.cycle->t = {0.0};
-  c.cycle->x = {0.0};
-  c.cycle->y = {-3e3};
+  c.cycle->t = {0.0, 0.005};
+  c.cycle->x = {0.0, 0.0};
+  c.cycle->y = {-3e3, -3e3};
   c.cycle->interpolation = LoadInterpolation::linear;
   c.cycle->period = 0.01;
   c.cycle->journal_mass = 1.0;

@@ -80,6 +80,10 @@ void print_list(std::ostream& out, const char* title, const std::vector<std::str
 }
 
 void print_estimate(std::ostream& out, const Case& subject) {
+  if (const auto lack = lack_for(subject, Tier::estimate); lack && lack->key == "model.tier") {
+    out << "\nEstimate: none, " << lack->problem << "\n";
+    return;
+  }
   const fidelity::Estimate e = fidelity::estimate(subject);
   out << "\nEstimate (table of the finite bearing, heat in lumps; tier estimate)\n";
   if (!e.balanced) {

@@ -22,10 +22,6 @@ std::string threshold_words(const bearing::Coefficients& k) {
       return "a rigid rotor runs stably at this speed whatever its mass";
     case bearing::WhirlVerdict::never_stable:
       return "a rigid rotor does not run stably at this speed whatever its mass";
-    case bearing::WhirlVerdict::unknown:
-      return "whether a rigid rotor runs stably is not known: K and C would have it whirl whatever "
-             "its mass, but hold for\n  slow motions alone here; strike the journal in time "
-             "([load_cycle] with a jog and journal_mass)";
     case bearing::WhirlVerdict::threshold:
       break;
   }

@@ -51,8 +51,6 @@ const char* words(bearing::WhirlVerdict verdict) {
       return "stable whatever the mass";
     case bearing::WhirlVerdict::never_stable:
       return "unstable whatever the mass";
-    case bearing::WhirlVerdict::unknown:
-      return "not known from K and C";
     case bearing::WhirlVerdict::threshold:
       break;
   }

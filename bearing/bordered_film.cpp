@@ -239,7 +239,7 @@ CompliantAnswer with_compliance(const BearingModel& model, const FilmEquilibrium
     return y;
   };
   const KrylovResult correction = gmres(apply, rhs, tolerance, kMostIterations);
-  return {solve(sum(defect, correction.x), false), correction.iterations, correction.reduction};
+  return {solve(sum(defect, correction.x), false), correction.reduction};
 }
 
 namespace {
@@ -287,7 +287,6 @@ void StepProblem::solve_elastic() {
   };
   const double tolerance = scene.storage.finite() ? kKrylovInTime : kKrylovTolerance;
   CompliantAnswer answer = with_compliance(model, s, r.displacement, balanced, tolerance);
-  cost.krylov_iterations += answer.iterations;
   x = std::move(answer.x);
 }
 

@@ -76,7 +76,6 @@ using FilmSolve = std::function<BorderedFilm::Answer(const Field& defect, bool h
 /// The answer for the whole compliance by (5).
 struct CompliantAnswer {
   BorderedFilm::Answer x;
-  int iterations = 0;      ///< of GMRES
   double reduction = 0.0;  ///< of what the foundation leaves wrong [-]
 };
 [[nodiscard]] CompliantAnswer with_compliance(const BearingModel& model, const FilmEquilibrium& s,

@@ -25,7 +25,8 @@ struct BracketedRoot {
   KnownPoint at;
 };
 
-/// The signs of `a.f` and `b.f` must differ; `f` is not evaluated there again.
+/// The signs of `a.f` and `b.f` must differ; `f` is not evaluated there again, unless one is near
+/// enough already: the last evaluation is that of the result.
 [[nodiscard]] BracketedRoot bracketed_root(const std::function<double(double)>& f, KnownPoint a,
                                            KnownPoint b, const BracketOptions& options);
 

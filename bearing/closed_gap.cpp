@@ -37,34 +37,7 @@ double least_across(const FilmGrid& g, const fluid::Gap& gap) {
   return least;
 }
 
-void evaluate_gap(const BearingModel& model, const Field& thermal_deformation, FilmEquilibrium& s) {
-  Field widening = thermal_deformation.empty() ? s.elastic : thermal_deformation;
-  if (!thermal_deformation.empty()) {
-    for (std::size_t k = 0; k < s.elastic.size(); ++k) widening[k] += s.elastic[k];
-  }
-  s.gap = gap_at(model, s.position, widening);
-  s.least = fluid::smallest_gap(model.domain.grid, s.gap, model.profile);
-}
-
 }  // namespace
-
-bool open_gap(const BearingModel& model, const OperatingPoint& point,
-              const Field& thermal_deformation, FilmEquilibrium& s) {
-  constexpr double kOpen = 0.02;  // of the clearance: a gap to begin with [-]
-  if (!is_closed(model, s) || point.load.unknowns == 0) return false;
-  const fluid::JournalPosition before = s.position;
-  // Each move opens the closest place and may close another.
-  for (int k = 0; k < kMostIterations; ++k) {
-    const double missing = kOpen * model.clearance - s.least.h;
-    s.position.q[0] -= missing * std::cos(s.least.phi);
-    s.position.q[1] -= missing * std::sin(s.least.phi);
-    evaluate_gap(model, thermal_deformation, s);
-    if (s.least.h > 0.0) return true;
-  }
-  s.position = before;
-  evaluate_gap(model, thermal_deformation, s);
-  return false;
-}
 
 Verdict closed_gap(const BearingModel& model, const OperatingPoint& point,
                    const Field& thermal_deformation, const FilmEquilibrium& s) {

@@ -4,11 +4,6 @@
 
 namespace shellback::bearing {
 
-/// Moves a journal that is free to move to where a closed gap is open; false if it finds no such
-/// place, or nothing is closed. The film that it leaves is there to begin with, no more.
-[[nodiscard]] bool open_gap(const BearingModel& model, const OperatingPoint& point,
-                            const Field& thermal_deformation, FilmEquilibrium& s);
-
 /// Which gap is closed, where, and by what. No steady state if the journal's position is given, or
 /// if across some diameter the clearance itself is used up, which no position mends.
 [[nodiscard]] Verdict closed_gap(const BearingModel& model, const OperatingPoint& point,

@@ -1,5 +1,6 @@
 #pragma once
-/// Linear stiffness and damping of a solved bearing, and the threshold of oil whirl.
+/// Linear stiffness and damping of a solved bearing, and the threshold of oil whirl, which is that
+/// of the film at the frequency of the whirl (bearing/film_impedance.hpp).
 ///
 /// Force and moment of film and contact on a journal that moves a little about its place,
 ///   F_i = F_i0 - K_ij dx_j - C_ij dx_j/dt                                            (1)
@@ -16,6 +17,8 @@
 /// on in the direction of rotation, as in Lund and Thomsen's tables. Sources: perturbation
 /// [textbook, Lund]; (3) is ours.
 #include <array>
+#include <complex>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -25,16 +28,12 @@ namespace shellback::bearing {
 
 using Matrix4 = std::array<std::array<double, 4>, 4>;
 using Matrix2 = std::array<std::array<double, 2>, 2>;
-
-/// Share of the damping from the cavitated film from which on it is told: the critical mass is told
-/// too small by five times it [-] (tests/bearing/whirl_onset_test.cpp).
-inline constexpr double kTelling = 0.01;
+using ComplexMatrix2 = std::array<std::array<std::complex<double>, 2>, 2>;
 
 enum class WhirlVerdict {
   threshold,      ///< stable up to a critical mass
   always_stable,  ///< whatever the mass
   never_stable,   ///< whatever the mass
-  unknown,        ///< none from K and C of slow motions, oil of the cavitated film being in them
 };
 
 /// Threshold of a rigid rotor in bearings alike: the mass per bearing, at the present speed, at
@@ -45,13 +44,18 @@ struct WhirlThreshold {
   double whirl_frequency = std::numeric_limits<double>::quiet_NaN();  ///< nu [rad/s]; NaN: none
 };
 
-/// m x'' + C x' + K x = 0 has a solution exp(i nu t) if (real and imaginary part of the
-/// determinant), with kappa = m nu^2,
-///   kappa = (Kxx Cyy + Kyy Cxx - Kxy Cyx - Kyx Cxy)/(Cxx + Cyy)                         (4)
-///   nu^2 = [(Kxx - kappa)(Kyy - kappa) - Kxy Kyx]/(Cxx Cyy - Cxy Cyx).                  (5)
-/// Below m = kappa/nu^2 it is stable (Hurwitz). Never stable: trace C, kappa, det C or det K not
-/// positive. Always: nu^2 of (5) not positive. Source: textbook (Lund's formula).
-[[nodiscard]] WhirlThreshold whirl_threshold(const Matrix2& K, const Matrix2& C);
+/// Z(nu): force of the film on a journal that swings, F = -Z(nu) dx exp(i nu t) [N/m].
+using Impedance = std::function<ComplexMatrix2(double nu)>;
+
+/// (-m nu^2 + Z(nu)) dx = 0 has a solution with real nu if, with kappa = m nu^2, imaginary and real
+/// part of the determinant vanish,
+///   kappa = Im det Z / Im tr Z,   g = kappa^2 - kappa Re tr Z + Re det Z = 0.             (4)
+/// The rotor is stable up to the smallest such m, if it is without mass: if det Z(nu) turns once
+/// counter-clockwise by pi as nu goes from zero to infinity and Z(0) has a positive determinant
+/// (argument principle; the film with its journal held is stable). With Z = K + i nu C this is
+/// Hurwitz' condition and Lund's formula. Roots are sought up to `highest` [rad/s], beyond which
+/// det Z is taken to turn no more than half a turn. Source: textbook.
+[[nodiscard]] WhirlThreshold whirl_threshold(const Impedance& Z, double highest);
 
 struct Coefficients {
   Verdict verdict;   ///< not good: nothing below is meant
@@ -68,10 +72,9 @@ struct Coefficients {
   double speed_ratio = 0.0;  ///< |omega| sqrt(c m/W) at the critical mass m [-]; inf; 0
   /// Largest entry of the part of C that comes from the oil content of the cavitated film, over the
   /// largest of C [-] (forces). Where it is not small, C holds for motions much slower than the
-  /// oil's way through the cavitated film, about one turn: above kTelling the critical mass is too
-  /// small, and that no mass is stable is not known.
+  /// oil's way through the cavitated film, about one turn; the threshold of whirl holds in any
+  /// case.
   double cavitated_share = 0.0;
-  int krylov_iterations = 0;
   double wall_s = 0.0;
 };
 

@@ -29,4 +29,8 @@ struct SolveControl {
   double heat_within = std::numeric_limits<double>::infinity();
 };
 
+[[nodiscard]] inline bool stopped(const SolveControl& control) {
+  return control.stop != nullptr && control.stop->load();
+}
+
 }  // namespace shellback::bearing

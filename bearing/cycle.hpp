@@ -131,7 +131,7 @@ struct CycleResult {
 /// equivalent temperature), lumped (at the temperature at which the oil of a mean cycle carries off
 /// its heat), thd or tehd: cycles from rest in the middle of the clearance until two agree within
 /// 1e-4 in smallest film and torque, and until the walls' mean temperatures agree with the heat
-/// that enters them within a few millikelvins. A single event is run once, from the steady state of
+/// that enters them within 0.1 K. A single event is run once, from the steady state of
 /// its first row and with the walls of that. What has been found is kept where a step is not found
 /// or `control` says stop. Throws InputError for the
 /// tiers estimate and auto, which fidelity/auto_cycle.hpp serves. Needs a cycle.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/bracketed_root.hpp"
+#include "bearing/film_heat.hpp"
 #include "bearing/heat_endings.hpp"
 #include "rheology/heat.hpp"
 #include "rheology/viscosity.hpp"
@@ -11,11 +12,10 @@
 namespace shellback::bearing {
 
 Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
-  const double T_supply = c.supplies.front().temperature;
+  const auto [coldest, hottest] = supply_temperatures(c);
   Verdict last;
-  const auto unbalanced = [](double hottest) -> Verdict {
-    return {Status::iteration_limit,
-            ending::AtTemperature{ending::Thermal::unbalanced_cycle, hottest}};
+  const auto unbalanced = [](double T) -> Verdict {
+    return {Status::iteration_limit, ending::AtTemperature{ending::Thermal::unbalanced_cycle, T}};
   };
   const auto residual = [&](double T) {
     if (const auto known = search.remembered()) return known->front();
@@ -27,19 +27,20 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
       last = {Status::no_steady_state, ending::Plain::no_oil_leaves};
       return double{NAN};
     }
-    const double cp = rheology::heat_capacity(c.oil, 0.5 * (T + T_supply)).cp;
-    const double r = T_supply + m.power / (m.side_mass_flow * cp) - T;
+    const OilFed fed = oil_fed(c, m.fed);
+    const double cp = rheology::heat_capacity(c.oil, 0.5 * (T + fed.T)).cp;
+    const double r = fed.T + m.power / (fed.mass * cp) - T;
     search.remember({r});
     return r;
   };
-  KnownPoint low{T_supply, residual(T_supply)};
+  KnownPoint low{coldest, residual(coldest)};
   if (std::isnan(low.f)) return last;
-  if (low.f < -kCycleBalance) return unbalanced(T_supply);  // the film would make cold
-  const double by_T = -rheology::viscosity_slopes(c.oil, T_supply, 0.0, 0.0).dln_dT;
+  if (low.f < -kCycleBalance) return unbalanced(coldest);  // the film would make cold
+  const double by_T = -rheology::viscosity_slopes(c.oil, coldest, 0.0, 0.0).dln_dT;
   double slope = -1.0 - by_T * low.f;  // of heat over flow that goes with the viscosity
   while (low.f > kCycleBalance) {
     const double T = low.x - low.f / std::min(slope, -1.0);
-    if (T - T_supply > kHottestRise) return unbalanced(T_supply + kHottestRise);
+    if (T - hottest > kHottestRise) return unbalanced(hottest + kHottestRise);
     const KnownPoint next{T, residual(T)};
     if (std::isnan(next.f)) return last;
     if (next.f < 0.0) {

@@ -183,6 +183,8 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   oil_ended_ = i.oil;
   v_ended_ = step.after.velocity;
   supply_ += step.supply;
+  fed_.resize(step.patch.size(), 0.0);
+  for (std::size_t k = 0; k < fed_.size(); ++k) fed_[k] += step.patch[k];
   side_ += step.side;
   line_ += step.line;
   vessels_ended_ = total(step.after.vessels);
@@ -367,18 +369,24 @@ CycleAudit CycleRecord::audit() const {
 
 void CycleRecord::members(Tape& tape) {
   auto& [film, course, length, instants, frames, next_frame, oil_begun, oil_ended, supply, side,
-         line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
+         fed, line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
          off_balance, layer_loss, layer_depth, p_max, p_asperity_max, h_min, friction, power_now,
          heat, T_film, T_shell, T_shell_max, wear] = *this;
-  tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, impulse, v_begun, v_ended,
-       line, vessels_begun, vessels_ended, dry, layer_loss, layer_depth);
+  tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, fed, impulse, v_begun,
+       v_ended, line, vessels_begun, vessels_ended, dry, layer_loss, layer_depth);
   tape(pump_now, pump, off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film,
        T_shell, T_shell_max, wear);
 }
 
 CycleMeans CycleRecord::means() const {
-  return {mean(&CycleInstant::torque), mean(&CycleInstant::torque_asperity), T_film_ / told(),
-          mean(&CycleInstant::power) + pump_ / told(), side_ / told()};
+  CycleMeans m{mean(&CycleInstant::torque),
+               mean(&CycleInstant::torque_asperity),
+               T_film_ / told(),
+               mean(&CycleInstant::power) + pump_ / told(),
+               side_ / told(),
+               fed_};
+  for (double& fed : m.fed) fed /= told();
+  return m;
 }
 
 namespace {

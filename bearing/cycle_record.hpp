@@ -14,6 +14,7 @@ struct CycleMeans {
   double T_film = 0.0;           ///< of the oil, by its mass; resolved tiers [K]
   double power = 0.0;            ///< of shaft, load and supply [W]
   double side_mass_flow = 0.0;   ///< [kg/s]
+  std::vector<double> fed;       ///< out of every supply, net [kg/s]
 };
 
 class CycleRecord {
@@ -84,6 +85,7 @@ class CycleRecord {
   double oil_begun_ = 0.0;              ///< [kg]
   double oil_ended_ = 0.0;              ///< [kg]
   double supply_ = 0.0, side_ = 0.0;    ///< over the cycle [kg]
+  std::vector<double> fed_;             ///< of `supply_`, out of every one [kg]
   double line_ = 0.0;                   ///< come from the lines of the supplies [kg]
   double vessels_begun_ = 0.0;          ///< oil in them beyond that at p_cav [kg]
   double vessels_ended_ = 0.0;          ///< [kg]

@@ -18,10 +18,10 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr int kTurns = 15;        ///< of the walls, after which the oil is given time to follow
-constexpr int kStalled = 2;       ///< rounds of walls and oil after which walls change no less
-constexpr int kFollowed = 40;     ///< turns of the walls, and cycles, of a worn shape
-constexpr int kOrbits = 3;        ///< cycles in which the journal finds its orbit
+constexpr int kTurns = 15;     ///< of the walls, after which the oil is given time to follow
+constexpr int kStalled = 2;    ///< rounds of walls and oil after which walls change no less
+constexpr int kFollowed = 40;  ///< turns of the walls, and cycles, of a worn shape
+constexpr int kOrbits = 3;     ///< cycles in which the journal finds its orbit
 /// Behind each time that oil is led on: cycles in which the film follows, and those that count.
 constexpr int kFollowing = 2;
 constexpr int kCounted = 3;
@@ -95,7 +95,7 @@ void CycleSearch::begin_film(double T) {
   r_.verdict = {};
   const bool event = !c_.cycle->repeats();
   if (event) begun = film_.steady(T, cost_, control_.stop);
-  if (event && !begun && is_stopped()) r_.verdict = {Status::interrupted};
+  if (event && !begun && stopped(control_)) r_.verdict = {Status::interrupted};
   from_rest_ = !begun.has_value();
   now_ = begun ? *std::move(begun) : film_.at_rest(T);
   if (!from_rest_) carry_oil_round();
@@ -129,8 +129,6 @@ void CycleSearch::begin(double T) {
   if (!c_.cycle->repeats()) put_walls();
 }
 
-bool CycleSearch::is_stopped() const { return control_.stop != nullptr && control_.stop->load(); }
-
 bool CycleSearch::begin_warm() {
   const LoadNow first = course_.at(0.0);
   Case steady = c_;
@@ -145,6 +143,7 @@ bool CycleSearch::begin_warm() {
   if (!s.verdict.good()) return false;
   now_ = film_.at_rest(s.film.columns.T.front());
   now_.film = s.film;
+  now_.film.film = filled_as_carried(s.model, s.point, s.film.film);
   now_.film.contact_widening.reset();
   now_.layer.now.clear();
   for (const solid::PressedColumn& c : s.film.layer) now_.layer.now.push_back(c.now);

@@ -127,7 +127,6 @@ class CycleSearch {
   void unpack(const std::vector<double>& x, WallMeans& w) const;
   /// The film between `walls_`; false, with the verdict, if they leave it no room.
   bool put_walls();
-  [[nodiscard]] bool is_stopped() const;
   /// The steady state of an event's first row in a resolved tier; false if none is found.
   bool begin_warm();
 

@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kTaken = 1.5;  ///< a step of the period before stands until it errs so much more
 
-bool stopped(const SolveControl& control) { return control.stop && control.stop->load(); }
-
 }  // namespace
 
 CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,

@@ -29,7 +29,7 @@ struct PeriodEnd {
                  ///< or of the shortest length
 };
 
-/// Called with every accepted step and the instant at which it began.
+/// Called with every accepted step and its length [s].
 using TellStep = std::function<void(const FilmStep&, double dt)>;
 
 class CycleSteps {

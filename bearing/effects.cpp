@@ -16,8 +16,8 @@ struct Probe {
   double T;      ///< film temperature [K]
   double eta;    ///< viscosity there, low shear [Pa s]
   double beta;   ///< -d ln eta / dT [1/K]
-  double rate;   ///< U / c [1/s]
-  double slope;  ///< -d ln eta / d ln rate at `rate` [-]
+  double rate;   ///< U over the smallest film, or a tenth of the clearance, if that is more [1/s]
+  double slope;  ///< part of the viscosity that is lost at `rate` [-]
   double p_max;
   double h_min;  ///< or the roughness, if that is more [m]
 };

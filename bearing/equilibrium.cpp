@@ -134,15 +134,17 @@ bool Residuals::finite() const {
 
 Residuals residuals_of(const BearingModel& model, const OperatingPoint& point,
                        const FilmEquilibrium& s) {
-  constexpr double kRoundings = 4.0;  // of two contents, their difference and the flows beside [-]
+  constexpr double kRoundings = 4.0;  // of two terms, their difference and the flows beside [-]
   Residuals r;
   r.film = fluid::film_residual(point.scene, s.flow);
   const double most = largest_magnitude(r.film);
   const double flow = fluid::flow_scale(point.scene, s.flow);
-  // In time a residual is a difference of what cells hold, known to its round-off: as a film comes
-  // to rest nothing flows that it could be measured by.
-  const double round = kRoundings * std::numeric_limits<double>::epsilon() *
-                       largest_magnitude(s.flow.stored_by_theta);
+  // A residual is a difference of flows by pressures, in time of what cells hold, too, and known to
+  // their round-off: as a film comes to rest, or hardly turns under a high pressure of supply,
+  // nothing flows around that it could be measured by.
+  const double terms = larger(largest_magnitude(s.flow.stored_by_theta),
+                              fluid::flow_by_pressure(point.scene, s.flow, s.film.p));
+  const double round = kRoundings * std::numeric_limits<double>::epsilon() * terms;
   r.film_norm = most <= round ? 0.0 : most / flow;
   const fluid::Wrench wanted = point.load.wanted(s);
   const double unit = point.load.scale() * std::exp(s.ln_load);

@@ -77,7 +77,6 @@ inline constexpr int kMostOfWayPoint = 25;
 struct EquilibriumCost {
   int factorizations = 0;
   int newton_iterations = 0;
-  int krylov_iterations = 0;
   int rejected_steps = 0;
   long sweeps = 0;         ///< of the p-theta relaxation
   int elastic_rounds = 0;  ///< of the fixed point between film and displacement

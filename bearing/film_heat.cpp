@@ -72,6 +72,25 @@ double reference_density(const BearingModel& model) {
   return rheology::density(model.oil, T, 0.0).rho;
 }
 
+OilFed oil_fed(const Case& c, const std::vector<double>& out_of) {
+  OilFed fed;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < out_of.size(); ++k) {
+    const double m = std::max(out_of[k], 0.0);
+    fed.mass += m;
+    sum += m * c.supplies[k].temperature;
+  }
+  fed.T = sum / fed.mass;
+  return fed;
+}
+
+std::pair<double, double> supply_temperatures(const Case& c) {
+  const auto [low, high] = std::minmax_element(
+      c.supplies.begin(), c.supplies.end(),
+      [](const Supply& a, const Supply& b) { return a.temperature < b.temperature; });
+  return {low->temperature, high->temperature};
+}
+
 double pump_power(const BearingModel& model, const OperatingPoint& point,
                   const FilmEquilibrium& s) {
   const auto flows = fluid::oil_flows(point.scene, s.flow);

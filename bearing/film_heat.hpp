@@ -58,6 +58,18 @@ struct AsperityStress {
   return patch < 0 || supply_heat_transfer(model, patch) > 0.0;
 }
 
+/// Oil that comes out of the supplies which feed, and its mean temperature. What another supply
+/// takes back leaves as warm as the film.
+struct OilFed {
+  double mass = 0.0;  ///< [kg/s]
+  double T = 0.0;     ///< [K]
+};
+/// `out_of`: net out of every supply of the case [kg/s]; one at least is positive.
+[[nodiscard]] OilFed oil_fed(const Case& c, const std::vector<double>& out_of);
+
+/// Coldest and hottest oil of the supplies [K].
+[[nodiscard]] std::pair<double, double> supply_temperatures(const Case& c);
+
 /// The energy problem of the film as it stands, with the temperatures of its columns for the oil's
 /// conductivity and heat capacity; over a time step with the oil that it has stored. Refers to
 /// `model` and `model.gl`.

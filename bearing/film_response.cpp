@@ -47,7 +47,6 @@ LinearFilm::Answer LinearFilm::solve(const Field& a, const Field& r, double tole
     return x;
   };
   CompliantAnswer found = with_compliance(model_, s_, {}, answer, tolerance);
-  krylov_iterations_ += found.iterations;
   converged_ = converged_ && found.reduction <= tolerance;
   return std::move(found.x);
 }

@@ -40,7 +40,6 @@ class LinearFilm {
   /// Total pressure of to_storage to a few per cent: without the defect correction [Pa per kg/s].
   [[nodiscard]] Field pressure_by_storage(const Field& s);
 
-  [[nodiscard]] int krylov_iterations() const { return krylov_iterations_; }
   [[nodiscard]] bool converged() const { return converged_; }  ///< all solves so far
 
  private:
@@ -64,7 +63,6 @@ class LinearFilm {
   BorderedFilm film_;  ///< the journal held
   bool good_ = false;
   bool converged_ = true;
-  int krylov_iterations_ = 0;
 };
 
 }  // namespace shellback::bearing

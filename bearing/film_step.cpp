@@ -79,23 +79,16 @@ void FilmSteps::open_mouths(double t, FilmEquilibrium& film) {
   drillings_.place(t, point_.scene);
 }
 
-namespace {
-
-/// Oil of a steady film [kg/m2], in which theta of a cavitated cell is that of its downstream face
-/// (fill_front.hpp).
-Field begun_with(const BearingModel& model, const OperatingPoint& point,
-                 const FilmEquilibrium& film) {
-  fluid::FilmState middle = film.film;
-  if (model.input.model.methods.transport == FillTransport::van_leer) {
-    const Field fill = fluid::cell_fill(point.scene, film.film);
-    for (std::size_t k = 0; k < fill.size(); ++k) {
-      if (!middle.full[k]) middle.theta[k] = fill[k];
-    }
+fluid::FilmState filled_as_carried(const BearingModel& model, const OperatingPoint& point,
+                                   const fluid::FilmState& steady) {
+  fluid::FilmState middle = steady;
+  if (model.input.model.methods.transport != FillTransport::van_leer) return middle;
+  const Field fill = fluid::cell_fill(point.scene, steady);
+  for (std::size_t k = 0; k < fill.size(); ++k) {
+    if (!middle.full[k]) middle.theta[k] = fill[k];
   }
-  return fluid::oil_content(point.scene, film.gap, film.oil, middle);
+  return middle;
 }
-
-}  // namespace
 
 std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
                                             const std::atomic<bool>* stop) {
@@ -104,6 +97,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   target.force[0] = -load.x;
   target.force[1] = -load.y;
   target.unit = 0.0;
+  target.inertia.reset();                  // that of a step
   const bool at_rest = load.omega == 0.0;  // the film carries nothing: asperities may
   if ((at_rest && !model_.contact) || !(target.scale() > 0.0)) return std::nullopt;
   point_.scene.speed = load.omega * model_.input.bearing.radius;
@@ -120,7 +114,8 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
                                                      now.film, cost, stop);
   if (!v.good()) return std::nullopt;
   point_.scene.storage = {};
-  now.oil = begun_with(model_, point_, now.film);
+  now.film.film = filled_as_carried(model_, point_, now.film.film);
+  now.oil = fluid::oil_content(point_.scene, now.film.gap, now.film.oil, now.film.film);
   now.flows = fluid::oil_flows(point_.scene, now.film.flow);
   for (const solid::PressedColumn& c : now.film.layer) now.layer.now.push_back(c.now);
   return now;
@@ -361,6 +356,8 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     const double f = by.b(i) * dt;
     add(f, stages[i].oil, step.after.oil);
     step.supply += f * stages[i].flows.supply;
+    step.patch.resize(stages[i].flows.patch.size(), 0.0);
+    add(f, stages[i].flows.patch, step.patch);
     step.side += f * stages[i].flows.side;
     step.line += f * vessels_.from_lines(stages[i].flows);
     add(f, vessels_.slopes(stages[i].flows), step.after.vessels);
@@ -400,8 +397,20 @@ std::vector<double> FilmSteps::oil_of(const FilmInTime& now) const {
   return oil;
 }
 
+namespace {
+
+/// Of cell c, with n nodes each; of no nodes: nothing.
+void scale_nodes(int c, int n, double by, std::vector<double>& of_nodes) {
+  if (of_nodes.empty()) return;
+  const auto first = of_nodes.begin() + static_cast<std::ptrdiff_t>(c) * n;
+  std::for_each(first, first + n, [by](double& x) { x *= by; });
+}
+
+}  // namespace
+
 void FilmSteps::put_oil(const std::vector<double>& oil, FilmInTime& now) const {
   const FilmGrid& g = model_.domain.grid;
+  const int n = model_.gl.n;
   fluid::FilmState& film = now.film.film;
   fluid::FilmState whole = film;
   std::fill(whole.theta.begin(), whole.theta.end(), 1.0);
@@ -411,8 +420,14 @@ void FilmSteps::put_oil(const std::vector<double>& oil, FilmInTime& now) const {
     const double held = now.oil[c];
     now.oil[c] = std::clamp(oil[c] / g.area(c / g.nz, c % g.nz), 0.0, most[c]);
     film.theta[c] = now.oil[c] / most[c];
-    // What a cell loses goes with what it holds: one that is emptied loses nothing.
-    if (!now.oil_slope.empty() && now.oil[c] < held) now.oil_slope[c] *= now.oil[c] / held;
+    if (!(held > 0.0)) continue;
+    // Heat goes with the oil: its temperature stays. So does what a cell loses with what it holds:
+    // one that is emptied loses nothing.
+    const double part = now.oil[c] / held;
+    const bool loses = part < 1.0;
+    if (loses && !now.oil_slope.empty()) now.oil_slope[c] *= part;
+    scale_nodes(c, n, part, now.heat.held);
+    if (loses) scale_nodes(c, n, part, now.heat.held_slope);
   }
   const std::vector<double> filled = vessels_.full();
   for (std::size_t v = 0; v < now.vessels.size(); ++v) {

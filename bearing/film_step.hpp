@@ -67,13 +67,20 @@ struct FilmStep {
   Field p;              ///< film pressure told of its end (3) [Pa]
   double error = 0.0;   ///< estimated, of the loaded film over its height, max |dh|/(h + sigma) [-]
   double supply = 0.0;  ///< oil fed in over the step [kg]
-  double side = 0.0;    ///< and lost at the sides [kg]
-  double layer_loss = 0.0;  ///< turned into heat in an elasto-plastic layer, solved part [J]
-  double line = 0.0;        ///< come from the supplies' lines: into film and vessels [kg]
+  std::vector<double> patch;  ///< the same, out of every supply [kg]
+  double side = 0.0;          ///< and lost at the sides [kg]
+  double layer_loss = 0.0;    ///< turned into heat in an elasto-plastic layer, solved part [J]
+  double line = 0.0;          ///< come from the supplies' lines: into film and vessels [kg]
   std::array<double, 2> impulse{};  ///< of the film on the journal [N s]
   double off_balance = 0.0;         ///< largest residual of the force balance [N]
   HeatFlows heat;                   ///< over the step [J]; tiers with film temperatures
 };
+
+/// The fill ratios of a steady film as a film in time carries them: theta of a cavitated cell is
+/// its mean there, not that of its downstream face (fluid/fill_front.hpp).
+[[nodiscard]] fluid::FilmState filled_as_carried(const BearingModel& model,
+                                                 const OperatingPoint& point,
+                                                 const fluid::FilmState& steady);
 
 /// Part of the error that a step may have to which its film is solved: in time a film need not be
 /// known better [-].

@@ -1,14 +1,12 @@
 #include "bearing/fixed_point.hpp"
 
 #include <kinsol/kinsol.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <stdexcept>
+#include <limits>
 
+#include "bearing/sundials.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::bearing {
@@ -57,33 +55,22 @@ int evaluate(N_Vector x, N_Vector g, void* data) {
 // The outcome is reported by the caller, in the user's words: KINSOL itself stays silent.
 void stay_silent(int, const char*, const char*, char*, void*) {}
 
-struct ContextDeleter {
-  void operator()(SUNContext c) const { SUNContext_Free(&c); }
-};
-struct VectorDeleter {
-  void operator()(N_Vector v) const { N_VDestroy(v); }
-};
 struct SolverDeleter {
   void operator()(void* m) const { KINFree(&m); }
 };
-template <class T, class D>
-using Owned = std::unique_ptr<std::remove_pointer_t<T>, D>;
 
-void require(int flag) {
-  if (flag < 0) throw std::runtime_error("KINSOL could not be set up");
-}
+void require(int flag) { sundials::require(flag, "KINSOL"); }
 
 }  // namespace
 
 FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vector<double>& x) {
-  SUNContext raw = nullptr;
-  require(SUNContext_Create(nullptr, &raw));
-  const Owned<SUNContext, ContextDeleter> context(raw);
+  const sundials::Context context = sundials::make_context("KINSOL");
+  SUNContext raw = context.get();
   const auto n = static_cast<sunindextype>(x.size());
-  const Owned<N_Vector, VectorDeleter> u(N_VMake_Serial(n, x.data(), raw));
-  const Owned<N_Vector, VectorDeleter> scale(N_VNew_Serial(n, raw));
+  const sundials::Vector u(N_VMake_Serial(n, x.data(), raw));
+  const sundials::Vector scale(N_VNew_Serial(n, raw));
   N_VConst(1.0, scale.get());
-  const Owned<void*, SolverDeleter> solver(KINCreate(raw));
+  const sundials::Owned<void*, SolverDeleter> solver(KINCreate(raw));
   Call call{&map, &o, x, x};
   require(KINSetErrHandlerFn(solver.get(), stay_silent, nullptr));
   require(KINSetMAA(solver.get(), o.depth));

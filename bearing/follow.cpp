@@ -26,8 +26,6 @@ struct Reached {
   HeatState heat;
 };
 
-bool stopped(const SolveControl& control) { return control.stop && control.stop->load(); }
-
 /// Rigid surfaces and Barus oil, whose reduced pressure has a bound.
 bool has_bound(const Solution& s) {
   return !s.model.physics.elastic && std::holds_alternative<rheology::Barus>(s.model.oil.pressure);
@@ -234,6 +232,11 @@ std::optional<Branch> follow_from(Solution& s, Raised raised, std::span<const do
                                   : follow_speed(s, begun, correct, control);
   }
   return std::nullopt;
+}
+
+bool has_own_limit(const Solution& s) {
+  const FilmGrid& g = s.model.domain.grid;
+  return !s.limits.empty() && s.limits.back().grid == std::array<int, 2>{g.nt, g.full_nz()};
 }
 
 void note_limit(Solution& s, const Branch& branch, bool proven) {

@@ -70,6 +70,9 @@ class Part {
                                                 const Corrector& correct,
                                                 const SolveControl& control);
 
+/// True if a branch was followed on the grid of `s` itself: its limit is the last of `s.limits`.
+[[nodiscard]] bool has_own_limit(const Solution& s);
+
 /// Notes in `s.limits` where a branch has ended.
 void note_limit(Solution& s, const Branch& branch, bool proven);
 

@@ -1,34 +1,18 @@
 #include "bearing/gmres.hpp"
 
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_spgmr.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
+#include "bearing/sundials.hpp"
 #include "core/eigen.hpp"
 
 namespace shellback::bearing {
 namespace {
 
-struct ContextDeleter {
-  void operator()(SUNContext c) const { SUNContext_Free(&c); }
-};
-struct VectorDeleter {
-  void operator()(N_Vector v) const { N_VDestroy(v); }
-};
-struct SolverDeleter {
-  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
-};
-template <class T, class D>
-using Owned = std::unique_ptr<std::remove_pointer_t<T>, D>;
-
-void require(int flag) {
-  if (flag != 0) throw std::runtime_error("SUNDIALS SPGMR could not be set up");
-}
+constexpr const char* kPart = "SUNDIALS SPGMR";
 
 struct Operator {
   const LinearOperator* apply = nullptr;
@@ -57,17 +41,15 @@ double dot(N_Vector a, N_Vector b) {
 class KrylovSpace {
  public:
   KrylovSpace(sunindextype n, int most) : n_(n), most_(most) {
-    SUNContext raw = nullptr;
-    require(SUNContext_Create(nullptr, &raw));
-    context_.reset(raw);
+    SUNContext raw = context_.get();
     rhs_.reset(N_VNew_Serial(n, raw));
     x_.reset(N_VNew_Serial(n, raw));
     rhs_->ops->nvdotprod = dot;
     x_->ops->nvdotprod = dot;  // clones are made with the operations of their model
     solver_.reset(SUNLinSol_SPGMR(x_.get(), SUN_PREC_NONE, most, raw));
-    require(SUNLinSolSetATimes(solver_.get(), &operator_, multiply));
-    require(SUNLinSolInitialize(solver_.get()));
-    require(SUNLinSolSetup(solver_.get(), nullptr));
+    sundials::require(SUNLinSolSetATimes(solver_.get(), &operator_, multiply), kPart);
+    sundials::require(SUNLinSolInitialize(solver_.get()), kPart);
+    sundials::require(SUNLinSolSetup(solver_.get(), nullptr), kPart);
   }
   /// SPGMR holds the address of the operator.
   KrylovSpace(const KrylovSpace&) = delete;
@@ -96,10 +78,10 @@ class KrylovSpace {
   sunindextype n_;
   int most_;
   Operator operator_;
-  Owned<SUNContext, ContextDeleter> context_;
-  Owned<N_Vector, VectorDeleter> rhs_;
-  Owned<N_Vector, VectorDeleter> x_;
-  Owned<SUNLinearSolver, SolverDeleter> solver_;
+  sundials::Context context_ = sundials::make_context(kPart);
+  sundials::Vector rhs_;
+  sundials::Vector x_;
+  sundials::LinearSolver solver_;
 };
 
 }  // namespace

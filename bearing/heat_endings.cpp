@@ -50,14 +50,7 @@ std::pair<double, double> temperatures_around(const Case& c, const Solids& solid
 
 /// Mean thermal widening of the gap with everything at one temperature [m].
 double widening_at(double T, const Solids& solids, const FilmGrid& grid) {
-  const Field widening = solids.at(solids.uniform_state(T)).thermal_deformation;
-  double sum = 0.0, area = 0.0;
-  for (int k = 0; k < grid.cells(); ++k) {
-    const double cell = grid.area(k / grid.nz, k % grid.nz);
-    sum += cell * widening[k];
-    area += cell;
-  }
-  return sum / area;
+  return area_mean(grid, solids.at(solids.uniform_state(T)).thermal_deformation);
 }
 
 }  // namespace

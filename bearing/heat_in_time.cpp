@@ -132,7 +132,6 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
   thermal::FilmEnergy energy(std::move(problem));
   out.settled = settle(energy, out.T);
   out.possible = possible(out.T);
-  out.blended_columns = energy.blended_columns();
   out.flows.balance = energy.balance(out.T);
   out.flows.work = (friction.viscous + friction.asperity) * point.scene.speed / g.radius +
                    pump_power(model, point, s);

@@ -63,7 +63,6 @@ struct HeatStage {
   std::vector<double> held_slope;  ///< [W]
   std::vector<double> skin_slope;  ///< [K/s]
   HeatFlows flows;
-  long blended_columns = 0;
   bool settled = true;   ///< the film's heat is balanced
   bool possible = true;  ///< all temperatures are numbers within what an oil can be
 };

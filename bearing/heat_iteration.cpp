@@ -21,7 +21,7 @@ class HeatIteration {
  public:
   HeatIteration(Solution& s, const ThermalOptions& options, const SolveControl& control,
                 const HeatStep* step)
-      : s_(s), options_(options), control_(control), walls_(s, options.sweeps, step) {}
+      : s_(s), options_(options), control_(control), walls_(s, kSweepsOfResponse, step) {}
 
   bool operator()(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] std::vector<double> pack() const;

@@ -14,7 +14,6 @@
 namespace shellback::bearing {
 
 struct ThermalOptions {
-  int sweeps = 3;  ///< energy sweeps per iteration (methods 3.4)
   int anderson_depth = 6;
   int max_iterations = 50;
   double tolerance = 3e-4;  ///< largest change per iteration, in the units above [-]

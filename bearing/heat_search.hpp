@@ -30,8 +30,8 @@ class HeatSearch {
   [[nodiscard]] bool over(const Verdict& v) const;
   /// Methods of others know nothing of a path of loads.
   [[nodiscard]] bool may_follow() const;
-  /// True if along_branch has found the beginning of one.
-  [[nodiscard]] bool branch_begun() const { return !s_.limits.empty(); }
+  /// True if along_branch has found the beginning of one, on this grid.
+  [[nodiscard]] bool branch_begun() const { return has_own_limit(s_); }
   /// Film and heat as they stand.
   struct Reached {
     FilmEquilibrium film;

@@ -20,7 +20,8 @@ struct HeatUnknowns {
   std::vector<double> T_shaft;  ///< journal temperature seen by the film, per axial cell [K]
 };
 
-/// Sweeps after which the film's response to its walls is known, as in one iteration (methods 3.4).
+/// Sweeps of the film energy in one iteration, after which its response to the walls is known, too
+/// (methods 3.4).
 inline constexpr int kSweepsOfResponse = 3;
 
 /// What the last iteration found with them.

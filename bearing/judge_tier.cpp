@@ -1,8 +1,14 @@
 /// The data that each tier needs; part of judge_case.hpp.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
+#include "bearing/film_heat.hpp"
 #include "bearing/judge_case.hpp"
 #include "bearing/possible_methods.hpp"
+#include "bearing/round_off.hpp"
+#include "core/constants.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -68,15 +74,88 @@ Lack lack_for_heat(const Case& c, const std::string& tier) {
   return std::nullopt;
 }
 
+// Where tier estimate's bars hold torque and smallest film: holes and grooves at all angles, three
+// loads (docs/decisions/048).
+constexpr double kFarFromLoad = 7.0 / 18.0 * kPi;   ///< of every supply's edge [rad]
+constexpr double kFarBehindLoad = 5.0 / 6.0 * kPi;  ///< of a short supply that alone feeds [rad]
+constexpr double kLong = 0.5;  ///< supplies that fill the film anew wherever they lie [-], of width
+/// Off mid-width, over the width, the lands beside a groove all round carry 4 % more than two alike
+/// (their load goes with the third power): less than the estimate's bars [-].
+constexpr double kOffMiddle = 0.05;
+
+bool goes_all_round(const Supply& s) {
+  return s.kind == SupplyKind::circumferential_groove && s.arc >= 2.0 * kPi * (1.0 - kRoundOff);
+}
+
+/// Half of the angle that a supply takes up [rad].
+double half_arc(const Case& c, const Supply& s) {
+  return 0.5 * (s.kind == SupplyKind::hole ? s.diameter / c.bearing.radius : s.arc);
+}
+
+/// Supplies in the film that carries the load, or none before it.
+Lack lack_of_feed(const Case& c, double load_angle) {
+  const std::string cure = "take tier isothermal, lumped, thd, tehd or auto";
+  const double turn = c.operation.omega < 0.0 ? -1.0 : 1.0;
+  bool fed = false;
+  for (const Supply& s : c.supplies) {
+    if (s.kind == SupplyKind::drilling || goes_all_round(s)) {
+      fed = true;
+      continue;
+    }
+    const double behind = turn * std::remainder(s.angle - load_angle, 2.0 * kPi);
+    const double away = std::abs(behind) - half_arc(c, s);
+    if (away < kFarFromLoad) {
+      return lack(
+          "model.tier",
+          fmt::format("a supply lies {:.0f} deg from the load, in the film that carries it, "
+                      "and tier estimate knows none there",
+                      std::max(0.0, away) * 180.0 / kPi),
+          cure);
+    }
+    const double length = s.kind == SupplyKind::hole ? s.diameter : s.length;
+    const bool before = behind < 0.0 || behind > kFarBehindLoad;
+    fed = fed || before || length >= kLong * c.bearing.width;
+  }
+  if (fed) return std::nullopt;
+  return lack("model.tier",
+              "no supply lies ahead of the film that carries the load, which then is starved: tier "
+              "estimate is fed at the widest gap",
+              cure);
+}
+
+/// The estimate's film is one land, or two alike, fed at the widest gap by oil of one temperature.
+Lack lack_for_estimate(const Case& c) {
+  const std::string cure = "take tier isothermal, lumped, thd, tehd or auto";
+  if (begins_at_rest(c)) {
+    return lack("model.tier",
+                "the event begins with a load on a journal at rest, which no film carries, and "
+                "tier estimate has no contact of a journal at rest",
+                cure);
+  }
+  if (c.supplies.empty()) return std::nullopt;  // refused for that
+  const auto [coldest, hottest] = supply_temperatures(c);
+  if (hottest > coldest) {
+    return lack("model.tier", "tier estimate knows no supplies of different temperature", cure);
+  }
+  int rings = 0;
+  for (const Supply& s : c.supplies) {
+    if (!goes_all_round(s)) continue;
+    if (++rings > 1 || std::abs(s.z) > kOffMiddle * c.bearing.width) {
+      return lack("model.tier",
+                  "tier estimate knows no grooves all round but one, at mid-width: the lands "
+                  "beside it are alike",
+                  cure);
+    }
+  }
+  const auto* load = std::get_if<LoadGiven>(&c.operation.position);
+  return load != nullptr ? lack_of_feed(c, load->angle) : std::nullopt;
+}
+
 }  // namespace
 
 Lack lack_for(const Case& c, Tier tier) {
-  if (tier == Tier::estimate && begins_at_rest(c)) {
-    return lack(
-        "model.tier",
-        "the event begins with a load on a journal at rest, which no film carries, and tier "
-        "estimate has no contact of a journal at rest",
-        "take tier isothermal, lumped, thd, tehd or auto");
+  if (tier == Tier::estimate) {
+    if (auto missing = lack_for_estimate(c)) return missing;
   }
   if (c.cycle && c.model.coefficients) {
     return lack("model.coefficients",

@@ -54,7 +54,8 @@ class LoadCourse {
   /// at rest, straight courses of the speed have corners: there friction turns [rad/s]; 0: none.
   LoadCourse(const LoadCycle& cycle, double omega, double slow = 0.0);
 
-  /// At time t >= 0 [s]; at a jump what holds after it, or before it.
+  /// At time t [s]; before 0 an event stands in its first row. At a jump what holds after it, or
+  /// before it.
   [[nodiscard]] LoadNow at(double t, bool before_jump = false) const;
   /// By how much the journal has turned against the shell since the beginning, up to whole turns of
   /// the periods passed: the integral of the speed [rad].

@@ -33,8 +33,8 @@ class LumpedBalance {
       : s_(s),
         control_(control),
         warm_(warm),
-        T_supply_(s.model.input.supplies.front().temperature),
-        T_most_(T_supply_ + kHottestRise) {}
+        T_least_(supply_temperatures(s.model.input).first),
+        T_most_(supply_temperatures(s.model.input).second + kHottestRise) {}
 
   Verdict run();
 
@@ -57,7 +57,7 @@ class LumpedBalance {
   Solution& s_;
   const SolveControl& control_;
   bool warm_;
-  double T_supply_;
+  double T_least_;
   double T_most_;
   std::vector<Tried> tried_;
   Verdict failure_;  ///< of the coolest film that was not found
@@ -89,8 +89,9 @@ std::optional<double> LumpedBalance::residual(double T) {
   const bool ended = s_.point.load.unknowns > 0 && T >= T_failed_;
   if (interrupted() || ended) return std::nullopt;
   Verdict v = film_at(T);
-  const double flow = v.good() ? fluid::oil_flows(s_.point.scene, s_.film.flow).side : 0.0;
-  if (v.good() && !(flow > 0.0)) {
+  const fluid::OilFlows flows =
+      v.good() ? fluid::oil_flows(s_.point.scene, s_.film.flow) : fluid::OilFlows{};
+  if (v.good() && !(flows.side > 0.0)) {
     v = {Status::no_steady_state, ending::Plain::no_oil_leaves};
   }
   if (!v.good()) {
@@ -102,8 +103,9 @@ std::optional<double> LumpedBalance::residual(double T) {
   const double torque = f.viscous + f.asperity;
   const double power =
       std::abs(torque * s_.point.omega()) + pump_power(s_.model, s_.point, s_.film);
-  const double rate = flow * rheology::heat_capacity(s_.model.oil, 0.5 * (T + T_supply_)).cp;
-  const double r = T_supply_ + power / rate - T;
+  const OilFed fed = oil_fed(s_.model.input, flows.patch);
+  const double rate = fed.mass * rheology::heat_capacity(s_.model.oil, 0.5 * (T + fed.T)).cp;
+  const double r = fed.T + power / rate - T;
   s_.history.push_back({"lumped", std::abs(r), torque, s_.film.least.h});
   tried_.push_back({{T, 0.0, torque, s_.film.least.h},
                     r,
@@ -142,7 +144,7 @@ bool LumpedBalance::follow(const HeatRoot& near) {
   KnownPoint here{near.T, *r};
   double step = -kBeyond * here.f / near.slope;
   for (int k = 0; k < kMostSteps && std::abs(here.f) > kSettled; ++k) {
-    const double T = std::clamp(here.x + step, T_supply_, T_most_);
+    const double T = std::clamp(here.x + step, T_least_, T_most_);
     r = residual(T);
     if (!r || T == here.x) return false;
     if ((*r < 0.0) != (here.f < 0.0)) return settle(here, {T, *r});
@@ -167,9 +169,8 @@ Verdict LumpedBalance::take_lowest_stable() {
 }
 
 Verdict LumpedBalance::search() {
-  const std::vector<HeatSample> samples =
-      scan_heat_balance([this](double T) { return residual(T); },
-                        scan_temperatures(s_.model.oil, T_supply_, T_most_));
+  const std::vector<HeatSample> samples = scan_heat_balance(
+      [this](double T) { return residual(T); }, scan_temperatures(s_.model.oil, T_least_, T_most_));
   const bool none = tried_.empty();
   if (interrupted() || none) return failure_;
   const std::vector<std::size_t> changes = sign_changes(samples);
@@ -178,7 +179,7 @@ Verdict LumpedBalance::search() {
   for (auto k = changes.rbegin(); k != changes.rend(); ++k) {  // the lowest last: its film stays
     const HeatSample& a = samples[*k];
     const HeatSample& b = samples[*k + 1];
-    settled = settle({a.T, *a.residual}, {b.T, *b.residual});
+    settled = settle({a.T, *a.residual}, {b.T, *b.residual}) && settled;
     if (interrupted()) return failure_;
   }
   std::reverse(s_.heat_roots.begin(), s_.heat_roots.end());

@@ -3,10 +3,11 @@
 ///
 ///   r(T) = T_supply + P(T)/(Q(T) cp) - T = 0   [K]                                          (1)
 ///
-/// P friction and pump power [W], Q side flow [kg/s] of the film in equilibrium at T, cp between
-/// the two temperatures: all heat leaves with the oil, which is as warm as the film. Searched from
-/// the supply's temperature, where r cannot be negative, to the rise at which the resolved tiers
-/// speak of runaway (kHottestRise, heat_endings.hpp).
+/// P friction and pump power [W], Q oil fed [kg/s] to the film in equilibrium at T, T_supply its
+/// mean temperature over the supplies that feed it, cp between the two temperatures: all heat
+/// leaves with the oil, which is as warm as the film. Searched from the coldest supply's
+/// temperature, where r cannot be negative, to the rise at which the resolved tiers speak of
+/// runaway (kHottestRise, heat_endings.hpp).
 ///
 /// A root at which r falls is stable: a film that is a little too warm makes less heat than leaves.
 /// Films whose friction grows as they thin (mixed friction) may have more than one; all are found

@@ -2,11 +2,11 @@
 /// Bodies in time, load cycles between: multirate steps.
 ///
 /// One cycle is passed with walls that stay as they are; then shell, housing and shaft see its mean
-/// heat, and what the film answers to moving walls, through a step of backward Euler, and so on. The
-/// step is halved until no wall moves by more than 2 K. Its error is of first order in the longest
-/// step. Where a step takes the walls back the film has not answered the step before yet: another
-/// cycle is passed between the same walls. What is told of the end of a step is of a cycle between
-/// the walls of then. Source: methods 3.5.
+/// heat, and what the film answers to moving walls, through a step of backward Euler, and so on.
+/// The step is halved until no wall moves by more than 2 K. Its error is of first order in the
+/// longest step. Where a step takes the walls back the film has not answered the step before yet:
+/// another cycle is passed between the same walls. What is told of the end of a step is of a cycle
+/// between the walls of then. Source: methods 3.5.
 #include <functional>
 
 #include "bearing/cycle_search.hpp"

@@ -52,7 +52,7 @@ class NewtonIteration {
   /// True if the state may be gone on from.
   [[nodiscard]] bool acceptable() const;
   void accept();
-  /// Back to the last accepted state with half the reach; false if that is too short.
+  /// Back to the last accepted state with a quarter of the reach; false if that is too short.
   [[nodiscard]] bool reject();
   /// Takes one step; `ended` is set where there is none.
   void step(Verdict& ended);

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/round_off.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::bearing {
 namespace {
-
-constexpr double kSame = 1e-9;  ///< of the period: nearer to its end is at its end [-]
 
 std::vector<RowGap> stretches(const std::vector<double>& t, double period) {
   std::vector<RowGap> all;
@@ -16,7 +15,8 @@ std::vector<RowGap> stretches(const std::vector<double>& t, double period) {
     if (t[k + 1] > t[k]) all.push_back({k, k + 1, t[k + 1] - t[k], 0.0});
   }
   const double rest = t.front() + period - t.back();
-  if (std::isfinite(period) && rest > kSame * period) all.push_back({t.size() - 1, 0, rest, 0.0});
+  if (std::isfinite(period) && rest > kRoundOff * period)
+    all.push_back({t.size() - 1, 0, rest, 0.0});
   return all;
 }
 

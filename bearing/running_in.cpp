@@ -52,8 +52,6 @@ void note_state(const WornBearing& b, double t, double step, const Field& wear, 
   run.wear = mirror_to_full(g, wear);
 }
 
-bool stopped(const SolveControl& control) { return control.stop != nullptr && *control.stop; }
-
 Verdict interrupted(double t) { return {Status::interrupted, ending::RunningInEnded{t}}; }
 
 /// What has been found, for a tape: all but the last solution, which its bearing tells anew.
@@ -341,9 +339,20 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
 
 }  // namespace
 
+void expect_running_in(const Case& c) {
+  if (!c.running_in) {
+    throw InputError(c.path,
+                     "there is no [running_in]; give wear_coefficient = \"1e-8\" and until = "
+                     "\"200 s\" or \"worn_in\" with limit_pressure = \"5 MPa\"");
+  }
+  if (c.model.tier != Tier::isothermal && c.model.tier != Tier::thd && c.model.tier != Tier::tehd) {
+    throw InputError("model.tier", "running-in needs a solved film; take isothermal, thd or tehd");
+  }
+}
+
 RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
                     const std::function<void(const RunningInRun&)>& seen) {
-  EXPECTS(c.running_in);
+  expect_running_in(c);
   RunningInRun run;
   SolveControl within = control;  // of each shape; kept is what lies between them
   within.kept = nullptr;

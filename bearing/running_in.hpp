@@ -39,6 +39,9 @@ namespace shellback::bearing {
 /// H of (1): as [running_in] has it, else of the shell's first layer; 0: not known [Pa].
 [[nodiscard]] double hardness_of_shell(const Case& c);
 
+/// Throws InputError where the case has no [running_in], or its tier solves no film.
+void expect_running_in(const Case& c);
+
 /// Runs the case in (its [running_in]) under its load or its load cycle, from the shape that it
 /// has. `seen` is told every state that has been found. What lies between two shapes is kept where
 /// `control` has a KeptRun, and gone on with from there to the same digits. Throws InputError where

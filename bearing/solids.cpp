@@ -1,12 +1,12 @@
 #include "bearing/solids.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "bearing/case_limits.hpp"
 #include "core/contract.hpp"
 #include "core/revolution_mesh.hpp"
+#include "core/stopwatch.hpp"
 #include "solid/revolution_elasticity.hpp"
 #include "solid/shaft_bending.hpp"
 
@@ -103,7 +103,7 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
       effects_(effects),
       harmonics_(grid, default_harmonics(grid.nt)),
       sample_(harmonics_.highest(), effects.every_harmonic) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   reference_ = c.bearing.reference_temperature;
   if (!c.shaft) throw InputError("the shaft's data are needed; give [shaft] material");
   const int N = harmonics_.highest();
@@ -123,7 +123,7 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
       thermal_deformation_ = std::move(ops.thermal_deformation);
     }
   }
-  setup_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  setup_s_ = watch.seconds();
 }
 
 void Solids::build_compliance(const Case& c, const HarmonicOperator& shell) {

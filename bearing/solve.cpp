@@ -1,7 +1,6 @@
 #include "bearing/solve.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "bearing/branch_endings.hpp"
@@ -9,6 +8,7 @@
 #include "bearing/perturbation.hpp"
 #include "bearing/tiers.hpp"
 #include "core/contract.hpp"
+#include "core/stopwatch.hpp"
 
 namespace shellback::bearing {
 
@@ -31,10 +31,6 @@ double price_of_search(const Case& c, Tier tier) {
 }
 
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Work after which a search is given up [cells]. Grids coarser than the default one, where
 /// continuation has no coarser grid to lean on, may cost as much as that one: seconds.
@@ -102,7 +98,7 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
 /// That a branch ends is a fact of the bearing only if two grids agree on where, within a tenth;
 /// or, where an equation has a bound, if both end before the load or speed asked for.
 void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
-  if (s.verdict.status != Status::no_steady_state || s.limits.empty()) return;
+  if (s.verdict.status != Status::no_steady_state || !has_own_limit(s)) return;
   const Limit own = s.limits.back();
   const auto agrees = [&](const Limit& l) {
     const bool alike = l.grid != own.grid && l.proven && l.of_speed == own.of_speed;
@@ -116,7 +112,7 @@ void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Soluti
 
 Solution from_cold(const Case& c, Tier tier, double T, const SolveControl& control,
                    std::shared_ptr<const Solids> solids) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Solution s;
   s.T_film = T;
   s.cost.most_work = most_work(c, tier, control);
@@ -124,7 +120,7 @@ Solution from_cold(const Case& c, Tier tier, double T, const SolveControl& contr
   confirm_limit(c, tier, control, s);
   if (s.verdict.good() && c.model.coefficients) s.coefficients = coefficients_of(s);
   if (s.coefficients) s.levels.back().quantities = quantities_of(s, tier);
-  s.wall_s = seconds_since(begin);
+  s.wall_s = watch.seconds();
   return s;
 }
 
@@ -143,7 +139,7 @@ Solution solve_isothermal_at(const Case& c, double T, const SolveControl& contro
 
 Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
                          const SolveControl& control, Otherwise otherwise) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const bool may_be_cold = otherwise == Otherwise::from_cold;
   EXPECTS(near.verdict.good() || may_be_cold);
   if (!near.verdict.good()) return solve_tier(c, tier, control);
@@ -167,12 +163,12 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
   solve_on_grid(s, tier, {true, false}, control);
   if (may_be_cold && s.verdict.status != Status::interrupted && !s.verdict.good()) {
     Solution cold = solve_tier(c, tier, control, s.model.solids);
-    cold.wall_s = seconds_since(begin);
+    cold.wall_s = watch.seconds();
     return cold;
   }
   if (s.verdict.good() && c.model.coefficients) s.coefficients = coefficients_of(s);
   if (s.verdict.good()) s.levels.push_back({c.model.grid, quantities_of(s, tier)});
-  s.wall_s = seconds_since(begin);
+  s.wall_s = watch.seconds();
   return s;
 }
 

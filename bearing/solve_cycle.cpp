@@ -1,4 +1,3 @@
-#include <chrono>
 
 #include "bearing/cycle.hpp"
 #include "bearing/cycle_lumped.hpp"
@@ -7,6 +6,7 @@
 #include "bearing/nested.hpp"
 #include "bearing/solve.hpp"
 #include "core/contract.hpp"
+#include "core/stopwatch.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -101,7 +101,7 @@ CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
   if (control.kept != nullptr) {
     if (auto ended = control.kept->next_ended()) return *std::move(ended);
   }
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   CycleResult r;
   if (tier == Tier::lumped) {
     r = at_one_temperature(c, control);
@@ -110,7 +110,7 @@ CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
     r = search_cycle(c, tier, control, cost)->result();
     r.cost = cost;
   }
-  r.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  r.cost.wall_s = watch.seconds();
   if (control.kept == nullptr) return r;
   r.cost.wall_s += control.kept->spent_before();
   if (r.verdict.status != Status::interrupted) control.kept->end(r);

@@ -76,8 +76,8 @@ inline void members(Tape& tape, bearing::FilmInTime& x) {
 }
 
 inline void members(Tape& tape, bearing::EquilibriumCost& x) {
-  auto& [factorizations, newton, krylov, rejected, sweeps, rounds, work, most_work] = x;
-  tape(factorizations, newton, krylov, rejected, sweeps, rounds, work, most_work);
+  auto& [factorizations, newton, rejected, sweeps, rounds, work, most_work] = x;
+  tape(factorizations, newton, rejected, sweeps, rounds, work, most_work);
 }
 
 inline void members(Tape& tape, bearing::Iterate& x) { tape(x.x, x.g); }

@@ -24,10 +24,15 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   add_turbulence(s.model, s.point.scene.speed, mean, warnings);
 }
 
+/// Share of the damping from the cavitated film from which on K and C are told to be of slow
+/// motions alone: they are wrong by several times it at the frequency of a whirl (decision 013)
+/// [-].
+constexpr double kSlowMotionsAlone = 0.01;
+
 void add_coefficient_warnings(const Coefficients& k, std::vector<Note>& warnings) {
   if (!k.verdict.good()) {
     warnings.push_back(note::NoCoefficients{k.verdict});
-  } else if (k.cavitated_share > kTelling) {
+  } else if (k.cavitated_share > kSlowMotionsAlone) {
     warnings.push_back(note::CavitatedDamping{k.cavitated_share});
   }
 }

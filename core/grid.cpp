@@ -52,21 +52,44 @@ std::vector<double> fitted_faces(const std::vector<double>& edges, int n) {
   return face;
 }
 
-void append_merged(std::vector<double>& edges, double x, double closest) {
-  if (x - edges.back() > closest) edges.push_back(x);
+/// Nearer than this, of an even cell, two edges of a strip are one, too: it has no width [-].
+constexpr double kNoStrip = 1e-6;
+
+bool is_strip(const GridEdge& a, const GridEdge& b, double cell) {
+  return a.strip >= 0 && a.strip == b.strip && b.at - a.at > kNoStrip * cell;
 }
 
-std::vector<double> circumferential_faces(int nt, std::vector<double> edges) {
-  for (double& e : edges) e -= 2.0 * kPi * std::floor(e / (2.0 * kPi));
-  std::sort(edges.begin(), edges.end());
-  const double closest = kMergeFraction * 2.0 * kPi / nt;
-  const double start = edges.empty() ? 0.0 : edges.front();
-  std::vector<double> merged{start};
-  for (const double e : edges) append_merged(merged, e, closest);
-  if (start + 2.0 * kPi - merged.back() <= closest) merged.pop_back();
-  if (merged.empty()) merged.push_back(start);
-  merged.push_back(start + 2.0 * kPi);
-  return fitted_faces(merged, nt);
+/// Sorted edges less those that lie too close behind another one.
+void append_merged(GridEdges& edges, const GridEdge& next, double cell) {
+  const GridEdge& last = edges.back();
+  if (next.at - last.at > kMergeFraction * cell || is_strip(last, next, cell)) {
+    edges.push_back(next);
+  }
+}
+
+std::vector<double> places(const GridEdges& edges) {
+  std::vector<double> x;
+  for (const GridEdge& e : edges) x.push_back(e.at);
+  return x;
+}
+
+void sort_by_place(GridEdges& edges) {
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const GridEdge& a, const GridEdge& b) { return a.at < b.at; });
+}
+
+std::vector<double> circumferential_faces(int nt, GridEdges edges) {
+  for (GridEdge& e : edges) e.at -= 2.0 * kPi * std::floor(e.at / (2.0 * kPi));
+  sort_by_place(edges);
+  const double cell = 2.0 * kPi / nt;
+  const GridEdge start = edges.empty() ? GridEdge(0.0) : edges.front();
+  const GridEdge end(start.at + 2.0 * kPi, start.strip);
+  GridEdges merged{start};
+  for (const GridEdge& e : edges) append_merged(merged, e, cell);
+  const bool closes = end.at - merged.back().at <= kMergeFraction * cell;
+  if (closes && merged.size() > 1 && !is_strip(merged.back(), end, cell)) merged.pop_back();
+  merged.push_back(end);
+  return fitted_faces(places(merged), nt);
 }
 
 /// `edges` lie between `from` and `to`, sorted.
@@ -114,31 +137,41 @@ struct Grading {
   }
 };
 
+/// The strip of an edge at z < 0 whose other edge lies at z > 0; -1: none.
+int cut_strip(const GridEdge& e, const GridEdges& all) {
+  const bool cut = e.strip >= 0 && std::any_of(all.begin(), all.end(), [&](const GridEdge& other) {
+                     return other.strip == e.strip && other.at > 0.0;
+                   });
+  return cut ? e.strip : -1;
+}
+
 /// Edges on which axial faces lie [-, over B/2], sorted, those that count as one merged: by their
 /// distance on the bearing, so that one of its edges is lost on graded cells where it is on even
 /// ones.
-std::vector<double> axial_edges(double end, int full_nz, bool half,
-                                const std::vector<double>& z_edges) {
-  std::vector<double> edges;
-  for (const double z : z_edges) {
-    const double place = half ? std::abs(z) : z;
-    const bool middle = half && place <= 2e-12 * end;
-    if (!middle && std::abs(z) < end * (1.0 - 1e-12)) edges.push_back(place / end);
+std::vector<double> axial_edges(double end, int full_nz, bool half, const GridEdges& z_edges) {
+  GridEdges edges;
+  GridEdge middle(0.0);  // of the strip that mid-width cuts, if one does
+  for (const GridEdge& e : z_edges) {
+    const double place = half ? std::abs(e.at) : e.at;
+    const bool in_middle = half && place <= 2e-12 * end;
+    if (half && e.at < 0.0) middle.strip = std::max(middle.strip, cut_strip(e, z_edges));
+    if (!in_middle && std::abs(e.at) < end * (1.0 - 1e-12))
+      edges.emplace_back(place / end, e.strip);
   }
-  std::sort(edges.begin(), edges.end());
-  const double closest = kMergeFraction * 2.0 / full_nz;
+  sort_by_place(edges);
+  const double cell = 2.0 / full_nz;
   // no face lies at mid-width of an odd half: its first edge has nothing to merge with
-  std::vector<double> merged{half && full_nz % 2 == 0 ? 0.0 : -1.0};
-  for (const double e : edges) {
-    if (1.0 - e > closest) append_merged(merged, e, closest);
+  GridEdges merged{half && full_nz % 2 == 0 ? middle : GridEdge(-1.0)};
+  for (const GridEdge& e : edges) {
+    if (1.0 - e.at > kMergeFraction * cell) append_merged(merged, e, cell);
   }
   merged.erase(merged.begin());
-  return merged;
+  return places(merged);
 }
 
 /// Axial faces of all cells that are solved [m].
-std::vector<double> graded_faces(double end, int full_nz, bool half,
-                                 const std::vector<double>& z_edges, const Grading& grading) {
+std::vector<double> graded_faces(double end, int full_nz, bool half, const GridEdges& z_edges,
+                                 const Grading& grading) {
   std::vector<double> edges = axial_edges(end, full_nz, half, z_edges);
   for (double& z : edges) z = grading.even(z);
   const int nz = half ? (full_nz + 1) / 2 : full_nz;
@@ -152,18 +185,18 @@ std::vector<double> graded_faces(double end, int full_nz, bool half,
 }
 
 /// True if with every edge its mirror image is there too.
-bool mirror_images(const std::vector<double>& edges, double width) {
-  return std::all_of(edges.begin(), edges.end(), [&](double z) {
-    return std::any_of(edges.begin(), edges.end(),
-                       [&](double other) { return std::abs(z + other) < 1e-12 * width; });
+bool mirror_images(const GridEdges& edges, double width) {
+  return std::all_of(edges.begin(), edges.end(), [&](const GridEdge& e) {
+    return std::any_of(edges.begin(), edges.end(), [&](const GridEdge& other) {
+      return std::abs(e.at + other.at) < 1e-12 * width;
+    });
   });
 }
 
 }  // namespace
 
 FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
-                   const std::vector<double>& phi_edges, const std::vector<double>& z_edges,
-                   double grading) {
+                   const GridEdges& phi_edges, const GridEdges& z_edges, double grading) {
   // A bearing that looks alike from both ends gets a grid that does.
   if (!half && full_nz > 1 && mirror_images(z_edges, width)) {
     return full_grid(make_grid(radius, width, nt, full_nz, true, phi_edges, z_edges, grading));

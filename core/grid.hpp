@@ -46,14 +46,23 @@ struct FilmGrid {
 /// docs/decisions/031.
 inline constexpr double kEdgeGrading = 2.0;
 
+/// A place on which a face lies [rad, any branch; m, |z| < B/2].
+struct GridEdge {
+  double at = 0.0;
+  int strip = -1;  ///< its other edge has the same number; -1: not that of a strip
+  GridEdge(double place, int of = -1) : at(place), strip(of) {}
+};
+using GridEdges = std::vector<GridEdge>;
+
 /// Grid with `nt` x `full_nz` cells over the full bearing, as even as the edges allow once the
 /// axial grading has been applied.
-/// A face lies on each of `phi_edges` [rad, any branch] and `z_edges` [m, |z| < B/2], but edges
-/// closer together than a fifth of an even cell are merged, whatever the grading. With `half`, only
-/// |z_edges| on z >= 0 is used. Throws InputError if there are more edges than cells.
+/// A face lies on each of `phi_edges` and `z_edges`, but edges closer together than a fifth of an
+/// even cell are merged, whatever the grading; those of one strip never are: however narrow, it has
+/// cells of its own. With `half`, only |z_edges| on z >= 0 is used. Throws InputError if there are
+/// more edges than cells.
 [[nodiscard]] FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
-                                 const std::vector<double>& phi_edges = {},
-                                 const std::vector<double>& z_edges = {}, double grading = 0.0);
+                                 const GridEdges& phi_edges = {}, const GridEdges& z_edges = {},
+                                 double grading = 0.0);
 
 /// Field on the full-width grid from one on a half grid (unchanged if the grid is full).
 [[nodiscard]] FilmGrid full_grid(const FilmGrid& grid);

@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
 #include "bearing/judge_case.hpp"
 #include "bearing/step_control.hpp"
 #include "core/contract.hpp"
+#include "core/stopwatch.hpp"
 #include "fidelity/cycle_bars.hpp"
 #include "fidelity/estimate_cycle.hpp"
 #include "fidelity/grid_sequence.hpp"
@@ -238,9 +238,9 @@ class Search {
 }  // namespace
 
 CycleResult solve_auto_cycle(const Case& c, const SolveControl& control) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   CycleResult r = Search(c, control).run();
-  r.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  r.cost.wall_s = watch.seconds();
   r.cost.bars_s = 0.0;  // part of it
   return r;
 }

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
+#include "bearing/judge_case.hpp"
 #include "bearing/solids.hpp"
 #include "core/contract.hpp"
+#include "core/stopwatch.hpp"
 #include "fidelity/auto_probe.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/estimate.hpp"
@@ -63,6 +64,7 @@ class Search {
 
  private:
   [[nodiscard]] std::optional<Result> good_estimate() {
+    if (lack_for(case_, Tier::estimate)) return {};
     Result r = estimate_result(case_);
     const Bars bars{relative_bars(r, "friction_torque").total(), relative_bars(r, "h_min").total()};
     if (case_.model.grid_given || !r.verdict.good() || !bars.within(tolerance())) return {};
@@ -271,9 +273,9 @@ class Search {
 }  // namespace
 
 Result solve_auto(const Case& c, const SolveControl& control) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Result r = Search(c, control).run();
-  r.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  r.cost.wall_s = watch.seconds();
   return r;
 }
 

@@ -1,10 +1,10 @@
 #include "fidelity/cycle_bars.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "core/stopwatch.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/grid_sequence.hpp"
@@ -77,7 +77,7 @@ void put_time_bars(const CycleResult& usual, const CycleResult& other, double pa
 CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   CycleResult r = solve_cycle(c, c.model.tier, control);
   if (!r.verdict.good()) return r;
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   std::vector<Grid> grids = coarse_grids(c);
   if (grids.size() > 2) grids.erase(grids.begin(), grids.end() - 2);
   std::vector<CycleResult> coarse;
@@ -86,13 +86,10 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
     if (stopped(control)) break;
     if (on.verdict.good()) coarse.push_back(std::move(on));
   }
-  const auto so_far = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
   if (coarse.empty() || stopped(control)) {
     r.warnings.push_back(stopped(control) ? note::Plain::bars_interrupted
                                           : note::Plain::cycle_bars_unknown);
-    r.cost.bars_s = so_far();
+    r.cost.bars_s = watch.seconds();
     return r;
   }
   put_grid_bars(coarse, r);
@@ -105,7 +102,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
     if (q.quantity.error_grid > most) q.quantity.error_grid = most;
     if (q.error_time > most) q.error_time = most;
   }
-  r.cost.bars_s = so_far();
+  r.cost.bars_s = watch.seconds();
   return r;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "bearing/cycle_lumped.hpp"
@@ -11,6 +10,7 @@
 #include "bearing/equilibrium.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/told_ranges.hpp"
+#include "core/stopwatch.hpp"
 #include "fidelity/bracketed_root.hpp"
 #include "fidelity/estimate_bars.hpp"
 #include "fidelity/journal_path.hpp"
@@ -57,8 +57,10 @@ Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
       T += rise;
       continue;
     }
-    T = bracketed_root(surplus, T, T + rise, kCycleBalance);
-    if (last.good()) static_cast<void>(surplus(T));
+    const double root = bracketed_root(surplus, T, T + rise, kCycleBalance);
+    if (std::isnan(root)) return last;  // the path was lost on the way
+    T = root;
+    static_cast<void>(surplus(T));
     return last;
   }
   return {Status::iteration_limit,
@@ -174,7 +176,7 @@ void tell_what_is_left_out(const Case& c, const JournalPath& path, CycleResult& 
 }  // namespace
 
 CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   JournalPath rough(c, kOfTolerance / kFiner * c.model.tolerance, control);
   JournalPath path(c, kOfTolerance / (kFiner * kFiner) * c.model.tolerance, control);
   CycleResult r;
@@ -204,7 +206,7 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
     r.quantities = quantities(path, T);
     put_bars(r.quantities, quantities(rough, T), estimate_bars(c, worst_of(path, c, T)));
   }
-  r.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  r.cost.wall_s = watch.seconds();
   return r;
 }
 

@@ -41,10 +41,6 @@ inline constexpr double kRefinement = 1.4;
 /// Scalars in the tier that the solution's case names.
 [[nodiscard]] std::vector<bearing::Quantity> scalars(const bearing::Solution& s);
 
-[[nodiscard]] inline bool stopped(const bearing::SolveControl& control) {
-  return control.stop != nullptr && control.stop->load();
-}
-
 struct GridSequence {
   /// Same tier, solved to the end on the coarsest grid that has a solution; on the result's own
   /// grid where no coarser one has.

@@ -20,10 +20,11 @@ Field widening(const Solution& s, const Physics& has) {
   return sum;
 }
 
-void set_temperatures(const Case& c, const Held& held, int nodes, std::vector<double>& T) {
+void set_temperatures(const Case& c, const Held& held, const CrossFilmNodes& gl,
+                      std::vector<double>& T) {
   if (!held.heated) std::fill(T.begin(), T.end(), c.supplies.front().temperature);
-  for (auto column = T.begin(); column != T.end() && !held.physics.film_energy; column += nodes) {
-    std::fill_n(column, nodes, std::accumulate(column, column + nodes, 0.0) / nodes);
+  for (auto column = T.begin(); column != T.end() && !held.physics.film_energy; column += gl.n) {
+    std::fill_n(column, gl.n, std::inner_product(column, column + gl.n, gl.w.begin(), 0.0));
   }
   for (double& t : T) t += held.warmer;
 }
@@ -39,7 +40,7 @@ Solution held_film(const Solution& s, std::array<int, 2> grid, const Held& held,
   out.model = make_bearing(s.model.input, film_only, grid);
   out.point = operating_point(out.model);
   out.film = carry_over(s.model, s.film, out.model);
-  set_temperatures(s.model.input, held, out.model.gl.n, out.film.columns.T);
+  set_temperatures(s.model.input, held, out.model.gl, out.film.columns.T);
   out.heat.thermal_deformation =
       interpolate(s.model.domain.grid, widening(s, held.physics), out.model.domain.grid);
   // Friction and smallest film are then known to about these residuals, far better than the grids

@@ -18,7 +18,7 @@ namespace {
 constexpr int kInstants = 720;  ///< told: every degree of a four-stroke
 /// Cycles, or turns of an event's first place, until the journal has come to rest: a light load
 /// brings it nearer by a hundredth a cycle.
-constexpr int kMostCycles = 1000;
+constexpr int kMostTurns = 1000;
 
 double gap_left(const Pair& x) { return 1.0 - std::hypot(x[0], x[1]); }
 
@@ -97,7 +97,7 @@ Pair JournalPath::steady_place() {
       tolerance_, INFINITY};
   SmoothMotion path(motion);
   path.begin(0.0, {0.0, 0.0});
-  for (double turns = 1.0; turns <= kMostCycles && omega > 0.0; turns *= 2.0) {
+  for (double turns = 1.0; turns <= kMostTurns && omega > 0.0; turns *= 2.0) {
     if (!path.go_to(2.0 * kPi * turns / omega)) break;
     Pair v{};
     const bool known = motion_.rate(0.0, false, path.now(), v);
@@ -124,7 +124,7 @@ Verdict JournalPath::find(double T) {
     return pass(at_, true) ? Verdict{} : lost();
   }
   Closure closure;
-  while (cycles_ < kMostCycles) {
+  while (cycles_ < kMostTurns) {
     if (stopped(control_)) return {Status::interrupted};
     const auto next = pass(at_, false);
     if (!next) return lost();
@@ -151,7 +151,8 @@ double JournalPath::asperity_share() const {
   double most = 0.0;
   for (const CycleInstant& i : instants_) {
     const double clearance = c_.bearing.radial_clearance;
-    most = std::max(most, motion_.asperity_share(i.t, true, {i.ex / clearance, i.ey / clearance}));
+    most = std::max(most,
+                    motion_.asperity_share(i.t, i.dt > 0.0, {i.ex / clearance, i.ey / clearance}));
   }
   return most;
 }

@@ -1,43 +1,28 @@
 #include "fidelity/smooth_motion.hpp"
 
 #include <cvode/cvode.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "bearing/step_control.hpp"
+#include "bearing/sundials.hpp"
 
 namespace shellback::fidelity {
 namespace {
 
-struct ContextDeleter {
-  void operator()(SUNContext c) const { SUNContext_Free(&c); }
-};
-struct VectorDeleter {
-  void operator()(N_Vector v) const { N_VDestroy(v); }
-};
 struct MatrixDeleter {
   void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
-};
-struct LinearDeleter {
-  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
 };
 struct CvodeDeleter {
   void operator()(void* m) const { CVodeFree(&m); }
 };
-template <class T, class D>
-using Owned = std::unique_ptr<std::remove_pointer_t<T>, D>;
 
 // What went wrong is reported by the caller, in the user's words.
 void stay_silent(int, const char*, const char*, char*, void*) {}
 
-void require(int flag) {
-  if (flag < 0) throw std::runtime_error("CVODE could not be set up");
-}
+void require(int flag) { sundials::require(flag, "CVODE"); }
 
 Pair pair_of(N_Vector y) {
   const double* at = N_VGetArrayPointer(y);
@@ -48,12 +33,11 @@ Pair pair_of(N_Vector y) {
 
 struct SmoothMotion::Solver {
   const Motion* motion;
-  SUNContext raw = nullptr;
-  Owned<SUNContext, ContextDeleter> context;
-  Owned<N_Vector, VectorDeleter> y;
-  Owned<SUNMatrix, MatrixDeleter> matrix;
-  Owned<SUNLinearSolver, LinearDeleter> linear;
-  Owned<void*, CvodeDeleter> cvode;
+  sundials::Context context = sundials::make_context("CVODE");
+  sundials::Vector y;
+  sundials::Owned<SUNMatrix, MatrixDeleter> matrix;
+  sundials::LinearSolver linear;
+  sundials::Owned<void*, CvodeDeleter> cvode;
   bool begun = false;
   Pair now{};
   double t = 0.0;
@@ -88,12 +72,11 @@ struct SmoothMotion::Solver {
 SmoothMotion::SmoothMotion(const Motion& motion) : solver_(std::make_unique<Solver>()) {
   Solver& s = *solver_;
   s.motion = &motion;
-  require(SUNContext_Create(nullptr, &s.raw));
-  s.context.reset(s.raw);
-  s.y.reset(N_VNew_Serial(2, s.raw));
-  s.matrix.reset(SUNDenseMatrix(2, 2, s.raw));
-  s.linear.reset(SUNLinSol_Dense(s.y.get(), s.matrix.get(), s.raw));
-  s.cvode.reset(CVodeCreate(CV_BDF, s.raw));
+  SUNContext raw = s.context.get();
+  s.y.reset(N_VNew_Serial(2, raw));
+  s.matrix.reset(SUNDenseMatrix(2, 2, raw));
+  s.linear.reset(SUNLinSol_Dense(s.y.get(), s.matrix.get(), raw));
+  s.cvode.reset(CVodeCreate(CV_BDF, raw));
 }
 
 SmoothMotion::~SmoothMotion() = default;

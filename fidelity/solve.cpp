@@ -1,9 +1,9 @@
 #include "fidelity/solve.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "core/stopwatch.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
 
@@ -35,7 +35,7 @@ double limit_of(const Case& c, const Quantity& q, double limit) {
 /// Bars of the grid with the orders observed; not-a-number where the value of the result's own grid
 /// is not there.
 void put_grid_bars(const BarRecord& record, Result& result) {
-  // Iteration leaves this part of the natural size open: the outer loop ends at changes of 1e-4 of
+  // Iteration leaves this part of the natural size open: the outer loop ends at changes of 3e-4 of
   // 10 K per step, the viscosity changes by a few per cent per kelvin.
   constexpr double kIteration = 1e-4;  // [-]
   // No bar is shorter, against the size of its quantity, than this part of the median one: all
@@ -99,7 +99,7 @@ void put_notes(const BarRecord& record, Result& result) {
 
 BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control, WantedBars bars,
                        KeptSolids* kept) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Solution own = s;
   own.model.input.model.tier = tier;
   BarRecord record;
@@ -114,7 +114,7 @@ BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control
     if (richer) record.node_change = change(scalars(*record.coarse), scalars(*richer));
     if (bars == WantedBars::grid_and_model) record.model = model_error(*record.coarse, control);
   }
-  record.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  record.wall_s = watch.seconds();
   return record;
 }
 

@@ -220,6 +220,22 @@ Field film_residual(const FilmScene& scene, const FilmFlow& flow) {
   return r;
 }
 
+double flow_by_pressure(const FilmScene& scene, const FilmFlow& flow, const Field& p) {
+  const FilmGrid& g = scene.grid;
+  double most = 0.0;
+  const auto look = [&](const FaceFlow& f, double left, double right) {
+    most = std::max({most, std::abs(f.d_left * left), std::abs(f.d_right * right)});
+  };
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      look(flow.phi[k], p[g.index(g.previous(i), j)], p[k]);
+      if (j > 0) look(flow.z[i * (g.nz + 1) + j], p[k - 1], p[k]);
+    }
+  }
+  return most;
+}
+
 double flow_scale(const FilmScene& scene, const FilmFlow& flow) {
   double scale = 0.0;
   for (std::size_t k = 0; k < flow.phi.size(); ++k) {

@@ -17,18 +17,7 @@ constexpr double kRoundOff = 1e-9;  ///< relative slack when a cell lies on the 
 /// a - b brought to [-pi, pi].
 double angle_between(double a, double b) { return std::remainder(a - b, 2.0 * kPi); }
 
-bool inside(const FilmGrid& g, const SupplyPatch& s, int i, int j) {
-  const double dx = angle_between(g.phi[i], s.phi);
-  const double dz = g.z[j] - s.z;
-  if (s.round) {
-    const double x = dx / (0.5 * s.arc);
-    const double z = dz / (0.5 * s.length);
-    return x * x + z * z <= 1.0;
-  }
-  const bool round_all = s.arc >= 2.0 * kPi * (1.0 - kRoundOff);
-  return (round_all || std::abs(dx) <= 0.5 * s.arc * (1.0 + kRoundOff)) &&
-         std::abs(dz) <= 0.5 * s.length * (1.0 + kRoundOff);
-}
+bool goes_all_round(const SupplyPatch& s) { return s.arc >= 2.0 * kPi * (1.0 - kRoundOff); }
 
 void claim(std::vector<int>& owner, int k, int patch) {
   if (owner[k] >= 0 && owner[k] != patch) {
@@ -46,6 +35,41 @@ int nearest(const std::vector<double>& x, double at, bool periodic) {
     if (distance(k) < distance(best)) best = k;
   }
   return best;
+}
+
+/// Cells of a round hole; one that is finer than the grid is the cell nearest to its middle.
+void mark_hole(const FilmGrid& g, const SupplyPatch& s, int patch, SupplyMap& map) {
+  bool any = false;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const double x = angle_between(g.phi[i], s.phi) / (0.5 * s.arc);
+      const double z = (g.z[j] - s.z) / (0.5 * s.length);
+      if (x * x + z * z > 1.0) continue;
+      claim(map.cell, g.index(i, j), patch);
+      any = true;
+    }
+  }
+  if (any) return;
+  const int j = nearest(g.z, g.half ? std::abs(s.z) : s.z, false);
+  claim(map.cell, g.index(nearest(g.phi, s.phi, true), j), patch);
+}
+
+/// Columns and rows of cells within a groove: at least the one nearest to its middle either way,
+/// where its edges have been merged with those of others.
+void mark_groove(const FilmGrid& g, const SupplyPatch& s, int patch, SupplyMap& map) {
+  std::vector<int> columns, rows;
+  for (int i = 0; i < g.nt; ++i) {
+    const double away = std::abs(angle_between(g.phi[i], s.phi));
+    if (goes_all_round(s) || away <= 0.5 * s.arc * (1.0 + kRoundOff)) columns.push_back(i);
+  }
+  for (int j = 0; j < g.nz; ++j) {
+    if (std::abs(g.z[j] - s.z) <= 0.5 * s.length * (1.0 + kRoundOff)) rows.push_back(j);
+  }
+  if (columns.empty()) columns.push_back(nearest(g.phi, s.phi, true));
+  if (rows.empty()) rows.push_back(nearest(g.z, g.half ? std::abs(s.z) : s.z, false));
+  for (const int i : columns) {
+    for (const int j : rows) claim(map.cell, g.index(i, j), patch);
+  }
 }
 
 void mark_line(const FilmGrid& g, const SupplyPatch& s, int patch, SupplyMap& map) {
@@ -112,23 +136,31 @@ class Reaches {
 
 }  // namespace
 
-std::vector<double> phi_edges(const std::vector<SupplyPatch>& patches) {
-  std::vector<double> edges;
-  for (const auto& s : patches) {
-    if (s.moving) continue;
-    if (s.arc >= 2.0 * kPi * (1.0 - kRoundOff)) continue;
-    edges.push_back(s.phi - 0.5 * s.arc);
-    if (s.arc > 0.0) edges.push_back(s.phi + 0.5 * s.arc);
+namespace {
+
+/// A groove is a strip; a hole finer than the grid is a cell, wherever its edges are.
+int strip_of(const SupplyPatch& s, int patch) { return s.round ? -1 : patch; }
+
+}  // namespace
+
+GridEdges phi_edges(const std::vector<SupplyPatch>& patches) {
+  GridEdges edges;
+  for (int k = 0; k < static_cast<int>(patches.size()); ++k) {
+    const SupplyPatch& s = patches[k];
+    if (s.moving || goes_all_round(s)) continue;
+    edges.emplace_back(s.phi - 0.5 * s.arc, strip_of(s, k));
+    if (s.arc > 0.0) edges.emplace_back(s.phi + 0.5 * s.arc, strip_of(s, k));
   }
   return edges;
 }
 
-std::vector<double> z_edges(const std::vector<SupplyPatch>& patches) {
-  std::vector<double> edges;
-  for (const auto& s : patches) {
+GridEdges z_edges(const std::vector<SupplyPatch>& patches) {
+  GridEdges edges;
+  for (int k = 0; k < static_cast<int>(patches.size()); ++k) {
+    const SupplyPatch& s = patches[k];
     if (s.moving) continue;
-    edges.push_back(s.z - 0.5 * s.length);
-    edges.push_back(s.z + 0.5 * s.length);
+    edges.emplace_back(s.z - 0.5 * s.length, strip_of(s, k));
+    edges.emplace_back(s.z + 0.5 * s.length, strip_of(s, k));
   }
   return edges;
 }
@@ -141,23 +173,8 @@ SupplyMap map_supplies(const FilmGrid& g, const std::vector<SupplyPatch>& patche
   for (int k = 0; k < static_cast<int>(patches.size()); ++k) {
     const SupplyPatch& s = patches[k];
     if (s.moving) continue;
-    if (s.arc == 0.0) {
-      mark_line(g, s, k, map);
-      continue;
-    }
-    bool any = false;
-    for (int i = 0; i < g.nt; ++i) {
-      for (int j = 0; j < g.nz; ++j) {
-        if (!inside(g, s, i, j)) continue;
-        claim(map.cell, g.index(i, j), k);
-        any = true;
-      }
-    }
-    if (!any) {  // finer than the grid: the cell nearest to its middle stands for it
-      const int i = nearest(g.phi, s.phi, true);
-      const int j = nearest(g.z, g.half ? std::abs(s.z) : s.z, false);
-      claim(map.cell, g.index(i, j), k);
-    }
+    const auto mark = s.arc == 0.0 ? mark_line : s.round ? mark_hole : mark_groove;
+    mark(g, s, k, map);
   }
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {

@@ -56,8 +56,8 @@ struct SupplyMap {
 };
 
 /// Positions on which faces should lie: the ends of every patch [rad], [m].
-[[nodiscard]] std::vector<double> phi_edges(const std::vector<SupplyPatch>& patches);
-[[nodiscard]] std::vector<double> z_edges(const std::vector<SupplyPatch>& patches);
+[[nodiscard]] GridEdges phi_edges(const std::vector<SupplyPatch>& patches);
+[[nodiscard]] GridEdges z_edges(const std::vector<SupplyPatch>& patches);
 
 /// Marks cells and faces of patches that do not move. Throws InputError if two patches overlap.
 [[nodiscard]] SupplyMap map_supplies(const FilmGrid& grid, const std::vector<SupplyPatch>& patches);

@@ -33,17 +33,6 @@ void expect_written(const Request& request) {
   }
 }
 
-void expect_running_in(const Case& c) {
-  if (!c.running_in) {
-    throw InputError(c.path,
-                     "there is no [running_in]; give wear_coefficient = \"1e-8\" and until = "
-                     "\"200 s\" or \"worn_in\" with limit_pressure = \"5 MPa\"");
-  }
-  if (c.model.tier != Tier::isothermal && c.model.tier != Tier::thd && c.model.tier != Tier::tehd) {
-    throw InputError("model.tier", "running-in needs a solved film; take isothermal, thd or tehd");
-  }
-}
-
 /// The cycle of the last state: how it was told, and its audit.
 void print_cycle(const CycleResult& cycle, int cycles) {
   fmt::print(std::cout,

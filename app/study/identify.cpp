@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -11,6 +10,7 @@
 #include "bearing/bearing.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"
+#include "core/stopwatch.hpp"
 
 namespace shellback::study {
 
@@ -250,7 +250,7 @@ Identification identify(const std::vector<MeasuredPoint>& measured,
                         const std::vector<FitParameter>& keys, const MeasuredCase& case_at,
                         const IdentifyOptions& options) {
   EXPECTS(!measured.empty() && !keys.empty() && options.threads >= 1);
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   read_all(measured, keys, case_at);
   Identification out;
   out.points.resize(measured.size());
@@ -277,7 +277,7 @@ Identification identify(const std::vector<MeasuredPoint>& measured,
   for (std::size_t i = 0; i < best.values.size(); ++i) {
     out.points[i].fitted = std::move(best.values[i]);
   }
-  out.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  out.wall_s = watch.seconds();
   return out;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -12,6 +11,7 @@
 #include "bearing/bearing.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"
+#include "core/stopwatch.hpp"
 
 namespace shellback::study {
 
@@ -145,7 +145,7 @@ int pieces_per_curve(int curves, int points, int threads) {
 
 Sweep run_sweep(std::vector<Axis> axes, const CaseAt& case_at, const SweepOptions& options) {
   EXPECTS(!axes.empty() && options.threads >= 1);
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Sweep sweep;
   sweep.axes = std::move(axes);
   sweep.threads = options.threads;
@@ -160,7 +160,7 @@ Sweep run_sweep(std::vector<Axis> axes, const CaseAt& case_at, const SweepOption
                [&](int t) { curves[pieces[t].curve]->solve_piece(pieces[t].low, pieces[t].high); });
   parallel_for(sweep.curves(), options.threads, [&](int c) { curves[c]->mend(); });
   sweep.interrupted = options.stop != nullptr && options.stop->load();
-  sweep.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  sweep.wall_s = watch.seconds();
   return sweep;
 }
 

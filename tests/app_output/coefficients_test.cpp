@@ -22,7 +22,7 @@ bearing::Coefficients sample() {
   k.unknowns = 4;
   k.omega = -314.159265358979;
   k.K_load = {{{1.25, 7.5}, {-2.25, 1.5}}};
-  k.whirl = bearing::whirl_threshold(bearing::forces_of(k.K), bearing::forces_of(k.C));
+  k.whirl = {bearing::WhirlVerdict::threshold, 12.5, 150.0};
   k.speed_ratio = 2.125;
   return k;
 }

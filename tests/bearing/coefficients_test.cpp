@@ -125,6 +125,18 @@ double off(const Matrix2& a, const Matrix2& b) {
   return difference / size;
 }
 
+/// Of a film whose stiffness and damping do not hang on the frequency; up to 10^4 rad/s.
+WhirlThreshold constant_threshold(const Matrix2& K, const Matrix2& C) {
+  const auto impedance = [&](double nu) {
+    ComplexMatrix2 Z;
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) Z[i][j] = {K[i][j], nu * C[i][j]};
+    }
+    return Z;
+  };
+  return whirl_threshold(impedance, 1e4);
+}
+
 /// Lund and Thomsen's bearing of L/D = 1: two grooves of 20 degrees, a quarter turn on either side
 /// of the load, oil there and at the sides at ambient pressure, which is that of cavitation.
 Case two_grooves(double eps, double attitude, std::array<int, 2> grid) {
@@ -356,7 +368,7 @@ TEST_CASE("FullFilmWhirlsAtHalfSpeedWhateverTheMass", "[coefficients]") {
 TEST_CASE("ThresholdParsStableFromUnstableRotors", "[coefficients]") {
   const Matrix2 K{{{2.0e7, 5.0e7}, {-1.0e7, 1.6e7}}};
   const Matrix2 C{{{9.0e4, 2.0e4}, {2.0e4, 3.0e4}}};
-  const WhirlThreshold w = whirl_threshold(K, C);
+  const WhirlThreshold w = constant_threshold(K, C);
   REQUIRE(w.verdict == WhirlVerdict::threshold);
   /// Hurwitz: a3 a2 a1 - a4 a1^2 - a3^2 a0 of det(m s^2 + C s + K); positive: stable.
   const auto margin = [&](double m) {
@@ -372,9 +384,9 @@ TEST_CASE("ThresholdParsStableFromUnstableRotors", "[coefficients]") {
   CHECK(margin(1.01 * m) < 0.0);
   CHECK(std::abs(margin(m)) < 1e-12);
   // Without cross-coupling nothing drives the journal; with negative damping everything does.
-  CHECK(whirl_threshold({{{2e7, 0.0}, {0.0, 1e7}}}, C).verdict == WhirlVerdict::always_stable);
-  CHECK(whirl_threshold(K, {{{-1e4, 0.0}, {0.0, 3e3}}}).verdict == WhirlVerdict::never_stable);
-  CHECK(whirl_threshold({{{0.0, 1e7}, {-1e7, 0.0}}}, {{{1e4, 0.0}, {0.0, 1e4}}}).verdict ==
+  CHECK(constant_threshold({{{2e7, 0.0}, {0.0, 1e7}}}, C).verdict == WhirlVerdict::always_stable);
+  CHECK(constant_threshold(K, {{{-1e4, 0.0}, {0.0, 3e3}}}).verdict == WhirlVerdict::never_stable);
+  CHECK(constant_threshold({{{0.0, 1e7}, {-1e7, 0.0}}}, {{{1e4, 0.0}, {0.0, 1e4}}}).verdict ==
         WhirlVerdict::never_stable);
   const Matrix2 turned = in_axes(in_axes(K, 0.7, 1), -0.7, 1);
   CHECK(off(turned, K) < 1e-14);

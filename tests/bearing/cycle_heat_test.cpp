@@ -179,6 +179,40 @@ TEST_CASE("AnEventBeginsAnewAtEveryTemperature", "[cycle_heat]") {
   CHECK(search.told().means().torque == Approx(torque).epsilon(1e-3));  // other steps
 }
 
+TEST_CASE("OilThatIsLedOnTakesItsHeatAlong", "[cycle_heat]") {
+  Case c = warm_cycle_case(1.5e3, 0.6);
+  const LoadCourse course(*c.cycle, c.operation.omega);
+  FilmSteps steps(make_bearing(c, physics_of(c, Tier::thd), c.model.grid), course, 0.5, {});
+  FilmInTime now = steps.at_rest(333.15);
+  const double period = c.cycle->period;
+  REQUIRE(steps.set_walls(uniform_walls(steps.model(), 323.15), period, 1e-3 * period, now));
+  EquilibriumCost cost;
+  const auto go_on = [&] {
+    FilmStep step = steps.take(period / 180.0, now, cost, nullptr);
+    INFO(app::reason_of(step.verdict));
+    REQUIRE(step.verdict.good());
+    now = std::move(step.after);
+  };
+  for (int k = 0; k < 60; ++k) go_on();
+  const FilmInTime before = now;
+  std::vector<double> oil = steps.oil_of(now);
+  for (double& m : oil) m *= 0.2;  // cells that are full keep theirs
+  steps.put_oil(oil, now);
+  const int nodes = steps.model().gl.n;
+  int changed = 0;
+  for (std::size_t k = 0; k < now.oil.size(); ++k) {
+    if (now.oil[k] == before.oil[k]) continue;
+    ++changed;
+    for (int n = 0; n < nodes; ++n) {
+      const std::size_t node = k * nodes + n;
+      CHECK(now.heat.held[node] * before.oil[k] ==
+            Approx(before.heat.held[node] * now.oil[k]).epsilon(1e-12));
+    }
+  }
+  CHECK(changed > 50);
+  go_on();
+}
+
 TEST_CASE("LumpedCyclesMeetTheHeatBalanceOfTheirMeans", "[cycle_heat]") {
   Case c = warm_cycle_case(1.5e3, 0.0);
   Case still = c;

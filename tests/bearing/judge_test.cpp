@@ -93,6 +93,40 @@ TEST_CASE("WhatATierLacksIsRefusedInThatTierOnly") {
                                             Catch::Contains("give its layers and back"));
 }
 
+TEST_CASE("TheEstimateIsRefusedSuppliesThatItDoesNotSee") {
+  Case c = plain_case();
+  CHECK_FALSE(lack_for(c, Tier::estimate));
+  const auto why = [](const Case& changed) {
+    const auto lack = lack_for(changed, Tier::estimate);
+    return lack ? lack->problem : std::string();
+  };
+  Case warm = c;
+  warm.supplies.push_back(c.supplies[0]);
+  warm.supplies[1].angle = 180.0 * kDegree;
+  CHECK(why(warm).empty());
+  warm.supplies[1].temperature += 1.0;
+  CHECK_THAT(why(warm), Catch::Contains("different temperature"));
+  Case ring = c;
+  ring.supplies[0].kind = SupplyKind::circumferential_groove;
+  ring.supplies[0].arc = 2.0 * kPi;
+  ring.supplies[0].length = 2e-3;
+  CHECK(why(ring).empty());
+  ring.supplies[0].z = 5e-3;
+  CHECK_THAT(why(ring), Catch::Contains("at mid-width"));
+  // A hole that the oil passes 65 degrees ahead of the load, one that it passes after it.
+  for (const auto& [away, taken] :
+       {std::pair{-65.0, false}, {-75.0, true}, {75.0, false}, {155.0, true}}) {
+    for (const double turn : {1.0, -1.0}) {
+      Case near = hole_case();
+      near.operation.omega *= turn;
+      near.supplies[0].angle = (270.0 + turn * away) * kDegree;
+      near.supplies[0].diameter = 1e-4;
+      INFO(away << " deg behind the load, turning by " << turn);
+      CHECK(why(near).empty() == taken);
+    }
+  }
+}
+
 TEST_CASE("PossibleButUnusualInputIsToldAndNotRefused") {
   Case c = plain_case();
   c.bearing.radial_clearance = 3e-6;

@@ -55,6 +55,32 @@ TEST_CASE("OilThatWouldBoilWhileColdThinsUntilItsHeatLeaves", "[lumped]") {
   }
 }
 
+TEST_CASE("OilOfEverySupplyIsAsWarmAsItComes", "[lumped]") {
+  // Two grooves, of 30 and 90 degrees: P = sum cp Q_i (T - T_i), whichever stands first.
+  Case c = warm_case();
+  c.supplies[0].angle = 0.0;
+  c.supplies[0].temperature = 303.15;
+  c.supplies.push_back(c.supplies[0]);
+  c.supplies[1].angle = 180.0 * kDegree;
+  c.supplies[1].temperature = 363.15;
+  c.model.tier = Tier::lumped;
+  const Solution s = solve_tier(c, Tier::lumped);
+  INFO(app::reason_of(s.verdict));
+  REQUIRE(s.verdict.good());
+  const double power =
+      std::abs(torque_of(s) * c.operation.omega) + pump_power(s.model, s.point, s.film);
+  const auto flows = fluid::oil_flows(s.point.scene, s.film.flow).patch;
+  REQUIRE(std::min(flows[0], flows[1]) > 0.0);
+  double heat = 0.0;
+  for (int k = 0; k < 2; ++k) {
+    const double cp = rheology::heat_capacity(c.oil, s.T_film).cp;  // the same at all temperatures
+    heat += flows[k] * cp * (s.T_film - c.supplies[k].temperature);
+  }
+  CHECK(heat == Approx(power).epsilon(1e-6));  // 1e-7 K of the balance
+  std::swap(c.supplies[0], c.supplies[1]);
+  CHECK(solve_tier(c, Tier::lumped).T_film == Approx(s.T_film).epsilon(1e-9));
+}
+
 TEST_CASE("TheResidualOfARigidFilmFallsWithTemperature", "[lumped]") {
   // At a given position pressure and friction go with the viscosity; flow by rotation does not
   // depend on it and flow by supply pressure rises as it falls.

@@ -87,12 +87,12 @@ TEST_CASE("TheSkinNarrowsTheGapAsItSwells", "[wall_growth]") {
     }
     return std::pair{largest_magnitude(off), largest_magnitude(swelling)};
   };
-  const auto [coarse, swelling] = missed(40);
-  const auto [fine, same] = missed(80);
+  const auto [coarse, swelling] = missed(20);
+  const auto [fine, same] = missed(160);
   INFO(coarse << ", " << fine << " of " << swelling << ", " << same);
   CHECK(swelling > 1e-10);  // something has swollen [m]
   CHECK(coarse < 0.03 * swelling);
-  CHECK(coarse / fine == Approx(4.0).margin(1.0));
+  CHECK(coarse / fine == Approx(64.0).epsilon(0.3));  // the cell that is worst is not always one
 }
 
 TEST_CASE("TheGapGrowsFromTheWallsOfOneCycleToThoseOfTheNext", "[wall_growth]") {

@@ -1,5 +1,6 @@
 #include "core/grid.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
@@ -26,6 +27,8 @@ double nearest_face(const std::vector<double>& face, double at, double period) {
   return least;
 }
 
+GridEdges edges_at(const std::vector<double>& places) { return {places.begin(), places.end()}; }
+
 void check_cells(const FilmGrid& g) {
   CHECK(static_cast<int>(g.phi.size()) == g.nt);
   CHECK(static_cast<int>(g.dphi.size()) == g.nt);
@@ -47,9 +50,9 @@ void check_cells(const FilmGrid& g) {
 }
 
 /// The half grid must be the upper half of the full grid, cell by cell.
-void check_half(int full_nz, const std::vector<double>& z_edges) {
-  std::vector<double> both = z_edges;
-  for (const double z : z_edges) both.push_back(-z);
+void check_half(int full_nz, const GridEdges& z_edges) {
+  GridEdges both = z_edges;
+  for (const GridEdge& e : z_edges) both.emplace_back(-e.at, e.strip);
   const FilmGrid half = make_grid(kRadius, kWidth, 20, full_nz, true, {}, z_edges);
   const FilmGrid full = make_grid(kRadius, kWidth, 20, full_nz, false, {}, both);
   check_cells(half);
@@ -80,7 +83,7 @@ TEST_CASE("FacesLieOnTheEdgesAskedFor") {
   const std::vector<double> phi{-0.4, 0.4, 2.0, 9.0, 4.9 - 2.0 * kPi};
   const std::vector<double> z{-0.007, 0.002, 0.0051};
   for (const int nt : {20, 61, 200}) {
-    const FilmGrid g = make_grid(kRadius, kWidth, nt, 15, false, phi, z);
+    const FilmGrid g = make_grid(kRadius, kWidth, nt, 15, false, edges_at(phi), edges_at(z));
     CHECK(g.nt == nt);
     CHECK(g.nz == 15);
     for (const double e : phi) CHECK(nearest_face(g.phi_face, e, 2.0 * kPi) < kSlack);
@@ -107,6 +110,31 @@ TEST_CASE("EdgesCloserThanAFifthOfACellAreOne") {
   CHECK(nearest_face(kept.phi_face, 1.0 + 0.3 * cell, 2.0 * kPi) < kSlack);
   const FilmGrid seam = make_grid(kRadius, kWidth, 24, 4, false, {0.0, -0.1 * cell});
   for (const double d : seam.dphi) CHECK(std::abs(d - cell) < kSlack);
+}
+
+TEST_CASE("AStripHasCellsOfItsOwnHoweverNarrow") {
+  for (const double part : {0.3, 0.1, 1e-3}) {  // of a cell
+    INFO(part << " of a cell wide");
+    const double arc = part * 2.0 * kPi / 24;
+    for (const double at : {1.0, 0.0, 6.28}) {  // at the grid's seam, too
+      const FilmGrid g =
+          make_grid(kRadius, kWidth, 24, 4, false, {{at - 0.5 * arc, 0}, {at + 0.5 * arc, 0}});
+      check_cells(g);
+      CHECK(*std::min_element(g.dphi.begin(), g.dphi.end()) == Approx(arc).epsilon(1e-9));
+    }
+    for (const int nz : {8, 9, 12, 13}) {
+      const double length = part * kWidth / nz;
+      for (const double z : {0.0, 0.004}) {  // cut by mid-width, or with its image beside it
+        GridEdges edges{{z - 0.5 * length, 0}, {z + 0.5 * length, 0}};
+        if (z > 0.0) edges.insert(edges.end(), {{-z - 0.5 * length, 1}, {-z + 0.5 * length, 1}});
+        const FilmGrid g = full_grid(make_grid(kRadius, kWidth, 24, nz, true, {}, edges));
+        check_cells(g);
+        CHECK(nearest_face(g.z_face, z - 0.5 * length, 0.0) < kSlack * kWidth);
+        CHECK(nearest_face(g.z_face, z + 0.5 * length, 0.0) < kSlack * kWidth);
+        CHECK(nearest_face(g.z_face, -z + 0.5 * length, 0.0) < kSlack * kWidth);
+      }
+    }
+  }
 }
 
 TEST_CASE("MoreEdgesThanCellsAreRefused") {
@@ -209,10 +237,10 @@ TEST_CASE("InterpolationOntoTheSameGridChangesNothing") {
 TEST_CASE("GradedCellsCoverTheBearingAndKeepTheEdgesOfSupplies") {
   const std::vector<double> edges{-0.003, 0.003};
   for (const int nz : {9, 10, 25}) {
-    const FilmGrid g = make_grid(kRadius, kWidth, 20, nz, false, {}, edges, kEdgeGrading);
+    const FilmGrid g = make_grid(kRadius, kWidth, 20, nz, false, {}, edges_at(edges), kEdgeGrading);
     check_cells(g);
     for (const double z : edges) CHECK(nearest_face(g.z_face, z, 0.0) < kSlack);
-    const FilmGrid h = make_grid(kRadius, kWidth, 20, nz, true, {}, edges, kEdgeGrading);
+    const FilmGrid h = make_grid(kRadius, kWidth, 20, nz, true, {}, edges_at(edges), kEdgeGrading);
     check_cells(h);
     for (int j = 0; j < h.nz; ++j) {
       CHECK(std::abs(h.z_face[j + 1] - g.z_face[nz - h.nz + j + 1]) < kSlack * kWidth);
@@ -237,7 +265,7 @@ TEST_CASE("EdgesAreLostOnGradedCellsWhereTheyAreOnEvenOnes") {
   // What counts as one edge is a distance on the bearing: a small hole keeps its size at mid-width,
   // where graded cells are twice as wide, and edges near the sides are merged no less.
   const auto kept = [](int nz, const std::vector<double>& edges, double grading) {
-    const FilmGrid g = make_grid(kRadius, kWidth, 20, nz, false, {}, edges, grading);
+    const FilmGrid g = make_grid(kRadius, kWidth, 20, nz, false, {}, edges_at(edges), grading);
     std::vector<bool> there;
     for (const double z : edges) there.push_back(nearest_face(g.z_face, z, 0.0) < kSlack);
     return there;

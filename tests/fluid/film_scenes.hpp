@@ -56,7 +56,7 @@ struct Bearing {
 [[nodiscard]] inline Bearing make_bearing(const Setup& s) {
   Bearing b;
   FilmScene& scene = b.scene;
-  const std::vector<double> none;
+  const GridEdges none;
   scene.grid =
       make_grid(s.radius, s.width, s.nt, s.nz, s.half, s.fit_grid ? phi_edges(s.patches) : none,
                 s.fit_grid ? z_edges(s.patches) : none);

@@ -93,7 +93,7 @@ TEST_CASE("StepsAreCellsOwnAndDisplacementsAreShared") {
 TEST_CASE("FacesOfALinearFieldAreExactOnUnevenGrids") {
   for (const bool half : {false, true}) {
     for (const int nz : {1, 2, 9, 10}) {
-      const std::vector<double> edges = nz > 2 ? std::vector<double>{0.004} : std::vector<double>{};
+      const GridEdges edges = nz > 2 ? GridEdges{0.004} : GridEdges{};
       const FilmGrid g = make_grid(0.02, 0.02, 23, nz, half, {1.0, 1.4, 3.0}, edges);
       // Linear in z (constant at the plane of symmetry) and, off the seam, in phi.
       const double a = half || nz == 1 ? 0.0 : 3e-4;

@@ -75,6 +75,48 @@ TEST_CASE("AHoleFinerThanTheGridIsOneCell") {
   }
 }
 
+TEST_CASE("AGrooveFinerThanTheGridCoversItsAreaExactly") {
+  const SupplyPatch ring{.phi = 1.0, .arc = 2.0 * kPi, .length = 5e-5};
+  const SupplyPatch slit{.phi = 1.0, .z = 1e-3, .arc = 0.01, .length = 0.012};
+  for (const SupplyPatch& groove : {ring, slit}) {
+    for (const int nz : {10, 12, 13, 16}) {
+      for (const bool half : {false, groove.z == 0.0}) {
+        const FilmGrid g = fitted({groove}, 50, nz, half);
+        const double area = 0.02 * groove.arc * groove.length;
+        CHECK(std::abs(covered_area(g, map_supplies(g, {groove}), 0) / area - 1.0) < 1e-9);
+      }
+    }
+  }
+}
+
+TEST_CASE("AGrooveWhoseEdgesAreMergedIsAWholeRowOfCells") {
+  // On a grid that knows nothing of it: all round, at the row or column nearest to it.
+  const FilmGrid g = make_grid(0.02, 0.02, 50, 12, false);
+  const std::vector<SupplyPatch> ring{{.phi = 1.0, .arc = 2.0 * kPi, .length = 5e-5}};
+  CHECK(covered_area(g, map_supplies(g, ring), 0) ==
+        Approx(0.02 * 2.0 * kPi * 0.02 / 12).epsilon(1e-12));
+  const std::vector<SupplyPatch> slit{{.phi = 1.0, .arc = 0.001, .length = 0.02}};
+  CHECK(covered_area(g, map_supplies(g, slit), 0) ==
+        Approx(0.02 * 2.0 * kPi * 0.02 / 50).epsilon(1e-12));
+}
+
+TEST_CASE("ARingFeedsTwoLandsOnEveryGrid") {
+  // The journal in the middle: Q = 2 pi D c^3 p/(12 eta l).
+  for (const int nz : {8, 10, 13, 16, 24}) {
+    Setup s;
+    s.patches = {{.phi = 1.0, .arc = 2.0 * kPi, .length = 1e-4, .pressure = 2e5}};
+    s.nz = nz;
+    const Bearing b = make_bearing(s);
+    const auto film = solve(b);
+    REQUIRE(film.verdict.good());
+    const double land = 0.5 * (s.width - s.patches[0].length);
+    const double flow = s.density * 2.0 * 2.0 * kPi * s.radius * std::pow(s.clearance, 3) * 2e5 /
+                        (12.0 * s.viscosity * land);
+    INFO(nz << " cells");
+    CHECK(oil_flows(b.scene, film.value.flow).side == Approx(flow).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("ALineLiesOnTheFaceAtItsAngle") {
   Setup s;
   for (const double phi : {0.0, 2.5, -0.7}) {

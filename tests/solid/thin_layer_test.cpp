@@ -76,7 +76,7 @@ TEST_CASE("NoPressureFindsAThinLayerSofterThanAColumn", "[thin layer]") {
 }
 
 TEST_CASE("UnevenCellsFindAThinLayerNoSofter", "[thin layer]") {
-  const std::vector<std::vector<double>> edges{
+  const std::vector<GridEdges> edges{
       {-2.5e-3, 2.5e-3}, {-3.1e-3, 1.7e-3, 5.9e-3}, {0.4e-3, 4.3e-3}, {-8.2e-3, 7.9e-3}};
   for (const auto& e : edges) {
     for (const int nz : {19, 24}) {

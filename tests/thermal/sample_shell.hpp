@@ -15,7 +15,7 @@ struct Shell {
   FilmGrid grid;
   RevolutionMesh mesh;
 };
-inline Shell shell(bool half, int halvings = 0, const std::vector<double>& phi_edges = {}) {
+inline Shell shell(bool half, int halvings = 0, const GridEdges& phi_edges = {}) {
   Shell s;
   s.grid = make_grid(kRadius, kWidth, 64, 13, half, phi_edges);
   auto rows = rows_outwards(kRadius, kThickness, surface_row(kRadius, 32));

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "bearing/judge_case.hpp"
 #include "bearing/solve.hpp"
 #include "core/parallel.hpp"
+#include "core/stopwatch.hpp"
 #include "fidelity/auto_cycle.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/solve.hpp"
@@ -122,11 +122,10 @@ void find_reference(const Case& c, const ChartOptions& options, ChartScene& scen
 bool measure_once(const Case& c, const ChartOptions& options, ChartPoint& p) {
   SolveControl control;
   control.stop = options.stop;
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Solved s =
       solved(c, p.setting.tier, control, p.setting.family == ChartFamily::extrapolated);
-  const double wall =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double wall = watch.seconds();
   p.verdict = s.verdict;
   p.value = s.value;
   p.factorizations = s.factorizations;

@@ -26,10 +26,10 @@ class Scene {
     rest.phi = -0.5 * rest.arc;
     rest.length = width;
     rest.pressure = s_.p_ambient;
-    std::vector<double> phi = phi_edges({rest});
+    GridEdges phi = phi_edges({rest});
     phi.push_back(s_.pocket_from / R);
     phi.push_back(s_.pocket_to / R);
-    std::vector<double> z;
+    GridEdges z;
     if (!wide) z = {-0.5 * s_.pocket_width, 0.5 * s_.pocket_width};
     scene.grid = make_grid(R, width, static_cast<int>(std::lround(kRing * s_.cells)),
                            wide ? 1 : s_.cells_across, !wide, phi, z);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <mutex>
 
 #include "core/parallel.hpp"
+#include "core/stopwatch.hpp"
 
 namespace shellback::validation {
 namespace {
@@ -75,7 +75,7 @@ void work(EntryReport& report, const std::vector<Task>& tasks, const RunOptions&
   std::atomic<bool> stopped{false};
   const int count = static_cast<int>(tasks.size());
   parallel_for(count, options.threads, [&](int k) {
-    if (options.control.stop != nullptr && options.control.stop->load()) stopped = true;
+    if (bearing::stopped(options.control)) stopped = true;
     if (stopped) return;
     const Task& task = tasks[static_cast<std::size_t>(k)];
     *task.into =
@@ -115,13 +115,13 @@ std::vector<RowNumbers> points_between(const Entry& entry, const std::vector<Row
 }
 
 EntryReport run_entry(const Entry& entry, const RunOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   EntryReport report;
   report.entry = entry;
   place_points(report, options.curves);
   work(report, tasks_of(report, options.bands), options);
   if (!report.interrupted) judge(report);
-  report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  report.wall_s = watch.seconds();
   return report;
 }
 

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
+#include "core/stopwatch.hpp"
 
 namespace shellback::validation {
 namespace {
@@ -258,7 +258,7 @@ RigStudy run_rig_study(const StudyOptions& options) {
 }
 
 RigStudy run_rig_study(const RigPlan& plan, const StudyOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   RigStudy study;
   study.plan = plan;
   study.threads = options.threads;
@@ -268,7 +268,7 @@ RigStudy run_rig_study(const RigPlan& plan, const StudyOptions& options) {
   run_courses(plan, crew, study);
   run_points(plan, crew, study);
   study.interrupted = crew.stopped();
-  study.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  study.wall_s = watch.seconds();
   return study;
 }
 

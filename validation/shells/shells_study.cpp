@@ -1,11 +1,11 @@
 #include "validation/shells/shells_study.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "app/cycle_axis.hpp"
 #include "core/constants.hpp"
+#include "core/stopwatch.hpp"
 #include "fidelity/cycle_bars.hpp"
 
 namespace shellback::validation {
@@ -181,7 +181,7 @@ int ShellsStudy::count_failed() const {
 }
 
 ShellsStudy run_shells_study(const ShellsPlan& plan, const StudyOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   ShellsStudy study;
   study.plan = plan;
   study.threads = options.threads;
@@ -194,8 +194,7 @@ ShellsStudy run_shells_study(const ShellsPlan& plan, const StudyOptions& options
   run_shells_in(crew, study);
   find_capabilities(crew, study);
   study.interrupted = crew.stopped();
-  const auto spent = std::chrono::steady_clock::now() - begin;
-  study.wall_s = std::chrono::duration<double>(spent).count();
+  study.wall_s = watch.seconds();
   return study;
 }
 

@@ -90,10 +90,12 @@ inline Told told(const ending::NoStep& e, const About& a) {
             "a lower load, a shorter time under it, or rough surfaces with contact data; tier "
             "isothermal or tehd has what the estimate leaves out"};
   }
+  const std::string within = a.within.cure.empty() ? "" : a.within.cure + "; or ";
   return {fmt::format("no step in time is found at {} of the cycle: {}", when, a.within.reason),
-          "a lower load or a finer grid; a journal without mass may have to leap "
-          "(load_cycle.journal_mass), rigid surfaces may not carry the load "
-          "(model.elastic_deformation)"};
+          within +
+              "a lower load or a finer grid; a journal without mass may have to leap "
+              "(load_cycle.journal_mass), rigid surfaces may not carry the load "
+              "(model.elastic_deformation)"};
 }
 
 /// Stopped by the user, with steps too short, or without a film in the state of wear that it has

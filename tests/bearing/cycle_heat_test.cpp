@@ -209,7 +209,7 @@ TEST_CASE("OilThatIsLedOnTakesItsHeatAlong", "[cycle_heat]") {
             Approx(before.heat.held[node] * now.oil[k]).epsilon(1e-12));
     }
   }
-  CHECK(changed > 50);
+  CHECK(changed > 20);  // the film is cavitated
   go_on();
 }
 

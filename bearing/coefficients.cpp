@@ -6,6 +6,7 @@
 #include "core/constants.hpp"
 
 namespace shellback::bearing {
+
 Matrix2 forces_of(const Matrix4& m) { return {{{m[0][0], m[0][1]}, {m[1][0], m[1][1]}}}; }
 
 Matrix2 in_axes(const Matrix2& m, double angle, int turn) {
@@ -25,7 +26,8 @@ Matrix2 in_axes(const Matrix2& m, double angle, int turn) {
 
 namespace {
 
-constexpr int kSamples = 400;  ///< up to `highest`: an oil that lags by two turns is seen 30 times
+constexpr int kSamples =
+    1200;  ///< up to `highest`: 200 a turn of phase of oil that lags by two turns
 
 /// (4), free of the pole that kappa has where the trace is real.
 struct AtFrequency {
@@ -68,9 +70,8 @@ WhirlThreshold whirl_threshold(const Impedance& Z, double highest) {
   }
   const ComplexMatrix2 K = Z(0.0);
   const double still = (K[0][0] * K[1][1] - K[0][1] * K[1][0]).real();
-  if (!(still > 0.0 && turned > 0.0 && turned < 2.0 * kPi))
-    return {WhirlVerdict::never_stable, 0.0};
-  return w;
+  const bool stable = still > 0.0 && turned > 0.0 && turned < 2.0 * kPi;  // without mass
+  return stable ? w : WhirlThreshold{WhirlVerdict::never_stable, 0.0};
 }
 
 }  // namespace shellback::bearing

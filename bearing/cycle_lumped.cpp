@@ -23,11 +23,11 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
     last = search.search(false);
     if (!last.good()) return double{NAN};
     const CycleMeans m = search.told().means();
-    if (!(m.side_mass_flow > 0.0)) {
+    const OilFed fed = oil_fed(c, m.fed);
+    if (!(m.side_mass_flow > 0.0 && fed.mass > 0.0)) {
       last = {Status::no_steady_state, ending::Plain::no_oil_leaves};
       return double{NAN};
     }
-    const OilFed fed = oil_fed(c, m.fed);
     const double cp = rheology::heat_capacity(c.oil, 0.5 * (T + fed.T)).cp;
     const double r = fed.T + m.power / (fed.mass * cp) - T;
     search.remember({r});

@@ -1,6 +1,7 @@
 #include "bearing/film_impedance.hpp"
 
 #include <Eigen/QR>
+#include <cmath>
 
 #include "bearing/round_off.hpp"
 
@@ -74,7 +75,8 @@ ForceByMotion::ForceByMotion(LinearFilm& film, const Solution& s, int component,
   by_cavitated_ = fluid::wrench(domain, film.pressure_by_storage(cavitated_part(m, s.film)));
   Basis basis{vector_of(m)};
   size_ = basis.front().norm();
-  if (!(size_ > 0.0)) return;  // the motion stores nothing
+  converged_ = film.converged() && std::isfinite(size_);
+  if (!converged_ || size_ == 0.0) return;
   basis.front() /= size_;
   double left = 1.0;
   while (left > tolerance) {

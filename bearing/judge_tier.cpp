@@ -148,7 +148,8 @@ Lack lack_for_estimate(const Case& c) {
     }
   }
   const auto* load = std::get_if<LoadGiven>(&c.operation.position);
-  return load != nullptr ? lack_of_feed(c, load->angle) : std::nullopt;
+  const auto* place = std::get_if<EccentricityGiven>(&c.operation.position);
+  return lack_of_feed(c, load != nullptr ? load->angle : place->load_angle);
 }
 
 }  // namespace

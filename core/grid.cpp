@@ -155,8 +155,8 @@ std::vector<double> axial_edges(double end, int full_nz, bool half, const GridEd
     const double place = half ? std::abs(e.at) : e.at;
     const bool in_middle = half && place <= 2e-12 * end;
     if (half && e.at < 0.0) middle.strip = std::max(middle.strip, cut_strip(e, z_edges));
-    if (!in_middle && std::abs(e.at) < end * (1.0 - 1e-12))
-      edges.emplace_back(place / end, e.strip);
+    const bool within = !in_middle && std::abs(e.at) < end * (1.0 - 1e-12);
+    if (within) edges.emplace_back(place / end, e.strip);
   }
   sort_by_place(edges);
   const double cell = 2.0 / full_nz;

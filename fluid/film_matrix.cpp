@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/largest.hpp"
+
 namespace shellback::fluid {
 
 UnknownMap active_set_unknowns(const FilmState& s) {
@@ -224,7 +226,7 @@ double flow_by_pressure(const FilmScene& scene, const FilmFlow& flow, const Fiel
   const FilmGrid& g = scene.grid;
   double most = 0.0;
   const auto look = [&](const FaceFlow& f, double left, double right) {
-    most = std::max({most, std::abs(f.d_left * left), std::abs(f.d_right * right)});
+    most = larger(most, larger(std::abs(f.d_left * left), std::abs(f.d_right * right)));
   };
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {

@@ -29,7 +29,8 @@ inline Told told(ending::Plain e, const About& a) {
       return {"the search was given up after twenty times the work of a usual solve on this grid",
               "a coarser grid (model.grid) or a nearby operating point first"};
     case Plain::no_oil_leaves:
-      return {"no oil leaves the bearing: its heat cannot be carried away", "check the supply"};
+      return {"no oil is fed that leaves the bearing: its heat cannot be carried away",
+              "check the supply"};
     case Plain::no_pressure:
       return {
           "the film has no steady pressure at this gap: with the pressure-viscosity law "
@@ -118,8 +119,9 @@ inline Told told(const ending::Unsettled& e, const About& a) {
       return {fmt::format("film and walls do not come to balance (last change {:.2g} K)", e.left),
               "try a finer grid or another cooling of shell and shaft"};
     case ending::Iteration::cycles:
-      return {fmt::format("after {} cycles two of them still differ by {:.1e} in smallest film or "
-                          "torque, and this falls too slowly to be within 1e-4 of where it leads{}",
+      return {fmt::format("after {} cycles two of them still differ by {:.1e} in smallest film, "
+                          "torque, oil or momentum, and this falls too slowly to be within 1e-4 of "
+                          "where it leads{}",
                           e.steps, e.left, gathered(e)),
               "where it is about 1e-4, a smaller model.tolerance (it is the choice of steps that "
               "differs); else repeat the load several times in a longer period (oil of a starved "

@@ -213,6 +213,22 @@ TEST_CASE("OilThatIsLedOnTakesItsHeatAlong", "[cycle_heat]") {
   go_on();
 }
 
+TEST_CASE("AnEventThatDrivesOilBackIntoItsSupplyHasNoHeatBalance", "[cycle_heat]") {
+  // The load leaps to twenty times its size, straight to the groove: within 0.2 ms oil leaves the
+  // film by groove and sides, none comes in that could carry its heat.
+  Case c = warm_cycle_case(1e3, 0.0);
+  c.supplies[0].angle = 270.0 * kDegree;
+  LoadCycle event;
+  event.t = {0.0, 0.0, 2e-4};
+  event.x.assign(3, 0.0);
+  event.y = {-1e3, -2e4, -2e4};
+  event.journal_mass = 0.5;
+  c.cycle = event;
+  const CycleResult r = solve_cycle(c, Tier::lumped);
+  CHECK_FALSE(r.verdict.good());
+  CHECK_THAT(app::reason_of(r.verdict), Catch::Contains("no oil is fed"));
+}
+
 TEST_CASE("LumpedCyclesMeetTheHeatBalanceOfTheirMeans", "[cycle_heat]") {
   Case c = warm_cycle_case(1.5e3, 0.0);
   Case still = c;

@@ -113,6 +113,12 @@ TEST_CASE("TheEstimateIsRefusedSuppliesThatItDoesNotSee") {
   CHECK(why(ring).empty());
   ring.supplies[0].z = 5e-3;
   CHECK_THAT(why(ring), Catch::Contains("at mid-width"));
+  Case placed = hole_case();
+  place_journal(placed, 0.6, 40.0 * kDegree);
+  placed.supplies[0].angle = 270.0 * kDegree;  // the load line, if one were given
+  CHECK_THAT(why(placed), Catch::Contains("in the film that carries it"));
+  placed.supplies[0].angle = 90.0 * kDegree;
+  CHECK(why(placed).empty());
   // A hole that the oil passes 65 degrees ahead of the load, one that it passes after it.
   for (const auto& [away, taken] :
        {std::pair{-65.0, false}, {-75.0, true}, {75.0, false}, {155.0, true}}) {

@@ -117,3 +117,29 @@ TEST_CASE("OilOfTheCavitatedFilmIsInTheOnsetOfWhirl", "[whirl]") {
     }
   }
 }
+
+TEST_CASE("AWhirlFasterThanTheJournalIsFound", "[whirl]") {
+  // Rough elastic surfaces in contact, the film starved by its hole (70 % of C is the cavitated
+  // film's): slow motions, and motions up to the journal's frequency, would have it never stable.
+  Case c = rig_case();
+  c.bearing = {0.04728, 0.06135, 35.4e-6, 328.2, {}};
+  c.supplies[0].angle = 321.6 * kDegree;
+  c.supplies[0].diameter = 7.287e-3;
+  c.supplies[0].pressure = 0.672e5;
+  c.operation.omega = 2370.0 * kPi / 30.0;
+  c.operation.position = LoadGiven{44.4e3, 250.0 * kDegree};
+  c.oil_temperature = 333.9;
+  c.shell->housing = Housing{steel(), 0.0729, HousingSupport::free};
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {60, 9};
+  const Coefficients k = coefficients_of(c);
+  REQUIRE(k.whirl.verdict == WhirlVerdict::threshold);
+  CHECK(k.whirl_ratio > 1.0);
+  for (const double part : {0.8, 1.25}) {
+    const double in_time = growth(c, part * k.whirl.critical_mass, k.whirl.whirl_frequency);
+    INFO("mass " << part << " of the critical, " << k.whirl.critical_mass << " kg: grows by "
+                 << in_time << " a turn");
+    CHECK((part < 1.0) == (in_time < 0.0));
+  }
+}

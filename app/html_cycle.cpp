@@ -17,12 +17,12 @@ namespace {
 
 using bearing::CycleResult;
 
-constexpr double kWidth = 580.0;  ///< of a figure in a column [px]
+constexpr double kColumnWidth = 580.0;  ///< of a figure in a column [px]
 
 std::string figure(double height, const std::string& label,
                    const std::function<void(Svg&, const Box&)>& draw) {
-  Svg svg(kWidth, height);
-  draw(svg, {0.0, 0.0, kWidth, height});
+  Svg svg(kColumnWidth, height);
+  draw(svg, {0.0, 0.0, kColumnWidth, height});
   return "<figure>" + svg.inline_element(label) + "</figure>\n";
 }
 
@@ -103,8 +103,8 @@ std::string cycle_curves_html(const bearing::Case& c, const CycleResult& cycle) 
   std::string html = "<div class=\"figures\">\n";
   html += figure(600.0, "Path of the journal",
                  [&](Svg& svg, const Box& box) { draw_orbit(svg, box, c, cycle, theme); });
-  Svg svg(kWidth, 600.0);
-  draw_cycle_curves(svg, {0.0, 0.0, kWidth, 600.0}, cycle, theme);
+  Svg svg(kColumnWidth, 600.0);
+  draw_cycle_curves(svg, {0.0, 0.0, kColumnWidth, 600.0}, cycle, theme);
   html += "<figure>" + svg.inline_element("Curves over the cycle") + "</figure>\n";
   return html + "</div>\n";
 }

@@ -17,7 +17,7 @@ using bearing::Case;
 using bearing::Comparison;
 using bearing::Result;
 
-constexpr double kWidth = 580.0;  ///< of a figure in a column [px]
+constexpr double kFigureWidth = 580.0;  ///< of a figure in a column [px]
 constexpr double kMapHeight = 232.0;
 constexpr double kPlotHeight = 300.0;
 
@@ -52,7 +52,7 @@ std::string map_figure(const Case& c, const Comparison& comparison, int k, FilmF
                        const ColourScale& scale, const std::string& what,
                        const std::string& caption) {
   const std::string title = named(comparison, k, what);
-  return figure(kWidth, kMapHeight, title, caption, [&](Svg& svg, const Box& box) {
+  return figure(kFigureWidth, kMapHeight, title, caption, [&](Svg& svg, const Box& box) {
     draw_map(svg, box, film_map(c, comparison.results[k], which, scale, title), page_theme());
   });
 }
@@ -100,7 +100,7 @@ std::string profiles_html(const Comparison& comparison) {
     const auto plot = profile_plot(comparison, which, page_theme());
     if (!plot) continue;
     const std::string caption = which == Profile::gap ? "Inside supply features not drawn." : "";
-    html += figure(kWidth, kPlotHeight, plot->title, caption,
+    html += figure(kFigureWidth, kPlotHeight, plot->title, caption,
                    [&](Svg& svg, const Box& box) { draw_lines(svg, box, *plot, page_theme()); });
   }
   return grid_of(html);
@@ -124,11 +124,12 @@ std::string depth_html(const Case& c, const Comparison& comparison) {
       comparison, [](const Result& r) { return !r.fields.T.empty() && r.fields.grid.cells() > 0; });
   if (film >= 0) {
     const std::string title = named(comparison, film, "Temperature across the film");
-    html += figure(
-        kWidth, kPlotHeight, title, "At mid-width; the gap is stretched to unit height everywhere.",
-        [&](Svg& svg, const Box& box) {
-          draw_map(svg, box, across_film_map(comparison.results[film], title), page_theme());
-        });
+    html +=
+        figure(kFigureWidth, kPlotHeight, title,
+               "At mid-width; the gap is stretched to unit height everywhere.",
+               [&](Svg& svg, const Box& box) {
+                 draw_map(svg, box, across_film_map(comparison.results[film], title), page_theme());
+               });
   }
   const int solid = last_with(comparison, [](const Result& r) {
     return !r.fields.T_solid.empty() && r.fields.r.size() > 1;
@@ -136,7 +137,7 @@ std::string depth_html(const Case& c, const Comparison& comparison) {
   if (solid >= 0) {
     const std::string title =
         named(comparison, solid, "Shell and housing temperature at mid-width");
-    html += figure(kWidth, 430.0, title,
+    html += figure(kFigureWidth, 430.0, title,
                    "White circles: layer boundaries. Arrows: rotation and load on the journal.",
                    [&](Svg& svg, const Box& box) {
                      draw_section(svg, box, c, comparison.results[solid], title, page_theme());

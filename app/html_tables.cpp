@@ -21,7 +21,7 @@ namespace {
 using bearing::Comparison;
 using bearing::Result;
 
-std::string audit_figure(double value) {
+std::string audit_cell(double value) {
   return std::isfinite(value) ? fmt::format("{:.1e}", value) : "–";
 }
 
@@ -191,8 +191,8 @@ std::string audit_html(const Comparison& comparison) {
         "<tr><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} × {}</td>"
         "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
         escape_markup(names[k]), r.verdict.good() ? "" : " class=\"bad\"", status_line(r),
-        audit_figure(r.audit.mass), audit_figure(r.audit.energy), audit_figure(r.audit.load),
-        audit_figure(r.audit.moment), r.grid[0], r.grid[1], r.cost.outer_iterations,
+        audit_cell(r.audit.mass), audit_cell(r.audit.energy), audit_cell(r.audit.load),
+        audit_cell(r.audit.moment), r.grid[0], r.grid[1], r.cost.outer_iterations,
         r.cost.newton_iterations, r.cost.factorizations, figures(r.cost.wall_s, 3));
   }
   return html + "</tbody></table></div>\n";

@@ -21,22 +21,20 @@ namespace {
 
 constexpr const char* kJudged[] = {"friction_torque", "h_min"};
 
-const Quantity* find(const Result& r, const std::string& name) {
-  const auto it = std::find_if(r.quantities.begin(), r.quantities.end(),
-                               [&](const Quantity& q) { return q.name == name; });
-  return it == r.quantities.end() || !r.verdict.good() ? nullptr : &*it;
+const Quantity* found(const Result& r, const std::string& name) {
+  return r.verdict.good() ? quantity_in(r.quantities, name) : nullptr;
 }
 
 bool open(const Result& a, const Result& b, const std::string& name) {
-  const Quantity* first = find(a, name);
-  const Quantity* second = find(b, name);
+  const Quantity* first = found(a, name);
+  const Quantity* second = found(b, name);
   return first != nullptr && second != nullptr && !fidelity::told_apart(*first, *second);
 }
 
 /// "0.5398 +-0.011 against 0.5385 +-0.013 N m"
 std::string both(const Result& a, const Result& b, const std::string& name) {
-  const Quantity& first = *find(a, name);
-  const Quantity& second = *find(b, name);
+  const Quantity& first = *found(a, name);
+  const Quantity& second = *found(b, name);
   const DisplayUnit unit = display_unit(name, first.unit, std::abs(first.value));
   return fmt::format("{} {} against {} {} {}", figures(unit(first.value)),
                      bar_figures(unit.scale * first.error_grid), figures(unit(second.value)),

@@ -18,7 +18,7 @@ using bearing::LoadInterpolation;
 constexpr double kSameTime = 1e-9;  ///< of the period: times closer than this are one [-]
 constexpr double kSameLoad = 1e-6;  ///< of the largest: as much as tables have [-]
 constexpr int kRowsOfAJump = 2;     ///< before and after it
-constexpr const char* kExample = "angle [deg], load_x [N], load_y [N]";
+constexpr const char* kLoadExample = "angle [deg], load_x [N], load_y [N]";
 
 }  // namespace
 
@@ -31,7 +31,7 @@ LoadTable::LoadTable(const std::string& path)
               {"load", kForce},
               {"direction", kAngle},
               {"speed", kSpeed}},
-             kExample),
+             kLoadExample),
       angle_(table_.has("angle")),
       when_(angle_ ? "angle" : "time") {
   expect_columns();
@@ -87,7 +87,7 @@ void LoadTable::expect_columns() const {
     table_.fail_header(
         fmt::format("there is no column angle or time; the first line names "
                     "columns and units, for example {}",
-                    kExample));
+                    kLoadExample));
   }
   static_cast<void>(table_.column(polar ? "load" : "load_x"));
   static_cast<void>(table_.column(polar ? "direction" : "load_y"));

@@ -12,7 +12,7 @@
 namespace shellback::app {
 namespace {
 
-constexpr const char* kExample =
+constexpr const char* kMeasuredExample =
     "speed [rpm], load [kN], friction_torque [N m], friction_torque_sd [N m]";
 
 /// A column that may say where the bearing ran.
@@ -88,7 +88,7 @@ Written written(const CsvTable& csv, std::size_t row, const std::string& name) {
 class Reading {
  public:
   Reading(const std::string& path, int supplies, bool isothermal)
-      : csv_(path, possible_columns(), kExample, TextKind::table),
+      : csv_(path, possible_columns(), kMeasuredExample, TextKind::table),
         supplies_(supplies),
         isothermal_(isothermal) {
     table_.path = path;
@@ -136,8 +136,10 @@ void Reading::choose_columns() {
     table_.quantities.emplace_back(c.quantity);
     if (!csv_.has(c.deviation)) ++without;
   }
-  if (inputs_.empty()) csv_.fail_header(std::string("no column says where, as in ") + kExample);
-  if (outputs_.empty()) csv_.fail_header(std::string("no column is measured, as in ") + kExample);
+  if (inputs_.empty())
+    csv_.fail_header(std::string("no column says where, as in ") + kMeasuredExample);
+  if (outputs_.empty())
+    csv_.fail_header(std::string("no column is measured, as in ") + kMeasuredExample);
   table_.deviations_known = without == 0;
   if (without > 0 && outputs_.size() > 1) {
     csv_.fail_header(

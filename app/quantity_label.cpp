@@ -34,12 +34,6 @@ std::optional<double> measured_si(const bearing::Measured& m, const std::string&
   return std::nullopt;
 }
 
-const bearing::Quantity* find(const bearing::Result& result, const std::string& name) {
-  const auto& q = result.quantities;
-  const auto it = std::find_if(q.begin(), q.end(), [&](const auto& x) { return x.name == name; });
-  return it == q.end() ? nullptr : &*it;
-}
-
 /// True for a temperature that no oil has: the last iterate of a solve that failed tells nothing by
 /// it.
 bool beyond_oil(const bearing::Quantity& q) {
@@ -141,7 +135,7 @@ std::vector<QuantityRow> quantity_rows(const bearing::Measured& measured,
                       {},
                       {}};
       for (const auto& other : results) {
-        const auto* q = find(other, quantity.name);
+        const auto* q = quantity_in(other.quantities, quantity.name);
         const bool lost = q && !other.verdict.good() && beyond_oil(*q);
         const bool round_off = q && std::abs(q->value) < kRoundOff * largest;
         row.values.push_back(q && !lost ? std::optional(round_off ? 0.0 : row.unit(q->value))

@@ -13,7 +13,7 @@ std::optional<bearing::EdgeOpening> read_edge_opening(const Section& section,
   const auto opening = section.maybe_section(key);
   if (!opening) return std::nullopt;
   opening->only({"depth", "length"}, "bearing." + key);
-  return bearing::EdgeOpening{opening->quantity("depth", kLength.such_as("5 um"), kPositive),
+  return bearing::EdgeOpening{opening->quantity("depth", kLength.such_as("5 um"), kNotNegative),
                               opening->quantity("length", kLength.such_as("5 mm"), kPositive)};
 }
 

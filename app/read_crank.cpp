@@ -22,7 +22,7 @@ constexpr double kVacuum = -101325.0;    ///< gauge; standard atmosphere, defini
 constexpr double kLowCompression = 8.0;  ///< of petrol 8 to 12, diesel 12 to 24 (textbook) [-]
 constexpr double kPolytropic = 1.3;      ///< of compression in engines: 1.3 to 1.35 (textbook) [-]
 constexpr double kUsualRodRatio = 0.5;   ///< r/l; engines have 0.2 to 0.35 [-]
-constexpr const char* kExample = "angle [deg], pressure [bar]";
+constexpr const char* kPressureExample = "angle [deg], pressure [bar]";
 
 void expect_angles(const CsvTable& table, double period) {
   const std::vector<double>& angle = table.column("angle");
@@ -131,7 +131,7 @@ double period_of(const Section& section, const CsvTable& table,
 void read_pressure(const Section& section, const std::optional<double>& period,
                    bearing::Crank& crank) {
   const CsvTable table(table_beside(section, "pressure"),
-                       {{"angle", kAngle}, {"pressure", kPressure}}, kExample);
+                       {{"angle", kAngle}, {"pressure", kPressure}}, kPressureExample);
   if (table.rows() < 2) table.fail_header("a course of pressure has two rows or more");
   crank.angle = table.column("angle");
   crank.pressure = table.column("pressure");

@@ -19,7 +19,7 @@ using namespace hdf5;
 using Json = nlohmann::json;
 
 constexpr const char* kFormat = "shellback state";
-constexpr int kVersion = 10;  ///< of the order in which values stand on the tape
+constexpr int kVersion = 11;  ///< of the order in which values stand on the tape
 
 /// The bits of numbers, as text.
 std::string bits_of(const std::vector<double>& x) {
@@ -47,6 +47,8 @@ const char* name_of(RunOf run) {
       return "a warm-up (run --transient)";
     case RunOf::course:
       return "a course (run --transient --speeds)";
+    case RunOf::comparison:
+      return "a comparison of tiers (compare)";
     case RunOf::load_cycle:
       break;
   }

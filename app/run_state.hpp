@@ -14,7 +14,7 @@
 namespace shellback::app {
 
 /// What is run.
-enum class RunOf { load_cycle, running_in, warm_up, course };
+enum class RunOf { load_cycle, running_in, warm_up, course, comparison };
 
 /// What the command line says of the run beside the case: option, values [SI].
 using RunOptions = std::vector<std::pair<std::string, std::vector<double>>>;

@@ -18,11 +18,8 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-const bearing::Quantity* find(const SweepPoint& point, const std::string& name) {
-  const auto& all = point.result.quantities;
-  const auto it =
-      std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
-  return it == all.end() || !point.good() ? nullptr : &*it;
+const bearing::Quantity* known(const SweepPoint& point, const std::string& name) {
+  return point.good() ? quantity_in(point.result.quantities, name) : nullptr;
 }
 
 SweepQuantity column_of(const bearing::Quantity& q) {
@@ -47,12 +44,12 @@ std::vector<SweepQuantity> sweep_quantities(const Sweep& sweep) {
 }
 
 double value_at(const SweepPoint& point, const SweepQuantity& q) {
-  const auto* found = find(point, q.name);
+  const auto* found = known(point, q.name);
   return found == nullptr ? kUnknown : q.factor * found->value;
 }
 
 double error_at(const SweepPoint& point, const SweepQuantity& q) {
-  const auto* found = find(point, q.name);
+  const auto* found = known(point, q.name);
   return found == nullptr ? kUnknown : q.factor * found->error();
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/followed.hpp"
 #include "app/json_parts.hpp"
 #include "app/provenance.hpp"
 #include "app/svg_lines.hpp"
@@ -24,22 +25,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMinute = 60.0;  ///< [s]
 
-/// A quantity of an instant: its name in JSON and unit.
-struct Followed {
-  const char* name;
-  const char* unit;
-  double Instant::*value;
-};
-constexpr std::array kFollowed{Followed{"friction_torque", "N m", &Instant::torque},
-                               Followed{"h_min", "m", &Instant::h_min},
-                               Followed{"T_film_max", "K", &Instant::T_film_max},
-                               Followed{"T_shell_max", "K", &Instant::T_shell_max},
-                               Followed{"T_shell_back", "K", &Instant::T_shell_back},
-                               Followed{"T_shaft", "K", &Instant::T_shaft},
-                               Followed{"heat_in", "W", &Instant::heat_in},
-                               Followed{"heat_out", "W", &Instant::heat_out},
-                               Followed{"heat_stored", "W", &Instant::stored}};
-
 double rpm(const Stretch& s) { return s.subject.operation.omega * 30.0 / kPi; }
 
 Json stretch_json(const Stretch& s, const CourseRun& run, std::size_t k) {
@@ -49,7 +34,7 @@ Json stretch_json(const Stretch& s, const CourseRun& run, std::size_t k) {
   json["passed"] = k < run.ends.size();
   if (k >= run.ends.size()) return json;
   const Instant& end = run.instants[run.ends[k]];
-  for (const Followed& q : kFollowed) {
+  for (const auto& q : kFollowedInstants) {
     json["end"][q.name] = {{"value", end.*q.value}, {"unit", q.unit}};
   }
   return json;
@@ -147,7 +132,7 @@ std::string course_json(const std::vector<Stretch>& stretches,
   Json times = Json::array();
   for (const Instant& i : run.instants) times.push_back(i.t);
   json["time"] = {{"unit", "s"}, {"values", times}};
-  for (const Followed& q : kFollowed) {
+  for (const auto& q : kFollowedInstants) {
     Json values = Json::array();
     for (const Instant& i : run.instants) values.push_back(i.*q.value);
     json["quantities"][q.name] = {{"unit", q.unit}, {"values", values}};
@@ -161,8 +146,8 @@ std::string course_json(const std::vector<Stretch>& stretches,
 std::string course_svg(const std::vector<Stretch>& stretches, const CourseRun& run) {
   const bearing::Case& c = stretches.front().subject;
   const Theme theme = print_theme();
-  Svg svg(1200.0, 780.0);
-  svg.rect({0.0, 0.0, 1200.0, 780.0}, theme.paper);
+  Svg svg(kOverTimeWidth, kOverTimeHeight);
+  svg.rect({0.0, 0.0, kOverTimeWidth, kOverTimeHeight}, theme.paper);
   svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
   svg.text({24.0, 58.0},
            fmt::format("Course of speeds, tier {}: {}", to_string(c.model.tier),

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "app/followed.hpp"
 #include "app/json_parts.hpp"
 #include "app/svg_contour.hpp"
 #include "app/svg_lines.hpp"
@@ -26,28 +27,16 @@ using bearing::RunningInRun;
 using bearing::RunningInState;
 using Json = nlohmann::ordered_json;
 
-constexpr double kWidth = 1200.0;  ///< [px]
-constexpr double kHeight = 780.0;  ///< [px]
 constexpr double kMicro = 1e6;
 constexpr double kDegrees = 180.0 / kPi;
 
-struct Followed {
-  const char* name;
-  const char* unit;
-  double RunningInState::*value;
-};
-constexpr std::array kFollowed{Followed{"step", "s", &RunningInState::step},
-                               Followed{"wear_depth", "m", &RunningInState::depth},
-                               Followed{"wear_volume", "m3", &RunningInState::volume},
-                               Followed{"p_asperity_max", "Pa", &RunningInState::p_asperity_max},
-                               Followed{"friction_torque", "N m", &RunningInState::torque},
-                               Followed{"h_min", "m", &RunningInState::h_min}};
-
-std::vector<double> over_time(const RunningInRun& run, double RunningInState::*value) {
-  std::vector<double> out;
-  for (const RunningInState& s : run.states) out.push_back(s.*value);
-  return out;
-}
+constexpr std::array kFollowedStates{
+    Followed<RunningInState>{"step", "s", &RunningInState::step},
+    Followed<RunningInState>{"wear_depth", "m", &RunningInState::depth},
+    Followed<RunningInState>{"wear_volume", "m3", &RunningInState::volume},
+    Followed<RunningInState>{"p_asperity_max", "Pa", &RunningInState::p_asperity_max},
+    Followed<RunningInState>{"friction_torque", "N m", &RunningInState::torque},
+    Followed<RunningInState>{"h_min", "m", &RunningInState::h_min}};
 
 /// The axis of states that have no time of their own: the new bearing and the last one.
 Axis two_states(const RunningInRun& run) {
@@ -61,7 +50,7 @@ Axis two_states(const RunningInRun& run) {
 /// States of no time of their own (new, worn in) are joined by a straight line.
 void draw_curve(Svg& svg, const Box& box, const RunningInRun& run, double RunningInState::*value,
                 double factor, const std::string& title, const Theme& theme) {
-  std::vector<double> t = over_time(run, &RunningInState::t);
+  std::vector<double> t = over_time(run.states, &RunningInState::t);
   const bool in_time = t.size() > 2 && std::isfinite(t.back());
   if (in_time) {
     t.front() = 0.5 * t[1];
@@ -72,7 +61,7 @@ void draw_curve(Svg& svg, const Box& box, const RunningInRun& run, double Runnin
   plot.title = title;
   plot.x = in_time ? log_axis(t.front(), t.back(), "time [s]") : two_states(run);
   Series series{"", t, {}, theme.series[0], ""};
-  for (const double v : over_time(run, value)) series.y.push_back(factor * v);
+  for (const double v : over_time(run.states, value)) series.y.push_back(factor * v);
   plot.y = round_axis(0.0, largest(series.y), 5, "");
   plot.series.push_back(std::move(series));
   draw_lines(svg, box, plot, theme);
@@ -193,8 +182,8 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
     times.push_back(std::isfinite(s.t) ? Json(s.t) : Json(nullptr));
   }
   json["time"] = {{"unit", "s"}, {"values", times}};
-  for (const Followed& q : kFollowed) {
-    json["quantities"][q.name] = {{"unit", q.unit}, {"values", over_time(run, q.value)}};
+  for (const auto& q : kFollowedStates) {
+    json["quantities"][q.name] = {{"unit", q.unit}, {"values", over_time(run.states, q.value)}};
   }
   json["rejected_steps"] = run.rejected_steps;
   const bool sought = std::isfinite(run.complementarity);
@@ -212,8 +201,8 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
 
 std::string running_in_svg(const bearing::Case& c, const RunningInRun& run) {
   const Theme theme = print_theme();
-  Svg svg(kWidth, kHeight);
-  svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
+  Svg svg(kOverTimeWidth, kOverTimeHeight);
+  svg.rect({0.0, 0.0, kOverTimeWidth, kOverTimeHeight}, theme.paper);
   svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
   svg.text({24.0, 58.0},
            "Running-in, tier " + std::string(to_string(c.model.tier)) + ", " + told(run),

@@ -174,7 +174,7 @@ void print_warnings(std::ostream& out, const Sweep& sweep) {
   out << '\n';
 }
 
-void print_cost(std::ostream& out, const Sweep& sweep) {
+void print_sweep_cost(std::ostream& out, const Sweep& sweep) {
   int tries = 0;
   int outer = 0;
   int newton = 0;
@@ -208,7 +208,7 @@ void write_sweep_table(std::ostream& out, const bearing::Case& subject, const Sw
   print_failures(out, sweep);
   print_audit(out, sweep);
   print_warnings(out, sweep);
-  print_cost(out, sweep);
+  print_sweep_cost(out, sweep);
 }
 
 }  // namespace shellback::app

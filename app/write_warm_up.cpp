@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/followed.hpp"
 #include "app/json_parts.hpp"
 #include "app/svg_lines.hpp"
 #include "app/words/ending_words.hpp"
@@ -20,34 +21,8 @@ using bearing::Instant;
 using bearing::WarmUp;
 using Json = nlohmann::ordered_json;
 
-/// A quantity of an instant: its name in JSON, unit, and where the steady state has it.
-struct Followed {
-  const char* name;
-  const char* unit;
-  double Instant::*value;
-};
-constexpr std::array kFollowed{Followed{"friction_torque", "N m", &Instant::torque},
-                               Followed{"h_min", "m", &Instant::h_min},
-                               Followed{"T_film_max", "K", &Instant::T_film_max},
-                               Followed{"T_shell_max", "K", &Instant::T_shell_max},
-                               Followed{"T_shell_back", "K", &Instant::T_shell_back},
-                               Followed{"T_shaft", "K", &Instant::T_shaft},
-                               Followed{"thermal_opening_mean", "m", &Instant::deformation},
-                               Followed{"heat_in", "W", &Instant::heat_in},
-                               Followed{"heat_out", "W", &Instant::heat_out},
-                               Followed{"heat_stored", "W", &Instant::stored}};
-
-std::vector<double> over_time(const WarmUp& run, double Instant::*value) {
-  std::vector<double> out;
-  for (const Instant& i : run.instants) out.push_back(i.*value);
-  return out;
-}
-
-constexpr double kWidth = 1200.0;  ///< [px]
-constexpr double kHeight = 780.0;  ///< [px]
-
 /// A line of a panel, in the unit shown, with its steady value.
-struct Line {
+struct SteadyLine {
   const char* label;
   double Instant::*value;
   const char* steady;  ///< name of the quantity
@@ -58,10 +33,10 @@ struct Line {
 class Panel {
  public:
   Panel(const WarmUp& run, const bearing::Result& steady, const Theme& theme)
-      : run_(run), steady_(steady), theme_(theme), t_(over_time(run, &Instant::t)) {}
+      : run_(run), steady_(steady), theme_(theme), t_(over_time(run.instants, &Instant::t)) {}
 
   void draw(Svg& svg, const Box& box, const std::string& title, const std::string& unit,
-            const std::vector<Line>& lines, bool from_zero) const {
+            const std::vector<SteadyLine>& lines, bool from_zero) const {
     LinePlot plot;
     plot.title = title;
     plot.x = log_axis(t_.front(), std::max(t_.back(), 10.0 * t_.front()), "time [s]");
@@ -69,7 +44,7 @@ class Panel {
     double high = -INFINITY;
     for (std::size_t k = 0; k < lines.size(); ++k) {
       Series series{lines[k].label, t_, {}, theme_.series[k % theme_.series.size()], ""};
-      for (const double v : over_time(run_, lines[k].value)) {
+      for (const double v : over_time(run_.instants, lines[k].value)) {
         series.y.push_back(lines[k].factor * v - lines[k].zero);
         low = std::min(low, series.y.back());
         high = std::max(high, series.y.back());
@@ -112,9 +87,9 @@ std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
   json["grid"] = c.model.grid;
   json["start"] = {{"value", options.T_start}, {"unit", "K"}};
   json["end"] = {{"t", {{"value", run.end.t}, {"unit", "s"}}}, {"at_rest", run.end.at_rest}};
-  json["time"] = {{"unit", "s"}, {"values", over_time(run, &Instant::t)}};
-  for (const Followed& q : kFollowed) {
-    json["quantities"][q.name] = {{"unit", q.unit}, {"values", over_time(run, q.value)}};
+  json["time"] = {{"unit", "s"}, {"values", over_time(run.instants, &Instant::t)}};
+  for (const auto& q : kFollowedInstants) {
+    json["quantities"][q.name] = {{"unit", q.unit}, {"values", over_time(run.instants, q.value)}};
   }
   json["audit"] = {{"energy", run.imbalance()}};
   json["jumps"] = run.end.jumps;
@@ -126,8 +101,8 @@ std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
 
 std::string warm_up_svg(const bearing::Case& c, const WarmUp& run, const bearing::Result& steady) {
   const Theme theme = print_theme();
-  Svg svg(kWidth, kHeight);
-  svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
+  Svg svg(kOverTimeWidth, kOverTimeHeight);
+  svg.rect({0.0, 0.0, kOverTimeWidth, kOverTimeHeight}, theme.paper);
   svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
   svg.text({24.0, 58.0},
            "Warm-up, tier " + std::string(to_string(c.model.tier)) + ": " + how_it_ended(run),

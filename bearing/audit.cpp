@@ -53,7 +53,7 @@ double pressure_moment(const Solution& s) {
       const int east = g.index(g.next(i), j);
       sum -= s.film.film.p[k] * (mean_gap(east, k) - mean_gap(k, k)) * g.dz[j];
       if (profile.empty()) continue;
-      const double p_face = 0.5 * (s.film.film.p[k] + s.film.film.p[east]);
+      const double p_face = fluid::face_pressure(scene, s.film.film, s.film.flow, k, east);
       sum -= p_face * (mean_gap(east, east) - mean_gap(east, k)) * g.dz[j];
     }
   }

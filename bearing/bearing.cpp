@@ -85,6 +85,22 @@ bool symmetric_about_mid_width(const Case& c) {
   return centred && bore_is_symmetric(c.bearing);
 }
 
+FilmGrid film_grid(const Case& c, std::array<int, 2> grid) {
+  const auto patches = patches_of(c);
+  return make_grid(c.bearing.radius, c.bearing.width, grid[0], grid[1],
+                   symmetric_about_mid_width(c), fluid::phi_edges(patches), fluid::z_edges(patches),
+                   axial_spacing(c) == AxialSpacing::graded ? kEdgeGrading : 0.0);
+}
+
+bool holds_supplies(const Case& c, std::array<int, 2> grid) {
+  try {
+    static_cast<void>(fluid::map_supplies(film_grid(c, grid), patches_of(c)));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int, 2> grid,
                           std::shared_ptr<const Solids> solids) {
   BearingModel m;
@@ -98,10 +114,7 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   if (!physics.shear_thinning) m.oil = rheology::without_shear_thinning(m.oil);
   const auto patches = patches_of(c);
   fluid::FilmDomain& s = m.domain;
-  s.grid =
-      make_grid(c.bearing.radius, c.bearing.width, grid[0], grid[1], symmetric_about_mid_width(c),
-                fluid::phi_edges(patches), fluid::z_edges(patches),
-                axial_spacing(c) == AxialSpacing::graded ? kEdgeGrading : 0.0);
+  s.grid = film_grid(c, grid);
   s.angles = fluid::Angles(s.grid);
   m.supply = fluid::map_supplies(s.grid, patches);
   s.p_cavitation = c.model.cavitation_pressure;

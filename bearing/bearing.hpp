@@ -41,6 +41,12 @@ struct BearingModel {
 /// True if nothing in the case distinguishes z from -z.
 [[nodiscard]] bool symmetric_about_mid_width(const Case& c);
 
+/// The cells of a grid of around x along cells over the width. Throws InputError where they are too
+/// few for the edges of the supplies.
+[[nodiscard]] FilmGrid film_grid(const Case& c, std::array<int, 2> grid);
+/// Whether they are enough.
+[[nodiscard]] bool holds_supplies(const Case& c, std::array<int, 2> grid);
+
 /// Builds the model on a grid of nt x nz cells over the full width (half of it is solved if the
 /// case is symmetric). Solids are built if the physics needs them, unless given. Throws
 /// InputError for supplies that the grid cannot carry.

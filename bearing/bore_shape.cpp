@@ -1,6 +1,7 @@
 #include "bearing/bore_shape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bearing/round_off.hpp"
@@ -77,6 +78,94 @@ fluid::Gap shape_of(const Bearing& b, const FilmGrid& g) {
     for (int j = 0; j <= g.nz; ++j) shape.z_face.push_back(shape_at(b, g.phi[i], g.z_face[j]));
   }
   return shape;
+}
+
+namespace {
+
+/// Cell of x, the faces rising.
+int cell_of(const std::vector<double>& face, double x) {
+  const auto above = std::upper_bound(face.begin() + 1, face.end() - 1, x);
+  return static_cast<int>(above - face.begin()) - 1;
+}
+
+/// How far f lies from the straight line between the middle of x's cell and its face beside x.
+template <class F>
+double off_line(const F& f, double x, double middle, double low, double high) {
+  const double face = x < middle ? low : high;
+  const double part = face == middle ? 0.0 : (x - middle) / (face - middle);
+  return std::abs(f(x) - ((1.0 - part) * f(middle) + part * f(face)));
+}
+
+void look_at(const Bearing& b, const FilmGrid& g, double phi, double z, MissedShape& worst) {
+  if (g.half) z = std::abs(z);
+  if (std::abs(z) > 0.5 * b.width) return;
+  const double first = g.phi_face.front();
+  phi -= 2.0 * kPi * std::floor((phi - first) / (2.0 * kPi));
+  const int i = cell_of(g.phi_face, phi);
+  const int j = cell_of(g.z_face, z);
+  const double along = off_line([&](double x) { return shape_at(b, phi, x); }, z, g.z[j],
+                                g.z_face[j], g.z_face[j + 1]);
+  const double around = off_line([&](double x) { return shape_at(b, x, z); }, phi, g.phi[i],
+                                 g.phi_face[i], g.phi_face[i + 1]);
+  const double depth = std::max(along, around);
+  if (depth > worst.depth) worst = {depth, phi, z};
+}
+
+void look_at_table(const Bearing& b, const FilmGrid& g, const Profile& table, MissedShape& worst) {
+  for (const double phi : table.phi) {
+    for (const double z : table.z) look_at(b, g, phi, z, worst);
+  }
+}
+
+/// Integrals of a table and of its magnitude over the width [m2 rad], by trapezia between its
+/// points.
+std::array<double, 2> volume_of(const Profile& p, double width) {
+  std::vector<double> z{-0.5 * width, 0.5 * width};
+  for (const double at : p.z) {
+    if (std::abs(at) < 0.5 * width) z.push_back(at);
+  }
+  std::sort(z.begin(), z.end());
+  std::array<double, 2> sum{};
+  const std::size_t n = p.phi.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double turn = n > 1 ? std::remainder(p.phi[(i + 1) % n] - p.phi[i], 2.0 * kPi) : 0.0;
+    const double arc = turn > 0.0 ? turn : turn + 2.0 * kPi;
+    for (const double phi : {p.phi[i], p.phi[(i + 1) % n]}) {
+      for (std::size_t k = 0; k + 1 < z.size(); ++k) {
+        for (const double at : {z[k], z[k + 1]}) {
+          const double part = 0.25 * arc * (z[k + 1] - z[k]) * table_at(p, phi, at);
+          sum[0] += part;
+          sum[1] += std::abs(part);
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+MissedShape missed_shape(const Bearing& b, const FilmGrid& g) {
+  MissedShape worst;
+  if (b.shape) look_at_table(b, g, *b.shape, worst);
+  if (b.wear) look_at_table(b, g, *b.wear, worst);
+  for (const auto& opening : {b.edge_relief, b.chamfer}) {
+    if (opening) look_at(b, g, g.phi.front(), 0.5 * b.width - opening->length, worst);
+  }
+  return worst;
+}
+
+double missed_profile(const Bearing& b, const FilmGrid& g) {
+  if (!b.profile) return 0.0;
+  const auto [volume, size] = volume_of(*b.profile, b.width);
+  const Field cells = profile_of_cells(b, g);
+  double on_grid = 0.0;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      on_grid += cells[g.index(i, j)] * g.area(i, j) / g.radius * g.multiplicity();
+    }
+  }
+  return size > 0.0 ? std::abs(on_grid - volume) / size : 0.0;
 }
 
 bool bore_is_symmetric(const Bearing& b) {

@@ -23,6 +23,17 @@ namespace shellback::bearing {
 /// (1) at cells and faces [m]; all empty: a cylinder.
 [[nodiscard]] fluid::Gap shape_of(const Bearing& b, const FilmGrid& grid);
 
+/// What a grid cannot show of the smooth shape: its largest distance from straight lines between
+/// middles and faces of cells, at the points of its tables and where an edge's opening begins.
+struct MissedShape {
+  double depth = 0.0;  ///< [m]
+  double phi = 0.0, z = 0.0;
+};
+[[nodiscard]] MissedShape missed_shape(const Bearing& b, const FilmGrid& grid);
+
+/// The volume of the profile on the grid less that of its table, over that of its magnitude [-].
+[[nodiscard]] double missed_profile(const Bearing& b, const FilmGrid& grid);
+
 /// True if profile and shape are the same on both sides of mid-width.
 [[nodiscard]] bool bore_is_symmetric(const Bearing& b);
 

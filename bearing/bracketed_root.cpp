@@ -17,7 +17,7 @@ struct Search {
   KnownPoint last;
 };
 
-double evaluate(double x, void* data) {
+double value_at(double x, void* data) {
   Search& s = *static_cast<Search*>(data);
   if (x == s.low.x) return s.low.f;
   if (x == s.high.x) return s.high.f;
@@ -25,7 +25,7 @@ double evaluate(double x, void* data) {
   return s.last.f;
 }
 
-struct SolverDeleter {
+struct FreeRootSolver {
   void operator()(gsl_root_fsolver* s) const { gsl_root_fsolver_free(s); }
 };
 
@@ -39,9 +39,9 @@ BracketedRoot bracketed_root(const std::function<double(double)>& f, KnownPoint 
   }
   if (b.x < a.x) std::swap(a, b);
   Search search{&f, a, b, a};
-  gsl_function function{evaluate, &search};
+  gsl_function function{value_at, &search};
   gsl_set_error_handler_off();  // failure is a result here
-  const std::unique_ptr<gsl_root_fsolver, SolverDeleter> solver(
+  const std::unique_ptr<gsl_root_fsolver, FreeRootSolver> solver(
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
   if (gsl_root_fsolver_set(solver.get(), &function, a.x, b.x) != GSL_SUCCESS) {
     return {false, search.last};

@@ -18,10 +18,10 @@
 namespace shellback::bearing {
 namespace {
 
-constexpr int kTurns = 15;     ///< of the walls, after which the oil is given time to follow
-constexpr int kStalled = 2;    ///< rounds of walls and oil after which walls change no less
-constexpr int kFollowed = 40;  ///< turns of the walls, and cycles, of a worn shape
-constexpr int kOrbits = 3;     ///< cycles in which the journal finds its orbit
+constexpr int kTurns = 15;           ///< of the walls, after which the oil is given time to follow
+constexpr int kStalled = 2;          ///< rounds of walls and oil after which walls change no less
+constexpr int kWornShapeTurns = 40;  ///< turns of the walls, and cycles, of a worn shape
+constexpr int kOrbits = 3;           ///< cycles in which the journal finds its orbit
 /// Behind each time that oil is led on: cycles in which the film follows, and those that count.
 constexpr int kFollowing = 2;
 constexpr int kCounted = 3;
@@ -449,9 +449,9 @@ const Verdict& CycleSearch::search(bool rough) {
 
 const Verdict& CycleSearch::follow() {
   const bool heat = film_.model().physics.film_energy;
-  for (int k = 0; k < kFollowed && r_.verdict.good(); ++k) {
+  for (int k = 0; k < kWornShapeTurns && r_.verdict.good(); ++k) {
     if (heat) {
-      settled_ = settle_walls(true, kFollowed);
+      settled_ = settle_walls(true, kWornShapeTurns);
       if (!settled_ && r_.verdict.good()) r_.verdict = walls_unsettled();
     } else {
       pass();

@@ -122,6 +122,9 @@ bool evaluate(const BearingModel& model, const OperatingPoint& point,
   update_columns(model.oil, model.gl, scene.speed, s.shear_gap, scene.supply.cell, s.film,
                  s.gradient_x, s.gradient_z, tolerance, s.columns, s.oil);
   fluid::evaluate_flow(scene, s.gap, model.profile, s.oil, s.film, s.flow);
+  if (!model.profile.empty()) {  // what friction and heat see; the oil above, but to first order
+    s.gradient_x = fluid::pressure_gradient_x(scene, s.film, s.flow);
+  }
   evaluate_contact(model, point, s);
   if (point.layer && !s.elastic.empty()) s.layer = point.layer->press(s.film.p, s.p_contact);
   s.force = fluid::wrench(scene, sum(s.film.p, s.p_contact));

@@ -42,8 +42,9 @@ Verdict no_film(const BearingModel& model, const OperatingPoint& point,
   if (no_gap_shears(model, scene.speed, s)) return interlocked(scene, s);
   const auto contact = find_not_a_number(FieldName::contact_pressure, s.p_contact);
   const NotANumber in_film = fluid::first_not_a_number(s.gap, s.film, s.oil, s.flow);
-  const bool later = contact && in_film.cell < 0;
-  return fluid::ended_by(scene.grid, later ? *contact : in_film);
+  if (in_film.cell >= 0) return fluid::ended_by(scene.grid, in_film);
+  if (contact) return fluid::ended_by(scene.grid, *contact);
+  return {Status::iteration_limit, ending::Plain::ran_off};
 }
 
 Verdict singular_film(const OperatingPoint& point, const FilmEquilibrium& s) {

@@ -49,8 +49,8 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
   const Corrector correct = [&](Solution& at, Accuracy accuracy) {
     return correct_film(at, accuracy, control);
   };
-  const std::optional<Branch> branch = follow_from(
-      s, Raised::load, kLight,
+  const std::optional<Branch> branch = follow_loads(
+      s,
       [&] {
         s.film = cold_start(s.model, s.point, T);
         return start();

@@ -55,7 +55,7 @@ int evaluate(N_Vector x, N_Vector g, void* data) {
 // The outcome is reported by the caller, in the user's words: KINSOL itself stays silent.
 void stay_silent(int, const char*, const char*, char*, void*) {}
 
-struct SolverDeleter {
+struct FreeKinsol {
   void operator()(void* m) const { KINFree(&m); }
 };
 
@@ -70,7 +70,7 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   const sundials::Vector u(N_VMake_Serial(n, x.data(), raw));
   const sundials::Vector scale(N_VNew_Serial(n, raw));
   N_VConst(1.0, scale.get());
-  const sundials::Owned<void*, SolverDeleter> solver(KINCreate(raw));
+  const sundials::Owned<void*, FreeKinsol> solver(KINCreate(raw));
   Call call{&map, &o, x, x};
   require(KINSetErrHandlerFn(solver.get(), stay_silent, nullptr));
   require(KINSetMAA(solver.get(), o.depth));

@@ -185,14 +185,15 @@ void Part::take(double part) {
   }
 }
 
-Branch follow_speed(Solution& s, double begun, const Corrector& correct,
+Branch follow_parts(Solution& s, Raised raised, double begun, const Corrector& correct,
                     const SolveControl& control) {
-  Part of(s.point, Raised::speed);
-  Branch branch{Raised::speed, BranchEnd::lost, begun, s.film.least.h, {}};
+  Part of(s.point, raised);
+  Branch branch{raised, BranchEnd::lost, begun, s.film.least.h, {}};
   Reached last{s.film, s.heat};
   double step = kFirstStep;
   for (int k = 0; k < kMostIterations && step > kShortestStep; ++k) {
-    const double next = std::min(1.0, branch.carried * std::exp(step));
+    const double next = begun < 1.0 ? std::min(1.0, branch.carried * std::exp(step))
+                                    : std::max(1.0, branch.carried * std::exp(-step));
     of.take(next);
     const Verdict v = correct(s, next == 1.0 ? Accuracy::result : Accuracy::way_point);
     if (v.status == Status::interrupted || stopped(control)) {
@@ -228,10 +229,26 @@ std::optional<Branch> follow_from(Solution& s, Raised raised, std::span<const do
     part.take(1.0);
     if (v.status == Status::interrupted) return Branch{raised, BranchEnd::interrupted, 0.0, 0.0, v};
     if (!v.good()) continue;
-    return raised == Raised::load ? follow_load(s, begun, correct, control)
-                                  : follow_speed(s, begun, correct, control);
+    const bool by_path = raised == Raised::load && begun < 1.0;
+    return by_path ? follow_load(s, begun, correct, control)
+                   : follow_parts(s, raised, begun, correct, control);
   }
   return std::nullopt;
+}
+
+std::optional<Branch> follow_loads(Solution& s, const std::function<Verdict()>& start,
+                                   const Corrector& correct, const SolveControl& control) {
+  std::optional<Branch> light = follow_from(s, Raised::load, kLight, start, correct, control);
+  const bool open = !light || light->end == BranchEnd::turned || light->end == BranchEnd::lost;
+  if (!open || s.cost.spent()) return light;
+  const Reached last{s.film, s.heat};
+  std::optional<Branch> heavy = follow_from(s, Raised::load, kHeavy, start, correct, control);
+  const bool answers =
+      heavy && (heavy->end == BranchEnd::reached || heavy->end == BranchEnd::interrupted);
+  if (answers) return heavy;
+  s.film = last.film;
+  s.heat = last.heat;
+  return light;
 }
 
 bool has_own_limit(const Solution& s) {

@@ -26,6 +26,10 @@ using ending::BranchEnd;
 
 /// Parts of load or speed from which a branch may begin, the first that is found [-].
 inline constexpr std::array kLight{0.3, 0.1, 0.02, 2e-3, 2e-4};
+/// Parts of the load from which one may begin that none from a light load leads to [-]: oil that
+/// lifts the journal from below ends that one where the journal comes down, on a thin film of its
+/// own (docs/decisions/049).
+inline constexpr std::array kHeavy{2.0, 5.0};
 /// Two ends of a branch that are nearer than this are one [-].
 inline constexpr double kAgree = 0.1;
 
@@ -45,9 +49,10 @@ struct Branch {
 [[nodiscard]] Branch follow_load(Solution& s, double begun, const Corrector& correct,
                                  const SolveControl& control);
 
-/// The same over the speed.
-[[nodiscard]] Branch follow_speed(Solution& s, double begun, const Corrector& correct,
-                                  const SolveControl& control);
+/// The same over the speed, or over a load from a heavier one: each state at the part predicted,
+/// from the one before.
+[[nodiscard]] Branch follow_parts(Solution& s, Raised raised, double begun,
+                                  const Corrector& correct, const SolveControl& control);
 
 /// Gives the operating point a part of its load or of its speed.
 class Part {
@@ -69,6 +74,12 @@ class Part {
                                                 const std::function<Verdict()>& start,
                                                 const Corrector& correct,
                                                 const SolveControl& control);
+
+/// From a light load; where that branch turns or is lost, or none begins, from a heavy one. What
+/// ends is the branch from the light load, at whose last state `s` is left.
+[[nodiscard]] std::optional<Branch> follow_loads(Solution& s, const std::function<Verdict()>& start,
+                                                 const Corrector& correct,
+                                                 const SolveControl& control);
 
 /// True if a branch was followed on the grid of `s` itself: its limit is the last of `s.limits`.
 [[nodiscard]] bool has_own_limit(const Solution& s);

@@ -19,7 +19,7 @@ struct Operator {
   std::vector<double> x;
 };
 
-int multiply(void* data, N_Vector x, N_Vector y) {
+int matrix_times(void* data, N_Vector x, N_Vector y) {
   Operator& a = *static_cast<Operator*>(data);
   const double* from = N_VGetArrayPointer(x);
   a.x.assign(from, from + a.x.size());
@@ -47,7 +47,7 @@ class KrylovSpace {
     rhs_->ops->nvdotprod = dot;
     x_->ops->nvdotprod = dot;  // clones are made with the operations of their model
     solver_.reset(SUNLinSol_SPGMR(x_.get(), SUN_PREC_NONE, most, raw));
-    sundials::require(SUNLinSolSetATimes(solver_.get(), &operator_, multiply), kPart);
+    sundials::require(SUNLinSolSetATimes(solver_.get(), &operator_, matrix_times), kPart);
     sundials::require(SUNLinSolInitialize(solver_.get()), kPart);
     sundials::require(SUNLinSolSetup(solver_.get(), nullptr), kPart);
   }

@@ -99,7 +99,7 @@ std::optional<Branch> HeatSearch::follow() {
   };
   std::optional<Branch> branch;
   if (s_.point.load.unknowns > 0) {
-    branch = follow_from(s_, Raised::load, kLight, start, correct, control_);
+    branch = follow_loads(s_, start, correct, control_);
   }
   if (!branch) branch = follow_from(s_, Raised::speed, kLight, start, correct, control_);
   return branch;

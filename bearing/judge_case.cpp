@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/bearing.hpp"
 #include "bearing/case_limits.hpp"
 #include "bearing/judge_parts.hpp"
 #include "bearing/shown.hpp"
@@ -241,8 +242,26 @@ void judge_surfaces(const Case& c, Findings& to) {
   judge_flow_factors(c, to);
 }
 
-void judge_grid(const Model& model, Findings& to) {
-  const auto [nt, nz] = model.grid;
+bool is_fine_enough(const Case& c, std::array<int, 2> grid) {
+  try {
+    static_cast<void>(film_grid(c, grid));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// The smallest of finer grids that holds the edges of the supplies.
+std::array<int, 2> grid_for_supplies(const Case& c) {
+  std::array<int, 2> grid = c.model.grid;
+  while (!is_fine_enough(c, grid)) {
+    grid = {grid[0] + (grid[0] + 9) / 10, grid[1] + (grid[1] + 9) / 10};
+  }
+  return grid;
+}
+
+void judge_grid(const Case& c, Findings& to) {
+  const auto [nt, nz] = c.model.grid;
   if (nt < kBearingLimits.fewest_cells_round) {
     to.refuse("model.grid", fmt::format("{} cells round the bearing cannot show a film", nt),
               fmt::format("take {} or more", kBearingLimits.fewest_cells_round));
@@ -250,7 +269,16 @@ void judge_grid(const Model& model, Findings& to) {
   if (nt * nz > kBearingLimits.most_cells) {
     to.refuse("model.grid", fmt::format("{} x {} cells are more than memory holds", nt, nz),
               "800 x 100 is fine already");
+    return;
   }
+  const bool chosen = !c.model.grid_given && c.model.tier == Tier::automatic;
+  if (chosen || c.model.tier == Tier::estimate) return;  // another grid, or none
+  if (to.refused() || is_fine_enough(c, c.model.grid)) return;
+  const auto [more_nt, more_nz] = grid_for_supplies(c);
+  to.refuse(
+      "model.grid",
+      fmt::format("{} x {} cells cannot have a face at every edge of the supplies", nt, nz),
+      fmt::format("take {} x {}, or supplies whose edges lie further apart", more_nt, more_nz));
 }
 
 }  // namespace
@@ -271,7 +299,7 @@ std::vector<Finding> judge(const Case& c, const std::vector<Tier>& tiers) {
   judge_oil(c, to);
   judge_surfaces(c, to);
   judge_solids(c, to);
-  judge_grid(c.model, to);
+  judge_grid(c, to);
   for (const Tier tier : tiers) {
     if (auto lack = lack_for(c, tier)) to.list.push_back(std::move(*lack));
   }

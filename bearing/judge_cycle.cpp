@@ -155,7 +155,8 @@ void judge_cycle_values(const LoadCycle& c, Findings& to) {
   if (to.refused()) return;
   const CycleNumbers n = cycle_numbers(c, 0.0);
   if (n.largest <= 0.0) {
-    cycle.refuse("file", "the load is zero throughout", "check the columns of the load");
+    cycle.refuse("file", "the load is zero throughout",
+                 "check the columns of the load (with [crank]: its masses and pressures)");
   }
   judge_gaps(c, n, to);
   judge_swing(c, n.largest, cycle);

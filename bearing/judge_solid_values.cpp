@@ -6,7 +6,7 @@
 namespace shellback::bearing {
 namespace {
 
-void judge_material(const solid::Material& m, const std::string& path, Findings& to) {
+void judge_material_values(const solid::Material& m, const std::string& path, Findings& to) {
   const ValueCheck material(path + ".material", to);
   material.number("conductivity", m.conductivity, "W/(m K)", kPositive);
   material.number("density", m.density, "kg/m3", kPositive);
@@ -30,7 +30,7 @@ void judge_back(const Shell& s, Findings& to) {
   }
 }
 
-void judge_shell(const Shell& s, Findings& to) {
+void judge_shell_values(const Shell& s, Findings& to) {
   const ValueCheck shell("shell", to);
   if (s.layers.empty()) {
     shell.refuse("layers", "the shell has no layers",
@@ -39,11 +39,11 @@ void judge_shell(const Shell& s, Findings& to) {
   }
   for (std::size_t k = 0; k < s.layers.size(); ++k) {
     const std::string path = fmt::format("shell.layers.{}", k);
-    judge_material(s.layers[k].material, path, to);
+    judge_material_values(s.layers[k].material, path, to);
     ValueCheck(path, to).number("thickness", s.layers[k].thickness, "mm", kPositive);
   }
   if (s.housing) {
-    judge_material(s.housing->material, "shell.housing", to);
+    judge_material_values(s.housing->material, "shell.housing", to);
     shell.number("housing.joint_conductance", s.housing->joint_conductance, "W/(m2 K)",
                  kNotNegative);
     shell.number("housing.outer_diameter", 2.0 * s.housing->outer_radius, "mm", kPositive);
@@ -55,9 +55,9 @@ void judge_shell(const Shell& s, Findings& to) {
 }  // namespace
 
 void judge_solid_values(const Case& c, Findings& to) {
-  if (c.shell) judge_shell(*c.shell, to);
+  if (c.shell) judge_shell_values(*c.shell, to);
   if (!c.shaft) return;
-  judge_material(c.shaft->material, "shaft", to);
+  judge_material_values(c.shaft->material, "shaft", to);
   const ValueCheck shaft("shaft", to);
   shaft.number("overhang", c.shaft->overhang, "mm", kNotNegative);
   if (c.shaft->elastic_overhang) {

@@ -6,6 +6,7 @@
 
 #include "bearing/film_heat.hpp"
 #include "bearing/judge_case.hpp"
+#include "bearing/load_cycle.hpp"
 #include "bearing/possible_methods.hpp"
 #include "bearing/round_off.hpp"
 #include "core/constants.hpp"
@@ -76,7 +77,10 @@ Lack lack_for_heat(const Case& c, const std::string& tier) {
 
 // Where tier estimate's bars hold torque and smallest film: holes and grooves at all angles, three
 // loads (docs/decisions/048).
-constexpr double kFarFromLoad = 7.0 / 18.0 * kPi;   ///< of every supply's edge [rad]
+constexpr double kFarFromLoad = 7.0 / 18.0 * kPi;  ///< of every supply's edge [rad]
+/// The same over a cycle, whose bars hold what the film's history is worth: half of the film, and
+/// more than a supply 45 degrees from the load [rad].
+constexpr double kFarFromLoadInTime = kPi / 4.0;
 constexpr double kFarBehindLoad = 5.0 / 6.0 * kPi;  ///< of a short supply that alone feeds [rad]
 constexpr double kLong = 0.5;  ///< supplies that fill the film anew wherever they lie [-], of width
 /// Off mid-width, over the width, the lands beside a groove all round carry 4 % more than two alike
@@ -93,7 +97,7 @@ double half_arc(const Case& c, const Supply& s) {
 }
 
 /// Supplies in the film that carries the load, or none before it.
-Lack lack_of_feed(const Case& c, double load_angle) {
+Lack lack_of_feed(const Case& c, double load_angle, double far) {
   const std::string cure = "take tier isothermal, lumped, thd, tehd or auto";
   const double turn = c.operation.omega < 0.0 ? -1.0 : 1.0;
   bool fed = false;
@@ -104,7 +108,7 @@ Lack lack_of_feed(const Case& c, double load_angle) {
     }
     const double behind = turn * std::remainder(s.angle - load_angle, 2.0 * kPi);
     const double away = std::abs(behind) - half_arc(c, s);
-    if (away < kFarFromLoad) {
+    if (away < far) {
       return lack(
           "model.tier",
           fmt::format("a supply lies {:.0f} deg from the load, in the film that carries it, "
@@ -121,6 +125,26 @@ Lack lack_of_feed(const Case& c, double load_angle) {
               "no supply lies ahead of the film that carries the load, which then is starved: tier "
               "estimate is fed at the widest gap",
               cure);
+}
+
+/// The same over a cycle or event: where it lasts for a turn of the journal, in which the film has
+/// used up the oil that it had.
+Lack lack_of_feed_over(const Case& c) {
+  constexpr int kLooks = 720;                      // a degree of two turns
+  if (c.cycle->t.size() < 2) return std::nullopt;  // refused for that
+  const LoadCourse course(*c.cycle, c.operation.omega);
+  const double dt = c.cycle->length() / kLooks;
+  const bool repeats = c.cycle->repeats();
+  Lack now, longest;
+  double turned = 0.0, most = 0.0;
+  for (int k = 0; k < (repeats ? 2 : 1) * kLooks; ++k) {  // a stretch may go on over the end
+    const LoadNow at = course.at((k % kLooks + 0.5) * dt);
+    const bool loaded = std::hypot(at.x, at.y) > 0.0;
+    now = loaded ? lack_of_feed(c, std::atan2(at.y, at.x), kFarFromLoadInTime) : std::nullopt;
+    turned = now ? turned + std::abs(at.omega) * dt : 0.0;
+    if (turned > most) longest = now, most = turned;
+  }
+  return most >= 2.0 * kPi ? longest : std::nullopt;
 }
 
 /// The estimate's film is one land, or two alike, fed at the widest gap by oil of one temperature.
@@ -147,9 +171,10 @@ Lack lack_for_estimate(const Case& c) {
                   cure);
     }
   }
+  if (c.cycle) return lack_of_feed_over(c);
   const auto* load = std::get_if<LoadGiven>(&c.operation.position);
   const auto* place = std::get_if<EccentricityGiven>(&c.operation.position);
-  return lack_of_feed(c, load != nullptr ? load->angle : place->load_angle);
+  return lack_of_feed(c, load != nullptr ? load->angle : place->load_angle, kFarFromLoad);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ bool rises(const std::vector<double>& x) {
                                           [](double a, double b) { return !(a < b); }) == x.end();
 }
 
-void judge_table(const Profile& p, const char* key, const ValueCheck& bearing) {
+void judge_table_values(const Profile& p, const char* key, const ValueCheck& bearing) {
   const bool once = rises(p.phi) && p.phi.front() >= 0.0 && p.phi.back() < 2.0 * kPi;
   if (!once || !rises(p.z)) {
     bearing.refuse(
@@ -33,14 +33,14 @@ void judge_table(const Profile& p, const char* key, const ValueCheck& bearing) {
   }
 }
 
-void judge_bearing(const Bearing& b, Findings& to) {
+void judge_bearing_values(const Bearing& b, Findings& to) {
   const ValueCheck bearing("bearing", to);
   bearing.number("diameter", 2.0 * b.radius, "mm", kPositive);
   bearing.number("width", b.width, "mm", kPositive);
   bearing.number("radial_clearance", b.radial_clearance, "um", kPositive);
   bearing.temperature("reference_temperature", b.reference_temperature);
-  if (b.profile) judge_table(*b.profile, "profile", bearing);
-  if (b.shape) judge_table(*b.shape, "shape", bearing);
+  if (b.profile) judge_table_values(*b.profile, "profile", bearing);
+  if (b.shape) judge_table_values(*b.shape, "shape", bearing);
 }
 
 void judge_supply(const Supply& s, const ValueCheck& supply) {
@@ -138,7 +138,7 @@ void judge_friction_law(const solid::GenericFriction& f, Findings& to) {
   if (f.L_s) law.number("reference_length", *f.L_s, "um", kPositive);
 }
 
-void judge_surfaces(const Surfaces& s, Findings& to) {
+void judge_surfaces_values(const Surfaces& s, Findings& to) {
   judge_surface(s.shell, ValueCheck("surfaces.shell", to));
   judge_surface(s.shaft, ValueCheck("surfaces.shaft", to));
   if (!s.contact) return;
@@ -225,7 +225,7 @@ void judge_running_in(const Case& c, Findings& to) {
 }  // namespace
 
 void judge_values(const Case& c, Findings& to) {
-  judge_bearing(c.bearing, to);
+  judge_bearing_values(c.bearing, to);
   judge_operation(c, to);
   if (c.cycle) judge_cycle_values(*c.cycle, to);
   judge_law_values(c.oil, to);
@@ -233,7 +233,7 @@ void judge_values(const Case& c, Findings& to) {
   judge_list_of_supplies(c, to);
   judge_model(c.model, to);
   judge_solid_values(c, to);
-  judge_surfaces(c.surfaces, to);
+  judge_surfaces_values(c.surfaces, to);
   judge_measured(c.measured, to);
   if (c.running_in) judge_running_in(c, to);
 }

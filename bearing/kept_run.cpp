@@ -18,6 +18,7 @@ KeptRun::KeptRun(Save save) : save_(std::move(save)) {}
 
 KeptRun::KeptRun(Save save, Tape::Content from) : save_(std::move(save)), tape_(std::move(from)) {
   (*tape_)(ended_, grid_, cost_, coarser_grid_, coarser_, spent_before_);
+  if (tape_->ended()) tape_.reset();  // no cycle was under way
 }
 
 std::optional<CycleResult> KeptRun::next_ended() {
@@ -34,6 +35,7 @@ void KeptRun::end(const CycleResult& result) {
   coarser_grid_ = -1;
   coarser_ = {};
   spent_before_ = 0.0;
+  begun_ = Clock::now();
 }
 
 void KeptRun::taken_up() {
@@ -77,6 +79,10 @@ void KeptRun::keep(const std::function<void(Tape&)>& search) {
 void KeptRun::note(const std::function<void(Tape&)>& search) {
   noted_ = written(search);
   if (due()) keep_noted();
+}
+
+void KeptRun::note_ended() {
+  note([](Tape&) {});
 }
 
 void KeptRun::keep_noted() {

@@ -54,6 +54,8 @@ class KeptRun {
   /// The same where what follows cannot be undone when it is stopped: keeps it if it is time, else
   /// notes it for keep_noted().
   void note(const std::function<void(Tape&)>& search);
+  /// Notes that all cycles so far have ended and none is under way.
+  void note_ended();
   /// Keeps what was noted last, unless it is kept already.
   void keep_noted();
 

@@ -14,22 +14,21 @@ namespace {
 /// Straight line between two values.
 double between(double a, double b, double part) { return a + part * (b - a); }
 
-struct FreeSpline {
-  void operator()(gsl_spline* s) const { gsl_spline_free(s); }
-};
-using Spline = std::unique_ptr<gsl_spline, FreeSpline>;
-
-/// Periodic through `y` at `t`, whose last value is that of the first.
-Spline periodic_spline(const std::vector<double>& t, const std::vector<double>& y) {
-  Spline s(gsl_spline_alloc(gsl_interp_cspline_periodic, t.size()));
-  gsl_spline_init(s.get(), t.data(), y.data(), t.size());
-  return s;
-}
-
 }  // namespace
 
 struct LoadCourse::Splines {
+  struct Free {
+    void operator()(gsl_spline* s) const { gsl_spline_free(s); }
+  };
+  using Spline = std::unique_ptr<gsl_spline, Free>;
   Spline x, y, omega;
+
+  /// Periodic through `y` at `t`, whose last value is that of the first.
+  static Spline through(const std::vector<double>& t, const std::vector<double>& y) {
+    Spline s(gsl_spline_alloc(gsl_interp_cspline_periodic, t.size()));
+    gsl_spline_init(s.get(), t.data(), y.data(), t.size());
+    return s;
+  }
 };
 
 LoadCourse::LoadCourse(const LoadCycle& cycle, double omega, double slow) : cycle_(cycle) {
@@ -50,9 +49,9 @@ LoadCourse::LoadCourse(const LoadCycle& cycle, double omega, double slow) : cycl
     largest_speed_ = std::max(largest_speed_, std::abs(cycle_.omega[k]));
   }
   if (cycle_.interpolation == LoadInterpolation::periodic_spline) {
-    splines_ = std::make_shared<const Splines>(Splines{periodic_spline(cycle_.t, cycle_.x),
-                                                       periodic_spline(cycle_.t, cycle_.y),
-                                                       periodic_spline(cycle_.t, cycle_.omega)});
+    splines_ = std::make_shared<const Splines>(Splines{Splines::through(cycle_.t, cycle_.x),
+                                                       Splines::through(cycle_.t, cycle_.y),
+                                                       Splines::through(cycle_.t, cycle_.omega)});
   } else {
     find_corners();
     if (slow > 0.0) find_rests(slow);

@@ -169,8 +169,13 @@ Verdict LumpedBalance::take_lowest_stable() {
 }
 
 Verdict LumpedBalance::search() {
+  // The scan goes on to films of hot oil, of which each may cost as much as all before.
+  constexpr double kOfScan = 0.5;  // of the work that is left, the rest is for the roots [-]
+  const double whole = s_.cost.most_work;
+  s_.cost.most_work = s_.cost.work + kOfScan * (whole - s_.cost.work);
   const std::vector<HeatSample> samples = scan_heat_balance(
       [this](double T) { return residual(T); }, scan_temperatures(s_.model.oil, T_least_, T_most_));
+  s_.cost.most_work = whole;
   const bool none = tried_.empty();
   if (interrupted() || none) return failure_;
   const std::vector<std::size_t> changes = sign_changes(samples);
@@ -184,8 +189,10 @@ Verdict LumpedBalance::search() {
   }
   std::reverse(s_.heat_roots.begin(), s_.heat_roots.end());
   if (settled) return take_lowest_stable();
-  return {Status::iteration_limit,
-          ending::AtTemperature{ending::Thermal::unsettled_root, s_.heat_roots.front().T}};
+  Verdict v{Status::iteration_limit,
+            ending::AtTemperature{ending::Thermal::unsettled_root, s_.heat_roots.front().T}};
+  if (!failure_.good()) v.cause = {failure_};
+  return v;
 }
 
 Verdict LumpedBalance::no_root(const std::vector<HeatSample>& samples) const {

@@ -17,9 +17,11 @@ std::optional<std::array<int, 2>> halved(std::array<int, 2> grid) {
   return coarser;
 }
 
-std::vector<std::array<int, 2>> grid_ladder(std::array<int, 2> fine) {
-  std::vector<std::array<int, 2>> ladder{fine};
-  while (const auto coarser = halved(ladder.back())) ladder.push_back(*coarser);
+std::vector<std::array<int, 2>> grid_ladder(const Case& c) {
+  std::vector<std::array<int, 2>> ladder{c.model.grid};
+  for (auto coarser = halved(c.model.grid); coarser; coarser = halved(*coarser)) {
+    if (holds_supplies(c, *coarser)) ladder.push_back(*coarser);
+  }
   std::reverse(ladder.begin(), ladder.end());
   return ladder;
 }

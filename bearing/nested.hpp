@@ -16,8 +16,9 @@ namespace shellback::bearing {
 /// Half the cells of each axis, rounded up along it; none where a grid is coarse enough already.
 [[nodiscard]] std::optional<std::array<int, 2>> halved(std::array<int, 2> grid);
 
-/// Grids from the coarsest to `fine`, each axis about halved from one to the next.
-[[nodiscard]] std::vector<std::array<int, 2>> grid_ladder(std::array<int, 2> fine);
+/// Grids from the coarsest to the case's, each axis about halved from one to the next; without
+/// coarse ones that do not hold the supplies.
+[[nodiscard]] std::vector<std::array<int, 2>> grid_ladder(const Case& c);
 
 /// State on another grid of the same bearing: pressures, fill ratios, position, temperatures.
 [[nodiscard]] FilmEquilibrium carry_over(const BearingModel& from, const FilmEquilibrium& s,

@@ -137,6 +137,18 @@ struct EdgeNotResolved {
   double cell = 0.0;  ///< smallest of all cells [m]
 };
 
+/// The smooth bore changes within cells by more than they can show.
+struct ShapeBetweenCells {
+  double missed = 0.0;  ///< largest [m]
+  double h_min = 0.0;   ///< smallest film, or the roughness [m]
+  FilmPlace place{};    ///< of the largest
+};
+
+/// The designed profile, taken at the middles of cells, is not that of the table.
+struct ProfileBetweenCells {
+  double part = 0.0;  ///< of its volume that is missed or too much [-]
+};
+
 /// Oil that is driven faster than a laminar film bears.
 struct NotLaminar {
   double reynolds = 0.0;  ///< Re of the clearance [-]
@@ -191,9 +203,10 @@ struct TierTaken {
 using Note = std::variant<
     std::string, note::Plain, note::ColdSpot, note::NoCoefficients, note::CavitatedDamping,
     note::OtherRoots, note::FactorsContinued, note::BeyondOilRange, note::BeyondContactLaw,
-    note::HeldAtHardness, note::EdgeNotResolved, note::NotLaminar, note::VesselEmpty,
-    note::MouthWidened, note::WornThrough, note::NothingRicher, note::TierTaken,
-    note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid,
-    note::ToleranceNotMet, note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells, note::ProfileBetweenCells,
+    note::NotLaminar, note::VesselEmpty, note::MouthWidened, note::WornThrough, note::NothingRicher,
+    note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged,
+    note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::ShaftSwing, note::EstimateOfFilm,
+    note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

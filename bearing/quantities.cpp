@@ -10,6 +10,17 @@ double Quantity::error() const {
   return error_grid + (std::isfinite(error_model) ? error_model : 0.0);
 }
 
+const Quantity* quantity_in(const std::vector<Quantity>& list, const std::string& name) {
+  const auto q = std::find_if(list.begin(), list.end(),
+                              [&](const Quantity& known) { return known.name == name; });
+  return q == list.end() ? nullptr : &*q;
+}
+
+double value_in(const std::vector<Quantity>& list, const std::string& name) {
+  const Quantity* q = quantity_in(list, name);
+  return q == nullptr ? NAN : q->value;
+}
+
 const QuantityEntry* find_quantity(std::string_view name) {
   const auto* entry = std::find_if(std::begin(kQuantities), std::end(kQuantities),
                                    [&](const QuantityEntry& r) { return r.name == name; });

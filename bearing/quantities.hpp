@@ -31,6 +31,12 @@ struct Quantity {
   [[nodiscard]] double size() const { return std::max(std::abs(value), magnitude); }
 };
 
+/// That of this name; null: there is none.
+[[nodiscard]] const Quantity* quantity_in(const std::vector<Quantity>& list,
+                                          const std::string& name);
+/// Its value; not-a-number: there is none.
+[[nodiscard]] double value_in(const std::vector<Quantity>& list, const std::string& name);
+
 /// The values, typed. Torques and powers without sign are losses; forces are those of the film on
 /// the journal; flows are volumes at the density of the supplied oil.
 struct Quantities {

@@ -49,7 +49,7 @@ constexpr double kForStarts = 0.5;  ///< [-]
 /// the last grid alone.
 void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
                        std::shared_ptr<const Solids> solids, Solution& s) {
-  const auto grids = grid_ladder(c.model.grid);
+  const auto grids = grid_ladder(c);
   const double T_start = s.T_film;
   const double whole = s.cost.most_work;
   bool warm = false;

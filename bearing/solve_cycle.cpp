@@ -45,7 +45,7 @@ CycleResult at_one_temperature(const Case& c, const SolveControl& control) {
 /// many cells. A coarse grid that fails is left out.
 std::unique_ptr<CycleSearch> on_grids(const Case& c, Tier tier, const SolveControl& control,
                                       Cost& cost) {
-  const auto grids = grid_ladder(c.model.grid);
+  const auto grids = grid_ladder(c);
   const auto search_on = [&](int k) {
     Case on = c;
     on.model.grid = grids[k];

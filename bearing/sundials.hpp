@@ -3,6 +3,7 @@
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
 
 #include <memory>
 #include <stdexcept>
@@ -20,10 +21,14 @@ struct VectorDeleter {
 struct LinearDeleter {
   void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
 };
+struct MatrixDeleter {
+  void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
+};
 template <class T, class D>
 using Owned = std::unique_ptr<std::remove_pointer_t<T>, D>;
 using Context = Owned<SUNContext, ContextDeleter>;
 using Vector = Owned<N_Vector, VectorDeleter>;
+using Matrix = Owned<SUNMatrix, MatrixDeleter>;
 using LinearSolver = Owned<SUNLinearSolver, LinearDeleter>;
 
 /// Throws where `part` could not be set up: an internal failure.

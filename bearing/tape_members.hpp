@@ -18,8 +18,8 @@ inline void members(Tape& tape, FilmGrid& x) {
 // The film.
 
 inline void members(Tape& tape, fluid::FaceFlow& x) {
-  auto& [m, couette, carried, d_left, d_right, d_theta, d_h] = x;
-  tape(m, couette, carried, d_left, d_right, d_theta, d_h);
+  auto& [m, couette, carried, d_left, d_right, d_theta, d_h, rise] = x;
+  tape(m, couette, carried, d_left, d_right, d_theta, d_h, rise);
 }
 
 inline void members(Tape& tape, fluid::FilmFlow& x) {

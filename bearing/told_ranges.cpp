@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/bore_shape.hpp"
 #include "bearing/pressed_layer.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
@@ -70,6 +71,20 @@ void add_edge(const FilmReach& reach, std::vector<Note>& out) {
   }
 }
 
+/// What the cells do not show of the bore, where it is more than a part of the film.
+void add_bore(const BearingModel& m, const FilmReach& reach, std::vector<Note>& out) {
+  constexpr double kOfFilm = 0.1;    // of the smallest film: as much as bars are usually wide
+  constexpr double kOfVolume = 0.2;  // of the profile: a groove of five cells, off by one
+  const Bearing& b = m.input.bearing;
+  const MissedShape missed = missed_shape(b, m.domain.grid);
+  const double film = std::max(reach.h_min, m.domain.rough.sigma);
+  if (missed.depth > kOfFilm * film) {
+    out.push_back(note::ShapeBetweenCells{missed.depth, film, {missed.phi, missed.z}});
+  }
+  const double part = missed_profile(b, m.domain.grid);
+  if (part > kOfVolume) out.push_back(note::ProfileBetweenCells{part});
+}
+
 }  // namespace
 
 note::NotLaminar reynolds_number(const BearingModel& m, double U, double T) {
@@ -114,6 +129,7 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   add_factors(m, reach.h, out);
   add_contact(m, reach, out);
   add_edge(reach, out);
+  add_bore(m, reach, out);
   return out;
 }
 

@@ -12,6 +12,8 @@ function(shellback_library name)
   target_compile_definitions(shellback_${name} PUBLIC ${SHELLBACK_EIGEN_ALIGNMENT})
   target_link_libraries(shellback_${name} PUBLIC ${ARG_LINKS}
     PRIVATE $<BUILD_INTERFACE:shellback_flags>)
+  set_target_properties(shellback_${name} PROPERTIES
+    UNITY_BUILD ${SHELLBACK_UNITY} UNITY_BUILD_BATCH_SIZE 8)
   if(name STREQUAL "core")
     target_precompile_headers(shellback_core PRIVATE ${SHELLBACK_PRECOMPILED})
   else()

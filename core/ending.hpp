@@ -19,6 +19,7 @@ enum class Plain {
   // Film.
   no_pressure,         ///< at this gap the reduced pressure would exceed its bound 1/alpha
   no_position,         ///< each step towards the load closes the gap, which proves nothing
+  ran_off,            ///< a residual left the range of numbers where all fields are finite
   empty_ring,          ///< cavitated all round and fed by nothing
   singular_film,       ///< the film matrix could not be factorised
   out_of_the_law,      ///< in a step in time no pressure that the pressure-viscosity law knows

@@ -113,7 +113,8 @@ std::vector<double> odd_half_faces(int n, double to, const std::vector<double>& 
   const int full = 2 * n - 1;
   const double share = 2.0 * first / (2.0 * to) * full;
   int middle = std::max(0, static_cast<int>(std::lround((share - 1.0) / 2.0)));  // full cells
-  middle = std::min(middle, n - 2);
+  // each segment outside needs a cell
+  middle = std::max(0, std::min(middle, n - 1 - static_cast<int>(edges.size())));
   std::vector<double> face{0.0};
   for (int j = 0; j <= middle; ++j) face.push_back(first * (j + 0.5) / (middle + 0.5));
   const auto outer = axial_faces(n - 1 - middle, first, to, {edges.begin() + 1, edges.end()});

@@ -9,6 +9,10 @@
 
 namespace shellback {
 
+int hardware_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 void parallel_for(int count, int threads, const std::function<void(int)>& task) {
   std::atomic<int> next{0};
   std::exception_ptr first;

@@ -9,4 +9,7 @@ namespace shellback {
 /// have begun finish; then the first exception is thrown on. Tasks must not share what they change.
 void parallel_for(int count, int threads, const std::function<void(int)>& task);
 
+/// Threads that this machine runs at once, at least 1.
+[[nodiscard]] int hardware_threads();
+
 }  // namespace shellback

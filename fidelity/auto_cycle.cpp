@@ -32,7 +32,7 @@ const std::vector<Grid> kProbes{
 constexpr Grid kFirst{96, 12};
 
 /// Of the mean torque and of the smallest film [-].
-struct Pair {
+struct FrictionAndFilm {
   double friction = 0.0;
   double h_min = 0.0;
   [[nodiscard]] double larger() const { return std::max(friction, h_min); }
@@ -47,7 +47,7 @@ const CycleQuantity* named(const CycleResult& r, const char* name) {
 
 /// One number of each of the two.
 template <class F>
-Pair both(const CycleResult& r, F of) {
+FrictionAndFilm both(const CycleResult& r, F of) {
   const CycleQuantity* friction = named(r, "friction_torque");
   const CycleQuantity* h_min = named(r, "h_min");
   if (friction == nullptr || h_min == nullptr) return {INFINITY, INFINITY};
@@ -59,9 +59,9 @@ double over_value(double bar, const CycleQuantity& q) {
   return std::isfinite(part) ? part : INFINITY;
 }
 
-class Search {
+class CycleTierSearch {
  public:
-  Search(const Case& c, const SolveControl& control) : case_(c), control_(control) {}
+  CycleTierSearch(const Case& c, const SolveControl& control) : case_(c), control_(control) {}
 
   CycleResult run() {
     if (auto quick = good_estimate()) return *std::move(quick);
@@ -82,7 +82,7 @@ class Search {
   [[nodiscard]] std::optional<CycleResult> good_estimate() {
     if (case_.model.grid_given || lack_for(case_, Tier::estimate)) return {};
     CycleResult r = estimate_cycle(case_, control_);
-    const Pair bars = both(
+    const FrictionAndFilm bars = both(
         r, [](const CycleQuantity& q) { return over_value(q.quantity.error() + q.error_time, q); });
     if (!r.verdict.good() || bars.larger() > case_.model.tolerance) return {};
     r.choice = AutoChoice{case_.model.tolerance, true, bars.friction, bars.h_min, {"estimate"}};
@@ -138,7 +138,8 @@ class Search {
         const double rich_value = value_of(rich, q.quantity.name);
         return kModelSafety * over_value(q.quantity.value - rich_value, q);
       };
-      const Pair left = both(cheap, [&](const CycleQuantity& q) { return std::abs(change(q)); });
+      const FrictionAndFilm left =
+          both(cheap, [&](const CycleQuantity& q) { return std::abs(change(q)); });
       if (left.larger() > (1.0 - kOfSteps - kWorthAGrid) * case_.model.tolerance) continue;
       tier_ = tier;
       left_out_ = left;
@@ -148,10 +149,10 @@ class Search {
     return true;
   }
 
-  [[nodiscard]] Pair of_grid() const {
+  [[nodiscard]] FrictionAndFilm of_grid() const {
     return both(last_, [](const CycleQuantity& q) { return over_value(q.quantity.error_grid, q); });
   }
-  [[nodiscard]] Pair of_steps() const {
+  [[nodiscard]] FrictionAndFilm of_steps() const {
     return both(last_, [](const CycleQuantity& q) { return over_value(q.error_time, q); });
   }
   [[nodiscard]] bool within() const { return bars_of(last_).larger() <= case_.model.tolerance; }
@@ -177,7 +178,7 @@ class Search {
     const double least = std::pow(kMost, -kStepOrder);
     const bool shorter = !case_.cycle->step && steps > allowed;
     if (shorter) on_.model.tolerance *= std::clamp(std::pow(allowed / steps, power), least, 1.0);
-    const Pair grid = of_grid();
+    const FrictionAndFilm grid = of_grid();
     const double more = std::max(more_cells("friction_torque", grid.friction, left_out_.friction),
                                  more_cells("h_min", grid.h_min, left_out_.h_min));
     if (!case_.model.grid_given && more > 1.0) {
@@ -192,7 +193,7 @@ class Search {
 
   CycleResult chosen(CycleResult r) const {
     if (stopped(control_)) r.verdict = {Status::interrupted};
-    const Pair known = bars_of(r);
+    const FrictionAndFilm known = bars_of(r);
     if (r.verdict.good()) {
       r.choice = AutoChoice{case_.model.tolerance, known.larger() <= case_.model.tolerance,
                             known.friction, known.h_min, solved_};
@@ -218,8 +219,8 @@ class Search {
     return r;
   }
 
-  [[nodiscard]] Pair bars_of(const CycleResult& r) const {
-    const Pair bars = both(r, [](const CycleQuantity& q) {
+  [[nodiscard]] FrictionAndFilm bars_of(const CycleResult& r) const {
+    const FrictionAndFilm bars = both(r, [](const CycleQuantity& q) {
       return over_value(q.quantity.error_grid + q.error_time, q);
     });
     return {bars.friction + left_out_.friction, bars.h_min + left_out_.h_min};
@@ -229,7 +230,7 @@ class Search {
   const SolveControl& control_;
   Case on_ = case_;  ///< with what is tried: grid, tolerance, tier
   Tier tier_ = Tier::isothermal;
-  Pair left_out_;
+  FrictionAndFilm left_out_;
   std::vector<note::NothingRicher> unjudged_;  ///< the richest tier, where it judges nothing
   CycleResult last_;
   std::vector<std::string> solved_;
@@ -239,7 +240,7 @@ class Search {
 
 CycleResult solve_auto_cycle(const Case& c, const SolveControl& control) {
   const Stopwatch watch;
-  CycleResult r = Search(c, control).run();
+  CycleResult r = CycleTierSearch(c, control).run();
   r.cost.wall_s = watch.seconds();
   r.cost.bars_s = 0.0;  // part of it
   return r;

@@ -47,9 +47,9 @@ bool has_holes(const Case& c) {
 /// Cells around of the film that follows a full solution.
 int film_cells(const Grid& grid) { return 2 * grid[0]; }
 
-class Search {
+class TierSearch {
  public:
-  Search(const Case& c, const SolveControl& control) : case_(c), control_(control) {}
+  TierSearch(const Case& c, const SolveControl& control) : case_(c), control_(control) {}
 
   Result run() {
     if (auto quick = good_estimate()) return *quick;
@@ -274,7 +274,7 @@ class Search {
 
 Result solve_auto(const Case& c, const SolveControl& control) {
   const Stopwatch watch;
-  Result r = Search(c, control).run();
+  Result r = TierSearch(c, control).run();
   r.cost.wall_s = watch.seconds();
   return r;
 }

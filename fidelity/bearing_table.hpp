@@ -12,8 +12,8 @@
 /// (1 - eps)^(-1/2)), and b above 8 is taken as 8.
 #include <array>
 #include <cmath>
-#include <vector>
 
+#include "core/monotone_cubic.hpp"
 #include "fidelity/bracketed_root.hpp"
 
 namespace shellback::fidelity {
@@ -47,7 +47,7 @@ class BearingCurve {
 
  private:
   double b_;
-  std::array<std::vector<double>, 5> ratios_;  ///< of each number, by the table's eps
+  std::array<MonotoneCubic, 5> ratios_;  ///< of each number, over -ln(1 - eps)
 };
 
 /// The eccentricity ratio at which f, rising with it, vanishes: sought in ln(eps/(1 - eps)), in

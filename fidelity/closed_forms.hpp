@@ -4,6 +4,7 @@
 /// Full cylindrical bearing, rigid, isoviscous, the film in the converging half only (half
 /// Sommerfeld, Guembel). eps eccentricity ratio in [0, 1), b = B/D, So = F psi^2/(B D eta omega),
 /// psi = c/R. All textbook.
+#include <algorithm>
 #include <cmath>
 
 #include "core/constants.hpp"
@@ -30,6 +31,10 @@ namespace shellback::fidelity {
   if (eps <= 0.0) return 0.0;
   return 1.0 / (1.0 / ocvirk(eps, b) + 1.0 / sommerfeld_half(eps));
 }
+
+/// Side flow falls with the width about as this does; as the narrow bearing's below b = 0.05, the
+/// first width of the tables [-].
+[[nodiscard]] inline double side_scale(double b) { return 1.0 / (1.0 + std::max(b, 0.05)); }
 
 /// Couette torque of the full film over eta omega R^3 B/c (Petroff at eps = 0):
 ///   2 pi / sqrt(1 - eps^2).

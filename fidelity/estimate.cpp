@@ -14,6 +14,13 @@ namespace {
 
 using namespace bearing;
 
+/// The highest of the supplies, which stands within the film [Pa].
+double supply_pressure(const Case& c) {
+  double p = 0.0;
+  for (const Supply& s : c.supplies) p = std::max(p, s.pressure);
+  return p;
+}
+
 /// By the contact's share of the load or, without contact data, film over roughness: conventions
 /// (textbook gives lambda 3 to 5 and 1).
 Regime regime_of(const Estimate& e, bool contact) {
@@ -74,7 +81,7 @@ class Estimator {
     e.attitude =
         std::atan2(carried * std::sin(n.attitude), carried * std::cos(n.attitude) + touching.load);
     e.h_min = b.radial_clearance * (1.0 - eps);
-    e.p_max = n.pressure * carried / scene_.area();
+    e.p_max = std::max(n.pressure * carried / scene_.area(), supply_pressure(c_));
     e.torque_asperity = touching.torque;
     e.torque = scene_.couette(eps, n.couette, e.eta, omega_) +
                e.eta * omega_ * b.radius * b.radius * scene_.width() / scene_.psi() * eps * n.so *

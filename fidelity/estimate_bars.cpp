@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/physics.hpp"
+#include "core/constants.hpp"
 #include "fidelity/indicators.hpp"
 #include "rheology/density.hpp"
 #include "rheology/heat.hpp"
@@ -14,6 +15,41 @@ namespace {
 
 using namespace bearing;
 
+/// How far supplies are from feeding an unloaded film at ambient pressure (docs/decisions/050).
+struct SupplyNumbers {
+  /// What their pressure would carry, spread half-way to the edges and a quarter of the width
+  /// around their own, over the load [-].
+  double lift = 0.0;
+  /// Side flow over what they can feed, by pressure and by the motion of the journal, times the
+  /// part of the clearance that is left, beyond a half: thick films need all their oil [-].
+  double starved = 0.0;
+};
+
+SupplyNumbers supply_numbers(const Case& c, const Estimate& e) {
+  SupplyNumbers n;
+  double force = 0.0, fed = 0.0;
+  const double B = c.bearing.width, R = c.bearing.radius;
+  const double h = c.bearing.radial_clearance * (1.0 + e.eps);  // where it is fed
+  for (const Supply& s : c.supplies) {
+    const double p = std::max(0.0, s.pressure);
+    const bool round = s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
+    const double along = round ? s.diameter : s.length;
+    const double around = round ? s.diameter : s.arc * R;
+    const bool ring = around >= 1.999 * kPi * R;
+    if (!ring) {
+      force += p * 0.5 * (along + B) * (2.0 * R * std::sin(0.5 * around / R) + 0.25 * B);
+    }
+    const double size = 0.5 * (along + around);
+    const double spread = 2.0 * kPi / std::log(std::max(1.5, B / size));  // source in a film
+    fed += ring ? INFINITY
+                : h * h * h * p / (12.0 * e.eta) * spread +
+                      0.5 * std::abs(c.operation.omega) * R * h * along;
+  }
+  if (e.load > 0.0) n.lift = force / e.load;
+  if (fed > 0.0) n.starved = std::max(0.0, e.side_flow / fed * (1.0 - e.eps) - 0.5);
+  return n;
+}
+
 /// Indicator numbers. Source of numbers and limits: methods 7.2 (docs/models.md); names are those
 /// of the effects that a solved result reports. Orders of magnitude.
 struct Indicators {
@@ -22,6 +58,7 @@ struct Indicators {
   double thermal =
       0.0;  ///< free thermal deformation of the clearance over the clearance [-]; 0: no walls
   double pressure = 0.0;  ///< alpha p_max [-]
+  SupplyNumbers supply;
   std::vector<Effect> effects;
 };
 
@@ -47,6 +84,7 @@ Indicators indicators(const Case& c, const Estimate& e) {
   if (c.shell) n.elastic = bore_compliance(c) * e.p_max / h;
   n.thermal = thermal_deformation(c, e);
   n.pressure = rheology::pressure_slope(c.oil, e.T, 0.0) * e.p_max;
+  n.supply = supply_numbers(c, e);
   const double nahme = -oil.dln_dT * e.eta * U * U / rheology::conductivity(c.oil, e.T, 0.0).k;
   const double lost = 1.0 - rheology::viscosity_slopes(c.oil, e.T, 0.0, U / h).eta / oil.eta;
   const double reynolds = rheology::density(c.oil, e.T, 0.0).rho * U * gap / e.eta;
@@ -67,20 +105,22 @@ Indicators indicators(const Case& c, const Estimate& e) {
 
 /// A relative bar: what it is at least, and more per unit of each indicator number.
 struct BarParts {
-  double least, heating, thermal, elastic, pressure, contact;
+  double least, heating, thermal, elastic, pressure, contact, lift, starved;
 };
 struct AllParts {
-  BarParts torque{0.10, 0.30, 0.10, 0.05, 0.15, 0.5};
-  BarParts film{0.10, 0.25, 1.0, 0.5, 0.2, 1.0};
-  BarParts flow{1.0, 0.0, 1.0, 0.0, 0.0, 0.0};
-  BarParts angle{0.1, 0.0, 0.5, 0.5, 0.0, 0.0};
+  BarParts torque{0.10, 0.30, 0.10, 0.05, 0.15, 0.5, 0.25, 0.05};
+  BarParts film{0.10, 0.25, 1.0, 0.5, 0.2, 1.0, 0.4, 0.15};
+  BarParts flow{1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0};
+  BarParts angle{0.1, 0.0, 0.5, 0.5, 0.0, 0.0, 0.5, 0.15};
+  double peak_lift = 0.8, peak_starved = 0.5;  ///< of the peak, beside twice the film's bar
 };
 constexpr AllParts kParts{};
 
 double bar(const BarParts& part, const Estimate& e, const Indicators& n) {
   return std::min(kMostBar, part.least + part.heating * n.heating + part.thermal * n.thermal +
                                 part.elastic * n.elastic + part.pressure * n.pressure +
-                                part.contact * e.asperity_share);
+                                part.contact * e.asperity_share + part.lift * n.supply.lift +
+                                part.starved * n.supply.starved);
 }
 
 }  // namespace
@@ -103,7 +143,8 @@ EstimateBars estimate_bars(const Case& c, const Estimate& e) {
   EstimateBars bars;
   bars.torque = bar(kParts.torque, e, bounded);
   bars.film = bar(kParts.film, e, n);
-  bars.peak = std::min(kMostBar, 2.0 * bars.film);
+  bars.peak = std::min(kMostBar, 2.0 * bars.film + kParts.peak_lift * n.supply.lift +
+                                     kParts.peak_starved * n.supply.starved);
   bars.flow = bar(kParts.flow, e, n);
   bars.angle = bar(kParts.angle, e, n);
   bars.temperature = std::max(2.0, 0.5 * std::abs(e.rise));

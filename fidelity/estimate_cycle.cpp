@@ -80,6 +80,8 @@ Estimate worst_of(const JournalPath& path, const Case& c, double T) {
                                           std::abs(thinnest.omega));
   e.p_max = extreme(all, &CycleInstant::p_max, false).p_max;
   e.asperity_share = path.asperity_share();
+  e.side_flow = path.mean(&CycleInstant::side_flow);
+  for (const CycleInstant& i : all) e.load = std::max(e.load, std::hypot(i.load_x, i.load_y));
   const double sigma = std::hypot(c.surfaces.shell.roughness, c.surfaces.shaft.roughness);
   e.lambda = sigma > 0.0 ? e.h_min / sigma : INFINITY;
   return e;

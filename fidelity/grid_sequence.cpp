@@ -21,16 +21,6 @@ Grid scaled(const Grid& grid, double by) {
   return {static_cast<int>(std::lround(by * grid[0])), static_cast<int>(std::lround(by * grid[1]))};
 }
 
-/// Whether the edges of the supplies can be resolved.
-bool holds_supplies(const Case& c, const Grid& grid) {
-  try {
-    static_cast<void>(make_bearing(c, {}, grid));
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
 /// `s` on another grid, with operators that were kept for it.
 std::optional<Solution> beside(const Solution& s, const Grid& grid, const SolveControl& control,
                                KeptSolids* kept) {

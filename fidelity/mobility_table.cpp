@@ -2,21 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <string>
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "fidelity/closed_forms.hpp"
+#include "fidelity/table_rows.hpp"
 
 namespace shellback::fidelity {
 namespace {
 
-using Numbers = std::array<double, 4>;
-
-/// Side flow falls with the width about as this does; the narrow bearing's below the table.
-double side_scale(double b) { return 1.0 / (1.0 + std::max(b, 0.05)); }
-
-double bridge(double eps, double alpha, double b) {
+double mobility_bridge(double eps, double alpha, double b) {
   return narrow_mobility(eps, alpha, b) + wide_mobility(eps, alpha);
 }
 
@@ -35,11 +30,13 @@ double angle_at(double s, double eps) {
   return 0.5 * (low + high);
 }
 
-struct Table {
-  std::vector<double> v;         ///< ln b
-  std::vector<double> u;         ///< -ln(1 - eps)
-  std::vector<double> s;         ///< sweep
-  std::vector<Numbers> numbers;  ///< as ratios in which they are smooth, index (v, u, s)
+using MobilityNumbers = std::array<double, 4>;
+
+struct MobilityTable {
+  std::vector<double> v;                 ///< ln b
+  std::vector<double> u;                 ///< -ln(1 - eps)
+  std::vector<double> s;                 ///< sweep
+  std::vector<MobilityNumbers> numbers;  ///< as ratios in which they are smooth, index (v, u, s)
 };
 
 void keep_new(std::vector<double>& nodes, double x) {
@@ -49,8 +46,8 @@ void keep_new(std::vector<double>& nodes, double x) {
 }
 
 /// The table's numbers as ratios in which they are smooth.
-std::vector<Numbers> smoothed(const Table& t, const std::vector<Mobility>& rows) {
-  std::vector<Numbers> all(rows.size());
+std::vector<MobilityNumbers> smoothed(const MobilityTable& t, const std::vector<Mobility>& rows) {
+  std::vector<MobilityNumbers> all(rows.size());
   const std::size_t each = t.u.size() * t.s.size();
   for (std::size_t k = 0; k < each; ++k) {
     const double eps = -std::expm1(-t.u[k / t.s.size()]);
@@ -58,7 +55,7 @@ std::vector<Numbers> smoothed(const Table& t, const std::vector<Mobility>& rows)
     for (std::size_t w = 0; w < t.v.size(); ++w) {
       const Mobility& m = rows[w * each + k];
       const double b = std::exp(t.v[w]);
-      all[w * each + k] = {std::log(m.along / bridge(eps, alpha, b)),
+      all[w * each + k] = {std::log(m.along / mobility_bridge(eps, alpha, b)),
                            m.across / (m.along * lean(eps, alpha)), std::log(m.pressure),
                            std::log(m.side / side_scale(b))};
     }
@@ -66,29 +63,22 @@ std::vector<Numbers> smoothed(const Table& t, const std::vector<Mobility>& rows)
   return all;
 }
 
-Table read_table() {
-  Table t;
+MobilityTable read_mobilities() {
+  MobilityTable t;
   std::vector<Mobility> rows;
-  std::istringstream text(bearing_mobility_table());
-  for (std::string line; std::getline(text, line);) {
-    if (line.empty() || line[0] == '#' || line[0] == 'B') continue;
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream cells(line);
-    double b = 0.0, eps = 0.0, s = 0.0;
-    Mobility m;
-    cells >> b >> eps >> s >> m.along >> m.across >> m.pressure >> m.side;
-    keep_new(t.v, std::log(b));
-    keep_new(t.u, -std::log1p(-eps));
-    keep_new(t.s, kPi * s);
-    rows.push_back(m);
+  for (const std::vector<double>& row : table_rows(bearing_mobility_table())) {
+    keep_new(t.v, std::log(row[0]));
+    keep_new(t.u, -std::log1p(-row[1]));
+    keep_new(t.s, kPi * row[2]);
+    rows.push_back({row[3], row[4], row[5], row[6]});
   }
   t.numbers = smoothed(t, rows);
   ENSURES(t.numbers.size() == t.v.size() * t.u.size() * t.s.size());
   return t;
 }
 
-const Table& table() {
-  static const Table once = read_table();
+const MobilityTable& mobilities() {
+  static const MobilityTable once = read_mobilities();
   return once;
 }
 
@@ -147,7 +137,7 @@ double sweep_of(double alpha, double eps) {
 
 MobilityMap::MobilityMap(double b) : b_(b) {
   EXPECTS(b > 0.0);
-  const Table& t = table();
+  const MobilityTable& t = mobilities();
   const std::size_t nu = t.u.size(), ns = t.s.size();
   const Piece p = piece(t.v, std::log(b));
   nodes_.resize(nu * ns);
@@ -176,7 +166,7 @@ MobilityMap::MobilityMap(double b) : b_(b) {
 
 Mobility MobilityMap::at(double eps, double alpha) const {
   EXPECTS(eps >= 0.0 && eps < 1.0);
-  const Table& t = table();
+  const MobilityTable& t = mobilities();
   const double folded = std::remainder(alpha, 2.0 * kPi);
   const double u = -std::log1p(-eps);
   const Piece pu = piece(t.u, u), ps = piece(t.s, sweep_of(std::abs(folded), eps));
@@ -191,7 +181,7 @@ Mobility MobilityMap::at(double eps, double alpha) const {
                  on(low, &Node::u, &Node::us), on(high, &Node::u, &Node::us));
   }
   Mobility m;
-  m.along = bridge(eps, folded, b_) * std::exp(q[0]);
+  m.along = mobility_bridge(eps, folded, b_) * std::exp(q[0]);
   m.across = m.along * lean(eps, folded) * q[1];
   // In a film that is thin against its width p_max/p ~ (1 - eps)^(-1/2), as in a steady one.
   m.pressure = std::exp(q[2] + 0.5 * std::max(0.0, u - t.u.back()));

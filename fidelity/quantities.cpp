@@ -5,12 +5,6 @@
 
 namespace shellback::fidelity {
 
-double value_in(const std::vector<Quantity>& list, const std::string& name) {
-  const auto named = [&](const Quantity& q) { return q.name == name; };
-  const auto q = std::find_if(list.begin(), list.end(), named);
-  return q == list.end() ? NAN : q->value;
-}
-
 std::vector<Quantity> change(const std::vector<Quantity>& from, const std::vector<Quantity>& to) {
   std::vector<Quantity> list;
   for (const Quantity& q : from) {

@@ -10,9 +10,6 @@ namespace shellback::fidelity {
 
 using bearing::Quantity;
 
-/// Value of `name` in `list`; not-a-number if it is not there.
-[[nodiscard]] double value_in(const std::vector<Quantity>& list, const std::string& name);
-
 /// `to` minus `from`, quantity by quantity; what is not in both is not-a-number.
 [[nodiscard]] std::vector<Quantity> change(const std::vector<Quantity>& from,
                                            const std::vector<Quantity>& to);

@@ -12,13 +12,6 @@
 namespace shellback::fidelity {
 namespace {
 
-struct MatrixDeleter {
-  void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
-};
-struct CvodeDeleter {
-  void operator()(void* m) const { CVodeFree(&m); }
-};
-
 // What went wrong is reported by the caller, in the user's words.
 void stay_silent(int, const char*, const char*, char*, void*) {}
 
@@ -32,12 +25,15 @@ Pair pair_of(N_Vector y) {
 }  // namespace
 
 struct SmoothMotion::Solver {
+  struct FreeCvode {
+    void operator()(void* m) const { CVodeFree(&m); }
+  };
   const Motion* motion;
   sundials::Context context = sundials::make_context("CVODE");
   sundials::Vector y;
-  sundials::Owned<SUNMatrix, MatrixDeleter> matrix;
+  sundials::Matrix matrix;
   sundials::LinearSolver linear;
-  sundials::Owned<void*, CvodeDeleter> cvode;
+  sundials::Owned<void*, FreeCvode> cvode;
   bool begun = false;
   Pair now{};
   double t = 0.0;

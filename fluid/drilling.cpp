@@ -8,10 +8,6 @@
 namespace shellback::fluid {
 namespace {
 
-/// Of a link, r of (2) is no shorter: bounds the film matrix, as for patches that stand still, and
-/// makes G inside the mouth what it is where the edge reaches an unknown [-].
-constexpr double kShortestReach = 1e-3;
-
 /// One mouth over the grid.
 class Placing {
  public:

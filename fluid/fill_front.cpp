@@ -6,7 +6,7 @@ namespace shellback::fluid {
 namespace {
 
 /// Harmonic mean of two slopes of one sign, else zero (van Leer).
-double limited(double a, double b) { return a * b > 0.0 ? 2.0 * a * b / (a + b) : 0.0; }
+double limited_slope(double a, double b) { return a * b > 0.0 ? 2.0 * a * b / (a + b) : 0.0; }
 
 /// A cell, the one from which its oil comes, and the one to which it goes.
 struct Along {
@@ -54,7 +54,8 @@ Field fill_fronts(const FilmScene& scene, const FilmState& film, const FilmFlow&
       if (!(theta > 0.0 && theta < 1.0 && room[a.ahead] > 0.0)) continue;
       const double M = oil(a.cell);
       const double slope =
-          a.fed ? 0.0 : limited((M - oil(a.behind)) / a.to_behind, (oil(a.ahead) - M) / a.to_ahead);
+          a.fed ? 0.0
+                : limited_slope((M - oil(a.behind)) / a.to_behind, (oil(a.ahead) - M) / a.to_ahead);
       const double share = 0.5 * a.length / a.to_ahead;  // of the way ahead: the face
       const double room_at_face = room[a.cell] + share * (room[a.ahead] - room[a.cell]);
       const double at_face = (M + 0.5 * a.length * slope) / room_at_face;

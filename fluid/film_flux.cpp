@@ -57,6 +57,7 @@ FaceFlow series_flow(const Half& a, const Half& b, const Side& left, const Side&
   f.couette = scale * couette;
   f.carried = fill.value * f.couette;
   f.m = f.carried + scale * poiseuille;
+  f.rise = -ra / sum * (dp + fill.value * speed * rb * (b.couette - a.couette) / g.value);
   f.d_theta = fill.slope * f.couette;
   f.d_left = scale / sum * (g.value - dp * g.d_first * left.alpha * left.g);
   f.d_right = -scale / sum * (g.value + dp * g_back.d_first * right.alpha * right.g);

@@ -92,6 +92,7 @@ struct FaceFlow {
   double d_right = 0.0;  ///< d m / d p on the + side
   double d_theta = 0.0;  ///< d m / d theta of the upstream cell [kg/s]
   double d_h = 0.0;      ///< d m / d h of the face [kg/(s m)]
+  double rise = 0.0;     ///< of the pressure, from the unknown on the - side to the face [Pa]
 };
 
 /// Flow out of the cell west of a supply line and into the line; `FilmFlow::phi` of that face

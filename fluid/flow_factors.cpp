@@ -15,9 +15,6 @@
 namespace shellback::fluid {
 namespace {
 
-/// What is left of phi h^3 in closed contact, of its value at the end of the fit. Small enough
-/// not to carry a flow, large enough to keep the film equation regular in double precision [-].
-constexpr double kFloor = 1e-6;
 /// Distance in H over which the ratio sigma Phi_s/hT settles below the fit; half the fit's lower
 /// limit, for which the ratio stays between 0 and 1 in every row of the table [-].
 constexpr double kSettle = 0.25;
@@ -59,8 +56,8 @@ struct Slope {
   const Slope phi = pressure_factor(law, Hc, e);
   const double above = Hc * Hc * Hc * phi.f;
   const double d_above = Hc * Hc * (3.0 * phi.f + Hc * phi.d);
-  const double below = law.at_low * (kFloor + (1.0 - kFloor) * e);
-  const double d_below = law.at_low * (1.0 - kFloor) * law.rate_low * e;
+  const double below = law.at_low * (kClosedFlow + (1.0 - kClosedFlow) * e);
+  const double d_below = law.at_low * (1.0 - kClosedFlow) * law.rate_low * e;
   return {select(fitted, above, below), select(fitted, d_above, d_below)};
 }
 
@@ -193,7 +190,7 @@ PressureFlowLaw pressure_flow_law(double gamma) {
   const double H = law.H_low;
   const Slope phi = pressure_factor(law, H, std::exp(-law.r * H));
   law.at_low = H * H * H * phi.f;
-  law.rate_low = (3.0 / H + phi.d / phi.f) / (1.0 - kFloor);
+  law.rate_low = (3.0 / H + phi.d / phi.f) / (1.0 - kClosedFlow);
   return law;
 }
 

@@ -4,6 +4,11 @@
 
 namespace shellback::fluid {
 
+/// What is left of phi h^3 in closed contact, of its value at the end of the fit or table. Small
+/// enough not to carry a flow, large enough to keep the film equation regular in double precision
+/// [-].
+inline constexpr double kClosedFlow = 1e-6;
+
 /// What the film equation needs at one gap; finite for every h.
 struct GapFlow {
   double average_gap;                               ///< hT [m]

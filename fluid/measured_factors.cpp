@@ -11,8 +11,6 @@
 namespace shellback::fluid {
 namespace {
 
-/// What is left of phi h^3 in closed contact, as of the laws of Patir and Cheng [-].
-constexpr double kFloor = 1e-6;
 /// Exponent of the decay above the table: second-order perturbation of a smooth film [-].
 constexpr double kDecay = 2.0;
 /// What reciprocity may be missed by, over hT: the fits of Patir and Cheng do by 0.03 [-].
@@ -64,8 +62,8 @@ ValueAndSlope conductance(const MonotoneCubic& curve, const MeasuredFactors& m, 
   const ValueAndSlope ln_c = curve.at(std::log(Hc));
   const double c = std::exp(ln_c.value), slope = c * ln_c.slope / Hc;
   if (H >= m.H_low) return {c, slope};
-  const double rate = slope / c / (1.0 - kFloor), e = std::exp(rate * (H - m.H_low));
-  return {c * (kFloor + (1.0 - kFloor) * e), c * (1.0 - kFloor) * rate * e};
+  const double rate = slope / c / (1.0 - kClosedFlow), e = std::exp(rate * (H - m.H_low));
+  return {c * (kClosedFlow + (1.0 - kClosedFlow) * e), c * (1.0 - kClosedFlow) * rate * e};
 }
 
 /// hT/sigma.

@@ -3,7 +3,7 @@
 ///
 /// The table (FactorTable) holds the factors of ONE rough surface against a smooth one, in the
 /// sense and with the signs of fluid/flow_factors.hpp (Phi_s, Phi_fs >= 0). What the film needs is
-/// interpolated so that it cannot lose its sign (monotone cubics, fluid/monotone_cubic.hpp):
+/// interpolated so that it cannot lose its sign (monotone cubics, core/monotone_cubic.hpp):
 ///
 ///   phi_x h^3, phi_z h^3    ln(H^3 phi) over ln H: rises with the gap if the table does
 ///   hT                      hT/sigma over H
@@ -28,8 +28,8 @@
 #include <string>
 #include <vector>
 
+#include "core/monotone_cubic.hpp"
 #include "fluid/gap_factors.hpp"
-#include "fluid/monotone_cubic.hpp"
 
 namespace shellback::fluid {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace shellback::fluid {
 
@@ -24,7 +25,20 @@ Wrench wrench(const FilmDomain& s, const Field& p) {
   return w;
 }
 
-Field pressure_gradient_x(const FilmScene& s, const FilmState& state) {
+namespace {
+
+/// Of a supply that stands on the face between l and r; none: film on both sides.
+std::optional<double> supplied_pressure(const FilmScene& s, const FilmState& state, int l, int r) {
+  if (const int line = s.supply.line[r]; line >= 0) return s.supply.patches[line].pressure;
+  if (s.supply.cell[l] >= 0) return state.p[l];
+  if (s.supply.cell[r] >= 0) return state.p[r];
+  return std::nullopt;
+}
+
+/// `at_face(l, r, part)`: pressure on the face where film is on both sides; the half of l is `part`
+/// of the distance to r. Each half cell carries its own part of the difference.
+template <class AtFace>
+Field gradient_by(const FilmScene& s, const FilmState& state, const AtFace& at_face) {
   const FilmGrid& g = s.grid;
   Field gradient(g.cells(), 0.0);
   for (int i = 0; i < g.nt; ++i) {
@@ -34,26 +48,36 @@ Field pressure_gradient_x(const FilmScene& s, const FilmState& state) {
     for (int j = 0; j < g.nz; ++j) {
       const int r = g.index(i, j);
       const int l = g.index(west, j);
-      const int line = s.supply.line[r];
-      // Each half cell carries its own part of the pressure difference.
-      double drop_west = 0.0;
-      double drop_east = 0.0;
-      const bool from_supply = s.supply.cell[l] >= 0;
-      const bool to_supply = s.supply.cell[r] >= 0;
-      if (line >= 0 || from_supply || to_supply) {  // the supply's pressure stands at the face
-        const double p = line >= 0 ? s.supply.patches[line].pressure : state.p[from_supply ? l : r];
-        drop_west = from_supply ? 0.0 : p - state.p[l];
-        drop_east = to_supply ? 0.0 : state.p[r] - p;
-      } else {
-        const double d = (state.p[r] - state.p[l]) / (near + far);
-        drop_west = d * far;
-        drop_east = d * near;
-      }
-      gradient[l] += drop_west / (2.0 * far);
-      gradient[r] += drop_east / (2.0 * near);
+      const std::optional<double> supplied = supplied_pressure(s, state, l, r);
+      const double p = supplied ? *supplied : at_face(l, r, far / (near + far));
+      gradient[l] += (p - state.p[l]) / (2.0 * far);
+      if (s.supply.cell[r] < 0) gradient[r] += (state.p[r] - p) / (2.0 * near);
     }
   }
   return gradient;
+}
+
+double series_pressure(const FilmState& state, const FilmFlow& flow, int l, int r) {
+  const bool film = state.full[l] || state.full[r];  // else both stand at one pressure
+  return state.p[l] + (film ? flow.phi[r].rise : 0.0);
+}
+
+}  // namespace
+
+double face_pressure(const FilmScene& s, const FilmState& state, const FilmFlow& flow, int l,
+                     int r) {
+  return supplied_pressure(s, state, l, r).value_or(series_pressure(state, flow, l, r));
+}
+
+Field pressure_gradient_x(const FilmScene& s, const FilmState& state) {
+  return gradient_by(s, state, [&](int l, int r, double part) {
+    return state.p[l] + part * (state.p[r] - state.p[l]);
+  });
+}
+
+Field pressure_gradient_x(const FilmScene& s, const FilmState& state, const FilmFlow& flow) {
+  return gradient_by(s, state,
+                     [&](int l, int r, double) { return series_pressure(state, flow, l, r); });
 }
 
 Field pressure_gradient_z(const FilmScene& s, const FilmState& state) {

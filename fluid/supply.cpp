@@ -9,9 +9,6 @@
 namespace shellback::fluid {
 namespace {
 
-/// Part of a link that its film unknown keeps from the edge: bounds the film matrix, and moves the
-/// edge by less than a thousandth of a cell [-].
-constexpr double kShortestReach = 1e-3;
 constexpr double kRoundOff = 1e-9;  ///< relative slack when a cell lies on the edge of a patch [-]
 
 /// a - b brought to [-pi, pi].

@@ -59,6 +59,10 @@ struct SupplyMap {
 [[nodiscard]] GridEdges phi_edges(const std::vector<SupplyPatch>& patches);
 [[nodiscard]] GridEdges z_edges(const std::vector<SupplyPatch>& patches);
 
+/// Part of a link that its film unknown keeps from the edge of a patch: bounds the film matrix, and
+/// moves the edge by less than a thousandth of a cell [-].
+inline constexpr double kShortestReach = 1e-3;
+
 /// Marks cells and faces of patches that do not move. Throws InputError if two patches overlap.
 [[nodiscard]] SupplyMap map_supplies(const FilmGrid& grid, const std::vector<SupplyPatch>& patches);
 

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "core/constants.hpp"
 #include "solid/asperity_contact.hpp"
 
 namespace shellback::surface {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Summits from the highest down, so that sums may stop at the first that does not reach.
 std::vector<Summit> sorted(std::vector<Summit> summits) {

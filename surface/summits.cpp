@@ -1,14 +1,12 @@
 #include "surface/summits.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "core/constants.hpp"
 
 namespace shellback::surface {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// Part of the summits' variance that the surface's has more, times alpha (McCool) [-].
 constexpr double kSummitVariance = 0.8968;
 

@@ -14,11 +14,15 @@
 ///
 /// Both use differences over one pitch: they belong to the map's pitch, as summits of every real
 /// surface do, and noise of the instrument makes summits too.
+#include <limits>
 #include <vector>
 
 #include "surface/height_map.hpp"
 
 namespace shellback::surface {
+
+/// What a map without summits does not tell.
+inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct SpectralMoments {
   double m0 = 0.0;              ///< [m2]

@@ -74,6 +74,17 @@ void add_solve_options(CLI::App& command, Request& request) {
   add_threads(command, request, "threads that may be used (this command works on one)");
 }
 
+/// Of what takes its time.
+void add_state(CLI::App& command, Request& request, const std::string& what) {
+  command
+      .add_option("--state", request.state,
+                  "where " + what +
+                      " keeps its state on the way (default: beside its first file, NAME.state)")
+      ->type_name("FILE");
+  command.add_flag("--resume", request.resume,
+                   "go on from the state of " + what + " that was interrupted or killed");
+}
+
 void add_validate(CLI::App& app, Request& request) {
   auto* validate = app.add_subcommand(
       "validate", "rerun the ledger: ours, theirs, difference, tolerance, verdict");
@@ -122,6 +133,7 @@ void add_sweep(CLI::App& app, Request& request) {
       "--bars", request.bars,
       "error bars of the physics left out beside those of the grid; takes several times as long");
   sweep->add_flag("--no-bars", request.no_bars, "no error bars: for speed alone")->excludes(bars);
+  add_state(*sweep, request, "a sweep over load cycles");
   sweep->add_option("-o", request.output, "write all results over the grid (HDF5)")
       ->type_name("FILE.h5");
   sweep->add_option("--csv", request.csv, "write a table, one line a point; - is standard output")
@@ -302,15 +314,7 @@ void add_run(CLI::App& app, Request& request) {
       ->type_name("FILE.svg");
   run->add_option("--page", request.page, "write the load cycle as a page, film in motion (HTML)")
       ->type_name("FILE.html");
-  run->add_option(
-         "--state", request.state,
-         "where a load cycle, a running-in or a transient keeps its state on the way (default: "
-         "beside its first file, NAME.state)")
-      ->type_name("FILE");
-  run->add_flag(
-      "--resume", request.resume,
-      "go on from the state of a load cycle, running-in or transient that was interrupted or "
-      "killed");
+  add_state(*run, request, "a load cycle, a running-in or a transient");
 }
 
 void add_compare(CLI::App& app, Request& request) {
@@ -321,6 +325,7 @@ void add_compare(CLI::App& app, Request& request) {
       ->type_name("FILE.html");
   compare->add_option("--picture", request.picture, "write the main picture (SVG)")
       ->type_name("FILE.svg");
+  add_state(*compare, request, "a comparison over a load cycle");
 }
 
 void add_auto_honesty(CLI::App& app, Request& request) {

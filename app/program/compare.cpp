@@ -9,6 +9,7 @@
 #include "app/did_you_mean.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
+#include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
 #include "app/svg_comparison.hpp"
@@ -60,6 +61,13 @@ std::vector<Tier> default_tiers(const Case& subject) {
   return tiers;
 }
 
+/// Interrupted after the last tier, while the causes of the differences were sought.
+int code_of_split(int code) {
+  if (code != kDone || !catch_interrupt().load()) return code;
+  std::cerr << "interrupted: what the differences come from was not sought to the end\n";
+  return kInterrupted;
+}
+
 Comparison solve_all(const Case& subject, const std::vector<Tier>& tiers) {
   ProgressLine line;
   const SolveControl control = control_for(line);
@@ -69,15 +77,30 @@ Comparison solve_all(const Case& subject, const std::vector<Tier>& tiers) {
   return bearing::compare(subject, tiers, control, judged);
 }
 
-int compare_over_cycle(const Request& request, const std::string& text, const Case& subject,
-                       const std::vector<Tier>& tiers) {
-  Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request), tiers));
-  tell_warnings(subject);
+CycleComparison cycles_compared(const Case& subject, const std::vector<Tier>& tiers,
+                                RunKeeper& keeper) {
   ProgressLine line;
   const SolveControl control = control_for(line);
-  const CycleComparison comparison = compare_cycles(subject, tiers, control, [&](const Case& one) {
-    return fidelity::solve_cycle_with_bars(one, control);
+  SolveControl with_state = control;
+  with_state.kept = keeper.kept();
+  return compare_cycles(subject, tiers, control, [&](const Case& one) {
+    CycleResult r = fidelity::solve_cycle_with_bars(one, with_state);
+    if (with_state.kept != nullptr && r.verdict.status != Status::interrupted) {
+      with_state.kept->note_ended();
+    }
+    return r;
   });
+}
+
+int compare_over_cycle(const Request& request, const std::string& text, const Case& subject,
+                       const std::vector<Tier>& tiers) {
+  std::vector<double> which;
+  for (const Tier tier : tiers) which.push_back(static_cast<double>(tier));
+  RunKeeper keeper(request, subject, RunOf::comparison, {{"--tiers", which}});
+  Outputs outputs(with_state(request),
+                  files_of_case(text, request.case_file, overrides_of(request), tiers));
+  tell_warnings(subject);
+  const CycleComparison comparison = cycles_compared(subject, tiers, keeper);
   if (request.json != "-") write_comparison_table(std::cout, subject, comparison.sums);
   int code = kDone;
   for (const CycleResult& r : comparison.cycles) {
@@ -87,7 +110,9 @@ int compare_over_cycle(const Request& request, const std::string& text, const Ca
   outputs.give("--json", [&] { return comparison_json(subject, comparison.sums); });
   outputs.give("-o", [&] { return cycle_comparison_html(subject, comparison); });
   outputs.give("--picture", [&] { return cycle_comparison_svg(subject, comparison); });
-  return outputs.code(code);
+  code = outputs.code(code_of_split(code));
+  keeper.end(code);
+  return code;
 }
 
 }  // namespace
@@ -101,6 +126,8 @@ int compare(const Request& request) {
     return compare_over_cycle(request, text, subject,
                               tiers.empty() ? default_tiers(subject) : tiers);
   }
+  refuse_options({{"--resume", request.resume}, {"--state", !request.state.empty()}},
+                 "belongs to a load cycle; steady states are solved anew");
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request), tiers));
   tell_warnings(subject);
   if (tiers.empty()) tiers = default_tiers(subject);
@@ -114,7 +141,7 @@ int compare(const Request& request) {
   outputs.give("--json", [&] { return comparison_json(subject, comparison); });
   outputs.give("-o", [&] { return comparison_html(subject, comparison); });
   outputs.give("--picture", [&] { return comparison_svg(subject, comparison); });
-  return outputs.code(code);
+  return outputs.code(code_of_split(code));
 }
 
 }  // namespace shellback::program

@@ -50,7 +50,7 @@ std::vector<HonestyCase> chosen_cases(const Request& request) {
   return cases;
 }
 
-HonestyOptions options_of(const Request& request) {
+HonestyOptions honesty_options(const Request& request) {
   HonestyOptions o;
   for (const std::string& name : request.tiers) {
     o.tiers.push_back(app::tier_named(name, "--tiers"));
@@ -68,7 +68,7 @@ HonestyOptions options_of(const Request& request) {
 }  // namespace
 
 int honesty(const Request& request) {
-  HonestyOptions options = options_of(request);
+  HonestyOptions options = honesty_options(request);
   Outputs outputs(request, {});
   const auto cases = chosen_cases(request);
   const HonestyRecord record = [&] {

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
-#include <thread>
 
 #include "app/case_text.hpp"
 #include "app/identify_case.hpp"
@@ -14,6 +12,7 @@
 #include "app/read_case.hpp"
 #include "app/write_identify.hpp"
 #include "core/contract.hpp"
+#include "core/parallel.hpp"
 #include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
@@ -21,8 +20,6 @@ namespace shellback::program {
 using namespace app;
 
 namespace {
-
-int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 study::Identification search(const MeasuredTable& table, const std::vector<FittedKey>& keys,
                              const study::MeasuredCase& case_at, int threads) {
@@ -79,7 +76,7 @@ int identify(const Request& request) {
   tell_warnings(given);
   const study::Identification end =
       search(table, keys, measured_case(text, request.case_file, set, table, keys),
-             request.cores > 0 ? request.cores : all_cores());
+             request.cores > 0 ? request.cores : hardware_threads());
   const IdentifyView view{given, keys, table, end};
   if (request.json != "-" && request.csv != "-") write_identify_table(std::cout, view);
   outputs.give("--json", [&] { return identify_json(view); });

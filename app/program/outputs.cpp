@@ -53,6 +53,12 @@ std::vector<Output> wanted_by(const Request& request) {
 
 }  // namespace
 
+void refuse_options(std::initializer_list<std::pair<const char*, bool>> asked, const char* why) {
+  for (const auto& [option, is_asked] : asked) {
+    if (is_asked) throw InputError(option, why);
+  }
+}
+
 Outputs::Outputs(const Request& request, const std::vector<std::string>& inputs)
     : wanted_(wanted_by(request)), force_(request.force) {
   if (wanted_.empty()) return;

@@ -1,13 +1,18 @@
 #pragma once
 /// The files of one run: judged before the work, written after it.
 #include <functional>
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/output_rules.hpp"
 #include "app/program/request.hpp"
 
 namespace shellback::program {
+
+/// Throws InputError, with `why`, at the first option that was asked for.
+void refuse_options(std::initializer_list<std::pair<const char*, bool>> asked, const char* why);
 
 class Outputs {
  public:

@@ -1,7 +1,9 @@
 #pragma once
 /// The state of a run over load cycles, of a running-in, a warm-up or a course in its file: written
-/// on the way, gone on with, taken away at the end.
+/// on the way, gone on with, taken away at the end. A sweep has one for each of its points.
 #include <functional>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -27,6 +29,12 @@ class RunKeeper {
   RunKeeper(const Request& request, const bearing::Case& subject, app::RunOf run,
             const app::RunOptions& options = {});
 
+  RunKeeper(const RunKeeper&) = delete;
+  RunKeeper& operator=(const RunKeeper&) = delete;
+  /// The same in the file `path`; without a word of whether there is one.
+  RunKeeper(std::string path, bool resume, bearing::Case subject, app::RunOf run,
+            app::RunOptions options);
+
   /// For SolveControl; none: nothing is kept.
   [[nodiscard]] bearing::KeptRun* kept() { return run_ ? &*run_ : nullptr; }
   /// For a search that follows when that run has ended; the state in which it did stays kept.
@@ -34,6 +42,8 @@ class RunKeeper {
   /// Takes the file away, unless the run was interrupted or one of its files was lost (`code`):
   /// then tells how to go on.
   void end(int code);
+  /// The same without a word; true: a state of this run stays.
+  bool leave(int code);
 
  private:
   /// What the file keeps.
@@ -45,11 +55,33 @@ class RunKeeper {
   void write(const std::function<std::string(const Tape::Content&)>& file);
 
   std::string path_;
+  bearing::Case subject_;
   bool lost_ = false;         ///< the file cannot be written
   bool of_this_run_ = false;  ///< the file is no older run's
   Kept parts_;
   std::function<void()> save_;
   std::optional<bearing::KeptRun> run_, next_;
+};
+
+/// The states of a sweep over load cycles: those of its points, each in a file beside that of the
+/// sweep, NAME.state.K. Points may be solved in several threads.
+class PointKeepers {
+ public:
+  /// Throws as RunKeeper does, and as app/output_rules.hpp says.
+  PointKeepers(const Request& request, int points);
+  /// For the solve of point k, the case `c`; none: nothing is kept.
+  [[nodiscard]] bearing::KeptRun* kept(int k, const bearing::Case& c);
+  /// When all threads have ended.
+  void end(int code);
+
+ private:
+  [[nodiscard]] std::string file(int k) const;
+
+  std::string path_;
+  bool resume_;
+  bool bars_;
+  std::mutex guard_;
+  std::map<int, RunKeeper> points_;
 };
 
 }  // namespace shellback::program

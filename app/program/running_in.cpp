@@ -22,15 +22,12 @@ using namespace bearing;
 namespace {
 
 /// What else `run` writes belongs to one state.
-void expect_written(const Request& request) {
-  for (const auto& [option, asked] :
-       {std::pair{"-o", !request.output.empty()}, std::pair{"--transient", request.transient},
-        std::pair{"--page", !request.page.empty()}}) {
-    if (!asked) continue;
-    throw InputError(option,
-                     "a running-in writes --json, --picture and --profile; give the profile to a "
-                     "case as bearing.shape and run that for all else");
-  }
+void expect_running_in_outputs(const Request& request) {
+  refuse_options({{"-o", !request.output.empty()},
+                  {"--transient", request.transient},
+                  {"--page", !request.page.empty()}},
+                 "a running-in writes --json, --picture and --profile; give the profile to a case "
+                 "as bearing.shape and run that for all else");
 }
 
 /// The cycle of the last state: how it was told, and its audit.
@@ -84,7 +81,7 @@ void print_line(const RunningInState& s, bool found) {
 }  // namespace
 
 int running_in(const Request& request) {
-  expect_written(request);
+  expect_running_in_outputs(request);
   const std::string text = read_text_file(request.case_file);
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));

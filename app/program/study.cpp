@@ -1,15 +1,14 @@
 /// study: published series of tests, rerun in one command.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
-#include <thread>
 
 #include "app/did_you_mean.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/session.hpp"
 #include "core/contract.hpp"
+#include "core/parallel.hpp"
 #include "validation/rig/rig_page.hpp"
 #include "validation/shells/shells_page.hpp"
 
@@ -23,11 +22,10 @@ namespace {
 const std::vector<std::string> kStudies{"ks-rig", "shells"};
 
 /// Threads, stop and progress, which every study takes.
-StudyOptions options_of(const Request& request, ProgressLine& line) {
+StudyOptions study_options(const Request& request, ProgressLine& line) {
   StudyOptions options;
   options.quick = request.quick;
-  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  options.threads = request.cores > 0 ? request.cores : all;
+  options.threads = request.cores > 0 ? request.cores : hardware_threads();
   options.stop = &catch_interrupt();
   options.tell = [&line](const std::string& what, int done, int of) {
     line.show(fmt::format("{}: {} of {}", what, done, of));
@@ -52,7 +50,7 @@ int study_rig(const Request& request) {
   Outputs outputs(request, {});
   const RigStudy done = [&] {
     ProgressLine line;
-    return run_rig_study(options_of(request, line));
+    return run_rig_study(study_options(request, line));
   }();
   if (request.json != "-") write_rig_tables(std::cout, done);
   outputs.give("-o", [&] { return rig_page(done); });
@@ -64,7 +62,7 @@ int study_shells(const Request& request) {
   Outputs outputs(request, {});
   const ShellsStudy done = [&] {
     ProgressLine line;
-    return run_shells_study(options_of(request, line));
+    return run_shells_study(study_options(request, line));
   }();
   if (request.json != "-") write_shells_tables(std::cout, done);
   outputs.give("-o", [&] { return shells_page(done); });

@@ -3,7 +3,6 @@
 
 #include <iostream>
 #include <mutex>
-#include <thread>
 
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
@@ -13,6 +12,7 @@
 #include "app/units.hpp"
 #include "app/write_surface.hpp"
 #include "core/contract.hpp"
+#include "core/parallel.hpp"
 #include "core/range.hpp"
 
 namespace shellback::program {
@@ -49,7 +49,7 @@ std::vector<double> gaps_of(const std::vector<std::string>& words) {
   throw InputError("--gaps", "give three or more values of h/sigma, for example 0.5,1,2,3,6");
 }
 
-SurfaceOptions options_of(const Request& request) {
+SurfaceOptions surface_options(const Request& request) {
   SurfaceOptions o;
   o.path = request.case_file;
   o.motion = request.motion == "y" ? Motion::y : Motion::x;
@@ -71,13 +71,11 @@ SurfaceOptions options_of(const Request& request) {
 }  // namespace
 
 int surface(const Request& request) {
-  SurfaceOptions options = options_of(request);
+  SurfaceOptions options = surface_options(request);
   Outputs outputs(request, {request.case_file});
   ProgressLine line;
   std::mutex one_at_a_time;
-  options.threads = request.cores > 0
-                        ? request.cores
-                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.threads = request.cores > 0 ? request.cores : hardware_threads();
   options.stop = &catch_interrupt();
   options.progress = [&](int done, int of) {
     const std::lock_guard lock(one_at_a_time);

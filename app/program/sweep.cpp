@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <iostream>
-#include <thread>
 
 #include "app/case_text.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
+#include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_axis.hpp"
 #include "app/svg_sweep.hpp"
@@ -21,6 +21,7 @@
 #include "bearing/cycle.hpp"
 #include "bearing/judge_case.hpp"
 #include "core/contract.hpp"
+#include "core/parallel.hpp"
 #include "fidelity/solve.hpp"
 #include "fidelity/solve_case.hpp"
 #include "validation/rivals/rivals.hpp"
@@ -33,20 +34,24 @@ using study::Sweep;
 
 namespace {
 
-int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
-
 Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int threads,
-                const Request& request) {
+                const Request& request, PointKeepers& keepers) {
   ProgressLine line;
   study::SweepOptions options;
   options.threads = threads;
   options.stop = &catch_interrupt();
-  options.solve_alone = [&](const bearing::Case& c, const bearing::SolveControl& control) {
+  options.solve_alone = [&](int k, const bearing::Case& c, bearing::SolveControl control) {
+    if (c.cycle) control.kept = keepers.kept(k, c);
     const bool tier_alone =
         c.model.tier != bearing::Tier::estimate && c.model.tier != bearing::Tier::automatic;
     const bool cycle_alone = c.cycle && request.no_bars && tier_alone;
-    return cycle_alone ? bearing::as_result(bearing::solve_cycle(c, c.model.tier, control))
-                       : fidelity::solve_case(c, control);
+    bearing::Result r = cycle_alone
+                            ? bearing::as_result(bearing::solve_cycle(c, c.model.tier, control))
+                            : fidelity::solve_case(c, control);
+    if (control.kept != nullptr && r.verdict.status != Status::interrupted) {
+      control.kept->note_ended();
+    }
+    return r;
   };
   fidelity::KeptSolids kept;
   const auto bars =
@@ -95,17 +100,24 @@ int sweep(const Request& request) {
   const bearing::Case subject = sweep_subject(text, request.case_file, set, axes);
   Outputs outputs(request, files_of_sweep(text, request.case_file, set, axes));
   warn_of_one_measurement(subject, axes);
-  const Sweep done = solve_all(axes, case_source(text, request.case_file, set, axes),
-                               request.cores > 0 ? request.cores : all_cores(), request);
+  if (!subject.cycle) {
+    refuse_options({{"--resume", request.resume}, {"--state", !request.state.empty()}},
+                   "belongs to a load cycle; a sweep of steady states is solved anew");
+  }
+  int points = subject.cycle ? 1 : 0;
+  for (const Axis& axis : axes) points *= axis.size();
+  PointKeepers keepers(request, points);
+  const Sweep done =
+      solve_all(axes, case_source(text, request.case_file, set, axes),
+                request.cores > 0 ? request.cores : hardware_threads(), request, keepers);
   if (request.json != "-" && request.csv != "-") write_sweep_table(std::cout, subject, done);
   give_files(outputs, text, subject, done);
-  if (done.interrupted) {
-    std::cerr << "interrupted: " << count_words(done) << "\n";
-    return outputs.code(kInterrupted);
-  }
-  if (done.count_failed() == 0) return outputs.code(kDone);
-  std::cerr << "error: " << count_words(done) << "\n";
-  return outputs.code(kNotConverged);
+  if (done.interrupted) std::cerr << "interrupted: " << count_words(done) << "\n";
+  const bool failed = !done.interrupted && done.count_failed() > 0;
+  if (failed) std::cerr << "error: " << count_words(done) << "\n";
+  const int code = outputs.code(done.interrupted ? kInterrupted : failed ? kNotConverged : kDone);
+  keepers.end(code);
+  return code;
 }
 
 }  // namespace shellback::program

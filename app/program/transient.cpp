@@ -36,18 +36,14 @@ double given(const std::string& option, const std::string& text, const Kind& kin
 }
 
 /// What else `run` writes belongs to the steady state.
-void expect_written(const Request& request) {
-  for (const auto& [option, asked] :
-       {std::pair{"-o", !request.output.empty()}, std::pair{"--page", !request.page.empty()}}) {
-    if (!asked) continue;
-    throw InputError(option,
-                     "a transient writes --json and --picture; leave out --transient for the "
-                     "steady state's");
-  }
+void expect_transient_outputs(const Request& request) {
+  refuse_options({{"-o", !request.output.empty()}, {"--page", !request.page.empty()}},
+                 "a transient writes --json and --picture; leave out --transient for the steady "
+                 "state's");
 }
 
-WarmUpOptions options_of(const Request& request) {
-  expect_written(request);
+WarmUpOptions warm_up_options(const Request& request) {
+  expect_transient_outputs(request);
   WarmUpOptions o;
   if (!request.from.empty()) o.T_start = given("--from", request.from, kTemperature);
   if (!request.until.empty()) o.end = given("--until", request.until, kTime);
@@ -107,13 +103,13 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
 }  // namespace
 
 int transient(const Request& request) {
-  if (!request.speeds.empty()) return course(request, options_of(request));
+  if (!request.speeds.empty()) return course(request, warm_up_options(request));
   if (!request.hold.empty()) throw InputError("--hold", "belongs to --speeds; add them");
   const std::string text = read_text_file(request.case_file);
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   expect_no_coefficients(request, subject, "a transient is asked for");
-  const WarmUpOptions options = options_of(request);
+  const WarmUpOptions options = warm_up_options(request);
   RunKeeper keeper(request, subject, RunOf::warm_up,
                    {{"--from", {options.T_start}}, {"--until", {options.end}}});
   Outputs outputs(with_state(request),

@@ -44,7 +44,7 @@ std::vector<std::string> inputs_of(const std::string& ledger, const std::vector<
 /// interrupted; the interrupted entry is left out.
 std::vector<EntryReport> run_entries(const Request& request, const std::vector<Entry>& entries) {
   app::ProgressLine line;
-  RunOptions options;
+  LedgerOptions options;
   options.threads = request.threads;
   options.curves = options.bands = !request.output.empty();
   options.control.stop = &app::catch_interrupt();

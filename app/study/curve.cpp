@@ -48,12 +48,14 @@ Solution Curve::predicted(const Axis& axis, const Trail& trail, double at) {
 }
 
 Curve::Curve(const Axis& axis, Along case_at, std::vector<SweepPoint*> points,
-             const SweepOptions& options, Finished finished, FinishedAlone finished_alone)
+             const SweepOptions& options, Finished finished, SolveAlone solve_alone,
+             FinishedAlone finished_alone)
     : axis_(axis),
       case_at_(std::move(case_at)),
       points_(std::move(points)),
       options_(options),
       finished_(std::move(finished)),
+      solve_alone_(std::move(solve_alone)),
       finished_alone_(std::move(finished_alone)),
       failed_from_(points_.size(), 0U),
       solved_(points_.size(), 0) {
@@ -181,7 +183,7 @@ void Curve::solve_alone(int k) {
   SweepPoint& point = *points_[k];
   point.start = Start::cold;
   ++point.tries;
-  point.result = options_.solve_alone(case_at_(k), control());
+  point.result = solve_alone_(k, case_at_(k), control());
   point.result.fields = {};
   point.result.history.clear();
   point.wall_s = point.result.cost.wall_s;

@@ -27,9 +27,11 @@ class Curve {
   using Finished = std::function<void(int k, const Known& solution)>;
   using FinishedAlone = std::function<void(int k, bool good)>;  ///< of a tier without a film
 
-  /// `points` are those of the curve in their order; they must outlive it, as must `options`.
+  /// `solve_alone` is handed the index on this curve. `points` are those of the curve in their
+  /// order; they must outlive it, as must `options`.
   Curve(const Axis& axis, Along case_at, std::vector<SweepPoint*> points,
-        const SweepOptions& options, Finished finished, FinishedAlone finished_alone = {});
+        const SweepOptions& options, Finished finished, SolveAlone solve_alone = {},
+        FinishedAlone finished_alone = {});
 
   /// Solves the points of [low, high), as far as they can be reached from within.
   void solve_piece(int low, int high);
@@ -64,6 +66,7 @@ class Curve {
   std::vector<SweepPoint*> points_;
   const SweepOptions& options_;
   Finished finished_;
+  SolveAlone solve_alone_;
   FinishedAlone finished_alone_;
   std::vector<char> alone_;            ///< per point: its tier has no film to go on from
   std::vector<unsigned> failed_from_;  ///< per point: Side bits from which it cannot be solved

@@ -93,9 +93,13 @@ std::vector<std::unique_ptr<Curve>> make_curves(Sweep& sweep, const std::vector<
       return at == whole ? cases[index(static_cast<int>(whole))] : case_at({at, on});
     };
     const auto told = [&counter, index](int k, bool good) { counter.tell(index(k), good); };
+    const auto alone = [&options, index](int k, const Case& one,
+                                         const bearing::SolveControl& control) {
+      return options.solve_alone(static_cast<int>(index(k)), one, control);
+    };
     const auto finished = [told](int k, const Curve::Known& s) { told(k, s != nullptr); };
     curves.push_back(std::make_unique<Curve>(sweep.axes.front(), along, std::move(points), options,
-                                             finished, told));
+                                             finished, alone, told));
   }
   return curves;
 }

@@ -33,9 +33,9 @@ struct SweepProgress {
   int total = 0;
 };
 
-/// Called from several threads at once.
+/// Point k of Sweep::points. Called from several threads at once.
 using SolveAlone =
-    std::function<bearing::Result(const bearing::Case&, const bearing::SolveControl&)>;
+    std::function<bearing::Result(int k, const bearing::Case&, const bearing::SolveControl&)>;
 using SumUp = std::function<bearing::Result(const bearing::Solution&, bearing::Tier,
                                             const bearing::SolveControl&)>;
 

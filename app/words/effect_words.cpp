@@ -13,7 +13,7 @@ struct EffectWords {
   const char* meaning;
 };
 
-EffectWords words_of(EffectKind effect) {
+EffectWords entry_of(EffectKind effect) {
   switch (effect) {
     case EffectKind::heating:
       return {"heating", "beta dT of the oil flow; below 0.02 none, above 0.3 resolve it"};
@@ -45,10 +45,10 @@ EffectWords words_of(EffectKind effect) {
 
 }  // namespace
 
-const char* name_of(EffectKind effect) { return words_of(effect).name; }
+const char* name_of(EffectKind effect) { return entry_of(effect).name; }
 
 const char* meaning_of(const bearing::Effect& effect) {
-  return std::isnan(effect.indicator) ? "not computed in this tier" : words_of(effect.kind).meaning;
+  return std::isnan(effect.indicator) ? "not computed in this tier" : entry_of(effect.kind).meaning;
 }
 
 const char* words_of(Limiter limiter) {

@@ -27,9 +27,9 @@ std::string not_found(const note::NothingRicher& n) {
   return fmt::format("{} ({})", tier_on_grid(n.tier, n.grid, "was not found on"), reason_of(n.why));
 }
 
-std::string told(const std::string& words) { return words; }
+std::string text_of(const std::string& words) { return words; }
 
-std::string told(note::Plain n) {
+std::string text_of(note::Plain n) {
   using note::Plain;
   switch (n) {
     case Plain::orientation_beyond_table:
@@ -90,26 +90,26 @@ std::string listed(const std::vector<EffectKind>& effects) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string told(const note::BarsFromFinerGrid& n) {
+std::string text_of(const note::BarsFromFinerGrid& n) {
   return fmt::format(
       "no coarser grid gave a solution: the error bars are made with a finer one, {} x {} cells",
       n.grid[0], n.grid[1]);
 }
 
-std::string told(const note::RicherNotFound& n) {
+std::string text_of(const note::RicherNotFound& n) {
   return fmt::format(
       "the richer physics ({}) gave no solution on the coarse grid: the model bars are unknown",
       listed(n.effects));
 }
 
-std::string told(const note::EffectsNotJudged& n) {
+std::string text_of(const note::EffectsNotJudged& n) {
   return fmt::format(
       "the case has no data (shell, shaft) to judge what is left out by leaving out {}; the error "
       "bars do not hold it",
       listed(n.effects));
 }
 
-std::string told(const note::ScalarsOfFinerGrid& n) {
+std::string text_of(const note::ScalarsOfFinerGrid& n) {
   return fmt::format(
       "scalars are those of {} x {} cells, {} what auto solved: {}; fields, history and audit are "
       "those of {} x {} cells",
@@ -117,7 +117,7 @@ std::string told(const note::ScalarsOfFinerGrid& n) {
       fmt::join(n.solved, ", "), n.fields[0], n.fields[1]);
 }
 
-const char* told(note::ToleranceNotMet::Why why) {
+const char* text_of(note::ToleranceNotMet::Why why) {
   switch (why) {
     case note::ToleranceNotMet::Why::no_walls:
       return "the case has no data of shell and shaft, so that the heat is only known in lumps";
@@ -131,38 +131,38 @@ const char* told(note::ToleranceNotMet::Why why) {
   return "a finer model.grid or another tolerance";
 }
 
-std::string told(const note::ToleranceNotMet& n) {
+std::string text_of(const note::ToleranceNotMet& n) {
   const bool cycle = n.why == note::ToleranceNotMet::Why::cycle_grid;
   return fmt::format(
       "the tolerance of {:.2g} % is not met: the {}friction torque is known {}, the smallest film "
       "{}; {}",
       100.0 * n.tolerance, cycle ? "mean " : "", known_within(n.friction), known_within(n.h_min),
-      told(n.why));
+      text_of(n.why));
 }
 
-std::string told(const note::ShaftSwing& n) {
+std::string text_of(const note::ShaftSwing& n) {
   return fmt::format(
       "the shaft's surface is at its mean over the cycle: as it turns, and over the cycle, it "
       "would swing by about {:.2g} K",
       n.T);
 }
 
-std::string told(const note::EstimateOfFilm& n) {
+std::string text_of(const note::EstimateOfFilm& n) {
   return "estimate: rigid circular bearing fed at the widest gap, one temperature from a heat "
          "balance in lumps; regime " +
          n.regime;
 }
 
-std::string told(const note::EstimateWithoutMass& n) {
+std::string text_of(const note::EstimateWithoutMass& n) {
   return fmt::format("estimate: the journal's mass of {:.3g} kg is left out", n.mass);
 }
 
-std::string told(const note::ColdSpot& n) {
+std::string text_of(const note::ColdSpot& n) {
   return "the film temperature falls to " + told_temperature(n.T) +
          " at one place, below everything around it: model.film_nodes does not resolve it there";
 }
 
-std::string told(const note::CavitatedDamping& n) {
+std::string text_of(const note::CavitatedDamping& n) {
   return fmt::format(
       "{:.0f} % of the damping comes from oil that comes and goes in the cavitated film: K and C "
       "hold for motions much slower than the rotation, and are a rough guide at half its speed",
@@ -170,7 +170,7 @@ std::string told(const note::CavitatedDamping& n) {
 }
 
 /// Where the heat balance is met elsewhere too, the user must know which root this is.
-std::string told(const note::OtherRoots& n) {
+std::string text_of(const note::OtherRoots& n) {
   std::string all;
   for (const auto& root : n.roots) {
     all += fmt::format("{}{:.1f} degC ({}{})", all.empty() ? "" : ", ", root.T - kZeroCelsius,
@@ -182,14 +182,14 @@ std::string told(const note::OtherRoots& n) {
       n.roots.size(), all);
 }
 
-std::string told(const note::FactorsContinued& n) {
+std::string text_of(const note::FactorsContinued& n) {
   return fmt::format(
       "in {} cells of the solved part the gap is below {:.3g} um, the smallest of the measured "
       "flow factors (h/sigma = {:.3g}): they are continued there",
       n.cells, 1e6 * n.h, n.H);
 }
 
-std::string told(const note::BeyondOilRange& n) {
+std::string text_of(const note::BeyondOilRange& n) {
   const std::string from =
       std::isnan(n.T_low) ? "up" : told_temperature(n.T_low);  // to the highest
   return fmt::format(
@@ -198,7 +198,7 @@ std::string told(const note::BeyondOilRange& n) {
       from, told_temperature(n.T_high), told_temperature(n.T_min), told_temperature(n.T_max));
 }
 
-std::string told(const note::BeyondContactLaw& n) {
+std::string text_of(const note::BeyondContactLaw& n) {
   return fmt::format(
       "the surfaces interpenetrate by up to {:.3g} um (at {}), {:.0f} times their summit "
       "roughness, in {} cells of the solved part: beyond {:.3g} um the whole surface would be in "
@@ -207,7 +207,7 @@ std::string told(const note::BeyondContactLaw& n) {
       -n.h * 1e6, words_of(n.place), -n.h / n.sigma, n.cells, -n.least * 1e6);
 }
 
-std::string told(const note::EdgeNotResolved& n) {
+std::string text_of(const note::EdgeNotResolved& n) {
   return fmt::format(
       "the smallest film is not resolved: at a side edge the gap, continued from the last cells, "
       "falls to {:.3g} um, while no cell has less than {:.3g} um: more cells along in model.grid, "
@@ -215,7 +215,23 @@ std::string told(const note::EdgeNotResolved& n) {
       1e6 * n.edge, 1e6 * n.cell);
 }
 
-std::string told(const note::NotLaminar& n) {
+std::string text_of(const note::ShapeBetweenCells& n) {
+  return fmt::format(
+      "the grid does not resolve the shape of the bore: at {} it lies {:.3g} um beside what the "
+      "cells see, and the smallest film is {:.3g} um: more cells there in model.grid, graded "
+      "towards "
+      "the edges if it is theirs (model.axial_spacing)",
+      words_of(n.place), 1e6 * n.missed, 1e6 * n.h_min);
+}
+
+std::string text_of(const note::ProfileBetweenCells& n) {
+  return fmt::format(
+      "the grid does not resolve the profile of the bore: {:.2g} % of its volume lie between the "
+      "middles of the cells: more cells in model.grid, or a profile whose steps lie on their faces",
+      100.0 * n.part);
+}
+
+std::string text_of(const note::NotLaminar& n) {
   return fmt::format(
       "the film is not laminar: its Reynolds number {:.4g} is beyond 41.2 sqrt(R/c) = {:.4g}, "
       "where "
@@ -223,20 +239,20 @@ std::string told(const note::NotLaminar& n) {
       n.reynolds, n.limit);
 }
 
-std::string told(const note::HeldAtHardness& n) {
+std::string text_of(const note::HeldAtHardness& n) {
   return fmt::format(
       "the contact pressure is held at the hardness of {:.4g} MPa in {} cells of the solved part: "
       "summits flow there by up to {:.3g} um (at {})",
       n.hardness * 1e-6, n.cells, n.flow * 1e6, words_of(n.place));
 }
 
-std::string told(const note::VesselEmpty& n) {
+std::string text_of(const note::VesselEmpty& n) {
   return fmt::format(
       "for {:.3g} % of the time a vessel stands at the cavitation pressure: no oil flows from it",
       100.0 * n.part);
 }
 
-std::string told(const note::MouthWidened& n) {
+std::string text_of(const note::MouthWidened& n) {
   return fmt::format(
       "supply.{}: the mouth of {:.4g} mm is finer than the grid and taken as {:.4g} mm wide: a "
       "finer "
@@ -244,22 +260,22 @@ std::string told(const note::MouthWidened& n) {
       n.supply, n.diameter * 1e3, n.taken * 1e3);
 }
 
-std::string told(const note::WornThrough& n) {
+std::string text_of(const note::WornThrough& n) {
   return fmt::format(
       "the wear of {:.3g} um has gone through the shell's first layer ({:.3g} um): below it lies "
       "another material, and what is told here is that of the first",
       1e6 * n.depth, 1e6 * n.thickness);
 }
 
-std::string told(const note::NoCoefficients& n) {
+std::string text_of(const note::NoCoefficients& n) {
   return "stiffness and damping are not given: " + reason_of(n.why);
 }
 
-std::string told(const note::NothingRicher& n) {
+std::string text_of(const note::NothingRicher& n) {
   return "what richer physics would change is not known: " + not_found(n);
 }
 
-std::string told(const note::TierTaken& n) {
+std::string text_of(const note::TierTaken& n) {
   const std::string left_out =
       n.unjudged.empty()
           ? fmt::format(
@@ -274,7 +290,7 @@ std::string told(const note::TierTaken& n) {
 }  // namespace
 
 std::string words_of(const Note& note) {
-  return std::visit([](const auto& n) { return told(n); }, note);
+  return std::visit([](const auto& n) { return text_of(n); }, note);
 }
 
 std::vector<std::string> words_of(const std::vector<Note>& notes) {

@@ -40,6 +40,8 @@ inline Told told(ending::Plain e, const About& a) {
     case Plain::no_position:
       return {"no position was found in which the film carries the load: each step closes the gap",
               kContactElseLoad};
+    case Plain::ran_off:
+      return {"the iteration for load and position left the range of numbers", kFinerElseLess};
     case Plain::empty_ring:
       return {
           "a ring of the film is cavitated all round and fed by nothing: its oil only goes "

@@ -71,8 +71,10 @@ TEST_CASE("ALawOfBoundaryFrictionIsRead", "[friction_law]") {
 }
 
 TEST_CASE("AWrongLawOfBoundaryFrictionIsRefusedAtItsLine", "[friction_law]") {
-  check_parts(rough_changed("a = 10.0", "a = 1.0"), {"friction_law.a", "greater than 1", "a = 10.0"});
-  check_parts(rough_changed("b = 300.0", "b = -1"), {"friction_law.b", "not be negative", "b = 300"});
+  check_parts(rough_changed("a = 10.0", "a = 1.0"),
+              {"friction_law.a", "greater than 1", "a = 10.0"});
+  check_parts(rough_changed("b = 300.0", "b = -1"),
+              {"friction_law.b", "not be negative", "b = 300"});
   check_parts(rough_changed("abrasive = 0.01", "abrasive = 1.5"), {"abrasive", "between 0 and 1"});
   check_parts(rough_changed("\"10 um\"", "10"), {"summit_radius", "unit", "\"10 um\""});
   check_parts(rough_changed("summit_radius = \"10 um\"\n", ""), {"summit_radius"});

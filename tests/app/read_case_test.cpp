@@ -360,12 +360,15 @@ TEST_CASE("ABadProfileIsRefusedAtItsPlace") {
   check_parts(against("phi [deg], z [mm], height [bar]\n0,0,0\n"), {"bad.csv:1:20", "a pressure"});
   check_parts(against("phi [deg], z [mm]\n0,0\n"), {"bad.csv:1:1", "no column height"});
   check_parts(against("phi [deg], z [mm], height [um]\n0, x, 0\n"), {"bad.csv:2:4", "number"});
-  check_parts(against("phi [deg], z [mm], height [um]\n0, 0\n"), {"bad.csv:2:1", "no height"});
+  check_parts(against("phi [deg], z [mm], height [um]\n0, 0\n"), {"bad.csv:2:", "3 columns"});
+  check_parts(against("phi [deg];z [mm];height [um]\n0;0;4,9\n"), {"bad.csv:2:", "point"});
+  check_parts(against("phi [deg], z [mm], height [um], height [mm]\n0,0,1,2\n"),
+              {"bad.csv:1:", "two columns"});
   check_parts(against("phi [deg], z [mm], height [um]\n0, 0, 5 %\n"), {"bad.csv:2:7", "a share"});
   check_parts(against("phi [deg], z [mm], height [um]\n0,0,nan\n"), {"bad.csv:2:5", "finite"});
   check_parts(against("phi [deg], z [mm], height [um]\n"), {"no points"});
   check_parts(against("phi [deg], z [mm], height [um]\n0,0,1\n90,1,1\n"), {"rectangular grid"});
-  check_parts(against("phi [deg], z [mm], height [um]\n0,0,1\n0,0,2\n"), {"bad.csv:3:1", "before"});
+  check_parts(against("phi [deg], z [mm], height [um]\n0,0,1\n0,0,2\n"), {"bad.csv:3:5", "before"});
   check_parts(against("phi [deg], z [mm], height [mm]\n0,0,1\n90,0,9\n"), {"leave no gap"});
   std::filesystem::remove(scratch.path("bad.csv"));
   CHECK_THROWS_AS(read_case_text(text, scratch.path("case.toml")), FileError);

@@ -1,10 +1,13 @@
 #include "bearing/bore_shape.hpp"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "bearing/audit.hpp"
 #include "bearing/film_heat.hpp"
+#include "bearing/told_ranges.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 #include "tests/observed_order.hpp"
 
@@ -86,4 +89,68 @@ TEST_CASE("AReliefConvergesWithSecondOrderUpToTheSideEdge") {
     CHECK(std::abs(observed_order(load[0], load[1], load[2]) - 2.0) < 0.15);
     CHECK(std::abs(observed_order(torque[0], torque[1], torque[2]) - 2.0) < 0.15);
   }
+}
+
+namespace {
+
+/// Ten lands and ten grooves of 18 degrees around, as deep as the clearance.
+Profile lands_and_grooves(double depth) {
+  Profile p;
+  p.z = {0.0};
+  for (int k = 0; k < 720; ++k) {
+    p.phi.push_back((0.25 + 0.5 * k) * kDegree);
+    p.height.push_back(k / 36 % 2 == 0 ? depth : 0.0);
+  }
+  return p;
+}
+
+template <class NoteOf>
+bool tells(const Solution& s) {
+  const auto notes = summarize(s, Tier::isothermal).warnings;
+  return std::any_of(notes.begin(), notes.end(),
+                     [](const Note& n) { return std::holds_alternative<NoteOf>(n); });
+}
+
+}  // namespace
+
+TEST_CASE("WherePressurePushesOnStepsTheMomentIsBalanced") {
+  // A full film over lands and grooves whose edges lie on faces: what the film's pressure turns the
+  // shell by at the steps is the difference of the two shear torques, on every grid, and from 80
+  // cells on the torque has come to its limit within a hundredth.
+  std::array<double, 3> torque{};
+  for (int k = 0; k < 3; ++k) {
+    Case c = plain_case();
+    c.bearing.profile = lands_and_grooves(c.bearing.radial_clearance);
+    c.model.grid = {80 << k, 8};
+    c.model.cavitation_pressure = -1e12;
+    place_journal(c, 0.3, 0.3);
+    const Solution s = solve_tier(c, Tier::isothermal);
+    REQUIRE(s.verdict.good());
+    // what the eccentric gap leaves, of second order in the cell
+    CHECK(audit_of(s, friction_of(s.model, s.point, s.film)).moment < 1e-3);
+    torque[k] = torque_of(s);
+  }
+  CHECK(torque[0] == Approx(torque[2]).epsilon(0.01));
+  CHECK(std::abs(torque[1] - torque[2]) < 0.6 * std::abs(torque[0] - torque[1]));
+}
+
+TEST_CASE("WhatTheCellsDoNotShowOfTheBoreIsTold") {
+  const auto solved = [](const Case& c) { return solve_tier(c, Tier::isothermal); };
+  Case c = plain_case();
+  c.bearing.edge_relief = EdgeOpening{9e-6, 0.2e-3};
+  CHECK(tells<note::ShapeBetweenCells>(solved(c)));
+  c.bearing.edge_relief->length = 10e-3;
+  CHECK_FALSE(tells<note::ShapeBetweenCells>(solved(c)));
+  c.bearing.edge_relief.reset();
+  CHECK_FALSE(tells<note::ShapeBetweenCells>(solved(c)));
+  // A groove of 0.4 mm along the middle of cells of 2.8 mm.
+  c.bearing.profile = Profile{{0.0}, {-0.01, 0.0058, 0.0059, 0.0062, 0.0063, 0.01}, {}};
+  c.bearing.profile->height = {0.0, 0.0, 30e-6, 30e-6, 0.0, 0.0};
+  c.model.grid = {24, 9};
+  CHECK(tells<note::ProfileBetweenCells>(solved(c)));
+  c.model.grid = {24, 250};
+  CHECK_FALSE(tells<note::ProfileBetweenCells>(solved(c)));
+  c.bearing.profile = lands_and_grooves(5e-6);
+  c.model.grid = {80, 8};
+  CHECK_FALSE(tells<note::ProfileBetweenCells>(solved(c)));
 }

@@ -133,6 +133,49 @@ TEST_CASE("TheEstimateIsRefusedSuppliesThatItDoesNotSee") {
   }
 }
 
+TEST_CASE("OverACycleTheEstimateIsRefusedWhatLastsForATurn") {
+  // A hole 20 degrees behind a load that stands for a turn and a half and for three quarters of
+  // one, wherever the table begins.
+  const auto why = [](double turns, int first) {
+    Case c = hole_case();
+    c.supplies[0].angle = 290.0 * kDegree;
+    LoadCycle cycle;
+    cycle.period = 4.0 * kPi / c.operation.omega;  // two turns
+    constexpr int kRows = 80;
+    for (int k = 0; k < kRows; ++k) {
+      const int row = (k + first) % kRows;
+      const bool stands = row < 40 * turns;
+      const double angle = stands ? 270.0 : 270.0 + 360.0 * (row - 40 * turns) / (80 - 40 * turns);
+      cycle.t.push_back(cycle.period * k / kRows);
+      cycle.x.push_back(2e3 * std::cos(angle * kDegree));
+      cycle.y.push_back(2e3 * std::sin(angle * kDegree));
+    }
+    c.cycle = cycle;
+    const auto lack = lack_for(c, Tier::estimate);
+    return lack ? lack->problem : std::string();
+  };
+  for (const int first : {0, 30, 70}) {
+    CHECK_THAT(why(1.5, first), Catch::Contains("in the film that carries it"));
+    CHECK(why(0.6, first).empty());
+  }
+}
+
+TEST_CASE("AGridThatDoesNotHoldTheSuppliesIsRefusedWithOneThatDoes") {
+  Case c = grooved_case();
+  Supply longer = c.supplies[0];
+  longer.angle = 180.0 * kDegree;
+  longer.length = 0.075;
+  c.supplies[0].length = 0.06;
+  c.supplies.push_back(longer);
+  expect_solvable(c);
+  c.model.grid = {40, 3};
+  CHECK_THROWS_WITH(expect_solvable(c), Catch::Contains("model.grid: 40 x 3 cells cannot have") &&
+                                            Catch::Contains("take "));
+  c.model.grid = {100, 7};  // of which 50 x 4, the coarser one, holds too few
+  expect_solvable(c);
+  CHECK(solve_tier(c, Tier::isothermal).verdict.good());
+}
+
 TEST_CASE("PossibleButUnusualInputIsToldAndNotRefused") {
   Case c = plain_case();
   c.bearing.radial_clearance = 3e-6;

@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
+#include "bearing/audit.hpp"
+#include "bearing/film_heat.hpp"
 #include "bearing/follow.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
@@ -39,6 +41,52 @@ TEST_CASE("ALimitLoadDoesNotDependOnTheLoadAskedFor", "[refusal]") {
   CHECK(limit_told(500e3) == Approx(limit).epsilon(0.05));
   // and half of it is carried
   CHECK(solve_tier(barus_case(0.5 * limit), Tier::isothermal).verdict.good());
+}
+
+namespace {
+
+/// A slow journal above a hole of 10 bar that lifts light loads to the middle of the clearance.
+Case jacked_case(double force) {
+  Case c = plain_case();
+  c.bearing.radius = 0.05;
+  c.bearing.width = 0.05;
+  c.bearing.radial_clearance = 271.2e-6;
+  Supply groove;
+  groove.kind = SupplyKind::axial_groove;
+  groove.angle = 18.14 * kDegree;
+  groove.arc = 18.79 * kDegree;
+  groove.length = 18.47e-3;
+  groove.temperature = 313.15;
+  Supply fed = groove;
+  fed.angle = 143.4 * kDegree;
+  fed.arc = 10.68 * kDegree;
+  fed.pressure = 3e5;
+  Supply hole = hole_case().supplies[0];
+  hole.angle = 272.34 * kDegree;
+  hole.z = 5e-3;
+  hole.diameter = 6.222e-3;
+  hole.pressure = 10e5;
+  c.supplies = {groove, fed, hole};
+  c.operation.omega = -6.0;
+  c.operation.position = LoadGiven{force, 250.0 * kDegree};
+  c.oil.temperature = rheology::ConstantViscosity{4.45e-3};
+  c.model.edges = Edges::dry;
+  c.model.grid = {100, 13};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("AFilmThatNoLightLoadLeadsToIsFoundFromAHeavierOne") {
+  // The film of the journal's own motion, a micrometre thick, beside the branch of the lifted
+  // journal, which carries less than 600 N: cold, and from the film of a heavier load.
+  for (const double force : {750.0, 800.0, 850.0}) {
+    CAPTURE(force);
+    const Case c = jacked_case(force);
+    const Solution cold = solve_tier(c, Tier::isothermal);
+    REQUIRE(cold.verdict.good());
+    CHECK(audit_of(cold, friction_of(cold.model, cold.point, cold.film)).load < 1e-6);
+  }
 }
 
 TEST_CASE("ALightlyLoadedFilmIsFoundHoweverThickTheOil") {
@@ -106,8 +154,9 @@ TEST_CASE("AnInterruptedBranchIsNoSolution", "[refusal]") {
       stop = true;  // during the first step, which arrives
       return newton(at.model, at.point, {}, {}, at.film, at.cost);
     };
-    const Branch branch = raised == Raised::load ? follow_load(s, 0.05, correct, control)
-                                                 : follow_speed(s, 0.05, correct, control);
+    const Branch branch = raised == Raised::load
+                              ? follow_load(s, 0.05, correct, control)
+                              : follow_parts(s, Raised::speed, 0.05, correct, control);
     CHECK(branch.end == BranchEnd::interrupted);
     CHECK(branch.last.status == Status::interrupted);
   }

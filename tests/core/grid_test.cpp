@@ -137,6 +137,18 @@ TEST_CASE("AStripHasCellsOfItsOwnHoweverNarrow") {
   }
 }
 
+TEST_CASE("AsManyCellsAsEdgesAreEnough") {
+  // Edges far out leave the middle of an odd half grid no more cells than the others can do
+  // without.
+  for (const int nz : {5, 7, 9, 25}) {
+    const FilmGrid g =
+        make_grid(kRadius, kWidth, 16, nz, true, {}, {-0.0088, 0.0088, -0.0075, 0.0075});
+    CHECK(g.full_nz() == nz);
+    check_cells(g);
+    for (const double e : {0.0088, 0.0075}) CHECK(nearest_face(g.z_face, e, 0.0) < kSlack * kWidth);
+  }
+}
+
 TEST_CASE("MoreEdgesThanCellsAreRefused") {
   CHECK_THROWS_AS(make_grid(kRadius, kWidth, 3, 4, false, {0.0, 1.0, 2.0, 3.0}), InputError);
 }

@@ -78,4 +78,42 @@ TEST_CASE("EstimateMirrorsWithTheSenseOfRotation") {
   }
 }
 
+TEST_CASE("TheBarsOfTheEstimateHoldSuppliesThatPressAndThatStarve") {
+  // The bearing of decision 050: supplies whose pressure is not small against the load's, and holes
+  // that feed less than the film takes; 20 % of the film's values for the table's own bar.
+  const auto check = [](Supply supply, double load, double pressure) {
+    Case c = plain_case();
+    c.bearing.radius = 0.05;
+    c.bearing.width = 0.08;
+    c.bearing.radial_clearance = 1e-4;
+    c.oil.temperature = rheology::ConstantViscosity{0.02};
+    supply.pressure = pressure;
+    supply.angle = 150.0 * kDegree;
+    c.supplies = {supply};
+    c.operation.position = LoadGiven{load, 270.0 * kDegree};
+    c.model.grid = {100, 24};
+    const Result estimated = estimate_result(c);
+    const Result solved = summarize(solve_tier(c, Tier::isothermal), Tier::isothermal);
+    REQUIRE(solved.verdict.good());
+    for (const char* name : {"friction_torque", "h_min", "p_max"}) {
+      const Quantity& q = *quantity_in(estimated.quantities, name);
+      INFO(name << " " << q.value << " +- " << q.error() << ", solved " << solved.value(name));
+      CHECK(std::abs(q.value - solved.value(name)) <= q.error());
+    }
+  };
+  Supply groove = warm_case().supplies[0];
+  groove.length = 0.04;
+  Supply hole = hole_case().supplies[0];
+  for (const double load : {500.0, 2e3, 8e3, 40e3}) {
+    for (const double pressure : {1e5, 5e5, 20e5}) {
+      INFO("load " << load << " N, supply " << pressure << " Pa");
+      check(groove, load, pressure);
+    }
+    for (const double pressure : {0.2e5, 1e5, 10e5}) {
+      INFO("load " << load << " N, hole " << pressure << " Pa");
+      check(hole, load, pressure);
+    }
+  }
+}
+
 }  // namespace shellback::fidelity

@@ -284,6 +284,74 @@ TEST_CASE("ASearchThatFollowsIsKeptBesideWhatItFollows") {
   CHECK(number_in(keeper.next()) == 5.0);
 }
 
+namespace {
+
+/// What a command over load cycles that is interrupted again and again writes in the end, and how
+/// often it was.
+int go_on_until_done(const Words& words, const ScratchFolder& scratch) {
+  int interrupted = 0;
+  std::chrono::duration<double> let_run(0.2);
+  for (Words next = words; interrupted < 20; ++interrupted, let_run *= 1.5) {
+    Process process(next, scratch.path("out"), scratch.path("err"));
+    std::this_thread::sleep_for(let_run);
+    kill(process.pid(), SIGINT);
+    const int code = process.wait();
+    if (code == kDone) return interrupted;
+    REQUIRE(code == kInterrupted);
+    if (next.size() == words.size()) next.push_back("--resume");
+  }
+  return interrupted;
+}
+
+/// Files in the folder whose names hold ".state".
+int count_states(const ScratchFolder& scratch) {
+  int n = 0;
+  for (const auto& entry : fs::directory_iterator(scratch.path(""))) {
+    if (entry.path().filename().string().find(".state") != std::string::npos) ++n;
+  }
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("ASweepOverCyclesAndAComparisonGoOnWhereTheyWere") {
+  const ScratchFolder scratch;
+  const std::string subject = case_path("rotating-load").string();
+  const auto numbers = [&](const std::string& name) {
+    return nlohmann::json::parse(text_of(scratch.path(name)));
+  };
+  const auto points = [&](const std::string& name) {
+    nlohmann::json json = numbers(name)["points"];
+    for (nlohmann::json& p : json) {
+      for (const char* clock : {"wall_s", "cost"}) p.erase(clock);
+    }
+    return json;
+  };
+  const Words sweep{
+      "sweep", subject, "--set", "model.grid=[36,7]", "--vary", "load_cycle.factor=0.5,0.8",
+      "-j",    "2",     "--json"};
+  const auto writing = [&](Words words, const std::string& name) {
+    words.push_back(scratch.path(name));
+    return words;
+  };
+  REQUIRE(run_words(writing(sweep, "whole.json")).code == kDone);
+  CHECK(go_on_until_done(writing(sweep, "pieces.json"), scratch) > 0);
+  CHECK(points("pieces.json") == points("whole.json"));
+  CHECK(count_states(scratch) == 0);
+
+  const Words compare{"compare",           subject, "--set", "model.grid=[36,7]", "--tiers",
+                      "isothermal,lumped", "--json"};
+  REQUIRE(run_words(writing(compare, "both.json")).code == kDone);
+  CHECK(go_on_until_done(writing(compare, "parts.json"), scratch) > 0);
+  const auto compared = [&](const std::string& name) {
+    nlohmann::json json = numbers(name);
+    for (nlohmann::json& r : json["results"]) r.erase("cost");
+    return std::pair{json["results"], json["friction_split"]};
+  };
+  CHECK(compared("parts.json") == compared("both.json"));
+  CHECK(count_states(scratch) == 0);
+}
+
 TEST_CASE("ARunWithoutAStateSaysSo") {
   const ScratchFolder scratch;
   const std::string steady = scratch.write("case.toml", kSampleCase);
@@ -295,4 +363,8 @@ TEST_CASE("ARunWithoutAStateSaysSo") {
   check_parts(refused({"run", steady, "--resume"}), {"--resume", "load cycle"});
   check_parts(refused({"run", steady, "--state", scratch.path("s")}), {"--state", "load cycle"});
   check_parts(refused({"run", case_path("pulse").string(), "--resume"}), {"--resume", "--state"});
+  check_parts(refused({"compare", steady, "--resume"}), {"--resume", "load cycle"});
+  check_parts(
+      refused({"sweep", steady, "--vary", "operation.speed=900 rpm", "--state", scratch.path("s")}),
+      {"--state", "load cycle"});
 }

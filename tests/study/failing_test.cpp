@@ -147,7 +147,7 @@ TEST_CASE("TiersWithoutAFilmAreSolvedAloneOrRefused") {
   };
   CHECK_THROWS_AS(run_sweep(axes, source), InputError);
   SweepOptions options;
-  options.solve_alone = [](const Case& c, const bearing::SolveControl& control) {
+  options.solve_alone = [](int, const Case& c, const bearing::SolveControl& control) {
     Case same = c;
     same.model.tier = bearing::Tier::isothermal;
     return bearing::solve(same, control);

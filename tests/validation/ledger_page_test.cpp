@@ -80,7 +80,7 @@ TEST_CASE("UnknownInputsSpanABand") {
   entry.figure.series.clear();
   entry.bearings.resize(1);
   std::erase_if(entry.vary, [](const Vary& v) { return v.bearing == "support"; });
-  RunOptions options;
+  LedgerOptions options;
   options.bands = true;
   const EntryReport report = run_entry(entry, options);
   const BandWidth band = band_at(report, "total_friction_torque", 0);

@@ -162,7 +162,7 @@ TEST_CASE("PointsBetweenRowsStayInTheirSeries") {
 
 TEST_CASE("AnInterruptedEntryHasNoVerdict") {
   const std::atomic<bool> stop{true};
-  RunOptions options;
+  LedgerOptions options;
   options.control.stop = &stop;
   const EntryReport report = run_entry(ScratchLedger().read(), options);
   CHECK(report.interrupted);

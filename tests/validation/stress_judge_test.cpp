@@ -66,7 +66,7 @@ StressClass beside(const StressCell& ours, const std::string& name, const Stress
   return judged(row);
 }
 
-StressClass beside(const StressCell& ours, Question question, const StressCell& theirs) {
+StressClass beside(const StressCell& ours, QuestionKind question, const StressCell& theirs) {
   StressRow row = row_with(ours);
   row.asked[0].push_back({question, "w", theirs});
   return judged(row);
@@ -83,7 +83,7 @@ TEST_CASE("ARefusalBesideASteadyStateOfTheSameEquationsIsWrong") {
           StressClass::missed);
     CHECK(beside(none(kNobody), name, none(kNobody)) == StressClass::no_steady_state);
   }
-  for (const Question grid : {Question::coarser_grid, Question::finer_grid}) {
+  for (const QuestionKind grid : {QuestionKind::coarser_grid, QuestionKind::finer_grid}) {
     CHECK(beside(none(kNobody), grid, solution()) == StressClass::wrong_refusal);
   }
   CHECK(is_fault(StressClass::wrong_refusal));
@@ -94,14 +94,14 @@ TEST_CASE("AFaultyResultContradictsNothing") {
   StressCell leaky = solution();
   leaky.result = StressClass::wrong;
   CHECK(beside(none(kNobody), "p-theta", leaky) == StressClass::no_steady_state);
-  CHECK(beside(none(kNobody), Question::finer_grid, leaky) == StressClass::no_steady_state);
+  CHECK(beside(none(kNobody), QuestionKind::finer_grid, leaky) == StressClass::no_steady_state);
 }
 
 TEST_CASE("ACoarserGridContradictsNothingThatTheFinerOneConfirms") {
   const auto between = [](const StressCell& coarser, const StressCell& finer) {
     StressRow row = row_with(none(kBarus));
-    row.asked[0] = {{Question::coarser_grid, "32x5", coarser},
-                    {Question::finer_grid, "72x12", finer}};
+    row.asked[0] = {{QuestionKind::coarser_grid, "32x5", coarser},
+                    {QuestionKind::finer_grid, "72x12", finer}};
     const std::string overruled = overruled_by_finer(row, 0);
     return std::pair{judged(row), overruled};
   };
@@ -127,8 +127,10 @@ TEST_CASE("LessPhysicsContradictsNothing") {
 }
 
 TEST_CASE("RicherHeatContradictsARefusalOfHeatAndNoOther") {
-  CHECK(beside(none(kRunaway), Question::richer_heat, solution()) == StressClass::wrong_refusal);
-  CHECK(beside(none(kBarus), Question::richer_heat, solution()) == StressClass::no_steady_state);
+  CHECK(beside(none(kRunaway), QuestionKind::richer_heat, solution()) ==
+        StressClass::wrong_refusal);
+  CHECK(beside(none(kBarus), QuestionKind::richer_heat, solution()) ==
+        StressClass::no_steady_state);
   // One temperature across the film is the poorer heat: the default contradicts its runaway.
   StressRow row = row_with(solution());
   row.cells[method("mean")] = {none(kRunaway)};
@@ -178,7 +180,7 @@ TEST_CASE("ADifferenceByFullShearIsAConventionAndNoDisagreement") {
   const std::size_t swift = method("swift-stieber");
   StressRow row = row_with(solution(1.0));
   row.cells[swift] = {solution(1.3)};  // 10 % are allowed
-  row.asked[0].push_back({Question::full_shear, "full shear", solution(1.29)});
+  row.asked[0].push_back({QuestionKind::full_shear, "full shear", solution(1.29)});
   judge_row(row);
   CHECK(row.cells[swift][0].result == StressClass::by_convention);
   CHECK(row.cells[swift][0].convention);

@@ -22,21 +22,15 @@ using namespace bearing;
 
 constexpr int kReferenceNodes = 9;
 
-double named(const std::vector<Quantity>& quantities, const std::string& name) {
-  const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                  [&](const Quantity& q) { return q.name == name; });
-  return found == quantities.end() ? NAN : found->value;
-}
-
 ChartValues values_of(const Solution& s, Tier tier) {
   const auto q = quantities_of(s, tier);
-  const double T = s.model.physics.film_energy ? named(q, "T_film_max") : s.T_film;
-  return {named(q, "friction_torque"), named(q, "h_min"), T};
+  const double T = s.model.physics.film_energy ? value_in(q, "T_film_max") : s.T_film;
+  return {value_in(q, "friction_torque"), value_in(q, "h_min"), T};
 }
 
 ChartValues values_of(const Result& r) {
-  const double T = named(r.quantities, r.has("T_film_max") ? "T_film_max" : "T_equivalent");
-  return {named(r.quantities, "friction_torque"), named(r.quantities, "h_min"), T};
+  const double T = value_in(r.quantities, r.has("T_film_max") ? "T_film_max" : "T_equivalent");
+  return {value_in(r.quantities, "friction_torque"), value_in(r.quantities, "h_min"), T};
 }
 
 bool stopped(const ChartOptions& o) { return o.stop && o.stop->load(); }

@@ -12,7 +12,7 @@ namespace {
 
 using namespace bearing;
 
-std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.8g}", x) : ""; }
+std::string csv_number(double x) { return std::isfinite(x) ? fmt::format("{:.8g}", x) : ""; }
 
 /// A field with quotes around it, as the names may hold commas.
 std::string quoted(const std::string& text) {
@@ -44,9 +44,9 @@ std::string row(const ChartScene& scene, const ChartPoint& p) {
   }
   line += fmt::format(",{},{}", to_string(p.verdict.status), quoted(app::reason_of(p.verdict)));
   const bool good = p.verdict.good();
-  for (const double v : p.value) line += "," + number(good ? v : NAN);
-  for (const double e : p.error) line += "," + number(e);
-  line += fmt::format(",{},{},{}", number(p.wall_s), p.factorizations, p.sweeps);
+  for (const double v : p.value) line += "," + csv_number(good ? v : NAN);
+  for (const double e : p.error) line += "," + csv_number(e);
+  line += fmt::format(",{},{},{}", csv_number(p.wall_s), p.factorizations, p.sweeps);
   for (const bool on : p.on_front) line += on ? ",1" : ",0";
   return line + "\n";
 }
@@ -62,8 +62,8 @@ std::string chart_csv(const std::vector<ChartScene>& scenes) {
   for (const ChartScene& scene : scenes) {
     text += fmt::format("{},reference,,,,,,,,{},{}", scene.name, to_string(scene.verdict.status),
                         quoted(app::reason_of(scene.verdict)));
-    for (const ReferenceValue& r : scene.reference) text += "," + number(r.value);
-    for (const double f : scene.floor) text += "," + number(f);
+    for (const ReferenceValue& r : scene.reference) text += "," + csv_number(r.value);
+    for (const double f : scene.floor) text += "," + csv_number(f);
     text += ",,,,,,\n";
     for (const ChartPoint& p : scene.points) text += row(scene, p);
   }

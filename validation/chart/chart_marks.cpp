@@ -84,7 +84,7 @@ void draw_cross(Svg& svg, Point c, const std::string& colour) {
   svg.line({c.x - kMark, c.y + kMark}, {c.x + kMark, c.y - kMark}, ink);
 }
 
-void Labels::put(Svg& svg, Point c, const std::string& words, const std::string& colour) {
+void WordsBesideMarks::put(Svg& svg, Point c, const std::string& words, const std::string& colour) {
   const double w = text_width(words, kMarkText);
   const double h = 0.95 * kMarkText;
   const double d = kMark + 3.0;
@@ -114,7 +114,7 @@ void Labels::put(Svg& svg, Point c, const std::string& words, const std::string&
            {colour, kMarkText, Anchor::start, false, false, "#ffffff"});
 }
 
-double Labels::covered(const Box& b) const {
+double WordsBesideMarks::covered(const Box& b) const {
   const auto common = [](const Box& p, const Box& q) {
     const double w = std::min(p.right(), q.right()) - std::max(p.x, q.x);
     const double h = std::min(p.bottom(), q.bottom()) - std::max(p.y, q.y);

@@ -23,9 +23,9 @@ void draw_mark(app::Svg& svg, app::Point c, ChartFamily family);
 void draw_cross(app::Svg& svg, app::Point c, const std::string& colour);
 
 /// Puts words beside marks where they cover least.
-class Labels {
+class WordsBesideMarks {
  public:
-  explicit Labels(app::Box inside) : inside_(inside) {}
+  explicit WordsBesideMarks(app::Box inside) : inside_(inside) {}
   /// Keeps words off this mark.
   void block(app::Point c, double r) { taken_.push_back({c.x - r, c.y - r, 2.0 * r, 2.0 * r}); }
   void put(app::Svg& svg, app::Point c, const std::string& words, const std::string& colour);

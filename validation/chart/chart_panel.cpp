@@ -117,7 +117,7 @@ void join(std::vector<Labelled>& marks, Labelled mark) {
 }
 
 void draw_points(Svg& svg, const LogPanel& panel, const ChartScene& scene, int q) {
-  Labels labels(panel.box);
+  WordsBesideMarks labels(panel.box);
   std::vector<Labelled> marks;
   for (const ChartPoint& p : scene.points) {
     if (!std::isfinite(p.error[q]) || repeated(scene, p)) continue;

@@ -4,6 +4,12 @@
 
 namespace shellback::validation {
 
+// Of films whose dimensionless numbers these do not change.
+inline constexpr double kAnyRadius = 0.02;      ///< [m]
+inline constexpr double kAnyClearance = 20e-6;  ///< [m]
+inline constexpr double kAnyViscosity = 0.01;   ///< [Pa s]
+inline constexpr double kAnyDensity = 850.0;    ///< [kg/m3]
+
 /// `eta` [Pa s], `rho` [kg/m3]. Source: textbook (full film between smooth parallel walls).
 [[nodiscard]] inline fluid::OilLaw plain_oil(double eta, double rho) {
   return [eta, rho](const fluid::FilmState& state, fluid::FilmCoefficients& coefficients) {

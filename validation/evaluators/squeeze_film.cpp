@@ -14,26 +14,21 @@ namespace {
 
 using namespace fluid;
 
-// Of no effect on the dimensionless numbers:
-constexpr double kRadius = 0.02;      // [m]
-constexpr double kClearance = 20e-6;  // [m]
-constexpr double kViscosity = 0.01;   // [Pa s]
-constexpr double kDensity = 850.0;    // [kg/m3]
-constexpr double kRate = 10.0;        // d eps/dt, towards +X [1/s]
+constexpr double kRate = 10.0;  // d eps/dt, towards +X [1/s]
 constexpr double kStep =
     1e-3;  // of eps; the gap being linear in it, any step gives the same rate [-]
 
 FilmScene scene_of(double width, int nt, int nz) {
   FilmScene scene;
-  scene.grid = make_grid(kRadius, width, nt, nz, true);
+  scene.grid = make_grid(kAnyRadius, width, nt, nz, true);
   scene.angles = Angles(scene.grid);
   scene.supply = map_supplies(scene.grid, {});
   return scene;
 }
 
 Gap gap_at(const FilmScene& scene, double eps) {
-  return film_gap(scene.grid, scene.angles, kClearance, {{eps * kClearance, 0.0, 0.0, 0.0}}, {},
-                  {});
+  return film_gap(scene.grid, scene.angles, kAnyClearance, {{eps * kAnyClearance, 0.0, 0.0, 0.0}},
+                  {}, {});
 }
 
 /// The journal comes from eps - kStep, in a gap that was full.
@@ -47,10 +42,10 @@ void come_from(double eps, const OilLaw& law, FilmScene& scene) {
 }  // namespace
 
 Values squeeze_film_values(const Question& q) {
-  const double width = 2.0 * kRadius * q.number("B_over_D");
+  const double width = 2.0 * kAnyRadius * q.number("B_over_D");
   FilmScene scene = scene_of(width, static_cast<int>(number_setting(q.entry, "cells")),
                              static_cast<int>(number_setting(q.entry, "cells_across")));
-  const OilLaw oil = plain_oil(kViscosity, kDensity);
+  const OilLaw oil = plain_oil(kAnyViscosity, kAnyDensity);
   const Gap gap = gap_at(scene, q.number("eps"));
   come_from(q.number("eps"), oil, scene);
   const auto film = solve_reynolds(scene, gap, {}, oil, cold_film(scene));
@@ -59,12 +54,12 @@ Values squeeze_film_values(const Question& q) {
     values.failure = app::reason_of(film.verdict);
     return values;
   }
-  const double psi = kClearance / kRadius;
+  const double psi = kAnyClearance / kAnyRadius;
   const double force = -wrench(scene, film.value.state.p)[0];
-  const double side = oil_flows(scene, film.value.flow).side / kDensity;
-  values.value = {
-      {"squeeze_load_number", force * psi * psi / (2.0 * kRadius * width * kViscosity * kRate)},
-      {"squeeze_flow_number", side / (std::pow(kRadius, 3) * psi * kRate)}};
+  const double side = oil_flows(scene, film.value.flow).side / kAnyDensity;
+  values.value = {{"squeeze_load_number",
+                   force * psi * psi / (2.0 * kAnyRadius * width * kAnyViscosity * kRate)},
+                  {"squeeze_flow_number", side / (std::pow(kAnyRadius, 3) * psi * kRate)}};
   return values;
 }
 

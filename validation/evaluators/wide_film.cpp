@@ -16,22 +16,18 @@ namespace {
 
 using namespace fluid;
 
-constexpr double kRadius = 0.02;      // [m]; of no effect on dimensionless numbers, nor are
-constexpr double kClearance = 20e-6;  // [m]
-constexpr double kViscosity = 0.01;   // [Pa s]
-constexpr double kDensity = 850.0;    // [kg/m3]
-constexpr double kSpeed = 10.0;       // [m/s]
+constexpr double kSpeed = 10.0;  // [m/s]
 /// Width over radius: the share of the flow that leaves at the sides is of the order (R/B)^2.
 constexpr double kWidthRatio = 1000.0;
 constexpr double kNeverReached = -1e12;  // cavitation pressure of a film that stays full [Pa]
 
 FilmScene scene_of(int cells, bool cavitates) {
   FilmScene scene;
-  const double width = kWidthRatio * kRadius;
+  const double width = kWidthRatio * kAnyRadius;
   SupplyPatch line;  // the film begins at the widest gap, which lies at phi = pi
   line.phi = kPi;
   line.length = width;
-  scene.grid = make_grid(kRadius, width, cells, 1, false, phi_edges({line}), {});
+  scene.grid = make_grid(kAnyRadius, width, cells, 1, false, phi_edges({line}), {});
   scene.angles = Angles(scene.grid);
   scene.supply = map_supplies(scene.grid, {line});
   scene.speed = kSpeed;
@@ -44,21 +40,21 @@ void add_numbers(const FilmScene& scene, const Gap& gap, const FilmSolution& fil
   const FilmGrid& g = scene.grid;
   const Wrench force = wrench(scene, film.state.p);
   const double W = std::hypot(force[0], force[1]);
-  const double N = kSpeed / (2.0 * kPi * kRadius);
-  const double area = 2.0 * kRadius * g.width;
+  const double N = kSpeed / (2.0 * kPi * kAnyRadius);
+  const double area = 2.0 * kAnyRadius * g.width;
   const auto cells = static_cast<std::size_t>(g.cells());
   const ShearStress tau =
-      shear_stress(scene, gap.cell, Field(cells, 1.0 / kViscosity), Field(cells, 0.5), film.state,
-                   pressure_gradient_x(scene, film.state), CavitatedShear::full);
+      shear_stress(scene, gap.cell, Field(cells, 1.0 / kAnyViscosity), Field(cells, 0.5),
+                   film.state, pressure_gradient_x(scene, film.state), CavitatedShear::full);
   double inlet = 0.0;
   for (int i = 0; i < g.nt; ++i) {
     if (scene.supply.line[i] >= 0) inlet = film.flow.phi[i].m;
   }
-  value["sommerfeld"] = std::pow(kRadius / kClearance, 2) * kViscosity * N * area / W;
+  value["sommerfeld"] = std::pow(kAnyRadius / kAnyClearance, 2) * kAnyViscosity * N * area / W;
   value["load_number"] = 1.0 / (2.0 * kPi * value["sommerfeld"]);
   value["attitude_angle"] = -std::atan2(-force[1], -force[0]) * 180.0 / kPi;
-  value["friction_number"] = torque(scene, tau.journal) / (W * kClearance);
-  value["inlet_flow_number"] = inlet / (kDensity * kRadius * kClearance * N * g.width);
+  value["friction_number"] = torque(scene, tau.journal) / (W * kAnyClearance);
+  value["inlet_flow_number"] = inlet / (kAnyDensity * kAnyRadius * kAnyClearance * N * g.width);
   value["mean_over_peak"] = W / area / largest(film.state.p);
 }
 
@@ -84,9 +80,9 @@ Values wide_film_values(const Question& q) {
                      "settings: cells must be 10 or more and cavitation \"none\" or \"conserved\"");
   }
   const FilmScene scene = scene_of(cells, rule == "conserved");
-  const double e = q.number("eps") * kClearance;
-  const Gap gap = film_gap(scene.grid, scene.angles, kClearance, {{e, 0.0, 0.0, 0.0}}, {}, {});
-  const OilLaw oil = plain_oil(kViscosity, kDensity);
+  const double e = q.number("eps") * kAnyClearance;
+  const Gap gap = film_gap(scene.grid, scene.angles, kAnyClearance, {{e, 0.0, 0.0, 0.0}}, {}, {});
+  const OilLaw oil = plain_oil(kAnyViscosity, kAnyDensity);
   const auto film = solve_reynolds(scene, gap, {}, oil, cold_film(scene));
   Values values;
   if (!film.good()) {

@@ -21,7 +21,7 @@ constexpr double kAllowed = 0.1;  ///< part of the bars that may miss the truth 
 constexpr double kLongest = 5.0;  ///< median bar over error that is allowed [-]
 
 /// One panel: cumulative part of the bars over bar/error.
-struct Panel {
+struct CoveragePanel {
   Box box;
   [[nodiscard]] Point at(double ratio, double part) const {
     const double u = std::log(std::clamp(ratio, kLow, kHigh) / kLow) / std::log(kHigh / kLow);
@@ -40,7 +40,7 @@ std::vector<double> sorted_ratios(const std::vector<BarSample>& samples, BarKind
   return ratios;
 }
 
-void draw_frame(Svg& svg, const Panel& p, const Theme& theme, const std::string& title) {
+void draw_frame(Svg& svg, const CoveragePanel& p, const Theme& theme, const std::string& title) {
   const Box& b = p.box;
   const Point one = p.at(1.0, 0.0);
   svg.rect({b.x, b.y, one.x - b.x, b.height}, theme.rule);
@@ -64,7 +64,7 @@ void draw_frame(Svg& svg, const Panel& p, const Theme& theme, const std::string&
 }
 
 /// Where the curves must pass: below 10 % at 1, above 50 % at 5.
-void draw_promise(Svg& svg, const Panel& p, const Theme& theme) {
+void draw_promise(Svg& svg, const CoveragePanel& p, const Theme& theme) {
   const Stroke dashed{theme.ink, 1.2, "5 4"};
   const Point missed = p.at(1.0, kAllowed);
   const Point median = p.at(kLongest, 0.5);
@@ -79,7 +79,7 @@ void draw_promise(Svg& svg, const Panel& p, const Theme& theme) {
 
 constexpr Tier kTiers[] = {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd};
 
-void draw_curves(Svg& svg, const Panel& p, const Theme& theme,
+void draw_curves(Svg& svg, const CoveragePanel& p, const Theme& theme,
                  const std::vector<BarSample>& samples, BarKind kind) {
   constexpr std::size_t kMostPoints = 400;  // a curve needs no more
   int shown = 0;
@@ -103,7 +103,7 @@ void draw_curves(Svg& svg, const Panel& p, const Theme& theme,
 }
 
 /// Below a panel, a line a tier: what holds, how sure that is, what has no truth.
-void write_shares(Svg& svg, const Panel& p, const Theme& theme,
+void write_shares(Svg& svg, const CoveragePanel& p, const Theme& theme,
                   const std::vector<BarSample>& samples, BarKind kind) {
   double y = p.box.bottom() + 62.0;
   for (const Tier tier : kTiers) {
@@ -128,7 +128,7 @@ void write_shares(Svg& svg, const Panel& p, const Theme& theme,
 std::string honesty_svg(const HonestyRecord& record) {
   const Theme theme = print_theme();
   Svg svg(1340.0, 500.0);
-  const Panel panels[] = {
+  const CoveragePanel panels[] = {
       {{60.0, 40.0, 370.0, 330.0}}, {{500.0, 40.0, 370.0, 330.0}}, {{940.0, 40.0, 370.0, 330.0}}};
   const BarKind kinds[] = {BarKind::grid, BarKind::limit, BarKind::total};
   const char* titles[] = {"grid bars against a finer grid", "grid bars against the limit of grids",

@@ -12,7 +12,7 @@
 namespace shellback::validation {
 
 using namespace bearing;
-using fidelity::value_in;
+using bearing::value_in;
 
 namespace {
 

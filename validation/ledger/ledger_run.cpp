@@ -66,7 +66,7 @@ void place_points(EntryReport& report, bool curves) {
     report.points.push_back({std::move(p), -1, {}});
 }
 
-void work(EntryReport& report, const std::vector<Task>& tasks, const RunOptions& options) {
+void work(EntryReport& report, const std::vector<Task>& tasks, const LedgerOptions& options) {
   const Evaluator& evaluator = *find_evaluator(report.entry.evaluator);
   const std::any prepared =
       evaluator.prepare == nullptr ? std::any{} : evaluator.prepare(report.entry);
@@ -114,7 +114,7 @@ std::vector<RowNumbers> points_between(const Entry& entry, const std::vector<Row
   return points;
 }
 
-EntryReport run_entry(const Entry& entry, const RunOptions& options) {
+EntryReport run_entry(const Entry& entry, const LedgerOptions& options) {
   const Stopwatch watch;
   EntryReport report;
   report.entry = entry;

@@ -7,7 +7,7 @@
 
 namespace shellback::validation {
 
-struct RunOptions {
+struct LedgerOptions {
   int threads = 1;
   bool curves = false;  ///< also points between the rows
   bool bands = false;   ///< also the unknown inputs at their ends
@@ -17,7 +17,7 @@ struct RunOptions {
 
 /// Does not throw for films that do not converge: their rows have no result. If stopped, the
 /// report is marked interrupted and its verdicts mean nothing. Throws InputError as judge().
-[[nodiscard]] EntryReport run_entry(const Entry& entry, const RunOptions& options);
+[[nodiscard]] EntryReport run_entry(const Entry& entry, const LedgerOptions& options);
 
 /// Points of our curve between the rows: `figure.between` in each interval of a series, evenly
 /// spaced along x (or its logarithm), other numbers interpolated alike.

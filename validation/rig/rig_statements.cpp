@@ -11,7 +11,6 @@
 namespace shellback::validation {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHigh = 80e3;  ///< 100 MPa [N]
 constexpr double kLow = 40e3;   ///< 50 MPa [N]
 constexpr double kSlowest = 1000.0;
@@ -80,12 +79,12 @@ class Judge {
   }
   [[nodiscard]] double torque(double peak, double rpm, OilModel oil, double warmer = 0.0) const {
     const RigPoint* p = s_.point(peak, rpm, oil, warmer);
-    return p == nullptr ? kNone : p->torque();
+    return p == nullptr ? NAN : p->torque();
   }
   /// Of the test bearing, full oil; 0 where it was not solved: none.
   [[nodiscard]] double test(double peak, double rpm, double RigCycle::*value) const {
     const RigPoint* p = s_.point(peak, rpm, OilModel::full);
-    return p == nullptr || !p->cycle[0].verdict.good() ? kNone : p->cycle[0].*value;
+    return p == nullptr || !p->cycle[0].verdict.good() ? NAN : p->cycle[0].*value;
   }
   /// a - b over the plan's speeds above `above`.
   [[nodiscard]] Range differences(double peak, OilModel a, OilModel b, double above) const {
@@ -119,7 +118,7 @@ void Judge::pressures() {
   add("4.1.2", "peak film pressure around 200 MPa at 100 MPa: twice the specific load",
       "1.8 to 2.2 at every speed (\"around\": 10 %)", over.words("") + ", " + p.words(" MPa", 1e-6),
       over.in(1.8, 2.2));
-  const double spread = p.count > 0 ? p.high / p.low - 1.0 : kNone;
+  const double spread = p.count > 0 ? p.high / p.low - 1.0 : NAN;
   add("4.1.2", "peak film pressure independent of the speed", "largest over smallest below 1.10",
       fmt::format("{:.3g}", 1.0 + spread), p.missing > 0 ? Met::unknown : within(spread, 0.0, 0.1));
   const bearing::Case c =
@@ -147,7 +146,7 @@ void Judge::shear() {
   add("4.1.2", "ten times smaller at 1000 rpm", "7 to 14 times (told without digits)",
       told(fast / slow, fmt::format("{:.3g} times", fast / slow)), within(fast / slow, 7.0, 14.0));
   const double T = test(kHigh, kFastest, &RigCycle::T);
-  double lost = kNone;
+  double lost = NAN;
   if (!std::isnan(fast)) {
     const bearing::Case c = rig_isothermal_case(
         RigBearing::test, {kHigh, kFastest, s_.plan.grid, nullptr, 0}, OilModel::full, T);
@@ -210,7 +209,7 @@ void Judge::hysteresis() {
     const std::size_t down = course->down_from(k);
     const bearing::Instant* a = course->at(RigBearing::test, k);
     const bearing::Instant* b = course->at(RigBearing::test, down);
-    warmer.take(a == nullptr || b == nullptr ? kNone : b->T_shell_back - a->T_shell_back);
+    warmer.take(a == nullptr || b == nullptr ? NAN : b->T_shell_back - a->T_shell_back);
     lower.take(course->torque(k) - course->torque(down));
   }
   add("4.1.2", "run-down 3 K warmer than run-up (first principles: bodies in time)", "2 to 4 K",
@@ -231,11 +230,11 @@ void Judge::starts() {
   const RigStart& fresh = s_.starts[0];
   const RigStart& worn = s_.starts[1];
   const bool known = !fresh.series.empty() && !worn.series.empty();
-  const double ratio = known ? fresh.breakaway / fresh.boundary : kNone;
+  const double ratio = known ? fresh.breakaway / fresh.boundary : NAN;
   add("4.4.2", "breakaway torque is set by the boundary friction coefficient",
       "mu times the sum of F R of three bearings, within 5 %",
       fmt::format("{:.4g} N m, {:.3f} of it", fresh.breakaway, ratio), within(ratio, 0.95, 1.05));
-  const double same = known ? worn.breakaway / fresh.breakaway : kNone;
+  const double same = known ? worn.breakaway / fresh.breakaway : NAN;
   add("4.4.2", "breakaway torque the same for both roughnesses", "within 1 %",
       fmt::format("worn over new {:.4f}", same), within(same, 0.99, 1.01));
   for (const RigStart* start : {&fresh, &worn}) {

@@ -19,8 +19,6 @@ using bearing::SolveControl;
 using bearing::Stretch;
 using bearing::Tier;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 std::vector<RigCourse> courses_of(const RigPlan& plan) {
   std::vector<RigCourse> courses;
   for (const double peak : plan.peaks) {
@@ -82,9 +80,9 @@ double temperature_of(const RigStudy& study, const RigPoint& p, RigBearing beari
   for (std::size_t k = 0; k <= course->highest(); ++k) {
     if (course->rpm[k] != p.rpm) continue;
     const bearing::Instant* i = course->at(bearing, k);
-    return i == nullptr ? kNone : i->T_shell_back;
+    return i == nullptr ? NAN : i->T_shell_back;
   }
-  return kNone;
+  return NAN;
 }
 
 /// Smallest film at mid-width over the cycle [m].
@@ -114,7 +112,7 @@ RigCycle cycle_of(const RigPlan& plan, const RigPoint& p, RigBearing bearing, do
   out.p_max = value_of(r, "p_max");
   out.h_min = value_of(r, "h_min");
   const double h = mid_width_film(r);
-  out.shear = h > 0.0 ? std::abs(c.operation.omega) * c.bearing.radius / h : kNone;
+  out.shear = h > 0.0 ? std::abs(c.operation.omega) * c.bearing.radius / h : NAN;
   return out;
 }
 
@@ -129,7 +127,7 @@ void run_points(const RigPlan& plan, StudyCrew& crew, RigStudy& study) {
 }
 
 void sum_up(RigStart& start) {
-  start.full_film = kNone;
+  start.full_film = NAN;
   if (!start.verdict[0].good() || !start.verdict[1].good()) return;
   start.series = rig_series(start.cycle[0].instants, start.cycle[1].instants);
   start.breakaway = rig_torque(value_of(start.cycle[0], "breakaway_torque"),
@@ -197,13 +195,13 @@ std::size_t RigCourse::highest() const {
 double RigCourse::torque(std::size_t k) const {
   const bearing::Instant* test = at(RigBearing::test, k);
   const bearing::Instant* support = at(RigBearing::support, k);
-  return test == nullptr || support == nullptr ? kNone : rig_torque(test->torque, support->torque);
+  return test == nullptr || support == nullptr ? NAN : rig_torque(test->torque, support->torque);
 }
 
 bool RigPoint::good() const { return cycle[0].verdict.good() && cycle[1].verdict.good(); }
 
 double RigPoint::torque() const {
-  return good() ? rig_torque(cycle[0].torque, cycle[1].torque) : kNone;
+  return good() ? rig_torque(cycle[0].torque, cycle[1].torque) : NAN;
 }
 
 std::string RigPoint::reason() const {

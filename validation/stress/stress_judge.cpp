@@ -62,7 +62,7 @@ std::optional<Difference> difference(const StressCell& a, const StressCell& b, d
 const StressCell* in_full_shear(const StressRow& row, std::size_t step) {
   if (step >= row.asked.size()) return nullptr;
   for (const StressWitness& w : row.asked[step]) {
-    const bool meant = w.question == Question::full_shear;
+    const bool meant = w.question == QuestionKind::full_shear;
     if (meant && w.cell.result == StressClass::converged) return &w.cell;
   }
   return nullptr;

@@ -28,7 +28,7 @@ std::array<int, 2> grid_of(const StressScene& scene, const std::vector<std::stri
   return app::read_case(scene.case_path, changes, {scene.tier}).model.grid;
 }
 
-StressQuestion on_grid(Question question, const StressScene& scene,
+StressQuestion on_grid(QuestionKind question, const StressScene& scene,
                        const std::vector<std::string>& words, std::array<int, 2> grid) {
   StressQuestion q{question, fmt::format("a grid of {}x{}", grid[0], grid[1]), scene, {}};
   for (const std::string& word : words) {
@@ -41,9 +41,9 @@ StressQuestion on_grid(Question question, const StressScene& scene,
 void ask_other_grids(const StressScene& scene, const std::vector<std::string>& words,
                      std::vector<StressQuestion>& questions) {
   const std::array<int, 2> grid = grid_of(scene, words);
-  using Wanted = std::pair<Question, double>;
+  using Wanted = std::pair<QuestionKind, double>;
   for (const auto& [question, factor] :
-       {Wanted{Question::coarser_grid, kCoarser}, Wanted{Question::finer_grid, kFiner}}) {
+       {Wanted{QuestionKind::coarser_grid, kCoarser}, Wanted{QuestionKind::finer_grid, kFiner}}) {
     const std::array<int, 2> other{static_cast<int>(std::lround(factor * grid[0])),
                                    static_cast<int>(std::lround(factor * grid[1]))};
     if (other[0] * other[1] <= kMostCells)
@@ -70,7 +70,7 @@ std::vector<StressQuestion> questions_about(const StressRow& row, std::size_t st
   if (refused(ours)) {
     ask_other_grids(scene, words, questions);
     if (scene.tier == Tier::lumped && ground_of(ours.why) == RefusalGround::heat) {
-      questions.push_back({Question::richer_heat, "tier thd", scene, words});
+      questions.push_back({QuestionKind::richer_heat, "tier thd", scene, words});
       questions.back().scene.tier = Tier::thd;
     }
   }
@@ -78,7 +78,7 @@ std::vector<StressQuestion> questions_about(const StressRow& row, std::size_t st
   for (std::size_t m = 1; m < row.cells.size(); ++m) {
     const bool both = has_result(row.cells[m][step]) && has_result(ours);
     if (!methods[m].full_shear || !both) continue;
-    questions.push_back({Question::full_shear, "full shear", scene, words});
+    questions.push_back({QuestionKind::full_shear, "full shear", scene, words});
     questions.back().words.emplace_back("model.cavitated_shear=full");
   }
   return questions;

@@ -9,7 +9,7 @@ namespace shellback::validation {
 
 /// A solve by the shipped method, to be run and judged as a cell is.
 struct StressQuestion {
-  Question question = Question::finer_grid;
+  QuestionKind question = QuestionKind::finer_grid;
   std::string name;
   StressScene scene;               ///< with the tier that is asked
   std::vector<std::string> words;  ///< KEY=VALUE

@@ -16,9 +16,9 @@ bool speaks(const StressMethod& theirs, const StressMethod& ours, RefusalGround 
   return !ours.less_physics || ground == RefusalGround::heat;
 }
 
-bool speaks(Question question, const StressMethod& ours, RefusalGround ground) {
-  if (question == Question::full_shear) return false;
-  if (question == Question::richer_heat) return ground == RefusalGround::heat;
+bool speaks(QuestionKind question, const StressMethod& ours, RefusalGround ground) {
+  if (question == QuestionKind::full_shear) return false;
+  if (question == QuestionKind::richer_heat) return ground == RefusalGround::heat;
   return !ours.less_physics || ground == RefusalGround::heat;
 }
 
@@ -32,7 +32,7 @@ bool took_part(const StressCell& cell) {
 bool finer_claims_none(const std::vector<StressWitness>& asked) {
   return std::any_of(asked.begin(), asked.end(), [](const StressWitness& w) {
     const bool none = claims_none(w.cell.result) || w.cell.answer.meets_bound;
-    return w.question == Question::finer_grid && none;
+    return w.question == QuestionKind::finer_grid && none;
   });
 }
 
@@ -55,7 +55,7 @@ std::vector<Voice> voices_on(const StressRow& row, std::size_t method, std::size
       claims_none(row.cells[method][step].result) && finer_claims_none(row.asked[step]);
   for (const StressWitness& w : row.asked[step]) {
     if (!took_part(w.cell)) continue;
-    if (both_claim && w.question == Question::coarser_grid) continue;
+    if (both_claim && w.question == QuestionKind::coarser_grid) continue;
     if (speaks(w.question, methods[method], ground)) voices.push_back({w.name, &w.cell});
   }
   return voices;
@@ -122,7 +122,7 @@ std::string overruled_by_finer(const StressRow& row, std::size_t step) {
   if (!finer_claims_none(row.asked[step])) return "";
   for (const StressWitness& w : row.asked[step]) {
     const bool converged = w.cell.result == StressClass::converged;
-    if (w.question == Question::coarser_grid && converged) return w.name;
+    if (w.question == QuestionKind::coarser_grid && converged) return w.name;
   }
   return "";
 }

@@ -11,7 +11,7 @@
 namespace shellback::validation {
 
 /// What the shipped method is asked beside a cell.
-enum class Question {
+enum class QuestionKind {
   coarser_grid,  ///< the same case on fewer cells
   finer_grid,    ///< the same case on more cells
   richer_heat,   ///< the same film with heat resolved: tier thd beside lumped
@@ -20,7 +20,7 @@ enum class Question {
 
 /// Its answer.
 struct StressWitness {
-  Question question = Question::finer_grid;
+  QuestionKind question = QuestionKind::finer_grid;
   std::string name;  ///< "72x12 cells", "tier thd"
   StressCell cell;
 };

@@ -64,11 +64,7 @@ Case plain_bearing(double eps, double b) {
 }
 
 Row numbers_of(const std::vector<Quantity>& quantities, double eps, double b) {
-  const auto value = [&](const char* name) {
-    return std::find_if(quantities.begin(), quantities.end(),
-                        [&](const Quantity& q) { return q.name == name; })
-        ->value;
-  };
+  const auto value = [&](const char* name) { return value_in(quantities, name); };
   const double psi = kClearance / kRadius;
   const double B = 2.0 * kRadius * b;
   const double area = B * 2.0 * kRadius;

@@ -1,11 +1,11 @@
-#include "fluid/monotone_cubic.hpp"
+#include "core/monotone_cubic.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/contract.hpp"
 
-namespace shellback::fluid {
+namespace shellback {
 namespace {
 
 constexpr double kSteepest = 3.0;  ///< of the secant: monotone up to there (Fritsch and Carlson)
@@ -45,4 +45,4 @@ ValueAndSlope MonotoneCubic::at(double x) const {
   return {a + t * (da + t * (c2 + t * c3)), (da + t * (2.0 * c2 + t * 3.0 * c3)) / step};
 }
 
-}  // namespace shellback::fluid
+}  // namespace shellback

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace shellback::fluid {
+namespace shellback {
 
 /// A value and its derivative.
 struct ValueAndSlope {
@@ -30,4 +30,4 @@ class MonotoneCubic {
   std::vector<double> x_, y_, slope_;
 };
 
-}  // namespace shellback::fluid
+}  // namespace shellback

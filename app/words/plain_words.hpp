@@ -13,6 +13,10 @@ inline constexpr const char* kOutOfTheLaw =
     "there is carries the load of that instant (the reduced pressure q = (1 - exp(-alpha p))/alpha "
     "cannot exceed 1/alpha)";
 
+inline constexpr const char* kNoPressure =
+    "the film has no steady pressure at this gap: with the pressure-viscosity law chosen, the "
+    "reduced pressure would have to exceed its bound 1/alpha (q = (1 - exp(-alpha p))/alpha)";
+
 inline constexpr const char* kNoLightState =
     "no light load and no low speed was found under which film and heat have a common state";
 
@@ -32,11 +36,7 @@ inline Told told(ending::Plain e, const About& a) {
       return {"no oil is fed that leaves the bearing: its heat cannot be carried away",
               "check the supply"};
     case Plain::no_pressure:
-      return {
-          "the film has no steady pressure at this gap: with the pressure-viscosity law "
-          "chosen, the reduced pressure would have to exceed its bound 1/alpha "
-          "(q = (1 - exp(-alpha p))/alpha)",
-          kBeyondBarus};
+      return {kNoPressure, kBeyondBarus};
     case Plain::no_position:
       return {"no position was found in which the film carries the load: each step closes the gap",
               kContactElseLoad};

@@ -360,7 +360,7 @@ TEST_CASE("EdgesAndSupportsThatCannotBeAreRefused") {
   bearing("edge_relief = { depth = \"3 um\" }", {"case.toml:6:", "edge_relief.length", "missing"});
   bearing("edge_relief = { depth = \"3 um\", length = \"20 mm\" }",
           {"case.toml:6:", "20 mm from either edge", "at most half the width"});
-  bearing("edge_relief = { depth = \"-3 um\", length = \"2 mm\" }", {"case.toml:6:", "positive"});
+  bearing("edge_relief = { depth = \"-3 um\", length = \"2 mm\" }", {"case.toml:6:", "negative"});
   bearing("chamfer = { depth = \"8 mm\", length = \"2 mm\" }", {"case.toml:6:", "check the unit"});
 }
 

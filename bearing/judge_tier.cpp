@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/cycle_numbers.hpp"
 #include "bearing/film_heat.hpp"
 #include "bearing/judge_case.hpp"
 #include "bearing/load_cycle.hpp"
@@ -139,7 +140,7 @@ Lack lack_of_feed_over(const Case& c) {
   double turned = 0.0, most = 0.0;
   for (int k = 0; k < (repeats ? 2 : 1) * kLooks; ++k) {  // a stretch may go on over the end
     const LoadNow at = course.at((k % kLooks + 0.5) * dt);
-    const bool loaded = std::hypot(at.x, at.y) > 0.0;
+    const bool loaded = std::hypot(at.x, at.y) > kVanishingLoad * course.largest_load();
     now = loaded ? lack_of_feed(c, std::atan2(at.y, at.x), kFarFromLoadInTime) : std::nullopt;
     turned = now ? turned + std::abs(at.omega) * dt : 0.0;
     if (turned > most) longest = now, most = turned;

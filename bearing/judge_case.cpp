@@ -260,7 +260,7 @@ std::array<int, 2> grid_for_supplies(const Case& c) {
   return grid;
 }
 
-void judge_grid(const Case& c, Findings& to) {
+void judge_grid(const Case& c, const std::vector<Tier>& tiers, Findings& to) {
   const auto [nt, nz] = c.model.grid;
   if (nt < kBearingLimits.fewest_cells_round) {
     to.refuse("model.grid", fmt::format("{} cells round the bearing cannot show a film", nt),
@@ -271,8 +271,11 @@ void judge_grid(const Case& c, Findings& to) {
               "800 x 100 is fine already");
     return;
   }
-  const bool chosen = !c.model.grid_given && c.model.tier == Tier::automatic;
-  if (chosen || c.model.tier == Tier::estimate) return;  // another grid, or none
+  const auto takes_it = [&](Tier tier) {  // else another grid, or none
+    const bool chosen = !c.model.grid_given && tier == Tier::automatic;
+    return !chosen && tier != Tier::estimate;
+  };
+  if (std::none_of(tiers.begin(), tiers.end(), takes_it)) return;
   if (to.refused() || is_fine_enough(c, c.model.grid)) return;
   const auto [more_nt, more_nz] = grid_for_supplies(c);
   to.refuse(
@@ -299,7 +302,7 @@ std::vector<Finding> judge(const Case& c, const std::vector<Tier>& tiers) {
   judge_oil(c, to);
   judge_surfaces(c, to);
   judge_solids(c, to);
-  judge_grid(c, to);
+  judge_grid(c, tiers, to);
   for (const Tier tier : tiers) {
     if (auto lack = lack_for(c, tier)) to.list.push_back(std::move(*lack));
   }

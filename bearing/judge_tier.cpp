@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/cycle_numbers.hpp"
 #include "bearing/film_heat.hpp"
 #include "bearing/judge_case.hpp"
 #include "bearing/load_cycle.hpp"
@@ -129,23 +128,27 @@ Lack lack_of_feed(const Case& c, double load_angle, double far) {
 }
 
 /// The same over a cycle or event: where it lasts for a turn of the journal, in which the film has
-/// used up the oil that it had.
+/// used up the oil that it had, under loads that make the film its smallest.
 Lack lack_of_feed_over(const Case& c) {
   constexpr int kLooks = 720;                      // a degree of two turns
+  constexpr double kLarge = 0.5;                   // of the largest load [-]
   if (c.cycle->t.size() < 2) return std::nullopt;  // refused for that
   const LoadCourse course(*c.cycle, c.operation.omega);
   const double dt = c.cycle->length() / kLooks;
-  const bool repeats = c.cycle->repeats();
-  Lack now, longest;
+  const int looks = (c.cycle->repeats() ? 2 : 1) * kLooks;  // a stretch may go on over the end
+  Lack longest;
   double turned = 0.0, most = 0.0;
-  for (int k = 0; k < (repeats ? 2 : 1) * kLooks; ++k) {  // a stretch may go on over the end
+  bool always = true;
+  for (int k = 0; k < looks; ++k) {
     const LoadNow at = course.at((k % kLooks + 0.5) * dt);
-    const bool loaded = std::hypot(at.x, at.y) > kVanishingLoad * course.largest_load();
-    now = loaded ? lack_of_feed(c, std::atan2(at.y, at.x), kFarFromLoadInTime) : std::nullopt;
+    const bool loaded = std::hypot(at.x, at.y) > kLarge * course.largest_load();
+    const Lack now =
+        loaded ? lack_of_feed(c, std::atan2(at.y, at.x), kFarFromLoadInTime) : std::nullopt;
+    always = always && now;
     turned = now ? turned + std::abs(at.omega) * dt : 0.0;
-    if (turned > most) longest = now, most = turned;
+    if (now && turned >= most) longest = now, most = turned;
   }
-  return most >= 2.0 * kPi ? longest : std::nullopt;
+  return always || most >= 2.0 * kPi ? longest : std::nullopt;
 }
 
 /// The estimate's film is one land, or two alike, fed at the widest gap by oil of one temperature.

@@ -17,14 +17,14 @@ namespace {
 
 enum Side : unsigned { kFromBelow = 1U, kFromAbove = 2U, kFromCold = 4U };
 
+unsigned side_of(int direction) { return direction > 0 ? kFromBelow : kFromAbove; }
+
+}  // namespace
+
 bool stands_alone(const Case& c) {
   const bearing::Tier tier = c.model.tier;
   return c.cycle || tier == bearing::Tier::estimate || tier == bearing::Tier::automatic;
 }
-
-unsigned side_of(int direction) { return direction > 0 ? kFromBelow : kFromAbove; }
-
-}  // namespace
 
 /// The last two solutions of a walk.
 struct Curve::Trail {

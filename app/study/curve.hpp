@@ -19,6 +19,9 @@
 
 namespace shellback::study {
 
+/// True if its solution gives its neighbours nothing to start from.
+[[nodiscard]] bool stands_alone(const bearing::Case& c);
+
 class Curve {
  public:
   using Along = std::function<bearing::Case(double index)>;  ///< the case along the curve

@@ -158,7 +158,10 @@ Sweep run_sweep(std::vector<Axis> axes, const CaseAt& case_at, const SweepOption
   Counter counter(cases.size(), options);
   const auto curves = make_curves(sweep, cases, case_at, counter, options);
   const int n = sweep.axes.front().size();
-  const auto pieces = cut(sweep.curves(), n, pieces_per_curve(sweep.curves(), n, options.threads));
+  // Points that stand alone have no cold start to share: each is a piece.
+  const bool alone = std::all_of(cases.begin(), cases.end(), stands_alone);
+  const int each = alone ? n : pieces_per_curve(sweep.curves(), n, options.threads);
+  const auto pieces = cut(sweep.curves(), n, each);
   const auto count = static_cast<int>(pieces.size());
   parallel_for(count, options.threads,
                [&](int t) { curves[pieces[t].curve]->solve_piece(pieces[t].low, pieces[t].high); });

@@ -1,6 +1,8 @@
 /// Points that cannot be solved, and what happens around them.
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
 
 #include "core/contract.hpp"
 #include "tests/study/sweeps.hpp"
@@ -158,4 +160,31 @@ TEST_CASE("TiersWithoutAFilmAreSolvedAloneOrRefused") {
   for (int k = 0; k < 5; ++k) {
     CHECK(torque(sweep.at(k, 0)) == Approx(torque(usual.at(k, 0))).epsilon(1e-7));
   }
+}
+
+TEST_CASE("PointsThatStandAloneAreSolvedOnAllThreads") {
+  // Four points of one axis on two threads: each waits until another one has begun, or for long.
+  const std::vector<Axis> axes{
+      spaced_axis("operation.speed", 3000.0, 1000.0, 4, Spacing::linear, "rpm")};
+  const CaseAt source = [&](const Position& at) {
+    Case c = plain_source(axes)(at);
+    c.model.tier = bearing::Tier::estimate;
+    return c;
+  };
+  std::atomic<int> inside{0}, most{0};
+  SweepOptions options;
+  options.threads = 2;
+  options.solve_alone = [&](int, const Case& c, const bearing::SolveControl& control) {
+    most = std::max<int>(most, ++inside);
+    for (int k = 0; k < 2000 && most < 2; ++k) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    Case same = c;
+    same.model.tier = bearing::Tier::isothermal;
+    auto result = bearing::solve(same, control);
+    --inside;
+    return result;
+  };
+  CHECK(run_sweep(axes, source, options).count_good() == 4);
+  CHECK(most == 2);
 }

@@ -150,7 +150,9 @@ MissedShape missed_shape(const Bearing& b, const FilmGrid& g) {
   if (b.shape) look_at_table(b, g, *b.shape, worst);
   if (b.wear) look_at_table(b, g, *b.wear, worst);
   for (const auto& opening : {b.edge_relief, b.chamfer}) {
-    if (opening) look_at(b, g, g.phi.front(), 0.5 * b.width - opening->length, worst);
+    MissedShape at_foot = worst;
+    if (opening) look_at(b, g, g.phi.front(), 0.5 * b.width - opening->length, at_foot);
+    if (at_foot.depth > worst.depth) worst = {at_foot.depth, NAN, at_foot.z};  // all round
   }
   return worst;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "bearing/film_heat.hpp"
 #include "bearing/judge_case.hpp"
@@ -130,9 +131,12 @@ Lack lack_of_feed(const Case& c, double load_angle, double far) {
 /// The same over a cycle or event: where it lasts for a turn of the journal, in which the film has
 /// used up the oil that it had, under loads that make the film its smallest.
 Lack lack_of_feed_over(const Case& c) {
-  constexpr int kLooks = 720;                      // a degree of two turns
-  constexpr double kLarge = 0.5;                   // of the largest load [-]
-  if (c.cycle->t.size() < 2) return std::nullopt;  // refused for that
+  constexpr int kLooks = 720;     // a degree of two turns
+  constexpr double kLarge = 0.5;  // of the largest load [-]
+  const std::vector<double>& t = c.cycle->t;
+  const bool spline = c.cycle->interpolation == LoadInterpolation::periodic_spline;
+  const bool jumps = std::adjacent_find(t.begin(), t.end(), std::greater_equal<>()) != t.end();
+  if (t.size() < 2 || (spline && jumps)) return std::nullopt;  // refused for that
   const LoadCourse course(*c.cycle, c.operation.omega);
   const double dt = c.cycle->length() / kLooks;
   const int looks = (c.cycle->repeats() ? 2 : 1) * kLooks;  // a stretch may go on over the end

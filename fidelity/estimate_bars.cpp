@@ -46,7 +46,8 @@ SupplyNumbers supply_numbers(const Case& c, const Estimate& e) {
                       0.5 * std::abs(c.operation.omega) * R * h * along;
   }
   if (e.load > 0.0) n.lift = force / e.load;
-  if (fed > 0.0) n.starved = std::max(0.0, e.side_flow / fed * (1.0 - e.eps) - 0.5);
+  n.starved = e.side_flow / fed * (1.0 - e.eps) - 0.5;  // no number: the widest bar
+  if (n.starved < 0.0) n.starved = 0.0;
   return n;
 }
 

@@ -31,15 +31,15 @@ using Wrench = std::array<double, 4>;
 /// Difference p_east - p_west across the west face of each cell over the distance between the two
 /// unknowns, halves at supply lines: circumferential pressure gradient at cells [Pa/m].
 [[nodiscard]] Field pressure_gradient_x(const FilmScene& scene, const FilmState& state);
-/// Pressure on the face between cell l and the cell r east of it [Pa]: a supply's if there is one,
-/// else that of halves in series (film_flux.hpp).
-[[nodiscard]] double face_pressure(const FilmScene& scene, const FilmState& state,
-                                   const FilmFlow& flow, int l, int r);
 /// The same where the gap jumps on faces: the halves share the difference as they carry the flow,
 /// m of each alike (`flow` of this state). By distance alone, the moment that the pressure exerts
 /// on the jump is lost to first order.
 [[nodiscard]] Field pressure_gradient_x(const FilmScene& scene, const FilmState& state,
                                         const FilmFlow& flow);
+/// Pressure on the face between cell l and the cell r east of it [Pa]: a supply's if there is one,
+/// else that of halves in series (film_flux.hpp).
+[[nodiscard]] double face_pressure(const FilmScene& scene, const FilmState& state,
+                                   const FilmFlow& flow, int l, int r);
 [[nodiscard]] Field pressure_gradient_z(const FilmScene& scene, const FilmState& state);
 
 struct ShearStress {

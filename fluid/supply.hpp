@@ -60,7 +60,7 @@ struct SupplyMap {
 [[nodiscard]] GridEdges z_edges(const std::vector<SupplyPatch>& patches);
 
 /// Part of a link that its film unknown keeps from the edge of a patch: bounds the film matrix, and
-/// moves the edge by less than a thousandth of a cell [-].
+/// moves the edge by less than a thousandth of a cell; r of (2) is no shorter, either [-].
 inline constexpr double kShortestReach = 1e-3;
 
 /// Marks cells and faces of patches that do not move. Throws InputError if two patches overlap.

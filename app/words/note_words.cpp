@@ -219,14 +219,13 @@ std::string text_of(const note::ShapeBetweenCells& n) {
   return fmt::format(
       "the grid does not resolve the shape of the bore: at {} it lies {:.3g} um beside what the "
       "cells see, and the smallest film is {:.3g} um: more cells there in model.grid, graded "
-      "towards "
-      "the edges if it is theirs (model.axial_spacing)",
+      "towards the edges if it is theirs (model.axial_spacing)",
       words_of(n.place), 1e6 * n.missed, 1e6 * n.h_min);
 }
 
 std::string text_of(const note::ProfileBetweenCells& n) {
   return fmt::format(
-      "the grid does not resolve the profile of the bore: {:.2g} % of its volume lie between the "
+      "the grid does not resolve the profile of the bore: {:.0f} % of its volume lies between the "
       "middles of the cells: more cells in model.grid, or a profile whose steps lie on their faces",
       100.0 * n.part);
 }

@@ -85,10 +85,26 @@ bool symmetric_about_mid_width(const Case& c) {
   return centred && bore_is_symmetric(c.bearing);
 }
 
+namespace {
+
+/// Edges of supplies, and where relief and chamfer begin: however narrow, cells lie within them.
+GridEdges axial_edges(const Case& c, const std::vector<fluid::SupplyPatch>& patches) {
+  GridEdges edges = fluid::z_edges(patches);
+  for (const auto& opening : {c.bearing.edge_relief, c.bearing.chamfer}) {
+    if (!opening) continue;
+    const double foot = 0.5 * c.bearing.width - opening->length;
+    edges.emplace_back(-foot, -1, true);
+    edges.emplace_back(foot, -1, true);
+  }
+  return edges;
+}
+
+}  // namespace
+
 FilmGrid film_grid(const Case& c, std::array<int, 2> grid) {
   const auto patches = patches_of(c);
   return make_grid(c.bearing.radius, c.bearing.width, grid[0], grid[1],
-                   symmetric_about_mid_width(c), fluid::phi_edges(patches), fluid::z_edges(patches),
+                   symmetric_about_mid_width(c), fluid::phi_edges(patches), axial_edges(c, patches),
                    axial_spacing(c) == AxialSpacing::graded ? kEdgeGrading : 0.0);
 }
 
@@ -123,6 +139,7 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   if (physics.flow_factors) s.rough = rough_pair(c.surfaces);
   m.profile = profile_of_cells(c.bearing, s.grid);
   m.shape = shape_of(c.bearing, s.grid);
+  s.shape_beside = shape_beside_faces(s.grid, m.shape);
   m.shear_rule = c.model.cavitated_shear == CavitatedShear::full ? fluid::CavitatedShear::full
                                                                  : fluid::CavitatedShear::filled;
   if (physics.contact) {

@@ -80,6 +80,19 @@ fluid::Gap shape_of(const Bearing& b, const FilmGrid& g) {
   return shape;
 }
 
+fluid::ShapeBeside shape_beside_faces(const FilmGrid& g, const fluid::Gap& shape) {
+  fluid::ShapeBeside beside;
+  if (shape.cell.empty()) return beside;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j <= g.nz; ++j) {
+      const double face = shape.z_face[i * (g.nz + 1) + j];
+      beside.below.push_back(j == 0 ? 0.0 : shape.cell[g.index(i, j - 1)] - face);
+      beside.above.push_back(j == g.nz ? 0.0 : shape.cell[g.index(i, j)] - face);
+    }
+  }
+  return beside;
+}
+
 namespace {
 
 /// Cell of x, the faces rising.

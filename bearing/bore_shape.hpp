@@ -10,6 +10,7 @@
 /// Positive opens the gap [m]. Textbook.
 #include "bearing/case.hpp"
 #include "core/grid.hpp"
+#include "fluid/film_flux.hpp"
 #include "fluid/gap.hpp"
 
 namespace shellback::bearing {
@@ -22,6 +23,9 @@ namespace shellback::bearing {
 
 /// (1) at cells and faces [m]; all empty: a cylinder.
 [[nodiscard]] fluid::Gap shape_of(const Bearing& b, const FilmGrid& grid);
+
+/// How that shape opens from axial faces to the cells beside them; empty: a cylinder.
+[[nodiscard]] fluid::ShapeBeside shape_beside_faces(const FilmGrid& grid, const fluid::Gap& shape);
 
 /// What a grid cannot show of the smooth shape: its largest distance from straight lines between
 /// middles and faces of cells, at the points of its tables and where an edge's opening begins.

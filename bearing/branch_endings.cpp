@@ -1,6 +1,10 @@
 #include "bearing/branch_endings.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "bearing/temperature_limits.hpp"
+#include "rheology/viscosity.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -23,16 +27,21 @@ Verdict branch_ended(const Solution& s, const Branch& b) {
 }
 
 Verdict ran_away_from(const Solution& s, const Branch& b, const MarchEnd& end) {
+  const bool thins = rheology::viscosity(s.model.oil, kHottestOil, 0.0) <
+                     rheology::viscosity(s.model.oil, kZeroCelsius, 0.0);
   return {Status::no_steady_state,
-          ending::RanAway{carried(s, b.raised == Raised::speed, b.carried), b.h_min, end.t},
+          ending::RanAway{carried(s, b.raised == Raised::speed, b.carried), b.h_min, end.t, thins},
           end.verdict.place,
           {end.verdict}};
 }
 
 Verdict limit_not_resolved(const Solution& s) {
   ending::LimitMoves moves;
-  for (const Limit& l : s.limits) {
-    moves.limits.push_back({l.grid, carried(s, l.of_speed, l.part)});
+  for (auto l = s.limits.begin(); l != s.limits.end(); ++l) {
+    const bool again = std::any_of(l + 1, s.limits.end(), [&](const Limit& later) {
+      return later.grid == l->grid && later.of_speed == l->of_speed;  // film, then film and heat
+    });
+    if (!again) moves.limits.push_back({l->grid, carried(s, l->of_speed, l->part)});
   }
   return {Status::iteration_limit, std::move(moves), s.verdict.place, {s.verdict}};
 }

@@ -3,6 +3,7 @@
 ///
 /// One table each; every line tells where its numbers come from.
 #include <array>
+#include <cmath>
 
 #include "bearing/temperature_limits.hpp"
 #include "core/constants.hpp"
@@ -23,6 +24,7 @@ struct ValueRanges {
                        "not lie below vacuum (-1.013 bar)"};
   /// [W/(m2 K)] Boiling and jets reach 1e5; beyond 1e6 oil and walls have one temperature.
   Range groove_heat{0.0, 1e6, false, "not be negative, nor more than 1e6 W/(m2 K)"};
+  Range wall_heat = groove_heat;  ///< of shell and shaft to what surrounds them, the same
   Range tolerance{0.0, 0.5, true, "be positive and at most 50 %"};
   Range kappa{0.0, 5.0, false, "lie between 0 and 5"};
   Range relaxation{0.0, 1.0, true, "be positive and at most 1"};
@@ -63,20 +65,34 @@ struct BearingLimits {
   /// [1/K] Lubricating oils 6.4e-4 to 7.3e-4 (seed 002, after Eq. 28); at 5e-3 the density would
   /// be gone 200 K above its reference.
   Limits oil_expansion{0.0, 0.0, 1.5e-3, 5e-3};
+  Limits oil_density{100.0, 600.0, 2000.0, 2e4};      // [kg/m3] petrol 700, perfluoroethers 1900
+  Limits oil_heat_capacity{200.0, 1000.0, 5e3, 2e4};  // [J/(kg K)] oils 1700 to 2500, water 4200
+  Limits oil_conductivity{5e-3, 0.05, 0.8, 100.0};    // [W/(m K)] oils 0.13, water 0.6
+  /// beta of exp(-beta (T - at)) [1/K]: oils 0.02 to 0.06; at 1 a degree takes two thirds.
+  Limits viscosity_slope{0.0, 0.0, 0.12, 1.0};
+  Limits composite_modulus{1e6, 1e8, 5e11, 5e12};  // [Pa] rubber 5e6, steel on steel 1.2e11
+  /// Lever arm of a moment over the width [-]: beyond 1/2 the load's line lies outside the bearing.
+  Limits lever{0.0, 0.0, 0.5, 50.0};
+  Limits mouth{1e-5, 2e-4, INFINITY, INFINITY};  // [m] diameter of a hole; bored ones have 0.5 mm
+  Limits channel{0.0, 0.0, 0.05, 0.5};           // [m] depth of a groove; a ship's has centimetres
+  /// Thickness over the radius of a wall that no housing holds [-]; a foil's bending stiffness is
+  /// lost in the round-off of its stretching one.
+  Limits free_wall{1e-3, 1e-2, INFINITY, INFINITY};
   /// C of Archard's law [-]: from lubricated to unlubricated metals 1e-10 to 1e-2 (textbook).
   Limits wear_coefficient{0.0, 1e-12, 1e-2, 1.0};
   Limits hardness{1e6, 1e7, 2e10, 1e12};  // [Pa] polymers from 50 MPa, nitrided steel 10 GPa
   double supply_cover_usual = 0.3;        ///< of the surface [-]
   double supply_cover_most = 0.9;         ///< above, hardly any film is left [-]
-  double supply_pressure_usual = 50e5;    ///< above, the supply is hydrostatic [Pa]
-  double profile_most = 0.1;              ///< heights' spread over the radius: no gap beyond [-]
-  double wall_most = 5.0;                 ///< shell over radius: no bush's wall is thicker [-]
+  Limits supply_pressure{-INFINITY, -INFINITY, 50e5, 2e9};  // [Pa] above, hydrostatic; fuel 3e8
+  double profile_most = 0.1;     ///< heights' spread over the radius: no gap beyond [-]
+  double wall_most = 5.0;        ///< shell over radius: no bush's wall is thicker [-]
   double housing_most = 50.0;    ///< outer over inner radius: beyond, a full space does as well [-]
   double overhang_least = 1e-4;  ///< over the radius: below, none; elements degenerate [-]
   double overhang_most = 100.0;  ///< over the radius: a shaft is infinite by then [-]
   /// [-] Over the radius: the local field is gone after two; a free body of 40 bends by itself
   /// (friction of thd-plain-bearing: 2.3530, 2.3502, 2.3423 N m with 1, 40, 100).
   double elastic_overhang_most = 20.0;
+  int most_axial_cells = 128;   ///< solved, half of all in a symmetric bearing: kernels of the ring
   int fewest_cells_round = 16;  ///< below, not even a full film's maximum is resolved
   int most_cells = 2000000;     ///< memory: some kB per cell
 };

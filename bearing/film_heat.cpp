@@ -246,6 +246,18 @@ double mean_heat_capacity(const rheology::Oil& oil, double a, double b) {
   return rheology::heat_capacity(oil, 0.5 * (a + b)).cp;
 }
 
+/// Of what the supplies feed, weighted with their flows; if none feeds, their mean [K].
+double temperature_of_fed_oil(const std::vector<Supply>& supplies, const fluid::OilFlows& flows) {
+  double fed = 0.0, warmth = 0.0, mean = 0.0;
+  for (std::size_t k = 0; k < supplies.size(); ++k) {
+    const double q = std::max(0.0, flows.patch[k]);
+    fed += q;
+    warmth += q * supplies[k].temperature;
+    mean += supplies[k].temperature / static_cast<double>(supplies.size());
+  }
+  return fed > 0.0 ? warmth / fed : mean;
+}
+
 }  // namespace
 
 std::vector<double> film_enthalpy(const BearingModel& model, const std::vector<double>& T) {
@@ -279,7 +291,7 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model,
   p.line = scene.supply.line;
   p.forward = scene.speed >= 0.0;
   p.T_reference = model.input.supplies.front().temperature;
-  p.T_edge = p.T_reference;
+  p.T_edge = temperature_of_fed_oil(model.input.supplies, fluid::oil_flows(scene, s.flow));
   p.cp_edge = mean_heat_capacity(model.oil, p.T_reference, p.T_edge);
   for (const Supply& supply : model.input.supplies) {
     thermal::SupplyVessel v;

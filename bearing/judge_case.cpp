@@ -136,6 +136,17 @@ void judge_load(const Case& c, Findings& to) {
           "check the unit of the load");
 }
 
+void judge_moment(const Case& c, Findings& to) {
+  const auto* moment = std::get_if<MomentGiven>(&c.operation.alignment);
+  const auto* load = std::get_if<LoadGiven>(&c.operation.position);
+  if (moment == nullptr || load == nullptr) return;
+  const double lever = std::hypot(moment->about_x, moment->about_y) / load->force;
+  compare(to, "operation.moment", lever / c.bearing.width, kBearingLimits.lever,
+          fmt::format("the moment is that of the load {} beside mid-width, {:.3g} of the width",
+                      shown(lever, "mm"), lever / c.bearing.width),
+          "beyond 0.5 the load's line lies outside the bearing; check the unit of the moment");
+}
+
 void judge_tilt(const Case& c, Findings& to) {
   const auto* tilt = std::get_if<TiltGiven>(&c.operation.alignment);
   if (tilt == nullptr) return;
@@ -276,6 +287,16 @@ void judge_grid(const Case& c, const std::vector<Tier>& tiers, Findings& to) {
     return !chosen && tier != Tier::estimate;
   };
   if (std::none_of(tiers.begin(), tiers.end(), takes_it)) return;
+  const bool symmetric = symmetric_about_mid_width(c);
+  const int most = kBearingLimits.most_axial_cells * (symmetric ? 2 : 1);
+  if (nz > most) {
+    to.refuse("model.grid",
+              fmt::format("{} cells along the axis are more than can be solved{}", nz,
+                          symmetric ? "" : " (the bearing is not symmetric about mid-width)"),
+              fmt::format("take {} or fewer; axial_spacing = \"graded\" gathers them at the edges",
+                          most));
+    return;
+  }
   if (to.refused() || is_fine_enough(c, c.model.grid)) return;
   const auto [more_nt, more_nz] = grid_for_supplies(c);
   to.refuse(
@@ -296,6 +317,7 @@ std::vector<Finding> judge(const Case& c, const std::vector<Tier>& tiers) {
   } else {
     judge_speed(c, to);
     judge_load(c, to);
+    judge_moment(c, to);
   }
   judge_tilt(c, to);
   judge_supplies(c, to);

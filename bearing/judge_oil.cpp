@@ -7,6 +7,8 @@
 #include "bearing/judge_parts.hpp"
 #include "bearing/shown.hpp"
 #include "core/constants.hpp"
+#include "rheology/density.hpp"
+#include "rheology/heat.hpp"
 #include "rheology/shear.hpp"
 
 namespace shellback::bearing {
@@ -36,6 +38,12 @@ void judge_viscosity(const rheology::Oil& oil, Findings& to) {
   }
   const auto* constant = std::get_if<rheology::ConstantViscosity>(&oil.temperature);
   const auto* slope = std::get_if<rheology::ReynoldsSlope>(&oil.temperature);
+  if (slope != nullptr) {
+    compare(
+        to, "oil.viscosity.temperature.beta", slope->beta, kBearingLimits.viscosity_slope,
+        fmt::format("the viscosity falls by a factor exp(-{:.4g}) with each degree", slope->beta),
+        "oils have a beta of 0.02 to 0.06 1/K");
+  }
   if (constant == nullptr && slope == nullptr) return;
   const double eta = constant != nullptr ? constant->eta : slope->eta;
   compare(to, "oil.viscosity.temperature.eta", eta, kBearingLimits.viscosity,
@@ -43,7 +51,10 @@ void judge_viscosity(const rheology::Oil& oil, Findings& to) {
           "check its unit (Pa s or mPa s?)");
 }
 
-void judge_density(const rheology::Oil& oil, Findings& to) {
+void judge_density(const rheology::Oil& oil, double T, Findings& to) {
+  const double rho = rheology::density(oil, T, 0.0).rho;
+  compare(to, "oil.density", rho, kBearingLimits.oil_density,
+          fmt::format("the oil's density is {:.4g} kg/m3", rho), "check its unit (g/cm3?)");
   const auto* law = std::get_if<rheology::DowsonHigginson>(&oil.density);
   if (law == nullptr) return;
   const double modulus = 1.0 / law->rise;
@@ -53,6 +64,16 @@ void judge_density(const rheology::Oil& oil, Findings& to) {
   compare(to, "oil.density.expansivity", law->expansivity, kBearingLimits.oil_expansion,
           fmt::format("the oil's expansivity is {:.3g} 1/K", law->expansivity),
           "mineral oils have 6.4e-4 to 7.3e-4 1/K");
+}
+
+void judge_heat(const rheology::Oil& oil, double T, Findings& to) {
+  const double cp = rheology::heat_capacity(oil, T).cp;
+  compare(to, "oil.heat_capacity", cp, kBearingLimits.oil_heat_capacity,
+          fmt::format("the oil's heat capacity is {:.4g} J/(kg K)", cp),
+          "check its unit (kJ/(kg K)?)");
+  const double k = rheology::conductivity(oil, T, 0.0).k;
+  compare(to, "oil.conductivity", k, kBearingLimits.oil_conductivity,
+          fmt::format("the oil's conductivity is {:.4g} W/(m K)", k), "check its unit");
 }
 
 /// Every temperature at which the oil is sure to be used, by key.
@@ -94,7 +115,9 @@ void judge_temperatures(const Case& c, Findings& to) {
 void judge_oil(const Case& c, Findings& to) {
   judge_switches(c, to);
   judge_viscosity(c.oil, to);
-  judge_density(c.oil, to);
+  const double T = c.supplies.front().temperature;
+  judge_density(c.oil, T, to);
+  judge_heat(c.oil, T, to);
   judge_temperatures(c, to);
 }
 

@@ -26,6 +26,7 @@ void judge_back(const Shell& s, Findings& to) {
     back.temperature("temperature", given->temperature);
   } else if (const auto& air = std::get<ConvectiveBack>(s.back); air.heat_transfer != 0.0) {
     back.number("heat_transfer", air.heat_transfer, "W/(m2 K)", kPositive);
+    back.number("heat_transfer", air.heat_transfer, "W/(m2 K)", kValueRanges.wall_heat);
     back.temperature("ambient", air.ambient);
   }
 }
@@ -49,7 +50,7 @@ void judge_shell_values(const Shell& s, Findings& to) {
     shell.number("housing.outer_diameter", 2.0 * s.housing->outer_radius, "mm", kPositive);
   }
   judge_back(s, to);
-  shell.number("end_heat_transfer", s.end_heat_transfer, "W/(m2 K)", kNotNegative);
+  shell.number("end_heat_transfer", s.end_heat_transfer, "W/(m2 K)", kValueRanges.wall_heat);
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ void judge_solid_values(const Case& c, Findings& to) {
   }
   if (c.shaft->span) shaft.number("span", *c.shaft->span, "mm", kPositive);
   if (c.shaft->overhang <= 0.0) return;
-  shaft.number("heat_transfer", c.shaft->heat_transfer, "W/(m2 K)", kNotNegative);
+  shaft.number("heat_transfer", c.shaft->heat_transfer, "W/(m2 K)", kValueRanges.wall_heat);
   shaft.temperature("ambient", c.shaft->ambient);
 }
 

@@ -7,28 +7,30 @@
 namespace shellback::bearing {
 namespace {
 
-/// Usual range of one property of engineering solids, polymers to ceramics.
-struct Usual {
+/// Possible and usual range of one property of solids, foams to diamond.
+struct Property {
   const char* key;
   double solid::Material::*member;
-  double least;
-  double most;
+  Limits limits;
   const char* unit;
 };
-constexpr Usual kUsual[] = {
-    {"conductivity", &solid::Material::conductivity, 0.05, 1000.0, "W/(m K)"},
-    {"density", &solid::Material::density, 500.0, 25000.0, "kg/m3"},
-    {"heat_capacity", &solid::Material::heat_capacity, 50.0, 5000.0, "J/(kg K)"},
-    {"youngs_modulus", &solid::Material::youngs_modulus, 1e6, 1.2e12, "GPa"},
-    {"expansion", &solid::Material::expansion, 0.0, 5e-4, "1/K"},
+constexpr Property kProperties[] = {
+    {"conductivity", &solid::Material::conductivity, {1e-3, 0.05, 1000.0, 1e4}, "W/(m K)"},
+    {"density", &solid::Material::density, {1.0, 500.0, 25000.0, 5e4}, "kg/m3"},
+    {"heat_capacity", &solid::Material::heat_capacity, {5.0, 50.0, 5000.0, 2e4}, "J/(kg K)"},
+    {"youngs_modulus", &solid::Material::youngs_modulus, {1e4, 1e6, 1.2e12, 1e14}, "GPa"},
+    {"expansion", &solid::Material::expansion, {0.0, 0.0, 5e-4, 2e-3}, "1/K"},
 };
 
 void judge_material(const solid::Material& material, const std::string& path, Findings& to) {
-  for (const Usual& usual : kUsual) {
-    const double value = material.*usual.member;
-    if (value >= usual.least && value <= usual.most) continue;
-    to.suspect(path + "." + usual.key, shown(value, usual.unit) + " is unusual for a solid",
-               "check the unit");
+  for (const Property& p : kProperties) {
+    const double value = material.*p.member;
+    if (value < p.limits.least || value > p.limits.most) {
+      to.refuse(path + "." + p.key, shown(value, p.unit) + " is no solid's", "check the unit");
+    } else if (value < p.limits.usual_least || value > p.limits.usual_most) {
+      to.suspect(path + "." + p.key, shown(value, p.unit) + " is unusual for a solid",
+                 "check the unit");
+    }
   }
 }
 
@@ -107,7 +109,15 @@ void judge_shell(const Shell& shell, double R, Findings& to) {
                 "check the unit");
     }
   }
-  if (shell.housing) judge_housing(*shell.housing, R, R + thickness, to);
+  if (shell.housing) {
+    judge_housing(*shell.housing, R, R + thickness, to);
+  } else {
+    compare(
+        to, "shell.layers", thickness / R, kBearingLimits.free_wall,
+        fmt::format("no housing holds the shell, and its wall of {} on a radius of {} is a foil",
+                    shown(thickness, "um"), shown(R, "mm")),
+        "give shell.housing, or check the unit of the thickness");
+  }
 }
 
 /// The supports stand beside the bearing, and the shaft is a shaft.

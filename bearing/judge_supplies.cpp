@@ -12,9 +12,13 @@
 namespace shellback::bearing {
 namespace {
 
+bool is_round(const Supply& s) {
+  return s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
+}
+
 /// A supply by the rectangle that encloses it.
 Supply enclosed(Supply s, double radius) {
-  if (s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling) {
+  if (is_round(s)) {
     s.arc = s.diameter / radius;
     s.length = s.diameter;
   }
@@ -50,7 +54,7 @@ void judge_axial(const Supply& s, const Bearing& b, const std::string& path, Fin
   } else if (line || reach < half * (1.0 - kRoundOff)) {
     return;
   } else if (s.length >= b.width * (1.0 - kRoundOff)) {
-    const bool hole = s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
+    const bool hole = is_round(s);
     to.refuse(key,
               fmt::format(
                   "the {} is as wide as the bearing and so open to the sides, where ambient "
@@ -68,7 +72,7 @@ void judge_axial(const Supply& s, const Bearing& b, const std::string& path, Fin
 /// Refuses a supply that reaches round more than the bearing.
 void judge_round(const Supply& s, const std::string& path, Findings& to) {
   if (s.arc < 2.0 * kPi || s.kind == SupplyKind::circumferential_groove) return;
-  if (s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling) {
+  if (is_round(s)) {
     to.refuse(path + ".diameter", "the hole is larger than the bearing's circumference");
   } else {
     to.refuse(path + ".arc",
@@ -76,8 +80,14 @@ void judge_round(const Supply& s, const std::string& path, Findings& to) {
   }
 }
 
-/// Refuses a channel that is none.
+/// Refuses a channel or a mouth that is none.
 void judge_depth(const Supply& s, const Bearing& b, const std::string& path, Findings& to) {
+  compare(to, path + ".depth", s.depth, kBearingLimits.channel,
+          fmt::format("the supply is {} deep", shown(s.depth, "mm")), "check the unit");
+  if (is_round(s)) {
+    compare(to, path + ".diameter", s.diameter, kBearingLimits.mouth,
+            fmt::format("the mouth is {} wide", shown(s.diameter, "mm")), "check the unit");
+  }
   const bool channel = std::holds_alternative<ChannelHeat>(s.heat_transfer);
   if (!channel || s.depth >= b.radial_clearance) return;
   to.refuse(path + ".depth",
@@ -96,10 +106,8 @@ void judge_pressure(const Supply& s, double p_cav, const std::string& path, Find
                           shown(s.pressure, "bar"), shown(p_cav, "bar")),
               "raise it, or lower model.cavitation_pressure");
   }
-  if (s.pressure > kBearingLimits.supply_pressure_usual) {
-    to.suspect(key, fmt::format("a supply pressure of {} is unusual for a hydrodynamic bearing",
-                                shown(s.pressure, "bar")));
-  }
+  compare(to, key, s.pressure, kBearingLimits.supply_pressure,
+          fmt::format("the supply pressure is {}", shown(s.pressure, "bar")), "check the unit");
 }
 
 /// [Pa] Possible from air alone, as stiff as its pressure is high, usual from a soft hose on; a
@@ -164,25 +172,31 @@ void judge_drilling(const Supply& s, const Case& c, const std::string& path, Fin
             "shell");
 }
 
-bool overlap(const Supply& a, const Supply& b) {
+/// Circles, and strips without their corners as far as a circle misses them.
+bool overlap(const Supply& a, const Supply& b, double radius) {
   if ((a.kind == SupplyKind::drilling) != (b.kind == SupplyKind::drilling)) return false;
-  const double apart = std::abs(std::remainder(a.angle - b.angle, 2.0 * kPi));
-  const bool round = apart < 0.5 * (a.arc + b.arc) * (1.0 - kRoundOff);
-  const bool along = std::abs(a.z - b.z) < 0.5 * (a.length + b.length) * (1.0 - kRoundOff);
-  return round && along;
+  const double apart = radius * std::abs(std::remainder(a.angle - b.angle, 2.0 * kPi));
+  const double along = std::abs(a.z - b.z);
+  const double reach = 0.5 * ((is_round(a) ? a.length : 0.0) + (is_round(b) ? b.length : 0.0));
+  const auto gap = [&](double distance, double of_a, double of_b) {
+    return distance - 0.5 * ((is_round(a) ? 0.0 : of_a) + (is_round(b) ? 0.0 : of_b));
+  };
+  const double x = gap(apart, radius * a.arc, radius * b.arc);
+  const double z = gap(along, a.length, b.length);
+  if (reach == 0.0) return std::max(x, z) < -kRoundOff * radius;
+  return std::hypot(std::max(x, 0.0), std::max(z, 0.0)) < reach * (1.0 - kRoundOff);
 }
 
-void judge_pairs(const std::vector<Supply>& list, Findings& to) {
+void judge_pairs(const std::vector<Supply>& list, double radius, Findings& to) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     for (std::size_t j = i + 1; j < list.size(); ++j) {
-      if (!overlap(list[i], list[j])) continue;
-      const std::string key = fmt::format("supply.{}", j);
-      const std::string problem = fmt::format("it overlaps supply.{}", i);
-      if (list[i].pressure != list[j].pressure || list[i].temperature != list[j].temperature) {
-        to.refuse(key, problem + ", which has another pressure or temperature", "move one");
-      } else {
-        to.suspect(key, problem);
-      }
+      if (!overlap(list[i], list[j], radius)) continue;
+      const bool alike =
+          list[i].pressure == list[j].pressure && list[i].temperature == list[j].temperature;
+      to.refuse(fmt::format("supply.{}", j),
+                fmt::format("it overlaps supply.{}{}", i,
+                            alike ? "" : ", which has another pressure or temperature"),
+                alike ? "leave out the one that lies within the other, or move one" : "move one");
     }
   }
 }
@@ -190,8 +204,7 @@ void judge_pairs(const std::vector<Supply>& list, Findings& to) {
 void judge_cover(const std::vector<Supply>& list, double width, Findings& to) {
   double covered = 0.0;
   for (const Supply& s : list) {
-    const bool round = s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
-    const double circle = round ? kPi / 4.0 : 1.0;
+    const double circle = is_round(s) ? kPi / 4.0 : 1.0;
     covered += circle * s.arc * s.length / (2.0 * kPi * width);
   }
   const std::string share =
@@ -226,7 +239,7 @@ void judge_supplies(const Case& c, Findings& to) {
     judge_vessel(list[k], c, path, to);
     judge_drilling(list[k], c, path, to);
   }
-  judge_pairs(list, to);
+  judge_pairs(list, c.bearing.radius, to);
   judge_cover(list, c.bearing.width, to);
 }
 

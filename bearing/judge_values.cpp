@@ -147,6 +147,14 @@ void judge_surfaces_values(const Surfaces& s, Findings& to) {
   contact.number("composite_modulus", s.contact->composite_modulus, "GPa", kPositive);
   contact.number("friction", s.contact->friction, "", kUpToOne);
   contact.number("hardness", s.contact->hardness, "MPa", kNotNegative);
+  compare(to, "surfaces.contact.composite_modulus", s.contact->composite_modulus,
+          kBearingLimits.composite_modulus,
+          fmt::format("the composite modulus is {}", shown(s.contact->composite_modulus, "GPa")),
+          "check the unit");
+  if (s.contact->hardness > 0.0) {
+    compare(to, "surfaces.contact.hardness", s.contact->hardness, kBearingLimits.hardness,
+            fmt::format("the hardness is {}", shown(s.contact->hardness, "MPa")), "check the unit");
+  }
   if (s.contact->friction_law) judge_friction_law(*s.contact->friction_law, to);
 }
 

@@ -174,7 +174,7 @@ struct VesselEmpty {
   double part = 0.0;  ///< of the time [-]
 };
 
-/// The mouth of a drilling that is finer than the grid.
+/// The mouth of a hole or drilling that is finer than the grid.
 struct MouthWidened {
   int supply = 0;
   double diameter = 0.0;  ///< [m]

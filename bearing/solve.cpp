@@ -75,7 +75,7 @@ void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
   }
 }
 
-/// Solves the case once more on other cells, for where its branch ends there.
+/// Solves the case once more on other cells, for where its branch ends there; interrupted: says so.
 void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
   constexpr double kSecond = 1.5;  // cells per axis [-]
   Case second = c;
@@ -86,6 +86,10 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
   on.model = make_bearing(second, physics_of(second, tier), second.model.grid);
   on.point = operating_point(on.model);
   solve_on_grid(on, tier, {false, true}, control);
+  if (on.verdict.status == Status::interrupted) {
+    s.verdict = on.verdict;
+    return;
+  }
   const bool of_speed = s.limits.back().of_speed;
   if (on.verdict.good()) on.limits.assign(1, {second.model.grid, of_speed, 1.0, false, false});
   const bool none = on.verdict.status == Status::no_steady_state;
@@ -107,7 +111,8 @@ void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Soluti
   };
   const auto confirmed = [&] { return std::any_of(s.limits.begin(), s.limits.end(), agrees); };
   if (!confirmed()) add_limit_of_second_grid(c, tier, control, s);
-  if (!confirmed()) s.verdict = limit_not_resolved(s);
+  if (s.verdict.status == Status::interrupted || confirmed()) return;
+  s.verdict = limit_not_resolved(s);
 }
 
 Solution from_cold(const Case& c, Tier tier, double T, const SolveControl& control,

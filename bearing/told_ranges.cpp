@@ -85,6 +85,24 @@ void add_bore(const BearingModel& m, const FilmReach& reach, std::vector<Note>& 
   if (part > kOfVolume) out.push_back(note::ProfileBetweenCells{part});
 }
 
+/// Holes that cells of the film show too wide: a circle within one square cell is 4/pi of its area.
+void add_holes(const BearingModel& m, std::vector<Note>& out) {
+  constexpr double kOfArea = 1.5;  // a half more than the circle: one square cell is not told
+  const FilmGrid& g = m.domain.grid;
+  const auto& supplies = m.input.supplies;
+  for (int k = 0; k < static_cast<int>(supplies.size()); ++k) {
+    if (supplies[k].kind != SupplyKind::hole) continue;
+    double area = 0.0;
+    for (int c = 0; c < g.cells(); ++c) {
+      if (m.supply.cell[c] == k) area += g.multiplicity() * g.area(c / g.nz, c % g.nz);
+    }
+    const double taken = std::sqrt(4.0 * area / kPi);
+    const double diameter = supplies[k].diameter;
+    if (taken > std::sqrt(kOfArea) * diameter)
+      out.push_back(note::MouthWidened{k, diameter, taken});
+  }
+}
+
 }  // namespace
 
 note::NotLaminar reynolds_number(const BearingModel& m, double U, double T) {
@@ -130,6 +148,7 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   add_contact(m, reach, out);
   add_edge(reach, out);
   add_bore(m, reach, out);
+  add_holes(m, out);
   return out;
 }
 

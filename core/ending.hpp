@@ -135,6 +135,7 @@ struct RanAway {
   Carried carried;
   double h_min = 0.0;  ///< there [m]
   double t = 0.0;      ///< within which [s]
+  bool thins = true;   ///< the oil's viscosity falls as it warms: without that nothing runs away
 };
 
 struct LimitOnGrid {

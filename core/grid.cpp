@@ -146,18 +146,33 @@ int cut_strip(const GridEdge& e, const GridEdges& all) {
   return cut ? e.strip : -1;
 }
 
+/// Adds the edges that yield where no other is near, if there are cells for all of them.
+void append_yielding(GridEdges& edges, const GridEdges& yielding, int full_nz, bool half) {
+  const int cells = half ? (full_nz + 1) / 2 : full_nz;
+  if (static_cast<int>(edges.size() + yielding.size()) >= cells) return;
+  for (const GridEdge& e : yielding) {
+    const double near = kMergeFraction * std::min(2.0 / full_nz, 1.0 - std::abs(e.at));
+    const bool taken = std::any_of(edges.begin(), edges.end(), [&](const GridEdge& other) {
+      return std::abs(e.at - other.at) <= near;
+    });
+    if (std::abs(e.at) > near && !taken) edges.push_back(e);
+  }
+  sort_by_place(edges);
+}
+
 /// Edges on which axial faces lie [-, over B/2], sorted, those that count as one merged: by their
 /// distance on the bearing, so that one of its edges is lost on graded cells where it is on even
 /// ones.
 std::vector<double> axial_edges(double end, int full_nz, bool half, const GridEdges& z_edges) {
-  GridEdges edges;
+  GridEdges edges, yielding;
   GridEdge middle(0.0);  // of the strip that mid-width cuts, if one does
   for (const GridEdge& e : z_edges) {
     const double place = half ? std::abs(e.at) : e.at;
     const bool in_middle = half && place <= 2e-12 * end;
     if (half && e.at < 0.0) middle.strip = std::max(middle.strip, cut_strip(e, z_edges));
     const bool within = !in_middle && std::abs(e.at) < end * (1.0 - 1e-12);
-    if (within) edges.emplace_back(place / end, e.strip);
+    if (!within || (half && e.yields && e.at < 0.0)) continue;  // its image yields, too
+    (e.yields ? yielding : edges).emplace_back(place / end, e.strip);
   }
   sort_by_place(edges);
   const double cell = 2.0 / full_nz;
@@ -167,6 +182,7 @@ std::vector<double> axial_edges(double end, int full_nz, bool half, const GridEd
     if (1.0 - e.at > kMergeFraction * cell) append_merged(merged, e, cell);
   }
   merged.erase(merged.begin());
+  append_yielding(merged, yielding, full_nz, half);
   return places(merged);
 }
 

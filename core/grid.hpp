@@ -49,8 +49,9 @@ inline constexpr double kEdgeGrading = 2.0;
 /// A place on which a face lies [rad, any branch; m, |z| < B/2].
 struct GridEdge {
   double at = 0.0;
-  int strip = -1;  ///< its other edge has the same number; -1: not that of a strip
-  GridEdge(double place, int of = -1) : at(place), strip(of) {}
+  int strip = -1;       ///< its other edge has the same number; -1: not that of a strip
+  bool yields = false;  ///< that of an opening at the bearing's end
+  GridEdge(double place, int of = -1, bool yield = false) : at(place), strip(of), yields(yield) {}
 };
 using GridEdges = std::vector<GridEdge>;
 
@@ -58,8 +59,10 @@ using GridEdges = std::vector<GridEdge>;
 /// axial grading has been applied.
 /// A face lies on each of `phi_edges` and `z_edges`, but edges closer together than a fifth of an
 /// even cell are merged, whatever the grading; those of one strip never are: however narrow, it has
-/// cells of its own. With `half`, only |z_edges| on z >= 0 is used. Throws InputError if there are
-/// more edges than cells.
+/// cells of its own. An axial edge that yields is left out where another, or mid-width, is nearer
+/// than a fifth of an even cell and of its distance to the end, and where cells are too few.
+/// With `half`, only |z_edges| on z >= 0 is used. Throws InputError if there are more edges than
+/// cells.
 [[nodiscard]] FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
                                  const GridEdges& phi_edges = {}, const GridEdges& z_edges = {},
                                  double grading = 0.0);

@@ -26,12 +26,25 @@ LogMean log_mean(double a, double b, double r) {
 
 /// One side of a face: the half cell between its unknown and the face.
 struct Half {
-  double distance;  ///< [m]
-  double h3;        ///< pressure-flow conductance h^3 phi [m3]
-  double dh3;       ///< its derivative [m2]
-  double couette;   ///< chi hT + sigma phi_s / 2 [m]
-  double dcouette;  ///< its derivative [-]
+  double distance;         ///< [m]
+  double h3;               ///< pressure-flow conductance h^3 phi [m3]
+  double dh3;              ///< its derivative [m2]
+  double couette;          ///< chi hT + sigma phi_s / 2 [m]
+  double dcouette;         ///< its derivative [-]
+  double ddistance = 0.0;  ///< derivative of the distance [-]
 };
+
+/// f of film_flux.hpp and its derivative.
+struct Opening {
+  double f;
+  double df;
+};
+Opening opening(double x) {
+  const double to = 1.0 + std::abs(x);
+  const double f = (1.0 + 0.5 * std::abs(x)) / (to * to);
+  const double df = 0.5 / (to * to) - 2.0 * f / to;  // even: f(x) = 2 - f(-x)
+  return {x < 0.0 ? 2.0 - f : f, df};
+}
 
 /// Side of a face as the pressure law sees it.
 struct Side {
@@ -61,8 +74,8 @@ FaceFlow series_flow(const Half& a, const Half& b, const Side& left, const Side&
   f.d_theta = fill.slope * f.couette;
   f.d_left = scale / sum * (g.value - dp * g.d_first * left.alpha * left.g);
   f.d_right = -scale / sum * (g.value + dp * g_back.d_first * right.alpha * right.g);
-  const double dra = -ra * a.dh3 / a.h3;
-  const double drb = -rb * b.dh3 / b.h3;
+  const double dra = a.ddistance / a.h3 - ra * a.dh3 / a.h3;
+  const double drb = b.ddistance / b.h3 - rb * b.dh3 / b.h3;
   const double jump = speed * (a.couette - b.couette) / (sum * sum);
   f.d_h = scale * (fill.value * (speed * (ra * a.dcouette + rb * b.dcouette) / sum +
                                  jump * (rb * dra - ra * drb)) -
@@ -84,8 +97,8 @@ FaceFlow half_flow(const Half& a, const Side& cell, const Side& face, CarriedFil
   f.d_theta = fill.slope * couette;
   const double d = conductance * (g.value - dp * g.d_first * cell.alpha * cell.g);
   (sign > 0 ? f.d_left : f.d_right) = sign * d;
-  f.d_h =
-      rho * length * (fill.value * speed * a.dcouette + sign * a.dh3 / a.distance * g.value * dp);
+  const double dconductance = (a.dh3 - a.h3 * a.ddistance / a.distance) / a.distance;
+  f.d_h = rho * length * (fill.value * speed * a.dcouette + sign * dconductance * g.value * dp);
   return f;
 }
 
@@ -96,6 +109,17 @@ struct Transport {
     return {distance, axial ? at.h3_z[k] : at.h3_x[k], axial ? at.dh3_z[k] : at.dh3_x[k],
             chi * at.average_gap[k] + 0.5 * at.sigma_phi_s[k],
             chi * at.daverage_gap[k] + 0.5 * at.dsigma_phi_s[k]};
+  }
+  /// Half cell along the axis beside face k, the shape of the bore opening by `rise` towards its
+  /// unknown.
+  Half axial_half(std::size_t k, double distance, const Field& rise) const {
+    Half h = half(k, distance, 0.0, true);
+    if (rise.empty() || rise[k] == 0.0) return h;
+    const double x = rise[k] / at.average_gap[k];
+    const Opening o = opening(x);
+    h.distance = o.f * distance;
+    h.ddistance = -o.df * distance * x / at.average_gap[k] * at.daverage_gap[k];
+    return h;
   }
 };
 
@@ -198,7 +222,9 @@ FaceFlow edge_flow(const Evaluation& e, const Transport& t, int i, int j) {
   const FilmGrid& g = e.scene.grid;
   const int k = g.index(i, j == 0 ? 0 : g.nz - 1);
   const double distance = std::abs(g.z_face[j] - g.z[j == 0 ? 0 : g.nz - 1]);
-  const Half half = t.half(static_cast<std::size_t>(i) * (g.nz + 1) + j, distance, 0.0, true);
+  const ShapeBeside& shape = e.scene.shape_beside;
+  const Half half = t.axial_half(static_cast<std::size_t>(i) * (g.nz + 1) + j, distance,
+                                 j == 0 ? shape.above : shape.below);
   const int sign = j == 0 ? -1 : 1;
   if (e.scene.edges == SideEdges::dry && e.state.p[k] <= e.scene.p_edge) return {};
   return half_flow(half, e.side(k), e.at_pressure(k, e.scene.p_edge), {}, 0.0, e.oil.density[k],
@@ -232,8 +258,9 @@ void axial_faces(const Evaluation& e, FilmFlow& flow) {
         const double reach = e.scene.supply.z_reach[f];
         const double of_l = to_supply ? reach : g.z_face[j] - g.z[j - 1];
         const double of_r = from_supply ? reach : g.z[j] - g.z_face[j];
-        const Half ha = a.half(f, from_supply ? 0.0 : of_l, 0.0, true);
-        const Half hb = c.half(f, to_supply ? 0.0 : of_r, 0.0, true);
+        const ShapeBeside& shape = e.scene.shape_beside;
+        const Half ha = a.axial_half(f, from_supply ? 0.0 : of_l, shape.below);
+        const Half hb = c.axial_half(f, to_supply ? 0.0 : of_r, shape.above);
         const double rho = 0.5 * (e.oil.density[r - 1] + e.oil.density[r]);
         flow.z[f] =
             series_flow(ha, hb, e.side(r - 1), e.side(r), {}, 0.0, rho, g.radius * g.dphi[i]);

@@ -22,7 +22,10 @@
 /// q = (1 - exp(-alpha p))/alpha. Where the gap jumps on a face, the two half cells are in
 /// series: pressure and flow are continuous, and in full film the jump costs no accuracy. (Where
 /// the film ruptures on a jump the flow is first order: the empty cell's pressure stands half a
-/// cell behind it.)
+/// cell behind it.) Where the shape of the bore opens or closes along the axis, a half cell of
+/// length l counts as l f(x), x = what it opens by over the average gap at the face:
+/// f = int (h_face/h)^3 dz/l = (1 + x/2)/(1 + x)^2 for a straight gap, 2 - f(-x) where it closes. A
+/// chamfer within one cell takes no more pressure than it does.
 #include <array>
 #include <limits>
 #include <vector>
@@ -50,6 +53,13 @@ struct FilmStorage {
   [[nodiscard]] bool finite() const { return !before.empty(); }
 };
 
+/// What the smooth shape of the bore (gap.hpp) has at the two unknowns beside an axial face more
+/// than on it [m]; index i * (nz + 1) + j. Empty: a cylinder.
+struct ShapeBeside {
+  Field below;  ///< towards -z
+  Field above;
+};
+
 /// Cells, edges and surfaces of a film: the same at every instant.
 struct FilmDomain {
   FilmGrid grid;
@@ -58,6 +68,7 @@ struct FilmDomain {
   double p_edge = 0.0;        ///< pressure at the side edges [Pa]
   SideEdges edges = SideEdges::flooded;
   RoughPair rough;  ///< smooth: sigma = 0
+  ShapeBeside shape_beside{};
 };
 
 /// What stays the same while one film is solved.

@@ -12,6 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/text_of_file.hpp"
+
+using shellback::test::text_of_file;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,13 +79,6 @@ std::vector<std::string> wrong_includes(const std::string& folder, const std::st
   return wrong;
 }
 
-std::string read(const fs::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 bool is_source(const fs::path& path) {
   const std::string e = path.extension().string();
   return e == ".hpp" || e == ".cpp" || e == ".h" || e == ".inl";
@@ -98,7 +95,7 @@ TEST_CASE("EveryIncludeFollowsTheArrows") {
       if (!entry.is_regular_file() || !is_source(entry.path())) continue;
       if (folder_of(fs::relative(entry.path(), root).string()) != folder) continue;
       ++files;
-      for (const std::string& path : wrong_includes(folder, read(entry.path()))) {
+      for (const std::string& path : wrong_includes(folder, text_of_file(entry.path()))) {
         FAIL_CHECK(fs::relative(entry.path(), root).string() << " must not include " << path);
       }
     }
@@ -136,7 +133,7 @@ TEST_CASE("LinkedLibrariesFollowTheArrows") {
   const fs::path root = SHELLBACK_SOURCE_DIR;
   for (const auto& [folder, allowed] : kArrows) {
     if (!fs::exists(root / folder)) continue;
-    const std::string text = read(root / folder / "CMakeLists.txt");
+    const std::string text = text_of_file(root / folder / "CMakeLists.txt");
     REQUIRE_FALSE(text.empty());
     for (const auto& [other, unused] : kArrows) {
       if (other == folder || allowed.count(other) > 0) continue;

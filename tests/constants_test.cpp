@@ -12,15 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "tests/text_of_file.hpp"
+
+using shellback::test::text_of_file;
+
 namespace {
 
 namespace fs = std::filesystem;
 using Named = std::set<std::pair<std::string, std::string>>;  ///< constant, file
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Constants that a text declares: kName behind const or constexpr and a type, with a value.
 std::vector<std::string> declared(const std::string& text) {
@@ -38,7 +37,7 @@ Named declared_in(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string kind = entry.path().extension().string();
     if (kind != ".hpp" && kind != ".cpp") continue;
-    for (const std::string& name : declared(read(entry.path()))) {
+    for (const std::string& name : declared(text_of_file(entry.path()))) {
       all.emplace(name, entry.path().filename().string());
     }
   }
@@ -85,7 +84,7 @@ Named listed_in(const std::string& page, const std::string& section) {
 
 TEST_CASE("EveryNamedConstantStandsInItsTableAndNoneThatIsGone") {
   const fs::path root = SHELLBACK_SOURCE_DIR;
-  const std::string page = read(root / "docs" / "constants.md");
+  const std::string page = text_of_file(root / "docs" / "constants.md");
   for (const std::string folder : {"bearing", "fidelity"}) {
     const Named there = declared_in(root / folder);
     const Named listed = listed_in(page, folder);

@@ -10,6 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/text_of_file.hpp"
+
+using shellback::test::text_of_file;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,17 +25,14 @@ Texts sources_in(const fs::path& root, const std::string& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
     const std::string kind = entry.path().extension().string();
     if (kind != ".hpp" && kind != ".cpp") continue;
-    std::ifstream file(entry.path());
-    std::stringstream text;
-    text << file.rdbuf();
-    texts[fs::relative(entry.path(), root).string()] = text.str();
+    texts[fs::relative(entry.path(), root).string()] = text_of_file(entry.path());
   }
   return texts;
 }
 
 /// A header and its source are one unit.
 std::string unit_of(const std::string& path) { return path.substr(0, path.rfind('.')); }
-std::string folder_of(const std::string& path) { return path.substr(0, path.rfind('/')); }
+std::string beside(const std::string& path) { return path.substr(0, path.rfind('/')); }
 
 /// Units of the same folder that the units include.
 std::map<std::string, std::set<std::string>> neighbours(const Texts& texts) {
@@ -43,7 +44,7 @@ std::map<std::string, std::set<std::string>> neighbours(const Texts& texts) {
       if (line.rfind(key, 0) != 0) continue;
       const std::string other =
           unit_of(line.substr(key.size(), line.find('"', key.size()) - key.size()));
-      if (other != unit_of(path) && folder_of(other) == folder_of(path)) {
+      if (other != unit_of(path) && beside(other) == beside(path)) {
         out[unit_of(path)].insert(other);
       }
     }

@@ -2,7 +2,7 @@
 /// Order of accuracy seen on refined grids, and the value they point to.
 #include <cmath>
 
-namespace shellback::tests {
+namespace shellback::test {
 
 /// Order from the errors of two grids whose cell sizes differ by `ratio` (coarse over fine) [-].
 [[nodiscard]] inline double order_of_errors(double coarse, double fine, double ratio = 2.0) {
@@ -21,4 +21,4 @@ namespace shellback::tests {
   return fine + (fine - coarse) / (std::pow(ratio, order) - 1.0);
 }
 
-}  // namespace shellback::tests
+}  // namespace shellback::test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace shellback::tests {
+namespace shellback::test {
 
 /// One line of a table: value by column name; NaN where a field is empty or not a number.
 using CsvRow = std::map<std::string, double>;
@@ -56,4 +56,4 @@ namespace detail {
   return rows;
 }
 
-}  // namespace shellback::tests
+}  // namespace shellback::test

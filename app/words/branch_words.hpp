@@ -51,9 +51,16 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
 }
 
 inline Told told(const ending::RanAway& e, const About& a) {
+  const std::string way = followed(e.carried, e.h_min);
+  if (!e.thins) {
+    return {fmt::format("too hot: {}; with a tenth more, heated within {:.3g} s, {} (the "
+                        "viscosity does not fall with temperature: nothing runs away)",
+                        way, e.t, a.within.reason),
+            kLessHeat};
+  }
   return {fmt::format("thermal runaway: {}; with a tenth more, film and walls run away within "
                       "{:.3g} s ({})",
-                      followed(e.carried, e.h_min), e.t, a.within.reason),
+                      way, e.t, a.within.reason),
           kLessHeat};
 }
 
@@ -75,7 +82,8 @@ inline Told told(const ending::LimitMoves& e, const About& a) {
     all += fmt::format("{}{} on {} x {} cells", all.empty() ? "" : ", ", reached(l.carried),
                        l.grid[0], l.grid[1]);
   }
-  const char* why = limits_agree(e.limits)
+  const char* why = e.limits.size() == 1 ? "no second grid shows the limit"
+                    : limits_agree(e.limits)
                         ? "the grids end at the same place, but that none lies beyond is shown on "
                           "one of them alone"
                         : "the limit moves with the grid";

@@ -41,7 +41,7 @@ std::string text_of(note::Plain n) {
       return "the surfaces are rigid (model.elastic_deformation, or the tier): the elasto-plastic "
              "layer does not yield";
     case Plain::edge_oil_as_supply:
-      return "oil that comes in again at a side edge is as warm as the supply";
+      return "oil that comes in again at a side edge is as warm as what the supplies feed";
     case Plain::event_from_steady:
       return "the event begins in the steady state of its first row";
     case Plain::event_at_rest:
@@ -253,9 +253,8 @@ std::string text_of(const note::VesselEmpty& n) {
 
 std::string text_of(const note::MouthWidened& n) {
   return fmt::format(
-      "supply.{}: the mouth of {:.4g} mm is finer than the grid and taken as {:.4g} mm wide: a "
-      "finer "
-      "model.grid",
+      "supply.{}: its mouth of {:.4g} mm is finer than the grid and taken as {:.4g} mm wide; flow "
+      "and film are those of the wider one: a finer model.grid",
       n.supply, n.diameter * 1e3, n.taken * 1e3);
 }
 

@@ -17,11 +17,11 @@ using namespace shellback::app;
 namespace {
 
 // Products of a few decimal factors: each rounds to half a unit in the last place.
-constexpr double kRounding = 1e-14;
+constexpr double kOfConversion = 1e-14;
 
 void check(const char* text, const Kind& kind, double expected) {
   INFO(text);
-  CHECK(parse_quantity(text, kind) == Approx(expected).epsilon(kRounding).margin(1e-300));
+  CHECK(parse_quantity(text, kind) == Approx(expected).epsilon(kOfConversion).margin(1e-300));
 }
 
 std::string message(const char* text, const Kind& kind) {

@@ -14,15 +14,13 @@
 #include "core/constants.hpp"
 #include "markup.hpp"
 #include "synthetic_cycle.hpp"
+#include "tests/contains.hpp"
 
 using namespace shellback;
+using test::contains;
 using nlohmann::json;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 json read_back(const bearing::CycleResult& cycle) {
   return json::parse(app::cycle_json(test::cycle_case(), cycle));

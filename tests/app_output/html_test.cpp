@@ -12,14 +12,12 @@
 #include "core/contract.hpp"
 #include "markup.hpp"
 #include "synthetic.hpp"
+#include "tests/contains.hpp"
 
 using namespace shellback;
+using test::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::string page(const bearing::Comparison& comparison) {
   return app::comparison_html(test::synthetic_case(), comparison);

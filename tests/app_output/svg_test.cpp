@@ -9,13 +9,12 @@
 #include "app/svg_contour.hpp"
 #include "app/svg_film.hpp"
 #include "app/svg_waterfall.hpp"
+#include "core/constants.hpp"
 #include "synthetic.hpp"
 
 using namespace shellback;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Loops of a path of M, L and Z.
 std::vector<std::vector<app::Point>> loops(std::string path) {

@@ -14,7 +14,7 @@
 using namespace shellback;
 using namespace shellback::bearing;
 using namespace shellback::bearing::tests;
-using shellback::tests::observed_order;
+using shellback::test::observed_order;
 
 TEST_CASE("ReliefIsAParabolaAndChamferACone") {
   Bearing b = plain_case().bearing;
@@ -44,18 +44,28 @@ TEST_CASE("AShapeThatIsEverywhereTheSameIsClearance") {
         Approx(friction_of(a.model, a.point, a.film).viscous).epsilon(1e-7));
 }
 
-TEST_CASE("ATableOfTheReliefIsTheRelief") {
-  Case key = plain_case();
-  key.bearing.edge_relief = EdgeOpening{10e-6, 8e-3};
-  Case table = plain_case();
+namespace {
+
+/// The opening at the edges as a table.
+Profile table_of(const Bearing& b) {
   Profile p{{0.0}, {}, {}};
   constexpr int kPoints = 2000;  // bilinear: wrong by (B/2000)^2/8 of the curvature, 1e-7 of it
   for (int k = 0; k <= kPoints; ++k) {
-    const double z = (static_cast<double>(k) / kPoints - 0.5) * key.bearing.width;
+    const double z = (static_cast<double>(k) / kPoints - 0.5) * b.width;
     p.z.push_back(z);
-    p.height.push_back(shape_at(key.bearing, 0.0, z));
+    p.height.push_back(shape_at(b, 0.0, z));
   }
-  table.bearing.shape = p;
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("ATableOfTheReliefIsTheRelief") {
+  Case key = plain_case();
+  // two of nine cells: the table's grid, too, has a face where the relief begins
+  key.bearing.edge_relief = EdgeOpening{10e-6, 2.0 / 9.0 * key.bearing.width};
+  Case table = plain_case();
+  table.bearing.shape = table_of(key.bearing);
   const Solution a = solve_tier(key, Tier::isothermal), b = solve_tier(table, Tier::isothermal);
   REQUIRE(a.verdict.good());
   REQUIRE(b.verdict.good());
@@ -68,13 +78,15 @@ TEST_CASE("ATableOfTheReliefIsTheRelief") {
 }
 
 TEST_CASE("AReliefConvergesWithSecondOrderUpToTheSideEdge") {
-  // A full film between held surfaces; the relief's foot, where its curvature jumps, lies inside
-  // the cells, and the pressure falls to nothing where the gap is known at the edge itself.
+  // A full film between held surfaces; the foot of the relief, given as a table, lies inside the
+  // cells, and the pressure falls to nothing where the gap is known at the edge itself.
   for (const AxialSpacing spacing : {AxialSpacing::even, AxialSpacing::graded}) {
     std::array<double, 3> load{}, torque{};
     for (int k = 0; k < 3; ++k) {
       Case c = plain_case();
-      c.bearing.edge_relief = EdgeOpening{9e-6, 8e-3};
+      Bearing relieved = c.bearing;
+      relieved.edge_relief = EdgeOpening{9e-6, 8e-3};
+      c.bearing.shape = table_of(relieved);
       c.model.axial_spacing = spacing;
       c.model.grid = {60 << k, 12 << k};
       c.model.cavitation_pressure = -1e12;  // never reached: a front would move by cells
@@ -134,12 +146,36 @@ TEST_CASE("WherePressurePushesOnStepsTheMomentIsBalanced") {
   CHECK(std::abs(torque[1] - torque[2]) < 0.6 * std::abs(torque[0] - torque[1]));
 }
 
+TEST_CASE("AnOpeningNarrowerThanACellIsSeen") {
+  // Deep chamfers take their width from the bearing: on cells of two to seven times their length
+  // the load is that of fine cells, of which nine lie within one.
+  for (const double length : {0.4e-3, 1.2e-3}) {
+    const auto load_on = [&](int nz) {
+      Case c = plain_case();
+      c.bearing.chamfer = EdgeOpening{200e-6, length};
+      c.model.grid = {48, nz};
+      place_journal(c, 0.7, 0.3);
+      const Solution s = solve_tier(c, Tier::isothermal);
+      REQUIRE(s.verdict.good());
+      return std::hypot(s.film.force[0], s.film.force[1]);
+    };
+    const double whole = load_on(9);
+    CHECK(whole == Approx(load_on(127)).epsilon(0.02));
+  }
+}
+
 TEST_CASE("WhatTheCellsDoNotShowOfTheBoreIsTold") {
   const auto solved = [](const Case& c) { return solve_tier(c, Tier::isothermal); };
   Case c = plain_case();
-  c.bearing.edge_relief = EdgeOpening{9e-6, 0.2e-3};
+  Bearing relieved = c.bearing;
+  relieved.edge_relief = EdgeOpening{9e-6, 0.2e-3};
+  c.bearing.shape = table_of(relieved);
   CHECK(tells<note::ShapeBetweenCells>(solved(c)));
-  c.bearing.edge_relief->length = 10e-3;
+  relieved.edge_relief->length = 10e-3;
+  c.bearing.shape = table_of(relieved);
+  CHECK_FALSE(tells<note::ShapeBetweenCells>(solved(c)));
+  c.bearing.shape.reset();
+  c.bearing.edge_relief = EdgeOpening{9e-6, 0.2e-3};  // has a cell of its own
   CHECK_FALSE(tells<note::ShapeBetweenCells>(solved(c)));
   c.bearing.edge_relief.reset();
   CHECK_FALSE(tells<note::ShapeBetweenCells>(solved(c)));

@@ -6,22 +6,15 @@
 #include "bearing/perturbation.hpp"
 #include "bearing/solids.hpp"
 #include "bearing/solve_equilibrium.hpp"
-#include "tests/bearing/sample_bearing.hpp"
+#include "tests/bearing/solved.hpp"
 #include "tests/read_csv.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
 using namespace shellback::bearing::tests;
-using shellback::tests::read_csv;
+using shellback::test::read_csv;
 
 namespace {
-
-Solution solved(const Case& c, Tier tier) {
-  Solution s = solve_tier(c, tier);
-  INFO(app::reason_of(s.verdict));
-  REQUIRE(s.verdict.good());
-  return s;
-}
 
 Coefficients of(const Solution& s) {
   Coefficients k = coefficients_of(s, 1e-5);

@@ -182,7 +182,7 @@ TEST_CASE("VelocityProfilesHaveUnitMeanAndTheFilmsShape", "[columns]") {
 }
 
 TEST_CASE("NodeFlowsAddUpToTheFaceFlows", "[columns]") {
-  const Solution s = solve_tier(tests::grooved_case(), Tier::thd);
+  const Solution s = solve_tier(bearing::tests::grooved_case(), Tier::thd);
   REQUIRE(s.verdict.good());
   const auto p =
       film_energy_problem(s.model, s.point, s.film, friction_of(s.model, s.point, s.film));

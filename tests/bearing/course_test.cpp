@@ -15,7 +15,7 @@ using namespace shellback::bearing::tests;
 
 namespace {
 
-Case coarse() {
+Case coarse_course() {
   Case c = warm_case();
   c.model.tier = Tier::thd;
   c.model.grid = {48, 6};
@@ -53,7 +53,7 @@ CourseRun passed(const std::vector<Stretch>& stretches) {
 }  // namespace
 
 TEST_CASE("AStretchThatIsCutInTwoEndsTheSame", "[course]") {
-  const Case c = coarse();
+  const Case c = coarse_course();
   const CourseRun whole = passed({{c, 120.0}});
   const CourseRun halves = passed({{c, 60.0}, {c, 60.0}});
   CHECK(halves.instants.back().t == Approx(120.0));
@@ -63,8 +63,8 @@ TEST_CASE("AStretchThatIsCutInTwoEndsTheSame", "[course]") {
 }
 
 TEST_CASE("ARunDownIsWarmerThanTheRunUpUnlessItIsSlow", "[course]") {
-  const Case slow = at_speed(coarse(), 0.5);
-  const Case fast = coarse();
+  const Case slow = at_speed(coarse_course(), 0.5);
+  const Case fast = coarse_course();
   const auto warmer = [&](double hold) {
     const CourseRun run = passed({{slow, hold}, {fast, hold}, {slow, hold}});
     const auto shaft = [&](std::size_t k) { return run.instants[run.ends[k]].T_shaft; };
@@ -77,8 +77,8 @@ TEST_CASE("ARunDownIsWarmerThanTheRunUpUnlessItIsSlow", "[course]") {
 }
 
 TEST_CASE("ACourseOverCyclesThatDoNotSwingIsTheSteadyOne", "[course]") {
-  const Case slow = at_speed(coarse(), 0.5);
-  const Case fast = coarse();
+  const Case slow = at_speed(coarse_course(), 0.5);
+  const Case fast = coarse_course();
   constexpr double kHold = 200.0;
   const CourseRun steady = passed({{slow, kHold}, {fast, kHold}});
   const CourseRun cycles = passed({{as_cycle(slow), kHold}, {as_cycle(fast), kHold}});
@@ -94,8 +94,8 @@ TEST_CASE("ACourseOverCyclesThatDoNotSwingIsTheSteadyOne", "[course]") {
 }
 
 TEST_CASE("AnInstantOverCyclesIsThatOfTheWallsOfThen", "[course]") {
-  const CourseRun steady = passed({{coarse(), 200.0}});
-  const CourseRun cycles = passed({{as_cycle(coarse()), 200.0}});
+  const CourseRun steady = passed({{coarse_course(), 200.0}});
+  const CourseRun cycles = passed({{as_cycle(coarse_course()), 200.0}});
   // Torque against the shaft's temperature, straight between the instants of the steady run.
   const auto torque_at = [&](double T) {
     for (std::size_t k = 1; k < steady.instants.size(); ++k) {
@@ -120,7 +120,7 @@ TEST_CASE("AnInstantOverCyclesIsThatOfTheWallsOfThen", "[course]") {
 }
 
 TEST_CASE("ACourseIsOfOneBearing", "[course]") {
-  const Case c = coarse();
+  const Case c = coarse_course();
   const auto refused = [](const std::vector<Stretch>& stretches, Tier tier = Tier::thd) {
     CHECK_THROWS_AS(run_course(stretches, tier, {}), InputError);
   };

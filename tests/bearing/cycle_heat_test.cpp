@@ -9,7 +9,7 @@
 #include "bearing/warm_up.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
-#include "tests/bearing/sample_bearing.hpp"
+#include "tests/bearing/solved.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -39,20 +39,6 @@ Case warm_cycle_case(double mean, double swing) {
   set_load(c, mean);
   c.cycle = swinging(c, mean, swing);
   return c;
-}
-
-CycleResult converged(const Case& c, Tier tier) {
-  const CycleResult r = solve_cycle(c, tier);
-  INFO(app::reason_of(r.verdict));
-  REQUIRE(r.verdict.good());
-  return r;
-}
-
-double value(const CycleResult& r, const std::string& name) {
-  for (const CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return q.quantity.value;
-  }
-  throw std::runtime_error("no quantity " + name);
 }
 
 }  // namespace

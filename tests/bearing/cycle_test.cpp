@@ -10,7 +10,7 @@
 #include "bearing/cycle_steps.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
-#include "tests/bearing/sample_bearing.hpp"
+#include "tests/bearing/solved.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -52,24 +52,6 @@ Case pulsed_case() {
   c.supplies[0].length = 0.02;
   c.cycle = over_two_turns(c, pulse);
   return c;
-}
-
-CycleResult converged(const Case& c) {
-  const CycleResult r = solve_cycle(c, Tier::isothermal);
-  INFO(app::reason_of(r.verdict));
-  REQUIRE(r.verdict.good());
-  CHECK(r.audit.mass < 1e-12);  // carried as what flows: round-off
-  return r;
-}
-
-const CycleQuantity& named(const CycleResult& r, const std::string& name) {
-  for (const CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return q;
-  }
-  throw std::runtime_error("no quantity " + name);
-}
-double value(const CycleResult& r, const std::string& name) {
-  return named(r, name).quantity.value;
 }
 
 }  // namespace

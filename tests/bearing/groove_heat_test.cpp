@@ -8,7 +8,7 @@
 #include "bearing/film_heat.hpp"
 #include "bearing/solve.hpp"
 #include "bearing/warm_up.hpp"
-#include "tests/bearing/sample_bearing.hpp"
+#include "tests/bearing/solved.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -22,13 +22,6 @@ Case groove_with(std::variant<double, ChannelHeat> heat) {
   c.model.grid = {60, 9};
   c.supplies[0].heat_transfer = heat;
   return c;
-}
-
-Solution solved(const Case& c, Tier tier) {
-  Solution s = solve_tier(c, tier);
-  INFO(app::reason_of(s.verdict));
-  REQUIRE(s.verdict.good());
-  return s;
 }
 
 /// Heat from the groove's oil into shell and shaft [W], whole bearing.

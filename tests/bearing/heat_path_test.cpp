@@ -4,7 +4,7 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/audit.hpp"
-#include "tests/bearing/sample_bearing.hpp"
+#include "tests/bearing/solved.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -19,13 +19,6 @@ Case coarse_rig(double force) {
   c.model.grid = {48, 8};
   soften_edges(c);
   return c;
-}
-
-Solution solved(const Case& c, Tier tier) {
-  Solution s = solve_tier(c, tier);
-  INFO(c.title << ": " << app::reason_of(s.verdict));
-  REQUIRE(s.verdict.good());
-  return s;
 }
 
 /// In one film, or along a branch of them.

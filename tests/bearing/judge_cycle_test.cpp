@@ -16,8 +16,6 @@ using namespace shellback::bearing::tests;
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 /// A load of 1 to 3 kN that swings about the vertical, period 0.04 s.
 Case cycle_case() {
   Case c = plain_case();

@@ -23,8 +23,6 @@ Finding refusal(Case c, Change change) {
   return {Gravity::unusual, "", "", ""};
 }
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 }  // namespace
 
 TEST_CASE("TheCasesOfTheTestsAreSolvable") {

@@ -10,7 +10,7 @@
 using namespace shellback;
 using namespace shellback::bearing;
 using namespace shellback::bearing::tests;
-using shellback::tests::order_of_errors;
+using shellback::test::order_of_errors;
 
 namespace {
 

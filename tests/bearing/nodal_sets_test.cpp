@@ -17,7 +17,7 @@ Solution solved(Case c, const Methods& methods) {
   return solve_tier(c, c.model.tier);
 }
 
-Case coarse(Case c) {
+Case on_sixty_cells(Case c) {
   c.model.grid = {60, 9};
   return c;
 }
@@ -25,7 +25,7 @@ Case coarse(Case c) {
 }  // namespace
 
 TEST_CASE("LayersAcrossTheFilmApproachTheLobattoFilmWithSecondOrder") {
-  Case c = coarse(grooved_case());
+  Case c = on_sixty_cells(grooved_case());
   c.model.film_nodes = 11;
   const double exact = torque_of(solved(c, {}));
   const auto error = [&](int layers) {
@@ -38,7 +38,7 @@ TEST_CASE("LayersAcrossTheFilmApproachTheLobattoFilmWithSecondOrder") {
   };
   const double coarse_error = error(8);
   // the turns' own tolerance leaves some of the order
-  CHECK(shellback::tests::order_of_errors(coarse_error, error(16)) == Approx(2.0).margin(0.3));
+  CHECK(shellback::test::order_of_errors(coarse_error, error(16)) == Approx(2.0).margin(0.3));
 }
 
 TEST_CASE("EveryNodalSetBalancesItsHeat") {
@@ -46,14 +46,14 @@ TEST_CASE("EveryNodalSetBalancesItsHeat") {
     Methods m;
     m.across = across;
     m.layers = 10;
-    const Solution s = solved(coarse(grooved_case()), m);
+    const Solution s = solved(on_sixty_cells(grooved_case()), m);
     REQUIRE(s.verdict.good());
     CHECK(audit_of(s, friction_of(s.model, s.point, s.film)).energy < 1e-6);
   }
 }
 
 TEST_CASE("FilmMeanTemperatureMissesThePeakThatTheResolvedFilmHas") {
-  Case c = coarse(grooved_case());
+  Case c = on_sixty_cells(grooved_case());
   const auto hottest = [&](const Methods& m) {
     const Solution s = solved(c, m);
     REQUIRE(s.verdict.good());

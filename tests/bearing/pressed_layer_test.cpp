@@ -43,7 +43,7 @@ LoadCycle pulsing(const Case& c, double most, int pulses = 1) {
   return cycle;
 }
 
-Result solved(const Case& c) {
+Result solved_in_tier(const Case& c) {
   const Result r = solve(c);
   INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
@@ -58,20 +58,20 @@ TEST_CASE("ALayerThatHoldsIsElastic", "[layer]") {
   // Under 5 MPa r = s p/(E + p): the same bearing with an elastic coating of that stiffness, whose
   // columns cannot swell (1 - 2 nu -> 1: nu = 0 makes E/s of it).
   Case c = coated(120e6);
-  const Result layer = solved(c);
+  const Result layer = solved_in_tier(c);
   CHECK(layer.values().layer_depth == 0.0);
   c.shell->layers[0].elasto_plastic = false;
   c.shell->layers[0].material.poisson_ratio = 0.0;
-  const Result elastic = solved(c);
+  const Result elastic = solved_in_tier(c);
   // The elastic body resolves what spreads along the layer, too, and is linear: r differs by p/E.
   CHECK(layer.values().h_min == Approx(elastic.values().h_min).epsilon(5e-3));
   CHECK(layer.values().p_max == Approx(elastic.values().p_max).epsilon(1e-2));
 }
 
 TEST_CASE("AFilmEndsAtTheHardnessOfItsLayer", "[layer]") {
-  const double free = solved(coated(120e6)).values().p_max;
+  const double free = solved_in_tier(coated(120e6)).values().p_max;
   const double hardness = 0.8 * free;
-  const Result r = solved(coated(hardness));
+  const Result r = solved_in_tier(coated(hardness));
   CHECK(r.values().layer_depth > 0.0);
   const double depth = r.values().layer_depth;
   const double stiffness =
@@ -91,7 +91,7 @@ TEST_CASE("ALoadThatStandsHoldsTheLayerAsTheSteadyFilmDoes", "[layer]") {
   REQUIRE(r.verdict.good());
   c.cycle.reset();
   c.operation.position = LoadGiven{1e3, 1.5 * kPi};
-  const Quantities steady = solved(c).values();
+  const Quantities steady = solved_in_tier(c).values();
   CHECK(value_of(r, "h_min") == Approx(steady.h_min).epsilon(1e-3));
   CHECK(value_of(r, "friction_torque") == Approx(steady.friction_torque).epsilon(1e-3));
   CHECK(value_of(r, "layer_depth") == 0.0);

@@ -1,6 +1,7 @@
 #pragma once
 /// Cases for the tests of bearing/, made directly, and the few helpers that they share.
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "bearing/case.hpp"
@@ -11,6 +12,7 @@
 namespace shellback::bearing::tests {
 
 inline constexpr double kDegree = kPi / 180.0;
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 [[nodiscard]] inline solid::Material steel() {
   return {"steel", 50.0, 7850.0, 460.0, 210e9, 0.3, 11e-6};

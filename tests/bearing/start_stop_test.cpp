@@ -8,7 +8,7 @@
 #include "bearing/cycle.hpp"
 #include "core/constants.hpp"
 #include "solid/boundary_friction.hpp"
-#include "tests/bearing/sample_bearing.hpp"
+#include "tests/bearing/solved.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -34,13 +34,6 @@ Case starting(double top) {
   c.cycle = event;
   c.operation.position = LoadGiven{kLoad, 270.0 * kDegree};
   return c;
-}
-
-CycleResult converged(const Case& c) {
-  const CycleResult r = solve_cycle(c, Tier::isothermal);
-  INFO(app::reason_of(r.verdict));
-  REQUIRE(r.verdict.good());
-  return r;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using namespace shellback::bearing::tests;
 
 namespace {
 
-Result solved(const Case& c, Tier tier) {
+Result told(const Case& c, Tier tier) {
   Result r = summarize(solve_tier(c, tier), tier);
   INFO(c.title << ": " << app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
@@ -29,7 +29,7 @@ double heat_left(const Result& r) {
 TEST_CASE("HeatGivenOffIsFrictionAndPumpPower", "[thermal_loop]") {
   for (const Case& c : {warm_case(), rig_case(), grooved_case()}) {
     for (const Tier tier : {Tier::thd, Tier::tehd}) {
-      const Result r = solved(c, tier);
+      const Result r = told(c, tier);
       INFO(c.title << ' ' << to_string(tier));
       // The solids' heat differs from the film's by the walls' last change, 1e-3 K at most, on
       // about 40 W/K: 5e-4 of 80 W.
@@ -46,7 +46,7 @@ TEST_CASE("AuditsCloseAndMomentFallsWithTheGrid", "[thermal_loop]") {
       double moment = INFINITY;
       for (const auto& grid : {std::array<int, 2>{100, 13}, {200, 25}}) {
         c.model.grid = grid;
-        const Audit a = solved(c, tier).audit;
+        const Audit a = told(c, tier).audit;
         INFO(c.title << ' ' << to_string(tier) << ' ' << grid[0] << ": moment " << a.moment);
         CHECK(a.mass <= 1e-10);
         CHECK(a.energy <= 1e-8);
@@ -64,7 +64,7 @@ TEST_CASE("HotSupplyLowersFriction", "[thermal_loop]") {
   for (const double T : {303.15, 323.15, 343.15}) {
     Case c = warm_case();
     c.supplies[0].temperature = T;
-    const Result r = solved(c, Tier::thd);
+    const Result r = told(c, Tier::thd);
     CHECK(r.value("friction_torque") < before);
     before = r.value("friction_torque");
   }
@@ -76,7 +76,7 @@ TEST_CASE("InsulatedBearingGivesItsHeatToTheOil", "[thermal_loop]") {
       ConvectiveBack{1e-6, 303.15};  // none at all is refused: no temperature of its own
   c.shell->end_heat_transfer = 0.0;
   c.shaft->heat_transfer = 0.0;
-  const Result r = solved(c, Tier::thd);
+  const Result r = told(c, Tier::thd);
   const double power = r.value("power_loss") + r.value("pump_power");
   // What the walls still take is their last change, 1e-3 K at most, on about 40 W/K.
   CHECK(r.value("heat_by_oil") == Approx(power).epsilon(5e-4));
@@ -109,7 +109,7 @@ TEST_CASE("BearingAtRestInTemperatureIsIsothermal", "[thermal_loop]") {
 
 TEST_CASE("LumpedTemperatureClosesTheHeatBalance", "[thermal_loop]") {
   for (const Case& c : {warm_case(), rig_case(), grooved_case()}) {
-    const Result r = solved(c, Tier::lumped);
+    const Result r = told(c, Tier::lumped);
     const double rho =
         reference_density(make_bearing(c, physics_of(c, Tier::lumped), c.model.grid));
     const double T_supply = c.supplies[0].temperature;
@@ -123,10 +123,10 @@ TEST_CASE("LumpedTemperatureClosesTheHeatBalance", "[thermal_loop]") {
 TEST_CASE("ReversedWarmJournalIsTheMirrorImage", "[thermal_loop]") {
   Case c = warm_case();
   c.supplies[0].angle = 60.0 * kDegree;
-  const Result a = solved(c, Tier::thd);
+  const Result a = told(c, Tier::thd);
   c.operation.omega = -c.operation.omega;
   c.supplies[0].angle = 120.0 * kDegree;
-  const Result b = solved(c, Tier::thd);
+  const Result b = told(c, Tier::thd);
   for (const char* name : {"power_loss", "h_min", "T_film_max", "T_shaft", "side_flow"}) {
     INFO(name);
     CHECK(a.value(name) == Approx(b.value(name)).epsilon(1e-5));  // fixed point to 1e-3 K
@@ -137,8 +137,8 @@ TEST_CASE("SolvingAgainGivesTheSameDigits", "[thermal_loop]") {
   for (const Tier tier : {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd}) {
     Case c = rig_case();
     c.model.grid = {48, 9};
-    const Result a = solved(c, tier);
-    const Result b = solved(c, tier);
+    const Result a = told(c, tier);
+    const Result b = told(c, tier);
     REQUIRE(a.quantities.size() == b.quantities.size());
     for (std::size_t k = 0; k < a.quantities.size(); ++k) {
       CHECK(a.quantities[k].value == b.quantities[k].value);
@@ -153,7 +153,7 @@ TEST_CASE("MoreNodesAcrossTheFilmConvergeOnTheSameFriction", "[thermal_loop]") {
   std::vector<double> torque;
   for (const int n : {5, 7, 9}) {
     c.model.film_nodes = n;
-    torque.push_back(solved(c, Tier::thd).value("friction_torque"));
+    torque.push_back(told(c, Tier::thd).value("friction_torque"));
   }
   CHECK(std::abs(torque[1] - torque[2]) < std::abs(torque[0] - torque[2]));
   CHECK(torque[0] == Approx(torque[2]).epsilon(5e-3));  // methods 0: 5 nodes by default
@@ -172,9 +172,9 @@ TEST_CASE("FiveNodesAcrossTheFilmSufficeBesideASupply", "[thermal_loop]") {
       c.operation.omega = at.rpm * kPi / 30.0;
       c.model.grid = grid;
       c.model.film_nodes = 9;
-      const double nine = solved(c, Tier::thd).value("T_film_max");
+      const double nine = told(c, Tier::thd).value("T_film_max");
       c.model.film_nodes = 5;
-      const Result five = solved(c, Tier::thd);
+      const Result five = told(c, Tier::thd);
       INFO(at.load << " N, " << at.rpm << " rpm, " << grid[0] << " cells around");
       CHECK(std::abs(five.value("T_film_max") - nine) < 0.2);  // [K], of a rise of 8 to 16 K
       CHECK(std::any_of(five.limiters.begin(), five.limiters.end(),

@@ -46,7 +46,7 @@ double leak_rate(const Case& c) {
   return flow * s.vessel->bulk_modulus / s.vessel->volume;
 }
 
-CycleResult solved(const Case& c) {
+CycleResult with_vessels(const Case& c) {
   CycleResult r = solve_cycle(c, Tier::isothermal);
   INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
@@ -98,7 +98,7 @@ TEST_CASE("AVesselThatLeaksEmptiesExponentially", "[vessel]") {
   const double p = c.supplies[0].pressure;
   const auto off = [&](double step) {
     c.cycle->step = step;
-    const CycleResult r = solved(c);
+    const CycleResult r = with_vessels(c);
     const CycleInstant& end = r.instants.back();
     return std::abs(end.p_vessel / (p * std::exp(-leak_rate(c) * end.t)) - 1.0);
   };
@@ -110,7 +110,7 @@ TEST_CASE("AVesselThatLeaksEmptiesExponentially", "[vessel]") {
 
 TEST_CASE("WhatFlowsFromAShutVesselIsWhatItsPressureLoses", "[vessel]") {
   const double volume = 2e-6;
-  const CycleResult r = solved(cut_off_case(volume));
+  const CycleResult r = with_vessels(cut_off_case(volume));
   const Shut shut = while_shut(r);
   CHECK(shut.p_begin == Approx(2e5).epsilon(1e-12));
   CHECK(shut.p_end < 1.9e5);
@@ -121,7 +121,7 @@ TEST_CASE("WhatFlowsFromAShutVesselIsWhatItsPressureLoses", "[vessel]") {
 
 TEST_CASE("NoOilFlowsFromAVesselAtTheCavitationPressure", "[vessel]") {
   const double volume = 1e-8;  // a drilling: it lasts for a part of a degree
-  const CycleResult r = solved(cut_off_case(volume));
+  const CycleResult r = with_vessels(cut_off_case(volume));
   const Shut shut = while_shut(r);
   CHECK(shut.p_least >= 0.0);
   CHECK(shut.p_least < 2e3);
@@ -156,9 +156,9 @@ TEST_CASE("ACourseBeginsWithFullVesselsWhateverWasBefore", "[vessel]") {
 
 TEST_CASE("AVeryLargeVesselIsASupplyOfGivenPressure", "[vessel]") {
   Case c = cut_off_case(1.0);
-  const CycleResult large = solved(c);
+  const CycleResult large = with_vessels(c);
   c.supplies[0].vessel.reset();
-  const CycleResult given = solved(c);
+  const CycleResult given = with_vessels(c);
   // The steps differ, as they end where the line opens and shuts: by what they err.
   CHECK(value_of(large, "h_min") == Approx(value_of(given, "h_min")).epsilon(3e-3));
   CHECK(value_of(large, "friction_torque") ==

@@ -11,7 +11,7 @@ using namespace shellback::bearing::tests;
 namespace {
 
 /// Temperatures of film and walls on the flow of one film.
-struct WarmUp {
+struct WarmUpByHand {
   const Solution& bearing;
   std::vector<double> T = bearing.film.columns.T;  ///< of the film's nodes [K]
   SolidTemperature walls{};
@@ -88,11 +88,11 @@ TEST_CASE("WarmUpStoresWhatItDoesNotLoseAndEndsSteady", "[warm_up]") {
   c.model.grid = {60, 9};
   const Solution s = solve_tier(c, Tier::thd);
   REQUIRE(s.verdict.good());
-  WarmUp steady{s};
+  WarmUpByHand steady{s};
   steady.start(313.15);
   steady.solve({}, nullptr);
   REQUIRE(steady.change < 1e-9);
-  WarmUp warm{s};
+  WarmUpByHand warm{s};
   warm.start(293.15);
   SolidState state = warm.solids().uniform_state(293.15);
   SolidStep step;
@@ -120,7 +120,7 @@ TEST_CASE("SteadyBearingStaysSteadyInTime", "[warm_up]") {
   Case c = grooved_case();
   c.model.grid = {60, 9};
   const Solution s = solve_tier(c, Tier::thd);
-  WarmUp w{s};
+  WarmUpByHand w{s};
   w.start(313.15);
   w.solve({}, nullptr);
   const std::vector<double> T = w.T;

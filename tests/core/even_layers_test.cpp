@@ -85,7 +85,7 @@ TEST_CASE("EvenLayersIntegrateToSecondOrder") {
     const CrossFilmNodes set = even_layers(layers);
     return dot(set.w, sampled(set, wave)) - exact;
   };
-  CHECK(tests::order_of_errors(error(20), error(40)) == Approx(2.0).margin(0.15));
+  CHECK(test::order_of_errors(error(20), error(40)) == Approx(2.0).margin(0.15));
 }
 
 TEST_CASE("BulkNodeGivesTheHeatOfTheParabola") {

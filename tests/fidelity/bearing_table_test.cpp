@@ -10,8 +10,8 @@
 namespace shellback::fidelity {
 namespace {
 
-using tests::CsvRow;
-using tests::read_csv;
+using test::CsvRow;
+using test::read_csv;
 
 /// Tangent of the attitude angle of the infinitely narrow bearing (Ocvirk, textbook).
 double ocvirk_attitude_tangent(double eps) {

@@ -16,8 +16,8 @@
 namespace shellback::fidelity {
 namespace {
 
-using tests::CsvRow;
-using tests::read_csv;
+using test::CsvRow;
+using test::read_csv;
 using validation::angle_of_sweep;
 using validation::SqueezeMobility;
 

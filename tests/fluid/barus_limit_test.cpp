@@ -84,7 +84,7 @@ TEST_CASE("TheRefusalNamesThePlaceOfThePeak") {
     if (k != peak) second = std::max(second, p[k]);
   }
   s.barus = 2.0 / (p[peak] + second);
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const auto film = solve(b);
   REQUIRE(film.verdict.status == Status::no_steady_state);
   CHECK(film.verdict.place == place_of(b.scene.grid, peak));
@@ -94,7 +94,7 @@ TEST_CASE("TheStepAlongTheBarusCurveIsLinearInQ") {
   Setup s = bearing(0.5);
   s.barus = 2e-8;
   s.patches.clear();
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   FilmState state = cold_film(b.scene);
   const Field start = random_field(b.scene.grid.cells(), 3, 1e6, 5e7);
   state.p = start;

@@ -8,9 +8,9 @@
 using namespace shellback;
 using namespace shellback::fluid;
 using namespace shellback::fluid::tests;
-using shellback::tests::CsvRow;
-using shellback::tests::read_csv;
-using shellback::tests::richardson;
+using shellback::test::CsvRow;
+using shellback::test::read_csv;
+using shellback::test::richardson;
 
 namespace {
 
@@ -23,7 +23,7 @@ Characteristics on_grid(double width_over_diameter, double eps, int nt, int nz) 
   s.half = true;
   s.nt = nt;
   s.nz = nz;
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const auto film = solve(b);
   REQUIRE(film.good());
   return characteristics(s, b, film.value, CavitatedShear::full);

@@ -10,7 +10,7 @@ using namespace shellback::fluid::tests;
 
 namespace {
 
-Setup bearing(double eps) {
+Setup with_a_patch(double eps) {
   Setup s;
   s.nt = 40;
   s.nz = 8;
@@ -111,9 +111,9 @@ TEST_CASE("RelaxationCellByCellFindsTheSameFilm") {
   for (const double eps : {0.3, 0.6, 0.85}) {
     for (const double p_edge : {0.0, 4e4}) {
       CAPTURE(eps, p_edge);
-      Setup s = bearing(eps);
+      Setup s = with_a_patch(eps);
       s.p_edge = p_edge;
-      const Bearing b = make_bearing(s);
+      const PosedFilm b = make_bearing(s);
       const auto film = solve(b);
       REQUIRE(film.good());
       Relaxation oracle(s);
@@ -130,7 +130,7 @@ TEST_CASE("RelaxationCellByCellFindsTheSameFilm") {
 
 TEST_CASE("AFischerBurmeisterStepLeavesTheSolution") {
   for (const double eps : {0.3, 0.8}) {
-    const Bearing b = make_bearing(bearing(eps));
+    const PosedFilm b = make_bearing(with_a_patch(eps));
     auto film = solve(b);
     REQUIRE(film.good());
     const FilmState before = film.value.state;
@@ -145,7 +145,7 @@ TEST_CASE("FischerBurmeisterStepsReachTheSolutionOfTheActiveSets") {
   for (const double eps : {0.3, 0.8}) {
     for (const unsigned seed : {1u, 2u, 3u}) {
       CAPTURE(eps, seed);
-      const Bearing b = make_bearing(bearing(eps));
+      const PosedFilm b = make_bearing(with_a_patch(eps));
       const auto film = solve(b);
       REQUIRE(film.good());
       FilmSolution v = film.value;
@@ -169,7 +169,7 @@ TEST_CASE("FischerBurmeisterStepsReachTheSolutionOfTheActiveSets") {
 }
 
 TEST_CASE("TheFilmForgetsWhereTheSolverStarted") {
-  const Bearing b = make_bearing(bearing(0.7));
+  const PosedFilm b = make_bearing(with_a_patch(0.7));
   const auto film = solve(b);
   REQUIRE(film.good());
   for (const unsigned seed : {1u, 2u, 3u, 4u}) {
@@ -191,7 +191,7 @@ TEST_CASE("TheFilmForgetsWhereTheSolverStarted") {
 }
 
 TEST_CASE("ComplementarityIsJudgedCellByCell") {
-  const Bearing b = make_bearing(bearing(0.7));
+  const PosedFilm b = make_bearing(with_a_patch(0.7));
   const auto film = solve(b);
   REQUIRE(film.good());
   REQUIRE(complementary(b.scene, film.value.state));

@@ -28,7 +28,7 @@ FilmSolution solved(const Setup& s) {
 /// What flows in flows out, what a cell receives it passes on, and no cell is both empty and
 /// under pressure.
 void check_balance(const Setup& s) {
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const FilmSolution v = solved(s);
   const OilFlows flows = oil_flows(b.scene, v.flow);
   double through = std::abs(flows.side_inflow) + std::abs(flows.side);
@@ -99,7 +99,7 @@ TEST_CASE("FlowLeavingEqualsFlowSuppliedBySeveralSupplies") {
   check_balance(s);
   // Ahead of the narrow gap the film's pressure exceeds the groove's and presses oil back into it;
   // behind the gap the film is empty and takes oil from the hole.
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const OilFlows flows = oil_flows(b.scene, solved(s).flow);
   CHECK(flows.patch[2] < 0.0);
   CHECK(flows.patch[0] > 0.0);
@@ -121,7 +121,7 @@ TEST_CASE("FlowLeavingEqualsFlowSuppliedBetweenDryAndFloodedEdges") {
   for (const SideEdges edges : {SideEdges::flooded, SideEdges::dry}) {
     s.edges = edges;
     check_balance(s);
-    const Bearing b = make_bearing(s);
+    const PosedFilm b = make_bearing(s);
     const OilFlows flows = oil_flows(b.scene, solved(s).flow);
     if (edges == SideEdges::dry) CHECK(flows.side_inflow == 0.0);
     if (edges == SideEdges::flooded) CHECK(flows.side_inflow > 0.0);
@@ -160,7 +160,7 @@ TEST_CASE("TheFlowThroughAnEmptyFilmIsHandedOnUnchanged") {
   // In striated film nothing spreads: theta h stays what it was at rupture, along every strip.
   Setup s = loaded();
   s.patches = {line_supply(s, 4.9 + kPi)};
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const FilmSolution v = solved(s);
   const FilmGrid& g = b.scene.grid;
   int strips = 0;

@@ -13,7 +13,7 @@ constexpr double kDiameter = 5e-3;  // 4 by 3 cells of the coarse grid [m]
 
 /// A bearing whose one supply is a hole, or a drilling that stands at the same place.
 struct Fed {
-  Bearing bearing;
+  PosedFilm bearing;
   FilmSolution film;
 };
 

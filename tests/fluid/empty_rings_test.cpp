@@ -12,7 +12,7 @@ using namespace shellback::fluid::tests;
 namespace {
 
 /// A full film but for the ring at one axial index.
-FilmState empty_at(const Bearing& b, int ring) {
+FilmState empty_at(const PosedFilm& b, int ring) {
   FilmState s = cold_film(b.scene);
   for (int i = 0; i < b.scene.grid.nt; ++i) {
     const int k = b.scene.grid.index(i, ring);
@@ -25,7 +25,7 @@ FilmState empty_at(const Bearing& b, int ring) {
 }
 
 /// Derivative of the net outflow along a fill ratio that is uniform in the ring [kg/s].
-double by_more_oil(const Bearing& b, const FilmState& s, int ring) {
+double by_more_oil(const PosedFilm& b, const FilmState& s, int ring) {
   FilmCoefficients oil;
   b.oil(s, oil);
   FilmFlow flow;
@@ -47,7 +47,7 @@ double by_more_oil(const Bearing& b, const FilmState& s, int ring) {
 TEST_CASE("OilOfARingThatIsCavitatedAllRoundOnlyGoesRound") {
   Setup setup;
   setup.position = {{8e-6, -4e-6, 0.0, 0.0}};
-  const Bearing b = make_bearing(setup);
+  const PosedFilm b = make_bearing(setup);
   const int last = b.scene.grid.nz - 1;
   FilmState s = empty_at(b, last);
   CHECK(empty_rings(b.scene, s) == std::vector<int>{last});
@@ -60,7 +60,7 @@ TEST_CASE("OilOfARingThatIsCavitatedAllRoundOnlyGoesRound") {
 }
 
 TEST_CASE("ARingWithAFullCellOrASupplyIsFed") {
-  const Bearing b = make_bearing(Setup{});
+  const PosedFilm b = make_bearing(Setup{});
   FilmState s = empty_at(b, 3);
   s.full[b.scene.grid.index(20, 3)] = 1;
   CHECK(empty_rings(b.scene, s).empty());
@@ -70,7 +70,7 @@ TEST_CASE("ARingWithAFullCellOrASupplyIsFed") {
   groove.arc = 0.4;
   groove.length = 0.012;
   grooved.patches = {groove};
-  const Bearing g = make_bearing(grooved);
+  const PosedFilm g = make_bearing(grooved);
   CHECK(empty_rings(g.scene, empty_at(g, g.scene.grid.nz / 2)).empty());
   CHECK(empty_rings(g.scene, empty_at(g, 0)).size() == 1);
 }

@@ -12,7 +12,7 @@ namespace {
 /// A film at an arbitrary state: nothing here is a solution.
 struct Tangle {
   Setup setup;
-  Bearing bearing;
+  PosedFilm bearing;
   FilmCoefficients oil;
   FilmState state;
 

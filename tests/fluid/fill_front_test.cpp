@@ -13,7 +13,7 @@ namespace {
 
 /// A concentric journal whose film is cavitated all round: its oil goes round with half the
 /// journal's speed. So wide that nothing flows sideways.
-Bearing ring(int cells, double speed = 10.0) {
+PosedFilm ring(int cells, double speed = 10.0) {
   Setup s;
   s.width = 1e3;
   s.half = true;
@@ -32,7 +32,7 @@ FilmState filled(const FilmGrid& g, const Profile& theta) {
 }
 
 /// Flows of the film in a step in time, which begins with what the film holds.
-FilmFlow flow_of(Bearing b, const FilmState& film) {
+FilmFlow flow_of(PosedFilm b, const FilmState& film) {
   FilmCoefficients oil;
   b.oil(film, oil);
   if (!b.scene.storage.finite()) {
@@ -53,7 +53,7 @@ double band(double phi) {
 /// Mean of |theta - exact| after the band has gone half round.
 double error_half_round(int cells, bool sharpened) {
   constexpr double kCellsPerStep = 0.05;  // backward Euler widens a front, too: little
-  Bearing b = ring(cells);
+  PosedFilm b = ring(cells);
   const FilmGrid& g = b.scene.grid;
   const double per_step = kCellsPerStep * 2.0 * kPi / cells;
   const int steps = static_cast<int>(std::lround(kPi / per_step));
@@ -103,7 +103,7 @@ TEST_CASE("WhatIsCarriedLiesBetweenNothingAndFullFilmAndRisesWithTheFill", "[fro
 TEST_CASE("SmoothOilIsCarriedWithSecondOrder", "[front]") {
   const Profile wave = [](double phi) { return 0.5 + 0.2 * std::sin(phi); };
   const auto error = [&](int cells) {
-    const Bearing b = ring(cells);
+    const PosedFilm b = ring(cells);
     const FilmGrid& g = b.scene.grid;
     const FilmState film = filled(g, wave);
     const Field front = fill_fronts(b.scene, film, flow_of(b, film));
@@ -138,7 +138,7 @@ TEST_CASE("OilIsCarriedAsItIsWhateverTheGap", "[front]") {
     setup.nt = cells;
     setup.nz = 2;
     setup.position = eccentric(0.8 * setup.clearance, 1.0);
-    Bearing b = make_bearing(setup);
+    PosedFilm b = make_bearing(setup);
     const FilmGrid& g = b.scene.grid;
     const double height = kOil * 0.2 * setup.clearance;
     FilmState film = filled(g, [](double) { return 1.0; });
@@ -157,7 +157,7 @@ TEST_CASE("OilIsCarriedAsItIsWhateverTheGap", "[front]") {
 }
 
 TEST_CASE("AJournalThatTurnsBackHasTheMirroredFronts", "[front]") {
-  const Bearing ahead = ring(48), back = ring(48, -10.0);
+  const PosedFilm ahead = ring(48), back = ring(48, -10.0);
   const FilmGrid& g = ahead.scene.grid;
   const auto theta = [](double phi) { return 0.5 + 0.3 * std::sin(phi) + 0.1 * std::cos(2 * phi); };
   const FilmState film = filled(g, theta);

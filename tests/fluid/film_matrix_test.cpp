@@ -11,7 +11,7 @@ namespace {
 
 /// A film at an arbitrary state, and directions in which to move it.
 struct Probe {
-  Bearing bearing;
+  PosedFilm bearing;
   FilmCoefficients oil;
   FilmState state;
   FilmFlow flow;
@@ -149,7 +149,7 @@ void check_everything(const Setup& s) {
 
 double ripples(double phi, double z) { return 6e-6 * (1.0 + std::sin(5.0 * phi + 700.0 * z)); }
 
-Setup tilted() {
+Setup tilted_thirteen() {
   Setup s;
   s.nt = 13;
   s.nz = 6;
@@ -161,27 +161,27 @@ Setup tilted() {
 }  // namespace
 
 TEST_CASE("TheFilmMatrixIsTheSlopeOfTheResidual") {
-  check_everything(tilted());
-  Setup s = tilted();
+  check_everything(tilted_thirteen());
+  Setup s = tilted_thirteen();
   s.nz = 1;
   check_everything(s);
 }
 
 TEST_CASE("TheFilmMatrixIsTheSlopeOverASteppedGap") {
-  Setup s = tilted();
+  Setup s = tilted_thirteen();
   s.profile = ripples;
   check_everything(s);
 }
 
 TEST_CASE("TheFilmMatrixIsTheSlopeAtSupplyLines") {
-  Setup s = tilted();
+  Setup s = tilted_thirteen();
   s.profile = ripples;
   s.patches = {line_supply(s, 1.0, 3e5), {.phi = 3.0, .z = 2e-3, .length = 0.01, .pressure = 1e5}};
   check_everything(s);
 }
 
 TEST_CASE("TheFilmMatrixIsTheSlopeAtGroovesAndHoles") {
-  Setup s = tilted();
+  Setup s = tilted_thirteen();
   s.nt = 17;
   s.nz = 9;
   s.patches = {{.phi = 2.0, .z = 1e-3, .arc = 1.2, .length = 9e-3, .pressure = 3e5},
@@ -190,28 +190,28 @@ TEST_CASE("TheFilmMatrixIsTheSlopeAtGroovesAndHoles") {
 }
 
 TEST_CASE("TheFilmMatrixIsTheSlopeAtACircumferentialGroove") {
-  Setup s = tilted();
+  Setup s = tilted_thirteen();
   s.nz = 9;
   s.patches = {{.arc = 2.0 * kPi, .length = 4e-3, .pressure = 3e5}};
   check_everything(s);
 }
 
 TEST_CASE("TheFilmMatrixIsTheSlopeForRoughSurfaces") {
-  Setup s = tilted();
+  Setup s = tilted_thirteen();
   s.clearance = 12e-6;
   s.rough = rough_pair({1.2e-6, 3.0}, {0.8e-6, 0.5});
   check_everything(s);
 }
 
 TEST_CASE("TheFilmMatrixIsTheSlopeWithDryEdges") {
-  Setup s = tilted();
+  Setup s = tilted_thirteen();
   s.edges = SideEdges::dry;
   s.p_edge = 1e7;
   check_everything(s);
 }
 
 TEST_CASE("TheFilmMatrixIsTheSlopeOnAHalfGrid") {
-  Setup s = tilted();
+  Setup s = tilted_thirteen();
   s.position = eccentric(9e-6, 0.4);
   s.half = true;
   s.patches = {{.phi = 2.0, .arc = 1.2, .length = 9e-3, .pressure = 3e5}};
@@ -222,7 +222,7 @@ TEST_CASE("TheFilmMatrixIsTheSlopeOnAHalfGrid") {
 }
 
 TEST_CASE("SupplyRowsAreIdentityAndMoveNobody") {
-  Setup s = tilted();
+  Setup s = tilted_thirteen();
   s.patches = {{.phi = 2.0, .arc = 1.2, .length = 9e-3, .pressure = 3e5}};
   const Probe q(s);
   RingMatrix a;

@@ -32,7 +32,7 @@ struct Setup {
   std::function<double(double phi, double z)> profile;  ///< step of the cell there [m]
 };
 
-struct Bearing {
+struct PosedFilm {
   FilmScene scene;
   Field step;
   Gap gap;
@@ -53,8 +53,8 @@ struct Bearing {
   };
 }
 
-[[nodiscard]] inline Bearing make_bearing(const Setup& s) {
-  Bearing b;
+[[nodiscard]] inline PosedFilm make_bearing(const Setup& s) {
+  PosedFilm b;
   FilmScene& scene = b.scene;
   const GridEdges none;
   scene.grid =
@@ -78,7 +78,7 @@ struct Bearing {
   return b;
 }
 
-[[nodiscard]] inline Outcome<FilmSolution> solve(const Bearing& b,
+[[nodiscard]] inline Outcome<FilmSolution> solve(const PosedFilm& b,
                                                  const ReynoldsOptions& options = {}) {
   return solve_reynolds(b.scene, b.gap, b.step, b.oil, cold_film(b.scene), options);
 }
@@ -117,7 +117,7 @@ struct Characteristics {
   double p_ratio;     ///< W/(L D p_max) [-]
 };
 
-[[nodiscard]] inline Characteristics characteristics(const Setup& s, const Bearing& b,
+[[nodiscard]] inline Characteristics characteristics(const Setup& s, const PosedFilm& b,
                                                      const FilmSolution& v, CavitatedShear rule) {
   const FilmGrid& g = b.scene.grid;
   const Wrench f = wrench(b.scene, v.state.p);

@@ -19,7 +19,7 @@ double true_gap(double radius, double c, double x, double y, double phi) {
   return radius - (along + std::sqrt(r * r - across * across));
 }
 
-Setup tilted() {
+Setup tilted_journal() {
   Setup s;
   s.nt = 40;
   s.nz = 9;
@@ -30,8 +30,8 @@ Setup tilted() {
 }  // namespace
 
 TEST_CASE("TheGapIsTheDistanceBetweenTwoCircles") {
-  const Setup s = tilted();
-  const Bearing b = make_bearing(s);
+  const Setup s = tilted_journal();
+  const PosedFilm b = make_bearing(s);
   const FilmGrid& g = b.scene.grid;
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
@@ -54,14 +54,14 @@ TEST_CASE("TheGapIsTheDistanceBetweenTwoCircles") {
 }
 
 TEST_CASE("TheGapMovesWithThePositionAsItsSlopesSay") {
-  const Setup s = tilted();
-  const Bearing b = make_bearing(s);
+  const Setup s = tilted_journal();
+  const PosedFilm b = make_bearing(s);
   const FilmGrid& g = b.scene.grid;
   for (int k = 0; k < 4; ++k) {
     Setup t = s;
     const double step = k < 2 ? 1e-6 : 1e-4;  // the gap is linear in the position
     t.position.q[k] += step;
-    const Bearing moved = make_bearing(t);
+    const PosedFilm moved = make_bearing(t);
     for (int i = 0; i < g.nt; ++i) {
       for (int j = 0; j < g.nz; ++j) {
         const double slope = gap_slope(k, std::cos(g.phi[i]), std::sin(g.phi[i]), g.z[j]);
@@ -73,8 +73,8 @@ TEST_CASE("TheGapMovesWithThePositionAsItsSlopesSay") {
 }
 
 TEST_CASE("StepsAreCellsOwnAndDisplacementsAreShared") {
-  const Setup s = tilted();
-  const Bearing b = make_bearing(s);
+  const Setup s = tilted_journal();
+  const PosedFilm b = make_bearing(s);
   const FilmGrid& g = b.scene.grid;
   const Field step = random_field(g.cells(), 1, 0.0, 1e-6);
   const Field d = random_field(g.cells(), 2, 0.0, 1e-6);
@@ -114,10 +114,10 @@ TEST_CASE("FacesOfALinearFieldAreExactOnUnevenGrids") {
 }
 
 TEST_CASE("TheSmallestGapIsFoundAtTheEdgeOfATiltedShaft") {
-  Setup s = tilted();
+  Setup s = tilted_journal();
   s.nt = 360;
   s.position = {{-12e-6, 0.0, 0.0, -5e-4}};  // closes towards phi = 180 deg, z = +B/2
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const SmallestGap least = smallest_gap(b.scene.grid, b.gap, b.step);
   CHECK(std::abs(least.h - (20e-6 - 12e-6 - 5e-4 * 0.01)) < 20e-6 * 1e-4);  // (half a degree)^2
   CHECK(std::abs(least.phi - kPi) <= kPi / 180.0);
@@ -125,11 +125,11 @@ TEST_CASE("TheSmallestGapIsFoundAtTheEdgeOfATiltedShaft") {
 }
 
 TEST_CASE("AStepThatWidensTheGapIsPartOfTheSmallestGap") {
-  Setup s = tilted();
+  Setup s = tilted_journal();
   s.position = eccentric(12e-6, 1.0);
-  const Bearing plain = make_bearing(s);
+  const PosedFilm plain = make_bearing(s);
   s.profile = [](double, double) { return 3e-6; };
-  const Bearing wide = make_bearing(s);
+  const PosedFilm wide = make_bearing(s);
   const double a = smallest_gap(plain.scene.grid, plain.gap, plain.step).h;
   const double b = smallest_gap(wide.scene.grid, wide.gap, wide.step).h;
   CHECK(std::abs(b - a - 3e-6) < kSlack);

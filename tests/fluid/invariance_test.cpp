@@ -14,7 +14,7 @@ constexpr double kDegree = kPi / 180.0;
 /// conductance, of order nt nz: 1e-9.
 constexpr double kSame = 1e-9;
 
-Setup tilted() {
+Setup tilted_with_a_groove() {
   Setup s;
   s.nt = 72;
   s.nz = 12;
@@ -29,14 +29,14 @@ Setup tilted() {
   return s;
 }
 
-struct Film {
-  Bearing bearing;
+struct FoundFilm {
+  PosedFilm bearing;
   FilmSolution value;
   Wrench force;
 };
 
-Film solved(const Setup& s) {
-  Film f{make_bearing(s), {}, {}};
+FoundFilm film_of(const Setup& s) {
+  FoundFilm f{make_bearing(s), {}, {}};
   auto film = solve(f.bearing);
   REQUIRE(film.good());
   f.value = std::move(film.value);
@@ -60,7 +60,7 @@ Setup turned(Setup s, double angle) {
 }
 
 /// Force and moment must turn along; returns the largest deviation relative to the force.
-double force_deviation(const Film& a, const Film& b, double angle, double width) {
+double force_deviation(const FoundFilm& a, const FoundFilm& b, double angle, double width) {
   const double c = std::cos(angle), n = std::sin(angle);
   const Wrench f = a.force, g = b.force;
   const double force = std::hypot(f[0], f[1]);
@@ -80,13 +80,13 @@ double value_at(const FilmGrid& g, const Field& f, double phi, int j) {
 }  // namespace
 
 TEST_CASE("TurningByWholeCellsChangesNothing") {
-  Setup s = tilted();
+  Setup s = tilted_with_a_groove();
   s.profile = [](double phi, double z) { return 2e-6 * (1.0 + std::sin(3.0 * phi + 300.0 * z)); };
-  const Film a = solved(s);
+  const FoundFilm a = film_of(s);
   const double peak = largest_magnitude(a.value.state.p);
   for (const int cells : {1, 18, 41}) {
     const double angle = 2.0 * kPi * cells / s.nt;
-    const Film b = solved(turned(s, angle));
+    const FoundFilm b = film_of(turned(s, angle));
     CHECK(force_deviation(a, b, angle, s.width) < kSame);
     const FilmGrid& g = a.bearing.scene.grid;
     double worst = 0.0, emptier = 0.0;
@@ -108,16 +108,16 @@ TEST_CASE("TurningByWholeCellsChangesNothing") {
 
 TEST_CASE("TurningByAnyAngleChangesNoMoreThanTheGrid") {
   // Without features on faces the grid stays where it is and the film moves across it.
-  Setup s = tilted();
+  Setup s = tilted_with_a_groove();
   s.patches = {{.arc = 2.0 * kPi, .length = 2.0 * s.width / s.nz, .pressure = 3e5}};
   double last = 0.0;
   for (const int nt : {72, 144, 288}) {
     s.nt = nt;
-    const Film a = solved(s);
+    const FoundFilm a = film_of(s);
     double worst = 0.0;
     for (const double part : {0.21, 0.5, 0.77}) {
       const double angle = 1.0 + part * 2.0 * kPi / nt;
-      worst = std::max(worst, force_deviation(a, solved(turned(s, angle)), angle, s.width));
+      worst = std::max(worst, force_deviation(a, film_of(turned(s, angle)), angle, s.width));
     }
     CHECK(worst < 10.0 * std::pow(2.0 * kPi / nt, 2));  // second order, fronts included
     if (last > 0.0) CHECK(worst < 0.6 * last);
@@ -127,12 +127,12 @@ TEST_CASE("TurningByAnyAngleChangesNoMoreThanTheGrid") {
 
 TEST_CASE("AMirroredBearingThatRunsBackwardsHasTheMirroredFilm") {
   // phi -> -phi: Y changes sign, rotations about X too.
-  const Setup s = tilted();
+  const Setup s = tilted_with_a_groove();
   Setup m = s;
   m.speed = -s.speed;
   m.position.q = {s.position.ex(), -s.position.ey(), -s.position.psi_x(), s.position.psi_y()};
   m.patches[0].phi = -s.patches[0].phi;
-  const Film a = solved(s), b = solved(m);
+  const FoundFilm a = film_of(s), b = film_of(m);
   const double force = std::hypot(a.force[0], a.force[1]);
   CHECK(std::abs(a.force[0] - b.force[0]) < kSame * force);
   CHECK(std::abs(a.force[1] + b.force[1]) < kSame * force);
@@ -154,11 +154,11 @@ TEST_CASE("AMirroredBearingThatRunsBackwardsHasTheMirroredFilm") {
 
 TEST_CASE("ABearingTurnedEndForEndHasTheFilmTurnedEndForEnd") {
   // z -> -z: rotations about X and Y change sign.
-  const Setup s = tilted();
+  const Setup s = tilted_with_a_groove();
   Setup m = s;
   m.position.q = {s.position.ex(), s.position.ey(), -s.position.psi_x(), -s.position.psi_y()};
   m.patches[0].z = -s.patches[0].z;
-  const Film a = solved(s), b = solved(m);
+  const FoundFilm a = film_of(s), b = film_of(m);
   const FilmGrid& g = a.bearing.scene.grid;
   const double peak = largest_magnitude(a.value.state.p);
   for (int i = 0; i < g.nt; ++i) {
@@ -170,7 +170,7 @@ TEST_CASE("ABearingTurnedEndForEndHasTheFilmTurnedEndForEnd") {
 }
 
 TEST_CASE("HalfABearingCarriesHalfTheFilm") {
-  Setup s = tilted();
+  Setup s = tilted_with_a_groove();
   s.position = eccentric(12e-6, 5.0);
   s.rough = rough_pair({0.4e-6, 3.0}, {0.3e-6, 1.0});
   for (const int nz : {10, 15, 20, 25}) {
@@ -180,9 +180,9 @@ TEST_CASE("HalfABearingCarriesHalfTheFilm") {
     s.patches = {{.phi = 1.7, .arc = 0.4, .length = s.width * covered / nz, .pressure = 3e5}};
     s.nz = nz;
     s.half = false;
-    const Film full = solved(s);
+    const FoundFilm full = film_of(s);
     s.half = true;
-    const Film half = solved(s);
+    const FoundFilm half = film_of(s);
     const Field p = mirror_to_full(half.bearing.scene.grid, half.value.state.p);
     const Field theta = mirror_to_full(half.bearing.scene.grid, half.value.state.theta);
     // The same discrete equations: only the order of the elimination differs.
@@ -200,15 +200,15 @@ TEST_CASE("HalfABearingCarriesHalfTheFilm") {
 }
 
 TEST_CASE("PressureScalesWithViscosityAndSpeed") {
-  Setup s = tilted();
+  Setup s = tilted_with_a_groove();
   s.barus = 0.0;
-  const Film a = solved(s);
+  const FoundFilm a = film_of(s);
   Setup t = s;
   t.viscosity *= 7.0;
   t.speed *= 3.0;
   t.p_cavitation *= 21.0;
   t.patches[0].pressure *= 21.0;
-  const Film b = solved(t);
+  const FoundFilm b = film_of(t);
   const double peak = largest_magnitude(b.value.state.p);
   for (std::size_t k = 0; k < a.value.state.p.size(); ++k) {
     CHECK(std::abs(21.0 * a.value.state.p[k] - b.value.state.p[k]) < kSame * peak);
@@ -218,7 +218,7 @@ TEST_CASE("PressureScalesWithViscosityAndSpeed") {
 
 TEST_CASE("OnlyTheProportionsOfTheBearingMatter") {
   // All lengths times 5, the speed too: p ~ eta U R/c^2 and the flow ~ rho U c B.
-  Setup s = tilted();
+  Setup s = tilted_with_a_groove();
   Setup t = s;
   t.radius *= 5.0;
   t.width *= 5.0;
@@ -227,7 +227,7 @@ TEST_CASE("OnlyTheProportionsOfTheBearingMatter") {
   for (const int k : {0, 1}) t.position.q[k] *= 5.0;
   t.patches[0].z *= 5.0;
   t.patches[0].length *= 5.0;
-  const Film a = solved(s), b = solved(t);
+  const FoundFilm a = film_of(s), b = film_of(t);
   CHECK(largest_difference(a.value.state.p, b.value.state.p) <
         kSame * largest_magnitude(a.value.state.p));
   const double side = oil_flows(a.bearing.scene, a.value.flow).side;
@@ -237,15 +237,15 @@ TEST_CASE("OnlyTheProportionsOfTheBearingMatter") {
 
 TEST_CASE("TheZeroOfPressureIsFree") {
   // Isoviscous film: a constant added to all given pressures is added to the film's.
-  Setup s = tilted();
+  Setup s = tilted_with_a_groove();
   s.barus = 0.0;
-  const Film a = solved(s);
+  const FoundFilm a = film_of(s);
   Setup t = s;
   const double shift = 1e5;
   t.p_edge += shift;
   t.p_cavitation += shift;
   t.patches[0].pressure += shift;
-  const Film b = solved(t);
+  const FoundFilm b = film_of(t);
   for (std::size_t k = 0; k < a.value.state.p.size(); ++k) {
     CHECK(std::abs(a.value.state.p[k] + shift - b.value.state.p[k]) <
           kSame * largest_magnitude(a.value.state.p));

@@ -9,7 +9,7 @@
 using namespace shellback;
 using namespace shellback::fluid;
 using namespace shellback::fluid::tests;
-using shellback::tests::order_of_errors;
+using shellback::test::order_of_errors;
 
 namespace {
 
@@ -36,7 +36,7 @@ struct SommerfeldErrors {
 
 SommerfeldErrors sommerfeld_errors(double eps, int nt) {
   const Setup s = full_film(eps, nt);
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const auto film = solve(b);
   REQUIRE(film.good());
   const auto c = characteristics(s, b, film.value, CavitatedShear::filled);
@@ -77,11 +77,11 @@ TEST_CASE("TheFullFilmConvergesWithSecondOrder") {
 
 TEST_CASE("AnEndlesslyWideCavitatedFilmFollowsTheQuadrature") {
   for (const auto& row :
-       shellback::tests::read_csv("validation/data/long_bearing_reynolds_bc.csv")) {
+       shellback::test::read_csv("validation/data/long_bearing_reynolds_bc.csv")) {
     const double eps = row.at("eps");
     Setup s = wide(eps, 800);
     s.patches = {line_supply(s, kPi)};
-    const Bearing b = make_bearing(s);
+    const PosedFilm b = make_bearing(s);
     const auto film = solve(b);
     REQUIRE(film.good());
     const auto c = characteristics(s, b, film.value, CavitatedShear::full);
@@ -113,7 +113,7 @@ TEST_CASE("AVeryNarrowBearingIsOcvirks") {
       s.half = true;
       s.nt = 400;
       s.nz = 81;
-      const Bearing b = make_bearing(s);
+      const PosedFilm b = make_bearing(s);
       const auto film = solve(b);
       REQUIRE(film.good());
       const auto c = characteristics(s, b, film.value, CavitatedShear::full);
@@ -148,7 +148,7 @@ TEST_CASE("PressureFlowBetweenGrooveAndEdgeIsHagenPoiseuilles") {
   s.patches = {{.arc = 2.0 * kPi, .length = groove, .pressure = supply}};
   for (const bool half : {false, true}) {
     s.half = half;
-    const Bearing b = make_bearing(s);
+    const PosedFilm b = make_bearing(s);
     const auto film = solve(b);
     REQUIRE(film.good());
     const double slot = (s.width - groove) / 2.0;
@@ -165,7 +165,7 @@ TEST_CASE("PressureFlowOfBarusOilIsExact") {
   s.barus = 5e-6;
   const double groove = s.width / 3.0, supply = 4e5;
   s.patches = {{.arc = 2.0 * kPi, .length = groove, .pressure = supply}};
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const auto film = solve(b);
   REQUIRE(film.good());
   const double q = -std::expm1(-s.barus * supply) / s.barus;

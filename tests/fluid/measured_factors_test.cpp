@@ -11,13 +11,13 @@ using namespace shellback::fluid;
 
 namespace {
 
-constexpr double kSigma = 0.4e-6;
+constexpr double kTableSigma = 0.4e-6;
 
 /// The laws of Patir and Cheng as a table, so that there is a truth between the rows.
 FactorTable tabulated(double gamma, int rows) {
   const RoughPair law = rough_pair({0.0, 1.0}, {1.0, gamma});
   FactorTable t;
-  t.sigma = kSigma;
+  t.sigma = kTableSigma;
   for (int k = 0; k < rows; ++k) {
     const double H = std::pow(10.0, k / (rows - 1.0));  // 1 to 10
     const FlowFactors f = flow_factors(law, H);
@@ -43,11 +43,11 @@ TEST_CASE("ATableOfALawGivesTheLaw") {
   // 41 rows over a decade: monotone cubics of second order at worst (slopes are harmonic means),
   // 0.5 % of the factors between the rows.
   for (const double gamma : {1.0 / 3.0, 1.0, 3.0}) {
-    const RoughPair law = rough_pair({0.0, 1.0}, {kSigma, gamma});
+    const RoughPair law = rough_pair({0.0, 1.0}, {kTableSigma, gamma});
     const FactorTable table = tabulated(gamma, 41);
-    const RoughPair measured = pair_of(table, 0.0, kSigma);
+    const RoughPair measured = pair_of(table, 0.0, kTableSigma);
     for (double H = 1.02; H < 10.0; H *= 1.07) {
-      const FlowFactors a = flow_factors(law, H * kSigma), b = flow_factors(measured, H * kSigma);
+      const FlowFactors a = flow_factors(law, H * kTableSigma), b = flow_factors(measured, H * kTableSigma);
       CHECK(b.phi_x == Approx(a.phi_x).epsilon(5e-3));
       CHECK(b.phi_z == Approx(a.phi_z).epsilon(5e-3));
       CHECK(b.sigma_phi_s == Approx(a.sigma_phi_s).epsilon(5e-3));
@@ -56,7 +56,7 @@ TEST_CASE("ATableOfALawGivesTheLaw") {
       CHECK(b.phi_fs == Approx(a.phi_fs).margin(5e-3));
     }
     for (std::size_t k = 0; k < table.H.size(); ++k) {  // exact at the rows
-      const FlowFactors f = flow_factors(measured, table.H[k] * kSigma);
+      const FlowFactors f = flow_factors(measured, table.H[k] * kTableSigma);
       CHECK(f.phi_x == Approx(table.phi_x[k]).epsilon(1e-12));
       CHECK(f.phi_f == Approx(table.phi_f[k]).epsilon(1e-12));
     }
@@ -69,7 +69,7 @@ TEST_CASE("SlopesOfMeasuredFactorsAreTheDerivatives") {
   // jumps.
   for (const double gamma : {1.0 / 3.0, 3.0}) {
     const FactorTable table = tabulated(gamma, 12);
-    for (const RoughPair& pair : {pair_of(table, 0.0, kSigma), pair_of(table, 0.3e-6, 0.1e-6)}) {
+    for (const RoughPair& pair : {pair_of(table, 0.0, kTableSigma), pair_of(table, 0.3e-6, 0.1e-6)}) {
       const double s = pair.sigma, step = 1e-4 * s, per = 0.5 / step;
       for (const double H : {-6.0, -1.0, 0.3, 0.97, 1.1, 1.7, 3.1, 7.3, 9.9, 10.3, 25.0, 300.0}) {
         const double h = H * s;
@@ -89,9 +89,9 @@ TEST_CASE("SlopesOfMeasuredFactorsAreTheDerivatives") {
 TEST_CASE("MeasuredFactorsAreContinuousAtTheEndsOfTheTable") {
   // Both ways of writing the same value: 1e-9 sigma apart they differ by the slope times that.
   const FactorTable table = tabulated(1.0, 15);
-  const RoughPair pair = pair_of(table, 0.0, kSigma);
+  const RoughPair pair = pair_of(table, 0.0, kTableSigma);
   for (const double H : {table.H.front(), table.H.back()}) {
-    const double h = H * kSigma, d = 1e-9 * kSigma;
+    const double h = H * kTableSigma, d = 1e-9 * kTableSigma;
     const GapFlow a = gap_flow(pair, h - d), b = gap_flow(pair, h + d);
     CHECK(a.h3_x == Approx(b.h3_x).epsilon(1e-7));
     CHECK(a.dh3_x == Approx(b.dh3_x).epsilon(1e-6));
@@ -109,11 +109,11 @@ TEST_CASE("PressureShearsAsSlidingCarries") {
   // Reciprocity, exact at every gap: h phi_fp = hT - sigma |Phi_s| of one rough surface; the column
   // of the table does not act.
   FactorTable table = tabulated(1.0, 12);
-  const RoughPair given = pair_of(table, 0.0, kSigma);
+  const RoughPair given = pair_of(table, 0.0, kTableSigma);
   table.phi_fp.clear();
-  const RoughPair left_out = pair_of(table, 0.0, kSigma);
+  const RoughPair left_out = pair_of(table, 0.0, kTableSigma);
   for (const double H : {-3.0, 0.2, 0.99, 1.3, 4.0, 9.9, 12.0, 80.0}) {
-    const double h = H * kSigma;
+    const double h = H * kTableSigma;
     const GapFlow f = gap_flow(given, h);
     CHECK(gap_shear(given, h).h_phi_fp == Approx(f.average_gap - f.sigma_phi_s).epsilon(1e-12));
     CHECK(gap_shear(left_out, h).h_phi_fp == gap_shear(given, h).h_phi_fp);
@@ -122,27 +122,27 @@ TEST_CASE("PressureShearsAsSlidingCarries") {
 
 TEST_CASE("AboveTheTableTheFactorsTendToTheSmoothFilmAsPerturbationTheorySays") {
   const FactorTable table = tabulated(3.0, 15);
-  const RoughPair pair = pair_of(table, 0.0, kSigma);
-  const FlowFactors a = flow_factors(pair, 20.0 * kSigma), b = flow_factors(pair, 40.0 * kSigma);
+  const RoughPair pair = pair_of(table, 0.0, kTableSigma);
+  const FlowFactors a = flow_factors(pair, 20.0 * kTableSigma), b = flow_factors(pair, 40.0 * kTableSigma);
   CHECK((a.phi_x - 1.0) / (b.phi_x - 1.0) == Approx(4.0).epsilon(1e-9));
   CHECK((a.phi_f - 1.0) / (b.phi_f - 1.0) == Approx(4.0).epsilon(1e-9));
   CHECK(a.sigma_phi_s / b.sigma_phi_s == Approx(2.0).epsilon(1e-9));
-  const FlowFactors far = flow_factors(pair, 1e5 * kSigma);
+  const FlowFactors far = flow_factors(pair, 1e5 * kTableSigma);
   CHECK(far.phi_x == Approx(1.0).epsilon(1e-8));
   CHECK(far.phi_fp == Approx(1.0).epsilon(1e-8));
 }
 
 TEST_CASE("MeasuredConductanceStaysPositiveAndTransportNeverTurnsRound") {
   const FactorTable table = tabulated(1.0 / 3.0, 10);
-  const RoughPair pair = pair_of(table, 0.0, kSigma);
+  const RoughPair pair = pair_of(table, 0.0, kTableSigma);
   for (double H = -40.0; H < 30.0; H += 0.1) {
-    const GapFlow f = gap_flow(pair, H * kSigma);
+    const GapFlow f = gap_flow(pair, H * kTableSigma);
     CHECK(f.h3_x > 0.0);
     CHECK(f.dh3_x > 0.0);
     CHECK(f.dh3_z > 0.0);
     CHECK(f.daverage_gap > 0.0);
     CHECK(std::abs(f.sigma_phi_s) < f.average_gap);
-    const GapShear s = gap_shear(pair, H * kSigma);
+    const GapShear s = gap_shear(pair, H * kTableSigma);
     CHECK(s.phi_f_over_h > 0.0);
     CHECK(s.h_phi_fp >= 0.0);
     CHECK(std::isfinite(s.phi_total_over_h));
@@ -151,16 +151,16 @@ TEST_CASE("MeasuredConductanceStaysPositiveAndTransportNeverTurnsRound") {
 
 TEST_CASE("TheSignOfMeasuredTransportIsThatOfTheRougherSurface") {
   const FactorTable table = tabulated(1.0, 15);
-  const double h = 2.0 * kSigma;
-  const double moving = gap_flow(pair_of(table, 0.0, kSigma), h).sigma_phi_s;
+  const double h = 2.0 * kTableSigma;
+  const double moving = gap_flow(pair_of(table, 0.0, kTableSigma), h).sigma_phi_s;
   CHECK(moving > 0.0);
-  CHECK(gap_flow(pair_of(table, kSigma, 0.0), h).sigma_phi_s == Approx(-moving).epsilon(1e-14));
-  const double both = kSigma / std::sqrt(2.0);
+  CHECK(gap_flow(pair_of(table, kTableSigma, 0.0), h).sigma_phi_s == Approx(-moving).epsilon(1e-14));
+  const double both = kTableSigma / std::sqrt(2.0);
   CHECK(std::abs(gap_flow(pair_of(table, both, both), h).sigma_phi_s) < 1e-14 * h);
 }
 
 TEST_CASE("ManyGapsAtOnceAreTheSameMeasuredFactors") {
-  const RoughPair pair = pair_of(tabulated(1.0, 9), 0.0, kSigma);
+  const RoughPair pair = pair_of(tabulated(1.0, 9), 0.0, kTableSigma);
   const std::vector<double> h{-1e-6, 0.1e-6, 1e-6, 5e-6, 1e-3};
   std::vector<double> v[8];
   for (auto& column : v) column.resize(h.size());

@@ -12,13 +12,13 @@
 using namespace shellback;
 using namespace shellback::fluid;
 using namespace shellback::fluid::tests;
-using shellback::tests::observed_order;
-using shellback::tests::order_of_errors;
+using shellback::test::observed_order;
+using shellback::test::order_of_errors;
 
 namespace {
 
 struct Film {
-  Bearing bearing;
+  PosedFilm bearing;
   FilmSolution value;
 };
 
@@ -131,7 +131,7 @@ TEST_CASE("TheTorqueOfACavitatedFilmConvergesWithSecondOrder") {
       s.half = true;
       const auto torque_on = [&](int nt) { return friction_torque(on_grid(s, nt, nt / 10), s); };
       const double fine = torque_on(320);
-      const double exact = shellback::tests::richardson(fine, torque_on(640));
+      const double exact = shellback::test::richardson(fine, torque_on(640));
       const double order = order_of_errors(torque_on(80) - exact, fine - exact, 4.0);
       CAPTURE(eps, direction, order);
       CHECK(std::abs(order - 2.0) < 0.3);  // fronts move by cells: it scatters about 2

@@ -14,8 +14,8 @@
 using namespace shellback;
 using namespace shellback::fluid;
 using namespace shellback::fluid::tests;
-using shellback::tests::CsvRow;
-using shellback::tests::read_csv;
+using shellback::test::CsvRow;
+using shellback::test::read_csv;
 
 namespace {
 
@@ -26,7 +26,7 @@ double gap_at(double t) { return 0.375 + 0.125 * std::cos(4.0 * kPi * t); }
 /// and on which a line of the pressure p_b lies where x = 0 and 1; so wide that nothing flows out
 /// sideways. Clearance h in m, density 1 kg/m3, and a viscosity with which d/dx(h^3/2 dp/dx) is
 /// d(theta h)/dt.
-Bearing plates(double t, int cells) {
+PosedFilm plates(double t, int cells) {
   Setup s;
   s.radius = 0.5 / kPi;
   s.width = 1e6;
@@ -56,13 +56,13 @@ TEST_CASE("TheFrontBetweenSwingingPlatesIsWithinACell", "[squeeze]") {
   constexpr double kStep = 2.5e-4;  // in which the front goes half a cell, closing at t = 0.7
   const auto rows = read_csv("validation/data/jfo_squeeze_parallel_exact.csv");
   double t = 0.24;  // before the film ruptures
-  Bearing before = plates(t, kCells);
+  PosedFilm before = plates(t, kCells);
   FilmState film = cold_film(before.scene);
   std::size_t next = 0;
   int seen = 0;
   while (next < rows.size()) {
     const double ends = t + kStep;
-    Bearing b = plates(ends, kCells);
+    PosedFilm b = plates(ends, kCells);
     FilmCoefficients oil;
     before.oil(film, oil);
     b.scene.storage = {kStep, oil_content(before.scene, before.gap, oil, film)};

@@ -23,7 +23,7 @@ constexpr double kFlow = 5.229635e-7;  // validation 5.1 [m2/s]
 constexpr double kPeak = 9.80882e6;    // validation 5.1 [Pa]
 
 struct Slider {
-  Bearing bearing;
+  PosedFilm bearing;
   Outcome<FilmSolution> film;
   double flow_per_width = 0.0;  ///< [m2/s]
   double spread = 0.0;          ///< largest deviation of a face's flow from the mean, relative
@@ -57,7 +57,7 @@ Slider solve_slider(int cells, bool steps_only) {
     return (kExact.in_pocket(x) ? kExact.depth : 0.0) + (steps_only ? wedge(x) : 0.0);
   };
   Slider out{make_bearing(s), {}};
-  Bearing& b = out.bearing;
+  PosedFilm& b = out.bearing;
   if (!steps_only) {  // the wedge exactly on the faces
     const FilmGrid& g = b.scene.grid;
     for (int i = 0; i < g.nt; ++i) {
@@ -107,7 +107,7 @@ TEST_CASE("TheClosedFormOfThePocketSliderIsThePublishedOne") {
   CHECK(std::abs(kExact.flow() / kFlow - 1.0) < 1e-6);  // seven printed digits
   CHECK(std::abs(kExact.reformation() - 3.61126e-3) < 1e-8);
   for (const auto& row :
-       shellback::tests::read_csv("validation/data/pocket_slider_fowell_exact.csv")) {
+       shellback::test::read_csv("validation/data/pocket_slider_fowell_exact.csv")) {
     const double p = kExact.pressure(row.at("x_m"));
     CHECK(std::abs(p - row.at("p_Pa")) < 1e-5 * kPeak);  // six printed digits
   }
@@ -159,5 +159,5 @@ TEST_CASE("TheFlowOfThePocketSliderConvergesWithTheGrid") {
     worst_coarse = std::max(worst_coarse, std::abs(coarse / kExact.flow() - 1.0));
     worst_fine = std::max(worst_fine, std::abs(fine / kExact.flow() - 1.0));
   }
-  CHECK(shellback::tests::order_of_errors(worst_coarse, worst_fine, 16.0) > 0.95);
+  CHECK(shellback::test::order_of_errors(worst_coarse, worst_fine, 16.0) > 0.95);
 }

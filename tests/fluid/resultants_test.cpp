@@ -35,7 +35,7 @@ TEST_CASE("PressurePushesTheJournalAwayFromIt") {
   for (const bool half : {false, true}) {
     Setup s = fine();
     s.half = half;
-    const Bearing b = make_bearing(s);
+    const PosedFilm b = make_bearing(s);
     const auto f = wrench(
         b.scene, sampled(b.scene.grid, [&](double phi, double) { return P * std::cos(phi - a); }));
     const double exact = P * s.radius * s.width * kPi;
@@ -49,7 +49,7 @@ TEST_CASE("PressureOutOfTheMiddleTiltsTheJournal") {
   // Moments are r x F: p = P cos(phi - a) z/B gives F(z) = -P R pi (cos a, sin a) z/B per length
   // and M = int z (-F_y, F_x) dz, with int z^2/B dz = B^2/12 (midpoints: B^2/12 (1 - 1/nz^2)).
   const Setup s = fine();
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const double a = 0.8, P = 1e6;
   const auto f = wrench(b.scene, sampled(b.scene.grid, [&](double phi, double z) {
                           return P * std::cos(phi - a) * z / s.width;
@@ -63,7 +63,7 @@ TEST_CASE("TheWeightsOfTheWrenchAreTheSlopesOfTheGap") {
   // Virtual work: force times displacement = int p dh dA.
   Setup s = fine();
   s.position = {{3e-6, 2e-6, 1e-4, 1e-4}};
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const FilmGrid& g = b.scene.grid;
   const Field p = random_field(g.cells(), 4, 0.0, 1e7);
   const Wrench f = wrench(b.scene, p);
@@ -71,7 +71,7 @@ TEST_CASE("TheWeightsOfTheWrenchAreTheSlopesOfTheGap") {
     Setup t = s;
     const double step = k < 2 ? 1e-6 : 1e-4;
     t.position.q[k] += step;
-    const Bearing moved = make_bearing(t);
+    const PosedFilm moved = make_bearing(t);
     double work = 0.0;
     for (int c = 0; c < g.cells(); ++c) {
       work += p[c] * (moved.gap.cell[c] - b.gap.cell[c]) * g.area(c / g.nz, c % g.nz);
@@ -83,7 +83,7 @@ TEST_CASE("TheWeightsOfTheWrenchAreTheSlopesOfTheGap") {
 
 TEST_CASE("TheShearStressOfAConcentricFilmIsPetroffs") {
   Setup s = fine();
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const auto n = static_cast<std::size_t>(b.scene.grid.cells());
   const FilmState state = full_film(Field(n, 0.0));
   const ShearStress tau = shear_stress(b.scene, b.gap.cell, Field(n, 1.0 / s.viscosity),
@@ -100,7 +100,7 @@ TEST_CASE("StressesOfBothSurfacesBalanceThePressureGradient") {
     Setup s = fine();
     s.rough = pair;
     s.position = eccentric(17e-6, 2.0);
-    const Bearing b = make_bearing(s);
+    const PosedFilm b = make_bearing(s);
     const int n = b.scene.grid.cells();
     const FilmState state = full_film(Field(static_cast<std::size_t>(n), 0.0));
     const Field g0 = random_field(n, 1, 50.0, 200.0), chi = random_field(n, 2, 0.3, 0.7);
@@ -117,7 +117,7 @@ TEST_CASE("StressesOfBothSurfacesBalanceThePressureGradient") {
 
 TEST_CASE("AnEmptyFilmBrakesByItsFillRatio") {
   Setup s = fine();
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const auto n = static_cast<std::size_t>(b.scene.grid.cells());
   FilmState state = full_film(Field(n, 0.0));
   state.theta.assign(n, 0.3);
@@ -137,7 +137,7 @@ TEST_CASE("GradientsOfASmoothPressureAreExactToSecondOrder") {
       s.half = half;
       s.nt *= refined;
       s.nz *= refined;
-      const Bearing b = make_bearing(s);
+      const PosedFilm b = make_bearing(s);
       const FilmGrid& g = b.scene.grid;
       const double k = kPi / s.width, P = 1e6;
       const FilmState state = full_film(sampled(
@@ -167,7 +167,7 @@ TEST_CASE("GradientsSumToThePressureDifferenceBetweenSupplies") {
   // Along the ring from line to line: int dp/dx dx = p_2 - p_1, whatever lies between.
   Setup s = fine();
   s.patches = {line_supply(s, 1.0, 3e5), line_supply(s, 4.0, 1e5)};
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const FilmGrid& g = b.scene.grid;
   const FilmState state = full_film(random_field(g.cells(), 8, 0.0, 1e6));
   const Field x = pressure_gradient_x(b.scene, state);

@@ -13,9 +13,9 @@
 using namespace shellback;
 using namespace shellback::fluid;
 using namespace shellback::fluid::tests;
-using shellback::tests::CsvRow;
-using shellback::tests::read_csv;
-using shellback::tests::richardson;
+using shellback::test::CsvRow;
+using shellback::test::read_csv;
+using shellback::test::richardson;
 
 namespace {
 
@@ -31,7 +31,7 @@ Load sum(const Load& a, const Load& b) { return {a[0] + b[0], a[1] + b[1]}; }
 /// The film of a journal that turns with `turning` omega and moves out with `rate` omega c, full a
 /// moment ago: nothing tells oil that is conserved from the tables' condition there.
 FilmSolution moving_film(double eps, double turning, double rate, int nt, int nz,
-                         Bearing* made = nullptr) {
+                         PosedFilm* made = nullptr) {
   Setup s;
   s.width = 2.0 * s.radius * kRatio;
   s.position = eccentric(eps * s.clearance, 0.0);
@@ -39,7 +39,7 @@ FilmSolution moving_film(double eps, double turning, double rate, int nt, int nz
   s.half = true;
   s.nt = nt;
   s.nz = nz;
-  Bearing b = make_bearing(s);
+  PosedFilm b = make_bearing(s);
   // In a step the journal turns and moves by a thousandth of a radian and of the clearance, or
   // less.
   const double dt = 1e-3 / kTurning;
@@ -58,7 +58,7 @@ FilmSolution moving_film(double eps, double turning, double rate, int nt, int nz
 }
 
 Load load_on_grid(double eps, double turning, double rate, int nt, int nz) {
-  Bearing b;
+  PosedFilm b;
   const FilmSolution v = moving_film(eps, turning, rate, nt, nz, &b);
   const Setup s;
   const double psi = s.clearance / s.radius;

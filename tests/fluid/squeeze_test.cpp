@@ -9,13 +9,13 @@
 using namespace shellback;
 using namespace shellback::fluid;
 using namespace shellback::fluid::tests;
-using shellback::tests::observed_order;
-using shellback::tests::read_csv;
-using shellback::tests::richardson;
+using shellback::test::observed_order;
+using shellback::test::read_csv;
+using shellback::test::richardson;
 
 namespace {
 
-FilmSolution solved(const Bearing& b) {
+FilmSolution solved(const PosedFilm& b) {
   const auto film = solve(b);
   INFO(to_string(film.verdict.status));
   REQUIRE(film.good());
@@ -30,7 +30,7 @@ struct Squeeze {
 
 /// The journal has come with `velocity` from where it was a little ago; the gap was `before` then.
 /// Moves by 1e-3 of the clearance: the gap being linear in it, full film has one rate at any step.
-void come_with(const std::array<double, 4>& velocity, const FilmState& before, Bearing& b,
+void come_with(const std::array<double, 4>& velocity, const FilmState& before, PosedFilm& b,
                const Setup& s) {
   double speed = 0.0;
   for (int l = 0; l < 4; ++l) {
@@ -55,7 +55,7 @@ Squeeze squeeze(double width_over_diameter, double eps, int nt, int nz) {
   s.half = true;
   s.nt = nt;
   s.nz = nz;
-  Bearing b = make_bearing(s);
+  PosedFilm b = make_bearing(s);
   come_with({kRate * s.clearance, 0.0, 0.0, 0.0}, cold_film(b.scene), b, s);
   const FilmSolution v = solved(b);
   const double psi = s.clearance / s.radius;
@@ -102,7 +102,7 @@ TEST_CASE("OilStoredIsWhatIsFedLessWhatLeaves", "[squeeze]") {
   for (const bool rough : {false, true}) {
     Setup s = busy();
     if (rough) s.rough = rough_pair({0.5e-6, 3.0}, {0.3e-6, 1.0});
-    Bearing b = make_bearing(s);
+    PosedFilm b = make_bearing(s);
     const double v = 0.05 * s.speed * s.clearance / s.radius;
     come_with({v, -0.6 * v, 30.0 * v, 20.0 * v}, solved(b).state, b, s);
     const FilmSolution film = solved(b);
@@ -117,7 +117,7 @@ TEST_CASE("OilStoredIsWhatIsFedLessWhatLeaves", "[squeeze]") {
 TEST_CASE("StoredOilIsTheRateOfTheOilInTheGap", "[squeeze]") {
   Setup s = busy();
   s.rough = rough_pair({0.5e-6, 3.0}, {0.3e-6, 1.0});
-  Bearing b = make_bearing(s);
+  PosedFilm b = make_bearing(s);
   const int n = b.scene.grid.cells();
   const FilmState state = [&] {
     FilmState f = cold_film(b.scene);
@@ -151,7 +151,7 @@ TEST_CASE("StoredOilIsTheRateOfTheOilInTheGap", "[squeeze]") {
 }
 
 TEST_CASE("FilmMatrixKnowsTheStoredOil", "[squeeze]") {
-  Bearing b = make_bearing(busy());
+  PosedFilm b = make_bearing(busy());
   come_with({1e-3, -2e-3, 0.1, -0.05}, cold_film(b.scene), b, busy());
   const int n = b.scene.grid.cells();
   FilmState state = cold_film(b.scene);
@@ -192,7 +192,7 @@ TEST_CASE("JournalWhirlingAtHalfSpeedCarriesNothing", "[squeeze]") {
     s.nt = nt;
     s.p_cavitation = -1e9;  // full film
     s.position = eccentric(0.6 * s.clearance, 0.3);
-    Bearing b = make_bearing(s);
+    PosedFilm b = make_bearing(s);
     const double load =
         std::hypot(wrench(b.scene, solved(b).state.p)[0], wrench(b.scene, solved(b).state.p)[1]);
     const double half = 0.5 * s.speed / s.radius;
@@ -212,8 +212,8 @@ TEST_CASE("MirroredMotionGivesTheMirroredFilm", "[squeeze]") {
   Setup m = s;
   m.position.q[0] = -s.position.ex();
   m.speed = -s.speed;
-  Bearing a = make_bearing(s);
-  Bearing b = make_bearing(m);
+  PosedFilm a = make_bearing(s);
+  PosedFilm b = make_bearing(m);
   const double v = 0.1 * s.speed * s.clearance / s.radius;
   come_with({v, -0.5 * v, 0.0, 0.0}, cold_film(a.scene), a, s);
   come_with({-v, -0.5 * v, 0.0, 0.0}, cold_film(b.scene), b, m);

@@ -106,7 +106,7 @@ TEST_CASE("ARingFeedsTwoLandsOnEveryGrid") {
     Setup s;
     s.patches = {{.phi = 1.0, .arc = 2.0 * kPi, .length = 1e-4, .pressure = 2e5}};
     s.nz = nz;
-    const Bearing b = make_bearing(s);
+    const PosedFilm b = make_bearing(s);
     const auto film = solve(b);
     REQUIRE(film.verdict.good());
     const double land = 0.5 * (s.width - s.patches[0].length);
@@ -150,7 +150,7 @@ TEST_CASE("TheSupplyKeepsItsPressure") {
   Setup s;
   s.position = eccentric(12e-6, 1.0);
   s.patches = {{.phi = 2.0, .arc = 0.4, .length = 0.01, .pressure = 3e5}};
-  const Bearing b = make_bearing(s);
+  const PosedFilm b = make_bearing(s);
   const auto film = solve(b);
   REQUIRE(film.good());
   int cells = 0;

@@ -46,7 +46,7 @@ std::string flowing(const std::string& text) {
 }
 
 /// The words of a command line; double quotes keep blanks and go.
-std::vector<std::string> words_of(const std::string& command) {
+std::vector<std::string> words_in(const std::string& command) {
   std::vector<std::string> words;
   bool quoted = false;
   bool open = false;
@@ -140,7 +140,7 @@ TEST_CASE("EveryListedFigureStandsOnItsPage") {
 TEST_CASE("EveryCommandBehindAFigureExists") {
   for (const Figure& figure : listed_figures()) {
     INFO(figure.command);
-    CHECK(wrong_with(words_of(figure.command)) == "");
+    CHECK(wrong_with(words_in(figure.command)) == "");
   }
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("CommandsThatAreNoneAreSeen") {
     INFO(wrong);
     std::string why;
     try {
-      why = wrong_with(words_of(wrong));
+      why = wrong_with(words_in(wrong));
     } catch (const InputError& error) {
       why = error.what();
     }

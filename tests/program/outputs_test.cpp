@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "app/library.hpp"
 #include "tests/app/sample_case.hpp"
+#include "tests/program/process.hpp"
 #include "tests/program/run_words.hpp"
 #include "tests/validation/ledger_scratch.hpp"
 
@@ -19,16 +19,8 @@ using namespace shellback::program::tests;
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
 
-const std::string kCoarse = "model.grid=[48, 9]";
 const std::string kProfile = "phi [deg], z [mm], height [um]\n0, 0, 1\n180, 0, 2\n";
-
-std::string text_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 Words plus(Words words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());

@@ -19,6 +19,7 @@
 
 #include "app/program/cli.hpp"
 #include "tests/app/sample_case.hpp"
+#include "tests/program/run_words.hpp"
 
 using namespace shellback;
 using namespace shellback::app;
@@ -28,8 +29,6 @@ using namespace shellback::program::tests;
 namespace {
 
 namespace fs = std::filesystem;
-const std::string kCoarse = "model.grid=[48, 9]";
-
 /// Whether the process is the program already, and has a handler for `signal` (proc(5), SigCgt).
 bool catches(pid_t pid, int signal) {
   std::error_code error;

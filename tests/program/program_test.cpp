@@ -22,9 +22,6 @@ bool begins_with_brace(const std::string& text) {
   return text.find_first_not_of(" \n") != std::string::npos && text.front() == '{';
 }
 
-// Coarse: the program's ways are tested here, not its numbers.
-const std::string kCoarse = "model.grid=[48, 9]";
-
 }  // namespace
 
 TEST_CASE("AnEndingGivesItsExitCode") {

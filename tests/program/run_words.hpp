@@ -9,6 +9,9 @@
 
 namespace shellback::program::tests {
 
+/// Where the program's ways are tested, not its numbers.
+inline const std::string kCoarse = "model.grid=[48, 9]";
+
 struct Ended {
   int code = 0;
   std::string out;

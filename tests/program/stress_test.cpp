@@ -1,19 +1,13 @@
 /// shellback stress: exit codes and streams.
 #include <catch2/catch.hpp>
 
+#include "tests/contains.hpp"
 #include "tests/program/run_words.hpp"
 
 using namespace shellback;
 using namespace shellback::program;
 using namespace shellback::program::tests;
-
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-}  // namespace
+using test::contains;
 
 TEST_CASE("StressScenesAreListedWithoutBeingRun") {
   const Ended ended = run_words({"stress", "--list", "speed-reversed"});

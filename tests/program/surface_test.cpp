@@ -20,7 +20,7 @@ namespace {
 
 const std::string kMap =
     std::string(SHELLBACK_SOURCE_DIR) + "/data/surfaces/generated-longitudinal.txt";
-const std::string kTable =
+const std::string kFactors =
     "sigma [um], h_over_sigma [1], average_gap [1], phi_x [1], phi_z [1], phi_s [1], "
     "phi_f [1], phi_fs [1], phi_fp [1]\n"
     "0.3, 1, 1.08, 0.5, 0.4, 0.8, 1.6, 1.1, 0.28\n"
@@ -94,23 +94,23 @@ TEST_CASE("ACaseRunsWithTheFactorsOfAMap") {
 TEST_CASE("ATableOfFactorsThatCannotBeIsRefusedWithItsPlace") {
   const ScratchFolder scratch;
   check_words(refused(scratch, "h_over_sigma [1]\n1\n"), {"factors.csv:1:1", "no column"});
-  std::string negative = kTable;
+  std::string negative = kFactors;
   negative.replace(negative.find("2.01, 0.7"), 9, "2.01,-0.7");
   check_words(refused(scratch, negative), {"factors.csv:3:", "phi_x is -0.7", "positive"});
-  std::string other = kTable;
+  std::string other = kFactors;
   other.replace(other.find("0.3, 2"), 6, "0.4, 2");
   check_words(refused(scratch, other), {"factors.csv:3:1", "same in every row"});
-  check_words(refused(scratch, kTable.substr(0, kTable.find("0.3, 4"))), {"2 rows", "3 or more"});
-  std::string shear = kTable;
+  check_words(refused(scratch, kFactors.substr(0, kFactors.find("0.3, 4"))), {"2 rows", "3 or more"});
+  std::string shear = kFactors;
   shear.replace(shear.find("0.7, 0.65"), 9, "0.7, 0.95");
   check_words(refused(scratch, shear), {"factors.csv:3:", "phi_fp is 0.95", "reciprocity"});
-  check_words(refused(scratch, kTable, "[surfaces]\nflow_factors = \"factors.csv\"\n"),
+  check_words(refused(scratch, kFactors, "[surfaces]\nflow_factors = \"factors.csv\"\n"),
               {"surfaces.flow_factors", "smooth"});
 }
 
 TEST_CASE("AColumnWithoutUnitTakesPerCent") {
   const ScratchFolder scratch;
-  std::string table = kTable;
+  std::string table = kFactors;
   table.replace(table.find("0.7, 0.6, 0.7"), 13, "70 %, 0.6, 70%");
   static_cast<void>(scratch.write("factors.csv", table));
   const auto c = read_case(scratch.write("case.toml", with_factors(kRough)));
@@ -120,7 +120,7 @@ TEST_CASE("AColumnWithoutUnitTakesPerCent") {
 
 TEST_CASE("ATableForAnotherRoughnessOrForTwoSurfacesIsWarnedOf") {
   const ScratchFolder scratch;
-  static_cast<void>(scratch.write("factors.csv", kTable));
+  static_cast<void>(scratch.write("factors.csv", kFactors));
   const std::string text = with_factors(
       "[surfaces]\nflow_factors = \"factors.csv\"\nshell = { roughness = \"0.6 um\" }\n"
       "shaft = { roughness = \"0.2 um\" }\n");

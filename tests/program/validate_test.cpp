@@ -1,21 +1,15 @@
 /// shellback validate: exit codes and streams.
 #include <catch2/catch.hpp>
 
+#include "tests/contains.hpp"
 #include "tests/program/run_words.hpp"
 #include "tests/validation/ledger_scratch.hpp"
 
 using namespace shellback;
 using namespace shellback::program;
 using namespace shellback::program::tests;
+using test::contains;
 using namespace shellback::validation::tests;
-
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-}  // namespace
 
 TEST_CASE("AnEntryWithinEndsWithZero") {
   const ScratchLedger ledger;

@@ -8,6 +8,9 @@
 
 namespace shellback::test {
 
+/// Of the KS rig, seed 000 [m].
+inline constexpr double kRadius = 23.9e-3, kWidth = 17.2e-3;
+
 inline solid::Material steel() { return {"steel", 50.0, 7800.0, 460.0, 210e9, 0.3, 11e-6}; }
 inline solid::Material polymer() { return {"polymer", 0.3, 1500.0, 1000.0, 2e9, 0.4, 60e-6}; }
 

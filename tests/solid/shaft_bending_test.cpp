@@ -12,8 +12,6 @@ using namespace shellback::test;
 
 namespace {
 
-constexpr double kRadius = 0.0239;  // KS rig, seed 000 [m]
-constexpr double kWidth = 0.0172;   // [m]
 constexpr double kSpan = 0.12;      // [m]
 constexpr int kCells = 13;
 

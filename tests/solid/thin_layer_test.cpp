@@ -13,7 +13,7 @@ using namespace shellback::test;
 
 namespace {
 
-constexpr double kRadius = 23.9e-3, kWidth = 17.2e-3, kLayer = 10e-6;
+constexpr double kLayer = 10e-6;
 
 Material soft(double nu) { return {"soft", 0.3, 1500.0, 1000.0, 2e9, nu, 60e-6}; }
 

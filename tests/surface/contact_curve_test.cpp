@@ -40,7 +40,7 @@ TEST_CASE("PairsOfGaussianSummitsAreGreenwoodAndTripp") {
   const SummitStatistics one = statistics_of(summits, map);
   CHECK(one.roughness == Approx(kSigma).epsilon(2e-3));
   const double K = elastic_factor(one), s = std::sqrt(2.0) * one.roughness;
-  for (const auto& row : tests::read_csv("validation/data/greenwood_tripp_integrals.csv")) {
+  for (const auto& row : test::read_csv("validation/data/greenwood_tripp_integrals.csv")) {
     const double H = row.at("H");
     if (H > 2.0) continue;
     const auto curve = contact_curve(map, summits, one, {H * s});

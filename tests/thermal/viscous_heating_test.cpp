@@ -8,9 +8,9 @@
 using namespace shellback;
 using namespace shellback::thermal;
 using namespace shellback::thermal::tests;
-using shellback::tests::observed_order;
-using shellback::tests::read_csv;
-using shellback::tests::richardson;
+using shellback::test::observed_order;
+using shellback::test::read_csv;
+using shellback::test::richardson;
 
 namespace {
 

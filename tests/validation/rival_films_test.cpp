@@ -44,7 +44,7 @@ TEST_CASE("FischerBurmeisterNewtonEndsInTheFilmOfTheActiveSet") {
   for (const double ratio : {0.3, 0.7, 0.95}) {
     for (const double barus : {0.0, 2e-8}) {
       if (ratio > 0.9 && barus > 0.0) continue;  // no steady film there
-      const Bearing b = make_bearing(cavitating(ratio, barus));
+      const PosedFilm b = make_bearing(cavitating(ratio, barus));
       const auto known = solve_reynolds(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
       const auto other =
           solve_fischer_burmeister(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
@@ -62,7 +62,7 @@ TEST_CASE("RelaxationEndsInTheFilmOfTheActiveSet") {
   for (const double ratio : {0.3, 0.7, 0.95}) {
     for (const double barus : {0.0, 2e-8}) {
       if (ratio > 0.9 && barus > 0.0) continue;
-      const Bearing b = make_bearing(cavitating(ratio, barus));
+      const PosedFilm b = make_bearing(cavitating(ratio, barus));
       const auto known = solve_reynolds(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
       const auto other = relax_p_theta(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
       INFO("ratio " << ratio << ", barus " << barus << ": " << app::reason_of(other.verdict));
@@ -76,7 +76,7 @@ TEST_CASE("RelaxationEndsInTheFilmOfTheActiveSet") {
 }
 
 TEST_CASE("YoungsFactorNeedsFarFewerSweepsThanNoOverRelaxation") {
-  const Bearing b = make_bearing(cavitating(0.7, 0.0));
+  const PosedFilm b = make_bearing(cavitating(0.7, 0.0));
   RelaxationOptions plain;
   plain.over_relaxation = 1.0;
   const auto slow = relax_p_theta(b.scene, b.gap, b.step, b.oil, cold_film(b.scene), plain);
@@ -87,7 +87,7 @@ TEST_CASE("YoungsFactorNeedsFarFewerSweepsThanNoOverRelaxation") {
 }
 
 TEST_CASE("RelaxationThatRunsOutOfSweepsSaysSo") {
-  const Bearing b = make_bearing(cavitating(0.7, 0.0));
+  const PosedFilm b = make_bearing(cavitating(0.7, 0.0));
   RelaxationOptions few;
   few.max_sweeps = 20;
   const auto film = relax_p_theta(b.scene, b.gap, b.step, b.oil, cold_film(b.scene), few);
@@ -101,7 +101,7 @@ TEST_CASE("RelaxationThatRunsOutOfSweepsSaysSo") {
 
 TEST_CASE("SwiftStieberFilmsSatisfyTheirComplementarity") {
   for (const double ratio : {0.3, 0.7, 0.95}) {
-    const Bearing b = make_bearing(cavitating(ratio, 0.0));
+    const PosedFilm b = make_bearing(cavitating(ratio, 0.0));
     const auto film = solve_swift_stieber(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
     INFO("ratio " << ratio << ": " << app::reason_of(film.verdict));
     REQUIRE(film.good());
@@ -122,7 +122,7 @@ TEST_CASE("SwiftStieberFilmsSatisfyTheirComplementarity") {
 }
 
 TEST_CASE("SwiftStieberFilmsMakeOilWhereTheyCavitate") {
-  const Bearing b = make_bearing(cavitating(0.7, 0.0));
+  const PosedFilm b = make_bearing(cavitating(0.7, 0.0));
   const auto kept = solve_reynolds(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
   const auto lost = solve_swift_stieber(b.scene, b.gap, b.step, b.oil, cold_film(b.scene));
   REQUIRE(kept.good());

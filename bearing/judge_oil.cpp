@@ -7,7 +7,6 @@
 #include "bearing/judge_parts.hpp"
 #include "bearing/shown.hpp"
 #include "core/constants.hpp"
-#include "rheology/density.hpp"
 #include "rheology/heat.hpp"
 #include "rheology/shear.hpp"
 
@@ -51,11 +50,12 @@ void judge_viscosity(const rheology::Oil& oil, Findings& to) {
           "check its unit (Pa s or mPa s?)");
 }
 
-void judge_density(const rheology::Oil& oil, double T, Findings& to) {
-  const double rho = rheology::density(oil, T, 0.0).rho;
+void judge_density(const rheology::Oil& oil, Findings& to) {
+  const auto* law = std::get_if<rheology::DowsonHigginson>(&oil.density);
+  const double rho =
+      law != nullptr ? law->rho0 : std::get<rheology::ConstantDensity>(oil.density).rho;
   compare(to, "oil.density", rho, kBearingLimits.oil_density,
           fmt::format("the oil's density is {:.4g} kg/m3", rho), "check its unit (g/cm3?)");
-  const auto* law = std::get_if<rheology::DowsonHigginson>(&oil.density);
   if (law == nullptr) return;
   const double modulus = 1.0 / law->rise;
   compare(to, "oil.density.C1", modulus, kBearingLimits.bulk_modulus,
@@ -115,9 +115,8 @@ void judge_temperatures(const Case& c, Findings& to) {
 void judge_oil(const Case& c, Findings& to) {
   judge_switches(c, to);
   judge_viscosity(c.oil, to);
-  const double T = c.supplies.front().temperature;
-  judge_density(c.oil, T, to);
-  judge_heat(c.oil, T, to);
+  judge_density(c.oil, to);
+  judge_heat(c.oil, c.supplies.front().temperature, to);
   judge_temperatures(c, to);
 }
 

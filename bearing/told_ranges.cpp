@@ -5,6 +5,7 @@
 
 #include "bearing/bore_shape.hpp"
 #include "bearing/pressed_layer.hpp"
+#include "core/constants.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
 

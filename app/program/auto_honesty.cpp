@@ -29,6 +29,10 @@ int auto_honesty(const Request& request) {
   if (terminal) std::cerr << "\r                      \r";
   if (request.json != "-") validation::write_auto_honesty(std::cout, trials, study);
   outputs.give("--json", [&] { return validation::auto_honesty_json(trials, study); });
+  if (study.stop->load()) {
+    std::cerr << fmt::format("interrupted: {} of {} cases are finished\n", trials.size(),
+                             study.cases);
+  }
   return outputs.code(study.stop->load() ? kInterrupted : kDone);
 }
 

@@ -53,6 +53,17 @@ CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<st
       ->allow_extra_args(false);
 }
 
+/// From a tenth of a second; not-a-number is no time, though no comparison says so.
+CLI::Validator seconds_up_to(double most) {
+  const auto fault = [most](const std::string& text) {
+    double seconds = NAN;
+    const bool read = CLI::detail::lexical_cast(text, seconds);
+    if (read && seconds >= 0.1 && seconds <= most) return std::string();
+    return fmt::format("{} is no time from 0.1 to {:g} s", in_quotes(text), most);
+  };
+  return CLI::Validator(fault, fmt::format("FLOAT in [0.1 - {:g}]", most));
+}
+
 void add_threads(CLI::App& command, Request& request, const std::string& words) {
   command.add_option("-j", request.threads, words)
       ->type_name("N")
@@ -202,7 +213,7 @@ void add_stress(CLI::App& app, Request& request) {
   stress->add_flag("--only-default", request.only_default, "leave out the other methods");
   stress->add_option("--limit", request.limit_s, "processor time after which a solve hangs [s]")
       ->type_name("S")
-      ->check(CLI::Range(0.1, kLongest));
+      ->check(seconds_up_to(kLongest));
   add_force(*stress, request);
   stress->add_option("-j", request.threads, "solves that run at the same time")
       ->type_name("N")
@@ -217,7 +228,7 @@ void add_budget(CLI::App& command, Request& request) {
           "processor time of a case [s] (default: 32, so that 215 cases on two cores take at "
           "most an hour); a case that needs more counts as not judged")
       ->type_name("S")
-      ->check(CLI::Range(0.1, kLongest));
+      ->check(seconds_up_to(kLongest));
 }
 
 void add_honesty(CLI::App& app, Request& request) {

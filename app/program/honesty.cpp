@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/program/commands.hpp"
@@ -50,6 +51,22 @@ std::vector<HonestyCase> chosen_cases(const Request& request) {
   return cases;
 }
 
+/// A truth that is no finer than what it judges is none, and what stands twice counts twice.
+void expect_judgeable(const HonestyOptions& o) {
+  for (const auto& grid : o.grids) {
+    if (grid[0] < o.truth_grid[0] && grid[1] < o.truth_grid[1]) continue;
+    throw InputError("--truth", fmt::format("{}x{} cells are not finer than the {}x{} that they "
+                                            "are to judge, around and along",
+                                            o.truth_grid[0], o.truth_grid[1], grid[0], grid[1]));
+  }
+  const auto twice = [](auto list) {
+    std::sort(list.begin(), list.end());
+    return std::adjacent_find(list.begin(), list.end()) != list.end();
+  };
+  if (twice(o.grids)) throw InputError("--grids", "one grid stands there twice");
+  if (twice(o.tiers)) throw InputError("--tiers", "one tier stands there twice");
+}
+
 HonestyOptions honesty_options(const Request& request) {
   HonestyOptions o;
   for (const std::string& name : request.tiers) {
@@ -59,6 +76,7 @@ HonestyOptions honesty_options(const Request& request) {
   for (const std::string& words : request.grids) o.grids.push_back(grid_named(words, "--grids"));
   o.truth_grid = grid_named(request.truth, "--truth");
   o.truth_nodes = request.nodes;
+  expect_judgeable(o);
   o.at_once = request.threads;
   o.budget_s = request.budget_s;
   o.stop = &app::catch_interrupt();
@@ -71,6 +89,7 @@ int honesty(const Request& request) {
   HonestyOptions options = honesty_options(request);
   Outputs outputs(request, {});
   const auto cases = chosen_cases(request);
+  if (cases.empty()) throw InputError("--cases", "there is no case to judge; give one or more");
   const HonestyRecord record = [&] {
     app::ProgressLine line;
     options.progress = [&](int done, int of) {
@@ -81,6 +100,10 @@ int honesty(const Request& request) {
   if (request.json != "-") write_honesty_table(std::cout, record);
   outputs.give("-o", [&] { return honesty_svg(record); });
   outputs.give("--json", [&] { return honesty_json(record); });
+  if (const int cut = record.count(CaseEnd::stopped); cut > 0) {
+    std::cerr << fmt::format("interrupted: {} of {} cases are finished\n", record.ends.size() - cut,
+                             record.ends.size());
+  }
   return outputs.code(options.stop->load() ? kInterrupted : kDone);
 }
 

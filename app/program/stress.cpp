@@ -95,7 +95,10 @@ int stress(const Request& request) {
   });
   outputs.give("--csv", [&] { return stress_csv(map); });
   outputs.give("--json", [&] { return stress_json(map); });
-  if (!map.complete) return outputs.code(kInterrupted);
+  if (!map.complete) {
+    std::cerr << "interrupted: cells are missing; what was finished is written\n";
+    return outputs.code(kInterrupted);
+  }
   return outputs.code(map.shipped_is_sound() ? kDone : kNotConverged);
 }
 

@@ -211,6 +211,13 @@ TEST_CASE("SuppliesMustNotContradictEachOther") {
                 {"case.toml:15:1", "supply.1", "overlaps supply.0", "another pressure"});
 }
 
+TEST_CASE("ValuesInAnotherUnitAreRefused") {
+  check_refused("pressure = \"2 bar\"", "pressure = \"1e5 bar\"",
+                {"case.toml:12:12", "supply pressure", "check the unit"});
+  check_refused("diameter = \"5 mm\"", "diameter = \"5 nm\"",
+                {"case.toml:11:12", "mouth", "check the unit"});
+}
+
 TEST_CASE("ASupplyBelowTheCavitationPressureIsRefused") {
   check_refused("\"2 bar\"", "\"-0.5 bar\"",
                 {"case.toml:12:12", "below the cavitation pressure", "raise it"});

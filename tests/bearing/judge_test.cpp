@@ -261,4 +261,26 @@ TEST_CASE("AHoleIsJudgedByItsDiameterAlone") {
   const auto findings = judge(c);
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].problem == "it overlaps supply.0");
+  CHECK(findings[0].refused());
+  // circles that pass each other do not overlap, though the squares round them do
+  const double reach = c.supplies[0].diameter / c.bearing.radius;
+  c.supplies[0].z = 0.4 * c.supplies[0].diameter;
+  c.supplies[1].z = -c.supplies[0].z;
+  c.supplies[1].angle = c.supplies[0].angle + 0.7 * reach;
+  CHECK(judge(c).empty());
+  c.supplies[1].angle = c.supplies[0].angle + 0.5 * reach;
+  CHECK(judge(c).size() == 1);
+}
+
+TEST_CASE("CellsAlongTheAxisAreCountedAsTheyAreSolved") {
+  Case c = rig_case();
+  c.model.grid = {48, 256};  // half of them: the bearing is symmetric
+  CHECK(judge(c).empty());
+  c.model.grid[1] = 257;
+  CHECK(refusal(c, [](Case&) {}).key == "model.grid");
+  c.model.grid[1] = 128;
+  c.operation.alignment = TiltGiven{1e-5, 0.0};
+  CHECK(judge(c).empty());
+  c.model.grid[1] = 129;
+  CHECK(refusal(c, [](Case&) {}).key == "model.grid");
 }

@@ -170,6 +170,45 @@ TEST_CASE("FlowDerivativesOverASteppedGap") {
   check_all(s);
 }
 
+TEST_CASE("FlowDerivativesWhereTheBoreOpensAndCloses") {
+  for (const bool rough : {false, true}) {
+    Setup s = tilted();
+    if (rough) s.rough = rough_pair({1.2e-6, 3.0}, {0.8e-6, 0.5});
+    s.patches = {{.phi = 2.0, .z = 1e-3, .arc = 1.2, .length = 9e-3, .pressure = 3e5}};
+    Tangle t(s, 0.6);
+    // from half closed to three times as open within a half cell
+    const int faces = t.bearing.scene.grid.nt * (t.bearing.scene.grid.nz + 1);
+    t.bearing.scene.shape_beside = {random_field(faces, 8, -1e-5, 6e-5),
+                                    random_field(faces, 9, -1e-5, 6e-5)};
+    check_pressure_and_fill(t);
+    check_gap(t);
+  }
+}
+
+TEST_CASE("AHalfCellThatOpensTakesThePressureThatAStraightGapTakes") {
+  // From the face, a gap h, to the unknown, h + rise, over the length l: the flow per pressure is
+  // that of the integral of dz/h^3, here by ten thousand trapezia.
+  Setup s = tilted();
+  s.position = eccentric(0.0, 0.0);
+  for (const double rise : {2e-6, 3e-5, 3e-4}) {
+    Tangle t(s, 0.6);
+    const FilmGrid& g = t.bearing.scene.grid;
+    const FilmFlow even = t.flow();
+    const auto faces = static_cast<std::size_t>(g.nt) * (g.nz + 1);
+    t.bearing.scene.shape_beside = {Field(faces, rise), Field(faces, rise)};
+    const FilmFlow opening = t.flow();
+    const double h = s.clearance;
+    constexpr int kParts = 10000;
+    double taken = 0.0;  // of what an even gap takes
+    for (int k = 0; k < kParts; ++k) {
+      taken += std::pow(h / (h + rise * (k + 0.5) / kParts), 3) / kParts;
+    }
+    for (int j = 1; j <= g.nz; ++j) {  // mid-points: wrong by (rise/h/10000)^2 and less
+      CHECK(even.z[j].m / opening.z[j].m == Approx(taken).epsilon(1e-5));
+    }
+  }
+}
+
 TEST_CASE("FlowDerivativesAtASupplyLine") {
   Setup s = tilted();
   s.patches = {{.phi = 1.0, .length = s.width, .pressure = 3e5}};

@@ -95,7 +95,11 @@ std::vector<AutoSummary> summarize(const std::vector<AutoTrial>& trials,
 }
 
 std::string auto_honesty_json(const std::vector<AutoTrial>& trials, const AutoStudy& study) {
-  Json all{{"budget_s", study.budget_s}, {"summary", Json::array()}, {"trials", Json::array()}};
+  const bool complete = static_cast<int>(trials.size()) == study.cases;
+  Json all{{"budget_s", study.budget_s},
+           {"complete", complete},
+           {"summary", Json::array()},
+           {"trials", Json::array()}};
   for (const AutoSummary& s : summarize(trials, study.tolerances)) {
     all["summary"].push_back({{"tolerance", s.tolerance},
                               {"without_truth", share_json(s.without_truth)},

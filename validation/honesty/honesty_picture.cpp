@@ -141,6 +141,10 @@ std::string honesty_svg(const HonestyRecord& record) {
   }
   svg.text({18.0, 205.0}, "part of the bars that are this long or shorter",
            {theme.ink, kText, Anchor::middle, false, true});
+  if (const int cut = record.count(CaseEnd::stopped); cut > 0) {
+    svg.text({60.0, 490.0}, fmt::format("stopped before the end: {} cases are missing", cut),
+             {theme.ink, kText, Anchor::start});
+  }
   return svg.document("How long the error bars are against the true errors");
 }
 

@@ -138,7 +138,9 @@ double Picture::left_of(std::size_t method) const {
 }
 
 void Picture::legend() {
-  svg_.text({kMargin, 28.0}, "Stability map", {theme_.ink, 19.0, Anchor::start, true});
+  svg_.text({kMargin, 28.0},
+            map_.complete ? "Stability map" : "Stability map, stopped before the end",
+            {theme_.ink, 19.0, Anchor::start, true});
   svg_.text({kMargin, 48.0},
             "Each scene drives one number from harmless (left) to where a steady film ends; "
             "the value reached stands in the cell.",

@@ -1,0 +1,39 @@
+#pragma once
+/// Solutions that a test needs before it begins: not found is a failed test that says why.
+#include <catch2/catch.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "app/words/ending_words.hpp"
+#include "bearing/cycle.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+namespace shellback::bearing::tests {
+
+inline Solution solved(const Case& c, Tier tier) {
+  Solution s = solve_tier(c, tier);
+  INFO(c.title << ": " << app::reason_of(s.verdict));
+  REQUIRE(s.verdict.good());
+  return s;
+}
+
+inline CycleResult converged(const Case& c, Tier tier = Tier::isothermal) {
+  CycleResult r = solve_cycle(c, tier);
+  INFO(app::reason_of(r.verdict));
+  REQUIRE(r.verdict.good());
+  CHECK(r.audit.mass < 1e-12);  // carried as what flows: round-off
+  return r;
+}
+
+inline const CycleQuantity& named(const CycleResult& r, const std::string& name) {
+  for (const CycleQuantity& q : r.quantities) {
+    if (q.quantity.name == name) return q;
+  }
+  throw std::runtime_error("no quantity " + name);
+}
+
+inline double value(const CycleResult& r, const std::string& name) {
+  return named(r, name).quantity.value;
+}
+
+}  // namespace shellback::bearing::tests

@@ -174,18 +174,21 @@ TEST_CASE("TheWornInShapeIsWhereLongRunningArrives") {
 }
 
 TEST_CASE("HeavyLoadsAreWornInToo") {
-  // A hundred shapes are not enough, and acceleration out of any reach meets some without a film.
-  for (const double limit : {2e6, 10e6}) {
-    Case c = rubbing_case();
-    c.operation.omega = 3000.0 * kPi / 30.0;
-    c.operation.position = LoadGiven{65e3, 270.0 * kDegree};
-    c.running_in->limit_pressure = limit;
-    const RunningInRun run = run_in(c, Tier::isothermal);
-    INFO(limit << " Pa: " << app::reason_of(run.verdict));
-    REQUIRE(run.verdict.good());
-    CHECK(run.complementarity < 1e-6);
-    CHECK(greatest(run.solution.film.p_contact) == Approx(limit).epsilon(1e-5));
-    CHECK(run.states.back().depth > 5e-6);  // far more than all roughness
+  // A hundred shapes are not enough, acceleration out of any reach meets some without a film, and
+  // some have one only from a shape nearby: without steps on the way 5 of 30 such cases were lost.
+  for (const double load : {65e3, 70e3}) {
+    for (const double limit : {2e6, 3e6, 10e6}) {
+      Case c = rubbing_case();
+      c.operation.omega = 3000.0 * kPi / 30.0;
+      c.operation.position = LoadGiven{load, 270.0 * kDegree};
+      c.running_in->limit_pressure = limit;
+      const RunningInRun run = run_in(c, Tier::isothermal);
+      INFO(load << " N, " << limit << " Pa: " << app::reason_of(run.verdict));
+      REQUIRE(run.verdict.good());
+      CHECK(run.complementarity < 1e-6);
+      CHECK(greatest(run.solution.film.p_contact) == Approx(limit).epsilon(1e-5));
+      CHECK(run.states.back().depth > 5e-6);  // far more than all roughness
+    }
   }
 }
 

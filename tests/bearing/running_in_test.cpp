@@ -208,7 +208,7 @@ TEST_CASE("HeatIsNoRougherThanTheWornInShape") {
 
 TEST_CASE("AWornInShapeThatIsNotFoundIsNoShape") {
   Case c = rubbing_case();
-  c.operation.position = LoadGiven{120e3, 270.0 * kDegree};  // 146 MPa at 600 rpm
+  c.operation.position = LoadGiven{400e3, 270.0 * kDegree};  // 490 MPa at 600 rpm
   c.running_in->limit_pressure = 2e6;
   const RunningInRun run = run_in(c, Tier::isothermal);
   CHECK(run.verdict.status == Status::iteration_limit);

@@ -25,7 +25,6 @@ void judge_back(const Shell& s, Findings& to) {
   if (const auto* given = std::get_if<PrescribedBack>(&s.back)) {
     back.temperature("temperature", given->temperature);
   } else if (const auto& air = std::get<ConvectiveBack>(s.back); air.heat_transfer != 0.0) {
-    back.number("heat_transfer", air.heat_transfer, "W/(m2 K)", kPositive);
     back.number("heat_transfer", air.heat_transfer, "W/(m2 K)", kValueRanges.wall_heat);
     back.temperature("ambient", air.ambient);
   }

@@ -99,8 +99,8 @@ void add_holes(const BearingModel& m, std::vector<Note>& out) {
     }
     const double taken = std::sqrt(4.0 * area / kPi);
     const double diameter = supplies[k].diameter;
-    if (taken > std::sqrt(kOfArea) * diameter)
-      out.push_back(note::MouthWidened{k, diameter, taken});
+    if (taken <= std::sqrt(kOfArea) * diameter) continue;
+    out.push_back(note::MouthWidened{k, diameter, taken});
   }
 }
 

@@ -66,6 +66,11 @@ std::string command_line(const Request& request) {
 int stress(const Request& request) {
   const auto scenes = chosen_stress_scenes(shipped_stress_scenes(request.quick), request.scenes);
   if (request.list) {
+    refuse_options({{"-o", !request.output.empty()},
+                    {"--table", !request.table.empty()},
+                    {"--csv", !request.csv.empty()},
+                    {"--json", !request.json.empty()}},
+                   "--list runs nothing that could be written");
     list_scenes(scenes);
     return kDone;
   }

@@ -20,7 +20,7 @@ using namespace validation;
 
 void list_entries(const std::vector<Entry>& entries, const std::vector<UnrunDataset>& gaps) {
   for (const Entry& entry : entries) {
-    std::cout << fmt::format("{:<24} {}\n", entry.name, entry.title);
+    std::cout << fmt::format("{:<32} {}\n", entry.name, entry.title);
   }
   if (!gaps.empty()) std::cout << "\nnot runnable:\n";
   for (const UnrunDataset& gap : gaps)
@@ -109,6 +109,11 @@ int validate(const Request& request) {
   const std::vector<UnrunDataset> gaps =
       request.names.empty() ? read_unrun(ledger) : std::vector<UnrunDataset>{};
   if (request.list) {
+    refuse_options({{"-o", !request.output.empty()},
+                    {"--table", !request.table.empty()},
+                    {"--csv", !request.csv.empty()},
+                    {"--json", !request.json.empty()}},
+                   "--list runs nothing that could be written");
     list_entries(entries, gaps);
     return kDone;
   }

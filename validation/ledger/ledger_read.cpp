@@ -178,6 +178,10 @@ std::vector<std::string> entry_names(const std::string& ledger) {
 
 std::vector<Entry> read_entries(const std::string& ledger, const std::vector<std::string>& names) {
   const std::vector<std::string> known = entry_names(ledger);
+  if (known.empty()) {
+    throw InputError("--ledger", fmt::format("{} has no entry: a folder with an entry.toml in it",
+                                             in_quotes(ledger)));
+  }
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw InputError(fmt::format("there is no ledger entry {}{}", in_quotes(name),

@@ -120,7 +120,8 @@ void Judge::pressures() {
       over.in(1.8, 2.2));
   const double spread = p.count > 0 ? p.high / p.low - 1.0 : NAN;
   add("4.1.2", "peak film pressure independent of the speed", "largest over smallest below 1.10",
-      fmt::format("{:.3g}", 1.0 + spread), p.missing > 0 ? Met::unknown : within(spread, 0.0, 0.1));
+      told(spread, fmt::format("{:.3g}", 1.0 + spread)),
+      p.missing > 0 ? Met::unknown : within(spread, 0.0, 0.1));
   const bearing::Case c =
       rig_isothermal_case(RigBearing::test, {kHigh, kFastest, s_.plan.grid, nullptr, 0},
                           OilModel::pressure, s_.plan.T_start);
@@ -188,7 +189,7 @@ void Judge::effects() {
   const double slow =
       torque(kHigh, kSlowest, OilModel::pressure) - torque(kHigh, kSlowest, OilModel::full);
   add("4.1.2", "shear thinning is almost negligible at 1000 rpm", "below 0.05 N m, a third of that",
-      fmt::format("{:.3g} N m", slow), within(slow, -0.05, 0.05));
+      told(slow, fmt::format("{:.3g} N m", slow)), within(slow, -0.05, 0.05));
   Range neither;
   for (const double rpm : s_.plan.rpm) {
     neither.take(std::abs(

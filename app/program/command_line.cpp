@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 
 #include "app/did_you_mean.hpp"
 #include "app/program/cli.hpp"

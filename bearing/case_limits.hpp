@@ -92,7 +92,6 @@ struct BearingLimits {
   /// [-] Over the radius: the local field is gone after two; a free body of 40 bends by itself
   /// (friction of thd-plain-bearing: 2.3530, 2.3502, 2.3423 N m with 1, 40, 100).
   double elastic_overhang_most = 20.0;
-  int most_axial_cells = 128;   ///< solved, half of all in a symmetric bearing: kernels of the ring
   int fewest_cells_round = 16;  ///< below, not even a full film's maximum is resolved
   int most_cells = 2000000;     ///< memory: some kB per cell
 };

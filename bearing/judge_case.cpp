@@ -10,6 +10,7 @@
 #include "bearing/judge_parts.hpp"
 #include "bearing/shown.hpp"
 #include "core/contract.hpp"
+#include "core/ring_matrix.hpp"
 #include "solid/boundary_friction.hpp"
 
 namespace shellback::bearing {
@@ -288,7 +289,7 @@ void judge_grid(const Case& c, const std::vector<Tier>& tiers, Findings& to) {
   };
   if (std::none_of(tiers.begin(), tiers.end(), takes_it)) return;
   const bool symmetric = symmetric_about_mid_width(c);
-  const int most = kBearingLimits.most_axial_cells * (symmetric ? 2 : 1);
+  const int most = kLongestLine * (symmetric ? 2 : 1);
   if (nz > most) {
     to.refuse("model.grid",
               fmt::format("{} cells along the axis are more than can be solved{}", nz,

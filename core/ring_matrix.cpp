@@ -1,5 +1,7 @@
 #include "core/ring_matrix.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -191,13 +193,12 @@ SHELLBACK_IN_THE_LOOP void add_diagonal(const double* x, double* block, int n) {
   for (int k = 0; k < n; ++k) block[k * LD + k] += x[k];
 }
 
-constexpr int kRegister = 8;   ///< doubles in one 512-bit register: padding of a line
-constexpr int kLargest = 128;  ///< largest padded axial line for which kernels are compiled
+constexpr int kRegister = 8;  ///< doubles in one 512-bit register: padding of a line
 
 /// Calls f.template operator()<LD>() for the padded size `ld`.
 template <class F, int LD = kRegister>
 auto with_padding(int ld, F&& f) {
-  if constexpr (LD < kLargest) {
+  if constexpr (LD < kLongestLine) {
     if (ld > LD) return with_padding<F, LD + kRegister>(ld, std::forward<F>(f));
   }
   return f.template operator()<LD>();
@@ -230,7 +231,9 @@ bool RingFactor::factorize(const RingMatrix& a) {
   nt_ = a.nt;
   nz_ = a.nz;
   ld_ = (nz_ + kRegister - 1) / kRegister * kRegister;
-  if (ld_ > kLargest) throw InputError("more than 128 axial cells are solved; use a coarser grid");
+  if (ld_ > kLongestLine)
+    throw InputError(
+        fmt::format("more than {} axial cells are solved; use a coarser grid", kLongestLine));
   first_ = 0;
   row_border_ = true;  // unless the ring can be cut where no line depends on the one after it
   int fewest = nz_ + 1;

@@ -16,6 +16,9 @@
 
 namespace shellback {
 
+/// Most unknowns of a line (padded to whole registers) for which kernels are compiled.
+inline constexpr int kLongestLine = 128;
+
 struct RingMatrix {
   int nt = 0;
   int nz = 0;

@@ -58,7 +58,7 @@ void add_thermal(const Case& subject, const Derived& d, std::vector<Indicator>& 
 
 void add_solid(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
   if (!subject.shell) return;
-  list.push_back(make("elastic deformation", "C p_max/h_min, C of a held ring",
+  list.push_back(make("elastic deformation", "C p_max/h_min, C of layers and a held ring",
                       fidelity::bore_compliance(subject) * d.p_max / d.h_min, {0.03, 0.1},
                       {"rigid surfaces will do", "elastic deformation shows",
                        "take the tier tehd, or switch elastic_deformation on"}));

@@ -109,6 +109,7 @@ std::optional<Shell> read_shell(const Section& file) {
   Shell shell;
   for (const Section& layer : section->sections("layers")) {
     layer.only({"material", "thickness", "elasto_plastic"}, "a layer of the shell");
+    if (layer.is_text("elasto_plastic")) layer.fail("elasto_plastic", "it is either true or false");
     shell.layers.push_back({read_material(layer, "material"),
                             layer.quantity("thickness", kLength.such_as("1 mm"), kPositive),
                             layer.maybe_switch("elasto_plastic").value_or(false)});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/film_motion.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/pseudo_time.hpp"
 #include "core/contract.hpp"
@@ -240,52 +241,23 @@ void FilmSteps::carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& 
   for (int k = 0; k < point_.load.unknowns; ++k) film.position.q[k] += ahead * trend.q[k];
 }
 
-namespace {
-
-/// Full cells of which no neighbour within two cells to both sides around is cavitated: as cells
-/// fill, one after the other, the pressure beside them jumps (of first order in time, methods 4)
-/// and the surfaces give way there, however short the steps.
-std::vector<char> away_from_fronts(const FilmGrid& g, const std::vector<char>& full) {
-  std::vector<char> inside = full;
-  for (int i = 0; i < g.nt; ++i) {
-    const int east = g.next(i);
-    const int west = g.previous(i);
-    for (int j = 0; j < g.nz; ++j) {
-      bool all = full[g.index(i, j)];
-      for (const int n : {east, west, g.next(east), g.previous(west)}) {
-        all = all && full[g.index(n, j)];
-      }
-      inside[g.index(i, j)] = all;
-    }
-  }
-  return inside;
-}
-
-}  // namespace
-
 double FilmSteps::error_of_film(const FilmInTime& now, const FilmEquilibrium& end,
                                 const std::vector<FilmStage>& stages, double dt) const {
   const Tableau by = method_at(now);
   constexpr double kLoaded = 0.01;  // of the largest specific load of the course: counts as loaded
+  if (now.full_before.empty()) return 0.0;
   const FilmGrid& g = model_.domain.grid;
   const double loaded = kLoaded * course_.largest_load() / (2.0 * g.radius * g.width);
-  double worst = 0.0;
-  bool any = false;
-  if (now.full_before.empty()) return worst;
   std::vector<char> full = end.film.full;
-  for (std::size_t c = 0; c < full.size(); ++c) {
-    full[c] = full[c] && now.film.film.full[c] && now.full_before[c];
-  }
-  const std::vector<char> inside = away_from_fronts(g, full);
+  Field missing(g.cells(), 0.0);
   for (int c = 0; c < g.cells(); ++c) {
-    if (!inside[c] || model_.supply.cell[c] >= 0 || end.film.p[c] < loaded) continue;
-    any = true;
-    double missing = 0.0;
-    for (int i = 0; i < by.stages; ++i) missing += (by.b(i) - by.other[i]) * stages[i].oil[c];
-    const double height = end.oil.density[c] * (end.gap.cell[c] + model_.domain.rough.sigma);
-    worst = larger(worst, std::abs(dt * missing) / height);
+    full[c] = full[c] && now.film.film.full[c] && now.full_before[c];
+    for (int i = 0; i < by.stages; ++i) missing[c] += (by.b(i) - by.other[i]) * stages[i].oil[c];
+    missing[c] *= dt / end.oil.density[c];
   }
-  if (any || mass_ <= 0.0) return worst;
+  const auto error = loaded_film_error(model_, point_.load.unknowns, end, missing,
+                                       away_from_fronts(g, full), loaded);
+  if (error || !(mass_ > 0.0)) return error.value_or(0.0);
   // Nothing is loaded: a journal in flight, judged by its own position.
   std::array<double, 2> off{};
   for (int k = 0; k < 2; ++k) {

@@ -65,7 +65,7 @@ struct FilmStep {
   Verdict verdict;
   FilmInTime after;     ///< good: the state at its end
   Field p;              ///< film pressure told of its end (3) [Pa]
-  double error = 0.0;   ///< estimated, of the loaded film over its height, max |dh|/(h + sigma) [-]
+  double error = 0.0;   ///< estimated, of the loaded film over its height (film_motion.hpp) [-]
   double supply = 0.0;  ///< oil fed in over the step [kg]
   std::vector<double> patch;  ///< the same, out of every supply [kg]
   double side = 0.0;          ///< and lost at the sides [kg]

@@ -45,10 +45,21 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
   const Verdict v = start();
   const bool ended = v.good() || v.status == Status::interrupted || s.cost.spent() ||
                      !usual_methods(s.model.input);
-  if (ended || s.point.load.unknowns == 0) return v;
+  if (ended) return v;
   const Corrector correct = [&](Solution& at, Accuracy accuracy) {
     return correct_film(at, accuracy, control);
   };
+  if (s.point.load.unknowns == 0) {
+    if (!s.model.physics.elastic) return v;
+    // Surfaces that give way are met before they have: from a place nearer to the middle.
+    s.film = cold_start(s.model, s.point, T);
+    Part(s, Raised::place).take(kLight.front());
+    const Verdict nearer = start();
+    Part(s, Raised::place).take(1.0 / kLight.front());
+    if (!nearer.good()) return v;
+    const Branch b = follow_parts(s, Raised::place, kLight.front(), correct, control);
+    return b.end == BranchEnd::reached ? Verdict{} : b.end == BranchEnd::lost ? v : b.last;
+  }
   const std::optional<Branch> branch = follow_loads(
       s,
       [&] {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "bearing/film_motion.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/round_off.hpp"
 
@@ -18,6 +20,9 @@ constexpr double kShortestStep = 0.005;  ///< load known to half a per cent: a t
 /// the hot KS bearing is lost 0.9 % below where it is with these.
 constexpr double kLongerStep = 1.6;
 constexpr double kShorterStep = 0.4;
+/// Cosine of the largest angle between the steps before and after a state: 60 degrees, so that a
+/// turn takes three steps and more [-].
+constexpr double kBend = 0.5;
 constexpr std::array kCloser{0.003, 0.01, 0.03};  ///< of the gap: a little closer [-]
 
 /// What a state is, without what follows from it.
@@ -25,6 +30,22 @@ struct Reached {
   FilmEquilibrium film;
   HeatState heat;
 };
+
+/// Carries temperatures, growth, surfaces and journal of `s`, which stands at `last`, on in a
+/// straight line from `before`, by `part` of the way between the two.
+void carry_on(const Reached& before, const Reached& last, double part, Solution& s) {
+  const auto carry = [&](const Field& from, const Field& to, Field& x) {
+    if (from.size() != x.size()) return;
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += part * (to[k] - from[k]);
+  };
+  carry(before.film.columns.T, last.film.columns.T, s.film.columns.T);
+  carry(before.heat.thermal_deformation, last.heat.thermal_deformation, s.heat.thermal_deformation);
+  carry(before.film.elastic, last.film.elastic, s.film.elastic);
+  for (int k = 0; k < s.point.load.unknowns; ++k) {
+    s.film.position.q[k] += part * (last.film.position.q[k] - before.film.position.q[k]);
+  }
+  s.film.ln_load += part * (last.film.ln_load - before.film.ln_load);
+}
 
 /// Rigid surfaces and Barus oil, whose reduced pressure has a bound.
 bool has_bound(const Solution& s) {
@@ -60,6 +81,14 @@ class LoadBranch {
  private:
   /// The row of the path for the next step from the last two states.
   [[nodiscard]] PathRow next_row(double length) const;
+  /// Change of the journal's place among its grown surfaces from the state before the last to it
+  /// [m], [rad].
+  [[nodiscard]] std::array<double, 4> moved() const;
+  /// True if the state found lies far from the straight line on which it was looked for: the plane
+  /// of the path (equilibrium.hpp (4)) meets other parts of the branch, and other branches, too.
+  [[nodiscard]] bool strayed() const;
+  /// Carries the state on along the secant.
+  void predict(double length);
   void keep();
   void restore();
   /// Solves the whole load from the last state.
@@ -70,11 +99,37 @@ class LoadBranch {
   const Corrector& correct_;
   const SolveControl& control_;
   Reached last_, before_;
-  bool secant_ = false;  ///< `before_` is known
-  double most_ = 0.0;    ///< highest ln of the load's factor [-]
-  double h_min_ = 0.0;   ///< there [m]
+  bool secant_ = false;            ///< `before_` is known
+  std::array<double, 4> moved_{};  ///< moved(), and the length of the last step [-]
+  double length_ = 0.0;
+  double most_ = 0.0;   ///< highest ln of the load's factor [-]
+  double h_min_ = 0.0;  ///< there [m]
   Verdict failure_;
 };
+
+std::array<double, 4> LoadBranch::moved() const {
+  const int unknowns = s_.point.load.unknowns;
+  std::array<double, 4> q{};
+  Field grown = last_.heat.thermal_deformation;
+  if (!grown.empty()) {
+    for (std::size_t c = 0; c < grown.size(); ++c) grown[c] -= before_.heat.thermal_deformation[c];
+    q = motion_of(s_.model, unknowns, carrying_force(s_.model, last_.film), grown);
+  }
+  for (int k = 0; k < unknowns; ++k) {
+    q[k] += last_.film.position.q[k] - before_.film.position.q[k];
+  }
+  return q;
+}
+
+bool LoadBranch::strayed() const {
+  if (!secant_) return false;  // there is no line yet
+  const PathRow& row = *s_.point.load.path;
+  double way = std::pow(s_.film.ln_load - row.from_load, 2);
+  for (int k = 0; k < s_.point.load.unknowns; ++k) {
+    way += std::pow((s_.film.position.q[k] - row.from.q[k]) / row.unit[k], 2);
+  }
+  return !(std::sqrt(way) * kBend <= row.length);
+}
 
 PathRow LoadBranch::next_row(double length) const {
   PathRow row;
@@ -90,13 +145,24 @@ PathRow LoadBranch::next_row(double length) const {
   if (!secant_) return row;
   double norm = std::pow(now.ln_load - before_.film.ln_load, 2);
   for (int k = 0; k < s_.point.load.unknowns; ++k) {
-    row.along[k] = (now.position.q[k] - before_.film.position.q[k]) / row.unit[k];
+    row.along[k] = moved_[k] / row.unit[k];
     norm += row.along[k] * row.along[k];
   }
   norm = std::sqrt(norm);
   row.along_load = (now.ln_load - before_.film.ln_load) / norm;
   for (double& a : row.along) a /= norm;
   return row;
+}
+
+void LoadBranch::predict(double length) {
+  if (!secant_) return;
+  const double part = length / length_;
+  carry_on(before_, last_, part, s_);
+  // The path begins where the journal stood, among the surfaces as they are now.
+  for (int k = 0; k < s_.point.load.unknowns; ++k) {
+    const double change = last_.film.position.q[k] - before_.film.position.q[k];
+    s_.point.load.path->from.q[k] += part * (change - moved_[k]);
+  }
 }
 
 void LoadBranch::keep() {
@@ -134,13 +200,14 @@ Branch LoadBranch::run(double begun) {
   double step = kFirstStep;
   for (int k = 0; k < kMostIterations && step > kShortestStep; ++k) {
     s_.point.load.path = next_row(step);
+    predict(step);
     const Verdict v = correct_(s_, Accuracy::way_point);
     if (v.status == Status::interrupted || stopped(control_)) {
       failure_ = {Status::interrupted};
       return ended(BranchEnd::interrupted);
     }
-    if (!v.good()) {
-      failure_ = v;
+    if (!v.good() || strayed()) {
+      failure_ = v.good() ? Verdict{Status::iteration_limit, ending::Plain::strayed} : v;
       restore();
       step *= kShorterStep;
       continue;
@@ -155,6 +222,8 @@ Branch LoadBranch::run(double begun) {
     const bool falls = secant_ && last_.film.ln_load < before_.film.ln_load;
     if (falls && last_.film.ln_load < most_ - kShortestStep) return ended(BranchEnd::turned);
     secant_ = true;
+    moved_ = moved();
+    length_ = step;
     step = std::min(kLongerStep * step, kLongestStep);
   }
   restore();
@@ -174,27 +243,34 @@ Branch follow_load(Solution& s, double begun, const Corrector& correct,
   return branch;
 }
 
-Part::Part(OperatingPoint& point, Raised raised)
-    : point_(point), raised_(raised), force_(point.load.force), speed_(point.scene.speed) {}
+Part::Part(Solution& s, Raised raised)
+    : s_(s),
+      raised_(raised),
+      force_(s.point.load.force),
+      speed_(s.point.scene.speed),
+      place_(s.film.position.q) {}
 
 void Part::take(double part) {
-  if (raised_ == Raised::load) {
-    for (int k = 0; k < 4; ++k) point_.load.force[k] = part * force_[k];
-  } else {
-    point_.scene.speed = part * speed_;
+  for (int k = 0; k < 4; ++k) {
+    if (raised_ == Raised::load) s_.point.load.force[k] = part * force_[k];
+    if (raised_ == Raised::place) s_.film.position.q[k] = part * place_[k];
   }
+  if (raised_ == Raised::speed) s_.point.scene.speed = part * speed_;
 }
 
 Branch follow_parts(Solution& s, Raised raised, double begun, const Corrector& correct,
                     const SolveControl& control) {
-  Part of(s.point, raised);
+  Part of(s, raised);
   Branch branch{raised, BranchEnd::lost, begun, s.film.least.h, {}};
-  Reached last{s.film, s.heat};
+  Reached last{s.film, s.heat}, before;
   double step = kFirstStep;
+  double length = 0.0;  // from `before` to `last`; 0: there is none
   for (int k = 0; k < kMostIterations && step > kShortestStep; ++k) {
     const double next = begun < 1.0 ? std::min(1.0, branch.carried * std::exp(step))
                                     : std::max(1.0, branch.carried * std::exp(-step));
+    const double way = std::abs(std::log(next / branch.carried));
     of.take(next);
+    if (length > 0.0) carry_on(before, last, way / length, s);
     const Verdict v = correct(s, next == 1.0 ? Accuracy::result : Accuracy::way_point);
     if (v.status == Status::interrupted || stopped(control)) {
       branch.end = BranchEnd::interrupted;
@@ -204,7 +280,8 @@ Branch follow_parts(Solution& s, Raised raised, double begun, const Corrector& c
     if (v.good()) {
       branch.carried = next;
       branch.h_min = s.film.least.h;
-      last = {s.film, s.heat};
+      before = std::exchange(last, {s.film, s.heat});
+      length = way;
       step = std::min(kLongerStep * step, kLongestStep);
       if (next == 1.0) branch.end = BranchEnd::reached;
       if (next == 1.0) break;
@@ -222,7 +299,7 @@ Branch follow_parts(Solution& s, Raised raised, double begun, const Corrector& c
 std::optional<Branch> follow_from(Solution& s, Raised raised, std::span<const double> parts,
                                   const std::function<Verdict()>& start, const Corrector& correct,
                                   const SolveControl& control) {
-  Part part(s.point, raised);
+  Part part(s, raised);
   for (const double begun : parts) {
     part.take(begun);
     const Verdict v = start();

@@ -1,12 +1,16 @@
 #pragma once
 /// The branch of steady states over one number of the operating point, through turning points.
 ///
-/// Predictor: the secant of the last two states in (position, ln of what is raised). Corrector: the
-/// steady equations, along a load with its factor unknown and the length of the path given
-/// (equilibrium.hpp (4): pseudo-arclength), along a speed at the speed predicted. The step grows
-/// where the corrector is quick and shrinks where it fails; where the load's part of the tangent
-/// changes its sign the branch has turned: more is not carried on it. Source: textbook (Keller's
-/// pseudo-arclength continuation).
+/// Predictor: the secant of the last two states, with temperatures, growth and displacement.
+/// Corrector: the steady equations, along a load with its factor unknown and the length of the path
+/// given (equilibrium.hpp (4): pseudo-arclength), along a speed at the speed predicted. A path is
+/// measured in (place of the journal among its surfaces, ln load): where they grow, its beginning
+/// moves along (film_motion.hpp (1)). Measured in space instead, a clearance that heat closes moves
+/// the journal more than its load does, and what lies a given way off is another load as soon as
+/// the surfaces have followed. The step grows where a state is found and shrinks where none is, or
+/// one that does not continue the branch; where the load's part of the tangent changes its sign the
+/// branch has turned: more is not carried on it. Source: textbook (Keller's pseudo-arclength
+/// continuation, with control of the angle), the measure is our own (docs/decisions/054).
 #include <array>
 #include <functional>
 #include <optional>
@@ -33,13 +37,13 @@ inline constexpr std::array kHeavy{2.0, 5.0};
 /// Two ends of a branch that are nearer than this are one [-].
 inline constexpr double kAgree = 0.1;
 
-/// What of the operating point is raised along a branch.
-enum class Raised { load, speed };
+/// What is raised along a branch: load or speed of the operating point, or a journal's given place.
+enum class Raised { load, speed, place };
 
 struct Branch {
   Raised raised = Raised::load;
   BranchEnd end = BranchEnd::lost;
-  double carried = 0.0;  ///< part of the load or the speed that was reached [-]
+  double carried = 0.0;  ///< part of what is raised that was reached [-]
   double h_min = 0.0;    ///< there [m]
   Verdict last;          ///< of the corrector where it failed
 };
@@ -54,17 +58,18 @@ struct Branch {
 [[nodiscard]] Branch follow_parts(Solution& s, Raised raised, double begun,
                                   const Corrector& correct, const SolveControl& control);
 
-/// Gives the operating point a part of its load or of its speed.
+/// Gives the operating point a part of its load or of its speed, or the film one of its place.
 class Part {
  public:
-  Part(OperatingPoint& point, Raised raised);
+  Part(Solution& s, Raised raised);
   void take(double part);
 
  private:
-  OperatingPoint& point_;
+  Solution& s_;
   Raised raised_;
   fluid::Wrench force_;
   double speed_;
+  std::array<double, 4> place_;
 };
 
 /// From the first of `parts` at which `start` finds a state, along load or speed to the whole; none

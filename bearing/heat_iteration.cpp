@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "bearing/film_motion.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/solve_equilibrium.hpp"
 #include "bearing/wall_balance.hpp"
@@ -21,7 +22,12 @@ class HeatIteration {
  public:
   HeatIteration(Solution& s, const ThermalOptions& options, const SolveControl& control,
                 const HeatStep* step)
-      : s_(s), options_(options), control_(control), walls_(s, kSweepsOfResponse, step) {}
+      : s_(s), options_(options), control_(control), walls_(s, kSweepsOfResponse, step) {
+    if (!s.point.load.path || s.heat.thermal_deformation.empty()) return;
+    path_from_ = s.point.load.path->from;
+    grown_from_ = s.heat.thermal_deformation;
+    force_from_ = carrying_force(s.model, s.film);
+  }
 
   bool operator()(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] std::vector<double> pack() const;
@@ -45,6 +51,9 @@ class HeatIteration {
   void limit_change(const std::vector<double>& x, std::vector<double>& g);
   [[nodiscard]] double relaxation(const std::vector<double>& g) const;
   void unpack(const std::vector<double>& x);
+  /// A path is measured from the journal's last place among surfaces that have grown since: where
+  /// they move, it moves along (follow.hpp).
+  void carry_path();
   void report(const std::vector<double>& x, const std::vector<double>& g);
   [[nodiscard]] double supply_temperature() const {
     return s_.model.input.supplies.front().temperature;
@@ -54,7 +63,10 @@ class HeatIteration {
   const ThermalOptions& options_;
   const SolveControl& control_;
   WallBalance walls_;
-  std::vector<double> last_;  ///< value of the last iteration
+  fluid::JournalPosition path_from_;  ///< with a path: where it begins,
+  Field grown_from_;                  ///< thermal deformation there [m],
+  Field force_from_;                  ///< and what each cell carries [N]
+  std::vector<double> last_;          ///< value of the last iteration
   Friction friction_;
   Verdict verdict_;
   bool limited_ = false;
@@ -75,6 +87,17 @@ void HeatIteration::unpack(const std::vector<double>& x) {
     s_.heat.thermal_deformation[k] = s_.model.clearance * x[T.size() + k];
   }
   walls_.read_from_film();
+  if (!grown_from_.empty()) carry_path();
+}
+
+void HeatIteration::carry_path() {
+  Field grown = s_.heat.thermal_deformation;
+  const Field own = s_.film.contact_widening ? own_widening() : Field(grown.size(), 0.0);
+  for (std::size_t k = 0; k < grown.size(); ++k) grown[k] += own[k] - grown_from_[k];
+  const auto moved = motion_of(s_.model, s_.point.load.unknowns, force_from_, grown);
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    s_.point.load.path->from.q[k] = path_from_.q[k] - moved[k];
+  }
 }
 
 void HeatIteration::take_contact_widening() {

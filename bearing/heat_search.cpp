@@ -36,7 +36,7 @@ ThermalOptions options_of(Accuracy accuracy, bool coarse) {
 /// trajectory that leaves every bound shows that the branch ends; one that comes to rest is a state
 /// of more load.
 MarchEnd transient_beyond(Solution& s, const Branch& branch, const SolveControl& control) {
-  Part of(s.point, branch.raised);
+  Part of(s, branch.raised);
   of.take(std::min(1.0, (1.0 + kAgree) * branch.carried));
   MarchOptions march;
   march.error = kTransientError;

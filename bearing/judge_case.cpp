@@ -193,6 +193,23 @@ void judge_flow_factors(const Case& c, Findings& to) {
   }
 }
 
+/// 1/E* = (1 - nu^2)/E of the shell's first layer and of the shaft (Hertz, textbook).
+void judge_composite_modulus(const Case& c, Findings& to) {
+  if (!c.shell || c.shell->layers.empty() || !c.shaft) return;
+  const auto compliance = [](const solid::Material& m) {
+    return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.youngs_modulus;
+  };
+  const double of_materials =
+      1.0 / (compliance(c.shell->layers.front().material) + compliance(c.shaft->material));
+  const double apart = c.surfaces.contact->composite_modulus / of_materials;
+  if (std::max(apart, 1.0 / apart) <= kBearingLimits.modulus_apart) return;
+  to.suspect(
+      "surfaces.contact.composite_modulus",
+      fmt::format("it is {}, and that of the shell's first layer on the shaft {}",
+                  shown(c.surfaces.contact->composite_modulus, "GPa"), shown(of_materials, "GPa")),
+      fmt::format("for these materials write \"{}\"", shown(of_materials, "GPa")));
+}
+
 /// Summits of a surface that another one touches.
 void judge_summits(const solid::RoughSurface& s, const std::string& key, Findings& to) {
   if (s.roughness <= 0.0) return;
@@ -242,6 +259,7 @@ void judge_surfaces(const Case& c, Findings& to) {
             fmt::format("summit density times radius times summit roughness is {:.3g}", density),
             "it follows from elastic_factor, the summit roughnesses and this radius");
   }
+  if (s.contact && summits > 0.0) judge_composite_modulus(c, to);
   const Switches& on = c.model.switches;
   if (on.asperity_contact.value_or(false) && !s.contact) {
     to.refuse("model.asperity_contact", "contact is switched on without [surfaces] contact",
@@ -306,6 +324,20 @@ void judge_grid(const Case& c, const std::vector<Tier>& tiers, Findings& to) {
       fmt::format("take {} x {}, or supplies whose edges lie further apart", more_nt, more_nz));
 }
 
+/// Between rigid surfaces no journal is displaced by the clearance.
+void judge_place(const Case& c, const std::vector<Tier>& tiers, Findings& to) {
+  const auto* given = std::get_if<EccentricityGiven>(&c.operation.position);
+  if (given == nullptr || given->ratio < 1.0) return;
+  const auto gives_way = [&](Tier tier) {
+    return tier != Tier::estimate && (tier == Tier::automatic || physics_of(c, tier).elastic) &&
+           (c.shell || c.shaft);
+  };
+  if (std::any_of(tiers.begin(), tiers.end(), gives_way)) return;
+  to.refuse("operation.eccentricity_ratio",
+            "at 1 the journal touches the shell, and the surfaces are rigid; it must be less",
+            "let them be elastic: tier tehd, or model.elastic_deformation = true");
+}
+
 }  // namespace
 
 std::vector<Finding> judge(const Case& c, const std::vector<Tier>& tiers) {
@@ -320,6 +352,7 @@ std::vector<Finding> judge(const Case& c, const std::vector<Tier>& tiers) {
     judge_load(c, to);
     judge_moment(c, to);
   }
+  judge_place(c, tiers, to);
   judge_tilt(c, to);
   judge_supplies(c, to);
   judge_oil(c, to);

@@ -11,6 +11,7 @@
 #include "bearing/row_gaps.hpp"
 #include "bearing/step_control.hpp"
 #include "bearing/value_check.hpp"
+#include "core/constants.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -190,6 +191,30 @@ void judge_mass(const Case& c, const CycleNumbers& n, Findings& to) {
             "check its unit; or give the load as a single event");
 }
 
+/// Surfaces drag oil into the film's wedge with (omega/2 - omega_load) R: none where the load turns
+/// with half the speed of the journal (textbook: half-speed whirl). Told where a large load does so
+/// for a turn of the journal, by then with a tenth of the wedge and less: only squeezing carries.
+void judge_turning(const Case& c, Findings& to) {
+  constexpr double kWedge = 0.1;  // of the speed with which a load that stands is carried [-]
+  const LoadCourse course(*c.cycle, c.operation.omega);
+  const LoadStretch follows =
+      course.heavy_stretch([](const LoadNow& from, const LoadNow& to, double dt) {
+        const double turn =
+            std::atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y);
+        const double half = 0.25 * (from.omega + to.omega) * dt;
+        return std::abs(half - turn) < kWedge * std::abs(half);
+      });
+  if (!follows.always && follows.turned < 2.0 * kPi) return;
+  const std::string when = follows.always ? "all the time"
+                                          : fmt::format("while this makes {:.3g} revolutions",
+                                                        follows.turned / (2.0 * kPi));
+  to.suspect("load_cycle.file",
+             fmt::format("the load turns with half the speed of the journal {}: no oil is dragged "
+                         "under it, only squeezing carries",
+                         when),
+             "check direction and frame of the load, and the speed");
+}
+
 void judge_cycle(const Case& c, Findings& to) {
   const CycleNumbers n = cycle_numbers(*c.cycle, c.operation.omega);
   const double specific = n.largest / (2.0 * c.bearing.radius * c.bearing.width);
@@ -199,6 +224,7 @@ void judge_cycle(const Case& c, Findings& to) {
   const double u = n.largest_speed * c.bearing.radius;
   compare(to, "operation.speed", u, kBearingLimits.surface_speed,
           fmt::format("the largest surface speed is {:.4g} m/s", u), "check the unit of the speed");
+  judge_turning(c, to);
   if (c.cycle->journal_mass > 0.0) return judge_mass(c, n, to);
   if (const auto row = vanishing_load(*c.cycle)) {
     to.refuse("load_cycle.journal_mass",

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "bearing/judge_parts.hpp"
+#include "bearing/load_cycle.hpp"
 #include "bearing/shown.hpp"
 #include "solid/surface_layer.hpp"
 
@@ -38,8 +39,11 @@ void judge_housing(const Housing& housing, double R, double inner, Findings& to)
   judge_material(housing.material, "shell.housing.material", to);
   if (housing.outer_radius <= inner) {
     to.refuse("shell.housing.outer_diameter",
-              fmt::format("{} does not enclose the shell, whose back has a diameter of {}",
-                          shown(2.0 * housing.outer_radius, "mm"), shown(2.0 * inner, "mm")));
+              fmt::format("{} does not enclose the shell, whose layers are {} thick and whose back "
+                          "has a diameter of {}",
+                          shown(2.0 * housing.outer_radius, "mm"), shown(inner - R, "mm"),
+                          shown(2.0 * inner, "mm")),
+              "check it, and the thickness of shell.layers");
   }
   if (housing.outer_radius > kBearingLimits.housing_most * R) {
     to.refuse("shell.housing.outer_diameter", "it is more than 50 times the bearing's diameter",
@@ -92,6 +96,30 @@ void judge_coating(const Case& c, Findings& to) {
                 "stiffness and damping of a bearing with an elasto-plastic layer depend on the "
                 "frequency",
                 "take model.coefficients or elasto_plastic out");
+    }
+  }
+}
+
+/// The load over its projected area is less than the largest pressure.
+void judge_strain(const Case& c, Findings& to) {
+  const double force = c.cycle ? LoadCourse(*c.cycle, c.operation.omega).largest_load()
+                       : std::holds_alternative<LoadGiven>(c.operation.position)
+                           ? std::get<LoadGiven>(c.operation.position).force
+                           : 0.0;
+  const double specific = force / (2.0 * c.bearing.radius * c.bearing.width);
+  for (std::size_t k = 0; k < c.shell->layers.size(); ++k) {
+    const double strain = specific * solid::confined_compliance(c.shell->layers[k].material);
+    if (strain <= kBearingLimits.strain_usual) continue;
+    const std::string what = fmt::format(
+        "under the load over its projected area, {}, the layer is compressed by {:.3g} % of its "
+        "thickness",
+        shown(specific, "MPa"), 100.0 * strain);
+    const std::string key = fmt::format("shell.layers.{}.material", k);
+    if (strain > kBearingLimits.strain_most) {
+      to.refuse(key, what, "check the unit of its youngs_modulus, and the load");
+    } else {
+      to.suspect(key, what + ": the law of small strains errs",
+                 "check the unit of its youngs_modulus");
     }
   }
 }
@@ -150,6 +178,8 @@ void judge_overhang(const char* key, double length, double most, double R, Findi
 void judge_solids(const Case& c, Findings& to) {
   const double R = c.bearing.radius;
   if (c.shell) judge_shell(*c.shell, R, to);
+  const bool gives_way = c.model.tier == Tier::tehd || c.model.tier == Tier::automatic;
+  if (c.shell && c.model.switches.elastic_deformation.value_or(gives_way)) judge_strain(c, to);
   if (c.shell) judge_coating(c, to);
   if (!c.shaft) return;
   judge_material(c.shaft->material, "shaft.material", to);

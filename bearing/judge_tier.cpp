@@ -131,28 +131,19 @@ Lack lack_of_feed(const Case& c, double load_angle, double far) {
 /// The same over a cycle or event: where it lasts for a turn of the journal, in which the film has
 /// used up the oil that it had, under loads that make the film its smallest.
 Lack lack_of_feed_over(const Case& c) {
-  constexpr int kLooks = 720;     // a degree of two turns
-  constexpr double kLarge = 0.5;  // of the largest load [-]
   const std::vector<double>& t = c.cycle->t;
   const bool spline = c.cycle->interpolation == LoadInterpolation::periodic_spline;
   const bool jumps = std::adjacent_find(t.begin(), t.end(), std::greater_equal<>()) != t.end();
   if (t.size() < 2 || (spline && jumps)) return std::nullopt;  // refused for that
   const LoadCourse course(*c.cycle, c.operation.omega);
-  const double dt = c.cycle->length() / kLooks;
-  const int looks = (c.cycle->repeats() ? 2 : 1) * kLooks;  // a stretch may go on over the end
-  Lack longest;
-  double turned = 0.0, most = 0.0;
-  bool always = true;
-  for (int k = 0; k < looks; ++k) {
-    const LoadNow at = course.at((k % kLooks + 0.5) * dt);
-    const bool loaded = std::hypot(at.x, at.y) > kLarge * course.largest_load();
-    const Lack now =
-        loaded ? lack_of_feed(c, std::atan2(at.y, at.x), kFarFromLoadInTime) : std::nullopt;
-    always = always && now;
-    turned = now ? turned + std::abs(at.omega) * dt : 0.0;
-    if (now && turned >= most) longest = now, most = turned;
-  }
-  return always || most >= 2.0 * kPi ? longest : std::nullopt;
+  const auto lack_at = [&](const LoadNow& at) {
+    return lack_of_feed(c, std::atan2(at.y, at.x), kFarFromLoadInTime);
+  };
+  const LoadStretch starved =
+      course.heavy_stretch([&](const LoadNow& from, const LoadNow& to, double) {
+        return lack_at({from.x + to.x, from.y + to.y}).has_value();
+      });
+  return starved.always || starved.turned >= 2.0 * kPi ? lack_at(starved.last) : std::nullopt;
 }
 
 /// The estimate's film is one land, or two alike, fed at the widest gap by oil of one temperature.

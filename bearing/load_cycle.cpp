@@ -96,6 +96,27 @@ double LoadCourse::turned_within(double t) const {
   return sum;
 }
 
+LoadStretch LoadCourse::heavy_stretch(
+    const std::function<bool(const LoadNow&, const LoadNow&, double)>& holds) const {
+  constexpr int kParts = 720;
+  constexpr double kHeavy = 0.5;  // of the largest load: under less the film is not its smallest
+  const double dt = length_ / kParts;
+  const int parts = (repeats() ? 2 : 1) * kParts;
+  LoadStretch now, longest;
+  now.always = true;
+  for (int k = 0; k < parts; ++k) {
+    const LoadNow from = at(k % kParts * dt), to = at((k % kParts + 1) * dt, true);
+    now.last = {0.5 * (from.x + to.x), 0.5 * (from.y + to.y), 0.5 * (from.omega + to.omega)};
+    const bool heavy = std::hypot(now.last.x, now.last.y) > kHeavy * largest_load_;
+    const bool in = heavy && holds(from, to, dt);
+    now.always = now.always && in;
+    now.turned = in ? now.turned + std::abs(now.last.omega) * dt : 0.0;
+    if (in && now.turned >= longest.turned) longest = now;
+  }
+  longest.always = now.always;
+  return longest;
+}
+
 double LoadCourse::turned(double t) const {
   const double held = cycle_.repeats() ? 0.0 : std::max(t - length_, 0.0) * cycle_.omega.back();
   return turned_within(within_period(t)) - turned_within(within_period(0.0)) + held;

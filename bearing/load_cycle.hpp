@@ -6,6 +6,7 @@
 /// the first holds before it, the second after it. The load acts on the journal, in the frame in
 /// which the shell stands still; the speed is that of the journal against the shell.
 #include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -47,6 +48,13 @@ struct LoadCorner {
   double slope_change = 0.0;  ///< of load and speed, each over its largest [1/s]
 };
 
+/// A stretch of a course.
+struct LoadStretch {
+  double turned = 0.0;  ///< by the journal in it, whichever way [rad]
+  LoadNow last{};       ///< load and speed in its last part
+  bool always = false;  ///< it is the whole course, so without an end
+};
+
 /// The course of load and speed, at any time; an event begins at 0 with its first row.
 class LoadCourse {
  public:
@@ -66,6 +74,11 @@ class LoadCourse {
   [[nodiscard]] double largest_speed() const { return largest_speed_; }
   /// Integral of the load over the first `length()`, by Simpson's rule between corners [N s].
   [[nodiscard]] std::array<double, 2> impulse() const;
+  /// The stretch in which the journal turns furthest under more than half of the largest load while
+  /// `holds` is true: asked for each of 720 parts (a degree of two turns) with load and speed at
+  /// its beginning and its end and its duration [s]. It may go on over the end of a period.
+  [[nodiscard]] LoadStretch heavy_stretch(
+      const std::function<bool(const LoadNow&, const LoadNow&, double)>& holds) const;
   /// Sorted by time; the end of a period counts as the beginning of the next.
   [[nodiscard]] const std::vector<LoadCorner>& corners() const { return corners_; }
 

@@ -19,6 +19,7 @@ enum class Plain {
   pressure_beyond_law,       ///< of the oil
   rigid_layer,               ///< elasto-plastic, under surfaces taken as rigid
   edge_oil_as_supply,        ///< oil that comes in again at a side edge
+  planes_overlap,            ///< mean planes of rough surfaces, where the film is smallest
   // Where an event of a load cycle begins.
   event_from_steady,       ///< state of its first row
   event_at_rest,           ///< asperities carrying the load of its first row
@@ -163,6 +164,12 @@ struct HeldAtHardness {
   FilmPlace place{};  ///< there
 };
 
+/// A layer of the shell that the largest pressure compresses beyond small strains.
+struct LayerPressed {
+  int layer = 0;
+  double strain = 0.0;  ///< of its thickness [-]
+};
+
 /// Wear that has gone through the shell's first layer.
 struct WornThrough {
   double depth = 0.0;      ///< [m]
@@ -204,9 +211,9 @@ using Note = std::variant<
     std::string, note::Plain, note::ColdSpot, note::NoCoefficients, note::CavitatedDamping,
     note::OtherRoots, note::FactorsContinued, note::BeyondOilRange, note::BeyondContactLaw,
     note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells, note::ProfileBetweenCells,
-    note::NotLaminar, note::VesselEmpty, note::MouthWidened, note::WornThrough, note::NothingRicher,
-    note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged,
-    note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::ShaftSwing, note::EstimateOfFilm,
-    note::EstimateWithoutMass>;
+    note::NotLaminar, note::VesselEmpty, note::MouthWidened, note::WornThrough, note::LayerPressed,
+    note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound,
+    note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::ShaftSwing,
+    note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -65,7 +65,7 @@ struct Quantities {
   double h_min_mid = kUnknown;              ///< smallest film at mid-width [m]
   double p_max = kUnknown;                  ///< largest film pressure, gauge [Pa]
   double p_asperity_max = kUnknown;         ///< largest contact pressure [Pa]
-  double asperity_load_share = kUnknown;    ///< of the force on the journal [-]
+  double asperity_load_share = kUnknown;    ///< their force over that on the journal, sizes [-]
   double load_x = kUnknown;                 ///< film force on the journal [N]
   double load_y = kUnknown;                 ///< [N]
   double side_flow = kUnknown;              ///< out of both sides [m3/s]

@@ -18,6 +18,12 @@ using Layers = Solids::Layers;
 /// thousandth of a shell's thickness, so that it carries no heat along and moves nothing [m].
 constexpr double kJoint = 2e-6;
 
+/// Poisson's ratio up to which a layer under load is pressed together; a layer beyond it is pushed
+/// aside, its shear strain a parabola over its thickness and singular where it ends, and has so
+/// many rows of elements [-].
+constexpr double kCompressible = 0.4;
+constexpr int kRowsIncompressible = 8;
+
 Layers wall_layers(const Case& c) {
   if (!c.shell || c.shell->layers.empty()) {
     throw InputError(
@@ -49,8 +55,12 @@ namespace {
 
 RevolutionMesh shell_mesh(const Case& c, const Layers& layers, const FilmGrid& grid,
                           int harmonics) {
-  const RadialRows rows =
-      rows_outwards(c.bearing.radius, layers.thickness, surface_row(c.bearing.radius, harmonics));
+  std::vector<int> least;
+  for (const solid::Material& m : layers.material) {
+    least.push_back(m.poisson_ratio > kCompressible ? kRowsIncompressible : 0);
+  }
+  const RadialRows rows = rows_outwards(c.bearing.radius, layers.thickness,
+                                        surface_row(c.bearing.radius, harmonics), least);
   return make_revolution_mesh(rows.face, rows.layer, axial_elements(grid), grid.half);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/bore_shape.hpp"
+#include "bearing/case_limits.hpp"
 #include "bearing/pressed_layer.hpp"
 #include "core/constants.hpp"
 #include "rheology/density.hpp"
@@ -104,6 +105,17 @@ void add_holes(const BearingModel& m, std::vector<Note>& out) {
   }
 }
 
+/// Layers behind the first see less: what it is pressed with counts.
+void add_strain(const BearingModel& m, double p_max, std::vector<Note>& out) {
+  if (!m.physics.elastic || !m.input.shell) return;
+  const auto& layers = m.input.shell->layers;
+  for (int k = 0; k < static_cast<int>(layers.size()); ++k) {
+    if (layers[k].elasto_plastic) continue;  // it has a law of its own
+    const double strain = p_max * solid::confined_compliance(layers[k].material);
+    if (strain > kBearingLimits.strain_usual) out.push_back(note::LayerPressed{k, strain});
+  }
+}
+
 }  // namespace
 
 note::NotLaminar reynolds_number(const BearingModel& m, double U, double T) {
@@ -150,6 +162,8 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   add_edge(reach, out);
   add_bore(m, reach, out);
   add_holes(m, out);
+  add_strain(m, reach.p_max, out);
+  if (m.contact && reach.h_min < 0.0) out.emplace_back(note::Plain::planes_overlap);
   return out;
 }
 

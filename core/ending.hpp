@@ -30,6 +30,7 @@ enum class Plain {
   // Heat.
   no_light_state,       ///< no light load and no low speed has a common state of film and heat
   endless_branch,       ///< states without end, that bring the load no nearer
+  strayed,              ///< the states next to the last one do not continue it
   estimate_unbalanced,  ///< no temperature at which the estimate's friction heat is carried away
   film_unsettled,       ///< temperatures of the film in a stage of a step
   film_impossible,      ///< one of them leaves what an oil can be

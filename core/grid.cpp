@@ -210,6 +210,31 @@ bool mirror_images(const GridEdges& edges, double width) {
   });
 }
 
+GridEdges mirrored(const GridEdges& edges) {
+  GridEdges out;
+  for (const GridEdge& e : edges) out.emplace_back(-e.at, e.strip, e.yields);
+  return out;
+}
+
+/// True if the sorted edges come behind their mirror images, place by place: of the two one does,
+/// unless they are alike.
+bool behind_its_image(const GridEdges& edges) {
+  GridEdges sorted = edges, image = mirrored(edges);
+  sort_by_place(sorted);
+  sort_by_place(image);
+  return places(image) < places(sorted);
+}
+
+/// The same cells seen from the other end; of a grid that holds both halves.
+FilmGrid mirrored(FilmGrid g) {
+  for (std::vector<double>* z : {&g.z, &g.z_face}) {
+    std::reverse(z->begin(), z->end());
+    for (double& x : *z) x = -x;
+  }
+  std::reverse(g.dz.begin(), g.dz.end());
+  return g;
+}
+
 }  // namespace
 
 FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
@@ -217,6 +242,12 @@ FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
   // A bearing that looks alike from both ends gets a grid that does.
   if (!half && full_nz > 1 && mirror_images(z_edges, width)) {
     return full_grid(make_grid(radius, width, nt, full_nz, true, phi_edges, z_edges, grading));
+  }
+  // And one seen from its other end the mirror image: edges are merged, and cells given out, in the
+  // order in which they lie.
+  if (!half && behind_its_image(z_edges)) {
+    return mirrored(
+        make_grid(radius, width, nt, full_nz, false, phi_edges, mirrored(z_edges), grading));
   }
   FilmGrid g;
   g.radius = radius;

@@ -132,14 +132,17 @@ RevolutionMesh make_revolution_mesh(std::vector<double> r_face, std::vector<int>
   return mesh;
 }
 
-RadialRows rows_outwards(double radius, const std::vector<double>& thickness, double first) {
+RadialRows rows_outwards(double radius, const std::vector<double>& thickness, double first,
+                         const std::vector<int>& least) {
   EXPECTS(radius > 0.0 && first > 0.0 && !thickness.empty());
+  EXPECTS(least.empty() || least.size() == thickness.size());
   RadialRows rows{{radius}, {}};
   double bottom = radius, size = first;
   for (std::size_t l = 0; l < thickness.size(); ++l) {
     EXPECTS(thickness[l] > 0.0);
     double r = bottom;
-    for (const double dr : graded(thickness[l], size, kLeastRowsPerLayer)) {
+    const int fewest = std::max(least.empty() ? 0 : least[l], kLeastRowsPerLayer);
+    for (const double dr : graded(thickness[l], size, fewest)) {
       rows.face.push_back(r += dr);
       rows.layer.push_back(static_cast<int>(l));
       size = std::max(first, kLargestRatio * dr);

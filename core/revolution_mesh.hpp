@@ -53,9 +53,10 @@ struct RadialRows {
 };
 /// Rows from the bore radius outwards through layers of given thickness [m]: at least two to a
 /// layer, the first of each layer no higher than `first` (or twice its neighbour, if larger),
-/// growing outwards by a factor of at most two.
+/// growing outwards by a factor of at most two. `least`: rows of each layer that are wanted at
+/// least; empty: two.
 [[nodiscard]] RadialRows rows_outwards(double radius, const std::vector<double>& thickness,
-                                       double first);
+                                       double first, const std::vector<int>& least = {});
 /// Rows of a solid cylinder, from the axis r = 0 to `radius`, `first` being the height at the
 /// surface and the growth of the rows towards the axis at most twofold.
 [[nodiscard]] RadialRows rows_of_cylinder(double radius, double first);

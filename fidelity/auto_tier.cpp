@@ -99,10 +99,12 @@ class TierSearch {
     }
   }
 
-  /// From the finest solution, if there is one, else from cold. False: it does not converge.
+  /// From the finest solution, or, without one or where that leads to none, from cold; from cold
+  /// no more once a grid was not found so, but for the finest. False: it does not converge.
   bool solve_on(const Grid& grid) {
     const Case c = chosen_case(grid);
-    const Otherwise otherwise = grid == kFineGrid ? Otherwise::from_cold : Otherwise::failure;
+    const Otherwise otherwise =
+        grid == kFineGrid || !cold_fails_ ? Otherwise::from_cold : Otherwise::failure;
     Solution s;
     try {
       s = levels_.empty() ? solve_tier(c, tier(), control_)
@@ -114,6 +116,7 @@ class TierSearch {
     add(s.cost, cost_);
     if (s.model.solids) setup_s_ += s.model.solids->setup_seconds();
     const bool good = s.verdict.good();
+    cold_fails_ = cold_fails_ || !good;
     solved_.push_back(fmt::format("{} on {} x {}{}", to_string(tier()), grid[0], grid[1],
                                   good ? "" : " (did not converge)"));
     if (good || levels_.empty()) finest_ = std::move(s);
@@ -268,6 +271,7 @@ class TierSearch {
   EquilibriumCost cost_;
   double setup_s_ = 0.0;
   std::vector<std::string> solved_;
+  bool cold_fails_ = false;  ///< a grid was not found from cold
 };
 
 }  // namespace

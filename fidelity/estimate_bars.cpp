@@ -55,13 +55,23 @@ SupplyNumbers supply_numbers(const Case& c, const Estimate& e) {
 /// of the effects that a solved result reports. Orders of magnitude.
 struct Indicators {
   double heating = 0.0;  ///< beta dT, dT of the heat balance [-]
-  double elastic = 0.0;  ///< opening of a held ring under p_max over h_min [-]; 0: no shell
+  double elastic = 0.0;  ///< opening of layers and a held ring under p_max over h_min; 0: no shell
   double thermal =
       0.0;  ///< free thermal deformation of the clearance over the clearance [-]; 0: no walls
   double pressure = 0.0;  ///< alpha p_max [-]
   SupplyNumbers supply;
   std::vector<Effect> effects;
 };
+
+/// A layer on a stiff back: compressed, sideways held, and pushed aside from where the pressure, a
+/// parabola over the width B, is largest, by t^3/(3 G) 8/B^2 of it (textbook: lubrication theory of
+/// a thin incompressible layer) [m/Pa].
+double layer_compliance(const ShellLayer& layer, double B) {
+  const solid::Material& m = layer.material;
+  const double t = layer.thickness;
+  const double shear = m.youngs_modulus / (2.0 * (1.0 + m.poisson_ratio));
+  return t * solid::confined_compliance(m) + 8.0 * t * t * t / (3.0 * shear * B * B);
+}
 
 const solid::Material& body(const Shell& shell) {
   return shell.housing ? shell.housing->material : shell.layers[0].material;
@@ -127,14 +137,16 @@ double bar(const BarParts& part, const Estimate& e, const Indicators& n) {
 }  // namespace
 
 double bore_compliance(const Case& c) {
-  const double a = c.bearing.radius;
-  double b = a;
-  for (const ShellLayer& layer : c.shell->layers) b += layer.thickness;
-  if (c.shell->housing) b = c.shell->housing->outer_radius;
-  const solid::Material& m = body(*c.shell);
-  const double nu = m.poisson_ratio;
-  return (1.0 + nu) * (b * b - a * a) /
-         (a * m.youngs_modulus * (1.0 / (1.0 - 2.0 * nu) + b * b / (a * a)));
+  double inner = c.bearing.radius, layers = 0.0;
+  for (const ShellLayer& layer : c.shell->layers) {
+    inner += layer.thickness;
+    layers += layer_compliance(layer, c.bearing.width);
+  }
+  if (!c.shell->housing) return layers;
+  const solid::Material& m = c.shell->housing->material;
+  const double a = inner, b = c.shell->housing->outer_radius, nu = m.poisson_ratio;
+  return layers + (1.0 + nu) * (b * b - a * a) /
+                      (a * m.youngs_modulus * (1.0 / (1.0 - 2.0 * nu) + b * b / (a * a)));
 }
 
 EstimateBars estimate_bars(const Case& c, const Estimate& e) {

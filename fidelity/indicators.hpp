@@ -4,9 +4,9 @@
 
 namespace shellback::fidelity {
 
-/// Radial widening of the bore per uniform pressure [m/Pa]: plane-strain ring of radii a, b, outer
-/// surface held (textbook); the housing's material, without one the first layer's. The case has a
-/// shell.
+/// Radial widening of the bore per pressure [m/Pa]: that of the shell's layers, each on a stiff
+/// back, and of the housing, a plane-strain ring whose outer surface is held (textbook). The case
+/// has a shell.
 [[nodiscard]] double bore_compliance(const bearing::Case& c);
 
 }  // namespace shellback::fidelity

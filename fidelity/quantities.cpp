@@ -24,6 +24,10 @@ bool given_by_case(const bearing::Case& c, bearing::Tier tier, const std::string
   return temperature && tier == bearing::Tier::isothermal;
 }
 
+bool is_coefficient(const Quantity& q) {
+  return q.name.size() == 4 && (q.name.starts_with("K_") || q.name.starts_with("C_"));
+}
+
 double natural_size(const Quantity& q, double T_supply, const std::vector<Quantity>& all) {
   const auto length = [&](const std::string& vector) {
     return std::hypot(value_in(all, vector + "_x"), value_in(all, vector + "_y"));
@@ -33,6 +37,16 @@ double natural_size(const Quantity& q, double T_supply, const std::vector<Quanti
   if (q.name == "load_x" || q.name == "load_y") return length("load");
   if (q.name == "tilt_x" || q.name == "tilt_y") return length("tilt");
   if (q.name.starts_with("heat_")) return std::abs(value_in(all, "power_loss"));
+  if (is_coefficient(q)) {
+    // What an entry is worth beside the others: those of its row and its column, and its mirror.
+    const std::string matrix = q.name.substr(0, 2);
+    const auto entry = [&](char i, char j) {
+      return std::abs(value_in(all, matrix + std::string{i, j}));
+    };
+    const char i = q.name[2], j = q.name[3], other = i == 'x' ? 'y' : 'x';
+    const double mirror = i == j ? entry(i, other) * entry(other, i) : entry(i, j) * entry(j, i);
+    return std::sqrt(entry(i, i) * entry(j, j) + mirror);
+  }
   return std::abs(q.value);
 }
 

@@ -18,6 +18,9 @@ using bearing::Quantity;
 [[nodiscard]] bool given_by_case(const bearing::Case& c, bearing::Tier tier,
                                  const std::string& name);
 
+/// True of an entry of the stiffness or the damping matrix.
+[[nodiscard]] bool is_coefficient(const Quantity& q);
+
 /// The size against which a small change of the quantity is measured: for temperatures the rise
 /// above the supply, for components of a vector its length, else the value [unit of quantity].
 [[nodiscard]] double natural_size(const Quantity& q, double T_supply,

@@ -32,6 +32,23 @@ double limit_of(const Case& c, const Quantity& q, double limit) {
   return turned || !bounds_of(c, q.name).holds(limit) ? NAN : limit;
 }
 
+using Judged = std::vector<std::pair<Quantity*, double>>;  ///< a quantity and its natural size
+
+/// Stiffness and damping share one film, whose ends move by whole cells as the grid changes: which
+/// entry feels it, and which of them three grids happen to agree on, is chance. None has a bar
+/// shorter, against its size, than the longest; nor has the threshold of whirl that follows.
+void share_bars_of_coefficients(const Judged& judged) {
+  double longest = 0.0;
+  for (const auto& [q, size] : judged) {
+    const double bar = q->error_grid / size;
+    if (is_coefficient(*q) && std::isfinite(bar)) longest = std::max(longest, bar);
+  }
+  for (const auto& [q, size] : judged) {
+    if (!is_coefficient(*q) && !q->name.starts_with("whirl_")) continue;
+    if (std::isfinite(q->error_grid)) q->error_grid = std::max(q->error_grid, longest * size);
+  }
+}
+
 /// Bars of the grid with the orders observed; not-a-number where the value of the result's own grid
 /// is not there.
 void put_grid_bars(const BarRecord& record, Result& result) {
@@ -42,7 +59,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   // share one film, and a small change of one is often chance.
   constexpr double kShare = 0.2;  // [-]
   const Case& c = record.coarse->model.input;
-  std::vector<std::pair<Quantity*, double>> judged;  // and natural size
+  Judged judged;
   std::vector<double> relative;
   for (Quantity& q : result.quantities) {
     q.error_grid = 0.0;
@@ -69,6 +86,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     if (std::isfinite(q->error_grid))
       q->error_grid = std::max(q->error_grid, kShare * *middle * size);
   }
+  share_bars_of_coefficients(judged);
 }
 
 /// What the full physics would change on the fine grid: as much as on the coarse one, absolutely

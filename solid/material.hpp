@@ -19,4 +19,11 @@ struct Material {
   [[nodiscard]] bool operator==(const Material&) const = default;
 };
 
+/// Strain of a layer under unit pressure, sideways held: (1 + nu)(1 - 2 nu)/(E (1 - nu)) [1/Pa].
+/// Source: textbook.
+[[nodiscard]] inline double confined_compliance(const Material& m) {
+  const double nu = m.poisson_ratio;
+  return (1.0 + nu) * (1.0 - 2.0 * nu) / (m.youngs_modulus * (1.0 - nu));
+}
+
 }  // namespace shellback::solid

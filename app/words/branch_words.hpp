@@ -46,8 +46,13 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
     case ending::BranchEnd::interrupted:
       break;
   }
-  return {fmt::format("no steady state was found: {}, then none ({})", way, a.within.reason),
-          kContactElseLoad};
+  const std::string cure =
+      e.with_heat ? fmt::format(
+                        "a lower {}, a larger clearance, better cooling, a support that "
+                        "lets the housing grow, or a finer grid",
+                        e.carried.of_speed ? "speed" : "load")
+                  : kContactElseLoad;
+  return {fmt::format("no steady state was found: {}, then none ({})", way, a.within.reason), cure};
 }
 
 inline Told told(const ending::RanAway& e, const About& a) {

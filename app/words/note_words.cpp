@@ -42,6 +42,9 @@ std::string text_of(note::Plain n) {
              "layer does not yield";
     case Plain::edge_oil_as_supply:
       return "oil that comes in again at a side edge is as warm as what the supplies feed";
+    case Plain::planes_overlap:
+      return "the mean planes of the rough surfaces overlap where the film is smallest (its height "
+             "is negative): a finer grid, or contact data for surfaces pressed so far";
     case Plain::event_from_steady:
       return "the event begins in the steady state of its first row";
     case Plain::event_at_rest:
@@ -256,6 +259,13 @@ std::string text_of(const note::MouthWidened& n) {
       "supply.{}: its mouth of {:.4g} mm is finer than the grid and taken as {:.4g} mm wide; flow "
       "and film are those of the wider one: a finer model.grid",
       n.supply, n.diameter * 1e3, n.taken * 1e3);
+}
+
+std::string text_of(const note::LayerPressed& n) {
+  return fmt::format(
+      "the largest pressure compresses shell.layers.{} by {:.3g} % of its thickness: laws of small "
+      "strain err{}; check its youngs_modulus",
+      n.layer, 100.0 * n.strain, n.strain > 0.5 ? ", the numbers are no prediction" : "");
 }
 
 std::string text_of(const note::WornThrough& n) {

@@ -67,6 +67,8 @@ inline Told told(ending::Plain e, const About& a) {
     case Plain::endless_branch:
       return {"states were found one after the other, and the load has hardly risen",
               kFinerElseTighter};
+    case Plain::strayed:
+      return {"what was found next to the last state does not continue it", kFinerElseTighter};
     case Plain::estimate_unbalanced:
       return {"the estimate finds no film temperature at which the friction heat is carried away",
               "lower speed or load, feed more oil, or ask a tier that resolves the heat"};

@@ -363,7 +363,8 @@ TEST_CASE("ALoadMayPassThroughZero", "[cycle]") {
   for (const double mass : {0.01, 1.0, 100.0}) {  // [kg]
     c.cycle->journal_mass = mass;
     const CycleResult r = converged(c);
-    CHECK(r.audit.impulse < 1e-5);
+    // Each stage balances the load to 1e-5 of its largest, of which the mean is 2/pi.
+    CHECK(r.audit.impulse < 0.5 * kPi * 1e-5);
     CHECK(r.audit.load < 1e-4);
   }
 }

@@ -59,6 +59,40 @@ TEST_CASE("TheLoadAtWhichHeatRunsAwayDoesNotDependOnTheLoadAskedFor", "[heat_pat
   CHECK(solve_tier(coarse_rig(0.7 * carried(a)), Tier::tehd).verdict.good());
 }
 
+namespace {
+
+/// A slow bearing in a clamped housing of aluminium, whose clearance closes as the load heats it.
+Case closing_case(double force) {
+  Case c = rig_case();
+  c.bearing.radial_clearance = 33.1e-6;
+  c.bearing.reference_temperature = 333.15;
+  c.operation.omega = 141.0 * kPi / 30.0;
+  c.operation.position = LoadGiven{force, 270.0 * kDegree};
+  c.shell->housing = Housing{aluminium(), 0.05, HousingSupport::clamped};
+  c.surfaces.contact->friction = 0.0468;
+  c.model.grid = {50, 13};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("ABranchThatMovesWithItsGrowingSurfacesDoesNotTurn", "[heat_path]") {
+  // Judge: each load from the state of a lighter one next to it, without any branch.
+  Solution near = solve_tier(closing_case(500.0), Tier::tehd);
+  for (double force = 600.0; force < 4000.0; force *= 1.2) {
+    near = solve_tier_from(closing_case(force), Tier::tehd, near, {}, Otherwise::failure);
+    REQUIRE(near.verdict.good());
+  }
+  near = solve_tier_from(closing_case(4000.0), Tier::tehd, near, {}, Otherwise::failure);
+  REQUIRE(near.verdict.good());
+  const Solution own = solve_tier(closing_case(4000.0), Tier::tehd);
+  INFO(app::reason_of(own.verdict));
+  REQUIRE(own.verdict.good());
+  const double torque = summarize(near, Tier::tehd).value("friction_torque");
+  CHECK(summarize(own, Tier::tehd).value("friction_torque") == Approx(torque).epsilon(1e-3));
+  CHECK(own.film.least.h == Approx(near.film.least.h).epsilon(1e-3));
+}
+
 TEST_CASE("FastFilmsHeatUntilTheyAreThinEnough", "[heat_path]") {
   Case c = warm_case();
   c.model.switches.thermal_deformation = false;

@@ -253,3 +253,37 @@ TEST_CASE("TiersTakeACycleAsTheyTakeASteadyLoad") {
   CHECK_FALSE(lack_for(cycle_case(), Tier::automatic));
   CHECK(lack_for(cycle_case(), Tier::thd)->key == "shell");  // as without a cycle
 }
+
+TEST_CASE("ALoadThatTurnsWithTheFilmIsTold") {
+  // Two turns of the journal, in which the load makes 2 f; at f = 1/2 oil is not dragged under it.
+  const auto told = [](double f, double omega, auto load) {
+    Case c = plain_case();
+    c.operation.position = LoadGiven{};
+    c.operation.omega = omega;
+    LoadCycle cycle;
+    cycle.period = 4.0 * kPi / std::abs(omega);
+    for (int k = 0; k < 120; ++k) {
+      const double turned = 4.0 * kPi * k / 120.0 * (omega > 0.0 ? 1.0 : -1.0);
+      cycle.t.push_back(cycle.period * k / 120.0);
+      cycle.x.push_back(load(k) * std::cos(f * turned));
+      cycle.y.push_back(load(k) * std::sin(f * turned));
+    }
+    c.cycle = cycle;
+    for (const Finding& finding : judge(c)) {
+      CHECK_FALSE(finding.refused());
+      if (holds(finding.problem, "half the speed")) return finding.problem;
+    }
+    return std::string();
+  };
+  const auto steady = [](int) { return 1000.0; };
+  for (const double omega : {300.0, -300.0}) {
+    CHECK(holds(told(0.5, omega, steady), "all the time"));
+    for (const double f : {-0.5, 0.0, 1.0, 1.5}) CHECK(told(f, omega, steady).empty());
+    // A stretch of 1.5 turns that goes on over the end of the period, and one of half a turn.
+    const auto part = [&](int turns) {
+      return told(0.5, omega, [turns](int k) { return (k + 15) % 120 < turns ? 1000.0 : 100.0; });
+    };
+    CHECK(holds(part(91), "1.5 revolutions"));
+    CHECK(part(31).empty());
+  }
+}

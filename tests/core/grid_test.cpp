@@ -12,8 +12,8 @@ using namespace shellback;
 
 namespace {
 
-constexpr double kRadius = 0.02;  // [m]
-constexpr double kWidth = 0.024;  // [m]
+constexpr double kRadius = 0.02;    // [m]
+constexpr double kWidth = 0.024;    // [m]
 constexpr double kOfFaces = 1e-13;  // round-off of a few sums of numbers of order one
 
 double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); }
@@ -91,7 +91,8 @@ TEST_CASE("FacesLieOnTheEdgesAskedFor") {
   }
   for (const int nz : {15, 16}) {
     const FilmGrid g = make_grid(kRadius, kWidth, 20, nz, true, {}, {-0.007, 0.007, 0.0031});
-    for (const double e : {0.007, 0.0031}) CHECK(nearest_face(g.z_face, e, 0.0) < kOfFaces * kWidth);
+    for (const double e : {0.007, 0.0031})
+      CHECK(nearest_face(g.z_face, e, 0.0) < kOfFaces * kWidth);
   }
 }
 
@@ -145,7 +146,8 @@ TEST_CASE("AsManyCellsAsEdgesAreEnough") {
         make_grid(kRadius, kWidth, 16, nz, true, {}, {-0.0088, 0.0088, -0.0075, 0.0075});
     CHECK(g.full_nz() == nz);
     check_cells(g);
-    for (const double e : {0.0088, 0.0075}) CHECK(nearest_face(g.z_face, e, 0.0) < kOfFaces * kWidth);
+    for (const double e : {0.0088, 0.0075})
+      CHECK(nearest_face(g.z_face, e, 0.0) < kOfFaces * kWidth);
   }
 }
 
@@ -282,6 +284,32 @@ TEST_CASE("GradedCellsCoverTheBearingAndKeepTheEdgesOfSupplies") {
     check_cells(h);
     for (int j = 0; j < h.nz; ++j) {
       CHECK(std::abs(h.z_face[j + 1] - g.z_face[nz - h.nz + j + 1]) < kOfFaces * kWidth);
+    }
+  }
+}
+
+TEST_CASE("AGridSeenFromItsOtherEndIsTheMirrorImage") {
+  // Strips of every width at many places: cells are given out, and edges merged, as from the other
+  // end, too.
+  for (const double grading : {0.0, 2.0}) {
+    for (const double width : {1e-4, 1e-3, 4e-3}) {
+      for (int k = 0; k < 40; ++k) {
+        const double z = -0.009 + 0.00045 * k;
+        const auto cells = [&](double sign) {
+          const GridEdges edges{{sign * (z - width), 0},
+                                {sign * (z + width), 0},
+                                {sign * (z + 0.3e-3)},
+                                {sign * 0.0123, -1, true},
+                                {-sign * 0.0121, -1, true}};
+          return make_grid(0.025, 0.025, 24, 13, false, {}, edges, grading);
+        };
+        const FilmGrid g = cells(1.0), image = cells(-1.0);
+        for (int j = 0; j < g.nz; ++j) {
+          CHECK(image.z[g.nz - 1 - j] == -g.z[j]);
+          CHECK(image.dz[g.nz - 1 - j] == g.dz[j]);
+          CHECK(image.z_face[g.nz - j] == -g.z_face[j]);
+        }
+      }
     }
   }
 }

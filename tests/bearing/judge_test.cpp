@@ -49,7 +49,11 @@ TEST_CASE("AValueThatCannotBeComputedWithIsRefusedByItsKey") {
   CHECK(key([](Case& x) { x.bearing.width = kNan; }) == "bearing.width");
   CHECK(key([](Case& x) { x.operation.omega = INFINITY; }) == "operation.speed");
   CHECK(key([](Case& x) { set_load(x, 0.0); }) == "operation.load");
-  CHECK(key([](Case& x) { place_journal(x, 1.0, 0.5); }) == "operation.eccentricity_ratio");
+  CHECK(key([](Case& x) { place_journal(x, 101.0, 0.5); }) == "operation.eccentricity_ratio");
+  CHECK(key([](Case& x) {
+          place_journal(x, 1.0, 0.5);
+          x.model.switches.elastic_deformation = false;
+        }) == "operation.eccentricity_ratio");
   CHECK(key([](Case& x) { x.supplies[0].temperature = 95.0; }) == "supply.0.temperature");
   CHECK(key([](Case& x) { x.supplies[0].pressure = -2e5; }) == "supply.0.pressure");
   CHECK(key([](Case& x) { x.supplies[0].diameter = 0.0; }) == "supply.0.diameter");
@@ -67,6 +71,57 @@ TEST_CASE("AValueThatCannotBeComputedWithIsRefusedByItsKey") {
   CHECK(key([](Case& x) {
           x.bearing.profile = Profile{{1.0, 0.0}, {0.0}, {0.0, 0.0}};
         }) == "bearing.profile");
+}
+
+TEST_CASE("SurfacesThatGiveWayLetTheJournalPassItsClearance") {
+  Case c = rig_case();
+  place_journal(c, 1.0, 0.5);
+  CHECK_NOTHROW(expect_solvable(c));
+}
+
+TEST_CASE("ALayerThatItsLoadCompressesBeyondSmallStrainsIsToldOrRefused") {
+  // Strain under the load over its projected area, 9.73 MPa: p (1 + nu)(1 - 2 nu)/(E (1 - nu)).
+  Case c = rig_case();
+  solid::Material& lining = c.shell->layers[0].material;
+  lining.poisson_ratio = 0.4;
+  c.surfaces.contact.reset();
+  const double p = 8e3 / (2.0 * c.bearing.radius * c.bearing.width);
+  const double per_modulus = p * 1.4 * 0.2 / 0.6;
+  const auto said = [&](double strain) {
+    lining.youngs_modulus = per_modulus / strain;
+    for (const Finding& f : judge(c)) {
+      if (f.key == "shell.layers.0.material") return f.refused() ? 2 : 1;
+    }
+    return 0;
+  };
+  CHECK(said(0.099) == 0);
+  CHECK(said(0.101) == 1);
+  CHECK(said(0.501) == 2);
+  c.model.switches.elastic_deformation = false;  // rigid surfaces have no strain
+  CHECK(said(0.501) == 0);
+}
+
+TEST_CASE("ACompositeModulusOfOtherMaterialsIsTold") {
+  Case c = rig_case();
+  const auto told = [&] {
+    for (const Finding& f : judge(c)) {
+      if (f.key == "surfaces.contact.composite_modulus") return !f.refused();
+    }
+    return false;
+  };
+  CHECK_FALSE(told());
+  const solid::Material& a = c.shell->layers[0].material;
+  const solid::Material& b = c.shaft->material;
+  const double of_materials = 1.0 / ((1.0 - a.poisson_ratio * a.poisson_ratio) / a.youngs_modulus +
+                                     (1.0 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus);
+  for (const double apart : {1.49, 1.0 / 1.49}) {
+    c.surfaces.contact->composite_modulus = apart * of_materials;
+    CHECK_FALSE(told());
+  }
+  for (const double apart : {1.51, 1.0 / 1.51}) {
+    c.surfaces.contact->composite_modulus = apart * of_materials;
+    CHECK(told());
+  }
 }
 
 TEST_CASE("GeometryThatCannotExistIsRefusedWithNumbersAndCure") {

@@ -105,7 +105,7 @@ TEST_CASE("ThePathEndsInTheEquilibriumThatNewtonFinds") {
   const Solution usual = solve_tier(c, Tier::isothermal);
   REQUIRE(usual.verdict.good());
   Solution s = usual;
-  Part part(s.point, Raised::load);
+  Part part(s, Raised::load);
   part.take(0.05);
   s.film = cold_start(s.model, s.point, 313.15);
   REQUIRE(solve_equilibrium(s.model, s.point, {}, {}, s.film, s.cost).good());
@@ -145,7 +145,7 @@ TEST_CASE("AnInterruptedBranchIsNoSolution", "[refusal]") {
   SolveControl control;
   control.stop = &stop;
   for (const Raised raised : {Raised::load, Raised::speed}) {
-    Part part(s.point, raised);
+    Part part(s, raised);
     part.take(0.05);
     REQUIRE(solve_equilibrium(s.model, s.point, {}, {}, s.film, s.cost).good());
     part.take(1.0);

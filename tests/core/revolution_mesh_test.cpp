@@ -26,6 +26,13 @@ TEST_CASE("EveryLayerHasTwoRowsAndItsThickness", "[mesh]") {
   }
 }
 
+TEST_CASE("ALayerHasTheRowsThatAreWanted", "[mesh]") {
+  const RadialRows rows = rows_outwards(0.02, {1e-3, 2e-3}, 5e-3, {8, 0});
+  CHECK(std::count(rows.layer.begin(), rows.layer.end(), 0) == 8);
+  CHECK(std::count(rows.layer.begin(), rows.layer.end(), 1) == 2);
+  CHECK(rows.face[8] == 0.021);
+}
+
 TEST_CASE("ElementsFillTheSection", "[mesh]") {
   const auto mesh = sample_mesh(false);
   double volume = 0.0;

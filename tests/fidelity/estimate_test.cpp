@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "fidelity/indicators.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 namespace shellback::fidelity {
@@ -117,3 +118,20 @@ TEST_CASE("TheBarsOfTheEstimateHoldSuppliesThatPressAndThatStarve") {
 }
 
 }  // namespace shellback::fidelity
+
+TEST_CASE("TheOpeningOfTheBoreIsThatOfItsLayersAndItsHousing") {
+  Case c = rig_case();
+  const double stiff = fidelity::bore_compliance(c);
+  // A thin compressible layer: p t (1 + nu)(1 - 2 nu)/(E (1 - nu)).
+  const solid::Material soft{"soft", 0.2, 1200.0, 1500.0, 5e7, 0.3, 1e-4};
+  c.shell->layers.insert(c.shell->layers.begin(), {soft, 20e-6});
+  const double thin = 20e-6 * 1.3 * 0.4 / (5e7 * 0.7);
+  CHECK(fidelity::bore_compliance(c) - stiff == Approx(thin).epsilon(0.01));
+  // An incompressible one gives way by being pushed aside, with the third power of its thickness.
+  const auto opening = [&](double t) {
+    c.shell->layers.front().material.poisson_ratio = 0.4999;
+    c.shell->layers.front().thickness = t;
+    return fidelity::bore_compliance(c) - stiff;
+  };
+  CHECK(opening(4e-3) == Approx(8.0 * opening(2e-3)).epsilon(0.1));
+}

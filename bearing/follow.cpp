@@ -20,6 +20,9 @@ constexpr double kShortestStep = 0.005;  ///< load known to half a per cent: a t
 /// the hot KS bearing is lost 0.9 % below where it is with these.
 constexpr double kLongerStep = 1.6;
 constexpr double kShorterStep = 0.4;
+/// Longest step in which a branch is seen to turn, the load between being known as well as that
+/// [-].
+constexpr double kTurn = 0.1;
 /// Cosine of the largest angle between the steps before and after a state: 60 degrees, so that a
 /// turn takes three steps and more [-].
 constexpr double kBend = 0.5;
@@ -84,9 +87,12 @@ class LoadBranch {
   /// Change of the journal's place among its grown surfaces from the state before the last to it
   /// [m], [rad].
   [[nodiscard]] std::array<double, 4> moved() const;
-  /// True if the state found lies far from the straight line on which it was looked for: the plane
-  /// of the path (equilibrium.hpp (4)) meets other parts of the branch, and other branches, too.
+  /// True if the state found lies far from the straight line on which it was looked for, or back on
+  /// the way to the last one: the plane of the path (equilibrium.hpp (4)) meets other parts of the
+  /// branch, and other branches, too.
   [[nodiscard]] bool strayed() const;
+  /// True if journal, load, temperatures and growth together go on as in the step before.
+  [[nodiscard]] bool goes_on() const;
   /// Carries the state on along the secant.
   void predict(double length);
   void keep();
@@ -99,21 +105,29 @@ class LoadBranch {
   const Corrector& correct_;
   const SolveControl& control_;
   Reached last_, before_;
-  bool secant_ = false;            ///< `before_` is known
-  std::array<double, 4> moved_{};  ///< moved(), and the length of the last step [-]
-  double length_ = 0.0;
-  double most_ = 0.0;   ///< highest ln of the load's factor [-]
-  double h_min_ = 0.0;  ///< there [m]
+  bool secant_ = false;  ///< `before_` is known
+  double length_ = 0.0;  ///< of the last step [-]
+  bool among_ = true;    ///< places are those among the surfaces, not those in space
+  double most_ = 0.0;    ///< highest ln of the load's factor [-]
+  double h_min_ = 0.0;   ///< there [m]
   Verdict failure_;
 };
 
 std::array<double, 4> LoadBranch::moved() const {
   const int unknowns = s_.point.load.unknowns;
+  const auto grown = [](const Reached& at) {  // without what goes with the film
+    Field d = at.heat.thermal_deformation;
+    for (std::size_t c = 0; c < at.heat.contact_deformation.size(); ++c) {
+      d[c] -= at.heat.contact_deformation[c];
+    }
+    return d;
+  };
   std::array<double, 4> q{};
-  Field grown = last_.heat.thermal_deformation;
-  if (!grown.empty()) {
-    for (std::size_t c = 0; c < grown.size(); ++c) grown[c] -= before_.heat.thermal_deformation[c];
-    q = motion_of(s_.model, unknowns, carrying_force(s_.model, last_.film), grown);
+  Field change = grown(last_);
+  if (among_ && !change.empty()) {
+    const Field before = grown(before_);
+    for (std::size_t c = 0; c < change.size(); ++c) change[c] -= before[c];
+    q = motion_of(s_.model, unknowns, carrying_force(s_.model, last_.film), change);
   }
   for (int k = 0; k < unknowns; ++k) {
     q[k] += last_.film.position.q[k] - before_.film.position.q[k];
@@ -128,7 +142,26 @@ bool LoadBranch::strayed() const {
   for (int k = 0; k < s_.point.load.unknowns; ++k) {
     way += std::pow((s_.film.position.q[k] - row.from.q[k]) / row.unit[k], 2);
   }
-  return !(std::sqrt(way) * kBend <= row.length);
+  return !(std::sqrt(way) * kBend <= row.length && goes_on());
+}
+
+bool LoadBranch::goes_on() const {
+  const PathRow& row = *s_.point.load.path;
+  const auto along = [](const Field& before, const Field& last, const Field& now, double unit) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < now.size(); ++k) sum += (now[k] - last[k]) * (last[k] - before[k]);
+    return now.empty() ? 0.0 : sum / (unit * unit * static_cast<double>(now.size()));
+  };
+  double on = (s_.film.ln_load - last_.film.ln_load) * (last_.film.ln_load - before_.film.ln_load);
+  for (int k = 0; k < s_.point.load.unknowns; ++k) {
+    const double last = last_.film.position.q[k];
+    on += (s_.film.position.q[k] - last) * (last - before_.film.position.q[k]) /
+          (row.unit[k] * row.unit[k]);
+  }
+  on += along(before_.film.columns.T, last_.film.columns.T, s_.film.columns.T, kHeatUnit);
+  on += along(before_.heat.thermal_deformation, last_.heat.thermal_deformation,
+              s_.heat.thermal_deformation, row.unit[0]);
+  return on > 0.0;
 }
 
 PathRow LoadBranch::next_row(double length) const {
@@ -142,10 +175,12 @@ PathRow LoadBranch::next_row(double length) const {
   row.from = now.position;
   row.from_load = now.ln_load;
   row.length = length;
+  row.moves = among_;
   if (!secant_) return row;
+  const std::array<double, 4> way = moved();
   double norm = std::pow(now.ln_load - before_.film.ln_load, 2);
   for (int k = 0; k < s_.point.load.unknowns; ++k) {
-    row.along[k] = moved_[k] / row.unit[k];
+    row.along[k] = way[k] / row.unit[k];
     norm += row.along[k] * row.along[k];
   }
   norm = std::sqrt(norm);
@@ -158,10 +193,12 @@ void LoadBranch::predict(double length) {
   if (!secant_) return;
   const double part = length / length_;
   carry_on(before_, last_, part, s_);
+  if (!among_) return;
   // The path begins where the journal stood, among the surfaces as they are now.
+  const std::array<double, 4> way = moved();
   for (int k = 0; k < s_.point.load.unknowns; ++k) {
     const double change = last_.film.position.q[k] - before_.film.position.q[k];
-    s_.point.load.path->from.q[k] += part * (change - moved_[k]);
+    s_.point.load.path->from.q[k] += part * (change - way[k]);
   }
 }
 
@@ -198,6 +235,7 @@ Branch LoadBranch::run(double begun) {
   h_min_ = s_.film.least.h;
   last_ = {s_.film, s_.heat};
   double step = kFirstStep;
+  bool failed = false;  // the step before: then as long a one once more
   for (int k = 0; k < kMostIterations && step > kShortestStep; ++k) {
     s_.point.load.path = next_row(step);
     predict(step);
@@ -210,6 +248,8 @@ Branch LoadBranch::run(double begun) {
       failure_ = v.good() ? Verdict{Status::iteration_limit, ending::Plain::strayed} : v;
       restore();
       step *= kShorterStep;
+      failed = true;
+      among_ = !among_;
       continue;
     }
     if (s_.film.ln_load >= 0.0) {
@@ -217,14 +257,21 @@ Branch LoadBranch::run(double begun) {
       step *= kShorterStep;
       continue;
     }
+    const bool falls =
+        secant_ && s_.film.ln_load < std::min(last_.film.ln_load, most_ - kShortestStep);
+    if (falls && step <= kTurn) return ended(BranchEnd::turned);
+    if (falls) {  // the load at which it turns lies between: looked for in shorter steps
+      restore();
+      step *= kShorterStep;
+      failed = true;
+      continue;
+    }
     keep();
     if (thinner_than_a_molecule(s_.model, s_.film)) return ended(BranchEnd::molecule);
-    const bool falls = secant_ && last_.film.ln_load < before_.film.ln_load;
-    if (falls && last_.film.ln_load < most_ - kShortestStep) return ended(BranchEnd::turned);
     secant_ = true;
-    moved_ = moved();
     length_ = step;
-    step = std::min(kLongerStep * step, kLongestStep);
+    if (!failed) step = std::min(kLongerStep * step, kLongestStep);
+    failed = false;
   }
   restore();
   if (failure_.good()) failure_ = {Status::iteration_limit, ending::Plain::endless_branch};

@@ -4,13 +4,15 @@
 /// Predictor: the secant of the last two states, with temperatures, growth and displacement.
 /// Corrector: the steady equations, along a load with its factor unknown and the length of the path
 /// given (equilibrium.hpp (4): pseudo-arclength), along a speed at the speed predicted. A path is
-/// measured in (place of the journal among its surfaces, ln load): where they grow, its beginning
-/// moves along (film_motion.hpp (1)). Measured in space instead, a clearance that heat closes moves
-/// the journal more than its load does, and what lies a given way off is another load as soon as
-/// the surfaces have followed. The step grows where a state is found and shrinks where none is, or
-/// one that does not continue the branch; where the load's part of the tangent changes its sign the
-/// branch has turned: more is not carried on it. Source: textbook (Keller's pseudo-arclength
-/// continuation, with control of the angle), the measure is our own (docs/decisions/054).
+/// measured in the journal's place and ln load: in its place among the surfaces, where the
+/// beginning of the path moves along as they grow (film_motion.hpp (1)), or in space. Measured in
+/// space, a clearance that heat closes moves the journal more than its load does, and what lies a
+/// given way off is another load as soon as the surfaces have followed; among the surfaces, journal
+/// and load stand still where heat makes the branch turn. A step that fails is repeated, shorter,
+/// in the other measure. The step grows where a state is found and shrinks where none is, or one
+/// that does not continue the branch; where the load falls in a short step the branch has turned:
+/// more is not carried on it. Source: textbook (Keller's pseudo-arclength continuation, control of
+/// the angle); the measures are our own (docs/decisions/054).
 #include <array>
 #include <functional>
 #include <optional>

@@ -23,7 +23,8 @@ class HeatIteration {
   HeatIteration(Solution& s, const ThermalOptions& options, const SolveControl& control,
                 const HeatStep* step)
       : s_(s), options_(options), control_(control), walls_(s, kSweepsOfResponse, step) {
-    if (!s.point.load.path || s.heat.thermal_deformation.empty()) return;
+    if (!s.point.load.path || !s.point.load.path->moves) return;
+    if (s.heat.thermal_deformation.empty()) return;
     path_from_ = s.point.load.path->from;
     grown_from_ = s.heat.thermal_deformation;
     force_from_ = carrying_force(s.model, s.film);
@@ -92,8 +93,7 @@ void HeatIteration::unpack(const std::vector<double>& x) {
 
 void HeatIteration::carry_path() {
   Field grown = s_.heat.thermal_deformation;
-  const Field own = s_.film.contact_widening ? own_widening() : Field(grown.size(), 0.0);
-  for (std::size_t k = 0; k < grown.size(); ++k) grown[k] += own[k] - grown_from_[k];
+  for (std::size_t k = 0; k < grown.size(); ++k) grown[k] -= grown_from_[k];
   const auto moved = motion_of(s_.model, s_.point.load.unknowns, force_from_, grown);
   for (std::size_t k = 0; k < moved.size(); ++k) {
     s_.point.load.path->from.q[k] = path_from_.q[k] - moved[k];
@@ -112,12 +112,15 @@ void HeatIteration::take_contact_widening() {
   for (std::size_t k = 0; k < own.size(); ++k) {
     s_.heat.thermal_deformation[k] -= own[k];
     s_.film.elastic[k] += own[k];
+    if (!grown_from_.empty()) grown_from_[k] -= own[k];
   }
 }
 
 void HeatIteration::give_contact_widening() {
+  s_.heat.contact_deformation.clear();
   if (!s_.film.contact_widening) return;
   const Field own = own_widening();
+  s_.heat.contact_deformation = own;
   for (std::size_t k = 0; k < own.size(); ++k) {
     s_.heat.thermal_deformation[k] += own[k];
     s_.film.elastic[k] -= own[k];

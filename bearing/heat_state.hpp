@@ -26,6 +26,9 @@ inline constexpr int kSweepsOfResponse = 3;
 
 /// What the last iteration found with them.
 struct HeatEvaluation {
+  /// Part of the thermal deformation that summits make by their own heat, which the film's Newton
+  /// iteration takes along (equilibrium.hpp (3a)); empty: none [m].
+  Field contact_deformation;
   SolidTemperature solids;         ///< the solids' answer to the last heat
   thermal::EnergyBalance balance;  ///< of the film, solved part [W]
   double contact_heat = 0.0;       ///< asperity heat, whole bearing [W]

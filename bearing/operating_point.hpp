@@ -26,6 +26,7 @@ struct PathRow {
   fluid::JournalPosition from;
   double from_load = 0.0;  ///< [-]
   double length = 0.0;     ///< [-]
+  bool moves = false;      ///< `from` moves with the surfaces as they grow (follow.hpp)
   /// `length` less what the state stands along [-].
   [[nodiscard]] double missing(const State& s) const;
 };

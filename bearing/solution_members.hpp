@@ -28,8 +28,10 @@ inline void members(Tape& tape, thermal::ShellTemperature& x) {
 }
 
 inline void members(Tape& tape, bearing::HeatEvaluation& x) {
-  auto& [solids, balance, contact_heat, T_mix, response, backflow, blended, residual] = x;
-  tape(solids, balance, contact_heat, T_mix, response, backflow, blended, residual);
+  auto& [contact_deformation, solids, balance, contact_heat, T_mix, response, backflow, blended,
+         residual] = x;
+  tape(contact_deformation, solids, balance, contact_heat, T_mix, response, backflow, blended,
+       residual);
 }
 
 inline void members(Tape& tape, bearing::HeatState& x) {

@@ -53,9 +53,10 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
     if (!s.model.physics.elastic) return v;
     // Surfaces that give way are met before they have: from a place nearer to the middle.
     s.film = cold_start(s.model, s.point, T);
-    Part(s, Raised::place).take(kLight.front());
+    Part place(s, Raised::place);
+    place.take(kLight.front());
     const Verdict nearer = start();
-    Part(s, Raised::place).take(1.0 / kLight.front());
+    place.take(1.0);
     if (!nearer.good()) return v;
     const Branch b = follow_parts(s, Raised::place, kLight.front(), correct, control);
     return b.end == BranchEnd::reached ? Verdict{} : b.end == BranchEnd::lost ? v : b.last;

@@ -105,7 +105,7 @@ void add_holes(const BearingModel& m, std::vector<Note>& out) {
   }
 }
 
-/// Layers behind the first see less: what it is pressed with counts.
+/// A layer behind the first is pressed over a wider area, by less: told is what it has at most.
 void add_strain(const BearingModel& m, double p_max, std::vector<Note>& out) {
   if (!m.physics.elastic || !m.input.shell) return;
   const auto& layers = m.input.shell->layers;

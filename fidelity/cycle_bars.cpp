@@ -59,23 +59,6 @@ void put_grid_bars(const std::vector<CycleResult>& coarse_to_fine, CycleResult& 
   }
 }
 
-/// How far a parabola through an extreme and the instants before and behind it goes beyond it: what
-/// the steps have not looked at.
-double beyond_instants(const std::vector<CycleInstant>& all, double CycleInstant::*value,
-                       double at) {
-  for (std::size_t k = 1; k + 1 < all.size(); ++k) {
-    if (all[k].t != at) continue;
-    const double before = all[k].t - all[k - 1].t, behind = all[k + 1].t - all[k].t;
-    if (!(before > 0.0) || !(behind > 0.0)) return 0.0;  // at a jump
-    const double first = (all[k].*value - all[k - 1].*value) / before;
-    const double second = (all[k + 1].*value - all[k].*value) / behind;
-    const double slope = (first * behind + second * before) / (before + behind);
-    const double bend = (second - first) / (before + behind);
-    return bend != 0.0 ? slope * slope / (4.0 * std::abs(bend)) : 0.0;
-  }
-  return 0.0;
-}
-
 void add_between_instants(CycleResult& r) {
   for (CycleQuantity& q : r.quantities) {
     for (const auto& [name, value] :
@@ -101,6 +84,21 @@ void put_time_bars(const CycleResult& usual, const CycleResult& other, double pa
 }
 
 }  // namespace
+
+double beyond_instants(const std::vector<CycleInstant>& all, double CycleInstant::*value,
+                       double at) {
+  for (std::size_t k = 1; k + 1 < all.size(); ++k) {
+    if (all[k].t != at) continue;
+    const double before = all[k].t - all[k - 1].t, behind = all[k + 1].t - all[k].t;
+    if (!(before > 0.0) || !(behind > 0.0)) return 0.0;  // at a jump
+    const double first = (all[k].*value - all[k - 1].*value) / before;
+    const double second = (all[k + 1].*value - all[k].*value) / behind;
+    const double slope = (first * behind + second * before) / (before + behind);
+    const double bend = (second - first) / (before + behind);
+    return bend != 0.0 ? slope * slope / (4.0 * std::abs(bend)) : 0.0;
+  }
+  return 0.0;
+}
 
 CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   CycleResult r = solve_cycle(c, c.model.tier, control);

@@ -19,4 +19,10 @@ namespace shellback::fidelity {
 [[nodiscard]] bearing::CycleResult solve_cycle_with_bars(const bearing::Case& c,
                                                          const bearing::SolveControl& control = {});
 
+/// How far a parabola through the extreme of `value` at time `at` [s] and the instants before and
+/// behind it goes beyond it: what the steps have not looked at [unit of the value]. Zero beside a
+/// jump and at either end of the cycle.
+[[nodiscard]] double beyond_instants(const std::vector<bearing::CycleInstant>& all,
+                                     double bearing::CycleInstant::*value, double at);
+
 }  // namespace shellback::fidelity

@@ -107,6 +107,25 @@ TEST_CASE("APlaceBeyondTheClearanceHasTheLoadThatLedToIt", "[elastic]") {
   CHECK(held.film.least.h == Approx(led.film.least.h).epsilon(1e-6));
 }
 
+TEST_CASE("ANearlyIncompressibleLayerIsTheSameInOnePieceAndInEight", "[elastic]") {
+  Case c = plain_case();
+  const solid::Material soft{"soft", 0.2, 1200.0, 1500.0, 5e7, 0.49, 1e-4};
+  c.shell = rig_case().shell;
+  c.shaft = rig_case().shaft;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {60, 13};
+  set_load(c, 1e3);
+  const auto solved = [&](int pieces) {
+    c.shell->layers.assign(pieces, {soft, 1e-3 / pieces});
+    const Solution s = solve_tier(c, Tier::isothermal);
+    REQUIRE(s.verdict.good());
+    return s;
+  };
+  const Solution one = solved(1), eight = solved(8);
+  CHECK(largest(one.film.film.p) == Approx(largest(eight.film.film.p)).epsilon(1e-3));
+  CHECK(largest(one.film.elastic) == Approx(largest(eight.film.elastic)).epsilon(2e-3));
+}
+
 TEST_CASE("ComplianceIsSymmetricAndPositive", "[elastic]") {
   for (const bool half : {true, false}) {
     Case c = elastic_rig(8e3);

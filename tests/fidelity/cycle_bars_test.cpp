@@ -67,6 +67,20 @@ TEST_CASE("BarsOfACycleHoldAFinerGridAndShorterSteps", "[cycle]") {
   }
 }
 
+TEST_CASE("WhatLiesBetweenInstantsIsThatOfAParabola") {
+  // A parabola is met exactly, wherever the instants around its vertex lie, in uneven steps, too.
+  for (const double vertex : {1.9, 2.0, 2.2, 2.4}) {
+    std::vector<CycleInstant> all(4);
+    const double t[] = {0.0, 1.0, 2.0, 3.5};
+    for (int k = 0; k < 4; ++k) {
+      all[k].t = t[k];
+      all[k].h_min = 5.0 + 3.0 * (t[k] - vertex) * (t[k] - vertex);
+    }
+    CHECK(fidelity::beyond_instants(all, &CycleInstant::h_min, 2.0) ==
+          Approx(all[2].h_min - 5.0).margin(1e-12));
+  }
+}
+
 TEST_CASE("BarsOfGivenStepsThatTheLoadsCornersCutHoldShorterOnes", "[cycle]") {
   Case c = pulsed();
   c.model.grid = {60, 9};

@@ -57,6 +57,17 @@ void set_load(const Case& subject, Derived& d) {
     d.specific_load = d.so * unit;
   }
   d.h_min = b.radial_clearance * (1.0 - d.eccentricity_ratio);
+  const auto* place = std::get_if<EccentricityGiven>(&subject.operation.position);
+  const auto* tilt = std::get_if<TiltGiven>(&subject.operation.alignment);
+  if (place != nullptr && tilt != nullptr) {
+    const double e = b.radial_clearance * place->ratio;
+    const double angle = place->load_angle + place->attitude;
+    for (const double z : {-0.5 * b.width, 0.5 * b.width}) {
+      const double x = e * std::cos(angle) + tilt->about_y * z;
+      const double y = e * std::sin(angle) - tilt->about_x * z;
+      d.h_min = std::min(d.h_min, b.radial_clearance - std::hypot(x, y));
+    }
+  }
   d.p_max = d.specific_load / estimated_pressure_ratio(d.eccentricity_ratio);
 }
 

@@ -75,6 +75,13 @@ toml::node& list_entry(toml::array& list, const std::string& part, const Overrid
   return *list.get(index);
 }
 
+/// A material that is named by a text becomes a table of that name, whose values can be set.
+void open_material(const std::string& key, toml::table& table) {
+  const auto name = table[key].value<std::string>();
+  if (key != "material" || !name || !table[key].is_string()) return;
+  table.insert_or_assign(key, toml::table{{"name", *name}});
+}
+
 }  // namespace
 
 Override parse_override(const std::string& key_and_value) {
@@ -100,6 +107,7 @@ void apply_override(toml::table& root, const Override& change) {
         toml::table made = parse_toml("value = {}", change.place);
         table->insert(parts[k], std::move(*made.get("value")->as_table()));
       }
+      open_material(parts[k], *table);
       at = table->get(parts[k]);
     } else {
       throw InputError(change.place,

@@ -85,20 +85,42 @@ std::variant<ConvectiveBack, PrescribedBack> read_back(const Section& section) {
                         section.quantity("ambient", kTemperature)};
 }
 
+[[noreturn]] void fail_unknown(const Section& section, const std::string& key,
+                               const std::string& name, const std::string& cure) {
+  section.fail(
+      key,
+      fmt::format("there is no shipped material {}{}; or {}", in_quotes(name),
+                  choices_for(name, shipped_materials(section.reader()), "shipped are"), cure));
+}
+
+/// A table whose name is that of a shipped material changes single values of it.
+solid::Material read_own_material(const Section& own) {
+  const std::string name = own.has("name") ? own.text("name") : "inline";
+  const toml::table* shipped = find_material(own.reader(), name);
+  if (shipped == nullptr) {
+    if (own.has("name") && !own.has("conductivity"))
+      fail_unknown(own, "name", name, "give all of its values");
+    return read_properties(own, name);
+  }
+  std::vector<std::string> changed;
+  for (auto&& [key, node] : *own.table()) {
+    if (shipped->contains(key)) changed.emplace_back(key.str());
+  }
+  if (!changed.empty()) {
+    own.assume(fmt::format("material {}: {} of this case instead of the shipped", name,
+                           comma_list(changed)));
+  }
+  return read_properties(Section(own.reader(), *own.table(), own.name(""), shipped), name);
+}
+
 }  // namespace
 
 solid::Material read_material(const Section& section, const std::string& key) {
-  if (section.is_table(key)) return read_properties(section.section(key), "inline");
+  if (section.is_table(key)) return read_own_material(section.section(key));
   if (!section.has(key)) section.fail_missing(key, "\"steel\"");
   const std::string name = section.text(key);
   const toml::table* shipped = find_material(section.reader(), name);
-  if (shipped == nullptr) {
-    section.fail(
-        key, fmt::format("there is no shipped material {}{}; or write its values as a "
-                         "table",
-                         in_quotes(name),
-                         choices_for(name, shipped_materials(section.reader()), "shipped are")));
-  }
+  if (shipped == nullptr) fail_unknown(section, key, name, "write its values as a table");
   return read_properties(Section(section.reader(), *shipped, section.name(key)), name);
 }
 

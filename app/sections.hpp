@@ -49,7 +49,8 @@ namespace shellback::app {
 [[nodiscard]] rheology::PressureLaw read_pressure_law(const Section& law);
 [[nodiscard]] rheology::ShearLaw read_shear_law(const Section& law);
 
-/// A shipped name or an inline table.
+/// A shipped name, a table of its values, or a table with a shipped name and the values that
+/// differ.
 [[nodiscard]] solid::Material read_material(const Section& section, const std::string& key);
 
 [[nodiscard]] std::optional<bearing::Shell> read_shell(const Section& file);

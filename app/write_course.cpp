@@ -11,7 +11,9 @@
 #include "app/json_parts.hpp"
 #include "app/provenance.hpp"
 #include "app/svg_lines.hpp"
+#include "app/table_parts.hpp"
 #include "app/words/ending_words.hpp"
+#include "app/words/note_words.hpp"
 #include "app/write_json.hpp"
 #include "core/constants.hpp"
 
@@ -114,6 +116,7 @@ void write_course_table(std::ostream& out, const std::vector<Stretch>& stretches
   }
   out << fmt::format("\naudit (relative)  heat in - out - stored at the ends: {:.1e}\n",
                      run.imbalance_at_ends());
+  print_list(out, "warnings", words_of(bearing::march_warnings(c.oil, run.instants)));
 }
 
 std::string course_json(const std::vector<Stretch>& stretches,
@@ -138,6 +141,7 @@ std::string course_json(const std::vector<Stretch>& stretches,
     json["quantities"][q.name] = {{"unit", q.unit}, {"values", values}};
   }
   json["audit"] = {{"energy", run.imbalance_at_ends()}};
+  json["warnings"] = words_of(bearing::march_warnings(c.oil, run.instants));
   json["assumptions"] = c.assumptions;
   json["provenance"] = Json::parse(result_json(c, {}))["provenance"];
   return json.dump(2) + "\n";

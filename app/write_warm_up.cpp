@@ -11,6 +11,7 @@
 #include "app/json_parts.hpp"
 #include "app/svg_lines.hpp"
 #include "app/words/ending_words.hpp"
+#include "app/words/note_words.hpp"
 #include "app/write_json.hpp"
 #include "core/constants.hpp"
 
@@ -93,6 +94,7 @@ std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
   }
   json["audit"] = {{"energy", run.imbalance()}};
   json["jumps"] = run.end.jumps;
+  json["warnings"] = words_of(bearing::march_warnings(c.oil, run.instants));
   const Json one = Json::parse(result_json(c, steady));
   json["steady"] = {{"status", one["status"]}, {"quantities", one["quantities"]}};
   json["provenance"] = one["provenance"];

@@ -37,7 +37,8 @@ enum class WhirlVerdict {
 };
 
 /// Threshold of a rigid rotor in bearings alike: the mass per bearing, at the present speed, at
-/// which it begins to whirl by itself.
+/// which it begins to whirl by itself. Its tilt stays as it is, or, where a moment is given, is the
+/// one that balances it at every instant.
 struct WhirlThreshold {
   WhirlVerdict verdict = WhirlVerdict::threshold;
   double critical_mass = std::numeric_limits<double>::quiet_NaN();    ///< [kg]; inf; 0

@@ -11,6 +11,7 @@
 #include "bearing/solve.hpp"
 #include "bearing/step_control.hpp"
 #include "bearing/tape_members.hpp"
+#include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 #include "rheology/viscosity.hpp"
@@ -473,6 +474,10 @@ CycleResult CycleSearch::result() const {
   CycleResult r = r_;
   told_.write(r);
   r.audit.walls = wall_change_;
+  if (film_.heat() == nullptr) {
+    const double T = now_.film.columns.T.front();
+    for (Note& w : oil_range_warnings(c_.oil, T, T, 0.0)) r.warnings.push_back(std::move(w));
+  }
   if (!c_.cycle->repeats()) {
     const bool still = course_.at(0.0).omega == 0.0;
     r.assumptions.push_back(from_rest_ ? note::Plain::event_in_the_middle

@@ -23,8 +23,9 @@ Motion slopes(const FilmGrid& g, int unknowns, int c) {
   return s;
 }
 
-/// (1) with tilts as they move the ends [m].
+/// (1) with tilts as they move the ends [m]; none for a journal that is held.
 Motion fitted(const FilmGrid& g, int unknowns, const Field& force, const Field& dh) {
+  if (unknowns == 0) return Motion(0);
   Normal A = Normal::Zero(unknowns, unknowns);
   Motion b = Motion::Zero(unknowns);
   for (int c = 0; c < g.cells(); ++c) {

@@ -5,6 +5,8 @@
 
 #include "bearing/heat_endings.hpp"
 #include "bearing/step_control.hpp"
+#include "bearing/told_ranges.hpp"
+#include "bearing/wall_balance.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::bearing {
@@ -49,6 +51,15 @@ bool no_film_left(const Solution& s, const Verdict& v) {
   return v.status == Status::no_steady_state || pressed || thinner_than_a_molecule(s.model, s.film);
 }
 
+/// True if the heat that enters the walls now would hold them for ever where they are. That they do
+/// not move says little: heat from the back may not have reached them yet.
+bool is_at_rest(const Solution& s) {
+  constexpr double kRest = 0.03;  // ten times what an iteration may leave [K]
+  Solution now = s;
+  WallBalance walls(now, kSweepsOfResponse, nullptr);
+  return walls.change_for_ever(friction_of(s.model, s.point, s.film)) < kRest;
+}
+
 }  // namespace
 
 void tell_bodies(const FilmGrid& g, const SolidTemperature& solids,
@@ -73,10 +84,20 @@ Instant instant_of(const Solution& s, double t, double dt) {
   i.torque = f.viscous + f.asperity;
   i.h_min = s.film.least.h;
   i.T_film_max = largest(s.film.columns.T);
+  i.T_film_min = *std::min_element(s.film.columns.T.begin(), s.film.columns.T.end());
   i.T_shell_max = largest(solids.shell.surface);
   i.heat_in = i.torque * s.point.omega() + pump_power(s.model, s.point, s.film);
   tell_bodies(g, solids, s.heat.balance, g.multiplicity(), s.heat.thermal_deformation, i);
   return i;
+}
+
+std::vector<Note> march_warnings(const rheology::Oil& oil, const std::vector<Instant>& instants) {
+  double low = INFINITY, high = -INFINITY;
+  for (const Instant& i : instants) {
+    low = std::fmin(low, i.T_film_min);
+    high = std::fmax(high, i.T_film_max);
+  }
+  return oil_range_warnings(oil, low, high, 0.0);
 }
 
 MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
@@ -116,9 +137,7 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
     bodies = s.model.solids->state(s.heat.solids, &step.solids);
     end.t += length;
     last = std::move(step.solids);
-    // Nearly half of all time has passed in one step, and nothing moved but by what the iteration
-    // leaves.
-    end.at_rest = accurate && length >= 0.4 * end.t && largest_move(now, before) < still;
+    end.at_rest = accurate && largest_move(now, before) < still && is_at_rest(s);
     ++calm;
     if (!accurate && calm > MarchStand::kCalm) dt /= kStepShorter;
     // A step so much longer errs by the square of that.

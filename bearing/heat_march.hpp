@@ -9,8 +9,10 @@
 /// and the march is but a way to the steady state (pseudo-transient continuation). Source:
 /// textbook.
 #include <functional>
+#include <limits>
 
 #include "bearing/heat_iteration.hpp"
+#include "bearing/note.hpp"
 
 namespace shellback::bearing {
 
@@ -25,6 +27,7 @@ struct Instant {
   double heat_out = 0.0;     ///< with the oil and from shell and shaft to the surroundings [W]
   double stored = 0.0;       ///< in oil, shell, housing and shaft [W]
   double deformation = 0.0;  ///< mean thermal widening of the gap [m]
+  double T_film_min = std::numeric_limits<double>::quiet_NaN();  ///< over a cycle not known [K]
 };
 
 struct MarchOptions {
@@ -81,5 +84,9 @@ void tell_bodies(const FilmGrid& g, const SolidTemperature& solids,
 
 /// The bearing as it stands, after a step.
 [[nodiscard]] Instant instant_of(const Solution& s, double t, double dt);
+
+/// Where the film of a march leaves the temperatures of its oil.
+[[nodiscard]] std::vector<Note> march_warnings(const rheology::Oil& oil,
+                                               const std::vector<Instant>& instants);
 
 }  // namespace shellback::bearing

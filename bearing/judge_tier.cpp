@@ -146,9 +146,50 @@ Lack lack_of_feed_over(const Case& c) {
   return starved.always || starved.turned >= 2.0 * kPi ? lack_at(starved.last) : std::nullopt;
 }
 
+/// Largest departure of the bore from a circular cylinder, from its mean where it is a table [m].
+double off_circle(const Bearing& b) {
+  double most = 0.0;
+  for (const auto* table : {&b.profile, &b.shape, &b.wear}) {
+    if (!*table || (*table)->height.empty()) continue;
+    const auto [low, high] = std::minmax_element((*table)->height.begin(), (*table)->height.end());
+    most = std::max(most, *high - *low);
+  }
+  for (const auto* opening : {&b.edge_relief, &b.chamfer}) {
+    if (*opening) most = std::max(most, (*opening)->depth);
+  }
+  return most;
+}
+
+/// Where the journal is not aligned in a cylinder.
+Lack lack_of_cylinder(const Case& c) {
+  // Of the clearance: a tenth of the film at an eccentricity ratio of 0.9, the estimate's own bars.
+  constexpr double kOff = 0.01;
+  constexpr double kOffMoment = 0.01;  // of load times width: the load as far off mid-width
+  const std::string cure = "take tier isothermal, lumped, thd, tehd or auto";
+  const double clearance = c.bearing.radial_clearance;
+  if (off_circle(c.bearing) > kOff * clearance) {
+    return lack("model.tier",
+                "tier estimate knows no bore but a circular cylinder, and the case has a profile, "
+                "a shape, a relief or a chamfer",
+                cure);
+  }
+  const auto* tilt = std::get_if<TiltGiven>(&c.operation.alignment);
+  const auto* moment = std::get_if<MomentGiven>(&c.operation.alignment);
+  const auto* load = std::get_if<LoadGiven>(&c.operation.position);
+  const double arm = load != nullptr && !c.cycle ? load->force * c.bearing.width : 0.0;
+  const bool tilted =
+      tilt != nullptr
+          ? std::hypot(tilt->about_x, tilt->about_y) * 0.5 * c.bearing.width > kOff * clearance
+          : std::hypot(moment->about_x, moment->about_y) > kOffMoment * arm;
+  if (!tilted) return std::nullopt;
+  return lack("model.tier", "the journal is tilted, and tier estimate knows none but aligned ones",
+              cure);
+}
+
 /// The estimate's film is one land, or two alike, fed at the widest gap by oil of one temperature.
 Lack lack_for_estimate(const Case& c) {
   const std::string cure = "take tier isothermal, lumped, thd, tehd or auto";
+  if (auto missing = lack_of_cylinder(c)) return missing;
   if (begins_at_rest(c)) {
     return lack("model.tier",
                 "the event begins with a load on a journal at rest, which no film carries, and "

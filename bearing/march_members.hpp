@@ -9,9 +9,9 @@ namespace shellback {
 
 inline void members(Tape& tape, bearing::Instant& x) {
   auto& [t, dt, torque, h_min, T_film_max, T_shell_max, T_shell_back, T_shaft, heat_in, heat_out,
-         stored, deformation] = x;
+         stored, deformation, T_film_min] = x;
   tape(t, dt, torque, h_min, T_film_max, T_shell_max, T_shell_back, T_shaft, heat_in, heat_out,
-       stored, deformation);
+       stored, deformation, T_film_min);
 }
 
 inline void members(Tape& tape, bearing::SolidState& x) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "bearing/step_control.hpp"
@@ -30,27 +29,20 @@ Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, dou
   return i;
 }
 
-/// The film answers a wall that is warmer here and cooler there within two cycles, not at once, and
-/// answers the walls before as well: taken at twice its strength the local answer does not
-/// overshoot. Measured (big end, 48 x 5): once, a cell swings by 1.9 K for ever; twice, at rest
-/// after 80 cycles.
-thermal::WallResponse delayed(thermal::WallResponse r) {
-  r.shell_local *= kCyclesOfAnswer;
-  r.shell_ring *= kCyclesOfAnswer;
-  r.shaft_ring *= kCyclesOfAnswer;
-  return r;
-}
-
-Field difference(const Field& a, const Field& b) {
-  Field d = a;
-  for (std::size_t c = 0; c < d.size(); ++c) d[c] -= b[c];
-  return d;
-}
-
-/// True if the bore moves back from where it came by the step before.
-bool turns_back(const Field& before, const Field& now) {
-  return !before.empty() &&
-         std::inner_product(before.begin(), before.end(), now.begin(), 0.0) < 0.0;
+/// Cycles between walls that have moved, until what the film stores over one is a small part of the
+/// heat that it makes: oil that still warms with its walls keeps heat from them. False: one did not
+/// end.
+bool let_film_follow(CycleSearch& search, const WallMeans& walls) {
+  constexpr double kFollowed =
+      0.005;                // of the heat made: the film's part of what is told as stored
+  constexpr int kMost = 4;  // cycles; oil that gathers slowly is the cycle's own [-]
+  const double sides = search.film().model().domain.grid.multiplicity();
+  for (int k = 0; k < kMost; ++k) {
+    if (!search.pass_between(walls)) return false;
+    const HeatFlows& flows = search.heat().flows();
+    if (sides * std::abs(flows.balance.stored) <= kFollowed * std::abs(flows.work)) break;
+  }
+  return true;
 }
 
 double move_of(const WallMeans& a, const WallMeans& b) {
@@ -73,14 +65,14 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
   constexpr double kStill = 0.05;  // what walls leave open where the cycle is periodic [K]
   const BearingModel& model = search.film().model();
   const Solids& solids = *model.solids;
-  auto& [bodies, end, dt, moved] = march;
-  const auto passed = [&] {
-    if (!search.pass_between(bodies.walls)) end.verdict = search.verdict();
+  auto& [bodies, end, dt] = march;
+  const auto followed = [&] {
+    if (!let_film_follow(search, bodies.walls)) end.verdict = search.verdict();
     return end.verdict.good();
   };
   if (dt == 0.0) {
     dt = span.first;
-    if (!passed()) return end;
+    if (!followed()) return end;
   }
   SolidStep last;
   while (end.t < span.duration && !(end.at_rest && span.until_rest)) {
@@ -91,21 +83,21 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
     for (double length = std::min({dt, span.longest, span.duration - end.t});;
          length /= kStepLonger) {
       step = solids.step(length, bodies.state, &last);
-      next = answer_of_bodies(model, bodies.walls, search.heat(), delayed(search.response()), nodes,
-                              &step);
+      next = answer_of_bodies(model, bodies.walls, search.heat(), search.response(), nodes, &step);
       move = move_of(next.walls, bodies.walls);
       dt = length;
       if (move <= kMost || length <= span.shortest) break;
     }
     bodies.state = solids.state(next.solids, &step);
     last = std::move(step);
-    const Field move_now = difference(next.walls.shell, bodies.walls.shell);
-    const bool back = turns_back(std::exchange(moved, move_now), move_now);
     bodies.walls = next.walls;
     end.t += dt;
-    if (!passed() || (back && !passed())) return end;
+    if (!followed()) return end;
     const Instant instant = instant_after(search, next, end.t, dt);
-    end.at_rest = dt >= 0.4 * end.t && move < kStill;
+    const auto for_ever = [&] {
+      return answer_of_bodies(model, bodies.walls, search.heat(), search.response(), nodes).walls;
+    };
+    end.at_rest = move < kStill && move_of(for_ever(), bodies.walls) < kStill;
     dt *= kStepLonger;  // halved again where it is too long: that costs no cycle
     tell(instant);
   }

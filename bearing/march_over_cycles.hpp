@@ -1,12 +1,12 @@
 #pragma once
 /// Bodies in time, load cycles between: multirate steps.
 ///
-/// One cycle is passed with walls that stay as they are; then shell, housing and shaft see its mean
-/// heat, and what the film answers to moving walls, through a step of backward Euler, and so on.
-/// The step is halved until no wall moves by more than 2 K. Its error is of first order in the
-/// longest step. Where a step takes the walls back the film has not answered the step before yet:
-/// another cycle is passed between the same walls. What is told of the end of a step is of a cycle
-/// between the walls of then. Source: methods 3.5.
+/// Cycles are passed with walls that stay as they are until the film has followed them; then shell,
+/// housing and shaft see the mean heat of the last one, and what the film answers to moving walls,
+/// through a step of backward Euler, and so on. The step is halved until no wall moves by more than
+/// 2 K. Its error is of first order in the longest step. What is told of the end of a step is of a
+/// cycle between the walls of then. The bearing is at rest where that cycle's heat, for ever, would
+/// move no wall. Source: methods 3.5.
 #include <functional>
 
 #include "bearing/cycle_search.hpp"
@@ -29,7 +29,7 @@ struct MarchSpan {
   double first = 0.0;                                         ///< step [s]
   double shortest = 0.0;  ///< step that is taken however far walls move: a cycle [s]
   double longest = std::numeric_limits<double>::infinity();  ///< step [s]
-  bool until_rest = true;  ///< ends early where walls move no more
+  bool until_rest = true;  ///< ends early where the bearing is at rest
 };
 
 /// Where a march stands between two steps: with the search all that the next step depends on.
@@ -37,7 +37,6 @@ struct CycleMarch {
   Bodies bodies;
   MarchEnd end{};   ///< so far
   double dt = 0.0;  ///< next step [s]; 0: the march begins
-  Field moved;      ///< by which the bore moved in the last step; empty: none [K]
 };
 
 /// Goes on with `march` under the cycle of `search`, which has begun. `tell` has each instant,

@@ -1,5 +1,6 @@
 #include "bearing/perturbation.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <vector>
 
@@ -19,6 +20,27 @@ double largest_entry(const Matrix2& m) {
 /// out alike, with 1 nine do not (decision 047).
 constexpr double kHighest = 3.0;
 
+/// True if a moment is given: the tilt then is the one that balances it.
+bool tilt_follows(const Solution& s) { return s.point.load.unknowns == 4; }
+
+/// Z of forces by places at the frequency nu; with a tilt that follows, which has no inertia, Z_ff
+/// - Z_fm Z_mm^-1 Z_mf.
+ComplexMatrix2 impedance_of_place(const std::vector<ForceByMotion>& columns, bool follows,
+                                  double nu) {
+  const int n = follows ? 4 : 2;
+  Eigen::Matrix4cd Z = Eigen::Matrix4cd::Zero();
+  for (int j = 0; j < n; ++j) {
+    const auto force = columns[j].at(nu);
+    for (int i = 0; i < n; ++i) Z(i, j) = -force[i];
+  }
+  Eigen::Matrix2cd place = Z.topLeftCorner<2, 2>();
+  if (follows) {
+    const Eigen::Matrix2cd tilt = Z.bottomRightCorner<2, 2>();
+    place -= Z.topRightCorner<2, 2>() * tilt.inverse() * Z.bottomLeftCorner<2, 2>();
+  }
+  return {{{place(0, 0), place(0, 1)}, {place(1, 0), place(1, 1)}}};
+}
+
 /// K, C and the answer to motions of any frequency; the part of C from cavitated film in
 /// `C_cavitated`.
 std::vector<ForceByMotion> perturb(const Solution& s, double tolerance, Coefficients& out,
@@ -29,8 +51,9 @@ std::vector<ForceByMotion> perturb(const Solution& s, double tolerance, Coeffici
     out.verdict = {Status::iteration_limit, ending::Plain::singular_response};
     return columns;
   }
+  const int swinging = tilt_follows(s) ? out.unknowns : 2;
   for (int j = 0; j < out.unknowns; ++j) {
-    const double highest = j < 2 ? kHighest * std::abs(s.point.omega()) : 0.0;
+    const double highest = j < swinging ? kHighest * std::abs(s.point.omega()) : 0.0;
     columns.emplace_back(film, s, j, highest, tolerance);
     const ForceByMotion& column = columns.back();
     for (int i = 0; i < out.unknowns; ++i) {
@@ -60,14 +83,8 @@ void derive(const Solution& s, const std::vector<ForceByMotion>& columns, Coeffi
       out.C_load[i][j] *= out.clearance * speed / out.load;
     }
   }
-  const auto impedance = [&](double nu) {
-    ComplexMatrix2 Z;
-    for (int j = 0; j < 2; ++j) {
-      const auto force = columns[j].at(nu);
-      for (int i = 0; i < 2; ++i) Z[i][j] = -force[i];
-    }
-    return Z;
-  };
+  const bool follows = tilt_follows(s);
+  const auto impedance = [&](double nu) { return impedance_of_place(columns, follows, nu); };
   out.whirl = whirl_threshold(impedance, kHighest * speed);
   out.whirl_ratio = out.whirl.whirl_frequency / speed;
   out.speed_ratio = speed * std::sqrt(out.clearance * out.whirl.critical_mass / out.load);

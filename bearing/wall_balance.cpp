@@ -142,6 +142,16 @@ double WallBalance::balance(double enough, int rounds) {
   return least;
 }
 
+double WallBalance::change_for_ever(const Friction& friction) {
+  energy_.emplace(problem(friction));
+  const HeatState now = s_.heat;
+  warm_the_walls({false, false});
+  const double change = larger(largest_difference(s_.heat.solids.shell.surface, now.T_shell),
+                               largest_difference(s_.heat.solids.shaft.temperature, now.T_shaft));
+  s_.heat = now;
+  return change;
+}
+
 double WallBalance::finish(const Friction& friction, bool close) {
   constexpr int kMostSweeps = 400;          // oil that returns by nine tenths needs 150
   constexpr double kWalls = 1e-8;           // change per round that leaves their heat balanced [K]

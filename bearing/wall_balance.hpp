@@ -23,6 +23,9 @@ class WallBalance {
   void deform();
   /// The balance of the film with these walls, to round-off if `close`; the last change [K].
   double finish(const Friction& friction, bool close);
+  /// Without a step: largest change of a wall if the heat that the film as it stands gives it went
+  /// on for ever [K]. All is left as it is.
+  [[nodiscard]] double change_for_ever(const Friction& friction);
   [[nodiscard]] const SolidStep* solid_step() const { return step_ ? &step_->solids : nullptr; }
 
  private:

@@ -136,8 +136,21 @@ double bar(const BarParts& part, const Estimate& e, const Indicators& n) {
 
 }  // namespace
 
+double shaft_sag(const Case& c) {
+  if (!c.shaft || !c.shaft->span) return 0.0;
+  constexpr double kShear = 0.9;  // of the section, a circle (textbook)
+  const solid::Material& m = c.shaft->material;
+  const double R = c.bearing.radius, half = 0.5 * c.bearing.width;
+  const double load = 2.0 * R * c.bearing.width;  // per pressure
+  const double middle = 0.25 * load * (*c.shaft->span - half);
+  const double section = kPi * R * R;
+  const double G = 0.5 * m.youngs_modulus / (1.0 + m.poisson_ratio);
+  return 0.5 * half * half *
+         (middle / (m.youngs_modulus * 0.25 * section * R * R) + 2.0 * R / (kShear * G * section));
+}
+
 double bore_compliance(const Case& c) {
-  double inner = c.bearing.radius, layers = 0.0;
+  double inner = c.bearing.radius, layers = shaft_sag(c);
   for (const ShellLayer& layer : c.shell->layers) {
     inner += layer.thickness;
     layers += layer_compliance(layer, c.bearing.width);

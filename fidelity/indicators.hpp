@@ -4,9 +4,14 @@
 
 namespace shellback::fidelity {
 
-/// Radial widening of the bore per pressure [m/Pa]: that of the shell's layers, each on a stiff
-/// back, and of the housing, a plane-strain ring whose outer surface is held (textbook). The case
-/// has a shell.
+/// Sag of a shaft on two supports over half of the bearing's width, per pressure on the projected
+/// area [m/Pa]: Timoshenko beam on hinges [shaft] span apart, its curvature that of mid-width
+/// (textbook); 0 without a span.
+[[nodiscard]] double shaft_sag(const bearing::Case& c);
+
+/// Radial widening of the gap per pressure [m/Pa]: that of the shell's layers, each on a stiff
+/// back, of the housing, a plane-strain ring whose outer surface is held (textbook), and the sag of
+/// the shaft. The case has a shell.
 [[nodiscard]] double bore_compliance(const bearing::Case& c);
 
 }  // namespace shellback::fidelity

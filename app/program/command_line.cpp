@@ -268,6 +268,7 @@ void add_study(CLI::App& app, Request& request) {
       ->add_option("--json", request.json,
                    "also write every number as JSON; - is standard output, without the tables")
       ->type_name("FILE");
+  add_state(*study, request, "a study");
   add_force(*study, request);
   study->add_option("-j", request.cores, "threads (default: all cores)")
       ->type_name("N")

@@ -46,11 +46,19 @@ std::vector<Stretch> stretches_of(const Request& request, const std::string& tex
     throw InputError("--until", "a course ends with its last speed; leave it out");
   }
   std::vector<Stretch> stretches;
+  const Case given = read_case_text(text, request.case_file, overrides_of(request));
   for (const std::string& speed : request.speeds) {
     std::vector<Override> set = overrides_of(request);
     set.push_back({"operation.speed", speed, "--speeds"});
     stretches.push_back(
         {validation::with_rivals(read_case_text(text, request.case_file, set)), time});
+    const Case& at = stretches.back().subject;
+    const bool own = at.cycle && !at.cycle->omega.empty();  // a crank's follow operation.speed
+    if (own && at.cycle->omega == given.cycle->omega &&
+        at.operation.omega != given.operation.omega) {
+      throw InputError("--speeds",
+                       "the load cycle's table has speeds of its own; take its column speed away");
+    }
   }
   return stretches;
 }

@@ -147,7 +147,10 @@ void RunKeeper::end(int code) {
 }
 
 PointKeepers::PointKeepers(const Request& request, int points)
-    : path_(judged_path(request)), resume_(request.resume), bars_(!request.no_bars) {
+    : path_(judged_path(request)),
+      resume_(request.resume),
+      options_{{"--no-bars", {request.no_bars ? 1.0 : 0.0}},
+               {"--quick", {request.quick ? 1.0 : 0.0}}} {
   if (path_.empty()) return;
   std::vector<Output> files;
   int there = 0;
@@ -163,11 +166,11 @@ PointKeepers::PointKeepers(const Request& request, int points)
 
 std::string PointKeepers::file(int k) const { return path_ + "." + std::to_string(k); }
 
-KeptRun* PointKeepers::kept(int k, const bearing::Case& c) {
+KeptRun* PointKeepers::kept(int k, const bearing::Case& c, RunOf run, RunOptions options) {
   if (path_.empty()) return nullptr;
+  options.insert(options.end(), options_.begin(), options_.end());
   const std::lock_guard lock(guard_);
-  const auto at = points_.try_emplace(k, file(k), resume_, c, RunOf::load_cycle,
-                                      RunOptions{{"--no-bars", {bars_ ? 0.0 : 1.0}}});
+  const auto at = points_.try_emplace(k, file(k), resume_, c, run, std::move(options));
   return at.first->second.kept();
 }
 

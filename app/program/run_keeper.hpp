@@ -63,14 +63,16 @@ class RunKeeper {
   std::optional<bearing::KeptRun> run_, next_;
 };
 
-/// The states of a sweep over load cycles: those of its points, each in a file beside that of the
-/// sweep, NAME.state.K. Points may be solved in several threads.
+/// The states of a sweep over load cycles, or of a study: those of its points, or pieces of work,
+/// each in a file beside its own, NAME.state.K. They may be solved in several threads.
 class PointKeepers {
  public:
   /// Throws as RunKeeper does, and as app/output_rules.hpp says.
   PointKeepers(const Request& request, int points);
-  /// For the solve of point k, the case `c`; none: nothing is kept.
-  [[nodiscard]] bearing::KeptRun* kept(int k, const bearing::Case& c);
+  /// For point k, which begins with the case `c`; none: nothing is kept.
+  [[nodiscard]] bearing::KeptRun* kept(int k, const bearing::Case& c,
+                                       app::RunOf run = app::RunOf::load_cycle,
+                                       app::RunOptions options = {});
   /// When all threads have ended.
   void end(int code);
 
@@ -79,7 +81,7 @@ class PointKeepers {
 
   std::string path_;
   bool resume_;
-  bool bars_;
+  app::RunOptions options_;  ///< that every point has
   std::mutex guard_;
   std::map<int, RunKeeper> points_;
 };

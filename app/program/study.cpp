@@ -6,6 +6,7 @@
 #include "app/did_you_mean.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
+#include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"
@@ -21,14 +22,18 @@ namespace {
 
 const std::vector<std::string> kStudies{"ks-rig", "shells"};
 
-/// Threads, stop and progress, which every study takes.
-StudyOptions study_options(const Request& request, ProgressLine& line) {
+/// Threads, stop, progress and states, which every study takes.
+StudyOptions study_options(const Request& request, ProgressLine& line, PointKeepers& keepers) {
   StudyOptions options;
   options.quick = request.quick;
   options.threads = request.cores > 0 ? request.cores : hardware_threads();
   options.stop = &catch_interrupt();
   options.tell = [&line](const std::string& what, int done, int of) {
     line.show(fmt::format("{}: {} of {}", what, done, of));
+  };
+  options.kept = [&keepers](int piece, const bearing::Case& first, RunOf run,
+                            const RunOptions& more) {
+    return keepers.kept(piece, first, run, more);
   };
   return options;
 }
@@ -48,26 +53,32 @@ int ended(const Outputs& outputs, bool interrupted, int failed) {
 
 int study_rig(const Request& request) {
   Outputs outputs(request, {});
+  PointKeepers keepers(request, count_pieces(rig_plan(request.quick)));
   const RigStudy done = [&] {
     ProgressLine line;
-    return run_rig_study(study_options(request, line));
+    return run_rig_study(study_options(request, line, keepers));
   }();
   if (request.json != "-") write_rig_tables(std::cout, done);
   outputs.give("-o", [&] { return rig_page(done); });
   outputs.give("--json", [&] { return rig_json(done); });
-  return ended(outputs, done.interrupted, done.count_failed());
+  const int code = ended(outputs, done.interrupted, done.count_failed());
+  keepers.end(code);
+  return code;
 }
 
 int study_shells(const Request& request) {
   Outputs outputs(request, {});
+  PointKeepers keepers(request, count_pieces(shells_plan(request.quick)));
   const ShellsStudy done = [&] {
     ProgressLine line;
-    return run_shells_study(study_options(request, line));
+    return run_shells_study(study_options(request, line, keepers));
   }();
   if (request.json != "-") write_shells_tables(std::cout, done);
   outputs.give("-o", [&] { return shells_page(done); });
   outputs.give("--json", [&] { return shells_json(done); });
-  return ended(outputs, done.interrupted, done.count_failed());
+  const int code = ended(outputs, done.interrupted, done.count_failed());
+  keepers.end(code);
+  return code;
 }
 
 }  // namespace

@@ -10,8 +10,10 @@
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
+#include "app/table_parts.hpp"
 #include "app/units.hpp"
 #include "app/words/ending_words.hpp"
+#include "app/words/note_words.hpp"
 #include "app/write_warm_up.hpp"
 #include "bearing/case_limits.hpp"
 #include "bearing/judge_case.hpp"
@@ -98,6 +100,7 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
   }
   fmt::print(std::cout, "\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n",
              run.imbalance());
+  print_list(std::cout, "warnings", words_of(march_warnings(c.oil, run.instants)));
 }
 
 }  // namespace

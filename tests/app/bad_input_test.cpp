@@ -130,7 +130,8 @@ TEST_CASE("ZeroNegativeAndNotANumberAreRefused") {
   check_refused("\"25 um\"", "\"nan um\"", {"case.toml:6:20", "not a finite number"});
   check_refused("r = 0.5", "r = nan", {"case.toml:25:", "not a finite number"});
   check_refused("r = 0.5", "r = inf", {"case.toml:25:", "not a finite number"});
-  check_refused("poisson_ratio = 0.3", "poisson_ratio = 0.5", {"case.toml:30:", "between 0 and 0.4999"});
+  check_refused("poisson_ratio = 0.3", "poisson_ratio = 0.5",
+                {"case.toml:30:", "between 0 and 0.4999"});
   check_refused("\"5 kN\"", "\"-5 kN\"", {"case.toml:17:8", "must be positive"});
 }
 
@@ -232,6 +233,9 @@ TEST_CASE("UnknownMaterialsAndOilsAreRefusedWithTheList") {
   check_refused("[shaft]\nmaterial = {", "[shaft]\nmaterial = \"stel\"\n#",
                 {"case.toml:34:12", "no shipped material \"stel\"", "did you mean \"steel\"?",
                  "shipped are:"});
+  check_refused("[shaft]\nmaterial = {",
+                "[shaft]\nmaterial = { name = \"AlSn2O\", expansion = \"2e-5 1/K\" }\n#",
+                {"case.toml:34:21", "no shipped material \"AlSn2O\"", "did you mean \"AlSn20\"?"});
   const std::string oil =
       kSampleCase.substr(kSampleCase.find("viscosity.temp"),
                          kSampleCase.find("[shell]") - kSampleCase.find("viscosity.temp"));

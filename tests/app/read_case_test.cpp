@@ -322,6 +322,32 @@ eccentricity_ratio = 0.8
   CHECK(c.measured.T_shell_max == near(383.15));
 }
 
+TEST_CASE("ATableThatNamesAShippedMaterialChangesSingleValuesOfIt") {
+  const auto with = [](const std::string& material) {
+    return read_case_text(
+        sample_with("[shaft]\nmaterial = {", "[shaft]\nmaterial = " + material + "\n#"),
+        "case.toml");
+  };
+  const auto shipped = with("\"AlSn20\"");
+  const auto c = with("{ name = \"AlSn20\", youngs_modulus = \"70 GPa\" }");
+  CHECK(c.shaft->material.youngs_modulus == near(70e9));
+  CHECK(c.shaft->material.density == shipped.shaft->material.density);
+  CHECK(c.shaft->material.conductivity == shipped.shaft->material.conductivity);
+  const std::string told = "material AlSn20: youngs_modulus of this case";
+  CHECK(holds(c.assumptions, told));
+  CHECK_FALSE(holds(shipped.assumptions, told));
+}
+
+TEST_CASE("AKeySetWithinANamedMaterialChangesThatValue") {
+  const std::string text = sample_with("[shaft]\nmaterial = {", "[shaft]\nmaterial = \"steel\"\n#");
+  const auto c =
+      read_case_text(text, "case.toml", {parse_override("shaft.material.expansion=9e-6 1/K")});
+  CHECK(c.shaft->material.expansion == near(9e-6));
+  CHECK(c.shaft->material.youngs_modulus == near(210e9));
+  check_parts(refusal(text, {"shaft.material.expansoin=9e-6 1/K"}),
+              {"did you mean \"expansion\"?"});
+}
+
 TEST_CASE("AHousingMustEncloseTheShell") {
   check_parts(refusal(kSampleCase, {"shell.housing={material=\"steel\",outer_diameter=\"52 mm\"}"}),
               {"does not enclose the shell", "54 mm"});

@@ -186,6 +186,37 @@ TEST_CASE("TheEstimateIsRefusedSuppliesThatItDoesNotSee") {
   }
 }
 
+TEST_CASE("TheEstimateIsRefusedJournalsThatAreNotAlignedInACylinder") {
+  // A hundredth of the clearance is within its bars; the load's own arm for a moment.
+  const auto refused = [](const auto& change) {
+    Case c = plain_case();
+    change(c);
+    return lack_for(c, Tier::estimate).has_value();
+  };
+  const Case plain = plain_case();
+  const double clearance = plain.bearing.radial_clearance;
+  const double force = std::get<LoadGiven>(plain.operation.position).force;
+  const Profile bump{{0.0, kPi}, {0.0}, {0.0, 1.0}};
+  for (const auto& [part, taken] : {std::pair{0.009, true}, {0.011, false}}) {
+    INFO(part << " of the clearance");
+    const double off = part * clearance;
+    for (const auto where : {&Bearing::profile, &Bearing::shape, &Bearing::wear}) {
+      Profile p = bump;
+      for (double& h : p.height) h = 1.0 + off * h;  // only what differs around makes it no circle
+      CHECK(refused([&](Case& c) { c.bearing.*where = p; }) == !taken);
+    }
+    for (const auto where : {&Bearing::edge_relief, &Bearing::chamfer}) {
+      CHECK(refused([&](Case& c) { c.bearing.*where = EdgeOpening{off, 1e-3}; }) == !taken);
+    }
+    const double tilt = off / (0.5 * plain.bearing.width);
+    CHECK(refused([&](Case& c) {
+            c.operation.alignment = TiltGiven{0.6 * tilt, -0.8 * tilt};
+          }) == !taken);
+    const double moment = part * force * plain.bearing.width;
+    CHECK(refused([&](Case& c) { c.operation.alignment = MomentGiven{0.0, moment}; }) == !taken);
+  }
+}
+
 TEST_CASE("OverACycleTheEstimateIsRefusedWhatLastsForATurn") {
   // A hole 20 degrees behind a load that stands for a turn and a half and for three quarters of
   // one, wherever the table begins.

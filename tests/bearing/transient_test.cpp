@@ -5,6 +5,7 @@
 #include "bearing/solve.hpp"
 #include "bearing/warm_up.hpp"
 #include "core/contract.hpp"
+#include "core/largest.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -89,4 +90,45 @@ TEST_CASE("AClearanceThatGrowthUsesUpSeizesAtATime", "[transient]") {
 
 TEST_CASE("OnlyTiersWithWallsHaveATransient", "[transient]") {
   CHECK_THROWS_AS(warm_up(warm_case(), Tier::isothermal, {}), InputError);
+}
+
+TEST_CASE("HeatThatComesFromTheBackIsWaitedFor", "[transient]") {
+  // A slow, lightly loaded bearing as warm as its supply, cooled from behind: nothing moves at the
+  // bore until the cold has come through the wall.
+  Case c = coarse(warm_case());
+  const double warm = c.supplies[0].temperature;
+  c.operation.omega *= 0.03;
+  c.operation.position = LoadGiven{20.0, std::get<LoadGiven>(c.operation.position).angle};
+  c.shell->housing = Housing{steel(), 0.15, HousingSupport::held};
+  c.shaft->overhang = 0.0;
+  c.shell->back = ConvectiveBack{500.0, warm - 60.0};
+  c.shell->end_heat_transfer = 0.0;
+  WarmUpOptions o;
+  o.T_start = warm;
+  const WarmUp run = warm_up(c, Tier::thd, o);
+  INFO(app::reason_of(run.end.verdict));
+  REQUIRE(run.end.verdict.good());
+  CHECK(run.end.at_rest);
+  const Solution steady = solve_tier(c, Tier::thd);
+  REQUIRE(steady.verdict.good());
+  const Instant& last = run.instants.back();
+  CHECK(last.T_shell_back < warm - 10.0);
+  CHECK(last.T_shell_max == Approx(largest(steady.heat.T_shell)).margin(0.1));
+  CHECK(std::abs(last.stored) < 1e-2 * std::abs(last.heat_out));
+}
+
+TEST_CASE("AMarchTellsWhereItsOilWasOutOfRange", "[transient]") {
+  rheology::Oil oil;
+  oil.range.T_min = 290.0;
+  oil.range.T_max = 400.0;
+  std::vector<Instant> instants(2);
+  instants[0].T_film_max = 350.0;
+  instants[0].T_film_min = 300.0;
+  instants[1].T_film_max = 380.0;  // of a cycle: its coldest is not known
+  CHECK(march_warnings(oil, instants).empty());
+  instants[1].T_film_max = 401.0;
+  CHECK(march_warnings(oil, instants).size() == 1);
+  instants[1].T_film_max = 380.0;
+  instants[0].T_film_min = 280.0;
+  CHECK(march_warnings(oil, instants).size() == 1);
 }

@@ -143,3 +143,28 @@ TEST_CASE("AWhirlFasterThanTheJournalIsFound", "[whirl]") {
     CHECK((part < 1.0) == (in_time < 0.0));
   }
 }
+
+TEST_CASE("AJournalWhoseTiltFollowsItsMomentWhirlsEarlier", "[whirl]") {
+  // The same film with its tilt held carries several times the mass.
+  Case c = plain_case();
+  c.supplies[0].arc = 20.0 * kDegree;
+  c.supplies[0].pressure = 1e5;
+  const double force = std::get<LoadGiven>(c.operation.position).force;
+  const double arm = 0.1 * c.bearing.width * force;
+  c.operation.alignment = MomentGiven{0.6 * arm, 0.8 * arm};
+  c.model.grid = {60, 10};
+  const Coefficients follows = coefficients_of(c);
+  REQUIRE(follows.unknowns == 4);
+  REQUIRE(follows.whirl.verdict == WhirlVerdict::threshold);
+  for (const double part : {0.98, 1.02}) {
+    const double in_time =
+        growth(c, part * follows.whirl.critical_mass, follows.whirl.whirl_frequency);
+    INFO("mass " << part << " of the critical, " << follows.whirl.critical_mass << " kg: grows by "
+                 << in_time << " a turn");
+    CHECK((part < 1.0) == (in_time < 0.0));
+  }
+  const Solution s = solve_tier(c, Tier::isothermal);
+  c.operation.alignment = TiltGiven{s.film.position.q[2], s.film.position.q[3]};
+  const Coefficients held = coefficients_of(c);
+  CHECK(held.whirl.critical_mass > 1.1 * follows.whirl.critical_mass);
+}

@@ -1,6 +1,8 @@
 // The KS rig as a sum of its bearings, and the study on it.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 #include "app/library.hpp"
 #include "app/read_case.hpp"
@@ -33,6 +35,40 @@ RigPlan tiny_plan() {
   plan.hold = 20.0;
   plan.bands = false;
   return plan;
+}
+
+/// The study, stopped whenever `pieces` of its pieces have ended and gone on with from what was
+/// kept of each; how often it was stopped is counted.
+RigStudy in_pieces(const RigPlan& plan, int pieces, int& stops) {
+  std::map<int, Tape::Content> kept;
+  for (stops = 0;; ++stops) {
+    std::mutex guard;
+    std::map<int, bearing::KeptRun> runs;
+    std::atomic<bool> stop{false};
+    int ended = 0;
+    StudyOptions options;
+    options.threads = 2;  // one of two is stopped on its way
+    options.stop = &stop;
+    options.tell = [&](const std::string&, int done, int) {
+      ended += done > 0 ? 1 : 0;
+      if (ended == pieces) stop = true;
+    };
+    options.kept = [&](int k, const bearing::Case&, app::RunOf, const app::RunOptions&) {
+      const std::lock_guard lock(guard);
+      const auto save = [&, k](const Tape::Content& state) {
+        const std::lock_guard saving(guard);
+        kept[k] = state;
+      };
+      const auto found = kept.find(k);
+      const auto made = found == kept.end() ? runs.try_emplace(k, save)
+                                            : runs.try_emplace(k, save, found->second);
+      return &made.first->second;
+    };
+    RigStudy study = run_rig_study(plan, options);
+    if (!study.interrupted) return study;
+    for (auto& [k, run] : runs) run.keep_noted();
+    pieces = pieces + 2;  // that have ended, end again at once
+  }
 }
 
 }  // namespace
@@ -109,6 +145,17 @@ TEST_CASE("ATinyStudyOfTheRigIsWhole", "[rig]") {
   CHECK(test::unbalanced_tag(page).empty());
   CHECK(page.find("substitute") != std::string::npos);
   CHECK(rig_json(study).find("\"friction_torque\"") != std::string::npos);
+}
+
+TEST_CASE("AStudyOfTheRigInPiecesIsTheWhole", "[rig]") {
+  StudyOptions options;
+  options.threads = 2;
+  RigStudy whole = run_rig_study(tiny_plan(), options);
+  int stops = 0;
+  RigStudy study = in_pieces(tiny_plan(), 1, stops);
+  CHECK(stops >= 3);
+  whole.wall_s = study.wall_s = 0.0;
+  CHECK(rig_json(study) == rig_json(whole));  // every digit
 }
 
 TEST_CASE("AStudyThatIsStoppedTellsWhatItHas", "[rig]") {

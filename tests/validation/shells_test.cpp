@@ -137,7 +137,7 @@ TEST_CASE("TheRunInShellIsTheOneWhoseCapabilityIsSought", "[shells]") {
   plan.coarse = {32, 5};
   const StudyOptions options;
   StudyCrew crew(options);
-  const RunInShell shell = run_shell_in(plan, crew, 0, bearing::Tier::isothermal);
+  const RunInShell shell = run_shell_in(plan, crew, 0, 0, bearing::Tier::isothermal);
   REQUIRE(shell.good());
   CHECK(shell.end.t == Approx(*shipped(shell_kinds()[0]).running_in->duration));
   CHECK(shell.end.depth > 0.0);

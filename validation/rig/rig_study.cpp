@@ -15,7 +15,6 @@ namespace {
 
 using bearing::CourseRun;
 using bearing::CycleResult;
-using bearing::SolveControl;
 using bearing::Stretch;
 using bearing::Tier;
 
@@ -34,7 +33,7 @@ std::vector<RigCourse> courses_of(const RigPlan& plan) {
 }
 
 CourseRun run_of(const RigPlan& plan, const RigCourse& course, RigBearing bearing,
-                 const SolveControl& control) {
+                 const StudyCrew& crew, int task) {
   std::vector<Stretch> stretches;
   for (const double rpm : course.rpm) {
     const RigSetting setting{course.peak, rpm, plan.grid, course.unknown, course.end};
@@ -42,6 +41,8 @@ CourseRun run_of(const RigPlan& plan, const RigCourse& course, RigBearing bearin
   }
   bearing::WarmUpOptions options;
   options.T_start = plan.T_start;
+  const auto control = crew.control(task, stretches.front().subject, app::RunOf::course,
+                                    {{"speeds", course.rpm}, {"hold", {plan.hold}}});
   return run_course(stretches, Tier::tehd, options, control);
 }
 
@@ -50,7 +51,7 @@ void run_courses(const RigPlan& plan, StudyCrew& crew, RigStudy& study) {
   const int count = 2 * static_cast<int>(study.courses.size());
   crew.work("run-up and run-down", count, [&](int k) {
     RigCourse& course = study.courses[static_cast<std::size_t>(k / 2)];
-    course.run[k % 2] = run_of(plan, course, kRigBearings[k % 2], crew.control());
+    course.run[k % 2] = run_of(plan, course, kRigBearings[k % 2], crew, k);
     course.tried = true;
   });
 }
@@ -94,7 +95,7 @@ double mid_width_film(const CycleResult& r) {
 }
 
 RigCycle cycle_of(const RigPlan& plan, const RigPoint& p, RigBearing bearing, double T,
-                  const SolveControl& control) {
+                  const StudyCrew& crew, int task) {
   RigCycle out;
   out.T = T + p.warmer;
   if (std::isnan(T)) {
@@ -104,7 +105,9 @@ RigCycle cycle_of(const RigPlan& plan, const RigPoint& p, RigBearing bearing, do
   const RigSetting setting{p.peak, p.rpm, plan.grid, p.unknown, p.end};
   const bearing::Case c = rig_isothermal_case(bearing, setting, p.oil, out.T);
   out.T = *c.oil_temperature;
+  const auto control = crew.control(task, c);
   const CycleResult r = solve_cycle(c, Tier::isothermal, control);
+  StudyCrew::keep(control, r.verdict);
   out.verdict = r.verdict;
   if (!r.verdict.good()) return out;
   out.torque = value_of(r, "friction_torque");
@@ -122,7 +125,7 @@ void run_points(const RigPlan& plan, StudyCrew& crew, RigStudy& study) {
   crew.work("isothermal cycles", count, [&](int k) {
     RigPoint& p = study.points[static_cast<std::size_t>(k / 2)];
     const RigBearing bearing = kRigBearings[k % 2];
-    p.cycle[k % 2] = cycle_of(plan, p, bearing, temperature_of(study, p, bearing), crew.control());
+    p.cycle[k % 2] = cycle_of(plan, p, bearing, temperature_of(study, p, bearing), crew, k);
   });
 }
 
@@ -149,7 +152,9 @@ void run_starts(const RigPlan& plan, StudyCrew& crew, RigStudy& study) {
     RigStart& start = study.starts[static_cast<std::size_t>(k / 2)];
     const bearing::Case c =
         rig_start_stop_case(kRigBearings[k % 2], start.worn, start.T, plan.grid);
-    start.cycle[k % 2] = solve_cycle(c, Tier::isothermal, crew.control());
+    const auto control = crew.control(k, c);
+    start.cycle[k % 2] = solve_cycle(c, Tier::isothermal, control);
+    StudyCrew::keep(control, start.cycle[k % 2].verdict);
     start.verdict[k % 2] = start.cycle[k % 2].verdict;
     boundary[static_cast<std::size_t>(k / 2)][k % 2] =
         c.surfaces.contact->friction * std::hypot(c.cycle->x.front(), c.cycle->y.front()) *
@@ -253,6 +258,11 @@ int RigStudy::count_failed() const {
 
 RigStudy run_rig_study(const StudyOptions& options) {
   return run_rig_study(rig_plan(options.quick), options);
+}
+
+int count_pieces(const RigPlan& plan) {
+  const std::size_t starts = 2 * plan.start_films.size();
+  return static_cast<int>(2 * (starts + courses_of(plan).size() + points_of(plan).size()));
 }
 
 RigStudy run_rig_study(const RigPlan& plan, const StudyOptions& options) {

@@ -113,6 +113,9 @@ struct RigStudy {
   [[nodiscard]] int count_failed() const;
 };
 
+/// Pieces of work of the study, each of which keeps a state of its own.
+[[nodiscard]] int count_pieces(const RigPlan& plan);
+
 /// Runs the study. Throws InputError where a shipped case does not read.
 [[nodiscard]] RigStudy run_rig_study(const StudyOptions& options);
 /// The same by a plan of one's own.

@@ -30,8 +30,13 @@ LoadTried tried(double factor, const CycleResult& r) {
 /// The search for one capability.
 class Search {
  public:
-  Search(const ShellsPlan& plan, StudyCrew& crew, const Profile* wear, Capability& found)
-      : plan_(plan), crew_(crew), wear_(wear), found_(found) {}
+  Search(const ShellsPlan& plan, const StudyCrew& crew, int task, const Profile* wear,
+         Capability& found)
+      : plan_(plan),
+        crew_(crew),
+        wear_(wear),
+        found_(found),
+        control_(crew.control(task, subject(plan.coarse, plan.factors[1]))) {}
 
   /// Bisection of ln(factor) between a load that is borne and one that is not.
   void bisect() {
@@ -52,7 +57,9 @@ class Search {
   }
 
   CycleResult solved(const Case& c) const {
-    return bearing::solve_cycle(c, found_.tier, crew_.control());
+    CycleResult r = bearing::solve_cycle(c, found_.tier, control_);
+    StudyCrew::keep(control_, r.verdict);
+    return r;
   }
 
   bool borne(double factor) {
@@ -102,9 +109,10 @@ class Search {
   }
 
   const ShellsPlan& plan_;
-  StudyCrew& crew_;
+  const StudyCrew& crew_;
   const Profile* wear_;
   Capability& found_;
+  bearing::SolveControl control_;
 };
 
 }  // namespace
@@ -135,9 +143,11 @@ double load_met(ShellLimit limit, const LoadTried& a, const LoadTried& b, double
   return a.factor * std::pow(b.factor / a.factor, m / (m - n));
 }
 
-RunInShell run_shell_in(const ShellsPlan& plan, StudyCrew& crew, int shell, Tier tier) {
+RunInShell run_shell_in(const ShellsPlan& plan, const StudyCrew& crew, int task, int shell,
+                        Tier tier) {
   const Case c = shell_case(shell, tier, {plan.coarse});
-  const bearing::RunningInRun run = bearing::run_in(c, tier, crew.control());
+  const bearing::RunningInRun run =
+      bearing::run_in(c, tier, crew.control(task, c, app::RunOf::running_in));
   RunInShell found;
   found.tried = !crew.stopped();
   found.verdict = run.verdict;
@@ -148,8 +158,9 @@ RunInShell run_shell_in(const ShellsPlan& plan, StudyCrew& crew, int shell, Tier
   return found;
 }
 
-void find_capability(const ShellsPlan& plan, StudyCrew& crew, const Profile* wear, Capability& c) {
-  Search(plan, crew, wear, c).bisect();
+void find_capability(const ShellsPlan& plan, const StudyCrew& crew, int task, const Profile* wear,
+                     Capability& c) {
+  Search(plan, crew, task, wear, c).bisect();
   c.tried = !crew.stopped();
 }
 

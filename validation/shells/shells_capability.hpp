@@ -66,12 +66,13 @@ struct Capability {
 [[nodiscard]] double load_met(ShellLimit limit, const LoadTried& a, const LoadTried& b,
                               double h_least, double T_most);
 
-/// Runs shell `shell` in.
-[[nodiscard]] RunInShell run_shell_in(const ShellsPlan& plan, StudyCrew& crew, int shell,
-                                      bearing::Tier tier);
+/// Runs shell `shell` in, as task `task` of the crew.
+[[nodiscard]] RunInShell run_shell_in(const ShellsPlan& plan, const StudyCrew& crew, int task,
+                                      int shell, bearing::Tier tier);
 
-/// Finds the capability of c.shell at c.rpm in c.tier, with the shape of `wear`; null: as new.
-void find_capability(const ShellsPlan& plan, StudyCrew& crew, const bearing::Profile* wear,
-                     Capability& c);
+/// Finds the capability of c.shell at c.rpm in c.tier, with the shape of `wear` (null: as new), as
+/// task `task` of the crew.
+void find_capability(const ShellsPlan& plan, const StudyCrew& crew, int task,
+                     const bearing::Profile* wear, Capability& c);
 
 }  // namespace shellback::validation

@@ -21,7 +21,9 @@ void run_cycles(StudyCrew& crew, ShellsStudy& study) {
   crew.work("cycles", 2 * kShells, [&](int k) {
     ShellCycle& c = study.cycles[k / 2][k % 2];
     c.input = shell_case(k / 2, kTiers[k % 2], {study.plan.grid, 2000.0, 1.0});
-    c.result = fidelity::solve_cycle_with_bars(c.input, crew.control());
+    const auto control = crew.control(k, c.input);
+    c.result = fidelity::solve_cycle_with_bars(c.input, control);
+    StudyCrew::keep(control, c.result.verdict);
     c.tried = !crew.stopped();
     if (c.good()) add_powers(c);
   });
@@ -33,7 +35,9 @@ void run_variants(StudyCrew& crew, ShellsStudy& study) {
     const Case usual =
         shell_case(k % kShells, Tier::isothermal, {study.plan.left_open, 2000.0, 1.0});
     c.input = varied(usual, shell_variants()[k / kShells]);
-    c.result = bearing::solve_cycle(c.input, Tier::isothermal, crew.control());
+    const auto control = crew.control(k, c.input);
+    c.result = bearing::solve_cycle(c.input, Tier::isothermal, control);
+    StudyCrew::keep(control, c.result.verdict);
     c.tried = !crew.stopped();
     if (c.good()) add_powers(c);
   });
@@ -41,7 +45,7 @@ void run_variants(StudyCrew& crew, ShellsStudy& study) {
 
 void run_shells_in(StudyCrew& crew, ShellsStudy& study) {
   crew.work("running-in", 2 * kShells, [&](int k) {
-    study.run_in[k / 2][k % 2] = run_shell_in(study.plan, crew, k / 2, kTiers[k % 2]);
+    study.run_in[k / 2][k % 2] = run_shell_in(study.plan, crew, k, k / 2, kTiers[k % 2]);
   });
 }
 
@@ -64,8 +68,8 @@ void find_capabilities(StudyCrew& crew, ShellsStudy& study) {
   crew.work("load capability", static_cast<int>(study.capability.size()), [&](int k) {
     Capability& c = study.capability[k];
     const RunInShell& run_in = study.run_in[c.shell][c.tier == kTiers[0] ? 0 : 1];
-    if (!c.worn) find_capability(study.plan, crew, nullptr, c);
-    if (c.worn && run_in.good()) find_capability(study.plan, crew, &run_in.wear, c);
+    if (!c.worn) find_capability(study.plan, crew, k, nullptr, c);
+    if (c.worn && run_in.good()) find_capability(study.plan, crew, k, &run_in.wear, c);
   });
 }
 
@@ -178,6 +182,10 @@ int ShellsStudy::count_failed() const {
     for (const RunInShell& r : shell) failed += r.tried && !r.good() ? 1 : 0;
   }
   return failed;
+}
+
+int count_pieces(const ShellsPlan& plan) {
+  return (2 + kVariants + 2 + 4 * static_cast<int>(plan.rpm.size())) * kShells;
 }
 
 ShellsStudy run_shells_study(const ShellsPlan& plan, const StudyOptions& options) {

@@ -96,6 +96,9 @@ void add_powers(ShellCycle& cycle);
 /// paper's section 4.1).
 [[nodiscard]] solid::FrictionParts parts_at_the_papers_point(const bearing::Case& c);
 
+/// Pieces of work of the study, each of which keeps a state of its own.
+[[nodiscard]] int count_pieces(const ShellsPlan& plan);
+
 /// Runs the study. Throws InputError where a shipped case does not read.
 [[nodiscard]] ShellsStudy run_shells_study(const StudyOptions& options);
 [[nodiscard]] ShellsStudy run_shells_study(const ShellsPlan& plan, const StudyOptions& options);

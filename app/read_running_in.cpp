@@ -37,7 +37,7 @@ std::optional<bearing::RunningIn> read_running_in(const Section& file) {
   r.hardness = section->quantity_or("hardness", kPressure.such_as("600 MPa"), 0.0, "", kPositive);
   read_end(*section, r);
   if (const auto worn = section->maybe_section("worn")) {
-    r.worn = read_surface(*worn, "running_in.worn");
+    r.worn = read_surface(*worn, "running_in.worn", false);
     r.worn_after = section->quantity("worn_after", kLength.such_as("1 um"), kPositive);
   } else if (section->has("worn_after")) {
     section->fail("worn_after", "it belongs to the surface in running_in.worn, which is not given");

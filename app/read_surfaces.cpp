@@ -57,13 +57,17 @@ solid::ContactParameters read_contact(const Section& section) {
 
 }  // namespace
 
-solid::RoughSurface read_surface(const Section& section, const std::string& what) {
+solid::RoughSurface read_surface(const Section& section, const std::string& what, bool by_table) {
   section.only({"roughness", "orientation", "summit_roughness", "summit_height"}, what);
   solid::RoughSurface surface;
   surface.roughness = section.quantity("roughness", kLength.such_as("0.3 um"), kNotNegative);
   surface.orientation = section.quantity_or(
       "orientation", kNumber.such_as("1.0"), surface.orientation,
-      what + ": the roughness is taken as isotropic (orientation = 1)", kPositive);
+      by_table ? "" : what + ": the roughness is taken as isotropic (orientation = 1)", kPositive);
+  if (by_table && section.has("orientation")) {
+    section.warn("orientation",
+                 "is not used: the flow between the surfaces is that of surfaces.flow_factors");
+  }
   surface.summit_roughness =
       section.quantity_or("summit_roughness", kLength.such_as("0.3 um"), 0.0, "", kNotNegative);
   surface.summit_height = section.quantity_or("summit_height", kLength.such_as("0.3 um"), 0.0, "");
@@ -81,12 +85,12 @@ bearing::Surfaces read_surfaces(const Section& file) {
   }
   section->only({"shell", "shaft", "contact", "flow_factors"}, "[surfaces]");
   if (const auto shell = section->maybe_section("shell")) {
-    surfaces.shell = read_surface(*shell, "surfaces.shell");
+    surfaces.shell = read_surface(*shell, "surfaces.shell", section->has("flow_factors"));
   } else {
     section->assume("the shell's surface is taken as smooth (surfaces.shell is not given)");
   }
   if (const auto shaft = section->maybe_section("shaft")) {
-    surfaces.shaft = read_surface(*shaft, "surfaces.shaft");
+    surfaces.shaft = read_surface(*shaft, "surfaces.shaft", section->has("flow_factors"));
   } else {
     section->assume("the shaft's surface is taken as smooth (surfaces.shaft is not given)");
   }

@@ -56,7 +56,9 @@ namespace shellback::app {
 [[nodiscard]] std::optional<bearing::Shell> read_shell(const Section& file);
 [[nodiscard]] std::optional<bearing::Shaft> read_shaft(const Section& file);
 /// Roughness of one surface; `what` names the section.
-[[nodiscard]] solid::RoughSurface read_surface(const Section& section, const std::string& what);
+/// `by_table`: its flow factors stand in a table, and its orientation serves for nothing.
+[[nodiscard]] solid::RoughSurface read_surface(const Section& section, const std::string& what,
+                                               bool by_table);
 [[nodiscard]] std::optional<bearing::RunningIn> read_running_in(const Section& file);
 [[nodiscard]] bearing::Surfaces read_surfaces(const Section& file);
 /// A table of flow factors, as `shellback surface --csv` writes it.

@@ -53,24 +53,26 @@ struct Quantities {
   double mu_adhesive = kUnknown;                         ///< [-]
   double mu_micro_hydrodynamic = kUnknown;               ///< [-]
   double friction_torque_shell = kUnknown;               ///< on the shell [N m]
-  double breakaway_torque = kUnknown;       ///< at which a journal at rest begins to turn [N m]
-  double lift_off_speed = kUnknown;         ///< at which asperities hardly rub any more [rad/s]
-  double power_loss = kUnknown;             ///< friction torque times speed [W]
-  double pump_power = kUnknown;             ///< of the supplied pressure [W]
-  double eccentricity_ratio = kUnknown;     ///< |e| over the cold radial clearance [-]
-  double attitude_angle = kUnknown;         ///< load line to line of centres, with the speed [deg]
-  double tilt_x = kUnknown;                 ///< of the journal about X, if it is tilted [rad]
-  double tilt_y = kUnknown;                 ///< about Y [rad]
-  double h_min = kUnknown;                  ///< smallest film, edges included [m]
-  double h_min_mid = kUnknown;              ///< smallest film at mid-width [m]
-  double p_max = kUnknown;                  ///< largest film pressure, gauge [Pa]
-  double p_asperity_max = kUnknown;         ///< largest contact pressure [Pa]
-  double asperity_load_share = kUnknown;    ///< their force over that on the journal, sizes [-]
-  double load_x = kUnknown;                 ///< film force on the journal [N]
-  double load_y = kUnknown;                 ///< [N]
-  double side_flow = kUnknown;              ///< out of both sides [m3/s]
-  double supply_flow = kUnknown;            ///< in at the supplies [m3/s]
-  double p_vessel_min = kUnknown;           ///< smallest pressure of a supply's vessel, gauge [Pa]
+  double breakaway_torque = kUnknown;     ///< at which a journal at rest begins to turn [N m]
+  double lift_off_speed = kUnknown;       ///< at which asperities hardly rub any more [rad/s]
+  double power_loss = kUnknown;           ///< friction torque times speed [W]
+  double pump_power = kUnknown;           ///< of the supplied pressure [W]
+  double eccentricity_ratio = kUnknown;   ///< |e| over the cold radial clearance [-]
+  double attitude_angle = kUnknown;       ///< load line to line of centres, with the speed [deg]
+  double tilt_x = kUnknown;               ///< of the journal about X, if it is tilted [rad]
+  double tilt_y = kUnknown;               ///< about Y [rad]
+  double h_min = kUnknown;                ///< smallest film, edges included [m]
+  double h_min_mid = kUnknown;            ///< smallest film at mid-width [m]
+  double p_max = kUnknown;                ///< largest film pressure, gauge [Pa]
+  double p_asperity_max = kUnknown;       ///< largest contact pressure [Pa]
+  double asperity_load_share = kUnknown;  ///< their force over that on the journal, sizes [-]
+  double load_x = kUnknown;               ///< film force on the journal [N]
+  double load_y = kUnknown;               ///< [N]
+  double moment_x = kUnknown;      ///< of the film on the journal about X, if it is tilted [N m]
+  double moment_y = kUnknown;      ///< about Y [N m]
+  double side_flow = kUnknown;     ///< out of both sides [m3/s]
+  double supply_flow = kUnknown;   ///< in at the supplies [m3/s]
+  double p_vessel_min = kUnknown;  ///< smallest pressure of a supply's vessel, gauge [Pa]
   double elastic_opening_max = kUnknown;    ///< largest elastic widening of the gap [m]
   double layer_depth = kUnknown;            ///< largest lasting one of an elasto-plastic layer [m]
   double layer_loss = kUnknown;             ///< heat made in it, mean over a cycle [W]
@@ -135,6 +137,8 @@ inline constexpr QuantityEntry kQuantities[] = {
     {&Quantities::asperity_load_share, "asperity_load_share", "1", "load share of asperities"},
     {&Quantities::load_x, "load_x", "N", "film force on journal, X"},
     {&Quantities::load_y, "load_y", "N", "film force on journal, Y"},
+    {&Quantities::moment_x, "moment_x", "N m", "film moment on journal about X"},
+    {&Quantities::moment_y, "moment_y", "N m", "film moment on journal about Y"},
     {&Quantities::side_flow, "side_flow", "m3/s", "side flow"},
     {&Quantities::supply_flow, "supply_flow", "m3/s", "supply flow"},
     {&Quantities::p_vessel_min, "p_vessel_min", "Pa", "smallest pressure of a vessel"},

@@ -83,6 +83,8 @@ void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
       s.film.position.psi_y() != 0.0) {
     q.tilt_x = s.film.position.psi_x();
     q.tilt_y = s.film.position.psi_y();
+    q.moment_x = s.film.force[2];
+    q.moment_y = s.film.force[3];
   }
   q.h_min = s.film.least.h;
   q.h_min_mid = gap_at_mid_width(m, s.film);

@@ -20,6 +20,9 @@ bool given_by_case(const bearing::Case& c, bearing::Tier tier, const std::string
   if (name == "tilt_x" || name == "tilt_y") {
     return std::holds_alternative<bearing::TiltGiven>(c.operation.alignment);
   }
+  if (name == "moment_x" || name == "moment_y") {
+    return std::holds_alternative<bearing::MomentGiven>(c.operation.alignment);
+  }
   const bool temperature = name == "T_equivalent" || name == "T_film_mean";
   return temperature && tier == bearing::Tier::isothermal;
 }
@@ -36,6 +39,7 @@ double natural_size(const Quantity& q, double T_supply, const std::vector<Quanti
   if (q.unit == "deg") return std::max(std::abs(q.value), 5.0);
   if (q.name == "load_x" || q.name == "load_y") return length("load");
   if (q.name == "tilt_x" || q.name == "tilt_y") return length("tilt");
+  if (q.name == "moment_x" || q.name == "moment_y") return length("moment");
   if (q.name.starts_with("heat_")) return std::abs(value_in(all, "power_loss"));
   if (is_coefficient(q)) {
     // What an entry is worth beside the others: those of its row and its column, and its mirror.

@@ -6,6 +6,7 @@
 
 #include "core/constants.hpp"
 #include "solid/asperity_contact.hpp"
+#include "surface/hertz_ellipse.hpp"
 
 namespace shellback::surface {
 namespace {
@@ -17,6 +18,10 @@ std::vector<Summit> sorted(std::vector<Summit> summits) {
   return summits;
 }
 
+double hertz_factor_of(const Curvature& c) {
+  return hertz_factor(c.mean() + c.deviation(), c.mean() - c.deviation());
+}
+
 /// Sum over pairs, per area squared [-].
 double pair_pressure(const std::vector<Summit>& s, double h, double area) {
   double sum = 0.0;
@@ -25,8 +30,10 @@ double pair_pressure(const std::vector<Summit>& s, double h, double area) {
     for (const Summit& b : s) {
       const double w = a.height + b.height - h;
       if (w <= 0.0) break;
-      const double ra = 1.0 / a.curvature, rb = 1.0 / b.curvature;
-      sum += (ra + rb) * std::sqrt(ra * rb / (ra + rb)) * w * w * std::sqrt(w);
+      const Curvature both = a.curvature + b.curvature;
+      const double spread =
+          std::sqrt(both.determinant() / (a.curvature.determinant() * b.curvature.determinant()));
+      sum += spread * hertz_factor_of(both) * w * w * std::sqrt(w);
     }
   }
   return 16.0 * kPi / 15.0 * sum / (area * area);
@@ -37,7 +44,7 @@ double plane_pressure(const std::vector<Summit>& s, double h, double area) {
   for (const Summit& a : s) {
     const double w = a.height - h;
     if (w <= 0.0) break;
-    sum += std::sqrt(w / a.curvature) * w;
+    sum += hertz_factor_of(a.curvature) * std::sqrt(w) * w;
   }
   return 4.0 / 3.0 * sum / area;
 }

@@ -7,15 +7,16 @@
 ///   p/E* = K F_5/2((h - 2 d)/s),  s = sqrt2 sigma_s, d mean summit height            formula
 ///   K    = 16 sqrt2 pi/15 (s beta eta)^2 sqrt(s/beta)
 ///   r_c  = pi^2 (s beta eta)^2 F_2                                real over nominal area
-///   p/E* = (1/A^2) sum_ij (16 pi/15) (b_i + b_j) sqrt(b_ij) <z_i + z_j - h>^(5/2)      summits
-///   1/b_ij = 1/b_i + 1/b_j
-/// the second over all pairs of the map's own counted summits, averaged over every place that they
-/// can have to one another (paraboloids with offset r approach by z_i + z_j - h - r^2/(2(b_i+b_j));
+///   p/E* = (1/A^2) sum_ij (16 pi/15) sqrt(|k_i + k_j|/(|k_i| |k_j|)) g(k_i + k_j)
+///          <z_i + z_j - h>^(5/2)                                                     summits
+/// the second over all pairs of the map's own counted summits, k_i their curvatures with
+/// determinant |k_i|, g by hertz_ellipse.hpp (1), averaged over every place that they can have to
+/// one another (paraboloids with offset r approach by z_i + z_j - h - r (1/k_i + 1/k_j)^-1 r/2;
 /// Hertz, integrated over r). It is Greenwood and Tripp's theory without their Gaussian heights and
-/// equal radii; with those it becomes the formula.
+/// equal spheres; with those it becomes the formula.
 ///
 /// This surface on a smooth plane:
-///   p/E* = (1/A) sum_i (4/3) sqrt(b_i) <z_i - h>^(3/2)        Hertz on every counted summit
+///   p/E* = (1/A) sum_i (4/3) g(k_i) <z_i - h>^(3/2)           Hertz on every counted summit
 ///   bearing area  = part of the surface above h (Abbott); times the hardness of the softer surface
 ///                   it is the pressure at which all that overlaps flows: an upper bound
 ///

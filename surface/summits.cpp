@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "surface/hertz_ellipse.hpp"
 
 namespace shellback::surface {
 namespace {
@@ -37,6 +38,18 @@ bool is_summit(const HeightMap& map, int i, int j) {
   return true;
 }
 
+/// Differences over one pitch may tell a summit's crest as hollow: it then is as good as straight.
+Curvature as_summit(const Curvature& c) {
+  constexpr double kStraight = 1e-3;  // least of the principal curvatures, over the other [-]
+  const double mean = c.mean(), deviation = c.deviation();
+  const double most = mean + deviation, least = mean - deviation;
+  if (least >= kStraight * most) return c;
+  const double now = 0.5 * (1.0 - kStraight) * most;  // deviation that leaves the least
+  const double scale = now / deviation;
+  const double centre = 0.5 * (1.0 + kStraight) * most;
+  return {centre + scale * 0.5 * (c.xx - c.yy), centre - scale * 0.5 * (c.xx - c.yy), scale * c.xy};
+}
+
 }  // namespace
 
 SpectralMoments spectral_moments(const HeightMap& map) {
@@ -63,7 +76,10 @@ std::vector<Summit> count_summits(const HeightMap& map) {
       const double z = map.at(i, j);
       const double xx = (map.at(i + 1, j) - 2.0 * z + map.at(i - 1, j)) / (map.dx * map.dx);
       const double yy = (map.at(i, j + 1) - 2.0 * z + map.at(i, j - 1)) / (map.dy * map.dy);
-      summits.push_back({z, -0.5 * (xx + yy)});
+      const double xy = (map.at(i + 1, j + 1) - map.at(i + 1, j - 1) - map.at(i - 1, j + 1) +
+                         map.at(i - 1, j - 1)) /
+                        (4.0 * map.dx * map.dy);
+      summits.push_back({z, as_summit({-xx, -yy, -xy})});
     }
   }
   return summits;
@@ -73,13 +89,15 @@ SummitStatistics statistics_of(const std::vector<Summit>& summits, const HeightM
   const auto n = static_cast<double>(summits.size());
   SummitStatistics s;
   s.density = n / (static_cast<double>(map.nx - 2) * map.dx * (map.ny - 2) * map.dy);
-  double curvature = 0.0, squares = 0.0;
+  Curvature sum;
+  double squares = 0.0;
   for (const Summit& summit : summits) {
     s.height += summit.height / n;
-    curvature += summit.curvature / n;
+    sum = sum + summit.curvature;
   }
   for (const Summit& summit : summits) squares += std::pow(summit.height - s.height, 2);
-  s.radius = n > 0.0 ? 1.0 / curvature : kNone;
+  s.radius = n > 0.0 ? n * sphere_alike(sum.mean() + sum.deviation(), sum.mean() - sum.deviation())
+                     : kNone;
   if (summits.empty()) s.height = kNone;
   s.roughness = n > 1.0 ? std::sqrt(squares / (n - 1.0)) : kNone;
   return s;

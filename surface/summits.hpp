@@ -9,11 +9,14 @@
 /// of a Gaussian surface; height is the mean of the summits over the mean plane, radius the inverse
 /// of their mean curvature. Source: Nayak 1971, McCool 1987 (textbook).
 ///
-/// Counted: a point is a summit if it is higher than its eight neighbours; its curvature is the
-/// mean of both directions, -(z_xx + z_yy)/2. No assumption about the heights.
+/// Counted: a point is a summit if it is higher than its eight neighbours; its curvatures are those
+/// of -z_xx, -z_yy and -z_xy. Its radius is that of the sphere which presses as the mean summit
+/// does (hertz_ellipse.hpp): of an isotropic surface the inverse of the mean curvature. No
+/// assumption about the heights.
 ///
 /// Both use differences over one pitch: they belong to the map's pitch, as summits of every real
 /// surface do, and noise of the instrument makes summits too.
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -48,9 +51,21 @@ struct SummitStatistics {
 /// NaN below.
 [[nodiscard]] SummitStatistics summits_of(const SpectralMoments& moments);
 
+/// Curvatures of a paraboloid, positive downwards [1/m].
+struct Curvature {
+  double xx = 0.0, yy = 0.0, xy = 0.0;
+  [[nodiscard]] double determinant() const { return xx * yy - xy * xy; }
+  [[nodiscard]] double mean() const { return 0.5 * (xx + yy); }
+  /// Half the difference of the principal ones.
+  [[nodiscard]] double deviation() const { return std::hypot(0.5 * (xx - yy), xy); }
+};
+[[nodiscard]] inline Curvature operator+(const Curvature& a, const Curvature& b) {
+  return {a.xx + b.xx, a.yy + b.yy, a.xy + b.xy};
+}
+
 struct Summit {
-  double height = 0.0;     ///< over the mean plane [m]
-  double curvature = 0.0;  ///< [1/m], positive
+  double height = 0.0;  ///< over the mean plane [m]
+  Curvature curvature;  ///< both principal ones positive
 };
 
 /// All of a map without holes, mean 0; none on its rim.

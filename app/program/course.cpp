@@ -53,6 +53,10 @@ std::vector<Stretch> stretches_of(const Request& request, const std::string& tex
     stretches.push_back(
         {validation::with_rivals(read_case_text(text, request.case_file, set)), time});
     const Case& at = stretches.back().subject;
+    if (at.cycle && time < at.cycle->length()) {
+      throw InputError("--hold",
+                       fmt::format("is shorter than one load cycle, {:.4g} s", at.cycle->length()));
+    }
     const bool own = at.cycle && !at.cycle->omega.empty();  // a crank's follow operation.speed
     if (own && at.cycle->omega == given.cycle->omega &&
         at.operation.omega != given.operation.omega) {

@@ -113,6 +113,10 @@ int transient(const Request& request) {
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   expect_no_coefficients(request, subject, "a transient is asked for");
   const WarmUpOptions options = warm_up_options(request);
+  if (subject.cycle && options.end < subject.cycle->length()) {
+    throw InputError("--until", fmt::format("is shorter than one load cycle, {:.4g} s",
+                                            subject.cycle->length()));
+  }
   RunKeeper keeper(request, subject, RunOf::warm_up,
                    {{"--from", {options.T_start}}, {"--until", {options.end}}});
   Outputs outputs(with_state(request),

@@ -18,11 +18,12 @@ struct About {
 };
 
 inline constexpr const char* kBeyondBarus =
-    "switch on elastic deformation, use the Roelands law, or lower the load";
+    "switch on elastic deformation where it is off, use the Roelands law, or lower the load";
 inline constexpr const char* kContactElseLoad =
     "lower the load or the tilt, or give roughness and contact data";
 inline constexpr const char* kContactElseElastic =
-    "give roughness and contact data, switch on elastic deformation, or lower the load";
+    "give roughness and contact data, switch on elastic deformation where it is off, or lower the "
+    "load";
 inline constexpr const char* kFinerElseTighter = "try a finer grid or a tighter range of operation";
 inline constexpr const char* kFinerElseIsothermal = "a finer grid, or tier isothermal";
 inline constexpr const char* kFinerElseLess = "try a finer grid or a lower load";

@@ -25,7 +25,7 @@ std::vector<Summit> gaussian_summits(int n) {
       const double middle = 0.5 * (low + high);
       (0.5 * std::erfc(-middle / std::sqrt(2.0)) < q ? low : high) = middle;
     }
-    out.push_back({0.5 * (low + high) * kSigma, 1.0 / kRadius});
+    out.push_back({0.5 * (low + high) * kSigma, {1.0 / kRadius, 1.0 / kRadius, 0.0}});
   }
   return out;
 }
@@ -78,10 +78,10 @@ TEST_CASE("TheBearingAreaOfAGaussianSurfaceIsTheNormalTail") {
   CHECK(rows[2].bearing_area == Approx(0.0228).margin(0.006));
 }
 
-TEST_CASE("SharpHighSummitsOfAGaussianMapCarryLessThanTheFormulaSays") {
-  // The higher a summit the sharper (Nayak): the sum over a map's pairs lies below the formula of
-  // one mean radius, the more the higher the summits that touch. Means over 5 maps of some 1000
-  // summits: 0.84 at H = 0 and 0.77 at H = 1, with standard errors of 0.01 and 0.03.
+TEST_CASE("PairsOfAGaussianMapPressAboutAsTheFormulaSaysTheHigherTheLess") {
+  // Summits of an isotropic map are ellipses, which press harder than spheres of their mean
+  // curvature, and the higher the sharper (Nayak). Means over 5 maps of some 1000 summits: 1.10 of
+  // the formula at H = 0 and 0.95 at H = 1, with standard errors of 0.01 and 0.03.
   double at_mean = 0.0, above = 0.0;
   for (unsigned seed = 1; seed < 6; ++seed) {
     const HeightMap map = gaussian_surface(
@@ -93,10 +93,9 @@ TEST_CASE("SharpHighSummitsOfAGaussianMapCarryLessThanTheFormulaSays") {
     at_mean += rows[0].pair_summits / rows[0].pair_formula / 5.0;
     above += rows[1].pair_summits / rows[1].pair_formula / 5.0;
   }
-  CHECK(at_mean < 0.95);
-  CHECK(at_mean > 0.7);
-  CHECK(above < at_mean);
-  CHECK(above > 0.6);
+  CHECK(at_mean < 1.2);
+  CHECK(at_mean > 1.0);
+  CHECK(above < 0.97 * at_mean);
 }
 
 namespace {

@@ -113,12 +113,12 @@ RigFigure oil_figure(const RigStudy& study, OilModel oil, int number) {
   }
   Svg svg(kWidth, kHeight);
   const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
-  if (full) draw_bands(svg, frame, study, theme);
+  if (full && study.plan.bands) draw_bands(svg, frame, study, theme);
   std::erase_if(plot.series, [](const Series& s) { return !s.dash.empty(); });
   draw_marks(svg, frame, plot.series, theme);
-  const char* more = full ? " Dashed: films 3 K warmer, as the paper measured in the run-down."
-                            " Shaded: unknown inputs, each alone."
-                          : "";
+  std::string more =
+      full ? " Dashed: films 3 K warmer, as the paper measured in the run-down." : "";
+  if (full && study.plan.bands) more += " Shaded: unknown inputs, each alone.";
   return finished(svg, plot.title,
                   fmt::format("After Figure {} of the paper. Films at the temperature of the "
                               "shell's back in our run-up.{}",
@@ -157,10 +157,14 @@ RigFigure solved_figure(const RigStudy& study) {
   const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
   std::erase_if(plot.series, [](const Series& s) { return s.dash == "1 4"; });
   draw_marks(svg, frame, plot.series, theme);
-  return finished(svg, plot.title,
-                  "No counterpart in the paper. Film, shells, housings and shaft solved; at the "
-                  "end of each step of 20 minutes. Dotted: 80 kN with supply temperature and "
-                  "cooling at the ends of their ranges. Crosses: not found, see below.");
+  const char* bands = study.plan.bands ? "Dotted: 80 kN with supply temperature and cooling at the "
+                                         "ends of their ranges. "
+                                       : "";
+  return finished(
+      svg, plot.title,
+      fmt::format("No counterpart in the paper. Film, shells, housings and shaft solved; at the "
+                  "end of each step of 20 minutes. {}Crosses: not found, see below.",
+                  bands));
 }
 
 /// A quantity of both bearings over time.

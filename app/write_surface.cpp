@@ -118,16 +118,18 @@ void write_factors(std::ostream& out, const SurfaceReport& r) {
 
 /// The lines of a case for this surface, without those that the map does not tell.
 void write_case_lines(std::ostream& out, const SurfaceReport& r) {
+  const bool table = r.fault.problem.empty();
   out << fmt::format(
       "\nIn a case (counted summits):\n"
       "  [surfaces.shell]   # or surfaces.shaft\n"
-      "  roughness = \"{}\"\n  orientation = {:.4g}\n",
-      um(r.heights.Rq), r.correlation.gamma);
+      "  roughness = \"{}\"\n  {}orientation = {:.4g}{}\n",
+      um(r.heights.Rq), table ? "# " : "", r.correlation.gamma,
+      table ? "   # in the place of flow_factors, for Patir and Cheng's" : "");
   if (scattered(r.counted, r.heights.Rq)) {
     out << fmt::format("  summit_roughness = \"{}\"\n  summit_height = \"{}\"\n",
                        um(r.counted.roughness), um(r.counted.height));
   }
-  if (!r.fault.problem.empty()) return;
+  if (!table) return;
   out << "  [surfaces]\n  flow_factors = \"FILE.csv\"   # what --csv FILE.csv writes\n";
 }
 

@@ -58,6 +58,14 @@ double move_of(const WallMeans& a, const WallMeans& b) {
   return larger(largest_difference(a.shell, b.shell), largest_difference(a.shaft, b.shaft));
 }
 
+/// By how much the heat of the last cycle, for ever, would move a wall [K].
+double move_for_ever(const CycleSearch& search, const WallMeans& walls) {
+  const int nodes = search.film().heat()->skin().nodes();
+  const BodiesAnswer then = answer_of_bodies(search.film().model(), walls, search.heat(),
+                                             foreseen(search.response()), nodes);
+  return move_of(then.walls, walls);
+}
+
 }  // namespace
 
 Bodies uniform_bodies(const Solids& solids, double T) {
@@ -72,6 +80,7 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
                            const std::function<void(const Instant&)>& tell) {
   constexpr double kMost = 2.0;    // move of a wall until a cycle is passed again [K] (methods 3.5)
   constexpr double kStill = 0.05;  // what walls leave open where the cycle is periodic [K]
+  constexpr double kEndless = 1e7;  // a step beyond which bodies that still move never rest [s]
   const BearingModel& model = search.film().model();
   const Solids& solids = *model.solids;
   auto& [bodies, end, dt] = march;
@@ -104,12 +113,16 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
     end.t += dt;
     if (!followed()) return end;
     const Instant instant = instant_after(search, next, end.t, dt);
-    const auto for_ever = [&] {
-      return answer_of_bodies(model, bodies.walls, search.heat(), search.response(), nodes).walls;
-    };
-    end.at_rest = move < kStill && move_of(for_ever(), bodies.walls) < kStill;
+    const double left = move_for_ever(search, bodies.walls);
+    end.at_rest = move < kStill && left < kStill;
+    const bool endless = span.until_rest && !end.at_rest && dt > kEndless;
     dt *= kStepLonger;  // halved again where it is too long: that costs no cycle
     tell(instant);
+    if (endless) {
+      end.verdict = {Status::iteration_limit,
+                     ending::Unsettled{ending::Iteration::walls_of_cycles, search.cycles(), left}};
+      return end;
+    }
   }
   return end;
 }

@@ -10,7 +10,9 @@ namespace {
 
 using namespace bearing;
 
-solid::Material read_properties(const Section& section, const std::string& name) {
+/// `in_part`: some of the values are the case's own, and the shipped statements are of the others.
+solid::Material read_properties(const Section& section, const std::string& name,
+                                bool in_part = false) {
   section.only({"name", "title", "source", "note", "assumed", "conductivity", "density",
                 "heat_capacity", "youngs_modulus", "poisson_ratio", "expansion", "hardness",
                 "progression_rate", "damping_ratio"},
@@ -38,7 +40,8 @@ solid::Material read_properties(const Section& section, const std::string& name)
   material.damping_ratio =
       section.quantity_or("damping_ratio", kTime.such_as("1e-4 s"), 0.0, "", kPositive);
   for (const std::string& statement : section.texts("assumed")) {
-    const std::string sentence = fmt::format("material {}: {}", material.name, statement);
+    const std::string sentence = fmt::format("material {}{}: {}", material.name,
+                                             in_part ? ", shipped values" : "", statement);
     auto& known = section.reader().assumptions;
     bool said = false;
     for (const std::string& s : known) said = said || s == sentence;
@@ -110,7 +113,8 @@ solid::Material read_own_material(const Section& own) {
     own.assume(fmt::format("material {}: {} of this case instead of the shipped", name,
                            comma_list(changed)));
   }
-  return read_properties(Section(own.reader(), *own.table(), own.name(""), shipped), name);
+  return read_properties(Section(own.reader(), *own.table(), own.name(""), shipped), name,
+                         !changed.empty());
 }
 
 }  // namespace

@@ -335,6 +335,7 @@ TEST_CASE("ATableThatNamesAShippedMaterialChangesSingleValuesOfIt") {
   CHECK(c.shaft->material.conductivity == shipped.shaft->material.conductivity);
   const std::string told = "material AlSn20: youngs_modulus of this case";
   CHECK(holds(c.assumptions, told));
+  CHECK(holds(c.assumptions, "material AlSn20, shipped values: conductivity"));
   CHECK_FALSE(holds(shipped.assumptions, told));
 }
 

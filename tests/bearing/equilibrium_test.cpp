@@ -167,6 +167,9 @@ TEST_CASE("FreeJournalTiltsUntilNoMomentIsLeft", "[equilibrium]") {
   const Solution pushed = isothermal(c);
   CHECK(std::abs(pushed.film.force[2] + 0.5) < 1e-9 * unit);
   CHECK(std::abs(pushed.film.force[3] - 0.3) < 1e-9 * unit);
+  const Result told = summarize(pushed, Tier::isothermal);
+  CHECK(told.value("moment_x") == Approx(-0.5).margin(1e-9 * unit));
+  CHECK(told.value("moment_y") == Approx(0.3).margin(1e-9 * unit));
 }
 
 TEST_CASE("FilmResistsTilting", "[equilibrium]") {

@@ -160,7 +160,7 @@ TEST_CASE("FuzzLinesDeletedDoubledAndSwapped") {
 TEST_CASE("FuzzCharactersSwappedAndReplaced") {
   Random random(1);
   for (const std::string& text : corpus()) {
-    for (int round = 0; round < (kSanitized ? 200 : 600); ++round) {
+    for (int round = 0; round < (kSanitized ? 80 : 600); ++round) {
       std::string mutated = text;
       const std::size_t edits = 1 + below(random, 4);
       for (std::size_t e = 0; e < edits; ++e) {

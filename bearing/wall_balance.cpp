@@ -142,26 +142,29 @@ double WallBalance::balance(double enough, int rounds) {
   return least;
 }
 
+void WallBalance::settle_film(double enough) {
+  constexpr int kMostSweeps = 400;  // oil that returns by nine tenths needs 150
+  for (int k = 0; k < kMostSweeps; ++k) {
+    if (energy_->sweep(s_.film.columns.T) < enough) break;
+  }
+}
+
 double WallBalance::change_for_ever(const Friction& friction) {
+  constexpr double kSettled = 1e-6;  // change per sweep, far below what is asked for [K]
   energy_.emplace(problem(friction));
-  const HeatState now = s_.heat;
+  settle_film(kSettled);
   warm_the_walls({false, false});
-  const double change = larger(largest_difference(s_.heat.solids.shell.surface, now.T_shell),
-                               largest_difference(s_.heat.solids.shaft.temperature, now.T_shaft));
-  s_.heat = now;
-  return change;
+  return larger(largest_difference(s_.heat.solids.shell.surface, s_.heat.T_shell),
+                largest_difference(s_.heat.solids.shaft.temperature, s_.heat.T_shaft));
 }
 
 double WallBalance::finish(const Friction& friction, bool close) {
-  constexpr int kMostSweeps = 400;          // oil that returns by nine tenths needs 150
   constexpr double kWalls = 1e-8;           // change per round that leaves their heat balanced [K]
   constexpr double kSettled = 1e-9;         // change per sweep, balance near round-off [K]
   constexpr double kRoughlySettled = 1e-3;  // the same where the balance need not close [K]
   energy_.emplace(problem(friction));
   const double change = close ? balance(kWalls, kMostIterations) : 0.0;
-  for (int k = 0; k < kMostSweeps; ++k) {
-    if (energy_->sweep(s_.film.columns.T) < (close ? kSettled : kRoughlySettled)) break;
-  }
+  settle_film(close ? kSettled : kRoughlySettled);
   warm_the_walls({true, true});
   s_.heat.balance = energy_->balance(s_.film.columns.T);
   s_.heat.T_mix = energy_->mix_temperatures();

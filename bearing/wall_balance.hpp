@@ -24,7 +24,7 @@ class WallBalance {
   /// The balance of the film with these walls, to round-off if `close`; the last change [K].
   double finish(const Friction& friction, bool close);
   /// Without a step: largest change of a wall if the heat that the film as it stands gives it went
-  /// on for ever [K]. All is left as it is.
+  /// on for ever [K]. The walls stay as they are.
   [[nodiscard]] double change_for_ever(const Friction& friction);
   [[nodiscard]] const SolidStep* solid_step() const { return step_ ? &step_->solids : nullptr; }
 
@@ -32,6 +32,8 @@ class WallBalance {
   /// The film's energy equation as it stands, over the step if there is one.
   [[nodiscard]] thermal::FilmEnergyProblem problem(const Friction& friction) const;
   void impose_walls();
+  /// Sweeps of the film's energy between its walls until one changes it by less than `enough` [K].
+  void settle_film(double enough);
   /// The solids' answer to the heat of the present film temperatures.
   void warm_the_walls(Solids::Wanted wanted);
   /// Gives the film the solids' new temperatures; the largest change [K].

@@ -28,6 +28,7 @@ TEST_CASE("AWarmUpEndsInTheSteadyStateAndLosesNoHeat", "[transient]") {
     INFO(c.title << ": " << app::reason_of(run.end.verdict));
     REQUIRE(run.end.verdict.good());
     CHECK(run.end.at_rest);
+    CHECK(run.end.t < 1e5);  // hundreds of its slowest time: not for want of a longer step
     CHECK(run.imbalance() < 1e-8);
     const Solution steady = solve_tier(c, tier);
     REQUIRE(steady.verdict.good());

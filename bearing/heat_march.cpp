@@ -92,7 +92,7 @@ Instant instant_of(const Solution& s, double t, double dt) {
 }
 
 std::vector<Note> march_warnings(const rheology::Oil& oil, const std::vector<Instant>& instants) {
-  double low = INFINITY, high = -INFINITY;
+  double low = NAN, high = NAN;  // as long as none is known
   for (const Instant& i : instants) {
     low = std::fmin(low, i.T_film_min);
     high = std::fmax(high, i.T_film_max);

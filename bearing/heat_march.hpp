@@ -51,6 +51,9 @@ struct MarchEnd {
   /// Steps of the shortest length that erred by more than was allowed: where hot oil first meets a
   /// cold wall its surface jumps, however short the step.
   int jumps = 0;
+  /// Instants over cycles whose film had not followed its walls yet: their bodies see too little
+  /// heat.
+  int unfollowed = 0;
 };
 
 /// Where a march stands between two steps: with film and heat all that the next step depends on.

@@ -11,6 +11,7 @@
 #include "bearing/possible_methods.hpp"
 #include "bearing/round_off.hpp"
 #include "core/constants.hpp"
+#include "core/largest.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -146,13 +147,12 @@ Lack lack_of_feed_over(const Case& c) {
   return starved.always || starved.turned >= 2.0 * kPi ? lack_at(starved.last) : std::nullopt;
 }
 
-/// Largest departure of the bore from a circular cylinder, from its mean where it is a table [m].
+/// Largest departure of the bore from the cylinder of the radial clearance [m].
 double off_circle(const Bearing& b) {
   double most = 0.0;
   for (const auto* table : {&b.profile, &b.shape, &b.wear}) {
     if (!*table || (*table)->height.empty()) continue;
-    const auto [low, high] = std::minmax_element((*table)->height.begin(), (*table)->height.end());
-    most = std::max(most, *high - *low);
+    most = std::max(most, largest_magnitude((*table)->height));
   }
   for (const auto* opening : {&b.edge_relief, &b.chamfer}) {
     if (*opening) most = std::max(most, (*opening)->depth);
@@ -169,7 +169,8 @@ Lack lack_of_cylinder(const Case& c) {
   const double clearance = c.bearing.radial_clearance;
   if (off_circle(c.bearing) > kOff * clearance) {
     return lack("model.tier",
-                "tier estimate knows no bore but a circular cylinder, and the case has a profile, "
+                "tier estimate knows no bore but the cylinder of the clearance, and the case has a "
+                "profile, "
                 "a shape, a relief or a chamfer",
                 cure);
   }

@@ -14,6 +14,11 @@ inline void members(Tape& tape, bearing::Instant& x) {
        stored, deformation, T_film_min);
 }
 
+inline void members(Tape& tape, bearing::MarchEnd& x) {
+  auto& [verdict, t, at_rest, left_bounds, jumps, unfollowed] = x;
+  tape(verdict, t, at_rest, left_bounds, jumps, unfollowed);
+}
+
 inline void members(Tape& tape, bearing::SolidState& x) {
   auto& [shell, shaft] = x;
   tape(shell, shaft);

@@ -39,18 +39,22 @@ thermal::WallResponse foreseen(thermal::WallResponse r) {
 }
 
 /// Cycles between walls that have moved, until what the film stores over one is a small part of the
-/// heat that it makes: oil that still warms with its walls keeps heat from them. False: one did not
-/// end.
-bool let_film_follow(CycleSearch& search, const WallMeans& walls) {
+/// heat that it makes: oil that still warms with its walls keeps heat from them; counted where it
+/// does in the last one, too. False, with the verdict: one did not end.
+bool let_film_follow(CycleSearch& search, const WallMeans& walls, MarchEnd& end) {
   constexpr double kFollowed =
       0.005;                  // of the heat made: the film's part of what is told as stored
   constexpr int kPasses = 4;  // oil that gathers slowly is the cycle's own [-]
   const double sides = search.film().model().domain.grid.multiplicity();
   for (int k = 0; k < kPasses; ++k) {
-    if (!search.pass_between(walls)) return false;
+    if (!search.pass_between(walls)) {
+      end.verdict = search.verdict();
+      return false;
+    }
     const HeatFlows& flows = search.heat().flows();
-    if (sides * std::abs(flows.balance.stored) <= kFollowed * std::abs(flows.work)) break;
+    if (sides * std::abs(flows.balance.stored) <= kFollowed * std::abs(flows.work)) return true;
   }
+  ++end.unfollowed;
   return true;
 }
 
@@ -84,13 +88,9 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
   const BearingModel& model = search.film().model();
   const Solids& solids = *model.solids;
   auto& [bodies, end, dt] = march;
-  const auto followed = [&] {
-    if (!let_film_follow(search, bodies.walls)) end.verdict = search.verdict();
-    return end.verdict.good();
-  };
   if (dt == 0.0) {
     dt = span.first;
-    if (!followed()) return end;
+    if (!let_film_follow(search, bodies.walls, end)) return end;
   }
   SolidStep last;
   while (end.t < span.duration && !(end.at_rest && span.until_rest)) {
@@ -111,7 +111,7 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
     last = std::move(step);
     bodies.walls = next.walls;
     end.t += dt;
-    if (!followed()) return end;
+    if (!let_film_follow(search, bodies.walls, end)) return end;
     const Instant instant = instant_after(search, next, end.t, dt);
     const double left = move_for_ever(search, bodies.walls);
     end.at_rest = move < kStill && left < kStill;

@@ -98,6 +98,12 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
         "where oil of another temperature first meets it\n",
         run.end.jumps);
   }
+  if (run.end.unfollowed > 0) {
+    fmt::print(std::cout,
+               "\nat {} instants the film still stored more than half a per cent of its heat after "
+               "four cycles between the same walls: the bodies see so much less\n",
+               run.end.unfollowed);
+  }
   fmt::print(std::cout, "\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n",
              run.imbalance());
   print_list(std::cout, "warnings", words_of(march_warnings(c.oil, run.instants)));

@@ -9,6 +9,7 @@
 #include "app/indicators.hpp"
 #include "app/library.hpp"
 #include "core/constants.hpp"
+#include "fluid/gap.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;
@@ -92,6 +93,28 @@ TEST_CASE("ThePressureRatioPassesThroughThePrintedPoints") {
   CHECK(estimated_pressure_ratio(0.9) == Approx(0.206));
   CHECK(estimated_pressure_ratio(0.0) == Approx(0.523));
   CHECK(estimated_pressure_ratio(0.999) == Approx(0.126));
+}
+
+TEST_CASE("TheSmallestFilmOfAGivenPlaceIsThatOfItsTiltedGap") {
+  bearing::Case c = read_case_text(kSampleCase, "case.toml");
+  const double clearance = c.bearing.radial_clearance, B = c.bearing.width;
+  c.operation.position = bearing::EccentricityGiven{0.5, 0.7, 4.0};
+  c.operation.alignment = bearing::TiltGiven{0.4 * clearance / B, -0.3 * clearance / B};
+  const fluid::JournalPosition at{{0.5 * clearance * std::cos(4.7), 0.5 * clearance * std::sin(4.7),
+                                   0.4 * clearance / B, -0.3 * clearance / B}};
+  double least = clearance;
+  for (int i = 0; i < 3600; ++i) {
+    const double phi = 2.0 * kPi * i / 3600.0;
+    for (const double z : {-0.5 * B, 0.0, 0.5 * B}) {
+      double h = clearance;
+      for (int k = 0; k < 4; ++k) {
+        h += at.q[k] * fluid::gap_slope(k, std::cos(phi), std::sin(phi), z);
+      }
+      least = std::min(least, h);
+    }
+  }
+  CHECK(derive(c).h_min == Approx(least).epsilon(1e-5));
+  CHECK(least < 0.45 * clearance);  // without tilt a half
 }
 
 TEST_CASE("IndicatorsNameTheEffectsThatMatter") {

@@ -69,6 +69,21 @@ TEST_CASE("ALoadThatStandsStillGivesTheSteadyBearing", "[cycle]") {
   CHECK(value(r, "side_flow") == Approx(steady.side_flow).epsilon(2e-3));
 }
 
+TEST_CASE("AFilmOfOneTemperatureTellsOnceThatItsOilIsOutOfRange", "[cycle]") {
+  Case c = pulsed_case();
+  c.model.grid = {48, 4};
+  c.oil.range.T_max = c.oil_temperature.value() - 1.0;
+  const auto told = [](const Case& of) {
+    const CycleResult r = converged(of);
+    return std::count_if(r.warnings.begin(), r.warnings.end(), [](const Note& n) {
+      return std::holds_alternative<note::BeyondOilRange>(n);
+    });
+  };
+  CHECK(told(c) == 1);
+  c.oil.range.T_max = c.oil_temperature.value() + 1.0;
+  CHECK(told(c) == 0);
+}
+
 TEST_CASE("ALoadThatTurnsIsASteadyLoadAtAnotherSpeed", "[cycle]") {
   // In a frame that turns with the load, at a quarter of the journal's speed, oil is drawn in at
   // (omega - 2 omega/4)/2: the steady bearing of half the speed. The supply is a ring, which knows

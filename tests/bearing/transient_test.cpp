@@ -129,6 +129,9 @@ TEST_CASE("AMarchTellsWhereItsOilWasOutOfRange", "[transient]") {
   CHECK(march_warnings(oil, instants).empty());
   instants[1].T_film_max = 401.0;
   CHECK(march_warnings(oil, instants).size() == 1);
+  const auto of_cycles = march_warnings(oil, {instants[1]});
+  REQUIRE(of_cycles.size() == 1);
+  CHECK(std::isnan(std::get<note::BeyondOilRange>(of_cycles[0]).T_low));
   instants[1].T_film_max = 380.0;
   instants[0].T_film_min = 280.0;
   CHECK(march_warnings(oil, instants).size() == 1);

@@ -54,6 +54,31 @@ TEST_CASE("PicturesAndPagesAreOfWhatChangesInTime") {
               {"--until"});
 }
 
+TEST_CASE("ACourseOverACycleIsRefusedSpeedsThatItsTableHasAndLessThanACycle") {
+  const ScratchFolder scratch;
+  const std::string own = "time [ms], load_x [N], load_y [N], speed [rpm]\n";
+  const std::string given = "time [ms], load_x [N], load_y [N]\n";
+  const auto said_of = [&](const std::string& table, const std::vector<std::string>& options) {
+    scratch.write("load.csv", table);
+    const std::string file =
+        scratch.write("case.toml", sample_with("load = \"5 kN\"\n",
+                                               "\n[load_cycle]\nfile = \"load.csv\"\n"
+                                               "period = \"40 ms\"\n"));
+    std::vector<std::string> words{"run", file, "--transient"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ended ended = run_words(words);
+    CHECK(ended.code == kBadInput);
+    return ended.err;
+  };
+  const std::string swings = own + "0, 0, -4000, 2000\n20, 0, -5000, 3000\n40, 0, -4000, 2000\n";
+  const std::string plain = given + "0, 0, -4000\n20, 0, -5000\n40, 0, -4000\n";
+  check_parts(said_of(swings, {"--speeds", "4000 rpm", "--hold", "1 s"}),
+              {"--speeds", "speeds of its own", "column speed"});
+  check_parts(said_of(plain, {"--speeds", "4000 rpm", "--hold", "30 ms"}),
+              {"--hold", "one load cycle, 0.04 s"});
+  check_parts(said_of(plain, {"--until", "30 ms"}), {"--until", "one load cycle, 0.04 s"});
+}
+
 TEST_CASE("NoOptionOfRunIsIgnoredBesideAnother") {
   const ScratchFolder scratch;
   const std::string steady = scratch.write("case.toml", kSampleCase);

@@ -55,6 +55,10 @@ TEST_CASE("WhatThePaperLeavesOpenIsACaseOfItsOwn", "[shells]") {
     CHECK(bearing::judge(c).empty());
     CHECK(*c.oil_temperature == Approx(*usual.oil_temperature + v.warmer));
     CHECK(c.supplies.at(0).temperature == Approx(usual.supplies.at(0).temperature + v.warmer));
+    CHECK(!c.shell->layers.front().elasto_plastic);  // AlSn has no law of flow
+    const bearing::Case coated = varied(shipped(shell_kinds()[2]), v);
+    CHECK(bearing::judge(coated).empty());
+    CHECK(coated.shell->layers.front().elasto_plastic == v.flows);
     if (std::isnan(v.mouth)) {
       CHECK(c.supplies[0].kind == usual.supplies[0].kind);
       continue;

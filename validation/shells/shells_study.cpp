@@ -79,11 +79,13 @@ const std::array<ShellVariant, kVariants>& shell_variants() {
   constexpr double kBeside = 20.0 * kPi / 180.0;  // paper, 4.2
   constexpr double kWarmer = 30.0;                // 130 degC: a hot, heavily loaded bearing
   static const std::array<ShellVariant, kVariants> kAll{
-      {{"as in the cases", NAN, 0.0},
-       {"oil 30 K warmer", NAN, kWarmer},
-       {"drilling, 20 deg ahead", kBeside, 0.0},
-       {"drilling, 20 deg behind", -kBeside, 0.0},
-       {"drilling, 20 deg behind, oil 30 K warmer", -kBeside, kWarmer}}};
+      {{"as in the cases", NAN, 0.0, false},
+       {"coating that flows", NAN, 0.0, true},
+       {"oil 30 K warmer", NAN, kWarmer, false},
+       {"drilling, 20 deg ahead", kBeside, 0.0, false},
+       {"drilling, 20 deg behind", -kBeside, 0.0, false},
+       {"drilling, 20 deg behind, oil 30 K warmer", -kBeside, kWarmer, false},
+       {"the same, coating that flows", -kBeside, kWarmer, true}}};
   return kAll;
 }
 
@@ -92,6 +94,8 @@ Case varied(Case c, const ShellVariant& variant) {
   // the swing of the rod, asin(137/2/207 sin 8 deg), in the rod, whose axis is at 90 deg.
   constexpr double kTurned = 10.6 * kPi / 180.0;
   c.oil_temperature = c.oil_temperature.value() + variant.warmer;
+  bearing::ShellLayer& lining = c.shell->layers.front();
+  lining.elasto_plastic = variant.flows && lining.material.damping_ratio > 0.0;
   for (bearing::Supply& supply : c.supplies) {
     supply.temperature += variant.warmer;
     if (std::isnan(variant.mouth)) continue;

@@ -35,8 +35,11 @@ struct ShellVariant {
   /// when film and contact press hardest; not a number: oil comes through the shell [rad]
   double mouth;
   double warmer;  ///< oil, above that of the case [K]
+  /// Of a coating whose material has a law of its own: it yields by seed 001 Eq. 6-12, as the
+  /// paper's does, instead of staying elastic.
+  bool flows;
 };
-inline constexpr int kVariants = 5;
+inline constexpr int kVariants = 7;
 /// The first is the case as it is, on the grid of the others. Section 4.2 of the paper: the mouth
 /// of the pin's drilling stands 20 deg beside the rod's axis at the largest pressure, on a side
 /// that is not told.

@@ -164,7 +164,8 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
 fluid::Gap gap_at(const BearingModel& m, const fluid::JournalPosition& position,
                   const Field& displacement) {
   return fluid::film_gap(m.domain.grid, m.domain.angles, m.clearance, position, displacement,
-                         m.profile, m.shape.cell.empty() ? nullptr : &m.shape);
+                         m.profile, m.shape.cell.empty() ? nullptr : &m.shape,
+                         kSummits * m.domain.rough.sigma);
 }
 
 Field shear_gap(const BearingModel& model, const Field& h) {

@@ -54,6 +54,10 @@ struct BearingModel {
                                         std::array<int, 2> grid,
                                         std::shared_ptr<const Solids> solids = nullptr);
 
+/// Summits reach this many times the combined roughness [-]: three deviations of a Gaussian height,
+/// beyond which a thousandth of it lies (textbook).
+inline constexpr double kSummits = 3.0;
+
 /// The gap at a position of the journal, with a smooth displacement of the walls (cells; empty:
 /// none) [m].
 [[nodiscard]] fluid::Gap gap_at(const BearingModel& m, const fluid::JournalPosition& position,

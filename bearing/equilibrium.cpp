@@ -79,6 +79,18 @@ double gap_with_summits(const BearingModel& model, const FilmEquilibrium& s) {
   return std::max(s.least.h, 0.0) + kSummits * model.domain.rough.sigma;
 }
 
+bool thinner_than_a_molecule(const BearingModel& model, const FilmEquilibrium& s) {
+  if (model.domain.rough.sigma > 0.0 || s.least.h >= kMolecule) return false;
+  if (s.elastic.empty()) return true;
+  const FilmGrid& g = model.domain.grid;
+  for (int j = 0; j < g.nz; ++j) {
+    double least = INFINITY;
+    for (int i = 0; i < g.nt; ++i) least = std::min(least, s.gap.cell[g.index(i, j)]);
+    if (least >= kMolecule) return false;
+  }
+  return true;
+}
+
 namespace {
 
 void evaluate_contact(const BearingModel& model, const OperatingPoint& point, FilmEquilibrium& s) {

@@ -117,9 +117,6 @@ struct Residuals {
 /// apart by their asperities, so that the nominal gap may go through zero.
 [[nodiscard]] double room(const BearingModel& model, const FilmEquilibrium& state);
 
-/// Summits reach this many times the combined roughness [-]: three deviations of a Gaussian height,
-/// beyond which a thousandth of it lies (textbook).
-inline constexpr double kSummits = 3.0;
 /// The smallest gap from where summits begin to touch [m]: what surfaces that rub may give way by.
 [[nodiscard]] double gap_with_summits(const BearingModel& model, const FilmEquilibrium& state);
 
@@ -142,12 +139,11 @@ inline constexpr double kNoGap = 1e-100;  ///< [m]
 }
 
 /// True if smooth surfaces are nearer than an oil molecule of 30 carbon atoms is long (2 to 4 nm,
-/// textbook): no film is left that Reynolds' equation could describe.
+/// textbook): no film is left that Reynolds' equation could describe. Surfaces that give way must be
+/// so all along their width: a sharp edge is pressed harder the finer the cells are (decision 040),
+/// and what they do there says nothing of the film beside it.
 inline constexpr double kMolecule = 2e-9;  ///< [m]
-[[nodiscard]] inline bool thinner_than_a_molecule(const BearingModel& model,
-                                                  const FilmEquilibrium& s) {
-  return model.domain.rough.sigma <= 0.0 && s.least.h < kMolecule;
-}
+[[nodiscard]] bool thinner_than_a_molecule(const BearingModel& model, const FilmEquilibrium& s);
 
 /// A cell of a rigid film in which Barus oil has no pressure, -1: none. The values of cells are
 /// means: inside, the reduced pressure q = (1 - exp(-alpha p))/alpha stands higher by a 24th of its

@@ -132,9 +132,10 @@ struct BeyondContactLaw {
   FilmPlace place{};   ///< of the smallest gap
 };
 
-/// The gap at a side edge, continued from the last cells, is closed while no cell's is.
+/// The gap at a side edge, continued from the last cells, is closed while no cell's is; of smooth
+/// elastic surfaces: it is less than half of any cell's.
 struct EdgeNotResolved {
-  double edge = 0.0;  ///< negative [m]
+  double edge = 0.0;  ///< [m]
   double cell = 0.0;  ///< smallest of all cells [m]
 };
 

@@ -23,8 +23,8 @@ inline void members(Tape& tape, fluid::FaceFlow& x) {
 }
 
 inline void members(Tape& tape, fluid::FilmFlow& x) {
-  auto& [phi, z, lines, fed, stored, by_theta, by_p, by_gap] = x;
-  tape(phi, z, lines, fed, stored, by_theta, by_p, by_gap);
+  auto& [phi, z, lines, fed, stored, by_theta, by_p, by_gap, edge] = x;
+  tape(phi, z, lines, fed, stored, by_theta, by_p, by_gap, edge);
 }
 
 inline void members(Tape& tape, bearing::OilColumns& x) {

@@ -65,10 +65,12 @@ void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<Note
 }
 
 /// A last cell that is open says nothing of the edge if the line through its neighbour closes
-/// there.
-void add_edge(const FilmReach& reach, std::vector<Note>& out) {
+/// there, or takes more than half of its gap.
+void add_edge(const BearingModel& m, const FilmReach& reach, std::vector<Note>& out) {
   const double cell = *std::min_element(reach.h.begin(), reach.h.end());
-  if (reach.h_min < 0.0 && cell > 0.0) {
+  const bool held_open = m.physics.elastic && m.domain.rough.sigma <= 0.0;  // fluid::edge_gap
+  const double resolved = held_open ? fluid::kMostOfEdge * cell : 0.0;
+  if (reach.h_min < resolved && cell > 0.0) {
     out.push_back(note::EdgeNotResolved{reach.h_min, cell});
   }
 }
@@ -159,7 +161,7 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   for (const Note& note : input_warnings(m.input, m.physics)) out.push_back(note);
   add_factors(m, reach.h, out);
   add_contact(m, reach, out);
-  add_edge(reach, out);
+  add_edge(m, reach, out);
   add_bore(m, reach, out);
   add_holes(m, out);
   add_strain(m, reach.p_max, out);

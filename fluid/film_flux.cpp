@@ -335,6 +335,7 @@ void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& profile,
   circumferential_faces(e, flow);
   axial_faces(e, flow);
   storage(e, flow);
+  flow.edge = gap.edge;
   flow.fed.clear();
   for (const Mouth& m : scene.supply.mouths) {
     flow.fed.push_back(m.conductance * (scene.supply.patches[m.patch].pressure - state.p[m.cell]));

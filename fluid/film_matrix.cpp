@@ -103,6 +103,12 @@ struct GapCoupling {
   }
 };
 
+/// Of line i on axial face j, 0 or nz.
+EdgeSlopes edge_slopes(const FilmFlow& flow, int i, int j) {
+  return flow.edge.empty() ? EdgeSlopes{}
+                           : flow.edge[2 * static_cast<std::size_t>(i) + (j == 0 ? 0 : 1)];
+}
+
 }  // namespace
 
 void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Field& c,
@@ -127,7 +133,7 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
       couple.add(d, k - 1, 1.0 - weight, k, weight, a.n[k - 1]);
       couple.add(-d, k, weight, k - 1, 1.0 - weight, a.s[k]);
     }
-    // Side edges: continued linearly from the two outermost cells, as in to_faces.
+    // Side edges: continued from the two outermost cells, as edge_gap has it.
     const int first = g.index(i, 0);
     const int last = g.index(i, g.nz - 1);
     const double low = flow.z[i * (g.nz + 1)].d_h;
@@ -138,8 +144,10 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
     }
     const double beyond_low = (g.z[0] - g.z_face[0]) / (g.z[1] - g.z[0]);
     const double beyond_high = (g.z_face[g.nz] - g.z[g.nz - 1]) / (g.z[g.nz - 1] - g.z[g.nz - 2]);
-    if (!g.half) couple.add(-low, first, 1.0 + beyond_low, first + 1, -beyond_low, a.n[first]);
-    couple.add(high, last, 1.0 + beyond_high, last - 1, -beyond_high, a.s[last]);
+    const EdgeSlopes at_low = edge_slopes(flow, i, 0), at_high = edge_slopes(flow, i, g.nz);
+    const double of_low = at_low.line * beyond_low, of_high = at_high.line * beyond_high;
+    if (!g.half) couple.add(-low, first, at_low.own + of_low, first + 1, -of_low, a.n[first]);
+    couple.add(high, last, at_high.own + of_high, last - 1, -of_high, a.s[last]);
   }
   for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k) {
     if (couple.film(static_cast<int>(k))) a.c[k] += flow.stored_by_gap[k] * c[k];
@@ -188,8 +196,17 @@ Field outflow_by_gap(const FilmScene& scene, const FilmFlow& flow,
 }
 
 Field residual_by_gap(const FilmScene& scene, const FilmFlow& flow, const Field& gap) {
+  const FilmGrid& g = scene.grid;
   std::vector<double> phi, z;
-  to_faces(scene.grid, gap, phi, z);
+  to_faces(g, gap, phi, z);
+  for (int i = 0; i < g.nt && !flow.edge.empty(); ++i) {
+    for (const int j : {0, g.nz}) {
+      const EdgeSlopes slope = edge_slopes(flow, i, j);
+      const double own = gap[g.index(i, j == 0 ? 0 : g.nz - 1)];
+      double& face = z[i * (g.nz + 1) + j];
+      face = slope.own * own + slope.line * (face - own);
+    }
+  }
   Field r = outflow_by_gap(scene, flow, phi, z);
   for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k)
     r[k] += flow.stored_by_gap[k] * gap[k];
@@ -203,7 +220,8 @@ Field residual_by_position(const FilmScene& scene, const FilmFlow& flow, int com
       scene, flow,
       [&](int i, int j) { return gap_slope(component, a.cos_face[i], a.sin_face[i], g.z[j]); },
       [&](int i, int j) {
-        return gap_slope(component, a.cos_cell[i], a.sin_cell[i], g.z_face[j]);
+        const double own = j == 0 || j == g.nz ? edge_slopes(flow, i, j).own : 1.0;
+        return own * gap_slope(component, a.cos_cell[i], a.sin_cell[i], g.z_face[j]);
       });
   for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k) {
     const auto i = static_cast<int>(k) / g.nz;

@@ -21,7 +21,7 @@ void assemble_film(const FilmScene& scene, const FilmFlow& flow, const UnknownMa
                    RingMatrix& matrix);
 
 /// Adds the film's response to a gap that follows the cell's own unknown, dh = compliance t:
-/// a Winkler foundation [m per unit of t]. The same averages as to_faces: exact.
+/// a Winkler foundation [m per unit of t]. The same averages as in film_gap: exact.
 void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Field& compliance,
                         RingMatrix& matrix);
 
@@ -31,7 +31,7 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
                                    const std::vector<double>& phi_face,
                                    const std::vector<double>& z_face);
 /// Change of the residual of (1), storage included, by a smooth change of the gap at the cells [m],
-/// averaged to the faces as by to_faces [kg/s].
+/// averaged to the faces as by to_faces, to the side edges by edge_gap [kg/s].
 [[nodiscard]] Field residual_by_gap(const FilmScene& scene, const FilmFlow& flow, const Field& gap);
 /// The same per unit of a component of the journal position, exact at the faces [kg/(s m)],
 /// [kg/(s rad)].

@@ -1,5 +1,6 @@
 #include "fluid/gap.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shellback::fluid {
@@ -47,8 +48,39 @@ void to_faces(const FilmGrid& g, const Field& d, std::vector<double>& phi_face,
   }
 }
 
+EdgeGap edge_gap(double own, double line, double summits) {
+  const double room = own + summits;
+  if (line >= -kMostOfEdge * std::max(room, 0.0)) return {own + line, {}};
+  if (room <= 0.0) return {own, {1.0, 0.0}};
+  const double part = room / (-2.0 * line);  // below one
+  return {0.5 * part * room - summits, {part, part * part}};
+}
+
+namespace {
+
+/// The displacement of a pressed edge, continued to it.
+void close_edges(const FilmGrid& g, const Field& d, const Field& profile, double summits,
+                 Gap& gap) {
+  for (int i = 0; i < g.nt; ++i) {
+    for (const int j : {0, g.nz}) {
+      if (j == 0 && g.half) continue;
+      const int k = g.index(i, j == 0 ? 0 : g.nz - 1);
+      const double line = on_axial_face(g, &d[g.index(i, 0)], j) - d[k];
+      const double step = profile.empty() ? 0.0 : profile[k];
+      double& face = gap.z_face[i * (g.nz + 1) + j];
+      const EdgeGap edge = edge_gap(face - line + step, line, summits);
+      if (edge.slope.line == 1.0) continue;
+      if (gap.edge.empty()) gap.edge.resize(2 * static_cast<std::size_t>(g.nt));
+      gap.edge[2 * static_cast<std::size_t>(i) + (j == 0 ? 0 : 1)] = edge.slope;
+      face = edge.h - step;
+    }
+  }
+}
+
+}  // namespace
+
 Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition& q, const Field& d,
-             const Field& profile, const Gap* shape) {
+             const Field& profile, const Gap* shape, double summits) {
   Gap gap;
   if (d.empty()) {
     gap.phi_face.assign(g.cells(), 0.0);
@@ -76,6 +108,7 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
     add(shape->phi_face, gap.phi_face);
     add(shape->z_face, gap.z_face);
   }
+  if (!d.empty()) close_edges(g, d, profile, summits, gap);
   return gap;
 }
 

@@ -27,12 +27,19 @@ struct JournalPosition {
   [[nodiscard]] double psi_y() const { return q[3]; }
 };
 
+/// How the gap on a side edge follows what it is made of [-].
+struct EdgeSlopes {
+  double own = 1.0;   ///< with the displacement of the last cell
+  double line = 1.0;  ///< what the straight line through the last two cells adds to that
+};
+
 /// The gap where the film equation needs it. Face values leave the steps out; the limits on the
 /// two sides of a face are the face value plus the profile of the cell on that side.
 struct Gap {
   Field cell;      ///< at cell positions, profile included [m]
   Field phi_face;  ///< on west faces, index i * nz + j, without profile [m]
   Field z_face;    ///< on axial faces, index i * (nz + 1) + j, without profile [m]
+  std::vector<EdgeSlopes> edge;  ///< of line i: 2 i on z_face 0, 2 i + 1 on z_face nz; empty: ones
 };
 
 /// Change of the gap at (cos phi, sin phi, z) per unit change of component k of the position:
@@ -59,10 +66,26 @@ struct Angles {
 
 /// The gap of a rigid bearing plus the smooth displacement d (cells; empty: none), the profile
 /// (cells; empty: none) and the shape (none: a cylinder). Displacements are averaged to faces,
-/// linearly continued to the edges; the shape is taken as it is there.
+/// continued to the edges as edge_gap says; the shape is taken as it is there. `summits`: height
+/// below the mean planes from which on rough surfaces have no room left [m].
 [[nodiscard]] Gap film_gap(const FilmGrid& grid, const Angles& angles, double clearance,
                            const JournalPosition& position, const Field& displacement,
-                           const Field& profile, const Gap* shape = nullptr);
+                           const Field& profile, const Gap* shape = nullptr, double summits = 0.0);
+
+/// The gap on a side edge and its slopes. `own` is the gap there with the displacement of the last
+/// cell, `line` what the straight line through the displacements of the last two adds [m]; with
+/// H = own + summits
+///   h = own + line                    line >= -H/2
+///   h = H^2/(-4 line) - summits       below, value and slope going on: H > 0 leaves a gap      (1)
+/// A line that takes more than half of the gap within half a cell says that cells do not resolve
+/// how the surfaces close towards the edge (decision 040), not that they meet. Where H <= 0 already
+/// the line is left out.
+struct EdgeGap {
+  double h = 0.0;  ///< [m]
+  EdgeSlopes slope;
+};
+inline constexpr double kMostOfEdge = 0.5;  ///< that a line may take [-]
+[[nodiscard]] EdgeGap edge_gap(double own, double line, double summits);
 
 /// A smooth cell field on the faces: mean of the two cells by distance; on side edges continued
 /// linearly from the two outermost cells; on the plane of symmetry the cell's own value.

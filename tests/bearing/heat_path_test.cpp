@@ -203,12 +203,12 @@ TEST_CASE("WithHeatAGivenPositionIsRefusedAsPhysicalOnlyWhereItWasFollowedToItsE
   }
 }
 
-TEST_CASE("SlowSmoothBearingsOfEveryTierNeedAFilmThinnerThanAMolecule", "[heat_path][refusal]") {
+TEST_CASE("SlowSmoothBearingsNeedAFilmThinnerThanAMolecule", "[heat_path][refusal]") {
   // The pressure of the supply alone loads the journal more than a film of 0.1 rpm carries, so that
   // there is no light load to begin with.
   Case c = warm_case();
   c.operation.omega = 0.1 * kPi / 30.0;
-  for (const Tier tier : {Tier::isothermal, Tier::thd, Tier::tehd}) {
+  for (const Tier tier : {Tier::isothermal, Tier::thd}) {
     const Solution s = solve_tier(c, tier);
     INFO(to_string(tier) << ": " << app::reason_of(s.verdict));
     CHECK(s.verdict.status == Status::no_steady_state);
@@ -216,12 +216,12 @@ TEST_CASE("SlowSmoothBearingsOfEveryTierNeedAFilmThinnerThanAMolecule", "[heat_p
   }
 }
 
-TEST_CASE("SmoothSurfacesNearerThanAMoleculeCarryNoFilm", "[heat_path][refusal]") {
-  // At 1 rpm the elastic film of 2 kN would have to be far thinner than 2 nm.
+TEST_CASE("ASharpEdgeThatClosesProvesNothingOfTheFilmBesideIt", "[heat_path][refusal]") {
+  // At 1 rpm the elastic film of 2 kN closes at the side edges, the sooner the finer the cells are
+  // there, while it is open in the middle: not found, and not told as physics.
   Case c = warm_case();
   c.operation.omega = 1.0 * kPi / 30.0;
   const Solution s = solve_tier(c, Tier::tehd);
   INFO(app::reason_of(s.verdict));
-  CHECK(s.verdict.status == Status::no_steady_state);
-  CHECK(nearer_than_a_molecule(s.verdict));
+  CHECK(s.verdict.status == Status::iteration_limit);
 }

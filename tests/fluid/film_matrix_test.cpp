@@ -234,3 +234,53 @@ TEST_CASE("SupplyRowsAreIdentityAndMoveNobody") {
   CHECK(largest_difference(product(before, t), t) == 0.0);
   CHECK(largest_difference(product(a, t), t) == 0.0);
 }
+
+TEST_CASE("TheFilmMatrixIsTheSlopeWherePressedEdgesClose") {
+  // Displacements that fall so steeply towards the side edges that the straight line to them would
+  // close the gap: residual, response to the gap and to the position, preconditioner.
+  Setup s = tilted_thirteen();
+  s.position = eccentric(9e-6, 0.4);
+  for (const auto& [half, profile] : {std::pair{false, false}, {false, true}, {true, false}}) {
+    s.half = half;
+    if (profile) s.profile = ripples;
+    Probe q(s);
+    const FilmGrid& g = q.bearing.scene.grid;
+    const auto crown = [&](int j) { return 60e-6 * std::pow(2.0 * g.z[j] / g.width, 4); };
+    Field d(g.cells());  // leaves 15 um less what the journal takes in the last cells
+    for (int k = 0; k < g.cells(); ++k) {
+      d[k] = crown(g.nz - 1) - crown(k % g.nz) + 15e-6 - s.clearance;
+    }
+    const auto moved = [&](const Field& by, double e, const JournalPosition& at) {
+      Field with = d;
+      for (std::size_t k = 0; k < d.size(); ++k) with[k] += e * by[k];
+      Probe p = q;
+      p.bearing.gap =
+          film_gap(g, p.bearing.scene.angles, s.clearance, at, with, p.bearing.step);
+      p.evaluate();
+      return p;
+    };
+    const Field by = random_field(g.cells(), 51, -1e-6, 1e-6);
+    const Probe here = moved(by, 0.0, s.position);
+    REQUIRE_FALSE(here.flow.edge.empty());
+    check_slope(residual_by_gap(here.bearing.scene, here.flow, by),
+                moved(by, 1e-4, s.position).residual(), moved(by, -1e-4, s.position).residual(),
+                1e-4);
+    for (int k = 0; k < (half ? 2 : 4); ++k) {
+      const double step = k < 2 ? 1e-10 : 1e-8;
+      JournalPosition ahead = s.position, behind = s.position;
+      ahead.q[k] += step;
+      behind.q[k] -= step;
+      check_slope(residual_by_position(here.bearing.scene, here.flow, k),
+                  moved(by, 0.0, ahead).residual(), moved(by, 0.0, behind).residual(), step);
+    }
+    const Field c = random_field(g.cells(), 52, 0.2e-6, 1e-6);
+    const Field t = here.direction(53);
+    RingMatrix a;
+    a.resize(g.nt, g.nz);
+    add_gap_compliance(here.bearing.scene, here.flow, c, a);
+    Field widening(t.size());
+    for (std::size_t k = 0; k < t.size(); ++k) widening[k] = c[k] * t[k];
+    const Field direct = residual_by_gap(here.bearing.scene, here.flow, widening);
+    CHECK(largest_difference(direct, product(a, t)) < 1e-12 * largest_magnitude(direct));
+  }
+}

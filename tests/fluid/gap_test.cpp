@@ -134,3 +134,41 @@ TEST_CASE("AStepThatWidensTheGapIsPartOfTheSmallestGap") {
   const double b = smallest_gap(wide.scene.grid, wide.gap, wide.step).h;
   CHECK(std::abs(b - a - 3e-6) < kSlack);
 }
+
+TEST_CASE("AnEdgeThatClosesSteeplyKeepsAGap") {
+  // (1) of gap.hpp: the straight line up to half of the room; from there on value and slope go on,
+  // and however steeply the line falls there is a gap.
+  for (const double summits : {0.0, 2e-6}) {
+    const double own = 1e-6, room = own + summits;
+    CHECK(edge_gap(own, -0.49 * room, summits).h == own - 0.49 * room);
+    CHECK(edge_gap(own, 3.0 * room, summits).h == own + 3.0 * room);
+    for (const double line : {-0.3, -0.5001, -0.7, -1.0, -4.0, -1e3}) {
+      const EdgeGap at = edge_gap(own, line * room, summits);
+      CHECK(at.h + summits > 0.0);
+      const double step = 1e-5 * room;
+      const auto h = [&](double d_own, double d_line) {
+        return edge_gap(own + d_own, line * room + d_line, summits).h;
+      };
+      CHECK(at.slope.own == Approx((h(step, 0.0) - h(-step, 0.0)) / (2.0 * step)).epsilon(1e-4));
+      CHECK(at.slope.line == Approx((h(0.0, step) - h(0.0, -step)) / (2.0 * step)).epsilon(1e-4));
+    }
+    const double beside = 1e-9 * room;  // on either side of where the two meet
+    CHECK(edge_gap(own, -0.5 * room - beside, summits).h ==
+          Approx(edge_gap(own, -0.5 * room + beside, summits).h).margin(1e-8 * room));
+    // Without room there is nothing to hold open; the value there is approached.
+    CHECK(edge_gap(-summits, -room, summits).h == -summits);
+    CHECK(edge_gap(1e-12 - summits, -room, summits).h == Approx(-summits).margin(1e-12));
+  }
+}
+
+TEST_CASE("ATiltedRigidJournalMayCloseTheEdge") {
+  // Only a displacement is continued to the edge: where a rigid journal is there is known.
+  Setup s = tilted_journal();
+  s.position = {{25e-6, 0.0, 0.0, 2e-3}};
+  const PosedFilm b = make_bearing(s);
+  CHECK(smallest_gap(b.scene.grid, b.gap, {}).h < 0.0);
+  const Field d(b.scene.grid.cells(), 0.0);
+  const Gap soft = film_gap(b.scene.grid, b.scene.angles, s.clearance, s.position, d, {});
+  CHECK(soft.z_face == b.gap.z_face);
+  CHECK(soft.edge.empty());
+}

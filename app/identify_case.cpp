@@ -190,9 +190,12 @@ std::vector<FittedKey> fitted_keys(const std::string& text, const std::string& p
     const NumberWithUnit start = value_in_case(root, key);
     const auto own = limits.find(key);
     if (own == limits.end()) {
+      const bool warmth = start.unit == "degC" || start.unit == "K";
+      const double low = warmth ? start.number - 20.0 : 0.5 * start.number;
+      const double high = warmth ? start.number + 20.0 : 2.0 * start.number;
       throw InputError("--fit " + key,
-                       fmt::format("bounds are missing; give for example --bounds {}={:.3g}:{:.3g}",
-                                   key, 0.1 * start.number, 10.0 * start.number));
+                       fmt::format("bounds are missing; give for example --bounds {}={:.4g}:{:.4g}",
+                                   key, low, high));
     }
     keys.push_back(bounded(key, start, own->second));
     limits.erase(own);

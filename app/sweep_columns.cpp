@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/words/note_words.hpp"
+#include "bearing/cycle_numbers.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::app {
@@ -101,8 +102,15 @@ std::string describe_subject(const bearing::Case& c, const Sweep& sweep, Writing
   if (!swept("operation.speed")) {
     words += fmt::format(", {:.4g} rpm", kRevolution * c.operation.omega);
   }
+  if (c.cycle) {
+    words += fmt::format(", load {}", c.cycle->repeats() ? "cycle" : "event");
+    if (!swept("load_cycle.factor")) {
+      words += fmt::format(", largest load {:.4g} kN",
+                           1e-3 * bearing::largest_load(*c.cycle).force);
+    }
+  }
   const auto* load = std::get_if<bearing::LoadGiven>(&c.operation.position);
-  if (load != nullptr && !swept("operation.load")) {
+  if (!c.cycle && load != nullptr && !swept("operation.load")) {
     words += fmt::format(", load {:.4g} kN", 1e-3 * load->force);
   }
   const auto* given = std::get_if<bearing::EccentricityGiven>(&c.operation.position);

@@ -123,10 +123,13 @@ void CycleSearch::carry_oil_round() {
 void CycleSearch::begin(double T) {
   const bool heat = film_.model().physics.film_energy;
   r_.verdict = {};
-  if (!c_.cycle->repeats() && heat && begin_warm()) return;  // else, unless stopped, from cold
-  begin_film(T);
+  const bool event = heat && !c_.cycle->repeats();
+  if (event && begin_warm()) return;  // else, unless stopped, from cold
+  begun_cold_ = event;
+  const double begun = event ? c_.supplies.front().temperature : T;
+  begin_film(begun);
   if (!heat) return;
-  walls_ = uniform_walls(film_.model(), T);
+  walls_ = uniform_walls(film_.model(), begun);
   if (!c_.cycle->repeats()) put_walls();
 }
 
@@ -198,8 +201,8 @@ void CycleSearch::begin(Tape& tape) {
 void CycleSearch::members(Tape& tape) {
   film_.members(tape, length_, steps_.longest / kSkinSteps);
   tape(periods_, cost_, now_, told_, closure_, heat_, response_, looked_, walls_, held_);
-  tape(wall_change_, from_rest_, phase_, most_, oil_, oil_begun_, plain_, settled_, round_change_,
-       stalled_, walls_begun_, answers_, r_, *passing_);
+  tape(wall_change_, from_rest_, begun_cold_, phase_, most_, oil_, oil_begun_, plain_, settled_,
+       round_change_, stalled_, walls_begun_, answers_, r_, *passing_);
 }
 
 void CycleSearch::ended(Tape& tape) {
@@ -483,7 +486,7 @@ CycleResult CycleSearch::result() const {
     r.assumptions.push_back(from_rest_ ? note::Plain::event_in_the_middle
                             : still    ? note::Plain::event_at_rest
                                        : note::Plain::event_from_steady);
-    if (from_rest_ && walls_) r.assumptions.push_back(note::Plain::event_without_heat);
+    if (begun_cold_) r.assumptions.push_back(note::Plain::event_without_heat);
   }
   r.tier = tier_;
   r.closure = closure_.last;

@@ -150,6 +150,7 @@ class CycleSearch {
   bool held_ = false;
   double wall_change_ = NAN;  ///< of the last turn [K]
   bool from_rest_ = true;
+  bool begun_cold_ = false;  ///< an event, its walls at the supply's temperature
   Phase phase_ = Phase::orbit;
   int most_ = 0;                     ///< cycles, of search()
   std::vector<Iterate> oil_;         ///< of the cycles that lead on

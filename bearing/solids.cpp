@@ -149,7 +149,19 @@ void Solids::build_compliance(const Case& c, const HarmonicOperator& shell) {
     compliance_[1] += solid::shaft_bending(grid_, c.shaft->material, *c.shaft->span,
                                            c.bearing.width + 2.0 * beyond);
   }
+  if (!c.shaft->span && compliance_.size() > 1) hold_free_shaft(c, beyond);
   winkler_ = mean_compliance(compliance_);
+}
+
+void Solids::hold_free_shaft(const Case& c, double beyond) {
+  const double R = c.bearing.radius, width = c.bearing.width;
+  if (beyond <= R) return;
+  const auto shift = [&](double overhang) {
+    return solid::free_shaft_shift(R, width, c.shaft->material, width + 2.0 * overhang);
+  };
+  const double moved = kPi * R * grid_.multiplicity() * (shift(beyond) - shift(R));
+  const Eigen::Map<const Eigen::RowVectorXd> dz(grid_.dz.data(), grid_.nz);
+  compliance_[1].rowwise() -= moved * dz;
 }
 
 void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh) {

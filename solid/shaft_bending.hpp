@@ -38,4 +38,16 @@ namespace shellback::solid {
 [[nodiscard]] Eigen::MatrixXd shaft_bending(const FilmGrid& grid, const Material& material,
                                             double span, double length);
 
+/// Displacement of a free shaft's axis at mid-width along the net force of the film [m/N], counted
+/// from the mean of the section of length l that shaft_compliance balances by body forces: what
+/// this bends as a beam, growing with l^3, though no film sees more of it than a journal that has
+/// moved as a whole. Of a force F spread evenly over the width b = 2 c, balanced by F/l; a = l/2:
+///
+///   2 E I w/F = a^3/20 - (c^4/20 + c^3 (a - c)/8 + c^2 (a - c)^2/12)/a
+///               + (E I/kGA) [ a/3 - (c^2/3 + c (a - c)/2)/a ]                               (5)
+///
+/// Slender sections; textbook beam theory, from (1)'s equations.
+[[nodiscard]] double free_shaft_shift(double radius, double width, const Material& material,
+                                      double length);
+
 }  // namespace shellback::solid

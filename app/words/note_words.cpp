@@ -55,8 +55,9 @@ std::string text_of(note::Plain n) {
       return "the event begins with the journal at rest in the middle of a full film: no steady "
              "state of its first row was found";
     case Plain::event_without_heat:
-      return "walls and film begin at the equivalent temperature, without heat: no steady state of "
-             "the event's first row was found";
+      return "walls and film begin at the (first) supply's temperature, before the film has heated "
+             "them: no steady state with heat of the event's first row is known (none is where a "
+             "drilling feeds)";
     case Plain::estimate_in_the_middle:
       return "the event begins with the journal in the middle of a full film: no steady place "
              "under its first row was found";

@@ -165,7 +165,7 @@ TEST_CASE("KeysAndBoundsThatCannotBeFittedAreRefused", "[identify]") {
   CHECK(good[0].value.start == 300.0);
   CHECK(good[1].unit == "um");
   CHECK(good[1].words(12.5) == "12.5 um");
-  check_parts(against({b}, {}), {"--fit " + b, "bounds are missing", b + "=30:3e+03"});
+  check_parts(against({b}, {}), {"--fit " + b, "bounds are missing", b + "=150:600"});
   check_parts(against({b}, {b + "=5:1"}), {"not below"});
   check_parts(against({b}, {b + "=1:100"}), {"300", "not between"});
   check_parts(against({b}, {b + "=x:100"}), {"no number"});

@@ -126,6 +126,33 @@ TEST_CASE("HeatOfADrilledBearingIsBalanced", "[drilling]") {
   CHECK(mean(r, &CycleInstant::supply_flow) > 0.0);
 }
 
+TEST_CASE("AnEventFedByADrillingDoesNotKnowTheTemperatureOfTierIsothermal", "[drilling]") {
+  // It begins with walls at the supply's temperature, and says so.
+  Case c = warm_case();
+  c.model.grid = {32, 5};
+  c.model.tolerance = 0.05;
+  c.supplies = {hole(SupplyKind::drilling, 0.0)};
+  c.cycle = turning_load(c.operation.omega, 2);
+  c.cycle->period = 0.0;
+  c.cycle->interpolation = LoadInterpolation::linear;
+  c.cycle->t.resize(12);
+  c.cycle->x.resize(12);
+  c.cycle->y.resize(12);
+  std::vector<double> torques;
+  for (const double T : {313.15, 373.15}) {
+    c.oil_temperature = T;
+    const CycleResult r = solve_cycle(c, Tier::thd);
+    INFO(app::reason_of(r.verdict));
+    REQUIRE(r.verdict.good());
+    torques.push_back(r.instants.back().torque);
+    CHECK(std::any_of(r.assumptions.begin(), r.assumptions.end(), [](const Note& n) {
+      const auto* plain = std::get_if<note::Plain>(&n);
+      return plain != nullptr && *plain == note::Plain::event_without_heat;
+    }));
+  }
+  CHECK(torques[1] == Approx(torques[0]).epsilon(1e-12));
+}
+
 TEST_CASE("ADrillingThatDoesNotComeBackIsRefused", "[drilling]") {
   const auto judged = [](const Case& c) {
     for (const Finding& f : judge(c)) {

@@ -133,7 +133,7 @@ TEST_CASE("AnEventFedByADrillingDoesNotKnowTheTemperatureOfTierIsothermal", "[dr
   c.model.tolerance = 0.05;
   c.supplies = {hole(SupplyKind::drilling, 0.0)};
   c.cycle = turning_load(c.operation.omega, 2);
-  c.cycle->period = 0.0;
+  c.cycle->period = std::numeric_limits<double>::infinity();
   c.cycle->interpolation = LoadInterpolation::linear;
   c.cycle->t.resize(12);
   c.cycle->x.resize(12);

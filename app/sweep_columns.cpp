@@ -105,8 +105,8 @@ std::string describe_subject(const bearing::Case& c, const Sweep& sweep, Writing
   if (c.cycle) {
     words += fmt::format(", load {}", c.cycle->repeats() ? "cycle" : "event");
     if (!swept("load_cycle.factor")) {
-      words += fmt::format(", largest load {:.4g} kN",
-                           1e-3 * bearing::largest_load(*c.cycle).force);
+      words +=
+          fmt::format(", largest load {:.4g} kN", 1e-3 * bearing::largest_load(*c.cycle).force);
     }
   }
   const auto* load = std::get_if<bearing::LoadGiven>(&c.operation.position);

@@ -139,9 +139,9 @@ inline constexpr double kNoGap = 1e-100;  ///< [m]
 }
 
 /// True if smooth surfaces are nearer than an oil molecule of 30 carbon atoms is long (2 to 4 nm,
-/// textbook): no film is left that Reynolds' equation could describe. Surfaces that give way must be
-/// so all along their width: a sharp edge is pressed harder the finer the cells are (decision 040),
-/// and what they do there says nothing of the film beside it.
+/// textbook): no film is left that Reynolds' equation could describe. Surfaces that give way must
+/// be so all along their width: a sharp edge is pressed harder the finer the cells are (decision
+/// 040), and what they do there says nothing of the film beside it.
 inline constexpr double kMolecule = 2e-9;  ///< [m]
 [[nodiscard]] bool thinner_than_a_molecule(const BearingModel& model, const FilmEquilibrium& s);
 

@@ -21,10 +21,10 @@ enum class Plain {
   edge_oil_as_supply,        ///< oil that comes in again at a side edge
   planes_overlap,            ///< mean planes of rough surfaces, where the film is smallest
   // Where an event of a load cycle begins.
-  event_from_steady,       ///< state of its first row
-  event_at_rest,           ///< asperities carrying the load of its first row
-  event_in_the_middle,     ///< of a full film: no steady state of its first row
-  event_without_heat,      ///< walls and film at the supply's temperature: no steady state with heat
+  event_from_steady,    ///< state of its first row
+  event_at_rest,        ///< asperities carrying the load of its first row
+  event_in_the_middle,  ///< of a full film: no steady state of its first row
+  event_without_heat,   ///< walls and film at the supply's temperature: no steady state with heat
   estimate_in_the_middle,  ///< as event_in_the_middle, by mobility
   // Of error bars.
   bars_interrupted,

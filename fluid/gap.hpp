@@ -36,9 +36,9 @@ struct EdgeSlopes {
 /// The gap where the film equation needs it. Face values leave the steps out; the limits on the
 /// two sides of a face are the face value plus the profile of the cell on that side.
 struct Gap {
-  Field cell;      ///< at cell positions, profile included [m]
-  Field phi_face;  ///< on west faces, index i * nz + j, without profile [m]
-  Field z_face;    ///< on axial faces, index i * (nz + 1) + j, without profile [m]
+  Field cell;                    ///< at cell positions, profile included [m]
+  Field phi_face;                ///< on west faces, index i * nz + j, without profile [m]
+  Field z_face;                  ///< on axial faces, index i * (nz + 1) + j, without profile [m]
   std::vector<EdgeSlopes> edge;  ///< of line i: 2 i on z_face 0, 2 i + 1 on z_face nz; empty: ones
 };
 

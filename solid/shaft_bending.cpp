@@ -47,8 +47,7 @@ double free_shaft_shift(double radius, double width, const Material& m, double l
   const Section s(radius, m);
   const double a = 0.5 * length, c = 0.5 * width, rest = a - c;
   const double bent =
-      a * a * a / 20.0 -
-      c * c * (c * c / 20.0 + c * rest / 8.0 + rest * rest / 12.0) / a;
+      a * a * a / 20.0 - c * c * (c * c / 20.0 + c * rest / 8.0 + rest * rest / 12.0) / a;
   const double sheared = a / 3.0 - c * (c / 3.0 + rest / 2.0) / a;
   return 0.5 * (bent / s.EI + sheared / s.kGA);
 }

@@ -254,8 +254,7 @@ TEST_CASE("TheFilmMatrixIsTheSlopeWherePressedEdgesClose") {
       Field with = d;
       for (std::size_t k = 0; k < d.size(); ++k) with[k] += e * by[k];
       Probe p = q;
-      p.bearing.gap =
-          film_gap(g, p.bearing.scene.angles, s.clearance, at, with, p.bearing.step);
+      p.bearing.gap = film_gap(g, p.bearing.scene.angles, s.clearance, at, with, p.bearing.step);
       p.evaluate();
       return p;
     };

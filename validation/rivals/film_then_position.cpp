@@ -112,9 +112,9 @@ RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double toleran
 RestingFilm FilmAndPosition::settle(double tolerance) {
   const fluid::FilmScene& scene = point_.scene;
   if (cost_.spent()) return {{Status::iteration_limit, ending::Plain::given_up}, {}};
-  s_.gap = fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position,
-                           thermal_deformation_, model_.profile, nullptr,
-                           kSummits * scene.rough.sigma);
+  s_.gap =
+      fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position, thermal_deformation_,
+                      model_.profile, nullptr, kSummits * scene.rough.sigma);
   s_.least = fluid::smallest_gap(scene.grid, s_.gap, model_.profile);
   if (is_closed(model_, s_)) return {no_film(model_, point_, thermal_deformation_, s_), {}};
   s_.shear_gap = shear_gap(model_, s_.gap.cell);

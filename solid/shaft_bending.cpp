@@ -33,30 +33,26 @@ struct Beam {
   }
 };
 
-struct Section {
-  double EI, kGA;  ///< [N m2], [N]
-  Section(double R, const Material& m)
-      : EI(m.youngs_modulus * 0.25 * kPi * R * R * R * R),
-        kGA(m.youngs_modulus * kPi * R * R * 3.0 / (7.0 + 6.0 * m.poisson_ratio)) {}
-};
+/// E I of a solid shaft [N m2].
+double stiffness(double R, const Material& m) {
+  return m.youngs_modulus * 0.25 * kPi * R * R * R * R;
+}
 
 }  // namespace
 
 double free_shaft_shift(double radius, double width, const Material& m, double length) {
   EXPECTS(length >= width);
-  const Section s(radius, m);
   const double a = 0.5 * length, c = 0.5 * width, rest = a - c;
-  const double bent =
-      a * a * a / 20.0 - c * c * (c * c / 20.0 + c * rest / 8.0 + rest * rest / 12.0) / a;
-  const double sheared = a / 3.0 - c * (c / 3.0 + rest / 2.0) / a;
-  return 0.5 * (bent / s.EI + sheared / s.kGA);
+  const double loaded = c * c * (c * c / 20.0 + c * rest / 8.0 + rest * rest / 12.0) / a;
+  return (a * a * a / 20.0 - loaded) / (2.0 * stiffness(radius, m));
 }
 
 Eigen::MatrixXd shaft_bending(const FilmGrid& g, const Material& m, double span, double length) {
   EXPECTS(span >= g.width && length >= g.width);
   const double R = g.radius;
-  const Section s(R, m);
-  const Beam beam{s.EI, s.kGA, span, 0.5 * length, 3.0 * R * R / (3.0 * R * R + length * length)};
+  const Beam beam{stiffness(R, m),
+                  m.youngs_modulus * kPi * R * R * 3.0 / (7.0 + 6.0 * m.poisson_ratio), span,
+                  0.5 * length, 3.0 * R * R / (3.0 * R * R + length * length)};
   Eigen::MatrixXd C(g.nz, g.nz);
   for (int j = 0; j < g.nz; ++j) {
     for (int k = 0; k < g.nz; ++k) {

@@ -43,10 +43,10 @@ namespace shellback::solid {
 /// this bends as a beam, growing with l^3, though no film sees more of it than a journal that has
 /// moved as a whole. Of a force F spread evenly over the width b = 2 c, balanced by F/l; a = l/2:
 ///
-///   2 E I w/F = a^3/20 - (c^4/20 + c^3 (a - c)/8 + c^2 (a - c)^2/12)/a
-///               + (E I/kGA) [ a/3 - (c^2/3 + c (a - c)/2)/a ]                               (5)
+///   w/F = [ a^3/20 - (c^4/20 + c^3 (a - c)/8 + c^2 (a - c)^2/12)/a ]/(2 E I)               (5)
 ///
-/// Slender sections; textbook beam theory, from (1)'s equations.
+/// Slender sections. Shear, and the change of the sections' shape by the bending, are left out: at
+/// the surface they nearly cancel. Textbook beam theory, from (1)'s equation.
 [[nodiscard]] double free_shaft_shift(double radius, double width, const Material& material,
                                       double length);
 

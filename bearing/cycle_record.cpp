@@ -100,6 +100,7 @@ void CycleRecord::begin(const FilmInTime& now) {
   p_max_ = now.film.film.p;
   p_asperity_max_ = now.film.p_contact;
   h_min_ = now.film.gap.cell;
+  bent_edges_ = fluid::bent_edges(now.film.gap.edge);
   friction_.assign(p_max_.size(), 0.0);
   if (const auto& worn = film_->model().input.running_in) {
     wear_.begin(wear_load_of(film_->model(), film_->point(), now.film, worn->limit_pressure));
@@ -121,6 +122,7 @@ void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt
   const double pump_before = pump_now_;
   instants_.push_back(instant_of(now, p, dt));
   pump_ += 0.5 * dt * (pump_before + pump_now_);
+  bent_edges_ = std::max(bent_edges_, fluid::bent_edges(now.film.gap.edge));
   for (std::size_t c = 0; c < p_max_.size(); ++c) {
     p_max_[c] = larger(p_max_[c], p[c]);
     p_asperity_max_[c] = larger(p_asperity_max_[c], now.film.p_contact[c]);
@@ -371,11 +373,11 @@ void CycleRecord::members(Tape& tape) {
   auto& [film, course, length, instants, frames, next_frame, oil_begun, oil_ended, supply, side,
          fed, line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
          off_balance, layer_loss, layer_depth, p_max, p_asperity_max, h_min, friction, power_now,
-         heat, T_film, T_shell, T_shell_max, wear] = *this;
+         heat, T_film, T_shell, T_shell_max, wear, bent_edges] = *this;
   tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, fed, impulse, v_begun,
        v_ended, line, vessels_begun, vessels_ended, dry, layer_loss, layer_depth);
   tape(pump_now, pump, off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film,
-       T_shell, T_shell_max, wear);
+       T_shell, T_shell_max, wear, bent_edges);
 }
 
 CycleMeans CycleRecord::means() const {
@@ -475,6 +477,7 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
       film_->heat() ? area_mean(g, film_->heat()->walls.shell) : equivalent_temperature(m.input);
   add_turbulence(m, course_->largest_speed() * m.input.bearing.radius, T_film, r.warnings);
   for (const LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(l);
+  if (bent_edges_ > 0) r.limiters.push_back({Limiter::bent_edges, (g.half ? 2 : 1) * bent_edges_});
 }
 
 double CycleRecord::shaft_swing() const {

@@ -103,6 +103,7 @@ class CycleRecord {
   double T_film_ = 0.0;          ///< integral over time [K s]
   Field T_shell_, T_shell_max_;  ///< integral over time [K s], largest [K]
   MeanWearLoad wear_;            ///< of a case with [running_in]
+  int bent_edges_ = 0;           ///< most at an instant, on the solved grid
 };
 
 }  // namespace shellback::bearing

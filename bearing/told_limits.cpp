@@ -66,6 +66,8 @@ std::vector<LimiterCount> limiters_of(const Solution& s) {
   add(Limiter::backflow_nodes, s.heat.backflow_nodes);
   add(Limiter::upwind_columns, s.heat.blended_columns);
   for (const LimiterCount& l : contact_limiters(s.model, s.film.gap.cell)) out.push_back(l);
+  const int sides = s.model.domain.grid.half ? 2 : 1;
+  add(Limiter::bent_edges, sides * fluid::bent_edges(s.film.gap.edge));
   return out;
 }
 

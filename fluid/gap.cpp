@@ -48,6 +48,11 @@ void to_faces(const FilmGrid& g, const Field& d, std::vector<double>& phi_face,
   }
 }
 
+int bent_edges(const std::vector<EdgeSlopes>& edge) {
+  return static_cast<int>(
+      std::count_if(edge.begin(), edge.end(), [](const EdgeSlopes& s) { return s.line != 1.0; }));
+}
+
 EdgeGap edge_gap(double own, double line, double summits) {
   const double room = own + summits;
   if (line >= -kMostOfEdge * std::max(room, 0.0)) return {own + line, {}};

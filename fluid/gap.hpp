@@ -42,6 +42,9 @@ struct Gap {
   std::vector<EdgeSlopes> edge;  ///< of line i: 2 i on z_face 0, 2 i + 1 on z_face nz; empty: ones
 };
 
+/// Places on the side edges where the line is bent (edge_gap): a limiter that acts.
+[[nodiscard]] int bent_edges(const std::vector<EdgeSlopes>& edge);
+
 /// Change of the gap at (cos phi, sin phi, z) per unit change of component k of the position:
 /// 0 e_x, 1 e_y, 2 psi_x, 3 psi_y.
 [[nodiscard]] inline double gap_slope(int k, double cos_phi, double sin_phi, double z) {

@@ -63,6 +63,8 @@ const char* words_of(Limiter limiter) {
       return "cells whose contact pressure is held at the hardness";
     case Limiter::beyond_contact_law:
       return "cells pressed beyond the range of the contact law";
+    case Limiter::bent_edges:
+      return "places on the side edges whose gap is held open, as cells do not resolve it there";
     case Limiter::steps_too_long:
       break;
   }

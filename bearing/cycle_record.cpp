@@ -330,17 +330,22 @@ void CycleRecord::add_heat(std::vector<CycleQuantity>& out) const {
   out.push_back(extreme_named("T_film_max", instants_, &CycleInstant::T_film_max, false));
   out.push_back(named("T_film_mean", T_film_ / told()));
   out.push_back(extreme_named("T_shell_max", instants_, &CycleInstant::T_shell_max, false));
+  const double both = film_->model().domain.grid.multiplicity();
+  const auto& b = heat_.balance;
+  out.push_back(named("heat_by_oil", both * (b.carried_out - b.carried_in) / told()));
+  const HeatTaken taken = heat_taken();
+  out.push_back(named("heat_to_shell", taken.shell));
+  out.push_back(named("heat_to_shaft", taken.shaft));
+}
+
+HeatTaken CycleRecord::heat_taken() const {
   const auto over_area = [&](const Field& heat) {
     const FilmGrid& g = film_->model().domain.grid;
     double sum = 0.0;
     for (int c = 0; c < g.cells(); ++c) sum += heat[c] * g.area(c / g.nz, c % g.nz);
     return g.multiplicity() * sum / told();
   };
-  const double both = film_->model().domain.grid.multiplicity();
-  const auto& b = heat_.balance;
-  out.push_back(named("heat_by_oil", both * (b.carried_out - b.carried_in) / told()));
-  out.push_back(named("heat_to_shell", over_area(heat_.to_shell)));
-  out.push_back(named("heat_to_shaft", over_area(heat_.to_shaft)));
+  return {over_area(heat_.to_shell), over_area(heat_.to_shaft)};
 }
 
 CycleAudit CycleRecord::audit() const {

@@ -17,6 +17,12 @@ struct CycleMeans {
   std::vector<double> fed;       ///< out of every supply, net [kg/s]
 };
 
+/// Mean heat into shell and shaft of the whole bearing [W].
+struct HeatTaken {
+  double shell = 0.0;
+  double shaft = 0.0;
+};
+
 class CycleRecord {
  public:
   /// `film` and `course` must outlive the record.
@@ -33,6 +39,8 @@ class CycleRecord {
   /// of momentum over the impulse of the load's magnitude (the mean film force is the mean load).
   [[nodiscard]] double difference(const CycleRecord& other) const;
   [[nodiscard]] CycleMeans means() const;
+  /// Of a film with heat.
+  [[nodiscard]] HeatTaken heat_taken() const;
   /// By how much the film ends otherwise than it began: relative change of smallest film, of torque
   /// (over its largest) and of the oil in the gap [-].
   [[nodiscard]] double drift() const;

@@ -372,9 +372,9 @@ bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>
   return true;
 }
 
-WallMeans CycleSearch::bodies_answer() const {
+BodiesAnswer CycleSearch::bodies_answer() const {
   const int nodes = film_.heat()->skin().nodes();
-  return answer_of_bodies(film_.model(), *walls_, heat_, *response_, nodes).walls;
+  return answer_of_bodies(film_.model(), *walls_, heat_, *response_, nodes);
 }
 
 bool CycleSearch::settle_walls(bool rough, int turns) {
@@ -424,7 +424,11 @@ void CycleSearch::settle_walls_and_oil(bool rough) {
 }
 
 double CycleSearch::change_of_walls() {
-  answered_ = bodies_answer();
+  BodiesAnswer answer = bodies_answer();
+  const HeatTaken taken = told_.heat_taken();
+  r_.audit.to_shell = answer.solids.shell.heat_in - taken.shell;
+  r_.audit.to_shaft = answer.solids.shaft.heat_in - taken.shaft;
+  answered_ = std::move(answer.walls);
   return kHeatUnit * largest_difference(packed(*answered_), packed(*walls_));
 }
 
@@ -477,6 +481,8 @@ CycleResult CycleSearch::result() const {
   CycleResult r = r_;
   told_.write(r);
   r.audit.walls = wall_change_;
+  r.audit.to_shell = r_.audit.to_shell;
+  r.audit.to_shaft = r_.audit.to_shaft;
   if (film_.heat() == nullptr) {
     const double T = now_.film.columns.T.front();
     for (Note& w : oil_range_warnings(c_.oil, T, T, 0.0)) r.warnings.push_back(std::move(w));

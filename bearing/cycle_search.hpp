@@ -122,7 +122,7 @@ class CycleSearch {
   /// By how much the last cycle would change a wall, or its growth in units [K].
   [[nodiscard]] double change_of_walls();
   /// What the bodies make of the heat of the last cycle.
-  [[nodiscard]] WallMeans bodies_answer() const;
+  [[nodiscard]] BodiesAnswer bodies_answer() const;
   [[nodiscard]] std::vector<double> packed(const WallMeans& w) const;
   void unpack(const std::vector<double>& x, WallMeans& w) const;
   /// The film between `walls_`; false, with the verdict, if they leave it no room.

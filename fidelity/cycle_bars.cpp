@@ -83,6 +83,19 @@ void put_time_bars(const CycleResult& usual, const CycleResult& other, double pa
   }
 }
 
+/// Walls that the bodies would still change: by so much are temperatures, and the heat that goes
+/// into the bodies or, since it is made in any case, leaves with the oil, not known (2).
+void add_unsettled_walls(CycleResult& r) {
+  const CycleAudit& a = r.audit;
+  if (!std::isfinite(a.walls)) return;
+  for (CycleQuantity& q : r.quantities) {
+    if (q.quantity.unit == "K") q.error_time += a.walls;
+    if (q.quantity.name == "heat_to_shell") q.error_time += std::abs(a.to_shell);
+    if (q.quantity.name == "heat_to_shaft") q.error_time += std::abs(a.to_shaft);
+    if (q.quantity.name == "heat_by_oil") q.error_time += std::abs(a.to_shell + a.to_shaft);
+  }
+}
+
 }  // namespace
 
 double beyond_instants(const std::vector<CycleInstant>& all, double CycleInstant::*value,
@@ -124,6 +137,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   const CycleResult other = on_grid(changed, coarse.back().grid, control);
   if (other.verdict.good()) put_time_bars(coarse.back(), other, part, r);
   add_between_instants(r);
+  add_unsettled_walls(r);
   if (!c.cycle->step) {
     // The film of one instant is off by what its step may err, whatever other steps give.
     for (CycleQuantity& q : r.quantities) {

@@ -14,7 +14,10 @@ namespace shellback::fidelity {
 /// (given steps under a load of straight lines, whose corners cut them: 2 for 4/3),
 /// taken as a part of the value; to extremes comes how far a parabola through the instants around
 /// goes beyond what they were seen to be, to the smallest film what a chosen step may err. 1.5 is
-/// the safety of the grid's bars. Source: Richardson, textbook. Bars are not-a-number where no
+/// the safety of the grid's bars. With walls that the bodies would still change, as every search
+/// leaves them, temperatures and heat flows get besides
+///   |change of the walls|,   |heat that the bodies would take then less what they took|        (2)
+/// Source: Richardson, textbook. Bars are not-a-number where no
 /// coarser grid serves. Throws InputError as solve_cycle does.
 [[nodiscard]] bearing::CycleResult solve_cycle_with_bars(const bearing::Case& c,
                                                          const bearing::SolveControl& control = {});

@@ -1,6 +1,7 @@
 /// The study of the shells: its parts on their own, and what an interrupted one shows.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 
 #include "app/library.hpp"
 #include "app/read_case.hpp"
@@ -111,6 +112,54 @@ TEST_CASE("TheLoadThatMeetsALimitIsOnTheLineThroughTwo", "[shells]") {
   CHECK(std::isnan(load_met(ShellLimit::state, at(1.0), at(2.0), 0.5e-6, 410.0)));
   CHECK(std::isnan(load_met(ShellLimit::film, at(1.0), LoadTried{2.0, NAN, NAN}, 0.5e-6, 410.0)));
   CHECK(std::isnan(load_met(ShellLimit::film, {}, at(2.0), 0.5e-6, 410.0)));
+}
+
+TEST_CASE("TheSearchForACapabilityEndsAtTheLimitOfAnyCurve", "[shells]") {
+  // h over the load as a power, a line in its logarithm, with a sudden end; limits over the whole
+  // range. A bisection of the range to 9 % takes seven loads.
+  const ShellsPlan plan = shells_plan(false);
+  constexpr double kLeast = 0.5e-6;
+  const auto search = [&](const std::function<double(double)>& h, double end) {
+    Capability c;
+    int loads = 0;
+    const auto met = [&] { return load_met(c.limit, c.good, c.bad, kLeast, 1e3); };
+    for (double f = 1.0; f > 0.0; f = next_load(plan, c, met())) {
+      REQUIRE(++loads < 20);
+      CHECK(f >= plan.factors[0]);
+      CHECK(f <= plan.factors[1]);
+      const bool found = f < end;
+      (found && h(f) >= kLeast ? c.good : c.bad) = {f, found ? h(f) : NAN, 300.0};
+      if (!found || h(f) < kLeast) c.limit = found ? ShellLimit::film : ShellLimit::state;
+    }
+    return std::pair(c, loads);
+  };
+  for (const double limit : {0.26, 0.5, 0.9, 0.999, 1.001, 1.1, 1.9, 3.9}) {
+    for (const double power : {0.1, 0.7, 3.0}) {
+      INFO("limit " << limit << ", power " << power);
+      const auto [c, loads] =
+          search([&](double f) { return kLeast * std::pow(limit / f, power); }, 1e9);
+      CHECK(c.good.factor <= limit);
+      CHECK(c.bad.factor >= limit);
+      CHECK(c.bad.factor / c.good.factor <= plan.width * (1.0 + 1e-12));
+      CHECK(loads <= 7);
+      // Linear between the last two: the curve's second derivative over their distance, with a
+      // power of 3 and 9 %: 3/8 (ln 1.09)^2 = 0.3 %.
+      CHECK(load_met(c.limit, c.good, c.bad, kLeast, 1e3) == Approx(limit).epsilon(3e-3));
+    }
+    const auto [c, loads] = search([](double) { return 1e-6; }, limit);
+    CHECK(c.good.factor < limit);
+    CHECK(c.bad.factor >= limit);
+    CHECK(c.bad.factor / c.good.factor <= plan.width);
+    CHECK(loads <= 8);
+  }
+  const auto [always, few] = search([](double) { return 1e-6; }, 1e9);
+  CHECK(always.good.factor == plan.factors[1]);
+  CHECK(always.bad.factor == 0.0);
+  CHECK(few == 4);
+  const auto [never, also] = search([](double) { return 0.1e-6; }, 1e9);
+  CHECK(never.bad.factor == plan.factors[0]);
+  CHECK(never.good.factor == 0.0);
+  CHECK(also == 4);
 }
 
 TEST_CASE("AtTheHardestInstantShearTimesSpeedIsTheFrictionOfTheBore", "[shells]") {

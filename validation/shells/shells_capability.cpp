@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/words/ending_words.hpp"
 #include "bearing/running_in.hpp"
@@ -36,17 +37,13 @@ class Search {
         crew_(crew),
         wear_(wear),
         found_(found),
-        control_(crew.control(task, subject(plan.coarse, plan.factors[1]))) {}
+        control_(crew.control(task, subject(plan.coarse, 1.0))) {}
 
-  /// Bisection of ln(factor) between a load that is borne and one that is not.
-  void bisect() {
-    double low = plan_.factors[0], high = plan_.factors[1];
-    if (borne(high) || crew_.stopped() || !borne(low)) return;
-    for (int k = 0; k < plan_.halvings && !crew_.stopped(); ++k) {
-      const double middle = std::sqrt(low * high);
-      (borne(middle) ? low : high) = middle;
+  void run() {
+    for (double f = 1.0; f > 0.0 && !crew_.stopped(); f = next_load(plan_, found_, met(found_))) {
+      try_load(f);
     }
-    add_bar();
+    if (found_.good.factor > 0.0 && found_.bad.factor > 0.0) add_bar();
   }
 
  private:
@@ -62,37 +59,38 @@ class Search {
     return r;
   }
 
-  bool borne(double factor) {
+  /// Solves the load `factor` and notes it as borne or not.
+  void try_load(double factor) {
     const Case c = subject(plan_.coarse, factor);
     const CycleResult r = solved(c);
-    if (crew_.stopped()) return false;
+    if (crew_.stopped()) return;
     const ShellLimit limit = limit_of(found_.shell, c, r);
     if (limit != ShellLimit::none) {
       found_.bad = tried(factor, r);
       found_.limit = limit;
       found_.reason = app::reason_of(r.verdict);
-      return false;
+      return;
     }
     found_.good = tried(factor, r);
     found_.peak = 0.0;
     for (const auto& i : r.instants) {
       found_.peak = std::max(found_.peak, std::hypot(i.load_x, i.load_y));
     }
-    return true;
   }
+
+  double met(const ShellLimit limit, const LoadTried& good, const LoadTried& bad) const {
+    return load_met(limit, good, bad, least_film(subject(plan_.coarse, 1.0)),
+                    shell_kinds()[found_.shell].T_limit);
+  }
+  double met(const Capability& c) const { return met(c.limit, c.good, c.bad); }
 
   /// Where the limit is met, here and on two thirds of the cells. Edges and mouths leave an error
   /// of first order: what is missing on this grid is twice the difference.
   void add_bar() {
     constexpr double kCells = 1.5, kBar = 2.0;  // h/(1.5 h - h)
-    const double h_least = least_film(subject(plan_.coarse, 1.0));
-    const double T_most = shell_kinds()[found_.shell].T_limit;
-    const auto met = [&](ShellLimit limit, const LoadTried& good, const LoadTried& bad) {
-      return load_met(limit, good, bad, h_least, T_most);
-    };
     const LoadTried &good = found_.good, &bad = found_.bad;
     // The last load may break both bounds: what is met first is at the lesser load.
-    const bool hot = found_.limit == ShellLimit::lining && bad.h < h_least;
+    const bool hot = found_.limit == ShellLimit::lining && bad.h < least_film(subject(plan_.coarse, 1.0));
     if (hot && met(ShellLimit::film, good, bad) < met(found_.limit, good, bad)) {
       found_.limit = ShellLimit::film;
     }
@@ -143,6 +141,23 @@ double load_met(ShellLimit limit, const LoadTried& a, const LoadTried& b, double
   return a.factor * std::pow(b.factor / a.factor, m / (m - n));
 }
 
+double next_load(const ShellsPlan& plan, const Capability& c, double met) {
+  const double good = c.good.factor, bad = c.bad.factor;
+  const auto [least, most] = plan.factors;
+  const double away = good == 1.0 || bad == 1.0 ? std::numbers::sqrt2 : 2.0;
+  if (bad == 0.0) return good < most ? std::min(away * good, most) : 0.0;
+  if (good == 0.0) return bad > least ? std::max(bad / away, least) : 0.0;
+  const double between = bad / good;
+  if (between <= plan.width) return 0.0;
+  if (!std::isfinite(met)) return std::sqrt(good * bad);
+  // Half of what is wanted to the other side of the root than the nearer end: of two such loads one
+  // is borne, one not. Never nearer to an end than an eighth: curves do not hold it up.
+  const double half = std::sqrt(plan.width);
+  const double beside = met / good < bad / met ? met * half : met / half;
+  const double eighth = std::pow(between, 0.125);
+  return std::clamp(beside, good * eighth, bad / eighth);
+}
+
 RunInShell run_shell_in(const ShellsPlan& plan, const StudyCrew& crew, int task, int shell,
                         Tier tier) {
   const Case c = shell_case(shell, tier, {plan.coarse});
@@ -160,7 +175,7 @@ RunInShell run_shell_in(const ShellsPlan& plan, const StudyCrew& crew, int task,
 
 void find_capability(const ShellsPlan& plan, const StudyCrew& crew, int task, const Profile* wear,
                      Capability& c) {
-  Search(plan, crew, task, wear, c).bisect();
+  Search(plan, crew, task, wear, c).run();
   c.tried = !crew.stopped();
 }
 

@@ -5,10 +5,11 @@
 /// [running_in] (bearing/running_in.hpp), in the tier and on the cells of the capability.
 ///
 /// Capability: the highest multiple of the load at each speed at which a periodic state exists, the
-/// lining stays below its limit and the film above its own, by bisection of the logarithm; what
-/// limits it. Between the last two loads the limit stands where what it names (smallest film,
-/// temperature of the lining) goes through its bound on the straight line over ln of the load; the
-/// same on two thirds of the cells, with the same shape, gives its bar.
+/// lining stays below its limit and the film above its own; what limits it. Between two loads the
+/// limit stands where what it names (smallest film, temperature of the lining) goes through its
+/// bound on the straight line over ln of the load. From the load itself the search goes outwards,
+/// then to either side of that line's root until the loads that are borne and not are near enough;
+/// the same two on two thirds of the cells, with the same shape, give its bar.
 ///
 /// Limits of lining and film are assumptions told with the result. What is not found carries its
 /// reason.
@@ -65,6 +66,11 @@ struct Capability {
 /// not a number where both say the same or one is not known.
 [[nodiscard]] double load_met(ShellLimit limit, const LoadTried& a, const LoadTried& b,
                               double h_least, double T_most);
+
+/// The next multiple of the load to be tried, from the largest that was borne and the smallest that
+/// was not (0: none yet), `met` being where the limit stands between them (not a number: halves);
+/// 0: they are within plan.width, or at an end of plan.factors.
+[[nodiscard]] double next_load(const ShellsPlan& plan, const Capability& c, double met);
 
 /// Runs shell `shell` in, as task `task` of the crew.
 [[nodiscard]] RunInShell run_shell_in(const ShellsPlan& plan, const StudyCrew& crew, int task,

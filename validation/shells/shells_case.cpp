@@ -31,7 +31,7 @@ ShellsPlan shells_plan(bool quick) {
   plan.left_open = {60, 9};
   plan.coarse = {48, 7};
   plan.rpm = {2000.0};
-  plan.halvings = 3;
+  plan.width = 1.2;
   return plan;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string_view>
 
 #include "app/csv_table.hpp"
 #include "core/contract.hpp"
@@ -14,6 +15,8 @@ namespace {
 
 constexpr const char* kMeasuredExample =
     "speed [rpm], load [kN], friction_torque [N m], friction_torque_sd [N m]";
+
+constexpr const char* kFrictionTorque = "friction_torque";
 
 /// A column that may say where the bearing ran.
 struct InputColumn {
@@ -38,7 +41,7 @@ struct OutputColumn {
   const char* quantity;
 };
 const std::vector<OutputColumn> kOutputs{
-    {"friction_torque", "friction_torque_sd", kTorque, "friction_torque"},
+    {kFrictionTorque, "friction_torque_sd", kTorque, kFrictionTorque},
     {"power_loss", "power_loss_sd", kPower, "power_loss"},
     {"h_min", "h_min_sd", kLength, "h_min"},
     {"p_max", "p_max_sd", kPressure, "p_max"},
@@ -195,6 +198,7 @@ void Reading::add_point(std::size_t row) {
                        csv_.written(row, inputs_.front().name));
   p.curve = curve_of(row);
   p.name += p.curve.empty() ? ")" : ", " + p.curve + ")";
+  constexpr double kScatter = 3.0;  // standard deviations: one value of 400 is further off
   for (const OutputColumn& c : outputs_) {
     study::MeasuredValue m{c.quantity, csv_.column(c.name)[row]};
     if (csv_.has(c.deviation)) {
@@ -202,6 +206,13 @@ void Reading::add_point(std::size_t row) {
       if (!(m.deviation > 0.0)) {
         csv_.fail(row, c.deviation, "a standard deviation must be positive; give the instrument's");
       }
+    }
+    const bool torque = std::string_view(c.quantity) == kFrictionTorque && csv_.has("speed");
+    const bool scatter = std::abs(m.value) < kScatter * m.deviation;
+    if (torque && !scatter && m.value * csv_.column("speed")[row] < 0.0) {
+      csv_.fail(row, c.name,
+                "a friction torque has the sign of the speed, which drives against it; change that "
+                "of one of the two");
     }
     p.values.push_back(m);
   }

@@ -71,8 +71,8 @@ struct CycleAudit {
   /// Largest change of a wall's mean temperature, or of its thermal deformation (10 K a clearance),
   /// in the last turn of the search for the walls [K]. NaN as before.
   double walls = std::numeric_limits<double>::quiet_NaN();
-  /// Heat that shell and shaft would take between the walls to which that turn leads, less what they
-  /// took [W]. NaN as before.
+  /// Heat that shell and shaft would take between the walls to which that turn leads, less what
+  /// they took [W]. NaN as before.
   double to_shell = std::numeric_limits<double>::quiet_NaN();
   double to_shaft = std::numeric_limits<double>::quiet_NaN();
 };

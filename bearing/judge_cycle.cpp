@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t kFewestRows = 2;        ///< one is a steady load
 constexpr std::size_t kFewestSplineRows = 3;  ///< two cannot tell a period's shape
 constexpr int kRowsOfAJump = 2;               ///< before and after it
+constexpr double kFewestGiven = 24.0;         ///< steps of a period, of second order from there on
 
 /// Rows as many as times, of numbers; what follows relies on it.
 bool judge_rows(const LoadCycle& c, const ValueCheck& cycle) {
@@ -166,6 +167,12 @@ void judge_cycle_values(const LoadCycle& c, Findings& to) {
         "step",
         fmt::format("a step of {:.4g} s is longer than the whole of {:.4g} s", *c.step, n.length),
         "check its unit");
+  } else if (c.step && *c.step > n.length / kFewestGiven) {
+    to.suspect("load_cycle.step",
+               fmt::format("{:.3g} steps make the whole of {:.4g} s: their error does not fall "
+                           "with their square yet, and the bars of time are too short",
+                           n.length / *c.step, n.length),
+               "give a shorter one, or none: then steps are chosen by their error");
   }
   if (c.step && *c.step < kStepShortest * n.length) {
     cycle.refuse("step",

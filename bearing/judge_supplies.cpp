@@ -113,8 +113,8 @@ void judge_pressure(const Supply& s, double p_cav, const std::string& path, Find
 /// [Pa] Possible from air alone, as stiff as its pressure is high, usual from a soft hose on; a
 /// liquid in a stiff wall has 1 to 3 GPa (textbook).
 constexpr Limits kVesselModulus{1e5, 1e6, 6e9, 1e11};
-/// [m3] Usual from the drillings of a pin to a gallery; possible from a cubic micrometre, as large a
-/// drop as a film is thick, to a tank whose oil is still counted to the last of what a gap holds.
+/// [m3] Usual from the drillings of a pin to a gallery; possible from a cubic micrometre, as large
+/// a drop as a film is thick, to a tank whose oil is still counted to the last of what a gap holds.
 constexpr Limits kVesselVolume{1e-18, 1e-8, 1e-2, 1e3};
 /// Above cavitation [Pa]. Possible from the weight of a tenth of a millimetre of oil on.
 constexpr Limits kVesselHead{1.0, 1e3, INFINITY, INFINITY};

@@ -137,6 +137,12 @@ TEST_CASE("AWrongTableOfMeasurementsIsRefusedAtItsPlace", "[measured_table]") {
   check_parts(
       table_refusal("speed [rpm], friction_torque [N m], friction_torque_sd [N m]\n1,2,0\n"),
       {"data.csv:2:5", "must be positive"});
+  check_parts(table_refusal("speed [rpm], friction_torque [N m]\n1000, -0.4\n"),
+              {"data.csv:2:7", "sign of the speed"});
+  // what scatters about zero may lie on its other side
+  CHECK(table_refusal("speed [rpm], friction_torque [N m], friction_torque_sd [N m]\n"
+                      "1000, -0.01, 0.02\n-1000, -0.4, 0.02\n")
+            .empty());
   check_parts(table_refusal("speed [rpm], friction_torque [N m], h_min_sd [um]\n1,2,3\n"),
               {"h_min_sd", "leave it out"});
 }

@@ -1,5 +1,6 @@
 // Load cycles with film temperatures: against the steady tiers, balances, order in time.
 #include <catch2/catch.hpp>
+#include <utility>
 
 #include "app/words/ending_words.hpp"
 #include "bearing/compare_cycles.hpp"
@@ -80,6 +81,30 @@ TEST_CASE("HeatOfACycleIsConserved", "[cycle_heat]") {
   // ... but for what supply pressure adds, 0.1 MPa on some 0.1 l/min: below a thousandth
   CHECK(heat == Approx(value(r, "power_loss")).epsilon(0.01));
   CHECK(r.audit.walls < 0.1);  // [K]
+}
+
+TEST_CASE("HeatThatUnsettledWallsWouldStillTakeIsTold", "[cycle_heat]") {
+  // The same steps in time between walls that were left early and late: what the audit tells of the
+  // early ones leads to the late ones' heat. First order in what is missing, so a third may be
+  // left.
+  for (const Tier tier : {Tier::thd, Tier::tehd}) {
+    INFO(to_string(tier));
+    Case c = warm_cycle_case(1.5e3, 0.6);
+    c.cycle->step = c.cycle->period / 120.0;
+    c.model.tolerance = 0.05;
+    const CycleResult early = converged(c, tier);
+    c.model.tolerance = 1e-4;
+    const CycleResult late = converged(c, tier);
+    REQUIRE(early.audit.walls > 10.0 * late.audit.walls);
+    for (const auto& [name, missing] : {std::pair{"heat_to_shell", early.audit.to_shell},
+                                        std::pair{"heat_to_shaft", early.audit.to_shaft}}) {
+      const double off = value(late, name) - value(early, name);
+      INFO(name << ": " << value(early, name) << " W, off by " << off << " W, told " << missing);
+      CHECK(std::abs(off - missing) <= std::abs(off) / 3.0 + 1e-4 * value(late, "power_loss"));
+    }
+    CHECK(std::abs(early.audit.to_shell) + std::abs(early.audit.to_shaft) >
+          1e-4 * value(late, "power_loss"));
+  }
 }
 
 TEST_CASE("WhatStepsLoseOfElasticWorkFallsWithTheirSquare", "[cycle_heat]") {

@@ -1,4 +1,5 @@
 /// A load cycle filled by hand: its numbers, and why it is refused.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -64,6 +65,20 @@ TEST_CASE("AJournalThatItsLoadDoesNotMoveIsRefused") {
 TEST_CASE("StepsShorterThanAnyThatASearchTakesAreRefused") {
   CHECK(refusal([](LoadCycle& cycle) { cycle.step = 1e-9; }).key == "load_cycle.step");
   CHECK(refusal([](LoadCycle& cycle) { cycle.step = 1e-5; }).key.empty());
+}
+
+TEST_CASE("StepsTooLongForSecondOrderAreTold") {
+  const auto told = [](double step) {
+    Case c = cycle_case();
+    c.cycle->step = step;
+    const std::vector<Finding> found = judge(c);
+    return std::any_of(found.begin(), found.end(), [](const Finding& f) {
+      return f.key == "load_cycle.step" && !f.refused() && holds(f.problem, "square");
+    });
+  };
+  CHECK(told(0.04));
+  CHECK(told(0.04 / 23.0));
+  CHECK_FALSE(told(0.04 / 25.0));
 }
 
 TEST_CASE("NumbersOfACycleAreThoseOfItsRows") {

@@ -180,8 +180,13 @@ TEST_CASE("AVesselBelongsToALoadCycle", "[vessel]") {
   c.supplies[0].vessel->open = {{1e-3, 0.5e-3}};
   CHECK(refused("supply.0.open"));
   c.supplies[0].vessel->open.clear();
-  c.supplies[0].vessel->volume = 0.0;
-  CHECK(refused("supply.0.vessel_volume"));
+  for (const double volume : {0.0, 1e12}) {  // so much oil that a gap's is lost in its round-off
+    c.supplies[0].vessel->volume = volume;
+    CHECK(refused("supply.0.vessel_volume"));
+  }
+  c.supplies[0].vessel->volume = 1e-6;
+  c.supplies[0].pressure = c.model.cavitation_pressure + 1e-4;  // it would hold no drop
+  CHECK(refused("supply.0.pressure"));
   c.cycle.reset();
   CHECK(refused("supply.0.vessel_volume"));
 }

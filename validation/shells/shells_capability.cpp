@@ -90,7 +90,8 @@ class Search {
     constexpr double kCells = 1.5, kBar = 2.0;  // h/(1.5 h - h)
     const LoadTried &good = found_.good, &bad = found_.bad;
     // The last load may break both bounds: what is met first is at the lesser load.
-    const bool hot = found_.limit == ShellLimit::lining && bad.h < least_film(subject(plan_.coarse, 1.0));
+    const bool hot =
+        found_.limit == ShellLimit::lining && bad.h < least_film(subject(plan_.coarse, 1.0));
     if (hot && met(ShellLimit::film, good, bad) < met(found_.limit, good, bad)) {
       found_.limit = ShellLimit::film;
     }

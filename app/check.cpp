@@ -7,6 +7,7 @@
 
 #include "app/derived.hpp"
 #include "app/indicators.hpp"
+#include "app/quantity_label.hpp"
 #include "app/units.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/heat_words.hpp"
@@ -14,9 +15,11 @@
 #include "bearing/cycle_numbers.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/judge_case.hpp"
+#include "bearing/round_off.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "fidelity/estimate.hpp"
+#include "fidelity/estimate_bars.hpp"
 #include "fidelity/estimate_cycle.hpp"
 
 namespace shellback::app {
@@ -46,7 +49,8 @@ void print_operation(std::ostream& out, const Case& subject, const Derived& d) {
 }
 
 void print_expected(std::ostream& out, const Derived& d) {
-  out << "\nExpected (closed formulas; rigid, one temperature)\n";
+  out << "\nExpected (closed formulas: rigid, aligned, one temperature, the whole width without "
+         "supplies)\n";
   line(out, "friction torque", show(d.petroff_torque, "N m", kTorque),
        "Petroff: concentric journal; eccentric ones take more");
   line(out, "friction power", show(d.petroff_power, "W", kPower), "Petroff");
@@ -79,6 +83,14 @@ void print_list(std::ostream& out, const char* title, const std::vector<std::str
   for (const std::string& entry : list) out << "  - " << entry << "\n";
 }
 
+/// "; beyond the oil's laws, which hold from 0 degC to 150 degC"; within: nothing.
+std::string beyond_laws(const rheology::ValidityRange& range, double T) {
+  if (T >= range.T_min && T <= range.T_max) return "";
+  return fmt::format("; beyond the oil's laws, which hold from {} to {}",
+                     show(range.T_min, "degC", kTemperature),
+                     show(range.T_max, "degC", kTemperature));
+}
+
 void print_estimate(std::ostream& out, const Case& subject) {
   if (const auto lack = lack_for(subject, Tier::estimate); lack && lack->key == "model.tier") {
     out << "\nEstimate: none, " << lack->problem << "\n";
@@ -96,11 +108,13 @@ void print_estimate(std::ostream& out, const Case& subject) {
        : std::isfinite(e.lambda) ? fmt::format("film over roughness {:.3g}", e.lambda)
                                  : "smooth surfaces");
   line(out, "film temperature", show(e.T, "degC", kTemperature),
-       fmt::format("{:.3g} K above the supply", e.rise));
-  line(out, "friction torque", show(e.torque, "N m", kTorque));
+       fmt::format("{:.3g} K above the supply{}", e.rise, beyond_laws(subject.oil.range, e.T)));
+  const fidelity::EstimateBars bars = fidelity::estimate_bars(subject, e);
+  const auto within = [](double part) { return "+-" + figures(100.0 * part, 2) + " %"; };
+  line(out, "friction torque", show(e.torque, "N m", kTorque), within(bars.torque));
   line(out, "smallest film", show(e.h_min, "um", kLength),
-       fmt::format("eccentricity ratio {:.3g}", e.eps));
-  line(out, "peak pressure", show(e.p_max, "MPa", kPressure));
+       fmt::format("{}; eccentricity ratio {:.3g}", within(bars.film), e.eps));
+  line(out, "peak pressure", show(e.p_max, "MPa", kPressure), within(bars.peak));
 }
 
 /// The whole cycle by mobility, if the tier serves it.
@@ -147,9 +161,14 @@ void print_cycle(std::ostream& out, const Case& subject) {
   line(out, "mean load", load_words(n.mean),
        vanishes ? "it vanishes in between" : "smallest " + load_words(n.smallest));
   line(out, "peak specific load", show(n.largest / area, "MPa", kPressure));
-  line(out, "mean speed", show(n.mean_speed, "rpm", kSpeed),
+  const bool swings = std::abs(n.mean_speed) < kRoundOff * n.largest_speed;
+  line(out, "mean speed", show(swings ? 0.0 : n.mean_speed, "rpm", kSpeed),
        fmt::format("of the journal against the shell; at most {}",
                    show(n.largest_speed, "rpm", kSpeed)));
+  if (n.mean_sliding > std::abs(n.mean_speed) * (1.0 + kRoundOff)) {
+    line(out, "mean speed without its sign", show(n.mean_sliding, "rpm", kSpeed),
+         "the journal turns back");
+  }
   line(out, "journal mass", fmt::format("{:.4g} kg", cycle.journal_mass),
        cycle.journal_mass > 0.0 ? "" : "a journal without inertia");
   line(out, "step", cycle.step ? told(cycle, *cycle.step) : "chosen",
@@ -165,11 +184,13 @@ void print_steady(std::ostream& out, const Case& subject) {
   print_indicators(out, indicators(subject, d));
 }
 
-/// The largest load at the mean speed, as if both would stay.
+/// The largest load at the mean speed, that of a swinging journal without its sign, as if both
+/// would stay.
 Case at_largest_load(const Case& subject) {
   Case steady = subject;
+  const CycleNumbers n = cycle_numbers(*subject.cycle, subject.operation.omega);
   steady.operation.position = largest_load(*subject.cycle);
-  steady.operation.omega = cycle_numbers(*subject.cycle, subject.operation.omega).mean_speed;
+  steady.operation.omega = std::copysign(n.mean_sliding, n.mean_speed);
   return steady;
 }
 
@@ -214,8 +235,8 @@ void print_check(std::ostream& out, const Case& subject, WholeCycle cycle) {
     if (cycle == WholeCycle::estimated) print_cycle_estimate(out, subject);
     const Case steady = at_largest_load(subject);
     if (steady.operation.omega != 0.0) {
-      out << "\nBelow: as if the largest load and the mean speed would stay. A film that is "
-             "squeezed carries more.\n";
+      out << "\nBelow: as if the largest load and the mean speed (without its sign) would stay. A "
+             "film that is squeezed carries more.\n";
       print_steady(out, steady);
     }
   } else {

@@ -53,10 +53,6 @@ std::string value_bars(const ShownBars& bars) {
   return html + "</small>";
 }
 
-void add_once(std::vector<std::string>& all, const std::string& line) {
-  if (std::find(all.begin(), all.end(), line) == all.end()) all.push_back(line);
-}
-
 std::string split_sentences(const Comparison& comparison) {
   const auto& split = comparison.split;
   if (split.steps.empty()) return "";
@@ -213,13 +209,13 @@ std::string effects_html(const Comparison& comparison) {
 
 std::string notes_html(const Comparison& comparison) {
   const auto names = column_names(comparison.results);
-  std::vector<std::string> warnings;
+  const auto warnings =
+      lines_of_columns(comparison.results, [](const Result& r) { return words_of(r.warnings); });
+  const auto assumptions =
+      lines_of_columns(comparison.results, [](const Result& r) { return words_of(r.assumptions); });
   std::vector<std::string> limiters;
-  std::vector<std::string> assumptions;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const Result& r = comparison.results[k];
-    for (const auto& line : words_of(r.warnings)) add_once(warnings, line);
-    for (const auto& line : words_of(r.assumptions)) add_once(assumptions, line);
     for (const auto& l : r.limiters) {
       limiters.push_back(fmt::format("{}: {}, {} times", names[k], words_of(l.what), l.count));
     }

@@ -56,12 +56,21 @@ void add_thermal(const Case& subject, const Derived& d, std::vector<Indicator>& 
        "the flow rules; the film's core is nearly adiabatic"}));
 }
 
+/// Of tier auto, which chooses: no.
+bool is_elastic(const Case& subject) {
+  const Tier tier = subject.model.tier;
+  const bool solves = tier != Tier::estimate && tier != Tier::automatic;
+  return solves && physics_of(subject, tier).elastic;
+}
+
 void add_solid(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
   if (!subject.shell) return;
-  list.push_back(make("elastic deformation", "C p_max/h_min, C of layers and a held ring",
-                      fidelity::bore_compliance(subject) * d.p_max / d.h_min, {0.03, 0.1},
-                      {"rigid surfaces will do", "elastic deformation shows",
-                       "take the tier tehd, or switch elastic_deformation on"}));
+  list.push_back(
+      make("elastic deformation", "C p_max/h_min, C of layers and a held ring",
+           fidelity::bore_compliance(subject) * d.p_max / d.h_min, {0.03, 0.1},
+           {"rigid surfaces will do", "elastic deformation shows",
+            is_elastic(subject) ? "elastic deformation matters; the tier has it"
+                                : "take the tier tehd, or switch elastic_deformation on"}));
   const Shell& shell = *subject.shell;
   const double alpha =
       shell.housing ? shell.housing->material.expansion : shell.layers[0].material.expansion;

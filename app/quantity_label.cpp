@@ -1,6 +1,7 @@
 #include "app/quantity_label.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -171,6 +172,30 @@ std::vector<std::string> column_names(const std::vector<bearing::Result>& result
     names.push_back(all > 1 ? fmt::format("{} {}", tier, before + 1) : tier);
   }
   return names;
+}
+
+std::vector<std::string> lines_of_columns(
+    const std::vector<bearing::Result>& results,
+    const std::function<std::vector<std::string>(const bearing::Result&)>& lines_of) {
+  const std::vector<std::string> names = column_names(results);
+  std::vector<std::string> lines;
+  std::vector<std::vector<std::string>> of;  // columns that have the line
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    for (const std::string& line : lines_of(results[k])) {
+      const auto at = std::find(lines.begin(), lines.end(), line) - lines.begin();
+      if (at == static_cast<std::ptrdiff_t>(lines.size())) {
+        lines.push_back(line);
+        of.emplace_back();
+      }
+      auto& columns = of[static_cast<std::size_t>(at)];
+      if (columns.empty() || columns.back() != names[k]) columns.push_back(names[k]);
+    }
+  }
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (of[k].size() == names.size()) continue;
+    lines[k] = fmt::format("{}: {}", fmt::join(of[k], ", "), lines[k]);
+  }
+  return lines;
 }
 
 std::string difference(const DisplayUnit& unit, double value, double reference) {

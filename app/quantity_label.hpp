@@ -2,6 +2,7 @@
 /// How a reported quantity is shown to people: words, engineering unit, figures.
 ///
 /// Inside and in JSON all is SI; tables and pictures show um, MPa, degC, W or kW, l/min, deg.
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,12 @@ struct QuantityRow {
 
 /// Name of each result's column: its tier, numbered if a tier appears more than once.
 [[nodiscard]] std::vector<std::string> column_names(const std::vector<bearing::Result>& results);
+
+/// All distinct lines that `lines_of` gives for the columns, those of some of them with their
+/// names: "thd, tehd: the film is not laminar".
+[[nodiscard]] std::vector<std::string> lines_of_columns(
+    const std::vector<bearing::Result>& results,
+    const std::function<std::vector<std::string>(const bearing::Result&)>& lines_of);
 
 /// Difference of `value` against `reference`: "+3.1 %", or "+2.4 K" for temperatures in degC.
 [[nodiscard]] std::string difference(const DisplayUnit& unit, double value, double reference);

@@ -41,10 +41,6 @@ std::optional<bearing::RunningIn> read_running_in(const Section& file) {
     r.worn_after = section->quantity("worn_after", kLength.such_as("1 um"), kPositive);
   } else if (section->has("worn_after")) {
     section->fail("worn_after", "it belongs to the surface in running_in.worn, which is not given");
-  } else {
-    section->assume(
-        "the roughness is taken to stay while the shell wears (running_in.worn is not "
-        "given)");
   }
   return r;
 }

@@ -46,10 +46,10 @@ Axis value_axis(const Panel& panel, const DrawnQuantity& q, const std::string& u
   const std::string title = std::string("[") + unit + "]";
   const bool friction = std::string(panel.name) == "friction_torque";
   if (friction && q.low > 0.0 && q.high > kSteep * q.low) {
-    return log_axis(q.low / 1.6, q.high * 1.2, title);
+    return log_axis(q.low / 1.6, q.highest * 1.2, title);
   }
   const bool hugs = std::string(panel.name).starts_with("T_");
-  return round_axis(hugs ? q.low : std::min(0.0, q.low), q.high, 6, title);
+  return round_axis(hugs ? q.lowest : std::min(0.0, q.lowest), q.highest, 6, title);
 }
 
 class Panels {
@@ -78,9 +78,11 @@ class Panels {
     if (std::string(panel.name).starts_with("T_") && second) {
       q.low = std::min(q.low, second->low);
       q.high = std::max(q.high, second->high);
+      q.lowest = std::min(q.lowest, second->lowest);
+      q.highest = std::max(q.highest, second->highest);
     }
     const auto mark = film_mark(panel);
-    if (mark) q.high = std::max(q.high, *mark);
+    if (mark) q.highest = std::max(q.highest, *mark);
     LinePlot plot;
     plot.title = panel.title;
     plot.x = drawn_axis(sweep_.axes[x_], kRoom);

@@ -93,21 +93,39 @@ double DrawnQuantity::bar(const SweepPoint& point) const {
   return NAN;
 }
 
+/// Of the height of the curves, for bars beyond them [-].
+constexpr double kRoomForBars = 0.5;
+
 std::optional<DrawnQuantity> drawn_quantity(const Sweep& sweep, const std::string& name) {
   double least = INFINITY;
   double most = -INFINITY;
+  double below = INFINITY;  // with the bars
+  double above = -INFINITY;
   std::string si_unit;
   for (const SweepPoint& point : sweep.points) {
     if (!point.good() || !point.result.has(name)) continue;
     least = std::min(least, point.result.value(name));
     most = std::max(most, point.result.value(name));
     for (const auto& q : point.result.quantities) {
-      if (q.name == name) si_unit = q.unit;
+      if (q.name != name) continue;
+      si_unit = q.unit;
+      const double bar = std::isfinite(q.error()) ? q.error() : 0.0;
+      below = std::min(below, q.value - bar);
+      above = std::max(above, q.value + bar);
     }
   }
   if (!(least <= most)) return std::nullopt;
   const DisplayUnit unit = display_unit(name, si_unit, std::max(std::abs(least), std::abs(most)));
-  return DrawnQuantity{name, unit, unit(least), unit(most)};
+  // Bars are drawn to their ends, but those that would press the curve together, and none across
+  // zero where all values have one sign.
+  const double room = kRoomForBars * (most - std::min(least, 0.0));
+  const double floor = least >= 0.0 ? std::max(least - room, 0.0) : least - room;
+  return DrawnQuantity{name,
+                       unit,
+                       unit(least),
+                       unit(most),
+                       unit(std::clamp(below, floor, least)),
+                       unit(std::clamp(above, most, most + room))};
 }
 
 void draw_cross(Svg& svg, Point at, const std::string& colour) {

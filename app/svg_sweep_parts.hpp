@@ -34,8 +34,9 @@ struct SweepLine {
 struct DrawnQuantity {
   std::string name;
   DisplayUnit unit;
-  double low = 0.0;   ///< in `unit`
-  double high = 0.0;  ///< in `unit`
+  double low = 0.0;                    ///< in `unit`
+  double high = 0.0;                   ///< in `unit`
+  double lowest = 0.0, highest = 0.0;  ///< with room for error bars, in `unit`
   /// Value at the point in `unit`; not-a-number if it is not solved.
   [[nodiscard]] double at(const study::SweepPoint& point) const;
   /// Its error bar in `unit`; not-a-number if it is not known.

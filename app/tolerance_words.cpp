@@ -9,6 +9,8 @@
 #include "app/quantity_label.hpp"
 #include "app/sweep_case.hpp"
 #include "app/sweep_columns.hpp"
+#include "bearing/case_limits.hpp"
+#include "fidelity/grid_sequence.hpp"
 #include "fidelity/tolerance.hpp"
 
 namespace shellback::app {
@@ -54,8 +56,11 @@ std::string grid_words(const std::array<int, 2>& grid) {
 /// keeps. `rest`: words that the command needs besides.
 void take_grid(const Case& c, const Shortfall& s, const std::string& command,
                const std::string& rest, const std::array<int, 2>& own, Missed& missed) {
+  constexpr const char* kNodes = "model.film_nodes";
   const std::string blank = rest.empty() ? "" : rest + " ";
-  if (s.grid == own) {
+  const int nodes = c.model.film_nodes + (s.more_nodes ? fidelity::kMoreNodes : 0);
+  const bool more_nodes = nodes <= bearing::kValueRanges.film_nodes[1] && s.more_nodes;
+  if (s.grid == own && !more_nodes) {
     const double largest = std::fmax(s.friction.total(), s.h_min.total());
     missed.outlook = "no finer grid is worth its time; the tolerance that this one keeps";
     missed.command =
@@ -67,7 +72,11 @@ void take_grid(const Case& c, const Shortfall& s, const std::string& command,
       s.expected > s.tolerance
           ? fmt::format("the finest grid worth its time leaves about +-{}", percent(s.expected))
           : fmt::format("expected to meet it (+-{})", percent(s.expected));
-  missed.command = command_line(command, c, blank + set_words(kGrid, grid_words(s.grid)), {kGrid});
+  std::string words = s.grid == own ? "" : set_words(kGrid, grid_words(s.grid));
+  if (more_nodes) {
+    words += (words.empty() ? "" : " ") + set_words(kNodes, std::to_string(nodes));
+  }
+  missed.command = command_line(command, c, blank + words, {kGrid, kNodes});
 }
 
 /// Tier auto chooses physics and grid by itself.
@@ -107,13 +116,19 @@ struct Widest {
 
 double width(const Shortfall& s) { return std::fmax(s.friction.total(), s.h_min.total()); }
 
+bool varied(const study::Sweep& sweep, const char* key) {
+  return std::any_of(sweep.axes.begin(), sweep.axes.end(),
+                     [&](const study::Axis& axis) { return axis.key == key; });
+}
+
 Widest widest(const study::Sweep& sweep, double tolerance) {
   Widest out;
   for (const int index : reading_order(sweep)) {
     const study::SweepPoint& point = sweep.points[index];
     if (!point.good()) continue;
-    const Shortfall s = fidelity::shortfall(point.result, tolerance);
+    Shortfall s = fidelity::shortfall(point.result, tolerance);
     if (s.met) continue;
+    s.more_nodes = s.more_nodes && !varied(sweep, "model.film_nodes");
     ++out.count;
     if (out.point != nullptr && width(s) <= width(out.missed)) continue;
     out.point = &point;
@@ -133,11 +148,6 @@ std::string all_axes(const study::Sweep& sweep, const std::array<int, 2>& grid) 
     words += (words.empty() ? "" : " ") + vary_words(axis);
   }
   return words;
-}
-
-bool varied(const study::Sweep& sweep, const char* key) {
-  return std::any_of(sweep.axes.begin(), sweep.axes.end(),
-                     [&](const study::Axis& axis) { return axis.key == key; });
 }
 
 /// The same sweep in tier auto; none where tier or grid are what is varied.

@@ -57,8 +57,10 @@ std::string cure(const Kind& kind) {
   return fmt::format("units that would do: {}; for example \"{}\"", kind.units, kind.example);
 }
 
-/// For letters that many write for a scale of temperature; nothing for others.
-std::string temperature_hint(std::string_view symbol) {
+/// For symbols that many write for another unit; nothing for others.
+std::string usual_hint(std::string_view symbol) {
+  if (symbol == "kgf" || symbol == "kp") return "; one kilogram-force is 9.80665 N";
+  if (symbol == "gf" || symbol == "tf") return "; forces are in N, kN, MN or lbf";
   if (symbol == "F") return "; did you mean \"K\" or \"degC\" (Fahrenheit is \"degF\")?";
   if (symbol == "C") return "; did you mean \"degC\" or \"K\"?";
   return "";
@@ -160,7 +162,7 @@ class UnitParser {
   Unit known(std::string_view symbol, std::size_t begin) {
     const auto unit = find_unit(symbol);
     if (!unit) {
-      const std::string hint = temperature_hint(symbol);
+      const std::string hint = usual_hint(symbol);
       throw UnitError(fmt::format("unknown unit {}{}; {}", in_quotes(symbol),
                                   hint.empty() ? did_you_mean(symbol, unit_symbols()) : hint,
                                   cure(kind_)));

@@ -124,18 +124,6 @@ void print_split(std::ostream& out, const Comparison& comparison) {
          "  difference out differently. Percentages are of the isothermal torque.\n";
 }
 
-/// All distinct lines that `lines_of` gives for the results.
-template <class LinesOf>
-std::vector<std::string> gathered(const std::vector<Result>& results, LinesOf lines_of) {
-  std::vector<std::string> all;
-  for (const auto& result : results) {
-    for (const auto& line : lines_of(result)) {
-      if (std::find(all.begin(), all.end(), line) == all.end()) all.push_back(line);
-    }
-  }
-  return all;
-}
-
 void print_tolerance(std::ostream& out, const Case& c, const Missed& missed) {
   const auto lines = tolerance_lines(c, missed);
   if (!lines.empty()) out << '\n';
@@ -221,9 +209,9 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
   if (!results.empty()) print_effects(out, results.back());
   print_limiters(out, results);
   print_list(out, "warnings",
-             gathered(results, [](const Result& r) { return words_of(r.warnings); }));
+             lines_of_columns(results, [](const Result& r) { return words_of(r.warnings); }));
   print_list(out, "assumptions",
-             gathered(results, [](const Result& r) { return words_of(r.assumptions); }));
+             lines_of_columns(results, [](const Result& r) { return words_of(r.assumptions); }));
   out << '\n';
   for (std::size_t i = 0; i < results.size(); ++i) print_failure(out, names[i], results[i]);
 }

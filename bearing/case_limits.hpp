@@ -89,6 +89,8 @@ struct BearingLimits {
   Limits free_wall{1e-3, 1e-2, INFINITY, INFINITY};
   /// C of Archard's law [-]: from lubricated to unlubricated metals 1e-10 to 1e-2 (textbook).
   Limits wear_coefficient{0.0, 1e-12, 1e-2, 1.0};
+  /// Depth at which a surface is worn, over the clearance [-]: summits are some hundredths of it.
+  Limits worn_after{1e-5, 1e-3, 1.0, 10.0};
   Limits hardness{1e6, 1e7, 2e10, 1e12};  // [Pa] polymers from 50 MPa, nitrided steel 10 GPa
   double supply_cover_usual = 0.3;        ///< of the surface [-]
   double supply_cover_most = 0.9;         ///< above, hardly any film is left [-]

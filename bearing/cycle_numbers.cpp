@@ -38,6 +38,12 @@ double speed(const LoadCycle& c, std::size_t row, double omega) {
   return c.omega.empty() ? omega : c.omega[row];
 }
 
+/// Of a straight line from `a` to `b`.
+double mean_magnitude(double a, double b) {
+  if (a * b >= 0.0) return 0.5 * std::abs(a + b);
+  return 0.5 * (a * a + b * b) / std::abs(b - a);
+}
+
 }  // namespace
 
 CycleNumbers cycle_numbers(const LoadCycle& c, double omega) {
@@ -61,12 +67,16 @@ CycleNumbers cycle_numbers(const LoadCycle& c, double omega) {
     n.mean += 0.5 * dt * (load + magnitude(c, b));
     x += 0.5 * dt * (c.x[a] + c.x[b]);
     y += 0.5 * dt * (c.y[a] + c.y[b]);
-    n.mean_speed += 0.5 * dt * (speed(c, a, omega) + speed(c, b, omega));
+    const double from = speed(c, a, omega);
+    const double till = speed(c, b, omega);
+    n.mean_speed += 0.5 * dt * (from + till);
+    n.mean_sliding += dt * mean_magnitude(from, till);
   }
   if (n.angle < 0.0) n.angle += 2.0 * kPi;
   n.mean = time > 0.0 ? n.mean / time : n.largest;
   n.net = time > 0.0 ? std::hypot(x, y) / time : n.largest;
   n.mean_speed = time > 0.0 ? n.mean_speed / time : speed(c, 0, omega);
+  n.mean_sliding = time > 0.0 ? n.mean_sliding / time : std::abs(speed(c, 0, omega));
   n.length = c.length();
   return n;
 }

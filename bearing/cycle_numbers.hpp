@@ -22,6 +22,7 @@ struct CycleNumbers {
   double mean = 0.0;           ///< over time, of the magnitude [N]
   double net = 0.0;            ///< magnitude of the load's mean over time [N]
   double mean_speed = 0.0;     ///< of the journal against the shell, with its sign [rad/s]
+  double mean_sliding = 0.0;   ///< of its magnitude [rad/s]
   double largest_speed = 0.0;  ///< magnitude [rad/s]
 };
 

@@ -476,7 +476,8 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   const double h_min = extreme(instants_, &CycleInstant::h_min, true).h_min;  // of edges, too
   const fluid::SmallestGap least{h_min_[at], g.phi[at / g.nz], g.z[at % g.nz]};
   const double T = extreme(instants_, &CycleInstant::T_film_max, false).T_film_max;
-  const FilmReach reach{NAN, T, largest(p_max_), h_min_, least, h_min};
+  FilmReach reach{NAN, T, largest(p_max_), h_min_, least, h_min};
+  if (!layer_depth_.empty()) reach.layer_depth = largest(layer_depth_);
   for (Note& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
   const double T_film =
       film_->heat() ? area_mean(g, film_->heat()->walls.shell) : equivalent_temperature(m.input);

@@ -9,6 +9,7 @@
 #include "core/constants.hpp"
 #include "rheology/heat.hpp"
 #include "rheology/shear.hpp"
+#include "rheology/viscosity.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -27,7 +28,18 @@ void judge_switches(const Case& c, Findings& to) {
   }
 }
 
-void judge_viscosity(const rheology::Oil& oil, Findings& to) {
+/// Constants of a law are seen to be wrong by what they make of the oil as it comes.
+void judge_supplied_viscosity(const rheology::Oil& oil, double T, Findings& to) {
+  const auto* vogel = std::get_if<rheology::Vogel>(&oil.temperature);
+  if (vogel != nullptr && T - kZeroCelsius + vogel->C <= 1.0) return;  // at its pole: refused below
+  const double eta = rheology::viscosity(oil, T, 0.0);
+  compare(to, "oil.viscosity.temperature", eta, kBearingLimits.viscosity,
+          fmt::format("its constants make the viscosity {} at the supply's {}", shown(eta, "mPa s"),
+                      shown(T, "degC")),
+          "check their units (Pa s or mPa s? degC or K?)");
+}
+
+void judge_viscosity(const rheology::Oil& oil, double T_supply, Findings& to) {
   const auto* cross = std::get_if<rheology::Cross>(&oil.shear);
   if (cross != nullptr && !rheology::stress_is_monotone(*cross)) {
     to.refuse("oil.viscosity.shear",
@@ -43,7 +55,7 @@ void judge_viscosity(const rheology::Oil& oil, Findings& to) {
         fmt::format("the viscosity falls by a factor exp(-{:.4g}) with each degree", slope->beta),
         "oils have a beta of 0.02 to 0.06 1/K");
   }
-  if (constant == nullptr && slope == nullptr) return;
+  if (constant == nullptr && slope == nullptr) return judge_supplied_viscosity(oil, T_supply, to);
   const double eta = constant != nullptr ? constant->eta : slope->eta;
   compare(to, "oil.viscosity.temperature.eta", eta, kBearingLimits.viscosity,
           fmt::format("the viscosity is {}", shown(eta, "mPa s")),
@@ -114,7 +126,7 @@ void judge_temperatures(const Case& c, Findings& to) {
 
 void judge_oil(const Case& c, Findings& to) {
   judge_switches(c, to);
-  judge_viscosity(c.oil, to);
+  judge_viscosity(c.oil, c.supplies.front().temperature, to);
   judge_density(c.oil, to);
   judge_heat(c.oil, c.supplies.front().temperature, to);
   judge_temperatures(c, to);

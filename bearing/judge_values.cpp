@@ -181,6 +181,22 @@ void judge_measured(const Measured& m, Findings& to) {
   if (m.T_shell_max) measured.temperature("T_shell_max", *m.T_shell_max);
 }
 
+/// Pressure that contact cannot have wears nothing.
+void judge_limit_pressure(const Case& c, const ValueCheck& wear) {
+  const double limit = c.running_in->limit_pressure;
+  const double shell = hardness_of_shell(c);
+  const double contact = c.surfaces.contact ? c.surfaces.contact->hardness : 0.0;
+  for (const auto& [H, what] :
+       {std::pair{shell, "the hardness of the shell"},
+        std::pair{contact, "surfaces.contact.hardness, at which contact pressure ends"}}) {
+    if (!(H > 0.0 && limit > H)) continue;
+    return wear.refuse("limit_pressure",
+                       fmt::format("{} is more than {}, {}: nothing would wear",
+                                   shown(limit, "MPa"), what, shown(H, "MPa")),
+                       "check the unit; worn-in bearings bear some MPa");
+  }
+}
+
 /// Wear without contact, or of a surface whose hardness nobody knows, is none.
 void judge_running_in(const Case& c, Findings& to) {
   const RunningIn& r = *c.running_in;
@@ -196,15 +212,14 @@ void judge_running_in(const Case& c, Findings& to) {
             "check the unit");
   }
   if (!r.duration) wear.number("limit_pressure", r.limit_pressure, "MPa", kPositive);
-  if (const double H = hardness_of_shell(c); !r.duration && H > 0.0 && r.limit_pressure > H) {
-    wear.refuse("limit_pressure",
-                fmt::format("{} is more than the hardness of the shell, {}: nothing would wear",
-                            shown(r.limit_pressure, "MPa"), shown(H, "MPa")),
-                "check the unit; worn-in bearings bear some MPa");
-  }
+  judge_limit_pressure(c, wear);
   if (r.worn) {
     judge_surface(*r.worn, ValueCheck("running_in.worn", to));
     wear.number("worn_after", r.worn_after, "um", kPositive);
+    compare(to, "running_in.worn_after", r.worn_after / c.bearing.radial_clearance,
+            kBearingLimits.worn_after,
+            fmt::format("the surface is worn after {}", shown(r.worn_after, "um")),
+            "check the unit; it is about the height of the summits");
   }
   if (!(hardness_of_shell(c) > 0.0)) {
     wear.refuse("hardness", "the hardness of the shell's surface is not known",

@@ -20,6 +20,8 @@ enum class Plain {
   rigid_layer,               ///< elasto-plastic, under surfaces taken as rigid
   edge_oil_as_supply,        ///< oil that comes in again at a side edge
   planes_overlap,            ///< mean planes of rough surfaces, where the film is smallest
+  marks_begin_anew,          ///< of an elasto-plastic layer that wears under a standing load
+  roughness_stays,           ///< of a shell that wears
   // Where an event of a load cycle begins.
   event_from_steady,    ///< state of its first row
   event_at_rest,        ///< asperities carrying the load of its first row
@@ -177,6 +179,12 @@ struct WornThrough {
   double thickness = 0.0;  ///< of that layer [m]
 };
 
+/// An elasto-plastic layer that has flowed by more than half of its thickness.
+struct LayerFlown {
+  double depth = 0.0;      ///< [m]
+  double thickness = 0.0;  ///< [m]
+};
+
 /// A vessel of a supply at the cavitation pressure.
 struct VesselEmpty {
   double part = 0.0;  ///< of the time [-]
@@ -212,9 +220,9 @@ using Note = std::variant<
     std::string, note::Plain, note::ColdSpot, note::NoCoefficients, note::CavitatedDamping,
     note::OtherRoots, note::FactorsContinued, note::BeyondOilRange, note::BeyondContactLaw,
     note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells, note::ProfileBetweenCells,
-    note::NotLaminar, note::VesselEmpty, note::MouthWidened, note::WornThrough, note::LayerPressed,
-    note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound,
-    note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::ShaftSwing,
-    note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::NotLaminar, note::VesselEmpty, note::MouthWidened, note::WornThrough, note::LayerFlown,
+    note::LayerPressed, note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid,
+    note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet,
+    note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -22,6 +22,8 @@ struct Quantity {
   double error_model = std::numeric_limits<double>::quiet_NaN();  ///< bar of the physics left out
   double order =
       std::numeric_limits<double>::quiet_NaN();  ///< observed, with which error_grid falls
+  /// Part of error_grid that more cells do not take off: that of the nodes across the film.
+  double error_nodes = 0.0;
   double magnitude = 0.0;  ///< mean of |value| over a cycle in which it changes its sign
   /// What the grids of the bar lead to as cells get infinitely fine; NaN: not known.
   double limit = std::numeric_limits<double>::quiet_NaN();

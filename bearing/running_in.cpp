@@ -8,6 +8,7 @@
 
 #include "bearing/fixed_point.hpp"
 #include "bearing/kept_run.hpp"
+#include "bearing/pressed_layer.hpp"
 #include "bearing/solution_members.hpp"
 #include "bearing/step_control.hpp"
 #include "bearing/worn_bearing.hpp"
@@ -392,6 +393,9 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
   } else {
     find_end(*b, control, c.running_in->limit_pressure, run);
   }
+  const bool flows = pressed_layer(c, 0).has_value() && b->model().physics.elastic;
+  if (flows && !c.cycle) run.warnings.emplace_back(note::Plain::marks_begin_anew);
+  if (!c.running_in->worn) run.warnings.emplace_back(note::Plain::roughness_stays);
   const double depth = run.states.back().depth;
   if (c.shell && !c.shell->layers.empty() && depth > c.shell->layers.front().thickness) {
     run.warnings.emplace_back(note::WornThrough{depth, c.shell->layers.front().thickness});

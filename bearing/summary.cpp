@@ -35,14 +35,21 @@ double oil_mean_temperature(const BearingModel& m, const FilmEquilibrium& f) {
   return sum / oil;
 }
 
+/// At z = 0; between the middles of two cells on the straight line, beside the plane of symmetry on
+/// the parabola that stands on it.
 double gap_at_mid_width(const BearingModel& m, const FilmEquilibrium& f) {
   const FilmGrid& g = m.domain.grid;
-  int mid = 0;
-  for (int j = 1; j < g.nz; ++j) {
-    if (std::abs(g.z[j]) < std::abs(g.z[mid])) mid = j;
-  }
+  const auto above = std::lower_bound(g.z.begin(), g.z.end(), 0.0) - g.z.begin();
+  const int b = std::min(static_cast<int>(above), g.nz - 1);
+  const bool at_middle = g.z[b] <= 0.0;
+  const int a = at_middle ? b : b > 0 ? b - 1 : std::min(1, g.nz - 1);
+  const auto height = [&](int j) { return g.half ? g.z[j] * g.z[j] : g.z[j]; };
+  const double part = a == b ? 0.0 : height(b) / (height(b) - height(a));  // of the way to a
   double h = INFINITY;
-  for (int i = 0; i < g.nt; ++i) h = std::min(h, f.gap.cell[g.index(i, mid)]);
+  for (int i = 0; i < g.nt; ++i) {
+    const double at = f.gap.cell[g.index(i, b)];
+    h = std::min(h, at + part * (f.gap.cell[g.index(i, a)] - at));
+  }
   return h;
 }
 

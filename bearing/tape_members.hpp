@@ -85,8 +85,8 @@ inline void members(Tape& tape, bearing::Iterate& x) { tape(x.x, x.g); }
 // Results.
 
 inline void members(Tape& tape, bearing::Quantity& x) {
-  auto& [name, value, unit, error_grid, error_model, order, magnitude, limit] = x;
-  tape(name, value, unit, error_grid, error_model, order, magnitude, limit);
+  auto& [name, value, unit, error_grid, error_model, order, error_nodes, magnitude, limit] = x;
+  tape(name, value, unit, error_grid, error_model, order, error_nodes, magnitude, limit);
 }
 
 inline void members(Tape& tape, bearing::CycleInstant& x) {

@@ -17,7 +17,8 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
       *low < coldest_around(s.model.input, *s.model.solids) - kUndershoot) {
     warnings.push_back(note::ColdSpot{*low});
   }
-  const FilmReach reach{*low, *high, largest(s.film.film.p), s.film.gap.cell, s.film.least};
+  FilmReach reach{*low, *high, largest(s.film.film.p), s.film.gap.cell, s.film.least};
+  if (!s.film.layer.empty()) reach.layer_depth = largest(lasting_depth(s.film.layer));
   for (Note& w : range_warnings(s.model, reach)) warnings.push_back(std::move(w));
   const Field& T = s.film.columns.T_mean;
   const double mean = std::accumulate(T.begin(), T.end(), 0.0) / static_cast<double>(T.size());

@@ -156,6 +156,15 @@ std::vector<Note> input_warnings(const Case& c, const Physics& physics) {
   return out;
 }
 
+/// Columns beside each other shear by the time that half of them has flowed away, and none can lose
+/// more than it has.
+void add_flown_layer(const BearingModel& m, double depth, std::vector<Note>& out) {
+  constexpr double kMostFlown = 0.5;  // of the thickness, as of what is pressed before it flows
+  if (!(depth > 0.0)) return;
+  const double thickness = m.input.shell->layers.front().thickness;
+  if (depth > kMostFlown * thickness) out.emplace_back(note::LayerFlown{depth, thickness});
+}
+
 std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) {
   std::vector<Note> out = oil_range_warnings(m.oil, reach.T_low, reach.T_high, reach.p_max);
   for (const Note& note : input_warnings(m.input, m.physics)) out.push_back(note);
@@ -165,6 +174,7 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   add_bore(m, reach, out);
   add_holes(m, out);
   add_strain(m, reach.p_max, out);
+  add_flown_layer(m, reach.layer_depth, out);
   if (m.contact && reach.h_min < 0.0) out.emplace_back(note::Plain::planes_overlap);
   return out;
 }

@@ -17,6 +17,7 @@ struct FilmReach {
   const Field& h;              ///< smallest gap of each cell [m]
   fluid::SmallestGap least{};  ///< of all
   double h_min = least.h;      ///< the same, with side edges [m]
+  double layer_depth = 0.0;    ///< by which an elasto-plastic layer has flowed, at most [m]
 };
 
 /// How far summits have flowed at the contact's hardness where the gap is `h` [m], in the middle of

@@ -114,8 +114,12 @@ std::vector<CycleQuantity> quantities(const JournalPath& path, double T) {
     add(name, i.*value, i.t);
   };
   const bool rough = path.motion().scene().touches();
-  add("friction_torque", path.mean(&CycleInstant::torque));
-  if (rough) add("friction_torque_asperity", path.mean(&CycleInstant::torque_asperity));
+  const auto add_mean = [&](const char* name, double CycleInstant::*value) {
+    add(name, path.mean(value));
+    list.back().quantity.magnitude = path.mean_magnitude(value);
+  };
+  add_mean("friction_torque", &CycleInstant::torque);
+  if (rough) add_mean("friction_torque_asperity", &CycleInstant::torque_asperity);
   add("power_loss", path.mean(&CycleInstant::power));
   add_extreme("h_min", &CycleInstant::h_min, true);
   add_extreme("p_max", &CycleInstant::p_max, false);
@@ -149,7 +153,7 @@ void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>
   const auto of_table = [](const std::string& name) { return name == "h_min" ? 2.0 : 1.0; };
   for (std::size_t k = 0; k < list.size(); ++k) {
     Quantity& q = list[k].quantity;
-    const double size = std::abs(q.value);
+    const double size = q.size();
     const bool temperature = q.name == "T_film_mean";
     q.error_grid = temperature ? 0.0 : of_table(q.name) * kMobilityError * size;
     q.error_model = temperature ? bars.temperature : relative(q.name) * size;

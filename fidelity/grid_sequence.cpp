@@ -13,7 +13,6 @@ using namespace bearing;
 namespace {
 
 constexpr std::size_t kGrids = 3;  ///< with which an order can be observed [-]
-constexpr int kMoreNodes = 2;      ///< across the film; their number stays odd [-]
 
 int cells(const Grid& grid) { return grid[0] * grid[1]; }
 

@@ -18,6 +18,7 @@ inline constexpr Grid kUsualGrid{400, 50};
 /// Refinement of each direction between grids that can be told apart, where they are not halved
 /// [-].
 inline constexpr double kRefinement = 1.4;
+inline constexpr int kMoreNodes = 2;  ///< across the film; their number stays odd [-]
 
 /// Grids coarser than that of the case, from the coarsest on, each axis about halved, or 0.7 of it
 /// where that leaves fewer than two; down to 20 x 3. Where a grid cannot resolve the edges of the

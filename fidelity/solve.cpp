@@ -72,7 +72,8 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     }
     const GridBar bar = grid_bar(values, cell_size(record.grid));
     const double nodes = std::abs(value_in(record.node_change, q.name));
-    q.error_grid = bar.bar + (std::isfinite(nodes) ? nodes : 0.0);
+    q.error_nodes = std::isfinite(nodes) ? nodes : 0.0;
+    q.error_grid = bar.bar + q.error_nodes;
     if (q.name == "h_min") q.error_grid += record.edge;
     q.order = bar.order;
     q.limit = limit_of(c, q, bar.limit);

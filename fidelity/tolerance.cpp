@@ -14,10 +14,17 @@ namespace {
 double known(double bar) { return std::isfinite(bar) ? bar : 0.0; }
 
 void propose_grid(const Result& r, Shortfall& s) {
+  const std::array<const RelativeBars*, 2> both{&s.friction, &s.h_min};
+  const auto allowed = [&](const RelativeBars& b) { return s.tolerance - known(b.model); };
+  const auto of_cells = [](const RelativeBars& b) { return known(b.grid - b.nodes); };
+  s.more_nodes = std::any_of(both.begin(), both.end(), [&](const RelativeBars* b) {
+    return b->nodes > kWorthAGrid * allowed(*b);
+  });
+  const auto of_nodes = [&](const RelativeBars& b) { return s.more_nodes ? 0.0 : b.nodes; };
   double wanted = 1.0;  // refinement of each direction
-  for (const RelativeBars* bars : {&s.friction, &s.h_min}) {
-    const double allowed = s.tolerance - known(bars->model);
-    wanted = std::max(wanted, std::pow(known(bars->grid) / allowed, 1.0 / bars->order));
+  for (const RelativeBars* b : both) {
+    const double left = allowed(*b) - of_nodes(*b);
+    wanted = std::max(wanted, std::pow(of_cells(*b) / left, 1.0 / b->order));
   }
   const auto cells = [&](int k, int step) {
     const double most = std::max(r.grid[k], kFineGrid[k]);
@@ -26,9 +33,9 @@ void propose_grid(const Result& r, Shortfall& s) {
   s.grid = {cells(0, 10), cells(1, 1)};
   const double refined =
       std::sqrt(static_cast<double>(s.grid[0]) * s.grid[1] / (r.grid[0] * r.grid[1]));
-  for (const RelativeBars* bars : {&s.friction, &s.h_min}) {
-    const double grid = known(bars->grid) * std::pow(refined, -bars->order);
-    s.expected = std::max(s.expected, grid + known(bars->model));
+  for (const RelativeBars* b : both) {
+    const double cells = of_cells(*b) * std::pow(refined, -b->order);
+    s.expected = std::max(s.expected, cells + of_nodes(*b) + known(b->model));
   }
 }
 
@@ -41,9 +48,10 @@ RelativeBars relative_bars(const Result& r, const std::string& quantity) {
     const double size = q.size();
     if (q.name != quantity || size == 0.0) continue;
     return {q.error_grid / size, q.error_model / size,
-            std::isfinite(q.order) ? q.order : kLeastOrder};
+            std::isfinite(q.order) ? q.order : kLeastOrder,
+            std::min(q.error_nodes, q.error_grid) / size};
   }
-  return {NAN, NAN, kLeastOrder};
+  return {NAN, NAN, kLeastOrder, 0.0};
 }
 
 Shortfall shortfall(const Result& r, double tolerance) {

@@ -4,8 +4,10 @@
 /// `model.tolerance` is wished for on friction torque and smallest film. The bar of the grid falls
 /// as h^p with the cell size h = N^(-1/2) and the observed order p (grid_error.hpp); so
 ///   N_wanted = N (bar / allowed)^(2/p),   allowed = tolerance - bar of the physics left out   (1)
-/// cells are expected to bring it within. Where the physics left out takes all or most of the
-/// tolerance, no grid does. Textbook (Richardson).
+/// cells are expected to bring it within. Cells do not take off what the nodes across the film
+/// leave: where that is more than kWorthAGrid of what is allowed, kMoreNodes more are expected to,
+/// with which it was measured; otherwise it counts as allowed less. Where the physics left out
+/// takes all or most of the tolerance, no grid does. Textbook (Richardson).
 #include <array>
 
 #include "bearing/result.hpp"
@@ -17,6 +19,7 @@ struct RelativeBars {
   double grid = 0.0;
   double model = 0.0;
   double order = 0.0;  ///< with which `grid` falls
+  double nodes = 0.0;  ///< part of `grid` that only more nodes across the film take off
   /// The known ones together.
   [[nodiscard]] double total() const;
 };
@@ -31,6 +34,7 @@ struct Shortfall {
   bool physics = false;           ///< what is left out exceeds what a grid could make up for
   std::array<int, 2> grid{0, 0};  ///< by (1), no finer than the finest that values are meant for
   double expected = 0.0;          ///< larger of both bars there [-]
+  bool more_nodes = false;        ///< and with kMoreNodes more across the film
 };
 /// Part of the tolerance that a grid must be left for it to be worth while: its cells grow as the
 /// inverse square [-].

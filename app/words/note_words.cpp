@@ -29,6 +29,27 @@ std::string not_found(const note::NothingRicher& n) {
 
 std::string text_of(const std::string& words) { return words; }
 
+std::string beginning_of_event(note::Plain n) {
+  using note::Plain;
+  switch (n) {
+    case Plain::event_from_steady:
+      return "the event begins in the steady state of its first row";
+    case Plain::event_at_rest:
+      return "the event begins at rest: asperities carry the load of its first row, the film "
+             "nothing but what the supplies' pressure presses upon";
+    case Plain::event_in_the_middle:
+      return "the event begins with the journal at rest in the middle of a full film: no steady "
+             "state of its first row was found";
+    case Plain::event_without_heat:
+      return "walls and film begin at the (first) supply's temperature, before the film has heated "
+             "them: no steady state with heat of the event's first row is known (none is where a "
+             "drilling feeds)";
+    default:
+      return "the event begins with the journal in the middle of a full film: no steady place "
+             "under its first row was found";
+  }
+}
+
 std::string text_of(note::Plain n) {
   using note::Plain;
   switch (n) {
@@ -40,27 +61,22 @@ std::string text_of(note::Plain n) {
     case Plain::rigid_layer:
       return "the surfaces are rigid (model.elastic_deformation, or the tier): the elasto-plastic "
              "layer does not yield";
+    case Plain::marks_begin_anew:
+      return "what flows of the elasto-plastic layer begins anew with every worn shape, and is not "
+             "in the profile: that holds what has worn away";
+    case Plain::roughness_stays:
+      return "the roughness is taken to stay while the shell wears (running_in.worn is not given)";
     case Plain::edge_oil_as_supply:
       return "oil that comes in again at a side edge is as warm as what the supplies feed";
     case Plain::planes_overlap:
       return "the mean planes of the rough surfaces overlap where the film is smallest (its height "
              "is negative): a finer grid, or contact data for surfaces pressed so far";
     case Plain::event_from_steady:
-      return "the event begins in the steady state of its first row";
     case Plain::event_at_rest:
-      return "the event begins at rest: asperities carry the load of its first row, the film "
-             "nothing but "
-             "what the supplies' pressure presses upon";
     case Plain::event_in_the_middle:
-      return "the event begins with the journal at rest in the middle of a full film: no steady "
-             "state of its first row was found";
     case Plain::event_without_heat:
-      return "walls and film begin at the (first) supply's temperature, before the film has heated "
-             "them: no steady state with heat of the event's first row is known (none is where a "
-             "drilling feeds)";
     case Plain::estimate_in_the_middle:
-      return "the event begins with the journal in the middle of a full film: no steady place "
-             "under its first row was found";
+      return beginning_of_event(n);
     case Plain::bars_interrupted:
       return "interrupted before the error bars were known";
     case Plain::bars_unknown:
@@ -274,6 +290,16 @@ std::string text_of(const note::WornThrough& n) {
       "the wear of {:.3g} um has gone through the shell's first layer ({:.3g} um): below it lies "
       "another material, and what is told here is that of the first",
       1e6 * n.depth, 1e6 * n.thickness);
+}
+
+std::string text_of(const note::LayerFlown& n) {
+  return fmt::format(
+      "the elasto-plastic layer has flowed by {:.3g} um of its {:.3g} um: columns beside each "
+      "other "
+      "shear by then{}; check load, hardness and thickness",
+      1e6 * n.depth, 1e6 * n.thickness,
+      n.depth > n.thickness ? ", and none can lose more than it has: the numbers are no prediction"
+                            : "");
 }
 
 std::string text_of(const note::NoCoefficients& n) {

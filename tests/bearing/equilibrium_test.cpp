@@ -47,6 +47,28 @@ Case mirrored(Case c) {
 
 }  // namespace
 
+TEST_CASE("TheFilmAtMidWidthDoesNotKnowWhetherACellStandsThere") {
+  // Rigid surfaces, the journal's place given: c (1 - eps) on the line of centres, on cells within
+  // 3 degrees of it; even and odd cells along, straight, tilted by half the clearance, graded.
+  for (const double tilt : {0.0, 2e-4}) {
+    for (const AxialSpacing axial : {AxialSpacing::even, AxialSpacing::graded}) {
+      for (const int nz : {8, 9}) {
+        Case c = plain_case();
+        c.model.grid = {60, nz};
+        c.model.axial_spacing = axial;
+        c.operation.position = EccentricityGiven{0.5, 0.0, 0.0};
+        if (tilt > 0.0) c.operation.alignment = TiltGiven{tilt, 0.0};
+        const Result r = solve(c);
+        REQUIRE(r.verdict.good());
+        const double middle = 0.5 * c.bearing.radial_clearance;
+        INFO(nz << " cells, tilt " << tilt);
+        CHECK(r.value("h_min_mid") >= middle * (1.0 - 1e-12));
+        CHECK(r.value("h_min_mid") <= middle + 0.5 * c.bearing.radial_clearance * 1.4e-3);
+      }
+    }
+  }
+}
+
 TEST_CASE("FilmForceBalancesTheLoad", "[equilibrium]") {
   for (const double load : {5.0, 200.0, 2e3, 2e4, 1e5}) {
     for (const double angle : {270.0, 200.0, 20.0}) {

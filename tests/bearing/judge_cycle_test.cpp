@@ -101,7 +101,20 @@ TEST_CASE("ASpeedColumnGivesMeanAndLargestSpeed") {
   cycle.omega = {100.0, 140.0, 100.0, 60.0};
   const CycleNumbers n = cycle_numbers(cycle, -20.0);
   CHECK(n.mean_speed == Approx(100.0));
+  CHECK(n.mean_sliding == Approx(100.0));
   CHECK(n.largest_speed == Approx(140.0));
+}
+
+TEST_CASE("AJournalThatSwingsSlidesThoughItsMeanSpeedIsNone") {
+  LoadCycle cycle = *cycle_case().cycle;
+  cycle.omega = {100.0, -100.0, 100.0, -100.0};  // triangles about zero: half of their height
+  const CycleNumbers even = cycle_numbers(cycle, -20.0);
+  CHECK(even.mean_speed == Approx(0.0).margin(1e-12));
+  CHECK(even.mean_sliding == Approx(50.0));
+  cycle.omega = {300.0, -100.0, 300.0, -100.0};  // 300 over three quarters, 100 over one
+  const CycleNumbers uneven = cycle_numbers(cycle, -20.0);
+  CHECK(uneven.mean_speed == Approx(100.0));
+  CHECK(uneven.mean_sliding == Approx(0.5 * (300.0 * 0.75 + 100.0 * 0.25)));
 }
 
 TEST_CASE("RowsThatMakeNoCycleAreRefused") {

@@ -337,6 +337,31 @@ TEST_CASE("AWornInShapeIsNotHarderThanTheShell") {
   CHECK(refusal(c, [](Case&) {}).key.empty());
   CHECK(refusal(c, [](Case& x) { x.running_in->limit_pressure = 351e6; }).key ==
         "running_in.limit_pressure");
+  // Contact pressure ends at the hardness given to the contact: a limit above it is never met.
+  c.surfaces.contact->hardness = 10e6;
+  CHECK(refusal(c, [](Case&) {}).key.empty());
+  CHECK(refusal(c, [](Case& x) { x.running_in->limit_pressure = 11e6; }).key ==
+        "running_in.limit_pressure");
+  c.running_in->duration = 200.0;
+  CHECK(refusal(c, [](Case& x) { x.running_in->limit_pressure = 11e6; }).key ==
+        "running_in.limit_pressure");
+}
+
+TEST_CASE("ConstantsThatMakeNoOilAreSeenByTheirViscosity") {
+  Case c = plain_case();
+  const auto with = [&](double A) {
+    Case x = c;
+    x.oil.temperature = rheology::Vogel{A, 900.0, 100.0};
+    for (const Finding& f : judge(x, {Tier::isothermal})) {
+      if (f.key == "oil.viscosity.temperature") return f.refused() ? 2 : 1;
+    }
+    return 0;
+  };
+  const double T = c.supplies[0].temperature - 273.15;
+  const double A = 0.03 / std::exp(900.0 / (100.0 + T));  // 30 mPa s as it comes
+  CHECK(with(A) == 0);
+  CHECK(with(1e3 * A) == 1);  // mPa s for Pa s: told
+  CHECK(with(1e6 * A) == 2);  // stiffer than pitch
 }
 
 TEST_CASE("AHoleIsJudgedByItsDiameterAlone") {

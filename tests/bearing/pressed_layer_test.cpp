@@ -6,6 +6,7 @@
 #include "app/words/ending_words.hpp"
 #include "bearing/cycle.hpp"
 #include "bearing/judge_case.hpp"
+#include "bearing/told_ranges.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -81,6 +82,30 @@ TEST_CASE("AFilmEndsAtTheHardnessOfItsLayer", "[layer]") {
   for (std::size_t k = 0; k < r.fields.p.size(); ++k) {  // it has flowed where it is pressed so
     if (r.fields.layer_depth[k] > 0.0) CHECK(r.fields.p[k] > hardness * (1.0 - 1e-9));
   }
+}
+
+TEST_CASE("ALayerThatFlowsAwayIsTold", "[layer]") {
+  // The same mark in a layer that is thick, and in one that has less than twice as much.
+  const auto told = [](double thickness, double depth) {
+    Case c = coated(50e6);
+    c.shell->layers[0].thickness = thickness;
+    const BearingModel m = make_bearing(c, physics_of(c, Tier::isothermal), {16, 5});
+    const Field h(m.domain.grid.cells(), 10e-6);
+    FilmReach reach{300.0, 300.0, 1e6, h};
+    reach.layer_depth = depth;
+    for (const Note& n : range_warnings(m, reach)) {
+      if (const auto* flown = std::get_if<note::LayerFlown>(&n)) {
+        CHECK(flown->depth == depth);
+        CHECK(flown->thickness == thickness);
+        return true;
+      }
+    }
+    return false;
+  };
+  CHECK_FALSE(told(20e-6, 9e-6));
+  CHECK(told(20e-6, 11e-6));
+  CHECK(told(5e-6, 9e-6));
+  CHECK_FALSE(told(5e-6, 0.0));
 }
 
 TEST_CASE("ALoadThatStandsHoldsTheLayerAsTheSteadyFilmDoes", "[layer]") {

@@ -54,6 +54,22 @@ TEST_CASE("CellsWantedFollowTheObservedOrder") {
   CHECK(less.grid == std::array<int, 2>{400, 50});
 }
 
+TEST_CASE("WhatNodesAcrossTheFilmLeaveIsMendedByNodes") {
+  // A bar of 2 %, three quarters of it of the nodes: what is left is within 1 % on the same cells.
+  Result r = with_bars(0.02, NAN, 1.0);
+  for (Quantity& q : r.quantities) q.error_nodes = 0.75 * q.error_grid;
+  const auto nodes = shortfall(r, 0.01);
+  CHECK(nodes.more_nodes);
+  CHECK(nodes.grid == r.grid);
+  CHECK(nodes.expected == Approx(0.005));
+  // A tenth: cells have to make up for it, 0.018/(0.01 - 0.002) times as many a direction.
+  for (Quantity& q : r.quantities) q.error_nodes = 0.1 * q.error_grid;
+  const auto cells = shortfall(r, 0.01);
+  CHECK_FALSE(cells.more_nodes);
+  CHECK(cells.grid == std::array<int, 2>{450, 57});
+  CHECK(cells.expected <= 0.01 * (1.0 + 1e-12));
+}
+
 TEST_CASE("WhatAGridCannotMendIsToldAsPhysics") {
   const auto s = shortfall(with_bars(0.001, 0.3, 1.0), 0.01);
   CHECK_FALSE(s.met);

@@ -14,6 +14,7 @@
 #include "app/words/effect_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_coefficients.hpp"
+#include "fidelity/grid_error.hpp"
 
 namespace shellback::app {
 namespace {
@@ -46,6 +47,15 @@ void print_choice(std::ostream& out, const Result& result) {
   out << fmt::format("\nchosen by auto for {:.3g} %: {}; friction torque {}, smallest film {}\n",
                      100.0 * c.tolerance, c.met ? "met" : "NOT MET", known_within(c.bar_friction),
                      known_within(c.bar_h_min));
+  const bool led_on =
+      std::any_of(result.assumptions.begin(), result.assumptions.end(), [](const auto& note) {
+        return std::holds_alternative<bearing::note::ScalarsOfFinerGrid>(note);
+      });
+  if (led_on) {
+    out << fmt::format(
+        "  That is on {} x {} cells, the finest meant; the bars above go on to ever finer ones.\n",
+        fidelity::kFineGrid[0], fidelity::kFineGrid[1]);
+  }
   TextTable table;
   table.add({"  effect", "", "indicator", "friction torque", "smallest film"});
   for (const auto& e : result.effects) {

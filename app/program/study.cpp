@@ -44,8 +44,9 @@ int ended(const Outputs& outputs, bool interrupted, int failed) {
     return outputs.code(kInterrupted);
   }
   if (failed > 0) {
-    std::cerr << fmt::format("error: {} solves were not found; they are told with their reasons\n",
-                             failed);
+    std::cerr << fmt::format("error: {} not found; told with {}\n",
+                             failed == 1 ? "one solve was" : fmt::format("{} solves were", failed),
+                             failed == 1 ? "its reason" : "their reasons");
     return outputs.code(kNotConverged);
   }
   return outputs.code(kDone);

@@ -14,25 +14,16 @@ function(shellback_library name)
     PRIVATE $<BUILD_INTERFACE:shellback_flags>)
   set_target_properties(shellback_${name} PROPERTIES
     UNITY_BUILD ${SHELLBACK_UNITY} UNITY_BUILD_BATCH_SIZE 8)
-  set(owner core)
-  if(SHELLBACK_SANITIZE AND name IN_LIST SHELLBACK_TELLING)
-    target_compile_options(shellback_${name} PRIVATE -O0)
-    list(GET SHELLBACK_TELLING 0 owner)
-  endif()
-  if(name STREQUAL owner)
-    target_precompile_headers(shellback_${name} PRIVATE ${SHELLBACK_PRECOMPILED})
+  if(name STREQUAL "core")
+    target_precompile_headers(shellback_core PRIVATE ${SHELLBACK_PRECOMPILED})
   else()
-    target_precompile_headers(shellback_${name} REUSE_FROM shellback_${owner})
+    target_precompile_headers(shellback_${name} REUSE_FROM shellback_core)
   endif()
 endfunction()
 
 # Eigen's objects pass between the libraries and their users, who may be compiled for other
 # registers: one alignment for all, that of the widest (core/eigen.hpp).
 set(SHELLBACK_EIGEN_ALIGNMENT EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=64)
-
-# Libraries that read and tell, the first to be made at the head: they wait for solves. Sanitized they
-# are not optimized, which halves their time to compile.
-set(SHELLBACK_TELLING study words app program)
 
 # Headers of others that most sources read: parsed once. A third of all building was their parsing.
 set(SHELLBACK_PRECOMPILED <Eigen/Dense> <algorithm> <array> <cmath> <filesystem> <fmt/format.h>

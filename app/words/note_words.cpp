@@ -295,8 +295,7 @@ std::string text_of(const note::WornThrough& n) {
 std::string text_of(const note::LayerFlown& n) {
   return fmt::format(
       "the elasto-plastic layer has flowed by {:.3g} um of its {:.3g} um: columns beside each "
-      "other "
-      "shear by then{}; check load, hardness and thickness",
+      "other shear by then{}; check load, hardness and thickness",
       1e6 * n.depth, 1e6 * n.thickness,
       n.depth > n.thickness ? ", and none can lose more than it has: the numbers are no prediction"
                             : "");

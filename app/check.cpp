@@ -145,6 +145,10 @@ std::string load_words(double force) {
   return force >= kMany ? show(force, "kN", kForce) : show(force, "N", kForce);
 }
 
+bool turns_back(const CycleNumbers& n) {
+  return n.mean_sliding > std::abs(n.mean_speed) + kRoundOff * n.largest_speed;
+}
+
 void print_cycle(std::ostream& out, const Case& subject) {
   const LoadCycle& cycle = *subject.cycle;
   const CycleNumbers n = cycle_numbers(cycle, subject.operation.omega);
@@ -165,7 +169,7 @@ void print_cycle(std::ostream& out, const Case& subject) {
   line(out, "mean speed", show(swings ? 0.0 : n.mean_speed, "rpm", kSpeed),
        fmt::format("of the journal against the shell; at most {}",
                    show(n.largest_speed, "rpm", kSpeed)));
-  if (n.mean_sliding > std::abs(n.mean_speed) * (1.0 + kRoundOff)) {
+  if (turns_back(n)) {
     line(out, "mean speed without its sign", show(n.mean_sliding, "rpm", kSpeed),
          "the journal turns back");
   }
@@ -235,8 +239,10 @@ void print_check(std::ostream& out, const Case& subject, WholeCycle cycle) {
     if (cycle == WholeCycle::estimated) print_cycle_estimate(out, subject);
     const Case steady = at_largest_load(subject);
     if (steady.operation.omega != 0.0) {
-      out << "\nBelow: as if the largest load and the mean speed (without its sign) would stay. A "
-             "film that is squeezed carries more.\n";
+      const bool back = turns_back(cycle_numbers(*subject.cycle, subject.operation.omega));
+      out << "\nBelow: as if the largest load and the mean speed"
+          << (back ? " without its sign" : "")
+          << " would stay. A film that is squeezed carries more.\n";
       print_steady(out, steady);
     }
   } else {

@@ -25,6 +25,7 @@ using fidelity::Shortfall;
 namespace {
 
 constexpr const char* kGrid = "model.grid";
+constexpr const char* kNodes = "model.film_nodes";
 constexpr const char* kByAuto =
     "expected to meet it (physics and grid as the tolerance wants them)";
 
@@ -52,15 +53,17 @@ std::string grid_words(const std::array<int, 2>& grid) {
   return fmt::format("[{},{}]", grid[0], grid[1]);
 }
 
-/// The same command on the grid proposed, or, where there is no finer one, with a tolerance that it
-/// keeps. `rest`: words that the command needs besides.
+/// Whether the case has as many nodes across the film as there can be.
+bool nodes_at_most(const Case& c) {
+  return c.model.film_nodes + fidelity::kMoreNodes > bearing::kValueRanges.film_nodes[1];
+}
+
+/// The same command with the grid and the nodes proposed, or, where there are no finer ones, with a
+/// tolerance that they keep. `rest`: words that the command needs besides.
 void take_grid(const Case& c, const Shortfall& s, const std::string& command,
                const std::string& rest, const std::array<int, 2>& own, Missed& missed) {
-  constexpr const char* kNodes = "model.film_nodes";
-  const std::string blank = rest.empty() ? "" : rest + " ";
-  const int nodes = c.model.film_nodes + (s.more_nodes ? fidelity::kMoreNodes : 0);
-  const bool more_nodes = nodes <= bearing::kValueRanges.film_nodes[1] && s.more_nodes;
-  if (s.grid == own && !more_nodes) {
+  if (s.grid == own && !s.more_nodes) {
+    const std::string blank = rest.empty() ? "" : rest + " ";
     const double largest = std::fmax(s.friction.total(), s.h_min.total());
     missed.outlook = "no finer grid is worth its time; the tolerance that this one keeps";
     missed.command =
@@ -72,11 +75,15 @@ void take_grid(const Case& c, const Shortfall& s, const std::string& command,
       s.expected > s.tolerance
           ? fmt::format("the finest grid worth its time leaves about +-{}", percent(s.expected))
           : fmt::format("expected to meet it (+-{})", percent(s.expected));
-  std::string words = s.grid == own ? "" : set_words(kGrid, grid_words(s.grid));
-  if (more_nodes) {
-    words += (words.empty() ? "" : " ") + set_words(kNodes, std::to_string(nodes));
-  }
-  missed.command = command_line(command, c, blank + words, {kGrid, kNodes});
+  std::string words = rest;
+  std::vector<std::string> replaced;
+  const auto put = [&](const char* key, const std::string& value) {
+    words += (words.empty() ? "" : " ") + set_words(key, value);
+    replaced.emplace_back(key);
+  };
+  if (s.grid != own) put(kGrid, grid_words(s.grid));
+  if (s.more_nodes) put(kNodes, std::to_string(c.model.film_nodes + fidelity::kMoreNodes));
+  missed.command = command_line(command, c, words, replaced);
 }
 
 /// Tier auto chooses physics and grid by itself.
@@ -121,14 +128,14 @@ bool varied(const study::Sweep& sweep, const char* key) {
                      [&](const study::Axis& axis) { return axis.key == key; });
 }
 
-Widest widest(const study::Sweep& sweep, double tolerance) {
+Widest widest(const study::Sweep& sweep, const Case& subject) {
+  const bool nodes_stay = nodes_at_most(subject) || varied(sweep, kNodes) || varied(sweep, kGrid);
   Widest out;
   for (const int index : reading_order(sweep)) {
     const study::SweepPoint& point = sweep.points[index];
     if (!point.good()) continue;
-    Shortfall s = fidelity::shortfall(point.result, tolerance);
+    const Shortfall s = fidelity::shortfall(point.result, subject.model.tolerance, nodes_stay);
     if (s.met) continue;
-    s.more_nodes = s.more_nodes && !varied(sweep, "model.film_nodes");
     ++out.count;
     if (out.point != nullptr && width(s) <= width(out.missed)) continue;
     out.point = &point;
@@ -164,7 +171,7 @@ void sweep_by_auto(const Case& subject, const study::Sweep& sweep, Missed& misse
 Missed missed_tolerance(const Case& c, const Result& result) {
   if (!result.verdict.good()) return {};
   if (result.choice) return missed_by_auto(c, result);
-  const Shortfall s = fidelity::shortfall(result, c.model.tolerance);
+  const Shortfall s = fidelity::shortfall(result, c.model.tolerance, nodes_at_most(c));
   if (s.met) return {};
   Missed missed;
   missed.words = missed_words(s);
@@ -181,21 +188,25 @@ Missed missed_tolerance(const Case& c, const Comparison& comparison) {
   Missed missed;
   std::string tiers;
   Shortfall worst;  // of those that a grid can mend
+  bool more_nodes = false;
   const Result* mended = nullptr;
   const Result* within = nullptr;  // the richest that is as good as asked for
   for (std::size_t k = 0; k < names.size(); ++k) {
     const Result& r = comparison.results[k];
     tiers += (k == 0 ? "" : ",") + std::string(to_string(r.tier));
-    const Shortfall s = fidelity::shortfall(r, c.model.tolerance);
+    const Shortfall s = fidelity::shortfall(r, c.model.tolerance, nodes_at_most(c));
     if (r.verdict.good() && s.met && std::isfinite(s.friction.total())) within = &r;
     if (!r.verdict.good() || s.met) continue;
     missed.words += (missed.words.empty() ? "" : "; ") + names[k] + ": " + missed_words(s);
-    if (s.physics || (mended != nullptr && s.grid[0] <= worst.grid[0])) continue;
+    if (s.physics) continue;
+    more_nodes = more_nodes || s.more_nodes;
+    if (mended != nullptr && s.grid[0] <= worst.grid[0]) continue;
     worst = s;
     mended = &r;
   }
   if (!missed) return missed;
   if (mended != nullptr) {
+    worst.more_nodes = more_nodes;
     take_grid(c, worst, "compare", "--tiers " + tiers, mended->grid, missed);
   } else if (within != nullptr) {
     const std::string tier = to_string(within->tier);
@@ -208,7 +219,7 @@ Missed missed_tolerance(const Case& c, const Comparison& comparison) {
 }
 
 Missed missed_tolerance(const Case& subject, const study::Sweep& sweep) {
-  const Widest w = widest(sweep, subject.model.tolerance);
+  const Widest w = widest(sweep, subject);
   if (w.point == nullptr) return {};
   const std::vector<int> at = indices_of(sweep, w.index);
   Missed missed;

@@ -28,10 +28,15 @@ void judge_switches(const Case& c, Findings& to) {
   }
 }
 
+/// Nearer to the pole of Vogel's law than a kelvin, or beyond it.
+bool at_pole(const rheology::Oil& oil, double T) {
+  const auto* vogel = std::get_if<rheology::Vogel>(&oil.temperature);
+  return vogel != nullptr && T - kZeroCelsius + vogel->C <= 1.0;
+}
+
 /// Constants of a law are seen to be wrong by what they make of the oil as it comes.
 void judge_supplied_viscosity(const rheology::Oil& oil, double T, Findings& to) {
-  const auto* vogel = std::get_if<rheology::Vogel>(&oil.temperature);
-  if (vogel != nullptr && T - kZeroCelsius + vogel->C <= 1.0) return;  // at its pole: refused below
+  if (at_pole(oil, T)) return;  // refused by the temperature's key
   const double eta = rheology::viscosity(oil, T, 0.0);
   compare(to, "oil.viscosity.temperature", eta, kBearingLimits.viscosity,
           fmt::format("its constants make the viscosity {} at the supply's {}", shown(eta, "mPa s"),
@@ -108,10 +113,10 @@ std::vector<std::pair<std::string, double>> film_temperatures(const Case& c) {
 
 void judge_temperatures(const Case& c, Findings& to) {
   const auto& range = c.oil.range;
-  const auto* vogel = std::get_if<rheology::Vogel>(&c.oil.temperature);
   for (const auto& [key, T] : film_temperatures(c)) {
-    if (vogel != nullptr && T - kZeroCelsius + vogel->C <= 1.0) {
-      to.refuse(key, fmt::format("the oil's Vogel law has its pole at -{:.4g} degC", vogel->C),
+    if (at_pole(c.oil, T)) {
+      const double C = std::get<rheology::Vogel>(c.oil.temperature).C;
+      to.refuse(key, fmt::format("the oil's Vogel law has its pole at -{:.4g} degC", C),
                 fmt::format("it cannot be used at {}", shown(T, "degC")));
     } else if (T < range.T_min || T > range.T_max) {
       to.suspect(

@@ -189,9 +189,9 @@ void judge_limit_pressure(const Case& c, const ValueCheck& wear) {
   for (const auto& [H, what] :
        {std::pair{shell, "the hardness of the shell"},
         std::pair{contact, "surfaces.contact.hardness, at which contact pressure ends"}}) {
-    if (!(H > 0.0 && limit > H)) continue;
+    if (!(H > 0.0 && limit >= H)) continue;
     return wear.refuse("limit_pressure",
-                       fmt::format("{} is more than {}, {}: nothing would wear",
+                       fmt::format("{} is no less than {}, {}: nothing would wear",
                                    shown(limit, "MPa"), what, shown(H, "MPa")),
                        "check the unit; worn-in bearings bear some MPa");
   }

@@ -13,24 +13,28 @@ namespace {
 
 double known(double bar) { return std::isfinite(bar) ? bar : 0.0; }
 
-void propose_grid(const Result& r, Shortfall& s) {
+void propose_grid(const Result& r, bool nodes_stay, Shortfall& s) {
   const std::array<const RelativeBars*, 2> both{&s.friction, &s.h_min};
   const auto allowed = [&](const RelativeBars& b) { return s.tolerance - known(b.model); };
   const auto of_cells = [](const RelativeBars& b) { return known(b.grid - b.nodes); };
-  s.more_nodes = std::any_of(both.begin(), both.end(), [&](const RelativeBars* b) {
+  s.more_nodes = !nodes_stay && std::any_of(both.begin(), both.end(), [&](const RelativeBars* b) {
     return b->nodes > kWorthAGrid * allowed(*b);
   });
   const auto of_nodes = [&](const RelativeBars& b) { return s.more_nodes ? 0.0 : b.nodes; };
   double wanted = 1.0;  // refinement of each direction
   for (const RelativeBars* b : both) {
     const double left = allowed(*b) - of_nodes(*b);
+    if (!(left > 0.0)) {  // what nodes leave is too much for any cells
+      s.expected = std::max(s.friction.total(), s.h_min.total());
+      return;
+    }
     wanted = std::max(wanted, std::pow(of_cells(*b) / left, 1.0 / b->order));
   }
   const auto cells = [&](int k, int step) {
     const double most = std::max(r.grid[k], kFineGrid[k]);
     return static_cast<int>(std::min(most, step * std::ceil(r.grid[k] * wanted / step)));
   };
-  s.grid = {cells(0, 10), cells(1, 1)};
+  if (wanted > 1.0) s.grid = {cells(0, 10), cells(1, 1)};
   const double refined =
       std::sqrt(static_cast<double>(s.grid[0]) * s.grid[1] / (r.grid[0] * r.grid[1]));
   for (const RelativeBars* b : both) {
@@ -54,14 +58,14 @@ RelativeBars relative_bars(const Result& r, const std::string& quantity) {
   return {NAN, NAN, kLeastOrder, 0.0};
 }
 
-Shortfall shortfall(const Result& r, double tolerance) {
+Shortfall shortfall(const Result& r, double tolerance, bool nodes_stay) {
   Shortfall s{tolerance, relative_bars(r, "friction_torque"), relative_bars(r, "h_min")};
   s.grid = r.grid;
   for (const RelativeBars* bars : {&s.friction, &s.h_min}) {
     if (bars->total() > tolerance) s.met = false;
     if (tolerance - known(bars->model) < kWorthAGrid * tolerance) s.physics = true;
   }
-  if (!s.met && !s.physics && r.grid[0] > 0) propose_grid(r, s);
+  if (!s.met && !s.physics && r.grid[0] > 0) propose_grid(r, nodes_stay, s);
   return s;
 }
 

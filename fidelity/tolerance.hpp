@@ -39,7 +39,9 @@ struct Shortfall {
 /// Part of the tolerance that a grid must be left for it to be worth while: its cells grow as the
 /// inverse square [-].
 inline constexpr double kWorthAGrid = 0.25;
-[[nodiscard]] Shortfall shortfall(const bearing::Result& r, double tolerance);
+/// `nodes_stay`: there cannot be more nodes across the film.
+[[nodiscard]] Shortfall shortfall(const bearing::Result& r, double tolerance,
+                                  bool nodes_stay = false);
 
 /// True if the values differ by more than the bars of their grids together (the sum: a bar holds
 /// the true value, it is no standard deviation); also if a bar is not known. Bars of the physics

@@ -153,6 +153,44 @@ TEST_CASE("ABarBeyondTheToleranceIsToldWithACommand") {
   CHECK(text.find("shellback run case.toml --set model.grid=\"[400,50]\"") != std::string::npos);
 }
 
+TEST_CASE("NodesThatMakeTheBarAreProposedOnTheGridThatWasAskedFor") {
+  auto subject = test::synthetic_case();
+  subject.path = "case.toml";
+  auto result = test::synthetic_result();
+  const auto told = [&](double nodes) {
+    for (auto& q : result.quantities) {
+      q.error_grid = 2.0 * subject.model.tolerance * std::abs(q.value);
+      q.error_nodes = nodes * q.error_grid;
+    }
+    std::ostringstream out;
+    app::write_table(out, subject, result);
+    return out.str();
+  };
+  subject.changes = {{"model.grid", "[200,25]", "--set"}};
+  const std::string more = std::to_string(subject.model.film_nodes + 2);
+  CHECK(told(0.75).find("shellback run case.toml --set model.grid=\"[200,25]\" --set "
+                        "model.film_nodes=" +
+                        more + "\n") != std::string::npos);
+  // Nodes that were given stay where cells are to do it.
+  subject.changes = {{"model.film_nodes", "7", "--set"}};
+  CHECK(told(0.0).find("shellback run case.toml --set model.film_nodes=7 --set "
+                       "model.grid=\"[400,50]\"") != std::string::npos);
+}
+
+TEST_CASE("AWarningOfSomeTiersNamesThem") {
+  auto comparison = test::synthetic_comparison();
+  REQUIRE(comparison.results.size() > 1);
+  for (auto& r : comparison.results) r.warnings = {std::string("of all")};
+  comparison.results.back().warnings.emplace_back(std::string("of one"));
+  std::ostringstream out;
+  app::write_comparison_table(out, test::synthetic_case(), comparison);
+  const std::string text = out.str();
+  CHECK(text.find("  - of all\n") != std::string::npos);
+  CHECK(text.find("of all", text.find("  - of all\n") + 5) == std::string::npos);  // once
+  CHECK(text.find(std::string("  - ") + to_string(comparison.results.back().tier) + ": of one\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("ALastIterateShowsNoTemperatureThatNoOilHas") {
   auto result = test::not_converged(test::synthetic_result());
   for (auto& q : result.quantities) {

@@ -1,6 +1,7 @@
 /// An elasto-plastic layer under a film, steady and over load cycles.
 #include "bearing/pressed_layer.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
@@ -49,6 +50,11 @@ Result solved_in_tier(const Case& c) {
   INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
   return r;
+}
+
+bool tells_of_flow(const std::vector<Note>& notes) {
+  return std::any_of(notes.begin(), notes.end(),
+                     [](const Note& n) { return std::holds_alternative<note::LayerFlown>(n); });
 }
 
 double largest_total(const Fields& f) { return largest(f.p); }
@@ -137,8 +143,18 @@ TEST_CASE("EveryPulseLeavesItsMarkAndEachOneLess", "[layer]") {
     depth.push_back(value_of(r, "layer_depth"));
     CHECK(largest(r.fields.layer_depth) == depth.back());
     if (pulses == 1) p_max = value_of(r, "p_max");
+    CHECK(tells_of_flow(r.warnings) == (depth.back() > 0.5 * c.shell->layers[0].thickness));
   }
   CHECK(depth[1] > 0.0);
+  Case thin = c;
+  thin.shell->layers[0].thickness = 0.25 * depth[1];  // of what a thick one loses
+  thin.shell->layers[0].material.hardness = 5e6;
+  thin.cycle = pulsing(c, 8e3);
+  thin.cycle->period = INFINITY;
+  const CycleResult flown = solve_cycle(thin, Tier::isothermal);
+  REQUIRE(flown.verdict.good());
+  CHECK(value_of(flown, "layer_depth") > 0.5 * thin.shell->layers[0].thickness);
+  CHECK(tells_of_flow(flown.warnings));
   CHECK(depth[2] > depth[1]);
   CHECK(depth[2] - depth[1] < depth[1]);  // the mark spreads the load
   CHECK(depth[3] - depth[2] < depth[2] - depth[1]);

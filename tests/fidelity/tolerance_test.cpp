@@ -68,6 +68,15 @@ TEST_CASE("WhatNodesAcrossTheFilmLeaveIsMendedByNodes") {
   CHECK_FALSE(cells.more_nodes);
   CHECK(cells.grid == std::array<int, 2>{450, 57});
   CHECK(cells.expected <= 0.01 * (1.0 + 1e-12));
+  // No more nodes to be had: where they leave more than is allowed, no cells help.
+  for (Quantity& q : r.quantities) q.error_nodes = 0.75 * q.error_grid;
+  const auto stuck = shortfall(r, 0.01, true);
+  CHECK_FALSE(stuck.more_nodes);
+  CHECK(stuck.grid == r.grid);
+  CHECK(stuck.expected == Approx(0.02));
+  // Cells that no step of ten divides stay as they are.
+  r.grid = {48, 7};
+  CHECK(shortfall(r, 0.01).grid == r.grid);
 }
 
 TEST_CASE("WhatAGridCannotMendIsToldAsPhysics") {

@@ -6,6 +6,7 @@
 
 #include "app/pending_file.hpp"
 #include "app/svg_sweep.hpp"
+#include "app/svg_sweep_parts.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/write_csv.hpp"
 #include "app/write_json.hpp"
@@ -182,6 +183,28 @@ TEST_CASE("ThePictureCountsFailedPointsAndDrawsNone") {
   CHECK(whole.find("converged") == std::string::npos);
   // A dot per panel and solved point: two points more in each of four panels.
   CHECK(count_of(whole, "<circle") == count_of(broken, "<circle") + 2 * 4);
+}
+
+TEST_CASE("APictureHasRoomForErrorBars") {
+  Sweep sweep = broken_sweep();
+  const auto with_bars = [&](double part) {
+    for (SweepPoint& point : sweep.points) {
+      for (auto& q : point.result.quantities) q.error_grid = part * std::abs(q.value);
+    }
+    const auto q = app::drawn_quantity(sweep, "friction_torque");
+    REQUIRE(q);
+    return *q;
+  };
+  const auto bare = with_bars(0.0);
+  CHECK(bare.lowest == Approx(bare.low));
+  CHECK(bare.highest == Approx(bare.high));
+  const auto narrow = with_bars(0.1);
+  CHECK(narrow.low == bare.low);  // that of the colours of a map
+  CHECK(narrow.lowest == Approx(0.9 * bare.low));
+  CHECK(narrow.highest == Approx(1.1 * bare.high));
+  const auto wide = with_bars(9.0);  // they do not press the curve together, nor below zero
+  CHECK(wide.lowest >= 0.0);
+  CHECK(wide.highest <= 1.5 * bare.high * (1.0 + 1e-12));
 }
 
 TEST_CASE("APictureNeedsNumbers") {

@@ -191,6 +191,7 @@ Json material(const solid::Material& m) {
             {"poisson_ratio", plain(m.poisson_ratio)},
             {"expansion", si(m.expansion, "1/K")},
             {"hardness", m.hardness > 0.0 ? si(m.hardness, "Pa") : Json(nullptr)}};
+  if (m.limit_temperature > 0.0) json["limit_temperature"] = si(m.limit_temperature, "K");
   if (m.progression > 0.0) json["progression_rate"] = plain(m.progression);
   if (m.damping_ratio > 0.0) json["damping_ratio"] = si(m.damping_ratio, "s");
   return json;

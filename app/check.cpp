@@ -39,11 +39,15 @@ void print_operation(std::ostream& out, const Case& subject, const Derived& d) {
   line(out, "clearance over radius", fmt::format("{:.4g}", d.clearance_ratio));
   line(out, "width over diameter",
        fmt::format("{:.4g}", 0.5 * subject.bearing.width / subject.bearing.radius));
-  line(out, "specific load", show(d.specific_load, "MPa", kPressure), estimate);
+  if (d.rigid_film) {
+    line(out, "specific load", show(d.specific_load, "MPa", kPressure), estimate);
+  }
   line(out, "film temperature", show(d.T, "degC", kTemperature), d.T_source);
   line(out, "viscosity there", show(d.eta, "mPa s", kViscosity));
-  line(out, "Sommerfeld number So", fmt::format("{:.4g}", d.so),
-       fmt::format("p psi^2/(eta omega); S = {:.4g}", 1.0 / (2.0 * kPi * d.so)));
+  if (d.rigid_film) {
+    line(out, "Sommerfeld number So", fmt::format("{:.4g}", d.so),
+         fmt::format("p psi^2/(eta omega); S = {:.4g}", 1.0 / (2.0 * kPi * d.so)));
+  }
   line(out, "Reynolds number", fmt::format("{:.4g}", d.reynolds),
        fmt::format("laminar below 41.2 sqrt(R/c) = {:.4g}", d.reynolds_limit));
 }
@@ -59,8 +63,10 @@ void print_expected(std::ostream& out, const Derived& d) {
   line(out, "eccentricity ratio", fmt::format("{:.3g}", d.eccentricity_ratio),
        d.load_given ? "estimate" : "given");
   line(out, "smallest film", show(d.h_min, "um", kLength),
-       d.load_given ? "estimate" : "given, without deformation");
-  line(out, "peak pressure", show(d.p_max, "MPa", kPressure), "estimate");
+       d.load_given    ? "estimate"
+       : d.h_min > 0.0 ? "given, without deformation"
+                       : "given: only their deformation keeps the surfaces apart");
+  if (d.rigid_film) line(out, "peak pressure", show(d.p_max, "MPa", kPressure), "estimate");
   if (d.lambda) {
     line(out, "film over roughness", fmt::format("{:.3g}", *d.lambda),
          *d.lambda < 4.0 ? "mixed friction is likely" : "full film");
@@ -92,7 +98,8 @@ std::string beyond_laws(const rheology::ValidityRange& range, double T) {
 }
 
 void print_estimate(std::ostream& out, const Case& subject) {
-  if (const auto lack = lack_for(subject, Tier::estimate); lack && lack->key == "model.tier") {
+  const auto lack = lack_for(subject, Tier::estimate);
+  if (lack && (lack->key == "model.tier" || lack->key == "operation.eccentricity_ratio")) {
     out << "\nEstimate: none, " << lack->problem << "\n";
     return;
   }

@@ -53,7 +53,8 @@ void set_load(const Case& subject, Derived& d) {
     d.eccentricity_ratio = estimated_eccentricity(d.so, aspect);
   } else {
     d.eccentricity_ratio = std::get<EccentricityGiven>(subject.operation.position).ratio;
-    d.so = estimated_sommerfeld(d.eccentricity_ratio, aspect);
+    d.rigid_film = d.eccentricity_ratio < 1.0;
+    d.so = d.rigid_film ? estimated_sommerfeld(d.eccentricity_ratio, aspect) : NAN;
     d.specific_load = d.so * unit;
   }
   d.h_min = b.radial_clearance * (1.0 - d.eccentricity_ratio);

@@ -50,6 +50,7 @@ struct Derived {
   double eccentricity_ratio = 0.0;  ///< [-]
   double h_min = 0.0;               ///< c (1 - eps) [m]
   double p_max = 0.0;               ///< [Pa]
+  bool rigid_film = true;           ///< false: eps >= 1 is given, and (1), (2), p_max unknown
   double reynolds = 0.0;            ///< (4) [-]
   double reynolds_limit = 0.0;      ///< [-]
   double petroff_torque = 0.0;      ///< (5) [N m]

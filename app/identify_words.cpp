@@ -33,14 +33,20 @@ std::string moved(const FittedKey& key, double distance) {
 void add_undetermined(const IdentifyView& v, std::vector<std::string>& all) {
   for (const FitDirection& d : v.end.fit.directions) {
     if (d.determined) continue;
-    all.push_back(fmt::format(
-        "the data do not determine {}: along it the deviation is {} of the bounds' distance (0.29 "
-        "is that of the bounds alone); fix one of these keys with --set and leave it out of --fit, "
-        "or measure where they act apart",
-        direction_words(v, d),
+    const std::string wide =
         std::isfinite(d.deviation) && d.deviation < 1e3
-            ? fmt::format("{:.2g}", d.deviation)
-            : "without end or within the error of the differences"));
+            ? fmt::format(
+                  "the deviation is {:.2g} of the bounds' distance (0.29 is that of the "
+                  "bounds alone)",
+                  d.deviation)
+            : "nothing changes beyond the error of the differences";
+    all.push_back(fmt::format(
+        "the data do not determine {}: along it {}; {}", direction_words(v, d), wide,
+        v.keys.size() == 1
+            ? "look whether the key acts in this tier on what is measured (kappa of the equivalent "
+              "temperature: in tier isothermal, with a column shell_back_temperature)"
+            : "fix one of these keys with --set and leave it out of --fit, or measure where they "
+              "act apart"));
   }
 }
 
@@ -96,10 +102,35 @@ double found_deviation(const IdentifyView& v) {
   return count > 0 ? std::sqrt(squares / v.end.fit.freedom) : NAN;
 }
 
+/// Without deviations: by how much of itself a measured value is missed (root mean square) [-].
+double missed_part(const IdentifyView& v) {
+  double squares = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < v.end.points.size(); ++i) {
+    const study::FittedPoint& p = v.end.points[i];
+    for (std::size_t k = 0; k < p.fitted.size(); ++k) {
+      const double measured = v.table.points[i].values[k].value;
+      squares += std::pow(p.fitted[k] / measured - 1.0, 2);
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0.0;
+}
+
 std::string misfit(const IdentifyView& v) {
   constexpr double kChance = 1e-3;
+  constexpr double kMissed = 0.25;  // of the values: two or three times the scatter of rigs
   const study::Fit& fit = v.end.fit;
-  if (!v.table.deviations_known || fit.freedom <= 0 || fit.directions.empty()) return "";
+  if (fit.freedom <= 0 || fit.directions.empty()) return "";
+  if (!v.table.deviations_known) {
+    const double missed = missed_part(v);
+    if (!(missed > kMissed)) return "";
+    return fmt::format(
+        "the fitted case misses the measured values by {:.0f} % of themselves (root mean square): "
+        "the tier does not describe them, another key is wrong, or the table is of another bearing "
+        "or in other units",
+        100.0 * missed);
+  }
   const double usual = gsl_cdf_chisq_Qinv(kChance, fit.freedom);
   if (fit.chi2 <= usual) return "";
   return fmt::format(

@@ -63,14 +63,19 @@ bool is_elastic(const Case& subject) {
   return solves && physics_of(subject, tier).elastic;
 }
 
+/// Not where deformation alone keeps the surfaces apart.
+bool known_film(const Derived& d) { return d.rigid_film && d.h_min > 0.0; }
+
 void add_solid(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
   if (!subject.shell) return;
-  list.push_back(
-      make("elastic deformation", "C p_max/h_min, C of layers and a held ring",
-           fidelity::bore_compliance(subject) * d.p_max / d.h_min, {0.03, 0.1},
-           {"rigid surfaces will do", "elastic deformation shows",
-            is_elastic(subject) ? "elastic deformation matters; the tier has it"
-                                : "take the tier tehd, or switch elastic_deformation on"}));
+  if (known_film(d)) {
+    list.push_back(
+        make("elastic deformation", "C p_max/h_min, C of layers and a held ring",
+             fidelity::bore_compliance(subject) * d.p_max / d.h_min, {0.03, 0.1},
+             {"rigid surfaces will do", "elastic deformation shows",
+              is_elastic(subject) ? "elastic deformation matters; the tier has it"
+                                  : "take the tier tehd, or switch elastic_deformation on"}));
+  }
   const Shell& shell = *subject.shell;
   const double alpha =
       shell.housing ? shell.housing->material.expansion : shell.layers[0].material.expansion;
@@ -83,12 +88,12 @@ void add_solid(const Case& subject, const Derived& d, std::vector<Indicator>& li
 
 void add_oil(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
   const double alpha = rheology::pressure_slope(subject.oil, d.T, 0.0);
-  if (alpha > 0.0) {
+  if (alpha > 0.0 && known_film(d)) {
     list.push_back(make("viscosity and pressure", "alpha p_max", alpha * d.p_max, {0.05, 0.1},
                         {"pressure dependence is negligible", "pressure dependence shows",
                          "pressure dependence matters"}));
   }
-  if (!std::holds_alternative<rheology::NoShearThinning>(subject.oil.shear)) {
+  if (!std::holds_alternative<rheology::NoShearThinning>(subject.oil.shear) && known_film(d)) {
     const double rate = d.speed / d.h_min;
     const double loss = 1.0 - rheology::shear_factor(subject.oil.shear, rate).value;
     list.push_back(make("shear thinning", "viscosity lost at U/h_min", loss, {0.02, 0.05},

@@ -15,7 +15,7 @@ void read_end(const Section& section, RunningIn& r) {
     r.limit_pressure = section.quantity("limit_pressure", kPressure.such_as("5 MPa"), kPositive);
     return;
   }
-  if (section.is_text("until") && section.text("until").find_first_of("0123456789") != 0) {
+  if (section.is_text("until") && section.text("until").find_first_of("+-.0123456789") != 0) {
     const std::string text = section.text("until");
     section.fail("until", fmt::format("{} is neither \"worn_in\" nor a time such as \"200 s\"{}",
                                       in_quotes(text), did_you_mean(text, {"worn_in"})));

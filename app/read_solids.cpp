@@ -15,7 +15,7 @@ solid::Material read_properties(const Section& section, const std::string& name,
                                 bool in_part = false) {
   section.only({"name", "title", "source", "note", "assumed", "conductivity", "density",
                 "heat_capacity", "youngs_modulus", "poisson_ratio", "expansion", "hardness",
-                "progression_rate", "damping_ratio"},
+                "limit_temperature", "progression_rate", "damping_ratio"},
                "a material");
   for (const char* label : {"title", "source", "note"}) {  // words for the reader of the file
     if (section.has(label)) static_cast<void>(section.text(label));
@@ -35,6 +35,8 @@ solid::Material read_properties(const Section& section, const std::string& name,
       section.quantity("expansion", kPerKelvin.such_as("1.2e-5 1/K"), kNotNegative);
   material.hardness =
       section.quantity_or("hardness", kPressure.such_as("600 MPa"), 0.0, "", kPositive);
+  material.limit_temperature = section.quantity_or(
+      "limit_temperature", kTemperature.such_as("170 degC"), 0.0, "", kValueRanges.temperature);
   material.progression =
       section.quantity_or("progression_rate", kNumber.such_as("1.0"), 0.0, "", kNotNegative);
   material.damping_ratio =
@@ -57,7 +59,7 @@ Housing read_housing(const Section& section) {
   housing.outer_radius =
       0.5 * section.quantity("outer_diameter", kLength.such_as("100 mm"), kPositive);
   housing.joint_conductance =
-      section.quantity_or("joint_conductance", kHeatTransfer, 0.0, "", kPositive);
+      section.quantity_or("joint_conductance", kHeatTransfer, 0.0, "", kValueRanges.joint);
   if (section.has("support")) {
     housing.support =
         section.choice<HousingSupport>("support", {{"held", HousingSupport::held},

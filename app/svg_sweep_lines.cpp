@@ -23,10 +23,11 @@ struct Panel {
   const char* second = "";
   const char* solid_word = "";
   const char* dashed_word = "";
+  bool second_may_vanish = false;  ///< it is left out where it is zero throughout
 };
 constexpr std::array kPanels{
     Panel{"friction_torque", "Friction torque", "friction_torque_asperity", "total",
-          "from asperities"},
+          "from asperities", true},
     Panel{"h_min", "Smallest film"},
     Panel{"T_film_max", "Temperature", "T_shell_back", "film, largest", "shell back, mean"},
     Panel{"p_max", "Largest film pressure"},
@@ -74,7 +75,8 @@ class Panels {
   }
 
   void draw(const Box& box, const Panel& panel, DrawnQuantity q) {
-    const auto second = drawn_quantity(sweep_, panel.second);
+    auto second = drawn_quantity(sweep_, panel.second);
+    if (second && panel.second_may_vanish && !(second->high > 0.0)) second.reset();
     if (std::string(panel.name).starts_with("T_") && second) {
       q.low = std::min(q.low, second->low);
       q.high = std::max(q.high, second->high);

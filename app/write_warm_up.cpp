@@ -95,7 +95,7 @@ std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
   json["audit"] = {{"energy", run.imbalance()}};
   json["jumps"] = run.end.jumps;
   json["unfollowed"] = run.end.unfollowed;
-  json["warnings"] = words_of(bearing::march_warnings(c.oil, run.instants));
+  json["warnings"] = words_of(bearing::warm_up_warnings(c.oil, run, steady));
   const Json one = Json::parse(result_json(c, steady));
   json["steady"] = {{"status", one["status"]}, {"quantities", one["quantities"]}};
   json["provenance"] = one["provenance"];

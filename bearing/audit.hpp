@@ -6,7 +6,8 @@
 ///   energy  |friction power + pump power - heat by oil - heat to shell - heat to shaft|
 ///           / friction power; heat to shell and shaft as the solids took it up
 ///   load    |F + W| / |W|; not applicable with a given position
-///   moment  |T_journal - T_shell - T_pressure| / |T_journal|, viscous torques; T_pressure =
+///   moment  |T_journal - T_shell - T_pressure| / |T_journal|, viscous torques and those of
+///   asperities; T_pressure =
 ///           - int p dhT/dphi dA, the moment of the pressure on the eccentric journal (and on the
 ///           deformed shell). It is not exact on a grid and falls with it.
 #include "bearing/solve.hpp"

@@ -56,17 +56,6 @@ CrossFilmNodes nodes_across(const Case& c, const Physics& physics) {
   return gauss_lobatto(c.model.film_nodes);
 }
 
-/// That of the softer surface, as far as it is known; one that is given with the contact counts
-/// instead [Pa]; 0: none.
-double hardness_of_contact(const Case& c) {
-  if (c.surfaces.contact->hardness > 0.0) return c.surfaces.contact->hardness;
-  const bool shell = c.shell && !c.shell->layers.empty();
-  const double of_shell = shell ? c.shell->layers.front().material.hardness : 0.0;
-  const double of_shaft = c.shaft ? c.shaft->material.hardness : 0.0;
-  return of_shell > 0.0 && of_shaft > 0.0 ? std::min(of_shell, of_shaft)
-                                          : std::max(of_shell, of_shaft);
-}
-
 }  // namespace
 
 AxialSpacing axial_spacing(const Case& c) {
@@ -83,6 +72,10 @@ bool symmetric_about_mid_width(const Case& c) {
   const bool centred =
       std::all_of(c.supplies.begin(), c.supplies.end(), [](const Supply& s) { return s.z == 0.0; });
   return centred && bore_is_symmetric(c.bearing);
+}
+
+int most_axial_cells(const Case& c) {
+  return kLongestLine * (symmetric_about_mid_width(c) ? 2 : 1);
 }
 
 namespace {

@@ -41,6 +41,9 @@ struct BearingModel {
 /// True if nothing in the case distinguishes z from -z.
 [[nodiscard]] bool symmetric_about_mid_width(const Case& c);
 
+/// Most cells along the axis that can be solved [-].
+[[nodiscard]] int most_axial_cells(const Case& c);
+
 /// The cells of a grid of around x along cells over the width. Throws InputError where they are too
 /// few for the edges of the supplies.
 [[nodiscard]] FilmGrid film_grid(const Case& c, std::array<int, 2> grid);

@@ -4,6 +4,7 @@
 #include <gsl/gsl_roots.h>
 
 #include <cmath>
+#include <exception>
 #include <memory>
 
 #include "core/contract.hpp"
@@ -15,13 +16,20 @@ struct Search {
   const std::function<double(double)>* f;
   KnownPoint low, high;
   KnownPoint last;
+  std::exception_ptr thrown{};  ///< by f: GSL's own frames are not to be unwound
 };
 
 double value_at(double x, void* data) {
   Search& s = *static_cast<Search*>(data);
   if (x == s.low.x) return s.low.f;
   if (x == s.high.x) return s.high.f;
-  s.last = {x, (*s.f)(x)};
+  if (s.thrown) return NAN;
+  try {
+    s.last = {x, (*s.f)(x)};
+  } catch (...) {
+    s.thrown = std::current_exception();
+    return NAN;
+  }
   return s.last.f;
 }
 
@@ -47,7 +55,9 @@ BracketedRoot bracketed_root(const std::function<double(double)>& f, KnownPoint 
     return {false, search.last};
   }
   for (int it = 0; it < o.max_iterations; ++it) {
-    if (gsl_root_fsolver_iterate(solver.get()) != GSL_SUCCESS) break;
+    const int status = gsl_root_fsolver_iterate(solver.get());
+    if (search.thrown) std::rethrow_exception(search.thrown);
+    if (status != GSL_SUCCESS) break;
     const double width =
         gsl_root_fsolver_x_upper(solver.get()) - gsl_root_fsolver_x_lower(solver.get());
     if (std::abs(search.last.f) <= o.enough || width <= o.narrowest) return {true, search.last};

@@ -1,5 +1,11 @@
 #include "bearing/case.hpp"
 
+#include <algorithm>
+
+#include "bearing/round_off.hpp"
+#include "core/constants.hpp"
+#include "core/contract.hpp"
+
 namespace shellback::bearing {
 
 const char* to_string(Tier tier) {
@@ -18,6 +24,32 @@ const char* to_string(Tier tier) {
       return "auto";
   }
   return "unknown";
+}
+
+double mean_supply_temperature(const Case& c) {
+  EXPECTS(!c.supplies.empty());
+  const double first = c.supplies.front().temperature;
+  double beyond = 0.0;  // equal ones are met exactly
+  for (const Supply& s : c.supplies) beyond += s.temperature - first;
+  return first + beyond / static_cast<double>(c.supplies.size());
+}
+
+bool goes_all_round(const Supply& s) {
+  return s.kind == SupplyKind::circumferential_groove && s.arc >= 2.0 * kPi * (1.0 - kRoundOff);
+}
+
+double hardness_of_shell(const Case& c) {
+  if (c.running_in && c.running_in->hardness > 0.0) return c.running_in->hardness;
+  return c.shell && !c.shell->layers.empty() ? c.shell->layers.front().material.hardness : 0.0;
+}
+
+double hardness_of_contact(const Case& c) {
+  if (c.surfaces.contact->hardness > 0.0) return c.surfaces.contact->hardness;
+  const bool shell = c.shell && !c.shell->layers.empty();
+  const double of_shell = shell ? c.shell->layers.front().material.hardness : 0.0;
+  const double of_shaft = c.shaft ? c.shaft->material.hardness : 0.0;
+  return of_shell > 0.0 && of_shaft > 0.0 ? std::min(of_shell, of_shaft)
+                                          : std::max(of_shell, of_shaft);
 }
 
 }  // namespace shellback::bearing

@@ -54,7 +54,6 @@ struct ChannelHeat {
   static constexpr double kNusselt = 7.54;  ///< on the hydraulic diameter 2 d [-]
 };
 
-/// One supply feature: the part of the surface on which the pressure is given.
 /// Oil behind a supply whose line is shut at times: it then lives on what the vessel holds.
 struct Vessel {
   double volume = 0.0;          ///< between valve and film [m3]
@@ -64,6 +63,7 @@ struct Vessel {
   std::vector<std::array<double, 2>> open;
 };
 
+/// One supply feature: the part of the surface on which the pressure is given.
 struct Supply {
   SupplyKind kind = SupplyKind::hole;
   double angle = 0.0;        ///< of its middle, of a drilling as the cycle begins [rad]
@@ -248,5 +248,23 @@ struct Case {
 };
 
 [[nodiscard]] const char* to_string(Tier tier);
+
+/// Mean of what the supplies are given [K], whatever their order: where flows by volume are counted
+/// and searches begin. The case has a supply.
+[[nodiscard]] double mean_supply_temperature(const Case& c);
+
+/// A groove whose arc closes.
+[[nodiscard]] bool goes_all_round(const Supply& supply);
+
+/// Whether its surfaces are known to give way: shell and shaft both.
+[[nodiscard]] inline bool can_be_elastic(const Case& c) { return c.shell && c.shaft; }
+
+/// Hardness of the shell's surface, of Archard's law: as [running_in] has it, else of the shell's
+/// first layer; 0: not known [Pa].
+[[nodiscard]] double hardness_of_shell(const Case& c);
+
+/// At which contact pressure ends: that of the softer surface, as far as it is known; one that is
+/// given with the contact counts instead [Pa]; 0: none. The case has contact.
+[[nodiscard]] double hardness_of_contact(const Case& c);
 
 }  // namespace shellback::bearing

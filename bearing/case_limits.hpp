@@ -27,6 +27,9 @@ struct ValueRanges {
   /// [W/(m2 K)] Boiling and jets reach 1e5; beyond 1e6 oil and walls have one temperature.
   Range groove_heat{0.0, 1e6, false, "not be negative, nor more than 1e6 W/(m2 K)"};
   Range wall_heat = groove_heat;  ///< of shell and shaft to what surrounds them, the same
+  /// [W/(m2 K)] Pressed metal joints reach 1e5 (textbook); as a layer of finite thickness a joint
+  /// of 1e9 is perfect, one of 1e12 conducts along itself.
+  Range joint{0.0, 1e9, true, "be positive and at most 1e9 W/(m2 K) (a perfect joint has none)"};
   Range tolerance{0.0, 0.5, true, "be positive and at most 50 %"};
   Range kappa{0.0, 5.0, false, "lie between 0 and 5"};
   Range relaxation{0.0, 1.0, true, "be positive and at most 1"};
@@ -62,6 +65,9 @@ struct BearingLimits {
   /// Mean height of the summits over the roughness [-]: 0.8 to 1.5 on Gaussian surfaces, less where
   /// they are worn (textbook); beyond 4 a Gaussian surface has no height at all.
   Limits summit_height{-4.0, -1.0, 3.0, 4.0};
+  /// Deviation of the summits' heights over the roughness [-]: at most 1 on Gaussian surfaces
+  /// (Nayak, textbook), where all of the surface is summits.
+  Limits summit_spread{0.0, 0.0, 1.5, 5.0};
   Limits viscosity{1e-6, 5e-4, 2.0, 1e3};    // [Pa s] air to pitch; oils lie between
   Limits bulk_modulus{1e8, 8e8, 6e9, 1e11};  // [Pa] liquids: 0.8 (petrol) to 5 GPa
   /// [1/K] Lubricating oils 6.4e-4 to 7.3e-4 (seed 002, after Eq. 28); at 5e-3 the density would

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/round_off.hpp"
+#include "core/contract.hpp"
 #include "core/largest.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
@@ -72,6 +73,7 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
                     fluid::FilmCoefficients& out) {
   const int n = gl.n;
   const std::size_t cells = h.size();
+  EXPECTS(c.T.size() == cells * n);
   std::vector<double> p(cells * n), low(cells * n);
   std::vector<double> T = c.T;
   for (std::size_t cell = 0; cell < cells; ++cell) {

@@ -28,6 +28,7 @@ Torque rigid_with_heat_of(const Solution& full, bool thermal_deformation,
   physics.elastic = physics.film_energy = physics.thermal_deformation = false;
   Solution s;
   s.model = make_bearing(c, physics, c.model.grid);
+  s.model.gl = full.model.gl;  // on which its temperatures stand
   s.point = operating_point(s.model);
   s.film = full.film;
   s.film.elastic.clear();

@@ -419,10 +419,14 @@ double CycleRecord::momentum_drift() const {
   return load > 0.0 ? film_->mass() * change / (load * told()) : 0.0;
 }
 
+double CycleRecord::change_of_film(double h, double other) const {
+  return std::abs(other - h) / yielding_gap(h, film_->model().domain.rough.sigma);
+}
+
 double CycleRecord::drift() const {
   const CycleInstant& first = instants_.front();
   const CycleInstant& last = instants_.back();
-  const double most = larger(oil_drift(), std::abs(last.h_min / first.h_min - 1.0));
+  const double most = larger(oil_drift(), change_of_film(first.h_min, last.h_min));
   const double torque = largest_torque(instants_);
   return torque > 0.0 ? larger(most, std::abs(last.torque - first.torque) / torque) : most;
 }
@@ -431,7 +435,7 @@ double CycleRecord::difference(const CycleRecord& other) const {
   const double h = extreme(instants_, &CycleInstant::h_min, true).h_min;
   const double h_other = extreme(other.instants_, &CycleInstant::h_min, true).h_min;
   const double torque = largest_torque(instants_);
-  double most = larger(larger(oil_drift(), momentum_drift()), std::abs(h_other / h - 1.0));
+  double most = larger(larger(oil_drift(), momentum_drift()), change_of_film(h, h_other));
   if (torque == 0.0) return most;  // nothing turns
   most = larger(most, std::abs(largest_torque(other.instants_) - torque) / torque);
   const auto mean_of = [](const CycleRecord& r) { return r.mean(&CycleInstant::torque); };
@@ -477,11 +481,11 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   const fluid::SmallestGap least{h_min_[at], g.phi[at / g.nz], g.z[at % g.nz]};
   const double T = extreme(instants_, &CycleInstant::T_film_max, false).T_film_max;
   FilmReach reach{NAN, T, largest(p_max_), h_min_, least, h_min};
+  if (film_->heat()) reach.T_shell = largest(T_shell_max_);
   if (!layer_depth_.empty()) reach.layer_depth = largest(layer_depth_);
   for (Note& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
-  const double T_film =
-      film_->heat() ? area_mean(g, film_->heat()->walls.shell) : equivalent_temperature(m.input);
-  add_turbulence(m, course_->largest_speed() * m.input.bearing.radius, T_film, r.warnings);
+  add_turbulence(m, course_->largest_speed() * m.input.bearing.radius, T_film_ / told(),
+                 r.warnings);
   for (const LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(l);
   if (bent_edges_ > 0) r.limiters.push_back({Limiter::bent_edges, (g.half ? 2 : 1) * bent_edges_});
 }

@@ -80,6 +80,8 @@ class CycleRecord {
   [[nodiscard]] double oil_drift() const;
   /// Change of the journal's momentum over the cycle, over the impulse of the load's magnitude [-].
   [[nodiscard]] double momentum_drift() const;
+  /// Of a smallest film over its yielding gap [-].
+  [[nodiscard]] double change_of_film(double h, double other) const;
   /// By how much the shaft's surface would swing about its mean, as it turns and over the cycle:
   /// the half space under the first harmonic of either, q/(k sqrt(omega/a)) (textbook) [K].
   [[nodiscard]] double shaft_swing() const;

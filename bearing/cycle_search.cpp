@@ -126,7 +126,7 @@ void CycleSearch::begin(double T) {
   const bool event = heat && !c_.cycle->repeats();
   if (event && begin_warm()) return;  // else, unless stopped, from cold
   begun_cold_ = event;
-  const double begun = event ? c_.supplies.front().temperature : T;
+  const double begun = event ? mean_supply_temperature(c_) : T;
   begin_film(begun);
   if (!heat) return;
   walls_ = uniform_walls(film_.model(), begun);
@@ -173,6 +173,9 @@ void CycleSearch::begin(const CycleSearch& coarser) {
   walls_ = WallMeans{walls.T_shell, walls.T_shaft,
                      interpolate(from.domain.grid, coarser.walls_->flux, to.domain.grid),
                      walls.thermal_deformation};
+  for (int c = 0; c < to.domain.grid.cells(); ++c) {
+    if (!meets_walls(to, c)) walls_->flux[c] = 0.0;  // it is answered by itself: no swing
+  }
   response_ = coarser.response_;
   looked_ = coarser.looked_;
 }
@@ -378,7 +381,7 @@ BodiesAnswer CycleSearch::bodies_answer() const {
 }
 
 bool CycleSearch::settle_walls(bool rough, int turns) {
-  const double T = c_.supplies.front().temperature;
+  const double T = mean_supply_temperature(c_);
   const double by_T = -rheology::viscosity_slopes(film_.model().oil, T, 0.0, 0.0).dln_dT;
   const bool coarsely = rough || !(by_T > 0.0);
   const double enough = coarsely ? kWallsOff : std::min(kWallsOff, steps_.error / by_T);

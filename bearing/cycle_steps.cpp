@@ -76,7 +76,7 @@ FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, Peri
     const bool good = step.verdict.good();
     const bool ended =
         step.verdict.status == Status::interrupted || step.verdict.status == Status::invalid_number;
-    if (ended || (good && !(step.error > most))) return step;
+    if (ended || (good && step.error <= most)) return step;
     most = options_.error;
     const double shorter =
         std::min(length_for(step, end - since, anew), kStepSafety * (end - since));

@@ -71,8 +71,10 @@ int beyond_reduced_pressure(const BearingModel& model, const OperatingPoint& poi
   return -1;
 }
 
+double yielding_gap(double h, double sigma) { return 0.5 * (h + std::hypot(h, 2.0 * sigma)); }
+
 double room(const BearingModel& model, const FilmEquilibrium& s) {
-  return 0.5 * (s.least.h + std::hypot(s.least.h, 2.0 * model.domain.rough.sigma));
+  return yielding_gap(s.least.h, model.domain.rough.sigma);
 }
 
 double gap_with_summits(const BearingModel& model, const FilmEquilibrium& s) {

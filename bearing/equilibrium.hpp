@@ -62,9 +62,9 @@ struct FilmEquilibrium : State, Evaluation {
 };
 
 struct EquilibriumOptions {
-  double film_tolerance = 1e-11;       ///< largest cell residual over the largest Couette flow [-]
-  double load_tolerance = 1e-9;        ///< |F + W| over |W| [-]
-  double elastic_tolerance = 1e-8;     ///< largest |C p - d| over the smallest gap [-]
+  double film_tolerance = 1e-11;    ///< largest cell residual over flow_scale, the largest flow [-]
+  double load_tolerance = 1e-9;     ///< |F + W| over |W| [-]
+  double elastic_tolerance = 1e-8;  ///< largest |C p - d| over max(h, 0) + sigma, 2 nm more [-]
   double viscosity_tolerance = 1e-10;  ///< shear-thinning relation [-]
   int max_iterations = 80;
 };
@@ -113,8 +113,12 @@ struct Residuals {
 [[nodiscard]] Residuals residuals_of(const BearingModel& model, const OperatingPoint& point,
                                      const FilmEquilibrium& state);
 
-/// Distance by which the surfaces may still approach [m]: the smallest gap; rough surfaces stay
-/// apart by their asperities, so that the nominal gap may go through zero.
+/// (h + sqrt(h^2 + 4 sigma^2))/2 [m]: the gap of smooth surfaces; that of rough ones, which stay
+/// apart by their asperities, is positive whatever the nominal h, sigma where h is none.
+[[nodiscard]] double yielding_gap(double h, double sigma);
+
+/// Distance by which the surfaces may still approach [m]: the smallest yielding gap; rough surfaces
+/// stay apart by their asperities, so that the nominal gap may go through zero.
 [[nodiscard]] double room(const BearingModel& model, const FilmEquilibrium& state);
 
 /// The smallest gap from where summits begin to touch [m]: what surfaces that rub may give way by.

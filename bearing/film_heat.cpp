@@ -68,8 +68,7 @@ double breakaway_torque(const BearingModel& model, const OperatingPoint& point,
 }
 
 double reference_density(const BearingModel& model) {
-  const double T = model.input.supplies.empty() ? 313.15 : model.input.supplies[0].temperature;
-  return rheology::density(model.oil, T, 0.0).rho;
+  return rheology::density(model.oil, mean_supply_temperature(model.input), 0.0).rho;
 }
 
 OilFed oil_fed(const Case& c, const std::vector<double>& out_of) {
@@ -80,7 +79,7 @@ OilFed oil_fed(const Case& c, const std::vector<double>& out_of) {
     fed.mass += m;
     sum += m * c.supplies[k].temperature;
   }
-  fed.T = sum / fed.mass;
+  fed.T = fed.mass > 0.0 ? sum / fed.mass : mean_supply_temperature(c);
   return fed;
 }
 
@@ -246,22 +245,10 @@ double mean_heat_capacity(const rheology::Oil& oil, double a, double b) {
   return rheology::heat_capacity(oil, 0.5 * (a + b)).cp;
 }
 
-/// Of what the supplies feed, weighted with their flows; if none feeds, their mean [K].
-double temperature_of_fed_oil(const std::vector<Supply>& supplies, const fluid::OilFlows& flows) {
-  double fed = 0.0, warmth = 0.0, mean = 0.0;
-  for (std::size_t k = 0; k < supplies.size(); ++k) {
-    const double q = std::max(0.0, flows.patch[k]);
-    fed += q;
-    warmth += q * supplies[k].temperature;
-    mean += supplies[k].temperature / static_cast<double>(supplies.size());
-  }
-  return fed > 0.0 ? warmth / fed : mean;
-}
-
 }  // namespace
 
 std::vector<double> film_enthalpy(const BearingModel& model, const std::vector<double>& T) {
-  const double T0 = model.input.supplies.front().temperature;
+  const double T0 = mean_supply_temperature(model.input);
   std::vector<double> e;
   e.reserve(T.size());
   for (const double t : T) e.push_back(mean_heat_capacity(model.oil, T0, t) * (t - T0));
@@ -290,8 +277,8 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model,
   p.patch = scene.supply.cell;
   p.line = scene.supply.line;
   p.forward = scene.speed >= 0.0;
-  p.T_reference = model.input.supplies.front().temperature;
-  p.T_edge = temperature_of_fed_oil(model.input.supplies, fluid::oil_flows(scene, s.flow));
+  p.T_reference = mean_supply_temperature(model.input);
+  p.T_edge = oil_fed(model.input, fluid::oil_flows(scene, s.flow).patch).T;
   p.cp_edge = mean_heat_capacity(model.oil, p.T_reference, p.T_edge);
   for (const Supply& supply : model.input.supplies) {
     thermal::SupplyVessel v;

@@ -64,7 +64,7 @@ struct OilFed {
   double mass = 0.0;  ///< [kg/s]
   double T = 0.0;     ///< [K]
 };
-/// `out_of`: net out of every supply of the case [kg/s]; one at least is positive.
+/// `out_of`: net out of every supply of the case [kg/s]; T where none feeds: their plain mean.
 [[nodiscard]] OilFed oil_fed(const Case& c, const std::vector<double>& out_of);
 
 /// Coldest and hottest oil of the supplies [K].

@@ -27,7 +27,7 @@ namespace shellback::bearing {
 class ForceByMotion {
  public:
   /// Until (1) is met within `tolerance` of m_0 for all frequencies up to `highest` [rad/s]; 0: the
-  /// terms of order 0 and 1 alone. `component` as in fluid/film_scene.hpp.
+  /// terms of order 0 and 1 alone. `component`: as of gap_slope in fluid/gap.hpp.
   ForceByMotion(LinearFilm& film, const Solution& s, int component, double highest,
                 double tolerance);
   [[nodiscard]] bool converged() const { return converged_; }

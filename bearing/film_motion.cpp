@@ -79,7 +79,8 @@ std::optional<double> loaded_film_error(const BearingModel& model, int unknowns,
   const auto carries = [&](int c) {
     return film.film.full[c] && model.supply.cell[c] < 0 && film.film.p[c] >= loaded;
   };
-  const auto height = [&](int c) { return film.gap.cell[c] + model.domain.rough.sigma; };
+  const double sigma = model.domain.rough.sigma;
+  const auto height = [&](int c) { return std::max(film.gap.cell[c], 0.0) + sigma; };
   Field force(g.cells(), 0.0);
   double sum = 0.0, squares = 0.0;
   for (int c = 0; c < g.cells(); ++c) {

@@ -322,6 +322,11 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   }
   step.p = told_pressure(by, between, film);
   step.error = error_of(now, film, stages, dt);
+  if (std::isnan(step.error)) {
+    const FieldName field = heat_ ? FieldName::film_temperature : FieldName::gap;
+    step.verdict = {Status::invalid_number, ending::NotANumber{field}};
+    return step;
+  }
   step.after.oil = now.oil;
   step.after.vessels = vessels_begun_;
   for (int i = 0; i < by.stages; ++i) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "bearing/sundials.hpp"
@@ -23,6 +24,7 @@ struct Call {
   int calls = 0;
   bool near = false;  ///< the change is within the tolerance, or G(x) is by the rate of changes
   bool lost = false;  ///< KINSOL came with an x that is not a number, or out of reach
+  std::exception_ptr thrown{};  ///< by the map: KINSOL's own frames are not to be unwound
 
   /// Takes note of the change of this call.
   void judge(double now) {
@@ -36,8 +38,7 @@ struct Call {
   }
 };
 
-int evaluate(N_Vector x, N_Vector g, void* data) {
-  Call& call = *static_cast<Call*>(data);
+int value_of_map(Call& call, N_Vector x, N_Vector g) {
   const double* from = N_VGetArrayPointer(x);
   call.x.assign(from, from + call.x.size());
   const auto finite = [](double v) { return std::isfinite(v); };
@@ -50,6 +51,16 @@ int evaluate(N_Vector x, N_Vector g, void* data) {
   call.judge(change);
   std::copy(call.g.begin(), call.g.end(), N_VGetArrayPointer(g));
   return call.near ? -1 : 0;  // KINSOL has no other way to be told that this is enough
+}
+
+int evaluate(N_Vector x, N_Vector g, void* data) {
+  Call& call = *static_cast<Call*>(data);
+  try {
+    return value_of_map(call, x, g);
+  } catch (...) {
+    call.thrown = std::current_exception();
+    return -1;
+  }
 }
 
 // The outcome is reported by the caller, in the user's words: KINSOL itself stays silent.
@@ -85,6 +96,7 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   long used = 0;
   while (true) {
     const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
+    if (call.thrown) std::rethrow_exception(call.thrown);
     if (call.near) return FixedPointEnd::converged;
     const bool anew = call.lost && call.calls > 0;
     if (anew) std::copy(call.g.begin(), call.g.end(), x.begin());

@@ -88,8 +88,8 @@ class LoadBranch {
   /// [m], [rad].
   [[nodiscard]] std::array<double, 4> moved() const;
   /// True if the state found lies far from the straight line on which it was looked for, or back on
-  /// the way to the last one: the plane of the path (equilibrium.hpp (4)) meets other parts of the
-  /// branch, and other branches, too.
+  /// the way to the last one: the plane of the path (operating_point.hpp (4)) meets other parts of
+  /// the branch, and other branches, too.
   [[nodiscard]] bool strayed() const;
   /// True if journal, load, temperatures and growth together go on as in the step before.
   [[nodiscard]] bool goes_on() const;

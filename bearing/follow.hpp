@@ -3,8 +3,8 @@
 ///
 /// Predictor: the secant of the last two states, with temperatures, growth and displacement.
 /// Corrector: the steady equations, along a load with its factor unknown and the length of the path
-/// given (equilibrium.hpp (4): pseudo-arclength), along a speed at the speed predicted. A path is
-/// measured in the journal's place and ln load: in its place among the surfaces, where the
+/// given (operating_point.hpp (4): pseudo-arclength), along a speed at the speed predicted. A path
+/// is measured in the journal's place and ln load: in its place among the surfaces, where the
 /// beginning of the path moves along as they grow (film_motion.hpp (1)), or in space. Measured in
 /// space, a clearance that heat closes moves the journal more than its load does, and what lies a
 /// given way off is another load as soon as the surfaces have followed; among the surfaces, journal

@@ -14,11 +14,11 @@ void close_split(const Torque& start, const Torque& end, FrictionSplit& split) {
 
 double calibrated_temperature(const std::function<double(double)>& excess, double guess,
                               const BracketOptions& options) {
-  constexpr double kHalfRange = 60.0;  // searched on both sides of the guess [K]
+  constexpr double kReach = 32.0;  // from the guess, towards where the friction has to go [K]
   KnownPoint here{guess, excess(guess)};
   if (here.f == 0.0) return guess;
   KnownPoint other = here;
-  for (double reach = 4.0; reach <= kHalfRange && other.f * here.f > 0.0; reach *= 2.0) {
+  for (double reach = 4.0; reach <= kReach && other.f * here.f > 0.0; reach *= 2.0) {
     here = other;
     other.x = here.f > 0.0 ? guess + reach : guess - reach;  // warmer oil, less friction
     other.f = excess(other.x);

@@ -22,7 +22,8 @@ struct Torque {
 void close_split(const Torque& start, const Torque& end, FrictionSplit& split);
 
 /// Film temperature at which `excess` of isothermal torque over the wanted one vanishes [K],
-/// searched on both sides of `guess`; NaN if there is none, or `excess` is NaN on the way.
+/// searched from `guess` towards where the friction has to go, within 32 K; NaN if there is none,
+/// or `excess` is NaN on the way.
 [[nodiscard]] double calibrated_temperature(const std::function<double(double)>& excess,
                                             double guess, const BracketOptions& options);
 

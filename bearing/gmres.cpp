@@ -36,8 +36,8 @@ double dot(N_Vector a, N_Vector b) {
   return Numbers(N_VGetArrayPointer(a), n).dot(Numbers(N_VGetArrayPointer(b), n));
 }
 
-/// SPGMR and its vectors, one per thread and used again by every solve of its size: they are
-/// eighty, and to make them anew takes longer than what is done with them.
+/// SPGMR and its vectors, one per thread and used again by every solve of its size: to make as many
+/// as there may be iterations takes longer than what is done with them.
 class KrylovSpace {
  public:
   KrylovSpace(sunindextype n, int most) : n_(n), most_(most) {

@@ -23,7 +23,7 @@ Verdict temperatures_possible(const Solution& s) {
   if (Verdict v = fields_finite(s); !v.good()) return v;
   const auto& T = s.film.columns.T;
   const auto [low, high] = std::minmax_element(T.begin(), T.end());
-  const double T_supply = s.model.input.supplies.front().temperature;
+  const double T_supply = mean_supply_temperature(s.model.input);
   const auto place = [&](auto node) {
     return fluid::place_of(s.model.domain.grid, static_cast<int>(node - T.begin()) / s.model.gl.n);
   };

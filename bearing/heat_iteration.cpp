@@ -57,7 +57,7 @@ class HeatIteration {
   void carry_path();
   void report(const std::vector<double>& x, const std::vector<double>& g);
   [[nodiscard]] double supply_temperature() const {
-    return s_.model.input.supplies.front().temperature;
+    return mean_supply_temperature(s_.model.input);
   }
 
   Solution& s_;

@@ -120,7 +120,7 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
     const bool shortest = dt <= o.shortest;
     if (!end.verdict.good() || (error > o.error && !shortest)) {
       const bool hot =
-          largest(s.film.columns.T) > s.model.input.supplies.front().temperature + kHottestRise;
+          largest(s.film.columns.T) > mean_supply_temperature(s.model.input) + kHottestRise;
       s.film = film;
       s.heat = heat;
       const bool given_up = end.verdict.status == Status::interrupted || s.cost.spent();

@@ -59,9 +59,7 @@ HeatState heat_at_rest(const BearingModel& m) {
 
 }  // namespace
 
-double HeatSearch::supply_temperature() const {
-  return s_.model.input.supplies.front().temperature;
-}
+double HeatSearch::supply_temperature() const { return mean_supply_temperature(s_.model.input); }
 
 bool HeatSearch::over(const Verdict& v) const { return v.good() || stopped(v) || s_.cost.spent(); }
 
@@ -119,7 +117,9 @@ Verdict HeatSearch::no_branch() const {
     const auto closed = closed_at_rest(m.input, *m.solids, m.domain.grid);
     if (closed) return {Status::iteration_limit, *closed};
   }
-  return {Status::iteration_limit, ending::Plain::no_light_state};
+  const bool placed = s_.point.load.unknowns == 0;
+  return {Status::iteration_limit,
+          placed ? ending::Plain::no_slow_state : ending::Plain::no_light_state};
 }
 
 Verdict HeatSearch::ended(const Branch& branch) {

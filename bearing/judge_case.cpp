@@ -140,7 +140,14 @@ void judge_load(const Case& c, Findings& to) {
 void judge_moment(const Case& c, Findings& to) {
   const auto* moment = std::get_if<MomentGiven>(&c.operation.alignment);
   const auto* load = std::get_if<LoadGiven>(&c.operation.position);
-  if (moment == nullptr || load == nullptr) return;
+  if (moment == nullptr) return;
+  if (load == nullptr) {
+    to.refuse("operation.moment",
+              "the journal's place is given, and the tilt that a moment makes is only sought along "
+              "with the place that a load makes",
+              "give operation.tilt, or operation.load in place of eccentricity_ratio");
+    return;
+  }
   const double lever = std::hypot(moment->about_x, moment->about_y) / load->force;
   compare(to, "operation.moment", lever / c.bearing.width, kBearingLimits.lever,
           fmt::format("the moment is that of the load {} beside mid-width, {:.3g} of the width",
@@ -222,6 +229,10 @@ void judge_summits(const solid::RoughSurface& s, const std::string& key, Finding
                "map)");
     return;
   }
+  const double spread = s.summit_roughness / s.roughness;
+  compare(to, key + ".summit_roughness", spread, kBearingLimits.summit_spread,
+          fmt::format("the heights of the summits scatter by {:.3g} roughnesses", spread),
+          "check the units of both");
   const double over = s.summit_height / s.roughness;
   compare(to, key + ".summit_height", over, kBearingLimits.summit_height,
           fmt::format("the summits lie {:.3g} roughnesses above the mean plane", over),
@@ -231,10 +242,17 @@ void judge_summits(const solid::RoughSurface& s, const std::string& key, Finding
 void judge_surfaces(const Case& c, Findings& to) {
   const Surfaces& s = c.surfaces;
   const double sigma = std::hypot(s.shell.roughness, s.shaft.roughness);
-  const double part = sigma / c.bearing.radial_clearance;
-  compare(to, "surfaces", part, kBearingLimits.roughness,
-          fmt::format("the combined roughness is {:.3g} of the radial clearance", part),
-          "check the units");
+  const auto judge_roughness = [&](const char* key, double combined) {
+    const double part = combined / c.bearing.radial_clearance;
+    compare(to, key, part, kBearingLimits.roughness,
+            fmt::format("the combined roughness is {:.3g} of the radial clearance", part),
+            "check the units");
+  };
+  judge_roughness("surfaces", sigma);
+  if (c.running_in && c.running_in->worn) {
+    judge_roughness("running_in.worn",
+                    std::hypot(c.running_in->worn->roughness, s.shaft.roughness));
+  }
   const double summits = std::hypot(s.shell.summit_roughness, s.shaft.summit_roughness);
   if (s.contact && summits <= 0.0) {
     to.refuse("surfaces.contact",
@@ -306,9 +324,9 @@ void judge_grid(const Case& c, const std::vector<Tier>& tiers, Findings& to) {
     return !chosen && tier != Tier::estimate;
   };
   if (std::none_of(tiers.begin(), tiers.end(), takes_it)) return;
-  const bool symmetric = symmetric_about_mid_width(c);
-  const int most = kLongestLine * (symmetric ? 2 : 1);
+  const int most = most_axial_cells(c);
   if (nz > most) {
+    const bool symmetric = symmetric_about_mid_width(c);
     to.refuse("model.grid",
               fmt::format("{} cells along the axis are more than can be solved{}", nz,
                           symmetric ? "" : " (the bearing is not symmetric about mid-width)"),
@@ -322,20 +340,6 @@ void judge_grid(const Case& c, const std::vector<Tier>& tiers, Findings& to) {
       "model.grid",
       fmt::format("{} x {} cells cannot have a face at every edge of the supplies", nt, nz),
       fmt::format("take {} x {}, or supplies whose edges lie further apart", more_nt, more_nz));
-}
-
-/// Between rigid surfaces no journal is displaced by the clearance.
-void judge_place(const Case& c, const std::vector<Tier>& tiers, Findings& to) {
-  const auto* given = std::get_if<EccentricityGiven>(&c.operation.position);
-  if (given == nullptr || given->ratio < 1.0) return;
-  const auto gives_way = [&](Tier tier) {
-    return tier != Tier::estimate && (tier == Tier::automatic || physics_of(c, tier).elastic) &&
-           (c.shell || c.shaft);
-  };
-  if (std::any_of(tiers.begin(), tiers.end(), gives_way)) return;
-  to.refuse("operation.eccentricity_ratio",
-            "at 1 the journal touches the shell, and the surfaces are rigid; it must be less",
-            "let them be elastic: tier tehd, or model.elastic_deformation = true");
 }
 
 }  // namespace
@@ -352,7 +356,6 @@ std::vector<Finding> judge(const Case& c, const std::vector<Tier>& tiers) {
     judge_load(c, to);
     judge_moment(c, to);
   }
-  judge_place(c, tiers, to);
   judge_tilt(c, to);
   judge_supplies(c, to);
   judge_oil(c, to);

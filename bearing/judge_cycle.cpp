@@ -151,8 +151,8 @@ void judge_swing(const LoadCycle& c, double largest, const ValueCheck& cycle) {
 
 void judge_cycle_values(const LoadCycle& c, Findings& to) {
   const ValueCheck cycle("load_cycle", to);
-  judge_scalars(c, cycle);
   if (!judge_rows(c, cycle)) return;
+  judge_scalars(c, cycle);
   judge_times(c, cycle);
   if (to.refused()) return;
   const CycleNumbers n = cycle_numbers(c, 0.0);

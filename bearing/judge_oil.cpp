@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bearing/case_limits.hpp"
+#include "bearing/film_heat.hpp"
 #include "bearing/judge_parts.hpp"
 #include "bearing/shown.hpp"
 #include "core/constants.hpp"
@@ -127,14 +128,28 @@ void judge_temperatures(const Case& c, Findings& to) {
   }
 }
 
+/// A film at an equivalent temperature below that of all oil that enters.
+void judge_cold_back(const Case& c, Findings& to) {
+  const auto& back = c.measured.shell_back_temperature;
+  const double coldest = supply_temperatures(c).first;
+  if (!back || *back >= coldest || c.model.kappa <= 0.0) return;
+  to.suspect(
+      "measured.shell_back_temperature",
+      fmt::format("{} is less than the {} of the oil that enters: the film at the equivalent "
+                  "temperature would be colder than its oil",
+                  shown(*back, "degC"), shown(coldest, "degC")),
+      "check both, or where the back was measured");
+}
+
 }  // namespace
 
 void judge_oil(const Case& c, Findings& to) {
   judge_switches(c, to);
-  judge_viscosity(c.oil, c.supplies.front().temperature, to);
+  judge_viscosity(c.oil, mean_supply_temperature(c), to);
   judge_density(c.oil, to);
-  judge_heat(c.oil, c.supplies.front().temperature, to);
+  judge_heat(c.oil, mean_supply_temperature(c), to);
   judge_temperatures(c, to);
+  judge_cold_back(c, to);
 }
 
 }  // namespace shellback::bearing

@@ -15,6 +15,9 @@ void judge_material_values(const solid::Material& m, const std::string& path, Fi
   material.number("poisson_ratio", m.poisson_ratio, "", kValueRanges.poisson_ratio);
   material.number("expansion", m.expansion, "1/K", kNotNegative);
   material.number("hardness", m.hardness, "MPa", kNotNegative);
+  if (m.limit_temperature != 0.0) {
+    material.temperature("limit_temperature", m.limit_temperature);
+  }
   material.number("progression_rate", m.progression, "", kNotNegative);
   material.number("damping_ratio", m.damping_ratio, "s", kNotNegative);
 }
@@ -44,8 +47,10 @@ void judge_shell_values(const Shell& s, Findings& to) {
   }
   if (s.housing) {
     judge_material_values(s.housing->material, "shell.housing", to);
-    shell.number("housing.joint_conductance", s.housing->joint_conductance, "W/(m2 K)",
-                 kNotNegative);
+    if (s.housing->joint_conductance != 0.0) {  // else a perfect joint
+      shell.number("housing.joint_conductance", s.housing->joint_conductance, "W/(m2 K)",
+                   kValueRanges.joint);
+    }
     shell.number("housing.outer_diameter", 2.0 * s.housing->outer_radius, "mm", kPositive);
   }
   judge_back(s, to);

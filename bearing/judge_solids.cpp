@@ -83,6 +83,13 @@ void judge_coating(const Case& c, Findings& to) {
                             shown(m.hardness, "MPa")),
                 "check hardness and youngs_modulus");
     }
+    if (c.cycle && m.damping_ratio > c.cycle->length()) {
+      to.suspect(path + ".material",
+                 fmt::format("damping_ratio is {:.3g} s, and the load cycle takes {:.3g} s: the "
+                             "layer hardly begins to flow",
+                             m.damping_ratio, c.cycle->length()),
+                 "check the unit");
+    }
     if (layers[k].thickness > c.bearing.radial_clearance) {
       to.refuse(
           path + ".thickness",

@@ -43,10 +43,12 @@ bool begins_at_rest(const Case& c) {
 
 Lack lack_for_switches(const Case& c, bool thermal) {
   const Switches& on = c.model.switches;
-  if (on.elastic_deformation.value_or(false) && !c.shell) {
-    return lack("model.elastic_deformation",
-                "elastic deformation is switched on, but there is no [shell] to deform",
-                "give its layers, or switch it off");
+  if (on.elastic_deformation.value_or(false) && !can_be_elastic(c)) {
+    return lack(
+        "model.elastic_deformation",
+        fmt::format("elastic deformation is switched on, but there is no {} to deform",
+                    c.shell ? "[shaft]" : "[shell]"),
+        c.shell ? "give its material, or switch it off" : "give its layers, or switch it off");
   }
   if (on.thermal_deformation.value_or(false) && !thermal) {
     return lack("model.thermal_deformation",
@@ -88,10 +90,6 @@ constexpr double kLong = 0.5;  ///< supplies that fill the film anew wherever th
 /// Off mid-width, over the width, the lands beside a groove all round carry 4 % more than two alike
 /// (their load goes with the third power): less than the estimate's bars [-].
 constexpr double kOffMiddle = 0.05;
-
-bool goes_all_round(const Supply& s) {
-  return s.kind == SupplyKind::circumferential_groove && s.arc >= 2.0 * kPi * (1.0 - kRoundOff);
-}
 
 /// Half of the angle that a supply takes up [rad].
 double half_arc(const Case& c, const Supply& s) {
@@ -218,9 +216,22 @@ Lack lack_for_estimate(const Case& c) {
   return lack_of_feed(c, load != nullptr ? load->angle : place->load_angle, kFarFromLoad);
 }
 
+/// Between rigid surfaces no journal is displaced by the clearance.
+Lack lack_of_room(const Case& c, Tier tier) {
+  const auto* given = std::get_if<EccentricityGiven>(&c.operation.position);
+  if (given == nullptr || given->ratio < 1.0) return std::nullopt;
+  const bool elastic =
+      tier == Tier::automatic || (tier != Tier::estimate && physics_of(c, tier).elastic);
+  if (elastic && can_be_elastic(c)) return std::nullopt;
+  return lack("operation.eccentricity_ratio",
+              "at 1 the journal touches the shell, and the surfaces are rigid; it must be less",
+              "let them be elastic: tier tehd, or model.elastic_deformation = true");
+}
+
 }  // namespace
 
 Lack lack_for(const Case& c, Tier tier) {
+  if (auto missing = lack_of_room(c, tier)) return missing;
   if (tier == Tier::estimate) {
     if (auto missing = lack_for_estimate(c)) return missing;
   }

@@ -211,6 +211,16 @@ void judge_running_in(const Case& c, Findings& to) {
             fmt::format("the hardness of the shell's surface is {:.4g} MPa", 1e-6 * H),
             "check the unit");
   }
+  const double own =
+      c.shell && !c.shell->layers.empty() ? c.shell->layers[0].material.hardness : 0.0;
+  if (const double apart = r.hardness / own;
+      r.hardness > 0.0 && own > 0.0 &&
+      std::max(apart, 1.0 / apart) > kBearingLimits.modulus_apart) {
+    to.suspect("running_in.hardness",
+               fmt::format("the shell wears with a hardness of {}, and its first layer has {}",
+                           shown(r.hardness, "MPa"), shown(own, "MPa")),
+               "leave running_in.hardness out, or check which of the two is meant");
+  }
   if (!r.duration) wear.number("limit_pressure", r.limit_pressure, "MPa", kPositive);
   judge_limit_pressure(c, wear);
   if (r.worn) {

@@ -91,7 +91,8 @@ std::optional<double> LumpedBalance::residual(double T) {
   Verdict v = film_at(T);
   const fluid::OilFlows flows =
       v.good() ? fluid::oil_flows(s_.point.scene, s_.film.flow) : fluid::OilFlows{};
-  if (v.good() && !(flows.side > 0.0)) {
+  const OilFed fed = v.good() ? oil_fed(s_.model.input, flows.patch) : OilFed{};
+  if (v.good() && !(flows.side > 0.0 && fed.mass > 0.0)) {
     v = {Status::no_steady_state, ending::Plain::no_oil_leaves};
   }
   if (!v.good()) {
@@ -103,7 +104,6 @@ std::optional<double> LumpedBalance::residual(double T) {
   const double torque = f.viscous + f.asperity;
   const double power =
       std::abs(torque * s_.point.omega()) + pump_power(s_.model, s_.point, s_.film);
-  const OilFed fed = oil_fed(s_.model.input, flows.patch);
   const double rate = fed.mass * rheology::heat_capacity(s_.model.oil, 0.5 * (T + fed.T)).cp;
   const double r = fed.T + power / rate - T;
   s_.history.push_back({"lumped", std::abs(r), torque, s_.film.least.h});

@@ -206,8 +206,8 @@ Verdict NewtonIteration::reduced_film() {
 void NewtonIteration::step(Verdict& ended) {
   constexpr int kMostRefills = 5;  // a ring that stays empty is one
   at_met_ = false;
-  viscosity_tolerance_ = std::clamp(1e-2 * (r_.film_norm + r_.load_norm),
-                                    0.3 * options_.viscosity_tolerance, kWayPoint);
+  viscosity_tolerance_ = std::max(0.3 * options_.viscosity_tolerance,
+                                  std::min(1e-2 * (r_.film_norm + r_.load_norm), kWayPoint));
   ++cost_.newton_iterations;
   cost_.work += model_.domain.grid.cells();
   LoadTarget now = point_.load;
@@ -268,6 +268,7 @@ Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
                                              : stuck(model_, s_, r_, it);
       }
     }
+    if (it == options_.max_iterations) break;
     Verdict ended;
     step(ended);
     if (!ended.good()) return ended;

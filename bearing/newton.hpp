@@ -11,8 +11,8 @@
 
 namespace shellback::bearing {
 
-/// Solves (1)-(3) of the step in time that the model's scene holds, from `state`, which is left at
-/// the last iterate that was accepted whatever the verdict.
+/// Solves (1)-(3) of the step in time that the point's scene holds, from `state`, which is left at
+/// the last iterate that was evaluated where the iteration does not settle.
 [[nodiscard]] Verdict newton(const BearingModel& model, const OperatingPoint& point,
                              const Field& thermal_deformation, const EquilibriumOptions& options,
                              FilmEquilibrium& state, EquilibriumCost& cost,

@@ -32,6 +32,7 @@ enum class Plain {
   bars_interrupted,
   bars_unknown,        ///< no other grid gave a solution
   cycle_bars_unknown,  ///< no coarser grid carries the cycle
+  time_bars_unknown,   ///< with other steps no periodic state was found
   nodes_not_judged,    ///< more nodes across the film gave no solution
   nothing_richer,      ///< than this physics
   walls_not_judged,    ///< no data of shell and shaft
@@ -70,6 +71,7 @@ struct ToleranceNotMet {
   double friction = 0.0;   ///< [-]
   double h_min = 0.0;      ///< [-]
   Why why = Why::grid_limit;
+  bool of_cycle = false;  ///< the mean friction torque
 };
 
 /// The shaft's surface is at its mean over the cycle.
@@ -179,10 +181,37 @@ struct WornThrough {
   double thickness = 0.0;  ///< of that layer [m]
 };
 
+/// Wear deeper than the radial clearance.
+struct WornBeyondClearance {
+  double depth = 0.0;      ///< [m]
+  double clearance = 0.0;  ///< [m]
+};
+
+/// A worn shape that is deeper at the side edges, to which it is led on, than in any cell.
+struct WearLedOn {
+  double depth = 0.0;  ///< in the cells [m]
+  double edge = 0.0;   ///< at the edges [m]
+};
+
 /// An elasto-plastic layer that has flowed by more than half of its thickness.
 struct LayerFlown {
   double depth = 0.0;      ///< [m]
   double thickness = 0.0;  ///< [m]
+};
+
+/// The shell's surface is hotter than its material bears.
+struct LiningTooHot {
+  std::string material;
+  double T = 0.0;      ///< largest [K]
+  double limit = 0.0;  ///< [K]
+};
+
+/// A bearing in time came to rest in another steady state than the one solved for itself.
+struct OtherSteadyState {
+  double torque = 0.0;             ///< in the end [N m]
+  double T_film_max = 0.0;         ///< [K]
+  double steady_torque = 0.0;      ///< of the one solved [N m]
+  double steady_T_film_max = 0.0;  ///< [K]
 };
 
 /// A vessel of a supply at the cavitation pressure.
@@ -221,6 +250,7 @@ using Note = std::variant<
     note::OtherRoots, note::FactorsContinued, note::BeyondOilRange, note::BeyondContactLaw,
     note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells, note::ProfileBetweenCells,
     note::NotLaminar, note::VesselEmpty, note::MouthWidened, note::WornThrough, note::LayerFlown,
+    note::WornBeyondClearance, note::WearLedOn, note::LiningTooHot, note::OtherSteadyState,
     note::LayerPressed, note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid,
     note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet,
     note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;

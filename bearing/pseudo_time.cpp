@@ -23,9 +23,11 @@ Verdict march_in_time(const BearingModel& model, const OperatingPoint& point,
   OperatingPoint moving = point;
   if (!evaluate(model, point, thermal_deformation, kWayPoint, s))
     return no_film(model, point, thermal_deformation, s);
+  const auto content = [&] { return fluid::oil_content(point.scene, s.gap, s.oil, s.film); };
   double turn = kFirst;
+  Field held = content();  // at the beginning of the step, however often it is tried
   for (int step = 0; turn < kLongest; ++step) {
-    moving.scene.storage = {turn * unit, fluid::oil_content(point.scene, s.gap, s.oil, s.film)};
+    moving.scene.storage = {turn * unit, held};
     const State before = s;
     const int spent = cost.newton_iterations;
     const Verdict v = newton(model, moving, thermal_deformation, options, s, cost, stop);
@@ -38,6 +40,7 @@ Verdict march_in_time(const BearingModel& model, const OperatingPoint& point,
       if (point.load.unknowns > 0 && thinner_than_a_molecule(model, s)) {
         return {Status::no_steady_state, ending::NotAtRest{0, s.least.h}, s.least.place()};
       }
+      held = content();
       if (cost.newton_iterations - spent <= kQuick) turn /= kStepShorter;
     } else {
       static_cast<State&>(s) = before;

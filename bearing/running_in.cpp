@@ -400,12 +400,13 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
   if (c.shell && !c.shell->layers.empty() && depth > c.shell->layers.front().thickness) {
     run.warnings.emplace_back(note::WornThrough{depth, c.shell->layers.front().thickness});
   }
+  if (depth > c.bearing.radial_clearance) {
+    run.warnings.emplace_back(note::WornBeyondClearance{depth, c.bearing.radial_clearance});
+  }
+  if (const double edge = largest(wear_table(run.grid, run.wear).height); edge > depth) {
+    run.warnings.emplace_back(note::WearLedOn{depth, edge});
+  }
   return run;
-}
-
-double hardness_of_shell(const Case& c) {
-  if (c.running_in && c.running_in->hardness > 0.0) return c.running_in->hardness;
-  return c.shell && !c.shell->layers.empty() ? c.shell->layers.front().material.hardness : 0.0;
 }
 
 }  // namespace shellback::bearing

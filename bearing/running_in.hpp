@@ -36,9 +36,6 @@
 
 namespace shellback::bearing {
 
-/// H of (1): as [running_in] has it, else of the shell's first layer; 0: not known [Pa].
-[[nodiscard]] double hardness_of_shell(const Case& c);
-
 /// Throws InputError where the case has no [running_in], or its tier solves no film.
 void expect_running_in(const Case& c);
 

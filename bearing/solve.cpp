@@ -13,7 +13,7 @@
 namespace shellback::bearing {
 
 double equivalent_temperature(const Case& c) {
-  const double T_supply = c.supplies.front().temperature;
+  const double T_supply = mean_supply_temperature(c);
   std::optional<double> back = c.measured.shell_back_temperature;
   if (!back && c.shell) {
     if (const auto* given = std::get_if<PrescribedBack>(&c.shell->back)) back = given->temperature;
@@ -79,7 +79,10 @@ void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
 void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
   constexpr double kSecond = 1.5;  // cells per axis [-]
   Case second = c;
-  for (int& n : second.model.grid) n = std::max(3, static_cast<int>(std::lround(kSecond * n)));
+  auto& [around, along] = second.model.grid;
+  around = static_cast<int>(std::lround(kSecond * around));
+  along =
+      std::min(std::max(3, static_cast<int>(std::lround(kSecond * along))), most_axial_cells(c));
   Solution on;
   on.T_film = s.T_film;
   on.cost.most_work = most_work(c, tier, control);
@@ -134,7 +137,7 @@ Solution from_cold(const Case& c, Tier tier, double T, const SolveControl& contr
 Solution solve_tier(const Case& c, Tier tier, const SolveControl& control,
                     std::shared_ptr<const Solids> solids) {
   const double T =
-      tier == Tier::isothermal ? equivalent_temperature(c) : c.supplies.front().temperature;
+      tier == Tier::isothermal ? equivalent_temperature(c) : mean_supply_temperature(c);
   return from_cold(c, tier, T, control, std::move(solids));
 }
 

@@ -1,4 +1,3 @@
-
 #include "bearing/cycle.hpp"
 #include "bearing/cycle_lumped.hpp"
 #include "bearing/cycle_search.hpp"
@@ -34,7 +33,7 @@ std::unique_ptr<CycleSearch> on_one_grid(const Case& c, Tier tier, const SolveCo
 /// The lumped tier, on the case's own grid.
 CycleResult at_one_temperature(const Case& c, const SolveControl& control) {
   CycleSearch search(c, Tier::lumped, control);
-  begin_or_take_up(search, control, [&] { search.begin(c.supplies.front().temperature); });
+  begin_or_take_up(search, control, [&] { search.begin(mean_supply_temperature(c)); });
   const Verdict v = settle_lumped_cycle(search, c);
   CycleResult r = search.result();
   r.verdict = v;

@@ -28,7 +28,7 @@ MarchEnd over_cycles(const Case& c, Tier tier, const WarmUpOptions& o, StretchEn
   span.until_rest = ends == StretchEnd::at_rest;
   if (!span.until_rest) span.longest = std::max(span.shortest, o.end / kSteps);
   if (!take_up_noted(control.kept, members)) {
-    search.begin(c.supplies.front().temperature);
+    search.begin(mean_supply_temperature(c));
     march.bodies = carried.bodies ? *carried.bodies : uniform_bodies(*last.model.solids, o.T_start);
     // The orbit is found before its heat counts.
     if (!search.pass_between(march.bodies.walls)) return {search.verdict()};
@@ -48,7 +48,7 @@ Verdict begin_film(const SolidState& bodies, double T_cold, const SolveControl& 
   s.heat.T_shell = walls.shell.surface;
   s.heat.T_shaft = walls.shaft.temperature;
   if (s.model.physics.thermal_deformation) s.heat.thermal_deformation = walls.thermal_deformation;
-  s.T_film = s.model.input.supplies.front().temperature;
+  s.T_film = mean_supply_temperature(s.model.input);
   return first_film(s, s.T_film, control);
 }
 

@@ -67,7 +67,7 @@ void add_friction_parts(const Solution& s, Quantities& q) {
   if (!m.contact || !m.input.surfaces.contact->friction_law) return;
   const AsperityStress tau = asperity_stress(m, s.point, s.film);
   const double pressed = fluid::torque(s.point.scene, s.film.p_contact);
-  const auto mean = [&](double part) { return pressed > 0.0 ? part / pressed : 0.0; };
+  const auto mean = [&](double part) { return pressed > 0.0 ? std::abs(part) / pressed : 0.0; };
   q.friction_torque_abrasive = fluid::torque(s.point.scene, tau.abrasive);
   q.friction_torque_adhesive = fluid::torque(s.point.scene, tau.adhesive);
   q.friction_torque_micro_hydrodynamic = fluid::torque(s.point.scene, tau.micro_hydrodynamic);

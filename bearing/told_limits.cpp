@@ -18,6 +18,7 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
     warnings.push_back(note::ColdSpot{*low});
   }
   FilmReach reach{*low, *high, largest(s.film.film.p), s.film.gap.cell, s.film.least};
+  if (s.model.physics.film_energy) reach.T_shell = largest(s.heat.T_shell);
   if (!s.film.layer.empty()) reach.layer_depth = largest(lasting_depth(s.film.layer));
   for (Note& w : range_warnings(s.model, reach)) warnings.push_back(std::move(w));
   const Field& T = s.film.columns.T_mean;

@@ -24,6 +24,23 @@ long cells_that_flow(const Field& flow) {
   return std::count_if(flow.begin(), flow.end(), [](double x) { return x > 0.0; });
 }
 
+/// Columns beside each other shear by the time that half of them has flowed away, and none can lose
+/// more than it has.
+void add_flown_layer(const BearingModel& m, double depth, std::vector<Note>& out) {
+  constexpr double kMostFlown = 0.5;  // of the thickness, as of what is pressed before it flows
+  if (!(depth > 0.0)) return;
+  const double thickness = m.input.shell->layers.front().thickness;
+  if (depth > kMostFlown * thickness) out.emplace_back(note::LayerFlown{depth, thickness});
+}
+
+void add_hot_lining(const BearingModel& m, double T, std::vector<Note>& out) {
+  if (!m.input.shell || m.input.shell->layers.empty()) return;
+  const solid::Material& lining = m.input.shell->layers.front().material;
+  if (lining.limit_temperature > 0.0 && T > lining.limit_temperature) {
+    out.emplace_back(note::LiningTooHot{lining.name, T, lining.limit_temperature});
+  }
+}
+
 }  // namespace
 
 Field summit_flow(const BearingModel& m, const Field& h) {
@@ -156,15 +173,6 @@ std::vector<Note> input_warnings(const Case& c, const Physics& physics) {
   return out;
 }
 
-/// Columns beside each other shear by the time that half of them has flowed away, and none can lose
-/// more than it has.
-void add_flown_layer(const BearingModel& m, double depth, std::vector<Note>& out) {
-  constexpr double kMostFlown = 0.5;  // of the thickness, as of what is pressed before it flows
-  if (!(depth > 0.0)) return;
-  const double thickness = m.input.shell->layers.front().thickness;
-  if (depth > kMostFlown * thickness) out.emplace_back(note::LayerFlown{depth, thickness});
-}
-
 std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) {
   std::vector<Note> out = oil_range_warnings(m.oil, reach.T_low, reach.T_high, reach.p_max);
   for (const Note& note : input_warnings(m.input, m.physics)) out.push_back(note);
@@ -175,6 +183,7 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   add_holes(m, out);
   add_strain(m, reach.p_max, out);
   add_flown_layer(m, reach.layer_depth, out);
+  add_hot_lining(m, reach.T_shell, out);
   if (m.contact && reach.h_min < 0.0) out.emplace_back(note::Plain::planes_overlap);
   return out;
 }

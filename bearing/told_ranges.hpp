@@ -1,5 +1,6 @@
 #pragma once
 /// Where a film leaves the ranges of its laws: a steady state, or the extremes of a cycle.
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct FilmReach {
   fluid::SmallestGap least{};  ///< of all
   double h_min = least.h;      ///< the same, with side edges [m]
   double layer_depth = 0.0;    ///< by which an elasto-plastic layer has flowed, at most [m]
+  /// Largest of the shell's surface; NaN: not known [K].
+  double T_shell = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// How far summits have flowed at the contact's hardness where the gap is `h` [m], in the middle of

@@ -43,4 +43,17 @@ WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& o, const SolveCont
   return out;
 }
 
+std::vector<Note> warm_up_warnings(const rheology::Oil& oil, const WarmUp& run,
+                                   const Result& steady) {
+  std::vector<Note> notes = march_warnings(oil, run.instants);
+  if (!run.end.at_rest || run.instants.empty() || !steady.verdict.good()) return notes;
+  const Instant& end = run.instants.back();
+  const Quantity* torque = quantity_in(steady.quantities, "friction_torque");
+  if (std::abs(end.torque - torque->value) > torque->error()) {
+    notes.push_back(note::OtherSteadyState{end.torque, end.T_film_max, torque->value,
+                                           steady.value("T_film_max")});
+  }
+  return notes;
+}
+
 }  // namespace shellback::bearing

@@ -6,6 +6,7 @@
 /// seize on the way the time is told. At each instant
 ///   heat in (friction, pump) = heat out (oil, back, ends, overhangs) + heat stored      [W]
 /// with what is stored in the film's oil, shell, housing and shaft.
+#include "bearing/result.hpp"
 #include "bearing/stretch.hpp"
 
 namespace shellback::bearing {
@@ -25,5 +26,11 @@ struct WarmUp {
 /// stands in the imbalance. Throws InputError for other tiers and for single events.
 [[nodiscard]] WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& options,
                              const SolveControl& control = {});
+
+/// Where the film leaves the temperatures of its oil, and whether the walls came to rest in another
+/// state than `steady`, the steady or periodic one of the same case on the same grid: beyond its
+/// bars of the mean friction torque. Nothing of what is not known.
+[[nodiscard]] std::vector<Note> warm_up_warnings(const rheology::Oil& oil, const WarmUp& run,
+                                                 const Result& steady);
 
 }  // namespace shellback::bearing

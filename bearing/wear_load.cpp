@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bearing/solids.hpp"
+#include "core/contract.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -44,6 +45,7 @@ void MeanWearLoad::add(WearLoad now, double dt) {
 }
 
 WearLoad MeanWearLoad::mean() const {
+  EXPECTS(time_ > 0.0);
   WearLoad out = sum_;
   for (double& x : out.load) x /= time_;
   for (double& x : out.stiffness) x /= time_;

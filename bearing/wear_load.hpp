@@ -30,7 +30,7 @@ class MeanWearLoad {
   void begin(WearLoad first);
   /// The load at the end of a step of dt [s].
   void add(WearLoad now, double dt);
-  /// Of the time that was added; nothing without any.
+  /// Of the time that was added, which is some.
   [[nodiscard]] WearLoad mean() const;
   void members(Tape& tape) { tape(now_, sum_, time_); }
 

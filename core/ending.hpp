@@ -19,7 +19,7 @@ enum class Plain {
   // Film.
   no_pressure,         ///< at this gap the reduced pressure would exceed its bound 1/alpha
   no_position,         ///< each step towards the load closes the gap, which proves nothing
-  ran_off,            ///< a residual left the range of numbers where all fields are finite
+  ran_off,             ///< a residual left the range of numbers where all fields are finite
   empty_ring,          ///< cavitated all round and fed by nothing
   singular_film,       ///< the film matrix could not be factorised
   out_of_the_law,      ///< in a step in time no pressure that the pressure-viscosity law knows
@@ -29,6 +29,7 @@ enum class Plain {
   no_vessel_pressure,  ///< of a supply with a vessel
   // Heat.
   no_light_state,       ///< no light load and no low speed has a common state of film and heat
+  no_slow_state,        ///< no low speed has one, at a given place of the journal
   endless_branch,       ///< states without end, that bring the load no nearer
   strayed,              ///< the states next to the last one do not continue it
   estimate_unbalanced,  ///< no temperature at which the estimate's friction heat is carried away

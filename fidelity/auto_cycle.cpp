@@ -71,7 +71,7 @@ class CycleTierSearch {
     for (int k = 0; k < kRounds; ++k) {
       CycleResult next = solve_cycle_with_bars(on_, control_);
       note(next);
-      if (k > 0 && !next.verdict.good() && !stopped(control_)) break;  // the round before stands
+      if (k > 0 && !next.verdict.good()) break;  // the round before stands
       last_ = std::move(next);
       if (!last_.verdict.good() || stopped(control_) || within() || !refine()) break;
     }
@@ -90,8 +90,10 @@ class CycleTierSearch {
   }
 
   void note(const CycleResult& r) {
-    solved_.push_back(fmt::format("{} on {} x {}{}", to_string(r.tier), r.grid[0], r.grid[1],
-                                  r.verdict.good() ? "" : " (did not converge)"));
+    const char* how = r.verdict.good()                          ? ""
+                      : r.verdict.status == Status::interrupted ? " (stopped)"
+                                                                : " (did not converge)";
+    solved_.push_back(fmt::format("{} on {} x {}{}", to_string(r.tier), r.grid[0], r.grid[1], how));
   }
 
   CycleResult probe(Tier tier) {
@@ -146,6 +148,7 @@ class CycleTierSearch {
       break;
     }
     if (!unjudged_.empty()) left_out_ = {INFINITY, INFINITY};  // by nothing richer
+    chosen_ = true;
     return true;
   }
 
@@ -154,6 +157,11 @@ class CycleTierSearch {
   }
   [[nodiscard]] FrictionAndFilm of_steps() const {
     return both(last_, [](const CycleQuantity& q) { return over_value(q.error_time, q); });
+  }
+  /// What shorter steps leave.
+  [[nodiscard]] FrictionAndFilm without_steps() const {
+    const FrictionAndFilm grid = of_grid();
+    return {grid.friction + left_out_.friction, grid.h_min + left_out_.h_min};
   }
   [[nodiscard]] bool within() const { return bars_of(last_).larger() <= case_.model.tolerance; }
 
@@ -177,6 +185,8 @@ class CycleTierSearch {
     const double power = kStepOrder / (kStepOrder - 1.0);
     const double least = std::pow(kMost, -kStepOrder);
     const bool shorter = !case_.cycle->step && steps > allowed;
+    const bool finest = case_.model.grid_given || before == kUsualGrid;
+    if (finest && without_steps().larger() > case_.model.tolerance) return false;
     if (shorter) on_.model.tolerance *= std::clamp(std::pow(allowed / steps, power), least, 1.0);
     const FrictionAndFilm grid = of_grid();
     const double more = std::max(more_cells("friction_torque", grid.friction, left_out_.friction),
@@ -198,6 +208,7 @@ class CycleTierSearch {
       r.choice = AutoChoice{case_.model.tolerance, known.larger() <= case_.model.tolerance,
                             known.friction, known.h_min, solved_};
     }
+    if (stopped(control_) && !chosen_) return r;
     for (CycleQuantity& q : r.quantities) {
       const double size = q.quantity.size();
       const bool torque = q.quantity.name == "friction_torque" || q.quantity.name == "power_loss";
@@ -213,8 +224,10 @@ class CycleTierSearch {
     if (!unjudged_.empty()) {
       r.warnings.push_back(unjudged_.front());
     } else if (r.verdict.good() && !r.choice->met) {
-      r.warnings.push_back(note::ToleranceNotMet{case_.model.tolerance, known.friction, known.h_min,
-                                                 note::ToleranceNotMet::Why::cycle_grid});
+      using Why = note::ToleranceNotMet::Why;
+      r.warnings.push_back(
+          note::ToleranceNotMet{case_.model.tolerance, known.friction, known.h_min,
+                                case_.model.grid_given ? Why::grid_given : Why::cycle_grid, true});
     }
     return r;
   }
@@ -233,6 +246,7 @@ class CycleTierSearch {
   FrictionAndFilm left_out_;
   std::vector<note::NothingRicher> unjudged_;  ///< the richest tier, where it judges nothing
   CycleResult last_;
+  bool chosen_ = false;  ///< the tier, from those that were tried
   std::vector<std::string> solved_;
 };
 

@@ -86,7 +86,7 @@ EffectChoice choose_effects(const Solution& probe, double tolerance, const std::
 Bars unknown_heat(const Solution& lumped, const std::atomic<bool>* stop, EquilibriumCost& cost) {
   // In random cases the lumped balance was off by less in 9 of 10 (docs/constants.md).
   constexpr double kUnknownHeat = 0.5;  // of the temperature rise [-]
-  const double rise = lumped.T_film - lumped.model.input.supplies.front().temperature;
+  const double rise = lumped.T_film - mean_supply_temperature(lumped.model.input);
   Bars bars{0.0, 0.0};
   if (rise == 0.0) return bars;
   for (const double part : {kUnknownHeat, -kUnknownHeat}) {

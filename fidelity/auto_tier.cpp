@@ -76,7 +76,7 @@ class TierSearch {
 
   /// The cheapest tier that holds the effects which are still in.
   [[nodiscard]] Tier tier() const {
-    const double T = case_.supplies.front().temperature;
+    const double T = mean_supply_temperature(case_);
     const double slope = rheology::viscosity_slopes(case_.oil, T, 0.0, 0.0).dln_dT;
     if (!knows_its_walls(case_)) return slope == 0.0 ? Tier::isothermal : Tier::lumped;
     const Switches& s = choice_ ? choice_->switches : case_.model.switches;

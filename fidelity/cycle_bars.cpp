@@ -135,7 +135,12 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   Case changed = c;
   const double part = change_steps(coarse.back(), changed);
   const CycleResult other = on_grid(changed, coarse.back().grid, control);
-  if (other.verdict.good()) put_time_bars(coarse.back(), other, part, r);
+  if (other.verdict.good()) {
+    put_time_bars(coarse.back(), other, part, r);
+  } else {
+    r.warnings.push_back(stopped(control) ? note::Plain::bars_interrupted
+                                          : note::Plain::time_bars_unknown);
+  }
   add_between_instants(r);
   add_unsettled_walls(r);
   if (!c.cycle->step) {

@@ -70,7 +70,7 @@ class Estimator {
     const ContactSum touching = scene_.contact(eps, viscosity(eps, T), omega_);
     Estimate e;
     e.T = T;
-    e.rise = T - c_.supplies.front().temperature;
+    e.rise = T - mean_supply_temperature(c_);
     e.eta = viscosity(eps, T);
     e.eps = eps;
     const double carried = film(n, e.eta);

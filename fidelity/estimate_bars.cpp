@@ -35,7 +35,7 @@ SupplyNumbers supply_numbers(const Case& c, const Estimate& e) {
     const bool round = s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
     const double along = round ? s.diameter : s.length;
     const double around = round ? s.diameter : s.arc * R;
-    const bool ring = around >= 1.999 * kPi * R;
+    const bool ring = goes_all_round(s);
     if (!ring) {
       force += p * 0.5 * (along + B) * (2.0 * R * std::sin(0.5 * around / R) + 0.25 * B);
     }

@@ -73,7 +73,7 @@ Estimate worst_of(const JournalPath& path, const Case& c, double T) {
   const CycleInstant& thinnest = extreme(all, &CycleInstant::h_min, true);
   Estimate e;
   e.T = T;
-  e.rise = T - c.supplies.front().temperature;
+  e.rise = T - mean_supply_temperature(c);
   e.h_min = thinnest.h_min;
   e.eps = 1.0 - e.h_min / c.bearing.radial_clearance;
   e.eta = path.motion().scene().viscosity(e.eps, T, std::hypot(thinnest.load_x, thinnest.load_y),

@@ -21,8 +21,8 @@ constexpr int kPoints = 180;  ///< around, of the contact's sum
 /// Number and widths [m] of the parts of the surface that carry: two beside a groove all round.
 std::pair<int, double> lands_of(const Case& c) {
   for (const Supply& s : c.supplies) {
-    const bool all_round = s.kind == SupplyKind::circumferential_groove && s.arc >= 1.999 * kPi;
-    if (all_round && s.length < c.bearing.width) return {2, 0.5 * (c.bearing.width - s.length)};
+    if (goes_all_round(s) && s.length < c.bearing.width)
+      return {2, 0.5 * (c.bearing.width - s.length)};
   }
   return {1, c.bearing.width};
 }
@@ -37,7 +37,9 @@ EstimateScene::EstimateScene(const Case& c) : c_(c), oil_(c.oil) {
   if (!physics.pressure_dependence) oil_ = rheology::without_pressure_effect(oil_);
   if (!physics.shear_thinning) oil_ = rheology::without_shear_thinning(oil_);
   if (physics.contact && c.surfaces.contact) {
-    contact_.emplace(c.surfaces.shell, c.surfaces.shaft, *c.surfaces.contact);
+    solid::ContactParameters contact = *c.surfaces.contact;
+    contact.hardness = hardness_of_contact(c);
+    contact_.emplace(c.surfaces.shell, c.surfaces.shaft, contact);
   }
 }
 
@@ -86,13 +88,13 @@ double EstimateScene::heat_away(double T, double side_flow,
                                 const std::vector<HeatPath>& paths) const {
   const double rho = rheology::density(oil_, T, 0.0).rho;
   const double cp = rheology::heat_capacity(oil_, T).cp;
-  double out = rho * cp * side_flow * (T - c_.supplies.front().temperature);
+  double out = rho * cp * side_flow * (T - mean_supply_temperature(c_));
   for (const HeatPath& path : paths) out += path.conductance * (T - path.outside);
   return out;
 }
 
 HeatWays heat_ways(const Case& c) {
-  const double T_supply = c.supplies.front().temperature;
+  const double T_supply = mean_supply_temperature(c);
   HeatWays ways{solid_heat_paths(c, rheology::conductivity(c.oil, T_supply, 0.0).k), T_supply,
                 T_supply};
   for (const HeatPath& path : ways.paths) {

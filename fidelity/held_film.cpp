@@ -22,7 +22,7 @@ Field widening(const Solution& s, const Physics& has) {
 
 void set_temperatures(const Case& c, const Held& held, const CrossFilmNodes& gl,
                       std::vector<double>& T) {
-  if (!held.heated) std::fill(T.begin(), T.end(), c.supplies.front().temperature);
+  if (!held.heated) std::fill(T.begin(), T.end(), mean_supply_temperature(c));
   for (auto column = T.begin(); column != T.end() && !held.physics.film_energy; column += gl.n) {
     std::fill_n(column, gl.n, std::inner_product(column, column + gl.n, gl.w.begin(), 0.0));
   }

@@ -11,7 +11,6 @@ using namespace bearing;
 
 namespace {
 
-bool has_shell(const Case& c) { return c.shell.has_value(); }
 bool has_contact(const Case& c) { return c.surfaces.contact.has_value(); }
 bool is_rough(const Case& c) {
   return c.surfaces.shell.roughness > 0.0 || c.surfaces.shaft.roughness > 0.0;
@@ -32,7 +31,7 @@ const std::vector<EffectRule>& effect_rules() {
       {EffectKind::temperature_across_film, {{&P::film_energy, nullptr, knows_its_walls}}},
       {EffectKind::thermal_deformation,
        {{&P::thermal_deformation, &S::thermal_deformation, knows_its_walls}}},
-      {EffectKind::elastic_deformation, {{&P::elastic, &S::elastic_deformation, has_shell}}},
+      {EffectKind::elastic_deformation, {{&P::elastic, &S::elastic_deformation, can_be_elastic}}},
       {EffectKind::viscosity_with_pressure,
        {{&P::pressure_dependence, &S::pressure_dependence, is_piezoviscous}}},
       {EffectKind::shear_thinning, {{&P::shear_thinning, &S::shear_thinning, is_thinning}}},
@@ -100,7 +99,7 @@ std::vector<EffectKind> unknown_effects(const Case& c) {
   std::vector<EffectKind> effects;
   for (const EffectRule& rule : effect_rules()) {
     const auto data = rule.parts.front().data;
-    const bool of_solids = data == knows_its_walls || data == has_shell;
+    const bool of_solids = data == knows_its_walls || data == can_be_elastic;
     if (of_solids && !data(c)) effects.push_back(rule.effect);
   }
   return effects;

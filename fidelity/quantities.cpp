@@ -56,9 +56,8 @@ double natural_size(const Quantity& q, double T_supply, const std::vector<Quanti
 
 Range bounds_of(const bearing::Case& c, const std::string& name) {
   if (name == "asperity_load_share") return {0.0, 1.0};
-  const auto& contact = c.surfaces.contact;
-  if (name == "p_asperity_max" && contact && contact->hardness > 0.0)
-    return {0.0, contact->hardness};
+  if (name == "p_asperity_max" && c.surfaces.contact && hardness_of_contact(c) > 0.0)
+    return {0.0, hardness_of_contact(c)};
   return kAnyValue;
 }
 

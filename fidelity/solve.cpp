@@ -64,7 +64,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   for (Quantity& q : result.quantities) {
     q.error_grid = 0.0;
     if (given_by_case(c, result.tier, q.name)) continue;
-    const double size = natural_size(q, c.supplies.front().temperature, result.quantities);
+    const double size = natural_size(q, mean_supply_temperature(c), result.quantities);
     std::vector<GridValue> values;
     for (const LevelRecord& level : record.levels) {
       const double value = value_in(level.quantities, q.name);
@@ -88,6 +88,25 @@ void put_grid_bars(const BarRecord& record, Result& result) {
       q->error_grid = std::max(q->error_grid, kShare * *middle * size);
   }
   share_bars_of_coefficients(judged);
+}
+
+/// Summits that hardly touch do not hold the gap open: what they carry hangs on the film alone, and
+/// falls by orders of magnitude as it rises. What the smallest film's bar leaves open of it counts.
+void widen_bars_of_light_contact(const BearingModel& m, Result& result) {
+  constexpr double kLight = 0.01;  // share of the load [-]
+  const Quantity* h = quantity_in(result.quantities, "h_min");
+  const double share = result.value("asperity_load_share");
+  if (!m.contact || !(share < kLight) || !std::isfinite(h->error_grid)) return;
+  const double now = m.contact->at(h->value).p;
+  const double open = m.contact->at(h->value - h->error_grid).p;
+  const double times = now > 0.0 ? std::min(open / now, 1.0 / share) - 1.0 : 0.0;
+  for (Quantity& q : result.quantities) {
+    const bool torque = q.name.starts_with("friction_torque_") && q.name != "friction_torque_shell";
+    const double bar = q.name == "p_asperity_max"                    ? open - now
+                       : torque || q.name == "asperity_load_share" ? times * std::abs(q.value)
+                                                                     : 0.0;
+    if (bar > q.error_grid) q.error_grid = bar;
+  }
 }
 
 /// What the full physics would change on the fine grid: as much as on the coarse one, absolutely
@@ -140,6 +159,7 @@ BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control
 void put_bars(const BarRecord& record, Result& result) {
   if (record.coarse) {
     put_grid_bars(record, result);
+    widen_bars_of_light_contact(record.coarse->model, result);
     const auto coarse = scalars(*record.coarse);
     const Case& c = record.coarse->model.input;
     for (Quantity& q : result.quantities) {

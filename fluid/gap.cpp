@@ -126,9 +126,9 @@ SmallestGap smallest_gap(const FilmGrid& g, const Gap& gap, const Field& profile
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
       consider(gap.cell[k], g.phi[i], g.z[j]);
-      const double high = std::max(profile.empty() ? 0.0 : profile[k],
-                                   profile.empty() ? 0.0 : profile[g.index(g.previous(i), j)]);
-      consider(gap.phi_face[k] + high, g.phi_face[i], g.z[j]);
+      const double side =
+          profile.empty() ? 0.0 : std::min(profile[k], profile[g.index(g.previous(i), j)]);
+      consider(gap.phi_face[k] + side, g.phi_face[i], g.z[j]);
     }
     for (const int j : {0, g.nz}) {
       if (j == 0 && g.half) continue;

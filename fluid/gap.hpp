@@ -96,7 +96,7 @@ inline constexpr double kMostOfEdge = 0.5;  ///< that a line may take [-]
 void to_faces(const FilmGrid& grid, const Field& cells, std::vector<double>& phi_face,
               std::vector<double>& z_face);
 
-/// Smallest film over cells and side edges, and where it is.
+/// Smallest film over cells, both sides of the faces around and side edges, and where it is.
 struct SmallestGap {
   double h = 0.0;    ///< [m]
   double phi = 0.0;  ///< [rad]

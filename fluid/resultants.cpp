@@ -120,7 +120,9 @@ Field cell_fill(const FilmScene& s, const FilmState& state) {
       const int k = g.index(i, j);
       if (s.supply.cell[k] >= 0) continue;
       const int face = s.speed >= 0.0 ? k : g.index(upstream, j);  // on the upstream side
-      const double entering = s.supply.line[face] >= 0 ? 1.0 : carried(g.index(upstream, j));
+      const int line = s.supply.line[face];
+      const double entering =
+          line >= 0 ? s.supply.patches[line].fill : carried(g.index(upstream, j));
       fill[k] = 0.5 * (entering + carried(k));
     }
   }

@@ -14,8 +14,9 @@ struct Material {
   double expansion = 0.0;       ///< linear thermal expansion [1/K]
   double hardness = 0.0;        ///< largest contact pressure; 0: not known [Pa]
   // Of a coating as an elasto-plastic layer (surface_layer.hpp).
-  double progression = 0.0;    ///< rate at which it stiffens, N [-]
-  double damping_ratio = 0.0;  ///< of damping to stiffness; 0: not known [s]
+  double progression = 0.0;        ///< rate at which it stiffens, N [-]
+  double damping_ratio = 0.0;      ///< of damping to stiffness; 0: not known [s]
+  double limit_temperature = 0.0;  ///< up to which it serves; 0: not known [K]
   [[nodiscard]] bool operator==(const Material&) const = default;
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/largest.hpp"
 
 namespace shellback::thermal {
 namespace {
@@ -427,14 +428,14 @@ double FilmEnergy::march(std::vector<double>& T) {
     }
     if (p_.shell) {
       const double now = T0 + yielded(cell, x, shaft, at_shell);
-      change = std::max(change, std::abs(now - T[at]));
+      change = larger(change, std::abs(now - T[at]));
       T[at] = now;
       enthalpy_[at] = p_.cp[at] * (now - T0);
     }
     const double shell = T[at] - T0;
     for (int k = 0; k < m; ++k) {
       x[k] -= by_shell_[at_inner + k] * shell;
-      change = std::max(change, std::abs(T0 + x[k] - T[at + k + 1]));
+      change = larger(change, std::abs(T0 + x[k] - T[at + k + 1]));
       T[at + k + 1] = T0 + x[k];
       enthalpy_[at + k + 1] = p_.cp[at + k + 1] * x[k];
     }

@@ -106,7 +106,7 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
   }
   fmt::print(std::cout, "\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n",
              run.imbalance());
-  print_list(std::cout, "warnings", words_of(march_warnings(c.oil, run.instants)));
+  print_list(std::cout, "warnings", words_of(warm_up_warnings(c.oil, run, steady)));
 }
 
 }  // namespace

@@ -82,7 +82,8 @@ inline Told told(const ending::SurfacesInterlocked& e, const About&) {
   return {fmt::format("no oil passes where the surfaces lie in each other: the nominal gap is "
                       "{:.3g} um, {:.0f} times the roughness below zero",
                       e.h * 1e6, -e.h / e.sigma),
-          "lower the load or the tilt, or give a larger clearance or stiffer contact"};
+          "lower the load, the given eccentricity ratio or the tilt, or give a larger clearance or "
+          "stiffer contact"};
 }
 
 inline Told told(const ending::FilmUnsettled& e, const About&) {

@@ -84,6 +84,10 @@ std::string text_of(note::Plain n) {
     case Plain::cycle_bars_unknown:
       return "none of the coarser grids that were tried carries this cycle: the bars are not known "
              "(a journal without mass may have to leap on them: load_cycle.journal_mass)";
+    case Plain::time_bars_unknown:
+      return "with other steps in time no periodic state was found: what the steps leave open is "
+             "in "
+             "no bar";
     case Plain::nodes_not_judged:
       return "more nodes across the film gave no solution on the coarse grid: what they would "
              "change is in no bar";
@@ -142,7 +146,7 @@ const char* text_of(note::ToleranceNotMet::Why why) {
     case note::ToleranceNotMet::Why::no_walls:
       return "the case has no data of shell and shaft, so that the heat is only known in lumps";
     case note::ToleranceNotMet::Why::grid_given:
-      return "the grid is given in the case";
+      return "the grid is given: without model.grid it is chosen for the tolerance";
     case note::ToleranceNotMet::Why::grid_limit:
       return "model.grid = [400, 50] or finer is solved as it is";
     case note::ToleranceNotMet::Why::cycle_grid:
@@ -152,12 +156,11 @@ const char* text_of(note::ToleranceNotMet::Why why) {
 }
 
 std::string text_of(const note::ToleranceNotMet& n) {
-  const bool cycle = n.why == note::ToleranceNotMet::Why::cycle_grid;
   return fmt::format(
       "the tolerance of {:.2g} % is not met: the {}friction torque is known {}, the smallest film "
       "{}; {}",
-      100.0 * n.tolerance, cycle ? "mean " : "", known_within(n.friction), known_within(n.h_min),
-      text_of(n.why));
+      100.0 * n.tolerance, n.of_cycle ? "mean " : "", known_within(n.friction),
+      known_within(n.h_min), text_of(n.why));
 }
 
 std::string text_of(const note::ShaftSwing& n) {
@@ -290,6 +293,35 @@ std::string text_of(const note::WornThrough& n) {
       "the wear of {:.3g} um has gone through the shell's first layer ({:.3g} um): below it lies "
       "another material, and what is told here is that of the first",
       1e6 * n.depth, 1e6 * n.thickness);
+}
+
+std::string text_of(const note::WornBeyondClearance& n) {
+  return fmt::format(
+      "the wear of {:.3g} um is more than the radial clearance of {:.3g} um: check "
+      "wear_coefficient, "
+      "hardness and the summits, or take a shorter time",
+      1e6 * n.depth, 1e6 * n.clearance);
+}
+
+std::string text_of(const note::WearLedOn& n) {
+  return fmt::format(
+      "depth and volume of the wear are those of the cells ({:.4g} um); the shape, in the profile, "
+      "too, is led on to the side edges by a straight line, to {:.4g} um",
+      1e6 * n.depth, 1e6 * n.edge);
+}
+
+std::string text_of(const note::LiningTooHot& n) {
+  return fmt::format("the shell's surface reaches {:.1f} degC, and {} serves up to {:.0f} degC",
+                     n.T - kZeroCelsius, n.material, n.limit - kZeroCelsius);
+}
+
+std::string text_of(const note::OtherSteadyState& n) {
+  return fmt::format(
+      "the bearing came to rest with a torque of {:.4g} N m and a film of up to {:.1f} degC, not "
+      "in "
+      "the steady state solved for itself ({:.4g} N m, {:.1f} degC): it has two, and which one it "
+      "keeps depends on where it comes from",
+      n.torque, n.T_film_max - kZeroCelsius, n.steady_torque, n.steady_T_film_max - kZeroCelsius);
 }
 
 std::string text_of(const note::LayerFlown& n) {

@@ -20,6 +20,27 @@ inline constexpr const char* kNoPressure =
 inline constexpr const char* kNoLightState =
     "no light load and no low speed was found under which film and heat have a common state";
 
+/// Of branches that were sought and not found, or not followed.
+inline Told told_of_branch(ending::Plain e) {
+  using ending::Plain;
+  switch (e) {
+    case Plain::no_light_state:
+      return {kNoLightState, kFinerElseTighter};
+    case Plain::no_slow_state:
+      return {
+          "at the journal's given place no low speed was found at which film and heat have a "
+          "common state",
+          "a smaller eccentricity ratio or tilt, or a finer grid"};
+    case Plain::endless_branch:
+      return {"states were found one after the other, and the load has hardly risen",
+              kFinerElseTighter};
+    case Plain::strayed:
+      return {"what was found next to the last state does not continue it", kFinerElseTighter};
+    default:
+      return {};
+  }
+}
+
 inline Told told(ending::Plain e, const About& a) {
   using ending::Plain;
   switch (e) {
@@ -63,12 +84,10 @@ inline Told told(ending::Plain e, const About& a) {
       return {"the pressure in the vessel of a supply is not found",
               "a larger vessel, or a finer grid"};
     case Plain::no_light_state:
-      return {kNoLightState, kFinerElseTighter};
+    case Plain::no_slow_state:
     case Plain::endless_branch:
-      return {"states were found one after the other, and the load has hardly risen",
-              kFinerElseTighter};
     case Plain::strayed:
-      return {"what was found next to the last state does not continue it", kFinerElseTighter};
+      return told_of_branch(e);
     case Plain::estimate_unbalanced:
       return {"the estimate finds no film temperature at which the friction heat is carried away",
               "lower speed or load, feed more oil, or ask a tier that resolves the heat"};

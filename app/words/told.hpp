@@ -20,7 +20,7 @@ struct About {
 inline constexpr const char* kBeyondBarus =
     "switch on elastic deformation where it is off, use the Roelands law, or lower the load";
 inline constexpr const char* kContactElseLoad =
-    "lower the load or the tilt, or give roughness and contact data";
+    "lower the load or the tilt, or, where they are missing, give roughness and contact data";
 inline constexpr const char* kContactElseElastic =
     "give roughness and contact data, switch on elastic deformation where it is off, or lower the "
     "load";

@@ -77,6 +77,9 @@ TEST_CASE("SurfacesThatGiveWayLetTheJournalPassItsClearance") {
   Case c = rig_case();
   place_journal(c, 1.0, 0.5);
   CHECK_NOTHROW(expect_solvable(c));
+  CHECK_FALSE(lack_for(c, Tier::tehd));
+  CHECK(lack_for(c, Tier::thd)->key == "operation.eccentricity_ratio");
+  CHECK(lack_for(c, Tier::estimate)->key == "operation.eccentricity_ratio");
 }
 
 TEST_CASE("ALayerThatItsLoadCompressesBeyondSmallStrainsIsToldOrRefused") {
@@ -144,6 +147,51 @@ TEST_CASE("WhatATierLacksIsRefusedInThatTierOnly") {
   c.model.tier = Tier::thd;
   CHECK_THROWS_WITH(expect_solvable(c), Catch::Contains("shell: the tier thd") &&
                                             Catch::Contains("give its layers and back"));
+}
+
+TEST_CASE("AMomentAtAGivenPlaceIsRefused") {
+  Case c = plain_case();
+  c.operation.alignment = MomentGiven{1.0, 0.0};
+  CHECK(judge(c).empty());
+  place_journal(c, 0.5, 0.5);
+  const auto found = judge(c);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].key == "operation.moment");
+  CHECK(found[0].cure.find("operation.tilt") != std::string::npos);
+}
+
+TEST_CASE("WhatContradictsTheRestOfTheCaseIsTold") {
+  const auto keys = [](const Case& c) {
+    std::vector<std::string> all;
+    for (const Finding& f : judge(c)) {
+      CHECK_FALSE(f.refused());
+      all.push_back(f.key);
+    }
+    return all;
+  };
+  Case c = rig_case();
+  REQUIRE(keys(c).empty());
+  c.measured.shell_back_temperature = c.supplies[0].temperature - 5.0;
+  CHECK(keys(c) == std::vector<std::string>{"measured.shell_back_temperature"});
+  c.model.kappa = 0.0;
+  CHECK(keys(c).empty());
+  Case sharp = rig_case();
+  sharp.surfaces.shell.summit_roughness = 2.0 * sharp.surfaces.shell.roughness;
+  CHECK(keys(sharp) == std::vector<std::string>{"surfaces.shell.summit_roughness"});
+  sharp.surfaces.shell.summit_roughness = 6.0 * sharp.surfaces.shell.roughness;
+  CHECK(refusal(sharp, [](Case&) {}).key == "surfaces.shell.summit_roughness");
+}
+
+TEST_CASE("OnlyABearingWithShellAndShaftIsElastic") {
+  Case c = rig_case();
+  CHECK(can_be_elastic(c));
+  c.model.switches.elastic_deformation = true;
+  CHECK_FALSE(lack_for(c, Tier::isothermal));
+  c.shaft.reset();
+  CHECK_FALSE(can_be_elastic(c));
+  const auto lack = lack_for(c, Tier::isothermal);
+  REQUIRE(lack);
+  CHECK_THAT(lack->problem, Catch::Contains("no [shaft] to deform"));
 }
 
 TEST_CASE("TheEstimateIsRefusedSuppliesThatItDoesNotSee") {

@@ -56,6 +56,26 @@ TEST_CASE("OilThatWouldBoilWhileColdThinsUntilItsHeatLeaves", "[lumped]") {
   }
 }
 
+TEST_CASE("ARingThatFeedsNothingIsNamed", "[lumped]") {
+  // At ambient pressure all round no oil is driven to the sides but by the film itself.
+  Case c = warm_case();
+  c.supplies.resize(1);
+  c.supplies[0].kind = SupplyKind::circumferential_groove;
+  c.supplies[0].angle = 0.0;
+  c.supplies[0].z = 0.0;
+  c.supplies[0].arc = 2.0 * kPi;
+  c.supplies[0].length = 0.2 * c.bearing.width;
+  c.supplies[0].pressure = 0.0;
+  for (const double ratio : {0.1, 0.5, 0.8}) {
+    place_journal(c, ratio, 1.0);
+    const Solution s = solve_tier(c, Tier::lumped);
+    INFO(ratio << ": " << app::reason_of(s.verdict));
+    if (s.verdict.good()) continue;  // some oil is drawn in
+    CHECK(app::reason_of(s.verdict).find("nan") == std::string::npos);
+    CHECK(s.verdict.as<ending::Plain>() != nullptr);
+  }
+}
+
 TEST_CASE("OilOfEverySupplyIsAsWarmAsItComes", "[lumped]") {
   // Two grooves, of 30 and 90 degrees: P = sum cp Q_i (T - T_i), whichever stands first.
   Case c = warm_case();

@@ -140,6 +140,27 @@ TEST_CASE("AFilmThatIsNotLaminarIsMarked", "[refusal]") {
   CHECK(marked(-1.01));
 }
 
+TEST_CASE("ALiningBeyondItsLimitTemperatureIsTold", "[refusal]") {
+  Case c = rig_case();
+  c.model.grid = {48, 9};
+  const auto told = [&](double limit) {
+    c.shell->layers[0].material.limit_temperature = limit;
+    const Result r = summarize(solve_tier(c, Tier::tehd), Tier::tehd);
+    REQUIRE(r.verdict.good());
+    const auto hot = std::find_if(r.warnings.begin(), r.warnings.end(), [](const Note& w) {
+      return std::holds_alternative<note::LiningTooHot>(w);
+    });
+    if (hot == r.warnings.end()) return 0.0;
+    CHECK(std::get<note::LiningTooHot>(*hot).T == Approx(r.value("T_shell_max")).epsilon(1e-9));
+    return r.value("T_shell_max");
+  };
+  CHECK(told(0.0) == 0.0);  // not known
+  const double T = told(300.0);
+  CHECK(T > 300.0);
+  CHECK(told(T + 1.0) == 0.0);
+  CHECK(told(T - 1.0) == T);
+}
+
 TEST_CASE("AnEdgeThatIsClosedWhileNoCellIsIsMarked", "[refusal]") {
   const auto marked = [](const Case& c, double edge) {
     const BearingModel m = make_bearing(c, physics_of(c, c.model.tier), c.model.grid);

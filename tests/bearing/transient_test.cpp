@@ -40,6 +40,27 @@ TEST_CASE("AWarmUpEndsInTheSteadyStateAndLosesNoHeat", "[transient]") {
   }
 }
 
+TEST_CASE("AWarmUpTellsThatItEndsInAnotherSteadyState", "[transient]") {
+  // Walls of 300 degC keep the film of the rig's bearing so thin that its contact keeps them hot.
+  const Case c = coarse(rig_case());
+  const Solution cold = solve_tier(c, Tier::tehd);
+  Result steady = summarize(cold, Tier::tehd);
+  steady.quantities.front().error_grid = 0.05 * steady.value("friction_torque");
+  REQUIRE(steady.quantities.front().name == "friction_torque");
+  WarmUpOptions from;
+  const auto told = [&](double T_start) {
+    from.T_start = T_start;
+    const WarmUp run = warm_up(c, Tier::tehd, from);
+    REQUIRE(run.end.at_rest);
+    const auto notes = warm_up_warnings(c.oil, run, steady);
+    return std::count_if(notes.begin(), notes.end(), [](const Note& n) {
+      return std::holds_alternative<note::OtherSteadyState>(n);
+    });
+  };
+  CHECK(told(293.15) == 0);
+  CHECK(told(573.15) == 1);
+}
+
 TEST_CASE("WarmingWallsAreSlowerTheFartherFromTheFilm", "[transient]") {
   Case c = coarse(warm_case());
   const WarmUp run = warm_up(c, Tier::thd, {});

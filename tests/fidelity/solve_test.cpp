@@ -43,6 +43,29 @@ TEST_CASE("EveryQuantityOfAConvergedResultHasAGridBar") {
   }
 }
 
+TEST_CASE("BarsOfSummitsThatHardlyTouchHoldWhatTheFilmsBarLeavesOpen") {
+  // Films of two to four roughnesses on few cells: their pressure of contact falls by a decade
+  // within a bar of the smallest film.
+  for (const double load : {500.0, 1500.0, 3000.0}) {
+    Case c = rig_case();
+    c.model.tier = Tier::isothermal;
+    set_load(c, load);
+    c.model.grid = {192, 40};
+    const Result fine = fidelity::solve(c);
+    c.model.grid = {32, 6};
+    const Result r = fidelity::solve(c);
+    REQUIRE(fine.verdict.good());
+    REQUIRE(r.verdict.good());
+    const Quantity &h = quantity(r, "h_min"), &p = quantity(r, "p_asperity_max");
+    INFO(load << " N, share " << r.value("asperity_load_share"));
+    REQUIRE(r.value("asperity_load_share") < 0.01);
+    if (std::abs(h.value - fine.value("h_min")) > h.error_grid) continue;  // nothing follows
+    CHECK(std::abs(p.value - fine.value("p_asperity_max")) <= p.error_grid);
+    const Quantity& share = quantity(r, "asperity_load_share");
+    CHECK(std::abs(share.value - fine.value("asperity_load_share")) <= share.error_grid);
+  }
+}
+
 TEST_CASE("BarsOfStiffnessAndDampingHoldFineGridsAtLightLoads") {
   // Ends of the film move by whole cells: single entries agree on three grids by chance.
   int missed = 0, judged = 0;

@@ -135,6 +135,19 @@ TEST_CASE("AStepThatWidensTheGapIsPartOfTheSmallestGap") {
   CHECK(std::abs(b - a - 3e-6) < kSlack);
 }
 
+TEST_CASE("AtTheEdgeOfAPocketTheLandIsTheSmallestGap") {
+  Setup s = tilted_journal();
+  s.nt = 36;
+  s.position = eccentric(12e-6, kPi);  // the smallest gap lies on a face
+  for (const double side : {1.0, -1.0}) {
+    s.profile = [side](double phi, double) { return side * (phi - kPi) > 0.0 ? 5e-6 : 0.0; };
+    const PosedFilm b = make_bearing(s);
+    const SmallestGap least = smallest_gap(b.scene.grid, b.gap, b.step);
+    CHECK(std::abs(least.h - (20e-6 - 12e-6)) < 100.0 * kSlack);
+    CHECK(least.phi == Approx(kPi).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("AnEdgeThatClosesSteeplyKeepsAGap") {
   // (1) of gap.hpp: the straight line up to half of the room; from there on value and slope go on,
   // and however steeply the line falls there is a gap.

@@ -129,6 +129,24 @@ TEST_CASE("AnEmptyFilmBrakesByItsFillRatio") {
   CHECK(std::abs(braking(CavitatedShear::filled) / braking(CavitatedShear::full) - 0.3) < 1e-12);
 }
 
+TEST_CASE("WhatEntersBehindALineIsAsFullAsTheLine") {
+  Setup s = fine();
+  s.patches = {{.phi = 1.0, .length = s.width}};  // no arc: a line
+  PosedFilm b = make_bearing(s);
+  b.scene.supply.patches[0].fill = 0.7;  // a vessel that is empty
+  const auto n = static_cast<std::size_t>(b.scene.grid.cells());
+  FilmState state = full_film(Field(n, 0.0));
+  state.theta.assign(n, 0.3);
+  const Field fill = cell_fill(b.scene, state);
+  int behind = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool fed = b.scene.supply.line[k] >= 0;
+    behind += fed ? 1 : 0;
+    CHECK(fill[k] == Approx(fed ? 0.5 : 0.3).epsilon(1e-12));  // mean of what enters and leaves
+  }
+  CHECK(behind == s.nz);
+}
+
 TEST_CASE("GradientsOfASmoothPressureAreExactToSecondOrder") {
   for (const bool half : {false, true}) {
     double last_x = 0.0, last_z = 0.0;

@@ -124,7 +124,7 @@ class Trial {
     Result result = bearing::summarize(s, tier);
     fidelity::put_bars(record, result);
     subject_.costs.push_back({tier, grid, s.wall_s, record.wall_s});
-    const double T_supply = case_.supplies.front().temperature;
+    const double T_supply = mean_supply_temperature(case_);
     for (const Quantity& q : result.quantities) {
       BarSample b{index_, tier, grid, q.name};
       b.value = q.value;

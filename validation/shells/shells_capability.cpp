@@ -15,11 +15,13 @@ using bearing::CycleResult;
 using bearing::Profile;
 using bearing::Tier;
 
+double lining_limit(const Case& c) { return c.shell->layers.front().material.limit_temperature; }
+
 /// What the cycle meets first: no periodic state, a lining too hot, a film too thin.
-ShellLimit limit_of(int shell, const Case& c, const CycleResult& r) {
+ShellLimit limit_of(const Case& c, const CycleResult& r) {
   if (!r.verdict.good()) return ShellLimit::state;
   const double T = bearing::value_of(r, "T_shell_max");
-  if (std::isfinite(T) && T > shell_kinds()[shell].T_limit) return ShellLimit::lining;
+  if (std::isfinite(T) && T > lining_limit(c)) return ShellLimit::lining;
   return bearing::value_of(r, "h_min") < least_film(c) ? ShellLimit::film : ShellLimit::none;
 }
 
@@ -64,7 +66,7 @@ class Search {
     const Case c = subject(plan_.coarse, factor);
     const CycleResult r = solved(c);
     if (crew_.stopped()) return;
-    const ShellLimit limit = limit_of(found_.shell, c, r);
+    const ShellLimit limit = limit_of(c, r);
     if (limit != ShellLimit::none) {
       found_.bad = tried(factor, r);
       found_.limit = limit;
@@ -79,8 +81,8 @@ class Search {
   }
 
   double met(const ShellLimit limit, const LoadTried& good, const LoadTried& bad) const {
-    return load_met(limit, good, bad, least_film(subject(plan_.coarse, 1.0)),
-                    shell_kinds()[found_.shell].T_limit);
+    const Case c = subject(plan_.coarse, 1.0);
+    return load_met(limit, good, bad, least_film(c), lining_limit(c));
   }
   double met(const Capability& c) const { return met(c.limit, c.good, c.bad); }
 

@@ -7,7 +7,6 @@
 #include "app/library.hpp"
 #include "app/overrides.hpp"
 #include "app/read_case.hpp"
-#include "core/constants.hpp"
 
 namespace shellback::validation {
 
@@ -15,12 +14,10 @@ using bearing::Case;
 using bearing::Tier;
 
 const std::array<ShellKind, kShells>& shell_kinds() {
-  // Limits: AlSn20 loses half its strength and its tin nears melting (232 degC) from about 170 degC
-  // on; polyamide-imide coatings serve to about 200 degC (both textbook).
   static const std::array<ShellKind, kShells> kKinds{
-      {{"AlSn, plain", "shell-plain", {0.02, 0.02, 0.005}, 102.5, 170.0 + kZeroCelsius},
-       {"AlSn, grooved", "shell-grooved", {0.02, 0.015, 0.007}, 96.2, 170.0 + kZeroCelsius},
-       {"polymer", "shell-polymer", {0.005, 0.0025, 0.01}, 71.5, 200.0 + kZeroCelsius}}};
+      {{"AlSn, plain", "shell-plain", {0.02, 0.02, 0.005}, 102.5},
+       {"AlSn, grooved", "shell-grooved", {0.02, 0.015, 0.007}, 96.2},
+       {"polymer", "shell-polymer", {0.005, 0.0025, 0.01}, 71.5}}};
   return kKinds;
 }
 

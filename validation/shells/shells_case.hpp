@@ -14,7 +14,6 @@ struct ShellKind {
   const char* file;                    ///< shipped case
   std::array<double, 3> coefficients;  ///< Table 4: abrasive, adhesive, micro-hydrodynamic [-]
   double power;                        ///< Table 5 [W]
-  double T_limit;                      ///< of the lining, assumed [K]
 };
 inline constexpr int kShells = 3;
 [[nodiscard]] const std::array<ShellKind, kShells>& shell_kinds();

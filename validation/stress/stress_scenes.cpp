@@ -198,6 +198,15 @@ std::vector<StressScene> chosen_stress_scenes(const std::vector<StressScene>& al
   };
   for (const std::string& name : names) {
     if (std::any_of(all.begin(), all.end(), [&](const auto& s) { return is(s, name); })) continue;
+    const std::string scene = name.substr(0, name.find('/'));
+    if (std::find(known.begin(), known.end(), scene) != known.end()) {
+      std::vector<std::string> rows;
+      for (const StressScene& s : all) {
+        if (s.name == scene) rows.push_back(full_name(s));
+      }
+      throw InputError("the scene " + in_quotes(scene) + " has no row " + in_quotes(name) +
+                       choices_for(name, rows, "rows are"));
+    }
     throw InputError("there is no stress scene " + in_quotes(name) +
                      choices_for(name, known, "scenes are"));
   }

@@ -211,13 +211,13 @@ void judge_running_in(const Case& c, Findings& to) {
             fmt::format("the hardness of the shell's surface is {:.4g} MPa", 1e-6 * H),
             "check the unit");
   }
-  const double own =
-      c.shell && !c.shell->layers.empty() ? c.shell->layers[0].material.hardness : 0.0;
+  const ShellLayer* first = c.shell && !c.shell->layers.empty() ? &c.shell->layers[0] : nullptr;
+  const double own = first != nullptr && first->elasto_plastic ? first->material.hardness : 0.0;
   if (const double apart = r.hardness / own;
       r.hardness > 0.0 && own > 0.0 &&
       std::max(apart, 1.0 / apart) > kBearingLimits.modulus_apart) {
     to.suspect("running_in.hardness",
-               fmt::format("the shell wears with a hardness of {}, and its first layer has {}",
+               fmt::format("the shell wears with a hardness of {}, and its first layer flows at {}",
                            shown(r.hardness, "MPa"), shown(own, "MPa")),
                "leave running_in.hardness out, or check which of the two is meant");
   }

@@ -99,12 +99,18 @@ void widen_bars_of_light_contact(const BearingModel& m, Result& result) {
   if (!m.contact || !(share < kLight) || !std::isfinite(h->error_grid)) return;
   const double now = m.contact->at(h->value).p;
   const double open = m.contact->at(h->value - h->error_grid).p;
-  const double times = now > 0.0 ? std::min(open / now, 1.0 / share) - 1.0 : 0.0;
+  // Shares of the load: as much more as the pressure; where that is nothing, at most all over.
+  const Bearing& b = m.input.bearing;
+  const double load = std::hypot(result.value("load_x"), result.value("load_y"));
+  const double more =
+      now > 0.0 ? share * (open / now - 1.0) : 2.0 * b.radius * b.width * open / load;
+  const double shares = std::min(more, 1.0);
   for (Quantity& q : result.quantities) {
-    const bool torque = q.name.starts_with("friction_torque_") && q.name != "friction_torque_shell";
-    const double bar = q.name == "p_asperity_max"                    ? open - now
-                       : torque || q.name == "asperity_load_share" ? times * std::abs(q.value)
-                                                                     : 0.0;
+    double bar = 0.0;
+    if (q.name == "p_asperity_max") bar = open - now;
+    if (q.name == "asperity_load_share") bar = shares;
+    if (q.name == "friction_torque_asperity")
+      bar = m.contact->friction().at_rest() * shares * load * b.radius;
     if (bar > q.error_grid) q.error_grid = bar;
   }
 }

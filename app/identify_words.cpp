@@ -110,6 +110,7 @@ double missed_part(const IdentifyView& v) {
     const study::FittedPoint& p = v.end.points[i];
     for (std::size_t k = 0; k < p.fitted.size(); ++k) {
       const double measured = v.table.points[i].values[k].value;
+      if (measured == 0.0) continue;
       squares += std::pow(p.fitted[k] / measured - 1.0, 2);
       ++count;
     }

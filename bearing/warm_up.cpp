@@ -48,9 +48,13 @@ std::vector<Note> warm_up_warnings(const rheology::Oil& oil, const WarmUp& run,
   std::vector<Note> notes = march_warnings(oil, run.instants);
   if (!run.end.at_rest || run.instants.empty() || !steady.verdict.good()) return notes;
   const Instant& end = run.instants.back();
-  const Quantity* torque = quantity_in(steady.quantities, "friction_torque");
-  if (std::abs(end.torque - torque->value) > torque->error()) {
-    notes.push_back(note::OtherSteadyState{end.torque, end.T_film_max, torque->value,
+  const auto beyond = [&](const char* name, double value) {
+    const Quantity* q = quantity_in(steady.quantities, name);
+    return q != nullptr && std::abs(value - q->value) > q->error();
+  };
+  if (beyond("friction_torque", end.torque) && beyond("T_film_max", end.T_film_max)) {
+    notes.push_back(note::OtherSteadyState{end.torque, end.T_film_max,
+                                           steady.value("friction_torque"),
                                            steady.value("T_film_max")});
   }
   return notes;

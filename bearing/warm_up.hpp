@@ -29,7 +29,7 @@ struct WarmUp {
 
 /// Where the film leaves the temperatures of its oil, and whether the walls came to rest in another
 /// state than `steady`, the steady or periodic one of the same case on the same grid: beyond its
-/// bars of the mean friction torque. Nothing of what is not known.
+/// bars of friction torque and largest film temperature. Nothing of what is not known.
 [[nodiscard]] std::vector<Note> warm_up_warnings(const rheology::Oil& oil, const WarmUp& run,
                                                  const Result& steady);
 

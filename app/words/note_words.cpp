@@ -85,9 +85,8 @@ std::string text_of(note::Plain n) {
       return "none of the coarser grids that were tried carries this cycle: the bars are not known "
              "(a journal without mass may have to leap on them: load_cycle.journal_mass)";
     case Plain::time_bars_unknown:
-      return "with other steps in time no periodic state was found: what the steps leave open is "
-             "in "
-             "no bar";
+      return "with other steps in time no periodic state was found: no bar has what the steps "
+             "leave open";
     case Plain::nodes_not_judged:
       return "more nodes across the film gave no solution on the coarse grid: what they would "
              "change is in no bar";
@@ -297,9 +296,8 @@ std::string text_of(const note::WornThrough& n) {
 
 std::string text_of(const note::WornBeyondClearance& n) {
   return fmt::format(
-      "the wear of {:.3g} um is more than the radial clearance of {:.3g} um: check "
-      "wear_coefficient, "
-      "hardness and the summits, or take a shorter time",
+      "the wear of {:.3g} um is more than the radial clearance of {:.3g} um: check its coefficient, "
+      "hardness and summits, or take a shorter time",
       1e6 * n.depth, 1e6 * n.clearance);
 }
 
@@ -317,10 +315,9 @@ std::string text_of(const note::LiningTooHot& n) {
 
 std::string text_of(const note::OtherSteadyState& n) {
   return fmt::format(
-      "the bearing came to rest with a torque of {:.4g} N m and a film of up to {:.1f} degC, not "
-      "in "
-      "the steady state solved for itself ({:.4g} N m, {:.1f} degC): it has two, and which one it "
-      "keeps depends on where it comes from",
+      "the bearing came to rest with a torque of {:.4g} N m and a film of up to {:.1f} degC; the "
+      "steady state solved for itself has {:.4g} N m and {:.1f} degC: there are two, and which one "
+      "it keeps depends on where it comes from",
       n.torque, n.T_film_max - kZeroCelsius, n.steady_torque, n.steady_T_film_max - kZeroCelsius);
 }
 

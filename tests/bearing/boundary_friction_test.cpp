@@ -63,6 +63,17 @@ TEST_CASE("PartsOfBoundaryFrictionAddUpToTheAsperityTorque", "[boundary_friction
   CHECK(r.fields.tau_adhesive.size() == r.fields.p.size());
 }
 
+TEST_CASE("CoefficientsOfBoundaryFrictionDoNotKnowTheSenseOfRotation", "[boundary_friction]") {
+  Case c = with_law(mixed(Tier::isothermal));
+  const Quantities one = summarize(good(c), Tier::isothermal).values();
+  c.operation.omega *= -1.0;
+  const Quantities two = summarize(good(c), Tier::isothermal).values();
+  CHECK(two.friction_torque_abrasive == Approx(-one.friction_torque_abrasive).epsilon(1e-6));
+  CHECK(two.mu_abrasive == Approx(one.mu_abrasive).epsilon(1e-6));
+  CHECK(two.mu_adhesive == Approx(one.mu_adhesive).epsilon(1e-6));
+  CHECK(one.mu_adhesive > 0.0);
+}
+
 TEST_CASE("WithoutALawThePartsAreNotTold", "[boundary_friction]") {
   const Result r = summarize(good(mixed(Tier::isothermal)), Tier::isothermal);
   CHECK_FALSE(r.has("mu_adhesive"));

@@ -6,6 +6,7 @@
 #include "app/words/ending_words.hpp"
 #include "bearing/bore_shape.hpp"
 #include "bearing/judge_case.hpp"
+#include "core/largest.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -65,6 +66,27 @@ TEST_CASE("WearThroughTheFirstLayerIsTold") {
   };
   CHECK(told(0.1e-6));
   CHECK_FALSE(told(0.1e-3));
+}
+
+TEST_CASE("WearThatTheTableLeadsOnToTheEdgesIsTold") {
+  Case c = rubbing_case();
+  c.model.grid = {48, 9};
+  c.running_in->duration = 600.0;
+  const RunningInRun run = run_in(c, Tier::isothermal);
+  REQUIRE(run.verdict.good());
+  const double depth = run.states.back().depth;
+  const double edge = largest(wear_table(run.grid, run.wear).height);
+  CHECK(edge >= depth);
+  bool told = false;
+  for (const Note& n : run.warnings) {
+    CHECK_FALSE(std::holds_alternative<note::WornBeyondClearance>(n));
+    if (const auto* led = std::get_if<note::WearLedOn>(&n)) {
+      told = true;
+      CHECK(led->depth == depth);
+      CHECK(led->edge == edge);
+    }
+  }
+  CHECK(told == (edge > depth));
 }
 
 TEST_CASE("EdgesRunInSmoothlyHoweverLongTheSteps") {

@@ -1,6 +1,7 @@
 /// Tier auto over shipped load cycles against finer grids and richer tiers.
 #include "fidelity/auto_cycle.hpp"
 
+#include <atomic>
 #include <catch2/catch.hpp>
 
 #include "app/library.hpp"
@@ -64,6 +65,40 @@ TEST_CASE("AutoKeepsTheGridThatACaseGivesAndSaysWhatItIsWorth") {
   CHECK_FALSE(r.choice->met);
   REQUIRE(!r.warnings.empty());
   CHECK(app::words_of(r.warnings.back()).find("tolerance") != std::string::npos);
+}
+
+TEST_CASE("AutoThatIsStoppedOnAFinerGridKeepsTheOneBefore") {
+  std::atomic<bool> stop{false};
+  const auto run = [&](const char* tolerance, int most, int& steps) {
+    Case c = shipped("pulse", tolerance);
+    c.model.grid_given = false;
+    c.cycle->step = c.cycle->length() / 200.0;  // whatever the tolerance
+    SolveControl control;
+    control.stop = &stop;
+    stop = false;
+    steps = 0;
+    control.progress = [&](const Progress&) { stop = ++steps >= most; };
+    return fidelity::solve_auto_cycle(c, control);
+  };
+  int first = 0, both = 0;
+  const CycleResult coarse = run("\"20 %\"", 1000000, first);
+  REQUIRE(coarse.verdict.good());
+  const CycleResult stopped = run("\"2 %\"", first + 5, both);  // on the way to a finer grid
+  REQUIRE(both >= first + 5);
+  CHECK(stopped.verdict.status == Status::interrupted);
+  CHECK(stopped.grid == coarse.grid);
+  for (std::size_t k = 0; k < coarse.quantities.size(); ++k) {
+    const double value = coarse.quantities[k].quantity.value;
+    if (std::isfinite(value)) CHECK(stopped.quantities[k].quantity.value == value);
+  }
+  CHECK(value_of(stopped, "h_min") > 0.0);
+  bool told = false;
+  for (const Note& n : stopped.assumptions) {
+    if (const auto* taken = std::get_if<note::TierTaken>(&n)) {
+      told = taken->solved.back().find("(stopped)") != std::string::npos;
+    }
+  }
+  CHECK(told);
 }
 
 TEST_CASE("CommandsTakeTierAutoOverACycle") {

@@ -140,3 +140,27 @@ TEST_CASE("IdentifyWarnsWhereTheCaseDoesNotDescribeTheData", "[identify]") {
   CHECK(ended.code == kDone);
   check_parts(ended.err, {"warning: ", "chi2", "does not describe"});
 }
+
+TEST_CASE("WithoutDeviationsIdentifyTellsAFitThatMissesTheValuesThemselves", "[identify]") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", rubbing_case());
+  const auto fitted = [&](const std::vector<double>& torque) {
+    std::string table = "speed [rpm], friction_torque [N m]\n";
+    const std::vector<int> rpm{10, 40, 150};
+    for (std::size_t k = 0; k < rpm.size(); ++k)
+      table += fmt::format("{}, {}\n", rpm[k], torque[k]);
+    const Ended ended =
+        run_words({"identify", path, "--measured", scratch.write("data.csv", table), "--fit",
+                   kLaw + "adhesive", "--bounds", kLaw + "adhesive=0.01:0.5"});
+    CHECK(ended.code == kDone);
+    return ended.err;
+  };
+  CHECK(fitted({0.1, 5.0, 0.1}).find("% of themselves") != std::string::npos);  // of no bearing
+  std::vector<double> own;
+  for (const int n : {10, 40, 150}) {
+    const bearing::Result r = bearing::solve(read_case_text(
+        rubbing_case(), "case.toml", {parse_override(fmt::format("operation.speed={} rpm", n))}));
+    own.push_back(r.value("friction_torque"));
+  }
+  CHECK(fitted(own).find("of themselves") == std::string::npos);
+}

@@ -152,8 +152,7 @@ TEST_CASE("WithoutDeviationsIdentifyTellsAFitThatMissesTheValuesThemselves", "[i
     const Ended ended =
         run_words({"identify", path, "--measured", scratch.write("data.csv", table), "--fit",
                    kLaw + "adhesive", "--bounds", kLaw + "adhesive=0.01:0.5"});
-    CHECK(ended.code == kDone);
-    return ended.err;
+    return ended.err;  // done, or, of no bearing, not determined
   };
   CHECK(fitted({0.1, 5.0, 0.1}).find("% of themselves") != std::string::npos);  // of no bearing
   std::vector<double> own;

@@ -120,7 +120,7 @@ double missed_part(const IdentifyView& v) {
 
 std::string misfit(const IdentifyView& v) {
   constexpr double kChance = 1e-3;
-  constexpr double kMissed = 0.25;  // of the values: two or three times the scatter of rigs
+  constexpr double kMissed = 0.25;  // of the values; told only, a plain share [-]
   const study::Fit& fit = v.end.fit;
   if (fit.freedom <= 0 || fit.directions.empty()) return "";
   if (!v.table.deviations_known) {

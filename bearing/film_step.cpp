@@ -323,7 +323,8 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   step.p = told_pressure(by, between, film);
   step.error = error_of(now, film, stages, dt);
   if (std::isnan(step.error)) {
-    const FieldName field = heat_ ? FieldName::film_temperature : FieldName::gap;
+    const bool by_heat = heat_ && std::isnan(heat_->surprise(model_, film, stages.back().heat.T));
+    const FieldName field = by_heat ? FieldName::film_temperature : FieldName::gap;
     step.verdict = {Status::invalid_number, ending::NotANumber{field}};
     return step;
   }

@@ -71,7 +71,8 @@ class CycleTierSearch {
     for (int k = 0; k < kRounds; ++k) {
       CycleResult next = solve_cycle_with_bars(on_, control_);
       note(next);
-      if (k > 0 && !next.verdict.good()) break;  // the round before stands
+      // The round before stands, also for one that was stopped before its bars were known.
+      if (k > 0 && (!next.verdict.good() || stopped(control_))) break;
       last_ = std::move(next);
       if (!last_.verdict.good() || stopped(control_) || within() || !refine()) break;
     }
@@ -90,9 +91,9 @@ class CycleTierSearch {
   }
 
   void note(const CycleResult& r) {
-    const char* how = r.verdict.good()                          ? ""
-                      : r.verdict.status == Status::interrupted ? " (stopped)"
-                                                                : " (did not converge)";
+    const char* how = stopped(control_)  ? " (stopped)"
+                      : r.verdict.good() ? ""
+                                         : " (did not converge)";
     solved_.push_back(fmt::format("{} on {} x {}{}", to_string(r.tier), r.grid[0], r.grid[1], how));
   }
 

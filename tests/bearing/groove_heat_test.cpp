@@ -37,6 +37,21 @@ double into_walls(const Solution& s) {
   return g.multiplicity() * sum;
 }
 
+/// 1.5 kN downwards for two turns, as a cycle.
+LoadCycle standing(const Case& c) {
+  LoadCycle cycle;
+  cycle.crank_speed = std::abs(c.operation.omega);
+  cycle.period = 4.0 * kPi / cycle.crank_speed;
+  for (int k = 0; k < 4; ++k) {
+    cycle.t.push_back(cycle.period * k / 4);
+    cycle.x.push_back(0.0);
+    cycle.y.push_back(-1.5e3);
+  }
+  cycle.interpolation = LoadInterpolation::periodic_spline;
+  cycle.journal_mass = 0.5;
+  return cycle;
+}
+
 }  // namespace
 
 TEST_CASE("HeatOfAGrooveWithItsWallsIsConserved", "[groove_heat]") {
@@ -163,20 +178,10 @@ TEST_CASE("GroovesExchangeHeatOverACycleToo", "[groove_heat]") {
   Case c = warm_case();
   c.model.grid = {48, 6};
   set_load(c, 1.5e3);
-  LoadCycle cycle;
-  cycle.crank_speed = std::abs(c.operation.omega);
-  cycle.period = 4.0 * kPi / cycle.crank_speed;
-  for (int k = 0; k < 4; ++k) {
-    cycle.t.push_back(cycle.period * k / 4);
-    cycle.x.push_back(0.0);
-    cycle.y.push_back(-1.5e3);
-  }
-  cycle.interpolation = LoadInterpolation::periodic_spline;
-  cycle.journal_mass = 0.5;
   c.supplies[0].heat_transfer = 2e4;
   const Solution steady = solved(c, Tier::thd);
   CHECK(std::abs(into_walls(steady)) > 1.0);  // [W]: it matters here
-  c.cycle = cycle;
+  c.cycle = standing(c);
   const CycleResult r = solve_cycle(c, Tier::thd);
   INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
@@ -191,4 +196,30 @@ TEST_CASE("GroovesExchangeHeatOverACycleToo", "[groove_heat]") {
       CHECK(q.quantity.value == Approx(steady.heat.solids.shell.heat_in).epsilon(0.01));
     }
   }
+}
+
+TEST_CASE("AGrooveThatExchangesNoHeatTakesNoneFromCellsBesideItOnCoarserGrids", "[groove_heat]") {
+  // The cycle on these cells begins with the heat of coarser ones, whose cells reach over its
+  // edges.
+  Case c = warm_case();
+  c.model.grid = {96, 12};
+  set_load(c, 1.5e3);
+  c.supplies[0].heat_transfer = 0.0;
+  c.cycle = standing(c);
+  const CycleResult r = solve_cycle(c, Tier::thd);
+  INFO(app::reason_of(r.verdict));
+  REQUIRE(r.verdict.good());
+  const BearingModel m = make_bearing(c, {}, c.model.grid);
+  const FilmGrid& g = m.domain.grid;
+  Field fed(g.cells());
+  for (int k = 0; k < g.cells(); ++k) fed[k] = m.supply.cell[k] >= 0 ? 1.0 : 0.0;
+  const Field full = mirror_to_full(g, fed);
+  REQUIRE(full.size() == r.fields.heat_to_shell.size());
+  int inside = 0;
+  for (std::size_t k = 0; k < full.size(); ++k) {
+    if (full[k] == 0.0) continue;
+    ++inside;
+    CHECK(r.fields.heat_to_shell[k] == 0.0);
+  }
+  CHECK(inside > 0);
 }

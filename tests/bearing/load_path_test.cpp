@@ -187,6 +187,23 @@ TEST_CASE("SurfacesInEachOtherArePassedByTheirOverlap") {
   CHECK(states < 20);
 }
 
+TEST_CASE("ALimitIsConfirmedOnCellsThatCanBeSolved") {
+  // A tilted bearing of 100 cells along is solved on 128 at most: 1.5 times as many were wrong
+  // input.
+  Case c = plain_case();
+  c.oil.pressure = rheology::Barus{2e-8};
+  c.operation.alignment = TiltGiven{2e-5, 0.0};
+  c.model.axial_spacing = AxialSpacing::even;
+  c.model.grid = {20, 100};
+  set_load(c, 60e3);
+  const Solution s = solve_tier(c, Tier::isothermal);
+  INFO(app::reason_of(s.verdict));
+  REQUIRE(s.limits.size() == 2);
+  CHECK(s.limits[0].grid == std::array{30, 128});
+  CHECK(s.limits[1].grid == c.model.grid);
+  CHECK(s.verdict.status == Status::no_steady_state);
+}
+
 TEST_CASE("ABranchBeginsWhereSummitsCarryTheJournalAtRest") {
   // A clamped housing of half the clearance: at 3000 rpm the walls meet, at a crawl the summits
   // carry the load. That first state takes more iterations than those which follow it.

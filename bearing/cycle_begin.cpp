@@ -1,9 +1,10 @@
-/// Where the search for a periodic state begins: in a steady film, between walls of one
+/// Where the passes of a cycle begin: in a steady film, between walls of one
 /// temperature, on a coarser grid, at a shape that has worn, in what was kept.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "bearing/cycle_search.hpp"
+#include "bearing/cycle_passes.hpp"
 #include "bearing/nested.hpp"
 #include "bearing/solve.hpp"
 #include "core/constants.hpp"
@@ -26,7 +27,7 @@ Field steady_flux(const Solution& s) {
 
 }  // namespace
 
-void CycleSearch::begin_film(double T) {
+void CyclePasses::begin_film(double T) {
   std::optional<FilmInTime> begun;
   r_.verdict = {};
   const bool event = !c_.cycle->repeats();
@@ -37,7 +38,7 @@ void CycleSearch::begin_film(double T) {
   if (!from_rest_) carry_oil_round();
 }
 
-void CycleSearch::carry_oil_round() {
+void CyclePasses::carry_oil_round() {
   constexpr int kTurnsBefore = 4;   // two laps: oil goes round at half the journal's speed
   constexpr int kStepsOfTurn = 16;  // the film that stays is the same in any steps
   const double omega = std::abs(course_.at(0.0).omega);
@@ -55,7 +56,7 @@ void CycleSearch::carry_oil_round() {
   now_ = std::move(now);
 }
 
-void CycleSearch::begin(double T) {
+void CyclePasses::begin(double T) {
   const bool heat = film_.model().physics.film_energy;
   r_.verdict = {};
   const bool event = heat && !c_.cycle->repeats();
@@ -65,10 +66,25 @@ void CycleSearch::begin(double T) {
   begin_film(begun);
   if (!heat) return;
   walls_ = uniform_walls(film_.model(), begun);
-  if (!c_.cycle->repeats()) put_walls();
+  if (!c_.cycle->repeats()) put(*walls_);
 }
 
-bool CycleSearch::begin_warm() {
+void CyclePasses::begin_between(const WallMeans& walls, double T) {
+  begin_film(T);
+  put(walls);
+}
+
+void CyclePasses::set_temperature(double T) {
+  if (!c_.cycle->repeats()) return begin(T);
+  std::fill(now_.film.columns.T.begin(), now_.film.columns.T.end(), T);
+  if (!now_.layer.now.empty()) {  // marks of another temperature are none of this one
+    now_.layer = {Columns(now_.layer.now.size()), {}, 0.0};
+    now_.oil_slope.clear();
+  }
+  r_.verdict = {};
+}
+
+bool CyclePasses::begin_warm() {
   const LoadNow first = course_.at(0.0);
   Case steady = c_;
   steady.cycle.reset();
@@ -86,14 +102,14 @@ bool CycleSearch::begin_warm() {
   now_.film.contact_widening.reset();
   now_.layer.now.clear();
   for (const solid::PressedColumn& c : s.film.layer) now_.layer.now.push_back(c.now);
-  walls_ = WallMeans{s.heat.T_shell, s.heat.T_shaft, steady_flux(s), s.heat.thermal_deformation};
-  now_.thermal_deformation = mean_deformation(*walls_);
+  const WallMeans walls{s.heat.T_shell, s.heat.T_shaft, steady_flux(s), s.heat.thermal_deformation};
+  now_.thermal_deformation = mean_deformation(walls);
   from_rest_ = false;
-  if (put_walls()) carry_oil_round();
+  if (put(walls)) carry_oil_round();
   return true;
 }
 
-void CycleSearch::begin(const CycleSearch& coarser) {
+void CyclePasses::begin(const CyclePasses& coarser) {
   const BearingModel& from = coarser.film_.model();
   const BearingModel& to = film_.model();
   now_ = film_.at_rest(coarser.now_.film.columns.T.front());
@@ -112,28 +128,21 @@ void CycleSearch::begin(const CycleSearch& coarser) {
     if (!meets_walls(to, c)) walls_->flux[c] = 0.0;  // it is answered by itself: no swing
   }
   response_ = coarser.response_;
-  looked_ = coarser.looked_;
+  measured_ = coarser.measured_;
 }
 
-bool CycleSearch::begin_reshaped(const CycleSearch& other) {
+bool CyclePasses::begin_reshaped(const CyclePasses& other, const std::optional<WallMeans>& walls) {
   now_ = other.now_;
   film_.put_back(other.film_.supplies());
   periods_.repeat(other.periods_);
-  walls_ = other.answered_;
   response_ = other.response_;
-  looked_ = other.looked_;
+  measured_ = other.measured_;
   from_rest_ = false;
-  if (walls_) return put_walls();
+  if (walls) return put(*walls);
   if (!film_.reshape(now_)) {
     r_.verdict = {Status::iteration_limit, ending::NoClearance{0.0, film_.model().clearance}};
   }
   return r_.verdict.good();
-}
-
-void CycleSearch::begin(Tape& tape) {
-  passing_ = Passing{CycleRecord(film_, course_, length_)};
-  members(tape);
-  brought_back_ = true;
 }
 
 }  // namespace shellback::bearing

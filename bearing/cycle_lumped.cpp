@@ -18,7 +18,7 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
     return {Status::iteration_limit, ending::AtTemperature{ending::Thermal::unbalanced_cycle, T}};
   };
   const auto residual = [&](double T) {
-    if (const auto known = search.remembered()) return known->front();
+    if (const auto known = search.answers().next()) return known->front();
     if (!search.brought_back()) search.set_temperature(T);
     last = search.search(false);
     if (!last.good()) return double{NAN};
@@ -30,7 +30,7 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
     }
     const double cp = rheology::heat_capacity(c.oil, 0.5 * (T + fed.T)).cp;
     const double r = fed.T + m.power / (fed.mass * cp) - T;
-    search.remember({r});
+    search.answers().add({r});
     return r;
   };
   KnownPoint low{coldest, residual(coldest)};

@@ -94,7 +94,6 @@ void CycleSteps::repeat(const CycleSteps& other) {
 
 void CycleSteps::members(Tape& tape) {
   tape(ends_, before_, wish_, begun_, since_, end_.accepted, end_.rejected, end_.over);
-  if (tape.reads()) brought_back_ = true;
 }
 
 PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveControl& control,

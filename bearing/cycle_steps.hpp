@@ -44,8 +44,8 @@ class CycleSteps {
   void repeat(const CycleSteps& other);
   /// For a tape: where the period stands after its last step.
   void members(Tape& tape);
-  /// The period that a tape has brought back was passed to its end: the next one begins.
-  void begin_next() { brought_back_ = false; }
+  /// The period that a tape has brought back was not passed to its end: the next pass goes on.
+  void go_on() { brought_back_ = true; }
 
  private:
   /// The next corner that a step of dt would feel, or the end of the period.
@@ -71,7 +71,7 @@ class CycleSteps {
   double begun_ = 0.0;               ///< of this period, in the course's time [s]
   double since_ = 0.0;               ///< its beginning [s]
   PeriodEnd end_;                    ///< so far
-  bool brought_back_ = false;        ///< by a tape, in the middle of a period
+  bool brought_back_ = false;        ///< in the middle of a period
 };
 
 }  // namespace shellback::bearing

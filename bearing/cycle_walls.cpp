@@ -50,6 +50,22 @@ void CycleHeat::members(Tape& tape) {
   tape(flows, skin, last, time, response, looks);
 }
 
+std::vector<double> packed(const WallMeans& walls, double clearance) {
+  std::vector<double> x;
+  x.reserve(walls.shell.size() + walls.shaft.size() + walls.thermal_deformation.size());
+  for (const double T : walls.shell) x.push_back(T / kHeatUnit);
+  for (const double T : walls.shaft) x.push_back(T / kHeatUnit);
+  for (const double d : walls.thermal_deformation) x.push_back(d / clearance);
+  return x;
+}
+
+void unpack(const std::vector<double>& x, double clearance, WallMeans& walls) {
+  auto at = x.begin();
+  for (double& T : walls.shell) T = kHeatUnit * *at++;
+  for (double& T : walls.shaft) T = kHeatUnit * *at++;
+  for (double& d : walls.thermal_deformation) d = clearance * *at++;
+}
+
 BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
                               const CycleHeat& heat, const thermal::WallResponse& response,
                               int skin_nodes, const SolidStep* step) {

@@ -41,6 +41,12 @@ class CycleHeat {
   int looks_ = 0;
 };
 
+/// Temperatures and thermal deformation of the walls, in units of an iteration: kHeatUnit and
+/// clearances.
+[[nodiscard]] std::vector<double> packed(const WallMeans& walls, double clearance);
+/// Back into walls that have as many of them.
+void unpack(const std::vector<double>& x, double clearance, WallMeans& walls);
+
 /// What the bodies come to.
 struct BodiesAnswer {
   WallMeans walls;

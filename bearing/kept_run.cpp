@@ -22,14 +22,13 @@ KeptRun::KeptRun(Save save, Tape::Content from) : save_(std::move(save)), tape_(
 }
 
 std::optional<CycleResult> KeptRun::next_ended() {
-  if (given_ < ended_.size()) return ended_[given_++];
-  begun_ = Clock::now();
-  return std::nullopt;
+  auto ended = ended_.next();
+  if (!ended) begun_ = Clock::now();
+  return ended;
 }
 
 void KeptRun::end(const CycleResult& result) {
-  ended_.push_back(result);
-  given_ = ended_.size();
+  ended_.add(result);
   grid_ = 0;
   cost_ = {};
   coarser_grid_ = -1;

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "bearing/cycle.hpp"
+#include "core/replay.hpp"
 #include "core/tape.hpp"
 
 namespace shellback::bearing {
@@ -65,8 +66,7 @@ class KeptRun {
   using Clock = std::chrono::steady_clock;
 
   Save save_;
-  std::vector<CycleResult> ended_;
-  std::size_t given_ = 0;  ///< of them, in this run
+  Replay<CycleResult> ended_;
   int grid_ = 0;
   Cost cost_;
   int coarser_grid_ = -1;

@@ -11,11 +11,11 @@ namespace shellback::bearing {
 namespace {
 
 /// The bearing after the bodies' time and a cycle between the walls to which it has led.
-Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, double t, double dt) {
-  const FilmGrid& g = search.film().model().domain.grid;
+Instant instant_after(const CyclePasses& passes, const BodiesAnswer& bodies, double t, double dt) {
+  const FilmGrid& g = passes.film().model().domain.grid;
   CycleResult r;
-  search.told().write(r);
-  const double per_time = g.multiplicity() / search.heat().time();
+  passes.told().write(r);
+  const double per_time = g.multiplicity() / passes.heat().time();
   Instant i;
   i.t = t;
   i.dt = dt;
@@ -23,8 +23,8 @@ Instant instant_after(const CycleSearch& search, const BodiesAnswer& bodies, dou
   i.h_min = value_of(r, "h_min");
   i.T_film_max = value_of(r, "T_film_max");
   i.T_shell_max = value_of(r, "T_shell_max");
-  i.heat_in = search.heat().flows().work / search.heat().time();
-  tell_bodies(g, bodies.solids, search.heat().flows().balance, per_time,
+  i.heat_in = passes.heat().flows().work / passes.heat().time();
+  tell_bodies(g, bodies.solids, passes.heat().flows().balance, per_time,
               bodies.walls.thermal_deformation, i);
   return i;
 }
@@ -41,17 +41,17 @@ thermal::WallResponse foreseen(thermal::WallResponse r) {
 /// Cycles between walls that have moved, until what the film stores over one is a small part of the
 /// heat that it makes: oil that still warms with its walls keeps heat from them; counted where it
 /// does in the last one, too. False, with the verdict: one did not end.
-bool let_film_follow(CycleSearch& search, const WallMeans& walls, MarchEnd& end) {
+bool let_film_follow(CyclePasses& passes, const WallMeans& walls, MarchEnd& end) {
   constexpr double kFollowed =
       0.005;                  // of the heat made: the film's part of what is told as stored
   constexpr int kPasses = 4;  // oil that gathers slowly is the cycle's own [-]
-  const double sides = search.film().model().domain.grid.multiplicity();
+  const double sides = passes.film().model().domain.grid.multiplicity();
   for (int k = 0; k < kPasses; ++k) {
-    if (!search.pass_between(walls)) {
-      end.verdict = search.verdict();
+    if (!passes.pass_between(walls)) {
+      end.verdict = passes.verdict();
       return false;
     }
-    const HeatFlows& flows = search.heat().flows();
+    const HeatFlows& flows = passes.heat().flows();
     if (sides * std::abs(flows.balance.stored) <= kFollowed * std::abs(flows.work)) return true;
   }
   ++end.unfollowed;
@@ -63,10 +63,10 @@ double move_of(const WallMeans& a, const WallMeans& b) {
 }
 
 /// By how much the heat of the last cycle, for ever, would move a wall [K].
-double move_for_ever(const CycleSearch& search, const WallMeans& walls) {
-  const int nodes = search.film().heat()->skin().nodes();
-  const BodiesAnswer then = answer_of_bodies(search.film().model(), walls, search.heat(),
-                                             foreseen(search.response()), nodes);
+double move_for_ever(const CyclePasses& passes, const WallMeans& walls) {
+  const int nodes = passes.film().heat()->skin().nodes();
+  const BodiesAnswer then = answer_of_bodies(passes.film().model(), walls, passes.heat(),
+                                             foreseen(passes.response()), nodes);
   return move_of(then.walls, walls);
 }
 
@@ -80,28 +80,28 @@ Bodies uniform_bodies(const Solids& solids, double T) {
   return b;
 }
 
-MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarch& march,
+MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarch& march,
                            const std::function<void(const Instant&)>& tell) {
   constexpr double kMost = 2.0;    // move of a wall until a cycle is passed again [K] (methods 3.5)
   constexpr double kStill = 0.05;  // what walls leave open where the cycle is periodic [K]
   constexpr double kEndless = 1e7;  // a step beyond which bodies that still move never rest [s]
-  const BearingModel& model = search.film().model();
+  const BearingModel& model = passes.film().model();
   const Solids& solids = *model.solids;
   auto& [bodies, end, dt] = march;
   if (dt == 0.0) {
     dt = span.first;
-    if (!let_film_follow(search, bodies.walls, end)) return end;
+    if (!let_film_follow(passes, bodies.walls, end)) return end;
   }
   SolidStep last;
   while (end.t < span.duration && !(end.at_rest && span.until_rest)) {
-    const int nodes = search.film().heat()->skin().nodes();
+    const int nodes = passes.film().heat()->skin().nodes();
     BodiesAnswer next;
     SolidStep step;
     double move = 0.0;
     for (double length = std::min({dt, span.longest, span.duration - end.t});;
          length /= kStepLonger) {
       step = solids.step(length, bodies.state, &last);
-      next = answer_of_bodies(model, bodies.walls, search.heat(), foreseen(search.response()),
+      next = answer_of_bodies(model, bodies.walls, passes.heat(), foreseen(passes.response()),
                               nodes, &step);
       move = move_of(next.walls, bodies.walls);
       dt = length;
@@ -111,16 +111,16 @@ MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span, CycleMarc
     last = std::move(step);
     bodies.walls = next.walls;
     end.t += dt;
-    if (!let_film_follow(search, bodies.walls, end)) return end;
-    const Instant instant = instant_after(search, next, end.t, dt);
-    const double left = move_for_ever(search, bodies.walls);
+    if (!let_film_follow(passes, bodies.walls, end)) return end;
+    const Instant instant = instant_after(passes, next, end.t, dt);
+    const double left = move_for_ever(passes, bodies.walls);
     end.at_rest = move < kStill && left < kStill;
     const bool endless = span.until_rest && !end.at_rest && dt > kEndless;
     dt *= kStepLonger;  // halved again where it is too long: that costs no cycle
     tell(instant);
     if (endless) {
       end.verdict = {Status::iteration_limit,
-                     ending::Unsettled{ending::Iteration::walls_of_cycles, search.cycles(), left}};
+                     ending::Unsettled{ending::Iteration::walls_of_cycles, passes.passed(), left}};
       return end;
     }
   }

@@ -9,7 +9,7 @@
 /// move no wall. Source: methods 3.5.
 #include <functional>
 
-#include "bearing/cycle_search.hpp"
+#include "bearing/cycle_passes.hpp"
 #include "bearing/heat_march.hpp"
 
 namespace shellback::bearing {
@@ -39,9 +39,9 @@ struct CycleMarch {
   double dt = 0.0;  ///< next step [s]; 0: the march begins
 };
 
-/// Goes on with `march` under the cycle of `search`, which has begun. `tell` has each instant,
-/// counted from the beginning of the march, as soon as `march` is there.
-[[nodiscard]] MarchEnd march_over_cycles(CycleSearch& search, const MarchSpan& span,
+/// Goes on with `march` under the cycle of `passes`, the first of which has been made. `tell` has
+/// each instant, counted from the beginning of the march, as soon as `march` is there.
+[[nodiscard]] MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span,
                                          CycleMarch& march,
                                          const std::function<void(const Instant&)>& tell);
 

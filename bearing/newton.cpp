@@ -25,6 +25,43 @@ constexpr int kMostHeld = 8;             ///< steps in which the film must have 
 constexpr double kLittleGain = 0.2;  ///< part of the gain asked for: a step that gained little [-]
 constexpr double kThinner = 0.25;    ///< and thin its smallest gap so far [-]
 
+/// The iterate that a step begins from, and that a rejected one goes back to.
+struct Accepted {
+  State u;
+  double merit = INFINITY;  ///< of its residuals; INFINITY: the next one is taken as it comes
+  double room = -INFINITY;  ///< [m]
+  double off = INFINITY;    ///< of its force from the wanted one, in logarithms [-]
+  double carried = 0.0;     ///< its force [N]
+};
+
+/// Iterations for the oil alone, once all tolerances are met: little oil may pass where much goes
+/// round, and what is lost is measured by what passes. The state that loses least is kept: steps
+/// for the oil never spoil what is converged.
+class Polish {
+ public:
+  void count() { iterations_ += met() ? 1 : 0; }
+  /// `u` is within all tolerances and loses so much oil [kg/s].
+  void meet(const State& u, double lost) {
+    iterations_ = std::max(iterations_, 1);
+    if (!(lost < least_lost_)) return;
+    least_lost_ = lost;
+    best_ = u;
+    here_ = true;
+  }
+  void leave() { here_ = false; }
+  [[nodiscard]] bool met() const { return iterations_ > 0; }
+  [[nodiscard]] bool ended() const { return iterations_ > kMostPolish; }
+  [[nodiscard]] bool here() const { return here_; }  ///< the evaluated state is the best one
+  [[nodiscard]] const State& best() const { return best_; }
+
+ private:
+  static constexpr int kMostPolish = 20;  // quadratic: two or three do, or none
+  State best_;
+  double least_lost_ = INFINITY;  ///< [kg/s]
+  bool here_ = false;
+  int iterations_ = 0;  ///< since the tolerances were met first
+};
+
 /// One Newton iteration after the other; what they share.
 class NewtonIteration {
  public:
@@ -46,6 +83,8 @@ class NewtonIteration {
   /// Evaluates the state; true if it has residuals.
   [[nodiscard]] bool evaluate_state();
   [[nodiscard]] bool converged();
+  /// Beyond it, or the round-off of what goes round, a converged film is polished [kg/s].
+  [[nodiscard]] double oil_that_may_be_lost(const fluid::OilFlows& flows) const;
   [[nodiscard]] bool overdrawn() const;
   /// Good unless the reduced pressure of the converged film exceeds its bound.
   [[nodiscard]] Verdict within_the_law() const;
@@ -72,21 +111,14 @@ class NewtonIteration {
   FilmEquilibrium& s_;
   EquilibriumCost& cost_;
   Residuals r_;
-  State accepted_;
-  double merit_ = INFINITY;  ///< of the accepted state
-  double room_ = -INFINITY;  ///< there [m]
-  double off_ = INFINITY;    ///< of the force there, in logarithms [-]
-  double damping_ = 1.0;     ///< part of the wanted change of force that is asked for [-]
-  double carried_ = 0.0;     ///< force there [N]
-  double reach_ = 1.0;
+  Accepted accepted_;
+  double damping_ = 1.0;  ///< part of the wanted change of force that is asked for [-]
+  double reach_ = 1.0;    ///< part of the longest step
   double viscosity_tolerance_ = kWayPoint;
-  State met_;                     ///< the state within all tolerances that loses least oil
-  double least_lost_ = INFINITY;  ///< there [kg/s]
-  bool at_met_ = false;           ///< the evaluated state is that one
-  int polished_ = 0;              ///< iterations since the tolerances were met first
-  int refilled_ = 0;              ///< steps that had emptied whole rings
-  int held_ = 0;                  ///< steps for which the journal has been held
-  int worst_cell_ = -1;           ///< whose pressure left the range of the pressure law
+  Polish polish_;
+  int refilled_ = 0;     ///< steps that had emptied whole rings
+  int held_ = 0;         ///< steps for which the journal has been held
+  int worst_cell_ = -1;  ///< whose pressure left the range of the pressure law
 };
 
 bool NewtonIteration::evaluate_state() {
@@ -95,37 +127,29 @@ bool NewtonIteration::evaluate_state() {
   return r_.finite();
 }
 
-/// Little oil may pass where much goes round: what is lost is measured by what passes, and further
-/// steps reduce it, at most until it is the round-off of what goes round. The state that loses
-/// least is kept: steps for the oil alone never spoil what is converged.
 bool NewtonIteration::converged() {
-  constexpr double kLost = 1e-9;   // of what passes, at the usual film tolerance [-]
-  constexpr int kMostPolish = 20;  // quadratic: two or three do, or none
-  if (polished_ > 0) ++polished_;
+  polish_.count();
   const bool met = r_.within(options_) && s_.columns.mismatch <= options_.viscosity_tolerance &&
                    fluid::complementary(point_.scene, s_.film);
   if (!met) return false;
   if (point_.scene.storage.finite()) {  // in time the oil is carried as what flowed
-    met_ = s_;
-    at_met_ = true;
-    polished_ = 1;
+    polish_.meet(s_, 0.0);
     return true;
   }
   const auto flows = fluid::oil_flows(point_.scene, s_.flow);
-  const double passes = std::max(std::abs(flows.supply), std::abs(flows.side));
   const double lost = std::abs(flows.supply - flows.side - flows.stored);
-  const double allowed =
-      kLost * std::max(1.0, options_.film_tolerance / EquilibriumOptions{}.film_tolerance) * passes;
-  if (lost < least_lost_) {
-    least_lost_ = lost;
-    met_ = s_;
-    at_met_ = true;
-  }
-  polished_ = std::max(polished_, 1);
+  polish_.meet(s_, lost);
+  return !(lost > oil_that_may_be_lost(flows)) || polish_.ended();
+}
+
+double NewtonIteration::oil_that_may_be_lost(const fluid::OilFlows& flows) const {
+  constexpr double kLost = 1e-9;  // of what passes, at the usual film tolerance [-]
+  const double passes = std::max(std::abs(flows.supply), std::abs(flows.side));
+  const double coarser =
+      std::max(1.0, options_.film_tolerance / EquilibriumOptions{}.film_tolerance);
   const double round =
       std::numeric_limits<double>::epsilon() * fluid::flow_scale(point_.scene, s_.flow);
-  const double enough = std::max(allowed, round);
-  return !(lost > enough) || polished_ > kMostPolish;
+  return std::max(kLost * coarser * passes, round);
 }
 
 /// A step in time may leave a cell with less than no oil: solved, but no film.
@@ -136,7 +160,8 @@ bool NewtonIteration::overdrawn() const {
 
 bool NewtonIteration::acceptable() const {
   const bool follows = std::max(r_.film_norm, r_.elastic_norm) < kFollowed;
-  return (follows || merit() < kWorseMerit * merit_) && room(model_, s_) > kThinner * room_;
+  return (follows || merit() < kWorseMerit * accepted_.merit) &&
+         room(model_, s_) > kThinner * accepted_.room;
 }
 
 /// How far a force is from the wanted one, in logarithms, forces as complex numbers.
@@ -149,18 +174,14 @@ double distance(const fluid::Wrench& force, const fluid::Wrench& wanted) {
 void NewtonIteration::accept() {
   // Where cavitation moves with the journal the predicted force misleads: ask for less.
   const double off = distance(s_.force, point_.load.wanted(s_));
-  const bool little = off > kFollowed && off > (1.0 - kLittleGain * damping_) * off_;
+  const bool little = off > kFollowed && off > (1.0 - kLittleGain * damping_) * accepted_.off;
   damping_ = little ? std::max(0.1, 0.5 * damping_) : std::min(1.0, 2.0 * damping_);
-  off_ = off;
-  merit_ = merit();
-  room_ = room(model_, s_);
-  carried_ = std::hypot(s_.force[0], s_.force[1]);
-  accepted_ = s_;
+  accepted_ = {s_, merit(), room(model_, s_), off, std::hypot(s_.force[0], s_.force[1])};
   reach_ = std::min(1.0, 2.0 * reach_);
 }
 
 bool NewtonIteration::reject() {
-  restore(accepted_);
+  restore(accepted_.u);
   reach_ *= 0.25;  // it is doubled once the state that is gone back to is accepted again
   ++cost_.rejected_steps;
   return reach_ >= kShortestReach && evaluate_state();
@@ -198,14 +219,14 @@ Verdict NewtonIteration::reduced_film() {
   auto film = fluid::film_by_reduced_pressure(point_.scene, s_.gap, model_.profile, oil, s_.film);
   if (film.good()) {
     s_.film = std::move(film.value);
-    merit_ = INFINITY;
+    accepted_.merit = INFINITY;
   }
   return film.verdict;
 }
 
 void NewtonIteration::step(Verdict& ended) {
   constexpr int kMostRefills = 5;  // a ring that stays empty is one
-  at_met_ = false;
+  polish_.leave();
   viscosity_tolerance_ = std::max(0.3 * options_.viscosity_tolerance,
                                   std::min(1e-2 * (r_.film_norm + r_.load_norm), kWayPoint));
   ++cost_.newton_iterations;
@@ -220,7 +241,7 @@ void NewtonIteration::step(Verdict& ended) {
   if (!step.good) {
     const bool filled =
         refilled_++ < kMostRefills && fluid::refill_empty_rings(point_.scene, s_.film);
-    merit_ = INFINITY;
+    accepted_.merit = INFINITY;
     if (!filled) ended = singular_film(point_, s_);
     return;
   }
@@ -232,14 +253,14 @@ void NewtonIteration::step(Verdict& ended) {
   if (point_.load.unknowns == 0) {
     if (barus) ended = reduced_film();  // other laws: the step was held to 0.99 of theirs
   } else if (!reject()) {
-    ended = limit_load(model_, point_, carried_, worst_cell_);
+    ended = limit_load(model_, point_, accepted_.carried, worst_cell_);
   }
 }
 
 Verdict NewtonIteration::within_the_law() const {
   const int cell = beyond_reduced_pressure(model_, point_, s_);
   if (cell < 0) return {};
-  if (point_.load.unknowns > 0) return limit_load(model_, point_, carried_, cell);
+  if (point_.load.unknowns > 0) return limit_load(model_, point_, accepted_.carried, cell);
   return {Status::no_steady_state, ending::Plain::no_pressure,
           fluid::place_of(model_.domain.grid, cell)};
 }
@@ -256,7 +277,7 @@ Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
     if (possible && acceptable()) {
       accept();
       held_ = 0;
-    } else if (possible && held_ < kMostHeld && room(model_, s_) > kThinner * room_) {
+    } else if (possible && held_ < kMostHeld && room(model_, s_) > kThinner * accepted_.room) {
       ++held_;  // cavitation has moved: the film follows first
     } else {
       held_ = 0;
@@ -264,8 +285,9 @@ Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
       if (it == 0) return none;
       if (!reject()) {
         return none.status == Status::invalid_number ? none
-               : rigid() && worst_cell_ >= 0 ? limit_load(model_, point_, carried_, worst_cell_)
-                                             : stuck(model_, s_, r_, it);
+               : rigid() && worst_cell_ >= 0
+                   ? limit_load(model_, point_, accepted_.carried, worst_cell_)
+                   : stuck(model_, s_, r_, it);
       }
     }
     if (it == options_.max_iterations) break;
@@ -278,9 +300,9 @@ Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
 
 Verdict NewtonIteration::run(const std::atomic<bool>* stop) {
   const Verdict v = iterate(stop);
-  if (v.status == Status::interrupted || polished_ == 0) return v;
-  if (!at_met_) {
-    restore(met_);
+  if (v.status == Status::interrupted || !polish_.met()) return v;
+  if (!polish_.here()) {
+    restore(polish_.best());
     if (!evaluate_state()) return v;
   }
   return within_the_law();

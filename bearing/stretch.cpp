@@ -15,12 +15,12 @@ MarchEnd over_cycles(const Case& c, Tier tier, const WarmUpOptions& o, StretchEn
   constexpr double kSteps = 16.0;  // of a stretch at least: see the header
   SolveControl within = control;   // of each cycle; kept is what lies between them
   within.kept = nullptr;
-  CycleSearch search(c, tier, within);
-  last.model = search.film().model();
+  CyclePasses passes(c, tier, physics_of(c, tier), within);
+  last.model = passes.film().model();
   CycleMarch march;
   const auto members = [&](Tape& tape) {
     tape(march);
-    search.ended(tape);
+    passes.members(tape);
   };
   MarchSpan span;
   span.duration = o.end;
@@ -28,14 +28,14 @@ MarchEnd over_cycles(const Case& c, Tier tier, const WarmUpOptions& o, StretchEn
   span.until_rest = ends == StretchEnd::at_rest;
   if (!span.until_rest) span.longest = std::max(span.shortest, o.end / kSteps);
   if (!take_up_noted(control.kept, members)) {
-    search.begin(mean_supply_temperature(c));
+    passes.begin(mean_supply_temperature(c));
     march.bodies = carried.bodies ? *carried.bodies : uniform_bodies(*last.model.solids, o.T_start);
     // The orbit is found before its heat counts.
-    if (!search.pass_between(march.bodies.walls)) return {search.verdict()};
+    if (!passes.pass_between(march.bodies.walls)) return {passes.verdict()};
   }
   MarchEnd end =
-      march_over_cycles(search, span, march, [&](const Instant& i) { tell(i, members); });
-  last.model = search.film().model();
+      march_over_cycles(passes, span, march, [&](const Instant& i) { tell(i, members); });
+  last.model = passes.film().model();
   carried.bodies = std::move(march.bodies);
   return end;
 }

@@ -1,8 +1,10 @@
 #include "fluid/active_set.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/largest.hpp"
+#include "fluid/empty_rings.hpp"
 #include "fluid/film_matrix.hpp"
 #include "fluid/film_numbers.hpp"
 #include "fluid/fischer_burmeister.hpp"
@@ -28,7 +30,16 @@ bool ActiveSet::factorize() {
 /// A film that was right from the start still owes its factors.
 ActiveSetEnd ActiveSet::converged() {
   const bool factorized = out.value.factorizations > 0 || factorize();
-  return factorized ? ActiveSetEnd::converged : ActiveSetEnd::limit;
+  return factorized ? ActiveSetEnd::converged : singular();
+}
+
+ActiveSetEnd ActiveSet::singular() {
+  const std::vector<int> rings = empty_rings(scene_, out.value.state);
+  out.verdict = rings.empty() ? Verdict{Status::iteration_limit, ending::Plain::singular_film}
+                              : Verdict{Status::iteration_limit,
+                                        ending::Plain::empty_ring,
+                                        {NAN, scene_.grid.z[rings.front()]}};
+  return ActiveSetEnd::singular;
 }
 
 /// Newton's step with the factors of the last matrix.
@@ -40,8 +51,8 @@ UpdateReport ActiveSet::newton_step(Field& r) {
 }
 
 Verdict ActiveSet::stopped() const {
-  return {Status::iteration_limit,
-          ending::Unsettled{ending::Iteration::cavitation, most_, out.history.back()}};
+  return {Status::iteration_limit, ending::Unsettled{ending::Iteration::cavitation,
+                                                     std::min(it_, most_), out.history.back()}};
 }
 
 ActiveSetEnd ActiveSet::run() {
@@ -64,7 +75,7 @@ ActiveSetEnd ActiveSet::run() {
       if (!fischer_burmeister_step(scene_, gap_, profile_, oil_, v)) break;
       continue;
     }
-    if (!factorize()) break;
+    if (!factorize()) return singular();
     const UpdateReport report = newton_step(r);
     if (report.beyond_barus > 0) return ActiveSetEnd::beyond_law;
     if (report.moved > 0) cycling_ = !seen_.insert(active_set_hash(v.state)).second;

@@ -14,7 +14,8 @@ namespace shellback::fluid {
 
 enum class ActiveSetEnd {
   converged,
-  limit,         ///< of the steps, or no step can be taken
+  limit,         ///< of the steps, or of Fischer-Burmeister's line search
+  singular,      ///< the film's matrix; the verdict tells of an empty ring
   not_a_number,  ///< the verdict tells where
   beyond_law,    ///< a cell asked for alpha dp >= 1: too long a step, or a film that does not exist
 };
@@ -30,11 +31,12 @@ class ActiveSet {
   /// The verdict of ActiveSetEnd::limit.
   [[nodiscard]] Verdict stopped() const;
 
-  Outcome<FilmSolution> out;  ///< of all runs; its verdict is set for not_a_number alone
+  Outcome<FilmSolution> out;  ///< of all runs; its verdict is set for not_a_number and singular
 
  private:
   bool factorize();
   ActiveSetEnd converged();
+  ActiveSetEnd singular();
   [[nodiscard]] UpdateReport newton_step(Field& residual);
 
   const FilmScene& scene_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bearing/extrapolation.hpp"
+#include "bearing/led_oil.hpp"
 
 using namespace shellback::bearing;
 
@@ -101,4 +102,29 @@ TEST_CASE("IteratesOfThreeModesLeadToTheirLimit", "[fixed_point]") {
   const Iterate there = from(0.0, 0.0, 0.0);
   CHECK_FALSE(extrapolated({there, there}));
   CHECK_FALSE(extrapolated({there, from(NAN, 0.0, 0.0)}));
+}
+
+TEST_CASE("OilThatIsLedOnComesToWhereItsCyclesLead", "[fixed_point]") {
+  // Two cells that lose 3 % and 40 % of what they have too much, cycle after cycle: plain cycles
+  // would need 750 of them for 1e-10.
+  const std::vector<double> limit{2.0, 5.0};
+  std::vector<double> oil{1.0, 4.0};
+  LedOil led;
+  led.begin(oil);
+  int cycles = 0;
+  int times = 0;
+  while (std::hypot(oil[0] - limit[0], oil[1] - limit[1]) > 1e-10 && cycles < 50) {
+    oil = {limit[0] + 0.97 * (oil[0] - limit[0]), limit[1] + 0.6 * (oil[1] - limit[1])};
+    led.passed();
+    ++cycles;
+    CHECK_FALSE(led.just_led());
+    if (const auto to = led.after(oil, cycles)) {
+      oil = *to;
+      led.led_to(oil);
+      ++times;
+      CHECK(led.just_led());
+    }
+  }
+  CHECK(cycles < 12);
+  CHECK(times > 0);
 }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/outcome.hpp"
+#include "core/replay.hpp"
 
 using namespace shellback;
 
@@ -50,4 +51,20 @@ TEST_CASE("AnAlternativeThatIsNotKnownIsRefused", "[tape]") {
   content.counts.front() = 1000;
   Tape read(content);
   CHECK_THROWS_AS(read(ending), FileError);
+}
+
+TEST_CASE("ARunThatGoesOnIsToldWhatItWasToldBefore", "[tape]") {
+  Replay<double> answers;
+  CHECK_FALSE(answers.next());
+  answers.add(3.0);
+  answers.add(5.0);
+  CHECK_FALSE(answers.next());  // what has just been worked out is not told again
+  Tape written;
+  written(answers);
+  Tape read(written.content());
+  Replay<double> back;
+  read(back);
+  CHECK(back.next() == 3.0);
+  CHECK(back.next() == 5.0);
+  CHECK_FALSE(back.next());
 }

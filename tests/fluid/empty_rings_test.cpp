@@ -74,3 +74,17 @@ TEST_CASE("ARingWithAFullCellOrASupplyIsFed") {
   CHECK(empty_rings(g.scene, empty_at(g, g.scene.grid.nz / 2)).empty());
   CHECK(empty_rings(g.scene, empty_at(g, 0)).size() == 1);
 }
+
+TEST_CASE("AFilmWhoseMatrixIsSingularIsToldAsOne") {
+  Setup setup;
+  setup.position = {{8e-6, -4e-6, 0.0, 0.0}};
+  const PosedFilm b = make_bearing(setup);
+  const int ring = b.scene.grid.nz - 1;
+  const auto film =
+      solve_reynolds(b.scene, b.gap, b.step, b.oil, empty_at(b, ring), ReynoldsOptions{});
+  REQUIRE_FALSE(film.good());
+  const auto* why = film.verdict.as<ending::Plain>();
+  REQUIRE(why != nullptr);
+  CHECK(*why == ending::Plain::empty_ring);
+  CHECK(film.verdict.place.z == b.scene.grid.z[ring]);
+}

@@ -32,12 +32,21 @@ ThermalOptions options_of(Accuracy accuracy, bool coarse) {
   return o;
 }
 
-/// From the last state of a branch under more load than two ends that agree may differ by: a
-/// trajectory that leaves every bound shows that the branch ends; one that comes to rest is a state
-/// of more load.
+/// Part of load or speed under which a bearing is looked at beyond the end of a branch: more than
+/// two ends that agree may differ by.
+double beyond(const Branch& branch) { return std::min(1.0, (1.0 + kAgree) * branch.carried); }
+
+/// Short of the whole, and by no bound of the equations.
+bool ends_early(const Branch& branch) {
+  const bool open = branch.end == BranchEnd::turned || branch.end == BranchEnd::lost;
+  return open && branch.carried < 1.0;
+}
+
+/// From the last state of a branch under more than it carries: a trajectory that leaves every bound
+/// shows that the branch ends; one that comes to rest is a state of more, of another branch.
 MarchEnd transient_beyond(Solution& s, const Branch& branch, const SolveControl& control) {
   Part of(s, branch.raised);
-  of.take(std::min(1.0, (1.0 + kAgree) * branch.carried));
+  of.take(beyond(branch));
   MarchOptions march;
   march.error = kTransientError;
   march.shortest = kTransientShortest;
@@ -91,24 +100,49 @@ std::optional<Branch> HeatSearch::follow() {
                                         s_.film, s_.cost, control_.stop);
     return v.good() ? solve_heat(s_, options_of(Accuracy::result, true), control_) : v;
   };
-  const Corrector correct = [&](Solution& at, Accuracy accuracy) {
-    const bool loose = coarse_ || accuracy == Accuracy::way_point;
-    return solve_heat(at, options_of(accuracy, loose), control_);
-  };
   std::optional<Branch> branch;
   if (s_.point.load.unknowns > 0) {
-    branch = follow_loads(s_, start, correct, control_);
+    branch = follow_loads(s_, start, corrector(), control_);
   }
-  if (!branch) branch = follow_from(s_, Raised::speed, kLight, start, correct, control_);
+  if (!branch) branch = follow_from(s_, Raised::speed, kLight, start, corrector(), control_);
   return branch;
 }
 
+Corrector HeatSearch::corrector() const {
+  return [this](Solution& at, Accuracy accuracy) {
+    const bool loose = coarse_ || accuracy == Accuracy::way_point;
+    return solve_heat(at, options_of(accuracy, loose), control_);
+  };
+}
+
+Branch HeatSearch::follow_on(const Branch& ended) {
+  const double begun = beyond(ended);
+  if (begun < 1.0) {
+    return ended.raised == Raised::load
+               ? follow_load(s_, begun, corrector(), control_)
+               : follow_parts(s_, ended.raised, begun, corrector(), control_);
+  }
+  const Verdict v = iterate();
+  return {ended.raised, v.good() ? BranchEnd::reached : BranchEnd::lost, 1.0, s_.film.least.h, v};
+}
+
 Verdict HeatSearch::along_branch() {
-  const std::optional<Branch> branch = follow();
+  std::optional<Branch> branch = follow();
   if (!branch) return no_branch();
+  MarchEnd after;
+  while (ends_early(*branch) && !s_.cost.spent()) {
+    const Reached last = here();
+    after = transient_beyond(s_, *branch, control_);
+    if (stopped(after.verdict)) return after.verdict;
+    if (!after.at_rest) {
+      back_to(last);
+      break;
+    }
+    branch = follow_on(*branch);
+  }
   if (branch->end == BranchEnd::reached) return {};
   if (branch->end == BranchEnd::interrupted) return branch->last;
-  return ended(*branch);
+  return ended(*branch, after);
 }
 
 Verdict HeatSearch::no_branch() const {
@@ -122,19 +156,14 @@ Verdict HeatSearch::no_branch() const {
           placed ? ending::Plain::no_slow_state : ending::Plain::no_light_state};
 }
 
-Verdict HeatSearch::ended(const Branch& branch) {
-  if (branch.end != BranchEnd::lost) {
-    note_limit(s_, branch, true);
-    return branch_ended(s_, branch);
-  }
-  if (s_.cost.spent()) return {Status::iteration_limit, ending::Plain::given_up};
-  const Reached last = here();
-  const MarchEnd beyond = transient_beyond(s_, branch, control_);
-  const bool ran_away = beyond.left_bounds && !s_.cost.spent();
-  back_to(last);
-  note_limit(s_, branch, ran_away);
-  if (stopped(beyond.verdict)) return beyond.verdict;
-  return ran_away ? ran_away_from(s_, branch, beyond) : branch_ended(s_, branch);
+Verdict HeatSearch::ended(const Branch& branch, const MarchEnd& after) {
+  const bool ran_away = after.left_bounds && !s_.cost.spent();
+  const bool lost = branch.end == BranchEnd::lost;
+  note_limit(s_, branch, !lost || ran_away);
+  if (lost && ran_away) return ran_away_from(s_, branch, after);
+  Verdict v = branch_ended(s_, branch);
+  if (lost && s_.cost.spent()) v.cause = {{Status::iteration_limit, ending::Plain::given_up}};
+  return v;
 }
 
 Verdict HeatSearch::through_time() {

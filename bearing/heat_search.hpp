@@ -5,6 +5,7 @@
 #include "bearing/control.hpp"
 #include "bearing/follow.hpp"
 #include "bearing/heat_iteration.hpp"
+#include "bearing/heat_march.hpp"
 
 namespace shellback::bearing {
 
@@ -20,8 +21,8 @@ class HeatSearch {
   /// The outer iteration over film, heat and deformation.
   [[nodiscard]] Verdict iterate();
   /// From a light load, or a low speed, along the branch of steady states to the whole. Where the
-  /// branch is lost, what follows in time from its last state under a little more tells whether it
-  /// ends there.
+  /// branch turns back or is lost, the bearing is followed in time from its last state under a
+  /// little more: it runs away, or comes to rest on another branch, which is followed on.
   [[nodiscard]] Verdict along_branch();
   /// From the first film of cold_film through time, walls warming with their heat capacities.
   [[nodiscard]] Verdict through_time();
@@ -44,7 +45,11 @@ class HeatSearch {
   [[nodiscard]] double supply_temperature() const;
   [[nodiscard]] std::optional<Branch> follow();
   [[nodiscard]] Verdict no_branch() const;
-  [[nodiscard]] Verdict ended(const Branch& branch);
+  [[nodiscard]] Corrector corrector() const;
+  /// Along the branch on which the bearing has come to rest beyond the one that ended.
+  [[nodiscard]] Branch follow_on(const Branch& ended);
+  /// `after`: what followed in time.
+  [[nodiscard]] Verdict ended(const Branch& branch, const MarchEnd& after);
 
   Solution& s_;
   bool coarse_;

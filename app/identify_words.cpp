@@ -78,6 +78,7 @@ void add_status(const IdentifyView& v, std::vector<std::string>& all) {
 }  // namespace
 
 std::string direction_words(const IdentifyView& v, const FitDirection& d) {
+  if (v.keys.size() == 1) return v.keys.front().key;
   double most = 0.0;
   for (const double part : d.part) most = std::abs(part) > std::abs(most) ? part : most;
   std::string words;

@@ -42,13 +42,16 @@ bool beyond_oil(const bearing::Quantity& q) {
          !(q.value >= bearing::kColdestOil && q.value <= bearing::kHottestOil);
 }
 
-/// Largest magnitude of a quantity over the results; the components of a force count together.
+/// Largest magnitude of a quantity over the results; the components of a force count together, heat
+/// with the power that it comes from.
 double largest_magnitude(const std::vector<bearing::Result>& results, const std::string& name) {
   const bool force = name == "load_x" || name == "load_y";
+  const bool heat = name.starts_with("heat_");
   double largest = 0.0;
   for (const auto& result : results) {
     for (const auto& q : result.quantities) {
-      const bool counts = q.name == name || (force && (q.name == "load_x" || q.name == "load_y"));
+      const bool counts = q.name == name || (force && (q.name == "load_x" || q.name == "load_y")) ||
+                          (heat && q.name == "power_loss");
       if (counts && std::isfinite(q.value)) largest = std::max(largest, std::abs(q.value));
     }
   }
@@ -141,10 +144,12 @@ std::vector<QuantityRow> quantity_rows(const bearing::Measured& measured,
         const bool round_off = q && std::abs(q->value) < kRoundOff * largest;
         row.values.push_back(q && !lost ? std::optional(round_off ? 0.0 : row.unit(q->value))
                                         : std::nullopt);
-        const double s = row.unit.scale;
-        row.bars.push_back(
-            q ? ShownBars{s * q->error_grid, s * q->error_model, s * q->error(), row.unit(q->limit)}
-              : ShownBars{NAN, NAN, NAN, NAN});
+        const auto bar = [&](double x) {
+          return std::abs(x) < kRoundOff * largest ? 0.0 : row.unit.scale * x;
+        };
+        row.bars.push_back(q ? ShownBars{bar(q->error_grid), bar(q->error_model), bar(q->error()),
+                                         row.unit(round_off ? NAN : q->limit)}
+                             : ShownBars{NAN, NAN, NAN, NAN});
       }
       if (const auto si = measured_si(measured, quantity.name)) row.measured = row.unit(*si);
       rows.push_back(std::move(row));
@@ -206,7 +211,11 @@ std::string difference(const DisplayUnit& unit, double value, double reference) 
 }
 
 std::string status_line(const bearing::Result& result) {
-  if (result.verdict.good()) return "converged";
+  if (result.verdict.good()) {
+    const auto* T = quantity_in(result.quantities, "T_film_max");
+    const bool burnt = T != nullptr && T->value > bearing::kHottestOil;
+    return burnt ? "converged, with a film hotter than any oil survives" : "converged";
+  }
   return fmt::format("NOT CONVERGED: {}", to_string(result.verdict.status));
 }
 

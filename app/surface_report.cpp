@@ -174,9 +174,9 @@ void note_table(SurfaceReport& r) {
   const std::size_t closed = r.factors.rows.size() - r.table.H.size();
   if (closed > 0 && !r.factors.rows.empty()) {
     r.notes.push_back(
-        fmt::format("at {} of the smallest gaps nothing flows through the patch: a "
-                    "case's table (--csv) leaves them out",
-                    closed));
+        fmt::format("at the {} nothing flows through the patch: a case's table (--csv) begins "
+                    "above",
+                    closed == 1 ? "smallest gap" : fmt::format("{} smallest gaps", closed)));
   }
   if (!r.factors.rows.empty() && !r.fault.problem.empty()) {
     r.notes.push_back(
@@ -184,7 +184,18 @@ void note_table(SurfaceReport& r) {
   }
 }
 
+/// Heights in a unit that is too small by a thousand look like a mirror.
+void note_mirror(SurfaceReport& r) {
+  constexpr double kMirror = 5e-9;  // superfinished rings have some 10 nm, lenses 1 nm [m]
+  if (r.heights.Rq >= kMirror) return;
+  r.notes.push_back(
+      fmt::format("an Rq of {:.3g} nm is that of a mirror: check the unit of the "
+                  "heights",
+                  1e9 * r.heights.Rq));
+}
+
 void note_limits(SurfaceReport& r) {
+  note_mirror(r);
   note_lay(r);
   note_grid(r);
   note_summits(r);

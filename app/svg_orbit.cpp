@@ -25,11 +25,21 @@ constexpr int kMostMarks = 8;        ///< instants with arrow and label
 constexpr double kLabelRoom = 13.0;  ///< from a mark to its label [px]
 constexpr double kMark = 2.6;        ///< radius of a mark [px]
 
-/// How far out the picture reaches: the circle, or a journal that an elastic shell lets beyond it.
-double reach(const CycleResult& cycle, double c) {
+double largest_load(const CycleResult& cycle) {
+  double largest = 0.0;
+  for (const CycleInstant& i : cycle.instants) {
+    largest = std::max(largest, std::hypot(i.load_x, i.load_y));
+  }
+  return largest;
+}
+
+/// How far out the picture reaches, in clearances: the circle, or a journal that an elastic shell
+/// lets beyond it; `arrow`: with arrows of this length at the largest load.
+double reach(const CycleResult& cycle, double c, double arrow) {
+  const double by_load = largest_load(cycle) > 0.0 ? arrow / largest_load(cycle) : 0.0;
   double farthest = 1.0;
   for (const CycleInstant& i : cycle.instants) {
-    const double e = std::hypot(i.ex, i.ey) / c;
+    const double e = std::hypot(i.ex / c + by_load * i.load_x, i.ey / c + by_load * i.load_y);
     if (std::isfinite(e)) farthest = std::max(farthest, e);
   }
   return farthest;
@@ -70,14 +80,6 @@ std::vector<double> round_instants(const Axis& axis) {
     if (tick > axis.low && tick < axis.high) inside.push_back(tick);
   }
   return inside;
-}
-
-double largest_load(const CycleResult& cycle) {
-  double largest = 0.0;
-  for (const CycleInstant& i : cycle.instants) {
-    largest = std::max(largest, std::hypot(i.load_x, i.load_y));
-  }
-  return largest;
 }
 
 /// Where the letters of the axes stand: beyond circle and path, which reach as far as `most`.
@@ -141,9 +143,12 @@ OrbitFrame draw_orbit(Svg& svg, const Box& box, const bearing::Case& c, const Cy
                       const Theme& theme) {
   const double clearance = c.bearing.radial_clearance;
   const double half = 0.5 * std::min(box.width, box.height - kTop) - kRim;
-  const double most = reach(cycle, clearance);
+  const double most = reach(cycle, clearance, kArrow);
   const OrbitFrame frame{{box.x + kRim + half, box.y + kTop + kRim + half}, half / most};
-  svg.text({box.x, box.y + 14.0}, "Path of the journal in the clearance circle",
+  const bool beyond = reach(cycle, clearance, 0.0) > 1.0;
+  svg.text({box.x, box.y + 14.0},
+           beyond ? "Path of the journal, beyond the clearance circle where surfaces give way"
+                  : "Path of the journal in the clearance circle",
            {theme.ink, 12.5, Anchor::start, true});
   draw_circles(svg, frame, most, theme);
   if (cycle.instants.empty()) return frame;

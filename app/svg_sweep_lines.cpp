@@ -130,7 +130,7 @@ class Panels {
   void draw_film_mark(const Frame& frame, double film) {
     const Point left = frame.at(frame.x.low, film);
     svg_.line(left, {frame.box.right(), left.y}, {theme_.more, 1.2, "7 4"});
-    svg_.text({frame.box.right() - 6.0, left.y + 14.0}, "λ = 3",
+    svg_.text({frame.box.right() - 6.0, left.y + 14.0}, "film = 3 roughnesses",
               {theme_.more, 11.0, Anchor::end, true, false, theme_.paper});
   }
 

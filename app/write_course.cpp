@@ -99,18 +99,18 @@ void write_course_table(std::ostream& out, const std::vector<Stretch>& stretches
   const bearing::Case& c = stretches.front().subject;
   out << fmt::format("{}\ncourse, tier {}, grid {} x {}\n\n", c.title, to_string(c.model.tier),
                      c.model.grid[0], c.model.grid[1]);
-  out << fmt::format("{:>47} {:>10} {:>10} {:>10} {:>10}\n", "", "largest", "largest", "mean",
+  out << fmt::format("{:>47} {:>12} {:>12} {:>12} {:>12}\n", "", "largest", "largest", "mean",
                      "mean");
-  out << fmt::format("{:>12} {:>10} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "speed [rpm]",
-                     "end [s]", "torque [N m]", "h_min [um]", "film [C]", "shell [C]", "back [C]",
-                     "shaft [C]");
+  out << fmt::format("{:>12} {:>10} {:>12} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "speed [rpm]",
+                     "end [s]", "torque [N m]", "h_min [um]", "film [degC]", "shell [degC]",
+                     "back [degC]", "shaft [degC]");
   double end = 0.0;  // of the stretch: the last instant may be before, where all has come to rest
   for (std::size_t k = 0; k < run.ends.size(); ++k) {
     const Instant& i = run.instants[run.ends[k]];
     end += stretches[k].duration;
     out << fmt::format(
-        "{:>12.6g} {:>10.6g} {:>12.5g} {:>10.4g} {:>10.2f} {:>10.2f} {:>10.2f} "
-        "{:>10.2f}\n",
+        "{:>12.6g} {:>10.6g} {:>12.5g} {:>10.4g} {:>12.2f} {:>12.2f} {:>12.2f} "
+        "{:>12.2f}\n",
         rpm(stretches[k]), end, i.torque, 1e6 * i.h_min, i.T_film_max - kZeroCelsius,
         i.T_shell_max - kZeroCelsius, i.T_shell_back - kZeroCelsius, i.T_shaft - kZeroCelsius);
   }

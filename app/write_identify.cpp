@@ -54,7 +54,7 @@ void write_directions(std::ostream& out, const IdentifyView& v) {
   if (v.end.fit.directions.empty()) return;
   out << "\nWhat the data determine (singular values, keys in distances of their bounds)\n";
   TextTable table;
-  table.add({"together", "singular value", "deviation", ""});
+  table.add({v.keys.size() > 1 ? "together" : "key", "singular value", "deviation / bounds", ""});
   table.rule();
   for (const auto& d : v.end.fit.directions) {
     table.add({direction_words(v, d), fmt::format("{:.3g}", d.singular_value),
@@ -130,6 +130,10 @@ void write_identify_table(std::ostream& out, const IdentifyView& v) {
   write_directions(out, v);
   write_points(out, v);
   if (!v.end.fit.computed()) return;
+  if (!v.end.fit.determined()) {
+    out << "\nNo case is proposed: not all keys are determined.\n";
+    return;
+  }
   out << "\nThe fitted case:";
   for (std::size_t k = 0; k < v.keys.size(); ++k) {
     const FittedKey& key = v.keys[k];

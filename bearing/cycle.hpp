@@ -71,6 +71,8 @@ struct CycleAudit {
   /// Largest change of a wall's mean temperature, or of its thermal deformation (10 K a clearance),
   /// in the last turn of the search for the walls [K]. NaN as before.
   double walls = std::numeric_limits<double>::quiet_NaN();
+  /// The same on the mean over shell or shaft, whichever is more, of its magnitude [K].
+  double walls_mean = std::numeric_limits<double>::quiet_NaN();
   /// Heat that shell and shaft would take between the walls to which that turn leads, less what
   /// they took [W]. NaN as before.
   double to_shell = std::numeric_limits<double>::quiet_NaN();
@@ -138,7 +140,7 @@ struct CycleResult {
 /// that enters them within 0.1 K. A single event is run once, from the steady state of
 /// its first row and with the walls of that. What has been found is kept where a step is not found
 /// or `control` says stop. Throws InputError for the
-/// tiers estimate and auto, which fidelity/auto_cycle.hpp serves. Needs a cycle.
+/// tiers estimate and auto, which fidelity/auto_cycle.hpp serves, and for a case without a cycle.
 [[nodiscard]] CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control = {});
 
 }  // namespace shellback::bearing

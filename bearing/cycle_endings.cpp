@@ -34,11 +34,11 @@ bool Closure::closed(double within) const {
   return last * std::max(1.0, rho / (1.0 - rho)) <= within;
 }
 
-Verdict at_instant(Verdict v, double t, double crank_speed) {
+Verdict at_instant(Verdict v, const ending::NoStep& where) {
   // What is to be reported as a defect, or was stopped, is nothing of the step's.
   if (v.status == Status::interrupted || v.status == Status::invalid_number) return v;
   const FilmPlace place = v.place;
-  return {Status::iteration_limit, ending::NoStep{t, crank_speed}, place, {std::move(v)}};
+  return {Status::iteration_limit, where, place, {std::move(v)}};
 }
 
 }  // namespace shellback::bearing

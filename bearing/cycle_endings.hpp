@@ -27,8 +27,7 @@ struct Closure {
   [[nodiscard]] bool closed(double within = kClosed) const;
 };
 
-/// A step that was not found because of `v`, at `t` of the cycle [s]; `crank_speed` [rad/s], 0:
-/// none.
-[[nodiscard]] Verdict at_instant(Verdict v, double t, double crank_speed);
+/// A step that was not found because of `v`, at `where` of the cycle.
+[[nodiscard]] Verdict at_instant(Verdict v, const ending::NoStep& where);
 
 }  // namespace shellback::bearing

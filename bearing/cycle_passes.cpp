@@ -148,7 +148,10 @@ void CyclePasses::take(Passing passed, const PeriodEnd& end) {
   r_.limiters.clear();
   if (end.over > 0) r_.limiters.push_back({Limiter::steps_too_long, end.over});
   told_ = std::move(passed.record);
-  if (!r_.verdict.good()) r_.verdict = at_instant(r_.verdict, told_.told(), c_.cycle->crank_speed);
+  if (r_.verdict.good()) return;
+  r_.verdict =
+      at_instant(r_.verdict, {told_.told(), c_.cycle->crank_speed, false,
+                              c_.cycle->journal_mass == 0.0, !film_.model().physics.elastic});
 }
 
 bool CyclePasses::pass_between(const WallMeans& walls, const Rest& rest) {

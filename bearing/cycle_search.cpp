@@ -28,13 +28,14 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
     : passes_(c, tier, physics, control, std::move(solids)) {}
 
 void CycleSearch::members(Tape& tape) {
-  tape(closure_, oil_, off_, wall_change_, held_, phase_, most_, settled_, round_change_, stalled_);
+  tape(closure_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
+       round_change_, stalled_);
   tape(walls_begun_, answers_);
 }
 
 void CycleSearch::ended(Tape& tape) {
   passes_.members(tape);
-  tape(closure_, answered_, off_, wall_change_, unsettled_);
+  tape(closure_, answered_, off_, mean_change_, wall_change_, unsettled_);
 }
 
 void CycleSearch::begin(Tape& tape) {
@@ -153,6 +154,7 @@ double CycleSearch::change_of_walls() {
   const HeatTaken taken = told().heat_taken();
   off_ = {answer.solids.shell.heat_in - taken.shell, answer.solids.shaft.heat_in - taken.shaft};
   answered_ = std::move(answer.walls);
+  mean_change_ = mean_difference(steps.model().domain.grid, *answered_, walls);
   const double clearance = steps.model().clearance;
   return kHeatUnit * largest_difference(packed(*answered_, clearance), packed(walls, clearance));
 }
@@ -206,6 +208,7 @@ CycleResult CycleSearch::result() const {
   r.verdict = verdict();
   r.closure = closure_.last;
   r.audit.walls = wall_change_;
+  r.audit.walls_mean = mean_change_;
   r.audit.to_shell = off_.shell;
   r.audit.to_shaft = off_.shaft;
   return r;

@@ -95,7 +95,8 @@ class CycleSearch {
   Closure closure_;
   LedOil oil_;
   std::optional<WallMeans> answered_;  ///< what the last cycle's heat makes of the walls
-  HeatTaken off_;                      ///< heat of the bodies then, less that of the cycle [W]
+  HeatTaken off_{NAN, NAN};            ///< heat of the bodies then, less that of the cycle [W]
+  double mean_change_ = NAN;           ///< of the walls then [K]
   double wall_change_ = NAN;           ///< of the last turn [K]
   bool held_ = false;                  ///< the walls
   Phase phase_ = Phase::orbit;

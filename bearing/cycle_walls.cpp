@@ -1,8 +1,11 @@
 #include "bearing/cycle_walls.hpp"
 
+#include <cmath>
+
 #include "bearing/heat_state.hpp"
 #include "bearing/tape_members.hpp"
 #include "core/constants.hpp"
+#include "core/largest.hpp"
 
 namespace shellback::bearing {
 
@@ -64,6 +67,14 @@ void unpack(const std::vector<double>& x, double clearance, WallMeans& walls) {
   for (double& T : walls.shell) T = kHeatUnit * *at++;
   for (double& T : walls.shaft) T = kHeatUnit * *at++;
   for (double& d : walls.thermal_deformation) d = clearance * *at++;
+}
+
+double mean_difference(const FilmGrid& g, const WallMeans& a, const WallMeans& b) {
+  Field shell(a.shell.size());
+  for (std::size_t k = 0; k < shell.size(); ++k) shell[k] = std::abs(a.shell[k] - b.shell[k]);
+  double shaft = 0.0;
+  for (int j = 0; j < g.nz; ++j) shaft += g.dz[j] * std::abs(a.shaft[j] - b.shaft[j]);
+  return larger(area_mean(g, shell), shaft / (g.z_face.back() - g.z_face.front()));
 }
 
 BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,

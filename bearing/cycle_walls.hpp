@@ -47,6 +47,10 @@ class CycleHeat {
 /// Back into walls that have as many of them.
 void unpack(const std::vector<double>& x, double clearance, WallMeans& walls);
 
+/// Mean over shell or shaft, whichever is more, of the magnitude by which their temperatures differ
+/// [K].
+[[nodiscard]] double mean_difference(const FilmGrid& g, const WallMeans& a, const WallMeans& b);
+
 /// What the bodies come to.
 struct BodiesAnswer {
   WallMeans walls;

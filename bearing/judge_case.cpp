@@ -372,7 +372,7 @@ std::vector<Finding> judge(const Case& c) { return judge(c, {c.model.tier}); }
 
 void expect_solvable(const Case& c) {
   for (const Finding& f : judge(c)) {
-    if (f.refused()) throw InputError(f.key + ": " + f.words());
+    if (f.refused()) throw InputError(f.key, f.words());
   }
 }
 

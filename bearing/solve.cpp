@@ -1,5 +1,7 @@
 #include "bearing/solve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -136,6 +138,12 @@ Solution from_cold(const Case& c, Tier tier, double T, const SolveControl& contr
 
 Solution solve_tier(const Case& c, Tier tier, const SolveControl& control,
                     std::shared_ptr<const Solids> solids) {
+  if (tier == Tier::estimate || tier == Tier::automatic) {
+    throw InputError("model.tier", fmt::format("the tier {} solves no film by itself; take "
+                                               "isothermal, lumped, thd or tehd, or "
+                                               "fidelity::solve_case",
+                                               to_string(tier)));
+  }
   const double T =
       tier == Tier::isothermal ? equivalent_temperature(c) : mean_supply_temperature(c);
   return from_cold(c, tier, T, control, std::move(solids));
@@ -181,6 +189,11 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
 }
 
 Result solve(const Case& c, const SolveControl& control) {
+  if (c.cycle) {
+    throw InputError("load_cycle",
+                     "this solves steady states alone; take bearing::solve_cycle, or "
+                     "fidelity::solve_cycle_case with error bars");
+  }
   return summarize(solve_tier(c, c.model.tier, control), c.model.tier);
 }
 

@@ -17,7 +17,9 @@ namespace shellback::bearing {
 /// random bearings need (docs/decisions/022).
 [[nodiscard]] double price_of_search(const Case& c, Tier tier);
 
-/// Solves the case in one tier. `solids`: operators of a former solve of the same geometry.
+/// Solves the steady state of the case in one tier, whatever its load cycle. `solids`: operators of
+/// a former solve of the same geometry. Throws InputError for the tiers estimate and auto, which
+/// fidelity/solve_case.hpp serves.
 [[nodiscard]] Solution solve_tier(const Case& c, Tier tier, const SolveControl& control = {},
                                   std::shared_ptr<const Solids> solids = nullptr);
 
@@ -44,7 +46,7 @@ enum class Otherwise { from_cold, failure };
 [[nodiscard]] Result summarize(const Solution& s, Tier tier);
 
 /// solve_tier and summarize in the tier of the case. Does not throw for lack of convergence: the
-/// result carries the verdict and the last state.
+/// result carries the verdict and the last state. Throws InputError for a case with a load cycle.
 [[nodiscard]] Result solve(const Case& c, const SolveControl& control = {});
 
 }  // namespace shellback::bearing

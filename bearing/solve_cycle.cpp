@@ -91,7 +91,9 @@ std::unique_ptr<CycleSearch> search_cycle(const Case& c, Tier tier, const SolveC
 }
 
 CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
-  EXPECTS(c.cycle.has_value());
+  if (!c.cycle) {
+    throw InputError("load_cycle", "the case has none; take bearing::solve for a standing load");
+  }
   if (tier == Tier::estimate || tier == Tier::automatic) {
     throw InputError("model.tier", std::string("the tier ") + to_string(tier) +
                                        " solves no film over a cycle by itself; take isothermal, "

@@ -101,8 +101,8 @@ inline void members(Tape& tape, bearing::CycleInstant& x) {
 }
 
 inline void members(Tape& tape, bearing::CycleAudit& x) {
-  auto& [mass, impulse, load, energy, work, walls, to_shell, to_shaft] = x;
-  tape(mass, impulse, load, energy, work, walls, to_shell, to_shaft);
+  auto& [mass, impulse, load, energy, work, walls, walls_mean, to_shell, to_shaft] = x;
+  tape(mass, impulse, load, energy, work, walls, walls_mean, to_shell, to_shaft);
 }
 
 inline void members(Tape& tape, bearing::CycleFields& x) {

@@ -34,7 +34,7 @@ void ValueCheck::temperature(const char* key, double value) const {
 
 void ValueCheck::whole_number(const char* key, int value, std::array<int, 2> range) const {
   if (value >= range[0] && value <= range[1]) return;
-  refuse(key, fmt::format("{} is no whole number from {} to {}", value, range[0], range[1]));
+  refuse(key, fmt::format("{} does not lie within {} to {}", value, range[0], range[1]));
 }
 
 }  // namespace shellback::bearing

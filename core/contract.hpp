@@ -13,8 +13,8 @@
 
 namespace shellback {
 
-/// Input that cannot be used. `where` is "file:line:column" (empty if the error has no place).
-/// Exit code 2.
+/// Input that cannot be used. `where` is "file:line:column", or the key of a case that no file has
+/// been read for (empty if the error has no place). Exit code 2.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string where, const std::string& problem)

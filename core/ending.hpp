@@ -196,6 +196,8 @@ struct NoStep {
   double t = 0.0;            ///< of the cycle [s]
   double crank_speed = 0.0;  ///< [rad/s]; 0: of no crank
   bool estimated = false;    ///< of the journal's path by its mobility
+  bool massless = false;     ///< the journal, which may have to leap
+  bool rigid = false;        ///< the surfaces
 };
 
 /// Stopped by the user, as the status says; or the worn bearing has no film; cause: why; or steps

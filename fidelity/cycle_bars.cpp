@@ -10,6 +10,7 @@
 #include "fidelity/grid_error.hpp"
 #include "fidelity/grid_sequence.hpp"
 #include "fidelity/quantities.hpp"
+#include "rheology/viscosity.hpp"
 
 namespace shellback::fidelity {
 
@@ -42,6 +43,21 @@ double change_steps(const CycleResult& usual, Case& c) {
   return kSafety / (std::cbrt(16.0) - 1.0);
 }
 
+/// The torque's bar times the mean speed is in that of the power.
+void widen_bar_of_power(CycleResult& r) {
+  double turned = 0.0;  // [rad]
+  for (const CycleInstant& i : r.instants) turned += i.dt * std::abs(i.omega);
+  const double speed = turned / r.instants.back().t;
+  double of_torque = 0.0;
+  for (CycleQuantity& q : r.quantities) {
+    if (q.quantity.name == "friction_torque") of_torque = q.quantity.error_grid;
+  }
+  for (CycleQuantity& q : r.quantities) {
+    if (q.quantity.name != "power_loss") continue;
+    q.quantity.error_grid = std::max(q.quantity.error_grid, speed * of_torque);
+  }
+}
+
 void put_grid_bars(const std::vector<CycleResult>& coarse_to_fine, CycleResult& r) {
   const auto size = [](const std::array<int, 2>& g) { return 1.0 / std::sqrt(g[0] * g[1]); };
   for (CycleQuantity& q : r.quantities) {
@@ -57,6 +73,7 @@ void put_grid_bars(const std::vector<CycleResult>& coarse_to_fine, CycleResult& 
     }
     q.quantity.order = bar.order;
   }
+  widen_bar_of_power(r);
 }
 
 void add_between_instants(CycleResult& r) {
@@ -84,11 +101,17 @@ void put_time_bars(const CycleResult& usual, const CycleResult& other, double pa
 }
 
 /// Walls that the bodies would still change: by so much are temperatures, and the heat that goes
-/// into the bodies or, since it is made in any case, leaves with the oil, not known (2).
-void add_unsettled_walls(CycleResult& r) {
+/// into the bodies or, since it is made in any case, leaves with the oil, not known (2); all else
+/// follows the viscosity, by what the mean change is worth of it at most.
+void add_unsettled_walls(const Case& c, CycleResult& r) {
   const CycleAudit& a = r.audit;
   if (!std::isfinite(a.walls)) return;
+  const double T = value_of(r, "T_film_mean");
+  const double thinner =
+      std::abs(rheology::viscosity_slopes(c.oil, T, 0.0, 0.0).dln_dT) * a.walls_mean;
   for (CycleQuantity& q : r.quantities) {
+    const bool heat = q.quantity.name.starts_with("heat_");
+    if (q.quantity.unit != "K" && !heat) q.error_time += thinner * q.quantity.size();
     if (q.quantity.unit == "K") q.error_time += a.walls;
     if (q.quantity.name == "heat_to_shell") q.error_time += std::abs(a.to_shell);
     if (q.quantity.name == "heat_to_shaft") q.error_time += std::abs(a.to_shaft);
@@ -142,7 +165,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
                                           : note::Plain::time_bars_unknown);
   }
   add_between_instants(r);
-  add_unsettled_walls(r);
+  add_unsettled_walls(c, r);
   if (!c.cycle->step) {
     // The film of one instant is off by what its step may err, whatever other steps give.
     for (CycleQuantity& q : r.quantities) {

@@ -17,6 +17,8 @@ namespace shellback::fidelity {
 /// the safety of the grid's bars. With walls that the bodies would still change, as every search
 /// leaves them, temperatures and heat flows get besides
 ///   |change of the walls|,   |heat that the bodies would take then less what they took|        (2)
+/// and all else, as a part of itself, by how much the mean change of the walls would change the
+/// viscosity. Power is no better known than the torque in it.
 /// Source: Richardson, textbook. Bars are not-a-number where no
 /// coarser grid serves. Throws InputError as solve_cycle does.
 [[nodiscard]] bearing::CycleResult solve_cycle_with_bars(const bearing::Case& c,

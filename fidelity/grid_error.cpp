@@ -63,7 +63,9 @@ GridBar grid_bar(const std::vector<GridValue>& v, double h) {
   const double observed = observed_order(v);
   const double p = std::isfinite(observed) ? observed : kLeastOrder;
   const double limit =
-      f1.value + (f1.value - f2.value) * onward(1.0 / f2.h, 1.0 / f1.h, INFINITY, kMostOrder);
+      v.size() == 2 || std::isfinite(observed)
+          ? f1.value + (f1.value - f2.value) * onward(1.0 / f2.h, 1.0 / f1.h, INFINITY, kMostOrder)
+          : NAN;
   return {std::max(safety(h) * rest(p), slow) + f1.noise, observed, limit};
 }
 

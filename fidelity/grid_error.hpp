@@ -50,7 +50,7 @@ struct GridValue {
 struct GridBar {
   double bar = 0.0;    ///< same unit as the values; NaN: unknown
   double order = 0.0;  ///< observed order as used; NaN: two grids only
-  double limit = 0.0;  ///< (5), same unit; NaN: unknown
+  double limit = 0.0;  ///< (5), same unit; NaN: one grid alone, or three without an order
 };
 
 /// Orders that whole solutions show: films and their torque fall with the second, ends of the film

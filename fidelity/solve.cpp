@@ -76,7 +76,8 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     q.error_grid = bar.bar + q.error_nodes;
     if (q.name == "h_min") q.error_grid += record.edge;
     q.order = bar.order;
-    q.limit = limit_of(c, q, bar.limit);
+    const bool known = q.error_grid < std::abs(q.value);  // at all: else it leads anywhere
+    q.limit = known ? limit_of(c, q, bar.limit) : NAN;
     judged.emplace_back(&q, size);
     if (std::isfinite(q.error_grid / size)) relative.push_back(q.error_grid / size);
   }

@@ -117,7 +117,7 @@ struct ValidityRange {
 
 struct Oil {
   std::string name;
-  TemperatureLaw temperature = ConstantViscosity{0.01};
+  TemperatureLaw temperature = ConstantViscosity{0.0};  ///< has to be given
   PressureLaw pressure = NoPressureEffect{};
   ShearLaw shear = NoShearThinning{};
   DensityLaw density = ConstantDensity{860.0};

@@ -39,6 +39,18 @@ double held(const Request& request) {
   return time;
 }
 
+/// One unit serves all speeds: those that have none take that of one that has.
+std::vector<std::string> with_units(std::vector<std::string> speeds) {
+  const auto unit_of = [](const std::string& s) {
+    const std::size_t digits = s.find_last_of("0123456789.");
+    return digits == std::string::npos ? std::string() : s.substr(digits + 1);
+  };
+  std::string unit;
+  for (const std::string& s : speeds) unit = unit.empty() ? unit_of(s) : unit;
+  for (std::string& s : speeds) s += unit_of(s).empty() ? unit : "";
+  return speeds;
+}
+
 /// The case at each speed, read anew so that all judgements hold.
 std::vector<Stretch> stretches_of(const Request& request, const std::string& text) {
   const double time = held(request);
@@ -47,7 +59,7 @@ std::vector<Stretch> stretches_of(const Request& request, const std::string& tex
   }
   std::vector<Stretch> stretches;
   const Case given = read_case_text(text, request.case_file, overrides_of(request));
-  for (const std::string& speed : request.speeds) {
+  for (const std::string& speed : with_units(request.speeds)) {
     std::vector<Override> set = overrides_of(request);
     set.push_back({"operation.speed", speed, "--speeds"});
     stretches.push_back(

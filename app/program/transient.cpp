@@ -66,16 +66,17 @@ Result steady_state(const Case& subject, SolveControl control, RunKeeper& keeper
 void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
   fmt::print(std::cout, "{}\ntransient, tier {}, grid {} x {}\n\n", c.title,
              to_string(c.model.tier), c.model.grid[0], c.model.grid[1]);
-  fmt::print(std::cout, "{:>36} {:>10} {:>10} {:>10} {:>10}\n", "", "largest", "largest", "mean",
+  fmt::print(std::cout, "{:>36} {:>12} {:>12} {:>12} {:>12}\n", "", "largest", "largest", "mean",
              "mean");
-  fmt::print(std::cout, "{:>12} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "time [s]",
-             "torque [N m]", "h_min [um]", "film [C]", "shell [C]", "back [C]", "shaft [C]");
+  fmt::print(std::cout, "{:>12} {:>12} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "time [s]",
+             "torque [N m]", "h_min [um]", "film [degC]", "shell [degC]", "back [degC]",
+             "shaft [degC]");
   double next = 0.0;
   const auto line = [](const char* t, double torque, double h, double a, double b, double d,
                        double e) {
     fmt::print(std::cout, "{:>12} {:>12.4g} {:>10.4g}", t, torque, 1e6 * h);
     for (const double T : {a, b, d, e}) {
-      fmt::print(std::cout, " {:>10}",
+      fmt::print(std::cout, " {:>12}",
                  std::isfinite(T) ? fmt::format("{:.1f}", T - kZeroCelsius) : "-");
     }
     fmt::print(std::cout, "\n");

@@ -90,12 +90,20 @@ inline Told told(const ending::NoStep& e, const About& a) {
             "a lower load, a shorter time under it, or rough surfaces with contact data; tier "
             "isothermal or tehd has what the estimate leaves out"};
   }
-  const std::string within = a.within.cure.empty() ? "" : a.within.cure + "; or ";
+  std::string cure = a.within.cure;
+  const auto add = [&cure](const char* more) {
+    cure += (cure.empty() ? "" : "; or ") + std::string(more);
+  };
+  const auto tells = [&cure](const char* words) { return cure.find(words) != std::string::npos; };
+  if (!tells("load")) add("a lower load");
+  if (!tells("finer grid")) add("a finer grid");
+  if (e.massless)
+    add("the journal's mass: without one it may have to leap (load_cycle.journal_mass)");
+  if (e.rigid && !tells("elastic")) {
+    add("elastic surfaces: rigid ones may not carry the load (model.elastic_deformation)");
+  }
   return {fmt::format("no step in time is found at {} of the cycle: {}", when, a.within.reason),
-          within +
-              "a lower load or a finer grid; a journal without mass may have to leap "
-              "(load_cycle.journal_mass), rigid surfaces may not carry the load "
-              "(model.elastic_deformation)"};
+          cure};
 }
 
 /// Stopped by the user, with steps too short, or without a film in the state of wear that it has

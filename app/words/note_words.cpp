@@ -12,7 +12,9 @@
 namespace shellback::app {
 
 std::string known_within(double part) {
-  return std::isfinite(part) ? fmt::format("within {:.2g} %", 100.0 * part) : "without a bar";
+  if (!std::isfinite(part)) return "without a bar";
+  return part < 1.0 ? fmt::format("within {:.2g} %", 100.0 * part)
+                    : fmt::format("within {:.0f} %", 100.0 * part);
 }
 
 namespace {
@@ -204,11 +206,13 @@ std::string text_of(const note::OtherRoots& n) {
       n.roots.size(), all);
 }
 
+std::string cells(long n) { return n == 1 ? "one cell" : fmt::format("{} cells", n); }
+
 std::string text_of(const note::FactorsContinued& n) {
   return fmt::format(
-      "in {} cells of the solved part the gap is below {:.3g} um, the smallest of the measured "
+      "in {} of the solved part the gap is below {:.3g} um, the smallest of the measured "
       "flow factors (h/sigma = {:.3g}): they are continued there",
-      n.cells, 1e6 * n.h, n.H);
+      cells(n.cells), 1e6 * n.h, n.H);
 }
 
 std::string text_of(const note::BeyondOilRange& n) {
@@ -223,10 +227,10 @@ std::string text_of(const note::BeyondOilRange& n) {
 std::string text_of(const note::BeyondContactLaw& n) {
   return fmt::format(
       "the surfaces interpenetrate by up to {:.3g} um (at {}), {:.0f} times their summit "
-      "roughness, in {} cells of the solved part: beyond {:.3g} um the whole surface would be in "
+      "roughness, in {} of the solved part: beyond {:.3g} um the whole surface would be in "
       "contact, and the contact law no longer describes it: contact pressure, friction and film "
       "are no prediction there",
-      -n.h * 1e6, words_of(n.place), -n.h / n.sigma, n.cells, -n.least * 1e6);
+      -n.h * 1e6, words_of(n.place), -n.h / n.sigma, cells(n.cells), -n.least * 1e6);
 }
 
 std::string text_of(const note::EdgeNotResolved& n) {
@@ -262,9 +266,9 @@ std::string text_of(const note::NotLaminar& n) {
 
 std::string text_of(const note::HeldAtHardness& n) {
   return fmt::format(
-      "the contact pressure is held at the hardness of {:.4g} MPa in {} cells of the solved part: "
+      "the contact pressure is held at the hardness of {:.4g} MPa in {} of the solved part: "
       "summits flow there by up to {:.3g} um (at {})",
-      n.hardness * 1e-6, n.cells, n.flow * 1e6, words_of(n.place));
+      n.hardness * 1e-6, cells(n.cells), n.flow * 1e6, words_of(n.place));
 }
 
 std::string text_of(const note::VesselEmpty& n) {
@@ -296,7 +300,8 @@ std::string text_of(const note::WornThrough& n) {
 
 std::string text_of(const note::WornBeyondClearance& n) {
   return fmt::format(
-      "the wear of {:.3g} um is more than the radial clearance of {:.3g} um: check its coefficient, "
+      "the wear of {:.3g} um is more than the radial clearance of {:.3g} um: check its "
+      "coefficient, "
       "hardness and summits, or take a shorter time",
       1e6 * n.depth, 1e6 * n.clearance);
 }

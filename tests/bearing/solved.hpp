@@ -17,6 +17,12 @@ inline Solution solved(const Case& c, Tier tier) {
   return s;
 }
 
+/// Of the standing load that a case has beside its cycle.
+inline Quantities steady_values(Case c) {
+  c.cycle.reset();
+  return solve(c).values();
+}
+
 inline CycleResult converged(const Case& c, Tier tier = Tier::isothermal) {
   CycleResult r = solve_cycle(c, tier);
   INFO(app::reason_of(r.verdict));

@@ -14,10 +14,12 @@ TEST_CASE("LawsHoldAboveThePoleAndAsLongAsThereIsMassAndHeat") {
   CHECK_FALSE(laws_hold(vogel, 163.0));
   CHECK_FALSE(laws_hold(vogel, 150.0));  // the formula gives a number there, of no meaning
   Oil swelling;
+  swelling.temperature = ConstantViscosity{0.01};
   swelling.density = DowsonHigginson{860.0, 313.15, 4e-3};  // no mass from 250 K above on
   CHECK(laws_hold(swelling, 500.0));
   CHECK_FALSE(laws_hold(swelling, 564.0));
   Oil cold;
+  cold.temperature = ConstantViscosity{0.01};
   cold.heat_capacity = TemperatureHeatCapacity{1630.0, 3.4, 0.88, 0.5};  // none below -479 degC
   CHECK(laws_hold(cold, 253.15));
   cold.heat_capacity = TemperatureHeatCapacity{1630.0, -3.4, 0.88, 0.5};

@@ -119,7 +119,8 @@ void Vessels::advance(int k, double own, double star, double out, Search& s) {
   const double r = kappa_[k] * std::max(s.u, 0.0) - star + own * out;
   const bool holds = s.u > 0.0 || (s.u == 0.0 && r < 0.0);
   const double slope = (out - s.out_before) / (s.u - s.u_before);
-  if (slope > 0.0 && std::isfinite(slope)) conductance_[k] = slope;
+  if (std::isfinite(slope)) conductance_[k] = slope;
+  // A film that drives oil into the vessel does not feel how empty it is.
   if (!(conductance_[k] > 0.0)) conductance_[k] = std::abs(out) / span;
   const double rate = own * conductance_[k] + (holds ? kappa_[k] : 0.0);
   const bool nothing_left = s.u <= s.least && r > 0.0;  // it takes in all that the journal brings

@@ -182,8 +182,8 @@ class CycleTierSearch {
     const Grid before = on_.model.grid;
     const double steps = of_steps().larger();
     const double allowed = kOfSteps * case_.model.tolerance;
-    // The bar goes with the second power of a step, the error of one with the third.
-    const double power = kStepOrder / (kStepOrder - 1.0);
+    // The bar goes with the length of a step (decision 058), the error of one with its third power.
+    const double power = kStepOrder;
     const double least = std::pow(kMost, -kStepOrder);
     const bool shorter = !case_.cycle->step && steps > allowed;
     const bool finest = case_.model.grid_given || before == kUsualGrid;

@@ -40,7 +40,7 @@ double change_steps(const CycleResult& usual, Case& c) {
     return kSafety * (c.cycle->interpolation == LoadInterpolation::linear ? 2.0 : 4.0 / 3.0);
   }
   c.model.tolerance *= 4.0;
-  return kSafety / (std::cbrt(16.0) - 1.0);
+  return kSafety / (std::cbrt(4.0) - 1.0);
 }
 
 /// The torque's bar times the mean speed is in that of the power.

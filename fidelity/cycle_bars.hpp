@@ -7,10 +7,10 @@ namespace shellback::fidelity {
 /// Solves the cycle of the case and, if it converges, gives its quantities their bars: of the grid
 /// from up to two coarser grids, each with steps of the same error (grid_error.hpp; the smallest
 /// film at an edge: edge_error.hpp, too), of the steps from the coarser grid once more with steps
-/// that may err four times as much (or, given ones, are half as long as the longest taken). Steps
-/// of second order in their length are of order 2/3 in the error of one of them, which falls with
-/// its third power:
-///   bar = 1.5 |f(4 tol) - f(tol)| / (4^(2/3) - 1),   given: 1.5 |f(dt) - f(dt/2)| 4/3         (1)
+/// that may err four times as much (or, given ones, are half as long as the longest taken). The
+/// error of a step falls with the third power of its length, and what steps change falls with the
+/// first of it where fronts of oil move by cells (docs/decisions/058):
+///   bar = 1.5 |f(4 tol) - f(tol)| / (4^(1/3) - 1),   given: 1.5 |f(dt) - f(dt/2)| 4/3         (1)
 /// (given steps under a load of straight lines, whose corners cut them: 2 for 4/3),
 /// taken as a part of the value; to extremes comes how far a parabola through the instants around
 /// goes beyond what they were seen to be, to the smallest film what a chosen step may err. 1.5 is

@@ -234,3 +234,39 @@ TEST_CASE("HardScenesOnCoarseGridsAreSound", "[stress]") {
     CHECK(csv.find(row.scene.name + "," + to_string(row.scene.tier)) != std::string::npos);
   }
 }
+
+TEST_CASE("LoadsBeyondATurnThatHaveAStateAreNotRefused", "[stress][refusal]") {
+  // Boundary friction heats the dry middle of the bearing: the branch from light loads turns at
+  // 10.9 kN, and the bearing comes to rest hot and pressed beyond. Judge: a load that is found from
+  // cold is less than what the refusal of a larger one says is carried.
+  constexpr const char* kText = R"toml(
+bearing = { diameter = "50 mm", width = "20 mm", radial_clearance = "25 um" }
+operation = { speed = "283 rpm", load = "12 kN" }
+oil = { name = "0W20", temperature = "80 degC" }
+shaft = { material = "steel" }
+model = { tier = "tehd", grid = [60, 9] }
+[[supply]]
+kind = "hole"
+angle = "90 deg"
+diameter = "5 mm"
+depth = "1 mm"
+pressure = "2 bar"
+temperature = "80 degC"
+[shell]
+layers = [ { material = "AlSn20", thickness = "0.3 mm" }, { material = "steel", thickness = "1.7 mm" } ]
+housing = { material = "aluminium", outer_diameter = "90 mm" }
+back = { heat_transfer = "300 W/(m2 K)", ambient = "70 degC" }
+[surfaces]
+shell = { roughness = "0.4 um", summit_roughness = "0.35 um", summit_height = "0.4 um" }
+contact = { elastic_factor = 0.001, composite_modulus = "53 GPa", friction = 0.12 }
+)toml";
+  const auto under = [&](const std::string& load) {
+  const bearing::Case c = app::read_case_text(kText, "turn.toml", {app::parse_override(load)});
+  return bearing::solve_tier(c, c.model.tier);
+  };
+CHECK(under("operation.load=12 kN").verdict.good());
+const bearing::Solution heavy = under("operation.load=40 kN");
+REQUIRE_FALSE(heavy.verdict.good());
+REQUIRE_FALSE(heavy.limits.empty());
+CHECK(heavy.limits.back().part * 40e3 > 12e3);
+}

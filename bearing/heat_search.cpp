@@ -87,7 +87,7 @@ Verdict HeatSearch::cold_film() {
 }
 
 Verdict HeatSearch::iterate() {
-  ThermalOptions o = options_of(Accuracy::result, coarse_);
+  ThermalOptions o = options_of(Accuracy::result, level_.coarse);
   o.tolerance = std::min(o.tolerance, control_.heat_within);
   return solve_heat(s_, o, control_);
 }
@@ -110,7 +110,7 @@ std::optional<Branch> HeatSearch::follow() {
 
 Corrector HeatSearch::corrector() const {
   return [this](Solution& at, Accuracy accuracy) {
-    const bool loose = coarse_ || accuracy == Accuracy::way_point;
+    const bool loose = level_.coarse || accuracy == Accuracy::way_point;
     return solve_heat(at, options_of(accuracy, loose), control_);
   };
 }
@@ -130,11 +130,12 @@ Verdict HeatSearch::along_branch() {
   std::optional<Branch> branch = follow();
   if (!branch) return no_branch();
   MarchEnd after;
-  while (ends_early(*branch) && !s_.cost.spent()) {
+  const auto asked = [&] { return !level_.start || branch->end == BranchEnd::lost; };
+  while (ends_early(*branch) && asked() && !s_.cost.spent()) {
     const Reached last = here();
     after = transient_beyond(s_, *branch, control_);
     if (stopped(after.verdict)) return after.verdict;
-    if (!after.at_rest) {
+    if (!after.at_rest || level_.start) {
       back_to(last);
       break;
     }

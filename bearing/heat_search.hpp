@@ -6,15 +6,15 @@
 #include "bearing/follow.hpp"
 #include "bearing/heat_iteration.hpp"
 #include "bearing/heat_march.hpp"
+#include "bearing/tiers.hpp"
 
 namespace shellback::bearing {
 
 /// Each way leaves `s` at its last state and answers how it ended.
 class HeatSearch {
  public:
-  /// `coarse`: the solution is but the start of a finer grid's.
-  HeatSearch(Solution& s, bool coarse, const SolveControl& control)
-      : s_(s), coarse_(coarse), control_(control) {}
+  HeatSearch(Solution& s, Level level, const SolveControl& control)
+      : s_(s), level_(level), control_(control) {}
 
   /// The film in oil and between walls of the supply's temperature.
   [[nodiscard]] Verdict cold_film();
@@ -52,7 +52,7 @@ class HeatSearch {
   [[nodiscard]] Verdict ended(const Branch& branch, const MarchEnd& after);
 
   Solution& s_;
-  bool coarse_;
+  Level level_;
   const SolveControl& control_;
   FilmEquilibrium cold_film_;
 };

@@ -66,10 +66,10 @@ void solve_on_sequence(const Case& c, Tier tier, const SolveControl& control,
     s.model = std::move(model);
     s.point = operating_point(s.model);
     s.cost.most_work = last ? whole : s.cost.work + kForStarts * (whole - s.cost.work);
-    solve_on_grid(s, tier, {warm, !last}, control);
+    solve_on_grid(s, tier, {warm, !last, !last}, control);
     if (warm && !s.verdict.good() && s.verdict.status != Status::interrupted) {
       s.T_film = T_start;
-      solve_on_grid(s, tier, {false, !last}, control);
+      solve_on_grid(s, tier, {false, !last, !last}, control);
     }
     if (s.verdict.status == Status::interrupted) return;
     warm = s.verdict.good();
@@ -90,7 +90,7 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
   on.cost.most_work = most_work(c, tier, control);
   on.model = make_bearing(second, physics_of(second, tier), second.model.grid);
   on.point = operating_point(on.model);
-  solve_on_grid(on, tier, {false, true}, control);
+  solve_on_grid(on, tier, {false, true, false}, control);
   if (on.verdict.status == Status::interrupted) {
     s.verdict = on.verdict;
     return;
@@ -176,7 +176,7 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
       s.heat.thermal_deformation.assign(s.model.domain.grid.cells(), 0.0);
     }
   }
-  solve_on_grid(s, tier, {true, false}, control);
+  solve_on_grid(s, tier, {true}, control);
   if (may_be_cold && s.verdict.status != Status::interrupted && !s.verdict.good()) {
     Solution cold = solve_tier(c, tier, control, s.model.solids);
     cold.wall_s = watch.seconds();

@@ -22,7 +22,7 @@ Verdict steady_film(Solution& s, Level level, const SolveControl& control) {
 
 /// Film, heat, walls and their deformation.
 Verdict steady_heat(Solution& s, Level level, const SolveControl& control) {
-  HeatSearch search(s, level.coarse, control);
+  HeatSearch search(s, level, control);
   if (level.warm) return search.iterate();
   const Verdict film = search.cold_film();
   if (!film.good()) {  // heated oil may carry where that of the supply does not

@@ -16,7 +16,8 @@ namespace shellback::bearing {
 /// How a grid is begun.
 struct Level {
   bool warm = false;    ///< from the state that is there; else from cold
-  bool coarse = false;  ///< its solution is but the start of a finer grid's
+  bool coarse = false;  ///< its solution is not told: known as well as a finer grid needs
+  bool start = false;   ///< of a finer grid: nothing is asked beyond where a branch turns back
 };
 
 /// Solves on the model's grid; `s.verdict` says how it ended, `s.limits` where a branch did.

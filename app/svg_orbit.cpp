@@ -39,7 +39,8 @@ double reach(const CycleResult& cycle, double c, double arrow) {
   const double by_load = largest_load(cycle) > 0.0 ? arrow / largest_load(cycle) : 0.0;
   double farthest = 1.0;
   for (const CycleInstant& i : cycle.instants) {
-    const double e = std::hypot(i.ex / c + by_load * i.load_x, i.ey / c + by_load * i.load_y);
+    const double tip = std::hypot(i.ex / c + by_load * i.load_x, i.ey / c + by_load * i.load_y);
+    const double e = std::max(std::hypot(i.ex, i.ey) / c, tip);
     if (std::isfinite(e)) farthest = std::max(farthest, e);
   }
   return farthest;

@@ -130,7 +130,7 @@ void write_identify_table(std::ostream& out, const IdentifyView& v) {
   write_directions(out, v);
   write_points(out, v);
   if (!v.end.fit.computed()) return;
-  if (!v.end.fit.determined()) {
+  if (!v.end.fit.directions.empty() && !v.end.fit.determined()) {
     out << "\nNo case is proposed: not all keys are determined.\n";
     return;
   }

@@ -122,8 +122,13 @@ Branch HeatSearch::follow_on(const Branch& ended) {
                ? follow_load(s_, begun, corrector(), control_)
                : follow_parts(s_, ended.raised, begun, corrector(), control_);
   }
-  const Verdict v = iterate();
-  return {ended.raised, v.good() ? BranchEnd::reached : BranchEnd::lost, 1.0, s_.film.least.h, v};
+  const Reached last = here();
+  Branch whole{ended.raised, BranchEnd::reached, 1.0, s_.film.least.h, iterate()};
+  if (stopped(whole.last)) whole.end = BranchEnd::interrupted;
+  if (whole.last.good() || stopped(whole.last)) return whole;
+  back_to(last);  // as good as a way point
+  whole.end = BranchEnd::lost;
+  return whole;
 }
 
 Verdict HeatSearch::along_branch() {
@@ -134,7 +139,10 @@ Verdict HeatSearch::along_branch() {
   while (ends_early(*branch) && asked() && !s_.cost.spent()) {
     const Reached last = here();
     after = transient_beyond(s_, *branch, control_);
-    if (stopped(after.verdict)) return after.verdict;
+    if (stopped(after.verdict)) {
+      back_to(last);
+      return after.verdict;
+    }
     if (!after.at_rest || level_.start) {
       back_to(last);
       break;
@@ -163,7 +171,8 @@ Verdict HeatSearch::ended(const Branch& branch, const MarchEnd& after) {
   note_limit(s_, branch, !lost || ran_away);
   if (lost && ran_away) return ran_away_from(s_, branch, after);
   Verdict v = branch_ended(s_, branch);
-  if (lost && s_.cost.spent()) v.cause = {{Status::iteration_limit, ending::Plain::given_up}};
+  if (s_.cost.spent() && !level_.start)
+    v.cause = {{Status::iteration_limit, ending::Plain::given_up}};
   return v;
 }
 

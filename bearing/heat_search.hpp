@@ -6,7 +6,7 @@
 #include "bearing/follow.hpp"
 #include "bearing/heat_iteration.hpp"
 #include "bearing/heat_march.hpp"
-#include "bearing/tiers.hpp"
+#include "bearing/level.hpp"
 
 namespace shellback::bearing {
 

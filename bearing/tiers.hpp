@@ -9,16 +9,10 @@
 /// state has a turning point, a bound of the equations, or a trajectory that leaves every bound;
 /// solve.cpp compares where that is on two grids.
 #include "bearing/control.hpp"
+#include "bearing/level.hpp"
 #include "bearing/solution.hpp"
 
 namespace shellback::bearing {
-
-/// How a grid is begun.
-struct Level {
-  bool warm = false;    ///< from the state that is there; else from cold
-  bool coarse = false;  ///< its solution is not told: known as well as a finer grid needs
-  bool start = false;   ///< of a finer grid: nothing is asked beyond where a branch turns back
-};
 
 /// Solves on the model's grid; `s.verdict` says how it ended, `s.limits` where a branch did.
 void solve_on_grid(Solution& s, Tier tier, Level level, const SolveControl& control);

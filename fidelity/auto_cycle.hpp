@@ -12,7 +12,7 @@
 ///    tolerance is then not met, and the result says why.
 /// 2. In that tier the cycle is solved with the bars of its grid and steps (cycle_bars.hpp). Where
 ///    they exceed the tolerance the grid is refined to what tolerance.hpp (1) expects to do, and
-///    the steps so that their bar, of order 2/3 in the error of one of them, is a quarter of it; up
+///    the steps so that their bar, of order 1/3 in the error of one of them, is a quarter of it; up
 ///    to 400 x 50 cells and three times. Grid and steps given in the case are kept.
 /// What a case has no data for (walls) is in no bar; the result says so.
 #include "bearing/cycle.hpp"

@@ -36,25 +36,28 @@ double change_steps(const CycleResult& usual, Case& c) {
     double longest = 0.0;  // corners of the load cut steps short
     for (const CycleInstant& i : usual.instants) longest = std::max(longest, i.dt);
     c.cycle->step = 0.5 * longest;
-    // Steps end on corners: there only the first order is sure.
-    return kSafety * (c.cycle->interpolation == LoadInterpolation::linear ? 2.0 : 4.0 / 3.0);
+    return kSafety * 2.0;
   }
   c.model.tolerance *= 4.0;
   return kSafety / (std::cbrt(4.0) - 1.0);
 }
 
-/// The torque's bar times the mean speed is in that of the power.
-void widen_bar_of_power(CycleResult& r) {
+/// The torque's bars times the mean speed are in those of the power.
+void widen_bars_of_power(CycleResult& r) {
   double turned = 0.0;  // [rad]
   for (const CycleInstant& i : r.instants) turned += i.dt * std::abs(i.omega);
   const double speed = turned / r.instants.back().t;
-  double of_torque = 0.0;
-  for (CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == "friction_torque") of_torque = q.quantity.error_grid;
+  double of_grid = 0.0;
+  double of_time = 0.0;
+  for (const CycleQuantity& q : r.quantities) {
+    if (q.quantity.name != "friction_torque") continue;
+    of_grid = q.quantity.error_grid;
+    of_time = q.error_time;
   }
   for (CycleQuantity& q : r.quantities) {
     if (q.quantity.name != "power_loss") continue;
-    q.quantity.error_grid = std::max(q.quantity.error_grid, speed * of_torque);
+    q.quantity.error_grid = std::max(q.quantity.error_grid, speed * of_grid);
+    q.error_time = std::max(q.error_time, speed * of_time);
   }
 }
 
@@ -73,7 +76,6 @@ void put_grid_bars(const std::vector<CycleResult>& coarse_to_fine, CycleResult& 
     }
     q.quantity.order = bar.order;
   }
-  widen_bar_of_power(r);
 }
 
 void add_between_instants(CycleResult& r) {
@@ -166,6 +168,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   }
   add_between_instants(r);
   add_unsettled_walls(c, r);
+  widen_bars_of_power(r);
   if (!c.cycle->step) {
     // The film of one instant is off by what its step may err, whatever other steps give.
     for (CycleQuantity& q : r.quantities) {

@@ -10,8 +10,7 @@ namespace shellback::fidelity {
 /// that may err four times as much (or, given ones, are half as long as the longest taken). The
 /// error of a step falls with the third power of its length, and what steps change falls with the
 /// first of it where fronts of oil move by cells (docs/decisions/058):
-///   bar = 1.5 |f(4 tol) - f(tol)| / (4^(1/3) - 1),   given: 1.5 |f(dt) - f(dt/2)| 4/3         (1)
-/// (given steps under a load of straight lines, whose corners cut them: 2 for 4/3),
+///   bar = 1.5 |f(4 tol) - f(tol)| / (4^(1/3) - 1),   given: 1.5 |f(dt) - f(dt/2)| 2           (1)
 /// taken as a part of the value; to extremes comes how far a parabola through the instants around
 /// goes beyond what they were seen to be, to the smallest film what a chosen step may err. 1.5 is
 /// the safety of the grid's bars. With walls that the bodies would still change, as every search

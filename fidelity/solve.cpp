@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contract.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
@@ -76,7 +77,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     q.error_grid = bar.bar + q.error_nodes;
     if (q.name == "h_min") q.error_grid += record.edge;
     q.order = bar.order;
-    const bool known = q.error_grid < std::abs(q.value);  // at all: else it leads anywhere
+    const bool known = q.error_grid < size;  // at all: else it leads anywhere
     q.limit = known ? limit_of(c, q, bar.limit) : NAN;
     judged.emplace_back(&q, size);
     if (std::isfinite(q.error_grid / size)) relative.push_back(q.error_grid / size);
@@ -201,6 +202,10 @@ Result summarize(const Solution& s, Tier tier, const SolveControl& control, Want
 }
 
 Result solve(const Case& c, const SolveControl& control) {
+  if (c.cycle) {
+    throw InputError("load_cycle",
+                     "this solves steady states alone; take fidelity::solve_cycle_case");
+  }
   return summarize(solve_tier(c, c.model.tier, control), c.model.tier, control);
 }
 

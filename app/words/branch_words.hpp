@@ -28,8 +28,13 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
   switch (e.end) {
     case ending::BranchEnd::turned:
       return {fmt::format("{}{}; there the branch turns back: beyond it only states of less load "
-                          "follow",
-                          e.with_heat ? "thermal runaway: " : "", way),
+                          "follow{}",
+                          e.with_heat ? "thermal runaway: " : "", way,
+                          !e.with_heat ? ""
+                          : a.within.reason.empty()
+                              ? ", and under more the bearing is not seen to come to rest"
+                              : "; whether the bearing comes to rest under more was not seen to "
+                                "its end"),
               e.with_heat ? kLessHeat
                           : "lower the load or the tilt, feed more oil, or give contact data"};
     case ending::BranchEnd::unbounded:

@@ -74,7 +74,7 @@ struct QuantityRow {
 /// Difference of `value` against `reference`: "+3.1 %", or "+2.4 K" for temperatures in degC.
 [[nodiscard]] std::string difference(const DisplayUnit& unit, double value, double reference);
 
-/// "converged", or "NOT CONVERGED: iteration limit".
+/// "converged", with what no oil survives said behind it, or "NOT CONVERGED: iteration limit".
 [[nodiscard]] std::string status_line(const bearing::Result& result);
 
 /// ASCII for text tables, or with the signs of print (µm, °, ×, −) for pages and pictures.

@@ -154,6 +154,36 @@ TEST_CASE("ACourseBeginsWithFullVesselsWhateverWasBefore", "[vessel]") {
   CHECK(steps.point().scene.supply.patches[0].fill == 1.0);
 }
 
+TEST_CASE("AnEmptyVesselIsFilledByAFilmThatDoesNotFeelIt", "[vessel]") {
+  const Case c = leaking_case();
+  const BearingModel model = make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid);
+  fluid::FilmScene scene = operating_point(model).scene;
+  Vessels vessels(model);
+  std::vector<double> oil = vessels.begin(scene);
+  (void)vessels.set_lines(0.0, oil);  // shut
+  fluid::SupplyPatch& patch = scene.supply.patches[0];
+  const double p_cav = scene.p_cavitation;
+  const double own = 1e-3;  // [s]
+  // A film that lets out 1e-7 kg/s per pascal: its slope is remembered.
+  const auto leaks = [&](fluid::OilFlows& flows) {
+    flows.patch = {1e-7 * (patch.pressure - p_cav)};
+    return Verdict{};
+  };
+  REQUIRE(vessels.solve(own, oil, scene, leaks).good());
+  // Then one that drives oil in, as much whatever the vessel holds, which begins empty.
+  const double in = 1e-6;  // [kg/s]
+  patch.pressure = p_cav;
+  patch.fill = 0.01;
+  const auto drives = [&](fluid::OilFlows& flows) {
+    flows.patch = {-in};
+    return Verdict{};
+  };
+  REQUIRE(vessels.solve(own, {0.0}, scene, drives).good());
+  const double kappa = 860.0 * c.supplies[0].vessel->volume / c.supplies[0].vessel->bulk_modulus;
+  CHECK(patch.fill == 1.0);
+  CHECK(patch.pressure - p_cav == Approx(own * in / kappa).epsilon(1e-3));
+}
+
 TEST_CASE("AVeryLargeVesselIsASupplyOfGivenPressure", "[vessel]") {
   Case c = cut_off_case(1.0);
   const CycleResult large = with_vessels(c);

@@ -16,7 +16,6 @@ namespace shellback::app {
 namespace {
 
 constexpr std::size_t kLargestFile = 10'000'000;  ///< [B]; a case is a few kB, a profile some 100
-constexpr int kDeepestKey = 16;  ///< names in a dotted key; the parser recurses on them
 
 /// Cures for a file that is not what it is to be.
 struct TextWords {

@@ -6,6 +6,8 @@
 
 namespace shellback::app {
 
+inline constexpr int kDeepestKey = 16;  ///< names in a dotted key; the parser recurses on them
+
 /// What a text is to be, so that a message can say what to give.
 enum class TextKind {
   case_file,

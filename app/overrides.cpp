@@ -14,8 +14,6 @@
 namespace shellback::app {
 namespace {
 
-constexpr std::size_t kDeepestKey = 16;  ///< as in case_text.cpp: deeper tables are no case
-
 std::vector<std::string> split(const std::string& key, const std::string& place) {
   std::vector<std::string> parts(1);
   for (const char c : key) {
@@ -34,7 +32,7 @@ std::vector<std::string> split(const std::string& key, const std::string& place)
                        fmt::format("{} is no key; write it as in section.key", in_quotes(key)));
     }
   }
-  if (parts.size() > kDeepestKey) {
+  if (parts.size() > static_cast<std::size_t>(kDeepestKey)) {
     throw InputError(place, fmt::format("{} has more parts than any key", in_quotes(key)));
   }
   return parts;

@@ -14,7 +14,6 @@
 namespace shellback::app {
 namespace {
 
-using study::Axis;
 using study::Spacing;
 
 constexpr const char* kExamples =
@@ -91,7 +90,7 @@ Tail cut_tail(std::string& range, const std::string& place) {
   return tail;
 }
 
-Axis range_axis(const std::string& key, std::string text, const std::string& place) {
+study::Axis range_axis(const std::string& key, std::string text, const std::string& place) {
   const Tail tail = cut_tail(text, place);
   const std::size_t dots = text.find("..");
   const std::string parts[]{trimmed(text.substr(0, dots)), trimmed(text.substr(dots + 2))};
@@ -144,7 +143,7 @@ std::vector<std::string> list_entries(const std::string& text) {
   return entries;
 }
 
-Axis list_axis(const std::string& key, const std::string& text, const std::string& place) {
+study::Axis list_axis(const std::string& key, const std::string& text, const std::string& place) {
   const std::vector<std::string> entries = list_entries(text);
   std::vector<Written> values;
   for (const std::string& entry : entries) {
@@ -153,7 +152,7 @@ Axis list_axis(const std::string& key, const std::string& text, const std::strin
     }
     if (const auto value = number_in(entry)) values.push_back(*value);
   }
-  Axis axis = study::word_axis(key, entries);
+  study::Axis axis = study::word_axis(key, entries);
   if (values.size() == entries.size()) {
     std::vector<double> numbers;
     for (const Written& w : values) numbers.push_back(w.number);
@@ -170,7 +169,7 @@ Axis list_axis(const std::string& key, const std::string& text, const std::strin
 
 }  // namespace
 
-Axis parse_axis(const std::string& key_and_values) {
+study::Axis parse_axis(const std::string& key_and_values) {
   const std::size_t equal = key_and_values.find('=');
   if (equal == std::string::npos || equal == 0) {
     throw InputError("--vary",
@@ -184,13 +183,13 @@ Axis parse_axis(const std::string& key_and_values) {
   return range ? range_axis(key, values, place) : list_axis(key, values, place);
 }
 
-std::vector<Axis> parse_axes(const std::vector<std::string>& vary,
-                             const std::vector<Override>& set) {
+std::vector<study::Axis> parse_axes(const std::vector<std::string>& vary,
+                                    const std::vector<Override>& set) {
   constexpr double kMostPoints = 1e6;
-  std::vector<Axis> axes;
+  std::vector<study::Axis> axes;
   double points = 1.0;
   for (const std::string& words : vary) {
-    Axis axis = parse_axis(words);
+    study::Axis axis = parse_axis(words);
     const auto same = [&](const auto& other) { return other.key == axis.key; };
     if (std::any_of(axes.begin(), axes.end(), same)) {
       throw InputError("--vary " + axis.key, "the key is varied twice; give all values at once");

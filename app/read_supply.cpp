@@ -14,7 +14,6 @@ using bearing::Supply;
 using bearing::SupplyKind;
 
 constexpr double kFullCircle = 2.0 * kPi;  ///< [rad]
-constexpr const bearing::ValueRanges& kCan = bearing::kValueRanges;
 
 /// A hole of the shell, or the mouth of a drilling of the journal.
 void read_hole(const Section& section, double radius, Supply& supply) {
@@ -32,7 +31,7 @@ void read_hole(const Section& section, double radius, Supply& supply) {
       {"kind", "angle", "z", "diameter", "depth", "pressure", "pressure_absolute", "temperature",
        "carry_over", "heat_transfer", "vessel_volume", "vessel_bulk_modulus", "open"},
       "a supply of kind \"hole\"");
-  supply.angle = section.quantity("angle", kAngle, kCan.turn);
+  supply.angle = section.quantity("angle", kAngle, bearing::kValueRanges.turn);
   supply.diameter = section.quantity("diameter", kLength.such_as("5 mm"), kPositive);
   supply.arc = supply.diameter / radius;
   supply.length = supply.diameter;
@@ -43,7 +42,7 @@ void read_axial_groove(const Section& section, double radius, Supply& supply) {
                 "pressure_absolute", "temperature", "carry_over", "heat_transfer", "vessel_volume",
                 "vessel_bulk_modulus", "open"},
                "a supply of kind \"axial_groove\"");
-  supply.angle = section.quantity("angle", kAngle, kCan.turn);
+  supply.angle = section.quantity("angle", kAngle, bearing::kValueRanges.turn);
   supply.length = section.quantity("length", kLength.such_as("10 mm"), kPositive);
   if (section.has("arc") && section.has("width")) {
     section.fail("width", "the groove's arc is given too; keep one of them");
@@ -54,7 +53,7 @@ void read_axial_groove(const Section& section, double radius, Supply& supply) {
                  "width = \"5 mm\"");
   }
   supply.arc = section.has("arc")
-                   ? section.quantity("arc", kAngle.such_as("18 deg"), kCan.arc)
+                   ? section.quantity("arc", kAngle.such_as("18 deg"), bearing::kValueRanges.arc)
                    : section.quantity("width", kLength.such_as("5 mm"), kNotNegative) / radius;
 }
 
@@ -63,10 +62,11 @@ void read_circumferential_groove(const Section& section, Supply& supply) {
                 "temperature", "carry_over", "heat_transfer", "vessel_volume",
                 "vessel_bulk_modulus", "open"},
                "a supply of kind \"circumferential_groove\"");
-  supply.arc = section.quantity_or("extent", kAngle, kFullCircle, "", kCan.extent);
-  if (supply.arc < kFullCircle) supply.angle = section.quantity("angle", kAngle, kCan.turn);
+  supply.arc = section.quantity_or("extent", kAngle, kFullCircle, "", bearing::kValueRanges.extent);
+  if (supply.arc < kFullCircle)
+    supply.angle = section.quantity("angle", kAngle, bearing::kValueRanges.turn);
   if (supply.arc >= kFullCircle) {
-    supply.angle = section.quantity_or("angle", kAngle, 0.0, "", kCan.turn);
+    supply.angle = section.quantity_or("angle", kAngle, 0.0, "", bearing::kValueRanges.turn);
   }
   supply.length = section.quantity("width", kLength.such_as("5 mm"), kPositive);
 }
@@ -112,7 +112,7 @@ void read_heat_transfer(const Section& section, Supply& supply) {
   if (word || (!given && section.has("depth"))) {
     supply.heat_transfer = bearing::ChannelHeat{};
   } else if (given) {
-    supply.heat_transfer = section.quantity(key, kHeatTransfer, kCan.groove_heat);
+    supply.heat_transfer = section.quantity(key, kHeatTransfer, bearing::kValueRanges.groove_heat);
   }
   if (given) return;
   section.assume(

@@ -16,7 +16,7 @@ namespace shellback::app {
 namespace {
 
 using namespace hdf5;
-using Json = nlohmann::json;
+using Sorted = nlohmann::json;
 
 constexpr const char* kFormat = "shellback state";
 constexpr int kVersion = 17;  ///< of the order in which values stand on the tape
@@ -26,12 +26,12 @@ std::string bits_of(const std::vector<double>& x) {
   return fnv1a_64({reinterpret_cast<const char*>(x.data()), x.size() * sizeof(double)});
 }
 
-Json running_in_json(const bearing::RunningIn& r) {
-  Json json{{"wear_coefficient", r.wear_coefficient},
-            {"hardness", r.hardness},
-            {"until", r.duration ? Json(*r.duration) : Json("worn_in")},
-            {"limit_pressure", r.limit_pressure},
-            {"worn_after", r.worn_after}};
+Sorted running_in_json(const bearing::RunningIn& r) {
+  Sorted json{{"wear_coefficient", r.wear_coefficient},
+              {"hardness", r.hardness},
+              {"until", r.duration ? Sorted(*r.duration) : Sorted("worn_in")},
+              {"limit_pressure", r.limit_pressure},
+              {"worn_after", r.worn_after}};
   if (r.worn) {
     json["worn"] = {r.worn->roughness, r.worn->orientation, r.worn->summit_roughness,
                     r.worn->summit_height};
@@ -56,11 +56,11 @@ const char* name_of(RunOf run) {
 }
 
 /// All on which the numbers of a run depend.
-Json identity(const bearing::Case& c, RunOf run, const RunOptions& options) {
+Sorted identity(const bearing::Case& c, RunOf run, const RunOptions& options) {
   const Provenance p = provenance(c);
-  Json program{{"version", p.version}, {"git", p.git}, {"state", kVersion}};
+  Sorted program{{"version", p.version}, {"git", p.git}, {"state", kVersion}};
   for (const auto& [name, version] : p.libraries) program[name] = version;
-  Json subject = case_json(c);
+  Sorted subject = case_json(c);
   const auto add_table = [&](const char* key, const std::optional<bearing::Profile>& t) {
     if (t) subject["bearing"][key] = {bits_of(t->phi), bits_of(t->z), bits_of(t->height)};
   };
@@ -76,12 +76,12 @@ Json identity(const bearing::Case& c, RunOf run, const RunOptions& options) {
 }
 
 /// Keys by which two of them differ, "load_cycle.load_x", each once.
-std::vector<std::string> different(const Json& kept, const Json& now) {
+std::vector<std::string> different(const Sorted& kept, const Sorted& now) {
   constexpr std::size_t kMost = 5;   // that are told
   constexpr std::size_t kDepth = 2;  // of keys: below are values, units and rows
   std::vector<std::string> keys;
   std::set<std::string> known;
-  for (const Json& change : Json::diff(kept, now)) {
+  for (const Sorted& change : Sorted::diff(kept, now)) {
     const std::string path = change["path"].get<std::string>().substr(1);
     std::string key;
     std::size_t depth = 0;
@@ -180,25 +180,25 @@ Tape::Content read_run_state(const std::string& path, const bearing::Case& c, Ru
   } catch (const FileError&) {
     throw damaged("it is cut short, or no HDF5 file");
   }
-  const Json kept = Json::parse(r.identity, nullptr, false);
+  const Sorted kept = Sorted::parse(r.identity, nullptr, false);
   if (!kept.is_object() || r.sum != sum_of(r.identity, r.kept))
     throw damaged("its check sum is wrong");
-  const Json now = identity(c, run, options);
-  if (kept.value("program", Json()) != now["program"]) {
+  const Sorted now = identity(c, run, options);
+  if (kept.value("program", Sorted()) != now["program"]) {
     throw InputError("--resume",
                      fmt::format("{} was written by another version of shellback, whose numbers "
                                  "may differ; go on with that one, or leave out --resume to begin "
                                  "anew",
                                  path));
   }
-  if (kept.value("run", Json()) != now["run"]) {
+  if (kept.value("run", Sorted()) != now["run"]) {
     throw InputError("--resume",
                      fmt::format("{} is the state of {}, and this is {}; give the options of that "
                                  "run, or leave out --resume to begin this one anew (which "
                                  "replaces the state)",
                                  path, kept.value("run", "another run"), name_of(run)));
   }
-  if (kept.value("case", Json()) != now["case"]) {
+  if (kept.value("case", Sorted()) != now["case"]) {
     throw InputError(
         "--resume",
         fmt::format("{} is the state of another case: {} differ; go on with the case as it was, or "

@@ -10,19 +10,18 @@
 namespace shellback::app {
 
 using bearing::Case;
-using study::Axis;
 using study::Position;
 
 namespace {
 
-std::vector<std::string> words_at(const std::vector<Axis>& axes, const Position& at) {
+std::vector<std::string> words_at(const std::vector<study::Axis>& axes, const Position& at) {
   std::vector<std::string> words{word_at(axes.front(), at.along)};
   for (std::size_t a = 1; a < axes.size(); ++a) words.push_back(axes[a].words[at.across[a - 1]]);
   return words;
 }
 
 /// `set` and, last, the values of the axes.
-std::vector<Override> overrides_at(std::vector<Override> set, const std::vector<Axis>& axes,
+std::vector<Override> overrides_at(std::vector<Override> set, const std::vector<study::Axis>& axes,
                                    const Position& at) {
   const std::vector<std::string> words = words_at(axes, at);
   for (std::size_t a = 0; a < axes.size(); ++a) {
@@ -41,7 +40,7 @@ std::vector<Override> overrides_at(std::vector<Override> set, const std::vector<
 
 }  // namespace
 
-std::string position_words(const std::vector<Axis>& axes, const Position& at) {
+std::string position_words(const std::vector<study::Axis>& axes, const Position& at) {
   const std::vector<std::string> words = words_at(axes, at);
   std::string text;
   for (std::size_t a = 0; a < axes.size(); ++a) {
@@ -50,7 +49,7 @@ std::string position_words(const std::vector<Axis>& axes, const Position& at) {
   return text;
 }
 
-std::string axis_words(const Axis& axis) {
+std::string axis_words(const study::Axis& axis) {
   constexpr int kFew = 6;
   if (axis.size() <= kFew) return axis.key + " = " + comma_list(axis.words);
   return fmt::format("{} = {} to {}, {} values", axis.key, axis.words.front(), axis.words.back(),
@@ -58,7 +57,7 @@ std::string axis_words(const Axis& axis) {
 }
 
 study::CaseAt case_source(std::string text, std::string path, std::vector<Override> set,
-                          std::vector<Axis> axes) {
+                          std::vector<study::Axis> axes) {
   return [text = std::move(text), path = std::move(path), set = std::move(set),
           axes = std::move(axes)](const Position& at) {
     try {
@@ -70,7 +69,7 @@ study::CaseAt case_source(std::string text, std::string path, std::vector<Overri
 }
 
 Case sweep_subject(const std::string& text, const std::string& path,
-                   const std::vector<Override>& set, const std::vector<Axis>& axes) {
+                   const std::vector<Override>& set, const std::vector<study::Axis>& axes) {
   const Position first{0.0, std::vector<int>(axes.size() - 1, 0)};
   Case subject = case_source(text, path, set, axes)(first);
   subject.verbatim = text;
@@ -80,13 +79,14 @@ Case sweep_subject(const std::string& text, const std::string& path,
     subject.verbatim +=
         fmt::format("# changed on the command line: {} = {}\n", change.key, change.value);
   }
-  for (const Axis& axis : axes) subject.verbatim += fmt::format("# varied: {}\n", axis_words(axis));
+  for (const study::Axis& axis : axes)
+    subject.verbatim += fmt::format("# varied: {}\n", axis_words(axis));
   return subject;
 }
 
 std::vector<std::string> files_of_sweep(const std::string& text, const std::string& path,
                                         const std::vector<Override>& set,
-                                        const std::vector<Axis>& axes) {
+                                        const std::vector<study::Axis>& axes) {
   std::vector<std::string> files;
   const auto add = [&](const Position& at) {
     const auto more = files_of_case(text, path, overrides_at(set, axes, at));
@@ -106,7 +106,7 @@ std::vector<std::string> files_of_sweep(const std::string& text, const std::stri
   return files;
 }
 
-std::optional<double> value_in_file(const std::string& text, const Axis& axis) {
+std::optional<double> value_in_file(const std::string& text, const study::Axis& axis) {
   if (axis.numbers.empty()) return std::nullopt;
   toml::table root = parse_toml(text, "");
   const auto node = root.at_path(axis.key);

@@ -13,7 +13,7 @@ function(shellback_library name)
   target_link_libraries(shellback_${name} PUBLIC ${ARG_LINKS}
     PRIVATE $<BUILD_INTERFACE:shellback_flags>)
   set_target_properties(shellback_${name} PROPERTIES
-    UNITY_BUILD ${SHELLBACK_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+    UNITY_BUILD ${SHELLBACK_UNITY} UNITY_BUILD_BATCH_SIZE 16)
   if(name STREQUAL "core")
     target_precompile_headers(shellback_core PRIVATE ${SHELLBACK_PRECOMPILED})
   else()

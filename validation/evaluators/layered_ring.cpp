@@ -14,7 +14,7 @@ namespace {
 
 using namespace solid;
 
-constexpr double kBore = 23.9e-3;      ///< radius [m]
+constexpr double kRadius = 23.9e-3;    ///< radius [m]
 constexpr double kOuter = 47.8e-3;     ///< radius of the outer surface [m]
 constexpr double kShell = 2e-3;        ///< thickness of the steel shell [m]
 constexpr double kWidth = 17.2e-3;     ///< [m]
@@ -49,7 +49,7 @@ struct Openings {
 };
 
 double uneven_heat(double r, double z) {
-  const double depth = (r - kBore) / (kOuter - kBore), along = 2.0 * z / kWidth;
+  const double depth = (r - kRadius) / (kOuter - kRadius), along = 2.0 * z / kWidth;
   return 0.5 * kHeating * (1.0 - 0.5 * depth) * (1.0 - 0.5 * along * along);
 }
 
@@ -81,14 +81,14 @@ struct Section {
 
 FilmGrid film(int cells) {
   constexpr int kCircumferential = 48;  // cells; of no effect on the harmonics
-  return make_grid(kBore, kWidth, kCircumferential, cells, true);
+  return make_grid(kRadius, kWidth, kCircumferential, cells, true);
 }
 
 Section section_of(const Body& body) {
   const FilmGrid grid = film(body.film_cells);
-  const double rest = kOuter - kBore - kShell - body.thickness;
+  const double rest = kOuter - kRadius - kShell - body.thickness;
   const RadialRows rows =
-      rows_outwards(kBore, {body.thickness, kShell, rest}, surface_row(kBore, kResolved));
+      rows_outwards(kRadius, {body.thickness, kShell, rest}, surface_row(kRadius, kResolved));
   const Material steel{"", 1.0, 1000.0, 1000.0, 210e9, 0.3, 11e-6};
   const Material layer{"", 1.0, 1000.0, 1000.0, 2e9, body.nu, 60e-6};
   return {grid,

@@ -75,7 +75,7 @@ std::string short_number(double value) {
   return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-";
 }
 
-std::string with_unit(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
+std::string after_number(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
 std::string describe(const Tolerance& t, const std::string& unit) {
   std::string words;
@@ -84,7 +84,7 @@ std::string describe(const Tolerance& t, const std::string& unit) {
   };
   if (t.relative > 0.0) add(fmt::format("{:.4g} %", 100.0 * t.relative));
   if (t.of_maximum > 0.0) add(fmt::format("{:.4g} % of the largest", 100.0 * t.of_maximum));
-  if (t.absolute > 0.0) add(fmt::format("{:.4g}{}", t.absolute, with_unit(unit)));
+  if (t.absolute > 0.0) add(fmt::format("{:.4g}{}", t.absolute, after_number(unit)));
   return words;
 }
 

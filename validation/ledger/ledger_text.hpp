@@ -28,6 +28,6 @@ void write_summary(std::ostream& out, const std::vector<EntryReport>& reports,
 /// "15 % of the maximum + 0.03": a tolerance in words.
 [[nodiscard]] std::string describe(const Tolerance& tolerance, const std::string& unit);
 /// " um" for "um", nothing for "1".
-[[nodiscard]] std::string with_unit(const std::string& unit);
+[[nodiscard]] std::string after_number(const std::string& unit);
 
 }  // namespace shellback::validation

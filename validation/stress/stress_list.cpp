@@ -31,17 +31,17 @@ std::string csv_rest(const StressCell& cell) {
   return out + fmt::format(",{:.3g},{}", cell.seconds, csv_text(cell.why));
 }
 
-using Json = nlohmann::json;
+using Sorted = nlohmann::json;
 
-Json cell_json(const StressRow& row, std::size_t m, std::size_t k) {
+Sorted cell_json(const StressRow& row, std::size_t m, std::size_t k) {
   const StressCell& cell = row.cells[m][k];
-  Json j{{"scene", row.scene.name},
-         {"tier", to_string(row.scene.tier)},
-         {"method", stress_methods()[m].name},
-         {"value", row.scene.steps[k].label},
-         {"class", to_string(cell.result)},
-         {"why", cell.why},
-         {"seconds", cell.seconds}};
+  Sorted j{{"scene", row.scene.name},
+           {"tier", to_string(row.scene.tier)},
+           {"method", stress_methods()[m].name},
+           {"value", row.scene.steps[k].label},
+           {"class", to_string(cell.result)},
+           {"why", cell.why},
+           {"seconds", cell.seconds}};
   if (cell.convention) j["convention"] = true;
   if (cell.result == StressClass::converged) {
     for (const auto& [name, x] : cell.answer.quantities) j["quantities"][name] = x;
@@ -53,8 +53,8 @@ Json cell_json(const StressRow& row, std::size_t m, std::size_t k) {
   return j;
 }
 
-Json asked_json(const StressRow& row, std::size_t k) {
-  Json list = Json::array();
+Sorted asked_json(const StressRow& row, std::size_t k) {
+  Sorted list = Sorted::array();
   for (const StressWitness& w : row.asked[k]) {
     list.push_back({{"asked", w.name},
                     {"class", to_string(w.cell.result)},
@@ -85,7 +85,7 @@ std::string stress_csv(const StressMap& map) {
 }
 
 std::string stress_json(const StressMap& map) {
-  Json list = Json::array();
+  Sorted list = Sorted::array();
   for (const StressRow& row : map.rows) {
     for (std::size_t m = 0; m < row.cells.size(); ++m) {
       for (std::size_t k = 0; k < row.cells[m].size(); ++k) {
@@ -96,11 +96,11 @@ std::string stress_json(const StressMap& map) {
       }
     }
   }
-  Json counts;
+  Sorted counts;
   for (const StressClass c : kStressClasses) counts[to_string(c)] = map.count(0, c);
-  const Json all{
+  const Sorted all{
       {"complete", map.complete}, {"shipped", std::move(counts)}, {"cells", std::move(list)}};
-  return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return all.dump(1, ' ', false, Sorted::error_handler_t::replace) + "\n";
 }
 
 }  // namespace shellback::validation

@@ -15,7 +15,7 @@ constexpr const char* kLegend =
     "is "
     "one · `WRONG` · `NaN` · `CRASH` · `HANG` · `·` does not apply\n";
 
-constexpr std::size_t kReasonLength = 160;  ///< of a reason on the page [characters]
+constexpr std::size_t kLongReason = 160;  ///< of a reason on the page [characters]
 
 /// For Markdown table cells.
 std::string cell_text(std::string text) {
@@ -90,7 +90,7 @@ std::string endings(const StressRow& row) {
     out += fmt::format(
         "- {}, {}: {}{}: {}\n", to_string(row.scene.tier), row.scene.steps[k].label,
         is_fault(cell.result) ? std::string(stress_mark(cell.result)) + " " : std::string(),
-        to_string(cell.result) + nobody_else(row, k), cell_text(in_short(cell.why, kReasonLength)));
+        to_string(cell.result) + nobody_else(row, k), cell_text(in_short(cell.why, kLongReason)));
   }
   return out;
 }

@@ -43,6 +43,11 @@ void read_sections(const Section& file, Case& result) {
   result.surfaces = read_surfaces(file);
   result.measured = read_measured(file);
   result.running_in = read_running_in(file);
+  if (result.running_in && result.running_in->worn && result.bearing.shape) {
+    file.assume(
+        "the shell's surface is that of [surfaces.shell], however worn bearing.shape is: a "
+        "running-in tells which surface belongs to its profile");
+  }
 }
 
 /// The key as the file has it: a value that can be given in two ways is judged as one.

@@ -27,18 +27,22 @@ constexpr std::string_view kHdf5Begin = "\x89HDF\r\n\x1a\n";  // signature of th
 /// Signature and header chunk of a PNG file (ISO/IEC 15948, 5.2 and 11.2.2) [B]
 constexpr std::size_t kPngHead = 8 + 25;
 
-/// A new last column: its name in the header, the version in every row. A line ends where no quote
-/// is open.
+/// A new last column: its name in the header, the version in every row; comments ("# ...") stay. A
+/// line ends where no quote is open.
 std::string with_column(const std::string& table) {
   std::string out;
   bool quoted = false;
   bool header = true;
-  for (const char c : table) {
+  bool comment = table.starts_with('#');
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const char c = table[k];
     if (c == '"') quoted = !quoted;
-    if (c == '\n' && !quoted) {
+    const bool ends = c == '\n' && !quoted;
+    if (ends && !comment) {
       out += header ? std::string(kColumn) : fmt::format(",{}", kVersion);
       header = false;
     }
+    if (ends) comment = k + 1 < table.size() && table[k + 1] == '#';
     out += c;
   }
   return out;

@@ -144,7 +144,8 @@ std::string course_json(const std::vector<Stretch>& stretches,
   json["warnings"] = words_of(bearing::march_warnings(c.oil, run.instants));
   json["assumptions"] = c.assumptions;
   json["provenance"] = Json::parse(result_json(c, {}))["provenance"];
-  return json.dump(2) + "\n";
+  json_parts::add_case(json, c);  // of the first stretch
+  return json_parts::dump(json);
 }
 
 std::string course_svg(const std::vector<Stretch>& stretches, const CourseRun& run) {

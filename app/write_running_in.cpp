@@ -155,7 +155,41 @@ std::string told(const RunningInRun& run) {
                      1e9 * last.volume);
 }
 
+/// The keys of a surface, its members and their units.
+struct SurfaceKey {
+  const char* name;
+  double solid::RoughSurface::*value;
+  const char* unit;
+};
+constexpr SurfaceKey kSurfaceKeys[] = {
+    {"roughness", &solid::RoughSurface::roughness, "m"},
+    {"orientation", &solid::RoughSurface::orientation, "1"},
+    {"summit_roughness", &solid::RoughSurface::summit_roughness, "m"},
+    {"summit_height", &solid::RoughSurface::summit_height, "m"}};
+
+/// That of the last state; none where the surface does not change.
+void add_surface(Json& json, const bearing::Case& c, const RunningInRun& run) {
+  if (!c.running_in->worn) return;
+  const solid::RoughSurface shell = bearing::worn_surface(c, largest(run.wear));
+  for (const SurfaceKey& key : kSurfaceKeys) {
+    json["surface"][key.name] = json_parts::with_unit(shell.*key.value, key.unit);
+  }
+}
+
 }  // namespace
+
+std::string worn_surface_keys(const bearing::Case& c, const RunningInRun& run) {
+  if (!c.running_in->worn) return "";
+  const solid::RoughSurface shell = bearing::worn_surface(c, largest(run.wear));
+  std::string keys;
+  for (const SurfaceKey& key : kSurfaceKeys) {
+    const bool length = key.unit == std::string("m");
+    const std::string value = length ? fmt::format("\"{:.6g} um\"", kMicro * (shell.*key.value))
+                                     : fmt::format("{:.6g}", shell.*key.value);
+    keys += fmt::format("{}--set 'surfaces.shell.{}={}'", keys.empty() ? "" : " ", key.name, value);
+  }
+  return keys;
+}
 
 std::vector<std::string> words_of_last_state(const RunningInRun& run) {
   const LastState last = last_state(run);
@@ -195,8 +229,11 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
     json["limiters"] = json_parts::limiters_json(last.limiters);
     json["warnings"] = words_of(last.warnings);
   }
+  if (!run.states.empty()) add_surface(json, c, run);
+  json["assumptions"] = c.assumptions;
   json["provenance"] = json_parts::provenance_json(c);
-  return json.dump(2) + "\n";
+  json_parts::add_case(json, c);
+  return json_parts::dump(json);
 }
 
 std::string running_in_svg(const bearing::Case& c, const RunningInRun& run) {
@@ -234,6 +271,8 @@ std::string worn_shape_csv(const bearing::Case& c, const RunningInRun& run) {
       csv += fmt::format("{:.10g}, {:.10g}, {:.10g}\n", degrees, 1e3 * z, kMicro * height);
     }
   }
+  const std::string keys = worn_surface_keys(c, run);
+  if (!keys.empty()) csv += "# the surface that belongs to it: " + keys + "\n";
   return csv;
 }
 

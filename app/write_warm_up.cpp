@@ -98,8 +98,10 @@ std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
   json["warnings"] = words_of(bearing::warm_up_warnings(c.oil, run, steady));
   const Json one = Json::parse(result_json(c, steady));
   json["steady"] = {{"status", one["status"]}, {"quantities", one["quantities"]}};
+  json["assumptions"] = c.assumptions;
   json["provenance"] = one["provenance"];
-  return json.dump(2) + "\n";
+  json_parts::add_case(json, c);
+  return json_parts::dump(json);
 }
 
 std::string warm_up_svg(const bearing::Case& c, const WarmUp& run, const bearing::Result& steady) {

@@ -37,7 +37,9 @@ struct CycleInstant {
   /// Torque at which the journal would begin to turn: the boundary coefficient times the contact's
   /// sum, of a journal at rest; 0 while it turns [N m].
   double breakaway = 0.0;
-  double power = 0.0;  ///< torque times speed, and the work of the load on the moving journal [W]
+  /// Torque times speed, and the work of load and moment on the moving journal; a moment's is the
+  /// mean over the step [W]
+  double power = 0.0;
   double supply_flow = 0.0;                                       ///< mean over the step [m3/s]
   double side_flow = 0.0;                                         ///< mean over the step [m3/s]
   double oil = 0.0;                                               ///< in the gap [kg]
@@ -65,8 +67,9 @@ struct CycleAudit {
   /// Film heat made - into the walls - carried off - stored, over the heat made [-]; NaN: no film
   /// temperatures.
   double energy = std::numeric_limits<double>::quiet_NaN();
-  /// Work of shaft, load and supply less the heat that film and asperities make, over that work:
-  /// what the steps in time lose of the elastic work, of second order in them [-]. NaN as before.
+  /// Work of shaft, load, moment and supply less the heat that film and asperities make and less
+  /// what elastic surfaces have stored, over that work: what the steps in time lose of the elastic
+  /// work, of second order in them [-]. NaN as before.
   double work = std::numeric_limits<double>::quiet_NaN();
   /// Largest change of a wall's mean temperature, or of its thermal deformation (10 K a clearance),
   /// in the last turn of the search for the walls [K]. NaN as before.

@@ -176,6 +176,9 @@ CycleResult CyclePasses::result() const {
                                        : note::Plain::event_from_steady);
     if (begun_cold_) r.assumptions.push_back(note::Plain::event_without_heat);
   }
+  if (passes_over_supply(c_, tier_)) {
+    r.assumptions.push_back(note::Plain::supply_temperature_unused);
+  }
   r.tier = tier_;
   r.cost.factorizations = cost_.factorizations;
   r.cost.newton_iterations = cost_.newton_iterations;

@@ -37,6 +37,23 @@ Field CycleRecord::shell_surface(const FilmInTime& now) const {
   return T;
 }
 
+double CycleRecord::work_of_moment(const CycleInstant& from, const CycleInstant& to) const {
+  const LoadTarget& load = film_->point().load;
+  if (load.unknowns < 4) return 0.0;  // the tilt is held
+  return -load.force[2] * (to.tilt_x - from.tilt_x) - load.force[3] * (to.tilt_y - from.tilt_y);
+}
+
+double CycleRecord::stored_by_surfaces(const FilmInTime& now) const {
+  const FilmGrid& g = film_->model().domain.grid;
+  const FilmEquilibrium& f = now.film;
+  double sum = 0.0;
+  if (f.elastic.empty() || film_->point().layer) return sum;
+  for (int c = 0; c < g.cells(); ++c) {
+    sum += 0.5 * (f.film.p[c] + f.p_contact[c]) * f.elastic[c] * g.area(c / g.nz, c % g.nz);
+  }
+  return g.multiplicity() * sum;
+}
+
 void CycleRecord::add_contact(const FilmEquilibrium& f, CycleInstant& i) {
   const BearingModel& m = film_->model();
   const AsperityStress tau = asperity_stress(m, film_->point(), f);
@@ -72,6 +89,7 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, const Field& p, doub
   i.torque = friction.viscous + friction.asperity;
   i.torque_asperity = friction.asperity;
   i.power = i.torque * load.omega + load.x * i.vx + load.y * i.vy;
+  if (dt > 0.0) i.power += work_of_moment(instants_.back(), i) / dt;
   i.oil = oil_in_gap(now.oil);
   if (film_->vessels().any()) i.p_vessel = film_->vessels().least_pressure(now.vessels);
   if (film_->heat() && !now.heat.T.empty()) {
@@ -92,6 +110,7 @@ void CycleRecord::begin(const FilmInTime& now) {
   first.supply_flow = now.flows.supply / rho;
   first.side_flow = now.flows.side / rho;
   oil_begun_ = oil_ended_ = first.oil;
+  stored_begun_ = stored_ended_ = stored_by_surfaces(now);
   v_begun_ = v_ended_ = now.velocity;
   vessels_begun_ = vessels_ended_ = total(now.vessels);
   p_max_ = now.film.film.p;
@@ -181,6 +200,7 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   }
   oil_ended_ = i.oil;
   v_ended_ = step.after.velocity;
+  stored_ended_ = stored_by_surfaces(step.after);
   supply_ += step.supply;
   fed_.resize(step.patch.size(), 0.0);
   for (std::size_t k = 0; k < fed_.size(); ++k) fed_[k] += step.patch[k];
@@ -201,10 +221,11 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
 void CycleRecord::members(Tape& tape) {
   auto& [film, course, length, instants, frames, next_frame, oil_begun, oil_ended, supply, side,
          fed, line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
-         off_balance, layer_loss, layer_depth, p_max, p_asperity_max, h_min, friction, power_now,
-         heat, T_film, T_shell, T_shell_max, wear, bent_edges] = *this;
+         off_balance, stored_begun, stored_ended, layer_loss, layer_depth, p_max, p_asperity_max,
+         h_min, friction, power_now, heat, T_film, T_shell, T_shell_max, wear, bent_edges] = *this;
   tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, fed, impulse, v_begun,
-       v_ended, line, vessels_begun, vessels_ended, dry, layer_loss, layer_depth);
+       v_ended, line, vessels_begun, vessels_ended, dry, stored_begun, stored_ended, layer_loss,
+       layer_depth);
   tape(pump_now, pump, off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film,
        T_shell, T_shell_max, wear, bent_edges);
 }

@@ -69,6 +69,14 @@ class CycleRecord {
   /// Mean over time of a value that is straight between instants.
   [[nodiscard]] double mean(double CycleInstant::*value) const;
   [[nodiscard]] double mean_magnitude(double CycleInstant::*value) const;
+  /// Mean of CycleInstant::power with each of its factors straight between instants: under a load
+  /// that rises in one step the velocity rises with it, and their product is a parabola [W].
+  [[nodiscard]] double mean_power() const;
+  /// Work of the moment on the journal between two instants [J].
+  [[nodiscard]] double work_of_moment(const CycleInstant& from, const CycleInstant& to) const;
+  /// Held by the elastic surfaces, half of pressure times widening; none of an elasto-plastic
+  /// layer, whose spring is not straight [J].
+  [[nodiscard]] double stored_by_surfaces(const FilmInTime& now) const;
   void gather_fields(const FilmInTime& now, const Field& p, double dt);
   /// Keeps the film, if it is time: at the instants that the case gives, or evenly.
   void keep_frame(const FilmInTime& now, const Field& p);
@@ -91,22 +99,23 @@ class CycleRecord {
   double length_;
   std::vector<CycleInstant> instants_;
   std::vector<CycleFrame> frames_;
-  double next_frame_ = 0.0;             ///< [s]
-  double oil_begun_ = 0.0;              ///< [kg]
-  double oil_ended_ = 0.0;              ///< [kg]
-  double supply_ = 0.0, side_ = 0.0;    ///< over the cycle [kg]
-  std::vector<double> fed_;             ///< of `supply_`, out of every one [kg]
-  double line_ = 0.0;                   ///< come from the lines of the supplies [kg]
-  double vessels_begun_ = 0.0;          ///< oil in them beyond that at p_cav [kg]
-  double vessels_ended_ = 0.0;          ///< [kg]
-  double dry_ = 0.0;                    ///< time with an empty vessel [s]
-  std::array<double, 2> impulse_{};     ///< of the film [N s]
-  std::array<double, 2> v_begun_{};     ///< [m/s]
-  std::array<double, 2> v_ended_{};     ///< [m/s]
-  double pump_now_ = 0.0, pump_ = 0.0;  ///< at the last instant [W], over the cycle [J]
-  double off_balance_ = 0.0;            ///< [N]
-  double layer_loss_ = 0.0;             ///< of an elasto-plastic layer so far, solved part [J]
-  Field layer_depth_;                   ///< lasting, as it stands [m]; empty: none
+  double next_frame_ = 0.0;                         ///< [s]
+  double oil_begun_ = 0.0;                          ///< [kg]
+  double oil_ended_ = 0.0;                          ///< [kg]
+  double supply_ = 0.0, side_ = 0.0;                ///< over the cycle [kg]
+  std::vector<double> fed_;                         ///< of `supply_`, out of every one [kg]
+  double line_ = 0.0;                               ///< come from the lines of the supplies [kg]
+  double vessels_begun_ = 0.0;                      ///< oil in them beyond that at p_cav [kg]
+  double vessels_ended_ = 0.0;                      ///< [kg]
+  double dry_ = 0.0;                                ///< time with an empty vessel [s]
+  std::array<double, 2> impulse_{};                 ///< of the film [N s]
+  std::array<double, 2> v_begun_{};                 ///< [m/s]
+  std::array<double, 2> v_ended_{};                 ///< [m/s]
+  double pump_now_ = 0.0, pump_ = 0.0;              ///< at the last instant [W], over the cycle [J]
+  double off_balance_ = 0.0;                        ///< [N]
+  double stored_begun_ = 0.0, stored_ended_ = 0.0;  ///< by elastic surfaces [J]
+  double layer_loss_ = 0.0;  ///< of an elasto-plastic layer so far, solved part [J]
+  Field layer_depth_;        ///< lasting, as it stands [m]; empty: none
   Field p_max_, p_asperity_max_, h_min_, friction_;  ///< on the solved grid
   Field power_now_;              ///< friction per area at the last instant [W/m2]
   HeatFlows heat_;               ///< over the cycle [J], [J/m2]; nothing without film temperatures

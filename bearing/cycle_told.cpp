@@ -35,6 +35,28 @@ double CycleRecord::mean_magnitude(double CycleInstant::*value) const {
 
 namespace {
 
+/// Mean of a b over a step along which both are straight.
+double mean_product(double a, double b, double a_end, double b_end) {
+  return (2.0 * (a * b + a_end * b_end) + a * b_end + a_end * b) / 6.0;
+}
+
+}  // namespace
+
+double CycleRecord::mean_power() const {
+  double work = 0.0;
+  for (std::size_t k = 1; k < instants_.size(); ++k) {
+    const CycleInstant& from = instants_[k - 1];
+    const CycleInstant& to = instants_[k];
+    const double power = mean_product(from.torque, from.omega, to.torque, to.omega) +
+                         mean_product(from.load_x, from.vx, to.load_x, to.vx) +
+                         mean_product(from.load_y, from.vy, to.load_y, to.vy);
+    work += to.dt * power + work_of_moment(from, to);
+  }
+  return work / told();
+}
+
+namespace {
+
 /// The instant at which a value is smallest or largest.
 const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
                             bool smallest) {
@@ -106,7 +128,8 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
     add_mean("friction_torque_adhesive", &CycleInstant::torque_adhesive);
     add_mean("friction_torque_micro_hydrodynamic", &CycleInstant::torque_micro_hydrodynamic);
   }
-  add_mean("power_loss", &CycleInstant::power);
+  out.push_back(named("power_loss", mean_power()));
+  out.back().quantity.magnitude = mean_magnitude(&CycleInstant::power);
   add_extreme("h_min", &CycleInstant::h_min, true);
   add_extreme("p_max", &CycleInstant::p_max, false);
   if (film_->model().contact) {
@@ -173,7 +196,7 @@ CycleAudit CycleRecord::audit() const {
     const double both = film_->model().domain.grid.multiplicity();
     a.energy = std::abs(heat_.balance.imbalance()) / heat_.balance.heat;
     const double made = heat_.balance.heat + heat_.rubbed + layer_loss_;
-    a.work = (heat_.work - both * made) / heat_.work;
+    a.work = (heat_.work - both * made - (stored_ended_ - stored_begun_)) / heat_.work;
   }
   if (std::abs(told() / length_ - 1.0) > 1e-6) return a;  // stopped before the end
   const auto load = course_->impulse();
@@ -190,7 +213,7 @@ CycleMeans CycleRecord::means() const {
   CycleMeans m{mean(&CycleInstant::torque),
                mean(&CycleInstant::torque_asperity),
                T_film_ / told(),
-               mean(&CycleInstant::power) + pump_ / told(),
+               mean_power() + pump_ / told(),
                side_ / told(),
                fed_};
   for (double& fed : m.fed) fed /= told();

@@ -137,6 +137,10 @@ void FilmSteps::end_heat(double dt, const FilmInTime& now, const FilmEquilibrium
   heat.skin_slope = std::move(last.skin_slope);
   heat.flows = std::move(last.flows);
   step.heat.work += work_of_growth(now, now.t + dt, film, heat.skin);
+  for (int k = 2; k < 4; ++k) {  // a tilt that follows its moment has no velocity of its own
+    const double turned = film.position.q[k] - now.film.position.q[k];
+    step.heat.work -= 0.5 * (now.film.force[k] + film.force[k]) * turned;
+  }
 }
 
 double FilmSteps::work_of_growth(const FilmInTime& now, double t, const FilmEquilibrium& film,

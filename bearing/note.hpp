@@ -40,6 +40,7 @@ enum class Plain {
   estimate_of_cycle,
   estimate_vessel_open,
   estimate_drilling,
+  supply_temperature_unused,  ///< by tier isothermal with a temperature of the oil that is given
 };
 
 /// Error bars made with a finer grid, no coarser one having given a solution.

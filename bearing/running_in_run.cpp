@@ -25,4 +25,17 @@ Profile wear_table(const FilmGrid& g, const Field& wear) {
   return table;
 }
 
+solid::RoughSurface worn_surface(const Case& c, double depth) {
+  const RunningIn& given = *c.running_in;
+  solid::RoughSurface shell = c.surfaces.shell;
+  if (!given.worn) return shell;
+  const double part = std::min(1.0, depth / given.worn_after);
+  const auto mix = [part](double& a, double b) { a += part * (b - a); };
+  mix(shell.roughness, given.worn->roughness);
+  mix(shell.orientation, given.worn->orientation);
+  mix(shell.summit_roughness, given.worn->summit_roughness);
+  mix(shell.summit_height, given.worn->summit_height);
+  return shell;
+}
+
 }  // namespace shellback::bearing

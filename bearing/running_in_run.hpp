@@ -41,4 +41,8 @@ struct RunningInRun {
 /// linearly, both side edges.
 [[nodiscard]] Profile wear_table(const FilmGrid& full, const Field& wear);
 
+/// The shell's surface where the wear is `depth` at its deepest [m]: between that of the case and
+/// [running_in].worn in proportion, up to worn_after. Needs c.running_in.
+[[nodiscard]] solid::RoughSurface worn_surface(const Case& c, double depth);
+
 }  // namespace shellback::bearing

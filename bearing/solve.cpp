@@ -24,6 +24,14 @@ double equivalent_temperature(const Case& c) {
   return c.oil_temperature.value_or(T_supply);
 }
 
+bool passes_over_supply(const Case& c, Tier tier) {
+  if (tier != Tier::isothermal || !c.oil_temperature) return false;
+  const double T = equivalent_temperature(c);
+  return T == *c.oil_temperature &&
+         std::any_of(c.supplies.begin(), c.supplies.end(),
+                     [T](const Supply& supply) { return supply.temperature != T; });
+}
+
 double price_of_search(const Case& c, Tier tier) {
   constexpr double kSolves = 20.0;  // what a refusal may cost, in solves
   constexpr double kRigid = 30.0, kHeatOrElastic = 52.0;

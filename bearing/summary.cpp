@@ -283,6 +283,9 @@ Result summarize(const Solution& s, Tier tier) {
   if (m.physics.film_energy && fluid::oil_flows(s.point.scene, s.film.flow).side_inflow > 0.0) {
     r.assumptions.push_back(note::Plain::edge_oil_as_supply);
   }
+  if (passes_over_supply(m.input, tier)) {
+    r.assumptions.push_back(note::Plain::supply_temperature_unused);
+  }
   r.limiters = limiters_of(s);
   r.coefficients = s.coefficients;
   for (Note& w : warnings_of(s)) r.warnings.push_back(std::move(w));

@@ -152,7 +152,8 @@ std::vector<Note> oil_range_warnings(const rheology::Oil& oil, double T_low, dou
                                      double p_max) {
   const auto& range = oil.range;
   std::vector<Note> out;
-  if (T_low < range.T_min || T_high > range.T_max) {
+  constexpr double kBelowTold = 0.05;  // what a temperature told to tenths does not show [K]
+  if (T_low < range.T_min - kBelowTold || T_high > range.T_max + kBelowTold) {
     out.push_back(note::BeyondOilRange{T_low, T_high, range.T_min, range.T_max});
   }
   if (p_max > range.p_max) out.push_back(note::Plain::pressure_beyond_law);

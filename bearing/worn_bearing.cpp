@@ -13,17 +13,9 @@ namespace {
 
 /// The case with this wear, and with a surface on its way from new to worn.
 Case worn_case(const Case& c, const FilmGrid& grid, const Field& wear) {
-  const RunningIn& given = *c.running_in;
   Case out = c;
   out.bearing.wear = wear_table(full_grid(grid), mirror_to_full(grid, wear));
-  if (!given.worn) return out;
-  solid::RoughSurface& shell = out.surfaces.shell;
-  const double part = std::min(1.0, largest(wear) / given.worn_after);
-  const auto mix = [part](double& a, double b) { a += part * (b - a); };
-  mix(shell.roughness, given.worn->roughness);
-  mix(shell.orientation, given.worn->orientation);
-  mix(shell.summit_roughness, given.worn->summit_roughness);
-  mix(shell.summit_height, given.worn->summit_height);
+  out.surfaces.shell = worn_surface(c, largest(wear));
   return out;
 }
 

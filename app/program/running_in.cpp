@@ -71,6 +71,18 @@ SolveControl control_over(ProgressLine& line, RunningInState& latest) {
   return control;
 }
 
+/// What a run of the profile needs beside it, and why it is worth while.
+void tell_what_is_worn(const Case& c, const RunningInRun& run) {
+  const std::string keys = worn_surface_keys(c, run);
+  if (!keys.empty()) {
+    fmt::print(std::cout, "\nthe shell's surface at the end, to be given with the profile:\n  {}\n",
+               keys);
+  }
+  fmt::print(std::cout,
+             "\nno figure here has a bar: a run of the profile, in which cells and steps "
+             "are judged, has them\n");
+}
+
 void print_line(const RunningInState& s, bool found) {
   const std::string t =
       std::isfinite(s.t) ? fmt::format("{:.4g}", s.t) : (found ? "worn in" : "last tried");
@@ -112,6 +124,7 @@ int running_in(const Request& request) {
                  run.complementarity);
     }
   }
+  if (!run.states.empty() && request.json != "-") tell_what_is_worn(subject, run);
   if (!run.verdict.good()) tell_verdict(subject.model.tier, run.verdict);
   outputs.give("--json", [&] { return running_in_json(subject, run); });
   if (!run.states.empty()) {

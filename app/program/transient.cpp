@@ -87,7 +87,7 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
          i.T_shell_back, i.T_shaft);
     next = 1.5 * i.t;  // some lines a decade
   }
-  if (steady.verdict.good()) {
+  if (steady.verdict.good() && std::isfinite(steady.value("friction_torque"))) {
     line("steady", steady.value("friction_torque"), steady.value("h_min"),
          steady.value("T_film_max"), steady.value("T_shell_max"), steady.value("T_shell_back"),
          steady.value("T_shaft"));

@@ -347,6 +347,8 @@ TEST_CASE("ColumnsAreKnownAndHaveUnits") {
   check_against("angle [deg], load_x [N]\n0, 1\n9, 1\n", {"load.csv:1:1", "no column load_y"});
   check_against("angle [deg], load [N]\n0, 1\n9, 1\n", {"load.csv:1:1", "no column direction"});
   check_against("load_x [N], load_y [N]\n0, 1\n9, 1\n", {"load.csv:1:1", "angle or time"});
+  check_against("angle [deg], load [N], direction [deg]\n0, 1, 270\n9, -1, 270\n",
+                {"load.csv:3:", "not negative", "180 deg"});
 }
 
 TEST_CASE("AngleAndTimeAreNotMixed") {
@@ -504,6 +506,9 @@ TEST_CASE("ACrankThatCannotTurnIsRefused") {
   check_against(kTrace, {"case.toml:20:14", "shorter than half the stroke"},
                 changed("207 mm", "60 mm"));
   check_against(kTrace, {"case.toml:22:15", "must not be negative"}, changed("2.5 kg", "-1 kg"));
+  check_against(kTrace, {"case.toml:21:15", "no gas and no mass"},
+                "[crank]\nstroke = \"137 mm\"\nrod_length = \"207 mm\"\npiston_mass = \"0 kg\"\n"
+                "rod_mass = \"0 kg\"\n");
   check_against(kTrace, {"case.toml:25:17", "belongs to a main bearing", "\"block\""},
                 kCrank + "counterweight = \"1 kg m\"\n");
   const std::string block = "[load_cycle]\nframe = \"block\"\n" + kCrank;

@@ -1,11 +1,14 @@
 // The worn shape as it is written, and the shipped bearing that has one.
 #include "bearing/running_in.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "app/library.hpp"
 #include "app/read_case.hpp"
+#include "app/result_mark.hpp"
 #include "app/sections.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/write_running_in.hpp"
@@ -95,7 +98,23 @@ TEST_CASE("ARunningInTellsWhatItsLastStateHasToSay") {
     });
   };
   CHECK(says("held at the hardness of 1 MPa"));
-  check_parts(running_in_json(c, run), {"\"warnings\"", "held at the hardness of 1 MPa"});
+  check_parts(running_in_json(c, run), {"\"warnings\"", "held at the hardness of 1 MPa", "\"case\"",
+                                        "\"changes\"", "\"assumptions\""});
+  CHECK(worn_surface_keys(c, run).empty());
+  // The profile tells the surface that belongs to it, as keys that --set takes, and is read with
+  // it.
+  c.running_in->worn = c.surfaces.shell;
+  c.running_in->worn->roughness *= 0.5;
+  c.running_in->worn_after = 2.0 * *std::max_element(run.wear.begin(), run.wear.end());
+  const std::string keys = worn_surface_keys(c, run);
+  const std::string half = fmt::format("--set 'surfaces.shell.roughness=\"{:.6g} um\"",
+                                       0.75e6 * c.surfaces.shell.roughness);
+  CHECK(keys.starts_with(half));
+  const ScratchFolder scratch;
+  const std::string csv = worn_shape_csv(c, run);
+  CHECK(csv.find(keys) != std::string::npos);
+  CHECK(read_profile(scratch.write("worn.csv", marked(Format::csv, csv))).z.size() ==
+        static_cast<std::size_t>(run.grid.nz) + 2);
 }
 
 TEST_CASE("TheShippedWornBearingCarriesItsLoadAlikeOnTwoGrids") {

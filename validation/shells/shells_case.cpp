@@ -23,6 +23,7 @@ const std::array<ShellKind, kShells>& shell_kinds() {
 
 ShellsPlan shells_plan(bool quick) {
   ShellsPlan plan;
+  plan.quick = quick;
   if (!quick) return plan;
   plan.grid = {100, 13};
   plan.left_open = {60, 9};

@@ -25,6 +25,7 @@ struct ShellsPlan {
   std::vector<double> rpm{1000.0, 2000.0, 3000.0};
   std::array<double, 2> factors{0.25, 4.0};  ///< multiples of the load between which is looked [-]
   double width = 1.09;  ///< ratio of the last load not borne to the last borne [-]
+  bool quick = false;   ///< told on the page
 };
 [[nodiscard]] ShellsPlan shells_plan(bool quick);
 

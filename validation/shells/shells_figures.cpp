@@ -39,7 +39,7 @@ ShellFigure curve(const ShellsStudy& study, const std::string& title, const std:
   plot.y_title = unit;
   for (int k = 0; k < kShells; ++k) {
     const bearing::CycleResult& r = study.cycles[k][0].result;
-    if (r.instants.empty()) continue;
+    if (!study.cycles[k][0].good()) continue;
     plot.x = app::cycle_axis(r);
     Series s{shell_kinds()[k].name, {}, {}, theme.series[static_cast<std::size_t>(k)], ""};
     for (const CycleInstant& i : r.instants) {
@@ -48,7 +48,7 @@ ShellFigure curve(const ShellsStudy& study, const std::string& title, const std:
     }
     plot.series.push_back(std::move(s));
   }
-  if (plot.series.empty()) return {"", "No shell was solved over the cycle."};
+  if (plot.series.empty()) return {"", "No shell has been found over the cycle."};
   Svg svg(kWidth, kHeight);
   draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
   return finished(svg, title, caption);
@@ -84,9 +84,8 @@ std::vector<ShellFigure> shell_maps(const ShellsStudy& study) {
     std::vector<std::optional<app::FieldMap>> maps;
     double low = INFINITY, high = -INFINITY;
     for (const auto& shell : study.cycles) {
-      maps.push_back(shell[0].result.instants.empty()
-                         ? std::nullopt
-                         : app::cycle_map(shell[0].input, shell[0].result, which));
+      maps.push_back(shell[0].good() ? app::cycle_map(shell[0].input, shell[0].result, which)
+                                     : std::nullopt);
       if (!maps.back()) continue;
       low = std::min(low, maps.back()->scale.low);
       high = std::max(high, maps.back()->scale.high);

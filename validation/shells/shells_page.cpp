@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/html_style.hpp"
@@ -27,7 +29,8 @@ constexpr const char* kIntroduction =
     "bearing sizes, temperatures and the constants of its friction law are not published. Surfaces "
     "(its Tables 1 to 3) are the paper's; engine, oil and cooling are those of the case big-end, "
     "constants of friction follow from its Table 4 with choices that the table leaves open. What "
-    "can be compared is the order of the shells and their ratios, not the watts.</p>\n";
+    "can be compared is the order of the shells and their ratios, not the watts; how far their "
+    "bars allow that stands below the first table.</p>\n";
 
 std::string head() {
   return fmt::format(
@@ -54,9 +57,14 @@ std::string met_of(const Capability& c) {
                                     : fmt::format("{:.2f} &plusmn; ?", c.met);
 }
 
-std::string cell(double v, int decimals) {
-  return std::isfinite(v) ? fmt::format("<td>{:.{}f}</td>", v, decimals)
-                          : "<td class=\"bad\">not found</td>";
+std::string cell(double v, int decimals, bool tried = true) {
+  if (std::isfinite(v)) return fmt::format("<td>{:.{}f}</td>", v, decimals);
+  return tried ? "<td class=\"bad\">not found</td>" : "<td>not run</td>";
+}
+
+/// Where the figures of a table come from.
+std::string on_cells(const std::array<int, 2>& grid, const std::string& more) {
+  return fmt::format("<p class=\"scene\">On {} x {} cells{}</p>\n", grid[0], grid[1], more);
 }
 
 std::string table(const std::string& header, const std::string& rows) {
@@ -67,19 +75,64 @@ std::string table(const std::string& header, const std::string& rows) {
 }
 
 double value(const ShellCycle& c, const char* name) {
-  return c.result.verdict.good() ? bearing::value_of(c.result, name) : NAN;
+  return c.good() ? bearing::value_of(c.result, name) : NAN;
 }
 
 double power(const ShellCycle& c) { return c.good() ? c.power() : NAN; }
 
-std::string barred(double v, double error, int decimals) {
-  if (!std::isfinite(v) || !std::isfinite(error)) return cell(v, decimals);
+std::string barred(double v, double error, int decimals, bool tried) {
+  if (!std::isfinite(v) || !std::isfinite(error)) return cell(v, decimals, tried);
   return fmt::format("<td>{:.{}f} &plusmn;{:.2g}</td>", v, decimals, error);
 }
 
 /// A quantity of the cycle with the bars of grid and steps.
 std::string barred(const ShellCycle& c, const char* name, double scale, int decimals) {
-  return barred(scale * value(c, name), scale * error_of(c.result, name), decimals);
+  return barred(scale * value(c, name), scale * error_of(c.result, name), decimals, c.tried);
+}
+
+/// The same of a temperature, in degC.
+std::string warm(const ShellCycle& c, const char* name) {
+  return barred(value(c, name) - kZeroCelsius, error_of(c.result, name), 1, c.tried);
+}
+
+/// Friction power of a shell over that of the plain one; its bar takes both bars at their worst.
+struct OverPlain {
+  double ratio = NAN;
+  double error = NAN;
+};
+
+OverPlain over_plain(const ShellsStudy& study, int shell, int tier) {
+  const ShellCycle& c = study.cycles[shell][tier];
+  const ShellCycle& plain = study.cycles[0][tier];
+  const double ratio = power(c) / power(plain);
+  if (shell == 0) return {ratio, 0.0};
+  return {ratio, ratio * (c.power_error() / power(c) + plain.power_error() / power(plain))};
+}
+
+std::string ratio_html(const ShellsStudy& study, int shell, int tier) {
+  const OverPlain r = over_plain(study, shell, tier);
+  if (shell == 0) return cell(r.ratio, 2, study.cycles[0][tier].tried);
+  return barred(r.ratio, r.error, 2, study.cycles[shell][tier].tried);
+}
+
+/// What the ratios say of the paper's result, by their own bars.
+std::string verdict_html(const ShellsStudy& study) {
+  std::string html;
+  for (int k = 1; k < kShells; ++k) {
+    const OverPlain r = over_plain(study, k, 0);
+    if (!std::isfinite(r.ratio) || !std::isfinite(r.error)) continue;
+    const double paper = shell_kinds()[k].power / shell_kinds()[0].power;
+    const bool apart = std::abs(r.ratio - 1.0) > r.error;
+    const bool met = std::abs(r.ratio - paper) <= r.error;
+    html += fmt::format(
+        "<li>{}: {:.2f} &plusmn;{:.2g} of the plain shell{}; the paper's {:.2f} is {}.</li>\n",
+        shell_kinds()[k].name, r.ratio, r.error,
+        apart ? "" : ", from which these cells cannot tell it apart", paper,
+        met ? "within the bar"
+            : "<strong>not reproduced</strong> by the cases as they are (what "
+              "it may hang on: next table)");
+  }
+  return html.empty() ? html : "<ul>\n" + html + "</ul>\n";
 }
 
 std::string powers_html(const ShellsStudy& study) {
@@ -90,13 +143,13 @@ std::string powers_html(const ShellsStudy& study) {
     const ShellKind& kind = shell_kinds()[k];
     rows += fmt::format("<tr><td class=\"left\">{}</td>", kind.name);
     const bool good = hot.good();
-    rows += cell(good ? hot.film_power : NAN, 1) + cell(good ? hot.asperity_power : NAN, 1);
+    rows += cell(good ? hot.film_power : NAN, 1, hot.tried);
     rows +=
-        barred(power(hot), hot.power_error(), 1) + cell(power(hot) / power(study.cycles[0][0]), 2);
+        barred(good ? hot.asperity_power : NAN, good ? hot.asperity_error() : NAN, 1, hot.tried);
+    rows += barred(power(hot), hot.power_error(), 1, hot.tried) + ratio_html(study, k, 0);
     rows += cell(kind.power, 1) + cell(kind.power / shell_kinds()[0].power, 2);
-    rows += barred(power(even), even.power_error(), 1) +
-            cell(power(even) / power(study.cycles[0][1]), 2);
-    rows += cell(good ? hot.load_power : NAN, 1) + "</tr>\n";
+    rows += barred(power(even), even.power_error(), 1, even.tried) + ratio_html(study, k, 1);
+    rows += cell(good ? hot.load_power : NAN, 1, hot.tried) + "</tr>\n";
   }
   return table(
              "<th>film [W]</th><th>asperities [W]</th><th>sum [W]</th><th>over plain</th>"
@@ -104,7 +157,8 @@ std::string powers_html(const ShellsStudy& study) {
              "<th>over plain</th><th>squeezing [W]</th>",
              rows) +
          "<p class=\"scene\">Torque on the pin times its speed. Left out of the sums is "
-         "squeezing: what the load spends on the film by moving the pin.</p>\n";
+         "squeezing: what the load spends on the film by moving the pin.</p>\n" +
+         on_cells(study.plan.grid, ", with the bars of cells and steps.") + verdict_html(study);
 }
 
 /// Isothermal friction of the shells with what the paper leaves open taken otherwise.
@@ -114,8 +168,9 @@ std::string variants_html(const ShellsStudy& study) {
     rows += fmt::format("<tr><td class=\"left\">{}</td>", shell_variants()[v].name);
     for (int k = 0; k < kShells; ++k) {
       const ShellCycle& c = study.variants[v][k];
-      rows += cell(c.good() ? c.asperity_power : NAN, 1) + cell(power(c), 1);
-      if (k > 0) rows += cell(power(c) / power(study.variants[v][0]), 3);
+      const bool tried = c.tried && study.variants[v][0].tried;
+      rows += cell(c.good() ? c.asperity_power : NAN, 1, c.tried) + cell(power(c), 1, c.tried);
+      if (k > 0) rows += cell(power(c) / power(study.variants[v][0]), 3, tried);
     }
     rows += "</tr>\n";
   }
@@ -129,7 +184,10 @@ std::string variants_html(const ShellsStudy& study) {
          "the pin opens 20 degrees beside the rod's axis when the film presses hardest (4.2), not "
          "on "
          "which side nor how large; the cases feed through the shell, beside the load. Nor does it "
-         "tell how warm the oil is.</p>\n";
+         "tell how warm the oil is.</p>\n" +
+         on_cells(
+             study.plan.left_open,
+             ", without bars: rows are to be compared with each other, not with other tables.");
 }
 
 std::string films_html(const ShellsStudy& study) {
@@ -142,8 +200,7 @@ std::string films_html(const ShellsStudy& study) {
       rows += barred(c, "h_min", 1e6, 2) + barred(c, "p_max", 1e-6, 0);
       rows += barred(c, "p_asperity_max", 1e-6, 1);
       if (t == 0) {
-        rows += cell(value(c, "T_film_max") - kZeroCelsius, 1);
-        rows += cell(value(c, "T_shell_max") - kZeroCelsius, 1);
+        rows += warm(c, "T_film_max") + warm(c, "T_shell_max");
       } else {
         rows += "<td></td><td></td>";
       }
@@ -151,9 +208,10 @@ std::string films_html(const ShellsStudy& study) {
     }
   }
   return table(
-      "<th>smallest film [&micro;m]</th><th>film pressure [MPa]</th><th>contact [MPa]</th>"
-      "<th>film [&deg;C]</th><th>lining [&deg;C]</th>",
-      rows);
+             "<th>smallest film [&micro;m]</th><th>film pressure [MPa]</th><th>contact [MPa]</th>"
+             "<th>film [&deg;C]</th><th>lining [&deg;C]</th>",
+             rows) +
+         on_cells(study.plan.grid, ", with the bars of cells and steps.");
 }
 
 std::string parts_html(const ShellsStudy& study) {
@@ -217,11 +275,13 @@ std::string run_in_html(const ShellsStudy& study) {
       rows += fmt::format("<tr><td class=\"left\">{}, {}</td>", shell_kinds()[k].name,
                           t == 0 ? "tehd" : "isothermal");
       const bool good = r.good();
-      rows += cell(good ? r.end.t : NAN, 0) + cell(good ? 1e6 * r.end.depth : NAN, 2) +
-              cell(good ? 1e9 * r.end.volume : NAN, 4);
+      rows += cell(good ? r.end.t : NAN, 0, r.tried) +
+              cell(good ? 1e6 * r.end.depth : NAN, 2, r.tried) +
+              cell(good ? 1e9 * r.end.volume : NAN, 4, r.tried);
       for (const bearing::RunningInState* at : {&r.begin, &r.end}) {
-        rows += cell(good ? 1e-6 * at->p_asperity_max : NAN, 2) +
-                cell(good ? 1e6 * at->h_min : NAN, 2) + cell(good ? at->torque : NAN, 3);
+        rows += cell(good ? 1e-6 * at->p_asperity_max : NAN, 2, r.tried) +
+                cell(good ? 1e6 * at->h_min : NAN, 2, r.tried) +
+                cell(good ? at->torque : NAN, 3, r.tried);
       }
       rows += "</tr>\n";
     }
@@ -233,14 +293,18 @@ std::string run_in_html(const ShellsStudy& study) {
              rows) +
          "<p class=\"scene\">Under the full load at 2000 rpm, on the cells of the capability. "
          "Contact and film are extremes of the cycle, torque is its mean. The wear coefficient is "
-         "that of another bearing, the time a choice: see [running_in] of the cases.</p>\n";
+         "that of another bearing on 13 even cells, the time a choice: see [running_in] of the "
+         "cases.</p>\n" +
+         on_cells(study.plan.coarse,
+                  ", without bars: contact at a sharp edge, and so wear, grows several times with "
+                  "more cells along; the tables above have the new shells on more.");
 }
 
 std::string hardest_html(const ShellsStudy& study) {
   std::string rows;
   for (int k = 0; k < kShells; ++k) {
     const ShellCycle& c = study.cycles[k][0];
-    const bool good = c.result.verdict.good() && c.tried;
+    const bool good = c.good();
     const HardestInstant at = good ? hardest_instant(c) : HardestInstant{};
     rows += fmt::format("<tr><td class=\"left\">{}</td>", shell_kinds()[k].name);
     for (const auto& [x, decimals] :
@@ -248,7 +312,7 @@ std::string hardest_html(const ShellsStudy& study) {
           std::pair{1e-3 * at.tau_film, 1}, std::pair{1e-3 * at.tau_asperity, 2},
           std::pair{1e-3 * at.friction, 1}, std::pair{1e-3 * at.heat, 1},
           std::pair{at.T_shell - kZeroCelsius, 1}, std::pair{at.T_film - kZeroCelsius, 1}}) {
-      rows += cell(good ? x : NAN, decimals);
+      rows += cell(good ? x : NAN, decimals, c.tried);
     }
     rows += "</tr>\n";
   }
@@ -259,7 +323,8 @@ std::string hardest_html(const ShellsStudy& study) {
              "[&deg;C]</th>",
              rows) +
          "<p class=\"scene\">Tier tehd. Shear, friction power and heat are means over the whole "
-         "bore, pressures and temperatures the largest of it.</p>\n";
+         "bore, pressures and temperatures the largest of it.</p>\n" +
+         on_cells(study.plan.grid, "; for bars see the tables of power and film.");
 }
 
 std::string failures_html(const ShellsStudy& study) {
@@ -283,7 +348,7 @@ std::string failures_html(const ShellsStudy& study) {
                           escape_markup(app::reason_of(c.result.verdict)));
     }
   }
-  return html.empty() ? "<p class=\"scene\">Every cycle was found.</p>\n"
+  return html.empty() ? "<p class=\"scene\">Every cycle that was run was found.</p>\n"
                       : "<ul>\n" + html + "</ul>\n";
 }
 
@@ -295,6 +360,12 @@ std::string section(const std::string& heading, const std::string& content) {
 
 std::string shells_page(const ShellsStudy& study) {
   std::string html = head() + kIntroduction;
+  if (study.plan.quick) {
+    html +=
+        "<p class=\"note\"><strong>Quick study:</strong> few cells and one speed; what it says of "
+        "contact, wear and the order of the shells may change with more (the same command without "
+        "<code>--quick</code>).</p>\n";
+  }
   if (study.interrupted) {
     html += "<p class=\"note\"><strong>Interrupted:</strong> what was finished is shown.</p>\n";
   }
@@ -306,8 +377,11 @@ std::string shells_page(const ShellsStudy& study) {
   html += section("At the instant of the largest pressure", hardest_html(study));
   html += section("Boundary friction at one point (Table 4)", parts_html(study));
   html += section("Running-in", run_in_html(study));
+  const bool sought = std::any_of(study.capability.begin(), study.capability.end(),
+                                  [](const Capability& c) { return c.tried; });
   html += section("Thermal load capability",
-                  figures(capability_figures(study)) + capability_html(study) +
+                  (sought ? figures(capability_figures(study)) : "") + capability_html(study) +
+                      on_cells(study.plan.coarse, ".") +
                       "<p class=\"scene\">Limits assumed: lining 170 &deg;C (AlSn), 200 &deg;C "
                       "(polymer); smallest film the combined roughness of the pair. The limit is "
                       "met where what it names goes through its bound between the last two loads; "
@@ -316,7 +390,9 @@ std::string shells_page(const ShellsStudy& study) {
   html += section("Not found", failures_html(study));
   html += fmt::format(
       "<footer>\n<h2>Provenance</h2>\n<p>Cycles on {} x {}, what is left open on {} x {}, "
-      "running-in and capability on {} x {} cells, {} threads, {:.0f} s. Cases shell-plain.toml, "
+      "running-in and capability on {} x {} cells, {} threads, {:.0f} s (of the last session, "
+      "where "
+      "it was resumed). Cases shell-plain.toml, "
       "shell-grooved.toml, "
       "shell-polymer.toml; below, "
       "the first.</p>\n{}</footer>\n</main>\n</body>\n</html>\n",

@@ -110,7 +110,7 @@ Case varied(Case c, const ShellVariant& variant) {
 void add_powers(ShellCycle& c) {
   const auto& all = c.result.instants;
   if (all.size() < 2) return;
-  double film = 0.0, asperity = 0.0, load = 0.0;
+  double film = 0.0, asperity = 0.0;
   for (std::size_t k = 1; k < all.size(); ++k) {
     const auto& a = all[k - 1];
     const auto& b = all[k];
@@ -118,12 +118,11 @@ void add_powers(ShellCycle& c) {
     asperity += half * (a.torque_asperity * a.omega + b.torque_asperity * b.omega);
     film += half *
             ((a.torque - a.torque_asperity) * a.omega + (b.torque - b.torque_asperity) * b.omega);
-    load += half * (a.power - a.torque * a.omega + b.power - b.torque * b.omega);
   }
   const double time = all.back().t - all.front().t;
   c.film_power = film / time;
   c.asperity_power = asperity / time;
-  c.load_power = load / time;
+  c.load_power = bearing::value_of(c.result, "power_loss") - c.film_power - c.asperity_power;
 }
 
 double error_of(const CycleResult& r, const std::string& name) {
@@ -135,6 +134,11 @@ double error_of(const CycleResult& r, const std::string& name) {
 
 double ShellCycle::power_error() const {
   return power() * error_of(result, "friction_torque") /
+         bearing::value_of(result, "friction_torque");
+}
+
+double ShellCycle::asperity_error() const {
+  return power() * error_of(result, "friction_torque_asperity") /
          bearing::value_of(result, "friction_torque");
 }
 

@@ -59,6 +59,8 @@ struct ShellCycle {
   [[nodiscard]] double power() const { return film_power + asperity_power; }  ///< [W]
   /// Bars of the mean torque (grid and steps) at the mean speed; not a number: not known [W]
   [[nodiscard]] double power_error() const;
+  /// The same of the asperities' part [W]
+  [[nodiscard]] double asperity_error() const;
 };
 
 /// A shell at the instant at which film and contact press hardest; means are over the whole bore.

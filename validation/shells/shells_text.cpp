@@ -18,7 +18,7 @@ Json cycle_json(const ShellCycle& c) {
   Json json;
   add_status(json,
              c.tried ? c.result.verdict : Verdict{Status::interrupted, ending::Plain::not_run});
-  if (!c.tried || !c.result.verdict.good()) return json;
+  if (!c.good()) return json;
   json["film_power"] = with_unit(c.film_power, "W");
   json["asperity_power"] = with_unit(c.asperity_power, "W");
   json["load_power"] = with_unit(c.load_power, "W");
@@ -215,7 +215,7 @@ void write_shells_tables(std::ostream& out, const ShellsStudy& study) {
                      "friction [kW/m2]", "heat [kW/m2]", "T [degC]");
   for (int k = 0; k < kShells; ++k) {
     const ShellCycle& c = study.cycles[k][0];
-    if (!c.tried || !c.result.verdict.good()) continue;
+    if (!c.good()) continue;
     const HardestInstant at = hardest_instant(c);
     out << fmt::format(
         "{:<16} {:>9.0f} {:>7.1f} {:>14.1f} {:>18.2f} {:>18.1f} {:>14.1f} {:>8.1f}\n",

@@ -99,17 +99,17 @@ void LoadTable::make_rows(double scale) {
   const auto& b = table_.column(polar ? "direction" : "load_y");
   const auto& when = table_.column(when_);
   for (std::size_t k = 0; k < table_.rows(); ++k) {
+    if (polar && a[k] < 0.0) {
+      table_.fail(k, "load",
+                  "a magnitude is not negative; turn its direction by 180 deg, or give load_x and "
+                  "load_y");
+    }
     Row row;
     row.t = when[k] * scale;
     row.line = k;
     row.load.x = polar ? a[k] * std::cos(b[k]) : a[k];
     row.load.y = polar ? a[k] * std::sin(b[k]) : b[k];
     if (table_.has("speed")) row.load.omega = table_.column("speed")[k];
-    if (polar && a[k] < 0.0) {
-      table_.fail(k, "load",
-                  "a magnitude is not negative; turn its direction by 180 deg, or give load_x and "
-                  "load_y");
-    }
     rows_.push_back(row);
   }
 }

@@ -205,7 +205,7 @@ bearing::Crank read_crank(const Section& section, const std::optional<double>& p
     crank.bore = section.quantity("bore", kLength.such_as("80 mm"), kPositive);
     read_pressure(section, period, crank);
   } else {
-    if (crank.piston_mass + crank.rod_mass + crank.counterweight <= 0.0) {
+    if (crank.piston_mass <= 0.0 && crank.rod_mass <= 0.0 && crank.counterweight <= 0.0) {
       section.fail("piston_mass",
                    "no gas and no mass load the bearing; give crank.pressure, or the masses");
     }

@@ -36,7 +36,7 @@ std::string with_column(const std::string& table) {
   bool comment = table.starts_with('#');
   for (std::size_t k = 0; k < table.size(); ++k) {
     const char c = table[k];
-    if (c == '"') quoted = !quoted;
+    if (c == '"' && !comment) quoted = !quoted;
     const bool ends = c == '\n' && !quoted;
     if (ends && !comment) {
       out += header ? std::string(kColumn) : fmt::format(",{}", kVersion);

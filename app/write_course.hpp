@@ -15,7 +15,7 @@ void write_course_table(std::ostream& out, const std::vector<bearing::Stretch>& 
 /// status, [reason, place, cure], title, tier, grid, `start` (temperature of the bodies),
 /// `stretches`: speed, duration, passed, and where it was, every quantity at its end; `time` and
 /// every quantity over time as {unit, values}, `audit` {energy at the ends}, warnings,
-/// provenance.
+/// assumptions, provenance, `changes` and `case` (of the first stretch).
 [[nodiscard]] std::string course_json(const std::vector<bearing::Stretch>& stretches,
                                       const bearing::WarmUpOptions& options,
                                       const bearing::CourseRun& run);

@@ -111,11 +111,12 @@ Json cycle_quantities(const bearing::CycleResult& cycle) {
 struct LastState {
   std::vector<bearing::Note> warnings;  ///< without those of the input
   std::vector<bearing::LimiterCount> limiters;
+  std::vector<bearing::Note> assumptions;
 };
 
 LastState last_state(const RunningInRun& run) {
   if (run.states.empty()) return {};
-  LastState last{run.warnings, {}};
+  LastState last{run.warnings, {}, {}};
   const auto add = [&](const std::vector<bearing::Note>& notes, std::size_t from) {
     last.warnings.insert(last.warnings.end(), notes.begin() + static_cast<std::ptrdiff_t>(from),
                          notes.end());
@@ -123,11 +124,13 @@ LastState last_state(const RunningInRun& run) {
   if (run.cycle) {
     add(run.cycle->warnings, 0);
     last.limiters = run.cycle->limiters;
+    last.assumptions = run.cycle->assumptions;
     return last;
   }
   const bearing::Result r = bearing::summarize(run.solution, run.solution.model.input.model.tier);
   add(r.warnings, run.solution.model.input.warnings.size());
   last.limiters = r.limiters;
+  last.assumptions = r.assumptions;
   return last;
 }
 
@@ -230,7 +233,7 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
     json["warnings"] = words_of(last.warnings);
   }
   if (!run.states.empty()) add_surface(json, c, run);
-  json["assumptions"] = c.assumptions;
+  json["assumptions"] = words_of(last_state(run).assumptions);
   json["provenance"] = json_parts::provenance_json(c);
   json_parts::add_case(json, c);
   return json_parts::dump(json);

@@ -9,11 +9,12 @@ namespace shellback::app {
 
 /// status, [reason, cure], title, tier, grid, `time` and every quantity over time as {unit,
 /// values} (time null: worn in, whenever that is), `rejected_steps`, `complementarity` (null: not
-/// asked for), provenance. Over a load cycle p_asperity_max and h_min are its extremes and
-/// friction_torque is its mean; `cycles` passed for each state, and `cycle`, that of the last one:
-/// closure, audit {mass, energy, walls}, quantities {value, unit, [at]}, limiters, warnings. Under
-/// a standing load `warnings` and `limiters` are those of the last state. `surface`, of a shell
-/// that becomes [running_in].worn: {value, unit} of its keys at the end.
+/// asked for), assumptions, provenance, `changes`, `case`. Over a load cycle p_asperity_max and
+/// h_min are its extremes and friction_torque is its mean; `cycles` passed for each state, and
+/// `cycle`, that of the last one: closure, audit {mass, energy, walls}, quantities {value, unit,
+/// [at]}, limiters, warnings. Under a standing load `warnings` and `limiters` are those of the last
+/// state. `surface`, of a shell that becomes [running_in].worn: {value, unit} of its keys at the
+/// end.
 [[nodiscard]] std::string running_in_json(const bearing::Case& c, const bearing::RunningInRun& run);
 
 /// What the last state has to say: warnings of its range, and limiters that acted in it, by name

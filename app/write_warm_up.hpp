@@ -9,7 +9,7 @@ namespace shellback::app {
 /// status, [reason, place, cure], title, tier, grid, `start` (temperature of the walls), `end` {t,
 /// at_rest}, `time` and every quantity over time as {unit, values}, `steady`: the steady state
 /// solved for itself, with the bars of its grid, `audit` {energy: largest imbalance over the heat
-/// made}, warnings, provenance.
+/// made}, warnings, assumptions, provenance, `changes` and `case`.
 [[nodiscard]] std::string warm_up_json(const bearing::Case& c, const bearing::WarmUp& run,
                                        const bearing::WarmUpOptions& options,
                                        const bearing::Result& steady);

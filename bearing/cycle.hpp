@@ -68,8 +68,9 @@ struct CycleAudit {
   /// temperatures.
   double energy = std::numeric_limits<double>::quiet_NaN();
   /// Work of shaft, load, moment and supply less the heat that film and asperities make and less
-  /// what elastic surfaces have stored, over that work: what the steps in time lose of the elastic
-  /// work, of second order in them [-]. NaN as before.
+  /// what elastic surfaces hold more at the end, over that work: what the steps in time lose of the
+  /// elastic work, of second order in them; of an event, too, what asperities and an elasto-plastic
+  /// layer hold more [-]. NaN as before.
   double work = std::numeric_limits<double>::quiet_NaN();
   /// Largest change of a wall's mean temperature, or of its thermal deformation (10 K a clearance),
   /// in the last turn of the search for the walls [K]. NaN as before.

@@ -37,19 +37,40 @@ Field CycleRecord::shell_surface(const FilmInTime& now) const {
   return T;
 }
 
+namespace {
+
+/// Mean of a b over a step along which both are straight.
+double mean_product(double a, double b, double a_end, double b_end) {
+  return (2.0 * (a * b + a_end * b_end) + a * b_end + a_end * b) / 6.0;
+}
+
+/// Work of a force, straight over a step, on what moves by `way` with a straight velocity.
+double work_over(double force, double force_end, double way, double more_velocity, double dt) {
+  return 0.5 * (force + force_end) * way + dt * (force_end - force) * more_velocity / 12.0;
+}
+
+}  // namespace
+
 double CycleRecord::work_of_moment(const CycleInstant& from, const CycleInstant& to) const {
-  const LoadTarget& load = film_->point().load;
-  if (load.unknowns < 4) return 0.0;  // the tilt is held
-  return -load.force[2] * (to.tilt_x - from.tilt_x) - load.force[3] * (to.tilt_y - from.tilt_y);
+  return film_->point().load.work_of_moment(to.tilt_x - from.tilt_x, to.tilt_y - from.tilt_y);
+}
+
+double CycleRecord::work_of(const CycleInstant& from, const CycleInstant& to, double t) const {
+  const LoadNow begun = course_->at(t - to.dt);  // behind a jump
+  return to.dt * mean_product(from.torque, begun.omega, to.torque, to.omega) +
+         work_over(begun.x, to.load_x, to.ex - from.ex, to.vx - from.vx, to.dt) +
+         work_over(begun.y, to.load_y, to.ey - from.ey, to.vy - from.vy, to.dt) +
+         work_of_moment(from, to);
 }
 
 double CycleRecord::stored_by_surfaces(const FilmInTime& now) const {
   const FilmGrid& g = film_->model().domain.grid;
   const FilmEquilibrium& f = now.film;
   double sum = 0.0;
-  if (f.elastic.empty() || film_->point().layer) return sum;
+  if (f.elastic.empty()) return sum;
   for (int c = 0; c < g.cells(); ++c) {
-    sum += 0.5 * (f.film.p[c] + f.p_contact[c]) * f.elastic[c] * g.area(c / g.nz, c % g.nz);
+    const double straight = f.elastic[c] - (f.layer.empty() ? 0.0 : f.layer[c].now.sum());
+    sum += 0.5 * (f.film.p[c] + f.p_contact[c]) * straight * g.area(c / g.nz, c % g.nz);
   }
   return g.multiplicity() * sum;
 }
@@ -190,6 +211,7 @@ void CycleRecord::gather_heat(const FilmStep& step, double dt) {
 void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& control) {
   gather_fields(step.after, step.p, dt);
   CycleInstant& i = instants_.back();
+  work_ += work_of(instants_[instants_.size() - 2], i, step.after.t);
   const double rho = reference_density(film_->model());
   i.supply_flow = step.supply / dt / rho;
   i.side_flow = step.side / dt / rho;
@@ -221,11 +243,12 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
 void CycleRecord::members(Tape& tape) {
   auto& [film, course, length, instants, frames, next_frame, oil_begun, oil_ended, supply, side,
          fed, line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
-         off_balance, stored_begun, stored_ended, layer_loss, layer_depth, p_max, p_asperity_max,
-         h_min, friction, power_now, heat, T_film, T_shell, T_shell_max, wear, bent_edges] = *this;
+         off_balance, stored_begun, stored_ended, work, layer_loss, layer_depth, p_max,
+         p_asperity_max, h_min, friction, power_now, heat, T_film, T_shell, T_shell_max, wear,
+         bent_edges] = *this;
   tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, fed, impulse, v_begun,
-       v_ended, line, vessels_begun, vessels_ended, dry, stored_begun, stored_ended, layer_loss,
-       layer_depth);
+       v_ended, line, vessels_begun, vessels_ended, dry, stored_begun, stored_ended, work,
+       layer_loss, layer_depth);
   tape(pump_now, pump, off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film,
        T_shell, T_shell_max, wear, bent_edges);
 }

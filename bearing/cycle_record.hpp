@@ -69,12 +69,13 @@ class CycleRecord {
   /// Mean over time of a value that is straight between instants.
   [[nodiscard]] double mean(double CycleInstant::*value) const;
   [[nodiscard]] double mean_magnitude(double CycleInstant::*value) const;
-  /// Mean of CycleInstant::power with each of its factors straight between instants: under a load
-  /// that rises in one step the velocity rises with it, and their product is a parabola [W].
-  [[nodiscard]] double mean_power() const;
+  /// Work of shaft, load and moment on the journal over the step that ends at t: load, torque,
+  /// speed and velocity straight along it, from what holds behind a jump on. Under a load that
+  /// rises in one step the velocity rises with it, and their product is a parabola [J].
+  [[nodiscard]] double work_of(const CycleInstant& from, const CycleInstant& to, double t) const;
   /// Work of the moment on the journal between two instants [J].
   [[nodiscard]] double work_of_moment(const CycleInstant& from, const CycleInstant& to) const;
-  /// Held by the elastic surfaces, half of pressure times widening; none of an elasto-plastic
+  /// Held by the elastic surfaces, half of pressure times widening; not by an elasto-plastic
   /// layer, whose spring is not straight [J].
   [[nodiscard]] double stored_by_surfaces(const FilmInTime& now) const;
   void gather_fields(const FilmInTime& now, const Field& p, double dt);
@@ -114,6 +115,7 @@ class CycleRecord {
   double pump_now_ = 0.0, pump_ = 0.0;              ///< at the last instant [W], over the cycle [J]
   double off_balance_ = 0.0;                        ///< [N]
   double stored_begun_ = 0.0, stored_ended_ = 0.0;  ///< by elastic surfaces [J]
+  double work_ = 0.0;                               ///< of shaft, load and moment so far [J]
   double layer_loss_ = 0.0;  ///< of an elasto-plastic layer so far, solved part [J]
   Field layer_depth_;        ///< lasting, as it stands [m]; empty: none
   Field p_max_, p_asperity_max_, h_min_, friction_;  ///< on the solved grid

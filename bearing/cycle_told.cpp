@@ -35,28 +35,6 @@ double CycleRecord::mean_magnitude(double CycleInstant::*value) const {
 
 namespace {
 
-/// Mean of a b over a step along which both are straight.
-double mean_product(double a, double b, double a_end, double b_end) {
-  return (2.0 * (a * b + a_end * b_end) + a * b_end + a_end * b) / 6.0;
-}
-
-}  // namespace
-
-double CycleRecord::mean_power() const {
-  double work = 0.0;
-  for (std::size_t k = 1; k < instants_.size(); ++k) {
-    const CycleInstant& from = instants_[k - 1];
-    const CycleInstant& to = instants_[k];
-    const double power = mean_product(from.torque, from.omega, to.torque, to.omega) +
-                         mean_product(from.load_x, from.vx, to.load_x, to.vx) +
-                         mean_product(from.load_y, from.vy, to.load_y, to.vy);
-    work += to.dt * power + work_of_moment(from, to);
-  }
-  return work / told();
-}
-
-namespace {
-
 /// The instant at which a value is smallest or largest.
 const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
                             bool smallest) {
@@ -128,7 +106,7 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
     add_mean("friction_torque_adhesive", &CycleInstant::torque_adhesive);
     add_mean("friction_torque_micro_hydrodynamic", &CycleInstant::torque_micro_hydrodynamic);
   }
-  out.push_back(named("power_loss", mean_power()));
+  out.push_back(named("power_loss", work_ / told()));
   out.back().quantity.magnitude = mean_magnitude(&CycleInstant::power);
   add_extreme("h_min", &CycleInstant::h_min, true);
   add_extreme("p_max", &CycleInstant::p_max, false);
@@ -213,7 +191,7 @@ CycleMeans CycleRecord::means() const {
   CycleMeans m{mean(&CycleInstant::torque),
                mean(&CycleInstant::torque_asperity),
                T_film_ / told(),
-               mean_power() + pump_ / told(),
+               (work_ + pump_) / told(),
                side_ / told(),
                fed_};
   for (double& fed : m.fed) fed /= told();

@@ -182,6 +182,9 @@ class FilmSteps {
   /// `skin`, whole bearing [J].
   [[nodiscard]] double work_of_growth(const FilmInTime& now, double t, const FilmEquilibrium& film,
                                       const std::vector<double>& skin) const;
+  /// Work of the supplies on the oil that fills their pockets as the gap there opens, whole bearing
+  /// [J]. What flows out of a pocket is told without it.
+  [[nodiscard]] double work_on_pockets(const FilmInTime& now, const FilmEquilibrium& film) const;
   /// True if these walls leave the journal a place.
   [[nodiscard]] bool leave_room(const WallMeans& walls, const FilmInTime& now) const;
 

@@ -40,7 +40,8 @@ struct HeatFlows {
   Field to_shaft;                  ///< the same
   thermal::EnergyBalance balance;  ///< of the film, solved part [W] or [J]
   double rubbed = 0.0;             ///< by asperities, into both walls, solved part [W] or [J]
-  double work = 0.0;  ///< of shaft, load and supply on the oil, whole bearing [W] or [J]
+  double work =
+      0.0;  ///< of shaft, load and supply on the oil [W]; over a step of moment and growth, too [J]
   /// this + f other.
   void add(double f, const HeatFlows& other);
 };

@@ -237,12 +237,10 @@ void NewtonIteration::step(Verdict& ended) {
     now.path.reset();
     now.inertia.reset();
   }
-  // A steady matrix with an empty ring is singular; whether a pivot is 0 then is up to rounding.
-  const bool steady = !point_.scene.storage.finite();
-  const bool empty = steady && !fluid::empty_rings(point_.scene, s_.film).empty();
   const NewtonStep step =
-      empty ? NewtonStep{}
-            : newton_step(model_, point_.scene, now, s_, r_, {reach_, damping_}, cost_);
+      fluid::steady_ring_is_empty(point_.scene, s_.film)
+          ? NewtonStep{}
+          : newton_step(model_, point_.scene, now, s_, r_, {reach_, damping_}, cost_);
   if (!step.good) {
     const bool filled =
         refilled_++ < kMostRefills && fluid::refill_empty_rings(point_.scene, s_.film);

@@ -27,6 +27,10 @@ fluid::Wrench LoadTarget::wanted(const State& s) const {
   return w;
 }
 
+double LoadTarget::work_of_moment(double psi_x, double psi_y) const {
+  return unknowns == 4 ? -force[2] * psi_x - force[3] * psi_y : 0.0;
+}
+
 LoadTarget load_target(const Case& c) {
   LoadTarget t;
   if (const auto* load = std::get_if<LoadGiven>(&c.operation.position)) {

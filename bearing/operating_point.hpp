@@ -41,6 +41,9 @@ struct LoadTarget {
   [[nodiscard]] double scale() const;  ///< `unit`, or |force| [N]
   /// The force wanted of this state: with its factor and the journal's inertia.
   [[nodiscard]] fluid::Wrench wanted(const State& s) const;
+  /// Work of the moment on a journal whose tilt follows it and changes by these [rad]; none where
+  /// the tilt is held [J].
+  [[nodiscard]] double work_of_moment(double psi_x, double psi_y) const;
 };
 [[nodiscard]] LoadTarget load_target(const Case& c);
 

@@ -11,7 +11,8 @@ namespace shellback::bearing {
 /// the supply temperature (constant viscosity). Source: design 3, after seed 000 3.5; the published
 /// relation itself is not available and not claimed.
 [[nodiscard]] double equivalent_temperature(const Case& c);
-/// Whether tier isothermal passes over a supply's temperature: that of the oil is given as another.
+/// Whether tier isothermal passes over a supply's temperature (but for the density at which flows
+/// are told by volume): that of the oil is given as another.
 [[nodiscard]] bool passes_over_supply(const Case& c, Tier tier);
 
 /// Work after which a search on the case's own grid is given up [cells]: twenty times that of a

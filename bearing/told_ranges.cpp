@@ -152,7 +152,7 @@ std::vector<Note> oil_range_warnings(const rheology::Oil& oil, double T_low, dou
                                      double p_max) {
   const auto& range = oil.range;
   std::vector<Note> out;
-  constexpr double kBelowTold = 0.05;  // what a temperature told to tenths does not show [K]
+  constexpr double kBelowTold = 0.5;  // what a range told to whole degrees does not show [K]
   if (T_low < range.T_min - kBelowTold || T_high > range.T_max + kBelowTold) {
     out.push_back(note::BeyondOilRange{T_low, T_high, range.T_min, range.T_max});
   }

@@ -19,10 +19,9 @@ ActiveSet::ActiveSet(const FilmScene& scene, const Gap& gap, const Field& profil
   out.value.state = guess;
 }
 
-/// A steady matrix with an empty ring is singular; whether a pivot is 0 then is up to rounding.
 bool ActiveSet::factorize() {
   FilmSolution& v = out.value;
-  if (!scene_.storage.finite() && !empty_rings(scene_, v.state).empty()) return false;
+  if (steady_ring_is_empty(scene_, v.state)) return false;
   assemble_film(scene_, v.flow, active_set_unknowns(v.state), matrix_);
   if (!v.factor.factorize(matrix_)) return false;
   ++v.factorizations;

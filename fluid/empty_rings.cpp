@@ -18,6 +18,10 @@ std::vector<int> empty_rings(const FilmScene& scene, const FilmState& s) {
   return rings;
 }
 
+bool steady_ring_is_empty(const FilmScene& scene, const FilmState& s) {
+  return !scene.storage.finite() && !empty_rings(scene, s).empty();
+}
+
 bool refill_empty_rings(const FilmScene& scene, FilmState& s) {
   const std::vector<int> rings = empty_rings(scene, s);
   for (const int j : rings) {

@@ -13,6 +13,10 @@ namespace shellback::fluid {
 /// Axial indices of such rings.
 [[nodiscard]] std::vector<int> empty_rings(const FilmScene& scene, const FilmState& state);
 
+/// Whether a steady film has one: its matrix is singular then, and whether a pivot of its
+/// factorisation is 0 is up to rounding. With a step in time the oil that is stored tells it.
+[[nodiscard]] bool steady_ring_is_empty(const FilmScene& scene, const FilmState& state);
+
 /// Fills them again, to be emptied anew if they must; false if there are none.
 bool refill_empty_rings(const FilmScene& scene, FilmState& state);
 

@@ -69,8 +69,8 @@ std::string text_of(note::Plain n) {
     case Plain::roughness_stays:
       return "the roughness is taken to stay while the shell wears (running_in.worn is not given)";
     case Plain::supply_temperature_unused:
-      return "tier isothermal: the oil has oil.temperature everywhere, and the temperature of a "
-             "supply plays no part (tiers thd and tehd follow it)";
+      return "tier isothermal: the oil has oil.temperature everywhere; the temperature of a supply "
+             "is but that at which flows are told by volume (tiers lumped, thd and tehd follow it)";
     case Plain::edge_oil_as_supply:
       return "oil that comes in again at a side edge is as warm as what the supplies feed";
     case Plain::planes_overlap:

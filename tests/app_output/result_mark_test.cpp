@@ -110,3 +110,9 @@ TEST_CASE("TheTextChunkOfAPngHasItsLengthAndChecksum") {
   CHECK(number_at(png, kText + 8 + length) == checksum(png, kText + 4, 4 + length));
   CHECK(png.substr(kText + length + kFrame) == plain.substr(kText));
 }
+
+TEST_CASE("CommentsOfATableStayAsTheyAre") {
+  const std::string table = marked(Format::csv, "# 8\" pipe\na,b\n1,2\n# c \"x\n3,4\n");
+  CHECK(table.starts_with("# 8\" pipe\na,b,shellback\n1,2,"));
+  CHECK(table.find("\n# c \"x\n3,4,") != std::string::npos);
+}

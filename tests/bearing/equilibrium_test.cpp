@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
+#include "bearing/solve.hpp"
+#include "fluid/empty_rings.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -219,4 +221,25 @@ TEST_CASE("TorqueOnTheJournalIsThatOnTheShellAndOfThePressure", "[equilibrium]")
     }
     CHECK(before < 1e-3);
   }
+}
+
+TEST_CASE("AFilmThatBeginsWithAnEmptyRingIsTheOneThatDoesNot", "[equilibrium]") {
+  // In a ring that is cavitated all round and fed by nothing any fill ratio is a balance.
+  Case c = plain_case();
+  c.supplies[0].arc = 20.0 * kDegree;
+  c.supplies[0].length = 0.25 * c.bearing.width;
+  const Solution whole = solve_tier(c, Tier::isothermal);
+  REQUIRE(whole.verdict.good());
+  Solution near = whole;
+  const FilmGrid& g = near.model.domain.grid;
+  for (int i = 0; i < g.nt; ++i) {
+    const int k = g.index(i, g.nz - 1);
+    near.film.film.full[k] = 0;
+    near.film.film.p[k] = 0.0;
+    near.film.film.theta[k] = 0.5;
+  }
+  REQUIRE(fluid::steady_ring_is_empty(near.point.scene, near.film.film));
+  const Solution s = solve_tier_from(c, Tier::isothermal, near, {}, Otherwise::failure);
+  REQUIRE(s.verdict.good());
+  CHECK(s.film.least.h == Approx(whole.film.least.h).epsilon(1e-6));  // Newton's tolerance
 }

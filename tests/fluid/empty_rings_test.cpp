@@ -75,6 +75,16 @@ TEST_CASE("ARingWithAFullCellOrASupplyIsFed") {
   CHECK(empty_rings(g.scene, empty_at(g, 0)).size() == 1);
 }
 
+TEST_CASE("OnlyASteadyFilmIsSingularByAnEmptyRing") {
+  const PosedFilm b = make_bearing(Setup{});
+  const FilmState s = empty_at(b, b.scene.grid.nz - 1);
+  FilmScene scene = b.scene;
+  CHECK(steady_ring_is_empty(scene, s));
+  scene.storage.dt = 1e-4;
+  scene.storage.before.assign(scene.grid.cells(), 1e-3);
+  CHECK_FALSE(steady_ring_is_empty(scene, s));
+}
+
 TEST_CASE("AFilmWhoseMatrixIsSingularIsToldAsOne") {
   Setup setup;
   setup.position = {{8e-6, -4e-6, 0.0, 0.0}};

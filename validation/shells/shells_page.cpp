@@ -95,7 +95,7 @@ std::string warm(const ShellCycle& c, const char* name) {
   return barred(value(c, name) - kZeroCelsius, error_of(c.result, name), 1, c.tried);
 }
 
-/// Friction power of a shell over that of the plain one; its bar takes both bars at their worst.
+/// Friction power of a shell over that of the plain one; its bar is the worst that both bars make.
 struct OverPlain {
   double ratio = NAN;
   double error = NAN;
@@ -106,13 +106,15 @@ OverPlain over_plain(const ShellsStudy& study, int shell, int tier) {
   const ShellCycle& plain = study.cycles[0][tier];
   const double ratio = power(c) / power(plain);
   if (shell == 0) return {ratio, 0.0};
-  return {ratio, ratio * (c.power_error() / power(c) + plain.power_error() / power(plain))};
+  const double least = power(plain) - plain.power_error();
+  return {ratio, least > 0.0 ? (power(c) + c.power_error()) / least - ratio : NAN};
 }
 
 std::string ratio_html(const ShellsStudy& study, int shell, int tier) {
   const OverPlain r = over_plain(study, shell, tier);
-  if (shell == 0) return cell(r.ratio, 2, study.cycles[0][tier].tried);
-  return barred(r.ratio, r.error, 2, study.cycles[shell][tier].tried);
+  const bool tried = study.cycles[shell][tier].tried && study.cycles[0][tier].tried;
+  if (shell == 0) return cell(r.ratio, 2, tried);
+  return barred(r.ratio, r.error, 2, tried);
 }
 
 /// What the ratios say of the paper's result, by their own bars.
@@ -120,8 +122,13 @@ std::string verdict_html(const ShellsStudy& study) {
   std::string html;
   for (int k = 1; k < kShells; ++k) {
     const OverPlain r = over_plain(study, k, 0);
-    if (!std::isfinite(r.ratio) || !std::isfinite(r.error)) continue;
     const double paper = shell_kinds()[k].power / shell_kinds()[0].power;
+    if (!std::isfinite(r.error)) {
+      html += fmt::format(
+          "<li>{}: no bar is known, and nothing can be said of the paper's {:.2f}.</li>\n",
+          shell_kinds()[k].name, paper);
+      continue;
+    }
     const bool apart = std::abs(r.ratio - 1.0) > r.error;
     const bool met = std::abs(r.ratio - paper) <= r.error;
     html += fmt::format(
@@ -132,7 +139,7 @@ std::string verdict_html(const ShellsStudy& study) {
             : "<strong>not reproduced</strong> by the cases as they are (what "
               "it may hang on: next table)");
   }
-  return html.empty() ? html : "<ul>\n" + html + "</ul>\n";
+  return "<ul>\n" + html + "</ul>\n";
 }
 
 std::string powers_html(const ShellsStudy& study) {
@@ -158,7 +165,8 @@ std::string powers_html(const ShellsStudy& study) {
              rows) +
          "<p class=\"scene\">Torque on the pin times its speed. Left out of the sums is "
          "squeezing: what the load spends on the film by moving the pin.</p>\n" +
-         on_cells(study.plan.grid, ", with the bars of cells and steps.") + verdict_html(study);
+         on_cells(study.plan.grid, ", with the bars of cells and steps where there are some.") +
+         verdict_html(study);
 }
 
 /// Isothermal friction of the shells with what the paper leaves open taken otherwise.

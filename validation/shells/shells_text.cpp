@@ -85,6 +85,10 @@ std::string shells_json(const ShellsStudy& study) {
   Json json;
   json["status"] = study.interrupted ? "interrupted" : "finished";
   json["study"] = "shells";
+  json["quick"] = study.plan.quick;
+  json["grid"] = {{"cycles", study.plan.grid},
+                  {"left_open", study.plan.left_open},
+                  {"running_in_and_capability", study.plan.coarse}};
   for (int k = 0; k < kShells; ++k) {
     const ShellKind& kind = shell_kinds()[k];
     Json shell;
@@ -183,7 +187,12 @@ void write_capability(std::ostream& out, const ShellsStudy& study) {
 }  // namespace
 
 void write_shells_tables(std::ostream& out, const ShellsStudy& study) {
-  out << "Shells of a big end, 2000 rpm, full load (substitute engine)\n\n";
+  const ShellsPlan& plan = study.plan;
+  out << fmt::format(
+      "Shells of a big end, 2000 rpm, full load (substitute engine){}\n"
+      "cells: {} x {}, what is left open {} x {}, running-in and capability {} x {}\n\n",
+      plan.quick ? ", quick" : "", plan.grid[0], plan.grid[1], plan.left_open[0], plan.left_open[1],
+      plan.coarse[0], plan.coarse[1]);
   out << fmt::format("{:<16} {:<11} {:>9} {:>13} {:>15} {:>11} {:>14} {:>16} {:>10}\n", "shell",
                      "tier", "film [W]", "asperity [W]", "sum [W]", "over plain", "squeezing [W]",
                      "h_min [um]", "p [MPa]");
@@ -200,7 +209,8 @@ void write_shells_tables(std::ostream& out, const ShellsStudy& study) {
       out << fmt::format(
           "{:<16} {:<11} {:>9.1f} {:>13.1f} {:>15} {:>11.2f} {:>14.1f} {:>16} {:>10.0f}\n",
           shell_kinds()[k].name, tier, c.film_power, c.asperity_power,
-          with_bar(c.power(), c.power_error(), 1), c.power() / plain.power(), c.load_power,
+          with_bar(c.power(), c.power_error(), 1), plain.good() ? c.power() / plain.power() : NAN,
+          c.load_power,
           with_bar(1e6 * bearing::value_of(c.result, "h_min"), 1e6 * error_of(c.result, "h_min"),
                    3),
           1e-6 * bearing::value_of(c.result, "p_max"));

@@ -394,7 +394,10 @@ std::string shells_page(const ShellsStudy& study) {
                       "(polymer); smallest film the combined roughness of the pair. The limit is "
                       "met where what it names goes through its bound between the last two loads; "
                       "its bar is twice what two thirds of the cells move it by (one difference, "
-                      "which may be small by chance).</p>\n");
+                      "which may be small by chance). Films at sharp edges become thinner with "
+                      "cells along: the loads are bounds from above, and where the table of films "
+                      "has less than that smallest film, the load itself is not borne on its "
+                      "cells.</p>\n");
   html += section("Not found", failures_html(study));
   html += fmt::format(
       "<footer>\n<h2>Provenance</h2>\n<p>Cycles on {} x {}, what is left open on {} x {}, "

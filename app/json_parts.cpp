@@ -4,9 +4,11 @@
 
 #include "app/case_json.hpp"
 #include "app/provenance.hpp"
+#include "app/tolerance_words.hpp"
 #include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
+#include "fidelity/tolerance.hpp"
 
 namespace shellback::app::json_parts {
 
@@ -51,6 +53,18 @@ Json provenance_json(const bearing::Case& c) {
           {"input", p.input},
           {"input_fnv1a64", p.fingerprint},
           {"libraries", libraries}};
+}
+
+Json tolerance_json(const bearing::Case& c, const bearing::Result& result) {
+  const auto s = fidelity::shortfall(result, c.model.tolerance);
+  const auto& choice = result.choice;
+  Json json{{"asked", choice ? choice->tolerance : s.tolerance},
+            {"met", choice ? choice->met : s.met},
+            {"friction_torque", number(choice ? choice->bar_friction : s.friction.total())},
+            {"h_min", number(choice ? choice->bar_h_min : s.h_min.total())}};
+  const Missed missed = missed_tolerance(c, result);
+  if (!missed.command.empty()) json["command"] = missed.command;
+  return json;
 }
 
 void add_case(Json& json, const bearing::Case& c) {

@@ -23,6 +23,9 @@ void add_status(Json& json, const Verdict& verdict);
 [[nodiscard]] Json limiters_json(const std::vector<bearing::LimiterCount>& limiters);
 [[nodiscard]] Json provenance_json(const bearing::Case& c);
 
+/// What was asked for, whether the bars are within it, and the command that is expected to meet it.
+[[nodiscard]] Json tolerance_json(const bearing::Case& c, const bearing::Result& result);
+
 /// The case as solved, and what the command line changed in the file.
 void add_case(Json& json, const bearing::Case& c);
 

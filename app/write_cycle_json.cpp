@@ -58,11 +58,8 @@ std::string cycle_json(const bearing::Case& c, const CycleResult& cycle) {
     const bearing::AutoChoice& k = *cycle.choice;
     json["chosen_by"] = "auto";
     json["solved"] = k.solved;
-    json["tolerance"] = {{"asked", k.tolerance},
-                         {"met", k.met},
-                         {"friction_torque", number(k.bar_friction)},
-                         {"h_min", number(k.bar_h_min)}};
   }
+  if (cycle.verdict.good()) json["tolerance"] = tolerance_json(c, bearing::as_result(cycle));
   json["title"] = cycle.title;
   json["quantities"] = quantities(cycle);
   for (const AuditFigure& a : audit_of(cycle)) json["audit"][a.name] = number(a.value);

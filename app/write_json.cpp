@@ -12,7 +12,6 @@
 #include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
-#include "fidelity/tolerance.hpp"
 
 namespace shellback::app {
 namespace {
@@ -131,19 +130,6 @@ Json audit_json(const bearing::Audit& a) {
           {"energy", number(a.energy)},
           {"load", number(a.load)},
           {"moment", number(a.moment)}};
-}
-
-/// What was asked for, whether the bars are within it, and the command that is expected to meet it.
-Json tolerance_json(const bearing::Case& c, const bearing::Result& result) {
-  const auto s = fidelity::shortfall(result, c.model.tolerance);
-  const auto& choice = result.choice;
-  Json json{{"asked", choice ? choice->tolerance : s.tolerance},
-            {"met", choice ? choice->met : s.met},
-            {"friction_torque", number(choice ? choice->bar_friction : s.friction.total())},
-            {"h_min", number(choice ? choice->bar_h_min : s.h_min.total())}};
-  const Missed missed = missed_tolerance(c, result);
-  if (!missed.command.empty()) json["command"] = missed.command;
-  return json;
 }
 
 Json to_json(const bearing::Case& c, const bearing::Result& result) {

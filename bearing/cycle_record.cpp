@@ -56,7 +56,7 @@ double CycleRecord::work_of_moment(const CycleInstant& from, const CycleInstant&
 }
 
 double CycleRecord::work_of(const CycleInstant& from, const CycleInstant& to, double t) const {
-  const LoadNow begun = course_->at(t - to.dt);  // behind a jump
+  const LoadNow begun = course_->at(t - to.dt + kRoundOff * length_);  // behind a jump
   return to.dt * mean_product(from.torque, begun.omega, to.torque, to.omega) +
          work_over(begun.x, to.load_x, to.ex - from.ex, to.vx - from.vx, to.dt) +
          work_over(begun.y, to.load_y, to.ey - from.ey, to.vy - from.vy, to.dt) +

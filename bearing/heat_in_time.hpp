@@ -40,8 +40,9 @@ struct HeatFlows {
   Field to_shaft;                  ///< the same
   thermal::EnergyBalance balance;  ///< of the film, solved part [W] or [J]
   double rubbed = 0.0;             ///< by asperities, into both walls, solved part [W] or [J]
-  double work =
-      0.0;  ///< of shaft, load and supply on the oil [W]; over a step of moment and growth, too [J]
+  /// Of shaft, load and supply on the oil, whole bearing [W]; over a step of moment, growth and
+  /// pockets, too [J].
+  double work = 0.0;
   /// this + f other.
   void add(double f, const HeatFlows& other);
 };

@@ -59,6 +59,17 @@ std::vector<app::Point> longest_line(const std::string& svg) {
 
 }  // namespace
 
+TEST_CASE("ACycleTellsWhetherItsBarsMeetWhatWasAsked") {
+  bearing::Case c = test::cycle_case();
+  for (const double asked : {0.1, 0.001}) {  // bars of grid and steps: 1.2 % together
+    c.model.tolerance = asked;
+    const auto told = json::parse(app::cycle_json(c, test::synthetic_cycle()))["tolerance"];
+    CHECK(told["asked"] == asked);
+    CHECK(told["met"] == (asked > 0.012));
+    CHECK(told["h_min"].get<double>() == Approx(0.012).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("ACycleHasTheBindingKeys") {
   const auto j = read_back(test::synthetic_cycle());
   for (const char* key :

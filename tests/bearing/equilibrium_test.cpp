@@ -243,3 +243,16 @@ TEST_CASE("AFilmThatBeginsWithAnEmptyRingIsTheOneThatDoesNot", "[equilibrium]") 
   REQUIRE(s.verdict.good());
   CHECK(s.film.least.h == Approx(whole.film.least.h).epsilon(1e-6));  // Newton's tolerance
 }
+
+TEST_CASE("ASupplyIsPassedOverWhereTheOilsTemperatureIsGivenAsAnother") {
+  Case c = plain_case();
+  c.oil_temperature = 363.15;
+  c.supplies[0].temperature = 333.15;
+  CHECK(passes_over_supply(c, Tier::isothermal));
+  CHECK_FALSE(passes_over_supply(c, Tier::lumped));
+  c.measured.shell_back_temperature = 370.0;  // the equivalent temperature begins at the supply's
+  CHECK_FALSE(passes_over_supply(c, Tier::isothermal));
+  c.measured.shell_back_temperature.reset();
+  c.supplies[0].temperature = 363.15;
+  CHECK_FALSE(passes_over_supply(c, Tier::isothermal));
+}

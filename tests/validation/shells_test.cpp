@@ -204,6 +204,37 @@ TEST_CASE("TheRunInShellIsTheOneWhoseCapabilityIsSought", "[shells]") {
   CHECK(std::abs(shell.end.h_min - shell.begin.h_min) > 0.01 * shell.begin.h_min);
 }
 
+TEST_CASE("ThePageSaysOfEachRatioWhatItsBarsAllow", "[shells]") {
+  // Plain 100 W, grooved 94, polymer 100; the paper has 0.94 and 0.70.
+  ShellsStudy study;
+  study.plan = shells_plan(true);
+  const auto page_with = [&](double bar) {
+    for (int k = 0; k < kShells; ++k) {
+      ShellCycle& c = study.cycles[k][0];
+      c.input = shipped(shell_kinds()[k]);
+      c.tried = true;
+      c.film_power = k == 1 ? 94.0 : 100.0;
+      bearing::CycleQuantity torque{{"friction_torque", 0.5, "N m"}};
+      torque.quantity.error_grid = 0.5 * bar;
+      torque.error_time = 0.0;
+      c.result.quantities = {torque};
+    }
+    return shells_page(study);
+  };
+  const auto has = [](const std::string& page, const char* words) {
+    return page.find(words) != std::string::npos;
+  };
+  // Bars of 10 %: the worst of both is (1 + 0.1)/(1 - 0.1) - 1 = 0.22 of a ratio.
+  const std::string wide = page_with(0.1);
+  CHECK(has(wide, "polymer: 1.00 &plusmn;0.22 of the plain shell, from which these cells cannot"));
+  CHECK(has(wide, "the paper's 0.94 is within the bar"));
+  CHECK(has(wide, "the paper's 0.70 is <strong>not reproduced"));
+  // Of 1 %: 0.0202; the grooved shell is told apart.
+  const std::string narrow = page_with(0.01);
+  CHECK(has(narrow, "AlSn, grooved: 0.94 &plusmn;0.019 of the plain shell; the paper's 0.94 is"));
+  CHECK(has(page_with(NAN), "no bar is known"));
+}
+
 TEST_CASE("AStudyOfShellsThatIsStoppedSaysSo", "[shells]") {
   const std::atomic<bool> stop = true;
   StudyOptions options;

@@ -94,7 +94,8 @@ struct ShellsStudy {
 /// Bars of grid and steps of the quantity `name` together; not a number: not known.
 [[nodiscard]] double error_of(const bearing::CycleResult& r, const std::string& name);
 
-/// Sets the powers of a cycle from its instants, by trapezia over time.
+/// Sets the powers of a cycle: those of film and asperities from its instants, by trapezia over
+/// time; what is left of its power_loss is the load's.
 void add_powers(ShellCycle& cycle);
 
 /// Parts of the coefficient where the contact presses with 10 MPa, oil of 0.01 Pa s, 10 m/s (the

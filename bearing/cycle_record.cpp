@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "bearing/film_heat.hpp"
+#include "bearing/pockets.hpp"
 #include "bearing/round_off.hpp"
 #include "bearing/solve.hpp"
 #include "bearing/tape_members.hpp"
@@ -130,7 +131,7 @@ void CycleRecord::begin(const FilmInTime& now) {
   const double rho = reference_density(film_->model());
   first.supply_flow = now.flows.supply / rho;
   first.side_flow = now.flows.side / rho;
-  oil_begun_ = oil_ended_ = first.oil;
+  oil_begun_ = oil_ended_ = first.oil + total(oil_in_pockets(film_->model(), now.film));
   stored_begun_ = stored_ended_ = stored_by_surfaces(now);
   v_begun_ = v_ended_ = now.velocity;
   vessels_begun_ = vessels_ended_ = total(now.vessels);
@@ -220,7 +221,7 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   } else {
     T_film_ = told() * step.after.film.columns.T.front();  // the same at all places and instants
   }
-  oil_ended_ = i.oil;
+  oil_ended_ = i.oil + total(oil_in_pockets(film_->model(), step.after.film));
   v_ended_ = step.after.velocity;
   stored_ended_ = stored_by_surfaces(step.after);
   supply_ += step.supply;

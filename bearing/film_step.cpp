@@ -5,6 +5,7 @@
 
 #include "bearing/film_motion.hpp"
 #include "bearing/newton.hpp"
+#include "bearing/pockets.hpp"
 #include "bearing/pseudo_time.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
@@ -129,14 +130,12 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   const double own = by.a[i][i] * dt;
   const LoadNow load = course_.at(now.t + by.c[i] * dt, true);
   Field before = now.oil;
-  std::vector<double> vessels = vessels_begun_;
   Columns layer = now.layer.now;
   std::array<double, 2> q{now.film.position.q[0], now.film.position.q[1]};
   std::array<double, 2> v = now.velocity;
   for (int j = 0; j < i; ++j) {
     const double f = by.a[i][j] * dt;
     add(f, stages[j].oil, before);
-    add(f, vessels_.slopes(stages[j].flows), vessels);
     add(f, stages[j].layer.slope, layer);
     for (int k = 0; k < 2; ++k) {
       q[k] += f * stages[j].velocity[k];
@@ -159,13 +158,15 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   }
   if (heat_) expect_temperatures(i, dt, stages, now, film);
   if (drillings_.any()) drillings_.place(now.t + by.c[i] * dt, point_.scene);
-  const Verdict verdict = solve_film_and_fronts(own, vessels, film, cost, stop);
+  const SuppliesStar star = supplies_star(i, dt, stages, now);
+  const Verdict verdict = solve_film_and_fronts(star, film, cost, stop);
   if (!verdict.good()) return in_a_step(verdict);
   if (thinner_than_a_molecule(model_, film)) {
     return {Status::no_steady_state, ending::NotAtRest{0, film.least.h}, film.least.place()};
   }
   found.oil = gathered(point_.scene, film.flow);
   found.flows = fluid::oil_flows(point_.scene, film.flow);
+  count_pockets(model_, film, star.pockets, own, found.flows);
   found.layer = layer_of(point_, film);
   const fluid::Wrench wanted = point_.load.wanted(film);
   for (int k = 0; k < 2; ++k) {
@@ -184,32 +185,44 @@ Field FilmSteps::fronts_of(const FilmEquilibrium& film) const {
   return fluid::fill_fronts(point_.scene, film.film, film.flow);
 }
 
-Verdict FilmSteps::solve_film_and_fronts(double own, const std::vector<double>& vessels_star,
-                                         FilmEquilibrium& film, EquilibriumCost& cost,
-                                         const std::atomic<bool>* stop) {
+FilmSteps::SuppliesStar FilmSteps::supplies_star(int i, double dt,
+                                                 const std::vector<FilmStage>& stages,
+                                                 const FilmInTime& now) const {
+  const Tableau by = method_at(now);
+  SuppliesStar star{by.a[i][i] * dt, vessels_begun_, oil_in_pockets(model_, now.film)};
+  for (int j = 0; j < i; ++j) {
+    add(by.a[i][j] * dt, vessels_.slopes(stages[j].flows), star.vessels);
+    add(by.a[i][j] * dt, stages[j].flows.pocket, star.pockets);
+  }
+  return star;
+}
+
+Verdict FilmSteps::solve_film_and_fronts(const SuppliesStar& star, FilmEquilibrium& film,
+                                         EquilibriumCost& cost, const std::atomic<bool>* stop) {
   if (model_.input.model.methods.transport == FillTransport::upwind) {
-    return solve_film(own, vessels_star, options_, film, cost, stop);
+    return solve_film(star, options_, film, cost, stop);
   }
   EquilibriumOptions loose = options_;
   for (double* tolerance :
        {&loose.film_tolerance, &loose.elastic_tolerance, &loose.viscosity_tolerance}) {
     *tolerance /= kFilmPart;  // not that of the load: its balance is audited over the cycle
   }
-  const Verdict v = solve_film(own, vessels_star, loose, film, cost, stop);
+  const Verdict v = solve_film(star, loose, film, cost, stop);
   if (!v.good()) return v;
   point_.scene.storage.front = fronts_of(film);
-  return solve_film(own, vessels_star, options_, film, cost, stop);
+  return solve_film(star, options_, film, cost, stop);
 }
 
-Verdict FilmSteps::solve_film(double own, const std::vector<double>& vessels_star,
-                              const EquilibriumOptions& options, FilmEquilibrium& film,
-                              EquilibriumCost& cost, const std::atomic<bool>* stop) {
+Verdict FilmSteps::solve_film(const SuppliesStar& star, const EquilibriumOptions& options,
+                              FilmEquilibrium& film, EquilibriumCost& cost,
+                              const std::atomic<bool>* stop) {
   const auto solve = [&] { return newton(model_, point_, widening_, options, film, cost, stop); };
   if (!vessels_.any()) return solve();
-  return vessels_.solve(own, vessels_star, point_.scene, [&](fluid::OilFlows& flows) {
+  return vessels_.solve(star.own, star.vessels, point_.scene, [&](fluid::OilFlows& flows) {
     fluid::impose_supply(point_.scene.supply, film.film);
     Verdict v = solve();
     flows = fluid::oil_flows(point_.scene, film.flow);
+    count_pockets(model_, film, star.pockets, star.own, flows);
     return v;
   });
 }
@@ -409,7 +422,8 @@ void FilmSteps::put_oil(const std::vector<double>& oil, FilmInTime& now) const {
   }
   const std::vector<double> filled = vessels_.full();
   for (std::size_t v = 0; v < now.vessels.size(); ++v) {
-    now.vessels[v] = std::clamp(oil[g.cells() + v], 0.0, std::max(filled[v], now.vessels[v]));
+    now.vessels[v] = std::clamp(oil[g.cells() + v], std::min(now.vessels[v], 0.0),
+                                std::max(filled[v], now.vessels[v]));
   }
 }
 

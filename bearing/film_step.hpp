@@ -66,11 +66,11 @@ struct FilmStep {
   FilmInTime after;     ///< good: the state at its end
   Field p;              ///< film pressure told of its end (3) [Pa]
   double error = 0.0;   ///< estimated, of the loaded film over its height (film_motion.hpp) [-]
-  double supply = 0.0;  ///< oil fed in over the step [kg]
+  double supply = 0.0;  ///< oil fed in over the step, into pockets and film [kg]
   std::vector<double> patch;  ///< the same, out of every supply [kg]
   double side = 0.0;          ///< and lost at the sides [kg]
   double layer_loss = 0.0;    ///< turned into heat in an elasto-plastic layer, solved part [J]
-  double line = 0.0;          ///< come from the supplies' lines: into film and vessels [kg]
+  double line = 0.0;          ///< come from the supplies' lines: the same and into vessels [kg]
   std::array<double, 2> impulse{};  ///< of the film on the journal [N s]
   double off_balance = 0.0;         ///< largest residual of the force balance [N]
   HeatFlows heat;                   ///< over the step [J]; tiers with film temperatures
@@ -155,17 +155,24 @@ class FilmSteps {
   /// Heat at the end of the step, whose film is `film`, and what flowed in it.
   void end_heat(double dt, const FilmInTime& now, const FilmEquilibrium& film,
                 std::vector<FilmStage>& stages, FilmStep& step) const;
+  /// What the supplies of a stage begin from.
+  struct SuppliesStar {
+    double own = 0.0;             ///< length of the stage [s]
+    std::vector<double> vessels;  ///< E* of vessels.hpp [kg]
+    std::vector<double> pockets;  ///< M* of pockets.hpp [kg]
+  };
+  [[nodiscard]] SuppliesStar supplies_star(int i, double dt, const std::vector<FilmStage>& stages,
+                                           const FilmInTime& now) const;
   /// The film of stage i and what its vessels hold.
-  [[nodiscard]] Verdict solve_film(double own, const std::vector<double>& vessels_star,
-                                   const EquilibriumOptions& options, FilmEquilibrium& film,
-                                   EquilibriumCost& cost, const std::atomic<bool>* stop);
+  [[nodiscard]] Verdict solve_film(const SuppliesStar& star, const EquilibriumOptions& options,
+                                   FilmEquilibrium& film, EquilibriumCost& cost,
+                                   const std::atomic<bool>* stop);
   /// Fronts of oil as this film has them; empty with FillTransport::upwind.
   [[nodiscard]] Field fronts_of(const FilmEquilibrium& film) const;
   /// With FillTransport::van_leer the stage is solved loosely with the fronts of oil that it begins
   /// with, and then with its own (fluid/fill_front.hpp).
-  [[nodiscard]] Verdict solve_film_and_fronts(double own, const std::vector<double>& vessels_star,
-                                              FilmEquilibrium& film, EquilibriumCost& cost,
-                                              const std::atomic<bool>* stop);
+  [[nodiscard]] Verdict solve_film_and_fronts(const SuppliesStar& star, FilmEquilibrium& film,
+                                              EquilibriumCost& cost, const std::atomic<bool>* stop);
   /// Mouths of drillings as they stand at time t [s], by this film.
   void open_mouths(double t, FilmEquilibrium& film);
   /// The film carried on along its trend for `ahead` [s].
@@ -182,9 +189,6 @@ class FilmSteps {
   /// `skin`, whole bearing [J].
   [[nodiscard]] double work_of_growth(const FilmInTime& now, double t, const FilmEquilibrium& film,
                                       const std::vector<double>& skin) const;
-  /// Work of the supplies on the oil that fills their pockets as the gap there opens, whole bearing
-  /// [J]. What flows out of a pocket is told without it.
-  [[nodiscard]] double work_on_pockets(const FilmInTime& now, const FilmEquilibrium& film) const;
   /// True if these walls leave the journal a place.
   [[nodiscard]] bool leave_room(const WallMeans& walls, const FilmInTime& now) const;
 

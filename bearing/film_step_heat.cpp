@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "bearing/film_step.hpp"
+#include "bearing/pockets.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -137,22 +138,11 @@ void FilmSteps::end_heat(double dt, const FilmInTime& now, const FilmEquilibrium
   heat.skin_slope = std::move(last.skin_slope);
   heat.flows = std::move(last.flows);
   step.heat.work += work_of_growth(now, now.t + dt, film, heat.skin);
-  step.heat.work += work_on_pockets(now, film);
+  step.heat.work += work_on_pockets(model_, now.film, film);
   const auto& tilt = film.position;
   const auto& before = now.film.position;
   step.heat.work +=
       point_.load.work_of_moment(tilt.psi_x() - before.psi_x(), tilt.psi_y() - before.psi_y());
-}
-
-double FilmSteps::work_on_pockets(const FilmInTime& now, const FilmEquilibrium& film) const {
-  const FilmGrid& g = model_.domain.grid;
-  double work = 0.0;
-  for (int c = 0; c < g.cells(); ++c) {
-    if (model_.supply.cell[c] < 0) continue;
-    const double mean = 0.5 * (now.film.film.p[c] + film.film.p[c]);
-    work += mean * (film.gap.cell[c] - now.film.gap.cell[c]) * g.area(c / g.nz, c % g.nz);
-  }
-  return g.multiplicity() * work;
 }
 
 double FilmSteps::work_of_growth(const FilmInTime& now, double t, const FilmEquilibrium& film,

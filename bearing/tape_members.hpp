@@ -27,6 +27,11 @@ inline void members(Tape& tape, fluid::FilmFlow& x) {
   tape(phi, z, lines, fed, stored, by_theta, by_p, by_gap, edge);
 }
 
+inline void members(Tape& tape, fluid::OilFlows& x) {
+  auto& [supply, side, side_inflow, stored, patch, pocket] = x;
+  tape(supply, side, side_inflow, stored, patch, pocket);
+}
+
 inline void members(Tape& tape, bearing::OilColumns& x) {
   auto& [T, eta, g0, centre, T_mean, substitutions, mismatch] = x;
   tape(T, eta, g0, centre, T_mean, substitutions, mismatch);

@@ -3,6 +3,7 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/cycle.hpp"
+#include "bearing/film_heat.hpp"
 #include "bearing/film_step.hpp"
 #include "bearing/judge_case.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -152,6 +153,50 @@ TEST_CASE("ACourseBeginsWithFullVesselsWhateverWasBefore", "[vessel]") {
   REQUIRE(steps.steady(313.15, cost, nullptr));
   CHECK(steps.point().scene.supply.patches[0].pressure == 2e5);
   CHECK(steps.point().scene.supply.patches[0].fill == 1.0);
+}
+
+TEST_CASE("AGrooveTakesTheOilThatAJournalLeavesOverIt", "[vessel]") {
+  // A journal of a ton falls from the middle, faster than the film can hold it: by Newton's law
+  // alone. The groove over it, half round and nearly as wide as the bearing, takes the oil for
+  // 2 R L s: what its line gives, less what goes into the film and out at the sides.
+  Case c = plain_case();
+  Supply& s = c.supplies[0];
+  s.angle = 0.5 * kPi;
+  s.arc = kPi;
+  s.length = 0.8 * c.bearing.width;
+  s.pressure = 2e5;
+  c.operation.omega = 0.0;
+  c.model.grid = {48, 10};
+  LoadCycle cycle;
+  cycle.t = {0.0, 2e-3};
+  cycle.x = {0.0, 0.0};
+  cycle.y = {-1e4, -1e4};
+  cycle.journal_mass = 1e3;
+  cycle.step = 1e-4;
+  c.cycle = cycle;
+  const double rho =
+      reference_density(make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid));
+  // Supplied, lost at the sides and gathered in the film [m3].
+  const auto into_groove = [&](const CycleResult& r) {
+    double oil = (r.instants.front().oil - r.instants.back().oil) / rho;
+    for (const CycleInstant& i : r.instants) oil += i.dt * (i.supply_flow - i.side_flow);
+    return oil;
+  };
+  const auto opened = [&](const CycleResult& r) {
+    CHECK(-r.instants.back().ey > 0.05 * c.bearing.radial_clearance);
+    return 2.0 * c.bearing.radius * s.length * -r.instants.back().ey;
+  };
+  const CycleResult fed = with_vessels(c);
+  // Cells of 7.5 degrees: their sum of cosines is the integral to a part in a thousand.
+  CHECK(into_groove(fed) / opened(fed) == Approx(1.0).epsilon(2e-3));
+  const double volume = 1e-3;
+  s.vessel = Vessel{volume, 1.5e9, {}};
+  const CycleResult shut = with_vessels(c);
+  CHECK(into_groove(shut) / opened(shut) == Approx(1.0).epsilon(2e-3));
+  double fell = 0.0;  // the vessel's pressure, by what it gave
+  for (const CycleInstant& i : shut.instants) fell += i.dt * i.supply_flow * 1.5e9 / volume;
+  CHECK(fell > 1e3);
+  CHECK(s.pressure - shut.instants.back().p_vessel == Approx(fell).epsilon(1e-3));
 }
 
 TEST_CASE("AnEmptyVesselIsFilledByAFilmThatDoesNotFeelIt", "[vessel]") {

@@ -7,6 +7,7 @@
 
 #include "bearing/cycle_numbers.hpp"
 #include "bearing/row_gaps.hpp"
+#include "core/constants.hpp"
 #include "core/range.hpp"
 
 namespace shellback::app {
@@ -214,7 +215,7 @@ void LoadTable::expect_periodic() const {
   const Change c = change(a, b);
   if (!c.of_load && !c.of_speed) return;
   const std::string what = c.of_load ? fmt::format("the load jumps by {:.4g} N", c.load)
-                                     : fmt::format("the speed jumps by {:.4g} rad/s", c.speed);
+                                     : fmt::format("the speed jumps by {:.4g} rpm", c.speed / kRpm);
   table_.fail(b.line, when_,
               fmt::format("the table is not periodic: from {} back to {} {}; make the last row "
                           "equal to the first, or leave it out; a jump that is meant has two "

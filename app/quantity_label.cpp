@@ -60,13 +60,12 @@ double largest_magnitude(const std::vector<bearing::Result>& results, const std:
 
 /// One speed, or from the lowest to the highest of a load cycle.
 std::string speed_words(const bearing::Case& c) {
-  constexpr double kRevolution = 60.0 / (2.0 * kPi);  // rpm per rad/s
   if (!c.cycle || c.cycle->omega.empty()) {
-    return fmt::format("{:.4g} rpm", kRevolution * c.operation.omega);
+    return fmt::format("{:.4g} rpm", c.operation.omega / kRpm);
   }
   const auto [low, high] = std::minmax_element(c.cycle->omega.begin(), c.cycle->omega.end());
-  if (*low == *high) return fmt::format("{:.4g} rpm", kRevolution * *low);
-  return fmt::format("{:.4g} to {:.4g} rpm", kRevolution * *low, kRevolution * *high);
+  if (*low == *high) return fmt::format("{:.4g} rpm", *low / kRpm);
+  return fmt::format("{:.4g} to {:.4g} rpm", *low / kRpm, *high / kRpm);
 }
 
 /// What a load cycle is: how long, and its largest load.
@@ -102,6 +101,7 @@ DisplayUnit display_unit(const std::string& name, const std::string& si_unit, do
   if (si_unit == "m3/s") return {"l/min", kLitreMinutes, 0.0};
   if (si_unit == "rad" && name.starts_with("tilt")) return {"mrad", kThousandfold, 0.0};
   if (si_unit == "rad") return {"deg", kDegrees, 0.0};
+  if (si_unit == "rad/s") return {"rpm", 1.0 / kRpm, 0.0};
   if (name == "asperity_load_share") return {"%", 100.0, 0.0};
   return {si_unit == "1" ? "-" : si_unit, 1.0, 0.0};
 }

@@ -84,7 +84,6 @@ std::string count_words(const Sweep& sweep) {
 }
 
 std::string describe_subject(const bearing::Case& c, const Sweep& sweep, Writing writing) {
-  constexpr double kRevolution = 60.0 / (2.0 * kPi);  // rpm per rad/s
   const auto swept = [&](const std::string& key) {
     return std::any_of(sweep.axes.begin(), sweep.axes.end(),
                        [&](const auto& axis) { return axis.key == key; });
@@ -100,7 +99,7 @@ std::string describe_subject(const bearing::Case& c, const Sweep& sweep, Writing
                          set ? "µm" : "um");
   }
   if (!swept("operation.speed")) {
-    words += fmt::format(", {:.4g} rpm", kRevolution * c.operation.omega);
+    words += fmt::format(", {:.4g} rpm", c.operation.omega / kRpm);
   }
   if (c.cycle) {
     words += fmt::format(", load {}", c.cycle->repeats() ? "cycle" : "event");

@@ -129,8 +129,16 @@ void write_case_lines(std::ostream& out, const SurfaceReport& r) {
     out << fmt::format("  summit_roughness = \"{}\"\n  summit_height = \"{}\"\n",
                        um(r.counted.roughness), um(r.counted.height));
   }
-  if (!table) return;
-  out << "  [surfaces]\n  flow_factors = \"FILE.csv\"   # what --csv FILE.csv writes\n";
+  const double K = counted_factor(r);
+  if (!table && !std::isfinite(K)) return;
+  out << "  [surfaces]\n";
+  if (table) out << "  flow_factors = \"FILE.csv\"   # what --csv FILE.csv writes\n";
+  if (!std::isfinite(K)) return;
+  const auto modulus = r.options.modulus;
+  out << fmt::format(
+      "  # contact = {{ elastic_factor = {:.3g}, composite_modulus = \"{}\", friction = ... }}   # "
+      "of two such surfaces\n",
+      K, modulus ? fmt::format("{:.4g} GPa", 1e-9 * *modulus) : "... GPa");
 }
 
 Json summit_json(const SummitStatistics& s, double factor) {

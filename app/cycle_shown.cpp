@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/table_parts.hpp"
+#include "app/words/note_words.hpp"
 #include "bearing/quantities.hpp"
 #include "core/constants.hpp"
 
@@ -163,16 +164,25 @@ std::string meaning_of_the_rest(const CycleResult& cycle) {
                      figures(told(cycle, cycle.instants.back().t)), told_unit(cycle));
 }
 
+std::string choice_words(const bearing::AutoChoice& k) {
+  return fmt::format("chosen by auto for {:.3g} %: {}; mean friction torque {}, smallest film {}",
+                     100.0 * k.tolerance, k.met ? "met" : "NOT MET", known_within(k.bar_friction),
+                     known_within(k.bar_h_min));
+}
+
 std::string how_it_ran(const CycleResult& cycle) {
+  const std::string steps =
+      fmt::format("; {} steps, {} rejected", cycle.steps, cycle.rejected_steps);
+  const bool timed = std::isfinite(cycle.period) && cycle.period > 0.0;
+  const std::string length = timed ? fmt::format("{:.4g} ms", 1e3 * cycle.period) : "";
+  const bool closed = std::isfinite(cycle.closure);
+  if (cycle.verdict.good() && cycle.cycles == 1 && !closed && timed) {
+    return "an event of " + length + steps;
+  }
   std::string words = fmt::format("{} cycle{}", cycle.cycles, cycle.cycles == 1 ? "" : "s");
-  if (std::isfinite(cycle.closure)) {
-    words += fmt::format(", the last two agree within {:.1e}", cycle.closure);
-  }
-  words += fmt::format("; {} steps, {} rejected", cycle.steps, cycle.rejected_steps);
-  if (std::isfinite(cycle.period) && cycle.period > 0.0) {
-    words += fmt::format("; period {:.4g} ms", 1e3 * cycle.period);
-  }
-  return words;
+  if (closed) words += fmt::format(", the last two agree within {:.1e}", cycle.closure);
+  words += steps;
+  return timed ? words + "; period " + length : words;
 }
 
 }  // namespace shellback::app

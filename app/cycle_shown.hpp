@@ -59,6 +59,9 @@ struct AuditFigure {
 /// What the numbers of a cycle that did not converge are.
 [[nodiscard]] std::string meaning_of_the_rest(const bearing::CycleResult& cycle);
 
+/// What tier auto chose, and whether it is within the tolerance.
+[[nodiscard]] std::string choice_words(const bearing::AutoChoice& choice);
+
 /// How the cycle was run: "3 cycles, the last two agree within 2.1e-05; 512 steps, 12 rejected;
 /// period 40 ms".
 [[nodiscard]] std::string how_it_ran(const bearing::CycleResult& cycle);

@@ -62,7 +62,7 @@ void set_load(const Case& subject, Derived& d) {
   const auto* tilt = std::get_if<TiltGiven>(&subject.operation.alignment);
   if (place != nullptr && tilt != nullptr) {
     const double e = b.radial_clearance * place->ratio;
-    const double angle = place->load_angle + place->attitude;
+    const double angle = place->direction(subject.operation.omega);
     for (const double z : {-0.5 * b.width, 0.5 * b.width}) {
       const double x = e * std::cos(angle) + tilt->about_y * z;
       const double y = e * std::sin(angle) - tilt->about_x * z;

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "app/cycle_shown.hpp"
+#include "app/html_tables.hpp"
 #include "app/svg_cycle.hpp"
 #include "app/svg_cycle_frames.hpp"
 #include "app/svg_orbit.hpp"
@@ -18,11 +19,12 @@ namespace {
 using bearing::CycleResult;
 
 constexpr double kColumnWidth = 580.0;  ///< of a figure in a column [px]
+constexpr double kAxisRoom = 8.0;           ///< of it for the title of an axis that stands upright [px]
 
 std::string figure(double height, const std::string& label,
                    const std::function<void(Svg&, const Box&)>& draw) {
   Svg svg(kColumnWidth, height);
-  draw(svg, {0.0, 0.0, kColumnWidth, height});
+  draw(svg, {kAxisRoom, 0.0, kColumnWidth - kAxisRoom, height});
   return "<figure>" + svg.inline_element(label) + "</figure>\n";
 }
 
@@ -87,6 +89,11 @@ std::string cycle_quantities_html(const CycleResult& cycle) {
         std::isfinite(q.at) ? figures(told(cycle, q.at)) : "");
   }
   return html + "</tbody></table></div>\n";
+}
+
+std::string cycle_tolerance_html(const bearing::Case& c, const CycleResult& cycle) {
+  if (cycle.choice) return "<p>" + escape_markup(choice_words(*cycle.choice)) + ".</p>\n";
+  return missed_html(c, missed_tolerance(c, bearing::as_result(cycle)));
 }
 
 std::string cycle_audit_html(const CycleResult& cycle) {

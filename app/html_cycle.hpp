@@ -10,6 +10,10 @@ namespace shellback::app {
 /// Means and extremes with their bars and instants.
 [[nodiscard]] std::string cycle_quantities_html(const bearing::CycleResult& cycle);
 
+/// Whether the bars meet model.tolerance, what is missed and what would help.
+[[nodiscard]] std::string cycle_tolerance_html(const bearing::Case& c,
+                                               const bearing::CycleResult& cycle);
+
 /// How the cycle was run, audit and cost.
 [[nodiscard]] std::string cycle_audit_html(const bearing::CycleResult& cycle);
 

@@ -18,13 +18,14 @@ using bearing::Comparison;
 using bearing::Result;
 
 constexpr double kFigureWidth = 580.0;  ///< of a figure in a column [px]
+constexpr double kAxisTitle = 8.0;           ///< of it for the title of an axis that stands upright [px]
 constexpr double kMapHeight = 232.0;
 constexpr double kPlotHeight = 300.0;
 
 std::string figure(double width, double height, const std::string& label,
                    const std::string& caption, const std::function<void(Svg&, const Box&)>& draw) {
   Svg svg(width, height);
-  draw(svg, {0.0, 0.0, width, height});
+  draw(svg, {kAxisTitle, 0.0, width - kAxisTitle, height});
   std::string html = "<figure>" + svg.inline_element(label);
   if (!caption.empty()) html += "<figcaption>" + escape_markup(caption) + "</figcaption>";
   return html + "</figure>\n";

@@ -54,7 +54,7 @@ std::string value_bars(const ShownBars& bars) {
 }
 
 std::string split_sentences(const Comparison& comparison) {
-  const auto& split = comparison.split;
+  const auto split = against_the_motion(comparison.split);
   if (split.steps.empty()) return "";
   const auto largest = std::max_element(
       split.steps.begin(), split.steps.end(),
@@ -165,9 +165,12 @@ std::string bars_html(const bearing::Case& c, const Comparison& comparison) {
     for (const std::string& line : open) html += "<li>" + escape_markup(line) + "</li>";
     html += "</ul>\n";
   }
-  const Missed missed = missed_tolerance(c, comparison);
-  if (!missed) return html;
-  html += "<p>" + escape_markup(tolerance_lines(c, missed).front()) + ".";
+  return html + missed_html(c, missed_tolerance(c, comparison));
+}
+
+std::string missed_html(const bearing::Case& c, const Missed& missed) {
+  if (!missed) return "";
+  std::string html = "<p>" + escape_markup(tolerance_lines(c, missed).front()) + ".";
   if (!missed.command.empty()) {
     html += " " + escape_markup(missed.outlook) + ": <code>" + escape_markup(missed.command) +
             "</code>";

@@ -3,6 +3,7 @@
 /// HTML with all outside text escaped; an empty string if there is nothing to say.
 #include <string>
 
+#include "app/tolerance_words.hpp"
 #include "bearing/result.hpp"
 
 namespace shellback::app {
@@ -26,6 +27,9 @@ namespace shellback::app {
 
 /// Results whose order their bars leave open, and bars wider than model.tolerance; empty: neither.
 [[nodiscard]] std::string bars_html(const bearing::Case& c, const bearing::Comparison& comparison);
+
+/// What is missed of model.tolerance, and the command that is expected to meet it.
+[[nodiscard]] std::string missed_html(const bearing::Case& c, const Missed& missed);
 
 /// Relative imbalances, iterations, time.
 [[nodiscard]] std::string audit_html(const bearing::Comparison& comparison);

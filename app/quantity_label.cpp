@@ -254,6 +254,14 @@ std::string signed_change(const bearing::FrictionSplit& split, double change) {
   return fmt::format("{:+.{}f}", change, decimals);
 }
 
+bearing::FrictionSplit against_the_motion(bearing::FrictionSplit split) {
+  if (!(split.from < 0.0)) return split;
+  split.from = -split.from;
+  split.to = -split.to;
+  for (auto& step : split.steps) step.change = -step.change;
+  return split;
+}
+
 double unexplained(const bearing::FrictionSplit& split) {
   double rest = split.to - split.from;
   for (const auto& step : split.steps) rest -= step.change;

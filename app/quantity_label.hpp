@@ -89,6 +89,9 @@ enum class Writing { plain, typeset };
 /// A step's change with its sign [N m], to a ten-thousandth of the larger torque or finer.
 [[nodiscard]] std::string signed_change(const bearing::FrictionSplit& split, double change);
 
+/// The same as a torque against the motion, positive however the journal turns [N m].
+[[nodiscard]] bearing::FrictionSplit against_the_motion(bearing::FrictionSplit split);
+
 /// What the steps leave unexplained: to - from - sum of the steps [N m].
 [[nodiscard]] double unexplained(const bearing::FrictionSplit& split);
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "app/command_words.hpp"
 #include "app/svg_film.hpp"
+#include "app/svg_heading.hpp"
 #include "app/svg_profiles.hpp"
 #include "app/svg_waterfall.hpp"
 
@@ -48,11 +48,7 @@ void draw_film(Svg& svg, const Box& box, const bearing::Case& c, const Compariso
 
 void draw_heading(Svg& svg, const bearing::Case& c, const Comparison& comparison,
                   const Theme& theme) {
-  svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
-  svg.text({24.0, 58.0}, describe_case(c, Writing::typeset), {theme.muted, 12.5});
-  if (const std::string changes = describe_changes(c); !changes.empty()) {
-    svg.text({24.0, 75.0}, changes, {theme.muted, 11.5});
-  }
+  draw_scene(svg, c, theme);
   std::string failed;
   const auto names = column_names(comparison.results);
   for (std::size_t k = 0; k < names.size(); ++k) {

@@ -6,6 +6,7 @@
 
 #include "app/cycle_shown.hpp"
 #include "app/svg_film.hpp"
+#include "app/svg_heading.hpp"
 #include "app/svg_orbit.hpp"
 #include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
@@ -39,6 +40,12 @@ Series curve(const CycleResult& cycle, const std::string& name, const std::strin
 bool any_above_zero(const CycleResult& cycle, double CycleInstant::*value) {
   return std::any_of(cycle.instants.begin(), cycle.instants.end(),
                      [&](const CycleInstant& i) { return i.*value > 0.0; });
+}
+
+bool all_alike(const CycleResult& cycle, double CycleInstant::*value) {
+  return std::all_of(cycle.instants.begin(), cycle.instants.end(), [&](const CycleInstant& i) {
+    return i.*value == cycle.instants.front().*value;
+  });
 }
 
 /// A field of the cycle as if it were the pressure or the gap of a steady film, without the marks
@@ -132,6 +139,11 @@ LinePlot cycle_plot(const CycleResult& cycle, CycleCurve which, const Theme& the
           curve(cycle, "Y", theme.series[2], kKilonewton, [](const auto& i) { return i.load_y; })};
       plot.series[1].dash = plot.series[2].dash = "5 3";
       break;
+    case CycleCurve::speed:
+      plot.title = "Speed of the journal against the shell";
+      plot.y_title = "[rpm]";
+      plot.series = {curve(cycle, "", colour, 1.0 / kRpm, [](const auto& i) { return i.omega; })};
+      break;
     case CycleCurve::temperature:
       plot.title = "Largest temperatures";
       plot.from_zero = false;
@@ -157,6 +169,7 @@ void draw_cycle_curves(Svg& svg, const Box& box, const CycleResult& cycle, const
   constexpr double kSpace = 8.0;  // between curves [px]
   std::vector<CycleCurve> curves{CycleCurve::film, CycleCurve::pressure, CycleCurve::torque,
                                  CycleCurve::load};
+  if (!all_alike(cycle, &CycleInstant::omega)) curves.push_back(CycleCurve::speed);
   if (has_heat(cycle)) {
     curves.insert(curves.end(), {CycleCurve::temperature, CycleCurve::heat});
   }
@@ -208,9 +221,7 @@ std::string cycle_svg(const bearing::Case& c, const CycleResult& cycle) {
   const Theme theme = print_theme();
   Svg svg(kWidth, kHeight);
   svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
-  svg.text({24.0, 34.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
-  svg.text({24.0, 58.0}, status_words(cycle),
-           {cycle.verdict.good() ? theme.muted : theme.more, 12.5});
+  draw_scene(svg, c, status_words(cycle), cycle.verdict.good(), theme);
   draw_orbit(svg, {24.0, 84.0, 480.0, 512.0}, c, cycle, theme);
   if (!cycle.instants.empty()) {
     draw_cycle_curves(svg, {520.0, 84.0, 712.0, 516.0}, cycle, theme);

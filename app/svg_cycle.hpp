@@ -12,7 +12,7 @@
 
 namespace shellback::app {
 
-enum class CycleCurve { film, pressure, torque, load, temperature, heat };
+enum class CycleCurve { film, pressure, torque, load, speed, temperature, heat };
 enum class CycleMap { pressure, contact, gap, friction, shell, shell_heat };
 
 /// One curve, or a quantity and what is part of it.

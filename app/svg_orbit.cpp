@@ -146,10 +146,7 @@ OrbitFrame draw_orbit(Svg& svg, const Box& box, const bearing::Case& c, const Cy
   const double half = 0.5 * std::min(box.width, box.height - kTop) - kRim;
   const double most = reach(cycle, clearance, kArrow);
   const OrbitFrame frame{{box.x + kRim + half, box.y + kTop + kRim + half}, half / most};
-  const bool beyond = reach(cycle, clearance, 0.0) > 1.0;
-  svg.text({box.x, box.y + 14.0},
-           beyond ? "Path of the journal, beyond the clearance circle where surfaces give way"
-                  : "Path of the journal in the clearance circle",
+  svg.text({box.x, box.y + 14.0}, "Path of the journal; the circle is the clearance",
            {theme.ink, 12.5, Anchor::start, true});
   draw_circles(svg, frame, most, theme);
   if (cycle.instants.empty()) return frame;

@@ -48,16 +48,20 @@ Recipe recipe(Profile which) {
           {{&Fields::T_shell_surface, " bore", ""}, {&Fields::T_shell_back, " back", "5 3"}}};
 }
 
-/// A tier keeps its colour whatever else is shown.
-const std::string& tier_colour(const bearing::Comparison& comparison, std::size_t k,
-                               const Theme& theme) {
+/// That of its tier; of a tier that is shown again another one.
+const std::string& colour_of(const bearing::Comparison& comparison, std::size_t k,
+                             const Theme& theme) {
   const auto& results = comparison.results;
   const auto same = [&](const auto& r) { return r.tier == results[k].tier; };
   const bool again = std::any_of(results.begin(), results.begin() + k, same);
-  return again ? theme.series.back() : theme.series[static_cast<std::size_t>(results[k].tier)];
+  return again ? theme.series.back() : tier_colour(results[k].tier, theme);
 }
 
 }  // namespace
+
+const std::string& tier_colour(bearing::Tier tier, const Theme& theme) {
+  return theme.series[static_cast<std::size_t>(tier)];
+}
 
 std::optional<LinePlot> profile_plot(const bearing::Comparison& comparison, Profile which,
                                      const Theme& theme) {
@@ -71,7 +75,7 @@ std::optional<LinePlot> profile_plot(const bearing::Comparison& comparison, Prof
       if (field.empty()) continue;
       Series series = mid_line(result, field, r.unit, r.hide_supplied);
       series.name = names[k] + curve.suffix;
-      series.colour = tier_colour(comparison, k, theme);
+      series.colour = colour_of(comparison, k, theme);
       series.dash = curve.dash;
       plot.series.push_back(std::move(series));
     }

@@ -187,7 +187,8 @@ Missed missed_tolerance(const Case& c, const Comparison& comparison) {
   const auto names = column_names(comparison.results);
   Missed missed;
   std::string tiers;
-  Shortfall worst;  // of those that a grid can mend
+  std::string by_physics;  // those that no grid can mend
+  Shortfall worst;         // of those that one can
   bool more_nodes = false;
   const Result* mended = nullptr;
   const Result* within = nullptr;  // the richest that is as good as asked for
@@ -198,6 +199,7 @@ Missed missed_tolerance(const Case& c, const Comparison& comparison) {
     if (r.verdict.good() && s.met && std::isfinite(s.friction.total())) within = &r;
     if (!r.verdict.good() || s.met) continue;
     missed.words += (missed.words.empty() ? "" : "; ") + names[k] + ": " + missed_words(s);
+    if (s.physics) by_physics += (by_physics.empty() ? "" : ", ") + names[k];
     if (s.physics) continue;
     more_nodes = more_nodes || s.more_nodes;
     if (mended != nullptr && s.grid[0] <= worst.grid[0]) continue;
@@ -208,6 +210,7 @@ Missed missed_tolerance(const Case& c, const Comparison& comparison) {
   if (mended != nullptr) {
     worst.more_nodes = more_nodes;
     take_grid(c, worst, "compare", "--tiers " + tiers, mended->grid, missed);
+    if (!by_physics.empty()) missed.outlook += fmt::format(", but for {} (physics)", by_physics);
   } else if (within != nullptr) {
     const std::string tier = to_string(within->tier);
     missed.outlook = tier + " meets it";

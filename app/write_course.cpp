@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/command_words.hpp"
 #include "app/followed.hpp"
 #include "app/json_parts.hpp"
 #include "app/provenance.hpp"
@@ -97,8 +98,10 @@ std::string how_it_ended(const std::vector<Stretch>& stretches, const CourseRun&
 void write_course_table(std::ostream& out, const std::vector<Stretch>& stretches,
                         const CourseRun& run) {
   const bearing::Case& c = stretches.front().subject;
-  out << fmt::format("{}\ncourse, tier {}, grid {} x {}\n\n", c.title, to_string(c.model.tier),
-                     c.model.grid[0], c.model.grid[1]);
+  out << c.title << '\n';
+  if (const std::string changes = describe_changes(c); !changes.empty()) out << changes << '\n';
+  out << fmt::format("course, tier {}, grid {} x {}\n\n", to_string(c.model.tier), c.model.grid[0],
+                     c.model.grid[1]);
   out << fmt::format("{:>47} {:>12} {:>12} {:>12} {:>12}\n", "", "largest", "largest", "mean",
                      "mean");
   out << fmt::format("{:>12} {:>10} {:>12} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "speed [rpm]",

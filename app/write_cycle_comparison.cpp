@@ -7,6 +7,7 @@
 #include "app/html_tables.hpp"
 #include "app/svg_comparison.hpp"
 #include "app/svg_cycle.hpp"
+#include "app/svg_profiles.hpp"
 #include "app/svg_waterfall.hpp"
 
 namespace shellback::app {
@@ -25,9 +26,8 @@ constexpr Box kBottomRight{608.0, 396.0, 580.0, 292.0};
 /// The first curve of each tier's plot, called by its tier.
 LinePlot of_all_tiers(const CycleComparison& comparison, CycleCurve which, const Theme& theme) {
   LinePlot all;
-  std::size_t k = 0;
   for (const CycleResult& r : comparison.cycles) {
-    const std::string& colour = theme.series[k++ % theme.series.size()];
+    const std::string& colour = tier_colour(r.tier, theme);
     LinePlot one = cycle_plot(r, which, theme);
     const bool known = !one.series.empty() && std::isfinite(one.series.front().y.back());
     if (r.instants.empty() || !known) continue;

@@ -60,11 +60,7 @@ void write_cycle_table(std::ostream& out, const bearing::Case& c, const CycleRes
     out << '\n';
   }
   if (cycle.choice) {
-    const bearing::AutoChoice& k = *cycle.choice;
-    out << fmt::format(
-        "chosen by auto for {:.3g} %: {}; mean friction torque {}, smallest film {}\n",
-        100.0 * k.tolerance, k.met ? "met" : "NOT MET", known_within(k.bar_friction),
-        known_within(k.bar_h_min));
+    out << choice_words(*cycle.choice) << '\n';
   } else {
     for (const std::string& line :
          tolerance_lines(c, missed_tolerance(c, bearing::as_result(cycle)))) {

@@ -11,6 +11,7 @@
 #include "app/followed.hpp"
 #include "app/json_parts.hpp"
 #include "app/svg_contour.hpp"
+#include "app/svg_heading.hpp"
 #include "app/svg_lines.hpp"
 #include "app/svg_map.hpp"
 #include "app/words/effect_words.hpp"
@@ -243,10 +244,8 @@ std::string running_in_svg(const bearing::Case& c, const RunningInRun& run) {
   const Theme theme = print_theme();
   Svg svg(kOverTimeWidth, kOverTimeHeight);
   svg.rect({0.0, 0.0, kOverTimeWidth, kOverTimeHeight}, theme.paper);
-  svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
-  svg.text({24.0, 58.0},
-           "Running-in, tier " + std::string(to_string(c.model.tier)) + ", " + told(run),
-           {run.verdict.good() ? theme.muted : theme.more, 12.5});
+  draw_scene(svg, c, "Running-in, tier " + std::string(to_string(c.model.tier)) + ", " + told(run),
+             run.verdict.good(), theme);
   draw_curve(svg, {70.0, 110.0, 300.0, 270.0}, run, &RunningInState::depth, kMicro,
              "Greatest wear [µm]", theme);
   draw_curve(

@@ -114,9 +114,9 @@ void print_quantities(std::ostream& out, const bearing::Measured& measured,
 }
 
 void print_split(std::ostream& out, const Comparison& comparison) {
-  const auto& split = comparison.split;
-  if (split.steps.empty()) return;
-  out << "\nfriction torque on the journal, isothermal to full [N m]\n";
+  if (comparison.split.steps.empty()) return;
+  const auto split = against_the_motion(comparison.split);
+  out << "\nfriction torque against the motion, isothermal to full [N m]\n";
   TextTable table;
   table.add({"  isothermal at T_equivalent", figures(split.from)});
   for (const auto& step : split.steps) {

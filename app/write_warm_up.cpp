@@ -9,6 +9,7 @@
 
 #include "app/followed.hpp"
 #include "app/json_parts.hpp"
+#include "app/svg_heading.hpp"
 #include "app/svg_lines.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
@@ -79,6 +80,20 @@ std::string how_it_ended(const WarmUp& run) {
 
 }  // namespace
 
+std::vector<std::string> warm_up_warnings(const bearing::Case& c, const WarmUp& run,
+                                          const bearing::Result& steady) {
+  auto all = steady.verdict.good() ? words_of(steady.warnings) : c.warnings;
+  for (std::string& words : words_of(bearing::warm_up_warnings(c.oil, run, steady))) {
+    if (std::find(all.begin(), all.end(), words) == all.end()) all.push_back(std::move(words));
+  }
+  return all;
+}
+
+std::vector<std::string> warm_up_assumptions(const bearing::Case& c,
+                                             const bearing::Result& steady) {
+  return steady.verdict.good() ? words_of(steady.assumptions) : c.assumptions;
+}
+
 std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
                          const bearing::WarmUpOptions& options, const bearing::Result& steady) {
   Json json;
@@ -95,10 +110,10 @@ std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
   json["audit"] = {{"energy", run.imbalance()}};
   json["jumps"] = run.end.jumps;
   json["unfollowed"] = run.end.unfollowed;
-  json["warnings"] = words_of(bearing::warm_up_warnings(c.oil, run, steady));
+  json["warnings"] = warm_up_warnings(c, run, steady);
   const Json one = Json::parse(result_json(c, steady));
   json["steady"] = {{"status", one["status"]}, {"quantities", one["quantities"]}};
-  json["assumptions"] = c.assumptions;
+  json["assumptions"] = warm_up_assumptions(c, steady);
   json["provenance"] = one["provenance"];
   json_parts::add_case(json, c);
   return json_parts::dump(json);
@@ -108,10 +123,9 @@ std::string warm_up_svg(const bearing::Case& c, const WarmUp& run, const bearing
   const Theme theme = print_theme();
   Svg svg(kOverTimeWidth, kOverTimeHeight);
   svg.rect({0.0, 0.0, kOverTimeWidth, kOverTimeHeight}, theme.paper);
-  svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
-  svg.text({24.0, 58.0},
-           "Warm-up, tier " + std::string(to_string(c.model.tier)) + ": " + how_it_ended(run),
-           {run.end.verdict.good() ? theme.muted : theme.more, 12.5});
+  draw_scene(svg, c,
+             "Warm-up, tier " + std::string(to_string(c.model.tier)) + ": " + how_it_ended(run),
+             run.end.verdict.good(), theme);
   const Panel panel(run, steady, theme);
   panel.draw(svg, {70.0, 110.0, 500.0, 270.0}, "Temperature", "°C",
              {{"film, largest", &Instant::T_film_max, "T_film_max", 1.0, kZeroCelsius},

@@ -1,10 +1,20 @@
 #pragma once
 /// A warm-up as JSON and as a picture.
 #include <string>
+#include <vector>
 
 #include "bearing/warm_up.hpp"
 
 namespace shellback::app {
+
+/// What the steady state that was solved for itself is warned of, the case where there is none, and
+/// the warm-up.
+[[nodiscard]] std::vector<std::string> warm_up_warnings(const bearing::Case& c,
+                                                        const bearing::WarmUp& run,
+                                                        const bearing::Result& steady);
+/// What that state assumes, or the case.
+[[nodiscard]] std::vector<std::string> warm_up_assumptions(const bearing::Case& c,
+                                                           const bearing::Result& steady);
 
 /// status, [reason, place, cure], title, tier, grid, `start` (temperature of the walls), `end` {t,
 /// at_rest}, `time` and every quantity over time as {unit, values}, `steady`: the steady state

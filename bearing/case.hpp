@@ -86,8 +86,12 @@ struct LoadGiven {
 };
 struct EccentricityGiven {
   double ratio = 0.0;       ///< |e| / c [-]
-  double attitude = 0.0;    ///< from the load line to the line of centres, positive in +phi [rad]
+  double attitude = 0.0;    ///< from the load line to the line of centres, with the speed [rad]
   double load_angle = 0.0;  ///< the load line [rad]
+  /// Of the displacement [rad]; a journal at rest counts as turning counter-clockwise.
+  [[nodiscard]] double direction(double omega) const {
+    return load_angle + (omega < 0.0 ? -attitude : attitude);
+  }
 };
 /// Angle of the journal axis against the bearing axis.
 struct TiltGiven {

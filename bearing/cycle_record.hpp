@@ -1,6 +1,7 @@
 #pragma once
 /// What a cycle was: instants, means, extremes, maxima over the bearing, audit.
 #include "bearing/cycle.hpp"
+#include "bearing/cycle_walls.hpp"
 #include "bearing/film_step.hpp"
 #include "bearing/wear_load.hpp"
 #include "core/tape.hpp"
@@ -15,12 +16,6 @@ struct CycleMeans {
   double power = 0.0;            ///< of shaft, load and supply [W]
   double side_mass_flow = 0.0;   ///< [kg/s]
   std::vector<double> fed;       ///< out of every supply, net [kg/s]
-};
-
-/// Mean heat into shell and shaft of the whole bearing [W].
-struct HeatTaken {
-  double shell = 0.0;
-  double shaft = 0.0;
 };
 
 class CycleRecord {

@@ -79,15 +79,17 @@ double mean_difference(const FilmGrid& g, const WallMeans& a, const WallMeans& b
 
 BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
                               const CycleHeat& heat, const thermal::WallResponse& response,
-                              int skin_nodes, const SolidStep* step) {
+                              int skin_nodes, const SolidStep* step, const HeatTaken& more) {
   const FilmGrid& g = model.domain.grid;
   const std::vector<double> skin = heat.mean_skin();
   WallFlux q{Field(g.cells(), 0.0), std::vector<double>(g.nz, 0.0), response};
   Field met = walls.shell;
+  const double area = 2.0 * kPi * g.radius * g.width;
+  std::fill(q.shaft.begin(), q.shaft.end(), more.shaft / area);
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int c = g.index(i, j);
-      q.shell[c] = heat.flows().to_shell[c] / heat.time();
+      q.shell[c] = heat.flows().to_shell[c] / heat.time() + more.shell / area;
       q.shaft[j] += heat.flows().to_shaft[c] / heat.time() * g.dphi[i] / (2.0 * kPi);
       met[c] += skin[static_cast<std::size_t>(c) * skin_nodes];
     }

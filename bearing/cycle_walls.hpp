@@ -57,11 +57,19 @@ struct BodiesAnswer {
   SolidTemperature solids;
 };
 
+/// Mean heat into shell and shaft of the whole bearing [W].
+struct HeatTaken {
+  double shell = 0.0;
+  double shaft = 0.0;
+};
+
 /// The walls for the mean heat that a cycle has found with `walls`: in the periodic state, or at
-/// the end of a step in time through which the bodies see that heat.
+/// the end of a step in time through which the bodies see that heat, and `more` besides, spread
+/// evenly [W].
 [[nodiscard]] BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
                                             const CycleHeat& heat,
                                             const thermal::WallResponse& response, int skin_nodes,
-                                            const SolidStep* step = nullptr);
+                                            const SolidStep* step = nullptr,
+                                            const HeatTaken& more = {});
 
 }  // namespace shellback::bearing

@@ -18,7 +18,7 @@ fluid::JournalPosition first_position(const Case& c, double clearance) {
   double angle = 0.0;
   double e = kFirstEccentricity * clearance;
   if (const auto* given = std::get_if<EccentricityGiven>(&c.operation.position)) {
-    angle = given->load_angle + given->attitude;
+    angle = given->direction(c.operation.omega);
     e = given->ratio * clearance;
   } else {
     const double attitude = c.operation.omega >= 0.0 ? kFirstAttitude : -kFirstAttitude;

@@ -63,9 +63,11 @@ Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residua
               int iterations) {
   const auto worst = std::max_element(r.film.begin(), r.film.end(),
                                       [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const bool by_film = r.film_norm >= std::max(r.load_norm, r.elastic_norm);
   return {Status::iteration_limit,
           ending::FilmUnsettled{iterations, r.film_norm, r.load_norm, r.elastic_norm, s.least.h},
-          fluid::place_of(model.domain.grid, static_cast<int>(worst - r.film.begin()))};
+          by_film ? fluid::place_of(model.domain.grid, static_cast<int>(worst - r.film.begin()))
+                  : s.least.place()};
 }
 
 }  // namespace shellback::bearing

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/film_stage.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/step_control.hpp"
 #include "bearing/told_ranges.hpp"
@@ -12,36 +13,24 @@
 namespace shellback::bearing {
 namespace {
 
-using Walls = MarchStand::Walls;
+/// Temperatures of the walls [K].
+struct Walls {
+  Field shell;
+  std::vector<double> shaft;
+};
 
-/// Half the distance of the walls from where the last step's rate would have led them: the local
-/// error of backward Euler, as dt^2 T''/2 [K].
-double local_error(const Walls& now, const Walls& before, const Walls& rate, double dt) {
-  double most = 0.0;
-  const auto look = [&](const auto& a, const auto& b, const auto& r) {
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      most = larger(most, std::abs(a[k] - b[k] - (r.empty() ? 0.0 : dt * r[k])));
-    }
-  };
-  look(now.shell, before.shell, rate.shell);
-  look(now.shaft, before.shaft, rate.shaft);
-  return 0.5 * most;
+Walls walls_of(const Solution& s) { return {s.heat.T_shell, s.heat.T_shaft}; }
+
+/// a + f (b - a)
+template <class T>
+T carried_on(const T& a, const T& b, double f) {
+  T out = b;
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = a[k] + f * (b[k] - a[k]);
+  return out;
 }
 
-double largest_move(const Walls& now, const Walls& before) {
-  return larger(largest_difference(now.shell, before.shell),
-                largest_difference(now.shaft, before.shaft));
-}
-
-Walls rate_of(const Walls& now, const Walls& before, double dt) {
-  Walls rate = now;
-  for (std::size_t k = 0; k < rate.shell.size(); ++k) {
-    rate.shell[k] = (rate.shell[k] - before.shell[k]) / dt;
-  }
-  for (std::size_t k = 0; k < rate.shaft.size(); ++k) {
-    rate.shaft[k] = (rate.shaft[k] - before.shaft[k]) / dt;
-  }
-  return rate;
+double largest_distance(const Walls& a, const Walls& b) {
+  return larger(largest_difference(a.shell, b.shell), largest_difference(a.shaft, b.shaft));
 }
 
 /// `s`: the last instant that was found; `v`: why there is none after it.
@@ -100,25 +89,74 @@ std::vector<Note> march_warnings(const rheology::Oil& oil, const std::vector<Ins
   return oil_range_warnings(oil, low, high, 0.0);
 }
 
+namespace {
+
+/// What a step leads to.
+struct Stepped {
+  Verdict verdict;
+  SolidState bodies;
+  SolidStep last;      ///< of its last stage
+  Instant at;          ///< its end
+  double error = 0.0;  ///< of the walls [K]
+};
+
+/// A stage of `own` [s] from bodies and oil of `enthalpy`; `at` is told of its end.
+Verdict take_stage(Solution& s, double own, const SolidState& from,
+                   const std::vector<double>& enthalpy, const MarchOptions& o,
+                   const SolveControl& control, Stepped& to) {
+  HeatStep stage{s.model.solids->step(own, from, &to.last), own, enthalpy};
+  const Verdict v = solve_heat(s, o.heat, control, &stage);
+  to.last = std::move(stage.solids);
+  if (!v.good()) return v;
+  to.bodies = s.model.solids->state(s.heat.solids, &to.last);
+  to.at = instant_of(s, 0.0, 0.0);
+  return v;
+}
+
+/// One step of `length` [s] from `s` and its bodies: SDIRK2 where its error counts.
+Stepped take_step(Solution& s, double length, const SolidState& bodies, const SolidStep& last,
+                  const MarchOptions& o, const SolveControl& control) {
+  const Tableau by = sdirk2();
+  const double g = by.a[0][0];
+  const bool accurate = std::isfinite(o.error);
+  const std::vector<double> enthalpy = film_enthalpy(s.model, s.film.columns.T);
+  const Walls before = walls_of(s);
+  Stepped to{{}, {}, last, {}};
+  to.verdict = take_stage(s, accurate ? g * length : length, bodies, enthalpy, o, control, to);
+  if (!to.verdict.good() || !accurate) return to;
+  const Instant first = to.at;
+  const Walls expected{carried_on(before.shell, s.heat.T_shell, 1.0 / g),
+                       carried_on(before.shaft, s.heat.T_shaft, 1.0 / g)};
+  const double ahead = (1.0 - g) / g;  // (1)
+  const SolidState star{bodies.shell + ahead * (to.bodies.shell - bodies.shell),
+                        bodies.shaft + ahead * (to.bodies.shaft - bodies.shaft)};
+  const auto held = carried_on(enthalpy, film_enthalpy(s.model, s.film.columns.T), ahead);
+  to.verdict = take_stage(s, g * length, star, held, o, control, to);
+  to.error = to.verdict.good() ? largest_distance(walls_of(s), expected) : 0.0;
+  for (double Instant::*heat : {&Instant::heat_in, &Instant::heat_out, &Instant::stored}) {
+    to.at.*heat = (1.0 - g) * (first.*heat) + g * (to.at.*heat);
+  }
+  return to;
+}
+
+}  // namespace
+
 MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
                     const SolveControl& control, const std::function<void(const Instant&)>& tell) {
   const double still = kHeatUnit * ThermalOptions{}.tolerance;  // what one iteration may leave [K]
   const bool accurate = std::isfinite(o.error);
-  auto& [bodies, end, dt, rate, calm] = stand;
+  auto& [bodies, end, dt, calm] = stand;
   if (dt == 0.0) dt = o.first;
   SolidStep last;
   while (!end.at_rest && end.t < o.end && dt <= o.longest) {
     const double length = std::min(dt, o.end - end.t);
-    HeatStep step{s.model.solids->step(length, bodies, &last), length,
-                  film_enthalpy(s.model, s.film.columns.T)};
     const FilmEquilibrium film = s.film;
     const HeatState heat = s.heat;
-    end.verdict = solve_heat(s, o.heat, control, &step);
-    const Walls before{heat.T_shell, heat.T_shaft};
-    const Walls now{s.heat.T_shell, s.heat.T_shaft};
-    const double error = accurate ? local_error(now, before, rate, length) : 0.0;
+    const Walls before = walls_of(s);
+    Stepped step = take_step(s, length, bodies, last, o, control);
+    end.verdict = step.verdict;
     const bool shortest = dt <= o.shortest;
-    if (!end.verdict.good() || (error > o.error && !shortest)) {
+    if (!end.verdict.good() || (step.error > o.error && !shortest)) {
       const bool hot =
           largest(s.film.columns.T) > mean_supply_temperature(s.model.input) + kHottestRise;
       s.film = film;
@@ -132,18 +170,19 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
       calm = 0;
       continue;
     }
-    if (error > o.error) ++end.jumps;
-    rate = rate_of(now, before, length);
-    bodies = s.model.solids->state(s.heat.solids, &step.solids);
+    if (step.error > o.error) ++end.jumps;
+    bodies = std::move(step.bodies);
     end.t += length;
-    last = std::move(step.solids);
-    end.at_rest = accurate && largest_move(now, before) < still && is_at_rest(s);
+    last = std::move(step.last);
+    end.at_rest = accurate && largest_distance(walls_of(s), before) < still && is_at_rest(s);
     ++calm;
     if (!accurate && calm > MarchStand::kCalm) dt /= kStepShorter;
     // A step so much longer errs by the square of that.
-    const bool easily = std::pow(kStepLonger, kStepOrderAnew) * error <= o.error;
+    const bool easily = std::pow(kStepLonger, kStepOrderAnew) * step.error <= o.error;
     if (accurate && easily && calm > 1) dt *= kStepLonger;
-    if (tell) tell(instant_of(s, end.t, length));
+    step.at.t = end.t;
+    step.at.dt = length;
+    if (tell) tell(step.at);
   }
   end.verdict = {};
   end.at_rest = end.at_rest || dt > o.longest;

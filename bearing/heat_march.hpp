@@ -1,13 +1,18 @@
 #pragma once
-/// Film and walls in time: backward Euler with the heat capacities of oil, shell, housing and
-/// shaft.
+/// Film and walls in time, with the heat capacities of oil, shell, housing and shaft.
 ///
 /// Flow and pressure are steady at each instant (oil passes within milliseconds, walls follow
-/// within seconds to minutes); each step is solved by the outer iteration of the steady bearing
-/// with the walls' storage in it. The step is chosen so that a straight continuation of the walls'
-/// temperatures errs by a given amount; without such an amount it grows as long as steps are found,
-/// and the march is but a way to the steady state (pseudo-transient continuation). Source:
-/// textbook.
+/// within seconds to minutes). A step dt of SDIRK2 (film_stage.hpp), of second order and stiffly
+/// accurate, has two stages of g dt, g = 1 - 1/sqrt(2), each of them a backward Euler step that the
+/// outer iteration of the steady bearing solves with the walls' storage in it: the first from the
+/// state T_n of bodies and oil, the second from
+///   T* = T_n + (1 - g)/g (T_1 - T_n)                                                     (1)
+/// Heat made, given away and stored are told as means over the step, (1 - g) of the first stage and
+/// g of the second: what is stored is the change of what the bodies hold. dt is chosen so that the
+/// walls are nowhere farther than a given amount from T_n + (T_1 - T_n)/g, the first stage
+/// carried on in a straight line; without such an amount steps of backward Euler grow as long as
+/// they are found, and the march is but a way to the steady state (pseudo-transient continuation).
+/// Source: textbook.
 #include <functional>
 #include <limits>
 
@@ -23,6 +28,7 @@ struct Instant {
   double torque = 0.0;  ///< of friction [N m]
   double h_min = 0.0;   ///< [m]
   double T_film_max = 0.0, T_shell_max = 0.0, T_shell_back = 0.0, T_shaft = 0.0;  ///< [K]
+  // Means over the step; over cycles those of the cycle at its end.
   double heat_in = 0.0;      ///< friction and pump power [W]
   double heat_out = 0.0;     ///< with the oil and from shell and shaft to the surroundings [W]
   double stored = 0.0;       ///< in oil, shell, housing and shaft [W]
@@ -59,16 +65,9 @@ struct MarchEnd {
 /// Where a march stands between two steps: with film and heat all that the next step depends on.
 struct MarchStand {
   static constexpr int kCalm = 3;  ///< steps before one that was rejected is tried as long again
-  /// Temperatures of the walls, or how fast they change.
-  struct Walls {
-    Field shell;                ///< [K], [K/s]
-    std::vector<double> shaft;  ///< [K], [K/s]
-  };
-
   SolidState bodies;
   MarchEnd end{};    ///< so far
   double dt = 0.0;   ///< next step [s]; 0: the march begins
-  Walls rate{};      ///< over the last step; empty: there was none
   int calm = kCalm;  ///< steps since one was rejected
 };
 

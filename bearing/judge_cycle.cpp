@@ -31,8 +31,10 @@ bool judge_rows(const LoadCycle& c, const ValueCheck& cycle) {
     return false;
   }
   if (c.t.size() < kFewestRows) {
-    cycle.refuse("file", fmt::format("{} rows make no load cycle", c.t.size()),
-                 "give two or more, or a steady load as operation.load");
+    const bool none = c.t.empty();
+    cycle.refuse("file", none ? "no row makes no load cycle" : "one row makes no load cycle",
+                 "give two or more (a last one that repeats the first counts as the first), or a "
+                 "steady load as operation.load");
     return false;
   }
   for (const auto* column : {&c.t, &c.x, &c.y, &c.omega}) {

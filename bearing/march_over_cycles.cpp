@@ -87,7 +87,7 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
   constexpr double kEndless = 1e7;  // a step beyond which bodies that still move never rest [s]
   const BearingModel& model = passes.film().model();
   const Solids& solids = *model.solids;
-  auto& [bodies, end, dt] = march;
+  auto& [bodies, end, dt, owed] = march;
   if (dt == 0.0) {
     dt = span.first;
     if (!let_film_follow(passes, bodies.walls, end)) return end;
@@ -95,14 +95,17 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
   SolidStep last;
   while (end.t < span.duration && !(end.at_rest && span.until_rest)) {
     const int nodes = passes.film().heat()->skin().nodes();
+    const HeatTaken before = passes.told().heat_taken();
     BodiesAnswer next;
     SolidStep step;
     double move = 0.0;
+    const double pays = dt / kStepLonger;  // the step before: what it owes is paid no faster
     for (double length = std::min({dt, span.longest, span.duration - end.t});;
          length /= kStepLonger) {
       step = solids.step(length, bodies.state, &last);
-      next = answer_of_bodies(model, bodies.walls, passes.heat(), foreseen(passes.response()),
-                              nodes, &step);
+      next = answer_of_bodies(
+          model, bodies.walls, passes.heat(), foreseen(passes.response()), nodes, &step,
+          {owed.shell / std::max(length, pays), owed.shaft / std::max(length, pays)});
       move = move_of(next.walls, bodies.walls);
       dt = length;
       if (move <= kMost || length <= span.shortest) break;
@@ -112,6 +115,9 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
     bodies.walls = next.walls;
     end.t += dt;
     if (!let_film_follow(passes, bodies.walls, end)) return end;
+    const HeatTaken after = passes.told().heat_taken();
+    owed = {dt * (0.5 * (before.shell + after.shell) - next.solids.shell.heat_in) + owed.shell,
+            dt * (0.5 * (before.shaft + after.shaft) - next.solids.shaft.heat_in) + owed.shaft};
     const Instant instant = instant_after(passes, next, end.t, dt);
     const double left = move_for_ever(passes, bodies.walls);
     end.at_rest = move < kStill && left < kStill;

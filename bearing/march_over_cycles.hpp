@@ -4,9 +4,13 @@
 /// Cycles are passed with walls that stay as they are until the film has followed them; then shell,
 /// housing and shaft see the mean heat of the last one, and what the film answers to moving walls,
 /// through a step of backward Euler, and so on. The step is halved until no wall moves by more than
-/// 2 K. Its error is of first order in the longest step. What is told of the end of a step is of a
-/// cycle between the walls of then. The bearing is at rest where that cycle's heat, for ever, would
-/// move no wall. Source: methods 3.5.
+/// 2 K. What they should have had over it,
+///   dt (q(before) + q(after))/2,                                                         (1)
+/// q the heat that the cycles before and behind it give to shell and shaft, is known when the cycle
+/// behind it has been passed: the difference is made up for in the next step, evenly over the
+/// surface, so that the bodies hold what the film has made, to second order. What is told of the
+/// end of a step is of a cycle between the walls of then. The bearing is at rest where that cycle's
+/// heat, for ever, would move no wall. Source: methods 3.5; (1): textbook (trapezoidal rule).
 #include <functional>
 
 #include "bearing/cycle_passes.hpp"
@@ -35,8 +39,9 @@ struct MarchSpan {
 /// Where a march stands between two steps: with the search all that the next step depends on.
 struct CycleMarch {
   Bodies bodies;
-  MarchEnd end{};   ///< so far
-  double dt = 0.0;  ///< next step [s]; 0: the march begins
+  MarchEnd end{};    ///< so far
+  double dt = 0.0;   ///< next step [s]; 0: the march begins
+  HeatTaken owed{};  ///< to the bodies, of the step before [J]
 };
 
 /// Goes on with `march` under the cycle of `passes`, the first of which has been made. `tell` has

@@ -68,7 +68,7 @@ struct Quantities {
   double p_max = kUnknown;                ///< largest film pressure, gauge [Pa]
   double p_asperity_max = kUnknown;       ///< largest contact pressure [Pa]
   double asperity_load_share = kUnknown;  ///< their force over that on the journal, sizes [-]
-  double load_x = kUnknown;               ///< film force on the journal [N]
+  double load_x = kUnknown;               ///< of film and asperities on the journal [N]
   double load_y = kUnknown;               ///< [N]
   double moment_x = kUnknown;      ///< of the film on the journal about X, if it is tilted [N m]
   double moment_y = kUnknown;      ///< about Y [N m]
@@ -137,8 +137,8 @@ inline constexpr QuantityEntry kQuantities[] = {
     {&Quantities::p_max, "p_max", "Pa", "largest film pressure, p_max"},
     {&Quantities::p_asperity_max, "p_asperity_max", "Pa", "largest contact pressure"},
     {&Quantities::asperity_load_share, "asperity_load_share", "1", "load share of asperities"},
-    {&Quantities::load_x, "load_x", "N", "film force on journal, X"},
-    {&Quantities::load_y, "load_y", "N", "film force on journal, Y"},
+    {&Quantities::load_x, "load_x", "N", "force on journal, X"},
+    {&Quantities::load_y, "load_y", "N", "force on journal, Y"},
     {&Quantities::moment_x, "moment_x", "N m", "film moment on journal about X"},
     {&Quantities::moment_y, "moment_y", "N m", "film moment on journal about Y"},
     {&Quantities::side_flow, "side_flow", "m3/s", "side flow"},

@@ -73,7 +73,7 @@ MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
   }
   MarchOptions march;
   march.end = o.end;
-  march.error = o.error;
+  march.error = o.error * c.model.tolerance;
   MarchEnd end = march_heat(s, stand, march, control, [&](const Instant& i) { tell(i, members); });
   carried.bodies->state = std::move(stand.bodies);
   return end;

@@ -10,7 +10,25 @@
 
 namespace shellback::bearing {
 
+namespace {
+
+/// Over cycles an instant is that of the cycle at its end: between two of them its heat is taken as
+/// a straight line.
+double imbalance_of_all(const std::vector<Instant>& instants) {
+  double made = 0.0, missing = 0.0;
+  for (std::size_t k = 0; k < instants.size(); ++k) {
+    const Instant& a = instants[k > 0 ? k - 1 : 0];
+    const Instant& b = instants[k];
+    made += 0.5 * b.dt * (a.heat_in + b.heat_in);
+    missing += b.dt * (0.5 * (a.heat_in - a.heat_out + b.heat_in - b.heat_out) - b.stored);
+  }
+  return made != 0.0 ? std::abs(missing / made) : 0.0;
+}
+
+}  // namespace
+
 double WarmUp::imbalance() const {
+  if (solution.model.input.cycle) return imbalance_of_all(instants);
   double most = 0.0;
   for (const Instant& i : instants) {
     most = larger(most, std::abs(i.heat_in - i.heat_out - i.stored) / std::abs(i.heat_in));
@@ -53,9 +71,8 @@ std::vector<Note> warm_up_warnings(const rheology::Oil& oil, const WarmUp& run,
     return q != nullptr && std::abs(value - q->value) > q->error();
   };
   if (beyond("friction_torque", end.torque) && beyond("T_film_max", end.T_film_max)) {
-    notes.push_back(note::OtherSteadyState{end.torque, end.T_film_max,
-                                           steady.value("friction_torque"),
-                                           steady.value("T_film_max")});
+    notes.push_back(note::OtherSteadyState{
+        end.torque, end.T_film_max, steady.value("friction_torque"), steady.value("T_film_max")});
   }
   return notes;
 }

@@ -136,6 +136,7 @@ SmallestGap smallest_gap(const FilmGrid& g, const Gap& gap, const Field& profile
       consider(gap.z_face[i * (g.nz + 1) + j] + s, g.phi[i], g.z_face[j]);
     }
   }
+  least.phi -= 2.0 * kPi * std::floor(least.phi / (2.0 * kPi));
   return least;
 }
 

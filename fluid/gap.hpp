@@ -99,7 +99,7 @@ void to_faces(const FilmGrid& grid, const Field& cells, std::vector<double>& phi
 /// Smallest film over cells, both sides of the faces around and side edges, and where it is.
 struct SmallestGap {
   double h = 0.0;    ///< [m]
-  double phi = 0.0;  ///< [rad]
+  double phi = 0.0;  ///< from 0 to 2 pi [rad]
   double z = 0.0;    ///< [m]
   [[nodiscard]] FilmPlace place() const { return {phi, z}; }
 };

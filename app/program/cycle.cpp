@@ -44,7 +44,7 @@ int cycle(const Request& request, const std::string& text, const Case& subject) 
   outputs.give("-o", [&] { return cycle_hdf5(subject, result); });
   outputs.give("--picture", [&] { return cycle_svg(subject, result); });
   outputs.give("--page", [&] { return cycle_html(subject, result); });
-  const int code = outputs.code(code_of(result.verdict));
+  const int code = outputs.code(code_of(result.verdict, result.warnings));
   keeper.end(code);
   return code;
 }

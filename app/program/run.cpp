@@ -111,7 +111,7 @@ int run(const Request& request) {
   tell_verdict(result);
   outputs.give("--json", [&] { return result_json(subject, result); });
   outputs.give("-o", [&] { return result_hdf5(subject, result); });
-  const int code = code_of(result.verdict);
+  const int code = code_of(result.verdict, result.warnings);
   return outputs.code(code == kDone ? give_coefficients(outputs, result) : code);
 }
 

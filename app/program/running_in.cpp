@@ -10,6 +10,7 @@
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
+#include "app/table_parts.hpp"
 #include "app/write_running_in.hpp"
 #include "core/contract.hpp"
 #include "validation/rivals/rivals.hpp"
@@ -112,8 +113,10 @@ int running_in(const Request& request) {
              [&](const RunningInRun& so_far) { latest = so_far.states.back(); });
   progress.wipe();
   if (!run.states.empty() && request.json != "-") {
-    fmt::print(std::cout, "{}\nrunning-in, tier {}, grid {} x {}\n\n", subject.title,
-               to_string(subject.model.tier), subject.model.grid[0], subject.model.grid[1]);
+    std::cout << subject.title << '\n';
+    app::print_scene(std::cout, subject);
+    fmt::print(std::cout, "running-in, tier {}, grid {} x {}\n\n", to_string(subject.model.tier),
+               subject.model.grid[0], subject.model.grid[1]);
     fmt::print(std::cout, "{:>10} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "time [s]", "wear [um]",
                "volume [mm3]", "contact [MPa]", "torque [N m]", "h_min [um]");
     for (const RunningInState& s : run.states) print_line(s, run.verdict.good());

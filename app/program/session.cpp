@@ -47,6 +47,14 @@ int code_of(const Verdict& verdict) {
   return verdict.status == Status::interrupted ? kInterrupted : kNotConverged;
 }
 
+int code_of(const Verdict& verdict, const std::vector<Note>& warnings) {
+  const bool bars_cut_off = std::any_of(warnings.begin(), warnings.end(), [](const Note& n) {
+    const auto* plain = std::get_if<note::Plain>(&n);
+    return plain != nullptr && *plain == note::Plain::bars_interrupted;
+  });
+  return verdict.good() && bars_cut_off ? kInterrupted : code_of(verdict);
+}
+
 void tell_verdict(const Result& result) { tell_verdict(result.tier, result.verdict); }
 
 void tell_verdict(Tier tier, const Verdict& verdict) {

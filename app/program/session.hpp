@@ -24,6 +24,9 @@ void expect_no_coefficients(const Request& request, const bearing::Case& subject
 void tell_warnings(const bearing::Case& subject);
 
 [[nodiscard]] int code_of(const Verdict& verdict);
+/// The same of a result whose error bars were cut off: what is finished is kept, but it was
+/// interrupted.
+[[nodiscard]] int code_of(const Verdict& verdict, const std::vector<bearing::Note>& warnings);
 
 /// Why there is no result, on standard error.
 void tell_verdict(bearing::Tier tier, const Verdict& verdict);

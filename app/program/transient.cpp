@@ -64,8 +64,10 @@ Result steady_state(const Case& subject, SolveControl control, RunKeeper& keeper
 }
 
 void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
-  fmt::print(std::cout, "{}\ntransient, tier {}, grid {} x {}\n\n", c.title,
-             to_string(c.model.tier), c.model.grid[0], c.model.grid[1]);
+  std::cout << c.title << '\n';
+  app::print_scene(std::cout, c);
+  fmt::print(std::cout, "transient, tier {}, grid {} x {}\n\n", to_string(c.model.tier),
+             c.model.grid[0], c.model.grid[1]);
   fmt::print(std::cout, "{:>36} {:>12} {:>12} {:>12} {:>12}\n", "", "largest", "largest", "mean",
              "mean");
   fmt::print(std::cout, "{:>12} {:>12} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "time [s]",
@@ -107,7 +109,8 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
   }
   fmt::print(std::cout, "\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n",
              run.imbalance());
-  print_list(std::cout, "warnings", words_of(warm_up_warnings(c.oil, run, steady)));
+  print_list(std::cout, "warnings", app::warm_up_warnings(c, run, steady));
+  print_list(std::cout, "assumptions", warm_up_assumptions(c, steady));
 }
 
 }  // namespace

@@ -17,8 +17,8 @@
 #include "tests/contains.hpp"
 
 using namespace shellback;
-using test::contains;
 using nlohmann::json;
+using test::contains;
 
 namespace {
 
@@ -217,6 +217,33 @@ TEST_CASE("TheTableOfACycleTellsThatItsToleranceIsMissedAndWhatWouldMeetIt") {
     q.quantity.error_grid = q.error_time = 1e-6 * q.quantity.size();
   }
   CHECK_FALSE(contains(table(cycle), "not met"));
+}
+
+TEST_CASE("ThePageOfACycleTellsItsToleranceAsTheTableDoes") {
+  bearing::CycleResult cycle = test::synthetic_cycle();
+  for (auto& q : cycle.quantities) q.quantity.error_grid = 0.3 * q.quantity.size();
+  const std::string page = app::cycle_html(test::cycle_case(), cycle);
+  CHECK(contains(page, "is not met: friction torque +-"));
+  CHECK(contains(page, "shellback run"));
+}
+
+TEST_CASE("ASingleEventIsNoCycle") {
+  bearing::CycleResult event = test::timed_cycle();
+  event.cycles = 1;
+  event.closure = NAN;
+  CHECK(app::how_it_ran(event).starts_with("an event of "));
+  event.verdict = {Status::interrupted};
+  CHECK(app::how_it_ran(event).starts_with("1 cycle;"));
+  CHECK(app::how_it_ran(test::timed_cycle()).find("agree within") != std::string::npos);
+}
+
+TEST_CASE("SpeedIsDrawnWhereItVaries") {
+  bearing::CycleResult cycle = test::synthetic_cycle();
+  const std::string steady = app::cycle_svg(test::cycle_case(), cycle);
+  cycle.instants[3].omega *= 1.5;
+  const std::string varied = app::cycle_svg(test::cycle_case(), cycle);
+  CHECK_FALSE(contains(steady, "Speed of the journal"));
+  CHECK(contains(varied, "Speed of the journal"));
 }
 
 TEST_CASE("TheOrbitLiesWithinTheClearanceCircle") {

@@ -197,6 +197,17 @@ TEST_CASE("TheWaterfallLeadsFromOneTorqueToTheOther") {
   CHECK(bars[bars.size() - 2].end == Approx(split.to).epsilon(1e-12));
 }
 
+TEST_CASE("FrictionOfAJournalThatTurnsClockwiseIsSplitAsThatOfItsMirrorImage") {
+  const bearing::FrictionSplit split{1.0, 1.02, {{"viscosity level", 0.12}, {"rest", -0.10}}};
+  const bearing::FrictionSplit mirror{-1.0, -1.02, {{"viscosity level", -0.12}, {"rest", 0.10}}};
+  const auto drawn = [](const bearing::FrictionSplit& s) {
+    app::Svg svg(580.0, 300.0);
+    app::draw_waterfall(svg, {0.0, 0.0, 580.0, 300.0}, s, {}, app::print_theme());
+    return svg.document("");
+  };
+  CHECK(drawn(mirror) == drawn(split));
+}
+
 TEST_CASE("AWaterfallThatDoesNotAddUpShowsTheRest") {
   auto split = test::synthetic_comparison().split;
   split.steps.pop_back();

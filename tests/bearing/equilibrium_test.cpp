@@ -49,6 +49,24 @@ Case mirrored(Case c) {
 
 }  // namespace
 
+TEST_CASE("TheAttitudeAngleThatIsToldIsTheOneThatACaseTakes") {
+  for (const double turn : {1.0, -1.0}) {
+    Case c = plain_case();
+    c.operation.omega *= turn;
+    const Solution loaded = isothermal(c);
+    const Result told = summarize(loaded, Tier::isothermal);
+    CHECK(told.value("attitude_angle") > 0.0);  // with the speed, whichever way
+    const double load_line = std::get<LoadGiven>(c.operation.position).angle;
+    c.operation.position = EccentricityGiven{told.value("eccentricity_ratio"),
+                                             told.value("attitude_angle") * kDegree, load_line};
+    const auto& F = isothermal(c).film.force;
+    // The load is met to the solver's tolerance, and stiffness over load is of order ten.
+    CHECK(std::hypot(F[0], F[1]) == Approx(2e3).epsilon(1e-4));
+    CHECK(std::remainder(std::atan2(-F[1], -F[0]) - load_line, 2.0 * kPi) ==
+          Approx(0.0).margin(1e-4));
+  }
+}
+
 TEST_CASE("TheFilmAtMidWidthDoesNotKnowWhetherACellStandsThere") {
   // Rigid surfaces, the journal's place given: c (1 - eps) on the line of centres, on cells within
   // 3 degrees of it; even and odd cells along, straight, tilted by half the clearance, graded.

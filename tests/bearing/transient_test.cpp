@@ -1,4 +1,5 @@
 /// A bearing from cold walls to its steady state, and one that seizes on the way.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
@@ -77,22 +78,38 @@ TEST_CASE("WarmingWallsAreSlowerTheFartherFromTheFilm", "[transient]") {
   CHECK(run.instants.front().torque > end.torque);
 }
 
-TEST_CASE("ShorterStepsGiveTheSameWarmUp", "[transient]") {
+TEST_CASE("AWarmUpIsOfSecondOrderAndWithinItsTolerance", "[transient]") {
+  // An error of a step that is a quarter makes steps half as long, and the error of the whole, of
+  // second order in them, a quarter: at least half where steps are halved and doubled.
   Case c = coarse(warm_case());
-  const auto shaft_at = [&](double error) {
+  const auto instants = [&](double tolerance) {
+    c.model.tolerance = tolerance;
     WarmUpOptions o;
-    o.error = error;
     o.end = 60.0;
     const WarmUp run = warm_up(c, Tier::thd, o);
     REQUIRE(run.end.verdict.good());
     CHECK(run.end.t == Approx(60.0));
-    return run.instants.back().T_shaft;
+    CHECK(run.imbalance() < 1e-8);
+    return run.instants;
   };
-  const double fine = shaft_at(0.02);
-  const double middle = shaft_at(0.08);
-  const double rough = shaft_at(0.32);
-  CHECK(std::abs(middle - fine) < std::abs(rough - fine));
-  CHECK(std::abs(rough - fine) < 2.0);  // [K]
+  const auto fine = instants(4e-4);
+  const auto torque_at = [&](double t) {  // of the fine steps, straight between instants
+    const auto after =
+        std::find_if(fine.begin(), fine.end(), [t](const Instant& i) { return i.t >= t; });
+    if (after == fine.begin()) return after->torque;
+    const Instant& a = *(after - 1);
+    return a.torque + (t - a.t) / (after->t - a.t) * (after->torque - a.torque);
+  };
+  const auto off = [&](double tolerance) {
+    double most = 0.0;
+    for (const Instant& i : instants(tolerance)) {
+      if (i.t > 1.0) most = std::max(most, std::abs(i.torque / torque_at(i.t) - 1.0));
+    }
+    CHECK(most < tolerance);
+    return most;
+  };
+  const double rough = off(0.04);
+  CHECK(off(0.01) < 0.5 * rough);
 }
 
 TEST_CASE("AClearanceThatGrowthUsesUpSeizesAtATime", "[transient]") {

@@ -29,6 +29,11 @@ TEST_CASE("AnEndingGivesItsExitCode") {
   CHECK(code_of(Verdict{Status::no_steady_state}) == kNotConverged);
   CHECK(code_of(Verdict{Status::iteration_limit}) == kNotConverged);
   CHECK(code_of(Verdict{Status::interrupted}) == kInterrupted);
+  // A result whose bars were cut off is whole, but its run is not.
+  CHECK(code_of(Verdict{}, {bearing::note::Plain::bars_interrupted}) == kInterrupted);
+  CHECK(code_of(Verdict{}, {bearing::note::Plain::cycle_bars_unknown}) == kDone);
+  CHECK(code_of(Verdict{Status::iteration_limit}, {bearing::note::Plain::bars_interrupted}) ==
+        kNotConverged);
   CHECK(code_of(Verdict{Status::invalid_number}) == kDefect);  // not the bearing's fault
 }
 

@@ -1,4 +1,5 @@
 // The KS rig as a sum of its bearings, and the study on it.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -147,6 +148,31 @@ TEST_CASE("ATinyStudyOfTheRigIsWhole", "[rig]") {
   CHECK(rig_json(study).find("\"friction_torque\"") != std::string::npos);
 }
 
+TEST_CASE("OnlyATorqueThatRisesBeforeTheStopDoes", "[rig]") {
+  // Up and down again in six seconds, then at rest, where the torque is none.
+  const auto judged = [](double new_at_stop, double worn_at_stop) {
+    RigStudy study;
+    for (const double at_stop : {new_at_stop, worn_at_stop}) {
+      RigStart start;
+      start.breakaway = start.boundary = 1.0;
+      start.series = {{0.0, 0.0, 1.0, 1.0},
+                      {3.0, 27.0, 0.4, 0.0},
+                      {5.0, 9.0, 0.15, 0.0},
+                      {5.9, 0.9, at_stop, 0.0},
+                      {6.0, 0.0, 0.001, 0.0}};
+      study.starts.push_back(start);
+    }
+    study.starts[1].worn = true;
+    const auto statements = rig_statements(study);
+    const auto rises = [](const RigStatement& s) { return s.words.starts_with("torque rises"); };
+    return std::find_if(statements.begin(), statements.end(), rises)->met;
+  };
+  CHECK(judged(0.8, 0.35) == Met::yes);
+  CHECK(judged(0.1, 0.05) == Met::no);  // falls all the way
+  CHECK(judged(0.8, 0.2) == Met::no);   // the worn one by a third
+  CHECK(judged(0.35, 0.8) == Met::no);  // the worn one more
+}
+
 TEST_CASE("AStudyOfTheRigInPiecesIsTheWhole", "[rig]") {
   StudyOptions options;
   options.threads = 2;
@@ -167,5 +193,6 @@ TEST_CASE("AStudyThatIsStoppedTellsWhatItHas", "[rig]") {
   CHECK(study.count_failed() == 0);
   for (const RigStatement& s : rig_statements(study)) CHECK(s.met == Met::unknown);
   CHECK(rig_page(study).find("Interrupted") != std::string::npos);
+  CHECK(rig_page(study).find("class=\"bad\">not found") == std::string::npos);
   CHECK(rig_json(study).find("\"interrupted\"") != std::string::npos);
 }

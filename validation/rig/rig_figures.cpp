@@ -163,8 +163,8 @@ RigFigure solved_figure(const RigStudy& study) {
   return finished(
       svg, plot.title,
       fmt::format("No counterpart in the paper. Film, shells, housings and shaft solved; at the "
-                  "end of each step of 20 minutes. {}Crosses: not found, see below.",
-                  bands));
+                  "end of each step of 20 minutes. {}Crosses: {}, see below.",
+                  bands, study.interrupted ? "not known" : "not found"));
 }
 
 /// A quantity of both bearings over time.

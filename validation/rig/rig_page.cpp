@@ -71,9 +71,12 @@ std::string statements_html(const RigStudy& study) {
   return html + "</tbody></table></div>\n";
 }
 
-std::string cell(double v, int decimals) {
+/// What an interrupted study has not come to is not "not found".
+const char* missing(const RigStudy& study) { return study.interrupted ? "not known" : "not found"; }
+
+std::string cell(const RigStudy& study, double v, int decimals) {
   return std::isfinite(v) ? fmt::format("<td>{:.{}f}</td>", v, decimals)
-                          : "<td class=\"bad\">not found</td>";
+                          : fmt::format("<td class=\"bad\">{}</td>", missing(study));
 }
 
 std::string torque_row(const RigStudy& study, double peak, std::size_t k) {
@@ -82,20 +85,20 @@ std::string torque_row(const RigStudy& study, double peak, std::size_t k) {
   std::string row = fmt::format("<tr><td>{:.0f} kN, {:.0f} rpm</td>", 1e-3 * peak, rpm);
   for (const RigBearing b : kRigBearings) {
     const bearing::Instant* i = course.at(b, k);
-    row += cell(i == nullptr ? NAN : i->T_shell_back - kZeroCelsius, 1);
+    row += cell(study, i == nullptr ? NAN : i->T_shell_back - kZeroCelsius, 1);
   }
   const auto torque = [&](OilModel oil, double warmer) {
     const RigPoint* p = study.point(peak, rpm, oil, warmer);
     return p == nullptr ? NAN : p->torque();
   };
-  for (const OilModel oil : kOilModels) row += cell(torque(oil, 0.0), 3);
-  row += cell(torque(OilModel::full, study.plan.warmer), 3);
+  for (const OilModel oil : kOilModels) row += cell(study, torque(oil, 0.0), 3);
+  row += cell(study, torque(OilModel::full, study.plan.warmer), 3);
   const RigPoint* full = study.point(peak, rpm, OilModel::full);
   const bool good = full != nullptr && full->good();
-  row += cell(good ? full->cycle[0].torque : NAN, 3);
-  row += cell(good ? full->cycle[1].torque : NAN, 3);
-  row += cell(good ? rig_torque(full->cycle[0].asperity, full->cycle[1].asperity) : NAN, 3);
-  row += cell(course.torque(k), 3) + cell(course.torque(course.down_from(k)), 3);
+  row += cell(study, good ? full->cycle[0].torque : NAN, 3);
+  row += cell(study, good ? full->cycle[1].torque : NAN, 3);
+  row += cell(study, good ? rig_torque(full->cycle[0].asperity, full->cycle[1].asperity) : NAN, 3);
+  row += cell(study, course.torque(k), 3) + cell(study, course.torque(course.down_from(k)), 3);
   return row + "</tr>\n";
 }
 
@@ -121,13 +124,13 @@ std::string effects_html(const RigStudy& study) {
       "<tbody>\n";
   for (const RigEffect& e : rig_effects(study)) {
     const std::string change =
-        e.low > e.high ? "not found"
+        e.low > e.high ? missing(study)
                        : fmt::format("{:+.0f} to {:+.0f} %", 100.0 * e.low, 100.0 * e.high);
     html += fmt::format(
         "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td>{}{}</td></tr>\n",
         escape_markup(e.unknown->name), escape_markup(e.unknown->range),
         e.end == 0 ? "low" : "high", change,
-        e.missing > 0 ? fmt::format(" ({} points not found)", e.missing) : "");
+        e.missing > 0 ? fmt::format(" ({} points {})", e.missing, missing(study)) : "");
   }
   return html + "</tbody></table></div>\n";
 }
@@ -140,8 +143,8 @@ std::string starts_html(const RigStudy& study) {
   for (const RigStart& s : study.starts) {
     html +=
         fmt::format("<tr><td>{:.0f}</td><td>{}</td>{}<td>{:.3f}</td>{}</tr>\n", s.T - kZeroCelsius,
-                    s.worn ? "worn" : "new", cell(s.series.empty() ? NAN : s.breakaway, 3),
-                    s.boundary, cell(s.full_film, 2));
+                    s.worn ? "worn" : "new", cell(study, s.series.empty() ? NAN : s.breakaway, 3),
+                    s.boundary, cell(study, s.full_film, 2));
   }
   return html + "</tbody></table></div>\n";
 }
@@ -192,7 +195,8 @@ std::string rig_page(const RigStudy& study) {
   html += fmt::format(
       "<footer>\n<h2>Provenance</h2>\n<p>Grid {} x {}, {} threads, {:.0f} s. Every bearing: "
       "cases/ks-rig-cycle.toml, ks-rig-support-bearing.toml, start-stop.toml, "
-      "start-stop-support.toml; below, the first.</p>\n{}</footer>\n</main>\n</body>\n</html>\n",
+      "start-stop-support.toml; below, the first, with what the study sets in "
+      "it.</p>\n{}</footer>\n</main>\n</body>\n</html>\n",
       study.plan.grid[0], study.plan.grid[1], study.threads, study.wall_s, app::provenance_html(c));
   return html;
 }

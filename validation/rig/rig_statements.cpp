@@ -226,6 +226,18 @@ void Judge::hysteresis() {
       warm.words(" N m"), warm.in(0.1, 0.3));
 }
 
+/// The smallest torque while the journal slows down, and the largest between there and the stop.
+std::array<double, 2> rise_at_stop(const RigStart& s) {
+  std::array<double, 2> rise{std::numeric_limits<double>::infinity(), 0.0};
+  const auto slower = [](const RigInstant& a, const RigInstant& b) { return a.omega < b.omega; };
+  auto i = std::max_element(s.series.begin(), s.series.end(), slower);
+  for (; i != s.series.end() && i->omega > 0.0; ++i) {
+    if (i->torque < rise[0]) rise = {i->torque, i->torque};
+    rise[1] = std::max(rise[1], i->torque);
+  }
+  return rise;
+}
+
 void Judge::starts() {
   if (s_.starts.size() < 2) return;
   const RigStart& fresh = s_.starts[0];
@@ -249,21 +261,13 @@ void Judge::starts() {
             ? Met::no
             : within(start->full_film, t - 0.3, t + 0.3));
   }
-  const auto peak_at_stop = [](const RigStart& s) {
-    double most = 0.0;
-    double least = std::numeric_limits<double>::infinity();
-    for (const RigInstant& i : s.series) {
-      if (i.t < 3.5) continue;
-      least = std::min(least, i.torque);
-      most = std::max(most, i.torque);
-    }
-    return std::array<double, 2>{least, most};
-  };
-  const auto a = peak_at_stop(fresh);
-  const auto b = peak_at_stop(worn);
-  const Met met = !known ? Met::unknown : a[1] > 2.0 * a[0] && b[1] < a[1] ? Met::yes : Met::no;
+  const auto a = rise_at_stop(fresh);
+  const auto b = rise_at_stop(worn);
+  const bool rise = a[1] > 2.0 * a[0] && b[1] > 2.0 * b[0];
+  const Met met = !known ? Met::unknown : rise && b[1] < a[1] ? Met::yes : Met::no;
   add("4.4.2", "torque rises before the stop, less with the worn surface",
-      "largest while slowing down above twice the smallest; worn below new",
+      "from its smallest while slowing down to more than twice of it before the stop; worn below "
+      "new",
       fmt::format("new {:.3g} to {:.3g}, worn {:.3g} to {:.3g} N m", a[0], a[1], b[0], b[1]), met);
 }
 

@@ -165,7 +165,6 @@ Case mirrored(const Case& c) {
   for (Supply& s : m.supplies) s.angle = other_side(s.angle);
   if (auto* load = std::get_if<LoadGiven>(&m.operation.position)) load->angle = -load->angle;
   if (auto* given = std::get_if<EccentricityGiven>(&m.operation.position)) {
-    given->attitude = -given->attitude;
     given->load_angle = -given->load_angle;
   }
   if (auto* tilt = std::get_if<TiltGiven>(&m.operation.alignment)) tilt->about_x *= -1.0;

@@ -58,6 +58,11 @@ bool let_film_follow(CyclePasses& passes, const WallMeans& walls, MarchEnd& end)
   return true;
 }
 
+/// To the surroundings [W].
+HeatTaken lost_by(const SolidTemperature& solids) {
+  return {solids.shell.heat_back + solids.shell.heat_ends, solids.shaft.heat_out};
+}
+
 double move_of(const WallMeans& a, const WallMeans& b) {
   return larger(largest_difference(a.shell, b.shell), largest_difference(a.shaft, b.shaft));
 }
@@ -71,6 +76,12 @@ double move_for_ever(const CyclePasses& passes, const WallMeans& walls) {
 }
 
 }  // namespace
+
+double mean_that_dies_away(double begin, double end) {
+  if (!(begin * end > 0.0)) return end;
+  const double x = begin / end - 1.0;
+  return x != 0.0 ? begin * -std::expm1(-x) / x : begin;
+}
 
 Bodies uniform_bodies(const Solids& solids, double T) {
   Bodies b{solids.uniform_state(T), {}};
@@ -87,7 +98,7 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
   constexpr double kEndless = 1e7;  // a step beyond which bodies that still move never rest [s]
   const BearingModel& model = passes.film().model();
   const Solids& solids = *model.solids;
-  auto& [bodies, end, dt, owed] = march;
+  auto& [bodies, end, dt, owed, lost] = march;
   if (dt == 0.0) {
     dt = span.first;
     if (!let_film_follow(passes, bodies.walls, end)) return end;
@@ -116,8 +127,20 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
     end.t += dt;
     if (!let_film_follow(passes, bodies.walls, end)) return end;
     const HeatTaken after = passes.told().heat_taken();
-    owed = {dt * (0.5 * (before.shell + after.shell) - next.solids.shell.heat_in) + owed.shell,
-            dt * (0.5 * (before.shaft + after.shaft) - next.solids.shaft.heat_in) + owed.shaft};
+    const HeatTaken loses = lost_by(next.solids);
+    // What the step made of N0; where it has left little of it the bodies have forgotten the rest.
+    const auto add_owed = [&](double got, double gets, double was_lost, double is_lost,
+                              double taken, double& owes) {
+      const double made = taken - is_lost;
+      const double begin = std::isfinite(was_lost) ? got - was_lost : made;
+      owes += dt * (mean_that_dies_away(begin, gets - is_lost) - made);
+      owes *= begin != 0.0 ? std::clamp(made / begin, 0.0, 1.0) : 0.0;
+    };
+    add_owed(before.shell, after.shell, lost.shell, loses.shell, next.solids.shell.heat_in,
+             owed.shell);
+    add_owed(before.shaft, after.shaft, lost.shaft, loses.shaft, next.solids.shaft.heat_in,
+             owed.shaft);
+    lost = loses;
     const Instant instant = instant_after(passes, next, end.t, dt);
     const double left = move_for_ever(passes, bodies.walls);
     end.at_rest = move < kStill && left < kStill;

@@ -4,13 +4,15 @@
 /// Cycles are passed with walls that stay as they are until the film has followed them; then shell,
 /// housing and shaft see the mean heat of the last one, and what the film answers to moving walls,
 /// through a step of backward Euler, and so on. The step is halved until no wall moves by more than
-/// 2 K. What they should have had over it,
-///   dt (q(before) + q(after))/2,                                                         (1)
-/// q the heat that the cycles before and behind it give to shell and shaft, is known when the cycle
-/// behind it has been passed: the difference is made up for in the next step, evenly over the
-/// surface, so that the bodies hold what the film has made, to second order. What is told of the
-/// end of a step is of a cycle between the walls of then. The bearing is at rest where that cycle's
-/// heat, for ever, would move no wall. Source: methods 3.5; (1): textbook (trapezoidal rule).
+/// 2 K. What shell and shaft should have gathered over it,
+///   dt N,   N = N0 (1 - exp(-x))/x,   x = N0/N1 - 1                                      (1)
+/// N0, N1 what they gain from the cycles before and behind it less what they lose to the
+/// surroundings, is known when the cycle behind it has been passed: the difference to what they
+/// have gathered is made up for in the next step, evenly over the surface. (1) is the mean of heat
+/// that dies away at the rate at which backward Euler would make N1 of N0: (N0 + N1)/2 in short
+/// steps, N1 in long ones, where nothing is made up for. What is told of the end of a step is of a
+/// cycle between the walls of then. The bearing is at rest where that cycle's heat, for ever, would
+/// move no wall. Source: methods 3.5; (1) follows from 1/(1 + x) and exp(-x), textbook.
 #include <functional>
 
 #include "bearing/cycle_passes.hpp"
@@ -23,6 +25,9 @@ struct Bodies {
   SolidState state;
   WallMeans walls;
 };
+
+/// (1); its end where the ends are of different signs.
+[[nodiscard]] double mean_that_dies_away(double begin, double end);
 
 /// Shell, housing and shaft at one temperature [K].
 [[nodiscard]] Bodies uniform_bodies(const Solids& solids, double T);
@@ -39,9 +44,10 @@ struct MarchSpan {
 /// Where a march stands between two steps: with the search all that the next step depends on.
 struct CycleMarch {
   Bodies bodies;
-  MarchEnd end{};    ///< so far
-  double dt = 0.0;   ///< next step [s]; 0: the march begins
-  HeatTaken owed{};  ///< to the bodies, of the step before [J]
+  MarchEnd end{};            ///< so far
+  double dt = 0.0;           ///< next step [s]; 0: the march begins
+  HeatTaken owed{};          ///< to the bodies, of the step before [J]
+  HeatTaken lost{NAN, NAN};  ///< to the surroundings, at its end; not a number: none was [W]
 };
 
 /// Goes on with `march` under the cycle of `passes`, the first of which has been made. `tell` has

@@ -159,7 +159,7 @@ double WallBalance::change_for_ever(const Friction& friction) {
 }
 
 double WallBalance::finish(const Friction& friction, bool close) {
-  constexpr double kWalls = 1e-8;           // change per round that leaves their heat balanced [K]
+  constexpr double kWalls = 1e-9;           // change per round that leaves their heat balanced [K]
   constexpr double kSettled = 1e-9;         // change per sweep, balance near round-off [K]
   constexpr double kRoughlySettled = 1e-3;  // the same where the balance need not close [K]
   energy_.emplace(problem(friction));

@@ -12,15 +12,16 @@ namespace shellback::bearing {
 
 namespace {
 
-/// Over cycles an instant is that of the cycle at its end: between two of them its heat is taken as
-/// a straight line.
+/// Over cycles an instant is that of the cycle at its end: between two of them what is left of the
+/// heat dies away (march_over_cycles.hpp).
 double imbalance_of_all(const std::vector<Instant>& instants) {
   double made = 0.0, missing = 0.0;
   for (std::size_t k = 0; k < instants.size(); ++k) {
     const Instant& a = instants[k > 0 ? k - 1 : 0];
     const Instant& b = instants[k];
     made += 0.5 * b.dt * (a.heat_in + b.heat_in);
-    missing += b.dt * (0.5 * (a.heat_in - a.heat_out + b.heat_in - b.heat_out) - b.stored);
+    const double gained = mean_that_dies_away(a.heat_in - a.heat_out, b.heat_in - b.heat_out);
+    missing += b.dt * (gained - b.stored);
   }
   return made != 0.0 ? std::abs(missing / made) : 0.0;
 }

@@ -113,17 +113,22 @@ Verdict take_stage(Solution& s, double own, const SolidState& from,
   return v;
 }
 
-/// One step of `length` [s] from `s` and its bodies: SDIRK2 where its error counts.
+/// One step of `length` [s] from `s` and its bodies: SDIRK2 where its error counts. The shortest
+/// is one of backward Euler, which does not overshoot where hot oil first meets a cold wall.
 Stepped take_step(Solution& s, double length, const SolidState& bodies, const SolidStep& last,
                   const MarchOptions& o, const SolveControl& control) {
   const Tableau by = sdirk2();
   const double g = by.a[0][0];
-  const bool accurate = std::isfinite(o.error);
+  const bool accurate = std::isfinite(o.error) && length > o.shortest;
   const std::vector<double> enthalpy = film_enthalpy(s.model, s.film.columns.T);
   const Walls before = walls_of(s);
   Stepped to{{}, {}, last, {}};
   to.verdict = take_stage(s, accurate ? g * length : length, bodies, enthalpy, o, control, to);
-  if (!to.verdict.good() || !accurate) return to;
+  if (!to.verdict.good()) return to;
+  if (!accurate) {
+    to.error = std::isfinite(o.error) ? 0.5 * largest_distance(walls_of(s), before) : 0.0;
+    return to;
+  }
   const Instant first = to.at;
   const Walls expected{carried_on(before.shell, s.heat.T_shell, 1.0 / g),
                        carried_on(before.shaft, s.heat.T_shaft, 1.0 / g)};

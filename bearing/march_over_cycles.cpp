@@ -63,6 +63,28 @@ HeatTaken lost_by(const SolidTemperature& solids) {
   return {solids.shell.heat_back + solids.shell.heat_ends, solids.shaft.heat_out};
 }
 
+/// What a body is owed more after a step of dt, which has taken `made` from a gain that was `begin`
+/// and now is `end` [W]; where it has left little of that the body has forgotten the rest.
+void add_owed(double dt, double begin, double made, double end, double& owed) {
+  owed += dt * (mean_that_dies_away(begin, end) - made);
+  owed *= begin != 0.0 ? std::clamp(made / begin, 0.0, 1.0) : 0.0;
+}
+
+/// Debts of shell and shaft after a step of dt between cycles that gave them `before` and `after`
+/// [W].
+void keep_accounts(double dt, const HeatTaken& before, const HeatTaken& after,
+                   const SolidTemperature& solids, CycleMarch& march) {
+  const HeatTaken lost = lost_by(solids);
+  const bool begins = !std::isfinite(march.lost.shell);
+  const HeatTaken was = begins ? lost : march.lost;
+  const double shell = solids.shell.heat_in - lost.shell, shaft = solids.shaft.heat_in - lost.shaft;
+  add_owed(dt, begins ? shell : before.shell - was.shell, shell, after.shell - lost.shell,
+           march.owed.shell);
+  add_owed(dt, begins ? shaft : before.shaft - was.shaft, shaft, after.shaft - lost.shaft,
+           march.owed.shaft);
+  march.lost = lost;
+}
+
 double move_of(const WallMeans& a, const WallMeans& b) {
   return larger(largest_difference(a.shell, b.shell), largest_difference(a.shaft, b.shaft));
 }
@@ -98,7 +120,10 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
   constexpr double kEndless = 1e7;  // a step beyond which bodies that still move never rest [s]
   const BearingModel& model = passes.film().model();
   const Solids& solids = *model.solids;
-  auto& [bodies, end, dt, owed, lost] = march;
+  Bodies& bodies = march.bodies;
+  MarchEnd& end = march.end;
+  double& dt = march.dt;
+  const HeatTaken& owed = march.owed;
   if (dt == 0.0) {
     dt = span.first;
     if (!let_film_follow(passes, bodies.walls, end)) return end;
@@ -126,21 +151,7 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
     bodies.walls = next.walls;
     end.t += dt;
     if (!let_film_follow(passes, bodies.walls, end)) return end;
-    const HeatTaken after = passes.told().heat_taken();
-    const HeatTaken loses = lost_by(next.solids);
-    // What the step made of N0; where it has left little of it the bodies have forgotten the rest.
-    const auto add_owed = [&](double got, double gets, double was_lost, double is_lost,
-                              double taken, double& owes) {
-      const double made = taken - is_lost;
-      const double begin = std::isfinite(was_lost) ? got - was_lost : made;
-      owes += dt * (mean_that_dies_away(begin, gets - is_lost) - made);
-      owes *= begin != 0.0 ? std::clamp(made / begin, 0.0, 1.0) : 0.0;
-    };
-    add_owed(before.shell, after.shell, lost.shell, loses.shell, next.solids.shell.heat_in,
-             owed.shell);
-    add_owed(before.shaft, after.shaft, lost.shaft, loses.shaft, next.solids.shaft.heat_in,
-             owed.shaft);
-    lost = loses;
+    keep_accounts(dt, before, passes.told().heat_taken(), next.solids, march);
     const Instant instant = instant_after(passes, next, end.t, dt);
     const double left = move_for_ever(passes, bodies.walls);
     end.at_rest = move < kStill && left < kStill;

@@ -159,7 +159,7 @@ TEST_CASE("OnlyATorqueThatRisesBeforeTheStopDoes", "[rig]") {
                       {3.0, 27.0, 0.4, 0.0},
                       {5.0, 9.0, 0.15, 0.0},
                       {5.9, 0.9, at_stop, 0.0},
-                      {6.0, 0.0, 0.001, 0.0}};
+                      {6.0, 6e-8, 0.001, 0.0}};
       study.starts.push_back(start);
     }
     study.starts[1].worn = true;

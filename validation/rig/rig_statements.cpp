@@ -15,6 +15,7 @@ constexpr double kHigh = 80e3;  ///< 100 MPa [N]
 constexpr double kLow = 40e3;   ///< 50 MPa [N]
 constexpr double kSlowest = 1000.0;
 constexpr double kFastest = 7000.0;
+constexpr double kStands = 1e-6;  ///< of the largest speed: as much as tables have [-]
 constexpr double kFast = 5000.0;  ///< "above 5000 rpm"
 
 /// Within [low, high]; not known if the value is none.
@@ -231,7 +232,9 @@ std::array<double, 2> rise_at_stop(const RigStart& s) {
   std::array<double, 2> rise{std::numeric_limits<double>::infinity(), 0.0};
   const auto slower = [](const RigInstant& a, const RigInstant& b) { return a.omega < b.omega; };
   auto i = std::max_element(s.series.begin(), s.series.end(), slower);
-  for (; i != s.series.end() && i->omega > 0.0; ++i) {
+  if (i == s.series.end()) return rise;
+  const double stands = kStands * i->omega;
+  for (; i != s.series.end() && i->omega > stands; ++i) {
     if (i->torque < rise[0]) rise = {i->torque, i->torque};
     rise[1] = std::max(rise[1], i->torque);
   }

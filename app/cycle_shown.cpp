@@ -170,15 +170,13 @@ std::string choice_words(const bearing::AutoChoice& k) {
                      known_within(k.bar_h_min));
 }
 
-std::string how_it_ran(const CycleResult& cycle) {
+std::string how_it_ran(const bearing::Case& c, const CycleResult& cycle) {
   const std::string steps =
       fmt::format("; {} steps, {} rejected", cycle.steps, cycle.rejected_steps);
   const bool timed = std::isfinite(cycle.period) && cycle.period > 0.0;
   const std::string length = timed ? fmt::format("{:.4g} ms", 1e3 * cycle.period) : "";
   const bool closed = std::isfinite(cycle.closure);
-  if (cycle.verdict.good() && cycle.cycles == 1 && !closed && timed) {
-    return "an event of " + length + steps;
-  }
+  if (c.cycle && !c.cycle->repeats() && timed) return "an event of " + length + steps;
   std::string words = fmt::format("{} cycle{}", cycle.cycles, cycle.cycles == 1 ? "" : "s");
   if (closed) words += fmt::format(", the last two agree within {:.1e}", cycle.closure);
   words += steps;

@@ -19,7 +19,7 @@ namespace {
 using bearing::CycleResult;
 
 constexpr double kColumnWidth = 580.0;  ///< of a figure in a column [px]
-constexpr double kAxisRoom = 8.0;           ///< of it for the title of an axis that stands upright [px]
+constexpr double kAxisRoom = 8.0;       ///< of it for the title of an axis that stands upright [px]
 
 std::string figure(double height, const std::string& label,
                    const std::function<void(Svg&, const Box&)>& draw) {
@@ -92,15 +92,20 @@ std::string cycle_quantities_html(const CycleResult& cycle) {
 }
 
 std::string cycle_tolerance_html(const bearing::Case& c, const CycleResult& cycle) {
-  if (cycle.choice) return "<p>" + escape_markup(choice_words(*cycle.choice)) + ".</p>\n";
-  return missed_html(c, missed_tolerance(c, bearing::as_result(cycle)));
+  const bearing::Result result = bearing::as_result(cycle);
+  std::string html = cycle.choice ? "<p>" + escape_markup(choice_words(*cycle.choice)) + ".</p>\n"
+                                  : missed_html(c, missed_tolerance(c, result));
+  if (const std::string open = undetermined_words(result); !open.empty()) {
+    html += "<p>" + escape_markup(open) + ".</p>\n";
+  }
+  return html;
 }
 
-std::string cycle_audit_html(const CycleResult& cycle) {
+std::string cycle_audit_html(const bearing::Case& c, const CycleResult& cycle) {
   return fmt::format(
       "<p>{}.</p>\n<p>Relative imbalances over the cycle: {}. Grid {} × "
       "{}, {} Newton iterations, {} factorizations, {} s.</p>\n",
-      how_it_ran(cycle), audit_words(cycle), cycle.grid[0], cycle.grid[1],
+      how_it_ran(c, cycle), audit_words(cycle), cycle.grid[0], cycle.grid[1],
       cycle.cost.newton_iterations, cycle.cost.factorizations, figures(cycle.cost.wall_s, 3));
 }
 

@@ -15,7 +15,8 @@ namespace shellback::app {
                                                const bearing::CycleResult& cycle);
 
 /// How the cycle was run, audit and cost.
-[[nodiscard]] std::string cycle_audit_html(const bearing::CycleResult& cycle);
+[[nodiscard]] std::string cycle_audit_html(const bearing::Case& c,
+                                           const bearing::CycleResult& cycle);
 
 /// The path of the journal and the curves over the cycle.
 [[nodiscard]] std::string cycle_curves_html(const bearing::Case& c,

@@ -82,9 +82,9 @@ FieldMap power_map(const bearing::Case& c, const CycleResult& cycle, const Field
   return map;
 }
 
-std::string status_words(const CycleResult& cycle) {
+std::string status_words(const bearing::Case& c, const CycleResult& cycle) {
   std::string words = "Load cycle, tier " + std::string(to_string(cycle.tier)) + ": ";
-  if (cycle.verdict.good()) return words + how_it_ran(cycle);
+  if (cycle.verdict.good()) return words + how_it_ran(c, cycle);
   return words + status_line(head_of(cycle)) + "; " + reason_of(cycle.verdict);
 }
 
@@ -221,7 +221,7 @@ std::string cycle_svg(const bearing::Case& c, const CycleResult& cycle) {
   const Theme theme = print_theme();
   Svg svg(kWidth, kHeight);
   svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
-  draw_scene(svg, c, status_words(cycle), cycle.verdict.good(), theme);
+  draw_scene(svg, c, status_words(c, cycle), cycle.verdict.good(), theme);
   draw_orbit(svg, {24.0, 84.0, 480.0, 512.0}, c, cycle, theme);
   if (!cycle.instants.empty()) {
     draw_cycle_curves(svg, {520.0, 84.0, 712.0, 516.0}, cycle, theme);

@@ -26,4 +26,8 @@ struct Missed {
 [[nodiscard]] std::vector<std::string> tolerance_lines(const bearing::Case& c,
                                                        const Missed& missed);
 
+/// "not determined by these grids: largest film pressure (bars of 3.4 times the value)": pressures
+/// whose bars are larger than they; empty: none.
+[[nodiscard]] std::string undetermined_words(const bearing::Result& result);
+
 }  // namespace shellback::app

@@ -67,7 +67,9 @@ void write_cycle_table(std::ostream& out, const bearing::Case& c, const CycleRes
       out << line << '\n';
     }
   }
-  out << how_it_ran(cycle) << '\n';
+  const std::string open = undetermined_words(bearing::as_result(cycle));
+  if (!open.empty()) out << open << '\n';
+  out << how_it_ran(c, cycle) << '\n';
   out << "audit (relative)  " << audit_words(cycle) << '\n';
   print_limiters(out, {head});
   print_list(out, "warnings", words_of(cycle.warnings));

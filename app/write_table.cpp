@@ -148,6 +148,7 @@ void print_table(std::ostream& out, const Case* c, const Result& result) {
   print_failure(out, to_string(result.tier), result);
   print_quantities(out, measured, {result});
   if (c != nullptr) print_tolerance(out, *c, missed_tolerance(*c, result));
+  if (const std::string open = undetermined_words(result); !open.empty()) out << open << '\n';
   print_coefficients(out, result);
   const auto& a = result.audit;
   out << fmt::format("\naudit (relative)  mass {}  energy {}  load {}  moment {}\n",

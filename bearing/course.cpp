@@ -115,6 +115,14 @@ class Course {
 
 double CourseRun::imbalance_at_ends() const {
   double most = 0.0;
+  if (over_cycles) {
+    std::size_t first = 0;
+    for (const std::size_t k : ends) {
+      most = larger(most, imbalance_over(instants, first, k + 1));
+      first = k + 1;
+    }
+    return most;
+  }
   for (const std::size_t k : ends) {
     const Instant& i = instants[k];
     most = larger(most, std::abs(i.heat_in - i.heat_out - i.stored) / std::abs(i.heat_in));
@@ -126,6 +134,7 @@ CourseRun run_course(const std::vector<Stretch>& stretches, Tier tier, const War
                      const SolveControl& control) {
   expect_course(stretches, tier);
   CourseRun run;
+  run.over_cycles = stretches.front().subject.cycle.has_value();
   Course course(tier, options, control, run);
   for (std::size_t k = course.take_up(); k < stretches.size() && course.pass(stretches[k]);) ++k;
   return run;

@@ -4,8 +4,8 @@
 /// Each stretch holds the operation of its case for a time. Shell, housing and shaft go from the
 /// end of one stretch into the next as they are; the film, which forgets within milliseconds,
 /// begins anew. Heat balance and steps in time as in warm_up.hpp; over load cycles the step is at
-/// most a sixteenth of the stretch, so that what backward Euler leaves at its end is told to some
-/// per cent of the change within the stretch.
+/// most a sixteenth of the stretch, and what it leaves at the end some tenths of a per cent of
+/// friction (decision 059).
 #include <cstddef>
 
 #include "bearing/warm_up.hpp"
@@ -23,7 +23,9 @@ struct CourseRun {
   /// Index of the last instant of each stretch that was passed to its end.
   std::vector<std::size_t> ends;
   MarchEnd end;  ///< not good: the last instant was the last that had a film
-  /// Largest |in - out - stored| over heat in at the ends of the stretches [-].
+  bool over_cycles = false;
+  /// Largest |in - out - stored| over heat in at the ends of the stretches; over cycles of whole
+  /// stretches, less what the last step of each is owed, which goes with it [-].
   [[nodiscard]] double imbalance_at_ends() const;
 };
 

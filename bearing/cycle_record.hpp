@@ -15,7 +15,7 @@ struct CycleMeans {
   double T_film = 0.0;           ///< of the oil, by its mass; resolved tiers [K]
   double power = 0.0;            ///< of shaft, load and supply [W]
   double side_mass_flow = 0.0;   ///< [kg/s]
-  std::vector<double> fed;       ///< out of every supply, net [kg/s]
+  std::vector<double> fed;       ///< out of every supply into the film, net [kg/s]
 };
 
 class CycleRecord {

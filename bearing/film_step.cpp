@@ -349,6 +349,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     step.supply += f * stages[i].flows.supply;
     step.patch.resize(stages[i].flows.patch.size(), 0.0);
     add(f, stages[i].flows.patch, step.patch);
+    add(-f, stages[i].flows.pocket, step.patch);
     step.side += f * stages[i].flows.side;
     step.line += f * vessels_.from_lines(stages[i].flows);
     add(f, vessels_.slopes(stages[i].flows), step.after.vessels);

@@ -67,7 +67,7 @@ struct FilmStep {
   Field p;              ///< film pressure told of its end (3) [Pa]
   double error = 0.0;   ///< estimated, of the loaded film over its height (film_motion.hpp) [-]
   double supply = 0.0;  ///< oil fed in over the step, into pockets and film [kg]
-  std::vector<double> patch;  ///< the same, out of every supply [kg]
+  std::vector<double> patch;  ///< out of every supply into the film alone [kg]
   double side = 0.0;          ///< and lost at the sides [kg]
   double layer_loss = 0.0;    ///< turned into heat in an elasto-plastic layer, solved part [J]
   double line = 0.0;          ///< come from the supplies' lines: the same and into vessels [kg]

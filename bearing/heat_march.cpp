@@ -113,10 +113,32 @@ Verdict take_stage(Solution& s, double own, const SolidState& from,
   return v;
 }
 
+/// Half the distance of the walls from where the last step's rate would have led them: the local
+/// error of backward Euler, as dt^2 T''/2 [K].
+double error_of_shortest(const Walls& now, const Walls& before, const MarchStand::Rate& rate,
+                         double dt) {
+  Walls expected = before;
+  for (std::size_t k = 0; k < rate.shell.size(); ++k) expected.shell[k] += dt * rate.shell[k];
+  for (std::size_t k = 0; k < rate.shaft.size(); ++k) expected.shaft[k] += dt * rate.shaft[k];
+  return 0.5 * largest_distance(now, expected);
+}
+
+MarchStand::Rate rate_of(const Walls& now, const Walls& before, double dt) {
+  MarchStand::Rate rate{now.shell, now.shaft};
+  for (std::size_t k = 0; k < rate.shell.size(); ++k) {
+    rate.shell[k] = (rate.shell[k] - before.shell[k]) / dt;
+  }
+  for (std::size_t k = 0; k < rate.shaft.size(); ++k) {
+    rate.shaft[k] = (rate.shaft[k] - before.shaft[k]) / dt;
+  }
+  return rate;
+}
+
 /// One step of `length` [s] from `s` and its bodies: SDIRK2 where its error counts. The shortest
 /// is one of backward Euler, which does not overshoot where hot oil first meets a cold wall.
-Stepped take_step(Solution& s, double length, const SolidState& bodies, const SolidStep& last,
+Stepped take_step(Solution& s, double length, const MarchStand& stand, const SolidStep& last,
                   const MarchOptions& o, const SolveControl& control) {
+  const SolidState& bodies = stand.bodies;
   const Tableau by = sdirk2();
   const double g = by.a[0][0];
   const bool accurate = std::isfinite(o.error) && length > o.shortest;
@@ -126,7 +148,9 @@ Stepped take_step(Solution& s, double length, const SolidState& bodies, const So
   to.verdict = take_stage(s, accurate ? g * length : length, bodies, enthalpy, o, control, to);
   if (!to.verdict.good()) return to;
   if (!accurate) {
-    to.error = std::isfinite(o.error) ? 0.5 * largest_distance(walls_of(s), before) : 0.0;
+    if (std::isfinite(o.error)) {
+      to.error = error_of_shortest(walls_of(s), before, stand.rate, length);
+    }
     return to;
   }
   const Instant first = to.at;
@@ -150,7 +174,7 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
                     const SolveControl& control, const std::function<void(const Instant&)>& tell) {
   const double still = kHeatUnit * ThermalOptions{}.tolerance;  // what one iteration may leave [K]
   const bool accurate = std::isfinite(o.error);
-  auto& [bodies, end, dt, calm] = stand;
+  auto& [bodies, end, dt, calm, rate] = stand;
   if (dt == 0.0) dt = o.first;
   SolidStep last;
   while (!end.at_rest && end.t < o.end && dt <= o.longest) {
@@ -158,7 +182,7 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
     const FilmEquilibrium film = s.film;
     const HeatState heat = s.heat;
     const Walls before = walls_of(s);
-    Stepped step = take_step(s, length, bodies, last, o, control);
+    Stepped step = take_step(s, length, stand, last, o, control);
     end.verdict = step.verdict;
     const bool shortest = dt <= o.shortest;
     if (!end.verdict.good() || (step.error > o.error && !shortest)) {
@@ -177,6 +201,7 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
     }
     if (step.error > o.error) ++end.jumps;
     bodies = std::move(step.bodies);
+    rate = rate_of(walls_of(s), before, length);
     end.t += length;
     last = std::move(step.last);
     end.at_rest = accurate && largest_distance(walls_of(s), before) < still && is_at_rest(s);

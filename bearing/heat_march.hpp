@@ -10,9 +10,10 @@
 /// Heat made, given away and stored are told as means over the step, (1 - g) of the first stage and
 /// g of the second: what is stored is the change of what the bodies hold. dt is chosen so that the
 /// walls are nowhere farther than a given amount from T_n + (T_1 - T_n)/g, the first stage
-/// carried on in a straight line; without such an amount steps of backward Euler grow as long as
-/// they are found, and the march is but a way to the steady state (pseudo-transient continuation).
-/// Source: textbook.
+/// carried on in a straight line; the shortest steps, in which hot oil may first meet a cold wall,
+/// are of backward Euler, which does not overshoot. Without such an amount steps of backward Euler
+/// grow as long as they are found, and the march is but a way to the steady state (pseudo-transient
+/// continuation). Source: textbook.
 #include <functional>
 #include <limits>
 
@@ -65,10 +66,17 @@ struct MarchEnd {
 /// Where a march stands between two steps: with film and heat all that the next step depends on.
 struct MarchStand {
   static constexpr int kCalm = 3;  ///< steps before one that was rejected is tried as long again
+  /// How fast the walls change.
+  struct Rate {
+    Field shell;                ///< [K/s]; empty: not known
+    std::vector<double> shaft;  ///< [K/s]
+  };
+
   SolidState bodies;
   MarchEnd end{};    ///< so far
   double dt = 0.0;   ///< next step [s]; 0: the march begins
   int calm = kCalm;  ///< steps since one was rejected
+  Rate rate{};       ///< over the last step
 };
 
 /// Marches `s` on from its film and heat; `stand` is left at the last instant. `tell` has each

@@ -102,7 +102,7 @@ double move_for_ever(const CyclePasses& passes, const WallMeans& walls) {
 double mean_that_dies_away(double begin, double end) {
   if (!(begin * end > 0.0)) return end;
   const double x = begin / end - 1.0;
-  return x != 0.0 ? begin * -std::expm1(-x) / x : begin;
+  return x > 0.0 ? begin * -std::expm1(-x) / x : 0.5 * (begin + end);
 }
 
 Bodies uniform_bodies(const Solids& solids, double T) {

@@ -13,6 +13,7 @@
 /// steps, N1 in long ones, where nothing is made up for. What is told of the end of a step is of a
 /// cycle between the walls of then. The bearing is at rest where that cycle's heat, for ever, would
 /// move no wall. Source: methods 3.5; (1) follows from 1/(1 + x) and exp(-x), textbook.
+#include <cmath>
 #include <functional>
 
 #include "bearing/cycle_passes.hpp"
@@ -26,7 +27,7 @@ struct Bodies {
   WallMeans walls;
 };
 
-/// (1); its end where the ends are of different signs.
+/// (1); where it grows (N0 + N1)/2, its end where the ends are of different signs.
 [[nodiscard]] double mean_that_dies_away(double begin, double end);
 
 /// Shell, housing and shaft at one temperature [K].

@@ -28,8 +28,7 @@ struct CarriedOver {
 };
 
 /// Whether a stretch over load cycles ends early where walls move no more, or is passed to its end
-/// in sixteen steps at least: what backward Euler leaves there is then told to some per cent of the
-/// change within it.
+/// in sixteen steps at least: what they leave there is some tenths of a per cent of friction.
 enum class StretchEnd { at_rest, in_time };
 
 /// Has each instant, counted from the beginning of the stretch; `stand` puts on a tape all that the

@@ -10,14 +10,10 @@
 
 namespace shellback::bearing {
 
-namespace {
-
-/// Over cycles an instant is that of the cycle at its end: between two of them what is left of the
-/// heat dies away (march_over_cycles.hpp).
-double imbalance_of_all(const std::vector<Instant>& instants) {
+double imbalance_over(const std::vector<Instant>& instants, std::size_t first, std::size_t end) {
   double made = 0.0, missing = 0.0;
-  for (std::size_t k = 0; k < instants.size(); ++k) {
-    const Instant& a = instants[k > 0 ? k - 1 : 0];
+  for (std::size_t k = first; k < end; ++k) {
+    const Instant& a = instants[k > first ? k - 1 : k];
     const Instant& b = instants[k];
     made += 0.5 * b.dt * (a.heat_in + b.heat_in);
     const double gained = mean_that_dies_away(a.heat_in - a.heat_out, b.heat_in - b.heat_out);
@@ -26,10 +22,8 @@ double imbalance_of_all(const std::vector<Instant>& instants) {
   return made != 0.0 ? std::abs(missing / made) : 0.0;
 }
 
-}  // namespace
-
 double WarmUp::imbalance() const {
-  if (solution.model.input.cycle) return imbalance_of_all(instants);
+  if (solution.model.input.cycle) return imbalance_over(instants, 0, instants.size());
   double most = 0.0;
   for (const Instant& i : instants) {
     most = larger(most, std::abs(i.heat_in - i.heat_out - i.stored) / std::abs(i.heat_in));

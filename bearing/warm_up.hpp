@@ -11,19 +11,26 @@
 
 namespace shellback::bearing {
 
+/// |in - out - stored| over heat in of the instants from `first` up to `end`, taken together, over
+/// cycles: an instant is that of the cycle at its end, and between two of them what is left of the
+/// heat dies away (march_over_cycles.hpp) [-].
+[[nodiscard]] double imbalance_over(const std::vector<Instant>& instants, std::size_t first,
+                                    std::size_t end);
+
 struct WarmUp {
   std::vector<Instant> instants;
   MarchEnd end;       ///< not good: the last instant was the last that had a film
   Solution solution;  ///< at the last instant
-  /// Largest |in - out - stored| over heat in of all instants; over cycles that of the whole warm-up,
-  /// whose instants end steps between two of them [-].
+  /// Largest |in - out - stored| over heat in of all instants; over cycles that of the whole
+  /// warm-up, whose instants end steps between two of them [-].
   [[nodiscard]] double imbalance() const;
 };
 
 /// Solves tier thd or tehd on the case's grid. A case with a load cycle is taken over many cycles:
 /// one is passed with walls that stay as they are, then the bodies see its mean heat until a wall
 /// has moved by 2 K, and so on; torque and heat of an instant are means of its cycle, the smallest
-/// film and the largest temperatures those of the cycle. Throws InputError for other tiers and for single events.
+/// film and the largest temperatures those of the cycle. Throws InputError for other tiers and for
+/// single events.
 [[nodiscard]] WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& options,
                              const SolveControl& control = {});
 

@@ -1,5 +1,6 @@
 #include "app/program/session.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/read_case.hpp"

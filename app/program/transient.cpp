@@ -136,15 +136,17 @@ int transient(const Request& request) {
   SolveControl control = control_for(progress);
   control.kept = keeper.kept();
   const WarmUp run = warm_up(subject, subject.model.tier, options, control);
+  Result steady;
+  steady.verdict = {Status::interrupted};  // as long as it is not solved
   if (run.instants.empty()) {
     std::cerr << "error: transient: " << reason_of(run.end.verdict) << "\n";
-    outputs.give("--json", [&] { return warm_up_json(subject, run, options, {}); });
+    outputs.give("--json", [&] { return warm_up_json(subject, run, options, steady); });
     const int code = outputs.code(code_of(run.end.verdict));
     keeper.end(code);
     return code;
   }
   const bool stopped = run.end.verdict.status == Status::interrupted;
-  const Result steady = stopped ? Result{} : steady_state(subject, control, keeper);
+  if (!stopped) steady = steady_state(subject, control, keeper);
   if (request.json != "-") print_warm_up(subject, run, steady);
   if (!run.end.verdict.good()) {
     std::cerr << fmt::format("error: transient: ended after {:.4g} s: {}\n", run.end.t,
@@ -152,9 +154,10 @@ int transient(const Request& request) {
   }
   outputs.give("--json", [&] { return warm_up_json(subject, run, options, steady); });
   outputs.give("--picture", [&] { return warm_up_svg(subject, run, steady); });
-  const bool late = run.end.verdict.good() && steady.verdict.status == Status::interrupted;
+  const bool late =
+      run.end.verdict.good() && code_of(steady.verdict, steady.warnings) == kInterrupted;
   if (late) tell_verdict(steady);
-  const int code = outputs.code(code_of(late ? steady.verdict : run.end.verdict));
+  const int code = outputs.code(late ? kInterrupted : code_of(run.end.verdict));
   keeper.end(code);
   return code;
 }

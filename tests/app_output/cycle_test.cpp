@@ -227,14 +227,24 @@ TEST_CASE("ThePageOfACycleTellsItsToleranceAsTheTableDoes") {
   CHECK(contains(page, "shellback run"));
 }
 
+TEST_CASE("APressureThatNoGridDeterminesIsToldAsOne") {
+  bearing::CycleResult cycle = test::synthetic_cycle();
+  const auto with_bars = [&](double part) {
+    for (auto& q : cycle.quantities) {
+      if (q.quantity.name == "p_max") q.quantity.error_grid = part * q.quantity.value;
+    }
+    return table(cycle);
+  };
+  CHECK_FALSE(contains(with_bars(0.9), "not determined"));
+  CHECK(contains(with_bars(3.4), "not determined by these grids: largest film pressure"));
+}
+
 TEST_CASE("ASingleEventIsNoCycle") {
-  bearing::CycleResult event = test::timed_cycle();
-  event.cycles = 1;
-  event.closure = NAN;
-  CHECK(app::how_it_ran(event).starts_with("an event of "));
-  event.verdict = {Status::interrupted};
-  CHECK(app::how_it_ran(event).starts_with("1 cycle;"));
-  CHECK(app::how_it_ran(test::timed_cycle()).find("agree within") != std::string::npos);
+  const bearing::CycleResult cycle = test::timed_cycle();
+  bearing::Case c = test::cycle_case();
+  CHECK(contains(app::how_it_ran(c, cycle), "agree within"));
+  c.cycle->period = std::numeric_limits<double>::infinity();
+  CHECK(app::how_it_ran(c, cycle).starts_with("an event of "));
 }
 
 TEST_CASE("SpeedIsDrawnWhereItVaries") {

@@ -119,6 +119,20 @@ TEST_CASE("AWarmUpOverACycleThatStandsStillIsThatOfItsLoad", "[course]") {
   CHECK(cycles.imbalance() < 5e-3);
 }
 
+TEST_CASE("HeatThatDiesAwayIsTakenAtItsMean") {
+  // (1) of march_over_cycles.hpp: the exact mean of what backward Euler halves in one step,
+  // exp(-x) with 1/(1 + x) = 1/2
+  CHECK(mean_that_dies_away(1.0, 0.5) == Approx(1.0 - std::exp(-1.0)));
+  CHECK(mean_that_dies_away(-1.0, -0.5) == Approx(std::exp(-1.0) - 1.0));
+  // short steps: the trapezoid, to second order in what is left; long ones: the end
+  CHECK(mean_that_dies_away(1.0, 0.99) == Approx(0.995).epsilon(1e-4));
+  CHECK(mean_that_dies_away(1.0, 1e-6) == Approx(1e-6).epsilon(1e-4));
+  // it grows: the trapezoid; another sign: the end
+  CHECK(mean_that_dies_away(1.0, 10.0) == Approx(5.5));
+  CHECK(mean_that_dies_away(1.0, 1.0) == 1.0);
+  CHECK(mean_that_dies_away(1.0, -0.1) == -0.1);
+}
+
 TEST_CASE("AnInstantOverCyclesIsThatOfTheWallsOfThen", "[course]") {
   const CourseRun steady = passed({{coarse_course(), 200.0}});
   const CourseRun cycles = passed({{as_cycle(coarse_course()), 200.0}});

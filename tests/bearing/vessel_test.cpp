@@ -199,6 +199,26 @@ TEST_CASE("AGrooveTakesTheOilThatAJournalLeavesOverIt", "[vessel]") {
   CHECK(s.pressure - shut.instants.back().p_vessel == Approx(fell).epsilon(1e-3));
 }
 
+TEST_CASE("OilThatAGrooveTakesBackCarriesNoHeatAway", "[vessel]") {
+  // The load turns from the groove to the other side: more oil goes back into the groove than the
+  // film is fed with, and tier lumped still has its through-flow.
+  Case c = warm_case();
+  Supply& s = c.supplies[0];
+  s.arc = 60.0 * kDegree;
+  s.length = 0.02;
+  s.pressure = 1e5;
+  LoadCycle cycle;
+  cycle.t = {0.0, 4e-3};
+  cycle.x = {0.0, 0.0};
+  cycle.y = {-1.5e3, 1.5e3};
+  cycle.journal_mass = 1.0;
+  c.cycle = cycle;
+  const CycleResult r = solve_cycle(c, Tier::lumped);
+  INFO(app::reason_of(r.verdict));
+  CHECK(r.verdict.good());
+  CHECK(value_of(r, "supply_flow") < 0.0);
+}
+
 TEST_CASE("AnEmptyVesselIsFilledByAFilmThatDoesNotFeelIt", "[vessel]") {
   const Case c = leaking_case();
   const BearingModel model = make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid);

@@ -31,7 +31,7 @@ struct StressAnswer {
   [[nodiscard]] double value(const std::string& name) const;
 };
 
-/// The case turned over at the X axis: phi -> -phi, speed and attitude reversed, the tilt's and
+/// The case turned over at the X axis: phi -> -phi, speed reversed, the tilt's and
 /// moment's component along X (an axial vector) reversed. Its solution is the mirror image.
 [[nodiscard]] bearing::Case mirrored(const bearing::Case& c);
 

@@ -115,7 +115,7 @@ TEST_CASE("AWarmUpOverACycleThatStandsStillIsThatOfItsLoad", "[course]") {
   CHECK(b.T_shaft == Approx(a.T_shaft).margin(0.3));
   CHECK(b.torque == Approx(a.torque).epsilon(0.01));  // 0.3 K of 3.5 % per kelvin
   CHECK(stored(cycles) == Approx(stored(steady)).epsilon(0.01));
-  // Bodies that took what each step foresaw held 5 % more than the film had made.
+  // Bodies that took what each step foresaw held 2 % of the heat made too much.
   CHECK(cycles.imbalance() < 5e-3);
 }
 

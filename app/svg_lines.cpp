@@ -27,6 +27,27 @@ Axis y_axis(const LinePlot& plot) {
   return round_axis(low, high, 6, plot.y_title);
 }
 
+/// Where the bars are known, between lines that are.
+void draw_band(Svg& svg, const Frame& frame, const Series& s) {
+  constexpr double kOpacity = 0.22;  // lines of other series stay legible through it
+  std::vector<Point> above, below;
+  const auto flush = [&] {
+    above.insert(above.end(), below.rbegin(), below.rend());
+    if (above.size() > 2) svg.shade(line_path(above) + "Z", s.colour, kOpacity);
+    above.clear();
+    below.clear();
+  };
+  for (std::size_t k = 0; k < s.bar.size(); ++k) {
+    if (!std::isfinite(s.y[k] + s.bar[k])) {
+      flush();
+      continue;
+    }
+    above.push_back(frame.at(s.x[k], s.y[k] + s.bar[k]));
+    below.push_back(frame.at(s.x[k], s.y[k] - s.bar[k]));
+  }
+  flush();
+}
+
 void draw_series(Svg& svg, const Frame& frame, const Series& series) {
   std::string path;
   std::vector<Point> run;
@@ -65,6 +86,7 @@ Frame draw_lines(Svg& svg, const Box& box, const LinePlot& plot, const Theme& th
   draw_legend(svg, {frame.box.x, box.y + 34.0}, plot, theme);
   draw_axes(svg, frame, theme, GridLines::horizontal);
   svg.begin_clip(frame.box);
+  for (const auto& series : plot.series) draw_band(svg, frame, series);
   for (const auto& series : plot.series) draw_series(svg, frame, series);
   svg.end_clip();
   return frame;

@@ -13,7 +13,8 @@ struct Series {
   std::vector<double> x;
   std::vector<double> y;  ///< a value that is not a number interrupts the line
   std::string colour;
-  std::string dash;  ///< empty: solid
+  std::string dash;           ///< empty: solid
+  std::vector<double> bar{};  ///< half-width of a band around it; empty: none
 };
 
 struct LinePlot {

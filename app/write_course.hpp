@@ -4,24 +4,27 @@
 #include <string>
 #include <vector>
 
-#include "bearing/course.hpp"
+#include "fidelity/march_bars.hpp"
 
 namespace shellback::app {
 
 /// One line a stretch: speed, time at its end, and what the bearing is then.
 void write_course_table(std::ostream& out, const std::vector<bearing::Stretch>& stretches,
-                        const bearing::CourseRun& run);
+                        const bearing::CourseRun& run, const fidelity::MarchBars& bars);
 
 /// status, [reason, place, cure], title, tier, grid, `start` (temperature of the bodies),
 /// `stretches`: speed, duration, passed, and where it was, every quantity at its end; `time` and
-/// every quantity over time as {unit, values}, `audit` {energy at the ends}, warnings,
+/// every quantity over time as {unit, values, error_grid,
+/// error_time}, `audit` {energy at the ends}, warnings,
 /// assumptions, provenance, `changes` and `case` (of the first stretch).
 [[nodiscard]] std::string course_json(const std::vector<bearing::Stretch>& stretches,
                                       const bearing::WarmUpOptions& options,
-                                      const bearing::CourseRun& run);
+                                      const bearing::CourseRun& run,
+                                      const fidelity::MarchBars& bars);
 
 /// Torque, temperatures and smallest film over time, and torque over speed (1200 x 780).
 [[nodiscard]] std::string course_svg(const std::vector<bearing::Stretch>& stretches,
-                                     const bearing::CourseRun& run);
+                                     const bearing::CourseRun& run,
+                                     const fidelity::MarchBars& bars);
 
 }  // namespace shellback::app

@@ -18,12 +18,14 @@
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "bearing/bore_shape.hpp"
+#include "bearing/instant.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::app {
 namespace {
 
+using bearing::Followed;
 using bearing::RunningInRun;
 using bearing::RunningInState;
 using Json = nlohmann::ordered_json;

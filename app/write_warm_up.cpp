@@ -10,9 +10,9 @@
 #include "app/followed.hpp"
 #include "app/json_parts.hpp"
 #include "app/svg_heading.hpp"
-#include "app/svg_lines.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
+#include "app/write_instants.hpp"
 #include "app/write_json.hpp"
 #include "core/constants.hpp"
 
@@ -21,6 +21,7 @@ namespace {
 
 using bearing::Instant;
 using bearing::WarmUp;
+using fidelity::MarchBars;
 using Json = nlohmann::ordered_json;
 
 /// A line of a panel, in the unit shown, with its steady value.
@@ -34,8 +35,12 @@ struct SteadyLine {
 
 class Panel {
  public:
-  Panel(const WarmUp& run, const bearing::Result& steady, const Theme& theme)
-      : run_(run), steady_(steady), theme_(theme), t_(over_time(run.instants, &Instant::t)) {}
+  Panel(const WarmUp& run, const MarchBars& bars, const bearing::Result& steady, const Theme& theme)
+      : run_(run),
+        bars_(bars),
+        steady_(steady),
+        theme_(theme),
+        t_(over_time(run.instants, &Instant::t)) {}
 
   void draw(Svg& svg, const Box& box, const std::string& title, const std::string& unit,
             const std::vector<SteadyLine>& lines, bool from_zero) const {
@@ -45,11 +50,13 @@ class Panel {
     double low = INFINITY;
     double high = -INFINITY;
     for (std::size_t k = 0; k < lines.size(); ++k) {
-      Series series{lines[k].label, t_, {}, theme_.series[k % theme_.series.size()], ""};
-      for (const double v : over_time(run_.instants, lines[k].value)) {
-        series.y.push_back(lines[k].factor * v - lines[k].zero);
-        low = std::min(low, series.y.back());
-        high = std::max(high, series.y.back());
+      Series series =
+          over_instants(t_, run_.instants, bars_, lines[k].value, lines[k].factor, lines[k].zero);
+      series.name = lines[k].label;
+      series.colour = theme_.series[k % theme_.series.size()];
+      for (const double v : series.y) {
+        low = std::min(low, v);
+        high = std::max(high, v);
       }
       plot.series.push_back(series);
       const double end = steady_.value(lines[k].steady);
@@ -65,6 +72,7 @@ class Panel {
 
  private:
   const WarmUp& run_;
+  const MarchBars& bars_;
   const bearing::Result& steady_;
   const Theme& theme_;
   std::vector<double> t_;
@@ -81,11 +89,13 @@ std::string how_it_ended(const WarmUp& run) {
 }  // namespace
 
 std::vector<std::string> warm_up_warnings(const bearing::Case& c, const WarmUp& run,
-                                          const bearing::Result& steady) {
+                                          const MarchBars& bars, const bearing::Result& steady) {
   auto all = steady.verdict.good() ? words_of(steady.warnings) : c.warnings;
   for (std::string& words : words_of(bearing::warm_up_warnings(c.oil, run, steady))) {
     if (std::find(all.begin(), all.end(), words) == all.end()) all.push_back(std::move(words));
   }
+  const std::vector<std::string> of_bars = bar_warnings(bars);
+  all.insert(all.end(), of_bars.begin(), of_bars.end());
   return all;
 }
 
@@ -95,7 +105,8 @@ std::vector<std::string> warm_up_assumptions(const bearing::Case& c,
 }
 
 std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
-                         const bearing::WarmUpOptions& options, const bearing::Result& steady) {
+                         const bearing::WarmUpOptions& options, const MarchBars& bars,
+                         const bearing::Result& steady) {
   Json json;
   json_parts::add_status(json, run.end.verdict);
   json["title"] = c.title;
@@ -103,14 +114,11 @@ std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
   json["grid"] = c.model.grid;
   json["start"] = {{"value", options.T_start}, {"unit", "K"}};
   json["end"] = {{"t", {{"value", run.end.t}, {"unit", "s"}}}, {"at_rest", run.end.at_rest}};
-  json["time"] = {{"unit", "s"}, {"values", over_time(run.instants, &Instant::t)}};
-  for (const auto& q : kFollowedInstants) {
-    json["quantities"][q.name] = {{"unit", q.unit}, {"values", over_time(run.instants, q.value)}};
-  }
+  add_instants(json, run.instants, bars);
   json["audit"] = {{"energy", run.imbalance()}};
   json["jumps"] = run.end.jumps;
   json["unfollowed"] = run.end.unfollowed;
-  json["warnings"] = warm_up_warnings(c, run, steady);
+  json["warnings"] = warm_up_warnings(c, run, bars, steady);
   const Json one = Json::parse(result_json(c, steady));
   json["steady"] = {{"status", one["status"]}, {"quantities", one["quantities"]}};
   json["assumptions"] = warm_up_assumptions(c, steady);
@@ -119,14 +127,15 @@ std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
   return json_parts::dump(json);
 }
 
-std::string warm_up_svg(const bearing::Case& c, const WarmUp& run, const bearing::Result& steady) {
+std::string warm_up_svg(const bearing::Case& c, const WarmUp& run, const MarchBars& bars,
+                        const bearing::Result& steady) {
   const Theme theme = print_theme();
   Svg svg(kOverTimeWidth, kOverTimeHeight);
   svg.rect({0.0, 0.0, kOverTimeWidth, kOverTimeHeight}, theme.paper);
   draw_scene(svg, c,
              "Warm-up, tier " + std::string(to_string(c.model.tier)) + ": " + how_it_ended(run),
              run.end.verdict.good(), theme);
-  const Panel panel(run, steady, theme);
+  const Panel panel(run, bars, steady, theme);
   panel.draw(svg, {70.0, 110.0, 500.0, 270.0}, "Temperature", "°C",
              {{"film, largest", &Instant::T_film_max, "T_film_max", 1.0, kZeroCelsius},
               {"shell, largest", &Instant::T_shell_max, "T_shell_max", 1.0, kZeroCelsius},

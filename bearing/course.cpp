@@ -84,6 +84,7 @@ class Course {
   bool pass(const Stretch& s) {
     WarmUpOptions one = options_;
     one.end = s.duration;
+    one.steps = s.steps;
     Solution now;
     const MarchEnd end =
         pass_stretch(s.subject, tier_, one, StretchEnd::in_time, control_, carried_, now,
@@ -96,6 +97,7 @@ class Course {
     run_.end = end;
     run_.end.t += begun_;
     if (!end.verdict.good()) return false;
+    run_.solution = std::move(now);
     run_.ends.push_back(run_.instants.size() - 1);
     begun_ += s.duration;
     return true;

@@ -15,14 +15,17 @@ namespace shellback::bearing {
 /// One operation, held for a time.
 struct Stretch {
   Case subject;
-  double duration = 0.0;  ///< [s]
+  double duration = 0.0;        ///< [s]
+  std::vector<double> steps{};  ///< to be taken as they are [s]; empty: chosen
 };
 
 struct CourseRun {
   std::vector<Instant> instants;  ///< t from the beginning of the first stretch
   /// Index of the last instant of each stretch that was passed to its end.
   std::vector<std::size_t> ends;
-  MarchEnd end;  ///< not good: the last instant was the last that had a film
+  MarchEnd end;       ///< not good: the last instant was the last that had a film
+  Solution solution;  ///< at the end of the last stretch that was passed (over cycles its
+                      ///< bearing alone)
   bool over_cycles = false;
   /// Largest |in - out - stored| over heat in at the ends of the stretches; over cycles of whole
   /// stretches, less what the last step of each is owed, which goes with it [-].

@@ -18,24 +18,10 @@
 #include <limits>
 
 #include "bearing/heat_iteration.hpp"
+#include "bearing/instant.hpp"
 #include "bearing/note.hpp"
 
 namespace shellback::bearing {
-
-/// The bearing at one instant.
-struct Instant {
-  double t = 0.0;       ///< [s]
-  double dt = 0.0;      ///< step that led there [s]
-  double torque = 0.0;  ///< of friction [N m]
-  double h_min = 0.0;   ///< [m]
-  double T_film_max = 0.0, T_shell_max = 0.0, T_shell_back = 0.0, T_shaft = 0.0;  ///< [K]
-  // Means over the step; over cycles those of the cycle at its end.
-  double heat_in = 0.0;      ///< friction and pump power [W]
-  double heat_out = 0.0;     ///< with the oil and from shell and shaft to the surroundings [W]
-  double stored = 0.0;       ///< in oil, shell, housing and shaft [W]
-  double deformation = 0.0;  ///< mean thermal widening of the gap [m]
-  double T_film_min = std::numeric_limits<double>::quiet_NaN();  ///< over a cycle not known [K]
-};
 
 struct MarchOptions {
   double first = 0.1;                                      ///< step [s]
@@ -43,6 +29,7 @@ struct MarchOptions {
   double longest = 1e7;                                    ///< beyond it nothing moves any more [s]
   double end = std::numeric_limits<double>::infinity();    ///< [s]
   double error = std::numeric_limits<double>::infinity();  ///< of wall temperatures per step [K]
+  std::vector<double> steps{};  ///< to be taken as they are [s]; empty: by their error
   ThermalOptions heat;
 };
 

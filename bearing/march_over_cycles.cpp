@@ -97,6 +97,30 @@ double move_for_ever(const CyclePasses& passes, const WallMeans& walls) {
   return move_of(then.walls, walls);
 }
 
+/// A step of the bodies.
+struct BodiesStep {
+  double length = 0.0;  ///< [s]
+  SolidStep step;
+  BodiesAnswer answer;
+  double move = 0.0;  ///< of a wall [K]
+};
+
+/// The step of `length` or, where that may be, halves of it until no wall moves too far.
+BodiesStep take_step(const CyclePasses& passes, const MarchSpan& span, const CycleMarch& march,
+                     const SolidStep& last, double length) {
+  const BearingModel& model = passes.film().model();
+  const int nodes = passes.film().heat()->skin().nodes();
+  const double pays = march.dt / kStepLonger;  // the step before: what it owes is paid no faster
+  for (;; length /= kStepLonger) {
+    BodiesStep taken{length, model.solids->step(length, march.bodies.state, &last), {}, 0.0};
+    taken.answer = answer_of_bodies(
+        model, march.bodies.walls, passes.heat(), foreseen(passes.response()), nodes, &taken.step,
+        {march.owed.shell / std::max(length, pays), march.owed.shaft / std::max(length, pays)});
+    taken.move = move_of(taken.answer.walls, march.bodies.walls);
+    if (!span.steps.empty() || taken.move <= span.move || length <= span.shortest) return taken;
+  }
+}
+
 }  // namespace
 
 double mean_that_dies_away(double begin, double end) {
@@ -115,47 +139,39 @@ Bodies uniform_bodies(const Solids& solids, double T) {
 
 MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarch& march,
                            const std::function<void(const Instant&)>& tell) {
-  constexpr double kMost = 2.0;    // move of a wall until a cycle is passed again [K] (methods 3.5)
-  constexpr double kStill = 0.05;  // what walls leave open where the cycle is periodic [K]
+  constexpr double kStill = 0.05;   // what walls leave open where the cycle is periodic [K]
   constexpr double kEndless = 1e7;  // a step beyond which bodies that still move never rest [s]
-  const BearingModel& model = passes.film().model();
-  const Solids& solids = *model.solids;
+  const Solids& solids = *passes.film().model().solids;
+  const bool given = !span.steps.empty();
   Bodies& bodies = march.bodies;
   MarchEnd& end = march.end;
   double& dt = march.dt;
-  const HeatTaken& owed = march.owed;
   if (dt == 0.0) {
     dt = span.first;
     if (!let_film_follow(passes, bodies.walls, end)) return end;
   }
   SolidStep last;
-  while (end.t < span.duration && !(end.at_rest && span.until_rest)) {
-    const int nodes = passes.film().heat()->skin().nodes();
+  const auto goes_on = [&](std::size_t k) {
+    return given ? k < span.steps.size()
+                 : end.t < span.duration && !(end.at_rest && span.until_rest);
+  };
+  for (std::size_t k = 0; goes_on(k); ++k) {
     const HeatTaken before = passes.told().heat_taken();
-    BodiesAnswer next;
-    SolidStep step;
-    double move = 0.0;
-    const double pays = dt / kStepLonger;  // the step before: what it owes is paid no faster
-    for (double length = std::min({dt, span.longest, span.duration - end.t});;
-         length /= kStepLonger) {
-      step = solids.step(length, bodies.state, &last);
-      next = answer_of_bodies(
-          model, bodies.walls, passes.heat(), foreseen(passes.response()), nodes, &step,
-          {owed.shell / std::max(length, pays), owed.shaft / std::max(length, pays)});
-      move = move_of(next.walls, bodies.walls);
-      dt = length;
-      if (move <= kMost || length <= span.shortest) break;
-    }
-    bodies.state = solids.state(next.solids, &step);
-    last = std::move(step);
+    BodiesStep taken =
+        take_step(passes, span, march, last,
+                  given ? span.steps[k] : std::min({dt, span.longest, span.duration - end.t}));
+    const BodiesAnswer& next = taken.answer;
+    dt = taken.length;
+    bodies.state = solids.state(next.solids, &taken.step);
+    last = std::move(taken.step);
     bodies.walls = next.walls;
     end.t += dt;
     if (!let_film_follow(passes, bodies.walls, end)) return end;
     keep_accounts(dt, before, passes.told().heat_taken(), next.solids, march);
     const Instant instant = instant_after(passes, next, end.t, dt);
     const double left = move_for_ever(passes, bodies.walls);
-    end.at_rest = move < kStill && left < kStill;
-    const bool endless = span.until_rest && !end.at_rest && dt > kEndless;
+    end.at_rest = taken.move < kStill && left < kStill;
+    const bool endless = !given && span.until_rest && !end.at_rest && dt > kEndless;
     dt *= kStepLonger;  // halved again where it is too long: that costs no cycle
     tell(instant);
     if (endless) {

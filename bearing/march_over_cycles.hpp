@@ -4,7 +4,7 @@
 /// Cycles are passed with walls that stay as they are until the film has followed them; then shell,
 /// housing and shaft see the mean heat of the last one, and what the film answers to moving walls,
 /// through a step of backward Euler, and so on. The step is halved until no wall moves by more than
-/// 2 K. What shell and shaft should have gathered over it,
+/// is allowed. What shell and shaft should have gathered over it,
 ///   dt N,   N = N0 (1 - exp(-x))/x,   x = N0/N1 - 1                                      (1)
 /// N0, N1 what they gain from the cycles before and behind it less what they lose to the
 /// surroundings, is known when the cycle behind it has been passed: the difference to what they
@@ -39,7 +39,9 @@ struct MarchSpan {
   double first = 0.0;                                         ///< step [s]
   double shortest = 0.0;  ///< step that is taken however far walls move: a cycle [s]
   double longest = std::numeric_limits<double>::infinity();  ///< step [s]
-  bool until_rest = true;  ///< ends early where the bearing is at rest
+  double move = 2.0;            ///< of a wall until a cycle is passed again [K]
+  bool until_rest = true;       ///< ends early where the bearing is at rest
+  std::vector<double> steps{};  ///< to be taken as they are [s]; empty: as far as walls move
 };
 
 /// Where a march stands between two steps: with the search all that the next step depends on.

@@ -33,6 +33,7 @@ enum class Plain {
   bars_unknown,        ///< no other grid gave a solution
   cycle_bars_unknown,  ///< no coarser grid carries the cycle
   time_bars_unknown,   ///< with other steps no periodic state was found
+  march_bars_unknown,  ///< no coarser grid passes the warm-up or course
   nodes_not_judged,    ///< more nodes across the film gave no solution
   nothing_richer,      ///< than this physics
   walls_not_judged,    ///< no data of shell and shaft

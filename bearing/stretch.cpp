@@ -24,6 +24,8 @@ MarchEnd over_cycles(const Case& c, Tier tier, const WarmUpOptions& o, StretchEn
   };
   MarchSpan span;
   span.duration = o.end;
+  span.move = o.move * c.model.tolerance;
+  span.steps = o.steps;
   span.first = span.shortest = c.cycle->length();
   span.until_rest = ends == StretchEnd::at_rest;
   if (!span.until_rest) span.longest = std::max(span.shortest, o.end / kSteps);
@@ -74,6 +76,7 @@ MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
   MarchOptions march;
   march.end = o.end;
   march.error = o.error * c.model.tolerance;
+  march.steps = o.steps;
   MarchEnd end = march_heat(s, stand, march, control, [&](const Instant& i) { tell(i, members); });
   carried.bodies->state = std::move(stand.bodies);
   return end;

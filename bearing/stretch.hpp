@@ -19,6 +19,10 @@ struct WarmUpOptions {
   /// Of the wall temperatures in one step, over model.tolerance [K]: 0.2 K at 1 %, where viscosity
   /// changes by 0.5 to 1 % (decision 059).
   double error = 20.0;
+  /// Over cycles how far a wall moves until one is passed again, over model.tolerance [K]: 2 K at
+  /// 1 % (methods 3.5).
+  double move = 200.0;
+  std::vector<double> steps{};  ///< to be taken as they are, over `end` [s]; empty: chosen
 };
 
 /// What goes from one stretch into the next; empty: there is none before.

@@ -1,6 +1,4 @@
 /// run --transient --speeds: bodies in time while the speed goes in steps.
-#include "bearing/course.hpp"
-
 #include <fmt/format.h>
 
 #include <iostream>
@@ -15,6 +13,7 @@
 #include "app/words/ending_words.hpp"
 #include "app/write_course.hpp"
 #include "core/contract.hpp"
+#include "fidelity/march_bars.hpp"
 #include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
@@ -99,21 +98,25 @@ int course(const Request& request, const WarmUpOptions& options) {
   Outputs outputs(with_state(request),
                   files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(first);
-  const CourseRun run = [&] {
+  CourseRun run;
+  fidelity::MarchBars bars;
+  {
     ProgressLine line;
     SolveControl control = control_for(line);
     control.kept = keeper.kept();
-    return run_course(stretches, first.model.tier, options, control);
-  }();
-  if (request.json != "-") write_course_table(std::cout, stretches, run);
+    run = run_course(stretches, first.model.tier, options, control);
+    bars = fidelity::march_bars(stretches, options, run, control);
+  }
+  if (request.json != "-") write_course_table(std::cout, stretches, run, bars);
   if (!run.end.verdict.good()) {
     const EndingWords why = words_of(run.end.verdict);
     std::cerr << fmt::format("error: course: ended after {:.4g} s: {}\n", run.end.t, why.reason);
     if (!why.cure.empty()) std::cerr << "  cure:  " << why.cure << "\n";
   }
-  outputs.give("--json", [&] { return course_json(stretches, options, run); });
-  outputs.give("--picture", [&] { return course_svg(stretches, run); });
-  const int code = outputs.code(code_of(run.end.verdict));
+  outputs.give("--json", [&] { return course_json(stretches, options, run, bars); });
+  outputs.give("--picture", [&] { return course_svg(stretches, run, bars); });
+  const bool late = run.end.verdict.good() && bars.interrupted;
+  const int code = outputs.code(late ? kInterrupted : code_of(run.end.verdict));
   keeper.end(code);
   return code;
 }

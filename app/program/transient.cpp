@@ -14,11 +14,12 @@
 #include "app/units.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
+#include "app/write_instants.hpp"
 #include "app/write_warm_up.hpp"
 #include "bearing/case_limits.hpp"
 #include "bearing/judge_case.hpp"
-#include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "fidelity/march_bars.hpp"
 #include "fidelity/solve_case.hpp"
 #include "validation/rivals/rivals.hpp"
 
@@ -63,36 +64,28 @@ Result steady_state(const Case& subject, SolveControl control, RunKeeper& keeper
   return fidelity::solve_case(subject, control);
 }
 
-void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
+void print_warm_up(const Case& c, const WarmUp& run, const fidelity::MarchBars& bars,
+                   const Result& steady) {
   std::cout << c.title << '\n';
   app::print_scene(std::cout, c);
   fmt::print(std::cout, "transient, tier {}, grid {} x {}\n\n", to_string(c.model.tier),
              c.model.grid[0], c.model.grid[1]);
-  fmt::print(std::cout, "{:>36} {:>12} {:>12} {:>12} {:>12}\n", "", "largest", "largest", "mean",
-             "mean");
-  fmt::print(std::cout, "{:>12} {:>12} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "time [s]",
-             "torque [N m]", "h_min [um]", "film [degC]", "shell [degC]", "back [degC]",
-             "shaft [degC]");
+  std::cout << instant_heading("time [s]");
   double next = 0.0;
-  const auto line = [](const char* t, double torque, double h, double a, double b, double d,
-                       double e) {
-    fmt::print(std::cout, "{:>12} {:>12.4g} {:>10.4g}", t, torque, 1e6 * h);
-    for (const double T : {a, b, d, e}) {
-      fmt::print(std::cout, " {:>12}",
-                 std::isfinite(T) ? fmt::format("{:.1f}", T - kZeroCelsius) : "-");
-    }
-    fmt::print(std::cout, "\n");
-  };
-  for (const Instant& i : run.instants) {
-    if (i.t < next && &i != &run.instants.back()) continue;
-    line(fmt::format("{:.4g}", i.t).c_str(), i.torque, i.h_min, i.T_film_max, i.T_shell_max,
-         i.T_shell_back, i.T_shaft);
+  for (std::size_t k = 0; k < run.instants.size(); ++k) {
+    const Instant& i = run.instants[k];
+    if (i.t < next && k + 1 < run.instants.size()) continue;
+    std::cout << instant_line(fmt::format("{:.4g}", i.t), i, bar_at(bars, k));
     next = 1.5 * i.t;  // some lines a decade
   }
   if (steady.verdict.good() && std::isfinite(steady.value("friction_torque"))) {
-    line("steady", steady.value("friction_torque"), steady.value("h_min"),
-         steady.value("T_film_max"), steady.value("T_shell_max"), steady.value("T_shell_back"),
-         steady.value("T_shaft"));
+    Instant at, bar;
+    for (const auto& q : kFollowedInstants) {
+      const Quantity* of = quantity_in(steady.quantities, q.name);
+      at.*q.value = of != nullptr ? of->value : NAN;
+      bar.*q.value = of != nullptr ? of->error_grid : NAN;
+    }
+    std::cout << instant_line("steady", at, bar);
   }
   if (run.end.jumps > 0) {
     fmt::print(
@@ -109,7 +102,7 @@ void print_warm_up(const Case& c, const WarmUp& run, const Result& steady) {
   }
   fmt::print(std::cout, "\naudit (relative)  heat in - heat out - heat stored: {:.1e}\n",
              run.imbalance());
-  print_list(std::cout, "warnings", app::warm_up_warnings(c, run, steady));
+  print_list(std::cout, "warnings", app::warm_up_warnings(c, run, bars, steady));
   print_list(std::cout, "assumptions", warm_up_assumptions(c, steady));
 }
 
@@ -140,22 +133,23 @@ int transient(const Request& request) {
   steady.verdict = {Status::interrupted};  // as long as it is not solved
   if (run.instants.empty()) {
     std::cerr << "error: transient: " << reason_of(run.end.verdict) << "\n";
-    outputs.give("--json", [&] { return warm_up_json(subject, run, options, steady); });
+    outputs.give("--json", [&] { return warm_up_json(subject, run, options, {}, steady); });
     const int code = outputs.code(code_of(run.end.verdict));
     keeper.end(code);
     return code;
   }
   const bool stopped = run.end.verdict.status == Status::interrupted;
   if (!stopped) steady = steady_state(subject, control, keeper);
-  if (request.json != "-") print_warm_up(subject, run, steady);
+  const fidelity::MarchBars bars = fidelity::march_bars(subject, options, run, control);
+  if (request.json != "-") print_warm_up(subject, run, bars, steady);
   if (!run.end.verdict.good()) {
     std::cerr << fmt::format("error: transient: ended after {:.4g} s: {}\n", run.end.t,
                              reason_of(run.end.verdict));
   }
-  outputs.give("--json", [&] { return warm_up_json(subject, run, options, steady); });
-  outputs.give("--picture", [&] { return warm_up_svg(subject, run, steady); });
-  const bool late =
-      run.end.verdict.good() && code_of(steady.verdict, steady.warnings) == kInterrupted;
+  outputs.give("--json", [&] { return warm_up_json(subject, run, options, bars, steady); });
+  outputs.give("--picture", [&] { return warm_up_svg(subject, run, bars, steady); });
+  const bool late = run.end.verdict.good() &&
+                    (bars.interrupted || code_of(steady.verdict, steady.warnings) == kInterrupted);
   if (late) tell_verdict(steady);
   const int code = outputs.code(late ? kInterrupted : code_of(run.end.verdict));
   keeper.end(code);

@@ -92,6 +92,9 @@ std::string text_of(note::Plain n) {
     case Plain::time_bars_unknown:
       return "with other steps in time no periodic state was found: no bar has what the steps "
              "leave open";
+    case Plain::march_bars_unknown:
+      return "none of the coarser grids that were tried passes this run in the same steps: its bars "
+             "are not known";
     case Plain::nodes_not_judged:
       return "more nodes across the film gave no solution on the coarse grid: what they would "
              "change is in no bar";

@@ -1,0 +1,89 @@
+#include "app/write_instants.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/words/note_words.hpp"
+#include "core/constants.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::app {
+
+using bearing::Instant;
+using fidelity::MarchBars;
+using json_parts::Json;
+
+namespace {
+
+std::string known(double value, const char* format) {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
+}
+
+Json values_of(const std::vector<Instant>& instants, double Instant::*value) {
+  Json values = Json::array();
+  for (const Instant& i : instants) values.push_back(json_parts::number(i.*value));
+  return values;
+}
+
+}  // namespace
+
+std::string instant_heading(const std::string& first) {
+  return fmt::format("{:>53} {:>9} {:>9} {:>9} {:>9}\n", "", "largest", "largest", "mean", "mean") +
+         fmt::format("{:>14} {:>10} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9} {:>7}\n", first,
+                     "torque", "+-", "h_min", "+-", "film", "shell", "back", "shaft", "+-") +
+         fmt::format("{:>14} {:>10} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9} {:>7}\n", "", "[N m]",
+                     "[N m]", "[um]", "[um]", "[degC]", "[degC]", "[degC]", "[degC]", "[K]");
+}
+
+std::string instant_line(const std::string& first, const Instant& i, const Instant& bar) {
+  double bar_T = bar.T_film_max;
+  for (double Instant::*T : {&Instant::T_shell_max, &Instant::T_shell_back, &Instant::T_shaft}) {
+    bar_T = larger(bar_T, bar.*T);
+  }
+  std::string line = fmt::format("{:>14} {:>10} {:>8} {:>8} {:>8}", first,
+                                 known(i.torque, "{:.4g}"), known(bar.torque, "{:.2g}"),
+                                 known(1e6 * i.h_min, "{:.4g}"), known(1e6 * bar.h_min, "{:.2g}"));
+  for (double Instant::*T :
+       {&Instant::T_film_max, &Instant::T_shell_max, &Instant::T_shell_back, &Instant::T_shaft}) {
+    line += fmt::format(" {:>9}", known(i.*T - kZeroCelsius, "{:.1f}"));
+  }
+  return line + fmt::format(" {:>7}\n", known(bar_T, "{:.1f}"));
+}
+
+Instant bar_at(const MarchBars& bars, std::size_t k) {
+  Instant bar;
+  for (const auto& q : bearing::kFollowedInstants) {
+    bar.*q.value = bars.grid.empty() ? NAN : bars.grid[k].*q.value + bars.time[k].*q.value;
+  }
+  return bar;
+}
+
+void add_instants(Json& json, const std::vector<Instant>& instants, const MarchBars& bars) {
+  json["time"] = {{"unit", "s"}, {"values", values_of(instants, &Instant::t)}};
+  for (const auto& q : bearing::kFollowedInstants) {
+    Json& one = json["quantities"][q.name];
+    one = {{"unit", q.unit}, {"values", values_of(instants, q.value)}};
+    if (bars.grid.empty()) continue;
+    one["error_grid"] = values_of(bars.grid, q.value);
+    one["error_time"] = values_of(bars.time, q.value);
+  }
+}
+
+Series over_instants(const std::vector<double>& x, const std::vector<Instant>& instants,
+                     const MarchBars& bars, double Instant::*value, double factor, double zero) {
+  Series series{"", x, {}, "", ""};
+  for (std::size_t k = 0; k < instants.size(); ++k) {
+    series.y.push_back(factor * (instants[k].*value) - zero);
+    series.bar.push_back(factor * (bar_at(bars, k).*value));
+  }
+  return series;
+}
+
+std::vector<std::string> bar_warnings(const MarchBars& bars) {
+  if (bars.interrupted) return {words_of(bearing::note::Plain::bars_interrupted)};
+  if (bars.grid.empty()) return {words_of(bearing::note::Plain::march_bars_unknown)};
+  return {};
+}
+
+}  // namespace shellback::app

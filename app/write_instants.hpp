@@ -1,0 +1,38 @@
+#pragma once
+/// Instants of a warm-up or a course, with their bars, in tables, JSON and pictures.
+#include <string>
+#include <vector>
+
+#include "app/json_parts.hpp"
+#include "app/svg_lines.hpp"
+#include "fidelity/march_bars.hpp"
+
+namespace shellback::app {
+
+/// Two lines above those of instants, `first` above what each begins with.
+[[nodiscard]] std::string instant_heading(const std::string& first);
+
+/// `first`, torque, smallest film, temperatures (film and shell largest, back and shaft mean), with
+/// the bars of the first two and the longest of the temperatures; "-" what is not known. `bar`:
+/// half-widths, grid and time together.
+[[nodiscard]] std::string instant_line(const std::string& first, const bearing::Instant& i,
+                                       const bearing::Instant& bar);
+
+/// Half-widths at the instant `k`, grid and time together; not a number where unknown.
+[[nodiscard]] bearing::Instant bar_at(const fidelity::MarchBars& bars, std::size_t k);
+
+/// `time`, and in `quantities` what is followed over it as {unit, values, error_grid, error_time};
+/// without the bars where none are known.
+void add_instants(json_parts::Json& json, const std::vector<bearing::Instant>& instants,
+                  const fidelity::MarchBars& bars);
+
+/// factor times the value less zero over `x`, with its bars.
+[[nodiscard]] Series over_instants(const std::vector<double>& x,
+                                   const std::vector<bearing::Instant>& instants,
+                                   const fidelity::MarchBars& bars, double bearing::Instant::*value,
+                                   double factor, double zero);
+
+/// That the bars were interrupted or are not known.
+[[nodiscard]] std::vector<std::string> bar_warnings(const fidelity::MarchBars& bars);
+
+}  // namespace shellback::app

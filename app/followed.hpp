@@ -1,6 +1,11 @@
 #pragma once
-/// Courses of what is told of each instant of a run in time, and the size of a picture of them.
+/// What is told of each state of a run in time, with its bars, and the size of a picture of it.
+#include <string>
 #include <vector>
+
+#include "app/json_parts.hpp"
+#include "app/words/note_words.hpp"
+#include "fidelity/bars_over_time.hpp"
 
 namespace shellback::app {
 
@@ -14,6 +19,34 @@ template <class State>
   std::vector<double> out;
   for (const State& s : states) out.push_back(s.*value);
   return out;
+}
+
+/// `time`, and in `quantities` what is followed over it as {unit, values, error_grid, error_time};
+/// without the bars where none are known, null what has no number.
+template <class State, class Followed>
+void add_over_time(json_parts::Json& json, const std::vector<State>& states,
+                   const fidelity::BarsOverTime<State>& bars, const Followed& followed) {
+  const auto values_of = [](const std::vector<State>& of, double State::*value) {
+    auto values = json_parts::Json::array();
+    for (const double v : over_time(of, value)) values.push_back(json_parts::number(v));
+    return values;
+  };
+  json["time"] = {{"unit", "s"}, {"values", values_of(states, &State::t)}};
+  for (const auto& q : followed) {
+    json_parts::Json& one = json["quantities"][q.name];
+    one = {{"unit", q.unit}, {"values", values_of(states, q.value)}};
+    if (bars.grid.empty()) continue;
+    one["error_grid"] = values_of(bars.grid, q.value);
+    one["error_time"] = values_of(bars.time, q.value);
+  }
+}
+
+/// That the bars were interrupted or are not known.
+template <class State>
+[[nodiscard]] std::vector<std::string> bar_warnings(const fidelity::BarsOverTime<State>& bars) {
+  if (bars.interrupted) return {words_of(bearing::note::Plain::bars_interrupted)};
+  if (bars.grid.empty()) return {words_of(bearing::note::Plain::march_bars_unknown)};
+  return {};
 }
 
 }  // namespace shellback::app

@@ -104,7 +104,8 @@ std::vector<std::string> course_warnings(const bearing::Case& c, const CourseRun
 }
 
 std::string how_it_ended(const std::vector<Stretch>& stretches, const CourseRun& run) {
-  if (run.end.verdict.good()) return fmt::format("{} stretches", stretches.size());
+  if (run.end.verdict.good())
+    return fmt::format("{} stretches; bands: bars of grid and steps", stretches.size());
   return fmt::format("ended after {:.4g} s: {}", run.end.t, reason_of(run.end.verdict));
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/words/note_words.hpp"
+#include "app/followed.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 
@@ -18,12 +18,6 @@ namespace {
 
 std::string known(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "-";
-}
-
-Json values_of(const std::vector<Instant>& instants, double Instant::*value) {
-  Json values = Json::array();
-  for (const Instant& i : instants) values.push_back(json_parts::number(i.*value));
-  return values;
 }
 
 }  // namespace
@@ -54,20 +48,13 @@ std::string instant_line(const std::string& first, const Instant& i, const Insta
 Instant bar_at(const MarchBars& bars, std::size_t k) {
   Instant bar;
   for (const auto& q : bearing::kFollowedInstants) {
-    bar.*q.value = bars.grid.empty() ? NAN : bars.grid[k].*q.value + bars.time[k].*q.value;
+    bar.*q.value = bars.at(k, q.value);
   }
   return bar;
 }
 
 void add_instants(Json& json, const std::vector<Instant>& instants, const MarchBars& bars) {
-  json["time"] = {{"unit", "s"}, {"values", values_of(instants, &Instant::t)}};
-  for (const auto& q : bearing::kFollowedInstants) {
-    Json& one = json["quantities"][q.name];
-    one = {{"unit", q.unit}, {"values", values_of(instants, q.value)}};
-    if (bars.grid.empty()) continue;
-    one["error_grid"] = values_of(bars.grid, q.value);
-    one["error_time"] = values_of(bars.time, q.value);
-  }
+  add_over_time(json, instants, bars, bearing::kFollowedInstants);
 }
 
 Series over_instants(const std::vector<double>& x, const std::vector<Instant>& instants,
@@ -75,15 +62,9 @@ Series over_instants(const std::vector<double>& x, const std::vector<Instant>& i
   Series series{"", x, {}, "", ""};
   for (std::size_t k = 0; k < instants.size(); ++k) {
     series.y.push_back(factor * (instants[k].*value) - zero);
-    series.bar.push_back(factor * (bar_at(bars, k).*value));
+    series.bar.push_back(factor * bars.at(k, value));
   }
   return series;
-}
-
-std::vector<std::string> bar_warnings(const MarchBars& bars) {
-  if (bars.interrupted) return {words_of(bearing::note::Plain::bars_interrupted)};
-  if (bars.grid.empty()) return {words_of(bearing::note::Plain::march_bars_unknown)};
-  return {};
 }
 
 }  // namespace shellback::app

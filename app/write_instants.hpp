@@ -32,7 +32,4 @@ void add_instants(json_parts::Json& json, const std::vector<bearing::Instant>& i
                                    const fidelity::MarchBars& bars, double bearing::Instant::*value,
                                    double factor, double zero);
 
-/// That the bars were interrupted or are not known.
-[[nodiscard]] std::vector<std::string> bar_warnings(const fidelity::MarchBars& bars);
-
 }  // namespace shellback::app

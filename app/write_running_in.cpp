@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -18,28 +17,19 @@
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "bearing/bore_shape.hpp"
-#include "bearing/instant.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::app {
 namespace {
 
-using bearing::Followed;
 using bearing::RunningInRun;
 using bearing::RunningInState;
+using fidelity::RunningInBars;
 using Json = nlohmann::ordered_json;
 
 constexpr double kMicro = 1e6;
 constexpr double kDegrees = 180.0 / kPi;
-
-constexpr std::array kFollowedStates{
-    Followed<RunningInState>{"step", "s", &RunningInState::step},
-    Followed<RunningInState>{"wear_depth", "m", &RunningInState::depth},
-    Followed<RunningInState>{"wear_volume", "m3", &RunningInState::volume},
-    Followed<RunningInState>{"p_asperity_max", "Pa", &RunningInState::p_asperity_max},
-    Followed<RunningInState>{"friction_torque", "N m", &RunningInState::torque},
-    Followed<RunningInState>{"h_min", "m", &RunningInState::h_min}};
 
 /// The axis of states that have no time of their own: the new bearing and the last one.
 Axis two_states(const RunningInRun& run) {
@@ -51,8 +41,9 @@ Axis two_states(const RunningInRun& run) {
 
 /// One curve over time, shown in its unit; the state before anything wore stands at the left end.
 /// States of no time of their own (new, worn in) are joined by a straight line.
-void draw_curve(Svg& svg, const Box& box, const RunningInRun& run, double RunningInState::*value,
-                double factor, const std::string& title, const Theme& theme) {
+void draw_curve(Svg& svg, const Box& box, const RunningInRun& run, const RunningInBars& bars,
+                double RunningInState::*value, double factor, const std::string& title,
+                const Theme& theme) {
   std::vector<double> t = over_time(run.states, &RunningInState::t);
   const bool in_time = t.size() > 2 && std::isfinite(t.back());
   if (in_time) {
@@ -64,8 +55,16 @@ void draw_curve(Svg& svg, const Box& box, const RunningInRun& run, double Runnin
   plot.title = title;
   plot.x = in_time ? log_axis(t.front(), t.back(), "time [s]") : two_states(run);
   Series series{"", t, {}, theme.series[0], ""};
-  for (const double v : over_time(run.states, value)) series.y.push_back(factor * v);
-  plot.y = round_axis(0.0, largest(series.y), 5, "");
+  for (std::size_t k = 0; k < run.states.size(); ++k) {
+    series.y.push_back(factor * (run.states[k].*value));
+    series.bar.push_back(factor * bars.at(k, value));
+  }
+  double high = largest(series.y);
+  const double most = 2.0 * high;  // longer bars are cut off
+  for (std::size_t k = 0; k < series.y.size(); ++k) {
+    if (std::isfinite(series.bar[k])) high = std::max(high, series.y[k] + series.bar[k]);
+  }
+  plot.y = round_axis(0.0, std::min(high, most), 5, "");
   plot.series.push_back(std::move(series));
   draw_lines(svg, box, plot, theme);
 }
@@ -157,8 +156,8 @@ std::string told(const RunningInRun& run) {
   const RunningInState& last = run.states.back();
   const std::string when =
       std::isfinite(last.t) ? fmt::format("after {:.4g} s", last.t) : std::string("worn in");
-  return fmt::format("{}: wear up to {:.3g} µm, {:.3g} mm³", when, kMicro * last.depth,
-                     1e9 * last.volume);
+  return fmt::format("{}: wear up to {:.3g} µm, {:.3g} mm³; bands: bars of grid and steps", when,
+                     kMicro * last.depth, 1e9 * last.volume);
 }
 
 /// The keys of a surface, its members and their units.
@@ -206,7 +205,8 @@ std::vector<std::string> words_of_last_state(const RunningInRun& run) {
   return told;
 }
 
-std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
+std::string running_in_json(const bearing::Case& c, const RunningInRun& run,
+                            const RunningInBars& bars) {
   Json json;
   json["status"] = run.verdict.good() ? "converged" : to_string(run.verdict.status);
   json["converged"] = run.verdict.good();
@@ -217,17 +217,14 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
   json["title"] = c.title;
   json["tier"] = to_string(c.model.tier);
   json["grid"] = c.model.grid;
-  Json times = Json::array();
-  for (const RunningInState& s : run.states) {
-    times.push_back(std::isfinite(s.t) ? Json(s.t) : Json(nullptr));
-  }
-  json["time"] = {{"unit", "s"}, {"values", times}};
-  for (const auto& q : kFollowedStates) {
-    json["quantities"][q.name] = {{"unit", q.unit}, {"values", over_time(run.states, q.value)}};
-  }
+  add_over_time(json, run.states, bars, bearing::kFollowedStates);
+  json["quantities"]["step"] = {{"unit", "s"},
+                                {"values", over_time(run.states, &RunningInState::step)}};
   json["rejected_steps"] = run.rejected_steps;
   const bool sought = std::isfinite(run.complementarity);
   json["complementarity"] = sought ? Json(run.complementarity) : Json(nullptr);
+  const std::vector<std::string> of_bars = bar_warnings(bars);
+  if (!of_bars.empty()) json["bars"] = of_bars;
   if (run.cycle) {
     add_cycle(json, run);
   } else {
@@ -242,19 +239,20 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run) {
   return json_parts::dump(json);
 }
 
-std::string running_in_svg(const bearing::Case& c, const RunningInRun& run) {
+std::string running_in_svg(const bearing::Case& c, const RunningInRun& run,
+                           const RunningInBars& bars) {
   const Theme theme = print_theme();
   Svg svg(kOverTimeWidth, kOverTimeHeight);
   svg.rect({0.0, 0.0, kOverTimeWidth, kOverTimeHeight}, theme.paper);
   draw_scene(svg, c, "Running-in, tier " + std::string(to_string(c.model.tier)) + ", " + told(run),
              run.verdict.good(), theme);
-  draw_curve(svg, {70.0, 110.0, 300.0, 270.0}, run, &RunningInState::depth, kMicro,
+  draw_curve(svg, {70.0, 110.0, 300.0, 270.0}, run, bars, &RunningInState::depth, kMicro,
              "Greatest wear [µm]", theme);
   draw_curve(
-      svg, {460.0, 110.0, 300.0, 270.0}, run, &RunningInState::p_asperity_max, 1e-6,
+      svg, {460.0, 110.0, 300.0, 270.0}, run, bars, &RunningInState::p_asperity_max, 1e-6,
       run.cycle ? "Largest contact pressure of the cycle [MPa]" : "Largest contact pressure [MPa]",
       theme);
-  draw_curve(svg, {850.0, 110.0, 300.0, 270.0}, run, &RunningInState::torque, 1.0,
+  draw_curve(svg, {850.0, 110.0, 300.0, 270.0}, run, bars, &RunningInState::torque, 1.0,
              run.cycle ? "Friction torque, mean of the cycle [N m]" : "Friction torque [N m]",
              theme);
   draw_shape(svg, {8.0, 430.0, 604.0, 330.0}, run, theme);

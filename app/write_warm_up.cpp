@@ -82,8 +82,10 @@ std::string how_it_ended(const WarmUp& run) {
   if (!run.end.verdict.good()) {
     return fmt::format("ended after {:.4g} s: {}", run.end.t, reason_of(run.end.verdict));
   }
-  return run.end.at_rest ? "at rest in the end; dashed: the steady state solved for itself"
-                         : fmt::format("shown up to {:.4g} s", run.end.t);
+  return run.end.at_rest
+             ? "at rest in the end; dashed: the steady state solved for itself; bands: "
+               "bars of grid and steps"
+             : fmt::format("shown up to {:.4g} s; bands: bars of grid and steps", run.end.t);
 }
 
 }  // namespace

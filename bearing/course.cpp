@@ -125,10 +125,7 @@ double CourseRun::imbalance_at_ends() const {
     }
     return most;
   }
-  for (const std::size_t k : ends) {
-    const Instant& i = instants[k];
-    most = larger(most, std::abs(i.heat_in - i.heat_out - i.stored) / std::abs(i.heat_in));
-  }
+  for (const std::size_t k : ends) most = larger(most, imbalance_of(instants[k]));
   return most;
 }
 

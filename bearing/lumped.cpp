@@ -47,8 +47,9 @@ class LumpedBalance {
   /// From the root of a near grid; false if there is none near by.
   [[nodiscard]] bool follow(const HeatRoot& near);
   [[nodiscard]] Verdict search();
-  /// The root between two points of different sign; false if it did not settle.
-  bool settle(const KnownPoint& a, const KnownPoint& b);
+  /// The root between two points of different sign; false if it did not settle. `slope`: of the
+  /// residual there, where the tries are too near to it to tell.
+  bool settle(const KnownPoint& a, const KnownPoint& b, double slope);
   /// Leaves the solution at the lowest stable root.
   [[nodiscard]] Verdict take_lowest_stable();
   [[nodiscard]] Verdict no_root(const std::vector<HeatSample>& samples) const;
@@ -120,11 +121,12 @@ std::optional<double> LumpedBalance::residual(double T) {
   return r;
 }
 
-bool LumpedBalance::settle(const KnownPoint& a, const KnownPoint& b) {
+bool LumpedBalance::settle(const KnownPoint& a, const KnownPoint& b, double slope) {
   constexpr double kApart = 1e-3;  // far enough for a slope: r is known to 1e-7 K [K]
   const auto r = [this](double T) { return residual(T).value_or(NAN); };
   const BracketedRoot root = bracketed_root(r, a, b, {kSettled, kSettled});
   HeatRoot found = nearest(root.at.x).heat;
+  found.slope = slope;
   double distance = INFINITY;
   for (const Tried& t : tried_) {
     const double apart = std::abs(t.heat.T - found.T);
@@ -147,7 +149,7 @@ bool LumpedBalance::follow(const HeatRoot& near) {
     const double T = std::clamp(here.x + step, T_least_, T_most_);
     r = residual(T);
     if (!r || T == here.x) return false;
-    if ((*r < 0.0) != (here.f < 0.0)) return settle(here, {T, *r});
+    if ((*r < 0.0) != (here.f < 0.0)) return settle(here, {T, *r}, near.slope);
     here = {T, *r};
     step *= 2.0;
   }
@@ -184,7 +186,8 @@ Verdict LumpedBalance::search() {
   for (auto k = changes.rbegin(); k != changes.rend(); ++k) {  // the lowest last: its film stays
     const HeatSample& a = samples[*k];
     const HeatSample& b = samples[*k + 1];
-    settled = settle({a.T, *a.residual}, {b.T, *b.residual}) && settled;
+    const double slope = (*b.residual - *a.residual) / (b.T - a.T);
+    settled = settle({a.T, *a.residual}, {b.T, *b.residual}, slope) && settled;
     if (interrupted()) return failure_;
   }
   std::reverse(s_.heat_roots.begin(), s_.heat_roots.end());

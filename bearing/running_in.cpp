@@ -155,11 +155,14 @@ class March {
   }
 
   void to(double end);
+  /// In these steps, whatever they err.
+  void through(const std::vector<double>& steps);
   void members(Tape& tape) { tape(unit_, t_, dt_, first_, past_, before_); }
 
  private:
-  /// Tries a step; false, and back where it began, if it is not found or errs too much.
-  bool take(double dt);
+  /// Tries a step; false, and back where it began, if it is not found or errs too much for `most`
+  /// times what is allowed.
+  bool take(double dt, double most = 1.0);
   /// Error of a step's wear [m].
   [[nodiscard]] double allowed(const Field& w) const {
     return kDepthError * std::max(unit_, largest(w));
@@ -192,7 +195,7 @@ class March {
   Verdict why_;         ///< not
 };
 
-bool March::take(double dt) {
+bool March::take(double dt, double most) {
   const WearStep step = step_of(now_, before_ ? &*before_ : nullptr, past_, dt);
   Field w = after(now_, step);
   depth_ = largest_difference(w, now_.w);
@@ -200,7 +203,7 @@ bool March::take(double dt) {
   if (!found_) return false;
   WearPoint end = point_of(b_, per_load_, std::move(w));
   over_ = error_of(now_, step, end) / allowed(end.w);
-  if (!(over_ <= 1.0)) {
+  if (!(over_ <= most)) {
     b_.go_back();
     return false;
   }
@@ -254,6 +257,15 @@ void March::to(double end) {
     }
     dt_ *= !found_ ? kStepShorter : good ? longer : std::min(longer, kStepSafety);
     keep(control_.kept, false, b_, run_, *this);
+  }
+}
+
+void March::through(const std::vector<double>& steps) {
+  for (const double dt : steps) {
+    if (stopped(control_)) return stop();
+    if (!take(dt, std::numeric_limits<double>::infinity())) return end_too_short();
+    note_state(b_, t_, dt, now_.w, run_);
+    if (seen_) seen_(run_);
   }
 }
 
@@ -372,7 +384,8 @@ void expect_running_in(const Case& c) {
 }
 
 RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
-                    const std::function<void(const RunningInRun&)>& seen) {
+                    const std::function<void(const RunningInRun&)>& seen,
+                    const std::vector<double>& steps) {
   expect_running_in(c);
   RunningInRun run;
   SolveControl within = control;  // of each shape; kept is what lies between them
@@ -388,7 +401,9 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
     note_state(*b, 0.0, 0.0, b->wear(), run);
   }
   if (seen) seen(run);
-  if (c.running_in->duration) {
+  if (!steps.empty()) {
+    March(*b, c, control, seen, run).through(steps);
+  } else if (c.running_in->duration) {
     March(*b, c, control, seen, run).to(*c.running_in->duration);
   } else {
     find_end(*b, control, c.running_in->limit_pressure, run);

@@ -42,8 +42,10 @@ void expect_running_in(const Case& c);
 /// Runs the case in (its [running_in]) under its load or its load cycle, from the shape that it
 /// has. `seen` is told every state that has been found. What lies between two shapes is kept where
 /// `control` has a KeptRun, and gone on with from there to the same digits. Throws InputError where
-/// the case has no [running_in], FileError where what was kept is not sound.
+/// the case has no [running_in], FileError where what was kept is not sound. `steps`: to be taken
+/// as they are, whatever they err, instead of [running_in].duration [s].
 [[nodiscard]] RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control = {},
-                                  const std::function<void(const RunningInRun&)>& seen = {});
+                                  const std::function<void(const RunningInRun&)>& seen = {},
+                                  const std::vector<double>& steps = {});
 
 }  // namespace shellback::bearing

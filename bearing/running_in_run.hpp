@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bearing/cycle.hpp"
+#include "bearing/instant.hpp"
 #include "bearing/note.hpp"
 #include "bearing/solve.hpp"
 
@@ -22,6 +23,14 @@ struct RunningInState {
   double h_min = 0.0;           ///< [m]
   int cycles = 0;               ///< that were passed for it
 };
+
+/// What is followed of them, the length of their steps apart.
+inline constexpr std::array kFollowedStates{
+    Followed<RunningInState>{"wear_depth", "m", &RunningInState::depth},
+    Followed<RunningInState>{"wear_volume", "m3", &RunningInState::volume},
+    Followed<RunningInState>{"p_asperity_max", "Pa", &RunningInState::p_asperity_max},
+    Followed<RunningInState>{"friction_torque", "N m", &RunningInState::torque},
+    Followed<RunningInState>{"h_min", "m", &RunningInState::h_min}};
 
 struct RunningInRun {
   std::vector<RunningInState> states;

@@ -22,12 +22,16 @@ double imbalance_over(const std::vector<Instant>& instants, std::size_t first, s
   return made != 0.0 ? std::abs(missing / made) : 0.0;
 }
 
+double imbalance_of(const Instant& i) {
+  const double heat = std::max(std::abs(i.heat_in), std::abs(i.heat_out));
+  const double missing = std::abs(i.heat_in - i.heat_out - i.stored);
+  return missing == 0.0 ? 0.0 : missing / heat;
+}
+
 double WarmUp::imbalance() const {
   if (solution.model.input.cycle) return imbalance_over(instants, 0, instants.size());
   double most = 0.0;
-  for (const Instant& i : instants) {
-    most = larger(most, std::abs(i.heat_in - i.heat_out - i.stored) / std::abs(i.heat_in));
-  }
+  for (const Instant& i : instants) most = larger(most, imbalance_of(i));
   return most;
 }
 

@@ -17,11 +17,14 @@ namespace shellback::bearing {
 [[nodiscard]] double imbalance_over(const std::vector<Instant>& instants, std::size_t first,
                                     std::size_t end);
 
+/// |in - out - stored| of an instant under a steady load over the larger of in and out [-].
+[[nodiscard]] double imbalance_of(const Instant& i);
+
 struct WarmUp {
   std::vector<Instant> instants;
   MarchEnd end;       ///< not good: the last instant was the last that had a film
   Solution solution;  ///< at the last instant
-  /// Largest |in - out - stored| over heat in of all instants; over cycles that of the whole
+  /// Largest |in - out - stored| over heat in or out of all instants; over cycles that of the whole
   /// warm-up, whose instants end steps between two of them [-].
   [[nodiscard]] double imbalance() const;
 };

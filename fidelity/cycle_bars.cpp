@@ -142,10 +142,8 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   CycleResult r = solve_cycle(c, c.model.tier, control);
   if (!r.verdict.good()) return r;
   const Stopwatch watch;
-  std::vector<Grid> grids = coarse_grids(c);
-  if (grids.size() > 2) grids.erase(grids.begin(), grids.end() - 2);
   std::vector<CycleResult> coarse;
-  for (const Grid& grid : grids) {
+  for (const Grid& grid : nearest_coarse_grids(c)) {
     CycleResult on = on_grid(c, grid, control);
     if (stopped(control)) break;
     if (on.verdict.good()) coarse.push_back(std::move(on));

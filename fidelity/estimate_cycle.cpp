@@ -203,7 +203,7 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
   r.closure = last.closure();
   r.steps = last.steps();
   r.rejected_steps = last.rejected();
-  tell_what_is_left_out(c, path, r);
+  tell_what_is_left_out(c, last, r);
   if (r.verdict.good()) r.verdict = thinner_than_a_molecule(c, path);
   if (r.verdict.good()) {
     r.instants = path.instants();

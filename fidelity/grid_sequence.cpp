@@ -53,6 +53,12 @@ std::vector<Grid> coarse_grids(const Case& c) {
   return grids;
 }
 
+std::vector<Grid> nearest_coarse_grids(const Case& c) {
+  std::vector<Grid> grids = coarse_grids(c);
+  if (grids.size() > 2) grids.erase(grids.begin(), grids.end() - 2);
+  return grids;
+}
+
 std::optional<Solution> solve_near(const Case& c, const Solution& near, const SolveControl& control,
                                    double* work) {
   SolveControl quiet;

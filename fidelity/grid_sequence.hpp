@@ -26,6 +26,9 @@ inline constexpr int kMoreNodes = 2;  ///< across the film; their number stays o
 /// fine one are left out.
 [[nodiscard]] std::vector<Grid> coarse_grids(const bearing::Case& c);
 
+/// The last two of them: what bars of whole runs in time are made of.
+[[nodiscard]] std::vector<Grid> nearest_coarse_grids(const bearing::Case& c);
+
 /// The case, in the tier and on the grid that it names, from a solution that is near (other grid,
 /// physics or nodes, same bearing), from cold if that does not converge; none if this does not
 /// either or the grid cannot carry the supplies. Tells nothing, stops with the others. `work`: the

@@ -92,6 +92,7 @@ std::optional<Pair> JournalPath::pass(const Pair& from, bool record) {
 Pair JournalPath::steady_place() {
   constexpr double kAtRest = 1e-6;  // of its speed, over the gap that is left
   const double omega = std::abs(course_.at(0.0).omega);
+  began_steady_ = true;
   const Motion motion{
       [&](double, const Pair& x, Pair& v) { return motion_.rate(0.0, false, x, v); }, gap_left,
       tolerance_, INFINITY};

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/case_text.hpp"
+#include "app/followed.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/run_keeper.hpp"
@@ -13,6 +14,7 @@
 #include "app/table_parts.hpp"
 #include "app/write_running_in.hpp"
 #include "core/contract.hpp"
+#include "fidelity/running_in_bars.hpp"
 #include "validation/rivals/rivals.hpp"
 
 namespace shellback::program {
@@ -72,23 +74,43 @@ SolveControl control_over(ProgressLine& line, RunningInState& latest) {
   return control;
 }
 
-/// What a run of the profile needs beside it, and why it is worth while.
+/// What a run of the profile needs beside it.
 void tell_what_is_worn(const Case& c, const RunningInRun& run) {
   const std::string keys = worn_surface_keys(c, run);
-  if (!keys.empty()) {
-    fmt::print(std::cout, "\nthe shell's surface at the end, to be given with the profile:\n  {}\n",
-               keys);
-  }
-  fmt::print(std::cout,
-             "\nno figure here has a bar: a run of the profile, in which cells and steps "
-             "are judged, has them\n");
+  if (keys.empty()) return;
+  fmt::print(std::cout, "\nthe shell's surface at the end, to be given with the profile:\n  {}\n",
+             keys);
 }
 
-void print_line(const RunningInState& s, bool found) {
-  const std::string t =
-      std::isfinite(s.t) ? fmt::format("{:.4g}", s.t) : (found ? "worn in" : "last tried");
-  fmt::print(std::cout, "{:>10} {:>10.4g} {:>12.4g} {:>12.4g} {:>12.4g} {:>12.4g}\n", t,
-             1e6 * s.depth, 1e9 * s.volume, 1e-6 * s.p_asperity_max, s.torque, 1e6 * s.h_min);
+void print_states(const RunningInRun& run, const fidelity::RunningInBars& bars) {
+  struct Column {
+    const char *name, *unit;
+    double RunningInState::*value;
+    double factor;
+  };
+  constexpr Column columns[] = {{"wear", "[um]", &RunningInState::depth, 1e6},
+                                {"volume", "[mm3]", &RunningInState::volume, 1e9},
+                                {"contact", "[MPa]", &RunningInState::p_asperity_max, 1e-6},
+                                {"torque", "[N m]", &RunningInState::torque, 1.0},
+                                {"h_min", "[um]", &RunningInState::h_min, 1e6}};
+  std::string names = fmt::format("{:>10}", "time"), units = fmt::format("{:>10}", "[s]");
+  for (const Column& c : columns) {
+    names += fmt::format(" {:>9} {:>8}", c.name, "+-");
+    units += fmt::format(" {:>9} {:>8}", c.unit, "");
+  }
+  fmt::print(std::cout, "{}\n{}\n", names, units);
+  for (std::size_t k = 0; k < run.states.size(); ++k) {
+    const double t = run.states[k].t;
+    const bool found = run.verdict.good();
+    std::string line = fmt::format(
+        "{:>10}", std::isfinite(t) ? fmt::format("{:.4g}", t) : (found ? "worn in" : "last tried"));
+    for (const Column& c : columns) {
+      const double bar = c.factor * bars.at(k, c.value);
+      line += fmt::format(" {:>9.4g} {:>8}", c.factor * (run.states[k].*c.value),
+                          std::isfinite(bar) ? fmt::format("{:.2g}", bar) : "-");
+    }
+    fmt::print(std::cout, "{}\n", line);
+  }
 }
 
 }  // namespace
@@ -111,15 +133,18 @@ int running_in(const Request& request) {
   const RunningInRun run =
       run_in(subject, subject.model.tier, control,
              [&](const RunningInRun& so_far) { latest = so_far.states.back(); });
+  fidelity::RunningInBars bars;
+  if (run.verdict.status != Status::interrupted) {
+    bars = fidelity::running_in_bars(subject, run, control);
+  }
   progress.wipe();
   if (!run.states.empty() && request.json != "-") {
     std::cout << subject.title << '\n';
     app::print_scene(std::cout, subject);
     fmt::print(std::cout, "running-in, tier {}, grid {} x {}\n\n", to_string(subject.model.tier),
                subject.model.grid[0], subject.model.grid[1]);
-    fmt::print(std::cout, "{:>10} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "time [s]", "wear [um]",
-               "volume [mm3]", "contact [MPa]", "torque [N m]", "h_min [um]");
-    for (const RunningInState& s : run.states) print_line(s, run.verdict.good());
+    print_states(run, bars);
+    for (const std::string& words : bar_warnings(bars)) fmt::print(std::cout, "{}\n", words);
     if (run.cycle) print_cycle(*run.cycle, cycles_of(run));
     print_words_of_last_state(run);
     if (std::isfinite(run.complementarity)) {
@@ -129,12 +154,13 @@ int running_in(const Request& request) {
   }
   if (!run.states.empty() && request.json != "-") tell_what_is_worn(subject, run);
   if (!run.verdict.good()) tell_verdict(subject.model.tier, run.verdict);
-  outputs.give("--json", [&] { return running_in_json(subject, run); });
+  outputs.give("--json", [&] { return running_in_json(subject, run, bars); });
   if (!run.states.empty()) {
-    outputs.give("--picture", [&] { return running_in_svg(subject, run); });
+    outputs.give("--picture", [&] { return running_in_svg(subject, run, bars); });
     outputs.give("--profile", [&] { return worn_shape_csv(subject, run); });
   }
-  const int code = outputs.code(code_of(run.verdict));
+  const bool late = run.verdict.good() && bars.interrupted;
+  const int code = outputs.code(late ? kInterrupted : code_of(run.verdict));
   keeper.end(code);
   return code;
 }

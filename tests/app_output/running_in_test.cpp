@@ -98,8 +98,8 @@ TEST_CASE("ARunningInTellsWhatItsLastStateHasToSay") {
     });
   };
   CHECK(says("held at the hardness of 1 MPa"));
-  check_parts(running_in_json(c, run), {"\"warnings\"", "held at the hardness of 1 MPa", "\"case\"",
-                                        "\"changes\"", "\"assumptions\""});
+  check_parts(running_in_json(c, run, {}), {"\"warnings\"", "held at the hardness of 1 MPa",
+                                            "\"case\"", "\"changes\"", "\"assumptions\""});
   CHECK(worn_surface_keys(c, run).empty());
   // The profile tells the surface that belongs to it, as keys that --set takes, and is read with
   // it.

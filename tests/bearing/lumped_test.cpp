@@ -174,6 +174,22 @@ TEST_CASE("AWarmStartFindsTheRootOfTheColdOne", "[lumped]") {
   }
 }
 
+TEST_CASE("AWarmStartFollowsARootThatHardlyMoves", "[lumped]") {
+  // So little that all films tried are within a thousandth of a kelvin: their slope is not to be
+  // told from what each leaves open, and without one a root counted as unstable.
+  Case c = warm_case();
+  const Solution s = solve_tier(c, Tier::lumped);
+  REQUIRE(s.verdict.good());
+  const double speed = c.operation.omega;
+  for (const double change : {1e-8, 1e-7, 3e-7, 1e-6, 3e-6, 1e-5, 1e-4}) {
+    c.operation.omega = speed * (1.0 + change);
+    const Solution near = solve_tier_from(c, Tier::lumped, s, {}, Otherwise::failure);
+    INFO(change << ": " << app::reason_of(near.verdict));
+    REQUIRE(near.verdict.good());
+    CHECK(near.T_film == Approx(s.T_film).margin(1e-3 + 100.0 * change));
+  }
+}
+
 TEST_CASE("ARootIsSettledThoughHotterFilmsCostMuch", "[lumped]") {
   // A jacked journal: films of hot oil, of micrometres and less, take more work than all before;
   // the grids agree on the root in 0.02 K.

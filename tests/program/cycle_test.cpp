@@ -235,7 +235,7 @@ TEST_CASE("CompareTakesALoadCycle") {
 
 /// That the line above the names of the temperatures says which of each it is.
 void check_maxima_and_means(const std::string& table) {
-  const std::size_t names = table.rfind('\n', table.find("film [degC]"));
+  const std::size_t names = table.rfind('\n', table.find("h_min"));
   const std::size_t above = table.rfind('\n', names - 1);
   std::istringstream words(table.substr(above, names - above));
   const std::vector<std::string> said{std::istream_iterator<std::string>(words), {}};

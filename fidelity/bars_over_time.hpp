@@ -1,0 +1,88 @@
+#pragma once
+/// Bars of what is followed over time, at each of its states, from the same steps on coarser grids
+/// and, on one of these, from two steps each taken as one: what that changes of a state leaves open
+///   1.5 |f(2 dt) - f(dt)| / (2^n - 1)                                                        (1)
+/// as a part of its value, n the order in time; states between two such steps have the larger of
+/// their bars. 1.5 is the safety of the grid's bars (grid_error.hpp). Source: Richardson, textbook.
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "bearing/instant.hpp"
+#include "core/largest.hpp"
+#include "fidelity/grid_error.hpp"
+#include "fidelity/grid_sequence.hpp"
+
+namespace shellback::fidelity {
+
+/// Half-widths in the units of the values that are followed, one for each state; not a number: not
+/// known. Empty: no coarser grid serves, or they were interrupted.
+template <class State>
+struct BarsOverTime {
+  std::vector<State> grid, time;
+  bool interrupted = false;
+
+  /// Both together.
+  [[nodiscard]] double at(std::size_t k, double State::*value) const {
+    return grid.empty() ? NAN : grid[k].*value + time[k].*value;
+  }
+};
+
+/// What a grid gives: states at the times of the run, the last ones may be missing.
+template <class State>
+using OnGrid = std::pair<Grid, std::vector<State>>;
+
+/// Two steps each taken as one; of an odd number the first is left as it is.
+[[nodiscard]] std::vector<double> joined(const std::vector<double>& steps);
+
+template <class State, class Followed>
+[[nodiscard]] std::vector<State> unknown(std::size_t n, const Followed& followed) {
+  State one;
+  for (const auto& q : followed) one.*q.value = NAN;
+  return std::vector<State>(n, one);
+}
+
+/// Of nested grids, coarsest first. `edge`: what is hidden of h_min besides, as a part of it [-].
+template <class State, class Followed>
+[[nodiscard]] std::vector<State> bars_of_grids(const std::vector<OnGrid<State>>& coarse,
+                                               const std::vector<State>& run, const Grid& grid,
+                                               double edge, const Followed& followed) {
+  const auto size = [](const Grid& g) { return 1.0 / std::sqrt(g[0] * g[1]); };
+  auto bars = unknown<State>(run.size(), followed);
+  for (std::size_t k = 0; k < run.size(); ++k) {
+    for (const auto& q : followed) {
+      std::vector<GridValue> values;
+      for (const auto& [g, on] : coarse) {
+        if (k < on.size()) values.push_back({size(g), on[k].*q.value, 0.0});
+      }
+      values.push_back({size(grid), run[k].*q.value, 0.0});
+      bars[k].*q.value = grid_bar(values, size(grid)).bar;
+    }
+    bars[k].h_min += edge * std::abs(run[k].h_min);
+  }
+  return bars;
+}
+
+/// (1) of the states from `begin` to `end`, the last of which has been reached by each of its
+/// steps; `other`, of joined steps, is looked at from `n` on, which is moved on. `usual` and
+/// `other` on one grid.
+template <class State, class Followed>
+void add_bars_of_steps(const std::vector<State>& usual, const std::vector<State>& other,
+                       const std::vector<State>& run, double order, std::size_t begin,
+                       std::size_t end, const Followed& followed, std::size_t& n,
+                       std::vector<State>& bars) {
+  const double part = kSafety / (std::exp2(order) - 1.0);
+  const std::size_t first = (end + 1 - begin) % 2 == 0 ? begin + 1 : begin;
+  for (std::size_t k = first; k <= end; k += 2, ++n) {
+    if (k >= usual.size() || n >= other.size()) return;
+    for (const auto& q : followed) {
+      const double size = std::abs(usual[k].*q.value);
+      const double change = std::abs(other[n].*q.value - usual[k].*q.value);
+      const double bar = size > 0.0 ? part * change / size * std::abs(run[k].*q.value) : 0.0;
+      bars[k].*q.value = bar;
+      if (k > begin) bars[k - 1].*q.value = k > first ? larger(bar, bars[k - 2].*q.value) : bar;
+    }
+  }
+}
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,69 @@
+#include "fidelity/running_in_bars.hpp"
+
+#include "core/contract.hpp"
+#include "fidelity/edge_error.hpp"
+
+namespace shellback::fidelity {
+
+using namespace bearing;
+
+namespace {
+
+using States = std::vector<RunningInState>;
+
+/// In these steps, or, where there are none, as the case says; nothing where the grid cannot carry
+/// the supplies.
+States on_grid(Case c, const Grid& grid, const std::vector<double>& steps, SolveControl control) {
+  control.kept = nullptr;
+  c.model.grid = grid;
+  try {
+    const RunningInRun run = run_in(c, c.model.tier, control, {}, steps);
+    return steps.empty() && !run.verdict.good() ? States{} : run.states;
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// What the edge hides of the smallest film at the end, as a part of it [-].
+double hidden_at_edge(const RunningInRun& run) {
+  const double least = run.states.back().h_min;
+  if (!(least > 0.0)) return 0.0;
+  if (run.cycle) return edge_error(run.cycle->fields.grid, run.cycle->fields.h_min) / least;
+  const FilmEquilibrium& film = run.solution.film;
+  return edge_error(run.solution.model.domain.grid, film.gap.cell, film.least) / least;
+}
+
+}  // namespace
+
+RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const SolveControl& control) {
+  RunningInBars bars;
+  if (run.states.size() < 2) return bars;
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < run.states.size() && c.running_in->duration; ++k) {
+    steps.push_back(run.states[k].step);
+  }
+  std::vector<OnGrid<RunningInState>> coarse;
+  for (const Grid& grid : nearest_coarse_grids(c)) {
+    States on = on_grid(c, grid, steps, control);
+    if (!on.empty()) coarse.emplace_back(grid, std::move(on));
+  }
+  if (!coarse.empty() && !stopped(control)) {
+    bars.grid =
+        bars_of_grids(coarse, run.states, c.model.grid, hidden_at_edge(run), kFollowedStates);
+    bars.time = States(run.states.size());
+    if (!steps.empty()) {
+      const auto& [grid, usual] = coarse.back();
+      const States other = on_grid(c, grid, joined(steps), control);
+      bars.time = unknown<RunningInState>(run.states.size(), kFollowedStates);
+      bars.time.front() = {};  // the new bearing
+      std::size_t n = 1;
+      add_bars_of_steps(usual, other, run.states, 2.0, 1, run.states.size() - 1, kFollowedStates, n,
+                        bars.time);
+    }
+  }
+  bars.interrupted = stopped(control);
+  if (bars.interrupted) bars.grid = bars.time = {};
+  return bars;
+}
+
+}  // namespace shellback::fidelity

@@ -1,0 +1,115 @@
+// Bars of warm-ups and courses: what shorter steps and a finer grid give lies within them.
+#include "fidelity/march_bars.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "fidelity/solve.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+Case coarse() {
+  Case c = warm_case();
+  c.model.tier = Tier::thd;
+  c.model.grid = {48, 8};
+  return c;
+}
+
+WarmUpOptions until(double end) {
+  WarmUpOptions o;
+  o.T_start = 293.15;
+  o.end = end;
+  return o;
+}
+
+/// Of a followed value at time t, a parabola through three instants.
+double at(const std::vector<Instant>& run, double Instant::*value, double t) {
+  std::size_t k = 1;
+  while (k + 2 < run.size() && run[k].t < t) ++k;
+  const Instant &a = run[k - 1], &b = run[k], &c = run[k + 1];
+  return a.*value * (t - b.t) * (t - c.t) / ((a.t - b.t) * (a.t - c.t)) +
+         b.*value * (t - a.t) * (t - c.t) / ((b.t - a.t) * (b.t - c.t)) +
+         c.*value * (t - a.t) * (t - b.t) / ((c.t - a.t) * (c.t - b.t));
+}
+
+}  // namespace
+
+TEST_CASE("BarsOfAWarmUpHoldShorterStepsAndAreOfTheirSize", "[transient]") {
+  // Bars of time are 1.5 times what doubled steps tell of the error: nine of ten hold, and half of
+  // them are shorter than five times the error.
+  Case c = coarse();
+  const WarmUp run = warm_up(c, Tier::thd, until(60.0));
+  const fidelity::MarchBars bars = fidelity::march_bars(c, until(60.0), run);
+  REQUIRE(bars.time.size() == run.instants.size());
+  c.model.tolerance = 3e-4;
+  const std::vector<Instant> fine = warm_up(c, Tier::thd, until(61.0)).instants;
+  int judged = 0, held = 0;
+  std::vector<double> longer;
+  for (std::size_t k = 0; k < run.instants.size(); ++k) {
+    const Instant& i = run.instants[k];
+    if (i.t < 0.5) continue;  // hot oil first meets cold walls: no step is short enough
+    for (double Instant::*value : {&Instant::torque, &Instant::T_shell_max, &Instant::T_shaft}) {
+      const double off = std::abs(i.*value - at(fine, value, i.t));
+      ++judged;
+      held += bars.time[k].*value >= off ? 1 : 0;
+      longer.push_back(bars.time[k].*value / off);
+    }
+  }
+  REQUIRE(judged >= 30);
+  CHECK(held >= 0.85 * judged);
+  std::nth_element(longer.begin(), longer.begin() + judged / 2, longer.end());
+  CHECK(longer[judged / 2] < 5.0);
+}
+
+TEST_CASE("BarsOfAWarmUpEndAsThoseOfTheSteadyState", "[transient]") {
+  const Case c = coarse();
+  const WarmUpOptions o = until(INFINITY);
+  const WarmUp run = warm_up(c, Tier::thd, o);
+  REQUIRE(run.end.at_rest);
+  const fidelity::MarchBars bars = fidelity::march_bars(c, o, run);
+  REQUIRE(bars.grid.size() == run.instants.size());
+  const Result steady = fidelity::solve(c);
+  const Quantity* torque = quantity_in(steady.quantities, "friction_torque");
+  // The same grids; the steady state's bars have the nodes across the film besides.
+  const Instant& end = bars.grid.back();
+  CHECK(end.torque == Approx(torque->error_grid).epsilon(0.5));
+  CHECK(bars.time.back().torque < 0.1 * end.torque);  // at rest, steps change nothing
+}
+
+TEST_CASE("BarsOfACourseAreThoseOfItsStretches", "[transient]") {
+  const Case c = coarse();
+  Case fast = c;
+  fast.operation.omega *= 2.0;
+  const std::vector<Stretch> stretches{{c, 20.0}, {fast, 20.0}};
+  const CourseRun run = run_course(stretches, Tier::thd, until(0.0));
+  const fidelity::MarchBars bars = fidelity::march_bars(stretches, until(0.0), run);
+  REQUIRE(bars.grid.size() == run.instants.size());
+  // The first stretch does not know the second one.
+  const WarmUp alone = warm_up(c, Tier::thd, until(20.0));
+  const fidelity::MarchBars of_one = fidelity::march_bars(c, until(20.0), alone);
+  REQUIRE(alone.instants.size() == run.ends[0] + 1);
+  for (const std::size_t k : {run.ends[0] / 2, run.ends[0]}) {
+    CHECK(bars.grid[k].T_shaft == Approx(of_one.grid[k].T_shaft));
+    CHECK(bars.time[k].T_shaft == Approx(of_one.time[k].T_shaft));
+  }
+  for (std::size_t k = 0; k < run.instants.size(); ++k) {
+    CHECK(std::isfinite(bars.grid[k].torque + bars.time[k].torque));
+  }
+}
+
+TEST_CASE("AMarchThatIsStoppedHasNoBars", "[transient]") {
+  const Case c = coarse();
+  const WarmUp run = warm_up(c, Tier::thd, until(1.0));
+  const std::atomic<bool> stop{true};
+  SolveControl control;
+  control.stop = &stop;
+  const fidelity::MarchBars bars = fidelity::march_bars(c, until(1.0), run, control);
+  CHECK(bars.interrupted);
+  CHECK(bars.grid.empty());
+}

@@ -1,0 +1,76 @@
+// Bars of runnings-in: what a finer grid gives lies within them.
+#include "fidelity/running_in_bars.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "app/words/ending_words.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// The KS bearing, elastic, at a speed at which its edges rub.
+Case rubbing_case() {
+  Case c = rig_case();
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {60, 13};
+  c.operation.omega = 600.0 * kPi / 30.0;
+  c.running_in = RunningIn{1e-8, 350e6, {}, 0.0, {}, 0.0};
+  c.running_in->duration = 600.0;
+  return c;
+}
+
+RunningInRun run_of(const Case& c) {
+  RunningInRun run = run_in(c, c.model.tier);
+  INFO(app::reason_of(run.verdict));
+  REQUIRE(run.verdict.good());
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("BarsOfARunningInHoldAFinerGrid", "[running_in]") {
+  Case c = rubbing_case();
+  const RunningInRun run = run_of(c);
+  const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
+  REQUIRE(bars.grid.size() == run.states.size());
+  REQUIRE(bars.time.size() == run.states.size());
+  c.model.grid = {120, 27};
+  const RunningInState fine = run_of(c).states.back();
+  const RunningInState& last = run.states.back();
+  const std::size_t k = run.states.size() - 1;
+  for (const auto& q : kFollowedStates) {
+    INFO(q.name);
+    CHECK(std::abs(fine.*q.value - last.*q.value) < bars.at(k, q.value));
+    // and say something: shorter than the value
+    CHECK(bars.at(k, q.value) < std::abs(last.*q.value));
+  }
+}
+
+TEST_CASE("StepsOfARunningInLeaveOpenWhatTheirErrorAllows", "[running_in]") {
+  // A step errs by a thousandth of the depth at most (docs/running-in.md: half a per cent of it
+  // after all steps); nothing has worn in the first state.
+  const Case c = rubbing_case();
+  const RunningInRun run = run_of(c);
+  const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
+  CHECK(bars.time.front().depth == 0.0);
+  CHECK(bars.time.back().depth > 1e-5 * run.states.back().depth);
+  CHECK(bars.time.back().depth < 0.02 * run.states.back().depth);
+}
+
+TEST_CASE("AShapeThatIsWornInHasBarsOfItsGridAlone", "[running_in]") {
+  Case c = rubbing_case();
+  c.running_in->duration.reset();
+  c.running_in->limit_pressure = 5e6;
+  const RunningInRun run = run_of(c);
+  REQUIRE(run.states.size() == 2);
+  const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
+  REQUIRE(bars.grid.size() == 2);
+  CHECK(bars.grid.back().depth > 0.0);
+  CHECK(bars.time.back().depth == 0.0);
+}

@@ -23,7 +23,7 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
     last = search.search(false);
     if (!last.good()) return double{NAN};
     const CycleMeans m = search.told().means();
-    const OilFed fed = oil_fed(c, m.fed);
+    const OilFed fed = oil_fed(c, search.film().model().supply.touching, m.fed);
     if (!(m.side_mass_flow > 0.0 && fed.mass > 0.0)) {
       last = {Status::no_steady_state, ending::Plain::no_oil_leaves};
       return double{NAN};

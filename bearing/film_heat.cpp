@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rheology/density.hpp"
 #include "rheology/heat.hpp"
@@ -71,13 +72,36 @@ double reference_density(const BearingModel& model) {
   return rheology::density(model.oil, mean_supply_temperature(model.input), 0.0).rho;
 }
 
-OilFed oil_fed(const Case& c, const std::vector<double>& out_of) {
+std::vector<double> fed_temperatures(const Case& c, const std::vector<int>& touching) {
+  struct Pocket {
+    double pressure = -std::numeric_limits<double>::infinity();
+    double sum = 0.0;
+    int count = 0;
+  };
+  std::vector<Pocket> pockets(touching.size());
+  for (std::size_t k = 0; k < touching.size(); ++k) {
+    Pocket& pocket = pockets[touching[k]];
+    const Supply& supply = c.supplies[k];
+    if (supply.pressure > pocket.pressure) pocket = {supply.pressure, 0.0, 0};
+    if (supply.pressure < pocket.pressure) continue;
+    pocket.sum += supply.temperature;
+    ++pocket.count;
+  }
+  std::vector<double> T;
+  for (const int k : touching) T.push_back(pockets[k].sum / pockets[k].count);
+  return T;
+}
+
+OilFed oil_fed(const Case& c, const std::vector<int>& touching, const std::vector<double>& out_of) {
+  const std::vector<double> T = fed_temperatures(c, touching);
+  std::vector<double> net(out_of.size(), 0.0);
+  for (std::size_t k = 0; k < out_of.size(); ++k) net[touching[k]] += out_of[k];
   OilFed fed;
   double sum = 0.0;
-  for (std::size_t k = 0; k < out_of.size(); ++k) {
-    const double m = std::max(out_of[k], 0.0);
+  for (std::size_t k = 0; k < net.size(); ++k) {
+    const double m = std::max(net[k], 0.0);
     fed.mass += m;
-    sum += m * c.supplies[k].temperature;
+    sum += m * T[k];
   }
   fed.T = fed.mass > 0.0 ? sum / fed.mass : mean_supply_temperature(c);
   return fed;
@@ -104,19 +128,36 @@ namespace {
 
 using NodeArray = std::vector<double>;
 
-/// Work of the pressure on the flow through every face, given to the film cells beside it [W].
-Field flow_work(const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& s) {
+/// Work of the pressure on the flow through every face [W].
+struct FlowWork {
+  Field film;                   ///< given to the film cells beside it
+  std::vector<double> vessels;  ///< to the patch into which oil flows over a side edge
+  double throttled = 0.0;       ///< to oil that leaves a patch over a side edge
+};
+
+FlowWork flow_work(const BearingModel& model, const OperatingPoint& point,
+                   const FilmEquilibrium& s) {
   const fluid::FilmScene& scene = point.scene;
   const FilmGrid& g = scene.grid;
   const double per_mass = 1.0 / reference_density(model);
-  Field work(g.cells(), 0.0);
+  FlowWork out{Field(g.cells(), 0.0), std::vector<double>(scene.supply.patches.size(), 0.0)};
+  Field& work = out.film;
   const auto film = [&](int k) { return scene.supply.cell[k] < 0; };
-  const auto share = [&](int a, int b, double power) {
+  const auto share = [&](int a, int b, double m) {
+    const double power = m * (s.film.p[a] - s.film.p[b]) * per_mass;
     if (film(a) && film(b)) {
       work[a] += 0.5 * power;
       work[b] += 0.5 * power;
     } else if (film(a) || film(b)) {
       work[film(a) ? a : b] += power;
+    }
+  };
+  const auto over_edge = [&](int k, double leaves) {
+    const double power = leaves * (s.film.p[k] - scene.p_edge) * per_mass;
+    if (film(k)) {
+      work[k] += power;
+    } else {
+      (leaves > 0.0 ? out.throttled : out.vessels[scene.supply.cell[k]]) += power;
     }
   };
   for (int i = 0; i < g.nt; ++i) {
@@ -125,21 +166,17 @@ Field flow_work(const BearingModel& model, const OperatingPoint& point, const Fi
       const int l = g.index(g.previous(i), j);
       const int line = scene.supply.line[k];
       if (line < 0) {
-        share(l, k, s.flow.phi[k].m * (s.film.p[l] - s.film.p[k]) * per_mass);
+        share(l, k, s.flow.phi[k].m);
       } else {
         const double p = scene.supply.patches[line].pressure;
         if (film(k)) work[k] += s.flow.phi[k].m * (p - s.film.p[k]) * per_mass;
       }
       const int f = i * (g.nz + 1) + j;
-      if (j > 0) share(k - 1, k, s.flow.z[f].m * (s.film.p[k - 1] - s.film.p[k]) * per_mass);
+      if (j > 0) share(k - 1, k, s.flow.z[f].m);
     }
-    const int first = g.index(i, 0);
-    const int last = g.index(i, g.nz - 1);
     const int f = i * (g.nz + 1);
-    if (film(first)) work[first] += s.flow.z[f].m * (scene.p_edge - s.film.p[first]) * per_mass;
-    if (film(last)) {
-      work[last] += s.flow.z[f + g.nz].m * (s.film.p[last] - scene.p_edge) * per_mass;
-    }
+    over_edge(g.index(i, 0), -s.flow.z[f].m);
+    over_edge(g.index(i, g.nz - 1), s.flow.z[f + g.nz].m);
   }
   for (const fluid::LineFace& l : s.flow.lines) {
     const int k = g.index(g.previous(l.face / g.nz), l.face % g.nz);
@@ -151,7 +188,7 @@ Field flow_work(const BearingModel& model, const OperatingPoint& point, const Fi
     const double p = scene.supply.patches[m.patch].pressure;
     work[m.cell] += s.flow.fed[k] * (p - s.film.p[m.cell]) * per_mass;
   }
-  return work;
+  return out;
 }
 
 /// Splits face flows over the nodes by the velocity profiles of the cells beside them.
@@ -210,16 +247,20 @@ void fill_heat(const BearingModel& model, const OperatingPoint& point, const Fil
   const fluid::FilmScene& scene = point.scene;
   const FilmGrid& g = scene.grid;
   const CrossFilmNodes& gl = model.gl;
-  const Field work = flow_work(model, point, s);
+  const FlowWork work = flow_work(model, point, s);
   const Field fill = fluid::cell_fill(scene, s.film);
+  p.throttled = work.throttled;
+  for (std::size_t v = 0; v < work.vessels.size(); ++v) {
+    p.vessels[scene.supply.touching[v]].heat += work.vessels[v];
+  }
   p.heat = dissipation(gl, scene.speed, s.shear_gap, s.gradient_x, s.gradient_z, s.columns);
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int c = g.index(i, j);
       const double rubbed = scene.speed * friction.stress.journal[c] * g.area(i, j);
       double* heat = &p.heat[static_cast<std::size_t>(c) * gl.n];
-      if (scene.supply.cell[c] >= 0) {
-        p.vessels[scene.supply.cell[c]].heat += rubbed;
+      if (p.patch[c] >= 0) {
+        p.vessels[p.patch[c]].heat += rubbed;
         std::fill_n(heat, gl.n, 0.0);
         continue;
       }
@@ -229,7 +270,7 @@ void fill_heat(const BearingModel& model, const OperatingPoint& point, const Fil
         heat[k] *= gl.w[k] * volume;
         sum += heat[k];
       }
-      const double missed = rubbed + work[c] - sum;
+      const double missed = rubbed + work.film[c] - sum;
       for (int k = 0; k < gl.n; ++k) heat[k] += gl.w[k] * missed;
     }
   }
@@ -274,18 +315,21 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model,
   thermal::FilmEnergyProblem p;
   p.grid = &model.domain.grid;
   p.gl = &model.gl;
-  p.patch = scene.supply.cell;
+  p.patch = scene.supply.cell;  // those that touch are one vessel: the first of them
   p.line = scene.supply.line;
+  const std::vector<int>& vessel = scene.supply.touching;
+  for (int& patch : p.patch) patch = patch < 0 ? patch : vessel[patch];
+  const std::vector<double> T_fed = fed_temperatures(model.input, vessel);
   p.forward = scene.speed >= 0.0;
   p.T_reference = mean_supply_temperature(model.input);
-  p.T_edge = oil_fed(model.input, fluid::oil_flows(scene, s.flow).patch).T;
+  p.T_edge = oil_fed(model.input, scene.supply.touching, fluid::oil_flows(scene, s.flow).patch).T;
   p.cp_edge = mean_heat_capacity(model.oil, p.T_reference, p.T_edge);
   for (const Supply& supply : model.input.supplies) {
     thermal::SupplyVessel v;
     v.heat_transfer = supply_heat_transfer(model, static_cast<int>(p.vessels.size()));
-    v.T_supply = supply.temperature;
+    v.T_supply = T_fed[p.vessels.size()];
     v.carry_over = supply.carry_over;
-    v.cp_supply = mean_heat_capacity(model.oil, p.T_reference, supply.temperature);
+    v.cp_supply = mean_heat_capacity(model.oil, p.T_reference, v.T_supply);
     v.cp_mix = v.cp_supply;
     p.vessels.push_back(v);
   }
@@ -300,7 +344,7 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model,
       const double k = rheology::conductivity(model.oil, s.columns.T_mean[c], s.film.p[c]).k;
       const double wet = std::max(s.film.theta[c], kDry);
       p.conductance[c] = k * g.area(i, j) * wet / s.shear_gap[c];
-      const int patch = scene.supply.cell[c];
+      const int patch = p.patch[c];
       if (patch >= 0) p.vessels[patch].cp_mix = p.cp[static_cast<std::size_t>(c) * n + n / 2];
     }
   }

@@ -58,14 +58,20 @@ struct AsperityStress {
   return patch < 0 || supply_heat_transfer(model, patch) > 0.0;
 }
 
+/// Of the oil that feeds each supply of the case [K]: its own; of supplies that touch
+/// (SupplyMap::touching), which are one vessel, the mean of those under the highest pressure.
+[[nodiscard]] std::vector<double> fed_temperatures(const Case& c, const std::vector<int>& touching);
+
 /// Oil that comes out of the supplies which feed, and its mean temperature. What another supply
-/// takes back leaves as warm as the film.
+/// takes back leaves as warm as the film, unless the two touch: then it has passed no film.
 struct OilFed {
   double mass = 0.0;  ///< [kg/s]
   double T = 0.0;     ///< [K]
 };
-/// `out_of`: net out of every supply of the case [kg/s]; T where none feeds: their plain mean.
-[[nodiscard]] OilFed oil_fed(const Case& c, const std::vector<double>& out_of);
+/// `out_of`: net out of every supply of the case [kg/s]; `touching`: SupplyMap::touching; T where
+/// none feeds: their plain mean.
+[[nodiscard]] OilFed oil_fed(const Case& c, const std::vector<int>& touching,
+                             const std::vector<double>& out_of);
 
 /// Coldest and hottest oil of the supplies [K].
 [[nodiscard]] std::pair<double, double> supply_temperatures(const Case& c);

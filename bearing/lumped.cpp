@@ -92,7 +92,8 @@ std::optional<double> LumpedBalance::residual(double T) {
   Verdict v = film_at(T);
   const fluid::OilFlows flows =
       v.good() ? fluid::oil_flows(s_.point.scene, s_.film.flow) : fluid::OilFlows{};
-  const OilFed fed = v.good() ? oil_fed(s_.model.input, flows.patch) : OilFed{};
+  const OilFed fed =
+      v.good() ? oil_fed(s_.model.input, s_.point.scene.supply.touching, flows.patch) : OilFed{};
   if (v.good() && !(flows.side > 0.0 && fed.mass > 0.0)) {
     v = {Status::no_steady_state, ending::Plain::no_oil_leaves};
   }

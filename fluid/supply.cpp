@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
@@ -162,11 +163,34 @@ GridEdges z_edges(const std::vector<SupplyPatch>& patches) {
   return edges;
 }
 
+namespace {
+
+/// `touching` of the header, from the cells.
+void find_touching(const FilmGrid& g, SupplyMap& map) {
+  std::iota(map.touching.begin(), map.touching.end(), 0);
+  const auto join = [&](int a, int b) {
+    if (a < 0 || b < 0) return;
+    const auto [first, other] = std::minmax(map.touching[a], map.touching[b]);
+    const int low = first, high = other;
+    std::replace(map.touching.begin(), map.touching.end(), high, low);
+  };
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int here = map.cell[g.index(i, j)];
+      join(here, map.cell[g.index(g.next(i), j)]);
+      if (j + 1 < g.nz) join(here, map.cell[g.index(i, j + 1)]);
+    }
+  }
+}
+
+}  // namespace
+
 SupplyMap map_supplies(const FilmGrid& g, const std::vector<SupplyPatch>& patches) {
   SupplyMap map;
   map.patches = patches;
   map.cell.assign(g.cells(), -1);
   map.line.assign(g.cells(), -1);
+  map.touching.resize(patches.size());
   for (int k = 0; k < static_cast<int>(patches.size()); ++k) {
     const SupplyPatch& s = patches[k];
     if (s.moving) continue;
@@ -182,6 +206,7 @@ SupplyMap map_supplies(const FilmGrid& g, const std::vector<SupplyPatch>& patche
       }
     }
   }
+  find_touching(g, map);
   Reaches(g, map).measure();
   return map;
 }

@@ -46,6 +46,8 @@ struct SupplyMap {
   std::vector<SupplyPatch> patches;
   std::vector<int> cell;  ///< per cell: patch it lies in, -1 for film
   std::vector<int> line;  ///< per west face of a cell: patch of the line on it, -1 for none
+  /// Per patch: the first of those that it touches, one by way of another; itself if none.
+  std::vector<int> touching;
   bool has_lines = false;
   std::vector<Mouth> mouths;  ///< of moving patches as they stand; one a cell at most
   /// Distance from the unknown of a film cell to the edge of the patch in the cell beside it, along

@@ -90,11 +90,15 @@ EnergyBalance FilmEnergy::balance(const std::vector<double>& T) const {
       b.carried_out -= p_.gl->w[k] * f.flow * p_.cp[at] * (T[at] - p_.T_reference);
     }
   }
+  b.heat += p_.throttled;
+  b.carried_out += p_.throttled;
   const auto flows = vessel_flows(T);
   for (std::size_t v = 0; v < flows.size(); ++v) {
     const SupplyVessel& s = p_.vessels[v];
     const double fresh = flows[v].out - s.carry_over * flows[v].in;
     b.heat += s.heat;
+    b.carried_in += flows[v].edge_heat;
+    b.carried_out += flows[v].over_edge * s.cp_mix * (T_mix_[v] - p_.T_reference);
     b.carried_out += (1.0 - s.carry_over) * flows[v].in_heat;
     if (fresh > 0.0) {
       b.carried_in += fresh * s.cp_supply * (s.T_supply - p_.T_reference);

@@ -117,7 +117,12 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
   shaft_ring_.assign(g.nz, 0.0);
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
+      Inflow faces[4];
+      const int count = faces_of(i, j, faces);
       if (p_.patch[g.index(i, j)] >= 0) {
+        const bool at_brink =
+            std::any_of(faces, faces + count, [](const Inflow& f) { return f.source == kEdge; });
+        if (at_brink) brink_.push_back(g.index(i, j));
         const double h = vessel_transfer(g.index(i, j)), part = g.dphi[i] / (2.0 * kPi);
         shell_local_ = std::max(shell_local_, h);
         shell_ring_[j] += part * h;
@@ -125,8 +130,6 @@ FilmEnergy::FilmEnergy(FilmEnergyProblem problem) : p_(std::move(problem)) {
         continue;
       }
       build_column(i, j);
-      Inflow faces[4];
-      const int count = faces_of(i, j, faces);
       const bool at_shore = std::any_of(
           faces, faces + count, [](const Inflow& f) { return f.source < 0 && f.source != kEdge; });
       if (at_shore) shore_.push_back(g.index(i, j));

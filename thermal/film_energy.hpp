@@ -37,6 +37,8 @@
 /// which the walls receive. The wall nodes of its cells hold the walls' temperatures. Oil that is
 /// drawn off evenly along a groove cools on its way as m cp dT = -h dA (T - T_wall), m falling to
 /// zero at its end: it leaves at a mean of T_wall + (T_in - T_wall)/(1 + h A/(O cp)), which is (6).
+/// O and I are of the faces of a patch towards film and side edges. Patches that touch are one: no
+/// film parts them.
 /// Sources: methods 3.1, 3.2; the projection is ours (docs/theory.md).
 #include <optional>
 #include <vector>
@@ -107,10 +109,12 @@ struct FilmEnergyProblem {
   std::vector<double> cp;           ///< mean heat capacity from T_reference on, per node [J/(kg K)]
   std::vector<SupplyVessel> vessels;
   std::vector<FedOil> fed;
-  double T_reference = 0.0;            ///< enthalpies count from here [K]
-  double T_edge = 0.0;                 ///< of oil that enters at a side edge [K]
-  double cp_edge = 0.0;                ///< its mean heat capacity from the reference on [J/(kg K)]
-  bool forward = true;                 ///< the journal moves in +phi
+  double T_reference = 0.0;  ///< enthalpies count from here [K]
+  double T_edge = 0.0;       ///< of oil that enters at a side edge [K]
+  double cp_edge = 0.0;      ///< its mean heat capacity from the reference on [J/(kg K)]
+  bool forward = true;       ///< the journal moves in +phi
+  /// Made by oil that leaves vessels straight over a side edge, and gone with it [W].
+  double throttled = 0.0;
   std::optional<FilmStorage> storage;  ///< none: steady
   std::optional<YieldingShell> shell;  ///< none: its temperature is given
 };
@@ -168,9 +172,11 @@ class FilmEnergy {
 
  private:
   struct VesselFlow {
-    double out = 0.0;      ///< O [kg/s]
-    double in = 0.0;       ///< I [kg/s]
-    double in_heat = 0.0;  ///< sum of I cp (T - T_ref) [W]
+    double out = 0.0;        ///< O [kg/s]
+    double in = 0.0;         ///< I [kg/s]
+    double in_heat = 0.0;    ///< sum of I cp (T - T_ref) [W]
+    double over_edge = 0.0;  ///< of O, over a side edge [kg/s]
+    double edge_heat = 0.0;  ///< that enters over a side edge [W]
   };
   /// Flow into cell `cell` through one face, and whence.
   struct Inflow {
@@ -221,6 +227,8 @@ class FilmEnergy {
   template <int N>
   double march(std::vector<double>& T);
   [[nodiscard]] std::vector<VesselFlow> vessel_flows(const std::vector<double>& T) const;
+  /// From and to a side edge without any film.
+  void add_flows_over_edges(const std::vector<double>& T, std::vector<VesselFlow>& flows) const;
   void mix(std::vector<double>& T);
 
   FilmEnergyProblem p_;
@@ -244,6 +252,7 @@ class FilmEnergy {
   std::vector<double> enthalpy_;                 ///< n per slot [J/kg]
   std::vector<double> T_mix_;                    ///< per patch [K]
   std::vector<int> shore_;                       ///< film cells with a face to a patch
+  std::vector<int> brink_;                       ///< patch cells with a face at a side edge
   std::vector<const LineFlow*> line_west_;       ///< per face: the flow into its line
   double shell_local_ = 0.0;                     ///< largest of all columns [W/(m2 K)]
   std::vector<double> shell_ring_, shaft_ring_;  ///< mean over the columns at each z [W/(m2 K)]

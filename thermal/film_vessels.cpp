@@ -25,7 +25,32 @@ std::vector<FilmEnergy::VesselFlow> FilmEnergy::vessel_flows(const std::vector<d
       }
     }
   }
+  add_flows_over_edges(T, flows);
   return flows;
+}
+
+void FilmEnergy::add_flows_over_edges(const std::vector<double>& T,
+                                      std::vector<VesselFlow>& flows) const {
+  for (const int cell : brink_) {
+    VesselFlow& v = flows[p_.patch[cell]];
+    Inflow faces[4];
+    const int count = faces_of(cell / p_.grid->nz, cell % p_.grid->nz, faces);
+    for (int f = 0; f < count; ++f) {
+      if (faces[f].source != kEdge) continue;
+      for (int k = 0; k < n_; ++k) {
+        const double in = p_.gl->w[k] * faces[f].sign * faces[f].flow[k];
+        if (in > 0.0) {
+          const double heat = in * source_enthalpy(faces[f], k, T);
+          v.in += in;
+          v.in_heat += heat;
+          v.edge_heat += heat;
+        } else {
+          v.out -= in;
+          v.over_edge -= in;
+        }
+      }
+    }
+  }
 }
 
 double FilmEnergy::vessel_transfer(int cell) const {

@@ -183,9 +183,15 @@ std::vector<FittedKey> fitted_keys(const std::string& text, const std::string& p
                                    const MeasuredTable& table) {
   toml::table root = parse_toml(text, path);
   for (const Override& change : set) apply_override(root, change);
-  std::map<std::string, std::string> limits = bounds_by_key(bounds);
+  const std::map<std::string, std::string> limits = bounds_by_key(bounds);
+  const std::vector<std::string> fitted = keys_named(fit);
+  for (const auto& [key, words] : limits) {
+    if (std::find(fitted.begin(), fitted.end(), key) != fitted.end()) continue;
+    throw InputError("--bounds " + key,
+                     "this key is not fitted; name it in --fit" + did_you_mean(key, fitted));
+  }
   std::vector<FittedKey> keys;
-  for (const std::string& key : keys_named(fit)) {
+  for (const std::string& key : fitted) {
     expect_not_measured(key, table);
     const NumberWithUnit start = value_in_case(root, key);
     const auto own = limits.find(key);
@@ -198,11 +204,6 @@ std::vector<FittedKey> fitted_keys(const std::string& text, const std::string& p
                                    key, low, high));
     }
     keys.push_back(bounded(key, start, own->second));
-    limits.erase(own);
-  }
-  if (!limits.empty()) {
-    throw InputError("--bounds " + limits.begin()->first,
-                     "this key is not fitted; name it in --fit");
   }
   return keys;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
@@ -170,6 +171,27 @@ void note_summits(SurfaceReport& r) {
   }
 }
 
+/// The formula against the sum over the map's own summits where two such surfaces bear most: within
+/// a standard deviation of where their summits meet (docs/surfaces.md has what Gaussian maps
+/// leave).
+void note_formula(SurfaceReport& r) {
+  constexpr double kApart = 2.0;  // of the two pressures: maps of Gaussian surfaces are within 1.3
+  double most = 1.0;
+  for (const surface::ContactRow& row : r.contact) {
+    const double apart = std::abs(row.h - 2.0 * r.counted.height) / std::numbers::sqrt2;
+    const double formula = row.pair_formula, sum = row.pair_summits;
+    if (apart > r.counted.roughness || !(formula > 0.0) || !(sum > 0.0)) continue;
+    most = std::max({most, sum / formula, formula / sum});
+  }
+  if (most < kApart) return;
+  r.notes.push_back(fmt::format(
+      "the heights are not those of a Gaussian surface (skewness {:.2f}): Greenwood-Tripp's "
+      "formula "
+      "and the sum over this map's own summits are apart by a factor of up to {:.2g}; its "
+      "elastic_factor stands for the formula, not for this surface",
+      r.heights.skewness, most));
+}
+
 void note_table(SurfaceReport& r) {
   const std::size_t closed = r.factors.rows.size() - r.table.H.size();
   if (closed > 0 && !r.factors.rows.empty()) {
@@ -199,6 +221,7 @@ void note_limits(SurfaceReport& r) {
   note_lay(r);
   note_grid(r);
   note_summits(r);
+  note_formula(r);
   if (r.holes.count > 0) {
     r.notes.push_back(fmt::format("{} holes ({:.3g} %) were filled by harmonic interpolation",
                                   r.holes.count, 100.0 * r.holes.share(r.map)));

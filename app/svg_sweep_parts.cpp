@@ -118,8 +118,9 @@ std::optional<DrawnQuantity> drawn_quantity(const Sweep& sweep, const std::strin
   const DisplayUnit unit = display_unit(name, si_unit, std::max(std::abs(least), std::abs(most)));
   // Bars are drawn to their ends, but those that would press the curve together, and none across
   // zero where all values have one sign.
-  const double room = kRoomForBars * (most - std::min(least, 0.0));
-  const double floor = least >= 0.0 ? std::max(least - room, 0.0) : least - room;
+  const bool arbitrary = si_unit == "K";  // a zero that no curve is drawn from
+  const double room = kRoomForBars * (most - (arbitrary ? least : std::min(least, 0.0)));
+  const double floor = least >= 0.0 && !arbitrary ? std::max(least - room, 0.0) : least - room;
   return DrawnQuantity{name,
                        unit,
                        unit(least),

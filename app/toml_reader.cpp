@@ -217,6 +217,11 @@ std::optional<bool> Section::maybe_switch(const std::string& key) const {
 
 int Section::whole(const toml::node& node, const std::string& key, int low, int high) const {
   const auto* number = node.as_integer();
+  if (node.is_floating_point()) {
+    fail(key,
+         fmt::format("{} is no whole number; write one from {} to {} without point and exponent",
+                     written(node), low, high));
+  }
   if (number == nullptr || number->get() < low || number->get() > high) {
     fail(key, fmt::format("{} is no whole number from {} to {}", written(node), low, high));
   }

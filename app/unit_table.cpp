@@ -25,6 +25,7 @@ constexpr std::array<Prefix, 9> kPrefixes{{{"n", 1e-9},
 constexpr double kInch = 0.0254;                        ///< [m], definition
 constexpr double kPoundForce = 4.4482216152605;         ///< [N], 0.45359237 kg * 9.80665 m/s2
 constexpr double kPsi = kPoundForce / (kInch * kInch);  ///< [Pa]
+constexpr double kOneAtm = 101325.0;                    ///< [Pa], definition
 constexpr double kFahrenheitZero = kZeroCelsius - 32.0 * 5.0 / 9.0;  ///< 0 degF [K]
 
 constexpr Dimension kNone{};
@@ -45,6 +46,7 @@ struct Entry {
 const std::array kEntries{
     Entry{"m", "n u µ μ m c k", {1.0, kL}},
     Entry{"in", "", {kInch, kL}},
+    Entry{"mil", "", {1e-3 * kInch, kL}},
     Entry{"l", "m", {1e-3, {3, 0, 0, 0, 0}}},
     Entry{"L", "m", {1e-3, {3, 0, 0, 0, 0}}},
     Entry{"deg", "", {kPi / 180.0, kPhi}},
@@ -64,6 +66,8 @@ const std::array kEntries{
     Entry{"Pas", "m", {1.0, {-1, 1, -1, 0, 0}}},
     Entry{"bar", "m", {1e5, {-1, 1, -2, 0, 0}}},
     Entry{"psi", "k", {kPsi, {-1, 1, -2, 0, 0}}},
+    Entry{"ksi", "", {1e3 * kPsi, {-1, 1, -2, 0, 0}}},
+    Entry{"atm", "", {kOneAtm, {-1, 1, -2, 0, 0}}},
     Entry{"P", "c", {0.1, {-1, 1, -1, 0, 0}}},
     Entry{"J", "m k M", {1.0, {2, 1, -2, 0, 0}}},
     Entry{"W", "m k M", {1.0, {2, 1, -3, 0, 0}}},
@@ -71,6 +75,7 @@ const std::array kEntries{
     Entry{"degC", "", {1.0, kTheta, kZeroCelsius, true}},
     Entry{"°C", "", {1.0, kTheta, kZeroCelsius, true}},
     Entry{"degF", "", {5.0 / 9.0, kTheta, kFahrenheitZero, true}},
+    Entry{"°F", "", {5.0 / 9.0, kTheta, kFahrenheitZero, true}},
     Entry{"%", "", {0.01, kNone}},
 };
 

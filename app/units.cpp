@@ -62,6 +62,12 @@ std::string usual_hint(std::string_view symbol) {
   if (symbol == "kgf" || symbol == "kp") return "; one kilogram-force is 9.80665 N";
   if (symbol == "gf" || symbol == "tf") return "; forces are in N, kN, MN or lbf";
   if (symbol == "F") return "; did you mean \"K\" or \"degC\" (Fahrenheit is \"degF\")?";
+  if (symbol == "cSt" || symbol == "St") {
+    return "; kinematic viscosities are to be multiplied with the density first: 1 cSt at 860 "
+           "kg/m3 "
+           "is 0.86 mPa s";
+  }
+  if (symbol == "ppm") return "; one ppm is 1e-6";
   if (symbol == "C") return "; did you mean \"degC\" or \"K\"?";
   return "";
 }
@@ -160,14 +166,14 @@ class UnitParser {
   }
 
   Unit known(std::string_view symbol, std::size_t begin) {
+    const bool alone = begin == 0 && at_ == text_.size();
     const auto unit = find_unit(symbol);
     if (!unit) {
       const std::string hint = usual_hint(symbol);
       throw UnitError(fmt::format("unknown unit {}{}; {}", in_quotes(symbol),
-                                  hint.empty() ? did_you_mean(symbol, unit_symbols()) : hint,
+                                  hint.empty() ? did_you_mean(symbol, meant(alone)) : hint,
                                   cure(kind_)));
     }
-    const bool alone = begin == 0 && at_ == text_.size();
     if (unit->scale && !alone) {
       throw UnitError(
           fmt::format("{} is a temperature with its own zero and cannot be part of "
@@ -175,6 +181,15 @@ class UnitParser {
                       symbol));
     }
     return *unit;
+  }
+
+  /// Symbols that may stand here: of the quantity that is wanted, or any as a part of a product.
+  [[nodiscard]] std::vector<std::string> meant(bool alone) const {
+    std::vector<std::string> symbols = unit_symbols();
+    std::erase_if(symbols, [&](const std::string& symbol) {
+      return alone && find_unit(symbol)->dimension != kind_.dimension;
+    });
+    return symbols;
   }
 
   /// Letters, % and every byte of a non-ASCII character, except the dot and the superscripts.

@@ -78,6 +78,12 @@ struct BearingLimits {
   Limits oil_conductivity{5e-3, 0.05, 0.8, 100.0};    // [W/(m K)] oils 0.13, water 0.6
   /// beta of exp(-beta (T - at)) [1/K]: oils 0.02 to 0.06; at 1 a degree takes two thirds.
   Limits viscosity_slope{0.0, 0.0, 0.12, 1.0};
+  /// d ln eta/dp [1/Pa]: oils 1e-8 to 4e-8 (textbook), a tenth of that over the coldest and hottest
+  /// ones; at 1e-6 a bearing's 10 MPa multiply it by exp(10).
+  Limits pressure_slope{0.0, 1e-9, 1e-7, 1e-6};
+  /// K of Cross' law, one over the rate at which an oil thins [s]: engine oils 1e-8 to 1e-5,
+  /// polymer melts 1 s.
+  Limits thinning_time{0.0, 1e-11, 1e-3, 1.0};
   /// Pressure times (1 + nu)(1 - 2 nu)/(E (1 - nu)), the strain of a thin layer [-]: laws of small
   /// strain err by their square, and beyond a half columns beside each other shear.
   double strain_usual = 0.1;
@@ -101,6 +107,15 @@ struct BearingLimits {
   double supply_cover_usual = 0.3;        ///< of the surface [-]
   double supply_cover_most = 0.9;         ///< above, hardly any film is left [-]
   Limits supply_pressure{-INFINITY, -INFINITY, 50e5, 2e9};  // [Pa] above, hydrostatic; fuel 3e8
+  /// [Pa] Oil and vessel together. Possible from air alone, as stiff as its pressure is high, usual
+  /// from a soft hose on; a liquid in a stiff wall has 1 to 3 GPa (textbook).
+  Limits vessel_modulus{1e5, 1e6, 6e9, 1e11};
+  /// [m3] Usual from the drillings of a pin to a gallery; possible from a cubic micrometre, as
+  /// large a drop as a film is thick, to a tank whose oil is still counted to the last of what a
+  /// gap holds, 1e-6 m3, to a millionth of it.
+  Limits vessel_volume{1e-18, 1e-8, 1e-2, 1e3};
+  /// Above cavitation [Pa]. Possible from the weight of a tenth of a millimetre of oil on.
+  Limits vessel_head{1.0, 1e3, INFINITY, INFINITY};
   double profile_most = 0.1;     ///< heights' spread over the radius: no gap beyond [-]
   double wall_most = 5.0;        ///< shell over radius: no bush's wall is thicker [-]
   double housing_most = 50.0;    ///< outer over inner radius: beyond, a full space does as well [-]

@@ -45,7 +45,29 @@ void judge_supplied_viscosity(const rheology::Oil& oil, double T, Findings& to) 
           "check their units (Pa s or mPa s? degC or K?)");
 }
 
+/// What pressure and shear make of the viscosity of the oil as it comes.
+void judge_thickening_and_thinning(const rheology::Oil& oil, double T, Findings& to) {
+  if (!std::holds_alternative<rheology::NoPressureEffect>(oil.pressure) && !at_pole(oil, T)) {
+    const double slope = rheology::viscosity_slopes(oil, T, 0.0, 0.0).dln_dp;
+    compare(to, "oil.viscosity.pressure", slope, kBearingLimits.pressure_slope,
+            fmt::format("its constants make the viscosity grow with exp({:.3g} p/GPa) at the "
+                        "supply's {}",
+                        1e9 * slope, shown(T, "degC")),
+            "oils have 10 to 40 1/GPa; check the unit of its constants");
+  }
+  if (const auto* houpert = std::get_if<rheology::Houpert>(&oil.pressure)) {
+    compare(to, "oil.viscosity.pressure.beta", houpert->beta, kBearingLimits.viscosity_slope,
+            fmt::format("beta is {:.4g} 1/K", houpert->beta), "oils have 0.02 to 0.06 1/K");
+  }
+  if (const auto* cross = std::get_if<rheology::Cross>(&oil.shear)) {
+    compare(to, "oil.viscosity.shear.K", cross->K, kBearingLimits.thinning_time,
+            fmt::format("the oil thins from shear rates of 1/K = {:.3g} 1/s on", 1.0 / cross->K),
+            "check its unit, and the sign of its exponent; engine oils have 1e-8 to 1e-5 s");
+  }
+}
+
 void judge_viscosity(const rheology::Oil& oil, double T_supply, Findings& to) {
+  judge_thickening_and_thinning(oil, T_supply, to);
   const auto* cross = std::get_if<rheology::Cross>(&oil.shear);
   if (cross != nullptr && !rheology::stress_is_monotone(*cross)) {
     to.refuse("oil.viscosity.shear",

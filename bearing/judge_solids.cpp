@@ -33,6 +33,10 @@ void judge_material(const solid::Material& material, const std::string& path, Fi
                  "check the unit");
     }
   }
+  if (material.hardness > 0.0) {
+    compare(to, path + ".hardness", material.hardness, kBearingLimits.hardness,
+            fmt::format("the hardness is {}", shown(material.hardness, "MPa")), "check the unit");
+  }
 }
 
 void judge_housing(const Housing& housing, double R, double inner, Findings& to) {

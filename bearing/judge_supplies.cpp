@@ -110,15 +110,6 @@ void judge_pressure(const Supply& s, double p_cav, const std::string& path, Find
           fmt::format("the supply pressure is {}", shown(s.pressure, "bar")), "check the unit");
 }
 
-/// [Pa] Possible from air alone, as stiff as its pressure is high, usual from a soft hose on; a
-/// liquid in a stiff wall has 1 to 3 GPa (textbook).
-constexpr Limits kVesselModulus{1e5, 1e6, 6e9, 1e11};
-/// [m3] Usual from the drillings of a pin to a gallery; possible from a cubic micrometre, as large
-/// a drop as a film is thick, to a tank whose oil is still counted to the last of what a gap holds.
-constexpr Limits kVesselVolume{1e-18, 1e-8, 1e-2, 1e3};
-/// Above cavitation [Pa]. Possible from the weight of a tenth of a millimetre of oil on.
-constexpr Limits kVesselHead{1.0, 1e3, INFINITY, INFINITY};
-
 void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findings& to) {
   if (!s.vessel) return;
   const std::string key = path + ".vessel_volume";
@@ -131,9 +122,9 @@ void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findi
   }
   const ValueCheck vessel(path, to);
   vessel.number("vessel_volume", s.vessel->volume, "m3", kPositive);
-  compare(to, key, s.vessel->volume, kVesselVolume,
+  compare(to, key, s.vessel->volume, kBearingLimits.vessel_volume,
           fmt::format("the vessel holds {}", shown(s.vessel->volume, "l")), "check its unit");
-  compare(to, path + ".vessel_bulk_modulus", s.vessel->bulk_modulus, kVesselModulus,
+  compare(to, path + ".vessel_bulk_modulus", s.vessel->bulk_modulus, kBearingLimits.vessel_modulus,
           fmt::format("oil and vessel together have a bulk modulus of {}",
                       shown(s.vessel->bulk_modulus, "MPa")),
           "check its unit; mineral oil without air in a stiff vessel has 1500 MPa");
@@ -141,7 +132,7 @@ void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findi
   if (!(head > 0.0)) {
     to.refuse(path + ".pressure", "a vessel at the cavitation pressure feeds nothing", "raise it");
   } else {
-    compare(to, path + ".pressure", head, kVesselHead,
+    compare(to, path + ".pressure", head, kBearingLimits.vessel_head,
             fmt::format("the vessel's pressure is {} above that of cavitation", shown(head, "bar")),
             "check its unit, or raise it");
   }

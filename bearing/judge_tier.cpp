@@ -161,8 +161,8 @@ double off_circle(const Bearing& b) {
 /// Where the journal is not aligned in a cylinder.
 Lack lack_of_cylinder(const Case& c) {
   // Of the clearance: a tenth of the film at an eccentricity ratio of 0.9, the estimate's own bars.
+  // Of a moment, of load times width: the load as far off mid-width.
   constexpr double kOff = 0.01;
-  constexpr double kOffMoment = 0.01;  // of load times width: the load as far off mid-width
   const std::string cure = "take tier isothermal, lumped, thd, tehd or auto";
   const double clearance = c.bearing.radial_clearance;
   if (off_circle(c.bearing) > kOff * clearance) {
@@ -179,7 +179,7 @@ Lack lack_of_cylinder(const Case& c) {
   const bool tilted =
       tilt != nullptr
           ? std::hypot(tilt->about_x, tilt->about_y) * 0.5 * c.bearing.width > kOff * clearance
-          : std::hypot(moment->about_x, moment->about_y) > kOffMoment * arm;
+          : std::hypot(moment->about_x, moment->about_y) > kOff * arm;
   if (!tilted) return std::nullopt;
   return lack("model.tier", "the journal is tilted, and tier estimate knows none but aligned ones",
               cure);

@@ -164,8 +164,13 @@ void judge_model(const Model& m, Findings& to) {
   model.number("equivalent_temperature.kappa", m.kappa, "", kValueRanges.kappa);
 }
 
-void judge_measured(const Measured& m, Findings& to) {
+void judge_measured(const Measured& m, double clearance, Findings& to) {
   const ValueCheck measured("measured", to);
+  if (m.h_min && *m.h_min > 2.0 * clearance) {
+    to.suspect("measured.h_min",
+               fmt::format("{} is more than the diametral clearance", shown(*m.h_min, "um")),
+               "check the unit");
+  }
   const auto number = [&](const char* key, const std::optional<double>& value, const char* unit,
                           const Range& range) {
     if (value) measured.number(key, *value, unit, range);
@@ -264,7 +269,7 @@ void judge_values(const Case& c, Findings& to) {
   judge_model(c.model, to);
   judge_solid_values(c, to);
   judge_surfaces_values(c.surfaces, to);
-  judge_measured(c.measured, to);
+  judge_measured(c.measured, c.bearing.radial_clearance, to);
   if (c.running_in) judge_running_in(c, to);
 }
 

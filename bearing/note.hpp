@@ -228,6 +228,18 @@ struct MouthWidened {
   double taken = 0.0;     ///< [m]
 };
 
+/// A groove or hole whose land to a side edge no cell of the grid is in.
+struct LandUnseen {
+  int supply = 0;
+  double land = 0.0;  ///< [m]
+};
+
+/// Summits in contact that hardly slide: their friction is not all there.
+struct HardlySliding {
+  double speed = 0.0;  ///< [m/s]
+  double part = 0.0;   ///< of the friction of summits that slide [-]
+};
+
 /// Tier `auto`: what richer physics would change is not known, its tier being not found.
 struct NothingRicher {
   Tier tier = Tier::tehd;
@@ -255,6 +267,7 @@ using Note = std::variant<
     note::WornBeyondClearance, note::WearLedOn, note::LiningTooHot, note::OtherSteadyState,
     note::LayerPressed, note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid,
     note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet,
-    note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::LandUnseen, note::HardlySliding, note::ShaftSwing, note::EstimateOfFilm,
+    note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -49,6 +49,13 @@ void add_other_roots(const Solution& s, std::vector<Note>& warnings) {
   warnings.push_back(std::move(all));
 }
 
+void add_slow_sliding(const Solution& s, std::vector<Note>& out) {
+  const double speed = std::abs(s.point.scene.speed);
+  if (!s.model.contact || speed >= solid::BoundaryFriction::kSliding) return;
+  if (!(largest(s.film.p_contact) > 0.0)) return;
+  out.push_back(note::HardlySliding{speed, std::tanh(speed / solid::BoundaryFriction::kMicroSlip)});
+}
+
 }  // namespace
 
 std::vector<Note> warnings_of(const Solution& s) {
@@ -56,6 +63,7 @@ std::vector<Note> warnings_of(const Solution& s) {
   if (s.coefficients) add_coefficient_warnings(*s.coefficients, warnings);
   add_range_warnings(s, warnings);
   add_other_roots(s, warnings);
+  add_slow_sliding(s, warnings);
   return warnings;
 }
 

@@ -6,6 +6,7 @@
 #include "bearing/bore_shape.hpp"
 #include "bearing/case_limits.hpp"
 #include "bearing/pressed_layer.hpp"
+#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
@@ -124,6 +125,22 @@ void add_holes(const BearingModel& m, std::vector<Note>& out) {
   }
 }
 
+/// Supplies that reach a side edge on this grid alone.
+void add_lands(const BearingModel& m, std::vector<Note>& out) {
+  const FilmGrid& g = m.domain.grid;
+  const std::vector<Supply>& supplies = m.input.supplies;
+  for (int k = 0; k < static_cast<int>(supplies.size()); ++k) {
+    const fluid::SupplyPatch& patch = m.supply.patches[k];
+    const double land = 0.5 * (m.input.bearing.width - patch.length) - std::abs(patch.z);
+    bool open = false;
+    for (int i = 0; i < g.nt && !open; ++i) {
+      open = m.supply.cell[g.index(i, g.nz - 1)] == k ||
+             (!g.half && m.supply.cell[g.index(i, 0)] == k);
+    }
+    if (open && land > kRoundOff * m.input.bearing.width) out.push_back(note::LandUnseen{k, land});
+  }
+}
+
 /// A layer behind the first is pressed over a wider area, by less: told is what it has at most.
 void add_strain(const BearingModel& m, double p_max, std::vector<Note>& out) {
   if (!m.physics.elastic || !m.input.shell) return;
@@ -182,6 +199,7 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   add_edge(m, reach, out);
   add_bore(m, reach, out);
   add_holes(m, out);
+  add_lands(m, out);
   add_strain(m, reach.p_max, out);
   add_flown_layer(m, reach.layer_depth, out);
   add_hot_lining(m, reach.T_shell, out);

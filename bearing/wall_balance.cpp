@@ -159,11 +159,10 @@ double WallBalance::change_for_ever(const Friction& friction) {
 }
 
 double WallBalance::finish(const Friction& friction, bool close) {
-  constexpr double kWalls = 1e-9;           // change per round that leaves their heat balanced [K]
-  constexpr double kSettled = 1e-9;         // change per sweep, balance near round-off [K]
+  constexpr double kSettled = 1e-9;         // change per round of walls, per sweep of the film [K]
   constexpr double kRoughlySettled = 1e-3;  // the same where the balance need not close [K]
   energy_.emplace(problem(friction));
-  const double change = close ? balance(kWalls, kMostIterations) : 0.0;
+  const double change = close ? balance(kSettled, kMostIterations) : 0.0;
   settle_film(close ? kSettled : kRoughlySettled);
   warm_the_walls({true, true});
   s_.heat.balance = energy_->balance(s_.film.columns.T);

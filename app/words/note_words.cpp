@@ -52,6 +52,34 @@ std::string beginning_of_event(note::Plain n) {
   }
 }
 
+std::string of_bars(note::Plain n) {
+  using note::Plain;
+  switch (n) {
+    case Plain::bars_interrupted:
+      return "interrupted before the error bars were known";
+    case Plain::bars_unknown:
+      return "neither a coarser grid nor a finer one gave a solution: the error bars are unknown";
+    case Plain::cycle_bars_unknown:
+      return "none of the coarser grids that were tried carries this cycle: the bars are not known "
+             "(a journal without mass may have to leap on them: load_cycle.journal_mass)";
+    case Plain::time_bars_unknown:
+      return "with other steps in time no periodic state was found: no bar has what the steps "
+             "leave open";
+    case Plain::march_bars_unknown:
+      return "none of the coarser grids that were tried passes this run in the same steps: its "
+             "bars "
+             "are not known";
+    case Plain::nodes_not_judged:
+      return "more nodes across the film gave no solution on the coarse grid: what they would "
+             "change is in no bar";
+    case Plain::nothing_richer:
+      return "nothing richer than this physics is there to judge it by: no model bars";
+    default:
+      return "the case has no data of shell and shaft: what their heat and deformation change is "
+             "in no bar";
+  }
+}
+
 std::string text_of(note::Plain n) {
   using note::Plain;
   switch (n) {
@@ -83,26 +111,14 @@ std::string text_of(note::Plain n) {
     case Plain::estimate_in_the_middle:
       return beginning_of_event(n);
     case Plain::bars_interrupted:
-      return "interrupted before the error bars were known";
     case Plain::bars_unknown:
-      return "neither a coarser grid nor a finer one gave a solution: the error bars are unknown";
     case Plain::cycle_bars_unknown:
-      return "none of the coarser grids that were tried carries this cycle: the bars are not known "
-             "(a journal without mass may have to leap on them: load_cycle.journal_mass)";
     case Plain::time_bars_unknown:
-      return "with other steps in time no periodic state was found: no bar has what the steps "
-             "leave open";
     case Plain::march_bars_unknown:
-      return "none of the coarser grids that were tried passes this run in the same steps: its bars "
-             "are not known";
     case Plain::nodes_not_judged:
-      return "more nodes across the film gave no solution on the coarse grid: what they would "
-             "change is in no bar";
     case Plain::nothing_richer:
-      return "nothing richer than this physics is there to judge it by: no model bars";
     case Plain::walls_not_judged:
-      return "the case has no data of shell and shaft: what their heat and deformation change is "
-             "in no bar";
+      return of_bars(n);
     case Plain::estimate_of_cycle:
       return "estimate: rigid circular bearing whose film is full wherever it closes (Booker's "
              "mobility, table of the finite bearing), one temperature from the heat of a mean "
@@ -288,6 +304,23 @@ std::string text_of(const note::MouthWidened& n) {
       "supply.{}: its mouth of {:.4g} mm is finer than the grid and taken as {:.4g} mm wide; flow "
       "and film are those of the wider one: a finer model.grid",
       n.supply, n.diameter * 1e3, n.taken * 1e3);
+}
+
+std::string text_of(const note::LandUnseen& n) {
+  return fmt::format(
+      "supply.{}: its land of {:.4g} mm to a side edge is narrower than a cell: on this grid it is "
+      "open there, and oil flows straight out of it; a finer model.grid along the bearing",
+      n.supply, n.land * 1e3);
+}
+
+std::string text_of(const note::HardlySliding& n) {
+  return fmt::format(
+      "the surfaces slide at {:.3g} mm/s: summits give way elastically before they slide, and "
+      "{:.0f} "
+      "% of their friction is there; that at the point of sliding is told as breakaway_torque by "
+      "an "
+      "event that begins at rest ([load_cycle])",
+      n.speed * 1e3, 100.0 * n.part);
 }
 
 std::string text_of(const note::LayerPressed& n) {

@@ -73,6 +73,51 @@ TEST_CASE("HeatOfAGrooveWithItsWallsIsConserved", "[groove_heat]") {
   }
 }
 
+TEST_CASE("TwoGroovesThatTouchAreOne", "[groove_heat]") {
+  // The same cells at the same pressure: one pocket, whoever calls it two.
+  Case one = groove_with(0.0);
+  one.supplies[0].arc = 24.0 * kDegree;
+  Case two = one;
+  two.supplies[0].arc = 12.0 * kDegree;
+  two.supplies.push_back(two.supplies[0]);
+  two.supplies[0].angle -= 6.0 * kDegree;
+  two.supplies[1].angle += 6.0 * kDegree;
+  for (const Tier tier : {Tier::lumped, Tier::thd, Tier::tehd}) {
+    const Solution a = solved(one, tier), b = solved(two, tier);
+    CHECK(torque_of(b) == Approx(torque_of(a)).epsilon(1e-6));
+    if (tier == Tier::lumped) continue;
+    CHECK(b.heat.T_mix[0] == Approx(a.heat.T_mix[0]).margin(1e-4));
+    CHECK(b.heat.T_mix[1] == b.heat.T_mix[0]);
+    CHECK(audit_of(b, friction_of(b.model, b.point, b.film)).energy < 1e-8);
+  }
+  // Under different pressures the higher one feeds.
+  two.supplies[0].pressure *= 2.0;
+  two.supplies[0].temperature += 20.0;
+  const std::vector<double> T = fed_temperatures(two, {0, 0});
+  CHECK(T[0] == two.supplies[0].temperature);
+  CHECK(T[1] == T[0]);
+  CHECK(fed_temperatures(two, {0, 1})[1] == two.supplies[1].temperature);
+}
+
+TEST_CASE("OilThatLeavesAGrooveOverASideEdgeTakesItsHeatAlong", "[groove_heat]") {
+  // Where no cell lies in the land, oil is throttled from the groove straight to the edge: half of
+  // the pump's power, which was in no balance.
+  for (const double pressure : {1e5, 5e5, 20e5}) {
+    Case c = groove_with(0.0);
+    c.supplies[0].length = 0.995 * c.bearing.width;
+    c.supplies[0].pressure = pressure;
+    for (const Tier tier : {Tier::thd, Tier::tehd}) {
+      const Solution s = solved(c, tier);
+      CHECK(audit_of(s, friction_of(s.model, s.point, s.film)).energy < 1e-8);
+      const Result r = summarize(s, tier);
+      const bool told = std::any_of(r.warnings.begin(), r.warnings.end(), [](const Note& n) {
+        return std::holds_alternative<note::LandUnseen>(n);
+      });
+      CHECK(told);
+    }
+  }
+}
+
 TEST_CASE("AGrooveOfStrongExchangeIsAsWarmAsItsWalls", "[groove_heat]") {
   const Solution s = solved(groove_with(1e6), Tier::thd);
   const FilmGrid& g = s.model.domain.grid;

@@ -412,6 +412,28 @@ TEST_CASE("ConstantsThatMakeNoOilAreSeenByTheirViscosity") {
   CHECK(with(1e6 * A) == 2);  // stiffer than pitch
 }
 
+TEST_CASE("ConstantsOfPressureAndShearThatMakeNoOilAreSeen") {
+  using rheology::Barus, rheology::Cross, rheology::Houpert, rheology::Oil, rheology::Roelands;
+  const auto seen = [](const std::string& key, const auto& change) {
+    Case c = warm_case();
+    change(c.oil);
+    for (const Finding& f : judge(c)) {
+      if (f.key == key) return f.refused() ? 2 : 1;
+    }
+    return 0;
+  };
+  const std::string pressure = "oil.viscosity.pressure", shear = "oil.viscosity.shear.K";
+  CHECK(seen(pressure, [](Oil& o) { o.pressure = Barus{2e-8}; }) == 0);
+  CHECK(seen(pressure, [](Oil& o) { o.pressure = Barus{9.5}; }) == 2);  // 1/GPa, as 1/Pa
+  CHECK(seen(pressure, [](Oil& o) { o.pressure = Barus{9.5e-15}; }) == 1);
+  CHECK(seen(pressure, [](Oil& o) { o.pressure = Roelands{0.6}; }) == 0);
+  CHECK(seen(pressure, [](Oil& o) { o.pressure = Roelands{60.0}; }) == 2);
+  CHECK(seen(pressure + ".beta", [](Oil& o) { o.pressure = Houpert{0.6, 34.0, 313.15}; }) == 2);
+  CHECK(seen(shear, [](Oil& o) { o.shear = Cross{0.5, 4.5e-8, 0.5}; }) == 0);
+  CHECK(seen(shear, [](Oil& o) { o.shear = Cross{0.5, 1e-2, 0.5}; }) == 1);
+  CHECK(seen(shear, [](Oil& o) { o.shear = Cross{0.5, 4.5e8, 0.5}; }) == 2);  // a sign forgotten
+}
+
 TEST_CASE("AHoleIsJudgedByItsDiameterAlone") {
   // Arc and length, which a reader fills in, are not asked of who fills a case by hand.
   Case c = rig_case();

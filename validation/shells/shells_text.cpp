@@ -74,7 +74,7 @@ Json capability_json(const Capability& c) {
   json["peak_load"] = c.good.factor > 0.0 ? with_unit(c.peak, "N") : Json(nullptr);
   json["met"] = known(c.met, "1");
   json["met_error"] = known(c.met_error, "1");
-  json["limit"] = to_string(c.limit);
+  json["limit"] = c.tried ? Json(to_string(c.limit)) : Json(nullptr);
   if (!c.reason.empty()) json["reason"] = c.reason;
   return json;
 }

@@ -18,7 +18,7 @@ using bearing::Comparison;
 using bearing::Result;
 
 constexpr double kFigureWidth = 580.0;  ///< of a figure in a column [px]
-constexpr double kAxisTitle = 8.0;           ///< of it for the title of an axis that stands upright [px]
+constexpr double kAxisTitle = 8.0;      ///< of it for the title of an axis that stands upright [px]
 constexpr double kMapHeight = 232.0;
 constexpr double kPlotHeight = 300.0;
 
@@ -89,7 +89,7 @@ std::string waterfall_html(const Case& c, const Comparison& comparison) {
              "Effects substituted one after another, from top to bottom; another order would "
              "share the difference out differently. Percentages are of the isothermal torque.",
              [&](Svg& svg, const Box& box) {
-               draw_waterfall(svg, box, comparison.split, c.measured.friction_torque, page_theme());
+               draw_waterfall(svg, box, comparison.split, measured_torque(c), page_theme());
              }),
       "figures single");
 }

@@ -42,6 +42,10 @@ struct ShownBars {
   double limit = 0.0;  ///< no bar: what the grids lead to
 };
 
+/// The measured torque, which is a magnitude, with the sign of what is computed: that of the speed
+/// [N m].
+[[nodiscard]] std::optional<double> measured_torque(const bearing::Case& c);
+
 /// One row of a comparison: a quantity in all results and its measured value.
 struct QuantityRow {
   std::string name;

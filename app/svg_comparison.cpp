@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/quantity_label.hpp"
 #include "app/svg_film.hpp"
 #include "app/svg_heading.hpp"
 #include "app/svg_profiles.hpp"
@@ -73,7 +74,7 @@ std::string comparison_svg(const bearing::Case& c, const Comparison& comparison)
   if (comparison.split.steps.empty()) {
     profile(kTopLeft, Profile::pressure);
   } else {
-    draw_waterfall(svg, kTopLeft, comparison.split, c.measured.friction_torque, theme);
+    draw_waterfall(svg, kTopLeft, comparison.split, measured_torque(c), theme);
   }
   profile(kBottomLeft, Profile::gap);
   draw_film(svg, kTopRight, c, comparison, FilmField::pressure, "Film pressure", theme);

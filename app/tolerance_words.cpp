@@ -254,7 +254,8 @@ std::vector<std::string> tolerance_lines(const Case& c, const Missed& missed) {
 std::string undetermined_words(const Result& result) {
   std::string words;
   for (const bearing::Quantity& q : result.quantities) {
-    if (q.unit != "Pa" || !(q.error() > std::abs(q.value)) || !(q.value > 0.0)) continue;
+    const bool positive = q.unit == "Pa" || q.name == "h_min";
+    if (!positive || !(q.error() > std::abs(q.value)) || !(q.value > 0.0)) continue;
     words += fmt::format("{}{} (bars of {} times the value)", words.empty() ? "" : ", ",
                          quantity_label(q.name), figures(q.error() / q.value, 2));
   }

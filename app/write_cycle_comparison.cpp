@@ -5,6 +5,7 @@
 #include "app/html_figures.hpp"
 #include "app/html_page.hpp"
 #include "app/html_tables.hpp"
+#include "app/quantity_label.hpp"
 #include "app/svg_comparison.hpp"
 #include "app/svg_cycle.hpp"
 #include "app/svg_profiles.hpp"
@@ -61,7 +62,7 @@ std::string cycle_comparison_svg(const bearing::Case& c, const CycleComparison& 
   if (comparison.sums.split.steps.empty()) {
     draw_curve(svg, kTopLeft, comparison, CycleCurve::pressure, theme);
   } else {
-    draw_waterfall(svg, kTopLeft, comparison.sums.split, c.measured.friction_torque, theme);
+    draw_waterfall(svg, kTopLeft, comparison.sums.split, measured_torque(c), theme);
   }
   draw_curve(svg, kBottomLeft, comparison, CycleCurve::film, theme);
   draw_curve(svg, kTopRight, comparison, CycleCurve::torque, theme);

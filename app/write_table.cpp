@@ -209,6 +209,10 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
   print_list(out, "cannot be told apart on this grid (their difference is within its bars)",
              indistinct_words(comparison));
   print_tolerance(out, c, missed_tolerance(c, comparison));
+  for (const Result& r : comparison.results) {
+    const std::string open = undetermined_words(r);
+    if (!open.empty()) out << to_string(r.tier) << ": " << open << '\n';
+  }
   print_split(out, comparison);
   if (std::isfinite(comparison.T_calibrated)) {
     out << fmt::format(

@@ -234,6 +234,13 @@ struct LandUnseen {
   double land = 0.0;  ///< [m]
 };
 
+/// A supply into which more oil is pressed back than it feeds.
+struct SupplyTakesBack {
+  int supply = 0;
+  double flow = 0.0;  ///< back into it [m3/s]
+  double fed = 0.0;   ///< by all that feed [m3/s]
+};
+
 /// Summits in contact that hardly slide: their friction is not all there.
 struct HardlySliding {
   double speed = 0.0;  ///< [m/s]
@@ -267,7 +274,7 @@ using Note = std::variant<
     note::WornBeyondClearance, note::WearLedOn, note::LiningTooHot, note::OtherSteadyState,
     note::LayerPressed, note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid,
     note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet,
-    note::LandUnseen, note::HardlySliding, note::ShaftSwing, note::EstimateOfFilm,
-    note::EstimateWithoutMass>;
+    note::LandUnseen, note::HardlySliding, note::SupplyTakesBack, note::ShaftSwing,
+    note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

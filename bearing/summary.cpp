@@ -239,6 +239,22 @@ Fields fields_of(const Solution& s, const Friction& f) {
   return out;
 }
 
+/// Of several vessels those whose net flow runs back.
+void add_supplies_that_take_back(const Solution& s, std::vector<Note>& out) {
+  constexpr double kTold = 0.01;  // of what is fed: less is the next digit of a balance [-]
+  const std::vector<int>& vessel = s.point.scene.supply.touching;
+  const auto flows = fluid::oil_flows(s.point.scene, s.film.flow);
+  std::vector<double> net(vessel.size(), 0.0);
+  for (std::size_t k = 0; k < vessel.size(); ++k) net[vessel[k]] += flows.patch[k];
+  double fed = 0.0;
+  for (const double q : net) fed += std::max(q, 0.0);
+  const double rho = reference_density(s.model);
+  for (std::size_t k = 0; k < net.size(); ++k) {
+    if (-net[k] <= kTold * fed || !(fed > 0.0)) continue;
+    out.push_back(note::SupplyTakesBack{static_cast<int>(k), -net[k] / rho, fed / rho});
+  }
+}
+
 /// A gap that is closed has no flow: such a state has nothing to sum up.
 bool evaluated(const FilmEquilibrium& film) { return !film.flow.phi.empty(); }
 
@@ -283,6 +299,7 @@ Result summarize(const Solution& s, Tier tier) {
   if (m.physics.film_energy && fluid::oil_flows(s.point.scene, s.film.flow).side_inflow > 0.0) {
     r.assumptions.push_back(note::Plain::edge_oil_as_supply);
   }
+  add_supplies_that_take_back(s, r.assumptions);
   if (passes_over_supply(m.input, tier)) {
     r.assumptions.push_back(note::Plain::supply_temperature_unused);
   }

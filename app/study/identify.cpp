@@ -85,7 +85,9 @@ Values MeasuredBearing::values_of(int i, const Solution& s) const {
                                    "another tier",
                                    to_string(tier), m.quantity));
     }
-    out.push_back(q->value);
+    // A torque is measured by its magnitude, and has the sign of the speed here.
+    const bool turned = m.quantity == "friction_torque" && s.point.omega() < 0.0;
+    out.push_back(turned ? -q->value : q->value);
   }
   return out;
 }

@@ -313,6 +313,13 @@ std::string text_of(const note::LandUnseen& n) {
       n.supply, n.land * 1e3);
 }
 
+std::string text_of(const note::SupplyTakesBack& n) {
+  constexpr double kLitreMinutes = 6e4;
+  return fmt::format(
+      "supply.{}: {:.3g} l/min are pressed back into it, of {:.3g} l/min that the others feed",
+      n.supply, n.flow * kLitreMinutes, n.fed * kLitreMinutes);
+}
+
 std::string text_of(const note::HardlySliding& n) {
   return fmt::format(
       "the surfaces slide at {:.3g} mm/s: summits give way elastically before they slide, and "

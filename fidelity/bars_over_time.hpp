@@ -5,6 +5,7 @@
 /// as a part of its value, n the order in time; states between two such steps have the larger of
 /// their bars. 1.5 is the safety of the grid's bars (grid_error.hpp). Source: Richardson, textbook.
 #include <cmath>
+#include <future>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,43 @@ struct BarsOverTime {
 /// What a grid gives: states at the times of the run, the last ones may be missing.
 template <class State>
 using OnGrid = std::pair<Grid, std::vector<State>>;
+
+/// The runs that bars are made of.
+template <class State>
+struct CoarseRuns {
+  std::vector<OnGrid<State>> usual;  ///< those that were found, coarsest grid first
+  /// On the finest of the grids, two steps each taken as one; empty: not known, or there are none.
+  std::vector<State> joined;
+};
+
+/// Makes them, all at the same time; the finest tells how far it is. `pass(grid, join, control)`
+/// gives the states on a grid, as few as were found, in the steps of the run or joined ones.
+template <class State, class Pass>
+[[nodiscard]] CoarseRuns<State> coarse_runs(const std::vector<Grid>& grids, bool steps,
+                                            const bearing::SolveControl& control,
+                                            const Pass& pass) {
+  bearing::SolveControl loud = control;
+  loud.kept = nullptr;
+  bearing::SolveControl quiet = loud;
+  quiet.progress = {};
+  const auto begin = [&](const Grid& grid, bool join) {
+    const bool told = !join && grid == grids.back();
+    return std::async(std::launch::async, pass, grid, join, told ? loud : quiet);
+  };
+  std::vector<std::future<std::vector<State>>> all;
+  for (const Grid& grid : grids) all.push_back(begin(grid, false));
+  if (steps && !grids.empty()) all.push_back(begin(grids.back(), true));
+  CoarseRuns<State> out;
+  bool finest = false;
+  for (std::size_t k = 0; k < grids.size(); ++k) {
+    std::vector<State> states = all[k].get();
+    finest = !states.empty();
+    if (finest) out.usual.emplace_back(grids[k], std::move(states));
+  }
+  if (all.size() > grids.size()) out.joined = all.back().get();
+  if (!finest) out.joined.clear();
+  return out;
+}
 
 /// Two steps each taken as one; of an odd number the first is left as it is.
 [[nodiscard]] std::vector<double> joined(const std::vector<double>& steps);

@@ -39,8 +39,7 @@ std::vector<Stretch> as_taken(std::vector<Stretch> stretches, const CourseRun& r
 
 /// What another grid or other steps give; nothing where the grid cannot carry the supplies.
 Instants passed(const std::vector<Stretch>& stretches, const WarmUpOptions& options,
-                SolveControl control) {
-  control.kept = nullptr;
+                const SolveControl& control) {
   try {
     return run_course(stretches, stretches.front().subject.model.tier, options, control).instants;
   } catch (const InputError&) {
@@ -81,17 +80,15 @@ MarchBars march_bars(const std::vector<Stretch>& stretches, const WarmUpOptions&
   MarchBars bars;
   if (run.instants.empty()) return bars;
   const Case& c = stretches.front().subject;
-  std::vector<OnGrid<Instant>> coarse;
-  for (const Grid& grid : nearest_coarse_grids(c)) {
-    Instants on = passed(as_taken(stretches, run, grid, false), options, control);
-    if (!on.empty()) coarse.emplace_back(grid, std::move(on));
-  }
-  if (!coarse.empty() && !stopped(control)) {
-    const auto& [grid, usual] = coarse.back();
-    const Instants other = passed(as_taken(stretches, run, grid, true), options, control);
-    bars.grid =
-        bars_of_grids(coarse, run.instants, c.model.grid, hidden_at_edge(run), kFollowedInstants);
-    bars.time = time_bars(usual, other, run);
+  const auto coarse =
+      coarse_runs<Instant>(nearest_coarse_grids(c), true, control,
+                           [&](const Grid& grid, bool join, const SolveControl& within) {
+                             return passed(as_taken(stretches, run, grid, join), options, within);
+                           });
+  if (!coarse.usual.empty()) {
+    bars.grid = bars_of_grids(coarse.usual, run.instants, c.model.grid, hidden_at_edge(run),
+                              kFollowedInstants);
+    bars.time = time_bars(coarse.usual.back().second, coarse.joined, run);
   }
   bars.interrupted = stopped(control);
   if (bars.interrupted) bars.grid = bars.time = {};

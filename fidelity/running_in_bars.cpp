@@ -13,8 +13,8 @@ using States = std::vector<RunningInState>;
 
 /// In these steps, or, where there are none, as the case says; nothing where the grid cannot carry
 /// the supplies.
-States on_grid(Case c, const Grid& grid, const std::vector<double>& steps, SolveControl control) {
-  control.kept = nullptr;
+States on_grid(Case c, const Grid& grid, const std::vector<double>& steps,
+               const SolveControl& control) {
   c.model.grid = grid;
   try {
     const RunningInRun run = run_in(c, c.model.tier, control, {}, steps);
@@ -42,23 +42,21 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
   for (std::size_t k = 1; k < run.states.size() && c.running_in->duration; ++k) {
     steps.push_back(run.states[k].step);
   }
-  std::vector<OnGrid<RunningInState>> coarse;
-  for (const Grid& grid : nearest_coarse_grids(c)) {
-    States on = on_grid(c, grid, steps, control);
-    if (!on.empty()) coarse.emplace_back(grid, std::move(on));
-  }
-  if (!coarse.empty() && !stopped(control)) {
+  const auto coarse =
+      coarse_runs<RunningInState>(nearest_coarse_grids(c), !steps.empty(), control,
+                                  [&](const Grid& grid, bool join, const SolveControl& within) {
+                                    return on_grid(c, grid, join ? joined(steps) : steps, within);
+                                  });
+  if (!coarse.usual.empty()) {
     bars.grid =
-        bars_of_grids(coarse, run.states, c.model.grid, hidden_at_edge(run), kFollowedStates);
-    bars.time = States(run.states.size());
+        bars_of_grids(coarse.usual, run.states, c.model.grid, hidden_at_edge(run), kFollowedStates);
+    bars.time = States(run.states.size());  // a worn-in shape has no steps
     if (!steps.empty()) {
-      const auto& [grid, usual] = coarse.back();
-      const States other = on_grid(c, grid, joined(steps), control);
       bars.time = unknown<RunningInState>(run.states.size(), kFollowedStates);
       bars.time.front() = {};  // the new bearing
       std::size_t n = 1;
-      add_bars_of_steps(usual, other, run.states, 2.0, 1, run.states.size() - 1, kFollowedStates, n,
-                        bars.time);
+      add_bars_of_steps(coarse.usual.back().second, coarse.joined, run.states, 2.0, 1,
+                        run.states.size() - 1, kFollowedStates, n, bars.time);
     }
   }
   bars.interrupted = stopped(control);

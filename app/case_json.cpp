@@ -116,6 +116,11 @@ struct LawJson {
             {"at", si(l.at, "K")},
             {"beta", si(l.beta, "1/K")}};
   }
+  Json operator()(const rheology::Walther& l) const {
+    return {{"law", "walther"},    {"a", plain(l.a)},
+            {"B", plain(l.B)},     {"rho", si(l.rho, "kg/m3")},
+            {"at", si(l.at, "K")}, {"expansivity", si(l.expansivity, "1/K")}};
+  }
   Json operator()(const rheology::NoPressureEffect& /*none*/) const { return {{"law", "none"}}; }
   Json operator()(const rheology::Barus& l) const {
     return {{"law", "barus"}, {"alpha", si(l.alpha, "1/Pa")}};

@@ -141,7 +141,7 @@ void read_viscosity(const Section& oil_section, Oil& oil) {
                            "{ law = \"vogel\", A = \"0.0952 mPa s\", B = "
                            "\"896.4 K\", C = \"110 K\" }");
   }
-  oil.temperature = read_temperature_law(viscosity.law("temperature"));
+  oil.temperature = read_temperature_law(viscosity.law("temperature"), oil.density);
   if (viscosity.has("pressure")) {
     oil.pressure = read_pressure_law(viscosity.law("pressure"));
   } else {
@@ -191,8 +191,8 @@ Oil read_oil(const Section& file) {
   for (const char* label : {"title", "source", "note"}) {  // words for the reader of the file
     if (section.has(label)) static_cast<void>(section.text(label));
   }
-  read_viscosity(section, oil);
   oil.density = read_density(section);
+  read_viscosity(section, oil);
   oil.conductivity = read_conductivity(section);
   oil.heat_capacity = read_heat_capacity(section);
   oil.range = read_range(section);

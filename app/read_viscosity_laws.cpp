@@ -2,6 +2,7 @@
 
 #include "app/sections.hpp"
 #include "core/constants.hpp"
+#include "rheology/temperature.hpp"
 
 namespace shellback::app {
 namespace {
@@ -30,14 +31,41 @@ Vogel through_two_points(const Section& law) {
   return {eta1 * std::exp(-B / (T1 + C)), B, C};
 }
 
+/// ASTM D341 through (T1, nu1) and (T2, nu2), times the density.
+Walther of_kinematic_viscosities(const Section& law, const DensityLaw& density) {
+  constexpr double kPerSquareMillimetre = 1e6, kLeast = 2.0;  // [mm2/s], where D341 begins
+  law.only({"law", "nu1", "T1", "nu2", "T2"}, "a viscosity law \"walther\"");
+  const auto kinematic = [&](const char* key) {
+    const double nu = kPerSquareMillimetre * law.quantity(key, kKinematicViscosity, kPositive);
+    if (nu < kLeast) law.fail(key, "the law (ASTM D341) holds from 2 mm2/s on");
+    return nu;
+  };
+  const double nu1 = kinematic("nu1"), nu2 = kinematic("nu2");
+  const double T1 = law.quantity("T1", kTemperature), T2 = law.quantity("T2", kTemperature);
+  if (T1 == T2) law.fail("T2", "the two temperatures are the same");
+  if ((nu1 - nu2) * (T1 - T2) >= 0.0) {
+    law.fail("nu2", "the viscosity does not fall from the colder to the warmer point");
+  }
+  Walther walther = walther_through(nu1, T1, nu2, T2);
+  if (const auto* changing = std::get_if<DowsonHigginson>(&density)) {
+    walther.rho = changing->rho0;
+    walther.at = changing->at;
+    walther.expansivity = changing->expansivity;
+  } else {
+    walther.rho = std::get<ConstantDensity>(density).rho;
+  }
+  return walther;
+}
+
 }  // namespace
 
-TemperatureLaw read_temperature_law(const Section& law) {
-  enum class Law { constant, vogel, reynolds, two_point };
+TemperatureLaw read_temperature_law(const Section& law, const DensityLaw& density) {
+  enum class Law { constant, vogel, reynolds, two_point, walther };
   const Law which = law.choice<Law>("law", {{"constant", Law::constant},
                                             {"vogel", Law::vogel},
                                             {"reynolds", Law::reynolds},
-                                            {"two-point", Law::two_point}});
+                                            {"two-point", Law::two_point},
+                                            {"walther", Law::walther}});
   switch (which) {
     case Law::constant:
       law.only({"law", "eta"}, "a constant viscosity");
@@ -53,9 +81,11 @@ TemperatureLaw read_temperature_law(const Section& law) {
                            law.quantity("at", kTemperature),
                            law.quantity("beta", kPerKelvin, kNotNegative)};
     case Law::two_point:
+      return through_two_points(law);
+    case Law::walther:
       break;
   }
-  return through_two_points(law);
+  return of_kinematic_viscosities(law, density);
 }
 
 PressureLaw read_pressure_law(const Section& law) {

@@ -45,7 +45,9 @@ namespace shellback::app {
 
 [[nodiscard]] rheology::Oil read_oil(const Section& file);
 [[nodiscard]] std::optional<double> read_oil_temperature(const Section& file);
-[[nodiscard]] rheology::TemperatureLaw read_temperature_law(const Section& law);
+/// `density`: of the same oil, for laws of its kinematic viscosity.
+[[nodiscard]] rheology::TemperatureLaw read_temperature_law(const Section& law,
+                                                            const rheology::DensityLaw& density);
 [[nodiscard]] rheology::PressureLaw read_pressure_law(const Section& law);
 [[nodiscard]] rheology::ShearLaw read_shear_law(const Section& law);
 

@@ -69,6 +69,7 @@ const std::array kEntries{
     Entry{"ksi", "", {1e3 * kPsi, {-1, 1, -2, 0, 0}}},
     Entry{"atm", "", {kOneAtm, {-1, 1, -2, 0, 0}}},
     Entry{"P", "c", {0.1, {-1, 1, -1, 0, 0}}},
+    Entry{"St", "c", {1e-4, {2, 0, -1, 0, 0}}},
     Entry{"J", "m k M", {1.0, {2, 1, -2, 0, 0}}},
     Entry{"W", "m k M", {1.0, {2, 1, -3, 0, 0}}},
     Entry{"K", "m", {1.0, kTheta}},

@@ -26,6 +26,7 @@ constexpr std::array kKinds{kLength,
                             kPerKelvin,
                             kPerPressure,
                             kViscosity,
+                            kKinematicViscosity,
                             kTime,
                             kShearRate,
                             kDensity,
@@ -62,11 +63,6 @@ std::string usual_hint(std::string_view symbol) {
   if (symbol == "kgf" || symbol == "kp") return "; one kilogram-force is 9.80665 N";
   if (symbol == "gf" || symbol == "tf") return "; forces are in N, kN, MN or lbf";
   if (symbol == "F") return "; did you mean \"K\" or \"degC\" (Fahrenheit is \"degF\")?";
-  if (symbol == "cSt" || symbol == "St") {
-    return "; kinematic viscosities are to be multiplied with the density first: 1 cSt at 860 "
-           "kg/m3 "
-           "is 0.86 mPa s";
-  }
   if (symbol == "ppm") return "; one ppm is 1e-6";
   if (symbol == "C") return "; did you mean \"degC\" or \"K\"?";
   return "";

@@ -48,6 +48,8 @@ inline constexpr Kind kPerPressure{
     "a pressure coefficient", {1, -1, 2, 0, 0}, "1/Pa, 1/MPa, 1/GPa", "9.5e-9 1/Pa"};
 inline constexpr Kind kViscosity{
     "a dynamic viscosity", {-1, 1, -1, 0, 0}, "mPa s, Pa s, cP", "8 mPa s"};
+inline constexpr Kind kKinematicViscosity{
+    "a kinematic viscosity", {2, 0, -1, 0, 0}, "cSt, mm2/s", "32 cSt"};
 inline constexpr Kind kTime{"a time", {0, 0, 1, 0, 0}, "s, ms, us, min", "200 s"};
 inline constexpr Kind kShearRate{"a shear rate", {0, 0, -1, 0, 0}, "1/s", "1e6 1/s"};
 inline constexpr Kind kDensity{"a density", {-3, 1, 0, 0, 0}, "kg/m3, g/cm3, kg/l", "860 kg/m3"};

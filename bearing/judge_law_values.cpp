@@ -20,6 +20,13 @@ void judge(const ReynoldsSlope& l, const ValueCheck& law) {
   law.number("beta", l.beta, "1/K", kNotNegative);
 }
 
+void judge(const Walther& l, const ValueCheck& law) {
+  law.number("a", l.a, "");
+  law.number("B", l.B, "", kPositive);
+  law.number("rho", l.rho, "kg/m3", kPositive);
+  law.number("expansivity", l.expansivity, "1/K", kNotNegative);
+}
+
 void judge(const NoPressureEffect&, const ValueCheck&) {}
 void judge(const Barus& l, const ValueCheck& law) {
   law.number("alpha", l.alpha, "1/Pa", kPositive);

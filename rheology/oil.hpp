@@ -27,7 +27,16 @@ struct ReynoldsSlope {
   double at;    ///< reference temperature [K]
   double beta;  ///< temperature coefficient [1/K]
 };
-using TemperatureLaw = std::variant<ConstantViscosity, Vogel, ReynoldsSlope>;
+/// eta = rho nu, ln(nu + 0.7) = exp(a - B ln T) with nu in mm2/s and T in K, which is ASTM D341,
+/// log log(nu + 0.7) = A - B log T; rho = rho_at [1 - expansivity (T - at)].
+struct Walther {
+  double a;                  ///< A ln 10 + ln ln 10 [-]
+  double B;                  ///< [-]
+  double rho;                ///< density at `at` and ambient pressure [kg/m3]
+  double at = 0.0;           ///< [K]
+  double expansivity = 0.0;  ///< [1/K]
+};
+using TemperatureLaw = std::variant<ConstantViscosity, Vogel, ReynoldsSlope, Walther>;
 
 // Pressure factor eta(T, p) / eta(T, 0) ---------------------------------------------------------
 

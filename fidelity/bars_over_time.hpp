@@ -2,8 +2,9 @@
 /// Bars of what is followed over time, at each of its states, from the same steps on coarser grids
 /// and, on one of these, from two steps each taken as one: what that changes of a state leaves open
 ///   1.5 |f(2 dt) - f(dt)| / (2^n - 1)                                                        (1)
-/// as a part of its value, n the order in time; states between two such steps have the larger of
-/// their bars. 1.5 is the safety of the grid's bars (grid_error.hpp). Source: Richardson, textbook.
+/// as a part of the larger of its values on both grids, n the order in time; states between two
+/// such steps have the larger of their bars. 1.5 is the safety of the grid's bars (grid_error.hpp).
+/// Source: Richardson, textbook.
 #include <cmath>
 #include <future>
 #include <utility>
@@ -114,9 +115,10 @@ void add_bars_of_steps(const std::vector<State>& usual, const std::vector<State>
   for (std::size_t k = first; k <= end; k += 2, ++n) {
     if (k >= usual.size() || n >= other.size()) return;
     for (const auto& q : followed) {
-      const double size = std::abs(usual[k].*q.value);
+      const double own = std::abs(run[k].*q.value);
+      const double size = larger(own, std::abs(usual[k].*q.value));
       const double change = std::abs(other[n].*q.value - usual[k].*q.value);
-      const double bar = size > 0.0 ? part * change / size * std::abs(run[k].*q.value) : 0.0;
+      const double bar = size > 0.0 ? part * change / size * own : 0.0;
       bars[k].*q.value = bar;
       if (k > begin) bars[k - 1].*q.value = k > first ? larger(bar, bars[k - 2].*q.value) : bar;
     }

@@ -41,11 +41,13 @@ void add_over_time(json_parts::Json& json, const std::vector<State>& states,
   }
 }
 
-/// That the bars were interrupted or are not known.
+/// That the bars were interrupted or are not known; nothing where there is nothing to have any.
 template <class State>
 [[nodiscard]] std::vector<std::string> bar_warnings(const fidelity::BarsOverTime<State>& bars) {
   if (bars.interrupted) return {words_of(bearing::note::Plain::bars_interrupted)};
-  if (bars.grid.empty()) return {words_of(bearing::note::Plain::march_bars_unknown)};
+  if (bars.tried && bars.grid.empty()) {
+    return {words_of(bearing::note::Plain::march_bars_unknown)};
+  }
   return {};
 }
 

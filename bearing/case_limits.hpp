@@ -78,8 +78,8 @@ struct BearingLimits {
   Limits oil_conductivity{5e-3, 0.05, 0.8, 100.0};    // [W/(m K)] oils 0.13, water 0.6
   /// beta of exp(-beta (T - at)) [1/K]: oils 0.02 to 0.06; at 1 a degree takes two thirds.
   Limits viscosity_slope{0.0, 0.0, 0.12, 1.0};
-  /// d ln eta/dp [1/Pa]: oils 1e-8 to 4e-8 (textbook), a tenth of that over the coldest and hottest
-  /// ones; at 1e-6 a bearing's 10 MPa multiply it by exp(10).
+  /// d ln eta/dp [1/Pa]: oils 1e-8 to 4e-8 (textbook); usual is a tenth of the least to some times
+  /// the most of that. At 1e-6 a bearing's 10 MPa multiply the viscosity by exp(10).
   Limits pressure_slope{0.0, 1e-9, 1e-7, 1e-6};
   /// K of Cross' law, one over the rate at which an oil thins [s]: engine oils 1e-8 to 1e-5,
   /// polymer melts 1 s.

@@ -27,8 +27,8 @@ struct CourseRun {
   Solution solution;  ///< at the end of the last stretch that was passed (over cycles its
                       ///< bearing alone)
   bool over_cycles = false;
-  /// Largest |in - out - stored| over heat in or out at the ends of the stretches; over cycles of whole
-  /// stretches, less what the last step of each is owed, which goes with it [-].
+  /// Largest |in - out - stored| over heat in or out at the ends of the stretches; over cycles of
+  /// whole stretches, less what the last step of each is owed, which goes with it [-].
   [[nodiscard]] double imbalance_at_ends() const;
 };
 

@@ -305,6 +305,33 @@ double supply_heat_transfer(const BearingModel& model, int patch) {
   return ChannelHeat::kNusselt * k / (2.0 * supply.depth);
 }
 
+namespace {
+
+/// Carry-over and heat transfer of patches that touch: one vessel has one of each, the means over
+/// its cells, whichever of them comes first.
+void share_what_vessels_exchange(const fluid::FilmScene& scene, thermal::FilmEnergyProblem& p) {
+  const FilmGrid& g = scene.grid;
+  const std::vector<int>& vessel = scene.supply.touching;
+  std::vector<double> area(vessel.size(), 0.0), carried(area), exchanged(area);
+  std::vector<int> members(vessel.size(), 0);
+  for (const int v : vessel) ++members[v];
+  for (int c = 0; c < g.cells(); ++c) {
+    const int own = scene.supply.cell[c];
+    if (own < 0 || members[vessel[own]] == 1) continue;
+    const double A = g.area(c / g.nz, c % g.nz);
+    area[vessel[own]] += A;
+    carried[vessel[own]] += A * p.vessels[own].carry_over;
+    exchanged[vessel[own]] += A * p.vessels[own].heat_transfer;
+  }
+  for (std::size_t v = 0; v < vessel.size(); ++v) {
+    if (!(area[v] > 0.0)) continue;
+    p.vessels[v].carry_over = carried[v] / area[v];
+    p.vessels[v].heat_transfer = exchanged[v] / area[v];
+  }
+}
+
+}  // namespace
+
 thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model,
                                                const OperatingPoint& point,
                                                const FilmEquilibrium& s, const Friction& friction,
@@ -333,6 +360,7 @@ thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model,
     v.cp_mix = v.cp_supply;
     p.vessels.push_back(v);
   }
+  share_what_vessels_exchange(scene, p);
   p.cp.resize(s.columns.T.size());
   for (std::size_t k = 0; k < p.cp.size(); ++k) {
     p.cp[k] = mean_heat_capacity(model.oil, p.T_reference, s.columns.T[k]);

@@ -22,6 +22,7 @@ namespace shellback::fidelity {
 template <class State>
 struct BarsOverTime {
   std::vector<State> grid, time;
+  bool tried = false;  ///< there is something to have bars
   bool interrupted = false;
 
   /// Both together.

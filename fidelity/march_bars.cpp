@@ -79,6 +79,7 @@ MarchBars march_bars(const std::vector<Stretch>& stretches, const WarmUpOptions&
                      const CourseRun& run, const SolveControl& control) {
   MarchBars bars;
   if (run.instants.empty()) return bars;
+  bars.tried = true;
   const Case& c = stretches.front().subject;
   const auto coarse =
       coarse_runs<Instant>(nearest_coarse_grids(c), true, control,

@@ -38,6 +38,7 @@ double hidden_at_edge(const RunningInRun& run) {
 RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const SolveControl& control) {
   RunningInBars bars;
   if (run.states.size() < 2) return bars;
+  bars.tried = true;
   std::vector<double> steps;
   for (std::size_t k = 1; k < run.states.size() && c.running_in->duration; ++k) {
     steps.push_back(run.states[k].step);

@@ -46,7 +46,8 @@ struct LogAndSlope {
           -shifted / nu * law.B * w / T - law.expansivity / thinner};
 }
 
-/// The law through two points, nu [mm2/s] above 0.3 and T [K]; density as in Walther.
+/// The law of nu through two points, nu [mm2/s] above 0.3 and T [K]; the density is still to be
+/// set.
 [[nodiscard]] inline Walther walther_through(double nu1, double T1, double nu2, double T2) {
   const double w1 = std::log(nu1 + 0.7), w2 = std::log(nu2 + 0.7);
   const double B = std::log(w1 / w2) / std::log(T2 / T1);

@@ -133,10 +133,7 @@ int running_in(const Request& request) {
   const RunningInRun run =
       run_in(subject, subject.model.tier, control,
              [&](const RunningInRun& so_far) { latest = so_far.states.back(); });
-  fidelity::RunningInBars bars;
-  if (run.verdict.status != Status::interrupted) {
-    bars = fidelity::running_in_bars(subject, run, control);
-  }
+  const fidelity::RunningInBars bars = fidelity::running_in_bars(subject, run, control);
   progress.wipe();
   if (!run.states.empty() && request.json != "-") {
     std::cout << subject.title << '\n';

@@ -90,6 +90,15 @@ TEST_CASE("TwoGroovesThatTouchAreOne", "[groove_heat]") {
     CHECK(b.heat.T_mix[1] == b.heat.T_mix[0]);
     CHECK(audit_of(b, friction_of(b.model, b.point, b.film)).energy < 1e-8);
   }
+  // What they exchange and carry over is of the whole, whichever comes first.
+  two.supplies[0].heat_transfer = 2000.0;
+  two.supplies[0].carry_over = 0.5;
+  Case turned = two;
+  std::swap(turned.supplies[0], turned.supplies[1]);
+  const Solution a = solved(two, Tier::thd), b = solved(turned, Tier::thd);
+  CHECK(torque_of(b) == Approx(torque_of(a)).epsilon(1e-9));
+  CHECK(b.heat.T_mix[0] == Approx(a.heat.T_mix[0]).epsilon(1e-9));
+  CHECK(audit_of(a, friction_of(a.model, a.point, a.film)).energy < 1e-8);
   // Under different pressures the higher one feeds.
   two.supplies[0].pressure *= 2.0;
   two.supplies[0].temperature += 20.0;

@@ -106,11 +106,12 @@ class Search {
     find_met();
     const double straight = found_.met;
     if (!std::isfinite(straight)) return;
+    const ShellLimit limit = found_.limit;  // of the two loads, far enough apart for a slope
+    const LoadTried good = found_.good, bad = found_.bad;
     try_load(straight);
     if (crew_.stopped()) return;
     find_met();
     if (!std::isfinite(found_.met)) return;
-    const LoadTried &good = found_.good, &bad = found_.bad;
     std::array<int, 2> grid = plan_.coarse;
     for (int& n : grid) n = std::max(3, static_cast<int>(std::lround(n / kCells)));
     const auto coarser = [&](const LoadTried& at) {
@@ -118,7 +119,7 @@ class Search {
       return tried(at.factor, solved(subject(grid, at.factor)));
     };
     const LoadTried coarse_good = coarser(good), coarse_bad = coarser(bad);
-    found_.met_error = kBar * std::abs(met(found_.limit, coarse_good, coarse_bad) - found_.met) +
+    found_.met_error = kBar * std::abs(met(limit, coarse_good, coarse_bad) - straight) +
                        std::abs(found_.met - straight);
   }
 

@@ -9,8 +9,8 @@
 /// limit stands where what it names (smallest film, temperature of the lining) goes through its
 /// bound on the straight line over ln of the load. From the load itself the search goes outwards,
 /// then to either side of that line's root until the loads that are borne and not are near enough;
-/// then the root itself is tried. Its bar: by how much that moves it, and the same two loads on two
-/// thirds of the cells, with the same shape.
+/// then the root itself is tried. Its bar: by how much that moves it, and by how much the root of
+/// the line through the same two loads moves on two thirds of the cells, with the same shape.
 ///
 /// Limits of lining and film are assumptions told with the result. What is not found carries its
 /// reason.
@@ -53,8 +53,8 @@ struct Capability {
   LoadTried good;     ///< largest that was borne
   LoadTried bad;      ///< smallest that was not
   double peak = 0.0;  ///< largest load of the cycle at `good` [N]
-  /// Multiple of the load at which the limit is met, and what grid and line move it by; not a number:
-  /// not known [-]
+  /// Multiple of the load at which the limit is met, and what grid and line move it by; not a
+  /// number: not known [-]
   double met = std::numeric_limits<double>::quiet_NaN();
   double met_error = std::numeric_limits<double>::quiet_NaN();
   ShellLimit limit = ShellLimit::none;  ///< what `bad` met

@@ -1,7 +1,7 @@
 #pragma once
 /// The axis over which a load cycle is drawn.
 #include "app/svg_axes.hpp"
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::app {
 

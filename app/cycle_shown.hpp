@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/quantity_label.hpp"
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::app {
 

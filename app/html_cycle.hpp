@@ -3,7 +3,7 @@
 /// empty string if there is nothing to show.
 #include <string>
 
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::app {
 

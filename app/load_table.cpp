@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/cycle_numbers.hpp"
+#include "bearing/over_time/cycle_numbers.hpp"
 #include "bearing/row_gaps.hpp"
 #include "core/constants.hpp"
 #include "core/range.hpp"

@@ -4,8 +4,8 @@
 
 #include "app/case_text.hpp"
 #include "app/sections.hpp"
-#include "bearing/cycle_numbers.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
+#include "bearing/over_time/cycle_numbers.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {

@@ -6,7 +6,7 @@
 #include "app/did_you_mean.hpp"
 #include "app/load_table.hpp"
 #include "app/sections.hpp"
-#include "bearing/cycle_numbers.hpp"
+#include "bearing/over_time/cycle_numbers.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {

@@ -8,7 +8,7 @@
 #include "app/cycle_axis.hpp"
 #include "app/svg_lines.hpp"
 #include "app/svg_map.hpp"
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::app {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::app {
 

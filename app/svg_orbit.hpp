@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/svg_axes.hpp"
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::app {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "app/words/note_words.hpp"
-#include "bearing/cycle_numbers.hpp"
+#include "bearing/over_time/cycle_numbers.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::app {

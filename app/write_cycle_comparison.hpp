@@ -2,7 +2,7 @@
 /// A load cycle in several tiers: picture and page.
 #include <string>
 
-#include "bearing/compare_cycles.hpp"
+#include "bearing/over_time/compare_cycles.hpp"
 
 namespace shellback::app {
 

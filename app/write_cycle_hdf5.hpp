@@ -12,7 +12,7 @@
 ///   /frames        t, angle; p, theta, h over t phi z
 #include <string>
 
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::app {
 

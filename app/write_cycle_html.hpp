@@ -2,7 +2,7 @@
 /// A load cycle as one page that needs nothing else: no network, no other file.
 #include <string>
 
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::app {
 

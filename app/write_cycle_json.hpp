@@ -2,7 +2,7 @@
 /// A load cycle as JSON; contract and units as in app/write_json.hpp.
 #include <string>
 
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::app {
 

@@ -2,7 +2,7 @@
 /// A load cycle as a table for the terminal.
 #include <iosfwd>
 
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::app {
 

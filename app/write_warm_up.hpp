@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bearing/warm_up.hpp"
+#include "bearing/over_time/warm_up.hpp"
 #include "fidelity/march_bars.hpp"
 
 namespace shellback::app {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <complex>
 
-#include "bearing/gmres.hpp"
-#include "bearing/round_off.hpp"
 #include "bearing/solids.hpp"
+#include "core/gmres.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {

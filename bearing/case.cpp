@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 

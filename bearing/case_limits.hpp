@@ -39,6 +39,10 @@ struct ValueRanges {
 };
 inline constexpr ValueRanges kValueRanges{};
 
+/// Of the thickness of a layer that flows, what is pressed before it does or has flowed: columns
+/// beside each other shear by then [-].
+inline constexpr double kMostFlown = 0.5;
+
 /// Possible and usual range of one derived number.
 struct Limits {
   double least;        ///< below: absurd

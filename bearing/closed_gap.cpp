@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {

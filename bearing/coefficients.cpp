@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "bearing/bracketed_root.hpp"
+#include "core/bracketed_root.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::bearing {

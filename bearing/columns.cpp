@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
+#include "core/round_off.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -90,21 +90,20 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
   out.alpha.resize(cells);
   out.density.resize(cells);
   out.compressibility.resize(cells);
-  c.substitutions = 0;
   c.mismatch = 0.0;
   if (thins(oil)) {
     if (c.eta.front() <= 0.0) c.eta = low;
     std::vector<double> tau(cells * n), before;
-    do {
+    for (int k = 0; k == 0 || (k < kMostIterations && c.mismatch > tolerance); ++k) {
       before = c.eta;
       integrate(gl, c, out.fluidity);
       stresses(gl, speed, h, gx, gz, c, tau);
       rheology::shear_thinned(oil, low, tau, c.eta, 1);  // the stresses are not final either
       c.mismatch = 0.0;
-      for (std::size_t k = 0; k < tau.size(); ++k) {
-        c.mismatch = larger(c.mismatch, std::abs(c.eta[k] / before[k] - 1.0));
+      for (std::size_t node = 0; node < tau.size(); ++node) {
+        c.mismatch = larger(c.mismatch, std::abs(c.eta[node] / before[node] - 1.0));
       }
-    } while (++c.substitutions < kMostIterations && c.mismatch > tolerance);
+    }
   } else {
     c.eta = low;
   }

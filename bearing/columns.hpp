@@ -24,7 +24,6 @@ struct OilColumns {
   Field g0;                 ///< [1/(Pa s)]
   Field centre;             ///< [-]
   Field T_mean;             ///< mean across the film [K]
-  int substitutions = 0;    ///< of the last call
   double mismatch = 0.0;    ///< largest relative change in the last substitution [-]
 };
 

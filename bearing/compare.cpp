@@ -33,12 +33,13 @@ Torque rigid_with_heat_of(const Solution& full, bool thermal_deformation,
   s.film = full.film;
   s.film.elastic.clear();
   const Field& gap_widening = thermal_deformation ? full.heat.thermal_deformation : Field{};
-  s.verdict = solve_equilibrium(s.model, s.point, gap_widening, {}, s.film, s.cost, control.stop);
+  s.verdict = solve_equilibrium({s.model, s.point, gap_widening, {}, control.stop}, s.film, s.cost);
   if (!s.verdict.good()) {  // the deformed film is no start for the rigid one: begin anew
     const auto T = full.film.columns.T;
     s.film = cold_start(s.model, s.point, oil_mean(full));
     s.film.columns.T = T;
-    s.verdict = solve_equilibrium(s.model, s.point, gap_widening, {}, s.film, s.cost, control.stop);
+    s.verdict =
+        solve_equilibrium({s.model, s.point, gap_widening, {}, control.stop}, s.film, s.cost);
   }
   return torque_of(s);
 }
@@ -81,7 +82,7 @@ double calibrate(const Case& c, double wanted, double guess, const SolveControl&
     FilmEquilibrium trial = s.film;
     EquilibriumOptions loose;
     loose.load_tolerance = 1e-7;
-    const Verdict v = solve_equilibrium(s.model, s.point, {}, loose, trial, s.cost, control.stop);
+    const Verdict v = solve_equilibrium({s.model, s.point, {}, loose, control.stop}, trial, s.cost);
     if (!v.good()) return static_cast<double>(NAN);
     s.film = trial;
     const Friction friction = friction_of(s.model, s.point, trial);

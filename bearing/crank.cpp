@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {

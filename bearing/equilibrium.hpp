@@ -18,6 +18,7 @@
 /// the shell per contact pressure, held while G is.
 /// Source: seed 000 Eq. 1; backward Euler, textbook.
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -67,6 +68,17 @@ struct EquilibriumOptions {
   double elastic_tolerance = 1e-8;  ///< largest |C p - d| over max(h, 0) + sigma, 2 nm more [-]
   double viscosity_tolerance = 1e-10;  ///< shear-thinning relation [-]
   int max_iterations = 80;
+};
+
+/// What a method of the equilibrium solves: film, journal and elastic surfaces of a bearing at an
+/// operating point, between surfaces that heat has deformed [m]. Solves (1)-(3) of the step in time
+/// that the point's scene holds.
+struct FilmTask {
+  const BearingModel& model;
+  const OperatingPoint& point;
+  const Field& thermal_deformation;
+  EquilibriumOptions options{};
+  const std::atomic<bool>* stop = nullptr;  ///< true: give up
 };
 
 /// A film on the way to another one: its residuals in the units of EquilibriumOptions [-] (decision

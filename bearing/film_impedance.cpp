@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
 #include "bearing/solids.hpp"
 #include "core/largest.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 

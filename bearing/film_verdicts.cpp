@@ -26,8 +26,8 @@ Verdict limit_load(const BearingModel& model, const OperatingPoint& point, doubl
           fluid::place_of(model.domain.grid, worst_cell)};
 }
 
-Verdict no_film(const BearingModel& model, const OperatingPoint& point,
-                const Field& thermal_deformation, const FilmEquilibrium& s) {
+Verdict no_film(const FilmTask& task, const FilmEquilibrium& s) {
+  const auto& [model, point, thermal_deformation, options, stop] = task;
   const fluid::FilmScene& scene = point.scene;
   for (const auto& found :
        {find_not_a_number(FieldName::journal_position, s.position.q, 4),

@@ -13,8 +13,7 @@ namespace shellback::bearing {
 
 /// Why the state has no film or no residual: a field holds what is not a number, or the gap of
 /// smooth surfaces is closed.
-[[nodiscard]] Verdict no_film(const BearingModel& model, const OperatingPoint& point,
-                              const Field& thermal_deformation, const FilmEquilibrium& state);
+[[nodiscard]] Verdict no_film(const FilmTask& task, const FilmEquilibrium& state);
 
 /// The film matrix could not be factorised.
 [[nodiscard]] Verdict singular_film(const OperatingPoint& point, const FilmEquilibrium& state);

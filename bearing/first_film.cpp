@@ -14,7 +14,7 @@ Verdict correct_film(Solution& s, Accuracy accuracy, const SolveControl& control
   if (accuracy == Accuracy::way_point) {
     o.film_tolerance = o.load_tolerance = o.elastic_tolerance = o.viscosity_tolerance = kWayPoint;
   }
-  return newton(s.model, s.point, s.heat.thermal_deformation, o, s.film, s.cost, control.stop);
+  return newton({s.model, s.point, s.heat.thermal_deformation, o, control.stop}, s.film, s.cost);
 }
 
 /// A rigid film of constant viscosity is found from any guess: the first guess for oil that
@@ -28,7 +28,7 @@ void guess_isoviscous(Solution& s, const SolveControl& control) {
   loose.film_tolerance = loose.load_tolerance = loose.viscosity_tolerance = kWayPoint;
   FilmEquilibrium guess = s.film;
   const Verdict v =
-      newton(isoviscous, s.point, s.heat.thermal_deformation, loose, guess, s.cost, control.stop);
+      newton({isoviscous, s.point, s.heat.thermal_deformation, loose, control.stop}, guess, s.cost);
   if (v.good()) s.film = std::move(guess);
 }
 
@@ -37,8 +37,8 @@ void guess_isoviscous(Solution& s, const SolveControl& control) {
 Verdict first_film(Solution& s, double T, const SolveControl& control) {
   const Field thermal_deformation = s.heat.thermal_deformation;
   const auto start = [&] {
-    return solve_equilibrium(s.model, s.point, thermal_deformation, {}, s.film, s.cost,
-                             control.stop);
+    return solve_equilibrium({s.model, s.point, thermal_deformation, {}, control.stop}, s.film,
+                             s.cost);
   };
   s.film = cold_start(s.model, s.point, T);
   guess_isoviscous(s, control);

@@ -7,7 +7,7 @@
 
 #include "bearing/film_motion.hpp"
 #include "bearing/newton.hpp"
-#include "bearing/round_off.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -68,7 +68,8 @@ bool unbounded_closer(const Solution& s, const SolveControl& control) {
     for (int k = 0; k < 2; ++k) {
       f.position.q[k] -= part * room(s.model, f) * force[k] / std::hypot(force[0], force[1]);
     }
-    const Verdict v = newton(s.model, held, s.heat.thermal_deformation, {}, f, cost, control.stop);
+    const Verdict v =
+        newton({s.model, held, s.heat.thermal_deformation, {}, control.stop}, f, cost);
     if (v.status == Status::no_steady_state && !is_closed(s.model, f)) return true;
   }
   return false;

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "bearing/bracketed_root.hpp"
 #include "bearing/result.hpp"
+#include "core/bracketed_root.hpp"
 
 namespace shellback::bearing {
 

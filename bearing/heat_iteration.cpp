@@ -183,8 +183,9 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
   unpack(x);
   verdict_ = temperatures_possible(s_);
   if (!verdict_.good()) return false;
-  verdict_ = solve_equilibrium_near(s_.model, s_.point, s_.heat.thermal_deformation, film_options(),
-                                    s_.film, s_.cost, control_.stop);
+  verdict_ = solve_equilibrium_near(
+      {s_.model, s_.point, s_.heat.thermal_deformation, film_options(), control_.stop}, s_.film,
+      s_.cost);
   if (!verdict_.good()) return false;
   friction_ = friction_of(s_.model, s_.point, s_.film);
   walls_.begin(friction_, iterations_);
@@ -212,8 +213,8 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
 void HeatIteration::finish() {
   unpack(last_);
   const Field thermal_deformation = s_.heat.thermal_deformation;
-  verdict_ = solve_equilibrium_near(s_.model, s_.point, thermal_deformation, options_.film, s_.film,
-                                    s_.cost, control_.stop);
+  verdict_ = solve_equilibrium_near(
+      {s_.model, s_.point, thermal_deformation, options_.film, control_.stop}, s_.film, s_.cost);
   if (!verdict_.good()) return;
   friction_ = friction_of(s_.model, s_.point, s_.film);
   const double change = walls_.finish(friction_, options_.close);

@@ -8,8 +8,8 @@
 /// clearances. One residual for the steady state and for a step in time.
 #include "bearing/control.hpp"
 #include "bearing/film_heat.hpp"
-#include "bearing/fixed_point.hpp"
 #include "bearing/solution.hpp"
+#include "core/fixed_point.hpp"
 
 namespace shellback::bearing {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/film_stage.hpp"
 #include "bearing/heat_endings.hpp"
-#include "bearing/step_control.hpp"
 #include "bearing/told_ranges.hpp"
 #include "bearing/wall_balance.hpp"
 #include "core/largest.hpp"
+#include "core/step_control.hpp"
+#include "core/tableau.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -199,7 +199,7 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
   auto& [bodies, end, dt, calm, rate] = stand;
   if (dt == 0.0) dt = o.first;
   SolidStep last;
-  while (!end.at_rest && end.t < o.end && dt <= o.longest) {
+  while (!end.at_rest && end.t < o.end && dt <= kEndless) {
     const double length = std::min(dt, o.end - end.t);
     const FilmEquilibrium film = s.film;
     const HeatState heat = s.heat;
@@ -237,7 +237,7 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
     if (tell) tell(step.at);
   }
   end.verdict = {};
-  end.at_rest = end.at_rest || dt > o.longest;
+  end.at_rest = end.at_rest || dt > kEndless;
   return end;
 }
 

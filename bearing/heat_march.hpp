@@ -2,7 +2,7 @@
 /// Film and walls in time, with the heat capacities of oil, shell, housing and shaft.
 ///
 /// Flow and pressure are steady at each instant (oil passes within milliseconds, walls follow
-/// within seconds to minutes). A step dt of SDIRK2 (film_stage.hpp), of second order and stiffly
+/// within seconds to minutes). A step dt of SDIRK2 (core/tableau.hpp), of second order and stiffly
 /// accurate, has two stages of g dt, g = 1 - 1/sqrt(2), each of them a backward Euler step that the
 /// outer iteration of the steady bearing solves with the walls' storage in it: the first from the
 /// state T_n of bodies and oil, the second from
@@ -23,10 +23,13 @@
 
 namespace shellback::bearing {
 
+/// A step of a third of a year: what still moves never rests, and a march that began anywhere is at
+/// its steady state [s].
+inline constexpr double kEndless = 1e7;
+
 struct MarchOptions {
   double first = 0.1;                                      ///< step [s]
   double shortest = 1e-4;                                  ///< below which there is no way on [s]
-  double longest = 1e7;                                    ///< beyond it nothing moves any more [s]
   double end = std::numeric_limits<double>::infinity();    ///< [s]
   double error = std::numeric_limits<double>::infinity();  ///< of wall temperatures per step [K]
   std::vector<double> steps{};  ///< to be taken as they are [s]; empty: by their error

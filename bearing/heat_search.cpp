@@ -96,8 +96,8 @@ std::optional<Branch> HeatSearch::follow() {
   const auto start = [&] {
     s_.heat = heat_at_rest(s_.model);
     s_.film = cold_start(s_.model, s_.point, s_.heat.T_shell.front());
-    const Verdict v = solve_equilibrium(s_.model, s_.point, s_.heat.thermal_deformation, {},
-                                        s_.film, s_.cost, control_.stop);
+    const Verdict v = solve_equilibrium(
+        {s_.model, s_.point, s_.heat.thermal_deformation, {}, control_.stop}, s_.film, s_.cost);
     return v.good() ? solve_heat(s_, options_of(Accuracy::result, true), control_) : v;
   };
   std::optional<Branch> branch;

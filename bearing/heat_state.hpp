@@ -20,6 +20,9 @@ struct HeatUnknowns {
   std::vector<double> T_shaft;  ///< journal temperature seen by the film, per axial cell [K]
 };
 
+/// A temperature that changes no more than this is known: 1e-8 of a rise of 10 K and more [K].
+inline constexpr double kKnownTemperature = 1e-7;
+
 /// Sweeps of the film energy in one iteration, after which its response to the walls is known, too
 /// (methods 3.4).
 inline constexpr int kSweepsOfResponse = 3;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
 #include "core/contract.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {

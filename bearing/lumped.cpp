@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/bracketed_root.hpp"
 #include "bearing/film_heat.hpp"
 #include "bearing/first_film.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/heat_scan.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/solve_equilibrium.hpp"
+#include "core/bracketed_root.hpp"
 #include "rheology/heat.hpp"
 
 namespace shellback::bearing {
 namespace {
-
-constexpr double kSettled = 1e-7;  ///< |r| of a result, and its temperature [K]
 
 /// A film that was solved: what it says of heat, and where it is, to start others from.
 struct Tried {
@@ -82,7 +80,7 @@ Verdict LumpedBalance::film_at(double T) {
     s_.film.elastic = start.elastic;
   }
   EquilibriumOptions options;  // the search for where films end is made once
-  return solve_equilibrium(s_.model, s_.point, {}, options, s_.film, s_.cost, control_.stop);
+  return solve_equilibrium({s_.model, s_.point, {}, options, control_.stop}, s_.film, s_.cost);
 }
 
 std::optional<double> LumpedBalance::residual(double T) {
@@ -125,7 +123,7 @@ std::optional<double> LumpedBalance::residual(double T) {
 bool LumpedBalance::settle(const KnownPoint& a, const KnownPoint& b, double slope) {
   constexpr double kApart = 1e-3;  // far enough for a slope: r is known to 1e-7 K [K]
   const auto r = [this](double T) { return residual(T).value_or(NAN); };
-  const BracketedRoot root = bracketed_root(r, a, b, {kSettled, kSettled});
+  const BracketedRoot root = bracketed_root(r, a, b, {kKnownTemperature, kKnownTemperature});
   HeatRoot found = nearest(root.at.x).heat;
   found.slope = slope;
   double distance = INFINITY;
@@ -146,7 +144,7 @@ bool LumpedBalance::follow(const HeatRoot& near) {
   if (!r) return false;
   KnownPoint here{near.T, *r};
   double step = -kBeyond * here.f / near.slope;
-  for (int k = 0; k < kMostSteps && std::abs(here.f) > kSettled; ++k) {
+  for (int k = 0; k < kMostSteps && std::abs(here.f) > kKnownTemperature; ++k) {
     const double T = std::clamp(here.x + step, T_least_, T_most_);
     r = residual(T);
     if (!r || T == here.x) return false;
@@ -154,7 +152,7 @@ bool LumpedBalance::follow(const HeatRoot& near) {
     here = {T, *r};
     step *= 2.0;
   }
-  if (std::abs(here.f) > kSettled) return false;
+  if (std::abs(here.f) > kKnownTemperature) return false;
   s_.heat_roots.push_back(tried_.back().heat);
   s_.heat_roots.back().slope = near.slope;
   return true;

@@ -3,25 +3,18 @@
 /// programs use, to be compared with (chart, stress). Of them bearing/ has the nodal sets across
 /// the film; cavitation and elasticity by another method need what solves the equilibrium in the
 /// place of Newton's method: `stand_in`. Those of others are in validation/rivals/.
-#include <atomic>
-
-#include "core/grid.hpp"
 #include "core/outcome.hpp"
 
 namespace shellback::bearing {
 
-struct BearingModel;
-struct OperatingPoint;
-struct EquilibriumOptions;
+struct FilmTask;
 struct FilmEquilibrium;
 struct EquilibriumCost;
 
 /// Solves for the equilibrium from a state, which is left at the last iterate whatever the verdict;
 /// as newton (bearing/newton.hpp).
-using EquilibriumMethod = Verdict (*)(const BearingModel& model, const OperatingPoint& point,
-                                      const Field& thermal_deformation,
-                                      const EquilibriumOptions& options, FilmEquilibrium& state,
-                                      EquilibriumCost& cost, const std::atomic<bool>* stop);
+using EquilibriumMethod = Verdict (*)(const FilmTask& task, FilmEquilibrium& state,
+                                      EquilibriumCost& cost);
 
 enum class CavitationMethod {
   active_set,          ///< p and theta, semismooth Newton on the active set (mass-conserving)

@@ -8,9 +8,9 @@
 #include "bearing/bordered_film.hpp"
 #include "bearing/closed_gap.hpp"
 #include "bearing/film_verdicts.hpp"
-#include "bearing/round_off.hpp"
 #include "bearing/solids.hpp"
 #include "core/largest.hpp"
+#include "core/round_off.hpp"
 #include "fluid/empty_rings.hpp"
 #include "fluid/fischer_burmeister.hpp"
 #include "fluid/reduced_pressure.hpp"
@@ -65,21 +65,19 @@ class Polish {
 /// One Newton iteration after the other; what they share.
 class NewtonIteration {
  public:
-  NewtonIteration(const BearingModel& model, const OperatingPoint& point,
-                  const Field& thermal_deformation, const EquilibriumOptions& options,
-                  FilmEquilibrium& s, EquilibriumCost& cost)
-      : model_(model),
-        point_(point),
-        thermal_deformation_(thermal_deformation),
-        options_(options),
+  NewtonIteration(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost)
+      : task_(task),
+        model_(task.model),
+        point_(task.point),
+        options_(task.options),
         s_(s),
         cost_(cost) {}
 
-  Verdict run(const std::atomic<bool>* stop);
+  Verdict run();
 
  private:
   void restore(const State& u) { static_cast<State&>(s_) = u; }
-  [[nodiscard]] Verdict iterate(const std::atomic<bool>* stop);
+  [[nodiscard]] Verdict iterate();
   /// Evaluates the state; true if it has residuals.
   [[nodiscard]] bool evaluate_state();
   [[nodiscard]] bool converged();
@@ -104,9 +102,9 @@ class NewtonIteration {
   }
   [[nodiscard]] bool rigid() const { return s_.elastic.empty(); }
 
+  const FilmTask& task_;
   const BearingModel& model_;
   const OperatingPoint& point_;
-  const Field& thermal_deformation_;
   const EquilibriumOptions& options_;
   FilmEquilibrium& s_;
   EquilibriumCost& cost_;
@@ -122,7 +120,7 @@ class NewtonIteration {
 };
 
 bool NewtonIteration::evaluate_state() {
-  if (!evaluate(model_, point_, thermal_deformation_, viscosity_tolerance_, s_)) return false;
+  if (!evaluate(model_, point_, task_.thermal_deformation, viscosity_tolerance_, s_)) return false;
   r_ = residuals_of(model_, point_, s_);
   return r_.finite();
 }
@@ -268,9 +266,9 @@ Verdict NewtonIteration::within_the_law() const {
           fluid::place_of(model_.domain.grid, cell)};
 }
 
-Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
+Verdict NewtonIteration::iterate() {
   for (int it = 0; it <= options_.max_iterations; ++it) {
-    if (stop && stop->load()) return {Status::interrupted};
+    if (task_.stop && task_.stop->load()) return {Status::interrupted};
     if (cost_.spent()) return {Status::iteration_limit, ending::Plain::given_up};
     const bool possible = evaluate_state();
     if (possible && converged()) return {};
@@ -284,7 +282,7 @@ Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
       ++held_;  // cavitation has moved: the film follows first
     } else {
       held_ = 0;
-      const Verdict none = possible ? Verdict{} : no_film(model_, point_, thermal_deformation_, s_);
+      const Verdict none = possible ? Verdict{} : no_film(task_, s_);
       if (it == 0) return none;
       if (!reject()) {
         return none.status == Status::invalid_number ? none
@@ -301,8 +299,8 @@ Verdict NewtonIteration::iterate(const std::atomic<bool>* stop) {
   return stuck(model_, s_, r_, options_.max_iterations);
 }
 
-Verdict NewtonIteration::run(const std::atomic<bool>* stop) {
-  const Verdict v = iterate(stop);
+Verdict NewtonIteration::run() {
+  const Verdict v = iterate();
   if (v.status == Status::interrupted || !polish_.met()) return v;
   if (!polish_.here()) {
     restore(polish_.best());
@@ -313,10 +311,8 @@ Verdict NewtonIteration::run(const std::atomic<bool>* stop) {
 
 }  // namespace
 
-Verdict newton(const BearingModel& model, const OperatingPoint& point,
-               const Field& thermal_deformation, const EquilibriumOptions& options,
-               FilmEquilibrium& s, EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  return NewtonIteration(model, point, thermal_deformation, options, s, cost).run(stop);
+Verdict newton(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost) {
+  return NewtonIteration(task, s, cost).run();
 }
 
 }  // namespace shellback::bearing

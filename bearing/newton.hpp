@@ -5,17 +5,12 @@
 /// the residuals of elastic surfaces grow: a step after which a gap is closed, no pressure is left
 /// (Barus) or the residuals are several times those before is rejected and tried again at half the
 /// reach. Source: semismooth Newton with step control, methods 1.2, 2.2.
-#include <atomic>
-
 #include "bearing/equilibrium.hpp"
 
 namespace shellback::bearing {
 
-/// Solves (1)-(3) of the step in time that the point's scene holds, from `state`, which is left at
-/// the last iterate that was evaluated where the iteration does not settle.
-[[nodiscard]] Verdict newton(const BearingModel& model, const OperatingPoint& point,
-                             const Field& thermal_deformation, const EquilibriumOptions& options,
-                             FilmEquilibrium& state, EquilibriumCost& cost,
-                             const std::atomic<bool>* stop = nullptr);
+/// Solves from `state`, which is left at the last iterate that was evaluated where the iteration
+/// does not settle.
+[[nodiscard]] Verdict newton(const FilmTask& task, FilmEquilibrium& state, EquilibriumCost& cost);
 
 }  // namespace shellback::bearing

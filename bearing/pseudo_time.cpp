@@ -5,9 +5,9 @@
 
 #include "bearing/film_verdicts.hpp"
 #include "bearing/newton.hpp"
-#include "bearing/round_off.hpp"
-#include "bearing/step_control.hpp"
 #include "core/largest.hpp"
+#include "core/round_off.hpp"
+#include "core/step_control.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -27,13 +27,11 @@ double carried_part(const OperatingPoint& point, const fluid::FilmFlow& flow) {
 }
 
 /// Steps are counted in `unit`: the time of a radian of turn, or another [s].
-Verdict march_in_time(const BearingModel& model, const OperatingPoint& point,
-                      const Field& thermal_deformation, const EquilibriumOptions& options,
-                      double unit, FilmEquilibrium& s, EquilibriumCost& cost,
-                      const std::atomic<bool>* stop) {
+Verdict march_in_time(const FilmTask& task, double unit, FilmEquilibrium& s,
+                      EquilibriumCost& cost) {
+  const auto& [model, point, thermal_deformation, options, stop] = task;
+  if (!evaluate(model, point, thermal_deformation, kWayPoint, s)) return no_film(task, s);
   OperatingPoint moving = point;
-  if (!evaluate(model, point, thermal_deformation, kWayPoint, s))
-    return no_film(model, point, thermal_deformation, s);
   EquilibriumOptions within = options;
   const auto content = [&] { return fluid::oil_content(point.scene, s.gap, s.oil, s.film); };
   double turn = kFirst;
@@ -43,7 +41,7 @@ Verdict march_in_time(const BearingModel& model, const OperatingPoint& point,
     within.film_tolerance = options.film_tolerance * carried_part(point, s.flow);
     const State before = s;
     const int spent = cost.newton_iterations;
-    const Verdict v = newton(model, moving, thermal_deformation, within, s, cost, stop);
+    const Verdict v = newton({model, moving, thermal_deformation, within, stop}, s, cost);
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
     if (ended || cost.spent()) return v;
     if (step == kMostIterations) {
@@ -65,32 +63,27 @@ Verdict march_in_time(const BearingModel& model, const OperatingPoint& point,
 }
 
 /// As loose as will do on the way.
-EquilibriumOptions on_the_way(const EquilibriumOptions& options) {
-  EquilibriumOptions loose = options;
-  loose.film_tolerance = loose.load_tolerance = loose.elastic_tolerance = kWayPoint;
-  loose.viscosity_tolerance = kWayPoint;
-  loose.max_iterations = kMostOfWayPoint;
-  return loose;
+FilmTask on_the_way(FilmTask task) {
+  EquilibriumOptions& o = task.options;
+  o.film_tolerance = o.load_tolerance = o.elastic_tolerance = o.viscosity_tolerance = kWayPoint;
+  o.max_iterations = kMostOfWayPoint;
+  return task;
 }
 
 }  // namespace
 
-Verdict march_to_steady(const BearingModel& model, const OperatingPoint& point,
-                        const Field& thermal_deformation, const EquilibriumOptions& options,
-                        FilmEquilibrium& s, EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  const double radian = 1.0 / std::abs(point.omega());
-  const Verdict v =
-      march_in_time(model, point, thermal_deformation, on_the_way(options), radian, s, cost, stop);
-  return v.good() ? newton(model, point, thermal_deformation, options, s, cost, stop) : v;
+Verdict march_to_steady(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost) {
+  const Verdict v = march_in_time(on_the_way(task), 1.0 / std::abs(task.point.omega()), s, cost);
+  return v.good() ? newton(task, s, cost) : v;
 }
 
 namespace {
 
 /// True if a journal that is free to move starts deeper in the shell than asperities reach.
-bool starts_inside(const BearingModel& model, const OperatingPoint& point,
-                   const Field& thermal_deformation, FilmEquilibrium& s) {
-  if (point.load.unknowns == 0) return false;
-  s.gap = gap_at(model, s.position, sum(thermal_deformation, s.elastic));
+bool starts_inside(const FilmTask& task, FilmEquilibrium& s) {
+  if (task.point.load.unknowns == 0) return false;
+  const BearingModel& model = task.model;
+  s.gap = gap_at(model, s.position, sum(task.thermal_deformation, s.elastic));
   s.least = fluid::smallest_gap(model.domain.grid, s.gap, model.profile);
   return s.least.h < -kSummits * model.domain.rough.sigma;
 }
@@ -104,31 +97,27 @@ void put_in_the_middle(const OperatingPoint& point, FilmEquilibrium& s) {
 
 }  // namespace
 
-Verdict come_to_rest(const BearingModel& model, const OperatingPoint& point,
-                     const EquilibriumOptions& options, FilmEquilibrium& s, EquilibriumCost& cost,
-                     const std::atomic<bool>* stop) {
+Verdict come_to_rest(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost) {
   constexpr double kUnit = 10.0;  // the first step is a hundredth of it, the last a million s [s]
   // Gaps in contact hardly let oil pass: a little oil too much there is much pressure. Where
   // nothing flows the rate of shear is round-off, and thinning by it known no better.
   EquilibriumOptions steps;
-  steps.viscosity_tolerance = options.viscosity_tolerance;
+  steps.viscosity_tolerance = task.options.viscosity_tolerance;
   steps.max_iterations = kMostOfWayPoint;
-  put_in_the_middle(point, s);
-  return march_in_time(model, point, {}, steps, kUnit, s, cost, stop);
+  put_in_the_middle(task.point, s);
+  return march_in_time({task.model, task.point, task.thermal_deformation, steps, task.stop}, kUnit,
+                       s, cost);
 }
 
-Verdict newton_or_through_time(const BearingModel& model, const OperatingPoint& point,
-                               const Field& thermal_deformation, const EquilibriumOptions& options,
-                               FilmEquilibrium& s, EquilibriumCost& cost,
-                               const std::atomic<bool>* stop) {
-  if (!starts_inside(model, point, thermal_deformation, s)) {
-    const Verdict v = newton(model, point, thermal_deformation, options, s, cost, stop);
-    const bool proven = point.load.unknowns == 0 && v.status == Status::no_steady_state;
+Verdict newton_or_through_time(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost) {
+  if (!starts_inside(task, s)) {
+    const Verdict v = newton(task, s, cost);
+    const bool proven = task.point.load.unknowns == 0 && v.status == Status::no_steady_state;
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
     if (v.good() || ended || proven || cost.spent()) return v;
   }
-  put_in_the_middle(point, s);
-  return march_to_steady(model, point, thermal_deformation, options, s, cost, stop);
+  put_in_the_middle(task.point, s);
+  return march_to_steady(task, s, cost);
 }
 
 }  // namespace shellback::bearing

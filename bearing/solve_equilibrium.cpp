@@ -8,9 +8,9 @@ namespace shellback::bearing {
 namespace {
 
 /// `usual`, or what stands in for it where the case asks for another method in this state.
-EquilibriumMethod method_of(const BearingModel& model, const FilmEquilibrium& s,
+EquilibriumMethod method_of(const FilmTask& task, const FilmEquilibrium& s,
                             EquilibriumMethod usual) {
-  const Methods& by = model.input.model.methods;
+  const Methods& by = task.model.input.model.methods;
   const bool fixed_point = !s.elastic.empty() && by.elastic == ElasticMethod::fixed_point;
   if (!fixed_point && by.cavitation == CavitationMethod::active_set) return usual;
   EXPECTS(by.stand_in != nullptr);  // make_bearing has refused the case otherwise
@@ -19,20 +19,12 @@ EquilibriumMethod method_of(const BearingModel& model, const FilmEquilibrium& s,
 
 }  // namespace
 
-Verdict solve_equilibrium(const BearingModel& model, const OperatingPoint& point,
-                          const Field& thermal_deformation, const EquilibriumOptions& options,
-                          FilmEquilibrium& s, EquilibriumCost& cost,
-                          const std::atomic<bool>* stop) {
-  const EquilibriumMethod solve = method_of(model, s, newton_or_through_time);
-  return solve(model, point, thermal_deformation, options, s, cost, stop);
+Verdict solve_equilibrium(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost) {
+  return method_of(task, s, newton_or_through_time)(task, s, cost);
 }
 
-Verdict solve_equilibrium_near(const BearingModel& model, const OperatingPoint& point,
-                               const Field& thermal_deformation, const EquilibriumOptions& options,
-                               FilmEquilibrium& s, EquilibriumCost& cost,
-                               const std::atomic<bool>* stop) {
-  const EquilibriumMethod solve = method_of(model, s, newton);
-  return solve(model, point, thermal_deformation, options, s, cost, stop);
+Verdict solve_equilibrium_near(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost) {
+  return method_of(task, s, newton)(task, s, cost);
 }
 
 }  // namespace shellback::bearing

@@ -1,24 +1,16 @@
 #pragma once
 /// The equilibrium of film, journal and elastic surfaces by Newton's method, then through time; or
 /// by what stands in for it if the case asks for another method (bearing/methods.hpp).
-#include <atomic>
-
 #include "bearing/equilibrium.hpp"
 
 namespace shellback::bearing {
 
 /// Solves from `state`, which is left at the last iterate whatever the verdict.
-[[nodiscard]] Verdict solve_equilibrium(const BearingModel& model, const OperatingPoint& point,
-                                        const Field& thermal_deformation,
-                                        const EquilibriumOptions& options, FilmEquilibrium& state,
-                                        EquilibriumCost& cost,
-                                        const std::atomic<bool>* stop = nullptr);
+[[nodiscard]] Verdict solve_equilibrium(const FilmTask& task, FilmEquilibrium& state,
+                                        EquilibriumCost& cost);
 
 /// The same from a state near the solution: Newton's method alone, not through time.
-[[nodiscard]] Verdict solve_equilibrium_near(const BearingModel& model, const OperatingPoint& point,
-                                             const Field& thermal_deformation,
-                                             const EquilibriumOptions& options,
-                                             FilmEquilibrium& state, EquilibriumCost& cost,
-                                             const std::atomic<bool>* stop = nullptr);
+[[nodiscard]] Verdict solve_equilibrium_near(const FilmTask& task, FilmEquilibrium& state,
+                                             EquilibriumCost& cost);
 
 }  // namespace shellback::bearing

@@ -6,8 +6,8 @@
 #include "bearing/bore_shape.hpp"
 #include "bearing/case_limits.hpp"
 #include "bearing/pressed_layer.hpp"
-#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
+#include "core/round_off.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -28,7 +28,6 @@ long cells_that_flow(const Field& flow) {
 /// Columns beside each other shear by the time that half of them has flowed away, and none can lose
 /// more than it has.
 void add_flown_layer(const BearingModel& m, double depth, std::vector<Note>& out) {
-  constexpr double kMostFlown = 0.5;  // of the thickness, as of what is pressed before it flows
   if (!(depth > 0.0)) return;
   const double thickness = m.input.shell->layers.front().thickness;
   if (depth > kMostFlown * thickness) out.emplace_back(note::LayerFlown{depth, thickness});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
+#include "core/round_off.hpp"
 #include "rheology/density.hpp"
 
 namespace shellback::bearing {

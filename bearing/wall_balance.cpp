@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/fixed_point.hpp"
-#include "bearing/round_off.hpp"
 #include "core/constants.hpp"
+#include "core/fixed_point.hpp"
 #include "core/largest.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 
@@ -150,9 +150,8 @@ void WallBalance::settle_film(double enough) {
 }
 
 double WallBalance::change_for_ever(const Friction& friction) {
-  constexpr double kSettled = 1e-6;  // change per sweep, far below what is asked for [K]
   energy_.emplace(problem(friction));
-  settle_film(kSettled);
+  settle_film(kKnownTemperature);
   warm_the_walls({false, false});
   return larger(largest_difference(s_.heat.solids.shell.surface, s_.heat.T_shell),
                 largest_difference(s_.heat.solids.shaft.temperature, s_.heat.T_shaft));

@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "fidelity/solve_case.hpp"
 
 using namespace shellback::bearing;

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "bearing/judge_case.hpp"
-#include "bearing/step_control.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "core/contract.hpp"
+#include "core/step_control.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/cycle_bars.hpp"
 #include "fidelity/estimate_cycle.hpp"

@@ -15,7 +15,7 @@
 ///    the steps so that their bar, of order 1/3 in the error of one of them, is a quarter of it; up
 ///    to 400 x 50 cells and three times. Grid and steps given in the case are kept.
 /// What a case has no data for (walls) is in no bar; the result says so.
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::fidelity {
 

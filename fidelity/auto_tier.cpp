@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "bearing/solids.hpp"
 #include "core/contract.hpp"
 #include "core/stopwatch.hpp"

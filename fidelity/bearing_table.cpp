@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/contract.hpp"
+#include "core/table_rows.hpp"
 #include "fidelity/closed_forms.hpp"
-#include "fidelity/table_rows.hpp"
 
 namespace shellback::fidelity {
 namespace {

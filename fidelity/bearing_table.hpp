@@ -13,8 +13,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/bracketed_root.hpp"
 #include "core/monotone_cubic.hpp"
-#include "fidelity/bracketed_root.hpp"
 
 namespace shellback::fidelity {
 
@@ -56,7 +56,7 @@ template <class F>
 [[nodiscard]] double eccentricity_where(F f) {
   const auto eps = [](double x) { return 1.0 / (1.0 + std::exp(-x)); };
   const double end = std::log(1e9);
-  return eps(bracketed_root([&](double x) { return f(eps(x)); }, -end, end, 1e-10));
+  return eps(root_between([&](double x) { return f(eps(x)); }, -end, end, 1e-10));
 }
 
 }  // namespace shellback::fidelity

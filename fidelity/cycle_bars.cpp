@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/cycle_search.hpp"
+#include "bearing/over_time/cycle_search.hpp"
 #include "core/contract.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/edge_error.hpp"

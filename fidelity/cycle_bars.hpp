@@ -1,6 +1,6 @@
 #pragma once
 /// A load cycle with the bars of its grid and of its steps in time.
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::fidelity {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
-#include "fidelity/bracketed_root.hpp"
+#include "core/bracketed_root.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::fidelity {
 
@@ -17,8 +17,7 @@ double left_of_edge(const std::array<double, 3>& s, const std::array<double, 3>&
     return (power[2] - power[1]) / (power[1] - power[0]) - (h[2] - h[1]) / last;
   };
   if (missed(1.0) <= 0.0) return 0.0;
-  const double a =
-      missed(kPunch) >= 0.0 ? kPunch : bracketed_root(missed, kPunch, 1.0, bearing::kRoundOff);
+  const double a = missed(kPunch) >= 0.0 ? kPunch : root_between(missed, kPunch, 1.0, kRoundOff);
   const double first = std::pow(s[0], a);
   return last * (first / (std::pow(s[1], a) - first) - s[0] / (s[1] - s[0]));
 }

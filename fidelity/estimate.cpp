@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "bearing/heat_endings.hpp"
-#include "bearing/round_off.hpp"
+#include "core/round_off.hpp"
 #include "fidelity/bearing_table.hpp"
 #include "fidelity/estimate_scene.hpp"
 
@@ -122,7 +122,7 @@ Estimate estimate(const Case& c) {
   for (double part = 1.0 / 256.0, low = ways.coldest; part <= 1.0; part *= 2.0) {
     const double high = ways.coldest + part * span;
     // The lowest of several balances: that of a bearing which is started cold. To a millikelvin.
-    if (surplus(high) >= 0.0) return estimator.at(bracketed_root(surplus, low, high, 1e-3));
+    if (surplus(high) >= 0.0) return estimator.at(root_between(surplus, low, high, 1e-3));
     low = high;
   }
   Estimate hottest = estimator.at(ways.coldest + span);

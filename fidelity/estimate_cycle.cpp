@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/cycle_lumped.hpp"
-#include "bearing/cycle_search.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/heat_endings.hpp"
+#include "bearing/over_time/cycle_lumped.hpp"
+#include "bearing/over_time/cycle_search.hpp"
 #include "bearing/told_ranges.hpp"
+#include "core/bracketed_root.hpp"
 #include "core/stopwatch.hpp"
-#include "fidelity/bracketed_root.hpp"
 #include "fidelity/estimate_bars.hpp"
 #include "fidelity/journal_path.hpp"
 
@@ -46,7 +46,7 @@ Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
     return last.good() ? away(at) - path.mean(&CycleInstant::power) : double{NAN};
   };
   T = ways.coldest;
-  const double below = surplus(T);
+  double below = surplus(T);
   if (!(below < 0.0)) return last;  // no heat to speak of, or no path
   // The friction of the coldest film would be carried off with this rise; warmer films rub less.
   const double hottest = ways.warmest + kHottestRise;
@@ -55,13 +55,13 @@ Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
     if (std::isnan(above)) return last;
     if (above < 0.0) {
       T += rise;
+      below = above;
       continue;
     }
-    const double root = bracketed_root(surplus, T, T + rise, kCycleBalance);
-    if (std::isnan(root)) return last;  // the path was lost on the way
-    T = root;
-    static_cast<void>(surplus(T));
-    return last;
+    const BracketedRoot root =
+        bracketed_root(surplus, {T, below}, {T + rise, above}, {0.0, kCycleBalance});
+    if (root.found) T = root.at.x;
+    return last;  // where there is no root the path was lost on the way
   }
   return {Status::iteration_limit,
           ending::AtTemperature{ending::Thermal::unbalanced_cycle, hottest}};

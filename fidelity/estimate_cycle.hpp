@@ -13,7 +13,7 @@
 /// Left out, and said: the film's history (oil that lacks because it has not come back: the film is
 /// full wherever it closes), supply by place and time, mass and tilt of the journal, deformation.
 /// What this cannot know is not in the result: oil in the gap, supply flow, fields.
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::fidelity {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
+#include "core/round_off.hpp"
 #include "fidelity/bearing_table.hpp"
 #include "fidelity/estimate.hpp"
 #include "fidelity/estimate_bars.hpp"

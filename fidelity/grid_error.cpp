@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/round_off.hpp"
-#include "fidelity/bracketed_root.hpp"
+#include "core/bracketed_root.hpp"
+#include "core/round_off.hpp"
 #include "fidelity/grid_sequence.hpp"
 
 namespace shellback::fidelity {
@@ -44,7 +44,7 @@ double observed_order(const std::vector<GridValue>& v) {
   if (!(last / before >= 0.0) || short_of(kSlowOrder) < 0.0) return NAN;
   if (short_of(kLeastOrder) <= 0.0) return kLeastOrder;
   if (short_of(kMostOrder) >= 0.0) return kMostOrder;
-  return bracketed_root(short_of, kLeastOrder, kMostOrder, bearing::kRoundOff);
+  return root_between(short_of, kLeastOrder, kMostOrder, kRoundOff);
 }
 
 GridBar grid_bar(const std::vector<GridValue>& v, double h) {

@@ -49,8 +49,8 @@ Solution held_film(const Solution& s, std::array<int, 2> grid, const Held& held,
   EquilibriumOptions options;
   options.max_iterations = 30;
   options.film_tolerance = options.load_tolerance = options.viscosity_tolerance = kEnough;
-  out.verdict = solve_equilibrium(out.model, out.point, out.heat.thermal_deformation, options,
-                                  out.film, out.cost, stop);
+  out.verdict = solve_equilibrium(
+      {out.model, out.point, out.heat.thermal_deformation, options, stop}, out.film, out.cost);
   return out;
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/cycle_endings.hpp"
-#include "bearing/cycle_search.hpp"
-#include "bearing/round_off.hpp"
+#include "bearing/over_time/cycle_endings.hpp"
+#include "bearing/over_time/cycle_search.hpp"
 #include "core/constants.hpp"
+#include "core/round_off.hpp"
 #include "fidelity/grid_sequence.hpp"
 
 namespace shellback::fidelity {

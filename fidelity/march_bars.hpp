@@ -4,7 +4,7 @@
 /// edge_error.hpp tells of the end, as a part of itself; and of the steps, which are of second
 /// order under a steady load (heat_march.hpp) and of first over cycles (march_over_cycles.hpp).
 /// Three threads at most.
-#include "bearing/course.hpp"
+#include "bearing/over_time/course.hpp"
 #include "fidelity/bars_over_time.hpp"
 
 namespace shellback::fidelity {

@@ -8,11 +8,11 @@
 /// the viscosity eta that of estimate_scene.hpp at one temperature, which the caller sets. The
 /// shell stands still; the oil goes round with omega/2, the mean of the two surfaces. The journal
 /// has no mass: where no load acts it goes round with the oil. Frame and signs: bearing/cycle.hpp.
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
+#include "core/smooth_motion.hpp"
 #include "fidelity/bearing_table.hpp"
 #include "fidelity/estimate_scene.hpp"
 #include "fidelity/mobility_table.hpp"
-#include "fidelity/smooth_motion.hpp"
 
 namespace shellback::fidelity {
 

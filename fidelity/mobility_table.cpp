@@ -5,8 +5,8 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/table_rows.hpp"
 #include "fidelity/closed_forms.hpp"
-#include "fidelity/table_rows.hpp"
 
 namespace shellback::fidelity {
 namespace {

@@ -3,7 +3,7 @@
 /// to which comes for the smallest film what edge_error.hpp tells of the end, as a part of itself;
 /// and of the steps, which are of second order (running_in.hpp). A worn-in shape has no steps.
 /// Three threads at most.
-#include "bearing/running_in.hpp"
+#include "bearing/over_time/running_in.hpp"
 #include "fidelity/bars_over_time.hpp"
 
 namespace shellback::fidelity {

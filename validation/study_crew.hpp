@@ -7,7 +7,7 @@
 
 #include "app/run_state.hpp"
 #include "bearing/control.hpp"
-#include "bearing/kept_run.hpp"
+#include "bearing/over_time/kept_run.hpp"
 #include "core/parallel.hpp"
 
 namespace shellback::validation {

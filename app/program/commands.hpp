@@ -3,7 +3,7 @@
 /// InputError and FileError.
 #include "app/program/request.hpp"
 #include "bearing/case.hpp"
-#include "bearing/warm_up.hpp"
+#include "bearing/over_time/warm_up.hpp"
 
 namespace shellback::program {
 

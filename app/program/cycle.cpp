@@ -1,5 +1,5 @@
 /// run on a case with a load cycle.
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 #include <iostream>
 

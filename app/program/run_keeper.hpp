@@ -9,7 +9,7 @@
 
 #include "app/program/request.hpp"
 #include "app/run_state.hpp"
-#include "bearing/kept_run.hpp"
+#include "bearing/over_time/kept_run.hpp"
 
 namespace shellback::program {
 

@@ -17,7 +17,7 @@
 #include "app/write_instants.hpp"
 #include "app/write_warm_up.hpp"
 #include "bearing/case_limits.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "core/contract.hpp"
 #include "fidelity/march_bars.hpp"
 #include "fidelity/solve_case.hpp"

@@ -5,7 +5,7 @@
 #include "app/check.hpp"
 #include "app/init.hpp"
 #include "app/library.hpp"
-#include "bearing/cycle_numbers.hpp"
+#include "bearing/over_time/cycle_numbers.hpp"
 #include "core/constants.hpp"
 #include "tests/app/sample_case.hpp"
 

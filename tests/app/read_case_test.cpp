@@ -5,7 +5,7 @@
 
 #include "app/init.hpp"
 #include "app/library.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "core/constants.hpp"
 #include "tests/app/sample_case.hpp"
 

@@ -1,5 +1,5 @@
 // The worn shape as it is written, and the shipped bearing that has one.
-#include "bearing/running_in.hpp"
+#include "bearing/over_time/running_in.hpp"
 
 #include <fmt/format.h>
 

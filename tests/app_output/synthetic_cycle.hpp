@@ -1,7 +1,7 @@
 #pragma once
 /// A made-up but plausible load cycle to write out: a journal on an ellipse over two turns of a
 /// crank. Not a solution of anything.
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::test {
 

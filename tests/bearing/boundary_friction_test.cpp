@@ -3,8 +3,8 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/audit.hpp"
-#include "bearing/cycle.hpp"
 #include "bearing/film_heat.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "bearing/solve.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

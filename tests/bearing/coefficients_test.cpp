@@ -36,7 +36,7 @@ FilmEquilibrium again(const Solution& s, const OperatingPoint& point, int k, dou
   OperatingPoint held = point;
   held.load = {};
   held.load.unknowns = 0;
-  const Verdict v = solve_equilibrium(s.model, held, s.heat.thermal_deformation, sharp, f, cost);
+  const Verdict v = solve_equilibrium({s.model, held, s.heat.thermal_deformation, sharp}, f, cost);
   INFO(app::reason_of(v));
   REQUIRE(v.good());
   return f;

@@ -1,5 +1,5 @@
 // A course of speeds: bodies carried over, films begun anew.
-#include "bearing/course.hpp"
+#include "bearing/over_time/course.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,11 +3,11 @@
 #include <utility>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/compare_cycles.hpp"
-#include "bearing/cycle.hpp"
-#include "bearing/cycle_search.hpp"
+#include "bearing/over_time/compare_cycles.hpp"
+#include "bearing/over_time/cycle.hpp"
+#include "bearing/over_time/cycle_search.hpp"
+#include "bearing/over_time/warm_up.hpp"
 #include "bearing/solve.hpp"
-#include "bearing/warm_up.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/solved.hpp"

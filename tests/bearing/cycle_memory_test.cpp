@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "bearing/cycle_search.hpp"
+#include "bearing/over_time/cycle_search.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

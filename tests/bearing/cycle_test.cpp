@@ -1,13 +1,13 @@
 // Load cycles: the film in time against steady films, linear theory, its own symmetries and order.
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <complex>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/cycle_endings.hpp"
-#include "bearing/cycle_steps.hpp"
+#include "bearing/over_time/cycle_endings.hpp"
+#include "bearing/over_time/cycle_steps.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 #include "tests/bearing/solved.hpp"

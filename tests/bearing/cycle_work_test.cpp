@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "tests/bearing/solved.hpp"
 
 using namespace shellback;

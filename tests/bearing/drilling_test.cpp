@@ -3,9 +3,9 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/crank.hpp"
-#include "bearing/cycle.hpp"
-#include "bearing/drillings.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
+#include "bearing/over_time/cycle.hpp"
+#include "bearing/over_time/drillings.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

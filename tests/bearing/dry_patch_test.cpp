@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/film_step.hpp"
+#include "bearing/over_time/film_step.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

@@ -1,11 +1,11 @@
-#include "bearing/fixed_point.hpp"
+#include "core/fixed_point.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "bearing/extrapolation.hpp"
-#include "bearing/led_oil.hpp"
+#include "bearing/over_time/led_oil.hpp"
+#include "core/extrapolation.hpp"
 
 using namespace shellback::bearing;
 

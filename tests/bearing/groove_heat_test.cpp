@@ -4,10 +4,10 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/audit.hpp"
-#include "bearing/cycle.hpp"
 #include "bearing/film_heat.hpp"
+#include "bearing/over_time/cycle.hpp"
+#include "bearing/over_time/warm_up.hpp"
 #include "bearing/solve.hpp"
-#include "bearing/warm_up.hpp"
 #include "tests/bearing/solved.hpp"
 
 using namespace shellback;

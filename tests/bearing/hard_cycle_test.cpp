@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/cycle.hpp"
-#include "bearing/cycle_endings.hpp"
-#include "bearing/cycle_numbers.hpp"
+#include "bearing/over_time/cycle.hpp"
+#include "bearing/over_time/cycle_endings.hpp"
+#include "bearing/over_time/cycle_numbers.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "bearing/bracketed_root.hpp"
+#include "core/bracketed_root.hpp"
 #include "rheology/temperature.hpp"
 
 using namespace shellback;

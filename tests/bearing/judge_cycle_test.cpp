@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "bearing/cycle_endings.hpp"
-#include "bearing/cycle_numbers.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "bearing/load_cycle.hpp"
+#include "bearing/over_time/cycle_endings.hpp"
+#include "bearing/over_time/cycle_numbers.hpp"
 #include "bearing/row_gaps.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"

@@ -3,7 +3,7 @@
 #include <limits>
 #include <set>
 
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

@@ -1,5 +1,5 @@
 // A run over load cycles that is stopped and gone on with against one that is not.
-#include "bearing/kept_run.hpp"
+#include "bearing/over_time/kept_run.hpp"
 
 #include <atomic>
 #include <bit>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/tape_members.hpp"
+#include "bearing/over_time/tape_members.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

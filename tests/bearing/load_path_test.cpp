@@ -108,10 +108,10 @@ TEST_CASE("ThePathEndsInTheEquilibriumThatNewtonFinds") {
   Part part(s, Raised::load);
   part.take(0.05);
   s.film = cold_start(s.model, s.point, 313.15);
-  REQUIRE(solve_equilibrium(s.model, s.point, {}, {}, s.film, s.cost).good());
+  REQUIRE(solve_equilibrium({s.model, s.point, {}}, s.film, s.cost).good());
   part.take(1.0);
   const Corrector correct = [](Solution& at, Accuracy) {
-    return newton(at.model, at.point, {}, {}, at.film, at.cost);
+    return newton({at.model, at.point, {}}, at.film, at.cost);
   };
   const Branch branch = follow_load(s, 0.05, correct, {});
   REQUIRE(branch.end == BranchEnd::reached);
@@ -130,7 +130,7 @@ TEST_CASE("ThroughTimeThereIsTheEquilibriumThatNewtonFinds") {
     FilmEquilibrium s = cold_start(usual.model, usual.point, usual.T_film);
     s.position.q = {};
     EquilibriumCost cost;
-    REQUIRE(march_to_steady(usual.model, usual.point, {}, {}, s, cost, nullptr).good());
+    REQUIRE(march_to_steady({usual.model, usual.point, {}}, s, cost).good());
     for (int k = 0; k < 2; ++k) {
       CHECK(s.position.q[k] ==
             Approx(usual.film.position.q[k]).margin(1e-7 * usual.model.clearance));
@@ -147,12 +147,12 @@ TEST_CASE("AnInterruptedBranchIsNoSolution", "[refusal]") {
   for (const Raised raised : {Raised::load, Raised::speed}) {
     Part part(s, raised);
     part.take(0.05);
-    REQUIRE(solve_equilibrium(s.model, s.point, {}, {}, s.film, s.cost).good());
+    REQUIRE(solve_equilibrium({s.model, s.point, {}}, s.film, s.cost).good());
     part.take(1.0);
     stop = false;
     const Corrector correct = [&](Solution& at, Accuracy) {
       stop = true;  // during the first step, which arrives
-      return newton(at.model, at.point, {}, {}, at.film, at.cost);
+      return newton({at.model, at.point, {}}, at.film, at.cost);
     };
     const Branch branch = raised == Raised::load
                               ? follow_load(s, 0.05, correct, control)
@@ -180,7 +180,7 @@ TEST_CASE("SurfacesInEachOtherArePassedByTheirOverlap") {
   int states = 0;
   const Corrector correct = [&](Solution& at, Accuracy) {
     ++states;
-    return newton(at.model, at.point, {}, {}, at.film, at.cost);
+    return newton({at.model, at.point, {}}, at.film, at.cost);
   };
   const Branch branch = follow_load(s, 0.5, correct, {});
   CHECK(branch.end == BranchEnd::reached);
@@ -239,7 +239,7 @@ TEST_CASE("AJournalWithMassFollowsNewtonsLaw") {
     point.load.inertia = Inertia{mass / (dt * dt), {}};
     for (int k = 0; k < 2; ++k) point.load.inertia->free[k] = s.position.q[k] + dt * velocity[k];
     EquilibriumCost cost;
-    const Verdict v = newton(model, point, {}, {}, s, cost);
+    const Verdict v = newton({model, point, {}}, s, cost);
     INFO(mass << " kg: " << app::reason_of(v));
     REQUIRE(v.good());
     CHECK(cost.newton_iterations < 15);  // quadratic: a wrong sign of the mass in the border is not

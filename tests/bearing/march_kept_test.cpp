@@ -5,9 +5,9 @@
 #include <random>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/course.hpp"
-#include "bearing/kept_run.hpp"
-#include "bearing/march_members.hpp"
+#include "bearing/over_time/course.hpp"
+#include "bearing/over_time/kept_run.hpp"
+#include "bearing/over_time/march_members.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

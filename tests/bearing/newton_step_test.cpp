@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "bearing/bordered_film.hpp"
-#include "bearing/gmres.hpp"
 #include "bearing/solids.hpp"
+#include "core/gmres.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 #include "tests/observed_order.hpp"
 

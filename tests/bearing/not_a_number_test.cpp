@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/fixed_point.hpp"
 #include "bearing/solve_equilibrium.hpp"
+#include "core/fixed_point.hpp"
 #include "fluid/reynolds.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -24,7 +24,7 @@ Solution solved_film() {
 }
 
 Verdict solved_again(Solution& s, const Field& thermal_deformation) {
-  return solve_equilibrium(s.model, s.point, thermal_deformation, {}, s.film, s.cost);
+  return solve_equilibrium({s.model, s.point, thermal_deformation}, s.film, s.cost);
 }
 
 bool found_in(const Verdict& v, FieldName field) {

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/cycle.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "bearing/told_ranges.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/judge_case.hpp"
-#include "bearing/running_in.hpp"
+#include "bearing/judge/judge_case.hpp"
+#include "bearing/over_time/running_in.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

@@ -6,9 +6,9 @@
 #include <random>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/kept_run.hpp"
-#include "bearing/running_in.hpp"
-#include "bearing/solution_members.hpp"
+#include "bearing/over_time/kept_run.hpp"
+#include "bearing/over_time/running_in.hpp"
+#include "bearing/over_time/solution_members.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

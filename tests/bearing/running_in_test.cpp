@@ -1,11 +1,11 @@
-#include "bearing/running_in.hpp"
+#include "bearing/over_time/running_in.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "app/words/ending_words.hpp"
 #include "bearing/bore_shape.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "core/largest.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 namespace shellback::bearing::tests {

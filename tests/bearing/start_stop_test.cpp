@@ -5,7 +5,7 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/audit.hpp"
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "core/constants.hpp"
 #include "solid/boundary_friction.hpp"
 #include "tests/bearing/solved.hpp"

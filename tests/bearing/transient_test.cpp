@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
+#include "bearing/over_time/warm_up.hpp"
 #include "bearing/solve.hpp"
-#include "bearing/warm_up.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 #include "tests/bearing/sample_bearing.hpp"

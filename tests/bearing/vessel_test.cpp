@@ -2,10 +2,10 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/cycle.hpp"
 #include "bearing/film_heat.hpp"
-#include "bearing/film_step.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
+#include "bearing/over_time/cycle.hpp"
+#include "bearing/over_time/film_step.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

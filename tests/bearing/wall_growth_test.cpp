@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/cycle.hpp"
-#include "bearing/cycle_record.hpp"
-#include "bearing/film_step.hpp"
+#include "bearing/over_time/cycle.hpp"
+#include "bearing/over_time/cycle_record.hpp"
+#include "bearing/over_time/film_step.hpp"
 #include "core/constants.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

@@ -3,7 +3,7 @@
 #include <complex>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/film_step.hpp"
+#include "bearing/over_time/film_step.hpp"
 #include "bearing/solve.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "bearing/film_step.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
+#include "bearing/over_time/film_step.hpp"
 #include "fidelity/auto_cycle.hpp"
 #include "fidelity/bearing_table.hpp"
 #include "fidelity/estimate.hpp"

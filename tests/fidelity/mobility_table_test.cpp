@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/bracketed_root.hpp"
 #include "core/constants.hpp"
 #include "fidelity/bearing_table.hpp"
-#include "fidelity/bracketed_root.hpp"
 #include "fidelity/closed_forms.hpp"
 #include "tests/read_csv.hpp"
 #include "validation/tables/squeeze_mobility.hpp"
@@ -58,7 +58,7 @@ Steady steady(const MobilityMap& map, double eps) {
     return -(m.along * std::cos(alpha) + m.across * std::sin(alpha));
   };
   Steady s;
-  s.attitude = bracketed_root(radial, 0.01, kPi - 0.01, 1e-10);
+  s.attitude = root_between(radial, 0.01, kPi - 0.01, 1e-10);
   const Mobility m = map.at(eps, s.attitude);
   s.so = eps / (2.0 * std::hypot(m.along, m.across));
   return s;

@@ -8,7 +8,7 @@
 #include "app/read_case.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "tests/program/run_words.hpp"
 
 using namespace shellback;

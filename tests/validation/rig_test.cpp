@@ -7,7 +7,7 @@
 
 #include "app/library.hpp"
 #include "app/read_case.hpp"
-#include "bearing/cycle_numbers.hpp"
+#include "bearing/over_time/cycle_numbers.hpp"
 #include "core/constants.hpp"
 #include "tests/app_output/markup.hpp"
 #include "validation/rig/rig_bands.hpp"

@@ -5,8 +5,8 @@
 
 #include "app/library.hpp"
 #include "app/read_case.hpp"
-#include "bearing/cycle.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "core/constants.hpp"
 #include "validation/shells/shells_page.hpp"
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/cycle.hpp"
 #include "bearing/nested.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "bearing/solids.hpp"
 #include "bearing/solve.hpp"
 #include "core/freed_memory.hpp"
@@ -101,8 +101,7 @@ void statics(const std::string& scene, Grid g) {
     for (auto _ : state) {
       FilmEquilibrium film = s.film;
       cost = {};
-      benchmark::DoNotOptimize(
-          solve_equilibrium(s.model, more, {}, EquilibriumOptions{}, film, cost));
+      benchmark::DoNotOptimize(solve_equilibrium({s.model, more, {}}, film, cost));
     }
     state.counters["newton"] = cost.newton_iterations;
     state.counters["factorisations"] = cost.factorizations;

@@ -27,8 +27,7 @@ RingMatrix reynolds_matrix(const bearing::Case& source, int nt, int nz) {
   bearing::FilmEquilibrium film =
       bearing::cold_start(model, point, bearing::equivalent_temperature(c));
   bearing::EquilibriumCost cost;
-  const auto verdict =
-      bearing::solve_equilibrium(model, point, {}, bearing::EquilibriumOptions{}, film, cost);
+  const auto verdict = bearing::solve_equilibrium({model, point, {}}, film, cost);
   if (!verdict.good()) throw std::runtime_error("the yardstick film: " + app::reason_of(verdict));
   RingMatrix matrix;
   fluid::assemble_film(point.scene, film.flow, fluid::active_set_unknowns(film.film), matrix);

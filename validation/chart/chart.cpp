@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "bearing/solve.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"

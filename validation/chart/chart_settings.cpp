@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "bearing/bearing.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "bearing/possible_methods.hpp"
 #include "validation/rivals/rivals.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "app/read_case.hpp"
 #include "app/words/ending_words.hpp"
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "bearing/solve.hpp"
 #include "core/contract.hpp"
 #include "validation/evaluators/bearing_numbers.hpp"

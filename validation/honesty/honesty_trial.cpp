@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/judge_case.hpp"
+#include "bearing/judge/judge_case.hpp"
 #include "core/contract.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/solve.hpp"

@@ -11,7 +11,7 @@
 /// Points that are not found carry their reason. Torques of the rig by rig_sum.hpp.
 #include <vector>
 
-#include "bearing/course.hpp"
+#include "bearing/over_time/course.hpp"
 #include "validation/rig/rig_scene.hpp"
 #include "validation/rig/rig_sum.hpp"
 #include "validation/study_crew.hpp"

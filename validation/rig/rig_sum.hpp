@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 
 namespace shellback::validation {
 

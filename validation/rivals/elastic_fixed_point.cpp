@@ -35,10 +35,8 @@ double aitken(double omega, const Field& before, const Field& now) {
 
 }  // namespace
 
-Verdict elastic_fixed_point(const BearingModel& model, const OperatingPoint& point,
-                            const Field& thermal_deformation, const EquilibriumOptions& options,
-                            FilmEquilibrium& s, EquilibriumCost& cost,
-                            const std::atomic<bool>* stop) {
+Verdict elastic_fixed_point(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost) {
+  const auto& [model, point, thermal_deformation, options, stop] = task;
   BearingModel rigid = model;
   rigid.physics.elastic = false;
   const double fixed = model.input.model.methods.relaxation;
@@ -63,7 +61,7 @@ Verdict elastic_fixed_point(const BearingModel& model, const OperatingPoint& poi
     s.elastic.clear();
     const bool usual = model.input.model.methods.cavitation == CavitationMethod::active_set;
     const auto solve = usual ? newton_or_through_time : film_then_position;
-    const Verdict v = solve(rigid, point, sum(thermal_deformation, d), film, s, cost, stop);
+    const Verdict v = solve({rigid, point, sum(thermal_deformation, d), film, stop}, s, cost);
     s.elastic = d;
     if (v.status == Status::interrupted) return v;
     if (!v.good()) {

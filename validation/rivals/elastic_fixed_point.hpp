@@ -8,16 +8,13 @@
 /// displacement is small against the film, as in a stiff bearing; where it is many times the film,
 /// each round answers with the wrong film and (1) diverges: that is named, with the ratio.
 /// Source: textbook (Gauss-Seidel of two fields, Aitken's vector extrapolation).
-#include <atomic>
-
 #include "bearing/equilibrium.hpp"
 
 namespace shellback::validation {
 
 /// As solve_equilibrium, for an elastic bearing.
-[[nodiscard]] Verdict elastic_fixed_point(
-    const bearing::BearingModel& model, const bearing::OperatingPoint& point,
-    const Field& thermal_deformation, const bearing::EquilibriumOptions& options,
-    bearing::FilmEquilibrium& state, bearing::EquilibriumCost& cost, const std::atomic<bool>* stop);
+[[nodiscard]] Verdict elastic_fixed_point(const bearing::FilmTask& task,
+                                          bearing::FilmEquilibrium& state,
+                                          bearing::EquilibriumCost& cost);
 
 }  // namespace shellback::validation

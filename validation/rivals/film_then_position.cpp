@@ -49,13 +49,11 @@ struct RestingFilm {
 
 class FilmAndPosition {
  public:
-  FilmAndPosition(const BearingModel& model, const OperatingPoint& point,
-                  const Field& thermal_deformation, const EquilibriumOptions& options,
-                  FilmEquilibrium& s, EquilibriumCost& cost)
-      : model_(model),
-        point_(point),
-        thermal_deformation_(thermal_deformation),
-        options_(options),
+  FilmAndPosition(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost)
+      : task_(task),
+        model_(task.model),
+        point_(task.point),
+        options_(task.options),
         s_(s),
         cost_(cost) {}
 
@@ -72,9 +70,9 @@ class FilmAndPosition {
   [[nodiscard]] RestingFilm relaxed(const fluid::OilLaw& oil, double tolerance);
   [[nodiscard]] RestingFilm factorised(const fluid::OilLaw& oil, double tolerance);
 
+  const FilmTask& task_;
   const BearingModel& model_;
   const OperatingPoint& point_;
-  const Field& thermal_deformation_;
   const EquilibriumOptions& options_;
   FilmEquilibrium& s_;
   EquilibriumCost& cost_;
@@ -112,18 +110,18 @@ RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double toleran
 RestingFilm FilmAndPosition::settle(double tolerance) {
   const fluid::FilmScene& scene = point_.scene;
   if (cost_.spent()) return {{Status::iteration_limit, ending::Plain::given_up}, {}};
-  s_.gap =
-      fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position, thermal_deformation_,
-                      model_.profile, nullptr, kSummits * scene.rough.sigma);
+  s_.gap = fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position,
+                           task_.thermal_deformation, model_.profile, nullptr,
+                           kSummits * scene.rough.sigma);
   s_.least = fluid::smallest_gap(scene.grid, s_.gap, model_.profile);
-  if (is_closed(model_, s_)) return {no_film(model_, point_, thermal_deformation_, s_), {}};
+  if (is_closed(model_, s_)) return {no_film(task_, s_), {}};
   s_.shear_gap = shear_gap(model_, s_.gap.cell);
   const fluid::OilLaw oil = oil_law(model_, scene, s_, 0.3 * options_.viscosity_tolerance);
   const bool relaxing = model_.input.model.methods.cavitation == CavitationMethod::p_theta;
   RestingFilm film = relaxing ? relaxed(oil, tolerance) : factorised(oil, tolerance);
-  if (film.verdict.good() &&
-      !evaluate(model_, point_, thermal_deformation_, 0.3 * options_.viscosity_tolerance, s_)) {
-    film.verdict = no_film(model_, point_, thermal_deformation_, s_);
+  if (film.verdict.good() && !evaluate(model_, point_, task_.thermal_deformation,
+                                       0.3 * options_.viscosity_tolerance, s_)) {
+    film.verdict = no_film(task_, s_);
   }
   return film;
 }
@@ -223,18 +221,17 @@ double sharpest(const BearingModel& model, const EquilibriumOptions& options) {
 /// The search itself; see the head of the header.
 class PositionSearch {
  public:
-  PositionSearch(const BearingModel& model, const OperatingPoint& point,
-                 const Field& thermal_deformation, const EquilibriumOptions& options,
-                 FilmEquilibrium& s, EquilibriumCost& cost)
-      : model_(model),
-        point_(point),
-        options_(options),
+  PositionSearch(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost)
+      : stop_(task.stop),
+        model_(task.model),
+        point_(task.point),
+        options_(task.options),
         s_(s),
         cost_(cost),
-        pair_(model, point, thermal_deformation, options, s, cost),
-        sharp_(sharpest(model, options)) {}
+        pair_(task, s, cost),
+        sharp_(sharpest(task.model, task.options)) {}
 
-  Verdict run(const std::atomic<bool>* stop);
+  Verdict run();
 
  private:
   [[nodiscard]] double film_tolerance() const;
@@ -250,6 +247,7 @@ class PositionSearch {
   [[nodiscard]] bool move(bool has_matrix);
   [[nodiscard]] Verdict lost() const;
 
+  const std::atomic<bool>* stop_;
   const BearingModel& model_;
   const OperatingPoint& point_;
   const EquilibriumOptions& options_;
@@ -341,9 +339,9 @@ Verdict PositionSearch::lost() const {
   return {Status::iteration_limit, ending::PositionUnsettled{best_, s_.least.h}};
 }
 
-Verdict PositionSearch::run(const std::atomic<bool>* stop) {
+Verdict PositionSearch::run() {
   for (int it = 0; it <= options_.max_iterations; ++it) {
-    if (stop && stop->load()) return {Status::interrupted};
+    if (stop_ && stop_->load()) return {Status::interrupted};
     const double tolerance = film_tolerance();
     RestingFilm now = pair_.settle(tolerance);
     if (met(now, tolerance)) return {};
@@ -366,11 +364,8 @@ Verdict PositionSearch::run(const std::atomic<bool>* stop) {
 
 }  // namespace
 
-Verdict film_then_position(const BearingModel& model, const OperatingPoint& point,
-                           const Field& thermal_deformation, const EquilibriumOptions& options,
-                           FilmEquilibrium& s, EquilibriumCost& cost,
-                           const std::atomic<bool>* stop) {
-  return PositionSearch(model, point, thermal_deformation, options, s, cost).run(stop);
+Verdict film_then_position(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost) {
+  return PositionSearch(task, s, cost).run();
 }
 
 }  // namespace shellback::validation

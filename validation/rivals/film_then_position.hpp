@@ -7,16 +7,13 @@
 /// relaxation has none: dF/dq is found by moving the journal a little along each component, then
 /// kept by Broyden's rank-one updates. A step after which the film fails or the force is further
 /// off is taken back and halved.
-#include <atomic>
-
 #include "bearing/equilibrium.hpp"
 
 namespace shellback::validation {
 
 /// As solve_equilibrium, for a rigid bearing (thermal deformation and displacement given).
-[[nodiscard]] Verdict film_then_position(
-    const bearing::BearingModel& model, const bearing::OperatingPoint& point,
-    const Field& thermal_deformation, const bearing::EquilibriumOptions& options,
-    bearing::FilmEquilibrium& state, bearing::EquilibriumCost& cost, const std::atomic<bool>* stop);
+[[nodiscard]] Verdict film_then_position(const bearing::FilmTask& task,
+                                         bearing::FilmEquilibrium& state,
+                                         bearing::EquilibriumCost& cost);
 
 }  // namespace shellback::validation

@@ -9,12 +9,10 @@ namespace {
 using namespace bearing;
 
 /// Elastic surfaces around the film, if that is asked for and there are any.
-Verdict solve_by_rivals(const BearingModel& model, const OperatingPoint& point,
-                        const Field& thermal_deformation, const EquilibriumOptions& options,
-                        FilmEquilibrium& s, EquilibriumCost& cost, const std::atomic<bool>* stop) {
-  const bool in_turn = model.input.model.methods.elastic == ElasticMethod::fixed_point;
+Verdict solve_by_rivals(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost) {
+  const bool in_turn = task.model.input.model.methods.elastic == ElasticMethod::fixed_point;
   const auto solve = in_turn && !s.elastic.empty() ? elastic_fixed_point : film_then_position;
-  return solve(model, point, thermal_deformation, options, s, cost, stop);
+  return solve(task, s, cost);
 }
 
 }  // namespace

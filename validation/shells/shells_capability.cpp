@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/running_in.hpp"
+#include "bearing/over_time/running_in.hpp"
 
 namespace shellback::validation {
 namespace {

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "bearing/running_in_run.hpp"
+#include "bearing/over_time/running_in_run.hpp"
 #include "validation/shells/shells_case.hpp"
 #include "validation/study_crew.hpp"
 

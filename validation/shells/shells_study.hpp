@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "solid/boundary_friction.hpp"
 #include "validation/shells/shells_capability.hpp"
 #include "validation/study_crew.hpp"

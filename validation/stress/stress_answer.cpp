@@ -9,7 +9,7 @@
 #include "app/read_case.hpp"
 #include "app/words/ending_words.hpp"
 #include "bearing/bearing.hpp"
-#include "bearing/cycle.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "bearing/solve.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"

@@ -1,0 +1,247 @@
+/// A load cycle as it stands in a case, whoever filled it; part of judge_case.hpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/judge/judge_parts.hpp"
+#include "bearing/judge/value_check.hpp"
+#include "bearing/load_cycle.hpp"
+#include "bearing/over_time/cycle_endings.hpp"
+#include "bearing/over_time/cycle_numbers.hpp"
+#include "bearing/row_gaps.hpp"
+#include "core/constants.hpp"
+#include "core/step_control.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr std::size_t kFewestRows = 2;        ///< one is a steady load
+constexpr std::size_t kFewestSplineRows = 3;  ///< two cannot tell a period's shape
+constexpr int kRowsOfAJump = 2;               ///< before and after it
+constexpr double kFewestGiven = 24.0;         ///< steps of a period, of second order from there on
+
+/// Rows as many as times, of numbers; what follows relies on it.
+bool judge_rows(const LoadCycle& c, const ValueCheck& cycle) {
+  const bool fit = c.x.size() == c.t.size() && c.y.size() == c.t.size() &&
+                   (c.omega.empty() || c.omega.size() == c.t.size());
+  if (!fit) {
+    cycle.refuse("file", fmt::format("{} times, {} and {} loads and {} speeds make no table",
+                                     c.t.size(), c.x.size(), c.y.size(), c.omega.size()));
+    return false;
+  }
+  if (c.t.size() < kFewestRows) {
+    const bool none = c.t.empty();
+    cycle.refuse("file", none ? "no row makes no load cycle" : "one row makes no load cycle",
+                 "give two or more (a last one that repeats the first counts as the first), or a "
+                 "steady load as operation.load");
+    return false;
+  }
+  for (const auto* column : {&c.t, &c.x, &c.y, &c.omega}) {
+    for (std::size_t k = 0; k < column->size(); ++k) {
+      if (std::isfinite((*column)[k])) continue;
+      cycle.refuse("file", fmt::format("row {} holds a number that is not finite", k));
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Times from 0 on within the period, not falling; no more than two at once.
+void judge_times(const LoadCycle& c, const ValueCheck& cycle) {
+  int at_once = 1;
+  for (std::size_t k = 1; k < c.t.size(); ++k) {
+    at_once = c.t[k] == c.t[k - 1] ? at_once + 1 : 1;
+    if (c.t[k] < c.t[k - 1]) {
+      return cycle.refuse("file", fmt::format("row {} lies before the one above it", k),
+                          "sort the rows by time");
+    }
+    if (at_once > kRowsOfAJump) {
+      return cycle.refuse("file", fmt::format("row {} is the third at one time", k),
+                          "a jump has two: what holds before it, what holds after it");
+    }
+    if (at_once > 1 && c.interpolation == LoadInterpolation::periodic_spline) {
+      return cycle.refuse("interpolation", "a spline is smooth and has no jumps",
+                          "write \"linear\", or give each time once");
+    }
+  }
+  if (c.t.front() < 0.0 || (c.repeats() && c.t.back() >= c.period)) {
+    cycle.refuse("file",
+                 fmt::format("the rows reach from {:.6g} s to {:.6g} s, out of the period of "
+                             "{:.6g} s",
+                             c.t.front(), c.t.back(), c.period),
+                 "begin at 0; the end of the period is the first row again");
+  }
+  if (!c.repeats() && !(c.t.back() > c.t.front())) {
+    cycle.refuse("file", "the event takes no time", "give rows at two times or more");
+  }
+}
+
+void judge_scalars(const LoadCycle& c, const ValueCheck& cycle) {
+  if (!(c.period > 0.0)) {
+    cycle.refuse("period", fmt::format("{} s is not possible (it must be positive)", c.period));
+  }
+  cycle.number("journal_mass", c.journal_mass, "", kNotNegative);
+  cycle.number("crank_speed", c.crank_speed, "rad/s", kNotNegative);
+  if (c.step) cycle.number("step", *c.step, "s", kPositive);
+  for (const double t : c.fields_at) {
+    if (t >= 0.0 && t <= c.length()) continue;
+    cycle.refuse(
+        "fields_at",
+        fmt::format("{:.6g} s lies outside the cycle, which takes {:.6g} s", t, c.length()),
+        "give instants from its beginning to its end");
+  }
+  if (c.interpolation == LoadInterpolation::linear) return;
+  if (!c.repeats()) {
+    cycle.refuse("interpolation", "a periodic spline needs a period",
+                 "give load_cycle.period, or write interpolation = \"linear\"");
+  }
+  if (c.t.size() < kFewestSplineRows) {
+    cycle.refuse("interpolation", "a periodic spline needs three rows or more",
+                 "write interpolation = \"linear\"");
+  }
+}
+
+/// Whether load and speed in the rows are the same to as many digits as tables have.
+bool stays(const LoadCycle& c, const RowGap& gap, double largest, double fastest) {
+  const double load = std::hypot(c.x[gap.to] - c.x[gap.from], c.y[gap.to] - c.y[gap.from]);
+  const double speed = c.omega.empty() ? 0.0 : std::abs(c.omega[gap.to] - c.omega[gap.from]);
+  return load <= kVanishingLoad * largest && speed <= kVanishingLoad * fastest;
+}
+
+/// Long stretches without a row. Where both ends are alike the table says that the load stays.
+void judge_gaps(const LoadCycle& c, const CycleNumbers& n, Findings& to) {
+  for (const RowGap& gap : row_gaps(c.t, c.period)) {
+    if (stays(c, gap, n.largest, n.largest_speed)) continue;
+    const std::string problem = fmt::format(
+        "from {:.6g} s on no row tells the load for {:.4g} s, {:.3g} times as far as rows stand "
+        "apart elsewhere",
+        c.t[gap.from], gap.length, gap.times);
+    const std::string cure = "add the rows; a straight line that is meant has a row half way";
+    if (gap.times > kLineToRefuse) {
+      to.refuse("load_cycle.file", problem, cure);
+    } else {
+      to.suspect("load_cycle.file", problem, cure);
+    }
+  }
+}
+
+/// Rows far apart: a spline may swing between them to loads that nobody gave.
+void judge_swing(const LoadCycle& c, double largest, const ValueCheck& cycle) {
+  constexpr double kMostSwing = 2.0;  // of the largest row: that is no interpolation any more [-]
+  constexpr int kSamples = 8;         // between rows: a cubic has two extremes there
+  if (c.interpolation != LoadInterpolation::periodic_spline) return;
+  const LoadCourse course(c, 0.0);
+  for (std::size_t k = 0; k < c.t.size(); ++k) {
+    const double next = k + 1 < c.t.size() ? c.t[k + 1] : c.t.front() + c.period;
+    for (int i = 1; i < kSamples; ++i) {
+      const LoadNow w = course.at(c.t[k] + (next - c.t[k]) * i / kSamples);
+      const double load = std::hypot(w.x, w.y);
+      if (load <= kMostSwing * largest) continue;
+      cycle.refuse("period",
+                   fmt::format("between the row at {:.4g} s and the next, {:.4g} s later, the "
+                               "spline swings to {:.4g} kN, {:.3g} times the largest row",
+                               c.t[k], next - c.t[k], 1e-3 * load, load / largest),
+                   "check the period and its unit, give rows in between, or write interpolation = "
+                   "\"linear\"");
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void judge_cycle_values(const LoadCycle& c, Findings& to) {
+  const ValueCheck cycle("load_cycle", to);
+  if (!judge_rows(c, cycle)) return;
+  judge_scalars(c, cycle);
+  judge_times(c, cycle);
+  if (to.refused()) return;
+  const CycleNumbers n = cycle_numbers(c, 0.0);
+  if (n.largest <= 0.0) {
+    cycle.refuse("file", "the load is zero throughout",
+                 "check the columns of the load (with [crank]: its masses and pressures)");
+  }
+  judge_gaps(c, n, to);
+  judge_swing(c, n.largest, cycle);
+  if (c.step && *c.step > n.length) {
+    cycle.refuse(
+        "step",
+        fmt::format("a step of {:.4g} s is longer than the whole of {:.4g} s", *c.step, n.length),
+        "check its unit");
+  } else if (c.step && *c.step > n.length / kFewestGiven) {
+    to.suspect("load_cycle.step",
+               fmt::format("{:.3g} steps make the whole of {:.4g} s: their error does not fall "
+                           "with their square yet, and the bars of time are too short",
+                           n.length / *c.step, n.length),
+               "give a shorter one, or none: then steps are chosen by their error");
+  }
+  if (c.step && *c.step < kStepShortest * n.length) {
+    cycle.refuse("step",
+                 fmt::format("a step of {:.4g} s is shorter than {:.0e} of the whole of {:.4g} s",
+                             *c.step, kStepShortest, n.length),
+                 "check its unit");
+  }
+}
+
+/// A journal begins at rest in the middle. Free of any film, the mean load moves it by this way in
+/// all cycles that a search takes: with less than the clearance, a load of 2e-7 of its weight at
+/// cycles of 20 ms and 30 um, a unit is wrong. A mean load within the momentum that a cycle may
+/// leave open needs no film.
+void judge_mass(const Case& c, const CycleNumbers& n, Findings& to) {
+  const double m = c.cycle->journal_mass;
+  const double time = kMostCycles * c.cycle->length();
+  const double way = 0.5 * n.net * time * time / (m * c.bearing.radial_clearance);
+  if (!c.cycle->repeats() || n.net <= kClosed * n.mean || way >= 1.0) return;
+  to.refuse("load_cycle.journal_mass",
+            fmt::format("in the {} cycles of a search the mean load moves a free journal of {:.4g} "
+                        "kg by {:.2g} of the clearance: too little to see what carries it",
+                        kMostCycles, m, way),
+            "check its unit; or give the load as a single event");
+}
+
+/// Surfaces drag oil into the film's wedge with (omega/2 - omega_load) R: none where the load turns
+/// with half the speed of the journal (textbook: half-speed whirl). Told where a large load does so
+/// for a turn of the journal, by then with a tenth of the wedge and less: only squeezing carries.
+void judge_turning(const Case& c, Findings& to) {
+  constexpr double kWedge = 0.1;  // of the speed with which a load that stands is carried [-]
+  const LoadCourse course(*c.cycle, c.operation.omega);
+  const LoadStretch follows =
+      course.heavy_stretch([](const LoadNow& from, const LoadNow& to, double dt) {
+        const double turn =
+            std::atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y);
+        const double half = 0.25 * (from.omega + to.omega) * dt;
+        return std::abs(half - turn) < kWedge * std::abs(half);
+      });
+  if (!follows.always && follows.turned < 2.0 * kPi) return;
+  const std::string when = follows.always ? "all the time"
+                                          : fmt::format("while this makes {:.3g} revolutions",
+                                                        follows.turned / (2.0 * kPi));
+  to.suspect("load_cycle.file",
+             fmt::format("the load turns with half the speed of the journal {}: no oil is dragged "
+                         "under it, only squeezing carries",
+                         when),
+             "check direction and frame of the load, and the speed");
+}
+
+void judge_cycle(const Case& c, Findings& to) {
+  const CycleNumbers n = cycle_numbers(*c.cycle, c.operation.omega);
+  const double specific = n.largest / (2.0 * c.bearing.radius * c.bearing.width);
+  compare(to, "load_cycle.file", specific, kBearingLimits.specific_load,
+          fmt::format("the largest load over the projected area is {:.4g} MPa", 1e-6 * specific),
+          "check the unit of the load (with [crank]: of its masses and pressures)");
+  const double u = n.largest_speed * c.bearing.radius;
+  compare(to, "operation.speed", u, kBearingLimits.surface_speed,
+          fmt::format("the largest surface speed is {:.4g} m/s", u), "check the unit of the speed");
+  judge_turning(c, to);
+  if (c.cycle->journal_mass > 0.0) return judge_mass(c, n, to);
+  if (const auto row = vanishing_load(*c.cycle)) {
+    to.refuse("load_cycle.journal_mass",
+              fmt::format("at {:.4g} s the load vanishes, or passes through zero before the next "
+                          "row, and nothing tells where a journal without mass then is",
+                          c.cycle->t[*row]),
+              "give journal_mass, the mass that the film carries");
+  }
+}
+
+}  // namespace shellback::bearing

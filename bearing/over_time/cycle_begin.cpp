@@ -1,0 +1,148 @@
+/// Where the passes of a cycle begin: in a steady film, between walls of one
+/// temperature, on a coarser grid, at a shape that has worn, in what was kept.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bearing/nested.hpp"
+#include "bearing/over_time/cycle_passes.hpp"
+#include "bearing/solve.hpp"
+#include "core/constants.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// Heat that a steady film gives its shell [W/m2].
+Field steady_flux(const Solution& s) {
+  const FilmGrid& g = s.model.domain.grid;
+  const thermal::FilmEnergy energy(
+      film_energy_problem(s.model, s.point, s.film, friction_of(s.model, s.point, s.film)));
+  Field q = energy.wall_heat(s.film.columns.T).shell;
+  const ContactHeat rubbed = contact_heat(s.model, s.point, s.film);
+  for (int c = 0; c < g.cells(); ++c) {
+    q[c] = q[c] / g.area(c / g.nz, c % g.nz) + rubbed.shell[c];
+  }
+  return q;
+}
+
+}  // namespace
+
+void CyclePasses::begin_film(double T) {
+  std::optional<FilmInTime> begun;
+  r_.verdict = {};
+  const bool event = !c_.cycle->repeats();
+  if (event) begun = film_.steady(T, cost_, control_.stop);
+  if (event && !begun && stopped(control_)) r_.verdict = {Status::interrupted};
+  from_rest_ = !begun.has_value();
+  now_ = begun ? *std::move(begun) : film_.at_rest(T);
+  if (!from_rest_) carry_oil_round();
+}
+
+void CyclePasses::carry_oil_round() {
+  constexpr int kTurnsBefore = 4;   // two laps: oil goes round at half the journal's speed
+  constexpr int kStepsOfTurn = 16;  // the film that stays is the same in any steps
+  const double omega = std::abs(course_.at(0.0).omega);
+  if (!(omega > 0.0) || film_.drillings().any() || film_.vessels().any()) return;
+  const double dt = 2.0 * kPi / omega / kStepsOfTurn;
+  FilmInTime now = now_;
+  for (int k = kTurnsBefore * kStepsOfTurn; k > 0; --k) {
+    now.t = -k * dt;  // an event stands there in its first row
+    FilmStep step = film_.take(dt, now, cost_, control_.stop);
+    if (step.verdict.status == Status::interrupted) r_.verdict = step.verdict;
+    if (!step.verdict.good()) return;  // it begins with the oil of the steady film
+    now = std::move(step.after);
+  }
+  now.t = 0.0;
+  now_ = std::move(now);
+}
+
+void CyclePasses::begin(double T) {
+  const bool heat = film_.model().physics.film_energy;
+  r_.verdict = {};
+  const bool event = heat && !c_.cycle->repeats();
+  if (event && begin_warm()) return;  // else, unless stopped, from cold
+  begun_cold_ = event;
+  const double begun = event ? mean_supply_temperature(c_) : T;
+  begin_film(begun);
+  if (!heat) return;
+  walls_ = uniform_walls(film_.model(), begun);
+  if (!c_.cycle->repeats()) put(*walls_);
+}
+
+void CyclePasses::begin_between(const WallMeans& walls, double T) {
+  begin_film(T);
+  put(walls);
+}
+
+void CyclePasses::set_temperature(double T) {
+  if (!c_.cycle->repeats()) return begin(T);
+  std::fill(now_.film.columns.T.begin(), now_.film.columns.T.end(), T);
+  if (!now_.layer.now.empty()) {  // marks of another temperature are none of this one
+    now_.layer = {Columns(now_.layer.now.size()), {}, 0.0};
+    now_.oil_slope.clear();
+  }
+  r_.verdict = {};
+}
+
+bool CyclePasses::begin_warm() {
+  const LoadNow first = course_.at(0.0);
+  Case steady = c_;
+  steady.cycle.reset();
+  steady.operation.omega = first.omega;
+  steady.operation.position = LoadGiven{std::hypot(first.x, first.y), std::atan2(first.y, first.x)};
+  if (first.omega == 0.0 || !(std::hypot(first.x, first.y) > 0.0)) return false;
+  if (film_.drillings().any()) return false;  // a steady bearing knows none
+  const Solution s = solve_tier(steady, tier_, control_, film_.model().solids);
+  cost_.newton_iterations += s.cost.newton_iterations;
+  cost_.factorizations += s.cost.factorizations;
+  if (!s.verdict.good()) return false;
+  now_ = film_.at_rest(s.film.columns.T.front());
+  now_.film = s.film;
+  now_.film.film = filled_as_carried(s.model, s.point, s.film.film);
+  now_.film.contact_widening.reset();
+  now_.layer.now.clear();
+  for (const solid::PressedColumn& c : s.film.layer) now_.layer.now.push_back(c.now);
+  const WallMeans walls{s.heat.T_shell, s.heat.T_shaft, steady_flux(s), s.heat.thermal_deformation};
+  now_.thermal_deformation = mean_deformation(walls);
+  from_rest_ = false;
+  if (put(walls)) carry_oil_round();
+  return true;
+}
+
+void CyclePasses::begin(const CyclePasses& coarser) {
+  const BearingModel& from = coarser.film_.model();
+  const BearingModel& to = film_.model();
+  now_ = film_.at_rest(coarser.now_.film.columns.T.front());
+  now_.film = carry_over(from, coarser.now_.film, to);
+  now_.thermal_deformation = coarser.now_.thermal_deformation;
+  now_.vessels = coarser.now_.vessels;
+  HeatState walls;
+  walls.T_shell = coarser.walls_->shell;
+  walls.T_shaft = coarser.walls_->shaft;
+  walls.thermal_deformation = coarser.walls_->thermal_deformation;
+  walls = carry_over(from, walls, to);
+  walls_ = WallMeans{walls.T_shell, walls.T_shaft,
+                     interpolate(from.domain.grid, coarser.walls_->flux, to.domain.grid),
+                     walls.thermal_deformation};
+  for (int c = 0; c < to.domain.grid.cells(); ++c) {
+    if (!meets_walls(to, c)) walls_->flux[c] = 0.0;  // it is answered by itself: no swing
+  }
+  response_ = coarser.response_;
+  measured_ = coarser.measured_;
+}
+
+bool CyclePasses::begin_reshaped(const CyclePasses& other, const std::optional<WallMeans>& walls) {
+  now_ = other.now_;
+  film_.put_back(other.film_.supplies());
+  periods_.repeat(other.periods_);
+  response_ = other.response_;
+  measured_ = other.measured_;
+  from_rest_ = false;
+  if (walls) return put(*walls);
+  if (!film_.reshape(now_)) {
+    r_.verdict = {Status::iteration_limit, ending::NoClearance{0.0, film_.model().clearance}};
+  }
+  return r_.verdict.good();
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,44 @@
+#include "bearing/over_time/cycle_endings.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace shellback::bearing {
+
+void Closure::add(double difference) {
+  earlier = before;
+  before = last;
+  last = difference;
+}
+
+namespace {
+
+constexpr double kSlowest = 0.99;  ///< slower is not seen from noise
+
+/// One difference tells no rate: it may be the slowest.
+double rate_of(const Closure& c) {
+  if (!std::isfinite(c.before)) return kSlowest;
+  const double rho = std::isfinite(c.earlier) ? std::sqrt(c.last / c.earlier) : c.last / c.before;
+  return std::clamp(rho, c.rate, kSlowest);
+}
+
+}  // namespace
+
+void Closure::lead_on() {
+  rate = 0.0;  // that of these cycles counts, not that of earlier ones
+  *this = {NAN, NAN, NAN, rate_of(*this)};
+}
+
+bool Closure::closed(double within) const {
+  const double rho = rate_of(*this);
+  return last * std::max(1.0, rho / (1.0 - rho)) <= within;
+}
+
+Verdict at_instant(Verdict v, const ending::NoStep& where) {
+  // What is to be reported as a defect, or was stopped, is nothing of the step's.
+  if (v.status == Status::interrupted || v.status == Status::invalid_number) return v;
+  const FilmPlace place = v.place;
+  return {Status::iteration_limit, where, place, {std::move(v)}};
+}
+
+}  // namespace shellback::bearing

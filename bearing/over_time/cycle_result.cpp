@@ -1,0 +1,41 @@
+#include <cmath>
+
+#include "bearing/over_time/cycle.hpp"
+
+namespace shellback::bearing {
+
+double value_of(const CycleResult& r, const std::string& name) {
+  for (const CycleQuantity& q : r.quantities) {
+    if (q.quantity.name == name) return q.quantity.value;
+  }
+  return NAN;
+}
+
+Result head_of(const CycleResult& r) {
+  Result head;
+  head.verdict = r.verdict;
+  head.tier = r.tier;
+  head.title = r.title;
+  head.limiters = r.limiters;
+  head.warnings = r.warnings;
+  head.assumptions = r.assumptions;
+  head.grid = r.grid;
+  head.cost = r.cost;
+  head.audit.mass = r.audit.mass;
+  head.audit.load = r.audit.load;
+  head.audit.energy = r.audit.energy;
+  head.audit.moment = NAN;
+  head.choice = r.choice;
+  return head;
+}
+
+Result as_result(const CycleResult& r) {
+  Result result = head_of(r);
+  for (const CycleQuantity& q : r.quantities) {
+    result.quantities.push_back(q.quantity);
+    if (std::isfinite(q.error_time)) result.quantities.back().error_grid += q.error_time;
+  }
+  return result;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,217 @@
+#include "bearing/over_time/cycle_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bearing/heat_endings.hpp"
+#include "bearing/over_time/tape_members.hpp"
+#include "bearing/solve.hpp"
+#include "core/fixed_point.hpp"
+#include "core/largest.hpp"
+#include "rheology/viscosity.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr int kTurns = 15;           ///< of the walls, after which the oil is given time to follow
+constexpr int kStalled = 2;          ///< rounds of walls and oil after which walls change no less
+constexpr int kWornShapeTurns = 40;  ///< turns of the walls, and cycles, of a worn shape
+
+}  // namespace
+
+CycleSearch::CycleSearch(const Case& c, Tier tier, const SolveControl& control)
+    : CycleSearch(c, tier, physics_of(c, tier), control) {}
+
+CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
+                         const SolveControl& control, std::shared_ptr<const Solids> solids)
+    : passes_(c, tier, physics, control, std::move(solids)) {}
+
+void CycleSearch::members(Tape& tape) {
+  tape(closure_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
+       round_change_, stalled_);
+  tape(walls_begun_, answers_);
+}
+
+void CycleSearch::ended(Tape& tape) {
+  passes_.members(tape);
+  tape(closure_, answered_, off_, mean_change_, wall_change_, unsettled_);
+}
+
+void CycleSearch::begin(Tape& tape) {
+  passes_.begin(tape, [this](Tape& rest) { members(rest); });
+}
+
+void CycleSearch::begin_between(const WallMeans& walls, double T) {
+  held_ = true;
+  passes_.begin_between(walls, T);
+}
+
+bool CycleSearch::begin_reshaped(const CycleSearch& other) {
+  return passes_.begin_reshaped(other.passes_, other.answered_);
+}
+
+void CycleSearch::set_temperature(double T) {
+  passes_.set_temperature(T);
+  unsettled_ = {};
+}
+
+const Verdict& CycleSearch::verdict() const {
+  return unsettled_.good() ? passes_.verdict() : unsettled_;
+}
+
+bool CycleSearch::pass(const WallMeans* between) {
+  const int before = cycles();
+  const bool from_another = before > 0 && !oil_.just_led();
+  const auto rest = [this](Tape& tape) { members(tape); };
+  const bool good = between ? passes_.pass_between(*between, rest) : passes_.pass(rest);
+  if (cycles() == before) return false;
+  if (good && from_another) closure_.add(passes_.difference());
+  oil_.passed();
+  return good;
+}
+
+void CycleSearch::until_closed(double within) {
+  if (!brought_back()) {
+    closure_ = {};
+    oil_.begin(passes_.oil());
+  }
+  while (pass() && repeats() && !closure_.closed(within)) {
+    const bool seen = std::isfinite(closure_.last);  // of a cycle that was not begun with led oil
+    lead_oil_on();
+    if (cycles() >= most_ && seen) return cycles_unsettled();
+  }
+}
+
+void CycleSearch::lead_oil_on() {
+  if (passes_.has_marks()) return;
+  const auto leads_to = oil_.after(passes_.oil(), cycles());
+  if (!leads_to) return;
+  passes_.put_oil(*leads_to);
+  oil_.led_to(passes_.oil());
+  closure_.lead_on();
+}
+
+bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>& g) {
+  const double clearance = film().model().clearance;
+  WallMeans walls = *passes_.walls();
+  unpack(x, clearance, walls);
+  if (!pass(&walls)) return false;
+  wall_change_ = change_of_walls();
+  passes_.swing_about(answered_->flux);
+  g = packed(*answered_, clearance);
+  return true;
+}
+
+bool CycleSearch::settle_walls(const WallMeans& from, bool rough, int turns) {
+  const BearingModel& model = film().model();
+  const double T = mean_supply_temperature(model.input);
+  const double by_T = -rheology::viscosity_slopes(model.oil, T, 0.0, 0.0).dln_dT;
+  const bool coarsely = rough || !(by_T > 0.0);
+  const double enough = coarsely ? kWallsOff : std::min(kWallsOff, passes_.error() / by_T);
+  if (!brought_back()) {
+    walls_begun_ = packed(from, model.clearance);
+    answers_.clear();
+  }
+  std::vector<double> x = walls_begun_;
+  const auto map = [this](const std::vector<double>& at, std::vector<double>& g) {
+    if (auto known = answers_.next()) {
+      g = *std::move(known);
+      return true;
+    }
+    if (!answer_walls(at, g)) return false;
+    answers_.add(g);
+    return true;
+  };
+  return fixed_point(map, {FixedPointOptions{}.depth, 1, turns, enough / kHeatUnit}, x) ==
+         FixedPointEnd::converged;
+}
+
+void CycleSearch::settle_walls_and_oil(bool rough) {
+  while (true) {
+    const bool to_walls = !brought_back() || phase_ != Phase::closing;
+    if (to_walls) {
+      phase_ = Phase::walls;
+      settled_ = settle_walls(*passes_.walls(), rough, kTurns);
+      if (!verdict().good() || (settled_ && rough)) return;
+    }
+    phase_ = Phase::closing;
+    until_closed(settled_ ? kClosed : passes_.error());
+    if (!verdict().good()) return;
+    wall_change_ = change_of_walls();
+    if (settled_ && wall_change_ <= kWallsOff) return;
+    stalled_ = wall_change_ < round_change_ ? 0 : stalled_ + 1;
+    round_change_ = wall_change_;
+    if (cycles() >= most_ || stalled_ == kStalled) return walls_unsettled();
+  }
+}
+
+double CycleSearch::change_of_walls() {
+  const FilmSteps& steps = film();
+  const WallMeans& walls = *passes_.walls();
+  BodiesAnswer answer = answer_of_bodies(steps.model(), walls, passes_.heat(), passes_.response(),
+                                         steps.heat()->skin().nodes());
+  const HeatTaken taken = told().heat_taken();
+  off_ = {answer.solids.shell.heat_in - taken.shell, answer.solids.shaft.heat_in - taken.shaft};
+  answered_ = std::move(answer.walls);
+  mean_change_ = mean_difference(steps.model().domain.grid, *answered_, walls);
+  const double clearance = steps.model().clearance;
+  return kHeatUnit * largest_difference(packed(*answered_, clearance), packed(walls, clearance));
+}
+
+void CycleSearch::walls_unsettled() {
+  unsettled_ = {Status::iteration_limit,
+                ending::Unsettled{ending::Iteration::walls_of_cycles, cycles(), wall_change_}};
+}
+
+void CycleSearch::cycles_unsettled() {
+  unsettled_ = {Status::iteration_limit,
+                ending::Unsettled{ending::Iteration::cycles, cycles(), closure_.last, false,
+                                  told().oil_gathered()}};
+}
+
+const Verdict& CycleSearch::search(bool rough) {
+  if (!verdict().good()) return verdict();
+  if (!brought_back()) {
+    most_ = cycles() + kMostCycles;
+    round_change_ = INFINITY;
+    stalled_ = 0;
+  }
+  if (!heat() || held_ || !repeats()) {
+    until_closed(kClosed);
+    return verdict();
+  }
+  if (!brought_back()) phase_ = passes_.measured() == 0 ? Phase::orbit : Phase::walls;
+  if (phase_ == Phase::orbit && !pass()) return verdict();  // before heat is looked at
+  settle_walls_and_oil(rough);
+  return verdict();
+}
+
+const Verdict& CycleSearch::follow() {
+  for (int k = 0; k < kWornShapeTurns && verdict().good(); ++k) {
+    if (heat()) {
+      settled_ = settle_walls(answered_ ? *answered_ : *passes_.walls(), true, kWornShapeTurns);
+      if (!settled_ && verdict().good()) walls_unsettled();
+    } else {
+      pass();
+    }
+    if (!verdict().good()) return verdict();
+    closure_.last = told().drift();
+    if (closure_.last <= passes_.error()) return verdict();
+  }
+  if (verdict().good()) cycles_unsettled();
+  return verdict();
+}
+
+CycleResult CycleSearch::result() const {
+  CycleResult r = passes_.result();
+  r.verdict = verdict();
+  r.closure = closure_.last;
+  r.audit.walls = wall_change_;
+  r.audit.walls_mean = mean_change_;
+  r.audit.to_shell = off_.shell;
+  r.audit.to_shaft = off_.shaft;
+  return r;
+}
+
+}  // namespace shellback::bearing

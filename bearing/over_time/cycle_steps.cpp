@@ -1,0 +1,154 @@
+#include "bearing/over_time/cycle_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/round_off.hpp"
+#include "core/step_control.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+constexpr double kTaken = 1.5;  ///< a step of the period before stands until it errs so much more
+
+}  // namespace
+
+CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
+                       const StepOptions& options)
+    : film_(film), length_(length), options_(options), wish_(options.after_jump) {
+  for (LoadCorner c : course.corners()) {
+    if (course.repeats() && c.t >= length) c.t -= length;
+    corners_.push_back(c);
+  }
+  for (const double t : film.vessels().switchings()) corners_.push_back({t, true, 0.0});
+  if (!film.model().input.cycle) return;
+  for (const double t : film.model().input.cycle->fields_at) {
+    corners_.push_back({t, false, INFINITY});  // steps end there, however little is felt
+  }
+}
+
+/// A corner in the middle of a step moves the load by an eighth of its change of slope times dt:
+/// where that is more than the film's allowed error, the step ends on it.
+double CycleSteps::next_corner(double since, double dt) const {
+  double next = length_;
+  for (const LoadCorner& c : corners_) {
+    const bool felt = c.jump || c.slope_change * dt > 8.0 * options_.error;
+    if (felt && c.t > since + kRoundOff * length_ && c.t < next) next = c.t;
+  }
+  return next;
+}
+
+double CycleSteps::end_of_step(double since, double dt) const {
+  const double round = kRoundOff * length_;
+  double end = next_corner(since, dt);
+  // No sliver is left: what is less than two steps is halved.
+  if (options_.fixed <= 0.0 && end - since > dt + round && end - since < 2.0 * dt) {
+    return since + 0.5 * (end - since);
+  }
+  end = std::min(end, since + dt);
+  return length_ - end < round ? length_ : end;
+}
+
+bool CycleSteps::jump_at(double since) const {
+  const double round = kRoundOff * length_;
+  return std::any_of(corners_.begin(), corners_.end(), [&](const LoadCorner& c) {
+    return c.jump && (std::abs(c.t - since) < round || std::abs(c.t - length_ - since) < round);
+  });
+}
+
+double CycleSteps::length_for(const FilmStep& step, double dt, bool anew) const {
+  if (!step.verdict.good()) return kStepShorter * dt;
+  return dt * step_growth(options_.error, step.error, anew);
+}
+
+FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, PeriodEnd& out,
+                          EquilibriumCost& cost, const SolveControl& control) {
+  const bool anew = now.oil_slope.empty();
+  const auto old = std::upper_bound(before_.begin(), before_.end(), since + kStepShorter * wish_);
+  const bool again = old != before_.end() && *old - since <= kStepLonger * wish_;
+  end = again ? std::min(*old, next_corner(since, *old - since))
+              : end_of_step(since, options_.fixed > 0.0 ? options_.fixed : wish_);
+  double most = again ? kTaken * options_.error : options_.error;
+  while (true) {
+    if (options_.fixed > 0.0) most = INFINITY;
+    FilmStep step = film_.take(end - since, now, cost, control.stop);
+    const bool good = step.verdict.good();
+    const bool ended =
+        step.verdict.status == Status::interrupted || step.verdict.status == Status::invalid_number;
+    if (ended || (good && step.error <= most)) return step;
+    most = options_.error;
+    const double shorter =
+        std::min(length_for(step, end - since, anew), kStepSafety * (end - since));
+    if (shorter < options_.shortest) return step;
+    ++out.rejected;
+    wish_ = shorter;
+    end = since + shorter;
+  }
+}
+
+void CycleSteps::repeat(const CycleSteps& other) {
+  ends_ = other.ends_;
+  wish_ = other.wish_;
+}
+
+void CycleSteps::members(Tape& tape) {
+  tape(ends_, before_, wish_, begun_, since_, end_.accepted, end_.rejected, end_.over);
+}
+
+PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveControl& control,
+                           const TellStep& tell, const std::function<void()>& landed) {
+  if (!std::exchange(brought_back_, false)) {
+    end_ = {};
+    begun_ = now.t;
+    since_ = 0.0;
+    before_ = std::move(ends_);
+    ends_.clear();
+  }
+  while (since_ < length_) {
+    const double wished = wish_;
+    const EquilibriumCost spent = cost;
+    const int rejected = end_.rejected;
+    const FilmSteps::Supplies supplies = film_.supplies();
+    if (jump_at(since_) || now.oil_slope.empty()) {
+      now.oil_slope.clear();
+      wish_ = options_.after_jump;
+    }
+    double end = 0.0;
+    FilmStep step = find(since_, now, end, end_, cost, control);
+    if (stopped(control)) step.verdict = {Status::interrupted};
+    if (step.verdict.good() && end_.accepted == kMostStepsInTime) {
+      step.verdict = {Status::iteration_limit, ending::Plain::steps_too_short};
+    }
+    if (step.verdict.status == Status::interrupted) {  // as if the step had never been tried
+      wish_ = wished;
+      cost = spent;
+      end_.rejected = rejected;
+      film_.put_back(supplies);
+    }
+    if (!step.verdict.good()) {
+      end_.verdict = step.verdict;
+      return end_;
+    }
+    accept(end, now, step, tell);
+    landed();
+  }
+  return end_;
+}
+
+void CycleSteps::accept(double end, FilmInTime& now, FilmStep& step, const TellStep& tell) {
+  const double dt = end - since_;
+  const double next = length_for(step, dt, now.oil_slope.empty());
+  if (step.error > kTaken * options_.error) ++end_.over;
+  // A step that was cut short says nothing against the length that was wished for.
+  const bool cut = dt < (1.0 - kRoundOff) * wish_ && !(step.error > options_.error);
+  wish_ = std::min(options_.longest, cut ? std::max(wish_, next) : next);
+  since_ = end;
+  step.after.t = begun_ + since_;
+  ends_.push_back(since_);
+  ++end_.accepted;
+  tell(step, dt);
+  now = std::move(step.after);
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,339 @@
+/// What a record of a cycle tells once it has been passed: its numbers, its audit, how it closes.
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bearing/film_heat.hpp"
+#include "bearing/over_time/cycle_record.hpp"
+#include "bearing/solve.hpp"
+#include "bearing/told_ranges.hpp"
+#include "core/constants.hpp"
+#include "core/largest.hpp"
+#include "core/round_off.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// Mean over the steps of f of each instant; not a number where there is none.
+template <class F>
+double mean_of(const std::vector<CycleInstant>& all, F f) {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < all.size(); ++k) sum += 0.5 * all[k].dt * (f(all[k]) + f(all[k - 1]));
+  return all.back().t > 0.0 ? sum / all.back().t : NAN;
+}
+
+}  // namespace
+
+double CycleRecord::mean(double CycleInstant::*value) const {
+  return mean_of(instants_, [value](const CycleInstant& i) { return i.*value; });
+}
+
+double CycleRecord::mean_magnitude(double CycleInstant::*value) const {
+  return mean_of(instants_, [value](const CycleInstant& i) { return std::abs(i.*value); });
+}
+
+namespace {
+
+/// The instant at which a value is smallest or largest.
+const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
+                            bool smallest) {
+  const auto less = [&](const CycleInstant& a, const CycleInstant& b) {
+    return a.*value < b.*value;
+  };
+  return smallest ? *std::min_element(all.begin(), all.end(), less)
+                  : *std::max_element(all.begin(), all.end(), less);
+}
+
+CycleQuantity named(const char* name, double value) {
+  CycleQuantity q;
+  q.quantity.name = name;
+  q.quantity.value = value;
+  q.quantity.unit = std::string(find_quantity(name)->unit);
+  return q;
+}
+
+CycleQuantity extreme_named(const char* name, const std::vector<CycleInstant>& all,
+                            double CycleInstant::*value, bool smallest) {
+  const CycleInstant& i = extreme(all, value, smallest);
+  CycleQuantity q = named(name, i.*value);
+  q.at = i.t;
+  return q;
+}
+
+struct LiftOff {
+  double t = 0.0;      ///< [s]
+  double omega = 0.0;  ///< [rad/s]
+};
+
+/// When, behind a rest in contact, asperities come to rub with a hundredth of the breakaway torque;
+/// none: no start, or none that ends in a full film. Between instants their torque falls about
+/// exponentially, as the tail of the heights does.
+std::optional<LiftOff> lift_off(const std::vector<CycleInstant>& all, double slow) {
+  constexpr double kLifted = 0.01;  // a hundredth of a torque is not seen in any measured one
+  double breakaway = 0.0;
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const CycleInstant& i = all[k];
+    if (all[k - 1].omega == 0.0) breakaway = all[k - 1].breakaway;
+    if (std::abs(i.omega) <= slow || breakaway == 0.0) continue;
+    const double wanted = kLifted * breakaway;
+    const double now = std::abs(i.torque_asperity);
+    const double before = std::abs(all[k - 1].torque_asperity);
+    if (now >= wanted) continue;
+    const bool between = before > wanted && now > 0.0;
+    const double part = between ? std::log(before / wanted) / std::log(before / now) : 1.0;
+    return LiftOff{all[k - 1].t + part * i.dt,
+                   all[k - 1].omega + part * (i.omega - all[k - 1].omega)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<CycleQuantity> CycleRecord::quantities() const {
+  std::vector<CycleQuantity> out;
+  const auto add_mean = [&](const char* name, double CycleInstant::*v) {
+    out.push_back(named(name, mean(v)));
+    out.back().quantity.magnitude = mean_magnitude(v);
+  };
+  const auto add_extreme = [&](const char* name, double CycleInstant::*v, bool smallest) {
+    out.push_back(extreme_named(name, instants_, v, smallest));
+  };
+  add_mean("friction_torque", &CycleInstant::torque);
+  add_mean("friction_torque_asperity", &CycleInstant::torque_asperity);
+  if (std::isfinite(instants_.front().torque_abrasive)) {
+    add_mean("friction_torque_abrasive", &CycleInstant::torque_abrasive);
+    add_mean("friction_torque_adhesive", &CycleInstant::torque_adhesive);
+    add_mean("friction_torque_micro_hydrodynamic", &CycleInstant::torque_micro_hydrodynamic);
+  }
+  out.push_back(named("power_loss", work_ / told()));
+  out.back().quantity.magnitude = mean_magnitude(&CycleInstant::power);
+  add_extreme("h_min", &CycleInstant::h_min, true);
+  add_extreme("p_max", &CycleInstant::p_max, false);
+  if (film_->model().contact) {
+    add_extreme("p_asperity_max", &CycleInstant::p_asperity_max, false);
+  }
+  if (extreme(instants_, &CycleInstant::breakaway, false).breakaway > 0.0) {
+    add_extreme("breakaway_torque", &CycleInstant::breakaway, false);
+    const double slow = solid::BoundaryFriction::kSliding / film_->model().domain.grid.radius;
+    if (const auto lifted = lift_off(instants_, slow)) {
+      out.push_back(named("lift_off_speed", lifted->omega));
+      out.back().at = lifted->t;
+    }
+  }
+  const double rho = reference_density(film_->model());
+  out.push_back(named("side_flow", side_ / told() / rho));
+  out.push_back(named("supply_flow", supply_ / told() / rho));
+  if (film_->vessels().any()) add_extreme("p_vessel_min", &CycleInstant::p_vessel, true);
+  if (!layer_depth_.empty()) {
+    out.push_back(named("layer_depth", largest(layer_depth_)));
+    out.back().at = instants_.back().t;
+    out.push_back(
+        named("layer_loss", film_->model().domain.grid.multiplicity() * layer_loss_ / told()));
+  }
+  if (heat_.to_shell.empty()) {
+    out.push_back(named("T_film_mean", T_film_ / told()));
+  } else {
+    add_heat(out);
+  }
+  return out;
+}
+
+void CycleRecord::add_heat(std::vector<CycleQuantity>& out) const {
+  out.push_back(extreme_named("T_film_max", instants_, &CycleInstant::T_film_max, false));
+  out.push_back(named("T_film_mean", T_film_ / told()));
+  out.push_back(extreme_named("T_shell_max", instants_, &CycleInstant::T_shell_max, false));
+  const double both = film_->model().domain.grid.multiplicity();
+  const auto& b = heat_.balance;
+  out.push_back(named("heat_by_oil", both * (b.carried_out - b.carried_in) / told()));
+  const HeatTaken taken = heat_taken();
+  out.push_back(named("heat_to_shell", taken.shell));
+  out.push_back(named("heat_to_shaft", taken.shaft));
+}
+
+HeatTaken CycleRecord::heat_taken() const {
+  const auto over_area = [&](const Field& heat) {
+    const FilmGrid& g = film_->model().domain.grid;
+    double sum = 0.0;
+    for (int c = 0; c < g.cells(); ++c) sum += heat[c] * g.area(c / g.nz, c % g.nz);
+    return g.multiplicity() * sum / told();
+  };
+  return {over_area(heat_.to_shell), over_area(heat_.to_shaft)};
+}
+
+CycleAudit CycleRecord::audit() const {
+  CycleAudit a;
+  const double gathered = oil_ended_ - oil_begun_;
+  const double in_vessels = vessels_ended_ - vessels_begun_;
+  a.mass = larger(std::abs(supply_ - side_ - gathered),
+                  std::abs(line_ - side_ - gathered - in_vessels)) /
+           oil_ended_;
+  a.load = off_balance_ / course_->largest_load();
+  a.impulse = NAN;
+  if (!heat_.to_shell.empty()) {
+    const double both = film_->model().domain.grid.multiplicity();
+    a.energy = std::abs(heat_.balance.imbalance()) / heat_.balance.heat;
+    const double made = heat_.balance.heat + heat_.rubbed + layer_loss_;
+    a.work = (heat_.work - both * made - (stored_ended_ - stored_begun_)) / heat_.work;
+  }
+  if (std::abs(told() / length_ - 1.0) > 1e-6) return a;  // stopped before the end
+  const auto load = course_->impulse();
+  double off = 0.0;
+  for (int k = 0; k < 2; ++k) {
+    off =
+        larger(off, std::abs(impulse_[k] + load[k] - film_->mass() * (v_ended_[k] - v_begun_[k])));
+  }
+  a.impulse = off / (course_->largest_load() * length_);
+  return a;
+}
+
+CycleMeans CycleRecord::means() const {
+  CycleMeans m{mean(&CycleInstant::torque),
+               mean(&CycleInstant::torque_asperity),
+               T_film_ / told(),
+               (work_ + pump_) / told(),
+               side_ / told(),
+               fed_};
+  for (double& fed : m.fed) fed /= told();
+  return m;
+}
+
+namespace {
+
+double largest_torque(const std::vector<CycleInstant>& all) {
+  double most = 0.0;
+  for (const CycleInstant& i : all) most = larger(most, std::abs(i.torque));
+  return most;
+}
+
+}  // namespace
+
+double CycleRecord::oil_drift() const {
+  const double film = std::abs(oil_gathered());
+  const std::vector<double> vessels = film_->vessels().full();
+  const double full = std::accumulate(vessels.begin(), vessels.end(), 0.0);
+  return full > 0.0 ? larger(film, std::abs(vessels_ended_ - vessels_begun_) / full) : film;
+}
+
+double CycleRecord::momentum_drift() const {
+  const double change = std::hypot(v_ended_[0] - v_begun_[0], v_ended_[1] - v_begun_[1]);
+  const double load =
+      mean_of(instants_, [](const CycleInstant& i) { return std::hypot(i.load_x, i.load_y); });
+  return load > 0.0 ? film_->mass() * change / (load * told()) : 0.0;
+}
+
+double CycleRecord::change_of_film(double h, double other) const {
+  return std::abs(other - h) / yielding_gap(h, film_->model().domain.rough.sigma);
+}
+
+double CycleRecord::drift() const {
+  const CycleInstant& first = instants_.front();
+  const CycleInstant& last = instants_.back();
+  const double most = larger(oil_drift(), change_of_film(first.h_min, last.h_min));
+  const double torque = largest_torque(instants_);
+  return torque > 0.0 ? larger(most, std::abs(last.torque - first.torque) / torque) : most;
+}
+
+double CycleRecord::difference(const CycleRecord& other) const {
+  const double h = extreme(instants_, &CycleInstant::h_min, true).h_min;
+  const double h_other = extreme(other.instants_, &CycleInstant::h_min, true).h_min;
+  const double torque = largest_torque(instants_);
+  double most = larger(larger(oil_drift(), momentum_drift()), change_of_film(h, h_other));
+  if (torque == 0.0) return most;  // nothing turns
+  most = larger(most, std::abs(largest_torque(other.instants_) - torque) / torque);
+  const auto mean_of = [](const CycleRecord& r) { return r.mean(&CycleInstant::torque); };
+  return larger(most, std::abs(mean_of(other) - mean_of(*this)) / torque);
+}
+
+void CycleRecord::write(CycleResult& r) const {
+  const BearingModel& m = film_->model();
+  const FilmGrid& g = m.domain.grid;
+  r.title = m.input.title;
+  r.period = length_;
+  r.crank_speed = m.input.cycle->crank_speed;
+  r.grid = {g.nt, g.full_nz()};
+  r.warnings.assign(m.input.warnings.begin(), m.input.warnings.end());
+  r.assumptions.assign(m.input.assumptions.begin(), m.input.assumptions.end());
+  if (instants_.size() < 2) return;
+  r.instants = instants_;
+  r.quantities = quantities();
+  r.audit = audit();
+  r.fields.grid = full_grid(g);
+  r.fields.p_max = mirror_to_full(g, p_max_);
+  if (m.contact) r.fields.p_asperity_max = mirror_to_full(g, p_asperity_max_);
+  r.fields.h_min = mirror_to_full(g, h_min_);
+  Field friction = friction_;
+  for (double& x : friction) x /= told();
+  r.fields.friction_power = mirror_to_full(g, friction);
+  if (!layer_depth_.empty()) r.fields.layer_depth = mirror_to_full(g, layer_depth_);
+  r.frames = frames_;
+  if (dry_ > 0.0) {
+    r.warnings.push_back(note::VesselEmpty{dry_ / told()});
+  }
+  for (const note::MouthWidened& w : film_->drillings().widened(film_->point().scene))
+    r.warnings.push_back(w);
+  tell_ranges(r);
+  if (film_->heat() && !heat_.to_shell.empty()) write_heat(r);
+}
+
+void CycleRecord::tell_ranges(CycleResult& r) const {
+  const BearingModel& m = film_->model();
+  const auto at = static_cast<int>(std::min_element(h_min_.begin(), h_min_.end()) - h_min_.begin());
+  const FilmGrid& g = m.domain.grid;
+  const double h_min = extreme(instants_, &CycleInstant::h_min, true).h_min;  // of edges, too
+  const fluid::SmallestGap least{h_min_[at], g.phi[at / g.nz], g.z[at % g.nz]};
+  const double T = extreme(instants_, &CycleInstant::T_film_max, false).T_film_max;
+  FilmReach reach{NAN, T, largest(p_max_), h_min_, least, h_min};
+  if (film_->heat()) reach.T_shell = largest(T_shell_max_);
+  if (!layer_depth_.empty()) reach.layer_depth = largest(layer_depth_);
+  for (Note& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
+  add_turbulence(m, course_->largest_speed() * m.input.bearing.radius, T_film_ / told(),
+                 r.warnings);
+  for (const LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(l);
+  if (bent_edges_ > 0) r.limiters.push_back({Limiter::bent_edges, (g.half ? 2 : 1) * bent_edges_});
+}
+
+double CycleRecord::shaft_swing() const {
+  const BearingModel& m = film_->model();
+  const FilmGrid& g = m.domain.grid;
+  std::array<double, 2> first{};
+  double low = INFINITY;
+  double high = -INFINITY;
+  for (int c = 0; c < g.cells(); ++c) {
+    const double phi = g.phi[c / g.nz];
+    const double heat = 2.0 * heat_.to_shaft[c] / told() * g.area(c / g.nz, c % g.nz);
+    first[0] += heat * std::cos(phi);
+    first[1] += heat * std::sin(phi);
+  }
+  for (const CycleInstant& i : instants_) {
+    low = std::min(low, i.heat_to_shaft);
+    high = std::max(high, i.heat_to_shaft);
+  }
+  const double area = 2.0 * kPi * g.radius * g.width;
+  const double turning = g.multiplicity() * std::hypot(first[0], first[1]) / area;
+  const double over_cycle = 0.5 * (high - low) / area;
+  const solid::Material& steel = m.input.shaft->material;
+  const auto swing = [&](double q, double omega) {
+    const double effusivity = std::sqrt(steel.conductivity * steel.density * steel.heat_capacity);
+    return omega > 0.0 ? q / (effusivity * std::sqrt(omega)) : 0.0;
+  };
+  return swing(turning, course_->largest_speed()) + swing(over_cycle, 2.0 * kPi / length_);
+}
+
+void CycleRecord::write_heat(CycleResult& r) const {
+  const FilmGrid& g = film_->model().domain.grid;
+  const auto mean_over_time = [&](Field x) {
+    for (double& v : x) v /= told();
+    return mirror_to_full(g, x);
+  };
+  r.walls = film_->heat()->walls;
+  r.assumptions.push_back(note::ShaftSwing{shaft_swing()});
+  r.fields.T_shell = mean_over_time(T_shell_);
+  r.fields.heat_to_shell = mean_over_time(heat_.to_shell);
+  r.fields.T_shell_max = mirror_to_full(g, T_shell_max_);
+  if (!film_->heat()->walls.thermal_deformation.empty()) {
+    r.fields.thermal_deformation = mirror_to_full(g, film_->heat()->walls.thermal_deformation);
+  }
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,105 @@
+#include "bearing/over_time/cycle_walls.hpp"
+
+#include <cmath>
+
+#include "bearing/heat_state.hpp"
+#include "bearing/over_time/tape_members.hpp"
+#include "core/constants.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+
+void CycleHeat::begin(const FilmInTime& now) {
+  last_ = now.heat.skin;
+  skin_.assign(last_.size(), 0.0);
+}
+
+void CycleHeat::add(const FilmStep& step, double dt) {
+  flows_.add(1.0, step.heat);
+  const std::vector<double>& now = step.after.heat.skin;
+  for (std::size_t k = 0; k < now.size(); ++k) skin_[k] += 0.5 * dt * (last_[k] + now[k]);
+  last_ = now;
+  time_ += dt;
+}
+
+void CycleHeat::look_at(const BearingModel& model, const OperatingPoint& point,
+                        const FilmEquilibrium& s) {
+  const thermal::WallResponse r = lasting_film(model, point, s).wall_response(kSweepsOfResponse);
+  response_.shell += r.shell;
+  response_.shaft += r.shaft;
+  response_.across += r.across;
+  response_.back += r.back;
+  response_.shell_local += r.shell_local;
+  response_.shell_ring += r.shell_ring;
+  response_.shaft_ring += r.shaft_ring;
+  ++looks_;
+}
+
+thermal::WallResponse CycleHeat::response() const {
+  const double part = 1.0 / looks_;
+  const thermal::WallResponse& r = response_;
+  return {part * r.shell,       part * r.shaft,      part * r.across,    part * r.back,
+          part * r.shell_local, part * r.shell_ring, part * r.shaft_ring};
+}
+
+std::vector<double> CycleHeat::mean_skin() const {
+  std::vector<double> mean = skin_;
+  for (double& x : mean) x /= time_;
+  return mean;
+}
+
+void CycleHeat::members(Tape& tape) {
+  auto& [flows, skin, last, time, response, looks] = *this;
+  tape(flows, skin, last, time, response, looks);
+}
+
+std::vector<double> packed(const WallMeans& walls, double clearance) {
+  std::vector<double> x;
+  x.reserve(walls.shell.size() + walls.shaft.size() + walls.thermal_deformation.size());
+  for (const double T : walls.shell) x.push_back(T / kHeatUnit);
+  for (const double T : walls.shaft) x.push_back(T / kHeatUnit);
+  for (const double d : walls.thermal_deformation) x.push_back(d / clearance);
+  return x;
+}
+
+void unpack(const std::vector<double>& x, double clearance, WallMeans& walls) {
+  auto at = x.begin();
+  for (double& T : walls.shell) T = kHeatUnit * *at++;
+  for (double& T : walls.shaft) T = kHeatUnit * *at++;
+  for (double& d : walls.thermal_deformation) d = clearance * *at++;
+}
+
+double mean_difference(const FilmGrid& g, const WallMeans& a, const WallMeans& b) {
+  Field shell(a.shell.size());
+  for (std::size_t k = 0; k < shell.size(); ++k) shell[k] = std::abs(a.shell[k] - b.shell[k]);
+  double shaft = 0.0;
+  for (int j = 0; j < g.nz; ++j) shaft += g.dz[j] * std::abs(a.shaft[j] - b.shaft[j]);
+  return larger(area_mean(g, shell), shaft / (g.z_face.back() - g.z_face.front()));
+}
+
+BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
+                              const CycleHeat& heat, const thermal::WallResponse& response,
+                              int skin_nodes, const SolidStep* step, const HeatTaken& more) {
+  const FilmGrid& g = model.domain.grid;
+  const std::vector<double> skin = heat.mean_skin();
+  WallFlux q{Field(g.cells(), 0.0), std::vector<double>(g.nz, 0.0), response};
+  Field met = walls.shell;
+  const double area = 2.0 * kPi * g.radius * g.width;
+  std::fill(q.shaft.begin(), q.shaft.end(), more.shaft / area);
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int c = g.index(i, j);
+      q.shell[c] = heat.flows().to_shell[c] / heat.time() + more.shell / area;
+      q.shaft[j] += heat.flows().to_shaft[c] / heat.time() * g.dphi[i] / (2.0 * kPi);
+      met[c] += skin[static_cast<std::size_t>(c) * skin_nodes];
+    }
+  }
+  BodiesAnswer out;
+  out.solids =
+      model.solids->answer(q, met, walls.shaft, {model.physics.thermal_deformation, true}, step);
+  out.walls = {out.solids.shell.surface, out.solids.shaft.temperature, q.shell,
+               out.solids.thermal_deformation};
+  return out;
+}
+
+}  // namespace shellback::bearing

@@ -1,0 +1,75 @@
+#pragma once
+/// The bodies behind the walls over a load cycle: their mean temperatures and thermal deformation.
+///
+/// Shell, housing and shaft take seconds to minutes to warm; over a cycle they are where the mean
+/// heat of the cycle holds them. From the mean flux <q> into the walls that a cycle has found with
+/// some walls, and the film's mean response to their temperature, follow the walls of the next one
+/// (Solids::answer); the fixed point is the periodic state. Where the skin has warmed in the mean,
+/// that belongs to the body and is taken from it. Source: methods 3.5.
+#include "bearing/over_time/film_step.hpp"
+#include "bearing/solids.hpp"
+#include "core/tape.hpp"
+
+namespace shellback::bearing {
+
+/// Mean heat of one cycle, gathered step by step.
+class CycleHeat {
+ public:
+  /// The film with which the cycle begins.
+  void begin(const FilmInTime& now);
+  /// One accepted step of dt.
+  void add(const FilmStep& step, double dt);
+  /// Measures how the film of this instant would answer its walls.
+  void look_at(const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& s);
+
+  [[nodiscard]] bool looked() const { return looks_ > 0; }
+  [[nodiscard]] double time() const { return time_; }  ///< [s]
+  /// Over the cycle [J], [J/m2].
+  [[nodiscard]] const HeatFlows& flows() const { return flows_; }
+  [[nodiscard]] thermal::WallResponse response() const;  ///< mean [W/(m2 K)]
+  /// Mean of the skin over the cycle, as HeatInTime::skin [K].
+  [[nodiscard]] std::vector<double> mean_skin() const;
+  /// For a tape.
+  void members(Tape& tape);
+
+ private:
+  HeatFlows flows_;
+  std::vector<double> skin_;  ///< integral over time [K s]
+  std::vector<double> last_;  ///< at the last instant [K]
+  double time_ = 0.0;
+  thermal::WallResponse response_;  ///< sum
+  int looks_ = 0;
+};
+
+/// Temperatures and thermal deformation of the walls, in units of an iteration: kHeatUnit and
+/// clearances.
+[[nodiscard]] std::vector<double> packed(const WallMeans& walls, double clearance);
+/// Back into walls that have as many of them.
+void unpack(const std::vector<double>& x, double clearance, WallMeans& walls);
+
+/// Mean over shell or shaft, whichever is more, of the magnitude by which their temperatures differ
+/// [K].
+[[nodiscard]] double mean_difference(const FilmGrid& g, const WallMeans& a, const WallMeans& b);
+
+/// What the bodies come to.
+struct BodiesAnswer {
+  WallMeans walls;
+  SolidTemperature solids;
+};
+
+/// Mean heat into shell and shaft of the whole bearing [W].
+struct HeatTaken {
+  double shell = 0.0;
+  double shaft = 0.0;
+};
+
+/// The walls for the mean heat that a cycle has found with `walls`: in the periodic state, or at
+/// the end of a step in time through which the bodies see that heat, and `more` besides, spread
+/// evenly [W].
+[[nodiscard]] BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
+                                            const CycleHeat& heat,
+                                            const thermal::WallResponse& response, int skin_nodes,
+                                            const SolidStep* step = nullptr,
+                                            const HeatTaken& more = {});
+
+}  // namespace shellback::bearing

@@ -1,0 +1,94 @@
+#include "bearing/over_time/stretch.hpp"
+
+#include <algorithm>
+
+#include "bearing/first_film.hpp"
+#include "bearing/over_time/kept_run.hpp"
+#include "bearing/over_time/march_members.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+MarchEnd over_cycles(const Case& c, Tier tier, const WarmUpOptions& o, StretchEnd ends,
+                     const SolveControl& control, CarriedOver& carried, Solution& last,
+                     const TellStretch& tell) {
+  constexpr double kSteps = 16.0;  // of a stretch at least: see the header
+  SolveControl within = control;   // of each cycle; kept is what lies between them
+  within.kept = nullptr;
+  CyclePasses passes(c, tier, physics_of(c, tier), within);
+  last.model = passes.film().model();
+  CycleMarch march;
+  const auto members = [&](Tape& tape) {
+    tape(march);
+    passes.members(tape);
+  };
+  MarchSpan span;
+  span.duration = o.end;
+  span.move = o.move * c.model.tolerance;
+  span.steps = o.steps;
+  span.shortest = c.cycle->length();
+  span.until_rest = ends == StretchEnd::at_rest;
+  if (!span.until_rest) span.longest = std::max(span.shortest, o.end / kSteps);
+  if (!take_up_noted(control.kept, members)) {
+    passes.begin(mean_supply_temperature(c));
+    march.bodies = carried.bodies ? *carried.bodies : uniform_bodies(*last.model.solids, o.T_start);
+    // The orbit is found before its heat counts.
+    if (!passes.pass_between(march.bodies.walls)) return {passes.verdict()};
+  }
+  MarchEnd end =
+      march_over_cycles(passes, span, march, [&](const Instant& i) { tell(i, members); });
+  last.model = passes.film().model();
+  carried.bodies = std::move(march.bodies);
+  return end;
+}
+
+/// Between the bodies as they stand.
+Verdict begin_film(const SolidState& bodies, double T_cold, const SolveControl& control,
+                   Solution& s) {
+  const SolidTemperature walls = s.model.solids->at(bodies);
+  s.heat = cold_heat(s.model, T_cold);
+  s.heat.T_shell = walls.shell.surface;
+  s.heat.T_shaft = walls.shaft.temperature;
+  if (s.model.physics.thermal_deformation) s.heat.thermal_deformation = walls.thermal_deformation;
+  s.T_film = mean_supply_temperature(s.model.input);
+  return first_film(s, s.T_film, control);
+}
+
+MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
+                         const SolveControl& control, CarriedOver& carried, Solution& s,
+                         const TellStretch& tell) {
+  const Physics physics = physics_of(c, tier);
+  s.model = make_bearing(c, physics, c.model.grid);
+  s.point = operating_point(s.model);
+  if (!carried.solids) {
+    // Every harmonic computed: a march ends in the steady answer to round-off.
+    const SolidEffects effects{physics.elastic, true, physics.thermal_deformation, true};
+    carried.solids = std::make_shared<const Solids>(c, s.model.domain.grid, effects);
+    carried.bodies = uniform_bodies(*carried.solids, o.T_start);
+  }
+  s.model.solids = carried.solids;
+  MarchStand stand{carried.bodies->state};
+  const auto members = [&](Tape& tape) { tape(s, stand); };
+  if (!take_up_noted(control.kept, members)) {
+    const Verdict film = begin_film(stand.bodies, o.T_start, control, s);
+    if (!film.good()) return {film};
+  }
+  MarchOptions march;
+  march.end = o.end;
+  march.error = o.error * c.model.tolerance;
+  march.steps = o.steps;
+  MarchEnd end = march_heat(s, stand, march, control, [&](const Instant& i) { tell(i, members); });
+  carried.bodies->state = std::move(stand.bodies);
+  return end;
+}
+
+}  // namespace
+
+MarchEnd pass_stretch(const Case& c, Tier tier, const WarmUpOptions& options, StretchEnd ends,
+                      const SolveControl& control, CarriedOver& carried, Solution& last,
+                      const TellStretch& tell) {
+  return c.cycle ? over_cycles(c, tier, options, ends, control, carried, last, tell)
+                 : steadily_loaded(c, tier, options, control, carried, last, tell);
+}
+
+}  // namespace shellback::bearing

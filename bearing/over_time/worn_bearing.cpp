@@ -1,0 +1,168 @@
+#include "bearing/over_time/worn_bearing.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "bearing/film_heat.hpp"
+#include "bearing/over_time/cycle_search.hpp"
+#include "bearing/over_time/solution_members.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::bearing {
+namespace {
+
+/// The case with this wear, and with a surface on its way from new to worn.
+Case worn_case(const Case& c, const FilmGrid& grid, const Field& wear) {
+  Case out = c;
+  out.bearing.wear = wear_table(full_grid(grid), mirror_to_full(grid, wear));
+  out.surfaces.shell = worn_surface(c, largest(wear));
+  return out;
+}
+
+Field no_wear(const BearingModel& m) { return Field(m.domain.grid.cells(), 0.0); }
+
+/// The wear of a tape, and the case that has it.
+Case read_worn_case(const Case& c, Tape& tape, Field& wear) {
+  FilmGrid grid;
+  tape(grid, wear);
+  return worn_case(c, grid, wear);
+}
+
+class UnderStandingLoad final : public WornBearing {
+ public:
+  UnderStandingLoad(const Case& c, Tier tier, const SolveControl& control)
+      : case_(c),
+        tier_(tier),
+        control_(control),
+        now_(solve_tier(c, tier, control)),
+        wear_(no_wear(now_.model)) {}
+  UnderStandingLoad(const Case& c, Tier tier, const SolveControl& control, Tape& tape)
+      : case_(c), tier_(tier), control_(control) {
+    const Case worn = read_worn_case(c, tape, wear_);
+    now_.model = make_bearing(worn, physics_of(worn, tier), worn.model.grid);
+    now_.point = operating_point(now_.model);
+    tape(now_);
+  }
+
+  [[nodiscard]] const Verdict& verdict() const override { return now_.verdict; }
+  [[nodiscard]] const BearingModel& model() const override { return now_.model; }
+  [[nodiscard]] const Field& wear() const override { return wear_; }
+  [[nodiscard]] WearLoad load() const override {
+    return wear_load_of(now_.model, now_.point, now_.film, case_.running_in->limit_pressure);
+  }
+  [[nodiscard]] const Field& contact() const override { return now_.film.p_contact; }
+  [[nodiscard]] const Field& gap() const override { return now_.film.gap.cell; }
+
+  bool wear_to(const Field& wear, double within, Verdict& why) override {
+    SolveControl control = control_;
+    control.heat_within = within / now_.model.clearance;
+    const Case worn = worn_case(case_, now_.model.domain.grid, wear);
+    Solution next = solve_tier_from(worn, tier_, now_, control, Otherwise::failure);
+    if (!next.verdict.good()) {
+      why = next.verdict;
+      return false;
+    }
+    before_ = std::exchange(now_, std::move(next));
+    wear_before_ = std::exchange(wear_, wear);
+    return true;
+  }
+  void go_back() override {
+    now_ = std::move(before_);
+    wear_ = std::move(wear_before_);
+  }
+
+  void tell(RunningInState& state, RunningInRun& run) const override {
+    const Friction f = friction_of(now_.model, now_.point, now_.film);
+    state.p_asperity_max = largest(now_.film.p_contact);
+    state.torque = f.viscous + f.asperity;
+    state.h_min = now_.film.least.h;
+    run.solution = now_;
+  }
+  void keep(Tape& tape) override { tape(now_.model.domain.grid, wear_, now_); }
+
+ private:
+  Case case_;
+  Tier tier_;
+  const SolveControl& control_;
+  Solution now_;
+  Solution before_;
+  Field wear_, wear_before_;
+};
+
+class OverLoadCycle final : public WornBearing {
+ public:
+  OverLoadCycle(const Case& c, Tier tier, const SolveControl& control)
+      : case_(c),
+        tier_(tier),
+        control_(control),
+        now_(search_cycle(c, tier, control, cost_)),
+        wear_(no_wear(now_->film().model())) {}
+  OverLoadCycle(const Case& c, Tier tier, const SolveControl& control, Tape& tape)
+      : case_(c), tier_(tier), control_(control) {
+    const Case worn = read_worn_case(c, tape, wear_);
+    now_ = std::make_unique<CycleSearch>(worn, tier, physics_of(worn, tier), control);
+    now_->ended(tape);
+  }
+
+  [[nodiscard]] const Verdict& verdict() const override { return now_->verdict(); }
+  [[nodiscard]] const BearingModel& model() const override { return now_->film().model(); }
+  [[nodiscard]] WearLoad load() const override { return now_->told().wear_load(); }
+  [[nodiscard]] const Field& contact() const override { return now_->told().largest_contact(); }
+  [[nodiscard]] const Field& gap() const override { return now_->told().smallest_gap(); }
+  [[nodiscard]] const Field& wear() const override { return wear_; }
+
+  bool wear_to(const Field& wear, double /*within*/, Verdict& why) override {
+    const Case worn = worn_case(case_, model().domain.grid, wear);
+    auto next = std::make_unique<CycleSearch>(worn, tier_, physics_of(worn, tier_), control_,
+                                              model().solids);
+    if (!next->begin_reshaped(*now_) || !next->follow().good()) {
+      why = next->verdict();
+      return false;
+    }
+    before_ = std::exchange(now_, std::move(next));
+    wear_before_ = std::exchange(wear_, wear);
+    return true;
+  }
+  void go_back() override {
+    now_ = std::move(before_);
+    wear_ = std::move(wear_before_);
+  }
+
+  void tell(RunningInState& state, RunningInRun& run) const override {
+    CycleResult r = now_->result();
+    state.p_asperity_max = value_of(r, "p_asperity_max");
+    state.torque = value_of(r, "friction_torque");
+    state.h_min = value_of(r, "h_min");
+    state.cycles = r.cycles;
+    run.cycle = std::move(r);
+  }
+  void keep(Tape& tape) override {
+    FilmGrid grid = model().domain.grid;
+    tape(grid, wear_);
+    now_->ended(tape);
+  }
+
+ private:
+  Case case_;
+  Tier tier_;
+  const SolveControl& control_;
+  Cost cost_;  ///< of the new bearing
+  std::unique_ptr<CycleSearch> now_;
+  std::unique_ptr<CycleSearch> before_;
+  Field wear_, wear_before_;
+};
+
+}  // namespace
+
+std::unique_ptr<WornBearing> new_bearing(const Case& c, Tier tier, const SolveControl& control) {
+  if (c.cycle) return std::make_unique<OverLoadCycle>(c, tier, control);
+  return std::make_unique<UnderStandingLoad>(c, tier, control);
+}
+
+std::unique_ptr<WornBearing> kept_bearing(const Case& c, Tier tier, const SolveControl& control,
+                                          Tape& tape) {
+  if (c.cycle) return std::make_unique<OverLoadCycle>(c, tier, control, tape);
+  return std::make_unique<UnderStandingLoad>(c, tier, control, tape);
+}
+
+}  // namespace shellback::bearing

@@ -116,13 +116,20 @@ void LoadTable::make_rows(double scale) {
 }
 
 void LoadTable::expect_within(std::size_t k, double period) const {
-  if (rows_[k].t < 0.0 || rows_[k].t > period * (1.0 + kSameTime)) {
+  const bool event = period == kInfinite;
+  if (!event && rows_[k].t < 0.0) {
+    table_.fail(k, when_,
+                fmt::format("{} lies before the period, which begins at 0; add one period to the "
+                            "rows before 0 and put them at the end",
+                            table_.written(k, when_)));
+  }
+  if (rows_[k].t > period * (1.0 + kSameTime)) {
     table_.fail(k, when_,
                 fmt::format("{} lies out of the period, which begins at 0; give one "
                             "period, or correct load_cycle.period",
                             table_.written(k, when_)));
   }
-  if (k == 0 && period == kInfinite && rows_[k].t > 0.0) {
+  if (k == 0 && event && rows_[k].t != 0.0) {
     table_.fail(0, when_,
                 fmt::format("a single event begins at 0, not at {}; shift the column, or "
                             "give load_cycle.period",

@@ -21,22 +21,28 @@ constexpr double kHighestPeak = 500e5;   ///< twice what large diesels reach [Pa
 constexpr double kVacuum = -101325.0;    ///< gauge; standard atmosphere, definition [Pa]
 constexpr double kLowCompression = 8.0;  ///< of petrol 8 to 12, diesel 12 to 24 (textbook) [-]
 constexpr double kPolytropic = 1.3;      ///< of compression in engines: 1.3 to 1.35 (textbook) [-]
-constexpr double kUsualRodRatio = 0.5;   ///< r/l; engines have 0.2 to 0.35 [-]
+constexpr double kLongestRod = 0.1;      ///< r/l; engines have 0.2 to 0.35 (textbook) [-]
+constexpr double kShortestRod = 0.5;     ///< the same [-]
+/// Of the largest pressure from a top dead centre: combustion has it within some 20 degrees
+/// (textbook), a late one with pilot injections within 30 [rad].
+constexpr double kLatestPeak = 0.25 * kPi;
 constexpr const char* kPressureExample = "angle [deg], pressure [bar]";
 
+/// Angles rise, and no two rows are farther apart than the period: where it begins does not matter.
 void expect_angles(const CsvTable& table, double period) {
   const std::vector<double>& angle = table.column("angle");
   for (std::size_t k = 0; k < angle.size(); ++k) {
-    if (angle[k] < 0.0 || angle[k] > period * (1.0 + kSame)) {
-      table.fail(k, "angle",
-                 fmt::format("{} lies out of the period of {:.6g} deg, which begins at the top "
-                             "dead centre of combustion",
-                             table.written(k, "angle"), period * 180.0 / kPi));
-    }
     if (k > 0 && !(angle[k] > angle[k - 1])) {
       table.fail(k, "angle",
                  fmt::format("{} does not come after {}; sort the rows by angle and give each once",
                              table.written(k, "angle"), table.written(k - 1, "angle")));
+    }
+    if (angle[k] - angle.front() > period * (1.0 + kSame)) {
+      table.fail(
+          k, "angle",
+          fmt::format("{} lies more than the period of {:.6g} deg after the first row, {}; "
+                      "give one period, or correct load_cycle.period",
+                      table.written(k, "angle"), period * 180.0 / kPi, table.written(0, "angle")));
     }
   }
 }
@@ -94,33 +100,55 @@ void expect_compression(const Section& section, const CsvTable& table) {
                   table.written(row, "pressure"), table.place(row, "pressure"), span, compressed));
 }
 
-/// The end of the period is its beginning: a last row there says so and goes.
-void close(const CsvTable& table, bearing::Crank& crank) {
-  if (crank.angle.back() < crank.period * (1.0 - kSame)) return;
-  const std::size_t last = crank.angle.size() - 1;
-  if (crank.angle.front() > 0.0) {
-    crank.angle.insert(crank.angle.begin(), 0.0);
-    crank.pressure.insert(crank.pressure.begin(), crank.pressure.back());
-  } else {
-    const double jump = crank.pressure.front() - crank.pressure.back();
-    const double most = *std::max_element(crank.pressure.begin(), crank.pressure.end());
-    if (std::abs(jump) > kSamePressure * most) {
+/// Combustion and compression have their largest pressure near a top dead centre.
+void expect_peak_near_dead_centre(const Section& section, const CsvTable& table) {
+  const std::vector<double>& p = table.column("pressure");
+  const auto row = static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
+  const double off = std::remainder(table.column("angle")[row], kTurn);
+  if (std::abs(off) <= kLatestPeak) return;
+  section.warn("pressure",
+               fmt::format("the largest cylinder pressure, {} ({}), stands at {}, {:.3g} deg from "
+                           "the nearest top dead centre; angles are counted from the top dead "
+                           "centre of combustion (from the bottom one they look like this); shift "
+                           "the column",
+                           table.written(row, "pressure"), table.place(row, "pressure"),
+                           table.written(row, "angle"), std::abs(off) * 180.0 / kPi));
+}
+
+/// A trace from any angle on, from -360 deg for example, as one of the period that begins at 0. A
+/// last row a period behind the first says that it is the same, and goes.
+void turn_into_period(const CsvTable& table, bearing::Crank& crank) {
+  std::vector<double>& angle = crank.angle;
+  std::vector<double>& p = crank.pressure;
+  if (angle.back() - angle.front() >= crank.period * (1.0 - kSame)) {
+    const std::size_t last = angle.size() - 1;
+    const double jump = p.front() - p.back();
+    if (std::abs(jump) > kSamePressure * *std::max_element(p.begin(), p.end())) {
       table.fail(last, "pressure",
                  fmt::format("the pressure is not periodic: from {} here to {} at {} it jumps by "
                              "{:.4g} bar; make the two equal, or take one of the rows out",
                              table.written(last, "pressure"), table.written(0, "pressure"),
                              table.written(0, "angle"), 1e-5 * std::abs(jump)));
     }
+    angle.pop_back();
+    p.pop_back();
   }
-  crank.angle.pop_back();
-  crank.pressure.pop_back();
+  for (double& x : angle) {
+    x -= crank.period * std::floor(x / crank.period + kSame);
+    x = std::max(x, 0.0);
+  }
+  const auto first = std::min_element(angle.begin(), angle.end()) - angle.begin();
+  std::rotate(angle.begin(), angle.begin() + first, angle.end());
+  std::rotate(p.begin(), p.begin() + first, p.end());
 }
 
-/// Four strokes if the table reaches beyond one turn.
+/// Four strokes if the table spans, or reaches, more than one turn.
 double period_of(const Section& section, const CsvTable& table,
                  const std::optional<double>& period) {
   if (period) return *period;
-  const bool four = table.column("angle").back() > kTurn * (1.0 + kSame);
+  const std::vector<double>& angle = table.column("angle");
+  const double reach = std::max(angle.back(), angle.back() - angle.front());
+  const bool four = reach > kTurn * (1.0 + kSame);
   section.assume(
       fmt::format("the cylinder fires every {} deg of crank angle, since crank.pressure "
                   "{} (load_cycle.period is not given)",
@@ -140,7 +168,8 @@ void read_pressure(const Section& section, const std::optional<double>& period,
   expect_pressures(table);
   expect_no_gap(section, table, crank.period);
   expect_compression(section, table);
-  close(table, crank);
+  expect_peak_near_dead_centre(section, table);
+  turn_into_period(table, crank);
 }
 
 bool is_period(double period) {
@@ -193,9 +222,9 @@ bearing::Crank read_crank(const Section& section, const std::optional<double>& p
     section.fail("rod_length",
                  "a rod shorter than half the stroke lets no crank turn; check the units of both");
   }
-  if (ratio > kUsualRodRatio) {
-    section.warn("rod_length", fmt::format("half the stroke is {:.3g} of the rod's length, which "
-                                           "is unusual; check the units of both",
+  if (ratio > kShortestRod || ratio < kLongestRod) {
+    section.warn("rod_length", fmt::format("half the stroke is {:.3g} of the rod's length, where "
+                                           "engines have 0.2 to 0.35; check the units of both",
                                            ratio));
   }
   section.assume(

@@ -222,9 +222,9 @@ std::string cycle_svg(const bearing::Case& c, const CycleResult& cycle) {
   Svg svg(kWidth, kHeight);
   svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
   draw_scene(svg, c, status_words(c, cycle), cycle.verdict.good(), theme);
-  draw_orbit(svg, {24.0, 84.0, 480.0, 512.0}, c, cycle, theme);
+  draw_orbit(svg, {24.0, 94.0, 480.0, 502.0}, c, cycle, theme);
   if (!cycle.instants.empty()) {
-    draw_cycle_curves(svg, {520.0, 84.0, 712.0, 516.0}, cycle, theme);
+    draw_cycle_curves(svg, {520.0, 94.0, 712.0, 506.0}, cycle, theme);
   }
   draw_maps(svg, c, cycle, theme);
   return svg.document(c.title);

@@ -27,25 +27,21 @@ Axis y_axis(const LinePlot& plot) {
   return round_axis(low, high, 6, plot.y_title);
 }
 
-/// Where the bars are known, between lines that are.
+/// Where the bars are known, between lines that are. One area for all of it, each stretch from left
+/// to right: a line that comes back over itself is shaded once, not rubbed out.
 void draw_band(Svg& svg, const Frame& frame, const Series& s) {
   constexpr double kOpacity = 0.22;  // lines of other series stay legible through it
-  std::vector<Point> above, below;
-  const auto flush = [&] {
-    above.insert(above.end(), below.rbegin(), below.rend());
-    if (above.size() > 2) svg.shade(line_path(above) + "Z", s.colour, kOpacity);
-    above.clear();
-    below.clear();
-  };
-  for (std::size_t k = 0; k < s.bar.size(); ++k) {
-    if (!std::isfinite(s.y[k] + s.bar[k])) {
-      flush();
-      continue;
-    }
-    above.push_back(frame.at(s.x[k], s.y[k] + s.bar[k]));
-    below.push_back(frame.at(s.x[k], s.y[k] - s.bar[k]));
+  const auto known = [&](std::size_t k) { return std::isfinite(s.y[k] + s.bar[k]); };
+  std::string path;
+  for (std::size_t k = 1; k < s.bar.size(); ++k) {
+    if (!known(k - 1) || !known(k)) continue;
+    const bool onward = s.x[k] >= s.x[k - 1];
+    const std::size_t l = onward ? k - 1 : k, r = onward ? k : k - 1;
+    path += line_path({frame.at(s.x[l], s.y[l] + s.bar[l]), frame.at(s.x[r], s.y[r] + s.bar[r]),
+                       frame.at(s.x[r], s.y[r] - s.bar[r]), frame.at(s.x[l], s.y[l] - s.bar[l])}) +
+            "Z";
   }
-  flush();
+  if (!path.empty()) svg.shade(path, s.colour, kOpacity);
 }
 
 void draw_series(Svg& svg, const Frame& frame, const Series& series) {

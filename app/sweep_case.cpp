@@ -68,10 +68,25 @@ study::CaseAt case_source(std::string text, std::string path, std::vector<Overri
   };
 }
 
+void expect_speed_is_free(const Case& a, const Case& b, const std::string& option) {
+  const bool own = a.cycle && b.cycle && !a.cycle->omega.empty();  // a crank's follow the key
+  if (!own || a.cycle->omega != b.cycle->omega || a.operation.omega == b.operation.omega) return;
+  throw InputError(option,
+                   "the load cycle's table has speeds of its own; take its column speed away");
+}
+
 Case sweep_subject(const std::string& text, const std::string& path,
                    const std::vector<Override>& set, const std::vector<study::Axis>& axes) {
   const Position first{0.0, std::vector<int>(axes.size() - 1, 0)};
-  Case subject = case_source(text, path, set, axes)(first);
+  const study::CaseAt case_at = case_source(text, path, set, axes);
+  Case subject = case_at(first);
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    if (axes[a].key != "operation.speed") continue;
+    Position last = first;
+    if (a == 0) last.along = axes[a].size() - 1;
+    if (a > 0) last.across[a - 1] = axes[a].size() - 1;
+    expect_speed_is_free(subject, case_at(last), "--vary operation.speed");
+  }
   subject.verbatim = text;
   std::erase_if(subject.changes, [](const auto& change) { return change.option == "--vary"; });
   if (!text.ends_with('\n')) subject.verbatim += '\n';

@@ -26,6 +26,11 @@ namespace shellback::app {
                                                       const std::vector<Override>& set,
                                                       const std::vector<study::Axis>& axes);
 
+/// Throws InputError at `option` where two cases that differ in operation.speed turn alike, as the
+/// table of their load cycle has speeds of its own.
+void expect_speed_is_free(const bearing::Case& a, const bearing::Case& b,
+                          const std::string& option);
+
 /// What the file itself says for the axis's key, in the axis's unit; nothing if it does not say,
 /// or not in that unit.
 [[nodiscard]] std::optional<double> value_in_file(const std::string& text, const study::Axis& axis);

@@ -62,6 +62,13 @@ std::string cure(const Kind& kind) {
 std::string usual_hint(std::string_view symbol) {
   if (symbol == "kgf" || symbol == "kp") return "; one kilogram-force is 9.80665 N";
   if (symbol == "gf" || symbol == "tf") return "; forces are in N, kN, MN or lbf";
+  if (symbol == "bara" || symbol == "barA" || symbol == "psia") {
+    return fmt::format("; pressures are counted from ambient: subtract {}",
+                       symbol == "psia" ? "14.696 and write psi" : "1.01325 and write bar");
+  }
+  if (symbol == "barg" || symbol == "barG")
+    return "; pressures are counted from ambient: write bar";
+  if (symbol == "psig") return "; pressures are counted from ambient: write psi";
   if (symbol == "F") return "; did you mean \"K\" or \"degC\" (Fahrenheit is \"degF\")?";
   if (symbol == "ppm") return "; one ppm is 1e-6";
   if (symbol == "C") return "; did you mean \"degC\" or \"K\"?";

@@ -9,6 +9,7 @@
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/read_case.hpp"
+#include "app/sweep_case.hpp"
 #include "app/units.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/write_course.hpp"
@@ -42,7 +43,7 @@ double held(const Request& request) {
 std::vector<std::string> with_units(std::vector<std::string> speeds) {
   const auto unit_of = [](const std::string& s) {
     const std::size_t digits = s.find_last_of("0123456789.");
-    return digits == std::string::npos ? std::string() : s.substr(digits + 1);
+    return digits == std::string::npos ? s : s.substr(digits + 1);
   };
   std::string unit;
   for (const std::string& s : speeds) unit = unit.empty() ? unit_of(s) : unit;
@@ -68,12 +69,7 @@ std::vector<Stretch> stretches_of(const Request& request, const std::string& tex
       throw InputError("--hold",
                        fmt::format("is shorter than one load cycle, {:.4g} s", at.cycle->length()));
     }
-    const bool own = at.cycle && !at.cycle->omega.empty();  // a crank's follow operation.speed
-    if (own && at.cycle->omega == given.cycle->omega &&
-        at.operation.omega != given.operation.omega) {
-      throw InputError("--speeds",
-                       "the load cycle's table has speeds of its own; take its column speed away");
-    }
+    expect_speed_is_free(given, at, "--speeds");
   }
   return stretches;
 }

@@ -16,6 +16,12 @@
 namespace shellback::bearing {
 namespace {
 
+/// In degrees of the crank where the cycle is told in them, in seconds elsewhere.
+std::string shown_instant(const LoadCycle& c, double t) {
+  return c.crank_speed > 0.0 ? fmt::format("{:.6g} deg", t * c.crank_speed * 180.0 / kPi)
+                             : fmt::format("{:.6g} s", t);
+}
+
 constexpr std::size_t kFewestRows = 2;        ///< one is a steady load
 constexpr std::size_t kFewestSplineRows = 3;  ///< two cannot tell a period's shape
 constexpr int kRowsOfAJump = 2;               ///< before and after it
@@ -67,9 +73,9 @@ void judge_times(const LoadCycle& c, const ValueCheck& cycle) {
   }
   if (c.t.front() < 0.0 || (c.repeats() && c.t.back() >= c.period)) {
     cycle.refuse("file",
-                 fmt::format("the rows reach from {:.6g} s to {:.6g} s, out of the period of "
-                             "{:.6g} s",
-                             c.t.front(), c.t.back(), c.period),
+                 fmt::format("the rows reach from {} to {}, out of the period of {}",
+                             shown_instant(c, c.t.front()), shown_instant(c, c.t.back()),
+                             shown_instant(c, c.period)),
                  "begin at 0; the end of the period is the first row again");
   }
   if (!c.repeats() && !(c.t.back() > c.t.front())) {
@@ -86,10 +92,10 @@ void judge_scalars(const LoadCycle& c, const ValueCheck& cycle) {
   if (c.step) cycle.number("step", *c.step, "s", kPositive);
   for (const double t : c.fields_at) {
     if (t >= 0.0 && t <= c.length()) continue;
-    cycle.refuse(
-        "fields_at",
-        fmt::format("{:.6g} s lies outside the cycle, which takes {:.6g} s", t, c.length()),
-        "give instants from its beginning to its end");
+    cycle.refuse("fields_at",
+                 fmt::format("{} lies outside the cycle, which takes {}", shown_instant(c, t),
+                             shown_instant(c, c.length())),
+                 "give instants from its beginning to its end");
   }
   if (c.interpolation == LoadInterpolation::linear) return;
   if (!c.repeats()) {
@@ -114,9 +120,9 @@ void judge_gaps(const LoadCycle& c, const CycleNumbers& n, Findings& to) {
   for (const RowGap& gap : row_gaps(c.t, c.period)) {
     if (stays(c, gap, n.largest, n.largest_speed)) continue;
     const std::string problem = fmt::format(
-        "from {:.6g} s on no row tells the load for {:.4g} s, {:.3g} times as far as rows stand "
-        "apart elsewhere",
-        c.t[gap.from], gap.length, gap.times);
+        "from {} on no row tells the load for {}, {:.3g} times as far as rows stand apart "
+        "elsewhere",
+        shown_instant(c, c.t[gap.from]), shown_instant(c, gap.length), gap.times);
     const std::string cure = "add the rows; a straight line that is meant has a row half way";
     if (gap.times > kLineToRefuse) {
       to.refuse("load_cycle.file", problem, cure);
@@ -139,9 +145,10 @@ void judge_swing(const LoadCycle& c, double largest, const ValueCheck& cycle) {
       const double load = std::hypot(w.x, w.y);
       if (load <= kMostSwing * largest) continue;
       cycle.refuse("period",
-                   fmt::format("between the row at {:.4g} s and the next, {:.4g} s later, the "
-                               "spline swings to {:.4g} kN, {:.3g} times the largest row",
-                               c.t[k], next - c.t[k], 1e-3 * load, load / largest),
+                   fmt::format("between the row at {} and the next, {} later, the spline swings to "
+                               "{:.4g} kN, {:.3g} times the largest row",
+                               shown_instant(c, c.t[k]), shown_instant(c, next - c.t[k]),
+                               1e-3 * load, load / largest),
                    "check the period and its unit, give rows in between, or write interpolation = "
                    "\"linear\"");
       return;
@@ -165,21 +172,22 @@ void judge_cycle_values(const LoadCycle& c, Findings& to) {
   judge_gaps(c, n, to);
   judge_swing(c, n.largest, cycle);
   if (c.step && *c.step > n.length) {
-    cycle.refuse(
-        "step",
-        fmt::format("a step of {:.4g} s is longer than the whole of {:.4g} s", *c.step, n.length),
-        "check its unit");
+    cycle.refuse("step",
+                 fmt::format("a step of {} is longer than the whole of {}",
+                             shown_instant(c, *c.step), shown_instant(c, n.length)),
+                 "check its unit");
   } else if (c.step && *c.step > n.length / kFewestGiven) {
-    to.suspect("load_cycle.step",
-               fmt::format("{:.3g} steps make the whole of {:.4g} s: their error does not fall "
-                           "with their square yet, and the bars of time are too short",
-                           n.length / *c.step, n.length),
-               "give a shorter one, or none: then steps are chosen by their error");
+    to.suspect(
+        "load_cycle.step",
+        fmt::format("{:.3g} steps make the whole of {}: their error does not fall with their "
+                    "square yet, and the bars of time are too short",
+                    n.length / *c.step, shown_instant(c, n.length)),
+        "give a shorter one, or none: then steps are chosen by their error");
   }
   if (c.step && *c.step < kStepShortest * n.length) {
     cycle.refuse("step",
-                 fmt::format("a step of {:.4g} s is shorter than {:.0e} of the whole of {:.4g} s",
-                             *c.step, kStepShortest, n.length),
+                 fmt::format("a step of {} is shorter than {:.0e} of the whole of {}",
+                             shown_instant(c, *c.step), kStepShortest, shown_instant(c, n.length)),
                  "check its unit");
   }
 }
@@ -224,6 +232,21 @@ void judge_turning(const Case& c, Findings& to) {
              "check direction and frame of the load, and the speed");
 }
 
+/// A table over crank angle with speeds of its own: then operation.speed only says how fast crank
+/// angles pass, and that both agree in the mean is what a shaft with its crank has.
+void judge_own_speed(const Case& c, const CycleNumbers& n, Findings& to) {
+  constexpr double kApart = 0.01;  // of both: beyond it no trapezoid over the rows misses [-]
+  const LoadCycle& cycle = *c.cycle;
+  if (cycle.omega.empty() || !(cycle.crank_speed > 0.0)) return;
+  const double mean = std::abs(n.mean_speed);
+  if (std::abs(mean - cycle.crank_speed) <= kApart * cycle.crank_speed) return;
+  to.suspect("operation.speed",
+             fmt::format("the table's column speed is the journal's, {:.4g} rpm in the mean; "
+                         "operation.speed, {:.4g} rpm, only says how fast its crank angles pass",
+                         mean / kRpm, cycle.crank_speed / kRpm),
+             "make the two agree, or take the column away");
+}
+
 void judge_cycle(const Case& c, Findings& to) {
   const CycleNumbers n = cycle_numbers(*c.cycle, c.operation.omega);
   const double specific = n.largest / (2.0 * c.bearing.radius * c.bearing.width);
@@ -234,13 +257,15 @@ void judge_cycle(const Case& c, Findings& to) {
   compare(to, "operation.speed", u, kBearingLimits.surface_speed,
           fmt::format("the largest surface speed is {:.4g} m/s", u), "check the unit of the speed");
   judge_turning(c, to);
+  judge_own_speed(c, n, to);
   if (c.cycle->journal_mass > 0.0) return judge_mass(c, n, to);
   if (const auto row = vanishing_load(*c.cycle)) {
-    to.refuse("load_cycle.journal_mass",
-              fmt::format("at {:.4g} s the load vanishes, or passes through zero before the next "
-                          "row, and nothing tells where a journal without mass then is",
-                          c.cycle->t[*row]),
-              "give journal_mass, the mass that the film carries");
+    to.refuse(
+        "load_cycle.journal_mass",
+        fmt::format("at {} the load vanishes, or passes through zero before the next row, and "
+                    "nothing tells where a journal without mass then is",
+                    shown_instant(*c.cycle, c.cycle->t[*row])),
+        "give journal_mass, the mass that the film carries");
   }
 }
 

@@ -1,4 +1,4 @@
-/// A load cycle from its table or from a crank, and every way in which one can be wrong.
+/// A load cycle from its table, and every way in which one can be wrong.
 #include <cmath>
 #include <sstream>
 
@@ -7,75 +7,11 @@
 #include "app/library.hpp"
 #include "bearing/over_time/cycle_numbers.hpp"
 #include "core/constants.hpp"
-#include "tests/app/sample_case.hpp"
+#include "tests/app/cycle_case.hpp"
 
 using namespace shellback;
 using namespace shellback::app;
 using bearing::LoadCycle;
-
-namespace {
-
-constexpr double kDeg = kPi / 180.0;
-constexpr double kOmega = 100.0 * kPi;  // 3000 rpm [rad/s]
-constexpr double kTurn = 0.02;          // time of a turn [s]
-
-const std::string kInDegrees = "[load_cycle]\nfile = \"load.csv\"\nperiod = \"360 deg\"\n";
-const std::string kInTime = "[load_cycle]\nfile = \"load.csv\"\nperiod = \"20 ms\"\n";
-const std::string kCrank =
-    "[crank]\nstroke = \"137 mm\"\nrod_length = \"207 mm\"\nbore = \"105 mm\"\npiston_mass = "
-    "\"2.5 kg\"\nrod_mass = \"1.6 kg\"\npressure = \"p.csv\"\n";
-const std::string kRows =
-    "angle [deg], load_x [N], load_y [N]\n0, 0, -1000\n90, 500, -2000\n180, 0, -3000\n"
-    "270, -500, -2000\n";
-const std::string kTrace = "angle [deg], pressure [bar]\n0, 140\n90, 10\n360, 3\n630, 20\n";
-
-/// The sample with sections in place of its load.
-std::string sample_of(const std::string& sections, const std::string& speed = "3000 rpm") {
-  std::string text = sample_with("load = \"5 kN\"\n", "\n" + sections);
-  text.replace(text.find("3000 rpm"), 8, speed);
-  return text.replace(text.find("tier = \"tehd\""), 13, "tier = \"isothermal\"");
-}
-
-bearing::Case read(const ScratchFolder& folder, const std::string& sections,
-                   const std::string& table, const std::string& speed = "3000 rpm") {
-  folder.write("load.csv", table);
-  folder.write("p.csv", table);
-  return read_case_text(sample_of(sections, speed), folder.path("case.toml"));
-}
-
-LoadCycle cycle_of(const std::string& sections, const std::string& table,
-                   const std::string& speed = "3000 rpm") {
-  const ScratchFolder folder;
-  const auto c = read(folder, sections, table, speed);
-  REQUIRE(c.cycle);
-  return *c.cycle;
-}
-
-/// What is said against it, the folder's name taken out.
-std::string against(const std::string& sections, const std::string& table,
-                    const std::string& speed = "3000 rpm") {
-  const ScratchFolder folder;
-  try {
-    static_cast<void>(read(folder, sections, table, speed));
-  } catch (const InputError& error) {
-    std::string what = error.what();
-    const std::string name = folder.path("");
-    for (std::size_t at = what.find(name); at != std::string::npos; at = what.find(name)) {
-      what.erase(at, name.size());
-    }
-    return what;
-  }
-  return "";
-}
-
-void check_against(const std::string& table, const std::vector<std::string>& parts,
-                   const std::string& sections = kInDegrees) {
-  const std::string what = against(sections, table);
-  check_parts(what, parts);
-  CHECK(what.find(parts.front()) == 0);
-}
-
-}  // namespace
 
 TEST_CASE("ATableInCrankAngleBecomesACycleInTime") {
   const ScratchFolder folder;
@@ -103,7 +39,7 @@ TEST_CASE("AShareIsNoValueOfAColumnThatHasAUnit") {
   const std::string begin = "angle [deg], load_x [kN], load_y [kN]\n0, 1, 1\n";
   check_against(begin + "90, 50%, 1\n", {"load.csv:3:5", "\"50%\"", "kN", "number alone"});
   check_against(begin + "90, 50 %, 1\n", {"load.csv:3:5", "\"50 %\"", "kN"});
-  check_against(begin + "90, 2 kN, 1\n", {"load.csv:3:5", "first line names"});
+  check_against(begin + "90, 2 kN, 1\n", {"load.csv:3:5", "first line of the table names"});
   check_against("angle [deg], load_x [%], load_y [kN]\n0, 1, 1\n", {"load.csv:1:14", "a force"});
 }
 
@@ -182,7 +118,7 @@ TEST_CASE("InstantsOfFieldsAreAnglesOrTimes") {
   CHECK(c.fields_at[1] == Approx(1e-3));
   check_against(kRows, {"case.toml:", "fields_at", "\"2 mm\"", "neither a crank angle nor a time"},
                 kInDegrees + "fields_at = [\"2 mm\"]\n");
-  check_against(kRows, {"case.toml:", "load_cycle.fields_at", "0.025 s lies outside the cycle"},
+  check_against(kRows, {"case.toml:", "load_cycle.fields_at", "450 deg lies outside the cycle"},
                 kInDegrees + "fields_at = [\"450 deg\"]\n");
 }
 
@@ -194,6 +130,24 @@ TEST_CASE("WithoutAPeriodItIsASingleEvent") {
   CHECK(c.t.back() == Approx(0.009));
   check_against("time [ms], load_x [N], load_y [N]\n1, 0, -1\n5, 0, -2\n",
                 {"load.csv:2:1", "begins at 0"}, once);
+  check_against("time [ms], load_x [N], load_y [N]\n-1, 0, -1\n5, 0, -2\n",
+                {"load.csv:2:1", "begins at 0, not at -1 ms", "shift the column"}, once);
+}
+
+TEST_CASE("SpeedsOfATableThatAreNotThoseOfItsCrankAreTold") {
+  const auto told = [](const std::string& rpm) {
+    std::string table = "angle [deg], load_x [N], load_y [N], speed [rpm]\n";
+    for (const char* row : {"0, 0, -1000", "120, 500, -2000", "240, 0, -3000"}) {
+      table += std::string(row) + ", " + rpm + "\n";
+    }
+    const ScratchFolder folder;
+    return read(folder, kInDegrees, table).warnings;
+  };
+  CHECK(told("3000").empty());
+  CHECK(told("-3000").empty());
+  const auto warnings = told("1500");
+  REQUIRE(warnings.size() == 1);
+  check_parts(warnings.front(), {"operation.speed", "1500 rpm in the mean", "3000 rpm"});
 }
 
 TEST_CASE("ALastRowThatRepeatsTheFirstIsDropped") {
@@ -236,7 +190,8 @@ TEST_CASE("RowsInDisorderAreRefused") {
                 {"load.csv:4:1", "80 deg comes after 90 deg", "sort"});
   check_against(head + "0,0,-1\n90,0,-1\n90,0,-2\n90,0,-3\n",
                 {"load.csv:5:1", "third time", "a jump has two rows"});
-  check_against(head + "-5,0,-1\n90,0,-1\n", {"load.csv:2:1", "out of the period", "begins at 0"});
+  check_against(head + "-5,0,-1\n90,0,-1\n",
+                {"load.csv:2:1", "before the period", "add one period"});
   check_against(head + "0,0,-1\n400,0,-1\n", {"load.csv:3:1", "400 deg lies out of the period"});
   check_against(head + "0,0,-1\n", {"load.csv:1:1", "one row", "operation.load"});
   check_against(head, {"load.csv:1:1", "no row"});
@@ -398,129 +353,6 @@ TEST_CASE("ALoadStandsInOnePlace") {
                 kInDegrees + "preiod = \"1 deg\"\n");
   check_against(kRows, {"case.toml:21:9", "[crank], which is not given"},
                 kInDegrees + "frame = \"rod\"\n");
-}
-
-TEST_CASE("ACrankGivesLoadAndSpeedInTheRod") {
-  const ScratchFolder folder;
-  const auto c = read(folder, "[load_cycle]\nstep = \"2 deg\"\n" + kCrank, kTrace);
-  REQUIRE(c.cycle);
-  CHECK(c.cycle->period == Approx(2.0 * kTurn));
-  CHECK(c.cycle->omega.size() == c.cycle->t.size());
-  CHECK(*c.cycle->step == Approx(kTurn / 180.0));
-  const double r = 0.0685;
-  const double gas = 140e5 * 0.25 * kPi * 0.105 * 0.105;
-  const double inertia = (2.5 * (1.0 + r / 0.207) + 1.6) * r * kOmega * kOmega;
-  CHECK(c.cycle->y[0] == Approx(gas - inertia));
-  const auto numbers = bearing::cycle_numbers(*c.cycle, 0.0);
-  CHECK(numbers.largest == Approx(gas - inertia));
-  CHECK(numbers.angle == Approx(90.0 * kDeg));
-  CHECK(numbers.mean_speed == Approx(kOmega).epsilon(1e-5));  // trapezoids of a degree
-  const LoadCycle alone = cycle_of(kCrank, kTrace);           // [load_cycle] may be left out
-  CHECK(alone.y == c.cycle->y);
-}
-
-TEST_CASE("ACrankGivesTheLoadOfAMainBearingInTheBlock") {
-  const LoadCycle pin = cycle_of(kCrank, kTrace);
-  const LoadCycle half = cycle_of("[load_cycle]\nframe = \"block\"\n" + kCrank, kTrace);
-  CHECK(half.period == pin.period);
-  for (const double w : half.omega) CHECK(w == kOmega);
-  for (std::size_t k = 0; k < half.t.size(); ++k) {  // half of what acts on the pin, turned
-    CHECK(std::hypot(half.x[k], half.y[k]) ==
-          Approx(0.5 * std::hypot(pin.x[k], pin.y[k])).epsilon(1e-12));
-  }
-  CHECK(half.y[0] == Approx(-0.5 * pin.y[0]));  // gas: onto the cap, which lies below
-}
-
-TEST_CASE("APressureWithinOneTurnIsThatOfTwoStrokes") {
-  const std::string turn = "angle [deg], pressure [bar]\n0, 140\n90, 10\n360, 140\n";
-  CHECK(cycle_of(kCrank, turn).period == Approx(kTurn));
-  CHECK(cycle_of("[load_cycle]\nperiod = \"720 deg\"\n" + kCrank, turn).period ==
-        Approx(2.0 * kTurn));
-  check_against(turn, {"case.toml:19:10", "360 deg (two strokes) or 720 deg"},
-                "[load_cycle]\nperiod = \"540 deg\"\n" + kCrank);
-}
-
-TEST_CASE("APressureTraceInAWrongUnitIsRefused") {
-  const auto said = [](const std::string& table, const std::vector<std::string>& parts) {
-    check_against(table, parts, kCrank);
-  };
-  said("angle [deg], pressure [bar]\n0, 1.4\n90, 1\n700, 0.3\n",
-       {"p.csv:2:4", "largest cylinder pressure is 1.4 bar", "check the unit"});
-  said("angle [deg], pressure [MPa]\n0, 140\n90, 10\n700, 3\n",
-       {"p.csv:2:4", "140 MPa", "check the unit"});
-  said("angle [deg], pressure [bar]\n0, 140\n90, -1.5\n700, 3\n", {"p.csv:3:5", "below vacuum"});
-  said("angle [deg], pressure [bar]\n0, 140\n90, 10\n720, 3\n",
-       {"p.csv:4:6", "not periodic", "jumps by 137 bar"});
-  said("angle [deg], pressure [bar]\n0, 140\n90, 10\n90, 3\n", {"p.csv:4:1", "sort"});
-  said("angle [deg], pressure [bar]\n0, 140\n750, 3\n", {"p.csv:3:1", "out of the period"});
-  said("angle [deg], pressure [bar]\n0, 140\n", {"p.csv:1:1", "two rows"});
-  said("angle [deg], presure [bar]\n0, 140\n", {"p.csv:1:14", "did you mean \"pressure\"?"});
-}
-
-namespace {
-
-/// Gas that is compressed and expands again with exponent 1.3 in a cylinder of volume ratio 17, as
-/// a trace every 10 deg up to an angle; `factor`: what a wrong unit makes of it.
-std::string trace(int to, double factor = 1.0) {
-  std::string rows = "angle [deg], pressure [bar]\n";
-  for (int a = 0; a <= to; a += 10) {
-    const double open = 0.5 * (1.0 - std::cos(a * kDeg));
-    const bool closed = a < 180 || a > 540;
-    const double p = closed ? 2.5 * std::pow(17.0 / (1.0 + 16.0 * open), 1.3) : 2.5;
-    rows += std::to_string(a) + "," + std::to_string(factor * (p - 1.01325)) + "\n";
-  }
-  return rows;
-}
-
-std::vector<std::string> crank_warnings(const std::string& table) {
-  const ScratchFolder folder;
-  return read(folder, "[load_cycle]\nperiod = \"720 deg\"\n" + kCrank, table).warnings;
-}
-
-}  // namespace
-
-TEST_CASE("APressureTraceCoversItsPeriod") {
-  check_against(trace(400),
-                {"p.csv:42:1", "from 400 deg to 0 deg of the next period no row tells the pressure",
-                 "32 times", "(taken: 720 deg)"},
-                kCrank);
-  CHECK(crank_warnings(trace(710)).empty());
-  const auto told = crank_warnings(trace(640));
-  REQUIRE(told.size() == 1);
-  check_parts(told.front(), {"crank.pressure", "from 640 deg to 0 deg", "8 times"});
-}
-
-TEST_CASE("APressureTraceThatSpansLessThanCompressionIsTold") {
-  // Gas alone spans 17^1.3 = 39.8; in psi given as bar, 2.5 bar of intake are 1.1 and 98 are 7.7.
-  CHECK(crank_warnings(trace(710)).empty());
-  const auto told = crank_warnings(trace(710, 1.0 / 14.5038));
-  REQUIRE(told.size() == 1);
-  check_parts(told.front(), {"p.csv", "crank.pressure", "both absolute", "14.9 times", "psi"});
-}
-
-TEST_CASE("ACrankThatCannotTurnIsRefused") {
-  const auto changed = [](const std::string& from, const std::string& to) {
-    std::string text = kCrank;
-    return text.replace(text.find(from), from.size(), to);
-  };
-  check_against(kTrace, {"case.toml:20:14", "shorter than half the stroke"},
-                changed("207 mm", "60 mm"));
-  check_against(kTrace, {"case.toml:22:15", "must not be negative"}, changed("2.5 kg", "-1 kg"));
-  check_against(kTrace, {"case.toml:21:15", "no gas and no mass"},
-                "[crank]\nstroke = \"137 mm\"\nrod_length = \"207 mm\"\npiston_mass = \"0 kg\"\n"
-                "rod_mass = \"0 kg\"\n");
-  check_against(kTrace, {"case.toml:25:17", "belongs to a main bearing", "\"block\""},
-                kCrank + "counterweight = \"1 kg m\"\n");
-  const std::string block = "[load_cycle]\nframe = \"block\"\n" + kCrank;
-  check_against(kTrace, {"case.toml:27:9", "at most the whole throw"}, block + "share = 2\n");
-  check_against(kTrace, {"case.toml:27:17", "kg m"}, block + "counterweight = \"1 kg\"\n");
-  check_against(kTrace, {"case.toml:19:8", "comes from [crank]"},
-                "[load_cycle]\nfile = \"load.csv\"\n" + kCrank);
-  check_against(kTrace, {"case.toml:19:9", "write \"rod\""},
-                "[load_cycle]\nframe = \"shell\"\n" + kCrank);
-  check_against(kTrace, {"case.toml:18:1", "crank", "vanishes", "rod_mass"},
-                changed("1.6 kg", "0 kg"));
-  check_parts(against(kCrank, kTrace, "0 rpm"), {"case.toml:16:9", "operation.speed", "zero"});
 }
 
 TEST_CASE("CheckTellsWhatACycleComesTo") {

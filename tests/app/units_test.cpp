@@ -226,6 +226,8 @@ TEST_CASE("AnUnreadableUnitIsRefused") {
 
 TEST_CASE("ALetterForAScaleOfTemperatureSuggestsKelvinAndDegrees") {
   check_error("180 F", kTemperature, {"unknown unit \"F\"", "\"K\"", "\"degC\""});
+  check_error("5 bara", kPressure, {"unknown unit", "subtract 1.01325"});  // not "did you mean bar"
+  check_error("5 psig", kPressure, {"unknown unit", "from ambient: write psi"});
   check_error("5 kgf", kForce, {"unknown unit \"kgf\"", "9.80665 N"});
   check_error("80 C", kTemperature, {"unknown unit \"C\"", "\"degC\"", "\"K\""});
   check_error("500 W/(m2 F)", kHeatTransfer, {"unknown unit \"F\"", "\"K\""});

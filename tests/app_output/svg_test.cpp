@@ -8,6 +8,7 @@
 #include "app/svg_colour.hpp"
 #include "app/svg_contour.hpp"
 #include "app/svg_film.hpp"
+#include "app/svg_lines.hpp"
 #include "app/svg_waterfall.hpp"
 #include "core/constants.hpp"
 #include "synthetic.hpp"
@@ -181,6 +182,24 @@ TEST_CASE("LabelsOfALogarithmicAxisDoNotRunIntoEachOther") {
   CHECK(labels(1000.0) == std::pair{true, true});
   const auto [thousand, two_thousand] = labels(200.0);
   CHECK(thousand != two_thousand);  // 21 px apart, each 24 px wide: one gives way
+}
+
+TEST_CASE("ABandCoversItsBarsWhereverItsLineGoes") {
+  // A run-up and its run-down: what lies over it twice is shaded, too. A frame of 1000 px for x
+  // from 0 to 4 and y from 0 to 2; bars of 0.5 over two speeds are half of it times 250 px a unit.
+  app::Svg svg(2000.0, 2000.0);
+  app::LinePlot plot;
+  plot.x = app::round_axis(0.0, 4.0, 5, "");
+  plot.y = app::round_axis(0.0, 2.0, 5, "");
+  plot.series.push_back({"", {3.0, 1.0, 3.0}, {1.0, 1.0, 1.0}, "#123456", "", {0.5, 0.5, 0.5}});
+  const app::Frame frame =
+      app::draw_lines(svg, {0.0, 0.0, 1068.0, 1082.0}, plot, app::print_theme());
+  const std::string text = svg.document("");
+  const std::size_t end = text.find("\" fill=\"#123456\" fill-opacity");
+  REQUIRE(end != std::string::npos);
+  const std::size_t begin = text.rfind("d=\"", end) + 3;
+  const double once = 0.5 * frame.box.width * 0.5 * frame.box.height;
+  CHECK(std::abs(area(text.substr(begin, end - begin))) == Approx(2.0 * once).epsilon(1e-3));
 }
 
 TEST_CASE("TheWaterfallLeadsFromOneTorqueToTheOther") {

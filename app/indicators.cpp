@@ -101,6 +101,20 @@ void add_oil(const Case& subject, const Derived& d, std::vector<Indicator>& list
   }
 }
 
+/// Largest head of oil pressed out of a supply over a land of length L to the side, in a gap of the
+/// clearance, over the pressure that drives it [-]; bearing/fed_flow.hpp has that of the film.
+double fed_head(const Case& subject, const Derived& d) {
+  double most = 0.0;
+  for (const Supply& supply : subject.supplies) {
+    const double land = 0.5 * subject.bearing.width - std::abs(supply.z) - 0.5 * supply.length;
+    if (!(supply.pressure > 0.0) || !(land > 0.0)) continue;
+    const double c = subject.bearing.radial_clearance;
+    const double u = c * c * supply.pressure / (12.0 * d.eta * land);
+    most = std::max(most, 0.5 * d.rho * u * u / supply.pressure);
+  }
+  return most;
+}
+
 void add_flow(const Case& subject, const Derived& d, std::vector<Indicator>& list) {
   const double c = subject.bearing.radial_clearance;
   if (d.lambda) {
@@ -113,6 +127,12 @@ void add_flow(const Case& subject, const Derived& d, std::vector<Indicator>& lis
   list.push_back(
       make("inertia of the oil", "rho omega c^2/eta", inertia, {0.3, 1.0},
            {"negligible", "shows, and is not modelled", "matters, and is not modelled"}));
+  if (const double part = fed_head(subject, d); part > 0.0) {
+    list.push_back(make("inertia of the fed oil", "(rho u^2/2)/p of supplies, u = c^2 p/(12 eta L)",
+                        part, {0.02, 0.1},
+                        {"negligible", "shows, and is not modelled",
+                         "the film feeds more than the bearing would"}));
+  }
   list.push_back(make(
       "turbulence", "Re/(41.2 sqrt(R/c))", d.reynolds / d.reynolds_limit, {0.5, 1.0},
       {"laminar", "laminar, near the limit", "vortices or turbulence, which are not modelled"}));

@@ -150,6 +150,11 @@ std::optional<Shell> read_shell(const Section& file) {
         "with temperature");
   }
   if (const auto back = section->maybe_section("back")) shell.back = read_back(*back);
+  if (shell.housing && std::holds_alternative<PrescribedBack>(shell.back)) {
+    section->assume(
+        "shell.back.temperature is that of the shell's back, in the housing: no heat is followed "
+        "through the housing");
+  }
   shell.end_heat_transfer = section->quantity_or(
       "end_heat_transfer", kHeatTransfer, shell.end_heat_transfer,
       "the end faces of shell and housing are taken to give off heat at 50 W/(m2 K)", kNotNegative);

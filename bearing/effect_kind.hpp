@@ -11,7 +11,8 @@ enum class EffectKind {
   viscosity_with_pressure,
   shear_thinning,
   roughness_and_contact,
-  turbulence,  ///< and Taylor vortices
+  turbulence,          ///< and Taylor vortices
+  inertia_of_fed_oil,  ///< pressed out of a supply
 };
 
 enum class Limiter {

@@ -8,6 +8,7 @@
 #include "bearing/film_motion.hpp"
 #include "bearing/newton.hpp"
 #include "core/round_off.hpp"
+#include "fluid/film_update.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -296,7 +297,11 @@ Part::Part(Solution& s, Raised raised)
       raised_(raised),
       force_(s.point.load.force),
       speed_(s.point.scene.speed),
-      place_(s.film.position.q) {}
+      place_(s.film.position.q) {
+  for (const fluid::SupplyPatch& patch : s.point.scene.supply.patches) {
+    pressure_.push_back(patch.pressure);
+  }
+}
 
 void Part::take(double part) {
   for (int k = 0; k < 4; ++k) {
@@ -304,6 +309,11 @@ void Part::take(double part) {
     if (raised_ == Raised::place) s_.film.position.q[k] = part * place_[k];
   }
   if (raised_ == Raised::speed) s_.point.scene.speed = part * speed_;
+  if (raised_ != Raised::supply) return;
+  for (std::size_t k = 0; k < pressure_.size(); ++k) {
+    s_.point.scene.supply.patches[k].pressure = part * pressure_[k];
+  }
+  fluid::impose_supply(s_.point.scene.supply, s_.film.film);
 }
 
 Branch follow_parts(Solution& s, Raised raised, double begun, const Corrector& correct,
@@ -384,7 +394,7 @@ bool has_own_limit(const Solution& s) {
 void note_limit(Solution& s, const Branch& branch, bool proven) {
   const FilmGrid& g = s.model.domain.grid;
   s.limits.push_back({{g.nt, g.full_nz()},
-                      branch.raised == Raised::speed,
+                      branch.raised,
                       branch.carried,
                       proven,
                       branch.end == BranchEnd::unbounded || branch.end == BranchEnd::molecule});

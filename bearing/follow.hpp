@@ -39,8 +39,7 @@ inline constexpr std::array kHeavy{2.0, 5.0};
 /// Two ends of a branch that are nearer than this are one [-].
 inline constexpr double kAgree = 0.1;
 
-/// What is raised along a branch: load or speed of the operating point, or a journal's given place.
-enum class Raised { load, speed, place };
+using ending::Raised;
 
 struct Branch {
   Raised raised = Raised::load;
@@ -60,7 +59,8 @@ struct Branch {
 [[nodiscard]] Branch follow_parts(Solution& s, Raised raised, double begun,
                                   const Corrector& correct, const SolveControl& control);
 
-/// Gives the operating point a part of its load or of its speed, or the film one of its place.
+/// Gives the operating point a part of its load, its speed or its supplies' pressures, or the film
+/// one of its place.
 class Part {
  public:
   Part(Solution& s, Raised raised);
@@ -71,6 +71,7 @@ class Part {
   Raised raised_;
   fluid::Wrench force_;
   double speed_;
+  std::vector<double> pressure_;  ///< of each patch, gauge [Pa]
   std::array<double, 4> place_;
 };
 

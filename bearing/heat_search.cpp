@@ -36,6 +36,12 @@ ThermalOptions options_of(Accuracy accuracy, bool coarse) {
 /// two ends that agree may differ by.
 double beyond(const Branch& branch) { return std::min(1.0, (1.0 + kAgree) * branch.carried); }
 
+bool is_fed_under_pressure(const OperatingPoint& point) {
+  const auto& patches = point.scene.supply.patches;
+  return std::any_of(patches.begin(), patches.end(),
+                     [](const fluid::SupplyPatch& patch) { return patch.pressure > 0.0; });
+}
+
 /// Short of the whole, and by no bound of the equations.
 bool ends_early(const Branch& branch) {
   const bool open = branch.end == BranchEnd::turned || branch.end == BranchEnd::lost;
@@ -103,6 +109,10 @@ std::optional<Branch> HeatSearch::follow() {
   std::optional<Branch> branch;
   if (s_.point.load.unknowns > 0) {
     branch = follow_loads(s_, start, corrector(), control_);
+  }
+  // Supplies that carry more than a light load press the journal against the other side.
+  if (!branch && is_fed_under_pressure(s_.point)) {
+    branch = follow_from(s_, Raised::supply, kLight, start, corrector(), control_);
   }
   if (!branch) branch = follow_from(s_, Raised::speed, kLight, start, corrector(), control_);
   return branch;

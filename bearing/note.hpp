@@ -163,6 +163,15 @@ struct NotLaminar {
   double limit = 0.0;     ///< beyond which vortices or turbulence begin [-]
 };
 
+/// Oil that is pressed out of a supply so fast that its inertia counts.
+struct FedFlow {
+  double velocity = 0.0;  ///< where its head is most of what drives it [m/s]
+  double head = 0.0;      ///< there [Pa]
+  double part = 0.0;      ///< head over what drives it [-]
+  double reynolds = 0.0;  ///< largest of all such oil [-]
+  FilmPlace place{};
+};
+
 /// Contact pressure held at the hardness: summits flow.
 struct HeldAtHardness {
   double hardness = 0.0;  ///< [Pa]
@@ -270,7 +279,7 @@ using Note = std::variant<
     std::string, note::Plain, note::ColdSpot, note::NoCoefficients, note::CavitatedDamping,
     note::OtherRoots, note::FactorsContinued, note::BeyondOilRange, note::BeyondContactLaw,
     note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells, note::ProfileBetweenCells,
-    note::NotLaminar, note::VesselEmpty, note::MouthWidened, note::WornThrough, note::LayerFlown,
+    note::NotLaminar, note::FedFlow, note::VesselEmpty, note::MouthWidened, note::WornThrough, note::LayerFlown,
     note::WornBeyondClearance, note::WearLedOn, note::LiningTooHot, note::OtherSteadyState,
     note::LayerPressed, note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid,
     note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet,

@@ -10,10 +10,10 @@
 
 namespace shellback::bearing {
 
-/// Load or speed beyond which no steady state was found or none exists, on one grid.
+/// Part of what is raised beyond which no steady state was found or none exists, on one grid.
 struct Limit {
   std::array<int, 2> grid{0, 0};
-  bool of_speed = false;
+  ending::Raised raised = ending::Raised::load;
   double part = 0.0;    ///< of what the case asks for [-]
   bool proven = false;  ///< beyond it there is none on this grid
   bool bound = false;   ///< by a bound of the equations

@@ -103,11 +103,11 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
     s.verdict = on.verdict;
     return;
   }
-  const bool of_speed = s.limits.back().of_speed;
-  if (on.verdict.good()) on.limits.assign(1, {second.model.grid, of_speed, 1.0, false, false});
+  const ending::Raised raised = s.limits.back().raised;
+  if (on.verdict.good()) on.limits.assign(1, {second.model.grid, raised, 1.0, false, false});
   const bool none = on.verdict.status == Status::no_steady_state;
   if (none && on.limits.empty()) {  // not even the beginning of a branch
-    on.limits.assign(1, {second.model.grid, of_speed, 0.0, true, true});
+    on.limits.assign(1, {second.model.grid, raised, 0.0, true, true});
   }
   s.limits.insert(s.limits.begin(), on.limits.begin(), on.limits.end());
 }
@@ -118,7 +118,7 @@ void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Soluti
   if (s.verdict.status != Status::no_steady_state || !has_own_limit(s)) return;
   const Limit own = s.limits.back();
   const auto agrees = [&](const Limit& l) {
-    const bool alike = l.grid != own.grid && l.proven && l.of_speed == own.of_speed;
+    const bool alike = l.grid != own.grid && l.proven && l.raised == own.raised;
     const bool near = std::abs(l.part / own.part - 1.0) <= kAgree;
     return alike && (near || (l.bound && own.bound && std::max(l.part, own.part) < 1.0));
   };

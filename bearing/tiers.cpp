@@ -24,11 +24,19 @@ Verdict steady_film(Solution& s, Level level, const SolveControl& control) {
 Verdict steady_heat(Solution& s, Level level, const SolveControl& control) {
   HeatSearch search(s, level, control);
   if (level.warm) return search.iterate();
+  auto limits = s.limits;
   const Verdict film = search.cold_film();
-  if (!film.good()) {  // heated oil may carry where that of the supply does not
+  if (!film.good()) {
     if (search.over(film) || !search.may_follow()) return film;
-    const Verdict along = search.along_branch();
-    return stands(along) ? along : film;
+    // Where a film ends in oil of the supply's temperature says nothing of one that is heated, or
+    // cooled by its walls, unless its gap is closed as it is given.
+    if (s.point.load.unknowns == 0 && is_closed(s.model, s.film)) return film;
+    s.limits = std::move(limits);
+    Verdict along = search.along_branch();
+    if (search.over(along) || search.branch_begun()) return along;
+    if (film.status != Status::no_steady_state) return film;
+    along.cause = {film};
+    return along;
   }
   const Verdict direct = search.iterate();
   if (search.over(direct)) return direct;

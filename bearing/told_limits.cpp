@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bearing/fed_flow.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/largest.hpp"
@@ -24,6 +25,7 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   const Field& T = s.film.columns.T_mean;
   const double mean = std::accumulate(T.begin(), T.end(), 0.0) / static_cast<double>(T.size());
   add_turbulence(s.model, s.point.scene.speed, mean, warnings);
+  add_fed_flow(s, warnings);
 }
 
 /// Share of the damping from the cavitated film from which on K and C are told to be of slow

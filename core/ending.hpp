@@ -105,7 +105,11 @@ struct NotAtRest {
   double h_min = 0.0;  ///< [m]
 };
 
-// Branches of steady states over load or speed.
+// Branches of steady states over load, speed or supply pressures.
+
+/// What is raised along a branch: load, speed or gauge pressures of the supplies of the operating
+/// point, or a journal's given place.
+enum class Raised { load, speed, supply, place };
 
 /// How a branch ended; the highest value that was reached is what it carries.
 enum class BranchEnd {
@@ -117,11 +121,11 @@ enum class BranchEnd {
   interrupted,
 };
 
-/// A part of the load or of the speed that is asked for.
+/// A part of what is raised.
 struct Carried {
-  bool of_speed = false;
+  Raised raised = Raised::load;
   double part = 0.0;   ///< [-]
-  double whole = 0.0;  ///< load [N] or speed [rad/s]
+  double whole = 0.0;  ///< load [N], speed [rad/s] or largest gauge pressure of a supply [Pa]
 };
 
 /// `end` is none of reached and interrupted; the cause, if any, is the last corrector's.

@@ -11,16 +11,36 @@
 
 namespace shellback::app::told {
 
+struct RaisedWords {
+  const char* name;
+  const char* unit;
+  double factor;  ///< into that unit
+};
+inline RaisedWords raised_words(ending::Raised raised) {
+  switch (raised) {
+    case ending::Raised::speed:
+      return {"speed", "rpm", 1.0 / kRpm};
+    case ending::Raised::supply:
+      return {"supply pressure", "bar", 1e-5};
+    case ending::Raised::load:
+    case ending::Raised::place:
+      break;
+  }
+  return {"load", "N", 1.0};
+}
+
 /// "4.1e+03 N of 8e+03 N".
 inline std::string reached(const ending::Carried& c) {
-  const double whole = c.of_speed ? c.whole * 30.0 / kPi : c.whole;
-  const char* unit = c.of_speed ? "rpm" : "N";
-  return fmt::format("{:.4g} {} of {:.4g} {}", c.part * whole, unit, whole, unit);
+  const auto [name, unit, factor] = raised_words(c.raised);
+  return fmt::format("{:.4g} {} of {:.4g} {}", c.part * factor * c.whole, unit, factor * c.whole,
+                     unit);
 }
 
 inline std::string followed(const ending::Carried& c, double h_min) {
-  return fmt::format("followed from {}, steady states are found up to {} (smallest gap {:.3g} um)",
-                     c.of_speed ? "a low speed" : "a light load", reached(c), h_min * 1e6);
+  return fmt::format(
+      "followed from a {} {}, steady states are found up to {} (smallest gap {:.3g} um)",
+      c.raised == ending::Raised::load ? "light" : "low", raised_words(c.raised).name, reached(c),
+      h_min * 1e6);
 }
 
 inline Told told(const ending::BranchEnded& e, const About& a) {
@@ -55,7 +75,7 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
       e.with_heat ? fmt::format(
                         "a lower {}, a larger clearance, better cooling, a support that "
                         "lets the housing grow, or a finer grid",
-                        e.carried.of_speed ? "speed" : "load")
+                        raised_words(e.carried.raised).name)
                   : kContactElseLoad;
   return {fmt::format("no steady state was found: {}, then none ({})", way, a.within.reason), cure};
 }
@@ -81,7 +101,7 @@ inline bool limits_agree(const std::vector<ending::LimitOnGrid>& limits) {
   for (const ending::LimitOnGrid& l : limits) {
     least = std::min(least, l.carried.part);
     most = std::max(most, l.carried.part);
-    if (l.carried.of_speed != limits.front().carried.of_speed) return false;
+    if (l.carried.raised != limits.front().carried.raised) return false;
   }
   return limits.size() > 1 && most <= (1.0 + bearing::kAgree) * least;
 }

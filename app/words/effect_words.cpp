@@ -36,6 +36,10 @@ EffectWords entry_of(EffectKind effect) {
     case EffectKind::roughness_and_contact:
       return {"roughness and contact",
               "smallest film over roughness; above 6 none, below 4 model it"};
+    case EffectKind::inertia_of_fed_oil:
+      return {"inertia of the fed oil",
+              "its head over the pressure that drives it out of the supply; below 0.02 none, above "
+              "0.1 the film's flow is too large"};
     case EffectKind::turbulence:
       break;
   }

@@ -8,6 +8,7 @@
 #include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/temperature_words.hpp"
+#include "bearing/fed_flow.hpp"
 
 namespace shellback::app {
 
@@ -284,6 +285,19 @@ std::string text_of(const note::NotLaminar& n) {
       "where "
       "Taylor vortices and turbulence begin: friction and temperatures are no prediction",
       n.reynolds, n.limit);
+}
+
+std::string text_of(const note::FedFlow& n) {
+  return fmt::format(
+      "oil is pressed out of a supply with {:.3g} m/s (at {}): its head, {:.3g} bar, is {:.2g} of "
+      "the pressure that drives it{}; a film without inertia leaves that out and feeds too much "
+      "there",
+      n.velocity, words_of(n.place), 1e-5 * n.head, n.part,
+      n.reynolds > bearing::kTurbulentFlow
+          ? fmt::format(", and its Reynolds number, {:.3g}, is beyond the {:.0f} "
+                        "from which flow between plates becomes turbulent",
+                        n.reynolds, bearing::kTurbulentFlow)
+          : "");
 }
 
 std::string text_of(const note::HeldAtHardness& n) {

@@ -18,14 +18,19 @@ inline constexpr const char* kNoPressure =
     "reduced pressure would have to exceed its bound 1/alpha (q = (1 - exp(-alpha p))/alpha)";
 
 inline constexpr const char* kNoLightState =
-    "no light load and no low speed was found under which film and heat have a common state";
+    "no light load, no low supply pressure and no low speed was found under which film and heat "
+    "have a common state";
 
 /// Of branches that were sought and not found, or not followed.
-inline Told told_of_branch(ending::Plain e) {
+inline Told told_of_branch(ending::Plain e, const std::string& within) {
   using ending::Plain;
   switch (e) {
     case Plain::no_light_state:
-      return {kNoLightState, kFinerElseTighter};
+      return {within.empty()
+                  ? kNoLightState
+                  : fmt::format("{} (with oil of the supply's temperature throughout: {})",
+                                kNoLightState, within),
+              "another grid, finer or coarser, or a nearby operating point first"};
     case Plain::no_slow_state:
       return {
           "at the journal's given place no low speed was found at which film and heat have a "
@@ -87,7 +92,7 @@ inline Told told(ending::Plain e, const About& a) {
     case Plain::no_slow_state:
     case Plain::endless_branch:
     case Plain::strayed:
-      return told_of_branch(e);
+      return told_of_branch(e, a.within.reason);
     case Plain::estimate_unbalanced:
       return {"the estimate finds no film temperature at which the friction heat is carried away",
               "lower speed or load, feed more oil, or ask a tier that resolves the heat"};

@@ -84,28 +84,33 @@ TEST_CASE("AClosedGapTellsWhatClosedIt", "[words]") {
 
 TEST_CASE("ABranchTellsHowFarItWasFollowedAndWhatCameThen", "[words]") {
   const ending::BranchEnded bound{
-      ending::BranchEnd::unbounded, {false, 0.549, 6e4}, 4.24e-6, false};
+      ending::BranchEnd::unbounded, {ending::Raised::load, 0.549, 6e4}, 4.24e-6, false};
   CHECK(reason_of({kNone, bound}) ==
         "the film cannot carry 6e+04 N: followed from a light load, steady states are found up to "
         "3.294e+04 N of 6e+04 N (smallest gap 4.24 um); closer the pressure grows without bound "
         "(rigid surfaces and viscosity rising as exp(alpha p): the reduced pressure q = (1 - "
         "exp(-alpha p))/alpha cannot exceed 1/alpha)");
   const Verdict within{kLimit, ending::Unsettled{ending::Iteration::heat, 25, 3.6e-3}};
-  const ending::Carried rpm{true, 0.3123, 100.0 * kPi};  // 3000 rpm
+  const ending::Carried rpm{ending::Raised::speed, 0.3123, 100.0 * kPi};  // 3000 rpm
   const ending::BranchEnded lost{ending::BranchEnd::lost, rpm, 1.16e-6, true};
   CHECK(reason_of({kLimit, lost, {}, {within}}) ==
         "no steady state was found: followed from a low speed, steady states are found up to 936.9 "
         "rpm of 3000 rpm (smallest gap 1.16 um), then none (film and heat did not settle in 25 "
         "iterations (last change 3.6e-03 of 10 K))");
-  const ending::LimitMoves moves{{{{72, 12}, {true, 1.33 / 3000.0, 100.0 * kPi}},
-                                  {{48, 8}, {true, 5.098 / 3000.0, 100.0 * kPi}}}};
+  const ending::LimitMoves moves{{{{72, 12}, {ending::Raised::speed, 1.33 / 3000.0, 100.0 * kPi}},
+                                  {{48, 8}, {ending::Raised::speed, 5.098 / 3000.0, 100.0 * kPi}}}};
   CHECK(reason_of({kLimit, moves, {}, {{kNone, ending::Plain::no_pressure}}}) ==
         "not resolved: the limit moves with the grid (1.33 rpm of 3000 rpm on 72 x 12 cells, 5.098 "
         "rpm of 3000 rpm on 48 x 8 cells); the film has no steady pressure at this gap: with the "
         "pressure-viscosity law chosen, the reduced pressure would have to exceed its bound "
         "1/alpha (q = (1 - exp(-alpha p))/alpha)");
-  const ending::LimitMoves alike{
-      {{{72, 12}, {true, 0.664, 100.0 * kPi}}, {{48, 8}, {true, 0.665, 100.0 * kPi}}}};
+  const ending::LimitMoves alike{{{{72, 12}, {ending::Raised::speed, 0.664, 100.0 * kPi}},
+                                  {{48, 8}, {ending::Raised::speed, 0.665, 100.0 * kPi}}}};
+  const ending::BranchEnded fed{
+      ending::BranchEnd::lost, {ending::Raised::supply, 0.9, 70e5}, 1e-5, true};
+  CHECK(reason_of({kLimit, fed})
+            .find("from a low supply pressure, steady states are found up to "
+                  "63 bar of 70 bar") != std::string::npos);
   CHECK(reason_of({kLimit, alike}).find("not resolved: the grids end at the same place") == 0);
 }
 

@@ -217,7 +217,7 @@ TEST_CASE("ABranchBeginsWhereSummitsCarryTheJournalAtRest") {
   const Solution s = solve_tier(c, Tier::tehd);
   REQUIRE_FALSE(s.verdict.good());
   REQUIRE_FALSE(s.limits.empty());
-  CHECK(s.limits.front().of_speed);
+  CHECK(s.limits.front().raised == Raised::speed);
   CHECK(s.limits.front().part > 0.3);  // of the speed
 }
 

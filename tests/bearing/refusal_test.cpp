@@ -3,6 +3,7 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/compare.hpp"
+#include "bearing/fed_flow.hpp"
 #include "bearing/told_ranges.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -138,6 +139,59 @@ TEST_CASE("AFilmThatIsNotLaminarIsMarked", "[refusal]") {
   CHECK_FALSE(marked(0.99));
   CHECK(marked(1.01));
   CHECK(marked(-1.01));
+}
+
+TEST_CASE("OilThatIsFedTooFastIsTold", "[refusal]") {
+  // A ring groove in the middle of a concentric bearing at a crawl: u = c^2 p/(12 eta L) over lands
+  // of length L, whatever the cells.
+  Case c = plain_case();
+  place_journal(c, 0.0, 0.0);
+  c.operation.omega = 1e-3;
+  c.oil.temperature = rheology::ConstantViscosity{5e-3};
+  c.model.cavitation_pressure = 0.0;
+  Supply& groove = c.supplies[0];
+  groove.kind = SupplyKind::circumferential_groove;
+  groove.arc = 2.0 * kPi;
+  groove.z = 0.0;
+  groove.length = 0.25 * c.bearing.width;
+  const double land = 0.5 * (c.bearing.width - groove.length);
+  const double gap = c.bearing.radial_clearance;
+  const double rho = std::get<rheology::ConstantDensity>(c.oil.density).rho;
+  const auto told = [&](double head) {  // of the pressure that drives it
+    const double per_pressure = gap * gap / (12.0 * 5e-3 * land);
+    groove.pressure = 2.0 * head / (rho * per_pressure * per_pressure);
+    const Solution s = solve_tier(c, Tier::isothermal);
+    REQUIRE(s.verdict.good());
+    const note::FedFlow flow = fed_flow(s);
+    CHECK(flow.part == Approx(head).epsilon(1e-6));
+    CHECK(flow.velocity == Approx(per_pressure * groove.pressure).epsilon(1e-6));
+    CHECK(flow.reynolds == Approx(rho * flow.velocity * gap / 5e-3).epsilon(1e-6));
+    const Result r = summarize(s, Tier::isothermal);
+    return std::any_of(r.warnings.begin(), r.warnings.end(),
+                       [](const Note& w) { return std::holds_alternative<note::FedFlow>(w); });
+  };
+  CHECK_FALSE(told(0.09));
+  CHECK(told(0.11));
+}
+
+TEST_CASE("WhereAFilmWithHeatEndsIsItsOwnEnd", "[refusal]") {
+  // Far beyond what it carries the film in oil of the supply's temperature ends elsewhere: thicker
+  // oil carries more. What a refusal names must be carried, a tenth less at least, and no more.
+  Case c = warm_case();
+  c.oil.pressure = rheology::Barus{2e-8};
+  c.model.switches.thermal_deformation = false;
+  set_load(c, 1e6);
+  const Solution cool = solve_tier(c, Tier::isothermal);
+  const Solution far = solve_tier(c, Tier::thd);
+  REQUIRE_FALSE(far.verdict.good());
+  REQUIRE_FALSE(far.limits.empty());
+  const double carried = far.limits.back().part * 1e6;
+  set_load(c, 0.97 * carried);
+  CHECK(solve_tier(c, Tier::thd).verdict.good());
+  set_load(c, 1.03 * carried);
+  CHECK_FALSE(solve_tier(c, Tier::thd).verdict.good());
+  REQUIRE_FALSE(cool.limits.empty());
+  CHECK(cool.limits.back().part * 1e6 > 1.05 * carried);  // else this test tells nothing
 }
 
 TEST_CASE("ALiningBeyondItsLimitTemperatureIsTold", "[refusal]") {

@@ -11,7 +11,8 @@ using namespace shellback;
 namespace {
 
 Verdict nested() {
-  const ending::LimitMoves moves{{{{72, 12}, {true, 0.1, 300.0}}, {{48, 8}, {true, 0.7, 300.0}}}};
+  const ending::LimitMoves moves{{{{72, 12}, {ending::Raised::speed, 0.1, 300.0}},
+                                  {{48, 8}, {ending::Raised::speed, 0.7, 300.0}}}};
   const Verdict within{
       Status::invalid_number, ending::NotANumber{FieldName::gap, true}, {1.5, -2e-3}};
   return {Status::iteration_limit, moves, {NAN, 1e-3}, {within}};

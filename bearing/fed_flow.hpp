@@ -1,0 +1,24 @@
+#pragma once
+/// How fast oil is pressed out of supplies: what a film without inertia does not know.
+///
+/// On each face between a supply's patch and the film, with the pressure-driven part m_p of its
+/// mass flow, its width w and the gap h of the film cell,
+///   u = m_p/(rho h w),   Re = rho u h/eta,   head = 1/2 rho u^2                               (1)
+/// Oil that enters a gap takes its head from the pressure that drives it (textbook: Bernoulli).
+/// Beyond a tenth of it the flow is less than the film's by several per cent; beyond Re of 1000
+/// laminar flow between plates becomes turbulent (textbook: 1000 to 1400 by mean velocity and gap).
+#include "bearing/solution.hpp"
+
+namespace shellback::bearing {
+
+/// The fastest oil on its way out of a supply, by the part of its pressure that its head is; its
+/// Reynolds number is the largest of all. Zero where none is pressed out.
+[[nodiscard]] note::FedFlow fed_flow(const Solution& s);
+
+inline constexpr double kHeadThatCounts = 0.1;    ///< of what drives the oil, see (1) [-]
+inline constexpr double kTurbulentFlow = 1000.0;  ///< Re, the same [-]
+
+/// One note where it leaves what a film without inertia bears.
+void add_fed_flow(const Solution& s, std::vector<Note>& notes);
+
+}  // namespace shellback::bearing

@@ -42,7 +42,8 @@ std::vector<CsvCell> split_cells(const std::string& line) {
 }
 
 double number_of(const std::string& field, const std::string& unit) {
-  constexpr Kind kBare{"a plain number", {}, "none here, the first line of the table names it", "12.5"};
+  constexpr Kind kBare{
+      "a plain number", {}, "none here, the first line of the table names it", "12.5"};
   const double number = parse_quantity(field, unit == "1" ? kNumber : kBare);
   if (unit == "1" || !field.ends_with('%')) return number;
   throw UnitError(fmt::format("{} is a share, but the column is in {}; write the number alone",

@@ -34,7 +34,8 @@ Verdict steady_heat(Solution& s, Level level, const SolveControl& control) {
     s.limits = std::move(limits);
     Verdict along = search.along_branch();
     if (search.over(along) || search.branch_begun()) return along;
-    if (film.status != Status::no_steady_state) return film;
+    const bool of_a_branch = film.as<ending::BranchEnded>() != nullptr;
+    if (film.status != Status::no_steady_state && !of_a_branch) return film;
     along.cause = {film};
     return along;
   }

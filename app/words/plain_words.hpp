@@ -24,18 +24,20 @@ inline constexpr const char* kNoLightState =
 /// Of branches that were sought and not found, or not followed.
 inline Told told_of_branch(ending::Plain e, const std::string& within) {
   using ending::Plain;
+  const std::string of_cool_oil =
+      within.empty()
+          ? ""
+          : fmt::format(" (with oil of the supply's temperature throughout: {})", within);
   switch (e) {
     case Plain::no_light_state:
-      return {within.empty()
-                  ? kNoLightState
-                  : fmt::format("{} (with oil of the supply's temperature throughout: {})",
-                                kNoLightState, within),
+      return {kNoLightState + of_cool_oil,
               "another grid, finer or coarser, or a nearby operating point first"};
     case Plain::no_slow_state:
       return {
-          "at the journal's given place no low speed was found at which film and heat have a "
-          "common state",
-          "a smaller eccentricity ratio or tilt, or a finer grid"};
+          "at the journal's given place no low supply pressure and no low speed was found at which "
+          "film and heat have a common state" +
+              of_cool_oil,
+          "a smaller eccentricity ratio or tilt, or another grid"};
     case Plain::endless_branch:
       return {"states were found one after the other, and the load has hardly risen",
               kFinerElseTighter};

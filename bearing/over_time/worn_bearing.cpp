@@ -28,16 +28,44 @@ Case read_worn_case(const Case& c, Tape& tape, Field& wear) {
   return worn_case(c, grid, wear);
 }
 
-class UnderStandingLoad final : public WornBearing {
+/// The last good solution with its wear, and the one before.
+template <class Held>
+class Worn : public WornBearing {
+ public:
+  [[nodiscard]] const Field& wear() const final { return wear_; }
+  void go_back() final {
+    now_ = std::move(before_);
+    wear_ = std::move(wear_before_);
+  }
+
+ protected:
+  Worn(const Case& c, Tier tier, const SolveControl& control)
+      : case_(c), tier_(tier), control_(control) {}
+  void take(Held next, const Field& wear) {
+    before_ = std::exchange(now_, std::move(next));
+    wear_before_ = std::exchange(wear_, wear);
+  }
+
+  Case case_;
+  Tier tier_;
+  const SolveControl& control_;
+  Held now_{};
+  Field wear_;
+
+ private:
+  Held before_{};
+  Field wear_before_;
+};
+
+class UnderStandingLoad final : public Worn<Solution> {
  public:
   UnderStandingLoad(const Case& c, Tier tier, const SolveControl& control)
-      : case_(c),
-        tier_(tier),
-        control_(control),
-        now_(solve_tier(c, tier, control)),
-        wear_(no_wear(now_.model)) {}
+      : Worn(c, tier, control) {
+    now_ = solve_tier(c, tier, control);
+    wear_ = no_wear(now_.model);
+  }
   UnderStandingLoad(const Case& c, Tier tier, const SolveControl& control, Tape& tape)
-      : case_(c), tier_(tier), control_(control) {
+      : Worn(c, tier, control) {
     const Case worn = read_worn_case(c, tape, wear_);
     now_.model = make_bearing(worn, physics_of(worn, tier), worn.model.grid);
     now_.point = operating_point(now_.model);
@@ -46,7 +74,6 @@ class UnderStandingLoad final : public WornBearing {
 
   [[nodiscard]] const Verdict& verdict() const override { return now_.verdict; }
   [[nodiscard]] const BearingModel& model() const override { return now_.model; }
-  [[nodiscard]] const Field& wear() const override { return wear_; }
   [[nodiscard]] WearLoad load() const override {
     return wear_load_of(now_.model, now_.point, now_.film, case_.running_in->limit_pressure);
   }
@@ -62,13 +89,8 @@ class UnderStandingLoad final : public WornBearing {
       why = next.verdict;
       return false;
     }
-    before_ = std::exchange(now_, std::move(next));
-    wear_before_ = std::exchange(wear_, wear);
+    take(std::move(next), wear);
     return true;
-  }
-  void go_back() override {
-    now_ = std::move(before_);
-    wear_ = std::move(wear_before_);
   }
 
   void tell(RunningInState& state, RunningInRun& run) const override {
@@ -79,26 +101,16 @@ class UnderStandingLoad final : public WornBearing {
     run.solution = now_;
   }
   void keep(Tape& tape) override { tape(now_.model.domain.grid, wear_, now_); }
-
- private:
-  Case case_;
-  Tier tier_;
-  const SolveControl& control_;
-  Solution now_;
-  Solution before_;
-  Field wear_, wear_before_;
 };
 
-class OverLoadCycle final : public WornBearing {
+class OverLoadCycle final : public Worn<std::unique_ptr<CycleSearch>> {
  public:
-  OverLoadCycle(const Case& c, Tier tier, const SolveControl& control)
-      : case_(c),
-        tier_(tier),
-        control_(control),
-        now_(search_cycle(c, tier, control, cost_)),
-        wear_(no_wear(now_->film().model())) {}
+  OverLoadCycle(const Case& c, Tier tier, const SolveControl& control) : Worn(c, tier, control) {
+    now_ = search_cycle(c, tier, control, cost_);
+    wear_ = no_wear(model());
+  }
   OverLoadCycle(const Case& c, Tier tier, const SolveControl& control, Tape& tape)
-      : case_(c), tier_(tier), control_(control) {
+      : Worn(c, tier, control) {
     const Case worn = read_worn_case(c, tape, wear_);
     now_ = std::make_unique<CycleSearch>(worn, tier, physics_of(worn, tier), control);
     now_->ended(tape);
@@ -109,7 +121,6 @@ class OverLoadCycle final : public WornBearing {
   [[nodiscard]] WearLoad load() const override { return now_->told().wear_load(); }
   [[nodiscard]] const Field& contact() const override { return now_->told().largest_contact(); }
   [[nodiscard]] const Field& gap() const override { return now_->told().smallest_gap(); }
-  [[nodiscard]] const Field& wear() const override { return wear_; }
 
   bool wear_to(const Field& wear, double /*within*/, Verdict& why) override {
     const Case worn = worn_case(case_, model().domain.grid, wear);
@@ -119,13 +130,8 @@ class OverLoadCycle final : public WornBearing {
       why = next->verdict();
       return false;
     }
-    before_ = std::exchange(now_, std::move(next));
-    wear_before_ = std::exchange(wear_, wear);
+    take(std::move(next), wear);
     return true;
-  }
-  void go_back() override {
-    now_ = std::move(before_);
-    wear_ = std::move(wear_before_);
   }
 
   void tell(RunningInState& state, RunningInRun& run) const override {
@@ -143,13 +149,7 @@ class OverLoadCycle final : public WornBearing {
   }
 
  private:
-  Case case_;
-  Tier tier_;
-  const SolveControl& control_;
   Cost cost_;  ///< of the new bearing
-  std::unique_ptr<CycleSearch> now_;
-  std::unique_ptr<CycleSearch> before_;
-  Field wear_, wear_before_;
 };
 
 }  // namespace

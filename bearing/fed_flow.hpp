@@ -7,18 +7,23 @@
 /// Oil that enters a gap takes its head from the pressure that drives it (textbook: Bernoulli).
 /// Beyond a tenth of it the flow is less than the film's by several per cent; beyond Re of 1000
 /// laminar flow between plates becomes turbulent (textbook: 1000 to 1400 by mean velocity and gap).
-#include "bearing/solution.hpp"
+#include "bearing/equilibrium.hpp"
+#include "bearing/note.hpp"
 
 namespace shellback::bearing {
 
 /// The fastest oil on its way out of a supply, by the part of its pressure that its head is; its
-/// Reynolds number is the largest of all. Zero where none is pressed out.
-[[nodiscard]] note::FedFlow fed_flow(const Solution& s);
+/// Reynolds number is the largest of all. Zero where none is pressed out. Of the film as it stands,
+/// over a cycle, too; a drilling's mouth is a source of cells and not looked at.
+[[nodiscard]] note::FedFlow fed_flow(const fluid::FilmScene& scene, const Evaluation& film);
+
+/// What is worse in either of two films.
+[[nodiscard]] note::FedFlow worse(note::FedFlow a, const note::FedFlow& b);
 
 inline constexpr double kHeadThatCounts = 0.1;    ///< of what drives the oil, see (1) [-]
 inline constexpr double kTurbulentFlow = 1000.0;  ///< Re, the same [-]
 
 /// One note where it leaves what a film without inertia bears.
-void add_fed_flow(const Solution& s, std::vector<Note>& notes);
+void add_fed_flow(const note::FedFlow& flow, std::vector<Note>& notes);
 
 }  // namespace shellback::bearing

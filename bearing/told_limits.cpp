@@ -25,7 +25,7 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   const Field& T = s.film.columns.T_mean;
   const double mean = std::accumulate(T.begin(), T.end(), 0.0) / static_cast<double>(T.size());
   add_turbulence(s.model, s.point.scene.speed, mean, warnings);
-  add_fed_flow(s, warnings);
+  add_fed_flow(fed_flow(s.point.scene, s.film), warnings);
 }
 
 /// Share of the damping from the cavitated film from which on K and C are told to be of slow

@@ -1,8 +1,10 @@
 # A library per folder, in the order of the arrows: linking is the arrow.
-#   shellback_library(NAME sources... LINKS libraries...)
+#   shellback_library(NAME sources... LINKS libraries... [PROSE])
 # Its users get the include root, C++20, Eigen's alignment and the libraries; the flags stay here.
+# PROSE: what reads, writes, draws and judges the answers of others, optimized less for two thirds of
+# its time to compile.
 function(shellback_library name)
-  cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "PROSE" "" "LINKS" ${ARGN})
   add_library(shellback_${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
   add_library(shellback::${name} ALIAS shellback_${name})
   set_target_properties(shellback_${name} PROPERTIES EXPORT_NAME ${name})
@@ -14,12 +16,24 @@ function(shellback_library name)
     PRIVATE $<BUILD_INTERFACE:shellback_flags>)
   set_target_properties(shellback_${name} PROPERTIES
     UNITY_BUILD ${SHELLBACK_UNITY} UNITY_BUILD_BATCH_SIZE 16)
-  if(name STREQUAL "core")
-    target_precompile_headers(shellback_core PRIVATE ${SHELLBACK_PRECOMPILED})
+  # GCC takes the optimization of a whole source from its precompiled header: one header a kind.
+  set(kind core)
+  if(ARG_PROSE)
+    set(kind words)
+    target_compile_options(shellback_${name} PRIVATE ${SHELLBACK_PROSE_OPTIONS})
+  endif()
+  if(name STREQUAL kind)
+    target_precompile_headers(shellback_${name} PRIVATE ${SHELLBACK_PRECOMPILED})
   else()
-    target_precompile_headers(shellback_${name} REUSE_FROM shellback_core)
+    target_precompile_headers(shellback_${name} REUSE_FROM shellback_${kind})
   endif()
 endfunction()
+
+if(SHELLBACK_SANITIZE)
+  set(SHELLBACK_PROSE_OPTIONS -O0)
+elseif(CMAKE_BUILD_TYPE STREQUAL "Release")
+  set(SHELLBACK_PROSE_OPTIONS -O1)
+endif()
 
 # Eigen's objects pass between the libraries and their users, who may be compiled for other
 # registers: one alignment for all, that of the widest (core/eigen.hpp).

@@ -1,8 +1,8 @@
 // The arrows of the house: core <- rheology, fluid, thermal, solid <- bearing <- bearing/over_time
 // <- bearing/judge <- fidelity <- app/study; surface stands on fluid and solid, and app/words on
-// bearing/over_time, beside them; all <- app <- validation <- app/program. A folder within a folder
-// is one of its own if it is named here. Every include in the production folders is read; nobody
-// includes tests.
+// bearing/over_time, beside them; all <- app <- validation <- app/program; validation/rivals stands
+// on bearing. A folder within a folder is one of its own if it is named here. Every include in the
+// production folders is read; nobody includes tests.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -37,7 +37,8 @@ const std::map<std::string, Folders> kStandsOn{
     {"app/study", {"fidelity"}},
     {"app/words", {"bearing/over_time"}},
     {"app", {"surface", "app/study", "app/words"}},
-    {"validation", {"app"}},
+    {"validation/rivals", {"bearing"}},
+    {"validation", {"app", "validation/rivals"}},
     {"app/program", {"validation"}},
 };
 

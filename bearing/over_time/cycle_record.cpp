@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bearing/fed_flow.hpp"
 #include "bearing/film_heat.hpp"
 #include "bearing/over_time/tape_members.hpp"
 #include "bearing/pockets.hpp"
@@ -161,6 +162,7 @@ void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt
   instants_.push_back(instant_of(now, p, dt));
   pump_ += 0.5 * dt * (pump_before + pump_now_);
   bent_edges_ = std::max(bent_edges_, fluid::bent_edges(now.film.gap.edge));
+  fed_fastest_ = worse(fed_fastest_, fed_flow(film_->point().scene, now.film));
   for (std::size_t c = 0; c < p_max_.size(); ++c) {
     p_max_[c] = larger(p_max_[c], p[c]);
     p_asperity_max_[c] = larger(p_asperity_max_[c], now.film.p_contact[c]);
@@ -246,12 +248,12 @@ void CycleRecord::members(Tape& tape) {
          fed, line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
          off_balance, stored_begun, stored_ended, work, layer_loss, layer_depth, p_max,
          p_asperity_max, h_min, friction, power_now, heat, T_film, T_shell, T_shell_max, wear,
-         bent_edges] = *this;
+         bent_edges, fed_fastest] = *this;
   tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, fed, impulse, v_begun,
        v_ended, line, vessels_begun, vessels_ended, dry, stored_begun, stored_ended, work,
        layer_loss, layer_depth);
   tape(pump_now, pump, off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film,
-       T_shell, T_shell_max, wear, bent_edges);
+       T_shell, T_shell_max, wear, bent_edges, fed_fastest);
 }
 
 }  // namespace shellback::bearing

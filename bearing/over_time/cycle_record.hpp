@@ -120,6 +120,7 @@ class CycleRecord {
   Field T_shell_, T_shell_max_;  ///< integral over time [K s], largest [K]
   MeanWearLoad wear_;            ///< of a case with [running_in]
   int bent_edges_ = 0;           ///< most at an instant, on the solved grid
+  note::FedFlow fed_fastest_;    ///< of all instants
 };
 
 }  // namespace shellback::bearing

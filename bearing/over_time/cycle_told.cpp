@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bearing/fed_flow.hpp"
 #include "bearing/film_heat.hpp"
 #include "bearing/over_time/cycle_record.hpp"
 #include "bearing/solve.hpp"
@@ -289,6 +290,7 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   for (Note& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
   add_turbulence(m, course_->largest_speed() * m.input.bearing.radius, T_film_ / told(),
                  r.warnings);
+  add_fed_flow(fed_fastest_, r.warnings);
   for (const LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(l);
   if (bent_edges_ > 0) r.limiters.push_back({Limiter::bent_edges, (g.half ? 2 : 1) * bent_edges_});
 }

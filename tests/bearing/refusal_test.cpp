@@ -162,7 +162,7 @@ TEST_CASE("OilThatIsFedTooFastIsTold", "[refusal]") {
     groove.pressure = 2.0 * head / (rho * per_pressure * per_pressure);
     const Solution s = solve_tier(c, Tier::isothermal);
     REQUIRE(s.verdict.good());
-    const note::FedFlow flow = fed_flow(s);
+    const note::FedFlow flow = fed_flow(s.point.scene, s.film);
     CHECK(flow.part == Approx(head).epsilon(1e-6));
     CHECK(flow.velocity == Approx(per_pressure * groove.pressure).epsilon(1e-6));
     CHECK(flow.reynolds == Approx(rho * flow.velocity * gap / 5e-3).epsilon(1e-6));

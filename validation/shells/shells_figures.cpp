@@ -20,10 +20,10 @@ using app::Theme;
 using bearing::CycleInstant;
 using bearing::Tier;
 
-constexpr double kWidth = 560.0;   ///< [px]
-constexpr double kHeight = 340.0;  ///< [px]
-constexpr double kMargin = 14.0;   ///< right of the box, for half a label [px]
-constexpr double kApart = 6.0;     ///< bars at one speed [px]
+constexpr double kWidth = 560.0;     ///< [px]
+constexpr double kHeight = 340.0;    ///< [px]
+constexpr double kHalfLabel = 14.0;  ///< right of the box, for half a label [px]
+constexpr double kApart = 6.0;       ///< bars at one speed [px]
 
 ShellFigure finished(const Svg& svg, const std::string& label, std::string caption) {
   return {svg.inline_element(label), std::move(caption)};
@@ -50,7 +50,7 @@ ShellFigure curve(const ShellsStudy& study, const std::string& title, const std:
   }
   if (plot.series.empty()) return {"", "No shell has been found over the cycle."};
   Svg svg(kWidth, kHeight);
-  draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
+  draw_lines(svg, {0.0, 0.0, kWidth - kHalfLabel, kHeight}, plot, theme);
   return finished(svg, title, caption);
 }
 
@@ -96,7 +96,7 @@ std::vector<ShellFigure> shell_maps(const ShellsStudy& study) {
       maps[k]->scale.high = high;
       maps[k]->title = shell_kinds()[k].name;
       Svg svg(kWidth, 280.0);
-      draw_map(svg, {12.0, 0.0, kWidth - kMargin - 12.0, 280.0}, *maps[k], theme);
+      draw_map(svg, {12.0, 0.0, kWidth - kHalfLabel - 12.0, 280.0}, *maps[k], theme);
       all.push_back(finished(svg, words, fmt::format("{}: {}.", shell_kinds()[k].name, words)));
     }
   }
@@ -140,7 +140,7 @@ ShellFigure capability_figure(const ShellsStudy& study, bool worn) {
   }
   plot.y = app::round_axis(0.0, std::max(most, 1.0), 6, plot.y_title);
   Svg svg(kWidth, kHeight);
-  const app::Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
+  const app::Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kHalfLabel, kHeight}, plot, theme);
   const auto beside = [&](std::size_t k, double x, double y) {  // each series a little apart
     app::Point p = frame.at(x, y);
     p.x += kApart * (static_cast<double>(k) - 0.5 * static_cast<double>(bars.size() - 1));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kSteadyTo = "steady to ";
 constexpr const char* kNoneFrom = "none from ";
-constexpr const char* kBetween = "; ";
+constexpr const char* kSeparator = "; ";
 
 std::size_t place_of_label(const std::string& label, const std::vector<std::string>& labels) {
   const auto found = std::find(labels.begin(), labels.end(), label);
@@ -45,9 +45,9 @@ StressExpectation expectation_from(const std::string& words,
   e.words = words;
   std::size_t begin = 0;
   while (begin <= words.size()) {
-    const std::size_t end = std::min(words.find(kBetween, begin), words.size());
+    const std::size_t end = std::min(words.find(kSeparator, begin), words.size());
     read_part(words.substr(begin, end - begin), labels, e);
-    begin = end + std::string(kBetween).size();
+    begin = end + std::string(kSeparator).size();
   }
   if (e.steady_before > e.none_from) {
     throw std::invalid_argument("a steady state is expected where none is expected");

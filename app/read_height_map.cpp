@@ -82,18 +82,26 @@ void expect_size(const MapText& text, long nx, long ny) {
                         nx, ny, kFewest));
 }
 
+/// Rows that all end with a mark between heights have no height behind it.
+bool rows_end_with_mark(const MapText& text) {
+  return std::all_of(text.lines().begin(), text.lines().end(),
+                     [](const MapLine& line) { return map_fields(line.text).back().empty(); });
+}
+
 HeightMap read_matrix(const MapText& text) {
   const double factor = values_factor(text);
+  const bool marked = rows_end_with_mark(text);
   HeightMap map;
   map.ny = static_cast<int>(text.lines().size());
-  map.nx = static_cast<int>(map_fields(text.lines().front().text).size());
+  map.nx = static_cast<int>(map_fields(text.lines().front().text).size()) - (marked ? 1 : 0);
   expect_size(text, map.nx, map.ny);
   map.dx = pitch_of(text, "Width", map.nx);
   map.dy = pitch_of(text, "Height", map.ny);
   map.z.resize(static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny));
   for (int j = 0; j < map.ny; ++j) {
     const MapLine& line = text.lines()[static_cast<std::size_t>(j)];
-    const auto fields = map_fields(line.text);
+    auto fields = map_fields(line.text);
+    if (marked) fields.pop_back();
     if (static_cast<int>(fields.size()) != map.nx) {
       const std::size_t odd = std::min(fields.size() - 1, static_cast<std::size_t>(map.nx));
       throw InputError(text.place(line, fields[odd]),

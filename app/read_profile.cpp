@@ -45,6 +45,13 @@ bearing::Profile read_profile(const std::string& path) {
   std::vector<double> phi = table.column("phi");
   const std::vector<double>& z = table.column("z");
   const std::vector<double>& height = table.column("height");
+  const auto [first, last] = std::minmax_element(phi.begin(), phi.end());
+  if (*last - *first > 2.0 * kPi + kSame) {
+    table.fail(static_cast<std::size_t>(last - phi.begin()), "phi",
+               fmt::format("angles from {:.6g} to {:.6g} deg go more than once round; check the "
+                           "unit in the first line",
+                           *first * 180.0 / kPi, *last * 180.0 / kPi));
+  }
   std::transform(phi.begin(), phi.end(), phi.begin(), within_turn);
   bearing::Profile profile;
   profile.phi = merged(phi);

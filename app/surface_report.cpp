@@ -25,7 +25,9 @@ constexpr double kRound = 1.5;  ///< longest over shortest length: hardly a lay 
 constexpr double kNothingLeft = 1e-12;
 constexpr double kSteepest = 1.0;  ///< rms slope: 45 degrees, which no instrument of heights sees
 constexpr double kSteep = 0.3;     ///< rms slope: thin films' equation errs by its square, 9 %
-constexpr double kOblong = 10.0;   ///< pitch over pitch: more is hardly meant [-]
+/// Pitch over pitch: a scan's lines may stand apart, but most maps have one pitch, and a map that
+/// was cut keeps the size in its header [-].
+constexpr double kOblong = 1.01;
 
 void judge_holes(const HeightMap& map, const Holes& holes, const SurfaceOptions& options) {
   if (holes.count == 0) return;
@@ -135,8 +137,8 @@ void note_grid(SurfaceReport& r) {
   const double ratio = r.map.dx / r.map.dy;
   if (ratio > kOblong || ratio * kOblong < 1.0) {
     r.notes.push_back(
-        fmt::format("the pitch is {:.3g} um along the motion and {:.3g} um across it: check that "
-                    "both sizes are meant",
+        fmt::format("the pitch is {:.4g} um along the motion and {:.4g} um across it: check that "
+                    "both sizes are meant and that no rows are missing",
                     1e6 * r.map.dx, 1e6 * r.map.dy));
   }
   const double slope = rms_slope(r.moments);

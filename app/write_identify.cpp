@@ -1,6 +1,7 @@
 #include "app/write_identify.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 
 #include <cmath>
 #include <ostream>
@@ -90,6 +91,8 @@ void write_points(std::ostream& out, const IdentifyView& v) {
   table.print(out);
 }
 
+constexpr double kTwoSided = 0.975;  ///< 2.5 % beyond on either side [-]
+
 void write_sum(std::ostream& out, const IdentifyView& v) {
   const Fit& fit = v.end.fit;
   out << fmt::format("\n{}: {} steps, {} evaluations of {} points, {:.3g} s\n",
@@ -108,8 +111,11 @@ void write_sum(std::ostream& out, const IdentifyView& v) {
   const double found = found_deviation(v);
   if (!std::isfinite(found)) return;
   const DisplayUnit unit = display_unit(quantity, si_unit(quantity));
-  out << fmt::format("no deviations are given: equal ones are taken, {} {} as the points scatter\n",
-                     figures(found * unit.scale, 3), unit.unit);
+  out << fmt::format(
+      "no deviations are given: equal ones are taken, {} {} as the points scatter ({} values more "
+      "than keys: 95 % of repetitions lie within {:.3g} deviations, Student)\n",
+      figures(found * unit.scale, 3), unit.unit, fit.freedom,
+      gsl_cdf_tdist_Pinv(kTwoSided, fit.freedom));
 }
 
 std::string quoted(const std::string& text) {

@@ -41,8 +41,8 @@ void write_heights(std::ostream& out, const SurfaceReport& r) {
                          um(r.map.length()), um(r.map.width())));
   add("form removed",
       fmt::format(
-          "degree {}: tilt {:.3g} and {:.3g} mrad, curvature {:.3g} and {:.3g} 1/m; what is "
-          "left spans {}",
+          "degree {}: tilt {:.3g} and {:.3g} mrad, curvature {:.3g} and {:.3g} 1/m; without "
+          "its tilt it spans {}",
           f.degree, 1e3 * f.slope_x, 1e3 * f.slope_y, f.curvature_x, f.curvature_y,
           um(f.peak_to_valley)));
   add("Ra, Rq", fmt::format("{}, {} +- {:.2g} %", um(Ra), um(Rq), 100.0 * c.error_of_Rq()));

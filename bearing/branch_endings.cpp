@@ -24,8 +24,9 @@ ending::Carried carried(const Solution& s, Raised raised, double part) {
 Verdict branch_ended(const Solution& s, const Branch& b) {
   const bool lost = b.end == BranchEnd::lost;
   const bool heat = s.model.physics.film_energy;
+  const double T_high = heat ? largest(s.film.columns.T) : NAN;
   Verdict v{lost ? Status::iteration_limit : Status::no_steady_state,
-            ending::BranchEnded{b.end, carried(s, b.raised, b.carried), b.h_min, heat},
+            ending::BranchEnded{b.end, carried(s, b.raised, b.carried), b.h_min, heat, T_high},
             lost ? b.last.place : s.film.least.place()};
   if (lost) v.cause = {b.last};
   return v;

@@ -7,7 +7,8 @@
 
 namespace shellback::bearing {
 
-/// Where a solve stands; sent after each outer iteration.
+/// Where a solve stands; sent after each outer iteration of heat and each step in time: a film of
+/// one temperature and an estimate send nothing.
 struct Progress {
   std::string stage;             ///< "isothermal", "thd", ...
   int step = 0;                  ///< outer iteration

@@ -1,10 +1,13 @@
 #include "bearing/crank.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/range.hpp"
 #include "core/round_off.hpp"
 
 namespace shellback::bearing {
@@ -80,8 +83,56 @@ LoadNow main_bearing_load_at(const Crank& crank, double theta, double omega) {
   return {turn * crank.share * x, crank.share * y, omega};
 }
 
+namespace {
+
+void expect_number(const char* key, double value, const Range& range = kAnyValue) {
+  if (std::isfinite(value) && range.holds(value)) return;
+  throw InputError(key, std::isfinite(value)
+                            ? fmt::format("{:.6g} is not possible (it must {})", value, range.words)
+                            : "it is not a finite number");
+}
+
+/// As many pressures as angles, which rise within the period.
+void expect_trace(const Crank& crank) {
+  const std::vector<double>& angle = crank.angle;
+  if (angle.size() != crank.pressure.size()) {
+    throw InputError("crank.pressure", fmt::format("{} angles and {} pressures make no table",
+                                                   angle.size(), crank.pressure.size()));
+  }
+  for (std::size_t k = 0; k < angle.size(); ++k) {
+    expect_number("crank.pressure", crank.pressure[k]);
+    const double least = k > 0 ? angle[k - 1] : 0.0;
+    if (angle[k] >= least && (k == 0 || angle[k] > least) && angle[k] < crank.period) continue;
+    throw InputError("crank.pressure",
+                     fmt::format("angle {} of the table, {:.6g} rad, does not rise within the "
+                                 "period of {:.6g} rad",
+                                 k, angle[k], crank.period));
+  }
+}
+
+void expect_crank(const Crank& crank) {
+  expect_number("crank.stroke", crank.stroke, kPositive);
+  expect_number("crank.rod_length", crank.rod_length, kPositive);
+  if (!(2.0 * crank.rod_length > crank.stroke)) {
+    throw InputError("crank.rod_length", "the rod is no longer than the radius of the crank");
+  }
+  expect_number("crank.bore", crank.bore, crank.angle.empty() ? kNotNegative : kPositive);
+  expect_number("crank.piston_mass", crank.piston_mass, kNotNegative);
+  expect_number("crank.rod_mass", crank.rod_mass, kNotNegative);
+  expect_number("crank.counterweight", crank.counterweight, kNotNegative);
+  expect_number("crank.share", crank.share);
+  expect_number("load_cycle.period", crank.period, kPositive);
+  expect_trace(crank);
+}
+
+}  // namespace
+
 LoadCycle crank_load(const Crank& crank, double omega, CrankFrame frame, int n) {
-  EXPECTS(omega != 0.0 && n >= 1 && crank.period > 0.0);
+  expect_crank(crank);
+  expect_number("operation.speed", omega);
+  if (omega == 0.0 || n < 1) {
+    throw InputError("operation.speed", "a crank at rest passes no cycle, nor does one of no rows");
+  }
   LoadCycle cycle;
   cycle.crank_speed = std::abs(omega);
   cycle.period = crank.period / cycle.crank_speed;

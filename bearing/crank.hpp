@@ -75,7 +75,9 @@ struct CrankMotion {
 
 /// Load cycle of the big end (rod) or of the main bearing (block) over one period: rows at n equal
 /// steps and at the points of the pressure, straight lines between them; t = theta/|omega|. omega
-/// as above, not zero; n >= 1.
+/// as above. Throws InputError, by key, for what is no crank: lengths and masses that are not
+/// positive or no numbers, a rod no longer than the crank's radius, angles that do not rise within
+/// the period or are not as many as pressures, omega = 0, n < 1.
 [[nodiscard]] LoadCycle crank_load(const Crank& crank, double omega,
                                    CrankFrame frame = CrankFrame::rod, int n = 720);
 

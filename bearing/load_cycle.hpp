@@ -18,7 +18,7 @@ enum class LoadInterpolation { linear, periodic_spline };
 
 /// A load cycle as given: rows of a table, in SI units.
 struct LoadCycle {
-  std::vector<double> t;      ///< of each row, not falling, from 0; within one period [s]
+  std::vector<double> t;      ///< of each row, not falling, from 0; below the period [s]
   std::vector<double> x;      ///< load on the journal [N]
   std::vector<double> y;      ///< [N]
   std::vector<double> omega;  ///< of the journal against the shell [rad/s]; empty: operation.speed

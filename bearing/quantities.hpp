@@ -39,8 +39,8 @@ struct Quantity {
 /// Its value; not-a-number: there is none.
 [[nodiscard]] double value_in(const std::vector<Quantity>& list, const std::string& name);
 
-/// The values, typed. Torques and powers without sign are losses; forces are those of the film on
-/// the journal; flows are volumes at the density of the supplied oil.
+/// The values, typed. A friction torque has the sign of the speed, so that torque times speed is a
+/// loss; powers are losses; forces are those of the film on the journal; flows are volumes at the density of the supplied oil.
 struct Quantities {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 

@@ -87,7 +87,7 @@ struct Fields {
   Field T_shell_surface;        ///< [K]
   Field T_shell_back;           ///< [K]
   std::vector<double> T_shaft;  ///< shaft surface temperature per axial cell [K]
-  Field tau_journal;            ///< viscous shear stress on the journal, opposing its motion [Pa]
+  Field tau_journal;            ///< viscous shear stress that opposes a positive speed [Pa]
   Field tau_shell;              ///< viscous shear stress on the shell, along the motion [Pa]
   // Parts of the asperity shear stress, opposing the motion; empty without a friction law [Pa].
   Field tau_abrasive, tau_adhesive, tau_micro_hydrodynamic;

@@ -165,8 +165,9 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
                          const SolveControl& control, Otherwise otherwise) {
   const Stopwatch watch;
   const bool may_be_cold = otherwise == Otherwise::from_cold;
-  EXPECTS(near.verdict.good() || may_be_cold);
-  if (!near.verdict.good()) return solve_tier(c, tier, control);
+  const bool is_start = near.verdict.good() && !near.film.film.p.empty();
+  EXPECTS(is_start || may_be_cold);
+  if (!is_start) return solve_tier(c, tier, control);
   const Physics physics = physics_of(c, tier);
   Solution s;
   s.T_film = tier == Tier::isothermal ? equivalent_temperature(c) : near.T_film;

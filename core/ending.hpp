@@ -134,6 +134,7 @@ struct BranchEnded {
   Carried carried;
   double h_min = 0.0;      ///< there [m]
   bool with_heat = false;  ///< film and heat, not the film alone
+  double T_high = NAN;     ///< with heat: hottest oil there [K]
 };
 
 /// With a tenth more than the branch carries film and walls run away in time; cause: how.

@@ -1,8 +1,10 @@
 #include "surface/summits.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "core/round_off.hpp"
 #include "surface/hertz_ellipse.hpp"
 
 namespace shellback::surface {
@@ -61,6 +63,8 @@ SpectralMoments spectral_moments(const HeightMap& map) {
 }
 
 SummitStatistics summits_of(const SpectralMoments& m) {
+  const auto [low, high] = std::minmax({m.m2x, m.m2y});
+  if (!(low > kRoundOff * high)) return {kNone, kNone, kNone, kNone};
   const double alpha = m.alpha();
   return {m.m4() / m.m2() / (6.0 * kPi * std::sqrt(3.0)),
           3.0 * std::sqrt(kPi) / (8.0 * std::sqrt(m.m4())),

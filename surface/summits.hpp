@@ -48,7 +48,7 @@ struct SummitStatistics {
 };
 
 /// Valid for alpha > 0.8968 (1.5 is the least of any isotropic Gaussian surface); the roughness is
-/// NaN below.
+/// NaN below. All are where one slope is round-off of the other: grooves without end have no summit.
 [[nodiscard]] SummitStatistics summits_of(const SpectralMoments& moments);
 
 /// Curvatures of a paraboloid, positive downwards [1/m].

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/words/temperature_words.hpp"
 #include "app/words/told.hpp"
 #include "bearing/follow.hpp"
 #include "core/constants.hpp"
@@ -47,9 +48,10 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
   const std::string way = followed(e.carried, e.h_min);
   switch (e.end) {
     case ending::BranchEnd::turned:
-      return {fmt::format("{}{}; there the branch turns back: beyond it only states of less load "
+      return {fmt::format("{}{}{}; there the branch turns back: beyond it only states of less load "
                           "follow{}",
-                          e.with_heat ? "thermal runaway: " : "", way,
+                          e.with_heat ? "film and heat: " : "", way,
+                          e.with_heat ? ", its oil at most at " + told_temperature(e.T_high) : "",
                           !e.with_heat ? ""
                           : a.within.reason.empty()
                               ? ", and under more the bearing is not seen to come to rest"

@@ -43,11 +43,15 @@ inline Told told(const ending::NotANumber& e, const About&) {
 }
 
 inline Told told(const ending::BeyondPressureBound& e, const About&) {
+  constexpr double kPrinted = 1e-3;  // of the load: closer the two print alike [-]
+  const bool alike = std::abs(e.carried - e.wanted) < kPrinted * e.wanted;
+  const std::string carried = alike ? "the journal's pressures balance it"
+                                    : fmt::format("it carries about {:.4g} N", e.carried);
   return {
-      fmt::format("the film cannot carry {:.4g} N: it carries about {:.4g} N, then the pressure "
+      fmt::format("the film cannot carry {:.4g} N: {}, {} the pressure "
                   "grows without bound (with rigid surfaces and viscosity rising as exp(alpha p), "
                   "the reduced pressure q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
-                  e.wanted, e.carried),
+                  e.wanted, carried, alike ? "but somewhere" : "then"),
       kBeyondBarus};
 }
 

@@ -105,6 +105,7 @@ void judge_bearing(const Bearing& b, Findings& to) {
           fmt::format("the width is {:.3g} of the diameter", aspect), "check the units of both");
   if (b.profile) judge_table(*b.profile, "bearing.profile", b, to);
   if (b.shape) judge_table(*b.shape, "bearing.shape", b, to);
+  if (b.wear) judge_table(*b.wear, "bearing.wear", b, to);
   judge_opening(b.edge_relief, "bearing.edge_relief", b, to);
   judge_opening(b.chamfer, "bearing.chamfer", b, to);
   if (b.edge_relief) judge_depth(b.edge_relief->depth, "bearing.edge_relief.depth", b, to);
@@ -191,6 +192,19 @@ void judge_flow_factors(const Case& c, Findings& to) {
                            "by h/sigma, for a combined one of {:.3g} um",
                            1e6 * measured, 1e6 * sigma),
                "is it the same surface?");
+  }
+  // Far off phi_x - 1 = 3 (1 - 3/(1 + gamma))/H^2 (Tripp 1983, textbook): -6 to 3; ten times that.
+  constexpr double kFarFromWall = 60.0;
+  const double H = s.flow_factors->H.back();
+  const double phi = std::max(std::abs(s.flow_factors->phi_x.back() - 1.0),
+                              std::abs(s.flow_factors->phi_z.back() - 1.0));
+  if (phi * H * H > kFarFromWall) {
+    to.suspect(
+        key,
+        fmt::format("at its largest gap, h/sigma = {:.3g}, a factor of pressure flow differs "
+                    "from 1 by {:.3g}; those of any surface come to 1 far from the wall",
+                    H, phi),
+        "write the table anew with shellback surface");
   }
   if (s.shell.roughness > 0.0 && s.shaft.roughness > 0.0) {
     to.suspect(key,

@@ -102,6 +102,9 @@ void judge_scalars(const LoadCycle& c, const ValueCheck& cycle) {
     cycle.refuse("interpolation", "a periodic spline needs a period",
                  "give load_cycle.period, or write interpolation = \"linear\"");
   }
+  if (c.t.front() != 0.0) {
+    cycle.refuse("file", "a periodic spline begins with a row at 0", "add it");
+  }
   if (c.t.size() < kFewestSplineRows) {
     cycle.refuse("interpolation", "a periodic spline needs three rows or more",
                  "write interpolation = \"linear\"");

@@ -86,6 +86,15 @@ void judge_law(const Law& law, const char* key, Findings& to) {
   std::visit([&](const auto& l) { judge(l, check); }, law);
 }
 
+void judge_range(const ValidityRange& range, Findings& to) {
+  const ValueCheck valid("oil.valid", to);
+  if (!(range.T_min < range.T_max)) {
+    valid.refuse("temperature", "the first temperature must be the lower one");
+  }
+  valid.number("pressure", range.p_max, "MPa", kPositive);
+  valid.number("shear_rate", range.rate_max, "1/s", kPositive);
+}
+
 }  // namespace
 
 void judge_law_values(const Oil& oil, Findings& to) {
@@ -95,6 +104,7 @@ void judge_law_values(const Oil& oil, Findings& to) {
   judge_law(oil.density, "oil.density", to);
   judge_law(oil.conductivity, "oil.conductivity", to);
   judge_law(oil.heat_capacity, "oil.heat_capacity", to);
+  judge_range(oil.range, to);
 }
 
 }  // namespace shellback::bearing

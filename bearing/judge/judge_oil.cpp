@@ -7,6 +7,7 @@
 #include "bearing/film_heat.hpp"
 #include "bearing/judge/judge_parts.hpp"
 #include "bearing/shown.hpp"
+#include "bearing/solve.hpp"
 #include "core/constants.hpp"
 #include "rheology/heat.hpp"
 #include "rheology/shear.hpp"
@@ -147,6 +148,13 @@ void judge_temperatures(const Case& c, Findings& to) {
           fmt::format("{} lies outside the range in which the oil's laws hold ({} to {})",
                       shown(T, "degC"), shown(range.T_min, "degC"), shown(range.T_max, "degC")));
     }
+  }
+  if (c.supplies.empty() || !(c.model.kappa > 0.0)) return;
+  const Range& can = kValueRanges.temperature;
+  if (const double T = equivalent_temperature(c); !can.holds(T)) {
+    to.refuse("model.equivalent_temperature.kappa",
+              fmt::format("the film at the equivalent temperature would be at {} (it must {})",
+                          shown(T, "degC"), can.words));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "bearing/judge/value_check.hpp"
 #include "bearing/over_time/running_in.hpp"
 #include "bearing/shown.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -41,11 +42,36 @@ void judge_bearing_values(const Bearing& b, Findings& to) {
   bearing.temperature("reference_temperature", b.reference_temperature);
   if (b.profile) judge_table_values(*b.profile, "profile", bearing);
   if (b.shape) judge_table_values(*b.shape, "shape", bearing);
+  if (b.wear) judge_table_values(*b.wear, "wear", bearing);
+  for (const auto& [key, opening] : {std::pair{"bearing.edge_relief", &b.edge_relief},
+                                     std::pair{"bearing.chamfer", &b.chamfer}}) {
+    if (!*opening) continue;
+    const ValueCheck edge(key, to);
+    edge.number("depth", (*opening)->depth, "um", kNotNegative);
+    edge.number("length", (*opening)->length, "mm", kPositive);
+  }
 }
 
-void judge_supply(const Supply& s, const ValueCheck& supply) {
+/// Members that another kind has are 0, or those of the rectangle about a round mouth: they would
+/// be of no effect.
+void judge_members(const Supply& s, double radius, const ValueCheck& supply) {
+  const bool round = s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
+  const auto fits = [&](double extent) {
+    return extent == 0.0 || std::abs(extent - s.diameter) <= kRoundOff * s.diameter;
+  };
+  if (round && !(fits(s.arc * radius) && fits(s.length))) {
+    supply.refuse(fits(s.length) ? "arc" : "length", "a round mouth has a diameter alone",
+                  "leave it at 0, or take another kind");
+  }
+  if (!round && s.diameter != 0.0) {
+    supply.refuse("diameter", "a groove has no diameter", "leave it at 0, or take another kind");
+  }
+}
+
+void judge_supply(const Supply& s, double radius, const ValueCheck& supply) {
   const ValueRanges& can = kValueRanges;
   supply.number("angle", s.angle, "deg", can.turn);
+  judge_members(s, radius, supply);
   supply.number("z", s.z, "mm");
   switch (s.kind) {
     case SupplyKind::hole:
@@ -79,7 +105,7 @@ void judge_list_of_supplies(const Case& c, Findings& to) {
               "\"circumferential_groove\"");
   }
   for (std::size_t k = 0; k < c.supplies.size(); ++k) {
-    judge_supply(c.supplies[k], ValueCheck(fmt::format("supply.{}", k), to));
+    judge_supply(c.supplies[k], c.bearing.radius, ValueCheck(fmt::format("supply.{}", k), to));
   }
 }
 
@@ -208,6 +234,8 @@ void judge_running_in(const Case& c, Findings& to) {
   const ValueCheck wear("running_in", to);
   wear.number("wear_coefficient", r.wear_coefficient, "", kPositive);
   if (r.duration) wear.number("until", *r.duration, "s", kPositive);
+  wear.number("hardness", r.hardness, "MPa", kNotNegative);
+  wear.number("limit_pressure", r.limit_pressure, "MPa", r.duration ? kNotNegative : kPositive);
   compare(to, "running_in.wear_coefficient", r.wear_coefficient, kBearingLimits.wear_coefficient,
           fmt::format("C of Archard's C/H is {:.3g}", r.wear_coefficient),
           "it has no unit; give C itself, not C/H");
@@ -226,7 +254,6 @@ void judge_running_in(const Case& c, Findings& to) {
                            shown(r.hardness, "MPa"), shown(own, "MPa")),
                "leave running_in.hardness out, or check which of the two is meant");
   }
-  if (!r.duration) wear.number("limit_pressure", r.limit_pressure, "MPa", kPositive);
   judge_limit_pressure(c, wear);
   if (r.worn) {
     judge_surface(*r.worn, ValueCheck("running_in.worn", to));

@@ -201,11 +201,10 @@ Verdict FilmSteps::solve_film_and_fronts(const SuppliesStar& star, FilmEquilibri
   if (model_.input.model.methods.transport == FillTransport::upwind) {
     return solve_film(star, options_, film, cost, stop);
   }
-  EquilibriumOptions loose = options_;
-  for (double* tolerance :
-       {&loose.film_tolerance, &loose.elastic_tolerance, &loose.viscosity_tolerance}) {
-    *tolerance /= kFilmPart;  // not that of the load: its balance is audited over the cycle
-  }
+  EquilibriumOptions loose = options_;  // not of the load: its balance is audited over the cycle
+  loose.film_tolerance = kFilmOfFronts;
+  loose.elastic_tolerance /= kFilmPart;
+  loose.viscosity_tolerance /= kFilmPart;
   const Verdict v = solve_film(star, loose, film, cost, stop);
   if (!v.good()) return v;
   point_.scene.storage.front = fronts_of(film);
@@ -228,8 +227,11 @@ Verdict FilmSteps::solve_film(const SuppliesStar& star, const EquilibriumOptions
 
 FilmTrend::FilmTrend(const State& from, const State& to, double dt) {
   p.assign(to.film.p.size(), 0.0);
+  theta = p;
   for (std::size_t c = 0; c < p.size(); ++c) {
-    if (from.film.full[c] && to.film.full[c]) p[c] = (to.film.p[c] - from.film.p[c]) / dt;
+    if (from.film.full[c] != to.film.full[c]) continue;
+    p[c] = (to.film.p[c] - from.film.p[c]) / dt;
+    theta[c] = (to.film.theta[c] - from.film.theta[c]) / dt;
   }
   elastic = to.elastic;
   for (std::size_t c = 0; c < elastic.size(); ++c) {
@@ -245,9 +247,20 @@ void FilmSteps::carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& 
   if (!trend.elastic.empty()) move = std::max(move, largest_magnitude(trend.elastic));
   const double most = kMost * room(model_, film);
   if (ahead * move > most) ahead = std::max(most / move, 0.0);
+  const double p_cavitation = model_.domain.p_cavitation;
   for (std::size_t c = 0; c < trend.p.size(); ++c) {
-    if (!film.film.full[c] || model_.supply.cell[c] >= 0) continue;
-    film.film.p[c] = std::max(film.film.p[c] + ahead * trend.p[c], model_.domain.p_cavitation);
+    if (model_.supply.cell[c] >= 0) continue;
+    double& p = film.film.p[c];
+    double& theta = film.film.theta[c];
+    if (film.film.full[c]) {
+      p += ahead * trend.p[c];
+      film.film.full[c] = p >= p_cavitation;
+    } else {
+      theta = std::max(theta + ahead * trend.theta[c], 0.0);
+      film.film.full[c] = theta >= 1.0;
+    }
+    p = std::max(p, p_cavitation);
+    theta = std::min(theta, 1.0);
   }
   for (std::size_t c = 0; c < film.elastic.size(); ++c) film.elastic[c] += ahead * trend.elastic[c];
   for (int k = 0; k < point_.load.unknowns; ++k) film.position.q[k] += ahead * trend.q[k];

@@ -30,7 +30,8 @@ namespace shellback::bearing {
 
 /// How unknowns move, per second: from one stage to the next, for the first guess of a stage.
 struct FilmTrend {
-  Field p;                    ///< [Pa/s]; empty: not known
+  Field p;                    ///< [Pa/s]; empty: not known; 0 where a cell fills or empties
+  Field theta;                ///< [1/s], the same
   Field elastic;              ///< [m/s]
   std::array<double, 4> q{};  ///< of the position [m/s], [rad/s]
   /// From the difference of two states over dt [s].
@@ -86,11 +87,15 @@ struct FilmStep {
 /// known better [-].
 inline constexpr double kFilmPart = 1e-2;
 
+/// Residual over the largest flow of the film from which a stage takes its fronts of oil [-].
+inline constexpr double kFilmOfFronts = 0.1;
+
 /// The bearing in time, on one grid, under a course of load and speed.
 class FilmSteps {
  public:
   /// `mass` of the journal [kg], 0: none. `options`: of a stage's film. The film from
-  /// which it takes its fronts of oil is solved to the error of a step: these over kFilmPart.
+  /// which it takes its fronts of oil is solved to kFilmOfFronts, else to the error of a step:
+  /// these over kFilmPart.
   FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
             const EquilibriumOptions& options);
 
@@ -175,7 +180,8 @@ class FilmSteps {
                                               EquilibriumCost& cost, const std::atomic<bool>* stop);
   /// Mouths of drillings as they stand at time t [s], by this film.
   void open_mouths(double t, FilmEquilibrium& film);
-  /// The film carried on along its trend for `ahead` [s].
+  /// The film carried on along its trend for `ahead` [s]: cells that it fills are full, cells whose
+  /// pressure it takes below that of cavitation are not.
   void carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& film) const;
   /// Estimated error of the step: of the loaded film, the vessels' oil and viscosity [-].
   [[nodiscard]] double error_of(const FilmInTime& now, const FilmEquilibrium& end,

@@ -69,8 +69,8 @@ inline void members(Tape& tape, bearing::HeatInTime& x) {
 // The bearing in time.
 
 inline void members(Tape& tape, bearing::FilmTrend& x) {
-  auto& [p, elastic, q] = x;
-  tape(p, elastic, q);
+  auto& [p, theta, elastic, q] = x;
+  tape(p, theta, elastic, q);
 }
 
 inline void members(Tape& tape, bearing::FilmInTime& x) {

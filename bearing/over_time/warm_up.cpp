@@ -1,12 +1,16 @@
 #include "bearing/over_time/warm_up.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/case_limits.hpp"
 #include "bearing/over_time/kept_run.hpp"
 #include "bearing/over_time/march_members.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 
@@ -35,6 +39,36 @@ double WarmUp::imbalance() const {
   return most;
 }
 
+namespace {
+
+/// Options that are no march in time. InputError.
+void expect_options(const WarmUpOptions& o) {
+  const auto positive = [](const char* name, double value) {
+    if (value > 0.0) return;
+    throw InputError(fmt::format("WarmUpOptions::{}", name),
+                     fmt::format("{:.6g} is not possible (it must be positive)", value));
+  };
+  positive("end", o.end);
+  positive("error", o.error);
+  positive("move", o.move);
+  if (const Range& can = kValueRanges.temperature; !can.holds(o.T_start)) {
+    throw InputError("WarmUpOptions::T_start",
+                     fmt::format("{:.6g} K is not possible (it must {})", o.T_start, can.words));
+  }
+  if (o.steps.empty()) return;
+  double sum = 0.0;
+  for (const double dt : o.steps) {
+    positive("steps", dt);
+    sum += dt;
+  }
+  if (!(std::abs(sum - o.end) <= kRoundOff * o.end)) {
+    throw InputError("WarmUpOptions::steps",
+                     fmt::format("they add up to {:.6g} s, and `end` is {:.6g} s", sum, o.end));
+  }
+}
+
+}  // namespace
+
 WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& o, const SolveControl& control) {
   if (tier != Tier::thd && tier != Tier::tehd) {
     throw InputError("model.tier",
@@ -46,6 +80,7 @@ WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& o, const SolveCont
                      "a warm-up passes many cycles, and the case has a single event; give its "
                      "period");
   }
+  expect_options(o);
   WarmUp out;
   const auto told = [&](Tape& tape) { tape(out.instants); };
   begin_take_up(control.kept, told);

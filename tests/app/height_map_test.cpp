@@ -101,6 +101,17 @@ TEST_CASE("PointsInColumnsAreTheSameMapInAnyOrder") {
   CHECK((turned.nx == 8 && turned.at(1, 3) == map.at(3, 1)));
 }
 
+TEST_CASE("AMarkBehindEveryRowIsNoColumn") {
+  const ScratchFolder scratch;
+  std::string text = rows();
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
+    text.insert(at, "\t");
+  const auto map = read_height_map(scratch.write("map.txt", kHeader + text), Motion::x);
+  REQUIRE((map.nx == 9 && map.ny == 8));
+  CHECK(map.dx == Approx(2e-6).epsilon(1e-12));
+  CHECK(surface::holes_of(map).count == 0);
+}
+
 TEST_CASE("HolesAreEmptyOrNamed") {
   const ScratchFolder scratch;
   for (const char* hole : {"", "nan", "NaN", "bad", "BAD"}) {

@@ -397,6 +397,8 @@ TEST_CASE("ABadProfileIsRefusedAtItsPlace") {
   check_parts(against("phi [deg], z [mm], height [um]\n0,0,1\n90,1,1\n"), {"rectangular grid"});
   check_parts(against("phi [deg], z [mm], height [um]\n0,0,1\n0,0,2\n"), {"bad.csv:3:5", "before"});
   check_parts(against("phi [deg], z [mm], height [mm]\n0,0,1\n90,0,9\n"), {"leave no gap"});
+  check_parts(against("phi [rad], z [mm], height [um]\n0,0,1\n90,0,2\n180,0,1\n"),
+              {"bad.csv:4:1", "more than once round", "check the unit"});
   std::filesystem::remove(scratch.path("bad.csv"));
   CHECK_THROWS_AS(read_case_text(text, scratch.path("case.toml")), FileError);
 }

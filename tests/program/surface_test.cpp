@@ -198,7 +198,7 @@ TEST_CASE("AMapInWrongUnitsIsRefusedOrToldBySlopes") {
   check_words(steep.out, {"note: slopes of 0.5", "thin-film"});
   const Ended oblong = run_map("# Width: 64 um\n# Height: 48 mm\n# Value units: nm\n");
   CHECK(oblong.code == kDone);
-  check_words(oblong.out, {"note: the pitch is 1 um along the motion and 1e+03 um across"});
+  check_words(oblong.out, {"note: the pitch is 1 um along the motion and 1000 um across"});
 }
 
 TEST_CASE("AMapWithoutSummitsOrWithEqualOnesTellsWhatIsNotKnown") {

@@ -275,7 +275,7 @@ TEST_CASE("WallsAndOilComeToRestTogetherWhereverTheyBegin", "[cycle_heat]") {
     search.begin(T);
     INFO(app::reason_of(search.search(false)));
     REQUIRE(search.verdict().good());
-    CHECK(search.cycles() > 20);
+    CHECK(search.cycles() > 15);  // the premise: oil is long on its way
     CHECK(search.result().audit.walls <= 0.1);
     means.push_back(search.told().means());
   }

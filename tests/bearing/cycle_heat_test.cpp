@@ -259,7 +259,7 @@ TEST_CASE("WallsAndOilComeToRestTogetherWhereverTheyBegin", "[cycle_heat]") {
   Case c = warm_cycle_case(300.0, 0.0);
   c.supplies[0].arc = 0.0;
   c.supplies[0].length = 0.004;
-  c.supplies[0].pressure = 1e4;
+  c.supplies[0].pressure = 5e3;
   c.model.grid = {32, 7};
   LoadCycle& load = *c.cycle;
   for (std::size_t k = 0; k < load.t.size(); ++k) {
@@ -275,7 +275,7 @@ TEST_CASE("WallsAndOilComeToRestTogetherWhereverTheyBegin", "[cycle_heat]") {
     search.begin(T);
     INFO(app::reason_of(search.search(false)));
     REQUIRE(search.verdict().good());
-    CHECK(search.cycles() > 15);  // the premise: oil is long on its way
+    CHECK(search.cycles() > 20);
     CHECK(search.result().audit.walls <= 0.1);
     means.push_back(search.told().means());
   }

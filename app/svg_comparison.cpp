@@ -13,15 +13,9 @@
 namespace shellback::app {
 namespace {
 
+using namespace comparison_sheet;
 using bearing::Comparison;
 using bearing::Result;
-
-constexpr double kWidth = 1200.0;  ///< [px]
-constexpr double kHeight = 700.0;  ///< [px]
-constexpr Box kTopLeft{24.0, 84.0, 560.0, 312.0};
-constexpr Box kTopRight{608.0, 84.0, 580.0, 300.0};
-constexpr Box kBottomLeft{24.0, 404.0, 560.0, 284.0};
-constexpr Box kBottomRight{608.0, 396.0, 580.0, 292.0};
 
 /// The richest result, unless it failed and another one did not: results come in the order of
 /// the ladder.

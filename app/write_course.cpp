@@ -134,12 +134,7 @@ std::string course_json(const std::vector<Stretch>& stretches,
                         const bearing::WarmUpOptions& options, const CourseRun& run,
                         const MarchBars& bars) {
   const bearing::Case& c = stretches.front().subject;
-  Json json;
-  json_parts::add_status(json, run.end.verdict);
-  json["title"] = c.title;
-  json["tier"] = to_string(c.model.tier);
-  json["grid"] = c.model.grid;
-  json["start"] = {{"value", options.T_start}, {"unit", "K"}};
+  Json json = march_json(c, run.end.verdict, options.T_start);
   json["stretches"] = Json::array();
   for (std::size_t k = 0; k < stretches.size(); ++k) {
     json["stretches"].push_back(stretch_json(stretches[k], run, bars, k));

@@ -53,6 +53,16 @@ Instant bar_at(const MarchBars& bars, std::size_t k) {
   return bar;
 }
 
+json_parts::Json march_json(const bearing::Case& c, const Verdict& verdict, double T_start) {
+  json_parts::Json json;
+  json_parts::add_status(json, verdict);
+  json["title"] = c.title;
+  json["tier"] = to_string(c.model.tier);
+  json["grid"] = c.model.grid;
+  json["start"] = {{"value", T_start}, {"unit", "K"}};
+  return json;
+}
+
 void add_instants(Json& json, const std::vector<Instant>& instants, const MarchBars& bars) {
   add_over_time(json, instants, bars, bearing::kFollowedInstants);
 }

@@ -21,6 +21,10 @@ namespace shellback::app {
 /// Half-widths at the instant `k`, grid and time together; not a number where unknown.
 [[nodiscard]] bearing::Instant bar_at(const fidelity::MarchBars& bars, std::size_t k);
 
+/// What a march in time begins with in JSON: how it ended, the case, T_start [K].
+[[nodiscard]] json_parts::Json march_json(const bearing::Case& c, const Verdict& verdict,
+                                          double T_start);
+
 /// `time`, and in `quantities` what is followed over it as {unit, values, error_grid, error_time};
 /// without the bars where none are known.
 void add_instants(json_parts::Json& json, const std::vector<bearing::Instant>& instants,

@@ -109,12 +109,7 @@ std::vector<std::string> warm_up_assumptions(const bearing::Case& c,
 std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
                          const bearing::WarmUpOptions& options, const MarchBars& bars,
                          const bearing::Result& steady) {
-  Json json;
-  json_parts::add_status(json, run.end.verdict);
-  json["title"] = c.title;
-  json["tier"] = to_string(c.model.tier);
-  json["grid"] = c.model.grid;
-  json["start"] = {{"value", options.T_start}, {"unit", "K"}};
+  Json json = march_json(c, run.end.verdict, options.T_start);
   json["end"] = {{"t", {{"value", run.end.t}, {"unit", "s"}}}, {"at_rest", run.end.at_rest}};
   add_instants(json, run.instants, bars);
   json["audit"] = {{"energy", run.imbalance()}};

@@ -59,6 +59,14 @@ void refuse_options(std::initializer_list<std::pair<const char*, bool>> asked, c
   }
 }
 
+void refuse_outputs_of_a_list(const Request& request) {
+  refuse_options({{"-o", !request.output.empty()},
+                  {"--table", !request.table.empty()},
+                  {"--csv", !request.csv.empty()},
+                  {"--json", !request.json.empty()}},
+                 "--list runs nothing that could be written");
+}
+
 Outputs::Outputs(const Request& request, const std::vector<std::string>& inputs)
     : wanted_(wanted_by(request)), force_(request.force) {
   if (wanted_.empty()) return;

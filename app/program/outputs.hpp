@@ -14,6 +14,9 @@ namespace shellback::program {
 /// Throws InputError, with `why`, at the first option that was asked for.
 void refuse_options(std::initializer_list<std::pair<const char*, bool>> asked, const char* why);
 
+/// Throws InputError if a file was asked for beside --list.
+void refuse_outputs_of_a_list(const Request& request);
+
 class Outputs {
  public:
   /// All that `request` writes, judged (app/output_rules.hpp). `inputs` are the files that the run

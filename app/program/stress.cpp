@@ -66,11 +66,7 @@ std::string command_line(const Request& request) {
 int stress(const Request& request) {
   const auto scenes = chosen_stress_scenes(shipped_stress_scenes(request.quick), request.scenes);
   if (request.list) {
-    refuse_options({{"-o", !request.output.empty()},
-                    {"--table", !request.table.empty()},
-                    {"--csv", !request.csv.empty()},
-                    {"--json", !request.json.empty()}},
-                   "--list runs nothing that could be written");
+    refuse_outputs_of_a_list(request);
     list_scenes(scenes);
     return kDone;
   }

@@ -109,11 +109,7 @@ int validate(const Request& request) {
   const std::vector<UnrunDataset> gaps =
       request.names.empty() ? read_unrun(ledger) : std::vector<UnrunDataset>{};
   if (request.list) {
-    refuse_options({{"-o", !request.output.empty()},
-                    {"--table", !request.table.empty()},
-                    {"--csv", !request.csv.empty()},
-                    {"--json", !request.json.empty()}},
-                   "--list runs nothing that could be written");
+    refuse_outputs_of_a_list(request);
     list_entries(entries, gaps);
     return kDone;
   }

@@ -45,7 +45,7 @@ StepOptions step_options(const Case& c, const LoadCourse& course, double length)
 EquilibriumOptions film_options(double error) {
   EquilibriumOptions o;
   o.film_tolerance = o.load_tolerance = kFilmPart * error;
-  o.elastic_tolerance = o.viscosity_tolerance = kFilmPart * error;
+  o.elastic_tolerance = o.viscosity_tolerance = kShapePart * error;
   return o;
 }
 

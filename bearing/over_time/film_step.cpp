@@ -203,8 +203,8 @@ Verdict FilmSteps::solve_film_and_fronts(const SuppliesStar& star, FilmEquilibri
   }
   EquilibriumOptions loose = options_;  // not of the load: its balance is audited over the cycle
   loose.film_tolerance = kFilmOfFronts;
-  loose.elastic_tolerance /= kFilmPart;
-  loose.viscosity_tolerance /= kFilmPart;
+  loose.elastic_tolerance /= kShapePart;
+  loose.viscosity_tolerance /= kShapePart;
   const Verdict v = solve_film(star, loose, film, cost, stop);
   if (!v.good()) return v;
   point_.scene.storage.front = fronts_of(film);

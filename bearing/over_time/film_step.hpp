@@ -83,9 +83,12 @@ struct FilmStep {
                                                  const OperatingPoint& point,
                                                  const fluid::FilmState& steady);
 
-/// Part of the error that a step may have to which its film is solved: in time a film need not be
-/// known better [-].
+/// Part of the error that a step may have to which flows and forces of its film are solved: in time
+/// a film need not be known better [-].
 inline constexpr double kFilmPart = 1e-2;
+
+/// And to which its gap and its viscosity are, of which that error is one: docs/decisions/063 [-].
+inline constexpr double kShapePart = 0.1;
 
 /// Residual over the largest flow of the film from which a stage takes its fronts of oil [-].
 inline constexpr double kFilmOfFronts = 0.1;
@@ -95,7 +98,7 @@ class FilmSteps {
  public:
   /// `mass` of the journal [kg], 0: none. `options`: of a stage's film. The film from
   /// which it takes its fronts of oil is solved to kFilmOfFronts, else to the error of a step:
-  /// these over kFilmPart.
+  /// these over kFilmPart and kShapePart.
   FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
             const EquilibriumOptions& options);
 

@@ -10,11 +10,12 @@
 #include "rheology/viscosity.hpp"
 
 namespace shellback::bearing {
-namespace {
 
 bool thins(const rheology::Oil& oil) {
   return !std::holds_alternative<rheology::NoShearThinning>(oil.shear);
 }
+
+namespace {
 
 /// Integrals (1) of all columns for the viscosities in `c.eta`.
 void integrate(const CrossFilmNodes& gl, OilColumns& c, Field& g) {

@@ -9,17 +9,57 @@
 
 namespace shellback::bearing {
 
-Friction friction_of(const BearingModel& model, const OperatingPoint& point,
-                     const FilmEquilibrium& s) {
-  const fluid::FilmScene& scene = point.scene;
+namespace {
+
+/// Nominal gap, the depth of supplies included [m].
+Field depth_of(const fluid::FilmScene& scene, const FilmEquilibrium& s) {
   Field h = s.gap.cell;
   for (std::size_t k = 0; k < h.size(); ++k) {
     const int patch = scene.supply.cell[k];
     if (patch >= 0) h[k] += scene.supply.patches[patch].depth;
   }
+  return h;
+}
+
+/// g0 of the columns (columns.hpp, (1)); in supplies, whose film coefficients are those of the film
+/// that begins at their edge, of the oil that the journal shears over `h`.
+Field sheared_fluidity(const BearingModel& model, const OperatingPoint& point,
+                       const FilmEquilibrium& s, const Field& h) {
+  Field g0 = s.columns.g0;
+  if (!thins(model.oil)) return g0;
+  const auto n = static_cast<std::size_t>(model.gl.n);
+  std::vector<int> cells;
+  for (std::size_t k = 0; k < h.size(); ++k) {
+    if (point.scene.supply.cell[k] >= 0) cells.push_back(static_cast<int>(k));
+  }
+  if (cells.empty()) return g0;
+  OilColumns oil = uniform_columns(static_cast<int>(cells.size()), model.gl.n, 0.0);
+  fluid::FilmState film;
+  Field depth;
+  for (std::size_t m = 0; m < cells.size(); ++m) {
+    std::copy_n(&s.columns.T[cells[m] * n], n, &oil.T[m * n]);
+    std::copy_n(&s.columns.eta[cells[m] * n], n, &oil.eta[m * n]);
+    film.p.push_back(s.film.p[cells[m]]);
+    depth.push_back(h[cells[m]]);
+  }
+  const Field level(cells.size(), 0.0);
+  const std::vector<int> supply(cells.size(), 0);
+  fluid::FilmCoefficients unused;
+  update_columns(model.oil, model.gl, point.scene.speed, depth, supply, film, level, level,
+                 EquilibriumOptions{}.viscosity_tolerance, oil, unused);
+  for (std::size_t m = 0; m < cells.size(); ++m) g0[cells[m]] = oil.g0[m];
+  return g0;
+}
+
+}  // namespace
+
+Friction friction_of(const BearingModel& model, const OperatingPoint& point,
+                     const FilmEquilibrium& s) {
+  const fluid::FilmScene& scene = point.scene;
+  const Field h = depth_of(scene, s);
   Friction f;
-  f.stress = fluid::shear_stress(scene, h, s.columns.g0, s.oil.chi, s.film, s.gradient_x,
-                                 model.shear_rule);
+  f.stress = fluid::shear_stress(scene, h, sheared_fluidity(model, point, s, h), s.oil.chi, s.film,
+                                 s.gradient_x, model.shear_rule);
   f.viscous = fluid::torque(scene, f.stress.journal);
   f.viscous_shell = fluid::torque(scene, f.stress.shell);
   if (model.contact) f.asperity = fluid::torque(scene, asperity_stress(model, point, s).sum());

@@ -186,7 +186,11 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
   verdict_ = solve_equilibrium_near(
       {s_.model, s_.point, s_.heat.thermal_deformation, film_options(), control_.stop}, s_.film,
       s_.cost);
-  if (!verdict_.good()) return false;
+  if (!verdict_.good()) {
+    // Half a gap per iteration is our limit, not growth that the bearing would have.
+    if (limited_ && verdict_.as<ending::GapClosed>() != nullptr) verdict_.status = Status::iteration_limit;
+    return false;
+  }
   friction_ = friction_of(s_.model, s_.point, s_.film);
   walls_.begin(friction_, iterations_);
   walls_.balance_roughly(kHeatUnit * options_.tolerance);

@@ -164,7 +164,7 @@ void append_yielding(GridEdges& edges, const GridEdges& yielding, int full_nz, b
 /// distance on the bearing, so that one of its edges is lost on graded cells where it is on even
 /// ones.
 std::vector<double> axial_edges(double end, int full_nz, bool half, const GridEdges& z_edges) {
-  GridEdges edges, yielding;
+  GridEdges edges, lands, yielding;
   GridEdge middle(0.0);  // of the strip that mid-width cuts, if one does
   for (const GridEdge& e : z_edges) {
     const double place = half ? std::abs(e.at) : e.at;
@@ -179,9 +179,15 @@ std::vector<double> axial_edges(double end, int full_nz, bool half, const GridEd
   // no face lies at mid-width of an odd half: its first edge has nothing to merge with
   GridEdges merged{half && full_nz % 2 == 0 ? middle : GridEdge(-1.0)};
   for (const GridEdge& e : edges) {
-    if (1.0 - e.at > kMergeFraction * cell) append_merged(merged, e, cell);
+    const double land = 1.0 - std::abs(e.at);
+    if (land > kMergeFraction * cell) {
+      append_merged(merged, e, cell);
+    } else if (e.strip >= 0 && land > kNoStrip * cell) {
+      lands.push_back(e);  // it throttles all that leaves there
+    }
   }
   merged.erase(merged.begin());
+  append_yielding(merged, lands, full_nz, half);
   append_yielding(merged, yielding, full_nz, half);
   return places(merged);
 }

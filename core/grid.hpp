@@ -60,7 +60,8 @@ using GridEdges = std::vector<GridEdge>;
 /// A face lies on each of `phi_edges` and `z_edges`, but edges closer together than a fifth of an
 /// even cell are merged, whatever the grading; those of one strip never are: however narrow, it has
 /// cells of its own. An axial edge that yields is left out where another, or mid-width, is nearer
-/// than a fifth of an even cell and of its distance to the end, and where cells are too few.
+/// than a fifth of an even cell and of its distance to the end, and where cells are too few; so are
+/// edges of strips nearer to the end than that.
 /// With `half`, only |z_edges| on z >= 0 is used. Throws InputError if there are more edges than
 /// cells.
 [[nodiscard]] FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,

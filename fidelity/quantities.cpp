@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.hpp"
+#include "core/round_off.hpp"
+
 namespace shellback::fidelity {
 
 std::vector<Quantity> change(const std::vector<Quantity>& from, const std::vector<Quantity>& to) {
@@ -52,6 +55,24 @@ double natural_size(const Quantity& q, double T_supply, const std::vector<Quanti
     return std::sqrt(entry(i, i) * entry(j, j) + mirror);
   }
   return std::abs(q.value);
+}
+
+bool is_round_off(const bearing::Case& c, const Quantity& q, const std::vector<Quantity>& all) {
+  const bearing::Bearing& b = c.bearing;
+  const double shear = std::abs(value_in(all, "friction_torque")) /
+                       (2.0 * kPi * b.radius * b.radius * b.width);
+  const double pressure = shear * b.radius / b.radial_clearance;
+  const double force = 2.0 * b.radius * b.width * pressure;
+  const double load = std::hypot(value_in(all, "load_x"), value_in(all, "load_y"));
+  const bool of_load = q.unit == "N" || q.name == "attitude_angle";
+  const bool of_moment = q.name == "moment_x" || q.name == "moment_y";
+  if (of_load) return load < kRoundOff * force;
+  const double size = std::abs(q.value);
+  if (of_moment) return size < kRoundOff * force * b.width;
+  if (q.unit == "Pa") return size < kRoundOff * pressure;
+  const double flow = std::abs(c.operation.omega) * b.radius * b.width * b.radial_clearance;
+  if (q.unit == "m3/s") return size < kRoundOff * flow;
+  return q.name == "pump_power" && size < kRoundOff * std::abs(value_in(all, "power_loss"));
 }
 
 Range bounds_of(const bearing::Case& c, const std::string& name) {

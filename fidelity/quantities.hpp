@@ -26,6 +26,12 @@ using bearing::Quantity;
 [[nodiscard]] double natural_size(const Quantity& q, double T_supply,
                                   const std::vector<Quantity>& all);
 
+/// True if the value is nothing but round-off beside the shear of the film: pressures, forces and
+/// flows of a film whose journal is in the middle and that nothing feeds. Measured by what shear of
+/// the friction's size makes at once: p = tau R/c, F = 2 R B p, Q = U B c.
+[[nodiscard]] bool is_round_off(const bearing::Case& c, const Quantity& q,
+                                const std::vector<Quantity>& all);
+
 /// Between what the true value lies, where both sides are bounded: shares of the load between 0 and
 /// 1, contact pressures between 0 and the hardness. Else anywhere.
 [[nodiscard]] Range bounds_of(const bearing::Case& c, const std::string& name);

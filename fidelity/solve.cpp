@@ -65,6 +65,10 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   for (Quantity& q : result.quantities) {
     q.error_grid = 0.0;
     if (given_by_case(c, result.tier, q.name)) continue;
+    if (is_round_off(c, q, result.quantities)) {
+      q.error_grid = std::abs(q.value);
+      continue;
+    }
     const double size = natural_size(q, mean_supply_temperature(c), result.quantities);
     std::vector<GridValue> values;
     for (const LevelRecord& level : record.levels) {

@@ -322,8 +322,8 @@ std::string text_of(const note::MouthWidened& n) {
 
 std::string text_of(const note::LandUnseen& n) {
   return fmt::format(
-      "supply.{}: its land of {:.4g} mm to a side edge is narrower than a cell: on this grid it is "
-      "open there, and oil flows straight out of it; a finer model.grid along the bearing",
+      "supply.{}: its land of {:.4g} mm to a side edge is in no cell of this grid: what leaves there "
+      "is throttled by half a cell instead; a finer model.grid along the bearing",
       n.supply, n.land * 1e3);
 }
 

@@ -138,6 +138,33 @@ TEST_CASE("AStripHasCellsOfItsOwnHoweverNarrow") {
   }
 }
 
+TEST_CASE("ANarrowLandHasACellOfItsOwnWhileThereAreCells") {
+  const double end = 0.5 * kWidth;
+  for (const double part : {0.3, 0.1, 1e-3}) {  // of a cell
+    for (const int nz : {8, 9, 12, 13}) {
+      const double land = part * kWidth / nz;
+      const double foot = end - land;
+      const GridEdges one{{0.3 * end, 0}, {foot, 0}};
+      const GridEdges both{{-foot, 0}, {foot, 0}};
+      for (const double grading : {0.0, 2.0}) {
+        INFO(part << " of a cell wide, " << nz << " cells, grading " << grading);
+        const FilmGrid g = make_grid(kRadius, kWidth, 24, nz, false, {}, one, grading);
+        check_cells(g);
+        CHECK(nearest_face(g.z_face, foot, 0.0) < kOfFaces * kWidth);
+        const FilmGrid h = full_grid(make_grid(kRadius, kWidth, 24, nz, true, {}, both, grading));
+        check_cells(h);
+        CHECK(nearest_face(h.z_face, foot, 0.0) < kOfFaces * kWidth);
+        CHECK(nearest_face(h.z_face, -foot, 0.0) < kOfFaces * kWidth);
+      }
+    }
+  }
+  // Two cells, and three strips before that at the end.
+  const double foot = 0.999 * end;
+  const FilmGrid few = make_grid(kRadius, kWidth, 24, 2, false, {}, {{0.0, 0}, {foot, 0}});
+  CHECK(few.full_nz() == 2);
+  CHECK(nearest_face(few.z_face, foot, 0.0) > 1e-4 * kWidth);
+}
+
 TEST_CASE("AsManyCellsAsEdgesAreEnough") {
   // Edges far out leave the middle of an odd half grid no more cells than the others can do
   // without.

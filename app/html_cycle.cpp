@@ -115,8 +115,9 @@ std::string cycle_curves_html(const bearing::Case& c, const CycleResult& cycle) 
   std::string html = "<div class=\"figures\">\n";
   html += figure(600.0, "Path of the journal",
                  [&](Svg& svg, const Box& box) { draw_orbit(svg, box, c, cycle, theme); });
-  Svg svg(kColumnWidth, 600.0);
-  draw_cycle_curves(svg, {0.0, 0.0, kColumnWidth, 600.0}, cycle, theme);
+  const double height = std::max(600.0, height_of_cycle_curves(cycle));
+  Svg svg(kColumnWidth, height);
+  draw_cycle_curves(svg, {0.0, 0.0, kColumnWidth, height}, cycle, theme);
   html += "<figure>" + svg.inline_element("Curves over the cycle") + "</figure>\n";
   return html + "</div>\n";
 }

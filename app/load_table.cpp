@@ -51,6 +51,7 @@ LoadCycle LoadTable::cycle(double scale, double period, LoadInterpolation interp
   }
   expect_order(interpolation);
   judge_gaps(period);
+  judge_directions(interpolation);
   if (period < kInfinite) close(period, interpolation);
   LoadCycle c;
   c.period = period;
@@ -213,6 +214,42 @@ void LoadTable::judge_gaps(double period) {
     if (gap.times > bearing::kLineToRefuse) table_.fail(gap.from, when_, problem);
     // The rows as the cycle has them (judge_cycle.cpp) tell the others.
     if (last && (!changes || rows_.front().t > 0.0)) doubts_.push_back(problem);
+  }
+}
+
+/// Both components go along straight lines: between directions that are far apart the load falls.
+void LoadTable::judge_directions(LoadInterpolation interpolation) {
+  constexpr double kFalls = 0.9;  // of the smaller of both rows: 52 degrees [-]
+  if (!table_.has("direction")) return;
+  const std::vector<double>& direction = table_.column("direction");
+  const auto told = [&](std::size_t k) {
+    return fmt::format("from {} to {}", table_.written(rows_[k].line, when_),
+                       table_.written(rows_[k + 1].line, when_));
+  };
+  for (std::size_t k = 0; k + 1 < rows_.size(); ++k) {
+    if (!(rows_[k + 1].t > rows_[k].t)) continue;
+    const double turn =
+        std::abs(direction[rows_[k + 1].line] - direction[rows_[k].line]) * 180.0 / kPi;
+    if (turn > 360.0 * (1.0 + 1e-9)) {
+      doubts_.push_back(
+          fmt::format("{} the direction moves by {:.4g} deg, more than once round; "
+                      "check its unit in the first line",
+                      told(k), turn));
+      return;
+    }
+    const double between = std::cos(0.5 * std::abs(std::remainder(turn, 360.0)) * kPi / 180.0);
+    const double a = std::hypot(rows_[k].load.x, rows_[k].load.y);
+    const double b = std::hypot(rows_[k + 1].load.x, rows_[k + 1].load.y);
+    const bool alike = std::min(a, b) > 0.5 * std::max(a, b);  // else it falls, or rises, anyway
+    const bool reverses = between < 1e-3;                      // through zero, as it may be meant
+    if (!alike || reverses || between >= kFalls) continue;
+    if (interpolation == LoadInterpolation::periodic_spline) continue;
+    doubts_.push_back(
+        fmt::format("{} the direction turns by {:.3g} deg; both components of the "
+                    "load go along straight lines, on which it falls to {:.2g} of "
+                    "what it is in rows alike; add rows between",
+                    told(k), std::abs(std::remainder(turn, 360.0)), between));
+    return;
   }
 }
 

@@ -55,6 +55,7 @@ class LoadTable {
   };
   [[nodiscard]] Change change(const Row& a, const Row& b) const;
   void judge_gaps(double period);
+  void judge_directions(bearing::LoadInterpolation interpolation);
   void close(double period, bearing::LoadInterpolation interpolation);
   void expect_periodic() const;
   void move_to_front();

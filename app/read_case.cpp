@@ -53,6 +53,7 @@ void read_sections(const Section& file, Case& result) {
 /// The key as the file has it: a value that can be given in two ways is judged as one.
 std::string key_in_file(const std::string& key, const Reader& reader) {
   if (reader.given(key)) return key;
+  if (key == "load_cycle.file" && reader.given("crank")) return "crank";
   const std::string absolute = key + "_absolute";
   if (reader.given(absolute)) return absolute;
   const std::string stem = key.substr(0, key.rfind('.'));

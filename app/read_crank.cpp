@@ -26,11 +26,21 @@ constexpr double kShortestRod = 0.5;     ///< the same [-]
 /// Of the largest pressure from a top dead centre: combustion has it within some 20 degrees
 /// (textbook), a late one with pilot injections within 30 [rad].
 constexpr double kLatestPeak = 0.25 * kPi;
+/// Of a piston with its pin over the cube of the bore; engines have 500 to 2500 (textbook), and
+/// five times less or more is a unit [kg/m3].
+constexpr Range kPistonDensity{100.0, 12500.0};
 constexpr const char* kPressureExample = "angle [deg], pressure [bar]";
 
 /// Angles rise, and no two rows are farther apart than the period: where it begins does not matter.
 void expect_angles(const CsvTable& table, double period) {
   const std::vector<double>& angle = table.column("angle");
+  constexpr double kRadians = 4.0 * kPi * kPi / 180.0;  // two turns in radians, read as degrees
+  if (std::abs(angle.back() - angle.front()) < kRadians * (1.0 + 1e-3)) {
+    table.fail_header(
+        fmt::format("the angles reach from {} to {}, a small part of a turn; check "
+                    "their unit in this line (radians given as deg look like this)",
+                    table.written(0, "angle"), table.written(angle.size() - 1, "angle")));
+  }
   for (std::size_t k = 0; k < angle.size(); ++k) {
     if (k > 0 && !(angle[k] > angle[k - 1])) {
       table.fail(k, "angle",
@@ -53,7 +63,8 @@ void expect_pressures(const CsvTable& table) {
   const auto row = [&](auto at) { return static_cast<std::size_t>(at - p.begin()); };
   if (*low < kVacuum) {
     table.fail(row(low), "pressure",
-               fmt::format("{} lies below vacuum (-1.013 bar); pressures are counted from ambient",
+               fmt::format("{} lies below vacuum (-1.013 bar); pressures are counted from ambient; "
+                           "check the unit in the first line, too",
                            table.written(row(low), "pressure")));
   }
   if (*high < kLowestPeak || *high > kHighestPeak) {
@@ -172,6 +183,16 @@ void read_pressure(const Section& section, const std::optional<double>& period,
   turn_into_period(table, crank);
 }
 
+void expect_piston(const Section& section, const bearing::Crank& crank) {
+  const double density = crank.piston_mass / std::pow(crank.bore, 3);
+  if (kPistonDensity.low <= density && density <= kPistonDensity.high) return;
+  section.warn("piston_mass",
+               fmt::format("{:.4g} kg for a bore of {:.4g} mm are {:.3g} kg for each cube of the "
+                           "bore in dm3, where pistons with pin and upper rod have 0.5 to 2.5; "
+                           "check the units of both",
+                           crank.piston_mass, 1e3 * crank.bore, 1e-3 * density));
+}
+
 bool is_period(double period) {
   return std::abs(period - kTurn) < kSame * kTurn || std::abs(period - 2.0 * kTurn) < kSame * kTurn;
 }
@@ -233,7 +254,13 @@ bearing::Crank read_crank(const Section& section, const std::optional<double>& p
   if (section.has("pressure")) {
     crank.bore = section.quantity("bore", kLength.such_as("80 mm"), kPositive);
     read_pressure(section, period, crank);
+    expect_piston(section, crank);
   } else {
+    if (section.has("bore")) {
+      section.fail("bore",
+                   "it turns cylinder pressure into a force, and there is none; give "
+                   "crank.pressure, the table, or take the bore out");
+    }
     if (crank.piston_mass <= 0.0 && crank.rod_mass <= 0.0 && crank.counterweight <= 0.0) {
       section.fail("piston_mass",
                    "no gas and no mass load the bearing; give crank.pressure, or the masses");

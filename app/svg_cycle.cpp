@@ -23,7 +23,6 @@ constexpr double kKilowatt = 1e-3;    ///< kW per W
 constexpr double kWidestGap = 2.5;  ///< that a map shows, over the clearance [-]
 
 constexpr double kWidth = 1240.0;  ///< of the sheet [px]
-constexpr double kHeight = 920.0;  ///< [px]
 
 /// A quantity of an instant over the cycle, times `factor`.
 template <class Value>
@@ -37,9 +36,16 @@ Series curve(const CycleResult& cycle, const std::string& name, const std::strin
   return series;
 }
 
-bool any_above_zero(const CycleResult& cycle, double CycleInstant::*value) {
-  return std::any_of(cycle.instants.begin(), cycle.instants.end(),
-                     [&](const CycleInstant& i) { return i.*value > 0.0; });
+/// Whether summits press on each other by as much as can be seen beside the film's pressure: tails
+/// of their heights touch at any gap.
+bool shows_contact(const CycleResult& cycle) {
+  constexpr double kSeen = 1e-3;  // of the largest film pressure: a line's width
+  double film = 0.0, contact = 0.0;
+  for (const CycleInstant& i : cycle.instants) {
+    film = std::max(film, i.p_max);
+    contact = std::max(contact, i.p_asperity_max);
+  }
+  return contact > kSeen * film;
 }
 
 bool all_alike(const CycleResult& cycle, double CycleInstant::*value) {
@@ -90,14 +96,24 @@ std::string status_words(const bearing::Case& c, const CycleResult& cycle) {
 
 bool has_heat(const CycleResult& cycle) { return !cycle.fields.T_shell.empty(); }
 
-void draw_maps(Svg& svg, const bearing::Case& c, const CycleResult& cycle, const Theme& theme) {
-  double x = 8.0;
+constexpr double kMapRow = 290.0;  ///< [px]
+
+/// Two maps; four where there is contact beside heat.
+std::vector<FieldMap> maps_of(const bearing::Case& c, const CycleResult& cycle) {
+  const std::size_t most = has_heat(cycle) && shows_contact(cycle) ? 4 : 2;
+  std::vector<FieldMap> maps;
   for (const CycleMap which : {CycleMap::pressure, CycleMap::shell, CycleMap::contact,
                                CycleMap::gap, CycleMap::friction}) {
-    const auto map = cycle_map(c, cycle, which);
-    if (!map || x > 0.5 * kWidth + 20.0) continue;
-    draw_map(svg, {x, 630.0, 604.0, 270.0}, *map, theme);
-    x += 616.0;
+    auto map = cycle_map(c, cycle, which);
+    if (map && maps.size() < most) maps.push_back(*std::move(map));
+  }
+  return maps;
+}
+
+void draw_maps(Svg& svg, double y, const std::vector<FieldMap>& maps, const Theme& theme) {
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    const double column = static_cast<double>(k % 2), row = static_cast<double>(k / 2);
+    draw_map(svg, {8.0 + 616.0 * column, y + kMapRow * row, 604.0, 270.0}, maps[k], theme);
   }
 }
 
@@ -117,7 +133,7 @@ LinePlot cycle_plot(const CycleResult& cycle, CycleCurve which, const Theme& the
       plot.title = "Largest pressure";
       plot.y_title = "[MPa]";
       plot.series = {curve(cycle, "", colour, 1e-6, [](const auto& i) { return i.p_max; })};
-      if (!any_above_zero(cycle, &CycleInstant::p_asperity_max)) break;
+      if (!shows_contact(cycle)) break;
       plot.series.front().name = "film";
       plot.series.push_back(curve(cycle, "contact", theme.more, 1e-6,
                                   [](const auto& i) { return i.p_asperity_max; }));
@@ -165,16 +181,35 @@ LinePlot cycle_plot(const CycleResult& cycle, CycleCurve which, const Theme& the
   return plot;
 }
 
-void draw_cycle_curves(Svg& svg, const Box& box, const CycleResult& cycle, const Theme& theme) {
-  constexpr double kSpace = 8.0;  // between curves [px]
+namespace {
+
+/// Those that the cycle has, two in a row.
+std::vector<CycleCurve> curves_of(const CycleResult& cycle) {
   std::vector<CycleCurve> curves{CycleCurve::film, CycleCurve::pressure, CycleCurve::torque,
                                  CycleCurve::load};
   if (!all_alike(cycle, &CycleInstant::omega)) curves.push_back(CycleCurve::speed);
   if (has_heat(cycle)) {
     curves.insert(curves.end(), {CycleCurve::temperature, CycleCurve::heat});
   }
+  return curves;
+}
+
+double rows_of(const std::vector<CycleCurve>& curves) {
+  return static_cast<double>((curves.size() + 1) / 2);
+}
+
+}  // namespace
+
+double height_of_cycle_curves(const CycleResult& cycle) {
+  constexpr double kRow = 168.0;  // title, legend and axis take half of it [px]
+  return kRow * rows_of(curves_of(cycle));
+}
+
+void draw_cycle_curves(Svg& svg, const Box& box, const CycleResult& cycle, const Theme& theme) {
+  constexpr double kSpace = 8.0;  // between curves [px]
+  const std::vector<CycleCurve> curves = curves_of(cycle);
   const double width = 0.5 * box.width;
-  const double height = box.height / static_cast<double>((curves.size() + 1) / 2);
+  const double height = box.height / rows_of(curves);
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const double x = box.x + static_cast<double>(k % 2) * width;
     const double y = box.y + static_cast<double>(k / 2) * height;
@@ -189,15 +224,12 @@ std::optional<FieldMap> cycle_map(const bearing::Case& c, const CycleResult& cyc
   const auto known = [&](const Field& field) {
     return !field.empty() && f.grid.cells() == static_cast<int>(field.size());
   };
-  const auto above = [](const Field& field) {
-    return std::any_of(field.begin(), field.end(), [](double v) { return v > 0.0; });
-  };
   switch (which) {
     case CycleMap::pressure:
       if (!known(f.p_max)) return {};
       return map_of(c, cycle, FilmField::pressure, f.p_max, "Largest film pressure of each place");
     case CycleMap::contact:
-      if (!known(f.p_asperity_max) || !above(f.p_asperity_max)) return {};
+      if (!known(f.p_asperity_max) || !shows_contact(cycle)) return {};
       return unmarked(map_of(c, cycle, FilmField::pressure, f.p_asperity_max,
                              "Largest contact pressure of each place"));
     case CycleMap::gap:
@@ -218,15 +250,20 @@ std::optional<FieldMap> cycle_map(const bearing::Case& c, const CycleResult& cyc
 }
 
 std::string cycle_svg(const bearing::Case& c, const CycleResult& cycle) {
+  constexpr double kTop = 94.0, kSpace = 30.0, kLeast = 506.0;  // [px]
   const Theme theme = print_theme();
-  Svg svg(kWidth, kHeight);
-  svg.rect({0.0, 0.0, kWidth, kHeight}, theme.paper);
+  const std::vector<FieldMap> maps = maps_of(c, cycle);
+  const double curves = std::max(kLeast, height_of_cycle_curves(cycle));
+  const double height =
+      kTop + curves + kSpace + kMapRow * static_cast<double>((maps.size() + 1) / 2);
+  Svg svg(kWidth, height);
+  svg.rect({0.0, 0.0, kWidth, height}, theme.paper);
   draw_scene(svg, c, status_words(c, cycle), cycle.verdict.good(), theme);
-  draw_orbit(svg, {24.0, 94.0, 480.0, 502.0}, c, cycle, theme);
+  draw_orbit(svg, {24.0, kTop, 480.0, kLeast - 4.0}, c, cycle, theme);
   if (!cycle.instants.empty()) {
-    draw_cycle_curves(svg, {520.0, 94.0, 712.0, 506.0}, cycle, theme);
+    draw_cycle_curves(svg, {520.0, kTop, 712.0, curves}, cycle, theme);
   }
-  draw_maps(svg, c, cycle, theme);
+  draw_maps(svg, kTop + curves + kSpace, maps, theme);
   return svg.document(c.title);
 }
 

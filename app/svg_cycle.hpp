@@ -20,6 +20,7 @@ enum class CycleMap { pressure, contact, gap, friction, shell, shell_heat };
                                   const Theme& theme);
 
 /// All curves that the tier knows, in two columns within `box`.
+[[nodiscard]] double height_of_cycle_curves(const bearing::CycleResult& cycle);  ///< wanted [px]
 void draw_cycle_curves(Svg& svg, const Box& box, const bearing::CycleResult& cycle,
                        const Theme& theme);
 
@@ -29,7 +30,7 @@ void draw_cycle_curves(Svg& svg, const Box& box, const bearing::CycleResult& cyc
 [[nodiscard]] std::optional<FieldMap> cycle_map(const bearing::Case& c,
                                                 const bearing::CycleResult& cycle, CycleMap which);
 
-/// The sheet (1240 x 1000, white): orbit, curves, maps. A cycle that did not converge says so.
+/// The sheet (1240 px wide, white): orbit, curves, maps. A cycle that did not converge says so.
 [[nodiscard]] std::string cycle_svg(const bearing::Case& c, const bearing::CycleResult& cycle);
 
 }  // namespace shellback::app

@@ -12,7 +12,11 @@ constexpr double kRight = 12.0;   ///< [px]
 constexpr double kTop = 44.0;     ///< room for title and legend [px]
 constexpr double kBottom = 38.0;  ///< room for the x axis [px]
 
-Axis y_axis(const LinePlot& plot) {
+/// `height` of the frame [px].
+Axis y_axis(const LinePlot& plot, double height) {
+  constexpr double kTick = 20.0;  // between ticks, so that figures do not touch [px]
+  const int ticks = std::clamp(static_cast<int>(height / kTick), 2, 6);
+
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const auto& series : plot.series) {
@@ -24,7 +28,7 @@ Axis y_axis(const LinePlot& plot) {
   }
   if (low > high) low = high = 0.0;
   if (plot.from_zero) low = std::min(low, 0.0);
-  return round_axis(low, high, 6, plot.y_title);
+  return round_axis(low, high, ticks, plot.y_title);
 }
 
 /// Where the bars are known, between lines that are. One area for all of it, each stretch from left
@@ -74,10 +78,10 @@ void draw_legend(Svg& svg, Point at, const LinePlot& plot, const Theme& theme) {
 }  // namespace
 
 Frame draw_lines(Svg& svg, const Box& box, const LinePlot& plot, const Theme& theme) {
-  const Frame frame{
-      {box.x + kLeft, box.y + kTop, box.width - kLeft - kRight, box.height - kTop - kBottom},
-      plot.x,
-      plot.y ? *plot.y : y_axis(plot)};
+  const double height = box.height - kTop - kBottom;
+  const Frame frame{{box.x + kLeft, box.y + kTop, box.width - kLeft - kRight, height},
+                    plot.x,
+                    plot.y ? *plot.y : y_axis(plot, height)};
   svg.text({frame.box.x, box.y + 14.0}, plot.title, {theme.ink, 12.5, Anchor::start, true});
   draw_legend(svg, {frame.box.x, box.y + 34.0}, plot, theme);
   draw_axes(svg, frame, theme, GridLines::horizontal);

@@ -14,7 +14,37 @@ namespace {
 /// Straight line between two values.
 double between(double a, double b, double part) { return a + part * (b - a); }
 
+bool spline_can_be_laid(const LoadCycle& c) {
+  const std::size_t n = c.t.size();
+  const bool rising = std::adjacent_find(c.t.begin(), c.t.end(),
+                                         [](double a, double b) { return !(b > a); }) == c.t.end();
+  return c.interpolation == LoadInterpolation::periodic_spline && c.repeats() && n >= 3 && rising &&
+         c.t.front() == 0.0 && c.t.back() < c.period && c.x.size() == n && c.y.size() == n &&
+         (c.omega.empty() || c.omega.size() == n);
+}
+
 }  // namespace
+
+LoadCycle as_lines(const LoadCycle& cycle) {
+  if (!spline_can_be_laid(cycle)) return cycle;
+  const LoadCourse course(cycle, 0.0);
+  LoadCycle lines = cycle;
+  lines.interpolation = LoadInterpolation::linear;
+  for (auto* column : {&lines.t, &lines.x, &lines.y, &lines.omega}) column->clear();
+  for (std::size_t k = 0; k < cycle.t.size(); ++k) {
+    const double next = k + 1 < cycle.t.size() ? cycle.t[k + 1] : cycle.period;
+    for (std::size_t i = 0; i < kLinesOfSpline; ++i) {
+      const double part = static_cast<double>(i) / static_cast<double>(kLinesOfSpline);
+      const double t = between(cycle.t[k], next, part);
+      const LoadNow now = course.at(t);
+      lines.t.push_back(t);
+      lines.x.push_back(i == 0 ? cycle.x[k] : now.x);
+      lines.y.push_back(i == 0 ? cycle.y[k] : now.y);
+      if (!cycle.omega.empty()) lines.omega.push_back(now.omega);
+    }
+  }
+  return lines;
+}
 
 struct LoadCourse::Splines {
   struct Free {
@@ -52,6 +82,13 @@ LoadCourse::LoadCourse(const LoadCycle& cycle, double omega, double slow) : cycl
     splines_ = std::make_shared<const Splines>(Splines{Splines::through(cycle_.t, cycle_.x),
                                                        Splines::through(cycle_.t, cycle_.y),
                                                        Splines::through(cycle_.t, cycle_.omega)});
+    for (std::size_t k = 0; k + 1 < cycle_.t.size(); ++k) {
+      for (std::size_t i = 1; i < kLinesOfSpline; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(kLinesOfSpline);
+        const LoadNow now = at(between(cycle_.t[k], cycle_.t[k + 1], part));
+        largest_load_ = std::max(largest_load_, std::hypot(now.x, now.y));
+      }
+    }
   } else {
     find_corners();
     if (slow > 0.0) find_rests(slow);

@@ -34,6 +34,15 @@ struct LoadCycle {
   [[nodiscard]] double length() const { return repeats() ? period : t.back() - t.front(); }
 };
 
+/// Straight lines in place of each stretch between rows of a spline: a cubic, which then is known
+/// to a thousandth of what it bends.
+inline constexpr std::size_t kLinesOfSpline = 16;
+
+/// The same course as straight lines: every row of a spline followed by fifteen between it and the
+/// next. Where a spline cannot be laid (rows that do not rise, fewer than three, none at 0, no
+/// period) and without one: as it is.
+[[nodiscard]] LoadCycle as_lines(const LoadCycle& cycle);
+
 /// Load and speed at one instant.
 struct LoadNow {
   double x = 0.0;      ///< [N]
@@ -69,7 +78,7 @@ class LoadCourse {
   /// the periods passed: the integral of the speed [rad].
   [[nodiscard]] double turned(double t) const;
   [[nodiscard]] bool repeats() const { return cycle_.repeats(); }
-  /// Largest magnitude of the load in the rows [N] and of the speed [rad/s].
+  /// Largest magnitude of the load (of as_lines) [N] and, in the rows, of the speed [rad/s].
   [[nodiscard]] double largest_load() const { return largest_load_; }
   [[nodiscard]] double largest_speed() const { return largest_speed_; }
   /// Integral of the load over the first `length()`, by Simpson's rule between corners [N s].

@@ -36,11 +36,10 @@ std::vector<RowGap> row_gaps(const std::vector<double>& t, double period) {
   if (all.empty()) return gaps;
   const double median = median_length(all);
   const std::size_t n = all.size();
-  const bool round = std::isfinite(period);
   for (std::size_t k = 0; k < n; ++k) {
     double beside = median;
-    if (round || k > 0) beside = std::max(beside, all[(k + n - 1) % n].length);
-    if (round || k + 1 < n) beside = std::max(beside, all[(k + 1) % n].length);
+    if (k > 0) beside = std::max(beside, all[k - 1].length);
+    if (k + 1 < n) beside = std::max(beside, all[k + 1].length);
     const double times = all[k].length / beside;
     if (times > kLineToTell) gaps.push_back({all[k].from, all[k].to, all[k].length, times});
   }

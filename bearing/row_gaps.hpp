@@ -8,7 +8,8 @@
 /// hundred times, all that a table good to a hundredth has. A stretch counts as that long against
 /// the median distance of rows and against both stretches beside it: traces that are digitised by
 /// hand change their distances from row to row by less, tables of a few corners have a median of
-/// the length of their lines, and a row half way says that a line is meant.
+/// the length of their lines, and a row half way says that a line is meant; one at the seam of two
+/// periods says nothing, every table has it.
 #include <cstddef>
 #include <vector>
 

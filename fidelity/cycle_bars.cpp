@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bearing/over_time/cycle_search.hpp"
 #include "core/contract.hpp"
@@ -18,11 +19,19 @@ using namespace bearing;
 
 namespace {
 
-/// The cycle on another grid; not good where the grid cannot carry the supplies.
-CycleResult on_grid(Case c, Grid grid, const SolveControl& control) {
+/// What the cycle cost on its grid, in cells of Newton iterations.
+double work_of(const CycleResult& r) {
+  return static_cast<double>(r.cost.newton_iterations) * r.grid[0] * r.grid[1];
+}
+
+/// The cycle on another grid; not good where the grid cannot carry the supplies, nor where it takes
+/// more than `most_work`.
+CycleResult on_grid(Case c, Grid grid, double most_work, const SolveControl& control) {
   c.model.grid = grid;
+  SolveControl bounded = control;
+  bounded.most_work = most_work;
   try {
-    return solve_cycle(c, c.model.tier, control);
+    return solve_cycle(c, c.model.tier, bounded);
   } catch (const InputError&) {
     CycleResult none;
     none.verdict.status = Status::iteration_limit;
@@ -61,21 +70,31 @@ void widen_bars_of_power(CycleResult& r) {
   }
 }
 
-void put_grid_bars(const std::vector<CycleResult>& coarse_to_fine, CycleResult& r) {
+/// `finer`: of a finer grid, if there are not two coarser ones; may be null.
+void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine,
+                   const CycleResult* finer, CycleResult& r) {
   const auto size = [](const std::array<int, 2>& g) { return 1.0 / std::sqrt(g[0] * g[1]); };
+  std::vector<Quantity> all;
+  for (const CycleQuantity& q : r.quantities) all.push_back(q.quantity);
+  std::vector<BarOfSize> bars;
   for (CycleQuantity& q : r.quantities) {
     std::vector<GridValue> values;
-    for (const CycleResult& on : coarse_to_fine) {
+    const auto add = [&](const CycleResult& on) {
       values.push_back({size(on.grid), value_of(on, q.quantity.name), 0.0});
-    }
-    values.push_back({size(r.grid), q.quantity.value, 0.0});
+    };
+    for (const CycleResult& on : coarse_to_fine) add(on);
+    add(r);
+    if (finer != nullptr) add(*finer);
     const GridBar bar = grid_bar(values, size(r.grid));
     q.quantity.error_grid = bar.bar;
     if (q.quantity.name == "h_min") {
       q.quantity.error_grid += edge_error(r.fields.grid, r.fields.h_min);
     }
     q.quantity.order = bar.order;
+    bars.emplace_back(&q.quantity.error_grid,
+                      natural_size(q.quantity, mean_supply_temperature(c), all));
   }
+  share_bars(bars);
 }
 
 void add_between_instants(CycleResult& r) {
@@ -138,28 +157,56 @@ double beyond_instants(const std::vector<CycleInstant>& all, double CycleInstant
   return 0.0;
 }
 
+namespace {
+
+/// A grid may take so many times the work of the result: a finer one has three times its cells and
+/// steps, a coarser one that takes more has no cycle that closes.
+constexpr double kMoreWork = 4.0;
+
+/// The cycle on other grids.
+struct Beside {
+  std::vector<CycleResult> coarse;  ///< from the coarsest on
+  std::optional<CycleResult> finer;
+  [[nodiscard]] bool known() const { return !coarse.empty() || finer; }
+};
+
+/// On the two nearest coarser grids; where fewer have the cycle, on a finer one, too: two values
+/// alone that happen to agree tell of no error.
+Beside solve_beside(const Case& c, const CycleResult& r, const SolveControl& control) {
+  Beside b;
+  const double most = kMoreWork * work_of(r);
+  for (const Grid& grid : nearest_coarse_grids(c)) {
+    CycleResult on = on_grid(c, grid, most, control);
+    if (stopped(control)) return b;
+    if (on.verdict.good()) b.coarse.push_back(std::move(on));
+  }
+  const std::optional<Grid> fine = finer_grid(r.grid);
+  if (b.coarse.size() > 1 || !fine) return b;
+  CycleResult on = on_grid(c, *fine, most, control);
+  if (on.verdict.good() && !stopped(control)) b.finer = std::move(on);
+  return b;
+}
+
+}  // namespace
+
 CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   CycleResult r = solve_cycle(c, c.model.tier, control);
   if (!r.verdict.good()) return r;
   const Stopwatch watch;
-  std::vector<CycleResult> coarse;
-  for (const Grid& grid : nearest_coarse_grids(c)) {
-    CycleResult on = on_grid(c, grid, control);
-    if (stopped(control)) break;
-    if (on.verdict.good()) coarse.push_back(std::move(on));
-  }
-  if (coarse.empty() || stopped(control)) {
+  const Beside beside = solve_beside(c, r, control);
+  if (!beside.known() || stopped(control)) {
     r.warnings.push_back(stopped(control) ? note::Plain::bars_interrupted
                                           : note::Plain::cycle_bars_unknown);
     r.cost.bars_s = watch.seconds();
     return r;
   }
-  put_grid_bars(coarse, r);
+  put_grid_bars(c, beside.coarse, beside.finer ? &*beside.finer : nullptr, r);
   Case changed = c;
-  const double part = change_steps(coarse.back(), changed);
-  const CycleResult other = on_grid(changed, coarse.back().grid, control);
+  const CycleResult usual = beside.coarse.empty() ? r : beside.coarse.back();
+  const double part = change_steps(usual, changed);
+  const CycleResult other = on_grid(changed, usual.grid, kMoreWork * work_of(r), control);
   if (other.verdict.good()) {
-    put_time_bars(coarse.back(), other, part, r);
+    put_time_bars(usual, other, part, r);
   } else {
     r.warnings.push_back(stopped(control) ? note::Plain::bars_interrupted
                                           : note::Plain::time_bars_unknown);

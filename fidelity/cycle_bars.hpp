@@ -5,11 +5,12 @@
 namespace shellback::fidelity {
 
 /// Solves the cycle of the case and, if it converges, gives its quantities their bars: of the grid
-/// from up to two coarser grids, each with steps of the same error (grid_error.hpp; the smallest
-/// film at an edge: edge_error.hpp, too), of the steps from the coarser grid once more with steps
-/// that may err four times as much (or, given ones, are half as long as the longest taken). The
-/// error of a step falls with the third power of its length, and what steps change falls with the
-/// first of it where fronts of oil move by cells (docs/decisions/058):
+/// from up to two coarser grids and, where fewer have the cycle, a finer one, each with steps of
+/// the same error (grid_error.hpp, shared as those of steady states; the smallest film at an edge:
+/// edge_error.hpp, too), of the steps from the nearest coarser grid, or the own one, once more with
+/// steps that may err four times as much (or, given ones, are half as long as the longest taken).
+/// The error of a step falls with the third power of its length, and what steps change falls with
+/// the first of it where fronts of oil move by cells (docs/decisions/058):
 ///   bar = 1.5 |f(4 tol) - f(tol)| / (4^(1/3) - 1),   given: 1.5 |f(dt) - f(dt/2)| 2           (1)
 /// taken as a part of the value; to extremes comes how far a parabola through the instants around
 /// goes beyond what they were seen to be, to the smallest film what a chosen step may err. 1.5 is

@@ -69,6 +69,20 @@ GridBar grid_bar(const std::vector<GridValue>& v, double h) {
   return {std::max(safety(h) * rest(p), slow) + f1.noise, observed, limit};
 }
 
+void share_bars(const std::vector<BarOfSize>& bars) {
+  constexpr double kShare = 0.2;  // [-]
+  std::vector<double> relative;
+  for (const auto& [bar, size] : bars) {
+    if (std::isfinite(*bar / size)) relative.push_back(*bar / size);
+  }
+  if (relative.empty()) return;
+  const auto middle = relative.begin() + static_cast<long>(relative.size() / 2);
+  std::nth_element(relative.begin(), middle, relative.end());
+  for (const auto& [bar, size] : bars) {
+    if (std::isfinite(*bar)) *bar = std::max(*bar, kShare * *middle * size);
+  }
+}
+
 GridLimit film_limit(double whole, double film, int cells, int film_cells) {
   if (!std::isfinite(film)) return {whole, 0.0, 0.0};
   const double step = film - whole;

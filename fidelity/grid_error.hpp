@@ -32,6 +32,7 @@
 /// and their difference is the bar; along, the last step with what it is led on by. What 800 x 100
 /// cells lack to the limit, the same steps with the lowest order, is told apart.
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace shellback::fidelity {
@@ -72,6 +73,13 @@ inline constexpr double kSafety = 1.5;
 /// Bar of the value on the grid of cell size `h`, one of two or more values, coarsest first; only
 /// the last three are used. With one value: not-a-number.
 [[nodiscard]] GridBar grid_bar(const std::vector<GridValue>& coarse_to_fine, double h);
+
+/// A bar and the size of its quantity.
+using BarOfSize = std::pair<double*, double>;
+
+/// No bar is left shorter, against the size of its quantity, than a fifth of the median one: all
+/// share one film, and a small change of one is often chance. Bars that are not known have no part.
+void share_bars(const std::vector<BarOfSize>& bars);
 
 /// Cells around and along the full width of the grid that the values of tier `auto` are meant for.
 inline constexpr std::array<int, 2> kFineGrid{800, 100};

@@ -19,7 +19,6 @@ int cells(const Grid& grid) { return grid[0] * grid[1]; }
 Grid scaled(const Grid& grid, double by) {
   return {static_cast<int>(std::lround(by * grid[0])), static_cast<int>(std::lround(by * grid[1]))};
 }
-
 /// `s` on another grid, with operators that were kept for it.
 std::optional<Solution> beside(const Solution& s, const Grid& grid, const SolveControl& control,
                                KeptSolids* kept) {
@@ -51,6 +50,11 @@ std::vector<Grid> coarse_grids(const Case& c) {
   std::erase_if(grids, [&](const Grid& g) { return g[0] >= around || g[1] >= along; });
   grids.erase(std::unique(grids.begin(), grids.end()), grids.end());
   return grids;
+}
+
+std::optional<Grid> finer_grid(const Grid& grid) {
+  if (cells(grid) > cells(kUsualGrid)) return std::nullopt;
+  return scaled(grid, kRefinement);
 }
 
 std::vector<Grid> nearest_coarse_grids(const Case& c) {
@@ -105,10 +109,12 @@ GridSequence grid_sequence(const Solution& s, const SolveControl& control, KeptS
     }
     if (!out.coarse) out.coarse = std::move(coarse);
   }
-  if (!out.coarse && cells(own) <= cells(kUsualGrid) && !stopped(control)) {
-    if (const auto finer = beside(s, scaled(own, kRefinement), control, kept)) {
-      out.levels = {{own, scalars(s)}, {finer->model.input.model.grid, scalars(*finer)}};
-      out.coarse = s;
+  const std::optional<Grid> fine = finer_grid(own);
+  if (out.levels.size() < kGrids && fine && !stopped(control)) {
+    if (const auto finer = beside(s, *fine, control, kept)) {
+      if (!out.coarse) out.levels = {{own, scalars(s)}};
+      if (!out.coarse) out.coarse = s;
+      out.levels.push_back({*fine, scalars(*finer)});
     }
   }
   std::sort(out.levels.begin(), out.levels.end(),

@@ -26,6 +26,9 @@ inline constexpr int kMoreNodes = 2;  ///< across the film; their number stays o
 /// fine one are left out.
 [[nodiscard]] std::vector<Grid> coarse_grids(const bearing::Case& c);
 
+/// The next finer one, kRefinement times in each direction; none beyond the usual grid.
+[[nodiscard]] std::optional<Grid> finer_grid(const Grid& grid);
+
 /// The last two of them: what bars of whole runs in time are made of.
 [[nodiscard]] std::vector<Grid> nearest_coarse_grids(const bearing::Case& c);
 
@@ -52,8 +55,9 @@ struct GridSequence {
   std::vector<bearing::LevelRecord> levels;  ///< from the coarsest to the finest
 };
 
-/// Three grids if possible, the result's own the last; where no coarser grid gives a solution (too
-/// few cells for the supplies, contact that they cannot place), its own and one that is finer.
+/// Three grids if possible, the result's own the last; where fewer than two coarser grids give a
+/// solution (too few cells for the supplies, contact that they cannot place), one that is finer
+/// beside: two values alone that happen to agree tell of no error.
 /// Each is solved from `s`. `kept` may be null.
 [[nodiscard]] GridSequence grid_sequence(const bearing::Solution& s,
                                          const bearing::SolveControl& control, KeptSolids* kept);

@@ -56,12 +56,9 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   // Iteration leaves this part of the natural size open: the outer loop ends at changes of 3e-4 of
   // 10 K per step, the viscosity changes by a few per cent per kelvin.
   constexpr double kIteration = 1e-4;  // [-]
-  // No bar is shorter, against the size of its quantity, than this part of the median one: all
-  // share one film, and a small change of one is often chance.
-  constexpr double kShare = 0.2;  // [-]
   const Case& c = record.coarse->model.input;
   Judged judged;
-  std::vector<double> relative;
+  std::vector<BarOfSize> bars;
   for (Quantity& q : result.quantities) {
     q.error_grid = 0.0;
     if (given_by_case(c, result.tier, q.name)) continue;
@@ -84,15 +81,9 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     const bool known = q.error_grid < size;  // at all: else it leads anywhere
     q.limit = known ? limit_of(c, q, bar.limit) : NAN;
     judged.emplace_back(&q, size);
-    if (std::isfinite(q.error_grid / size)) relative.push_back(q.error_grid / size);
+    bars.emplace_back(&q.error_grid, size);
   }
-  if (relative.empty()) return;
-  const auto middle = relative.begin() + static_cast<long>(relative.size() / 2);
-  std::nth_element(relative.begin(), middle, relative.end());
-  for (auto& [q, size] : judged) {
-    if (std::isfinite(q->error_grid))
-      q->error_grid = std::max(q->error_grid, kShare * *middle * size);
-  }
+  share_bars(bars);
   share_bars_of_coefficients(judged);
 }
 

@@ -11,6 +11,7 @@
 #include "bearing/over_time/cycle_numbers.hpp"
 #include "bearing/row_gaps.hpp"
 #include "core/constants.hpp"
+#include "core/round_off.hpp"
 #include "core/step_control.hpp"
 
 namespace shellback::bearing {
@@ -241,6 +242,14 @@ void judge_own_speed(const Case& c, const CycleNumbers& n, Findings& to) {
   constexpr double kApart = 0.01;  // of both: beyond it no trapezoid over the rows misses [-]
   const LoadCycle& cycle = *c.cycle;
   if (cycle.omega.empty() || !(cycle.crank_speed > 0.0)) return;
+  const bool swings = std::abs(n.mean_speed) < kRoundOff * n.largest_speed;
+  if (!swings && n.mean_speed * c.operation.omega < 0.0) {
+    to.suspect("operation.speed",
+               fmt::format("the table's column speed is the journal's, {:.4g} rpm in the mean, and "
+                           "turns the other way than crank angles pass, {:.4g} rpm",
+                           n.mean_speed / kRpm, c.operation.omega / kRpm),
+               "check the sign of either");
+  }
   const double mean = std::abs(n.mean_speed);
   if (std::abs(mean - cycle.crank_speed) <= kApart * cycle.crank_speed) return;
   to.suspect("operation.speed",
@@ -253,12 +262,14 @@ void judge_own_speed(const Case& c, const CycleNumbers& n, Findings& to) {
 void judge_cycle(const Case& c, Findings& to) {
   const CycleNumbers n = cycle_numbers(*c.cycle, c.operation.omega);
   const double specific = n.largest / (2.0 * c.bearing.radius * c.bearing.width);
-  compare(to, "load_cycle.file", specific, kBearingLimits.specific_load,
-          fmt::format("the largest load over the projected area is {:.4g} MPa", 1e-6 * specific),
-          "check the unit of the load (with [crank]: of its masses and pressures)");
   const double u = n.largest_speed * c.bearing.radius;
   compare(to, "operation.speed", u, kBearingLimits.surface_speed,
-          fmt::format("the largest surface speed is {:.4g} m/s", u), "check the unit of the speed");
+          fmt::format("the largest surface speed is {:.4g} m/s", u),
+          "check the unit of the speed (of the column speed, if the table has one)");
+  compare(
+      to, "load_cycle.file", specific, kBearingLimits.specific_load,
+      fmt::format("the largest load over the projected area is {:.4g} MPa", 1e-6 * specific),
+      "check the unit of the load (with [crank]: of its masses and pressures, and of the speed)");
   judge_turning(c, to);
   judge_own_speed(c, n, to);
   if (c.cycle->journal_mass > 0.0) return judge_mass(c, n, to);

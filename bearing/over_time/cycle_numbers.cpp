@@ -5,6 +5,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -38,16 +39,27 @@ double speed(const LoadCycle& c, std::size_t row, double omega) {
   return c.omega.empty() ? omega : c.omega[row];
 }
 
-/// Of a straight line from `a` to `b`.
-double mean_magnitude(double a, double b) {
-  if (a * b >= 0.0) return 0.5 * std::abs(a + b);
-  return 0.5 * (a * a + b * b) / std::abs(b - a);
+/// Integral of sqrt(s^2 + q^2) over s from 0, q not negative.
+double length_integral(double s, double q) {
+  return 0.5 * (s * std::hypot(s, q) + (q > 0.0 ? q * q * std::asinh(s / q) : 0.0));
+}
+
+/// Mean of the magnitude along the straight line from (ax, ay) to (bx, by), at distance q from 0.
+double mean_magnitude(double ax, double ay, double bx, double by) {
+  const double dx = bx - ax, dy = by - ay;
+  const double length = std::hypot(dx, dy);
+  const double ends = 0.5 * (std::hypot(ax, ay) + std::hypot(bx, by));
+  if (length <= kRoundOff * ends) return ends;
+  const double from = (ax * dx + ay * dy) / length, till = (bx * dx + by * dy) / length;
+  const double q = std::abs(ax * by - ay * bx) / length;
+  return (length_integral(till, q) - length_integral(from, q)) / length;
 }
 
 }  // namespace
 
-CycleNumbers cycle_numbers(const LoadCycle& c, double omega) {
-  EXPECTS(!c.t.empty() && c.x.size() == c.t.size() && c.y.size() == c.t.size());
+CycleNumbers cycle_numbers(const LoadCycle& cycle, double omega) {
+  EXPECTS(!cycle.t.empty() && cycle.x.size() == cycle.t.size() && cycle.y.size() == cycle.t.size());
+  const LoadCycle c = as_lines(cycle);
   CycleNumbers n;
   n.smallest = magnitude(c, 0);
   double time = 0.0;
@@ -64,13 +76,13 @@ CycleNumbers cycle_numbers(const LoadCycle& c, double omega) {
     n.largest_speed = std::max(n.largest_speed, std::abs(speed(c, a, omega)));
     const auto [b, dt] = next_of(c, a);
     time += dt;
-    n.mean += 0.5 * dt * (load + magnitude(c, b));
+    n.mean += dt * mean_magnitude(c.x[a], c.y[a], c.x[b], c.y[b]);
     x += 0.5 * dt * (c.x[a] + c.x[b]);
     y += 0.5 * dt * (c.y[a] + c.y[b]);
     const double from = speed(c, a, omega);
     const double till = speed(c, b, omega);
     n.mean_speed += 0.5 * dt * (from + till);
-    n.mean_sliding += dt * mean_magnitude(from, till);
+    n.mean_sliding += dt * mean_magnitude(from, 0.0, till, 0.0);
   }
   if (n.angle < 0.0) n.angle += 2.0 * kPi;
   n.mean = time > 0.0 ? n.mean / time : n.largest;
@@ -88,8 +100,10 @@ LoadGiven largest_load(const LoadCycle& cycle) {
 
 std::optional<std::size_t> vanishing_load(const LoadCycle& cycle) {
   const double limit = kVanishingLoad * largest_load(cycle).force;
-  for (std::size_t row = 0; row < cycle.t.size(); ++row) {
-    if (smallest_between(cycle, row) < limit) return row;
+  const LoadCycle lines = as_lines(cycle);
+  const std::size_t lines_of_row = lines.t.size() / cycle.t.size();
+  for (std::size_t line = 0; line < lines.t.size(); ++line) {
+    if (smallest_between(lines, line) < limit) return line / lines_of_row;
   }
   return std::nullopt;
 }

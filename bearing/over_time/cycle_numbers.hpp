@@ -1,8 +1,9 @@
 #pragma once
-/// What a load cycle comes to, from its rows alone: magnitudes, means, where the load vanishes.
+/// What a load cycle comes to: magnitudes, means, where the load vanishes.
 ///
-/// Rows are those of load_cycle.hpp (its signs and units); between them straight lines are meant,
-/// also where a spline is asked for, which may reach a little beyond.
+/// Rows are those of load_cycle.hpp (its signs and units); between them lie straight lines, in
+/// place of a spline as many as `as_lines` lays. Both components go along them: between directions
+/// far apart the magnitude falls.
 #include <cstddef>
 #include <optional>
 
@@ -26,8 +27,8 @@ struct CycleNumbers {
   double largest_speed = 0.0;  ///< magnitude [rad/s]
 };
 
-/// Numbers of the rows; `omega`: speed where the cycle has none [rad/s]. The mean load is that of
-/// trapezoids over the rows' magnitudes. Needs a row or more, as many loads as times.
+/// Numbers of the lines; `omega`: speed where the cycle has none [rad/s]. The mean load is
+/// the integral of the magnitude, exact on each line. Needs a row or more, as many loads as times.
 [[nodiscard]] CycleNumbers cycle_numbers(const LoadCycle& cycle, double omega);
 
 /// The largest load and its direction: what a case with a cycle holds as its operation's load.

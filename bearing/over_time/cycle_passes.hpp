@@ -84,6 +84,8 @@ class CyclePasses {
   /// A layer keeps marks of what has flowed, which are not of the oil alone.
   [[nodiscard]] bool has_marks() const { return !now_.layer.now.empty(); }
   [[nodiscard]] const EquilibriumCost& cost() const { return cost_; }
+  /// Whether it has cost all that it may.
+  [[nodiscard]] bool spent() const { return cost_.work > control_.most_work; }
   /// Error that is allowed in a step [-].
   [[nodiscard]] double error() const { return steps_.error; }
   /// Of the last cycle.

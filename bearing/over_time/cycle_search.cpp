@@ -79,7 +79,7 @@ void CycleSearch::until_closed(double within) {
   while (pass() && repeats() && !closure_.closed(within)) {
     const bool seen = std::isfinite(closure_.last);  // of a cycle that was not begun with led oil
     lead_oil_on();
-    if (cycles() >= most_ && seen) return cycles_unsettled();
+    if ((cycles() >= most_ || passes_.spent()) && seen) return cycles_unsettled();
   }
 }
 

@@ -283,3 +283,60 @@ TEST_CASE("AGrooveThatExchangesNoHeatTakesNoneFromCellsBesideItOnCoarserGrids", 
   }
   CHECK(inside > 0);
 }
+
+namespace {
+
+/// The journal in the middle of a bearing with a ring groove; one temperature, no heat.
+Case ring_groove(double width, double pressure) {
+  Case c = grooved_case();
+  c.model.tier = Tier::isothermal;
+  c.operation.position = EccentricityGiven{0.0, 0.0};
+  c.supplies[0].kind = SupplyKind::circumferential_groove;
+  c.supplies[0].angle = 0.0;
+  c.supplies[0].arc = 2.0 * kPi;
+  c.supplies[0].length = width;
+  c.supplies[0].pressure = pressure;
+  c.oil.temperature = rheology::ConstantViscosity{0.02};
+  c.model.grid = {60, 13};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("AGrooveShearsItsOilOverItsOwnDepth", "[groove]") {
+  // Plain shear everywhere: T = R A eta f(rate) rate, rate = U/(c + depth) in the groove.
+  for (const double depth : {40e-6, 1e-4, 1e-3}) {
+    Case c = ring_groove(0.04, 0.0);
+    c.supplies[0].depth = depth;
+    c.oil.shear = rheology::Cross{0.3, 4.5e-7, 0.6};
+    const double U = c.operation.omega * c.bearing.radius;
+    const auto stress = [&](double h) {
+      const double rate = U / h;
+      const double f = 0.3 + 0.7 / (1.0 + std::pow(4.5e-7 * rate, 0.6));
+      return 0.02 * f * rate;
+    };
+    const double around = 2.0 * kPi * c.bearing.radius * c.bearing.radius;
+    const double gap = c.bearing.radial_clearance;
+    const double expected =
+        around * ((c.bearing.width - 0.04) * stress(gap) + 0.04 * stress(gap + depth));
+    const Result r = solve(c);
+    REQUIRE(r.verdict.good());
+    CHECK(r.value("friction_torque") == Approx(expected).epsilon(1e-8));  // of the substitution
+  }
+}
+
+TEST_CASE("OilLeavesOverALandNarrowerThanACell", "[groove]") {
+  // Q = pi R c^3 p/(6 eta) (1/L1 + 1/L2), exact on any cells that have the groove's edges.
+  for (const double land : {2e-3, 5e-4, 1e-4, 1e-5}) {
+    for (const int along : {7, 13, 24}) {
+      Case c = ring_groove(0.01, 1e5);
+      c.model.grid = {24, along};
+      c.supplies[0].z = 0.5 * c.bearing.width - land - 0.005;
+      const double other = c.bearing.width - 0.01 - land;
+      const double expected = kPi * c.bearing.radius * std::pow(c.bearing.radial_clearance, 3) *
+                              1e5 / (6.0 * 0.02) * (1.0 / land + 1.0 / other);
+      const Solution s = solved(c, Tier::isothermal);
+      CHECK(summarize(s, Tier::isothermal).value("side_flow") == Approx(expected).epsilon(1e-9));
+    }
+  }
+}

@@ -81,7 +81,7 @@ TEST_CASE("StepsTooLongForSecondOrderAreTold") {
   CHECK_FALSE(told(0.04 / 25.0));
 }
 
-TEST_CASE("NumbersOfACycleAreThoseOfItsRows") {
+TEST_CASE("NumbersOfACycleAreThoseOfItsLines") {
   const CycleNumbers n = cycle_numbers(*cycle_case().cycle, -20.0);
   CHECK(n.length == 0.04);
   CHECK(n.largest == 3000.0);
@@ -90,10 +90,55 @@ TEST_CASE("NumbersOfACycleAreThoseOfItsRows") {
   CHECK(n.smallest == Approx(1000.0));
   const LoadCourse course(*cycle_case().cycle, -20.0);
   CHECK(n.net == Approx(std::hypot(course.impulse()[0], course.impulse()[1]) / 0.04).epsilon(1e-9));
-  const double side = std::hypot(500.0, 2000.0);
-  CHECK(n.mean == Approx((1000.0 + 3000.0 + 2.0 * side) / 4.0));  // trapezoids of equal length
+  double mean = 0.0;  // of the magnitude, by its middle in each of many parts
+  constexpr int kParts = 4000;
+  for (int k = 0; k < kParts; ++k) {
+    const LoadNow now = course.at((k + 0.5) * 0.04 / kParts);
+    mean += std::hypot(now.x, now.y) / kParts;
+  }
+  CHECK(n.mean == Approx(mean).epsilon(1e-6));
   CHECK(n.mean_speed == Approx(-20.0));
   CHECK(n.largest_speed == Approx(20.0));
+}
+
+TEST_CASE("TheMeanLoadIsThatOfWhatIsSolvedNotThatOfTheRows") {
+  // Along straight lines of both components the load falls between directions, or through zero.
+  LoadCycle reverses = *cycle_case().cycle;
+  reverses.x = {0.0, 0.0, 0.0, 0.0};
+  reverses.y = {-1000.0, 1000.0, 1000.0, -1000.0};
+  CHECK(cycle_numbers(reverses, 0.0).mean == Approx(750.0));  // two of four quarters halved
+  CHECK(vanishing_load(reverses) == std::size_t{0});
+  LoadCycle turns = *cycle_case().cycle;
+  turns.x = {1000.0, 0.0, -1000.0, 0.0};
+  turns.y = {0.0, 1000.0, 0.0, -1000.0};
+  // the side of a square at distance q from its middle: q (sqrt 2 + asinh 1)/2
+  const double q = 1000.0 / std::sqrt(2.0);
+  const CycleNumbers square = cycle_numbers(turns, 0.0);
+  CHECK(square.mean == Approx(0.5 * q * (std::sqrt(2.0) + std::asinh(1.0))));
+  CHECK(square.smallest == Approx(q));
+}
+
+TEST_CASE("ASplineIsJudgedByWhatItGoesThroughNotByItsRows") {
+  LoadCycle c = *cycle_case().cycle;
+  c.interpolation = LoadInterpolation::periodic_spline;
+  c.x = {0.0, 0.0, 0.0, 0.0};
+  c.y = {-300.0, -300.0, -6000.0, -6000.0};  // between equal rows it swings beyond them
+  const LoadCourse course(c, 0.0);
+  double largest = 0.0, smallest = INFINITY;
+  for (int k = 0; k < 40000; ++k) {
+    const LoadNow now = course.at(k * 1e-6);
+    largest = std::max(largest, -now.y);
+    smallest = std::min(smallest, -now.y);
+  }
+  REQUIRE(smallest < 0.0);
+  const CycleNumbers n = cycle_numbers(c, 0.0);
+  // lines of a sixteenth: a cubic that swings by a tenth is within 1/256 of that
+  CHECK(n.largest == Approx(largest).epsilon(1e-3));
+  CHECK(course.largest_load() == n.largest);
+  CHECK(vanishing_load(c) == std::size_t{0});
+  c.interpolation = LoadInterpolation::linear;
+  CHECK(cycle_numbers(c, 0.0).largest == 6000.0);
+  CHECK_FALSE(vanishing_load(c));
 }
 
 TEST_CASE("ASpeedColumnGivesMeanAndLargestSpeed") {
@@ -200,8 +245,10 @@ TEST_CASE("AStretchIsMeasuredAgainstTheTableAndItsNeighbours") {
   CHECK(times({0.0, 1.0, 2.0, 3.0}, INFINITY) == 0.0);            // an event ends with its last row
   CHECK(times({0.0, 1.0, 2.0, 3.0, 23.0}, 44.0) == 0.0);          // a row near half way
   CHECK(times({0.0, 1.0, 2.0, 6.0, 24.0}, 24.0) == Approx(4.5));  // beside one of four
-  CHECK(times({0.0, 1.0, 20.0, 21.0}, 40.0) == 0.0);              // half of all lines are long
-  CHECK(times({0.0, 0.0, 1.0, 1.0}, 40.0) == 0.0);                // jumps are no stretches
+  // A row at the seam of two periods, which every table has, is no row half way.
+  CHECK(times({0.0, 20.0, 21.0, 22.0, 23.0}, 43.0) == Approx(20.0));
+  CHECK(times({0.0, 1.0, 20.0, 21.0}, 40.0) == 0.0);  // half of all lines are long
+  CHECK(times({0.0, 0.0, 1.0, 1.0}, 40.0) == 0.0);    // jumps are no stretches
   CHECK(times({0.0}, 40.0) == 0.0);
 }
 

@@ -100,6 +100,15 @@ TEST_CASE("BarsScaleWithTheirQuantity") {
   CHECK(bar(1.0, 300.0) == Approx(bar(1.0, 0.0)));
 }
 
+TEST_CASE("NoBarIsMuchShorterThanThoseOfTheSameFilm") {
+  double bars[] = {1e-6, 0.1, 0.2, NAN};
+  share_bars({{&bars[0], 1.0}, {&bars[1], 1.0}, {&bars[2], 1.0}, {&bars[3], 1.0}});
+  CHECK(bars[0] == Approx(0.02));  // a fifth of the middle one
+  CHECK(bars[1] == 0.1);
+  CHECK(bars[2] == 0.2);
+  CHECK(std::isnan(bars[3]));
+}
+
 TEST_CASE("CoarseGridsAreTwoAtLeastAndCoarser") {
   const auto coarse_grids = [](Grid grid) {
     auto c = shellback::bearing::tests::plain_case();

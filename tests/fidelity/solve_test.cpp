@@ -222,3 +222,21 @@ TEST_CASE("ARefusedCaseHasNoBars") {
   REQUIRE_FALSE(r.verdict.good());
   for (const Quantity& q : r.quantities) CHECK(std::isnan(q.error_grid));
 }
+
+TEST_CASE("WhatIsRoundOffTellsNothingOfTheFilm") {
+  // A journal in the middle, a groove at ambient pressure: friction is Petroff's, and pressure,
+  // load and flow are round-off, which differs from grid to grid by all of itself.
+  Case c = warm_case();
+  c.model.tier = Tier::isothermal;
+  c.operation.position = EccentricityGiven{0.0, 0.0};
+  c.supplies[0].pressure = 0.0;
+  for (const std::array<int, 2> grid :
+       {std::array{48, 8}, std::array{60, 13}, std::array{100, 13}}) {
+    c.model.grid = grid;
+    const Result r = fidelity::solve(c);
+    REQUIRE(r.verdict.good());
+    const Quantity& torque = quantity(r, "friction_torque");
+    CHECK(torque.error_grid < 1e-3 * torque.value);  // shear is exact on any cells
+    CHECK(quantity(r, "h_min").error_grid < 1e-3 * quantity(r, "h_min").value);
+  }
+}

@@ -219,7 +219,7 @@ void LoadTable::judge_gaps(double period) {
 
 /// Both components go along straight lines: between directions that are far apart the load falls.
 void LoadTable::judge_directions(LoadInterpolation interpolation) {
-  constexpr double kFalls = 0.9;  // of the smaller of both rows: 52 degrees [-]
+  constexpr double kFalls = 0.8;  // of the smaller of both rows: 74 degrees [-]
   if (!table_.has("direction")) return;
   const std::vector<double>& direction = table_.column("direction");
   const auto told = [&](std::size_t k) {

@@ -10,6 +10,7 @@
 #include "app/svg_orbit.hpp"
 #include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
+#include "core/largest.hpp"
 
 namespace shellback::app {
 namespace {
@@ -38,14 +39,18 @@ Series curve(const CycleResult& cycle, const std::string& name, const std::strin
 
 /// Whether summits press on each other by as much as can be seen beside the film's pressure: tails
 /// of their heights touch at any gap.
-bool shows_contact(const CycleResult& cycle) {
+bool shows_contact(double contact, double film) {
   constexpr double kSeen = 1e-3;  // of the largest film pressure: a line's width
+  return contact > kSeen * film;
+}
+
+bool shows_contact(const CycleResult& cycle) {
   double film = 0.0, contact = 0.0;
   for (const CycleInstant& i : cycle.instants) {
     film = std::max(film, i.p_max);
     contact = std::max(contact, i.p_asperity_max);
   }
-  return contact > kSeen * film;
+  return shows_contact(contact, film);
 }
 
 bool all_alike(const CycleResult& cycle, double CycleInstant::*value) {
@@ -229,7 +234,8 @@ std::optional<FieldMap> cycle_map(const bearing::Case& c, const CycleResult& cyc
       if (!known(f.p_max)) return {};
       return map_of(c, cycle, FilmField::pressure, f.p_max, "Largest film pressure of each place");
     case CycleMap::contact:
-      if (!known(f.p_asperity_max) || !shows_contact(cycle)) return {};
+      if (!known(f.p_asperity_max)) return {};
+      if (!shows_contact(largest(f.p_asperity_max), largest(f.p_max))) return {};
       return unmarked(map_of(c, cycle, FilmField::pressure, f.p_asperity_max,
                              "Largest contact pressure of each place"));
     case CycleMap::gap:

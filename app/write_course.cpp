@@ -17,6 +17,7 @@
 #include "app/write_instants.hpp"
 #include "app/write_json.hpp"
 #include "core/constants.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::app {
 namespace {
@@ -48,6 +49,36 @@ Json stretch_json(const Stretch& s, const CourseRun& run, const MarchBars& bars,
   return json;
 }
 
+/// What is followed over time.
+struct Course {
+  std::vector<Instant> instants;
+  MarchBars bars;
+};
+
+/// All instants, and where a bearing came to rest before its stretch was over the last one once
+/// more, at the end.
+Course to_the_ends(const std::vector<Stretch>& stretches, const CourseRun& run,
+                   const MarchBars& bars) {
+  Course all;
+  const auto take = [&](std::size_t k) {
+    all.instants.push_back(run.instants[k]);
+    if (bars.grid.empty()) return;
+    all.bars.grid.push_back(bars.grid[k]);
+    all.bars.time.push_back(bars.time[k]);
+  };
+  std::size_t k = 0;
+  double end = 0.0;
+  for (std::size_t n = 0; n < run.ends.size(); ++n) {
+    end += stretches[n].duration;
+    for (; k <= run.ends[n]; ++k) take(k);
+    if (all.instants.back().t >= end * (1.0 - kRoundOff)) continue;
+    take(run.ends[n]);
+    all.instants.back().t = end;
+  }
+  for (; k < run.instants.size(); ++k) take(k);
+  return all;
+}
+
 /// A line of a panel, in the unit shown.
 struct Line {
   const char* label;
@@ -56,19 +87,18 @@ struct Line {
   double zero;
 };
 
-void draw_over_time(Svg& svg, const Box& box, const CourseRun& run, const MarchBars& bars,
-                    const std::string& title, const std::string& unit,
-                    const std::vector<Line>& lines, const Theme& theme) {
+void draw_over_time(Svg& svg, const Box& box, const Course& course, const std::string& title,
+                    const std::string& unit, const std::vector<Line>& lines, const Theme& theme) {
   LinePlot plot;
   plot.title = title;
-  plot.x = round_axis(0.0, run.instants.back().t / kMinute, 8, "time [min]");
+  plot.x = round_axis(0.0, course.instants.back().t / kMinute, 8, "time [min]");
   plot.y_title = "[" + unit + "]";
   plot.from_zero = false;
-  std::vector<double> minutes = over_time(run.instants, &Instant::t);
+  std::vector<double> minutes = over_time(course.instants, &Instant::t);
   for (double& t : minutes) t /= kMinute;
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    Series series =
-        over_instants(minutes, run.instants, bars, lines[k].value, lines[k].factor, lines[k].zero);
+    Series series = over_instants(minutes, course.instants, course.bars, lines[k].value,
+                                  lines[k].factor, lines[k].zero);
     series.name = lines[k].label;
     series.colour = theme.series[k % theme.series.size()];
     plot.series.push_back(std::move(series));
@@ -139,7 +169,8 @@ std::string course_json(const std::vector<Stretch>& stretches,
   for (std::size_t k = 0; k < stretches.size(); ++k) {
     json["stretches"].push_back(stretch_json(stretches[k], run, bars, k));
   }
-  add_instants(json, run.instants, bars);
+  const Course course = to_the_ends(stretches, run, bars);
+  add_instants(json, course.instants, course.bars);
   json["audit"] = {{"energy", run.imbalance_at_ends()}};
   json["warnings"] = course_warnings(c, run, bars);
   json["assumptions"] = c.assumptions;
@@ -160,15 +191,16 @@ std::string course_svg(const std::vector<Stretch>& stretches, const CourseRun& r
                        how_it_ended(stretches, run)),
            {run.end.verdict.good() ? theme.muted : theme.more, 12.5});
   if (!run.instants.empty()) {
-    draw_over_time(svg, {70.0, 100.0, 500.0, 300.0}, run, bars, "Temperature", "°C",
+    const Course course = to_the_ends(stretches, run, bars);
+    draw_over_time(svg, {70.0, 100.0, 500.0, 300.0}, course, "Temperature", "°C",
                    {{"film, largest", &Instant::T_film_max, 1.0, kZeroCelsius},
                     {"shell, largest", &Instant::T_shell_max, 1.0, kZeroCelsius},
                     {"shell back, mean", &Instant::T_shell_back, 1.0, kZeroCelsius},
                     {"shaft", &Instant::T_shaft, 1.0, kZeroCelsius}},
                    theme);
-    draw_over_time(svg, {660.0, 100.0, 500.0, 300.0}, run, bars, "Friction torque", "N m",
+    draw_over_time(svg, {660.0, 100.0, 500.0, 300.0}, course, "Friction torque", "N m",
                    {{"", &Instant::torque, 1.0, 0.0}}, theme);
-    draw_over_time(svg, {70.0, 440.0, 500.0, 300.0}, run, bars, "Smallest film", "µm",
+    draw_over_time(svg, {70.0, 440.0, 500.0, 300.0}, course, "Smallest film", "µm",
                    {{"", &Instant::h_min, 1e6, 0.0}}, theme);
     draw_over_speed(svg, {660.0, 440.0, 500.0, 300.0}, stretches, run, bars, theme);
   }

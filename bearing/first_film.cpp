@@ -2,6 +2,7 @@
 
 #include "bearing/branch_endings.hpp"
 #include "bearing/follow.hpp"
+#include "bearing/level.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/possible_methods.hpp"
 #include "bearing/solve_equilibrium.hpp"
@@ -42,7 +43,10 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
   };
   s.film = cold_start(s.model, s.point, T);
   guess_isoviscous(s, control);
+  const double whole = s.cost.most_work;
+  s.cost.most_work = s.cost.work + kForStarts * (whole - s.cost.work);
   const Verdict v = start();
+  s.cost.most_work = whole;
   const bool ended = v.good() || v.status == Status::interrupted || s.cost.spent() ||
                      !usual_methods(s.model.input);
   if (ended) return v;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "bearing/closed_gap.hpp"
 #include "bearing/film_motion.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/solve_equilibrium.hpp"
@@ -55,6 +56,7 @@ class HeatIteration {
   /// A path is measured from the journal's last place among surfaces that have grown since: where
   /// they move, it moves along (follow.hpp).
   void carry_path();
+  void tell_all_growth();
   void report(const std::vector<double>& x, const std::vector<double>& g);
   [[nodiscard]] double supply_temperature() const {
     return mean_supply_temperature(s_.model.input);
@@ -168,6 +170,19 @@ void HeatIteration::limit_change(const std::vector<double>& x, std::vector<doubl
   limited_ = largest_difference(wanted, g) > options_.tolerance;
 }
 
+/// A gap that closed while growth was limited: with all the growth, where the bearing as it is at
+/// rest has no room already.
+void HeatIteration::tell_all_growth() {
+  const BearingModel& m = s_.model;
+  if (!m.solids) return;
+  const auto closed = closed_at_rest(m.input, *m.solids, m.domain.grid);
+  if (!closed) return;
+  const Field growth(m.domain.grid.cells(), closed->deformation);
+  s_.film.gap = gap_at(m, s_.film.position, sum(growth, s_.film.elastic));
+  s_.film.least = fluid::smallest_gap(m.domain.grid, s_.film.gap, m.profile);
+  verdict_ = closed_gap(m, s_.point, growth, s_.film);
+}
+
 void HeatIteration::report(const std::vector<double>& x, const std::vector<double>& g) {
   s_.heat.residual = largest_difference(g, x);
   const double torque = friction_.viscous + friction_.asperity;
@@ -187,8 +202,7 @@ bool HeatIteration::operator()(const std::vector<double>& x, std::vector<double>
       {s_.model, s_.point, s_.heat.thermal_deformation, film_options(), control_.stop}, s_.film,
       s_.cost);
   if (!verdict_.good()) {
-    // Half a gap per iteration is our limit, not growth that the bearing would have.
-    if (limited_ && verdict_.as<ending::GapClosed>() != nullptr) verdict_.status = Status::iteration_limit;
+    if (limited_ && verdict_.as<ending::GapClosed>() != nullptr) tell_all_growth();
     return false;
   }
   friction_ = friction_of(s_.model, s_.point, s_.film);

@@ -10,4 +10,9 @@ struct Level {
   bool start = false;   ///< of a finer grid: nothing is asked beyond where a branch turns back
 };
 
+/// Of the work that is left: most that a coarse grid may take, and a film from cold before a branch
+/// is followed to it. The verdict is that of the last grid and of the branch, which are not to go
+/// without a try for want of a start (docs/decisions/022) [-].
+inline constexpr double kForStarts = 0.5;
+
 }  // namespace shellback::bearing

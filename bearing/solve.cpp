@@ -50,10 +50,6 @@ double most_work(const Case& c, Tier tier, const SolveControl& control) {
   return std::min(control.most_work, coarse * price_of_search(c, tier));
 }
 
-/// Of the work that is left: most that a coarse grid may take. The verdict is the last grid's,
-/// which is not to go without a try for want of a start (decision 022).
-constexpr double kForStarts = 0.5;  ///< [-]
-
 /// Solves on every grid of the sequence, each from the one before. A coarse grid that fails is left
 /// out; where its state is no start for the next, that one starts from cold. The verdict is that of
 /// the last grid alone.

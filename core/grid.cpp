@@ -5,50 +5,94 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bracketed_root.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback {
 namespace {
 
 constexpr double kMergeFraction = 0.2;  ///< of an even cell: closer edges count as one [-]
 
-/// Splits [edges.front(), edges.back()] into `n` cells, each edge on a face, as even as can be.
-std::vector<double> fitted_faces(const std::vector<double>& edges, int n) {
+/// Largest ratio of two cells beside a hole [-]: what finite volumes bear without losing an order
+/// (textbook: 1.2 to 1.5).
+constexpr double kMostGrowth = 1.5;
+
+/// Faces behind `a` up to `b`, of `n` cells that are even or, where an edge has a width for those
+/// beside it, grow from that.
+void add_segment(const GridEdge& a, const GridEdge& b, int n, std::vector<double>& face) {
+  const double length = b.at - a.at;
+  const bool even = std::min(a.beside, b.beside) >= length / n;
+  const auto size = [&](int k, double growth) {
+    return even ? length / n
+                : std::min(a.beside * std::pow(growth, k), b.beside * std::pow(growth, n - 1 - k));
+  };
+  const auto whole = [&](double growth) {
+    double sum = 0.0;
+    for (int k = 0; k < n; ++k) sum += size(k, growth);
+    return sum;
+  };
+  double growth = kMostGrowth;
+  if (!even && whole(growth) > length) {
+    growth = root_between([&](double g) { return whole(g) - length; }, 1.0, growth, kRoundOff);
+  }
+  const double scale = length / whole(growth);
+  double at = a.at;
+  for (int k = 0; k < n; ++k) {
+    at += scale * size(k, growth);
+    face.push_back(k + 1 == n ? b.at : even ? a.at + length * (k + 1) / n : at);
+  }
+}
+
+/// Rows of cells in a hole: one on few cells, so that all others are left for the film; with 32
+/// along the bearing four, which tell a circle from a square.
+int rows_of_hole(int full_nz) { return std::clamp(full_nz / 8, 1, 4); }
+
+bool is_hole(const GridEdge& a, const GridEdge& b) {
+  return std::isfinite(b.beside) && a.strip >= 0 && a.strip == b.strip;
+}
+
+/// Splits from the first to the last edge into `n` cells, each edge on a face, as even as can be
+/// but for at least `rows` in a hole.
+std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1) {
   const int segments = static_cast<int>(edges.size()) - 1;
   if (segments > n) {
     throw InputError(fmt::format(
         "{} cells cannot resolve {} edges of supplies (each needs a cell); use a finer grid", n,
         segments));
   }
-  const double total = edges.back() - edges.front();
-  std::vector<int> count(segments);
+  const double total = edges.back().at - edges.front().at;
+  std::vector<int> least(segments, 1), count(segments);
   int used = 0;
   for (int s = 0; s < segments; ++s) {
-    const double share = (edges[s + 1] - edges[s]) / total * n;
-    count[s] = std::max(1, static_cast<int>(std::lround(share)));
+    if (is_hole(edges[s], edges[s + 1])) least[s] = rows;
+    const double share = (edges[s + 1].at - edges[s].at) / total * n;
+    count[s] = std::max(least[s], static_cast<int>(std::lround(share)));
     used += count[s];
   }
-  for (; used != n; used += used < n ? 1 : -1) {  // correct where the cell size is furthest off
+  while (used != n) {  // correct where the cell size is furthest off
     int best = -1;
     double worst = 0.0;
     for (int s = 0; s < segments; ++s) {
-      if (used > n && count[s] == 1) continue;
-      const double size = (edges[s + 1] - edges[s]) / count[s];
+      if (used > n && count[s] == least[s]) continue;
+      const double size = (edges[s + 1].at - edges[s].at) / count[s];
       const double key = used < n ? size : 1.0 / size;
       if (best < 0 || key > worst) {
         worst = key;
         best = s;
       }
     }
-    count[best] += used < n ? 1 : -1;
-  }
-  std::vector<double> face{edges.front()};
-  for (int s = 0; s < segments; ++s) {
-    for (int c = 1; c <= count[s]; ++c) {
-      face.push_back(edges[s] + (edges[s + 1] - edges[s]) * c / count[s]);
+    if (best < 0) {  // no cell to spare: holes keep one row
+      least.assign(segments, 1);
+      continue;
     }
+    const int more = used < n ? 1 : -1;
+    count[best] += more;
+    used += more;
   }
+  std::vector<double> face{edges.front().at};
+  for (int s = 0; s < segments; ++s) add_segment(edges[s], edges[s + 1], count[s], face);
   return face;
 }
 
@@ -67,12 +111,6 @@ void append_merged(GridEdges& edges, const GridEdge& next, double cell) {
   }
 }
 
-std::vector<double> places(const GridEdges& edges) {
-  std::vector<double> x;
-  for (const GridEdge& e : edges) x.push_back(e.at);
-  return x;
-}
-
 void sort_by_place(GridEdges& edges) {
   std::stable_sort(edges.begin(), edges.end(),
                    [](const GridEdge& a, const GridEdge& b) { return a.at < b.at; });
@@ -89,18 +127,26 @@ std::vector<double> circumferential_faces(int nt, GridEdges edges) {
   const bool closes = end.at - merged.back().at <= kMergeFraction * cell;
   if (closes && merged.size() > 1 && !is_strip(merged.back(), end, cell)) merged.pop_back();
   merged.push_back(end);
-  return fitted_faces(places(merged), nt);
+  return fitted_faces(merged, nt);
 }
 
-/// `edges` lie between `from` and `to`, sorted.
-std::vector<double> axial_faces(int n, double from, double to, std::vector<double> edges) {
+/// `edges` lie between `from` and `to`, sorted. Cells at the ends stay as wide as even ones,
+/// whatever grows from a hole.
+std::vector<double> axial_faces(int n, GridEdge from, double to, GridEdges edges, int rows) {
+  const double even = (to - from.at) / n;
+  GridEdge last(to);
+  last.beside = even;
+  from.beside = std::min(from.beside, even);
+  const bool grows = from.beside < even || std::any_of(edges.begin(), edges.end(),
+                                                       [&](auto& e) { return e.beside < even; });
+  if (!grows) from.beside = last.beside = std::numeric_limits<double>::infinity();
   edges.insert(edges.begin(), from);
-  edges.push_back(to);
-  return fitted_faces(edges, n);
+  edges.push_back(last);
+  return fitted_faces(edges, n, rows);
 }
 
 /// Faces of the half z >= 0 of an odd grid: its first cell is half as wide as the next one.
-std::vector<double> odd_half_faces(int n, double to, const std::vector<double>& edges) {
+std::vector<double> odd_half_faces(int n, double to, const GridEdges& edges) {
   if (n == 1) return {0.0, to};
   if (edges.empty()) {
     const double dz = to / (n - 0.5);
@@ -109,15 +155,17 @@ std::vector<double> odd_half_faces(int n, double to, const std::vector<double>& 
     return face;
   }
   // With edges: mirror them, fit the full width with an odd number of cells in the middle segment.
-  const double first = edges.front();
+  const double first = edges.front().at;
   const int full = 2 * n - 1;
   const double share = 2.0 * first / (2.0 * to) * full;
   int middle = std::max(0, static_cast<int>(std::lround((share - 1.0) / 2.0)));  // full cells
+  if (std::isfinite(edges.front().beside)) middle = std::max(middle, (rows_of_hole(full) - 1) / 2);
   // each segment outside needs a cell
   middle = std::max(0, std::min(middle, n - 1 - static_cast<int>(edges.size())));
   std::vector<double> face{0.0};
   for (int j = 0; j <= middle; ++j) face.push_back(first * (j + 0.5) / (middle + 0.5));
-  const auto outer = axial_faces(n - 1 - middle, first, to, {edges.begin() + 1, edges.end()});
+  const auto outer =
+      axial_faces(n - 1 - middle, edges.front(), to, {edges.begin() + 1, edges.end()}, 1);
   face.back() = outer.front();
   face.insert(face.end(), outer.begin() + 1, outer.end());
   return face;
@@ -132,6 +180,11 @@ struct Grading {
   double a;
   [[nodiscard]] double even(double z) const {
     return a > 0.0 ? std::atanh(z * std::tanh(a)) / a : z;
+  }
+  /// What a width at z is in that coordinate.
+  [[nodiscard]] double even_width(double width, double z) const {
+    const double most = std::tanh(a);
+    return a > 0.0 ? width * most / (a * (1.0 - z * z * most * most)) : width;
   }
   [[nodiscard]] double graded(double x) const {
     return a > 0.0 ? std::tanh(a * x) / std::tanh(a) : x;
@@ -163,7 +216,7 @@ void append_yielding(GridEdges& edges, const GridEdges& yielding, int full_nz, b
 /// Edges on which axial faces lie [-, over B/2], sorted, those that count as one merged: by their
 /// distance on the bearing, so that one of its edges is lost on graded cells where it is on even
 /// ones.
-std::vector<double> axial_edges(double end, int full_nz, bool half, const GridEdges& z_edges) {
+GridEdges axial_edges(double end, int full_nz, bool half, const GridEdges& z_edges) {
   GridEdges edges, lands, yielding;
   GridEdge middle(0.0);  // of the strip that mid-width cuts, if one does
   for (const GridEdge& e : z_edges) {
@@ -172,7 +225,9 @@ std::vector<double> axial_edges(double end, int full_nz, bool half, const GridEd
     if (half && e.at < 0.0) middle.strip = std::max(middle.strip, cut_strip(e, z_edges));
     const bool within = !in_middle && std::abs(e.at) < end * (1.0 - 1e-12);
     if (!within || (half && e.yields && e.at < 0.0)) continue;  // its image yields, too
-    (e.yields ? yielding : edges).emplace_back(place / end, e.strip);
+    GridEdge scaled(place / end, e.strip);
+    scaled.beside = e.beside / end;
+    (e.yields ? yielding : edges).push_back(scaled);
   }
   sort_by_place(edges);
   const double cell = 2.0 / full_nz;
@@ -189,18 +244,25 @@ std::vector<double> axial_edges(double end, int full_nz, bool half, const GridEd
   merged.erase(merged.begin());
   append_yielding(merged, lands, full_nz, half);
   append_yielding(merged, yielding, full_nz, half);
-  return places(merged);
+  return merged;
 }
 
 /// Axial faces of all cells that are solved [m].
 std::vector<double> graded_faces(double end, int full_nz, bool half, const GridEdges& z_edges,
                                  const Grading& grading) {
-  std::vector<double> edges = axial_edges(end, full_nz, half, z_edges);
-  for (double& z : edges) z = grading.even(z);
+  GridEdges edges = axial_edges(end, full_nz, half, z_edges);
+  const int rows = rows_of_hole(full_nz);
+  for (GridEdge& e : edges) {
+    e.beside = grading.even_width(e.beside / rows, e.at);
+    e.at = grading.even(e.at);
+  }
   const int nz = half ? (full_nz + 1) / 2 : full_nz;
-  std::vector<double> face = half && full_nz % 2 == 1
+  const bool split = half && full_nz % 2 == 1;
+  GridEdge from(half ? 0.0 : -1.0);
+  if (half && !edges.empty()) from.strip = edges.front().strip;  // that which mid-width cuts
+  std::vector<double> face = split
                                  ? odd_half_faces(nz, 1.0, edges)
-                                 : axial_faces(nz, half ? 0.0 : -1.0, 1.0, edges);
+                                 : axial_faces(nz, from, 1.0, edges, half ? (rows + 1) / 2 : rows);
   for (double& z : face) z = end * grading.graded(z);
   face.back() = end;
   if (!half) face.front() = -end;
@@ -218,7 +280,10 @@ bool mirror_images(const GridEdges& edges, double width) {
 
 GridEdges mirrored(const GridEdges& edges) {
   GridEdges out;
-  for (const GridEdge& e : edges) out.emplace_back(-e.at, e.strip, e.yields);
+  for (const GridEdge& e : edges) {
+    out.push_back(e);
+    out.back().at = -e.at;
+  }
   return out;
 }
 
@@ -228,7 +293,9 @@ bool behind_its_image(const GridEdges& edges) {
   GridEdges sorted = edges, image = mirrored(edges);
   sort_by_place(sorted);
   sort_by_place(image);
-  return places(image) < places(sorted);
+  return std::lexicographical_compare(
+      image.begin(), image.end(), sorted.begin(), sorted.end(),
+      [](const GridEdge& a, const GridEdge& b) { return a.at < b.at; });
 }
 
 /// The same cells seen from the other end; of a grid that holds both halves.

@@ -10,6 +10,7 @@
 /// A half grid of a full grid with an odd number of axial cells begins with the half of the
 /// middle cell: its unknown sits on the plane of symmetry (z[0] = 0), its width is half. Its
 /// discrete solution is therefore that of the full grid, to round-off.
+#include <limits>
 #include <vector>
 
 namespace shellback {
@@ -51,6 +52,9 @@ struct GridEdge {
   double at = 0.0;
   int strip = -1;       ///< its other edge has the same number; -1: not that of a strip
   bool yields = false;  ///< that of an opening at the bearing's end
+  /// Diameter of the hole whose edge it is: axial cells beside it begin no wider than that over its
+  /// rows of cells, since pressure falls off as a logarithm there.
+  double beside = std::numeric_limits<double>::infinity();
   GridEdge(double place, int of = -1, bool yield = false) : at(place), strip(of), yields(yield) {}
 };
 using GridEdges = std::vector<GridEdge>;
@@ -61,7 +65,8 @@ using GridEdges = std::vector<GridEdge>;
 /// even cell are merged, whatever the grading; those of one strip never are: however narrow, it has
 /// cells of its own. An axial edge that yields is left out where another, or mid-width, is nearer
 /// than a fifth of an even cell and of its distance to the end, and where cells are too few; so are
-/// edges of strips nearer to the end than that.
+/// edges of strips nearer to the end than that. A hole gets up to four rows of cells,
+/// one for each eight along the bearing; cells beside it begin as wide and grow by a half at most.
 /// With `half`, only |z_edges| on z >= 0 is used. Throws InputError if there are more edges than
 /// cells.
 [[nodiscard]] FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,

@@ -110,11 +110,10 @@ GridSequence grid_sequence(const Solution& s, const SolveControl& control, KeptS
     if (!out.coarse) out.coarse = std::move(coarse);
   }
   const std::optional<Grid> fine = finer_grid(own);
-  if (out.levels.size() < kGrids && fine && !stopped(control)) {
+  if (!out.coarse && fine && !stopped(control)) {
     if (const auto finer = beside(s, *fine, control, kept)) {
-      if (!out.coarse) out.levels = {{own, scalars(s)}};
-      if (!out.coarse) out.coarse = s;
-      out.levels.push_back({*fine, scalars(*finer)});
+      out.levels = {{own, scalars(s)}, {*fine, scalars(*finer)}};
+      out.coarse = s;
     }
   }
   std::sort(out.levels.begin(), out.levels.end(),

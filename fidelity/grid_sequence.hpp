@@ -55,9 +55,8 @@ struct GridSequence {
   std::vector<bearing::LevelRecord> levels;  ///< from the coarsest to the finest
 };
 
-/// Three grids if possible, the result's own the last; where fewer than two coarser grids give a
-/// solution (too few cells for the supplies, contact that they cannot place), one that is finer
-/// beside: two values alone that happen to agree tell of no error.
+/// Three grids if possible, the result's own the last; where no coarser grid gives a solution (too
+/// few cells for the supplies, contact that they cannot place), its own and one that is finer.
 /// Each is solved from `s`. `kept` may be null.
 [[nodiscard]] GridSequence grid_sequence(const bearing::Solution& s,
                                          const bearing::SolveControl& control, KeptSolids* kept);

@@ -88,26 +88,29 @@ void put_grid_bars(const BarRecord& record, Result& result) {
 }
 
 /// Summits that hardly touch do not hold the gap open: what they carry hangs on the film alone, and
-/// falls by orders of magnitude as it rises. What the smallest film's bar leaves open of it counts.
+/// falls by orders of magnitude as it rises. What the smallest film's bar leaves open of it counts,
+/// down to where the mean planes would meet; their friction is part of the whole, which has a bar.
 void widen_bars_of_light_contact(const BearingModel& m, Result& result) {
   constexpr double kLight = 0.01;  // share of the load [-]
   const Quantity* h = quantity_in(result.quantities, "h_min");
   const double share = result.value("asperity_load_share");
   if (!m.contact || !(share < kLight) || !std::isfinite(h->error_grid)) return;
   const double now = m.contact->at(h->value).p;
-  const double open = m.contact->at(h->value - h->error_grid).p;
+  const double open = m.contact->at(std::max(h->value - h->error_grid, std::min(h->value, 0.0))).p;
   // Shares of the load: as much more as the pressure; where that is nothing, at most all over.
   const Bearing& b = m.input.bearing;
   const double load = std::hypot(result.value("load_x"), result.value("load_y"));
-  const double more =
-      now > 0.0 ? share * (open / now - 1.0) : 2.0 * b.radius * b.width * open / load;
+  const double more = now > 0.0 && share > 0.0 ? share * (open / now - 1.0)
+                                               : 2.0 * b.radius * b.width * open / load;
   const double shares = std::min(more, 1.0);
+  const Quantity* torque = quantity_in(result.quantities, "friction_torque");
+  const double whole = std::abs(torque->value) + torque->error_grid;
   for (Quantity& q : result.quantities) {
     double bar = 0.0;
     if (q.name == "p_asperity_max") bar = open - now;
     if (q.name == "asperity_load_share") bar = shares;
     if (q.name == "friction_torque_asperity")
-      bar = m.contact->friction().at_rest() * shares * load * b.radius;
+      bar = std::min(m.contact->friction().at_rest() * shares * load * b.radius, whole);
     if (bar > q.error_grid) q.error_grid = bar;
   }
 }

@@ -136,8 +136,12 @@ class Reaches {
 
 namespace {
 
-/// A groove is a strip; a hole finer than the grid is a cell, wherever its edges are.
-int strip_of(const SupplyPatch& s, int patch) { return s.round ? -1 : patch; }
+/// Edge of a strip that has cells of its own; those beside a hole begin as wide as it is.
+GridEdge edge_of(const SupplyPatch& s, int patch, double at) {
+  GridEdge e(at, patch);
+  if (s.round) e.beside = s.length;
+  return e;
+}
 
 }  // namespace
 
@@ -146,8 +150,8 @@ GridEdges phi_edges(const std::vector<SupplyPatch>& patches) {
   for (int k = 0; k < static_cast<int>(patches.size()); ++k) {
     const SupplyPatch& s = patches[k];
     if (s.moving || goes_all_round(s)) continue;
-    edges.emplace_back(s.phi - 0.5 * s.arc, strip_of(s, k));
-    if (s.arc > 0.0) edges.emplace_back(s.phi + 0.5 * s.arc, strip_of(s, k));
+    edges.emplace_back(s.phi - 0.5 * s.arc, k);
+    if (s.arc > 0.0) edges.emplace_back(s.phi + 0.5 * s.arc, k);
   }
   return edges;
 }
@@ -157,8 +161,8 @@ GridEdges z_edges(const std::vector<SupplyPatch>& patches) {
   for (int k = 0; k < static_cast<int>(patches.size()); ++k) {
     const SupplyPatch& s = patches[k];
     if (s.moving) continue;
-    edges.emplace_back(s.z - 0.5 * s.length, strip_of(s, k));
-    edges.emplace_back(s.z + 0.5 * s.length, strip_of(s, k));
+    edges.push_back(edge_of(s, k, s.z - 0.5 * s.length));
+    edges.push_back(edge_of(s, k, s.z + 0.5 * s.length));
   }
   return edges;
 }

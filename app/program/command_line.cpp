@@ -225,7 +225,7 @@ void add_budget(CLI::App& command, Request& request) {
   command
       .add_option(
           "--budget", request.budget_s,
-          "processor time of a case [s] (default: 32, so that 215 cases on two cores take at "
+          "processor time of a case [s] (default: 32, so that 217 cases on two cores take at "
           "most an hour); a case that needs more counts as not judged")
       ->type_name("S")
       ->check(seconds_up_to(kLongest));

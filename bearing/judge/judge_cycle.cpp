@@ -11,7 +11,6 @@
 #include "bearing/over_time/cycle_numbers.hpp"
 #include "bearing/row_gaps.hpp"
 #include "core/constants.hpp"
-#include "core/round_off.hpp"
 #include "core/step_control.hpp"
 
 namespace shellback::bearing {
@@ -137,11 +136,15 @@ void judge_gaps(const LoadCycle& c, const CycleNumbers& n, Findings& to) {
 }
 
 /// Rows far apart: a spline may swing between them to loads that nobody gave.
-void judge_swing(const LoadCycle& c, double largest, const ValueCheck& cycle) {
+void judge_swing(const LoadCycle& c, const ValueCheck& cycle) {
   constexpr double kMostSwing = 2.0;  // of the largest row: that is no interpolation any more [-]
   constexpr int kSamples = 8;         // between rows: a cubic has two extremes there
   if (c.interpolation != LoadInterpolation::periodic_spline) return;
   const LoadCourse course(c, 0.0);
+  double largest = 0.0;  // row
+  for (std::size_t k = 0; k < c.t.size(); ++k) {
+    largest = std::max(largest, std::hypot(c.x[k], c.y[k]));
+  }
   for (std::size_t k = 0; k < c.t.size(); ++k) {
     const double next = k + 1 < c.t.size() ? c.t[k + 1] : c.t.front() + c.period;
     for (int i = 1; i < kSamples; ++i) {
@@ -174,7 +177,7 @@ void judge_cycle_values(const LoadCycle& c, Findings& to) {
                  "check the columns of the load (with [crank]: its masses and pressures)");
   }
   judge_gaps(c, n, to);
-  judge_swing(c, n.largest, cycle);
+  judge_swing(c, cycle);
   if (c.step && *c.step > n.length) {
     cycle.refuse("step",
                  fmt::format("a step of {} is longer than the whole of {}",
@@ -242,14 +245,6 @@ void judge_own_speed(const Case& c, const CycleNumbers& n, Findings& to) {
   constexpr double kApart = 0.01;  // of both: beyond it no trapezoid over the rows misses [-]
   const LoadCycle& cycle = *c.cycle;
   if (cycle.omega.empty() || !(cycle.crank_speed > 0.0)) return;
-  const bool swings = std::abs(n.mean_speed) < kRoundOff * n.largest_speed;
-  if (!swings && n.mean_speed * c.operation.omega < 0.0) {
-    to.suspect("operation.speed",
-               fmt::format("the table's column speed is the journal's, {:.4g} rpm in the mean, and "
-                           "turns the other way than crank angles pass, {:.4g} rpm",
-                           n.mean_speed / kRpm, c.operation.omega / kRpm),
-               "check the sign of either");
-  }
   const double mean = std::abs(n.mean_speed);
   if (std::abs(mean - cycle.crank_speed) <= kApart * cycle.crank_speed) return;
   to.suspect("operation.speed",

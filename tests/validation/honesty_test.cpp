@@ -154,10 +154,11 @@ TEST_CASE("ACaseBeyondItsBudgetIsToldAndItsBarsAreNotJudged") {
 }
 
 TEST_CASE("BarsOfRandomBearingsHold") {
-  // Coarse grids, so that it is quick; the full measurement is `shellback honesty`. Few cases
-  // scatter: a whole bearing may be missed at once, hence 80 % here for the 90 % there. The truth,
-  // twice as fine, keeps 2^-1.3 = 40 % of the error, so that errors look 1.6 times shorter than
-  // they are: 8 here for the 5 there.
+  // Coarse grids, so that it is quick; the full measurement is `shellback honesty`. The truth, twice
+  // as fine, keeps 2^-1.3 = 40 % of the error, so that errors look 1.6 times shorter than they are.
+  // On these grids 24 bearings (`honesty --random-only --cases 24 --grids 60x9 --truth 120x17`) hold
+  // 97 to 100 % with medians of 9.0 to 9.9; one bearing of six that is nearly exact, as that of a
+  // hole is since decision 064, moves theirs by a quarter.
   std::vector<HonestyCase> cases;
   for (const int seed : {2, 4, 7, 10, 13, 16}) cases.push_back({random_case(seed), "random"});
   HonestyOptions o;
@@ -169,8 +170,8 @@ TEST_CASE("BarsOfRandomBearingsHold") {
   for (const BarKind kind : {BarKind::grid, BarKind::total}) {
     const Coverage c = coverage_of(record.samples, kind);
     CHECK(c.count > 150);
-    CHECK(c.held > 0.8);
-    CHECK(c.median < 8.0);
+    CHECK(c.held > 0.9);
+    CHECK(c.median < 11.0);
   }
   for (const HonestyRefusal& r : record.refusals) CHECK_FALSE(r.reason.empty());
   const std::string svg = honesty_svg(record);

@@ -16,8 +16,8 @@ constexpr double kPanelHeight = 236.0;
 constexpr double kGap = 16.0;   ///< between panels
 constexpr double kLeft = 74.0;  ///< room for the labels of y
 constexpr double kRight = 16.0;
-constexpr double kTop = 118.0;    ///< room for title, legend and names
-constexpr double kBottom = 52.0;  ///< room for the labels of x
+constexpr double kUnderLegend = 34.0;  ///< room for names of scenes
+constexpr double kBottom = 52.0;       ///< room for the labels of x
 
 bool occurs(const std::vector<ChartScene>& scenes, ChartFamily family) {
   return std::any_of(scenes.begin(), scenes.end(), [&](const ChartScene& s) {
@@ -26,8 +26,9 @@ bool occurs(const std::vector<ChartScene>& scenes, ChartFamily family) {
   });
 }
 
-void draw_legend(Svg& svg, const std::vector<ChartScene>& scenes, double width,
-                 const Theme& theme) {
+/// Its last line [px].
+double draw_legend(Svg& svg, const std::vector<ChartScene>& scenes, double width,
+                   const Theme& theme) {
   constexpr double kText = 11.0;
   Point at{kLeft, 48.0};
   const auto next = [&](const std::string& words, auto&& sample) {
@@ -49,6 +50,7 @@ void draw_legend(Svg& svg, const std::vector<ChartScene>& scenes, double width,
   });
   next("← ↑ ↓  beyond the rim", [](Point) {});
   next("failed, by name", [&](Point c) { draw_cross(svg, c, theme.ink); });
+  return at.y;
 }
 
 }  // namespace
@@ -57,7 +59,9 @@ std::string chart_svg(const std::vector<ChartScene>& scenes) {
   const Theme theme = print_theme();
   const auto columns = static_cast<double>(std::max<std::size_t>(scenes.size(), 2));
   const double width = kLeft + columns * (kPanelWidth + kGap) - kGap + kRight;
-  const double height = kTop + kChartQuantities * (kPanelHeight + kGap) - kGap + kBottom;
+  Svg measured(width, 0.0);
+  const double first = draw_legend(measured, scenes, width, theme) + kUnderLegend;
+  const double height = first + kChartQuantities * (kPanelHeight + kGap) - kGap + kBottom;
   Svg svg(width, height);
   svg.rect({0.0, 0.0, width, height}, theme.paper);
   svg.text({kLeft, 26.0}, "Error against wall time of a cold solve, one thread",
@@ -65,7 +69,7 @@ std::string chart_svg(const std::vector<ChartScene>& scenes) {
   draw_legend(svg, scenes, width, theme);
   for (int q = 0; q < kChartQuantities; ++q) {
     const LogAxis y = error_axis(scenes, q);
-    const double top = kTop + q * (kPanelHeight + kGap);
+    const double top = first + q * (kPanelHeight + kGap);
     svg.text({20.0, top + 0.5 * kPanelHeight}, row_look(q).title,
              {theme.ink, 11.5, Anchor::middle, false, true});
     for (std::size_t c = 0; c < scenes.size(); ++c) {

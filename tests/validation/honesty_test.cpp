@@ -154,24 +154,23 @@ TEST_CASE("ACaseBeyondItsBudgetIsToldAndItsBarsAreNotJudged") {
 }
 
 TEST_CASE("BarsOfRandomBearingsHold") {
-  // Coarse grids, so that it is quick; the full measurement is `shellback honesty`. The truth, twice
-  // as fine, keeps 2^-1.3 = 40 % of the error, so that errors look 1.6 times shorter than they are.
-  // On these grids 24 bearings (`honesty --random-only --cases 24 --grids 60x9 --truth 120x17`) hold
-  // 97 to 100 % with medians of 9.0 to 9.9; one bearing of six that is nearly exact, as that of a
-  // hole is since decision 064, moves theirs by a quarter.
+  // Coarse grids, so that it is quick; the full measurement is `shellback honesty`. Few cases
+  // scatter: a whole bearing may be missed at once, hence 90 % of these bars, and medians of 8 for
+  // the 5 there. The truth, three times as fine, keeps 3^-1.3 = 24 % of the error; one twice as fine
+  // agrees with the bearing of seed 2, which a hole feeds, to a thousandth of its bar by chance.
   std::vector<HonestyCase> cases;
   for (const int seed : {2, 4, 7, 10, 13, 16}) cases.push_back({random_case(seed), "random"});
   HonestyOptions o;
   o.tiers = {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd};
   o.grids = {{60, 9}};
-  o.truth_grid = {120, 17};
+  o.truth_grid = {180, 25};
   o.at_once = 2;
   const HonestyRecord record = measure_honesty(cases, o);
   for (const BarKind kind : {BarKind::grid, BarKind::total}) {
     const Coverage c = coverage_of(record.samples, kind);
     CHECK(c.count > 150);
     CHECK(c.held > 0.9);
-    CHECK(c.median < 11.0);
+    CHECK(c.median < 8.0);
   }
   for (const HonestyRefusal& r : record.refusals) CHECK_FALSE(r.reason.empty());
   const std::string svg = honesty_svg(record);

@@ -81,6 +81,22 @@ TEST_CASE("WhatLiesBetweenInstantsIsThatOfAParabola") {
   }
 }
 
+TEST_CASE("WhereCoarserGridsAreLackingAFinerOneTellsTheBars", "[cycle]") {
+  Case c = pulsed();
+  c.model.grid = {24, 4};  // nothing coarser is worth a solve
+  const CycleResult usual = fidelity::solve_cycle_with_bars(c);
+  REQUIRE(usual.verdict.good());
+  c.model.grid = {96, 17};
+  const CycleResult finer = solve_cycle(c, Tier::isothermal);
+  REQUIRE(finer.verdict.good());
+  for (const char* name : {"friction_torque", "h_min", "side_flow"}) {
+    INFO(name);
+    const CycleQuantity& q = named(usual, name);
+    CHECK(std::abs(named(finer, name).quantity.value - q.quantity.value) <= q.quantity.error_grid);
+    CHECK(std::isfinite(q.error_time));
+  }
+}
+
 TEST_CASE("BarsOfGivenStepsThatTheLoadsCornersCutHoldShorterOnes", "[cycle]") {
   Case c = pulsed();
   c.model.grid = {60, 9};

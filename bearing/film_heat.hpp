@@ -12,35 +12,11 @@
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
+#include "bearing/friction.hpp"
 #include "bearing/solids.hpp"
 #include "thermal/film_energy.hpp"
 
 namespace shellback::bearing {
-
-/// Friction of a solved film.
-struct Friction {
-  fluid::ShearStress stress;   ///< viscous [Pa]
-  double viscous = 0.0;        ///< torque on the journal [N m]
-  double viscous_shell = 0.0;  ///< torque on the shell [N m]
-  double asperity = 0.0;       ///< torque [N m]
-};
-[[nodiscard]] Friction friction_of(const BearingModel& model, const OperatingPoint& point,
-                                   const FilmEquilibrium& s);
-
-/// Shear stress of the asperities per cell, in its parts [Pa], opposing the motion; empty without
-/// contact. Pressure, gap and, harmonic across the film as for viscous shear, viscosity are those
-/// of the cell (at its temperature, pressure and shear rate).
-struct AsperityStress {
-  Field abrasive, adhesive, micro_hydrodynamic;
-  [[nodiscard]] Field sum() const;
-};
-[[nodiscard]] AsperityStress asperity_stress(const BearingModel& model, const OperatingPoint& point,
-                                             const FilmEquilibrium& s);
-
-/// Torque at which a journal at rest would begin to turn: that of the boundary coefficient at rest
-/// on the contact pressure [N m].
-[[nodiscard]] double breakaway_torque(const BearingModel& model, const OperatingPoint& point,
-                                      const FilmEquilibrium& s);
 
 /// Power that the supply spends on pressing the oil through the film [W], whole bearing.
 [[nodiscard]] double pump_power(const BearingModel& model, const OperatingPoint& point,

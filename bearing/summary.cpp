@@ -198,15 +198,9 @@ Fields fields_of(const Solution& s, const Friction& f) {
   const Field flow = summit_flow(m, s.film.gap.cell);
   if (largest_magnitude(flow) > 0.0) out.summit_flow = on_full(m, flow);
   if (!s.film.layer.empty()) out.layer_depth = on_full(m, lasting_depth(s.film.layer));
-  Field h = s.film.gap.cell;
-  Field supplied(h.size(), 0.0);
-  for (std::size_t c = 0; c < h.size(); ++c) {
-    const int patch = m.supply.cell[c];
-    if (patch < 0) continue;
-    h[c] += s.point.scene.supply.patches[patch].depth;
-    supplied[c] = 1.0;
-  }
-  out.h = on_full(m, h);
+  out.h = on_full(m, nominal_depth(s.point.scene, s.film));
+  Field supplied;
+  for (const int patch : m.supply.cell) supplied.push_back(patch < 0 ? 0.0 : 1.0);
   for (const double x : on_full(m, supplied)) out.supplied.push_back(x > 0.5);
   out.tau_journal = on_full(m, f.stress.journal);
   out.tau_shell = on_full(m, f.stress.shell);

@@ -21,17 +21,19 @@ struct Extent {
 };
 
 Extent read_extent(const Section& section, const std::string& key) {
-  const std::string text = section.text(key);
   Extent extent;
+  const std::string cure =
+      fmt::format("write for example {} = \"1 deg\" or {} = \"0.1 ms\"", key, key);
+  if (!section.is_text(key)) section.fail(key, "a crank angle or a time has a unit; " + cure);
+  const std::string text = section.text(key);
   try {
     extent.value = parse_quantity(text, kTime);
   } catch (const UnitError&) {
     try {
       extent = {parse_quantity(text, kAngle), true};
     } catch (const UnitError&) {
-      section.fail(key, fmt::format("{} is neither a crank angle nor a time; write for example {} "
-                                    "= \"1 deg\" or {} = \"0.1 ms\"",
-                                    in_quotes(text), key, key));
+      section.fail(
+          key, fmt::format("{} is neither a crank angle nor a time; {}", in_quotes(text), cure));
     }
   }
   if (!(extent.value > 0.0)) {
@@ -45,13 +47,15 @@ std::optional<Extent> maybe_extent(const Section& section, const std::string& ke
   return read_extent(section, key);
 }
 
-/// The crank's speed, which turns `what` into time. Fails if it stands still.
-double crank_speed(const Section& file, double omega, const std::string& what) {
+/// The crank's speed, which turns `what` into time; `other` is how to do without. Fails if it
+/// stands still.
+double crank_speed(const Section& file, double omega, const std::string& what,
+                   const std::string& other = "tell the cycle in time (ms)") {
   if (omega != 0.0) return std::abs(omega);
   throw error_at(file.reader().place("operation.speed"), "operation.speed",
                  fmt::format("{}, which the speed of the crank turns into time, but the speed is "
-                             "zero; give the crank's speed, or tell the cycle in time (ms)",
-                             what));
+                             "zero; give the crank's speed, or {}",
+                             what, other));
 }
 
 LoadInterpolation read_interpolation(const Section& section, bool periodic) {
@@ -124,7 +128,8 @@ LoadCycle cycle_of_crank(const Section& file, const std::optional<Section>& sect
   }
   const Section crank_section = file.section("crank");
   const Crank crank = read_crank(crank_section, period, frame);
-  static_cast<void>(crank_speed(file, omega, "[crank] tells the load by the crank's angle"));
+  static_cast<void>(crank_speed(file, omega, "[crank] tells the load by the crank's angle",
+                                "a table of the load over time (load_cycle.file)"));
   LoadCycle c = crank_load(crank, omega, frame);
   if (section) read_mass_step_and_instants(file, *section, omega, c);
   if (c.journal_mass <= 0.0 && vanishing_load(c)) {

@@ -108,7 +108,11 @@ void read_heat_transfer(const Section& section, Supply& supply) {
     if (!given) return;
     section.fail(key, "a groove without circumferential extent has no surface; give arc or width");
   }
-  const bool word = given && section.is_text(key) && section.text(key) == "channel";
+  const std::string text = given && section.is_text(key) ? section.text(key) : "";
+  const bool word = text == "channel";
+  if (const std::string near = did_you_mean(text, {"channel"}); !word && !near.empty()) {
+    section.fail(key, in_quotes(text) + " is no heat transfer" + near);
+  }
   if (word || (!given && section.has("depth"))) {
     supply.heat_transfer = bearing::ChannelHeat{};
   } else if (given) {

@@ -45,12 +45,16 @@ void judge_axial(const Supply& s, const Bearing& b, const std::string& path, Fin
   const std::string key = key_of_length(s, path);
   const double reach = std::abs(s.z) + 0.5 * s.length;
   if (s.length > b.width * (1.0 + kRoundOff)) {
-    to.refuse(key, fmt::format("{} is more than the bearing's width of {}", shown(s.length, "mm"),
-                               shown(b.width, "mm")));
+    to.refuse(key,
+              fmt::format("{} is more than the bearing's width of {}", shown(s.length, "mm"),
+                          shown(b.width, "mm")),
+              "leave a land at either side edge");
   } else if (reach > half * (1.0 + kRoundOff)) {
     to.refuse(s.z != 0.0 ? path + ".z" : key,
               fmt::format("the supply reaches to {} from mid-width, over the bearing's edge at {}",
-                          shown(reach, "mm"), shown(half, "mm")));
+                          shown(reach, "mm"), shown(half, "mm")),
+              fmt::format("set its middle within {} of mid-width, or make it shorter",
+                          shown(std::max(0.0, half - 0.5 * s.length), "mm")));
   } else if (line || reach < half * (1.0 - kRoundOff)) {
     return;
   } else if (s.length >= b.width * (1.0 - kRoundOff)) {

@@ -73,6 +73,30 @@ std::string cut(const std::string& text, std::size_t most) {
   return text.size() <= most ? text : text.substr(0, most - 1) + "…";
 }
 
+/// What the labels of a scene's cells differ in: no unit that all have, and of files neither the
+/// ending nor the words, up to a dash, that all begin with.
+std::vector<std::string> cell_words(const StressScene& scene) {
+  static constexpr std::string_view kFile = ".csv";
+  const std::string unit = common_unit(scene);
+  std::vector<std::string> words;
+  bool files = true;
+  for (const StressStep& step : scene.steps) {
+    files = files && step.label.ends_with(kFile);
+    words.push_back(step.label.substr(0, step.label.size() - unit.size()));
+  }
+  if (!files) return words;
+  std::size_t same = words.front().size();
+  for (const std::string& w : words) {
+    const auto differs =
+        std::mismatch(w.begin(), w.end(), words.front().begin(), words.front().end());
+    same = std::min(same, static_cast<std::size_t>(differs.first - w.begin()));
+  }
+  const std::size_t dash = words.front().substr(0, same).rfind('-');
+  const std::size_t from = dash == std::string::npos ? 0 : dash + 1;
+  for (std::string& w : words) w = w.substr(from, w.size() - kFile.size() - from);
+  return words;
+}
+
 class Picture {
  public:
   explicit Picture(const StressMap& map);
@@ -182,7 +206,7 @@ void Picture::title_of(const StressRow& row, double y) {
 
 void Picture::row(const StressRow& row, double y) {
   svg_.text({kMargin, y + 12.0}, to_string(row.scene.tier), {theme_.muted, kText + 0.5});
-  const std::string unit = common_unit(row.scene);
+  const std::vector<std::string> words = cell_words(row.scene);
   for (std::size_t m = 0; m < row.cells.size(); ++m) {
     const double size = m == 0 ? kCell : kSmall;
     for (std::size_t k = 0; k < row.cells[m].size(); ++k) {
@@ -196,9 +220,8 @@ void Picture::row(const StressRow& row, double y) {
                             label, to_string(cell.result), cell.why.empty() ? "" : ": ", cell.why));
       if (m == 0) {
         const std::string sign = look.sign;
-        const std::string value = label.substr(0, label.size() - unit.size());
         svg_.text({box.x + 0.5 * box.width, y + 11.5},
-                  (sign.empty() ? "" : sign + " ") + cut(value, kLabelLength),
+                  (sign.empty() ? "" : sign + " ") + cut(words[k], kLabelLength),
                   {look.ink, kText - 1.0, Anchor::middle});
       } else if (is_fault(cell.result)) {
         svg_.text({box.x + 0.5 * box.width, y + 11.5}, look.sign,

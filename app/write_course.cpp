@@ -133,10 +133,11 @@ std::vector<std::string> course_warnings(const bearing::Case& c, const CourseRun
   return all;
 }
 
-std::string how_it_ended(const std::vector<Stretch>& stretches, const CourseRun& run) {
+std::string how_it_ended(const std::vector<Stretch>& stretches, const CourseRun& run,
+                         const MarchBars& bars) {
   if (run.end.verdict.good())
     return fmt::format("{} stretches; bands: bars of grid and steps", stretches.size());
-  return fmt::format("ended after {:.4g} s: {}", run.end.t, reason_of(run.end.verdict));
+  return end_words(run.end, bars);
 }
 
 }  // namespace
@@ -171,6 +172,7 @@ std::string course_json(const std::vector<Stretch>& stretches,
   }
   const Course course = to_the_ends(stretches, run, bars);
   add_instants(json, course.instants, course.bars);
+  if (!run.end.verdict.good()) json["end"] = end_json(run.end, bars);
   json["audit"] = {{"energy", run.imbalance_at_ends()}};
   json["warnings"] = course_warnings(c, run, bars);
   json["assumptions"] = c.assumptions;
@@ -188,7 +190,7 @@ std::string course_svg(const std::vector<Stretch>& stretches, const CourseRun& r
   svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
   svg.text({24.0, 58.0},
            fmt::format("Course of speeds, tier {}: {}", to_string(c.model.tier),
-                       how_it_ended(stretches, run)),
+                       how_it_ended(stretches, run, bars)),
            {run.end.verdict.good() ? theme.muted : theme.more, 12.5});
   if (!run.instants.empty()) {
     const Course course = to_the_ends(stretches, run, bars);

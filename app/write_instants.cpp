@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/followed.hpp"
+#include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 
@@ -51,6 +52,21 @@ Instant bar_at(const MarchBars& bars, std::size_t k) {
     bar.*q.value = bars.at(k, q.value);
   }
   return bar;
+}
+
+std::string end_words(const bearing::MarchEnd& end, const MarchBars& bars) {
+  std::string when = fmt::format("{:.4g} s", end.t);
+  if (std::isfinite(bars.end.grid)) when += fmt::format(" +- {:.2g} s (grid)", bars.end.grid);
+  if (std::isfinite(bars.end.time)) when += fmt::format(" +- {:.2g} s (steps)", bars.end.time);
+  return fmt::format("{} after {}: {}", end.left_bounds ? "no film is left" : "ended", when,
+                     reason_of(end.verdict));
+}
+
+json_parts::Json end_json(const bearing::MarchEnd& end, const MarchBars& bars) {
+  Json t = {{"value", end.t}, {"unit", "s"}};
+  if (std::isfinite(bars.end.grid)) t["error_grid"] = bars.end.grid;
+  if (std::isfinite(bars.end.time)) t["error_time"] = bars.end.time;
+  return {{"t", t}, {"at_rest", end.at_rest}, {"no_film_left", end.left_bounds}};
 }
 
 json_parts::Json march_json(const bearing::Case& c, const Verdict& verdict, double T_start) {

@@ -21,6 +21,13 @@ namespace shellback::app {
 /// Half-widths at the instant `k`, grid and time together; not a number where unknown.
 [[nodiscard]] bearing::Instant bar_at(const fidelity::MarchBars& bars, std::size_t k);
 
+/// When and why a march ended that found no further film.
+[[nodiscard]] std::string end_words(const bearing::MarchEnd& end, const fidelity::MarchBars& bars);
+
+/// That time in JSON, with its bars where they are known.
+[[nodiscard]] json_parts::Json end_json(const bearing::MarchEnd& end,
+                                        const fidelity::MarchBars& bars);
+
 /// What a march in time begins with in JSON: how it ended, the case, T_start [K].
 [[nodiscard]] json_parts::Json march_json(const bearing::Case& c, const Verdict& verdict,
                                           double T_start);

@@ -78,10 +78,8 @@ class Panel {
   std::vector<double> t_;
 };
 
-std::string how_it_ended(const WarmUp& run) {
-  if (!run.end.verdict.good()) {
-    return fmt::format("ended after {:.4g} s: {}", run.end.t, reason_of(run.end.verdict));
-  }
+std::string how_it_ended(const WarmUp& run, const MarchBars& bars) {
+  if (!run.end.verdict.good()) return end_words(run.end, bars);
   return run.end.at_rest
              ? "at rest in the end; dashed: the steady state solved for itself; bands: "
                "bars of grid and steps"
@@ -110,7 +108,7 @@ std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
                          const bearing::WarmUpOptions& options, const MarchBars& bars,
                          const bearing::Result& steady) {
   Json json = march_json(c, run.end.verdict, options.T_start);
-  json["end"] = {{"t", {{"value", run.end.t}, {"unit", "s"}}}, {"at_rest", run.end.at_rest}};
+  json["end"] = end_json(run.end, bars);
   add_instants(json, run.instants, bars);
   json["audit"] = {{"energy", run.imbalance()}};
   json["jumps"] = run.end.jumps;
@@ -129,9 +127,10 @@ std::string warm_up_svg(const bearing::Case& c, const WarmUp& run, const MarchBa
   const Theme theme = print_theme();
   Svg svg(kOverTimeWidth, kOverTimeHeight);
   svg.rect({0.0, 0.0, kOverTimeWidth, kOverTimeHeight}, theme.paper);
-  draw_scene(svg, c,
-             "Warm-up, tier " + std::string(to_string(c.model.tier)) + ": " + how_it_ended(run),
-             run.end.verdict.good(), theme);
+  draw_scene(
+      svg, c,
+      "Warm-up, tier " + std::string(to_string(c.model.tier)) + ": " + how_it_ended(run, bars),
+      run.end.verdict.good(), theme);
   const Panel panel(run, bars, steady, theme);
   panel.draw(svg, {70.0, 110.0, 500.0, 270.0}, "Temperature", "°C",
              {{"film, largest", &Instant::T_film_max, "T_film_max", 1.0, kZeroCelsius},

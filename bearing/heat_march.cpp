@@ -40,6 +40,14 @@ bool no_film_left(const Solution& s, const Verdict& v) {
   return v.status == Status::no_steady_state || pressed || thinner_than_a_molecule(s.model, s.film);
 }
 
+/// Smooth surfaces that meet within some of the shortest steps, as the last one brought them
+/// together: when that is, is known as well as a march knows it.
+bool surfaces_meet(const Solution& s, const MarchStand& stand, double shortest) {
+  constexpr double kSteps = 10.0;
+  return s.model.domain.rough.sigma == 0.0 &&
+         s.film.least.h < -stand.rate.h_min * kSteps * shortest;
+}
+
 /// True if the heat that enters the walls now would hold them for ever where they are. That they do
 /// not move says little: heat from the back may not have reached them yet.
 bool is_at_rest(const Solution& s) {
@@ -123,8 +131,10 @@ double error_of_shortest(const Walls& now, const Walls& before, const MarchStand
   return 0.5 * largest_distance(now, expected);
 }
 
-MarchStand::Rate rate_of(const Walls& now, const Walls& before, double dt) {
-  MarchStand::Rate rate{now.shell, now.shaft};
+/// `s`: now; `before`, `h_min`: a step of `dt` [s] ago.
+MarchStand::Rate rate_of(const Solution& s, const Walls& before, double h_min, double dt) {
+  const Walls now = walls_of(s);
+  MarchStand::Rate rate{now.shell, now.shaft, (s.film.least.h - h_min) / dt};
   for (std::size_t k = 0; k < rate.shell.size(); ++k) {
     rate.shell[k] = (rate.shell[k] - before.shell[k]) / dt;
   }
@@ -175,11 +185,12 @@ MarchEnd march_by_steps(Solution& s, MarchStand& stand, const MarchOptions& o,
   SolidStep last;
   for (const double length : o.steps) {
     const Walls before = walls_of(s);
+    const double h_min = s.film.least.h;
     Stepped step = take_step(s, length, stand, last, o, control);
     stand.end.verdict = step.verdict;
     if (!step.verdict.good()) return stand.end;
     stand.bodies = std::move(step.bodies);
-    stand.rate = rate_of(walls_of(s), before, length);
+    stand.rate = rate_of(s, before, h_min, length);
     last = std::move(step.last);
     stand.end.t += length;
     step.at.t = stand.end.t;
@@ -214,7 +225,9 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
       s.heat = heat;
       const bool given_up = end.verdict.status == Status::interrupted || s.cost.spent();
       if (given_up || shortest) {
-        end.left_bounds = !given_up && (hot || no_film_left(s, end.verdict));
+        const bool left = hot || no_film_left(s, end.verdict) ||
+                          (accurate && surfaces_meet(s, stand, o.shortest));
+        end.left_bounds = !given_up && left;
         return end;
       }
       dt *= end.verdict.good() ? 1.0 / kStepLonger : kStepShorter;
@@ -223,7 +236,7 @@ MarchEnd march_heat(Solution& s, MarchStand& stand, const MarchOptions& o,
     }
     if (step.error > o.error) ++end.jumps;
     bodies = std::move(step.bodies);
-    rate = rate_of(walls_of(s), before, length);
+    rate = rate_of(s, before, film.least.h, length);
     end.t += length;
     last = std::move(step.last);
     end.at_rest = accurate && largest_distance(walls_of(s), before) < still && is_at_rest(s);

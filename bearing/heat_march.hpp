@@ -42,8 +42,9 @@ struct MarchEnd {
   double t = 0.0;   ///< of the last instant [s]
   bool at_rest = false;
   /// It ended because no film is left: a clearance used up, a bound of the equations, smooth
-  /// surfaces nearer than a molecule or rough ones pressed beyond the contact law. A step that was
-  /// merely not found leaves no bound.
+  /// surfaces nearer than a molecule, or so near that ten of the shortest steps bring them
+  /// together, or rough ones pressed beyond the contact law. A step that was merely not found
+  /// leaves no bound.
   bool left_bounds = false;
   /// Steps of the shortest length that erred by more than was allowed: where hot oil first meets a
   /// cold wall its surface jumps, however short the step.
@@ -56,10 +57,11 @@ struct MarchEnd {
 /// Where a march stands between two steps: with film and heat all that the next step depends on.
 struct MarchStand {
   static constexpr int kCalm = 3;  ///< steps before one that was rejected is tried as long again
-  /// How fast the walls change.
+  /// How fast walls and smallest film change.
   struct Rate {
     Field shell;                ///< [K/s]; empty: not known
     std::vector<double> shaft;  ///< [K/s]
+    double h_min = 0.0;         ///< [m/s]
   };
 
   SolidState bodies;

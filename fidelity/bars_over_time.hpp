@@ -82,21 +82,28 @@ template <class State, class Followed>
   return std::vector<State>(n, one);
 }
 
+/// Size of a grid's cells, in a unit of its own.
+[[nodiscard]] inline double cell_size(const Grid& g) { return 1.0 / std::sqrt(g[0] * g[1]); }
+
+/// Bar over what steps twice as long change, (1): of order n in time [-].
+[[nodiscard]] inline double part_of_steps(double order) {
+  return kSafety / (std::exp2(order) - 1.0);
+}
+
 /// Of nested grids, coarsest first. `edge`: what is hidden of h_min besides, as a part of it [-].
 template <class State, class Followed>
 [[nodiscard]] std::vector<State> bars_of_grids(const std::vector<OnGrid<State>>& coarse,
                                                const std::vector<State>& run, const Grid& grid,
                                                double edge, const Followed& followed) {
-  const auto size = [](const Grid& g) { return 1.0 / std::sqrt(g[0] * g[1]); };
   auto bars = unknown<State>(run.size(), followed);
   for (std::size_t k = 0; k < run.size(); ++k) {
     for (const auto& q : followed) {
       std::vector<GridValue> values;
       for (const auto& [g, on] : coarse) {
-        if (k < on.size()) values.push_back({size(g), on[k].*q.value, 0.0});
+        if (k < on.size()) values.push_back({cell_size(g), on[k].*q.value, 0.0});
       }
-      values.push_back({size(grid), run[k].*q.value, 0.0});
-      bars[k].*q.value = grid_bar(values, size(grid)).bar;
+      values.push_back({cell_size(grid), run[k].*q.value, 0.0});
+      bars[k].*q.value = grid_bar(values, cell_size(grid)).bar;
     }
     bars[k].h_min += edge * std::abs(run[k].h_min);
   }
@@ -111,7 +118,7 @@ void add_bars_of_steps(const std::vector<State>& usual, const std::vector<State>
                        const std::vector<State>& run, double order, std::size_t begin,
                        std::size_t end, const Followed& followed, std::size_t& n,
                        std::vector<State>& bars) {
-  const double part = kSafety / (std::exp2(order) - 1.0);
+  const double part = part_of_steps(order);
   const std::size_t first = (end + 1 - begin) % 2 == 0 ? begin + 1 : begin;
   for (std::size_t k = first; k <= end; k += 2, ++n) {
     if (k >= usual.size() || n >= other.size()) return;

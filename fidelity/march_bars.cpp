@@ -1,5 +1,8 @@
 #include "fidelity/march_bars.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/contract.hpp"
 #include "fidelity/edge_error.hpp"
 
@@ -10,6 +13,9 @@ using namespace bearing;
 namespace {
 
 using Instants = std::vector<Instant>;
+
+constexpr double kOrder = 2.0;         ///< of the steps under a steady load (heat_march.hpp)
+constexpr double kErrorOfTwice = 4.0;  ///< error of a step twice as long, as a march judges it
 
 /// Indices of instants that end stretches, and of the last one.
 std::vector<std::size_t> ends_of(const CourseRun& run) {
@@ -58,10 +64,42 @@ Instants time_bars(const Instants& usual, const Instants& other, const CourseRun
   auto bars = unknown<Instant>(run.instants.size(), kFollowedInstants);
   std::size_t begin = 0, n = 0;
   for (const std::size_t end : ends_of(run)) {
-    add_bars_of_steps(usual, other, run.instants, run.over_cycles ? 1.0 : 2.0, begin, end,
+    add_bars_of_steps(usual, other, run.instants, run.over_cycles ? 1.0 : kOrder, begin, end,
                       kFollowedInstants, n, bars);
     begin = end + 1;
   }
+  return bars;
+}
+
+/// Of marches in steps of their own, which end at times of their own.
+EndBars end_bars(const std::vector<Stretch>& stretches, const WarmUpOptions& options,
+                 const CourseRun& run, const SolveControl& control) {
+  using Times = std::vector<double>;
+  const Case& c = stretches.front().subject;
+  const auto time_on = [&](const Grid& grid, bool longer, const SolveControl& within) {
+    std::vector<Stretch> on = stretches;
+    for (Stretch& s : on) s.subject.model.grid = grid;
+    WarmUpOptions o = options;
+    if (longer) o.error *= kErrorOfTwice;
+    try {
+      const CourseRun other = run_course(on, c.model.tier, o, within);
+      return other.end.left_bounds ? Times{other.end.t} : Times{};
+    } catch (const InputError&) {  // the grid cannot carry the supplies
+      return Times{};
+    }
+  };
+  const auto coarse = coarse_runs<double>(nearest_coarse_grids(c), true, control, time_on);
+  EndBars bars;
+  if (coarse.usual.empty()) return bars;
+  std::vector<GridValue> values;
+  for (const auto& [grid, times] : coarse.usual) {
+    values.push_back({cell_size(grid), times.front(), 0.0});
+  }
+  values.push_back({cell_size(c.model.grid), run.end.t, 0.0});
+  bars.grid = grid_bar(values, values.back().h).bar;
+  if (coarse.joined.empty()) return bars;
+  const double change = coarse.joined.front() - coarse.usual.back().second.front();
+  bars.time = part_of_steps(kOrder) * std::abs(change);
   return bars;
 }
 
@@ -91,8 +129,12 @@ MarchBars march_bars(const std::vector<Stretch>& stretches, const WarmUpOptions&
                               kFollowedInstants);
     bars.time = time_bars(coarse.usual.back().second, coarse.joined, run);
   }
+  if (run.end.left_bounds) bars.end = end_bars(stretches, options, run, control);
   bars.interrupted = stopped(control);
-  if (bars.interrupted) bars.grid = bars.time = {};
+  if (bars.interrupted) {
+    bars.grid = bars.time = {};
+    bars.end = {};
+  }
   return bars;
 }
 
@@ -102,7 +144,10 @@ MarchBars march_bars(const Case& c, const WarmUpOptions& options, const WarmUp& 
   as_course.instants = run.instants;
   as_course.over_cycles = c.cycle.has_value();
   as_course.solution = run.solution;
-  return march_bars({Stretch{c, run.end.t}}, options, as_course, control);
+  as_course.end = run.end;
+  // Twice as late on a coarser grid is a bar that tells all.
+  const double duration = std::min(options.end, 2.0 * run.end.t);
+  return march_bars({Stretch{c, duration}}, options, as_course, control);
 }
 
 }  // namespace shellback::fidelity

@@ -3,13 +3,24 @@
 /// coarser grids, to which comes for the smallest film of a load that stands still what
 /// edge_error.hpp tells of the end, as a part of itself; and of the steps, which are of second
 /// order under a steady load (heat_march.hpp) and of first over cycles (march_over_cycles.hpp).
-/// Three threads at most.
+/// Where no film is left, the time of that has bars of its own: from marches on the same grids in
+/// steps of their own, and in some twice as long. Three threads at most.
+#include <cmath>
+
 #include "bearing/over_time/course.hpp"
 #include "fidelity/bars_over_time.hpp"
 
 namespace shellback::fidelity {
 
-using MarchBars = BarsOverTime<bearing::Instant>;
+/// Of the time at which no film is left, half-widths [s]; not a number: not known.
+struct EndBars {
+  double grid = NAN;
+  double time = NAN;
+};
+
+struct MarchBars : BarsOverTime<bearing::Instant> {
+  EndBars end;  ///< of marches that left their bounds, under a steady load
+};
 
 /// Bars of `run` as it was made by run_course(); none, if it has no instant.
 [[nodiscard]] MarchBars march_bars(const std::vector<bearing::Stretch>& stretches,

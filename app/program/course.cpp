@@ -13,6 +13,7 @@
 #include "app/units.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/write_course.hpp"
+#include "app/write_instants.hpp"
 #include "core/contract.hpp"
 #include "fidelity/march_bars.hpp"
 #include "validation/rivals/rivals.hpp"
@@ -106,7 +107,7 @@ int course(const Request& request, const WarmUpOptions& options) {
   if (request.json != "-") write_course_table(std::cout, stretches, run, bars);
   if (!run.end.verdict.good()) {
     const EndingWords why = words_of(run.end.verdict);
-    std::cerr << fmt::format("error: course: ended after {:.4g} s: {}\n", run.end.t, why.reason);
+    std::cerr << "error: course: " << app::end_words(run.end, bars) << "\n";
     if (!why.cure.empty()) std::cerr << "  cure:  " << why.cure << "\n";
   }
   outputs.give("--json", [&] { return course_json(stretches, options, run, bars); });

@@ -143,8 +143,7 @@ int transient(const Request& request) {
   const fidelity::MarchBars bars = fidelity::march_bars(subject, options, run, control);
   if (request.json != "-") print_warm_up(subject, run, bars, steady);
   if (!run.end.verdict.good()) {
-    std::cerr << fmt::format("error: transient: ended after {:.4g} s: {}\n", run.end.t,
-                             reason_of(run.end.verdict));
+    std::cerr << "error: transient: " << app::end_words(run.end, bars) << "\n";
   }
   outputs.give("--json", [&] { return warm_up_json(subject, run, options, bars, steady); });
   outputs.give("--picture", [&] { return warm_up_svg(subject, run, bars, steady); });

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "app/words/ending_words.hpp"
 #include "fidelity/solve.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -101,6 +102,27 @@ TEST_CASE("BarsOfACourseAreThoseOfItsStretches", "[transient]") {
   for (std::size_t k = 0; k < run.instants.size(); ++k) {
     CHECK(std::isfinite(bars.grid[k].torque + bars.time[k].torque));
   }
+}
+
+TEST_CASE("TheTimeOfASeizureHasBarsThatHoldAFinerGridAndShorterSteps", "[transient]") {
+  Case c = coarse();
+  c.model.tier = Tier::tehd;
+  c.shell->housing->support = HousingSupport::clamped;
+  c.bearing.radial_clearance = 8e-6;
+  const WarmUp run = warm_up(c, Tier::tehd, until(INFINITY));
+  INFO(app::reason_of(run.end.verdict) << " " << run.instants.size());
+  REQUIRE(run.end.left_bounds);
+  const fidelity::EndBars bars = fidelity::march_bars(c, until(INFINITY), run).end;
+  REQUIRE(bars.grid > 0.0);
+  REQUIRE(bars.time > 0.0);
+  c.model.tolerance *= 0.1;
+  const WarmUp shorter = warm_up(c, Tier::tehd, until(INFINITY));
+  CHECK(std::abs(shorter.end.t - run.end.t) < bars.time);
+  c.model.grid = {72, 12};
+  c.model.tolerance *= 10.0;
+  const WarmUp finer = warm_up(c, Tier::tehd, until(INFINITY));
+  CHECK(std::abs(finer.end.t - run.end.t) < bars.grid);
+  CHECK(bars.grid < 0.5 * run.end.t);  // and tell something
 }
 
 TEST_CASE("AMarchThatIsStoppedHasNoBars", "[transient]") {

@@ -182,9 +182,11 @@ std::vector<double> continued(std::vector<double> face, double length, bool half
   EXPECTS(length >= 0.0 && face.size() >= 2);
   if (length == 0.0) return face;
   const double end = face.back();
+  double last = end - face[face.size() - 2];
+  if (!half) last = std::min(last, face[1] - face[0]);  // as many elements on either side
   std::vector<double> beyond;
   double z = end;
-  for (const double dz : graded(length, kLargestRatio * (end - face[face.size() - 2]), 1)) {
+  for (const double dz : graded(length, kLargestRatio * last, 1)) {
     beyond.push_back(z += dz);
   }
   beyond.back() = end + length;

@@ -139,6 +139,24 @@ TEST_CASE("ReversedJournalIsTheMirrorImage", "[equilibrium]") {
   }
 }
 
+TEST_CASE("AnElasticBearingFedAsideHasAMirrorImage", "[equilibrium]") {
+  // Supplies aside leave an odd number of cells no face at mid-width and unlike ends.
+  for (const auto& grid : {std::array{48, 7}, std::array{48, 8}}) {
+    Case c = warm_case();
+    c.model.grid = grid;
+    c.model.switches.elastic_deformation = true;
+    c.operation.position = LoadGiven{15e3, 270.0 * kDegree};
+    c.supplies[0].length = 6e-3;
+    Case other = c;
+    c.supplies[0].z = 3e-3;
+    other.supplies[0].z = -3e-3;
+    const Solution a = isothermal(c), b = isothermal(other);
+    CHECK(torque_of(b) == Approx(torque_of(a)).epsilon(1e-8));  // load tolerance 1e-9
+    CHECK(b.film.least.h == Approx(a.film.least.h).epsilon(1e-7));
+    CHECK(b.film.least.z == Approx(-a.film.least.z).margin(1e-9));
+  }
+}
+
 TEST_CASE("TurningBearingAndLoadChangesNothing", "[equilibrium]") {
   for (const Case& c : {plain_case(), rig_case()}) {
     const Solution a = isothermal(c);

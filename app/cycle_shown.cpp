@@ -179,6 +179,10 @@ std::string how_it_ran(const bearing::Case& c, const CycleResult& cycle) {
   if (c.cycle && !c.cycle->repeats() && timed) return "an event of " + length + steps;
   std::string words = fmt::format("{} cycle{}", cycle.cycles, cycle.cycles == 1 ? "" : "s");
   if (closed) words += fmt::format(", the last two agree within {:.1e}", cycle.closure);
+  if (cycle.growth < 1.0) {
+    words += fmt::format(", a displaced journal comes back by {:.2g} % in each",
+                         100.0 * (1.0 - cycle.growth));
+  }
   words += steps;
   return timed ? words + "; period " + length : words;
 }

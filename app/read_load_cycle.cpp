@@ -21,19 +21,20 @@ struct Extent {
 };
 
 Extent read_extent(const Section& section, const std::string& key) {
-  Extent extent;
-  const std::string cure =
-      fmt::format("write for example {} = \"1 deg\" or {} = \"0.1 ms\"", key, key);
-  if (!section.is_text(key)) section.fail(key, "a crank angle or a time has a unit; " + cure);
+  if (!section.is_text(key)) {
+    section.fail(key, "a crank angle or a time is wanted, in quotes with its unit (deg, ms)");
+  }
   const std::string text = section.text(key);
+  Extent extent;
   try {
     extent.value = parse_quantity(text, kTime);
   } catch (const UnitError&) {
     try {
       extent = {parse_quantity(text, kAngle), true};
     } catch (const UnitError&) {
-      section.fail(
-          key, fmt::format("{} is neither a crank angle nor a time; {}", in_quotes(text), cure));
+      section.fail(key, fmt::format("{} is neither a crank angle nor a time; write for example {} "
+                                    "= \"1 deg\" or {} = \"0.1 ms\"",
+                                    in_quotes(text), key, key));
     }
   }
   if (!(extent.value > 0.0)) {

@@ -25,6 +25,10 @@ constexpr double kRound = 1.5;  ///< longest over shortest length: hardly a lay 
 constexpr double kNothingLeft = 1e-12;
 constexpr double kSteepest = 1.0;  ///< rms slope: 45 degrees, which no instrument of heights sees
 constexpr double kSteep = 0.3;     ///< rms slope: thin films' equation errs by its square, 9 %
+constexpr double kEndless = 0.99;  ///< R over half the patch: turned grooves, not an honed lay [-]
+/// A point out of its neighbours by as many Rq is of the instrument: beside the highest of a
+/// million Gaussian heights (4.9) stand others.
+constexpr double kSpike = 6.0;
 /// Pitch over pitch: a scan's lines may stand apart, but most maps have one pitch, and a map that
 /// was cut keeps the size in its header [-].
 constexpr double kOblong = 1.01;
@@ -82,13 +86,78 @@ void judge_slopes(const SurfaceReport& r) {
                   slope, 1e6 * r.map.dx, 1e6 * r.map.dy, 1e6 * r.heights.Rq));
 }
 
+/// How far a point lies above the highest, or below the lowest, of its eight neighbours [m]; 0
+/// between them.
+double out_of_neighbours(const surface::HeightMap& map, int i, int j) {
+  double low = INFINITY, high = -INFINITY;
+  for (int b = -1; b <= 1; ++b) {
+    for (int a = -1; a <= 1; ++a) {
+      if (a == 0 && b == 0) continue;
+      low = std::min(low, map.at(i + a, j + b));
+      high = std::max(high, map.at(i + a, j + b));
+    }
+  }
+  const double z = map.at(i, j);
+  return std::max(z - high, 0.0) + std::min(z - low, 0.0);
+}
+
+/// Single points that stand out of all their neighbours, each of which is a summit and counts in
+/// Rq; empty if there are none.
+std::string spike_words(const SurfaceReport& r) {
+  const surface::HeightMap& map = r.map;
+  std::size_t count = 0;
+  double most = 0.0;
+  int at_i = 0, at_j = 0;
+  for (int j = 1; j + 1 < map.ny; ++j) {
+    for (int i = 1; i + 1 < map.nx; ++i) {
+      const double out = out_of_neighbours(map, i, j) / r.heights.Rq;
+      if (std::abs(out) < kSpike) continue;
+      ++count;
+      if (std::abs(out) <= std::abs(most)) continue;
+      most = out;
+      at_i = i;
+      at_j = j;
+    }
+  }
+  if (count == 0) return "";
+  return fmt::format(
+      "{} by more than {:g} Rq, the farthest by {:.3g} um at x = {:.4g} um, y = {:.4g} um: if the "
+      "instrument made {}, empty the field and fill it (--fill laplace); Rq, summits and contact "
+      "have {} in them",
+      count == 1 ? "a point stands out of all its neighbours"
+                 : fmt::format("{} points stand out of all their neighbours", count),
+      kSpike, 1e6 * most * r.heights.Rq, 1e6 * at_i * map.dx, 1e6 * at_j * map.dy,
+      count == 1 ? "it" : "them", count == 1 ? "it" : "them");
+}
+
+/// The patch's side that lies rather across the lay [m].
+double across_lay(const SurfaceReport& r) {
+  return std::abs(r.correlation.lay) > 0.25 * kPi ? r.map.length() : r.map.width();
+}
+
 /// Says how large the patch would have to be.
 void judge_size(const SurfaceReport& r) {
   const Correlation& c = r.correlation;
-  const double error = c.error_of_Rq(), allowed = r.options.error;
+  const double kurtosis = r.heights.kurtosis;
+  const double error = c.error_of_Rq(kurtosis), allowed = r.options.error;
   const bool unknown = c.longest.at_least && c.shortest.at_least;
   if (error <= allowed && !unknown) return;
-  const double sides = lengths_for(independent_areas_for(allowed));
+  if (const std::string spikes = spike_words(r); !spikes.empty() && !unknown) {
+    throw InputError(r.options.path,
+                     fmt::format("Rq has a standard error of {:.0f} %, and {:.3g} % is allowed; {}",
+                                 100.0 * error, 100.0 * allowed, spikes));
+  }
+  if (c.longest.at_least && c.longest.R > kEndless) {
+    throw InputError(
+        r.options.path,
+        fmt::format("the lay has no end: over half the patch along it ({}) heights stay the same, "
+                    "so that only the width across it counts ({}; correlated over {}) and Rq has a "
+                    "standard error of {:.0f} %, where {:.3g} % is allowed; measure a wider patch, "
+                    "or allow more (--error)",
+                    length_words(c.longest), fmt::format("{:.4g} um", 1e6 * across_lay(r)),
+                    length_words(c.shortest), 100.0 * error, 100.0 * allowed));
+  }
+  const double sides = lengths_for(independent_areas_for(allowed, kurtosis));
   throw InputError(
       r.options.path,
       fmt::format("the patch of {:.4g} x {:.4g} um is too small for statistics: heights are "
@@ -187,19 +256,19 @@ void note_formula(SurfaceReport& r) {
   }
   if (most < kApart) return;
   r.notes.push_back(fmt::format(
-      "the heights are not those of a Gaussian surface (skewness {:.2f}): Greenwood-Tripp's "
-      "formula "
-      "and the sum over this map's own summits are apart by a factor of up to {:.2g}; its "
+      "the heights are not those of a Gaussian surface (skewness {:.2f}, kurtosis {:.2f}): "
+      "Greenwood-Tripp's formula and the sum over this map's own summits are apart by a factor of "
+      "up to {:.2g}; its "
       "elastic_factor stands for the formula, not for this surface",
-      r.heights.skewness, most));
+      r.heights.skewness, r.heights.kurtosis, most));
 }
 
 void note_table(SurfaceReport& r) {
   const std::size_t closed = r.factors.rows.size() - r.table.H.size();
   if (closed > 0 && !r.factors.rows.empty()) {
     r.notes.push_back(
-        fmt::format("at the {} nothing flows through the patch: a case's table (--csv) begins "
-                    "above",
+        fmt::format("at the {} no oil passes the patch along the motion, or none across it: a "
+                    "case's table (--csv) begins above",
                     closed == 1 ? "smallest gap" : fmt::format("{} smallest gaps", closed)));
   }
   if (!r.factors.rows.empty() && !r.fault.problem.empty()) {
@@ -220,6 +289,7 @@ void note_mirror(SurfaceReport& r) {
 
 void note_limits(SurfaceReport& r) {
   note_mirror(r);
+  if (const std::string spikes = spike_words(r); !spikes.empty()) r.notes.push_back(spikes);
   note_lay(r);
   note_grid(r);
   note_summits(r);

@@ -21,13 +21,18 @@ constexpr double kHeight = 820.0;  ///< [px]
 constexpr int kMostDrawn = 110;    ///< points each way: finer is not seen
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+/// The box of a map that shows both directions in one scale, in the upper left of `room`.
+Box to_scale(const Box& room, double length, double width) {
+  const double scale = std::min(room.width / length, room.height / width);
+  return {room.x, room.y, scale * length, scale * width};
+}
+
 /// Heights in um over um; of a large map every so many-th point.
-void draw_heights(Svg& svg, const Box& box, const SurfaceReport& r, const Theme& theme) {
+void draw_heights(Svg& svg, const Box& room, const SurfaceReport& r, const Theme& theme) {
   const surface::HeightMap& map = r.map;
   const int every = (std::max(map.nx, map.ny) + kMostDrawn - 1) / kMostDrawn;
   FieldMap field;
-  field.title = every == 1 ? "Heights without form"
-                           : fmt::format("Heights without form, one point in {} each way", every);
+  field.title = "Heights without form";
   field.unit = "um";
   for (int i = 0; i < map.nx; i += every) field.surface.x.push_back(1e6 * i * map.dx);
   for (int j = 0; j < map.ny; j += every) field.surface.y.push_back(1e6 * j * map.dy);
@@ -37,7 +42,10 @@ void draw_heights(Svg& svg, const Box& box, const SurfaceReport& r, const Theme&
   constexpr double kShown = 3.0;  // sigmas; single spikes would bleach the rest
   const double reach = kShown * 1e6 * r.heights.Rq;
   field.scale = {kCool, -reach, reach};
-  field.x = tight_axis(0.0, field.surface.x.back(), 8, "x along the motion [um]");
+  const Box box = to_scale(room, field.surface.x.back(), field.surface.y.back());
+  field.x = tight_axis(0.0, field.surface.x.back(), 8,
+                       every == 1 ? std::string("x along the motion [um]")
+                                  : fmt::format("x along the motion [um], one point in {}", every));
   field.y = tight_axis(0.0, field.surface.y.back(), 6, "y across [um]");
   draw_map(svg, box, field, theme);
 }

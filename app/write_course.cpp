@@ -126,9 +126,51 @@ void draw_over_speed(Svg& svg, const Box& box, const std::vector<Stretch>& stret
   draw_lines(svg, box, plot, theme);
 }
 
-std::vector<std::string> course_warnings(const bearing::Case& c, const CourseRun& run,
-                                         const MarchBars& bars) {
-  auto all = words_of(bearing::march_warnings(c.oil, run.instants));
+/// What the films at the ends say, each kind once, with the first speed at which it does. Where
+/// they leave the oil's range is told of the whole course.
+std::vector<std::string> words_at_ends(const std::vector<Stretch>& stretches,
+                                       const CourseRun& run) {
+  struct Told {
+    std::size_t kind = 0;  ///< alternative of Note
+    double speed = 0.0;    ///< [rpm]
+    std::string words;
+    int others = 0;
+  };
+  std::vector<Told> all;
+  for (std::size_t k = 0; k < run.warnings.size(); ++k) {
+    for (const bearing::Note& note : run.warnings[k]) {
+      if (std::holds_alternative<bearing::note::BeyondOilRange>(note)) continue;
+      const auto same = std::find_if(all.begin(), all.end(),
+                                     [&](const Told& told) { return told.kind == note.index(); });
+      if (same != all.end()) {
+        same->others += 1;
+      } else {
+        all.push_back({note.index(), rpm(stretches[k]), words_of(note)});
+      }
+    }
+  }
+  std::vector<std::string> words;
+  for (const Told& told : all) {
+    words.push_back(fmt::format("at {:.6g} rpm{}: {}", told.speed,
+                                told.others == 0 ? "" : fmt::format(" and {} more", told.others),
+                                told.words));
+  }
+  return words;
+}
+
+std::vector<std::string> course_warnings(const std::vector<Stretch>& stretches,
+                                         const CourseRun& run, const MarchBars& bars) {
+  std::vector<std::string> all;
+  for (const Stretch& s : stretches) {
+    for (const std::string& words : s.subject.warnings) {
+      if (std::find(all.begin(), all.end(), words) == all.end()) all.push_back(words);
+    }
+  }
+  const bearing::Case& c = stretches.front().subject;
+  for (std::string& words : words_of(bearing::march_warnings(c.oil, run.instants))) {
+    all.push_back(std::move(words));
+  }
+  for (std::string& words : words_at_ends(stretches, run)) all.push_back(std::move(words));
   for (std::string& words : bar_warnings(bars)) all.push_back(std::move(words));
   return all;
 }
@@ -158,7 +200,8 @@ void write_course_table(std::ostream& out, const std::vector<Stretch>& stretches
   }
   out << fmt::format("\naudit (relative)  heat in - out - stored at the ends: {:.1e}\n",
                      run.imbalance_at_ends());
-  print_list(out, "warnings", course_warnings(c, run, bars));
+  print_list(out, "warnings", course_warnings(stretches, run, bars));
+  print_list(out, "assumptions", c.assumptions);
 }
 
 std::string course_json(const std::vector<Stretch>& stretches,
@@ -174,7 +217,7 @@ std::string course_json(const std::vector<Stretch>& stretches,
   add_instants(json, course.instants, course.bars);
   if (!run.end.verdict.good()) json["end"] = end_json(run.end, bars);
   json["audit"] = {{"energy", run.imbalance_at_ends()}};
-  json["warnings"] = course_warnings(c, run, bars);
+  json["warnings"] = course_warnings(stretches, run, bars);
   json["assumptions"] = c.assumptions;
   json["provenance"] = Json::parse(result_json(c, {}))["provenance"];
   json_parts::add_case(json, c);  // of the first stretch

@@ -41,6 +41,7 @@ Json over_the_cycle(const bearing::Case& c, const CycleResult& cycle) {
   json[instants.name] = series_json(instants);
   for (const CycleSeries& series : followed(c, cycle)) json[series.name] = series_json(series);
   json["closure"] = number(cycle.closure);
+  if (std::isfinite(cycle.growth)) json["growth"] = cycle.growth;
   json["cycles"] = cycle.cycles;
   json["steps"] = cycle.steps;
   json["rejected_steps"] = cycle.rejected_steps;

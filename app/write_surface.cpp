@@ -45,7 +45,8 @@ void write_heights(std::ostream& out, const SurfaceReport& r) {
           "its tilt it spans {}",
           f.degree, 1e3 * f.slope_x, 1e3 * f.slope_y, f.curvature_x, f.curvature_y,
           um(f.peak_to_valley)));
-  add("Ra, Rq", fmt::format("{}, {} +- {:.2g} %", um(Ra), um(Rq), 100.0 * c.error_of_Rq()));
+  add("Ra, Rq",
+      fmt::format("{}, {} +- {:.2g} %", um(Ra), um(Rq), 100.0 * c.error_of_Rq(r.heights.kurtosis)));
   add("skewness, kurtosis", fmt::format("{:.3f}, {:.3f} (Gaussian: 0, 3)", skewness, kurtosis));
   add("highest, lowest", fmt::format("{}, {}", um(highest), um(lowest)));
   add("correlation length",
@@ -160,7 +161,7 @@ Json height_json(const SurfaceReport& r) {
   const Correlation& c = r.correlation;
   return {{"Ra", with_unit(s.Ra, "m")},
           {"Rq", with_unit(s.Rq, "m")},
-          {"Rq_relative_error", number(c.error_of_Rq())},
+          {"Rq_relative_error", number(c.error_of_Rq(r.heights.kurtosis))},
           {"skewness", number(s.skewness)},
           {"kurtosis", number(s.kurtosis)},
           {"highest", with_unit(s.highest, "m")},

@@ -52,6 +52,8 @@ struct MarchEnd {
   /// Instants over cycles whose film had not followed its walls yet: their bodies see too little
   /// heat.
   int unfollowed = 0;
+  /// What the film of the last instant, or cycle, says of itself; the case's own apart.
+  std::vector<Note> warnings{};
 };
 
 /// Where a march stands between two steps: with film and heat all that the next step depends on.

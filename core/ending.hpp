@@ -48,6 +48,7 @@ enum class Iteration {
   heat,                ///< film and heat: change in units of 10 K [-]
   walls,               ///< of film and walls: change of the walls [K]
   cycles,              ///< difference of two cycles in smallest film and torque [-]
+  orbit,               ///< growth of a disturbance of the orbit, over itself, per cycle [-]
   walls_of_cycles,     ///< change of the walls from cycle to cycle [K]
   wear,                ///< the worn-in shape: change of its depth [m]; cause: it has no film
 };

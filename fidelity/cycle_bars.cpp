@@ -78,6 +78,10 @@ void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine
   for (const CycleQuantity& q : r.quantities) all.push_back(q.quantity);
   std::vector<BarOfSize> bars;
   for (CycleQuantity& q : r.quantities) {
+    if (given_by_case(c, r.tier, q.quantity.name)) {
+      q.quantity.error_grid = 0.0;
+      continue;
+    }
     std::vector<GridValue> values;
     const auto add = [&](const CycleResult& on) {
       values.push_back({size(on.grid), value_of(on, q.quantity.name), 0.0});

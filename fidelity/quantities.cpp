@@ -26,7 +26,7 @@ bool given_by_case(const bearing::Case& c, bearing::Tier tier, const std::string
   if (name == "moment_x" || name == "moment_y") {
     return std::holds_alternative<bearing::MomentGiven>(c.operation.alignment);
   }
-  const bool temperature = name == "T_equivalent" || name == "T_film_mean";
+  const bool temperature = name == "T_equivalent" || name == "T_film_mean" || name == "T_film_max";
   return temperature && tier == bearing::Tier::isothermal;
 }
 
@@ -59,8 +59,8 @@ double natural_size(const Quantity& q, double T_supply, const std::vector<Quanti
 
 bool is_round_off(const bearing::Case& c, const Quantity& q, const std::vector<Quantity>& all) {
   const bearing::Bearing& b = c.bearing;
-  const double shear = std::abs(value_in(all, "friction_torque")) /
-                       (2.0 * kPi * b.radius * b.radius * b.width);
+  const double shear =
+      std::abs(value_in(all, "friction_torque")) / (2.0 * kPi * b.radius * b.radius * b.width);
   const double pressure = shear * b.radius / b.radial_clearance;
   const double force = 2.0 * b.radius * b.width * pressure;
   const double load = std::hypot(value_in(all, "load_x"), value_in(all, "load_y"));

@@ -88,9 +88,23 @@ class Autocorrelation {
 
 }  // namespace
 
-double Correlation::error_of_Rq() const { return 1.0 / std::sqrt(2.0 * independent); }
+namespace {
 
-double independent_areas_for(double error_of_Rq) { return 0.5 / (error_of_Rq * error_of_Rq); }
+/// Relative variance of Rq that one area leaves [-].
+double variance_of_Rq(double kurtosis) {
+  constexpr double kGaussian = 3.0;
+  return 0.25 * (std::max(kurtosis, kGaussian) - 1.0);
+}
+
+}  // namespace
+
+double Correlation::error_of_Rq(double kurtosis) const {
+  return std::sqrt(variance_of_Rq(kurtosis) / independent);
+}
+
+double independent_areas_for(double error_of_Rq, double kurtosis) {
+  return variance_of_Rq(kurtosis) / (error_of_Rq * error_of_Rq);
+}
 
 double lengths_for(double independent) { return std::sqrt(kAreaFactor * independent); }
 

@@ -8,10 +8,12 @@
 /// direction of the longest one. Lengths beyond half the patch are not known: the half is then a
 /// lower bound, and the lay that of them in which R is highest there. Textbook.
 ///
-/// Independent areas. The relative standard error of Rq is 1/sqrt(2 N), N = A/int R^2 dA; with R
+/// Independent areas. The relative standard error of Rq is sqrt((Rku - 1)/(4 N)), 1/sqrt(2 N) of
+/// Gaussian heights (and no less: a small patch tells a smaller Rku than it has), N = A/int R^2 dA;
+/// with R
 /// that falls to a half at lambda, int R^2 dA = k lambda_long lambda_short: k = 2.27 for
 /// R = exp(-ln2 (r/lambda)^2), 3.27 for exp(-ln2 r/lambda). The first is used: N is then an
-/// estimate, good to a factor of 1.5, and at most the number of points. Gaussian heights.
+/// estimate, good to a factor of 1.5, and at most the number of points.
 #include <array>
 
 #include "surface/height_map.hpp"
@@ -31,8 +33,9 @@ struct Correlation {
   double lay = 0.0;          ///< angle of the longest from the motion, (-pi/2, pi/2] [rad]
   double independent = 0.0;  ///< N, number of independent areas [-]
 
-  /// Relative standard error of Rq that the size of the patch leaves [-].
-  [[nodiscard]] double error_of_Rq() const;
+  /// Relative standard error of Rq that the size of the patch leaves, heights of `kurtosis` Rku
+  /// [-].
+  [[nodiscard]] double error_of_Rq(double kurtosis) const;
   /// gamma is only known from above or below.
   [[nodiscard]] bool bounded() const { return along.at_least || across.at_least; }
 };
@@ -40,8 +43,8 @@ struct Correlation {
 /// Of a map without holes.
 [[nodiscard]] Correlation correlation_of(const HeightMap& map);
 
-/// Number of independent areas for a relative standard error of Rq.
-[[nodiscard]] double independent_areas_for(double error_of_Rq);
+/// Number of independent areas for a relative standard error of Rq, heights of `kurtosis` Rku.
+[[nodiscard]] double independent_areas_for(double error_of_Rq, double kurtosis);
 
 /// Sides of a patch, in correlation lengths, that holds so many independent areas.
 [[nodiscard]] double lengths_for(double independent);

@@ -40,18 +40,6 @@ bool is_summit(const HeightMap& map, int i, int j) {
   return true;
 }
 
-/// Differences over one pitch may tell a summit's crest as hollow: it then is as good as straight.
-Curvature as_summit(const Curvature& c) {
-  constexpr double kStraight = 1e-3;  // least of the principal curvatures, over the other [-]
-  const double mean = c.mean(), deviation = c.deviation();
-  const double most = mean + deviation, least = mean - deviation;
-  if (least >= kStraight * most) return c;
-  const double now = 0.5 * (1.0 - kStraight) * most;  // deviation that leaves the least
-  const double scale = now / deviation;
-  const double centre = 0.5 * (1.0 + kStraight) * most;
-  return {centre + scale * 0.5 * (c.xx - c.yy), centre - scale * 0.5 * (c.xx - c.yy), scale * c.xy};
-}
-
 }  // namespace
 
 SpectralMoments spectral_moments(const HeightMap& map) {
@@ -83,7 +71,8 @@ std::vector<Summit> count_summits(const HeightMap& map) {
       const double xy = (map.at(i + 1, j + 1) - map.at(i + 1, j - 1) - map.at(i - 1, j + 1) +
                          map.at(i - 1, j - 1)) /
                         (4.0 * map.dx * map.dy);
-      summits.push_back({z, as_summit({-xx, -yy, -xy})});
+      const Curvature curvature{-xx, -yy, -xy};
+      if (curvature.determinant() > 0.0) summits.push_back({z, curvature});
     }
   }
   return summits;

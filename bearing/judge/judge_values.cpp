@@ -212,6 +212,19 @@ void judge_measured(const Measured& m, double clearance, Findings& to) {
   if (m.T_shell_max) measured.temperature("T_shell_max", *m.T_shell_max);
 }
 
+/// A hardness of the shell's surface beside that of its first layer's material.
+void judge_hardness(const Case& c, const char* key, double hardness, Findings& to) {
+  const ShellLayer* first = c.shell && !c.shell->layers.empty() ? &c.shell->layers[0] : nullptr;
+  const double own = first != nullptr ? first->material.hardness : 0.0;
+  if (!(hardness > 0.0) || !(own > 0.0)) return;
+  const double apart = hardness / own;
+  if (std::max(apart, 1.0 / apart) <= kBearingLimits.modulus_apart) return;
+  to.suspect(key,
+             fmt::format("it is {}, and the hardness of the shell's first layer ({}) {}",
+                         shown(hardness, "MPa"), first->material.name, shown(own, "MPa")),
+             "leave it out for that of the layer, or check which of the two is meant");
+}
+
 /// Pressure that contact cannot have wears nothing.
 void judge_limit_pressure(const Case& c, const ValueCheck& wear) {
   const double limit = c.running_in->limit_pressure;
@@ -244,16 +257,7 @@ void judge_running_in(const Case& c, Findings& to) {
             fmt::format("the hardness of the shell's surface is {:.4g} MPa", 1e-6 * H),
             "check the unit");
   }
-  const ShellLayer* first = c.shell && !c.shell->layers.empty() ? &c.shell->layers[0] : nullptr;
-  const double own = first != nullptr && first->elasto_plastic ? first->material.hardness : 0.0;
-  if (const double apart = r.hardness / own;
-      r.hardness > 0.0 && own > 0.0 &&
-      std::max(apart, 1.0 / apart) > kBearingLimits.modulus_apart) {
-    to.suspect("running_in.hardness",
-               fmt::format("the shell wears with a hardness of {}, and its first layer flows at {}",
-                           shown(r.hardness, "MPa"), shown(own, "MPa")),
-               "leave running_in.hardness out, or check which of the two is meant");
-  }
+  judge_hardness(c, "running_in.hardness", r.hardness, to);
   judge_limit_pressure(c, wear);
   if (r.worn) {
     judge_surface(*r.worn, ValueCheck("running_in.worn", to));
@@ -297,6 +301,9 @@ void judge_values(const Case& c, Findings& to) {
   judge_solid_values(c, to);
   judge_surfaces_values(c.surfaces, to);
   judge_measured(c.measured, c.bearing.radial_clearance, to);
+  if (c.surfaces.contact) {
+    judge_hardness(c, "surfaces.contact.hardness", c.surfaces.contact->hardness, to);
+  }
   if (c.running_in) judge_running_in(c, to);
 }
 

@@ -99,6 +99,7 @@ class Course {
     if (!end.verdict.good()) return false;
     run_.solution = std::move(now);
     run_.ends.push_back(run_.instants.size() - 1);
+    run_.warnings.push_back(end.warnings);
     begun_ += s.duration;
     return true;
   }
@@ -110,7 +111,9 @@ class Course {
   CourseRun& run_;
   double begun_ = 0.0;  ///< of the present stretch [s]
   CarriedOver carried_;
-  std::function<void(Tape&)> told_ = [this](Tape& tape) { tape(run_.instants, run_.ends, begun_); };
+  std::function<void(Tape&)> told_ = [this](Tape& tape) {
+    tape(run_.instants, run_.ends, run_.warnings, begun_);
+  };
 };
 
 }  // namespace

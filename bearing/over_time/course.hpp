@@ -23,6 +23,7 @@ struct CourseRun {
   std::vector<Instant> instants;  ///< t from the beginning of the first stretch
   /// Index of the last instant of each stretch that was passed to its end.
   std::vector<std::size_t> ends;
+  std::vector<std::vector<Note>> warnings;  ///< of the films at these (MarchEnd::warnings)
   MarchEnd end;       ///< not good: the last instant was the last that had a film
   Solution solution;  ///< at the end of the last stretch that was passed (over cycles its
                       ///< bearing alone)

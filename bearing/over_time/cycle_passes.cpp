@@ -102,6 +102,31 @@ bool CyclePasses::put(const WallMeans& walls) {
   return open;
 }
 
+bool CyclePasses::put_lasting(const std::vector<double>& carried) {
+  if (film_.put_lasting(carried, now_)) return true;
+  r_.verdict = {Status::iteration_limit, ending::NoClearance{0.0, film_.model().clearance}};
+  return false;
+}
+
+bool CyclePasses::displace() {
+  constexpr double kDisplaced = 1e-3;  // of the clearance
+  now_.film.position.q[0] += kDisplaced * film_.model().clearance;
+  return film_.reshape(now_);
+}
+
+Tape::Content CyclePasses::stand() {
+  Tape tape;
+  members(tape);
+  return tape.content();
+}
+
+void CyclePasses::put_back(const Tape::Content& stand) {
+  EquilibriumCost cost = cost_;
+  Tape tape(stand);
+  members(tape);
+  cost_ = std::move(cost);
+}
+
 void CyclePasses::begin_pass() {
   passing_ = Passing{CycleRecord(film_, course_, length_)};
   passing_->record.begin(now_);

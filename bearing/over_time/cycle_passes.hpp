@@ -78,9 +78,16 @@ class CyclePasses {
   [[nodiscard]] const std::optional<WallMeans>& walls() const { return walls_; }
   /// The heat about which that into the walls swings from now on [W/m2].
   void swing_about(const Field& flux) { walls_->flux = flux; }
-  /// Oil that film and vessels hold, in the order of FilmSteps::oil_of.
-  [[nodiscard]] std::vector<double> oil() const { return film_.oil_of(now_); }
-  void put_oil(const std::vector<double>& oil) { film_.put_oil(oil, now_); }
+  /// What goes from cycle to cycle slowly, as FilmSteps::lasting_of tells it. Put back, it may
+  /// close the gap: false, with the verdict.
+  [[nodiscard]] std::vector<double> lasting() const { return film_.lasting_of(now_); }
+  bool put_lasting(const std::vector<double>& carried);
+  /// Displaces the journal by a thousandth of the clearance; false if that closes the gap.
+  [[nodiscard]] bool displace();
+  [[nodiscard]] JournalState journal() const { return film_.journal_of(now_); }
+  /// All of it between two passes, and the same put back, but for what was spent meanwhile.
+  [[nodiscard]] Tape::Content stand();
+  void put_back(const Tape::Content& stand);
   /// A layer keeps marks of what has flowed, which are not of the oil alone.
   [[nodiscard]] bool has_marks() const { return !now_.layer.now.empty(); }
   [[nodiscard]] const EquilibriumCost& cost() const { return cost_; }

@@ -29,13 +29,13 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
 
 void CycleSearch::members(Tape& tape) {
   tape(closure_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
-       round_change_, stalled_);
+       round_change_, stalled_, growth_, displaced_);
   tape(walls_begun_, answers_);
 }
 
 void CycleSearch::ended(Tape& tape) {
   passes_.members(tape);
-  tape(closure_, answered_, off_, mean_change_, wall_change_, unsettled_);
+  tape(closure_, answered_, off_, mean_change_, wall_change_, unsettled_, growth_);
 }
 
 void CycleSearch::begin(Tape& tape) {
@@ -74,21 +74,48 @@ bool CycleSearch::pass(const WallMeans* between) {
 void CycleSearch::until_closed(double within) {
   if (!brought_back()) {
     closure_ = {};
-    oil_.begin(passes_.oil());
+    oil_.begin(passes_.lasting());
   }
-  while (pass() && repeats() && !closure_.closed(within)) {
+  while (!displaced_ && pass() && repeats() && !closure_.closed(within)) {
     const bool seen = std::isfinite(closure_.last);  // of a cycle that was not begun with led oil
     lead_oil_on();
     if ((cycles() >= most_ || passes_.spent()) && seen) return cycles_unsettled();
   }
+  if (verdict().good() && oil_.led()) judge_orbit();
+}
+
+void CycleSearch::come_back() {
+  passes_.put_back(displaced_->from);
+  displaced_.reset();
+}
+
+void CycleSearch::judge_orbit() {
+  constexpr int kDying = 2, kSeen = 10;  // cycles in which all but the slowest dies out, and after
+  if (!(film().model().input.cycle->journal_mass > 0.0)) return;
+  if (!displaced_) {
+    displaced_ = Displaced{passes_.stand(), {}};
+    if (!passes_.displace()) return come_back();
+  }
+  const auto rest = [this](Tape& tape) { members(tape); };
+  while (displaced_->ends.size() < kDying + kSeen && passes_.pass(rest)) {
+    displaced_->ends.push_back(passes_.journal());
+  }
+  if (passes_.verdict().status == Status::interrupted) return;
+  std::vector<JournalState> seen = std::move(displaced_->ends);
+  come_back();
+  if (seen.size() < kDying + kSeen) return;  // displaced, it does not pass the cycle
+  seen.erase(seen.begin(), seen.begin() + kDying);
+  growth_ = growth_per_cycle(seen).value_or(NAN);
+  if (!(growth_ >= 1.0)) return;
+  unsettled_ = {Status::no_steady_state,
+                ending::Unsettled{ending::Iteration::orbit, cycles(), growth_ - 1.0}};
 }
 
 void CycleSearch::lead_oil_on() {
   if (passes_.has_marks()) return;
-  const auto leads_to = oil_.after(passes_.oil(), cycles());
-  if (!leads_to) return;
-  passes_.put_oil(*leads_to);
-  oil_.led_to(passes_.oil());
+  const auto leads_to = oil_.after(passes_.lasting(), cycles());
+  if (!leads_to || !passes_.put_lasting(*leads_to)) return;
+  oil_.led_to(passes_.lasting());
   closure_.lead_on();
 }
 
@@ -207,6 +234,7 @@ CycleResult CycleSearch::result() const {
   CycleResult r = passes_.result();
   r.verdict = verdict();
   r.closure = closure_.last;
+  r.growth = growth_;
   r.audit.walls = wall_change_;
   r.audit.walls_mean = mean_change_;
   r.audit.to_shell = off_.shell;

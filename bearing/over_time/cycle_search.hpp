@@ -70,10 +70,20 @@ class CycleSearch {
  private:
   enum class Phase { orbit, walls, closing };
 
+  /// A journal displaced from its orbit.
+  struct Displaced {
+    Tape::Content from;              ///< passes on the orbit
+    std::vector<JournalState> ends;  ///< of cycles since
+  };
+
   /// One more pass, between other walls if there are any; false where the search has ended.
   bool pass(const WallMeans* between = nullptr);
   /// Cycles until two agree within `within`, between walls that stay as they are.
   void until_closed(double within);
+  /// Cycles that were led on may lead to an orbit that no journal keeps to: what a displaced one
+  /// does in some cycles more.
+  void judge_orbit();
+  void come_back();
   /// From time to time, the oil to which the last cycles lead.
   void lead_oil_on();
   /// The walls' fixed point, a cycle a turn; false if they still change, or with the verdict.
@@ -93,6 +103,8 @@ class CycleSearch {
 
   CyclePasses passes_;
   Closure closure_;
+  double growth_ = NAN;  ///< CycleResult::growth
+  std::optional<Displaced> displaced_;
   LedOil oil_;
   std::optional<WallMeans> answered_;  ///< what the last cycle's heat makes of the walls
   HeatTaken off_{NAN, NAN};            ///< heat of the bodies then, less that of the cycle [W]

@@ -7,6 +7,7 @@
 #include "bearing/newton.hpp"
 #include "bearing/pockets.hpp"
 #include "bearing/pseudo_time.hpp"
+#include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 #include "fluid/fill_front.hpp"
@@ -438,6 +439,48 @@ void FilmSteps::put_oil(const std::vector<double>& oil, FilmInTime& now) const {
     now.vessels[v] = std::clamp(oil[g.cells() + v], std::min(now.vessels[v], 0.0),
                                 std::max(filled[v], now.vessels[v]));
   }
+}
+
+namespace {
+
+/// Oil by which a film of `cells` changes if its journal moves by a metre [kg/m], or, over `unit`
+/// [s], by a metre a second [kg s/m]: as the root of the sum over cells, each of which sees it.
+std::array<double, 2> oil_by_journal(const FilmGrid& g, double density, double unit) {
+  double squares = 0.0;
+  for (int c = 0; c < g.cells(); ++c) squares += std::pow(g.area(c / g.nz, c % g.nz), 2);
+  const double by_place = density * std::sqrt(0.5 * squares);
+  return {by_place, by_place * unit};
+}
+
+}  // namespace
+
+std::vector<double> FilmSteps::lasting_of(const FilmInTime& now) const {
+  std::vector<double> carried = oil_of(now);
+  if (!(mass_ > 0.0)) return carried;
+  const JournalState journal = journal_of(now);
+  carried.insert(carried.end(), journal.begin(), journal.end());
+  return carried;
+}
+
+JournalState FilmSteps::journal_of(const FilmInTime& now) const {
+  const auto [place, speed] = oil_by_journal(model_.domain.grid, now.film.oil.density[0],
+                                             model_.input.cycle->length() / (2.0 * kPi));
+  return {place * now.film.position.q[0], place * now.film.position.q[1], speed * now.velocity[0],
+          speed * now.velocity[1]};
+}
+
+bool FilmSteps::put_lasting(const std::vector<double>& carried, FilmInTime& now) {
+  if (mass_ > 0.0) {
+    const auto [place, speed] = oil_by_journal(model_.domain.grid, now.film.oil.density[0],
+                                               model_.input.cycle->length() / (2.0 * kPi));
+    const double* journal = carried.data() + carried.size() - 4;
+    for (int k = 0; k < 2; ++k) now.film.position.q[k] = journal[k] / place;
+    for (int k = 0; k < 2; ++k) now.velocity[k] = journal[2 + k] / speed;
+    if (!reshape(now)) return false;
+    renew_heat(now);
+  }
+  put_oil(carried, now);
+  return true;
 }
 
 bool FilmSteps::reshape(FilmInTime& now) {

@@ -23,6 +23,7 @@
 #include "bearing/over_time/drillings.hpp"
 #include "bearing/over_time/film_stage.hpp"
 #include "bearing/over_time/heat_in_time.hpp"
+#include "bearing/over_time/orbit_growth.hpp"
 #include "bearing/vessels.hpp"
 #include "core/tape.hpp"
 
@@ -114,11 +115,18 @@ class FilmSteps {
   /// `now` of the same bearing with a shell of another shape: oil keeps its fill ratios where the
   /// gap has grown. False if the gap is closed.
   [[nodiscard]] bool reshape(FilmInTime& now);
-  /// What may come to rest only over many periods: the oil of every cell and vessel [kg].
+  /// The oil of every cell and vessel [kg].
   [[nodiscard]] std::vector<double> oil_of(const FilmInTime& now) const;
-  /// Puts that oil into cavitated cells, as much as they hold, and into vessels; full cells keep
-  /// theirs, and the slope dM/dt stays that of before, less by the share of what is taken out: the
-  /// next step errs by its share of what was put in, which ends as that does.
+  /// What may come to rest only over many periods: that oil, and, where it has a mass, place and
+  /// velocity of the journal, as the oil that the film would gain or lose by them [kg].
+  [[nodiscard]] std::vector<double> lasting_of(const FilmInTime& now) const;
+  [[nodiscard]] JournalState journal_of(const FilmInTime& now) const;
+  /// Puts it back: the journal where it is told, oil as put_oil() does. False if the gap is closed
+  /// there.
+  [[nodiscard]] bool put_lasting(const std::vector<double>& carried, FilmInTime& now);
+  /// Puts the oil that it tells first into cavitated cells, as much as they hold, and into vessels;
+  /// full cells keep theirs, and the slope dM/dt stays that of before, less by the share of what is
+  /// taken out: the next step errs by its share of what was put in, which ends as that does.
   void put_oil(const std::vector<double>& oil, FilmInTime& now) const;
   /// The steady state under load and speed at t = 0; none if it is not found.
   [[nodiscard]] std::optional<FilmInTime> steady(double T, EquilibriumCost& cost,
@@ -148,6 +156,8 @@ class FilmSteps {
   void members(Tape& tape, double period, double shortest);
 
  private:
+  /// Heat held by the oil as it stands; the skin stays.
+  void renew_heat(FilmInTime& now) const;
   /// Solves stage i; `stages` holds those before.
   [[nodiscard]] Verdict solve_stage(int i, double dt, const std::vector<FilmStage>& stages,
                                     const FilmInTime& now, FilmEquilibrium& film, FilmStage& found,

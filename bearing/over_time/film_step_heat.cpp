@@ -61,6 +61,13 @@ bool FilmSteps::leave_room(const WallMeans& walls, const FilmInTime& now) const 
   return evaluate(model_, point_, walls.thermal_deformation, options_.viscosity_tolerance, middle);
 }
 
+void FilmSteps::renew_heat(FilmInTime& now) const {
+  if (!heat_) return;
+  std::vector<double> skin = std::move(now.heat.skin);
+  now.heat = heat_->begin(model_, now.film.columns.T, of_cells(model_.domain.grid, now.oil));
+  if (!skin.empty()) now.heat.skin = std::move(skin);
+}
+
 bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmInTime& now) {
   constexpr double kGrows = 0.1;  // of the period: docs/decisions/039
   const bool first = !heat_;
@@ -89,9 +96,7 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
     if (!widening_.empty()) add(1.0, heat_->swelling(now.heat.skin), growth_.from);
     heat_->walls = std::move(walls);
   }
-  std::vector<double> skin = std::move(now.heat.skin);
-  now.heat = heat_->begin(model_, now.film.columns.T, of_cells(g, now.oil));
-  if (!skin.empty()) now.heat.skin = std::move(skin);
+  renew_heat(now);
   return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-/// The oil of a film over its cycles, led on from time to time to where the last of them lead
-/// (extrapolation.hpp): what a film gathers or loses in a hundred cycles it then does in a few.
+/// The oil of a film, and the journal that it carries, over their cycles, led on from time to time
+/// to where the last of them lead (extrapolation.hpp): what a film gathers or loses in a hundred
+/// cycles, and a whirl that dies out in as many, it then does in a few.
 #include <optional>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 namespace shellback::bearing {
 
-/// `oil`: all that film and vessels hold, as FilmSteps::oil_of tells it [kg/m2], [kg].
+/// `oil`: as FilmSteps::lasting_of tells it [kg].
 class LedOil {
  public:
   /// No cycle counts yet; the next one begins with this oil.
@@ -23,12 +24,15 @@ class LedOil {
   [[nodiscard]] std::optional<std::vector<double>> after(std::vector<double> oil, int cycles);
   /// The film has taken what after() had it led to, and holds this.
   void led_to(std::vector<double> oil);
-  void members(Tape& tape) { tape(counted_, begun_, plain_); }
+  /// Something has been led on since begin().
+  [[nodiscard]] bool led() const { return led_; }
+  void members(Tape& tape) { tape(counted_, begun_, plain_, led_); }
 
  private:
   std::vector<Iterate> counted_;  ///< cycles that lead on
   std::vector<double> begun_;     ///< with which the present cycle has begun
   int plain_ = 0;                 ///< cycles since the oil was led on
+  bool led_ = false;
 };
 
 }  // namespace shellback::bearing

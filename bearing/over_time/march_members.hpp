@@ -15,7 +15,8 @@ inline void members(Tape& tape, bearing::Instant& x) {
 }
 
 inline void members(Tape& tape, bearing::MarchEnd& x) {
-  auto& [verdict, t, at_rest, left_bounds, jumps, unfollowed] = x;
+  auto& [verdict, t, at_rest, left_bounds, jumps, unfollowed, warnings] = x;
+  EXPECTS(warnings.empty());  // told where a march has ended
   tape(verdict, t, at_rest, left_bounds, jumps, unfollowed);
 }
 

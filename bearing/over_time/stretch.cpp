@@ -5,6 +5,7 @@
 #include "bearing/first_film.hpp"
 #include "bearing/over_time/kept_run.hpp"
 #include "bearing/over_time/march_members.hpp"
+#include "bearing/told_limits.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -39,6 +40,10 @@ MarchEnd over_cycles(const Case& c, Tier tier, const WarmUpOptions& o, StretchEn
       march_over_cycles(passes, span, march, [&](const Instant& i) { tell(i, members); });
   last.model = passes.film().model();
   carried.bodies = std::move(march.bodies);
+  if (!end.verdict.good()) return end;
+  end.warnings = passes.result().warnings;
+  const auto own = std::min(c.warnings.size(), end.warnings.size());  // those of the case are first
+  end.warnings.erase(end.warnings.begin(), end.warnings.begin() + static_cast<std::ptrdiff_t>(own));
   return end;
 }
 
@@ -79,6 +84,7 @@ MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
   march.steps = o.steps;
   MarchEnd end = march_heat(s, stand, march, control, [&](const Instant& i) { tell(i, members); });
   carried.bodies->state = std::move(stand.bodies);
+  if (end.verdict.good()) end.warnings = warnings_of(s);
   return end;
 }
 

@@ -126,12 +126,12 @@ inline void members(Tape& tape, bearing::Cost& x) {
 }
 
 inline void members(Tape& tape, bearing::CycleResult& x) {
-  auto& [verdict, tier, title, period, crank_speed, cycles, closure, instants, quantities, audit,
-         fields, frames, limiters, warnings, assumptions, grid, cost, walls, steps, rejected_steps,
-         choice] = x;
-  tape(verdict, tier, title, period, crank_speed, cycles, closure, instants, quantities, audit,
-       fields, frames, limiters, warnings, assumptions, grid, cost, walls, steps, rejected_steps,
-       choice);
+  auto& [verdict, tier, title, period, crank_speed, cycles, closure, growth, instants, quantities,
+         audit, fields, frames, limiters, warnings, assumptions, grid, cost, walls, steps,
+         rejected_steps, choice] = x;
+  tape(verdict, tier, title, period, crank_speed, cycles, closure, growth, instants, quantities,
+       audit, fields, frames, limiters, warnings, assumptions, grid, cost, walls, steps,
+       rejected_steps, choice);
 }
 
 }  // namespace shellback

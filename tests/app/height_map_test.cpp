@@ -195,6 +195,26 @@ TEST_CASE("APatchTooSmallIsRefusedWithTheSizeThatWouldDo") {
   CHECK(report_refusal(options) == "described");
 }
 
+TEST_CASE("APointThatNoSurfaceHasIsToldWithItsPlace") {
+  const ScratchFolder scratch;
+  auto map = surface::gaussian_surface({200, 160, 1e-6, 1e-6, 2e-7, 5e-6, 5e-6});
+  SurfaceOptions options;
+  options.gaps = {1.0, 2.0, 4.0};
+  options.form = 1;
+  options.path = scratch.write("map.txt", written(map));
+  for (const std::string& note : describe_surface(options).notes) {
+    CHECK(note.find("stands out") == std::string::npos);
+  }
+  map.z[map.index(70, 40)] = 10e-6;  // fifty times its Rq
+  options.path = scratch.write("map.txt", written(map));
+  check_words(report_refusal(options), {"a point stands out", "x = 70 um", "y = 40 um", "--fill"});
+  options.error = 0.9;
+  const SurfaceReport r = describe_surface(options);
+  CHECK(std::any_of(r.notes.begin(), r.notes.end(), [](const std::string& note) {
+    return note.find("stands out") != std::string::npos;
+  }));
+}
+
 TEST_CASE("AFlatMapHasNoRoughness") {
   const ScratchFolder scratch;
   std::string text = "# Pitch: 1 um\n# Value units: um\n";

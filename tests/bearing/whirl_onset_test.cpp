@@ -3,7 +3,9 @@
 #include <complex>
 
 #include "app/words/ending_words.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "bearing/over_time/film_step.hpp"
+#include "bearing/over_time/orbit_growth.hpp"
 #include "bearing/solve.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -97,6 +99,56 @@ TEST_CASE("AJournalBeginsToWhirlAtTheCriticalMass", "[whirl]") {
       CHECK(in_time == Approx(linear).epsilon(0.1));  // two thousandths of the mass: steps damp
     }
   }
+}
+
+TEST_CASE("AnOrbitIsKeptToBelowTheCriticalMassAndNotAbove", "[whirl]") {
+  // A hundredth of the load turns with the journal: the orbit about the steady position that
+  // repeats itself exists on both sides of the threshold, and dies out or grows about it as the
+  // linear film has it. Cycles alone would take hundreds to come near.
+  Case c = plain_case();
+  c.supplies[0].arc = 20.0 * kDegree;
+  c.supplies[0].pressure = 1e5;
+  const Coefficients k = coefficients_of(c);
+  REQUIRE(k.whirl.verdict == WhirlVerdict::threshold);
+  const double turn = 2.0 * kPi / c.operation.omega;
+  const auto given = std::get<LoadGiven>(c.operation.position);
+  LoadCycle load;
+  for (int n = 0; n < 72; ++n) {
+    const double angle = 2.0 * kPi * n / 72;
+    load.t.push_back(angle / c.operation.omega);
+    load.x.push_back(given.force * (std::cos(given.angle) + 0.01 * std::cos(angle)));
+    load.y.push_back(given.force * (std::sin(given.angle) + 0.01 * std::sin(angle)));
+  }
+  load.period = turn;
+  for (const double part : {0.9, 0.98, 1.02}) {
+    load.journal_mass = part * k.whirl.critical_mass;
+    c.cycle = load;
+    const CycleResult r = solve_cycle(c, Tier::isothermal);
+    INFO(part << " of the critical mass: " << r.growth << "; " << app::reason_of(r.verdict));
+    const double a_turn = linear_growth(k, load.journal_mass, k.whirl.whirl_frequency);
+    const double linear = std::exp(a_turn * k.whirl.whirl_frequency / c.operation.omega);
+    CHECK(r.growth - 1.0 == Approx(linear - 1.0).epsilon(0.1).margin(3e-4));  // steps damp
+    CHECK(r.verdict.good() == (part < 1.0));
+    CHECK(r.cycles < 60);
+    if (part > 1.0) CHECK(r.verdict.status == Status::no_steady_state);
+  }
+}
+
+TEST_CASE("GrowthIsThatOfTheSlowestMotion", "[whirl]") {
+  // A motion that turns and grows, beside one that dies out at once and noise.
+  for (const double factor : {0.93, 0.999, 1.03}) {
+    std::vector<JournalState> states;
+    for (int n = 0; n < 10; ++n) {
+      const double r = std::pow(factor, n), fast = std::pow(0.1, n + 2), noise = 1e-6 * (n % 3);
+      states.push_back({1.0 + r * std::cos(2.5 * n), 2.0 + 0.4 * r * std::sin(2.5 * n + 0.3),
+                        r * std::cos(2.5 * n + 1.0) + 0.1 * fast, noise});
+    }
+    const auto growth = growth_per_cycle(states);
+    REQUIRE(growth);
+    CHECK(*growth == Approx(factor).epsilon(1e-3));
+  }
+  CHECK_FALSE(growth_per_cycle({{}, {}, {}}));
+  CHECK_FALSE(growth_per_cycle(std::vector<JournalState>(8, JournalState{1.0, 2.0, 0.0, 0.0})));
 }
 
 TEST_CASE("OilOfTheCavitatedFilmIsInTheOnsetOfWhirl", "[whirl]") {

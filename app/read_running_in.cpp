@@ -34,7 +34,7 @@ std::optional<bearing::RunningIn> read_running_in(const Section& file) {
                 "[running_in]");
   RunningIn r;
   r.wear_coefficient = section->quantity("wear_coefficient", kNumber.such_as("1e-8"), kPositive);
-  r.hardness = section->quantity_or("hardness", kPressure.such_as("600 MPa"), 0.0, "", kPositive);
+  r.hardness = section->quantity_or("hardness", kPressure.such_as("150 MPa"), 0.0, "", kPositive);
   read_end(*section, r);
   if (const auto worn = section->maybe_section("worn")) {
     r.worn = read_surface(*worn, "running_in.worn", false);

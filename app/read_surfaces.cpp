@@ -47,7 +47,7 @@ solid::ContactParameters read_contact(const Section& section) {
     contact.friction = section.quantity("friction", kNumber, kUpToOne);
   }
   contact.hardness =
-      section.quantity_or("hardness", kPressure.such_as("300 MPa"), 0.0, "", kPositive);
+      section.quantity_or("hardness", kPressure.such_as("150 MPa"), 0.0, "", kPositive);
   if (section.has("integral")) {
     contact.integral = section.choice<ContactIntegral>(
         "integral", {{"exact", ContactIntegral::exact}, {"power-law", ContactIntegral::power_law}});

@@ -138,6 +138,48 @@ std::string path_of(const OrbitFrame& frame, double c, const CycleResult& cycle)
   return points.size() > 1 ? line_path(points) : "";
 }
 
+/// What the path spans.
+struct Span {
+  Point middle;       ///< eccentricity ratios
+  double half = 0.0;  ///< of the longer side [-]
+};
+
+Span span_of(double c, const CycleResult& cycle) {
+  Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  for (const CycleInstant& i : cycle.instants) {
+    low = {std::min(low.x, i.ex / c), std::min(low.y, i.ey / c)};
+    high = {std::max(high.x, i.ex / c), std::max(high.y, i.ey / c)};
+  }
+  return {0.5 * (low + high), 0.5 * std::max(high.x - low.x, high.y - low.y)};
+}
+
+/// A path that start and arrows hide, once more and larger, on the far side of the circle's middle.
+void draw_small_path(Svg& svg, const OrbitFrame& frame, double c, const CycleResult& cycle,
+                     const Theme& theme) {
+  constexpr double kSmall = 0.08;  // of the clearance: some marks wide
+  constexpr double kInset = 0.3;   // half the inset over the circle's radius
+  constexpr double kFilled = 0.8;  // of the inset
+  const Span span = span_of(c, cycle);
+  if (!(span.half > 0.0) || !(span.half < kSmall)) return;
+  const double off = std::hypot(span.middle.x, span.middle.y);
+  const Point away = off > 0.0 ? (-1.0 / off) * span.middle : Point{1.0, 0.0};
+  const double half = kInset * frame.radius;
+  const Point middle = frame.at(0.5 * away.x, 0.5 * away.y);
+  const double times = kFilled * kInset / span.half;
+  const Box box{middle.x - half, middle.y - half, 2.0 * half, 2.0 * half};
+  svg.rect(box, theme.paper);
+  svg.frame(box, {theme.muted, 1.0, ""});
+  std::vector<Point> path;
+  for (const CycleInstant& i : cycle.instants) {
+    path.push_back({middle.x + times * frame.radius * (i.ex / c - span.middle.x),
+                    middle.y - times * frame.radius * (i.ey / c - span.middle.y)});
+  }
+  svg.stroke(line_path(path), {theme.series[0], 1.6, ""});
+  svg.circle(path.front(), kMark, theme.series[0], {theme.paper, 1.0, ""});
+  svg.text({box.x + 4.0, box.y + 12.0}, fmt::format("{:.2g} times", times),
+           {theme.muted, 10.0, Anchor::start});
+}
+
 }  // namespace
 
 OrbitFrame draw_orbit(Svg& svg, const Box& box, const bearing::Case& c, const CycleResult& cycle,
@@ -155,6 +197,7 @@ OrbitFrame draw_orbit(Svg& svg, const Box& box, const bearing::Case& c, const Cy
   const CycleInstant& start = cycle.instants.front();
   const Point p = frame.at(start.ex / clearance, start.ey / clearance);
   svg.circle(p, 4.6, theme.series[0], {theme.paper, 1.2, ""});
+  draw_small_path(svg, frame, clearance, cycle, theme);
   const double foot = box.y + kTop + 2.0 * (kRim + half);
   svg.text({box.x, foot - 2.0},
            fmt::format("Dot: start of the cycle. Numbers: {}. Arrows: load on the journal.",

@@ -54,9 +54,12 @@ class Panel {
           over_instants(t_, run_.instants, bars_, lines[k].value, lines[k].factor, lines[k].zero);
       series.name = lines[k].label;
       series.colour = theme_.series[k % theme_.series.size()];
-      for (const double v : series.y) {
-        low = std::min(low, v);
-        high = std::max(high, v);
+      for (std::size_t n = 0; n < series.y.size(); ++n) {
+        const double v = series.y[n];
+        const bool tells = series.bar[n] < std::abs(v);  // a longer one would hide the curve
+        const double bar = tells ? series.bar[n] : 0.0;
+        low = std::min(low, v - bar);
+        high = std::max(high, v + bar);
       }
       plot.series.push_back(series);
       const double end = steady_.value(lines[k].steady);

@@ -125,6 +125,16 @@ Json history(const bearing::Result& result) {
   return all;
 }
 
+Json supplies_json(const bearing::Result& result) {
+  Json all = Json::array();
+  for (const bearing::SupplyState& s : result.supplies) {
+    Json one = {{"flow", with_unit(s.flow, "m3/s")}};
+    if (std::isfinite(s.T_mixed)) one["T_mixed"] = with_unit(s.T_mixed, "K");
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
 Json audit_json(const bearing::Audit& a) {
   return {{"mass", number(a.mass)},
           {"energy", number(a.energy)},
@@ -143,6 +153,7 @@ Json to_json(const bearing::Case& c, const bearing::Result& result) {
   if (result.verdict.good()) json["tolerance"] = tolerance_json(c, result);
   json["title"] = result.title;
   json["quantities"] = quantities(result);
+  if (!result.supplies.empty()) json["supplies"] = supplies_json(result);
   json["audit"] = audit_json(result.audit);
   if (result.coefficients) json["coefficients"] = coefficients(*result.coefficients);
   if (!result.heat_roots.empty()) json["heat_roots"] = heat_roots(result);

@@ -14,6 +14,7 @@
 #include "app/words/effect_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_coefficients.hpp"
+#include "core/constants.hpp"
 #include "fidelity/grid_error.hpp"
 
 namespace shellback::app {
@@ -140,6 +141,21 @@ void print_tolerance(std::ostream& out, const Case& c, const Missed& missed) {
   for (const std::string& line : lines) out << line << '\n';
 }
 
+/// What each of several supplies feeds: of one the quantities tell it.
+void print_supplies(std::ostream& out, const Result& result) {
+  if (result.supplies.size() < 2) return;
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < result.supplies.size(); ++k) {
+    const bearing::SupplyState& s = result.supplies[k];
+    std::string line = fmt::format("supply.{}: {} m3/s into the film", k, figures(s.flow, 4));
+    if (std::isfinite(s.T_mixed)) {
+      line += fmt::format(", its oil mixed to {:.1f} degC", s.T_mixed - kZeroCelsius);
+    }
+    lines.push_back(line);
+  }
+  print_list(out, "supplies", lines);
+}
+
 void print_table(std::ostream& out, const Case* c, const Result& result) {
   const bearing::Measured measured = c != nullptr ? c->measured : bearing::Measured{};
   out << result.title << '\n';
@@ -150,6 +166,7 @@ void print_table(std::ostream& out, const Case* c, const Result& result) {
   if (c != nullptr) print_tolerance(out, *c, missed_tolerance(*c, result));
   if (const std::string open = undetermined_words(result); !open.empty()) out << open << '\n';
   print_coefficients(out, result);
+  print_supplies(out, result);
   const auto& a = result.audit;
   out << fmt::format("\naudit (relative)  mass {}  energy {}  load {}  moment {}\n",
                      audit_figure(a.mass), audit_figure(a.energy), audit_figure(a.load),

@@ -107,12 +107,20 @@ struct AutoChoice {
   std::vector<std::string> solved;  ///< what was solved on the way
 };
 
+/// A supply of the case.
+struct SupplyState {
+  double flow = 0.0;  ///< into the film, net [m3/s]
+  /// Of the oil in its vessel; not a number without film energy [K].
+  double T_mixed = std::numeric_limits<double>::quiet_NaN();
+};
+
 struct Result {
   Verdict verdict;
   Tier tier = Tier::isothermal;
   std::string title;
   std::vector<Quantity> quantities;  ///< what the tier knows, with bars
   Audit audit;
+  std::vector<SupplyState> supplies;  ///< in the order of the case
   std::vector<Effect> effects;
   std::vector<LimiterCount> limiters;
   std::vector<Note> warnings;

@@ -249,6 +249,18 @@ void add_supplies_that_take_back(const Solution& s, std::vector<Note>& out) {
   }
 }
 
+std::vector<SupplyState> supplies_of(const Solution& s) {
+  const auto flows = fluid::oil_flows(s.point.scene, s.film.flow);
+  const double rho = reference_density(s.model);
+  const bool heat = s.model.physics.film_energy && s.heat.known();
+  std::vector<SupplyState> all;
+  for (std::size_t k = 0; k < flows.patch.size(); ++k) {
+    all.push_back({flows.patch[k] / rho});
+    if (heat && k < s.heat.T_mix.size()) all.back().T_mixed = s.heat.T_mix[k];
+  }
+  return all;
+}
+
 /// A gap that is closed has no flow: such a state has nothing to sum up.
 bool evaluated(const FilmEquilibrium& film) { return !film.flow.phi.empty(); }
 
@@ -289,6 +301,7 @@ Result summarize(const Solution& s, Tier tier) {
   const Friction f = friction_of(m, s.point, s.film);
   r.quantities = quantities_of(s, tier);
   r.audit = audit_of(s, f);
+  r.supplies = supplies_of(s);
   r.effects = effects_of(s, f);
   if (m.physics.film_energy && fluid::oil_flows(s.point.scene, s.film.flow).side_inflow > 0.0) {
     r.assumptions.push_back(note::Plain::edge_oil_as_supply);

@@ -54,6 +54,32 @@ LoadCycle standing(const Case& c) {
 
 }  // namespace
 
+TEST_CASE("EverySupplyTellsItsFlowAndItsTemperature", "[groove_heat]") {
+  // Two grooves, one of them where the loaded film runs into it: what both feed is the whole flow,
+  // the mean of their oil by it the whole temperature; the one behind the load is the hotter one.
+  Case c = groove_with(ChannelHeat{});
+  c.supplies[0].arc = 0.3;
+  Supply other = c.supplies[0];
+  other.angle += kPi;
+  c.supplies.push_back(other);
+  const Solution s = solve_tier(c, Tier::thd);
+  REQUIRE(s.verdict.good());
+  const Result r = summarize(s, Tier::thd);
+  REQUIRE(r.supplies.size() == 2);
+  double flow = 0.0, by_flow = 0.0, fed = 0.0;
+  for (const SupplyState& supply : r.supplies) {
+    flow += supply.flow;
+    by_flow += std::max(supply.flow, 0.0) * supply.T_mixed;
+    fed += std::max(supply.flow, 0.0);
+    CHECK(supply.T_mixed > c.supplies[0].temperature);
+  }
+  CHECK(flow == Approx(r.values().supply_flow).epsilon(1e-9));
+  CHECK(by_flow / fed == Approx(r.values().T_supply_mixed).epsilon(1e-12));
+  CHECK(std::abs(r.supplies[0].T_mixed - r.supplies[1].T_mixed) > 0.1);
+  const Result cool = summarize(solve_tier(c, Tier::isothermal), Tier::isothermal);
+  CHECK(std::isnan(cool.supplies[0].T_mixed));
+}
+
 TEST_CASE("HeatOfAGrooveWithItsWallsIsConserved", "[groove_heat]") {
   double before = 0.0;
   for (const double h : {0.0, 500.0, 5000.0}) {

@@ -180,8 +180,11 @@ std::string how_it_ran(const bearing::Case& c, const CycleResult& cycle) {
   std::string words = fmt::format("{} cycle{}", cycle.cycles, cycle.cycles == 1 ? "" : "s");
   if (closed) words += fmt::format(", the last two agree within {:.1e}", cycle.closure);
   if (cycle.growth < 1.0) {
-    words += fmt::format(", a displaced journal comes back by {:.2g} % in each",
-                         100.0 * (1.0 - cycle.growth));
+    constexpr double kAtOnce = 0.05;
+    words += cycle.growth < kAtOnce
+                 ? ", displaced, journal and oil come back at once"
+                 : fmt::format(", displaced, journal and oil come back by {:.2g} % in each",
+                               100.0 * (1.0 - cycle.growth));
   }
   words += steps;
   return timed ? words + "; period " + length : words;

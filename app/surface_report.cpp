@@ -142,7 +142,9 @@ void judge_size(const SurfaceReport& r) {
   const double error = c.error_of_Rq(kurtosis), allowed = r.options.error;
   const bool unknown = c.longest.at_least && c.shortest.at_least;
   if (error <= allowed && !unknown) return;
-  if (const std::string spikes = spike_words(r); !spikes.empty() && !unknown) {
+  constexpr double kGaussian = 3.0;  // Rku: with it alone, is the patch large enough?
+  const std::string spikes = spike_words(r);
+  if (!spikes.empty() && !unknown && c.error_of_Rq(kGaussian) <= allowed) {
     throw InputError(r.options.path,
                      fmt::format("Rq has a standard error of {:.0f} %, and {:.3g} % is allowed; {}",
                                  100.0 * error, 100.0 * allowed, spikes));

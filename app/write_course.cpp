@@ -126,34 +126,46 @@ void draw_over_speed(Svg& svg, const Box& box, const std::vector<Stretch>& stret
   draw_lines(svg, box, plot, theme);
 }
 
-/// What the films at the ends say, each kind once, with the first speed at which it does. Where
-/// they leave the oil's range is told of the whole course.
+/// The supply that a note is of, -1: none.
+int supply_of(const bearing::Note& note) {
+  return std::visit(
+      [](const auto& n) {
+        if constexpr (requires { n.supply; }) {
+          return static_cast<int>(n.supply);
+        } else {
+          return -1;
+        }
+      },
+      note);
+}
+
+/// What the films at the ends say, each kind once (of each supply), with the first speed at which
+/// it does. Where they leave the oil's range is told of the whole course.
 std::vector<std::string> words_at_ends(const std::vector<Stretch>& stretches,
                                        const CourseRun& run) {
   struct Told {
-    std::size_t kind = 0;  ///< alternative of Note
-    double speed = 0.0;    ///< [rpm]
+    std::pair<std::size_t, int> kind;  ///< alternative of Note, supply
     std::string words;
-    int others = 0;
+    std::vector<double> speeds;  ///< [rpm]
   };
   std::vector<Told> all;
   for (std::size_t k = 0; k < run.warnings.size(); ++k) {
     for (const bearing::Note& note : run.warnings[k]) {
       if (std::holds_alternative<bearing::note::BeyondOilRange>(note)) continue;
-      const auto same = std::find_if(all.begin(), all.end(),
-                                     [&](const Told& told) { return told.kind == note.index(); });
-      if (same != all.end()) {
-        same->others += 1;
-      } else {
-        all.push_back({note.index(), rpm(stretches[k]), words_of(note)});
-      }
+      const std::pair kind{note.index(), supply_of(note)};
+      auto told = std::find_if(all.begin(), all.end(),
+                               [&](const Told& other) { return other.kind == kind; });
+      if (told == all.end()) told = all.insert(told, {kind, words_of(note), {}});
+      std::vector<double>& at = told->speeds;
+      const double speed = rpm(stretches[k]);
+      if (std::find(at.begin(), at.end(), speed) == at.end()) at.push_back(speed);
     }
   }
   std::vector<std::string> words;
   for (const Told& told : all) {
-    words.push_back(fmt::format("at {:.6g} rpm{}: {}", told.speed,
-                                told.others == 0 ? "" : fmt::format(" and {} more", told.others),
-                                told.words));
+    const std::size_t more = told.speeds.size() - 1;
+    words.push_back(fmt::format("at {:.6g} rpm{}: {}", told.speeds.front(),
+                                more == 0 ? "" : fmt::format(" and {} more", more), told.words));
   }
   return words;
 }

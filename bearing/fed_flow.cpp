@@ -11,7 +11,7 @@
 namespace shellback::bearing {
 namespace {
 
-/// Along a side edge the gap changes: as much of it is taken together [rad].
+/// Along a side edge the gap changes: about as much of it is taken together [rad].
 constexpr double kPiece = kPi / 6.0;
 
 enum Side { upstream, downstream, low_z, high_z };
@@ -38,8 +38,7 @@ class Outflows {
     const double m = std::max(std::min(pressed, net), 0.0);
     const bool along = side == low_z || side == high_z;
     const double from = std::remainder(scene_.grid.phi[k / scene_.grid.nz] - p.phi, 2.0 * kPi);
-    const int piece = along ? static_cast<int>(std::lround(from / kPiece)) : 0;
-    Outflow& o = by_side_[{patch, side, piece}];
+    Outflow& o = by_side_[{patch, side, along ? piece_of(p.arc, from) : 0}];
     o.m += m;
     o.section += film_.oil.density[k] * film_.shear_gap[k] * width;
     o.width += width;
@@ -65,6 +64,14 @@ class Outflows {
   }
 
  private:
+  /// Of the equal pieces, about kPiece long, of an arc, `from` its middle [rad].
+  static int piece_of(double arc, double from) {
+    const double whole = std::min(arc, 2.0 * kPi);
+    const long pieces = std::max(1L, std::lround(whole / kPiece));
+    const double part = (from + 0.5 * whole) / whole * static_cast<double>(pieces);
+    return static_cast<int>(std::clamp(part, 0.0, static_cast<double>(pieces) - 0.5));
+  }
+
   const fluid::FilmScene& scene_;
   const Evaluation& film_;
   std::map<std::array<int, 3>, Outflow> by_side_;  ///< patch, side, piece

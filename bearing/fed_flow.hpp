@@ -1,9 +1,9 @@
 #pragma once
 /// How fast oil is pressed out of supplies: what a film without inertia does not know.
 ///
-/// On each side of a supply's patch, along the side edges in pieces of 30 degrees, with the
-/// pressure-driven part m_p of the mass flow out of it, of no face more than leaves there on the
-/// whole, widths w and gaps h of the film's cells there,
+/// On each side of a supply's patch, along the side edges in equal pieces of about 30 degrees, with
+/// the pressure-driven part m_p of the mass flow out of it, of no face more than leaves there on
+/// the whole, widths w and gaps h of the film's cells there,
 ///   u = sum m_p/sum(rho h w),   Re = rho u h/eta,   head = 1/2 rho u^2                         (1)
 /// A mean over the side: at a patch's corners the flow of a film without inertia has no bound.
 /// Oil that enters a gap takes its head from the pressure that drives it (textbook: Bernoulli).

@@ -83,7 +83,8 @@ EndBars end_bars(const std::vector<Stretch>& stretches, const WarmUpOptions& opt
     if (longer) o.error *= kErrorOfTwice;
     try {
       const CourseRun other = run_course(on, c.model.tier, o, within);
-      return other.end.left_bounds ? Times{other.end.t} : Times{};
+      if (other.end.left_bounds) return Times{other.end.t};
+      return other.end.verdict.good() ? Times{INFINITY} : Times{};  // its film lasts
     } catch (const InputError&) {  // the grid cannot carry the supplies
       return Times{};
     }
@@ -96,9 +97,12 @@ EndBars end_bars(const std::vector<Stretch>& stretches, const WarmUpOptions& opt
     values.push_back({cell_size(grid), times.front(), 0.0});
   }
   values.push_back({cell_size(c.model.grid), run.end.t, 0.0});
-  bars.grid = grid_bar(values, values.back().h).bar;
+  const bool all = std::all_of(values.begin(), values.end(),
+                               [](const GridValue& v) { return std::isfinite(v.value); });
+  if (all) bars.grid = grid_bar(values, values.back().h).bar;
   if (coarse.joined.empty()) return bars;
   const double change = coarse.joined.front() - coarse.usual.back().second.front();
+  if (!std::isfinite(change)) return bars;
   bars.time = part_of_steps(kOrder) * std::abs(change);
   return bars;
 }
@@ -145,7 +149,7 @@ MarchBars march_bars(const Case& c, const WarmUpOptions& options, const WarmUp& 
   as_course.over_cycles = c.cycle.has_value();
   as_course.solution = run.solution;
   as_course.end = run.end;
-  // Twice as late on a coarser grid is a bar that tells all.
+  // A coarser grid whose film lasts twice as long tells no bar.
   const double duration = std::min(options.end, 2.0 * run.end.t);
   return march_bars({Stretch{c, duration}}, options, as_course, control);
 }

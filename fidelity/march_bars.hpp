@@ -4,7 +4,8 @@
 /// edge_error.hpp tells of the end, as a part of itself; and of the steps, which are of second
 /// order under a steady load (heat_march.hpp) and of first over cycles (march_over_cycles.hpp).
 /// Where no film is left, the time of that has bars of its own: from marches on the same grids in
-/// steps of their own, and in some twice as long. Three threads at most.
+/// steps of their own, and in some twice as long; not known where the film of one of them lasts.
+/// Three threads at most.
 #include <cmath>
 
 #include "bearing/over_time/course.hpp"

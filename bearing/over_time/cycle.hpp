@@ -112,8 +112,8 @@ struct CycleResult {
   double crank_speed = 0.0;  ///< crank angle per time [rad/s]; 0: told in time
   int cycles = 0;            ///< that were run
   double closure = std::numeric_limits<double>::quiet_NaN();  ///< between the last two [-]
-  /// Of a small displacement of the journal in a cycle (orbit_growth.hpp); looked at where what
-  /// goes slowly was led on, else not known [-].
+  /// Of a small displacement of the journal, and of the oil that it moves, in a cycle
+  /// (orbit_growth.hpp); looked at where what goes slowly was led on, else not known [-].
   double growth = std::numeric_limits<double>::quiet_NaN();
   std::vector<CycleInstant> instants;     ///< of the last cycle; the first stands at t = 0
   std::vector<CycleQuantity> quantities;  ///< means, smallest and largest

@@ -108,10 +108,15 @@ bool CyclePasses::put_lasting(const std::vector<double>& carried) {
   return false;
 }
 
-bool CyclePasses::displace() {
+double CyclePasses::displacement() const {
   constexpr double kDisplaced = 1e-3;  // of the clearance
-  now_.film.position.q[0] += kDisplaced * film_.model().clearance;
-  return film_.reshape(now_);
+  return kDisplaced * film_.model().clearance * film_.unit_of_place();
+}
+
+bool CyclePasses::displace() {
+  JournalState journal = film_.journal_of(now_);
+  journal[0] += displacement();
+  return film_.put_journal(journal, now_);
 }
 
 Tape::Content CyclePasses::stand() {

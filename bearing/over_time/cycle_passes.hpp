@@ -82,8 +82,10 @@ class CyclePasses {
   /// close the gap: false, with the verdict.
   [[nodiscard]] std::vector<double> lasting() const { return film_.lasting_of(now_); }
   bool put_lasting(const std::vector<double>& carried);
-  /// Displaces the journal by a thousandth of the clearance; false if that closes the gap.
+  /// Displaces the journal by a thousandth of the clearance, as much in the unit of journal();
+  /// false if that closes the gap.
   [[nodiscard]] bool displace();
+  [[nodiscard]] double displacement() const;
   [[nodiscard]] JournalState journal() const { return film_.journal_of(now_); }
   /// All of it between two passes, and the same put back, but for what was spent meanwhile.
   [[nodiscard]] Tape::Content stand();

@@ -29,13 +29,23 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
 
 void CycleSearch::members(Tape& tape) {
   tape(closure_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
-       round_change_, stalled_, growth_, displaced_);
+       round_change_, stalled_, growth_, led_, displaced_);
   tape(walls_begun_, answers_);
 }
 
 void CycleSearch::ended(Tape& tape) {
   passes_.members(tape);
   tape(closure_, answered_, off_, mean_change_, wall_change_, unsettled_, growth_);
+}
+
+void CycleSearch::begin(const CycleSearch& coarser) {
+  passes_.begin(coarser.passes_);
+  led_ = coarser.led_;
+}
+
+void CycleSearch::found(Tape& tape) {
+  passes_.found(tape);
+  tape(led_);
 }
 
 void CycleSearch::begin(Tape& tape) {
@@ -76,12 +86,12 @@ void CycleSearch::until_closed(double within) {
     closure_ = {};
     oil_.begin(passes_.lasting());
   }
-  while (!displaced_ && pass() && repeats() && !closure_.closed(within)) {
+  while (pass() && repeats() && !closure_.closed(within)) {
     const bool seen = std::isfinite(closure_.last);  // of a cycle that was not begun with led oil
     lead_oil_on();
+    if (!verdict().good()) return;
     if ((cycles() >= most_ || passes_.spent()) && seen) return cycles_unsettled();
   }
-  if (verdict().good() && oil_.led()) judge_orbit();
 }
 
 void CycleSearch::come_back() {
@@ -89,26 +99,33 @@ void CycleSearch::come_back() {
   displaced_.reset();
 }
 
-void CycleSearch::judge_orbit() {
+const Verdict& CycleSearch::judge_orbit() {
   constexpr int kDying = 2, kSeen = 10;  // cycles in which all but the slowest dies out, and after
-  if (!(film().model().input.cycle->journal_mass > 0.0)) return;
+  const bool carried = film().model().input.cycle->journal_mass > 0.0;
+  if (!verdict().good() || !led_ || !carried) return verdict();
   if (!displaced_) {
     displaced_ = Displaced{passes_.stand(), {}};
-    if (!passes_.displace()) return come_back();
+    if (!passes_.displace()) {
+      come_back();
+      return verdict();
+    }
   }
   const auto rest = [this](Tape& tape) { members(tape); };
   while (displaced_->ends.size() < kDying + kSeen && passes_.pass(rest)) {
     displaced_->ends.push_back(passes_.journal());
   }
-  if (passes_.verdict().status == Status::interrupted) return;
+  if (passes_.verdict().status == Status::interrupted) return verdict();
   std::vector<JournalState> seen = std::move(displaced_->ends);
+  const double displaced = passes_.displacement();
   come_back();
-  if (seen.size() < kDying + kSeen) return;  // displaced, it does not pass the cycle
+  if (seen.size() < kDying + kSeen) return verdict();  // displaced, it does not pass the cycle
   seen.erase(seen.begin(), seen.begin() + kDying);
-  growth_ = growth_per_cycle(seen).value_or(NAN);
-  if (!(growth_ >= 1.0)) return;
-  unsettled_ = {Status::no_steady_state,
-                ending::Unsettled{ending::Iteration::orbit, cycles(), growth_ - 1.0}};
+  growth_ = growth_per_cycle(seen, displaced).value_or(NAN);
+  if (growth_ >= 1.0) {
+    unsettled_ = {Status::no_steady_state,
+                  ending::Unsettled{ending::Iteration::orbit, cycles(), growth_ - 1.0}};
+  }
+  return verdict();
 }
 
 void CycleSearch::lead_oil_on() {
@@ -116,6 +133,7 @@ void CycleSearch::lead_oil_on() {
   const auto leads_to = oil_.after(passes_.lasting(), cycles());
   if (!leads_to || !passes_.put_lasting(*leads_to)) return;
   oil_.led_to(passes_.lasting());
+  led_ = true;
   closure_.lead_on();
 }
 
@@ -198,7 +216,7 @@ void CycleSearch::cycles_unsettled() {
 }
 
 const Verdict& CycleSearch::search(bool rough) {
-  if (!verdict().good()) return verdict();
+  if (!verdict().good() || displaced_) return verdict();  // displaced: found before
   if (!brought_back()) {
     most_ = cycles() + kMostCycles;
     round_change_ = INFINITY;

@@ -32,7 +32,7 @@ class CycleSearch {
   /// if there is one.
   void begin(double T) { passes_.begin(T); }
   /// From what a search on a coarser grid has found.
-  void begin(const CycleSearch& coarser) { passes_.begin(coarser.passes_); }
+  void begin(const CycleSearch& coarser);
   /// As begin(T), between walls that are held from here on, whatever heat enters them.
   void begin_between(const WallMeans& walls, double T);
   /// From what a search of the same bearing with a shell of another shape has found, on the same
@@ -41,7 +41,7 @@ class CycleSearch {
   /// From what a tape has kept in the middle of a cycle; search() goes on from there.
   void begin(Tape& tape);
   /// For a tape: what a search on a finer grid takes from one that has ended.
-  void found(Tape& tape) { passes_.found(tape); }
+  void found(Tape& tape);
   /// For a tape: all of a search that has ended, or one that has just been made in its place.
   void ended(Tape& tape);
   /// From where it stands, in a film of another temperature [K]; an event begins anew.
@@ -55,6 +55,9 @@ class CycleSearch {
 
   /// Searches; `rough`: only so far as a finer grid needs to begin.
   const Verdict& search(bool rough);
+  /// Of a periodic state that was found: cycles that were led on may lead to an orbit that no
+  /// journal keeps to, so what a displaced one does in some cycles more (orbit_growth.hpp).
+  const Verdict& judge_orbit();
   /// The periodic state of a shape that has hardly changed since begin_reshaped(): cycles until the
   /// film ends one as it began it, within the error of a step in time, and the walls agree with its
   /// heat within a tenth of a kelvin.
@@ -80,9 +83,6 @@ class CycleSearch {
   bool pass(const WallMeans* between = nullptr);
   /// Cycles until two agree within `within`, between walls that stay as they are.
   void until_closed(double within);
-  /// Cycles that were led on may lead to an orbit that no journal keeps to: what a displaced one
-  /// does in some cycles more.
-  void judge_orbit();
   void come_back();
   /// From time to time, the oil to which the last cycles lead.
   void lead_oil_on();
@@ -103,6 +103,7 @@ class CycleSearch {
 
   CyclePasses passes_;
   Closure closure_;
+  bool led_ = false;     ///< anything, on this grid or a coarser one
   double growth_ = NAN;  ///< CycleResult::growth
   std::optional<Displaced> displaced_;
   LedOil oil_;

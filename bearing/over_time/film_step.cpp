@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/film_heat.hpp"
 #include "bearing/film_motion.hpp"
 #include "bearing/newton.hpp"
 #include "bearing/pockets.hpp"
@@ -441,45 +442,46 @@ void FilmSteps::put_oil(const std::vector<double>& oil, FilmInTime& now) const {
   }
 }
 
-namespace {
-
-/// Oil by which a film of `cells` changes if its journal moves by a metre [kg/m], or, over `unit`
-/// [s], by a metre a second [kg s/m]: as the root of the sum over cells, each of which sees it.
-std::array<double, 2> oil_by_journal(const FilmGrid& g, double density, double unit) {
+double FilmSteps::unit_of_place() const {
+  const FilmGrid& g = model_.domain.grid;
   double squares = 0.0;
   for (int c = 0; c < g.cells(); ++c) squares += std::pow(g.area(c / g.nz, c % g.nz), 2);
-  const double by_place = density * std::sqrt(0.5 * squares);
-  return {by_place, by_place * unit};
+  return reference_density(model_) * std::sqrt(0.5 * squares);
 }
 
-}  // namespace
-
-std::vector<double> FilmSteps::lasting_of(const FilmInTime& now) const {
-  std::vector<double> carried = oil_of(now);
-  if (!(mass_ > 0.0)) return carried;
-  const JournalState journal = journal_of(now);
-  carried.insert(carried.end(), journal.begin(), journal.end());
-  return carried;
+double FilmSteps::unit_of_velocity() const {
+  return unit_of_place() * model_.input.cycle->length() / (2.0 * kPi);
 }
 
 JournalState FilmSteps::journal_of(const FilmInTime& now) const {
-  const auto [place, speed] = oil_by_journal(model_.domain.grid, now.film.oil.density[0],
-                                             model_.input.cycle->length() / (2.0 * kPi));
-  return {place * now.film.position.q[0], place * now.film.position.q[1], speed * now.velocity[0],
-          speed * now.velocity[1]};
+  const double place = unit_of_place(), velocity = unit_of_velocity();
+  const auto& q = now.film.position.q;
+  return {place * q[0], place * q[1], velocity * now.velocity[0], velocity * now.velocity[1]};
 }
 
-bool FilmSteps::put_lasting(const std::vector<double>& carried, FilmInTime& now) {
+bool FilmSteps::put_journal(const JournalState& journal, FilmInTime& now) {
+  for (int k = 0; k < 2; ++k) now.film.position.q[k] = journal[k] / unit_of_place();
+  for (int k = 0; k < 2; ++k) now.velocity[k] = journal[2 + k] / unit_of_velocity();
+  if (!reshape(now)) return false;
+  renew_heat(now);
+  return true;
+}
+
+std::vector<double> FilmSteps::lasting_of(const FilmInTime& now) const {
+  std::vector<double> lasting = oil_of(now);
+  if (!(mass_ > 0.0)) return lasting;
+  const JournalState journal = journal_of(now);
+  lasting.insert(lasting.end(), journal.begin(), journal.end());
+  return lasting;
+}
+
+bool FilmSteps::put_lasting(const std::vector<double>& lasting, FilmInTime& now) {
   if (mass_ > 0.0) {
-    const auto [place, speed] = oil_by_journal(model_.domain.grid, now.film.oil.density[0],
-                                               model_.input.cycle->length() / (2.0 * kPi));
-    const double* journal = carried.data() + carried.size() - 4;
-    for (int k = 0; k < 2; ++k) now.film.position.q[k] = journal[k] / place;
-    for (int k = 0; k < 2; ++k) now.velocity[k] = journal[2 + k] / speed;
-    if (!reshape(now)) return false;
-    renew_heat(now);
+    JournalState journal;
+    std::copy(lasting.end() - 4, lasting.end(), journal.begin());
+    if (!put_journal(journal, now)) return false;
   }
-  put_oil(carried, now);
+  put_oil(lasting, now);
   return true;
 }
 

@@ -120,10 +120,17 @@ class FilmSteps {
   /// What may come to rest only over many periods: that oil, and, where it has a mass, place and
   /// velocity of the journal, as the oil that the film would gain or lose by them [kg].
   [[nodiscard]] std::vector<double> lasting_of(const FilmInTime& now) const;
-  [[nodiscard]] JournalState journal_of(const FilmInTime& now) const;
   /// Puts it back: the journal where it is told, oil as put_oil() does. False if the gap is closed
   /// there.
-  [[nodiscard]] bool put_lasting(const std::vector<double>& carried, FilmInTime& now);
+  [[nodiscard]] bool put_lasting(const std::vector<double>& lasting, FilmInTime& now);
+  /// Place and velocity of the journal as they stand there [kg]. Put back, oil keeps its fill
+  /// ratios where the gap has changed; false if it is closed.
+  [[nodiscard]] JournalState journal_of(const FilmInTime& now) const;
+  [[nodiscard]] bool put_journal(const JournalState& journal, FilmInTime& now);
+  /// Oil by which the film changes if its journal moves by a metre [kg/m], as the root of the sum
+  /// over cells, each of which sees it; velocities count as places after a radian of the period.
+  [[nodiscard]] double unit_of_place() const;
+  [[nodiscard]] double unit_of_velocity() const;
   /// Puts the oil that it tells first into cavitated cells, as much as they hold, and into vessels;
   /// full cells keep theirs, and the slope dM/dt stays that of before, less by the share of what is
   /// taken out: the next step errs by its share of what was put in, which ends as that does.

@@ -15,7 +15,6 @@ constexpr std::size_t kLeading = 8;  ///< last cycles that lead on
 
 void LedOil::begin(std::vector<double> oil) {
   counted_.clear();
-  led_ = false;
   begun_ = std::move(oil);
 }
 
@@ -32,7 +31,6 @@ std::optional<std::vector<double>> LedOil::after(std::vector<double> oil, int cy
 void LedOil::led_to(std::vector<double> oil) {
   begun_ = std::move(oil);
   plain_ = 0;
-  led_ = true;
 }
 
 }  // namespace shellback::bearing

@@ -24,15 +24,12 @@ class LedOil {
   [[nodiscard]] std::optional<std::vector<double>> after(std::vector<double> oil, int cycles);
   /// The film has taken what after() had it led to, and holds this.
   void led_to(std::vector<double> oil);
-  /// Something has been led on since begin().
-  [[nodiscard]] bool led() const { return led_; }
-  void members(Tape& tape) { tape(counted_, begun_, plain_, led_); }
+  void members(Tape& tape) { tape(counted_, begun_, plain_); }
 
  private:
   std::vector<Iterate> counted_;  ///< cycles that lead on
   std::vector<double> begun_;     ///< with which the present cycle has begun
   int plain_ = 0;                 ///< cycles since the oil was led on
-  bool led_ = false;
 };
 
 }  // namespace shellback::bearing

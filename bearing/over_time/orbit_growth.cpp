@@ -3,28 +3,46 @@
 #include <Eigen/Dense>
 
 namespace shellback::bearing {
+namespace {
 
-std::optional<double> growth_per_cycle(const std::vector<JournalState>& states) {
-  constexpr double kSeen = 0.01;  // of the largest difference [-]
-  const auto n = static_cast<Eigen::Index>(states.size()) - 2;
-  if (n < 2) return std::nullopt;
-  const auto change = [&](Eigen::Index k) -> Eigen::Vector4d {
-    return Eigen::Map<const Eigen::Vector4d>(states[k + 1].data()) -
-           Eigen::Map<const Eigen::Vector4d>(states[k].data());
+/// Differences between the ends of cycles, as far as something is left of the disturbance.
+Eigen::MatrixXd differences(const std::vector<JournalState>& states, double displaced) {
+  constexpr double kLeft = 1e-3;  // of the disturbance [-]
+  const auto at = [&](std::size_t k) {
+    return Eigen::Map<const Eigen::Vector4d>(states[k].data());
   };
-  Eigen::MatrixXd before(4, n), after(4, n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    before.col(k) = change(k);
-    after.col(k) = change(k + 1);
+  Eigen::MatrixXd d(4, static_cast<Eigen::Index>(states.size()));
+  Eigen::Index n = 0;
+  for (std::size_t k = 0; k + 1 < states.size(); ++k) {
+    d.col(n) = at(k + 1) - at(k);
+    if (!(d.col(n).norm() > kLeft * displaced)) break;
+    ++n;
   }
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(before, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  return d.leftCols(n);
+}
+
+/// Largest of the last three over largest of the first three.
+double kept(const Eigen::MatrixXd& d) {
+  return d.rightCols(3).colwise().norm().maxCoeff() / d.leftCols(3).colwise().norm().maxCoeff();
+}
+
+}  // namespace
+
+std::optional<double> growth_per_cycle(const std::vector<JournalState>& states, double displaced) {
+  constexpr double kSeen = 0.01;  // of the largest difference [-]
+  constexpr double kFell = 0.5;   // an ellipse passed in other places each time is within it [-]
+  const Eigen::MatrixXd d = differences(states, displaced);
+  if (d.cols() < 3) return 0.0;
+  const Eigen::Index n = d.cols() - 1;
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(d.leftCols(n), Eigen::ComputeThinU | Eigen::ComputeThinV);
   svd.setThreshold(kSeen);
   const Eigen::Index rank = svd.rank();
-  if (!before.allFinite() || !after.allFinite() || rank == 0) return std::nullopt;
   const Eigen::MatrixXd inverse =
       svd.matrixV().leftCols(rank) * svd.singularValues().head(rank).cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd M = svd.matrixU().leftCols(rank).transpose() * after * inverse;
-  return M.eigenvalues().cwiseAbs().maxCoeff();
+  const Eigen::MatrixXd M = svd.matrixU().leftCols(rank).transpose() * d.rightCols(n) * inverse;
+  const double growth = M.eigenvalues().cwiseAbs().maxCoeff();
+  if (growth >= 1.0 && kept(d) < kFell) return std::nullopt;
+  return growth;
 }
 
 }  // namespace shellback::bearing

@@ -24,7 +24,7 @@ std::unique_ptr<CycleSearch> on_one_grid(const Case& c, Tier tier, const SolveCo
                                          Cost& cost) {
   auto search = std::make_unique<CycleSearch>(c, tier, control);
   begin_or_take_up(*search, control, [&] { search->begin(equivalent_temperature(c)); });
-  search->search(false);
+  if (search->search(false).good()) search->judge_orbit();
   cost.factorizations = search->cost().factorizations;
   cost.newton_iterations = search->cost().newton_iterations;
   return search;
@@ -34,7 +34,8 @@ std::unique_ptr<CycleSearch> on_one_grid(const Case& c, Tier tier, const SolveCo
 CycleResult at_one_temperature(const Case& c, const SolveControl& control) {
   CycleSearch search(c, Tier::lumped, control);
   begin_or_take_up(search, control, [&] { search.begin(mean_supply_temperature(c)); });
-  const Verdict v = settle_lumped_cycle(search, c);
+  Verdict v = settle_lumped_cycle(search, c);
+  if (v.good()) v = search.judge_orbit();
   CycleResult r = search.result();
   r.verdict = v;
   return r;
@@ -69,6 +70,7 @@ std::unique_ptr<CycleSearch> on_grids(const Case& c, Tier tier, const SolveContr
       }
     });
     const Verdict& v = search->search(!last);
+    if (last && v.good()) search->judge_orbit();
     cost.factorizations += search->cost().factorizations;
     cost.newton_iterations += search->cost().newton_iterations;
     if (last || v.status == Status::interrupted) return search;

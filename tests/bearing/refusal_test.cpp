@@ -174,6 +174,27 @@ TEST_CASE("OilThatIsFedTooFastIsTold", "[refusal]") {
   CHECK(told(0.11));
 }
 
+TEST_CASE("OilFedOutOfAGrooveHasASpeedOfItsOwn", "[refusal]") {
+  // Single faces at a groove's corners are the faster the smaller they are (by a half between these
+  // grids). Arcs about a piece's own length are cut alike.
+  Case c = plain_case();
+  c.supplies[0].pressure = 5e5;
+  c.supplies[0].length = 0.7 * c.bearing.width;
+  std::vector<double> parts;
+  for (const double arc : {29.0, 31.0}) {
+    c.supplies[0].arc = arc * kDegree;
+    for (const auto& grid : {std::array{60, 12}, std::array{120, 24}}) {
+      c.model.grid = grid;
+      const Solution s = solve_tier(c, Tier::isothermal);
+      REQUIRE(s.verdict.good());
+      parts.push_back(fed_flow(s.point.scene, s.film).part);
+    }
+  }
+  const auto [least, most] = std::minmax_element(parts.begin(), parts.end());
+  CHECK(*least > 0.0);
+  CHECK(*most < 1.35 * *least);
+}
+
 TEST_CASE("WhereAFilmWithHeatEndsIsItsOwnEnd", "[refusal]") {
   // Far beyond what it carries the film in oil of the supply's temperature ends elsewhere: thicker
   // oil carries more. What a refusal names must be carried, a tenth less at least, and no more.

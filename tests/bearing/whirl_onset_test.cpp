@@ -1,6 +1,7 @@
 // Oil whirl in time: where the threshold of the linear film says it begins.
 #include <catch2/catch.hpp>
 #include <complex>
+#include <random>
 
 #include "app/words/ending_words.hpp"
 #include "bearing/over_time/cycle.hpp"
@@ -143,12 +144,27 @@ TEST_CASE("GrowthIsThatOfTheSlowestMotion", "[whirl]") {
       states.push_back({1.0 + r * std::cos(2.5 * n), 2.0 + 0.4 * r * std::sin(2.5 * n + 0.3),
                         r * std::cos(2.5 * n + 1.0) + 0.1 * fast, noise});
     }
-    const auto growth = growth_per_cycle(states);
+    const auto growth = growth_per_cycle(states, 1.0);
     REQUIRE(growth);
     CHECK(*growth == Approx(factor).epsilon(1e-3));
   }
-  CHECK_FALSE(growth_per_cycle({{}, {}, {}}));
-  CHECK_FALSE(growth_per_cycle(std::vector<JournalState>(8, JournalState{1.0, 2.0, 0.0, 0.0})));
+  // What has died out leaves noise alone, which grows as often as not.
+  CHECK(growth_per_cycle(std::vector<JournalState>(8, JournalState{1.0, 2.0, 0.0, 0.0}), 1.0) ==
+        0.0);
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, 1e-5);
+  for (const double factor : {0.01, 0.1, 0.3, 0.6}) {
+    for (int draw = 0; draw < 200; ++draw) {
+      std::vector<JournalState> states;
+      for (int n = 2; n < 12; ++n) {
+        const double r = std::pow(factor, n);
+        states.push_back({r * std::cos(2.5 * n) + noise(random),
+                          r * std::sin(2.5 * n) + noise(random), noise(random), noise(random)});
+      }
+      const auto growth = growth_per_cycle(states, 1.0);
+      CHECK((!growth || *growth < 1.0));
+    }
+  }
 }
 
 TEST_CASE("OilOfTheCavitatedFilmIsInTheOnsetOfWhirl", "[whirl]") {

@@ -104,6 +104,23 @@ TEST_CASE("BarsOfACourseAreThoseOfItsStretches", "[transient]") {
   }
 }
 
+TEST_CASE("EveryStretchOfACourseTellsWhatItsFilmLeaves", "[transient]") {
+  const Case slow = coarse();
+  Case fast = slow;
+  fast.bearing.radial_clearance = 4.0 * slow.bearing.radial_clearance;
+  const double omega = fast.operation.omega;
+  const auto laminar = [](const std::vector<Note>& notes) {
+    return std::none_of(notes.begin(), notes.end(),
+                        [](const Note& n) { return std::holds_alternative<note::NotLaminar>(n); });
+  };
+  std::vector<Stretch> stretches{{fast, 5.0}, {fast, 5.0}};
+  stretches[1].subject.operation.omega = 40.0 * omega;
+  const CourseRun run = run_course(stretches, Tier::thd, until(0.0));
+  REQUIRE(run.warnings.size() == 2);
+  CHECK(laminar(run.warnings[0]));
+  CHECK_FALSE(laminar(run.warnings[1]));
+}
+
 TEST_CASE("TheTimeOfASeizureHasBarsThatHoldAFinerGridAndShorterSteps", "[transient]") {
   Case c = coarse();
   c.model.tier = Tier::tehd;

@@ -12,9 +12,13 @@ using namespace bearing;
 
 namespace {
 
-/// Relative changes of friction and smallest film from `s` to its held film.
+/// Of the heat, which a held film does not know.
+bool is_held(const std::string& name) { return name.starts_with("T_") || name.starts_with("heat"); }
+
+/// Relative changes of friction and smallest film from `s` to its held film, all of whose
+/// quantities `all` is told.
 Bars changes(const Solution& s, const Held& held, const std::atomic<bool>* stop,
-             EquilibriumCost& cost) {
+             EquilibriumCost& cost, std::vector<Quantity>* all = nullptr) {
   const auto friction = [](const Solution& of) {
     const Friction f = friction_of(of.model, of.point, of.film);
     return f.viscous + f.asperity;
@@ -23,7 +27,23 @@ Bars changes(const Solution& s, const Held& held, const std::atomic<bool>* stop,
   const Solution film = held_film(s, {g.nt, g.full_nz()}, held, stop);
   add(film.cost, cost);
   if (!film.verdict.good()) return {};
+  if (all != nullptr) *all = quantities_of(film, Tier::isothermal);
   return {friction(film) / friction(s) - 1.0, film.film.least.h / s.film.least.h - 1.0};
+}
+
+/// What a held film changes of every quantity that it tells, over its natural size.
+void add_changes(const Solution& s, const std::vector<Quantity>& held, EffectChoice& to) {
+  const std::vector<Quantity> here = quantities_of(s, Tier::isothermal);
+  const double T = mean_supply_temperature(s.model.input);
+  for (const Quantity& q : here) {
+    const double size = natural_size(q, T, here);
+    const double change = std::abs(value_in(held, q.name) - q.value) / size;
+    if (!std::isfinite(change) || is_held(q.name)) continue;
+    const auto known = std::find_if(to.left.begin(), to.left.end(),
+                                    [&](const auto& one) { return one.first == q.name; });
+    auto& part = known != to.left.end() ? known->second : to.left.emplace_back(q.name, 0.0).second;
+    part += kModelSafety * change;
+  }
 }
 
 /// True if the indicator number itself says that the effect is not there.
@@ -36,6 +56,16 @@ bool absent(const Effect& e) {
 void add(const EquilibriumCost& from, EquilibriumCost& to) {
   to.factorizations += from.factorizations;
   to.newton_iterations += from.newton_iterations;
+}
+
+double EffectChoice::left_of(const std::string& name) const {
+  const auto of = [this](const std::string& of_film) {
+    for (const auto& [known, part] : left) {
+      if (known == of_film) return part;
+    }
+    return left.empty() ? 0.0 : double{NAN};
+  };
+  return is_held(name) ? of("friction_torque") + of("side_flow") : of(name);
 }
 
 NodeChoice choose_nodes(Solution& probe, double tolerance, bool given, const SolveControl& control,
@@ -69,7 +99,8 @@ EffectChoice choose_effects(const Solution& probe, double tolerance, const std::
   for (Effect& e : out.effects) {
     if (!e.included) continue;
     const Held held{without(e.kind, probe.model.physics), e.kind != EffectKind::heating};
-    const Bars off = absent(e) ? Bars{0.0, 0.0} : changes(probe, held, stop, cost);
+    std::vector<Quantity> without_it;
+    const Bars off = absent(e) ? Bars{0.0, 0.0} : changes(probe, held, stop, cost, &without_it);
     if (!std::isfinite(off.friction)) continue;  // the film does not stand without it
     e.change_in_friction = -off.friction;
     e.change_in_h_min = -off.h_min;
@@ -79,6 +110,7 @@ EffectChoice choose_effects(const Solution& probe, double tolerance, const std::
     e.included = false;
     out.left_out.friction += kModelSafety * size.friction;
     out.left_out.h_min += kModelSafety * size.h_min;
+    add_changes(probe, without_it, out);
   }
   return out;
 }

@@ -2,6 +2,9 @@
 /// Tier `auto` on its coarsest grid: nodes across the film, effects, and what is not known of the
 /// heat. A probe is a converged solution in the tier that its case names. `cost` is added to.
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "fidelity/grid_sequence.hpp"
 
@@ -41,6 +44,11 @@ struct EffectChoice {
   std::vector<bearing::Effect> effects;  ///< with their changes on the probe
   bearing::Switches switches;            ///< those of the case, with what is left out set false
   Bars left_out{0.0, 0.0};               ///< of the effects left out
+  /// The same of every quantity of the film, as parts of its natural size; empty: none is left out.
+  std::vector<std::pair<std::string, double>> left{};
+  /// Bar of a quantity, over its natural size [-]. Of temperatures and heats, which are held, those
+  /// of torque and side flow together.
+  [[nodiscard]] double left_of(const std::string& name) const;
 };
 
 /// What each effect of the probe changes, one taken out of the film after the other

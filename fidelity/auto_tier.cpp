@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bearing/judge/judge_case.hpp"
 #include "bearing/solids.hpp"
@@ -14,6 +15,7 @@
 #include "fidelity/grid_error.hpp"
 #include "fidelity/held_film.hpp"
 #include "fidelity/left_out.hpp"
+#include "fidelity/quantities.hpp"
 #include "fidelity/solve.hpp"
 #include "fidelity/tolerance.hpp"
 #include "rheology/viscosity.hpp"
@@ -43,6 +45,8 @@ bool has_holes(const Case& c) {
   const auto hole = [](const Supply& s) { return s.kind == SupplyKind::hole; };
   return std::any_of(c.supplies.begin(), c.supplies.end(), hole);
 }
+
+bool is_heat(const std::string& name) { return name.starts_with("T_") || name.starts_with("heat"); }
 
 /// Cells around of the film that follows a full solution.
 int film_cells(const Grid& grid) { return 2 * grid[0]; }
@@ -162,7 +166,7 @@ class TierSearch {
     const double before = value_in(coarse.whole, name), value = value_in(own.whole, name);
     if (!std::isfinite(before)) return {value, NAN, 0.0};
     if (own.grid == kFineGrid) return film_limit(before, value, coarse.grid[0], own.grid[0]);
-    const bool of_film = !name.starts_with("T_") && !name.starts_with("heat");
+    const bool of_film = !is_heat(name);
     const auto around = [&](const Level& l) {
       return film_limit(value_in(l.whole, name), of_film ? value_in(l.film, name) : NAN, l.grid[0],
                         film_cells(l.grid));
@@ -221,14 +225,26 @@ class TierSearch {
     return chosen(std::move(r), bars);
   }
 
+  /// Bar of the friction torque over itself: the heat that temperatures rise by is known no better,
+  /// whatever two grids agree on by chance [-].
+  [[nodiscard]] double bar_of_heat() const {
+    const GridLimit torque = limit("friction_torque");
+    return (torque.bar + torque.beyond) / std::abs(torque.value);
+  }
+
   Result extrapolated() {
     Result r = bearing::summarize(finest_, tier());
     r.levels.clear();
     for (const Level& level : levels_) r.levels.push_back({level.grid, level.whole});
+    const std::vector<Quantity> here = r.quantities;
+    const double of_heat = bar_of_heat();
     for (Quantity& q : r.quantities) {
       const GridLimit l = limit(q.name);
+      const double size = natural_size(q, mean_supply_temperature(case_), here);
       q.value = l.value;
       q.error_grid = l.bar + l.beyond + nodes_left(q.name);
+      if (q.name.starts_with("T_")) q.error_grid = std::fmax(q.error_grid, of_heat * size);
+      if (choice_ && heat_.friction == 0.0) q.error_model = choice_->left_of(q.name) * size;
       const bool torque = q.name == "friction_torque" || q.name == "power_loss";
       if (torque) q.error_model = model_bars().friction * std::abs(q.value);
       if (q.name != "h_min") continue;

@@ -12,9 +12,6 @@ using namespace bearing;
 
 namespace {
 
-/// Of the heat, which a held film does not know.
-bool is_held(const std::string& name) { return name.starts_with("T_") || name.starts_with("heat"); }
-
 /// Relative changes of friction and smallest film from `s` to its held film, all of whose
 /// quantities `all` is told.
 Bars changes(const Solution& s, const Held& held, const std::atomic<bool>* stop,
@@ -38,7 +35,7 @@ void add_changes(const Solution& s, const std::vector<Quantity>& held, EffectCho
   for (const Quantity& q : here) {
     const double size = natural_size(q, T, here);
     const double change = std::abs(value_in(held, q.name) - q.value) / size;
-    if (!std::isfinite(change) || is_held(q.name)) continue;
+    if (!std::isfinite(change) || is_of_heat(q.name)) continue;
     const auto known = std::find_if(to.left.begin(), to.left.end(),
                                     [&](const auto& one) { return one.first == q.name; });
     auto& part = known != to.left.end() ? known->second : to.left.emplace_back(q.name, 0.0).second;
@@ -65,7 +62,7 @@ double EffectChoice::left_of(const std::string& name) const {
     }
     return left.empty() ? 0.0 : double{NAN};
   };
-  return is_held(name) ? of("friction_torque") + of("side_flow") : of(name);
+  return is_of_heat(name) ? of("friction_torque") + of("side_flow") : of(name);
 }
 
 NodeChoice choose_nodes(Solution& probe, double tolerance, bool given, const SolveControl& control,

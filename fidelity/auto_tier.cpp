@@ -46,8 +46,6 @@ bool has_holes(const Case& c) {
   return std::any_of(c.supplies.begin(), c.supplies.end(), hole);
 }
 
-bool is_heat(const std::string& name) { return name.starts_with("T_") || name.starts_with("heat"); }
-
 /// Cells around of the film that follows a full solution.
 int film_cells(const Grid& grid) { return 2 * grid[0]; }
 
@@ -166,7 +164,7 @@ class TierSearch {
     const double before = value_in(coarse.whole, name), value = value_in(own.whole, name);
     if (!std::isfinite(before)) return {value, NAN, 0.0};
     if (own.grid == kFineGrid) return film_limit(before, value, coarse.grid[0], own.grid[0]);
-    const bool of_film = !is_heat(name);
+    const bool of_film = !is_of_heat(name);
     const auto around = [&](const Level& l) {
       return film_limit(value_in(l.whole, name), of_film ? value_in(l.film, name) : NAN, l.grid[0],
                         film_cells(l.grid));

@@ -30,6 +30,10 @@ bool given_by_case(const bearing::Case& c, bearing::Tier tier, const std::string
   return temperature && tier == bearing::Tier::isothermal;
 }
 
+bool is_of_heat(const std::string& name) {
+  return name.starts_with("T_") || name.starts_with("heat");
+}
+
 bool is_coefficient(const Quantity& q) {
   return q.name.size() == 4 && (q.name.starts_with("K_") || q.name.starts_with("C_"));
 }

@@ -18,6 +18,9 @@ using bearing::Quantity;
 [[nodiscard]] bool given_by_case(const bearing::Case& c, bearing::Tier tier,
                                  const std::string& name);
 
+/// True of temperatures and heats, which a film of held temperatures does not know.
+[[nodiscard]] bool is_of_heat(const std::string& name);
+
 /// True of an entry of the stiffness or the damping matrix.
 [[nodiscard]] bool is_coefficient(const Quantity& q);
 

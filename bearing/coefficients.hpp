@@ -71,10 +71,10 @@ struct Coefficients {
   WhirlThreshold whirl;
   double whirl_ratio = 0.0;  ///< nu/|omega| at the threshold [-]; NaN: none
   double speed_ratio = 0.0;  ///< |omega| sqrt(c m/W) at the critical mass m [-]; inf; 0
-  /// Largest entry of the part of C that comes from the oil content of the cavitated film, over the
-  /// largest of C [-] (forces). Where it is not small, C holds for motions much slower than the
-  /// oil's way through the cavitated film, about one turn; the threshold of whirl holds in any
-  /// case.
+  /// Of the part of C that comes from the oil content of the cavitated film over all of C, as roots
+  /// of sums of squares, which no choice of axes changes [-] (forces). Where it is not small, C
+  /// holds for motions much slower than the oil's way through the cavitated film, about one turn;
+  /// the threshold of whirl holds in any case.
   double cavitated_share = 0.0;
   double wall_s = 0.0;
 };

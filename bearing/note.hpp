@@ -34,6 +34,7 @@ enum class Plain {
   cycle_bars_unknown,  ///< no coarser grid carries the cycle
   time_bars_unknown,   ///< with other steps no periodic state was found
   march_bars_unknown,  ///< no coarser grid passes the warm-up or course
+  orbit_not_judged,    ///< led on, and whether a displaced journal comes back is not known
   nodes_not_judged,    ///< more nodes across the film gave no solution
   nothing_richer,      ///< than this physics
   walls_not_judged,    ///< no data of shell and shaft
@@ -279,11 +280,11 @@ using Note = std::variant<
     std::string, note::Plain, note::ColdSpot, note::NoCoefficients, note::CavitatedDamping,
     note::OtherRoots, note::FactorsContinued, note::BeyondOilRange, note::BeyondContactLaw,
     note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells, note::ProfileBetweenCells,
-    note::NotLaminar, note::FedFlow, note::VesselEmpty, note::MouthWidened, note::WornThrough, note::LayerFlown,
-    note::WornBeyondClearance, note::WearLedOn, note::LiningTooHot, note::OtherSteadyState,
-    note::LayerPressed, note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid,
-    note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet,
-    note::LandUnseen, note::HardlySliding, note::SupplyTakesBack, note::ShaftSwing,
-    note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::NotLaminar, note::FedFlow, note::VesselEmpty, note::MouthWidened, note::WornThrough,
+    note::LayerFlown, note::WornBeyondClearance, note::WearLedOn, note::LiningTooHot,
+    note::OtherSteadyState, note::LayerPressed, note::NothingRicher, note::TierTaken,
+    note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid,
+    note::ToleranceNotMet, note::LandUnseen, note::HardlySliding, note::SupplyTakesBack,
+    note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "bearing/film_impedance.hpp"
-#include "core/largest.hpp"
 #include "core/stopwatch.hpp"
 
 namespace shellback::bearing {
 namespace {
 
-double largest_entry(const Matrix2& m) {
-  return larger(largest_magnitude(m[0]), largest_magnitude(m[1]));
+/// Root of the sum of squares: the same in any axes.
+double norm(const Matrix2& m) {
+  return std::hypot(std::hypot(m[0][0], m[0][1]), std::hypot(m[1][0], m[1][1]));
 }
 
 /// Highest frequency that is looked at, over the journal's [-]. Whirl is at half of it where the
@@ -100,8 +100,8 @@ Coefficients coefficients_of(const Solution& s, double tolerance) {
   const auto columns = perturb(s, tolerance, out, C_cavitated);
   if (out.verdict.good()) {
     derive(s, columns, out);
-    const double C = largest_entry(forces_of(out.C));
-    out.cavitated_share = C > 0.0 ? largest_entry(forces_of(C_cavitated)) / C : 0.0;
+    const double C = norm(forces_of(out.C));
+    out.cavitated_share = C > 0.0 ? norm(forces_of(C_cavitated)) / C : 0.0;
   }
   out.wall_s = watch.seconds();
   return out;

@@ -48,7 +48,6 @@ enum class Iteration {
   heat,                ///< film and heat: change in units of 10 K [-]
   walls,               ///< of film and walls: change of the walls [K]
   cycles,              ///< difference of two cycles in smallest film and torque [-]
-  orbit,               ///< growth of a disturbance of the orbit, over itself, per cycle [-]
   walls_of_cycles,     ///< change of the walls from cycle to cycle [K]
   wear,                ///< the worn-in shape: change of its depth [m]; cause: it has no film
 };
@@ -197,6 +196,16 @@ struct NoClearance {
   double T = 0.0;  ///< [K]
 };
 
+/// An orbit that repeats itself, and from which a displaced journal departs.
+struct UnstableOrbit {
+  /// Of a journal heavier by a tenth on another grid.
+  enum class Elsewhere { unknown, keeps_to_it, departs };
+  double growth = 1.0;            ///< of the displacement in a cycle [-]
+  std::array<int, 2> grid{0, 0};  ///< cells around and along
+  Elsewhere elsewhere = Elsewhere::unknown;
+  std::array<int, 2> other{0, 0};  ///< the other grid
+};
+
 /// A step of a cycle that was not found; cause: why.
 struct NoStep {
   double t = 0.0;            ///< of the cycle [s]
@@ -244,7 +253,7 @@ using Ending =
                  ending::GapClosed, ending::SurfacesInterlocked, ending::FilmUnsettled,
                  ending::NotAtRest, ending::BranchEnded, ending::RanAway, ending::LimitMoves,
                  ending::AtTemperature, ending::FilmTooHot, ending::NoHeatBalance,
-                 ending::NoClearance, ending::NoStep, ending::RunningInEnded,
+                 ending::NoClearance, ending::UnstableOrbit, ending::NoStep, ending::RunningInEnded,
                  ending::PositionUnsettled, ending::FixedPointDiverged,
                  ending::FixedPointUnsettled>;
 

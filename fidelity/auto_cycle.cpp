@@ -146,6 +146,9 @@ class CycleTierSearch {
       if (left.larger() > (1.0 - kOfSteps - kWorthAGrid) * case_.model.tolerance) continue;
       tier_ = tier;
       left_out_ = left;
+      for (const CycleQuantity& q : cheap.quantities) {
+        left_.emplace_back(q.quantity.name, std::abs(change(q)));
+      }
       break;
     }
     if (!unjudged_.empty()) left_out_ = {INFINITY, INFINITY};  // by nothing richer
@@ -212,10 +215,8 @@ class CycleTierSearch {
     if (stopped(control_) && !chosen_) return r;
     for (CycleQuantity& q : r.quantities) {
       const double size = q.quantity.size();
-      const bool torque = q.quantity.name == "friction_torque" || q.quantity.name == "power_loss";
       if (!unjudged_.empty()) continue;  // no bar of the physics left out
-      if (torque) q.quantity.error_model = left_out_.friction * size;
-      if (q.quantity.name == "h_min") q.quantity.error_model = left_out_.h_min * size;
+      q.quantity.error_model = left_of(q.quantity.name) * size;
     }
     r.assumptions.push_back(
         note::TierTaken{r.tier, r.grid, left_out_.friction, left_out_.h_min, unjudged_, solved_});
@@ -233,6 +234,14 @@ class CycleTierSearch {
     return r;
   }
 
+  /// What the physics left out would change of a quantity, over its size; not-a-number: not known.
+  [[nodiscard]] double left_of(const std::string& name) const {
+    for (const auto& [known, part] : left_) {
+      if (known == name) return part;
+    }
+    return left_.empty() ? 0.0 : double{NAN};
+  }
+
   [[nodiscard]] FrictionAndFilm bars_of(const CycleResult& r) const {
     const FrictionAndFilm bars = both(r, [](const CycleQuantity& q) {
       return over_value(q.quantity.error_grid + q.error_time, q);
@@ -244,8 +253,9 @@ class CycleTierSearch {
   const SolveControl& control_;
   Case on_ = case_;  ///< with what is tried: grid, tolerance, tier
   Tier tier_ = Tier::isothermal;
-  FrictionAndFilm left_out_;
-  std::vector<note::NothingRicher> unjudged_;  ///< the richest tier, where it judges nothing
+  FrictionAndFilm left_out_;                          ///< by the tier that was chosen
+  std::vector<std::pair<std::string, double>> left_;  ///< of every quantity of it; empty: nothing
+  std::vector<note::NothingRicher> unjudged_;         ///< the richest tier, where it judges nothing
   CycleResult last_;
   bool chosen_ = false;  ///< the tier, from those that were tried
   std::vector<std::string> solved_;

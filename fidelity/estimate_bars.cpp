@@ -173,6 +173,8 @@ EstimateBars estimate_bars(const Case& c, const Estimate& e) {
                                      kParts.peak_starved * n.supply.starved);
   bars.flow = bar(kParts.flow, e, n);
   bars.angle = bar(kParts.angle, e, n);
+  // Of h = gap - e: by h, and by what walls and pressure change in the gap.
+  bars.eccentricity = n.thermal + (bars.film + n.elastic) * (1.0 - e.eps);
   bars.temperature = std::max(2.0, 0.5 * std::abs(e.rise));
   bars.effects = std::move(n.effects);
   return bars;

@@ -9,13 +9,14 @@ namespace shellback::fidelity {
 
 inline constexpr double kMostBar = 2.0;  ///< beyond this a bar says nothing more [-]
 
-/// Of the values, but for the temperature.
+/// Of the values, but for the eccentricity ratio and the temperature.
 struct EstimateBars {
   double torque = 0.0;
   double film = 0.0;
   double peak = 0.0;                     ///< largest pressure
   double flow = 0.0;                     ///< out of the edges
   double angle = 0.0;                    ///< attitude
+  double eccentricity = 0.0;             ///< its ratio, absolute
   double temperature = 0.0;              ///< [K]
   std::vector<bearing::Effect> effects;  ///< by name and indicator, as a solved result has them
 };

@@ -17,7 +17,7 @@ std::vector<Quantity> quantities(const Case& c, const Estimate& e, const Estimat
   const double omega = c.operation.omega;
   const bool given = std::holds_alternative<EccentricityGiven>(c.operation.position);
   const bool rough = c.surfaces.contact.has_value();
-  const double eccentricity = given ? 0.0 : bars.film * (1.0 - e.eps) / std::max(e.eps, kRoundOff);
+  const double eccentricity = given ? 0.0 : bars.eccentricity / std::max(e.eps, kRoundOff);
   std::vector<Quantity> list;
   const auto add = [&](const char* name, double value, const char* unit, double relative) {
     const double size = std::abs(value);

@@ -81,6 +81,32 @@ inline Told told(const ending::NoClearance& e, const About&) {
           "more clearance, less speed or load, or better cooling"};
 }
 
+inline Told told(const ending::UnstableOrbit& e, const About&) {
+  using Elsewhere = ending::UnstableOrbit::Elsewhere;
+  const auto cells = [](std::array<int, 2> grid) {
+    return fmt::format("{} x {} cells", grid[0], grid[1]);
+  };
+  const std::string departs = fmt::format(
+      "on {} a journal that is off the orbit that repeats itself departs from it by "
+      "{:.2g} % more with every cycle (whirl)",
+      cells(e.grid), 100.0 * (e.growth - 1.0));
+  const char* cure =
+      "a lighter journal, more load or another bore; the same load as a single event over many "
+      "turns (without period) shows where the journal goes";
+  if (e.elsewhere == Elsewhere::departs) {
+    return {fmt::format("no journal keeps to its orbit: {}, and so does one that is a tenth "
+                        "heavier on {}",
+                        departs, cells(e.other)),
+            cure};
+  }
+  return {fmt::format("not resolved: {}, {}", departs,
+                      e.elsewhere == Elsewhere::keeps_to_it
+                          ? fmt::format("and one that is a tenth heavier keeps to its orbit on {}",
+                                        cells(e.other))
+                          : fmt::format("and on {} no orbit was found", cells(e.other))),
+          std::string("a finer grid (it moves the threshold of whirl); else ") + cure};
+}
+
 inline Told told(const ending::NoStep& e, const About& a) {
   const std::string when = e.crank_speed > 0.0
                                ? fmt::format("{:.4g} deg", e.t * e.crank_speed * 180.0 / kPi)

@@ -70,6 +70,11 @@ std::string of_bars(note::Plain n) {
       return "none of the coarser grids that were tried passes this run in the same steps: its "
              "bars "
              "are not known";
+    case Plain::orbit_not_judged:
+      return "slow changes from cycle to cycle were led on to the orbit that is told; that a "
+             "journal "
+             "keeps to it was not seen: displaced from it, it does not pass the cycles that would "
+             "tell, or moves in noise (the same load as a single event over many turns shows it)";
     case Plain::nodes_not_judged:
       return "more nodes across the film gave no solution on the coarse grid: what they would "
              "change is in no bar";
@@ -116,6 +121,7 @@ std::string text_of(note::Plain n) {
     case Plain::cycle_bars_unknown:
     case Plain::time_bars_unknown:
     case Plain::march_bars_unknown:
+    case Plain::orbit_not_judged:
     case Plain::nodes_not_judged:
     case Plain::nothing_richer:
     case Plain::walls_not_judged:
@@ -322,7 +328,8 @@ std::string text_of(const note::MouthWidened& n) {
 
 std::string text_of(const note::LandUnseen& n) {
   return fmt::format(
-      "supply.{}: its land of {:.4g} mm to a side edge is in no cell of this grid: what leaves there "
+      "supply.{}: its land of {:.4g} mm to a side edge is in no cell of this grid: what leaves "
+      "there "
       "is throttled by half a cell instead; a finer model.grid along the bearing",
       n.supply, n.land * 1e3);
 }

@@ -157,14 +157,6 @@ inline Told told(const ending::Unsettled& e, const About& a) {
               "differs); else repeat the load several times in a longer period (oil of a starved "
               "film gathers over more than a hundred short ones), or look at the orbit: it may "
               "repeat itself over several periods, as journals that whirl do"};
-    case ending::Iteration::orbit:
-      return {
-          fmt::format("the orbit that repeats itself is unstable on this grid: a journal that is "
-                      "off it departs from it by {:.2g} % more with every cycle (whirl)",
-                      100.0 * e.left),
-          "where that is little, a finer grid (it moves the threshold); else a lighter journal, "
-          "more load or another bore; the same load as a single event over "
-          "many turns (without period) shows where the journal goes"};
     case ending::Iteration::walls_of_cycles:
       return {fmt::format("after {} cycles the walls still change by {:.2g} K from one to the next",
                           e.steps, e.left),

@@ -101,8 +101,7 @@ void CycleSearch::come_back() {
 
 const Verdict& CycleSearch::judge_orbit() {
   constexpr int kDying = 2, kSeen = 10;  // cycles in which all but the slowest dies out, and after
-  const bool carried = film().model().input.cycle->journal_mass > 0.0;
-  if (!verdict().good() || !led_ || !carried) return verdict();
+  if (!verdict().good() || !may_depart()) return verdict();
   if (!displaced_) {
     displaced_ = Displaced{passes_.stand(), {}};
     if (!passes_.displace()) {
@@ -122,8 +121,8 @@ const Verdict& CycleSearch::judge_orbit() {
   seen.erase(seen.begin(), seen.begin() + kDying);
   growth_ = growth_per_cycle(seen, displaced).value_or(NAN);
   if (growth_ >= 1.0) {
-    unsettled_ = {Status::no_steady_state,
-                  ending::Unsettled{ending::Iteration::orbit, cycles(), growth_ - 1.0}};
+    unsettled_ = {Status::iteration_limit,
+                  ending::UnstableOrbit{growth_, film().model().input.model.grid}};
   }
   return verdict();
 }
@@ -253,6 +252,9 @@ CycleResult CycleSearch::result() const {
   r.verdict = verdict();
   r.closure = closure_.last;
   r.growth = growth_;
+  if (r.verdict.good() && may_depart() && std::isnan(growth_)) {
+    r.warnings.emplace_back(note::Plain::orbit_not_judged);
+  }
   r.audit.walls = wall_change_;
   r.audit.walls_mean = mean_change_;
   r.audit.to_shell = off_.shell;

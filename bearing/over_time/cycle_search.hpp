@@ -56,7 +56,8 @@ class CycleSearch {
   /// Searches; `rough`: only so far as a finer grid needs to begin.
   const Verdict& search(bool rough);
   /// Of a periodic state that was found: cycles that were led on may lead to an orbit that no
-  /// journal keeps to, so what a displaced one does in some cycles more (orbit_growth.hpp).
+  /// journal keeps to, so what a displaced one does in some cycles more (orbit_growth.hpp). That
+  /// another grid has it so is not looked at: iteration_limit.
   const Verdict& judge_orbit();
   /// The periodic state of a shape that has hardly changed since begin_reshaped(): cycles until the
   /// film ends one as it began it, within the error of a step in time, and the walls agree with its
@@ -99,6 +100,10 @@ class CycleSearch {
   /// For a tape, besides the passes.
   void members(Tape& tape);
   [[nodiscard]] bool repeats() const { return film().model().input.cycle->repeats(); }
+  /// The journal, from the orbit: by cycles alone it would have come to one that it keeps to.
+  [[nodiscard]] bool may_depart() const {
+    return led_ && film().model().input.cycle->journal_mass > 0.0;
+  }
   [[nodiscard]] bool heat() const { return film().model().physics.film_energy; }
 
   CyclePasses passes_;

@@ -16,8 +16,7 @@ inline void members(Tape& tape, bearing::Instant& x) {
 
 inline void members(Tape& tape, bearing::MarchEnd& x) {
   auto& [verdict, t, at_rest, left_bounds, jumps, unfollowed, warnings] = x;
-  EXPECTS(warnings.empty());  // told where a march has ended
-  tape(verdict, t, at_rest, left_bounds, jumps, unfollowed);
+  tape(verdict, t, at_rest, left_bounds, jumps, unfollowed, warnings);
 }
 
 inline void members(Tape& tape, bearing::SolidState& x) {

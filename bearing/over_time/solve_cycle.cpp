@@ -1,3 +1,5 @@
+#include "bearing/bearing.hpp"
+#include "bearing/follow.hpp"
 #include "bearing/nested.hpp"
 #include "bearing/over_time/cycle.hpp"
 #include "bearing/over_time/cycle_lumped.hpp"
@@ -92,6 +94,41 @@ std::unique_ptr<CycleSearch> search_cycle(const Case& c, Tier tier, const SolveC
   return resolved ? on_grids(c, tier, control, cost) : on_one_grid(c, tier, control, cost);
 }
 
+namespace {
+
+CycleResult search_on_grid(const Case& c, Tier tier, const SolveControl& control) {
+  if (tier == Tier::lumped) return at_one_temperature(c, control);
+  Cost cost;
+  CycleResult r = search_cycle(c, tier, control, cost)->result();
+  r.cost = cost;
+  return r;
+}
+
+/// A coarser grid, or one finer than the coarsest.
+std::array<int, 2> another_grid(const Case& c, std::array<int, 2> grid) {
+  const auto coarser = halved(grid);
+  if (coarser && holds_supplies(c, *coarser)) return *coarser;
+  return {2 * grid[0], 2 * grid[1] - 1};
+}
+
+/// That no journal keeps to its orbit, where a journal heavier by the tenth within which two grids
+/// are to agree departs on another grid, too; else not resolved.
+Verdict on_two_grids(ending::UnstableOrbit orbit, Case c, Tier tier, SolveControl control) {
+  using Elsewhere = ending::UnstableOrbit::Elsewhere;
+  control.kept = nullptr;
+  c.model.grid = orbit.other = another_grid(c, orbit.grid);
+  c.cycle->journal_mass *= 1.0 + kAgree;
+  const Verdict other = search_on_grid(c, tier, control).verdict;
+  if (other.status == Status::interrupted) return other;
+  const bool departs = other.as<ending::UnstableOrbit>() != nullptr;
+  if (departs || other.good()) {
+    orbit.elsewhere = departs ? Elsewhere::departs : Elsewhere::keeps_to_it;
+  }
+  return {departs ? Status::no_steady_state : Status::iteration_limit, orbit};
+}
+
+}  // namespace
+
 CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
   if (!c.cycle) {
     throw InputError("load_cycle", "the case has none; take bearing::solve for a standing load");
@@ -105,13 +142,9 @@ CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
     if (auto ended = control.kept->next_ended()) return *std::move(ended);
   }
   const Stopwatch watch;
-  CycleResult r;
-  if (tier == Tier::lumped) {
-    r = at_one_temperature(c, control);
-  } else {
-    Cost cost;
-    r = search_cycle(c, tier, control, cost)->result();
-    r.cost = cost;
+  CycleResult r = search_on_grid(c, tier, control);
+  if (const auto* orbit = r.verdict.as<ending::UnstableOrbit>()) {
+    r.verdict = on_two_grids(*orbit, c, tier, control);
   }
   r.cost.wall_s = watch.seconds();
   if (control.kept == nullptr) return r;

@@ -114,6 +114,21 @@ TEST_CASE("ABranchTellsHowFarItWasFollowedAndWhatCameThen", "[words]") {
   CHECK(reason_of({kLimit, alike}).find("not resolved: the grids end at the same place") == 0);
 }
 
+TEST_CASE("AnUnstableOrbitTellsBothGrids", "[words]") {
+  using Elsewhere = ending::UnstableOrbit::Elsewhere;
+  const auto told = [](Elsewhere elsewhere) {
+    return reason_of({kLimit, ending::UnstableOrbit{1.005, {200, 25}, elsewhere, {100, 13}}});
+  };
+  CHECK(told(Elsewhere::departs) ==
+        "no journal keeps to its orbit: on 200 x 25 cells a journal that is off the orbit that "
+        "repeats itself departs from it by 0.5 % more with every cycle (whirl), and so does one "
+        "that is a tenth heavier on 100 x 13 cells");
+  for (const Elsewhere e : {Elsewhere::keeps_to_it, Elsewhere::unknown}) {
+    CHECK(told(e).find("not resolved: on 200 x 25 cells") == 0);
+    CHECK(told(e).find("on 100 x 13 cells") != std::string::npos);
+  }
+}
+
 TEST_CASE("AStepTellsItsInstantAndItsCauseAndHasACureOfItsOwn", "[words]") {
   const Verdict within{kLimit, ending::Plain::overdrawn};
   ending::NoStep step{0.01, 100.0 * kPi};

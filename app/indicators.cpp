@@ -101,15 +101,28 @@ void add_oil(const Case& subject, const Derived& d, std::vector<Indicator>& list
   }
 }
 
-/// Largest head of oil pressed out of a supply over a land of length L to the side, in a gap of the
-/// clearance, over the pressure that drives it [-]; bearing/fed_flow.hpp has that of the film.
+/// Way over which a supply's pressure falls, from its rim to the land's end [m]: to all sides, as
+/// of a source of half its shorter side, s ln(1 + land/s); the land where the supply is long
+/// (textbook: flow from a circle into a plane).
+double way_of_fed_oil(const Case& subject, const Supply& supply) {
+  const bool round = supply.kind == SupplyKind::hole || supply.kind == SupplyKind::drilling;
+  const double along = round ? supply.diameter : supply.length;
+  const double around = round ? supply.diameter : supply.arc * subject.bearing.radius;
+  const double land = 0.5 * subject.bearing.width - std::abs(supply.z) - 0.5 * along;
+  const double s = 0.5 * std::min(along, around);
+  if (!(land > 0.0) || !(s > 0.0) || goes_all_round(supply)) return land;
+  return s * std::log1p(land / s);
+}
+
+/// Largest head of oil pressed out of a supply, in a gap of the clearance, over the pressure that
+/// drives it [-]; bearing/fed_flow.hpp has that of the film.
 double fed_head(const Case& subject, const Derived& d) {
   double most = 0.0;
   for (const Supply& supply : subject.supplies) {
-    const double land = 0.5 * subject.bearing.width - std::abs(supply.z) - 0.5 * supply.length;
-    if (!(supply.pressure > 0.0) || !(land > 0.0)) continue;
+    const double way = way_of_fed_oil(subject, supply);
+    if (!(supply.pressure > 0.0) || !(way > 0.0)) continue;
     const double c = subject.bearing.radial_clearance;
-    const double u = c * c * supply.pressure / (12.0 * d.eta * land);
+    const double u = c * c * supply.pressure / (12.0 * d.eta * way);
     most = std::max(most, 0.5 * d.rho * u * u / supply.pressure);
   }
   return most;

@@ -23,7 +23,7 @@ class HeatIteration {
  public:
   HeatIteration(Solution& s, const ThermalOptions& options, const SolveControl& control,
                 const HeatStep* step)
-      : s_(s), options_(options), control_(control), walls_(s, kSweepsOfResponse, step) {
+      : s_(s), options_(options), control_(control), walls_(s, step) {
     if (!s.point.load.path || !s.point.load.path->moves) return;
     if (s.heat.thermal_deformation.empty()) return;
     path_from_ = s.point.load.path->from;

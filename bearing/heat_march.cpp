@@ -53,7 +53,7 @@ bool surfaces_meet(const Solution& s, const MarchStand& stand, double shortest) 
 bool is_at_rest(const Solution& s) {
   constexpr double kRest = 0.03;  // ten times what an iteration may leave [K]
   Solution now = s;
-  WallBalance walls(now, kSweepsOfResponse, nullptr);
+  WallBalance walls(now, nullptr);
   return walls.change_for_ever(friction_of(s.model, s.point, s.film)) < kRest;
 }
 

@@ -136,8 +136,10 @@ struct Result {
   Fields fields;
 
   /// Value of the quantity `name`, or not-a-number if this tier does not know it.
-  [[nodiscard]] double value(const std::string& name) const;
-  [[nodiscard]] bool has(const std::string& name) const;
+  [[nodiscard]] double value(const std::string& name) const { return value_in(quantities, name); }
+  [[nodiscard]] bool has(const std::string& name) const {
+    return quantity_in(quantities, name) != nullptr;
+  }
   /// The same typed: `result.values().h_min`.
   [[nodiscard]] Quantities values() const { return typed(quantities); }
 };

@@ -10,8 +10,7 @@
 
 namespace shellback::bearing {
 
-WallBalance::WallBalance(Solution& s, int sweeps, const HeatStep* step)
-    : s_(s), sweeps_(sweeps), step_(step) {}
+WallBalance::WallBalance(Solution& s, const HeatStep* step) : s_(s), step_(step) {}
 
 thermal::FilmEnergyProblem WallBalance::problem(const Friction& friction) const {
   std::optional<thermal::FilmStorage> storage;
@@ -48,7 +47,7 @@ void WallBalance::read_from_film() {
 void WallBalance::begin(const Friction& friction, int iteration) {
   constexpr int kAgain = 4;  // iteration that measures it again; till then that of a coarser grid
   energy_.emplace(problem(friction));
-  for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
+  for (int k = 0; k < kSweepsOfResponse; ++k) energy_->sweep(s_.film.columns.T);
   if (!(s_.heat.response.shell_local > 0.0) || iteration == kAgain) {
     s_.heat.response = energy_->wall_response(kSweepsOfResponse);
   }
@@ -59,7 +58,7 @@ void WallBalance::balance_roughly(double tolerance) {
   const double change = round();
   const double enough = kWallPart * std::max(change, tolerance);
   if (change > enough) balance(enough, kMostIterations);
-  for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
+  for (int k = 0; k < kSweepsOfResponse; ++k) energy_->sweep(s_.film.columns.T);
 }
 
 void WallBalance::deform() {
@@ -108,7 +107,7 @@ double WallBalance::take_wall_temperatures() {
 }
 
 double WallBalance::round() {
-  for (int k = 0; k < sweeps_; ++k) energy_->sweep(s_.film.columns.T);
+  for (int k = 0; k < kSweepsOfResponse; ++k) energy_->sweep(s_.film.columns.T);
   warm_the_walls({false, false});
   return take_wall_temperatures();
 }

@@ -10,7 +10,7 @@ namespace shellback::bearing {
 /// Works on the temperatures of a solution; its flow stays as it is.
 class WallBalance {
  public:
-  WallBalance(Solution& s, int sweeps, const HeatStep* step);
+  WallBalance(Solution& s, const HeatStep* step);
 
   /// The walls' temperatures travel as the film's wall nodes: takes them from there.
   void read_from_film();
@@ -45,7 +45,6 @@ class WallBalance {
   double balance(double enough, int rounds);
 
   Solution& s_;
-  int sweeps_;
   const HeatStep* step_;
   std::optional<thermal::FilmEnergy> energy_;
 };

@@ -34,7 +34,6 @@ class EstimateScene {
   [[nodiscard]] double area() const { return 2.0 * c_.bearing.radius * width_; }
   /// Clearance over radius [-].
   [[nodiscard]] double psi() const { return c_.bearing.radial_clearance / c_.bearing.radius; }
-  [[nodiscard]] const rheology::Oil& oil() const { return oil_; }
   /// Rough surfaces that carry.
   [[nodiscard]] bool touches() const { return contact_.has_value(); }
 

@@ -113,12 +113,16 @@ std::array<int, 2> another_grid(const Case& c, std::array<int, 2> grid) {
 
 /// That no journal keeps to its orbit, where a journal heavier by the tenth within which two grids
 /// are to agree departs on another grid, too; else not resolved.
-Verdict on_two_grids(ending::UnstableOrbit orbit, Case c, Tier tier, SolveControl control) {
+Verdict on_two_grids(ending::UnstableOrbit orbit, Case c, Tier tier, SolveControl control,
+                     Cost& cost) {
   using Elsewhere = ending::UnstableOrbit::Elsewhere;
   control.kept = nullptr;
   c.model.grid = orbit.other = another_grid(c, orbit.grid);
   c.cycle->journal_mass *= 1.0 + kAgree;
-  const Verdict other = search_on_grid(c, tier, control).verdict;
+  const CycleResult r = search_on_grid(c, tier, control);
+  cost.factorizations += r.cost.factorizations;
+  cost.newton_iterations += r.cost.newton_iterations;
+  const Verdict& other = r.verdict;
   if (other.status == Status::interrupted) return other;
   const bool departs = other.as<ending::UnstableOrbit>() != nullptr;
   if (departs || other.good()) {
@@ -144,7 +148,7 @@ CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
   const Stopwatch watch;
   CycleResult r = search_on_grid(c, tier, control);
   if (const auto* orbit = r.verdict.as<ending::UnstableOrbit>()) {
-    r.verdict = on_two_grids(*orbit, c, tier, control);
+    r.verdict = on_two_grids(*orbit, c, tier, control, r.cost);
   }
   r.cost.wall_s = watch.seconds();
   if (control.kept == nullptr) return r;

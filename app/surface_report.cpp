@@ -20,7 +20,6 @@ constexpr double kMostHoles = 0.1;
 constexpr double kFewPitches = 4.0;       ///< to a correlation length: below, the pitch is seen [-]
 constexpr std::size_t kFewSummits = 100;  ///< their roughness is known to 7 % with so many
 constexpr double kAligned = 10.0 * kPi / 180.0;  ///< lay off the axes: gamma is off by few % [rad]
-constexpr double kRound = 1.5;  ///< longest over shortest length: hardly a lay below [-]
 /// Rq over the largest height: less is what double precision leaves of a form [-].
 constexpr double kNothingLeft = 1e-12;
 constexpr double kSteepest = 1.0;  ///< rms slope: 45 degrees, which no instrument of heights sees
@@ -182,7 +181,7 @@ void note_lay(SurfaceReport& r) {
                     c.along.at_least ? "at least" : "at most", c.gamma));
   }
   const double off = std::min(std::abs(c.lay), 0.5 * kPi - std::abs(c.lay));
-  if (c.longest.length > kRound * c.shortest.length && off > kAligned) {
+  if (has_lay(c) && off > kAligned) {
     r.notes.push_back(
         fmt::format("the lay runs at {:.0f} deg to the motion: gamma and the moments are those of "
                     "the two axes, and the cross flow that such a lay drives is left out",

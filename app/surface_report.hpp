@@ -50,6 +50,12 @@ struct SurfaceReport {
   std::vector<std::string> notes;  ///< what the numbers do not tell of themselves
 };
 
+/// Whether heights are longer one way than another by so much that they have a lay.
+inline constexpr double kRound = 1.5;  ///< longest over shortest length: hardly a lay below [-]
+[[nodiscard]] inline bool has_lay(const surface::Correlation& c) {
+  return c.longest.at_least || c.longest.length > kRound * c.shortest.length;
+}
+
 /// Reads, judges and solves. Throws FileError and InputError (app/read_height_map.hpp): holes
 /// without `fill` or more than a tenth of them, a form that the map does not determine, heights
 /// that are nothing but form, slopes that no machined surface has, a patch too small for its own

@@ -210,7 +210,8 @@ void write_course_table(std::ostream& out, const std::vector<Stretch>& stretches
     out << instant_line(fmt::format("{:.6g}, {:>6.6g}", rpm(stretches[k]), end),
                         run.instants[run.ends[k]], bar_at(bars, run.ends[k]));
   }
-  out << fmt::format("\naudit (relative)  heat in - out - stored at the ends: {:.1e}\n",
+  out << fmt::format("\naudit (relative)  heat in - out - stored {}: {:.1e}\n",
+                     run.over_cycles ? "over a stretch, at most" : "at the ends",
                      run.imbalance_at_ends());
   print_list(out, "warnings", course_warnings(stretches, run, bars));
   print_list(out, "assumptions", c.assumptions);

@@ -52,7 +52,10 @@ void write_heights(std::ostream& out, const SurfaceReport& r) {
   add("correlation length",
       fmt::format("{} along, {} across the motion", length(c.along), length(c.across)));
   add("orientation gamma",
-      fmt::format("{:.3g}; lay at {:.0f} deg to the motion", c.gamma, c.lay * 180.0 / kPi));
+      has_lay(c)
+          ? fmt::format("{:.3g}; lay at {:.0f} deg to the motion", c.gamma, c.lay * 180.0 / kPi)
+          : fmt::format("{:.3g}; no lay (longest length {:.2g} times the shortest)", c.gamma,
+                        c.longest.length / c.shortest.length));
   add("independent areas", fmt::format("{:.3g}", c.independent));
   table.print(out);
 }

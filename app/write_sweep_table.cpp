@@ -117,7 +117,9 @@ void print_bars(std::ostream& out, const bearing::Case& subject, const Sweep& sw
     return point.good() && point.result.cost.bars_s > 0.0;
   };
   if (std::any_of(sweep.points.begin(), sweep.points.end(), known)) {
-    out << "\n+- is the bar of the grid (with --bars: and of the physics left out).\n";
+    out << (subject.cycle ? "\n+- is the bar of the grid and of the steps in time.\n"
+                          : "\n+- is the bar of the grid (with --bars: and of the physics left "
+                            "out).\n");
   }
   const auto open = indistinct_words(sweep);
   if (!open.empty()) {

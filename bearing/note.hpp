@@ -22,6 +22,7 @@ enum class Plain {
   planes_overlap,            ///< mean planes of rough surfaces, where the film is smallest
   marks_begin_anew,          ///< of an elasto-plastic layer that wears under a standing load
   roughness_stays,           ///< of a shell that wears
+  tilt_without_inertia,      ///< of a journal with mass under a moment
   // Where an event of a load cycle begins.
   event_from_steady,    ///< state of its first row
   event_at_rest,        ///< asperities carrying the load of its first row
@@ -173,6 +174,14 @@ struct FedFlow {
   FilmPlace place{};
 };
 
+/// Viscous shear stress beyond what oils bear.
+struct OilSheared {
+  double stress = 0.0;    ///< where it is most of what oil bears there [Pa]
+  double pressure = 0.0;  ///< film pressure there [Pa]
+  double part = 0.0;      ///< stress over what oil bears [-]
+  FilmPlace place{};
+};
+
 /// Contact pressure held at the hardness: summits flow.
 struct HeldAtHardness {
   double hardness = 0.0;  ///< [Pa]
@@ -280,11 +289,11 @@ using Note = std::variant<
     std::string, note::Plain, note::ColdSpot, note::NoCoefficients, note::CavitatedDamping,
     note::OtherRoots, note::FactorsContinued, note::BeyondOilRange, note::BeyondContactLaw,
     note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells, note::ProfileBetweenCells,
-    note::NotLaminar, note::FedFlow, note::VesselEmpty, note::MouthWidened, note::WornThrough,
-    note::LayerFlown, note::WornBeyondClearance, note::WearLedOn, note::LiningTooHot,
-    note::OtherSteadyState, note::LayerPressed, note::NothingRicher, note::TierTaken,
-    note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid,
-    note::ToleranceNotMet, note::LandUnseen, note::HardlySliding, note::SupplyTakesBack,
-    note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::NotLaminar, note::FedFlow, note::OilSheared, note::VesselEmpty, note::MouthWidened,
+    note::WornThrough, note::LayerFlown, note::WornBeyondClearance, note::WearLedOn,
+    note::LiningTooHot, note::OtherSteadyState, note::LayerPressed, note::NothingRicher,
+    note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged,
+    note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::LandUnseen, note::HardlySliding,
+    note::SupplyTakesBack, note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

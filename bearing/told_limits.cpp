@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "bearing/fed_flow.hpp"
+#include "bearing/friction.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/largest.hpp"
@@ -26,6 +27,8 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   const double mean = std::accumulate(T.begin(), T.end(), 0.0) / static_cast<double>(T.size());
   add_turbulence(s.model, s.point.scene.speed, mean, warnings);
   add_fed_flow(fed_flow(s.point.scene, s.film), warnings);
+  const Field stress = friction_of(s.model, s.point, s.film).stress.journal;
+  add_sheared_oil(sheared_oil(s.model.domain.grid, s.film.film.p, stress), warnings);
 }
 
 /// Share of the damping from the cavitated film from which on K and C are told to be of slow

@@ -206,6 +206,24 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   return out;
 }
 
+note::OilSheared sheared_oil(const FilmGrid& grid, const Field& p, const Field& stress) {
+  note::OilSheared most;
+  for (int c = 0; c < grid.cells(); ++c) {
+    const double part =
+        std::abs(stress[c]) / (kShearAtRest + kShearByPressure * std::max(p[c], 0.0));
+    if (part > most.part) most = {std::abs(stress[c]), p[c], part, fluid::place_of(grid, c)};
+  }
+  return most;
+}
+
+note::OilSheared worse(const note::OilSheared& a, const note::OilSheared& b) {
+  return b.part > a.part ? b : a;
+}
+
+void add_sheared_oil(const note::OilSheared& sheared, std::vector<Note>& notes) {
+  if (sheared.part > 1.0) notes.push_back(sheared);
+}
+
 std::vector<LimiterCount> contact_limiters(const BearingModel& m, const Field& h) {
   std::vector<LimiterCount> out;
   const auto add = [&](Limiter what, long count) {

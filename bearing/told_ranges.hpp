@@ -47,6 +47,20 @@ inline constexpr double kTaylor = 41.2;  ///< [-]
 /// One note if that limit is passed.
 void add_turbulence(const BearingModel& m, double U, double T, std::vector<Note>& notes);
 
+/// Shear stress that oils bear, beyond which they slip or flow plastically however viscous, at
+/// ambient pressure and more by the pressure: tau_L = kShearAtRest + kShearByPressure p. Source:
+/// textbook (limiting shear stress in traction: 1 to 5 MPa, and 0.05 to 0.1 of the pressure); the
+/// upper ends.
+inline constexpr double kShearAtRest = 5e6;      ///< [Pa]
+inline constexpr double kShearByPressure = 0.1;  ///< [-]
+/// Where the viscous stress on the journal is most of what oil bears.
+[[nodiscard]] note::OilSheared sheared_oil(const FilmGrid& grid, const Field& p,
+                                           const Field& stress);
+/// What is worse in either of two films.
+[[nodiscard]] note::OilSheared worse(const note::OilSheared& a, const note::OilSheared& b);
+/// One note if it is more than oil bears.
+void add_sheared_oil(const note::OilSheared& sheared, std::vector<Note>& notes);
+
 /// Cells of the contact at its limits, `h` as in FilmReach.
 [[nodiscard]] std::vector<LimiterCount> contact_limiters(const BearingModel& m, const Field& h);
 

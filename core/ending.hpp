@@ -48,6 +48,7 @@ enum class Iteration {
   heat,                ///< film and heat: change in units of 10 K [-]
   walls,               ///< of film and walls: change of the walls [K]
   cycles,              ///< difference of two cycles in smallest film and torque [-]
+  layer_of_cycles,     ///< growth of the depth to which a layer flows, of the last cycle [m]
   walls_of_cycles,     ///< change of the walls from cycle to cycle [K]
   wear,                ///< the worn-in shape: change of its depth [m]; cause: it has no film
 };

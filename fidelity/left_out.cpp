@@ -105,6 +105,22 @@ std::vector<EffectKind> unknown_effects(const Case& c) {
   return effects;
 }
 
+namespace {
+
+/// Adds the squares of the changes between two results to `squares`.
+void add_squares(const std::vector<Quantity>& changes, std::vector<Quantity>& squares) {
+  if (squares.empty()) {
+    squares = changes;
+    for (Quantity& q : squares) q.value = 0.0;
+  }
+  for (Quantity& q : squares) {
+    const double by = value_in(changes, q.name);
+    if (std::isfinite(by)) q.value += by * by;
+  }
+}
+
+}  // namespace
+
 ModelError model_error(const Solution& coarse, const SolveControl& control) {
   ModelError out;
   const Case& c = coarse.model.input;
@@ -127,8 +143,10 @@ ModelError model_error(const Solution& coarse, const SolveControl& control) {
       return (value_in(after, name) - value_in(before, name)) / std::abs(value_in(before, name));
     };
     out.effects.push_back({step.effect, relative("friction_torque"), relative("h_min")});
+    add_squares(change(before, after), out.one_by_one);
     here = std::move(*next);
   }
+  for (Quantity& q : out.one_by_one) q.value = std::sqrt(q.value);
   if (out.complete) out.change = change(scalars(coarse), scalars(here));
   return out;
 }

@@ -63,6 +63,9 @@ struct EffectChange {
 struct ModelError {
   /// Change of each quantity from the tier to the full physics, on the coarse grid.
   std::vector<bearing::Quantity> change;
+  /// Root of the sum of squares of what the effects change one by one: more than the whole where
+  /// they undo one another.
+  std::vector<bearing::Quantity> one_by_one;
   std::vector<EffectChange> effects;         ///< of the effects left out
   std::vector<bearing::EffectKind> unknown;  ///< effects for which the case has no data
   std::vector<bearing::EffectKind> failed;   ///< effects whose coarse solve gave nothing

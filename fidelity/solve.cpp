@@ -50,6 +50,17 @@ void share_bars_of_coefficients(const Judged& judged) {
   }
 }
 
+/// The heat by which temperatures rise is known no better than the torque, whatever grids agree on
+/// by chance.
+void share_bar_of_heat(const Judged& judged, const Result& result) {
+  const Quantity* torque = quantity_in(result.quantities, "friction_torque");
+  if (torque == nullptr || !std::isfinite(torque->error_grid)) return;
+  for (const auto& [q, size] : judged) {
+    const double bar = torque->error_grid / torque->size() * size;
+    if (is_of_heat(q->name) && q->error_grid < bar) q->error_grid = bar;
+  }
+}
+
 /// Bars of the grid with the orders observed; not-a-number where the value of the result's own grid
 /// is not there.
 void put_grid_bars(const BarRecord& record, Result& result) {
@@ -85,6 +96,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   }
   share_bars(bars);
   share_bars_of_coefficients(judged);
+  share_bar_of_heat(judged, result);
 }
 
 /// Summits that hardly touch do not hold the gap open: what they carry hangs on the film alone, and
@@ -115,11 +127,24 @@ void widen_bars_of_light_contact(const BearingModel& m, Result& result) {
   }
 }
 
+/// Summits take no more of the torque than there is.
+void bound_asperity_torque(Result& result) {
+  const Quantity* whole = quantity_in(result.quantities, "friction_torque");
+  for (Quantity& part : result.quantities) {
+    if (part.name != "friction_torque_asperity" || whole == nullptr) continue;
+    const double size = std::abs(part.value);
+    const double most = std::abs(whole->value) + whole->error_grid - size;
+    if (part.error_grid > std::max(most, size)) part.error_grid = std::max(most, size);
+  }
+}
+
 /// What the full physics would change on the fine grid: as much as on the coarse one, absolutely
-/// or, where that means something, relatively, whichever is more. NaN: not known.
-double model_change(const BarRecord& record, const std::vector<Quantity>& coarse,
-                    const Quantity& q) {
-  const double change = std::abs(value_in(record.model.change, q.name));
+/// or, where that means something, relatively, whichever is more, and what each effect there may
+/// change more or less by, also where effects undo one another. NaN: not known.
+double model_bar(const BarRecord& record, const std::vector<Quantity>& coarse, const Quantity& q) {
+  const double whole = std::abs(value_in(record.model.change, q.name));
+  const double apart = (kModelSafety - 1.0) * value_in(record.model.one_by_one, q.name);
+  const double change = std::max(kModelSafety * whole, whole + apart);
   const double size = std::abs(value_in(coarse, q.name));
   return one_sign(q) && size > 0.0 ? std::max(change, change / size * std::abs(q.value)) : change;
 }
@@ -169,11 +194,12 @@ void put_bars(const BarRecord& record, Result& result) {
     const auto coarse = scalars(*record.coarse);
     const Case& c = record.coarse->model.input;
     for (Quantity& q : result.quantities) {
-      q.error_model = kModelSafety * model_change(record, coarse, q);
+      q.error_model = model_bar(record, coarse, q);
       const double most = furthest(c, q);
       if (q.error_grid > most) q.error_grid = most;
       if (q.error_model > most) q.error_model = most;
     }
+    bound_asperity_torque(result);
   }
   for (Effect& e : result.effects) {
     for (const EffectChange& change : record.model.effects) {

@@ -368,7 +368,8 @@ void add_surface_choices(CLI::App& surface, Request& request) {
       .add_option("--fill", request.fill,
                   "fill holes: laplace (harmonic interpolation); without it they are refused")
       ->check(CLI::IsMember({"laplace"}));
-  add_list(surface, "--gaps", request.gaps, "h/sigma of the flow factors (default 0.5 to 10)")
+  add_list(surface, "--gaps", request.gaps,
+           "h/sigma of the flow factors, three values or more (default 0.5 to 10)")
       ->type_name("H,H,...");
   surface
       .add_option("--error", request.error, "largest standard error of Rq allowed (default 10 %)")

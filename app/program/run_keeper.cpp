@@ -160,7 +160,8 @@ PointKeepers::PointKeepers(const Request& request, int points)
   }
   expect_sound(files, {}, request.force);
   if (resume_) {
-    std::cerr << fmt::format("note: {} of {} points go on from {}.K\n", there, points, path_);
+    std::cerr << fmt::format("note: {} of {} points go on from their states ({}.0 and so on)\n",
+                             there, points, path_);
   }
 }
 
@@ -178,7 +179,7 @@ void PointKeepers::end(int code) {
   bool any = false;
   for (auto& [k, keeper] : points_) any = keeper.leave(code) || any;
   if (any) {
-    tell_kept(path_ + ".K");
+    tell_kept(path_ + ".0 and so on, one a point");
   } else if (!points_.empty() && code == kInterrupted) {
     tell_nothing_found();
   }

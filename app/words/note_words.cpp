@@ -9,6 +9,7 @@
 #include "app/words/ending_words.hpp"
 #include "app/words/temperature_words.hpp"
 #include "bearing/fed_flow.hpp"
+#include "bearing/told_ranges.hpp"
 
 namespace shellback::app {
 
@@ -102,6 +103,9 @@ std::string text_of(note::Plain n) {
              "in the profile: that holds what has worn away";
     case Plain::roughness_stays:
       return "the roughness is taken to stay while the shell wears (running_in.worn is not given)";
+    case Plain::tilt_without_inertia:
+      return "the journal's tilt follows the moment without inertia (journal_mass is that of its "
+             "path alone)";
     case Plain::supply_temperature_unused:
       return "tier isothermal: the oil has oil.temperature everywhere; the temperature of a supply "
              "is but that at which flows are told by volume (tiers lumped, thd and tehd follow it)";
@@ -196,7 +200,7 @@ std::string text_of(const note::ToleranceNotMet& n) {
 std::string text_of(const note::ShaftSwing& n) {
   return fmt::format(
       "the shaft's surface is at its mean over the cycle: as it turns, and over the cycle, it "
-      "would swing by about {:.2g} K",
+      "would swing by about +- {:.2g} K",
       n.T);
 }
 
@@ -304,6 +308,16 @@ std::string text_of(const note::FedFlow& n) {
                         "from which flow between plates becomes turbulent",
                         n.reynolds, bearing::kTurbulentFlow)
           : "");
+}
+
+std::string text_of(const note::OilSheared& n) {
+  return fmt::format(
+      "the viscous shear stress comes to {:.3g} MPa where the film's pressure is {:.4g} MPa (at "
+      "{}), "
+      "{:.2g} times what oils bear (about {:.0f} MPa and {:.0f} % of the pressure): they slip or "
+      "flow there instead, with less friction than is told",
+      1e-6 * n.stress, 1e-6 * n.pressure, words_of(n.place), n.part, 1e-6 * bearing::kShearAtRest,
+      100.0 * bearing::kShearByPressure);
 }
 
 std::string text_of(const note::HeldAtHardness& n) {

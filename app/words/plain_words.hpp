@@ -157,6 +157,13 @@ inline Told told(const ending::Unsettled& e, const About& a) {
               "differs); else repeat the load several times in a longer period (oil of a starved "
               "film gathers over more than a hundred short ones), or look at the orbit: it may "
               "repeat itself over several periods, as journals that whirl do"};
+    case ending::Iteration::layer_of_cycles:
+      return {
+          fmt::format("after {} cycles the elasto-plastic layer still flows, by {:.3g} um in the "
+                      "last: a state that repeats itself begins when it has ended",
+                      e.steps, e.left * 1e6),
+          "a harder or a thicker layer, or a lower load; the same load as a single event of so "
+          "many pulses (without period) shows how it settles"};
     case ending::Iteration::walls_of_cycles:
       return {fmt::format("after {} cycles the walls still change by {:.2g} K from one to the next",
                           e.steps, e.left),

@@ -79,8 +79,9 @@ void judge_opening(const std::optional<EdgeOpening>& e, const std::string& key, 
   if (!e) return;
   if (e->length > 0.5 * b.width) {
     to.refuse(key + ".length",
-              fmt::format("{} from either edge is more than the bearing is wide ({})",
-                          shown(e->length, "mm"), shown(b.width, "mm")),
+              fmt::format(
+                  "{} from either edge, together twice that, is more than the bearing is wide ({})",
+                  shown(e->length, "mm"), shown(b.width, "mm")),
               "give the length from one edge inwards, at most half the width");
   }
   if (e->depth > kBearingLimits.profile_most * b.radius) {

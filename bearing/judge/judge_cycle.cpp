@@ -239,6 +239,32 @@ void judge_turning(const Case& c, Findings& to) {
              "check direction and frame of the load, and the speed");
 }
 
+/// A journal that never turns drags no oil under its load: squeezing carries it, which takes a load
+/// that lets go, or oil under more pressure than it.
+void judge_standing(const Case& c, const CycleNumbers& n, Findings& to) {
+  const LoadCycle& cycle = *c.cycle;
+  if (n.largest_speed > 0.0 || !cycle.repeats() || c.surfaces.contact) return;
+  double x = 0.0, y = 0.0, pressure = 0.0, least = INFINITY;
+  for (std::size_t k = 0; k < cycle.t.size(); ++k) {
+    x += cycle.x[k];
+    y += cycle.y[k];
+  }
+  const double size = std::hypot(x, y);
+  for (std::size_t k = 0; k < cycle.t.size(); ++k) {
+    least = std::min(least, (cycle.x[k] * x + cycle.y[k] * y) / size);
+  }
+  for (const Supply& s : c.supplies) pressure = std::max(pressure, s.pressure);
+  const double lift = pressure * 2.0 * c.bearing.radius * c.bearing.width;  // at most
+  if (!(least > lift)) return;
+  to.suspect("operation.speed",
+             fmt::format("the journal does not turn, and its load pushes to one side with {:.4g} N "
+                         "or more all the time: nothing pushes smooth surfaces apart again, they "
+                         "only come nearer and nearer",
+                         least),
+             "give the speed, or surfaces with contact data, or take the load as a single event "
+             "(without period)");
+}
+
 /// A table over crank angle with speeds of its own: then operation.speed only says how fast crank
 /// angles pass, and that both agree in the mean is what a shaft with its crank has.
 void judge_own_speed(const Case& c, const CycleNumbers& n, Findings& to) {
@@ -267,6 +293,7 @@ void judge_cycle(const Case& c, Findings& to) {
       "check the unit of the load (with [crank]: of its masses and pressures, and of the speed)");
   judge_turning(c, to);
   judge_own_speed(c, n, to);
+  judge_standing(c, n, to);
   if (c.cycle->journal_mass > 0.0) return judge_mass(c, n, to);
   if (const auto row = vanishing_load(*c.cycle)) {
     to.refuse(

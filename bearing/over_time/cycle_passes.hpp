@@ -12,6 +12,8 @@
 #include "bearing/over_time/cycle_record.hpp"
 #include "bearing/over_time/cycle_steps.hpp"
 #include "bearing/over_time/cycle_walls.hpp"
+#include "bearing/pressed_layer.hpp"
+#include "core/largest.hpp"
 
 namespace shellback::bearing {
 
@@ -92,6 +94,10 @@ class CyclePasses {
   void put_back(const Tape::Content& stand);
   /// A layer keeps marks of what has flowed, which are not of the oil alone.
   [[nodiscard]] bool has_marks() const { return !now_.layer.now.empty(); }
+  /// Largest lasting depth of it [m].
+  [[nodiscard]] double layer_depth() const {
+    return has_marks() ? largest(lasting_depth(now_.layer.now)) : 0.0;
+  }
   [[nodiscard]] const EquilibriumCost& cost() const { return cost_; }
   /// Whether it has cost all that it may.
   [[nodiscard]] bool spent() const { return cost_.work > control_.most_work; }

@@ -9,6 +9,7 @@
 #include "bearing/over_time/tape_members.hpp"
 #include "bearing/pockets.hpp"
 #include "bearing/solve.hpp"
+#include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 #include "core/round_off.hpp"
@@ -93,6 +94,7 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, const Field& p, doub
   const double t = instants_.empty() ? 0.0 : instants_.back().t + dt;
   const LoadNow load = course_->at(now.t, true);
   const Friction friction = friction_of(m, film_->point(), f);
+  sheared_ = worse(sheared_, sheared_oil(m.domain.grid, f.film.p, friction.stress.journal));
   CycleInstant i;
   i.t = t;
   i.dt = dt;
@@ -248,12 +250,12 @@ void CycleRecord::members(Tape& tape) {
          fed, line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
          off_balance, stored_begun, stored_ended, work, layer_loss, layer_depth, p_max,
          p_asperity_max, h_min, friction, power_now, heat, T_film, T_shell, T_shell_max, wear,
-         bent_edges, fed_fastest] = *this;
+         bent_edges, fed_fastest, sheared] = *this;
   tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, fed, impulse, v_begun,
        v_ended, line, vessels_begun, vessels_ended, dry, stored_begun, stored_ended, work,
        layer_loss, layer_depth);
   tape(pump_now, pump, off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film,
-       T_shell, T_shell_max, wear, bent_edges, fed_fastest);
+       T_shell, T_shell_max, wear, bent_edges, fed_fastest, sheared);
 }
 
 }  // namespace shellback::bearing

@@ -121,6 +121,7 @@ class CycleRecord {
   MeanWearLoad wear_;            ///< of a case with [running_in]
   int bent_edges_ = 0;           ///< most at an instant, on the solved grid
   note::FedFlow fed_fastest_;    ///< of all instants
+  note::OilSheared sheared_;     ///< the same
 };
 
 }  // namespace shellback::bearing

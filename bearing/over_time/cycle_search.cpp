@@ -74,8 +74,10 @@ bool CycleSearch::pass(const WallMeans* between) {
   const int before = cycles();
   const bool from_another = before > 0 && !oil_.just_led();
   const auto rest = [this](Tape& tape) { members(tape); };
+  const double depth = passes_.layer_depth();
   const bool good = between ? passes_.pass_between(*between, rest) : passes_.pass(rest);
   if (cycles() == before) return false;
+  layer_grows_ = passes_.layer_depth() - depth;
   if (good && from_another) closure_.add(passes_.difference());
   oil_.passed();
   return good;
@@ -209,6 +211,11 @@ void CycleSearch::walls_unsettled() {
 }
 
 void CycleSearch::cycles_unsettled() {
+  if (layer_grows_ > closure_.last * passes_.layer_depth()) {
+    unsettled_ = {Status::iteration_limit,
+                  ending::Unsettled{ending::Iteration::layer_of_cycles, cycles(), layer_grows_}};
+    return;
+  }
   unsettled_ = {Status::iteration_limit,
                 ending::Unsettled{ending::Iteration::cycles, cycles(), closure_.last, false,
                                   told().oil_gathered()}};

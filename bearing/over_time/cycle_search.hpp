@@ -122,6 +122,7 @@ class CycleSearch {
   bool settled_ = false;                 ///< the walls, when they were looked at last
   double round_change_ = INFINITY;       ///< of the walls, as a round of walls and oil left it [K]
   int stalled_ = 0;                      ///< rounds since it has fallen
+  double layer_grows_ = 0.0;             ///< by which a layer flowed in the last pass [m]
   std::vector<double> walls_begun_;      ///< of the walls' fixed point, packed
   Replay<std::vector<double>> answers_;  ///< of the iteration around the cycles
   Verdict unsettled_;                    ///< the passes were good, but led nowhere

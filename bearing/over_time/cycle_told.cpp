@@ -267,6 +267,9 @@ void CycleRecord::write(CycleResult& r) const {
   for (double& x : friction) x /= told();
   r.fields.friction_power = mirror_to_full(g, friction);
   if (!layer_depth_.empty()) r.fields.layer_depth = mirror_to_full(g, layer_depth_);
+  if (m.input.cycle->journal_mass > 0.0 && film_->point().load.unknowns == 4) {
+    r.assumptions.emplace_back(note::Plain::tilt_without_inertia);
+  }
   r.frames = frames_;
   if (dry_ > 0.0) {
     r.warnings.push_back(note::VesselEmpty{dry_ / told()});
@@ -291,6 +294,7 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   add_turbulence(m, course_->largest_speed() * m.input.bearing.radius, T_film_ / told(),
                  r.warnings);
   add_fed_flow(fed_fastest_, r.warnings);
+  add_sheared_oil(sheared_, r.warnings);
   for (const LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(l);
   if (bent_edges_ > 0) r.limiters.push_back({Limiter::bent_edges, (g.half ? 2 : 1) * bent_edges_});
 }

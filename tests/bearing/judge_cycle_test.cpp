@@ -314,7 +314,17 @@ TEST_CASE("ALoadThatVanishesNeedsAMass") {
 
 TEST_CASE("AJournalAtRestIsJudgedByTheCycle") {
   Case c = cycle_case();
-  c.operation.omega = 0.0;  // squeezed only
+  c.operation.omega = 0.0;  // squeezed only, and by a load that never lets go
+  REQUIRE(judge(c).size() == 1);
+  CHECK_FALSE(judge(c).front().refused());
+  CHECK(holds(judge(c).front().problem, "with 1000 N or more all the time"));
+  Case fed = c;  // 20 bar on 50 mm x 25 mm lift 2.5 kN
+  fed.supplies.front().pressure = 20e5;
+  CHECK(judge(fed).empty());
+  Case event = c;
+  event.cycle->period = NAN;
+  CHECK(judge(event).empty());
+  c.cycle->y = {1500.0, -2000.0, -3000.0, -2000.0};  // lets go
   CHECK(judge(c).empty());
   c.cycle->y[2] = -1e9;
   CHECK(judge(c).front().key == "load_cycle.file");

@@ -4,6 +4,7 @@
 #include "app/words/ending_words.hpp"
 #include "bearing/compare.hpp"
 #include "bearing/fed_flow.hpp"
+#include "bearing/told_limits.hpp"
 #include "bearing/told_ranges.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -234,6 +235,40 @@ TEST_CASE("ALiningBeyondItsLimitTemperatureIsTold", "[refusal]") {
   CHECK(T > 300.0);
   CHECK(told(T + 1.0) == 0.0);
   CHECK(told(T - 1.0) == T);
+}
+
+TEST_CASE("AFilmShearedByMoreThanOilBearsIsTold", "[refusal]") {
+  // 12 MPa of shear stress at 100 MPa are within what oil bears, 18 MPa not; nor are 6 MPa at none.
+  Case c = plain_case();
+  const BearingModel m = make_bearing(c, physics_of(c, c.model.tier), c.model.grid);
+  const FilmGrid& g = m.domain.grid;
+  const auto told = [&](double stress, double pressure) {
+    Field p(g.cells(), 0.0), tau(g.cells(), 1e3);
+    p[7] = pressure;
+    tau[7] = -stress;
+    const note::OilSheared worst = sheared_oil(g, p, tau);
+    CHECK(worst.place == fluid::place_of(g, 7));
+    CHECK(worst.part == Approx(stress / (5e6 + 0.1 * pressure)));
+    std::vector<Note> notes;
+    add_sheared_oil(worst, notes);
+    return !notes.empty();
+  };
+  CHECK_FALSE(told(12e6, 100e6));
+  CHECK(told(18e6, 100e6));
+  CHECK(told(6e6, 0.0));
+}
+
+TEST_CASE("ASteadyFilmAndACycleTellOilThatIsShearedTooMuch", "[refusal]") {
+  // An oil of 100 Pa s: 5 m/s over some 30 um shear it by 17 MPa.
+  Case c = plain_case();
+  c.oil.temperature = rheology::ConstantViscosity{100.0};
+  const auto told = [](const std::vector<Note>& notes) {
+    return std::any_of(notes.begin(), notes.end(),
+                       [](const Note& n) { return std::holds_alternative<note::OilSheared>(n); });
+  };
+  CHECK(told(warnings_of(solve(c, Tier::isothermal))));
+  c.oil.temperature = rheology::ConstantViscosity{0.015};
+  CHECK_FALSE(told(warnings_of(solve(c, Tier::isothermal))));
 }
 
 TEST_CASE("AnEdgeThatIsClosedWhileNoCellIsIsMarked", "[refusal]") {

@@ -3,6 +3,7 @@
 
 #include "../bearing/sample_bearing.hpp"
 #include "app/words/effect_words.hpp"
+#include "fidelity/grid_sequence.hpp"
 #include "fidelity/left_out.hpp"
 
 using namespace shellback;
@@ -95,4 +96,29 @@ TEST_CASE("OnlyWhatTheCaseLeavesOpenIsSwitchedOff") {
   CHECK(switches.flow_factors == false);
   CHECK(switches.asperity_contact == false);
   CHECK(switches.elastic_deformation == true);
+}
+
+TEST_CASE("EffectsThatUndoOneAnotherLeaveABar") {
+  // Heat thins the film by about as much as elastic surfaces widen it: the difference of both is
+  // small by chance, and each is known on the coarse grid alone.
+  Case c = rig_case();
+  c.model.tier = Tier::isothermal;
+  const Solution coarse = solve(c, Tier::isothermal);
+  REQUIRE(coarse.verdict.good());
+  const fidelity::ModelError e = fidelity::model_error(coarse, {});
+  REQUIRE(e.complete);
+  REQUIRE(e.one_by_one.size() == e.change.size());
+  double largest_effect = 0.0;
+  for (const auto& effect : e.effects) {
+    largest_effect = std::max(largest_effect, std::abs(effect.h_min));
+  }
+  // Steps are told over what each begins with; none halves or doubles the film beyond this.
+  const double h = value_in(fidelity::scalars(coarse), "h_min");
+  CHECK(value_in(e.one_by_one, "h_min") > 0.3 * largest_effect * h);
+  for (const Quantity& q : e.change) {
+    const double apart = value_in(e.one_by_one, q.name);
+    if (!std::isfinite(q.value)) continue;
+    // n numbers add up to no more than root n times the root of their squares.
+    CHECK(std::abs(q.value) <= std::sqrt(1.0 * e.effects.size()) * apart * (1.0 + 1e-12));
+  }
 }

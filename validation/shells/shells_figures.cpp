@@ -48,7 +48,12 @@ ShellFigure curve(const ShellsStudy& study, const std::string& title, const std:
     }
     plot.series.push_back(std::move(s));
   }
-  if (plot.series.empty()) return {"", "No shell has been found over the cycle."};
+  if (plot.series.empty()) {
+    const bool tried = std::any_of(study.cycles.begin(), study.cycles.end(),
+                                   [](const auto& shell) { return shell[0].tried; });
+    return {"", tried ? title + ": no shell has been found over the cycle."
+                      : title + ": no cycle has been run yet."};
+  }
   Svg svg(kWidth, kHeight);
   draw_lines(svg, {0.0, 0.0, kWidth - kHalfLabel, kHeight}, plot, theme);
   return finished(svg, title, caption);

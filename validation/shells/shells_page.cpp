@@ -337,6 +337,9 @@ std::string hardest_html(const ShellsStudy& study) {
 
 std::string failures_html(const ShellsStudy& study) {
   std::string html;
+  const bool any = std::any_of(study.cycles.begin(), study.cycles.end(),
+                               [](const auto& shell) { return shell[0].tried || shell[1].tried; });
+  if (!any) return "<p class=\"scene\">No cycle has been run to its end yet.</p>\n";
   for (int k = 0; k < kShells; ++k) {
     for (const ShellCycle& c : study.cycles[k]) {
       if (!c.tried || c.good()) continue;
@@ -375,7 +378,9 @@ std::string shells_page(const ShellsStudy& study) {
         "<code>--quick</code>).</p>\n";
   }
   if (study.interrupted) {
-    html += "<p class=\"note\"><strong>Interrupted:</strong> what was finished is shown.</p>\n";
+    html +=
+        "<p class=\"note\"><strong>Interrupted:</strong> what was finished is shown, the rest as "
+        "\"not run\"; the same command with <code>--resume</code> goes on.</p>\n";
   }
   html += section("Friction power (Table 5)", powers_html(study));
   html += section("What the order of the shells hangs on", variants_html(study));

@@ -101,15 +101,15 @@ void add_oil(const Case& subject, const Derived& d, std::vector<Indicator>& list
   }
 }
 
-/// Way over which a supply's pressure falls, from its rim to the land's end [m]: to all sides, as
-/// of a source of half its shorter side, s ln(1 + land/s); the land where the supply is long
-/// (textbook: flow from a circle into a plane).
+/// Way over which a supply's pressure falls to the side, from its rim to the land's end [m]: as
+/// from a circle of its width around, s ln(1 + land/s), s half of that; the land where it is long
+/// around (textbook: flow from a circle into a plane).
 double way_of_fed_oil(const Case& subject, const Supply& supply) {
   const bool round = supply.kind == SupplyKind::hole || supply.kind == SupplyKind::drilling;
   const double along = round ? supply.diameter : supply.length;
   const double around = round ? supply.diameter : supply.arc * subject.bearing.radius;
   const double land = 0.5 * subject.bearing.width - std::abs(supply.z) - 0.5 * along;
-  const double s = 0.5 * std::min(along, around);
+  const double s = 0.5 * around;
   if (!(land > 0.0) || !(s > 0.0) || goes_all_round(supply)) return land;
   return s * std::log1p(land / s);
 }

@@ -53,7 +53,8 @@ struct SurfaceReport {
 /// Whether heights are longer one way than another by so much that they have a lay.
 inline constexpr double kRound = 1.5;  ///< longest over shortest length: hardly a lay below [-]
 [[nodiscard]] inline bool has_lay(const surface::Correlation& c) {
-  return c.longest.at_least || c.longest.length > kRound * c.shortest.length;
+  return (c.longest.at_least && !c.shortest.at_least) ||
+         c.longest.length > kRound * c.shortest.length;
 }
 
 /// Reads, judges and solves. Throws FileError and InputError (app/read_height_map.hpp): holes

@@ -200,11 +200,11 @@ struct NoClearance {
 /// An orbit that repeats itself, and from which a displaced journal departs.
 struct UnstableOrbit {
   /// Of a journal heavier by a tenth on another grid.
-  enum class Elsewhere { unknown, keeps_to_it, departs };
+  enum class Elsewhere { not_looked, no_orbit, not_judged, keeps_to_it, departs };
   double growth = 1.0;            ///< of the displacement in a cycle [-]
   std::array<int, 2> grid{0, 0};  ///< cells around and along
-  Elsewhere elsewhere = Elsewhere::unknown;
-  std::array<int, 2> other{0, 0};  ///< the other grid
+  Elsewhere elsewhere = Elsewhere::not_looked;
+  std::array<int, 2> other{0, 0};  ///< the other grid; zero: not looked
 };
 
 /// A step of a cycle that was not found; cause: why.

@@ -15,6 +15,7 @@
 #include "fidelity/estimate_cycle.hpp"
 #include "fidelity/grid_sequence.hpp"
 #include "fidelity/left_out.hpp"
+#include "fidelity/quantities.hpp"
 #include "fidelity/tolerance.hpp"
 
 namespace shellback::fidelity {
@@ -147,7 +148,8 @@ class CycleTierSearch {
       tier_ = tier;
       left_out_ = left;
       for (const CycleQuantity& q : cheap.quantities) {
-        left_.emplace_back(q.quantity.name, std::abs(change(q)));
+        const double whole = q.quantity.value - value_of(rich, q.quantity.name);
+        left_.push_back({q.quantity.name, kModelSafety * std::abs(whole), q.quantity.size()});
       }
       break;
     }
@@ -214,9 +216,8 @@ class CycleTierSearch {
     }
     if (stopped(control_) && !chosen_) return r;
     for (CycleQuantity& q : r.quantities) {
-      const double size = q.quantity.size();
       if (!unjudged_.empty()) continue;  // no bar of the physics left out
-      q.quantity.error_model = left_of(q.quantity.name) * size;
+      q.quantity.error_model = left_of(q.quantity);
     }
     r.assumptions.push_back(
         note::TierTaken{r.tier, r.grid, left_out_.friction, left_out_.h_min, unjudged_, solved_});
@@ -234,10 +235,15 @@ class CycleTierSearch {
     return r;
   }
 
-  /// What the physics left out would change of a quantity, over its size; not-a-number: not known.
-  [[nodiscard]] double left_of(const std::string& name) const {
-    for (const auto& [known, part] : left_) {
-      if (known == name) return part;
+  /// What the physics left out may change of a quantity: as much as on the coarse grid, or as large
+  /// a part of what is there, whichever is more. Not-a-number: not known.
+  [[nodiscard]] double left_of(const Quantity& q) const {
+    for (const Left& l : left_) {
+      if (l.name != q.name) continue;
+      const bool of_size = one_sign(q) && l.size > 0.0;
+      const double bar = of_size ? std::max(l.bar, l.bar / l.size * q.size()) : l.bar;
+      const double most = furthest(case_, q);
+      return bar > most ? most : bar;
     }
     return left_.empty() ? 0.0 : double{NAN};
   }
@@ -249,13 +255,20 @@ class CycleTierSearch {
     return {bars.friction + left_out_.friction, bars.h_min + left_out_.h_min};
   }
 
+  /// What a quantity of the coarse grid lacks by the physics left out, and how large it is there.
+  struct Left {
+    std::string name;
+    double bar = 0.0;
+    double size = 0.0;
+  };
+
   const Case& case_;
   const SolveControl& control_;
   Case on_ = case_;  ///< with what is tried: grid, tolerance, tier
   Tier tier_ = Tier::isothermal;
-  FrictionAndFilm left_out_;                          ///< by the tier that was chosen
-  std::vector<std::pair<std::string, double>> left_;  ///< of every quantity of it; empty: nothing
-  std::vector<note::NothingRicher> unjudged_;         ///< the richest tier, where it judges nothing
+  FrictionAndFilm left_out_;                   ///< by the tier that was chosen
+  std::vector<Left> left_;                     ///< every quantity of it; empty: nothing is left out
+  std::vector<note::NothingRicher> unjudged_;  ///< the richest tier, where it judges nothing
   CycleResult last_;
   bool chosen_ = false;  ///< the tier, from those that were tried
   std::vector<std::string> solved_;

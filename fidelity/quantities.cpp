@@ -34,6 +34,12 @@ bool is_of_heat(const std::string& name) {
   return name.starts_with("T_") || name.starts_with("heat");
 }
 
+bool one_sign(const Quantity& q) {
+  const auto units = {"N m", "m", "Pa", "1", "m3/s"};
+  return q.name != "thermal_opening_mean" &&
+         std::any_of(units.begin(), units.end(), [&](const char* u) { return q.unit == u; });
+}
+
 bool is_coefficient(const Quantity& q) {
   return q.name.size() == 4 && (q.name.starts_with("K_") || q.name.starts_with("C_"));
 }

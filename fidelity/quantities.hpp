@@ -21,6 +21,9 @@ using bearing::Quantity;
 /// True of temperatures and heats, which a film of held temperatures does not know.
 [[nodiscard]] bool is_of_heat(const std::string& name);
 
+/// True for quantities of one sign, of which a relative change means something.
+[[nodiscard]] bool one_sign(const Quantity& q);
+
 /// True of an entry of the stiffness or the damping matrix.
 [[nodiscard]] bool is_coefficient(const Quantity& q);
 

@@ -20,13 +20,6 @@ bool nodes_matter(const BearingModel& m) {
   return m.physics.film_energy || !std::holds_alternative<rheology::NoShearThinning>(m.oil.shear);
 }
 
-/// True for quantities of one sign, of which a relative change means something.
-bool one_sign(const Quantity& q) {
-  const auto units = {"N m", "m", "Pa", "1", "m3/s"};
-  return q.name != "thermal_opening_mean" &&
-         std::any_of(units.begin(), units.end(), [&](const char* u) { return q.unit == u; });
-}
-
 /// `limit` if it can be one of the quantity, else not known.
 double limit_of(const Case& c, const Quantity& q, double limit) {
   const bool turned = one_sign(q) && limit * q.value < 0.0;
@@ -143,7 +136,10 @@ void bound_asperity_torque(Result& result) {
 /// change more or less by, also where effects undo one another. NaN: not known.
 double model_bar(const BarRecord& record, const std::vector<Quantity>& coarse, const Quantity& q) {
   const double whole = std::abs(value_in(record.model.change, q.name));
-  const double apart = (kModelSafety - 1.0) * value_in(record.model.one_by_one, q.name);
+  // The smallest film goes to the edges where the middle opens: it is as sure as that.
+  const char* film = q.name == "h_min" ? "h_min_mid" : q.name.c_str();
+  const double apart = (kModelSafety - 1.0) * std::fmax(value_in(record.model.one_by_one, q.name),
+                                                        value_in(record.model.one_by_one, film));
   const double change = std::max(kModelSafety * whole, whole + apart);
   const double size = std::abs(value_in(coarse, q.name));
   return one_sign(q) && size > 0.0 ? std::max(change, change / size * std::abs(q.value)) : change;

@@ -99,11 +99,24 @@ inline Told told(const ending::UnstableOrbit& e, const About&) {
                         departs, cells(e.other)),
             cure};
   }
-  return {fmt::format("not resolved: {}, {}", departs,
-                      e.elsewhere == Elsewhere::keeps_to_it
-                          ? fmt::format("and one that is a tenth heavier keeps to its orbit on {}",
-                                        cells(e.other))
-                          : fmt::format("and on {} no orbit was found", cells(e.other))),
+  const char* elsewhere = "";
+  switch (e.elsewhere) {
+    case Elsewhere::not_looked:
+    case Elsewhere::departs:
+      break;
+    case Elsewhere::no_orbit:
+      elsewhere = ", and for one that is a tenth heavier no orbit was found on ";
+      break;
+    case Elsewhere::not_judged:
+      elsewhere = ", and whether one that is a tenth heavier does so could not be seen on ";
+      break;
+    case Elsewhere::keeps_to_it:
+      elsewhere = ", and one that is a tenth heavier keeps to its orbit on ";
+      break;
+  }
+  return {fmt::format("not resolved: {}{}", departs,
+                      *elsewhere != 0 ? elsewhere + cells(e.other)
+                                      : "; it was not looked at on another grid"),
           std::string("a finer grid (it moves the threshold of whirl); else ") + cure};
 }
 

@@ -240,26 +240,31 @@ void judge_turning(const Case& c, Findings& to) {
 }
 
 /// A journal that never turns drags no oil under its load: squeezing carries it, which takes a load
-/// that lets go, or oil under more pressure than it.
+/// that lets go or goes round, or oil under more pressure than it.
 void judge_standing(const Case& c, const CycleNumbers& n, Findings& to) {
-  const LoadCycle& cycle = *c.cycle;
-  if (n.largest_speed > 0.0 || !cycle.repeats() || c.surfaces.contact) return;
-  double x = 0.0, y = 0.0, pressure = 0.0, least = INFINITY;
+  if (n.largest_speed > 0.0 || !c.cycle->repeats() || c.surfaces.contact) return;
+  const LoadCycle cycle = as_lines(*c.cycle);
+  double x = 0.0, y = 0.0, pressure = 0.0;
   for (std::size_t k = 0; k < cycle.t.size(); ++k) {
     x += cycle.x[k];
     y += cycle.y[k];
   }
+  double least = INFINITY;
   const double size = std::hypot(x, y);
+  if (!(size > 0.0)) return;
   for (std::size_t k = 0; k < cycle.t.size(); ++k) {
-    least = std::min(least, (cycle.x[k] * x + cycle.y[k] * y) / size);
+    const double along = (cycle.x[k] * x + cycle.y[k] * y) / size;
+    const double aside = std::abs(cycle.y[k] * x - cycle.x[k] * y) / size;
+    if (!(along >= aside)) return;  // all of them within a right angle
+    least = std::min(least, along);
   }
   for (const Supply& s : c.supplies) pressure = std::max(pressure, s.pressure);
   const double lift = pressure * 2.0 * c.bearing.radius * c.bearing.width;  // at most
   if (!(least > lift)) return;
   to.suspect("operation.speed",
              fmt::format("the journal does not turn, and its load pushes to one side with {:.4g} N "
-                         "or more all the time: nothing pushes smooth surfaces apart again, they "
-                         "only come nearer and nearer",
+                         "or more all the time: hardly anything pushes smooth surfaces apart "
+                         "again, they come nearer and nearer",
                          least),
              "give the speed, or surfaces with contact data, or take the load as a single event "
              "(without period)");

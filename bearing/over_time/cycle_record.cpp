@@ -94,7 +94,7 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, const Field& p, doub
   const double t = instants_.empty() ? 0.0 : instants_.back().t + dt;
   const LoadNow load = course_->at(now.t, true);
   const Friction friction = friction_of(m, film_->point(), f);
-  sheared_ = worse(sheared_, sheared_oil(m.domain.grid, f.film.p, friction.stress.journal));
+  sheared_ = worse(sheared_, sheared_oil(m.domain.grid, p, friction.stress.journal));
   CycleInstant i;
   i.t = t;
   i.dt = dt;

@@ -29,13 +29,13 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
 
 void CycleSearch::members(Tape& tape) {
   tape(closure_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
-       round_change_, stalled_, growth_, led_, displaced_);
+       round_change_, stalled_, growth_, led_, displaced_, layer_begun_);
   tape(walls_begun_, answers_);
 }
 
 void CycleSearch::ended(Tape& tape) {
   passes_.members(tape);
-  tape(closure_, answered_, off_, mean_change_, wall_change_, unsettled_, growth_);
+  tape(closure_, answered_, off_, mean_change_, wall_change_, unsettled_, growth_, unseen_);
 }
 
 void CycleSearch::begin(const CycleSearch& coarser) {
@@ -74,10 +74,10 @@ bool CycleSearch::pass(const WallMeans* between) {
   const int before = cycles();
   const bool from_another = before > 0 && !oil_.just_led();
   const auto rest = [this](Tape& tape) { members(tape); };
-  const double depth = passes_.layer_depth();
+  if (!brought_back()) layer_begun_ = passes_.layer_depth();
   const bool good = between ? passes_.pass_between(*between, rest) : passes_.pass(rest);
   if (cycles() == before) return false;
-  layer_grows_ = passes_.layer_depth() - depth;
+  layer_grows_ = passes_.layer_depth() - layer_begun_;
   if (good && from_another) closure_.add(passes_.difference());
   oil_.passed();
   return good;
@@ -104,6 +104,7 @@ void CycleSearch::come_back() {
 const Verdict& CycleSearch::judge_orbit() {
   constexpr int kDying = 2, kSeen = 10;  // cycles in which all but the slowest dies out, and after
   if (!verdict().good() || !may_depart()) return verdict();
+  unseen_ = true;
   if (!displaced_) {
     displaced_ = Displaced{passes_.stand(), {}};
     if (!passes_.displace()) {
@@ -122,6 +123,7 @@ const Verdict& CycleSearch::judge_orbit() {
   if (seen.size() < kDying + kSeen) return verdict();  // displaced, it does not pass the cycle
   seen.erase(seen.begin(), seen.begin() + kDying);
   growth_ = growth_per_cycle(seen, displaced).value_or(NAN);
+  unseen_ = std::isnan(growth_);
   if (growth_ >= 1.0) {
     unsettled_ = {Status::iteration_limit,
                   ending::UnstableOrbit{growth_, film().model().input.model.grid}};
@@ -259,7 +261,7 @@ CycleResult CycleSearch::result() const {
   r.verdict = verdict();
   r.closure = closure_.last;
   r.growth = growth_;
-  if (r.verdict.good() && may_depart() && std::isnan(growth_)) {
+  if (r.verdict.good() && unseen_) {
     r.warnings.emplace_back(note::Plain::orbit_not_judged);
   }
   r.audit.walls = wall_change_;

@@ -56,8 +56,8 @@ class CycleSearch {
   /// Searches; `rough`: only so far as a finer grid needs to begin.
   const Verdict& search(bool rough);
   /// Of a periodic state that was found: cycles that were led on may lead to an orbit that no
-  /// journal keeps to, so what a displaced one does in some cycles more (orbit_growth.hpp). That
-  /// another grid has it so is not looked at: iteration_limit.
+  /// journal keeps to, so what a displaced one does in some cycles more (orbit_growth.hpp). It
+  /// looks at no other grid: an unstable orbit ends as iteration_limit.
   const Verdict& judge_orbit();
   /// The periodic state of a shape that has hardly changed since begin_reshaped(): cycles until the
   /// film ends one as it began it, within the error of a step in time, and the walls agree with its
@@ -100,7 +100,7 @@ class CycleSearch {
   /// For a tape, besides the passes.
   void members(Tape& tape);
   [[nodiscard]] bool repeats() const { return film().model().input.cycle->repeats(); }
-  /// The journal, from the orbit: by cycles alone it would have come to one that it keeps to.
+  /// Whether the orbit may be one that the journal does not keep to: cycles alone lead to none.
   [[nodiscard]] bool may_depart() const {
     return led_ && film().model().input.cycle->journal_mass > 0.0;
   }
@@ -110,6 +110,7 @@ class CycleSearch {
   Closure closure_;
   bool led_ = false;     ///< anything, on this grid or a coarser one
   double growth_ = NAN;  ///< CycleResult::growth
+  bool unseen_ = false;  ///< growth was looked at, and is not known
   std::optional<Displaced> displaced_;
   LedOil oil_;
   std::optional<WallMeans> answered_;  ///< what the last cycle's heat makes of the walls
@@ -122,7 +123,8 @@ class CycleSearch {
   bool settled_ = false;                 ///< the walls, when they were looked at last
   double round_change_ = INFINITY;       ///< of the walls, as a round of walls and oil left it [K]
   int stalled_ = 0;                      ///< rounds since it has fallen
-  double layer_grows_ = 0.0;             ///< by which a layer flowed in the last pass [m]
+  double layer_begun_ = 0.0;             ///< depth to which a layer has flowed before a pass [m]
+  double layer_grows_ = 0.0;             ///< by which it flowed in the last pass [m]
   std::vector<double> walls_begun_;      ///< of the walls' fixed point, packed
   Replay<std::vector<double>> answers_;  ///< of the iteration around the cycles
   Verdict unsettled_;                    ///< the passes were good, but led nowhere

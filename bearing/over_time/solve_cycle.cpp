@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "bearing/bearing.hpp"
 #include "bearing/follow.hpp"
 #include "bearing/nested.hpp"
@@ -108,26 +111,46 @@ CycleResult search_on_grid(const Case& c, Tier tier, const SolveControl& control
 std::array<int, 2> another_grid(const Case& c, std::array<int, 2> grid) {
   const auto coarser = halved(grid);
   if (coarser && holds_supplies(c, *coarser)) return *coarser;
-  return {2 * grid[0], 2 * grid[1] - 1};
+  return {2 * grid[0], std::min(2 * grid[1] - 1, most_axial_cells(c))};
 }
 
-/// That no journal keeps to its orbit, where a journal heavier by the tenth within which two grids
-/// are to agree departs on another grid, too; else not resolved.
-Verdict on_two_grids(ending::UnstableOrbit orbit, Case c, Tier tier, SolveControl control,
-                     Cost& cost) {
+/// Whether a journal heavier by the tenth within which two grids are to agree departs from its
+/// orbit on another grid. Its verdict: interrupted, or nothing.
+ending::UnstableOrbit::Elsewhere on_other_grid(Case c, Tier tier, const SolveControl& control,
+                                               std::array<int, 2> grid, Cost& cost,
+                                               Verdict& interrupted) {
   using Elsewhere = ending::UnstableOrbit::Elsewhere;
-  control.kept = nullptr;
-  c.model.grid = orbit.other = another_grid(c, orbit.grid);
+  c.model.grid = grid;
   c.cycle->journal_mass *= 1.0 + kAgree;
-  const CycleResult r = search_on_grid(c, tier, control);
+  CycleResult r;
+  try {
+    r = search_on_grid(c, tier, control);
+  } catch (const InputError&) {  // of the grid, which nobody gave: it does not hold the supplies
+    return Elsewhere::no_orbit;
+  }
   cost.factorizations += r.cost.factorizations;
   cost.newton_iterations += r.cost.newton_iterations;
-  const Verdict& other = r.verdict;
-  if (other.status == Status::interrupted) return other;
-  const bool departs = other.as<ending::UnstableOrbit>() != nullptr;
-  if (departs || other.good()) {
-    orbit.elsewhere = departs ? Elsewhere::departs : Elsewhere::keeps_to_it;
-  }
+  if (r.verdict.status == Status::interrupted) interrupted = r.verdict;
+  if (r.verdict.as<ending::UnstableOrbit>() != nullptr) return Elsewhere::departs;
+  if (!r.verdict.good()) return Elsewhere::no_orbit;
+  const bool judged = std::none_of(r.warnings.begin(), r.warnings.end(), [](const Note& n) {
+    const auto* plain = std::get_if<note::Plain>(&n);
+    return plain != nullptr && *plain == note::Plain::orbit_not_judged;
+  });
+  return judged ? Elsewhere::keeps_to_it : Elsewhere::not_judged;
+}
+
+/// That no journal keeps to its orbit, where two grids agree on it; else not resolved. What may
+/// cost so much and no more is not searched twice.
+Verdict on_two_grids(ending::UnstableOrbit orbit, const Case& c, Tier tier, SolveControl control,
+                     Cost& cost) {
+  if (std::isfinite(control.most_work)) return {Status::iteration_limit, orbit};
+  control.kept = nullptr;
+  orbit.other = another_grid(c, orbit.grid);
+  Verdict interrupted;
+  orbit.elsewhere = on_other_grid(c, tier, control, orbit.other, cost, interrupted);
+  if (!interrupted.good()) return interrupted;
+  const bool departs = orbit.elsewhere == ending::UnstableOrbit::Elsewhere::departs;
   return {departs ? Status::no_steady_state : Status::iteration_limit, orbit};
 }
 

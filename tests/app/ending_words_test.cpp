@@ -123,10 +123,12 @@ TEST_CASE("AnUnstableOrbitTellsBothGrids", "[words]") {
         "no journal keeps to its orbit: on 200 x 25 cells a journal that is off the orbit that "
         "repeats itself departs from it by 0.5 % more with every cycle (whirl), and so does one "
         "that is a tenth heavier on 100 x 13 cells");
-  for (const Elsewhere e : {Elsewhere::keeps_to_it, Elsewhere::unknown}) {
+  for (const Elsewhere e : {Elsewhere::keeps_to_it, Elsewhere::not_judged, Elsewhere::no_orbit}) {
     CHECK(told(e).find("not resolved: on 200 x 25 cells") == 0);
     CHECK(told(e).find("on 100 x 13 cells") != std::string::npos);
   }
+  CHECK(reason_of({kLimit, ending::UnstableOrbit{1.005, {200, 25}}})
+            .find("it was not looked at on another grid") != std::string::npos);
 }
 
 TEST_CASE("AStepTellsItsInstantAndItsCauseAndHasACureOfItsOwn", "[words]") {

@@ -321,9 +321,10 @@ TEST_CASE("AJournalAtRestIsJudgedByTheCycle") {
   Case fed = c;  // 20 bar on 50 mm x 25 mm lift 2.5 kN
   fed.supplies.front().pressure = 20e5;
   CHECK(judge(fed).empty());
-  Case event = c;
-  event.cycle->period = NAN;
-  CHECK(judge(event).empty());
+  Case round = c;  // goes round: its mean is none
+  round.cycle->x = {1000.0, 0.0, -1000.0, 0.0};
+  round.cycle->y = {0.0, 1000.0, 0.0, -1000.0};
+  CHECK(judge(round).empty());
   c.cycle->y = {1500.0, -2000.0, -3000.0, -2000.0};  // lets go
   CHECK(judge(c).empty());
   c.cycle->y[2] = -1e9;

@@ -4,7 +4,7 @@
 #include "app/words/ending_words.hpp"
 #include "bearing/compare.hpp"
 #include "bearing/fed_flow.hpp"
-#include "bearing/told_limits.hpp"
+#include "bearing/over_time/cycle.hpp"
 #include "bearing/told_ranges.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -266,9 +266,21 @@ TEST_CASE("ASteadyFilmAndACycleTellOilThatIsShearedTooMuch", "[refusal]") {
     return std::any_of(notes.begin(), notes.end(),
                        [](const Note& n) { return std::holds_alternative<note::OilSheared>(n); });
   };
-  CHECK(told(warnings_of(solve(c, Tier::isothermal))));
+  CHECK(told(solve(c).warnings));
+  LoadCycle cycle;
+  cycle.period = 4.0 * kPi / c.operation.omega;
+  for (int k = 0; k < 4; ++k) {
+    cycle.t.push_back(0.25 * k * cycle.period);
+    cycle.x.push_back(0.0);
+    cycle.y.push_back(-2000.0 - 200.0 * (k % 2));
+  }
+  Case swings = c;
+  swings.operation.position = LoadGiven{};
+  swings.cycle = cycle;
+  swings.model.tolerance = 0.05;
+  CHECK(told(solve_cycle(swings, Tier::isothermal).warnings));
   c.oil.temperature = rheology::ConstantViscosity{0.015};
-  CHECK_FALSE(told(warnings_of(solve(c, Tier::isothermal))));
+  CHECK_FALSE(told(solve(c).warnings));
 }
 
 TEST_CASE("AnEdgeThatIsClosedWhileNoCellIsIsMarked", "[refusal]") {

@@ -5,6 +5,7 @@
 #include "app/words/effect_words.hpp"
 #include "fidelity/grid_sequence.hpp"
 #include "fidelity/left_out.hpp"
+#include "fidelity/solve_case.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -103,7 +104,7 @@ TEST_CASE("EffectsThatUndoOneAnotherLeaveABar") {
   // small by chance, and each is known on the coarse grid alone.
   Case c = rig_case();
   c.model.tier = Tier::isothermal;
-  const Solution coarse = solve(c, Tier::isothermal);
+  const Solution coarse = solve_tier(c, Tier::isothermal);
   REQUIRE(coarse.verdict.good());
   const fidelity::ModelError e = fidelity::model_error(coarse, {});
   REQUIRE(e.complete);
@@ -119,6 +120,56 @@ TEST_CASE("EffectsThatUndoOneAnotherLeaveABar") {
     const double apart = value_in(e.one_by_one, q.name);
     if (!std::isfinite(q.value)) continue;
     // n numbers add up to no more than root n times the root of their squares.
-    CHECK(std::abs(q.value) <= std::sqrt(1.0 * e.effects.size()) * apart * (1.0 + 1e-12));
+    CHECK(std::abs(q.value) <=
+          std::sqrt(static_cast<double>(e.effects.size())) * apart * (1.0 + 1e-12));
   }
+}
+
+TEST_CASE("BarsHoldWhereAFilmOpensInTheMiddleAndNotAtItsEdges") {
+  // 6 kN at 500 rpm on 50 mm x 25 mm: elastic walls widen the film at mid-width by a quarter and
+  // leave its edges, where it is smallest then, as they are; heat thins it.
+  Case c = rig_case();
+  c.bearing = {0.025, 0.025, 25e-6, 353.15, {}};
+  c.operation.omega = 500.0 * kPi / 30.0;
+  c.operation.position = LoadGiven{6e3, 270.0 * kDegree};
+  c.supplies.front().pressure = 2e5;
+  c.supplies.front().temperature = c.oil_temperature = 353.15;
+  c.oil.temperature = rheology::ConstantViscosity{0.01};
+  c.oil.pressure = rheology::NoPressureEffect{};
+  c.oil.shear = rheology::NoShearThinning{};
+  c.surfaces.shell = {0.5e-6, 1.0, 0.4289e-6, 0.6324e-6};
+  c.surfaces.shaft = {};
+  c.model.tier = Tier::isothermal;
+  c.model.grid = {100, 13};
+  const Result bars = fidelity::solve_case(c);
+  Case rich = c;
+  rich.model.tier = Tier::tehd;
+  rich.model.grid = {200, 25};
+  const Result truth = solve(rich);
+  REQUIRE(bars.verdict.good());
+  REQUIRE(truth.verdict.good());
+  for (const char* name : {"h_min", "h_min_mid", "friction_torque"}) {
+    INFO(name);
+    const Quantity* q = quantity_in(bars.quantities, name);
+    CHECK(std::abs(truth.value(name) - q->value) <= q->error());
+  }
+}
+
+TEST_CASE("TemperaturesAreNoSurerThanTheirHeatAndPartsNoMoreThanTheWhole") {
+  Case c = rig_case();
+  c.model.tier = Tier::tehd;
+  c.model.grid = {100, 13};
+  const Result r = fidelity::solve_case(c);
+  REQUIRE(r.verdict.good());
+  const Quantity& torque = *quantity_in(r.quantities, "friction_torque");
+  const double of_heat = torque.error_grid / torque.size();
+  const double T_supply = mean_supply_temperature(c);
+  for (const char* name : {"T_film_max", "T_shell_max", "T_shaft"}) {
+    const Quantity& q = *quantity_in(r.quantities, name);
+    INFO(name);
+    CHECK(q.error_grid >= of_heat * std::abs(q.value - T_supply) * (1.0 - 1e-12));
+  }
+  const Quantity& part = *quantity_in(r.quantities, "friction_torque_asperity");
+  const double most = torque.size() + torque.error_grid;
+  CHECK(part.error_grid <= std::max(part.size(), most - part.size()) * (1.0 + 1e-12));
 }

@@ -133,7 +133,8 @@ TEST_CASE("BarsHoldWhereAFilmOpensInTheMiddleAndNotAtItsEdges") {
   c.operation.omega = 500.0 * kPi / 30.0;
   c.operation.position = LoadGiven{6e3, 270.0 * kDegree};
   c.supplies.front().pressure = 2e5;
-  c.supplies.front().temperature = c.oil_temperature = 353.15;
+  c.supplies.front().temperature = 353.15;
+  c.oil_temperature = 353.15;
   c.oil.temperature = rheology::ConstantViscosity{0.01};
   c.oil.pressure = rheology::NoPressureEffect{};
   c.oil.shear = rheology::NoShearThinning{};
@@ -145,7 +146,7 @@ TEST_CASE("BarsHoldWhereAFilmOpensInTheMiddleAndNotAtItsEdges") {
   Case rich = c;
   rich.model.tier = Tier::tehd;
   rich.model.grid = {200, 25};
-  const Result truth = solve(rich);
+  const Result truth = bearing::solve(rich);
   REQUIRE(bars.verdict.good());
   REQUIRE(truth.verdict.good());
   for (const char* name : {"h_min", "h_min_mid", "friction_torque"}) {

@@ -115,7 +115,7 @@ std::array<int, 2> another_grid(const Case& c, std::array<int, 2> grid) {
 }
 
 /// Whether a journal heavier by the tenth within which two grids are to agree departs from its
-/// orbit on another grid. Its verdict: interrupted, or nothing.
+/// orbit on another grid. `interrupted`: its verdict, if it was.
 ending::UnstableOrbit::Elsewhere on_other_grid(Case c, Tier tier, const SolveControl& control,
                                                std::array<int, 2> grid, Cost& cost,
                                                Verdict& interrupted) {

@@ -50,8 +50,9 @@ struct SurfaceReport {
   std::vector<std::string> notes;  ///< what the numbers do not tell of themselves
 };
 
-/// Whether heights are longer one way than another by so much that they have a lay.
 inline constexpr double kRound = 1.5;  ///< longest over shortest length: hardly a lay below [-]
+
+/// Whether heights are longer one way than another by so much that they have a lay.
 [[nodiscard]] inline bool has_lay(const surface::Correlation& c) {
   return (c.longest.at_least && !c.shortest.at_least) ||
          c.longest.length > kRound * c.shortest.length;

@@ -248,11 +248,12 @@ class CycleTierSearch {
     return left_.empty() ? 0.0 : double{NAN};
   }
 
+  /// The sum of all bars that are told; not known where nothing richer judges.
   [[nodiscard]] FrictionAndFilm bars_of(const CycleResult& r) const {
-    const FrictionAndFilm bars = both(r, [](const CycleQuantity& q) {
-      return over_value(q.quantity.error_grid + q.error_time, q);
+    if (!unjudged_.empty()) return {INFINITY, INFINITY};
+    return both(r, [this](const CycleQuantity& q) {
+      return over_value(q.quantity.error_grid + q.error_time + left_of(q.quantity), q);
     });
-    return {bars.friction + left_out_.friction, bars.h_min + left_out_.h_min};
   }
 
   /// What a quantity of the coarse grid lacks by the physics left out, and how large it is there.

@@ -213,7 +213,9 @@ void CycleSearch::walls_unsettled() {
 }
 
 void CycleSearch::cycles_unsettled() {
-  if (layer_grows_ > closure_.last * passes_.layer_depth()) {
+  const Field& gap = told().smallest_gap();
+  // Cycles are compared by their smallest film: what a layer flows by opens it.
+  if (layer_grows_ > closure_.last * *std::min_element(gap.begin(), gap.end())) {
     unsettled_ = {Status::iteration_limit,
                   ending::Unsettled{ending::Iteration::layer_of_cycles, cycles(), layer_grows_}};
     return;

@@ -131,6 +131,21 @@ TEST_CASE("IndicatorsNameTheEffectsThatMatter") {
   CHECK(find(rb, "heating of the film").value == 0.0);  // constant viscosity
 }
 
+TEST_CASE("OilFedByAHoleIsAsFastAsFromACircleIntoAPlane") {
+  const auto c = read_case(case_path("ks-rig-test-bearing").string());
+  const Derived d = derive(c);
+  const bearing::Supply& hole = c.supplies.front();
+  REQUIRE(hole.kind == bearing::SupplyKind::hole);
+  const double rim = 0.5 * hole.diameter;
+  const double edge = 0.5 * c.bearing.width;
+  const double h = c.bearing.radial_clearance;
+  // Q = pi h^3 p/(6 eta ln(r2/r1)) through the circle of the rim; the head over the pressure.
+  const double Q = kPi * h * h * h * hole.pressure / (6.0 * d.eta * std::log(edge / rim));
+  const double u = Q / (2.0 * kPi * rim * h);
+  CHECK(find(indicators(c, d), "inertia of the fed oil").value ==
+        Approx(0.5 * d.rho * u * u / hole.pressure).epsilon(1e-9));
+}
+
 TEST_CASE("TheEquivalentTemperatureFollowsItsFormula") {
   const auto c = read_case_text(sample_with("temperature = \"90 degC\"\n", ""), "case.toml",
                                 {parse_override("measured.shell_back_temperature=88 degC"),

@@ -223,3 +223,16 @@ TEST_CASE("AFlatMapHasNoRoughness") {
   options.path = scratch.write("map.txt", text);
   check_words(report_refusal(options), {"no roughness"});
 }
+
+TEST_CASE("ASurfaceHasALayWhereItIsLongerOneWayThanAnother") {
+  const auto lay = [](surface::CorrelationLength longest, surface::CorrelationLength shortest) {
+    surface::Correlation c;
+    c.longest = longest;
+    c.shortest = shortest;
+    return has_lay(c);
+  };
+  CHECK(lay({3e-5}, {1e-5}));
+  CHECK_FALSE(lay({1.2e-5}, {1e-5}));
+  CHECK(lay({1.2e-5, true}, {1e-5}));            // at least so long
+  CHECK_FALSE(lay({1e-5, true}, {1e-5, true}));  // longer than the patch to all sides
+}

@@ -125,6 +125,18 @@ void put_time_bars(const CycleResult& usual, const CycleResult& other, double pa
   }
 }
 
+/// As those of the grid: a quantity that two steps happen to agree on is no better known than all.
+void share_time_bars(const Case& c, CycleResult& r) {
+  std::vector<Quantity> all;
+  for (const CycleQuantity& q : r.quantities) all.push_back(q.quantity);
+  std::vector<BarOfSize> bars;
+  for (CycleQuantity& q : r.quantities) {
+    if (given_by_case(c, r.tier, q.quantity.name)) continue;
+    bars.emplace_back(&q.error_time, natural_size(q.quantity, mean_supply_temperature(c), all));
+  }
+  share_bars(bars);
+}
+
 /// Walls that the bodies would still change: by so much are temperatures, and the heat that goes
 /// into the bodies or, since it is made in any case, leaves with the oil, not known (2); all else
 /// follows the viscosity, by what the mean change is worth of it at most.
@@ -211,6 +223,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   const CycleResult other = on_grid(changed, usual.grid, kMoreWork * work_of(r), control);
   if (other.verdict.good()) {
     put_time_bars(usual, other, part, r);
+    share_time_bars(c, r);
   } else {
     r.warnings.push_back(stopped(control) ? note::Plain::bars_interrupted
                                           : note::Plain::time_bars_unknown);

@@ -12,10 +12,10 @@ namespace shellback::fidelity {
 /// The error of a step falls with the third power of its length, and what steps change falls with
 /// the first of it where fronts of oil move by cells (docs/decisions/058):
 ///   bar = 1.5 |f(4 tol) - f(tol)| / (4^(1/3) - 1),   given: 1.5 |f(dt) - f(dt/2)| 2           (1)
-/// taken as a part of the value; to extremes comes how far a parabola through the instants around
-/// goes beyond what they were seen to be, to the smallest film what a chosen step may err. 1.5 is
-/// the safety of the grid's bars. With walls that the bodies would still change, as every search
-/// leaves them, temperatures and heat flows get besides
+/// taken as a part of the value and shared as those of the grid; to extremes comes how far a
+/// parabola through the instants around goes beyond what they were seen to be, to the smallest film
+/// what a chosen step may err. 1.5 is the safety of the grid's bars. With walls that the bodies
+/// would still change, as every search leaves them, temperatures and heat flows get besides
 ///   |change of the walls|,   |heat that the bodies would take then less what they took|        (2)
 /// and all else, as a part of itself, by how much the mean change of the walls would change the
 /// viscosity. Power is no better known than the torque in it.

@@ -94,9 +94,9 @@ class CyclePasses {
   void put_back(const Tape::Content& stand);
   /// A layer keeps marks of what has flowed, which are not of the oil alone.
   [[nodiscard]] bool has_marks() const { return !now_.layer.now.empty(); }
-  /// Largest lasting depth of it [m].
-  [[nodiscard]] double layer_depth() const {
-    return has_marks() ? largest(lasting_depth(now_.layer.now)) : 0.0;
+  /// Lasting depths of it [m]; empty: no layer.
+  [[nodiscard]] Field layer_depth() const {
+    return has_marks() ? lasting_depth(now_.layer.now) : Field{};
   }
   [[nodiscard]] const EquilibriumCost& cost() const { return cost_; }
   /// Whether it has cost all that it may.

@@ -77,7 +77,7 @@ bool CycleSearch::pass(const WallMeans* between) {
   if (!brought_back()) layer_begun_ = passes_.layer_depth();
   const bool good = between ? passes_.pass_between(*between, rest) : passes_.pass(rest);
   if (cycles() == before) return false;
-  layer_grows_ = passes_.layer_depth() - layer_begun_;
+  layer_grows_ = largest_difference(layer_begun_, passes_.layer_depth());
   if (good && from_another) closure_.add(passes_.difference());
   oil_.passed();
   return good;
@@ -92,7 +92,7 @@ void CycleSearch::until_closed(double within) {
     const bool seen = std::isfinite(closure_.last);  // of a cycle that was not begun with led oil
     lead_oil_on();
     if (!verdict().good()) return;
-    if ((cycles() >= most_ || passes_.spent()) && seen) return cycles_unsettled();
+    if ((cycles() >= most_ || passes_.spent()) && seen) return cycles_unsettled(within);
   }
 }
 
@@ -212,10 +212,11 @@ void CycleSearch::walls_unsettled() {
                 ending::Unsettled{ending::Iteration::walls_of_cycles, cycles(), wall_change_}};
 }
 
-void CycleSearch::cycles_unsettled() {
+void CycleSearch::cycles_unsettled(double within) {
   const Field& gap = told().smallest_gap();
-  // Cycles are compared by their smallest film: what a layer flows by opens it.
-  if (layer_grows_ > closure_.last * *std::min_element(gap.begin(), gap.end())) {
+  // Cycles are compared by their smallest film, which a layer opens by what it flows: by more than
+  // they may differ, and no two can agree, whatever else keeps them apart.
+  if (layer_grows_ > within * *std::min_element(gap.begin(), gap.end())) {
     unsettled_ = {Status::iteration_limit,
                   ending::Unsettled{ending::Iteration::layer_of_cycles, cycles(), layer_grows_}};
     return;
@@ -254,7 +255,7 @@ const Verdict& CycleSearch::follow() {
     closure_.last = told().drift();
     if (closure_.last <= passes_.error()) return verdict();
   }
-  if (verdict().good()) cycles_unsettled();
+  if (verdict().good()) cycles_unsettled(passes_.error());
   return verdict();
 }
 

@@ -96,7 +96,7 @@ class CycleSearch {
   /// By how much the last cycle would change a wall, or its thermal deformation in units [K].
   [[nodiscard]] double change_of_walls();
   void walls_unsettled();
-  void cycles_unsettled();
+  void cycles_unsettled(double within);
   /// For a tape, besides the passes.
   void members(Tape& tape);
   [[nodiscard]] bool repeats() const { return film().model().input.cycle->repeats(); }
@@ -123,8 +123,8 @@ class CycleSearch {
   bool settled_ = false;                 ///< the walls, when they were looked at last
   double round_change_ = INFINITY;       ///< of the walls, as a round of walls and oil left it [K]
   int stalled_ = 0;                      ///< rounds since it has fallen
-  double layer_begun_ = 0.0;             ///< depth to which a layer has flowed before a pass [m]
-  double layer_grows_ = 0.0;             ///< by which it flowed in the last pass [m]
+  Field layer_begun_;                    ///< depths to which a layer has flowed before a pass [m]
+  double layer_grows_ = 0.0;             ///< by which it flowed most in the last pass [m]
   std::vector<double> walls_begun_;      ///< of the walls' fixed point, packed
   Replay<std::vector<double>> answers_;  ///< of the iteration around the cycles
   Verdict unsettled_;                    ///< the passes were good, but led nowhere

@@ -167,6 +167,28 @@ TEST_CASE("EveryPulseLeavesItsMarkAndEachOneLess", "[layer]") {
   CHECK(value_of(hard, "p_max") > p_max);
 }
 
+TEST_CASE("ALayerThatFlowsOnKeepsCyclesApartByItsName", "[layer]") {
+  // Every cycle leaves its mark, for longer than is looked: what it flows by opens the film.
+  Case c = coated(10e6);
+  c.model.grid = {36, 5};
+  c.cycle = pulsing(c, 8e3);
+  SolveControl control;
+  control.most_work = 8e5;  // some twenty cycles
+  const CycleResult r = solve_cycle(c, Tier::isothermal, control);
+  REQUIRE(r.verdict.status == Status::iteration_limit);
+  const auto* told = r.verdict.as<ending::Unsettled>();
+  REQUIRE(told != nullptr);
+  INFO(app::reason_of(r.verdict));
+  CHECK(told->of == ending::Iteration::layer_of_cycles);
+  CHECK(told->left > 1e-4 * value_of(r, "h_min"));
+  CHECK(told->left <
+        value_of(r, "layer_depth") / static_cast<double>(told->steps));  // less than the mean mark
+  c.shell->layers[0].material.hardness = 1e9;
+  const CycleResult held = solve_cycle(c, Tier::isothermal, control);
+  INFO(app::reason_of(held.verdict));
+  CHECK(held.verdict.good());
+}
+
 TEST_CASE("ALayerWithoutItsLawIsRefused", "[layer]") {
   const auto refused = [](const Case& c) {
     for (const Finding& f : judge(c)) {

@@ -124,8 +124,10 @@ TEST_CASE("TheSubstituteLoadHasThePublishedPeak", "[rig]") {
   }
 }
 
-TEST_CASE("ATinyStudyOfTheRigIsWhole", "[rig]") {
-  const RigStudy study = run_rig_study(tiny_plan(), {});
+TEST_CASE("ATinyStudyOfTheRigIsWholeAndInPiecesTheSame", "[rig]") {
+  StudyOptions options;
+  options.threads = 2;
+  RigStudy study = run_rig_study(tiny_plan(), options);
   for (const std::string& line : rig_failures(study)) UNSCOPED_INFO(line);
   REQUIRE(study.count_failed() == 0);
   const auto torque = [&](OilModel oil, double warmer = 0.0) {
@@ -146,6 +148,12 @@ TEST_CASE("ATinyStudyOfTheRigIsWhole", "[rig]") {
   CHECK(test::unbalanced_tag(page).empty());
   CHECK(page.find("substitute") != std::string::npos);
   CHECK(rig_json(study).find("\"friction_torque\"") != std::string::npos);
+
+  int stops = 0;
+  RigStudy pieces = in_pieces(tiny_plan(), 1, stops);
+  CHECK(stops >= 3);
+  pieces.wall_s = study.wall_s = 0.0;
+  CHECK(rig_json(pieces) == rig_json(study));  // every digit
 }
 
 TEST_CASE("OnlyATorqueThatRisesBeforeTheStopDoes", "[rig]") {
@@ -171,17 +179,6 @@ TEST_CASE("OnlyATorqueThatRisesBeforeTheStopDoes", "[rig]") {
   CHECK(judged(0.1, 0.05) == Met::no);  // falls all the way
   CHECK(judged(0.8, 0.2) == Met::no);   // the worn one by a third
   CHECK(judged(0.35, 0.8) == Met::no);  // the worn one more
-}
-
-TEST_CASE("AStudyOfTheRigInPiecesIsTheWhole", "[rig]") {
-  StudyOptions options;
-  options.threads = 2;
-  RigStudy whole = run_rig_study(tiny_plan(), options);
-  int stops = 0;
-  RigStudy study = in_pieces(tiny_plan(), 1, stops);
-  CHECK(stops >= 3);
-  whole.wall_s = study.wall_s = 0.0;
-  CHECK(rig_json(study) == rig_json(whole));  // every digit
 }
 
 TEST_CASE("AStudyThatIsStoppedTellsWhatItHas", "[rig]") {

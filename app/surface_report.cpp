@@ -246,13 +246,16 @@ void note_summits(SurfaceReport& r) {
 /// The formula against the sum over the map's own summits where two such surfaces bear most: within
 /// a standard deviation of where their summits meet (docs/surfaces.md has what Gaussian maps
 /// leave).
-void note_formula(SurfaceReport& r) {
+void note_formula(const std::vector<Summit>& summits, SurfaceReport& r) {
   constexpr double kApart = 2.0;  // of the two pressures: maps of Gaussian surfaces are within 1.3
   double most = 1.0;
-  for (const surface::ContactRow& row : r.contact) {
-    const double apart = std::abs(row.h - 2.0 * r.counted.height) / std::numbers::sqrt2;
+  std::vector<double> where;
+  for (const double apart : {-1.0, 0.0, 1.0}) {
+    where.push_back(2.0 * r.counted.height + apart * std::numbers::sqrt2 * r.counted.roughness);
+  }
+  for (const surface::ContactRow& row : contact_curve(r.map, summits, r.counted, where)) {
     const double formula = row.pair_formula, sum = row.pair_summits;
-    if (apart > r.counted.roughness || !(formula > 0.0) || !(sum > 0.0)) continue;
+    if (!(formula > 0.0) || !(sum > 0.0)) continue;
     most = std::max({most, sum / formula, formula / sum});
   }
   if (most < kApart) return;
@@ -288,13 +291,13 @@ void note_mirror(SurfaceReport& r) {
                   1e9 * r.heights.Rq));
 }
 
-void note_limits(SurfaceReport& r) {
+void note_limits(const std::vector<Summit>& summits, SurfaceReport& r) {
   note_mirror(r);
   if (const std::string spikes = spike_words(r); !spikes.empty()) r.notes.push_back(spikes);
   note_lay(r);
   note_grid(r);
   note_summits(r);
-  note_formula(r);
+  note_formula(summits, r);
   if (r.holes.count > 0) {
     r.notes.push_back(fmt::format("{} holes ({:.3g} %) were filled by harmonic interpolation",
                                   r.holes.count, 100.0 * r.holes.share(r.map)));
@@ -340,7 +343,7 @@ SurfaceReport describe_surface(const SurfaceOptions& options) {
                            options.threads, options.progress, options.stop});
   r.table = factor_table(r.factors.rows, r.heights.Rq);
   r.fault = fluid::fault_of(r.table);
-  note_limits(r);
+  note_limits(summits, r);
   return r;
 }
 

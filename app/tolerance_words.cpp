@@ -254,10 +254,14 @@ std::vector<std::string> tolerance_lines(const Case& c, const Missed& missed) {
 std::string undetermined_words(const Result& result) {
   std::string words;
   for (const bearing::Quantity& q : result.quantities) {
+    const bool contact = q.name == "friction_torque_asperity";  // of one sign, too
     const bool positive = q.unit == "Pa" || q.name == "h_min";
-    if (!positive || !(q.error() > std::abs(q.value)) || !(q.value > 0.0)) continue;
+    const double size = std::abs(q.value);
+    if (!(contact || positive) || !(q.error() > size) || !(contact ? size > 0.0 : q.value > 0.0)) {
+      continue;
+    }
     words += fmt::format("{}{} (bars of {} times the value)", words.empty() ? "" : ", ",
-                         quantity_label(q.name), figures(q.error() / q.value, 2));
+                         quantity_label(q.name), figures(q.error() / size, 2));
   }
   return words.empty() ? "" : "not determined by these grids: " + words;
 }

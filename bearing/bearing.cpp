@@ -58,6 +58,13 @@ CrossFilmNodes nodes_across(const Case& c, const Physics& physics) {
 
 }  // namespace
 
+std::optional<solid::AsperityContact> contact_of(const Case& c) {
+  if (!c.surfaces.contact) return {};
+  solid::ContactParameters contact = *c.surfaces.contact;
+  contact.hardness = hardness_of_contact(c);
+  return solid::AsperityContact(c.surfaces.shell, c.surfaces.shaft, contact);
+}
+
 AxialSpacing axial_spacing(const Case& c) {
   const bool edges_rule = c.surfaces.contact && !c.cycle;
   return c.model.axial_spacing.value_or(edges_rule ? AxialSpacing::graded : AxialSpacing::even);
@@ -141,9 +148,7 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
           "asperity contact is switched on but [surfaces] contact is missing; give "
           "elastic_factor, composite_modulus and friction, or switch it off");
     }
-    solid::ContactParameters contact = *c.surfaces.contact;
-    contact.hardness = hardness_of_contact(c);
-    m.contact.emplace(c.surfaces.shell, c.surfaces.shaft, contact);
+    m.contact = contact_of(c);
   }
   const SolidEffects wanted{physics.elastic, physics.film_energy, physics.thermal_deformation};
   if (wanted.elastic || wanted.heat) {

@@ -32,6 +32,9 @@ struct BearingModel {
   fluid::CavitatedShear shear_rule = fluid::CavitatedShear::filled;
 };
 
+/// Its two surfaces' contact with its limit, whatever the tier; none: not given.
+[[nodiscard]] std::optional<solid::AsperityContact> contact_of(const Case& c);
+
 /// As the case says; otherwise graded where surfaces can touch under a load that stands still,
 /// whatever the tier: at the edges contact and elastic pressure are steepest. Load cycles stay on
 /// even cells: on their coarse grids graded ones lose TEHD cycles (docs/decisions/031). One case

@@ -39,13 +39,6 @@ struct FrictionAndFilm {
   [[nodiscard]] double larger() const { return std::max(friction, h_min); }
 };
 
-const CycleQuantity* named(const CycleResult& r, const char* name) {
-  for (const CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return &q;
-  }
-  return nullptr;
-}
-
 /// One number of each of the two.
 template <class F>
 FrictionAndFilm both(const CycleResult& r, F of) {

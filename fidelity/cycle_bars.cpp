@@ -4,12 +4,14 @@
 #include <cmath>
 #include <optional>
 
+#include "bearing/bearing.hpp"
 #include "bearing/over_time/cycle_search.hpp"
 #include "core/contract.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/grid_sequence.hpp"
+#include "fidelity/light_contact.hpp"
 #include "fidelity/quantities.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -56,13 +58,9 @@ void widen_bars_of_power(CycleResult& r) {
   double turned = 0.0;  // [rad]
   for (const CycleInstant& i : r.instants) turned += i.dt * std::abs(i.omega);
   const double speed = turned / r.instants.back().t;
-  double of_grid = 0.0;
-  double of_time = 0.0;
-  for (const CycleQuantity& q : r.quantities) {
-    if (q.quantity.name != "friction_torque") continue;
-    of_grid = q.quantity.error_grid;
-    of_time = q.error_time;
-  }
+  const CycleQuantity& torque = *named(r, "friction_torque");
+  const double of_grid = torque.quantity.error_grid;
+  const double of_time = torque.error_time;
   for (CycleQuantity& q : r.quantities) {
     if (q.quantity.name != "power_loss") continue;
     q.quantity.error_grid = std::max(q.quantity.error_grid, speed * of_grid);
@@ -99,6 +97,27 @@ void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine
                       natural_size(q.quantity, mean_supply_temperature(c), all));
   }
   share_bars(bars);
+}
+
+/// Summits that hardly touch over the cycle (light_contact.hpp); their friction grows as their
+/// pressure, and is part of the whole.
+void widen_bars_of_light_contact(const Case& c, CycleResult& r) {
+  const auto contact = contact_of(c);
+  const Quantity& torque = named(r, "friction_torque")->quantity;
+  const double rubs = named(r, "friction_torque_asperity")->quantity.size();
+  if (!contact || !(rubs < kLight * torque.size())) return;
+  const Quantity& h = named(r, "h_min")->quantity;
+  const double now = contact->at(h.value).p;
+  const double more = left_open_by_film(*contact, h.value, h.error_grid);
+  const double all = torque.size() + torque.error_grid;
+  for (CycleQuantity& q : r.quantities) {
+    double bar = 0.0;
+    if (q.quantity.name == "p_asperity_max") bar = more;
+    if (q.quantity.name == "friction_torque_asperity" && now > 0.0) {
+      bar = std::min(q.quantity.size() * more / now, all);
+    }
+    if (bar > q.quantity.error_grid) q.quantity.error_grid = bar;
+  }
 }
 
 void add_between_instants(CycleResult& r) {
@@ -157,6 +176,13 @@ void add_unsettled_walls(const Case& c, CycleResult& r) {
 }
 
 }  // namespace
+
+const CycleQuantity* named(const CycleResult& r, const char* name) {
+  for (const CycleQuantity& q : r.quantities) {
+    if (q.quantity.name == name) return &q;
+  }
+  return nullptr;
+}
 
 double beyond_instants(const std::vector<CycleInstant>& all, double CycleInstant::*value,
                        double at) {
@@ -217,6 +243,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
     return r;
   }
   put_grid_bars(c, beside.coarse, beside.finer ? &*beside.finer : nullptr, r);
+  widen_bars_of_light_contact(c, r);
   Case changed = c;
   const CycleResult usual = beside.coarse.empty() ? r : beside.coarse.back();
   const double part = change_steps(usual, changed);

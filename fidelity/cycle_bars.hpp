@@ -7,10 +7,11 @@ namespace shellback::fidelity {
 /// Solves the cycle of the case and, if it converges, gives its quantities their bars: of the grid
 /// from up to two coarser grids and, where fewer have the cycle, a finer one, each with steps of
 /// the same error (grid_error.hpp, shared as those of steady states; the smallest film at an edge:
-/// edge_error.hpp, too), of the steps from the nearest coarser grid, or the own one, once more with
-/// steps that may err four times as much (or, given ones, are half as long as the longest taken).
-/// The error of a step falls with the third power of its length, and what steps change falls with
-/// the first of it where fronts of oil move by cells (docs/decisions/058):
+/// edge_error.hpp, too; summits that hardly touch: light_contact.hpp), of the steps from the
+/// nearest coarser grid, or the own one, once more with steps that may err four times as much (or,
+/// given ones, are half as long as the longest taken). The error of a step falls with the third
+/// power of its length, and what steps change falls with the first of it where fronts of oil move
+/// by cells (docs/decisions/058):
 ///   bar = 1.5 |f(4 tol) - f(tol)| / (4^(1/3) - 1),   given: 1.5 |f(dt) - f(dt/2)| 2           (1)
 /// taken as a part of the value and shared as those of the grid; to extremes comes how far a
 /// parabola through the instants around goes beyond what they were seen to be, to the smallest film
@@ -23,6 +24,9 @@ namespace shellback::fidelity {
 /// coarser grid serves. Throws InputError as solve_cycle does.
 [[nodiscard]] bearing::CycleResult solve_cycle_with_bars(const bearing::Case& c,
                                                          const bearing::SolveControl& control = {});
+
+/// The quantity of this name; null: the cycle has none.
+[[nodiscard]] const bearing::CycleQuantity* named(const bearing::CycleResult& r, const char* name);
 
 /// How far a parabola through the extreme of `value` at time `at` [s] and the instants before and
 /// behind it goes beyond it: what the steps have not looked at [unit of the value]. Zero beside a

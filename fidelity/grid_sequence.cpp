@@ -5,6 +5,7 @@
 
 #include "bearing/nested.hpp"
 #include "core/contract.hpp"
+#include "fidelity/quantities.hpp"
 
 namespace shellback::fidelity {
 
@@ -29,6 +30,18 @@ std::optional<Solution> beside(const Solution& s, const Grid& grid, const SolveC
   auto found = solve_near(c, near, control);
   if (found && kept != nullptr) kept->keep(found->model);
   return found;
+}
+
+/// Where summits make most of the friction and heat opens or closes the gap, a coarse grid may
+/// stand on another branch than finer ones: of that the coarser ones, which stand on its own, say
+/// nothing.
+bool may_stand_on_another_branch(const Solution& s) {
+  constexpr double kMostly = 0.5;       // of the friction [-]
+  constexpr Grid kFineEnough{200, 25};  // that of the bars' safety (grid_error.hpp)
+  const std::vector<Quantity> q = scalars(s);
+  return s.model.physics.film_energy && cells(s.model.input.model.grid) < cells(kFineEnough) &&
+         std::abs(value_in(q, "friction_torque_asperity")) >
+             kMostly * std::abs(value_in(q, "friction_torque"));
 }
 
 }  // namespace
@@ -110,10 +123,13 @@ GridSequence grid_sequence(const Solution& s, const SolveControl& control, KeptS
     if (!out.coarse) out.coarse = std::move(coarse);
   }
   const std::optional<Grid> fine = finer_grid(own);
-  if (!out.coarse && fine && !stopped(control)) {
+  if ((!out.coarse || may_stand_on_another_branch(s)) && fine && !stopped(control)) {
     if (const auto finer = beside(s, *fine, control, kept)) {
-      out.levels = {{own, scalars(s)}, {*fine, scalars(*finer)}};
-      out.coarse = s;
+      if (!out.coarse) {
+        out.levels = {{own, scalars(s)}};
+        out.coarse = s;
+      }
+      out.levels.push_back({*fine, scalars(*finer)});
     }
   }
   std::sort(out.levels.begin(), out.levels.end(),

@@ -56,7 +56,9 @@ struct GridSequence {
 };
 
 /// Three grids if possible, the result's own the last; where no coarser grid gives a solution (too
-/// few cells for the supplies, contact that they cannot place), its own and one that is finer.
+/// few cells for the supplies, contact that they cannot place), its own and one that is finer. The
+/// finer one, too, on less than 200 x 25 cells where heat is mostly made by summits: a coarse grid
+/// may then stand on another branch than fine ones, and its coarser ones with it.
 /// Each is solved from `s`. `kept` may be null.
 [[nodiscard]] GridSequence grid_sequence(const bearing::Solution& s,
                                          const bearing::SolveControl& control, KeptSolids* kept);

@@ -89,6 +89,11 @@ Range bounds_of(const bearing::Case& c, const std::string& name) {
   if (name == "asperity_load_share") return {0.0, 1.0};
   if (name == "p_asperity_max" && c.surfaces.contact && hardness_of_contact(c) > 0.0)
     return {0.0, hardness_of_contact(c)};
+  if (c.surfaces.contact && c.surfaces.contact->friction_law) {
+    const solid::GenericFriction& law = *c.surfaces.contact->friction_law;
+    if (name == "mu_abrasive") return {0.0, law.abrasive};
+    if (name == "mu_adhesive") return {0.0, law.adhesive};
+  }
   return kAnyValue;
 }
 

@@ -39,7 +39,8 @@ using bearing::Quantity;
                                 const std::vector<Quantity>& all);
 
 /// Between what the true value lies, where both sides are bounded: shares of the load between 0 and
-/// 1, contact pressures between 0 and the hardness. Else anywhere.
+/// 1, contact pressures between 0 and the hardness, parts of boundary friction between 0 and the
+/// law's constants. Else anywhere.
 [[nodiscard]] Range bounds_of(const bearing::Case& c, const std::string& name);
 
 /// How far the true value can be from `q` at most; infinity: it is not bounded.

@@ -1,7 +1,10 @@
 #include "fidelity/running_in_bars.hpp"
 
+#include "bearing/bearing.hpp"
 #include "core/contract.hpp"
 #include "fidelity/edge_error.hpp"
+#include "fidelity/light_contact.hpp"
+#include "fidelity/quantities.hpp"
 
 namespace shellback::fidelity {
 
@@ -33,6 +36,22 @@ double hidden_at_edge(const RunningInRun& run) {
   return edge_error(run.solution.model.domain.grid, film.gap.cell, film.least) / least;
 }
 
+/// Whether summits hardly touch at the end: of the load, over a cycle of the friction.
+bool touches_lightly(const RunningInRun& run) {
+  if (!run.cycle) return value_in(scalars(run.solution), "asperity_load_share") < kLight;
+  return std::abs(value_of(*run.cycle, "friction_torque_asperity")) <
+         kLight * std::abs(value_of(*run.cycle, "friction_torque"));
+}
+
+void widen_bars_of_light_contact(const Case& c, const RunningInRun& run, States& bars) {
+  const auto contact = contact_of(c);
+  if (!contact || !touches_lightly(run)) return;
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    const double open = left_open_by_film(*contact, run.states[k].h_min, bars[k].h_min);
+    bars[k].p_asperity_max = larger(bars[k].p_asperity_max, open);
+  }
+}
+
 }  // namespace
 
 RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const SolveControl& control) {
@@ -51,6 +70,7 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
   if (!coarse.usual.empty()) {
     bars.grid =
         bars_of_grids(coarse.usual, run.states, c.model.grid, hidden_at_edge(run), kFollowedStates);
+    widen_bars_of_light_contact(c, run, bars.grid);
     bars.time = States(run.states.size());  // a worn-in shape has no steps
     if (!steps.empty()) {
       bars.time = unknown<RunningInState>(run.states.size(), kFollowedStates);

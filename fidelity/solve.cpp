@@ -92,16 +92,14 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   share_bar_of_heat(judged, result);
 }
 
-/// Summits that hardly touch do not hold the gap open: what they carry hangs on the film alone, and
-/// falls by orders of magnitude as it rises. What the smallest film's bar leaves open of it counts,
-/// down to where the mean planes would meet; their friction is part of the whole, which has a bar.
+/// Summits that hardly touch (light_contact.hpp); their friction is part of the whole, which has a
+/// bar.
 void widen_bars_of_light_contact(const BearingModel& m, Result& result) {
-  constexpr double kLight = 0.01;  // share of the load [-]
   const Quantity* h = quantity_in(result.quantities, "h_min");
   const double share = result.value("asperity_load_share");
   if (!m.contact || !(share < kLight) || !std::isfinite(h->error_grid)) return;
   const double now = m.contact->at(h->value).p;
-  const double open = m.contact->at(std::max(h->value - h->error_grid, std::min(h->value, 0.0))).p;
+  const double open = now + left_open_by_film(*m.contact, h->value, h->error_grid);
   // Shares of the load: as much more as the pressure; where that is nothing, at most all over.
   const Bearing& b = m.input.bearing;
   const double load = std::hypot(result.value("load_x"), result.value("load_y"));
@@ -120,15 +118,26 @@ void widen_bars_of_light_contact(const BearingModel& m, Result& result) {
   }
 }
 
-/// Summits take no more of the torque than there is.
-void bound_asperity_torque(Result& result) {
-  const Quantity* whole = quantity_in(result.quantities, "friction_torque");
-  for (Quantity& part : result.quantities) {
-    if (part.name != "friction_torque_asperity" || whole == nullptr) continue;
-    const double size = std::abs(part.value);
-    const double most = std::abs(whole->value) + whole->error_grid - size;
-    if (part.error_grid > std::max(most, size)) part.error_grid = std::max(most, size);
+/// The quantities `parts` are no more of the torque than `whole` may be.
+void bound_parts(const char* whole, const std::vector<std::string>& parts, Result& result) {
+  const Quantity* all = quantity_in(result.quantities, whole);
+  for (Quantity& q : result.quantities) {
+    if (std::find(parts.begin(), parts.end(), q.name) == parts.end()) continue;
+    const double size = std::abs(q.value);
+    for (double Quantity::*bar : {&Quantity::error_grid, &Quantity::error_model}) {
+      const double most = std::max(std::abs(all->value) + all->*bar - size, size);
+      if (q.*bar > most) q.*bar = most;
+    }
   }
+}
+
+/// Summits take no more of the torque than there is, and parts of their friction no more than they.
+void bound_asperity_torque(Result& result) {
+  bound_parts("friction_torque", {"friction_torque_asperity"}, result);
+  bound_parts("friction_torque_asperity",
+              {"friction_torque_abrasive", "friction_torque_adhesive",
+               "friction_torque_micro_hydrodynamic"},
+              result);
 }
 
 /// What the full physics would change on the fine grid: as much as on the coarse one, absolutely

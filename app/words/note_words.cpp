@@ -42,8 +42,9 @@ std::string beginning_of_event(note::Plain n) {
       return "the event begins at rest: asperities carry the load of its first row, the film "
              "nothing but what the supplies' pressure presses upon";
     case Plain::event_in_the_middle:
-      return "the event begins with the journal at rest in the middle of a full film: no steady "
-             "state of its first row was found";
+      return "the event begins with the journal at rest in the middle of a full film: its first "
+             "row "
+             "has no load, or no steady state of it was found";
     case Plain::event_without_heat:
       return "walls and film begin at the (first) supply's temperature, before the film has heated "
              "them: no steady state with heat of the event's first row is known (none is where a "
@@ -65,8 +66,8 @@ std::string of_bars(note::Plain n) {
       return "none of the coarser grids that were tried carries this cycle: the bars are not known "
              "(a journal without mass may have to leap on them: load_cycle.journal_mass)";
     case Plain::time_bars_unknown:
-      return "with other steps in time no periodic state was found: no bar has what the steps "
-             "leave open";
+      return "with other steps in time the cycle was not found: no bar has what the steps leave "
+             "open";
     case Plain::march_bars_unknown:
       return "none of the coarser grids that were tried passes this run in the same steps: its "
              "bars "
@@ -150,7 +151,9 @@ std::string listed(const std::vector<EffectKind>& effects) {
 
 std::string text_of(const note::BarsFromFinerGrid& n) {
   return fmt::format(
-      "no coarser grid gave a solution: the error bars are made with a finer one, {} x {} cells",
+      "the error bars are made with a finer grid, {} x {} cells: no coarser one gave a solution, "
+      "or "
+      "summits make most of the friction, and coarse grids may then stand on another branch",
       n.grid[0], n.grid[1]);
 }
 

@@ -23,7 +23,7 @@ inline constexpr const char* kContactElseLoad =
     "lower the load or the tilt, or, where they are missing, give roughness and contact data";
 inline constexpr const char* kContactElseElastic =
     "give roughness and contact data, switch on elastic deformation where it is off, or lower the "
-    "load";
+    "load, or the moment or tilt";
 inline constexpr const char* kFinerElseTighter = "try a finer grid or a tighter range of operation";
 inline constexpr const char* kFinerElseIsothermal = "a finer grid, or tier isothermal";
 inline constexpr const char* kFinerElseLess = "try a finer grid or a lower load";

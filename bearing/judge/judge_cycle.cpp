@@ -106,7 +106,8 @@ void judge_scalars(const LoadCycle& c, const ValueCheck& cycle) {
     cycle.refuse("file", "a periodic spline begins with a row at 0", "add it");
   }
   if (c.t.size() < kFewestSplineRows) {
-    cycle.refuse("interpolation", "a periodic spline needs three rows or more",
+    cycle.refuse("interpolation",
+                 "a periodic spline needs three rows or more, that at the period's end not counted",
                  "write interpolation = \"linear\"");
   }
 }

@@ -43,7 +43,7 @@ double CycleSteps::end_of_step(double since, double dt) const {
   const double round = kRoundOff * length_;
   double end = next_corner(since, dt);
   // No sliver is left: what is less than two steps is halved.
-  if (options_.fixed <= 0.0 && end - since > dt + round && end - since < 2.0 * dt) {
+  if (end - since > dt + round && end - since < 2.0 * dt) {
     return since + 0.5 * (end - since);
   }
   end = std::min(end, since + dt);

@@ -215,6 +215,33 @@ TEST_CASE("APointThatNoSurfaceHasIsToldWithItsPlace") {
   }));
 }
 
+TEST_CASE("APlateauIsNoGaussianSurfaceHoweverSmoothItIs") {
+  // A Gaussian surface cut off at its mean plane, as honing does, with what is left of it on top:
+  // its summits all lie within this of one plane, where two such surfaces meet.
+  const ScratchFolder scratch;
+  const auto valleys = surface::gaussian_surface({160, 160, 1e-6, 1e-6, 4e-7, 8e-6, 8e-6});
+  const auto told = [&](double left, bool cut) {
+    auto map = surface::gaussian_surface(
+        {160, 160, 1e-6, 1e-6, left, 3e-6, 3e-6, surface::CorrelationShape::smooth, 7});
+    for (std::size_t k = 0; k < map.z.size(); ++k) {
+      map.z[k] += cut ? std::min(valleys.z[k], 0.0) : valleys.z[k];
+    }
+    SurfaceOptions options;
+    options.gaps = {3.0, 4.0};
+    options.error = 0.9;
+    options.path = scratch.write("map.txt", written(map));
+    const auto notes = describe_surface(options).notes;
+    return std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.find("apart by a factor") != std::string::npos;
+    });
+  };
+  for (const double left : {40e-9, 20e-9, 5e-9}) {
+    INFO(left);
+    CHECK(told(left, true));
+    CHECK_FALSE(told(left, false));
+  }
+}
+
 TEST_CASE("AFlatMapHasNoRoughness") {
   const ScratchFolder scratch;
   std::string text = "# Pitch: 1 um\n# Value units: um\n";

@@ -384,6 +384,41 @@ TEST_CASE("ALoadMayPassThroughZero", "[cycle]") {
   }
 }
 
+TEST_CASE("AHeavyJournalPassesTheInstantAtWhichNothingTurnsNorPresses", "[cycle]") {
+  // Its inertia over a short step is so stiff that its place, known to sixteen digits, leaves a
+  // force open that is large to a load which passes through zero with the speed.
+  Case c = plain_case();
+  c.bearing = {0.011, 0.011, 20e-6, 293.15, {}};
+  c.supplies[0].kind = SupplyKind::circumferential_groove;
+  c.supplies[0].arc = 2.0 * kPi;
+  c.supplies[0].length = 0.002;
+  c.oil.temperature = rheology::ConstantViscosity{0.0015};
+  c.model.cavitation_pressure = -0.99e5;
+  c.model.grid = {48, 8};
+  LoadCycle event;
+  for (int k = 0; k <= 360; ++k) {
+    const double a = 2.0 * kPi * k / 360;
+    event.t.push_back(0.03 * k / 360);
+    event.x.push_back(0.3 * std::sin(a));
+    event.y.push_back(-1.4 * std::cos(a));
+    event.omega.push_back(500.0 * kRpm * std::cos(a));
+  }
+  double coarse = NAN;
+  for (const double mass : {200.0, 1000.0}) {
+    event.journal_mass = mass;
+    for (const double step : {0.1e-3, 0.05e-3}) {  // neither divides the time between two rows
+      event.step = step;
+      c.cycle = event;
+      const CycleResult r = converged(c);
+      CHECK(r.audit.impulse < 1e-4);
+      for (const CycleInstant& i : r.instants) CHECK(i.dt <= step * (1.0 + 1e-9));
+      if (step > 0.07e-3) coarse = value(r, "h_min");
+    }
+    // second order: half the step leaves a fourth of an error of some 1e-4
+    CHECK(value(converged(c), "h_min") == Approx(coarse).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("ElasticSurfacesCarryThePulseOnAThickerFilm", "[cycle]") {
   // A pulse of 60 MPa squeezes rigid surfaces nearer than elastic ones, and to a higher pressure.
   Case c = rig_case();

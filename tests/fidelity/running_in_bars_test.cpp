@@ -74,3 +74,19 @@ TEST_CASE("AShapeThatIsWornInHasBarsOfItsGridAlone", "[running_in]") {
   CHECK(bars.grid.back().depth > 0.0);
   CHECK(bars.time.back().depth == 0.0);
 }
+
+TEST_CASE("ContactAtANewBearingsEdgesIsAsSureAsTheFilmThere", "[running_in]") {
+  // Edges that hardly rub: their pressure of contact goes on rising with cells along (the smallest
+  // film stands at the edge), by more than nested grids differ by.
+  Case c = rubbing_case();
+  c.operation.omega = 1500.0 * kPi / 30.0;
+  c.running_in->duration = 60.0;
+  const RunningInRun run = run_of(c);
+  const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
+  REQUIRE(!bars.grid.empty());
+  c.model.grid = {120, 27};
+  const RunningInState fine = run_of(c).states.front();
+  const RunningInState& first = run.states.front();
+  REQUIRE(std::abs(fine.h_min - first.h_min) < bars.grid.front().h_min);  // else nothing follows
+  CHECK(std::abs(fine.p_asperity_max - first.p_asperity_max) < bars.grid.front().p_asperity_max);
+}

@@ -119,6 +119,42 @@ TEST_CASE("BarsOfContactEndWhereContactDoes") {
   CHECK(fidelity::furthest(c, share) == std::max(share.value, 1.0 - share.value));
 }
 
+TEST_CASE("PartsOfBoundaryFrictionHaveNoBarBeyondTheWhole") {
+  // A film so thick that adhesion underflows: what it lacks of richer physics is no number times
+  // it.
+  Case c = rig_case();
+  c.model.tier = Tier::isothermal;
+  c.model.grid = {36, 7};
+  solid::GenericFriction law;
+  law.abrasive = 0.02;
+  law.adhesive = 0.03;
+  law.b = 24.4;
+  law.c = 5700.0;
+  law.summit_radius = 1e-5;
+  c.surfaces.contact->friction_law = law;
+  for (const double load : {300.0, 3e3, 20e3}) {
+    INFO(load);
+    set_load(c, load);
+    const Result r = fidelity::solve(c);
+    REQUIRE(r.verdict.good());
+    for (const char* name : {"friction_torque_asperity", "friction_torque_abrasive",
+                             "friction_torque_adhesive", "friction_torque_micro_hydrodynamic"}) {
+      INFO(name);
+      const Quantity& part = quantity(r, name);
+      const bool all = part.name == "friction_torque_asperity";
+      const Quantity& whole = quantity(r, all ? "friction_torque" : "friction_torque_asperity");
+      for (double Quantity::*bar : {&Quantity::error_grid, &Quantity::error_model}) {
+        const double most = std::abs(whole.value) + whole.*bar;
+        CHECK_FALSE(part.*bar > std::max(most - std::abs(part.value), std::abs(part.value)));
+      }
+    }
+    // Not known is no bar.
+    CHECK_FALSE(quantity(r, "mu_abrasive").error_model > law.abrasive);
+    CHECK_FALSE(quantity(r, "mu_adhesive").error_model > law.adhesive);
+    CHECK_FALSE(quantity(r, "mu_adhesive").error_grid > law.adhesive);
+  }
+}
+
 TEST_CASE("WhatTheGridsLeadToIsNearerToAFineGridThanTheValue") {
   // 16 times the cells: a tenth of the error is left there, and the limit lies beyond. The table of
   // docs/error-bars.md has medians of a third; a single value can do worse.

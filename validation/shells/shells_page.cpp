@@ -123,6 +123,10 @@ std::string verdict_html(const ShellsStudy& study) {
   for (int k = 1; k < kShells; ++k) {
     const OverPlain r = over_plain(study, k, 0);
     const double paper = shell_kinds()[k].power / shell_kinds()[0].power;
+    if (!study.cycles[k][0].tried || !study.cycles[0][0].tried) {
+      html += fmt::format("<li>{}: not run.</li>\n", shell_kinds()[k].name);
+      continue;
+    }
     if (!std::isfinite(r.error)) {
       html += fmt::format(
           "<li>{}: no bar is known, and nothing can be said of the paper's {:.2f}.</li>\n",

@@ -209,7 +209,7 @@ class CycleTierSearch {
     }
     if (stopped(control_) && !chosen_) return r;
     for (CycleQuantity& q : r.quantities) {
-      if (!unjudged_.empty()) continue;  // no bar of the physics left out
+      if (!unjudged_.empty() || left_.empty()) continue;  // nothing richer: no bar
       q.quantity.error_model = left_of(q.quantity);
     }
     r.assumptions.push_back(

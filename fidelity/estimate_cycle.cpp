@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/bearing.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/over_time/cycle_lumped.hpp"
@@ -14,6 +15,7 @@
 #include "core/stopwatch.hpp"
 #include "fidelity/estimate_bars.hpp"
 #include "fidelity/journal_path.hpp"
+#include "fidelity/light_contact.hpp"
 
 namespace shellback::fidelity {
 
@@ -133,18 +135,42 @@ std::vector<CycleQuantity> quantities(const JournalPath& path, double T) {
 /// (docs/load-cycles.md).
 struct HistoryParts {
   double torque, film, peak;
+  double swinging;  ///< torque of a journal that turns to and fro: it carries no oil round, and
+                    ///< half of the film may stand empty
 };
-constexpr HistoryParts kHistory{0.10, 0.50, 0.80};
+constexpr HistoryParts kHistory{0.10, 0.50, 0.80, 0.50};
+
+bool turns_to_and_fro(const JournalPath& path) {
+  const auto& all = path.instants();
+  return extreme(all, &CycleInstant::omega, true).omega < 0.0 &&
+         extreme(all, &CycleInstant::omega, false).omega > 0.0;
+}
+
+/// Contact is as sure as the smallest film of which it is (light_contact.hpp).
+void widen_bars_of_contact(const Case& c, std::vector<CycleQuantity>& list) {
+  const auto contact = contact_of(c);
+  if (!contact) return;
+  const auto film = std::find_if(list.begin(), list.end(),
+                                 [](const CycleQuantity& q) { return q.quantity.name == "h_min"; });
+  const Quantity& h = film->quantity;
+  const double open = left_open_by_film(*contact, h.value, h.error());
+  for (CycleQuantity& q : list) {
+    if (q.quantity.name == "p_asperity_max" && open > q.quantity.error_model) {
+      q.quantity.error_model = open;
+    }
+  }
+}
 
 void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>& longer,
-              const EstimateBars& bars) {
+              const EstimateBars& bars, bool swings) {
+  const double of_torque = swings ? kHistory.swinging : kHistory.torque;
   const auto most = [](double bar) { return std::min(kMostBar, bar); };
   const auto relative = [&](const std::string& name) {
     if (name == "h_min") return most(bars.film + kHistory.film);
     if (name == "p_max") return most(bars.peak + kHistory.peak);
     if (name == "side_flow") return bars.flow;
     if (name == "friction_torque" || name == "power_loss") {
-      return most(bars.torque + kHistory.torque);
+      return most(bars.torque + of_torque);
     }
     return kMostBar;  // of asperities, as in the steady estimate
   };
@@ -210,7 +236,9 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
     const double p_max = extreme(path.instants(), &CycleInstant::p_max, false).p_max;
     for (Note& w : oil_range_warnings(c.oil, T, T, p_max)) r.warnings.push_back(std::move(w));
     r.quantities = quantities(path, T);
-    put_bars(r.quantities, quantities(rough, T), estimate_bars(c, worst_of(path, c, T)));
+    put_bars(r.quantities, quantities(rough, T), estimate_bars(c, worst_of(path, c, T)),
+             turns_to_and_fro(path));
+    widen_bars_of_contact(c, r.quantities);
   }
   r.cost.wall_s = watch.seconds();
   return r;

@@ -252,16 +252,19 @@ std::vector<std::string> tolerance_lines(const Case& c, const Missed& missed) {
 }
 
 std::string undetermined_words(const Result& result) {
+  constexpr double kCounts = 0.01;  // of the whole torque: what summits take of it is worth a word
+  if (result.tier == bearing::Tier::estimate) return "";
+  const bearing::Quantity* torque = bearing::quantity_in(result.quantities, "friction_torque");
   std::string words;
   for (const bearing::Quantity& q : result.quantities) {
-    const bool contact = q.name == "friction_torque_asperity";  // of one sign, too
-    const bool positive = q.unit == "Pa" || q.name == "h_min";
+    const bool positive = (q.unit == "Pa" || q.name == "h_min") && q.value > 0.0;
+    const bool rubs = q.name == "friction_torque_asperity" && torque != nullptr &&
+                      q.error() > kCounts * torque->size();
     const double size = std::abs(q.value);
-    if (!(contact || positive) || !(q.error() > size) || !(contact ? size > 0.0 : q.value > 0.0)) {
-      continue;
-    }
-    words += fmt::format("{}{} (bars of {} times the value)", words.empty() ? "" : ", ",
-                         quantity_label(q.name), figures(q.error() / size, 2));
+    if (!(positive || (rubs && size > 0.0)) || !(q.error() > size)) continue;
+    const std::string label = rubs ? "torque of asperities" : quantity_label(q.name);
+    words += fmt::format("{}{} (bars of {} times the value)", words.empty() ? "" : ", ", label,
+                         figures(q.error() / size, 2));
   }
   return words.empty() ? "" : "not determined by these grids: " + words;
 }

@@ -212,6 +212,7 @@ class CycleTierSearch {
       if (!unjudged_.empty() || left_.empty()) continue;  // nothing richer: no bar
       q.quantity.error_model = left_of(q.quantity);
     }
+    bound_parts_of_friction(r);
     r.assumptions.push_back(
         note::TierTaken{r.tier, r.grid, left_out_.friction, left_out_.h_min, unjudged_, solved_});
     if (!knows_its_walls(case_)) {

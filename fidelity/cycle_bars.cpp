@@ -99,24 +99,27 @@ void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine
   share_bars(bars);
 }
 
+double& bar_of_grid(CycleQuantity& q) { return q.quantity.error_grid; }
+double& bar_of_time(CycleQuantity& q) { return q.error_time; }
+
 /// Summits that hardly touch over the cycle (light_contact.hpp); their friction grows as their
-/// pressure, and is part of the whole.
-void widen_bars_of_light_contact(const Case& c, CycleResult& r) {
+/// pressure, and is part of the whole. `bar`: of grid, or of time.
+void widen_bars_of_light_contact(const Case& c, CycleResult& r, double& (*bar)(CycleQuantity&)) {
   const auto contact = contact_of(c);
-  const Quantity& torque = named(r, "friction_torque")->quantity;
+  CycleQuantity torque = *named(r, "friction_torque"), film = *named(r, "h_min");
   const double rubs = named(r, "friction_torque_asperity")->quantity.size();
-  if (!contact || !(rubs < kLight * torque.size())) return;
-  const Quantity& h = named(r, "h_min")->quantity;
-  const double now = contact->at(h.value).p;
-  const double more = left_open_by_film(*contact, h.value, h.error_grid);
-  const double all = torque.size() + torque.error_grid;
+  if (!contact || !(rubs < kLight * torque.quantity.size())) return;
+  const double h = film.quantity.value;
+  const double now = contact->at(h).p;
+  const double more = left_open_by_film(*contact, h, bar(film));
+  const double all = torque.quantity.size() + bar(torque);
   for (CycleQuantity& q : r.quantities) {
-    double bar = 0.0;
-    if (q.quantity.name == "p_asperity_max") bar = more;
+    double open = 0.0;
+    if (q.quantity.name == "p_asperity_max") open = more;
     if (q.quantity.name == "friction_torque_asperity" && now > 0.0) {
-      bar = std::min(q.quantity.size() * more / now, all);
+      open = std::min(q.quantity.size() * more / now, all);
     }
-    if (bar > q.quantity.error_grid) q.quantity.error_grid = bar;
+    if (open > bar(q)) bar(q) = open;
   }
 }
 
@@ -184,6 +187,12 @@ const CycleQuantity* named(const CycleResult& r, const char* name) {
   return nullptr;
 }
 
+void bound_parts_of_friction(CycleResult& r) {
+  std::vector<Quantity*> list;
+  for (CycleQuantity& q : r.quantities) list.push_back(&q.quantity);
+  bound_parts_of_friction(list);
+}
+
 double beyond_instants(const std::vector<CycleInstant>& all, double CycleInstant::*value,
                        double at) {
   for (std::size_t k = 1; k + 1 < all.size(); ++k) {
@@ -243,7 +252,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
     return r;
   }
   put_grid_bars(c, beside.coarse, beside.finer ? &*beside.finer : nullptr, r);
-  widen_bars_of_light_contact(c, r);
+  widen_bars_of_light_contact(c, r, bar_of_grid);
   Case changed = c;
   const CycleResult usual = beside.coarse.empty() ? r : beside.coarse.back();
   const double part = change_steps(usual, changed);
@@ -265,11 +274,13 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
         q.error_time += kOfTolerance * c.model.tolerance * std::abs(q.quantity.value);
     }
   }
+  widen_bars_of_light_contact(c, r, bar_of_time);
   for (CycleQuantity& q : r.quantities) {
     const double most = furthest(c, q.quantity);
     if (q.quantity.error_grid > most) q.quantity.error_grid = most;
     if (q.error_time > most) q.error_time = most;
   }
+  bound_parts_of_friction(r);
   r.cost.bars_s = watch.seconds();
   return r;
 }

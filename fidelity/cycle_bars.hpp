@@ -28,6 +28,9 @@ namespace shellback::fidelity {
 /// The quantity of this name; null: the cycle has none.
 [[nodiscard]] const bearing::CycleQuantity* named(const bearing::CycleResult& r, const char* name);
 
+/// That of the list of its quantities (quantities.hpp).
+void bound_parts_of_friction(bearing::CycleResult& r);
+
 /// How far a parabola through the extreme of `value` at time `at` [s] and the instants before and
 /// behind it goes beyond it: what the steps have not looked at [unit of the value]. Zero beside a
 /// jump and at either end of the cycle.

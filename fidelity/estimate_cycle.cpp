@@ -146,18 +146,26 @@ bool turns_to_and_fro(const JournalPath& path) {
          extreme(all, &CycleInstant::omega, false).omega > 0.0;
 }
 
-/// Contact is as sure as the smallest film of which it is (light_contact.hpp).
+/// Contact is as sure as the smallest film of which it is (light_contact.hpp), and its friction,
+/// which is part of the whole, as its pressure.
 void widen_bars_of_contact(const Case& c, std::vector<CycleQuantity>& list) {
   const auto contact = contact_of(c);
   if (!contact) return;
-  const auto film = std::find_if(list.begin(), list.end(),
-                                 [](const CycleQuantity& q) { return q.quantity.name == "h_min"; });
-  const Quantity& h = film->quantity;
-  const double open = left_open_by_film(*contact, h.value, h.error());
+  const auto find = [&](const char* name) -> const Quantity& {
+    const auto is = [&](const CycleQuantity& q) { return q.quantity.name == name; };
+    return std::find_if(list.begin(), list.end(), is)->quantity;
+  };
+  const Quantity &h = find("h_min"), &torque = find("friction_torque");
+  const double now = contact->at(h.value).p;
+  const double more = left_open_by_film(*contact, h.value, h.error());
+  const double all = torque.size() + torque.error();
   for (CycleQuantity& q : list) {
-    if (q.quantity.name == "p_asperity_max" && open > q.quantity.error_model) {
-      q.quantity.error_model = open;
+    double bar = 0.0;
+    if (q.quantity.name == "p_asperity_max") bar = more;
+    if (q.quantity.name == "friction_torque_asperity") {
+      bar = now > 0.0 ? std::min(q.quantity.size() * more / now, all) : all;
     }
+    if (bar > q.quantity.error_model) q.quantity.error_model = bar;
   }
 }
 

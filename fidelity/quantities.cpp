@@ -64,7 +64,7 @@ double natural_size(const Quantity& q, double T_supply, const std::vector<Quanti
     const double mirror = i == j ? entry(i, other) * entry(other, i) : entry(i, j) * entry(j, i);
     return std::sqrt(entry(i, i) * entry(j, j) + mirror);
   }
-  return std::abs(q.value);
+  return q.size();
 }
 
 bool is_round_off(const bearing::Case& c, const Quantity& q, const std::vector<Quantity>& all) {
@@ -95,6 +95,33 @@ Range bounds_of(const bearing::Case& c, const std::string& name) {
     if (name == "mu_adhesive") return {0.0, law.adhesive};
   }
   return kAnyValue;
+}
+
+namespace {
+
+void bound_parts(const std::string& whole, const std::vector<std::string>& parts,
+                 const std::vector<Quantity*>& list) {
+  const auto all =
+      std::find_if(list.begin(), list.end(), [&](const Quantity* q) { return q->name == whole; });
+  if (all == list.end()) return;
+  for (Quantity* q : list) {
+    if (std::find(parts.begin(), parts.end(), q->name) == parts.end()) continue;
+    const double size = q->size();
+    for (double Quantity::*bar : {&Quantity::error_grid, &Quantity::error_model}) {
+      const double most = std::max((*all)->size() + (*all)->*bar - size, size);
+      if (q->*bar > most) q->*bar = most;
+    }
+  }
+}
+
+}  // namespace
+
+void bound_parts_of_friction(const std::vector<Quantity*>& list) {
+  bound_parts("friction_torque", {"friction_torque_asperity"}, list);
+  bound_parts("friction_torque_asperity",
+              {"friction_torque_abrasive", "friction_torque_adhesive",
+               "friction_torque_micro_hydrodynamic"},
+              list);
 }
 
 double furthest(const bearing::Case& c, const Quantity& q) {

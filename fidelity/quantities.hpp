@@ -43,6 +43,11 @@ using bearing::Quantity;
 /// law's constants. Else anywhere.
 [[nodiscard]] Range bounds_of(const bearing::Case& c, const std::string& name);
 
+/// Shortens bars of grid and model: summits take no more of the friction torque than it may be, and
+/// parts of their friction no more than theirs. Where the bar of the whole is not known theirs
+/// stay.
+void bound_parts_of_friction(const std::vector<Quantity*>& list);
+
 /// How far the true value can be from `q` at most; infinity: it is not bounded.
 [[nodiscard]] double furthest(const bearing::Case& c, const Quantity& q);
 

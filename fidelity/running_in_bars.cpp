@@ -36,7 +36,8 @@ double hidden_at_edge(const RunningInRun& run) {
   return edge_error(run.solution.model.domain.grid, film.gap.cell, film.least) / least;
 }
 
-/// Whether summits hardly touch at the end: of the load, over a cycle of the friction.
+/// Whether summits hardly touch at the end, where they have worn: share of the load, over a cycle
+/// of the friction.
 bool touches_lightly(const RunningInRun& run) {
   if (!run.cycle) return value_in(scalars(run.solution), "asperity_load_share") < kLight;
   return std::abs(value_of(*run.cycle, "friction_torque_asperity")) <
@@ -44,10 +45,11 @@ bool touches_lightly(const RunningInRun& run) {
 }
 
 void widen_bars_of_light_contact(const Case& c, const RunningInRun& run, States& bars) {
-  const auto contact = contact_of(c);
-  if (!contact || !touches_lightly(run)) return;
+  if (!c.surfaces.contact || !touches_lightly(run)) return;
+  Case worn = c;
   for (std::size_t k = 0; k < bars.size(); ++k) {
-    const double open = left_open_by_film(*contact, run.states[k].h_min, bars[k].h_min);
+    worn.surfaces.shell = worn_surface(c, run.states[k].depth);
+    const double open = left_open_by_film(*contact_of(worn), run.states[k].h_min, bars[k].h_min);
     bars[k].p_asperity_max = larger(bars[k].p_asperity_max, open);
   }
 }

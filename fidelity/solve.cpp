@@ -118,28 +118,6 @@ void widen_bars_of_light_contact(const BearingModel& m, Result& result) {
   }
 }
 
-/// The quantities `parts` are no more of the torque than `whole` may be.
-void bound_parts(const char* whole, const std::vector<std::string>& parts, Result& result) {
-  const Quantity* all = quantity_in(result.quantities, whole);
-  for (Quantity& q : result.quantities) {
-    if (std::find(parts.begin(), parts.end(), q.name) == parts.end()) continue;
-    const double size = std::abs(q.value);
-    for (double Quantity::*bar : {&Quantity::error_grid, &Quantity::error_model}) {
-      const double most = std::max(std::abs(all->value) + all->*bar - size, size);
-      if (q.*bar > most) q.*bar = most;
-    }
-  }
-}
-
-/// Summits take no more of the torque than there is, and parts of their friction no more than they.
-void bound_asperity_torque(Result& result) {
-  bound_parts("friction_torque", {"friction_torque_asperity"}, result);
-  bound_parts("friction_torque_asperity",
-              {"friction_torque_abrasive", "friction_torque_adhesive",
-               "friction_torque_micro_hydrodynamic"},
-              result);
-}
-
 /// What the full physics would change on the fine grid: as much as on the coarse one, absolutely
 /// or, where that means something, relatively, whichever is more, and what each effect there may
 /// change more or less by, also where effects undo one another. NaN: not known.
@@ -204,7 +182,9 @@ void put_bars(const BarRecord& record, Result& result) {
       if (q.error_grid > most) q.error_grid = most;
       if (q.error_model > most) q.error_model = most;
     }
-    bound_asperity_torque(result);
+    std::vector<Quantity*> list;
+    for (Quantity& q : result.quantities) list.push_back(&q);
+    bound_parts_of_friction(list);
   }
   for (Effect& e : result.effects) {
     for (const EffectChange& change : record.model.effects) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bearing/equilibrium.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/over_time/tape_members.hpp"
 #include "bearing/solve.hpp"
@@ -213,10 +214,13 @@ void CycleSearch::walls_unsettled() {
 }
 
 void CycleSearch::cycles_unsettled(double within) {
+  // Cycles are compared by their smallest film, which a layer opens by what it flows: more than
+  // they may differ by, and more than the oil that gathers beside it.
   const Field& gap = told().smallest_gap();
-  // Cycles are compared by their smallest film, which a layer opens by what it flows: by more than
-  // they may differ, and no two can agree, whatever else keeps them apart.
-  if (layer_grows_ > within * *std::min_element(gap.begin(), gap.end())) {
+  const double least =
+      yielding_gap(*std::min_element(gap.begin(), gap.end()), film().model().domain.rough.sigma);
+  const double by_layer = layer_grows_ / least;
+  if (passes_.has_marks() && by_layer > std::max(within, std::abs(told().oil_gathered()))) {
     unsettled_ = {Status::iteration_limit,
                   ending::Unsettled{ending::Iteration::layer_of_cycles, cycles(), layer_grows_}};
     return;

@@ -17,7 +17,8 @@ struct StepOptions {
   double longest = 0.0;     ///< [s]
   double shortest = 0.0;    ///< below which there is no way on [s]
   double after_jump = 0.0;  ///< first step behind a jump, and from rest [s]
-  double fixed = 0.0;       ///< of this length, whatever its error [s]; 0: chosen by `error`
+  double fixed = 0.0;  ///< of this length, whatever its error, less before a corner, and where less
+                       ///< than two are left [s]; 0: chosen by `error`
 };
 
 /// How a period was passed.

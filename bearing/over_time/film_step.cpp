@@ -171,8 +171,10 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   found.layer = layer_of(point_, film);
   const fluid::Wrench wanted = point_.load.wanted(film);
   for (int k = 0; k < 2; ++k) {
-    found.velocity[k] = (film.position.q[k] - q[k]) / own;
-    found.acceleration[k] = mass_ > 0.0 ? (found.velocity[k] - v[k]) / own : 0.0;
+    // By the forces, which the place of a heavy journal tells only to its round-off.
+    found.acceleration[k] = mass_ > 0.0 ? (film.force[k] - point_.load.force[k]) / mass_ : 0.0;
+    found.velocity[k] =
+        mass_ > 0.0 ? v[k] + own * found.acceleration[k] : (film.position.q[k] - q[k]) / own;
     found.force[k] = film.force[k];
     if (k < point_.load.unknowns) {
       found.off_balance = std::max(found.off_balance, std::abs(film.force[k] - wanted[k]));

@@ -73,6 +73,25 @@ TEST_CASE("WhereNoCoarserGridHoldsTheSuppliesAFinerOneGivesTheBars") {
   }
 }
 
+TEST_CASE("WhereSummitsMakeTheHeatAFinerGridIsAskedToo") {
+  // Slow, most of the friction is that of summits; fast it is the film's.
+  Case c = rig_case();
+  c.model.tier = Tier::thd;
+  c.model.grid = {48, 8};
+  set_load(c, 8e3);
+  const auto finest = [&](double rpm) {
+    c.operation.omega = rpm * kRpm;
+    const Solution s = solve_tier(c, c.model.tier);
+    REQUIRE(s.verdict.good());
+    const auto sequence = fidelity::grid_sequence(s, {}, nullptr);
+    REQUIRE(sequence.coarse);
+    CHECK(sequence.levels.size() > 2);  // beside the coarser ones
+    return sequence.levels.back().grid;
+  };
+  CHECK(finest(30.0) == fidelity::finer_grid(c.model.grid));
+  CHECK(finest(3000.0) == c.model.grid);
+}
+
 TEST_CASE("BarsFromTheFineSolutionAreThoseFromCold") {
   // Both end on the same coarse films; what iteration leaves open (1e-4 of a quantity) is within a
   // twentieth of bars of per cents.

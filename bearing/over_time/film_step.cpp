@@ -170,15 +170,19 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   count_pockets(model_, film, star.pockets, own, found.flows);
   found.layer = layer_of(point_, film);
   const fluid::Wrench wanted = point_.load.wanted(film);
+  const double allowed = options_.load_tolerance * point_.load.scale();
   for (int k = 0; k < 2; ++k) {
-    // By the forces, which the place of a heavy journal tells only to its round-off.
-    found.acceleration[k] = mass_ > 0.0 ? (film.force[k] - point_.load.force[k]) / mass_ : 0.0;
-    found.velocity[k] =
-        mass_ > 0.0 ? v[k] + own * found.acceleration[k] : (film.position.q[k] - q[k]) / own;
+    const double off = std::abs(film.force[k] - wanted[k]);
+    found.velocity[k] = (film.position.q[k] - q[k]) / own;
+    found.acceleration[k] = mass_ > 0.0 ? (found.velocity[k] - v[k]) / own : 0.0;
     found.force[k] = film.force[k];
-    if (k < point_.load.unknowns) {
-      found.off_balance = std::max(found.off_balance, std::abs(film.force[k] - wanted[k]));
-    }
+    if (k >= point_.load.unknowns) continue;
+    found.off_balance = std::max(found.off_balance, off);
+    if (!(off > allowed)) continue;
+    // Met to the round-off of a heavy journal's place alone: its forces know its motion better. In
+    // all other steps they know it worse, by what a stiff film makes of the last iteration.
+    found.acceleration[k] = (film.force[k] - point_.load.force[k]) / mass_;
+    found.velocity[k] = v[k] + own * found.acceleration[k];
   }
   return heat_ ? solve_heat(i, dt, stages, now, film, found) : verdict;
 }

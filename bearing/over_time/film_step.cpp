@@ -39,6 +39,31 @@ Field gathered(const fluid::FilmScene& scene, const fluid::FilmFlow& flow) {
   return oil;
 }
 
+/// A stage of length `own` [s] of a journal of `mass` [kg], begun at q [m] with v [m/s].
+struct Motion {
+  double own, mass;
+  std::array<double, 2> q, v;
+};
+
+/// Velocity, acceleration and force at its end; `allowed`: off balance [N].
+void tell_motion(const FilmEquilibrium& film, const LoadTarget& load, const Motion& from,
+                 double allowed, FilmStage& found) {
+  const fluid::Wrench wanted = load.wanted(film);
+  for (int k = 0; k < 2; ++k) {
+    const double off = std::abs(film.force[k] - wanted[k]);
+    found.velocity[k] = (film.position.q[k] - from.q[k]) / from.own;
+    found.acceleration[k] = from.mass > 0.0 ? (found.velocity[k] - from.v[k]) / from.own : 0.0;
+    found.force[k] = film.force[k];
+    if (k >= load.unknowns) continue;
+    found.off_balance = std::max(found.off_balance, off);
+    if (!load.inertia || !(off > allowed)) continue;
+    // Met to the round-off of a heavy journal's place alone: its forces know its motion better. In
+    // all other steps they know it worse, by what a stiff film makes of the last iteration.
+    found.acceleration[k] = (film.force[k] - load.force[k]) / from.mass;
+    found.velocity[k] = from.v[k] + from.own * found.acceleration[k];
+  }
+}
+
 /// What the search for a steady film takes for the limit of its load says in a step only that the
 /// step has no film.
 Verdict in_a_step(const Verdict& v) {
@@ -169,21 +194,8 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   found.flows = fluid::oil_flows(point_.scene, film.flow);
   count_pockets(model_, film, star.pockets, own, found.flows);
   found.layer = layer_of(point_, film);
-  const fluid::Wrench wanted = point_.load.wanted(film);
   const double allowed = options_.load_tolerance * point_.load.scale();
-  for (int k = 0; k < 2; ++k) {
-    const double off = std::abs(film.force[k] - wanted[k]);
-    found.velocity[k] = (film.position.q[k] - q[k]) / own;
-    found.acceleration[k] = mass_ > 0.0 ? (found.velocity[k] - v[k]) / own : 0.0;
-    found.force[k] = film.force[k];
-    if (k >= point_.load.unknowns) continue;
-    found.off_balance = std::max(found.off_balance, off);
-    if (!(off > allowed)) continue;
-    // Met to the round-off of a heavy journal's place alone: its forces know its motion better. In
-    // all other steps they know it worse, by what a stiff film makes of the last iteration.
-    found.acceleration[k] = (film.force[k] - point_.load.force[k]) / mass_;
-    found.velocity[k] = v[k] + own * found.acceleration[k];
-  }
+  tell_motion(film, point_.load, {own, mass_, q, v}, allowed, found);
   return heat_ ? solve_heat(i, dt, stages, now, film, found) : verdict;
 }
 

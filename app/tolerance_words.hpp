@@ -26,8 +26,9 @@ struct Missed {
 [[nodiscard]] std::vector<std::string> tolerance_lines(const bearing::Case& c,
                                                        const Missed& missed);
 
-/// "not determined by these grids: largest film pressure (bars of 3.4 times the value)": pressures
-/// whose bars are larger than they; empty: none.
+/// "not determined by these grids: largest film pressure (bars of 3.4 times the value)": pressures,
+/// the smallest film and the torque of asperities, if it counts beside the whole, whose bars are
+/// larger than they; empty: none, or tier estimate, which has no grid.
 [[nodiscard]] std::string undetermined_words(const bearing::Result& result);
 
 }  // namespace shellback::app

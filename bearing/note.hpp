@@ -46,7 +46,8 @@ enum class Plain {
   supply_temperature_unused,  ///< by tier isothermal with a temperature of the oil that is given
 };
 
-/// Error bars made with a finer grid, no coarser one having given a solution.
+/// Error bars made with a finer grid: no coarser one has given a solution, or summits make most of
+/// the friction.
 struct BarsFromFinerGrid {
   std::array<int, 2> grid{0, 0};
 };

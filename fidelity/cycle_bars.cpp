@@ -6,6 +6,7 @@
 
 #include "bearing/bearing.hpp"
 #include "bearing/over_time/cycle_search.hpp"
+#include "bearing/physics.hpp"
 #include "core/contract.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/edge_error.hpp"
@@ -102,27 +103,6 @@ void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine
 double& bar_of_grid(CycleQuantity& q) { return q.quantity.error_grid; }
 double& bar_of_time(CycleQuantity& q) { return q.error_time; }
 
-/// Summits that hardly touch over the cycle (light_contact.hpp); their friction grows as their
-/// pressure, and is part of the whole. `bar`: of grid, or of time.
-void widen_bars_of_light_contact(const Case& c, CycleResult& r, double& (*bar)(CycleQuantity&)) {
-  const auto contact = contact_of(c);
-  CycleQuantity torque = *named(r, "friction_torque"), film = *named(r, "h_min");
-  const double rubs = named(r, "friction_torque_asperity")->quantity.size();
-  if (!contact || !(rubs < kLight * torque.quantity.size())) return;
-  const double h = film.quantity.value;
-  const double now = contact->at(h).p;
-  const double more = left_open_by_film(*contact, h, bar(film));
-  const double all = torque.quantity.size() + bar(torque);
-  for (CycleQuantity& q : r.quantities) {
-    double open = 0.0;
-    if (q.quantity.name == "p_asperity_max") open = more;
-    if (q.quantity.name == "friction_torque_asperity" && now > 0.0) {
-      open = std::min(q.quantity.size() * more / now, all);
-    }
-    if (open > bar(q)) bar(q) = open;
-  }
-}
-
 void add_between_instants(CycleResult& r) {
   for (CycleQuantity& q : r.quantities) {
     for (const auto& [name, value] :
@@ -185,6 +165,27 @@ const CycleQuantity* named(const CycleResult& r, const char* name) {
     if (q.quantity.name == name) return &q;
   }
   return nullptr;
+}
+
+void widen_bars_of_light_contact(const Case& c, CycleResult& r, BarOf bar) {
+  if (!physics_of(c, r.tier).contact) return;
+  CycleQuantity torque = *named(r, "friction_torque"), film = *named(r, "h_min");
+  const double all = torque.quantity.size();
+  if (!(named(r, "friction_torque_asperity")->quantity.size() < kLight * all)) return;
+  const solid::AsperityContact contact = *contact_of(c);
+  const double now = contact.at(film.quantity.value).p;
+  const double more = left_open_by_film(contact, film.quantity.value, bar(film));
+  const Bearing& b = c.bearing;  // where nothing presses now: at most all over, as it rubs at rest
+  const double everywhere =
+      contact.friction().at_rest() * more * 2.0 * b.radius * b.width * b.radius;
+  for (CycleQuantity& q : r.quantities) {
+    double open = 0.0;
+    if (q.quantity.name == "p_asperity_max") open = more;
+    if (q.quantity.name == "friction_torque_asperity") {
+      open = std::min(now > 0.0 ? q.quantity.size() * more / now : everywhere, all + bar(torque));
+    }
+    if (open > bar(q)) bar(q) = open;
+  }
 }
 
 void bound_parts_of_friction(CycleResult& r) {

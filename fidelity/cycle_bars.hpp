@@ -28,6 +28,13 @@ namespace shellback::fidelity {
 /// The quantity of this name; null: the cycle has none.
 [[nodiscard]] const bearing::CycleQuantity* named(const bearing::CycleResult& r, const char* name);
 
+/// One of the bars of a quantity.
+using BarOf = double& (*)(bearing::CycleQuantity&);
+
+/// Where summits hardly touch over the cycle (light_contact.hpp): contact is as sure as the
+/// smallest film, its friction, which is part of the whole, as the pressure.
+void widen_bars_of_light_contact(const bearing::Case& c, bearing::CycleResult& r, BarOf bar);
+
 /// That of the list of its quantities (quantities.hpp).
 void bound_parts_of_friction(bearing::CycleResult& r);
 

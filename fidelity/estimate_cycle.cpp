@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/bearing.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/heat_endings.hpp"
 #include "bearing/over_time/cycle_lumped.hpp"
@@ -13,9 +12,9 @@
 #include "bearing/told_ranges.hpp"
 #include "core/bracketed_root.hpp"
 #include "core/stopwatch.hpp"
+#include "fidelity/cycle_bars.hpp"
 #include "fidelity/estimate_bars.hpp"
 #include "fidelity/journal_path.hpp"
-#include "fidelity/light_contact.hpp"
 
 namespace shellback::fidelity {
 
@@ -146,28 +145,7 @@ bool turns_to_and_fro(const JournalPath& path) {
          extreme(all, &CycleInstant::omega, false).omega > 0.0;
 }
 
-/// Contact is as sure as the smallest film of which it is (light_contact.hpp), and its friction,
-/// which is part of the whole, as its pressure.
-void widen_bars_of_contact(const Case& c, std::vector<CycleQuantity>& list) {
-  const auto contact = contact_of(c);
-  if (!contact) return;
-  const auto find = [&](const char* name) -> const Quantity& {
-    const auto is = [&](const CycleQuantity& q) { return q.quantity.name == name; };
-    return std::find_if(list.begin(), list.end(), is)->quantity;
-  };
-  const Quantity &h = find("h_min"), &torque = find("friction_torque");
-  const double now = contact->at(h.value).p;
-  const double more = left_open_by_film(*contact, h.value, h.error());
-  const double all = torque.size() + torque.error();
-  for (CycleQuantity& q : list) {
-    double bar = 0.0;
-    if (q.quantity.name == "p_asperity_max") bar = more;
-    if (q.quantity.name == "friction_torque_asperity") {
-      bar = now > 0.0 ? std::min(q.quantity.size() * more / now, all) : all;
-    }
-    if (bar > q.quantity.error_model) q.quantity.error_model = bar;
-  }
-}
+double& bar_of_model(CycleQuantity& q) { return q.quantity.error_model; }
 
 void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>& longer,
               const EstimateBars& bars, bool swings) {
@@ -246,7 +224,7 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
     r.quantities = quantities(path, T);
     put_bars(r.quantities, quantities(rough, T), estimate_bars(c, worst_of(path, c, T)),
              turns_to_and_fro(path));
-    widen_bars_of_contact(c, r.quantities);
+    widen_bars_of_light_contact(c, r, bar_of_model);
   }
   r.cost.wall_s = watch.seconds();
   return r;

@@ -2,6 +2,7 @@
 
 #include "bearing/bearing.hpp"
 #include "core/contract.hpp"
+#include "fidelity/cycle_bars.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/light_contact.hpp"
 #include "fidelity/quantities.hpp"
@@ -40,8 +41,8 @@ double hidden_at_edge(const RunningInRun& run) {
 /// of the friction.
 bool touches_lightly(const RunningInRun& run) {
   if (!run.cycle) return value_in(scalars(run.solution), "asperity_load_share") < kLight;
-  return std::abs(value_of(*run.cycle, "friction_torque_asperity")) <
-         kLight * std::abs(value_of(*run.cycle, "friction_torque"));
+  return named(*run.cycle, "friction_torque_asperity")->quantity.size() <
+         kLight * named(*run.cycle, "friction_torque")->quantity.size();
 }
 
 void widen_bars_of_light_contact(const Case& c, const RunningInRun& run, States& bars) {

@@ -43,8 +43,7 @@ std::string beginning_of_event(note::Plain n) {
              "nothing but what the supplies' pressure presses upon";
     case Plain::event_in_the_middle:
       return "the event begins with the journal at rest in the middle of a full film: its first "
-             "row "
-             "has no load, or no steady state of it was found";
+             "row has no load, or no steady state of it was found";
     case Plain::event_without_heat:
       return "walls and film begin at the (first) supply's temperature, before the film has heated "
              "them: no steady state with heat of the event's first row is known (none is where a "
@@ -152,8 +151,7 @@ std::string listed(const std::vector<EffectKind>& effects) {
 std::string text_of(const note::BarsFromFinerGrid& n) {
   return fmt::format(
       "the error bars are made with a finer grid, {} x {} cells: no coarser one gave a solution, "
-      "or "
-      "summits make most of the friction, and coarse grids may then stand on another branch",
+      "or summits make most of the friction, and coarse grids may then stand on another branch",
       n.grid[0], n.grid[1]);
 }
 

@@ -7,12 +7,12 @@
 
 #include "app/derived.hpp"
 #include "app/indicators.hpp"
-#include "app/quantity_label.hpp"
-#include "app/units.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/reading/units.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/heat_words.hpp"
 #include "app/words/note_words.hpp"
-#include "bearing/heat_endings.hpp"
+#include "bearing/heat/heat_endings.hpp"
 #include "bearing/judge/judge_case.hpp"
 #include "bearing/over_time/cycle_numbers.hpp"
 #include "bearing/told_ranges.hpp"
@@ -142,7 +142,7 @@ void print_cycle_estimate(std::ostream& out, const Case& subject) {
 std::string in_degrees(double angle) { return fmt::format("{:.5g} deg", angle * 180.0 / kPi); }
 
 /// An instant of the cycle, told as the cycle is.
-std::string told(const LoadCycle& cycle, double t) {
+std::string instant_told(const LoadCycle& cycle, double t) {
   return cycle.crank_speed > 0.0 ? in_degrees(t * cycle.crank_speed)
                                  : fmt::format("{:.5g} ms", 1e3 * t);
 }
@@ -161,14 +161,14 @@ void print_cycle(std::ostream& out, const Case& subject) {
   const CycleNumbers n = cycle_numbers(cycle, subject.operation.omega);
   const double area = 2.0 * subject.bearing.radius * subject.bearing.width;
   out << "\nLoad cycle\n";
-  line(out, cycle.repeats() ? "period" : "single event of", told(cycle, n.length),
+  line(out, cycle.repeats() ? "period" : "single event of", instant_told(cycle, n.length),
        cycle.crank_speed > 0.0 ? fmt::format("of crank angle, {:.4g} ms", 1e3 * n.length) : "");
   line(out, "rows", fmt::format("{}", cycle.t.size()),
        cycle.interpolation == LoadInterpolation::linear ? "straight lines between them"
                                                         : "a periodic spline through them");
   const bool vanishes = n.smallest < kVanishingLoad * n.largest;
   line(out, "largest load", load_words(n.largest),
-       fmt::format("at {}, acting towards {}", told(cycle, n.at), in_degrees(n.angle)));
+       fmt::format("at {}, acting towards {}", instant_told(cycle, n.at), in_degrees(n.angle)));
   line(out, "mean load", load_words(n.mean),
        vanishes ? "it vanishes in between" : "smallest " + load_words(n.smallest));
   line(out, "peak specific load", show(n.largest / area, "MPa", kPressure));
@@ -182,7 +182,7 @@ void print_cycle(std::ostream& out, const Case& subject) {
   }
   line(out, "journal mass", fmt::format("{:.4g} kg", cycle.journal_mass),
        cycle.journal_mass > 0.0 ? "" : "a journal without inertia");
-  line(out, "step", cycle.step ? told(cycle, *cycle.step) : "chosen",
+  line(out, "step", cycle.step ? instant_told(cycle, *cycle.step) : "chosen",
        cycle.step ? "" : "by model.tolerance");
 }
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "rheology/density.hpp"

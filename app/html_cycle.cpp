@@ -6,12 +6,12 @@
 #include <cmath>
 #include <functional>
 
-#include "app/cycle_shown.hpp"
 #include "app/html_tables.hpp"
-#include "app/svg_cycle.hpp"
-#include "app/svg_cycle_frames.hpp"
-#include "app/svg_orbit.hpp"
-#include "app/table_parts.hpp"
+#include "app/labels/cycle_shown.hpp"
+#include "app/labels/table_parts.hpp"
+#include "app/pictures/svg_cycle.hpp"
+#include "app/pictures/svg_cycle_frames.hpp"
+#include "app/pictures/svg_orbit.hpp"
 
 namespace shellback::app {
 namespace {
@@ -86,7 +86,7 @@ std::string cycle_quantities_html(const CycleResult& cycle) {
         bar(unit.scale * q.error_time),
         physics ? "<td>" + bar(unit.scale * q.quantity.error_model) + "</td>" : "",
         escape_markup(typeset_unit(unit.unit)),
-        std::isfinite(q.at) ? figures(told(cycle, q.at)) : "");
+        std::isfinite(q.at) ? figures(shown_instant(cycle, q.at)) : "");
   }
   return html + "</tbody></table></div>\n";
 }

@@ -4,11 +4,11 @@
 
 #include <functional>
 
-#include "app/quantity_label.hpp"
-#include "app/svg_film.hpp"
-#include "app/svg_profiles.hpp"
-#include "app/svg_section.hpp"
-#include "app/svg_waterfall.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/pictures/svg_film.hpp"
+#include "app/pictures/svg_profiles.hpp"
+#include "app/pictures/svg_section.hpp"
+#include "app/pictures/svg_waterfall.hpp"
 
 namespace shellback::app {
 namespace {

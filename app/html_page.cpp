@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "app/command_words.hpp"
 #include "app/html_style.hpp"
 #include "app/html_tables.hpp"
-#include "app/quantity_label.hpp"
-#include "app/svg.hpp"
+#include "app/labels/command_words.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/pictures/svg.hpp"
 
 namespace shellback::app {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "app/indistinct.hpp"
+#include "app/labels/indistinct.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/labels/tolerance_words.hpp"
+#include "app/pictures/svg.hpp"
 #include "app/provenance.hpp"
-#include "app/quantity_label.hpp"
-#include "app/svg.hpp"
-#include "app/tolerance_words.hpp"
 #include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"

@@ -3,7 +3,7 @@
 /// HTML with all outside text escaped; an empty string if there is nothing to say.
 #include <string>
 
-#include "app/tolerance_words.hpp"
+#include "app/labels/tolerance_words.hpp"
 #include "bearing/result.hpp"
 
 namespace shellback::app {

@@ -115,7 +115,7 @@ double way_of_fed_oil(const Case& subject, const Supply& supply) {
 }
 
 /// Largest head of oil pressed out of a supply, in a gap of the clearance, over the pressure that
-/// drives it [-]; bearing/fed_flow.hpp has that of the film.
+/// drives it [-]; bearing/film/fed_flow.hpp has that of the film.
 double fed_head(const Case& subject, const Derived& d) {
   double most = 0.0;
   for (const Supply& supply : subject.supplies) {

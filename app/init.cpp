@@ -6,12 +6,12 @@
 #include <ostream>
 #include <vector>
 
-#include "app/case_text.hpp"
 #include "app/file_identity.hpp"
-#include "app/library.hpp"
 #include "app/output_rules.hpp"
 #include "app/pending_file.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/read_case.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {

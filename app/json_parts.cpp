@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "app/case_json.hpp"
+#include "app/labels/tolerance_words.hpp"
 #include "app/provenance.hpp"
-#include "app/tolerance_words.hpp"
 #include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "core/constants.hpp"

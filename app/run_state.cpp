@@ -9,7 +9,7 @@
 #include "app/case_json.hpp"
 #include "app/hdf5_parts.hpp"
 #include "app/provenance.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
@@ -39,7 +39,7 @@ Sorted running_in_json(const bearing::RunningIn& r) {
   return json;
 }
 
-const char* name_of(RunOf run) {
+const char* run_name(RunOf run) {
   switch (run) {
     case RunOf::running_in:
       return "a running-in (run --running-in)";
@@ -72,7 +72,7 @@ Sorted identity(const bearing::Case& c, RunOf run, const RunOptions& options) {
   if (c.cycle) subject["load_cycle"]["crank_speed"] = c.cycle->crank_speed;
   if (run == RunOf::running_in) subject["running_in"] = running_in_json(*c.running_in);
   for (const auto& [option, values] : options) subject[option] = bits_of(values);
-  return {{"program", program}, {"run", name_of(run)}, {"case", subject}};
+  return {{"program", program}, {"run", run_name(run)}, {"case", subject}};
 }
 
 /// Keys by which two of them differ, "load_cycle.load_x", each once.
@@ -196,7 +196,7 @@ Tape::Content read_run_state(const std::string& path, const bearing::Case& c, Ru
                      fmt::format("{} is the state of {}, and this is {}; give the options of that "
                                  "run, or leave out --resume to begin this one anew (which "
                                  "replaces the state)",
-                                 path, kept.value("run", "another run"), name_of(run)));
+                                 path, kept.value("run", "another run"), run_name(run)));
   }
   if (kept.value("case", Sorted()) != now["case"]) {
     throw InputError(

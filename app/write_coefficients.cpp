@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "app/quantity_label.hpp"
+#include "app/labels/quantity_label.hpp"
 
 namespace shellback::app {
 namespace {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/command_words.hpp"
 #include "app/followed.hpp"
 #include "app/json_parts.hpp"
+#include "app/labels/command_words.hpp"
+#include "app/labels/table_parts.hpp"
 #include "app/provenance.hpp"
-#include "app/table_parts.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_instants.hpp"

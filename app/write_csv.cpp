@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/sweep_columns.hpp"
+#include "app/labels/sweep_columns.hpp"
 #include "app/words/ending_words.hpp"
 
 namespace shellback::app {

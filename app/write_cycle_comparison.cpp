@@ -5,11 +5,11 @@
 #include "app/html_figures.hpp"
 #include "app/html_page.hpp"
 #include "app/html_tables.hpp"
-#include "app/quantity_label.hpp"
-#include "app/svg_comparison.hpp"
-#include "app/svg_cycle.hpp"
-#include "app/svg_profiles.hpp"
-#include "app/svg_waterfall.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/pictures/svg_comparison.hpp"
+#include "app/pictures/svg_cycle.hpp"
+#include "app/pictures/svg_profiles.hpp"
+#include "app/pictures/svg_waterfall.hpp"
 
 namespace shellback::app {
 namespace {

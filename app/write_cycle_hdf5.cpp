@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "app/cycle_shown.hpp"
 #include "app/hdf5_result.hpp"
+#include "app/labels/cycle_shown.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
@@ -36,7 +36,7 @@ void write_scalars(hid_t file, const CycleResult& cycle) {
     const auto known = [&](const char* suffix, double value) {  // what is not known is not there
       if (std::isfinite(value)) attribute(quantities, name + suffix, value);
     };
-    known("_at", told(cycle, q.at));
+    known("_at", shown_instant(cycle, q.at));
     if (std::isfinite(q.at)) attribute(quantities, name + "_at_unit", told_unit(cycle));
     known("_error", bar_of(q));
     known("_error_grid", q.quantity.error_grid);
@@ -52,7 +52,7 @@ void write_instants(hid_t parent, const CycleResult& cycle, const std::vector<do
   doubles(parent, "t", t, "s", "time within the cycle");
   if (!has_crank(cycle)) return;
   std::vector<double> angle;
-  for (const double each : t) angle.push_back(told(cycle, each));
+  for (const double each : t) angle.push_back(shown_instant(cycle, each));
   doubles(parent, "angle", angle, "deg", "crank angle");
 }
 

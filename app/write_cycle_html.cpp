@@ -1,9 +1,9 @@
 #include "app/write_cycle_html.hpp"
 
-#include "app/cycle_shown.hpp"
 #include "app/html_cycle.hpp"
 #include "app/html_page.hpp"
 #include "app/html_tables.hpp"
+#include "app/labels/cycle_shown.hpp"
 
 namespace shellback::app {
 

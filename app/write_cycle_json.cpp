@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "app/cycle_shown.hpp"
 #include "app/json_parts.hpp"
+#include "app/labels/cycle_shown.hpp"
 #include "app/words/note_words.hpp"
 
 namespace shellback::app {
@@ -17,7 +17,7 @@ Json quantities(const CycleResult& cycle) {
   for (const auto& q : cycle.quantities) {
     const std::string& unit = q.quantity.unit;
     Json& entry = all[q.quantity.name] = with_unit(q.quantity.value, unit);
-    if (std::isfinite(q.at)) entry["at"] = with_unit(told(cycle, q.at), told_unit(cycle));
+    if (std::isfinite(q.at)) entry["at"] = with_unit(shown_instant(cycle, q.at), told_unit(cycle));
     const auto add = [&](const char* key, double bar) {  // what is not known is not there
       if (std::isfinite(bar)) entry[key] = with_unit(bar, unit)["value"];
     };

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <ostream>
 
-#include "app/cycle_shown.hpp"
-#include "app/table_parts.hpp"
-#include "app/text_table.hpp"
-#include "app/tolerance_words.hpp"
+#include "app/labels/cycle_shown.hpp"
+#include "app/labels/table_parts.hpp"
+#include "app/labels/text_table.hpp"
+#include "app/labels/tolerance_words.hpp"
 #include "app/words/note_words.hpp"
 
 namespace shellback::app {
@@ -40,7 +40,7 @@ void print_quantities(std::ostream& out, const CycleResult& cycle) {
     }
     if (physics) cells.push_back(bar_figures(unit.scale * q.quantity.error_model));
     cells.push_back(unit.unit);
-    cells.push_back(std::isfinite(q.at) ? figures(told(cycle, q.at)) : "");
+    cells.push_back(std::isfinite(q.at) ? figures(shown_instant(cycle, q.at)) : "");
     table.add(cells);
   }
   table.print(out);

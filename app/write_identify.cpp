@@ -6,8 +6,8 @@
 #include <cmath>
 #include <ostream>
 
-#include "app/quantity_label.hpp"
-#include "app/text_table.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/labels/text_table.hpp"
 #include "bearing/quantities.hpp"
 
 namespace shellback::app {

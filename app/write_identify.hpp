@@ -1,9 +1,9 @@
 #pragma once
-/// Identified keys for terminals, scripts and pictures.
+/// Identified keys for terminals and scripts.
 #include <iosfwd>
 #include <string>
 
-#include "app/identify_words.hpp"
+#include "app/labels/identify_words.hpp"
 
 namespace shellback::app {
 
@@ -16,8 +16,5 @@ void write_identify_table(std::ostream& out, const IdentifyView& v);
 /// One line a measured value: point, inputs as measured, measured, deviation, computed at the start
 /// and with the fitted keys (SI, empty where not found).
 [[nodiscard]] std::string identify_csv(const IdentifyView& v);
-
-/// Measured points with their deviations, computed curves at the start (dashed) and fitted.
-[[nodiscard]] std::string identify_svg(const IdentifyView& v);
 
 }  // namespace shellback::app

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/json_parts.hpp"
-#include "app/svg_lines.hpp"
+#include "app/pictures/svg_lines.hpp"
 #include "fidelity/march_bars.hpp"
 
 namespace shellback::app {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/indistinct.hpp"
 #include "app/json_parts.hpp"
-#include "app/quantity_label.hpp"
-#include "app/sweep_columns.hpp"
-#include "app/tolerance_words.hpp"
+#include "app/labels/indistinct.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/labels/sweep_columns.hpp"
+#include "app/labels/tolerance_words.hpp"
 #include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"

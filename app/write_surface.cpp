@@ -7,8 +7,8 @@
 #include <ostream>
 
 #include "app/json_parts.hpp"
-#include "app/surface_columns.hpp"
-#include "app/text_table.hpp"
+#include "app/labels/text_table.hpp"
+#include "app/reading/surface_columns.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 

@@ -3,7 +3,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "app/surface_report.hpp"
+#include "app/reading/surface_report.hpp"
 
 namespace shellback::app {
 

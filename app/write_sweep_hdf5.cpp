@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "app/hdf5_parts.hpp"
-#include "app/quantity_label.hpp"
-#include "app/sweep_columns.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/labels/sweep_columns.hpp"
 #include "app/words/ending_words.hpp"
 #include "core/contract.hpp"
 

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <ostream>
 
-#include "app/command_words.hpp"
-#include "app/indistinct.hpp"
-#include "app/quantity_label.hpp"
-#include "app/sweep_case.hpp"
-#include "app/sweep_columns.hpp"
-#include "app/text_table.hpp"
-#include "app/tolerance_words.hpp"
+#include "app/labels/command_words.hpp"
+#include "app/labels/indistinct.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/labels/sweep_columns.hpp"
+#include "app/labels/text_table.hpp"
+#include "app/labels/tolerance_words.hpp"
+#include "app/reading/sweep_case.hpp"
 #include "app/words/ending_words.hpp"
 
 namespace shellback::app {

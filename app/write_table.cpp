@@ -6,11 +6,11 @@
 #include <cmath>
 #include <ostream>
 
-#include "app/indistinct.hpp"
-#include "app/quantity_label.hpp"
-#include "app/table_parts.hpp"
-#include "app/text_table.hpp"
-#include "app/tolerance_words.hpp"
+#include "app/labels/indistinct.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/labels/table_parts.hpp"
+#include "app/labels/text_table.hpp"
+#include "app/labels/tolerance_words.hpp"
 #include "app/words/effect_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_coefficients.hpp"

@@ -9,7 +9,7 @@
 
 #include "app/followed.hpp"
 #include "app/json_parts.hpp"
-#include "app/svg_heading.hpp"
+#include "app/pictures/svg_heading.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_instants.hpp"

@@ -10,6 +10,7 @@
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/even_layers.hpp"
+#include "core/ring_matrix.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace shellback::bearing {

@@ -1,11 +1,11 @@
 #pragma once
 /// Linear stiffness and damping of a solved bearing, and the threshold of oil whirl, which is that
-/// of the film at the frequency of the whirl (bearing/film_impedance.hpp).
+/// of the film at the frequency of the whirl (bearing/film/film_impedance.hpp).
 ///
 /// Force and moment of film and contact on a journal that moves a little about its place,
 ///   F_i = F_i0 - K_ij dx_j - C_ij dx_j/dt                                            (1)
 /// are the first two terms of the film's answer to slow motion: with the linearised film
-/// (bearing/film_response.hpp), x(t) = dx exp(s t) and s -> 0,
+/// (bearing/film/film_response.hpp), x(t) = dx exp(s t) and s -> 0,
 ///   K: the answer (u0, d0) to the displaced gap B dx;                                (2)
 ///   C: the answer to the oil that (2) stores as it comes and goes,
 ///      rho { theta hT' (B dx + d0) + hT theta0 } per area.                           (3)

@@ -12,7 +12,7 @@ struct FilmEquilibrium;
 struct EquilibriumCost;
 
 /// Solves for the equilibrium from a state, which is left at the last iterate whatever the verdict;
-/// as newton (bearing/newton.hpp).
+/// as newton (bearing/film/newton.hpp).
 using EquilibriumMethod = Verdict (*)(const FilmTask& task, FilmEquilibrium& state,
                                       EquilibriumCost& cost);
 

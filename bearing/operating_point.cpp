@@ -21,9 +21,7 @@ fluid::Wrench LoadTarget::wanted(const State& s) const {
   if (path) {
     for (double& f : w) f *= std::exp(s.ln_load);
   }
-  if (inertia) {
-    for (int k = 0; k < 2; ++k) w[k] += inertia->stiffness * (s.position.q[k] - inertia->free[k]);
-  }
+  for (int k = 0; k < 2; ++k) w[k] += inertia * s.flight[k];
   return w;
 }
 

@@ -11,12 +11,6 @@ namespace shellback::bearing {
 
 struct State;
 
-/// Mass of the journal over a finite step.
-struct Inertia {
-  double stiffness = 0.0;        ///< m/dt^2 [N/m]
-  std::array<double, 2> free{};  ///< q_free of (2): e_x, e_y [m]
-};
-
 /// One more row of the border: position and load stand so far along a path,
 ///   sum_k along_k (q_k - from_k)/unit_k + along_load (ln_load - from_load) = length.       (4)
 struct PathRow {
@@ -33,13 +27,13 @@ struct PathRow {
 
 /// What the journal must balance.
 struct LoadTarget {
-  int unknowns = 2;       ///< 0: position given; 2: e; 4: e and tilt
-  fluid::Wrench force{};  ///< wanted film force and moment on the journal: minus the load
-  std::optional<Inertia> inertia;
-  std::optional<PathRow> path;         ///< the load's factor is an unknown, too
-  double unit = 0.0;                   ///< by which residuals are measured [N]; 0: |force|
+  int unknowns = 2;             ///< 0: position given; 2: e; 4: e and tilt
+  fluid::Wrench force{};        ///< wanted film force and moment on the journal: minus the load
+  double inertia = 0.0;         ///< of the journal over a finite step, m/dt^2 [N/m]
+  std::optional<PathRow> path;  ///< the load's factor is an unknown, too
+  double unit = 0.0;            ///< by which residuals are measured [N]; 0: |force|
   [[nodiscard]] double scale() const;  ///< `unit`, or |force| [N]
-  /// The force wanted of this state: with its factor and the journal's inertia.
+  /// The force wanted of this state: with its factor and the journal's inertia by its flight.
   [[nodiscard]] fluid::Wrench wanted(const State& s) const;
   /// Work of the moment on a journal whose tilt follows it and changes by these [rad]; none where
   /// the tilt is held [J].

@@ -2,7 +2,8 @@
 /// The scalars of a result, each with its name, unit and meaning in one table.
 ///
 /// Not-a-number: the tier does not know it. A new quantity is a member, a row of the table and the
-/// line of bearing/summary.cpp that computes it; its name is that of the result contract (JSON).
+/// line of bearing/steady/summary.cpp that computes it; its name is that of the result contract
+/// (JSON).
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -40,7 +41,8 @@ struct Quantity {
 [[nodiscard]] double value_in(const std::vector<Quantity>& list, const std::string& name);
 
 /// The values, typed. A friction torque has the sign of the speed, so that torque times speed is a
-/// loss; powers are losses; forces are those of the film on the journal; flows are volumes at the density of the supplied oil.
+/// loss; powers are losses; forces are those of the film on the journal; flows are volumes at the
+/// density of the supplied oil.
 struct Quantities {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 

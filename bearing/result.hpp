@@ -56,7 +56,7 @@ struct HistoryEntry {
   double h_min = 0.0;            ///< [m]
 };
 
-/// A temperature at which the heat balance of the whole bearing is met (bearing/lumped.hpp).
+/// A temperature at which the heat balance of the whole bearing is met (bearing/steady/lumped.hpp).
 struct HeatRoot {
   double T = 0.0;                ///< [K]
   double slope = 0.0;            ///< of the residual, d r/d T [-]

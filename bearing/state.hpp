@@ -10,6 +10,9 @@ namespace shellback::bearing {
 struct State {
   fluid::FilmState film;
   fluid::JournalPosition position;
+  /// e less q_free (equilibrium.hpp) over a step with an end, set where the step begins: the same
+  /// place, without the round-off of e, of which a short step and a heavy journal make a force [m].
+  std::array<double, 2> flight{};
   double ln_load = 0.0;  ///< of the load's factor, unknown along a path of loads [-]
   Field elastic;         ///< widening of equilibrium.hpp (3), shell and shaft [m]; empty: rigid
 };

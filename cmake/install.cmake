@@ -2,7 +2,7 @@
 #
 # Installed are the libraries that solve; those of the program (app, validation, program) are its own.
 include(CMakePackageConfigHelpers)
-set(SHELLBACK_INSTALLED core rheology fluid thermal solid bearing over_time judge fidelity study words)
+set(SHELLBACK_INSTALLED core rheology fluid thermal solid bearing film heat steady over_time judge fidelity study words)
 set(package_folder lib/cmake/Shellback)
 
 # All of them under one name.

@@ -95,7 +95,7 @@ struct SurfacesInterlocked {
 /// Newton's method for film, position and elastic surfaces.
 struct FilmUnsettled {
   int iterations = 0;
-  double film = 0.0, load = 0.0, elastic = 0.0;  ///< residuals, bearing/equilibrium.hpp [-]
+  double film = 0.0, load = 0.0, elastic = 0.0;  ///< residuals, bearing/film/equilibrium.hpp [-]
   double h_min = 0.0;                            ///< [m]
 };
 

@@ -17,7 +17,7 @@
 /// case gives (switches, grid, nodes) is not touched. Without data of shell or shaft the physics
 /// ends at tier lumped; the heat that the solids would take is then uncertain.
 #include "bearing/result.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 
 namespace shellback::fidelity {
 

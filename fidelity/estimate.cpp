@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "bearing/heat_endings.hpp"
+#include "bearing/heat/heat_endings.hpp"
 #include "core/round_off.hpp"
 #include "fidelity/bearing_table.hpp"
 #include "fidelity/estimate_scene.hpp"

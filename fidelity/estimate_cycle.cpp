@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/equilibrium.hpp"
-#include "bearing/heat_endings.hpp"
+#include "bearing/film/equilibrium.hpp"
+#include "bearing/heat/heat_endings.hpp"
 #include "bearing/over_time/cycle_lumped.hpp"
 #include "bearing/over_time/cycle_search.hpp"
 #include "bearing/told_ranges.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/nested.hpp"
+#include "bearing/steady/nested.hpp"
 #include "core/contract.hpp"
 #include "fidelity/quantities.hpp"
 

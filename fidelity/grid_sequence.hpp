@@ -3,7 +3,7 @@
 ///
 /// One coarse solve of the film costs a few Newton iterations of the fine grid; what another number
 /// of nodes or richer physics changes there is nearly what it changes on the fine grid.
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "fidelity/kept_solids.hpp"
 
 namespace shellback::fidelity {

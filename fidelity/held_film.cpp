@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "bearing/nested.hpp"
+#include "bearing/steady/nested.hpp"
 
 namespace shellback::fidelity {
 namespace {

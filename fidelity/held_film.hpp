@@ -9,7 +9,7 @@
 /// and deformation is not counted); both at the price of a rigid isothermal film.
 #include <atomic>
 
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 
 namespace shellback::fidelity {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 
 namespace shellback::fidelity {
 

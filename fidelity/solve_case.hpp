@@ -5,7 +5,7 @@
 
 namespace shellback::fidelity {
 
-/// Solves the case in its tier: `estimate`, `auto`, or one of bearing/solve.hpp.
+/// Solves the case in its tier: `estimate`, `auto`, or one of bearing/steady/solve.hpp.
 [[nodiscard]] bearing::Result solve_case(const bearing::Case& c,
                                          const bearing::SolveControl& control = {});
 

@@ -72,7 +72,8 @@ struct OilFlows {
   double side_inflow = 0.0;   ///< part of the edges' flow that comes in
   double stored = 0.0;        ///< change of the oil in the film: supply - side at a solution
   std::vector<double> patch;  ///< net out of each patch
-  /// Part of that which its own cells take as the gap there opens (bearing/pockets.hpp); empty: none
+  /// Part of that which its own cells take as the gap there opens (bearing/film/pockets.hpp);
+  /// empty: none
   std::vector<double> pocket;
 };
 [[nodiscard]] OilFlows oil_flows(const FilmScene& scene, const FilmFlow& flow);

@@ -1,8 +1,9 @@
-// The arrows of the house: core <- rheology, fluid, thermal, solid <- bearing <- bearing/over_time
-// <- bearing/judge <- fidelity <- app/study; surface stands on fluid and solid, and app/words on
-// bearing/over_time, beside them; all <- app <- validation <- app/program; validation/rivals stands
-// on bearing. A folder within a folder is one of its own if it is named here. Every include in the
-// production folders is read; nobody includes tests.
+// The arrows of the house: core <- rheology, fluid, thermal, solid <- bearing <- its folders film
+// <- heat <- steady <- over_time <- judge <- fidelity <- app/study <- app/reading <- app/labels <-
+// app/pictures <- app <- validation <- app/program; surface stands on fluid and solid, app/words on
+// bearing/over_time, validation/rivals on bearing/film, beside them. A folder within a folder is
+// one of its own if it is named here. Every include in the production folders is read; nobody
+// includes tests.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -31,13 +32,19 @@ const std::map<std::string, Folders> kStandsOn{
     {"solid", {"core"}},
     {"surface", {"fluid", "solid"}},
     {"bearing", {"rheology", "fluid", "thermal", "solid"}},
-    {"bearing/over_time", {"bearing"}},
+    {"bearing/film", {"bearing"}},
+    {"bearing/heat", {"bearing/film"}},
+    {"bearing/steady", {"bearing/heat"}},
+    {"bearing/over_time", {"bearing/steady"}},
     {"bearing/judge", {"bearing/over_time"}},
     {"fidelity", {"bearing/judge"}},
     {"app/study", {"fidelity"}},
     {"app/words", {"bearing/over_time"}},
-    {"app", {"surface", "app/study", "app/words"}},
-    {"validation/rivals", {"bearing"}},
+    {"app/reading", {"surface", "app/study"}},
+    {"app/labels", {"app/reading", "app/words"}},
+    {"app/pictures", {"app/labels"}},
+    {"app", {"app/pictures"}},
+    {"validation/rivals", {"bearing/film"}},
     {"validation", {"app", "validation/rivals"}},
     {"app/program", {"validation"}},
 };

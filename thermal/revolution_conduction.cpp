@@ -5,6 +5,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "thermal/impedance_modes.hpp"
 
 namespace shellback::thermal {
 namespace {
@@ -80,7 +81,6 @@ Eigen::MatrixXd ShellConduction::cells_at(int line, const Eigen::MatrixXd& nodal
 void ShellConduction::compute() {
   const bool steady = std::isinf(dt());
   const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
-  const Eigen::VectorXd root = dz.cwiseSqrt(), over_root = root.cwiseInverse();
   Eigen::MatrixXd load = Eigen::MatrixXd::Zero(system_.mesh().nodes(), grid_.nz);
   load.topRows(cells_.rows()) = grid_.radius * cells_;
   for (const int n : sample_.computed()) {
@@ -93,10 +93,9 @@ void ShellConduction::compute() {
   surface_ = sample_.complete(surface_);
   back_ = sample_.complete(back_);
   for (const Eigen::MatrixXd& surface : surface_) {
-    const Eigen::MatrixXd z = root.asDiagonal() * surface * over_root.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (z + z.transpose()));
-    lambda_.push_back(eigen.eigenvalues());
-    modes_.push_back(over_root.asDiagonal() * eigen.eigenvectors());
+    ImpedanceModes modes = impedance_modes(surface, dz);
+    lambda_.push_back(std::move(modes.lambda));
+    modes_.push_back(std::move(modes.V));
   }
   mean_ = dz.transpose() * surface_[0] / dz.sum();
   back_heat_ = whole() * system_.to_back() * nodal_[0];

@@ -6,6 +6,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "thermal/impedance_modes.hpp"
 
 namespace shellback::thermal {
 namespace {
@@ -63,12 +64,10 @@ ShaftConduction::ShaftConduction(ConductionSystem system, const FilmGrid& grid,
   load.bottomRows(cells_.rows()) = grid.radius * cells_;
   nodal_ = system_.solve(factor_, load);
   if (steady()) factor_ = {};
-  const Eigen::VectorXd root = dz_.cwiseSqrt(), over_root = root.cwiseInverse();
-  const Eigen::MatrixXd z = root.asDiagonal() * surface(nodal_) * over_root.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (z + z.transpose()));
-  mu_ = (eigen.eigenvalues().cwiseInverse().array() - held_).max(0.0);
+  ImpedanceModes modes = impedance_modes(surface(nodal_), dz_);
+  mu_ = (modes.lambda.cwiseInverse().array() - held_).max(0.0);
   if (insulated_) mu_[grid.nz - 1] = 0.0;  // of the largest eigenvalue of Z: the mean's
-  modes_ = over_root.asDiagonal() * eigen.eigenvectors();
+  modes_ = std::move(modes.V);
   draw_ = whole() * grid.radius * (dz_.transpose() * modes_) * mu_.asDiagonal() *
           modes_.transpose() * dz_.asDiagonal();
 }

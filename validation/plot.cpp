@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/svg_axes.hpp"
+#include "app/pictures/svg_axes.hpp"
 
 namespace shellback::validation {
 namespace {

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/case_text.hpp"
+#include "app/pictures/write_png.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/session.hpp"
 #include "app/progress.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/words/ending_words.hpp"
-#include "app/write_png.hpp"
 #include "validation/chart/chart_csv.hpp"
 #include "validation/chart/chart_picture.hpp"
 #include "validation/chart/chart_scenes.hpp"

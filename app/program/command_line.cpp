@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/did_you_mean.hpp"
 #include "app/program/cli.hpp"
 #include "app/program/complaint.hpp"
+#include "app/reading/did_you_mean.hpp"
 #include "surface/form.hpp"
 
 namespace shellback::program {

@@ -1,18 +1,18 @@
-#include "bearing/compare.hpp"
+#include "bearing/steady/compare.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iostream>
 
-#include "app/case_text.hpp"
-#include "app/did_you_mean.hpp"
+#include "app/pictures/svg_comparison.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
-#include "app/read_case.hpp"
-#include "app/svg_comparison.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/did_you_mean.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/write_cycle_comparison.hpp"
 #include "app/write_html.hpp"
 #include "app/write_json.hpp"

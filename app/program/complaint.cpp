@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/did_you_mean.hpp"
+#include "app/reading/did_you_mean.hpp"
 
 namespace shellback::program {
 

@@ -3,14 +3,14 @@
 
 #include <iostream>
 
-#include "app/case_text.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
-#include "app/read_case.hpp"
-#include "app/sweep_case.hpp"
-#include "app/units.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/read_case.hpp"
+#include "app/reading/sweep_case.hpp"
+#include "app/reading/units.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/write_course.hpp"
 #include "app/write_instants.hpp"

@@ -3,12 +3,12 @@
 
 #include <iostream>
 
+#include "app/pictures/svg_cycle.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
-#include "app/read_case.hpp"
-#include "app/svg_cycle.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/write_cycle_hdf5.hpp"
 #include "app/write_cycle_html.hpp"
 #include "app/write_cycle_json.hpp"

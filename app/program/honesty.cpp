@@ -9,7 +9,7 @@
 #include "app/program/outputs.hpp"
 #include "app/program/session.hpp"
 #include "app/progress.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/read_case.hpp"
 #include "core/contract.hpp"
 #include "validation/honesty/honesty_report.hpp"
 #include "validation/honesty/known_cases.hpp"

@@ -4,12 +4,13 @@
 
 #include <iostream>
 
-#include "app/case_text.hpp"
-#include "app/identify_case.hpp"
+#include "app/pictures/svg_identify.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/session.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/identify_case.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/write_identify.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"

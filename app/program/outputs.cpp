@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iostream>
 
-#include "app/library.hpp"
 #include "app/pending_file.hpp"
+#include "app/reading/library.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::program {

@@ -2,12 +2,12 @@
 
 #include <iostream>
 
-#include "app/case_text.hpp"
 #include "app/check.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/session.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/write_coefficients.hpp"
 #include "app/write_hdf5.hpp"

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/case_text.hpp"
 #include "app/followed.hpp"
+#include "app/labels/table_parts.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
-#include "app/read_case.hpp"
-#include "app/table_parts.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/write_running_in.hpp"
 #include "core/contract.hpp"
 #include "fidelity/running_in_bars.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "app/read_case.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/words/ending_words.hpp"
 #include "core/contract.hpp"
 

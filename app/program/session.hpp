@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "app/overrides.hpp"
 #include "app/program/request.hpp"
 #include "app/progress.hpp"
+#include "app/reading/overrides.hpp"
 #include "bearing/case.hpp"
 #include "bearing/control.hpp"
 #include "bearing/result.hpp"

@@ -3,11 +3,11 @@
 
 #include <iostream>
 
-#include "app/did_you_mean.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
+#include "app/reading/did_you_mean.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"
 #include "validation/rig/rig_page.hpp"

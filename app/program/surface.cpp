@@ -4,12 +4,12 @@
 #include <iostream>
 #include <mutex>
 
+#include "app/pictures/svg_surface.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/progress.hpp"
-#include "app/surface_report.hpp"
-#include "app/svg_surface.hpp"
-#include "app/units.hpp"
+#include "app/reading/surface_report.hpp"
+#include "app/reading/units.hpp"
 #include "app/write_surface.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"

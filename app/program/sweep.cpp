@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <iostream>
 
-#include "app/case_text.hpp"
+#include "app/labels/sweep_columns.hpp"
+#include "app/pictures/svg_sweep.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
-#include "app/read_axis.hpp"
-#include "app/svg_sweep.hpp"
-#include "app/sweep_case.hpp"
-#include "app/sweep_columns.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/read_axis.hpp"
+#include "app/reading/sweep_case.hpp"
 #include "app/write_csv.hpp"
 #include "app/write_json.hpp"
 #include "app/write_sweep_hdf5.hpp"

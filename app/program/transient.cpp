@@ -4,14 +4,14 @@
 #include <cmath>
 #include <iostream>
 
-#include "app/case_text.hpp"
+#include "app/labels/table_parts.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
-#include "app/read_case.hpp"
-#include "app/table_parts.hpp"
-#include "app/units.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/read_case.hpp"
+#include "app/reading/units.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_instants.hpp"

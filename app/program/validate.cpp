@@ -2,10 +2,10 @@
 
 #include <iostream>
 
-#include "app/library.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/session.hpp"
+#include "app/reading/library.hpp"
 #include "validation/ledger/ledger_deviation.hpp"
 #include "validation/ledger/ledger_json.hpp"
 #include "validation/ledger/ledger_page.hpp"

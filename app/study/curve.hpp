@@ -15,7 +15,7 @@
 
 #include "app/study/axis.hpp"
 #include "app/study/sweep_point.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 
 namespace shellback::study {
 

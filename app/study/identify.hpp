@@ -14,7 +14,7 @@
 #include "app/study/bounded_fit.hpp"
 #include "app/study/curve.hpp"
 #include "app/study/measured_residuals.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 
 namespace shellback::study {
 

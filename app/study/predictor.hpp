@@ -1,6 +1,6 @@
 #pragma once
 /// Starts of a solve from solved neighbours: the secant of a continuation.
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 
 namespace shellback::study {
 

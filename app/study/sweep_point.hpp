@@ -3,7 +3,7 @@
 #include <atomic>
 #include <functional>
 
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 
 namespace shellback::study {
 

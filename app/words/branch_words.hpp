@@ -7,7 +7,7 @@
 
 #include "app/words/temperature_words.hpp"
 #include "app/words/told.hpp"
-#include "bearing/follow.hpp"
+#include "bearing/film/follow.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::app::told {

@@ -8,7 +8,7 @@
 #include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/temperature_words.hpp"
-#include "bearing/fed_flow.hpp"
+#include "bearing/film/fed_flow.hpp"
 #include "bearing/told_ranges.hpp"
 
 namespace shellback::app {

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "bearing/case_limits.hpp"
-#include "bearing/film_heat.hpp"
+#include "bearing/heat/film_heat.hpp"
 #include "bearing/judge/judge_parts.hpp"
 #include "bearing/shown.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/constants.hpp"
 #include "rheology/heat.hpp"
 #include "rheology/shear.hpp"

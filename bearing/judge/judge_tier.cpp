@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "bearing/film_heat.hpp"
+#include "bearing/heat/film_heat.hpp"
 #include "bearing/judge/judge_case.hpp"
 #include "bearing/load_cycle.hpp"
 #include "bearing/possible_methods.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "bearing/nested.hpp"
 #include "bearing/over_time/cycle_passes.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/nested.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::bearing {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/film_heat.hpp"
-#include "bearing/heat_endings.hpp"
+#include "bearing/heat/film_heat.hpp"
+#include "bearing/heat/heat_endings.hpp"
 #include "core/bracketed_root.hpp"
 #include "rheology/heat.hpp"
 #include "rheology/viscosity.hpp"

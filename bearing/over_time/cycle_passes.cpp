@@ -7,7 +7,7 @@
 #include "bearing/over_time/cycle_endings.hpp"
 #include "bearing/over_time/kept_run.hpp"
 #include "bearing/over_time/tape_members.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "core/step_control.hpp"

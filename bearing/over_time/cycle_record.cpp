@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "bearing/fed_flow.hpp"
-#include "bearing/film_heat.hpp"
+#include "bearing/film/fed_flow.hpp"
+#include "bearing/film/pockets.hpp"
+#include "bearing/heat/film_heat.hpp"
 #include "bearing/over_time/tape_members.hpp"
-#include "bearing/pockets.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"

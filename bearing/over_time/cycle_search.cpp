@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "bearing/equilibrium.hpp"
-#include "bearing/heat_endings.hpp"
+#include "bearing/film/equilibrium.hpp"
+#include "bearing/heat/heat_endings.hpp"
 #include "bearing/over_time/tape_members.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/fixed_point.hpp"
 #include "core/largest.hpp"
 #include "rheology/viscosity.hpp"

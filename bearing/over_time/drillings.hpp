@@ -6,7 +6,7 @@
 /// beginning of the step: it only says where within a link the mouth's edge lies, and follows the
 /// film from step to step.
 #include "bearing/bearing.hpp"
-#include "bearing/equilibrium.hpp"
+#include "bearing/film/equilibrium.hpp"
 #include "bearing/load_cycle.hpp"
 #include "bearing/note.hpp"
 

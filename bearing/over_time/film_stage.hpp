@@ -2,7 +2,7 @@
 /// What a stage of a step in time finds (film_step.hpp).
 #include <array>
 
-#include "bearing/equilibrium.hpp"
+#include "bearing/film/equilibrium.hpp"
 #include "bearing/over_time/heat_in_time.hpp"
 #include "core/tableau.hpp"
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/film_heat.hpp"
-#include "bearing/film_motion.hpp"
-#include "bearing/newton.hpp"
-#include "bearing/pockets.hpp"
-#include "bearing/pseudo_time.hpp"
+#include "bearing/film/film_motion.hpp"
+#include "bearing/film/newton.hpp"
+#include "bearing/film/pockets.hpp"
+#include "bearing/film/pseudo_time.hpp"
+#include "bearing/heat/film_heat.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
@@ -39,28 +39,19 @@ Field gathered(const fluid::FilmScene& scene, const fluid::FilmFlow& flow) {
   return oil;
 }
 
-/// A stage of length `own` [s] of a journal of `mass` [kg], begun at q [m] with v [m/s].
-struct Motion {
-  double own, mass;
-  std::array<double, 2> q, v;
-};
-
-/// Velocity, acceleration and force at its end; `allowed`: off balance [N].
-void tell_motion(const FilmEquilibrium& film, const LoadTarget& load, const Motion& from,
-                 double allowed, FilmStage& found) {
+/// Velocity, acceleration and force of the journal at the end of a stage of length `own` [s], begun
+/// with v [m/s].
+void tell_motion(const FilmEquilibrium& film, const LoadTarget& load, double own,
+                 const std::array<double, 2>& v, FilmStage& found) {
   const fluid::Wrench wanted = load.wanted(film);
   for (int k = 0; k < 2; ++k) {
-    const double off = std::abs(film.force[k] - wanted[k]);
-    found.velocity[k] = (film.position.q[k] - from.q[k]) / from.own;
-    found.acceleration[k] = from.mass > 0.0 ? (found.velocity[k] - from.v[k]) / from.own : 0.0;
     found.force[k] = film.force[k];
-    if (k >= load.unknowns) continue;
-    found.off_balance = std::max(found.off_balance, off);
-    if (!load.inertia || !(off > allowed)) continue;
-    // Met to the round-off of a heavy journal's place alone: its forces know its motion better. In
-    // all other steps they know it worse, by what a stiff film makes of the last iteration.
-    found.acceleration[k] = (film.force[k] - load.force[k]) / from.mass;
-    found.velocity[k] = from.v[k] + from.own * found.acceleration[k];
+    if (k < load.unknowns) {
+      found.off_balance = std::max(found.off_balance, std::abs(film.force[k] - wanted[k]));
+    }
+    const double gained = film.flight[k] / own;  // of velocity
+    found.velocity[k] = v[k] + gained;
+    found.acceleration[k] = load.inertia > 0.0 ? gained / own : 0.0;
   }
 }
 
@@ -126,7 +117,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   target.force[0] = -load.x;
   target.force[1] = -load.y;
   target.unit = 0.0;
-  target.inertia.reset();                  // that of a step
+  target.inertia = 0.0;                    // that of a step
   const bool at_rest = load.omega == 0.0;  // the film carries nothing: asperities may
   if ((at_rest && !model_.contact) || !(target.scale() > 0.0)) return std::nullopt;
   point_.scene.speed = load.omega * model_.input.bearing.radius;
@@ -173,15 +164,14 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   begin_layer(own, std::move(layer), point_);
   point_.load.force[0] = -load.x;
   point_.load.force[1] = -load.y;
-  if (mass_ > 0.0) {
-    point_.load.inertia = Inertia{mass_ / (own * own), {q[0] + own * v[0], q[1] + own * v[1]}};
-  }
+  point_.load.inertia = mass_ / (own * own);
   if (i > (by.explicit_first ? 1 : 0)) {
     const double since = (by.c[i] - by.c[i - 1]) * dt;
     carry_on(FilmTrend(now.film, film, by.c[i - 1] * dt), since, film);
   } else if (by.explicit_first) {
     carry_on(now.trend, by.c[i] * dt, film);
   }
+  for (int k = 0; k < 2; ++k) film.flight[k] = film.position.q[k] - (q[k] + own * v[k]);
   if (heat_) expect_temperatures(i, dt, stages, now, film);
   if (drillings_.any()) drillings_.place(now.t + by.c[i] * dt, point_.scene);
   const SuppliesStar star = supplies_star(i, dt, stages, now);
@@ -194,8 +184,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   found.flows = fluid::oil_flows(point_.scene, film.flow);
   count_pockets(model_, film, star.pockets, own, found.flows);
   found.layer = layer_of(point_, film);
-  const double allowed = options_.load_tolerance * point_.load.scale();
-  tell_motion(film, point_.load, {own, mass_, q, v}, allowed, found);
+  tell_motion(film, point_.load, own, v, found);
   return heat_ ? solve_heat(i, dt, stages, now, film, found) : verdict;
 }
 

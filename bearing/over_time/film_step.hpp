@@ -4,7 +4,7 @@
 /// Oil M per cell, journal position q and velocity v follow
 ///   dM/dt = -outflow/A,   dq/dt = v,   m dv/dt = F + W                               (1)
 /// by a diagonally implicit Runge-Kutta method. Each of its stages is the residual of
-/// bearing/equilibrium.hpp over a_ii dt, begun from
+/// bearing/film/equilibrium.hpp over a_ii dt, begun from
 ///   M* = M_n + dt sum_j<i a_ij k_j,   likewise q* and v*                             (2)
 /// with k the slopes of the stages before. k of M is the outflow itself, and M is carried as what
 /// flowed in and out, M_n+1 = M_n + dt sum b_i k_i: oil is conserved to round-off, however loosely
@@ -18,13 +18,13 @@
 /// and with TR-BDF2, which swings by a few per cent, the last stage's. Where film temperatures are
 /// solved, heat takes its stage behind the film's (heat_in_time.hpp). Source: textbook (Hosea and
 /// Shampine's form of TR-BDF2; Alexander's SDIRK2); methods 4.
-#include "bearing/equilibrium.hpp"
+#include "bearing/film/equilibrium.hpp"
+#include "bearing/film/vessels.hpp"
 #include "bearing/load_cycle.hpp"
 #include "bearing/over_time/drillings.hpp"
 #include "bearing/over_time/film_stage.hpp"
 #include "bearing/over_time/heat_in_time.hpp"
 #include "bearing/over_time/orbit_growth.hpp"
-#include "bearing/vessels.hpp"
 #include "core/tape.hpp"
 
 namespace shellback::bearing {

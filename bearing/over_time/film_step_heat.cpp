@@ -1,8 +1,8 @@
 /// Heat of one step in time: temperatures of film and skin, growth of the walls.
 #include <algorithm>
 
+#include "bearing/film/pockets.hpp"
 #include "bearing/over_time/film_step.hpp"
-#include "bearing/pockets.hpp"
 
 namespace shellback::bearing {
 namespace {

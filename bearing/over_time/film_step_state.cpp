@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/equilibrium.hpp"
-#include "bearing/film_heat.hpp"
+#include "bearing/film/equilibrium.hpp"
+#include "bearing/heat/film_heat.hpp"
 #include "bearing/over_time/film_step.hpp"
 #include "bearing/over_time/tape_members.hpp"
 #include "core/constants.hpp"

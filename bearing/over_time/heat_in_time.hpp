@@ -15,7 +15,7 @@
 /// last ones. Source: methods 3.5, 4; textbook.
 #include <optional>
 
-#include "bearing/film_heat.hpp"
+#include "bearing/heat/film_heat.hpp"
 #include "thermal/wall_skin.hpp"
 
 namespace shellback::bearing {

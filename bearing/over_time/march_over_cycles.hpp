@@ -16,7 +16,7 @@
 #include <cmath>
 #include <functional>
 
-#include "bearing/heat_march.hpp"
+#include "bearing/heat/heat_march.hpp"
 #include "bearing/over_time/cycle_passes.hpp"
 
 namespace shellback::bearing {

@@ -7,7 +7,7 @@
 #include "bearing/instant.hpp"
 #include "bearing/note.hpp"
 #include "bearing/over_time/cycle.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 
 namespace shellback::bearing {
 

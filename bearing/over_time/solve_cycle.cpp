@@ -2,13 +2,13 @@
 #include <cmath>
 
 #include "bearing/bearing.hpp"
-#include "bearing/follow.hpp"
-#include "bearing/nested.hpp"
+#include "bearing/film/follow.hpp"
 #include "bearing/over_time/cycle.hpp"
 #include "bearing/over_time/cycle_lumped.hpp"
 #include "bearing/over_time/cycle_search.hpp"
 #include "bearing/over_time/kept_run.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/nested.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/contract.hpp"
 #include "core/stopwatch.hpp"
 

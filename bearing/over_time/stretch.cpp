@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "bearing/first_film.hpp"
 #include "bearing/over_time/kept_run.hpp"
 #include "bearing/over_time/march_members.hpp"
-#include "bearing/told_limits.hpp"
+#include "bearing/steady/first_film.hpp"
+#include "bearing/steady/told_limits.hpp"
 
 namespace shellback::bearing {
 namespace {

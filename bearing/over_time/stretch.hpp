@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "bearing/heat_march.hpp"
+#include "bearing/heat/heat_march.hpp"
 #include "bearing/over_time/march_over_cycles.hpp"
 
 namespace shellback::bearing {

@@ -8,7 +8,7 @@
 /// tau: compliance of the solids on the spot, which relieves a cell that has worn [m/Pa]. Over a
 /// load cycle both are means over its time, by the trapezoid between the ends of its steps. Cells
 /// are the shell's, which stands still in the film's frame. Source: textbook (Archard); S is ours.
-#include "bearing/equilibrium.hpp"
+#include "bearing/film/equilibrium.hpp"
 #include "core/tape.hpp"
 
 namespace shellback::bearing {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "bearing/film_heat.hpp"
+#include "bearing/heat/film_heat.hpp"
 #include "bearing/over_time/cycle_search.hpp"
 #include "bearing/over_time/solution_members.hpp"
 #include "core/largest.hpp"

@@ -1,8 +1,8 @@
 /// Every class of bad input: file, line and column, what, why and cure.
 #include <algorithm>
 
-#include "app/case_text.hpp"
-#include "app/library.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/library.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;

@@ -1,5 +1,5 @@
 /// Files that are no case: missing, empty, binary, huge, broken TOML.
-#include "app/case_text.hpp"
+#include "app/reading/case_text.hpp"
 
 #include "tests/app/sample_case.hpp"
 

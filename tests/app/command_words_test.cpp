@@ -1,9 +1,9 @@
 /// Command lines that are named to a user can be typed.
-#include "app/command_words.hpp"
+#include "app/labels/command_words.hpp"
 
 #include <cstdio>
 
-#include "app/read_axis.hpp"
+#include "app/reading/read_axis.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;

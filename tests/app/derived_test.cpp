@@ -7,7 +7,7 @@
 
 #include "app/check.hpp"
 #include "app/indicators.hpp"
-#include "app/library.hpp"
+#include "app/reading/library.hpp"
 #include "core/constants.hpp"
 #include "fluid/gap.hpp"
 #include "tests/app/sample_case.hpp"

@@ -1,6 +1,6 @@
 // Reading a law of boundary friction, and tables of measured points.
-#include "app/identify_case.hpp"
-#include "app/measured_table.hpp"
+#include "app/reading/identify_case.hpp"
+#include "app/reading/measured_table.hpp"
 #include "solid/boundary_friction.hpp"
 #include "tests/app/sample_case.hpp"
 

@@ -6,9 +6,9 @@
 #include <set>
 #include <sstream>
 
-#include "app/case_text.hpp"
 #include "app/check.hpp"
-#include "app/library.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/library.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;

@@ -1,8 +1,8 @@
 // A height map is read as it is written, or refused with its place and a cure.
 #include <fmt/format.h>
 
-#include "app/read_height_map.hpp"
-#include "app/surface_report.hpp"
+#include "app/reading/read_height_map.hpp"
+#include "app/reading/surface_report.hpp"
 #include "surface/gaussian_surface.hpp"
 #include "tests/app/sample_case.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "app/check.hpp"
 #include "app/init.hpp"
-#include "app/library.hpp"
+#include "app/reading/library.hpp"
 #include "bearing/over_time/cycle_numbers.hpp"
 #include "core/constants.hpp"
 #include "tests/app/cycle_case.hpp"

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "app/init.hpp"
-#include "app/library.hpp"
+#include "app/reading/library.hpp"
 #include "bearing/judge/judge_case.hpp"
 #include "core/constants.hpp"
 #include "tests/app/sample_case.hpp"

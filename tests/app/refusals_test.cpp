@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "app/library.hpp"
-#include "app/overrides.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/overrides.hpp"
+#include "app/reading/read_case.hpp"
 
 using namespace shellback;
 using namespace shellback::app;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/read_case.hpp"
+#include "app/reading/read_case.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {

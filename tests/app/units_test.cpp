@@ -1,5 +1,5 @@
 /// Units: definitions of the SI brochure and of the inch, pound-force and Fahrenheit scale.
-#include "app/units.hpp"
+#include "app/reading/units.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/unit_table.hpp"
+#include "app/reading/unit_table.hpp"
 #include "core/constants.hpp"
 
 using namespace shellback;

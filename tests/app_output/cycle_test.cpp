@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/cycle_shown.hpp"
-#include "app/svg_cycle.hpp"
-#include "app/svg_cycle_frames.hpp"
-#include "app/svg_orbit.hpp"
+#include "app/labels/cycle_shown.hpp"
+#include "app/pictures/svg_cycle.hpp"
+#include "app/pictures/svg_cycle_frames.hpp"
+#include "app/pictures/svg_orbit.hpp"
 #include "app/write_cycle_html.hpp"
 #include "app/write_cycle_json.hpp"
 #include "app/write_cycle_table.hpp"

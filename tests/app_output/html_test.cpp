@@ -3,10 +3,10 @@
 #include <limits>
 #include <sstream>
 
+#include "app/labels/quantity_label.hpp"
 #include "app/pending_file.hpp"
-#include "app/quantity_label.hpp"
-#include "app/svg.hpp"
-#include "app/svg_comparison.hpp"
+#include "app/pictures/svg.hpp"
+#include "app/pictures/svg_comparison.hpp"
 #include "app/write_html.hpp"
 #include "app/write_table.hpp"
 #include "core/contract.hpp"

@@ -7,13 +7,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/pictures/svg_comparison.hpp"
+#include "app/pictures/write_png.hpp"
 #include "app/provenance.hpp"
-#include "app/svg_comparison.hpp"
 #include "app/write_coefficients.hpp"
 #include "app/write_hdf5.hpp"
 #include "app/write_html.hpp"
 #include "app/write_json.hpp"
-#include "app/write_png.hpp"
 #include "tests/app_output/markup.hpp"
 #include "tests/app_output/synthetic.hpp"
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "app/library.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/read_case.hpp"
+#include "app/reading/sections.hpp"
 #include "app/result_mark.hpp"
-#include "app/sections.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/write_running_in.hpp"
 #include "bearing/bore_shape.hpp"

@@ -4,12 +4,12 @@
 #include <numeric>
 #include <sstream>
 
-#include "app/svg_axes.hpp"
-#include "app/svg_colour.hpp"
-#include "app/svg_contour.hpp"
-#include "app/svg_film.hpp"
-#include "app/svg_lines.hpp"
-#include "app/svg_waterfall.hpp"
+#include "app/pictures/svg_axes.hpp"
+#include "app/pictures/svg_colour.hpp"
+#include "app/pictures/svg_contour.hpp"
+#include "app/pictures/svg_film.hpp"
+#include "app/pictures/svg_lines.hpp"
+#include "app/pictures/svg_waterfall.hpp"
 #include "core/constants.hpp"
 #include "synthetic.hpp"
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <sstream>
 
-#include "app/quantity_label.hpp"
+#include "app/labels/quantity_label.hpp"
 #include "app/write_table.hpp"
 #include "markup.hpp"
 #include "synthetic.hpp"

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "bearing/audit.hpp"
-#include "bearing/film_heat.hpp"
+#include "bearing/heat/film_heat.hpp"
+#include "bearing/steady/audit.hpp"
 #include "bearing/told_ranges.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 #include "tests/observed_order.hpp"

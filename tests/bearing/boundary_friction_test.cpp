@@ -2,10 +2,10 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/audit.hpp"
-#include "bearing/film_heat.hpp"
+#include "bearing/heat/film_heat.hpp"
 #include "bearing/over_time/cycle.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/audit.hpp"
+#include "bearing/steady/solve.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

@@ -2,10 +2,10 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/film_response.hpp"
-#include "bearing/perturbation.hpp"
+#include "bearing/film/film_response.hpp"
+#include "bearing/film/perturbation.hpp"
+#include "bearing/film/solve_equilibrium.hpp"
 #include "bearing/solids.hpp"
-#include "bearing/solve_equilibrium.hpp"
 #include "tests/bearing/solved.hpp"
 #include "tests/read_csv.hpp"
 

@@ -1,5 +1,5 @@
 /// Isothermal film at an equivalent temperature against the full solution.
-#include "bearing/compare.hpp"
+#include "bearing/steady/compare.hpp"
 
 #include <catch2/catch.hpp>
 

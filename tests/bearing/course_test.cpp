@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"

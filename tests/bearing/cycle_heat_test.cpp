@@ -7,7 +7,7 @@
 #include "bearing/over_time/cycle.hpp"
 #include "bearing/over_time/cycle_search.hpp"
 #include "bearing/over_time/warm_up.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/solved.hpp"

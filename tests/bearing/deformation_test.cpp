@@ -1,7 +1,7 @@
 /// Tier tehd: thermal deformation and elastic deformation with the heat that causes them.
 #include <catch2/catch.hpp>
 
-#include "bearing/heat_endings.hpp"
+#include "bearing/heat/heat_endings.hpp"
 #include "bearing/solids.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "fluid/empty_rings.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

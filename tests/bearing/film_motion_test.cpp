@@ -1,10 +1,10 @@
 /// What a change of the gap is worth as a motion of the journal, and the error of a step from it.
-#include "bearing/film_motion.hpp"
+#include "bearing/film/film_motion.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "fluid/gap.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

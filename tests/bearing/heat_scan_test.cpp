@@ -1,5 +1,5 @@
 /// Roots of a heat balance: found by their signs, all of them, and none where there is no film.
-#include "bearing/heat_scan.hpp"
+#include "bearing/heat/heat_scan.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 /// Heat balances of the whole bearing: every root is found, the lowest stable one is the solution.
-#include "bearing/lumped.hpp"
+#include "bearing/steady/lumped.hpp"
 
 #include <algorithm>
 #include <array>

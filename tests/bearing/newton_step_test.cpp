@@ -1,7 +1,7 @@
 /// The Newton steps of film, journal and elastic shell; the linear algebra under them.
 #include <catch2/catch.hpp>
 
-#include "bearing/bordered_film.hpp"
+#include "bearing/film/bordered_film.hpp"
 #include "bearing/solids.hpp"
 #include "core/gmres.hpp"
 #include "tests/bearing/sample_bearing.hpp"

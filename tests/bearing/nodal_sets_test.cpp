@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "bearing/audit.hpp"
+#include "bearing/steady/audit.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 #include "tests/observed_order.hpp"
 

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/solve_equilibrium.hpp"
+#include "bearing/film/solve_equilibrium.hpp"
 #include "core/fixed_point.hpp"
 #include "fluid/reynolds.hpp"
 #include "tests/bearing/sample_bearing.hpp"

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/compare.hpp"
-#include "bearing/fed_flow.hpp"
+#include "bearing/film/fed_flow.hpp"
 #include "bearing/over_time/cycle.hpp"
+#include "bearing/steady/compare.hpp"
 #include "bearing/told_ranges.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

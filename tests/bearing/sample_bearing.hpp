@@ -5,7 +5,7 @@
 #include <random>
 
 #include "bearing/case.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/audit.hpp"
 #include "bearing/over_time/cycle.hpp"
+#include "bearing/steady/audit.hpp"
 #include "core/constants.hpp"
 #include "solid/boundary_friction.hpp"
 #include "tests/bearing/solved.hpp"

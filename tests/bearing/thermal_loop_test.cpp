@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/audit.hpp"
+#include "bearing/steady/audit.hpp"
 #include "rheology/heat.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

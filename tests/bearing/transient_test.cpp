@@ -4,7 +4,7 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/over_time/warm_up.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 #include "tests/bearing/sample_bearing.hpp"

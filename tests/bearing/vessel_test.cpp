@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/film_heat.hpp"
+#include "bearing/heat/film_heat.hpp"
 #include "bearing/judge/judge_case.hpp"
 #include "bearing/over_time/cycle.hpp"
 #include "bearing/over_time/film_step.hpp"

@@ -1,7 +1,7 @@
 /// Film and walls together over time steps, the flow being that of a solved bearing.
 #include <catch2/catch.hpp>
 
-#include "bearing/film_heat.hpp"
+#include "bearing/heat/film_heat.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

@@ -7,7 +7,7 @@
 #include "bearing/over_time/cycle.hpp"
 #include "bearing/over_time/film_step.hpp"
 #include "bearing/over_time/orbit_growth.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 
-#include "app/library.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "bearing/judge/judge_case.hpp"

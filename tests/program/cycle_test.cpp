@@ -3,10 +3,10 @@
 #include <iterator>
 #include <sstream>
 
-#include "app/case_text.hpp"
-#include "app/library.hpp"
 #include "app/program/commands.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/read_case.hpp"
 #include "core/contract.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "app/case_text.hpp"
 #include "app/program/cli.hpp"
+#include "app/reading/case_text.hpp"
 #include "core/contract.hpp"
 #include "validation/chart/chart_scenes.hpp"
 #include "validation/stress/stress_scenes.hpp"

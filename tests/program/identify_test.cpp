@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/case_text.hpp"
-#include "bearing/solve.hpp"
+#include "app/reading/case_text.hpp"
+#include "bearing/steady/solve.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"
 

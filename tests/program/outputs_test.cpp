@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/library.hpp"
+#include "app/reading/library.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/process.hpp"
 #include "tests/program/run_words.hpp"

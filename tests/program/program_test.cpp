@@ -6,8 +6,8 @@
 #include <regex>
 #include <sstream>
 
-#include "app/library.hpp"
 #include "app/program/session.hpp"
+#include "app/reading/library.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"
 

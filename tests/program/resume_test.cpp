@@ -6,10 +6,10 @@
 #include <random>
 #include <thread>
 
-#include "app/library.hpp"
 #include "app/program/cli.hpp"
 #include "app/program/run_keeper.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/run_state.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/process.hpp"
@@ -26,6 +26,16 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kKilled = 1000 + SIGKILL;
+
+/// Lets it run for so long [s], until it has ended, or until `enough`.
+void let_run(
+    const Process& process, double seconds,
+    const std::function<bool()>& enough = [] { return false; }) {
+  const auto till = Clock::now() + std::chrono::duration<double>(seconds);
+  while (Clock::now() < till && !process.ended() && !enough()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
 
 /// The shipped case with long steps on a coarse grid, and its files.
 struct Run {
@@ -68,11 +78,7 @@ TEST_CASE("ACycleThatIsKilledAgainAndAgainEndsAsOneThatIsNot") {
   int code = kKilled;
   for (int k = 0; k < 40 && code == kKilled; ++k) {
     const Process process = killed.start({"--resume"});
-    const auto wait = std::chrono::duration<double>(k < 30 ? part(random) * took : 10.0 * took);
-    const auto till = Clock::now() + wait;
-    while (Clock::now() < till && !process.ended()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
+    let_run(process, k < 30 ? part(random) * took : 10.0 * took);
     ::kill(process.pid(), SIGKILL);
     code = process.wait();
     kills += code == kKilled ? 1 : 0;
@@ -109,12 +115,10 @@ TEST_CASE("ARunningInThatIsKilledAgainAndAgainEndsAsOneThatIsNot") {
     constexpr int kMostKills = 20;  // then it is let go on: a busy machine may grant a shape a run
     for (int k = 0; k <= kMostKills && code == kKilled; ++k) {
       const Process process(words(killed), scratch.path("out"), err);
-      const auto till = Clock::now() + std::chrono::seconds(60);
-      while (k < kMostKills && !process.ended() && Clock::now() < till &&
-             (kept() == last || kept().empty())) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      if (k < kMostKills) {
+        let_run(process, 60.0, [&] { return kept() != last && !kept().empty(); });
+        ::kill(process.pid(), SIGKILL);
       }
-      if (k < kMostKills) ::kill(process.pid(), SIGKILL);
       code = process.wait();
       kills += code == kKilled ? 1 : 0;
       last = kept();
@@ -132,10 +136,7 @@ TEST_CASE("AStateIsOfOneCaseAndWholeOrRefused") {
   const Run run(scratch, "a");
   for (int k = 0; k < 100 && !fs::exists(run.state); ++k) {
     const Process process = run.start();
-    const auto till = Clock::now() + std::chrono::seconds(20);
-    while (!fs::exists(run.state) && Clock::now() < till) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+    let_run(process, 20.0, [&] { return fs::exists(run.state); });
     ::kill(process.pid(), SIGINT);
     const int code = process.wait();
     if (code == kDone) continue;
@@ -182,10 +183,7 @@ TEST_CASE("AWarmUpThatIsInterruptedEndsAsOneThatIsNot") {
   const std::string state = cut + ".state";
   for (int k = 0; k < 100 && !fs::exists(state); ++k) {
     const Process process = start(cut, till);
-    const auto end = Clock::now() + std::chrono::seconds(20);
-    while (!fs::exists(state) && !process.ended() && Clock::now() < end) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+    let_run(process, 20.0, [&] { return fs::exists(state); });
     ::kill(process.pid(), SIGINT);
     const int code = process.wait();
     if (code != kDone) CHECK(code == kInterrupted);
@@ -290,10 +288,10 @@ namespace {
 /// often it was.
 int go_on_until_done(const Words& words, const ScratchFolder& scratch) {
   int interrupted = 0;
-  std::chrono::duration<double> let_run(0.2);
-  for (Words next = words; interrupted < 20; ++interrupted, let_run *= 1.5) {
+  double seconds = 0.2;
+  for (Words next = words; interrupted < 20; ++interrupted, seconds *= 1.5) {
     Process process(next, scratch.path("out"), scratch.path("err"));
-    std::this_thread::sleep_for(let_run);
+    let_run(process, seconds);
     kill(process.pid(), SIGINT);
     const int code = process.wait();
     if (code == kDone) return interrupted;
@@ -329,7 +327,7 @@ TEST_CASE("ASweepOverCyclesAndAComparisonGoOnWhereTheyWere") {
     return json;
   };
   const Words sweep{
-      "sweep", subject, "--set", "model.grid=[36,7]", "--vary", "load_cycle.factor=0.5,0.8",
+      "sweep", subject, "--set", "model.grid=[24,5]", "--vary", "load_cycle.factor=0.5,0.8",
       "-j",    "2",     "--json"};
   const auto writing = [&](Words words, const std::string& name) {
     words.push_back(scratch.path(name));
@@ -340,7 +338,7 @@ TEST_CASE("ASweepOverCyclesAndAComparisonGoOnWhereTheyWere") {
   CHECK(points("pieces.json") == points("whole.json"));
   CHECK(count_states(scratch) == 0);
 
-  const Words compare{"compare",           subject, "--set", "model.grid=[36,7]", "--tiers",
+  const Words compare{"compare",           subject, "--set", "model.grid=[24,5]", "--tiers",
                       "isothermal,lumped", "--json"};
   REQUIRE(run_words(writing(compare, "both.json")).code == kDone);
   CHECK(go_on_until_done(writing(compare, "parts.json"), scratch) > 0);

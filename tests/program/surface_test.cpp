@@ -6,7 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "app/read_case.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/result_mark.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"
@@ -100,7 +100,8 @@ TEST_CASE("ATableOfFactorsThatCannotBeIsRefusedWithItsPlace") {
   std::string other = kFactors;
   other.replace(other.find("0.3, 2"), 6, "0.4, 2");
   check_words(refused(scratch, other), {"factors.csv:3:1", "same in every row"});
-  check_words(refused(scratch, kFactors.substr(0, kFactors.find("0.3, 4"))), {"2 rows", "3 or more"});
+  check_words(refused(scratch, kFactors.substr(0, kFactors.find("0.3, 4"))),
+              {"2 rows", "3 or more"});
   std::string shear = kFactors;
   shear.replace(shear.find("0.7, 0.65"), 9, "0.7, 0.95");
   check_words(refused(scratch, shear), {"factors.csv:3:", "phi_fp is 0.95", "reciprocity"});

@@ -1,7 +1,7 @@
 /// --vary: what is understood, and what is said when it is not.
-#include "app/read_axis.hpp"
+#include "app/reading/read_axis.hpp"
 
-#include "app/sweep_case.hpp"
+#include "app/reading/sweep_case.hpp"
 #include "tests/app/sample_case.hpp"
 
 using namespace shellback;

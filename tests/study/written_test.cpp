@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "app/pending_file.hpp"
-#include "app/svg_sweep.hpp"
-#include "app/svg_sweep_parts.hpp"
+#include "app/pictures/svg_sweep.hpp"
+#include "app/pictures/svg_sweep_parts.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/write_csv.hpp"
 #include "app/write_json.hpp"

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/heat_endings.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/heat/heat_endings.hpp"
+#include "bearing/steady/solve.hpp"
 #include "validation/honesty/population.hpp"
 
 using namespace shellback;
@@ -21,7 +21,8 @@ TEST_CASE("FiveNodesAcrossTheFilmKeepHotBearingsAboveAllThatIsColdAroundThem") {
     CHECK(five.model.gl.n == c.model.film_nodes);
     const auto& T = five.film.columns.T;
     // 2 K: what polynomials may swing below where the weights are still all but positive
-    CHECK(*std::min_element(T.begin(), T.end()) > coldest_around(five.model.input, *five.model.solids) - 2.0);
+    CHECK(*std::min_element(T.begin(), T.end()) >
+          coldest_around(five.model.input, *five.model.solids) - 2.0);
     c.model.film_nodes = 9;
     const Solution nine = solve_tier(c, Tier::thd);
     REQUIRE(nine.verdict.good());

@@ -5,8 +5,8 @@
 #include <map>
 #include <mutex>
 
-#include "app/library.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/read_case.hpp"
 #include "bearing/over_time/cycle_numbers.hpp"
 #include "core/constants.hpp"
 #include "tests/app_output/markup.hpp"

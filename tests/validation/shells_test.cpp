@@ -3,8 +3,8 @@
 #include <cmath>
 #include <functional>
 
-#include "app/library.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/read_case.hpp"
 #include "bearing/judge/judge_case.hpp"
 #include "bearing/over_time/cycle.hpp"
 #include "core/constants.hpp"

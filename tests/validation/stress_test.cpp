@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/case_text.hpp"
-#include "app/read_case.hpp"
-#include "bearing/solve.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/read_case.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "validation/stress/stress_judge.hpp"

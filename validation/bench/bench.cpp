@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/nested.hpp"
 #include "bearing/over_time/cycle.hpp"
 #include "bearing/solids.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/nested.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/freed_memory.hpp"
 #include "validation/bench/klu_yardstick.hpp"
 #include "validation/bench/scenes.hpp"

@@ -8,8 +8,8 @@
 
 #include "app/words/ending_words.hpp"
 #include "bearing/bearing.hpp"
-#include "bearing/solve.hpp"
-#include "bearing/solve_equilibrium.hpp"
+#include "bearing/film/solve_equilibrium.hpp"
+#include "bearing/steady/solve.hpp"
 
 namespace shellback::bench {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bearing/judge/judge_case.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/auto_cycle.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/svg_lines.hpp"
+#include "app/pictures/svg_lines.hpp"
 #include "core/constants.hpp"
 
 namespace shellback::validation {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/svg_lines.hpp"
+#include "app/pictures/svg_lines.hpp"
 #include "validation/chart/chart_marks.hpp"
 #include "validation/chart/chart_panel.hpp"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
-#include "app/did_you_mean.hpp"
-#include "app/library.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/did_you_mean.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/read_case.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::validation {

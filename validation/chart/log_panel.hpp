@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/svg.hpp"
+#include "app/pictures/svg.hpp"
 
 namespace shellback::validation {
 

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "app/read_case.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/words/ending_words.hpp"
 #include "bearing/over_time/cycle.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/contract.hpp"
 #include "validation/evaluators/bearing_numbers.hpp"
 #include "validation/evaluators/evaluators.hpp"

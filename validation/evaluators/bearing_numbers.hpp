@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 
 namespace shellback::validation {
 

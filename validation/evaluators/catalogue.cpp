@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "app/did_you_mean.hpp"
-#include "app/units.hpp"
+#include "app/reading/did_you_mean.hpp"
+#include "app/reading/units.hpp"
 #include "core/contract.hpp"
 #include "validation/evaluators/evaluators.hpp"
 

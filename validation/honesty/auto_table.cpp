@@ -5,7 +5,7 @@
 #include <map>
 #include <ostream>
 
-#include "app/text_table.hpp"
+#include "app/labels/text_table.hpp"
 #include "validation/honesty/auto_report.hpp"
 
 namespace shellback::validation {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "fidelity/auto_tier.hpp"
 #include "validation/honesty/population.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/svg.hpp"
+#include "app/pictures/svg.hpp"
 #include "validation/honesty/coverage.hpp"
 #include "validation/honesty/honesty_report.hpp"
 

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <set>
 
-#include "app/text_table.hpp"
+#include "app/labels/text_table.hpp"
 #include "validation/honesty/coverage.hpp"
 #include "validation/honesty/honesty_report.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/read_case.hpp"
+#include "app/reading/read_case.hpp"
 
 namespace shellback::validation {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/library.hpp"
+#include "app/reading/library.hpp"
 
 namespace shellback::validation {
 

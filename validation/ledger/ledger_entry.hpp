@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/overrides.hpp"
+#include "app/reading/overrides.hpp"
 #include "validation/ledger/ledger_table.hpp"
 
 namespace shellback::validation {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "app/svg_axes.hpp"
-#include "app/svg_lines.hpp"
+#include "app/pictures/svg_axes.hpp"
+#include "app/pictures/svg_lines.hpp"
 #include "validation/plot.hpp"
 
 namespace shellback::validation {

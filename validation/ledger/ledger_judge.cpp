@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/did_you_mean.hpp"
+#include "app/reading/did_you_mean.hpp"
 #include "core/contract.hpp"
 #include "validation/ledger/ledger_deviation.hpp"
 

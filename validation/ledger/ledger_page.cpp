@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "app/html_style.hpp"
+#include "app/pictures/svg.hpp"
 #include "app/provenance.hpp"
-#include "app/svg.hpp"
 #include "validation/ledger/ledger_deviation.hpp"
 #include "validation/ledger/ledger_figure.hpp"
 #include "validation/ledger/ledger_text.hpp"

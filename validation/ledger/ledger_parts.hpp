@@ -4,7 +4,7 @@
 /// All throw InputError with file, place and cure.
 #include <string>
 
-#include "app/toml_reader.hpp"
+#include "app/reading/toml_reader.hpp"
 #include "validation/ledger/ledger_entry.hpp"
 
 namespace shellback::validation {

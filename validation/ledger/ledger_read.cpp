@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/case_text.hpp"
-#include "app/did_you_mean.hpp"
-#include "app/library.hpp"
-#include "app/toml_reader.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/did_you_mean.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/toml_reader.hpp"
 #include "core/contract.hpp"
 #include "validation/evaluators/evaluators.hpp"
 #include "validation/ledger/ledger_parts.hpp"

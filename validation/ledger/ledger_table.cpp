@@ -7,8 +7,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "app/case_text.hpp"
-#include "app/did_you_mean.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/did_you_mean.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::validation {

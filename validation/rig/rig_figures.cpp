@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/svg_lines.hpp"
+#include "app/pictures/svg_lines.hpp"
 #include "core/constants.hpp"
 #include "validation/rig/rig_bands.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "app/html_style.hpp"
 #include "app/html_tables.hpp"
-#include "app/svg.hpp"
+#include "app/pictures/svg.hpp"
 #include "core/constants.hpp"
 #include "validation/rig/rig_bands.hpp"
 #include "validation/rig/rig_figures.hpp"

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "app/library.hpp"
-#include "app/overrides.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/overrides.hpp"
+#include "app/reading/read_case.hpp"
 #include "validation/rig/rig_sum.hpp"
 
 namespace shellback::validation {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/pseudo_time.hpp"
+#include "bearing/film/pseudo_time.hpp"
 #include "bearing/solids.hpp"
 #include "core/largest.hpp"
 #include "validation/rivals/film_then_position.hpp"

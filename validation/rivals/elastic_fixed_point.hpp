@@ -8,7 +8,7 @@
 /// displacement is small against the film, as in a stiff bearing; where it is many times the film,
 /// each round answers with the wrong film and (1) diverges: that is named, with the ratio.
 /// Source: textbook (Gauss-Seidel of two fields, Aitken's vector extrapolation).
-#include "bearing/equilibrium.hpp"
+#include "bearing/film/equilibrium.hpp"
 
 namespace shellback::validation {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "bearing/bordered_film.hpp"
-#include "bearing/closed_gap.hpp"
-#include "bearing/film_verdicts.hpp"
+#include "bearing/film/bordered_film.hpp"
+#include "bearing/film/closed_gap.hpp"
+#include "bearing/film/film_verdicts.hpp"
 #include "core/largest.hpp"
 #include "validation/rivals/fischer_burmeister_film.hpp"
 #include "validation/rivals/p_theta.hpp"

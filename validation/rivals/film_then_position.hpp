@@ -7,7 +7,7 @@
 /// relaxation has none: dF/dq is found by moving the journal a little along each component, then
 /// kept by Broyden's rank-one updates. A step after which the film fails or the force is further
 /// off is taken back and halved.
-#include "bearing/equilibrium.hpp"
+#include "bearing/film/equilibrium.hpp"
 
 namespace shellback::validation {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "app/library.hpp"
-#include "app/overrides.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/overrides.hpp"
+#include "app/reading/read_case.hpp"
 
 namespace shellback::validation {
 

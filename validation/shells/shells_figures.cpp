@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cycle_axis.hpp"
-#include "app/svg_cycle.hpp"
-#include "app/svg_lines.hpp"
-#include "app/svg_map.hpp"
+#include "app/pictures/cycle_axis.hpp"
+#include "app/pictures/svg_cycle.hpp"
+#include "app/pictures/svg_lines.hpp"
+#include "app/pictures/svg_map.hpp"
 #include "core/largest.hpp"
 #include "validation/shells/shells_page.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "app/html_style.hpp"
 #include "app/html_tables.hpp"
-#include "app/svg.hpp"
+#include "app/pictures/svg.hpp"
 #include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cycle_axis.hpp"
+#include "app/pictures/cycle_axis.hpp"
 #include "core/constants.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/cycle_bars.hpp"

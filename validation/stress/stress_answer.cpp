@@ -6,11 +6,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/read_case.hpp"
+#include "app/reading/read_case.hpp"
 #include "app/words/ending_words.hpp"
 #include "bearing/bearing.hpp"
 #include "bearing/over_time/cycle.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "validation/rivals/rivals.hpp"

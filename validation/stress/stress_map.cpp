@@ -1,6 +1,6 @@
 #include "validation/stress/stress_map.hpp"
 
-#include "app/read_case.hpp"
+#include "app/reading/read_case.hpp"
 #include "core/contract.hpp"
 #include "validation/stress/stress_judge.hpp"
 #include "validation/stress/stress_question.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/svg.hpp"
+#include "app/pictures/svg.hpp"
 #include "validation/stress/stress_words.hpp"
 
 namespace shellback::validation {

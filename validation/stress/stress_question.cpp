@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/read_case.hpp"
+#include "app/reading/read_case.hpp"
 #include "core/contract.hpp"
 #include "validation/stress/stress_refusal.hpp"
 

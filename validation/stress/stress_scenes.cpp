@@ -7,10 +7,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/case_text.hpp"
-#include "app/did_you_mean.hpp"
-#include "app/library.hpp"
-#include "app/read_case.hpp"
+#include "app/reading/case_text.hpp"
+#include "app/reading/did_you_mean.hpp"
+#include "app/reading/library.hpp"
+#include "app/reading/read_case.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::validation {

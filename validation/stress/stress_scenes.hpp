@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/overrides.hpp"
+#include "app/reading/overrides.hpp"
 #include "bearing/case.hpp"
 #include "validation/stress/stress_expectation.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/read_case.hpp"
+#include "app/reading/read_case.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::validation {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "app/words/ending_words.hpp"
-#include "bearing/solve.hpp"
+#include "bearing/steady/solve.hpp"
 #include "core/constants.hpp"
 
 namespace {

@@ -1,0 +1,189 @@
+#include "app/reading/csv_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/reading/did_you_mean.hpp"
+#include "core/contract.hpp"
+
+namespace shellback::app {
+namespace {
+
+constexpr const char* kMark = "shellback";              ///< last column of our own tables
+constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  ///< some spreadsheets begin with it
+
+/// "load_x [kN]" in its two parts; no unit: nothing behind.
+std::pair<std::string, std::string> split_name(const std::string& text) {
+  const std::size_t open = text.find('[');
+  const std::size_t close = text.find(']');
+  const std::string name = text.substr(0, text.find_first_of(" ["));
+  if (open == std::string::npos || close == std::string::npos || close < open) return {name, ""};
+  return {name, text.substr(open + 1, close - open - 1)};
+}
+
+}  // namespace
+
+std::vector<CsvCell> split_cells(const std::string& line) {
+  std::vector<CsvCell> cells;
+  std::size_t begin = 0;
+  for (;;) {
+    const std::size_t end = line.find_first_of(",;\t", begin);
+    const std::string raw = line.substr(begin, end - begin);
+    const std::size_t first = raw.find_first_not_of(" \r");
+    const std::size_t last = raw.find_last_not_of(" \r");
+    cells.push_back(first == std::string::npos
+                        ? CsvCell{"", begin + 1}
+                        : CsvCell{raw.substr(first, last - first + 1), begin + first + 1});
+    if (end == std::string::npos) return cells;
+    begin = end + 1;
+  }
+}
+
+double number_of(const std::string& field, const std::string& unit) {
+  constexpr Kind kBare{
+      "a plain number", {}, "none here, the first line of the table names it", "12.5"};
+  const double number = parse_quantity(field, unit == "1" ? kNumber : kBare);
+  if (unit == "1" || !field.ends_with('%')) return number;
+  throw UnitError(fmt::format("{} is a share, but the column is in {}; write the number alone",
+                              in_quotes(field), unit));
+}
+
+CsvTable::CsvTable(const std::string& path, const std::vector<CsvKind>& possible,
+                   const std::string& example, TextKind use)
+    : path_(path), example_(example) {
+  std::string text = read_text_file(path, use);
+  if (text.starts_with(kByteOrderMark)) text.erase(0, 3);
+  std::size_t begin = 0;
+  for (int number = 1; begin < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = text.substr(begin, end - begin);
+    begin = end + 1;
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#') continue;
+    if (header_ == 0) {
+      header_ = number;
+      read_header(line, possible);
+    } else {
+      read_row(line, number);
+    }
+  }
+  if (header_ == 0) {
+    throw InputError(path + ":1:1", fmt::format("the table is empty; its first line names columns "
+                                                "and units: {}",
+                                                example));
+  }
+}
+
+void CsvTable::read_header(const std::string& line, const std::vector<CsvKind>& possible) {
+  std::vector<std::string> names;
+  for (const CsvKind& known : possible) names.emplace_back(known.name);
+  std::vector<CsvCell> cells = split_cells(line);
+  marked_ = cells.size() > 1 && cells.back().text == kMark;
+  if (marked_) cells.pop_back();
+  for (const CsvCell& cell : cells) {
+    const auto [name, unit] = split_name(cell.text);
+    const std::string place = fmt::format("{}:{}:{}", path_, header_, cell.column);
+    const auto known = std::find(names.begin(), names.end(), name);
+    if (known == names.end()) {
+      throw InputError(
+          place, fmt::format("the column {} is not known{}; the first line names "
+                             "columns and units, for example {}",
+                             in_quotes(name), choices_for(name, names, "possible are"), example_));
+    }
+    if (find(name) != nullptr) {
+      throw InputError(place, fmt::format("there are two columns {}; keep one of them", name));
+    }
+    const Kind kind = possible[static_cast<std::size_t>(known - names.begin())].kind;
+    if (unit.empty()) {
+      throw InputError(
+          place, fmt::format("the column {} names no unit; write for example {}", name, example_));
+    }
+    try {
+      if (kind.absolute) static_cast<void>(parse_quantity("300 " + unit, kind));
+      columns_.push_back({name, unit, kind, kind.absolute ? 1.0 : unit_factor(unit, kind), {}, {}});
+    } catch (const UnitError& error) {
+      throw InputError(place, error.what());
+    }
+  }
+}
+
+void CsvTable::read_row(const std::string& line, int number) {
+  std::vector<CsvCell> cells = split_cells(line);
+  if (marked_ && cells.size() > columns_.size()) cells.pop_back();
+  const auto place = [&](const CsvCell& cell) {
+    return fmt::format("{}:{}:{}", path_, number, cell.column);
+  };
+  if (cells.size() != columns_.size()) {
+    const CsvCell& odd = cells[std::min(cells.size() - 1, columns_.size())];
+    throw InputError(place(odd), fmt::format("this row has {} fields, but the first line names {} "
+                                             "columns; give each column one number, with its "
+                                             "decimals after a point",
+                                             cells.size(), columns_.size()));
+  }
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (cells[k].text.empty()) {
+      throw InputError(place(cells[k]), fmt::format("the {} is missing here; fill the gap or take "
+                                                    "the row out",
+                                                    columns_[k].name));
+    }
+    read_cell(columns_[k], cells[k], place(cells[k]));
+  }
+  lines_.push_back(number);
+}
+
+void CsvTable::read_cell(Column& column, const CsvCell& cell, const std::string& place) {
+  try {
+    const double number = number_of(cell.text, column.unit);
+    column.values.push_back(column.kind.absolute
+                                ? parse_quantity(cell.text + " " + column.unit, column.kind)
+                                : number * column.factor);
+  } catch (const UnitError& error) {
+    throw InputError(place, error.what());
+  }
+  if (!std::isfinite(column.values.back())) {
+    throw InputError(place, "this number is too large to be computed with");
+  }
+  column.cells.push_back(cell);
+}
+
+const CsvTable::Column* CsvTable::find(const std::string& name) const {
+  const auto at = std::find_if(columns_.begin(), columns_.end(),
+                               [&](const Column& column) { return column.name == name; });
+  return at == columns_.end() ? nullptr : &*at;
+}
+
+bool CsvTable::has(const std::string& name) const { return find(name) != nullptr; }
+
+const std::vector<double>& CsvTable::column(const std::string& name) const {
+  const Column* found = find(name);
+  if (found == nullptr) {
+    fail_header(
+        fmt::format("there is no column {}; the first line names columns and units, for "
+                    "example {}",
+                    name, example_));
+  }
+  return found->values;
+}
+
+std::string CsvTable::written(std::size_t row, const std::string& name) const {
+  const Column& column = *find(name);
+  return column.cells[row].text + " " + column.unit;
+}
+
+std::string CsvTable::place(std::size_t row, const std::string& name) const {
+  const Column* column = find(name);
+  return fmt::format("{}:{}:{}", path_, lines_[row],
+                     column == nullptr ? 1 : column->cells[row].column);
+}
+
+void CsvTable::fail(std::size_t row, const std::string& name, const std::string& problem) const {
+  throw InputError(place(row, name), problem);
+}
+
+void CsvTable::fail_header(const std::string& problem) const {
+  throw InputError(fmt::format("{}:{}:1", path_, header_), problem);
+}
+
+}  // namespace shellback::app

@@ -1,0 +1,33 @@
+#pragma once
+/// The keys to be identified, and the cases that the search solves.
+#include <string>
+#include <vector>
+
+#include "app/reading/measured_table.hpp"
+
+namespace shellback::app {
+
+/// A key with its value and bounds in the unit that the case has it in.
+struct FittedKey {
+  std::string key;  ///< surfaces.contact.friction_law.b
+  std::string unit;
+  study::FitParameter value;
+  [[nodiscard]] std::string words(double x) const;  ///< "2.5 um", as --set takes it
+};
+
+/// `fit` are keys, each perhaps several parted by commas; `bounds` are KEY=LOW:HIGH. The value in
+/// the case, changed by `set`, is the start. Throws InputError: a key that is no number of the
+/// case or named twice, missing or reversed bounds, a start on or outside them, bounds of nothing,
+/// a key that the table of measurements sets.
+[[nodiscard]] std::vector<FittedKey> fitted_keys(const std::string& text, const std::string& path,
+                                                 const std::vector<Override>& set,
+                                                 const std::vector<std::string>& fit,
+                                                 const std::vector<std::string>& bounds,
+                                                 const MeasuredTable& table);
+
+/// The file's text with `set`, the point and the keys. Keeps copies of what it is given.
+[[nodiscard]] study::MeasuredCase measured_case(std::string text, std::string path,
+                                                std::vector<Override> set, MeasuredTable table,
+                                                std::vector<FittedKey> keys);
+
+}  // namespace shellback::app

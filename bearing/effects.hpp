@@ -1,9 +1,0 @@
-#pragma once
-/// Indicator numbers of the effects, included or left out. Source: methods 7.2.
-#include "bearing/solve.hpp"
-
-namespace shellback::bearing {
-
-[[nodiscard]] std::vector<Effect> effects_of(const Solution& s, const Friction& friction);
-
-}  // namespace shellback::bearing

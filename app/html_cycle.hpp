@@ -8,7 +8,8 @@
 namespace shellback::app {
 
 /// Means and extremes with their bars and instants.
-[[nodiscard]] std::string cycle_quantities_html(const bearing::CycleResult& cycle);
+[[nodiscard]] std::string cycle_quantities_html(const bearing::Case& c,
+                                                const bearing::CycleResult& cycle);
 
 /// Whether the bars meet model.tolerance, what is missed and what would help.
 [[nodiscard]] std::string cycle_tolerance_html(const bearing::Case& c,

@@ -14,6 +14,7 @@
 #include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
+#include "bearing/friction_split.hpp"
 
 namespace shellback::app {
 namespace {
@@ -69,6 +70,10 @@ std::string split_sentences(const Comparison& comparison) {
   if (std::isfinite(comparison.T_calibrated)) {
     html += fmt::format(" The two would agree at an equivalent temperature of {} °C (calibrated).",
                         figures(display_unit("T_equivalent", "K")(comparison.T_calibrated)));
+  } else {
+    html += fmt::format(
+        " No equivalent temperature within {:.0f} K of the film's gives the full torque.",
+        bearing::kCalibrationReach);
   }
   return html + "</p>";
 }

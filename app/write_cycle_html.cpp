@@ -14,7 +14,8 @@ std::string cycle_html(const bearing::Case& c, const bearing::CycleResult& cycle
   if (!cycle.verdict.good()) {
     html += failure_html(to_string(cycle.tier), alone.results.front(), meaning_of_the_rest(cycle));
   }
-  html += page_section("Quantities", cycle_quantities_html(cycle) + cycle_tolerance_html(c, cycle));
+  html +=
+      page_section("Quantities", cycle_quantities_html(c, cycle) + cycle_tolerance_html(c, cycle));
   html += page_section("The film over the cycle", cycle_animation_html(c, cycle));
   html += page_section("Over the cycle", cycle_curves_html(c, cycle));
   html += page_section("On the unrolled bearing", cycle_maps_html(c, cycle));

@@ -18,7 +18,9 @@ namespace {
 using bearing::CycleQuantity;
 using bearing::CycleResult;
 
-void print_quantities(std::ostream& out, const CycleResult& cycle) {
+void print_quantities(std::ostream& out, const bearing::Measured& measured,
+                      const CycleResult& cycle) {
+  const bool known = is_measured(measured, cycle);
   const bool bars = std::any_of(cycle.quantities.begin(), cycle.quantities.end(),
                                 [](const CycleQuantity& q) { return std::isfinite(bar_of(q)); });
   const bool physics =
@@ -29,6 +31,7 @@ void print_quantities(std::ostream& out, const CycleResult& cycle) {
   if (bars) head.insert(head.end(), {"+- grid", "+- time"});
   if (physics) head.emplace_back("+- physics");
   head.insert(head.end(), {"unit", fmt::format("at [{}]", told_unit(cycle))});
+  if (known) head.insert(head.end(), {"measured", "difference"});
   table.add(head);
   table.rule();
   for (const CycleQuantity& q : cycle.quantities) {
@@ -41,6 +44,10 @@ void print_quantities(std::ostream& out, const CycleResult& cycle) {
     if (physics) cells.push_back(bar_figures(unit.scale * q.quantity.error_model));
     cells.push_back(unit.unit);
     cells.push_back(std::isfinite(q.at) ? figures(shown_instant(cycle, q.at)) : "");
+    if (const auto si = measured_value(measured, q.quantity)) {
+      cells.push_back(figures(unit(*si)));
+      cells.push_back(difference(unit, unit(q.quantity.value), unit(*si)));
+    }
     table.add(cells);
   }
   table.print(out);
@@ -56,7 +63,7 @@ void write_cycle_table(std::ostream& out, const bearing::Case& c, const CycleRes
   out << "load cycle, tier " << tier << ", " << status_line(head) << "\n\n";
   print_failure(out, tier, head, meaning_of_the_rest(cycle));
   if (!cycle.quantities.empty()) {
-    print_quantities(out, cycle);
+    print_quantities(out, c.measured, cycle);
     out << '\n';
   }
   if (cycle.choice) {

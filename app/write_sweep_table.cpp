@@ -117,9 +117,13 @@ void print_bars(std::ostream& out, const bearing::Case& subject, const Sweep& sw
     return point.good() && point.result.cost.bars_s > 0.0;
   };
   if (std::any_of(sweep.points.begin(), sweep.points.end(), known)) {
-    out << (subject.cycle ? "\n+- is the bar of the grid and of the steps in time.\n"
-                          : "\n+- is the bar of the grid (with --bars: and of the physics left "
-                            "out).\n");
+    const bool estimates = std::any_of(sweep.points.begin(), sweep.points.end(), [](const auto& p) {
+      return p.good() && p.result.tier == bearing::Tier::estimate;
+    });
+    out << "\n+- is the bar of the grid"
+        << (subject.cycle ? " and of the steps in time"
+                          : " (with --bars: and of the physics left out)")
+        << (estimates ? "; of tier estimate also of the physics that it leaves out" : "") << ".\n";
   }
   const auto open = indistinct_words(sweep);
   if (!open.empty()) {

@@ -14,6 +14,7 @@
 #include "app/words/effect_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_coefficients.hpp"
+#include "bearing/friction_split.hpp"
 #include "core/constants.hpp"
 #include "fidelity/grid_error.hpp"
 
@@ -218,8 +219,8 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
   if (std::any_of(results.begin(), results.end(),
                   [](const Result& r) { return r.cost.bars_s > 0.0; })) {
     out << (c.cycle
-                ? "\n+- is the bar of the grid and of the steps in time; what physics is worth is "
-                  "what the columns\ndiffer by.\n"
+                ? "\n+- is the bar of the grid and of the steps in time, of tier estimate of the "
+                  "physics, too; what\nphysics is worth is what the columns differ by.\n"
                 : "\n+- is the bar of the grid and of the physics left out together; where the "
                   "physics cannot be\njudged, of the grid alone.\n");
   }
@@ -236,6 +237,10 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
         "\ncalibrated equivalent temperature {} degC: there the isothermal torque is the full "
         "one\n",
         figures(display_unit("T_equivalent", "K")(comparison.T_calibrated)));
+  } else if (!comparison.split.steps.empty()) {
+    out << fmt::format(
+        "\nno equivalent temperature within {:.0f} K of the film's gives the full torque\n",
+        bearing::kCalibrationReach);
   }
   print_checks(out, comparison);
   if (!results.empty()) print_effects(out, results.back());

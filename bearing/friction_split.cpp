@@ -14,18 +14,21 @@ void close_split(const Torque& start, const Torque& end, FrictionSplit& split) {
 
 double calibrated_temperature(const std::function<double(double)>& excess, double guess,
                               const BracketOptions& options) {
-  constexpr double kReach = 32.0;  // from the guess, towards where the friction has to go [K]
-  KnownPoint here{guess, excess(guess)};
-  if (here.f == 0.0) return guess;
-  KnownPoint other = here;
-  for (double reach = 4.0; reach <= kReach && other.f * here.f > 0.0; reach *= 2.0) {
-    here = other;
-    other.x = here.f > 0.0 ? guess + reach : guess - reach;  // warmer oil, less friction
-    other.f = excess(other.x);
+  const KnownPoint begun{guess, excess(guess)};
+  if (begun.f == 0.0) return guess;
+  const double full_film = begun.f > 0.0 ? 1.0 : -1.0;  // warmer oil, less friction
+  for (const double side : {full_film, -full_film}) {   // the other way where summits rub
+    KnownPoint here = begun, other = begun;
+    for (double reach = 4.0; reach <= kCalibrationReach && other.f * here.f > 0.0; reach *= 2.0) {
+      here = other;
+      other.x = guess + side * reach;
+      other.f = excess(other.x);
+    }
+    if (!(other.f * here.f < 0.0)) continue;
+    const BracketedRoot root = bracketed_root(excess, here, other, options);
+    return root.found ? root.at.x : NAN;
   }
-  if (!(other.f * here.f < 0.0)) return NAN;
-  const BracketedRoot root = bracketed_root(excess, here, other, options);
-  return root.found ? root.at.x : NAN;
+  return NAN;
 }
 
 }  // namespace shellback::bearing

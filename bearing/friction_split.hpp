@@ -21,9 +21,12 @@ struct Torque {
 /// stays: all of them together.
 void close_split(const Torque& start, const Torque& end, FrictionSplit& split);
 
+/// From the guess of the calibrated temperature, to either side [K].
+inline constexpr double kCalibrationReach = 32.0;
+
 /// Film temperature at which `excess` of isothermal torque over the wanted one vanishes [K],
-/// searched from `guess` towards where the friction has to go, within 32 K; NaN if there is none,
-/// or `excess` is NaN on the way.
+/// searched from `guess` within kCalibrationReach, first where a full film has the friction that is
+/// wanted; NaN if there is none, or `excess` is NaN on the way.
 [[nodiscard]] double calibrated_temperature(const std::function<double(double)>& excess,
                                             double guess, const BracketOptions& options);
 

@@ -25,6 +25,8 @@ struct Quantity {
       std::numeric_limits<double>::quiet_NaN();  ///< observed, with which error_grid falls
   /// Part of error_grid that more cells do not take off: that of the nodes across the film.
   double error_nodes = 0.0;
+  /// And that of the steps in time, where a load cycle is told as one result.
+  double error_time = 0.0;
   double magnitude = 0.0;  ///< mean of |value| over a cycle in which it changes its sign
   /// What the grids of the bar lead to as cells get infinitely fine; NaN: not known.
   double limit = std::numeric_limits<double>::quiet_NaN();

@@ -110,6 +110,18 @@ template <class State, class Followed>
   return bars;
 }
 
+/// share_bars() within each state: as what two grids, or two lengths of a step, change of a
+/// quantity passes through zero in time, its bar of that instant is chance. `size_of(k, q)` of
+/// value q of state k, in its unit.
+template <class State, class Followed, class Size>
+void share_bars_of_states(const Followed& followed, const Size& size_of, std::vector<State>& bars) {
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    std::vector<BarOfSize> all;
+    for (const auto& q : followed) all.emplace_back(&(bars[k].*q.value), size_of(k, q));
+    share_bars(all);
+  }
+}
+
 /// (1) of the states from `begin` to `end`, the last of which has been reached by each of its
 /// steps; `other`, of joined steps, is looked at from `n` on, which is moved on. `usual` and
 /// `other` on one grid.

@@ -27,6 +27,10 @@ namespace {
 /// the others.
 constexpr double kFiner = 10.0;
 
+/// Rise with which the search for a temperature begins, at most: one in which oils lose half of
+/// their viscosity [K].
+constexpr double kThinned = 20.0;
+
 /// Instants whose value is smallest or largest.
 const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
                             bool smallest) {
@@ -49,14 +53,17 @@ Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
   T = ways.coldest;
   double below = surplus(T);
   if (!(below < 0.0)) return last;  // no heat to speak of, or no path
-  // The friction of the coldest film would be carried off with this rise; warmer films rub less.
   const double hottest = ways.warmest + kHottestRise;
-  for (double rise = -below / (away(T + 1.0) - away(T)); T + rise <= hottest; rise *= 2.0) {
+  // The friction of the coldest film would be carried off with this rise; warmer films rub less.
+  double rise = std::min(kThinned, -below / (away(T + 1.0) - away(T)));
+  while (T < hottest) {
+    rise = std::min(rise, hottest - T);
     const double above = surplus(T + rise);
     if (std::isnan(above)) return last;
     if (above < 0.0) {
       T += rise;
       below = above;
+      rise *= 2.0;
       continue;
     }
     const BracketedRoot root =

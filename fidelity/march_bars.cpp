@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/contract.hpp"
 #include "fidelity/edge_error.hpp"
+#include "fidelity/quantities.hpp"
 
 namespace shellback::fidelity {
 
@@ -71,6 +73,33 @@ Instants time_bars(const Instants& usual, const Instants& other, const CourseRun
   return bars;
 }
 
+/// What a value has come to: walls since the first instant, the film above its supply, heat of all
+/// that is made; a kelvin at least, as in natural_size().
+double size_of(const CourseRun& run, double T_supply, std::size_t k, const Followed<Instant>& q) {
+  const Instant& now = run.instants[k];
+  if (q.value == &Instant::T_film_max) return std::max(std::abs(now.T_film_max - T_supply), 1.0);
+  const double value = now.*q.value;
+  if (std::string_view(q.unit) == "K") {
+    return std::max(std::abs(value - run.instants.front().*q.value), 1.0);
+  }
+  return std::string_view(q.unit) == "W" ? std::abs(now.heat_in) : std::abs(value);
+}
+
+/// And the heat by which temperatures change is known no better than the torque (solve.cpp).
+void share(const CourseRun& run, double T_supply, Instants& bars) {
+  const auto size = [&](std::size_t k, const Followed<Instant>& q) {
+    return size_of(run, T_supply, k, q);
+  };
+  share_bars_of_states(kFollowedInstants, size, bars);
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    const double heat = bars[k].torque / std::abs(run.instants[k].torque);
+    for (const auto& q : kFollowedInstants) {
+      double& bar = bars[k].*q.value;
+      if (is_of_heat(q.name) && bar < heat * size(k, q)) bar = heat * size(k, q);
+    }
+  }
+}
+
 /// Of marches in steps of their own, which end at times of their own.
 EndBars end_bars(const std::vector<Stretch>& stretches, const WarmUpOptions& options,
                  const CourseRun& run, const SolveControl& control) {
@@ -132,6 +161,9 @@ MarchBars march_bars(const std::vector<Stretch>& stretches, const WarmUpOptions&
     bars.grid = bars_of_grids(coarse.usual, run.instants, c.model.grid, hidden_at_edge(run),
                               kFollowedInstants);
     bars.time = time_bars(coarse.usual.back().second, coarse.joined, run);
+    const double T_supply = mean_supply_temperature(c);
+    share(run, T_supply, bars.grid);
+    share(run, T_supply, bars.time);
   }
   if (run.end.left_bounds) bars.end = end_bars(stretches, options, run, control);
   bars.interrupted = stopped(control);

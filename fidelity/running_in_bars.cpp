@@ -1,5 +1,7 @@
 #include "fidelity/running_in_bars.hpp"
 
+#include <cmath>
+
 #include "bearing/bearing.hpp"
 #include "core/contract.hpp"
 #include "fidelity/cycle_bars.hpp"
@@ -55,6 +57,13 @@ void widen_bars_of_light_contact(const Case& c, const RunningInRun& run, States&
   }
 }
 
+void share(const RunningInRun& run, States& bars) {
+  const auto size = [&](std::size_t k, const Followed<RunningInState>& q) {
+    return std::abs(run.states[k].*q.value);
+  };
+  share_bars_of_states(kFollowedStates, size, bars);
+}
+
 }  // namespace
 
 RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const SolveControl& control) {
@@ -73,6 +82,7 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
   if (!coarse.usual.empty()) {
     bars.grid =
         bars_of_grids(coarse.usual, run.states, c.model.grid, hidden_at_edge(run), kFollowedStates);
+    share(run, bars.grid);
     widen_bars_of_light_contact(c, run, bars.grid);
     bars.time = States(run.states.size());  // a worn-in shape has no steps
     if (!steps.empty()) {
@@ -81,6 +91,7 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
       std::size_t n = 1;
       add_bars_of_steps(coarse.usual.back().second, coarse.joined, run.states, 2.0, 1,
                         run.states.size() - 1, kFollowedStates, n, bars.time);
+      share(run, bars.time);
     }
   }
   bars.interrupted = stopped(control);

@@ -82,6 +82,12 @@ bool known(const std::vector<double>& values) {
 
 bool has_crank(const CycleResult& cycle) { return cycle.crank_speed > 0.0; }
 
+bool is_measured(const bearing::Measured& measured, const CycleResult& cycle) {
+  return std::any_of(cycle.quantities.begin(), cycle.quantities.end(), [&](const auto& q) {
+    return measured_value(measured, q.quantity).has_value();
+  });
+}
+
 double shown_instant(const CycleResult& cycle, double t) {
   return has_crank(cycle) ? t * cycle.crank_speed * 180.0 / kPi : t;
 }

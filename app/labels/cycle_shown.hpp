@@ -27,6 +27,10 @@ struct CycleSeries {
 /// "deg" or "s".
 [[nodiscard]] std::string told_unit(const bearing::CycleResult& cycle);
 
+/// Whether anything that the cycle tells was measured.
+[[nodiscard]] bool is_measured(const bearing::Measured& measured,
+                               const bearing::CycleResult& cycle);
+
 /// All instants as told, under the name "angle" or "time".
 [[nodiscard]] CycleSeries instants_told(const bearing::CycleResult& cycle);
 

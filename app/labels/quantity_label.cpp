@@ -85,6 +85,11 @@ std::string cycle_words(const bearing::LoadCycle& cycle, const char* degree) {
 
 }  // namespace
 
+std::optional<double> measured_value(const bearing::Measured& m, const bearing::Quantity& q) {
+  const std::optional<double> si = measured_si(m, q.name);
+  return si && q.name == "friction_torque" ? std::copysign(*si, q.value) : si;
+}
+
 std::optional<double> measured_torque(const bearing::Case& c) {
   if (!c.measured.friction_torque) return std::nullopt;
   return std::copysign(*c.measured.friction_torque, c.operation.omega);
@@ -156,12 +161,7 @@ std::vector<QuantityRow> quantity_rows(const bearing::Measured& measured,
                                          row.unit(round_off ? NAN : q->limit)}
                              : ShownBars{NAN, NAN, NAN, NAN});
       }
-      if (const auto si = measured_si(measured, quantity.name)) {
-        // A torque is measured by its magnitude; that of a journal that turns clockwise is
-        // negative.
-        const bool torque = quantity.name == "friction_torque";
-        row.measured = row.unit(torque ? std::copysign(*si, quantity.value) : *si);
-      }
+      if (const auto si = measured_value(measured, quantity)) row.measured = row.unit(*si);
       rows.push_back(std::move(row));
     }
   }

@@ -42,6 +42,11 @@ struct ShownBars {
   double limit = 0.0;  ///< no bar: what the grids lead to
 };
 
+/// What was measured of a quantity, in its unit; a torque, which is measured by its magnitude, has
+/// the sign of what is computed.
+[[nodiscard]] std::optional<double> measured_value(const bearing::Measured& m,
+                                                   const bearing::Quantity& q);
+
 /// The measured torque, which is a magnitude, with the sign of what is computed: that of the speed
 /// [N m].
 [[nodiscard]] std::optional<double> measured_torque(const bearing::Case& c);

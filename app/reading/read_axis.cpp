@@ -78,7 +78,15 @@ Tail cut_tail(std::string& range, const std::string& place) {
   const std::size_t slash = range.rfind('/');
   if (slash == std::string::npos) return tail;
   const std::string digits = trimmed(range.substr(slash + 1));
-  if (!all_digits(digits)) return tail;  // the slash of a unit
+  const bool of_a_unit = digits.empty() ||
+                         std::isalpha(static_cast<unsigned char>(digits[0])) != 0 ||
+                         digits[0] == '(';
+  if (of_a_unit) return tail;
+  if (!all_digits(digits)) {
+    throw InputError(place, fmt::format("{} behind the \"/\" is no whole number of points; write "
+                                        "/30, or /30log for equal ratios",
+                                        in_quotes(digits)));
+  }
   if (digits.size() > kMostDigits) throw InputError(place, "so many points are no sweep");
   tail.count = std::stoi(digits);
   if (tail.count < 2) {

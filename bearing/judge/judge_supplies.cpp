@@ -112,6 +112,12 @@ void judge_pressure(const Supply& s, double p_cav, const std::string& path, Find
   }
   compare(to, key, s.pressure, kBearingLimits.supply_pressure,
           fmt::format("the supply pressure is {}", shown(s.pressure, "bar")), "check the unit");
+  if (s.pressure != 0.0 && std::abs(s.pressure) < kBearingLimits.least_pressure) {
+    to.suspect(
+        key,
+        fmt::format("the supply pressure is {:.4g} Pa, less than a centimetre of oil", s.pressure),
+        "check the unit (MPa?)");
+  }
 }
 
 void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findings& to) {

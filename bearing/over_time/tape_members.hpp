@@ -88,8 +88,10 @@ inline void members(Tape& tape, bearing::EquilibriumCost& x) {
 // Results.
 
 inline void members(Tape& tape, bearing::Quantity& x) {
-  auto& [name, value, unit, error_grid, error_model, order, error_nodes, magnitude, limit] = x;
-  tape(name, value, unit, error_grid, error_model, order, error_nodes, magnitude, limit);
+  auto& [name, value, unit, error_grid, error_model, order, error_nodes, error_time, magnitude,
+         limit] = x;
+  tape(name, value, unit, error_grid, error_model, order, error_nodes, error_time, magnitude,
+       limit);
 }
 
 inline void members(Tape& tape, bearing::CycleInstant& x) {

@@ -125,20 +125,17 @@ Corrector HeatSearch::corrector() const {
   };
 }
 
-Branch HeatSearch::follow_on(const Branch& ended) {
+std::optional<Branch> HeatSearch::follow_on(const Branch& ended) {
   const double begun = beyond(ended);
   if (begun < 1.0) {
     return ended.raised == Raised::load
                ? follow_load(s_, begun, corrector(), control_)
                : follow_parts(s_, ended.raised, begun, corrector(), control_);
   }
-  const Reached last = here();
   Branch whole{ended.raised, BranchEnd::reached, 1.0, s_.film.least.h, iterate()};
   if (stopped(whole.last)) whole.end = BranchEnd::interrupted;
   if (whole.last.good() || stopped(whole.last)) return whole;
-  back_to(last);  // as good as a way point
-  whole.end = BranchEnd::lost;
-  return whole;
+  return std::nullopt;
 }
 
 Verdict HeatSearch::along_branch() {
@@ -157,7 +154,12 @@ Verdict HeatSearch::along_branch() {
       back_to(last);
       break;
     }
-    branch = follow_on(*branch);
+    std::optional<Branch> on = follow_on(*branch);
+    if (!on) {
+      back_to(last);
+      break;
+    }
+    branch = std::move(on);
   }
   if (branch->end == BranchEnd::reached) return {};
   if (branch->end == BranchEnd::interrupted) return branch->last;

@@ -46,8 +46,9 @@ class HeatSearch {
   [[nodiscard]] std::optional<Branch> follow();
   [[nodiscard]] Verdict no_branch() const;
   [[nodiscard]] Corrector corrector() const;
-  /// Along the branch on which the bearing has come to rest beyond the one that ended.
-  [[nodiscard]] Branch follow_on(const Branch& ended);
+  /// Along the branch on which the bearing has come to rest beyond the one that ended; none: under
+  /// the whole it rests as a way point does, and no result is found there.
+  [[nodiscard]] std::optional<Branch> follow_on(const Branch& ended);
   /// `after`: what followed in time.
   [[nodiscard]] Verdict ended(const Branch& branch, const MarchEnd& after);
 

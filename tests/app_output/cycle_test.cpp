@@ -207,6 +207,25 @@ TEST_CASE("TheTableOfACycleTellsMeansExtremesAndHowItRan") {
   }
 }
 
+TEST_CASE("WhatWasMeasuredStandsBesideTheCycle") {
+  const auto cycle = test::synthetic_cycle();
+  bearing::Case c = test::cycle_case();
+  const auto printed = [&] {
+    std::ostringstream out;
+    app::write_cycle_table(out, c, cycle);
+    return out.str();
+  };
+  CHECK_FALSE(contains(printed(), "measured"));
+  CHECK_FALSE(contains(app::cycle_html(c, cycle), "<th>measured</th>"));
+  const bearing::CycleQuantity& torque = cycle.quantities.front();
+  REQUIRE(torque.quantity.name == "friction_torque");
+  c.measured.friction_torque = std::abs(torque.quantity.value) / 1.25;
+  CHECK(contains(printed(), "measured"));
+  CHECK(contains(printed(), "+25.0 %"));
+  CHECK(contains(app::cycle_html(c, cycle), "<th>measured</th>"));
+  CHECK(contains(app::cycle_html(c, cycle), "+25.0 %"));
+}
+
 TEST_CASE("TheTableOfACycleTellsThatItsToleranceIsMissedAndWhatWouldMeetIt") {
   auto cycle = test::synthetic_cycle();
   for (auto& q : cycle.quantities) q.quantity.error_grid = 0.1 * q.quantity.size();

@@ -2,7 +2,10 @@
 #include "bearing/steady/compare.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
 
+#include "bearing/friction_split.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -73,6 +76,21 @@ TEST_CASE("CalibratedTemperatureReproducesTheFullTorque", "[compare]") {
     const double torque = torque_of(solve_isothermal_at(c, both.T_calibrated));
     CHECK(torque == Approx(both.split.to).epsilon(1e-4));
   }
+}
+
+TEST_CASE("AnEquivalentTemperatureIsFoundWhicheverWayFrictionGoes", "[compare]") {
+  const auto found = [](const std::function<double(double)>& excess) {
+    return calibrated_temperature(excess, 353.15, {0.0, 1e-6});
+  };
+  // A full film rubs less in warmer oil, summits more.
+  for (const double slope : {-1.0, 1.0}) {
+    for (const double root : {330.15, 350.15, 353.15, 380.15}) {
+      CHECK(found([=](double T) { return slope * (T - root); }) == Approx(root).epsilon(1e-8));
+    }
+    CHECK(std::isnan(found([=](double T) { return slope * (T - 400.0); })));  // out of reach
+  }
+  // Between both, at the least friction of all, none may be small enough.
+  CHECK(std::isnan(found([](double T) { return 1.0 + std::pow(T - 360.0, 2); })));
 }
 
 TEST_CASE("OneTierAloneIsNotSplit", "[compare]") {

@@ -131,6 +131,25 @@ TEST_CASE("UnderALoadThatStandsStillTheEstimateIsTheSteadyOne", "[cycle]") {
   }
 }
 
+TEST_CASE("AFastJournalIsWarmNotRefused", "[cycle]") {
+  // The coldest film makes more heat than its flow carries at any temperature of oil; warm oil is
+  // thinner, and makes less.
+  for (const double rpm : {4e3, 20e3, 40e3}) {
+    Case c = plain_case();
+    c.bearing = {0.02, 0.016, 25e-6, 293.15, {}};
+    c.supplies[0].length = 0.012;
+    c.supplies[0].temperature = 343.15;
+    c.oil.temperature = rheology::Vogel{9.52e-5, 896.4, 110.0};
+    c.operation.omega = rpm * kRpm;
+    const CycleResult r = estimate_cycle(turned(c, 2e3, 1.5 * kPi, 0.0));
+    INFO(rpm << " rpm: " << static_cast<int>(r.verdict.status));
+    REQUIRE(r.verdict.good());
+    c.operation.position = LoadGiven{2e3, 1.5 * kPi};
+    const Estimate e = estimate(c);
+    CHECK(named(r, "T_film_mean").value == Approx(e.T).margin(0.05 * e.rise + 0.02));  // as above
+  }
+}
+
 TEST_CASE("ALoadThatTurnsIsASteadyLoadAtTheSpeedThatIsLeft", "[cycle]") {
   // In the frame of a load that turns with w, oil goes round with omega/2 - w: the same
   // eccentricity as under a steady load at omega - 2 w, on the other side of the load if negative.

@@ -83,6 +83,36 @@ TEST_CASE("BarsOfAWarmUpEndAsThoseOfTheSteadyState", "[transient]") {
   CHECK(bars.time.back().torque < 0.1 * end.torque);  // at rest, steps change nothing
 }
 
+TEST_CASE("NoInstantOfAWarmUpIsKnownFarBetterThanItsFilm", "[transient]") {
+  // As walls warm up what two grids differ by passes through zero, in one quantity after another.
+  const Case c = coarse();
+  const WarmUpOptions o = until(30.0);
+  const WarmUp run = warm_up(c, Tier::thd, o);
+  const fidelity::MarchBars bars = fidelity::march_bars(c, o, run);
+  REQUIRE(bars.grid.size() == run.instants.size());
+  const Instant& begun = run.instants.front();
+  const double T_supply = mean_supply_temperature(c);
+  for (std::size_t k = 0; k < bars.grid.size(); ++k) {
+    const Instant& now = run.instants[k];
+    std::vector<double> relative;
+    for (const auto& q : kFollowedInstants) {
+      const bool film = q.value == &Instant::T_film_max;
+      const std::string unit = q.unit;
+      const double size =
+          unit == "K"   ? std::max(std::abs(now.*q.value - (film ? T_supply : begun.*q.value)), 1.0)
+          : unit == "W" ? now.heat_in
+                        : std::abs(now.*q.value);
+      relative.push_back(bars.grid[k].*q.value / size);
+    }
+    INFO(now.t << " s");
+    const double torque = relative.front();  // the heat of all is known no better
+    CHECK(*std::min_element(relative.begin() + 2, relative.begin() + 6) >= 0.999 * torque);
+    std::nth_element(relative.begin(), relative.begin() + 5, relative.end());
+    // some bars have been lengthened: the median is not that which each has a fifth of
+    CHECK(*std::min_element(relative.begin(), relative.end()) > 0.03 * relative[5]);
+  }
+}
+
 TEST_CASE("BarsOfACourseAreThoseOfItsStretches", "[transient]") {
   const Case c = coarse();
   Case fast = c;

@@ -73,6 +73,10 @@ TEST_CASE("BadAxesAreRefusedWithPlaceAndCure") {
   check_axis_refused("k=1...5", {"number"});
   check_axis_refused("operation.speed=3000 rpm..50 Hz", {"\"rpm\"", "\"Hz\"", "same unit"});
   check_axis_refused("operation.speed=3000 rpm..50 rpm/1", {"at least 2"});
+  for (const char* count : {"3.5", "-3", "3lin", "3log10"}) {
+    check_axis_refused(std::string("operation.speed=3000 rpm..50 rpm/") + count,
+                       {count, "whole number of points", "/30log"});
+  }
   check_axis_refused("operation.speed=50 rpm..50 rpm/3", {"same"});
   check_axis_refused("operation.load=0 kN..8 kN/3log", {"positive", "leave out \"log\""});
   check_axis_refused("oil.temperature=50..100 degC/3log", {"degC", "leave out \"log\""});

@@ -272,6 +272,24 @@ contact = { elastic_factor = 0.001, composite_modulus = "53 GPa", friction = 0.1
   CHECK(heavy.limits.back().part * 40e3 > 12e3);
 }
 
+TEST_CASE("AStateThatIsNotFoundIsNoEndOfItsBranch") {
+  // Walls that come to rest under the whole as loosely as on the way, where no result is found: "up
+  // to 3000 rpm of 3000 rpm, then none" was told.
+  for (const double rpm : {2990.0, 3000.0}) {
+    bearing::Case c = app::read_case(
+        kFolder + "/plain.toml",
+        {app::parse_override("shell.layers=[{ material = \"polymer\", thickness = \"5 mm\" }, "
+                             "{ material = \"steel\", thickness = \"2.5 mm\" }]"),
+         app::parse_override("shell.housing.support=free")});
+    c.model.grid = {72, 11};
+    c.operation.omega = rpm * kRpm;
+    const bearing::Solution s = bearing::solve_tier(c, bearing::Tier::tehd);
+    REQUIRE_FALSE(s.verdict.good());
+    REQUIRE_FALSE(s.limits.empty());
+    CHECK(s.limits.back().part < 0.99);
+  }
+}
+
 TEST_CASE("WhereTheRigidPlainBearingEndsDoesNotDependOnTheLoadAskedFor") {
   // 40 and 45 kN were given up, the start of the search having taken the work of the branch.
   const auto end_of = [](double load, std::array<int, 2> grid) {

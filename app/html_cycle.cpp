@@ -65,11 +65,11 @@ constexpr const char* kPlayer = R"html(
 </script>
 )html";
 
-/// What was measured, and how far the value is from it; empty: nothing.
+/// What was measured, and how far the value is from it; an empty cell: nothing.
 std::string measured_cell(const bearing::Measured& measured, const bearing::Quantity& q,
                           const DisplayUnit& unit) {
   const auto si = measured_value(measured, q);
-  if (!si) return "";
+  if (!si) return "<td></td>";
   return fmt::format("<td class=\"measured\">{} <small>{}</small></td>", figures(unit(*si)),
                      typeset_number(difference(unit, unit(q.value), unit(*si))));
 }
@@ -81,11 +81,12 @@ std::string cycle_quantities_html(const bearing::Case& c, const CycleResult& cyc
   const bool physics =
       std::any_of(cycle.quantities.begin(), cycle.quantities.end(),
                   [](const auto& q) { return std::isfinite(q.quantity.error_model); });
+  const bool measured = is_measured(c.measured, cycle);
   std::string html = fmt::format(
       "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>value</th><th>grid</th>"
       "<th>time steps</th>{}<th class=\"unit\">unit</th><th>at [{}]</th>{}</tr></thead><tbody>\n",
       physics ? "<th>physics</th>" : "", typeset_unit(told_unit(cycle)),
-      is_measured(c.measured, cycle) ? "<th>measured</th>" : "");
+      measured ? "<th>measured</th>" : "");
   for (const auto& q : cycle.quantities) {
     const DisplayUnit unit = cycle_unit(q);
     html += fmt::format(
@@ -97,7 +98,7 @@ std::string cycle_quantities_html(const bearing::Case& c, const CycleResult& cyc
         physics ? "<td>" + bar(unit.scale * q.quantity.error_model) + "</td>" : "",
         escape_markup(typeset_unit(unit.unit)),
         std::isfinite(q.at) ? figures(shown_instant(cycle, q.at)) : "",
-        measured_cell(c.measured, q.quantity, unit));
+        measured ? measured_cell(c.measured, q.quantity, unit) : "");
   }
   return html + "</tbody></table></div>\n";
 }

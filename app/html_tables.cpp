@@ -49,6 +49,7 @@ std::string list_html(const char* heading, const std::vector<std::string>& lines
 std::string value_bars(const ShownBars& bars) {
   if (!std::isfinite(bars.grid)) return "";
   std::string html = "<small title=\"grid\">± " + figures(bars.grid, 2);
+  if (bars.time > 0.0) html += " ± " + figures(bars.time, 2) + " (time steps)";
   if (std::isfinite(bars.model)) html += " ± " + figures(bars.model, 2) + " (model)";
   if (std::isfinite(bars.limit)) html += " → " + figures(bars.limit) + " (extrapolated)";
   return html + "</small>";
@@ -72,7 +73,7 @@ std::string split_sentences(const Comparison& comparison) {
                         figures(display_unit("T_equivalent", "K")(comparison.T_calibrated)));
   } else {
     html += fmt::format(
-        " No equivalent temperature within {:.0f} K of the film's gives the full torque.",
+        " No equivalent temperature with the full torque was found within {:.0f} K of the film's.",
         bearing::kCalibrationReach);
   }
   return html + "</p>";

@@ -1,6 +1,7 @@
 #pragma once
 /// The state of a run over load cycles, of a running-in, a warm-up or a course as a file, HDF5:
-/// what bearing/kept_run.hpp keeps, the case as it was solved and the program that solved it.
+/// what bearing/over_time/kept_run.hpp keeps, the case as it was solved and the program that solved
+/// it.
 ///
 /// A state is gone on with only by the same program with the same case: anything else would end
 /// with numbers that no single run gives.

@@ -22,7 +22,7 @@ void write_scalars(hid_t file, const Result& result) {
       if (std::isfinite(value)) attribute(quantities, q.name + suffix, value);
     };
     bar("_error", q.error());
-    bar("_error_grid", q.error_grid - q.error_time);
+    bar("_error_grid", q.error_grid);
     if (q.error_time > 0.0) bar("_error_time", q.error_time);
     bar("_error_model", q.error_model);
     bar("_limit", q.limit);

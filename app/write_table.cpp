@@ -78,12 +78,17 @@ void print_quantities(std::ostream& out, const bearing::Measured& measured,
   const bool with_limit = single && std::any_of(rows.begin(), rows.end(), [](const auto& row) {
                             return std::isfinite(row.bars.front().limit);
                           });
+  const bool with_time = single && std::any_of(rows.begin(), rows.end(), [](const auto& row) {
+                           return row.bars.front().time > 0.0;
+                         });
   TextTable table;
   std::vector<std::string> head{"quantity"};
   const auto names = column_names(results);
   for (std::size_t k = 0; k < names.size(); ++k) {
     head.push_back(names[k] + (results[k].verdict.good() ? "" : " (FAILED)"));
-    if (with_bars && single) head.insert(head.end(), {"+- grid", "+- model"});
+    if (with_bars && single) head.emplace_back("+- grid");
+    if (with_time) head.emplace_back("+- time");
+    if (with_bars && single) head.emplace_back("+- model");
     if (with_bars && !single) head.emplace_back("+-");
   }
   if (with_limit) head.emplace_back("extrapolated");
@@ -97,9 +102,9 @@ void print_quantities(std::ostream& out, const bearing::Measured& measured,
     for (std::size_t k = 0; k < row.values.size(); ++k) {
       cells.push_back(row.values[k] ? figures(*row.values[k]) : "");
       const ShownBars& bars = row.bars[k];
-      if (with_bars && single) {
-        cells.insert(cells.end(), {bar_figures(bars.grid), bar_figures(bars.model)});
-      }
+      if (with_bars && single) cells.push_back(bar_figures(bars.grid));
+      if (with_time) cells.push_back(bar_figures(bars.time));
+      if (with_bars && single) cells.push_back(bar_figures(bars.model));
       if (with_bars && !single) cells.push_back(bar_figures(bars.total));
     }
     if (with_limit) {
@@ -239,7 +244,8 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
         figures(display_unit("T_equivalent", "K")(comparison.T_calibrated)));
   } else if (!comparison.split.steps.empty()) {
     out << fmt::format(
-        "\nno equivalent temperature within {:.0f} K of the film's gives the full torque\n",
+        "\nno equivalent temperature with the full torque was found within {:.0f} K of the "
+        "film's\n",
         bearing::kCalibrationReach);
   }
   print_checks(out, comparison);

@@ -2,9 +2,9 @@
 /// One case: all that a user can say about a bearing, in SI units, kelvin, radians.
 ///
 /// The frame is that of docs/theory.md: X right, Y up, phi counter-clockwise from +X, positive
-/// speed counter-clockwise, z = 0 at mid-width. app/read_case fills it from a file, a C++ program
-/// by hand; bearing/judge_case.hpp judges it: in the hands of a solver it is complete and
-/// possible.
+/// speed counter-clockwise, z = 0 at mid-width. app/reading/read_case fills it from a file, a C++
+/// program by hand; bearing/judge/judge_case.hpp judges it: in the hands of a solver it is complete
+/// and possible.
 #include <array>
 #include <optional>
 #include <string>
@@ -203,7 +203,7 @@ struct Model {
   bool coefficients = false;         ///< stiffness, damping and whirl threshold are wanted
 };
 
-/// Wear of the shell (bearing/running_in.hpp).
+/// Wear of the shell (bearing/over_time/running_in.hpp).
 struct RunningIn {
   double wear_coefficient = 0.0;     ///< C of Archard's C/H [-]
   double hardness = 0.0;             ///< H of the shell's surface; 0: that of its material [Pa]

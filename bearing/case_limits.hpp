@@ -110,7 +110,8 @@ struct BearingLimits {
   Limits hardness{1e6, 1e7, 2e10, 1e12};  // [Pa] polymers from 50 MPa, nitrided steel 10 GPa
   double supply_cover_usual = 0.3;        ///< of the surface [-]
   double supply_cover_most = 0.9;         ///< above, hardly any film is left [-]
-  double least_pressure = 100.0;          // [Pa] but none: a centimetre of oil
+  /// [Pa] of a supply that has any, above or below ambient; a centimetre of oil has 85.
+  double least_pressure = 100.0;
   Limits supply_pressure{-INFINITY, -INFINITY, 50e5, 2e9};  // [Pa] above, hydrostatic; fuel 3e8
   /// [Pa] Oil and vessel together. Possible from air alone, as stiff as its pressure is high, usual
   /// from a soft hose on; a liquid in a stiff wall has 1 to 3 GPa (textbook).

@@ -19,6 +19,7 @@ double calibrated_temperature(const std::function<double(double)>& excess, doubl
   const double full_film = begun.f > 0.0 ? 1.0 : -1.0;  // warmer oil, less friction
   for (const double side : {full_film, -full_film}) {   // the other way where summits rub
     KnownPoint here = begun, other = begun;
+    if (side != full_film) other.f = here.f = excess(guess);  // what is carried along goes back
     for (double reach = 4.0; reach <= kCalibrationReach && other.f * here.f > 0.0; reach *= 2.0) {
       here = other;
       other.x = guess + side * reach;

@@ -21,7 +21,7 @@ fluid::Wrench LoadTarget::wanted(const State& s) const {
   if (path) {
     for (double& f : w) f *= std::exp(s.ln_load);
   }
-  for (int k = 0; k < 2; ++k) w[k] += inertia * s.flight[k];
+  for (int k = 0; k < 2; ++k) w[k] += inertial_stiffness * s.flight[k];
   return w;
 }
 

@@ -7,7 +7,7 @@ namespace shellback::bearing {
 
 double Quantity::error() const {
   if (!std::isfinite(error_grid)) return error_model;
-  return error_grid + (std::isfinite(error_model) ? error_model : 0.0);
+  return discretisation() + (std::isfinite(error_model) ? error_model : 0.0);
 }
 
 const Quantity* quantity_in(const std::vector<Quantity>& list, const std::string& name) {

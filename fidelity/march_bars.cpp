@@ -73,22 +73,26 @@ Instants time_bars(const Instants& usual, const Instants& other, const CourseRun
   return bars;
 }
 
-/// What a value has come to: walls since the first instant, the film above its supply, heat of all
-/// that is made; a kelvin at least, as in natural_size().
-double size_of(const CourseRun& run, double T_supply, std::size_t k, const Followed<Instant>& q) {
-  const Instant& now = run.instants[k];
-  if (q.value == &Instant::T_film_max) return std::max(std::abs(now.T_film_max - T_supply), 1.0);
+/// Where values count from [K].
+struct Begun {
+  double walls, supply;
+};
+
+/// What a value has come to: walls since the start, the film above its supply, heat of all that is
+/// made; a kelvin at least, as in natural_size().
+double size_of(const Instant& now, const Begun& begun, const Followed<Instant>& q) {
   const double value = now.*q.value;
-  if (std::string_view(q.unit) == "K") {
-    return std::max(std::abs(value - run.instants.front().*q.value), 1.0);
-  }
-  return std::string_view(q.unit) == "W" ? std::abs(now.heat_in) : std::abs(value);
+  const std::string_view unit = q.unit;
+  if (unit == "W") return std::abs(now.heat_in);
+  if (unit != "K") return std::abs(value);
+  const double from = q.value == &Instant::T_film_max ? begun.supply : begun.walls;
+  return std::max(std::abs(value - from), 1.0);
 }
 
 /// And the heat by which temperatures change is known no better than the torque (solve.cpp).
-void share(const CourseRun& run, double T_supply, Instants& bars) {
+void share(const CourseRun& run, const Begun& begun, Instants& bars) {
   const auto size = [&](std::size_t k, const Followed<Instant>& q) {
-    return size_of(run, T_supply, k, q);
+    return size_of(run.instants[k], begun, q);
   };
   share_bars_of_states(kFollowedInstants, size, bars);
   for (std::size_t k = 0; k < bars.size(); ++k) {
@@ -161,9 +165,9 @@ MarchBars march_bars(const std::vector<Stretch>& stretches, const WarmUpOptions&
     bars.grid = bars_of_grids(coarse.usual, run.instants, c.model.grid, hidden_at_edge(run),
                               kFollowedInstants);
     bars.time = time_bars(coarse.usual.back().second, coarse.joined, run);
-    const double T_supply = mean_supply_temperature(c);
-    share(run, T_supply, bars.grid);
-    share(run, T_supply, bars.time);
+    const Begun begun{options.T_start, mean_supply_temperature(c)};
+    share(run, begun, bars.grid);
+    share(run, begun, bars.time);
   }
   if (run.end.left_bounds) bars.end = end_bars(stretches, options, run, control);
   bars.interrupted = stopped(control);

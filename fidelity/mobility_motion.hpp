@@ -7,7 +7,8 @@
 /// The film carries F, what the asperities leave of the load W; M is that of mobility_table.hpp,
 /// the viscosity eta that of estimate_scene.hpp at one temperature, which the caller sets. The
 /// shell stands still; the oil goes round with omega/2, the mean of the two surfaces. The journal
-/// has no mass: where no load acts it goes round with the oil. Frame and signs: bearing/cycle.hpp.
+/// has no mass: where no load acts it goes round with the oil. Frame and signs:
+/// bearing/over_time/cycle.hpp.
 #include "bearing/over_time/cycle.hpp"
 #include "core/smooth_motion.hpp"
 #include "fidelity/bearing_table.hpp"

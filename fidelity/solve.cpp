@@ -7,6 +7,7 @@
 #include "core/stopwatch.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
+#include "fidelity/light_contact.hpp"
 
 namespace shellback::fidelity {
 

@@ -51,7 +51,7 @@ RelativeBars relative_bars(const Result& r, const std::string& quantity) {
   for (const Quantity& q : r.quantities) {
     const double size = q.size();
     if (q.name != quantity || size == 0.0) continue;
-    return {q.error_grid / size, q.error_model / size,
+    return {q.discretisation() / size, q.error_model / size,
             std::isfinite(q.order) ? q.order : kLeastOrder,
             std::min(q.error_nodes, q.error_grid) / size};
   }
@@ -70,7 +70,7 @@ Shortfall shortfall(const Result& r, double tolerance, bool nodes_stay) {
 }
 
 bool told_apart(const Quantity& a, const Quantity& b) {
-  const double bars = a.error_grid + b.error_grid;
+  const double bars = a.discretisation() + b.discretisation();
   return !(std::abs(a.value - b.value) < bars);
 }
 

@@ -1,10 +1,11 @@
-// Two rules of the house that a reader of the sources can hold: no files of one folder include each
-// other in a ring, and no function is longer than 60 lines.
+// Rules of the house that a reader of the sources can hold: no files of one folder include each
+// other in a ring, no function is longer than 60 lines, and paths that are named exist.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -123,6 +124,30 @@ TEST_CASE("NoFunctionIsLongerThanItsReaderCanHold") {
       }
     }
   }
+}
+
+TEST_CASE("PathsThatCommentsAndPagesNameExist") {
+  static const std::regex path(
+      R"((^|[^\w/.])((core|rheology|fluid|thermal|solid|surface|bearing|fidelity|app|validation)/[a-z0-9_/]+\.(hpp|cpp)))");
+  const fs::path root = SHELLBACK_SOURCE_DIR;
+  const auto check = [&](const std::string& of, const std::string& text) {
+    for (std::sregex_iterator m(text.begin(), text.end(), path), end; m != end; ++m) {
+      const std::string named = (*m)[2];
+      if (named == "app/provenance_stamp.hpp") continue;  // made by the build
+      if (!fs::exists(root / named)) FAIL_CHECK(of << " names " << named << ", which is not there");
+    }
+  };
+  for (const char* folder : kFolders) {
+    for (const auto& [of, text] : sources_in(root, folder)) check(of, text);
+  }
+  int pages = 0;
+  for (const auto& entry : fs::directory_iterator(root / "docs")) {  // decisions tell of their day
+    if (entry.path().extension() != ".md") continue;
+    check(entry.path().filename().string(), text_of_file(entry.path()));
+    ++pages;
+  }
+  check("README.md", text_of_file(root / "README.md"));
+  CHECK(pages > 20);
 }
 
 TEST_CASE("APlantedRingIsFound") {

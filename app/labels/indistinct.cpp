@@ -37,8 +37,8 @@ std::string both(const Result& a, const Result& b, const std::string& name) {
   const Quantity& second = *found(b, name);
   const DisplayUnit unit = display_unit(name, first.unit, std::abs(first.value));
   return fmt::format("{} {} against {} {} {}", figures(unit(first.value)),
-                     bar_figures(unit.scale * first.error_grid), figures(unit(second.value)),
-                     bar_figures(unit.scale * second.error_grid), unit.unit);
+                     bar_figures(unit.scale * first.discretisation()), figures(unit(second.value)),
+                     bar_figures(unit.scale * second.discretisation()), unit.unit);
 }
 
 /// Calls with each pair of indices that differ on this axis alone, in order.

@@ -158,8 +158,8 @@ std::vector<QuantityRow> quantity_rows(const bearing::Measured& measured,
           return std::abs(x) < kRoundOff * largest ? 0.0 : row.unit.scale * x;
         };
         row.bars.push_back(q ? ShownBars{bar(q->error_grid), bar(q->error_model), bar(q->error()),
-                                         row.unit(round_off ? NAN : q->limit)}
-                             : ShownBars{NAN, NAN, NAN, NAN});
+                                         row.unit(round_off ? NAN : q->limit), bar(q->error_time)}
+                             : ShownBars{NAN, NAN, NAN, NAN, 0.0});
       }
       if (const auto si = measured_value(measured, quantity)) row.measured = row.unit(*si);
       rows.push_back(std::move(row));

@@ -40,6 +40,7 @@ struct ShownBars {
   double model = 0.0;
   double total = 0.0;
   double limit = 0.0;  ///< no bar: what the grids lead to
+  double time = 0.0;   ///< of a load cycle's steps
 };
 
 /// What was measured of a quantity, in its unit; a torque, which is measured by its magnitude, has

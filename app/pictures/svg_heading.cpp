@@ -6,10 +6,10 @@
 namespace shellback::app {
 namespace {
 
-constexpr double kHeadingLeft = 24.0;        ///< [px]
-constexpr double kHeadingText = 20.0;   ///< [px]
-constexpr double kSceneText = 12.5;   ///< [px]
-constexpr double kChangeText = 11.5;  ///< [px]
+constexpr double kHeadingLeft = 24.0;  ///< [px]
+constexpr double kHeadingText = 20.0;  ///< [px]
+constexpr double kSceneText = 12.5;    ///< [px]
+constexpr double kChangeText = 11.5;   ///< [px]
 
 /// Scene and changes, the first line at y [px].
 void draw_lines_of_scene(Svg& svg, const bearing::Case& c, double y, const Theme& theme) {

@@ -14,9 +14,9 @@ namespace shellback::app {
 namespace {
 
 constexpr double kIdentifyWidth = 1200.0;  ///< [px]
-constexpr double kHead = 100.0;    ///< [px]
-constexpr double kPanel = 380.0;   ///< height of a quantity [px]
-constexpr double kMost = 5.0;      ///< ratio of x from which on its axis is logarithmic [-]
+constexpr double kHead = 100.0;            ///< [px]
+constexpr double kPanel = 380.0;           ///< height of a quantity [px]
+constexpr double kMost = 5.0;              ///< ratio of x from which on its axis is logarithmic [-]
 
 /// The input along x: the first that differs between points; none: the point's number.
 const MeasuredInput* input_along(const MeasuredTable& table) {
@@ -53,8 +53,8 @@ class MeasuredPanel {
   void add(std::size_t i);
   [[nodiscard]] Axis x_axis() const;
   [[nodiscard]] Axis y_axis() const;
-  void draw_points(Svg& svg, const Frame& frame, const ComputedCurve& curve, const std::string& colour,
-                   const Theme& theme) const;
+  void draw_points(Svg& svg, const Frame& frame, const ComputedCurve& curve,
+                   const std::string& colour, const Theme& theme) const;
 
   const IdentifyView& v_;
   std::size_t quantity_;
@@ -113,8 +113,8 @@ Axis MeasuredPanel::y_axis() const {
   return round_axis(low, high, 6, "[" + typeset_unit(unit_.unit) + "]");
 }
 
-void MeasuredPanel::draw_points(Svg& svg, const Frame& frame, const ComputedCurve& curve, const std::string& colour,
-                        const Theme& theme) const {
+void MeasuredPanel::draw_points(Svg& svg, const Frame& frame, const ComputedCurve& curve,
+                                const std::string& colour, const Theme& theme) const {
   for (std::size_t k = 0; k < curve.x.size(); ++k) {
     const Point at = frame.at(curve.x[k], curve.measured[k]);
     if (std::isfinite(curve.deviation[k])) {
@@ -174,8 +174,8 @@ std::string identify_svg(const IdentifyView& v) {
   svg.text({24.0, 80.0}, found_words(v) + (sound ? "" : "  (not to be believed, see the table)"),
            {sound ? theme.ink : theme.more, 12.5});
   for (std::size_t k = 0; k < v.table.quantities.size(); ++k) {
-    MeasuredPanel(v, k).draw(svg, {40.0, kHead + static_cast<double>(k) * kPanel, kIdentifyWidth - 80.0, kPanel},
-                     theme);
+    MeasuredPanel(v, k).draw(
+        svg, {40.0, kHead + static_cast<double>(k) * kPanel, kIdentifyWidth - 80.0, kPanel}, theme);
   }
   return svg.document(v.subject.title);
 }

@@ -79,9 +79,10 @@ void draw_legend(Svg& svg, Point at, const LinePlot& plot, const Theme& theme) {
 
 Frame draw_lines(Svg& svg, const Box& box, const LinePlot& plot, const Theme& theme) {
   const double height = box.height - kLinesTop - kLinesBottom;
-  const Frame frame{{box.x + kLinesLeft, box.y + kLinesTop, box.width - kLinesLeft - kLinesRight, height},
-                    plot.x,
-                    plot.y ? *plot.y : y_axis(plot, height)};
+  const Frame frame{
+      {box.x + kLinesLeft, box.y + kLinesTop, box.width - kLinesLeft - kLinesRight, height},
+      plot.x,
+      plot.y ? *plot.y : y_axis(plot, height)};
   svg.text({frame.box.x, box.y + 14.0}, plot.title, {theme.ink, 12.5, Anchor::start, true});
   draw_legend(svg, {frame.box.x, box.y + 34.0}, plot, theme);
   draw_axes(svg, frame, theme, GridLines::horizontal);

@@ -7,10 +7,10 @@
 namespace shellback::app {
 namespace {
 
-constexpr double kMapLeft = 50.0;       ///< room for the y axis [px]
-constexpr double kMapRight = 62.0;      ///< room for the colour bar [px]
-constexpr double kMapTop = 24.0;        ///< room for the title [px]
-constexpr double kMapBottom = 38.0;     ///< room for the x axis [px]
+constexpr double kMapLeft = 50.0;    ///< room for the y axis [px]
+constexpr double kMapRight = 62.0;   ///< room for the colour bar [px]
+constexpr double kMapTop = 24.0;     ///< room for the title [px]
+constexpr double kMapBottom = 38.0;  ///< room for the x axis [px]
 constexpr double kFullFilm = 0.995;  ///< fill ratio above which the film counts as full [-]
 constexpr const char* kLight = "#ffffff";
 constexpr const char* kDark = "#10151d";
@@ -59,7 +59,8 @@ void draw_colour_bar(Svg& svg, const Box& plot, const ColourScale& scale, const 
 }
 
 Frame map_frame(const Box& box, const FieldMap& map) {
-  return {{box.x + kMapLeft, box.y + kMapTop, box.width - kMapLeft - kMapRight, box.height - kMapTop - kMapBottom},
+  return {{box.x + kMapLeft, box.y + kMapTop, box.width - kMapLeft - kMapRight,
+           box.height - kMapTop - kMapBottom},
           map.x,
           map.y};
 }

@@ -18,7 +18,7 @@ using bearing::CycleResult;
 Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
 Point operator*(double f, Point a) { return {f * a.x, f * a.y}; }
 
-constexpr double kOrbitTop = 24.0;        ///< room for the title [px]
+constexpr double kOrbitTop = 24.0;   ///< room for the title [px]
 constexpr double kRim = 34.0;        ///< around the clearance circle [px]
 constexpr double kArrow = 0.24;      ///< arrow of the largest load over the radius of the circle
 constexpr int kMostMarks = 8;        ///< instants with arrow and label

@@ -18,7 +18,7 @@ using surface::FactorRow;
 
 constexpr double kSurfaceWidth = 1200.0;  ///< [px]
 constexpr double kSurfaceHeight = 820.0;  ///< [px]
-constexpr int kMostDrawn = 110;    ///< points each way: finer is not seen
+constexpr int kMostDrawn = 110;           ///< points each way: finer is not seen
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// The box of a map that shows both directions in one scale, in the upper left of `room`.

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kSweepWidth = 1200.0;  ///< [px]
 constexpr double kSweepHeight = 780.0;  ///< [px]
-constexpr int kMostLines = 8;      ///< beyond, lines cannot be told apart
+constexpr int kMostLines = 8;           ///< beyond, lines cannot be told apart
 
 /// Whether maps are to be drawn: more lines than can be told apart, over two numeric axes.
 bool wants_map(const Sweep& sweep) {
@@ -73,7 +73,8 @@ std::string sweep_svg(const std::string& text, const bearing::Case& subject, con
     svg.text({24.0, 75.0}, changes, {theme.muted, 11.5});
   }
   if (sweep.count_good() < static_cast<int>(sweep.points.size())) {
-    svg.text({kSweepWidth - 24.0, 36.0}, count_words(sweep) + (sweep.count_failed() > 0 ? " (×)" : ""),
+    svg.text({kSweepWidth - 24.0, 36.0},
+             count_words(sweep) + (sweep.count_failed() > 0 ? " (×)" : ""),
              {theme.more, 13.0, Anchor::end, true});
   }
   return svg.document(subject.title);

@@ -12,12 +12,12 @@
 namespace shellback::app {
 namespace {
 
-constexpr double kLabelText = 11.5;    ///< [px]
-constexpr double kWaterfallTop = 34.0;          ///< room for the title and the measured label [px]
-constexpr double kWaterfallBottom = 40.0;       ///< room for the axis [px]
-constexpr double kThickest = 26.0;     ///< bar [px]
-constexpr double kBarShare = 0.62;     ///< of a row [-]
-constexpr double kSmallChange = 0.15;  ///< below this part of the torque the axis is cut [-]
+constexpr double kLabelText = 11.5;        ///< [px]
+constexpr double kWaterfallTop = 34.0;     ///< room for the title and the measured label [px]
+constexpr double kWaterfallBottom = 40.0;  ///< room for the axis [px]
+constexpr double kThickest = 26.0;         ///< bar [px]
+constexpr double kBarShare = 0.62;         ///< of a row [-]
+constexpr double kSmallChange = 0.15;      ///< below this part of the torque the axis is cut [-]
 
 Axis torque_axis(const std::vector<WaterfallBar>& bars, const std::optional<double>& measured) {
   double low = bars.front().end;

@@ -78,10 +78,8 @@ Tail cut_tail(std::string& range, const std::string& place) {
   const std::size_t slash = range.rfind('/');
   if (slash == std::string::npos) return tail;
   const std::string digits = trimmed(range.substr(slash + 1));
-  const bool of_a_unit = digits.empty() ||
-                         std::isalpha(static_cast<unsigned char>(digits[0])) != 0 ||
-                         digits[0] == '(';
-  if (of_a_unit) return tail;
+  const bool of_a_count = digits.find_first_of("0123456789+-.") == 0;
+  if (!of_a_count) return tail;  // the slash of a unit
   if (!all_digits(digits)) {
     throw InputError(place, fmt::format("{} behind the \"/\" is no whole number of points; write "
                                         "/30, or /30log for equal ratios",

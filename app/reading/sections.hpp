@@ -3,7 +3,7 @@
 ///
 /// Each takes the whole file's Section (or its own) and returns a finished part of the Case in
 /// SI units. What a single value can be is checked here; what values are to one another in
-/// bearing/judge_case.hpp. All throw InputError with place, reason and cure.
+/// bearing/judge/judge_case.hpp. All throw InputError with place, reason and cure.
 #include <optional>
 #include <string>
 #include <vector>

@@ -197,7 +197,7 @@ std::optional<Movement> solve_border(const LoadTarget& load, const FilmEquilibri
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 5, 1> b(n);
   for (int k = 0; k < m; ++k) {
     for (int l = 0; l < m; ++l) A(k, l) = stiffness[k][l];
-    if (k < 2) A(k, k) -= load.inertia;
+    if (k < 2) A(k, k) -= load.inertial_stiffness;
     b(k) = aim[k];
   }
   if (load.path) {

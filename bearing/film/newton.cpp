@@ -234,7 +234,7 @@ void NewtonIteration::step(Verdict& ended) {
   if (held_ > 0 && !point_.scene.storage.finite()) {
     now.unknowns = 0;
     now.path.reset();
-    now.inertia = 0.0;
+    now.inertial_stiffness = 0.0;
   }
   const NewtonStep step =
       fluid::steady_ring_is_empty(point_.scene, s_.film)

@@ -4,8 +4,8 @@
 ///
 /// Absurd input (a clearance of a tenth of the radius, a groove wider than the bearing) is refused;
 /// possible but unusual input is told. The limits are those of journal bearings as built
-/// (case_limits.hpp). Keys are those of a case file, whoever filled the case: app/read_case adds
-/// file and line.
+/// (case_limits.hpp). Keys are those of a case file, whoever filled the case: app/reading/read_case
+/// adds file and line.
 #include <optional>
 #include <string>
 #include <vector>

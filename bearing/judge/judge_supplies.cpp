@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bearing/judge/judge_parts.hpp"
@@ -113,10 +114,10 @@ void judge_pressure(const Supply& s, double p_cav, const std::string& path, Find
   compare(to, key, s.pressure, kBearingLimits.supply_pressure,
           fmt::format("the supply pressure is {}", shown(s.pressure, "bar")), "check the unit");
   if (s.pressure != 0.0 && std::abs(s.pressure) < kBearingLimits.least_pressure) {
-    to.suspect(
-        key,
-        fmt::format("the supply pressure is {:.4g} Pa, less than a centimetre of oil", s.pressure),
-        "check the unit (MPa?)");
+    to.suspect(key,
+               fmt::format("the supply pressure is {:.4g} Pa, that of a centimetre of oil or less",
+                           s.pressure),
+               "check the unit (MPa?)");
   }
 }
 

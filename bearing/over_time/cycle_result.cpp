@@ -33,9 +33,7 @@ Result as_result(const CycleResult& r) {
   Result result = head_of(r);
   for (const CycleQuantity& q : r.quantities) {
     result.quantities.push_back(q.quantity);
-    if (!std::isfinite(q.error_time)) continue;
-    result.quantities.back().error_grid += q.error_time;
-    result.quantities.back().error_time = q.error_time;
+    if (std::isfinite(q.error_time)) result.quantities.back().error_time = q.error_time;
   }
   return result;
 }

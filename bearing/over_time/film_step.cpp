@@ -51,7 +51,7 @@ void tell_motion(const FilmEquilibrium& film, const LoadTarget& load, double own
     }
     const double gained = film.flight[k] / own;  // of velocity
     found.velocity[k] = v[k] + gained;
-    found.acceleration[k] = load.inertia > 0.0 ? gained / own : 0.0;
+    found.acceleration[k] = load.inertial_stiffness > 0.0 ? gained / own : 0.0;
   }
 }
 
@@ -117,7 +117,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   target.force[0] = -load.x;
   target.force[1] = -load.y;
   target.unit = 0.0;
-  target.inertia = 0.0;                    // that of a step
+  target.inertial_stiffness = 0.0;         // that of a step
   const bool at_rest = load.omega == 0.0;  // the film carries nothing: asperities may
   if ((at_rest && !model_.contact) || !(target.scale() > 0.0)) return std::nullopt;
   point_.scene.speed = load.omega * model_.input.bearing.radius;
@@ -164,7 +164,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   begin_layer(own, std::move(layer), point_);
   point_.load.force[0] = -load.x;
   point_.load.force[1] = -load.y;
-  point_.load.inertia = mass_ / (own * own);
+  point_.load.inertial_stiffness = mass_ / (own * own);
   if (i > (by.explicit_first ? 1 : 0)) {
     const double since = (by.c[i] - by.c[i - 1]) * dt;
     carry_on(FilmTrend(now.film, film, by.c[i - 1] * dt), since, film);

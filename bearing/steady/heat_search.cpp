@@ -125,17 +125,19 @@ Corrector HeatSearch::corrector() const {
   };
 }
 
-std::optional<Branch> HeatSearch::follow_on(const Branch& ended) {
+Branch HeatSearch::follow_on(const Branch& ended) {
   const double begun = beyond(ended);
   if (begun < 1.0) {
     return ended.raised == Raised::load
                ? follow_load(s_, begun, corrector(), control_)
                : follow_parts(s_, ended.raised, begun, corrector(), control_);
   }
-  Branch whole{ended.raised, BranchEnd::reached, 1.0, s_.film.least.h, iterate()};
-  if (stopped(whole.last)) whole.end = BranchEnd::interrupted;
-  if (whole.last.good() || stopped(whole.last)) return whole;
-  return std::nullopt;
+  const Verdict v = iterate();
+  if (v.good()) return {ended.raised, BranchEnd::reached, 1.0, s_.film.least.h, v};
+  Branch open = ended;
+  open.end = stopped(v) ? BranchEnd::interrupted : BranchEnd::lost;
+  open.last = v;
+  return open;
 }
 
 Verdict HeatSearch::along_branch() {
@@ -154,12 +156,12 @@ Verdict HeatSearch::along_branch() {
       back_to(last);
       break;
     }
-    std::optional<Branch> on = follow_on(*branch);
-    if (!on) {
+    const double carried = branch->carried;
+    branch = follow_on(*branch);
+    if (branch->end == BranchEnd::lost && !(branch->carried > carried)) {
       back_to(last);
       break;
     }
-    branch = std::move(on);
   }
   if (branch->end == BranchEnd::reached) return {};
   if (branch->end == BranchEnd::interrupted) return branch->last;

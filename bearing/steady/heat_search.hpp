@@ -46,9 +46,10 @@ class HeatSearch {
   [[nodiscard]] std::optional<Branch> follow();
   [[nodiscard]] Verdict no_branch() const;
   [[nodiscard]] Corrector corrector() const;
-  /// Along the branch on which the bearing has come to rest beyond the one that ended; none: under
-  /// the whole it rests as a way point does, and no result is found there.
-  [[nodiscard]] std::optional<Branch> follow_on(const Branch& ended);
+  /// Along the branch on which the bearing has come to rest beyond the one that ended. Where it
+  /// rests under the whole as loosely as on the way, and no result is found: the one that ended,
+  /// lost, for the reason that the whole has.
+  [[nodiscard]] Branch follow_on(const Branch& ended);
   /// `after`: what followed in time.
   [[nodiscard]] Verdict ended(const Branch& branch, const MarchEnd& after);
 

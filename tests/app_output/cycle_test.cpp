@@ -11,6 +11,7 @@
 #include "app/write_cycle_html.hpp"
 #include "app/write_cycle_json.hpp"
 #include "app/write_cycle_table.hpp"
+#include "app/write_json.hpp"
 #include "core/constants.hpp"
 #include "markup.hpp"
 #include "synthetic_cycle.hpp"
@@ -158,6 +159,26 @@ TEST_CASE("BarsOfACycleAddUpGridAndTimeSteps") {
   CHECK(h["error"].get<double>() ==
         Approx(h["error_grid"].get<double>() + h["error_time"].get<double>()));
   CHECK_FALSE(j["quantities"]["friction_torque"].contains("error"));
+}
+
+TEST_CASE("ACycleToldAsOneResultKeepsTheBarOfItsSteps") {
+  const auto cycle = test::synthetic_cycle();
+  const bearing::Result r = bearing::as_result(cycle);
+  REQUIRE(r.quantities.size() == cycle.quantities.size());
+  const auto j = json::parse(app::result_json(test::cycle_case(), r))["quantities"];
+  int bars = 0;
+  for (std::size_t k = 0; k < r.quantities.size(); ++k) {
+    const bearing::CycleQuantity& of = cycle.quantities[k];
+    if (!std::isfinite(of.quantity.error_grid) || !(of.error_time > 0.0)) continue;
+    ++bars;
+    const auto told = j[of.quantity.name];
+    CHECK(told["error_grid"].get<double>() == of.quantity.error_grid);
+    CHECK(told["error_time"].get<double>() == of.error_time);
+    const double physics = told.contains("error_model") ? told["error_model"].get<double>() : 0.0;
+    CHECK(told["error"].get<double>() ==
+          Approx(of.quantity.error_grid + of.error_time + physics).epsilon(1e-12));
+  }
+  CHECK(bars > 0);
 }
 
 TEST_CASE("ExtremesInTheQuantitiesAreThoseOfTheSeries") {

@@ -236,7 +236,7 @@ TEST_CASE("AJournalWithMassFollowsNewtonsLaw") {
     FilmEquilibrium s = steady.film;
     REQUIRE(evaluate(model, point, {}, 1e-12, s));
     point.scene.storage = {dt, fluid::oil_content(point.scene, s.gap, s.oil, s.film)};
-    point.load.inertia = mass / (dt * dt);
+    point.load.inertial_stiffness = mass / (dt * dt);
     std::array<double, 2> free{};  // flight
     for (int k = 0; k < 2; ++k) {
       free[k] = s.position.q[k] + dt * velocity[k];
@@ -252,6 +252,10 @@ TEST_CASE("AJournalWithMassFollowsNewtonsLaw") {
       const double load = -steady.point.load.force[k];
       const double acceleration = (s.position.q[k] - free[k]) / (dt * dt);
       CHECK(std::abs(mass * acceleration - (s.force[k] + load)) < 1e-8 * steady.point.load.scale());
+      // What the state carries as its flight is the same, beyond the round-off of the place.
+      CHECK(std::abs(mass / (dt * dt) * s.flight[k] - (s.force[k] + load)) <
+            1e-8 * steady.point.load.scale());
+      CHECK(std::abs(s.flight[k] - (s.position.q[k] - free[k])) < 1e-15 * std::abs(free[k]));
       off = std::max(off, std::abs(s.position.q[k] - free[k]));
     }
     CHECK(off < farther);

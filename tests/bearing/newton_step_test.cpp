@@ -128,6 +128,10 @@ TEST_CASE("LimitedStepNeverClosesTheGap", "[newton_step]") {
     const auto d = limited(q, {tiny, tiny, 0.0, 0.0}, gap, c, 0.0125, 1.0);
     CHECK(std::abs(d[0] - tiny) < 1e-5 * tiny);
     CHECK(std::abs(d[1] - tiny) < 1e-5 * tiny);
+    const double round = 1e-14 * e * c;  // and those of the place's round-off to their own
+    const auto r = limited(q, {round, -round, 0.0, 0.0}, gap, c, 0.0125, 1.0);
+    CHECK(std::abs(r[0] - round) < 1e-9 * round);
+    CHECK(std::abs(r[1] + round) < 1e-9 * round);
   }
 }
 

@@ -45,6 +45,7 @@ TEST_CASE("TheSlashOfAUnitIsNotThatOfACount") {
   const auto bare = parse_axis("k=1e-9 1/Pa..2e-9 1/Pa");
   CHECK(bare.unit == "1/Pa");
   CHECK(bare.size() == kUsualPoints);
+  CHECK(parse_axis("k=1 1/\u00b5s..5 1/\u00b5s").unit == "1/\u00b5s");
 }
 
 TEST_CASE("PlainNumbersNeedNoUnit") {

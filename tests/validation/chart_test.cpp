@@ -97,9 +97,9 @@ TEST_CASE("ChartOfAThermalSceneComparesNodesLayersMeanAndTiers") {
 
 TEST_CASE("ChartOfALoadCycleVariesGridsAndSteps") {
   ChartOptions o = coarse();
-  o.of_cycles.ladder = {{16, 3}, {32, 6}};
-  o.of_cycles.compared = {{32, 6}};
-  o.of_cycles.reference = {{{16, 3}, {32, 6}, {64, 12}}};
+  o.of_cycles.ladder = {{20, 4}, {40, 8}};
+  o.of_cycles.compared = {{40, 8}};
+  o.of_cycles.reference = {{{20, 4}, {40, 8}, {80, 16}}};
   const ChartScene s = chart_scene("cycle", chart_case("flores-slider-crank"), o);
   REQUIRE(s.verdict.good());
   CHECK(count(s, ChartFamily::grid) == 2);

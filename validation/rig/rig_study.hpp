@@ -2,7 +2,7 @@
 /// The tests of Sander, Allmaier, Priebsch (InTech 2016), sections 4.1 and 4.4, on our rig.
 ///
 ///   1  run-up and run-down of speed, 20 minutes a step, from first principles: bodies in time,
-///      cycles between (bearing/course.hpp), each bearing for itself
+///      cycles between (bearing/over_time/course.hpp), each bearing for itself
 ///   2  isothermal elastic cycles with three oils, each bearing at the temperature of its shell's
 ///      back in the run-up: the paper's own recipe (its measured temperatures are not published)
 ///   3  bands: unknown inputs, each changed alone to the ends of its range

@@ -2,7 +2,7 @@
 /// Thermal load capability of the shells, new and run in.
 ///
 /// Running-in: each shell wears under its full load at 2000 rpm for the time that its case has in
-/// [running_in] (bearing/running_in.hpp), in the tier and on the cells of the capability.
+/// [running_in] (bearing/over_time/running_in.hpp), in the tier and on the cells of the capability.
 ///
 /// Capability: the highest multiple of the load at each speed at which a periodic state exists, the
 /// lining stays below its limit and the film above its own; what limits it. Between two loads the

@@ -27,11 +27,11 @@ struct PathRow {
 
 /// What the journal must balance.
 struct LoadTarget {
-  int unknowns = 2;             ///< 0: position given; 2: e; 4: e and tilt
-  fluid::Wrench force{};        ///< wanted film force and moment on the journal: minus the load
-  double inertia = 0.0;         ///< of the journal over a finite step, m/dt^2 [N/m]
-  std::optional<PathRow> path;  ///< the load's factor is an unknown, too
-  double unit = 0.0;            ///< by which residuals are measured [N]; 0: |force|
+  int unknowns = 2;                 ///< 0: position given; 2: e; 4: e and tilt
+  fluid::Wrench force{};            ///< wanted film force and moment on the journal: minus the load
+  double inertial_stiffness = 0.0;  ///< m/dt^2 of the journal over a finite step [N/m]
+  std::optional<PathRow> path;      ///< the load's factor is an unknown, too
+  double unit = 0.0;                ///< by which residuals are measured [N]; 0: |force|
   [[nodiscard]] double scale() const;  ///< `unit`, or |force| [N]
   /// The force wanted of this state: with its factor and the journal's inertia by its flight.
   [[nodiscard]] fluid::Wrench wanted(const State& s) const;

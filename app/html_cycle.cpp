@@ -94,7 +94,7 @@ std::string cycle_quantities_html(const bearing::Case& c, const CycleResult& cyc
         "<td class=\"unit\">{}</td><td>{}</td>{}</tr>\n",
         escape_markup(q.quantity.name), escape_markup(cycle_label(q)),
         typeset_number(figures(unit(q.quantity.value))), bar(unit.scale * q.quantity.error_grid),
-        bar(unit.scale * q.error_time),
+        bar(unit.scale * q.quantity.error_time),
         physics ? "<td>" + bar(unit.scale * q.quantity.error_model) + "</td>" : "",
         escape_markup(typeset_unit(unit.unit)),
         std::isfinite(q.at) ? figures(shown_instant(cycle, q.at)) : "",

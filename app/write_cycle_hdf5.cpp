@@ -38,9 +38,9 @@ void write_scalars(hid_t file, const CycleResult& cycle) {
     };
     known("_at", shown_instant(cycle, q.at));
     if (std::isfinite(q.at)) attribute(quantities, name + "_at_unit", told_unit(cycle));
-    known("_error", bar_of(q));
+    known("_error", q.quantity.error());
     known("_error_grid", q.quantity.error_grid);
-    known("_error_time", q.error_time);
+    known("_error_time", q.quantity.error_time);
     known("_error_model", q.quantity.error_model);
   }
   const Handle audit = group(file, "audit");

@@ -21,9 +21,9 @@ Json quantities(const CycleResult& cycle) {
     const auto add = [&](const char* key, double bar) {  // what is not known is not there
       if (std::isfinite(bar)) entry[key] = with_unit(bar, unit)["value"];
     };
-    add("error", bar_of(q));
+    add("error", q.quantity.error());
     add("error_grid", q.quantity.error_grid);
-    add("error_time", q.error_time);
+    add("error_time", q.quantity.error_time);
     add("error_model", q.quantity.error_model);
   }
   return all;

@@ -21,8 +21,9 @@ using bearing::CycleResult;
 void print_quantities(std::ostream& out, const bearing::Measured& measured,
                       const CycleResult& cycle) {
   const bool known = is_measured(measured, cycle);
-  const bool bars = std::any_of(cycle.quantities.begin(), cycle.quantities.end(),
-                                [](const CycleQuantity& q) { return std::isfinite(bar_of(q)); });
+  const bool bars =
+      std::any_of(cycle.quantities.begin(), cycle.quantities.end(),
+                  [](const CycleQuantity& q) { return std::isfinite(q.quantity.error()); });
   const bool physics =
       std::any_of(cycle.quantities.begin(), cycle.quantities.end(),
                   [](const CycleQuantity& q) { return std::isfinite(q.quantity.error_model); });
@@ -39,7 +40,7 @@ void print_quantities(std::ostream& out, const bearing::Measured& measured,
     std::vector<std::string> cells{cycle_label(q), figures(unit(q.quantity.value))};
     if (bars) {
       cells.push_back(bar_figures(unit.scale * q.quantity.error_grid));
-      cells.push_back(bar_figures(unit.scale * q.error_time));
+      cells.push_back(bar_figures(unit.scale * q.quantity.error_time));
     }
     if (physics) cells.push_back(bar_figures(unit.scale * q.quantity.error_model));
     cells.push_back(unit.unit);

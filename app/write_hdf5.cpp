@@ -23,7 +23,7 @@ void write_scalars(hid_t file, const Result& result) {
     };
     bar("_error", q.error());
     bar("_error_grid", q.error_grid);
-    if (q.error_time > 0.0) bar("_error_time", q.error_time);
+    bar("_error_time", q.error_time);
     bar("_error_model", q.error_model);
     bar("_limit", q.limit);
   }

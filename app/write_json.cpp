@@ -27,7 +27,7 @@ Json quantities(const bearing::Result& result) {
     };
     add("error", q.error());
     add("error_grid", q.error_grid);
-    if (q.error_time > 0.0) add("error_time", q.error_time);
+    add("error_time", q.error_time);
     add("error_model", q.error_model);
     add("limit", q.limit);
   }

@@ -4,8 +4,9 @@
 ///
 /// One result:
 ///   status, converged, [reason, place, cure: only if not converged], tier, title,
-///   quantities {name: {value, unit}}, audit {mass, energy, load, moment}, effects, limiters,
-///   warnings, assumptions, grid, cost, history, provenance.
+///   quantities {name: {value, unit, [error, error_grid, error_time, error_model: bars that are
+///   known, the first their sum], [limit: where the grids lead to]}}, audit {mass, energy, load,
+///   moment}, effects, limiters, warnings, assumptions, grid, cost, history, provenance.
 /// A quantity that the tier does not know is absent. There is no NaN in JSON: an audit entry
 /// that does not apply, and a value that is not a number in a failed solve, is null.
 #include <string>

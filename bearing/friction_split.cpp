@@ -16,6 +16,7 @@ double calibrated_temperature(const std::function<double(double)>& excess, doubl
                               const BracketOptions& options) {
   const KnownPoint begun{guess, excess(guess)};
   if (begun.f == 0.0) return guess;
+  if (std::isnan(begun.f)) return NAN;
   const double full_film = begun.f > 0.0 ? 1.0 : -1.0;  // warmer oil, less friction
   for (const double side : {full_film, -full_film}) {   // the other way where summits rub
     KnownPoint here = begun, other = begun;

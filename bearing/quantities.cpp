@@ -2,12 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shellback::bearing {
 
+double Quantity::discretisation() const {
+  return error_grid + (std::isfinite(error_time) ? error_time : 0.0);
+}
+
 double Quantity::error() const {
-  if (!std::isfinite(error_grid)) return error_model;
-  return discretisation() + (std::isfinite(error_model) ? error_model : 0.0);
+  double sum = std::numeric_limits<double>::quiet_NaN();
+  for (const double bar : {error_grid, error_time, error_model}) {
+    if (std::isfinite(bar)) sum = bar + (std::isfinite(sum) ? sum : 0.0);
+  }
+  return sum;
 }
 
 const Quantity* quantity_in(const std::vector<Quantity>& list, const std::string& name) {

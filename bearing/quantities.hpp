@@ -25,13 +25,13 @@ struct Quantity {
       std::numeric_limits<double>::quiet_NaN();  ///< observed, with which error_grid falls
   /// Part of error_grid that more cells do not take off: that of the nodes across the film.
   double error_nodes = 0.0;
-  /// Bar of the steps in time of a load cycle that is told as one result; else 0.
-  double error_time = 0.0;
+  double error_time =
+      std::numeric_limits<double>::quiet_NaN();  ///< bar of a load cycle's steps in time
   double magnitude = 0.0;  ///< mean of |value| over a cycle in which it changes its sign
   /// What the grids of the bar lead to as cells get infinitely fine; NaN: not known.
   double limit = std::numeric_limits<double>::quiet_NaN();
-  /// What finer grids and shorter steps may change: error_grid and error_time; NaN: not known.
-  [[nodiscard]] double discretisation() const { return error_grid + error_time; }
+  /// What finer grids and shorter steps may change: error_grid, and error_time where it is known.
+  [[nodiscard]] double discretisation() const;
   /// Sum of the bars that are known; NaN: none is.
   [[nodiscard]] double error() const;
   /// What bars are measured by: |value|, or the magnitude of what changes its sign.

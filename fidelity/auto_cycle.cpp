@@ -77,8 +77,8 @@ class CycleTierSearch {
   [[nodiscard]] std::optional<CycleResult> good_estimate() {
     if (case_.model.grid_given || lack_for(case_, Tier::estimate)) return {};
     CycleResult r = estimate_cycle(case_, control_);
-    const FrictionAndFilm bars = both(
-        r, [](const CycleQuantity& q) { return over_value(q.quantity.error() + q.error_time, q); });
+    const FrictionAndFilm bars =
+        both(r, [](const CycleQuantity& q) { return over_value(q.quantity.error(), q); });
     if (!r.verdict.good() || bars.larger() > case_.model.tolerance) return {};
     r.choice = AutoChoice{case_.model.tolerance, true, bars.friction, bars.h_min, {"estimate"}};
     return r;
@@ -155,7 +155,7 @@ class CycleTierSearch {
     return both(last_, [](const CycleQuantity& q) { return over_value(q.quantity.error_grid, q); });
   }
   [[nodiscard]] FrictionAndFilm of_steps() const {
-    return both(last_, [](const CycleQuantity& q) { return over_value(q.error_time, q); });
+    return both(last_, [](const CycleQuantity& q) { return over_value(q.quantity.error_time, q); });
   }
   /// What shorter steps leave.
   [[nodiscard]] FrictionAndFilm without_steps() const {
@@ -246,7 +246,7 @@ class CycleTierSearch {
   [[nodiscard]] FrictionAndFilm bars_of(const CycleResult& r) const {
     if (!unjudged_.empty()) return {INFINITY, INFINITY};
     return both(r, [this](const CycleQuantity& q) {
-      return over_value(q.quantity.error_grid + q.error_time + left_of(q.quantity), q);
+      return over_value(q.quantity.error_grid + q.quantity.error_time + left_of(q.quantity), q);
     });
   }
 

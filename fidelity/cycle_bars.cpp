@@ -61,11 +61,11 @@ void widen_bars_of_power(CycleResult& r) {
   const double speed = turned / r.instants.back().t;
   const CycleQuantity& torque = *named(r, "friction_torque");
   const double of_grid = torque.quantity.error_grid;
-  const double of_time = torque.error_time;
+  const double of_time = torque.quantity.error_time;
   for (CycleQuantity& q : r.quantities) {
     if (q.quantity.name != "power_loss") continue;
     q.quantity.error_grid = std::max(q.quantity.error_grid, speed * of_grid);
-    q.error_time = std::max(q.error_time, speed * of_time);
+    q.quantity.error_time = std::max(q.quantity.error_time, speed * of_time);
   }
 }
 
@@ -101,14 +101,15 @@ void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine
 }
 
 double& bar_of_grid(CycleQuantity& q) { return q.quantity.error_grid; }
-double& bar_of_time(CycleQuantity& q) { return q.error_time; }
+double& bar_of_time(CycleQuantity& q) { return q.quantity.error_time; }
 
 void add_between_instants(CycleResult& r) {
   for (CycleQuantity& q : r.quantities) {
     for (const auto& [name, value] :
          {std::pair{"h_min", &CycleInstant::h_min}, std::pair{"p_max", &CycleInstant::p_max},
           std::pair{"p_asperity_max", &CycleInstant::p_asperity_max}}) {
-      if (q.quantity.name == name) q.error_time += beyond_instants(r.instants, value, q.at);
+      if (q.quantity.name == name)
+        q.quantity.error_time += beyond_instants(r.instants, value, q.at);
     }
   }
 }
@@ -122,8 +123,8 @@ void put_time_bars(const CycleResult& usual, const CycleResult& other, double pa
     if (same == usual.quantities.end()) continue;
     const double change = value_of(other, q.quantity.name) - same->quantity.value;
     const double size = std::max(same->quantity.size(), q.quantity.size());
-    if (size > 0.0) q.error_time = part * std::abs(change) / size * q.quantity.size();
-    if (size == 0.0) q.error_time = 0.0;
+    if (size > 0.0) q.quantity.error_time = part * std::abs(change) / size * q.quantity.size();
+    if (size == 0.0) q.quantity.error_time = 0.0;
   }
 }
 
@@ -134,7 +135,8 @@ void share_time_bars(const Case& c, CycleResult& r) {
   std::vector<BarOfSize> bars;
   for (CycleQuantity& q : r.quantities) {
     if (given_by_case(c, r.tier, q.quantity.name)) continue;
-    bars.emplace_back(&q.error_time, natural_size(q.quantity, mean_supply_temperature(c), all));
+    bars.emplace_back(&q.quantity.error_time,
+                      natural_size(q.quantity, mean_supply_temperature(c), all));
   }
   share_bars(bars);
 }
@@ -150,11 +152,12 @@ void add_unsettled_walls(const Case& c, CycleResult& r) {
       std::abs(rheology::viscosity_slopes(c.oil, T, 0.0, 0.0).dln_dT) * a.walls_mean;
   for (CycleQuantity& q : r.quantities) {
     const bool heat = q.quantity.name.starts_with("heat_");
-    if (q.quantity.unit != "K" && !heat) q.error_time += thinner * q.quantity.size();
-    if (q.quantity.unit == "K") q.error_time += a.walls;
-    if (q.quantity.name == "heat_to_shell") q.error_time += std::abs(a.to_shell);
-    if (q.quantity.name == "heat_to_shaft") q.error_time += std::abs(a.to_shaft);
-    if (q.quantity.name == "heat_by_oil") q.error_time += std::abs(a.to_shell + a.to_shaft);
+    if (q.quantity.unit != "K" && !heat) q.quantity.error_time += thinner * q.quantity.size();
+    if (q.quantity.unit == "K") q.quantity.error_time += a.walls;
+    if (q.quantity.name == "heat_to_shell") q.quantity.error_time += std::abs(a.to_shell);
+    if (q.quantity.name == "heat_to_shaft") q.quantity.error_time += std::abs(a.to_shaft);
+    if (q.quantity.name == "heat_by_oil")
+      q.quantity.error_time += std::abs(a.to_shell + a.to_shaft);
   }
 }
 
@@ -272,14 +275,14 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
     // The film of one instant is off by what its step may err, whatever other steps give.
     for (CycleQuantity& q : r.quantities) {
       if (q.quantity.name == "h_min")
-        q.error_time += kOfTolerance * c.model.tolerance * std::abs(q.quantity.value);
+        q.quantity.error_time += kOfTolerance * c.model.tolerance * std::abs(q.quantity.value);
     }
   }
   widen_bars_of_light_contact(c, r, bar_of_time);
   for (CycleQuantity& q : r.quantities) {
     const double most = furthest(c, q.quantity);
     if (q.quantity.error_grid > most) q.quantity.error_grid = most;
-    if (q.error_time > most) q.error_time = most;
+    if (q.quantity.error_time > most) q.quantity.error_time = most;
   }
   bound_parts_of_friction(r);
   r.cost.bars_s = watch.seconds();

@@ -176,7 +176,7 @@ void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>
     const bool temperature = q.name == "T_film_mean";
     q.error_grid = temperature ? 0.0 : of_table(q.name) * kMobilityError * size;
     q.error_model = temperature ? bars.temperature : relative(q.name) * size;
-    list[k].error_time = std::abs(longer[k].quantity.value - q.value);
+    q.error_time = std::abs(longer[k].quantity.value - q.value);
   }
 }
 

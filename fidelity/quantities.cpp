@@ -107,7 +107,8 @@ void bound_parts(const std::string& whole, const std::vector<std::string>& parts
   for (Quantity* q : list) {
     if (std::find(parts.begin(), parts.end(), q->name) == parts.end()) continue;
     const double size = q->size();
-    for (double Quantity::*bar : {&Quantity::error_grid, &Quantity::error_model}) {
+    for (double Quantity::*bar :
+         {&Quantity::error_grid, &Quantity::error_time, &Quantity::error_model}) {
       const double most = std::max((*all)->size() + (*all)->*bar - size, size);
       if (q->*bar > most) q->*bar = most;
     }

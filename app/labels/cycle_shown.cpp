@@ -114,12 +114,6 @@ std::vector<CycleSeries> followed(const bearing::Case& c, const CycleResult& cyc
   return all;
 }
 
-double bar_of(const CycleQuantity& q) {
-  const double space = q.quantity.error();
-  if (!std::isfinite(q.error_time)) return space;
-  return std::isfinite(space) ? space + q.error_time : q.error_time;
-}
-
 std::string cycle_label(const CycleQuantity& q) {
   const std::string& name = q.quantity.name;
   if (bearing::find_quantity(name) == nullptr) {

@@ -38,9 +38,6 @@ struct CycleSeries {
 [[nodiscard]] std::vector<CycleSeries> followed(const bearing::Case& c,
                                                 const bearing::CycleResult& cycle);
 
-/// Sum of the bars that are known, that of the time steps included; NaN: none is.
-[[nodiscard]] double bar_of(const bearing::CycleQuantity& q);
-
 /// "friction torque, mean", "smallest film, h_min": extremes by their own names.
 [[nodiscard]] std::string cycle_label(const bearing::CycleQuantity& q);
 

@@ -5,6 +5,7 @@
 
 #include "app/study/bounded_search.hpp"
 #include "core/contract.hpp"
+#include "core/decompositions.hpp"
 
 namespace shellback::study {
 namespace {
@@ -12,11 +13,10 @@ namespace {
 using Values = std::vector<double>;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSettled = 0.1;  ///< of a deviation: nobody sees the difference [-]
-using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
-bool is_determined(const FitProblem& p, const Svd& svd, Eigen::Index k, double scale) {
+bool is_determined(const FitProblem& p, const ThinSvd& svd, Eigen::Index k, double scale) {
   const double error = 10.0 * std::pow(p.accuracy, 2.0 / 3.0);
-  const Eigen::VectorXd& S = svd.singularValues();
+  const Eigen::VectorXd& S = svd.values;
   return S(k) > error * S(0) && scale / S(k) <= 1.0 / std::sqrt(12.0);
 }
 
@@ -26,12 +26,12 @@ double scatter(const FitProblem& p, double chi2, int freedom) {
 }
 
 /// How far a Gauss-Newton step would still go along the determined directions, in (5).
-double remaining_step(const FitProblem& p, const Svd& svd, const Values& r, double scale) {
+double remaining_step(const FitProblem& p, const ThinSvd& svd, const Values& r, double scale) {
   const Eigen::Map<const Eigen::VectorXd> f(r.data(), static_cast<Eigen::Index>(r.size()));
   double most = 0.0;
-  for (Eigen::Index k = 0; k < svd.singularValues().size(); ++k) {
+  for (Eigen::Index k = 0; k < svd.values.size(); ++k) {
     if (!is_determined(p, svd, k, scale)) continue;
-    most = std::max(most, std::abs(svd.matrixU().col(k).dot(f)));
+    most = std::max(most, std::abs(svd.U.col(k).dot(f)));
   }
   return scale > 0.0 ? most / scale : 0.0;  // nothing is left of exact data that are met exactly
 }
@@ -50,7 +50,7 @@ double settled_below(const FitProblem& p, double chi2, int freedom) {
 /// (6) with these slopes.
 bool is_settled(const FitProblem& p, const Eigen::MatrixXd& A, const Values& r, int freedom) {
   const double chi2 = square_sum(r);
-  const Svd svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const ThinSvd svd = thin_svd(A);
   return remaining_step(p, svd, r, scale_of(p, chi2, freedom)) <= settled_below(p, chi2, freedom);
 }
 
@@ -69,10 +69,9 @@ void add_deviations(const FitProblem& p, const BoundedSearch& s, const Values& y
   for (std::size_t k = 0; k < free.size(); ++k) {
     A.col(static_cast<Eigen::Index>(k)) = J.col(free[k]) * s.span(free[k]);
   }
-  const Svd svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const ThinSvd svd = thin_svd(A);
   fit.remaining = remaining_step(p, svd, r, fit.scale);
-  const Eigen::MatrixXd half =
-      svd.matrixV() * svd.singularValues().cwiseInverse().asDiagonal() * fit.scale;
+  const Eigen::MatrixXd half = svd.V * svd.values.cwiseInverse().asDiagonal() * fit.scale;
   const Eigen::MatrixXd cov = half * half.transpose();
   for (std::size_t a = 0; a < free.size(); ++a) {
     const auto ia = static_cast<Eigen::Index>(a);
@@ -91,12 +90,12 @@ void add_directions(const FitProblem& p, const BoundedSearch& s, const Eigen::Ma
                     Fit& fit) {
   Eigen::MatrixXd A = J;
   for (int j = 0; j < s.count(); ++j) A.col(j) *= s.span(j);
-  const Svd svd(A, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  for (Eigen::Index k = 0; k < svd.singularValues().size(); ++k) {
+  const ThinSvd svd = thin_svd(A);
+  for (Eigen::Index k = 0; k < svd.values.size(); ++k) {
     FitDirection d;
-    d.singular_value = svd.singularValues()(k);
+    d.singular_value = svd.values(k);
     d.deviation = fit.scale / d.singular_value;
-    for (Eigen::Index j = 0; j < s.count(); ++j) d.part.push_back(svd.matrixV()(j, k));
+    for (Eigen::Index j = 0; j < s.count(); ++j) d.part.push_back(svd.V(j, k));
     d.determined = is_determined(p, svd, k, fit.scale);
     fit.directions.push_back(std::move(d));
   }

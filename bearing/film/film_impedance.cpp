@@ -1,8 +1,8 @@
 #include "bearing/film/film_impedance.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 
+#include "core/decompositions.hpp"
 #include "core/round_off.hpp"
 
 namespace shellback::bearing {
@@ -96,13 +96,20 @@ ForceByMotion::ForceByMotion(LinearFilm& film, const Solution& s, int component,
 
 ForceByMotion::Combination ForceByMotion::combination(double nu) const {
   const auto n = H_.cols();
-  Eigen::MatrixXcd A = std::complex<double>(0.0, -nu) * H_.cast<std::complex<double>>();
-  A.topRows(n) += Eigen::MatrixXcd::Identity(n, n);
-  Eigen::VectorXcd b = Eigen::VectorXcd::Zero(n + 1);
+  // (I - i nu H) y = b, real parts above imaginary ones.
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * (n + 1), 2 * n);
+  A.block(0, 0, n, n).setIdentity();
+  A.block(n + 1, n, n, n).setIdentity();
+  A.block(0, n, n + 1, n) += nu * H_;
+  A.block(n + 1, 0, n + 1, n) -= nu * H_;
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(2 * (n + 1));
   b[0] = size_;
+  const Eigen::VectorXd y = least_squares(A, b);
   Combination c;
-  c.y = A.householderQr().solve(b);
-  c.left = (b - A * c.y).norm() / size_;
+  c.y.resize(n);
+  c.y.real() = y.head(n);
+  c.y.imag() = y.tail(n);
+  c.left = (b - A * y).norm() / size_;
   return c;
 }
 

@@ -1,16 +1,15 @@
 #include "bearing/film/film_motion.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 
+#include "core/decompositions.hpp"
 #include "core/largest.hpp"
 #include "fluid/gap.hpp"
 
 namespace shellback::bearing {
 namespace {
 
-using Motion = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4, 1>;
-using Normal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4>;
+using Motion = Eigen::VectorXd;
 
 /// s_k of a cell; tilts over half the width, so that all are without unit.
 Motion slopes(const FilmGrid& g, int unknowns, int c) {
@@ -26,7 +25,7 @@ Motion slopes(const FilmGrid& g, int unknowns, int c) {
 /// (1) with tilts as they move the ends [m]; none for a journal that is held.
 Motion fitted(const FilmGrid& g, int unknowns, const Field& force, const Field& dh) {
   if (unknowns == 0) return Motion(0);
-  Normal A = Normal::Zero(unknowns, unknowns);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(unknowns, unknowns);
   Motion b = Motion::Zero(unknowns);
   for (int c = 0; c < g.cells(); ++c) {
     if (!(force[c] > 0.0)) continue;
@@ -34,7 +33,7 @@ Motion fitted(const FilmGrid& g, int unknowns, const Field& force, const Field& 
     A += force[c] * s * s.transpose();
     b += force[c] * dh[c] * s;
   }
-  return A.completeOrthogonalDecomposition().solve(b);
+  return least_squares(A, b);
 }
 
 }  // namespace

@@ -121,6 +121,21 @@ void judge_pressure(const Supply& s, double p_cav, const std::string& path, Find
   }
 }
 
+/// A groove in the line of a standing load cuts the film where it presses, unless it presses more.
+void judge_line_of_load(const Supply& s, const Case& c, const std::string& path, Findings& to) {
+  const auto* load = std::get_if<LoadGiven>(&c.operation.position);
+  if (load == nullptr || c.cycle || s.kind != SupplyKind::axial_groove) return;
+  const double aside = std::abs(std::remainder(s.angle - load->angle, 2.0 * kPi));
+  const double specific = load->force / (2.0 * c.bearing.radius * c.bearing.width);
+  const bool most = s.length > 0.5 * c.bearing.width;
+  if (!most || aside > 0.5 * s.arc || s.pressure >= specific) return;
+  to.suspect(path + ".angle",
+             fmt::format("the groove lies where the load presses, fed with less than the {} of the "
+                         "load over the bearing's area: little film is left there",
+                         shown(specific, "MPa")),
+             "put it beside the load or opposite to it");
+}
+
 void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findings& to) {
   if (!s.vessel) return;
   const std::string key = path + ".vessel_volume";
@@ -256,6 +271,7 @@ void judge_supplies(const Case& c, Findings& to) {
     judge_axial(list[k], c.bearing, path, to);
     judge_depth(list[k], c.bearing, path, to);
     judge_pressure(list[k], p_cav, path, to);
+    judge_line_of_load(list[k], c, path, to);
     judge_vessel(list[k], c, path, to);
     judge_drilling(list[k], c, path, to);
   }

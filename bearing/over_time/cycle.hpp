@@ -53,8 +53,7 @@ struct CycleInstant {
 /// A scalar of the whole cycle: a mean, or an extreme with its instant.
 struct CycleQuantity {
   Quantity quantity;
-  double at = std::numeric_limits<double>::quiet_NaN();          ///< of an extreme [s]; NaN: a mean
-  double error_time = std::numeric_limits<double>::quiet_NaN();  ///< bar of the steps in time
+  double at = std::numeric_limits<double>::quiet_NaN();  ///< of an extreme [s]; NaN: a mean
 };
 
 /// Relative defects over the cycle that is told.

@@ -31,10 +31,7 @@ Result head_of(const CycleResult& r) {
 
 Result as_result(const CycleResult& r) {
   Result result = head_of(r);
-  for (const CycleQuantity& q : r.quantities) {
-    result.quantities.push_back(q.quantity);
-    if (std::isfinite(q.error_time)) result.quantities.back().error_time = q.error_time;
-  }
+  for (const CycleQuantity& q : r.quantities) result.quantities.push_back(q.quantity);
   return result;
 }
 

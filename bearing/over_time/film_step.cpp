@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/film/film_motion.hpp"
 #include "bearing/film/newton.hpp"
 #include "bearing/film/pockets.hpp"
 #include "bearing/film/pseudo_time.hpp"
-#include "bearing/heat/film_heat.hpp"
-#include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 #include "fluid/fill_front.hpp"
@@ -234,21 +231,6 @@ Verdict FilmSteps::solve_film(const SuppliesStar& star, const EquilibriumOptions
   });
 }
 
-FilmTrend::FilmTrend(const State& from, const State& to, double dt) {
-  p.assign(to.film.p.size(), 0.0);
-  theta = p;
-  for (std::size_t c = 0; c < p.size(); ++c) {
-    if (from.film.full[c] != to.film.full[c]) continue;
-    p[c] = (to.film.p[c] - from.film.p[c]) / dt;
-    theta[c] = (to.film.theta[c] - from.film.theta[c]) / dt;
-  }
-  elastic = to.elastic;
-  for (std::size_t c = 0; c < elastic.size(); ++c) {
-    elastic[c] = (to.elastic[c] - from.elastic[c]) / dt;
-  }
-  for (int k = 0; k < 4; ++k) q[k] = (to.position.q[k] - from.position.q[k]) / dt;
-}
-
 void FilmSteps::carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& film) const {
   constexpr double kMost = 0.3;  // of the room that is left
   if (trend.p.empty()) return;
@@ -273,49 +255,6 @@ void FilmSteps::carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& 
   }
   for (std::size_t c = 0; c < film.elastic.size(); ++c) film.elastic[c] += ahead * trend.elastic[c];
   for (int k = 0; k < point_.load.unknowns; ++k) film.position.q[k] += ahead * trend.q[k];
-}
-
-double FilmSteps::error_of_film(const FilmInTime& now, const FilmEquilibrium& end,
-                                const std::vector<FilmStage>& stages, double dt) const {
-  const Tableau by = method_at(now);
-  constexpr double kLoaded = 0.01;  // of the largest specific load of the course: counts as loaded
-  if (now.full_before.empty()) return 0.0;
-  const FilmGrid& g = model_.domain.grid;
-  const double loaded = kLoaded * course_.largest_load() / (2.0 * g.radius * g.width);
-  std::vector<char> full = end.film.full;
-  Field missing(g.cells(), 0.0);
-  for (int c = 0; c < g.cells(); ++c) {
-    full[c] = full[c] && now.film.film.full[c] && now.full_before[c];
-    for (int i = 0; i < by.stages; ++i) missing[c] += (by.b(i) - by.other[i]) * stages[i].oil[c];
-    missing[c] *= dt / end.oil.density[c];
-  }
-  const auto error = loaded_film_error(model_, point_.load.unknowns, end, missing,
-                                       away_from_fronts(g, full), loaded);
-  if (error || !(mass_ > 0.0)) return error.value_or(0.0);
-  // Nothing is loaded: a journal in flight, judged by its own position.
-  std::array<double, 2> off{};
-  for (int k = 0; k < 2; ++k) {
-    for (int i = 0; i < by.stages; ++i) off[k] += (by.b(i) - by.other[i]) * stages[i].velocity[k];
-  }
-  return dt * std::hypot(off[0], off[1]) / room(model_, end);
-}
-
-double FilmSteps::error_of(const FilmInTime& now, const FilmEquilibrium& end,
-                           const std::vector<FilmStage>& stages, double dt) const {
-  const Tableau by = method_at(now);
-  double error = error_of_film(now, end, stages, dt);
-  if (vessels_.any()) {
-    std::vector<double> missing(vessels_begun_.size(), 0.0);
-    for (int i = 0; i < by.stages; ++i) {
-      add(dt * (by.b(i) - by.other[i]), vessels_.slopes(stages[i].flows), missing);
-    }
-    error = larger(error, vessels_.largest_share(missing));
-  }
-  if (heat_) {
-    constexpr double kOfViscosity = 0.1;  // missed viscosity turns into film by a tenth and less
-    error = larger(error, kOfViscosity * heat_->surprise(model_, end, stages.back().heat.T));
-  }
-  return error;
 }
 
 namespace {

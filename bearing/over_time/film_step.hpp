@@ -23,22 +23,12 @@
 #include "bearing/load_cycle.hpp"
 #include "bearing/over_time/drillings.hpp"
 #include "bearing/over_time/film_stage.hpp"
+#include "bearing/over_time/film_trend.hpp"
 #include "bearing/over_time/heat_in_time.hpp"
 #include "bearing/over_time/orbit_growth.hpp"
 #include "core/tape.hpp"
 
 namespace shellback::bearing {
-
-/// How unknowns move, per second: from one stage to the next, for the first guess of a stage.
-struct FilmTrend {
-  Field p;                    ///< [Pa/s]; empty: not known; 0 where a cell fills or empties
-  Field theta;                ///< [1/s], the same
-  Field elastic;              ///< [m/s]
-  std::array<double, 4> q{};  ///< of the position [m/s], [rad/s]
-  /// From the difference of two states over dt [s].
-  FilmTrend() = default;
-  FilmTrend(const State& from, const State& to, double dt);
-};
 
 /// Where the bearing stands in time: the unknowns and what carries over from step to step.
 struct FilmInTime {

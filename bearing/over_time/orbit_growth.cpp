@@ -1,6 +1,6 @@
 #include "bearing/over_time/orbit_growth.hpp"
 
-#include <Eigen/Dense>
+#include "core/decompositions.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -34,13 +34,12 @@ std::optional<double> growth_per_cycle(const std::vector<JournalState>& states, 
   const Eigen::MatrixXd d = differences(states, displaced);
   if (d.cols() < 3) return 0.0;
   const Eigen::Index n = d.cols() - 1;
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(d.leftCols(n), Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(kSeen);
-  const Eigen::Index rank = svd.rank();
+  const ThinSvd svd = thin_svd(d.leftCols(n));
+  const Eigen::Index rank = (svd.values.array() > kSeen * svd.values[0]).count();
   const Eigen::MatrixXd inverse =
-      svd.matrixV().leftCols(rank) * svd.singularValues().head(rank).cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd M = svd.matrixU().leftCols(rank).transpose() * d.rightCols(n) * inverse;
-  const double growth = M.eigenvalues().cwiseAbs().maxCoeff();
+      svd.V.leftCols(rank) * svd.values.head(rank).cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd M = svd.U.leftCols(rank).transpose() * d.rightCols(n) * inverse;
+  const double growth = spectral_radius(M);
   if (growth >= 1.0 && kept(d) < kFell) return std::nullopt;
   return growth;
 }

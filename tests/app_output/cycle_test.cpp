@@ -169,14 +169,14 @@ TEST_CASE("ACycleToldAsOneResultKeepsTheBarOfItsSteps") {
   int bars = 0;
   for (std::size_t k = 0; k < r.quantities.size(); ++k) {
     const bearing::CycleQuantity& of = cycle.quantities[k];
-    if (!std::isfinite(of.quantity.error_grid) || !(of.error_time > 0.0)) continue;
+    if (!std::isfinite(of.quantity.error_grid) || !(of.quantity.error_time > 0.0)) continue;
     ++bars;
     const auto told = j[of.quantity.name];
     CHECK(told["error_grid"].get<double>() == of.quantity.error_grid);
-    CHECK(told["error_time"].get<double>() == of.error_time);
+    CHECK(told["error_time"].get<double>() == of.quantity.error_time);
     const double physics = told.contains("error_model") ? told["error_model"].get<double>() : 0.0;
     CHECK(told["error"].get<double>() ==
-          Approx(of.quantity.error_grid + of.error_time + physics).epsilon(1e-12));
+          Approx(of.quantity.error_grid + of.quantity.error_time + physics).epsilon(1e-12));
   }
   CHECK(bars > 0);
 }
@@ -255,7 +255,7 @@ TEST_CASE("TheTableOfACycleTellsThatItsToleranceIsMissedAndWhatWouldMeetIt") {
   CHECK(contains(printed, "is not met: friction torque +-"));
   CHECK(contains(printed, "shellback run"));
   for (auto& q : cycle.quantities) {
-    q.quantity.error_grid = q.error_time = 1e-6 * q.quantity.size();
+    q.quantity.error_grid = q.quantity.error_time = 1e-6 * q.quantity.size();
   }
   CHECK_FALSE(contains(table(cycle), "not met"));
 }

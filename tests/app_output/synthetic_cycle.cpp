@@ -87,8 +87,9 @@ CycleQuantity extreme(const CycleResult& r, const char* name, const char* unit,
   const auto best = std::max_element(
       r.instants.begin(), r.instants.end(),
       [&](const auto& a, const auto& b) { return sign * (a.*value) < sign * (b.*value); });
-  CycleQuantity q{{name, (*best).*value, unit}, best->t, 0.002 * std::abs((*best).*value)};
+  CycleQuantity q{{name, (*best).*value, unit}, best->t};
   q.quantity.error_grid = 0.01 * std::abs(q.quantity.value);
+  q.quantity.error_time = 0.002 * std::abs(q.quantity.value);
   return q;
 }
 

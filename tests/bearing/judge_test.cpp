@@ -465,3 +465,25 @@ TEST_CASE("CellsAlongTheAxisAreCountedAsTheyAreSolved") {
   c.model.grid[1] = 129;
   CHECK(refusal(c, [](Case&) {}).key == "model.grid");
 }
+
+TEST_CASE("AGrooveWhereTheLoadPressesIsTold") {
+  Case c = plain_case();
+  c.supplies[0].arc = 20.0 * kDegree;
+  c.supplies[0].length = 0.02;
+  c.supplies[0].pressure = 1e5;
+  const double specific = 2e3 / (2.0 * c.bearing.radius * c.bearing.width);
+  const auto told = [&](double angle, double pressure) {
+    c.supplies[0].angle = angle;
+    c.supplies[0].pressure = pressure;
+    int n = 0;
+    for (const Finding& f : judge(c)) n += f.key == "supply.0.angle" ? 1 : 0;
+    return n;
+  };
+  CHECK(told(90.0 * kDegree, 1e5) == 0);
+  CHECK(told(270.0 * kDegree, 1e5) == 1);
+  CHECK(told(-81.0 * kDegree, 1e5) == 1);              // within half its arc
+  CHECK(told(281.0 * kDegree, 1e5) == 0);              // beside the line
+  CHECK(told(270.0 * kDegree, 1.01 * specific) == 0);  // it carries the load itself
+  c.supplies[0].length = 0.4 * c.bearing.width;        // film is left on both sides
+  CHECK(told(270.0 * kDegree, 1e5) == 0);
+}

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "core/decompositions.hpp"
 #include "tests/solid/revolution_bodies.hpp"
 
 using namespace shellback;
@@ -30,7 +31,7 @@ Eigen::MatrixXd whole(const FilmGrid& grid, double overhang) {
 Eigen::VectorXd bent(const FilmGrid& grid, const Eigen::VectorXd& u) {
   Eigen::MatrixXd rigid(grid.nz, 2);
   for (int j = 0; j < grid.nz; ++j) rigid.row(j) << 1.0, grid.z[j];
-  return u - rigid * rigid.colPivHouseholderQr().solve(u);
+  return u - rigid * least_squares(rigid, u);
 }
 
 }  // namespace

@@ -216,7 +216,7 @@ TEST_CASE("ThePageSaysOfEachRatioWhatItsBarsAllow", "[shells]") {
       c.film_power = k == 1 ? 94.0 : 100.0;
       bearing::CycleQuantity torque{{"friction_torque", 0.5, "N m"}};
       torque.quantity.error_grid = 0.5 * bar;
-      torque.error_time = 0.0;
+      torque.quantity.error_time = 0.0;
       c.result.quantities = {torque};
     }
     return shells_page(study);

@@ -275,21 +275,17 @@ contact = { elastic_factor = 0.001, composite_modulus = "53 GPa", friction = 0.1
 TEST_CASE("AStateThatIsNotFoundIsNoEndOfItsBranch") {
   // Walls that come to rest under the whole as loosely as on the way, where no result is found: "up
   // to 3000 rpm of 3000 rpm, then none" was told.
-  for (const double rpm : {2990.0, 3000.0}) {
-    bearing::Case c = app::read_case(
-        kFolder + "/plain.toml",
-        {app::parse_override("shell.layers=[{ material = \"polymer\", thickness = \"5 mm\" }, "
-                             "{ material = \"steel\", thickness = \"2.5 mm\" }]"),
-         app::parse_override("shell.housing.support=free")});
-    c.model.grid = {72, 11};
-    c.operation.omega = rpm * kRpm;
-    const bearing::Solution s = bearing::solve_tier(c, bearing::Tier::tehd);
-    REQUIRE_FALSE(s.verdict.good());
-    REQUIRE_FALSE(s.limits.empty());
-    CHECK(s.limits.back().part < 0.99);
-    // at rest, if only loosely, is no proof that there is none
-    if (rpm == 3000.0) CHECK(s.verdict.status == Status::iteration_limit);
-  }
+  bearing::Case c = app::read_case(
+      kFolder + "/plain.toml",
+      {app::parse_override("shell.layers=[{ material = \"polymer\", thickness = \"5 mm\" }, "
+                           "{ material = \"steel\", thickness = \"2.5 mm\" }]"),
+       app::parse_override("shell.housing.support=free")});
+  c.model.grid = {72, 11};
+  c.operation.omega = 3000.0 * kRpm;
+  const bearing::Solution s = bearing::solve_tier(c, bearing::Tier::tehd);
+  CHECK(s.verdict.status == Status::iteration_limit);  // resting, if loosely, is no proof of none
+  REQUIRE_FALSE(s.limits.empty());
+  CHECK(s.limits.back().part < 0.99);
 }
 
 TEST_CASE("WhereTheRigidPlainBearingEndsDoesNotDependOnTheLoadAskedFor") {

@@ -127,7 +127,7 @@ void add_powers(ShellCycle& c) {
 
 double error_of(const CycleResult& r, const std::string& name) {
   for (const bearing::CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return q.quantity.error_grid + q.error_time;
+    if (q.quantity.name == name) return q.quantity.error_grid + q.quantity.error_time;
   }
   return NAN;
 }

@@ -36,7 +36,7 @@ Json cycle_json(const ShellCycle& c) {
     Json& told = json["quantities"][q.quantity.name];
     told = with_unit(q.quantity.value, q.quantity.unit);
     if (std::isfinite(q.quantity.error_grid)) told["error_grid"] = q.quantity.error_grid;
-    if (std::isfinite(q.error_time)) told["error_time"] = q.error_time;
+    if (std::isfinite(q.quantity.error_time)) told["error_time"] = q.quantity.error_time;
   }
   return json;
 }

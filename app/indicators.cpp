@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/physics.hpp"
 #include "fidelity/indicators.hpp"
 #include "rheology/shear.hpp"
 #include "rheology/viscosity.hpp"

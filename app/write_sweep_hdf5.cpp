@@ -71,6 +71,13 @@ void write_head(hid_t file, const bearing::Case& subject, const Sweep& sweep) {
   attribute(file, "wall_s", sweep.wall_s);
 }
 
+/// The quantity's label, without what aligns it in tables.
+std::string words_of_quantity(const SweepQuantity& q) {
+  std::string label = quantity_label(q.name);
+  label.erase(0, label.find_first_not_of(' '));
+  return label;
+}
+
 void write_axes(hid_t file, const Sweep& sweep) {
   const Handle axes = group(file, "axes");
   for (const auto& axis : sweep.axes) {
@@ -84,18 +91,31 @@ void write_axes(hid_t file, const Sweep& sweep) {
   }
 }
 
+/// Bars of one cause, of the quantities that have one at some point.
+void write_bars(hid_t file, const Sweep& sweep, const GridWriter& grid, const char* name,
+                const std::string& meaning, const Bar& bar) {
+  const Handle bars = group(file, name);
+  for (const SweepQuantity& q : sweep_quantities(sweep)) {
+    if (!known_somewhere(sweep, q, bar)) continue;
+    grid.numbers(bars, q.name, q.unit, meaning + words_of_quantity(q),
+                 [&](const SweepPoint& point) { return bar_at(point, q, bar); });
+  }
+}
+
 void write_quantities(hid_t file, const Sweep& sweep, const GridWriter& grid) {
   const Handle quantities = group(file, "quantities");
-  const Handle errors = group(file, "errors");
   for (const SweepQuantity& q : sweep_quantities(sweep)) {
-    std::string label = quantity_label(q.name);
-    label.erase(0, label.find_first_not_of(' '));
-    grid.numbers(quantities, q.name, q.unit, label,
+    grid.numbers(quantities, q.name, q.unit, words_of_quantity(q),
                  [&](const SweepPoint& point) { return value_at(point, q); });
-    if (!q.with_error) continue;
-    grid.numbers(errors, q.name, q.unit, "error bar: " + label,
-                 [&](const SweepPoint& point) { return error_at(point, q); });
   }
+  using bearing::Quantity;
+  write_bars(file, sweep, grid, "errors", "error bar: ", &Quantity::error);
+  const auto part = [&](const char* name, const char* meaning, double Quantity::*bar) {
+    write_bars(file, sweep, grid, name, meaning, [bar](const Quantity& q) { return q.*bar; });
+  };
+  part("errors_grid", "error bar of the grid: ", &Quantity::error_grid);
+  part("errors_time", "error bar of the steps in time: ", &Quantity::error_time);
+  part("errors_model", "error bar of the model: ", &Quantity::error_model);
 }
 
 void write_audit(hid_t file, const GridWriter& grid) {

@@ -27,17 +27,24 @@ double work_of(const CycleResult& r) {
   return static_cast<double>(r.cost.newton_iterations) * r.grid[0] * r.grid[1];
 }
 
-/// The cycle on another grid; not good where the grid cannot carry the supplies, nor where it takes
-/// more than `most_work`.
-CycleResult on_grid(Case c, Grid grid, double most_work, const SolveControl& control) {
+/// Where the search of other cells or steps begins. The marks of a layer that flows are those of
+/// all that it has passed: it begins anew.
+const CycleStart* near(const SolvedCycle& found) {
+  return found.start && found.start->now.layer.now.empty() ? &*found.start : nullptr;
+}
+
+/// The cycle on another grid, begun where `from` has ended; not good where the grid cannot carry
+/// the supplies, nor where it takes more than `most_work`.
+SolvedCycle on_grid(Case c, Grid grid, const SolvedCycle& from, double most_work,
+                    const SolveControl& control) {
   c.model.grid = grid;
   SolveControl bounded = control;
   bounded.most_work = most_work;
   try {
-    return solve_cycle(c, c.model.tier, bounded);
+    return solve_cycle_from(near(from), c, c.model.tier, bounded);
   } catch (const InputError&) {
-    CycleResult none;
-    none.verdict.status = Status::iteration_limit;
+    SolvedCycle none;
+    none.result.verdict.status = Status::iteration_limit;
     return none;
   }
 }
@@ -221,23 +228,27 @@ constexpr double kMoreWork = 4.0;
 /// The cycle on other grids.
 struct Beside {
   std::vector<CycleResult> coarse;  ///< from the coarsest on
+  SolvedCycle nearest;              ///< the last of them; none: the cycle itself
   std::optional<CycleResult> finer;
   [[nodiscard]] bool known() const { return !coarse.empty() || finer; }
 };
 
 /// On the two nearest coarser grids; where fewer have the cycle, on a finer one, too: two values
 /// alone that happen to agree tell of no error.
-Beside solve_beside(const Case& c, const CycleResult& r, const SolveControl& control) {
+Beside solve_beside(const Case& c, const SolvedCycle& own, const SolveControl& control) {
   Beside b;
-  const double most = kMoreWork * work_of(r);
+  b.nearest = own;
+  const double most = kMoreWork * work_of(own.result);
   for (const Grid& grid : nearest_coarse_grids(c)) {
-    CycleResult on = on_grid(c, grid, most, control);
+    SolvedCycle on = on_grid(c, grid, own, most, control);
     if (stopped(control)) return b;
-    if (on.verdict.good()) b.coarse.push_back(std::move(on));
+    if (!on.result.verdict.good()) continue;
+    b.coarse.push_back(on.result);
+    b.nearest = std::move(on);
   }
-  const std::optional<Grid> fine = finer_grid(r.grid);
+  const std::optional<Grid> fine = finer_grid(own.result.grid);
   if (b.coarse.size() > 1 || !fine) return b;
-  CycleResult on = on_grid(c, *fine, most, control);
+  CycleResult on = on_grid(c, *fine, own, most, control).result;
   if (on.verdict.good() && !stopped(control)) b.finer = std::move(on);
   return b;
 }
@@ -245,10 +256,11 @@ Beside solve_beside(const Case& c, const CycleResult& r, const SolveControl& con
 }  // namespace
 
 CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
-  CycleResult r = solve_cycle(c, c.model.tier, control);
+  const SolvedCycle own = solve_cycle_from(nullptr, c, c.model.tier, control);
+  CycleResult r = own.result;
   if (!r.verdict.good()) return r;
   const Stopwatch watch;
-  const Beside beside = solve_beside(c, r, control);
+  const Beside beside = solve_beside(c, own, control);
   if (!beside.known() || stopped(control)) {
     r.warnings.push_back(stopped(control) ? note::Plain::bars_interrupted
                                           : note::Plain::cycle_bars_unknown);
@@ -258,9 +270,10 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   put_grid_bars(c, beside.coarse, beside.finer ? &*beside.finer : nullptr, r);
   widen_bars_of_light_contact(c, r, bar_of_grid);
   Case changed = c;
-  const CycleResult usual = beside.coarse.empty() ? r : beside.coarse.back();
+  const CycleResult& usual = beside.nearest.result;
   const double part = change_steps(usual, changed);
-  const CycleResult other = on_grid(changed, usual.grid, kMoreWork * work_of(r), control);
+  const CycleResult other =
+      on_grid(changed, usual.grid, beside.nearest, kMoreWork * work_of(r), control).result;
   if (other.verdict.good()) {
     put_time_bars(usual, other, part, r);
     share_time_bars(c, r);

@@ -49,9 +49,18 @@ double value_at(const SweepPoint& point, const SweepQuantity& q) {
   return found == nullptr ? kUnknown : q.factor * found->value;
 }
 
-double error_at(const SweepPoint& point, const SweepQuantity& q) {
+double bar_at(const SweepPoint& point, const SweepQuantity& q, const Bar& bar) {
   const auto* found = known(point, q.name);
-  return found == nullptr ? kUnknown : q.factor * found->error();
+  return found == nullptr ? kUnknown : q.factor * bar(*found);
+}
+
+double error_at(const SweepPoint& point, const SweepQuantity& q) {
+  return bar_at(point, q, &bearing::Quantity::error);
+}
+
+bool known_somewhere(const Sweep& sweep, const SweepQuantity& q, const Bar& bar) {
+  return std::any_of(sweep.points.begin(), sweep.points.end(),
+                     [&](const SweepPoint& point) { return std::isfinite(bar_at(point, q, bar)); });
 }
 
 std::vector<int> indices_of(const Sweep& sweep, int index) {

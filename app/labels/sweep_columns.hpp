@@ -1,5 +1,6 @@
 #pragma once
 /// What a table of a sweep holds: its points in reading order and the quantities that occur.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct SweepQuantity {
 /// tier does not know them.
 [[nodiscard]] double value_at(const study::SweepPoint& point, const SweepQuantity& q);
 [[nodiscard]] double error_at(const study::SweepPoint& point, const SweepQuantity& q);
+
+/// One of the bars of a quantity, not-a-number where it is not known.
+using Bar = std::function<double(const bearing::Quantity&)>;
+/// That bar of `q` at the point, as error_at; whether some point knows it.
+[[nodiscard]] double bar_at(const study::SweepPoint& point, const SweepQuantity& q, const Bar& bar);
+[[nodiscard]] bool known_somewhere(const study::Sweep& sweep, const SweepQuantity& q,
+                                   const Bar& bar);
 
 /// Indices on all axes of point `index` of Sweep::points.
 [[nodiscard]] std::vector<int> indices_of(const study::Sweep& sweep, int index);

@@ -25,6 +25,22 @@ Field steady_flux(const Solution& s) {
   return q;
 }
 
+/// Walls on other cells.
+WallMeans carry_over(const BearingModel& from, const WallMeans& walls, const BearingModel& to) {
+  HeatState state;
+  state.T_shell = walls.shell;
+  state.T_shaft = walls.shaft;
+  state.thermal_deformation = walls.thermal_deformation;
+  state = carry_over(from, state, to);
+  WallMeans out{state.T_shell, state.T_shaft,
+                interpolate(from.domain.grid, walls.flux, to.domain.grid),
+                state.thermal_deformation};
+  for (int c = 0; c < to.domain.grid.cells(); ++c) {
+    if (!meets_walls(to, c)) out.flux[c] = 0.0;  // it is answered by itself: no swing
+  }
+  return out;
+}
+
 }  // namespace
 
 void CyclePasses::begin_film(double T) {
@@ -109,26 +125,16 @@ bool CyclePasses::begin_warm() {
   return true;
 }
 
-void CyclePasses::begin(const CyclePasses& coarser) {
-  const BearingModel& from = coarser.film_.model();
+void CyclePasses::begin(const CycleStart& from) {
   const BearingModel& to = film_.model();
-  now_ = film_.at_rest(coarser.now_.film.columns.T.front());
-  now_.film = carry_over(from, coarser.now_.film, to);
-  now_.thermal_deformation = coarser.now_.thermal_deformation;
-  now_.vessels = coarser.now_.vessels;
-  HeatState walls;
-  walls.T_shell = coarser.walls_->shell;
-  walls.T_shaft = coarser.walls_->shaft;
-  walls.thermal_deformation = coarser.walls_->thermal_deformation;
-  walls = carry_over(from, walls, to);
-  walls_ = WallMeans{walls.T_shell, walls.T_shaft,
-                     interpolate(from.domain.grid, coarser.walls_->flux, to.domain.grid),
-                     walls.thermal_deformation};
-  for (int c = 0; c < to.domain.grid.cells(); ++c) {
-    if (!meets_walls(to, c)) walls_->flux[c] = 0.0;  // it is answered by itself: no swing
-  }
-  response_ = coarser.response_;
-  measured_ = coarser.measured_;
+  now_ = film_.at_rest(from.now.film.columns.T.front());
+  now_.film = carry_over(from.model, from.now.film, to);
+  now_.velocity = from.now.velocity;
+  now_.thermal_deformation = from.now.thermal_deformation;
+  now_.vessels = from.now.vessels;
+  walls_ = carry_over(from.model, from.walls, to);
+  response_ = from.response;
+  measured_ = from.measured;
 }
 
 bool CyclePasses::begin_reshaped(const CyclePasses& other, const std::optional<WallMeans>& walls) {

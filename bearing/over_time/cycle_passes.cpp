@@ -64,6 +64,8 @@ CyclePasses::CyclePasses(const Case& c, Tier tier, const Physics& physics,
       periods_(film_, course_, length_, steps_),
       told_(film_, course_, length_) {}
 
+void CycleStart::members(Tape& tape) { tape(now, walls, response, measured, led); }
+
 double CyclePasses::skin_time() const { return steps_.longest / kSkinSteps; }
 
 void CyclePasses::members(Tape& tape) {
@@ -71,8 +73,6 @@ void CyclePasses::members(Tape& tape) {
   tape(periods_, cost_, now_, walls_, from_rest_, begun_cold_);
   tape(told_, difference_, heat_, response_, measured_, r_);
 }
-
-void CyclePasses::found(Tape& tape) { tape(now_, walls_, response_, measured_); }
 
 void CyclePasses::keep(bool in_any_case, const Rest& rest) {
   if (control_.kept == nullptr || !(in_any_case || control_.kept->due())) return;

@@ -10,6 +10,7 @@
 
 #include "bearing/over_time/cycle.hpp"
 #include "bearing/over_time/cycle_record.hpp"
+#include "bearing/over_time/cycle_start.hpp"
 #include "bearing/over_time/cycle_steps.hpp"
 #include "bearing/over_time/cycle_walls.hpp"
 #include "bearing/pressed_layer.hpp"
@@ -39,8 +40,8 @@ class CyclePasses {
   /// From rest in a film of one temperature [K]; an event from the steady state of its first row,
   /// if there is one.
   void begin(double T);
-  /// From what passes on a coarser grid have come to.
-  void begin(const CyclePasses& coarser);
+  /// From what other passes of the bearing have come to.
+  void begin(const CycleStart& from);
   /// As begin(T), between these walls.
   void begin_between(const WallMeans& walls, double T);
   /// From what passes of the same bearing with a shell of another shape have come to, on the same
@@ -56,8 +57,6 @@ class CyclePasses {
 
   /// All that further passes, and what is told of the last one, depend on.
   void members(Tape& tape);
-  /// What passes on a finer grid begin with.
-  void found(Tape& tape);
 
   /// Passes the period once more; false, with the verdict, if it does not end. From time to time
   /// the state is kept, and the rest behind it.
@@ -105,6 +104,10 @@ class CyclePasses {
   [[nodiscard]] double error() const { return steps_.error; }
   /// Of the last cycle.
   [[nodiscard]] CycleResult result() const;
+  /// What other passes of the bearing begin from; with film temperatures, after a pass.
+  [[nodiscard]] CycleStart start() const {
+    return {film_.model(), now_, *walls_, *response_, measured_};
+  }
 
  private:
   /// The cycle that is being passed.

@@ -15,6 +15,7 @@
 namespace shellback::bearing {
 namespace {
 
+constexpr int kVectors = 2;          ///< of the walls' acceleration: older ones are of other films
 constexpr int kTurns = 15;           ///< of the walls, after which the oil is given time to follow
 constexpr int kStalled = 2;          ///< rounds of walls and oil after which walls change no less
 constexpr int kWornShapeTurns = 40;  ///< turns of the walls, and cycles, of a worn shape
@@ -39,14 +40,15 @@ void CycleSearch::ended(Tape& tape) {
   tape(closure_, answered_, off_, mean_change_, wall_change_, unsettled_, growth_, unseen_);
 }
 
-void CycleSearch::begin(const CycleSearch& coarser) {
-  passes_.begin(coarser.passes_);
-  led_ = coarser.led_;
+void CycleSearch::begin(const CycleStart& from) {
+  passes_.begin(from);
+  led_ = from.led;
 }
 
-void CycleSearch::found(Tape& tape) {
-  passes_.found(tape);
-  tape(led_);
+CycleStart CycleSearch::start() const {
+  CycleStart found = passes_.start();
+  found.led = led_;
+  return found;
 }
 
 void CycleSearch::begin(Tape& tape) {
@@ -172,8 +174,7 @@ bool CycleSearch::settle_walls(const WallMeans& from, bool rough, int turns) {
     answers_.add(g);
     return true;
   };
-  return fixed_point(map, {FixedPointOptions{}.depth, 1, turns, enough / kHeatUnit}, x) ==
-         FixedPointEnd::converged;
+  return fixed_point(map, {kVectors, 1, turns, enough / kHeatUnit}, x) == FixedPointEnd::converged;
 }
 
 void CycleSearch::settle_walls_and_oil(bool rough) {

@@ -31,8 +31,8 @@ class CycleSearch {
   /// From rest in a film of one temperature [K]; an event from the steady state of its first row,
   /// if there is one.
   void begin(double T) { passes_.begin(T); }
-  /// From what a search on a coarser grid has found.
-  void begin(const CycleSearch& coarser);
+  /// From what another search of the bearing has found.
+  void begin(const CycleStart& from);
   /// As begin(T), between walls that are held from here on, whatever heat enters them.
   void begin_between(const WallMeans& walls, double T);
   /// From what a search of the same bearing with a shell of another shape has found, on the same
@@ -40,8 +40,6 @@ class CycleSearch {
   bool begin_reshaped(const CycleSearch& other);
   /// From what a tape has kept in the middle of a cycle; search() goes on from there.
   void begin(Tape& tape);
-  /// For a tape: what a search on a finer grid takes from one that has ended.
-  void found(Tape& tape);
   /// For a tape: all of a search that has ended, or one that has just been made in its place.
   void ended(Tape& tape);
   /// From where it stands, in a film of another temperature [K]; an event begins anew.
@@ -70,6 +68,8 @@ class CycleSearch {
   [[nodiscard]] const FilmSteps& film() const { return passes_.film(); }
   [[nodiscard]] int cycles() const { return passes_.passed(); }
   [[nodiscard]] CycleResult result() const;
+  /// What it has found, for another search of the bearing; with film temperatures.
+  [[nodiscard]] CycleStart start() const;
 
  private:
   enum class Phase { orbit, walls, closing };
@@ -108,7 +108,7 @@ class CycleSearch {
 
   CyclePasses passes_;
   Closure closure_;
-  bool led_ = false;     ///< anything, on this grid or a coarser one
+  bool led_ = false;     ///< anything, here or on the way to where it began
   double growth_ = NAN;  ///< CycleResult::growth
   bool unseen_ = false;  ///< growth was looked at, and is not known
   std::optional<Displaced> displaced_;
@@ -131,8 +131,21 @@ class CycleSearch {
 };
 
 /// The search that solve_cycle makes, ended with its verdict; not for tier lumped. `control` must
-/// outlive it. `cost`: that of all grids.
+/// outlive it. `cost`: that of all grids. `near`: where it begins; null: from rest, with heat on
+/// coarse grids first.
 [[nodiscard]] std::unique_ptr<CycleSearch> search_cycle(const Case& c, Tier tier,
-                                                        const SolveControl& control, Cost& cost);
+                                                        const SolveControl& control, Cost& cost,
+                                                        const CycleStart* near = nullptr);
+
+/// A cycle that was solved, and what the search of another grid or of other steps may begin from;
+/// none: it is not good, an event, or of one temperature, which repeats itself as soon from rest.
+struct SolvedCycle {
+  CycleResult result;
+  std::optional<CycleStart> start;
+};
+
+/// As solve_cycle (cycle.hpp), begun near what was found there; null: from rest.
+[[nodiscard]] SolvedCycle solve_cycle_from(const CycleStart* near, const Case& c, Tier tier,
+                                           const SolveControl& control);
 
 }  // namespace shellback::bearing

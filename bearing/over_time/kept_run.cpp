@@ -14,6 +14,8 @@ double seconds(std::chrono::steady_clock::duration d) {
 
 }  // namespace
 
+void KeptRun::Ended::members(Tape& tape) { tape(result, start); }
+
 KeptRun::KeptRun(Save save) : save_(std::move(save)) {}
 
 KeptRun::KeptRun(Save save, Tape::Content from) : save_(std::move(save)), tape_(std::move(from)) {
@@ -21,14 +23,14 @@ KeptRun::KeptRun(Save save, Tape::Content from) : save_(std::move(save)), tape_(
   if (tape_->ended()) tape_.reset();  // no cycle was under way
 }
 
-std::optional<CycleResult> KeptRun::next_ended() {
+std::optional<KeptRun::Ended> KeptRun::next_ended() {
   auto ended = ended_.next();
   if (!ended) begun_ = Clock::now();
   return ended;
 }
 
-void KeptRun::end(const CycleResult& result) {
-  ended_.add(result);
+void KeptRun::end(Ended ended) {
+  ended_.add(std::move(ended));
   grid_ = 0;
   cost_ = {};
   coarser_grid_ = -1;
@@ -47,9 +49,9 @@ void KeptRun::on_grid(int grid, const Cost& cost) {
   cost_ = cost;
 }
 
-void KeptRun::coarser(int grid, const Tape& found) {
+void KeptRun::coarser(int grid, Tape::Content found) {
   coarser_grid_ = grid;
-  coarser_ = found.content();
+  coarser_ = std::move(found);
 }
 
 bool KeptRun::due() const {

@@ -25,10 +25,16 @@ class KeptRun {
   /// On from what was saved. Throws FileError where that is not sound.
   KeptRun(Save save, Tape::Content from);
 
-  /// The result of the cycle that is to be solved next, if it had ended.
-  [[nodiscard]] std::optional<CycleResult> next_ended();
-  /// A result that was not to be had from next_ended().
-  void end(const CycleResult& result);
+  /// A cycle that was solved.
+  struct Ended {
+    CycleResult result;
+    std::optional<Tape::Content> start;  ///< its CycleStart; none: no other search begins from it
+    void members(Tape& tape);
+  };
+  /// The cycle that is to be solved next, if it had ended.
+  [[nodiscard]] std::optional<Ended> next_ended();
+  /// One that was not to be had from next_ended().
+  void end(Ended ended);
 
   /// The state of the cycle under way, to be taken up by the search of the grid `grid()`; nothing:
   /// it begins.
@@ -43,7 +49,7 @@ class KeptRun {
   /// -1: none.
   [[nodiscard]] int coarser_grid() const { return coarser_grid_; }
   [[nodiscard]] Tape coarser() const { return Tape(coarser_); }
-  void coarser(int grid, const Tape& found);
+  void coarser(int grid, Tape::Content found);
   /// Time that former runs have spent on the cycle under way [s].
   [[nodiscard]] double spent_before() const { return spent_before_; }
 
@@ -66,7 +72,7 @@ class KeptRun {
   using Clock = std::chrono::steady_clock;
 
   Save save_;
-  Replay<CycleResult> ended_;
+  Replay<Ended> ended_;
   int grid_ = 0;
   Cost cost_;
   int coarser_grid_ = -1;

@@ -24,17 +24,6 @@ void begin_or_take_up(CycleSearch& search, const SolveControl& control, const Be
   control.kept->taken_up();
 }
 
-/// On the case's own grid, from rest.
-std::unique_ptr<CycleSearch> on_one_grid(const Case& c, Tier tier, const SolveControl& control,
-                                         Cost& cost) {
-  auto search = std::make_unique<CycleSearch>(c, tier, control);
-  begin_or_take_up(*search, control, [&] { search->begin(equivalent_temperature(c)); });
-  if (search->search(false).good()) search->judge_orbit();
-  cost.factorizations = search->cost().factorizations;
-  cost.newton_iterations = search->cost().newton_iterations;
-  return search;
-}
-
 /// The lumped tier, on the case's own grid.
 CycleResult at_one_temperature(const Case& c, const SolveControl& control) {
   CycleSearch search(c, Tier::lumped, control);
@@ -46,32 +35,64 @@ CycleResult at_one_temperature(const Case& c, const SolveControl& control) {
   return r;
 }
 
-/// The walls of a resolved tier settle on coarse grids first: what they need is many cycles, not
-/// many cells. A coarse grid that fails is left out.
-std::unique_ptr<CycleSearch> on_grids(const Case& c, Tier tier, const SolveControl& control,
-                                      Cost& cost) {
-  const auto grids = grid_ladder(c);
-  const auto search_on = [&](int k) {
-    Case on = c;
-    on.model.grid = grids[k];
-    return std::make_unique<CycleSearch>(on, tier, control);
-  };
-  if (control.kept != nullptr) cost = control.kept->cost();
-  std::unique_ptr<CycleSearch> coarse;
-  if (control.kept != nullptr && control.kept->coarser_grid() >= 0) {
-    coarse = search_on(control.kept->coarser_grid());
-    Tape tape = control.kept->coarser();
-    coarse->found(tape);
+/// Whether walls that a whole cycle warms are part of the periodic state.
+bool walls_settle(const Case& c, Tier tier) {
+  return physics_of(c, tier).film_energy && c.cycle->repeats();
+}
+
+constexpr std::array kFewestCells{24, 4};  ///< of a grid on which walls settle first
+constexpr double kLonger = 2.0;            ///< the steps there, as the cells are
+
+/// Levels on which walls settle: what they need is many cycles, neither many cells nor short steps
+/// (the error of a step goes with its cube). The case itself is the last.
+std::vector<Case> levels_of(const Case& c) {
+  auto grids = grid_ladder(c);
+  const std::array half{c.model.grid[0] / 2, (c.model.grid[1] + 1) / 2};
+  const bool enough = half[0] >= kFewestCells[0] && half[1] >= kFewestCells[1];
+  if (grids.size() == 1 && enough && holds_supplies(c, half)) grids.insert(grids.begin(), half);
+  std::vector<Case> levels(grids.size(), c);
+  for (std::size_t k = 0; k + 1 < grids.size(); ++k) {
+    levels[k].model.grid = grids[k];
+    levels[k].model.tolerance *= kLonger * kLonger * kLonger;
+    if (levels[k].cycle->step) *levels[k].cycle->step *= kLonger;
   }
-  for (int k = control.kept != nullptr ? control.kept->grid() : 0;; ++k) {
-    const bool last = grids[k] == c.model.grid;
+  return levels;
+}
+
+/// What a tape has kept of it.
+CycleStart kept_start(const Case& c, Tier tier, Tape tape) {
+  CycleStart start{make_bearing(c, physics_of(c, tier), c.model.grid), {}, {}, {}, 0, false};
+  tape(start);
+  return start;
+}
+
+Tape::Content kept(CycleStart start) {
+  Tape tape;
+  tape(start);
+  return tape.content();
+}
+
+/// Each level begins where the one before has ended, the first from `start`; none: from rest. A
+/// coarse one that fails is left out.
+std::unique_ptr<CycleSearch> on_levels(const std::vector<Case>& levels, Tier tier,
+                                       std::optional<CycleStart> start, const SolveControl& control,
+                                       Cost& cost) {
+  int k = 0;
+  if (control.kept != nullptr) {
+    k = control.kept->grid();
+    cost = control.kept->cost();
+    const int coarser = control.kept->coarser_grid();
+    if (coarser >= 0) start = kept_start(levels[coarser], tier, control.kept->coarser());
+  }
+  for (;; ++k) {
+    const bool last = k + 1 == static_cast<int>(levels.size());
     if (control.kept != nullptr) control.kept->on_grid(k, cost);
-    auto search = search_on(k);
+    auto search = std::make_unique<CycleSearch>(levels[k], tier, control);
     begin_or_take_up(*search, control, [&] {
-      if (coarse) {
-        search->begin(*coarse);
+      if (start) {
+        search->begin(*start);
       } else {
-        search->begin(equivalent_temperature(c));
+        search->begin(equivalent_temperature(levels[k]));
       }
     });
     const Verdict& v = search->search(!last);
@@ -80,31 +101,31 @@ std::unique_ptr<CycleSearch> on_grids(const Case& c, Tier tier, const SolveContr
     cost.newton_iterations += search->cost().newton_iterations;
     if (last || v.status == Status::interrupted) return search;
     if (!v.good()) continue;
-    coarse = std::move(search);
-    if (control.kept == nullptr) continue;
-    Tape tape;
-    coarse->found(tape);
-    control.kept->coarser(k, tape);
+    start = search->start();
+    if (control.kept != nullptr) control.kept->coarser(k, kept(*start));
   }
 }
 
 }  // namespace
 
 std::unique_ptr<CycleSearch> search_cycle(const Case& c, Tier tier, const SolveControl& control,
-                                          Cost& cost) {
+                                          Cost& cost, const CycleStart* near) {
   EXPECTS(c.cycle.has_value() && tier != Tier::lumped);
-  const bool resolved = physics_of(c, tier).film_energy && c.cycle->repeats();
-  return resolved ? on_grids(c, tier, control, cost) : on_one_grid(c, tier, control, cost);
+  if (near != nullptr) return on_levels({c}, tier, *near, control, cost);
+  return on_levels(walls_settle(c, tier) ? levels_of(c) : std::vector{c}, tier, {}, control, cost);
 }
 
 namespace {
 
-CycleResult search_on_grid(const Case& c, Tier tier, const SolveControl& control) {
-  if (tier == Tier::lumped) return at_one_temperature(c, control);
+SolvedCycle search_on_grid(const Case& c, Tier tier, const SolveControl& control,
+                           const CycleStart* near) {
+  if (tier == Tier::lumped) return {at_one_temperature(c, control), {}};
   Cost cost;
-  CycleResult r = search_cycle(c, tier, control, cost)->result();
-  r.cost = cost;
-  return r;
+  const auto search = search_cycle(c, tier, control, cost, near);
+  SolvedCycle solved{search->result(), {}};
+  solved.result.cost = cost;
+  if (solved.result.verdict.good() && walls_settle(c, tier)) solved.start = search->start();
+  return solved;
 }
 
 /// A coarser grid, or one finer than the coarsest.
@@ -124,7 +145,7 @@ ending::UnstableOrbit::Elsewhere on_other_grid(Case c, Tier tier, const SolveCon
   c.cycle->journal_mass *= 1.0 + kAgree;
   CycleResult r;
   try {
-    r = search_on_grid(c, tier, control);
+    r = search_on_grid(c, tier, control, nullptr).result;
   } catch (const InputError&) {  // of the grid, which nobody gave: it does not hold the supplies
     return Elsewhere::no_orbit;
   }
@@ -157,6 +178,11 @@ Verdict on_two_grids(ending::UnstableOrbit orbit, const Case& c, Tier tier, Solv
 }  // namespace
 
 CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
+  return solve_cycle_from(nullptr, c, tier, control).result;
+}
+
+SolvedCycle solve_cycle_from(const CycleStart* near, const Case& c, Tier tier,
+                             const SolveControl& control) {
   if (!c.cycle) {
     throw InputError("load_cycle", "the case has none; take bearing::solve for a standing load");
   }
@@ -166,18 +192,25 @@ CycleResult solve_cycle(const Case& c, Tier tier, const SolveControl& control) {
                                        "lumped, thd or tehd, or fidelity::solve_cycle_case");
   }
   if (control.kept != nullptr) {
-    if (auto ended = control.kept->next_ended()) return *std::move(ended);
+    if (auto ended = control.kept->next_ended()) {
+      SolvedCycle solved{std::move(ended->result), {}};
+      if (ended->start) solved.start = kept_start(c, tier, Tape(*std::move(ended->start)));
+      return solved;
+    }
   }
   const Stopwatch watch;
-  CycleResult r = search_on_grid(c, tier, control);
+  SolvedCycle solved = search_on_grid(c, tier, control, near);
+  CycleResult& r = solved.result;
   if (const auto* orbit = r.verdict.as<ending::UnstableOrbit>()) {
     r.verdict = on_two_grids(*orbit, c, tier, control, r.cost);
   }
   r.cost.wall_s = watch.seconds();
-  if (control.kept == nullptr) return r;
+  if (control.kept == nullptr) return solved;
   r.cost.wall_s += control.kept->spent_before();
-  if (r.verdict.status != Status::interrupted) control.kept->end(r);
-  return r;
+  if (r.verdict.status != Status::interrupted) {
+    control.kept->end({r, solved.start ? std::optional(kept(*solved.start)) : std::nullopt});
+  }
+  return solved;
 }
 
 }  // namespace shellback::bearing

@@ -216,19 +216,26 @@ TEST_CASE("APictureNeedsNumbers") {
 
 TEST_CASE("ErrorBarsStandBesideTheirValues") {
   Sweep sweep = broken_sweep();
-  for (auto& q : sweep.points[0].result.quantities) q.error_grid = 0.01 * std::abs(q.value);
+  for (auto& q : sweep.points[0].result.quantities) {
+    q.error_grid = 0.01 * std::abs(q.value);
+    q.error_time = 0.02 * std::abs(q.value);
+  }
   const auto rows = csv_cells(sweep_csv(sweep));
   const auto at = std::find(rows[0].begin(), rows[0].end(), "friction_torque error [N m]");
   REQUIRE(at != rows[0].end());
   const auto column = static_cast<std::size_t>(at - rows[0].begin());
-  CHECK(std::stod(rows[1][column]) == Approx(0.01 * torque(sweep.points[0])).epsilon(1e-12));
+  CHECK(std::stod(rows[1][column]) == Approx(0.03 * torque(sweep.points[0])).epsilon(1e-12));
   CHECK(rows[2][column].empty());  // not known there: no bar, not a bar of zero
   const ScratchFolder scratch;
   write_file(scratch.path("bars.h5"), sweep_hdf5(bearing::tests::plain_case(), sweep));
   const hid_t file = H5Fopen(scratch.path("bars.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   REQUIRE(file >= 0);
-  const auto bars = values_of(file, "/errors/friction_torque");
+  for (const auto& [bars, part] : {std::pair{"errors", 0.03}, std::pair{"errors_grid", 0.01},
+                                   std::pair{"errors_time", 0.02}}) {
+    const auto values = values_of(file, ("/" + std::string(bars) + "/friction_torque").c_str());
+    CHECK(values[0] == Approx(part * torque(sweep.points[0])).epsilon(1e-12));
+    CHECK(std::isnan(values[1]));
+  }
+  CHECK(H5Lexists(file, "/errors_model/friction_torque", H5P_DEFAULT) == 0);  // nobody knows it
   H5Fclose(file);
-  CHECK(bars[0] == Approx(0.01 * torque(sweep.points[0])).epsilon(1e-12));
-  CHECK(std::isnan(bars[1]));
 }

@@ -161,8 +161,9 @@ void add_unsettled_walls(const Case& c, CycleResult& r) {
     const bool heat = q.quantity.name.starts_with("heat_");
     if (q.quantity.unit != "K" && !heat) q.quantity.error_time += thinner * q.quantity.size();
     if (q.quantity.unit == "K") q.quantity.error_time += a.walls;
-    if (q.quantity.name == "heat_to_shell") q.quantity.error_time += std::abs(a.to_shell);
-    if (q.quantity.name == "heat_to_shaft") q.quantity.error_time += std::abs(a.to_shaft);
+    // What one wall would still take, the other may give it through the film.
+    if (q.quantity.name == "heat_to_shell" || q.quantity.name == "heat_to_shaft")
+      q.quantity.error_time += std::abs(a.to_shell) + std::abs(a.to_shaft);
     if (q.quantity.name == "heat_by_oil")
       q.quantity.error_time += std::abs(a.to_shell + a.to_shaft);
   }

@@ -85,8 +85,8 @@ TEST_CASE("HeatOfACycleIsConserved", "[cycle_heat]") {
 
 TEST_CASE("HeatThatUnsettledWallsWouldStillTakeIsTold", "[cycle_heat]") {
   // The same steps in time between walls that were left early and late: what the audit tells of the
-  // early ones leads to the late ones' heat. First order in what is missing, so a third may be
-  // left.
+  // early ones leads to the late ones' heat. First order in what is missing, so a third of it may
+  // be left, on either side of the film, through which walls that still change heat one another.
   for (const Tier tier : {Tier::thd, Tier::tehd}) {
     INFO(to_string(tier));
     Case c = warm_cycle_case(1.5e3, 0.6);
@@ -96,11 +96,13 @@ TEST_CASE("HeatThatUnsettledWallsWouldStillTakeIsTold", "[cycle_heat]") {
     c.model.tolerance = 1e-4;
     const CycleResult late = converged(c, tier);
     REQUIRE(early.audit.walls > 10.0 * late.audit.walls);
+    const auto by = [&](const char* name) { return value(late, name) - value(early, name); };
+    const double most = std::max(std::abs(by("heat_to_shell")), std::abs(by("heat_to_shaft")));
     for (const auto& [name, missing] : {std::pair{"heat_to_shell", early.audit.to_shell},
                                         std::pair{"heat_to_shaft", early.audit.to_shaft}}) {
-      const double off = value(late, name) - value(early, name);
+      const double off = by(name);
       INFO(name << ": " << value(early, name) << " W, off by " << off << " W, told " << missing);
-      CHECK(std::abs(off - missing) <= std::abs(off) / 3.0 + 1e-4 * value(late, "power_loss"));
+      CHECK(std::abs(off - missing) <= most / 3.0 + 1e-4 * value(late, "power_loss"));
     }
     CHECK(std::abs(early.audit.to_shell) + std::abs(early.audit.to_shaft) >
           1e-4 * value(late, "power_loss"));

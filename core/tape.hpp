@@ -110,26 +110,50 @@ class Tape {
     }
   }
 
-  /// All members of a struct that has no more than five and does not tell them.
+  /// All members of a struct that has no more than thirteen and does not tell them.
   template <class T>
   void few(T& x) {
-    constexpr std::size_t n = count_members<T>();
-    static_assert(n >= 1 && n <= 5, "tell its members");
-    if constexpr (n == 1) {
+    constexpr std::size_t count = count_members<T>();
+    static_assert(count >= 1 && count <= 13, "tell its members");
+    if constexpr (count == 1) {
       auto& [a] = x;
       (*this)(a);
-    } else if constexpr (n == 2) {
+    } else if constexpr (count == 2) {
       auto& [a, b] = x;
       (*this)(a, b);
-    } else if constexpr (n == 3) {
+    } else if constexpr (count == 3) {
       auto& [a, b, c] = x;
       (*this)(a, b, c);
-    } else if constexpr (n == 4) {
+    } else if constexpr (count == 4) {
       auto& [a, b, c, d] = x;
       (*this)(a, b, c, d);
-    } else {
+    } else if constexpr (count == 5) {
       auto& [a, b, c, d, e] = x;
       (*this)(a, b, c, d, e);
+    } else if constexpr (count == 6) {
+      auto& [a, b, c, d, e, f] = x;
+      (*this)(a, b, c, d, e, f);
+    } else if constexpr (count == 7) {
+      auto& [a, b, c, d, e, f, g] = x;
+      (*this)(a, b, c, d, e, f, g);
+    } else if constexpr (count == 8) {
+      auto& [a, b, c, d, e, f, g, h] = x;
+      (*this)(a, b, c, d, e, f, g, h);
+    } else if constexpr (count == 9) {
+      auto& [a, b, c, d, e, f, g, h, i] = x;
+      (*this)(a, b, c, d, e, f, g, h, i);
+    } else if constexpr (count == 10) {
+      auto& [a, b, c, d, e, f, g, h, i, j] = x;
+      (*this)(a, b, c, d, e, f, g, h, i, j);
+    } else if constexpr (count == 11) {
+      auto& [a, b, c, d, e, f, g, h, i, j, k] = x;
+      (*this)(a, b, c, d, e, f, g, h, i, j, k);
+    } else if constexpr (count == 12) {
+      auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
+      (*this)(a, b, c, d, e, f, g, h, i, j, k, l);
+    } else {
+      auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = x;
+      (*this)(a, b, c, d, e, f, g, h, i, j, k, l, m);
     }
   }
 

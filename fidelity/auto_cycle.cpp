@@ -101,15 +101,9 @@ class CycleTierSearch {
 
   /// A grid that holds the supplies.
   void choose_probe() {
-    for (const Grid& grid : kProbes) {
-      on_.model.grid = grid;
-      try {
-        static_cast<void>(make_bearing(on_, {}, grid));
-        return;
-      } catch (const InputError&) {
-        if (grid == kProbes.back()) throw;
-      }
-    }
+    const auto holds = [this](const Grid& grid) { return holds_supplies(on_, grid); };
+    const auto first = std::find_if(kProbes.begin(), kProbes.end(), holds);
+    on_.model.grid = first != kProbes.end() ? *first : kProbes.back();
   }
 
   /// False: no tier is found on the coarse grid; `last_` tells why.

@@ -16,8 +16,7 @@ namespace {
 
 using Instants = std::vector<Instant>;
 
-constexpr double kOrder = 2.0;         ///< of the steps under a steady load (heat_march.hpp)
-constexpr double kErrorOfTwice = 4.0;  ///< error of a step twice as long, as a march judges it
+constexpr double kOrder = 2.0;  ///< of the steps under a steady load (heat_march.hpp)
 
 /// Indices of instants that end stretches, and of the last one.
 std::vector<std::size_t> ends_of(const CourseRun& run) {
@@ -113,7 +112,7 @@ EndBars end_bars(const std::vector<Stretch>& stretches, const WarmUpOptions& opt
     std::vector<Stretch> on = stretches;
     for (Stretch& s : on) s.subject.model.grid = grid;
     WarmUpOptions o = options;
-    if (longer) o.error *= kErrorOfTwice;
+    if (longer) o.error *= std::exp2(kOrder);  // steps twice as long
     try {
       const CourseRun other = run_course(on, c.model.tier, o, within);
       if (other.end.left_bounds) return Times{other.end.t};

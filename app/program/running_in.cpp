@@ -120,7 +120,7 @@ int running_in(const Request& request) {
   const std::string text = read_text_file(request.case_file);
   const Case subject =
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
-  expect_running_in(subject);
+  expect_running_in(subject, subject.model.tier);
   expect_no_coefficients(request, subject, "a running-in is asked for");
   RunKeeper keeper(request, subject, RunOf::running_in);
   Outputs outputs(with_state(request),

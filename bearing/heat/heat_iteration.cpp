@@ -174,7 +174,7 @@ void HeatIteration::limit_change(const std::vector<double>& x, std::vector<doubl
 /// rest has no room already.
 void HeatIteration::tell_all_growth() {
   const BearingModel& m = s_.model;
-  if (!m.solids) return;
+  if (!m.physics.thermal_deformation) return;
   const auto closed = closed_at_rest(m.input, *m.solids, m.domain.grid);
   if (!closed) return;
   const Field growth(m.domain.grid.cells(), closed->deformation);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bearing/over_time/kept_run.hpp"
-#include "bearing/over_time/march_members.hpp"
+#include "bearing/over_time/solution_members.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 

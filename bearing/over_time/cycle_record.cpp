@@ -154,8 +154,7 @@ void CycleRecord::begin(const FilmInTime& now) {
     first.heat_to_shaft = both * now.heat.flows.balance.to_shaft;
   }
   instants_.push_back(first);
-  const auto& cycle = film_->model().input.cycle;
-  if (cycle && !cycle->fields_at.empty()) keep_frame(now, now.film.film.p);
+  if (!film_->model().input.cycle->fields_at.empty()) keep_frame(now, now.film.film.p);
 }
 
 void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt) {
@@ -178,8 +177,7 @@ void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt
 }
 
 void CycleRecord::keep_frame(const FilmInTime& now, const Field& p) {
-  const auto& cycle = film_->model().input.cycle;
-  const std::vector<double> at = cycle ? cycle->fields_at : std::vector<double>{};
+  const std::vector<double>& at = film_->model().input.cycle->fields_at;
   const auto is_now = [&](double t) { return std::abs(t - told()) <= kRoundOff * length_; };
   const bool due = at.empty() ? told() >= next_frame_ : std::any_of(at.begin(), at.end(), is_now);
   if (!due) return;

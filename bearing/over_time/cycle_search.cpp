@@ -119,11 +119,12 @@ const Verdict& CycleSearch::judge_orbit() {
   while (displaced_->ends.size() < kDying + kSeen && passes_.pass(rest)) {
     displaced_->ends.push_back(passes_.journal());
   }
-  if (passes_.verdict().status == Status::interrupted) return verdict();
+  const bool interrupted = passes_.verdict().status == Status::interrupted;
   std::vector<JournalState> seen = std::move(displaced_->ends);
   const double displaced = passes_.displacement();
   come_back();
-  if (seen.size() < kDying + kSeen) return verdict();  // displaced, it does not pass the cycle
+  if (interrupted) unsettled_ = {Status::interrupted};  // what is told is the orbit
+  if (seen.size() < kDying + kSeen) return verdict();   // displaced, it does not pass the cycle
   seen.erase(seen.begin(), seen.begin() + kDying);
   growth_ = growth_per_cycle(seen, displaced).value_or(NAN);
   unseen_ = std::isnan(growth_);

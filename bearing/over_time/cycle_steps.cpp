@@ -22,7 +22,6 @@ CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
     corners_.push_back(c);
   }
   for (const double t : film.vessels().switchings()) corners_.push_back({t, true, 0.0});
-  if (!film.model().input.cycle) return;
   for (const double t : film.model().input.cycle->fields_at) {
     corners_.push_back({t, false, INFINITY});  // steps end there, however little is felt
   }

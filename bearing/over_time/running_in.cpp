@@ -372,13 +372,13 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
 
 }  // namespace
 
-void expect_running_in(const Case& c) {
+void expect_running_in(const Case& c, Tier tier) {
   if (!c.running_in) {
     throw InputError(c.path,
                      "there is no [running_in]; give wear_coefficient = \"1e-8\" and until = "
                      "\"200 s\" or \"worn_in\" with limit_pressure = \"5 MPa\"");
   }
-  if (c.model.tier != Tier::isothermal && c.model.tier != Tier::thd && c.model.tier != Tier::tehd) {
+  if (tier != Tier::isothermal && tier != Tier::thd && tier != Tier::tehd) {
     throw InputError("model.tier", "running-in needs a solved film; take isothermal, thd or tehd");
   }
 }
@@ -386,7 +386,7 @@ void expect_running_in(const Case& c) {
 RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
                     const std::function<void(const RunningInRun&)>& seen,
                     const std::vector<double>& steps) {
-  expect_running_in(c);
+  expect_running_in(c, tier);
   RunningInRun run;
   SolveControl within = control;  // of each shape; kept is what lies between them
   within.kept = nullptr;

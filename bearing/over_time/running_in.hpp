@@ -37,7 +37,7 @@
 namespace shellback::bearing {
 
 /// Throws InputError where the case has no [running_in], or its tier solves no film.
-void expect_running_in(const Case& c);
+void expect_running_in(const Case& c, Tier tier);
 
 /// Runs the case in (its [running_in]) under its load or its load cycle, from the shape that it
 /// has. `seen` is told every state that has been found. What lies between two shapes is kept where

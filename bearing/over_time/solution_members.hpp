@@ -22,18 +22,6 @@ void members(Tape& tape, Eigen::Matrix<double, kRows, kColumns>& x) {
   x = Eigen::Map<const Eigen::Matrix<double, kRows, kColumns>>(all.data(), rows, columns);
 }
 
-inline void members(Tape& tape, thermal::ShellTemperature& x) {
-  auto& [surface, back, flux, heat_in, heat_back, heat_ends, stored] = x;
-  tape(surface, back, flux, heat_in, heat_back, heat_ends, stored);
-}
-
-inline void members(Tape& tape, bearing::HeatEvaluation& x) {
-  auto& [contact_deformation, solids, balance, contact_heat, T_mix, response, backflow, blended,
-         residual] = x;
-  tape(contact_deformation, solids, balance, contact_heat, T_mix, response, backflow, blended,
-       residual);
-}
-
 inline void members(Tape& tape, bearing::HeatState& x) {
   tape(static_cast<bearing::HeatUnknowns&>(x), static_cast<bearing::HeatEvaluation&>(x));
 }
@@ -51,11 +39,6 @@ inline void members(Tape& tape, bearing::Solution& x) {
          levels, wall_s] = x;
   tape(film, film.contact_widening, heat, T_film, heat_roots, verdict, cost, history, limits,
        levels, wall_s);
-}
-
-inline void members(Tape& tape, bearing::RunningInState& x) {
-  auto& [t, step, depth, volume, p_asperity_max, torque, h_min, cycles] = x;
-  tape(t, step, depth, volume, p_asperity_max, torque, h_min, cycles);
 }
 
 }  // namespace shellback

@@ -1,11 +1,17 @@
 #include "bearing/over_time/stretch.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/case_limits.hpp"
 #include "bearing/over_time/kept_run.hpp"
-#include "bearing/over_time/march_members.hpp"
+#include "bearing/over_time/solution_members.hpp"
 #include "bearing/steady/first_film.hpp"
 #include "bearing/steady/told_limits.hpp"
+#include "core/contract.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -88,11 +94,38 @@ MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
   return end;
 }
 
+/// Options that are no march in time. InputError.
+void expect_options(const WarmUpOptions& o) {
+  const auto positive = [](const char* name, double value) {
+    if (value > 0.0) return;
+    throw InputError(fmt::format("WarmUpOptions::{}", name),
+                     fmt::format("{:.6g} is not possible (it must be positive)", value));
+  };
+  positive("end", o.end);
+  positive("error", o.error);
+  positive("move", o.move);
+  if (const Range& can = kValueRanges.temperature; !can.holds(o.T_start)) {
+    throw InputError("WarmUpOptions::T_start",
+                     fmt::format("{:.6g} K is not possible (it must {})", o.T_start, can.words));
+  }
+  if (o.steps.empty()) return;
+  double sum = 0.0;
+  for (const double dt : o.steps) {
+    positive("steps", dt);
+    sum += dt;
+  }
+  if (!(std::abs(sum - o.end) <= kRoundOff * o.end)) {
+    throw InputError("WarmUpOptions::steps",
+                     fmt::format("they add up to {:.6g} s, and `end` is {:.6g} s", sum, o.end));
+  }
+}
+
 }  // namespace
 
 MarchEnd pass_stretch(const Case& c, Tier tier, const WarmUpOptions& options, StretchEnd ends,
                       const SolveControl& control, CarriedOver& carried, Solution& last,
                       const TellStretch& tell) {
+  expect_options(options);
   return c.cycle ? over_cycles(c, tier, options, ends, control, carried, last, tell)
                  : steadily_loaded(c, tier, options, control, carried, last, tell);
 }

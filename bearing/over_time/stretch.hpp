@@ -41,7 +41,7 @@ using TellStretch = std::function<void(const Instant&, const std::function<void(
 
 /// Passes `options.end` of the operation of `c` in tier thd or tehd; a cycle must repeat itself.
 /// `last` is left at the last instant (over cycles its bearing alone). On from where the tape of
-/// `control.kept` stands, if one is under way.
+/// `control.kept` stands, if one is under way. Options that are no march in time: InputError.
 [[nodiscard]] MarchEnd pass_stretch(const Case& c, Tier tier, const WarmUpOptions& options,
                                     StretchEnd ends, const SolveControl& control,
                                     CarriedOver& carried, Solution& last, const TellStretch& tell);

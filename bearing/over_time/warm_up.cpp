@@ -1,16 +1,12 @@
 #include "bearing/over_time/warm_up.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/case_limits.hpp"
 #include "bearing/over_time/kept_run.hpp"
-#include "bearing/over_time/march_members.hpp"
+#include "bearing/over_time/solution_members.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
-#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 
@@ -39,35 +35,7 @@ double WarmUp::imbalance() const {
   return most;
 }
 
-namespace {
-
-/// Options that are no march in time. InputError.
-void expect_options(const WarmUpOptions& o) {
-  const auto positive = [](const char* name, double value) {
-    if (value > 0.0) return;
-    throw InputError(fmt::format("WarmUpOptions::{}", name),
-                     fmt::format("{:.6g} is not possible (it must be positive)", value));
-  };
-  positive("end", o.end);
-  positive("error", o.error);
-  positive("move", o.move);
-  if (const Range& can = kValueRanges.temperature; !can.holds(o.T_start)) {
-    throw InputError("WarmUpOptions::T_start",
-                     fmt::format("{:.6g} K is not possible (it must {})", o.T_start, can.words));
-  }
-  if (o.steps.empty()) return;
-  double sum = 0.0;
-  for (const double dt : o.steps) {
-    positive("steps", dt);
-    sum += dt;
-  }
-  if (!(std::abs(sum - o.end) <= kRoundOff * o.end)) {
-    throw InputError("WarmUpOptions::steps",
-                     fmt::format("they add up to {:.6g} s, and `end` is {:.6g} s", sum, o.end));
-  }
-}
-
-}  // namespace
+namespace {}  // namespace
 
 WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& o, const SolveControl& control) {
   if (tier != Tier::thd && tier != Tier::tehd) {
@@ -80,7 +48,6 @@ WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& o, const SolveCont
                      "a warm-up passes many cycles, and the case has a single event; give its "
                      "period");
   }
-  expect_options(o);
   WarmUp out;
   const auto told = [&](Tape& tape) { tape(out.instants); };
   begin_take_up(control.kept, told);

@@ -171,9 +171,8 @@ Verdict LumpedBalance::take_lowest_stable() {
 
 Verdict LumpedBalance::search() {
   // The scan goes on to films of hot oil, of which each may cost as much as all before.
-  constexpr double kOfScan = 0.5;  // of the work that is left, the rest is for the roots [-]
   const double whole = s_.cost.most_work;
-  s_.cost.most_work = s_.cost.work + kOfScan * (whole - s_.cost.work);
+  s_.cost.most_work = s_.cost.work + kForStarts * (whole - s_.cost.work);
   const std::vector<HeatSample> samples = scan_heat_balance(
       [this](double T) { return residual(T); }, scan_temperatures(s_.model.oil, T_least_, T_most_));
   s_.cost.most_work = whole;

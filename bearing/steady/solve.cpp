@@ -185,6 +185,7 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
   if (may_be_cold && s.verdict.status != Status::interrupted && !s.verdict.good()) {
     Solution cold = solve_tier(c, tier, control, s.model.solids);
     cold.wall_s = watch.seconds();
+    cold.cost.work += s.cost.work;
     return cold;
   }
   if (s.verdict.good() && c.model.coefficients) s.coefficients = coefficients_of(s);

@@ -4,6 +4,8 @@
 
 #include "bearing/crank.hpp"
 #include "bearing/judge/judge_case.hpp"
+#include "bearing/over_time/course.hpp"
+#include "bearing/over_time/running_in.hpp"
 #include "bearing/over_time/warm_up.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -160,6 +162,9 @@ TEST_CASE("OptionsOfAWarmUpAreThoseOfAMarch") {
     }
     return std::string();
   };
+  WarmUpOptions celsius;
+  celsius.T_start = 20.0;  // of a course as well
+  CHECK_THROWS_AS(run_course({{warm_case(), 3.0}}, Tier::thd, celsius), InputError);
   CHECK(refused([](WarmUpOptions& o) { o.end = kNan; }) == "WarmUpOptions::end");
   CHECK(refused([](WarmUpOptions& o) { o.end = -1.0; }) == "WarmUpOptions::end");
   CHECK(refused([](WarmUpOptions& o) { o.error = 0.0; }) == "WarmUpOptions::error");
@@ -167,6 +172,13 @@ TEST_CASE("OptionsOfAWarmUpAreThoseOfAMarch") {
   CHECK(refused([](WarmUpOptions& o) { o.T_start = kNan; }) == "WarmUpOptions::T_start");
   CHECK(refused([](WarmUpOptions& o) { o.steps = {5.0, -3.0, 1.0}; }) == "WarmUpOptions::steps");
   CHECK(refused([](WarmUpOptions& o) { o.steps = {1.0, 1.0}; }) == "WarmUpOptions::steps");
+}
+
+TEST_CASE("TheTierThatRunsInIsTheOneAskedFor") {
+  Case c = warm_case();
+  c.running_in = RunningIn{};
+  c.model.tier = Tier::isothermal;  // of the case; what is asked for is another
+  CHECK_THROWS_AS(run_in(c, Tier::lumped), InputError);
 }
 
 TEST_CASE("ASolutionThatIsNoneIsNoStart") {

@@ -7,7 +7,7 @@
 #include "app/words/ending_words.hpp"
 #include "bearing/over_time/course.hpp"
 #include "bearing/over_time/kept_run.hpp"
-#include "bearing/over_time/march_members.hpp"
+#include "bearing/over_time/solution_members.hpp"
 #include "core/contract.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 

@@ -18,8 +18,7 @@ constexpr double kPeriod = 0.06;  ///< two turns at 2000 rpm [s]
 
 /// Rigid, but for its heat, under a load that swings.
 struct Swinging {
-  Case c = warm_case();
-  LoadCycle cycle;
+  Case c = cycle_case();
   Physics physics;
   BearingModel model;
   LoadCourse course;
@@ -39,11 +38,15 @@ struct Swinging {
     out.interpolation = LoadInterpolation::periodic_spline;
     return out;
   }
+  static Case cycle_case() {
+    Case out = warm_case();
+    out.cycle = load();
+    return out;
+  }
   Swinging()
-      : cycle(load()),
-        physics{.film_energy = true, .thermal_deformation = true},
+      : physics{.film_energy = true, .thermal_deformation = true},
         model(make_bearing(c, physics, {48, 6})),
-        course(cycle, c.operation.omega),
+        course(*c.cycle, c.operation.omega),
         steps(model, course, 0.5, EquilibriumOptions{}) {
     const double T = c.supplies[0].temperature;
     auto steady = steps.steady(T, cost, nullptr);

@@ -27,6 +27,7 @@ enum class Plain {
   singular_response,   ///< the matrix of the linearised film (stiffness and damping)
   unsettled_response,  ///< GMRES on the linearised elastic film
   no_vessel_pressure,  ///< of a supply with a vessel
+  layer_may_flow,      ///< an elasto-plastic layer, by which steady states are often not found
   // Heat.
   no_light_state,       ///< no light load and no low speed has a common state of film and heat
   no_slow_state,        ///< no low speed has one, at a given place of the journal

@@ -82,9 +82,6 @@ template <class State, class Followed>
   return std::vector<State>(n, one);
 }
 
-/// Size of a grid's cells, in a unit of its own.
-[[nodiscard]] inline double cell_size(const Grid& g) { return 1.0 / std::sqrt(g[0] * g[1]); }
-
 /// Bar over what steps twice as long change, (1): of order n in time [-].
 [[nodiscard]] inline double part_of_steps(double order) {
   return kSafety / (std::exp2(order) - 1.0);

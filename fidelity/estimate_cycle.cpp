@@ -7,6 +7,7 @@
 
 #include "bearing/film/equilibrium.hpp"
 #include "bearing/heat/heat_endings.hpp"
+#include "bearing/over_time/cycle_instants.hpp"
 #include "bearing/over_time/cycle_lumped.hpp"
 #include "bearing/over_time/cycle_search.hpp"
 #include "bearing/told_ranges.hpp"
@@ -31,24 +32,17 @@ constexpr double kFiner = 10.0;
 /// their viscosity [K].
 constexpr double kThinned = 20.0;
 
-/// Instants whose value is smallest or largest.
-const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
-                            bool smallest) {
-  const auto less = [&](const auto& a, const auto& b) { return a.*value < b.*value; };
-  return smallest ? *std::min_element(all.begin(), all.end(), less)
-                  : *std::max_element(all.begin(), all.end(), less);
-}
-
 /// The temperature at which the heat of a mean cycle leaves: the path there, or why there is none.
 Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
   const HeatWays ways = heat_ways(c);
   Verdict last;
   const auto away = [&](double at) {
-    return path.motion().scene().heat_away(at, path.mean(&CycleInstant::side_flow), ways.paths);
+    return path.motion().scene().heat_away(at, mean_of(path.instants(), &CycleInstant::side_flow),
+                                           ways.paths);
   };
   const auto surplus = [&](double at) {
     last = path.find(at);
-    return last.good() ? away(at) - path.mean(&CycleInstant::power) : double{NAN};
+    return last.good() ? away(at) - mean_of(path.instants(), &CycleInstant::power) : double{NAN};
   };
   T = ways.coldest;
   double below = surplus(T);
@@ -78,7 +72,7 @@ Verdict settle_heat(JournalPath& path, const Case& c, double& T) {
 /// The state by which the estimate's bars are judged: the extremes of the cycle.
 Estimate worst_of(const JournalPath& path, const Case& c, double T) {
   const auto& all = path.instants();
-  const CycleInstant& thinnest = extreme(all, &CycleInstant::h_min, true);
+  const CycleInstant& thinnest = extreme(all, &CycleInstant::h_min, Extreme::smallest);
   Estimate e;
   e.T = T;
   e.rise = T - mean_supply_temperature(c);
@@ -86,9 +80,9 @@ Estimate worst_of(const JournalPath& path, const Case& c, double T) {
   e.eps = 1.0 - e.h_min / c.bearing.radial_clearance;
   e.eta = path.motion().scene().viscosity(e.eps, T, std::hypot(thinnest.load_x, thinnest.load_y),
                                           std::abs(thinnest.omega));
-  e.p_max = extreme(all, &CycleInstant::p_max, false).p_max;
+  e.p_max = extreme(all, &CycleInstant::p_max, Extreme::largest).p_max;
   e.asperity_share = path.asperity_share();
-  e.side_flow = path.mean(&CycleInstant::side_flow);
+  e.side_flow = mean_of(all, &CycleInstant::side_flow);
   for (const CycleInstant& i : all) e.load = std::max(e.load, std::hypot(i.load_x, i.load_y));
   const double sigma = std::hypot(c.surfaces.shell.roughness, c.surfaces.shaft.roughness);
   e.lambda = sigma > 0.0 ? e.h_min / sigma : INFINITY;
@@ -98,7 +92,7 @@ Estimate worst_of(const JournalPath& path, const Case& c, double T) {
 /// A path on which nothing that Reynolds' equation could describe is left of the film.
 Verdict thinner_than_a_molecule(const Case& c, const JournalPath& path) {
   if (path.motion().scene().touches()) return {};
-  const CycleInstant& thinnest = extreme(path.instants(), &CycleInstant::h_min, true);
+  const CycleInstant& thinnest = extreme(path.instants(), &CycleInstant::h_min, Extreme::smallest);
   if (thinnest.h_min >= kMolecule) return {};
   return {Status::iteration_limit,
           ending::NoStep{thinnest.t, c.cycle->crank_speed, true},
@@ -108,32 +102,21 @@ Verdict thinner_than_a_molecule(const Case& c, const JournalPath& path) {
 
 /// Means and extremes without bars.
 std::vector<CycleQuantity> quantities(const JournalPath& path, double T) {
-  std::vector<CycleQuantity> list;
-  const auto add = [&](const char* name, double value, double at = NAN) {
-    CycleQuantity q;
-    q.quantity.name = name;
-    q.quantity.value = value;
-    q.quantity.unit = std::string(find_quantity(name)->unit);
-    q.at = at;
-    list.push_back(q);
-  };
-  const auto add_extreme = [&](const char* name, double CycleInstant::*value, bool smallest) {
-    const CycleInstant& i = extreme(path.instants(), value, smallest);
-    add(name, i.*value, i.t);
-  };
+  const std::vector<CycleInstant>& all = path.instants();
   const bool rough = path.motion().scene().touches();
-  const auto add_mean = [&](const char* name, double CycleInstant::*value) {
-    add(name, path.mean(value));
-    list.back().quantity.magnitude = path.mean_magnitude(value);
-  };
-  add_mean("friction_torque", &CycleInstant::torque);
-  if (rough) add_mean("friction_torque_asperity", &CycleInstant::torque_asperity);
-  add("power_loss", path.mean(&CycleInstant::power));
-  add_extreme("h_min", &CycleInstant::h_min, true);
-  add_extreme("p_max", &CycleInstant::p_max, false);
-  if (rough) add_extreme("p_asperity_max", &CycleInstant::p_asperity_max, false);
-  add("side_flow", path.mean(&CycleInstant::side_flow));
-  add("T_film_mean", T);
+  std::vector<CycleQuantity> list{mean_quantity("friction_torque", all, &CycleInstant::torque)};
+  if (rough) {
+    list.push_back(mean_quantity("friction_torque_asperity", all, &CycleInstant::torque_asperity));
+  }
+  list.push_back(quantity_of("power_loss", mean_of(all, &CycleInstant::power)));
+  list.push_back(extreme_of("h_min", all, &CycleInstant::h_min, Extreme::smallest));
+  list.push_back(extreme_of("p_max", all, &CycleInstant::p_max, Extreme::largest));
+  if (rough) {
+    list.push_back(
+        extreme_of("p_asperity_max", all, &CycleInstant::p_asperity_max, Extreme::largest));
+  }
+  list.push_back(quantity_of("side_flow", mean_of(all, &CycleInstant::side_flow)));
+  list.push_back(quantity_of("T_film_mean", T));
   return list;
 }
 
@@ -148,8 +131,8 @@ constexpr HistoryParts kHistory{0.10, 0.50, 0.80, 0.50};
 
 bool turns_to_and_fro(const JournalPath& path) {
   const auto& all = path.instants();
-  return extreme(all, &CycleInstant::omega, true).omega < 0.0 &&
-         extreme(all, &CycleInstant::omega, false).omega > 0.0;
+  return extreme(all, &CycleInstant::omega, Extreme::smallest).omega < 0.0 &&
+         extreme(all, &CycleInstant::omega, Extreme::largest).omega > 0.0;
 }
 
 double& bar_of_model(CycleQuantity& q) { return q.quantity.error_model; }
@@ -226,7 +209,7 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
   if (r.verdict.good()) r.verdict = thinner_than_a_molecule(c, path);
   if (r.verdict.good()) {
     r.instants = path.instants();
-    const double p_max = extreme(path.instants(), &CycleInstant::p_max, false).p_max;
+    const double p_max = extreme(path.instants(), &CycleInstant::p_max, Extreme::largest).p_max;
     for (Note& w : oil_range_warnings(c.oil, T, T, p_max)) r.warnings.push_back(std::move(w));
     r.quantities = quantities(path, T);
     put_bars(r.quantities, quantities(rough, T), estimate_bars(c, worst_of(path, c, T)),

@@ -3,6 +3,8 @@
 ///
 /// One coarse solve of the film costs a few Newton iterations of the fine grid; what another number
 /// of nodes or richer physics changes there is nearly what it changes on the fine grid.
+#include <cmath>
+
 #include "bearing/steady/solve.hpp"
 #include "fidelity/kept_solids.hpp"
 
@@ -10,6 +12,9 @@ namespace shellback::fidelity {
 
 /// Cells around and along the full width.
 using Grid = std::array<int, 2>;
+
+/// Size of its cells, in a unit of its own.
+[[nodiscard]] inline double cell_size(const Grid& g) { return 1.0 / std::sqrt(g[0] * g[1]); }
 
 /// Beyond it one more grid takes longer than all else; what no sequence of grids tells is solved
 /// there as it is.

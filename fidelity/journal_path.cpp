@@ -140,23 +140,6 @@ Verdict JournalPath::find(double T) {
   return {Status::iteration_limit, ending::Unsettled{ending::Iteration::cycles, cycles_, closure_}};
 }
 
-template <class Of>
-double JournalPath::mean_of(const Of& of) const {
-  double sum = 0.0;
-  for (std::size_t k = 1; k < instants_.size(); ++k) {
-    sum += 0.5 * instants_[k].dt * (of(instants_[k]) + of(instants_[k - 1]));
-  }
-  return sum / length_;
-}
-
-double JournalPath::mean(double CycleInstant::*value) const {
-  return mean_of([value](const CycleInstant& i) { return i.*value; });
-}
-
-double JournalPath::mean_magnitude(double CycleInstant::*value) const {
-  return mean_of([value](const CycleInstant& i) { return std::abs(i.*value); });
-}
-
 double JournalPath::asperity_share() const {
   double most = 0.0;
   for (const CycleInstant& i : instants_) {

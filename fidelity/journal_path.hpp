@@ -20,10 +20,6 @@ class JournalPath {
   /// Begins the next search where the last path of `other` ended.
   void begin_as(const JournalPath& other) { at_ = other.at_; }
   [[nodiscard]] const std::vector<bearing::CycleInstant>& instants() const { return instants_; }
-  /// Mean over time of a value that is straight between instants.
-  [[nodiscard]] double mean(double bearing::CycleInstant::*value) const;
-  /// The same of its magnitude at the instants.
-  [[nodiscard]] double mean_magnitude(double bearing::CycleInstant::*value) const;
   /// Largest share of the load that asperities carry [-].
   [[nodiscard]] double asperity_share() const;
   [[nodiscard]] const MobilityMotion& motion() const { return motion_; }
@@ -38,8 +34,6 @@ class JournalPath {
   [[nodiscard]] bool began_steady() const { return began_steady_; }
 
  private:
-  template <class Of>
-  [[nodiscard]] double mean_of(const Of& of) const;
   /// From `from` over the whole length; with the instants, or only to where it ends.
   [[nodiscard]] std::optional<Pair> pass(const Pair& from, bool record);
   /// Where the journal comes to rest under the first row.

@@ -68,6 +68,8 @@ double natural_size(const Quantity& q, double T_supply, const std::vector<Quanti
 }
 
 bool is_round_off(const bearing::Case& c, const Quantity& q, const std::vector<Quantity>& all) {
+  // From a shaft that ends at the bearing's edges no heat leaves but to the film.
+  if (q.name == "heat_to_shaft" && c.shaft && c.shaft->overhang == 0.0) return true;
   const bearing::Bearing& b = c.bearing;
   const double shear =
       std::abs(value_in(all, "friction_torque")) / (2.0 * kPi * b.radius * b.radius * b.width);

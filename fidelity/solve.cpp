@@ -15,8 +15,6 @@ using namespace bearing;
 
 namespace {
 
-double cell_size(const Grid& grid) { return 1.0 / std::sqrt(grid[0] * grid[1]); }
-
 bool nodes_matter(const BearingModel& m) {
   return m.physics.film_energy || !std::holds_alternative<rheology::NoShearThinning>(m.oil.shear);
 }

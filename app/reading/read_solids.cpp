@@ -176,8 +176,8 @@ std::optional<Shaft> read_shaft(const Section& file) {
   shaft.elastic_overhang = section->maybe_quantity("elastic_overhang", kLength, kNotNegative);
   if (!shaft.elastic_overhang) {
     section->assume(
-        "the elastic shaft is taken to go on beyond the bearing by its overhang, at least by one "
-        "radius (shaft.elastic_overhang is not given)");
+        "where surfaces are elastic the shaft is taken to go on beyond the bearing by its overhang, "
+        "at least by one radius (shaft.elastic_overhang is not given)");
   }
   shaft.span = section->maybe_quantity("span", kLength.such_as("100 mm"), kPositive);
   if (shaft.overhang > 0.0) {

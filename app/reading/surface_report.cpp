@@ -74,17 +74,6 @@ void judge_roughness(const HeightMap& measured, const SurfaceReport& r) {
 /// Of the gradient [-].
 double rms_slope(const SpectralMoments& m) { return std::sqrt(m.m2x + m.m2y); }
 
-void judge_slopes(const SurfaceReport& r) {
-  const double slope = rms_slope(r.moments);
-  if (slope <= kSteepest) return;
-  throw InputError(
-      r.options.path,
-      fmt::format("the surface is steeper than any that can be measured or lubricated: slopes of "
-                  "{:.3g} (root mean square; 1 is 45 degrees) over pitches of {:.3g} and {:.3g} um "
-                  "with Rq = {:.3g} um; check the units of heights and sizes",
-                  slope, 1e6 * r.map.dx, 1e6 * r.map.dy, 1e6 * r.heights.Rq));
-}
-
 /// How far a point lies above the highest, or below the lowest, of its eight neighbours [m]; 0
 /// between them.
 double out_of_neighbours(const surface::HeightMap& map, int i, int j) {
@@ -127,6 +116,19 @@ std::string spike_words(const SurfaceReport& r) {
                  : fmt::format("{} points stand out of all their neighbours", count),
       kSpike, 1e6 * most * r.heights.Rq, 1e6 * at_i * map.dx, 1e6 * at_j * map.dy,
       count == 1 ? "it" : "them", count == 1 ? "it" : "them");
+}
+
+void judge_slopes(const SurfaceReport& r) {
+  const double slope = rms_slope(r.moments);
+  if (slope <= kSteepest) return;
+  const std::string spikes = spike_words(r);
+  throw InputError(
+      r.options.path,
+      fmt::format("the surface is steeper than any that can be measured or lubricated: slopes of "
+                  "{:.3g} (root mean square; 1 is 45 degrees) over pitches of {:.3g} and {:.3g} um "
+                  "with Rq = {:.3g} um; {}",
+                  slope, 1e6 * r.map.dx, 1e6 * r.map.dy, 1e6 * r.heights.Rq,
+                  spikes.empty() ? "check the units of heights and sizes" : spikes));
 }
 
 /// The patch's side that lies rather across the lay [m].
@@ -245,8 +247,9 @@ void note_summits(SurfaceReport& r) {
 
 /// The formula against the sum over the map's own summits where two such surfaces bear most: within
 /// a standard deviation of where their summits meet (docs/surfaces.md has what Gaussian maps
-/// leave).
+/// leave). Few summits tell neither.
 void note_formula(const std::vector<Summit>& summits, SurfaceReport& r) {
+  if (r.summits < kFewSummits) return;
   constexpr double kApart = 2.0;  // of the two pressures: maps of Gaussian surfaces are within 1.3
   double most = 1.0;
   std::vector<double> where;

@@ -73,13 +73,21 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
     case ending::BranchEnd::interrupted:
       break;
   }
+  const bool given_up =
+      !a.verdict.cause.empty() && a.verdict.cause.front().is(ending::Plain::given_up);
   const std::string cure =
-      e.with_heat ? fmt::format(
-                        "a lower {}, a larger clearance, better cooling, a support that "
-                        "lets the housing grow, or a finer grid",
-                        raised_words(e.carried.raised).name)
-                  : kContactElseLoad;
-  return {fmt::format("no steady state was found: {}, then none ({})", way, a.within.reason), cure};
+      given_up ? a.within.cure
+      : e.with_heat
+          ? fmt::format(
+                "another grid, finer or coarser, a lower {}, a larger clearance, better "
+                "cooling, or a support that lets the housing grow",
+                raised_words(e.carried.raised).name)
+          : fmt::format("another grid (model.grid, model.axial_spacing); or {}", kContactElseLoad);
+  return {
+      fmt::format("no steady state was found: {}; there the search was given up, which proves no "
+                  "end ({})",
+                  way, a.within.reason),
+      cure};
 }
 
 inline Told told(const ending::RanAway& e, const About& a) {

@@ -90,6 +90,12 @@ inline Told told(ending::Plain e, const About& a) {
     case Plain::no_vessel_pressure:
       return {"the pressure in the vessel of a supply is not found",
               "a larger vessel, or a finer grid"};
+    case Plain::layer_may_flow:
+      return {a.within.reason +
+                  "; where its elasto-plastic layer is to flow, a steady state is often not found",
+              "a load cycle, or an event ([load_cycle]) with a load that stands, shows how the "
+              "layer settles; else " +
+                  a.within.cure};
     case Plain::no_light_state:
     case Plain::no_slow_state:
     case Plain::endless_branch:

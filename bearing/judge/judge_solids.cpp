@@ -158,8 +158,12 @@ void judge_shell(const Shell& shell, double R, Findings& to) {
 }
 
 /// The supports stand beside the bearing, and the shaft is a shaft.
-void judge_span(const Case& c, Findings& to) {
+void judge_span(const Case& c, bool elastic, Findings& to) {
   if (!c.shaft->span) return;
+  if (!elastic) {
+    to.suspect("shaft.span", "surfaces are rigid in this tier: the shaft does not bend",
+               "tier tehd, or model.elastic_deformation = true");
+  }
   const double span = *c.shaft->span;
   if (span < c.bearing.width) {
     to.refuse("shaft.span",
@@ -188,14 +192,15 @@ void judge_solids(const Case& c, Findings& to) {
   const double R = c.bearing.radius;
   if (c.shell) judge_shell(*c.shell, R, to);
   const bool gives_way = c.model.tier == Tier::tehd || c.model.tier == Tier::automatic;
-  if (c.shell && c.model.switches.elastic_deformation.value_or(gives_way)) judge_strain(c, to);
+  const bool elastic = c.model.switches.elastic_deformation.value_or(gives_way);
+  if (c.shell && elastic) judge_strain(c, to);
   if (c.shell) judge_coating(c, to);
   if (!c.shaft) return;
   judge_material(c.shaft->material, "shaft.material", to);
   judge_overhang("shaft.overhang", c.shaft->overhang, kBearingLimits.overhang_most, R, to);
   judge_overhang("shaft.elastic_overhang", c.shaft->elastic_overhang.value_or(0.0),
                  kBearingLimits.elastic_overhang_most, R, to);
-  judge_span(c, to);
+  judge_span(c, elastic, to);
 }
 
 }  // namespace shellback::bearing

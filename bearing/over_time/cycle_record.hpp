@@ -61,9 +61,6 @@ class CycleRecord {
   [[nodiscard]] CycleAudit audit() const;
   [[nodiscard]] double oil_in_gap(const Field& oil) const;
   [[nodiscard]] Field shell_surface(const FilmInTime& now) const;
-  /// Mean over time of a value that is straight between instants.
-  [[nodiscard]] double mean(double CycleInstant::*value) const;
-  [[nodiscard]] double mean_magnitude(double CycleInstant::*value) const;
   /// Work of shaft, load and moment on the journal over the step that ends at t: load, torque,
   /// speed and velocity straight along it, from what holds behind a jump on. Under a load that
   /// rises in one step the velocity rises with it, and their product is a parabola [J].

@@ -6,6 +6,7 @@
 
 #include "bearing/film/fed_flow.hpp"
 #include "bearing/heat/film_heat.hpp"
+#include "bearing/over_time/cycle_instants.hpp"
 #include "bearing/over_time/cycle_record.hpp"
 #include "bearing/steady/solve.hpp"
 #include "bearing/told_ranges.hpp"
@@ -15,52 +16,6 @@
 
 namespace shellback::bearing {
 namespace {
-
-/// Mean over the steps of f of each instant; not a number where there is none.
-template <class F>
-double mean_of(const std::vector<CycleInstant>& all, F f) {
-  double sum = 0.0;
-  for (std::size_t k = 1; k < all.size(); ++k) sum += 0.5 * all[k].dt * (f(all[k]) + f(all[k - 1]));
-  return all.back().t > 0.0 ? sum / all.back().t : NAN;
-}
-
-}  // namespace
-
-double CycleRecord::mean(double CycleInstant::*value) const {
-  return mean_of(instants_, [value](const CycleInstant& i) { return i.*value; });
-}
-
-double CycleRecord::mean_magnitude(double CycleInstant::*value) const {
-  return mean_of(instants_, [value](const CycleInstant& i) { return std::abs(i.*value); });
-}
-
-namespace {
-
-/// The instant at which a value is smallest or largest.
-const CycleInstant& extreme(const std::vector<CycleInstant>& all, double CycleInstant::*value,
-                            bool smallest) {
-  const auto less = [&](const CycleInstant& a, const CycleInstant& b) {
-    return a.*value < b.*value;
-  };
-  return smallest ? *std::min_element(all.begin(), all.end(), less)
-                  : *std::max_element(all.begin(), all.end(), less);
-}
-
-CycleQuantity named(const char* name, double value) {
-  CycleQuantity q;
-  q.quantity.name = name;
-  q.quantity.value = value;
-  q.quantity.unit = std::string(find_quantity(name)->unit);
-  return q;
-}
-
-CycleQuantity extreme_named(const char* name, const std::vector<CycleInstant>& all,
-                            double CycleInstant::*value, bool smallest) {
-  const CycleInstant& i = extreme(all, value, smallest);
-  CycleQuantity q = named(name, i.*value);
-  q.at = i.t;
-  return q;
-}
 
 struct LiftOff {
   double t = 0.0;      ///< [s]
@@ -94,11 +49,10 @@ std::optional<LiftOff> lift_off(const std::vector<CycleInstant>& all, double slo
 std::vector<CycleQuantity> CycleRecord::quantities() const {
   std::vector<CycleQuantity> out;
   const auto add_mean = [&](const char* name, double CycleInstant::*v) {
-    out.push_back(named(name, mean(v)));
-    out.back().quantity.magnitude = mean_magnitude(v);
+    out.push_back(mean_quantity(name, instants_, v));
   };
-  const auto add_extreme = [&](const char* name, double CycleInstant::*v, bool smallest) {
-    out.push_back(extreme_named(name, instants_, v, smallest));
+  const auto add_extreme = [&](const char* name, double CycleInstant::*v, Extreme which) {
+    out.push_back(extreme_of(name, instants_, v, which));
   };
   add_mean("friction_torque", &CycleInstant::torque);
   add_mean("friction_torque_asperity", &CycleInstant::torque_asperity);
@@ -107,33 +61,32 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
     add_mean("friction_torque_adhesive", &CycleInstant::torque_adhesive);
     add_mean("friction_torque_micro_hydrodynamic", &CycleInstant::torque_micro_hydrodynamic);
   }
-  out.push_back(named("power_loss", work_ / told()));
-  out.back().quantity.magnitude = mean_magnitude(&CycleInstant::power);
-  add_extreme("h_min", &CycleInstant::h_min, true);
-  add_extreme("p_max", &CycleInstant::p_max, false);
+  out.push_back(quantity_of("power_loss", work_ / told()));
+  out.back().quantity.magnitude = mean_magnitude_of(instants_, &CycleInstant::power);
+  add_extreme("h_min", &CycleInstant::h_min, Extreme::smallest);
+  add_extreme("p_max", &CycleInstant::p_max, Extreme::largest);
   if (film_->model().contact) {
-    add_extreme("p_asperity_max", &CycleInstant::p_asperity_max, false);
+    add_extreme("p_asperity_max", &CycleInstant::p_asperity_max, Extreme::largest);
   }
-  if (extreme(instants_, &CycleInstant::breakaway, false).breakaway > 0.0) {
-    add_extreme("breakaway_torque", &CycleInstant::breakaway, false);
+  if (extreme(instants_, &CycleInstant::breakaway, Extreme::largest).breakaway > 0.0) {
+    add_extreme("breakaway_torque", &CycleInstant::breakaway, Extreme::largest);
     const double slow = solid::BoundaryFriction::kSliding / film_->model().domain.grid.radius;
     if (const auto lifted = lift_off(instants_, slow)) {
-      out.push_back(named("lift_off_speed", lifted->omega));
-      out.back().at = lifted->t;
+      out.push_back(quantity_of("lift_off_speed", lifted->omega, lifted->t));
     }
   }
   const double rho = reference_density(film_->model());
-  out.push_back(named("side_flow", side_ / told() / rho));
-  out.push_back(named("supply_flow", supply_ / told() / rho));
-  if (film_->vessels().any()) add_extreme("p_vessel_min", &CycleInstant::p_vessel, true);
+  out.push_back(quantity_of("side_flow", side_ / told() / rho));
+  out.push_back(quantity_of("supply_flow", supply_ / told() / rho));
+  if (film_->vessels().any())
+    add_extreme("p_vessel_min", &CycleInstant::p_vessel, Extreme::smallest);
   if (!layer_depth_.empty()) {
-    out.push_back(named("layer_depth", largest(layer_depth_)));
-    out.back().at = instants_.back().t;
-    out.push_back(
-        named("layer_loss", film_->model().domain.grid.multiplicity() * layer_loss_ / told()));
+    out.push_back(quantity_of("layer_depth", largest(layer_depth_), instants_.back().t));
+    out.push_back(quantity_of("layer_loss",
+                              film_->model().domain.grid.multiplicity() * layer_loss_ / told()));
   }
   if (heat_.to_shell.empty()) {
-    out.push_back(named("T_film_mean", T_film_ / told()));
+    out.push_back(quantity_of("T_film_mean", T_film_ / told()));
   } else {
     add_heat(out);
   }
@@ -141,15 +94,15 @@ std::vector<CycleQuantity> CycleRecord::quantities() const {
 }
 
 void CycleRecord::add_heat(std::vector<CycleQuantity>& out) const {
-  out.push_back(extreme_named("T_film_max", instants_, &CycleInstant::T_film_max, false));
-  out.push_back(named("T_film_mean", T_film_ / told()));
-  out.push_back(extreme_named("T_shell_max", instants_, &CycleInstant::T_shell_max, false));
+  out.push_back(extreme_of("T_film_max", instants_, &CycleInstant::T_film_max, Extreme::largest));
+  out.push_back(quantity_of("T_film_mean", T_film_ / told()));
+  out.push_back(extreme_of("T_shell_max", instants_, &CycleInstant::T_shell_max, Extreme::largest));
   const double both = film_->model().domain.grid.multiplicity();
   const auto& b = heat_.balance;
-  out.push_back(named("heat_by_oil", both * (b.carried_out - b.carried_in) / told()));
+  out.push_back(quantity_of("heat_by_oil", both * (b.carried_out - b.carried_in) / told()));
   const HeatTaken taken = heat_taken();
-  out.push_back(named("heat_to_shell", taken.shell));
-  out.push_back(named("heat_to_shaft", taken.shaft));
+  out.push_back(quantity_of("heat_to_shell", taken.shell));
+  out.push_back(quantity_of("heat_to_shaft", taken.shaft));
 }
 
 HeatTaken CycleRecord::heat_taken() const {
@@ -189,8 +142,8 @@ CycleAudit CycleRecord::audit() const {
 }
 
 CycleMeans CycleRecord::means() const {
-  CycleMeans m{mean(&CycleInstant::torque),
-               mean(&CycleInstant::torque_asperity),
+  CycleMeans m{mean_of(instants_, &CycleInstant::torque),
+               mean_of(instants_, &CycleInstant::torque_asperity),
                T_film_ / told(),
                (work_ + pump_) / told(),
                side_ / told(),
@@ -219,7 +172,7 @@ double CycleRecord::oil_drift() const {
 double CycleRecord::momentum_drift() const {
   const double change = std::hypot(v_ended_[0] - v_begun_[0], v_ended_[1] - v_begun_[1]);
   const double load =
-      mean_of(instants_, [](const CycleInstant& i) { return std::hypot(i.load_x, i.load_y); });
+      mean_over(instants_, [](const CycleInstant& i) { return std::hypot(i.load_x, i.load_y); });
   return load > 0.0 ? film_->mass() * change / (load * told()) : 0.0;
 }
 
@@ -236,14 +189,15 @@ double CycleRecord::drift() const {
 }
 
 double CycleRecord::difference(const CycleRecord& other) const {
-  const double h = extreme(instants_, &CycleInstant::h_min, true).h_min;
-  const double h_other = extreme(other.instants_, &CycleInstant::h_min, true).h_min;
+  const double h = extreme(instants_, &CycleInstant::h_min, Extreme::smallest).h_min;
+  const double h_other = extreme(other.instants_, &CycleInstant::h_min, Extreme::smallest).h_min;
   const double torque = largest_torque(instants_);
   double most = larger(larger(oil_drift(), momentum_drift()), change_of_film(h, h_other));
   if (torque == 0.0) return most;  // nothing turns
   most = larger(most, std::abs(largest_torque(other.instants_) - torque) / torque);
-  const auto mean_of = [](const CycleRecord& r) { return r.mean(&CycleInstant::torque); };
-  return larger(most, std::abs(mean_of(other) - mean_of(*this)) / torque);
+  const double change =
+      mean_of(other.instants_, &CycleInstant::torque) - mean_of(instants_, &CycleInstant::torque);
+  return larger(most, std::abs(change) / torque);
 }
 
 void CycleRecord::write(CycleResult& r) const {
@@ -284,9 +238,10 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   const BearingModel& m = film_->model();
   const auto at = static_cast<int>(std::min_element(h_min_.begin(), h_min_.end()) - h_min_.begin());
   const FilmGrid& g = m.domain.grid;
-  const double h_min = extreme(instants_, &CycleInstant::h_min, true).h_min;  // of edges, too
+  const double h_min =
+      extreme(instants_, &CycleInstant::h_min, Extreme::smallest).h_min;  // of edges, too
   const fluid::SmallestGap least{h_min_[at], g.phi[at / g.nz], g.z[at % g.nz]};
-  const double T = extreme(instants_, &CycleInstant::T_film_max, false).T_film_max;
+  const double T = extreme(instants_, &CycleInstant::T_film_max, Extreme::largest).T_film_max;
   FilmReach reach{NAN, T, largest(p_max_), h_min_, least, h_min};
   if (film_->heat()) reach.T_shell = largest(T_shell_max_);
   if (!layer_depth_.empty()) reach.layer_depth = largest(layer_depth_);

@@ -132,6 +132,9 @@ Solution from_cold(const Case& c, Tier tier, double T, const SolveControl& contr
   s.cost.most_work = most_work(c, tier, control);
   solve_on_sequence(c, tier, control, std::move(solids), s);
   confirm_limit(c, tier, control, s);
+  if (s.verdict.status == Status::iteration_limit && s.point.layer) {
+    s.verdict = {s.verdict.status, ending::Plain::layer_may_flow, s.verdict.place, {s.verdict}};
+  }
   if (s.verdict.good() && c.model.coefficients) s.coefficients = coefficients_of(s);
   if (s.coefficients) s.levels.back().quantities = quantities_of(s, tier);
   s.wall_s = watch.seconds();

@@ -95,8 +95,8 @@ TEST_CASE("ABranchTellsHowFarItWasFollowedAndWhatCameThen", "[words]") {
   const ending::BranchEnded lost{ending::BranchEnd::lost, rpm, 1.16e-6, true};
   CHECK(reason_of({kLimit, lost, {}, {within}}) ==
         "no steady state was found: followed from a low speed, steady states are found up to 936.9 "
-        "rpm of 3000 rpm (smallest gap 1.16 um), then none (film and heat did not settle in 25 "
-        "iterations (last change 3.6e-03 of 10 K))");
+        "rpm of 3000 rpm (smallest gap 1.16 um); there the search was given up, which proves no end "
+        "(film and heat did not settle in 25 iterations (last change 3.6e-03 of 10 K))");
   const ending::LimitMoves moves{{{{72, 12}, {ending::Raised::speed, 1.33 / 3000.0, 100.0 * kPi}},
                                   {{48, 8}, {ending::Raised::speed, 5.098 / 3000.0, 100.0 * kPi}}}};
   CHECK(reason_of({kLimit, moves, {}, {{kNone, ending::Plain::no_pressure}}}) ==

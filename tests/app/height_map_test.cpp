@@ -208,6 +208,11 @@ TEST_CASE("APointThatNoSurfaceHasIsToldWithItsPlace") {
   map.z[map.index(70, 40)] = 10e-6;  // fifty times its Rq
   options.path = scratch.write("map.txt", written(map));
   check_words(report_refusal(options), {"a point stands out", "x = 70 um", "y = 40 um", "--fill"});
+  map.z[map.index(70, 40)] = 500e-6;  // so that the slopes, too, are those of no surface
+  options.path = scratch.write("steep.txt", written(map));
+  check_words(report_refusal(options), {"steeper", "a point stands out", "x = 70 um"});
+  map.z[map.index(70, 40)] = 10e-6;
+  options.path = scratch.write("map.txt", written(map));
   options.error = 0.9;
   const SurfaceReport r = describe_surface(options);
   CHECK(std::any_of(r.notes.begin(), r.notes.end(), [](const std::string& note) {

@@ -180,6 +180,12 @@ TEST_CASE("WhatContradictsTheRestOfTheCaseIsTold") {
   CHECK(keys(sharp) == std::vector<std::string>{"surfaces.shell.summit_roughness"});
   sharp.surfaces.shell.summit_roughness = 6.0 * sharp.surfaces.shell.roughness;
   CHECK(refusal(sharp, [](Case&) {}).key == "surfaces.shell.summit_roughness");
+  Case bent = rig_case();
+  bent.shaft->span = 0.1;
+  bent.model.tier = Tier::isothermal;  // of rigid surfaces
+  CHECK(keys(bent) == std::vector<std::string>{"shaft.span"});
+  bent.model.switches.elastic_deformation = true;
+  CHECK(keys(bent).empty());
 }
 
 TEST_CASE("OnlyABearingWithShellAndShaftIsElastic") {

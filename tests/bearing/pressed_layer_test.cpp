@@ -90,6 +90,15 @@ TEST_CASE("AFilmEndsAtTheHardnessOfItsLayer", "[layer]") {
   }
 }
 
+TEST_CASE("ASteadyStateThatIsNotFoundNamesTheLayerThatIsToFlow", "[layer]") {
+  Case c = coated(30e6);
+  set_load(c, 60e3);  // sixty megapascals on the projected area
+  const Result r = solve(c);
+  REQUIRE(r.verdict.status == Status::iteration_limit);
+  CHECK(r.verdict.is(ending::Plain::layer_may_flow));
+  CHECK(app::words_of(r.verdict).cure.find("[load_cycle]") != std::string::npos);
+}
+
 TEST_CASE("ALayerThatFlowsAwayIsTold", "[layer]") {
   // The same mark in a layer that is thick, and in one that has less than twice as much.
   const auto told = [](double thickness, double depth) {

@@ -132,7 +132,7 @@ Verdict JournalPath::find(double T) {
     ++cycles_;
     closure.add(std::hypot((*next)[0] - at_[0], (*next)[1] - at_[1]) / gap_left(*next));
     at_ = *next;
-    closure_ = closure.last;
+    closure_ = closure.left();
     if (!closure.closed()) continue;
     ++cycles_;
     return pass(at_, true) ? Verdict{} : lost();

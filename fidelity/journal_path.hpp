@@ -26,7 +26,8 @@ class JournalPath {
   [[nodiscard]] double length() const { return length_; }  ///< of the cycle or event [s]
 
   [[nodiscard]] int cycles() const { return cycles_; }  ///< of the last find()
-  /// What the last two cycles differ by, over the gap that is left [-]; NaN: an event.
+  /// What separates the last cycle from the periodic path, over the gap that is left [-]; NaN: an
+  /// event.
   [[nodiscard]] double closure() const { return closure_; }
   [[nodiscard]] int steps() const { return steps_; }        ///< of the last cycle
   [[nodiscard]] int rejected() const { return rejected_; }  ///< the same

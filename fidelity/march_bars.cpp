@@ -88,6 +88,14 @@ double size_of(const Instant& now, const Begun& begun, const Followed<Instant>& 
   return std::max(std::abs(value - from), 1.0);
 }
 
+/// What of it friction may have made: walls warm from their start by oil of the supply's
+/// temperature, too, and by friction no further than the film rises above that.
+double rubbed_of(const Instant& now, const Begun& begun, const Followed<Instant>& q) {
+  const double size = size_of(now, begun, q);
+  const double rise = std::abs(now.T_film_max - begun.supply);
+  return std::string_view(q.unit) == "K" ? std::min(size, std::max(rise, 1.0)) : size;
+}
+
 /// And the heat by which temperatures change is known no better than the torque (solve.cpp).
 void share(const CourseRun& run, const Begun& begun, Instants& bars) {
   const auto size = [&](std::size_t k, const Followed<Instant>& q) {
@@ -98,7 +106,8 @@ void share(const CourseRun& run, const Begun& begun, Instants& bars) {
     const double heat = bars[k].torque / std::abs(run.instants[k].torque);
     for (const auto& q : kFollowedInstants) {
       double& bar = bars[k].*q.value;
-      if (is_of_heat(q.name) && bar < heat * size(k, q)) bar = heat * size(k, q);
+      const double least = heat * rubbed_of(run.instants[k], begun, q);
+      if (is_of_heat(q.name) && bar < least) bar = least;
     }
   }
 }

@@ -178,7 +178,7 @@ std::string how_it_ran(const bearing::Case& c, const CycleResult& cycle) {
   const bool closed = std::isfinite(cycle.closure);
   if (c.cycle && !c.cycle->repeats() && timed) return "an event of " + length + steps;
   std::string words = fmt::format("{} cycle{}", cycle.cycles, cycle.cycles == 1 ? "" : "s");
-  if (closed) words += fmt::format(", the last two agree within {:.1e}", cycle.closure);
+  if (closed) words += fmt::format(", the last is periodic within {:.1e}", cycle.closure);
   if (cycle.growth < 1.0) {
     constexpr double kAtOnce = 0.05;
     words += cycle.growth < kAtOnce

@@ -63,7 +63,7 @@ struct AuditFigure {
 /// What tier auto chose, and whether it is within the tolerance.
 [[nodiscard]] std::string choice_words(const bearing::AutoChoice& choice);
 
-/// How the cycle was run: "3 cycles, the last two agree within 2.1e-05; 512 steps, 12 rejected;
+/// How the cycle was run: "3 cycles, the last is periodic within 2.1e-05; 512 steps, 12 rejected;
 /// period 40 ms"; "an event of 30 ms; 119 steps, 27 rejected".
 [[nodiscard]] std::string how_it_ran(const bearing::Case& c, const bearing::CycleResult& cycle);
 

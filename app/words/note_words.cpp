@@ -68,9 +68,8 @@ std::string of_bars(note::Plain n) {
       return "with other steps in time the cycle was not found: no bar has what the steps leave "
              "open";
     case Plain::march_bars_unknown:
-      return "none of the coarser grids that were tried passes this run in the same steps: its "
-             "bars "
-             "are not known";
+      return "no coarser grid holds the supplies and passes this run in the same steps: its bars "
+             "are not known; a finer grid (model.grid) may have some";
     case Plain::orbit_not_judged:
       return "slow changes from cycle to cycle were led on to the orbit that is told; that a "
              "journal "

@@ -173,7 +173,7 @@ inline Told told(const ending::Unsettled& e, const About& a) {
     case ending::Iteration::walls_of_cycles:
       return {fmt::format("after {} cycles the walls still change by {:.2g} K from one to the next",
                           e.steps, e.left),
-              "a finer grid, a lower load, or tier isothermal"};
+              "a smaller model.tolerance, a finer grid, a lower load, or tier isothermal"};
     case ending::Iteration::wear:
       return {a.verdict.cause.empty()
                   ? fmt::format("no worn-in shape was found: wear still changes by {:.3g} um where "

@@ -110,7 +110,8 @@ struct CycleResult {
   double period = 0.0;       ///< told; of a single event its length [s]
   double crank_speed = 0.0;  ///< crank angle per time [rad/s]; 0: told in time
   int cycles = 0;            ///< that were run
-  double closure = std::numeric_limits<double>::quiet_NaN();  ///< between the last two [-]
+  /// What separates the last one from the periodic state, as differences between cycles tell [-].
+  double closure = std::numeric_limits<double>::quiet_NaN();
   /// Of a small displacement of the journal, and of the oil that it moves, in a cycle
   /// (orbit_growth.hpp); looked at where what goes slowly was led on, else not known [-].
   double growth = std::numeric_limits<double>::quiet_NaN();

@@ -18,8 +18,8 @@ constexpr double kSlowest = 0.99;  ///< slower is not seen from noise
 /// One difference tells no rate: it may be the slowest.
 double rate_of(const Closure& c) {
   if (!std::isfinite(c.before)) return kSlowest;
-  const double rho = std::isfinite(c.earlier) ? std::sqrt(c.last / c.earlier) : c.last / c.before;
-  return std::clamp(rho, c.rate, kSlowest);
+  const double of_two = std::isfinite(c.earlier) ? std::sqrt(c.last / c.earlier) : 0.0;
+  return std::clamp(std::max(of_two, c.last / c.before), c.rate, kSlowest);
 }
 
 }  // namespace
@@ -29,9 +29,9 @@ void Closure::lead_on() {
   *this = {NAN, NAN, NAN, rate_of(*this)};
 }
 
-bool Closure::closed(double within) const {
+double Closure::left() const {
   const double rho = rate_of(*this);
-  return last * std::max(1.0, rho / (1.0 - rho)) <= within;
+  return last * std::max(std::isfinite(earlier) ? 0.0 : 1.0, rho / (1.0 - rho));
 }
 
 Verdict at_instant(Verdict v, const ending::NoStep& where) {

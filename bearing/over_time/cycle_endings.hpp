@@ -12,8 +12,9 @@ inline constexpr double kClosed = 1e-4;
 inline constexpr int kMostCycles = 300;
 
 /// How cycles draw near to the periodic state: where the change falls by the ratio rho from cycle
-/// to cycle, rho/(1 - rho) of the last one is still to come. rho is that of two cycles, where so
-/// many are known: changes that swing are large and small in turn.
+/// to cycle, rho/(1 - rho) of the last one is still to come. With three differences rho is that of
+/// two cycles, as changes that swing are large and small in turn, or that of the last one, whichever
+/// is more; with fewer, as much as the last difference may be to come at least.
 struct Closure {
   double last = NAN;     ///< difference of the last two cycles [-]
   double before = NAN;   ///< of the two before [-]
@@ -23,8 +24,9 @@ struct Closure {
   /// The next cycle begins with what these lead to: its difference from the last one says nothing,
   /// but what is still wrong dies out no faster than before.
   void lead_on();
-  /// Within `within` of the periodic state.
-  [[nodiscard]] bool closed(double within = kClosed) const;
+  /// What separates the last cycle from the periodic state [-].
+  [[nodiscard]] double left() const;
+  [[nodiscard]] bool closed(double within = kClosed) const { return left() <= within; }
 };
 
 /// A step that was not found because of `v`, at `where` of the cycle.

@@ -30,14 +30,14 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
     : passes_(c, tier, physics, control, std::move(solids)) {}
 
 void CycleSearch::members(Tape& tape) {
-  tape(closure_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
+  tape(closure_, left_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
        round_change_, stalled_, growth_, led_, displaced_, layer_begun_);
   tape(walls_begun_, answers_);
 }
 
 void CycleSearch::ended(Tape& tape) {
   passes_.members(tape);
-  tape(closure_, answered_, off_, mean_change_, wall_change_, unsettled_, growth_, unseen_);
+  tape(left_, answered_, off_, mean_change_, wall_change_, unsettled_, growth_, unseen_);
 }
 
 void CycleSearch::begin(const CycleStart& from) {
@@ -87,16 +87,18 @@ bool CycleSearch::pass(const WallMeans* between) {
 }
 
 void CycleSearch::until_closed(double within) {
-  if (!brought_back()) {
-    closure_ = {};
-    oil_.begin(passes_.lasting());
-  }
-  while (pass() && repeats() && !closure_.closed(within)) {
+  if (!brought_back()) oil_.begin(passes_.lasting());
+  while (pass() && repeats() && !closed(within)) {
     const bool seen = std::isfinite(closure_.last);  // of a cycle that was not begun with led oil
     lead_oil_on();
     if (!verdict().good()) return;
     if ((cycles() >= most_ || passes_.spent()) && seen) return cycles_unsettled(within);
   }
+}
+
+bool CycleSearch::closed(double within) {
+  left_ = closure_.left();
+  return left_ <= within && std::min(closure_.last, told().drift()) <= within;
 }
 
 void CycleSearch::come_back() {
@@ -184,7 +186,7 @@ void CycleSearch::settle_walls_and_oil(bool rough) {
     if (to_walls) {
       phase_ = Phase::walls;
       settled_ = settle_walls(*passes_.walls(), rough, kTurns);
-      if (!verdict().good() || (settled_ && rough)) return;
+      if (!verdict().good() || (settled_ && (rough || closed(kClosed)))) return;
     }
     phase_ = Phase::closing;
     until_closed(settled_ ? kClosed : passes_.error());
@@ -236,6 +238,7 @@ const Verdict& CycleSearch::search(bool rough) {
   if (!verdict().good() || displaced_) return verdict();  // displaced: found before
   if (!brought_back()) {
     most_ = cycles() + kMostCycles;
+    closure_ = {};
     round_change_ = INFINITY;
     stalled_ = 0;
   }
@@ -258,8 +261,8 @@ const Verdict& CycleSearch::follow() {
       pass();
     }
     if (!verdict().good()) return verdict();
-    closure_.last = told().drift();
-    if (closure_.last <= passes_.error()) return verdict();
+    left_ = told().drift();
+    if (left_ <= passes_.error()) return verdict();
   }
   if (verdict().good()) cycles_unsettled(passes_.error());
   return verdict();
@@ -268,7 +271,7 @@ const Verdict& CycleSearch::follow() {
 CycleResult CycleSearch::result() const {
   CycleResult r = passes_.result();
   r.verdict = verdict();
-  r.closure = closure_.last;
+  r.closure = left_;
   r.growth = growth_;
   if (r.verdict.good() && unseen_) {
     r.warnings.emplace_back(note::Plain::orbit_not_judged);

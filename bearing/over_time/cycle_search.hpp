@@ -82,8 +82,12 @@ class CycleSearch {
 
   /// One more pass, between other walls if there are any; false where the search has ended.
   bool pass(const WallMeans* between = nullptr);
-  /// Cycles until two agree within `within`, between walls that stay as they are.
+  /// Cycles until one is closed, between walls that stay as they are.
   void until_closed(double within);
+  /// Within `within` of the periodic state, as the last differences tell, the last one as small or
+  /// the film at the end of the last cycle as near to that of its beginning: changes that hardly
+  /// fall from cycle to cycle show in either, however fast others do.
+  [[nodiscard]] bool closed(double within);
   void come_back();
   /// From time to time, the oil to which the last cycles lead.
   void lead_oil_on();
@@ -108,6 +112,7 @@ class CycleSearch {
 
   CyclePasses passes_;
   Closure closure_;
+  double left_ = NAN;    ///< CycleResult::closure
   bool led_ = false;     ///< anything, here or on the way to where it began
   double growth_ = NAN;  ///< CycleResult::growth
   bool unseen_ = false;  ///< growth was looked at, and is not known

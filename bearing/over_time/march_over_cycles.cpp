@@ -39,22 +39,24 @@ thermal::WallResponse foreseen(thermal::WallResponse r) {
 }
 
 /// Cycles between walls that have moved, until what the film stores over one is a small part of the
-/// heat that it makes: oil that still warms with its walls keeps heat from them; counted where it
-/// does in the last one, too. False, with the verdict: one did not end.
+/// heat that it makes: oil that still warms with its walls keeps heat from them; counted where in
+/// the last one that is no small part of what is told as stored. False, with the verdict: one did
+/// not end.
 bool let_film_follow(CyclePasses& passes, const WallMeans& walls, MarchEnd& end) {
-  constexpr double kFollowed =
-      0.005;                  // of the heat made: the film's part of what is told as stored
-  constexpr int kPasses = 4;  // oil that gathers slowly is the cycle's own [-]
+  constexpr double kFollowed = 0.0002;  // of the heat made: else walls swing about the film's lag
+  constexpr double kCounted = 0.005;    // of it
+  constexpr int kPasses = 4;            // oil that gathers slowly is the cycle's own [-]
   const double sides = passes.film().model().domain.grid.multiplicity();
-  for (int k = 0; k < kPasses; ++k) {
+  double stored = INFINITY;  // of the heat made [-]
+  for (int k = 0; k < kPasses && stored > kFollowed; ++k) {
     if (!passes.pass_between(walls)) {
       end.verdict = passes.verdict();
       return false;
     }
     const HeatFlows& flows = passes.heat().flows();
-    if (sides * std::abs(flows.balance.stored) <= kFollowed * std::abs(flows.work)) return true;
+    stored = sides * std::abs(flows.balance.stored / flows.work);
   }
-  ++end.unfollowed;
+  if (stored > kCounted) ++end.unfollowed;
   return true;
 }
 
@@ -140,6 +142,7 @@ Bodies uniform_bodies(const Solids& solids, double T) {
 MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarch& march,
                            const std::function<void(const Instant&)>& tell) {
   constexpr double kStill = 0.05;  // what walls leave open where the cycle is periodic [K]
+  constexpr int kMostRises = 20;   // of what is left: then the bearing does not come to rest
   const Solids& solids = *passes.film().model().solids;
   const bool given = !span.steps.empty();
   Bodies& bodies = march.bodies;
@@ -170,8 +173,14 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
     const Instant instant = instant_after(passes, next, end.t, dt);
     const double left = move_for_ever(passes, bodies.walls);
     end.at_rest = taken.move < kStill && left < kStill;
-    const bool endless = !given && span.until_rest && !end.at_rest && dt > kEndless;
-    dt *= kStepLonger;  // halved again where it is too long: that costs no cycle
+    // A step that has left more than it found was too long for the cycle's heat to stand over it.
+    const bool rose = left > march.left;
+    if (rose) ++march.rises;
+    march.left = left;
+    const bool endless =
+        !given && span.until_rest && !end.at_rest && (dt > kEndless || march.rises > kMostRises);
+    // Too long a step is halved again: that costs no cycle.
+    dt = rose ? std::max(span.shortest, dt / kStepLonger) : kStepLonger * dt;
     tell(instant);
     if (endless) {
       end.verdict = {Status::iteration_limit,

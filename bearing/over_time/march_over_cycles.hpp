@@ -4,7 +4,8 @@
 /// Cycles are passed with walls that stay as they are until the film has followed them; then shell,
 /// housing and shaft see the mean heat of the last one, and what the film answers to moving walls,
 /// through a step of backward Euler, and so on. The step is halved until no wall moves by more than
-/// is allowed. What shell and shaft should have gathered over it,
+/// is allowed, and after one that leaves the walls farther from rest than it found them. What shell
+/// and shaft should have gathered over it,
 ///   dt N,   N = N0 (1 - exp(-x))/x,   x = N0/N1 - 1                                      (1)
 /// N0, N1 what they gain from the cycles before and behind it less what they lose to the
 /// surroundings, is known when the cycle behind it has been passed: the difference to what they
@@ -46,8 +47,11 @@ struct MarchSpan {
 /// Where a march stands between two steps: with the search all that the next step depends on.
 struct CycleMarch {
   Bodies bodies;
-  MarchEnd end{};            ///< so far
-  double dt = 0.0;           ///< next step [s]; 0: the march begins
+  MarchEnd end{};   ///< so far
+  double dt = 0.0;  ///< next step [s]; 0: the march begins
+  /// By which the heat of the last cycle, for ever, would move a wall [K].
+  double left = std::numeric_limits<double>::infinity();
+  int rises = 0;             ///< of it, from one step to the next
   HeatTaken owed{};          ///< to the bodies, of the step before [J]
   HeatTaken lost{NAN, NAN};  ///< to the surroundings, at its end; not a number: none was [W]
 };

@@ -94,7 +94,7 @@ void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
     q.moment_y = s.film.force[3];
   }
   q.h_min = s.film.least.h;
-  q.h_min_mid = gap_at_mid_width(m, s.film);
+  q.h_min_mid = larger(gap_at_mid_width(m, s.film), q.h_min);  // led on to, between cells
   q.p_max = largest(s.film.film.p);
   if (m.contact) {
     q.p_asperity_max = largest(s.film.p_contact);

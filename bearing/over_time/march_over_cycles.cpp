@@ -123,6 +123,19 @@ BodiesStep take_step(const CyclePasses& passes, const MarchSpan& span, const Cyc
   }
 }
 
+/// Twice the step, which is halved again where it is too long: that costs no cycle. Half of it
+/// where it has left more than it found: it was too long for the cycle's heat to stand over it.
+/// True where such steps do not lead to rest.
+bool change_step(double left, const MarchSpan& span, CycleMarch& march) {
+  constexpr int kMostRises = 20;  // of what is left
+  const bool rose = left > march.left;
+  if (rose) ++march.rises;
+  const bool lost = march.dt > kEndless || march.rises > kMostRises;
+  march.left = left;
+  march.dt = rose ? std::max(span.shortest, march.dt / kStepLonger) : kStepLonger * march.dt;
+  return lost;
+}
+
 }  // namespace
 
 double mean_that_dies_away(double begin, double end) {
@@ -142,7 +155,6 @@ Bodies uniform_bodies(const Solids& solids, double T) {
 MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarch& march,
                            const std::function<void(const Instant&)>& tell) {
   constexpr double kStill = 0.05;  // what walls leave open where the cycle is periodic [K]
-  constexpr int kMostRises = 20;   // of what is left: then the bearing does not come to rest
   const Solids& solids = *passes.film().model().solids;
   const bool given = !span.steps.empty();
   Bodies& bodies = march.bodies;
@@ -173,14 +185,8 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
     const Instant instant = instant_after(passes, next, end.t, dt);
     const double left = move_for_ever(passes, bodies.walls);
     end.at_rest = taken.move < kStill && left < kStill;
-    // A step that has left more than it found was too long for the cycle's heat to stand over it.
-    const bool rose = left > march.left;
-    if (rose) ++march.rises;
-    march.left = left;
-    const bool endless =
-        !given && span.until_rest && !end.at_rest && (dt > kEndless || march.rises > kMostRises);
-    // Too long a step is halved again: that costs no cycle.
-    dt = rose ? std::max(span.shortest, dt / kStepLonger) : kStepLonger * dt;
+    const bool lost = change_step(left, span, march);
+    const bool endless = lost && !given && span.until_rest && !end.at_rest;
     tell(instant);
     if (endless) {
       end.verdict = {Status::iteration_limit,

@@ -22,12 +22,12 @@ inline constexpr const char* kNoLightState =
     "have a common state";
 
 /// Of branches that were sought and not found, or not followed.
-inline Told told_of_branch(ending::Plain e, const std::string& within) {
+inline Told told_of_branch(ending::Plain e, const Told& within) {
   using ending::Plain;
   const std::string of_cool_oil =
-      within.empty()
+      within.reason.empty()
           ? ""
-          : fmt::format(" (with oil of the supply's temperature throughout: {})", within);
+          : fmt::format(" (with oil of the supply's temperature throughout: {})", within.reason);
   switch (e) {
     case Plain::no_light_state:
       return {kNoLightState + of_cool_oil,
@@ -43,6 +43,12 @@ inline Told told_of_branch(ending::Plain e, const std::string& within) {
               kFinerElseTighter};
     case Plain::strayed:
       return {"what was found next to the last state does not continue it", kFinerElseTighter};
+    case Plain::layer_may_flow:
+      return {within.reason +
+                  "; where its elasto-plastic layer is to flow, a steady state is often not found",
+              "a load cycle, or an event ([load_cycle]) with a load that stands, shows how the "
+              "layer settles; else " +
+                  within.cure};
     default:
       return {};
   }
@@ -91,16 +97,11 @@ inline Told told(ending::Plain e, const About& a) {
       return {"the pressure in the vessel of a supply is not found",
               "a larger vessel, or a finer grid"};
     case Plain::layer_may_flow:
-      return {a.within.reason +
-                  "; where its elasto-plastic layer is to flow, a steady state is often not found",
-              "a load cycle, or an event ([load_cycle]) with a load that stands, shows how the "
-              "layer settles; else " +
-                  a.within.cure};
     case Plain::no_light_state:
     case Plain::no_slow_state:
     case Plain::endless_branch:
     case Plain::strayed:
-      return told_of_branch(e, a.within.reason);
+      return told_of_branch(e, a.within);
     case Plain::estimate_unbalanced:
       return {"the estimate finds no film temperature at which the friction heat is carried away",
               "lower speed or load, feed more oil, or ask a tier that resolves the heat"};

@@ -55,8 +55,8 @@ LayerInTime stage_of(const PressedLayer& layer, const FilmGrid& g, const Field& 
     stage.slope[c] = {(now.elastic - before.elastic) / layer.own,
                       (now.plastic - before.plastic) / layer.own};
     const int cell = static_cast<int>(c);
-    stage.loss += g.area(cell / g.nz, cell % g.nz) *
-                  solid::layer_loss(layer.law, total(p, p_contact, c), now, stage.slope[c]);
+    stage.loss +=
+        g.area(cell) * solid::layer_loss(layer.law, total(p, p_contact, c), now, stage.slope[c]);
   }
   return stage;
 }

@@ -115,7 +115,7 @@ void add_holes(const BearingModel& m, std::vector<Note>& out) {
     if (supplies[k].kind != SupplyKind::hole) continue;
     double area = 0.0;
     for (int c = 0; c < g.cells(); ++c) {
-      if (m.supply.cell[c] == k) area += g.multiplicity() * g.area(c / g.nz, c % g.nz);
+      if (m.supply.cell[c] == k) area += g.multiplicity() * g.area(c);
     }
     const double taken = std::sqrt(4.0 * area / kPi);
     const double diameter = supplies[k].diameter;

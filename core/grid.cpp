@@ -408,7 +408,7 @@ double area_mean(const FilmGrid& grid, const Field& field) {
   double sum = 0.0;
   double area = 0.0;
   for (int c = 0; c < grid.cells(); ++c) {
-    const double a = grid.area(c / grid.nz, c % grid.nz);
+    const double a = grid.area(c);
     sum += a * field[c];
     area += a;
   }

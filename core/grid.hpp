@@ -36,6 +36,7 @@ struct FilmGrid {
   [[nodiscard]] int next(int i) const { return i + 1 == nt ? 0 : i + 1; }
   [[nodiscard]] int previous(int i) const { return i == 0 ? nt - 1 : i - 1; }
   [[nodiscard]] double area(int i, int j) const { return radius * dphi[i] * dz[j]; }
+  [[nodiscard]] double area(int cell) const { return area(cell / nz, cell % nz); }
   [[nodiscard]] double multiplicity() const { return half ? 2.0 : 1.0; }
   /// Axial cells over the full width [-].
   [[nodiscard]] int full_nz() const { return half ? (z[0] == 0.0 ? 2 * nz - 1 : 2 * nz) : nz; }

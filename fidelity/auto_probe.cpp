@@ -17,8 +17,7 @@ namespace {
 Bars changes(const Solution& s, const Held& held, const std::atomic<bool>* stop,
              EquilibriumCost& cost, std::vector<Quantity>* all = nullptr) {
   const auto friction = [](const Solution& of) {
-    const Friction f = friction_of(of.model, of.point, of.film);
-    return f.viscous + f.asperity;
+    return friction_of(of.model, of.point, of.film).torque();
   };
   const FilmGrid& g = s.model.domain.grid;
   const Solution film = held_film(s, {g.nt, g.full_nz()}, held, stop);

@@ -44,7 +44,7 @@ Field fill_fronts(const FilmScene& scene, const FilmState& film, const FilmFlow&
   Field front(g.cells(), 0.0);
   if (scene.speed == 0.0 || flow.stored_by_theta.size() != front.size()) return front;
   Field room = flow.stored_by_theta;  // rho hT, in units of the step that it was stored in
-  for (int k = 0; k < g.cells(); ++k) room[k] /= g.area(k / g.nz, k % g.nz);
+  for (int k = 0; k < g.cells(); ++k) room[k] /= g.area(k);
   const auto oil = [&](int k) { return room[k] * film.theta[k]; };
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {

@@ -304,7 +304,7 @@ Field oil_content(const FilmScene& scene, const Gap& gap, const FilmCoefficients
   Field content = oil_store(scene, gap, oil, state).by_theta;
   const FilmGrid& g = scene.grid;
   for (int k = 0; k < g.cells(); ++k) {
-    content[k] *= state.theta[k] / g.area(k / g.nz, k % g.nz);
+    content[k] *= state.theta[k] / g.area(k);
   }
   return content;
 }

@@ -303,7 +303,7 @@ void FilmEnergy::invert_column(int cell) {
 void FilmEnergy::let_shell_yield(int cell) {
   const int m = n_ - 2;
   const FilmGrid& g = *p_.grid;
-  const double part = p_.shell->impedance / g.area(cell / g.nz, cell % g.nz);
+  const double part = p_.shell->impedance / g.area(cell);
   double* row = &shell_row_[static_cast<std::size_t>(cell) * n_];
   matrix_row(cell, 0, row);
   for (int k = 0; k < n_; ++k) row[k] *= part;
@@ -317,7 +317,7 @@ void FilmEnergy::let_shell_yield(int cell) {
 double FilmEnergy::yielded(int cell, const double* x, double shaft, double in) const {
   const FilmGrid& g = *p_.grid;
   const std::size_t at = static_cast<std::size_t>(cell) * n_;
-  const double part = p_.shell->impedance / g.area(cell / g.nz, cell % g.nz);
+  const double part = p_.shell->impedance / g.area(cell);
   const double* row = &shell_row_[at];
   const double heat = p_.heat[at] + (brought_.empty() ? 0.0 : brought_[at]) + in;
   double sum = p_.shell->free[cell] - p_.T_reference +
@@ -474,7 +474,7 @@ WallHeat FilmEnergy::wall_heat(const std::vector<double>& T) const {
   enthalpies_of(T, enthalpy);
   for (int cell = 0; cell < g.cells(); ++cell) {
     if (p_.patch[cell] >= 0) {
-      const double hA = vessel_transfer(cell) * g.area(cell / g.nz, cell % g.nz);
+      const double hA = vessel_transfer(cell) * g.area(cell);
       const std::size_t at = static_cast<std::size_t>(cell) * n_;
       q.shell[cell] = hA * (T_mix_[p_.patch[cell]] - T[at]);
       q.shaft[cell] = hA * (T_mix_[p_.patch[cell]] - T[at + n_ - 1]);

@@ -61,7 +61,7 @@ double FilmEnergy::vessel_transfer(int cell) const {
 FilmEnergy::VesselWalls FilmEnergy::vessel_walls(int cell, const std::vector<double>& T) const {
   const FilmGrid& g = *p_.grid;
   const std::size_t at = static_cast<std::size_t>(cell) * n_;
-  const double h = vessel_transfer(cell), hA = h * g.area(cell / g.nz, cell % g.nz);
+  const double h = vessel_transfer(cell), hA = h * g.area(cell);
   VesselWalls w{hA, hA, T[at] - p_.T_reference, T[at + n_ - 1] - p_.T_reference};
   if (!p_.shell) return w;
   const YieldingShell& shell = *p_.shell;  // (5) with q = h (T_mix - T_shell)

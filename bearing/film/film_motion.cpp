@@ -42,7 +42,7 @@ Field carrying_force(const BearingModel& model, const FilmEquilibrium& film) {
   const FilmGrid& g = model.domain.grid;
   Field force = film.film.p;
   for (std::size_t c = 0; c < film.p_contact.size(); ++c) force[c] += film.p_contact[c];
-  for (int c = 0; c < g.cells(); ++c) force[c] *= g.area(c / g.nz, c % g.nz);
+  for (int c = 0; c < g.cells(); ++c) force[c] *= g.area(c);
   return force;
 }
 
@@ -84,7 +84,7 @@ std::optional<double> loaded_film_error(const BearingModel& model, int unknowns,
   double sum = 0.0, squares = 0.0;
   for (int c = 0; c < g.cells(); ++c) {
     if (!counts[c] || !carries(c)) continue;
-    force[c] = film.film.p[c] * g.area(c / g.nz, c % g.nz);
+    force[c] = film.film.p[c] * g.area(c);
     sum += force[c];
     squares += force[c] * std::pow(missing[c] / height(c), 2);
   }

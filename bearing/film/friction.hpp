@@ -17,6 +17,7 @@ struct Friction {
   double viscous = 0.0;        ///< torque on the journal [N m]
   double viscous_shell = 0.0;  ///< torque on the shell [N m]
   double asperity = 0.0;       ///< torque [N m]
+  [[nodiscard]] double torque() const { return viscous + asperity; }  ///< on the journal [N m]
 };
 [[nodiscard]] Friction friction_of(const BearingModel& model, const OperatingPoint& point,
                                    const FilmEquilibrium& s);

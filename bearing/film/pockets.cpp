@@ -8,8 +8,7 @@ std::vector<double> oil_in_pockets(const BearingModel& model, const FilmEquilibr
   for (int c = 0; c < g.cells(); ++c) {
     const int patch = model.supply.cell[c];
     if (patch < 0) continue;
-    oil[patch] +=
-        g.multiplicity() * film.oil.density[c] * film.gap.cell[c] * g.area(c / g.nz, c % g.nz);
+    oil[patch] += g.multiplicity() * film.oil.density[c] * film.gap.cell[c] * g.area(c);
   }
   return oil;
 }
@@ -31,7 +30,7 @@ double work_on_pockets(const BearingModel& model, const FilmEquilibrium& before,
   for (int c = 0; c < g.cells(); ++c) {
     if (model.supply.cell[c] < 0) continue;
     const double mean = 0.5 * (before.film.p[c] + after.film.p[c]);
-    work += mean * (after.gap.cell[c] - before.gap.cell[c]) * g.area(c / g.nz, c % g.nz);
+    work += mean * (after.gap.cell[c] - before.gap.cell[c]) * g.area(c);
   }
   return g.multiplicity() * work;
 }

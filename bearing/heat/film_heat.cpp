@@ -259,7 +259,7 @@ void share_what_vessels_exchange(const fluid::FilmScene& scene, thermal::FilmEne
   for (int c = 0; c < g.cells(); ++c) {
     const int own = scene.supply.cell[c];
     if (own < 0 || members[vessel[own]] == 1) continue;
-    const double A = g.area(c / g.nz, c % g.nz);
+    const double A = g.area(c);
     area[vessel[own]] += A;
     carried[vessel[own]] += A * p.vessels[own].carry_over;
     exchanged[vessel[own]] += A * p.vessels[own].heat_transfer;

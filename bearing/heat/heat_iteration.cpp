@@ -185,7 +185,7 @@ void HeatIteration::tell_all_growth() {
 
 void HeatIteration::report(const std::vector<double>& x, const std::vector<double>& g) {
   s_.heat.residual = largest_difference(g, x);
-  const double torque = friction_.viscous + friction_.asperity;
+  const double torque = friction_.torque();
   s_.history.push_back({"thermal", s_.heat.residual, torque, s_.film.least.h});
   if (control_.progress) {
     control_.progress({to_string(s_.model.input.model.tier), iterations_, s_.heat.residual, torque,

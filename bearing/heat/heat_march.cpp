@@ -78,7 +78,7 @@ Instant instant_of(const Solution& s, double t, double dt) {
   Instant i;
   i.t = t;
   i.dt = dt;
-  i.torque = f.viscous + f.asperity;
+  i.torque = f.torque();
   i.h_min = s.film.least.h;
   i.T_film_max = largest(s.film.columns.T);
   i.T_film_min = *std::min_element(s.film.columns.T.begin(), s.film.columns.T.end());

@@ -17,7 +17,7 @@ thermal::FilmEnergyProblem WallBalance::problem(const Friction& friction) const 
   if (step_) {
     const FilmGrid& g = s_.model.domain.grid;
     Field mass = fluid::oil_content(s_.point.scene, s_.film.gap, s_.film.oil, s_.film.film);
-    for (int c = 0; c < g.cells(); ++c) mass[c] *= g.area(c / g.nz, c % g.nz);
+    for (int c = 0; c < g.cells(); ++c) mass[c] *= g.area(c);
     storage = thermal::FilmStorage{step_->dt, mass, mass,
                                    thermal::heat_content(mass, step_->enthalpy_before)};
   }

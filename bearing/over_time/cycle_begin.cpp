@@ -20,7 +20,7 @@ Field steady_flux(const Solution& s) {
   Field q = energy.wall_heat(s.film.columns.T).shell;
   const ContactHeat rubbed = contact_heat(s.model, s.point, s.film);
   for (int c = 0; c < g.cells(); ++c) {
-    q[c] = q[c] / g.area(c / g.nz, c % g.nz) + rubbed.shell[c];
+    q[c] = q[c] / g.area(c) + rubbed.shell[c];
   }
   return q;
 }

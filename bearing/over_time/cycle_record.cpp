@@ -29,7 +29,7 @@ CycleRecord::CycleRecord(const FilmSteps& film, const LoadCourse& course, double
 double CycleRecord::oil_in_gap(const Field& oil) const {
   const FilmGrid& g = film_->model().domain.grid;
   double sum = 0.0;
-  for (int c = 0; c < g.cells(); ++c) sum += oil[c] * g.area(c / g.nz, c % g.nz);
+  for (int c = 0; c < g.cells(); ++c) sum += oil[c] * g.area(c);
   return g.multiplicity() * sum;
 }
 
@@ -73,7 +73,7 @@ double CycleRecord::stored_by_surfaces(const FilmInTime& now) const {
   if (f.elastic.empty()) return sum;
   for (int c = 0; c < g.cells(); ++c) {
     const double straight = f.elastic[c] - (f.layer.empty() ? 0.0 : f.layer[c].now.sum());
-    sum += 0.5 * (f.film.p[c] + f.p_contact[c]) * straight * g.area(c / g.nz, c % g.nz);
+    sum += 0.5 * (f.film.p[c] + f.p_contact[c]) * straight * g.area(c);
   }
   return g.multiplicity() * sum;
 }
@@ -111,7 +111,7 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, const Field& p, doub
   i.h_min_angle = f.least.phi;
   i.p_max = largest(p);
   i.p_asperity_max = largest(f.p_contact);
-  i.torque = friction.viscous + friction.asperity;
+  i.torque = friction.torque();
   i.torque_asperity = friction.asperity;
   i.power = i.torque * load.omega + load.x * i.vx + load.y * i.vy;
   if (dt > 0.0) i.power += work_of_moment(instants_.back(), i) / dt;
@@ -197,14 +197,14 @@ void CycleRecord::gather_heat(const FilmStep& step, double dt) {
   double mass = 0.0;
   double by_mass = 0.0;
   for (int c = 0; c < g.cells(); ++c) {
-    const double oil = step.after.oil[c] * g.area(c / g.nz, c % g.nz);
+    const double oil = step.after.oil[c] * g.area(c);
     mass += oil;
     for (int k = 0; k < gl.n; ++k) {
       by_mass += oil * gl.w[k] * step.after.heat.T[static_cast<std::size_t>(c) * gl.n + k];
     }
     T_shell_[c] += dt * T[c];
     T_shell_max_[c] = larger(T_shell_max_[c], T[c]);
-    const double area = g.multiplicity() * g.area(c / g.nz, c % g.nz);
+    const double area = g.multiplicity() * g.area(c);
     i.heat_to_shell += area * step.heat.to_shell[c] / dt;
     i.heat_to_shaft += area * step.heat.to_shaft[c] / dt;
   }

@@ -109,7 +109,7 @@ HeatTaken CycleRecord::heat_taken() const {
   const auto over_area = [&](const Field& heat) {
     const FilmGrid& g = film_->model().domain.grid;
     double sum = 0.0;
-    for (int c = 0; c < g.cells(); ++c) sum += heat[c] * g.area(c / g.nz, c % g.nz);
+    for (int c = 0; c < g.cells(); ++c) sum += heat[c] * g.area(c);
     return g.multiplicity() * sum / told();
   };
   return {over_area(heat_.to_shell), over_area(heat_.to_shaft)};
@@ -262,7 +262,7 @@ double CycleRecord::shaft_swing() const {
   double high = -INFINITY;
   for (int c = 0; c < g.cells(); ++c) {
     const double phi = g.phi[c / g.nz];
-    const double heat = 2.0 * heat_.to_shaft[c] / told() * g.area(c / g.nz, c % g.nz);
+    const double heat = 2.0 * heat_.to_shaft[c] / told() * g.area(c);
     first[0] += heat * std::cos(phi);
     first[1] += heat * std::sin(phi);
   }

@@ -31,7 +31,7 @@ Field gathered(const fluid::FilmScene& scene, const fluid::FilmFlow& flow) {
   const FilmGrid& g = scene.grid;
   Field oil = fluid::net_outflow(scene, flow);
   for (int c = 0; c < g.cells(); ++c) {
-    oil[c] = scene.supply.cell[c] >= 0 ? 0.0 : -oil[c] / g.area(c / g.nz, c % g.nz);
+    oil[c] = scene.supply.cell[c] >= 0 ? 0.0 : -oil[c] / g.area(c);
   }
   return oil;
 }

@@ -9,7 +9,7 @@ namespace {
 
 /// Per area -> per cell.
 Field of_cells(const FilmGrid& g, Field x) {
-  for (int c = 0; c < g.cells(); ++c) x[c] *= g.area(c / g.nz, c % g.nz);
+  for (int c = 0; c < g.cells(); ++c) x[c] *= g.area(c);
   return x;
 }
 
@@ -160,7 +160,7 @@ double FilmSteps::work_of_growth(const FilmInTime& now, double t, const FilmEqui
     const auto pressure = [c](const FilmEquilibrium& f) { return f.film.p[c] + f.p_contact[c]; };
     const double mean = 0.5 * (pressure(now.film) + pressure(film));
     const int cell = static_cast<int>(c);
-    work += mean * (before[c] - behind[c]) * g.area(cell / g.nz, cell % g.nz);
+    work += mean * (before[c] - behind[c]) * g.area(cell);
   }
   return g.multiplicity() * work;
 }

@@ -14,7 +14,7 @@ namespace shellback::bearing {
 std::vector<double> FilmSteps::oil_of(const FilmInTime& now) const {
   const FilmGrid& g = model_.domain.grid;
   std::vector<double> oil = now.oil;
-  for (int c = 0; c < g.cells(); ++c) oil[c] *= g.area(c / g.nz, c % g.nz);
+  for (int c = 0; c < g.cells(); ++c) oil[c] *= g.area(c);
   oil.insert(oil.end(), now.vessels.begin(), now.vessels.end());
   return oil;
 }
@@ -40,7 +40,7 @@ void FilmSteps::put_oil(const std::vector<double>& oil, FilmInTime& now) const {
   for (int c = 0; c < g.cells(); ++c) {
     if (film.full[c] || model_.supply.cell[c] >= 0) continue;
     const double held = now.oil[c];
-    now.oil[c] = std::clamp(oil[c] / g.area(c / g.nz, c % g.nz), 0.0, most[c]);
+    now.oil[c] = std::clamp(oil[c] / g.area(c), 0.0, most[c]);
     film.theta[c] = now.oil[c] / most[c];
     if (!(held > 0.0)) continue;
     // Heat goes with the oil: its temperature stays. So does what a cell loses with what it holds:
@@ -61,7 +61,7 @@ void FilmSteps::put_oil(const std::vector<double>& oil, FilmInTime& now) const {
 double FilmSteps::unit_of_place() const {
   const FilmGrid& g = model_.domain.grid;
   double squares = 0.0;
-  for (int c = 0; c < g.cells(); ++c) squares += std::pow(g.area(c / g.nz, c % g.nz), 2);
+  for (int c = 0; c < g.cells(); ++c) squares += std::pow(g.area(c), 2);
   return reference_density(model_) * std::sqrt(0.5 * squares);
 }
 

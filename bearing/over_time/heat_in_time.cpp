@@ -133,15 +133,14 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
   out.settled = settle(energy, out.T);
   out.possible = possible(out.T);
   out.flows.balance = energy.balance(out.T);
-  out.flows.work = (friction.viscous + friction.asperity) * point.scene.speed / g.radius +
-                   pump_power(model, point, s);
+  out.flows.work = friction.torque() * point.scene.speed / g.radius + pump_power(model, point, s);
   const thermal::WallHeat into = energy.wall_heat(out.T);
   out.flows.to_shell = walls.flux;  // of supplies that exchange no heat: no swing
   out.flows.to_shaft.assign(g.cells(), 0.0);
   out.held_slope.assign(out.T.size(), 0.0);
   for (int c = 0; c < g.cells(); ++c) {
     if (!meets_walls(model, c)) continue;
-    const double area = g.area(c / g.nz, c % g.nz);
+    const double area = g.area(c);
     out.flows.to_shell[c] = into.shell[c] / area + rubbed.shell[c];
     out.flows.to_shaft[c] = into.shaft[c] / area + rubbed.shaft[c];
     out.flows.rubbed += area * (rubbed.shell[c] + rubbed.shaft[c]);
@@ -174,7 +173,7 @@ double HeatSteps::surprise(const BearingModel& model, const FilmEquilibrium& s,
       const std::size_t at = static_cast<std::size_t>(c) * n + k;
       off += model.gl.w[k] * (T[at] - s.columns.T[at]);
     }
-    const double weight = std::max(s.film.p[c], 0.0) * g.area(c / g.nz, c % g.nz);
+    const double weight = std::max(s.film.p[c], 0.0) * g.area(c);
     const double by_T =
         rheology::viscosity_slopes(model.oil, s.columns.T_mean[c], s.film.p[c], 0.0).dln_dT;
     sum += weight * std::abs(off * by_T);

@@ -36,7 +36,7 @@ double phi_2(double x) { return std::abs(x) < 1e-5 ? 0.5 + x / 6.0 : (phi_1(x) -
 
 double volume_of(const FilmGrid& g, const Field& wear) {
   double sum = 0.0;
-  for (int k = 0; k < g.cells(); ++k) sum += wear[k] * g.area(k / g.nz, k % g.nz);
+  for (int k = 0; k < g.cells(); ++k) sum += wear[k] * g.area(k);
   return sum * g.multiplicity();
 }
 

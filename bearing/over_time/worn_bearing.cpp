@@ -94,9 +94,8 @@ class UnderStandingLoad final : public Worn<Solution> {
   }
 
   void tell(RunningInState& state, RunningInRun& run) const override {
-    const Friction f = friction_of(now_.model, now_.point, now_.film);
     state.p_asperity_max = largest(now_.film.p_contact);
-    state.torque = f.viscous + f.asperity;
+    state.torque = friction_of(now_.model, now_.point, now_.film).torque();
     state.h_min = now_.film.least.h;
     run.solution = now_;
   }

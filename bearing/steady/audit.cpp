@@ -21,7 +21,7 @@ double energy(const Solution& s, const Friction& f) {
   if (!s.model.physics.film_energy || !s.heat.known()) return NAN;
   const double twice = s.model.domain.grid.multiplicity();
   const auto& b = s.heat.balance;
-  const double power = (f.viscous + f.asperity) * s.point.omega();
+  const double power = f.torque() * s.point.omega();
   // The walls' share as the solids took it up (asperity heat included), not as the film gave it.
   const double gone = twice * (b.carried_out - b.carried_in) + s.heat.solids.shell.heat_in +
                       s.heat.solids.shaft.heat_in;
@@ -62,7 +62,7 @@ double pressure_moment(const Solution& s) {
 
 double moment(const Solution& s, const Friction& f) {
   const double left = f.viscous - f.viscous_shell;
-  return std::abs(left - pressure_moment(s)) / std::max(std::abs(f.viscous + f.asperity), 1e-300);
+  return std::abs(left - pressure_moment(s)) / std::max(std::abs(f.torque()), 1e-300);
 }
 
 }  // namespace

@@ -85,8 +85,7 @@ double calibrate(const Case& c, double wanted, double guess, const SolveControl&
     const Verdict v = solve_equilibrium({s.model, s.point, {}, loose, control.stop}, trial, s.cost);
     if (!v.good()) return static_cast<double>(NAN);
     s.film = trial;
-    const Friction friction = friction_of(s.model, s.point, trial);
-    return friction.viscous + friction.asperity - wanted;
+    return friction_of(s.model, s.point, trial).torque() - wanted;
   };
   return calibrated_temperature(excess, guess, {0.0, kTolerance});
 }

@@ -41,7 +41,7 @@ Probe probe(const Solution& s) {
 double temperature_rise(const Solution& s, const Friction& f, const Probe& p) {
   const double flow = fluid::oil_flows(s.point.scene, s.film.flow).side;
   const double cp = rheology::heat_capacity(s.model.oil, p.T).cp;
-  const double power = std::abs((f.viscous + f.asperity) * s.point.omega());
+  const double power = std::abs(f.torque() * s.point.omega());
   return flow > 0.0 ? power / (flow * cp) : INFINITY;
 }
 

@@ -101,7 +101,7 @@ std::optional<double> LumpedBalance::residual(double T) {
     return std::nullopt;
   }
   const Friction f = friction_of(s_.model, s_.point, s_.film);
-  const double torque = f.viscous + f.asperity;
+  const double torque = f.torque();
   const double power =
       std::abs(torque * s_.point.omega()) + pump_power(s_.model, s_.point, s_.film);
   const double rate = fed.mass * rheology::heat_capacity(s_.model.oil, 0.5 * (T + fed.T)).cp;

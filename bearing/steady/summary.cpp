@@ -79,10 +79,10 @@ void add_friction_parts(const Solution& s, Quantities& q) {
 void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
   const BearingModel& m = s.model;
   const double omega = s.point.omega();
-  q.friction_torque = f.viscous + f.asperity;
+  q.friction_torque = f.torque();
   q.friction_torque_asperity = f.asperity;
   q.friction_torque_shell = f.viscous_shell + f.asperity;
-  q.power_loss = (f.viscous + f.asperity) * omega;
+  q.power_loss = f.torque() * omega;
   q.pump_power = pump_power(m, s.point, s.film);
   q.eccentricity_ratio = std::hypot(s.film.position.ex(), s.film.position.ey()) / m.clearance;
   q.attitude_angle = attitude(s);

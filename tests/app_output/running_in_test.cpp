@@ -39,7 +39,7 @@ double rate_of(const Case& c, const Solution& s) {
   const FilmGrid& g = s.model.domain.grid;
   double force = 0.0;
   for (int k = 0; k < g.cells(); ++k) {
-    force += g.multiplicity() * g.area(k / g.nz, k % g.nz) * s.film.p_contact[k];
+    force += g.multiplicity() * g.area(k) * s.film.p_contact[k];
   }
   const double U = c.operation.omega * c.bearing.radius;
   return c.running_in->wear_coefficient / c.running_in->hardness * U * force;

@@ -71,9 +71,8 @@ Differences differences(const Solution& s, int unknowns, double part) {
         double h = rate * fluid::gap_slope(j, point.scene.angles.cos_cell[k / g.nz],
                                            point.scene.angles.sin_cell[k / g.nz], g.z[k % g.nz]);
         if (!up.elastic.empty()) h += slope * (up.elastic[k] - down.elastic[k]);
-        point.scene.storage.before[k] = -kForever *
-                                        (store.by_gap[k] * h + store.by_theta[k] * theta) /
-                                        g.area(k / g.nz, k % g.nz);
+        point.scene.storage.before[k] =
+            -kForever * (store.by_gap[k] * h + store.by_theta[k] * theta) / g.area(k);
       }
       return again(s, point, j, 0.0);
     };

@@ -54,7 +54,7 @@ void dry(const FilmSteps& steps, double from, double to, double left, FilmInTime
 double oil_of(const FilmSteps& steps, const FilmInTime& now) {
   const FilmGrid& g = steps.model().domain.grid;
   double sum = 0.0;
-  for (int c = 0; c < g.cells(); ++c) sum += now.oil[c] * g.area(c / g.nz, c % g.nz);
+  for (int c = 0; c < g.cells(); ++c) sum += now.oil[c] * g.area(c);
   return g.multiplicity() * sum;
 }
 

@@ -31,7 +31,7 @@ double into_walls(const Solution& s) {
   for (int c = 0; c < g.cells(); ++c) {
     const int patch = s.point.scene.supply.cell[c];
     if (patch < 0) continue;
-    const double hA = supply_heat_transfer(s.model, patch) * g.area(c / g.nz, c % g.nz);
+    const double hA = supply_heat_transfer(s.model, patch) * g.area(c);
     sum += hA * (2.0 * s.heat.T_mix[patch] - s.heat.T_shell[c] - s.heat.T_shaft[c % g.nz]);
   }
   return g.multiplicity() * sum;
@@ -165,7 +165,7 @@ TEST_CASE("AGrooveOfStrongExchangeIsAsWarmAsItsWalls", "[groove_heat]") {
   double walls = 0.0, area = 0.0;
   for (int c = 0; c < g.cells(); ++c) {
     if (s.point.scene.supply.cell[c] < 0) continue;
-    const double A = g.area(c / g.nz, c % g.nz);
+    const double A = g.area(c);
     walls += 0.5 * A * (s.heat.T_shell[c] + s.heat.T_shaft[c % g.nz]);
     area += A;
   }

@@ -81,7 +81,7 @@ TEST_CASE("WornVolumeIsTheFrictionWorkOfAsperities") {
   CHECK(run.states.back().volume == Approx(volume).epsilon(2e-3));
   double profile = 0.0;
   for (int k = 0; k < run.grid.cells(); ++k) {
-    profile += run.wear[k] * run.grid.area(k / run.grid.nz, k % run.grid.nz);
+    profile += run.wear[k] * run.grid.area(k);
   }
   CHECK(run.states.back().volume == Approx(profile).epsilon(1e-12));
 }

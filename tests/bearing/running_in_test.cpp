@@ -44,7 +44,7 @@ TEST_CASE("WearBeginsAsArchardHasIt") {
   double volume = 0.0;
   const FilmGrid& g = fresh.model.domain.grid;
   for (int k = 0; k < g.cells(); ++k) {
-    volume += g.multiplicity() * g.area(k / g.nz, k % g.nz) * fresh.film.p_contact[k];
+    volume += g.multiplicity() * g.area(k) * fresh.film.p_contact[k];
   }
   CHECK(run.states.back().volume == Approx(volume * 1e-8 / 350e6 * U * 1e-3).epsilon(0.01));
   CHECK(run.states.back().t == 1e-3);
@@ -168,7 +168,7 @@ TEST_CASE("WearInTimeIsThatOfManyShortStepsOfAnotherMethod") {
   }
   double volume = 0.0;
   for (int k = 0; k < g.cells(); ++k) {
-    volume += g.multiplicity() * g.area(k / g.nz, k % g.nz) * w[k];
+    volume += g.multiplicity() * g.area(k) * w[k];
   }
   // every step may err by 2 % before it is extrapolated; steps that are not lack 3 % of the depth
   CHECK(run.states.back().depth == Approx(greatest(w)).epsilon(0.005));

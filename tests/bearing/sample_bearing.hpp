@@ -150,8 +150,7 @@ inline void set_load(Case& c, double force) {
 
 /// Torque on the journal [N m].
 [[nodiscard]] inline double torque_of(const Solution& s) {
-  const Friction f = friction_of(s.model, s.point, s.film);
-  return f.viscous + f.asperity;
+  return friction_of(s.model, s.point, s.film).torque();
 }
 
 /// The load asked for where a bound of the reduced pressure forbids it [N]; other endings: none.

@@ -92,7 +92,7 @@ TEST_CASE("TheBreakawayTorqueIsTheCoefficientTimesTheSumOfTheContact", "[start_s
   double contact = 0.0;  // nothing moves: the largest pressures are those of every instant [N]
   double carried = 0.0;  // [N]
   for (int k = 0; k < g.cells(); ++k) {
-    const double force = at_rest.fields.p_asperity_max[k] * g.area(k / g.nz, k % g.nz);
+    const double force = at_rest.fields.p_asperity_max[k] * g.area(k);
     contact += force;
     carried -= force * std::sin(g.phi[k / g.nz]);
   }

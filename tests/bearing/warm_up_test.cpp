@@ -40,7 +40,7 @@ struct WarmUpByHand {
     const thermal::WallHeat heat = energy.wall_heat(T);
     WallFlux q{heat.shell, std::vector<double>(g.nz, 0.0), response};
     for (int c = 0; c < g.cells(); ++c) {
-      q.shell[c] /= g.area(c / g.nz, c % g.nz);
+      q.shell[c] /= g.area(c);
       q.shaft[c % g.nz] += heat.shaft[c] / (2.0 * kPi * g.radius * g.dz[c % g.nz]);
     }
     return q;
@@ -75,7 +75,7 @@ struct WarmUpByHand {
     Field m(g.cells());
     for (int c = 0; c < g.cells(); ++c) {
       m[c] = bearing.film.oil.density[c] * bearing.film.film.theta[c] * bearing.film.shear_gap[c] *
-             g.area(c / g.nz, c % g.nz);
+             g.area(c);
     }
     return m;
   }

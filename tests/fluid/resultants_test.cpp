@@ -74,7 +74,7 @@ TEST_CASE("TheWeightsOfTheWrenchAreTheSlopesOfTheGap") {
     const PosedFilm moved = make_bearing(t);
     double work = 0.0;
     for (int c = 0; c < g.cells(); ++c) {
-      work += p[c] * (moved.gap.cell[c] - b.gap.cell[c]) * g.area(c / g.nz, c % g.nz);
+      work += p[c] * (moved.gap.cell[c] - b.gap.cell[c]) * g.area(c);
     }
     const double scale = 1e7 * s.radius * s.width * step * (k < 2 ? 1.0 : s.width);
     CHECK(std::abs(f[k] * step - work) < 1e-10 * scale);  // h has 1e-16 of 2e-5 over 1e-6

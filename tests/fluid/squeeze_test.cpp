@@ -138,7 +138,7 @@ TEST_CASE("StoredOilIsTheRateOfTheOilInTheGap", "[squeeze]") {
   /// Oil in a cell, by the mean gap itself [kg].
   const auto content = [&](const Gap& gap, const FilmState& film, int k) {
     return s.density * film.theta[k] * gap_flow(s.rough, gap.cell[k]).average_gap *
-           b.scene.grid.area(k / b.scene.grid.nz, k % b.scene.grid.nz);
+           b.scene.grid.area(k);
   };
   for (int k = 0; k < n; k += 7) {
     if (b.scene.supply.cell[k] >= 0) {

@@ -13,7 +13,7 @@ namespace {
 double covered_area(const FilmGrid& g, const SupplyMap& map, int patch) {
   double area = 0.0;
   for (int k = 0; k < g.cells(); ++k) {
-    if (map.cell[k] == patch) area += g.multiplicity() * g.area(k / g.nz, k % g.nz);
+    if (map.cell[k] == patch) area += g.multiplicity() * g.area(k);
   }
   return area;
 }

@@ -234,7 +234,7 @@ TEST_CASE("AYieldingShellIsWhereItsHeatLeadsIt", "[film_in_time]") {
     double off = 0.0;
     for (int c = 0; c < g.cells(); ++c) {
       if (r.problem.patch[c] >= 0) continue;
-      const double area = g.area(c / g.nz, c % g.nz);
+      const double area = g.area(c);
       const double led = 315.0 + impedance * (q.shell[c] / area + 2e3);
       off = std::max(off, std::abs(r.T[r.at(c, 0)] - led));
     }

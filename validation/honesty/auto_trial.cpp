@@ -48,7 +48,7 @@ Full solve_full(Case c, std::array<int, 2> grid, const SolveControl& control) {
   Full full{s.verdict, {}, thread_seconds() - begin, s.cost.factorizations};
   if (!full.verdict.good()) return full;
   const Friction f = friction_of(s.model, s.point, s.film);
-  full.scalars = {f.viscous + f.asperity, s.film.least.h};
+  full.scalars = {f.torque(), s.film.least.h};
   return full;
 }
 

@@ -472,6 +472,20 @@ TEST_CASE("CellsAlongTheAxisAreCountedAsTheyAreSolved") {
   CHECK(refusal(c, [](Case&) {}).key == "model.grid");
 }
 
+TEST_CASE("ALineThatEndsInTheFilmIsTold") {
+  const auto keys = [](double part, double arc) {
+    Case c = plain_case();
+    c.supplies[0].length = part * c.bearing.width;
+    c.supplies[0].arc = arc;
+    std::vector<std::string> all;
+    for (const Finding& f : judge(c)) all.push_back(f.key);
+    return all;
+  };
+  CHECK(keys(1.0, 0.0).empty());  // from edge to edge there is nothing to flow round
+  CHECK(keys(0.8, 0.0) == std::vector<std::string>{"supply.0.arc"});
+  CHECK(keys(0.8, 20.0 * kDegree).empty());
+}
+
 TEST_CASE("AGrooveWhereTheLoadPressesIsTold") {
   Case c = plain_case();
   c.supplies[0].arc = 20.0 * kDegree;

@@ -256,6 +256,20 @@ Beside solve_beside(const Case& c, const SolvedCycle& own, const SolveControl& c
 
 }  // namespace
 
+namespace {
+
+/// In the periodic state as much oil leaves as is fed: what a cycle that is nearly periodic still
+/// gathers or loses, neither flow is known better than.
+void add_gathered_oil(CycleResult& r) {
+  const double gathered = std::abs(value_of(r, "supply_flow") - value_of(r, "side_flow"));
+  for (CycleQuantity& q : r.quantities) {
+    if (!q.quantity.name.ends_with("_flow")) continue;
+    q.quantity.error_time = std::max(q.quantity.error_time, gathered);
+  }
+}
+
+}  // namespace
+
 CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   const SolvedCycle own = solve_cycle_from(nullptr, c, c.model.tier, control);
   CycleResult r = own.result;
@@ -284,6 +298,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   }
   add_between_instants(r);
   add_unsettled_walls(c, r);
+  if (c.cycle->repeats()) add_gathered_oil(r);
   widen_bars_of_power(r);
   if (!c.cycle->step) {
     // The film of one instant is off by what its step may err, whatever other steps give.

@@ -113,6 +113,11 @@ double CyclePasses::displacement() const {
   return kDisplaced * film_.model().clearance * film_.unit_of_place();
 }
 
+int CyclePasses::cycles_of_turn() const {
+  const double cycles = 2.0 * kPi / (course_.largest_speed() * length_);
+  return static_cast<int>(std::ceil(std::clamp(cycles, 1.0, kMostCycles / 12.0)));
+}
+
 bool CyclePasses::displace() {
   JournalState journal = film_.journal_of(now_);
   journal[0] += displacement();

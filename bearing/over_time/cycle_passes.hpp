@@ -88,6 +88,9 @@ class CyclePasses {
   [[nodiscard]] bool displace();
   [[nodiscard]] double displacement() const;
   [[nodiscard]] JournalState journal() const { return film_.journal_of(now_); }
+  /// Cycles in a turn of the journal at its fastest, at least one, and so few that a dozen turns
+  /// end.
+  [[nodiscard]] int cycles_of_turn() const;
   /// All of it between two passes, and the same put back, but for what was spent meanwhile.
   [[nodiscard]] Tape::Content stand();
   void put_back(const Tape::Content& stand);

@@ -107,7 +107,9 @@ void CycleSearch::come_back() {
 }
 
 const Verdict& CycleSearch::judge_orbit() {
-  constexpr int kDying = 2, kSeen = 10;  // cycles in which all but the slowest dies out, and after
+  // Turns, or cycles that are longer, in which all but the slowest dies out, and after: a journal
+  // whirls once in two turns.
+  constexpr std::size_t kDying = 2, kSeen = 10;
   if (!verdict().good() || !may_depart()) return verdict();
   unseen_ = true;
   if (!displaced_) {
@@ -118,17 +120,21 @@ const Verdict& CycleSearch::judge_orbit() {
     }
   }
   const auto rest = [this](Tape& tape) { members(tape); };
-  while (displaced_->ends.size() < kDying + kSeen && passes_.pass(rest)) {
+  const int apart = passes_.cycles_of_turn();
+  while (displaced_->ends.size() < (kDying + kSeen) * apart && passes_.pass(rest)) {
     displaced_->ends.push_back(passes_.journal());
   }
   const bool interrupted = passes_.verdict().status == Status::interrupted;
-  std::vector<JournalState> seen = std::move(displaced_->ends);
+  std::vector<JournalState> seen;
+  for (std::size_t k = 0; k < displaced_->ends.size(); ++k) {
+    if ((k + 1) % apart == 0) seen.push_back(displaced_->ends[k]);
+  }
   const double displaced = passes_.displacement();
   come_back();
   if (interrupted) unsettled_ = {Status::interrupted};  // what is told is the orbit
   if (seen.size() < kDying + kSeen) return verdict();   // displaced, it does not pass the cycle
   seen.erase(seen.begin(), seen.begin() + kDying);
-  growth_ = growth_per_cycle(seen, displaced).value_or(NAN);
+  growth_ = std::pow(growth_per_cycle(seen, displaced).value_or(NAN), 1.0 / apart);
   unseen_ = std::isnan(growth_);
   if (growth_ >= 1.0) {
     unsettled_ = {Status::iteration_limit,

@@ -34,7 +34,8 @@ using bearing::Quantity;
 
 /// True if the value is nothing but round-off beside the shear of the film: pressures, forces and
 /// flows of a film whose journal is in the middle and that nothing feeds. Measured by what shear of
-/// the friction's size makes at once: p = tau R/c, F = 2 R B p, Q = U B c.
+/// the friction's size makes at once: p = tau R/c, F = 2 R B p, Q = U B c. And the heat into a shaft
+/// that ends at the bearing's edges, from which none leaves.
 [[nodiscard]] bool is_round_off(const bearing::Case& c, const Quantity& q,
                                 const std::vector<Quantity>& all);
 

@@ -267,6 +267,13 @@ TEST_CASE("TwoCyclesAgreeOnceTheirRateIsKnown") {
     swings.add(d);
     CHECK_FALSE(swings.closed());
   }
+  // A big end's: three differences tell that less is left than the last of them, two do not.
+  Closure fast;
+  for (const double d : {0.36, 5.6e-3}) fast.add(d);
+  CHECK(fast.left() >= 5.6e-3);
+  fast.add(3.4e-4);
+  CHECK(fast.left() == Approx(3.4e-4 * 0.0607 / (1.0 - 0.0607)).epsilon(1e-2));
+  CHECK(fast.closed());
   Closure same;
   same.add(1e-9);  // near whatever the rate
   CHECK(same.closed());

@@ -65,6 +65,10 @@ TEST_CASE("BarsOfACycleHoldAFinerGridAndShorterSteps", "[cycle]") {
     CHECK(std::abs(time) <= q.quantity.error_time + 2e-4 * q.quantity.value);
     CHECK(q.quantity.error_grid < 0.2 * q.quantity.value);  // and the bar says something
   }
+  // As much oil leaves the periodic film as is fed; the told flows differ by what is gathered.
+  const Quantity &side = named(usual, "side_flow").quantity,
+                 &supply = named(usual, "supply_flow").quantity;
+  CHECK(std::abs(side.value - supply.value) <= std::min(side.error_time, supply.error_time));
 }
 
 TEST_CASE("WhatLiesBetweenInstantsIsThatOfAParabola") {

@@ -277,3 +277,18 @@ TEST_CASE("WhatIsRoundOffTellsNothingOfTheFilm") {
     CHECK(quantity(r, "h_min").error_grid < 1e-3 * quantity(r, "h_min").value);
   }
 }
+
+TEST_CASE("AShaftThatEndsAtTheBearingTakesNoHeatOnAnyCells") {
+  Case c = rig_case();
+  c.model.tier = Tier::thd;
+  set_load(c, 3e3);
+  REQUIRE(c.shaft->overhang == 0.0);
+  c.model.grid = {48, 8};
+  const Result r = fidelity::solve(c);
+  REQUIRE(r.verdict.good());
+  const Quantity& heat = quantity(r, "heat_to_shaft");
+  const double power = r.value("power_loss");
+  CHECK(std::abs(heat.value) < 1e-3 * power);
+  CHECK(heat.error_grid < 1e-3 * power);           // and the bar knows it
+  CHECK(heat.error_grid >= std::abs(heat.value));  // zero is within it
+}

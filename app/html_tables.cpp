@@ -14,7 +14,6 @@
 #include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
-#include "bearing/friction_split.hpp"
 
 namespace shellback::app {
 namespace {
@@ -68,15 +67,7 @@ std::string split_sentences(const Comparison& comparison) {
   html +=
       fmt::format("<p>Largest cause of the difference: {} ({} N·m).", escape_markup(largest->name),
                   typeset_number(signed_change(split, largest->change)));
-  if (std::isfinite(comparison.T_calibrated)) {
-    html += fmt::format(" The two would agree at an equivalent temperature of {} °C (calibrated).",
-                        figures(display_unit("T_equivalent", "K")(comparison.T_calibrated)));
-  } else {
-    html += fmt::format(
-        " No equivalent temperature with the full torque was found within {:.0f} K of the film's.",
-        bearing::kCalibrationReach);
-  }
-  return html + "</p>";
+  return html + " " + escape_markup(calibration_words(comparison, Writing::typeset)) + ".</p>";
 }
 
 std::string measured_sentence(const bearing::Case& c, const Comparison& comparison) {

@@ -255,9 +255,8 @@ std::string comparison_json(const bearing::Case& c, const bearing::Comparison& c
   add_case(json, c);
   json["measured"] = measured_json(c.measured);
   json["friction_split"] = split_json(comparison.split);
-  json["T_calibrated"] = std::isfinite(comparison.T_calibrated)
-                             ? with_unit(comparison.T_calibrated, "K")
-                             : Json(nullptr);
+  const bearing::Calibration& at = comparison.calibration;
+  json["T_calibrated"] = at.found() ? with_unit(at.T, "K") : Json(nullptr);
   json["provenance"] = provenance_json(c);
   return dump(json);
 }

@@ -14,7 +14,6 @@
 #include "app/words/effect_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_coefficients.hpp"
-#include "bearing/friction_split.hpp"
 #include "core/constants.hpp"
 #include "fidelity/grid_error.hpp"
 
@@ -237,17 +236,8 @@ void write_comparison_table(std::ostream& out, const Case& c, const Comparison& 
     if (!open.empty()) out << to_string(r.tier) << ": " << open << '\n';
   }
   print_split(out, comparison);
-  if (std::isfinite(comparison.T_calibrated)) {
-    out << fmt::format(
-        "\ncalibrated equivalent temperature {} degC: there the isothermal torque is the full "
-        "one\n",
-        figures(display_unit("T_equivalent", "K")(comparison.T_calibrated)));
-  } else if (!comparison.split.steps.empty()) {
-    out << fmt::format(
-        "\nno equivalent temperature with the full torque was found within {:.0f} K of the "
-        "film's\n",
-        bearing::kCalibrationReach);
-  }
+  if (!comparison.split.steps.empty())
+    out << '\n' << calibration_words(comparison, Writing::plain) << '\n';
   print_checks(out, comparison);
   if (!results.empty()) print_effects(out, results.back());
   print_limiters(out, results);

@@ -12,11 +12,21 @@ void close_split(const Torque& start, const Torque& end, FrictionSplit& split) {
   split.steps.push_back(asperities);
 }
 
-double calibrated_temperature(const std::function<double(double)>& excess, double guess,
-                              const BracketOptions& options) {
+Calibration calibrate(const std::function<double(double)>& torque, double wanted, double guess,
+                      const BracketOptions& options) {
+  Calibration out;
+  const auto excess = [&](double T) {
+    const double here = torque(T);
+    if (std::isnan(here)) return here;
+    out.coldest = std::min(out.coldest, T);
+    out.warmest = std::max(out.warmest, T);
+    out.least_torque = std::min(out.least_torque, here);
+    out.most_torque = std::max(out.most_torque, here);
+    return here - wanted;
+  };
   const KnownPoint begun{guess, excess(guess)};
-  if (begun.f == 0.0) return guess;
-  if (std::isnan(begun.f)) return NAN;
+  if (begun.f == 0.0) out.T = guess;
+  if (begun.f == 0.0 || std::isnan(begun.f)) return out;
   const double full_film = begun.f > 0.0 ? 1.0 : -1.0;  // warmer oil, less friction
   for (const double side : {full_film, -full_film}) {   // the other way where summits rub
     KnownPoint here = begun, other = begun;
@@ -28,9 +38,10 @@ double calibrated_temperature(const std::function<double(double)>& excess, doubl
     }
     if (!(other.f * here.f < 0.0)) continue;
     const BracketedRoot root = bracketed_root(excess, here, other, options);
-    return root.found ? root.at.x : NAN;
+    if (root.found) out.T = root.at.x;
+    return out;
   }
-  return NAN;
+  return out;
 }
 
 }  // namespace shellback::bearing

@@ -24,10 +24,10 @@ void close_split(const Torque& start, const Torque& end, FrictionSplit& split);
 /// From the guess of the calibrated temperature, to either side [K].
 inline constexpr double kCalibrationReach = 32.0;
 
-/// Film temperature at which `excess` of isothermal torque over the wanted one vanishes [K],
-/// searched from `guess` within kCalibrationReach, first where a full film has the friction that is
-/// wanted; NaN if there is none, or `excess` is NaN on the way.
-[[nodiscard]] double calibrated_temperature(const std::function<double(double)>& excess,
-                                            double guess, const BracketOptions& options);
+/// Film temperature at which the isothermal `torque` [N m] (of a film temperature [K]; NaN: no film
+/// was found) is the `wanted` one, searched from `guess` within kCalibrationReach, first where a
+/// full film has the friction that is wanted; none if there is none, or `torque` is NaN on the way.
+[[nodiscard]] Calibration calibrate(const std::function<double(double)>& torque, double wanted,
+                                    double guess, const BracketOptions& options);
 
 }  // namespace shellback::bearing

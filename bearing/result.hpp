@@ -158,11 +158,21 @@ struct FrictionSplit {
   std::vector<FrictionStep> steps;
 };
 
+/// The equivalent temperature at which isothermal and full torque agree, and what was seen on the
+/// way to it: the range of film temperatures and that of the isothermal torque over it.
+struct Calibration {
+  double T = NAN;                                           ///< [K]; NaN: none
+  double coldest = INFINITY, warmest = -INFINITY;           ///< [K]
+  double least_torque = INFINITY, most_torque = -INFINITY;  ///< [N m]
+  [[nodiscard]] bool found() const { return std::isfinite(T); }
+  [[nodiscard]] bool looked() const { return coldest <= warmest; }  ///< one film at least
+};
+
 /// All that `compare` shows.
 struct Comparison {
   std::vector<Result> results;
-  FrictionSplit split;        ///< empty `steps`: not both ends were computed
-  double T_calibrated = 0.0;  ///< T_eq at which isothermal and full torque agree [K]; NaN: none
+  FrictionSplit split;      ///< empty `steps`: not both ends were computed
+  Calibration calibration;  ///< `looked` where both ends were
 };
 
 }  // namespace shellback::bearing

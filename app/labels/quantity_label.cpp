@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bearing/friction_split.hpp"
 #include "bearing/temperature_limits.hpp"
 #include "core/constants.hpp"
 
@@ -270,6 +271,28 @@ bearing::FrictionSplit against_the_motion(bearing::FrictionSplit split) {
   split.to = -split.to;
   for (auto& step : split.steps) step.change = -step.change;
   return split;
+}
+
+std::string calibration_words(const bearing::Comparison& comparison, Writing writing) {
+  const bearing::Calibration& at = comparison.calibration;
+  const bool plain = writing == Writing::plain;
+  const std::string degrees = plain ? "degC" : "°C", torque = plain ? "N m" : "N·m";
+  const auto temperature = [](double T) { return figures(display_unit("T_equivalent", "K")(T)); };
+  if (at.found()) {
+    return fmt::format(
+        "calibrated equivalent temperature {} {}: there the isothermal torque is the full one",
+        temperature(at.T), degrees);
+  }
+  const std::string none = "no equivalent temperature with the full torque was found: ";
+  if (!at.looked()) return none + "isothermal, the film's mean temperature has no solution";
+  const double full = std::abs(comparison.split.to);  // however it turns
+  const auto [least, most] = std::minmax({std::abs(at.least_torque), std::abs(at.most_torque)});
+  const bool passes = least <= full && full <= most;
+  const bool all = at.warmest - at.coldest > 1.999 * bearing::kCalibrationReach;
+  return fmt::format("{}from {} to {} {} the isothermal torque is {} to {} {}{}{}", none,
+                     temperature(at.coldest), temperature(at.warmest), degrees, figures(least),
+                     figures(most), torque, passes ? " and jumps past it" : "",
+                     passes || all ? "" : "; beyond, no film was found");
 }
 
 double unexplained(const bearing::FrictionSplit& split) {

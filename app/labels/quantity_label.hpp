@@ -102,6 +102,10 @@ enum class Writing { plain, typeset };
 /// The same as a torque against the motion, positive however the journal turns [N m].
 [[nodiscard]] bearing::FrictionSplit against_the_motion(bearing::FrictionSplit split);
 
+/// "calibrated equivalent temperature 106.2 degC: there the isothermal torque is the full one", or
+/// over which temperatures it is which torques, none of them the full one.
+[[nodiscard]] std::string calibration_words(const bearing::Comparison& comparison, Writing writing);
+
 /// What the steps leave unexplained: to - from - sum of the steps [N m].
 [[nodiscard]] double unexplained(const bearing::FrictionSplit& split);
 

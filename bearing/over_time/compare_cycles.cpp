@@ -61,14 +61,14 @@ void split_friction(const Case& c, const CycleResult& isothermal, const CycleRes
   close_split(start, end, split);
 }
 
-/// Film temperature at which the mean torque of isothermal cycles is `wanted` [K]; NaN: none.
-double calibrate(CycleSearch& search, double wanted, double guess) {
-  const auto excess = [&](double T) {
+/// The film temperature at which the mean torque of isothermal cycles is `wanted`.
+Calibration calibrate_cycles(CycleSearch& search, double wanted, double guess) {
+  const auto torque = [&](double T) {
     search.set_temperature(T);
-    return search.search(false).good() ? search.told().means().torque - wanted : double{NAN};
+    return search.search(false).good() ? search.told().means().torque : double{NAN};
   };
   // No better than cycles close.
-  return calibrated_temperature(excess, guess, {kClosed * std::abs(wanted), kCycleBracket});
+  return calibrate(torque, wanted, guess, {kClosed * std::abs(wanted), kCycleBracket});
 }
 
 }  // namespace
@@ -76,7 +76,6 @@ double calibrate(CycleSearch& search, double wanted, double guess) {
 CycleComparison compare_cycles(const Case& c, const std::vector<Tier>& tiers,
                                const SolveControl& control, const SolveCycle& solve) {
   CycleComparison out;
-  out.sums.T_calibrated = NAN;
   std::optional<CycleResult> isothermal, full;
   for (const Tier tier : tiers) {
     Case one = c;
@@ -95,7 +94,7 @@ CycleComparison compare_cycles(const Case& c, const std::vector<Tier>& tiers,
   CycleSearch one(c, Tier::isothermal, control);
   one.begin(T);
   split_friction(c, *isothermal, *full, one, control, out.sums.split);
-  out.sums.T_calibrated = calibrate(one, out.sums.split.to, T);
+  out.sums.calibration = calibrate_cycles(one, out.sums.split.to, T);
   return out;
 }
 

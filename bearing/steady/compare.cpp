@@ -71,13 +71,13 @@ void split_friction(const Solution& isothermal, const Solution& full, const Solv
   close_split(start, end, split);
 }
 
-/// Film temperature at which the isothermal torque is `wanted` [K]; NaN if none within the oil's
-/// range. Warm-started from T to T.
-double calibrate(const Case& c, double wanted, double guess, const SolveControl& control) {
+/// The film temperature at which the isothermal torque is `wanted`. Warm-started from T to T.
+Calibration calibrate_film(const Case& c, double wanted, double guess,
+                           const SolveControl& control) {
   constexpr double kTolerance = 1e-4;  // [K]
   Solution s = solve_isothermal_at(c, guess, control);
-  if (!s.verdict.good()) return NAN;
-  const auto excess = [&](double T) {
+  if (!s.verdict.good()) return {};
+  const auto torque = [&](double T) {
     std::fill(s.film.columns.T.begin(), s.film.columns.T.end(), T);
     FilmEquilibrium trial = s.film;
     EquilibriumOptions loose;
@@ -85,9 +85,9 @@ double calibrate(const Case& c, double wanted, double guess, const SolveControl&
     const Verdict v = solve_equilibrium({s.model, s.point, {}, loose, control.stop}, trial, s.cost);
     if (!v.good()) return static_cast<double>(NAN);
     s.film = trial;
-    return friction_of(s.model, s.point, trial).torque() - wanted;
+    return friction_of(s.model, s.point, trial).torque();
   };
-  return calibrated_temperature(excess, guess, {0.0, kTolerance});
+  return calibrate(torque, wanted, guess, {0.0, kTolerance});
 }
 
 }  // namespace
@@ -95,7 +95,6 @@ double calibrate(const Case& c, double wanted, double guess, const SolveControl&
 Comparison compare(const Case& c, const std::vector<Tier>& tiers, const SolveControl& control,
                    const SumUp& sum_up) {
   Comparison out;
-  out.T_calibrated = NAN;
   std::optional<Solution> isothermal, full;
   for (const Tier tier : tiers) {
     Case one = c;
@@ -112,7 +111,7 @@ Comparison compare(const Case& c, const std::vector<Tier>& tiers, const SolveCon
   }
   if (isothermal && full) {
     split_friction(*isothermal, *full, control, out.split);
-    out.T_calibrated = calibrate(c, out.split.to, oil_mean(*full), control);
+    out.calibration = calibrate_film(c, out.split.to, oil_mean(*full), control);
   }
   return out;
 }

@@ -120,7 +120,7 @@ TEST_CASE("ComparisonStepsAddUpAndCalibratedTemperatureIsKept") {
   for (const auto& step : split["steps"]) sum += step["change"].get<double>();
   // The rest is round-off of the sum of a few numbers of order one.
   CHECK(sum + split["rest"].get<double>() == Approx(split["to"].get<double>()).epsilon(1e-14));
-  CHECK(j["T_calibrated"]["value"].get<double>() == comparison.T_calibrated);
+  CHECK(j["T_calibrated"]["value"].get<double>() == comparison.calibration.T);
   CHECK(j["T_calibrated"]["unit"] == "K");
   CHECK(j["measured"]["friction_torque"]["value"] == 1.0);
 }
@@ -129,7 +129,7 @@ TEST_CASE("OneFailedResultMakesTheComparisonNotConverged") {
   auto comparison = test::synthetic_comparison();
   comparison.results[1] = test::not_converged(comparison.results[1]);
   comparison.split = {};
-  comparison.T_calibrated = kNaN;
+  comparison.calibration = {};
   const auto j = json::parse(app::comparison_json(test::synthetic_case(), comparison));
   CHECK(j["status"] == "iteration limit");
   CHECK(j["friction_split"].is_null());

@@ -192,7 +192,7 @@ Comparison synthetic_comparison() {
                        {"clearance", 0.024},
                        {"elasticity", -0.051},
                        {"asperity share", 0.013}}};
-  comparison.T_calibrated = 379.4;
+  comparison.calibration.T = 379.4;
   return comparison;
 }
 

@@ -88,6 +88,21 @@ TEST_CASE("TheSplitShowsWhatItLeavesUnexplained") {
   CHECK(comparison_table(comparison).find("not accounted for") != std::string::npos);
 }
 
+TEST_CASE("WhyNoTemperatureHasTheFullFrictionIsTold") {
+  bearing::Comparison c = test::synthetic_comparison();
+  const auto told = [&](bearing::Calibration at, const std::string& words) {
+    c.calibration = at;
+    return comparison_table(c).find(words) != std::string::npos;
+  };
+  const double K = 273.15;
+  CHECK(told({NAN, K + 40.0, K + 104.0, 0.2, 0.9},  // the full torque is 0.968
+             "from 40.00 to 104.0 degC the isothermal torque is 0.2000 to 0.9000 N m\n"));
+  CHECK(told({NAN, K + 60.0, K + 104.0, -0.9, -0.2},
+             "60.00 to 104.0 degC the isothermal torque is 0.2000 to 0.9000 N m; beyond, no film"));
+  CHECK(told({NAN, K + 60.0, K + 68.0, 0.8, 1.2}, "0.8000 to 1.200 N m and jumps past it\n"));
+  CHECK(told({}, "isothermal, the film's mean temperature has no solution\n"));
+}
+
 TEST_CASE("TiersThatAppearTwiceAreNumbered") {
   auto comparison = test::synthetic_comparison();
   comparison.results.push_back(comparison.results.front());

@@ -71,16 +71,16 @@ TEST_CASE("RigidColdComparisonBlamesTemperatureAlone", "[compare]") {
 TEST_CASE("CalibratedTemperatureReproducesTheFullTorque", "[compare]") {
   for (const Case& c : {warm_case(), rig_case(), grooved_case()}) {
     const Comparison both = compare(c, {Tier::isothermal, Tier::tehd});
-    INFO(c.title << " at " << both.T_calibrated << " K");
-    REQUIRE(std::isfinite(both.T_calibrated));
-    const double torque = torque_of(solve_isothermal_at(c, both.T_calibrated));
+    INFO(c.title << " at " << both.calibration.T << " K");
+    REQUIRE(std::isfinite(both.calibration.T));
+    const double torque = torque_of(solve_isothermal_at(c, both.calibration.T));
     CHECK(torque == Approx(both.split.to).epsilon(1e-4));
   }
 }
 
 TEST_CASE("AnEquivalentTemperatureIsFoundWhicheverWayFrictionGoes", "[compare]") {
   const auto found = [](const std::function<double(double)>& excess) {
-    return calibrated_temperature(excess, 353.15, {0.0, 1e-6});
+    return calibrate(excess, 0.0, 353.15, {0.0, 1e-6}).T;
   };
   // A full film rubs less in warmer oil, summits more.
   for (const double slope : {-1.0, 1.0}) {
@@ -93,9 +93,27 @@ TEST_CASE("AnEquivalentTemperatureIsFoundWhicheverWayFrictionGoes", "[compare]")
   CHECK(std::isnan(found([](double T) { return 1.0 + std::pow(T - 360.0, 2); })));
 }
 
+TEST_CASE("WhereNoTemperatureHasTheFrictionWhatWasSeenIsKept", "[compare]") {
+  const double guess = 353.15, reach = kCalibrationReach;
+  const auto falling = [=](double T) { return 1.0 - 0.01 * (T - guess); };
+  const Calibration out_of_reach = calibrate(falling, 2.0, guess, {0.0, 1e-6});
+  CHECK_FALSE(out_of_reach.found());
+  CHECK(out_of_reach.coldest == Approx(guess - reach));
+  CHECK(out_of_reach.warmest == Approx(guess + reach));
+  CHECK(out_of_reach.most_torque == Approx(falling(guess - reach)));
+  CHECK(out_of_reach.least_torque == Approx(falling(guess + reach)));
+  // No film below 340 K: nothing is told of what lies there.
+  const auto ends = [=](double T) { return T < 340.0 ? double{NAN} : falling(T); };
+  const Calibration cut = calibrate(ends, 2.0, guess, {0.0, 1e-6});
+  CHECK_FALSE(cut.found());
+  CHECK(cut.coldest >= 340.0);
+  CHECK(cut.most_torque == Approx(falling(cut.coldest)));
+  CHECK_FALSE(calibrate([](double) { return double{NAN}; }, 2.0, guess, {0.0, 1e-6}).looked());
+}
+
 TEST_CASE("OneTierAloneIsNotSplit", "[compare]") {
   const Comparison one = compare(warm_case(), {Tier::thd, Tier::lumped});
   CHECK(one.results.size() == 2);
   CHECK(one.split.steps.empty());
-  CHECK(std::isnan(one.T_calibrated));
+  CHECK_FALSE(one.calibration.looked());
 }

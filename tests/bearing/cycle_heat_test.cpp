@@ -324,7 +324,7 @@ TEST_CASE("TheFrictionOfACycleIsSplitIntoItsCauses", "[cycle_heat]") {
   CHECK(split.steps.front().change < 0.0);  // warmer oil
   // at the calibrated temperature isothermal cycles have the full friction, within their closure
   Case at = c;
-  at.oil_temperature = all.sums.T_calibrated;
+  at.oil_temperature = all.sums.calibration.T;
   CHECK(value(converged(at, Tier::isothermal), "friction_torque") ==
         Approx(split.to).epsilon(5e-4));
 }

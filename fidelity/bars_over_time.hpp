@@ -114,7 +114,7 @@ template <class State, class Followed, class Size>
 void share_bars_of_states(const Followed& followed, const Size& size_of, std::vector<State>& bars) {
   for (std::size_t k = 0; k < bars.size(); ++k) {
     std::vector<BarOfSize> all;
-    for (const auto& q : followed) all.emplace_back(&(bars[k].*q.value), size_of(k, q));
+    for (const auto& q : followed) all.push_back({&(bars[k].*q.value), size_of(k, q)});
     share_bars(all);
   }
 }

@@ -101,8 +101,9 @@ void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine
       q.quantity.error_grid += edge_error(r.fields.grid, r.fields.h_min);
     }
     q.quantity.order = bar.order;
-    bars.emplace_back(&q.quantity.error_grid,
-                      natural_size(q.quantity, mean_supply_temperature(c), all));
+    bars.push_back({&q.quantity.error_grid,
+                    natural_size(q.quantity, mean_supply_temperature(c), all),
+                    is_part_of_friction(q.quantity.name)});
   }
   share_bars(bars);
 }
@@ -142,8 +143,9 @@ void share_time_bars(const Case& c, CycleResult& r) {
   std::vector<BarOfSize> bars;
   for (CycleQuantity& q : r.quantities) {
     if (given_by_case(c, r.tier, q.quantity.name)) continue;
-    bars.emplace_back(&q.quantity.error_time,
-                      natural_size(q.quantity, mean_supply_temperature(c), all));
+    bars.push_back({&q.quantity.error_time,
+                    natural_size(q.quantity, mean_supply_temperature(c), all),
+                    is_part_of_friction(q.quantity.name)});
   }
   share_bars(bars);
 }

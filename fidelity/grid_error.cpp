@@ -72,13 +72,13 @@ GridBar grid_bar(const std::vector<GridValue>& v, double h) {
 void share_bars(const std::vector<BarOfSize>& bars) {
   constexpr double kShare = 0.2;  // [-]
   std::vector<double> relative;
-  for (const auto& [bar, size] : bars) {
-    if (std::isfinite(*bar / size)) relative.push_back(*bar / size);
+  for (const auto& [bar, size, part] : bars) {
+    if (!part && std::isfinite(*bar / size)) relative.push_back(*bar / size);
   }
   if (relative.empty()) return;
   const auto middle = relative.begin() + static_cast<long>(relative.size() / 2);
   std::nth_element(relative.begin(), middle, relative.end());
-  for (const auto& [bar, size] : bars) {
+  for (const auto& [bar, size, part] : bars) {
     if (std::isfinite(*bar)) *bar = std::max(*bar, kShare * *middle * size);
   }
 }

@@ -75,10 +75,16 @@ inline constexpr double kSafety = 1.5;
 [[nodiscard]] GridBar grid_bar(const std::vector<GridValue>& coarse_to_fine, double h);
 
 /// A bar and the size of its quantity.
-using BarOfSize = std::pair<double*, double>;
+struct BarOfSize {
+  double* bar = nullptr;
+  double size = 0.0;
+  bool part = false;  ///< of another quantity, whose error is that of the film already
+};
 
 /// No bar is left shorter, against the size of its quantity, than a fifth of the median one: all
-/// share one film, and a small change of one is often chance. Bars that are not known have no part.
+/// share one film, and a small change of one is often chance. Bars that are not known have no part
+/// in the median, nor have those of parts: four parts of a light contact's friction, each known to
+/// twice itself, would be most of what a load cycle tells.
 void share_bars(const std::vector<BarOfSize>& bars);
 
 /// Cells around and along the full width of the grid that the values of tier `auto` are meant for.

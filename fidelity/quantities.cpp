@@ -34,6 +34,10 @@ bool is_of_heat(const std::string& name) {
   return name.starts_with("T_") || name.starts_with("heat");
 }
 
+bool is_part_of_friction(const std::string& name) {
+  return name.starts_with("friction_torque_") && name != "friction_torque_shell";
+}
+
 bool one_sign(const Quantity& q) {
   const auto units = {"N m", "m", "Pa", "1", "m3/s"};
   return q.name != "thermal_opening_mean" &&

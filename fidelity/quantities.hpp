@@ -18,6 +18,9 @@ using bearing::Quantity;
 [[nodiscard]] bool given_by_case(const bearing::Case& c, bearing::Tier tier,
                                  const std::string& name);
 
+/// True of the asperities' torque and what it is made of, parts of the friction torque.
+[[nodiscard]] bool is_part_of_friction(const std::string& name);
+
 /// True of temperatures and heats, which a film of held temperatures does not know.
 [[nodiscard]] bool is_of_heat(const std::string& name);
 
@@ -34,8 +37,8 @@ using bearing::Quantity;
 
 /// True if the value is nothing but round-off beside the shear of the film: pressures, forces and
 /// flows of a film whose journal is in the middle and that nothing feeds. Measured by what shear of
-/// the friction's size makes at once: p = tau R/c, F = 2 R B p, Q = U B c. And the heat into a shaft
-/// that ends at the bearing's edges, from which none leaves.
+/// the friction's size makes at once: p = tau R/c, F = 2 R B p, Q = U B c. And the heat into a
+/// shaft that ends at the bearing's edges, from which none leaves.
 [[nodiscard]] bool is_round_off(const bearing::Case& c, const Quantity& q,
                                 const std::vector<Quantity>& all);
 

@@ -84,7 +84,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     const bool known = q.error_grid < size;  // at all: else it leads anywhere
     q.limit = known ? limit_of(c, q, bar.limit) : NAN;
     judged.emplace_back(&q, size);
-    bars.emplace_back(&q.error_grid, size);
+    bars.push_back({&q.error_grid, size, is_part_of_friction(q.name)});
   }
   share_bars(bars);
   share_bars_of_coefficients(judged);

@@ -91,10 +91,12 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
       std::min(std::max(3, static_cast<int>(std::lround(kSecond * along))), most_axial_cells(c));
   Solution on;
   on.T_film = s.T_film;
-  on.cost.most_work = most_work(c, tier, control);
+  on.cost = s.cost;
+  on.cost.most_work = s.cost.work + most_work(c, tier, control);
   on.model = make_bearing(second, physics_of(second, tier), second.model.grid);
   on.point = operating_point(on.model);
   solve_on_grid(on, tier, {false, true, false}, control);
+  s.cost = on.cost;
   if (on.verdict.status == Status::interrupted) {
     s.verdict = on.verdict;
     return;

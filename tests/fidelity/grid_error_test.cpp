@@ -102,11 +102,16 @@ TEST_CASE("BarsScaleWithTheirQuantity") {
 
 TEST_CASE("NoBarIsMuchShorterThanThoseOfTheSameFilm") {
   double bars[] = {1e-6, 0.1, 0.2, NAN};
-  share_bars({{&bars[0], 1.0}, {&bars[1], 1.0}, {&bars[2], 1.0}, {&bars[3], 1.0}});
+  double part = 4.0;  // no witness of the film
+  share_bars(
+      {{&bars[0], 1.0}, {&bars[1], 1.0}, {&bars[2], 1.0}, {&bars[3], 1.0}, {&part, 1.0, true}});
   CHECK(bars[0] == Approx(0.02));  // a fifth of the middle one
   CHECK(bars[1] == 0.1);
   CHECK(bars[2] == 0.2);
   CHECK(std::isnan(bars[3]));
+  part = 1e-6;
+  share_bars({{&bars[1], 1.0}, {&bars[2], 1.0}, {&part, 1.0, true}});
+  CHECK(part == Approx(0.04));  // and yet no better known than it
 }
 
 TEST_CASE("CoarseGridsAreTwoAtLeastAndCoarser") {

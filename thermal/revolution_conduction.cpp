@@ -6,7 +6,6 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
-#include "thermal/impedance_modes.hpp"
 
 namespace shellback::thermal {
 namespace {
@@ -62,7 +61,8 @@ ShellConduction::ShellConduction(const ShellConduction& steady, const std::vecto
       back_line_(steady.back_line_),
       harmonics_(steady.harmonics_),
       sample_(steady.harmonics_.highest(), true),
-      cells_(steady.cells_) {
+      cells_(steady.cells_),
+      above_(steady.above_) {
   compute();
 }
 
@@ -98,6 +98,7 @@ void ShellConduction::compute() {
     lambda_.push_back(std::move(modes.lambda));
     modes_.push_back(std::move(modes.V));
   }
+  if (steady) above_ = {lambda_.back(), modes_.back()};
   mean_ = dz.transpose() * surface_[0] / dz.sum();
   back_heat_ = whole() * system_.to_back() * nodal_[0];
   end_heat_ = whole() * system_.to_ends() * nodal_[0];
@@ -147,6 +148,25 @@ double ShellConduction::mean_surface(const Field& q, double surroundings,
   return surroundings + mean;
 }
 
+Field ShellConduction::above_harmonics(const Field& q, double g, const Field& t_old) const {
+  const auto rest = [&](const Field& f) {
+    Field r = harmonics_.synthesise(harmonics_.fit(f));
+    for (std::size_t c = 0; c < f.size(); ++c) r[c] = f[c] - r[c];
+    return r;
+  };
+  const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
+  const auto& [lambda, V] = above_;
+  const Field q_rest = rest(q);
+  Field T = rest(t_old);
+  const Eigen::Map<const Eigen::MatrixXd> q_cells(q_rest.data(), grid_.nz, grid_.nt);
+  Eigen::Map<Eigen::MatrixXd> T_cells(T.data(), grid_.nz, grid_.nt);
+  const Eigen::MatrixXd to_modes = V.transpose() * dz.asDiagonal();
+  const Eigen::MatrixXd y = to_modes * q_cells, y_old = to_modes * T_cells;
+  const Eigen::VectorXd yields = (1.0 + g * lambda.array()).inverse();
+  T_cells += V * (yields.asDiagonal() * (lambda.asDiagonal() * y - y_old));
+  return T;
+}
+
 ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film, const Field& t_old,
                                         double surroundings, bool with_back,
                                         const ShellHistory* history) const {
@@ -175,6 +195,8 @@ ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film, co
     return harmonics_.synthesise(t);
   };
   out.surface = cells(surface_, &ShellHistory::surface);
+  const Field above = above_harmonics(q, film.local, t_old);
+  for (std::size_t c = 0; c < above.size(); ++c) out.surface[c] += above[c];
   if (with_back) out.back = cells(back_, &ShellHistory::back);
   const Eigen::VectorXd mean_flux = out.flux.col(0);
   out.heat_in = whole() * grid_.radius * dz.dot(mean_flux);

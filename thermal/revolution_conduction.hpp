@@ -16,9 +16,13 @@
 /// the integrals of the bore's shape functions over the film cells, the nodal temperatures are
 ///   T_n = A_n^-1 P R q_n + A_n^-1 M/dt T_n,before                                (2)
 /// and cell means of the bore temperature Z_n q_n + history, Z_n = R diag(1/dz) P^T A_n^-1 P:
-/// diag(dz) Z_n is symmetric and positive. The steady state is dt = infinity: no history. The
-/// discrete heat balance is exact: heat in = through the back + through the ends + stored, to
-/// round-off.
+/// diag(dz) Z_n is symmetric and positive. What lies above the highest harmonic N, cell by cell, is
+/// answered with that one's steady impedance: T = sum_n Z_n q_n + Z_N (q - P q), P the projection
+/// on harmonics 0 .. N (Harmonics::fit). Dropped instead, the temperature of an insulating bore
+/// beside cold oil rings about its jump, up to 0.09 of it beyond both sides on any grid; so it
+/// stays between them. A body that conducts along holds such waves back by n/N more: jumps are as
+/// steep as the cells are. The steady state is dt = infinity: no history. The discrete heat balance
+/// is exact: heat in = through the back + through the ends + stored, to round-off.
 #include <vector>
 
 #include "core/eigen.hpp"
@@ -26,6 +30,7 @@
 #include "core/harmonics.hpp"
 #include "core/revolution_mesh.hpp"
 #include "thermal/conduction_system.hpp"
+#include "thermal/impedance_modes.hpp"
 
 namespace shellback::thermal {
 
@@ -84,9 +89,8 @@ class ShellConduction {
   /// solved for each harmonic, (1 + g Z_n)(t - t_old) = Z_n q_n + history_n - t_old. `q` [W/m2] and
   /// `t_old` [K] are cell fields, g >= 0 is uniform over the film, one for the mean and one for the
   /// rest; `surroundings` [K] is the ambient or the prescribed back temperature. At T = T_old the
-  /// answer is that of the flux q whatever g is: g only steadies the iteration. Parts of T_old
-  /// above the highest harmonic are ignored. `back` is left empty unless asked for. A time step
-  /// needs its history, the steady state none.
+  /// answer is that of the flux q whatever g is: g only steadies the iteration. `back` is left
+  /// empty unless asked for. A time step needs its history, the steady state none.
   [[nodiscard]] ShellTemperature solve(const Field& q, FilmConductance g, const Field& t_old,
                                        double surroundings, bool with_back = true,
                                        const ShellHistory* history = nullptr) const;
@@ -132,6 +136,8 @@ class ShellConduction {
   ShellConduction(const ShellConduction& steady, const std::vector<double>& rho_c, double dt);
   /// Operators at bore and back of the computed harmonics, and the heat of harmonic 0.
   void compute();
+  /// Bore temperature above the highest harmonic, of solve().
+  [[nodiscard]] Field above_harmonics(const Field& q, double g, const Field& t_old) const;
   /// Cell means of nodal temperatures on a corner line.
   [[nodiscard]] Eigen::MatrixXd cells_at(int line, const Eigen::MatrixXd& nodal) const;
   /// Heat per radian times this is that of the whole bearing [-].
@@ -147,6 +153,7 @@ class ShellConduction {
   HarmonicOperator surface_, back_, nodal_;
   std::vector<Eigen::MatrixXd> modes_;  ///< V_n: Z V = V diag(lambda), V^T diag(dz) V = 1
   std::vector<Eigen::VectorXd> lambda_;
+  ImpedanceModes above_;     ///< those of the highest harmonic, steady
   Eigen::RowVectorXd mean_;  ///< area mean of the bore's rise per flux of each axial cell [K m2/W]
   Eigen::RowVectorXd back_heat_, end_heat_, store_heat_;  ///< [W] per flux of each cell [W/m2]
 };

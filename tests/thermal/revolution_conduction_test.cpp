@@ -1,10 +1,12 @@
 #include "thermal/revolution_conduction.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/largest.hpp"
 #include "tests/thermal/sample_shell.hpp"
 
 using namespace shellback;
@@ -154,6 +156,48 @@ TEST_CASE("WallBetweenFilmAndAmbientSettlesInOneStep", "[conduction]") {
     const auto t =
         c.solve(Field(s.grid.cells(), g * (film - old)), g, Field(s.grid.cells(), old), ambient);
     CHECK(t.surface[7] == Approx(expected).epsilon(1e-6));
+  }
+}
+
+namespace {
+
+/// Bore of 10 mm of polymer under oil that warms by a kelvin once round, from cold oil at 135
+/// degrees, and gives it 2600 W/(m2 K); the back at 0.
+Field bore_beside_cold_oil(int cells) {
+  const FilmGrid g = make_grid(0.025, 0.08, cells, 5, true, {});
+  const RadialRows rows = rows_outwards(0.025, {10e-3}, surface_row(0.025, 48));
+  const RevolutionMesh mesh = make_revolution_mesh(rows.face, rows.layer, axial_elements(g), true);
+  ConductionBoundary cooled{BackKind::convective, 1e5, 0.0};
+  cooled.back_line = outer_line(mesh, 0);
+  const ShellConduction c(mesh, g, {0.25}, cooled, Harmonics(g, default_harmonics(cells)));
+  const double h = 2600.0;
+  Field T(g.cells(), 0.0), q(g.cells());
+  double change = 1.0;
+  for (int k = 0; k < 20 && change > 1e-10; ++k) {
+    for (int i = 0; i < g.nt; ++i) {
+      const double warmed = std::fmod(g.phi[i] / (2.0 * kPi) + 0.625, 1.0);
+      for (int j = 0; j < g.nz; ++j) q[g.index(i, j)] = h * (warmed - T[g.index(i, j)]);
+    }
+    const Field next = c.solve(q, h, T, 0.0).surface;
+    change = largest_difference(next, T);
+    T = next;
+  }
+  REQUIRE(change <= 1e-10);
+  return T;
+}
+
+}  // namespace
+
+TEST_CASE("ABoreBesideColdOilStaysBetweenOilAndBack", "[conduction]") {
+  double warmest = 0.0;
+  for (const int cells : {100, 200, 400}) {
+    const Field T = bore_beside_cold_oil(cells);
+    const auto [least, most] = std::minmax_element(T.begin(), T.end());
+    CHECK(*least > 0.0);  // of 48 harmonics alone -0.05, and 1.04
+    CHECK(*most < 1.0);
+    // Between grids by less than two of the coarsest cells, in each of which oil warms by 0.01.
+    if (warmest > 0.0) CHECK(*most == Approx(warmest).margin(0.02));
+    warmest = *most;
   }
 }
 

@@ -149,9 +149,10 @@ TEST_CASE("HeatIntoTheBoreLeavesOrIsStored", "[shell_in_time]") {
         CHECK(std::abs(t.heat_back + t.heat_ends + t.stored - t.heat_in) < 1e-12 * scale);
         CHECK(std::abs(t.stored) > 1e-2);
         T = c.nodal_temperatures(t.flux, &past);
-        const auto again = c.at(T, 350.0);
+        const auto again = c.at(T, 350.0);  // nodes know no more than the harmonics
+        const Field known = c.harmonics().synthesise(c.harmonics().fit(t.surface));
         for (std::size_t k = 0; k < q.size(); ++k) {
-          CHECK(again.surface[k] == Approx(t.surface[k]).epsilon(1e-13));
+          CHECK(again.surface[k] == Approx(known[k]).epsilon(1e-13));
         }
       }
     }

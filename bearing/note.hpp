@@ -23,6 +23,7 @@ enum class Plain {
   marks_begin_anew,          ///< of an elasto-plastic layer that wears under a standing load
   roughness_stays,           ///< of a shell that wears
   tilt_without_inertia,      ///< of a journal with mass under a moment
+  torque_both_ways,          ///< of a journal that turns both ways, in the mean
   // Where an event of a load cycle begins.
   event_from_steady,    ///< state of its first row
   event_at_rest,        ///< asperities carrying the load of its first row

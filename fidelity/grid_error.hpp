@@ -78,7 +78,7 @@ inline constexpr double kSafety = 1.5;
 struct BarOfSize {
   double* bar = nullptr;
   double size = 0.0;
-  bool part = false;  ///< of another quantity, whose error is that of the film already
+  bool part = false;  ///< of another quantity, or a slope of it: no witness of its own
 };
 
 /// No bar is left shorter, against the size of its quantity, than a fifth of the median one: all

@@ -84,7 +84,8 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     const bool known = q.error_grid < size;  // at all: else it leads anywhere
     q.limit = known ? limit_of(c, q, bar.limit) : NAN;
     judged.emplace_back(&q, size);
-    bars.push_back({&q.error_grid, size, is_part_of_friction(q.name)});
+    const bool coefficient = is_coefficient(q) || q.name.starts_with("whirl_");
+    bars.push_back({&q.error_grid, size, is_part_of_friction(q.name) || coefficient});
   }
   share_bars(bars);
   share_bars_of_coefficients(judged);

@@ -110,6 +110,9 @@ std::string text_of(note::Plain n) {
              "is but that at which flows are told by volume (tiers lumped, thd and tehd follow it)";
     case Plain::edge_oil_as_supply:
       return "oil that comes in again at a side edge is as warm as what the supplies feed";
+    case Plain::torque_both_ways:
+      return "the journal turns both ways: mean torques are those of one way less those of the "
+             "other; what friction takes is the power loss";
     case Plain::planes_overlap:
       return "the mean planes of the rough surfaces overlap where the film is smallest (its height "
              "is negative): a finer grid, or contact data for surfaces pressed so far";

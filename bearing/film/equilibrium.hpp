@@ -68,6 +68,7 @@ struct EquilibriumOptions {
   double elastic_tolerance = 1e-8;  ///< largest |C p - d| over max(h, 0) + sigma, 2 nm more [-]
   double viscosity_tolerance = 1e-10;  ///< shear-thinning relation [-]
   int max_iterations = 80;
+  int least_iterations = 0;  ///< also of a film that is within all of them
 };
 
 /// What a method of the equilibrium solves: film, journal and elastic surfaces of a bearing at an

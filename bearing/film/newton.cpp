@@ -272,7 +272,7 @@ Verdict NewtonIteration::iterate() {
     if (task_.stop && task_.stop->load()) return {Status::interrupted};
     if (cost_.spent()) return {Status::iteration_limit, ending::Plain::given_up};
     const bool possible = evaluate_state();
-    if (possible && converged()) return {};
+    if (possible && it >= options_.least_iterations && converged()) return {};
     if (possible && overdrawn()) {
       return {Status::iteration_limit, ending::Plain::overdrawn};
     }

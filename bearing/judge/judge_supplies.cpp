@@ -182,13 +182,15 @@ void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findi
   }
   double last = 0.0;
   const double length = c.cycle->length();
+  const bool by_angle = c.cycle->crank_speed > 0.0;
+  const double unit = by_angle ? kPi / 180.0 / c.cycle->crank_speed : 1.0;  // [s]
   for (const auto& [from, till] : s.vessel->open) {
     const bool fits = from >= last && till > from && till <= length * (1.0 + kRoundOff);
     if (!fits) {
       to.refuse(path + ".open",
-                fmt::format("the line is open from {:.6g} s to {:.6g} s, which is no window of its "
-                            "own within the {:.6g} s of the cycle",
-                            from, till, length),
+                fmt::format("the line is open from {:.6g} {} to {:.6g}, which is no window of its "
+                            "own within the {:.6g} of the cycle",
+                            from / unit, by_angle ? "deg" : "s", till / unit, length / unit),
                 "give rising pairs from 0 to the end; a window over the end is two");
       return;
     }

@@ -135,6 +135,7 @@ void CyclePasses::begin(const CycleStart& from) {
   walls_ = carry_over(from.model, from.walls, to);
   response_ = from.response;
   measured_ = from.measured;
+  carried_over_ = true;
 }
 
 bool CyclePasses::begin_reshaped(const CyclePasses& other, const std::optional<WallMeans>& walls) {

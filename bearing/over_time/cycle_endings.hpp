@@ -13,8 +13,8 @@ inline constexpr int kMostCycles = 300;
 
 /// How cycles draw near to the periodic state: where the change falls by the ratio rho from cycle
 /// to cycle, rho/(1 - rho) of the last one is still to come. With three differences rho is that of
-/// two cycles, as changes that swing are large and small in turn, or that of the last one, whichever
-/// is more; with fewer, as much as the last difference may be to come at least.
+/// two cycles, as changes that swing are large and small in turn, or that of the last one,
+/// whichever is more; with fewer, as much as the last difference may be to come at least.
 struct Closure {
   double last = NAN;     ///< difference of the last two cycles [-]
   double before = NAN;   ///< of the two before [-]

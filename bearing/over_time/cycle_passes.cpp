@@ -71,7 +71,7 @@ double CyclePasses::skin_time() const { return steps_.longest / kSkinSteps; }
 void CyclePasses::members(Tape& tape) {
   film_.members(tape, length_, skin_time());
   tape(periods_, cost_, now_, walls_, from_rest_, begun_cold_);
-  tape(told_, difference_, heat_, response_, measured_, r_);
+  tape(told_, difference_, heat_, response_, measured_, r_, carried_over_);
 }
 
 void CyclePasses::keep(bool in_any_case, const Rest& rest) {
@@ -156,12 +156,25 @@ void CyclePasses::add(const FilmStep& step, double dt) {
   passing_->next_look += length_ / kLooks;
 }
 
+PeriodEnd CyclePasses::go_through(const Rest& rest) {
+  return periods_.pass(
+      now_, cost_, control_, [this](const FilmStep& step, double dt) { add(step, dt); },
+      [this, &rest] { keep(false, rest); });
+}
+
+bool CyclePasses::begin_again_from_rest(const Verdict& ended) {
+  if (!std::exchange(carried_over_, false) || ended.status != Status::iteration_limit) return false;
+  const WallMeans walls = *walls_;
+  begin_between(walls, area_mean(film_.model().domain.grid, walls.shell));
+  if (r_.verdict.good()) begin_pass();
+  return r_.verdict.good();
+}
+
 bool CyclePasses::pass(const Rest& rest) {
   if (r_.verdict.status == Status::interrupted) return false;  // before it had begun
   if (!std::exchange(brought_back_, false)) begin_pass();
-  const PeriodEnd end = periods_.pass(
-      now_, cost_, control_, [this](const FilmStep& step, double dt) { add(step, dt); },
-      [this, &rest] { keep(false, rest); });
+  PeriodEnd end = go_through(rest);
+  if (begin_again_from_rest(end.verdict)) end = go_through(rest);
   if (end.verdict.status == Status::interrupted) keep(true, rest);
   Passing passed = *std::move(passing_);
   passing_.reset();

@@ -122,6 +122,11 @@ class CyclePasses {
   };
 
   void begin_pass();
+  /// The pass that has begun, to its end.
+  [[nodiscard]] PeriodEnd go_through(const Rest& rest);
+  /// A film that was carried over from other cells need not hold together under the load: once more
+  /// from rest, between the walls that were.
+  [[nodiscard]] bool begin_again_from_rest(const Verdict& ended);
   /// One accepted step of the cycle that is being passed.
   void add(const FilmStep& step, double dt);
   /// The cycle that was being passed has ended so.
@@ -152,7 +157,8 @@ class CyclePasses {
   FilmInTime now_;
   std::optional<WallMeans> walls_;
   bool from_rest_ = true;
-  bool begun_cold_ = false;  ///< an event, its walls at the supply's temperature
+  bool carried_over_ = false;  ///< the film with which the first pass begins, from other cells
+  bool begun_cold_ = false;    ///< an event, its walls at the supply's temperature
   std::optional<Passing> passing_;
   bool brought_back_ = false;
   CycleRecord told_;

@@ -31,7 +31,7 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
 
 void CycleSearch::members(Tape& tape) {
   tape(closure_, left_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
-       round_change_, stalled_, growth_, led_, displaced_, layer_begun_);
+       round_change_, stalled_, growth_, led_, displaced_, layer_begun_, before_led_);
   tape(walls_begun_, answers_);
 }
 
@@ -88,7 +88,7 @@ bool CycleSearch::pass(const WallMeans* between) {
 
 void CycleSearch::until_closed(double within) {
   if (!brought_back()) oil_.begin(passes_.lasting());
-  while (pass() && repeats() && !closed(within)) {
+  while ((pass() || come_back_from_led_oil()) && repeats() && !closed(within)) {
     const bool seen = std::isfinite(closure_.last);  // of a cycle that was not begun with led oil
     lead_oil_on();
     if (!verdict().good()) return;
@@ -144,12 +144,23 @@ const Verdict& CycleSearch::judge_orbit() {
 }
 
 void CycleSearch::lead_oil_on() {
+  before_led_.reset();
   if (passes_.has_marks()) return;
   const auto leads_to = oil_.after(passes_.lasting(), cycles());
-  if (!leads_to || !passes_.put_lasting(*leads_to)) return;
+  if (!leads_to) return;
+  before_led_ = passes_.stand();
+  if (!passes_.put_lasting(*leads_to)) return passes_.put_back(*before_led_);
   oil_.led_to(passes_.lasting());
   led_ = true;
   closure_.lead_on();
+}
+
+bool CycleSearch::come_back_from_led_oil() {
+  if (!before_led_ || verdict().status != Status::iteration_limit) return false;
+  passes_.put_back(*before_led_);
+  oil_.begin(passes_.lasting());  // what has led there counts no more
+  oil_.led_to(passes_.lasting());
+  return pass();
 }
 
 bool CycleSearch::answer_walls(const std::vector<double>& x, std::vector<double>& g) {
@@ -225,12 +236,13 @@ void CycleSearch::walls_unsettled() {
 
 void CycleSearch::cycles_unsettled(double within) {
   // Cycles are compared by their smallest film, which a layer opens by what it flows: more than
-  // they may differ by, and more than the oil that gathers beside it.
+  // they may differ by, or most of what they do, and more than the oil that gathers beside it.
   const Field& gap = told().smallest_gap();
   const double least =
       yielding_gap(*std::min_element(gap.begin(), gap.end()), film().model().domain.rough.sigma);
   const double by_layer = layer_grows_ / least;
-  if (passes_.has_marks() && by_layer > std::max(within, std::abs(told().oil_gathered()))) {
+  const double counts = std::min(within, 0.5 * closure_.last);
+  if (passes_.has_marks() && by_layer > std::max(counts, std::abs(told().oil_gathered()))) {
     unsettled_ = {Status::iteration_limit,
                   ending::Unsettled{ending::Iteration::layer_of_cycles, cycles(), layer_grows_}};
     return;

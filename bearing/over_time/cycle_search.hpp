@@ -91,6 +91,9 @@ class CycleSearch {
   void come_back();
   /// From time to time, the oil to which the last cycles lead.
   void lead_oil_on();
+  /// Back to where oil was led on, if with what it was led to no cycle is found: they go on as they
+  /// are.
+  bool come_back_from_led_oil();
   /// The walls' fixed point, a cycle a turn; false if they still change, or with the verdict.
   bool settle_walls(const WallMeans& from, bool rough, int turns);
   /// Walls and oil by turns, until both hold; `rough`: walls.
@@ -118,11 +121,12 @@ class CycleSearch {
   bool unseen_ = false;  ///< growth was looked at, and is not known
   std::optional<Displaced> displaced_;
   LedOil oil_;
-  std::optional<WallMeans> answered_;  ///< what the last cycle's heat makes of the walls
-  HeatTaken off_{NAN, NAN};            ///< heat of the bodies then, less that of the cycle [W]
-  double mean_change_ = NAN;           ///< of the walls then [K]
-  double wall_change_ = NAN;           ///< of the last turn [K]
-  bool held_ = false;                  ///< the walls
+  std::optional<Tape::Content> before_led_;  ///< the passes, until one has begun with led oil
+  std::optional<WallMeans> answered_;        ///< what the last cycle's heat makes of the walls
+  HeatTaken off_{NAN, NAN};   ///< heat of the bodies then, less that of the cycle [W]
+  double mean_change_ = NAN;  ///< of the walls then [K]
+  double wall_change_ = NAN;  ///< of the last turn [K]
+  bool held_ = false;         ///< the walls
   Phase phase_ = Phase::orbit;
   int most_ = 0;                         ///< cycles, of search()
   bool settled_ = false;                 ///< the walls, when they were looked at last

@@ -224,6 +224,12 @@ void CycleRecord::write(CycleResult& r) const {
   if (m.input.cycle->journal_mass > 0.0 && film_->point().load.unknowns == 4) {
     r.assumptions.emplace_back(note::Plain::tilt_without_inertia);
   }
+  const auto [back, forth] = std::minmax_element(
+      instants_.begin(), instants_.end(),
+      [](const CycleInstant& a, const CycleInstant& b) { return a.omega < b.omega; });
+  if (back->omega < 0.0 && forth->omega > 0.0) {
+    r.assumptions.emplace_back(note::Plain::torque_both_ways);
+  }
   r.frames = frames_;
   if (dry_ > 0.0) {
     r.warnings.push_back(note::VesselEmpty{dry_ / told()});

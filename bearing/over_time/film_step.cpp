@@ -75,6 +75,9 @@ FilmSteps::FilmSteps(const BearingModel& model, const LoadCourse& course, double
 
 FilmInTime FilmSteps::at_rest(double T) {
   FilmInTime now;
+  heat_.reset();  // that of another beginning
+  growth_ = {};
+  widening_.clear();
   now.vessels = vessels_.begin(point_.scene);
   point_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
   now.film = cold_start(model_, point_, T);

@@ -83,6 +83,25 @@ TEST_CASE("MassConservingMethodsCarryTheLoadInTheSameFilm") {
   }
 }
 
+TEST_CASE("AFilmWhoseOnlySupplyNearlyChokesIsFound") {
+  // A hole of 6 mm where the gap is a thirtieth of the clearance. Full cells of the steady film go
+  // round in a ring; on the way through time what the hole feeds is a ten-thousandth of the flows.
+  Case c = plain_case();
+  c.bearing = {0.05, 0.06, 80e-6, 293.15, {}};
+  Supply hole;
+  hole.angle = 270.0 * kDegree;
+  hole.diameter = 6e-3;
+  hole.pressure = 15e5;
+  hole.temperature = 313.15;
+  c.supplies = {hole};
+  c.operation.omega = 1500.0 * kPi / 30.0;
+  c.operation.position = EccentricityGiven{0.97, 1.283 * kDegree, 270.0 * kDegree};
+  c.oil.temperature = rheology::ConstantViscosity{0.0222};
+  c.model.tier = Tier::isothermal;
+  c.model.grid = {100, 16};
+  check_same(solved(c, {}), solved(c, cavitation(CavitationMethod::p_theta)), 1e-6);
+}
+
 TEST_CASE("RoughPiezoviscousThinningFilmIsTheSameByEveryMassConservingMethod") {
   Case c = coarse(rig_case());
   c.model.tier = Tier::isothermal;

@@ -96,7 +96,8 @@ Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap
   }
   out.verdict = {Status::iteration_limit,
                  ending::Unsettled{ending::Iteration::fischer_burmeister, v.factorizations,
-                                   out.history.back(), stuck}};
+                                   larger(out.history.back(), complementarity_gap(scene, v.state)),
+                                   stuck}};
   return out;
 }
 

@@ -293,8 +293,8 @@ SolidTemperature Solids::answer(const WallFlux& q, const Field& T_shell,
   const thermal::ShaftConduction& shaft = ops ? ops->shaft : *shaft_conduction_;
   out.shaft = shaft.solve(to_shaft, along, T_shaft, ops ? &step.shaft : nullptr);
   if (!effects_.thermal_deformation || !wanted.thermal_deformation) return out;
-  Eigen::MatrixXd bore =
-      multiply(ops ? ops->deformation_per_flux : deformation_per_flux_, out.shell.flux);
+  Eigen::MatrixXd bore = multiply(ops ? ops->deformation_per_flux : deformation_per_flux_,
+                                  out.shell.flux.leftCols(harmonics_.coefficients()));
   if (ops) bore += step.thermal_deformation;
   out.thermal_deformation = total_deformation(bore, out.shaft.nodal);
   return out;
@@ -316,7 +316,8 @@ Field Solids::total_deformation(const Eigen::MatrixXd& bore, const Eigen::Vector
 std::vector<double> Solids::section_radii() const { return conduction_->section_radii(); }
 
 std::vector<double> Solids::section(const thermal::ShellTemperature& T) const {
-  Field values = harmonics_.synthesise(multiply(conduction_->section(), T.flux));
+  Field values = harmonics_.synthesise(
+      multiply(conduction_->section(), T.flux.leftCols(harmonics_.coefficients())));
   for (double& x : values) x += surroundings_;
   return values;
 }

@@ -45,7 +45,8 @@ struct SolidTemperature {
 
 /// All that shell, housing and shaft keep from one time step to the next.
 struct SolidState {
-  /// Nodal temperatures above the shell's surroundings, nodes x (2 N + 1) coefficients [K].
+  /// Nodal temperatures above the shell's surroundings, nodes x (2 N + 1 + nt): coefficients, and
+  /// what cells have above them (thermal/revolution_conduction.hpp) [K].
   Eigen::MatrixXd shell;
   Eigen::VectorXd shaft;  ///< nodal temperatures above the shaft's ambient [K]
 };

@@ -6,11 +6,13 @@
 namespace shellback::bearing {
 namespace {
 
-/// The bore's thermal deformation for nodal temperatures above the surroundings [m]; none without
-/// operators.
+/// The bore's thermal deformation for nodal temperatures above the surroundings [m], by their
+/// harmonics; none without operators.
 Eigen::MatrixXd bore_expansion(const HarmonicOperator& thermal_deformation,
                                const Eigen::MatrixXd& nodal) {
-  return thermal_deformation.empty() ? Eigen::MatrixXd{} : multiply(thermal_deformation, nodal);
+  if (thermal_deformation.empty()) return {};
+  const auto known = 2 * static_cast<Eigen::Index>(thermal_deformation.size()) - 1;
+  return multiply(thermal_deformation, nodal.leftCols(known));
 }
 
 }  // namespace
@@ -59,7 +61,8 @@ SolidTemperature Solids::at(const SolidState& state) const {
 }
 
 std::vector<double> Solids::section(const SolidState& state) const {
-  Field values = harmonics_.synthesise(conduction_->section(state.shell));
+  Field values =
+      harmonics_.synthesise(conduction_->section(state.shell).leftCols(harmonics_.coefficients()));
   for (double& x : values) x += surroundings_;
   return values;
 }

@@ -27,6 +27,7 @@ class Harmonics {
   Harmonics(const FilmGrid& grid, int highest);
 
   [[nodiscard]] int highest() const { return highest_; }
+  [[nodiscard]] int coefficients() const { return 2 * highest_ + 1; }  ///< of a row
   /// Coefficients (1) of a cell field of any unit.
   [[nodiscard]] Eigen::MatrixXd analyse(const Field& field) const;
   /// Cell field (2) of coefficients with any number of rows m; index i * m + j.

@@ -6,6 +6,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "thermal/impedance_modes.hpp"
 
 namespace shellback::thermal {
 namespace {
@@ -61,8 +62,7 @@ ShellConduction::ShellConduction(const ShellConduction& steady, const std::vecto
       back_line_(steady.back_line_),
       harmonics_(steady.harmonics_),
       sample_(steady.harmonics_.highest(), true),
-      cells_(steady.cells_),
-      above_(steady.above_) {
+      cells_(steady.cells_) {
   compute();
 }
 
@@ -98,7 +98,6 @@ void ShellConduction::compute() {
     lambda_.push_back(std::move(modes.lambda));
     modes_.push_back(std::move(modes.V));
   }
-  if (steady) above_ = {lambda_.back(), modes_.back()};
   mean_ = dz.transpose() * surface_[0] / dz.sum();
   back_heat_ = whole() * system_.to_back() * nodal_[0];
   end_heat_ = whole() * system_.to_ends() * nodal_[0];
@@ -106,7 +105,7 @@ void ShellConduction::compute() {
 }
 
 ShellHistory ShellConduction::history(const Eigen::MatrixXd& before) const {
-  EXPECTS(!factor_.empty() && before.cols() == 2 * harmonics_.highest() + 1);
+  EXPECTS(!factor_.empty() && before.cols() == harmonics_.coefficients() + grid_.nt);
   const Eigen::MatrixXd load = system_.stored(before);
   ShellHistory h;
   h.nodal.resize(before.rows(), before.cols());
@@ -114,6 +113,7 @@ ShellHistory ShellConduction::history(const Eigen::MatrixXd& before) const {
   for (std::size_t n = 1; n < factor_.size(); ++n) {
     h.nodal.middleCols<2>(2 * n - 1) = system_.solve(factor_[n], load.middleCols<2>(2 * n - 1));
   }
+  h.nodal.rightCols(grid_.nt) = system_.solve(factor_.back(), load.rightCols(grid_.nt));
   h.surface = cells_at(0, h.nodal);
   h.back = cells_at(back_line_, h.nodal);
   const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
@@ -148,23 +148,28 @@ double ShellConduction::mean_surface(const Field& q, double surroundings,
   return surroundings + mean;
 }
 
-Field ShellConduction::above_harmonics(const Field& q, double g, const Field& t_old) const {
+Eigen::MatrixXd ShellConduction::answer_above(const Field& q, double g, const Field& t_old,
+                                              const ShellHistory* history, Field& surface) const {
   const auto rest = [&](const Field& f) {
-    Field r = harmonics_.synthesise(harmonics_.fit(f));
-    for (std::size_t c = 0; c < f.size(); ++c) r[c] = f[c] - r[c];
-    return r;
+    const Field known = harmonics_.synthesise(harmonics_.fit(f));
+    const Eigen::Map<const Eigen::MatrixXd> all(f.data(), grid_.nz, grid_.nt);
+    return Eigen::MatrixXd(all -
+                           Eigen::Map<const Eigen::MatrixXd>(known.data(), grid_.nz, grid_.nt));
   };
   const Eigen::Map<const Eigen::VectorXd> dz(grid_.dz.data(), grid_.nz);
-  const auto& [lambda, V] = above_;
-  const Field q_rest = rest(q);
-  Field T = rest(t_old);
-  const Eigen::Map<const Eigen::MatrixXd> q_cells(q_rest.data(), grid_.nz, grid_.nt);
-  Eigen::Map<Eigen::MatrixXd> T_cells(T.data(), grid_.nz, grid_.nt);
-  const Eigen::MatrixXd to_modes = V.transpose() * dz.asDiagonal();
-  const Eigen::MatrixXd y = to_modes * q_cells, y_old = to_modes * T_cells;
+  const Eigen::VectorXd& lambda = lambda_.back();
+  Eigen::MatrixXd flux = rest(q), T = rest(t_old);
+  Eigen::MatrixXd beyond = -T;  // of what the history leaves
+  if (history) beyond += history->surface.rightCols(grid_.nt);
+  const Eigen::MatrixXd to_modes = modes_.back().transpose() * dz.asDiagonal();
   const Eigen::VectorXd yields = (1.0 + g * lambda.array()).inverse();
-  T_cells += V * (yields.asDiagonal() * (lambda.asDiagonal() * y - y_old));
-  return T;
+  const Eigen::MatrixXd change =
+      modes_.back() *
+      (yields.asDiagonal() * (lambda.asDiagonal() * (to_modes * flux) + to_modes * beyond));
+  T += change;
+  flux -= g * change;
+  Eigen::Map<Eigen::MatrixXd>(surface.data(), grid_.nz, grid_.nt) += T;
+  return flux;
 }
 
 ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film, const Field& t_old,
@@ -177,7 +182,7 @@ ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film, co
   out.flux = harmonics_.analyse(q);
   Eigen::MatrixXd old = harmonics_.fit(t_old);
   old.col(0).array() -= surroundings;
-  if (history) old -= history->surface;
+  if (history) old -= history->surface.leftCols(harmonics_.coefficients());
   for (Eigen::Index c = 0; c < old.cols(); ++c) {
     const Eigen::Index n = (c + 1) / 2;
     const double g = n == 0 ? film.mean : film.local;
@@ -190,31 +195,38 @@ ShellTemperature ShellConduction::solve(const Field& q, FilmConductance film, co
   }
   const auto cells = [&](const HarmonicOperator& op, Eigen::MatrixXd ShellHistory::*past) {
     Eigen::MatrixXd t = multiply(op, out.flux);
-    if (history) t += history->*past;
+    if (history) t += (history->*past).leftCols(harmonics_.coefficients());
     t.col(0).array() += surroundings;
     return harmonics_.synthesise(t);
   };
   out.surface = cells(surface_, &ShellHistory::surface);
-  const Field above = above_harmonics(q, film.local, t_old);
-  for (std::size_t c = 0; c < above.size(); ++c) out.surface[c] += above[c];
   if (with_back) out.back = cells(back_, &ShellHistory::back);
   const Eigen::VectorXd mean_flux = out.flux.col(0);
   out.heat_in = whole() * grid_.radius * dz.dot(mean_flux);
   out.heat_back = back_heat_ * mean_flux + (history ? history->heat_back : 0.0);
   out.heat_ends = end_heat_ * mean_flux + (history ? history->heat_ends : 0.0);
   out.stored = store_heat_ * mean_flux + (history ? history->stored : 0.0);
+  const Eigen::MatrixXd above = answer_above(q, film.local, t_old, history, out.surface);
+  out.flux.conservativeResize(Eigen::NoChange, harmonics_.coefficients() + grid_.nt);
+  out.flux.rightCols(grid_.nt) = above;
   return out;
 }
 
 Eigen::MatrixXd ShellConduction::nodal_temperatures(const Eigen::MatrixXd& flux,
                                                     const ShellHistory* history) const {
   EXPECTS((history != nullptr) == std::isfinite(dt()));
-  if (!history) return multiply(sample_.complete(nodal_), flux);
-  return multiply(nodal_, flux) + history->nodal;
+  const Eigen::Index known = harmonics_.coefficients();
+  EXPECTS(flux.cols() == known + grid_.nt);
+  Eigen::MatrixXd T(system_.mesh().nodes(), flux.cols());
+  T.leftCols(known) = multiply(history ? nodal_ : sample_.complete(nodal_), flux.leftCols(known));
+  T.rightCols(grid_.nt) = nodal_.back() * flux.rightCols(grid_.nt);
+  if (history) T += history->nodal;
+  return T;
 }
 
 Eigen::MatrixXd ShellConduction::uniform_temperatures(double rise) const {
-  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(system_.mesh().nodes(), 2 * harmonics_.highest() + 1);
+  Eigen::MatrixXd T =
+      Eigen::MatrixXd::Zero(system_.mesh().nodes(), harmonics_.coefficients() + grid_.nt);
   T.col(0).head(system_.free_nodes()).setConstant(rise);
   return T;
 }
@@ -223,7 +235,11 @@ ShellTemperature ShellConduction::at(const Eigen::MatrixXd& nodal, double surrou
   const auto cells = [&](int line) {
     Eigen::MatrixXd t = cells_at(line, nodal);
     t.col(0).array() += surroundings;
-    return harmonics_.synthesise(t);
+    Field cells = harmonics_.synthesise(t.leftCols(harmonics_.coefficients()));
+    if (line == 0) {  // nothing of it comes to the back
+      Eigen::Map<Eigen::MatrixXd>(cells.data(), grid_.nz, grid_.nt) += t.rightCols(grid_.nt);
+    }
+    return cells;
   };
   ShellTemperature out;
   out.surface = cells(0);

@@ -17,7 +17,7 @@
 ///   T_n = A_n^-1 P R q_n + A_n^-1 M/dt T_n,before                                (2)
 /// and cell means of the bore temperature Z_n q_n + history, Z_n = R diag(1/dz) P^T A_n^-1 P:
 /// diag(dz) Z_n is symmetric and positive. What lies above the highest harmonic N, cell by cell, is
-/// answered with that one's steady impedance: T = sum_n Z_n q_n + Z_N (q - P q), P the projection
+/// answered as that one is, with its history: T = sum_n Z_n q_n + Z_N (q - P q), P the projection
 /// on harmonics 0 .. N (Harmonics::fit). Dropped instead, the temperature of an insulating bore
 /// beside cold oil rings about its jump, up to 0.09 of it beyond both sides on any grid; so it
 /// stays between them. A body that conducts along holds such waves back by n/N more: jumps are as
@@ -30,7 +30,6 @@
 #include "core/harmonics.hpp"
 #include "core/revolution_mesh.hpp"
 #include "thermal/conduction_system.hpp"
-#include "thermal/impedance_modes.hpp"
 
 namespace shellback::thermal {
 
@@ -39,9 +38,11 @@ namespace shellback::thermal {
 
 /// Temperature of the shell for one heat flux. Temperatures are absolute.
 struct ShellTemperature {
-  Field surface;           ///< bore, mean over each film cell [K]
-  Field back;              ///< back of the shell, mean over each film cell [K]
-  Eigen::MatrixXd flux;    ///< coefficients (core/harmonics.hpp) of the flux that entered [W/m2]
+  Field surface;  ///< bore, mean over each film cell [K]
+  Field back;     ///< back of the shell, mean over each film cell [K]
+  /// Of the flux that entered: 2 N + 1 coefficients (core/harmonics.hpp) and what lies above them,
+  /// a column for each cell around, nz x (2 N + 1 + nt) [W/m2].
+  Eigen::MatrixXd flux;
   double heat_in = 0.0;    ///< into the bore of the whole bearing [W]
   double heat_back = 0.0;  ///< leaving through the back [W]
   double heat_ends = 0.0;  ///< leaving through the end faces [W]
@@ -50,8 +51,8 @@ struct ShellTemperature {
 
 /// What the temperatures before a time step add to those after it: the second part of (2).
 struct ShellHistory {
-  Eigen::MatrixXd nodal;          ///< A_n^-1 M/dt T_n,before, nodes x (2 N + 1) [K]
-  Eigen::MatrixXd surface, back;  ///< its cell means at bore and back, nz x (2 N + 1) [K]
+  Eigen::MatrixXd nodal;          ///< A_n^-1 M/dt T_n,before, nodes x (2 N + 1 + nt) [K]
+  Eigen::MatrixXd surface, back;  ///< its cell means at bore and back, nz x (2 N + 1 + nt) [K]
   double mean = 0.0;              ///< area mean at the bore [K]
   double heat_back = 0.0, heat_ends = 0.0, stored = 0.0;  ///< [W], without any flux at the bore
 };
@@ -80,7 +81,7 @@ class ShellConduction {
   [[nodiscard]] ShellConduction over(double dt, const std::vector<double>& rho_c) const;
   [[nodiscard]] double dt() const { return system_.dt(); }  ///< infinity: steady [s]
 
-  /// For a time step from nodal temperatures above the surroundings, nodes x (2 N + 1) [K].
+  /// For a time step from nodal temperatures above the surroundings, nodes x (2 N + 1 + nt) [K].
   [[nodiscard]] ShellHistory history(const Eigen::MatrixXd& before) const;
 
   /// Robin coupling with the film: the flux into the shell is q at the wall temperature T_old and
@@ -108,7 +109,7 @@ class ShellConduction {
   /// Rise of that mean per uniform flux [K m2/W].
   [[nodiscard]] double resistance() const { return mean_.sum(); }
   /// Nodal temperatures above the surroundings (2) for a flux that entered
-  /// (ShellTemperature::flux), nodes x (2 N + 1) [K]: what the next time step begins with.
+  /// (ShellTemperature::flux), nodes x (2 N + 1 + nt) [K]: what the next time step begins with.
   [[nodiscard]] Eigen::MatrixXd nodal_temperatures(const Eigen::MatrixXd& flux,
                                                    const ShellHistory* history = nullptr) const;
   /// The same for a body of one temperature: `rise` [K] above the surroundings, the nodes of a
@@ -136,8 +137,9 @@ class ShellConduction {
   ShellConduction(const ShellConduction& steady, const std::vector<double>& rho_c, double dt);
   /// Operators at bore and back of the computed harmonics, and the heat of harmonic 0.
   void compute();
-  /// Bore temperature above the highest harmonic, of solve().
-  [[nodiscard]] Field above_harmonics(const Field& q, double g, const Field& t_old) const;
+  /// Of solve(), above the highest harmonic: the flux that enters, nz x nt; adds to `surface`.
+  [[nodiscard]] Eigen::MatrixXd answer_above(const Field& q, double g, const Field& t_old,
+                                             const ShellHistory* history, Field& surface) const;
   /// Cell means of nodal temperatures on a corner line.
   [[nodiscard]] Eigen::MatrixXd cells_at(int line, const Eigen::MatrixXd& nodal) const;
   /// Heat per radian times this is that of the whole bearing [-].
@@ -153,7 +155,6 @@ class ShellConduction {
   HarmonicOperator surface_, back_, nodal_;
   std::vector<Eigen::MatrixXd> modes_;  ///< V_n: Z V = V diag(lambda), V^T diag(dz) V = 1
   std::vector<Eigen::VectorXd> lambda_;
-  ImpedanceModes above_;     ///< those of the highest harmonic, steady
   Eigen::RowVectorXd mean_;  ///< area mean of the bore's rise per flux of each axial cell [K m2/W]
   Eigen::RowVectorXd back_heat_, end_heat_, store_heat_;  ///< [W] per flux of each cell [W/m2]
 };

@@ -106,9 +106,7 @@ int course(const Request& request, const WarmUpOptions& options) {
   }
   if (request.json != "-") write_course_table(std::cout, stretches, run, bars);
   if (!run.end.verdict.good()) {
-    const EndingWords why = words_of(run.end.verdict);
-    std::cerr << "error: course: " << app::end_words(run.end, bars) << "\n";
-    if (!why.cure.empty()) std::cerr << "  cure:  " << why.cure << "\n";
+    tell_end("course", app::end_words(run.end, bars), run.end.verdict);
   }
   outputs.give("--json", [&] { return course_json(stretches, options, run, bars); });
   outputs.give("--picture", [&] { return course_svg(stretches, run, bars); });

@@ -56,6 +56,16 @@ int code_of(const Verdict& verdict, const std::vector<Note>& warnings) {
   return verdict.good() && bars_cut_off ? kInterrupted : code_of(verdict);
 }
 
+namespace {
+
+void tell_place_and_cure(const EndingWords& words) {
+  std::cerr << "\n";
+  if (!words.place.empty()) std::cerr << "  where: " << words.place << "\n";
+  if (!words.cure.empty()) std::cerr << "  cure:  " << words.cure << "\n";
+}
+
+}  // namespace
+
 void tell_verdict(const Result& result) { tell_verdict(result.tier, result.verdict); }
 
 void tell_verdict(Tier tier, const Verdict& verdict) {
@@ -63,9 +73,12 @@ void tell_verdict(Tier tier, const Verdict& verdict) {
   std::cerr << "error: " << to_string(tier) << ": " << to_string(verdict.status);
   const EndingWords words = words_of(verdict);
   if (!words.reason.empty()) std::cerr << ": " << words.reason;
-  std::cerr << "\n";
-  if (!words.place.empty()) std::cerr << "  where: " << words.place << "\n";
-  if (!words.cure.empty()) std::cerr << "  cure:  " << words.cure << "\n";
+  tell_place_and_cure(words);
+}
+
+void tell_end(const char* run, const std::string& why, const Verdict& verdict) {
+  std::cerr << "error: " << run << ": " << why;
+  tell_place_and_cure(words_of(verdict));
 }
 
 SolveControl control_for(ProgressLine& line) {

@@ -31,6 +31,8 @@ void tell_warnings(const bearing::Case& subject);
 /// Why there is no result, on standard error.
 void tell_verdict(bearing::Tier tier, const Verdict& verdict);
 void tell_verdict(const bearing::Result& result);
+/// How a run in time has ended: why, where in the film, and what to try.
+void tell_end(const char* run, const std::string& why, const Verdict& verdict);
 
 /// Progress on `line`, Ctrl-C and SIGTERM caught. The line must outlive the solve.
 [[nodiscard]] bearing::SolveControl control_for(app::ProgressLine& line);

@@ -132,7 +132,7 @@ int transient(const Request& request) {
   Result steady;
   steady.verdict = {Status::interrupted};  // as long as it is not solved
   if (run.instants.empty()) {
-    std::cerr << "error: transient: " << reason_of(run.end.verdict) << "\n";
+    tell_end("transient", reason_of(run.end.verdict), run.end.verdict);
     outputs.give("--json", [&] { return warm_up_json(subject, run, options, {}, steady); });
     const int code = outputs.code(code_of(run.end.verdict));
     keeper.end(code);
@@ -143,7 +143,7 @@ int transient(const Request& request) {
   const fidelity::MarchBars bars = fidelity::march_bars(subject, options, run, control);
   if (request.json != "-") print_warm_up(subject, run, bars, steady);
   if (!run.end.verdict.good()) {
-    std::cerr << "error: transient: " << app::end_words(run.end, bars) << "\n";
+    tell_end("transient", app::end_words(run.end, bars), run.end.verdict);
   }
   outputs.give("--json", [&] { return warm_up_json(subject, run, options, bars, steady); });
   outputs.give("--picture", [&] { return warm_up_svg(subject, run, bars, steady); });

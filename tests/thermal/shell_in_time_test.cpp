@@ -84,9 +84,9 @@ ShellConduction steady_wall(const Wall& w, int halvings) {
 double marched(const Wall& w, double t, int steps, int halvings) {
   const auto shell = steady_wall(w, halvings).over(t / steps, {w.rho_c});
   const int column = w.n == 0 ? 0 : 2 * w.n - 1;
-  Eigen::MatrixXd flux = Eigen::MatrixXd::Zero(shell.surface()[0].cols(), 2 * w.n + 1);
-  flux.col(column).setOnes();
   Eigen::MatrixXd T = shell.uniform_temperatures(0.0);
+  Eigen::MatrixXd flux = Eigen::MatrixXd::Zero(shell.surface()[0].cols(), T.cols());
+  flux.col(column).setOnes();
   for (int i = 0; i < steps; ++i) {
     const auto history = shell.history(T);
     T = shell.nodal_temperatures(flux, &history);
@@ -149,10 +149,9 @@ TEST_CASE("HeatIntoTheBoreLeavesOrIsStored", "[shell_in_time]") {
         CHECK(std::abs(t.heat_back + t.heat_ends + t.stored - t.heat_in) < 1e-12 * scale);
         CHECK(std::abs(t.stored) > 1e-2);
         T = c.nodal_temperatures(t.flux, &past);
-        const auto again = c.at(T, 350.0);  // nodes know no more than the harmonics
-        const Field known = c.harmonics().synthesise(c.harmonics().fit(t.surface));
+        const auto again = c.at(T, 350.0);
         for (std::size_t k = 0; k < q.size(); ++k) {
-          CHECK(again.surface[k] == Approx(known[k]).epsilon(1e-13));
+          CHECK(again.surface[k] == Approx(t.surface[k]).epsilon(1e-13));
         }
       }
     }

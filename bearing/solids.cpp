@@ -23,6 +23,9 @@ constexpr double kJoint = 2e-6;
 /// many rows of elements [-].
 constexpr double kCompressible = 0.4;
 constexpr int kRowsIncompressible = 8;
+/// And so many elements of an axial cell that is longer than it is thick: one alone locks beside
+/// the edges, where such a layer is pushed out (second cell off by a sixth of its opening).
+constexpr int kElementsIncompressible = 2;
 
 Layers wall_layers(const Case& c) {
   if (!c.shell || c.shell->layers.empty()) {
@@ -56,12 +59,17 @@ namespace {
 RevolutionMesh shell_mesh(const Case& c, const Layers& layers, const FilmGrid& grid,
                           int harmonics) {
   std::vector<int> least;
-  for (const solid::Material& m : layers.material) {
-    least.push_back(m.poisson_ratio > kCompressible ? kRowsIncompressible : 0);
+  int per_cell = 1;
+  const double longest = *std::max_element(grid.dz.begin(), grid.dz.end());
+  for (std::size_t k = 0; k < layers.material.size(); ++k) {
+    const bool flows = layers.material[k].poisson_ratio > kCompressible;
+    least.push_back(flows ? kRowsIncompressible : 0);
+    if (flows && layers.thickness[k] < longest) per_cell = kElementsIncompressible;
   }
   const RadialRows rows = rows_outwards(c.bearing.radius, layers.thickness,
                                         surface_row(c.bearing.radius, harmonics), least);
-  return make_revolution_mesh(rows.face, rows.layer, axial_elements(grid), grid.half);
+  return make_revolution_mesh(rows.face, rows.layer, axial_elements(grid, 0.0, per_cell),
+                              grid.half);
 }
 
 solid::Support support_of(const Case& c) {

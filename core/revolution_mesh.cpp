@@ -169,12 +169,13 @@ double surface_row(double radius, int harmonics) {
   return kSurfaceRowDepths * radius / std::max(harmonics, 2);
 }
 
-std::vector<double> axial_elements(const FilmGrid& grid, double overhang) {
-  EXPECTS(overhang >= 0.0);
+std::vector<double> axial_elements(const FilmGrid& grid, double overhang, int per_cell) {
+  EXPECTS(overhang >= 0.0 && per_cell >= 1);
   std::vector<double> cells = grid.z_face;
   if (!grid.half && mirrors_itself(cells)) put_mid_width(cells);
   const int per_half = static_cast<int>(cells.size() - 1) / (grid.half ? 1 : 2);
-  std::vector<double> face = cut(cells, (kLeastColsPerHalf + per_half - 1) / per_half);
+  const int enough = (kLeastColsPerHalf + per_half - 1) / per_half;
+  std::vector<double> face = cut(cells, std::max(per_cell, enough));
   return continued(std::move(face), overhang, grid.half);
 }
 

@@ -71,7 +71,9 @@ struct RadialRows {
 /// width, cells being cut evenly where there are fewer. In a grid that mirrors itself about
 /// mid-width z = 0 is a face too, so that a half grid has the mesh of the full one. `overhang` [m]
 /// on each side (one side if the grid is half) is added in elements that double in length.
-[[nodiscard]] std::vector<double> axial_elements(const FilmGrid& grid, double overhang = 0.0);
+/// `per_cell`: elements of a cell at least.
+[[nodiscard]] std::vector<double> axial_elements(const FilmGrid& grid, double overhang = 0.0,
+                                                 int per_cell = 1);
 
 /// Faces with `length` [m] added on each side (the high one if `half`) in elements that double in
 /// length.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -67,7 +68,9 @@ std::string split_sentences(const Comparison& comparison) {
   html +=
       fmt::format("<p>Largest cause of the difference: {} ({} N·m).", escape_markup(largest->name),
                   typeset_number(signed_change(split, largest->change)));
-  return html + " " + escape_markup(calibration_words(comparison, Writing::typeset)) + ".</p>";
+  std::string calibration = calibration_words(comparison, Writing::typeset);
+  calibration.front() = static_cast<char>(std::toupper(calibration.front()));
+  return html + " " + escape_markup(calibration) + ".</p>";
 }
 
 std::string measured_sentence(const bearing::Case& c, const Comparison& comparison) {

@@ -163,6 +163,7 @@ PeriodEnd CyclePasses::go_through(const Rest& rest) {
 }
 
 bool CyclePasses::begin_again_from_rest(const Verdict& ended) {
+  if (ended.status == Status::interrupted) return false;  // it goes on where it was
   if (!std::exchange(carried_over_, false) || ended.status != Status::iteration_limit) return false;
   const WallMeans walls = *walls_;
   begin_between(walls, area_mean(film_.model().domain.grid, walls.shell));

@@ -53,7 +53,7 @@ TEST_CASE("ThePageShowsStepsNotesAndProvenance") {
   const auto comparison = test::synthetic_comparison();
   const std::string html = page(comparison);
   for (const auto& step : comparison.split.steps) CHECK(contains(html, step.name));
-  CHECK(contains(html, "calibrated equivalent temperature 106.2 °C"));
+  CHECK(contains(html, "Calibrated equivalent temperature 106.2 °C"));
   CHECK(contains(html, "flooded edges"));
   CHECK(contains(html, "pressure above the oil&#39;s fitted range"));
   CHECK(contains(html, "cases/ks-rig.toml"));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
 #include "app/reading/read_case.hpp"
 #include "app/words/ending_words.hpp"
@@ -14,7 +15,14 @@ using namespace bearing;
 
 std::vector<Override> overrides_of(const Request& request) {
   std::vector<Override> overrides;
-  for (const std::string& words : request.set) overrides.push_back(parse_override(words));
+  for (const std::string& words : request.set) {
+    Override given = parse_override(words);
+    const auto same = [&](const Override& other) { return other.key == given.key; };
+    if (std::any_of(overrides.begin(), overrides.end(), same)) {
+      throw InputError("--set " + given.key, "is given twice; leave out one of them");
+    }
+    overrides.push_back(std::move(given));
+  }
   if (!request.tier.empty()) {
     static_cast<void>(tier_named(request.tier, "--tier"));
     overrides.push_back({"model.tier", "\"" + request.tier + "\"", "--tier"});

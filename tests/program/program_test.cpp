@@ -70,6 +70,9 @@ TEST_CASE("ABadWordOnTheCommandLineEndsWithTwo") {
   check_parts(run_words({"compare", path, "--tiers", "thd,thd"}).err, {"--tiers", "twice"});
   check_parts(run_words({"run", path, "--set", "operation.speed=3000"}).err,
               {"--set operation.speed", "rpm"});
+  check_parts(
+      run_words({"run", path, "--set", "operation.load=3 kN", "--set", "operation.load=4 kN"}).err,
+      {"--set operation.load", "twice"});
   CHECK(run_words({"frobnicate"}).code == kBadInput);
 }
 

@@ -208,7 +208,7 @@ TEST_CASE("ABranchBeginsWhereSummitsCarryTheJournalAtRest") {
   // A clamped housing of half the clearance: at 3000 rpm the walls meet, at a crawl the summits
   // carry the load. That first state takes more iterations than those which follow it.
   Case c = rig_case();
-  c.model.grid = {48, 8};
+  c.model.grid = {72, 12};
   c.model.switches.elastic_deformation = true;
   c.model.switches.thermal_deformation = true;
   c.bearing.radial_clearance = 12e-6;

@@ -283,9 +283,10 @@ TEST_CASE("AStateThatIsNotFoundIsNoEndOfItsBranch") {
   c.model.grid = {72, 11};
   c.operation.omega = 3000.0 * kRpm;
   const bearing::Solution s = bearing::solve_tier(c, bearing::Tier::tehd);
-  CHECK(s.verdict.status == Status::iteration_limit);  // resting, if loosely, is no proof of none
+  CHECK_FALSE(s.verdict.good());
   REQUIRE_FALSE(s.limits.empty());
-  CHECK(s.limits.back().part < 0.99);
+  CHECK(s.limits.back().part < 0.93);  // 60 x 9 to 120 x 17 cells: 2680 to 2740 rpm
+  CHECK(s.limits.back().part > 0.87);
 }
 
 TEST_CASE("WhereTheRigidPlainBearingEndsDoesNotDependOnTheLoadAskedFor") {

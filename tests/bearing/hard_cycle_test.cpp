@@ -5,6 +5,7 @@
 #include "bearing/over_time/cycle.hpp"
 #include "bearing/over_time/cycle_endings.hpp"
 #include "bearing/over_time/cycle_numbers.hpp"
+#include "tests/bearing/rubbing_cases.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -121,55 +122,6 @@ TEST_CASE("ElasticSurfacesCarryAPeakOf160KiloNewtons", "[cycle]") {
   CHECK(value_of(r, "p_max") > 160e3 / (2.0 * c.bearing.radius * c.bearing.width));
 }
 
-namespace {
-
-/// The rig's bearing in oil of 60 degC, pressed down by 2.5 + 1.5 cos kN while it turns to and fro.
-Case to_and_fro_case(double mass) {
-  constexpr int kRows = 40;
-  Case c = rig_case();
-  c.model.grid = {48, 7};
-  c.model.switches.elastic_deformation = true;
-  c.oil_temperature = 333.15;
-  c.operation.omega = 200.0 * kPi / 30.0;
-  c.cycle = LoadCycle{};
-  c.cycle->period = 0.2;
-  c.cycle->journal_mass = mass;
-  for (int k = 0; k < kRows; ++k) {
-    const double angle = 2.0 * kPi * k / kRows;
-    c.cycle->t.push_back(0.2 * k / kRows);
-    c.cycle->x.push_back(0.0);
-    c.cycle->y.push_back(-2.5e3 - 1.5e3 * std::cos(angle));
-    c.cycle->omega.push_back(c.operation.omega * std::sin(angle));
-  }
-  return c;
-}
-
-/// 50 x 20 mm with relieved edges under a load that swings to 7.5 kN, rough, in contact at its
-/// peak, with which the table begins, or half a period later.
-Case rubbing_case(bool begins_at_the_peak) {
-  constexpr int kRows = 36;
-  Case c = rig_case();
-  c.bearing.radius = 0.025;
-  c.bearing.width = 0.02;
-  c.bearing.radial_clearance = 25e-6;
-  c.bearing.edge_relief = EdgeOpening{2e-6, 3e-3};
-  c.model.grid = {48, 7};
-  c.surfaces.contact->friction = 0.03;
-  c.operation.omega = 600.0 * kPi / 30.0;
-  c.cycle = LoadCycle{};
-  c.cycle->crank_speed = c.operation.omega;
-  c.cycle->period = 2.0 * kPi / c.operation.omega;
-  for (int k = 0; k < kRows; ++k) {
-    const double angle = 2.0 * kPi * k / kRows + (begins_at_the_peak ? 0.0 : kPi);
-    c.cycle->t.push_back(c.cycle->period * k / kRows);
-    c.cycle->x.push_back(3.6e3 * std::sin(angle));
-    c.cycle->y.push_back(-4.25e3 - 3.25e3 * std::cos(angle));
-  }
-  return c;
-}
-
-}  // namespace
-
 TEST_CASE("WhatCyclesLeadToIsLeftWhereNoFilmTakesAStepFromIt", "[hard_cycle]") {
   // The orbit of a journal that weighs next to nothing beside its load is that of one without mass.
   const CycleResult heavy = solve_cycle(to_and_fro_case(5.0), Tier::isothermal);
@@ -178,6 +130,15 @@ TEST_CASE("WhatCyclesLeadToIsLeftWhereNoFilmTakesAStepFromIt", "[hard_cycle]") {
   check_audits(light);
   CHECK(value_of(heavy, "h_min") == Approx(value_of(light, "h_min")).epsilon(5e-3));
   CHECK(value_of(heavy, "power_loss") == Approx(value_of(light, "power_loss")).epsilon(5e-3));
+  // Its mean torque is next to nothing, which is told; that of a journal that turns one way is not.
+  const auto told = [](const CycleResult& r) {
+    return std::count_if(r.assumptions.begin(), r.assumptions.end(), [](const Note& n) {
+      const auto* plain = std::get_if<note::Plain>(&n);
+      return plain != nullptr && *plain == note::Plain::torque_both_ways;
+    });
+  };
+  CHECK(told(heavy) == 1);
+  CHECK(told(solve_cycle(rubbing_case(false), Tier::isothermal)) == 0);
 }
 
 TEST_CASE("ACycleWithHeatMayBeginWhereSummitsRub", "[hard_cycle]") {

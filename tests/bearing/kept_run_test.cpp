@@ -9,6 +9,7 @@
 #include "app/words/ending_words.hpp"
 #include "bearing/over_time/tape_members.hpp"
 #include "core/contract.hpp"
+#include "tests/bearing/rubbing_cases.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -103,6 +104,10 @@ TEST_CASE("WallsThatSettleInPiecesAreThoseOfTheWhole", "[kept]") {
   let_load_turn(c);
   c.model.grid = {68, 11};  // a coarser one goes before
   check_in_pieces(c, Tier::thd);
+}
+
+TEST_CASE("ACycleThatBeginsAgainInPiecesIsTheWhole", "[kept]") {
+  check_in_pieces(rubbing_case(true), Tier::thd);  // its first film does not hold together
 }
 
 TEST_CASE("AnEventInPiecesIsTheWhole", "[kept]") {

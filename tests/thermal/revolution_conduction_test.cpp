@@ -68,6 +68,26 @@ TEST_CASE("BoreTemperatureConvergesWithFourthOrder", "[conduction]") {
   CHECK(std::log2(error[1] / error[2]) == Approx(4.0).margin(0.15));
 }
 
+TEST_CASE("WhatLiesAboveTheHarmonicsIsAnsweredAsTheHighest", "[conduction]") {
+  // A flux that changes its sign from cell to cell has no part in 0 .. 16 of 64 cells; uniform
+  // along z between insulated ends, T = Z_16 q of the closed form, and half of it at g = 1/Z_16.
+  const auto s = shell(true);
+  const auto c = conduction(s, {BackKind::convective, 400.0, 0.0}, 0, 16);
+  const double exact = two_layers(16, 400.0).bore, level = 320.0;
+  Field q(s.grid.cells());
+  for (int i = 0; i < s.grid.nt; ++i) {
+    for (int j = 0; j < s.grid.nz; ++j) q[s.grid.index(i, j)] = i % 2 == 0 ? 1e4 : -1e4;
+  }
+  const Field old(q.size(), level);
+  const auto free = c.solve(q, 0.0, old, level), held = c.solve(q, 1.0 / exact, old, level);
+  for (int i = 0; i < 4; ++i) {
+    const int k = s.grid.index(i, 3);
+    CHECK(free.surface[k] - level == Approx(exact * q[k]).epsilon(1e-3));  // mesh: 3e-4
+    CHECK(held.surface[k] - level == Approx(0.5 * exact * q[k]).epsilon(1e-3));
+  }
+  CHECK(std::abs(free.heat_in) < 1e-9);  // [W], of some 10 to and fro
+}
+
 TEST_CASE("PrescribedBackHoldsItsTemperature", "[conduction]") {
   const auto s = shell(true);
   const auto c = conduction(s, {BackKind::prescribed, 0.0, 0.0}, 0, 4);

@@ -86,6 +86,9 @@ class NewtonIteration {
   [[nodiscard]] bool overdrawn() const;
   /// Good unless the reduced pressure of the converged film exceeds its bound.
   [[nodiscard]] Verdict within_the_law() const;
+  /// Nothing moves but the film of a given gap: no step of it is shortened, and while its cells fill
+  /// line by line its residual may stand high.
+  [[nodiscard]] bool film_alone() const { return rigid() && point_.load.unknowns == 0; }
   /// True if the state may be gone on from.
   [[nodiscard]] bool acceptable() const;
   void accept();
@@ -157,6 +160,7 @@ bool NewtonIteration::overdrawn() const {
 }
 
 bool NewtonIteration::acceptable() const {
+  if (film_alone()) return true;
   const bool follows = std::max(r_.film_norm, r_.elastic_norm) < kFollowed;
   return (follows || merit() < kWorseMerit * accepted_.merit) &&
          room(model_, s_) > kThinner * accepted_.room;
@@ -268,7 +272,8 @@ Verdict NewtonIteration::within_the_law() const {
 }
 
 Verdict NewtonIteration::iterate() {
-  for (int it = 0; it <= options_.max_iterations; ++it) {
+  const int most = options_.max_iterations + (film_alone() ? model_.domain.grid.nt : 0);
+  for (int it = 0; it <= most; ++it) {
     if (task_.stop && task_.stop->load()) return {Status::interrupted};
     if (cost_.spent()) return {Status::iteration_limit, ending::Plain::given_up};
     const bool possible = evaluate_state();
@@ -292,12 +297,12 @@ Verdict NewtonIteration::iterate() {
                    : stuck(model_, s_, r_, it);
       }
     }
-    if (it == options_.max_iterations) break;
+    if (it == most) break;
     Verdict ended;
     step(ended);
     if (!ended.good()) return ended;
   }
-  return stuck(model_, s_, r_, options_.max_iterations);
+  return stuck(model_, s_, r_, most);
 }
 
 Verdict NewtonIteration::run() {

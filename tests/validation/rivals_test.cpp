@@ -102,6 +102,27 @@ TEST_CASE("AFilmWhoseOnlySupplyNearlyChokesIsFound") {
   check_same(solved(c, {}), solved(c, cavitation(CavitationMethod::p_theta)), 1e-6);
 }
 
+TEST_CASE("AFilmWhoseCellsFillLineByLineIsFoundThoughItsResidualRises") {
+  // A groove over the narrowest gap: the widest gap fills against the rotation, a line an
+  // iteration, and its residual stands a hundred times higher until the last line is full.
+  Case c = plain_case();
+  c.bearing = {0.04, 0.08, 80e-6, 293.15, {}};
+  Supply groove;
+  groove.kind = SupplyKind::axial_groove;
+  groove.angle = 345.46 * kDegree;
+  groove.arc = 20.0 * kDegree;
+  groove.length = 0.056;
+  groove.pressure = 3e5;
+  groove.temperature = 313.15;
+  c.supplies = {groove};
+  c.operation.omega = 4000.0 * kPi / 30.0;
+  c.operation.position = EccentricityGiven{0.97, 83.88 * kDegree, 270.0 * kDegree};
+  c.oil.temperature = rheology::ConstantViscosity{0.010};
+  c.model.tier = Tier::isothermal;
+  c.model.grid = {120, 12};
+  check_same(solved(c, {}), solved(c, cavitation(CavitationMethod::p_theta)), 1e-6);
+}
+
 TEST_CASE("RoughPiezoviscousThinningFilmIsTheSameByEveryMassConservingMethod") {
   Case c = coarse(rig_case());
   c.model.tier = Tier::isothermal;

@@ -117,23 +117,42 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
   return gap;
 }
 
-SmallestGap smallest_gap(const FilmGrid& g, const Gap& gap, const Field& profile) {
-  SmallestGap least{gap.cell[0], g.phi[0], g.z[0]};
+namespace {
+
+/// By which the cell is deeper than the bore around it [m].
+double depth_at(const SupplyMap& supply, int cell) {
+  const int patch = supply.cell[cell];
+  return patch < 0 ? 0.0 : supply.patches[patch].depth;
+}
+
+}  // namespace
+
+Field nominal_depth(const Gap& gap, const SupplyMap& supply) {
+  Field h = gap.cell;
+  for (std::size_t k = 0; k < h.size(); ++k) h[k] += depth_at(supply, static_cast<int>(k));
+  return h;
+}
+
+SmallestGap smallest_gap(const FilmGrid& g, const Gap& gap, const Field& profile,
+                         const SupplyMap& supply) {
+  SmallestGap least{INFINITY, g.phi[0], g.z[0]};
+  const auto step = [&](int k) {
+    return depth_at(supply, k) + (profile.empty() ? 0.0 : profile[k]);
+  };
   const auto consider = [&](double h, double phi, double z) {
     if (h < least.h) least = {h, phi, z};
   };
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
-      consider(gap.cell[k], g.phi[i], g.z[j]);
-      const double side =
-          profile.empty() ? 0.0 : std::min(profile[k], profile[g.index(g.previous(i), j)]);
+      consider(gap.cell[k] + depth_at(supply, k), g.phi[i], g.z[j]);
+      const double side = std::min(step(k), step(g.index(g.previous(i), j)));
       consider(gap.phi_face[k] + side, g.phi_face[i], g.z[j]);
     }
     for (const int j : {0, g.nz}) {
       if (j == 0 && g.half) continue;
-      const double s = profile.empty() ? 0.0 : profile[g.index(i, j == 0 ? 0 : g.nz - 1)];
-      consider(gap.z_face[i * (g.nz + 1) + j] + s, g.phi[i], g.z_face[j]);
+      const double side = step(g.index(i, j == 0 ? 0 : g.nz - 1));
+      consider(gap.z_face[i * (g.nz + 1) + j] + side, g.phi[i], g.z_face[j]);
     }
   }
   least.phi -= 2.0 * kPi * std::floor(least.phi / (2.0 * kPi));

@@ -15,6 +15,7 @@
 
 #include "core/grid.hpp"
 #include "core/outcome.hpp"
+#include "fluid/supply.hpp"
 
 namespace shellback::fluid {
 
@@ -96,14 +97,19 @@ inline constexpr double kMostOfEdge = 0.5;  ///< that a line may take [-]
 void to_faces(const FilmGrid& grid, const Field& cells, std::vector<double>& phi_face,
               std::vector<double>& z_face);
 
-/// Smallest film over cells, both sides of the faces around and side edges, and where it is.
+/// Smallest film over cells, both sides of the faces around and side edges, and where it is. Inside
+/// a supply the gap is deeper by that: a groove does not close where the lands beside it are
+/// pressed away from the shaft.
 struct SmallestGap {
   double h = 0.0;    ///< [m]
   double phi = 0.0;  ///< from 0 to 2 pi [rad]
   double z = 0.0;    ///< [m]
   [[nodiscard]] FilmPlace place() const { return {phi, z}; }
 };
-[[nodiscard]] SmallestGap smallest_gap(const FilmGrid& grid, const Gap& gap, const Field& profile);
+[[nodiscard]] SmallestGap smallest_gap(const FilmGrid& grid, const Gap& gap, const Field& profile,
+                                       const SupplyMap& supply);
+/// The gap of every cell, in supplies their depth included [m].
+[[nodiscard]] Field nominal_depth(const Gap& gap, const SupplyMap& supply);
 /// The middle of a cell; -1: no place.
 [[nodiscard]] FilmPlace place_of(const FilmGrid& grid, int cell);
 

@@ -85,9 +85,10 @@ bool thinner_than_a_molecule(const BearingModel& model, const FilmEquilibrium& s
   if (model.domain.rough.sigma > 0.0 || s.least.h >= kMolecule) return false;
   if (s.elastic.empty()) return true;
   const FilmGrid& g = model.domain.grid;
+  const Field h = fluid::nominal_depth(s.gap, model.supply);
   for (int j = 0; j < g.nz; ++j) {
     double least = INFINITY;
-    for (int i = 0; i < g.nt; ++i) least = std::min(least, s.gap.cell[g.index(i, j)]);
+    for (int i = 0; i < g.nt; ++i) least = std::min(least, h[g.index(i, j)]);
     if (least >= kMolecule) return false;
   }
   return true;
@@ -105,6 +106,17 @@ void evaluate_contact(const BearingModel& model, const OperatingPoint& point, Fi
     s.p_contact[k] = 0.0;  // nothing to touch over a groove
     s.dp_contact[k] = 0.0;
   }
+}
+
+/// The gap of every cell; in supplies, whose oil is that of the film which begins at their edge, no
+/// less than the smallest film: lands are pressed away from the shaft, a groove's ground is not
+/// [m].
+Field film_beside_supplies(const fluid::SupplyMap& supply, const FilmEquilibrium& s) {
+  Field h = s.gap.cell;
+  for (std::size_t k = 0; k < h.size(); ++k) {
+    if (supply.cell[k] >= 0) h[k] = std::max(h[k], s.least.h);
+  }
+  return h;
 }
 
 /// (3) or (3a) of the pressures p and p_a.
@@ -127,9 +139,9 @@ bool evaluate(const BearingModel& model, const OperatingPoint& point,
   const fluid::FilmScene& scene = point.scene;
   EXPECTS(scene.grid.cells() == model.domain.grid.cells());  // a point is of one bearing
   s.gap = gap_at(model, s.position, sum(thermal_deformation, s.elastic));
-  s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile);
+  s.least = fluid::smallest_gap(scene.grid, s.gap, model.profile, scene.supply);
   if (is_closed(model, s) || !std::isfinite(largest_magnitude(s.gap.cell))) return false;
-  s.shear_gap = shear_gap(model, s.gap.cell);
+  s.shear_gap = shear_gap(model, film_beside_supplies(scene.supply, s));
   if (no_gap_shears(model, scene.speed, s)) return false;
   s.gradient_x = fluid::pressure_gradient_x(scene, s.film);
   s.gradient_z = fluid::pressure_gradient_z(scene, s.film);

@@ -4,15 +4,6 @@
 
 namespace shellback::bearing {
 
-Field nominal_depth(const fluid::FilmScene& scene, const FilmEquilibrium& s) {
-  Field h = s.gap.cell;
-  for (std::size_t k = 0; k < h.size(); ++k) {
-    const int patch = scene.supply.cell[k];
-    if (patch >= 0) h[k] += scene.supply.patches[patch].depth;
-  }
-  return h;
-}
-
 namespace {
 
 /// g0 of the columns (columns.hpp, (1)); in supplies, whose film coefficients are those of the film
@@ -50,7 +41,7 @@ Field sheared_fluidity(const BearingModel& model, const OperatingPoint& point,
 Friction friction_of(const BearingModel& model, const OperatingPoint& point,
                      const FilmEquilibrium& s) {
   const fluid::FilmScene& scene = point.scene;
-  const Field h = nominal_depth(scene, s);
+  const Field h = fluid::nominal_depth(s.gap, scene.supply);
   Friction f;
   f.stress = fluid::shear_stress(scene, h, sheared_fluidity(model, point, s, h), s.oil.chi, s.film,
                                  s.gradient_x, model.shear_rule);

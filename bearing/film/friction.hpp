@@ -8,9 +8,6 @@
 
 namespace shellback::bearing {
 
-/// Nominal gap at every cell, in supplies their depth included [m].
-[[nodiscard]] Field nominal_depth(const fluid::FilmScene& scene, const FilmEquilibrium& s);
-
 /// Friction of a solved film.
 struct Friction {
   fluid::ShearStress stress;   ///< viscous [Pa]

@@ -86,8 +86,8 @@ class NewtonIteration {
   [[nodiscard]] bool overdrawn() const;
   /// Good unless the reduced pressure of the converged film exceeds its bound.
   [[nodiscard]] Verdict within_the_law() const;
-  /// Nothing moves but the film of a given gap: no step of it is shortened, and while its cells fill
-  /// line by line its residual may stand high.
+  /// Nothing moves but the film of a given gap: no step of it is shortened, and while its cells
+  /// fill line by line its residual may stand high.
   [[nodiscard]] bool film_alone() const { return rigid() && point_.load.unknowns == 0; }
   /// True if the state may be gone on from.
   [[nodiscard]] bool acceptable() const;

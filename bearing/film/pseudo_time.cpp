@@ -86,7 +86,7 @@ bool starts_inside(const FilmTask& task, FilmEquilibrium& s) {
   if (task.point.load.unknowns == 0) return false;
   const BearingModel& model = task.model;
   s.gap = gap_at(model, s.position, sum(task.thermal_deformation, s.elastic));
-  s.least = fluid::smallest_gap(model.domain.grid, s.gap, model.profile);
+  s.least = fluid::smallest_gap(model.domain.grid, s.gap, model.profile, model.supply);
   return s.least.h < -kSummits * model.domain.rough.sigma;
 }
 

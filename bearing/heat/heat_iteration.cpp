@@ -179,7 +179,7 @@ void HeatIteration::tell_all_growth() {
   if (!closed) return;
   const Field growth(m.domain.grid.cells(), closed->deformation);
   s_.film.gap = gap_at(m, s_.film.position, sum(growth, s_.film.elastic));
-  s_.film.least = fluid::smallest_gap(m.domain.grid, s_.film.gap, m.profile);
+  s_.film.least = fluid::smallest_gap(m.domain.grid, s_.film.gap, m.profile, m.supply);
   verdict_ = closed_gap(m, s_.point, growth, s_.film);
 }
 

@@ -140,7 +140,7 @@ void CycleRecord::begin(const FilmInTime& now) {
   vessels_begun_ = vessels_ended_ = total(now.vessels);
   p_max_ = now.film.film.p;
   p_asperity_max_ = now.film.p_contact;
-  h_min_ = now.film.gap.cell;
+  h_min_ = fluid::nominal_depth(now.film.gap, film_->model().supply);
   bent_edges_ = fluid::bent_edges(now.film.gap.edge);
   friction_.assign(p_max_.size(), 0.0);
   if (const auto& worn = film_->model().input.running_in) {
@@ -164,10 +164,11 @@ void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt
   pump_ += 0.5 * dt * (pump_before + pump_now_);
   bent_edges_ = std::max(bent_edges_, fluid::bent_edges(now.film.gap.edge));
   fed_fastest_ = worse(fed_fastest_, fed_flow(film_->point().scene, now.film));
+  const Field h = fluid::nominal_depth(now.film.gap, film_->model().supply);
   for (std::size_t c = 0; c < p_max_.size(); ++c) {
     p_max_[c] = larger(p_max_[c], p[c]);
     p_asperity_max_[c] = larger(p_asperity_max_[c], now.film.p_contact[c]);
-    h_min_[c] = std::min(h_min_[c], now.film.gap.cell[c]);
+    h_min_[c] = std::min(h_min_[c], h[c]);
     friction_[c] += 0.5 * dt * (before[c] + power_now_[c]);
   }
   if (const auto& worn = film_->model().input.running_in) {
@@ -183,7 +184,7 @@ void CycleRecord::keep_frame(const FilmInTime& now, const Field& p) {
   if (!due) return;
   const FilmGrid& g = film_->model().domain.grid;
   frames_.push_back({told(), mirror_to_full(g, p), mirror_to_full(g, now.film.film.theta),
-                     mirror_to_full(g, now.film.gap.cell)});
+                     mirror_to_full(g, fluid::nominal_depth(now.film.gap, film_->model().supply))});
   next_frame_ += length_ / kFrames;
 }
 

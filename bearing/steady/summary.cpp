@@ -35,8 +35,21 @@ double oil_mean_temperature(const BearingModel& m, const FilmEquilibrium& f) {
   return sum / oil;
 }
 
+/// The smallest film of the first row from `j` on that is not all supply [m].
+double film_beside_supply(const BearingModel& m, const FilmEquilibrium& f, int j) {
+  const FilmGrid& g = m.domain.grid;
+  double h = INFINITY;
+  for (; j < g.nz && !std::isfinite(h); ++j) {
+    for (int i = 0; i < g.nt; ++i) {
+      if (m.supply.cell[g.index(i, j)] < 0) h = std::min(h, f.gap.cell[g.index(i, j)]);
+    }
+  }
+  return h;
+}
+
 /// At z = 0; between the middles of two cells on the straight line, beside the plane of symmetry on
-/// the parabola that stands on it.
+/// the parabola that stands on it. Supplies are no film: where a groove runs all round, at its
+/// edge.
 double gap_at_mid_width(const BearingModel& m, const FilmEquilibrium& f) {
   const FilmGrid& g = m.domain.grid;
   const auto above = std::lower_bound(g.z.begin(), g.z.end(), 0.0) - g.z.begin();
@@ -47,10 +60,11 @@ double gap_at_mid_width(const BearingModel& m, const FilmEquilibrium& f) {
   const double part = a == b ? 0.0 : height(b) / (height(b) - height(a));  // of the way to a
   double h = INFINITY;
   for (int i = 0; i < g.nt; ++i) {
-    const double at = f.gap.cell[g.index(i, b)];
-    h = std::min(h, at + part * (f.gap.cell[g.index(i, a)] - at));
+    const int near = g.index(i, b), next = g.index(i, a);
+    if (m.supply.cell[near] >= 0 || m.supply.cell[next] >= 0) continue;
+    h = std::min(h, f.gap.cell[near] + part * (f.gap.cell[next] - f.gap.cell[near]));
   }
-  return h;
+  return std::isfinite(h) ? h : film_beside_supply(m, f, b);
 }
 
 /// From the load line to the line of centres, positive in the direction of rotation [deg].
@@ -195,10 +209,10 @@ Fields fields_of(const Solution& s, const Friction& f) {
   out.p = on_full(m, s.film.film.p);
   out.theta = on_full(m, s.film.film.theta);
   if (m.contact) out.p_asperity = on_full(m, s.film.p_contact);
-  const Field flow = summit_flow(m, s.film.gap.cell);
+  const Field flow = summit_flow(m, fluid::nominal_depth(s.film.gap, m.supply));
   if (largest_magnitude(flow) > 0.0) out.summit_flow = on_full(m, flow);
   if (!s.film.layer.empty()) out.layer_depth = on_full(m, lasting_depth(s.film.layer));
-  out.h = on_full(m, nominal_depth(s.point.scene, s.film));
+  out.h = on_full(m, fluid::nominal_depth(s.film.gap, m.supply));
   Field supplied;
   for (const int patch : m.supply.cell) supplied.push_back(patch < 0 ? 0.0 : 1.0);
   for (const double x : on_full(m, supplied)) out.supplied.push_back(x > 0.5);

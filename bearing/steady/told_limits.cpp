@@ -19,7 +19,8 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
       *low < coldest_around(s.model.input, *s.model.solids) - kUndershoot) {
     warnings.push_back(note::ColdSpot{*low});
   }
-  FilmReach reach{*low, *high, largest(s.film.film.p), s.film.gap.cell, s.film.least};
+  FilmReach reach{*low, *high, largest(s.film.film.p),
+                  fluid::nominal_depth(s.film.gap, s.model.supply), s.film.least};
   if (s.model.physics.film_energy) reach.T_shell = largest(s.heat.T_shell);
   if (!s.film.layer.empty()) reach.layer_depth = largest(lasting_depth(s.film.layer));
   for (Note& w : range_warnings(s.model, reach)) warnings.push_back(std::move(w));
@@ -80,7 +81,8 @@ std::vector<LimiterCount> limiters_of(const Solution& s) {
   add(Limiter::rejected_steps, s.cost.rejected_steps);
   add(Limiter::backflow_nodes, s.heat.backflow_nodes);
   add(Limiter::upwind_columns, s.heat.blended_columns);
-  for (const LimiterCount& l : contact_limiters(s.model, s.film.gap.cell)) out.push_back(l);
+  const Field h = fluid::nominal_depth(s.film.gap, s.model.supply);
+  for (const LimiterCount& l : contact_limiters(s.model, h)) out.push_back(l);
   const int sides = s.model.domain.grid.half ? 2 : 1;
   add(Limiter::bent_edges, sides * fluid::bent_edges(s.film.gap.edge));
   return out;

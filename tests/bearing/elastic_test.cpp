@@ -168,6 +168,47 @@ TEST_CASE("TiltedElasticJournalBalancesForceAndMoment", "[elastic]") {
   CHECK(std::abs(s.film.position.psi_x()) > 0.0);
 }
 
+TEST_CASE("AGrooveBetweenPressedLandsIsDeep", "[elastic]") {
+  // 21 MPa press the lands 30 um away from the shaft, the ring groove between them, with the
+  // pressure of its supply, a third less: nominally the shaft stands in its ground. How deep it is
+  // matters to nothing but the oil sheared in it, and its ground given as part of the bore gives
+  // the same bearing.
+  Case c = elastic_rig(100e3);
+  c.surfaces = {};
+  c.bearing = {0.04, 0.06, 30e-6, 373.15, {}};
+  c.supplies[0].kind = SupplyKind::circumferential_groove;
+  c.supplies[0].arc = 2.0 * kPi;
+  c.supplies[0].length = 9.6e-3;
+  c.supplies[0].depth = 1e-3;
+  c.supplies[0].pressure = 4e5;
+  c.shell->housing->outer_radius = 0.0625;
+  c.operation.omega = 1000.0 * kPi / 30.0;
+  c.model.grid = {60, 13};
+  c.model.axial_spacing = AxialSpacing::even;
+  const Solution s = solve_tier(c, Tier::isothermal);
+  INFO(app::reason_of(s.verdict));
+  REQUIRE(s.verdict.good());
+  const FilmGrid& g = s.model.domain.grid;
+  double ground = INFINITY, land = INFINITY;  // without the groove's depth
+  for (int k = 0; k < g.cells(); ++k) {
+    double& least = s.model.supply.cell[k] < 0 ? land : ground;
+    least = std::min(least, s.film.gap.cell[k]);
+  }
+  CHECK(ground < 0.0);
+  CHECK(land > 0.0);
+  CHECK(s.film.least.h > 0.9 * land);
+  Case deepened = c;
+  const double edge = 4.8e-3;
+  deepened.bearing.profile =
+      Profile{{0.0},
+              {-30e-3, -edge - 1e-5, -edge + 1e-5, edge - 1e-5, edge + 1e-5, 30e-3},
+              {0.0, 0.0, 100e-6, 100e-6, 0.0, 0.0}};
+  const Solution deep = solve_tier(deepened, Tier::isothermal);
+  REQUIRE(deep.verdict.good());
+  CHECK(torque_of(deep) == Approx(torque_of(s)).epsilon(0.005));  // that of the groove falls
+  CHECK(deep.film.least.h == Approx(s.film.least.h).epsilon(0.005));
+}
+
 TEST_CASE("PressedSharpEdgesDoNotEndTheFilmOnCoarseGrids", "[elastic]") {
   // Solid steel, smooth, edges pressed: the straight line through the last two cells closes the
   // edge from some 30 kN on, on coarser grids sooner, while no cell is near closing. The film at

@@ -72,6 +72,7 @@ void CyclePasses::members(Tape& tape) {
   film_.members(tape, length_, skin_time());
   tape(periods_, cost_, now_, walls_, from_rest_, begun_cold_);
   tape(told_, difference_, heat_, response_, measured_, r_, carried_over_);
+  heat_.put_on(film_.model());
 }
 
 void CyclePasses::keep(bool in_any_case, const Rest& rest) {
@@ -151,8 +152,9 @@ void CyclePasses::add(const FilmStep& step, double dt) {
   passing_->record.add(step, dt, control_);
   if (film_.heat() == nullptr) return;
   heat_.add(step, dt);
-  if (!passing_->look || heat_.time() < passing_->next_look) return;
-  heat_.look_at(film_.model(), film_.point(), step.after.film);
+  if (!(passing_->look || holds_films_) || heat_.time() < passing_->next_look) return;
+  if (passing_->look) heat_.look_at(film_.model(), film_.point(), step.after.film);
+  if (holds_films_) heat_.hold(film_.model(), film_.point(), step.after.film);
   passing_->next_look += length_ / kLooks;
 }
 

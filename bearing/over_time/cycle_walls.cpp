@@ -3,8 +3,11 @@
 #include <cmath>
 
 #include "bearing/heat_state.hpp"
+#include "bearing/over_time/film_answer.hpp"
 #include "bearing/over_time/tape_members.hpp"
 #include "core/constants.hpp"
+#include "core/contract.hpp"
+#include "core/fixed_point.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::bearing {
@@ -24,7 +27,8 @@ void CycleHeat::add(const FilmStep& step, double dt) {
 
 void CycleHeat::look_at(const BearingModel& model, const OperatingPoint& point,
                         const FilmEquilibrium& s) {
-  const thermal::WallResponse r = lasting_film(model, point, s).wall_response(kSweepsOfResponse);
+  const thermal::FilmEnergy film(lasting_film(model, point, s));
+  const thermal::WallResponse r = film.wall_response(kSweepsOfResponse);
   response_.shell += r.shell;
   response_.shaft += r.shaft;
   response_.across += r.across;
@@ -33,6 +37,18 @@ void CycleHeat::look_at(const BearingModel& model, const OperatingPoint& point,
   response_.shell_ring += r.shell_ring;
   response_.shaft_ring += r.shaft_ring;
   ++looks_;
+}
+
+void CycleHeat::hold(const BearingModel& model, const OperatingPoint& point,
+                     const FilmEquilibrium& s) {
+  held_.push_back(held_film(model, point, s));
+}
+
+void CycleHeat::put_on(const BearingModel& model) {
+  for (thermal::FilmEnergyProblem& p : held_) {
+    p.grid = &model.domain.grid;
+    p.gl = &model.gl;
+  }
 }
 
 thermal::WallResponse CycleHeat::response() const {
@@ -49,8 +65,8 @@ std::vector<double> CycleHeat::mean_skin() const {
 }
 
 void CycleHeat::members(Tape& tape) {
-  auto& [flows, skin, last, time, response, looks] = *this;
-  tape(flows, skin, last, time, response, looks);
+  auto& [flows, skin, last, time, response, looks, held] = *this;
+  tape(flows, skin, last, time, response, looks, held);
 }
 
 std::vector<double> packed(const WallMeans& walls, double clearance) {
@@ -77,28 +93,84 @@ double mean_difference(const FilmGrid& g, const WallMeans& a, const WallMeans& b
   return larger(area_mean(g, shell), shaft / (g.z_face.back() - g.z_face.front()));
 }
 
-BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
-                              const CycleHeat& heat, const thermal::WallResponse& response,
-                              int skin_nodes, const SolidStep* step, const HeatTaken& more) {
+namespace {
+
+/// What the walls of a cycle have seen.
+struct SeenByWalls {
+  WallFlux q;  ///< the mean heat
+  Field met;   ///< the bore's mean temperature, with its skin [K]
+};
+
+SeenByWalls seen_by(const BearingModel& model, const WallMeans& walls, const CycleHeat& heat,
+                    const thermal::WallResponse& response, int skin_nodes, const HeatTaken& more) {
   const FilmGrid& g = model.domain.grid;
   const std::vector<double> skin = heat.mean_skin();
-  WallFlux q{Field(g.cells(), 0.0), std::vector<double>(g.nz, 0.0), response};
-  Field met = walls.shell;
+  SeenByWalls out{{Field(g.cells(), 0.0), std::vector<double>(g.nz, 0.0), response}, walls.shell};
   const double area = 2.0 * kPi * g.radius * g.width;
-  std::fill(q.shaft.begin(), q.shaft.end(), more.shaft / area);
+  std::fill(out.q.shaft.begin(), out.q.shaft.end(), more.shaft / area);
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int c = g.index(i, j);
-      q.shell[c] = heat.flows().to_shell[c] / heat.time() + more.shell / area;
-      q.shaft[j] += heat.flows().to_shaft[c] / heat.time() * g.dphi[i] / (2.0 * kPi);
-      met[c] += skin[static_cast<std::size_t>(c) * skin_nodes];
+      out.q.shell[c] = heat.flows().to_shell[c] / heat.time() + more.shell / area;
+      out.q.shaft[j] += heat.flows().to_shaft[c] / heat.time() * g.dphi[i] / (2.0 * kPi);
+      out.met[c] += skin[static_cast<std::size_t>(c) * skin_nodes];
     }
   }
+  return out;
+}
+
+BodiesAnswer answer_to(const BearingModel& model, const WallFlux& q, const Field& shell,
+                       const std::vector<double>& shaft, const SolidStep* step) {
   BodiesAnswer out;
   out.solids =
-      model.solids->answer(q, met, walls.shaft, {model.physics.thermal_deformation, true}, step);
+      model.solids->answer(q, shell, shaft, {model.physics.thermal_deformation, true}, step);
   out.walls = {out.solids.shell.surface, out.solids.shaft.temperature, q.shell,
                out.solids.thermal_deformation};
+  return out;
+}
+
+}  // namespace
+
+BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
+                              const CycleHeat& heat, const thermal::WallResponse& response,
+                              int skin_nodes, const SolidStep* step, const HeatTaken& more) {
+  const SeenByWalls seen = seen_by(model, walls, heat, response, skin_nodes, more);
+  return answer_to(model, seen.q, seen.met, walls.shaft, step);
+}
+
+BodiesAnswer settled_bodies(const BearingModel& model, const WallMeans& walls,
+                            const CycleHeat& heat, const thermal::WallResponse& response,
+                            int skin_nodes, const SolidStep* step, const HeatTaken& more) {
+  constexpr int kDepth = 12;         // as of steady heat (heat/wall_balance.cpp)
+  constexpr double kSettled = 1e-3;  // a fiftieth of what counts as still [K]
+  EXPECTS(!heat.held().empty());
+  const SeenByWalls seen = seen_by(model, walls, heat, response, skin_nodes, more);
+  FilmAnswer film(model, heat.held());
+  BodiesAnswer out;
+  const auto split = [cells = seen.met.size()](const std::vector<double>& x) {
+    const auto middle = x.begin() + static_cast<std::ptrdiff_t>(cells);
+    return std::pair(Field(x.begin(), middle), std::vector<double>(middle, x.end()));
+  };
+  const auto joined = [](Field shell, const std::vector<double>& shaft) {
+    shell.insert(shell.end(), shaft.begin(), shaft.end());
+    return shell;
+  };
+  const auto map = [&](const std::vector<double>& x, std::vector<double>& to) {
+    const auto [shell, shaft] = split(x);
+    Field warmer = shell;
+    std::vector<double> warmer_shaft = shaft;
+    for (std::size_t c = 0; c < warmer.size(); ++c) warmer[c] -= seen.met[c];
+    for (std::size_t j = 0; j < shaft.size(); ++j) warmer_shaft[j] -= walls.shaft[j];
+    WallFlux q = seen.q;
+    film.add_to(q, warmer, warmer_shaft);
+    out = answer_to(model, q, shell, shaft, step);
+    to = joined(out.walls.shell, out.walls.shaft);
+    return true;
+  };
+  std::vector<double> x = joined(seen.met, walls.shaft);
+  // Where it does not settle, walls are left as its last round has them: the next step finds what
+  // is missing.
+  static_cast<void>(fixed_point(map, {kDepth, 1, kMostIterations, kSettled}, x));
   return out;
 }
 

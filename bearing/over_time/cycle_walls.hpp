@@ -21,6 +21,11 @@ class CycleHeat {
   void add(const FilmStep& step, double dt);
   /// Measures how the film of this instant would answer its walls.
   void look_at(const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& s);
+  /// Keeps the film of this instant, which answers all that walls may do (film_answer.hpp).
+  void hold(const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& s);
+  [[nodiscard]] const std::vector<thermal::FilmEnergyProblem>& held() const { return held_; }
+  /// After a tape, which knows nothing of grids.
+  void put_on(const BearingModel& model);
 
   [[nodiscard]] bool looked() const { return looks_ > 0; }
   [[nodiscard]] double time() const { return time_; }  ///< [s]
@@ -39,6 +44,7 @@ class CycleHeat {
   double time_ = 0.0;
   thermal::WallResponse response_;  ///< sum
   int looks_ = 0;
+  std::vector<thermal::FilmEnergyProblem> held_;
 };
 
 /// Temperatures and thermal deformation of the walls, in units of an iteration: kHeatUnit and
@@ -71,5 +77,13 @@ struct HeatTaken {
                                             const thermal::WallResponse& response, int skin_nodes,
                                             const SolidStep* step = nullptr,
                                             const HeatTaken& more = {});
+
+/// The same where the film answers cell by cell: the walls between which the heat of the cycle and
+/// (1) of film_answer.hpp balance, to a thousandth of a kelvin. The cycle must have been held.
+[[nodiscard]] BodiesAnswer settled_bodies(const BearingModel& model, const WallMeans& walls,
+                                          const CycleHeat& heat,
+                                          const thermal::WallResponse& response, int skin_nodes,
+                                          const SolidStep* step = nullptr,
+                                          const HeatTaken& more = {});
 
 }  // namespace shellback::bearing

@@ -182,8 +182,8 @@ double HeatSteps::surprise(const BearingModel& model, const FilmEquilibrium& s,
   return load > 0.0 ? sum / load : 0.0;
 }
 
-thermal::FilmEnergy lasting_film(const BearingModel& model, const OperatingPoint& point,
-                                 const FilmEquilibrium& s) {
+thermal::FilmEnergyProblem lasting_film(const BearingModel& model, const OperatingPoint& point,
+                                        const FilmEquilibrium& s) {
   const FilmGrid& g = model.domain.grid;
   const double dt = 1.0;  // [s]; only the rate of M counts
   Field gained = fluid::net_outflow(point.scene, s.flow);
@@ -193,8 +193,8 @@ thermal::FilmEnergy lasting_film(const BearingModel& model, const OperatingPoint
     lost[c] = std::max(dt * lost[c], 0.0);
   }
   const std::vector<double> none(static_cast<std::size_t>(g.cells()) * model.gl.n, 0.0);
-  return thermal::FilmEnergy(film_energy_problem(model, point, s, friction_of(model, point, s),
-                                                 thermal::FilmStorage{dt, gained, lost, none}));
+  return film_energy_problem(model, point, s, friction_of(model, point, s),
+                             thermal::FilmStorage{dt, gained, lost, none});
 }
 
 }  // namespace shellback::bearing

@@ -107,8 +107,8 @@ class HeatSteps {
 
 /// The film's energy equation as it stands, as if its flow would stay: oil that cells gain or lose
 /// counts, heat that they store does not.
-[[nodiscard]] thermal::FilmEnergy lasting_film(const BearingModel& model,
-                                               const OperatingPoint& point,
-                                               const FilmEquilibrium& s);
+[[nodiscard]] thermal::FilmEnergyProblem lasting_film(const BearingModel& model,
+                                                      const OperatingPoint& point,
+                                                      const FilmEquilibrium& s);
 
 }  // namespace shellback::bearing

@@ -29,15 +29,6 @@ Instant instant_after(const CyclePasses& passes, const BodiesAnswer& bodies, dou
   return i;
 }
 
-/// Solids::answer takes 0.55 of the local answers, enough for a fixed point; a step in time must
-/// foresee all of them, and a little more does no harm. Measured (big end, 48 x 5): once, a cell
-/// swings by 1.9 K for ever, also where the film has followed; twice, it comes to rest.
-thermal::WallResponse foreseen(thermal::WallResponse r) {
-  constexpr double kWhole = 2.0;
-  for (double* local : {&r.shell_local, &r.shell_ring, &r.shaft_ring}) *local *= kWhole;
-  return r;
-}
-
 /// Cycles between walls that have moved, until what the film stores over one is a small part of the
 /// heat that it makes: oil that still warms with its walls keeps heat from them; counted where in
 /// the last one that is no small part of what is told as stored. False, with the verdict: one did
@@ -94,8 +85,8 @@ double move_of(const WallMeans& a, const WallMeans& b) {
 /// By how much the heat of the last cycle, for ever, would move a wall [K].
 double move_for_ever(const CyclePasses& passes, const WallMeans& walls) {
   const int nodes = passes.film().heat()->skin().nodes();
-  const BodiesAnswer then = answer_of_bodies(passes.film().model(), walls, passes.heat(),
-                                             foreseen(passes.response()), nodes);
+  const BodiesAnswer then =
+      settled_bodies(passes.film().model(), walls, passes.heat(), passes.response(), nodes);
   return move_of(then.walls, walls);
 }
 
@@ -115,8 +106,8 @@ BodiesStep take_step(const CyclePasses& passes, const MarchSpan& span, const Cyc
   const double pays = march.dt / kStepLonger;  // the step before: what it owes is paid no faster
   for (;; length /= kStepLonger) {
     BodiesStep taken{length, model.solids->step(length, march.bodies.state, &last), {}, 0.0};
-    taken.answer = answer_of_bodies(
-        model, march.bodies.walls, passes.heat(), foreseen(passes.response()), nodes, &taken.step,
+    taken.answer = settled_bodies(
+        model, march.bodies.walls, passes.heat(), passes.response(), nodes, &taken.step,
         {march.owed.shell / std::max(length, pays), march.owed.shaft / std::max(length, pays)});
     taken.move = move_of(taken.answer.walls, march.bodies.walls);
     if (!span.steps.empty() || taken.move <= span.move || length <= span.shortest) return taken;
@@ -160,6 +151,7 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
   Bodies& bodies = march.bodies;
   MarchEnd& end = march.end;
   double& dt = march.dt;
+  passes.hold_films();
   if (dt == 0.0) {
     dt = span.shortest;
     if (!let_film_follow(passes, bodies.walls, end)) return end;

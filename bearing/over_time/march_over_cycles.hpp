@@ -2,10 +2,10 @@
 /// Bodies in time, load cycles between: multirate steps.
 ///
 /// Cycles are passed with walls that stay as they are until the film has followed them; then shell,
-/// housing and shaft see the mean heat of the last one, and what the film answers to moving walls,
-/// through a step of backward Euler, and so on. The step is halved until no wall moves by more than
-/// is allowed, and after one that leaves the walls farther from rest than it found them. What shell
-/// and shaft should have gathered over it,
+/// housing and shaft see the mean heat of the last one, and what the film answers to moving walls
+/// cell by cell (film_answer.hpp), through a step of backward Euler, and so on. The step is halved
+/// until no wall moves by more than is allowed, and after one that leaves the walls farther from
+/// rest than it found them. What shell and shaft should have gathered over it,
 ///   dt N,   N = N0 (1 - exp(-x))/x,   x = N0/N1 - 1                                      (1)
 /// N0, N1 what they gain from the cycles before and behind it less what they lose to the
 /// surroundings, is known when the cycle behind it has been passed: the difference to what they

@@ -19,6 +19,16 @@ inline void members(Tape& tape, bearing::FilmTrend& x) {
   tape(p, theta, elastic, q);
 }
 
+/// Of a film whose flow is held: its shell does not yield, and it makes and brings no heat.
+inline void members(Tape& tape, thermal::FilmEnergyProblem& x) {
+  auto& [grid, gl, phi_flow, z_flow, lines, patch, line, conductance, heat, cp, vessels, fed,
+         T_reference, T_edge, cp_edge, forward, throttled, storage, shell] = x;
+  tape(phi_flow, z_flow, lines, patch, line, conductance, cp, vessels, fed, T_reference, T_edge,
+       cp_edge, forward, storage->dt, storage->mass, storage->mass_before);
+  heat.assign(cp.size(), 0.0);
+  storage->heat_before.assign(cp.size(), 0.0);
+}
+
 inline void members(Tape& tape, bearing::CycleInstant& x) {
   auto& [t, dt, load_x, load_y, omega, ex, ey, vx, vy, tilt_x, tilt_y, h_min, h_min_angle, p_max,
          p_asperity_max, torque, torque_asperity, torque_abrasive, torque_adhesive,

@@ -119,6 +119,36 @@ TEST_CASE("AWarmUpOverACycleThatStandsStillIsThatOfItsLoad", "[course]") {
   CHECK(cycles.imbalance() < 5e-3);
 }
 
+TEST_CASE("AWarmUpOverCyclesRestsWhereItsLoadLeads", "[course]") {
+  // Thin film under the load, thick film beside it: a step that took the answer of the thinnest for
+  // all cells moved those of thick film by some per cent of what they lacked, and hours later the
+  // walls stood 1 K colder than where they go.
+  Case c = rig_case();
+  c.bearing = {0.033, 0.024, 33e-6, 373.15, {}};
+  c.supplies[0].diameter = 6e-3;
+  c.supplies[0].pressure = 3e5;
+  c.operation.omega = 2000.0 * kPi / 30.0;
+  set_load(c, 20e3);
+  c.shell->housing->outer_radius = 0.05;
+  c.shaft->overhang = 0.01;
+  c.shaft->heat_transfer = 100.0;
+  c.model.tier = Tier::thd;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {24, 5};
+  const Solution steady = solve_tier(c, Tier::thd);
+  REQUIRE(steady.verdict.good());
+  WarmUpOptions o;
+  o.T_start = 353.15;
+  const WarmUp run = warm_up(as_cycle(c), Tier::thd, o);
+  INFO(app::reason_of(run.end.verdict));
+  REQUIRE(run.end.verdict.good());
+  CHECK(run.end.at_rest);
+  CHECK(run.instants.back().t < 1e4);  // the bodies take minutes
+  // what a bearing at rest may still move by, thrice: hot, it moves by a third of that a step
+  CHECK(run.instants.back().T_shell_max == Approx(largest(steady.heat.T_shell)).margin(0.15));
+  CHECK(run.instants.back().torque == Approx(torque_of(steady)).epsilon(3e-3));
+}
+
 TEST_CASE("HeatThatDiesAwayIsTakenAtItsMean") {
   // (1) of march_over_cycles.hpp: the exact mean of what backward Euler halves in one step,
   // exp(-x) with 1/(1 + x) = 1/2

@@ -1,0 +1,42 @@
+#pragma once
+/// How the mean heat of a cycle into the walls answers to their temperatures, cell by cell.
+///
+/// At instants of the cycle the flow of the film is held. Its energy equation, linear then, is
+/// solved without heat of its own between walls that are warmer by dT_shell(phi, z) and
+/// dT_shaft(z):
+///   d q = mean over the instants of q(dT_shell, dT_shaft)                     [W/m2]   (1)
+/// Viscosity and gap, and with them the heat that is made, follow in the next cycle. Source:
+/// Newton's method with the flow held, textbook; as of steady heat (heat/wall_balance.hpp).
+#include <vector>
+
+#include "bearing/film/equilibrium.hpp"
+#include "bearing/solids.hpp"
+#include "thermal/film_energy.hpp"
+
+namespace shellback::bearing {
+
+/// The film of an instant, its flow held and without heat of its own.
+[[nodiscard]] thermal::FilmEnergyProblem held_film(const BearingModel& model,
+                                                   const OperatingPoint& point,
+                                                   const FilmEquilibrium& s);
+
+class FilmAnswer {
+ public:
+  /// Of these instants, between walls as they were. `model` must outlive it.
+  FilmAnswer(const BearingModel& model, const std::vector<thermal::FilmEnergyProblem>& instants);
+  /// Adds (1) to the heat that the walls had, where shell (cells) and shaft (axial cells) are so
+  /// much warmer [K]. Goes on from the film temperatures of the last call by a few sweeps: a round
+  /// of an iteration between film and walls.
+  void add_to(WallFlux& q, const Field& shell, const std::vector<double>& shaft);
+
+ private:
+  struct Instant {
+    thermal::FilmEnergy film;
+    double cold = 0.0;      ///< the temperature that stands for no change [K]
+    std::vector<double> T;  ///< of the film's nodes [K]
+  };
+  const BearingModel& model_;
+  std::vector<Instant> instants_;
+};
+
+}  // namespace shellback::bearing

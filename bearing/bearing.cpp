@@ -164,7 +164,7 @@ fluid::Gap gap_at(const BearingModel& m, const fluid::JournalPosition& position,
                   const Field& displacement) {
   return fluid::film_gap(m.domain.grid, m.domain.angles, m.clearance, position, displacement,
                          m.profile, m.shape.cell.empty() ? nullptr : &m.shape,
-                         kSummits * m.domain.rough.sigma);
+                         kSummits * m.domain.rough.sigma, &m.supply);
 }
 
 Field shear_gap(const BearingModel& model, const Field& h) {

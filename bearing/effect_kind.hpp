@@ -21,7 +21,8 @@ enum class Limiter {
   upwind_columns,      ///< of the film, with upwind fluxes across it
   held_at_hardness,    ///< cells whose contact pressure ends there
   beyond_contact_law,  ///< cells pressed deeper than the law of contact goes
-  bent_edges,          ///< places on the side edges whose gap is held open (fluid::edge_gap)
+  bent_edges,          ///< places whose gap is held open, on side edges and beside supplies
+                       ///< (fluid::edge_gap)
   steps_too_long,      ///< in time, that err by more than they may
 };
 

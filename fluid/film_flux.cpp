@@ -336,6 +336,8 @@ void evaluate_flow(const FilmScene& scene, const Gap& gap, const Field& profile,
   axial_faces(e, flow);
   storage(e, flow);
   flow.edge = gap.edge;
+  flow.bent_phi = gap.bent_phi;
+  flow.bent_z = gap.bent_z;
   flow.fed.clear();
   for (const Mouth& m : scene.supply.mouths) {
     flow.fed.push_back(m.conductance * (scene.supply.patches[m.patch].pressure - state.p[m.cell]));

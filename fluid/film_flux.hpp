@@ -130,7 +130,8 @@ struct FilmFlow {
   Field stored_by_theta;  ///< its derivatives: by theta of the cell [kg/s],
   Field stored_by_p;      ///< by its pressure [kg/(s Pa)],
   Field stored_by_gap;    ///< by its gap [kg/(s m)]
-  std::vector<EdgeSlopes> edge;  ///< of the gap, as in Gap
+  std::vector<EdgeSlopes> edge;            ///< of the gap, as in Gap
+  std::vector<BentFace> bent_phi, bent_z;  ///< the same
 };
 
 /// M of every cell [kg/m2]; zero in supply cells, whose oil is the supply's.

@@ -109,6 +109,34 @@ EdgeSlopes edge_slopes(const FilmFlow& flow, int i, int j) {
                            : flow.edge[2 * static_cast<std::size_t>(i) + (j == 0 ? 0 : 1)];
 }
 
+/// What faces beside supplies that are bent have otherwise than the mean of their cells, of which
+/// the supply's yields nothing.
+void bend_at_supplies(const FilmScene& scene, const FilmFlow& flow, const Field& c,
+                      const std::vector<double>& into_line, RingMatrix& a) {
+  const FilmGrid& g = scene.grid;
+  const auto add = [&](const BentFace& f, double share, double out) {
+    const double more = f.slope.own - f.slope.line + (f.slope.line - 1.0) * share;
+    a.c[f.cell] += out * more * c[f.cell];
+  };
+  for (const BentFace& f : flow.bent_phi) {
+    const int i = f.face / g.nz, west = g.previous(i);
+    const double share = g.dphi[west] / (g.dphi[west] + g.dphi[i]);  // of the cell east of it
+    const double d = flow.phi[f.face].d_h;
+    if (f.cell == f.face) {
+      add(f, share, -d);
+    } else {
+      add(f, 1.0 - share, scene.supply.line[f.face] < 0 ? d : into_line[f.face]);
+    }
+  }
+  for (const BentFace& f : flow.bent_z) {
+    const int j = f.face % (g.nz + 1);
+    const double share = (g.z_face[j] - g.z[j - 1]) / (g.z[j] - g.z[j - 1]);
+    const double d = flow.z[f.face].d_h;
+    const bool above = f.cell % g.nz == j;
+    add(f, above ? share : 1.0 - share, above ? -d : d);
+  }
+}
+
 }  // namespace
 
 void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Field& c,
@@ -149,50 +177,39 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
     if (!g.half) couple.add(-low, first, at_low.own + of_low, first + 1, -of_low, a.n[first]);
     couple.add(high, last, at_high.own + of_high, last - 1, -of_high, a.s[last]);
   }
+  bend_at_supplies(scene, flow, c, into_line, a);
   for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k) {
     if (couple.film(static_cast<int>(k))) a.c[k] += flow.stored_by_gap[k] * c[k];
   }
 }
 
-namespace {
-
-/// Net outflow by gap changes given as functions of the face.
-template <class PhiFace, class ZFace>
-Field outflow_by(const FilmScene& scene, const FilmFlow& flow, PhiFace on_phi, ZFace on_z) {
+Field outflow_by_gap(const FilmScene& scene, const FilmFlow& flow,
+                     const std::vector<double>& phi_face, const std::vector<double>& z_face) {
   const FilmGrid& g = scene.grid;
   Field r(g.cells(), 0.0);
   for (int i = 0; i < g.nt; ++i) {
     const int west = g.previous(i);
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
-      const double d = flow.phi[k].d_h * on_phi(i, j);
+      const double d = flow.phi[k].d_h * phi_face[k];
       r[k] -= d;
       if (scene.supply.line[k] < 0) r[g.index(west, j)] += d;
     }
     for (int j = 0; j <= g.nz; ++j) {
-      const double d = flow.z[i * (g.nz + 1) + j].d_h * on_z(i, j);
+      const int f = i * (g.nz + 1) + j;
+      const double d = flow.z[f].d_h * z_face[f];
       if (j > 0) r[g.index(i, j - 1)] += d;
       if (j < g.nz) r[g.index(i, j)] -= d;
     }
   }
   for (const LineFace& l : flow.lines) {
     const int i = l.face / g.nz;
-    r[g.index(g.previous(i), l.face % g.nz)] += l.west.d_h * on_phi(i, l.face % g.nz);
+    r[g.index(g.previous(i), l.face % g.nz)] += l.west.d_h * phi_face[l.face];
   }
   for (std::size_t k = 0; k < r.size(); ++k) {
     if (scene.supply.cell[k] >= 0) r[k] = 0.0;
   }
   return r;
-}
-
-}  // namespace
-
-Field outflow_by_gap(const FilmScene& scene, const FilmFlow& flow,
-                     const std::vector<double>& phi_face, const std::vector<double>& z_face) {
-  const int nz = scene.grid.nz;
-  return outflow_by(
-      scene, flow, [&](int i, int j) { return phi_face[i * nz + j]; },
-      [&](int i, int j) { return z_face[i * (nz + 1) + j]; });
 }
 
 Field residual_by_gap(const FilmScene& scene, const FilmFlow& flow, const Field& gap) {
@@ -207,6 +224,14 @@ Field residual_by_gap(const FilmScene& scene, const FilmFlow& flow, const Field&
       face = slope.own * own + slope.line * (face - own);
     }
   }
+  const auto bend = [&](const std::vector<BentFace>& bent, std::vector<double>& faces) {
+    for (const BentFace& f : bent) {
+      const double own = gap[f.cell];
+      faces[f.face] = f.slope.own * own + f.slope.line * (faces[f.face] - own);
+    }
+  };
+  bend(flow.bent_phi, phi);
+  bend(flow.bent_z, z);
   Field r = outflow_by_gap(scene, flow, phi, z);
   for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k)
     r[k] += flow.stored_by_gap[k] * gap[k];
@@ -216,13 +241,19 @@ Field residual_by_gap(const FilmScene& scene, const FilmFlow& flow, const Field&
 Field residual_by_position(const FilmScene& scene, const FilmFlow& flow, int component) {
   const FilmGrid& g = scene.grid;
   const Angles& a = scene.angles;
-  Field r = outflow_by(
-      scene, flow,
-      [&](int i, int j) { return gap_slope(component, a.cos_face[i], a.sin_face[i], g.z[j]); },
-      [&](int i, int j) {
-        const double own = j == 0 || j == g.nz ? edge_slopes(flow, i, j).own : 1.0;
-        return own * gap_slope(component, a.cos_cell[i], a.sin_cell[i], g.z_face[j]);
-      });
+  std::vector<double> phi(g.cells()), z(static_cast<std::size_t>(g.nt) * (g.nz + 1));
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      phi[g.index(i, j)] = gap_slope(component, a.cos_face[i], a.sin_face[i], g.z[j]);
+    }
+    for (int j = 0; j <= g.nz; ++j) {
+      const double own = j == 0 || j == g.nz ? edge_slopes(flow, i, j).own : 1.0;
+      z[i * (g.nz + 1) + j] = own * gap_slope(component, a.cos_cell[i], a.sin_cell[i], g.z_face[j]);
+    }
+  }
+  for (const BentFace& f : flow.bent_phi) phi[f.face] *= f.slope.own;
+  for (const BentFace& f : flow.bent_z) z[f.face] *= f.slope.own;
+  Field r = outflow_by_gap(scene, flow, phi, z);
   for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k) {
     const auto i = static_cast<int>(k) / g.nz;
     const auto j = static_cast<int>(k) % g.nz;

@@ -48,9 +48,10 @@ void to_faces(const FilmGrid& g, const Field& d, std::vector<double>& phi_face,
   }
 }
 
-int bent_edges(const std::vector<EdgeSlopes>& edge) {
-  return static_cast<int>(
-      std::count_if(edge.begin(), edge.end(), [](const EdgeSlopes& s) { return s.line != 1.0; }));
+int bent_edges(const Gap& gap) {
+  const auto bent = [](const EdgeSlopes& s) { return s.line != 1.0; };
+  return static_cast<int>(std::count_if(gap.edge.begin(), gap.edge.end(), bent)) +
+         static_cast<int>(gap.bent_phi.size() + gap.bent_z.size());
 }
 
 EdgeGap edge_gap(double own, double line, double summits) {
@@ -82,10 +83,43 @@ void close_edges(const FilmGrid& g, const Field& d, const Field& profile, double
   }
 }
 
+/// Bends `face` between cells a and b, which `faces` holds as the mean of both, if one of them is a
+/// supply's.
+struct SupplyEdges {
+  const Field& d;
+  const Field& profile;
+  const SupplyMap& supply;
+  double summits;
+  void bend(int face, int a, int b, double mean, std::vector<double>& faces,
+            std::vector<BentFace>& bent) const {
+    if ((supply.cell[a] >= 0) == (supply.cell[b] >= 0)) return;
+    const int cell = supply.cell[a] >= 0 ? b : a;
+    const double line = mean - d[cell];
+    const double step = profile.empty() ? 0.0 : profile[cell];
+    const EdgeGap edge = edge_gap(faces[face] - line + step, line, summits);
+    if (edge.slope.line == 1.0) return;
+    faces[face] = edge.h - step;
+    bent.push_back({face, cell, edge.slope});
+  }
+};
+
+/// `phi` and `z`: the displacement on the faces.
+void close_supplies(const FilmGrid& g, const SupplyEdges& edges, const std::vector<double>& phi,
+                    const std::vector<double>& z, Gap& gap) {
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const int k = g.index(i, j);
+      edges.bend(k, g.index(g.previous(i), j), k, phi[k], gap.phi_face, gap.bent_phi);
+      const int f = i * (g.nz + 1) + j;
+      if (j > 0) edges.bend(f, k - 1, k, z[f], gap.z_face, gap.bent_z);
+    }
+  }
+}
+
 }  // namespace
 
 Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition& q, const Field& d,
-             const Field& profile, const Gap* shape, double summits) {
+             const Field& profile, const Gap* shape, double summits, const SupplyMap* supply) {
   Gap gap;
   if (d.empty()) {
     gap.phi_face.assign(g.cells(), 0.0);
@@ -93,6 +127,7 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
   } else {
     to_faces(g, d, gap.phi_face, gap.z_face);
   }
+  const std::vector<double> d_phi = gap.phi_face, d_z = gap.z_face;
   gap.cell = d.empty() ? Field(g.cells(), 0.0) : d;
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
@@ -113,7 +148,9 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
     add(shape->phi_face, gap.phi_face);
     add(shape->z_face, gap.z_face);
   }
-  if (!d.empty()) close_edges(g, d, profile, summits, gap);
+  if (d.empty()) return gap;
+  close_edges(g, d, profile, summits, gap);
+  if (supply != nullptr) close_supplies(g, {d, profile, *supply, summits}, d_phi, d_z, gap);
   return gap;
 }
 

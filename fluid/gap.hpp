@@ -34,6 +34,13 @@ struct EdgeSlopes {
   double line = 1.0;  ///< what the straight line through the last two cells adds to that
 };
 
+/// A face between film and supply whose gap is not the mean of both cells' (film_gap).
+struct BentFace {
+  int face = 0;  ///< index in phi_face or z_face
+  int cell = 0;  ///< of the film
+  EdgeSlopes slope;
+};
+
 /// The gap where the film equation needs it. Face values leave the steps out; the limits on the
 /// two sides of a face are the face value plus the profile of the cell on that side.
 struct Gap {
@@ -41,10 +48,12 @@ struct Gap {
   Field phi_face;                ///< on west faces, index i * nz + j, without profile [m]
   Field z_face;                  ///< on axial faces, index i * (nz + 1) + j, without profile [m]
   std::vector<EdgeSlopes> edge;  ///< of line i: 2 i on z_face 0, 2 i + 1 on z_face nz; empty: ones
+  std::vector<BentFace> bent_phi, bent_z;  ///< beside supplies
 };
 
-/// Places on the side edges where the line is bent (edge_gap): a limiter that acts.
-[[nodiscard]] int bent_edges(const std::vector<EdgeSlopes>& edge);
+/// Places on the side edges and beside supplies where the line is bent (edge_gap): a limiter that
+/// acts.
+[[nodiscard]] int bent_edges(const Gap& gap);
 
 /// Change of the gap at (cos phi, sin phi, z) per unit change of component k of the position:
 /// 0 e_x, 1 e_y, 2 psi_x, 3 psi_y.
@@ -71,10 +80,13 @@ struct Angles {
 /// The gap of a rigid bearing plus the smooth displacement d (cells; empty: none), the profile
 /// (cells; empty: none) and the shape (none: a cylinder). Displacements are averaged to faces,
 /// continued to the edges as edge_gap says; the shape is taken as it is there. `summits`: height
-/// below the mean planes from which on rough surfaces have no room left [m].
+/// below the mean planes from which on rough surfaces have no room left [m]. At the edge of a
+/// supply (none: null) the mean is a line that leads from the film's cell to the supply's ground,
+/// where the land may be pressed away by more than the gap that is left: bent as on side edges.
 [[nodiscard]] Gap film_gap(const FilmGrid& grid, const Angles& angles, double clearance,
                            const JournalPosition& position, const Field& displacement,
-                           const Field& profile, const Gap* shape = nullptr, double summits = 0.0);
+                           const Field& profile, const Gap* shape = nullptr, double summits = 0.0,
+                           const SupplyMap* supply = nullptr);
 
 /// The gap on a side edge and its slopes. `own` is the gap there with the displacement of the last
 /// cell, `line` what the straight line through the displacements of the last two adds [m]; with

@@ -141,7 +141,7 @@ void CycleRecord::begin(const FilmInTime& now) {
   p_max_ = now.film.film.p;
   p_asperity_max_ = now.film.p_contact;
   h_min_ = fluid::nominal_depth(now.film.gap, film_->model().supply);
-  bent_edges_ = fluid::bent_edges(now.film.gap.edge);
+  bent_edges_ = fluid::bent_edges(now.film.gap);
   friction_.assign(p_max_.size(), 0.0);
   if (const auto& worn = film_->model().input.running_in) {
     wear_.begin(wear_load_of(film_->model(), film_->point(), now.film, worn->limit_pressure));
@@ -162,7 +162,7 @@ void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt
   const double pump_before = pump_now_;
   instants_.push_back(instant_of(now, p, dt));
   pump_ += 0.5 * dt * (pump_before + pump_now_);
-  bent_edges_ = std::max(bent_edges_, fluid::bent_edges(now.film.gap.edge));
+  bent_edges_ = std::max(bent_edges_, fluid::bent_edges(now.film.gap));
   fed_fastest_ = worse(fed_fastest_, fed_flow(film_->point().scene, now.film));
   const Field h = fluid::nominal_depth(now.film.gap, film_->model().supply);
   for (std::size_t c = 0; c < p_max_.size(); ++c) {

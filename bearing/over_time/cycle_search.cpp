@@ -264,6 +264,7 @@ const Verdict& CycleSearch::search(bool rough) {
     until_closed(kClosed);
     return verdict();
   }
+  passes_.hold_films();
   if (!brought_back()) phase_ = passes_.measured() == 0 ? Phase::orbit : Phase::walls;
   if (phase_ == Phase::orbit && !pass()) return verdict();  // before heat is looked at
   settle_walls_and_oil(rough);
@@ -271,6 +272,7 @@ const Verdict& CycleSearch::search(bool rough) {
 }
 
 const Verdict& CycleSearch::follow() {
+  if (heat()) passes_.hold_films();
   for (int k = 0; k < kWornShapeTurns && verdict().good(); ++k) {
     if (heat()) {
       settled_ = settle_walls(answered_ ? *answered_ : *passes_.walls(), true, kWornShapeTurns);

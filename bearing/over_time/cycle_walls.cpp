@@ -108,24 +108,19 @@ SeenByWalls seen_by(const BearingModel& model, const WallMeans& walls, const Cyc
   SeenByWalls out{{Field(g.cells(), 0.0), std::vector<double>(g.nz, 0.0), response}, walls.shell};
   const double area = 2.0 * kPi * g.radius * g.width;
   std::fill(out.q.shaft.begin(), out.q.shaft.end(), more.shaft / area);
+  double met_by_oil = 0.0;  // of the shell [m2]; where a supply keeps its heat nothing enters
+  for (int c = 0; c < g.cells(); ++c) {
+    if (meets_walls(model, c)) met_by_oil += g.multiplicity() * g.area(c);
+  }
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int c = g.index(i, j);
-      out.q.shell[c] = heat.flows().to_shell[c] / heat.time() + more.shell / area;
+      out.q.shell[c] = heat.flows().to_shell[c] / heat.time();
+      if (meets_walls(model, c)) out.q.shell[c] += more.shell / met_by_oil;
       out.q.shaft[j] += heat.flows().to_shaft[c] / heat.time() * g.dphi[i] / (2.0 * kPi);
       out.met[c] += skin[static_cast<std::size_t>(c) * skin_nodes];
     }
   }
-  return out;
-}
-
-BodiesAnswer answer_to(const BearingModel& model, const WallFlux& q, const Field& shell,
-                       const std::vector<double>& shaft, const SolidStep* step) {
-  BodiesAnswer out;
-  out.solids =
-      model.solids->answer(q, shell, shaft, {model.physics.thermal_deformation, true}, step);
-  out.walls = {out.solids.shell.surface, out.solids.shaft.temperature, q.shell,
-               out.solids.thermal_deformation};
   return out;
 }
 
@@ -134,43 +129,43 @@ BodiesAnswer answer_to(const BearingModel& model, const WallFlux& q, const Field
 BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
                               const CycleHeat& heat, const thermal::WallResponse& response,
                               int skin_nodes, const SolidStep* step, const HeatTaken& more) {
-  const SeenByWalls seen = seen_by(model, walls, heat, response, skin_nodes, more);
-  return answer_to(model, seen.q, seen.met, walls.shaft, step);
-}
-
-BodiesAnswer settled_bodies(const BearingModel& model, const WallMeans& walls,
-                            const CycleHeat& heat, const thermal::WallResponse& response,
-                            int skin_nodes, const SolidStep* step, const HeatTaken& more) {
   constexpr int kDepth = 12;         // as of steady heat (heat/wall_balance.cpp)
   constexpr double kSettled = 1e-3;  // a fiftieth of what counts as still [K]
   EXPECTS(!heat.held().empty());
   const SeenByWalls seen = seen_by(model, walls, heat, response, skin_nodes, more);
   FilmAnswer film(model, heat.held());
-  BodiesAnswer out;
-  const auto split = [cells = seen.met.size()](const std::vector<double>& x) {
-    const auto middle = x.begin() + static_cast<std::ptrdiff_t>(cells);
-    return std::pair(Field(x.begin(), middle), std::vector<double>(middle, x.end()));
+  WallFlux q;
+  Field shell;
+  std::vector<double> shaft;
+  const auto answer = [&](Solids::Wanted wanted) {
+    return model.solids->answer(q, shell, shaft, wanted, step);
   };
-  const auto joined = [](Field shell, const std::vector<double>& shaft) {
-    shell.insert(shell.end(), shaft.begin(), shaft.end());
-    return shell;
+  const auto joined = [](Field a, const std::vector<double>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
   };
   const auto map = [&](const std::vector<double>& x, std::vector<double>& to) {
-    const auto [shell, shaft] = split(x);
+    const auto middle = x.begin() + static_cast<std::ptrdiff_t>(seen.met.size());
+    shell.assign(x.begin(), middle);
+    shaft.assign(middle, x.end());
     Field warmer = shell;
     std::vector<double> warmer_shaft = shaft;
     for (std::size_t c = 0; c < warmer.size(); ++c) warmer[c] -= seen.met[c];
     for (std::size_t j = 0; j < shaft.size(); ++j) warmer_shaft[j] -= walls.shaft[j];
-    WallFlux q = seen.q;
+    q = seen.q;
     film.add_to(q, warmer, warmer_shaft);
-    out = answer_to(model, q, shell, shaft, step);
-    to = joined(out.walls.shell, out.walls.shaft);
+    const SolidTemperature then = answer({false, false});
+    to = joined(then.shell.surface, then.shaft.temperature);
     return true;
   };
   std::vector<double> x = joined(seen.met, walls.shaft);
-  // Where it does not settle, walls are left as its last round has them: the next step finds what
-  // is missing.
+  // Where it does not settle, walls are left as its last round has them, and the next cycle finds
+  // what they lack.
   static_cast<void>(fixed_point(map, {kDepth, 1, kMostIterations, kSettled}, x));
+  BodiesAnswer out;
+  out.solids = answer({model.physics.thermal_deformation, true});
+  out.walls = {out.solids.shell.surface, out.solids.shaft.temperature, q.shell,
+               out.solids.thermal_deformation};
   return out;
 }
 

@@ -3,8 +3,8 @@
 ///
 /// Shell, housing and shaft take seconds to minutes to warm; over a cycle they are where the mean
 /// heat of the cycle holds them. From the mean flux <q> into the walls that a cycle has found with
-/// some walls, and the film's mean response to their temperature, follow the walls of the next one
-/// (Solids::answer); the fixed point is the periodic state. Where the skin has warmed in the mean,
+/// some walls, and what its films answer to their temperature, follow the walls of the next one;
+/// the fixed point is the periodic state. Where the skin has warmed in the mean,
 /// that belongs to the body and is taken from it. Source: methods 3.5.
 #include "bearing/over_time/film_step.hpp"
 #include "bearing/solids.hpp"
@@ -69,21 +69,14 @@ struct HeatTaken {
   double shaft = 0.0;
 };
 
-/// The walls for the mean heat that a cycle has found with `walls`: in the periodic state, or at
-/// the end of a step in time through which the bodies see that heat, and `more` besides, spread
-/// evenly [W].
+/// The walls between which the mean heat that a cycle has found with `walls` and what its film
+/// answers to their change, (1) of film_answer.hpp, balance to a thousandth of a kelvin: in the
+/// periodic state, or at the end of a step in time through which the bodies see that heat, and
+/// `more` besides, spread evenly over what meets it [W]. The cycle must have held its films.
 [[nodiscard]] BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
                                             const CycleHeat& heat,
                                             const thermal::WallResponse& response, int skin_nodes,
                                             const SolidStep* step = nullptr,
                                             const HeatTaken& more = {});
-
-/// The same where the film answers cell by cell: the walls between which the heat of the cycle and
-/// (1) of film_answer.hpp balance, to a thousandth of a kelvin. The cycle must have been held.
-[[nodiscard]] BodiesAnswer settled_bodies(const BearingModel& model, const WallMeans& walls,
-                                          const CycleHeat& heat,
-                                          const thermal::WallResponse& response, int skin_nodes,
-                                          const SolidStep* step = nullptr,
-                                          const HeatTaken& more = {});
 
 }  // namespace shellback::bearing

@@ -86,7 +86,7 @@ double move_of(const WallMeans& a, const WallMeans& b) {
 double move_for_ever(const CyclePasses& passes, const WallMeans& walls) {
   const int nodes = passes.film().heat()->skin().nodes();
   const BodiesAnswer then =
-      settled_bodies(passes.film().model(), walls, passes.heat(), passes.response(), nodes);
+      answer_of_bodies(passes.film().model(), walls, passes.heat(), passes.response(), nodes);
   return move_of(then.walls, walls);
 }
 
@@ -106,7 +106,7 @@ BodiesStep take_step(const CyclePasses& passes, const MarchSpan& span, const Cyc
   const double pays = march.dt / kStepLonger;  // the step before: what it owes is paid no faster
   for (;; length /= kStepLonger) {
     BodiesStep taken{length, model.solids->step(length, march.bodies.state, &last), {}, 0.0};
-    taken.answer = settled_bodies(
+    taken.answer = answer_of_bodies(
         model, march.bodies.walls, passes.heat(), passes.response(), nodes, &taken.step,
         {march.owed.shell / std::max(length, pays), march.owed.shaft / std::max(length, pays)});
     taken.move = move_of(taken.answer.walls, march.bodies.walls);

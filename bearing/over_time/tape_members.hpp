@@ -23,6 +23,7 @@ inline void members(Tape& tape, bearing::FilmTrend& x) {
 inline void members(Tape& tape, thermal::FilmEnergyProblem& x) {
   auto& [grid, gl, phi_flow, z_flow, lines, patch, line, conductance, heat, cp, vessels, fed,
          T_reference, T_edge, cp_edge, forward, throttled, storage, shell] = x;
+  if (!storage) storage.emplace();
   tape(phi_flow, z_flow, lines, patch, line, conductance, cp, vessels, fed, T_reference, T_edge,
        cp_edge, forward, storage->dt, storage->mass, storage->mass_before);
   heat.assign(cp.size(), 0.0);

@@ -84,7 +84,7 @@ std::vector<LimiterCount> limiters_of(const Solution& s) {
   const Field h = fluid::nominal_depth(s.film.gap, s.model.supply);
   for (const LimiterCount& l : contact_limiters(s.model, h)) out.push_back(l);
   const int sides = s.model.domain.grid.half ? 2 : 1;
-  add(Limiter::bent_edges, sides * fluid::bent_edges(s.film.gap.edge));
+  add(Limiter::bent_edges, sides * fluid::bent_edges(s.film.gap));
   return out;
 }
 

@@ -196,7 +196,8 @@ TEST_CASE("AGrooveBetweenPressedLandsIsDeep", "[elastic]") {
   }
   CHECK(ground < 0.0);
   CHECK(land > 0.0);
-  CHECK(s.film.least.h > 0.9 * land);
+  CHECK(s.film.least.h > 0.0);
+  CHECK(std::abs(s.film.least.z) > 4.8e-3);  // on the lands
   Case deepened = c;
   const double edge = 4.8e-3;
   deepened.bearing.profile =

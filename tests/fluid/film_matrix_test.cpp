@@ -235,6 +235,61 @@ TEST_CASE("SupplyRowsAreIdentityAndMoveNobody") {
   CHECK(largest_difference(product(a, t), t) == 0.0);
 }
 
+TEST_CASE("TheFilmMatrixIsTheSlopeWherePressedLandsCloseBesideAGroove") {
+  // The lands stand 12 um back, the groove between them does not: the mean of both on the groove's
+  // edges would be less than half of the land's gap.
+  Setup s = tilted_thirteen();
+  s.position = eccentric(14e-6, 0.4);
+  s.patches = {{.phi = 0.5, .arc = 1.2, .length = 9e-3, .pressure = 3e5, .depth = 1e-3}};
+  for (const auto& [half, profile] : {std::pair{false, false}, {false, true}, {true, false}}) {
+    s.half = half;
+    if (profile) s.profile = ripples;
+    Probe q(s);
+    const FilmGrid& g = q.bearing.scene.grid;
+    const SupplyMap& supply = q.bearing.scene.supply;
+    Field d(g.cells());
+    for (int k = 0; k < g.cells(); ++k) d[k] = supply.cell[k] < 0 ? 12e-6 : -25e-6;
+    const auto moved = [&](const Field& by, double e, const JournalPosition& at) {
+      Field with = d;
+      for (std::size_t k = 0; k < d.size(); ++k) with[k] += e * by[k];
+      Probe p = q;
+      p.bearing.gap = film_gap(g, p.bearing.scene.angles, s.clearance, at, with, p.bearing.step,
+                               nullptr, 0.0, &supply);
+      p.evaluate();
+      return p;
+    };
+    const Field by = random_field(g.cells(), 61, -1e-6, 1e-6);
+    const Probe here = moved(by, 0.0, s.position);
+    REQUIRE_FALSE(here.flow.bent_phi.empty());
+    REQUIRE_FALSE(here.flow.bent_z.empty());
+    CHECK(bent_edges(here.bearing.gap) ==
+          static_cast<int>(here.flow.bent_phi.size() + here.flow.bent_z.size()));
+    for (const BentFace& f : here.flow.bent_z) CHECK(here.bearing.gap.z_face[f.face] > 0.0);
+    check_slope(residual_by_gap(here.bearing.scene, here.flow, by),
+                moved(by, 1e-4, s.position).residual(), moved(by, -1e-4, s.position).residual(),
+                1e-4);
+    for (int k = 0; k < (half ? 2 : 4); ++k) {
+      const double step = k < 2 ? 1e-10 : 1e-8;
+      JournalPosition ahead = s.position, behind = s.position;
+      ahead.q[k] += step;
+      behind.q[k] -= step;
+      check_slope(residual_by_position(here.bearing.scene, here.flow, k),
+                  moved(by, 0.0, ahead).residual(), moved(by, 0.0, behind).residual(), step);
+    }
+    const Field c = random_field(g.cells(), 62, 0.2e-6, 1e-6);
+    const Field t = here.direction(63);
+    RingMatrix a;
+    a.resize(g.nt, g.nz);
+    add_gap_compliance(here.bearing.scene, here.flow, c, a);
+    Field widening(t.size());
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      widening[k] = supply.cell[k] < 0 ? c[k] * t[k] : 0.0;  // nothing yields in a supply
+    }
+    const Field direct = residual_by_gap(here.bearing.scene, here.flow, widening);
+    CHECK(largest_difference(direct, product(a, t)) < 1e-12 * largest_magnitude(direct));
+  }
+}
+
 TEST_CASE("TheFilmMatrixIsTheSlopeWherePressedEdgesClose") {
   // Displacements that fall so steeply towards the side edges that the straight line to them would
   // close the gap: residual, response to the gap and to the position, preconditioner.

@@ -46,11 +46,15 @@ bool may_stand_on_another_branch(const Solution& s) {
 
 }  // namespace
 
-namespace {
-
-/// Gives grids as many more cells as it takes to resolve the edges of the supplies; leaves out
-/// those that come to the case's own.
-std::vector<Grid> holding_supplies(const Case& c, std::vector<Grid> grids) {
+std::vector<Grid> coarse_grids(const Case& c) {
+  std::vector<Grid> grids;
+  for (Grid grid = c.model.grid;;) {
+    const std::optional<Grid> half = halved(grid);
+    if (!half && grids.size() + 1 >= kGrids) break;
+    grid = half ? *half : scaled(grid, 1.0 / kRefinement);
+    if (grid[0] < 20 || grid[1] < 3) break;
+    grids.insert(grids.begin(), grid);
+  }
   const auto [around, along] = c.model.grid;
   for (Grid& grid : grids) {
     while (grid[1] < along && !holds_supplies(c, grid)) ++grid[1];
@@ -61,41 +65,15 @@ std::vector<Grid> holding_supplies(const Case& c, std::vector<Grid> grids) {
   return grids;
 }
 
-bool too_coarse(const Grid& grid) { return grid[0] < 20 || grid[1] < 3; }
-
-}  // namespace
-
-std::vector<Grid> coarse_grids(const Case& c) {
-  std::vector<Grid> grids;
-  for (Grid grid = c.model.grid;;) {
-    const std::optional<Grid> half = halved(grid);
-    if (!half && grids.size() + 1 >= kGrids) break;
-    grid = half ? *half : scaled(grid, 1.0 / kRefinement);
-    if (too_coarse(grid)) break;
-    grids.insert(grids.begin(), grid);
-  }
-  return holding_supplies(c, std::move(grids));
-}
-
 std::optional<Grid> finer_grid(const Grid& grid) {
   if (cells(grid) > cells(kUsualGrid)) return std::nullopt;
   return scaled(grid, kRefinement);
 }
 
 std::vector<Grid> nearest_coarse_grids(const Case& c) {
-  constexpr Grid kTellsOfIt{30, 5};  // coarser ones are of another bearing where summits rub
-  const auto half = [](const Grid& g) { return Grid{g[0] / 2, (g[1] + 1) / 2}; };
-  const Grid own = c.model.grid;
-  std::vector<Grid> grids;
-  for (const auto& [coarsest, nearest] :
-       {std::pair{half(half(own)), half(own)},
-        {scaled(half(own), 1.0 / kRefinement), half(own)},
-        {scaled(own, 1.0 / (kRefinement * kRefinement)), scaled(own, 1.0 / kRefinement)}}) {
-    grids = {coarsest, nearest};
-    if (coarsest[0] >= kTellsOfIt[0] && coarsest[1] >= kTellsOfIt[1]) break;
-  }
-  std::erase_if(grids, too_coarse);
-  return holding_supplies(c, std::move(grids));
+  std::vector<Grid> grids = coarse_grids(c);
+  if (grids.size() > 2) grids.erase(grids.begin(), grids.end() - 2);
+  return grids;
 }
 
 std::optional<Solution> solve_near(const Case& c, const Solution& near, const SolveControl& control,

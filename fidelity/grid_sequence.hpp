@@ -34,9 +34,7 @@ inline constexpr int kMoreNodes = 2;  ///< across the film; their number stays o
 /// The next finer one, kRefinement times in each direction; none beyond the usual grid.
 [[nodiscard]] std::optional<Grid> finer_grid(const Grid& grid);
 
-/// Two of which bars of whole runs in time are made: each axis halved twice, halved and taken 0.7
-/// times, or twice 0.7 times, the first of these that leaves 30 x 5 cells, down to 20 x 3; supplies
-/// as above.
+/// The last two of them: what bars of whole runs in time are made of.
 [[nodiscard]] std::vector<Grid> nearest_coarse_grids(const bearing::Case& c);
 
 /// The case, in the tier and on the grid that it names, from a solution that is near (other grid,

@@ -29,6 +29,13 @@ double on_axial_face(const FilmGrid& g, const double* line, int j) {
   return line[left] + slope * (g.z_face[j] - g.z[left]);
 }
 
+/// The same on west face i of line j.
+double on_phi_face(const FilmGrid& g, const Field& d, int i, int j) {
+  const int west = g.previous(i);
+  const double share = g.dphi[west] / (g.dphi[west] + g.dphi[i]);  // of the cell at i
+  return share * d[g.index(i, j)] + (1.0 - share) * d[g.index(west, j)];
+}
+
 }  // namespace
 
 void to_faces(const FilmGrid& g, const Field& d, std::vector<double>& phi_face,
@@ -83,16 +90,19 @@ void close_edges(const FilmGrid& g, const Field& d, const Field& profile, double
   }
 }
 
-/// Bends `face` between cells a and b, which `faces` holds as the mean of both, if one of them is a
-/// supply's.
+/// Faces between film and supply, on which `gap` has the mean of both displacements.
 struct SupplyEdges {
+  const FilmGrid& g;
   const Field& d;
   const Field& profile;
   const SupplyMap& supply;
   double summits;
+
+  [[nodiscard]] bool parts(int a, int b) const {
+    return (supply.cell[a] >= 0) != (supply.cell[b] >= 0);
+  }
   void bend(int face, int a, int b, double mean, std::vector<double>& faces,
             std::vector<BentFace>& bent) const {
-    if ((supply.cell[a] >= 0) == (supply.cell[b] >= 0)) return;
     const int cell = supply.cell[a] >= 0 ? b : a;
     const double line = mean - d[cell];
     const double step = profile.empty() ? 0.0 : profile[cell];
@@ -101,20 +111,19 @@ struct SupplyEdges {
     faces[face] = edge.h - step;
     bent.push_back({face, cell, edge.slope});
   }
-};
-
-/// `phi` and `z`: the displacement on the faces.
-void close_supplies(const FilmGrid& g, const SupplyEdges& edges, const std::vector<double>& phi,
-                    const std::vector<double>& z, Gap& gap) {
-  for (int i = 0; i < g.nt; ++i) {
-    for (int j = 0; j < g.nz; ++j) {
-      const int k = g.index(i, j);
-      edges.bend(k, g.index(g.previous(i), j), k, phi[k], gap.phi_face, gap.bent_phi);
-      const int f = i * (g.nz + 1) + j;
-      if (j > 0) edges.bend(f, k - 1, k, z[f], gap.z_face, gap.bent_z);
+  void bend_all(Gap& gap) const {
+    for (int i = 0; i < g.nt; ++i) {
+      const int west = g.previous(i);
+      for (int j = 0; j < g.nz; ++j) {
+        const int k = g.index(i, j), l = g.index(west, j);
+        if (parts(l, k)) bend(k, l, k, on_phi_face(g, d, i, j), gap.phi_face, gap.bent_phi);
+        if (j == 0 || !parts(k - 1, k)) continue;
+        bend(i * (g.nz + 1) + j, k - 1, k, on_axial_face(g, &d[g.index(i, 0)], j), gap.z_face,
+             gap.bent_z);
+      }
     }
   }
-}
+};
 
 }  // namespace
 
@@ -127,7 +136,6 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
   } else {
     to_faces(g, d, gap.phi_face, gap.z_face);
   }
-  const std::vector<double> d_phi = gap.phi_face, d_z = gap.z_face;
   gap.cell = d.empty() ? Field(g.cells(), 0.0) : d;
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
@@ -150,7 +158,7 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
   }
   if (d.empty()) return gap;
   close_edges(g, d, profile, summits, gap);
-  if (supply != nullptr) close_supplies(g, {d, profile, *supply, summits}, d_phi, d_z, gap);
+  if (supply != nullptr) SupplyEdges{g, d, profile, *supply, summits}.bend_all(gap);
   return gap;
 }
 

@@ -25,13 +25,14 @@ int cell_at(const FilmGrid& g, const fluid::SmallestGap& place) {
   return g.index(column, line);
 }
 
-/// Least sum of the gaps at the two ends of a diameter [m]: no journal position changes it.
-double least_across(const FilmGrid& g, const fluid::Gap& gap) {
+/// Least sum of the gaps at the two ends of a diameter [m]: no journal position changes it. `h`: of
+/// every cell, with the depth of supplies.
+double least_across(const FilmGrid& g, const Field& h) {
   double least = INFINITY;
   for (int i = 0; i < g.nt; ++i) {
     for (int j = 0; j < g.nz; ++j) {
       const int other = cell_at(g, {0.0, g.phi[i] + kPi, g.z[j]});
-      least = std::min(least, gap.cell[g.index(i, j)] + gap.cell[other]);
+      least = std::min(least, h[g.index(i, j)] + h[other]);
     }
   }
   return least;
@@ -42,7 +43,8 @@ double least_across(const FilmGrid& g, const fluid::Gap& gap) {
 Verdict closed_gap(const BearingModel& model, const OperatingPoint& point,
                    const Field& thermal_deformation, const FilmEquilibrium& s) {
   const int cell = cell_at(model.domain.grid, s.least);
-  ending::GapClosed e{s.least.h, s.least.h, NAN, NAN, least_across(model.domain.grid, s.gap)};
+  const Field h = fluid::nominal_depth(s.gap, model.supply);
+  ending::GapClosed e{s.least.h, s.least.h, NAN, NAN, least_across(model.domain.grid, h)};
   if (!thermal_deformation.empty()) e.by_position -= e.by_heat = thermal_deformation[cell];
   if (!s.elastic.empty()) e.by_position -= e.by_elasticity = s.elastic[cell];
   const bool proven = point.load.unknowns == 0 || e.across <= 0.0;

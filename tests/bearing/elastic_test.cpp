@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/words/ending_words.hpp"
+#include "bearing/film/closed_gap.hpp"
+#include "bearing/physics.hpp"
 #include "bearing/solids.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -22,6 +24,23 @@ void stiffen(Case& c, double factor) {
   for (ShellLayer& layer : c.shell->layers) layer.material.youngs_modulus *= factor;
   c.shell->housing->material.youngs_modulus *= factor;
   c.shaft->material.youngs_modulus *= factor;
+}
+
+/// A smooth bearing of 30 um with a ring groove, 21 MPa.
+Case grooved_ring() {
+  Case c = elastic_rig(100e3);
+  c.surfaces = {};
+  c.bearing = {0.04, 0.06, 30e-6, 373.15, {}};
+  c.supplies[0].kind = SupplyKind::circumferential_groove;
+  c.supplies[0].arc = 2.0 * kPi;
+  c.supplies[0].length = 9.6e-3;
+  c.supplies[0].depth = 1e-3;
+  c.supplies[0].pressure = 4e5;
+  c.shell->housing->outer_radius = 0.0625;
+  c.operation.omega = 1000.0 * kPi / 30.0;
+  c.model.grid = {60, 13};
+  c.model.axial_spacing = AxialSpacing::even;
+  return c;
 }
 
 }  // namespace
@@ -173,18 +192,7 @@ TEST_CASE("AGrooveBetweenPressedLandsIsDeep", "[elastic]") {
   // pressure of its supply, a third less: nominally the shaft stands in its ground. How deep it is
   // matters to nothing but the oil sheared in it, and its ground given as part of the bore gives
   // the same bearing.
-  Case c = elastic_rig(100e3);
-  c.surfaces = {};
-  c.bearing = {0.04, 0.06, 30e-6, 373.15, {}};
-  c.supplies[0].kind = SupplyKind::circumferential_groove;
-  c.supplies[0].arc = 2.0 * kPi;
-  c.supplies[0].length = 9.6e-3;
-  c.supplies[0].depth = 1e-3;
-  c.supplies[0].pressure = 4e5;
-  c.shell->housing->outer_radius = 0.0625;
-  c.operation.omega = 1000.0 * kPi / 30.0;
-  c.model.grid = {60, 13};
-  c.model.axial_spacing = AxialSpacing::even;
+  const Case c = grooved_ring();
   const Solution s = solve_tier(c, Tier::isothermal);
   INFO(app::reason_of(s.verdict));
   REQUIRE(s.verdict.good());
@@ -208,6 +216,25 @@ TEST_CASE("AGrooveBetweenPressedLandsIsDeep", "[elastic]") {
   REQUIRE(deep.verdict.good());
   CHECK(torque_of(deep) == Approx(torque_of(s)).epsilon(0.005));  // that of the groove falls
   CHECK(deep.film.least.h == Approx(s.film.least.h).epsilon(0.005));
+}
+
+TEST_CASE("OnlyLandsThatMeetAcrossTheBearingProveThatItIsClosed", "[elastic]") {
+  // The journal stands 10 um in the land. Lands are pressed 35 um back and leave it room on the
+  // other side; across the groove, whose ground stands 35 um in, there is none but for its depth.
+  const Case c = grooved_ring();
+  const BearingModel model = make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid);
+  const OperatingPoint point = operating_point(model);
+  FilmEquilibrium s = cold_start(model, point, 373.15);
+  s.position.q = {-75e-6, 0.0, 0.0, 0.0};
+  const auto ended = [&](double land) {
+    for (std::size_t k = 0; k < s.elastic.size(); ++k) {
+      s.elastic[k] = model.supply.cell[k] < 0 ? land : -35e-6;
+    }
+    CHECK_FALSE(evaluate(model, point, {}, 1e-6, s));
+    return closed_gap(model, point, {}, s).status;
+  };
+  CHECK(ended(35e-6) == Status::iteration_limit);
+  CHECK(ended(-35e-6) == Status::no_steady_state);
 }
 
 TEST_CASE("PressedSharpEdgesDoNotEndTheFilmOnCoarseGrids", "[elastic]") {

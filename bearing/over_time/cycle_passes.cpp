@@ -148,13 +148,13 @@ void CyclePasses::begin_pass() {
 }
 
 void CyclePasses::add(const FilmStep& step, double dt) {
-  constexpr int kLooks = 24;  // of a cycle, at the film's response to its walls
+  constexpr int kLooks = 24;  // of a cycle, at what the film answers to its walls
   passing_->record.add(step, dt, control_);
   if (film_.heat() == nullptr) return;
   heat_.add(step, dt);
-  if (!(passing_->look || holds_films_) || heat_.time() < passing_->next_look) return;
+  if (!c_.cycle->repeats() || heat_.time() < passing_->next_look) return;
   if (passing_->look) heat_.look_at(film_.model(), film_.point(), step.after.film);
-  if (holds_films_) heat_.hold(film_.model(), film_.point(), step.after.film);
+  heat_.hold(film_.model(), film_.point(), step.after.film);
   passing_->next_look += length_ / kLooks;
 }
 

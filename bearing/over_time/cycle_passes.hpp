@@ -75,8 +75,6 @@ class CyclePasses {
   [[nodiscard]] const CycleHeat& heat() const { return heat_; }
   [[nodiscard]] const thermal::WallResponse& response() const { return *response_; }
   [[nodiscard]] int measured() const { return measured_; }
-  /// From the next pass on the heat holds the films that answer the walls cell by cell.
-  void hold_films() { holds_films_ = true; }
   [[nodiscard]] const FilmSteps& film() const { return film_; }
   [[nodiscard]] const std::optional<WallMeans>& walls() const { return walls_; }
   /// The heat about which that into the walls swings from now on [W/m2].
@@ -168,7 +166,6 @@ class CyclePasses {
   CycleHeat heat_;
   std::optional<thermal::WallResponse> response_;
   int measured_ = 0;
-  bool holds_films_ = false;
   CycleResult r_;  ///< verdict and counts, as they come
 };
 

@@ -226,7 +226,8 @@ double CycleSearch::change_of_walls() {
   answered_ = std::move(answer.walls);
   mean_change_ = mean_difference(steps.model().domain.grid, *answered_, walls);
   const double clearance = steps.model().clearance;
-  return kHeatUnit * largest_difference(packed(*answered_, clearance), packed(walls, clearance));
+  return answer.left +
+         kHeatUnit * largest_difference(packed(*answered_, clearance), packed(walls, clearance));
 }
 
 void CycleSearch::walls_unsettled() {
@@ -264,7 +265,6 @@ const Verdict& CycleSearch::search(bool rough) {
     until_closed(kClosed);
     return verdict();
   }
-  passes_.hold_films();
   if (!brought_back()) phase_ = passes_.measured() == 0 ? Phase::orbit : Phase::walls;
   if (phase_ == Phase::orbit && !pass()) return verdict();  // before heat is looked at
   settle_walls_and_oil(rough);
@@ -272,7 +272,6 @@ const Verdict& CycleSearch::search(bool rough) {
 }
 
 const Verdict& CycleSearch::follow() {
-  if (heat()) passes_.hold_films();
   for (int k = 0; k < kWornShapeTurns && verdict().good(); ++k) {
     if (heat()) {
       settled_ = settle_walls(answered_ ? *answered_ : *passes_.walls(), true, kWornShapeTurns);

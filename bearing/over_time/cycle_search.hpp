@@ -5,9 +5,10 @@
 ///                     of them is led on to where it leads (led_oil.hpp)
 ///   film energy       the fixed point of the walls: one cycle with walls that stay as they are ->
 ///                     its mean heat and what its films answer -> the walls of the next
-///                     (cycle_walls.hpp), Anderson acceleration (KINSOL); then cycles between the last walls until two agree,
-///                     the oil led on. Walls that oil has moved meanwhile, or that did not settle
-///                     while it moved, settle again: until both hold
+///                     (cycle_walls.hpp), Anderson acceleration (KINSOL); then cycles between the
+///                     last walls until two agree, the oil led on. Walls that oil has moved
+///                     meanwhile, or that did not settle while it moved, settle again: until both
+///                     hold
 /// A single event is passed once.
 #include <memory>
 #include <optional>

@@ -134,6 +134,7 @@ BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
   EXPECTS(!heat.held().empty());
   const SeenByWalls seen = seen_by(model, walls, heat, response, skin_nodes, more);
   FilmAnswer film(model, heat.held());
+  BodiesAnswer out;
   WallFlux q;
   Field shell;
   std::vector<double> shaft;
@@ -156,13 +157,12 @@ BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
     film.add_to(q, warmer, warmer_shaft);
     const SolidTemperature then = answer({false, false});
     to = joined(then.shell.surface, then.shaft.temperature);
+    out.left = largest_difference(to, x);
     return true;
   };
   std::vector<double> x = joined(seen.met, walls.shaft);
-  // Where it does not settle, walls are left as its last round has them, and the next cycle finds
-  // what they lack.
+  // Where it does not settle, walls are as its last round has them: `left` says how far off.
   static_cast<void>(fixed_point(map, {kDepth, 1, kMostIterations, kSettled}, x));
-  BodiesAnswer out;
   out.solids = answer({model.physics.thermal_deformation, true});
   out.walls = {out.solids.shell.surface, out.solids.shaft.temperature, q.shell,
                out.solids.thermal_deformation};

@@ -4,8 +4,8 @@
 /// Shell, housing and shaft take seconds to minutes to warm; over a cycle they are where the mean
 /// heat of the cycle holds them. From the mean flux <q> into the walls that a cycle has found with
 /// some walls, and what its films answer to their temperature, follow the walls of the next one;
-/// the fixed point is the periodic state. Where the skin has warmed in the mean,
-/// that belongs to the body and is taken from it. Source: methods 3.5.
+/// the fixed point is the periodic state. Where the skin has warmed in the mean, that belongs to
+/// the body and is taken from it. Source: methods 3.5.
 #include "bearing/over_time/film_step.hpp"
 #include "bearing/solids.hpp"
 #include "core/tape.hpp"
@@ -61,6 +61,7 @@ void unpack(const std::vector<double>& x, double clearance, WallMeans& walls);
 struct BodiesAnswer {
   WallMeans walls;
   SolidTemperature solids;
+  double left = 0.0;  ///< by which the last round of film and bodies still moved a wall [K]
 };
 
 /// Mean heat into shell and shaft of the whole bearing [W].
@@ -72,7 +73,8 @@ struct HeatTaken {
 /// The walls between which the mean heat that a cycle has found with `walls` and what its film
 /// answers to their change, (1) of film_answer.hpp, balance to a thousandth of a kelvin: in the
 /// periodic state, or at the end of a step in time through which the bodies see that heat, and
-/// `more` besides, spread evenly over what meets it [W]. The cycle must have held its films.
+/// `more` besides, spread evenly over what meets it [W]. The cycle must have held its films, as
+/// those that repeat do.
 [[nodiscard]] BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
                                             const CycleHeat& heat,
                                             const thermal::WallResponse& response, int skin_nodes,

@@ -87,7 +87,7 @@ double move_for_ever(const CyclePasses& passes, const WallMeans& walls) {
   const int nodes = passes.film().heat()->skin().nodes();
   const BodiesAnswer then =
       answer_of_bodies(passes.film().model(), walls, passes.heat(), passes.response(), nodes);
-  return move_of(then.walls, walls);
+  return then.left + move_of(then.walls, walls);
 }
 
 /// A step of the bodies.
@@ -151,7 +151,6 @@ MarchEnd march_over_cycles(CyclePasses& passes, const MarchSpan& span, CycleMarc
   Bodies& bodies = march.bodies;
   MarchEnd& end = march.end;
   double& dt = march.dt;
-  passes.hold_films();
   if (dt == 0.0) {
     dt = span.shortest;
     if (!let_film_follow(passes, bodies.walls, end)) return end;

@@ -6,6 +6,8 @@
 #include "bearing/over_time/compare_cycles.hpp"
 #include "bearing/over_time/cycle.hpp"
 #include "bearing/over_time/cycle_search.hpp"
+#include "bearing/over_time/film_answer.hpp"
+#include "bearing/over_time/heat_in_time.hpp"
 #include "bearing/over_time/warm_up.hpp"
 #include "bearing/steady/solve.hpp"
 #include "core/constants.hpp"
@@ -355,4 +357,51 @@ TEST_CASE("AWarmUpOverCyclesEndsInThePeriodicState", "[cycle_heat]") {
   Case event = c;
   event.cycle->period = std::numeric_limits<double>::infinity();
   CHECK_THROWS_AS(warm_up(event, Tier::thd, o), InputError);
+}
+
+TEST_CASE("AHeldFilmAnswersItsWallsAsTheFilmWithItsHeatDoes", "[cycle_heat]") {
+  // (1) of film_answer.hpp: with the flow held the energy equation is linear, and what walls that
+  // are warmer change of the heat into each cell is the difference of two full solutions. Of two
+  // equal instants it is that of one.
+  Case c = grooved_case();
+  c.model.grid = {40, 7};
+  const Solution s = solve_tier(c, Tier::thd);
+  REQUIRE(s.verdict.good());
+  const BearingModel& model = s.model;
+  const FilmGrid& g = model.domain.grid;
+  const int n = model.gl.n;
+  Field shell(g.cells());
+  std::vector<double> shaft(g.nz);
+  for (int k = 0; k < g.cells(); ++k) shell[k] = 3.0 + 2.0 * std::sin(g.phi[k / g.nz]) + k % g.nz;
+  for (int j = 0; j < g.nz; ++j) shaft[j] = 1.0 - 0.5 * j;
+  const auto heat = [&](double part) {
+    thermal::FilmEnergy film(lasting_film(model, s.point, s.film));
+    std::vector<double> T = s.film.columns.T;
+    for (int k = 0; k < g.cells(); ++k) {
+      if (!meets_walls(model, k)) continue;
+      T[static_cast<std::size_t>(k) * n] += part * shell[k];
+      T[static_cast<std::size_t>(k) * n + n - 1] += part * shaft[k % g.nz];
+    }
+    for (int lap = 0; lap < 400; ++lap) film.sweep(T);
+    return film.wall_heat(T);
+  };
+  const thermal::WallHeat cold = heat(0.0), warm = heat(1.0);
+  const thermal::FilmEnergyProblem held = held_film(model, s.point, s.film);
+  FilmAnswer answer(model, {held, held});
+  WallFlux q;
+  for (int round = 0; round < 150; ++round) {
+    q.shell.assign(g.cells(), 0.0);
+    q.shaft.assign(g.nz, 0.0);
+    answer.add_to(q, shell, shaft);
+  }
+  std::vector<double> ring(g.nz, 0.0);
+  Field into(g.cells(), 0.0);
+  for (int k = 0; k < g.cells(); ++k) {
+    if (!meets_walls(model, k)) continue;
+    into[k] = (warm.shell[k] - cold.shell[k]) / g.area(k);
+    ring[k % g.nz] += (warm.shaft[k] - cold.shaft[k]) / (2.0 * kPi * g.radius * g.dz[k % g.nz]);
+  }
+  CHECK(largest_magnitude(into) > 100.0);  // [W/m2]
+  CHECK(largest_difference(q.shell, into) < 1e-7 * largest_magnitude(into));
+  CHECK(largest_difference(q.shaft, ring) < 1e-7 * largest_magnitude(ring));
 }

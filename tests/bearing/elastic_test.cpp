@@ -206,6 +206,9 @@ TEST_CASE("AGrooveBetweenPressedLandsIsDeep", "[elastic]") {
   CHECK(land > 0.0);
   CHECK(s.film.least.h > 0.0);
   CHECK(std::abs(s.film.least.z) > 4.8e-3);  // on the lands
+  const std::vector<Quantity> q = quantities_of(s, Tier::isothermal);
+  CHECK(value_in(q, "h_min_mid") >= value_in(q, "h_min"));
+  CHECK(value_in(q, "h_min_mid") < c.bearing.radial_clearance);  // beside the groove, not in it
   Case deepened = c;
   const double edge = 4.8e-3;
   deepened.bearing.profile =

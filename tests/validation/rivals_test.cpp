@@ -48,6 +48,21 @@ Methods fixed_point(double relaxation = 0.0) {
   return methods;
 }
 
+/// A film of constant viscosity at 97 % of the clearance, load line downwards: speed [rpm],
+/// attitude [deg].
+Case in_a_given_gap(const Bearing& bearing, const Supply& supply, double rpm, double attitude,
+                    double viscosity, std::array<int, 2> grid) {
+  Case c = plain_case();
+  c.bearing = bearing;
+  c.supplies = {supply};
+  c.operation.omega = rpm * kPi / 30.0;
+  c.operation.position = EccentricityGiven{0.97, attitude * kDegree, 270.0 * kDegree};
+  c.oil.temperature = rheology::ConstantViscosity{viscosity};
+  c.model.tier = Tier::isothermal;
+  c.model.grid = grid;
+  return c;
+}
+
 }  // namespace
 
 TEST_CASE("TheMethodAskedForIsTheOneThatRuns") {
@@ -84,29 +99,21 @@ TEST_CASE("MassConservingMethodsCarryTheLoadInTheSameFilm") {
 }
 
 TEST_CASE("AFilmWhoseOnlySupplyNearlyChokesIsFound") {
-  // A hole of 6 mm where the gap is a thirtieth of the clearance. Full cells of the steady film go
-  // round in a ring; on the way through time what the hole feeds is a ten-thousandth of the flows.
-  Case c = plain_case();
-  c.bearing = {0.05, 0.06, 80e-6, 293.15, {}};
+  // A hole of 6 mm where the gap is a thirtieth of the clearance: on the way through time what it
+  // feeds is a ten-thousandth of the flows.
   Supply hole;
   hole.angle = 270.0 * kDegree;
   hole.diameter = 6e-3;
   hole.pressure = 15e5;
   hole.temperature = 313.15;
-  c.supplies = {hole};
-  c.operation.omega = 1500.0 * kPi / 30.0;
-  c.operation.position = EccentricityGiven{0.97, 1.283 * kDegree, 270.0 * kDegree};
-  c.oil.temperature = rheology::ConstantViscosity{0.0222};
-  c.model.tier = Tier::isothermal;
-  c.model.grid = {100, 16};
+  const Case c =
+      in_a_given_gap({0.05, 0.06, 80e-6, 293.15, {}}, hole, 1500.0, 1.283, 0.0222, {100, 16});
   check_same(solved(c, {}), solved(c, cavitation(CavitationMethod::p_theta)), 1e-6);
 }
 
 TEST_CASE("AFilmWhoseCellsFillLineByLineIsFoundThoughItsResidualRises") {
   // A groove over the narrowest gap: the widest gap fills against the rotation, a line an
   // iteration, and its residual stands a hundred times higher until the last line is full.
-  Case c = plain_case();
-  c.bearing = {0.04, 0.08, 80e-6, 293.15, {}};
   Supply groove;
   groove.kind = SupplyKind::axial_groove;
   groove.angle = 345.46 * kDegree;
@@ -114,12 +121,8 @@ TEST_CASE("AFilmWhoseCellsFillLineByLineIsFoundThoughItsResidualRises") {
   groove.length = 0.056;
   groove.pressure = 3e5;
   groove.temperature = 313.15;
-  c.supplies = {groove};
-  c.operation.omega = 4000.0 * kPi / 30.0;
-  c.operation.position = EccentricityGiven{0.97, 83.88 * kDegree, 270.0 * kDegree};
-  c.oil.temperature = rheology::ConstantViscosity{0.010};
-  c.model.tier = Tier::isothermal;
-  c.model.grid = {120, 12};
+  const Case c =
+      in_a_given_gap({0.04, 0.08, 80e-6, 293.15, {}}, groove, 4000.0, 83.88, 0.010, {120, 12});
   check_same(solved(c, {}), solved(c, cavitation(CavitationMethod::p_theta)), 1e-6);
 }
 

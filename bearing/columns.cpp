@@ -1,7 +1,9 @@
 #include "bearing/columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/contract.hpp"
 #include "core/largest.hpp"
@@ -17,34 +19,187 @@ bool thins(const rheology::Oil& oil) {
 
 namespace {
 
-/// Integrals (1) of all columns for the viscosities in `c.eta`.
-void integrate(const CrossFilmNodes& gl, OilColumns& c, Field& g) {
-  const int n = gl.n;
-  for (std::size_t cell = 0; cell < c.g0.size(); ++cell) {
-    const double* eta = &c.eta[cell * n];
-    double f[64];
-    double g0 = 0.0;
-    double g1 = 0.0;
-    for (int k = 0; k < n; ++k) {
-      f[k] = gl.v[k] / eta[k];
-      g0 += f[k];
-      g1 += f[k] * gl.s[k];
-    }
-    const double centre = g1 / g0;
-    double g2 = 0.0;
-    for (int k = 0; k < n; ++k) g2 += f[k] * (gl.s[k] - centre) * (gl.s[k] - centre);
-    c.g0[cell] = g0;
-    c.centre[cell] = centre;
-    g[cell] = g2;
+/// Columns that are worked on together: their nodes stay in the first-level cache, and the loops
+/// over them fill the vector unit [-].
+constexpr std::size_t kBlock = 32;
+
+/// A value of every column.
+using Row = std::array<double, kBlock>;
+
+/// Some columns, node by node: a node of all of them stands in one row.
+class ColumnBlock {
+ public:
+  ColumnBlock(const rheology::Oil& oil, const CrossFilmNodes& gl, double speed)
+      : oil_(oil), gl_(gl), speed_(speed), eta_(gl.n), fluidity_(gl.n) {
+    if (!thins(oil)) return;
+    for (auto* rows : {&low_, &by_drag_, &by_centre_, &step_}) rows->resize(gl.n);
+    for (auto* rows : {&rate_, &factor_, &slope_}) rows->resize(gl.n * kBlock);
   }
-}
+
+  /// The columns from `cell` on; behind the last one stands the last again.
+  void read(std::size_t cell, const OilColumns& c, const Field& h, const Field& gx,
+            const Field& gz) {
+    const auto n = static_cast<std::size_t>(gl_.n);
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const std::size_t from = std::min(cell + i, h.size() - 1);
+      for (std::size_t k = 0; k < n; ++k) eta_[k][i] = c.eta[from * n + k];
+      h_[i] = h[from];
+      gx_[i] = gx[from];
+      gz_[i] = gz[from];
+    }
+  }
+
+  /// Viscosities that belong to their stresses (3), from these at low rates; the largest relative
+  /// change of the last step.
+  double thin(std::size_t cell, const std::vector<double>& low, double tolerance) {
+    const auto n = static_cast<std::size_t>(gl_.n);
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const std::size_t from = std::min((cell + i) * n, low.size() - n);
+      for (std::size_t k = 0; k < n; ++k) low_[k][i] = low[from + k];
+    }
+    double change = 0.0;
+    for (int k = 0; k == 0 || (k < kMostIterations && change > tolerance); ++k) {
+      integrate();
+      shear();
+      rheology::shear_factors(oil_, rate_, factor_, slope_);
+      change = step();
+    }
+    return change;
+  }
+
+  /// Integrals (1).
+  void integrate() {
+    g0_.fill(0.0);
+    centre_.fill(0.0);
+    g_.fill(0.0);
+    for (int k = 0; k < gl_.n; ++k) {
+      const double v = gl_.v[k], s = gl_.s[k];
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        fluidity_[k][i] = v / eta_[k][i];
+        g0_[i] += fluidity_[k][i];
+        centre_[i] += fluidity_[k][i] * s;
+      }
+    }
+    for (std::size_t i = 0; i < kBlock; ++i) centre_[i] /= g0_[i];
+    for (int k = 0; k < gl_.n; ++k) {
+      const double s = gl_.s[k];
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        g_[i] += fluidity_[k][i] * (s - centre_[i]) * (s - centre_[i]);
+      }
+    }
+  }
+
+  void write(std::size_t cell, OilColumns& c, Field& g) const {
+    const auto n = static_cast<std::size_t>(gl_.n);
+    const std::size_t m = std::min(kBlock, g.size() - cell);
+    for (std::size_t i = 0; i < m; ++i) {
+      for (std::size_t k = 0; k < n; ++k) c.eta[(cell + i) * n + k] = eta_[k][i];
+      c.g0[cell + i] = g0_[i];
+      c.centre[cell + i] = centre_[i];
+      g[cell + i] = g_[i];
+    }
+  }
+
+ private:
+  /// Shear rates of (2), and what (4) has of their stresses.
+  void shear() {
+    couette_.fill(0.0);  // surfaces pressed together leave no gap: at rest nothing shears it
+    if (speed_ != 0.0) {
+      for (std::size_t i = 0; i < kBlock; ++i) couette_[i] = speed_ / (h_[i] * g0_[i]);
+    }
+    for (int k = 0; k < gl_.n; ++k) {
+      double* rate = &rate_[k * kBlock];
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        const double arm = h_[i] * from_centre(k, i);
+        const double x = gx_[i] * arm + couette_[i];
+        const double z = gz_[i] * arm;
+        const double square = x * x + z * z;
+        const double over = 1.0 / std::max(square, std::numeric_limits<double>::min());
+        rate[i] = std::sqrt(square) / eta_[k][i];
+        by_drag_[k][i] = couette_[i] * x * over;
+        by_centre_[k][i] = -h_[i] * (gx_[i] * x + gz_[i] * z) * over;
+      }
+    }
+  }
+
+  /// s - centre [-]. What round-off leaves of it where they are one would be seen by laws whose
+  /// slope at rest has no bound (Cross, m < 1).
+  [[nodiscard]] double from_centre(int k, std::size_t i) const {
+    constexpr double kNoArm = 1e-12;
+    const double arm = gl_.s[k] - centre_[i];
+    return std::abs(arm) < kNoArm ? 0.0 : arm;
+  }
+
+  /// (4): the system of a column's two unknowns, then the step of its nodes; the largest of all.
+  double step() {
+    Row t11, t12{}, t21{}, t22, t1{}, t2{};
+    t11.fill(1.0);
+    t22.fill(1.0);
+    for (int k = 0; k < gl_.n; ++k) {
+      double* off = &rate_[k * kBlock];
+      double* slope = &slope_[k * kBlock];
+      const double* factor = &factor_[k * kBlock];
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        off[i] = low_[k][i] * factor[i] / eta_[k][i] - 1.0;
+        const double part = fluidity_[k][i] / g0_[i];
+        const double arm = part * from_centre(k, i);
+        const double over = 1.0 / (1.0 + slope[i]);
+        t1[i] += part * over * off[i];
+        t2[i] -= arm * over * off[i];
+        slope[i] *= over;
+        t11[i] -= part * slope[i] * by_drag_[k][i];
+        t12[i] -= part * slope[i] * by_centre_[k][i];
+        t21[i] += arm * slope[i] * by_drag_[k][i];
+        t22[i] += arm * slope[i] * by_centre_[k][i];
+      }
+    }
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const double over = 1.0 / (t11[i] * t22[i] - t12[i] * t21[i]);
+      const double drag = over * (t1[i] * t22[i] - t2[i] * t12[i]);
+      t2[i] = over * (t2[i] * t11[i] - t1[i] * t21[i]);
+      t1[i] = drag;
+    }
+    return take(t1, t2);
+  }
+
+  /// Of the changes of ln tau by drag and of the centre.
+  double take(const Row& drag, const Row& centre) {
+    constexpr double kNearlyAll = 0.9;
+    Row longest{}, largest{};
+    for (int k = 0; k < gl_.n; ++k) {
+      const double* off = &rate_[k * kBlock];
+      const double* slope = &slope_[k * kBlock];
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        // off/(1 + slope) = off (1 - slope/(1 + slope))
+        step_[k][i] =
+            off[i] + slope[i] * (by_drag_[k][i] * drag[i] + by_centre_[k][i] * centre[i] - off[i]);
+        longest[i] = larger(longest[i], std::abs(step_[k][i]));
+      }
+    }
+    for (int k = 0; k < gl_.n; ++k) {
+      const double* off = &rate_[k * kBlock];
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        const double change = longest[i] < kNearlyAll ? step_[k][i] : off[i];
+        eta_[k][i] *= 1.0 + change;
+        largest[i] = larger(largest[i], std::abs(change));
+      }
+    }
+    return shellback::largest(largest);
+  }
+
+  const rheology::Oil& oil_;
+  const CrossFilmNodes& gl_;
+  double speed_;
+  std::vector<Row> eta_, low_, fluidity_, by_drag_, by_centre_, step_;
+  std::vector<double> rate_, factor_, slope_;
+  Row h_{}, gx_{}, gz_{}, g0_{}, centre_{}, g_{}, couette_{};
+};
 
 /// |tau| of (2) at every node.
 void stresses(const CrossFilmNodes& gl, double speed, const Field& h, const Field& gx,
               const Field& gz, const OilColumns& c, std::vector<double>& tau) {
   const int n = gl.n;
   for (std::size_t cell = 0; cell < h.size(); ++cell) {
-    // Surfaces pressed together on the way to a solution leave no gap: at rest nothing shears it.
     const double couette = speed == 0.0 ? 0.0 : speed / (h[cell] * c.g0[cell]);
     for (int k = 0; k < n; ++k) {
       const double arm = h[cell] * (gl.s[k] - c.centre[cell]);
@@ -92,23 +247,15 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
   out.density.resize(cells);
   out.compressibility.resize(cells);
   c.mismatch = 0.0;
-  if (thins(oil)) {
-    if (c.eta.front() <= 0.0) c.eta = low;
-    std::vector<double> tau(cells * n), before;
-    for (int k = 0; k == 0 || (k < kMostIterations && c.mismatch > tolerance); ++k) {
-      before = c.eta;
-      integrate(gl, c, out.fluidity);
-      stresses(gl, speed, h, gx, gz, c, tau);
-      rheology::shear_thinned(oil, low, tau, c.eta, 1);  // the stresses are not final either
-      c.mismatch = 0.0;
-      for (std::size_t node = 0; node < tau.size(); ++node) {
-        c.mismatch = larger(c.mismatch, std::abs(c.eta[node] / before[node] - 1.0));
-      }
-    }
-  } else {
-    c.eta = low;
+  const bool thinning = thins(oil);
+  if (!thinning || c.eta.front() <= 0.0) c.eta = low;
+  ColumnBlock block(oil, gl, speed);
+  for (std::size_t cell = 0; cell < cells; cell += kBlock) {
+    block.read(cell, c, h, gx, gz);
+    if (thinning) c.mismatch = larger(c.mismatch, block.thin(cell, low, tolerance));
+    block.integrate();
+    block.write(cell, c, out.fluidity);
   }
-  integrate(gl, c, out.fluidity);
   rheology::pressure_slope(oil, c.T_mean, state.p, out.alpha);
   for (std::size_t cell = 0; cell < cells; ++cell) {
     out.chi[cell] = 1.0 - c.centre[cell];

@@ -7,9 +7,14 @@
 /// Shear stress across the film (methods 3.1):
 ///   tau_x = dp/dx h (s - centre) + U/(h g0),   tau_z = dp/dz h (s - centre)           (2)
 /// The viscosity at a node is that at its T, p and shear rate; for shear-thinning oil (1), (2) and
-/// eta = eta(T, p) f(|tau|/eta) are solved together, column by column, by repeated substitution
-/// (contraction: minus the slope of ln eta against ln stress, below 1 where stress rises with
-/// rate), to the tolerance asked for.
+///   eta = eta(T, p) f(|tau|/eta)                                                      (3)
+/// are solved together to the tolerance asked for, by Newton's method in ln eta. A column's nodes
+/// meet in two numbers alone, the drag U/(h g0) and the centre. With a = (1 - m)^-1 of the slope
+/// m = -d ln f/d ln rate, phi = f_k/g0 (times its weight) and r = eta(T, p) f/eta - 1,
+///   d ln eta = a (r - m d ln tau),   d ln tau = (tau_x U/(h g0) D - h (tau . dp) C)/tau^2,
+///   D = sum phi d ln eta,   C = -sum phi (s - centre) d ln eta                        (4)
+/// is a system of two unknowns D and C, the changes of ln drag and centre. A step that would take
+/// nine tenths of a viscosity goes to eta(T, p) f instead.
 #include <vector>
 
 #include "core/gauss_lobatto.hpp"

@@ -98,7 +98,7 @@ void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine
     const GridBar bar = grid_bar(values, size(r.grid));
     q.quantity.error_grid = bar.bar;
     if (q.quantity.name == "h_min") {
-      q.quantity.error_grid += edge_error(r.fields.grid, r.fields.h_min);
+      q.quantity.error_grid += edge_error(r.fields.grid, r.fields.h_min, r.fields.in_supply);
     }
     q.quantity.order = bar.order;
     bars.push_back({&q.quantity.error_grid,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/bracketed_root.hpp"
+#include "core/largest.hpp"
 #include "core/round_off.hpp"
 
 namespace shellback::fidelity {
@@ -53,12 +54,13 @@ double edge_error(const FilmGrid& g, const Field& h, const fluid::SmallestGap& l
   return left_of_edge(last.s, last.h);
 }
 
-double edge_error(const FilmGrid& g, const Field& h) {
+double edge_error(const FilmGrid& g, const Field& h, const Field& in_supply) {
   if (g.nz < 3 || h.empty()) return 0.0;
   double least = *std::min_element(h.begin(), h.end());
   double left = 0.0;
   for (int i = 0; i < g.nt; ++i) {
     for (const bool low : {true, false}) {
+      if (largest(last_cells(g, in_supply, i, low).h) > 0.0) continue;
       const LastCells last = last_cells(g, h, i, low);
       if (last.on_edge() >= least) continue;
       least = last.on_edge();

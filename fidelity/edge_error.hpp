@@ -21,8 +21,9 @@ namespace shellback::fidelity {
                                 const fluid::SmallestGap& least);
 
 /// The same for the smallest gap of each place over a load cycle: full-width, from where its line
-/// through the last two cells is least on an edge, if no cell has less.
-[[nodiscard]] double edge_error(const FilmGrid& grid, const Field& h);
+/// through the last two cells is least on an edge, if no cell has less. In supplies (`in_supply`
+/// not 0) there is no film that could be least.
+[[nodiscard]] double edge_error(const FilmGrid& grid, const Field& h, const Field& in_supply);
 
 /// (2) of three gaps at distances s from the edge, nearest first.
 [[nodiscard]] double left_of_edge(const std::array<double, 3>& s, const std::array<double, 3>& h);

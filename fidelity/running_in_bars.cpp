@@ -34,7 +34,10 @@ States on_grid(Case c, const Grid& grid, const std::vector<double>& steps,
 double hidden_at_edge(const RunningInRun& run) {
   const double least = run.states.back().h_min;
   if (!(least > 0.0)) return 0.0;
-  if (run.cycle) return edge_error(run.cycle->fields.grid, run.cycle->fields.h_min) / least;
+  if (run.cycle) {
+    const CycleFields& f = run.cycle->fields;
+    return edge_error(f.grid, f.h_min, f.in_supply) / least;
+  }
   const FilmEquilibrium& film = run.solution.film;
   return edge_error(run.solution.model.domain.grid, film.gap.cell, film.least) / least;
 }

@@ -38,16 +38,10 @@ void viscosity(const Oil& oil, std::span<const double> T, std::span<const double
 void pressure_slope(const Oil& oil, std::span<const double> T, std::span<const double> p,
                     std::span<double> slope);
 
-/// Viscosity of every node at a given shear stress: solves eta = eta_low f(tau / eta), relative
-/// error below 1e-14.
-///   eta_low  viscosity at low shear rate [Pa s], positive
-///   tau      shear stress [Pa], either sign; magnitude up to 1e9 Pa tested
-///   eta      in: starting guess [Pa s] (any positive number; 0: none), out: the solution
-///   steps    Newton steps at most; few where the caller improves `tau` and calls again
-/// The root is unique and is found from any guess if stress_is_monotone(law) (shear.hpp); throws
-/// InputError otherwise. Why the iteration cannot fail: see viscosity_field.cpp.
-void shear_thinned(const Oil& oil, std::span<const double> eta_low, std::span<const double> tau,
-                   std::span<double> eta, int steps = 200);
+/// f(rate) [-] and its logarithmic slope d ln f / d ln rate [-] (shear.hpp) of every node, rate >= 0
+/// [1/s].
+void shear_factors(const Oil& oil, std::span<const double> rate, std::span<double> factor,
+                   std::span<double> slope);
 
 /// The same oil with an effect switched off. Houpert's law also sets the temperature slope: its
 /// place is then taken by the Reynolds slope with Houpert's beta through eta(at), which has the

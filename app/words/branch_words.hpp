@@ -122,11 +122,19 @@ inline Told told(const ending::LimitMoves& e, const About& a) {
     all += fmt::format("{}{} on {} x {} cells", all.empty() ? "" : ", ", reached(l.carried),
                        l.grid[0], l.grid[1]);
   }
-  const char* why = e.limits.size() == 1 ? "no second grid shows the limit"
-                    : limits_agree(e.limits)
-                        ? "the grids end at the same place, but that none lies beyond is shown on "
-                          "one of them alone"
-                        : "the limit moves with the grid";
+  const auto any = [&](const auto& is) {
+    return std::any_of(e.limits.begin(), e.limits.end(),
+                       [&](const ending::LimitOnGrid& l) { return is(l.carried.part); });
+  };
+  const bool reached_by_one = any([](double part) { return part == 1.0; });
+  const bool near = any([](double part) { return !bearing::is_apart_from_asked(part); });
+  const char* why =
+      e.limits.size() == 1      ? "no second grid shows the limit"
+      : reached_by_one          ? "another grid comes to what is asked for"
+      : !limits_agree(e.limits) ? "the limit moves with the grid"
+      : near ? "the limit is no farther from what is asked for than the tenth by which grids differ"
+             : "the grids end at the same place, but that none lies beyond is shown on one of them "
+               "alone";
   return {fmt::format("not resolved: {} ({}); {}", why, all, a.within.reason),
           "a finer grid, or a lower load"};
 }

@@ -87,7 +87,8 @@ struct CycleFields {
   FilmGrid grid;
   Field p_max;           ///< largest film pressure of each place [Pa]
   Field p_asperity_max;  ///< largest contact pressure; empty: no contact [Pa]
-  Field h_min;           ///< smallest gap [m]
+  Field h_min;           ///< smallest gap, of supplies with their depth [m]
+  Field in_supply;       ///< 1 in the supplies that the case gives, elsewhere 0 [-]
   Field friction_power;  ///< mean over the cycle, per area [W/m2]
   Field layer_depth;     ///< lasting, of an elasto-plastic layer at the end; empty: none [m]
   // Tiers with film temperatures; otherwise empty.

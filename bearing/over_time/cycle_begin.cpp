@@ -43,11 +43,14 @@ WallMeans carry_over(const BearingModel& from, const WallMeans& walls, const Bea
 
 }  // namespace
 
-void CyclePasses::begin_film(double T) {
+void CyclePasses::begin_film(double T, const std::optional<WallMeans>& walls) {
   std::optional<FilmInTime> begun;
   r_.verdict = {};
   const bool event = !c_.cycle->repeats();
-  if (event) begun = film_.steady(T, cost_, control_.stop);
+  if (event) {
+    begun = film_.steady(T, walls ? walls->thermal_deformation : Field{}, cost_, control_.stop);
+    if (begun && walls) begun->thermal_deformation = mean_deformation(*walls);
+  }
   if (event && !begun && stopped(control_)) r_.verdict = {Status::interrupted};
   from_rest_ = !begun.has_value();
   now_ = begun ? *std::move(begun) : film_.at_rest(T);
@@ -79,9 +82,9 @@ void CyclePasses::begin(double T) {
   if (event && begin_warm()) return;  // else, unless stopped, from cold
   begun_cold_ = event;
   const double begun = event ? mean_supply_temperature(c_) : T;
-  begin_film(begun);
-  if (!heat) return;
+  if (!heat) return begin_film(begun);
   walls_ = uniform_walls(film_.model(), begun);
+  begin_film(begun, walls_);
   if (!c_.cycle->repeats()) put(*walls_);
 }
 

@@ -110,7 +110,7 @@ fluid::FilmState filled_as_carried(const BearingModel& model, const OperatingPoi
   return middle;
 }
 
-std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
+std::optional<FilmInTime> FilmSteps::steady(double T, const Field& deformed, EquilibriumCost& cost,
                                             const std::atomic<bool>* stop) {
   const LoadNow load = course_.at(0.0);
   LoadTarget target = point_.load;
@@ -129,8 +129,9 @@ std::optional<FilmInTime> FilmSteps::steady(double T, EquilibriumCost& cost,
   open_mouths(0.0, now.film);
   OperatingPoint point = point_;
   point.load = target;
-  const Verdict v = at_rest ? come_to_rest({model_, point, {}, options_, stop}, now.film, cost)
-                            : newton_or_through_time({model_, point, {}, {}, stop}, now.film, cost);
+  const Verdict v =
+      at_rest ? come_to_rest({model_, point, deformed, options_, stop}, now.film, cost)
+              : newton_or_through_time({model_, point, deformed, {}, stop}, now.film, cost);
   if (!v.good()) return std::nullopt;
   point_.scene.storage = {};
   now.film.film = filled_as_carried(model_, point_, now.film.film);

@@ -125,8 +125,10 @@ class FilmSteps {
   /// full cells keep theirs, and the slope dM/dt stays that of before, less by the share of what is
   /// taken out: the next step errs by its share of what was put in, which ends as that does.
   void put_oil(const std::vector<double>& oil, FilmInTime& now) const;
-  /// The steady state under load and speed at t = 0; none if it is not found.
-  [[nodiscard]] std::optional<FilmInTime> steady(double T, EquilibriumCost& cost,
+  /// The steady state under load and speed at t = 0, in oil of one temperature, between surfaces
+  /// that heat has `deformed` [m]; none if it is not found.
+  [[nodiscard]] std::optional<FilmInTime> steady(double T, const Field& deformed,
+                                                 EquilibriumCost& cost,
                                                  const std::atomic<bool>* stop);
   /// One step of dt from `now`.
   [[nodiscard]] FilmStep take(double dt, const FilmInTime& now, EquilibriumCost& cost,

@@ -3,7 +3,7 @@
 #include "bearing/film/follow.hpp"
 #include "bearing/film/newton.hpp"
 #include "bearing/film/solve_equilibrium.hpp"
-#include "bearing/level.hpp"
+#include "bearing/steady/level.hpp"
 #include "bearing/possible_methods.hpp"
 #include "bearing/steady/branch_endings.hpp"
 

@@ -95,6 +95,7 @@ Verdict HeatSearch::cold_film() {
 Verdict HeatSearch::iterate() {
   ThermalOptions o = options_of(Accuracy::result, level_.coarse);
   o.tolerance = std::min(o.tolerance, control_.heat_within);
+  o.film = film_options(level_);
   return solve_heat(s_, o, control_);
 }
 
@@ -185,8 +186,10 @@ Verdict HeatSearch::ended(const Branch& branch, const MarchEnd& after) {
   note_limit(s_, branch, !lost || ran_away);
   if (lost && ran_away) return ran_away_from(s_, branch, after);
   Verdict v = branch_ended(s_, branch);
-  if (s_.cost.spent() && !level_.start)
+  if (s_.cost.spent() && !level_.start) {  // what more load leads to was not seen
+    v.status = Status::iteration_limit;
     v.cause = {{Status::iteration_limit, ending::Plain::given_up}};
+  }
   return v;
 }
 

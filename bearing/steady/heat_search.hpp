@@ -6,7 +6,7 @@
 #include "bearing/film/follow.hpp"
 #include "bearing/heat/heat_iteration.hpp"
 #include "bearing/heat/heat_march.hpp"
-#include "bearing/level.hpp"
+#include "bearing/steady/level.hpp"
 
 namespace shellback::bearing {
 

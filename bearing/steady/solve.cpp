@@ -110,15 +110,18 @@ void add_limit_of_second_grid(const Case& c, Tier tier, const SolveControl& cont
   s.limits.insert(s.limits.begin(), on.limits.begin(), on.limits.end());
 }
 
-/// That a branch ends is a fact of the bearing only if two grids agree on where, within a tenth;
-/// or, where an equation has a bound, if both end before the load or speed asked for.
+/// That a branch ends is a fact of the bearing only if two grids agree on where, within a tenth,
+/// and more than that before the load or speed asked for; where an equation has a bound, before it
+/// by more than they differ.
 void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Solution& s) {
   if (s.verdict.status != Status::no_steady_state || !has_own_limit(s)) return;
   const Limit own = s.limits.back();
   const auto agrees = [&](const Limit& l) {
     const bool alike = l.grid != own.grid && l.proven && l.raised == own.raised;
     const bool near = std::abs(l.part / own.part - 1.0) <= kAgree;
-    return alike && (near || (l.bound && own.bound && std::max(l.part, own.part) < 1.0));
+    const bool apart = is_apart_from_asked(l.part) && is_apart_from_asked(own.part);
+    const double bound = std::max(l.part, own.part) + std::abs(l.part - own.part);
+    return alike && ((near && apart) || (l.bound && own.bound && bound < 1.0));
   };
   const auto confirmed = [&] { return std::any_of(s.limits.begin(), s.limits.end(), agrees); };
   if (!confirmed()) add_limit_of_second_grid(c, tier, control, s);

@@ -17,7 +17,8 @@ bool stands(const Verdict& v) { return v.good() || v.status == Status::interrupt
 Verdict steady_film(Solution& s, Level level, const SolveControl& control) {
   std::fill(s.film.columns.T.begin(), s.film.columns.T.end(), s.T_film);
   if (!level.warm) return first_film(s, s.T_film, control);
-  return solve_equilibrium_near({s.model, s.point, {}, {}, control.stop}, s.film, s.cost);
+  return solve_equilibrium_near({s.model, s.point, {}, film_options(level), control.stop}, s.film,
+                                s.cost);
 }
 
 /// Film, heat, walls and their deformation.

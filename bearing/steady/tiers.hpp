@@ -10,7 +10,7 @@
 /// solve.cpp compares where that is on two grids.
 #include "bearing/control.hpp"
 #include "bearing/film/solution.hpp"
-#include "bearing/level.hpp"
+#include "bearing/steady/level.hpp"
 
 namespace shellback::bearing {
 

@@ -93,10 +93,11 @@ TEST_CASE("ABranchTellsHowFarItWasFollowedAndWhatCameThen", "[words]") {
   const Verdict within{kLimit, ending::Unsettled{ending::Iteration::heat, 25, 3.6e-3}};
   const ending::Carried rpm{ending::Raised::speed, 0.3123, 100.0 * kPi};  // 3000 rpm
   const ending::BranchEnded lost{ending::BranchEnd::lost, rpm, 1.16e-6, true};
-  CHECK(reason_of({kLimit, lost, {}, {within}}) ==
-        "no steady state was found: followed from a low speed, steady states are found up to 936.9 "
-        "rpm of 3000 rpm (smallest gap 1.16 um); there the search was given up, which proves no end "
-        "(film and heat did not settle in 25 iterations (last change 3.6e-03 of 10 K))");
+  CHECK(
+      reason_of({kLimit, lost, {}, {within}}) ==
+      "no steady state was found: followed from a low speed, steady states are found up to 936.9 "
+      "rpm of 3000 rpm (smallest gap 1.16 um); there the search was given up, which proves no end "
+      "(film and heat did not settle in 25 iterations (last change 3.6e-03 of 10 K))");
   const ending::LimitMoves moves{{{{72, 12}, {ending::Raised::speed, 1.33 / 3000.0, 100.0 * kPi}},
                                   {{48, 8}, {ending::Raised::speed, 5.098 / 3000.0, 100.0 * kPi}}}};
   CHECK(reason_of({kLimit, moves, {}, {{kNone, ending::Plain::no_pressure}}}) ==
@@ -112,6 +113,13 @@ TEST_CASE("ABranchTellsHowFarItWasFollowedAndWhatCameThen", "[words]") {
             .find("from a low supply pressure, steady states are found up to "
                   "63 bar of 70 bar") != std::string::npos);
   CHECK(reason_of({kLimit, alike}).find("not resolved: the grids end at the same place") == 0);
+  const auto both = [](double first, double second) {
+    const ending::LimitMoves at{{{{90, 14}, {ending::Raised::load, first, 8e3}},
+                                 {{60, 9}, {ending::Raised::load, second, 8e3}}}};
+    return reason_of({kLimit, at});
+  };
+  CHECK(both(1.0, 0.95).find("not resolved: another grid comes to what is asked for (8000 N") == 0);
+  CHECK(both(0.93, 0.95).find("not resolved: the limit is no farther from what is asked for") == 0);
 }
 
 TEST_CASE("AnUnstableOrbitTellsBothGrids", "[words]") {

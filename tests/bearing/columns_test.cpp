@@ -41,7 +41,8 @@ struct Scene {
     update_columns(oil, gl, speed, h, supply, film, gx, gz, tolerance, columns, out);
   }
   [[nodiscard]] double stress(std::size_t cell, int k) const {
-    const double arm = h[cell] * (gl.s[k] - columns.centre[cell]);
+    const double from_centre = gl.s[k] - columns.centre[cell];
+    const double arm = std::abs(from_centre) < 1e-14 ? 0.0 : h[cell] * from_centre;  // round-off
     return std::hypot(gx[cell] * arm + speed / (h[cell] * columns.g0[cell]), gz[cell] * arm);
   }
 };
@@ -130,6 +131,62 @@ TEST_CASE("ThinningOilObeysItsLawAndSticksToTheJournal", "[columns]") {
     CHECK(std::abs(w) < 1e-8);                   // no axial slip; of some 100 m/s of integrand
   }
   CHECK(thinned);
+}
+
+TEST_CASE("ThinnedViscositiesBelongToTheirStressFromAnyGuess", "[columns]") {
+  // Laws whose stress hardly rises with the rate (slopes of ln f down to -0.97) among them; oil
+  // that is dragged, pressed, or both.
+  for (const rheology::Cross& law :
+       {rheology::Cross{0.5, 4.5e-8, 0.457}, rheology::Cross{0.01, 1e-6, 1.0},
+        rheology::Cross{0.04, 1e-7, 1.45}, rheology::Cross{0.0, 1e-7, 0.9},
+        rheology::Cross{0.9, 1e-3, 0.2}}) {
+    for (const double speed : {0.0, 8.0, -300.0}) {
+      for (const double guess : {0.0, 1e-12, 1e-3, 1e6}) {
+        Scene s(70, 5);  // two whole blocks and a part
+        s.oil.temperature = rheology::ConstantViscosity{0.012};
+        s.oil.shear = law;
+        s.speed = speed;
+        s.columns.eta.assign(s.columns.eta.size(), guess);
+        if (guess == 0.0 && speed != 0.0) s.gx = s.gz = Field(70, 0.0);
+        s.update();
+        CAPTURE(law.r, law.m, speed, guess);
+        CHECK(s.columns.mismatch <= 1e-13);
+        double worst = 0.0;
+        for (std::size_t at = 0; at < s.columns.eta.size(); ++at) {
+          const double eta = s.columns.eta[at];
+          const double rate = s.stress(at / 5, static_cast<int>(at % 5)) / eta;
+          worst =
+              std::max(worst, std::abs(0.012 * rheology::shear_factor(law, rate).value / eta - 1));
+          CHECK(eta <= 0.012 * (1.0 + 1e-14));
+          CHECK(eta >= 0.012 * law.r * (1.0 - 1e-14));
+        }
+        CHECK(worst < 1e-12);  // the last step, over 1 + slope
+      }
+    }
+  }
+}
+
+TEST_CASE("PressedOilThinsInClosedFormForUnitExponent", "[columns]") {
+  // At rest the stress is gx h (s - 1/2); m = 1: eta^2 + (K tau - low) eta - r low K tau = 0.
+  const rheology::Cross law{0.3, 2e-7, 1.0};
+  const double low = 8e-3;
+  for (const double gx : {0.0, 1e6, 1e9, 1e12}) {
+    Scene s(1, 7);
+    s.oil.temperature = rheology::ConstantViscosity{low};
+    s.oil.shear = law;
+    s.speed = 0.0;
+    s.gx[0] = gx;
+    s.gz[0] = 0.0;
+    s.update();
+    for (int k = 0; k < 7; ++k) {
+      const double x = law.K * gx * s.h[0] * std::abs(s.gl.s[k] - 0.5);
+      const double b = x - low, c = law.r * low * x;
+      const double root = std::sqrt(b * b + 4.0 * c);
+      // The form without cancellation on each side of b = 0.
+      const double exact = b > 0.0 ? 2.0 * c / (b + root) : 0.5 * (root - b);
+      CHECK(s.columns.eta[k] == Approx(exact).epsilon(1e-13));
+    }
+  }
 }
 
 TEST_CASE("DissipationIsStressTimesRate", "[columns]") {

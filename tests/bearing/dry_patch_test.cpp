@@ -112,7 +112,7 @@ TEST_CASE("ADryPatchIsCarriedWithTheMeanSpeedAndKeepsWhatItLacks", "[cycle]") {
     EquilibriumCost cost;
     FilmInTime now = steps.at_rest(c.oil_temperature.value());
     if (loaded) {
-      auto steady = steps.steady(c.oil_temperature.value(), cost, nullptr);
+      auto steady = steps.steady(c.oil_temperature.value(), {}, cost, nullptr);
       REQUIRE(steady);
       now = *std::move(steady);
     }

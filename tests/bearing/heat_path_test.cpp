@@ -76,6 +76,21 @@ Case closing_case(double force) {
 
 }  // namespace
 
+TEST_CASE("ASearchThatItsPriceEndsProvesNothing", "[heat_path][refusal]") {
+  const double whole = solve_tier(coarse_rig(82e3), Tier::tehd).cost.work;
+  int ended = 0;
+  for (double part = 0.05; part < 0.5; part *= 1.3) {
+    SolveControl control;
+    control.most_work = part * whole;
+    const Solution s = solve_tier(coarse_rig(82e3), Tier::tehd, control);
+    INFO(part << ": " << app::reason_of(s.verdict));
+    CHECK_FALSE(s.verdict.good());
+    ended += s.cost.spent() ? 1 : 0;
+    if (s.cost.spent()) CHECK(s.verdict.status == Status::iteration_limit);
+  }
+  CHECK(ended > 3);  // else this test tells nothing
+}
+
 TEST_CASE("ABranchThatMovesWithItsGrowingSurfacesDoesNotTurn", "[heat_path]") {
   // Judge: each load from the state of a lighter one next to it, without any branch.
   Solution near = solve_tier(closing_case(500.0), Tier::tehd);

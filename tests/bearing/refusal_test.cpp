@@ -216,6 +216,36 @@ TEST_CASE("WhereAFilmWithHeatEndsIsItsOwnEnd", "[refusal]") {
   CHECK(cool.limits.back().part * 1e6 > 1.05 * carried);  // else this test tells nothing
 }
 
+TEST_CASE("ALimitAsNearAsGridsDifferIsNoProof", "[refusal]") {
+  // Rigid surfaces, Barus oil: what the film carries goes up and down with the cells. Where one
+  // grid carries a load none is to say that there is no steady state.
+  Case c = warm_case();
+  c.oil.pressure = rheology::Barus{2e-8};
+  c.model.switches.thermal_deformation = false;
+  set_load(c, 1e6);
+  const Solution far = solve_tier(c, Tier::thd);
+  REQUIRE_FALSE(far.limits.empty());
+  const double limit = far.limits.back().part * 1e6;
+  int carried = 0, refused = 0, unresolved = 0;
+  for (const double load : {0.95 * limit, 1.01 * limit, 1.05 * limit}) {
+    set_load(c, load);
+    bool found = false, none = false;
+    for (const int around : {48, 60, 72, 84}) {
+      c.model.grid = {around, around / 8};
+      const Solution s = solve_tier(c, Tier::thd);
+      found = found || s.verdict.good();
+      none = none || s.verdict.status == Status::no_steady_state;
+      unresolved += s.verdict.as<ending::LimitMoves>() != nullptr ? 1 : 0;
+    }
+    CHECK_FALSE((found && none));
+    carried += found ? 1 : 0;
+    refused += none ? 1 : 0;
+  }
+  CAPTURE(carried, refused, unresolved);
+  CHECK(carried > 0);
+  CHECK(unresolved > 0);
+}
+
 TEST_CASE("ALiningBeyondItsLimitTemperatureIsTold", "[refusal]") {
   Case c = rig_case();
   c.model.grid = {48, 9};

@@ -77,6 +77,29 @@ TEST_CASE("AtRestTheContactAloneCarriesTheLoad", "[start_stop]") {
   CHECK(breakaway[1] == Approx(breakaway[0]).epsilon(2e-3));
 }
 
+TEST_CASE("WhereHeatHasChangedTheGapAJournalAtRestStillRests", "[start_stop]") {
+  // The walls are as warm as the supply: where the clearance is that of another temperature the gap
+  // is not as given. Contact carries the load from the first instant on, and goes on to.
+  for (const double reference : {293.15, 403.15}) {
+    for (const Tier tier : {Tier::thd, Tier::tehd}) {
+      Case c = starting(kTop);
+      c.model.grid = {48, 7};
+      c.model.tier = tier;
+      c.model.switches.elastic_deformation = tier == Tier::tehd;
+      c.model.switches.thermal_deformation = true;
+      c.bearing.reference_temperature = reference;
+      if (reference < 300.0) c.bearing.radial_clearance = 30e-6;  // of it 16 um close
+      const CycleResult r = converged(c, tier);
+      const double whole = 0.02 * kLoad * c.bearing.radius;  // see above
+      for (const CycleInstant& i : r.instants) {
+        if (i.t > 0.5) break;
+        CHECK(i.breakaway > whole);
+        CHECK(i.breakaway < 4.0 / kPi * whole);
+      }
+    }
+  }
+}
+
 TEST_CASE("TheBreakawayTorqueIsTheCoefficientTimesTheSumOfTheContact", "[start_stop]") {
   Case c = starting(kTop);
   // Without any pressure nothing flows in the end: the film is solved to the round-off of its oil.

@@ -150,7 +150,7 @@ TEST_CASE("ACourseBeginsWithFullVesselsWhateverWasBefore", "[vessel]") {
   CHECK(steps.point().scene.supply.patches[0].fill == 1.0);
   CHECK(rest.vessels == steps.vessels().full());
   steps.put_back(drained);
-  REQUIRE(steps.steady(313.15, cost, nullptr));
+  REQUIRE(steps.steady(313.15, {}, cost, nullptr));
   CHECK(steps.point().scene.supply.patches[0].pressure == 2e5);
   CHECK(steps.point().scene.supply.patches[0].fill == 1.0);
 }

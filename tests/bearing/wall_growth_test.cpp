@@ -49,7 +49,7 @@ struct Swinging {
         course(*c.cycle, c.operation.omega),
         steps(model, course, 0.5, EquilibriumOptions{}) {
     const double T = c.supplies[0].temperature;
-    auto steady = steps.steady(T, cost, nullptr);
+    auto steady = steps.steady(T, {}, cost, nullptr);
     REQUIRE(steady);
     now = *std::move(steady);
     REQUIRE(stand(uniform_walls(model, T)));

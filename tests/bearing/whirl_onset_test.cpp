@@ -30,7 +30,7 @@ double growth(const Case& c, double mass, double nu) {
   const LoadCourse course(load, c.operation.omega);
   FilmSteps steps(make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid), course, mass, {});
   EquilibriumCost cost;
-  auto now = steps.steady(c.oil_temperature.value(), cost, nullptr);
+  auto now = steps.steady(c.oil_temperature.value(), {}, cost, nullptr);
   REQUIRE(now);
   const auto rest = now->film.position.q;
   now->velocity = {1e-4 * c.bearing.radial_clearance * nu, 0.0};

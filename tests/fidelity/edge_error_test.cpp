@@ -62,13 +62,19 @@ TEST_CASE("BothEdgesOfABearingAndOnlyTheyLeaveSomething") {
   const fluid::SmallestGap high{1.2, g.phi[row], g.z_face.back()};
   const double left = edge_error(g, h, high);
   CHECK(left > 0.0);
-  CHECK(edge_error(g, h, {1.2, g.phi[row], g.z[11]}) == 0.0);
-  CHECK(edge_error(g, h, {1.2, g.phi[row + 1], g.z_face.back()}) == 0.0);  // even there
+  CHECK(edge_error(g, h, fluid::SmallestGap{1.2, g.phi[row], g.z[11]}) == 0.0);
+  CHECK(edge_error(g, h, fluid::SmallestGap{1.2, g.phi[row + 1], g.z_face.back()}) ==
+        0.0);  // even there
   Field mirror(g.cells(), 5.0);
   for (int j = 0; j < g.nz; ++j) mirror[g.index(row, j)] = h[g.index(row, g.nz - 1 - j)];
-  CHECK(edge_error(g, mirror, {1.2, g.phi[row], g.z_face.front()}) == Approx(left));
-  CHECK(edge_error(g, h) == Approx(left));  // the row found by itself
-  CHECK(edge_error(g, mirror) == Approx(left));
+  CHECK(edge_error(g, mirror, fluid::SmallestGap{1.2, g.phi[row], g.z_face.front()}) ==
+        Approx(left));
+  Field in_supply(g.cells(), 0.0);
+  CHECK(edge_error(g, h, in_supply) == Approx(left));  // the row found by itself
+  CHECK(edge_error(g, mirror, in_supply) == Approx(left));
+  in_supply[g.index(2, 9)] = 1.0;  // a groove, whose depth falls off like no edge of a film
+  h[g.index(2, 9)] = 1e3;
+  CHECK(edge_error(g, h, in_supply) == Approx(left));
   h[g.index(2, 5)] = 0.5;  // a cell has less
-  CHECK(edge_error(g, h) == 0.0);
+  CHECK(edge_error(g, h, in_supply) == 0.0);
 }

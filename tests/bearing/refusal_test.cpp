@@ -217,33 +217,40 @@ TEST_CASE("WhereAFilmWithHeatEndsIsItsOwnEnd", "[refusal]") {
 }
 
 TEST_CASE("ALimitAsNearAsGridsDifferIsNoProof", "[refusal]") {
-  // Rigid surfaces, Barus oil: what the film carries goes up and down with the cells. Where one
-  // grid carries a load none is to say that there is no steady state.
-  Case c = warm_case();
-  c.oil.pressure = rheology::Barus{2e-8};
-  c.model.switches.thermal_deformation = false;
-  set_load(c, 1e6);
-  const Solution far = solve_tier(c, Tier::thd);
-  REQUIRE_FALSE(far.limits.empty());
-  const double limit = far.limits.back().part * 1e6;
-  int carried = 0, refused = 0, unresolved = 0;
-  for (const double load : {0.95 * limit, 1.01 * limit, 1.05 * limit}) {
-    set_load(c, load);
-    bool found = false, none = false;
-    for (const int around : {48, 60, 72, 84}) {
-      c.model.grid = {around, around / 8};
-      const Solution s = solve_tier(c, Tier::thd);
-      found = found || s.verdict.good();
-      none = none || s.verdict.status == Status::no_steady_state;
-      unresolved += s.verdict.as<ending::LimitMoves>() != nullptr ? 1 : 0;
-    }
-    CHECK_FALSE((found && none));
-    carried += found ? 1 : 0;
-    refused += none ? 1 : 0;
+  // Rigid surfaces, Barus oil, a groove beside the load: what the film carries goes up and down
+  // with the cells. Where one grid carries the load none is to say that there is no steady state.
+  Case c = rig_case();
+  c.bearing = {0.0523, 0.1205, 31.7e-6, 323.15, {}};
+  c.supplies[0].kind = SupplyKind::axial_groove;
+  c.supplies[0].angle = 59.0 * kDegree;
+  c.supplies[0].arc = 12.0 * kDegree;
+  c.supplies[0].length = 0.0629;
+  c.supplies[0].pressure = 3e5;
+  c.supplies[0].temperature = 323.15;
+  c.operation.omega = 286.0 * kRpm;
+  c.operation.position = LoadGiven{365.687e3, 90.0 * kDegree};
+  c.shell = Shell{{{steel(), 3.557e-3}},
+                  Housing{steel(), 0.08895, HousingSupport::held},
+                  ConvectiveBack{500.0, 343.15},
+                  50.0};
+  c.shaft = Shaft{steel(), 0.0314, 100.0, 333.15};
+  c.surfaces.shell = {0.12e-6, 1.0, 0.10e-6, 0.11e-6};
+  c.surfaces.shaft = {0.06e-6, 1.0, 0.05e-6, 0.05e-6};
+  int found = 0;
+  std::vector<Solution> refused;
+  for (const std::array<int, 2> grid :
+       {std::array{48, 7}, std::array{80, 11}, std::array{100, 13}}) {
+    c.model.grid = grid;
+    Solution s = solve_tier(c, Tier::thd);
+    INFO(app::reason_of(s.verdict));
+    found += s.verdict.good() ? 1 : 0;
+    if (s.verdict.good()) continue;
+    CHECK(s.verdict.status == Status::iteration_limit);
+    CHECK(s.verdict.as<ending::LimitMoves>() != nullptr);
+    refused.push_back(std::move(s));
   }
-  CAPTURE(carried, refused, unresolved);
-  CHECK(carried > 0);
-  CHECK(unresolved > 0);
+  CHECK(found > 0);  // else this test tells nothing
+  CHECK_FALSE(refused.empty());
 }
 
 TEST_CASE("ALiningBeyondItsLimitTemperatureIsTold", "[refusal]") {

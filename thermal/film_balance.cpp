@@ -15,7 +15,7 @@ WallResponse FilmEnergy::wall_response(int laps) const {
   std::fill(film.base_.begin(), film.base_.end(), 0.0);
   for (SupplyVessel& v : film.p_.vessels) {
     v.T_supply = cold;
-    v.heat = 0.0;
+    v.heat = v.sheared = 0.0;
   }
   film.p_.T_edge = cold;
   // Mean heat into both walls per kelvin of one wall.
@@ -96,7 +96,7 @@ EnergyBalance FilmEnergy::balance(const std::vector<double>& T) const {
   for (std::size_t v = 0; v < flows.size(); ++v) {
     const SupplyVessel& s = p_.vessels[v];
     const double fresh = flows[v].out - s.carry_over * flows[v].in;
-    b.heat += s.heat;
+    b.heat += s.heat_at(T_mix_[v]);
     b.carried_in += flows[v].edge_heat;
     b.carried_out += flows[v].over_edge * s.cp_mix * (T_mix_[v] - p_.T_reference);
     b.carried_out += (1.0 - s.carry_over) * flows[v].in_heat;

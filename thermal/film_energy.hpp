@@ -34,12 +34,17 @@
 /// O < lambda I the surplus leaves through the supply at T_mix. A vessel may exchange heat with
 /// both walls over its cells; (2) then has on its right
 ///   - sum over cells of h A [(T_mix - T_shell) + (T_mix - T_shaft)] / cp                 (6)
-/// which the walls receive. The wall nodes of its cells hold the walls' temperatures. Oil that is
-/// drawn off evenly along a groove cools on its way as m cp dT = -h dA (T - T_wall), m falling to
-/// zero at its end: it leaves at a mean of T_wall + (T_in - T_wall)/(1 + h A/(O cp)), which is (6).
-/// O and I are of the faces of a patch towards film and side edges. Patches that touch are one: no
-/// film parts them.
-/// Sources: methods 3.1, 3.2; the projection is ours (docs/theory.md).
+/// which the walls receive. Over a step in time what is sheared inside a vessel is as thin as it
+/// turns out to be: of the heat the part `sheared`, known at T_sheared, follows
+///   sheared exp(-thinning (T_mix - T_sheared))                                        (7)
+/// A vessel stores nothing; heat of oil as it was would have no hold on its temperature where
+/// little flows, and thick oil would heat itself in one step to what no oil can be. The wall nodes
+/// of its cells hold the walls' temperatures. Oil that is drawn off evenly along a groove cools on
+/// its way as m cp dT = -h dA (T - T_wall), m falling to zero at its end: it leaves at a mean of
+/// T_wall + (T_in - T_wall)/(1 + h A/(O cp)), which is (6). O and I are of the faces of a patch
+/// towards film and side edges. Patches that touch are one: no film parts them. Sources:
+/// methods 3.1, 3.2; the projection is ours (docs/theory.md).
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -69,6 +74,13 @@ struct SupplyVessel {
   double cp_mix = 0.0;      ///< the same for the mixed oil [J/(kg K)]
   double carry_over = 1.0;  ///< lambda [-]
   double heat = 0.0;        ///< dissipated inside the patch [W] (of the solved part)
+  double sheared = 0.0;     ///< of it, by the journal's motion [W]
+  double T_sheared = 0.0;   ///< of the oil that is sheared so [K]
+  double thinning = 0.0;    ///< of (7), -d ln eta/dT [1/K]; 0: the heat is given
+  /// (7), and all other heat [W], at a temperature of the mixed oil [K].
+  [[nodiscard]] double heat_at(double T_mix) const {
+    return heat + sheared * std::expm1(-thinning * (T_mix - T_sheared));
+  }
   /// h of (6), its oil against each wall [W/(m2 K)]; 0: none
   double heat_transfer = 0.0;
 };
@@ -166,6 +178,8 @@ class FilmEnergy {
   [[nodiscard]] WallResponse wall_response(int laps) const;
   [[nodiscard]] EnergyBalance balance(const std::vector<double>& T) const;
   [[nodiscard]] const std::vector<double>& mix_temperatures() const { return T_mix_; }
+  /// By which (7) exceeds what was sheared at T_sheared, all vessels [W].
+  [[nodiscard]] double heat_of_thinning() const;
   [[nodiscard]] long backflow_nodes() const { return backflow_; }
   /// Columns in which (3) has a share.
   [[nodiscard]] long blended_columns() const { return blended_; }
@@ -230,6 +244,8 @@ class FilmEnergy {
   /// From and to a side edge without any film.
   void add_flows_over_edges(const std::vector<double>& T, std::vector<VesselFlow>& flows) const;
   void mix(std::vector<double>& T);
+  /// (2) with (6) and (7): what is brought but for the vessel's own heat [W], what is taken [W/K].
+  [[nodiscard]] double mixed(const SupplyVessel& s, double brought, double taken) const;
 
   FilmEnergyProblem p_;
   int n_ = 0;

@@ -1,6 +1,8 @@
 /// Supplies of the film as mixing vessels: (2) and (6) of thermal/film_energy.hpp.
 #include <algorithm>
+#include <cmath>
 
+#include "core/round_off.hpp"
 #include "thermal/film_energy.hpp"
 
 namespace shellback::thermal {
@@ -101,12 +103,36 @@ void FilmEnergy::mix(std::vector<double>& T) {
     const SupplyVessel& s = p_.vessels[v];
     const double returned = s.carry_over * flows[v].in;
     const double fresh = flows[v].out - returned;
-    double heat = s.carry_over * flows[v].in_heat + s.heat;
-    if (fresh > 0.0) heat += fresh * s.cp_supply * (s.T_supply - p_.T_reference);
+    double brought = s.carry_over * flows[v].in_heat + of_walls[v];
+    if (fresh > 0.0) brought += fresh * s.cp_supply * (s.T_supply - p_.T_reference);
     const double taken = std::max(flows[v].out, returned) * s.cp_mix + by_walls[v];
-    T_mix_[v] = taken > 0.0 ? p_.T_reference + (heat + of_walls[v]) / taken : s.T_supply;
+    T_mix_[v] = taken > 0.0 ? mixed(s, brought, taken) : s.T_supply;
   }
   fill_vessels(T);
+}
+
+double FilmEnergy::mixed(const SupplyVessel& s, double brought, double taken) const {
+  const auto without = [&](double heat) { return p_.T_reference + (brought + heat) / taken; };
+  if (!(s.thinning > 0.0)) return without(s.heat);
+  // What T takes less what it makes rises with T, bent downwards: from the cold side Newton's steps
+  // stay there.
+  double T = without(s.heat - s.sheared);
+  for (int k = 0; k < kMostIterations; ++k) {
+    const double made = s.heat_at(T);
+    const double slope = taken + s.thinning * (made - s.heat + s.sheared);
+    const double more = (brought + made - taken * (T - p_.T_reference)) / slope;
+    T += more;
+    if (!(std::abs(more) > kRoundOff)) break;
+  }
+  return T;
+}
+
+double FilmEnergy::heat_of_thinning() const {
+  double more = 0.0;
+  for (std::size_t v = 0; v < T_mix_.size(); ++v) {
+    more += p_.vessels[v].heat_at(T_mix_[v]) - p_.vessels[v].heat;
+  }
+  return more;
 }
 
 }  // namespace shellback::thermal

@@ -202,6 +202,7 @@ void fill_heat(const BearingModel& model, const OperatingPoint& point, const Fil
       double* heat = &p.heat[static_cast<std::size_t>(c) * gl.n];
       if (p.patch[c] >= 0) {
         p.vessels[p.patch[c]].heat += rubbed;
+        p.vessels[p.patch[c]].sheared += rubbed;
         std::fill_n(heat, gl.n, 0.0);
         continue;
       }

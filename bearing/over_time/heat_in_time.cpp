@@ -38,6 +38,18 @@ bool possible(const std::vector<double>& T) {
                      [](double t) { return t > kColdestOil && t < kHottestOil; });
 }
 
+/// (7) of thermal/film_energy.hpp for the oil that `s` expects in the supplies.
+void let_supplies_thin(const BearingModel& model, const FilmEquilibrium& s,
+                       thermal::FilmEnergyProblem& problem) {
+  const int n = model.gl.n;
+  for (int c = 0; c < model.domain.grid.cells(); ++c) {
+    if (problem.patch[c] < 0) continue;
+    thermal::SupplyVessel& v = problem.vessels[problem.patch[c]];
+    v.T_sheared = s.columns.T[static_cast<std::size_t>(c) * n + n / 2];
+    v.thinning = -rheology::viscosity_slopes(model.oil, v.T_sheared, s.film.p[c], 0.0).dln_dT;
+  }
+}
+
 }  // namespace
 
 WallMeans uniform_walls(const BearingModel& model, double T) {
@@ -127,13 +139,15 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
     if (!meets_walls(model, c)) continue;
     out.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
   }
+  let_supplies_thin(model, s, problem);
   const std::vector<double> cp = problem.cp;
   const double T_ref = problem.T_reference;
   thermal::FilmEnergy energy(std::move(problem));
   out.settled = settle(energy, out.T);
   out.possible = possible(out.T);
   out.flows.balance = energy.balance(out.T);
-  out.flows.work = friction.torque() * point.scene.speed / g.radius + pump_power(model, point, s);
+  out.flows.work = friction.torque() * point.scene.speed / g.radius + pump_power(model, point, s) +
+                   energy.heat_of_thinning() * g.multiplicity();
   const thermal::WallHeat into = energy.wall_heat(out.T);
   out.flows.to_shell = walls.flux;  // of supplies that exchange no heat: no swing
   out.flows.to_shaft.assign(g.cells(), 0.0);

@@ -70,6 +70,33 @@ TEST_CASE("OilDrawnOffAlongAGrooveLeavesAsFromOneVessel", "[film_vessels]") {
   }
 }
 
+TEST_CASE("ASupplyIsAsWarmAsTheHeatOfItsOwnOilMakesIt", "[film_vessels]") {
+  // O cp (T - T_fed) + h A (T - T_wall) = q exp(-b (T - T_sheared)): by bisection.
+  for (const double sheared : {0.5, 20.0, 3e3}) {
+    for (const double T_sheared : {240.0, kIn, 400.0}) {
+      Ring r = grooves_in_a_row(2, 0.4);
+      const double hA = 0.4 * kFlow * kCp / 2.0;
+      SupplyVessel& first = r.problem.vessels[0];
+      first.heat = 0.3 + sheared;
+      first.sheared = sheared;
+      first.T_sheared = T_sheared;
+      first.thinning = 0.09;
+      FilmEnergy film = r.film();
+      settle(film, r.T);
+      double low = 100.0, high = 1e4;
+      while (high - low > 1e-10) {
+        const double T = 0.5 * (low + high);
+        const double made = 0.3 + sheared * std::exp(-0.09 * (T - T_sheared));
+        (kFlow * kCp * (T - kIn) + hA * (T - kWall) < made ? low : high) = T;
+      }
+      CHECK(film.mix_temperatures()[0] == Approx(low).epsilon(1e-11));
+      const EnergyBalance b = film.balance(r.T);
+      CHECK(b.heat == Approx(first.heat + film.heat_of_thinning()).epsilon(1e-12));
+      CHECK(std::abs(b.imbalance()) < 1e-9 * (std::abs(b.carried_in) + b.heat));
+    }
+  }
+}
+
 TEST_CASE("WallsOfGroovesReceiveWhatTheOilLoses", "[film_vessels]") {
   for (const double units : {0.0, 0.7, 5.0}) {
     Ring r = grooves_in_a_row(3, units);

@@ -9,6 +9,7 @@
 #include "core/largest.hpp"
 #include "core/round_off.hpp"
 #include "rheology/density.hpp"
+#include "rheology/shear.hpp"
 #include "rheology/viscosity.hpp"
 
 namespace shellback::bearing {
@@ -18,6 +19,12 @@ bool thins(const rheology::Oil& oil) {
 }
 
 namespace {
+
+/// Whether every stress belongs to one shear rate.
+[[maybe_unused]] bool stress_rises(const rheology::Oil& oil) {
+  const auto* law = std::get_if<rheology::Cross>(&oil.shear);
+  return law == nullptr || rheology::stress_is_monotone(*law);
+}
 
 /// Columns that are worked on together: their nodes stay in the first-level cache, and the loops
 /// over them fill the vector unit [-].
@@ -55,7 +62,10 @@ class ColumnBlock {
     const auto n = static_cast<std::size_t>(gl_.n);
     for (std::size_t i = 0; i < kBlock; ++i) {
       const std::size_t from = std::min((cell + i) * n, low.size() - n);
-      for (std::size_t k = 0; k < n; ++k) low_[k][i] = low[from + k];
+      for (std::size_t k = 0; k < n; ++k) {
+        low_[k][i] = low[from + k];
+        if (!(eta_[k][i] > 0.0)) eta_[k][i] = low_[k][i];  // none yet, or what was no number
+      }
     }
     double change = 0.0;
     for (int k = 0; k == 0 || (k < kMostIterations && change > tolerance); ++k) {
@@ -178,10 +188,11 @@ class ColumnBlock {
     }
     for (int k = 0; k < gl_.n; ++k) {
       const double* off = &rate_[k * kBlock];
+      const double* factor = &factor_[k * kBlock];
       for (std::size_t i = 0; i < kBlock; ++i) {
-        const double change = longest[i] < kNearlyAll ? step_[k][i] : off[i];
-        eta_[k][i] *= 1.0 + change;
-        largest[i] = larger(largest[i], std::abs(change));
+        const bool all = longest[i] >= kNearlyAll;  // a step that is no number is taken, and seen
+        eta_[k][i] = all ? low_[k][i] * factor[i] : eta_[k][i] * (1.0 + step_[k][i]);
+        largest[i] = larger(largest[i], std::abs(all ? off[i] : step_[k][i]));
       }
     }
     return shellback::largest(largest);
@@ -230,6 +241,7 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
   const int n = gl.n;
   const std::size_t cells = h.size();
   EXPECTS(c.T.size() == cells * n);
+  EXPECTS(stress_rises(oil));  // judge_oil.cpp refuses others
   std::vector<double> p(cells * n), low(cells * n);
   std::vector<double> T = c.T;
   for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -248,7 +260,7 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
   out.compressibility.resize(cells);
   c.mismatch = 0.0;
   const bool thinning = thins(oil);
-  if (!thinning || c.eta.front() <= 0.0) c.eta = low;
+  if (!thinning) c.eta = low;
   ColumnBlock block(oil, gl, speed);
   for (std::size_t cell = 0; cell < cells; cell += kBlock) {
     block.read(cell, c, h, gx, gz);

@@ -38,10 +38,8 @@ inline constexpr std::array kLight{0.3, 0.1, 0.02, 2e-3, 2e-4};
 inline constexpr std::array kHeavy{2.0, 5.0};
 /// Two ends of a branch that are nearer than this are one [-].
 inline constexpr double kAgree = 0.1;
-/// An end at this part of what is asked for tells of it: they are apart by more than that.
-[[nodiscard]] inline bool is_apart_from_asked(double part) {
-  return (1.0 + kAgree) * part < 1.0 || part > 1.0 + kAgree;
-}
+/// An end at this part of what is asked for tells of it: it lies more than that before it.
+[[nodiscard]] inline bool is_apart_from_asked(double part) { return (1.0 + kAgree) * part < 1.0; }
 
 using ending::Raised;
 

@@ -43,7 +43,7 @@ WallMeans carry_over(const BearingModel& from, const WallMeans& walls, const Bea
 
 }  // namespace
 
-void CyclePasses::begin_film(double T, const std::optional<WallMeans>& walls) {
+void CyclePasses::begin_film(double T, const WallMeans* walls) {
   std::optional<FilmInTime> begun;
   r_.verdict = {};
   const bool event = !c_.cycle->repeats();
@@ -54,6 +54,7 @@ void CyclePasses::begin_film(double T, const std::optional<WallMeans>& walls) {
   if (event && !begun && stopped(control_)) r_.verdict = {Status::interrupted};
   from_rest_ = !begun.has_value();
   now_ = begun ? *std::move(begun) : film_.at_rest(T);
+  if (walls && !put(*walls)) return;
   if (!from_rest_) carry_oil_round();
 }
 
@@ -83,15 +84,13 @@ void CyclePasses::begin(double T) {
   begun_cold_ = event;
   const double begun = event ? mean_supply_temperature(c_) : T;
   if (!heat) return begin_film(begun);
-  walls_ = uniform_walls(film_.model(), begun);
-  begin_film(begun, walls_);
-  if (!c_.cycle->repeats()) put(*walls_);
+  const WallMeans walls = uniform_walls(film_.model(), begun);
+  if (!c_.cycle->repeats()) return begin_film(begun, &walls);
+  begin_film(begun);
+  walls_ = walls;  // they are put on with the first cycle
 }
 
-void CyclePasses::begin_between(const WallMeans& walls, double T) {
-  begin_film(T);
-  put(walls);
-}
+void CyclePasses::begin_between(const WallMeans& walls, double T) { begin_film(T, &walls); }
 
 void CyclePasses::set_temperature(double T) {
   if (!c_.cycle->repeats()) return begin(T);

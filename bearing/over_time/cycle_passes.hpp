@@ -134,7 +134,7 @@ class CyclePasses {
   /// Keeps the state, if it is time, or in any case.
   void keep(bool in_any_case, const Rest& rest);
   /// The film alone, of one temperature [K], between walls as warm, if there are any.
-  void begin_film(double T, const std::optional<WallMeans>& walls = {});
+  void begin_film(double T, const WallMeans* walls = nullptr);
   /// The steady state of an event's first row in a resolved tier; false if none is found.
   bool begin_warm();
   /// The oil of a steady film is not quite that of one that carries its oil in time

@@ -123,6 +123,7 @@ std::optional<FilmInTime> FilmSteps::steady(double T, const Field& deformed, Equ
   point_.scene.speed = load.omega * model_.input.bearing.radius;
   point_.scene.storage = {};
   if (point_.layer) point_.layer->hold(model_.domain.grid.cells());
+  widening_ = deformed;
   FilmInTime now;
   now.vessels = vessels_.begin(point_.scene);
   now.film = cold_start(model_, point_, T);

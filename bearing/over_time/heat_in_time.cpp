@@ -46,7 +46,9 @@ void let_supplies_thin(const BearingModel& model, const FilmEquilibrium& s,
     if (problem.patch[c] < 0) continue;
     thermal::SupplyVessel& v = problem.vessels[problem.patch[c]];
     v.T_sheared = s.columns.T[static_cast<std::size_t>(c) * n + n / 2];
-    v.thinning = -rheology::viscosity_slopes(model.oil, v.T_sheared, s.film.p[c], 0.0).dln_dT;
+    const double dln_dT =
+        rheology::viscosity_slopes(model.oil, v.T_sheared, s.film.p[c], 0.0).dln_dT;
+    v.thinning = std::max(-dln_dT, 0.0);
   }
 }
 

@@ -141,7 +141,7 @@ TEST_CASE("ThinnedViscositiesBelongToTheirStressFromAnyGuess", "[columns]") {
         rheology::Cross{0.04, 1e-7, 1.45}, rheology::Cross{0.0, 1e-7, 0.9},
         rheology::Cross{0.9, 1e-3, 0.2}}) {
     for (const double speed : {0.0, 8.0, -300.0}) {
-      for (const double guess : {0.0, 1e-12, 1e-3, 1e6}) {
+      for (const double guess : {0.0, 1e-12, 1e-3, 1e6, 1e17, double{NAN}}) {
         Scene s(70, 5);  // two whole blocks and a part
         s.oil.temperature = rheology::ConstantViscosity{0.012};
         s.oil.shear = law;
@@ -163,6 +163,34 @@ TEST_CASE("ThinnedViscositiesBelongToTheirStressFromAnyGuess", "[columns]") {
         CHECK(worst < 1e-12);  // the last step, over 1 + slope
       }
     }
+  }
+}
+
+TEST_CASE("WhatIsNoNumberIsSeenAndStaysInItsColumn", "[columns]") {
+  Scene good(40, 5);
+  good.oil = rig_case().oil;
+  good.update();
+  for (const int what : {0, 1, 2, 3, 4}) {
+    Scene s = good;
+    (what == 0   ? s.gx[7]
+     : what == 1 ? s.gz[7]
+     : what == 2 ? s.h[7]
+     : what == 3 ? s.film.p[7]
+                 : s.columns.T[7 * 5 + 2]) = NAN;
+    s.update();
+    CHECK(std::isnan(s.columns.mismatch));
+    CHECK(std::isnan(s.out.fluidity[7]));
+    for (int c = 0; c < 40; ++c) {
+      if (c != 7) CHECK(s.out.fluidity[c] == Approx(good.out.fluidity[c]).epsilon(1e-12));
+    }
+    s.gx = good.gx;  // and is forgotten with the next state
+    s.gz = good.gz;
+    s.h = good.h;
+    s.film.p = good.film.p;
+    s.columns.T = good.columns.T;
+    s.update();
+    CHECK(s.columns.mismatch <= 1e-13);
+    CHECK(s.out.fluidity[7] == Approx(good.out.fluidity[7]).epsilon(1e-12));
   }
 }
 

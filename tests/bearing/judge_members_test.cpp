@@ -53,6 +53,15 @@ TEST_CASE("OpeningsOfTheEdgesHaveADepthAndALength") {
         }) == "bearing.chamfer.length");
 }
 
+TEST_CASE("ALawWhoseStressFallsIsRefused") {
+  const auto key = [](double r, double m) {
+    return refused_key(rig_case(), [&](Case& x) { x.oil.shear = rheology::Cross{r, 1e-7, m}; });
+  };
+  CHECK(key(0.01, 1.2).empty());  // m (1 - sqrt r) < 1 + sqrt r up to m = 1.22
+  CHECK(key(0.01, 1.25) == "oil.viscosity.shear");
+  CHECK(key(0.01, 2.0) == "oil.viscosity.shear");
+}
+
 TEST_CASE("WhatWearsHasNumbers") {
   const auto key = [](auto change) {
     return refused_key(rig_case(), [&](Case& x) {

@@ -39,7 +39,7 @@ class ColumnBlock {
   ColumnBlock(const rheology::Oil& oil, const CrossFilmNodes& gl, double speed)
       : oil_(oil), gl_(gl), speed_(speed), eta_(gl.n), fluidity_(gl.n) {
     if (!thins(oil)) return;
-    for (auto* rows : {&low_, &by_drag_, &by_centre_, &step_}) rows->resize(gl.n);
+    for (auto* rows : {&low_, &by_drag_, &by_centre_, &by_x_, &step_}) rows->resize(gl.n);
     for (auto* rows : {&rate_, &factor_, &slope_}) rows->resize(gl.n * kBlock);
   }
 
@@ -99,6 +99,44 @@ class ColumnBlock {
     }
   }
 
+  /// What the flow of columns that thin() follows the slopes of pressure by (film_flux.hpp): (4)
+  /// with r = 0 and tau changed by the slope; g is least at its centre, whose moves do not change
+  /// it.
+  void slopes(std::size_t cell, fluid::FilmCoefficients& out) const {
+    Row t11, t12{}, t21{}, t22, x1{}, x2{}, z1{}, by_drag{}, by_centre{}, by_x{}, by_z{};
+    t11.fill(1.0);
+    t22.fill(1.0);
+    for (int k = 0; k < gl_.n; ++k) {
+      const double* slope = &slope_[k * kBlock];
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        const double arm = from_centre(k, i);
+        const double part = fluidity_[k][i] / g0_[i] * slope[i];
+        const double of_g = fluidity_[k][i] * arm * arm / g_[i] * slope[i];
+        const double along = -(gx_[i] * by_x_[k][i] + by_drag_[k][i] - 1.0);  // z^2/tau^2
+        t11[i] -= part * by_drag_[k][i];
+        t12[i] -= part * by_centre_[k][i];
+        t21[i] += part * arm * by_drag_[k][i];
+        t22[i] += part * arm * by_centre_[k][i];
+        x1[i] += part * by_x_[k][i];
+        x2[i] -= part * arm * by_x_[k][i];
+        z1[i] += part * along;
+        by_drag[i] -= of_g * by_drag_[k][i];
+        by_centre[i] -= of_g * by_centre_[k][i];
+        by_x[i] -= of_g * by_x_[k][i];
+        by_z[i] -= of_g * along;
+      }
+    }
+    const std::size_t m = std::min(kBlock, out.thins_around.size() - cell);
+    for (std::size_t i = 0; i < m; ++i) {
+      const double over = 1.0 / (t11[i] * t22[i] - t12[i] * t21[i]);
+      const double drag = over * (x1[i] * t22[i] - x2[i] * t12[i]);
+      const double centre = over * (x2[i] * t11[i] - x1[i] * t21[i]);
+      const double of_g = by_x[i] + by_drag[i] * drag + by_centre[i] * centre;
+      out.thins_around[cell + i] = gx_[i] * of_g + speed_ * centre / (h_[i] * h_[i] * g_[i]);
+      out.thins_along[cell + i] = by_z[i] + by_drag[i] * z1[i] / t11[i];
+    }
+  }
+
   void write(std::size_t cell, OilColumns& c, Field& g) const {
     const auto n = static_cast<std::size_t>(gl_.n);
     const std::size_t m = std::min(kBlock, g.size() - cell);
@@ -128,6 +166,7 @@ class ColumnBlock {
         rate[i] = std::sqrt(square) / eta_[k][i];
         by_drag_[k][i] = couette_[i] * x * over;
         by_centre_[k][i] = -h_[i] * (gx_[i] * x + gz_[i] * z) * over;
+        by_x_[k][i] = arm * x * over;
       }
     }
   }
@@ -201,7 +240,7 @@ class ColumnBlock {
   const rheology::Oil& oil_;
   const CrossFilmNodes& gl_;
   double speed_;
-  std::vector<Row> eta_, low_, fluidity_, by_drag_, by_centre_, step_;
+  std::vector<Row> eta_, low_, fluidity_, by_drag_, by_centre_, by_x_, step_;
   std::vector<double> rate_, factor_, slope_;
   Row h_{}, gx_{}, gz_{}, g0_{}, centre_{}, g_{}, couette_{};
 };
@@ -260,12 +299,15 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
   out.compressibility.resize(cells);
   c.mismatch = 0.0;
   const bool thinning = thins(oil);
+  out.thins_around.resize(thinning ? cells : 0);
+  out.thins_along.resize(thinning ? cells : 0);
   if (!thinning) c.eta = low;
   ColumnBlock block(oil, gl, speed);
   for (std::size_t cell = 0; cell < cells; cell += kBlock) {
     block.read(cell, c, h, gx, gz);
     if (thinning) c.mismatch = larger(c.mismatch, block.thin(cell, low, tolerance));
     block.integrate();
+    if (thinning) block.slopes(cell, out);
     block.write(cell, c, out.fluidity);
   }
   rheology::pressure_slope(oil, c.T_mean, state.p, out.alpha);

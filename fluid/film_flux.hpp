@@ -85,6 +85,10 @@ struct FilmCoefficients {
   Field alpha;            ///< -d ln g / d p [1/Pa]
   Field density;          ///< [kg/m3]
   Field compressibility;  ///< d ln(density) / d p; empty: none [1/Pa]
+  /// What oil that thins flows more by for more slope of pressure around and along, over g h^3:
+  /// d ln g / d ln(dp/ds), and around what its Couette share does, -U (d chi/d(dp/ds))/(g h^2);
+  /// empty: none [-]. Of the derivatives alone (film_flux.cpp).
+  Field thins_around, thins_along;
 };
 
 /// Pressure and fill ratio. `full` says which of them is the unknown of a cell.

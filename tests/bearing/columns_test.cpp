@@ -194,6 +194,42 @@ TEST_CASE("WhatIsNoNumberIsSeenAndStaysInItsColumn", "[columns]") {
   }
 }
 
+TEST_CASE("WhatThinningAddsToTheFlowIsItsSlope", "[columns]") {
+  // Flow around -h^3 g dp/dx + U h chi, along -h^3 g dp/dz, against differences.
+  Scene s(40, 7);
+  s.oil = rig_case().oil;
+  s.set_T([](double y) { return 350.0 + 20.0 * y; });
+  for (int c = 0; c < 40; ++c) {
+    s.gx[c] *= 0.1;  // journal and pressure drive alike
+    s.gz[c] *= 0.1;
+  }
+  s.update();
+  const auto flow = [](const Scene& at, int c, bool around) {
+    const double by_slope = -std::pow(at.h[c], 3) * at.out.fluidity[c];
+    return around ? by_slope * at.gx[c] + at.speed * at.h[c] * at.out.chi[c] : by_slope * at.gz[c];
+  };
+  double largest = 0.0;
+  for (const bool around : {true, false}) {
+    Scene less = s, more = s;
+    constexpr double kStep = 1e5;  // [Pa/m]
+    for (int c = 0; c < 40; ++c) {
+      (around ? less.gx : less.gz)[c] -= kStep;
+      (around ? more.gx : more.gz)[c] += kStep;
+    }
+    less.update();
+    more.update();
+    for (int c = 0; c < 40; ++c) {
+      const double slope = (flow(more, c, around) - flow(less, c, around)) / (2.0 * kStep);
+      const double added = -slope / (std::pow(s.h[c], 3) * s.out.fluidity[c]) - 1.0;
+      largest = std::max(largest, std::abs(added));
+      // Along, the centre's own answer is left out, which is of the slopes' product.
+      const double told = around ? s.out.thins_around[c] : s.out.thins_along[c];
+      CHECK(told == Approx(added).epsilon(around ? 1e-3 : 0.1).margin(around ? 1e-5 : 2e-3));
+    }
+  }
+  CHECK(largest > 0.05);  // else this test tells nothing
+}
+
 TEST_CASE("PressedOilThinsInClosedFormForUnitExponent", "[columns]") {
   // At rest the stress is gx h (s - 1/2); m = 1: eta^2 + (K tau - low) eta - r low K tau = 0.
   const rheology::Cross law{0.3, 2e-7, 1.0};

@@ -292,3 +292,29 @@ TEST_CASE("ASupplyIsPassedOverWhereTheOilsTemperatureIsGivenAsAnother") {
   c.supplies[0].temperature = 363.15;
   CHECK_FALSE(passes_over_supply(c, Tier::isothermal));
 }
+
+TEST_CASE("OilThatThinsSteeplyIsFoundInFewIterations", "[equilibrium]") {
+  // ln f falls by up to 0.63 of ln rate: what pressure makes of the Couette share counts as much as
+  // the flow that it drives itself. Without it in Newton's step no load of these is found in 80.
+  Case c = rig_case();
+  c.bearing = {0.025, 0.025, 30e-6, 293.15, {}};
+  c.supplies[0].pressure = 2e5;
+  c.supplies[0].temperature = 333.15;
+  c.oil_temperature = 333.15;
+  c.surfaces.shell.orientation = c.surfaces.shaft.orientation = 1.0;
+  c.oil.shear = rheology::Cross{0.05, 1e-6, 1.0};
+  c.operation.omega = 6000.0 * kRpm;
+  c.model.grid = {60, 9};
+  c.model.tier = Tier::isothermal;
+  double before = 0.0;
+  for (const double load : {5e3, 8e3, 12e3}) {
+    set_load(c, load);
+    const Solution s = solve_tier(c, Tier::isothermal);
+    INFO(load << ": " << app::reason_of(s.verdict));
+    REQUIRE(s.verdict.good());
+    CHECK(s.cost.newton_iterations < 60);
+    const double e = std::hypot(s.film.position.q[0], s.film.position.q[1]);
+    CHECK(e > before);
+    before = e;
+  }
+}

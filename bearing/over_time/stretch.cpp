@@ -53,15 +53,15 @@ MarchEnd over_cycles(const Case& c, Tier tier, const WarmUpOptions& o, StretchEn
   return end;
 }
 
-/// Between the bodies as they stand.
-Verdict begin_film(const SolidState& bodies, double T_cold, const SolveControl& control,
-                   Solution& s) {
+/// Between the bodies as they stand, in oil of `T_oil`.
+Verdict begin_film(const SolidState& bodies, double T_cold, double T_oil,
+                   const SolveControl& control, Solution& s) {
   const SolidTemperature walls = s.model.solids->at(bodies);
   s.heat = cold_heat(s.model, T_cold);
   s.heat.T_shell = walls.shell.surface;
   s.heat.T_shaft = walls.shaft.temperature;
   if (s.model.physics.thermal_deformation) s.heat.thermal_deformation = walls.thermal_deformation;
-  s.T_film = mean_supply_temperature(s.model.input);
+  s.T_film = T_oil;
   return first_film(s, s.T_film, control);
 }
 
@@ -80,15 +80,27 @@ MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
   s.model.solids = carried.solids;
   MarchStand stand{carried.bodies->state};
   const auto members = [&](Tape& tape) { tape(s, stand); };
-  if (!take_up_noted(control.kept, members)) {
-    const Verdict film = begin_film(stand.bodies, o.T_start, control, s);
-    if (!film.good()) return {film};
-  }
+  const bool taken_up = take_up_noted(control.kept, members);
   MarchOptions march;
   march.end = o.end;
   march.error = o.error * c.model.tolerance;
   march.steps = o.steps;
-  MarchEnd end = march_heat(s, stand, march, control, [&](const Instant& i) { tell(i, members); });
+  const auto go_on = [&] {
+    return march_heat(s, stand, march, control, [&](const Instant& i) { tell(i, members); });
+  };
+  const auto begin = [&](double T_oil) {
+    const Verdict film = begin_film(stand.bodies, o.T_start, T_oil, control, s);
+    return film.good() ? go_on() : MarchEnd{film};
+  };
+  const double T_fed = mean_supply_temperature(c);
+  MarchEnd end = taken_up ? go_on() : begin(T_fed);
+  // A thin film of warm oil may have no way to the one that cold walls make of it; a thick one has.
+  const bool none = !end.verdict.good() && end.verdict.status != Status::interrupted && !taken_up &&
+                    !(end.t > 0.0);
+  if (none && o.T_start < T_fed) {
+    stand = MarchStand{carried.bodies->state};
+    end = begin(o.T_start);
+  }
   carried.bodies->state = std::move(stand.bodies);
   if (end.verdict.good()) end.warnings = warnings_of(s);
   return end;

@@ -126,6 +126,25 @@ TEST_CASE("AClearanceThatGrowthUsesUpSeizesAtATime", "[transient]") {
   CHECK(run.imbalance() < 1e-8);  // to the last instant
 }
 
+TEST_CASE("ASlowColdBearingIsCarriedByTheOilThatItsWallsHaveCooled", "[transient]") {
+  // As thin as oil of the supply has its film, Barus oil at -20 degC has no pressure there.
+  Case c = rig_case();
+  c.model.grid = {36, 5};
+  c.operation.omega = 100.0 * kRpm;
+  set_load(c, 4e3);
+  WarmUpOptions o;
+  o.T_start = 253.15;
+  o.end = 0.05;
+  const WarmUp run = warm_up(c, Tier::thd, o);
+  INFO(app::reason_of(run.end.verdict));
+  REQUIRE(run.end.verdict.good());
+  Case cold = c;
+  cold.oil_temperature = o.T_start;
+  const double h_min = solved(cold, Tier::isothermal).film.least.h;
+  // hot oil from the supply thins it by a few per cent
+  CHECK(run.instants.front().h_min == Approx(h_min).epsilon(0.1));
+}
+
 TEST_CASE("OnlyTiersWithWallsHaveATransient", "[transient]") {
   CHECK_THROWS_AS(warm_up(warm_case(), Tier::isothermal, {}), InputError);
 }

@@ -132,7 +132,8 @@ class ColumnBlock {
       const double drag = over * (x1[i] * t22[i] - x2[i] * t12[i]);
       const double centre = over * (x2[i] * t11[i] - x1[i] * t21[i]);
       const double of_g = by_x[i] + by_drag[i] * drag + by_centre[i] * centre;
-      out.thins_around[cell + i] = gx_[i] * of_g + speed_ * centre / (h_[i] * h_[i] * g_[i]);
+      const double carried = speed_ == 0.0 ? 0.0 : speed_ * centre / (h_[i] * h_[i] * g_[i]);
+      out.thins_around[cell + i] = gx_[i] * of_g + carried;
       out.thins_along[cell + i] = by_z[i] + by_drag[i] * z1[i] / t11[i];
     }
   }

@@ -230,6 +230,19 @@ TEST_CASE("WhatThinningAddsToTheFlowIsItsSlope", "[columns]") {
   CHECK(largest > 0.05);  // else this test tells nothing
 }
 
+TEST_CASE("SurfacesPressedTogetherAtRestLeaveNumbers", "[columns]") {
+  Scene s(3, 5);
+  s.oil = rig_case().oil;
+  s.speed = 0.0;
+  s.h[1] = 0.0;
+  s.update();
+  for (int c = 0; c < 3; ++c) {
+    CHECK(std::isfinite(s.out.fluidity[c]));
+    CHECK(std::isfinite(s.out.thins_around[c]));
+    CHECK(std::isfinite(s.out.thins_along[c]));
+  }
+}
+
 TEST_CASE("PressedOilThinsInClosedFormForUnitExponent", "[columns]") {
   // At rest the stress is gx h (s - 1/2); m = 1: eta^2 + (K tau - low) eta - r low K tau = 0.
   const rheology::Cross law{0.3, 2e-7, 1.0};

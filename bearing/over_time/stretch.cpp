@@ -85,8 +85,12 @@ MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
   march.end = o.end;
   march.error = o.error * c.model.tolerance;
   march.steps = o.steps;
+  bool told = false;
   const auto go_on = [&] {
-    return march_heat(s, stand, march, control, [&](const Instant& i) { tell(i, members); });
+    return march_heat(s, stand, march, control, [&](const Instant& i) {
+      told = true;
+      tell(i, members);
+    });
   };
   const auto begin = [&](double T_oil) {
     const Verdict film = begin_film(stand.bodies, o.T_start, T_oil, control, s);
@@ -95,11 +99,12 @@ MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,
   const double T_fed = mean_supply_temperature(c);
   MarchEnd end = taken_up ? go_on() : begin(T_fed);
   // A thin film of warm oil may have no way to the one that cold walls make of it; a thick one has.
-  const bool none = !end.verdict.good() && end.verdict.status != Status::interrupted && !taken_up &&
-                    !(end.t > 0.0);
-  if (none && o.T_start < T_fed) {
+  const bool stopped = end.verdict.status == Status::interrupted;
+  if (!end.verdict.good() && !stopped && !taken_up && !told) {
     stand = MarchStand{carried.bodies->state};
-    end = begin(o.T_start);
+    const Field walls = s.model.solids->at(stand.bodies).shell.surface;
+    const double T_walls = *std::min_element(walls.begin(), walls.end());
+    if (T_walls < T_fed) end = begin(T_walls);
   }
   carried.bodies->state = std::move(stand.bodies);
   if (end.verdict.good()) end.warnings = warnings_of(s);

@@ -359,50 +359,6 @@ TEST_CASE("AWarmUpOverCyclesEndsInThePeriodicState", "[cycle_heat]") {
   CHECK_THROWS_AS(warm_up(event, Tier::thd, o), InputError);
 }
 
-TEST_CASE("AColdEngineWarmsWhereverItsPeriodBegins", "[cycle_heat]") {
-  // Oil of -10 degC in a ring groove, half a pascal second: as cold as it is expected it would heat
-  // itself in one step beyond what oil can be.
-  Case c = rig_case();
-  c.bearing = {0.0285, 0.055, 30e-6, 373.15, {}};
-  c.supplies[0].kind = SupplyKind::circumferential_groove;
-  c.supplies[0].arc = 2.0 * kPi;
-  c.supplies[0].length = 6e-3;
-  c.supplies[0].diameter = 0.0;
-  c.supplies[0].depth = 1e-3;
-  c.supplies[0].heat_transfer = ChannelHeat{};
-  c.supplies[0].pressure = 4e5;
-  c.supplies[0].temperature = 353.15;
-  c.shell->housing = Housing{steel(), 0.0515, HousingSupport::held};
-  c.shaft = Shaft{steel(), 0.02, 100.0, 333.15};
-  c.surfaces.shell.orientation = c.surfaces.shaft.orientation = 1.0;
-  c.operation.omega = 2500.0 * kRpm;
-  c.model.grid = {36, 5};
-  c.model.tier = Tier::thd;
-  std::vector<double> torque;
-  for (const double begun : {0.0, 1.0 / 3.0, 2.0 / 3.0}) {
-    LoadCycle cycle;
-    cycle.period = 0.04;
-    cycle.journal_mass = 50.0;
-    for (int k = 0; k < 80; ++k) {
-      const double t = k / 80.0 + begun;
-      const double off = (t - std::floor(t) - 0.4) / 0.06;
-      cycle.t.push_back(0.04 * k / 80.0);
-      cycle.x.push_back(0.0);
-      cycle.y.push_back(-1567.5 - 102e3 * std::exp(-off * off));
-    }
-    c.cycle = cycle;
-    WarmUpOptions o;
-    o.T_start = 263.15;
-    o.end = 0.05;
-    const WarmUp run = warm_up(c, Tier::thd, o);
-    INFO(app::reason_of(run.end.verdict));
-    REQUIRE(run.end.verdict.good());
-    torque.push_back(run.instants.back().torque);
-  }
-  CHECK(torque[1] == Approx(torque[0]).epsilon(5e-3));  // steps of an error of 1e-3
-  CHECK(torque[2] == Approx(torque[0]).epsilon(5e-3));
-}
-
 TEST_CASE("AHeldFilmAnswersItsWallsAsTheFilmWithItsHeatDoes", "[cycle_heat]") {
   // (1) of film_answer.hpp: with the flow held the energy equation is linear, and what walls that
   // are warmer change of the heat into each cell is the difference of two full solutions. Of two

@@ -216,6 +216,13 @@ struct WearLedOn {
   double edge = 0.0;   ///< at the edges [m]
 };
 
+/// A running-in whose states ended at a time, and which went on in another one of that shape.
+struct StatesEnd {
+  double t = 0.0;              ///< [s]
+  double torque_before = 0.0;  ///< [N m]
+  double torque = 0.0;         ///< [N m]
+};
+
 /// An elasto-plastic layer that has flowed by more than half of its thickness.
 struct LayerFlown {
   double depth = 0.0;      ///< [m]
@@ -293,9 +300,10 @@ using Note = std::variant<
     note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells, note::ProfileBetweenCells,
     note::NotLaminar, note::FedFlow, note::OilSheared, note::VesselEmpty, note::MouthWidened,
     note::WornThrough, note::LayerFlown, note::WornBeyondClearance, note::WearLedOn,
-    note::LiningTooHot, note::OtherSteadyState, note::LayerPressed, note::NothingRicher,
-    note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged,
-    note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::LandUnseen, note::HardlySliding,
-    note::SupplyTakesBack, note::ShaftSwing, note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::StatesEnd, note::LiningTooHot, note::OtherSteadyState, note::LayerPressed,
+    note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound,
+    note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::LandUnseen,
+    note::HardlySliding, note::SupplyTakesBack, note::ShaftSwing, note::EstimateOfFilm,
+    note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -67,6 +67,23 @@ void share(const RunningInRun& run, States& bars) {
   share_bars_of_states(kFollowedStates, size, bars);
 }
 
+/// No bar of time is shorter than what the steps' own estimates sum to: what steps twice as long
+/// change passes through zero, and one step has no other to be judged by. What is no wear itself
+/// moves with its volume as it did over the step.
+void widen_by_errors_of_steps(const RunningInRun& run, States& bars) {
+  for (std::size_t k = 1; k < bars.size(); ++k) {
+    const RunningInState &at = run.states[k], &before = run.states[k - 1];
+    const double worn = at.volume - before.volume;
+    const double moved = worn > 0.0 ? kSafety * at.volume_error / worn : 0.0;
+    for (const auto& q : kFollowedStates) {
+      const double by = at.anew ? 0.0 : moved * std::abs(at.*q.value - before.*q.value);
+      bars[k].*q.value = larger(bars[k].*q.value, by);
+    }
+    bars[k].depth = larger(bars[k].depth, kSafety * at.depth_error);
+    bars[k].volume = larger(bars[k].volume, kSafety * at.volume_error);
+  }
+}
+
 }  // namespace
 
 RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const SolveControl& control) {
@@ -94,6 +111,7 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
       std::size_t n = 1;
       add_bars_of_steps(coarse.usual.back().second, coarse.joined, run.states, 2.0, 1,
                         run.states.size() - 1, kFollowedStates, n, bars.time);
+      widen_by_errors_of_steps(run, bars.time);
       share(run, bars.time);
     }
   }

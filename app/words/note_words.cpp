@@ -397,6 +397,13 @@ std::string text_of(const note::WearLedOn& n) {
       1e6 * n.depth, 1e6 * n.edge);
 }
 
+std::string text_of(const note::StatesEnd& n) {
+  return fmt::format(
+      "from {:.4g} s on no state is found near those before: what follows is another one, found "
+      "from cold, and the torque goes from {:.4g} to {:.4g} N m",
+      n.t, n.torque_before, n.torque);
+}
+
 std::string text_of(const note::LiningTooHot& n) {
   return fmt::format("the shell's surface reaches {:.1f} degC, and {} serves up to {:.0f} degC",
                      n.T - kZeroCelsius, n.material, n.limit - kZeroCelsius);

@@ -40,11 +40,22 @@ double volume_of(const FilmGrid& g, const Field& wear) {
   return sum * g.multiplicity();
 }
 
-void note_state(const WornBearing& b, double t, double step, const Field& wear, RunningInRun& run) {
+/// What a step errs [m], [m3].
+struct StepError {
+  double depth = 0.0;
+  double volume = 0.0;
+};
+
+void note_state(const WornBearing& b, double t, double step, const StepError& error,
+                const Field& wear, RunningInRun& run) {
   const FilmGrid& g = b.model().domain.grid;
   RunningInState state;
   state.t = t;
   state.step = step;
+  if (!run.states.empty()) {
+    state.depth_error = run.states.back().depth_error + error.depth;
+    state.volume_error = run.states.back().volume_error + error.volume;
+  }
   state.depth = largest(wear);
   state.volume = volume_of(g, wear);
   b.tell(state, run);
@@ -128,15 +139,19 @@ Field after(const WearPoint& now, const WearStep& step) {
   return w;
 }
 
-/// By how much the rate at the end moves the wear of the step [m].
-double error_of(const WearPoint& now, const WearStep& step, const WearPoint& end) {
-  double worst = 0.0;
-  for (std::size_t k = 0; k < now.w.size(); ++k) {
+/// By how much the rate at the end moves the wear of the step.
+StepError error_of(const FilmGrid& g, const WearPoint& now, const WearStep& step,
+                   const WearPoint& end) {
+  StepError error;
+  for (int k = 0; k < g.cells(); ++k) {
     if (now.r[k] == 0.0 && end.r[k] == 0.0) continue;  // it rests, whatever the line says
     const double off = change_of_rest(now, end, k) - step.dt * step.slope[k];
-    worst = larger(worst, std::abs(step.dt * phi_2(-step.dt * now.J[k]) * off));
+    const double moved = step.dt * phi_2(-step.dt * now.J[k]) * off;
+    error.depth = larger(error.depth, std::abs(moved));
+    error.volume += moved * g.area(k);
   }
-  return worst;
+  error.volume = std::abs(g.multiplicity() * error.volume);
+  return error;
 }
 
 /// (1) up to a time; steps as long as their error allows.
@@ -167,11 +182,16 @@ class March {
   [[nodiscard]] double allowed(const Field& w) const {
     return kDepthError * std::max(unit_, largest(w));
   }
+  /// A step that wears a tenth of a summit where it wears most [s].
+  [[nodiscard]] double first_step() const;
   /// The first step's length; false if nothing rubs, for however long.
   bool begin(double end);
   /// Depths are allowed to err by more than a step wears that is not found: for its length it is
   /// not.
   [[nodiscard]] bool shorter_may_be_found() const;
+  /// Where the states that were followed end: goes on, dt later, from the one found from cold.
+  /// False: there is none, or it is not for want of states that no step is good.
+  bool begin_anew(double dt);
   /// No step is short enough.
   void end_too_short();
   /// From outside; where it is, is kept.
@@ -190,6 +210,7 @@ class March {
   WearPoint now_;
   std::optional<WearPoint> before_;
   double depth_ = 0.0;  ///< wear of the last step tried, at most [m]
+  StepError error_;     ///< what it errs
   double over_ = 0.0;   ///< its error over the one that is allowed [-]
   bool found_ = true;   ///< it was found
   Verdict why_;         ///< not
@@ -202,7 +223,8 @@ bool March::take(double dt, double most) {
   found_ = b_.wear_to(w, std::numeric_limits<double>::infinity(), why_);
   if (!found_) return false;
   WearPoint end = point_of(b_, per_load_, std::move(w));
-  over_ = error_of(now_, step, end) / allowed(end.w);
+  error_ = error_of(b_.model().domain.grid, now_, step, end);
+  over_ = error_.depth / allowed(end.w);
   if (!(over_ <= most)) {
     b_.go_back();
     return false;
@@ -217,6 +239,23 @@ bool March::shorter_may_be_found() const {
   return found_ ? dt_ >= kStepShortest * first_ : depth_ >= allowed(now_.w);
 }
 
+bool March::begin_anew(double dt) {
+  if (found_) return false;
+  Field w = after(now_, step_of(now_, before_ ? &*before_ : nullptr, past_, dt));
+  const FilmGrid& g = b_.model().domain.grid;
+  error_ = {largest_difference(w, now_.w), volume_of(g, w) - volume_of(g, now_.w)};
+  Verdict why;
+  if (!b_.wear_from_cold(w, why)) return false;
+  now_ = point_of(b_, per_load_, std::move(w));
+  before_.reset();
+  past_ = 0.0;
+  t_ += dt;
+  note_state(b_, t_, dt, error_, now_.w, run_);
+  run_.states.back().anew = true;
+  if (seen_) seen_(run_);
+  return true;
+}
+
 void March::end_too_short() {
   run_.verdict = found_ ? Verdict{Status::iteration_limit, ending::RunningInEnded{t_, over_}}
                         : Verdict{why_.status, ending::RunningInEnded{t_}, why_.place, {why_}};
@@ -227,14 +266,15 @@ void March::stop() {
   keep(control_.kept, true, b_, run_, *this);
 }
 
+double March::first_step() const { return kFirstDepth * unit_ / largest(now_.r); }
+
 bool March::begin(double end) {
-  const double fastest = largest(now_.r);
-  if (fastest > 0.0) {
-    first_ = dt_ = kFirstDepth * unit_ / fastest;
+  if (largest(now_.r) > 0.0) {
+    first_ = dt_ = first_step();
     return true;
   }
-  note_state(b_, end, end, now_.w, run_);  // nothing rubs, for however long
-  run_.states.back().cycles = 0;           // told with the first state
+  note_state(b_, end, end, {}, now_.w, run_);  // nothing rubs, for however long
+  run_.states.back().cycles = 0;               // told with the first state
   if (seen_) seen_(run_);
   return false;
 }
@@ -247,13 +287,17 @@ void March::to(double end) {
     const bool good = take(dt_);
     const double longer = step_growth(1.0, over_, !(past_ > 0.0 && before_));
     if (good) {
-      note_state(b_, t_, dt_, now_.w, run_);
+      note_state(b_, t_, dt_, error_, now_.w, run_);
       if (seen_) seen_(run_);
     } else if (!found_ && why_.status == Status::interrupted) {
       return stop();
     } else {
       ++run_.rejected_steps;
-      if (!shorter_may_be_found()) return end_too_short();
+      if (!shorter_may_be_found()) {
+        if (!begin_anew(dt_)) return stopped(control_) ? stop() : end_too_short();
+        dt_ = first_step();
+        continue;
+      }
     }
     dt_ *= !found_ ? kStepShorter : good ? longer : std::min(longer, kStepSafety);
     keep(control_.kept, false, b_, run_, *this);
@@ -263,9 +307,12 @@ void March::to(double end) {
 void March::through(const std::vector<double>& steps) {
   for (const double dt : steps) {
     if (stopped(control_)) return stop();
-    if (!take(dt, std::numeric_limits<double>::infinity())) return end_too_short();
-    note_state(b_, t_, dt, now_.w, run_);
-    if (seen_) seen_(run_);
+    if (take(dt, std::numeric_limits<double>::infinity())) {
+      note_state(b_, t_, dt, error_, now_.w, run_);
+      if (seen_) seen_(run_);
+    } else if (!begin_anew(dt)) {
+      return end_too_short();
+    }
   }
 }
 
@@ -357,14 +404,14 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
   const FixedPointEnd end = fixed_point(map, options, x);
   double away = NAN;  // of the last shape that was found [m]
   if (end != FixedPointEnd::map_failed) {
-    note_state(b, std::numeric_limits<double>::infinity(), 0.0, b.wear(), run);
+    note_state(b, std::numeric_limits<double>::infinity(), 0.0, {}, b.wear(), run);
     away = largest_difference(asked_for(b, b.wear(), limit), b.wear());
     run.complementarity = away / unit;
   }
   if (why.status == Status::interrupted) {
     keep(control.kept, true, b, run, tried);
     if (!tried.asked.empty()) {  // told, not kept: the shape tried last
-      note_state(b, std::numeric_limits<double>::infinity(), 0.0, b.wear(), run);
+      note_state(b, std::numeric_limits<double>::infinity(), 0.0, {}, b.wear(), run);
     }
   }
   if (end != FixedPointEnd::converged) run.verdict = not_worn_in(end, why, away);
@@ -398,7 +445,7 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
   if (tape != nullptr) {
     members(*tape, *b, run);
   } else {
-    note_state(*b, 0.0, 0.0, b->wear(), run);
+    note_state(*b, 0.0, 0.0, {}, b->wear(), run);
   }
   if (seen) seen(run);
   if (!steps.empty()) {
@@ -409,8 +456,14 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
     find_end(*b, control, c.running_in->limit_pressure, run);
   }
   const bool flows = pressed_layer(c, 0).has_value() && b->model().physics.elastic;
-  if (flows && !c.cycle) run.warnings.emplace_back(note::Plain::marks_begin_anew);
+  const bool anew = std::any_of(run.states.begin(), run.states.end(),
+                                [](const RunningInState& s) { return s.anew; });
+  if (flows && (!c.cycle || anew)) run.warnings.emplace_back(note::Plain::marks_begin_anew);
   if (!c.running_in->worn) run.warnings.emplace_back(note::Plain::roughness_stays);
+  for (std::size_t k = 1; k < run.states.size(); ++k) {
+    const RunningInState &at = run.states[k], &before = run.states[k - 1];
+    if (at.anew) run.warnings.emplace_back(note::StatesEnd{at.t, before.torque, at.torque});
+  }
   const double depth = run.states.back().depth;
   if (c.shell && !c.shell->layers.empty() && depth > c.shell->layers.front().thickness) {
     run.warnings.emplace_back(note::WornThrough{depth, c.shell->layers.front().thickness});

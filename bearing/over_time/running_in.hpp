@@ -19,7 +19,8 @@
 /// the step's error sees to that). One solve makes one step, of second order; the first one is of
 /// first order and short. Its error is judged by what the rate at its end says, N_n+1 in place of
 /// the straight line; it bounds the next step's length, and a step that errs too much is taken
-/// back. What has gone does not come back.
+/// back. What has gone does not come back. Where the states that were followed end, however short
+/// the step (heat may have two), it goes on from the one that is found from cold.
 ///
 /// A shape at rest, in which nothing is pressed harder than p_lim:
 ///   w >= 0,  p_a <= p_lim,  w (p_lim - p_a) = 0 in every cell                                  (3)

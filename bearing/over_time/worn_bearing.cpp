@@ -92,6 +92,16 @@ class UnderStandingLoad final : public Worn<Solution> {
     take(std::move(next), wear);
     return true;
   }
+  bool wear_from_cold(const Field& wear, Verdict& why) override {
+    const Case worn = worn_case(case_, now_.model.domain.grid, wear);
+    Solution next = solve_tier(worn, tier_, control_, now_.model.solids);
+    if (!next.verdict.good()) {
+      why = next.verdict;
+      return false;
+    }
+    take(std::move(next), wear);
+    return true;
+  }
 
   void tell(RunningInState& state, RunningInRun& run) const override {
     state.p_asperity_max = largest(now_.film.p_contact);
@@ -126,6 +136,15 @@ class OverLoadCycle final : public Worn<std::unique_ptr<CycleSearch>> {
     auto next = std::make_unique<CycleSearch>(worn, tier_, physics_of(worn, tier_), control_,
                                               model().solids);
     if (!next->begin_reshaped(*now_) || !next->follow().good()) {
+      why = next->verdict();
+      return false;
+    }
+    take(std::move(next), wear);
+    return true;
+  }
+  bool wear_from_cold(const Field& wear, Verdict& why) override {
+    auto next = search_cycle(worn_case(case_, model().domain.grid, wear), tier_, control_, cost_);
+    if (!next->verdict().good()) {
       why = next->verdict();
       return false;
     }

@@ -27,6 +27,8 @@ class WornBearing {
   /// Solves with this wear [m]; steady heat until it moves the gap by less than `within` [m], if
   /// that is less than a result asks for. False: no solution; the last good one stays.
   [[nodiscard]] virtual bool wear_to(const Field& wear, double within, Verdict& why) = 0;
+  /// The same from cold, whatever the last solution: another state of that shape may be found.
+  [[nodiscard]] virtual bool wear_from_cold(const Field& wear, Verdict& why) = 0;
   /// To the state before the last wear_to that was good; once.
   virtual void go_back() = 0;
   /// Contact pressure, friction and film of the state; the solution itself.

@@ -45,6 +45,60 @@ double rate_of(const Case& c, const Solution& s) {
   return c.running_in->wear_coefficient / c.running_in->hardness * U * force;
 }
 
+/// Slow, loaded and fed by a hole.
+const std::string kSlowCase = R"toml(title = "slow"
+
+[bearing]
+diameter = "50 mm"
+width = "25 mm"
+radial_clearance = "30 um"
+reference_temperature = "20 degC"
+
+[[supply]]
+kind = "hole"
+angle = "90 deg"
+diameter = "5 mm"
+depth = "1 mm"
+pressure = "2 bar"
+temperature = "60 degC"
+
+[operation]
+speed = "100 rpm"
+load = "12 kN"
+
+[oil]
+name = "0W20"
+temperature = "60 degC"
+
+[shell]
+layers = [ { material = "AlSn20", thickness = "0.3 mm" }, { material = "steel", thickness = "1.7 mm" } ]
+housing = { material = "steel", outer_diameter = "90 mm", support = "held" }
+back = { heat_transfer = "500 W/(m2 K)", ambient = "50 degC" }
+end_heat_transfer = "50 W/(m2 K)"
+
+[shaft]
+material = "steel"
+overhang = "20 mm"
+heat_transfer = "50 W/(m2 K)"
+ambient = "40 degC"
+
+[surfaces]
+shell = { roughness = "0.34 um", orientation = 1, summit_roughness = "0.28 um", summit_height = "0.39 um" }
+shaft = { roughness = "0.20 um", orientation = 1, summit_roughness = "0.13 um", summit_height = "0.21 um" }
+contact = { elastic_factor = 0.001, composite_modulus = "53.3 GPa", friction = 0.08 }
+
+[model]
+tier = "thd"
+grid = [36, 5]
+edges = "flooded"
+cavitation_pressure = "0 bar"
+
+[running_in]
+wear_coefficient = 1e-7
+hardness = "350 MPa"
+until = "1000 s"
+)toml";
+
 }  // namespace
 
 TEST_CASE("TheWrittenProfileHoldsTheVolumeThatArchardWears") {
@@ -115,6 +169,35 @@ TEST_CASE("ARunningInTellsWhatItsLastStateHasToSay") {
   CHECK(csv.find(keys) != std::string::npos);
   CHECK(read_profile(scratch.write("worn.csv", marked(Format::csv, csv))).z.size() ==
         static_cast<std::size_t>(run.grid.nz) + 2);
+}
+
+TEST_CASE("WhereTheStatesOfARunningInEndItGoesOverToOthersAndSaysSo") {
+  // A slow loaded bearing has a hot state that rubs and a cool one. Wear carries it along the hot
+  // ones until these end; that of the same shape that is found from cold is the cool one.
+  const ScratchFolder scratch;
+  const Case c = read_case(scratch.write("slow.toml", kSlowCase), {});
+  const RunningInRun run = run_in(c, Tier::thd);
+  INFO(reason_of(run.verdict));
+  REQUIRE(run.verdict.good());
+  CHECK(run.states.back().t == 1000.0);
+  const auto jump = std::find_if(run.states.begin(), run.states.end(),
+                                 [](const RunningInState& s) { return s.anew; });
+  REQUIRE(jump != run.states.end());
+  const RunningInState& hot = *(jump - 1);
+  CHECK(jump->torque < 0.5 * hot.torque);
+  CHECK(jump->volume >= hot.volume);  // what has gone stays away
+  CHECK(jump->volume - hot.volume < 1e-3 * hot.volume);
+  const auto words = words_of_last_state(run);
+  CHECK(std::count_if(words.begin(), words.end(), [](const std::string& line) {
+          return line.find("no state is found near those before") != std::string::npos;
+        }) == 1);
+  // The end is a steady state of its profile.
+  const std::string csv = scratch.write("worn.csv", worn_shape_csv(c, run));
+  const Case worn = read_case(scratch.path("slow.toml"), {{"bearing.shape", '"' + csv + '"', ""}});
+  const Solution there = solve_tier(worn, Tier::thd);
+  REQUIRE(there.verdict.good());
+  // ten digits of the profile; the heat of both is settled within a thousandth
+  CHECK(torque_of(there) == Approx(run.states.back().torque).epsilon(2e-3));
 }
 
 TEST_CASE("TheShippedWornBearingCarriesItsLoadAlikeOnTwoGrids") {

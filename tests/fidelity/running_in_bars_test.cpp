@@ -63,6 +63,32 @@ TEST_CASE("StepsOfARunningInLeaveOpenWhatTheirErrorAllows", "[running_in]") {
   CHECK(bars.time.back().depth < 0.02 * run.states.back().depth);
 }
 
+TEST_CASE("BarsOfOneOrAFewStepsHoldShorterOnes", "[running_in]") {
+  // From one step, of which none twice as long is left to tell anything, to a handful.
+  for (const double until : {2.0, 8.0, 20.0, 60.0}) {
+    INFO(until << " s");
+    Case c = rubbing_case();
+    c.model.grid = {60, 9};
+    c.running_in->duration = until;
+    const RunningInRun run = run_of(c);
+    const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
+    std::vector<double> steps;
+    for (std::size_t k = 1; k < run.states.size(); ++k) {
+      for (int part = 0; part < 8; ++part) steps.push_back(run.states[k].step / 8.0);
+    }
+    const RunningInRun fine = run_in(c, c.model.tier, {}, {}, steps);
+    REQUIRE(fine.verdict.good());
+    const RunningInState &last = run.states.back(), &exact = fine.states.back();
+    REQUIRE(exact.t == Approx(last.t));
+    for (const auto& q : kFollowedStates) {
+      INFO(q.name);
+      CHECK(std::abs(exact.*q.value - last.*q.value) <= bars.time.back().*q.value);
+    }
+    // and they say something: the estimate of one step's error is that of its volume
+    CHECK(bars.time.back().volume < 0.05 * last.volume);
+  }
+}
+
 TEST_CASE("AShapeThatIsWornInHasBarsOfItsGridAlone", "[running_in]") {
   Case c = rubbing_case();
   c.running_in->duration.reset();

@@ -85,7 +85,6 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   Call call{&map, &o, x, x};
   require(KINSetErrHandlerFn(solver.get(), stay_silent, nullptr));
   require(KINSetMAA(solver.get(), o.depth));
-  require(KINSetDelayAA(solver.get(), o.delay));
   require(KINInit(solver.get(), evaluate, u.get()));
   require(KINSetUserData(solver.get(), &call));
   // Its norm is that of its own step, not |G(x) - x|: evaluate() ends it.
@@ -93,8 +92,11 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   require(KINSetNumMaxIters(solver.get(), o.max_iterations));
   // Where changes repeat, KINSOL's least squares divide by nothing and the next x is not a number,
   // or far away: it begins anew at the map's value. So it does where its step has come to nothing.
+  // Begun anew in the same way it would go the same way round: each time it takes twice as many
+  // plain steps first.
   long used = 0;
-  while (true) {
+  for (long delay = o.delay;; delay = std::max(2 * delay, 1L)) {
+    require(KINSetDelayAA(solver.get(), delay));
     const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
     if (call.thrown) std::rethrow_exception(call.thrown);
     if (call.near) return FixedPointEnd::converged;

@@ -61,9 +61,8 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
                           : "lower the load or the tilt, feed more oil, or give contact data"};
     case ending::BranchEnd::unbounded:
       return {fmt::format("the film cannot carry {:.4g} N: {}; closer the pressure grows without "
-                          "bound (rigid surfaces and viscosity rising as exp(alpha p): the reduced "
-                          "pressure q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
-                          e.carried.whole, way),
+                          "bound ({})",
+                          e.carried.whole, way, kBoundOfPressure),
               kBeyondBarus};
     case ending::BranchEnd::molecule:
       return {fmt::format("no film carries the load: {}, less than a molecule of oil", way),

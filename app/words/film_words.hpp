@@ -48,10 +48,8 @@ inline Told told(const ending::BeyondPressureBound& e, const About&) {
   const std::string carried = alike ? "the journal's pressures balance it"
                                     : fmt::format("it carries about {:.4g} N", e.carried);
   return {
-      fmt::format("the film cannot carry {:.4g} N: {}, {} the pressure "
-                  "grows without bound (with rigid surfaces and viscosity rising as exp(alpha p), "
-                  "the reduced pressure q = (1 - exp(-alpha p))/alpha cannot exceed 1/alpha)",
-                  e.wanted, carried, alike ? "but somewhere" : "then"),
+      fmt::format("the film cannot carry {:.4g} N: {}, {} the pressure grows without bound ({})",
+                  e.wanted, carried, alike ? "but somewhere" : "then", kBoundOfPressure),
       kBeyondBarus};
 }
 

@@ -18,7 +18,12 @@ struct About {
 };
 
 inline constexpr const char* kBeyondBarus =
-    "switch on elastic deformation where it is off, use the Roelands law, or lower the load";
+    "switch on elastic deformation where it is off, use the Roelands law for Barus', or lower the "
+    "load";
+/// Why a rigid film's pressure has a bound, whatever the law.
+inline constexpr const char* kBoundOfPressure =
+    "with rigid surfaces the reduced pressure, the integral of eta(0)/eta(p) over p, has a bound, "
+    "of Barus' law 1/alpha";
 inline constexpr const char* kContactElseLoad =
     "lower the load or the tilt, or, where they are missing, give roughness and contact data";
 inline constexpr const char* kContactElseElastic =

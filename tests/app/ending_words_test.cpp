@@ -88,8 +88,8 @@ TEST_CASE("ABranchTellsHowFarItWasFollowedAndWhatCameThen", "[words]") {
   CHECK(reason_of({kNone, bound}) ==
         "the film cannot carry 6e+04 N: followed from a light load, steady states are found up to "
         "3.294e+04 N of 6e+04 N (smallest gap 4.24 um); closer the pressure grows without bound "
-        "(rigid surfaces and viscosity rising as exp(alpha p): the reduced pressure q = (1 - "
-        "exp(-alpha p))/alpha cannot exceed 1/alpha)");
+        "(with rigid surfaces the reduced pressure, the integral of eta(0)/eta(p) over p, has a "
+        "bound, of Barus' law 1/alpha)");
   const Verdict within{kLimit, ending::Unsettled{ending::Iteration::heat, 25, 3.6e-3}};
   const ending::Carried rpm{ending::Raised::speed, 0.3123, 100.0 * kPi};  // 3000 rpm
   const ending::BranchEnded lost{ending::BranchEnd::lost, rpm, 1.16e-6, true};

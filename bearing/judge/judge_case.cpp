@@ -8,7 +8,9 @@
 #include "bearing/bearing.hpp"
 #include "bearing/case_limits.hpp"
 #include "bearing/judge/judge_parts.hpp"
+#include "bearing/row_gaps.hpp"
 #include "bearing/shown.hpp"
+#include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/ring_matrix.hpp"
 #include "solid/boundary_friction.hpp"
@@ -55,6 +57,52 @@ bool judge_reach(const Profile& table, const char* key, const Bearing& b, Findin
         fmt::format("give heights up to {} and {}", shown(-edge, "mm"), shown(edge, "mm")));
   }
   return true;
+}
+
+/// Whether the heights at two angles are the same to as many digits as tables have.
+bool same_heights(const Profile& table, std::size_t a, std::size_t b, double range) {
+  constexpr double kPrinted = 1e-3;  // of the range of heights [-]
+  const std::size_t n = table.z.size();
+  for (std::size_t j = 0; j < n; ++j) {
+    const double off = std::abs(table.height[a * n + j] - table.height[b * n + j]);
+    if (off > kPrinted * range) return false;
+  }
+  return true;
+}
+
+/// A bore measured over a part of its turn, or at a few angles, between which straight lines are
+/// meant that are none.
+void judge_angles(const Profile& table, const char* key, Findings& to) {
+  constexpr double kDegrees = 180.0 / kPi;
+  constexpr std::size_t kLobeNeeds = 12;  // lines are off cos(2 phi) by 7 % of its range at most
+  const std::vector<double>& phi = table.phi;
+  const auto [low, high] = std::minmax_element(table.height.begin(), table.height.end());
+  const double range = *high - *low;
+  for (const RowGap& gap : row_gaps(phi, 2.0 * kPi)) {
+    if (same_heights(table, gap.from, gap.to, range)) continue;
+    const std::string problem = fmt::format(
+        "from {:.4g} deg on no height is given for {:.4g} deg, {:.3g} times as far as angles stand "
+        "apart elsewhere",
+        kDegrees * phi[gap.from], kDegrees * gap.length, gap.times);
+    const std::string cure =
+        "give heights all the way round, check the unit of phi in the header line; a straight line "
+        "that is meant has a point half way";
+    if (gap.times > kLineToRefuse) {
+      to.refuse(key, problem, cure);
+    } else {
+      to.suspect(key, problem, cure);
+    }
+  }
+  bool varies = false;
+  for (std::size_t i = 1; i < phi.size(); ++i) {
+    varies = varies || !same_heights(table, i, 0, range);
+  }
+  if (!varies || phi.size() >= kLobeNeeds) return;
+  to.suspect(key,
+             fmt::format("heights are given at {} angles, between which they go along straight "
+                         "lines: a lobed bore is another shape",
+                         phi.size()),
+             fmt::format("give {} angles or more, unless lines are meant", kLobeNeeds));
 }
 
 void judge_table(const Profile& table, const char* key, const Bearing& b, Findings& to) {
@@ -105,7 +153,10 @@ void judge_bearing(const Bearing& b, Findings& to) {
   compare(to, "bearing.width", aspect, limits.aspect,
           fmt::format("the width is {:.3g} of the diameter", aspect), "check the units of both");
   if (b.profile) judge_table(*b.profile, "bearing.profile", b, to);
-  if (b.shape) judge_table(*b.shape, "bearing.shape", b, to);
+  if (b.shape) {
+    judge_table(*b.shape, "bearing.shape", b, to);
+    judge_angles(*b.shape, "bearing.shape", to);
+  }
   if (b.wear) judge_table(*b.wear, "bearing.wear", b, to);
   judge_opening(b.edge_relief, "bearing.edge_relief", b, to);
   judge_opening(b.chamfer, "bearing.chamfer", b, to);

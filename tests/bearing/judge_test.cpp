@@ -333,7 +333,7 @@ TEST_CASE("AShapeMuchDeeperThanTheClearanceIsTold") {
     return keys;
   };
   for (const double times : {9.9, 10.1}) {
-    c.bearing.shape = Profile{{0.0, 1.0}, {0.0}, {0.0, times * clearance}};
+    c.bearing.shape = Profile{{0.0}, {0.0}, {times * clearance}};
     CHECK(told() == (times > 10.0 ? "bearing.shape " : ""));
     c.bearing.shape.reset();
     c.bearing.profile = Profile{{0.0, 1.0}, {0.0}, {0.0, times * clearance}};
@@ -346,6 +346,41 @@ TEST_CASE("AShapeMuchDeeperThanTheClearanceIsTold") {
     CHECK(told().empty());
     c.bearing.chamfer.reset();
   }
+}
+
+TEST_CASE("ABoreMeasuredOverAPartOfItsTurnOrAtAFewAnglesIsTold") {
+  Case c = plain_case();
+  // A lemon at `count` angles from 0 on, `step` degrees apart, with one edge opened.
+  const auto lemon = [&](int count, double step) {
+    Profile p{{}, {-0.5 * c.bearing.width, 0.5 * c.bearing.width}, {}};
+    for (int i = 0; i < count; ++i) {
+      p.phi.push_back(i * step * kPi / 180.0);
+      const double h = 10e-6 * (1.0 - std::cos(2.0 * p.phi.back()));
+      p.height.insert(p.height.end(), {h, 0.5 * h});
+    }
+    return p;
+  };
+  const auto told = [&](Profile p) {
+    c.bearing.shape = std::move(p);
+    std::string words;
+    for (const Finding& f : judge(c)) {
+      if (f.key == "bearing.shape") words += (f.refused() ? "!" : "") + f.problem + " ";
+    }
+    return words;
+  };
+  CHECK(told(lemon(72, 5.0)).empty());
+  CHECK(told(lemon(12, 30.0)).empty());
+  // the part from 145 deg on is a line of 215 deg, 43 times as long as the others
+  CHECK(told(lemon(30, 5.0)).starts_with("!from 145 deg on no height is given for 215 deg, 43 "));
+  CHECK(told(lemon(66, 5.0)).starts_with("from 325 deg on no height is given for 35 deg, 7 times"));
+  CHECK(told(lemon(70, 5.0)).empty());  // three times as far is what a hand does
+  CHECK(told(lemon(4, 90.0)).starts_with("heights are given at 4 angles"));
+  // nothing where the heights at both ends say that they stay, nor where they never vary
+  Profile flat = lemon(30, 5.0);
+  flat.height.assign(flat.height.size(), 3e-6);
+  flat.height[20] = 4e-6;
+  CHECK(told(flat).empty());
+  CHECK(told({{0.0, 1.0}, {0.0}, {2e-6, 2e-6}}).empty());
 }
 
 TEST_CASE("ATableOfTheBoreCountsItsWidthFromTheMiddle") {

@@ -22,6 +22,7 @@ enum class Plain {
   planes_overlap,            ///< mean planes of rough surfaces, where the film is smallest
   marks_begin_anew,          ///< of an elasto-plastic layer that wears under a standing load
   roughness_stays,           ///< of a shell that wears
+  nothing_wears,             ///< in a running-in: nowhere is the contact pressed beyond the limit
   tilt_without_inertia,      ///< of a journal with mass under a moment
   torque_both_ways,          ///< of a journal that turns both ways, in the mean
   // Where an event of a load cycle begins.

@@ -109,12 +109,15 @@ template <class State, class Followed>
 
 /// share_bars() within each state: as what two grids, or two lengths of a step, change of a
 /// quantity passes through zero in time, its bar of that instant is chance. `size_of(k, q)` of
-/// value q of state k, in its unit.
-template <class State, class Followed, class Size>
-void share_bars_of_states(const Followed& followed, const Size& size_of, std::vector<State>& bars) {
+/// value q of state k, in its unit; `is_part(q)`: its bar gives no least length to others.
+template <class State, class Followed, class Size, class IsPart>
+void share_bars_of_states(const Followed& followed, const Size& size_of, const IsPart& is_part,
+                          std::vector<State>& bars) {
   for (std::size_t k = 0; k < bars.size(); ++k) {
     std::vector<BarOfSize> all;
-    for (const auto& q : followed) all.push_back({&(bars[k].*q.value), size_of(k, q)});
+    for (const auto& q : followed) {
+      all.push_back({&(bars[k].*q.value), size_of(k, q), is_part(q)});
+    }
     share_bars(all);
   }
 }

@@ -270,7 +270,44 @@ void add_gathered_oil(CycleResult& r) {
   }
 }
 
+/// Bars of `r`, of the case, from `usual`, on its grid or a coarser one, and that in other steps.
+/// False: these are not found, and the bars are those that need them not.
+bool put_bars_of_steps(const Case& c, const SolvedCycle& usual, double most_work,
+                       const SolveControl& control, CycleResult& r) {
+  Case changed = c;
+  const double part = change_steps(usual.result, changed);
+  const CycleResult other = on_grid(changed, usual.result.grid, usual, most_work, control).result;
+  const bool known = other.verdict.good();
+  if (known) {
+    put_time_bars(usual.result, other, part, r);
+    share_time_bars(c, r);
+  }
+  add_between_instants(r);
+  add_unsettled_walls(c, r);
+  if (c.cycle->repeats()) add_gathered_oil(r);
+  widen_bars_of_power(r);
+  if (!c.cycle->step) {
+    // The film of one instant is off by what its step may err, whatever other steps give.
+    for (CycleQuantity& q : r.quantities) {
+      if (q.quantity.name == "h_min")
+        q.quantity.error_time += kOfTolerance * c.model.tolerance * std::abs(q.quantity.value);
+    }
+  }
+  widen_bars_of_light_contact(c, r, bar_of_time);
+  return known;
+}
+
 }  // namespace
+
+std::optional<CycleResult> cycle_with_bars_of_steps(const Case& c, const SolveControl& control) {
+  try {
+    const SolvedCycle own = solve_cycle_from(nullptr, c, c.model.tier, control);
+    CycleResult r = own.result;
+    if (r.verdict.good() && put_bars_of_steps(c, own, kMoreWork * work_of(r), control, r)) return r;
+  } catch (const InputError&) {  // the grid is not that of the case that was judged
+  }
+  return std::nullopt;
+}
 
 CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   const SolvedCycle own = solve_cycle_from(nullptr, c, c.model.tier, control);
@@ -286,30 +323,10 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   }
   put_grid_bars(c, beside.coarse, beside.finer ? &*beside.finer : nullptr, r);
   widen_bars_of_light_contact(c, r, bar_of_grid);
-  Case changed = c;
-  const CycleResult& usual = beside.nearest.result;
-  const double part = change_steps(usual, changed);
-  const CycleResult other =
-      on_grid(changed, usual.grid, beside.nearest, kMoreWork * work_of(r), control).result;
-  if (other.verdict.good()) {
-    put_time_bars(usual, other, part, r);
-    share_time_bars(c, r);
-  } else {
+  if (!put_bars_of_steps(c, beside.nearest, kMoreWork * work_of(r), control, r)) {
     r.warnings.push_back(stopped(control) ? note::Plain::bars_interrupted
                                           : note::Plain::time_bars_unknown);
   }
-  add_between_instants(r);
-  add_unsettled_walls(c, r);
-  if (c.cycle->repeats()) add_gathered_oil(r);
-  widen_bars_of_power(r);
-  if (!c.cycle->step) {
-    // The film of one instant is off by what its step may err, whatever other steps give.
-    for (CycleQuantity& q : r.quantities) {
-      if (q.quantity.name == "h_min")
-        q.quantity.error_time += kOfTolerance * c.model.tolerance * std::abs(q.quantity.value);
-    }
-  }
-  widen_bars_of_light_contact(c, r, bar_of_time);
   for (CycleQuantity& q : r.quantities) {
     const double most = furthest(c, q.quantity);
     if (q.quantity.error_grid > most) q.quantity.error_grid = most;

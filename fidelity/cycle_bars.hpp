@@ -1,5 +1,7 @@
 #pragma once
 /// A load cycle with the bars of its grid and of its steps in time.
+#include <optional>
+
 #include "bearing/over_time/cycle.hpp"
 
 namespace shellback::fidelity {
@@ -24,6 +26,11 @@ namespace shellback::fidelity {
 /// coarser grid serves. Throws InputError as solve_cycle does.
 [[nodiscard]] bearing::CycleResult solve_cycle_with_bars(const bearing::Case& c,
                                                          const bearing::SolveControl& control = {});
+
+/// The cycle of the case, on its own grid, with the bars of its steps alone, `error_time`; nothing
+/// where it, or that of other steps, is not found, or the grid cannot carry the supplies.
+[[nodiscard]] std::optional<bearing::CycleResult> cycle_with_bars_of_steps(
+    const bearing::Case& c, const bearing::SolveControl& control);
 
 /// The quantity of this name; null: the cycle has none.
 [[nodiscard]] const bearing::CycleQuantity* named(const bearing::CycleResult& r, const char* name);

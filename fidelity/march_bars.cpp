@@ -101,7 +101,8 @@ void share(const CourseRun& run, const Begun& begun, Instants& bars) {
   const auto size = [&](std::size_t k, const Followed<Instant>& q) {
     return size_of(run.instants[k], begun, q);
   };
-  share_bars_of_states(kFollowedInstants, size, bars);
+  const auto none = [](const Followed<Instant>&) { return false; };
+  share_bars_of_states(kFollowedInstants, size, none, bars);
   for (std::size_t k = 0; k < bars.size(); ++k) {
     const double heat = bars[k].torque / std::abs(run.instants[k].torque);
     for (const auto& q : kFollowedInstants) {

@@ -60,27 +60,76 @@ void widen_bars_of_light_contact(const Case& c, const RunningInRun& run, States&
   }
 }
 
-void share(const RunningInRun& run, States& bars) {
+enum class Of { grid, time };
+
+void share(const RunningInRun& run, Of of, States& bars) {
   const auto size = [&](std::size_t k, const Followed<RunningInState>& q) {
     return std::abs(run.states[k].*q.value);
   };
-  share_bars_of_states(kFollowedStates, size, bars);
+  // What has worn is the contact's doing: where next to nothing touches, neither of them tells how
+  // well a grid knows the film. Steps err in the wear first of all.
+  const bool light = touches_lightly(run);
+  const auto is_part = [of, light](const Followed<RunningInState>& q) {
+    const double RunningInState::*value = q.value;
+    const bool worn = value == &RunningInState::depth || value == &RunningInState::volume;
+    return of == Of::grid && (worn || (light && value == &RunningInState::p_asperity_max));
+  };
+  share_bars_of_states(kFollowedStates, size, is_part, bars);
 }
 
 /// No bar of time is shorter than what the steps' own estimates sum to: what steps twice as long
 /// change passes through zero, and one step has no other to be judged by. What is no wear itself
-/// moves with its volume as it did over the step.
+/// moves with its volume as it did over the last two steps (the last of all may be a sliver).
 void widen_by_errors_of_steps(const RunningInRun& run, States& bars) {
   for (std::size_t k = 1; k < bars.size(); ++k) {
-    const RunningInState &at = run.states[k], &before = run.states[k - 1];
+    const RunningInState &at = run.states[k], &before = run.states[k > 1 ? k - 2 : 0];
     const double worn = at.volume - before.volume;
     const double moved = worn > 0.0 ? kSafety * at.volume_error / worn : 0.0;
     for (const auto& q : kFollowedStates) {
-      const double by = at.anew ? 0.0 : moved * std::abs(at.*q.value - before.*q.value);
+      const double by =
+          at.anew || run.states[k - 1].anew ? 0.0 : moved * std::abs(at.*q.value - before.*q.value);
       bars[k].*q.value = larger(bars[k].*q.value, by);
     }
     bars[k].depth = larger(bars[k].depth, kSafety * at.depth_error);
     bars[k].volume = larger(bars[k].volume, kSafety * at.volume_error);
+  }
+}
+
+/// By the steps, of its size [-].
+double part_left_open(const CycleQuantity& q) {
+  const double size = q.quantity.size();
+  return size > 0.0 ? q.quantity.error_time / size : 0.0;
+}
+
+/// What the steps within a cycle leave open of each value, as a part of it [-]: of the new bearing
+/// and of the last shape the larger, on a grid that is solved in any case. Wear goes as the
+/// summits' friction does. Not a number: not known.
+RunningInState open_of_cycles(const Case& c, const Grid& grid, const RunningInRun& run,
+                              const SolveControl& control) {
+  Case on = c, worn = c;
+  on.model.grid = worn.model.grid = grid;
+  worn.bearing.wear = wear_table(run.grid, run.wear);
+  worn.surfaces.shell = worn_surface(c, run.states.back().depth);
+  RunningInState most;
+  for (const Case* shape : {&on, &worn}) {
+    const auto cycle = cycle_with_bars_of_steps(*shape, control);
+    const auto widen = [&](double RunningInState::*value, const char* name) {
+      most.*value = larger(most.*value, cycle ? part_left_open(*named(*cycle, name)) : NAN);
+    };
+    widen(&RunningInState::depth, "friction_torque_asperity");
+    widen(&RunningInState::volume, "friction_torque_asperity");
+    widen(&RunningInState::p_asperity_max, "p_asperity_max");
+    widen(&RunningInState::torque, "friction_torque");
+    widen(&RunningInState::h_min, "h_min");
+  }
+  return most;
+}
+
+void add_open_of_cycles(const RunningInState& part, const RunningInRun& run, States& bars) {
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    for (const auto& q : kFollowedStates) {
+      bars[k].*q.value += part.*q.value * std::abs(run.states[k].*q.value);
+    }
   }
 }
 
@@ -102,7 +151,7 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
   if (!coarse.usual.empty()) {
     bars.grid =
         bars_of_grids(coarse.usual, run.states, c.model.grid, hidden_at_edge(run), kFollowedStates);
-    share(run, bars.grid);
+    share(run, Of::grid, bars.grid);
     widen_bars_of_light_contact(c, run, bars.grid);
     bars.time = States(run.states.size());  // a worn-in shape has no steps
     if (!steps.empty()) {
@@ -112,7 +161,11 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
       add_bars_of_steps(coarse.usual.back().second, coarse.joined, run.states, 2.0, 1,
                         run.states.size() - 1, kFollowedStates, n, bars.time);
       widen_by_errors_of_steps(run, bars.time);
-      share(run, bars.time);
+      share(run, Of::time, bars.time);
+    }
+    if (run.cycle) {
+      add_open_of_cycles(open_of_cycles(c, coarse.usual.back().first, run, control), run,
+                         bars.time);
     }
   }
   bars.interrupted = stopped(control);

@@ -100,6 +100,8 @@ std::string text_of(note::Plain n) {
     case Plain::marks_begin_anew:
       return "what flows of the elasto-plastic layer begins anew with every worn shape, and is not "
              "in the profile: that holds what has worn away";
+    case Plain::nothing_wears:
+      return "nothing wears: nowhere is the contact pressed beyond running_in.limit_pressure";
     case Plain::roughness_stays:
       return "the roughness is taken to stay while the shell wears (running_in.worn is not given)";
     case Plain::tilt_without_inertia:

@@ -459,12 +459,13 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
   const bool anew = std::any_of(run.states.begin(), run.states.end(),
                                 [](const RunningInState& s) { return s.anew; });
   if (flows && (!c.cycle || anew)) run.warnings.emplace_back(note::Plain::marks_begin_anew);
+  const double depth = run.states.back().depth;
+  if (run.verdict.good() && depth == 0.0) run.warnings.emplace_back(note::Plain::nothing_wears);
   if (!c.running_in->worn) run.warnings.emplace_back(note::Plain::roughness_stays);
   for (std::size_t k = 1; k < run.states.size(); ++k) {
     const RunningInState &at = run.states[k], &before = run.states[k - 1];
     if (at.anew) run.warnings.emplace_back(note::StatesEnd{at.t, before.torque, at.torque});
   }
-  const double depth = run.states.back().depth;
   if (c.shell && !c.shell->layers.empty() && depth > c.shell->layers.front().thickness) {
     run.warnings.emplace_back(note::WornThrough{depth, c.shell->layers.front().thickness});
   }

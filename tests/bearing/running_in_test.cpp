@@ -68,6 +68,26 @@ TEST_CASE("WearThroughTheFirstLayerIsTold") {
   CHECK_FALSE(told(0.1e-3));
 }
 
+TEST_CASE("AShellThatNothingWearsIsToldSo") {
+  Case c = rubbing_case();
+  c.model.grid = {48, 9};
+  c.running_in->duration = 600.0;
+  const auto told = [&](double limit) {
+    c.running_in->limit_pressure = limit;
+    const RunningInRun run = run_in(c, Tier::isothermal);
+    REQUIRE(run.verdict.good());
+    const bool wears = run.states.back().depth > 0.0;
+    const bool says = std::any_of(run.warnings.begin(), run.warnings.end(), [](const Note& n) {
+      const auto* plain = std::get_if<note::Plain>(&n);
+      return plain != nullptr && *plain == note::Plain::nothing_wears;
+    });
+    CHECK(says != wears);
+    return says;
+  };
+  CHECK_FALSE(told(0.0));
+  CHECK(told(1e9));
+}
+
 TEST_CASE("WearThatTheTableLeadsOnToTheEdgesIsTold") {
   Case c = rubbing_case();
   c.model.grid = {48, 9};

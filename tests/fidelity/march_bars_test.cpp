@@ -105,7 +105,13 @@ TEST_CASE("NoBarOfAStateIsFarShorterThanThoseBesideIt", "[transient]") {
     }
     return double{NAN};
   };
-  fidelity::share_bars_of_states(kSome, size_of, bars);
+  auto parts = bars;
+  const auto none = [](const Followed<Instant>&) { return false; };
+  fidelity::share_bars_of_states(kSome, size_of, none, bars);
+  // the film's as a part of something else: the smaller two are left to share
+  fidelity::share_bars_of_states(
+      kSome, size_of, [](const Followed<Instant>& q) { return q.value == &Instant::h_min; }, parts);
+  CHECK(parts[0].torque == Approx(0.2 * 0.01 * size[0]).epsilon(1e-12));
   CHECK(bars[0].torque == Approx(0.2 * 0.02 * size[0]).epsilon(1e-12));
   CHECK(bars[0].h_min == 0.04 * size[1]);
   CHECK(bars[0].heat_out == 0.02 * size[2]);

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "app/words/ending_words.hpp"
+#include "fidelity/cycle_bars.hpp"
+#include "tests/bearing/rubbing_cases.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -115,4 +117,57 @@ TEST_CASE("ContactAtANewBearingsEdgesIsAsSureAsTheFilmThere", "[running_in]") {
   const RunningInState& first = run.states.front();
   REQUIRE(std::abs(fine.h_min - first.h_min) < bars.grid.front().h_min);  // else nothing follows
   CHECK(std::abs(fine.p_asperity_max - first.p_asperity_max) < bars.grid.front().p_asperity_max);
+}
+
+TEST_CASE("WhatHardlyWearsDoesNotTellHowWellItsFilmIsKnown", "[running_in]") {
+  // At 3000 rpm and a third of the load nothing touches: depth, volume and contact are chance.
+  Case c = rubbing_case();
+  c.model.grid = {60, 9};
+  c.operation.omega = 3000.0 * kPi / 30.0;
+  set_load(c, 3e3);
+  const RunningInRun run = run_of(c);
+  REQUIRE(run.states.back().p_asperity_max < 1.0);
+  const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
+  REQUIRE(bars.grid.size() == run.states.size());
+  for (const auto value : {&RunningInState::torque, &RunningInState::h_min}) {
+    // the shape has not changed, nor has what the grids give; the median of one pair is the other
+    CHECK(bars.grid.back().*value == Approx(bars.grid.front().*value).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("BarsOfARunningInOverACycleHoldFinerStepsWithinIt", "[running_in]") {
+  Case c = bearing::tests::rubbing_case(true);
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {36, 5};
+  c.running_in = RunningIn{1e-8, 350e6, {}, 0.0, {}, 0.0};
+  c.running_in->duration = 60.0;
+  const RunningInRun run = run_of(c);
+  const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
+  REQUIRE(bars.time.size() == run.states.size());
+  // of the new bearing they are what `run` tells of its cycle, from one more grid
+  Case same = c;
+  same.running_in.reset();
+  const CycleResult cycle = fidelity::solve_cycle_with_bars(same);
+  for (const auto& [value, name] : {std::pair{&RunningInState::p_asperity_max, "p_asperity_max"},
+                                    std::pair{&RunningInState::torque, "friction_torque"},
+                                    std::pair{&RunningInState::h_min, "h_min"}}) {
+    INFO(name);
+    const double told = fidelity::named(cycle, name)->quantity.error_time;
+    CHECK(bars.time.front().*value > 0.5 * told);
+    CHECK(bars.time.front().*value < 3.0 * told);
+  }
+  Case finer = c;
+  finer.model.tolerance *= 0.1;
+  const RunningInRun fine = run_of(finer);
+  for (const bool first : {true, false}) {
+    const RunningInState& at = first ? run.states.front() : run.states.back();
+    const RunningInState& exact = first ? fine.states.front() : fine.states.back();
+    const RunningInState& bar = first ? bars.time.front() : bars.time.back();
+    for (const auto& q : kFollowedStates) {
+      INFO(q.name << (first ? " of the new bearing" : " in the end"));
+      // three of four bars of a cycle's steps hold (docs/decisions/058), nearly all twice them
+      CHECK(std::abs(exact.*q.value - at.*q.value) <= 2.0 * bar.*q.value);
+    }
+  }
 }

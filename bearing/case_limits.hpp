@@ -103,6 +103,8 @@ struct BearingLimits {
   /// Thickness over the radius of a wall that no housing holds [-]; a foil's bending stiffness is
   /// lost in the round-off of its stretching one.
   Limits free_wall{1e-3, 1e-2, INFINITY, INFINITY};
+  Limits layer{1e-9, 1e-7, INFINITY,
+               INFINITY};  // [m] sputtered coatings from 0.1 um; atoms: 0.3 nm
   /// C of Archard's law [-]: from lubricated to unlubricated metals 1e-10 to 1e-2 (textbook).
   Limits wear_coefficient{0.0, 1e-12, 1e-2, 1.0};
   /// Depth at which a surface is worn, over the clearance [-]: summits are some hundredths of it.

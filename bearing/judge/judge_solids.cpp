@@ -139,6 +139,9 @@ void judge_shell(const Shell& shell, double R, Findings& to) {
     const std::string path = fmt::format("shell.layers.{}", k);
     thickness += shell.layers[k].thickness;
     judge_material(shell.layers[k].material, path + ".material", to);
+    compare(to, path + ".thickness", shell.layers[k].thickness, kBearingLimits.layer,
+            fmt::format("the layer is {} thick", shown(shell.layers[k].thickness, "um")),
+            "check the unit");
     if (thickness > kBearingLimits.wall_most * R) {
       to.refuse(path + ".thickness",
                 fmt::format("the layers are {} thick on a bore of radius {}",

@@ -475,6 +475,19 @@ TEST_CASE("ConstantsOfPressureAndShearThatMakeNoOilAreSeen") {
   CHECK(seen(shear, [](Oil& o) { o.shear = Cross{0.5, 4.5e8, 0.5}; }) == 2);  // a sign forgotten
 }
 
+TEST_CASE("ALayerThinnerThanCoatingsAreIsToldAndThinnerThanAtomsRefused") {
+  Case c = rig_case();
+  const auto told = [&](double thickness) {
+    c.shell->layers[0].thickness = thickness;
+    std::string keys;
+    for (const Finding& f : judge(c)) keys += (f.refused() ? "!" : "") + f.key;
+    return keys;
+  };
+  CHECK(told(1e-6).empty());
+  CHECK(told(5e-8) == "shell.layers.0.thickness");
+  CHECK(told(5e-10) == "!shell.layers.0.thickness");
+}
+
 TEST_CASE("AHoleIsJudgedByItsDiameterAlone") {
   // Arc and length, which a reader fills in, are not asked of who fills a case by hand.
   Case c = rig_case();

@@ -22,7 +22,7 @@ enum class Plain {
   planes_overlap,            ///< mean planes of rough surfaces, where the film is smallest
   marks_begin_anew,          ///< of an elasto-plastic layer that wears under a standing load
   roughness_stays,           ///< of a shell that wears
-  nothing_wears,             ///< in a running-in: nowhere is the contact pressed beyond the limit
+  nothing_wears,             ///< in a running-in: a millionth of the summits at most
   tilt_without_inertia,      ///< of a journal with mass under a moment
   torque_both_ways,          ///< of a journal that turns both ways, in the mean
   // Where an event of a load cycle begins.
@@ -222,6 +222,8 @@ struct StatesEnd {
   double t = 0.0;              ///< [s]
   double torque_before = 0.0;  ///< [N m]
   double torque = 0.0;         ///< [N m]
+  int times = 0;               ///< that it did so; the others are of the first
+  bool flows = false;          ///< an elasto-plastic layer has marks
 };
 
 /// An elasto-plastic layer that has flowed by more than half of its thickness.

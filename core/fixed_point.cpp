@@ -95,7 +95,8 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   // Begun anew in the same way it would go the same way round: each time it takes twice as many
   // plain steps first.
   long used = 0;
-  for (long delay = o.delay;; delay = std::max(2 * delay, 1L)) {
+  const long most = std::max(o.max_iterations, 1);
+  for (long delay = o.delay;; delay = std::clamp(2 * delay, 1L, most)) {
     require(KINSetDelayAA(solver.get(), delay));
     const int end = KINSol(solver.get(), u.get(), KIN_FP, scale.get(), scale.get());
     if (call.thrown) std::rethrow_exception(call.thrown);

@@ -10,7 +10,7 @@ namespace shellback {
 
 struct FixedPointOptions {
   int depth = 5;  ///< vectors kept, not more than x has components [-]
-  int delay = 1;  ///< plain iterations before acceleration [-]
+  int delay = 1;  ///< plain iterations before acceleration, doubled each time that it is lost [-]
   int max_iterations = kMostIterations;
   double tolerance = 1e-6;  ///< largest |G(x) - x| [-]
   /// The change may be this many times larger where it falls so fast that G(x) is within the

@@ -1,6 +1,8 @@
 #include "fidelity/running_in_bars.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bearing/bearing.hpp"
 #include "core/contract.hpp"
@@ -77,63 +79,87 @@ void share(const RunningInRun& run, Of of, States& bars) {
   share_bars_of_states(kFollowedStates, size, is_part, bars);
 }
 
-/// No bar of time is shorter than what the steps' own estimates sum to: what steps twice as long
-/// change passes through zero, and one step has no other to be judged by. What is no wear itself
-/// moves with its volume as it did over the last two steps (the last of all may be a sliver).
-void widen_by_errors_of_steps(const RunningInRun& run, States& bars) {
-  for (std::size_t k = 1; k < bars.size(); ++k) {
-    const RunningInState &at = run.states[k], &before = run.states[k > 1 ? k - 2 : 0];
-    const double worn = at.volume - before.volume;
-    const double moved = worn > 0.0 ? kSafety * at.volume_error / worn : 0.0;
-    for (const auto& q : kFollowedStates) {
-      const double by =
-          at.anew || run.states[k - 1].anew ? 0.0 : moved * std::abs(at.*q.value - before.*q.value);
-      bars[k].*q.value = larger(bars[k].*q.value, by);
-    }
-    bars[k].depth = larger(bars[k].depth, kSafety * at.depth_error);
-    bars[k].volume = larger(bars[k].volume, kSafety * at.volume_error);
+/// Where the states that lead to state k begin: the new bearing, or the last one found anew.
+std::size_t branch_of(const RunningInRun& run, std::size_t k) {
+  while (k > 0 && !run.states[k].anew) --k;
+  return k;
+}
+
+/// Part of what a value has changed since a former state that may be the errors of all steps so
+/// far, and that state: the nearest before k in which the volume differs by as much as it errs, or
+/// the first of the branch.
+std::pair<double, std::size_t> part_of_change(const RunningInRun& run, std::size_t k) {
+  const RunningInState& at = run.states[k];
+  const double off = kSafety * at.volume_error;
+  std::size_t from = k;
+  for (const std::size_t first = branch_of(run, k); from > first;) {
+    if (at.volume - run.states[--from].volume >= off) break;
   }
+  const double worn = at.volume - run.states[from].volume;
+  return {worn > off ? off / worn : 1.0, from};
 }
 
-/// By the steps, of its size [-].
-double part_left_open(const CycleQuantity& q) {
-  const double size = q.quantity.size();
-  return size > 0.0 ? q.quantity.error_time / size : 0.0;
+/// What the steps within the cycle of the case leave open, on its grid, over the larger of its
+/// value there and that of `state` [-]; not a number: not known. Wear goes as the summits' friction
+/// does.
+RunningInState open_within_cycle(const Case& c, const RunningInState& state,
+                                 const SolveControl& control) {
+  const auto cycle = cycle_with_bars_of_steps(c, control);
+  RunningInState part = unknown<RunningInState>(1, kFollowedStates).front();
+  if (!cycle) return part;
+  const auto of = [&](const char* name, double value) {
+    const Quantity& q = named(*cycle, name)->quantity;
+    const double size = std::max(q.size(), std::abs(value));
+    return size > 0.0 ? std::min(q.error_time, furthest(c, q)) / size : 0.0;
+  };
+  part.depth = part.volume = of("friction_torque_asperity", 0.0);
+  part.p_asperity_max = of("p_asperity_max", state.p_asperity_max);
+  part.torque = of("friction_torque", state.torque);
+  part.h_min = of("h_min", state.h_min);
+  return part;
 }
 
-/// What the steps within a cycle leave open of each value, as a part of it [-]: of the new bearing
-/// and of the last shape the larger, on a grid that is solved in any case. Wear goes as the
-/// summits' friction does. Not a number: not known.
-RunningInState open_of_cycles(const Case& c, const Grid& grid, const RunningInRun& run,
-                              const SolveControl& control) {
-  Case on = c, worn = c;
-  on.model.grid = worn.model.grid = grid;
-  worn.bearing.wear = wear_table(run.grid, run.wear);
-  worn.surfaces.shell = worn_surface(c, run.states.back().depth);
-  RunningInState most;
-  for (const Case* shape : {&on, &worn}) {
-    const auto cycle = cycle_with_bars_of_steps(*shape, control);
-    const auto widen = [&](double RunningInState::*value, const char* name) {
-      most.*value = larger(most.*value, cycle ? part_left_open(*named(*cycle, name)) : NAN);
-    };
-    widen(&RunningInState::depth, "friction_torque_asperity");
-    widen(&RunningInState::volume, "friction_torque_asperity");
-    widen(&RunningInState::p_asperity_max, "p_asperity_max");
-    widen(&RunningInState::torque, "friction_torque");
-    widen(&RunningInState::h_min, "h_min");
-  }
-  return most;
-}
-
-void add_open_of_cycles(const RunningInState& part, const RunningInRun& run, States& bars) {
+/// Of each state, between the new bearing and the last shape by what has worn, as `grid` tells.
+void add_open_within_cycles(const Case& c, const Grid& grid, const RunningInRun& run,
+                            const SolveControl& control, States& bars) {
+  SolveControl within = control;  // of each cycle; kept is the running-in
+  within.kept = nullptr;
+  Case on = c;
+  on.model.grid = grid;
+  const RunningInState first = open_within_cycle(on, run.states.front(), within);
+  on.bearing.wear = wear_table(run.grid, run.wear);
+  on.surfaces.shell = worn_surface(c, run.states.back().depth);
+  const RunningInState last = open_within_cycle(on, run.states.back(), within);
   for (std::size_t k = 0; k < bars.size(); ++k) {
+    const RunningInState& at = run.states[k];
+    const double all = run.states.back().volume;
+    const double worn = all > 0.0 ? at.volume / all : 0.0;
     for (const auto& q : kFollowedStates) {
-      bars[k].*q.value += part.*q.value * std::abs(run.states[k].*q.value);
+      const double part = (1.0 - worn) * first.*q.value + worn * last.*q.value;
+      bars[k].*q.value += part * std::abs(at.*q.value);
     }
   }
 }
 
 }  // namespace
+
+void widen_by_errors_of_steps(const RunningInRun& run, States& bars) {
+  for (std::size_t k = 1; k < bars.size(); ++k) {
+    const RunningInState& at = run.states[k];
+    const auto [part, from] = part_of_change(run, k);
+    for (const auto& q : kFollowedStates) {
+      const double by = part * std::abs(at.*q.value - run.states[from].*q.value);
+      bars[k].*q.value = larger(bars[k].*q.value, by);
+      for (std::size_t m = 1; m < run.states.size(); ++m) {
+        const RunningInState &other = run.states[m], &before = run.states[m - 1];
+        if (!other.anew || std::abs(at.volume - other.volume) > kSafety * at.volume_error) continue;
+        bars[k].*q.value = larger(bars[k].*q.value, std::abs(other.*q.value - before.*q.value));
+      }
+    }
+    bars[k].depth = larger(bars[k].depth, kSafety * at.depth_error);
+    bars[k].volume = larger(bars[k].volume, kSafety * at.volume_error);
+  }
+}
 
 RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const SolveControl& control) {
   RunningInBars bars;
@@ -164,8 +190,7 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
       share(run, Of::time, bars.time);
     }
     if (run.cycle) {
-      add_open_of_cycles(open_of_cycles(c, coarse.usual.back().first, run, control), run,
-                         bars.time);
+      add_open_within_cycles(c, coarse.usual.back().first, run, control, bars.time);
     }
   }
   bars.interrupted = stopped(control);

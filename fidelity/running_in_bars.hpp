@@ -15,4 +15,11 @@ using RunningInBars = BarsOverTime<bearing::RunningInState>;
                                             const bearing::RunningInRun& run,
                                             const bearing::SolveControl& control = {});
 
+/// No bar of time is left shorter than what the steps' own estimates sum to, times 1.5: what steps
+/// twice as long change passes through zero, and one step has no other to be judged by. What is no
+/// wear itself has changed with the volume; so near to a change of states that the errors of the
+/// volume may hide it, by all of that. `bars`: one for each state.
+void widen_by_errors_of_steps(const bearing::RunningInRun& run,
+                              std::vector<bearing::RunningInState>& bars);
+
 }  // namespace shellback::fidelity

@@ -101,7 +101,8 @@ std::string text_of(note::Plain n) {
       return "what flows of the elasto-plastic layer begins anew with every worn shape, and is not "
              "in the profile: that holds what has worn away";
     case Plain::nothing_wears:
-      return "nothing wears: nowhere is the contact pressed beyond running_in.limit_pressure";
+      return "next to nothing wears: summits hardly touch, or are nowhere pressed beyond "
+             "running_in.limit_pressure where one is given";
     case Plain::roughness_stays:
       return "the roughness is taken to stay while the shell wears (running_in.worn is not given)";
     case Plain::tilt_without_inertia:
@@ -402,8 +403,10 @@ std::string text_of(const note::WearLedOn& n) {
 std::string text_of(const note::StatesEnd& n) {
   return fmt::format(
       "from {:.4g} s on no state is found near those before: what follows is another one, found "
-      "from cold, and the torque goes from {:.4g} to {:.4g} N m",
-      n.t, n.torque_before, n.torque);
+      "from cold, and the torque goes from {:.4g} to {:.4g} N m{}{}",
+      n.t, n.torque_before, n.torque,
+      n.times > 1 ? fmt::format("; so it does {} times in all", n.times) : "",
+      n.flows ? "; what an elasto-plastic layer had flowed by then begins anew" : "");
 }
 
 std::string text_of(const note::LiningTooHot& n) {

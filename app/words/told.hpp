@@ -18,8 +18,8 @@ struct About {
 };
 
 inline constexpr const char* kBeyondBarus =
-    "switch on elastic deformation where it is off, use the Roelands law for Barus', or lower the "
-    "load";
+    "switch on elastic deformation where it is off, use the Roelands law instead of Barus', or "
+    "lower the load";
 /// Why a rigid film's pressure has a bound, whatever the law.
 inline constexpr const char* kBoundOfPressure =
     "with rigid surfaces the reduced pressure, the integral of eta(0)/eta(p) over p, has a bound, "

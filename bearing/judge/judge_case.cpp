@@ -59,27 +59,30 @@ bool judge_reach(const Profile& table, const char* key, const Bearing& b, Findin
   return true;
 }
 
-/// Whether the heights at two angles are the same to as many digits as tables have.
+/// Whether the heights at two angles are the same as far as bores are measured.
 bool same_heights(const Profile& table, std::size_t a, std::size_t b, double range) {
-  constexpr double kPrinted = 1e-3;  // of the range of heights [-]
+  constexpr double kMeasured = 0.03;  // of the range of heights [-]
   const std::size_t n = table.z.size();
   for (std::size_t j = 0; j < n; ++j) {
     const double off = std::abs(table.height[a * n + j] - table.height[b * n + j]);
-    if (off > kPrinted * range) return false;
+    if (off > kMeasured * range) return false;
   }
   return true;
 }
 
 /// A bore measured over a part of its turn, or at a few angles, between which straight lines are
-/// meant that are none.
+/// meant that are none. A line too short to miss a lobe is none of either, and who gives few angles
+/// means lines.
 void judge_angles(const Profile& table, const char* key, Findings& to) {
   constexpr double kDegrees = 180.0 / kPi;
   constexpr std::size_t kLobeNeeds = 12;  // lines are off cos(2 phi) by 7 % of its range at most
+  constexpr std::size_t kMeasuredAt = 2 * kLobeNeeds;  // as the next lobes need: by a machine
   const std::vector<double>& phi = table.phi;
   const auto [low, high] = std::minmax_element(table.height.begin(), table.height.end());
   const double range = *high - *low;
   for (const RowGap& gap : row_gaps(phi, 2.0 * kPi)) {
-    if (same_heights(table, gap.from, gap.to, range)) continue;
+    const bool misses_a_lobe = gap.length > 2.0 * kPi / kLobeNeeds;
+    if (!misses_a_lobe || same_heights(table, gap.from, gap.to, range)) continue;
     const std::string problem = fmt::format(
         "from {:.4g} deg on no height is given for {:.4g} deg, {:.3g} times as far as angles stand "
         "apart elsewhere",
@@ -87,7 +90,7 @@ void judge_angles(const Profile& table, const char* key, Findings& to) {
     const std::string cure =
         "give heights all the way round, check the unit of phi in the header line; a straight line "
         "that is meant has a point half way";
-    if (gap.times > kLineToRefuse) {
+    if (gap.times > kLineToRefuse && phi.size() > kMeasuredAt) {
       to.refuse(key, problem, cure);
     } else {
       to.suspect(key, problem, cure);

@@ -20,7 +20,9 @@ namespace {
 
 constexpr double kFirstDepth = 0.1;    ///< of the first step, in summit roughnesses [-]
 constexpr double kDepthError = 0.001;  ///< of a step, over the depth or the summit roughness [-]
-constexpr double kComplementarity = 1e-6;  ///< of (3), in summit roughnesses [-]
+constexpr double kOtherRate = 0.1;     ///< part of the wear rate by which another state differs [-]
+constexpr double kComplementarity =
+    1e-6;  ///< of (3), or next to nothing worn, in summit roughnesses [-]
 
 // Towards (3): shapes tried for the KS bearing worn in at 5 MPa under 40, 60, 80 kN are 34, 139,
 // 325 with 15 vectors, 34, 170, 553 with 8; at 80 kN 278 with 30, and 403 at 1 MPa. A delay of 1
@@ -40,10 +42,11 @@ double volume_of(const FilmGrid& g, const Field& wear) {
   return sum * g.multiplicity();
 }
 
-/// What a step errs [m], [m3].
+/// What a step errs, and what it makes of the errors before: of dV/dt = f(V) they change as f does.
 struct StepError {
-  double depth = 0.0;
-  double volume = 0.0;
+  double depth = 0.0;    ///< [m]
+  double volume = 0.0;   ///< [m3]
+  double carried = 1.0;  ///< rate of the volume at its end over that at its beginning [-]
 };
 
 void note_state(const WornBearing& b, double t, double step, const StepError& error,
@@ -53,8 +56,8 @@ void note_state(const WornBearing& b, double t, double step, const StepError& er
   state.t = t;
   state.step = step;
   if (!run.states.empty()) {
-    state.depth_error = run.states.back().depth_error + error.depth;
-    state.volume_error = run.states.back().volume_error + error.volume;
+    state.depth_error = error.carried * run.states.back().depth_error + error.depth;
+    state.volume_error = error.carried * run.states.back().volume_error + error.volume;
   }
   state.depth = largest(wear);
   state.volume = volume_of(g, wear);
@@ -143,14 +146,18 @@ Field after(const WearPoint& now, const WearStep& step) {
 StepError error_of(const FilmGrid& g, const WearPoint& now, const WearStep& step,
                    const WearPoint& end) {
   StepError error;
+  double before = 0.0, behind = 0.0;  // rates of the volume
   for (int k = 0; k < g.cells(); ++k) {
     if (now.r[k] == 0.0 && end.r[k] == 0.0) continue;  // it rests, whatever the line says
+    before += now.r[k] * g.area(k);
+    behind += end.r[k] * g.area(k);
     const double off = change_of_rest(now, end, k) - step.dt * step.slope[k];
     const double moved = step.dt * phi_2(-step.dt * now.J[k]) * off;
     error.depth = larger(error.depth, std::abs(moved));
     error.volume += moved * g.area(k);
   }
   error.volume = std::abs(g.multiplicity() * error.volume);
+  if (before > 0.0) error.carried = behind / before;
   return error;
 }
 
@@ -172,12 +179,18 @@ class March {
   void to(double end);
   /// In these steps, whatever they err.
   void through(const std::vector<double>& steps);
-  void members(Tape& tape) { tape(unit_, t_, dt_, first_, past_, before_); }
+  void members(Tape& tape) { tape(unit_, t_, dt_, first_, past_, before_, failing_); }
 
  private:
+  enum class From { last, cold };
   /// Tries a step; false, and back where it began, if it is not found or errs too much for `most`
-  /// times what is allowed.
-  bool take(double dt, double most = 1.0);
+  /// times what is allowed, or if, from cold, another state is found and `most` is finite.
+  bool take(double dt, double most = 1.0, From from = From::last);
+  /// The same; where none is found for the first time, from cold, too: the last film may have been
+  /// no start.
+  bool advance(double dt);
+  /// The same from cold; where it is not found, for the reason of before.
+  bool take_from_cold(double dt, double most);
   /// Error of a step's wear [m].
   [[nodiscard]] double allowed(const Field& w) const {
     return kDepthError * std::max(unit_, largest(w));
@@ -190,7 +203,8 @@ class March {
   /// not.
   [[nodiscard]] bool shorter_may_be_found() const;
   /// Where the states that were followed end: goes on, dt later, from the one found from cold.
-  /// False: there is none, or it is not for want of states that no step is good.
+  /// False: there is none, or the last one was found so, or it is not for want of states that no
+  /// step is good.
   bool begin_anew(double dt);
   /// No step is short enough.
   void end_too_short();
@@ -209,30 +223,56 @@ class March {
   double past_ = 0.0;   ///< of the last one [s]
   WearPoint now_;
   std::optional<WearPoint> before_;
-  double depth_ = 0.0;  ///< wear of the last step tried, at most [m]
-  StepError error_;     ///< what it errs
-  double over_ = 0.0;   ///< its error over the one that is allowed [-]
-  bool found_ = true;   ///< it was found
-  Verdict why_;         ///< not
+  double depth_ = 0.0;    ///< wear of the last step tried, at most [m]
+  StepError error_;       ///< what it errs
+  double over_ = 0.0;     ///< its error over the one that is allowed [-]
+  bool found_ = true;     ///< it was found
+  bool failing_ = false;  ///< none was found since the last good one
+  Verdict why_;           ///< not
 };
 
-bool March::take(double dt, double most) {
+bool March::take(double dt, double most, From from) {
   const WearStep step = step_of(now_, before_ ? &*before_ : nullptr, past_, dt);
   Field w = after(now_, step);
   depth_ = largest_difference(w, now_.w);
-  found_ = b_.wear_to(w, std::numeric_limits<double>::infinity(), why_);
+  found_ = from == From::cold ? b_.wear_from_cold(w, why_)
+                              : b_.wear_to(w, std::numeric_limits<double>::infinity(), why_);
   if (!found_) return false;
   WearPoint end = point_of(b_, per_load_, std::move(w));
   error_ = error_of(b_.model().domain.grid, now_, step, end);
   over_ = error_.depth / allowed(end.w);
-  if (!(over_ <= most)) {
+  const bool jumps = from == From::cold && !(std::abs(error_.carried - 1.0) <= kOtherRate);
+  found_ = !jumps || std::isinf(most);
+  if (!found_ || !(over_ <= most)) {
     b_.go_back();
     return false;
   }
   before_ = std::exchange(now_, std::move(end));
   past_ = dt;
   t_ += dt;
+  failing_ = false;
+  note_state(b_, t_, dt, error_, now_.w, run_);
+  run_.states.back().anew = jumps;
+  if (jumps) {
+    before_.reset();
+    past_ = 0.0;
+  }
+  if (seen_) seen_(run_);
   return true;
+}
+
+bool March::advance(double dt) {
+  if (take(dt)) return true;
+  if (found_ || failing_ || why_.status == Status::interrupted) return false;
+  failing_ = true;
+  return take_from_cold(dt, 1.0);
+}
+
+bool March::take_from_cold(double dt, double most) {
+  const Verdict why = why_;
+  if (take(dt, most, From::cold)) return true;
+  if (!stopped(control_)) why_ = why;
+  return false;
 }
 
 bool March::shorter_may_be_found() const {
@@ -240,20 +280,8 @@ bool March::shorter_may_be_found() const {
 }
 
 bool March::begin_anew(double dt) {
-  if (found_) return false;
-  Field w = after(now_, step_of(now_, before_ ? &*before_ : nullptr, past_, dt));
-  const FilmGrid& g = b_.model().domain.grid;
-  error_ = {largest_difference(w, now_.w), volume_of(g, w) - volume_of(g, now_.w)};
-  Verdict why;
-  if (!b_.wear_from_cold(w, why)) return false;
-  now_ = point_of(b_, per_load_, std::move(w));
-  before_.reset();
-  past_ = 0.0;
-  t_ += dt;
-  note_state(b_, t_, dt, error_, now_.w, run_);
-  run_.states.back().anew = true;
-  if (seen_) seen_(run_);
-  return true;
+  if (found_ || run_.states.back().anew) return false;
+  return take_from_cold(dt, std::numeric_limits<double>::infinity());
 }
 
 void March::end_too_short() {
@@ -284,18 +312,14 @@ void March::to(double end) {
   while (t_ < end) {
     if (stopped(control_)) return stop();
     dt_ = std::min(dt_, end - t_);
-    const bool good = take(dt_);
+    const bool good = advance(dt_);
     const double longer = step_growth(1.0, over_, !(past_ > 0.0 && before_));
-    if (good) {
-      note_state(b_, t_, dt_, error_, now_.w, run_);
-      if (seen_) seen_(run_);
-    } else if (!found_ && why_.status == Status::interrupted) {
-      return stop();
-    } else {
+    if (!good && !found_ && why_.status == Status::interrupted) return stop();
+    if (!good) {
       ++run_.rejected_steps;
       if (!shorter_may_be_found()) {
         if (!begin_anew(dt_)) return stopped(control_) ? stop() : end_too_short();
-        dt_ = first_step();
+        if (run_.states.back().anew) dt_ = first_step();
         continue;
       }
     }
@@ -307,11 +331,8 @@ void March::to(double end) {
 void March::through(const std::vector<double>& steps) {
   for (const double dt : steps) {
     if (stopped(control_)) return stop();
-    if (take(dt, std::numeric_limits<double>::infinity())) {
-      note_state(b_, t_, dt, error_, now_.w, run_);
-      if (seen_) seen_(run_);
-    } else if (!begin_anew(dt)) {
-      return end_too_short();
+    if (!take(dt, std::numeric_limits<double>::infinity()) && !begin_anew(dt)) {
+      return stopped(control_) ? stop() : end_too_short();
     }
   }
 }
@@ -419,6 +440,22 @@ void find_end(WornBearing& b, const SolveControl& control, double limit, Running
 
 }  // namespace
 
+namespace {
+
+/// Where the states that were followed ended first, and how often; never: nothing.
+std::optional<note::StatesEnd> states_end(const std::vector<RunningInState>& states, bool flows) {
+  std::optional<note::StatesEnd> ends;
+  for (std::size_t k = 1; k < states.size(); ++k) {
+    if (!states[k].anew) continue;
+    if (!ends)
+      ends = note::StatesEnd{states[k].t, states[k - 1].torque, states[k].torque, 0, flows};
+    ++ends->times;
+  }
+  return ends;
+}
+
+}  // namespace
+
 void expect_running_in(const Case& c, Tier tier) {
   if (!c.running_in) {
     throw InputError(c.path,
@@ -456,16 +493,13 @@ RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,
     find_end(*b, control, c.running_in->limit_pressure, run);
   }
   const bool flows = pressed_layer(c, 0).has_value() && b->model().physics.elastic;
-  const bool anew = std::any_of(run.states.begin(), run.states.end(),
-                                [](const RunningInState& s) { return s.anew; });
-  if (flows && (!c.cycle || anew)) run.warnings.emplace_back(note::Plain::marks_begin_anew);
+  if (flows && !c.cycle) run.warnings.emplace_back(note::Plain::marks_begin_anew);
   const double depth = run.states.back().depth;
-  if (run.verdict.good() && depth == 0.0) run.warnings.emplace_back(note::Plain::nothing_wears);
-  if (!c.running_in->worn) run.warnings.emplace_back(note::Plain::roughness_stays);
-  for (std::size_t k = 1; k < run.states.size(); ++k) {
-    const RunningInState &at = run.states[k], &before = run.states[k - 1];
-    if (at.anew) run.warnings.emplace_back(note::StatesEnd{at.t, before.torque, at.torque});
+  if (run.verdict.good() && depth <= kComplementarity * b->model().contact->sigma()) {
+    run.warnings.emplace_back(note::Plain::nothing_wears);
   }
+  if (!c.running_in->worn) run.warnings.emplace_back(note::Plain::roughness_stays);
+  if (const auto ends = states_end(run.states, flows)) run.warnings.emplace_back(*ends);
   if (c.shell && !c.shell->layers.empty() && depth > c.shell->layers.front().thickness) {
     run.warnings.emplace_back(note::WornThrough{depth, c.shell->layers.front().thickness});
   }

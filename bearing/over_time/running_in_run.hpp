@@ -22,7 +22,7 @@ struct RunningInState {
   double torque = 0.0;          ///< friction on the journal [N m]
   double h_min = 0.0;           ///< [m]
   int cycles = 0;               ///< that were passed for it
-  /// What the steps so far have erred by their own estimates, one upon the other.
+  /// What the steps so far have erred by their own estimates, each as much as is left of it.
   double depth_error = 0.0;   ///< [m]
   double volume_error = 0.0;  ///< [m3]
   bool anew = false;          ///< found from cold: the states that were followed before end here

@@ -167,7 +167,7 @@ class OverLoadCycle final : public Worn<std::unique_ptr<CycleSearch>> {
   }
 
  private:
-  Cost cost_;  ///< of the new bearing
+  Cost cost_;  ///< of the searches from cold
 };
 
 }  // namespace

@@ -373,12 +373,15 @@ TEST_CASE("ABoreMeasuredOverAPartOfItsTurnOrAtAFewAnglesIsTold") {
   // the part from 145 deg on is a line of 215 deg, 43 times as long as the others
   CHECK(told(lemon(30, 5.0)).starts_with("!from 145 deg on no height is given for 215 deg, 43 "));
   CHECK(told(lemon(66, 5.0)).starts_with("from 325 deg on no height is given for 35 deg, 7 times"));
-  CHECK(told(lemon(70, 5.0)).empty());  // three times as far is what a hand does
+  CHECK(told(lemon(68, 5.0)).empty());  // 25 deg: a line misses no lobe, however fine the rest
+  CHECK(told(lemon(3589, 0.1)).empty());
+  CHECK(told(lemon(20, 2.0)).starts_with("from 38 deg on"));  // few angles: lines may be meant
   CHECK(told(lemon(4, 90.0)).starts_with("heights are given at 4 angles"));
   // nothing where the heights at both ends say that they stay, nor where they never vary
   Profile flat = lemon(30, 5.0);
   flat.height.assign(flat.height.size(), 3e-6);
   flat.height[20] = 4e-6;
+  flat.height[0] = 3.02e-6;  // within what is measured
   CHECK(told(flat).empty());
   CHECK(told({{0.0, 1.0}, {0.0}, {2e-6, 2e-6}}).empty());
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/words/ending_words.hpp"
+#include "bearing/over_time/kept_run.hpp"
 #include "fidelity/cycle_bars.hpp"
 #include "tests/bearing/rubbing_cases.hpp"
 #include "tests/bearing/sample_bearing.hpp"
@@ -143,7 +144,13 @@ TEST_CASE("BarsOfARunningInOverACycleHoldFinerStepsWithinIt", "[running_in]") {
   c.running_in = RunningIn{1e-8, 350e6, {}, 0.0, {}, 0.0};
   c.running_in->duration = 60.0;
   const RunningInRun run = run_of(c);
-  const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
+  int saved = 0;
+  KeptRun kept([&](const Tape::Content&) { ++saved; });
+  SolveControl control;
+  control.kept = &kept;
+  const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run, control);
+  kept.keep_noted();
+  CHECK(saved == 0);  // what is kept is the running-in, not the cycles of its bars
   REQUIRE(bars.time.size() == run.states.size());
   // of the new bearing they are what `run` tells of its cycle, from one more grid
   Case same = c;
@@ -170,4 +177,30 @@ TEST_CASE("BarsOfARunningInOverACycleHoldFinerStepsWithinIt", "[running_in]") {
       CHECK(std::abs(exact.*q.value - at.*q.value) <= 2.0 * bar.*q.value);
     }
   }
+}
+
+TEST_CASE("WhereStatesChangeBarsAreAsLongAsTheChange", "[running_in]") {
+  // A run of three states before the change and three behind it, each with the same error of
+  // volume.
+  RunningInRun run;
+  for (int k = 0; k < 6; ++k) {
+    RunningInState s;
+    s.t = k;
+    s.step = 1.0;
+    s.volume = s.depth = 1.0 + k;
+    s.torque = k < 3 ? 10.0 + 0.1 * k : 2.0 + 0.1 * k;
+    s.volume_error = s.depth_error = 0.8;
+    s.anew = k == 3;
+    run.states.push_back(s);
+  }
+  auto bars = std::vector<RunningInState>(6);
+  fidelity::widen_by_errors_of_steps(run, bars);
+  // 1.5 x 0.8 hides a step: the states beside the change may be those behind or before it
+  const double change = 10.2 - 2.3;
+  CHECK(bars[1].torque == Approx(0.1));  // all that it has changed since it was new
+  CHECK(bars[2].torque == Approx(change));
+  CHECK(bars[3].torque == Approx(change));
+  CHECK(bars[4].torque == Approx(change));
+  CHECK(bars[5].torque == Approx(1.2 / 2.0 * 0.2));
+  CHECK(bars[5].volume == Approx(1.2));
 }

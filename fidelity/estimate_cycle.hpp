@@ -7,8 +7,9 @@
 ///
 /// <P> mean power of shaft and load, <Q> mean flow out of the edges. Cycle after cycle until the
 /// journal comes back to where it was within 1e-4 of the gap that is left there, what is still to
-/// come counted; then the next T. An event begins in the steady place of its first row. The path is
-/// integrated by CVODE (smooth_motion.hpp, docs/decisions/035).
+/// come counted; then the next T. Each cycle chooses its steps anew: where two differ by no more
+/// than these err, paths begun beside tell what is still to come. An event begins in the steady
+/// place of its first row. The path is integrated by CVODE (smooth_motion.hpp, docs/decisions/035).
 ///
 /// Left out, and said: the film's history (oil that lacks because it has not come back: the film is
 /// full wherever it closes), supply by place and time, mass and tilt of the journal, deformation.

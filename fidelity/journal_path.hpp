@@ -37,6 +37,11 @@ class JournalPath {
  private:
   /// From `from` over the whole length; with the instants, or only to where it ends.
   [[nodiscard]] std::optional<Pair> pass(const Pair& from, bool record);
+  /// What separates `end`, where the cycle from at_ has come to, from the periodic path, over the
+  /// gap that is left there: (1 - J)^-1 J (end - at_), J what paths begun beside at_ make of the
+  /// distance. For cycles that differ by no more than their steps err, in whose differences no rate
+  /// is seen. Not a number: a path beside is lost.
+  [[nodiscard]] double left_beside(const Pair& end);
   /// Where the journal comes to rest under the first row.
   [[nodiscard]] Pair steady_place();
   [[nodiscard]] Verdict lost() const;

@@ -98,6 +98,7 @@ struct FilmUnsettled {
   int iterations = 0;
   double film = 0.0, load = 0.0, elastic = 0.0;  ///< residuals, bearing/film/equilibrium.hpp [-]
   double h_min = 0.0;                            ///< [m]
+  bool no_film = false;  ///< smooth surfaces with less than a molecule of oil between
 };
 
 /// The journal still moves after so many steps in time; 0: it is pressed nearer and nearer to the

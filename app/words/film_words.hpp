@@ -91,9 +91,10 @@ inline Told told(const ending::SurfacesInterlocked& e, const About&) {
 inline Told told(const ending::FilmUnsettled& e, const About&) {
   return {
       fmt::format("film and journal position did not settle in {} Newton iterations (film {:.1e}, "
-                  "load {:.1e}, elasticity {:.1e}, smallest gap {:.3g} um)",
-                  e.iterations, e.film, e.load, e.elastic, e.h_min * 1e6),
-      kFinerElseLess};
+                  "load {:.1e}, elasticity {:.1e}, smallest gap {:.3g} um{})",
+                  e.iterations, e.film, e.load, e.elastic, e.h_min * 1e6,
+                  e.no_film ? ", less than a molecule of oil" : ""),
+      e.no_film ? kContactElseElastic : kFinerElseLess};
 }
 
 inline Told told(const ending::NotAtRest& e, const About&) {

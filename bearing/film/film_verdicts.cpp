@@ -64,8 +64,10 @@ Verdict stuck(const BearingModel& model, const FilmEquilibrium& s, const Residua
   const auto worst = std::max_element(r.film.begin(), r.film.end(),
                                       [](double a, double b) { return std::abs(a) < std::abs(b); });
   const bool by_film = r.film_norm >= std::max(r.load_norm, r.elastic_norm);
+  const bool no_film = model.domain.rough.sigma == 0.0 && s.least.h < kMolecule;
   return {Status::iteration_limit,
-          ending::FilmUnsettled{iterations, r.film_norm, r.load_norm, r.elastic_norm, s.least.h},
+          ending::FilmUnsettled{iterations, r.film_norm, r.load_norm, r.elastic_norm, s.least.h,
+                                no_film},
           by_film ? fluid::place_of(model.domain.grid, static_cast<int>(worst - r.film.begin()))
                   : s.least.place()};
 }

@@ -74,9 +74,9 @@ void judge_axial(const Supply& s, const Bearing& b, const std::string& path, Fin
   }
 }
 
-/// A line of given pressure that ends in the film: the flow round its ends goes with the root of the
-/// distance, which no grid follows (plain bearing, 16 of 20 mm, 100 x 13 cells: side flow 2.7 bars
-/// off).
+/// A line of given pressure that ends in the film: the flow round its ends goes with the root of
+/// the distance, which no grid follows (plain bearing, 16 of 20 mm, 100 x 13 cells: side flow 2.7
+/// bars off).
 void judge_line(const Supply& s, const Bearing& b, const std::string& path, Findings& to) {
   const bool line = s.kind == SupplyKind::axial_groove && s.arc == 0.0;
   if (!line || s.length >= b.width * (1.0 - kRoundOff)) return;
@@ -188,9 +188,9 @@ void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findi
     const bool fits = from >= last && till > from && till <= length * (1.0 + kRoundOff);
     if (!fits) {
       to.refuse(path + ".open",
-                fmt::format("the line is open from {:.6g} {} to {:.6g}, which is no window of its "
+                fmt::format("the line is open from {:.6g} to {:.6g} {}, which is no window of its "
                             "own within the {:.6g} of the cycle",
-                            from / unit, by_angle ? "deg" : "s", till / unit, length / unit),
+                            from / unit, till / unit, by_angle ? "deg" : "s", length / unit),
                 "give rising pairs from 0 to the end; a window over the end is two");
       return;
     }

@@ -99,10 +99,12 @@ void judge_supply(const Supply& s, double radius, const ValueCheck& supply) {
 void judge_list_of_supplies(const Case& c, Findings& to) {
   if (c.supplies.empty()) {
     to.refuse("supply",
-              "there is no oil supply; oil leaves a bearing at its sides, and in a steady film "
-              "that conserves mass nothing makes up for it without a supply: the film runs dry. "
-              "Add a [[supply]] with kind = \"hole\", \"axial_groove\" or "
-              "\"circumferential_groove\"");
+              "there is no oil supply; oil leaves a bearing at its sides, and in a film that "
+              "conserves mass nothing makes up for it without a supply: the film runs dry. Add a "
+              "[[supply]] with kind = \"hole\", \"axial_groove\" or \"circumferential_groove\"" +
+                  std::string(c.cycle ? "; if squeezing alone is to draw oil in, at flooded edges, "
+                                        "one with pressure = \"0 bar\""
+                                      : ""));
   }
   for (std::size_t k = 0; k < c.supplies.size(); ++k) {
     judge_supply(c.supplies[k], c.bearing.radius, ValueCheck(fmt::format("supply.{}", k), to));

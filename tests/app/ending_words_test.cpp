@@ -155,6 +155,15 @@ TEST_CASE("AStepTellsItsInstantAndItsCauseAndHasACureOfItsOwn", "[words]") {
   CHECK(cure().find("model.elastic_deformation") != std::string::npos);
 }
 
+TEST_CASE("AFilmThatIsNoMoreIsCuredByContactNotByCells", "[words]") {
+  ending::FilmUnsettled e{34, 4.9e-2, 3.8e-8, 1.7e-5, 1.2e-6};
+  CHECK(words_of({kLimit, e}).cure.find("finer grid") != std::string::npos);
+  e.h_min = -1.02e-16;
+  e.no_film = true;
+  CHECK(words_of({kLimit, e}).cure.find("give roughness and contact data") == 0);
+  CHECK(words_of({kLimit, e}).cure.find("grid") == std::string::npos);
+}
+
 TEST_CASE("AHeatBalanceWithoutARootTellsBothEndsAndWhetherFilmsEnd", "[words]") {
   ending::NoHeatBalance e{313.15, 713.15, 8.0, 4.0, INFINITY};
   CHECK(reason_of({kNone, e}) ==

@@ -138,7 +138,7 @@ bool turns_to_and_fro(const JournalPath& path) {
 double& bar_of_model(CycleQuantity& q) { return q.quantity.error_model; }
 
 void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>& longer,
-              const EstimateBars& bars, bool swings) {
+              const EstimateBars& bars, bool swings, double closure) {
   const double of_torque = swings ? kHistory.swinging : kHistory.torque;
   const auto most = [](double bar) { return std::min(kMostBar, bar); };
   const auto relative = [&](const std::string& name) {
@@ -160,6 +160,7 @@ void put_bars(std::vector<CycleQuantity>& list, const std::vector<CycleQuantity>
     q.error_grid = temperature ? 0.0 : of_table(q.name) * kMobilityError * size;
     q.error_model = temperature ? bars.temperature : relative(q.name) * size;
     q.error_time = std::abs(longer[k].quantity.value - q.value);
+    if (!temperature && std::isfinite(closure)) q.error_time += closure * size;
   }
 }
 
@@ -213,7 +214,7 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
     for (Note& w : oil_range_warnings(c.oil, T, T, p_max)) r.warnings.push_back(std::move(w));
     r.quantities = quantities(path, T);
     put_bars(r.quantities, quantities(rough, T), estimate_bars(c, worst_of(path, c, T)),
-             turns_to_and_fro(path));
+             turns_to_and_fro(path), path.closure());
     widen_bars_of_light_contact(c, r, bar_of_model);
   }
   r.cost.wall_s = watch.seconds();

@@ -27,6 +27,9 @@ constexpr int kMostTurns = 1000;
 constexpr double kAlike = 10.0;
 /// Step errors by which a path begun beside is displaced, so that this is a tenth of it [-].
 constexpr double kBeside = 30.0;
+/// Largest rate at which paths beside may draw near to be told from one that stays, as they are
+/// known to a tenth [-].
+constexpr double kSlowestBeside = 0.9;
 
 double gap_left(const Pair& x) { return 1.0 - std::hypot(x[0], x[1]); }
 
@@ -133,6 +136,7 @@ double JournalPath::left_beside(const Pair& end) {
     if (!there) return NAN;
     for (int i = 0; i < 2; ++i) J(i, k) = ((*there)[i] - end[i]) / by;
   }
+  if (!(J.eigenvalues().cwiseAbs().maxCoeff() <= kSlowestBeside)) return NAN;
   const Eigen::Vector2d d(end[0] - at_[0], end[1] - at_[1]);
   const Eigen::Vector2d left = (Eigen::Matrix2d::Identity() - J).inverse() * (J * d);
   return left.norm() / gap_left(end);

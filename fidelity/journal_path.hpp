@@ -40,7 +40,8 @@ class JournalPath {
   /// What separates `end`, where the cycle from at_ has come to, from the periodic path, over the
   /// gap that is left there: (1 - J)^-1 J (end - at_), J what paths begun beside at_ make of the
   /// distance. For cycles that differ by no more than their steps err, in whose differences no rate
-  /// is seen. Not a number: a path beside is lost.
+  /// is seen. Not a number: a path beside is lost, or draws near too slowly to be told from the
+  /// error.
   [[nodiscard]] double left_beside(const Pair& end);
   /// Where the journal comes to rest under the first row.
   [[nodiscard]] Pair steady_place();

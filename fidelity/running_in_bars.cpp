@@ -96,7 +96,7 @@ std::pair<double, std::size_t> part_of_change(const RunningInRun& run, std::size
     if (at.volume - run.states[--from].volume >= off) break;
   }
   const double worn = at.volume - run.states[from].volume;
-  return {worn > off ? off / worn : 1.0, from};
+  return {worn > off ? off / worn : off > 0.0 ? 1.0 : 0.0, from};
 }
 
 /// What the steps within the cycle of the case leave open, on its grid, over the larger of its
@@ -135,10 +135,26 @@ void add_open_within_cycles(const Case& c, const Grid& grid, const RunningInRun&
     const double all = run.states.back().volume;
     const double worn = all > 0.0 ? at.volume / all : 0.0;
     for (const auto& q : kFollowedStates) {
-      const double part = (1.0 - worn) * first.*q.value + worn * last.*q.value;
+      const double RunningInState::*value = q.value;
+      const bool sum = value == &RunningInState::depth || value == &RunningInState::volume;
+      const double to = sum ? 0.5 * worn : worn;  // what has worn has seen all parts so far
+      const double part = (1.0 - to) * first.*value + to * last.*value;
       bars[k].*q.value += part * std::abs(at.*q.value);
     }
   }
+}
+
+}  // namespace
+
+namespace {
+
+/// Whether the errors of the volume may hide on which side of the change at m state k lies: before
+/// it as volume, behind it as the time that the wear before takes for as much.
+bool may_lie_behind(const RunningInRun& run, std::size_t k, std::size_t m) {
+  const RunningInState &at = run.states[k], &change = run.states[m], &before = run.states[m - 1];
+  const double off = kSafety * before.volume_error;
+  if (k < m) return change.volume - at.volume <= off;
+  return (at.t - change.t) * (change.volume - before.volume) <= off * change.step;
 }
 
 }  // namespace
@@ -151,9 +167,9 @@ void widen_by_errors_of_steps(const RunningInRun& run, States& bars) {
       const double by = part * std::abs(at.*q.value - run.states[from].*q.value);
       bars[k].*q.value = larger(bars[k].*q.value, by);
       for (std::size_t m = 1; m < run.states.size(); ++m) {
-        const RunningInState &other = run.states[m], &before = run.states[m - 1];
-        if (!other.anew || std::abs(at.volume - other.volume) > kSafety * at.volume_error) continue;
-        bars[k].*q.value = larger(bars[k].*q.value, std::abs(other.*q.value - before.*q.value));
+        if (!run.states[m].anew || !may_lie_behind(run, k, m)) continue;
+        const double change = run.states[m].*q.value - run.states[m - 1].*q.value;
+        bars[k].*q.value = larger(bars[k].*q.value, std::abs(change));
       }
     }
     bars[k].depth = larger(bars[k].depth, kSafety * at.depth_error);

@@ -101,8 +101,7 @@ std::string text_of(note::Plain n) {
       return "what flows of the elasto-plastic layer begins anew with every worn shape, and is not "
              "in the profile: that holds what has worn away";
     case Plain::nothing_wears:
-      return "next to nothing wears: summits hardly touch, or are nowhere pressed beyond "
-             "running_in.limit_pressure where one is given";
+      return "next to nothing has worn: less than a millionth of the summits' roughness";
     case Plain::roughness_stays:
       return "the roughness is taken to stay while the shell wears (running_in.worn is not given)";
     case Plain::tilt_without_inertia:

@@ -59,6 +59,12 @@ bool judge_reach(const Profile& table, const char* key, const Bearing& b, Findin
   return true;
 }
 
+/// Angles among which straight lines are off cos(2 phi), the lowest lobe, by 7 % of its range.
+constexpr std::size_t kLobeNeeds = 12;
+constexpr std::size_t kMeasuredAt =
+    2 * kLobeNeeds;  ///< angles, as the next lobes need: a machine's
+constexpr double kLobeLine = 2.0 * kPi / kLobeNeeds;  ///< longest line that misses none [rad]
+
 /// Whether the heights at two angles are the same as far as bores are measured.
 bool same_heights(const Profile& table, std::size_t a, std::size_t b, double range) {
   constexpr double kMeasured = 0.03;  // of the range of heights [-]
@@ -70,19 +76,39 @@ bool same_heights(const Profile& table, std::size_t a, std::size_t b, double ran
   return true;
 }
 
+/// Whether the heights on both sides of a stretch without any, as far as a line misses no lobe, are
+/// those at its ends: there the bore stays.
+bool stays(const Profile& table, const RowGap& gap, double range) {
+  const std::size_t n = table.phi.size();
+  const auto flat = [&](std::size_t from, std::size_t step) {
+    for (std::size_t k = (from + step) % n; k != from; k = (k + step) % n) {
+      const double away = std::abs(std::remainder(table.phi[k] - table.phi[from], 2.0 * kPi));
+      if (away > kLobeLine) return true;
+      if (!same_heights(table, from, k, range)) return false;
+    }
+    return true;
+  };
+  return flat(gap.from, n - 1) && flat(gap.to, 1);
+}
+
 /// A bore measured over a part of its turn, or at a few angles, between which straight lines are
 /// meant that are none. A line too short to miss a lobe is none of either, and who gives few angles
 /// means lines.
 void judge_angles(const Profile& table, const char* key, Findings& to) {
   constexpr double kDegrees = 180.0 / kPi;
-  constexpr std::size_t kLobeNeeds = 12;  // lines are off cos(2 phi) by 7 % of its range at most
-  constexpr std::size_t kMeasuredAt = 2 * kLobeNeeds;  // as the next lobes need: by a machine
   const std::vector<double>& phi = table.phi;
   const auto [low, high] = std::minmax_element(table.height.begin(), table.height.end());
   const double range = *high - *low;
+  if (phi.size() > kMeasuredAt && kDegrees * (phi.back() - phi.front()) <= 2.0 * kPi) {
+    to.refuse(key,
+              fmt::format("all {} angles lie within {:.4g} deg", phi.size(),
+                          kDegrees * (phi.back() - phi.front())),
+              "radians stand under \"phi [rad]\"; check the header line");
+    return;
+  }
   for (const RowGap& gap : row_gaps(phi, 2.0 * kPi)) {
-    const bool misses_a_lobe = gap.length > 2.0 * kPi / kLobeNeeds;
-    if (!misses_a_lobe || same_heights(table, gap.from, gap.to, range)) continue;
+    const bool alike = same_heights(table, gap.from, gap.to, range);
+    if (gap.length <= kLobeLine || (alike && stays(table, gap, range))) continue;
     const std::string problem = fmt::format(
         "from {:.4g} deg on no height is given for {:.4g} deg, {:.3g} times as far as angles stand "
         "apart elsewhere",
@@ -90,7 +116,7 @@ void judge_angles(const Profile& table, const char* key, Findings& to) {
     const std::string cure =
         "give heights all the way round, check the unit of phi in the header line; a straight line "
         "that is meant has a point half way";
-    if (gap.times > kLineToRefuse && phi.size() > kMeasuredAt) {
+    if (gap.times > kLineToRefuse && phi.size() > kMeasuredAt && !alike) {
       to.refuse(key, problem, cure);
     } else {
       to.suspect(key, problem, cure);

@@ -229,7 +229,7 @@ class March {
   StepError error_;       ///< what it errs
   double over_ = 0.0;     ///< its error over the one that is allowed [-]
   bool found_ = true;     ///< it was found
-  bool failing_ = false;  ///< none was found since the last good one
+  bool failing_ = false;  ///< from cold none was found near the last good one
   Verdict why_;           ///< not
 };
 
@@ -266,8 +266,9 @@ bool March::take(double dt, double most, From from) {
 bool March::advance(double dt) {
   if (take(dt)) return true;
   if (found_ || failing_ || why_.status == Status::interrupted) return false;
-  failing_ = true;
-  return take_from_cold(dt, 1.0);
+  if (take_from_cold(dt, 1.0)) return true;
+  failing_ = !found_ && !stopped(control_);  // else it errs too much: a shorter one may be found so
+  return false;
 }
 
 bool March::take_from_cold(double dt, double most) {

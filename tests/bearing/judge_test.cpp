@@ -377,6 +377,11 @@ TEST_CASE("ABoreMeasuredOverAPartOfItsTurnOrAtAFewAnglesIsTold") {
   CHECK(told(lemon(3589, 0.1)).empty());
   CHECK(told(lemon(20, 2.0)).starts_with("from 38 deg on"));  // few angles: lines may be meant
   CHECK(told(lemon(4, 90.0)).starts_with("heights are given at 4 angles"));
+  // ends that are alike beside heights that are not: told, a half bore may be meant so
+  CHECK(told(lemon(37, 5.0)).starts_with("from 180 deg on no height is given for 180 deg"));
+  Profile radians = lemon(72, 5.0);
+  for (double& phi : radians.phi) phi *= kPi / 180.0;
+  CHECK(told(radians).starts_with("!all 72 angles lie within 6.196 deg"));
   // nothing where the heights at both ends say that they stay, nor where they never vary
   Profile flat = lemon(30, 5.0);
   flat.height.assign(flat.height.size(), 3e-6);

@@ -203,4 +203,13 @@ TEST_CASE("WhereStatesChangeBarsAreAsLongAsTheChange", "[running_in]") {
   CHECK(bars[4].torque == Approx(change));
   CHECK(bars[5].torque == Approx(1.2 / 2.0 * 0.2));
   CHECK(bars[5].volume == Approx(1.2));
+  // Where nothing wears behind the change, nothing is left of the errors but its time.
+  for (int k = 3; k < 6; ++k) {
+    run.states[k].volume = run.states[k].depth = 4.0;
+    run.states[k].volume_error = run.states[k].depth_error = 0.0;
+  }
+  bars.assign(6, {});
+  fidelity::widen_by_errors_of_steps(run, bars);
+  CHECK(bars[4].torque == Approx(change));
+  CHECK(bars[5].torque == 0.0);
 }

@@ -96,7 +96,7 @@ std::pair<double, std::size_t> part_of_change(const RunningInRun& run, std::size
     if (at.volume - run.states[--from].volume >= off) break;
   }
   const double worn = at.volume - run.states[from].volume;
-  return {worn > off ? off / worn : off > 0.0 ? 1.0 : 0.0, from};
+  return {worn > off ? off / worn : off == 0.0 ? 0.0 : 1.0, from};
 }
 
 /// What the steps within the cycle of the case leave open, on its grid, over the larger of its
@@ -143,10 +143,6 @@ void add_open_within_cycles(const Case& c, const Grid& grid, const RunningInRun&
     }
   }
 }
-
-}  // namespace
-
-namespace {
 
 /// Whether the errors of the volume may hide on which side of the change at m state k lies: before
 /// it as volume, behind it as the time that the wear before takes for as much.

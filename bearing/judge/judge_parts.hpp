@@ -22,6 +22,8 @@ void judge_solid_values(const Case& c, Findings& to);
 /// Rows, period, mass and step of a load cycle; part of judge_values.
 void judge_cycle_values(const LoadCycle& cycle, Findings& to);
 
+/// Profile, shape, wear, edge relief and chamfer of the bore.
+void judge_bore(const Bearing& b, Findings& to);
 /// The cycle's load and speed against the bearing; a load that vanishes needs a mass.
 void judge_cycle(const Case& c, Findings& to);
 /// Supplies against bearing, cavitation pressure and one another.

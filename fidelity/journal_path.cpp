@@ -162,8 +162,9 @@ Verdict JournalPath::find(double T) {
     closure_ = closure.left();
     bool closed = closure.closed();
     if (!closed && apart <= kAlike * tolerance_) {
-      closure_ = left_beside(*next);
-      closed = closure_ <= std::max(kClosed, kAlike * tolerance_);
+      const double beside = left_beside(*next);
+      closed = beside <= std::max(kClosed, kAlike * tolerance_);
+      if (!std::isnan(beside)) closure_ = beside;
     }
     at_ = *next;
     if (!closed) continue;

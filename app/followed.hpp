@@ -1,5 +1,6 @@
 #pragma once
 /// What is told of each state of a run in time, with its bars, and the size of a picture of it.
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,51 @@ void add_over_time(json_parts::Json& json, const std::vector<State>& states,
     one["error_grid"] = values_of(bars.grid, q.value);
     one["error_time"] = values_of(bars.time, q.value);
   }
+}
+
+/// What `model.tolerance` is wished for of a state.
+template <class State>
+struct Wished {
+  const char* name;
+  const char* label;
+  double State::*value;
+};
+
+/// How far states are known of what their case wishes to within `model.tolerance`.
+struct KnownAtEnds {
+  struct Part {
+    std::string name, label;
+    double bar = 0.0;       ///< of grid and steps, the widest of the ends, over the value [-]
+    bool by_steps = false;  ///< most of it
+  };
+  double asked = 0.0;       ///< model.tolerance [-]
+  std::vector<Part> parts;  ///< empty: no bars are known
+  [[nodiscard]] bool met() const;
+  /// "model.tolerance (1 %) is not met at the end: friction torque +-2.1 %"; empty: it is.
+  [[nodiscard]] std::vector<std::string> words() const;
+  /// {asked, met, NAME: bar}; met is null where no bars are known.
+  [[nodiscard]] json_parts::Json json() const;
+};
+
+/// Of the states `ends`, each in what is `wished`.
+template <class State>
+[[nodiscard]] KnownAtEnds known_at_ends(const bearing::Case& c, const std::vector<State>& states,
+                                        const fidelity::BarsOverTime<State>& bars,
+                                        const std::vector<std::size_t>& ends,
+                                        const std::vector<Wished<State>>& wished) {
+  KnownAtEnds known{c.model.tolerance, {}};
+  if (bars.grid.empty()) return known;
+  for (const auto& w : wished) {
+    KnownAtEnds::Part widest{w.name, w.label};
+    for (const std::size_t k : ends) {
+      const double bar = bars.at(k, w.value) / std::abs(states[k].*w.value);
+      if (!(bar > widest.bar)) continue;  // also not known, or a value of nought
+      widest.bar = bar;
+      widest.by_steps = bars.time[k].*w.value > bars.grid[k].*w.value;
+    }
+    if (widest.bar > 0.0) known.parts.push_back(widest);
+  }
+  return known;
 }
 
 /// That the bars were interrupted or are not known; nothing where there is nothing to have any.

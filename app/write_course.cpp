@@ -184,6 +184,10 @@ std::vector<std::string> course_warnings(const std::vector<Stretch>& stretches,
   }
   for (std::string& words : words_at_ends(stretches, run)) all.push_back(std::move(words));
   for (std::string& words : bar_warnings(bars)) all.push_back(std::move(words));
+  if (!run.end.verdict.good()) return all;
+  for (std::string& words : known_of_march(c, run.instants, bars, run.ends).words()) {
+    all.push_back(std::move(words));
+  }
   return all;
 }
 
@@ -230,6 +234,9 @@ std::string course_json(const std::vector<Stretch>& stretches,
   add_instants(json, course.instants, course.bars);
   if (!run.end.verdict.good()) json["end"] = end_json(run.end, bars);
   json["audit"] = {{"energy", run.imbalance_at_ends()}};
+  if (run.end.verdict.good()) {
+    json["tolerance"] = known_of_march(c, run.instants, bars, run.ends).json();
+  }
   json["warnings"] = course_warnings(stretches, run, bars);
   json["assumptions"] = c.assumptions;
   json["provenance"] = Json::parse(result_json(c, {}))["provenance"];

@@ -83,6 +83,13 @@ void add_instants(Json& json, const std::vector<Instant>& instants, const MarchB
   add_over_time(json, instants, bars, bearing::kFollowedInstants);
 }
 
+KnownAtEnds known_of_march(const bearing::Case& c, const std::vector<Instant>& instants,
+                           const MarchBars& bars, const std::vector<std::size_t>& ends) {
+  return known_at_ends<Instant>(c, instants, bars, ends,
+                                {{"friction_torque", "friction torque", &Instant::torque},
+                                 {"h_min", "smallest film", &Instant::h_min}});
+}
+
 Series over_instants(const std::vector<double>& x, const std::vector<Instant>& instants,
                      const MarchBars& bars, double Instant::*value, double factor, double zero) {
   Series series{"", x, {}, "", ""};

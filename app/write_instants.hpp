@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/followed.hpp"
 #include "app/json_parts.hpp"
 #include "app/pictures/svg_lines.hpp"
 #include "fidelity/march_bars.hpp"
@@ -36,6 +37,12 @@ namespace shellback::app {
 /// without the bars where none are known.
 void add_instants(json_parts::Json& json, const std::vector<bearing::Instant>& instants,
                   const fidelity::MarchBars& bars);
+
+/// Torque and smallest film of the instants `ends`.
+[[nodiscard]] KnownAtEnds known_of_march(const bearing::Case& c,
+                                         const std::vector<bearing::Instant>& instants,
+                                         const fidelity::MarchBars& bars,
+                                         const std::vector<std::size_t>& ends);
 
 /// factor times the value less zero over `x`, with its bars.
 [[nodiscard]] Series over_instants(const std::vector<double>& x,

@@ -160,6 +160,16 @@ std::string told(const RunningInRun& run) {
                      kMicro * last.depth, 1e9 * last.volume);
 }
 
+/// Of the last state: greatest wear, torque and smallest film.
+KnownAtEnds known(const bearing::Case& c, const RunningInRun& run, const RunningInBars& bars) {
+  if (!run.verdict.good()) return {c.model.tolerance, {}};
+  return known_at_ends<RunningInState>(
+      c, run.states, bars, {run.states.size() - 1},
+      {{"wear_depth", "greatest wear", &RunningInState::depth},
+       {"friction_torque", "friction torque", &RunningInState::torque},
+       {"h_min", "smallest film", &RunningInState::h_min}});
+}
+
 /// The keys of a surface, its members and their units.
 struct SurfaceKey {
   const char* name;
@@ -196,6 +206,13 @@ std::string worn_surface_keys(const bearing::Case& c, const RunningInRun& run) {
   return keys;
 }
 
+std::vector<std::string> words_of_bars(const bearing::Case& c, const RunningInRun& run,
+                                       const RunningInBars& bars) {
+  std::vector<std::string> all = bar_warnings(bars);
+  for (std::string& words : known(c, run, bars).words()) all.push_back(std::move(words));
+  return all;
+}
+
 std::vector<std::string> words_of_last_state(const RunningInRun& run) {
   const LastState last = last_state(run);
   std::vector<std::string> told = words_of(last.warnings);
@@ -223,7 +240,8 @@ std::string running_in_json(const bearing::Case& c, const RunningInRun& run,
   json["rejected_steps"] = run.rejected_steps;
   const bool sought = std::isfinite(run.complementarity);
   json["complementarity"] = sought ? Json(run.complementarity) : Json(nullptr);
-  const std::vector<std::string> of_bars = bar_warnings(bars);
+  json["tolerance"] = known(c, run, bars).json();
+  const std::vector<std::string> of_bars = words_of_bars(c, run, bars);
   if (!of_bars.empty()) json["bars"] = of_bars;
   if (run.cycle) {
     add_cycle(json, run);

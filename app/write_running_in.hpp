@@ -9,14 +9,21 @@ namespace shellback::app {
 
 /// status, [reason, cure], title, tier, grid, `time` and every quantity over time as {unit,
 /// values, error_grid, error_time} (time null: worn in, whenever that is), `rejected_steps`,
-/// `complementarity` (null: not asked for), assumptions, provenance, `changes`, `case`. Over a load
-/// cycle p_asperity_max and h_min are its extremes and friction_torque is its mean; `cycles` passed
-/// for each state, and `cycle`, that of the last one: closure, audit {mass, energy, walls},
-/// quantities {value, unit, [at]}, limiters, warnings. Under a standing load `warnings` and
-/// `limiters` are those of the last state. `surface`, of a shell that becomes [running_in].worn:
-/// {value, unit} of its keys at the end.
+/// `complementarity` (null: not asked for), `tolerance` {asked, met, bars of the last state over
+/// its values}, assumptions, provenance, `changes`, `case`. Over a load cycle p_asperity_max and
+/// h_min are its extremes and friction_torque is its mean; `cycles` passed for each state, and
+/// `cycle`, that of the last one: closure, audit {mass, energy, walls}, quantities {value, unit,
+/// [at]}, limiters, warnings. Under a standing load `warnings` and `limiters` are those of the last
+/// state. `surface`, of a shell that becomes [running_in].worn: {value, unit} of its keys at the
+/// end.
 [[nodiscard]] std::string running_in_json(const bearing::Case& c, const bearing::RunningInRun& run,
                                           const fidelity::RunningInBars& bars);
+
+/// What is to be said of the bars: that they are not known, or not within model.tolerance at the
+/// end.
+[[nodiscard]] std::vector<std::string> words_of_bars(const bearing::Case& c,
+                                                     const bearing::RunningInRun& run,
+                                                     const fidelity::RunningInBars& bars);
 
 /// What the last state has to say: warnings of its range, and limiters that acted in it, by name
 /// and number of times. Over a load cycle those of the cycle.

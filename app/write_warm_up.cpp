@@ -81,6 +81,11 @@ class Panel {
   std::vector<double> t_;
 };
 
+KnownAtEnds known(const bearing::Case& c, const WarmUp& run, const MarchBars& bars) {
+  if (!run.end.verdict.good() || run.instants.empty()) return {c.model.tolerance, {}};
+  return known_of_march(c, run.instants, bars, {run.instants.size() - 1});
+}
+
 std::string how_it_ended(const WarmUp& run, const MarchBars& bars) {
   if (!run.end.verdict.good()) return end_words(run.end, bars);
   return run.end.at_rest
@@ -99,6 +104,8 @@ std::vector<std::string> warm_up_warnings(const bearing::Case& c, const WarmUp& 
   }
   const std::vector<std::string> of_bars = bar_warnings(bars);
   all.insert(all.end(), of_bars.begin(), of_bars.end());
+  const std::vector<std::string> missed = known(c, run, bars).words();
+  all.insert(all.end(), missed.begin(), missed.end());
   return all;
 }
 
@@ -114,6 +121,7 @@ std::string warm_up_json(const bearing::Case& c, const WarmUp& run,
   json["end"] = end_json(run.end, bars);
   add_instants(json, run.instants, bars);
   json["audit"] = {{"energy", run.imbalance()}};
+  json["tolerance"] = known(c, run, bars).json();
   json["jumps"] = run.end.jumps;
   json["unfollowed"] = run.end.unfollowed;
   json["warnings"] = warm_up_warnings(c, run, bars, steady);

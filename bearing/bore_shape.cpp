@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/constants.hpp"
 #include "core/largest.hpp"
@@ -181,6 +182,29 @@ double missed_profile(const Bearing& b, const FilmGrid& g) {
     }
   }
   return size > 0.0 ? std::abs(on_grid - volume) / size : 0.0;
+}
+
+std::vector<double> room_around(const Bearing& b, int n) {
+  constexpr int kAlong = 32;
+  std::vector<double> room(n, b.radial_clearance);
+  if (!b.profile && !b.shape && !b.wear && !b.edge_relief && !b.chamfer) return room;
+  std::vector<double> narrowest(n, std::numeric_limits<double>::infinity());
+  for (int i = 0; i < n; ++i) {
+    const double phi = 2.0 * kPi * i / n;
+    for (int j = 0; j <= kAlong; ++j) {
+      const double z = (static_cast<double>(j) / kAlong - 0.5) * b.width;
+      const double profile = b.profile ? table_at(*b.profile, phi, z) : 0.0;
+      narrowest[i] = std::min(narrowest[i], b.radial_clearance + profile + shape_at(b, phi, z));
+    }
+  }
+  for (int k = 0; k < n; ++k) {
+    room[k] = narrowest[k];
+    for (int i = 0; i < n; ++i) {
+      const double towards = std::cos(2.0 * kPi * (i - k) / n);
+      if (towards > kRoundOff) room[k] = std::min(room[k], narrowest[i] / towards);
+    }
+  }
+  return room;
 }
 
 bool bore_is_symmetric(const Bearing& b) {

@@ -38,6 +38,11 @@ struct MissedShape {
 /// The volume of the profile on the grid less that of its table, over that of its magnitude [-].
 [[nodiscard]] double missed_profile(const Bearing& b, const FilmGrid& grid);
 
+/// How far a rigid journal that is not tilted can move towards each of n even angles before it
+/// meets the bore [m]: min of (c + shape)/cos(phi - theta) over the half turn about theta and the
+/// width, on a mesh of n x 33 places. A cylinder: c everywhere.
+[[nodiscard]] std::vector<double> room_around(const Bearing& b, int n);
+
 /// True if profile and shape are the same on both sides of mid-width.
 [[nodiscard]] bool bore_is_symmetric(const Bearing& b);
 

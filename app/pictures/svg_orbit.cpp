@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "app/pictures/cycle_axis.hpp"
+#include "bearing/bore_shape.hpp"
 #include "core/constants.hpp"
+#include "core/largest.hpp"
 
 namespace shellback::app {
 namespace {
@@ -24,6 +26,8 @@ constexpr double kArrow = 0.24;      ///< arrow of the largest load over the rad
 constexpr int kMostMarks = 8;        ///< instants with arrow and label
 constexpr double kLabelRoom = 13.0;  ///< from a mark to its label [px]
 constexpr double kMark = 2.6;        ///< radius of a mark [px]
+constexpr int kRoomAngles = 360;     ///< at which the room in the bore is looked at
+constexpr double kSeen = 0.01;       ///< of the clearance: less is no wider than its line
 
 double largest_load(const CycleResult& cycle) {
   double largest = 0.0;
@@ -33,11 +37,11 @@ double largest_load(const CycleResult& cycle) {
   return largest;
 }
 
-/// How far out the picture reaches, in clearances: the circle, or a journal that an elastic shell
-/// lets beyond it; `arrow`: with arrows of this length at the largest load.
-double reach(const CycleResult& cycle, double c, double arrow) {
+/// How far out the picture reaches, in clearances: the circle, the room in the bore, or a journal
+/// that an elastic shell lets beyond it; `arrow`: with arrows of this length at the largest load.
+double reach(const CycleResult& cycle, double c, const std::vector<double>& room, double arrow) {
   const double by_load = largest_load(cycle) > 0.0 ? arrow / largest_load(cycle) : 0.0;
-  double farthest = 1.0;
+  double farthest = std::max(1.0, shellback::largest(room) / c);
   for (const CycleInstant& i : cycle.instants) {
     const double tip = std::hypot(i.ex / c + by_load * i.load_x, i.ey / c + by_load * i.load_y);
     const double e = std::max(std::hypot(i.ex, i.ey) / c, tip);
@@ -88,20 +92,34 @@ std::array<Point, 2> letters(const OrbitFrame& frame, double most) {
   return {frame.at(most, 0.0) + Point{11.0, 4.0}, frame.at(0.0, most) + Point{0.0, -7.0}};
 }
 
-void draw_circles(Svg& svg, const OrbitFrame& frame, double most, const Theme& theme) {
+void draw_circles(Svg& svg, const OrbitFrame& frame, double most, bool round, const Theme& theme) {
   for (const double ratio : {0.25, 0.5, 0.75}) {
     svg.circle(frame.centre, ratio * frame.radius, "none", {theme.rule, 1.0, ""});
   }
   const auto spoke = [&](Point a, Point b) { svg.line(a, b, {theme.rule, 1.0, ""}); };
   spoke(frame.at(-1.0, 0.0), frame.at(1.0, 0.0));
   spoke(frame.at(0.0, -1.0), frame.at(0.0, 1.0));
-  svg.circle(frame.centre, frame.radius, "none", {theme.muted, 1.4, ""});
+  svg.circle(frame.centre, frame.radius, "none",
+             round ? Stroke{theme.muted, 1.4, ""} : Stroke{theme.rule, 1.0, ""});
   const TextStyle small{theme.muted, 10.5, Anchor::middle};
   const auto [x, y] = letters(frame, most);
   svg.text(x, "X", small);
   svg.text(y, "Y", small);
   const Point half = frame.at(0.5, 0.0);
   svg.text({half.x + 3.0, half.y + 12.0}, "0.5", {theme.muted, 9.5});
+}
+
+/// Where the centre of a rigid journal can come to in a bore that is no cylinder.
+void draw_room(Svg& svg, const OrbitFrame& frame, double c, const std::vector<double>& room,
+               const Theme& theme) {
+  std::vector<Point> line;
+  const std::size_t n = room.size();
+  for (std::size_t k = 0; k <= n; ++k) {
+    const double theta = 2.0 * kPi * static_cast<double>(k) / static_cast<double>(n);
+    const double r = room[k % n] / c;
+    line.push_back(frame.at(r * std::cos(theta), r * std::sin(theta)));
+  }
+  svg.stroke(line_path(line), {theme.muted, 1.4, ""});
 }
 
 /// Round instants: a dot, the load's arrow, and what instant it is, outwards of the path.
@@ -186,11 +204,17 @@ OrbitFrame draw_orbit(Svg& svg, const Box& box, const bearing::Case& c, const Cy
                       const Theme& theme) {
   const double clearance = c.bearing.radial_clearance;
   const double half = 0.5 * std::min(box.width, box.height - kOrbitTop) - kRim;
-  const double most = reach(cycle, clearance, kArrow);
+  const std::vector<double> room = bearing::room_around(c.bearing, kRoomAngles);
+  const auto [least, widest] = std::minmax_element(room.begin(), room.end());
+  const bool round = *widest - *least < kSeen * clearance;
+  const double most = reach(cycle, clearance, room, kArrow);
   const OrbitFrame frame{{box.x + kRim + half, box.y + kOrbitTop + kRim + half}, half / most};
-  svg.text({box.x, box.y + 14.0}, "Path of the journal; the circle is the clearance",
+  svg.text({box.x, box.y + 14.0},
+           round ? "Path of the journal; the circle is the clearance"
+                 : "Path of the journal, and how far the bore lets it",
            {theme.ink, 12.5, Anchor::start, true});
-  draw_circles(svg, frame, most, theme);
+  draw_circles(svg, frame, most, round, theme);
+  if (!round) draw_room(svg, frame, clearance, room, theme);
   if (cycle.instants.empty()) return frame;
   svg.stroke(path_of(frame, clearance, cycle), {theme.series[0], 1.8, ""});
   draw_instants(svg, frame, most, clearance, cycle, theme);

@@ -18,9 +18,10 @@ struct OrbitFrame {
 };
 
 /// Draws into the square on the left of `box`, labels included: clearance circle, path, start,
-/// round instants with the load there as an arrow (its length over the largest load's).
-/// Eccentricity ratios above 1 (elastic bearings) are to scale; a path of a few marks is drawn once
-/// more, larger.
+/// where the bore is no
+/// cylinder how far it lets a rigid journal (room_around), round instants with the load there as an
+/// arrow (its length over the largest load's). Eccentricity ratios above 1 (elastic bearings) are
+/// to scale; a path of a few marks is drawn once more, larger.
 OrbitFrame draw_orbit(Svg& svg, const Box& box, const bearing::Case& c,
                       const bearing::CycleResult& cycle, const Theme& theme);
 

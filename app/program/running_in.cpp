@@ -141,7 +141,8 @@ int running_in(const Request& request) {
     fmt::print(std::cout, "running-in, tier {}, grid {} x {}\n\n", to_string(subject.model.tier),
                subject.model.grid[0], subject.model.grid[1]);
     print_states(run, bars);
-    for (const std::string& words : bar_warnings(bars)) fmt::print(std::cout, "{}\n", words);
+    for (const std::string& words : words_of_bars(subject, run, bars))
+      fmt::print(std::cout, "{}\n", words);
     if (run.cycle) print_cycle(*run.cycle, cycles_of(run));
     print_words_of_last_state(run);
     if (std::isfinite(run.complementarity)) {

@@ -318,6 +318,27 @@ TEST_CASE("TheOrbitLiesWithinTheClearanceCircle") {
   }
 }
 
+TEST_CASE("WhereABoreIsNotRoundTheOrbitLiesInItsRoom") {
+  auto c = test::cycle_case();
+  const double d = 0.4 * c.bearing.radial_clearance;
+  c.bearing.shape =
+      bearing::Profile{{0.0, 1.5707963, 3.1415927, 4.7123890}, {0.0}, {d, 0.0, d, 0.0}};
+  app::Svg svg(480.0, 512.0);
+  const auto orbit = app::draw_orbit(svg, {0.0, 0.0, 480.0, 512.0}, c, test::synthetic_cycle(),
+                                     app::print_theme());
+  const std::string text = svg.document("orbit");
+  CHECK(test::unbalanced_tag(text) == "");
+  CHECK_FALSE(contains(text, "the circle is the clearance"));
+  const auto room = longest_line(text);  // of more points than the path
+  REQUIRE(room.size() > 300);
+  for (const auto& p : room) {
+    CHECK(p.x < 480.0);
+    const double r = std::hypot(p.x - orbit.centre.x, p.y - orbit.centre.y) / orbit.radius;
+    CHECK(r > 0.99);
+    CHECK(r < 1.41);
+  }
+}
+
 TEST_CASE("TheOrbitOfAnElasticBearingStaysOnTheSheet") {
   auto cycle = test::synthetic_cycle();
   for (auto& i : cycle.instants) i.ex *= 2.0;

@@ -171,6 +171,35 @@ TEST_CASE("ARunningInTellsWhatItsLastStateHasToSay") {
         static_cast<std::size_t>(run.grid.nz) + 2);
 }
 
+TEST_CASE("ARunningInTellsHowFarItsEndIsFromTheTolerance") {
+  Case c = tests::plain_case();
+  c.model.tolerance = 0.05;
+  RunningInRun run;
+  run.states.resize(2);
+  run.states[1] = RunningInState{100.0};
+  run.states[1].depth = 2e-6;
+  run.states[1].torque = -1.0;  // turns the other way
+  run.states[1].h_min = 1e-6;
+  fidelity::RunningInBars bars;
+  bars.tried = true;
+  CHECK(words_of_bars(c, run, bars).size() == 1);  // that none are known
+  bars.grid.resize(2);
+  bars.time.resize(2);
+  bars.grid[1].depth = 0.02e-6;
+  bars.time[1].depth = 0.10e-6;
+  bars.grid[1].torque = 0.03;
+  bars.grid[1].h_min = NAN;
+  bars.grid[0].torque = 1.0;  // on the way, not at the end
+  const auto told = words_of_bars(c, run, bars);
+  REQUIRE(told.size() == 1);
+  CHECK(
+      told[0] ==
+      "model.tolerance (5 %) is not met at the end: greatest wear +-6.0 % (most of it the steps in "
+      "time)");
+  bars.time[1].depth = 0.0;
+  CHECK(words_of_bars(c, run, bars).empty());
+}
+
 TEST_CASE("AWornInShapeIsTheOneThatWearArrivesAt") {
   // Rigid surfaces, half in contact: deeper shapes exist at which the contact rests at the limit,
   // too, and acceleration led to one (1.16 um for 0.78), or round about for ever.

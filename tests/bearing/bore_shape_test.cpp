@@ -8,6 +8,7 @@
 #include "bearing/heat/film_heat.hpp"
 #include "bearing/steady/audit.hpp"
 #include "bearing/told_ranges.hpp"
+#include "core/constants.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 #include "tests/observed_order.hpp"
 
@@ -27,6 +28,37 @@ TEST_CASE("ReliefIsAParabolaAndChamferACone") {
   CHECK(shape_at(b, 1.0, -(edge - 1e-3)) == Approx(1e-6));
   CHECK(shape_at(b, 1.0, edge - 0.25e-3) == Approx(4e-6 * 0.875 * 0.875 + 25e-6));
   CHECK(shape_at(b, 1.0, edge) == Approx(54e-6));
+}
+
+TEST_CASE("AJournalHasTheRoomThatItsBoreLeaves") {
+  constexpr int n = 360;
+  constexpr double d = 20e-6;  // of two halves whose centres lie apart, over half
+  Bearing b = plain_case().bearing;
+  const double c = b.radial_clearance = 50e-6;
+  for (const double x : room_around(b, n)) CHECK(x == c);
+  Profile moved, lemon;
+  moved.z = lemon.z = {0.0};
+  for (int i = 0; i < n; ++i) {
+    const double phi = 2.0 * kPi * i / n;
+    moved.phi.push_back(phi);
+    moved.height.push_back(d * std::cos(phi));
+    lemon.phi.push_back(phi);
+    lemon.height.push_back(-d * std::abs(std::sin(phi)));
+  }
+  b.shape = moved;  // the circle about (d, 0)
+  const std::vector<double> circle = room_around(b, n);
+  for (int k = 0; k < n; ++k) {
+    const double theta = 2.0 * kPi * k / n;
+    const double r = d * std::cos(theta) + std::sqrt(c * c - std::pow(d * std::sin(theta), 2));
+    CHECK(circle[k] == Approx(r).epsilon(1e-4));  // the nearest of 360 angles: (pi/360)^2/2
+  }
+  b.shape = lemon;  // where circles about (0, d) and (0, -d) overlap
+  const std::vector<double> both = room_around(b, n);
+  CHECK(both[90] == Approx(c - d));
+  CHECK(both[0] == Approx(std::sqrt(c * c - d * d)).epsilon(1e-4));
+  b.shape.reset();
+  b.edge_relief = EdgeOpening{4e-6, 2e-3};  // leaves the middle as it is
+  for (const double x : room_around(b, n)) CHECK(x == Approx(c));
 }
 
 TEST_CASE("AShapeThatIsEverywhereTheSameIsClearance") {

@@ -1,0 +1,36 @@
+#include "app/followed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/labels/quantity_label.hpp"
+
+namespace shellback::app {
+
+bool KnownAtEnds::met() const {
+  return std::all_of(parts.begin(), parts.end(),
+                     [&](const Part& part) { return part.bar <= asked; });
+}
+
+std::vector<std::string> KnownAtEnds::words() const {
+  std::string missed;
+  for (const Part& part : parts) {
+    if (part.bar <= asked) continue;
+    missed += fmt::format("{}{} +-{} %{}", missed.empty() ? "" : ", ", part.label,
+                          figures(100.0 * part.bar, 2),
+                          part.by_steps ? " (most of it the steps in time)" : "");
+  }
+  if (missed.empty()) return {};
+  return {
+      fmt::format("model.tolerance ({:.3g} %) is not met at the end: {}", 100.0 * asked, missed)};
+}
+
+json_parts::Json KnownAtEnds::json() const {
+  json_parts::Json json{{"asked", asked}, {"met", nullptr}};
+  if (!parts.empty()) json["met"] = met();
+  for (const Part& part : parts) json[part.name] = json_parts::number(part.bar);
+  return json;
+}
+
+}  // namespace shellback::app

@@ -30,6 +30,7 @@ enum class Plain {
   event_at_rest,        ///< asperities carrying the load of its first row
   event_in_the_middle,  ///< of a full film: no steady state of its first row
   event_without_heat,   ///< walls and film at the supply's temperature: no steady state with heat
+  event_in_lumps,       ///< its heat leaves with the oil that is fed over it
   estimate_in_the_middle,  ///< as event_in_the_middle, by mobility
   // Of error bars.
   bars_interrupted,

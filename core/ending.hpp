@@ -11,11 +11,12 @@ namespace shellback::ending {
 
 /// Endings of which there is no more to know.
 enum class Plain {
-  none,           ///< the status says all
-  not_run,        ///< a part of a study that was stopped
-  not_reached,    ///< a point of a sweep that was stopped
-  given_up,       ///< the search has cost as much as it may
-  no_oil_leaves,  ///< nothing carries the heat away
+  none,               ///< the status says all
+  not_run,            ///< a part of a study that was stopped
+  not_reached,        ///< a point of a sweep that was stopped
+  given_up,           ///< the search has cost as much as it may
+  no_oil_leaves,      ///< nothing carries the heat away
+  no_oil_over_event,  ///< of a load cycle, which walls might take up
   // Film.
   no_pressure,         ///< at this gap the reduced pressure would exceed its bound 1/alpha
   no_position,         ///< each step towards the load closes the gap, which proves nothing

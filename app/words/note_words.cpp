@@ -48,6 +48,10 @@ std::string beginning_of_event(note::Plain n) {
       return "walls and film begin at the (first) supply's temperature, before the film has heated "
              "them: no steady state with heat of the event's first row is known (none is where a "
              "drilling feeds)";
+    case Plain::event_in_lumps:
+      return "the film has one temperature, at which the oil that is fed over the event would "
+             "carry "
+             "off all of its heat; walls take up none (in tier thd they do)";
     default:
       return "the event begins with the journal in the middle of a full film: no steady place "
              "under its first row was found";
@@ -122,6 +126,7 @@ std::string text_of(note::Plain n) {
     case Plain::event_at_rest:
     case Plain::event_in_the_middle:
     case Plain::event_without_heat:
+    case Plain::event_in_lumps:
     case Plain::estimate_in_the_middle:
       return beginning_of_event(n);
     case Plain::bars_interrupted:

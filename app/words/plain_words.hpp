@@ -69,6 +69,11 @@ inline Told told(ending::Plain e, const About& a) {
     case Plain::no_oil_leaves:
       return {"no oil is fed that leaves the bearing: its heat cannot be carried away",
               "check the supply"};
+    case Plain::no_oil_over_event:
+      return {
+          "no oil is fed over the event that leaves the bearing, and in one temperature of the "
+          "film nothing else takes up its heat",
+          "take tier thd, in which walls do"};
     case Plain::no_pressure:
       return {kNoPressure, kBeyondBarus};
     case Plain::no_position:

@@ -25,7 +25,9 @@ Verdict settle_lumped_cycle(CycleSearch& search, const Case& c) {
     const CycleMeans m = search.told().means();
     const OilFed fed = oil_fed(c, search.film().model().supply.touching, m.fed);
     if (!(m.side_mass_flow > 0.0 && fed.mass > 0.0)) {
-      last = {Status::no_steady_state, ending::Plain::no_oil_leaves};
+      last = c.cycle->repeats()
+                 ? Verdict{Status::no_steady_state, ending::Plain::no_oil_leaves}
+                 : Verdict{Status::iteration_limit, ending::Plain::no_oil_over_event};
       return double{NAN};
     }
     const double cp = rheology::heat_capacity(c.oil, 0.5 * (T + fed.T)).cp;

@@ -226,6 +226,7 @@ CycleResult CyclePasses::result() const {
                             : still    ? note::Plain::event_at_rest
                                        : note::Plain::event_from_steady);
     if (begun_cold_) r.assumptions.push_back(note::Plain::event_without_heat);
+    if (tier_ == Tier::lumped) r.assumptions.push_back(note::Plain::event_in_lumps);
   }
   if (passes_over_supply(c_, tier_)) {
     r.assumptions.push_back(note::Plain::supply_temperature_unused);

@@ -241,7 +241,7 @@ TEST_CASE("AnEventThatDrivesOilBackIntoItsSupplyHasNoHeatBalance", "[cycle_heat]
   event.journal_mass = 0.5;
   c.cycle = event;
   const CycleResult r = solve_cycle(c, Tier::lumped);
-  CHECK_FALSE(r.verdict.good());
+  CHECK(r.verdict.status == Status::iteration_limit);  // walls may take it up: no proof
   CHECK_THAT(app::reason_of(r.verdict), Catch::Contains("no oil is fed"));
 }
 

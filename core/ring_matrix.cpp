@@ -19,37 +19,72 @@ bool all_zero(const double* x, int n) {
   return true;
 }
 
+constexpr int kRegister = 8;  ///< doubles in one 512-bit register: padding of a line
+
+/// As many rows of a column as a register holds. What is written in them stays in registers: loops
+/// over single rows the compiler (GCC 12) turns into code that takes up to twenty times as long.
+using Lane [[gnu::vector_size(kRegister * sizeof(double)), gnu::aligned(alignof(double)),
+             gnu::may_alias]] = double;
+
+inline Lane* lanes(double* x) { return reinterpret_cast<Lane*>(x); }
+inline const Lane* lanes(const double* x) { return reinterpret_cast<const Lane*>(x); }
+
+/// Columns that are multiplied together: what they add up to stays in registers.
+template <int LD>
+inline constexpr int kTogether = LD <= 48 ? 4 : 2;
+
+/// W columns of A * B.
+template <int LD, int W>
+inline void multiply_columns(const double* a, const double* const* b, double* const* c, int n) {
+  constexpr int L = LD / kRegister;
+  Lane sum[W][L];
+  for (int w = 0; w < W; ++w) {
+    for (int l = 0; l < L; ++l) sum[w][l] = Lane{};
+  }
+  for (int k = 0; k < n; ++k) {
+    const Lane* ak = lanes(a + k * LD);
+    for (int w = 0; w < W; ++w) {
+      for (int l = 0; l < L; ++l) sum[w][l] += ak[l] * b[w][k];
+    }
+  }
+  for (int w = 0; w < W; ++w) {
+    for (int l = 0; l < L; ++l) lanes(c[w])[l] = sum[w][l];
+  }
+}
+
 /// C = A * B for column-major LD x n blocks; padding rows hold zeros. Columns of zeros, of which
 /// the border of a film fed across most of its width has many, cost nothing.
 template <int LD>
 void multiply(const double* a, const double* b, double* c, int n) {
+  const double* from[kTogether<LD>];
+  double* to[kTogether<LD>];
+  int m = 0;
   for (int col = 0; col < n; ++col) {
-    double acc[LD] = {};
-    const double* bc = b + col * LD;
-    if (!all_zero(bc, n)) {
-      for (int k = 0; k < n; ++k) {
-        const double f = bc[k];
-        const double* ak = a + k * LD;
-        for (int r = 0; r < LD; ++r) acc[r] += ak[r] * f;
-      }
+    from[m] = b + col * LD;
+    to[m] = c + col * LD;
+    if (all_zero(from[m], n)) {
+      std::memset(to[m], 0, LD * sizeof(double));
+    } else if (++m == kTogether<LD>) {
+      multiply_columns<LD, kTogether<LD>>(a, from, to, n);
+      m = 0;
     }
-    double* cc = c + col * LD;
-    for (int r = 0; r < LD; ++r) cc[r] = acc[r];
   }
+  for (int k = 0; k < m; ++k) multiply_columns<LD, 1>(a, from + k, to + k, n);
 }
 
 /// C -= A * B, as above.
 template <int LD>
 void subtract_product(const double* a, const double* b, double* c, int n) {
+  constexpr int L = LD / kRegister;
   for (int col = 0; col < n; ++col) {
     const double* bc = b + col * LD;
     if (all_zero(bc, n)) continue;
-    double* cc = c + col * LD;
+    Lane left[L];
+    for (int l = 0; l < L; ++l) left[l] = lanes(c + col * LD)[l];
     for (int k = 0; k < n; ++k) {
-      const double f = bc[k];
-      const double* ak = a + k * LD;
-      for (int r = 0; r < LD; ++r) cc[r] -= ak[r] * f;
+      for (int l = 0; l < L; ++l) left[l] -= lanes(a + k * LD)[l] * bc[k];
     }
+    for (int l = 0; l < L; ++l) lanes(c + col * LD)[l] = left[l];
   }
 }
 
@@ -59,7 +94,9 @@ void scale_rows(const double* a, const double* b, double* c, int n) {
   double d[LD] = {};
   for (int k = 0; k < n; ++k) d[k] = a[k * LD + k];
   for (int col = 0; col < n; ++col) {
-    for (int r = 0; r < LD; ++r) c[col * LD + r] = d[r] * b[col * LD + r];
+    for (int l = 0; l < LD / kRegister; ++l) {
+      lanes(c + col * LD)[l] = lanes(d)[l] * lanes(b + col * LD)[l];
+    }
   }
 }
 
@@ -67,22 +104,27 @@ void scale_rows(const double* a, const double* b, double* c, int n) {
 template <int LD>
 void scale_columns(const double* a, const double* b, double* c, int n) {
   for (int col = 0; col < n; ++col) {
-    const double d = b[col * LD + col];
-    for (int r = 0; r < LD; ++r) c[col * LD + r] = a[col * LD + r] * d;
+    for (int l = 0; l < LD / kRegister; ++l) {
+      lanes(c + col * LD)[l] = lanes(a + col * LD)[l] * b[col * LD + col];
+    }
   }
 }
 
-/// y = A x; entries of zero cost nothing.
+/// y = A x: two sums, neither of which waits for the other.
 template <int LD>
 void apply(const double* a, const double* x, double* y, int n) {
-  double acc[LD] = {};
-  for (int k = 0; k < n; ++k) {
-    const double f = x[k];
-    if (f == 0.0) continue;
-    const double* ak = a + k * LD;
-    for (int r = 0; r < LD; ++r) acc[r] += ak[r] * f;
+  constexpr int L = LD / kRegister;
+  Lane even[L], odd[L];
+  for (int l = 0; l < L; ++l) even[l] = odd[l] = Lane{};
+  int k = 0;
+  for (; k + 1 < n; k += 2) {
+    for (int l = 0; l < L; ++l) even[l] += lanes(a + k * LD)[l] * x[k];
+    for (int l = 0; l < L; ++l) odd[l] += lanes(a + (k + 1) * LD)[l] * x[k + 1];
   }
-  for (int r = 0; r < LD; ++r) y[r] = acc[r];
+  if (k < n) {
+    for (int l = 0; l < L; ++l) even[l] += lanes(a + k * LD)[l] * x[k];
+  }
+  for (int l = 0; l < L; ++l) lanes(y)[l] = even[l] + odd[l];
 }
 
 /// y = A x for a diagonal A.
@@ -102,6 +144,29 @@ int pivot_row(const double* a, int k, int n) {
   return best;
 }
 
+/// One step of Gauss-Jordan inversion: row and column k, d the inverse of their pivot. Row k takes
+/// part in it from nought: written behind the others, it would be waited for in the next step.
+template <int LD>
+inline void eliminate(double* a, int k, double d, int n) {
+  constexpr int L = LD / kRegister;
+  double factors[LD], others[LD];
+  for (int l = 0; l < L; ++l) lanes(factors)[l] = lanes(a + k * LD)[l] * -d;
+  factors[k] = d;
+  std::fill(others, others + LD, 1.0);
+  others[k] = 0.0;
+  Lane step[L], rest[L];
+  for (int l = 0; l < L; ++l) {
+    step[l] = lanes(factors)[l];
+    rest[l] = lanes(others)[l];
+  }
+  for (int col = 0; col < n; ++col) {
+    if (col == k) continue;
+    Lane* ac = lanes(a + col * LD);
+    const double f = a[col * LD + k];
+    for (int l = 0; l < L; ++l) ac[l] = ac[l] * rest[l] + step[l] * f;
+  }
+  for (int l = 0; l < L; ++l) lanes(a + k * LD)[l] = step[l];
+}
 /// Gauss-Jordan inversion in place with partial pivoting; false if singular.
 template <int LD>
 bool invert(double* a, int n) {
@@ -114,19 +179,7 @@ bool invert(double* a, int n) {
     }
     const double pivot = a[k * LD + k];
     if (pivot == 0.0 || !std::isfinite(pivot)) return false;
-    const double d = 1.0 / pivot;
-    double scaled[LD];
-    for (int r = 0; r < LD; ++r) scaled[r] = a[k * LD + r] * d;
-    scaled[k] = 0.0;
-    for (int col = 0; col < n; ++col) {
-      if (col == k) continue;
-      double* ac = a + col * LD;
-      const double f = ac[k];
-      for (int r = 0; r < LD; ++r) ac[r] -= scaled[r] * f;
-      ac[k] = f * d;
-    }
-    for (int r = 0; r < LD; ++r) a[k * LD + r] = -scaled[r];
-    a[k * LD + k] = d;
+    eliminate<LD>(a, k, 1.0 / pivot, n);
   }
   for (int k = n - 1; k >= 0; --k) {
     const int p = swapped[k];
@@ -167,7 +220,9 @@ template <int LD>
 SHELLBACK_IN_THE_LOOP void subtract_previous(const double* w, const double* previous,
                                              const double* e, double* d, int n) {
   for (int col = 0; col < n; ++col) {
-    for (int r = 0; r < LD; ++r) d[col * LD + r] -= w[r] * previous[col * LD + r] * e[col];
+    for (int l = 0; l < LD / kRegister; ++l) {
+      lanes(d + col * LD)[l] -= lanes(w)[l] * lanes(previous + col * LD)[l] * e[col];
+    }
   }
 }
 
@@ -175,7 +230,9 @@ SHELLBACK_IN_THE_LOOP void subtract_previous(const double* w, const double* prev
 template <int LD>
 SHELLBACK_IN_THE_LOOP void next_border_column(const double* w, const double* iv, double* v, int n) {
   for (int col = 0; col < n; ++col) {
-    for (int r = 0; r < LD; ++r) v[col * LD + r] = -w[r] * iv[col * LD + r];
+    for (int l = 0; l < LD / kRegister; ++l) {
+      lanes(v + col * LD)[l] = -lanes(w)[l] * lanes(iv + col * LD)[l];
+    }
   }
 }
 
@@ -183,7 +240,9 @@ SHELLBACK_IN_THE_LOOP void next_border_column(const double* w, const double* iv,
 template <int LD>
 SHELLBACK_IN_THE_LOOP void next_border_row(const double* ui, const double* e, double* u, int n) {
   for (int col = 0; col < n; ++col) {
-    for (int r = 0; r < LD; ++r) u[col * LD + r] = -ui[col * LD + r] * e[col];
+    for (int l = 0; l < LD / kRegister; ++l) {
+      lanes(u + col * LD)[l] = -lanes(ui + col * LD)[l] * e[col];
+    }
   }
 }
 
@@ -192,8 +251,6 @@ template <int LD>
 SHELLBACK_IN_THE_LOOP void add_diagonal(const double* x, double* block, int n) {
   for (int k = 0; k < n; ++k) block[k * LD + k] += x[k];
 }
-
-constexpr int kRegister = 8;  ///< doubles in one 512-bit register: padding of a line
 
 /// Calls f.template operator()<LD>() for the padded size `ld`.
 template <class F, int LD = kRegister>

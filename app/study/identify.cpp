@@ -85,9 +85,7 @@ Values MeasuredBearing::values_of(int i, const Solution& s) const {
                                    "another tier",
                                    to_string(tier), m.quantity));
     }
-    // A torque is measured by its magnitude, and has the sign of the speed here.
-    const bool turned = m.quantity == "friction_torque" && s.point.omega() < 0.0;
-    out.push_back(turned ? -q->value : q->value);
+    out.push_back(q->value);
   }
   return out;
 }

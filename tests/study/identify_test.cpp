@@ -88,6 +88,20 @@ TEST_CASE("ConstantsOfBoundaryFrictionComeBackFromNoisyTorques", "[identify]") {
   CHECK(end.fit.chi2 < 28.0);
 }
 
+TEST_CASE("ATorqueIsFittedWithTheSignOfItsSpeed", "[identify]") {
+  const std::vector<Place> places{{-10.0, 4e3}, {40.0, 4e3}, {-150.0, 4e3}};
+  const auto points = measured(places, kTruth, 1e-3, 6);
+  REQUIRE(points[0].values[0].value < 0.0);
+  const MeasuredCase all = source(places);
+  const MeasuredCase adhesion = [&](double at, const Values& x) {
+    return all(at, {kTruth[0], x[0], kTruth[2]});
+  };
+  const Identification end = identify(points, {kKeys[1]}, adhesion);
+  REQUIRE(end.fit.status == FitStatus::settled);
+  CHECK(std::abs(end.fit.x[0] - kTruth[1]) < 3.0 * end.fit.deviation[0]);  // 0.3 % by chance
+  CHECK(end.fit.chi2 < 13.8);                                              // 99.9 % of two
+}
+
 TEST_CASE("OneSpeedCannotTellDecayFromAdhesion", "[identify]") {
   const std::vector<Place> places{{80.0, 8e3}, {80.0, 8e3}, {80.0, 8e3}, {80.0, 8e3}};
   auto points = measured(places, kTruth, 1e-3, 5);

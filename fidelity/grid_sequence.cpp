@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/bore_shape.hpp"
 #include "bearing/steady/nested.hpp"
 #include "core/contract.hpp"
 #include "fidelity/quantities.hpp"
@@ -46,6 +47,26 @@ bool may_stand_on_another_branch(const Solution& s) {
 
 }  // namespace
 
+namespace {
+
+/// What a grid does not show of the openings at the bearing's ends [m].
+double missed_of_ends(const Case& c, const Grid& grid) {
+  bearing::Bearing ends = c.bearing;
+  ends.shape.reset();
+  ends.wear.reset();
+  return missed_shape(ends, film_grid(c, grid)).depth;
+}
+
+/// Whether a grid carries the supplies and shows the ends: a chamfer that it misses by more than
+/// the clearance, and the case's own grid does not, makes another bearing of it.
+bool carries(const Case& c, const Grid& grid) {
+  if (!holds_supplies(c, grid)) return false;
+  const double missed = missed_of_ends(c, grid);
+  return missed <= c.bearing.radial_clearance || missed <= missed_of_ends(c, c.model.grid);
+}
+
+}  // namespace
+
 std::vector<Grid> coarse_grids(const Case& c) {
   std::vector<Grid> grids;
   for (Grid grid = c.model.grid;;) {
@@ -57,8 +78,8 @@ std::vector<Grid> coarse_grids(const Case& c) {
   }
   const auto [around, along] = c.model.grid;
   for (Grid& grid : grids) {
-    while (grid[1] < along && !holds_supplies(c, grid)) ++grid[1];
-    while (grid[0] < around && !holds_supplies(c, grid)) ++grid[0];
+    while (grid[1] < along && !carries(c, grid)) ++grid[1];
+    while (grid[0] < around && !carries(c, grid)) ++grid[0];
   }
   std::erase_if(grids, [&](const Grid& g) { return g[0] >= around || g[1] >= along; });
   grids.erase(std::unique(grids.begin(), grids.end()), grids.end());

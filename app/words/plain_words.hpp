@@ -54,6 +54,30 @@ inline Told told_of_branch(ending::Plain e, const Told& within) {
   }
 }
 
+/// Of heat that is not carried away, and of temperatures that were not found.
+inline Told told_of_heat(ending::Plain e) {
+  using ending::Plain;
+  switch (e) {
+    case Plain::no_oil_leaves:
+      return {"no oil is fed that leaves the bearing: its heat cannot be carried away",
+              "check the supply"};
+    case Plain::no_oil_over_event:
+      return {
+          "no oil is fed over the event that leaves the bearing, and in one temperature of the "
+          "film nothing else takes up its heat",
+          "take tier thd, in which walls do"};
+    case Plain::estimate_unbalanced:
+      return {"the estimate finds no film temperature at which the friction heat is carried away",
+              "lower speed or load, feed more oil, or ask a tier that resolves the heat"};
+    case Plain::film_unsettled:
+      return {"the film's temperatures did not settle", kFinerElseIsothermal};
+    case Plain::film_impossible:
+      return {"a film temperature leaves what an oil can be", kFinerElseIsothermal};
+    default:
+      return {};
+  }
+}
+
 inline Told told(ending::Plain e, const About& a) {
   using ending::Plain;
   switch (e) {
@@ -67,13 +91,11 @@ inline Told told(ending::Plain e, const About& a) {
       return {"the search was given up after twenty times the work of a usual solve on this grid",
               "a coarser grid (model.grid) or a nearby operating point first"};
     case Plain::no_oil_leaves:
-      return {"no oil is fed that leaves the bearing: its heat cannot be carried away",
-              "check the supply"};
     case Plain::no_oil_over_event:
-      return {
-          "no oil is fed over the event that leaves the bearing, and in one temperature of the "
-          "film nothing else takes up its heat",
-          "take tier thd, in which walls do"};
+    case Plain::estimate_unbalanced:
+    case Plain::film_unsettled:
+    case Plain::film_impossible:
+      return told_of_heat(e);
     case Plain::no_pressure:
       return {kNoPressure, kBeyondBarus};
     case Plain::no_position:
@@ -107,13 +129,6 @@ inline Told told(ending::Plain e, const About& a) {
     case Plain::endless_branch:
     case Plain::strayed:
       return told_of_branch(e, a.within);
-    case Plain::estimate_unbalanced:
-      return {"the estimate finds no film temperature at which the friction heat is carried away",
-              "lower speed or load, feed more oil, or ask a tier that resolves the heat"};
-    case Plain::film_unsettled:
-      return {"the film's temperatures did not settle", kFinerElseIsothermal};
-    case Plain::film_impossible:
-      return {"a film temperature leaves what an oil can be", kFinerElseIsothermal};
     case Plain::steps_too_short:
       return {"the steps in time have become too short", ""};
   }

@@ -182,6 +182,16 @@ class NodeFlows {
   int n_;
 };
 
+/// Brings the heat of a cell's nodes, which sums to `sum`, to `power` [W]. What is missed is spread
+/// evenly; too much is taken from each node in proportion: beside a step of the gap the cell has
+/// the slope of pressure of its neighbour, whose stresses, in its own gap, are many times its own
+/// and all at the walls, and evenly the middle of the film would be cooled for them.
+void spread_heat(const CrossFilmNodes& gl, double power, double sum, double* heat) {
+  const double kept = sum > power ? std::max(power, 0.0) / sum : 1.0;
+  const double missed = power - kept * sum;
+  for (int k = 0; k < gl.n; ++k) heat[k] = kept * heat[k] + gl.w[k] * missed;
+}
+
 /// Heat per node [W] by (1), and the heat of every supply patch.
 void fill_heat(const BearingModel& model, const OperatingPoint& point, const FilmEquilibrium& s,
                const Friction& friction, thermal::FilmEnergyProblem& p) {
@@ -212,8 +222,7 @@ void fill_heat(const BearingModel& model, const OperatingPoint& point, const Fil
         heat[k] *= gl.w[k] * volume;
         sum += heat[k];
       }
-      const double missed = rubbed + work.film[c] - sum;
-      for (int k = 0; k < gl.n; ++k) heat[k] += gl.w[k] * missed;
+      spread_heat(gl, rubbed + work.film[c], sum, heat);
     }
   }
 }

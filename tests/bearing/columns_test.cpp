@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <functional>
+#include <numeric>
 
 #include "rheology/shear.hpp"
 #include "rheology/viscosity.hpp"
@@ -334,6 +335,37 @@ TEST_CASE("NodeFlowsAddUpToTheFaceFlows", "[columns]") {
   };
   check(s.film.flow.phi, p.phi_flow);
   check(s.film.flow.z, p.z_flow);
+}
+
+TEST_CASE("FrictionCoolsNoNodeOfAChamfer", "[columns]") {
+  Case c = bearing::tests::warm_case();
+  c.bearing.chamfer = EdgeOpening{200e-6, 0.5e-3};  // seven clearances
+  c.model.grid = {48, 8};
+  const Solution s = solve_tier(c, Tier::thd);
+  REQUIRE(s.verdict.good());
+  const Friction friction = friction_of(s.model, s.point, s.film);
+  const auto p = film_energy_problem(s.model, s.point, s.film, friction);
+  const FilmGrid& g = s.model.domain.grid;
+  const int n = s.model.gl.n;
+  double sum = 0.0;
+  int heated = 0;
+  for (int cell = 0; cell < g.cells(); ++cell) {
+    const double* heat = &p.heat[static_cast<std::size_t>(cell) * n];
+    const double of_cell = std::accumulate(heat, heat + n, 0.0);
+    sum += of_cell;
+    if (!(of_cell > 0.0)) continue;
+    ++heated;
+    for (int k = 0; k < n; ++k) CHECK(heat[k] >= -1e-14 * of_cell);  // round-off
+  }
+  CHECK(heated > g.cells() / 2);
+  for (const auto& vessel : p.vessels) sum += vessel.heat;
+  // All of it, wherever it is: friction power and pump power.
+  const double power =
+      s.point.scene.speed / g.radius * friction.viscous + pump_power(s.model, s.point, s.film);
+  CHECK(g.multiplicity() * (sum + p.throttled) == Approx(power).epsilon(1e-10));
+  // Nothing around it is colder than its oil and its surroundings.
+  const auto& T = s.film.columns.T;
+  CHECK(*std::min_element(T.begin(), T.end()) > c.shaft->ambient);
 }
 
 TEST_CASE("ADryColumnHasTheTemperaturesOfItsWalls") {

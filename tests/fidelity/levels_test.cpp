@@ -57,6 +57,21 @@ TEST_CASE("CoarseGridsResolveTheSupplies") {
   CHECK(bar_of(r, "friction_torque") > 0.0);
 }
 
+TEST_CASE("CoarseGridsShowTheChamfer") {
+  // Left out, as yielding edges are on few cells, it would open the last cells by half its depth.
+  Case c = bearing::tests::warm_case();
+  c.bearing.chamfer = EdgeOpening{200e-6, 0.4e-3};
+  c.model.grid = {60, 9};
+  const double foot = 0.5 * c.bearing.width - c.bearing.chamfer->length;
+  const auto grids = fidelity::coarse_grids(c);
+  REQUIRE_FALSE(grids.empty());
+  for (const auto& grid : grids) {
+    const auto faces = film_grid(c, grid).z_face;
+    const auto near = [&](double z) { return std::abs(z - foot) < 1e-9; };
+    CHECK(std::any_of(faces.begin(), faces.end(), near));
+  }
+}
+
 TEST_CASE("WhereNoCoarserGridHoldsTheSuppliesAFinerOneGivesTheBars") {
   Case c = crowded_case();
   c.model.grid = {48, 7};

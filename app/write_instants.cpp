@@ -83,6 +83,15 @@ void add_instants(Json& json, const std::vector<Instant>& instants, const MarchB
   add_over_time(json, instants, bars, bearing::kFollowedInstants);
 }
 
+std::vector<std::string> heat_words(double imbalance) {
+  constexpr double kTold = 0.01;
+  if (!(imbalance > kTold)) return {};
+  return {
+      fmt::format("heat made, carried off and stored close to {:.2g} % only: film and bodies "
+                  "change faster than steps over cycles follow (a smaller model.tolerance)",
+                  100.0 * imbalance)};
+}
+
 KnownAtEnds known_of_march(const bearing::Case& c, const std::vector<Instant>& instants,
                            const MarchBars& bars, const std::vector<std::size_t>& ends) {
   return known_at_ends<Instant>(c, instants, bars, ends,

@@ -38,6 +38,9 @@ namespace shellback::app {
 void add_instants(json_parts::Json& json, const std::vector<bearing::Instant>& instants,
                   const fidelity::MarchBars& bars);
 
+/// That heat in, out and stored close to more than 1 % of what is made, `imbalance` [-].
+[[nodiscard]] std::vector<std::string> heat_words(double imbalance);
+
 /// Torque and smallest film of the instants `ends`.
 [[nodiscard]] KnownAtEnds known_of_march(const bearing::Case& c,
                                          const std::vector<bearing::Instant>& instants,

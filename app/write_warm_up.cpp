@@ -106,6 +106,8 @@ std::vector<std::string> warm_up_warnings(const bearing::Case& c, const WarmUp& 
   all.insert(all.end(), of_bars.begin(), of_bars.end());
   const std::vector<std::string> missed = known(c, run, bars).words();
   all.insert(all.end(), missed.begin(), missed.end());
+  const std::vector<std::string> open = heat_words(run.imbalance());
+  all.insert(all.end(), open.begin(), open.end());
   return all;
 }
 

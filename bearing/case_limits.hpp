@@ -115,9 +115,13 @@ struct BearingLimits {
   /// [Pa] of a supply that has any, above or below ambient; a centimetre of oil has 85.
   double least_pressure = 100.0;
   Limits supply_pressure{-INFINITY, -INFINITY, 50e5, 2e9};  // [Pa] above, hydrostatic; fuel 3e8
+  /// [W/(m2 K)] Of walls to what surrounds them: still air 5, oil 1e3, jets and boiling 1e5.
+  Limits wall_heat{0.0, 0.0, 1e5, kValueRanges.wall_heat.high};
+  /// [W/(m2 K)] A gap of a millimetre of air has 30, pressed metal joints 1e3 to 1e5 (textbook).
+  Limits joint{0.0, 10.0, INFINITY, INFINITY};
   /// [Pa] Oil and vessel together. Possible from air alone, as stiff as its pressure is high, usual
-  /// from a soft hose on; a liquid in a stiff wall has 1 to 3 GPa (textbook).
-  Limits vessel_modulus{1e5, 1e6, 6e9, 1e11};
+  /// from a soft hose on; a liquid in a stiff wall has 1 to 3 GPa (textbook), misread 1 to 3 MPa.
+  Limits vessel_modulus{1e5, 3e6, 6e9, 1e11};
   /// [m3] Usual from the drillings of a pin to a gallery; possible from a cubic micrometre, as
   /// large a drop as a film is thick, to a tank whose oil is still counted to the last of what a
   /// gap holds, 1e-6 m3, to a millionth of it.
@@ -126,7 +130,8 @@ struct BearingLimits {
   Limits vessel_head{1.0, 1e3, INFINITY, INFINITY};
   double profile_most = 0.1;     ///< heights' spread over the radius: no gap beyond [-]
   double wall_most = 5.0;        ///< shell over radius: no bush's wall is thicker [-]
-  double housing_most = 50.0;    ///< outer over inner radius: beyond, a full space does as well [-]
+  double housing_usual = 10.0;   ///< outer over inner radius: eyes and blocks have 1.3 to 4 [-]
+  double housing_most = 50.0;    ///< beyond, a full space does as well [-]
   double overhang_least = 1e-4;  ///< over the radius: below, none; elements degenerate [-]
   double overhang_most = 100.0;  ///< over the radius: a shaft is infinite by then [-]
   /// [-] Over the radius: the local field is gone after two; a free body of 40 bends by itself

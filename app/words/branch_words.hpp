@@ -44,6 +44,13 @@ inline std::string followed(const ending::Carried& c, double h_min) {
       h_min * 1e6);
 }
 
+/// Of a branch whose end does not speak of states above it.
+inline std::string not_beyond(const ending::Carried& c, const About& a) {
+  if (a.verdict.status != Status::iteration_limit) return "";
+  return fmt::format("; with a higher {} the film may carry again, which was not seen",
+                     raised_words(c.raised).name);
+}
+
 inline Told told(const ending::BranchEnded& e, const About& a) {
   const std::string way = followed(e.carried, e.h_min);
   switch (e.end) {
@@ -98,8 +105,8 @@ inline Told told(const ending::RanAway& e, const About& a) {
             kLessHeat};
   }
   return {fmt::format("thermal runaway: {}; with a tenth more, film and walls run away within "
-                      "{:.3g} s ({})",
-                      way, e.t, a.within.reason),
+                      "{:.3g} s ({}){}",
+                      way, e.t, a.within.reason, not_beyond(e.carried, a)),
           kLessHeat};
 }
 

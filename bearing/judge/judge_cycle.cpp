@@ -277,6 +277,8 @@ void judge_own_speed(const Case& c, const CycleNumbers& n, Findings& to) {
   constexpr double kApart = 0.01;  // of both: beyond it no trapezoid over the rows misses [-]
   const LoadCycle& cycle = *c.cycle;
   if (cycle.omega.empty() || !(cycle.crank_speed > 0.0)) return;
+  const auto [slowest, fastest] = std::minmax_element(cycle.omega.begin(), cycle.omega.end());
+  if (*slowest < 0.0 && *fastest > 0.0) return;  // swings to and fro beside the crank
   const double mean = std::abs(n.mean_speed);
   if (std::abs(mean - cycle.crank_speed) <= kApart * cycle.crank_speed) return;
   to.suspect("operation.speed",

@@ -16,16 +16,17 @@ struct Property {
   const char* unit;
 };
 constexpr Property kProperties[] = {
-    {"conductivity", &solid::Material::conductivity, {1e-3, 0.05, 1000.0, 1e4}, "W/(m K)"},
+    {"conductivity", &solid::Material::conductivity, {1e-3, 0.1, 1000.0, 1e4}, "W/(m K)"},
     {"density", &solid::Material::density, {1.0, 500.0, 25000.0, 5e4}, "kg/m3"},
     {"heat_capacity", &solid::Material::heat_capacity, {5.0, 50.0, 5000.0, 2e4}, "J/(kg K)"},
     {"youngs_modulus", &solid::Material::youngs_modulus, {1e4, 1e6, 1.2e12, 1e14}, "GPa"},
-    {"expansion", &solid::Material::expansion, {0.0, 0.0, 5e-4, 2e-3}, "1/K"},
+    {"expansion", &solid::Material::expansion, {0.0, 1e-7, 5e-4, 2e-3}, "1/K"},
 };
 
 void judge_material(const solid::Material& material, const std::string& path, Findings& to) {
   for (const Property& p : kProperties) {
     const double value = material.*p.member;
+    if (value == 0.0 && p.limits.least == 0.0) continue;  // what does not expand
     if (value < p.limits.least || value > p.limits.most) {
       to.refuse(path + "." + p.key, shown(value, p.unit) + " is no solid's", "check the unit");
     } else if (value < p.limits.usual_least || value > p.limits.usual_most) {
@@ -52,7 +53,24 @@ void judge_housing(const Housing& housing, double R, double inner, Findings& to)
   if (housing.outer_radius > kBearingLimits.housing_most * R) {
     to.refuse("shell.housing.outer_diameter", "it is more than 50 times the bearing's diameter",
               "check the unit");
+  } else if (housing.outer_radius > kBearingLimits.housing_usual * R) {
+    to.suspect("shell.housing.outer_diameter",
+               fmt::format("it is {:.3g} times the bearing's diameter, which is unusual",
+                           housing.outer_radius / R),
+               "check the unit");
   }
+  if (housing.joint_conductance != 0.0) {  // else a perfect joint
+    compare(to, "shell.housing.joint_conductance", housing.joint_conductance, kBearingLimits.joint,
+            fmt::format("the joint conducts {}", shown(housing.joint_conductance, "W/(m2 K)")),
+            "check the unit");
+  }
+}
+
+/// Of a wall to what surrounds it [W/(m2 K)].
+void judge_wall_heat(const std::string& key, double heat_transfer, Findings& to) {
+  compare(to, key, heat_transfer, kBearingLimits.wall_heat,
+          fmt::format("the heat transfer is {}", shown(heat_transfer, "W/(m2 K)")),
+          "check the unit");
 }
 
 /// An elasto-plastic layer is a coating whose law is known.
@@ -149,6 +167,9 @@ void judge_shell(const Shell& shell, double R, Findings& to) {
                 "check the unit");
     }
   }
+  judge_wall_heat("shell.end_heat_transfer", shell.end_heat_transfer, to);
+  const auto* back = std::get_if<ConvectiveBack>(&shell.back);
+  if (back != nullptr) judge_wall_heat("shell.back.heat_transfer", back->heat_transfer, to);
   if (shell.housing) {
     judge_housing(*shell.housing, R, R + thickness, to);
   } else {
@@ -200,6 +221,7 @@ void judge_solids(const Case& c, Findings& to) {
   if (c.shell) judge_coating(c, to);
   if (!c.shaft) return;
   judge_material(c.shaft->material, "shaft.material", to);
+  judge_wall_heat("shaft.heat_transfer", c.shaft->heat_transfer, to);
   judge_overhang("shaft.overhang", c.shaft->overhang, kBearingLimits.overhang_most, R, to);
   judge_overhang("shaft.elastic_overhang", c.shaft->elastic_overhang.value_or(0.0),
                  kBearingLimits.elastic_overhang_most, R, to);

@@ -1,8 +1,10 @@
 #include "bearing/steady/heat_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "bearing/film/friction.hpp"
 #include "bearing/film/solve_equilibrium.hpp"
 #include "bearing/heat/heat_endings.hpp"
 #include "bearing/heat/heat_march.hpp"
@@ -180,12 +182,22 @@ Verdict HeatSearch::no_branch() const {
           placed ? ending::Plain::no_slow_state : ending::Plain::no_light_state};
 }
 
+bool HeatSearch::speaks_of_more(const Branch& branch) const {
+  if (branch.raised == Raised::load) return true;
+  if (branch.raised == Raised::supply) return false;
+  const Friction friction = friction_of(s_.model, s_.point, s_.film);
+  const bool rubs = std::abs(friction.asperity) > std::abs(friction.viscous);
+  return s_.point.load.unknowns == 0 || !rubs;
+}
+
 Verdict HeatSearch::ended(const Branch& branch, const MarchEnd& after) {
   const bool ran_away = after.left_bounds && !s_.cost.spent();
   const bool lost = branch.end == BranchEnd::lost;
-  note_limit(s_, branch, !lost || ran_away);
-  if (lost && ran_away) return ran_away_from(s_, branch, after);
-  Verdict v = branch_ended(s_, branch);
+  const bool proves = speaks_of_more(branch);
+  note_limit(s_, branch, proves && (!lost || ran_away));
+  Verdict v = lost && ran_away ? ran_away_from(s_, branch, after) : branch_ended(s_, branch);
+  if (!proves) v.status = Status::iteration_limit;
+  if (lost && ran_away) return v;
   if (s_.cost.spent() && !level_.start) {  // what more load leads to was not seen
     v.status = Status::iteration_limit;
     v.cause = {{Status::iteration_limit, ending::Plain::given_up}};

@@ -50,6 +50,10 @@ class HeatSearch {
   /// rests under the whole as loosely as on the way, and no result is found: the one that ended,
   /// lost, for the reason that the whole has.
   [[nodiscard]] Branch follow_on(const Branch& ended);
+  /// Whether the end of such a branch is that of all states with more: of more load, and of more
+  /// speed, which makes more heat; but for a loaded journal that rubs, whose film carries better
+  /// the faster it turns, and for supplies, which cool: other branches may begin above.
+  [[nodiscard]] bool speaks_of_more(const Branch& branch) const;
   /// `after`: what followed in time.
   [[nodiscard]] Verdict ended(const Branch& branch, const MarchEnd& after);
 

@@ -122,6 +122,14 @@ TEST_CASE("ABranchTellsHowFarItWasFollowedAndWhatCameThen", "[words]") {
   CHECK(both(0.93, 0.95).find("not resolved: the limit is no farther from what is asked for") == 0);
 }
 
+TEST_CASE("ARunawayThatSpeaksOfNoMoreSaysSo", "[words]") {
+  const ending::RanAway fled{{ending::Raised::speed, 0.01, 100.0 * kPi}, 1.1e-6, 700.0, true};
+  const Verdict hot{kLimit, ending::Unsettled{ending::Iteration::heat, 25, 3.6e-3}};
+  const char* kAbove = "with a higher speed the film may carry again, which was not seen";
+  CHECK_THAT(reason_of({kLimit, fled, {}, {hot}}), Catch::Contains(kAbove));
+  CHECK_THAT(reason_of({kNone, fled, {}, {hot}}), !Catch::Contains(kAbove));
+}
+
 TEST_CASE("AnUnstableOrbitTellsBothGrids", "[words]") {
   using Elsewhere = ending::UnstableOrbit::Elsewhere;
   const auto told = [](Elsewhere elsewhere) {

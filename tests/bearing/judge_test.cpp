@@ -42,6 +42,28 @@ TEST_CASE("AnEmptyCaseIsRefusedAtEachValueThatItLacks") {
   }
 }
 
+TEST_CASE("AWallOfAnotherUnitIsTold") {
+  const auto told = [](auto change) {
+    Case c = rig_case();
+    c.shell->back = ConvectiveBack{500.0, 363.15};
+    const std::size_t before = judge(c).size();
+    change(c);
+    const auto after = judge(c);
+    REQUIRE(after.size() == before + 1);
+    CHECK_FALSE(after.back().refused());
+  };
+  told([](Case& c) { c.shell->back = ConvectiveBack{5e5, 363.15}; });  // kW
+  told([](Case& c) { c.shell->end_heat_transfer = 5e5; });
+  told([](Case& c) { c.shaft->material.conductivity = 0.05; });  // per millimetre
+  told([](Case& c) { c.shaft->material.expansion = 1.1e-8; });   // 1e-9 for 1e-6
+  told([](Case& c) { c.shell->housing->joint_conductance = 1e-3; });
+  told([](Case& c) { c.shell->housing->outer_radius = 17.0 * c.bearing.radius; });
+  Case still = rig_case();  // what does not expand is no unit's slip
+  const std::size_t before = judge(still).size();
+  still.shaft->material.expansion = 0.0;
+  CHECK(judge(still).size() == before);
+}
+
 TEST_CASE("AValueThatCannotBeComputedWithIsRefusedByItsKey") {
   const Case c = rig_case();
   const auto key = [&](auto change) { return refusal(c, change).key; };

@@ -69,6 +69,7 @@ std::string identify_json(const IdentifyView& v) {
             {"sound", why.empty() && fit.status == study::FitStatus::settled},
             {"complaints", why},
             {"misfit", misfit(v)},
+            {"jumps", jumps(v)},
             {"title", v.subject.title},
             {"tier", to_string(v.subject.model.tier)},
             {"measured", v.table.path},

@@ -143,6 +143,17 @@ std::string misfit(const IdentifyView& v) {
       fit.chi2, usual);
 }
 
+std::string jumps(const IdentifyView& v) {
+  if (v.moving.empty()) return "";
+  std::string names;
+  for (const std::string& key : v.moving) names += (names.empty() ? "" : ", ") + key;
+  return fmt::format(
+      "cells of the film move with {}: what is computed jumps where one comes or goes, by as much "
+      "as the grid errs, and a search may settle on either side; begin at other values (--set), "
+      "too, or take a finer grid (model.grid)",
+      names);
+}
+
 const char* to_string(FitStatus status) {
   switch (status) {
     case FitStatus::settled:

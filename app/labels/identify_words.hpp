@@ -14,6 +14,7 @@ struct IdentifyView {
   const std::vector<FittedKey>& keys;
   const MeasuredTable& table;
   const study::Identification& end;
+  std::vector<std::string> moving;  ///< keys with which cells of the film move
 };
 
 /// Why the keys are not to be believed, with the cure, one a line; empty: they are.
@@ -23,6 +24,9 @@ struct IdentifyView {
 /// distribution, textbook): the tier does not describe the data, or the deviations are too small.
 /// Empty: it is not, or no deviations are given.
 [[nodiscard]] std::string misfit(const IdentifyView& v);
+
+/// That what is computed jumps where cells come and go with a key; empty: none moves them.
+[[nodiscard]] std::string jumps(const IdentifyView& v);
 
 /// "a x 1.58 with b x 0.397": what moves along the direction, to a tenth of its bounds in the key
 /// that moves most.

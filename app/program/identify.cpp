@@ -46,8 +46,9 @@ int code_of(const IdentifyView& v) {
                       : "interrupted: no set of keys was computed yet\n");
     return kInterrupted;
   }
-  if (const std::string words = misfit(v); !words.empty())
-    std::cerr << "warning: " << words << "\n";
+  for (const std::string& words : {misfit(v), jumps(v)}) {
+    if (!words.empty()) std::cerr << "warning: " << words << "\n";
+  }
   const std::vector<std::string> why = complaints(v);
   for (const std::string& reason : why) std::cerr << "error: " << reason << "\n";
   return why.empty() ? kDone : kNotConverged;
@@ -75,10 +76,12 @@ int identify(const Request& request) {
   inputs.push_back(request.measured);
   Outputs outputs(request, inputs);
   tell_warnings(given);
+  const study::MeasuredCase case_at = measured_case(text, request.case_file, set, table, keys);
   const study::Identification end =
-      search(table, keys, measured_case(text, request.case_file, set, table, keys),
-             request.cores > 0 ? request.cores : hardware_threads());
-  const IdentifyView view{given, keys, table, end};
+      search(table, keys, case_at, request.cores > 0 ? request.cores : hardware_threads());
+  std::vector<double> x;
+  for (const FittedKey& key : keys) x.push_back(key.value.start);
+  const IdentifyView view{given, keys, table, end, keys_that_move_cells(case_at, keys, x)};
   if (request.json != "-" && request.csv != "-") write_identify_table(std::cout, view);
   outputs.give("--json", [&] { return identify_json(view); });
   outputs.give("--csv", [&] { return identify_csv(view); });

@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 
 #include "app/reading/case_text.hpp"
 #include "app/reading/did_you_mean.hpp"
 #include "app/reading/read_case.hpp"
+#include "bearing/bearing.hpp"
+#include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::app {
 namespace {
@@ -206,6 +210,33 @@ std::vector<FittedKey> fitted_keys(const std::string& text, const std::string& p
     keys.push_back(bounded(key, start, own->second));
   }
   return keys;
+}
+
+std::vector<std::string> keys_that_move_cells(const study::MeasuredCase& case_at,
+                                              const std::vector<FittedKey>& keys,
+                                              const std::vector<double>& x) {
+  // Cells with one of them as unit, all around and all along: a wider bearing has wider cells.
+  const auto cells = [&](std::size_t k, double value) -> std::vector<double> {
+    std::vector<double> at = x;
+    at[k] = value;
+    const bearing::Case c = case_at(0.0, at);
+    if (!holds_supplies(c, c.model.grid)) return {};
+    const FilmGrid g = film_grid(c, c.model.grid);
+    std::vector<double> parts;
+    for (const double d : g.dphi) parts.push_back(d / (2.0 * kPi));
+    for (const double d : g.dz) parts.push_back(d / c.bearing.width);
+    return parts;
+  };
+  const auto alike = [](double a, double b) { return std::abs(a - b) < kRoundOff; };
+  std::vector<std::string> moving;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const auto low = cells(k, keys[k].value.low);
+    const auto high = cells(k, keys[k].value.high);
+    if (!std::equal(low.begin(), low.end(), high.begin(), high.end(), alike)) {
+      moving.push_back(keys[k].key);
+    }
+  }
+  return moving;
 }
 
 study::MeasuredCase measured_case(std::string text, std::string path, std::vector<Override> set,

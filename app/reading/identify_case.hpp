@@ -30,4 +30,11 @@ struct FittedKey {
                                                 std::vector<Override> set, MeasuredTable table,
                                                 std::vector<FittedKey> keys);
 
+/// Names of the keys with which cells of the film move, from one of their bounds to the other, the
+/// rest as in `x`: those of supplies and of openings at the ends. What is computed jumps where a
+/// cell comes or goes.
+[[nodiscard]] std::vector<std::string> keys_that_move_cells(const study::MeasuredCase& case_at,
+                                                            const std::vector<FittedKey>& keys,
+                                                            const std::vector<double>& x);
+
 }  // namespace shellback::app

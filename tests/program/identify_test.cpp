@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/reading/case_text.hpp"
+#include "app/reading/identify_case.hpp"
 #include "bearing/steady/solve.hpp"
 #include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"
@@ -128,6 +129,22 @@ TEST_CASE("IdentifyWithoutWhatItNeedsEndsWithTwo", "[identify]") {
   CHECK(code({"--measured", scale, "--fit", key, "--bounds", bounds}, "write K") == kBadInput);
   const std::string none = scratch.path("none.csv");
   CHECK(code({"--measured", none, "--fit", key}, "from the current folder") == kBadFile);
+}
+
+TEST_CASE("KeysWithWhichCellsMoveAreNamed", "[identify]") {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("case.toml", rubbing_case());
+  const auto data = scratch.write("data.csv", torques({150}));
+  const MeasuredTable table = read_measured_table(data, 1, true);
+  const auto named = [&](const std::string& key, const std::string& bounds) {
+    const auto keys = fitted_keys(rubbing_case(), path, {}, {key}, {key + "=" + bounds}, table);
+    const auto case_at = measured_case(rubbing_case(), path, {}, table, keys);
+    return keys_that_move_cells(case_at, keys, {keys[0].value.start}) == std::vector{key};
+  };
+  CHECK(named("supply.0.diameter", "2:9"));
+  CHECK_FALSE(named("supply.0.pressure", "0.5:5"));
+  CHECK_FALSE(named("bearing.radial_clearance", "10:60"));
+  CHECK(named("bearing.width", "15:30"));  // the hole takes another part of it
 }
 
 TEST_CASE("IdentifyWarnsWhereTheCaseDoesNotDescribeTheData", "[identify]") {

@@ -263,6 +263,38 @@ void stresses(const CrossFilmNodes& gl, double speed, const Field& h, const Fiel
 
 }  // namespace
 
+namespace {
+
+/// Viscosity at low shear rates at every node; takes the columns' mean temperatures.
+std::vector<double> viscosity_at_rest(const rheology::Oil& oil, const CrossFilmNodes& gl,
+                                      const std::vector<int>& supply, const Field& p,
+                                      OilColumns& c) {
+  const auto n = static_cast<std::size_t>(gl.n);
+  const std::size_t cells = p.size();
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    double mean = 0.0;
+    for (std::size_t k = 0; k < n; ++k) mean += gl.w[k] * c.T[cell * n + k];
+    const bool mixed = supply[cell] >= 0;  // between walls that are as warm as they are
+    c.T_mean[cell] = mixed ? c.T[cell * n + 1] : mean;
+  }
+  std::vector<double> low(cells * n);
+  if (gl.one_temperature) {
+    Field one(cells);
+    rheology::viscosity(oil, c.T_mean, p, one);
+    for (std::size_t cell = 0; cell < cells; ++cell) std::fill_n(&low[cell * n], n, one[cell]);
+    return low;
+  }
+  std::vector<double> T = c.T, at(cells * n);
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    std::fill_n(&at[cell * n], n, p[cell]);
+    if (supply[cell] >= 0) std::fill_n(&T[cell * n], n, c.T_mean[cell]);
+  }
+  rheology::viscosity(oil, T, at, low);
+  return low;
+}
+
+}  // namespace
+
 OilColumns uniform_columns(int cells, int nodes, double T) {
   OilColumns c;
   const auto size = static_cast<std::size_t>(cells) * nodes;
@@ -282,17 +314,7 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
   const std::size_t cells = h.size();
   EXPECTS(c.T.size() == cells * n);
   EXPECTS(stress_rises(oil));  // judge_oil.cpp refuses others
-  std::vector<double> p(cells * n), low(cells * n);
-  std::vector<double> T = c.T;
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    std::fill_n(&p[cell * n], n, state.p[cell]);
-    double mean = 0.0;
-    for (int k = 0; k < n; ++k) mean += gl.w[k] * c.T[cell * n + k];
-    const bool mixed = supply[cell] >= 0;  // between walls that are as warm as they are
-    c.T_mean[cell] = mixed ? c.T[cell * n + 1] : mean;
-    if (mixed || gl.one_temperature) std::fill_n(&T[cell * n], n, c.T_mean[cell]);
-  }
-  rheology::viscosity(oil, T, p, low);
+  const std::vector<double> low = viscosity_at_rest(oil, gl, supply, state.p, c);
   out.fluidity.resize(cells);
   out.chi.resize(cells);
   out.alpha.resize(cells);
@@ -303,8 +325,15 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
   out.thins_around.resize(thinning ? cells : 0);
   out.thins_along.resize(thinning ? cells : 0);
   if (!thinning) c.eta = low;
+  const bool even = !thinning && gl.one_temperature;  // one viscosity all across
+  for (std::size_t cell = 0; even && cell < cells; ++cell) {
+    const double fluidity = 1.0 / low[cell * n];
+    c.g0[cell] = fluidity;
+    c.centre[cell] = 0.5;
+    out.fluidity[cell] = fluidity / 12.0;
+  }
   ColumnBlock block(oil, gl, speed);
-  for (std::size_t cell = 0; cell < cells; cell += kBlock) {
+  for (std::size_t cell = 0; !even && cell < cells; cell += kBlock) {
     block.read(cell, c, h, gx, gz);
     if (thinning) c.mismatch = larger(c.mismatch, block.thin(cell, low, tolerance));
     block.integrate();

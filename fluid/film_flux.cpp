@@ -61,33 +61,37 @@ struct Side {
   double thins = 0.0;  ///< flow that follows the slope across the face, over g h^3 [-]
 };
 
-/// Flow through a face of `length` from `left` to `right`; both halves in series.
+/// Flow through a face of `length` from `left` to `right`; both halves in series. Divisions cost
+/// what ten products do: each divisor is inverted once.
 FaceFlow series_flow(const Half& a, const Half& b, const Side& left, const Side& right,
                      CarriedFill fill, double speed, double rho, double length) {
-  const double ra = a.distance / a.h3;
-  const double rb = b.distance / b.h3;
-  const double sum = ra + rb;
+  const double over_a = 1.0 / a.h3;
+  const double over_b = 1.0 / b.h3;
+  const double ra = a.distance * over_a;
+  const double rb = b.distance * over_b;
+  const double over_sum = 1.0 / (ra + rb);
   const LogMean g = log_mean(left.g, right.g, left.ln_g - right.ln_g);
   const LogMean g_back = log_mean(right.g, left.g, right.ln_g - left.ln_g);
   const double dp = left.p - right.p;
-  const double couette = speed * (ra * a.couette + rb * b.couette) / sum;
-  const double poiseuille = g.value * dp / sum;
+  const double couette = speed * (ra * a.couette + rb * b.couette) * over_sum;
+  const double poiseuille = g.value * dp * over_sum;
   const double scale = rho * length;
   FaceFlow f;
   f.couette = scale * couette;
   f.carried = fill.value * f.couette;
   f.m = f.carried + scale * poiseuille;
-  f.rise = -ra / sum * (dp + fill.value * speed * rb * (b.couette - a.couette) / g.value);
+  f.rise = -ra * over_sum * (dp + fill.value * speed * rb * (b.couette - a.couette) / g.value);
   f.d_theta = fill.slope * f.couette;
   const double by_slope = g.value * (1.0 + kOfFace * 0.5 * (left.thins + right.thins));
-  f.d_left = scale / sum * (by_slope - dp * g.d_first * left.alpha * left.g);
-  f.d_right = -scale / sum * (by_slope + dp * g_back.d_first * right.alpha * right.g);
-  const double dra = a.ddistance / a.h3 - ra * a.dh3 / a.h3;
-  const double drb = b.ddistance / b.h3 - rb * b.dh3 / b.h3;
-  const double jump = speed * (a.couette - b.couette) / (sum * sum);
-  f.d_h = scale * (fill.value * (speed * (ra * a.dcouette + rb * b.dcouette) / sum +
-                                 jump * (rb * dra - ra * drb)) -
-                   poiseuille * (dra + drb) / sum);
+  f.d_left = scale * over_sum * (by_slope - dp * g.d_first * left.alpha * left.g);
+  f.d_right = -scale * over_sum * (by_slope + dp * g_back.d_first * right.alpha * right.g);
+  const double dra = (a.ddistance - ra * a.dh3) * over_a;
+  const double drb = (b.ddistance - rb * b.dh3) * over_b;
+  const double jump = speed * (a.couette - b.couette) * over_sum;
+  f.d_h =
+      scale * over_sum *
+      (fill.value * (speed * (ra * a.dcouette + rb * b.dcouette) + jump * (rb * dra - ra * drb)) -
+       poiseuille * (dra + drb));
   return f;
 }
 

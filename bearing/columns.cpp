@@ -1,11 +1,11 @@
 #include "bearing/columns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/contract.hpp"
+#include "core/lanes.hpp"
 #include "core/largest.hpp"
 #include "core/round_off.hpp"
 #include "rheology/density.hpp"
@@ -29,9 +29,17 @@ namespace {
 /// Columns that are worked on together: their nodes stay in the first-level cache, and the loops
 /// over them fill the vector unit [-].
 constexpr std::size_t kBlock = 32;
+constexpr std::size_t kLanes = kBlock / kRegister;
 
 /// A value of every column.
-using Row = std::array<double, kBlock>;
+struct Row {
+  Lane lane[kLanes];
+  void fill(double x) { std::fill_n(data(), kBlock, x); }
+  [[nodiscard]] double* data() { return reinterpret_cast<double*>(lane); }
+  [[nodiscard]] const double* data() const { return reinterpret_cast<const double*>(lane); }
+  [[nodiscard]] double& operator[](std::size_t i) { return data()[i]; }
+  [[nodiscard]] double operator[](std::size_t i) const { return data()[i]; }
+};
 
 /// Some columns, node by node: a node of all of them stands in one row.
 class ColumnBlock {
@@ -83,18 +91,18 @@ class ColumnBlock {
     centre_.fill(0.0);
     g_.fill(0.0);
     for (int k = 0; k < gl_.n; ++k) {
-      const double v = gl_.v[k], s = gl_.s[k];
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        fluidity_[k][i] = v / eta_[k][i];
-        g0_[i] += fluidity_[k][i];
-        centre_[i] += fluidity_[k][i] * s;
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        Lane& fluidity = fluidity_[k].lane[l];
+        fluidity = gl_.v[k] / eta_[k].lane[l];
+        g0_.lane[l] += fluidity;
+        centre_.lane[l] += fluidity * gl_.s[k];
       }
     }
-    for (std::size_t i = 0; i < kBlock; ++i) centre_[i] /= g0_[i];
+    for (std::size_t l = 0; l < kLanes; ++l) centre_.lane[l] /= g0_.lane[l];
     for (int k = 0; k < gl_.n; ++k) {
-      const double s = gl_.s[k];
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        g_[i] += fluidity_[k][i] * (s - centre_[i]) * (s - centre_[i]);
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        const Lane arm = gl_.s[k] - centre_.lane[l];
+        g_.lane[l] += fluidity_[k].lane[l] * arm * arm;
       }
     }
   }
@@ -103,39 +111,41 @@ class ColumnBlock {
   /// with r = 0 and tau changed by the slope; g is least at its centre, whose moves do not change
   /// it.
   void slopes(std::size_t cell, fluid::FilmCoefficients& out) const {
-    Row t11, t12{}, t21{}, t22, x1{}, x2{}, z1{}, by_drag{}, by_centre{}, by_x{}, by_z{};
-    t11.fill(1.0);
-    t22.fill(1.0);
-    for (int k = 0; k < gl_.n; ++k) {
-      const double* slope = &slope_[k * kBlock];
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        const double arm = from_centre(k, i);
-        const double part = fluidity_[k][i] / g0_[i] * slope[i];
-        const double of_g = fluidity_[k][i] * arm * arm / g_[i] * slope[i];
-        const double along = -(gx_[i] * by_x_[k][i] + by_drag_[k][i] - 1.0);  // z^2/tau^2
-        t11[i] -= part * by_drag_[k][i];
-        t12[i] -= part * by_centre_[k][i];
-        t21[i] += part * arm * by_drag_[k][i];
-        t22[i] += part * arm * by_centre_[k][i];
-        x1[i] += part * by_x_[k][i];
-        x2[i] -= part * arm * by_x_[k][i];
-        z1[i] += part * along;
-        by_drag[i] -= of_g * by_drag_[k][i];
-        by_centre[i] -= of_g * by_centre_[k][i];
-        by_x[i] -= of_g * by_x_[k][i];
-        by_z[i] -= of_g * along;
+    Row around, along;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      Lane t11 = Lane{} + 1.0, t12{}, t21{}, t22 = t11, x1{}, x2{}, z1{};
+      Lane by_drag{}, by_centre{}, by_x{}, by_z{};
+      for (int k = 0; k < gl_.n; ++k) {
+        const Lane slope = lanes(&slope_[k * kBlock])[l];
+        Lane arm;
+        from_centre(k, l, arm);
+        const Lane part = fluidity_[k].lane[l] / g0_.lane[l] * slope;
+        const Lane of_g = fluidity_[k].lane[l] * arm * arm / g_.lane[l] * slope;
+        const Lane along_tau =  // z^2/tau^2
+            1.0 - gx_.lane[l] * by_x_[k].lane[l] - by_drag_[k].lane[l];
+        t11 -= part * by_drag_[k].lane[l];
+        t12 -= part * by_centre_[k].lane[l];
+        t21 += part * arm * by_drag_[k].lane[l];
+        t22 += part * arm * by_centre_[k].lane[l];
+        x1 += part * by_x_[k].lane[l];
+        x2 -= part * arm * by_x_[k].lane[l];
+        z1 += part * along_tau;
+        by_drag -= of_g * by_drag_[k].lane[l];
+        by_centre -= of_g * by_centre_[k].lane[l];
+        by_x -= of_g * by_x_[k].lane[l];
+        by_z -= of_g * along_tau;
       }
+      const Lane over = 1.0 / (t11 * t22 - t12 * t21);
+      const Lane drag = over * (x1 * t22 - x2 * t12);
+      const Lane centre = over * (x2 * t11 - x1 * t21);
+      around.lane[l] = gx_.lane[l] * (by_x + by_drag * drag + by_centre * centre);
+      along.lane[l] = by_z + by_drag * z1 / t11;
+      if (speed_ == 0.0) continue;
+      around.lane[l] += speed_ * centre / (h_.lane[l] * h_.lane[l] * g_.lane[l]);
     }
     const std::size_t m = std::min(kBlock, out.thins_around.size() - cell);
-    for (std::size_t i = 0; i < m; ++i) {
-      const double over = 1.0 / (t11[i] * t22[i] - t12[i] * t21[i]);
-      const double drag = over * (x1[i] * t22[i] - x2[i] * t12[i]);
-      const double centre = over * (x2[i] * t11[i] - x1[i] * t21[i]);
-      const double of_g = by_x[i] + by_drag[i] * drag + by_centre[i] * centre;
-      const double carried = speed_ == 0.0 ? 0.0 : speed_ * centre / (h_[i] * h_[i] * g_[i]);
-      out.thins_around[cell + i] = gx_[i] * of_g + carried;
-      out.thins_along[cell + i] = by_z[i] + by_drag[i] * z1[i] / t11[i];
-    }
+    std::copy_n(around.data(), m, &out.thins_around[cell]);
+    std::copy_n(along.data(), m, &out.thins_along[cell]);
   }
 
   void write(std::size_t cell, OilColumns& c, Field& g) const {
@@ -153,89 +163,87 @@ class ColumnBlock {
   /// Shear rates of (2), and what (4) has of their stresses.
   void shear() {
     couette_.fill(0.0);  // surfaces pressed together leave no gap: at rest nothing shears it
-    if (speed_ != 0.0) {
-      for (std::size_t i = 0; i < kBlock; ++i) couette_[i] = speed_ / (h_[i] * g0_[i]);
+    for (std::size_t l = 0; l < kLanes && speed_ != 0.0; ++l) {
+      couette_.lane[l] = speed_ / (h_.lane[l] * g0_.lane[l]);
     }
+    constexpr double kTiny = std::numeric_limits<double>::min();
     for (int k = 0; k < gl_.n; ++k) {
-      double* rate = &rate_[k * kBlock];
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        const double arm = h_[i] * from_centre(k, i);
-        const double x = gx_[i] * arm + couette_[i];
-        const double z = gz_[i] * arm;
-        const double square = x * x + z * z;
-        const double over = 1.0 / std::max(square, std::numeric_limits<double>::min());
-        rate[i] = std::sqrt(square) / eta_[k][i];
-        by_drag_[k][i] = couette_[i] * x * over;
-        by_centre_[k][i] = -h_[i] * (gx_[i] * x + gz_[i] * z) * over;
-        by_x_[k][i] = arm * x * over;
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        Lane arm;
+        from_centre(k, l, arm);
+        arm *= h_.lane[l];
+        const Lane x = gx_.lane[l] * arm + couette_.lane[l];
+        const Lane z = gz_.lane[l] * arm;
+        Lane square = x * x + z * z;
+        const Lane over = 1.0 / (square < kTiny ? kTiny - Lane{} : square);
+        take_root(square);
+        lanes(&rate_[k * kBlock])[l] = square / eta_[k].lane[l];
+        by_drag_[k].lane[l] = couette_.lane[l] * x * over;
+        by_centre_[k].lane[l] = -h_.lane[l] * (gx_.lane[l] * x + gz_.lane[l] * z) * over;
+        by_x_[k].lane[l] = arm * x * over;
       }
     }
   }
 
   /// s - centre [-]. What round-off leaves of it where they are one would be seen by laws whose
   /// slope at rest has no bound (Cross, m < 1).
-  [[nodiscard]] double from_centre(int k, std::size_t i) const {
+  void from_centre(int k, std::size_t l, Lane& arm) const {
     constexpr double kNoArm = 1e-12;
-    const double arm = gl_.s[k] - centre_[i];
-    return std::abs(arm) < kNoArm ? 0.0 : arm;
+    arm = gl_.s[k] - centre_.lane[l];
+    arm = ((arm < kNoArm) & (arm > -kNoArm)) ? Lane{} : arm;
   }
 
   /// (4): the system of a column's two unknowns, then the step of its nodes; the largest of all.
   double step() {
-    Row t11, t12{}, t21{}, t22, t1{}, t2{};
-    t11.fill(1.0);
-    t22.fill(1.0);
-    for (int k = 0; k < gl_.n; ++k) {
-      double* off = &rate_[k * kBlock];
-      double* slope = &slope_[k * kBlock];
-      const double* factor = &factor_[k * kBlock];
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        off[i] = low_[k][i] * factor[i] / eta_[k][i] - 1.0;
-        const double part = fluidity_[k][i] / g0_[i];
-        const double arm = part * from_centre(k, i);
-        const double over = 1.0 / (1.0 + slope[i]);
-        t1[i] += part * over * off[i];
-        t2[i] -= arm * over * off[i];
-        slope[i] *= over;
-        t11[i] -= part * slope[i] * by_drag_[k][i];
-        t12[i] -= part * slope[i] * by_centre_[k][i];
-        t21[i] += arm * slope[i] * by_drag_[k][i];
-        t22[i] += arm * slope[i] * by_centre_[k][i];
+    Row largest;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      Lane t11 = Lane{} + 1.0, t12{}, t21{}, t22 = t11, t1{}, t2{};
+      for (int k = 0; k < gl_.n; ++k) {
+        Lane& off = lanes(&rate_[k * kBlock])[l];
+        Lane& slope = lanes(&slope_[k * kBlock])[l];
+        off = low_[k].lane[l] * lanes(&factor_[k * kBlock])[l] / eta_[k].lane[l] - 1.0;
+        Lane arm;
+        from_centre(k, l, arm);
+        const Lane part = fluidity_[k].lane[l] / g0_.lane[l];
+        arm *= part;
+        const Lane over = 1.0 / (1.0 + slope);
+        t1 += part * over * off;
+        t2 -= arm * over * off;
+        slope *= over;
+        t11 -= part * slope * by_drag_[k].lane[l];
+        t12 -= part * slope * by_centre_[k].lane[l];
+        t21 += arm * slope * by_drag_[k].lane[l];
+        t22 += arm * slope * by_centre_[k].lane[l];
       }
+      const Lane over = 1.0 / (t11 * t22 - t12 * t21);
+      take(l, over * (t1 * t22 - t2 * t12), over * (t2 * t11 - t1 * t21), largest.lane[l]);
     }
-    for (std::size_t i = 0; i < kBlock; ++i) {
-      const double over = 1.0 / (t11[i] * t22[i] - t12[i] * t21[i]);
-      const double drag = over * (t1[i] * t22[i] - t2[i] * t12[i]);
-      t2[i] = over * (t2[i] * t11[i] - t1[i] * t21[i]);
-      t1[i] = drag;
-    }
-    return take(t1, t2);
+    return shellback::largest({largest.data(), kBlock});
   }
 
-  /// Of the changes of ln tau by drag and of the centre.
-  double take(const Row& drag, const Row& centre) {
+  /// The step of the nodes, of the changes of ln tau by drag and of the centre.
+  void take(std::size_t l, const Lane& drag, const Lane& centre, Lane& largest) {
     constexpr double kNearlyAll = 0.9;
-    Row longest{}, largest{};
+    Lane longest{};
+    largest = Lane{};
     for (int k = 0; k < gl_.n; ++k) {
-      const double* off = &rate_[k * kBlock];
-      const double* slope = &slope_[k * kBlock];
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        // off/(1 + slope) = off (1 - slope/(1 + slope))
-        step_[k][i] =
-            off[i] + slope[i] * (by_drag_[k][i] * drag[i] + by_centre_[k][i] * centre[i] - off[i]);
-        longest[i] = larger(longest[i], std::abs(step_[k][i]));
-      }
+      const Lane off = lanes(&rate_[k * kBlock])[l];
+      // off/(1 + slope) = off (1 - slope/(1 + slope))
+      Lane step = off + lanes(&slope_[k * kBlock])[l] *
+                            (by_drag_[k].lane[l] * drag + by_centre_[k].lane[l] * centre - off);
+      step_[k].lane[l] = step;
+      take_magnitude(step);
+      take_larger(longest, step);
     }
+    const auto all = longest >= kNearlyAll;  // a step that is no number is taken, and seen
     for (int k = 0; k < gl_.n; ++k) {
-      const double* off = &rate_[k * kBlock];
-      const double* factor = &factor_[k * kBlock];
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        const bool all = longest[i] >= kNearlyAll;  // a step that is no number is taken, and seen
-        eta_[k][i] = all ? low_[k][i] * factor[i] : eta_[k][i] * (1.0 + step_[k][i]);
-        largest[i] = larger(largest[i], std::abs(all ? off[i] : step_[k][i]));
-      }
+      const Lane& step = step_[k].lane[l];
+      Lane& eta = eta_[k].lane[l];
+      eta = all ? low_[k].lane[l] * lanes(&factor_[k * kBlock])[l] : eta * (1.0 + step);
+      Lane change = all ? lanes(&rate_[k * kBlock])[l] : step;
+      take_magnitude(change);
+      take_larger(largest, change);
     }
-    return shellback::largest(largest);
   }
 
   const rheology::Oil& oil_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
+#include "core/lanes.hpp"
 
 namespace shellback {
 namespace {
@@ -18,16 +19,6 @@ bool all_zero(const double* x, int n) {
   }
   return true;
 }
-
-constexpr int kRegister = 8;  ///< doubles in one 512-bit register: padding of a line
-
-/// As many rows of a column as a register holds. What is written in them stays in registers: loops
-/// over single rows the compiler (GCC 12) turns into code that takes up to twenty times as long.
-using Lane [[gnu::vector_size(kRegister * sizeof(double)), gnu::aligned(alignof(double)),
-             gnu::may_alias]] = double;
-
-inline Lane* lanes(double* x) { return reinterpret_cast<Lane*>(x); }
-inline const Lane* lanes(const double* x) { return reinterpret_cast<const Lane*>(x); }
 
 /// Columns that are multiplied together: what they add up to stays in registers.
 template <int LD>

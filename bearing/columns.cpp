@@ -166,7 +166,7 @@ class ColumnBlock {
     for (std::size_t l = 0; l < kLanes && speed_ != 0.0; ++l) {
       couette_.lane[l] = speed_ / (h_.lane[l] * g0_.lane[l]);
     }
-    constexpr double kTiny = std::numeric_limits<double>::min();
+    const Lane tiny = std::numeric_limits<double>::min() - Lane{};
     for (int k = 0; k < gl_.n; ++k) {
       for (std::size_t l = 0; l < kLanes; ++l) {
         Lane arm;
@@ -175,7 +175,7 @@ class ColumnBlock {
         const Lane x = gx_.lane[l] * arm + couette_.lane[l];
         const Lane z = gz_.lane[l] * arm;
         Lane square = x * x + z * z;
-        const Lane over = 1.0 / (square < kTiny ? kTiny - Lane{} : square);
+        const Lane over = 1.0 / (square < tiny ? tiny : square);
         take_root(square);
         lanes(&rate_[k * kBlock])[l] = square / eta_[k].lane[l];
         by_drag_[k].lane[l] = couette_.lane[l] * x * over;

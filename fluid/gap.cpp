@@ -20,14 +20,21 @@ double rigid(double c, const JournalPosition& q, double cos_phi, double sin_phi,
   return c - (q.ex() + q.psi_y() * z) * cos_phi - (q.ey() - q.psi_x() * z) * sin_phi;
 }
 
-/// Value on axial face j of a line of cells: mean of the neighbours by distance, or continued.
-double on_axial_face(const FilmGrid& g, const double* line, int j) {
-  if (g.nz == 1) return line[0];
-  if (j == 0 && g.half) return line[0];
-  const int left = j == 0 ? 0 : (j == g.nz ? g.nz - 2 : j - 1);
-  const double slope = (line[left + 1] - line[left]) / (g.z[left + 1] - g.z[left]);
-  return line[left] + slope * (g.z_face[j] - g.z[left]);
-}
+/// Of the values in a line of cells that on axial face j: mean of the neighbours by distance, or
+/// continued.
+struct OnAxialFace {
+  int left = 0, right = 0;  ///< cells
+  double share = 0.0;       ///< of the right one [-]
+  OnAxialFace(const FilmGrid& g, int j) {
+    if (g.nz == 1 || (j == 0 && g.half)) return;
+    left = j == 0 ? 0 : (j == g.nz ? g.nz - 2 : j - 1);
+    right = left + 1;
+    share = (g.z_face[j] - g.z[left]) / (g.z[right] - g.z[left]);
+  }
+  [[nodiscard]] double of(const double* line) const {
+    return line[left] + share * (line[right] - line[left]);
+  }
+};
 
 /// The same on west face i of line j.
 double on_phi_face(const FilmGrid& g, const Field& d, int i, int j) {
@@ -42,6 +49,8 @@ void to_faces(const FilmGrid& g, const Field& d, std::vector<double>& phi_face,
               std::vector<double>& z_face) {
   phi_face.resize(g.cells());
   z_face.resize(static_cast<std::size_t>(g.nt) * (g.nz + 1));
+  std::vector<OnAxialFace> axial;
+  for (int j = 0; j <= g.nz; ++j) axial.emplace_back(g, j);
   for (int i = 0; i < g.nt; ++i) {
     const int west = g.previous(i);
     const double share = g.dphi[west] / (g.dphi[west] + g.dphi[i]);  // of the cell at i
@@ -50,7 +59,7 @@ void to_faces(const FilmGrid& g, const Field& d, std::vector<double>& phi_face,
       phi_face[k] = share * d[k] + (1.0 - share) * d[g.index(west, j)];
     }
     for (int j = 0; j <= g.nz; ++j) {
-      z_face[i * (g.nz + 1) + j] = on_axial_face(g, &d[g.index(i, 0)], j);
+      z_face[i * (g.nz + 1) + j] = axial[j].of(&d[g.index(i, 0)]);
     }
   }
 }
@@ -78,7 +87,7 @@ void close_edges(const FilmGrid& g, const Field& d, const Field& profile, double
     for (const int j : {0, g.nz}) {
       if (j == 0 && g.half) continue;
       const int k = g.index(i, j == 0 ? 0 : g.nz - 1);
-      const double line = on_axial_face(g, &d[g.index(i, 0)], j) - d[k];
+      const double line = OnAxialFace(g, j).of(&d[g.index(i, 0)]) - d[k];
       const double step = profile.empty() ? 0.0 : profile[k];
       double& face = gap.z_face[i * (g.nz + 1) + j];
       const EdgeGap edge = edge_gap(face - line + step, line, summits);
@@ -118,7 +127,7 @@ struct SupplyEdges {
         const int k = g.index(i, j), l = g.index(west, j);
         if (parts(l, k)) bend(k, l, k, on_phi_face(g, d, i, j), gap.phi_face, gap.bent_phi);
         if (j == 0 || !parts(k - 1, k)) continue;
-        bend(i * (g.nz + 1) + j, k - 1, k, on_axial_face(g, &d[g.index(i, 0)], j), gap.z_face,
+        bend(i * (g.nz + 1) + j, k - 1, k, OnAxialFace(g, j).of(&d[g.index(i, 0)]), gap.z_face,
              gap.bent_z);
       }
     }

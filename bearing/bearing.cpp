@@ -45,11 +45,7 @@ fluid::RoughPair rough_pair(const Surfaces& s) {
 
 /// Only a film of resolved temperature asks for another set than the usual one.
 CrossFilmNodes nodes_across(const Case& c, const Physics& physics) {
-  if (!physics.film_energy) {
-    CrossFilmNodes set = gauss_lobatto(c.model.film_nodes);
-    set.one_temperature = true;
-    return set;
-  }
+  if (!physics.film_energy) return gauss_lobatto(c.model.film_nodes);
   switch (c.model.methods.across) {
     case AcrossFilm::layers:
       return even_layers(c.model.methods.layers);

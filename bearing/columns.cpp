@@ -269,13 +269,21 @@ void stresses(const CrossFilmNodes& gl, double speed, const Field& h, const Fiel
   }
 }
 
-}  // namespace
+/// Whether no column has more than one temperature.
+bool have_one_temperature(const CrossFilmNodes& gl, const std::vector<double>& T) {
+  if (gl.one_temperature) return true;
+  for (std::size_t k = 0; k < T.size(); k += gl.n) {
+    for (int l = 1; l < gl.n; ++l) {
+      if (T[k + l] != T[k]) return false;
+    }
+  }
+  return true;
+}
 
-namespace {
-
-/// Viscosity at low shear rates at every node; takes the columns' mean temperatures.
+/// Viscosity at low shear rates at every node; takes the columns' mean temperatures. `even`: no
+/// column has another one.
 std::vector<double> viscosity_at_rest(const rheology::Oil& oil, const CrossFilmNodes& gl,
-                                      const std::vector<int>& supply, const Field& p,
+                                      const std::vector<int>& supply, const Field& p, bool even,
                                       OilColumns& c) {
   const auto n = static_cast<std::size_t>(gl.n);
   const std::size_t cells = p.size();
@@ -286,7 +294,7 @@ std::vector<double> viscosity_at_rest(const rheology::Oil& oil, const CrossFilmN
     c.T_mean[cell] = mixed ? c.T[cell * n + 1] : mean;
   }
   std::vector<double> low(cells * n);
-  if (gl.one_temperature) {
+  if (even) {
     Field one(cells);
     rheology::viscosity(oil, c.T_mean, p, one);
     for (std::size_t cell = 0; cell < cells; ++cell) std::fill_n(&low[cell * n], n, one[cell]);
@@ -322,7 +330,8 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
   const std::size_t cells = h.size();
   EXPECTS(c.T.size() == cells * n);
   EXPECTS(stress_rises(oil));  // judge_oil.cpp refuses others
-  const std::vector<double> low = viscosity_at_rest(oil, gl, supply, state.p, c);
+  const bool even = have_one_temperature(gl, c.T);
+  const std::vector<double> low = viscosity_at_rest(oil, gl, supply, state.p, even, c);
   out.fluidity.resize(cells);
   out.chi.resize(cells);
   out.alpha.resize(cells);
@@ -333,15 +342,15 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
   out.thins_around.resize(thinning ? cells : 0);
   out.thins_along.resize(thinning ? cells : 0);
   if (!thinning) c.eta = low;
-  const bool even = !thinning && gl.one_temperature;  // one viscosity all across
-  for (std::size_t cell = 0; even && cell < cells; ++cell) {
+  const bool constant = !thinning && even;  // all across
+  for (std::size_t cell = 0; constant && cell < cells; ++cell) {
     const double fluidity = 1.0 / low[cell * n];
     c.g0[cell] = fluidity;
     c.centre[cell] = 0.5;
     out.fluidity[cell] = fluidity / 12.0;
   }
   ColumnBlock block(oil, gl, speed);
-  for (std::size_t cell = 0; !even && cell < cells; cell += kBlock) {
+  for (std::size_t cell = 0; !constant && cell < cells; cell += kBlock) {
     block.read(cell, c, h, gx, gz);
     if (thinning) c.mismatch = larger(c.mismatch, block.thin(cell, low, tolerance));
     block.integrate();

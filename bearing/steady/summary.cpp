@@ -47,9 +47,9 @@ double film_beside_supply(const BearingModel& m, const FilmEquilibrium& f, int j
   return h;
 }
 
-/// At z = 0; between the middles of two cells on the straight line, beside the plane of symmetry on
-/// the parabola that stands on it. Supplies are no film: where a groove runs all round, at its
-/// edge.
+/// At z = 0, in cells and on faces around, as the smallest film is; between the middles of two
+/// cells on the straight line, beside the plane of symmetry on the parabola that stands on it.
+/// Supplies are no film: where a groove runs all round, at its edge.
 double gap_at_mid_width(const BearingModel& m, const FilmEquilibrium& f) {
   const FilmGrid& g = m.domain.grid;
   const auto above = std::lower_bound(g.z.begin(), g.z.end(), 0.0) - g.z.begin();
@@ -58,11 +58,19 @@ double gap_at_mid_width(const BearingModel& m, const FilmEquilibrium& f) {
   const int a = at_middle ? b : b > 0 ? b - 1 : std::min(1, g.nz - 1);
   const auto height = [&](int j) { return g.half ? g.z[j] * g.z[j] : g.z[j]; };
   const double part = a == b ? 0.0 : height(b) / (height(b) - height(a));  // of the way to a
+  const auto between = [&](const Field& gap, int i) {
+    return gap[g.index(i, b)] + part * (gap[g.index(i, a)] - gap[g.index(i, b)]);
+  };
+  const auto film = [&](int i) {
+    return m.supply.cell[g.index(i, a)] < 0 && m.supply.cell[g.index(i, b)] < 0;
+  };
+  const auto step = [&](int i) { return m.profile.empty() ? 0.0 : between(m.profile, i); };
   double h = INFINITY;
   for (int i = 0; i < g.nt; ++i) {
-    const int near = g.index(i, b), next = g.index(i, a);
-    if (m.supply.cell[near] >= 0 || m.supply.cell[next] >= 0) continue;
-    h = std::min(h, f.gap.cell[near] + part * (f.gap.cell[next] - f.gap.cell[near]));
+    if (!film(i)) continue;
+    h = std::min(h, between(f.gap.cell, i));
+    const int west = g.previous(i);
+    if (film(west)) h = std::min(h, between(f.gap.phi_face, i) + std::min(step(i), step(west)));
   }
   return std::isfinite(h) ? h : film_beside_supply(m, f, b);
 }

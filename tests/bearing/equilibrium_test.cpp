@@ -83,7 +83,9 @@ TEST_CASE("TheFilmAtMidWidthDoesNotKnowWhetherACellStandsThere") {
         const double middle = 0.5 * c.bearing.radial_clearance;
         INFO(nz << " cells, tilt " << tilt);
         CHECK(r.value("h_min_mid") >= middle * (1.0 - 1e-12));
-        CHECK(r.value("h_min_mid") <= middle + 0.5 * c.bearing.radial_clearance * 1.4e-3);
+        // On a face or in the middle of a cell, within 1.5 degrees.
+        CHECK(r.value("h_min_mid") <= middle + 0.5 * c.bearing.radial_clearance * 3.5e-4);
+        if (tilt == 0.0) CHECK(r.value("h_min_mid") == Approx(r.value("h_min")).epsilon(1e-12));
       }
     }
   }

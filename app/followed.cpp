@@ -28,7 +28,7 @@ std::vector<std::string> KnownAtEnds::words() const {
 
 json_parts::Json KnownAtEnds::json() const {
   json_parts::Json json{{"asked", asked}, {"met", nullptr}};
-  if (!parts.empty()) json["met"] = met();
+  if (!parts.empty() && (all || !met())) json["met"] = met();
   for (const Part& part : parts) json[part.name] = json_parts::number(part.bar);
   return json;
 }

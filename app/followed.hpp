@@ -59,10 +59,11 @@ struct KnownAtEnds {
   };
   double asked = 0.0;       ///< model.tolerance [-]
   std::vector<Part> parts;  ///< empty: no bars are known
+  bool all = true;          ///< those of all that is wished for are known
   [[nodiscard]] bool met() const;
   /// "model.tolerance (1 %) is not met at the end: friction torque +-2.1 %"; empty: it is.
   [[nodiscard]] std::vector<std::string> words() const;
-  /// {asked, met, NAME: bar}; met is null where no bars are known.
+  /// {asked, met, NAME: bar}; met is null where that is not known.
   [[nodiscard]] json_parts::Json json() const;
 };
 
@@ -72,14 +73,16 @@ template <class State>
                                         const fidelity::BarsOverTime<State>& bars,
                                         const std::vector<std::size_t>& ends,
                                         const std::vector<Wished<State>>& wished) {
-  KnownAtEnds known{c.model.tolerance, {}};
+  KnownAtEnds known{c.model.tolerance, {}, true};
   if (bars.grid.empty()) return known;
   for (const auto& w : wished) {
     KnownAtEnds::Part widest{w.name, w.label};
     for (const std::size_t k : ends) {
-      const double bar = bars.at(k, w.value) / std::abs(states[k].*w.value);
-      if (!(bar > widest.bar)) continue;  // also not known, or a value of nought
-      widest.bar = bar;
+      const double bar = bars.at(k, w.value);
+      if (!std::isfinite(bar)) known.all = false;
+      const double size = std::abs(states[k].*w.value);
+      if (!(bar > widest.bar * size) || size == 0.0) continue;
+      widest.bar = bar / size;
       widest.by_steps = bars.time[k].*w.value > bars.grid[k].*w.value;
     }
     if (widest.bar > 0.0) known.parts.push_back(widest);

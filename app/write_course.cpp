@@ -184,7 +184,9 @@ std::vector<std::string> course_warnings(const std::vector<Stretch>& stretches,
   }
   for (std::string& words : words_at_ends(stretches, run)) all.push_back(std::move(words));
   for (std::string& words : bar_warnings(bars)) all.push_back(std::move(words));
-  for (std::string& words : heat_words(run.imbalance_at_ends())) all.push_back(std::move(words));
+  if (run.over_cycles) {
+    for (std::string& words : heat_words(run.imbalance_at_ends())) all.push_back(std::move(words));
+  }
   if (!run.end.verdict.good()) return all;
   for (std::string& words : known_of_march(c, run.instants, bars, run.ends).words()) {
     all.push_back(std::move(words));

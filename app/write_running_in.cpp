@@ -162,7 +162,7 @@ std::string told(const RunningInRun& run) {
 
 /// Of the last state: greatest wear, torque and smallest film.
 KnownAtEnds known(const bearing::Case& c, const RunningInRun& run, const RunningInBars& bars) {
-  if (!run.verdict.good()) return {c.model.tolerance, {}};
+  if (!run.verdict.good()) return {c.model.tolerance, {}, false};
   return known_at_ends<RunningInState>(
       c, run.states, bars, {run.states.size() - 1},
       {{"wear_depth", "greatest wear", &RunningInState::depth},

@@ -82,7 +82,7 @@ class Panel {
 };
 
 KnownAtEnds known(const bearing::Case& c, const WarmUp& run, const MarchBars& bars) {
-  if (!run.end.verdict.good() || run.instants.empty()) return {c.model.tolerance, {}};
+  if (!run.end.verdict.good() || run.instants.empty()) return {c.model.tolerance, {}, false};
   return known_of_march(c, run.instants, bars, {run.instants.size() - 1});
 }
 
@@ -106,6 +106,7 @@ std::vector<std::string> warm_up_warnings(const bearing::Case& c, const WarmUp& 
   all.insert(all.end(), of_bars.begin(), of_bars.end());
   const std::vector<std::string> missed = known(c, run, bars).words();
   all.insert(all.end(), missed.begin(), missed.end());
+  if (!c.cycle) return all;
   const std::vector<std::string> open = heat_words(run.imbalance());
   all.insert(all.end(), open.begin(), open.end());
   return all;

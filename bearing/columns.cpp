@@ -29,7 +29,7 @@ namespace {
 /// Columns that are worked on together: their nodes stay in the first-level cache, and the loops
 /// over them fill the vector unit [-].
 constexpr std::size_t kBlock = 32;
-constexpr std::size_t kLanes = kBlock / kRegister;
+constexpr std::size_t kLanes = kBlock / kLane;
 
 /// A value of every column.
 struct Row {

@@ -27,7 +27,7 @@ inline constexpr int kTogether = LD <= 48 ? 4 : 2;
 /// W columns of A * B.
 template <int LD, int W>
 inline void multiply_columns(const double* a, const double* const* b, double* const* c, int n) {
-  constexpr int L = LD / kRegister;
+  constexpr int L = LD / kLane;
   Lane sum[W][L];
   for (int w = 0; w < W; ++w) {
     for (int l = 0; l < L; ++l) sum[w][l] = Lane{};
@@ -66,7 +66,7 @@ void multiply(const double* a, const double* b, double* c, int n) {
 /// C -= A * B, as above.
 template <int LD>
 void subtract_product(const double* a, const double* b, double* c, int n) {
-  constexpr int L = LD / kRegister;
+  constexpr int L = LD / kLane;
   for (int col = 0; col < n; ++col) {
     const double* bc = b + col * LD;
     if (all_zero(bc, n)) continue;
@@ -85,7 +85,7 @@ void scale_rows(const double* a, const double* b, double* c, int n) {
   double d[LD] = {};
   for (int k = 0; k < n; ++k) d[k] = a[k * LD + k];
   for (int col = 0; col < n; ++col) {
-    for (int l = 0; l < LD / kRegister; ++l) {
+    for (int l = 0; l < LD / kLane; ++l) {
       lanes(c + col * LD)[l] = lanes(d)[l] * lanes(b + col * LD)[l];
     }
   }
@@ -95,7 +95,7 @@ void scale_rows(const double* a, const double* b, double* c, int n) {
 template <int LD>
 void scale_columns(const double* a, const double* b, double* c, int n) {
   for (int col = 0; col < n; ++col) {
-    for (int l = 0; l < LD / kRegister; ++l) {
+    for (int l = 0; l < LD / kLane; ++l) {
       lanes(c + col * LD)[l] = lanes(a + col * LD)[l] * b[col * LD + col];
     }
   }
@@ -104,7 +104,7 @@ void scale_columns(const double* a, const double* b, double* c, int n) {
 /// y = A x: two sums, neither of which waits for the other.
 template <int LD>
 void apply(const double* a, const double* x, double* y, int n) {
-  constexpr int L = LD / kRegister;
+  constexpr int L = LD / kLane;
   Lane even[L], odd[L];
   for (int l = 0; l < L; ++l) even[l] = odd[l] = Lane{};
   int k = 0;
@@ -139,7 +139,7 @@ int pivot_row(const double* a, int k, int n) {
 /// part in it from nought: written behind the others, it would be waited for in the next step.
 template <int LD>
 inline void eliminate(double* a, int k, double d, int n) {
-  constexpr int L = LD / kRegister;
+  constexpr int L = LD / kLane;
   double factors[LD], others[LD];
   for (int l = 0; l < L; ++l) lanes(factors)[l] = lanes(a + k * LD)[l] * -d;
   factors[k] = d;
@@ -211,7 +211,7 @@ template <int LD>
 SHELLBACK_IN_THE_LOOP void subtract_previous(const double* w, const double* previous,
                                              const double* e, double* d, int n) {
   for (int col = 0; col < n; ++col) {
-    for (int l = 0; l < LD / kRegister; ++l) {
+    for (int l = 0; l < LD / kLane; ++l) {
       lanes(d + col * LD)[l] -= lanes(w)[l] * lanes(previous + col * LD)[l] * e[col];
     }
   }
@@ -221,7 +221,7 @@ SHELLBACK_IN_THE_LOOP void subtract_previous(const double* w, const double* prev
 template <int LD>
 SHELLBACK_IN_THE_LOOP void next_border_column(const double* w, const double* iv, double* v, int n) {
   for (int col = 0; col < n; ++col) {
-    for (int l = 0; l < LD / kRegister; ++l) {
+    for (int l = 0; l < LD / kLane; ++l) {
       lanes(v + col * LD)[l] = -lanes(w)[l] * lanes(iv + col * LD)[l];
     }
   }
@@ -231,7 +231,7 @@ SHELLBACK_IN_THE_LOOP void next_border_column(const double* w, const double* iv,
 template <int LD>
 SHELLBACK_IN_THE_LOOP void next_border_row(const double* ui, const double* e, double* u, int n) {
   for (int col = 0; col < n; ++col) {
-    for (int l = 0; l < LD / kRegister; ++l) {
+    for (int l = 0; l < LD / kLane; ++l) {
       lanes(u + col * LD)[l] = -lanes(ui + col * LD)[l] * e[col];
     }
   }

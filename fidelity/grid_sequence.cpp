@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/bore_shape.hpp"
 #include "bearing/steady/nested.hpp"
 #include "core/contract.hpp"
+#include "core/round_off.hpp"
 #include "fidelity/quantities.hpp"
 
 namespace shellback::fidelity {
@@ -49,20 +49,23 @@ bool may_stand_on_another_branch(const Solution& s) {
 
 namespace {
 
-/// What a grid does not show of the openings at the bearing's ends [m].
-double missed_of_ends(const Case& c, const Grid& grid) {
-  bearing::Bearing ends = c.bearing;
-  ends.shape.reset();
-  ends.wear.reset();
-  return missed_shape(ends, film_grid(c, grid)).depth;
+/// Whether a face lies where an opening at the ends begins.
+bool shows(const Case& c, const Grid& grid, const bearing::EdgeOpening& opening) {
+  const FilmGrid g = film_grid(c, grid);
+  const double foot = 0.5 * c.bearing.width - opening.length;
+  return std::any_of(g.z_face.begin(), g.z_face.end(),
+                     [&](double z) { return std::abs(z - foot) < kRoundOff * c.bearing.width; });
 }
 
-/// Whether a grid carries the supplies and shows the ends: a chamfer that it misses by more than
-/// the clearance, and the case's own grid does not, makes another bearing of it.
+/// Whether a grid carries the supplies and shows the openings that the case's own grid shows:
+/// without a face at its foot one reaches into the film, and makes another bearing of it.
 bool carries(const Case& c, const Grid& grid) {
   if (!holds_supplies(c, grid)) return false;
-  const double missed = missed_of_ends(c, grid);
-  return missed <= c.bearing.radial_clearance || missed <= missed_of_ends(c, c.model.grid);
+  for (const auto& opening : {c.bearing.edge_relief, c.bearing.chamfer}) {
+    if (!opening || shows(c, grid, *opening) || !shows(c, c.model.grid, *opening)) continue;
+    return false;
+  }
+  return true;
 }
 
 }  // namespace

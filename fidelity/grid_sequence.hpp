@@ -27,8 +27,9 @@ inline constexpr int kMoreNodes = 2;  ///< across the film; their number stays o
 
 /// Grids coarser than that of the case, from the coarsest on, each axis about halved, or 0.7 of it
 /// where that leaves fewer than two; down to 20 x 3. Where a grid cannot resolve the edges of the
-/// supplies, or misses an end's opening by more than the clearance, it gets as many more cells as
-/// it takes, along and then around; grids that come to the fine one are left out.
+/// supplies, or shows no foot of an opening at the ends that the case's own grid shows, it gets as
+/// many more cells as it takes, along and then around; grids that come to the fine one are left
+/// out.
 [[nodiscard]] std::vector<Grid> coarse_grids(const bearing::Case& c);
 
 /// The next finer one, kRefinement times in each direction; none beyond the usual grid.

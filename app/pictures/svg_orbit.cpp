@@ -27,6 +27,7 @@ constexpr int kMostMarks = 8;        ///< instants with arrow and label
 constexpr double kLabelRoom = 13.0;  ///< from a mark to its label [px]
 constexpr double kMark = 2.6;        ///< radius of a mark [px]
 constexpr int kRoomAngles = 360;     ///< at which the room in the bore is looked at
+constexpr double kMostRoom = 2.0;    ///< of it that is shown, in clearances
 constexpr double kSeen = 0.01;       ///< of the clearance: less is no wider than its line
 
 double largest_load(const CycleResult& cycle) {
@@ -41,7 +42,7 @@ double largest_load(const CycleResult& cycle) {
 /// that an elastic shell lets beyond it; `arrow`: with arrows of this length at the largest load.
 double reach(const CycleResult& cycle, double c, const std::vector<double>& room, double arrow) {
   const double by_load = largest_load(cycle) > 0.0 ? arrow / largest_load(cycle) : 0.0;
-  double farthest = std::max(1.0, shellback::largest(room) / c);
+  double farthest = std::max(1.0, std::min(shellback::largest(room) / c, kMostRoom));
   for (const CycleInstant& i : cycle.instants) {
     const double tip = std::hypot(i.ex / c + by_load * i.load_x, i.ey / c + by_load * i.load_y);
     const double e = std::max(std::hypot(i.ex, i.ey) / c, tip);
@@ -116,7 +117,7 @@ void draw_room(Svg& svg, const OrbitFrame& frame, double c, const std::vector<do
   const std::size_t n = room.size();
   for (std::size_t k = 0; k <= n; ++k) {
     const double theta = 2.0 * kPi * static_cast<double>(k) / static_cast<double>(n);
-    const double r = room[k % n] / c;
+    const double r = std::min(room[k % n] / c, kMostRoom);
     line.push_back(frame.at(r * std::cos(theta), r * std::sin(theta)));
   }
   svg.stroke(line_path(line), {theme.muted, 1.4, ""});

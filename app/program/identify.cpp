@@ -69,7 +69,7 @@ int identify(const Request& request) {
   }
   const MeasuredTable table =
       read_measured_table(request.measured, static_cast<int>(given.supplies.size()),
-                          given.model.tier == bearing::Tier::isothermal);
+                          given.model.tier == bearing::Tier::isothermal, given.operation.omega);
   const std::vector<FittedKey> keys =
       fitted_keys(text, request.case_file, set, request.fit, request.bounds, table);
   std::vector<std::string> inputs = files_of_case(text, request.case_file, set);

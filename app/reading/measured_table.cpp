@@ -90,10 +90,11 @@ Written written(const CsvTable& csv, std::size_t row, const std::string& name) {
 /// Reads one table; the order of points is found first.
 class Reading {
  public:
-  Reading(const std::string& path, int supplies, bool isothermal)
+  Reading(const std::string& path, int supplies, bool isothermal, double omega)
       : csv_(path, possible_columns(), kMeasuredExample, TextKind::table),
         supplies_(supplies),
-        isothermal_(isothermal) {
+        isothermal_(isothermal),
+        omega_(omega) {
     table_.path = path;
   }
 
@@ -116,6 +117,7 @@ class Reading {
   CsvTable csv_;
   int supplies_;
   bool isothermal_;
+  double omega_;
   MeasuredTable table_;
   std::vector<InputColumn> inputs_;
   std::vector<OutputColumn> outputs_;
@@ -207,9 +209,10 @@ void Reading::add_point(std::size_t row) {
         csv_.fail(row, c.deviation, "a standard deviation must be positive; give the instrument's");
       }
     }
-    const bool torque = std::string_view(c.quantity) == kFrictionTorque && csv_.has("speed");
+    const bool torque = std::string_view(c.quantity) == kFrictionTorque;
     const bool scatter = std::abs(m.value) < kScatter * m.deviation;
-    if (torque && !scatter && m.value * csv_.column("speed")[row] < 0.0) {
+    const double speed = csv_.has("speed") ? csv_.column("speed")[row] : omega_;
+    if (torque && !scatter && m.value * speed < 0.0) {
       csv_.fail(row, c.name,
                 "a friction torque has the sign of the speed, which drives against it; change that "
                 "of one of the two");
@@ -231,8 +234,9 @@ std::vector<Override> MeasuredTable::overrides_at(double at) const {
   return all;
 }
 
-MeasuredTable read_measured_table(const std::string& path, int supplies, bool isothermal) {
-  return Reading(path, supplies, isothermal).table();
+MeasuredTable read_measured_table(const std::string& path, int supplies, bool isothermal,
+                                  double omega) {
+  return Reading(path, supplies, isothermal, omega).table();
 }
 
 }  // namespace shellback::app

@@ -40,7 +40,8 @@ struct MeasuredTable {
 /// speed (or, without one, the first input), sorted along it. Throws FileError, InputError as
 /// CsvTable does and for: no column that says where or none that is measured, a deviation that is
 /// not positive or belongs to nothing, several quantities not all of which have one.
+/// `omega`: speed of the case, which holds where the table has none; only its sign counts.
 [[nodiscard]] MeasuredTable read_measured_table(const std::string& path, int supplies,
-                                                bool isothermal);
+                                                bool isothermal, double omega = 0.0);
 
 }  // namespace shellback::app

@@ -46,7 +46,7 @@ inline std::string followed(const ending::Carried& c, double h_min) {
 
 /// Of a branch whose end does not speak of states above it.
 inline std::string not_beyond(const ending::Carried& c, const About& a) {
-  if (a.verdict.status != Status::iteration_limit) return "";
+  if (a.verdict.status != Status::iteration_limit || c.raised == ending::Raised::load) return "";
   return fmt::format("; with a higher {} the film may carry again, which was not seen",
                      raised_words(c.raised).name);
 }
@@ -56,23 +56,25 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
   switch (e.end) {
     case ending::BranchEnd::turned:
       return {fmt::format("{}{}{}; there the branch turns back: beyond it only states of less load "
-                          "follow{}",
+                          "follow{}{}",
                           e.with_heat ? "film and heat: " : "", way,
                           e.with_heat ? ", its oil at most at " + told_temperature(e.T_high) : "",
                           !e.with_heat ? ""
                           : a.within.reason.empty()
                               ? ", and under more the bearing is not seen to come to rest"
                               : "; whether the bearing comes to rest under more was not seen to "
-                                "its end"),
+                                "its end",
+                          not_beyond(e.carried, a)),
               e.with_heat ? kLessHeat
                           : "lower the load or the tilt, feed more oil, or give contact data"};
     case ending::BranchEnd::unbounded:
       return {fmt::format("the film cannot carry {:.4g} N: {}; closer the pressure grows without "
-                          "bound ({})",
-                          e.carried.whole, way, kBoundOfPressure),
+                          "bound ({}){}",
+                          e.carried.whole, way, kBoundOfPressure, not_beyond(e.carried, a)),
               kBeyondBarus};
     case ending::BranchEnd::molecule:
-      return {fmt::format("no film carries the load: {}, less than a molecule of oil", way),
+      return {fmt::format("no film carries the load: {}, less than a molecule of oil{}", way,
+                          not_beyond(e.carried, a)),
               kContactElseElastic};
     case ending::BranchEnd::reached:
     case ending::BranchEnd::lost:
@@ -100,8 +102,8 @@ inline Told told(const ending::RanAway& e, const About& a) {
   const std::string way = followed(e.carried, e.h_min);
   if (!e.thins) {
     return {fmt::format("too hot: {}; with a tenth more, heated within {:.3g} s, {} (the "
-                        "viscosity does not fall with temperature: nothing runs away)",
-                        way, e.t, a.within.reason),
+                        "viscosity does not fall with temperature: nothing runs away){}",
+                        way, e.t, a.within.reason, not_beyond(e.carried, a)),
             kLessHeat};
   }
   return {fmt::format("thermal runaway: {}; with a tenth more, film and walls run away within "

@@ -187,7 +187,8 @@ class NodeFlows {
 /// the slope of pressure of its neighbour, whose stresses, in its own gap, are many times its own
 /// and all at the walls, and evenly the middle of the film would be cooled for them.
 void spread_heat(const CrossFilmNodes& gl, double power, double sum, double* heat) {
-  const double kept = sum > power ? std::max(power, 0.0) / sum : 1.0;
+  const double most = std::max(power, 0.0);
+  const double kept = sum > most ? most / sum : 1.0;
   const double missed = power - kept * sum;
   for (int k = 0; k < gl.n; ++k) heat[k] = kept * heat[k] + gl.w[k] * missed;
 }

@@ -7,7 +7,7 @@
 /// second part telescopes to supply pressure times supply flow, and where cells gain oil to
 /// -sum p dM/dt / rho_ref as well, the power of the walls that squeeze it. Across the film it is
 /// spread as tau^2/eta (2 of columns.hpp); what that quadrature misses of (1) is spread evenly, and
-/// where it finds more, all nodes have less in proportion.
+/// where it finds more of a power that is positive, all nodes have less in proportion.
 /// Asperity friction tau_a U heats the two walls, split by thermal effusivity.
 #include <optional>
 #include <vector>

@@ -182,10 +182,13 @@ Verdict HeatSearch::no_branch() const {
           placed ? ending::Plain::no_slow_state : ending::Plain::no_light_state};
 }
 
-bool HeatSearch::speaks_of_more(const Branch& branch) const {
+bool HeatSearch::speaks_of_more(const Branch& branch) {
   if (branch.raised == Raised::load) return true;
   if (branch.raised == Raised::supply) return false;
+  Part of(s_, branch.raised);
+  of.take(branch.carried);  // its film belongs to that speed
   const Friction friction = friction_of(s_.model, s_.point, s_.film);
+  of.take(1.0);
   const bool rubs = std::abs(friction.asperity) > std::abs(friction.viscous);
   return s_.point.load.unknowns == 0 || !rubs;
 }

@@ -53,7 +53,7 @@ class HeatSearch {
   /// Whether the end of such a branch is that of all states with more: of more load, and of more
   /// speed, which makes more heat; but for a loaded journal that rubs, whose film carries better
   /// the faster it turns, and for supplies, which cool: other branches may begin above.
-  [[nodiscard]] bool speaks_of_more(const Branch& branch) const;
+  [[nodiscard]] bool speaks_of_more(const Branch& branch);
   /// `after`: what followed in time.
   [[nodiscard]] Verdict ended(const Branch& branch, const MarchEnd& after);
 

@@ -57,7 +57,7 @@ bool shows(const Case& c, const Grid& grid, const bearing::EdgeOpening& opening)
                      [&](double z) { return std::abs(z - foot) < kRoundOff * c.bearing.width; });
 }
 
-/// Whether a grid carries the supplies and shows the openings that the case's own grid shows:
+/// Whether a grid carries the supplies along and shows the openings that the case's own grid shows:
 /// without a face at its foot one reaches into the film, and makes another bearing of it.
 bool carries(const Case& c, const Grid& grid) {
   if (!holds_supplies(c, grid)) return false;
@@ -81,8 +81,11 @@ std::vector<Grid> coarse_grids(const Case& c) {
   }
   const auto [around, along] = c.model.grid;
   for (Grid& grid : grids) {
+    const int as_coarse = grid[1];
     while (grid[1] < along && !carries(c, grid)) ++grid[1];
-    while (grid[0] < around && !carries(c, grid)) ++grid[0];
+    if (grid[1] == along) grid[1] = as_coarse;  // fewer cells than the own ones show no opening
+    while (grid[1] < along && !holds_supplies(c, grid)) ++grid[1];
+    while (grid[0] < around && !holds_supplies(c, grid)) ++grid[0];
   }
   std::erase_if(grids, [&](const Grid& g) { return g[0] >= around || g[1] >= along; });
   grids.erase(std::unique(grids.begin(), grids.end()), grids.end());

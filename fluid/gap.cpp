@@ -99,20 +99,29 @@ void close_edges(const FilmGrid& g, const Field& d, const Field& profile, double
   }
 }
 
-/// Faces between film and supply, on which `gap` has the mean of both displacements.
+/// Faces between film and supply, and at the foot of a smooth opening of the bore, on which `gap`
+/// has the mean of both displacements.
 struct SupplyEdges {
   const FilmGrid& g;
   const Field& d;
   const Field& profile;
+  const Gap* shape;
   const SupplyMap& supply;
   double summits;
 
   [[nodiscard]] bool parts(int a, int b) const {
     return (supply.cell[a] >= 0) != (supply.cell[b] >= 0);
   }
-  void bend(int face, int a, int b, double mean, std::vector<double>& faces,
+  /// Cell a or b, whichever is the land beside the other; none: -1. `face`: axial, between them.
+  [[nodiscard]] int land_beside_opening(int a, int b, int face) const {
+    if (shape == nullptr || supply.cell[a] >= 0) return -1;
+    const double before = shape->cell[a] - shape->z_face[face];
+    const double behind = shape->cell[b] - shape->z_face[face];
+    if (before == -behind) return -1;  // straight on
+    return before > behind ? b : a;
+  }
+  void bend(int face, int cell, double mean, std::vector<double>& faces,
             std::vector<BentFace>& bent) const {
-    const int cell = supply.cell[a] >= 0 ? b : a;
     const double line = mean - d[cell];
     const double step = profile.empty() ? 0.0 : profile[cell];
     const EdgeGap edge = edge_gap(faces[face] - line + step, line, summits);
@@ -125,10 +134,16 @@ struct SupplyEdges {
       const int west = g.previous(i);
       for (int j = 0; j < g.nz; ++j) {
         const int k = g.index(i, j), l = g.index(west, j);
-        if (parts(l, k)) bend(k, l, k, on_phi_face(g, d, i, j), gap.phi_face, gap.bent_phi);
-        if (j == 0 || !parts(k - 1, k)) continue;
-        bend(i * (g.nz + 1) + j, k - 1, k, OnAxialFace(g, j).of(&d[g.index(i, 0)]), gap.z_face,
-             gap.bent_z);
+        if (parts(l, k)) {
+          bend(k, supply.cell[l] >= 0 ? k : l, on_phi_face(g, d, i, j), gap.phi_face, gap.bent_phi);
+        }
+        if (j == 0) continue;
+        const int face = i * (g.nz + 1) + j;
+        const int land = !parts(k - 1, k)          ? land_beside_opening(k - 1, k, face)
+                         : supply.cell[k - 1] >= 0 ? k
+                                                   : k - 1;
+        if (land < 0) continue;
+        bend(face, land, OnAxialFace(g, j).of(&d[g.index(i, 0)]), gap.z_face, gap.bent_z);
       }
     }
   }
@@ -167,7 +182,7 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
   }
   if (d.empty()) return gap;
   close_edges(g, d, profile, summits, gap);
-  if (supply != nullptr) SupplyEdges{g, d, profile, *supply, summits}.bend_all(gap);
+  if (supply != nullptr) SupplyEdges{g, d, profile, shape, *supply, summits}.bend_all(gap);
   return gap;
 }
 

@@ -34,10 +34,11 @@ struct EdgeSlopes {
   double line = 1.0;  ///< what the straight line through the last two cells adds to that
 };
 
-/// A face between film and supply whose gap is not the mean of both cells' (film_gap).
+/// A face between film and supply, or at the foot of an opening of the bore, whose gap is not the
+/// mean of both cells' (film_gap).
 struct BentFace {
   int face = 0;  ///< index in phi_face or z_face
-  int cell = 0;  ///< of the film
+  int cell = 0;  ///< of the film, or of the land beside the opening
   EdgeSlopes slope;
 };
 
@@ -81,8 +82,9 @@ struct Angles {
 /// (cells; empty: none) and the shape (none: a cylinder). Displacements are averaged to faces,
 /// continued to the edges as edge_gap says; the shape is taken as it is there. `summits`: height
 /// below the mean planes from which on rough surfaces have no room left [m]. At the edge of a
-/// supply (none: null) the mean is a line that leads from the film's cell to the supply's ground,
-/// where the land may be pressed away by more than the gap that is left: bent as on side edges.
+/// supply (none: null), and at the foot of an opening of the bore along the axis, the mean is a
+/// line that leads from the land's cell to ground that no film presses upon, where the land may be
+/// pressed away by more than the gap that is left: bent as on side edges.
 [[nodiscard]] Gap film_gap(const FilmGrid& grid, const Angles& angles, double clearance,
                            const JournalPosition& position, const Field& displacement,
                            const Field& profile, const Gap* shape = nullptr, double summits = 0.0,

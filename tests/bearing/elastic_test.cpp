@@ -278,6 +278,27 @@ TEST_CASE("PressedSharpEdgesDoNotEndTheFilmOnCoarseGrids", "[elastic]") {
   }
 }
 
+TEST_CASE("TheFootOfAChamferStaysOpen", "[elastic]") {
+  // The land is pressed away, the chamfer beside it is not: on the face between them half of that
+  // is more than the gap that is left. Judge: the same bearing without the chamfer, which is a
+  // twelfth of its width.
+  Case c = warm_case();
+  c.model.tier = Tier::tehd;
+  set_load(c, 9e3);
+  for (const std::array<int, 2> grid : {std::array{36, 6}, std::array{60, 9}}) {
+    c.model.grid = grid;
+    c.bearing.chamfer.reset();
+    const Result plain = solve(c);
+    c.bearing.chamfer = EdgeOpening{500e-6, 1e-3};
+    const Result chamfered = solve(c);
+    INFO(grid[0] << ": " << app::reason_of(chamfered.verdict));
+    REQUIRE(plain.verdict.good());
+    REQUIRE(chamfered.verdict.good());
+    CHECK(chamfered.value("friction_torque") ==
+          Approx(plain.value("friction_torque")).epsilon(0.1));
+  }
+}
+
 TEST_CASE("ALongFreeShaftKeepsTheJournalInItsPlace", "[elastic]") {
   // Half a bearing and, with a tilt that is nothing, the whole: what a shaft of 200 mm beside 25 mm
   // bends as a free body is no eccentricity. 2 %: it bends within the width, too (smallest film

@@ -28,10 +28,13 @@ Verdict steady_heat(Solution& s, Level level, const SolveControl& control) {
   auto limits = s.limits;
   const Verdict film = search.cold_film();
   if (!film.good()) {
-    if (search.over(film) || !search.may_follow()) return film;
     // Where a film ends in oil of the supply's temperature says nothing of one that is heated, or
     // cooled by its walls, unless its gap is closed as it is given.
     if (s.point.load.unknowns == 0 && is_closed(s.model, s.film)) return film;
+    if (search.over(film) && film.status == Status::no_steady_state) {
+      return {Status::iteration_limit, ending::Plain::given_up, film.place, {film}};
+    }
+    if (search.over(film) || !search.may_follow()) return film;
     s.limits = std::move(limits);
     Verdict along = search.along_branch();
     if (search.over(along) || search.branch_begun()) return along;

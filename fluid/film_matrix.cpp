@@ -109,9 +109,9 @@ EdgeSlopes edge_slopes(const FilmFlow& flow, int i, int j) {
                            : flow.edge[2 * static_cast<std::size_t>(i) + (j == 0 ? 0 : 1)];
 }
 
-/// What faces beside supplies that are bent have otherwise than the mean of their cells, of which
-/// the supply's yields nothing.
-void bend_at_supplies(const FilmScene& scene, const FilmFlow& flow, const Field& c,
+/// What faces that are bent have otherwise than the mean of their cells, in the row of the land's
+/// cell: that of a supply yields nothing, and in that of an opening little flows by the gap.
+void bend_inner_edges(const FilmScene& scene, const FilmFlow& flow, const Field& c,
                       const std::vector<double>& into_line, RingMatrix& a) {
   const FilmGrid& g = scene.grid;
   const auto add = [&](const BentFace& f, double share, double out) {
@@ -177,7 +177,7 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
     if (!g.half) couple.add(-low, first, at_low.own + of_low, first + 1, -of_low, a.n[first]);
     couple.add(high, last, at_high.own + of_high, last - 1, -of_high, a.s[last]);
   }
-  bend_at_supplies(scene, flow, c, into_line, a);
+  bend_inner_edges(scene, flow, c, into_line, a);
   for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k) {
     if (couple.film(static_cast<int>(k))) a.c[k] += flow.stored_by_gap[k] * c[k];
   }

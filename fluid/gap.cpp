@@ -101,7 +101,7 @@ void close_edges(const FilmGrid& g, const Field& d, const Field& profile, double
 
 /// Faces between film and supply, and at the foot of a smooth opening of the bore, on which `gap`
 /// has the mean of both displacements.
-struct SupplyEdges {
+struct InnerEdges {
   const FilmGrid& g;
   const Field& d;
   const Field& profile;
@@ -112,13 +112,14 @@ struct SupplyEdges {
   [[nodiscard]] bool parts(int a, int b) const {
     return (supply.cell[a] >= 0) != (supply.cell[b] >= 0);
   }
-  /// Cell a or b, whichever is the land beside the other; none: -1. `face`: axial, between them.
+  /// Cell a or b, whichever is the land beside the other, whose ground opens by more than it is
+  /// pressed away less; none: -1. `face`: axial, between them.
   [[nodiscard]] int land_beside_opening(int a, int b, int face) const {
     if (shape == nullptr || supply.cell[a] >= 0) return -1;
-    const double before = shape->cell[a] - shape->z_face[face];
-    const double behind = shape->cell[b] - shape->z_face[face];
-    if (before == -behind) return -1;  // straight on
-    return before > behind ? b : a;
+    const int land = d[a] > d[b] ? a : b;
+    const int other = a + b - land;
+    const double opens = shape->cell[other] - shape->z_face[face];
+    return opens > d[land] - d[other] ? land : -1;
   }
   void bend(int face, int cell, double mean, std::vector<double>& faces,
             std::vector<BentFace>& bent) const {
@@ -182,7 +183,7 @@ Gap film_gap(const FilmGrid& g, const Angles& a, double c, const JournalPosition
   }
   if (d.empty()) return gap;
   close_edges(g, d, profile, summits, gap);
-  if (supply != nullptr) SupplyEdges{g, d, profile, shape, *supply, summits}.bend_all(gap);
+  if (supply != nullptr) InnerEdges{g, d, profile, shape, *supply, summits}.bend_all(gap);
   return gap;
 }
 

@@ -68,7 +68,8 @@ const char* words_of(Limiter limiter) {
     case Limiter::beyond_contact_law:
       return "cells pressed beyond the range of the contact law";
     case Limiter::bent_edges:
-      return "places on side edges and beside grooves whose gap is held open, as cells do not "
+      return "places on side edges, beside grooves and openings whose gap is held open, as cells "
+             "do not "
              "resolve it there";
     case Limiter::steps_too_long:
       break;

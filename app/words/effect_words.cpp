@@ -69,8 +69,7 @@ const char* words_of(Limiter limiter) {
       return "cells pressed beyond the range of the contact law";
     case Limiter::bent_edges:
       return "places on side edges, beside grooves and openings whose gap is held open, as cells "
-             "do not "
-             "resolve it there";
+             "do not resolve it there";
     case Limiter::steps_too_long:
       break;
   }

@@ -50,8 +50,7 @@ std::string beginning_of_event(note::Plain n) {
              "drilling feeds)";
     case Plain::event_in_lumps:
       return "the film has one temperature, at which the oil that is fed over the event would "
-             "carry "
-             "off all of its heat; walls take up none (in tier thd they do)";
+             "carry off all of its heat; walls take up none (in tier thd they do)";
     default:
       return "the event begins with the journal in the middle of a full film: no steady place "
              "under its first row was found";

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "core/largest.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
@@ -53,6 +54,12 @@ void share_bar_of_heat(const Judged& judged, const Result& result) {
   }
 }
 
+/// Part of its size that few cells on lands leave open of a quantity.
+double lands_leave(const LandError& lands, const Quantity& q) {
+  const bool friction = q.name.starts_with("friction_") || q.name == "power_loss";
+  return friction ? std::max(lands.pads, lands.sides) : lands.pads;
+}
+
 /// Bars of the grid with the orders observed; not-a-number where the value of the result's own grid
 /// is not there.
 void put_grid_bars(const BarRecord& record, Result& result) {
@@ -80,6 +87,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     q.error_nodes = std::isfinite(nodes) ? nodes : 0.0;
     q.error_grid = bar.bar + q.error_nodes;
     if (q.name == "h_min") q.error_grid += record.edge;
+    q.error_grid = larger(q.error_grid, lands_leave(record.lands, q) * size);
     q.order = bar.order;
     const bool known = q.error_grid < size;  // at all: else it leads anywhere
     q.limit = known ? limit_of(c, q, bar.limit) : NAN;
@@ -157,6 +165,7 @@ BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control
   BarRecord record;
   record.grid = own.model.input.model.grid;
   record.edge = edge_error(own.model.domain.grid, own.film.gap.cell, own.film.least);
+  record.lands = land_error(own.model.domain.grid, own.model.supply);
   GridSequence sequence = grid_sequence(own, control, kept);
   record.coarse = std::move(sequence.coarse);
   record.levels = std::move(sequence.levels);

@@ -1,6 +1,7 @@
 #pragma once
 /// One case, one tier, one result with error bars: what `run` calls.
 #include "fidelity/grid_sequence.hpp"
+#include "fidelity/land_error.hpp"
 #include "fidelity/left_out.hpp"
 #include "fidelity/quantities.hpp"
 
@@ -14,6 +15,7 @@ struct BarRecord {
   std::vector<bearing::Quantity> node_change;
   std::vector<bearing::LevelRecord> levels;  ///< grids used, from the coarsest on
   double edge = 0.0;                         ///< of the smallest film, edge_error.hpp [m]
+  LandError lands;                           ///< of few cells beside supplies
   ModelError model;
   double wall_s = 0.0;
 };

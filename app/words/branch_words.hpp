@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/words/film_words.hpp"
 #include "app/words/temperature_words.hpp"
 #include "app/words/told.hpp"
 #include "bearing/film/follow.hpp"
@@ -73,9 +74,9 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
                           e.carried.whole, way, kBoundOfPressure, not_beyond(e.carried, a)),
               kBeyondBarus};
     case ending::BranchEnd::molecule:
-      return {fmt::format("no film carries the load: {}, less than a molecule of oil{}", way,
-                          not_beyond(e.carried, a)),
-              kContactElseElastic};
+      return {fmt::format("{}: {}, less than a molecule of oil{}{}", no_film(a), way,
+                          kept_by_cells(a), not_beyond(e.carried, a)),
+              cure_of_no_film(a)};
     case ending::BranchEnd::reached:
     case ending::BranchEnd::lost:
     case ending::BranchEnd::interrupted:

@@ -97,12 +97,32 @@ inline Told told(const ending::FilmUnsettled& e, const About&) {
       e.no_film ? kContactElseElastic : kFinerElseLess};
 }
 
-inline Told told(const ending::NotAtRest& e, const About&) {
+/// Smooth surfaces with less than a molecule of oil between: physics, or what cells make of it.
+inline bool cells_made_it(const About& a) { return a.verdict.status == Status::iteration_limit; }
+
+inline const char* no_film(const About& a) {
+  return cells_made_it(a) ? "no film was found that carries the load" : "no film carries the load";
+}
+
+inline const char* kept_by_cells(const About& a) {
+  return cells_made_it(a) ? "; between rigid surfaces no cells resolve such a film, and what "
+                            "coarse ones let it carry is too little"
+                          : "";
+}
+
+inline std::string cure_of_no_film(const About& a) {
+  return cells_made_it(a)
+             ? fmt::format("finer cells around (model.grid); or {}", kContactElseElastic)
+             : kContactElseElastic;
+}
+
+inline Told told(const ending::NotAtRest& e, const About& a) {
   if (e.steps == 0) {
-    return {fmt::format("no film carries the load: the journal is pressed towards the shell until "
-                        "less than a molecule of oil is left ({:.3g} um)",
-                        e.h_min * 1e6),
-            kContactElseElastic};
+    return {
+        fmt::format("{}: the journal is pressed towards the shell until less than a molecule of "
+                    "oil is left ({:.3g} um){}",
+                    no_film(a), e.h_min * 1e6, kept_by_cells(a)),
+        cure_of_no_film(a)};
   }
   return {fmt::format("the journal did not come to rest in {} steps in time (smallest gap {:.3g} "
                       "um)",

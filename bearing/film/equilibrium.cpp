@@ -94,6 +94,10 @@ bool thinner_than_a_molecule(const BearingModel& model, const FilmEquilibrium& s
   return true;
 }
 
+Status without_a_film(const BearingModel& model) {
+  return model.physics.elastic ? Status::no_steady_state : Status::iteration_limit;
+}
+
 namespace {
 
 void evaluate_contact(const BearingModel& model, const OperatingPoint& point, FilmEquilibrium& s) {

@@ -397,7 +397,7 @@ void note_limit(Solution& s, const Branch& branch, bool proven) {
                       branch.raised,
                       branch.carried,
                       proven,
-                      branch.end == BranchEnd::unbounded || branch.end == BranchEnd::molecule});
+                      branch.end == BranchEnd::unbounded});
 }
 
 }  // namespace shellback::bearing

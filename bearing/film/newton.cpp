@@ -186,7 +186,8 @@ bool NewtonIteration::reject() {
   restore(accepted_.u);
   reach_ *= 0.25;  // it is doubled once the state that is gone back to is accepted again
   ++cost_.rejected_steps;
-  return reach_ >= kShortestReach && evaluate_state();
+  const bool evaluated = evaluate_state();  // a search that ends here tells what it last accepted
+  return evaluated && reach_ >= kShortestReach;
 }
 
 fluid::UpdateReport NewtonIteration::take(const NewtonStep& step) {

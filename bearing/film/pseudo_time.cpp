@@ -49,7 +49,7 @@ Verdict march_in_time(const FilmTask& task, double unit, FilmEquilibrium& s,
     }
     if (v.good()) {
       if (point.load.unknowns > 0 && thinner_than_a_molecule(model, s)) {
-        return {Status::no_steady_state, ending::NotAtRest{0, s.least.h}, s.least.place()};
+        return {without_a_film(model), ending::NotAtRest{0, s.least.h}, s.least.place()};
       }
       held = content();
       if (cost.newton_iterations - spent <= kQuick) turn /= kStepShorter;

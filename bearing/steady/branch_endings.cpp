@@ -21,11 +21,16 @@ ending::Carried carried(const Solution& s, Raised raised, double part) {
 
 }  // namespace
 
+bool shows_none_beyond(const BearingModel& model, const Branch& b) {
+  if (b.end == BranchEnd::molecule) return without_a_film(model) == Status::no_steady_state;
+  return b.end != BranchEnd::lost;
+}
+
 Verdict branch_ended(const Solution& s, const Branch& b) {
   const bool lost = b.end == BranchEnd::lost;
   const bool heat = s.model.physics.film_energy;
   const double T_high = heat ? largest(s.film.columns.T) : NAN;
-  Verdict v{lost ? Status::iteration_limit : Status::no_steady_state,
+  Verdict v{shows_none_beyond(s.model, b) ? Status::no_steady_state : Status::iteration_limit,
             ending::BranchEnded{b.end, carried(s, b.raised, b.carried), b.h_min, heat, T_high},
             lost ? b.last.place : s.film.least.place()};
   if (lost) v.cause = {b.last};

@@ -3,9 +3,9 @@
 #include "bearing/film/follow.hpp"
 #include "bearing/film/newton.hpp"
 #include "bearing/film/solve_equilibrium.hpp"
-#include "bearing/steady/level.hpp"
 #include "bearing/possible_methods.hpp"
 #include "bearing/steady/branch_endings.hpp"
+#include "bearing/steady/level.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -75,7 +75,7 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
   if (!branch) return v;
   if (branch->end == BranchEnd::reached) return {};
   if (branch->end == BranchEnd::interrupted) return branch->last;
-  note_limit(s, *branch, branch->end != BranchEnd::lost);
+  note_limit(s, *branch, shows_none_beyond(s.model, *branch));
   return branch_ended(s, *branch);
 }
 

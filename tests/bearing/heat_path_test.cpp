@@ -226,15 +226,15 @@ TEST_CASE("WithHeatAGivenPositionIsRefusedAsPhysicalOnlyWhereItWasFollowedToItsE
   }
 }
 
-TEST_CASE("SlowSmoothBearingsNeedAFilmThinnerThanAMolecule", "[heat_path][refusal]") {
+TEST_CASE("RigidSlowBearingsThatNeedAFilmThinnerThanAMoleculeAreNotFound", "[heat_path][refusal]") {
   // The pressure of the supply alone loads the journal more than a film of 0.1 rpm carries, so that
-  // there is no light load to begin with.
+  // there is no light load to begin with. What these cells carry is not what the bearing does.
   Case c = warm_case();
   c.operation.omega = 0.1 * kPi / 30.0;
   for (const Tier tier : {Tier::isothermal, Tier::thd}) {
     const Solution s = solve_tier(c, tier);
     INFO(to_string(tier) << ": " << app::reason_of(s.verdict));
-    CHECK(s.verdict.status == Status::no_steady_state);
+    CHECK(s.verdict.status == Status::iteration_limit);
     CHECK(nearer_than_a_molecule(s.verdict));
   }
 }

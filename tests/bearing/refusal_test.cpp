@@ -59,6 +59,28 @@ TEST_CASE("RigidBarusLimitIsRefusedWithItsName", "[refusal]") {
   CHECK(std::isfinite(s.verdict.place.phi));
 }
 
+/// Rigid smooth surfaces of constant viscosity carry any load, if only the film is thin enough:
+/// W falls as a power of h. Cells as wide as the film's wedge is long carry a part of it.
+TEST_CASE("WhatCellsCannotCarryIsNotTheBearingsLimit", "[refusal]") {
+  Case slow = plain_case();
+  slow.operation.omega = 0.5 * kRpm;
+  Case lobed = plain_case();  // a bore that runs along a straight line from 1 mm to nothing
+  lobed.bearing.profile = Profile{{10.0 * kDegree, 200.0 * kDegree}, {0.0}, {1e-3, 0.0}};
+  for (Case c : {slow, lobed}) {
+    for (const auto grid : {std::array{36, 5}, std::array{54, 7}}) {
+      c.model.grid = grid;
+      const Solution s = solve_tier(c, Tier::isothermal);
+      INFO(grid[0] << " cells: " << app::reason_of(s.verdict));
+      CHECK(s.verdict.status == Status::iteration_limit);
+    }
+    c.model.grid = {360, 7};
+    const Solution s = solve_tier(c, Tier::isothermal);
+    INFO(app::reason_of(s.verdict));
+    CHECK(s.verdict.good());
+    CHECK(s.film.least.h > 2e-9);
+  }
+}
+
 TEST_CASE("SmoothJournalBeyondTheClearanceIsRefused", "[refusal]") {
   Case c = plain_case();
   place_journal(c, 1.02, 0.3);

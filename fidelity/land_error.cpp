@@ -1,0 +1,54 @@
+#include "fidelity/land_error.hpp"
+
+#include <algorithm>
+
+namespace shellback::fidelity {
+
+namespace {
+
+constexpr double kPad = 20.0;  // (1)
+constexpr double kSide = 0.1;  // (2)
+
+/// Cells of the longest run of film around in line j, which no supply parts.
+int widest_land(const FilmGrid& g, const fluid::SupplyMap& supply, int j) {
+  int widest = 0, run = 0;
+  for (int k = 0; k < 2 * g.nt; ++k) {  // twice round: a land may lie across phi = 0
+    run = supply.cell[g.index(k % g.nt, j)] < 0 ? run + 1 : 0;
+    widest = std::max(widest, run);
+  }
+  return std::min(widest, g.nt);
+}
+
+/// Cells from the side edge at the line `edge`, inwards, to the first of a supply; none: 0.
+int cells_to_supply(const FilmGrid& g, const fluid::SupplyMap& supply, int i, int edge,
+                    int inwards) {
+  for (int n = 0; n < g.nz; ++n) {
+    if (supply.cell[g.index(i, edge + n * inwards)] >= 0) return n;
+  }
+  return 0;
+}
+
+}  // namespace
+
+LandError land_error(const FilmGrid& g, const fluid::SupplyMap& supply) {
+  LandError out;
+  const double width = g.z_face.back() - g.z_face.front();
+  for (int j = 0; j < g.nz; ++j) {
+    const int n = widest_land(g, supply, j);
+    if (n > 0 && n < g.nt) out.pads += g.dz[j] / width * kPad / (n * n);
+  }
+  double film = 0.0;
+  for (int c = 0; c < g.cells(); ++c) film += supply.cell[c] < 0 ? g.area(c) : 0.0;
+  for (int i = 0; i < g.nt && film > 0.0; ++i) {
+    for (const bool low : {true, false}) {
+      if (low && g.half) continue;
+      const int edge = low ? 0 : g.nz - 1;
+      const int inwards = low ? 1 : -1;
+      const int m = cells_to_supply(g, supply, i, edge, inwards);
+      for (int n = 0; n < m; ++n) out.sides += kSide / m * g.area(i, edge + n * inwards) / film;
+    }
+  }
+  return out;
+}
+
+}  // namespace shellback::fidelity

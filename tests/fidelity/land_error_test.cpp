@@ -1,0 +1,74 @@
+/// Bars where supplies leave little film.
+#include "fidelity/land_error.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bearing/bearing.hpp"
+#include "fidelity/solve.hpp"
+#include "tests/bearing/sample_bearing.hpp"
+
+using namespace shellback;
+using namespace shellback::bearing;
+using namespace shellback::bearing::tests;
+
+namespace {
+
+/// A groove that leaves a pad of 360 degrees less `arc`, and lands of 5 mm to the side edges.
+Case pad_case(double arc) {
+  Case c = plain_case();
+  c.bearing = {0.03, 0.03, 30e-6, 293.15, {}};
+  c.operation.omega = 3000.0 * kRpm;
+  c.operation.position = LoadGiven{200.0, 270.0 * kDegree};
+  c.oil.temperature = rheology::ConstantViscosity{0.01};
+  c.supplies[0].arc = arc * kDegree;
+  c.supplies[0].length = 0.02;
+  c.supplies[0].pressure = 2e5;
+  return c;
+}
+
+fidelity::LandError lands_of(Case c, std::array<int, 2> grid) {
+  c.model.grid = grid;
+  const BearingModel m = make_bearing(c, physics_of(c, Tier::isothermal), grid);
+  return fidelity::land_error(m.domain.grid, m.supply);
+}
+
+}  // namespace
+
+TEST_CASE("FilmsWithoutGroovesHaveNoErrorOfLands", "[land_error]") {
+  const auto none = lands_of(plain_case(), {60, 9});  // a line takes no cell
+  CHECK(none.pads == 0.0);
+  CHECK(none.sides == 0.0);
+  const auto usual = lands_of(pad_case(18.0), {60, 9});
+  CHECK(usual.pads < 0.01);  // below what such grids leave open anyway
+  CHECK(usual.sides < 0.01);
+}
+
+TEST_CASE("TheErrorOfLandsFallsWithTheirCells", "[land_error]") {
+  // Edges of the groove lie on faces of all these grids: cells are halved exactly.
+  const auto coarse = lands_of(pad_case(300.0), {36, 6});
+  const auto fine = lands_of(pad_case(300.0), {72, 12});
+  CHECK(fine.pads == Approx(0.25 * coarse.pads));
+  CHECK(fine.sides == Approx(0.5 * coarse.sides));
+  Case turned = pad_case(300.0);
+  turned.supplies[0].angle += 50.0 * kDegree;  // the pad across phi = 0
+  CHECK(lands_of(turned, {36, 6}).pads == Approx(coarse.pads));
+}
+
+TEST_CASE("BarsOfShortPadsHoldWhatFineGridsGive", "[land_error]") {
+  // On 60 x 9 cells, whose coarser grids cut the pad into as few, they were a quarter of that.
+  for (const double arc : {300.0, 320.0, 335.0}) {
+    Case c = pad_case(arc);
+    c.model.grid = {200, 25};
+    const Result fine = fidelity::solve(c);
+    REQUIRE(fine.verdict.good());
+    c.model.grid = {60, 9};
+    const Result own = fidelity::solve(c);
+    REQUIRE(own.verdict.good());
+    for (const char* name : {"friction_torque", "h_min", "p_max", "side_flow"}) {
+      const Quantity* q = quantity_in(own.quantities, name);
+      INFO(arc << " degrees, " << name << ": " << q->value << " +- " << q->error_grid << ", fine "
+               << fine.value(name));
+      CHECK(std::abs(q->value - fine.value(name)) < q->error_grid);
+    }
+  }
+}

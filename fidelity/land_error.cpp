@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/constants.hpp"
+#include "core/round_off.hpp"
+
 namespace shellback::fidelity {
 
 namespace {
@@ -9,14 +12,21 @@ namespace {
 constexpr double kPad = 20.0;  // (1)
 constexpr double kSide = 0.1;  // (2)
 
-/// Cells of the longest run of film around in line j, which no supply parts.
-int widest_land(const FilmGrid& g, const fluid::SupplyMap& supply, int j) {
-  int widest = 0, run = 0;
+struct Land {
+  int cells = 0;
+  double arc = 0.0;  ///< [rad]
+  [[nodiscard]] bool is_short() const { return cells > 0 && arc < kPi * (1.0 - kRoundOff); }
+};
+
+/// The longest run of film around in line j, which no supply parts.
+Land widest_land(const FilmGrid& g, const fluid::SupplyMap& supply, int j) {
+  Land widest, run;
   for (int k = 0; k < 2 * g.nt; ++k) {  // twice round: a land may lie across phi = 0
-    run = supply.cell[g.index(k % g.nt, j)] < 0 ? run + 1 : 0;
-    widest = std::max(widest, run);
+    const int i = k % g.nt;
+    run = supply.cell[g.index(i, j)] < 0 ? Land{run.cells + 1, run.arc + g.dphi[i]} : Land{};
+    if (run.arc > widest.arc) widest = run;
   }
-  return std::min(widest, g.nt);
+  return widest;
 }
 
 /// Cells from the side edge at the line `edge`, inwards, to the first of a supply; none: 0.
@@ -34,9 +44,10 @@ LandError land_error(const FilmGrid& g, const fluid::SupplyMap& supply) {
   LandError out;
   const double width = g.z_face.back() - g.z_face.front();
   for (int j = 0; j < g.nz; ++j) {
-    const int n = widest_land(g, supply, j);
-    if (n > 0 && n < g.nt) out.pads += g.dz[j] / width * kPad / (n * n);
+    const Land land = widest_land(g, supply, j);
+    if (land.is_short()) out.pads += g.dz[j] / width * kPad / (land.cells * land.cells);
   }
+  if (out.pads == 0.0) return out;
   double film = 0.0;
   for (int c = 0; c < g.cells(); ++c) film += supply.cell[c] < 0 ? g.area(c) : 0.0;
   for (int i = 0; i < g.nt && film > 0.0; ++i) {

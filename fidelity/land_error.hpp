@@ -3,14 +3,14 @@
 ///
 /// Grids of one sequence cut a narrow land into as few cells as the own one does, and agree on what
 /// all of them miss: the sequence says nothing of it. With n cells around on the widest land of a
-/// row,
+/// row, where that is less than half a turn,
 ///   pads = mean over the rows, by width, of 20 / n^2                                        (1)
 /// of every quantity: the pressure over a pad is an arch of one sign, whose mean over n cells is of
 /// second order. With m cells between a supply and the side edge,
 ///   sides = sum of 0.1 A / m over such lands, over the area of all film                     (2)
 /// of friction: where the oil tears off within a land is known to a part of a cell, and friction
 /// follows the fill. Factors are those of decision 079, from bearings of one groove of 280 to 345
-/// degrees. Both vanish as cells become many; neither is felt beside usual grooves.
+/// degrees. Both vanish as cells become many, and where half a turn and more is film.
 #include "fluid/supply.hpp"
 
 namespace shellback::fidelity {

@@ -23,7 +23,14 @@ std::string table_beside(const Section& section, const std::string& key) {
   const std::filesystem::path folder = std::filesystem::path(section.reader().file).parent_path();
   const std::string name = section.text(key);
   if (name.empty()) section.fail(key, "this names no file; give that of the table, \"table.csv\"");
-  return section.reader().tables.emplace_back((folder / name).string());
+  const std::string path = (folder / name).string();
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    section.fail_file(key, path +
+                               ": there is no such file; a table named in a case is looked for "
+                               "from the folder of the case");
+  }
+  return section.reader().tables.emplace_back(path);
 }
 
 bearing::Bearing read_bearing(const Section& file) {

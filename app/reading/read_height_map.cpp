@@ -22,11 +22,13 @@ constexpr int kFewest = 8;         ///< points each way: below, nothing can be s
 constexpr long kMost = 4'000'000;  ///< points: what memory holds of a factorisation
 constexpr double kOffGrid = 0.05;  ///< of a pitch: what positions may be off the grid [-]
 constexpr const char* kColumns = "x [um], y [um], z [nm]";
+/// Lengths of a map: heights are told in nanometres.
+constexpr Kind kOfMap{"a length", {1, 0, 0, 0, 0}, "nm, um, mm", "10 um"};
 
 /// A unit that stands in the header or at a column, as a factor.
 double factor_of(const std::string& unit, const std::string& place, const std::string& what) {
   try {
-    return unit_factor(unit, kLength);
+    return unit_factor(unit, kOfMap);
   } catch (const UnitError& error) {
     throw InputError(place, fmt::format("{}: {}", what, error.what()));
   }
@@ -36,7 +38,7 @@ double header_length(const MapText& text, const HeaderValue& value, const std::s
   const std::string place = fmt::format("{}:{}:1", text.path(), value.line);
   double length = 0.0;
   try {
-    length = parse_quantity(value.text, kLength);
+    length = parse_quantity(value.text, kOfMap);
   } catch (const UnitError& error) {
     throw InputError(place, fmt::format("{}: {}", name, error.what()));
   }

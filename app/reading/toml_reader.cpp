@@ -109,6 +109,10 @@ void Section::fail(const std::string& key, const std::string& problem) const {
   throw error_at(reader_->place(name(key)), name(key), problem);
 }
 
+void Section::fail_file(const std::string& key, const std::string& problem) const {
+  throw FileError(error_at(reader_->place(name(key)), name(key), problem).what());
+}
+
 void Section::fail_missing(const std::string& key, const std::string& example) const {
   fail(key, fmt::format("this key is missing; add for example {} = {}", key, example));
 }

@@ -99,6 +99,8 @@ class Section {
   void warn(const std::string& key, const std::string& problem) const;
   /// Error at the key's value, or at this section if the key is not there (or is "").
   [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
+  /// The same of a file that the key names: FileError.
+  [[noreturn]] void fail_file(const std::string& key, const std::string& problem) const;
   [[noreturn]] void fail_missing(const std::string& key, const std::string& example) const;
 
   /// Throws at the first key inside that was never asked for.

@@ -57,7 +57,7 @@ TEST_CASE("ABulkModulusThatNoVesselHasIsRefusedOrTold") {
                                         Catch::Contains("check its unit"));
   CHECK_THROWS_AS(with("1e6 GPa"), InputError);
   CHECK(with("1.5 GPa").warnings.empty());
-  CHECK(with("5 MPa").warnings.empty());  // a hose
+  CHECK(with("5 MPa").warnings.empty());                // a hose
   for (const char* modulus : {"0.2 MPa", "1.5 MPa"}) {  // the latter a liquid's, a unit off
     const auto soft = with(modulus).warnings;
     REQUIRE(soft.size() == 1);
@@ -80,7 +80,8 @@ TEST_CASE("ATableThatCannotBeReadIsCalledATable") {
     return std::string();
   };
   check_parts(said("."), {"this is a folder; give the table in it"});
-  check_parts(said("none.csv"), {"no such file", "from the folder of the case"});
+  check_parts(said("none.csv"), {"case.toml:", "load_cycle.file", "none.csv: there is no such file",
+                                 "from the folder of the case"});
 }
 
 TEST_CASE("ACrankTurningClockwiseCountsItsAngleForwards") {

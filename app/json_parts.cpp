@@ -58,10 +58,13 @@ Json provenance_json(const bearing::Case& c) {
 Json tolerance_json(const bearing::Case& c, const bearing::Result& result) {
   const auto s = fidelity::shortfall(result, c.model.tolerance);
   const auto& choice = result.choice;
+  const bool known = std::isfinite(s.friction.total()) && std::isfinite(s.h_min.total());
   Json json{{"asked", choice ? choice->tolerance : s.tolerance},
-            {"met", choice ? choice->met : s.met},
+            {"met", nullptr},
             {"friction_torque", number(choice ? choice->bar_friction : s.friction.total())},
             {"h_min", number(choice ? choice->bar_h_min : s.h_min.total())}};
+  if (choice) json["met"] = choice->met;
+  if (!choice && (known || !s.met)) json["met"] = s.met;  // else bars are missing
   const Missed missed = missed_tolerance(c, result);
   if (!missed.command.empty()) json["command"] = missed.command;
   return json;

@@ -106,7 +106,8 @@ struct FilmUnsettled {
 /// shell, by now than a molecule of oil is long.
 struct NotAtRest {
   int steps = 0;
-  double h_min = 0.0;  ///< [m]
+  double h_min = 0.0;     ///< [m]
+  bool by_cells = false;  ///< pressed nearer than the cells can tell
 };
 
 // Branches of steady states over load, speed or supply pressures.
@@ -139,6 +140,7 @@ struct BranchEnded {
   double h_min = 0.0;      ///< there [m]
   bool with_heat = false;  ///< film and heat, not the film alone
   double T_high = NAN;     ///< with heat: hottest oil there [K]
+  bool by_cells = false;   ///< no cells resolve what ends it
 };
 
 /// With a tenth more than the branch carries film and walls run away in time; cause: how.

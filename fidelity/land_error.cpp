@@ -15,10 +15,9 @@ constexpr double kSide = 0.1;  // (2)
 struct Land {
   int cells = 0;
   double arc = 0.0;  ///< [rad]
-  [[nodiscard]] bool is_short() const { return cells > 0 && arc < kPi * (1.0 - kRoundOff); }
 };
 
-/// The longest run of film around in line j, which no supply parts.
+/// The longest run of film around in line j.
 Land widest_land(const FilmGrid& g, const fluid::SupplyMap& supply, int j) {
   Land widest, run;
   for (int k = 0; k < 2 * g.nt; ++k) {  // twice round: a land may lie across phi = 0
@@ -27,6 +26,13 @@ Land widest_land(const FilmGrid& g, const fluid::SupplyMap& supply, int j) {
     if (run.arc > widest.arc) widest = run;
   }
   return widest;
+}
+
+/// True if line j has film on less than half a turn.
+bool is_mostly_supply(const FilmGrid& g, const fluid::SupplyMap& supply, int j) {
+  double film = 0.0;
+  for (int i = 0; i < g.nt; ++i) film += supply.cell[g.index(i, j)] < 0 ? g.dphi[i] : 0.0;
+  return film > 0.0 && film < kPi * (1.0 - kRoundOff);
 }
 
 /// Cells from the side edge at the line `edge`, inwards, to the first of a supply; none: 0.
@@ -44,8 +50,9 @@ LandError land_error(const FilmGrid& g, const fluid::SupplyMap& supply) {
   LandError out;
   const double width = g.z_face.back() - g.z_face.front();
   for (int j = 0; j < g.nz; ++j) {
-    const Land land = widest_land(g, supply, j);
-    if (land.is_short()) out.pads += g.dz[j] / width * kPad / (land.cells * land.cells);
+    if (!is_mostly_supply(g, supply, j)) continue;
+    const int n = widest_land(g, supply, j).cells;
+    out.pads += g.dz[j] / width * kPad / (n * n);
   }
   if (out.pads == 0.0) return out;
   double film = 0.0;

@@ -3,7 +3,7 @@
 ///
 /// Grids of one sequence cut a narrow land into as few cells as the own one does, and agree on what
 /// all of them miss: the sequence says nothing of it. With n cells around on the widest land of a
-/// row, where that is less than half a turn,
+/// row that has film on less than half a turn,
 ///   pads = mean over the rows, by width, of 20 / n^2                                        (1)
 /// of every quantity: the pressure over a pad is an arch of one sign, whose mean over n cells is of
 /// second order. With m cells between a supply and the side edge,

@@ -74,9 +74,9 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
                           e.carried.whole, way, kBoundOfPressure, not_beyond(e.carried, a)),
               kBeyondBarus};
     case ending::BranchEnd::molecule:
-      return {fmt::format("{}: {}, less than a molecule of oil{}{}", no_film(a), way,
-                          kept_by_cells(a), not_beyond(e.carried, a)),
-              cure_of_no_film(a)};
+      return {fmt::format("{}: {}, less than a molecule of oil{}{}", no_film(e.by_cells), way,
+                          kept_by_cells(e.by_cells), not_beyond(e.carried, a)),
+              cure_of_no_film(e.by_cells)};
     case ending::BranchEnd::reached:
     case ending::BranchEnd::lost:
     case ending::BranchEnd::interrupted:
@@ -137,15 +137,18 @@ inline Told told(const ending::LimitMoves& e, const About& a) {
   };
   const bool reached_by_one = any([](double part) { return part == 1.0; });
   const bool near = any([](double part) { return !bearing::is_apart_from_asked(part); });
+  const auto* end =
+      a.verdict.cause.empty() ? nullptr : a.verdict.cause.front().as<ending::BranchEnded>();
   const char* why =
-      e.limits.size() == 1      ? "no second grid shows the limit"
-      : reached_by_one          ? "another grid comes to what is asked for"
+      reached_by_one            ? "another grid comes to what is asked for"
+      : end && end->by_cells    ? "where such a film ends is the cells' own"
+      : e.limits.size() == 1    ? "no second grid shows the limit"
       : !limits_agree(e.limits) ? "the limit moves with the grid"
       : near ? "the limit is no farther from what is asked for than the tenth by which grids differ"
              : "the grids end at the same place, but that none lies beyond is shown on one of them "
                "alone";
   return {fmt::format("not resolved: {} ({}); {}", why, all, a.within.reason),
-          "a finer grid, or a lower load"};
+          end && end->by_cells ? a.within.cure : "a finer grid, or a lower load"};
 }
 
 }  // namespace shellback::app::told

@@ -98,31 +98,28 @@ inline Told told(const ending::FilmUnsettled& e, const About&) {
 }
 
 /// Smooth surfaces with less than a molecule of oil between: physics, or what cells make of it.
-inline bool cells_made_it(const About& a) { return a.verdict.status == Status::iteration_limit; }
-
-inline const char* no_film(const About& a) {
-  return cells_made_it(a) ? "no film was found that carries the load" : "no film carries the load";
+inline const char* no_film(bool by_cells) {
+  return by_cells ? "no film was found that carries the load" : "no film carries the load";
 }
 
-inline const char* kept_by_cells(const About& a) {
-  return cells_made_it(a) ? "; between rigid surfaces no cells resolve such a film, and what "
-                            "coarse ones let it carry is too little"
-                          : "";
+inline const char* kept_by_cells(bool by_cells) {
+  return by_cells ? "; between rigid surfaces no cells resolve such a film, and coarse ones let it "
+                    "carry too little"
+                  : "";
 }
 
-inline std::string cure_of_no_film(const About& a) {
-  return cells_made_it(a)
-             ? fmt::format("finer cells around (model.grid); or {}", kContactElseElastic)
-             : kContactElseElastic;
+inline std::string cure_of_no_film(bool by_cells) {
+  return fmt::format("{}{}", by_cells ? "finer cells around (model.grid); or " : "",
+                     kContactElseElastic);
 }
 
-inline Told told(const ending::NotAtRest& e, const About& a) {
+inline Told told(const ending::NotAtRest& e, const About&) {
   if (e.steps == 0) {
     return {
         fmt::format("{}: the journal is pressed towards the shell until less than a molecule of "
                     "oil is left ({:.3g} um){}",
-                    no_film(a), e.h_min * 1e6, kept_by_cells(a)),
-        cure_of_no_film(a)};
+                    no_film(e.by_cells), e.h_min * 1e6, kept_by_cells(e.by_cells)),
+        cure_of_no_film(e.by_cells)};
   }
   return {fmt::format("the journal did not come to rest in {} steps in time (smallest gap {:.3g} "
                       "um)",

@@ -94,8 +94,21 @@ bool thinner_than_a_molecule(const BearingModel& model, const FilmEquilibrium& s
   return true;
 }
 
-Status without_a_film(const BearingModel& model) {
-  return model.physics.elastic ? Status::no_steady_state : Status::iteration_limit;
+bool closing_is_resolved(const BearingModel& model, const FilmEquilibrium& s) {
+  if (model.physics.elastic) return true;
+  const FilmGrid& g = model.domain.grid;
+  const bool low = !g.half && s.least.z == g.z_face.front();
+  if (!low && s.least.z != g.z_face.back()) return false;
+  const Field h = fluid::nominal_depth(s.gap, model.supply);
+  const int edge = low ? 0 : g.nz - 1, other = low ? g.nz - 1 : 0;
+  int row = 0;
+  for (int i = 1; i < g.nt; ++i) {
+    if (h[g.index(i, edge)] < h[g.index(row, edge)]) row = i;
+  }
+  const double least = h[g.index(row, edge)];
+  const double around =
+      std::min(h[g.index(g.previous(row), edge)], h[g.index(g.next(row), edge)]) - least;
+  return h[g.index(row, other)] - least > around;
 }
 
 namespace {

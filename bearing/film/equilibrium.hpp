@@ -162,11 +162,13 @@ inline constexpr double kNoGap = 1e-100;  ///< [m]
 inline constexpr double kMolecule = 2e-9;  ///< [m]
 [[nodiscard]] bool thinner_than_a_molecule(const BearingModel& model, const FilmEquilibrium& s);
 
-/// What such a film says of a steady state. Surfaces that give way lie along each other: the cells
-/// see how they close, and there is none. Between rigid ones a film of 2 nm is closed over a
-/// hundredth of any cell, and what the grid lets it carry is the less the coarser it is (decision
-/// 078): not found.
-[[nodiscard]] Status without_a_film(const BearingModel& model);
+/// True if the cells see how such a film closes. Surfaces that give way lie along each other. Of
+/// rigid ones those of a tilted journal meet at a side edge, where oil leaves: along the edge's
+/// wedge cells follow, if the gap opens by more along the bearing than to the next cell around, and
+/// thinner films carry no more. Elsewhere between rigid surfaces 2 nm are closed over a hundredth
+/// of any cell, thinner films carry ever more, and what the grid lets them carry is its own
+/// (decision 078).
+[[nodiscard]] bool closing_is_resolved(const BearingModel& model, const FilmEquilibrium& s);
 
 /// A cell of a rigid film in which Barus oil has no pressure, -1: none. The values of cells are
 /// means: inside, the reduced pressure q = (1 - exp(-alpha p))/alpha stands higher by a 24th of its

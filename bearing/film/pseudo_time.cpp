@@ -49,7 +49,9 @@ Verdict march_in_time(const FilmTask& task, double unit, FilmEquilibrium& s,
     }
     if (v.good()) {
       if (point.load.unknowns > 0 && thinner_than_a_molecule(model, s)) {
-        return {without_a_film(model), ending::NotAtRest{0, s.least.h}, s.least.place()};
+        const bool resolved = closing_is_resolved(model, s);
+        return {resolved ? Status::no_steady_state : Status::iteration_limit,
+                ending::NotAtRest{0, s.least.h, !resolved}, s.least.place()};
       }
       held = content();
       if (cost.newton_iterations - spent <= kQuick) turn /= kStepShorter;

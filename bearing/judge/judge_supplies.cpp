@@ -174,9 +174,10 @@ void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findi
             fmt::format("the vessel's pressure is {} above that of cavitation", shown(head, "bar")),
             "check its unit, or raise it");
   }
-  if (s.vessel->open.empty() && c.cycle->repeats()) {
+  const auto shut = [](const Supply& any) { return any.vessel && any.vessel->open.empty(); };
+  if (std::all_of(c.supplies.begin(), c.supplies.end(), shut) && c.cycle->repeats()) {
     to.suspect(path + ".open",
-               "the line is never open and the cycle repeats: what leaves the bearing is not made "
+               "no line is ever open and the cycle repeats: what leaves the bearing is not made "
                "up for, and the film runs dry over many cycles",
                "give the windows in which it is open, or take load_cycle.period away (an event)");
   }

@@ -180,7 +180,7 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
   const Verdict verdict = solve_film_and_fronts(star, film, cost, stop);
   if (!verdict.good()) return in_a_step(verdict);
   if (thinner_than_a_molecule(model_, film)) {
-    return {without_a_film(model_), ending::NotAtRest{0, film.least.h}, film.least.place()};
+    return {Status::no_steady_state, ending::NotAtRest{0, film.least.h}, film.least.place()};
   }
   found.oil = gathered(point_.scene, film.flow);
   found.flows = fluid::oil_flows(point_.scene, film.flow);

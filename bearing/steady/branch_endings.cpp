@@ -19,19 +19,23 @@ ending::Carried carried(const Solution& s, Raised raised, double part) {
   return {raised, part, whole};
 }
 
+bool ended_by_cells(const Solution& s, const Branch& b) {
+  return b.end == BranchEnd::molecule && !closing_is_resolved(s.model, s.film);
+}
+
 }  // namespace
 
-bool shows_none_beyond(const BearingModel& model, const Branch& b) {
-  if (b.end == BranchEnd::molecule) return without_a_film(model) == Status::no_steady_state;
-  return b.end != BranchEnd::lost;
+bool shows_none_beyond(const Solution& s, const Branch& b) {
+  return b.end != BranchEnd::lost && !ended_by_cells(s, b);
 }
 
 Verdict branch_ended(const Solution& s, const Branch& b) {
   const bool lost = b.end == BranchEnd::lost;
   const bool heat = s.model.physics.film_energy;
   const double T_high = heat ? largest(s.film.columns.T) : NAN;
-  Verdict v{shows_none_beyond(s.model, b) ? Status::no_steady_state : Status::iteration_limit,
-            ending::BranchEnded{b.end, carried(s, b.raised, b.carried), b.h_min, heat, T_high},
+  Verdict v{lost ? Status::iteration_limit : Status::no_steady_state,
+            ending::BranchEnded{b.end, carried(s, b.raised, b.carried), b.h_min, heat, T_high,
+                                ended_by_cells(s, b)},
             lost ? b.last.place : s.film.least.place()};
   if (lost) v.cause = {b.last};
   return v;

@@ -5,8 +5,8 @@
 
 namespace shellback::bearing {
 
-/// True if by its end there is nothing beyond, as far as one grid can tell.
-[[nodiscard]] bool shows_none_beyond(const BearingModel& model, const Branch& branch);
+/// True if by its end there is nothing beyond, as far as one grid can tell; `s`: its last state.
+[[nodiscard]] bool shows_none_beyond(const Solution& s, const Branch& branch);
 
 /// The branch ended before the whole load or speed, `s` being its last state.
 [[nodiscard]] Verdict branch_ended(const Solution& s, const Branch& branch);

@@ -75,7 +75,7 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
   if (!branch) return v;
   if (branch->end == BranchEnd::reached) return {};
   if (branch->end == BranchEnd::interrupted) return branch->last;
-  note_limit(s, *branch, shows_none_beyond(s.model, *branch));
+  note_limit(s, *branch, shows_none_beyond(s, *branch));
   return branch_ended(s, *branch);
 }
 

@@ -197,7 +197,7 @@ Verdict HeatSearch::ended(const Branch& branch, const MarchEnd& after) {
   const bool ran_away = after.left_bounds && !s_.cost.spent();
   const bool lost = branch.end == BranchEnd::lost;
   const bool proves = speaks_of_more(branch);
-  note_limit(s_, branch, proves && (shows_none_beyond(s_.model, branch) || ran_away));
+  note_limit(s_, branch, proves && (shows_none_beyond(s_, branch) || ran_away));
   Verdict v = lost && ran_away ? ran_away_from(s_, branch, after) : branch_ended(s_, branch);
   if (!proves) v.status = Status::iteration_limit;
   if (lost && ran_away) return v;

@@ -117,7 +117,7 @@ void confirm_limit(const Case& c, Tier tier, const SolveControl& control, Soluti
   if (s.verdict.status != Status::no_steady_state || !has_own_limit(s)) return;
   const Limit own = s.limits.back();
   const auto agrees = [&](const Limit& l) {
-    const bool alike = l.grid != own.grid && l.proven && l.raised == own.raised;
+    const bool alike = l.grid != own.grid && own.proven && l.proven && l.raised == own.raised;
     const bool near = std::abs(l.part / own.part - 1.0) <= kAgree;
     const bool apart = is_apart_from_asked(l.part) && is_apart_from_asked(own.part);
     const double bound = std::max(l.part, own.part) + std::abs(l.part - own.part);

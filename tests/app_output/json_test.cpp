@@ -87,6 +87,23 @@ TEST_CASE("NotANumberIsNeverPrintedAsANumber") {
   CHECK(j["history"][0]["residual"].is_null());
 }
 
+TEST_CASE("WhatHasNoBarsIsNotToldToMeetATolerance") {
+  auto result = test::synthetic_result();
+  result.choice.reset();
+  result.quantities = {{"friction_torque", 0.3, "N m"}, {"h_min", 2e-6, "m"}};
+  const auto met = [&](double friction, double film) {
+    result.quantities[0].error_grid = friction;
+    result.quantities[1].error_grid = film;
+    return json::parse(app::result_json(test::synthetic_case(), result))["tolerance"]["met"];
+  };
+  for (auto& q : result.quantities) q.error_model = 0.0;
+  CHECK(met(1e-6, 1e-12) == true);
+  CHECK(met(1e-6, 1e-6) == false);
+  CHECK(met(kNaN, 1e-6) == false);  // one of them is enough
+  for (auto& q : result.quantities) q.error_model = kNaN;
+  CHECK(met(kNaN, kNaN).is_null());
+}
+
 TEST_CASE("AnglesAreGivenInDegrees") {
   auto result = test::synthetic_result();
   result.quantities = {{"attitude_angle", std::acos(-1.0) / 6.0, "rad"}};

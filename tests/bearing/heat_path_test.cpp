@@ -26,7 +26,8 @@ bool nearer_than_a_molecule(const Verdict& v) {
   const auto* film = v.as<ending::NotAtRest>();
   const auto* branch = v.as<ending::BranchEnded>();
   return (film && film->steps == 0 && film->h_min < 2e-9) ||
-         (branch && branch->end == ending::BranchEnd::molecule);
+         (branch && branch->end == ending::BranchEnd::molecule) ||
+         (v.as<ending::LimitMoves>() && nearer_than_a_molecule(v.cause.front()));
 }
 
 double carried(const Solution& s) { return std::hypot(s.film.force[0], s.film.force[1]); }

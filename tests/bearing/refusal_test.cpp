@@ -81,6 +81,25 @@ TEST_CASE("WhatCellsCannotCarryIsNotTheBearingsLimit", "[refusal]") {
   }
 }
 
+TEST_CASE("ATiltedRigidJournalHasALimitLoad", "[refusal]") {
+  // Where it meets the side edge oil leaves: per length the load tends to eta U/tilt^2, however
+  // near the two are, so that grids agree on what it comes to.
+  Case c = plain_case();
+  c.bearing.radial_clearance = 40e-6;
+  c.operation.alignment = TiltGiven{2.4e-3, 0.0};
+  set_load(c, 5e3);
+  std::vector<double> ends;
+  for (const auto grid : {std::array{48, 8}, std::array{72, 12}}) {
+    c.model.grid = grid;
+    const Solution s = solve_tier(c, Tier::isothermal);
+    INFO(grid[0] << " cells: " << app::reason_of(s.verdict));
+    CHECK(s.verdict.status == Status::no_steady_state);
+    REQUIRE(s.verdict.as<ending::BranchEnded>());
+    ends.push_back(s.verdict.as<ending::BranchEnded>()->carried.part);
+  }
+  CHECK(ends[1] == Approx(ends[0]).epsilon(0.1));
+}
+
 TEST_CASE("SmoothJournalBeyondTheClearanceIsRefused", "[refusal]") {
   Case c = plain_case();
   place_journal(c, 1.02, 0.3);

@@ -275,6 +275,17 @@ TEST_CASE("AVesselBelongsToALoadCycle", "[vessel]") {
   c.supplies[0].vessel->open = {{1e-3, 0.5e-3}};
   CHECK(refused("supply.0.open"));
   c.supplies[0].vessel->open.clear();
+  const auto told = [&] {
+    int of_open = 0;
+    for (const Finding& f : judge(c, {Tier::isothermal})) of_open += f.key == "supply.0.open";
+    return of_open;
+  };
+  CHECK(told() == 1);  // nothing makes up for what leaves the bearing
+  c.supplies.push_back(c.supplies[0]);
+  c.supplies[1].vessel.reset();
+  c.supplies[1].angle += 1.0;
+  CHECK(told() == 0);
+  c.supplies.pop_back();
   for (const double volume : {0.0, 1e12}) {  // so much oil that a gap's is lost in its round-off
     c.supplies[0].vessel->volume = volume;
     CHECK(refused("supply.0.vessel_volume"));

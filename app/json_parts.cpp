@@ -58,7 +58,7 @@ Json provenance_json(const bearing::Case& c) {
 Json tolerance_json(const bearing::Case& c, const bearing::Result& result) {
   const auto s = fidelity::shortfall(result, c.model.tolerance);
   const auto& choice = result.choice;
-  const bool known = std::isfinite(s.friction.total()) && std::isfinite(s.h_min.total());
+  const bool known = std::isfinite(s.friction.total()) || std::isfinite(s.h_min.total());
   Json json{{"asked", choice ? choice->tolerance : s.tolerance},
             {"met", nullptr},
             {"friction_torque", number(choice ? choice->bar_friction : s.friction.total())},

@@ -141,7 +141,7 @@ inline Told told(const ending::LimitMoves& e, const About& a) {
       a.verdict.cause.empty() ? nullptr : a.verdict.cause.front().as<ending::BranchEnded>();
   const char* why =
       reached_by_one            ? "another grid comes to what is asked for"
-      : end && end->by_cells    ? "where such a film ends is the cells' own"
+      : end && end->by_cells    ? "where the branch ends is the cells' making, not the bearing's"
       : e.limits.size() == 1    ? "no second grid shows the limit"
       : !limits_agree(e.limits) ? "the limit moves with the grid"
       : near ? "the limit is no farther from what is asked for than the tenth by which grids differ"

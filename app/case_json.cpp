@@ -322,6 +322,10 @@ Json model(const Model& m) {
       {"across", across[static_cast<int>(m.methods.across)]},
       {"elastic", m.methods.elastic == ElasticMethod::newton ? "newton" : "fixed-point"},
       {"transport", m.methods.transport == FillTransport::upwind ? "upwind" : "van-leer"}};
+  if (m.methods.across == AcrossFilm::layers) json["methods"]["layers"] = m.methods.layers;
+  if (m.methods.elastic != ElasticMethod::newton) {
+    json["methods"]["relaxation"] = plain(m.methods.relaxation);
+  }
   return json;
 }
 

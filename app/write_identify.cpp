@@ -64,6 +64,15 @@ void write_directions(std::ostream& out, const IdentifyView& v) {
   table.print(out);
 }
 
+/// In standard deviations where they are given; temperatures in kelvin, all else of the value.
+std::string off_words(const study::MeasuredValue& m, double off) {
+  if (std::isfinite(m.deviation)) return fmt::format("{:+.2f} sd", off / m.deviation);
+  const std::string unit = si_unit(m.quantity);
+  if (unit == "K") return fmt::format("{:+.2g} K", off);
+  if (m.value == 0.0) return fmt::format("{:+.2g} {}", off, unit);
+  return fmt::format("{:+.2g} %", 100.0 * off / m.value);
+}
+
 void write_points(std::ostream& out, const IdentifyView& v) {
   out << "\nPoints\n";
   TextTable table;
@@ -80,10 +89,7 @@ void write_points(std::ostream& out, const IdentifyView& v) {
       };
       const bool fitted = k < p.fitted.size();
       const double off = fitted ? p.fitted[k] - m.value : NAN;
-      const std::string off_by = !fitted ? ""
-                                 : std::isfinite(m.deviation)
-                                     ? fmt::format("{:+.2f} sd", off / m.deviation)
-                                     : fmt::format("{:+.2g} %", 100.0 * off / m.value);
+      const std::string off_by = fitted ? off_words(m, off) : "";
       table.add({measured.name, quantity_label(m.quantity), figures(unit(m.value)), shown(p.start),
                  shown(p.fitted), off_by, unit.unit});
     }

@@ -1,6 +1,5 @@
 #include "core/bracketed_root.hpp"
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <memory>
 
 #include "core/contract.hpp"
+#include "core/gsl_errors.hpp"
 #include "core/round_off.hpp"
 
 namespace shellback {
@@ -49,7 +49,7 @@ BracketedRoot bracketed_root(const std::function<double(double)>& f, KnownPoint 
   if (b.x < a.x) std::swap(a, b);
   Search search{&f, a, b, a};
   gsl_function function{value_at, &search};
-  gsl_set_error_handler_off();  // failure is a result here
+  gsl_errors_are_results();
   const std::unique_ptr<gsl_root_fsolver, FreeRootSolver> solver(
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent));
   if (gsl_root_fsolver_set(solver.get(), &function, a.x, b.x) != GSL_SUCCESS) {

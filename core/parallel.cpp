@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -29,7 +30,10 @@ void parallel_for(int count, int threads, const std::function<void(int)>& task) 
     }
   };
   std::vector<std::thread> crew;
-  for (int t = 1; t < std::min(threads, count); ++t) crew.emplace_back(work);
+  try {
+    for (int t = 1; t < std::min(threads, count); ++t) crew.emplace_back(work);
+  } catch (const std::system_error&) {  // no more to be had: those that are there do the work
+  }
   work();
   for (std::thread& member : crew) member.join();
   if (first) std::rethrow_exception(first);

@@ -93,16 +93,19 @@ Field pressure_gradient_z(const FilmScene& s, const FilmState& state) {
         const double d = state.p[other] - state.p[k];
         return s.supply.cell[other] >= 0 ? d : d * own / whole;
       };
+      // Nothing flows in over a dry edge.
+      const bool shut = s.edges == SideEdges::dry && state.p[k] <= s.p_edge;
+      const double beyond = shut ? 0.0 : s.p_edge - state.p[k];
       double sum = 0.0;
       if (j > 0) {
         sum -= rise(k - 1, g.z[j] - g.z_face[j], g.z[j] - g.z[j - 1]);
       } else if (!g.half) {
-        sum += state.p[k] - s.p_edge;
+        sum -= beyond;
       }
       if (j + 1 < g.nz) {
         sum += rise(k + 1, g.z_face[j + 1] - g.z[j], g.z[j + 1] - g.z[j]);
       } else {
-        sum += s.p_edge - state.p[k];
+        sum += beyond;
       }
       gradient[k] = sum / g.dz[j];
     }

@@ -52,19 +52,26 @@ void mark_hole(const FilmGrid& g, const SupplyPatch& s, int patch, SupplyMap& ma
   claim(map.cell, g.index(nearest(g.phi, s.phi, true), j), patch);
 }
 
-/// Columns and rows of cells within a groove: at least the one nearest to its middle either way,
-/// where its edges have been merged with those of others.
+/// Rows of cells within a patch: at least the one nearest to its middle, where its edges have been
+/// merged with those of others.
+std::vector<int> rows_within(const FilmGrid& g, const SupplyPatch& s) {
+  std::vector<int> rows;
+  for (int j = 0; j < g.nz; ++j) {
+    if (std::abs(g.z[j] - s.z) <= 0.5 * s.length * (1.0 + kRoundOff)) rows.push_back(j);
+  }
+  if (rows.empty()) rows.push_back(nearest(g.z, g.half ? std::abs(s.z) : s.z, false));
+  return rows;
+}
+
+/// Columns and rows of cells within a groove, at least one either way.
 void mark_groove(const FilmGrid& g, const SupplyPatch& s, int patch, SupplyMap& map) {
-  std::vector<int> columns, rows;
+  std::vector<int> columns;
   for (int i = 0; i < g.nt; ++i) {
     const double away = std::abs(angle_between(g.phi[i], s.phi));
     if (goes_all_round(s) || away <= 0.5 * s.arc * (1.0 + kRoundOff)) columns.push_back(i);
   }
-  for (int j = 0; j < g.nz; ++j) {
-    if (std::abs(g.z[j] - s.z) <= 0.5 * s.length * (1.0 + kRoundOff)) rows.push_back(j);
-  }
   if (columns.empty()) columns.push_back(nearest(g.phi, s.phi, true));
-  if (rows.empty()) rows.push_back(nearest(g.z, g.half ? std::abs(s.z) : s.z, false));
+  const std::vector<int> rows = rows_within(g, s);
   for (const int i : columns) {
     for (const int j : rows) claim(map.cell, g.index(i, j), patch);
   }
@@ -73,11 +80,8 @@ void mark_groove(const FilmGrid& g, const SupplyPatch& s, int patch, SupplyMap& 
 void mark_line(const FilmGrid& g, const SupplyPatch& s, int patch, SupplyMap& map) {
   int face = nearest(g.phi_face, s.phi, true);
   if (face == g.nt) face = 0;
-  for (int j = 0; j < g.nz; ++j) {
-    if (std::abs(g.z[j] - s.z) > 0.5 * s.length * (1.0 + kRoundOff)) continue;
-    claim(map.line, g.index(face, j), patch);
-    map.has_lines = true;
-  }
+  for (const int j : rows_within(g, s)) claim(map.line, g.index(face, j), patch);
+  map.has_lines = true;
 }
 
 /// Where the edge of a round hole cuts the link from a film unknown at distance `off` from the

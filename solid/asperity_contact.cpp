@@ -1,7 +1,6 @@
 #include "solid/asperity_contact.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/gsl_errors.hpp"
 
 namespace shellback::solid {
 namespace {
@@ -157,10 +157,9 @@ double gt_integral(double n, double H) {
   const double low = std::sqrt(std::max(0.0, -H - kTail));
   const double high = std::sqrt(std::max(0.0, -H) + kTail);
   double value = 0.0, error = 0.0;
-  gsl_error_handler_t* handler = gsl_set_error_handler_off();  // the status is judged here
+  gsl_errors_are_results();  // judged here
   const int status = gsl_integration_qag(&f, low, high, 0.0, kRelative, kIntervals,
                                          GSL_INTEG_GAUSS31, space.get(), &value, &error);
-  gsl_set_error_handler(handler);
   // Round-off may stop the estimate just above the wish (GSL_EROUND): still good if below 1e-12.
   if ((status != GSL_SUCCESS && status != GSL_EROUND) || error > 1e-12 * value) {
     throw std::runtime_error(

@@ -19,6 +19,8 @@ std::string bare(const std::string& value) {
 
 std::string words_of(const bearing::Change& change) {
   if (change.option == "--tier") return "--tier " + shell_word(bare(change.value));
+  // The proposed run may ask for the coefficients without their table.
+  if (change.option == "--coefficients-table") return "--coefficients";
   if (change.option != "--set") return change.option;  // a switch
   return set_words(change.key, change.value);
 }

@@ -169,7 +169,7 @@ const std::vector<double>& CsvTable::column(const std::string& name) const {
 
 std::string CsvTable::written(std::size_t row, const std::string& name) const {
   const Column& column = *find(name);
-  return column.cells[row].text + " " + column.unit;
+  return column.cells[row].text + (column.unit == "1" ? "" : " " + column.unit);
 }
 
 std::string CsvTable::place(std::size_t row, const std::string& name) const {

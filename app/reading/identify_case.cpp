@@ -10,6 +10,7 @@
 #include "app/reading/case_text.hpp"
 #include "app/reading/did_you_mean.hpp"
 #include "app/reading/read_case.hpp"
+#include "app/reading/units.hpp"
 #include "bearing/bearing.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
@@ -62,28 +63,7 @@ std::string near_to(const toml::table& root, const std::string& key) {
   return did_you_mean(key, known);
 }
 
-struct NumberWithUnit {
-  double number = 0.0;
-  std::string unit;
-};
-
-/// "2.5 um" in its parts; nothing if it does not begin with a number, or runs on as "0W20" does.
-std::optional<NumberWithUnit> taken_apart(const std::string& text) {
-  std::size_t used = 0;
-  NumberWithUnit out;
-  try {
-    out.number = std::stod(text, &used);
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-  if (used < text.size() && text[used] != ' ' && text[used] != '%') return std::nullopt;
-  const std::size_t first = text.find_first_not_of(' ', used);
-  if (first != std::string::npos) out.unit = text.substr(first);
-  while (out.unit.ends_with(' ')) out.unit.pop_back();
-  return out;
-}
-
-NumberWithUnit value_in_case(const toml::table& root, const std::string& key) {
+NumberAndUnit value_in_case(const toml::table& root, const std::string& key) {
   const std::string place = "--fit " + key;
   const toml::node* node = node_at(root, key);
   if (node == nullptr) {
@@ -93,15 +73,15 @@ NumberWithUnit value_in_case(const toml::table& root, const std::string& key) {
   }
   if (const auto number = node->value<double>()) return {*number, ""};
   const auto text = node->value<std::string>();
-  const auto apart = text ? taken_apart(*text) : std::nullopt;
+  const auto apart = text ? number_and_unit(*text) : std::nullopt;
   if (!apart)
-    throw InputError(
-        place, fmt::format("{} is no number, or number blank unit, and cannot be fitted", key));
+    throw InputError(place,
+                     fmt::format("{} is no number with its unit, and cannot be fitted", key));
   return *apart;
 }
 
 double bound(const std::string& text, const std::string& place, const std::string& unit) {
-  const auto apart = taken_apart(text);
+  const auto apart = number_and_unit(text);
   if (!apart) {
     throw InputError(place, fmt::format("{} is no number; write KEY=LOW:HIGH", in_quotes(text)));
   }
@@ -130,7 +110,7 @@ std::map<std::string, std::string> bounds_by_key(const std::vector<std::string>&
   return all;
 }
 
-FittedKey bounded(const std::string& key, const NumberWithUnit& start, const std::string& words) {
+FittedKey bounded(const std::string& key, const NumberAndUnit& start, const std::string& words) {
   const std::string place = "--bounds " + key;
   const std::size_t colon = words.find(':');
   FittedKey out{key, start.unit, {start.number, 0.0, 0.0}};
@@ -197,7 +177,7 @@ std::vector<FittedKey> fitted_keys(const std::string& text, const std::string& p
   std::vector<FittedKey> keys;
   for (const std::string& key : fitted) {
     expect_not_measured(key, table);
-    const NumberWithUnit start = value_in_case(root, key);
+    const NumberAndUnit start = value_in_case(root, key);
     const auto own = limits.find(key);
     if (own == limits.end()) {
       const bool warmth = start.unit == "degC" || start.unit == "K";

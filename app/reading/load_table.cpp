@@ -44,8 +44,8 @@ LoadTable::LoadTable(const std::string& path)
   }
 }
 
-LoadCycle LoadTable::cycle(double scale, double period, LoadInterpolation interpolation) {
-  make_rows(scale);
+LoadCycle LoadTable::cycle(double speed, double period, LoadInterpolation interpolation) {
+  make_rows(speed);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     expect_within(k, period);
   }
@@ -95,7 +95,7 @@ void LoadTable::expect_columns() const {
   static_cast<void>(table_.column(polar ? "direction" : "load_y"));
 }
 
-void LoadTable::make_rows(double scale) {
+void LoadTable::make_rows(double speed) {
   const bool polar = table_.has("load");
   const auto& a = table_.column(polar ? "load" : "load_x");
   const auto& b = table_.column(polar ? "direction" : "load_y");
@@ -107,7 +107,7 @@ void LoadTable::make_rows(double scale) {
                   "load_y");
     }
     Row row;
-    row.t = when[k] * scale;
+    row.t = when[k] / speed;
     row.line = k;
     row.load.x = polar ? a[k] * std::cos(b[k]) : a[k];
     row.load.y = polar ? a[k] * std::sin(b[k]) : b[k];

@@ -22,12 +22,12 @@ class LoadTable {
   /// Whether its rows stand over crank angle, not time.
   [[nodiscard]] bool told_in_angle() const { return angle_; }
 
-  /// The cycle; `scale` turns crank angle into time [s/rad], 1 where the rows stand over time;
+  /// The cycle; crank angle over `speed` is time [rad/s], 1 where the rows stand over time;
   /// `period`: infinite of a single event [s]. Throws InputError for rows that are not sorted, lie
   /// out of the period, stand three at a time, do not return to the first, leave a stretch without
   /// a row (bearing/row_gaps.hpp), or begin after 0 where nothing tells what is before; for jumps
   /// in a spline.
-  [[nodiscard]] bearing::LoadCycle cycle(double scale, double period,
+  [[nodiscard]] bearing::LoadCycle cycle(double speed, double period,
                                          bearing::LoadInterpolation interpolation);
 
   /// What is unusual about its end, found by cycle(): a shorter stretch without a row.
@@ -43,7 +43,7 @@ class LoadTable {
     std::size_t line = 0;   ///< row of the table that it comes from
   };
   void expect_columns() const;
-  void make_rows(double scale);
+  void make_rows(double speed);
   void expect_within(std::size_t k, double period) const;
   void expect_order(bearing::LoadInterpolation interpolation) const;
   /// Between two rows; of more than a millionth of the largest, or of none.

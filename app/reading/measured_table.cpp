@@ -76,17 +76,6 @@ std::vector<std::string> keys_of(const InputColumn& column, int supplies) {
   return keys;
 }
 
-/// Number and unit of a cell as written.
-struct Written {
-  double number = 0.0;
-  std::string unit;
-};
-Written written(const CsvTable& csv, std::size_t row, const std::string& name) {
-  const std::string text = csv.written(row, name);
-  const std::size_t blank = text.find(' ');
-  return {parse_quantity(text.substr(0, blank), kNumber), text.substr(blank + 1)};
-}
-
 /// Reads one table; the order of points is found first.
 class Reading {
  public:
@@ -184,11 +173,15 @@ void Reading::sort_rows() {
 void Reading::add_inputs() {
   for (const InputColumn& c : inputs_) {
     std::vector<double> numbers;
-    for (const std::size_t row : rows_) numbers.push_back(written(csv_, row, c.name).number);
+    std::string unit;
+    for (const std::size_t row : rows_) {
+      const auto written = number_and_unit(csv_.written(row, c.name));
+      numbers.push_back(written->number);
+      unit = written->unit;
+    }
     const std::vector<std::string> keys = keys_of(c, supplies_);
     if (keys.empty()) csv_.fail_header(fmt::format("{}: the case has no [[supply]]", c.name));
-    table_.inputs.push_back(
-        {c.name, study::listed_axis(keys[0], numbers, written(csv_, rows_[0], c.name).unit), keys});
+    table_.inputs.push_back({c.name, study::listed_axis(keys[0], numbers, unit), keys});
   }
 }
 

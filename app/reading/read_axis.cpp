@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
-#include <optional>
 
 #include "app/reading/did_you_mean.hpp"
+#include "app/reading/units.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
@@ -32,24 +30,10 @@ bool all_digits(const std::string& text) {
   });
 }
 
-/// A number and the unit behind it (may be empty); nothing if there is no number in front.
-struct QuantityWritten {
-  double number = 0.0;
-  std::string unit;
-};
-std::optional<QuantityWritten> number_in(const std::string& text) {
-  const std::string body = text.starts_with('+') ? text.substr(1) : text;
-  QuantityWritten w;
-  const auto [end, error] = std::from_chars(body.data(), body.data() + body.size(), w.number);
-  if (error != std::errc{} || !std::isfinite(w.number)) return std::nullopt;
-  w.unit = trimmed(std::string(end, body.data() + body.size()));
-  return w;
-}
-
 /// The one unit of all values.
-std::string common_unit(const std::vector<QuantityWritten>& values, const std::string& place) {
+std::string common_unit(const std::vector<NumberAndUnit>& values, const std::string& place) {
   std::string unit;
-  for (const QuantityWritten& w : values) {
+  for (const NumberAndUnit& w : values) {
     if (w.unit.empty() || w.unit == unit) continue;
     if (!unit.empty()) {
       throw InputError(place, fmt::format("the values are in {} and in {}; write all in the same "
@@ -100,9 +84,9 @@ study::Axis range_axis(const std::string& key, std::string text, const std::stri
   const Tail tail = cut_tail(text, place);
   const std::size_t dots = text.find("..");
   const std::string parts[]{trimmed(text.substr(0, dots)), trimmed(text.substr(dots + 2))};
-  std::vector<QuantityWritten> ends;
+  std::vector<NumberAndUnit> ends;
   for (const std::string& part : parts) {
-    const auto end = number_in(part);
+    const auto end = number_and_unit(part);
     if (!end || part.starts_with('.')) {
       throw InputError(
           place, fmt::format("{} does not begin with a number; {}", in_quotes(part), kExamples));
@@ -151,17 +135,17 @@ std::vector<std::string> list_entries(const std::string& text) {
 
 study::Axis list_axis(const std::string& key, const std::string& text, const std::string& place) {
   const std::vector<std::string> entries = list_entries(text);
-  std::vector<QuantityWritten> values;
+  std::vector<NumberAndUnit> values;
   for (const std::string& entry : entries) {
     if (entry.empty()) {
       throw InputError(place, fmt::format("a value between two commas is missing; {}", kExamples));
     }
-    if (const auto value = number_in(entry)) values.push_back(*value);
+    if (const auto value = number_and_unit(entry)) values.push_back(*value);
   }
   study::Axis axis = study::word_axis(key, entries);
   if (values.size() == entries.size()) {
     std::vector<double> numbers;
-    for (const QuantityWritten& w : values) numbers.push_back(w.number);
+    for (const NumberAndUnit& w : values) numbers.push_back(w.number);
     axis = study::listed_axis(key, std::move(numbers), common_unit(values, place));
   }
   for (std::size_t k = 0; k < axis.words.size(); ++k) {

@@ -105,8 +105,9 @@ LoadCycle cycle_of_table(const Section& file, const Section& section, double ome
   }
   const double speed =
       angle ? crank_speed(file, omega, "the load's table is told in crank angle") : 0.0;
-  const double scale = angle ? 1.0 / speed : 1.0;
-  LoadCycle c = table.cycle(scale, period ? period->value * scale : kInfinite, interpolation);
+  // Divided as instants and windows are: what is told at the period's end lies on it.
+  const double by = angle ? speed : 1.0;
+  LoadCycle c = table.cycle(by, period ? period->value / by : kInfinite, interpolation);
   for (const std::string& doubt : table.doubts()) section.warn("file", doubt);
   c.crank_speed = speed;
   read_mass_step_and_instants(file, section, omega, c);

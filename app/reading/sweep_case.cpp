@@ -5,6 +5,7 @@
 #include "app/reading/case_text.hpp"
 #include "app/reading/did_you_mean.hpp"
 #include "app/reading/read_case.hpp"
+#include "app/reading/units.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
@@ -127,16 +128,8 @@ std::optional<double> value_in_file(const std::string& text, const study::Axis& 
   const auto node = root.at_path(axis.key);
   if (axis.unit.empty()) return node.value<double>();
   const auto words = node.value<std::string>();
-  if (!words || !words->ends_with(axis.unit)) return std::nullopt;
-  const std::string number = words->substr(0, words->size() - axis.unit.size());
-  std::size_t used = 0;
-  try {
-    const double value = std::stod(number, &used);
-    if (number.find_first_not_of(' ', used) == std::string::npos) return value;
-  } catch (const std::exception&) {
-    return std::nullopt;  // what stands before the unit is no number
-  }
-  return std::nullopt;
+  const auto given = words ? number_and_unit(*words) : std::nullopt;
+  return given && given->unit == axis.unit ? std::optional(given->number) : std::nullopt;
 }
 
 }  // namespace shellback::app

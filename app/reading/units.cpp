@@ -36,15 +36,22 @@ constexpr std::array kKinds{kLength,
                             kFlow,
                             kPower,
                             kHeatCapacitySlope,
-                            kMass};
+                            kMass,
+                            kMassMoment,
+                            kVolume,
+                            kNumber};
 
-/// What a dimension is called, or "another quantity".
-std::string dimension_name(const Dimension& dimension) {
-  if (dimension == Dimension{}) return "a plain number";
+/// What a dimension is called; null: nothing that a case or a table names.
+const char* quantity_of(const Dimension& dimension) {
   for (const Kind& kind : kKinds) {
     if (kind.dimension == dimension) return kind.name;
   }
-  return "another quantity";
+  return nullptr;
+}
+
+std::string dimension_name(const Dimension& dimension) {
+  const char* name = quantity_of(dimension);
+  return name != nullptr ? name : "another quantity";
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -93,7 +100,7 @@ void multiply(Unit& product, const Unit& by, int sign) {
 }
 
 /// Recursive descent over: product := power { [*|·| ] power | / power }, power := factor [n],
-/// factor := symbol | 1 | ( product ).
+/// factor := symbol | 1 before a / | ( product ).
 class UnitParser {
  public:
   UnitParser(std::string_view text, const Kind& kind) : text_(text), kind_(kind) {}
@@ -161,11 +168,22 @@ class UnitParser {
     while (at_ < text_.size() && is_symbol(text_[at_])) ++at_;
     const std::string_view symbol = text_.substr(begin, at_ - begin);
     if (symbol.empty()) {
-      if (take("1")) return {};
+      if (one_before_slash()) return {};
       fail(at_ < text_.size() ? fmt::format("unexpected {}", in_quotes(text_.substr(at_)))
                               : "it ends too early");
     }
     return known(symbol, begin);
+  }
+
+  /// Any other number is a second one behind that of the value.
+  bool one_before_slash() {
+    const std::size_t begin = at_;
+    if (take("1")) {
+      skip_blanks();
+      if (text_.substr(at_).starts_with("/")) return true;
+    }
+    at_ = begin;
+    return false;
   }
 
   Unit known(std::string_view symbol, std::size_t begin) {
@@ -290,7 +308,19 @@ double parse_quantity(std::string_view text, const Kind& kind) {
   return value;
 }
 
+std::optional<NumberAndUnit> number_and_unit(std::string_view text) {
+  try {
+    const auto [number, unit] = split_number(trimmed(text), kNumber);
+    const bool serves = unit.empty() || quantity_of(UnitParser(unit, kNumber).parse().dimension);
+    if (serves) return NumberAndUnit{number, std::string(unit)};
+  } catch (const UnitError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 double unit_factor(std::string_view unit_text, const Kind& kind) {
+  if (trimmed(unit_text) == "1" && kind.dimension == Dimension{}) return 1.0;
   const Unit unit = UnitParser(trimmed(unit_text), kind).parse();
   check_dimension(unit_text, unit, kind);
   if (unit.scale) {

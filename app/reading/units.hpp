@@ -6,6 +6,7 @@
 /// out in SI, kelvin, radians. An angle counts as a dimension of its own, so that revolutions
 /// and plain reciprocal seconds cannot be mistaken for one another. degC and degF name a
 /// temperature only, never a difference.
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -76,8 +77,18 @@ class UnitError : public std::runtime_error {
 /// Throws UnitError: not a number, not finite, no unit, unknown unit, wrong dimension.
 [[nodiscard]] double parse_quantity(std::string_view text, const Kind& kind);
 
-/// The factor that turns a value in `unit` into SI ("um" -> 1e-6). No offset: "degC" -> error.
-/// Throws UnitError if `unit` is unknown or not of the kind.
+/// A number and what stands behind it, without the blanks around: "2.5 um" -> 2.5, "um".
+struct NumberAndUnit {
+  double number = 0.0;
+  std::string unit;  ///< may be empty
+};
+
+/// Nothing if no finite number stands in front, or what follows is the unit of no quantity ("0W20",
+/// "1500rpm.csv").
+[[nodiscard]] std::optional<NumberAndUnit> number_and_unit(std::string_view text);
+
+/// The factor that turns a value in `unit` into SI ("um" -> 1e-6); "1" is the unit of plain
+/// numbers. No offset: "degC" -> error. Throws UnitError if `unit` is unknown or not of the kind.
 [[nodiscard]] double unit_factor(std::string_view unit, const Kind& kind);
 
 /// `value` (SI) written in `unit` with about four digits: "23.9 um". For kTemperature the unit

@@ -1,12 +1,13 @@
 #include "app/study/bounded_search.hpp"
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <memory>
+
+#include "core/gsl_errors.hpp"
 
 namespace shellback::study {
 namespace {
@@ -176,7 +177,7 @@ int descend(const FitProblem& p, BoundedSearch& s, const MayEnd& may_end) {
   const std::unique_ptr<gsl_vector, void (*)(gsl_vector*)> u(gsl_vector_alloc(n), gsl_vector_free);
   const Values start = s.start_u();
   for (std::size_t j = 0; j < n; ++j) gsl_vector_set(u.get(), j, start[j]);
-  gsl_error_handler_t* handler = gsl_set_error_handler_off();
+  gsl_errors_are_results();
   int status = gsl_multifit_nlinear_init(u.get(), &system, work.get());
   int iterations = 0;
   while (status == GSL_SUCCESS && iterations < p.most_iterations && !s.stopped()) {
@@ -189,7 +190,6 @@ int descend(const FitProblem& p, BoundedSearch& s, const MayEnd& may_end) {
       break;
     }
   }
-  gsl_set_error_handler(handler);
   if (context.thrown) std::rethrow_exception(context.thrown);
   return iterations;
 }

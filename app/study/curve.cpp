@@ -77,7 +77,9 @@ Curve::Known Curve::solve(int k, double at, const Trail* trail) {
   point.wall_s += s.wall_s;
   point.result.tier = tier;
   if (s.verdict.good()) return std::make_shared<const Solution>(std::move(s));
-  point.result.verdict = s.verdict;
+  // From cold the whole search was made; what lies between points is none of theirs.
+  const bool searched = trail == nullptr || (failed_from_[k] & kFromCold) == 0;
+  if (searched && at == k) point.result.verdict = s.verdict;
   return nullptr;
 }
 

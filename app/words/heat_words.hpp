@@ -59,7 +59,7 @@ inline Told told(const ending::FilmTooHot& e, const About&) {
 inline Told told(const ending::NoHeatBalance& e, const About& a) {
   const double sign = e.surplus_low < 0.0 ? -1.0 : 1.0;
   const bool film_ends = std::isfinite(e.T_none);
-  const bool runaway = !film_ends || (sign > 0.0 && a.verdict.status == Status::no_steady_state);
+  const bool runaway = sign > 0.0 && a.verdict.status == Status::no_steady_state;
   std::string reason = fmt::format(
       "{}from {:.1f} to {:.1f} degC the film makes {} heat than its oil carries off, by {:.3g} W "
       "at the one end and {:.3g} W at the other",

@@ -63,3 +63,18 @@ TEST_CASE("AnAxisIsReadBackFromItsWords") {
     CHECK(parse_axis(words[1]).words == axis.words);
   }
 }
+
+TEST_CASE("WordsThatBeginWithDigitsStayWords") {
+  using Words = std::vector<std::string>;
+  CHECK(parse_axis("load_cycle.file=1500rpm.csv,3000rpm.csv").words ==
+        Words{"1500rpm.csv", "3000rpm.csv"});
+  CHECK(parse_axis("oil.name=0W20,0W-8").words == Words{"0W20", "0W-8"});
+  CHECK(parse_axis("oil.name=0W-8").words == Words{"0W-8"});
+  CHECK(parse_axis("supply.0.arc=280,300deg").unit == "deg");
+}
+
+TEST_CASE("AProposedRunAsksForTheCoefficientsWithoutTheirTable") {
+  auto c = read_case_text(kSampleCase, "a.toml", {});
+  c.changes = {{"model.coefficients", "true", "--coefficients-table"}};
+  CHECK(command_line("run", c, "", {}) == "shellback run a.toml --coefficients");
+}

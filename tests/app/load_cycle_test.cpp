@@ -388,3 +388,15 @@ TEST_CASE("InitWritesTheTablesOfACaseBesideIt") {
   CHECK_THROWS_AS(write_case("big-end", folder.path("c.toml"), out), FileError);
   CHECK_FALSE(std::filesystem::exists(folder.path("c.toml")));
 }
+
+TEST_CASE("WhatIsToldAtThePeriodsEndLiesOnIt") {
+  // Angles over the speed and angles times its reciprocal differ by a last digit at every third
+  // speed: 1150 rpm before the end, 1200 rpm behind it.
+  for (const char* speed :
+       {"600 rpm", "1150 rpm", "1200 rpm", "1550 rpm", "2300 rpm", "2400 rpm"}) {
+    INFO(speed);
+    const auto c = cycle_of(kInDegrees + "fields_at = [\"0 deg\", \"360 deg\"]\n", kRows, speed);
+    REQUIRE(c.fields_at.size() == 2);
+    CHECK(c.fields_at[1] == c.period);
+  }
+}

@@ -232,3 +232,28 @@ TEST_CASE("ALetterForAScaleOfTemperatureSuggestsKelvinAndDegrees") {
   check_error("80 C", kTemperature, {"unknown unit \"C\"", "\"degC\"", "\"K\""});
   check_error("500 W/(m2 F)", kHeatTransfer, {"unknown unit \"F\"", "\"K\""});
 }
+
+TEST_CASE("ASecondNumberIsNoPartOfAUnit") {
+  // "8 15 kN" for 8.15 kN was read as 8 times 1^5 kN.
+  for (const char* slip : {"8 15 kN", "8 1 kN", "8 12 kN", "8 kN 1", "8 1"}) {
+    CHECK_FALSE(message(slip, kForce).empty());
+  }
+  check_error("0.5 1 bar", kPressure, {"unexpected", "1 bar"});
+  check_error("0.02 1", kNumber, {"unexpected"});
+  check("9.5e-9 1/Pa", kPerPressure, 9.5e-9);
+  check("9.5e-9 1 / Pa", kPerPressure, 9.5e-9);
+  CHECK(unit_factor("1", kNumber) == 1.0);  // of a column of plain numbers
+}
+
+TEST_CASE("ANumberIsTakenApartFromItsUnitAlone") {
+  const auto apart = [](const char* text) { return number_and_unit(text); };
+  REQUIRE(apart(" 2.5 um "));
+  CHECK(apart(" 2.5 um ")->number == 2.5);
+  CHECK(apart(" 2.5 um ")->unit == "um");
+  CHECK(apart("300deg")->unit == "deg");
+  CHECK(apart("+4e3")->number == 4e3);
+  CHECK(apart("500 W/(m2 K)")->unit == "W/(m2 K)");
+  CHECK(apart("40 degC")->unit == "degC");
+  for (const char* word : {"0W20", "0W-8", "1500rpm.csv", "0x10", "inf", "nan", "tehd", "", "8 15"})
+    CHECK_FALSE(apart(word));
+}

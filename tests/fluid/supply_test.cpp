@@ -162,3 +162,15 @@ TEST_CASE("TheSupplyKeepsItsPressure") {
   }
   CHECK(cells > 0);
 }
+
+TEST_CASE("ALineBetweenTheMiddlesOfRowsFeedsTheNearestOne") {
+  // Its edges may be merged with those of a groove beside it: it was then nowhere.
+  const FilmGrid g = fitted({}, 48, 8);
+  const double middle = 0.5 * (g.z[3] + g.z[4]) + 0.1 * (g.z[4] - g.z[3]);
+  const std::vector<SupplyPatch> line{{.phi = 1.0, .z = middle, .arc = 0.0, .length = 1e-5}};
+  const SupplyMap map = map_supplies(g, line);
+  int cells = 0;
+  for (int k = 0; k < g.cells(); ++k) cells += map.line[k] == 0 ? 1 : 0;
+  CHECK(cells == 1);
+  CHECK(map.has_lines);
+}

@@ -109,9 +109,13 @@ FilmGrid film_grid(const Case& c, std::array<int, 2> grid) {
                    axial_spacing(c) == AxialSpacing::graded ? kEdgeGrading : 0.0);
 }
 
+fluid::SupplyMap supply_map(const Case& c, std::array<int, 2> grid) {
+  return fluid::map_supplies(film_grid(c, grid), patches_of(c));
+}
+
 bool holds_supplies(const Case& c, std::array<int, 2> grid) {
   try {
-    static_cast<void>(fluid::map_supplies(film_grid(c, grid), patches_of(c)));
+    static_cast<void>(supply_map(c, grid));
     return true;
   } catch (const InputError&) {
     return false;
@@ -129,11 +133,10 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   m.oil = c.oil;
   if (!physics.pressure_dependence) m.oil = rheology::without_pressure_effect(m.oil);
   if (!physics.shear_thinning) m.oil = rheology::without_shear_thinning(m.oil);
-  const auto patches = patches_of(c);
   fluid::FilmDomain& s = m.domain;
   s.grid = film_grid(c, grid);
   s.angles = fluid::Angles(s.grid);
-  m.supply = fluid::map_supplies(s.grid, patches);
+  m.supply = fluid::map_supplies(s.grid, patches_of(c));
   s.p_cavitation = c.model.cavitation_pressure;
   s.p_edge = std::max(0.0, s.p_cavitation);
   s.edges = c.model.edges == Edges::dry ? fluid::SideEdges::dry : fluid::SideEdges::flooded;

@@ -50,7 +50,9 @@ struct BearingModel {
 /// The cells of a grid of around x along cells over the width. Throws InputError where they are too
 /// few for the edges of the supplies.
 [[nodiscard]] FilmGrid film_grid(const Case& c, std::array<int, 2> grid);
-/// Whether they are enough.
+/// The cells of it that supplies take, as the case gives them. Throws as film_grid() does.
+[[nodiscard]] fluid::SupplyMap supply_map(const Case& c, std::array<int, 2> grid);
+/// Whether the cells are enough for them.
 [[nodiscard]] bool holds_supplies(const Case& c, std::array<int, 2> grid);
 
 /// Builds the model on a grid of nt x nz cells over the full width (half of it is solved if the

@@ -18,6 +18,7 @@ double table_at(const Profile& p, double phi, double z) {
   const int m = static_cast<int>(p.z.size());
   const double turn = 2.0 * kPi;
   phi -= turn * std::floor((phi - p.phi.front()) / turn);
+  phi = std::max(phi, p.phi.front());  // by a last digit it may lie before
   const int right =
       static_cast<int>(std::upper_bound(p.phi.begin(), p.phi.end(), phi) - p.phi.begin());
   const int a = right - 1;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/largest.hpp"
 #include "fidelity/held_film.hpp"
 #include "fidelity/left_out.hpp"
 #include "fidelity/quantities.hpp"
@@ -121,8 +122,8 @@ Bars unknown_heat(const Solution& lumped, const std::atomic<bool>* stop, Equilib
     Held held{lumped.model.physics};
     held.warmer = part * rise;
     const Bars off = changes(lumped, held, stop, cost);
-    bars.friction = std::max(bars.friction, std::abs(off.friction));
-    bars.h_min = std::max(bars.h_min, std::abs(off.h_min));
+    bars.friction = larger(bars.friction, std::abs(off.friction));
+    bars.h_min = larger(bars.h_min, std::abs(off.h_min));
   }
   return bars;
 }

@@ -241,7 +241,7 @@ class TierSearch {
       const double size = natural_size(q, mean_supply_temperature(case_), here);
       q.value = l.value;
       q.error_grid = l.bar + l.beyond + nodes_left(q.name);
-      if (q.name.starts_with("T_")) q.error_grid = std::fmax(q.error_grid, of_heat * size);
+      if (is_of_heat(q.name)) q.error_grid = std::fmax(q.error_grid, of_heat * size);
       if (choice_ && heat_.friction == 0.0) q.error_model = choice_->left_of(q.name) * size;
       const bool torque = q.name == "friction_torque" || q.name == "power_loss";
       if (torque) q.error_model = model_bars().friction * std::abs(q.value);

@@ -14,6 +14,7 @@
 #include "core/largest.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/grid_sequence.hpp"
+#include "fidelity/land_error.hpp"
 
 namespace shellback::fidelity {
 
@@ -122,6 +123,18 @@ void share_bars_of_states(const Followed& followed, const Size& size_of, const I
   }
 }
 
+/// No bar of the grid is shorter than what few cells on lands leave open (land_error.hpp).
+template <class State, class Followed, class Size>
+void widen_by_lands(const LandError& lands, const Followed& followed, const Size& size_of,
+                    std::vector<State>& bars) {
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    for (const auto& q : followed) {
+      const double open = open_by_lands(lands, q.name) * size_of(k, q);
+      bars[k].*q.value = larger(bars[k].*q.value, open);
+    }
+  }
+}
+
 /// (1) of the states from `begin` to `end`, the last of which has been reached by each of its
 /// steps; `other`, of joined steps, is looked at from `n` on, which is moved on. `usual` and
 /// `other` on one grid.
@@ -141,6 +154,9 @@ void add_bars_of_steps(const std::vector<State>& usual, const std::vector<State>
       const double bar = size > 0.0 ? part * change / size * own : 0.0;
       bars[k].*q.value = bar;
       if (k > begin) bars[k - 1].*q.value = k > first ? larger(bar, bars[k - 2].*q.value) : bar;
+      // Of an odd number the first step is the same in both: it errs no less than those behind it.
+      const bool alone = first == begin && k == first + 2;
+      if (alone) bars[first].*q.value = larger(bars[first].*q.value, bar);
     }
   }
 }

@@ -12,6 +12,7 @@
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/grid_sequence.hpp"
+#include "fidelity/land_error.hpp"
 #include "fidelity/light_contact.hpp"
 #include "fidelity/quantities.hpp"
 #include "rheology/viscosity.hpp"
@@ -40,13 +41,10 @@ SolvedCycle on_grid(Case c, Grid grid, const SolvedCycle& from, double most_work
   c.model.grid = grid;
   SolveControl bounded = control;
   bounded.most_work = most_work;
-  try {
-    return solve_cycle_from(near(from), c, c.model.tier, bounded);
-  } catch (const InputError&) {
-    SolvedCycle none;
-    none.result.verdict.status = Status::iteration_limit;
-    return none;
-  }
+  if (holds_supplies(c, grid)) return solve_cycle_from(near(from), c, c.model.tier, bounded);
+  SolvedCycle none;
+  none.result.verdict.status = Status::iteration_limit;
+  return none;
 }
 
 /// Other steps than those of `usual`, and what the change tells of the usual ones (1).
@@ -82,6 +80,7 @@ void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine
   const auto size = [](const std::array<int, 2>& g) { return 1.0 / std::sqrt(g[0] * g[1]); };
   std::vector<Quantity> all;
   for (const CycleQuantity& q : r.quantities) all.push_back(q.quantity);
+  const LandError lands = land_error(c);
   std::vector<BarOfSize> bars;
   for (CycleQuantity& q : r.quantities) {
     if (given_by_case(c, r.tier, q.quantity.name)) {
@@ -101,9 +100,10 @@ void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine
       q.quantity.error_grid += edge_error(r.fields.grid, r.fields.h_min, r.fields.in_supply);
     }
     q.quantity.order = bar.order;
-    bars.push_back({&q.quantity.error_grid,
-                    natural_size(q.quantity, mean_supply_temperature(c), all),
-                    is_part_of_friction(q.quantity.name)});
+    const double natural = natural_size(q.quantity, mean_supply_temperature(c), all);
+    q.quantity.error_grid =
+        larger(q.quantity.error_grid, open_by_lands(lands, q.quantity.name) * natural);
+    bars.push_back({&q.quantity.error_grid, natural, is_part_of_friction(q.quantity.name)});
   }
   share_bars(bars);
 }
@@ -249,16 +249,12 @@ Beside solve_beside(const Case& c, const SolvedCycle& own, const SolveControl& c
     b.coarse.push_back(on.result);
     b.nearest = std::move(on);
   }
-  const std::optional<Grid> fine = finer_grid(own.result.grid);
+  const std::optional<Grid> fine = finer_grid(c);
   if (b.coarse.size() > 1 || !fine) return b;
   CycleResult on = on_grid(c, *fine, own, most, control).result;
   if (on.verdict.good() && !stopped(control)) b.finer = std::move(on);
   return b;
 }
-
-}  // namespace
-
-namespace {
 
 /// In the periodic state as much oil leaves as is fed: what a cycle that is nearly periodic still
 /// gathers or loses, neither flow is known better than.
@@ -271,7 +267,7 @@ void add_gathered_oil(CycleResult& r) {
 }
 
 /// Bars of `r`, of the case, from `usual`, on its grid or a coarser one, and that in other steps.
-/// False: these are not found, and the bars are those that need them not.
+/// False: these are not found, and no bar of time is known.
 bool put_bars_of_steps(const Case& c, const SolvedCycle& usual, double most_work,
                        const SolveControl& control, CycleResult& r) {
   Case changed = c;

@@ -21,6 +21,7 @@ int cells(const Grid& grid) { return grid[0] * grid[1]; }
 Grid scaled(const Grid& grid, double by) {
   return {static_cast<int>(std::lround(by * grid[0])), static_cast<int>(std::lround(by * grid[1]))};
 }
+
 /// `s` on another grid, with operators that were kept for it.
 std::optional<Solution> beside(const Solution& s, const Grid& grid, const SolveControl& control,
                                KeptSolids* kept) {
@@ -44,10 +45,6 @@ bool may_stand_on_another_branch(const Solution& s) {
          std::abs(value_in(q, "friction_torque_asperity")) >
              kMostly * std::abs(value_in(q, "friction_torque"));
 }
-
-}  // namespace
-
-namespace {
 
 /// Whether a face lies where an opening at the ends begins.
 bool shows(const Case& c, const Grid& grid, const bearing::EdgeOpening& opening) {
@@ -92,9 +89,11 @@ std::vector<Grid> coarse_grids(const Case& c) {
   return grids;
 }
 
-std::optional<Grid> finer_grid(const Grid& grid) {
+std::optional<Grid> finer_grid(const Case& c) {
+  const Grid grid = c.model.grid;
   if (cells(grid) > cells(kUsualGrid)) return std::nullopt;
-  return scaled(grid, kRefinement);
+  const auto [around, along] = scaled(grid, kRefinement);
+  return Grid{around, std::min(along, most_axial_cells(c))};
 }
 
 std::vector<Grid> nearest_coarse_grids(const Case& c) {
@@ -149,7 +148,7 @@ GridSequence grid_sequence(const Solution& s, const SolveControl& control, KeptS
     }
     if (!out.coarse) out.coarse = std::move(coarse);
   }
-  const std::optional<Grid> fine = finer_grid(own);
+  const std::optional<Grid> fine = finer_grid(s.model.input);
   if ((!out.coarse || may_stand_on_another_branch(s)) && fine && !stopped(control)) {
     if (const auto finer = beside(s, *fine, control, kept)) {
       if (!out.coarse) {

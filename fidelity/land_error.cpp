@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bearing/bearing.hpp"
 #include "core/constants.hpp"
 #include "core/round_off.hpp"
 
@@ -67,6 +68,15 @@ LandError land_error(const FilmGrid& g, const fluid::SupplyMap& supply) {
     }
   }
   return out;
+}
+
+LandError land_error(const bearing::Case& c) {
+  return land_error(bearing::film_grid(c, c.model.grid), bearing::supply_map(c, c.model.grid));
+}
+
+double open_by_lands(const LandError& lands, std::string_view name) {
+  const bool friction = name.starts_with("friction_") || name == "power_loss";
+  return friction ? std::max(lands.pads, lands.sides) : lands.pads;
 }
 
 }  // namespace shellback::fidelity

@@ -11,6 +11,9 @@
 /// of friction: where the oil tears off within a land is known to a part of a cell, and friction
 /// follows the fill. Factors are those of decision 079, from bearings of one groove of 280 to 345
 /// degrees. Both vanish as cells become many, and where half a turn and more is film.
+#include <string_view>
+
+#include "bearing/case.hpp"
 #include "fluid/supply.hpp"
 
 namespace shellback::fidelity {
@@ -22,5 +25,11 @@ struct LandError {
 
 /// Of the patches that take cells; lines and drillings of the journal part no lands.
 [[nodiscard]] LandError land_error(const FilmGrid& grid, const fluid::SupplyMap& supply);
+
+/// Of the case on its grid; errors as film_grid() and map_supplies().
+[[nodiscard]] LandError land_error(const bearing::Case& c);
+
+/// Part of its size that they leave open of the quantity of this name [-].
+[[nodiscard]] double open_by_lands(const LandError& lands, std::string_view name);
 
 }  // namespace shellback::fidelity

@@ -97,11 +97,13 @@ double rubbed_of(const Instant& now, const Begun& begun, const Followed<Instant>
 }
 
 /// And the heat by which temperatures change is known no better than the torque (solve.cpp).
-void share(const CourseRun& run, const Begun& begun, Instants& bars) {
+/// `lands`: of bars of the grid.
+void share(const CourseRun& run, const Begun& begun, const LandError& lands, Instants& bars) {
   const auto size = [&](std::size_t k, const Followed<Instant>& q) {
     return size_of(run.instants[k], begun, q);
   };
   const auto none = [](const Followed<Instant>&) { return false; };
+  widen_by_lands(lands, kFollowedInstants, size, bars);
   share_bars_of_states(kFollowedInstants, size, none, bars);
   for (std::size_t k = 0; k < bars.size(); ++k) {
     const double heat = bars[k].torque / std::abs(run.instants[k].torque);
@@ -175,8 +177,8 @@ MarchBars march_bars(const std::vector<Stretch>& stretches, const WarmUpOptions&
                               kFollowedInstants);
     bars.time = time_bars(coarse.usual.back().second, coarse.joined, run);
     const Begun begun{options.T_start, mean_supply_temperature(c)};
-    share(run, begun, bars.grid);
-    share(run, begun, bars.time);
+    share(run, begun, land_error(c), bars.grid);
+    share(run, begun, {}, bars.time);
   }
   if (run.end.left_bounds) bars.end = end_bars(stretches, options, run, control);
   bars.interrupted = stopped(control);

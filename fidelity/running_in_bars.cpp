@@ -64,7 +64,7 @@ void widen_bars_of_light_contact(const Case& c, const RunningInRun& run, States&
 
 enum class Of { grid, time };
 
-void share(const RunningInRun& run, Of of, States& bars) {
+void share(const RunningInRun& run, Of of, const LandError& lands, States& bars) {
   const auto size = [&](std::size_t k, const Followed<RunningInState>& q) {
     return std::abs(run.states[k].*q.value);
   };
@@ -76,6 +76,7 @@ void share(const RunningInRun& run, Of of, States& bars) {
     const bool worn = value == &RunningInState::depth || value == &RunningInState::volume;
     return of == Of::grid && (worn || (light && value == &RunningInState::p_asperity_max));
   };
+  widen_by_lands(lands, kFollowedStates, size, bars);
   share_bars_of_states(kFollowedStates, size, is_part, bars);
 }
 
@@ -189,7 +190,7 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
   if (!coarse.usual.empty()) {
     bars.grid =
         bars_of_grids(coarse.usual, run.states, c.model.grid, hidden_at_edge(run), kFollowedStates);
-    share(run, Of::grid, bars.grid);
+    share(run, Of::grid, land_error(c), bars.grid);
     widen_bars_of_light_contact(c, run, bars.grid);
     bars.time = States(run.states.size());  // a worn-in shape has no steps
     if (!steps.empty()) {
@@ -199,7 +200,7 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
       add_bars_of_steps(coarse.usual.back().second, coarse.joined, run.states, 2.0, 1,
                         run.states.size() - 1, kFollowedStates, n, bars.time);
       widen_by_errors_of_steps(run, bars.time);
-      share(run, Of::time, bars.time);
+      share(run, Of::time, {}, bars.time);
     }
     if (run.cycle) {
       add_open_within_cycles(c, coarse.usual.back().first, run, control, bars.time);

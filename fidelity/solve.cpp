@@ -54,12 +54,6 @@ void share_bar_of_heat(const Judged& judged, const Result& result) {
   }
 }
 
-/// Part of its size that few cells on lands leave open of a quantity.
-double lands_leave(const LandError& lands, const Quantity& q) {
-  const bool friction = q.name.starts_with("friction_") || q.name == "power_loss";
-  return friction ? std::max(lands.pads, lands.sides) : lands.pads;
-}
-
 /// Bars of the grid with the orders observed; not-a-number where the value of the result's own grid
 /// is not there.
 void put_grid_bars(const BarRecord& record, Result& result) {
@@ -87,7 +81,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     q.error_nodes = std::isfinite(nodes) ? nodes : 0.0;
     q.error_grid = bar.bar + q.error_nodes;
     if (q.name == "h_min") q.error_grid += record.edge;
-    q.error_grid = larger(q.error_grid, lands_leave(record.lands, q) * size);
+    q.error_grid = larger(q.error_grid, open_by_lands(record.lands, q.name) * size);
     q.order = bar.order;
     const bool known = q.error_grid < size;  // at all: else it leads anywhere
     q.limit = known ? limit_of(c, q, bar.limit) : NAN;

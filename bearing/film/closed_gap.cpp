@@ -47,7 +47,8 @@ Verdict closed_gap(const BearingModel& model, const OperatingPoint& point,
   ending::GapClosed e{s.least.h, s.least.h, NAN, NAN, least_across(model.domain.grid, h)};
   if (!thermal_deformation.empty()) e.by_position -= e.by_heat = thermal_deformation[cell];
   if (!s.elastic.empty()) e.by_position -= e.by_elasticity = s.elastic[cell];
-  const bool proven = point.load.unknowns == 0 || e.across <= 0.0;
+  const bool rigid = s.elastic.empty();
+  const bool proven = (rigid && point.load.unknowns == 0) || e.across <= 0.0;
   return {proven ? Status::no_steady_state : Status::iteration_limit, e, s.least.place()};
 }
 

@@ -82,7 +82,8 @@ double gap_with_summits(const BearingModel& model, const FilmEquilibrium& s) {
 }
 
 bool thinner_than_a_molecule(const BearingModel& model, const FilmEquilibrium& s) {
-  if (model.domain.rough.sigma > 0.0 || s.least.h >= kMolecule) return false;
+  const bool smooth = model.domain.rough.sigma <= 0.0 && !model.contact;
+  if (!smooth || s.least.h >= kMolecule) return false;
   if (s.elastic.empty()) return true;
   const FilmGrid& g = model.domain.grid;
   const Field h = fluid::nominal_depth(s.gap, model.supply);

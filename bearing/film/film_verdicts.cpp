@@ -21,7 +21,8 @@ Verdict interlocked(const fluid::FilmScene& scene, const FilmEquilibrium& s) {
 
 Verdict limit_load(const BearingModel& model, const OperatingPoint& point, double carried,
                    int worst_cell) {
-  if (worst_cell < 0) return {Status::iteration_limit, ending::Plain::no_position};
+  const bool bound = std::holds_alternative<rheology::Barus>(model.oil.pressure);
+  if (worst_cell < 0 || !bound) return {Status::iteration_limit, ending::Plain::no_position};
   return {Status::no_steady_state, ending::BeyondPressureBound{point.load.scale(), carried},
           fluid::place_of(model.domain.grid, worst_cell)};
 }

@@ -179,6 +179,7 @@ void NewtonIteration::accept() {
   const bool little = off > kFollowed && off > (1.0 - kLittleGain * damping_) * accepted_.off;
   damping_ = little ? std::max(0.1, 0.5 * damping_) : std::min(1.0, 2.0 * damping_);
   accepted_ = {s_, merit(), room(model_, s_), off, std::hypot(s_.force[0], s_.force[1])};
+  worst_cell_ = -1;
   reach_ = std::min(1.0, 2.0 * reach_);
 }
 

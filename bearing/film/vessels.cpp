@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/largest.hpp"
 #include "core/round_off.hpp"
 #include "rheology/density.hpp"
 
@@ -58,7 +59,7 @@ bool Vessels::any_empty(const fluid::FilmScene& scene) const {
 double Vessels::largest_share(const std::vector<double>& oil) const {
   const std::vector<double> most = full();
   double share = 0.0;
-  for (std::size_t k = 0; k < oil.size(); ++k) share = std::max(share, std::abs(oil[k]) / most[k]);
+  for (std::size_t k = 0; k < oil.size(); ++k) share = larger(share, std::abs(oil[k]) / most[k]);
   return share;
 }
 
@@ -67,7 +68,8 @@ std::vector<double> Vessels::switchings() const {
   for (const Vessel& v : given_) {
     for (const auto& window : v.open) {
       for (double t : window) {
-        if (t == period_) t = 0.0;  // the end of a period is its beginning
+        if (std::abs(t - period_) <= kRoundOff * period_)
+          t = 0.0;  // the end of a period is its beginning
         times.push_back(t);
       }
     }

@@ -53,6 +53,8 @@ double widening_at(double T, const Solids& solids, const FilmGrid& grid) {
   return area_mean(grid, solids.at(solids.uniform_state(T)).thermal_deformation);
 }
 
+bool closes(const Case& c, double widening) { return widening <= -c.bearing.radial_clearance; }
+
 }  // namespace
 
 double coldest_around(const Case& c, const Solids& solids) {
@@ -63,12 +65,18 @@ std::optional<ending::NoClearance> closed_at_rest(const Case& c, const Solids& s
                                                   const FilmGrid& grid) {
   using At = ending::NoClearance::At;
   const auto [low, high] = temperatures_around(c, solids);
-  const double clearance = c.bearing.radial_clearance;
   for (const auto& [at, T] : {std::pair{At::coldest, low}, std::pair{At::warmest, high}}) {
     const double widening = widening_at(T, solids, grid);
-    if (widening <= -clearance) return ending::NoClearance{widening, clearance, at, T};
+    if (closes(c, widening)) {
+      return ending::NoClearance{widening, c.bearing.radial_clearance, at, T};
+    }
   }
   return std::nullopt;
+}
+
+bool closed_at_any_rest(const Case& c, const Solids& solids, const FilmGrid& grid) {
+  const auto [low, high] = temperatures_around(c, solids);
+  return closes(c, widening_at(low, solids, grid)) && closes(c, widening_at(high, solids, grid));
 }
 
 Verdict colder_than_all_around(const Solution& s) {

@@ -32,6 +32,9 @@ inline constexpr double kWallsOff = 0.1;
 [[nodiscard]] std::optional<ending::NoClearance> closed_at_rest(const Case& c, const Solids& solids,
                                                                 const FilmGrid& grid);
 
+/// Whether it does so at both: then nothing turns before it makes heat, which alone might open it.
+[[nodiscard]] bool closed_at_any_rest(const Case& c, const Solids& solids, const FilmGrid& grid);
+
 /// Good unless the film is colder than everything around it, which the second law forbids.
 [[nodiscard]] Verdict colder_than_all_around(const Solution& s);
 

@@ -181,6 +181,9 @@ void HeatIteration::tell_all_growth() {
   s_.film.gap = gap_at(m, s_.film.position, sum(growth, s_.film.elastic));
   s_.film.least = fluid::smallest_gap(m.domain.grid, s_.film.gap, m.profile, m.supply);
   verdict_ = closed_gap(m, s_.point, growth, s_.film);
+  // Closed at one of the temperatures around, it may be open where it runs.
+  const bool seized = closed_at_any_rest(m.input, *m.solids, m.domain.grid);
+  if (!seized) verdict_.status = Status::iteration_limit;
 }
 
 void HeatIteration::report(const std::vector<double>& x, const std::vector<double>& g) {

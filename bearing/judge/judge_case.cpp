@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bearing/bearing.hpp"
 #include "bearing/case_limits.hpp"
@@ -225,20 +226,12 @@ void judge_surfaces(const Case& c, Findings& to) {
   judge_flow_factors(c, to);
 }
 
-bool is_fine_enough(const Case& c, std::array<int, 2> grid) {
-  try {
-    static_cast<void>(film_grid(c, grid));
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-/// The smallest of finer grids that holds the edges of the supplies.
-std::array<int, 2> grid_for_supplies(const Case& c) {
+/// The smallest of finer grids that tells the supplies apart; none within memory: they touch.
+std::optional<std::array<int, 2>> grid_for_supplies(const Case& c) {
   std::array<int, 2> grid = c.model.grid;
-  while (!is_fine_enough(c, grid)) {
+  while (!holds_supplies(c, grid)) {
     grid = {grid[0] + (grid[0] + 9) / 10, grid[1] + (grid[1] + 9) / 10};
+    if (grid[0] * grid[1] > kBearingLimits.most_cells) return std::nullopt;
   }
   return grid;
 }
@@ -269,12 +262,13 @@ void judge_grid(const Case& c, const std::vector<Tier>& tiers, Findings& to) {
                           most));
     return;
   }
-  if (to.refused() || is_fine_enough(c, c.model.grid)) return;
-  const auto [more_nt, more_nz] = grid_for_supplies(c);
-  to.refuse(
-      "model.grid",
-      fmt::format("{} x {} cells cannot have a face at every edge of the supplies", nt, nz),
-      fmt::format("take {} x {}, or supplies whose edges lie further apart", more_nt, more_nz));
+  if (to.refused() || holds_supplies(c, c.model.grid)) return;
+  const auto finer = grid_for_supplies(c);
+  const std::string apart = "supplies whose edges lie further apart";
+  to.refuse("model.grid",
+            fmt::format("{} x {} cells cannot have a face at every edge of the supplies", nt, nz),
+            finer ? fmt::format("take {} x {}, or {}", (*finer)[0], (*finer)[1], apart)
+                  : "give " + apart);
 }
 
 }  // namespace
@@ -295,7 +289,7 @@ std::vector<Finding> judge(const Case& c, const std::vector<Tier>& tiers) {
   judge_supplies(c, to);
   judge_oil(c, to);
   judge_surfaces(c, to);
-  judge_solids(c, to);
+  judge_solids(c, tiers, to);
   judge_grid(c, tiers, to);
   for (const Tier tier : tiers) {
     if (auto lack = lack_for(c, tier)) to.list.push_back(std::move(*lack));

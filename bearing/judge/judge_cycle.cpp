@@ -11,6 +11,7 @@
 #include "bearing/over_time/cycle_numbers.hpp"
 #include "bearing/row_gaps.hpp"
 #include "core/constants.hpp"
+#include "core/round_off.hpp"
 #include "core/step_control.hpp"
 
 namespace shellback::bearing {
@@ -91,7 +92,7 @@ void judge_scalars(const LoadCycle& c, const ValueCheck& cycle) {
   cycle.number("crank_speed", c.crank_speed, "rad/s", kNotNegative);
   if (c.step) cycle.number("step", *c.step, "s", kPositive);
   for (const double t : c.fields_at) {
-    if (t >= 0.0 && t <= c.length()) continue;
+    if (t >= 0.0 && t <= c.length() * (1.0 + kRoundOff)) continue;
     cycle.refuse("fields_at",
                  fmt::format("{} lies outside the cycle, which takes {}", shown_instant(c, t),
                              shown_instant(c, c.length())),

@@ -30,7 +30,7 @@ void judge_cycle(const Case& c, Findings& to);
 void judge_supplies(const Case& c, Findings& to);
 /// The laws of the oil, and the temperatures at which it is used.
 void judge_oil(const Case& c, Findings& to);
-/// Shell, housing and shaft against the bearing.
-void judge_solids(const Case& c, Findings& to);
+/// Shell, housing and shaft against the bearing, in the tiers that are to be solved.
+void judge_solids(const Case& c, const std::vector<Tier>& tiers, Findings& to);
 
 }  // namespace shellback::bearing

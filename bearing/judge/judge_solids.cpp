@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bearing/judge/judge_parts.hpp"
 #include "bearing/load_cycle.hpp"
 #include "bearing/shown.hpp"
@@ -51,7 +53,9 @@ void judge_housing(const Housing& housing, double R, double inner, Findings& to)
               "check it, and the thickness of shell.layers");
   }
   if (housing.outer_radius > kBearingLimits.housing_most * R) {
-    to.refuse("shell.housing.outer_diameter", "it is more than 50 times the bearing's diameter",
+    to.refuse("shell.housing.outer_diameter",
+              fmt::format("it is more than {:.0f} times the bearing's diameter",
+                          kBearingLimits.housing_most),
               "check the unit");
   } else if (housing.outer_radius > kBearingLimits.housing_usual * R) {
     to.suspect("shell.housing.outer_diameter",
@@ -135,6 +139,7 @@ void judge_strain(const Case& c, Findings& to) {
                            : 0.0;
   const double specific = force / (2.0 * c.bearing.radius * c.bearing.width);
   for (std::size_t k = 0; k < c.shell->layers.size(); ++k) {
+    if (c.shell->layers[k].elasto_plastic) continue;  // it has a law of its own
     const double strain = specific * solid::confined_compliance(c.shell->layers[k].material);
     if (strain <= kBearingLimits.strain_usual) continue;
     const std::string what = fmt::format(
@@ -212,10 +217,12 @@ void judge_overhang(const char* key, double length, double most, double R, Findi
 
 }  // namespace
 
-void judge_solids(const Case& c, Findings& to) {
+void judge_solids(const Case& c, const std::vector<Tier>& tiers, Findings& to) {
   const double R = c.bearing.radius;
   if (c.shell) judge_shell(*c.shell, R, to);
-  const bool gives_way = c.model.tier == Tier::tehd || c.model.tier == Tier::automatic;
+  const bool gives_way = std::any_of(tiers.begin(), tiers.end(), [](Tier tier) {
+    return tier == Tier::tehd || tier == Tier::automatic;
+  });
   const bool elastic = c.model.switches.elastic_deformation.value_or(gives_way);
   if (c.shell && elastic) judge_strain(c, to);
   if (c.shell) judge_coating(c, to);

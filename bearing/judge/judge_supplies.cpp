@@ -233,7 +233,10 @@ bool overlap(const Supply& a, const Supply& b, double radius) {
   };
   const double x = gap(apart, radius * a.arc, radius * b.arc);
   const double z = gap(along, a.length, b.length);
-  if (reach == 0.0) return std::max(x, z) < -kRoundOff * radius;
+  const double slack = kRoundOff * radius;
+  // Strips may share an edge; a line on one is within the strip.
+  const double least = a.arc == 0.0 || b.arc == 0.0 ? slack : -slack;
+  if (reach == 0.0) return x < least && z < -slack;
   return std::hypot(std::max(x, 0.0), std::max(z, 0.0)) < reach * (1.0 - kRoundOff);
 }
 

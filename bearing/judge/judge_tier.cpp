@@ -97,9 +97,9 @@ double half_arc(const Case& c, const Supply& s) {
 }
 
 /// Supplies in the film that carries the load, or none before it.
-Lack lack_of_feed(const Case& c, double load_angle, double far) {
+Lack lack_of_feed(const Case& c, double omega, double load_angle, double far) {
   const std::string cure = "take tier isothermal, lumped, thd, tehd or auto";
-  const double turn = c.operation.omega < 0.0 ? -1.0 : 1.0;
+  const double turn = omega < 0.0 ? -1.0 : 1.0;
   bool fed = false;
   for (const Supply& s : c.supplies) {
     if (s.kind == SupplyKind::drilling || goes_all_round(s)) {
@@ -136,11 +136,11 @@ Lack lack_of_feed_over(const Case& c) {
   if (t.size() < 2 || (spline && jumps)) return std::nullopt;  // refused for that
   const LoadCourse course(*c.cycle, c.operation.omega);
   const auto lack_at = [&](const LoadNow& at) {
-    return lack_of_feed(c, std::atan2(at.y, at.x), kFarFromLoadInTime);
+    return lack_of_feed(c, at.omega, std::atan2(at.y, at.x), kFarFromLoadInTime);
   };
   const LoadStretch starved =
       course.heavy_stretch([&](const LoadNow& from, const LoadNow& to, double) {
-        return lack_at({from.x + to.x, from.y + to.y}).has_value();
+        return lack_at({from.x + to.x, from.y + to.y, from.omega + to.omega}).has_value();
       });
   return starved.always || starved.turned >= 2.0 * kPi ? lack_at(starved.last) : std::nullopt;
 }
@@ -213,7 +213,8 @@ Lack lack_for_estimate(const Case& c) {
   if (c.cycle) return lack_of_feed_over(c);
   const auto* load = std::get_if<LoadGiven>(&c.operation.position);
   const auto* place = std::get_if<EccentricityGiven>(&c.operation.position);
-  return lack_of_feed(c, load != nullptr ? load->angle : place->load_angle, kFarFromLoad);
+  return lack_of_feed(c, c.operation.omega, load != nullptr ? load->angle : place->load_angle,
+                      kFarFromLoad);
 }
 
 /// Between rigid surfaces no journal is displaced by the clearance.

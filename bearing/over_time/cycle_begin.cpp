@@ -106,6 +106,7 @@ bool CyclePasses::begin_warm() {
   const LoadNow first = course_.at(0.0);
   Case steady = c_;
   steady.cycle.reset();
+  steady.model.axial_spacing = axial_spacing(c_);  // the cells of the event
   steady.operation.omega = first.omega;
   steady.operation.position = LoadGiven{std::hypot(first.x, first.y), std::atan2(first.y, first.x)};
   if (first.omega == 0.0 || !(std::hypot(first.x, first.y) > 0.0)) return false;

@@ -104,6 +104,7 @@ bool CyclePasses::put(const WallMeans& walls) {
 }
 
 bool CyclePasses::put_lasting(const std::vector<double>& carried) {
+  carried_over_ = false;
   if (film_.put_lasting(carried, now_)) return true;
   r_.verdict = {Status::iteration_limit, ending::NoClearance{0.0, film_.model().clearance}};
   return false;
@@ -122,6 +123,7 @@ int CyclePasses::cycles_of_turn() const {
 bool CyclePasses::displace() {
   JournalState journal = film_.journal_of(now_);
   journal[0] += displacement();
+  carried_over_ = false;
   return film_.put_journal(journal, now_);
 }
 

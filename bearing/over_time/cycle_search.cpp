@@ -90,9 +90,9 @@ void CycleSearch::until_closed(double within) {
   if (!brought_back()) oil_.begin(passes_.lasting());
   while ((pass() || come_back_from_led_oil()) && repeats() && !closed(within)) {
     const bool seen = std::isfinite(closure_.last);  // of a cycle that was not begun with led oil
+    if ((cycles() >= most_ || passes_.spent()) && seen) return cycles_unsettled(within);
     lead_oil_on();
     if (!verdict().good()) return;
-    if ((cycles() >= most_ || passes_.spent()) && seen) return cycles_unsettled(within);
   }
 }
 

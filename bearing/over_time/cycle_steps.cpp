@@ -31,9 +31,11 @@ CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
 /// where that is more than the film's allowed error, the step ends on it.
 double CycleSteps::next_corner(double since, double dt) const {
   double next = length_;
+  const double round = kRoundOff * length_;
   for (const LoadCorner& c : corners_) {
+    if (c.t > length_ - round) continue;  // the end itself
     const bool felt = c.jump || c.slope_change * dt > 8.0 * options_.error;
-    if (felt && c.t > since + kRoundOff * length_ && c.t < next) next = c.t;
+    if (felt && c.t > since + round && c.t < next) next = c.t;
   }
   return next;
 }
@@ -65,12 +67,13 @@ FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, Peri
                           EquilibriumCost& cost, const SolveControl& control) {
   const bool anew = now.oil_slope.empty();
   const auto old = std::upper_bound(before_.begin(), before_.end(), since + kStepShorter * wish_);
-  const bool again = old != before_.end() && *old - since <= kStepLonger * wish_;
+  const bool chosen = !(options_.fixed > 0.0);
+  const bool again = chosen && old != before_.end() && *old - since <= kStepLonger * wish_;
   end = again ? std::min(*old, next_corner(since, *old - since))
-              : end_of_step(since, options_.fixed > 0.0 ? options_.fixed : wish_);
+              : end_of_step(since, chosen ? wish_ : options_.fixed);
   double most = again ? kTaken * options_.error : options_.error;
   while (true) {
-    if (options_.fixed > 0.0) most = INFINITY;
+    if (!chosen) most = INFINITY;
     FilmStep step = film_.take(end - since, now, cost, control.stop);
     const bool good = step.verdict.good();
     const bool ended =

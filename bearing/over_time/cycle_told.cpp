@@ -130,7 +130,7 @@ CycleAudit CycleRecord::audit() const {
     const double made = heat_.balance.heat + heat_.rubbed + layer_loss_;
     a.work = (heat_.work - both * made - (stored_ended_ - stored_begun_)) / heat_.work;
   }
-  if (std::abs(told() / length_ - 1.0) > 1e-6) return a;  // stopped before the end
+  if (std::abs(told() / length_ - 1.0) > kRoundOff) return a;  // stopped before the end
   const auto load = course_->impulse();
   double off = 0.0;
   for (int k = 0; k < 2; ++k) {

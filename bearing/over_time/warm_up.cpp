@@ -35,8 +35,6 @@ double WarmUp::imbalance() const {
   return most;
 }
 
-namespace {}  // namespace
-
 WarmUp warm_up(const Case& c, Tier tier, const WarmUpOptions& o, const SolveControl& control) {
   if (tier != Tier::thd && tier != Tier::tehd) {
     throw InputError("model.tier",

@@ -56,14 +56,16 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
   if (s.point.load.unknowns == 0) {
     if (!s.model.physics.elastic) return v;
     // Surfaces that give way are met before they have: from a place nearer to the middle.
+    const auto begin = [&] {
+      const fluid::JournalPosition place = s.film.position;
+      s.film = cold_start(s.model, s.point, T);
+      s.film.position = place;
+      return start();
+    };
     s.film = cold_start(s.model, s.point, T);
-    Part place(s, Raised::place);
-    place.take(kLight.front());
-    const Verdict nearer = start();
-    place.take(1.0);
-    if (!nearer.good()) return v;
-    const Branch b = follow_parts(s, Raised::place, kLight.front(), correct, control);
-    return b.end == BranchEnd::reached ? Verdict{} : b.end == BranchEnd::lost ? v : b.last;
+    const auto b = follow_from(s, Raised::place, kLight, begin, correct, control);
+    const bool lost = !b || b->end == BranchEnd::lost;
+    return lost ? v : b->end == BranchEnd::reached ? Verdict{} : b->last;
   }
   const std::optional<Branch> branch = follow_loads(
       s,

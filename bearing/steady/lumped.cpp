@@ -93,7 +93,7 @@ std::optional<double> LumpedBalance::residual(double T) {
   const OilFed fed =
       v.good() ? oil_fed(s_.model.input, s_.point.scene.supply.touching, flows.patch) : OilFed{};
   if (v.good() && !(flows.side > 0.0 && fed.mass > 0.0)) {
-    v = {Status::no_steady_state, ending::Plain::no_oil_leaves};
+    v = {Status::iteration_limit, ending::Plain::no_oil_leaves};
   }
   if (!v.good()) {
     if (T < T_failed_ || v.status == Status::interrupted) failure_ = v;
@@ -202,7 +202,12 @@ Verdict LumpedBalance::no_root(const std::vector<HeatSample>& samples) const {
   const HeatSample& high = *std::find_if(samples.rbegin(), samples.rend(), good);
   const ending::NoHeatBalance none{low.T, high.T, nearest(low.T).surplus, nearest(high.T).surplus,
                                    T_failed_};
-  if (failure_.good()) return {Status::no_steady_state, none};
+  // Heat that is less than what leaves from the coldest on has its balance below that: pumps that
+  // are driven by oil sucked through the bearing, which this balance does not know.
+  const bool runaway = failure_.good() && none.surplus_low > 0.0;
+  if (failure_.good()) {
+    return {runaway ? Status::no_steady_state : Status::iteration_limit, none};
+  }
   return {failure_.status, none, failure_.place, {failure_}};
 }
 

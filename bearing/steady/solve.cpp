@@ -196,6 +196,8 @@ Solution solve_tier_from(const Case& c, Tier tier, const Solution& near,
     cold.cost.work += s.cost.work;
     return cold;
   }
+  // Newton's method from one state alone proves nothing of all others.
+  if (s.verdict.status == Status::no_steady_state) s.verdict.status = Status::iteration_limit;
   if (s.verdict.good() && c.model.coefficients) s.coefficients = coefficients_of(s);
   if (s.verdict.good()) s.levels.push_back({c.model.grid, quantities_of(s, tier)});
   s.wall_s = watch.seconds();

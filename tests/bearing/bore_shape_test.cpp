@@ -224,3 +224,24 @@ TEST_CASE("WhatTheCellsDoNotShowOfTheBoreIsTold") {
   c.model.grid = {80, 8};
   CHECK_FALSE(tells<note::ProfileBetweenCells>(solved(c)));
 }
+
+TEST_CASE("ATableThatBeginsAnywhereIsPeriodic") {
+  // One turn on, the angle comes back to its first row but for a last digit, and lay before it.
+  for (int half = 0; half < 720; ++half) {
+    Bearing b = plain_case().bearing;
+    Profile p;
+    p.z = {0.0};
+    for (int k = 0; k < 4; ++k) {
+      p.phi.push_back(0.5 * half * kDegree + 0.5 * k * kPi);
+      p.height.push_back(1e-6 * (k + 1));
+    }
+    const double front = p.phi.front();
+    b.profile = p;
+    FilmGrid g = make_grid(b.radius, b.width, 8, 4, false, {}, {});
+    g.phi[0] = front + 2.0 * kPi;
+    g.phi[1] = front - 2.0 * kPi;
+    const Field h = profile_of_cells(b, g);
+    CHECK(h[g.index(0, 0)] == Approx(1e-6));
+    CHECK(h[g.index(1, 0)] == Approx(1e-6));
+  }
+}

@@ -245,6 +245,25 @@ TEST_CASE("AnEventThatDrivesOilBackIntoItsSupplyHasNoHeatBalance", "[cycle_heat]
   CHECK_THAT(app::reason_of(r.verdict), Catch::Contains("no oil is fed"));
 }
 
+TEST_CASE("AnEventBeginsWithTheWallsOfItsOwnCells", "[cycle_heat]") {
+  // With contact a steady bearing gathers its cells at the edges, an event does not: it began with
+  // walls of the one on the cells of the other.
+  Case c = warm_cycle_case(1e3, 0.0);
+  c.surfaces = rig_case().surfaces;
+  LoadCycle event;
+  event.t = {0.0, 5e-4};
+  event.x.assign(2, 0.0);
+  event.y.assign(2, -5e3);
+  event.journal_mass = 0.5;
+  c.cycle = event;
+  const CycleResult unsaid = converged(c, Tier::thd);
+  c.model.axial_spacing = AxialSpacing::even;
+  const CycleResult said = converged(c, Tier::thd);
+  REQUIRE(unsaid.walls);
+  CHECK(unsaid.walls->shell == said.walls->shell);
+  CHECK(value(unsaid, "friction_torque") == value(said, "friction_torque"));
+}
+
 TEST_CASE("LumpedCyclesMeetTheHeatBalanceOfTheirMeans", "[cycle_heat]") {
   Case c = warm_cycle_case(1.5e3, 0.0);
   Case still = c;

@@ -144,6 +144,25 @@ TEST_CASE("OilThatManyCyclesGatherIsLedOnToWhereTheyLead", "[cycle]") {
   CHECK(r.cycles < until_closed);
 }
 
+TEST_CASE("AGivenStepIsKeptInEveryPeriod", "[cycle]") {
+  // A tenth of the first step behind a jump, which came back twice as long in the second period.
+  Case c = pulsed_case();
+  c.model.grid = {32, 4};
+  const double length = c.cycle->length(), given = length / 1000.0;
+  const LoadCourse course(*c.cycle, c.operation.omega);
+  FilmSteps film(make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid), course,
+                 c.cycle->journal_mass, {});
+  CycleSteps steps(film, course, length, {1e-3, length, 1e-7 * length, 10.0 * given, given});
+  FilmInTime now = film.at_rest(equivalent_temperature(c));
+  EquilibriumCost cost;
+  for (int period = 0; period < 3; ++period) {
+    double longest = 0.0;
+    const auto tell = [&](const FilmStep&, double dt) { longest = std::max(longest, dt); };
+    REQUIRE(steps.pass(now, cost, {}, tell, [] {}).verdict.good());
+    CHECK(longest <= given * (1.0 + 1e-9));  // round-off
+  }
+}
+
 TEST_CASE("OilThatIsLedOnIsNotTakenFromEmptyCells", "[cycle]") {
   // A light journal between rough surfaces, its load standing, in periods of a twentieth of a turn:
   // the oil of twelve of them empties cells. "A step takes more oil out of a cell than it holds"

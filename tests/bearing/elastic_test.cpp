@@ -126,6 +126,20 @@ TEST_CASE("APlaceBeyondTheClearanceHasTheLoadThatLedToIt", "[elastic]") {
   CHECK(held.film.least.h == Approx(led.film.least.h).epsilon(1e-6));
 }
 
+TEST_CASE("WhereSurfacesGiveWayAClosedPlaceProvesNothing", "[elastic]") {
+  // Rigid surfaces have no film there; of others a first guess that overlaps tells nothing.
+  Case c = plain_case();
+  c.model.grid = {36, 6};
+  c.shell = rig_case().shell;
+  c.shaft = rig_case().shaft;
+  place_journal(c, 4.0, 0.3);
+  CHECK(solve_tier(c, Tier::isothermal).verdict.status == Status::no_steady_state);
+  c.model.switches.elastic_deformation = true;
+  const Solution s = solve_tier(c, Tier::isothermal);
+  INFO(app::reason_of(s.verdict));
+  CHECK(s.verdict.status != Status::no_steady_state);
+}
+
 TEST_CASE("ANearlyIncompressibleLayerIsTheSameInOnePieceAndInEight", "[elastic]") {
   Case c = plain_case();
   const solid::Material soft{"soft", 0.2, 1200.0, 1500.0, 5e7, 0.49, 1e-4};

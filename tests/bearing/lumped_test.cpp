@@ -136,6 +136,22 @@ TEST_CASE("ABalanceWithoutARootIsRefusedWithBothEnds", "[lumped]") {
   CHECK(s.T_film <= 313.15 + 400.0);
 }
 
+TEST_CASE("OilSuckedThroughTheBearingIsNoRunaway", "[lumped]") {
+  // A groove below ambient takes the oil that comes in at the sides: heat leaves there, which the
+  // balance of one temperature does not know. Slow: more is sucked than dragged.
+  Case c = warm_case();
+  c.supplies[0].pressure = -3e4;
+  c.model.cavitation_pressure = -9e4;
+  c.model.grid = {36, 6};
+  for (const double rpm : {1.0, 10.0, 100.0}) {
+    c.operation.omega = rpm * kPi / 30.0;
+    place_journal(c, 0.5, 0.8);
+    const Solution s = solve_tier(c, Tier::lumped);
+    INFO(rpm << " rpm: " << app::reason_of(s.verdict));
+    CHECK(s.verdict.status != Status::no_steady_state);
+  }
+}
+
 TEST_CASE("EveryRootIsToldAndTheLowestStableOneTaken", "[lumped]") {
   Case c = warm_case();  // oil that thickens with heat: beyond a second, unstable root it runs away
   c.oil.temperature = rheology::ReynoldsSlope{0.003, 313.15, -0.03};

@@ -401,3 +401,29 @@ TEST_CASE("SurfacesPressedBeyondTheContactLawAreMarked", "[refusal]") {
   const Result usual = summarize(solve_tier(rig_case(), Tier::isothermal), Tier::isothermal);
   CHECK_FALSE(marked(usual));
 }
+
+TEST_CASE("AFilmSoughtFromOneNearByProvesNothingOfOthers", "[refusal]") {
+  // A smooth rigid bearing of Barus oil under twice what its bound lets it carry.
+  Case c = plain_case();
+  c.oil.pressure = rheology::Barus{4e-8};
+  c.model.grid = {36, 6};
+  const Solution near = solve_tier(c, Tier::isothermal);
+  REQUIRE(near.verdict.good());
+  set_load(c, 4e5);
+  CHECK(solve_tier(c, Tier::isothermal).verdict.status == Status::no_steady_state);
+  const Solution s = solve_tier_from(c, Tier::isothermal, near, {}, Otherwise::failure);
+  INFO(app::reason_of(s.verdict));
+  CHECK(s.verdict.status == Status::iteration_limit);
+}
+
+TEST_CASE("OnlyBarusLawBoundsTheLoadOfARigidFilm", "[refusal]") {
+  Case c = plain_case();
+  c.model.grid = {36, 6};
+  for (const double load : {1e5, 1e6, 1e7}) {
+    set_load(c, load);
+    c.oil.pressure = rheology::Roelands{0.6};
+    const Solution s = solve_tier(c, Tier::isothermal);
+    INFO(load << " N: " << app::reason_of(s.verdict));
+    CHECK(s.verdict.as<ending::BeyondPressureBound>() == nullptr);
+  }
+}

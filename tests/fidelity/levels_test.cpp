@@ -103,7 +103,7 @@ TEST_CASE("WhereSummitsMakeTheHeatAFinerGridIsAskedToo") {
     CHECK(sequence.levels.size() > 2);  // beside the coarser ones
     return sequence.levels.back().grid;
   };
-  CHECK(finest(30.0) == fidelity::finer_grid(c.model.grid));
+  CHECK(finest(30.0) == fidelity::finer_grid(c));
   CHECK(finest(3000.0) == c.model.grid);
 }
 

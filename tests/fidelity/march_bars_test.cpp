@@ -210,3 +210,17 @@ TEST_CASE("AMarchThatIsStoppedHasNoBars", "[transient]") {
   CHECK(bars.interrupted);
   CHECK(bars.grid.empty());
 }
+
+TEST_CASE("TheFirstOfAnOddNumberOfStepsErrsAsThoseBehindIt", "[transient]") {
+  // It is the same step in both runs: what these differ by there says nothing.
+  const auto states = [](const std::vector<double>& torques) {
+    std::vector<Instant> out(torques.size());
+    for (std::size_t k = 0; k < torques.size(); ++k) out[k].torque = torques[k];
+    return out;
+  };
+  const auto usual = states({1.0, 2.0, 3.0}), joined = states({1.0, 3.3});
+  auto bars = states({0.0, 0.0, 0.0});
+  std::size_t n = 0;
+  fidelity::add_bars_of_steps(usual, joined, usual, 2.0, 0, 2, kFollowedInstants, n, bars);
+  for (const Instant& bar : bars) CHECK(bar.torque == Approx(1.5 * 0.3 / 3.0));
+}

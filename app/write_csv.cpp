@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/labels/csv_text.hpp"
 #include "app/labels/sweep_columns.hpp"
 #include "app/words/ending_words.hpp"
 
@@ -13,13 +14,6 @@ using study::Sweep;
 using study::SweepPoint;
 
 namespace {
-
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 /// All digits that tell one number from the next; empty if it is none.
 std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
@@ -34,12 +28,12 @@ std::string head(const Sweep& sweep, const std::vector<SweepQuantity>& quantitie
   std::vector<std::string> cells;
   for (const auto& axis : sweep.axes) {
     cells.push_back(
-        cell(axis.unit.empty() ? axis.key : fmt::format("{} [{}]", axis.key, axis.unit)));
+        csv_text(axis.unit.empty() ? axis.key : fmt::format("{} [{}]", axis.key, axis.unit)));
   }
   for (const char* name : {"status", "tier", "grid", "start", "tries"}) cells.emplace_back(name);
   for (const auto& q : quantities) {
-    cells.push_back(cell(fmt::format("{} [{}]", q.name, q.unit)));
-    if (q.with_error) cells.push_back(cell(fmt::format("{} error [{}]", q.name, q.unit)));
+    cells.push_back(csv_text(fmt::format("{} [{}]", q.name, q.unit)));
+    if (q.with_error) cells.push_back(csv_text(fmt::format("{} error [{}]", q.name, q.unit)));
   }
   for (const char* name :
        {"audit mass", "audit energy", "audit load", "audit moment", "outer iterations",
@@ -55,7 +49,7 @@ std::string row(const Sweep& sweep, int index, const std::vector<SweepQuantity>&
   std::vector<std::string> cells;
   for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
     const auto& axis = sweep.axes[a];
-    cells.push_back(axis.numbers.empty() ? cell(axis.words[at[a]]) : cell(axis.numbers[at[a]]));
+    cells.push_back(axis.numbers.empty() ? csv_text(axis.words[at[a]]) : cell(axis.numbers[at[a]]));
   }
   const auto& result = point.result;
   cells.push_back(status_word(point));
@@ -77,7 +71,7 @@ std::string row(const Sweep& sweep, int index, const std::vector<SweepQuantity>&
     cells.push_back(good ? std::to_string(x) : "");
   }
   cells.push_back(cell(point.wall_s));
-  cells.push_back(good ? "" : cell(reason_of(result.verdict)));
+  cells.push_back(good ? "" : csv_text(reason_of(result.verdict)));
   return line(cells);
 }
 

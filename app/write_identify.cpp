@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "app/labels/csv_text.hpp"
 #include "app/labels/quantity_label.hpp"
 #include "app/labels/text_table.hpp"
 #include "bearing/quantities.hpp"
@@ -124,13 +125,6 @@ void write_sum(std::ostream& out, const IdentifyView& v) {
       gsl_cdf_tdist_Pinv(kTwoSided, fit.freedom));
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 }  // namespace
 
 void write_identify_table(std::ostream& out, const IdentifyView& v) {
@@ -168,7 +162,7 @@ std::string identify_csv(const IdentifyView& v) {
     const auto& p = v.end.points[i];
     for (std::size_t k = 0; k < measured.values.size(); ++k) {
       const auto& m = measured.values[k];
-      out += quoted(v.table.places[i]);
+      out += csv_text(v.table.places[i]);
       for (const MeasuredInput& input : v.table.inputs) {
         out += fmt::format(",{:.10g}", input.axis.numbers[i]);
       }

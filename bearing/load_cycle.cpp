@@ -111,6 +111,9 @@ LoadNow LoadCourse::at(double t, bool before_jump) const {
             gsl_spline_eval(splines_->omega.get(), at, nullptr)};
   }
   const auto& T = cycle_.t;
+  // Before an event's first row it stands, whatever follows it at once.
+  const bool before = !cycle_.repeats() && (t < T.front() || (before_jump && t <= T.front()));
+  if (before) return {cycle_.x.front(), cycle_.y.front(), cycle_.omega.front()};
   const auto above = std::upper_bound(T.begin(), T.end(), at);
   const auto k = static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(above - T.begin(), 1, static_cast<std::ptrdiff_t>(T.size()) - 1));
@@ -194,7 +197,8 @@ void LoadCourse::find_rests(double slow) {
     for (const double at : {-slow, 0.0, slow}) {
       if (a == b || (a - at) * (b - at) > 0.0) continue;
       const double t = between(cycle_.t[k], cycle_.t[k + 1], (at - a) / (b - a));
-      if (!repeats() || t < length_) corners_.push_back({t, false, INFINITY});
+      // Behind the last row the next period may have begun.
+      corners_.push_back({repeats() && t >= length_ ? t - length_ : t, false, INFINITY});
     }
   }
   std::stable_sort(corners_.begin(), corners_.end(),

@@ -74,6 +74,9 @@ class LoadCourse {
   /// At time t [s]; before 0 an event stands in its first row. At a jump what holds after it, or
   /// before it.
   [[nodiscard]] LoadNow at(double t, bool before_jump = false) const;
+  /// From which the journal comes: an event from its first row, which a second one at its time may
+  /// follow.
+  [[nodiscard]] LoadNow begins() const { return at(0.0, !repeats()); }
   /// By how much the journal has turned against the shell since the beginning, up to whole turns of
   /// the periods passed: the integral of the speed [rad].
   [[nodiscard]] double turned(double t) const;

@@ -82,9 +82,10 @@ struct ToleranceNotMet {
   bool of_cycle = false;  ///< the mean friction torque
 };
 
-/// The shaft's surface is at its mean over the cycle.
+/// The shaft's surface is at its mean: over the cycle, or around it over an event.
 struct ShaftSwing {
   double T = 0.0;  ///< by which it would swing [K]
+  bool over_event = false;
 };
 
 /// Tier estimate of a steady bearing.

@@ -1,5 +1,8 @@
 #include "bearing/possible_methods.hpp"
 
+#include <fmt/format.h>
+
+#include "bearing/case_limits.hpp"
 #include "bearing/pressed_layer.hpp"
 #include "core/contract.hpp"
 
@@ -7,10 +10,14 @@ namespace shellback::bearing {
 
 std::string impossible_methods(const Case& c, const Physics& physics) {
   const Methods& m = c.model.methods;
-  if (m.across == AcrossFilm::layers && (m.layers < 2 || m.layers > 60)) {
-    return "layers must lie between 2 and 60";
+  const auto [fewest, most] = kValueRanges.layers;
+  if (m.across == AcrossFilm::layers && (m.layers < fewest || m.layers > most)) {
+    return fmt::format("layers must lie between {} and {}", fewest, most);
   }
-  if (!(m.relaxation >= 0.0 && m.relaxation <= 1.0)) return "relaxation must lie between 0 and 1";
+  const bool by_aitken = m.relaxation == 0.0;
+  if (!by_aitken && !kValueRanges.relaxation.holds(m.relaxation)) {
+    return std::string("relaxation must ") + kValueRanges.relaxation.words;
+  }
   if (m.cavitation == CavitationMethod::swift_stieber && physics.film_energy) {
     return "cavitation = \"swift-stieber\" does not conserve oil, so that the heat in the film "
            "cannot be balanced; take tier isothermal or lumped, or another method";

@@ -71,13 +71,14 @@ std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1) {
     count[s] = std::max(least[s], static_cast<int>(std::lround(share)));
     used += count[s];
   }
-  while (used != n) {  // correct where the cell size is furthest off
+  // One more where cells are widest, or one less where those that are left come out smallest.
+  while (used != n) {
     int best = -1;
     double worst = 0.0;
     for (int s = 0; s < segments; ++s) {
       if (used > n && count[s] == least[s]) continue;
-      const double size = (edges[s + 1].at - edges[s].at) / count[s];
-      const double key = used < n ? size : 1.0 / size;
+      const double length = edges[s + 1].at - edges[s].at;
+      const double key = used < n ? length / count[s] : (count[s] - 1) / length;
       if (best < 0 || key > worst) {
         worst = key;
         best = s;

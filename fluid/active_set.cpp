@@ -62,7 +62,7 @@ ActiveSetEnd ActiveSet::run() {
     oil_(v.state, v.oil);
     evaluate_flow(scene_, gap_, profile_, v.oil, v.state, v.flow);
     Field r = film_residual(scene_, v.flow);
-    const double norm = largest_magnitude(r) / flow_scale(scene_, v.flow);
+    const double norm = largest_magnitude(r) / flow_scale(v.flow);
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
       out.verdict = ended_by(scene_.grid, first_not_a_number(gap_, v.state, v.oil, v.flow));
@@ -71,7 +71,6 @@ ActiveSetEnd ActiveSet::run() {
     if (norm <= tolerance_ && complementary(scene_, v.state)) return converged();
     if (it_++ == most_) break;
     if (cycling_) {
-      ++v.fallback_steps;
       ++v.factorizations;
       if (!fischer_burmeister_step(scene_, gap_, profile_, oil_, v)) break;
       continue;

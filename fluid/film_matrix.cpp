@@ -287,14 +287,13 @@ double flow_by_pressure(const FilmScene& scene, const FilmFlow& flow, const Fiel
   return most;
 }
 
-double flow_scale(const FilmScene& scene, const FilmFlow& flow) {
+double flow_scale(const FilmFlow& flow) {
   double scale = 0.0;
   for (std::size_t k = 0; k < flow.phi.size(); ++k) {
     scale = std::max(scale, std::abs(flow.phi[k].d_theta));
     scale = std::max(scale, std::abs(flow.phi[k].m));
   }
   for (const double x : flow.stored) scale = std::max(scale, std::abs(x));
-  (void)scene;
   return scale;
 }
 

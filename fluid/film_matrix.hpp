@@ -41,7 +41,7 @@ void add_gap_compliance(const FilmScene& scene, const FilmFlow& flow, const Fiel
 /// Residual of (1) with zeros at supply cells [kg/s], and the flow it is measured against: the
 /// largest mass flow through a face around, Couette or all, or stored in a cell [kg/s].
 [[nodiscard]] Field film_residual(const FilmScene& scene, const FilmFlow& flow);
-[[nodiscard]] double flow_scale(const FilmScene& scene, const FilmFlow& flow);
+[[nodiscard]] double flow_scale(const FilmFlow& flow);
 
 /// Largest flow through a face by the pressure of one of its cells alone, what its derivative makes
 /// of it [kg/s]: two of them cancel but for the difference of their pressures, so that a residual

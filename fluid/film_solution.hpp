@@ -23,7 +23,6 @@ struct FilmSolution {
   FilmCoefficients oil;
   RingFactor factor;  ///< of the last matrix: reusable for sensitivities
   int factorizations = 0;
-  int fallback_steps = 0;  ///< Fischer-Burmeister steps taken
 };
 
 }  // namespace shellback::fluid

@@ -31,7 +31,7 @@ Elimination eliminate(double P, double c, double p_ref, bool full) {
 }
 
 double merit(const FilmScene& scene, const FilmSolution& v, double p_ref) {
-  const double scale = flow_scale(scene, v.flow);
+  const double scale = flow_scale(v.flow);
   double sum = 0.0;
   for (const double r : film_residual(scene, v.flow)) sum += r * r / (scale * scale);
   for (std::size_t k = 0; k < v.state.p.size(); ++k) {

@@ -15,9 +15,13 @@
 /// recalled [memory] and not read in the papers. They stand up to two checks that are independent
 /// of memory (tests): the branches of Phi_s meet at H = 5 to 0.1 %, and phi_fp, which belongs to a
 /// separate table, is the reciprocal of Phi_s (flow_factors.hpp) to 0.03 for H >= 1.5 in all rows.
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "core/monotone_cubic.hpp"
 
 namespace shellback::fluid {
 
@@ -48,32 +52,18 @@ inline constexpr std::array<PatirChengRow, 7> kPatirCheng{{
     {9.0, 0.0, 0.56, 0.870, 0.5, 1.011, 0.54, 1.07, 0.08, 0.73, 0.91, 8.7, 2.15, 2.97, 0.18},
 }};
 
-/// One coefficient at orientation `gamma`: monotone piecewise cubic (Fritsch and Butland's
-/// harmonic-mean slopes, secants at the ends; textbook) in ln gamma through the seven rows, hence
-/// smooth, exact at the rows and without overshoot. Outside [1/9, 9] the end row holds: the laws
-/// are not known there (1 + C H^-1.5 with C extrapolated would exceed the exact longitudinal
-/// limit 1 + 3 H^-2); RoughPair::beyond_table reports it.
+/// One coefficient at orientation `gamma`: monotone piecewise cubic (monotone_cubic.hpp) in ln
+/// gamma through the seven rows, hence smooth, exact at the rows and without overshoot. Outside
+/// [1/9, 9] the end row holds: the laws are not known there (1 + C H^-1.5 with C extrapolated would
+/// exceed the exact longitudinal limit 1 + 3 H^-2); RoughPair::beyond_table reports it.
 [[nodiscard]] inline double patir_cheng(double PatirChengRow::*coefficient, double gamma) {
-  constexpr std::size_t n = kPatirCheng.size();
-  if (gamma <= kPatirCheng.front().gamma) return kPatirCheng.front().*coefficient;
-  if (gamma >= kPatirCheng.back().gamma) return kPatirCheng.back().*coefficient;
-  const auto x = [](std::size_t i) { return std::log(kPatirCheng[i].gamma); };
-  const auto y = [coefficient](std::size_t i) { return kPatirCheng[i].*coefficient; };
-  const auto secant = [&](std::size_t i) { return (y(i + 1) - y(i)) / (x(i + 1) - x(i)); };
-  const auto slope = [&](std::size_t i) {
-    if (i == 0) return secant(0);
-    if (i == n - 1) return secant(n - 2);
-    const double left = secant(i - 1), right = secant(i);
-    if (left * right <= 0.0) return 0.0;
-    const double before = x(i) - x(i - 1), after = x(i + 1) - x(i);
-    const double w1 = 2.0 * after + before, w2 = after + 2.0 * before;
-    return (w1 + w2) / (w1 / left + w2 / right);
-  };
-  std::size_t i = 0;
-  while (kPatirCheng[i + 1].gamma < gamma) ++i;
-  const double step = x(i + 1) - x(i), t = (std::log(gamma) - x(i)) / step;
-  const double a = y(i), b = y(i + 1), da = step * slope(i), db = step * slope(i + 1);
-  return a + t * (da + t * (3.0 * (b - a) - 2.0 * da - db + t * (2.0 * (a - b) + da + db)));
+  std::vector<double> ln_gamma, values;
+  for (const PatirChengRow& row : kPatirCheng) {
+    ln_gamma.push_back(std::log(row.gamma));
+    values.push_back(row.*coefficient);
+  }
+  const double at = std::clamp(std::log(gamma), ln_gamma.front(), ln_gamma.back());
+  return MonotoneCubic(std::move(ln_gamma), std::move(values)).at(at).value;
 }
 
 }  // namespace shellback::fluid

@@ -6,11 +6,10 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::fluid {
 namespace {
-
-constexpr double kRoundOff = 1e-9;  ///< relative slack when a cell lies on the edge of a patch [-]
 
 /// a - b brought to [-pi, pi].
 double angle_between(double a, double b) { return std::remainder(a - b, 2.0 * kPi); }

@@ -83,18 +83,21 @@ void put_layers(const std::vector<double>& ends, std::vector<double>& x) {
 
 }  // namespace
 
-WallSkin::WallSkin(const std::vector<SkinLayer>& layers, double period, double shortest) {
-  EXPECTS(!layers.empty() && period > 0.0 && shortest > 0.0);
+WallSkin::WallSkin(const std::vector<SkinLayer>& layers, double period, double shortest,
+                   double back) {
+  EXPECTS(!layers.empty() && period > 0.0 && shortest > 0.0 && back >= 0.0);
   const Depths depths(layers, period);
   std::vector<double> x =
       graded(kFirst * std::sqrt(kPi * shortest / period), std::min(kReach, depths.whole()));
   put_layers(depths.layer_ends(), x);
   for (const double at : x) y_.push_back(depths.depth(at));
-  const std::size_t n = y_.size() - 1;
-  conductance_.assign(n, 0.0);
+  const bool held = depths.whole() > kReach || std::isinf(back);
+  const std::size_t intervals = y_.size() - 1;
+  const std::size_t n = held ? intervals : intervals + 1;
+  conductance_.assign(n, back);
   capacity_.assign(n, 0.0);
   swelling_.assign(n, 0.0);
-  for (std::size_t k = 0; k < n; ++k) {
+  for (std::size_t k = 0; k < intervals; ++k) {
     const SkinLayer& l = layers[depths.layer(0.5 * (x[k] + x[k + 1]))];
     const double length = y_[k + 1] - y_[k];
     conductance_[k] = l.conductivity / length;

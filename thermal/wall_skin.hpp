@@ -5,9 +5,10 @@
 ///
 /// per cell of the wall, y into it, layers of different materials in perfect contact; q' is the
 /// heat that enters beyond its mean over the period. Heat swings reach sqrt(a period/pi) deep, far
-/// less than a cell is wide, so that nothing flows sideways. `depth` is three such depths (or the
-/// end of the layers): what is held there changes the answer to the period by exp(-6), and less
-/// what is quicker. Linear elements with lumped heat on nodes graded from a fraction of the depth
+/// less than a cell is wide, so that nothing flows sideways. `depth` is three such depths: what is
+/// held there changes the answer to the period by exp(-6), and less what is quicker. Where the
+/// layers end before, -k dT/dy = h T stands there, h the heat transfer at their back. Linear
+/// elements with lumped heat on nodes graded from a fraction of the depth
 /// that the shortest step reaches.
 ///
 /// Over a step dt from the temperatures T_before (implicit Euler, or a stage of a diagonally
@@ -17,6 +18,7 @@
 /// holds in its plane,
 ///   u = int (1 + nu)/(1 - nu) alpha T dy                                             (3)
 /// towards the film. Sources: textbook (Boley and Weiner's plate held at its edges); methods 3.5.
+#include <limits>
 #include <vector>
 
 namespace shellback::thermal {
@@ -40,11 +42,13 @@ struct SkinStep {
 class WallSkin {
  public:
   /// For changes of this period and steps down to `shortest` of it [s]. Needs a layer; thicknesses,
-  /// conductivities and capacities positive.
-  WallSkin(const std::vector<SkinLayer>& layers, double period, double shortest);
+  /// conductivities and capacities positive. `back`: h of the last layer's end [W/(m2 K)],
+  /// infinite where its temperature is held.
+  WallSkin(const std::vector<SkinLayer>& layers, double period, double shortest,
+           double back = std::numeric_limits<double>::infinity());
 
-  [[nodiscard]] int nodes() const { return static_cast<int>(y_.size()) - 1; }
-  /// Depths of the nodes, the first at the surface, and of where T = 0 [m].
+  [[nodiscard]] int nodes() const { return static_cast<int>(capacity_.size()); }
+  /// Depths of the nodes, the first at the surface, and, if it is held, of where T = 0 [m].
   [[nodiscard]] const std::vector<double>& depths() const { return y_; }
   [[nodiscard]] SkinStep over(double dt) const;
   /// r of (2) for one cell: `T` holds its nodes before the step, and then r [K].
@@ -55,8 +59,8 @@ class WallSkin {
   [[nodiscard]] double swelling(const double* T) const;
 
  private:
-  std::vector<double> y_;            ///< nodes + 1 [m]
-  std::vector<double> conductance_;  ///< between a node and the next one [W/(m2 K)]
+  std::vector<double> y_;            ///< [m]
+  std::vector<double> conductance_;  ///< between a node and the next one, or the back [W/(m2 K)]
   std::vector<double> capacity_;     ///< of a node [J/(m2 K)]
   std::vector<double> swelling_;     ///< of a node [m/K]
 };

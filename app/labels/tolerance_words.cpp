@@ -31,6 +31,8 @@ constexpr const char* kByAuto =
 
 std::string percent(double part) { return figures(100.0 * part, 2) + " %"; }
 
+constexpr double kMostAsked = bearing::kValueRanges.tolerance.high;  ///< by a case [-]
+
 /// A tolerance that holds `part`, in two figures rounded up.
 std::string tolerance_above(double part) {
   const double unit = std::pow(10.0, std::floor(std::log10(100.0 * part)) - 1.0);
@@ -65,6 +67,10 @@ void take_grid(const Case& c, const Shortfall& s, const std::string& command,
   if (s.grid == own && !s.more_nodes) {
     const std::string blank = rest.empty() ? "" : rest + " ";
     const double largest = std::fmax(s.friction.total(), s.h_min.total());
+    if (largest > kMostAsked) {
+      missed.outlook = "no finer grid is worth its time, and no tolerance is as wide as this";
+      return;
+    }
     missed.outlook = "no finer grid is worth its time; the tolerance that this one keeps";
     missed.command =
         command_line(command, c, blank + set_words("model.tolerance", tolerance_above(largest)),
@@ -106,7 +112,7 @@ Missed missed_by_auto(const Case& c, const Result& r) {
     return missed;
   }
   const double largest = std::fmax(choice.bar_friction, choice.bar_h_min);
-  if (!std::isfinite(largest)) return missed;
+  if (!(largest <= kMostAsked)) return missed;
   missed.outlook = "what was reached";
   missed.command = command_line("run", c, set_words("model.tolerance", tolerance_above(largest)),
                                 {"model.tolerance"});

@@ -74,6 +74,9 @@ Axis log_axis(double low, double high, std::string title) {
       if (tick >= low * (1.0 - 1e-9) && tick <= high * (1.0 + 1e-9)) axis.ticks.push_back(tick);
     }
   }
+  constexpr std::size_t kFewest = 2;  // between figures, a narrow range has none
+  if (axis.ticks.size() >= kFewest) return axis;
+  axis.ticks = tight_axis(low, high, 6, "").ticks;
   return axis;
 }
 

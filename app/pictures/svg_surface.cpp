@@ -21,32 +21,39 @@ constexpr double kSurfaceHeight = 820.0;  ///< [px]
 constexpr int kMostDrawn = 110;           ///< points each way: finer is not seen
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// The box of a map that shows both directions in one scale, in the upper left of `room`.
+constexpr double kLeastSide = 140.0;  ///< of a map with its axes [px]
+
+/// The box of a map that shows both directions in one scale, in the upper left of `room`; a strip
+/// is drawn wider than it is, as far as its axes need.
 Box to_scale(const Box& room, double length, double width) {
   const double scale = std::min(room.width / length, room.height / width);
-  return {room.x, room.y, scale * length, scale * width};
+  return {room.x, room.y, std::max(scale * length, kLeastSide),
+          std::max(scale * width, kLeastSide)};
 }
 
 /// Heights in um over um; of a large map every so many-th point.
 void draw_heights(Svg& svg, const Box& room, const SurfaceReport& r, const Theme& theme) {
   const surface::HeightMap& map = r.map;
-  const int every = (std::max(map.nx, map.ny) + kMostDrawn - 1) / kMostDrawn;
+  const auto stride = [](int n) { return (n + kMostDrawn - 1) / kMostDrawn; };
+  const int in_x = stride(map.nx), in_y = stride(map.ny);
   FieldMap field;
   field.title = "Heights without form";
   field.unit = "um";
-  for (int i = 0; i < map.nx; i += every) field.surface.x.push_back(1e6 * i * map.dx);
-  for (int j = 0; j < map.ny; j += every) field.surface.y.push_back(1e6 * j * map.dy);
-  for (int i = 0; i < map.nx; i += every) {
-    for (int j = 0; j < map.ny; j += every) field.surface.value.push_back(1e6 * map.at(i, j));
+  for (int i = 0; i < map.nx; i += in_x) field.surface.x.push_back(1e6 * i * map.dx);
+  for (int j = 0; j < map.ny; j += in_y) field.surface.y.push_back(1e6 * j * map.dy);
+  for (int i = 0; i < map.nx; i += in_x) {
+    for (int j = 0; j < map.ny; j += in_y) field.surface.value.push_back(1e6 * map.at(i, j));
   }
   constexpr double kShown = 3.0;  // sigmas; single spikes would bleach the rest
   const double reach = kShown * 1e6 * r.heights.Rq;
   field.scale = {kCool, -reach, reach};
   const Box box = to_scale(room, field.surface.x.back(), field.surface.y.back());
   field.x = tight_axis(0.0, field.surface.x.back(), 8,
-                       every == 1 ? std::string("x along the motion [um]")
-                                  : fmt::format("x along the motion [um], one point in {}", every));
-  field.y = tight_axis(0.0, field.surface.y.back(), 6, "y across [um]");
+                       in_x == 1 ? std::string("x along the motion [um]")
+                                 : fmt::format("x along the motion [um], one point in {}", in_x));
+  field.y = tight_axis(0.0, field.surface.y.back(), 6,
+                       in_y == 1 ? std::string("y across [um]")
+                                 : fmt::format("y across [um], one point in {}", in_y));
   draw_map(svg, box, field, theme);
 }
 

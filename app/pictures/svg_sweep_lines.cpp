@@ -76,7 +76,9 @@ class Panels {
 
   void draw(const Box& box, const Panel& panel, DrawnQuantity q) {
     auto second = drawn_quantity(sweep_, panel.second);
-    if (second && panel.second_may_vanish && !(second->high > 0.0)) second.reset();
+    if (second && panel.second_may_vanish && second->low == 0.0 && second->high == 0.0) {
+      second.reset();
+    }
     if (std::string(panel.name).starts_with("T_") && second) {
       q.low = std::min(q.low, second->low);
       q.high = std::max(q.high, second->high);
@@ -176,7 +178,7 @@ class Panels {
     const auto good = std::find_if(sweep_.points.begin(), sweep_.points.end(),
                                    [](const auto& point) { return point.good(); });
     const auto x = value_in_file(text_, sweep_.axes[x_]);
-    if (good == sweep_.points.end() || !x) return;
+    if (good == sweep_.points.end() || !x || is_changed()) return;
     for (const auto& row : quantity_rows(subject_.measured, {good->result})) {
       if (row.name != q.name || !row.measured) continue;
       for (std::size_t k = 0; k < lines_.size(); ++k) {
@@ -188,6 +190,15 @@ class Panels {
         svg_.text({at.x - 9.0, at.y - 7.0}, "measured", {theme_.ink, 11.0, Anchor::end});
       }
     }
+  }
+
+  /// Whether the bearing is another than that of the file, but for the model and what is varied.
+  [[nodiscard]] bool is_changed() const {
+    return std::any_of(subject_.changes.begin(), subject_.changes.end(), [&](const auto& change) {
+      const bool varied = std::any_of(sweep_.axes.begin(), sweep_.axes.end(),
+                                      [&](const auto& axis) { return axis.key == change.key; });
+      return !varied && !change.key.starts_with("model.");
+    });
   }
 
   /// Whether the other axes stand at what the file says on this line.

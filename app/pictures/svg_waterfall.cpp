@@ -97,8 +97,9 @@ std::vector<WaterfallBar> waterfall_bars(const bearing::FrictionSplit& split) {
 }
 
 void draw_waterfall(Svg& svg, const Box& box, const bearing::FrictionSplit& of_journal,
-                    const std::optional<double>& measured, const Theme& theme) {
+                    const std::optional<double>& torque, const Theme& theme) {
   const bearing::FrictionSplit split = against_the_motion(of_journal);
+  const std::optional<double> measured = torque ? std::optional(std::abs(*torque)) : std::nullopt;
   const auto bars = waterfall_bars(split);
   double label_room = 0.0;
   for (const auto& bar : bars) {

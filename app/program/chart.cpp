@@ -105,7 +105,7 @@ int chart(const Request& request) {
     options.tell = [&](const std::string& what, int done, int of) { line.show(what, done, of); };
     for (const auto& [name, subject] : subjects) {
       scenes.push_back(chart_scene(name, subject, options));
-      code = std::max(code, code_of(scenes.back().verdict));
+      code = worse_code(code, code_of(scenes.back().verdict));
       if (options.stop->load()) break;
     }
   }

@@ -9,6 +9,7 @@
 
 #include "app/init.hpp"
 #include "app/program/commands.hpp"
+#include "app/program/outputs.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::program {
@@ -18,6 +19,7 @@ using namespace app;
 
 int init(const Request& request) {
   if (request.name.empty()) {
+    refuse_outputs_of_a_list(request);
     list_cases(std::cout);
   } else {
     write_case(request.name, request.output, std::cout);

@@ -240,7 +240,8 @@ void add_honesty(CLI::App& app, Request& request) {
   honesty->add_option("--seed", request.seed, "of the first of them (default: 1)")
       ->type_name("N")
       ->check(CLI::Range(0, 2000000000));
-  add_list(*honesty, "--tiers", request.tiers, kTierWords + " (default: all)");
+  add_list(*honesty, "--tiers", request.tiers,
+           "isothermal, lumped, thd or tehd (default: all of them)");
   add_list(*honesty, "--grids", request.grids, "whose bars are tested (default: 200x25)")
       ->type_name("NxM,...");
   honesty->add_option("--truth", request.truth, "grid of the truth (default: 400x50)")

@@ -105,7 +105,7 @@ int compare_over_cycle(const Request& request, const std::string& text, const Ca
   int code = kDone;
   for (const CycleResult& r : comparison.cycles) {
     tell_verdict(r.tier, r.verdict);
-    code = std::max(code, code_of(r.verdict));
+    code = worse_code(code, code_of(r.verdict));
   }
   outputs.give("--json", [&] { return comparison_json(subject, comparison.sums); });
   outputs.give("-o", [&] { return cycle_comparison_html(subject, comparison); });
@@ -136,7 +136,7 @@ int compare(const Request& request) {
   int code = kDone;
   for (const Result& result : comparison.results) {
     tell_verdict(result);
-    code = std::max(code, code_of(result.verdict));
+    code = worse_code(code, code_of(result.verdict));
   }
   outputs.give("--json", [&] { return comparison_json(subject, comparison); });
   outputs.give("-o", [&] { return comparison_html(subject, comparison); });

@@ -71,6 +71,10 @@ HonestyOptions honesty_options(const Request& request) {
   HonestyOptions o;
   for (const std::string& name : request.tiers) {
     o.tiers.push_back(app::tier_named(name, "--tiers"));
+    if (o.tiers.back() == Tier::estimate || o.tiers.back() == Tier::automatic) {
+      throw InputError("--tiers",
+                       "the bars of " + name + " are no grid's; auto-honesty judges auto");
+    }
   }
   if (o.tiers.empty()) o.tiers = {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd};
   for (const std::string& words : request.grids) o.grids.push_back(grid_named(words, "--grids"));

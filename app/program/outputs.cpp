@@ -64,7 +64,7 @@ void refuse_outputs_of_a_list(const Request& request) {
                   {"--table", !request.table.empty()},
                   {"--csv", !request.csv.empty()},
                   {"--json", !request.json.empty()}},
-                 "--list runs nothing that could be written");
+                 "a list runs nothing that could be written; name what to run");
 }
 
 Outputs::Outputs(const Request& request, const std::vector<std::string>& inputs)

@@ -50,6 +50,8 @@ void tell_warnings(const Case& subject) {
   }
 }
 
+int worse_code(int a, int b) { return a == kDefect || b == kDefect ? kDefect : std::max(a, b); }
+
 int code_of(const Verdict& verdict) {
   if (verdict.good()) return kDone;
   if (verdict.status == Status::invalid_number) return kDefect;

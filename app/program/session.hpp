@@ -24,6 +24,8 @@ void expect_no_coefficients(const Request& request, const bearing::Case& subject
 void tell_warnings(const bearing::Case& subject);
 
 [[nodiscard]] int code_of(const Verdict& verdict);
+/// Of two: a defect of the program is not hidden by what was not found.
+[[nodiscard]] int worse_code(int a, int b);
 /// The same of a result whose error bars were cut off: what is finished is kept, but it was
 /// interrupted.
 [[nodiscard]] int code_of(const Verdict& verdict, const std::vector<bearing::Note>& warnings);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/labels/command_words.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/session.hpp"
@@ -43,11 +44,14 @@ void print_open_cells(const StressMap& map) {
   }
 }
 
-/// The link from the page to the picture: beside it by name, else by its path.
+/// The link from the page's folder to the picture; blanks end a link of Markdown.
 std::string link_to(const std::string& picture, const std::string& page) {
-  const std::filesystem::path a(picture);
-  const std::filesystem::path b(page);
-  return a.parent_path() == b.parent_path() ? a.filename().string() : picture;
+  const auto from = std::filesystem::absolute(page).parent_path();
+  std::string link;
+  for (const char c : std::filesystem::absolute(picture).lexically_relative(from).string()) {
+    link += c == ' ' ? std::string("%20") : std::string(1, c);
+  }
+  return link;
 }
 
 std::string command_line(const Request& request) {
@@ -56,8 +60,8 @@ std::string command_line(const Request& request) {
   if (request.quick) words += " --quick";
   if (request.only_default) words += " --only-default";
   words += fmt::format(" --limit {:g}", request.limit_s);
-  if (!request.output.empty()) words += " -o " + request.output;
-  if (!request.table.empty()) words += " --table " + request.table;
+  if (!request.output.empty()) words += " -o " + app::shell_word(request.output);
+  if (!request.table.empty()) words += " --table " + app::shell_word(request.table);
   return words;
 }
 

@@ -86,6 +86,7 @@ int study_shells(const Request& request) {
 
 int study(const Request& request) {
   if (request.name.empty()) {
+    refuse_outputs_of_a_list(request);
     std::cout << "ks-rig  KS rig of Sander, Allmaier, Priebsch 2016: torque of three bearings over "
                  "speed, run-up and run-down, start and stop\n"
                  "shells  shells of Offner and Knaus 2015 in a big end: plain and grooved AlSn, "

@@ -141,6 +141,7 @@ int transient(const Request& request) {
   const bool stopped = run.end.verdict.status == Status::interrupted;
   if (!stopped) steady = steady_state(subject, control, keeper);
   const fidelity::MarchBars bars = fidelity::march_bars(subject, options, run, control);
+  progress.wipe();
   if (request.json != "-") print_warm_up(subject, run, bars, steady);
   if (!run.end.verdict.good()) {
     tell_end("transient", app::end_words(run.end, bars), run.end.verdict);

@@ -207,6 +207,12 @@ std::string text_of(const note::ToleranceNotMet& n) {
 }
 
 std::string text_of(const note::ShaftSwing& n) {
+  if (n.over_event) {
+    return fmt::format(
+        "the shaft's surface has one temperature around: as it turns it would swing by about +- "
+        "{:.2g} K",
+        n.T);
+  }
   return fmt::format(
       "the shaft's surface is at its mean over the cycle: as it turns, and over the cycle, it "
       "would swing by about +- {:.2g} K",

@@ -185,7 +185,7 @@ Residuals residuals_of(const BearingModel& model, const OperatingPoint& point,
   Residuals r;
   r.film = fluid::film_residual(point.scene, s.flow);
   const double most = largest_magnitude(r.film);
-  const double flow = fluid::flow_scale(point.scene, s.flow);
+  const double flow = fluid::flow_scale(s.flow);
   // A residual is a difference of flows by pressures, in time of what cells hold, too, and known to
   // their round-off: as a film comes to rest, or hardly turns under a high pressure of supply,
   // nothing flows around that it could be measured by.

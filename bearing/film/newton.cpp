@@ -148,8 +148,7 @@ double NewtonIteration::oil_that_may_be_lost(const fluid::OilFlows& flows) const
   const double passes = std::max(std::abs(flows.supply), std::abs(flows.side));
   const double coarser =
       std::max(1.0, options_.film_tolerance / EquilibriumOptions{}.film_tolerance);
-  const double round =
-      std::numeric_limits<double>::epsilon() * fluid::flow_scale(point_.scene, s_.flow);
+  const double round = std::numeric_limits<double>::epsilon() * fluid::flow_scale(s_.flow);
   return std::max(kLost * coarser * passes, round);
 }
 

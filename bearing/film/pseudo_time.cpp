@@ -19,10 +19,10 @@ constexpr int kQuick = 6;         ///< iterations after which the next step is l
 /// Part of the flows by which a film's residual is measured that the journal carries [-]. What
 /// sinks moves little of the oil that a supply drives through a slow bearing, and yet it moves. 1
 /// at rest.
-double carried_part(const OperatingPoint& point, const fluid::FilmFlow& flow) {
+double carried_part(const fluid::FilmFlow& flow) {
   double carried = 0.0;
   for (const fluid::FaceFlow& f : flow.phi) carried = larger(carried, std::abs(f.couette));
-  const double all = fluid::flow_scale(point.scene, flow);
+  const double all = fluid::flow_scale(flow);
   return carried > 0.0 && carried < all ? carried / all : 1.0;
 }
 
@@ -38,7 +38,7 @@ Verdict march_in_time(const FilmTask& task, double unit, FilmEquilibrium& s,
   Field held = content();  // at the beginning of the step, however often it is tried
   for (int step = 0; turn < kLongest; ++step) {
     moving.scene.storage = {turn * unit, held};
-    within.film_tolerance = options.film_tolerance * carried_part(point, s.flow);
+    within.film_tolerance = options.film_tolerance * carried_part(s.flow);
     const State before = s;
     const int spent = cost.newton_iterations;
     const Verdict v = newton({model, moving, thermal_deformation, within, stop}, s, cost);

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "rheology/laws_hold.hpp"
 
 namespace shellback::bearing {
 namespace {
 
-constexpr double kViscosityStep = 0.34657359027997264;  ///< ln sqrt(2): see the header [-]
-constexpr double kMostStep = 50.0;                      ///< [K]
-constexpr int kMostHalvings = 5;                        ///< 2^5 parts of a step: 1 % in viscosity
+constexpr double kViscosityStep = 0.5 * std::numbers::ln2;  ///< ln sqrt(2): see the header [-]
+constexpr double kMostStep = 50.0;                          ///< [K]
+constexpr int kMostHalvings = 5;  ///< 2^5 parts of a step: 1 % in viscosity
 constexpr int kEdgeHalvings = 3;  ///< towards the temperature at which the film ends
 constexpr double kDeepDip = 0.5;  ///< of |r| that a dip may lose until it counts as told [-]
 

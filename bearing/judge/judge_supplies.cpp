@@ -199,6 +199,20 @@ void judge_vessel(const Supply& s, const Case& c, const std::string& path, Findi
   }
 }
 
+/// What a drilling's vessel would take in from grooves that its mouth passes is not counted.
+void judge_vessel_of_drilling(const Supply& s, const Case& c, const std::string& path,
+                              Findings& to) {
+  const bool fed = std::any_of(c.supplies.begin(), c.supplies.end(), [&](const Supply& other) {
+    const double along = std::abs(s.z - other.z) - 0.5 * (s.diameter + other.length);
+    return other.kind != SupplyKind::drilling && along < 0.0;
+  });
+  if (!s.vessel || !fed) return;
+  to.suspect(path + ".vessel_volume",
+             "the mouth passes over a supply of the shell, and what the vessel takes in there is "
+             "not counted",
+             "let `open` tell when it is fed");
+}
+
 /// A drilling comes back to where it began, and needs a cycle to turn in.
 void judge_drilling(const Supply& s, const Case& c, const std::string& path, Findings& to) {
   if (s.kind != SupplyKind::drilling) return;
@@ -209,6 +223,7 @@ void judge_drilling(const Supply& s, const Case& c, const std::string& path, Fin
               "give [load_cycle], or write \"hole\" for one in the shell");
     return;
   }
+  judge_vessel_of_drilling(s, c, path, to);
   if (!c.cycle->repeats()) return;
   constexpr double kRound = 1e-3;  // of a turn: a third of a degree, less than tables resolve
   const double turns =
@@ -222,9 +237,12 @@ void judge_drilling(const Supply& s, const Case& c, const std::string& path, Fin
             "shell");
 }
 
+/// How two supplies of one wall lie.
+enum class Beside { apart, touching, overlapping };
+
 /// Circles, and strips without their corners as far as a circle misses them.
-bool overlap(const Supply& a, const Supply& b, double radius) {
-  if ((a.kind == SupplyKind::drilling) != (b.kind == SupplyKind::drilling)) return false;
+Beside beside(const Supply& a, const Supply& b, double radius) {
+  if ((a.kind == SupplyKind::drilling) != (b.kind == SupplyKind::drilling)) return Beside::apart;
   const double apart = radius * std::abs(std::remainder(a.angle - b.angle, 2.0 * kPi));
   const double along = std::abs(a.z - b.z);
   const double reach = 0.5 * ((is_round(a) ? a.length : 0.0) + (is_round(b) ? b.length : 0.0));
@@ -233,17 +251,30 @@ bool overlap(const Supply& a, const Supply& b, double radius) {
   };
   const double x = gap(apart, radius * a.arc, radius * b.arc);
   const double z = gap(along, a.length, b.length);
+  if (reach > 0.0) {
+    const bool within = std::hypot(std::max(x, 0.0), std::max(z, 0.0)) < reach * (1.0 - kRoundOff);
+    return within ? Beside::overlapping : Beside::apart;
+  }
   const double slack = kRoundOff * radius;
   // Strips may share an edge; a line on one is within the strip.
   const double least = a.arc == 0.0 || b.arc == 0.0 ? slack : -slack;
-  if (reach == 0.0) return x < least && z < -slack;
-  return std::hypot(std::max(x, 0.0), std::max(z, 0.0)) < reach * (1.0 - kRoundOff);
+  if (x < least && z < -slack) return Beside::overlapping;
+  const bool share_edge = std::max(x, z) < slack && std::min(x, z) < -slack;
+  return share_edge ? Beside::touching : Beside::apart;
 }
 
 void judge_pairs(const std::vector<Supply>& list, double radius, Findings& to) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     for (std::size_t j = i + 1; j < list.size(); ++j) {
-      if (!overlap(list[i], list[j], radius)) continue;
+      const Beside lie = beside(list[i], list[j], radius);
+      if (lie == Beside::touching && (list[i].vessel || list[j].vessel)) {
+        to.refuse(fmt::format("supply.{}.vessel_volume", list[i].vessel ? i : j),
+                  fmt::format("supply.{} touches it, and both are one vessel: no land lets their "
+                              "pressures differ",
+                              list[i].vessel ? j : i),
+                  "move one, or give one supply in place of both");
+      }
+      if (lie != Beside::overlapping) continue;
       const bool alike =
           list[i].pressure == list[j].pressure && list[i].temperature == list[j].temperature;
       to.refuse(fmt::format("supply.{}", j),

@@ -12,17 +12,19 @@
 namespace shellback::bearing {
 namespace {
 
-/// Heat that a steady film gives its shell [W/m2].
-Field steady_flux(const Solution& s) {
+/// Those of a steady bearing, with the heat that its film gives them.
+WallMeans steady_walls(const Solution& s) {
   const FilmGrid& g = s.model.domain.grid;
   const thermal::FilmEnergy energy(
       film_energy_problem(s.model, s.point, s.film, friction_of(s.model, s.point, s.film)));
-  Field q = energy.wall_heat(s.film.columns.T).shell;
+  thermal::WallHeat q = energy.wall_heat(s.film.columns.T);
   const ContactHeat rubbed = contact_heat(s.model, s.point, s.film);
   for (int c = 0; c < g.cells(); ++c) {
-    q[c] = q[c] / g.area(c) + rubbed.shell[c];
+    q.shell[c] = q.shell[c] / g.area(c) + rubbed.shell[c];
+    q.shaft[c] += g.area(c) * rubbed.shaft[c];
   }
-  return q;
+  return {s.heat.T_shell, s.heat.T_shaft, q.shell, s.heat.thermal_deformation,
+          mean_of_rings(s.model, q.shaft)};
 }
 
 /// Walls on other cells.
@@ -61,7 +63,7 @@ void CyclePasses::begin_film(double T, const WallMeans* walls) {
 void CyclePasses::carry_oil_round() {
   constexpr int kTurnsBefore = 4;   // two laps: oil goes round at half the journal's speed
   constexpr int kStepsOfTurn = 16;  // the film that stays is the same in any steps
-  const double omega = std::abs(course_.at(0.0).omega);
+  const double omega = std::abs(course_.begins().omega);
   if (!(omega > 0.0) || film_.drillings().any() || film_.vessels().any()) return;
   const double dt = 2.0 * kPi / omega / kStepsOfTurn;
   FilmInTime now = now_;
@@ -103,7 +105,7 @@ void CyclePasses::set_temperature(double T) {
 }
 
 bool CyclePasses::begin_warm() {
-  const LoadNow first = course_.at(0.0);
+  const LoadNow first = course_.begins();
   Case steady = c_;
   steady.cycle.reset();
   steady.model.axial_spacing = axial_spacing(c_);  // the cells of the event
@@ -121,7 +123,7 @@ bool CyclePasses::begin_warm() {
   now_.film.contact_widening.reset();
   now_.layer.now.clear();
   for (const solid::PressedColumn& c : s.film.layer) now_.layer.now.push_back(c.now);
-  const WallMeans walls{s.heat.T_shell, s.heat.T_shaft, steady_flux(s), s.heat.thermal_deformation};
+  const WallMeans walls = steady_walls(s);
   now_.thermal_deformation = mean_deformation(walls);
   from_rest_ = false;
   if (put(walls)) carry_oil_round();

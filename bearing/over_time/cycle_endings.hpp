@@ -26,7 +26,7 @@ struct Closure {
   void lead_on();
   /// What separates the last cycle from the periodic state [-].
   [[nodiscard]] double left() const;
-  [[nodiscard]] bool closed(double within = kClosed) const { return left() <= within; }
+  [[nodiscard]] bool closed() const { return left() <= kClosed; }
 };
 
 /// A step that was not found because of `v`, at `where` of the cycle.

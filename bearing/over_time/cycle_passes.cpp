@@ -223,7 +223,7 @@ CycleResult CyclePasses::result() const {
     for (Note& w : oil_range_warnings(c_.oil, T, T, 0.0)) r.warnings.push_back(std::move(w));
   }
   if (!c_.cycle->repeats()) {
-    const bool still = course_.at(0.0).omega == 0.0;
+    const bool still = course_.begins().omega == 0.0;
     r.assumptions.push_back(from_rest_ ? note::Plain::event_in_the_middle
                             : still    ? note::Plain::event_at_rest
                                        : note::Plain::event_from_steady);

@@ -267,27 +267,27 @@ double CycleRecord::shaft_swing() const {
   const BearingModel& m = film_->model();
   const FilmGrid& g = m.domain.grid;
   std::array<double, 2> first{};
-  double low = INFINITY;
-  double high = -INFINITY;
   for (int c = 0; c < g.cells(); ++c) {
     const double phi = g.phi[c / g.nz];
     const double heat = 2.0 * heat_.to_shaft[c] / told() * g.area(c);
     first[0] += heat * std::cos(phi);
     first[1] += heat * std::sin(phi);
   }
-  for (const CycleInstant& i : instants_) {
-    low = std::min(low, i.heat_to_shaft);
-    high = std::max(high, i.heat_to_shaft);
-  }
   const double area = 2.0 * kPi * g.radius * g.width;
   const double turning = g.multiplicity() * std::hypot(first[0], first[1]) / area;
-  const double over_cycle = 0.5 * (high - low) / area;
   const solid::Material& steel = m.input.shaft->material;
   const auto swing = [&](double q, double omega) {
     const double effusivity = std::sqrt(steel.conductivity * steel.density * steel.heat_capacity);
     return omega > 0.0 ? q / (effusivity * std::sqrt(omega)) : 0.0;
   };
-  return swing(turning, course_->largest_speed()) + swing(over_cycle, 2.0 * kPi / length_);
+  const double as_it_turns = swing(turning, course_->largest_speed());
+  if (!course_->repeats()) return as_it_turns;  // over an event its surface is followed
+  double low = INFINITY, high = -INFINITY;
+  for (const CycleInstant& i : instants_) {
+    low = std::min(low, i.heat_to_shaft);
+    high = std::max(high, i.heat_to_shaft);
+  }
+  return as_it_turns + swing(0.5 * (high - low) / area, 2.0 * kPi / length_);
 }
 
 void CycleRecord::write_heat(CycleResult& r) const {
@@ -297,7 +297,7 @@ void CycleRecord::write_heat(CycleResult& r) const {
     return mirror_to_full(g, x);
   };
   r.walls = film_->heat()->walls;
-  r.assumptions.push_back(note::ShaftSwing{shaft_swing()});
+  r.assumptions.push_back(note::ShaftSwing{shaft_swing(), !course_->repeats()});
   r.fields.T_shell = mean_over_time(T_shell_);
   r.fields.heat_to_shell = mean_over_time(heat_.to_shell);
   r.fields.T_shell_max = mirror_to_full(g, T_shell_max_);

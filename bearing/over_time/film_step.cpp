@@ -79,7 +79,7 @@ FilmInTime FilmSteps::at_rest(double T) {
   growth_ = {};
   widening_.clear();
   now.vessels = vessels_.begin(point_.scene);
-  point_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
+  point_.scene.speed = course_.begins().omega * model_.input.bearing.radius;
   now.film = cold_start(model_, point_, T);
   for (int k = 0; k < point_.load.unknowns; ++k) now.film.position.q[k] = 0.0;
   [[maybe_unused]] const bool open =
@@ -112,7 +112,7 @@ fluid::FilmState filled_as_carried(const BearingModel& model, const OperatingPoi
 
 std::optional<FilmInTime> FilmSteps::steady(double T, const Field& deformed, EquilibriumCost& cost,
                                             const std::atomic<bool>* stop) {
-  const LoadNow load = course_.at(0.0);
+  const LoadNow load = course_.begins();
   LoadTarget target = point_.load;
   target.force[0] = -load.x;
   target.force[1] = -load.y;

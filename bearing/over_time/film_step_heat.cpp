@@ -7,12 +7,6 @@
 namespace shellback::bearing {
 namespace {
 
-/// Per area -> per cell.
-Field of_cells(const FilmGrid& g, Field x) {
-  for (int c = 0; c < g.cells(); ++c) x[c] *= g.area(c);
-  return x;
-}
-
 /// Temperatures at stage i in a straight line from those with which the step has begun: through
 /// the stage before if there is one, or along their slope.
 std::vector<double> carried_on(const Tableau& by, int i, double dt,

@@ -104,7 +104,7 @@ bool FilmSteps::put_lasting(const std::vector<double>& lasting, FilmInTime& now)
 bool FilmSteps::reshape(FilmInTime& now) {
   constexpr double kNearer = 0.9;  // to the middle, where the gap is closed: it is but a start
   constexpr int kMost = 40;        // then it is in the middle within 2 %
-  point_.scene.speed = course_.at(0.0).omega * model_.input.bearing.radius;
+  point_.scene.speed = course_.begins().omega * model_.input.bearing.radius;
   for (int k = 0; !evaluate(model_, point_, widening_, options_.viscosity_tolerance, now.film);
        ++k) {
     if (k == kMost) return false;

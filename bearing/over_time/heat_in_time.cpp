@@ -6,6 +6,7 @@
 
 #include "bearing/heat_state.hpp"
 #include "bearing/temperature_limits.hpp"
+#include "core/constants.hpp"
 #include "core/largest.hpp"
 #include "core/round_off.hpp"
 #include "rheology/viscosity.hpp"
@@ -13,22 +14,73 @@
 namespace shellback::bearing {
 namespace {
 
-std::vector<thermal::SkinLayer> skin_layers(const Case& c) {
-  const Solids::Layers layers = wall_layers(c);
-  std::vector<thermal::SkinLayer> out;
-  for (std::size_t k = 0; k < layers.thickness.size(); ++k) {
-    const solid::Material& m = layers.material[k];
-    const double held = (1.0 + m.poisson_ratio) / (1.0 - m.poisson_ratio);
-    out.push_back(
-        {layers.thickness[k], m.conductivity, m.density * m.heat_capacity, held * m.expansion});
-  }
-  return out;
+thermal::SkinLayer skin_layer(const solid::Material& m, double thickness) {
+  const double held = (1.0 + m.poisson_ratio) / (1.0 - m.poisson_ratio);
+  return {thickness, m.conductivity, m.density * m.heat_capacity, held * m.expansion};
 }
 
+thermal::WallSkin shell_skin(const Case& c, double period, double shortest) {
+  const Solids::Layers layers = wall_layers(c);
+  const auto* cooled = std::get_if<ConvectiveBack>(&c.shell->back);
+  // A given temperature is that of the shell's back, before a housing.
+  const std::size_t last = cooled ? layers.thickness.size() : layers.last_of_shell + 1;
+  std::vector<thermal::SkinLayer> out;
+  for (std::size_t k = 0; k < last; ++k) {
+    out.push_back(skin_layer(layers.material[k], layers.thickness[k]));
+  }
+  return {out, period, shortest, cooled ? cooled->heat_transfer : INFINITY};
+}
+
+/// The shaft's surface, ring by ring, while the film settles: (2) of the header. Warmer by one
+/// kelvin it takes about conductance/area less [W/(m2 K)]: a change goes by what that leaves of it.
+class TurningSurface {
+ public:
+  TurningSurface(const BearingModel& model, double impedance, std::vector<double> free,
+                 const Field& conductance, std::vector<double> rubbed)
+      : model_(model),
+        impedance_(impedance),
+        free_(std::move(free)),
+        rubbed_(std::move(rubbed)),
+        slope_(mean_of_rings(model, conductance)),
+        T_(free_) {}
+
+  /// Puts its temperatures to the film's nodes.
+  void put(std::vector<double>& T) const {
+    const std::size_t rings = T_.size();
+    const int n = model_.gl.n;
+    for (int c = 0; c < model_.domain.grid.cells(); ++c) {
+      if (meets_walls(model_, c)) T[static_cast<std::size_t>(c) * n + n - 1] = T_[c % rings];
+    }
+  }
+
+  /// Moves it towards (2); by how much it is off [K].
+  double follow(const thermal::FilmEnergy& energy, std::vector<double>& T) {
+    const std::vector<double> heat = mean_of_rings(model_, energy.wall_heat(T).shaft);
+    double off = 0.0;
+    for (std::size_t j = 0; j < T_.size(); ++j) {
+      const double change = free_[j] + impedance_ * (heat[j] + rubbed_[j]) - T_[j];
+      off = larger(off, std::abs(change));
+      T_[j] += change / (1.0 + impedance_ * slope_[j]);
+    }
+    put(T);
+    return off;
+  }
+
+ private:
+  const BearingModel& model_;
+  double impedance_;            ///< Z [K m2/W]
+  std::vector<double> free_;    ///< [K]
+  std::vector<double> rubbed_;  ///< heat of asperities [W/m2]
+  std::vector<double> slope_;   ///< [W/(m2 K)]
+  std::vector<double> T_;       ///< [K]
+};
+
 /// Sweeps until nothing changes any more but by round-off of the balance; false if it still does.
-bool settle(thermal::FilmEnergy& energy, std::vector<double>& T) {
+/// `walls` moves those that the film warms, and tells by how much.
+template <class Walls>
+bool settle(thermal::FilmEnergy& energy, std::vector<double>& T, const Walls& walls) {
   for (int k = 0; k < kMostIterations; ++k) {
-    if (energy.sweep(T) <= kKnownTemperature) return true;
+    if (larger(energy.sweep(T), walls(T)) <= kKnownTemperature) return true;
   }
   return false;
 }
@@ -53,6 +105,21 @@ void let_supplies_thin(const BearingModel& model, const FilmEquilibrium& s,
 }
 
 }  // namespace
+
+Field of_cells(const FilmGrid& g, Field x) {
+  for (int c = 0; c < g.cells(); ++c) x[c] *= g.area(c);
+  return x;
+}
+
+std::vector<double> mean_of_rings(const BearingModel& model, const Field& per_cell) {
+  const FilmGrid& g = model.domain.grid;
+  std::vector<double> mean(g.nz, 0.0);
+  for (int c = 0; c < g.cells(); ++c) {
+    if (meets_walls(model, c)) mean[c % g.nz] += per_cell[c];
+  }
+  for (int j = 0; j < g.nz; ++j) mean[j] /= 2.0 * kPi * g.radius * g.dz[j];
+  return mean;
+}
 
 WallMeans uniform_walls(const BearingModel& model, double T) {
   const FilmGrid& g = model.domain.grid;
@@ -86,14 +153,20 @@ void HeatFlows::add(double f, const HeatFlows& other) {
 }
 
 HeatSteps::HeatSteps(const BearingModel& model, double period, double shortest)
-    : skin_(skin_layers(model.input), period, shortest) {}
+    : skin_(shell_skin(model.input, period, shortest)) {
+  if (!model.input.cycle || model.input.cycle->repeats()) return;
+  const thermal::SkinLayer shaft =
+      skin_layer(model.input.shaft->material, 0.5 * model.input.bearing.radius);
+  shaft_.emplace(std::vector{shaft}, period, shortest, 0.0);
+}
 
 HeatInTime HeatSteps::begin(const BearingModel& model, std::vector<double> T,
                             const Field& mass) const {
   HeatInTime heat;
   heat.held = thermal::heat_content(mass, film_enthalpy(model, T));
   heat.T = std::move(T);
-  heat.skin.assign(mass.size() * skin_.nodes(), 0.0);
+  const std::size_t of_shaft = shaft_ ? model.domain.grid.nz * shaft_->nodes() : 0;
+  heat.skin.assign(mass.size() * skin_.nodes() + of_shaft, 0.0);
   return heat;
 }
 
@@ -108,12 +181,30 @@ thermal::YieldingShell HeatSteps::free_shell(const FilmGrid& g, const thermal::S
   return shell;
 }
 
-void HeatSteps::heat_skin(const thermal::SkinStep& step, const std::vector<double>& before,
+std::vector<double> HeatSteps::free_shaft(const thermal::SkinStep& step,
+                                          std::vector<double>& skin) const {
+  std::vector<double> free = walls.shaft;
+  double* T = &skin[walls.flux.size() * skin_.nodes()];
+  for (std::size_t j = 0; j < free.size(); ++j, T += shaft_->nodes()) {
+    shaft_->relax(step, T);
+    free[j] += T[0] - step.impedance() * flux_of_ring(j);
+  }
+  return free;
+}
+
+void HeatSteps::heat_skin(const BearingModel& model, double own, const std::vector<double>& before,
                           HeatStage& out) const {
-  const auto nodes = static_cast<std::size_t>(skin_.nodes());
-  for (std::size_t c = 0; c < walls.flux.size(); ++c) {
-    const double beyond = out.flows.to_shell[c] - walls.flux[c];
-    for (std::size_t k = 0; k < nodes; ++k) out.skin[c * nodes + k] += step.by_flux[k] * beyond;
+  const FilmGrid& g = model.domain.grid;
+  const auto warm = [](const thermal::SkinStep& step, double flux, double*& T) {
+    for (const double by_flux : step.by_flux) *T++ += by_flux * flux;
+  };
+  double* T = out.skin.data();
+  const thermal::SkinStep step = skin_.over(own);
+  for (int c = 0; c < g.cells(); ++c) warm(step, out.flows.to_shell[c] - walls.flux[c], T);
+  if (shaft_) {
+    const std::vector<double> flux = mean_of_rings(model, of_cells(g, out.flows.to_shaft));
+    const thermal::SkinStep turning = shaft_->over(own);
+    for (int j = 0; j < g.nz; ++j) warm(turning, flux[j] - flux_of_ring(j), T);
   }
   out.skin_slope.resize(before.size());
   for (std::size_t k = 0; k < before.size(); ++k) {
@@ -131,11 +222,10 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
   const ContactHeat rubbed = contact_heat(model, point, s);
   HeatStage out;
   out.skin = skin;
-  const thermal::SkinStep step = skin_.over(own);
   const Friction friction = friction_of(model, point, s);
   thermal::FilmEnergyProblem problem = film_energy_problem(
       model, point, s, friction, thermal::FilmStorage{own, after, before, held});
-  problem.shell = free_shell(g, step, rubbed.shell, out.skin);
+  problem.shell = free_shell(g, skin_.over(own), rubbed.shell, out.skin);
   out.T = s.columns.T;
   for (int c = 0; c < g.cells(); ++c) {
     if (!meets_walls(model, c)) continue;
@@ -144,8 +234,17 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
   let_supplies_thin(model, s, problem);
   const std::vector<double> cp = problem.cp;
   const double T_ref = problem.T_reference;
+  std::optional<TurningSurface> shaft;
+  if (shaft_) {
+    const thermal::SkinStep turning = shaft_->over(own);
+    shaft.emplace(model, turning.impedance(), free_shaft(turning, out.skin), problem.conductance,
+                  mean_of_rings(model, of_cells(g, rubbed.shaft)));
+    shaft->put(out.T);
+  }
   thermal::FilmEnergy energy(std::move(problem));
-  out.settled = settle(energy, out.T);
+  out.settled = settle(energy, out.T, [&](std::vector<double>& T) {
+    return shaft ? shaft->follow(energy, T) : 0.0;
+  });
   out.possible = possible(out.T);
   out.flows.balance = energy.balance(out.T);
   out.flows.work = friction.torque() * point.scene.speed / g.radius + pump_power(model, point, s) +
@@ -165,7 +264,7 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
       out.held_slope[at] = (after[c] * cp[at] * (out.T[at] - T_ref) - held[at]) / own;
     }
   }
-  heat_skin(step, skin, out);
+  heat_skin(model, own, skin, out);
   return out;
 }
 
@@ -173,6 +272,12 @@ Field HeatSteps::swelling(const std::vector<double>& skin) const {
   Field narrower(skin.empty() ? 0 : walls.thermal_deformation.size());
   const auto nodes = static_cast<std::size_t>(skin_.nodes());
   for (std::size_t c = 0; c < narrower.size(); ++c) narrower[c] = skin_.swelling(&skin[c * nodes]);
+  if (!shaft_) return narrower;
+  const std::size_t rings = walls.shaft.size();
+  for (std::size_t c = 0; c < narrower.size(); ++c) {
+    const std::size_t at = narrower.size() * nodes + c % rings * shaft_->nodes();
+    narrower[c] += shaft_->swelling(&skin[at]);
+  }
   return narrower;
 }
 

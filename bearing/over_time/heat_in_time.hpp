@@ -10,7 +10,12 @@
 /// off of the sweeps. Shell and film are solved together, column by column.
 /// The walls' bodies answer far more slowly than a cycle lasts: they hold their mean over it
 /// (cycle_walls.hpp), and the skin swings about it and swells (thermal/wall_skin.hpp (3)). The
-/// shaft turns: its surface is at its mean (thermal/shaft_conduction.hpp). The film's viscosity in
+/// shaft turns: its surface is at its mean (thermal/shaft_conduction.hpp). Over a single event
+/// there is no mean to come to: the shaft has a skin, too, one for each ring of cells, which meets
+/// the mean of the heat around,
+///   T_j = free_j + Z q_j,   q_j = sum_i q_ij A_ij / (2 pi R dz_j)                     (2)
+/// found with the film's temperatures, sweep by sweep. It has as much steel per surface as a
+/// cylinder: half the radius, beyond which nothing flows. The film's viscosity in
 /// a stage is that of temperatures carried on in a straight line from the stages before, not of the
 /// last ones. Source: methods 3.5, 4; textbook.
 #include <optional>
@@ -26,10 +31,18 @@ struct WallMeans {
   std::vector<double> shaft;  ///< per axial cell [K]
   Field flux;                 ///< heat into the bore that belongs to it [W/m2]
   Field thermal_deformation;  ///< of the gap, opening positive [m]; empty: none
+  /// Heat into each ring of the shaft that belongs to its temperature [W/m2]; empty: none.
+  std::vector<double> shaft_flux{};
 };
 
 /// All bodies at one temperature [K], without heat.
 [[nodiscard]] WallMeans uniform_walls(const BearingModel& model, double T);
+
+/// What is given per area, per cell.
+[[nodiscard]] Field of_cells(const FilmGrid& g, Field per_area);
+
+/// Sum over the cells of each ring, of those that meet the walls, over the ring's area.
+[[nodiscard]] std::vector<double> mean_of_rings(const BearingModel& model, const Field& per_cell);
 
 /// Of all cells [m]; 0 without thermal deformation.
 [[nodiscard]] double mean_deformation(const WallMeans& walls);
@@ -49,9 +62,11 @@ struct HeatFlows {
 
 /// Heat of film and skin at one instant.
 struct HeatInTime {
-  std::vector<double> T;           ///< film nodes, walls included [K]
-  std::vector<double> held;        ///< H of every node as carried [J]
-  std::vector<double> skin;        ///< above the mean, cell by cell, WallSkin::nodes() each [K]
+  std::vector<double> T;     ///< film nodes, walls included [K]
+  std::vector<double> held;  ///< H of every node as carried [J]
+  /// Above the mean, cell by cell, WallSkin::nodes() each; over an event then those of the shaft,
+  /// ring by ring [K].
+  std::vector<double> skin;
   std::vector<double> held_slope;  ///< at this instant [W]; empty: not known
   std::vector<double> skin_slope;  ///< [K/s]
   std::vector<double> T_slope;     ///< over the last step [K/s]; empty: not known
@@ -99,10 +114,17 @@ class HeatSteps {
   [[nodiscard]] thermal::YieldingShell free_shell(const FilmGrid& g, const thermal::SkinStep& step,
                                                   Field rubbed, std::vector<double>& skin) const;
   /// The skin by the heat that has entered, and its slopes from `before`.
-  void heat_skin(const thermal::SkinStep& step, const std::vector<double>& before,
+  void heat_skin(const BearingModel& model, double own, const std::vector<double>& before,
                  HeatStage& out) const;
+  /// free of (2), per ring; `skin` holds what is left of the shaft's then.
+  [[nodiscard]] std::vector<double> free_shaft(const thermal::SkinStep& step,
+                                               std::vector<double>& skin) const;
+  [[nodiscard]] double flux_of_ring(std::size_t j) const {
+    return walls.shaft_flux.empty() ? 0.0 : walls.shaft_flux[j];
+  }
 
   thermal::WallSkin skin_;
+  std::optional<thermal::WallSkin> shaft_;  ///< over an event
 };
 
 /// The film's energy equation as it stands, as if its flow would stay: oil that cells gain or lose

@@ -41,9 +41,15 @@ class Worn : public WornBearing {
  protected:
   Worn(const Case& c, Tier tier, const SolveControl& control)
       : case_(c), tier_(tier), control_(control) {}
-  void take(Held next, const Field& wear) {
+  /// `next` and its verdict; false, and why, if it has none.
+  bool take(Held next, const Verdict& verdict, const Field& wear, Verdict& why) {
+    if (!verdict.good()) {
+      why = verdict;
+      return false;
+    }
     before_ = std::exchange(now_, std::move(next));
     wear_before_ = std::exchange(wear_, wear);
+    return true;
   }
 
   Case case_;
@@ -85,22 +91,14 @@ class UnderStandingLoad final : public Worn<Solution> {
     control.heat_within = within / now_.model.clearance;
     const Case worn = worn_case(case_, now_.model.domain.grid, wear);
     Solution next = solve_tier_from(worn, tier_, now_, control, Otherwise::failure);
-    if (!next.verdict.good()) {
-      why = next.verdict;
-      return false;
-    }
-    take(std::move(next), wear);
-    return true;
+    const Verdict ended = next.verdict;
+    return take(std::move(next), ended, wear, why);
   }
   bool wear_from_cold(const Field& wear, Verdict& why) override {
     const Case worn = worn_case(case_, now_.model.domain.grid, wear);
     Solution next = solve_tier(worn, tier_, control_, now_.model.solids);
-    if (!next.verdict.good()) {
-      why = next.verdict;
-      return false;
-    }
-    take(std::move(next), wear);
-    return true;
+    const Verdict ended = next.verdict;
+    return take(std::move(next), ended, wear, why);
   }
 
   void tell(RunningInState& state, RunningInRun& run) const override {
@@ -115,7 +113,8 @@ class UnderStandingLoad final : public Worn<Solution> {
 class OverLoadCycle final : public Worn<std::unique_ptr<CycleSearch>> {
  public:
   OverLoadCycle(const Case& c, Tier tier, const SolveControl& control) : Worn(c, tier, control) {
-    now_ = search_cycle(c, tier, control, cost_);
+    Cost cost;
+    now_ = search_cycle(c, tier, control, cost);
     wear_ = no_wear(model());
   }
   OverLoadCycle(const Case& c, Tier tier, const SolveControl& control, Tape& tape)
@@ -135,21 +134,16 @@ class OverLoadCycle final : public Worn<std::unique_ptr<CycleSearch>> {
     const Case worn = worn_case(case_, model().domain.grid, wear);
     auto next = std::make_unique<CycleSearch>(worn, tier_, physics_of(worn, tier_), control_,
                                               model().solids);
-    if (!next->begin_reshaped(*now_) || !next->follow().good()) {
-      why = next->verdict();
-      return false;
-    }
-    take(std::move(next), wear);
-    return true;
+    if (next->begin_reshaped(*now_)) static_cast<void>(next->follow());
+    const Verdict ended = next->verdict();
+    return take(std::move(next), ended, wear, why);
   }
   bool wear_from_cold(const Field& wear, Verdict& why) override {
-    auto next = search_cycle(worn_case(case_, model().domain.grid, wear), tier_, control_, cost_);
-    if (!next->verdict().good()) {
-      why = next->verdict();
-      return false;
-    }
-    take(std::move(next), wear);
-    return true;
+    const Case worn = worn_case(case_, model().domain.grid, wear);
+    Cost cost;
+    auto next = search_cycle(worn, tier_, control_, cost);
+    const Verdict ended = next->verdict();
+    return take(std::move(next), ended, wear, why);
   }
 
   void tell(RunningInState& state, RunningInRun& run) const override {
@@ -165,9 +159,6 @@ class OverLoadCycle final : public Worn<std::unique_ptr<CycleSearch>> {
     tape(grid, wear_);
     now_->ended(tape);
   }
-
- private:
-  Cost cost_;  ///< of the searches from cold
 };
 
 }  // namespace

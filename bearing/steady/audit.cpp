@@ -12,7 +12,7 @@ constexpr double kPasses = 1e-7;
 
 double mass(const Solution& s) {
   const auto flows = fluid::oil_flows(s.point.scene, s.film.flow);
-  const double round = kPasses * fluid::flow_scale(s.point.scene, s.film.flow);
+  const double round = kPasses * fluid::flow_scale(s.film.flow);
   const double scale = std::max({std::abs(flows.supply), std::abs(flows.side), round});
   return scale > 0.0 ? std::abs(flows.supply - flows.side - flows.stored) / scale : 0.0;
 }

@@ -322,7 +322,7 @@ TEST_CASE("NodeFlowsAddUpToTheFaceFlows", "[columns]") {
   const auto p =
       film_energy_problem(s.model, s.point, s.film, friction_of(s.model, s.point, s.film));
   const int n = s.model.gl.n;
-  const double scale = fluid::flow_scale(s.point.scene, s.film.flow);
+  const double scale = fluid::flow_scale(s.film.flow);
   const auto check = [&](const std::vector<fluid::FaceFlow>& faces,
                          const std::vector<double>& nodes) {
     double worst = 0.0;

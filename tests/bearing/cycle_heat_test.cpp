@@ -245,6 +245,62 @@ TEST_CASE("AnEventThatDrivesOilBackIntoItsSupplyHasNoHeatBalance", "[cycle_heat]
   CHECK_THAT(app::reason_of(r.verdict), Catch::Contains("no oil is fed"));
 }
 
+TEST_CASE("OverAnEventWallsWarmAsInAWarmUp", "[cycle_heat]") {
+  // From rest to 3500 rpm at once, then held: skins of shell and shaft against the bodies of a
+  // warm-up of the same bearing, of another program path. A shell of 2 mm without a housing was
+  // held at its back (43.6 for 54.3 degC), the shaft at what it began with.
+  Case c = warm_case();
+  c.bearing.reference_temperature = 313.15;
+  c.shell->housing.reset();
+  c.shell->back = ConvectiveBack{80.0, 313.15};
+  c.shaft->ambient = 313.15;
+  c.operation.omega = 3500.0 * kPi / 30.0;
+  c.model.grid = {36, 6};
+  set_load(c, 2e3);
+  for (const double thick : {2e-3, 30e-3}) {
+    c.shell->layers = {{steel(), thick}};
+    WarmUpOptions options;
+    options.T_start = 313.15;
+    options.end = 3.0;
+    const WarmUp judge = warm_up(c, Tier::thd, options);
+    REQUIRE(judge.end.verdict.good());
+    Case at_once = c;
+    LoadCycle event;
+    event.t = {0.0, 0.02, 3.0};
+    event.x.assign(3, 0.0);
+    event.y.assign(3, -2e3);
+    event.omega = {0.0, c.operation.omega, c.operation.omega};
+    event.journal_mass = 0.5;
+    at_once.cycle = event;
+    const CycleResult r = converged(at_once, Tier::thd);
+    INFO(thick << " m");
+    const Instant& end = judge.instants.back();
+    // Rises: a skin is flat and has no ends, heat of 3 s reaches 11 mm into steel.
+    CHECK(r.instants.back().T_shell_max - 313.15 == Approx(end.T_shell_max - 313.15).epsilon(0.08));
+    CHECK(r.instants.back().torque == Approx(end.torque).epsilon(0.02));
+  }
+}
+
+TEST_CASE("AnEventThatBeginsWithAJumpComesFromItsFirstRow", "[cycle_heat]") {
+  // The same jump a microsecond later: the journal is hardly on its way then.
+  Case c = plain_case();
+  c.model.grid = {36, 6};
+  LoadCycle event;
+  event.t = {0.0, 0.0, 0.01};
+  event.x.assign(3, 0.0);
+  event.y = {-1e3, -4e3, -4e3};
+  event.journal_mass = 0.5;
+  c.cycle = event;
+  const CycleResult at_once = converged(c);
+  c.cycle->t = {0.0, 1e-6, 1e-6, 0.01};
+  c.cycle->x.assign(4, 0.0);
+  c.cycle->y = {-1e3, -1e3, -4e3, -4e3};
+  const CycleResult later = converged(c);
+  CHECK(at_once.instants.front().h_min == Approx(later.instants.front().h_min).epsilon(1e-9));
+  CHECK(at_once.instants.front().h_min > 1.2 * at_once.instants.back().h_min);  // it sinks
+  CHECK(at_once.instants.back().h_min == Approx(later.instants.back().h_min).epsilon(1e-3));
+}
+
 TEST_CASE("AnEventBeginsWithTheWallsOfItsOwnCells", "[cycle_heat]") {
   // With contact a steady bearing gathers its cells at the edges, an event does not: it began with
   // walls of the one on the cells of the other.

@@ -152,7 +152,7 @@ TEST_CASE("AGivenStepIsKeptInEveryPeriod", "[cycle]") {
   const LoadCourse course(*c.cycle, c.operation.omega);
   FilmSteps film(make_bearing(c, physics_of(c, Tier::isothermal), c.model.grid), course,
                  c.cycle->journal_mass, {});
-  CycleSteps steps(film, course, length, {1e-3, length, 1e-7 * length, 10.0 * given, given});
+  CycleSteps steps(film, course, length, {1.0, length, 1e-7 * length, 10.0 * given, given});
   FilmInTime now = film.at_rest(equivalent_temperature(c));
   EquilibriumCost cost;
   for (int period = 0; period < 3; ++period) {

@@ -178,6 +178,21 @@ TEST_CASE("AsManyCellsAsEdgesAreEnough") {
   }
 }
 
+TEST_CASE("WhereCellsRunShortTheLandKeepsTwo") {
+  // Half of ten graded cells, a groove or a hole at mid-width, the foot of an edge relief: of a
+  // land and a relief that would have two and three cells, the relief gives one up. The land had
+  // one alone, up to 0.56 of the half width.
+  const double end = 0.5 * kWidth;
+  for (const auto& [supply, foot] : {std::pair{0.12, 0.68}, std::pair{0.291, 0.767}}) {
+    GridEdges edges{{-supply * end, 0}, {supply * end, 0}};
+    for (const double side : {-1.0, 1.0}) edges.emplace_back(side * foot * end, -1, true);
+    const FilmGrid g = make_grid(kRadius, kWidth, 20, 10, true, {}, edges, kEdgeGrading);
+    check_cells(g);
+    const auto in_land = [&](double z) { return z > supply * end && z < foot * end; };
+    CHECK(std::count_if(g.z.begin(), g.z.end(), in_land) == 2);
+  }
+}
+
 TEST_CASE("MoreEdgesThanCellsAreRefused") {
   CHECK_THROWS_AS(make_grid(kRadius, kWidth, 3, 4, false, {0.0, 1.0, 2.0, 3.0}), InputError);
 }

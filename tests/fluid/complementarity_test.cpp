@@ -159,7 +159,7 @@ TEST_CASE("FischerBurmeisterStepsReachTheSolutionOfTheActiveSets") {
       while (steps < 60 && fischer_burmeister_step(b.scene, b.gap, b.step, b.oil, v)) ++steps;
       CHECK(steps > 1);
       CHECK(complementary(b.scene, v.state));
-      CHECK(largest_magnitude(film_residual(b.scene, v.flow)) < 1e-9 * flow_scale(b.scene, v.flow));
+      CHECK(largest_magnitude(film_residual(b.scene, v.flow)) < 1e-9 * flow_scale(v.flow));
       // Both are roots to 1e-9 of the flow; the film's conductance amplifies by nt nz.
       CHECK(largest_difference(v.state.p, film.value.state.p) <
             1e-6 * largest_magnitude(v.state.p));

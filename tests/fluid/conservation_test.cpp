@@ -41,7 +41,7 @@ void check_balance(const Setup& s) {
   // Sums over cells of residuals of round-off size.
   CHECK(std::abs(flows.supply - flows.side) < 1e-12 * through);
   CHECK(std::abs(flows.supply - patches) < 1e-12 * through);
-  CHECK(largest_magnitude(film_residual(b.scene, v.flow)) < 1e-12 * flow_scale(b.scene, v.flow));
+  CHECK(largest_magnitude(film_residual(b.scene, v.flow)) < 1e-12 * flow_scale(v.flow));
   CHECK(complementary(b.scene, v.state));
   for (std::size_t k = 0; k < v.state.p.size(); ++k) {
     CHECK(v.state.theta[k] >= 0.0);
@@ -173,7 +173,7 @@ TEST_CASE("TheFlowThroughAnEmptyFilmIsHandedOnUnchanged") {
                         (j + 1 == g.nz || v.state.p[k + 1] == 0.0);
       if (!lone) continue;
       const double in = v.flow.phi[k].m, out = v.flow.phi[g.index(g.next(i), j)].m;
-      CHECK(std::abs(in - out) < 1e-12 * flow_scale(b.scene, v.flow));
+      CHECK(std::abs(in - out) < 1e-12 * flow_scale(v.flow));
       ++strips;
     }
   }

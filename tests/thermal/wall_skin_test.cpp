@@ -96,6 +96,31 @@ TEST_CASE("ASkinEndsWhereItsLayersEnd", "[wall_skin]") {
   CHECK(endless.impedance() == Approx(50e-6 / 180.0));  // nothing but conduction
 }
 
+TEST_CASE("LayersThatEndBeforeTheSkinGiveTheirHeatToTheirBack", "[wall_skin]") {
+  // A plate of length L with q at y = 0 and h T at its back, textbook:
+  // Z = (m cosh gL + h sinh gL)/(m (m sinh gL + h cosh gL)), g = sqrt(i omega/a), m = k g.
+  SkinLayer thin = kSteel;
+  thin.thickness = 0.3e-3;  // the period reaches 0.5 mm
+  for (const double h : {0.0, 80.0, 2e4, 1e6}) {
+    const WallSkin skin({thin}, kPeriod, kPeriod / 720.0, h);
+    CHECK(skin.depths().back() == Approx(thin.thickness));
+    for (const int n : {1, 2, 5}) {
+      const std::complex<double> i_omega(0.0, 2.0 * kPi * n / kPeriod);
+      const std::complex<double> gamma = std::sqrt(i_omega * thin.capacity / thin.conductivity);
+      const std::complex<double> m = thin.conductivity * gamma, x = gamma * thin.thickness;
+      const std::complex<double> exact =
+          (m * std::cosh(x) + h * std::sinh(x)) / (m * (m * std::sinh(x) + h * std::cosh(x)));
+      // A plate that hardly gives heat off keeps what it had at first: the swing about that.
+      const std::complex<double> found = swing(skin, n, 400);
+      INFO(h << " W/(m2 K), " << n << ": " << found << " for " << exact);
+      CHECK(std::abs(found - exact) < 0.02 * std::abs(exact));
+    }
+  }
+  // Held, as a back of given temperature is: nothing but conduction in the end.
+  const double endless = WallSkin({thin}, kPeriod, kPeriod / 720.0, 80.0).over(1e9).impedance();
+  CHECK(endless == Approx(thin.thickness / thin.conductivity + 1.0 / 80.0));
+}
+
 TEST_CASE("ASkinSwellsByTheHeatThatItHolds", "[wall_skin]") {
   // Of one material: u = (1 + nu)/(1 - nu) alpha/(rho c) times the heat, whatever the profile.
   const double alpha = 1.9 * 11e-6;

@@ -107,7 +107,7 @@ TEST_CASE("SwiftStieberFilmsSatisfyTheirComplementarity") {
     REQUIRE(film.good());
     const FilmState& s = film.value.state;
     const Field r = film_residual(b.scene, film.value.flow);
-    const double slack = 1e-11 * flow_scale(b.scene, film.value.flow);
+    const double slack = 1e-11 * flow_scale(film.value.flow);
     int empty = 0;
     for (std::size_t k = 0; k < s.p.size(); ++k) {
       if (b.scene.supply.cell[k] >= 0) continue;

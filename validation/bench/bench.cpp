@@ -98,11 +98,14 @@ void statics(const std::string& scene, Grid g) {
     OperatingPoint more = s.point;
     for (double& f : more.load.force) f *= 1.02;
     EquilibriumCost cost;
+    Verdict verdict;
     for (auto _ : state) {
       FilmEquilibrium film = s.film;
       cost = {};
-      benchmark::DoNotOptimize(solve_equilibrium({s.model, more, {}}, film, cost));
+      verdict = solve_equilibrium({s.model, more, {}}, film, cost);
+      benchmark::DoNotOptimize(film);
     }
+    if (!verdict.good()) state.SkipWithError("the film under more load was not found");
     state.counters["newton"] = cost.newton_iterations;
     state.counters["factorisations"] = cost.factorizations;
   });

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/labels/csv_text.hpp"
 #include "app/words/ending_words.hpp"
 #include "bearing/possible_methods.hpp"
 
@@ -13,13 +14,6 @@ namespace {
 using namespace bearing;
 
 std::string csv_number(double x) { return std::isfinite(x) ? fmt::format("{:.8g}", x) : ""; }
-
-/// A field with quotes around it, as the names may hold commas.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
 
 std::string across_of(const ChartSetting& s) {
   if (s.methods.across == AcrossFilm::layers) return fmt::format("layers {}", s.methods.layers);
@@ -34,15 +28,16 @@ std::string elastic_of(const Methods& m) {
 
 std::string row(const ChartScene& scene, const ChartPoint& p) {
   const ChartSetting& s = p.setting;
-  std::string line = fmt::format("{},{},{},{}", scene.name, to_string(s.family), quoted(s.mark),
-                                 to_string(s.tier));
+  std::string line = fmt::format("{},{},{},{}", scene.name, to_string(s.family),
+                                 app::csv_text(s.mark), to_string(s.tier));
   if (s.family == ChartFamily::automatic) {
     line += ",,,,,";
   } else {
     line += fmt::format(",{},{},{},{},{}", s.grid[0], s.grid[1], across_of(s),
                         to_string(s.methods.cavitation), elastic_of(s.methods));
   }
-  line += fmt::format(",{},{}", to_string(p.verdict.status), quoted(app::reason_of(p.verdict)));
+  line +=
+      fmt::format(",{},{}", to_string(p.verdict.status), app::csv_text(app::reason_of(p.verdict)));
   const bool good = p.verdict.good();
   for (const double v : p.value) line += "," + csv_number(good ? v : NAN);
   for (const double e : p.error) line += "," + csv_number(e);
@@ -61,7 +56,7 @@ std::string chart_csv(const std::vector<ChartScene>& scenes) {
       "front_T_film_max\n";
   for (const ChartScene& scene : scenes) {
     text += fmt::format("{},reference,,,,,,,,{},{}", scene.name, to_string(scene.verdict.status),
-                        quoted(app::reason_of(scene.verdict)));
+                        app::csv_text(app::reason_of(scene.verdict)));
     for (const ReferenceValue& r : scene.reference) text += "," + csv_number(r.value);
     for (const double f : scene.floor) text += "," + csv_number(f);
     text += ",,,,,,\n";

@@ -122,7 +122,8 @@ void add_marks(const EntryReport& report, const Panel& panel, Picture& picture) 
     for (const RowReport& r : q.rows) {
       const RowNumbers& point = report.points[r.row].point;
       if (!drawn(report, panel, point)) continue;
-      const bool judged = r.judgement == Judgement::within || r.judgement == Judgement::outside;
+      const bool judged = r.judgement == Judgement::within || r.judgement == Judgement::outside ||
+                          r.judgement == Judgement::documented;
       picture.curves[series_of(f, point)].marks.push_back(
           {point.at(f.x), r.theirs, judged ? r.difference / r.allowed : NAN, q.spec.evidence});
     }

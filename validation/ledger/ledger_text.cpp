@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "app/labels/csv_text.hpp"
 #include "validation/ledger/ledger_deviation.hpp"
 
 namespace shellback::validation {
@@ -55,14 +56,6 @@ void write_features(std::ostream& out, const EntryReport& report, Evidence evide
     fmt::print(out, kHead, "  by a parabola through three rows, not judged", "", "",
                short_number(f.ours_refined), short_number(f.theirs_refined), "", "", "", "");
   }
-}
-
-std::string csv_cell(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
 }
 
 }  // namespace
@@ -149,19 +142,20 @@ std::string ledger_csv(const std::vector<EntryReport>& reports) {
       for (const RowReport& r : q.rows) {
         const bool missing = !std::isfinite(r.ours);
         csv += fmt::format("{},{},{},{},{},{},{:.9g},{},{:.9g},{},{}\n", report.entry.name,
-                           to_string(q.spec.evidence), csv_cell(q.spec.name), csv_cell(q.spec.unit),
-                           csv_cell(row_label(report.entry, report.points[r.row].point)),
+                           to_string(q.spec.evidence), app::csv_text(q.spec.name),
+                           app::csv_text(q.spec.unit),
+                           app::csv_text(row_label(report.entry, report.points[r.row].point)),
                            missing ? "" : fmt::format("{:.9g}", r.ours), r.theirs,
                            missing ? "" : fmt::format("{:.9g}", r.difference), r.allowed,
-                           to_string(r.judgement), csv_cell(r.reason));
+                           to_string(r.judgement), app::csv_text(r.reason));
       }
     }
     for (const FeatureReport& f : report.features) {
       csv += fmt::format("{},{},{},{},,{},{:.9g} to {:.9g},,,{},{}\n", report.entry.name,
-                         to_string(f.feature.evidence), csv_cell(f.feature.name),
-                         csv_cell(f.feature.unit),
+                         to_string(f.feature.evidence), app::csv_text(f.feature.name),
+                         app::csv_text(f.feature.unit),
                          std::isfinite(f.ours) ? fmt::format("{:.9g}", f.ours) : "", f.feature.low,
-                         f.feature.high, to_string(f.verdict), csv_cell(f.reason));
+                         f.feature.high, to_string(f.verdict), app::csv_text(f.reason));
     }
   }
   return csv;

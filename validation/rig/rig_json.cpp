@@ -22,8 +22,8 @@ Json course_json(const RigCourse& c, int k) {
   json["peak_load"] = with_unit(c.peak, "N");
   add_unknown(json, c);
   json["bearing"] = to_string(kRigBearings[k]);
-  add_status(json,
-             c.tried ? c.run[k].end.verdict : Verdict{Status::interrupted, ending::Plain::not_run});
+  add_status(json, c.tried[k] ? c.run[k].end.verdict
+                              : Verdict{Status::interrupted, ending::Plain::not_run});
   json["energy_imbalance"] = number(c.run[k].imbalance_at_ends());
   json["steps"] = Json::array();
   for (std::size_t n = 0; n < c.run[k].ends.size(); ++n) {

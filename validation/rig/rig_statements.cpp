@@ -132,7 +132,7 @@ void Judge::pressures() {
   };
   Range factor;
   if (p.count > 0) factor.take(thicker(p.high));
-  factor.missing = p.count > 0 ? 0 : 1;
+  factor.missing = p.missing + (p.count > 0 ? 0 : 1);
   add("4.1.2", "viscosity there nearly seven times that at ambient pressure", "6.3 to 7.7 (10 %)",
       factor.words(" times at our peak") + fmt::format("; {:.3g} at 200 MPa", thicker(200e6)),
       factor.in(6.3, 7.7));

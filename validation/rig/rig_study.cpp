@@ -27,7 +27,7 @@ std::vector<RigCourse> courses_of(const RigPlan& plan) {
   const double peak = plan.peaks.back();
   courses.push_back({peak, &heavier_bodies(), 1, up_and_down(plan.few_rpm), {}, false});
   for (const RigUnknown& unknown : body_unknowns()) {
-    for (const int end : {0, 1}) courses.push_back({peak, &unknown, end, plan.few_rpm, {}, false});
+    for (const int end : {0, 1}) courses.push_back({peak, &unknown, end, plan.few_rpm, {}, {}});
   }
   return courses;
 }
@@ -52,7 +52,7 @@ void run_courses(const RigPlan& plan, StudyCrew& crew, RigStudy& study) {
   crew.work("run-up and run-down", count, [&](int k) {
     RigCourse& course = study.courses[static_cast<std::size_t>(k / 2)];
     course.run[k % 2] = run_of(plan, course, kRigBearings[k % 2], crew, k);
-    course.tried = true;
+    course.tried[k % 2] = true;
   });
 }
 

@@ -42,7 +42,7 @@ struct RigCourse {
   int end = 0;                          ///< of it
   std::vector<double> rpm;              ///< stretch by stretch
   std::array<bearing::CourseRun, 2> run;
-  bool tried = false;
+  std::array<bool, 2> tried{};  ///< each bearing by a thread of its own
   /// The bearing at the end of stretch k; none if it was not reached.
   [[nodiscard]] const bearing::Instant* at(RigBearing bearing, std::size_t k) const;
   /// The stretch of the highest speed; before it the run-up, behind it the run-down, if any.

@@ -65,8 +65,8 @@ std::vector<std::string> rig_failures(const RigStudy& study) {
   };
   for (const RigCourse& c : study.courses) {
     for (int k = 0; k < 2; ++k) {
-      if (!c.tried) ++stopped;
-      if (c.tried && failed(c.run[k].end.verdict)) lines.push_back(course_failure(c, k));
+      if (!c.tried[k]) ++stopped;
+      if (c.tried[k] && failed(c.run[k].end.verdict)) lines.push_back(course_failure(c, k));
     }
   }
   for (const RigPoint& p : study.points) {

@@ -79,7 +79,7 @@ Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap
   oil(v.state, v.oil);
   evaluate_flow(scene, gap, profile, v.oil, v.state, v.flow);
   for (int it = 0; it <= options.max_iterations; ++it) {
-    const double norm = largest_magnitude(film_residual(scene, v.flow)) / flow_scale(scene, v.flow);
+    const double norm = largest_magnitude(film_residual(scene, v.flow)) / flow_scale(v.flow);
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
       out.verdict = method_diverged(scene.grid, first_not_a_number(gap, v.state, v.oil, v.flow));
@@ -94,10 +94,10 @@ Outcome<FilmSolution> solve_fischer_burmeister(const FilmScene& scene, const Gap
     oil(v.state, v.oil);
     evaluate_flow(scene, gap, profile, v.oil, v.state, v.flow);
   }
-  out.verdict = {Status::iteration_limit,
-                 ending::Unsettled{ending::Iteration::fischer_burmeister, v.factorizations,
-                                   larger(out.history.back(), complementarity_gap(scene, v.state)),
-                                   stuck}};
+  out.verdict = {
+      Status::iteration_limit,
+      ending::Unsettled{ending::Iteration::fischer_burmeister, v.factorizations,
+                        larger(out.history.back(), complementarity_gap(scene, v.state)), stuck}};
   return out;
 }
 

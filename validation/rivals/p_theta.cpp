@@ -93,7 +93,7 @@ Outcome<RelaxedFilm> relax_p_theta(const FilmScene& scene, const Gap& gap, const
     oil(s, coefficients);
     evaluate_flow(scene, gap, profile, coefficients, s, flow);
     eq.R0 = film_residual(scene, flow);
-    const double norm = largest_magnitude(eq.R0) / flow_scale(scene, flow);
+    const double norm = largest_magnitude(eq.R0) / flow_scale(flow);
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {
       out.verdict = method_diverged(scene.grid, first_not_a_number(gap, s, coefficients, flow));

@@ -73,7 +73,7 @@ Outcome<FilmSolution> solve_swift_stieber(const FilmScene& scene, const Gap& gap
     oil(v.state, v.oil);
     evaluate_flow(scene, gap, profile, v.oil, v.state, v.flow);
     Field r = film_residual(scene, v.flow);
-    const double scale = flow_scale(scene, v.flow);
+    const double scale = flow_scale(v.flow);
     const double norm = largest_of_full(v.state, r) / scale;
     out.history.push_back(norm);
     if (!std::isfinite(norm)) {

@@ -101,7 +101,7 @@ void compare_mirror(const Result& result, const Result& mirror, StressAnswer& a)
     a.reason = "its mirror image was not found: " + app::reason_of(mirror.verdict);
     return;
   }
-  if (result.verdict.status == Status::iteration_limit) return;
+  if (result.verdict.status == Status::iteration_limit && !mirror.verdict.good()) return;
   if (result.verdict.status != mirror.verdict.status) {
     a.faults.push_back(
         fmt::format("its mirror image ended otherwise: {}", to_string(mirror.verdict.status)));

@@ -111,14 +111,14 @@ void find_outvoted(const StressRow& row, std::vector<StressCell>& ours) {
       if (!methods[m].same_equations || row.cells[m][k].result != StressClass::converged) continue;
       if (difference(row.cells[m][k], ours[k], methods[m].allowed)) against.push_back(m);
     }
-    for (std::size_t i = 1; i < against.size(); ++i) {
-      const std::size_t a = against[i - 1];
-      const std::size_t b = against[i];
-      if (difference(row.cells[a][k], row.cells[b][k], methods[b].allowed)) continue;
-      ours[k].result = StressClass::wrong;
-      ours[k].why =
-          fmt::format("{} and {} agree on another state", methods[a].title, methods[b].title);
-      break;
+    for (std::size_t i = 0; i < against.size(); ++i) {
+      for (std::size_t j = i + 1; j < against.size(); ++j) {
+        const std::size_t a = against[i], b = against[j];
+        if (difference(row.cells[a][k], row.cells[b][k], methods[b].allowed)) continue;
+        ours[k].result = StressClass::wrong;
+        ours[k].why =
+            fmt::format("{} and {} agree on another state", methods[a].title, methods[b].title);
+      }
     }
   }
 }

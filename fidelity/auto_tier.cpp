@@ -248,7 +248,7 @@ class TierSearch {
       if (q.name != "h_min") continue;
       q.error_model = model_bars().h_min * std::abs(q.value);
       q.error_grid +=  // of no grid, as `beyond`
-          edge_error(finest_.model.domain.grid, finest_.film.gap.cell, finest_.film.least);
+          edge_error(finest_);
     }
     r.assumptions.push_back(note::ScalarsOfFinerGrid{kFineGrid, r.grid, solved_});
     return chosen(std::move(r), bars());

@@ -58,7 +58,7 @@ Instants passed(const std::vector<Stretch>& stretches, const WarmUpOptions& opti
 double hidden_at_edge(const CourseRun& run) {
   const FilmEquilibrium& film = run.solution.film;
   if (run.over_cycles || !(film.least.h > 0.0)) return 0.0;
-  return edge_error(run.solution.model.domain.grid, film.gap.cell, film.least) / film.least.h;
+  return edge_error(run.solution) / film.least.h;
 }
 
 Instants time_bars(const Instants& usual, const Instants& other, const CourseRun& run) {

@@ -40,8 +40,7 @@ double hidden_at_edge(const RunningInRun& run) {
     const CycleFields& f = run.cycle->fields;
     return edge_error(f.grid, f.h_min, f.in_supply) / least;
   }
-  const FilmEquilibrium& film = run.solution.film;
-  return edge_error(run.solution.model.domain.grid, film.gap.cell, film.least) / least;
+  return edge_error(run.solution) / least;
 }
 
 /// Whether summits hardly touch at the end, where they have worn: share of the load, over a cycle

@@ -158,7 +158,7 @@ BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control
   own.model.input.model.tier = tier;
   BarRecord record;
   record.grid = own.model.input.model.grid;
-  record.edge = edge_error(own.model.domain.grid, own.film.gap.cell, own.film.least);
+  record.edge = edge_error(own);
   record.lands = land_error(own.model.domain.grid, own.model.supply);
   GridSequence sequence = grid_sequence(own, control, kept);
   record.coarse = std::move(sequence.coarse);

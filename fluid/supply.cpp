@@ -192,6 +192,12 @@ void find_touching(const FilmGrid& g, SupplyMap& map) {
 
 }  // namespace
 
+Field in_supply(const SupplyMap& map) {
+  Field in(map.cell.size());
+  for (std::size_t c = 0; c < in.size(); ++c) in[c] = map.cell[c] >= 0 ? 1.0 : 0.0;
+  return in;
+}
+
 SupplyMap map_supplies(const FilmGrid& g, const std::vector<SupplyPatch>& patches) {
   SupplyMap map;
   map.patches = patches;

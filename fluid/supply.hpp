@@ -65,6 +65,9 @@ struct SupplyMap {
 /// moves the edge by less than a thousandth of a cell; r of (2) is no shorter, either [-].
 inline constexpr double kShortestReach = 1e-3;
 
+/// 1 in the cells that supplies take, elsewhere 0 [-].
+[[nodiscard]] Field in_supply(const SupplyMap& map);
+
 /// Marks cells and faces of patches that do not move. Throws InputError if two patches overlap.
 [[nodiscard]] SupplyMap map_supplies(const FilmGrid& grid, const std::vector<SupplyPatch>& patches);
 

@@ -51,8 +51,9 @@ std::string escape_markup(std::string_view text) {
       case '\'':
         out += "&#39;";
         break;
-      default:
-        out += c;
+      default:  // XML has no control characters but these
+        out += static_cast<unsigned char>(c) >= 0x20U || c == '\t' || c == '\n' ? std::string(1, c)
+                                                                                : "\uFFFD";
     }
   }
   return out;

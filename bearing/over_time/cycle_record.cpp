@@ -149,9 +149,14 @@ void CycleRecord::begin(const FilmInTime& now) {
   if (film_->heat()) {
     T_shell_.assign(p_max_.size(), 0.0);
     T_shell_max_ = shell_surface(now);
-    const double both = film_->model().domain.grid.multiplicity();
-    first.heat_to_shell = both * now.heat.flows.balance.to_shell;
-    first.heat_to_shaft = both * now.heat.flows.balance.to_shaft;
+    const FilmGrid& g = film_->model().domain.grid;
+    const HeatFlows& flows = now.heat.flows;
+    first.heat_to_shell = first.heat_to_shaft = 0.0;
+    for (std::size_t c = 0; c < flows.to_shell.size(); ++c) {
+      const double area = g.multiplicity() * g.area(static_cast<int>(c));
+      first.heat_to_shell += area * flows.to_shell[c];
+      first.heat_to_shaft += area * flows.to_shaft[c];
+    }
   }
   instants_.push_back(first);
   if (!film_->model().input.cycle->fields_at.empty()) keep_frame(now, now.film.film.p);

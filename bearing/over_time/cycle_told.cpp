@@ -217,9 +217,7 @@ void CycleRecord::write(CycleResult& r) const {
   r.fields.p_max = mirror_to_full(g, p_max_);
   if (m.contact) r.fields.p_asperity_max = mirror_to_full(g, p_asperity_max_);
   r.fields.h_min = mirror_to_full(g, h_min_);
-  Field in_supply(g.cells());
-  for (int k = 0; k < g.cells(); ++k) in_supply[k] = m.supply.cell[k] >= 0 ? 1.0 : 0.0;
-  r.fields.in_supply = mirror_to_full(g, in_supply);
+  r.fields.in_supply = mirror_to_full(g, fluid::in_supply(m.supply));
   Field friction = friction_;
   for (double& x : friction) x /= told();
   r.fields.friction_power = mirror_to_full(g, friction);

@@ -65,6 +65,7 @@ TEST_CASE("TextFromTheCaseIsEscaped") {
   CHECK(contains(html, "KS rig, test bearing &lt;4 &amp; 8 kN&gt;"));
   CHECK_FALSE(contains(html, "<4 & 8"));
   CHECK(app::escape_markup("\"a\" < 'b' & c") == "&quot;a&quot; &lt; &#39;b&#39; &amp; c");
+  CHECK(app::escape_markup("a\tb\nc\x01") == "a\tb\nc\uFFFD");  // XML 1.0, 2.2
 }
 
 TEST_CASE("AnUnconvergedResultIsAnnouncedBeforeAnyNumber") {

@@ -219,12 +219,13 @@ TEST_CASE("TheWaterfallLeadsFromOneTorqueToTheOther") {
 TEST_CASE("FrictionOfAJournalThatTurnsClockwiseIsSplitAsThatOfItsMirrorImage") {
   const bearing::FrictionSplit split{1.0, 1.02, {{"viscosity level", 0.12}, {"rest", -0.10}}};
   const bearing::FrictionSplit mirror{-1.0, -1.02, {{"viscosity level", -0.12}, {"rest", 0.10}}};
-  const auto drawn = [](const bearing::FrictionSplit& s) {
+  const auto drawn = [](const bearing::FrictionSplit& s, const std::optional<double>& measured) {
     app::Svg svg(580.0, 300.0);
-    app::draw_waterfall(svg, {0.0, 0.0, 580.0, 300.0}, s, {}, app::print_theme());
+    app::draw_waterfall(svg, {0.0, 0.0, 580.0, 300.0}, s, measured, app::print_theme());
     return svg.document("");
   };
-  CHECK(drawn(mirror) == drawn(split));
+  CHECK(drawn(mirror, {}) == drawn(split, {}));
+  CHECK(drawn(mirror, -1.1) == drawn(split, 1.1));
 }
 
 TEST_CASE("AWaterfallThatDoesNotAddUpShowsTheRest") {

@@ -296,3 +296,23 @@ TEST_CASE("AVesselBelongsToALoadCycle", "[vessel]") {
   c.cycle.reset();
   CHECK(refused("supply.0.vessel_volume"));
 }
+
+TEST_CASE("NoVesselStandsBesideAnotherSupplyWithoutALand", "[vessel]") {
+  // Two grooves of 20 degrees that share an edge at 90: one took in what the journal dragged, to
+  // more than twice the pressure of the other beside it.
+  Case c = cut_off_case(1e-6);
+  c.supplies[0].arc = 20.0 * kDegree;
+  c.supplies[0].angle = 80.0 * kDegree;
+  c.supplies.push_back(c.supplies[0]);
+  c.supplies[1].vessel.reset();
+  const auto refused = [&](double angle) {
+    c.supplies[1].angle = angle * kDegree;
+    const auto found = judge(c);
+    return std::any_of(found.begin(), found.end(), [](const Finding& f) {
+      return f.refused() && f.key == "supply.0.vessel_volume";
+    });
+  };
+  CHECK(refused(100.0));
+  CHECK(refused(60.0));
+  CHECK_FALSE(refused(101.0));
+}

@@ -60,14 +60,15 @@ TEST_CASE("BothEdgesOfABearingAndOnlyTheyLeaveSomething") {
   const int row = 7;
   for (int j = 0; j < g.nz; ++j) h[g.index(row, j)] = 1.0 + std::sqrt(1.0 - g.z[j]);
   const fluid::SmallestGap high{1.2, g.phi[row], g.z_face.back()};
-  const double left = edge_error(g, h, high);
+  const Field none(g.cells(), 0.0);
+  const double left = edge_error(g, h, none, high);
   CHECK(left > 0.0);
-  CHECK(edge_error(g, h, fluid::SmallestGap{1.2, g.phi[row], g.z[11]}) == 0.0);
-  CHECK(edge_error(g, h, fluid::SmallestGap{1.2, g.phi[row + 1], g.z_face.back()}) ==
+  CHECK(edge_error(g, h, none, fluid::SmallestGap{1.2, g.phi[row], g.z[11]}) == 0.0);
+  CHECK(edge_error(g, h, none, fluid::SmallestGap{1.2, g.phi[row + 1], g.z_face.back()}) ==
         0.0);  // even there
   Field mirror(g.cells(), 5.0);
   for (int j = 0; j < g.nz; ++j) mirror[g.index(row, j)] = h[g.index(row, g.nz - 1 - j)];
-  CHECK(edge_error(g, mirror, fluid::SmallestGap{1.2, g.phi[row], g.z_face.front()}) ==
+  CHECK(edge_error(g, mirror, none, fluid::SmallestGap{1.2, g.phi[row], g.z_face.front()}) ==
         Approx(left));
   Field in_supply(g.cells(), 0.0);
   CHECK(edge_error(g, h, in_supply) == Approx(left));  // the row found by itself
@@ -77,4 +78,23 @@ TEST_CASE("BothEdgesOfABearingAndOnlyTheyLeaveSomething") {
   CHECK(edge_error(g, h, in_supply) == Approx(left));
   h[g.index(2, 5)] = 0.5;  // a cell has less
   CHECK(edge_error(g, h, in_supply) == 0.0);
+}
+
+TEST_CASE("ALandThatFallsToAGrooveLeavesItsWholeFall") {
+  // Pressed land beside a groove: 1 + sqrt(s) from its edge at z = -0.5, the cells told down to
+  // their middles. On a power the edge's own gap is found.
+  const FilmGrid g = make_grid(1.0, 2.0, 20, 12, false, {}, {});
+  Field h(g.cells(), 5.0), in_supply(g.cells(), 0.0);
+  const int row = 7, first = 3;  // behind three cells of groove
+  for (int j = 0; j < first; ++j) in_supply[g.index(row, j)] = 1.0;
+  for (int j = first; j < g.nz; ++j) {
+    h[g.index(row, j)] = 1.0 + std::sqrt(g.z[j] - g.z_face[first]);
+  }
+  const double told = h[g.index(row, first)];
+  const fluid::SmallestGap least{told, g.phi[row], g.z[first]};
+  CHECK(edge_error(g, h, in_supply, least) == Approx(told - 1.0));
+  CHECK(edge_error(g, h, in_supply) == Approx(told - 1.0));    // of a load cycle's smallest gaps
+  CHECK(edge_error(g, h, in_supply, {0.9, 0.0, 0.0}) == 0.0);  // less is told elsewhere
+  for (double& x : h) x = 6.0 - x;                             // opens towards the groove
+  CHECK(edge_error(g, h, in_supply, {6.0 - 1.0, g.phi[row], g.z[first]}) == 0.0);
 }

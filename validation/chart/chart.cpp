@@ -66,7 +66,7 @@ Solved solved(const Case& c, Tier tier, const SolveControl& control, bool extrap
     if (extrapolated && s.verdict.good()) return led_on(s, tier, control);
     return {s.verdict, s.verdict.good() ? values_of(s, tier) : ChartValues{}, s.cost.factorizations,
             s.cost.sweeps,
-            fidelity::edge_error(s.model.domain.grid, s.film.gap.cell, s.film.least)};
+            fidelity::edge_error(s)};
   }
   const auto over_cycle = [&] {
     return as_result(chosen ? fidelity::solve_cycle_case(c, control)

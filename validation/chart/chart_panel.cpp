@@ -168,9 +168,13 @@ void draw_chart_panel(Svg& svg, const LogPanel& panel, const ChartScene& scene, 
   const bool any = std::any_of(scene.points.begin(), scene.points.end(),
                                [&](const ChartPoint& p) { return std::isfinite(p.error[q]); });
   if (!any) {
-    const bool failed = !scene.verdict.good() && scene.points.empty();
+    const bool none = scene.points.empty();
+    const bool found = std::any_of(scene.points.begin(), scene.points.end(),
+                                   [](const ChartPoint& p) { return p.verdict.good(); });
     svg.text({panel.box.x + 0.5 * panel.box.width, panel.box.y + 0.5 * panel.box.height},
-             failed ? "no reference" : "one temperature throughout",
+             !scene.verdict.good() && none ? "no reference"
+             : !found                      ? "no result"
+                                           : "one temperature throughout",
              {theme.muted, 11.0, Anchor::middle});
     return;
   }

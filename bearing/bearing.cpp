@@ -115,7 +115,11 @@ fluid::SupplyMap supply_map(const Case& c, std::array<int, 2> grid) {
 
 bool holds_supplies(const Case& c, std::array<int, 2> grid) {
   try {
-    static_cast<void>(supply_map(c, grid));
+    const std::vector<int> touching = supply_map(c, grid).touching;
+    for (std::size_t k = 0; k < touching.size(); ++k) {
+      const bool alone = std::count(touching.begin(), touching.end(), touching[k]) == 1;
+      if (c.supplies[k].vessel && !alone) return false;
+    }
     return true;
   } catch (const InputError&) {
     return false;

@@ -52,7 +52,7 @@ struct BearingModel {
 [[nodiscard]] FilmGrid film_grid(const Case& c, std::array<int, 2> grid);
 /// The cells of it that supplies take, as the case gives them. Throws as film_grid() does.
 [[nodiscard]] fluid::SupplyMap supply_map(const Case& c, std::array<int, 2> grid);
-/// Whether the cells are enough for them.
+/// Whether the cells are enough for them, and for the lands beside those that have a vessel.
 [[nodiscard]] bool holds_supplies(const Case& c, std::array<int, 2> grid);
 
 /// Builds the model on a grid of nt x nz cells over the full width (half of it is solved if the

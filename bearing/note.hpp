@@ -88,6 +88,12 @@ struct ShaftSwing {
   bool over_event = false;
 };
 
+/// Heat of an event goes deeper than flat skins of the walls stand for bodies.
+struct LongEvent {
+  double reach = 0.0;  ///< how deep [m]
+  double flat = 0.0;   ///< and how deep it may [m]
+};
+
 /// Tier estimate of a steady bearing.
 struct EstimateOfFilm {
   std::string regime;
@@ -308,7 +314,7 @@ using Note = std::variant<
     note::StatesEnd, note::LiningTooHot, note::OtherSteadyState, note::LayerPressed,
     note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound,
     note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::LandUnseen,
-    note::HardlySliding, note::SupplyTakesBack, note::ShaftSwing, note::EstimateOfFilm,
-    note::EstimateWithoutMass>;
+    note::HardlySliding, note::SupplyTakesBack, note::ShaftSwing, note::LongEvent,
+    note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

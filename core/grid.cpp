@@ -45,6 +45,15 @@ void add_segment(const GridEdge& a, const GridEdge& b, int n, std::vector<double
   }
 }
 
+/// The widest of them.
+double widest(const GridEdge& a, const GridEdge& b, int n) {
+  std::vector<double> face{a.at};
+  add_segment(a, b, n, face);
+  double most = 0.0;
+  for (int k = 0; k < n; ++k) most = std::max(most, face[k + 1] - face[k]);
+  return most;
+}
+
 /// Rows of cells in a hole: one on few cells, so that all others are left for the film; with 32
 /// along the bearing four, which tell a circle from a square.
 int rows_of_hole(int full_nz) { return std::clamp(full_nz / 8, 1, 4); }
@@ -77,8 +86,8 @@ std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1) {
     double worst = 0.0;
     for (int s = 0; s < segments; ++s) {
       if (used > n && count[s] == least[s]) continue;
-      const double length = edges[s + 1].at - edges[s].at;
-      const double key = used < n ? length / count[s] : (count[s] - 1) / length;
+      const double key = used < n ? (edges[s + 1].at - edges[s].at) / count[s]
+                                  : 1.0 / widest(edges[s], edges[s + 1], count[s] - 1);
       if (best < 0 || key > worst) {
         worst = key;
         best = s;

@@ -65,6 +65,11 @@ Instants time_bars(const Instants& usual, const Instants& other, const CourseRun
   auto bars = unknown<Instant>(run.instants.size(), kFollowedInstants);
   std::size_t begin = 0, n = 0;
   for (const std::size_t end : ends_of(run)) {
+    if (begin == end) {  // one step alone has no other to be judged by
+      ++begin;
+      ++n;
+      continue;
+    }
     add_bars_of_steps(usual, other, run.instants, run.over_cycles ? 1.0 : kOrder, begin, end,
                       kFollowedInstants, n, bars);
     begin = end + 1;

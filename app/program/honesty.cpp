@@ -72,8 +72,9 @@ HonestyOptions honesty_options(const Request& request) {
   for (const std::string& name : request.tiers) {
     o.tiers.push_back(app::tier_named(name, "--tiers"));
     if (o.tiers.back() == Tier::estimate || o.tiers.back() == Tier::automatic) {
-      throw InputError("--tiers",
-                       "the bars of " + name + " are no grid's; auto-honesty judges auto");
+      throw InputError(
+          "--tiers", "the bars of " + name +
+                         " are not those of grids, which are judged here (of auto: auto-honesty)");
     }
   }
   if (o.tiers.empty()) o.tiers = {Tier::isothermal, Tier::lumped, Tier::thd, Tier::tehd};

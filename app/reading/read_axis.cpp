@@ -86,7 +86,7 @@ study::Axis range_axis(const std::string& key, std::string text, const std::stri
   const std::string parts[]{trimmed(text.substr(0, dots)), trimmed(text.substr(dots + 2))};
   std::vector<NumberAndUnit> ends;
   for (const std::string& part : parts) {
-    const auto end = number_and_unit(part);
+    const auto end = number_in_front(part);
     if (!end || part.starts_with('.')) {
       throw InputError(
           place, fmt::format("{} does not begin with a number; {}", in_quotes(part), kExamples));
@@ -136,14 +136,16 @@ std::vector<std::string> list_entries(const std::string& text) {
 study::Axis list_axis(const std::string& key, const std::string& text, const std::string& place) {
   const std::vector<std::string> entries = list_entries(text);
   std::vector<NumberAndUnit> values;
+  bool numbers_meant = false;  // else all are words that begin with digits: 0W20, 1500rpm.csv
   for (const std::string& entry : entries) {
     if (entry.empty()) {
       throw InputError(place, fmt::format("a value between two commas is missing; {}", kExamples));
     }
-    if (const auto value = number_and_unit(entry)) values.push_back(*value);
+    if (const auto value = number_in_front(entry)) values.push_back(*value);
+    numbers_meant = numbers_meant || number_and_unit(entry);
   }
   study::Axis axis = study::word_axis(key, entries);
-  if (values.size() == entries.size()) {
+  if (numbers_meant && values.size() == entries.size()) {
     std::vector<double> numbers;
     for (const NumberAndUnit& w : values) numbers.push_back(w.number);
     axis = study::listed_axis(key, std::move(numbers), common_unit(values, place));

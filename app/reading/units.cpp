@@ -308,11 +308,20 @@ double parse_quantity(std::string_view text, const Kind& kind) {
   return value;
 }
 
-std::optional<NumberAndUnit> number_and_unit(std::string_view text) {
+std::optional<NumberAndUnit> number_in_front(std::string_view text) {
   try {
     const auto [number, unit] = split_number(trimmed(text), kNumber);
-    const bool serves = unit.empty() || quantity_of(UnitParser(unit, kNumber).parse().dimension);
-    if (serves) return NumberAndUnit{number, std::string(unit)};
+    return NumberAndUnit{number, std::string(unit)};
+  } catch (const UnitError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<NumberAndUnit> number_and_unit(std::string_view text) {
+  const auto apart = number_in_front(text);
+  if (!apart || apart->unit.empty()) return apart;
+  try {
+    if (quantity_of(UnitParser(apart->unit, kNumber).parse().dimension)) return apart;
   } catch (const UnitError&) {
     return std::nullopt;
   }

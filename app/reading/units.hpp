@@ -83,8 +83,9 @@ struct NumberAndUnit {
   std::string unit;  ///< may be empty
 };
 
-/// Nothing if no finite number stands in front, or what follows is the unit of no quantity ("0W20",
-/// "1500rpm.csv").
+/// Nothing if no finite number stands in front; whatever follows is taken for its unit.
+[[nodiscard]] std::optional<NumberAndUnit> number_in_front(std::string_view text);
+/// The same, nothing if what follows is the unit of no quantity ("0W20", "1500rpm.csv").
 [[nodiscard]] std::optional<NumberAndUnit> number_and_unit(std::string_view text);
 
 /// The factor that turns a value in `unit` into SI ("um" -> 1e-6); "1" is the unit of plain

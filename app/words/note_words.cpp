@@ -219,6 +219,15 @@ std::string text_of(const note::ShaftSwing& n) {
       n.T);
 }
 
+std::string text_of(const note::LongEvent& n) {
+  return fmt::format(
+      "heat goes some {:.2g} mm into the walls while this event lasts, deeper than half the "
+      "shaft's "
+      "radius ({:.2g} mm), up to which they are taken as flat: over so long a time run --transient "
+      "follows the bodies",
+      1e3 * n.reach, 1e3 * n.flat);
+}
+
 std::string text_of(const note::EstimateOfFilm& n) {
   return "estimate: rigid circular bearing fed at the widest gap, one temperature from a heat "
          "balance in lumps; regime " +

@@ -15,9 +15,12 @@ namespace {
 /// Those of a steady bearing, with the heat that its film gives them.
 WallMeans steady_walls(const Solution& s) {
   const FilmGrid& g = s.model.domain.grid;
-  const thermal::FilmEnergy energy(
+  thermal::FilmEnergy energy(
       film_energy_problem(s.model, s.point, s.film, friction_of(s.model, s.point, s.film)));
-  thermal::WallHeat q = energy.wall_heat(s.film.columns.T);
+  std::vector<double> T = s.film.columns.T;
+  for (int k = 0; k < kMostIterations && energy.sweep(T) > kKnownTemperature; ++k) {
+  }  // until what is mixed in the supplies has settled, too
+  thermal::WallHeat q = energy.wall_heat(T);
   const ContactHeat rubbed = contact_heat(s.model, s.point, s.film);
   for (int c = 0; c < g.cells(); ++c) {
     q.shell[c] = q.shell[c] / g.area(c) + rubbed.shell[c];
@@ -126,7 +129,10 @@ bool CyclePasses::begin_warm() {
   const WallMeans walls = steady_walls(s);
   now_.thermal_deformation = mean_deformation(walls);
   from_rest_ = false;
-  if (put(walls)) carry_oil_round();
+  if (!put(walls)) return true;
+  carry_oil_round();
+  film_.rest_walls(now_);
+  walls_ = film_.heat()->walls;
   return true;
 }
 

@@ -296,6 +296,11 @@ void CycleRecord::write_heat(CycleResult& r) const {
   };
   r.walls = film_->heat()->walls;
   r.assumptions.push_back(note::ShaftSwing{shaft_swing(), !course_->repeats()});
+  const solid::Material& shaft = film_->model().input.shaft->material;
+  const double reach =
+      std::sqrt(shaft.conductivity / (shaft.density * shaft.heat_capacity) * length_);
+  const double flat = 0.5 * g.radius;
+  if (!course_->repeats() && reach > flat) r.warnings.push_back(note::LongEvent{reach, flat});
   r.fields.T_shell = mean_over_time(T_shell_);
   r.fields.heat_to_shell = mean_over_time(heat_.to_shell);
   r.fields.T_shell_max = mirror_to_full(g, T_shell_max_);

@@ -19,6 +19,14 @@ thermal::SkinLayer skin_layer(const solid::Material& m, double thickness) {
   return {thickness, m.conductivity, m.density * m.heat_capacity, held * m.expansion};
 }
 
+bool is_event(const BearingModel& m) { return m.input.cycle && !m.input.cycle->repeats(); }
+
+/// Period to whose depth a skin must reach: heat that flows on over an event goes twice as deep as
+/// one that swings so long (of what swells by it a hundredth lies deeper).
+double reach_of(const BearingModel& m, double length) {
+  return is_event(m) ? 4.0 * length : length;
+}
+
 thermal::WallSkin shell_skin(const Case& c, double period, double shortest) {
   const Solids::Layers layers = wall_layers(c);
   const auto* cooled = std::get_if<ConvectiveBack>(&c.shell->back);
@@ -153,11 +161,11 @@ void HeatFlows::add(double f, const HeatFlows& other) {
 }
 
 HeatSteps::HeatSteps(const BearingModel& model, double period, double shortest)
-    : skin_(shell_skin(model.input, period, shortest)) {
-  if (!model.input.cycle || model.input.cycle->repeats()) return;
+    : skin_(shell_skin(model.input, reach_of(model, period), shortest)) {
+  if (!is_event(model)) return;
   const thermal::SkinLayer shaft =
       skin_layer(model.input.shaft->material, 0.5 * model.input.bearing.radius);
-  shaft_.emplace(std::vector{shaft}, period, shortest, 0.0);
+  shaft_.emplace(std::vector{shaft}, reach_of(model, period), shortest, 0.0);
 }
 
 HeatInTime HeatSteps::begin(const BearingModel& model, std::vector<double> T,

@@ -64,8 +64,9 @@ Verdict first_film(Solution& s, double T, const SolveControl& control) {
     };
     s.film = cold_start(s.model, s.point, T);
     const auto b = follow_from(s, Raised::place, kLight, begin, correct, control);
-    const bool lost = !b || b->end == BranchEnd::lost;
-    return lost ? v : b->end == BranchEnd::reached ? Verdict{} : b->last;
+    if (!b) return v;
+    if (b->end == BranchEnd::lost) return branch_ended(s, *b);
+    return b->end == BranchEnd::reached ? Verdict{} : b->last;
   }
   const std::optional<Branch> branch = follow_loads(
       s,

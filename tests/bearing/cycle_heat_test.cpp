@@ -281,6 +281,28 @@ TEST_CASE("OverAnEventWallsWarmAsInAWarmUp", "[cycle_heat]") {
   }
 }
 
+TEST_CASE("AnEventThatStaysSteadyKeepsItsWalls", "[cycle_heat]") {
+  // Ten seconds in which nothing changes: the shaft's ring and a thin shell would drift with every
+  // watt that is not the steady one's. 20 W went in at first and -7 in the end.
+  Case c = warm_case();
+  c.shell->layers = {{steel(), 2e-3}};
+  c.shell->housing.reset();
+  c.shell->back = ConvectiveBack{80.0, 313.15};
+  c.model.grid = {36, 6};
+  LoadCycle event;
+  event.t = {0.0, 10.0};
+  event.x.assign(2, 0.0);
+  event.y.assign(2, -2e3);
+  event.journal_mass = 0.5;
+  c.cycle = event;
+  const CycleResult r = converged(c, Tier::thd);
+  const CycleInstant &first = r.instants[1], &last = r.instants.back();
+  CHECK(last.heat_to_shaft == Approx(first.heat_to_shaft).epsilon(1e-3));
+  CHECK(last.heat_to_shell == Approx(first.heat_to_shell).epsilon(1e-3));
+  CHECK(last.T_shell_max == Approx(first.T_shell_max).margin(1e-3));  // [K]
+  CHECK(last.torque == Approx(first.torque).epsilon(1e-5));
+}
+
 TEST_CASE("AnEventThatBeginsWithAJumpComesFromItsFirstRow", "[cycle_heat]") {
   // The same jump a microsecond later: the journal is hardly on its way then.
   Case c = plain_case();

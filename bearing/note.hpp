@@ -273,6 +273,11 @@ struct LandUnseen {
   double land = 0.0;  ///< [m]
 };
 
+/// Supplies of different pressure or temperature without a film between them.
+struct SuppliesJoined {
+  int first = 0, second = 0;
+};
+
 /// A supply into which more oil is pressed back than it feeds.
 struct SupplyTakesBack {
   int supply = 0;
@@ -314,7 +319,7 @@ using Note = std::variant<
     note::StatesEnd, note::LiningTooHot, note::OtherSteadyState, note::LayerPressed,
     note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound,
     note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::LandUnseen,
-    note::HardlySliding, note::SupplyTakesBack, note::ShaftSwing, note::LongEvent,
-    note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::SuppliesJoined, note::HardlySliding, note::SupplyTakesBack, note::ShaftSwing,
+    note::LongEvent, note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -60,7 +60,9 @@ struct Quantities {
   double mu_abrasive = kUnknown;                         ///< mean coefficient [-]
   double mu_adhesive = kUnknown;                         ///< [-]
   double mu_micro_hydrodynamic = kUnknown;               ///< [-]
-  double friction_torque_shell = kUnknown;               ///< on the shell [N m]
+  /// On the shell, as its housing feels it: that of the journal less the moment of the film's force
+  /// on a journal off the axis [N m].
+  double friction_torque_shell = kUnknown;
   double breakaway_torque = kUnknown;     ///< at which a journal at rest begins to turn [N m]
   double lift_off_speed = kUnknown;       ///< at which asperities hardly rub any more [rad/s]
   double power_loss = kUnknown;           ///< friction torque times speed [W]

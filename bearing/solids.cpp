@@ -153,15 +153,15 @@ void Solids::build_compliance(const Case& c, const HarmonicOperator& shell) {
   const HarmonicOperator journal = solid::shaft_compliance(shaft, grid_, c.shaft->material, N);
   compliance_ = shell;
   for (std::size_t n = 0; n < compliance_.size(); ++n) compliance_[n] += journal[n];
+  if (compliance_.size() > 1) hold_shaft(c, beyond);
+  winkler_ = mean_compliance(compliance_);  // of the surface: bending is no matter of a cell
   if (c.shaft->span && compliance_.size() > 1) {
     compliance_[1] += solid::shaft_bending(grid_, c.shaft->material, *c.shaft->span,
                                            c.bearing.width + 2.0 * beyond);
   }
-  if (!c.shaft->span && compliance_.size() > 1) hold_free_shaft(c, beyond);
-  winkler_ = mean_compliance(compliance_);
 }
 
-void Solids::hold_free_shaft(const Case& c, double beyond) {
+void Solids::hold_shaft(const Case& c, double beyond) {
   const double R = c.bearing.radius, width = c.bearing.width;
   if (beyond <= R) return;
   const auto shift = [&](double overhang) {

@@ -132,7 +132,7 @@ class Solids {
   void build_compliance(const Case& c, const HarmonicOperator& shell);
   /// A free shaft that overhangs by more than its radius is moved back by what its section bends
   /// as a whole beyond that of one radius: e stays the place of the journal within the bearing.
-  void hold_free_shaft(const Case& c, double beyond);
+  void hold_shaft(const Case& c, double beyond);
   /// Changes of the mean shell and shaft temperature that balance the heat [K].
   struct MeanChange {
     double shell = 0.0;

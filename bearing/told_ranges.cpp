@@ -140,6 +140,19 @@ void add_lands(const BearingModel& m, std::vector<Note>& out) {
   }
 }
 
+/// Of those that are not alike.
+void add_joined_supplies(const BearingModel& m, std::vector<Note>& out) {
+  const std::vector<Supply>& s = m.input.supplies;
+  for (int a = 0; a < static_cast<int>(s.size()); ++a) {
+    for (int b = a + 1; b < static_cast<int>(s.size()); ++b) {
+      const bool alike = s[a].pressure == s[b].pressure && s[a].temperature == s[b].temperature;
+      if (m.supply.touching[a] == m.supply.touching[b] && !alike) {
+        out.push_back(note::SuppliesJoined{a, b});
+      }
+    }
+  }
+}
+
 /// A layer behind the first is pressed over a wider area, by less: told is what it has at most.
 void add_strain(const BearingModel& m, double p_max, std::vector<Note>& out) {
   if (!m.physics.elastic || !m.input.shell) return;
@@ -199,6 +212,7 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   add_bore(m, reach, out);
   add_holes(m, out);
   add_lands(m, out);
+  add_joined_supplies(m, out);
   add_strain(m, reach.p_max, out);
   add_flown_layer(m, reach.layer_depth, out);
   add_hot_lining(m, reach.T_shell, out);

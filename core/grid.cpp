@@ -80,14 +80,17 @@ std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1) {
     count[s] = std::max(least[s], static_cast<int>(std::lround(share)));
     used += count[s];
   }
-  // One more where cells are widest, or one less where those that are left come out smallest.
+  // One more where cells are widest, or one less where the widest of those that are left comes out
+  // smallest; what a hole has beyond its rows goes first.
   while (used != n) {
     int best = -1;
     double worst = 0.0;
     for (int s = 0; s < segments; ++s) {
       if (used > n && count[s] == least[s]) continue;
       const double key = used < n ? (edges[s + 1].at - edges[s].at) / count[s]
-                                  : 1.0 / widest(edges[s], edges[s + 1], count[s] - 1);
+                         : is_hole(edges[s], edges[s + 1])
+                             ? INFINITY
+                             : 1.0 / widest(edges[s], edges[s + 1], count[s] - 1);
       if (best < 0 || key > worst) {
         worst = key;
         best = s;

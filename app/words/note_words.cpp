@@ -372,6 +372,15 @@ std::string text_of(const note::LandUnseen& n) {
       n.supply, n.land * 1e3);
 }
 
+std::string text_of(const note::SuppliesJoined& n) {
+  return fmt::format(
+      "supply.{} and supply.{} stand side by side without a cell of film: what flows from the one "
+      "to "
+      "the other is in neither's flow nor in the pump's power, and their oil is mixed; a land "
+      "between them needs a finer model.grid",
+      n.first, n.second);
+}
+
 std::string text_of(const note::SupplyTakesBack& n) {
   constexpr double kLitreMinutes = 6e4;
   return fmt::format(

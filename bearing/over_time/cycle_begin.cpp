@@ -76,6 +76,7 @@ void CyclePasses::carry_oil_round() {
     if (step.verdict.status == Status::interrupted) r_.verdict = step.verdict;
     if (!step.verdict.good()) return;  // it begins with the oil of the steady film
     now = std::move(step.after);
+    FilmSteps::hold_walls(now);  // oil is carried beside walls that stand
   }
   now.t = 0.0;
   now_ = std::move(now);

@@ -102,6 +102,8 @@ class FilmSteps {
   /// elastic surfaces for a jump that no short step makes smaller (docs/decisions/039). False if
   /// the walls would grow together.
   [[nodiscard]] bool set_walls(WallMeans walls, double period, double shortest, FilmInTime& now);
+  /// The walls are as warm as their mean, whatever has entered their skins.
+  static void hold_walls(FilmInTime& now);
   /// The heat that flows now is what belongs to the walls' temperatures: they are at rest.
   void rest_walls(FilmInTime& now);
   /// `now` of the same bearing with a shell of another shape: oil keeps its fill ratios where the

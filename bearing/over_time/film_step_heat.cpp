@@ -94,13 +94,17 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
   return true;
 }
 
+void FilmSteps::hold_walls(FilmInTime& now) {
+  now.heat.skin.assign(now.heat.skin.size(), 0.0);
+  now.heat.skin_slope.assign(now.heat.skin.size(), 0.0);
+}
+
 void FilmSteps::rest_walls(FilmInTime& now) {
   const HeatFlows& flows = now.heat.flows;
   if (!heat_ || flows.to_shell.empty()) return;
   heat_->walls.flux = flows.to_shell;
   heat_->walls.shaft_flux = mean_of_rings(model_, of_cells(model_.domain.grid, flows.to_shaft));
-  std::fill(now.heat.skin.begin(), now.heat.skin.end(), 0.0);
-  now.heat.skin_slope.assign(now.heat.skin.size(), 0.0);
+  hold_walls(now);
 }
 
 Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<FilmStage>& stages,

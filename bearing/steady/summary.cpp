@@ -98,12 +98,19 @@ void add_friction_parts(const Solution& s, Quantities& q) {
   q.mu_micro_hydrodynamic = mean(q.friction_torque_micro_hydrodynamic);
 }
 
+/// Of the film's force and moment on a journal that stands off the shell's axis, about that [N m].
+double moment_of_eccentricity(const FilmEquilibrium& s) {
+  const auto& [ex, ey, psi_x, psi_y] = s.position.q;
+  const auto& [fx, fy, mx, my] = s.force;
+  return ex * fy - ey * fx + psi_x * my - psi_y * mx;
+}
+
 void add_mechanics(const Solution& s, const Friction& f, Quantities& q) {
   const BearingModel& m = s.model;
   const double omega = s.point.omega();
   q.friction_torque = f.torque();
   q.friction_torque_asperity = f.asperity;
-  q.friction_torque_shell = f.viscous_shell + f.asperity;
+  q.friction_torque_shell = f.torque() - moment_of_eccentricity(s.film);
   q.power_loss = f.torque() * omega;
   q.pump_power = pump_power(m, s.point, s.film);
   q.eccentricity_ratio = std::hypot(s.film.position.ex(), s.film.position.ey()) / m.clearance;

@@ -296,11 +296,11 @@ TEST_CASE("AnEventThatStaysSteadyKeepsItsWalls", "[cycle_heat]") {
   event.journal_mass = 0.5;
   c.cycle = event;
   const CycleResult r = converged(c, Tier::thd);
-  const CycleInstant &first = r.instants[1], &last = r.instants.back();
+  const CycleInstant &first = r.instants.front(), &last = r.instants.back();
   CHECK(last.heat_to_shaft == Approx(first.heat_to_shaft).epsilon(1e-3));
   CHECK(last.heat_to_shell == Approx(first.heat_to_shell).epsilon(1e-3));
   CHECK(last.T_shell_max == Approx(first.T_shell_max).margin(1e-3));  // [K]
-  CHECK(last.torque == Approx(first.torque).epsilon(1e-5));
+  CHECK(last.torque == Approx(first.torque).epsilon(3e-4));           // the film of steps of 0.1 s
 }
 
 TEST_CASE("AnEventThatBeginsWithAJumpComesFromItsFirstRow", "[cycle_heat]") {

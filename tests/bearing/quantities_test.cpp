@@ -59,3 +59,35 @@ TEST_CASE("AResultGivesItsValuesByNameAndTyped") {
     CHECK(q.*entry->member == reported.value);
   }
 }
+
+TEST_CASE("TheShellsTorqueIsWhatItsHousingFeels", "[quantities]") {
+  // In a round bore that of the shear alone, to second order in the cell. In one that is not, the
+  // film's pressure turns it, too: - int p d(shape)/dphi dA, here of two lobes of 3 um.
+  for (const bool round : {true, false}) {
+    for (const double tilt : {0.0, 2e-4}) {
+      Case c = plain_case();
+      c.model.grid = {200, 13};
+      c.operation.alignment = TiltGiven{tilt, 0.5 * tilt};
+      Profile lobes;
+      lobes.z = {0.0};
+      for (int k = 0; k < 360; ++k) {
+        lobes.phi.push_back(k * kDegree);
+        lobes.height.push_back(3e-6 * std::cos(2.0 * k * kDegree + 0.7));
+      }
+      if (!round) c.bearing.shape = lobes;
+      const Solution s = solve_tier(c, Tier::isothermal);
+      REQUIRE(s.verdict.good());
+      const Friction f = friction_of(s.model, s.point, s.film);
+      double by_shape = 0.0;
+      const FilmGrid& g = s.model.domain.grid;
+      for (int k = 0; k < g.cells(); ++k) {
+        const double slope = -6e-6 * std::sin(2.0 * g.phi[k / g.nz] + 0.7);
+        if (!round) by_shape += s.film.film.p[k] * slope * g.multiplicity() * g.area(k);
+      }
+      const double told = summarize(s, Tier::isothermal).value("friction_torque_shell");
+      INFO((round ? "round, " : "lobes, ") << tilt << ": " << told << ", shear alone "
+                                           << f.viscous_shell << ", shape " << by_shape);
+      CHECK(told == Approx(f.viscous_shell - by_shape).epsilon(2e-3));
+    }
+  }
+}

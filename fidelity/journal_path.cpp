@@ -102,17 +102,17 @@ std::optional<Pair> JournalPath::pass(const Pair& from, bool record) {
 
 Pair JournalPath::steady_place() {
   constexpr double kAtRest = 1e-6;  // of its speed, over the gap that is left
-  const double omega = std::abs(course_.at(0.0).omega);
+  const double omega = std::abs(course_.begins().omega);
   began_steady_ = true;
   const Motion motion{
-      [&](double, const Pair& x, Pair& v) { return motion_.rate(0.0, false, x, v); }, gap_left,
+      [&](double, const Pair& x, Pair& v) { return motion_.rate(0.0, true, x, v); }, gap_left,
       tolerance_, INFINITY};
   SmoothMotion path(motion);
   path.begin(0.0, {0.0, 0.0});
   for (double turns = 1.0; turns <= kMostTurns && omega > 0.0; turns *= 2.0) {
     if (!path.go_to(2.0 * kPi * turns / omega)) break;
     Pair v{};
-    const bool known = motion_.rate(0.0, false, path.now(), v);
+    const bool known = motion_.rate(0.0, true, path.now(), v);
     if (known && std::hypot(v[0], v[1]) < kAtRest * omega * gap_left(path.now())) return path.now();
   }
   began_steady_ = false;

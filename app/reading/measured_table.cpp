@@ -175,7 +175,7 @@ void Reading::add_inputs() {
     std::vector<double> numbers;
     std::string unit;
     for (const std::size_t row : rows_) {
-      const auto written = number_and_unit(csv_.written(row, c.name));
+      const auto written = number_in_front(csv_.written(row, c.name));  // read as one before
       numbers.push_back(written->number);
       unit = written->unit;
     }

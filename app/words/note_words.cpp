@@ -222,9 +222,8 @@ std::string text_of(const note::ShaftSwing& n) {
 std::string text_of(const note::LongEvent& n) {
   return fmt::format(
       "heat goes some {:.2g} mm into the walls while this event lasts, deeper than half the "
-      "shaft's "
-      "radius ({:.2g} mm), up to which they are taken as flat: over so long a time run --transient "
-      "follows the bodies",
+      "shaft's radius ({:.2g} mm), up to which they are taken as flat: over so long a time run "
+      "--transient follows the bodies",
       1e3 * n.reach, 1e3 * n.flat);
 }
 
@@ -375,8 +374,7 @@ std::string text_of(const note::LandUnseen& n) {
 std::string text_of(const note::SuppliesJoined& n) {
   return fmt::format(
       "supply.{} and supply.{} stand side by side without a cell of film: what flows from the one "
-      "to "
-      "the other is in neither's flow nor in the pump's power, and their oil is mixed; a land "
+      "to the other is in neither's flow nor in the pump's power, and their oil is mixed; a land "
       "between them needs a finer model.grid",
       n.first, n.second);
 }

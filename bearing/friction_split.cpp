@@ -15,6 +15,7 @@ void close_split(const Torque& start, const Torque& end, FrictionSplit& split) {
 Calibration calibrate(const std::function<double(double)>& torque, double wanted, double guess,
                       const BracketOptions& options) {
   Calibration out;
+  const double turned = wanted < 0.0 ? -1.0 : 1.0;  // a journal that turns clockwise
   const auto excess = [&](double T) {
     const double here = torque(T);
     if (std::isnan(here)) return here;
@@ -22,7 +23,7 @@ Calibration calibrate(const std::function<double(double)>& torque, double wanted
     out.warmest = std::max(out.warmest, T);
     out.least_torque = std::min(out.least_torque, here);
     out.most_torque = std::max(out.most_torque, here);
-    return here - wanted;
+    return turned * (here - wanted);
   };
   const KnownPoint begun{guess, excess(guess)};
   if (begun.f == 0.0) out.T = guess;

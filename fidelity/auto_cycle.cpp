@@ -28,8 +28,8 @@ constexpr double kOfSteps = 0.25;  ///< part of the tolerance that the steps in 
 constexpr int kRounds = 3;         ///< of grids and steps
 /// In one round: cells, twice as many in each direction, and steps.
 constexpr double kMost = 4.0;
-const std::vector<Grid> kProbes{
-    {48, 8}, {60, 10}, {80, 14}};  ///< the first that holds the supplies
+/// The first that holds the supplies is the probe's; from kFirst on that of the first round.
+const std::vector<Grid> kCycleGrids{{48, 8}, {60, 10}, {80, 14}, {96, 12}, {200, 25}, kUsualGrid};
 constexpr Grid kFirst{96, 12};
 
 /// Of the mean torque and of the smallest film [-].
@@ -61,7 +61,9 @@ class CycleTierSearch {
     if (auto quick = good_estimate()) return *std::move(quick);
     if (!choose_tier()) return chosen(std::move(last_));
     on_.model.tier = tier_;
-    on_.model.grid = case_.model.grid_given ? case_.model.grid : kFirst;
+    on_.model.grid = case_.model.grid_given
+                         ? case_.model.grid
+                         : holding(std::find(kCycleGrids.begin(), kCycleGrids.end(), kFirst));
     for (int k = 0; k < kRounds; ++k) {
       CycleResult next = solve_cycle_with_bars(on_, control_);
       note(next);
@@ -99,16 +101,19 @@ class CycleTierSearch {
     return r;
   }
 
-  /// A grid that holds the supplies.
-  void choose_probe() {
+  /// The first grid that holds the supplies; none: the one that is given, or the finest, whose
+  /// refusal tells what they take.
+  [[nodiscard]] Grid holding(std::vector<Grid>::const_iterator from) const {
     const auto holds = [this](const Grid& grid) { return holds_supplies(on_, grid); };
-    const auto first = std::find_if(kProbes.begin(), kProbes.end(), holds);
-    on_.model.grid = first != kProbes.end() ? *first : kProbes.back();
+    const auto first = std::find_if(from, kCycleGrids.end(), holds);
+    return first != kCycleGrids.end() ? *first
+           : case_.model.grid_given   ? case_.model.grid
+                                      : kCycleGrids.back();
   }
 
   /// False: no tier is found on the coarse grid; `last_` tells why.
   bool choose_tier() {
-    choose_probe();
+    on_.model.grid = holding(kCycleGrids.begin());
     std::vector<Tier> tiers = possible_tiers(case_);
     CycleResult rich;
     while (!tiers.empty()) {

@@ -7,9 +7,11 @@
 
 #include "bearing/judge/judge_case.hpp"
 #include "bearing/solids.hpp"
+#include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/auto_probe.hpp"
+#include "fidelity/bar_rules.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/estimate.hpp"
 #include "fidelity/grid_error.hpp"
@@ -44,6 +46,17 @@ constexpr double kHoleNoise = 0.002;
 bool has_holes(const Case& c) {
   const auto hole = [](const Supply& s) { return s.kind == SupplyKind::hole; };
   return std::any_of(c.supplies.begin(), c.supplies.end(), hole);
+}
+
+/// Part of the rise of the oil in supplies that is open where they take few cells around: which
+/// cells those are is chance for one of them [-].
+double open_by_supplies(const Case& c, int cells_around) {
+  double open = 0.0;
+  for (const Supply& s : c.supplies) {
+    const double cells = cells_around * s.arc / (2.0 * kPi);
+    if (cells > 0.0) open = std::max(open, std::min(1.0, 1.0 / cells));
+  }
+  return open;
 }
 
 /// Cells around of the film that follows a full solution.
@@ -88,8 +101,9 @@ class TierSearch {
 
   void solve_grids() {
     auto grids = kSequence;
-    if (case_.model.grid_given) grids.resize(1);  // for the probe only
-    if (tolerance() < kFineTolerance) {
+    if (case_.model.grid_given) {
+      grids.resize(1);  // for the probe only
+    } else if (tolerance() < kFineTolerance) {
       grids.insert(grids.end(), kFineGrids.begin(), kFineGrids.end());
     }
     for (std::size_t k = 0; k < grids.size(); ++k) {
@@ -112,7 +126,7 @@ class TierSearch {
       s = levels_.empty() ? solve_tier(c, tier(), control_)
                           : solve_tier_from(c, tier(), finest_, control_, otherwise);
     } catch (const InputError&) {
-      if (case_.model.grid_given) throw;
+      if (grid == last_resort()) throw;
       return false;  // too coarse for the supplies
     }
     add(s.cost, cost_);
@@ -170,6 +184,11 @@ class TierSearch {
                         film_cells(l.grid));
     };
     GridLimit l = grid_limit(around(coarse), around(own), coarse.grid[1], own.grid[1]);
+    if (!of_film ||
+        !std::isfinite(value_in(own.film, name))) {  // no film tells what is left around
+      l.bar +=
+          onward(coarse.grid[0], own.grid[0], kFineGrid[0], kLeastOrder) * std::abs(value - before);
+    }
     if (of_film && has_holes(case_)) l.bar += kHoleNoise * std::abs(l.value);
     return l;
   }
@@ -211,11 +230,16 @@ class TierSearch {
     return bars().within(tolerance()) || !on_any_grid.within(tolerance());
   }
 
-  /// The grid of the case, or one on which no sequence is needed, with the bars of every tier.
+  /// The grid of the case, or one on which no sequence is needed.
+  [[nodiscard]] Grid last_resort() const {
+    if (case_.model.grid_given) return case_.model.grid;
+    return tolerance() < kFineTolerance ? kFineGrid : kUsualGrid;
+  }
+
+  /// On it, with the bars of every tier.
   Result on_one_grid() {
-    const Grid usual = tolerance() < kFineTolerance ? kFineGrid : kUsualGrid;
     levels_.clear();  // from cold
-    if (!solve_on(case_.model.grid_given ? case_.model.grid : usual)) {
+    if (!solve_on(last_resort())) {
       return bearing::summarize(finest_, tier());
     }
     Result r = fidelity::summarize(finest_, tier(), control_);
@@ -236,20 +260,33 @@ class TierSearch {
     for (const Level& level : levels_) r.levels.push_back({level.grid, level.whole});
     const std::vector<Quantity> here = r.quantities;
     const double of_heat = bar_of_heat();
+    Judged judged;
+    std::vector<BarOfSize> bars_of_grid;
     for (Quantity& q : r.quantities) {
       const GridLimit l = limit(q.name);
       const double size = natural_size(q, mean_supply_temperature(case_), here);
       q.value = l.value;
       q.error_grid = l.bar + l.beyond + nodes_left(q.name);
       if (is_of_heat(q.name)) q.error_grid = std::fmax(q.error_grid, of_heat * size);
+      if (q.name == "T_supply_mixed") {
+        q.error_grid += open_by_supplies(case_, levels_.back().grid[0]) * size;
+      }
       if (choice_ && heat_.friction == 0.0) q.error_model = choice_->left_of(q.name) * size;
       const bool torque = q.name == "friction_torque" || q.name == "power_loss";
       if (torque) q.error_model = model_bars().friction * std::abs(q.value);
-      if (q.name != "h_min") continue;
-      q.error_model = model_bars().h_min * std::abs(q.value);
-      q.error_grid +=  // of no grid, as `beyond`
-          edge_error(finest_);
+      if (q.name == "h_min") {
+        q.error_model = model_bars().h_min * std::abs(q.value);
+        q.error_grid += edge_error(finest_);  // of no grid, as `beyond`
+      }
+      if (given_by_case(case_, r.tier, q.name)) continue;
+      const bool coefficient = is_coefficient(q) || q.name.starts_with("whirl_");
+      judged.emplace_back(&q, size);
+      bars_of_grid.push_back({&q.error_grid, size, is_part_of_friction(q.name) || coefficient});
     }
+    share_bars(bars_of_grid);
+    share_bars_of_coefficients(judged);
+    widen_bars_of_light_contact(finest_.model, r);
+    bound_bars(case_, r);
     r.assumptions.push_back(note::ScalarsOfFinerGrid{kFineGrid, r.grid, solved_});
     return chosen(std::move(r), bars());
   }

@@ -139,8 +139,8 @@ ModelError model_error(const Solution& coarse, const SolveControl& control) {
       continue;
     }
     const auto before = scalars(here), after = scalars(*next);
-    const auto relative = [&](const char* name) {
-      return (value_in(after, name) - value_in(before, name)) / std::abs(value_in(before, name));
+    const auto relative = [&](const char* name) {  // torque against a clockwise turn is negative
+      return value_in(after, name) / value_in(before, name) - 1.0;
     };
     out.effects.push_back({step.effect, relative("friction_torque"), relative("h_min")});
     add_squares(change(before, after), out.one_by_one);

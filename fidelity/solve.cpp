@@ -6,9 +6,9 @@
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 #include "core/stopwatch.hpp"
+#include "fidelity/bar_rules.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
-#include "fidelity/light_contact.hpp"
 
 namespace shellback::fidelity {
 
@@ -24,23 +24,6 @@ bool nodes_matter(const BearingModel& m) {
 double limit_of(const Case& c, const Quantity& q, double limit) {
   const bool turned = one_sign(q) && limit * q.value < 0.0;
   return turned || !bounds_of(c, q.name).holds(limit) ? NAN : limit;
-}
-
-using Judged = std::vector<std::pair<Quantity*, double>>;  ///< a quantity and its natural size
-
-/// Stiffness and damping share one film, whose ends move by whole cells as the grid changes: which
-/// entry feels it, and which of them three grids happen to agree on, is chance. None has a bar
-/// shorter, against its size, than the longest; nor has the threshold of whirl that follows.
-void share_bars_of_coefficients(const Judged& judged) {
-  double longest = 0.0;
-  for (const auto& [q, size] : judged) {
-    const double bar = q->error_grid / size;
-    if (is_coefficient(*q) && std::isfinite(bar)) longest = std::max(longest, bar);
-  }
-  for (const auto& [q, size] : judged) {
-    if (!is_coefficient(*q) && !q->name.starts_with("whirl_")) continue;
-    if (std::isfinite(q->error_grid)) q->error_grid = std::max(q->error_grid, longest * size);
-  }
 }
 
 /// The heat by which temperatures rise is known no better than the torque, whatever grids agree on
@@ -92,32 +75,6 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   share_bars(bars);
   share_bars_of_coefficients(judged);
   share_bar_of_heat(judged, result);
-}
-
-/// Summits that hardly touch (light_contact.hpp); their friction is part of the whole, which has a
-/// bar.
-void widen_bars_of_light_contact(const BearingModel& m, Result& result) {
-  const Quantity* h = quantity_in(result.quantities, "h_min");
-  const double share = result.value("asperity_load_share");
-  if (!m.contact || !(share < kLight) || !std::isfinite(h->error_grid)) return;
-  const double now = m.contact->at(h->value).p;
-  const double open = now + left_open_by_film(*m.contact, h->value, h->error_grid);
-  // Shares of the load: as much more as the pressure; where that is nothing, at most all over.
-  const Bearing& b = m.input.bearing;
-  const double load = std::hypot(result.value("load_x"), result.value("load_y"));
-  const double more = now > 0.0 && share > 0.0 ? share * (open / now - 1.0)
-                                               : 2.0 * b.radius * b.width * open / load;
-  const double shares = std::min(more, 1.0);
-  const Quantity* torque = quantity_in(result.quantities, "friction_torque");
-  const double whole = std::abs(torque->value) + torque->error_grid;
-  for (Quantity& q : result.quantities) {
-    double bar = 0.0;
-    if (q.name == "p_asperity_max") bar = open - now;
-    if (q.name == "asperity_load_share") bar = shares;
-    if (q.name == "friction_torque_asperity")
-      bar = std::min(m.contact->friction().at_rest() * shares * load * b.radius, whole);
-    if (bar > q.error_grid) q.error_grid = bar;
-  }
 }
 
 /// What the full physics would change on the fine grid: as much as on the coarse one, absolutely
@@ -178,16 +135,8 @@ void put_bars(const BarRecord& record, Result& result) {
     put_grid_bars(record, result);
     widen_bars_of_light_contact(record.coarse->model, result);
     const auto coarse = scalars(*record.coarse);
-    const Case& c = record.coarse->model.input;
-    for (Quantity& q : result.quantities) {
-      q.error_model = model_bar(record, coarse, q);
-      const double most = furthest(c, q);
-      if (q.error_grid > most) q.error_grid = most;
-      if (q.error_model > most) q.error_model = most;
-    }
-    std::vector<Quantity*> list;
-    for (Quantity& q : result.quantities) list.push_back(&q);
-    bound_parts_of_friction(list);
+    for (Quantity& q : result.quantities) q.error_model = model_bar(record, coarse, q);
+    bound_bars(record.coarse->model.input, result);
   }
   for (Effect& e : result.effects) {
     for (const EffectChange& change : record.model.effects) {

@@ -218,7 +218,7 @@ std::string difference(const DisplayUnit& unit, double value, double reference) 
   if (!std::isfinite(value) || !std::isfinite(reference)) return "n/a";
   if (unit.unit == "degC") return fmt::format("{:+.1f} K", value - reference);
   if (reference == 0.0) return "n/a";
-  return fmt::format("{:+.1f} %", 100.0 * (value - reference) / std::abs(reference));
+  return fmt::format("{:+.1f} %", 100.0 * (value / reference - 1.0));
 }
 
 std::string status_line(const bearing::Result& result) {

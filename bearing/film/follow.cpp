@@ -371,9 +371,17 @@ std::optional<Branch> follow_from(Solution& s, Raised raised, std::span<const do
   return std::nullopt;
 }
 
+std::span<const double> light_loads(const std::vector<Limit>& limits) {
+  std::span<const double> parts = kLight;
+  if (limits.empty() || limits.back().raised != Raised::load) return parts;
+  while (parts.size() > 1 && parts.front() > limits.back().part) parts = parts.subspan(1);
+  return parts;
+}
+
 std::optional<Branch> follow_loads(Solution& s, const std::function<Verdict()>& start,
                                    const Corrector& correct, const SolveControl& control) {
-  std::optional<Branch> light = follow_from(s, Raised::load, kLight, start, correct, control);
+  const std::span<const double> parts = light_loads(s.limits);
+  std::optional<Branch> light = follow_from(s, Raised::load, parts, start, correct, control);
   const bool open = !light || light->end == BranchEnd::turned || light->end == BranchEnd::lost;
   if (!open || s.cost.spent()) return light;
   const Reached last{s.film, s.heat};

@@ -38,6 +38,13 @@ Probe probe(const Solution& s) {
   return p;
 }
 
+/// Combined, of all the surface or, if that is more, of the summits alone [m].
+double largest_roughness(const Surfaces& of) {
+  return std::max(
+      std::hypot(of.shell.roughness, of.shaft.roughness),
+      of.contact ? std::hypot(of.shell.summit_roughness, of.shaft.summit_roughness) : 0.0);
+}
+
 double temperature_rise(const Solution& s, const Friction& f, const Probe& p) {
   const double flow = fluid::oil_flows(s.point.scene, s.film.flow).side;
   const double cp = rheology::heat_capacity(s.model.oil, p.T).cp;
@@ -54,8 +61,7 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
   const double U = s.point.scene.speed;
   const double k = rheology::conductivity(m.oil, p.T, 0.0).k;
   const double alpha = rheology::pressure_slope(m.input.oil, p.T, 0.0);
-  const double sigma =
-      std::hypot(m.input.surfaces.shell.roughness, m.input.surfaces.shaft.roughness);
+  const double sigma = largest_roughness(m.input.surfaces);
   const note::NotLaminar film = reynolds_number(m, U, p.T);
   return {
       {EffectKind::heating, has.film_energy, p.beta * temperature_rise(s, f, p)},

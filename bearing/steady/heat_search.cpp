@@ -177,6 +177,7 @@ Verdict HeatSearch::no_branch() const {
     const auto closed = closed_at_rest(m.input, *m.solids, m.domain.grid);
     if (closed) return {Status::iteration_limit, *closed};
   }
+  if (s_.cost.spent()) return {Status::iteration_limit, ending::Plain::given_up};
   const bool placed = s_.point.load.unknowns == 0;
   return {Status::iteration_limit,
           placed ? ending::Plain::no_slow_state : ending::Plain::no_light_state};

@@ -93,6 +93,19 @@ TEST_CASE("AnEquivalentTemperatureIsFoundWhicheverWayFrictionGoes", "[compare]")
   CHECK(std::isnan(found([](double T) { return 1.0 + std::pow(T - 360.0, 2); })));
 }
 
+TEST_CASE("AnEquivalentTemperatureDoesNotHangOnTheSenseOfRotation", "[compare]") {
+  // Least friction at 360 K, the same on either side of it: the root is that of the guess's side,
+  // the film's from the cold, in the mirror, too.
+  const auto torque = [](double T) { return 1.0 + std::pow((T - 360.0) / 20.0, 2); };
+  for (const double guess : {330.0, 350.0, 358.0, 362.0, 390.0}) {
+    const double forth = calibrate(torque, 1.5, guess, {0.0, 1e-9}).T;
+    const double back = calibrate([&](double T) { return -torque(T); }, -1.5, guess, {0.0, 1e-9}).T;
+    INFO(guess);
+    REQUIRE(std::isfinite(forth));
+    CHECK(back == forth);
+  }
+}
+
 TEST_CASE("WhereNoTemperatureHasTheFrictionWhatWasSeenIsKept", "[compare]") {
   const double guess = 353.15, reach = kCalibrationReach;
   const auto falling = [=](double T) { return 1.0 - 0.01 * (T - guess); };

@@ -7,6 +7,7 @@
 #include "app/words/note_words.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/held_film.hpp"
+#include "fidelity/quantities.hpp"
 #include "fidelity/solve_case.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -182,6 +183,76 @@ TEST_CASE("AutoRespectsSwitchesAndGridOfTheCase") {
   const Result direct = summarize(solve_tier(c, Tier::tehd), Tier::tehd);
   // The values are those of the given grid, to the tolerance of the thermal loop.
   CHECK(r.value("h_min") == Approx(direct.value("h_min")).epsilon(2e-3));
+}
+
+TEST_CASE("AutoLeavesSummitsOutOnlyWhereTheFilmDoesNotFeelThem") {
+  // Honed smooth between its summits: the flow knows no roughness, the contact does.
+  Case c = rig_case();
+  c.surfaces.shell.roughness = c.surfaces.shaft.roughness = 0.0;
+  c.operation.omega /= 3.0;
+  set_load(c, 10e3);
+  const Result r = solve_case(automatic(c, 0.05));
+  REQUIRE(r.verdict.good());
+  CHECK(effect(r, EffectKind::roughness_and_contact).included);
+  const Result fine = solve_case(c);
+  REQUIRE(fine.verdict.good());
+  const double asperities = fine.value("friction_torque_asperity");
+  REQUIRE(asperities > 0.2 * fine.value("friction_torque"));
+  const Quantity* told = quantity_in(r.quantities, "friction_torque_asperity");
+  const Quantity* known = quantity_in(fine.quantities, "friction_torque_asperity");
+  CHECK(std::abs(told->value - asperities) <= told->error_grid + known->error_grid);
+}
+
+TEST_CASE("BarsOfCoefficientsFromCoarseGridsHoldThoseOfAFineOne") {
+  Case c = grooved_case();
+  c.model.coefficients = true;
+  const Result r = solve_case(automatic(c, 0.03));
+  REQUIRE(r.verdict.good());
+  c.model.tier = Tier::tehd;
+  c.model.grid = {200, 48};
+  const Result fine = solve_case(c);
+  REQUIRE(fine.verdict.good());
+  int judged = 0;
+  for (const Quantity& q : r.quantities) {
+    if (!is_coefficient(q) && !q.name.starts_with("whirl_")) continue;
+    INFO(q.name);
+    const Quantity* known = quantity_in(fine.quantities, q.name);
+    REQUIRE(known != nullptr);
+    CHECK(std::abs(q.value - known->value) <= q.error() + known->error_grid);
+    ++judged;
+  }
+  CHECK(judged >= 8);
+}
+
+TEST_CASE("AutoKeepsTheGridOfTheCaseHoweverTightTheTolerance") {
+  Case c = automatic(warm_case(), 1e-3);
+  c.model.grid = {60, 9};
+  c.model.grid_given = true;
+  const Result r = solve_case(c);
+  REQUIRE(r.verdict.good());
+  CHECK(r.grid == c.model.grid);
+  CHECK_FALSE(r.choice->met);
+}
+
+TEST_CASE("SuppliesThatTheProbeCannotHoldAreSolvedOnTheGridOfTheCase") {
+  Case c = plain_case();
+  Supply hole = hole_case().supplies[0];
+  hole.diameter = 1e-3;
+  c.supplies.clear();
+  for (int k = 0; k < 7; ++k) {
+    hole.z = (k - 3) * 0.12 * c.bearing.width;
+    c.supplies.push_back(hole);
+  }
+  c.model.grid = {96, 41};
+  const Result alone = summarize(solve_tier(c, Tier::isothermal), Tier::isothermal);
+  REQUIRE(alone.verdict.good());
+  Case by_auto = automatic(c, 0.01);
+  by_auto.model.grid = c.model.grid;
+  by_auto.model.grid_given = true;
+  const Result r = solve_case(by_auto);
+  REQUIRE(r.verdict.good());
+  CHECK(r.grid == c.model.grid);
+  CHECK(r.value("h_min") == Approx(alone.value("h_min")).epsilon(1e-6));
 }
 
 TEST_CASE("WithoutWallsAutoSaysThatTheHeatIsUncertain") {

@@ -174,3 +174,21 @@ TEST_CASE("TemperaturesAreNoSurerThanTheirHeatAndPartsNoMoreThanTheWhole") {
   const double most = torque.size() + torque.error_grid;
   CHECK(part.error_grid <= std::max(part.size(), most - part.size()) * (1.0 + 1e-12));
 }
+
+TEST_CASE("WhatAnEffectChangesDoesNotHangOnTheSenseOfRotation") {
+  Case c = warm_case();
+  const Solution forth = solve_tier(c, Tier::isothermal);
+  c.operation.omega *= -1.0;
+  const Solution back = solve_tier(c, Tier::isothermal);
+  REQUIRE((forth.verdict.good() && back.verdict.good()));
+  const auto one = fidelity::model_error(forth, {}).effects;
+  const auto other = fidelity::model_error(back, {}).effects;
+  REQUIRE(one.size() == other.size());
+  REQUIRE_FALSE(one.empty());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    INFO(app::name_of(one[k].effect));
+    // mirrored supplies are cut by the same cells: to the tolerance of the outer loop
+    CHECK(other[k].friction == Approx(one[k].friction).epsilon(1e-2).margin(1e-4));
+    CHECK(other[k].h_min == Approx(one[k].h_min).epsilon(1e-2).margin(1e-4));
+  }
+}

@@ -9,6 +9,7 @@
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "bearing/judge/judge_case.hpp"
+#include "core/constants.hpp"
 #include "tests/program/run_words.hpp"
 
 using namespace shellback;
@@ -52,6 +53,24 @@ TEST_CASE("AutoOverARotatingLoadIsWithinItsTolerance") {
 }
 
 TEST_CASE("AutoOverAPulseIsWithinItsTolerance") { check_within("pulse", 0.05, "\"5 %\""); }
+
+TEST_CASE("AutoOverACycleFindsAGridForMorePassagesThanItsFirstProbesHold") {
+  Case c = shipped("pulse", "\"50 %\"");
+  c.model.grid_given = false;
+  Supply hole = c.supplies.front();
+  hole.kind = SupplyKind::hole;
+  hole.diameter = 0.5e-3;
+  hole.arc = hole.length = hole.diameter / c.bearing.radius;
+  c.supplies.clear();
+  for (int k = 0; k < 42; ++k) {  // 84 edges around: more than 80 cells
+    hole.angle = 2.0 * kPi * (k + 0.5) / 42.0;
+    c.supplies.push_back(hole);
+  }
+  const CycleResult r = fidelity::solve_auto_cycle(c);
+  INFO(app::reason_of(r.verdict));
+  REQUIRE(r.verdict.good());
+  CHECK(r.grid[0] >= 84);
+}
 
 TEST_CASE("AutoKeepsTheGridThatACaseGivesAndSaysWhatItIsWorth") {
   Case c = shipped("rotating-load", "\"0.1 %\"");

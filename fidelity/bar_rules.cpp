@@ -1,0 +1,59 @@
+#include "fidelity/bar_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fidelity/light_contact.hpp"
+
+namespace shellback::fidelity {
+
+using namespace bearing;
+
+void share_bars_of_coefficients(const Judged& judged) {
+  double longest = 0.0;
+  for (const auto& [q, size] : judged) {
+    const double bar = q->error_grid / size;
+    if (is_coefficient(*q) && std::isfinite(bar)) longest = std::max(longest, bar);
+  }
+  for (const auto& [q, size] : judged) {
+    if (!is_coefficient(*q) && !q->name.starts_with("whirl_")) continue;
+    if (std::isfinite(q->error_grid)) q->error_grid = std::max(q->error_grid, longest * size);
+  }
+}
+
+void widen_bars_of_light_contact(const BearingModel& m, Result& result) {
+  const Quantity* h = quantity_in(result.quantities, "h_min");
+  const double share = result.value("asperity_load_share");
+  if (!m.contact || !(share < kLight) || !std::isfinite(h->error_grid)) return;
+  const double now = m.contact->at(h->value).p;
+  const double open = now + left_open_by_film(*m.contact, h->value, h->error_grid);
+  // Shares of the load: as much more as the pressure; where that is nothing, at most all over.
+  const Bearing& b = m.input.bearing;
+  const double load = std::hypot(result.value("load_x"), result.value("load_y"));
+  const double more = now > 0.0 && share > 0.0 ? share * (open / now - 1.0)
+                                               : 2.0 * b.radius * b.width * open / load;
+  const double shares = std::min(more, 1.0);
+  const Quantity* torque = quantity_in(result.quantities, "friction_torque");
+  const double whole = std::abs(torque->value) + torque->error_grid;
+  for (Quantity& q : result.quantities) {
+    double bar = 0.0;
+    if (q.name == "p_asperity_max") bar = open - now;
+    if (q.name == "asperity_load_share") bar = shares;
+    if (q.name == "friction_torque_asperity")
+      bar = std::min(m.contact->friction().at_rest() * shares * load * b.radius, whole);
+    if (bar > q.error_grid) q.error_grid = bar;
+  }
+}
+
+void bound_bars(const Case& c, Result& result) {
+  std::vector<Quantity*> list;
+  for (Quantity& q : result.quantities) {
+    const double most = furthest(c, q);
+    if (q.error_grid > most) q.error_grid = most;
+    if (q.error_model > most) q.error_model = most;
+    list.push_back(&q);
+  }
+  bound_parts_of_friction(list);
+}
+
+}  // namespace shellback::fidelity

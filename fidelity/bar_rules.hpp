@@ -1,0 +1,27 @@
+#pragma once
+/// What bars of one result have in common, however the grids were taken: what is known of one
+/// quantity and holds for others.
+#include <utility>
+#include <vector>
+
+#include "bearing/bearing.hpp"
+#include "fidelity/quantities.hpp"
+
+namespace shellback::fidelity {
+
+using Judged = std::vector<std::pair<Quantity*, double>>;  ///< a quantity and its natural size
+
+/// Stiffness and damping share one film, whose ends move by whole cells as the grid changes: which
+/// entry feels it, and which of them a few grids happen to agree on, is chance. None has a bar
+/// shorter, against its size, than the longest; nor has the threshold of whirl that follows.
+void share_bars_of_coefficients(const Judged& judged);
+
+/// Summits that hardly touch (light_contact.hpp); their friction is part of the whole, which has a
+/// bar.
+void widen_bars_of_light_contact(const bearing::BearingModel& m, bearing::Result& result);
+
+/// Bars no longer than the true value can be away: quantities between bounds, parts of friction
+/// beside the whole.
+void bound_bars(const bearing::Case& c, bearing::Result& result);
+
+}  // namespace shellback::fidelity

@@ -21,6 +21,7 @@
 #include "fidelity/estimate.hpp"
 #include "fidelity/estimate_bars.hpp"
 #include "fidelity/estimate_cycle.hpp"
+#include "rheology/viscosity.hpp"
 
 namespace shellback::app {
 namespace {
@@ -46,7 +47,8 @@ void print_operation(std::ostream& out, const Case& subject, const Derived& d) {
   line(out, "viscosity there", show(d.eta, "mPa s", kViscosity));
   if (d.rigid_film) {
     line(out, "Sommerfeld number So", fmt::format("{:.4g}", d.so),
-         fmt::format("p psi^2/(eta omega); S = {:.4g}", 1.0 / (2.0 * kPi * d.so)));
+         "p psi^2/(eta omega)" +
+             (d.so > 0.0 ? fmt::format("; S = {:.4g}", 1.0 / (2.0 * kPi * d.so)) : ""));
   }
   line(out, "Reynolds number", fmt::format("{:.4g}", d.reynolds),
        fmt::format("laminar below 41.2 sqrt(R/c) = {:.4g}", d.reynolds_limit));
@@ -106,7 +108,12 @@ void print_estimate(std::ostream& out, const Case& subject) {
   const fidelity::Estimate e = fidelity::estimate(subject);
   out << "\nEstimate (table of the finite bearing, heat in lumps; tier estimate)\n";
   if (!e.balanced) {
-    out << "  no film temperature carries the friction heat away: thermal runaway is likely\n";
+    const double T = bearing::mean_supply_temperature(subject);
+    const bool thins = rheology::viscosity_slopes(subject.oil, T, 0.0, 0.0).dln_dT < 0.0;
+    out << "  no film temperature carries the friction heat away: "
+        << (thins
+                ? "thermal runaway is likely\n"
+                : "hardly any oil leaves the bearing, and the film is hotter than any oil bears\n");
     return;
   }
   line(out, "regime", to_string(e.regime),

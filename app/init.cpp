@@ -68,6 +68,11 @@ void write_case(const std::string& name, const std::string& path, std::ostream& 
   const std::string source = case_path(name).string();
   const std::string text = read_text_file(source);
   const std::string target = path.empty() ? name + ".toml" : path;
+  if (target == "-") {
+    throw InputError("-o",
+                     "a case is written into a file, beside the tables that it refers to; "
+                     "name one in place of -");
+  }
   if (std::filesystem::exists(target) && !is_stream(target)) {
     throw FileError(
         fmt::format("{}: exists already and is left as it is; choose another name "

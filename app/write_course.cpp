@@ -11,6 +11,7 @@
 #include "app/json_parts.hpp"
 #include "app/labels/command_words.hpp"
 #include "app/labels/table_parts.hpp"
+#include "app/pictures/svg_heading.hpp"
 #include "app/provenance.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
@@ -121,6 +122,7 @@ void draw_over_speed(Svg& svg, const Box& box, const std::vector<Stretch>& stret
     low = std::min(low, series.x.back());
     high = std::max(high, series.x.back());
   }
+  series.dots = true;
   plot.x = round_axis(low, high, 8, "speed [rpm]");
   plot.series = {series};
   draw_lines(svg, box, plot, theme);
@@ -197,7 +199,8 @@ std::vector<std::string> course_warnings(const std::vector<Stretch>& stretches,
 std::string how_it_ended(const std::vector<Stretch>& stretches, const CourseRun& run,
                          const MarchBars& bars) {
   if (run.end.verdict.good())
-    return fmt::format("{} stretches; bands: bars of grid and steps", stretches.size());
+    return fmt::format("{} stretch{}; bands: bars of grid and steps", stretches.size(),
+                       stretches.size() == 1 ? "" : "es");
   return end_words(run.end, bars);
 }
 
@@ -253,11 +256,10 @@ std::string course_svg(const std::vector<Stretch>& stretches, const CourseRun& r
   const Theme theme = print_theme();
   Svg svg(kOverTimeWidth, kOverTimeHeight);
   svg.rect({0.0, 0.0, kOverTimeWidth, kOverTimeHeight}, theme.paper);
-  svg.text({24.0, 36.0}, c.title, {theme.ink, 20.0, Anchor::start, true});
-  svg.text({24.0, 58.0},
-           fmt::format("Course of speeds, tier {}: {}", to_string(c.model.tier),
-                       how_it_ended(stretches, run, bars)),
-           {run.end.verdict.good() ? theme.muted : theme.more, 12.5});
+  draw_scene(svg, c,
+             fmt::format("Course of speeds, tier {}: {}", to_string(c.model.tier),
+                         how_it_ended(stretches, run, bars)),
+             run.end.verdict.good(), theme);
   if (!run.instants.empty()) {
     const Course course = to_the_ends(stretches, run, bars);
     draw_over_time(svg, {70.0, 100.0, 500.0, 300.0}, course, "Temperature", "°C",

@@ -69,7 +69,7 @@ std::string cycle_comparison_html(const bearing::Case& c, const CycleComparison&
   html += failures_html(comparison.sums) + verdict_html(c, comparison.sums);
   html += page_section("Friction difference", waterfall_html(c, comparison.sums));
   html += page_section("Quantities, means and extremes of the cycle",
-                       quantities_html(c, comparison.sums));
+                       quantities_html(c, comparison.sums) + bars_html(c, comparison.sums));
   std::string curves = "<div class=\"figures\">\n";
   for (const CycleCurve which : {CycleCurve::torque, CycleCurve::film, CycleCurve::pressure,
                                  CycleCurve::temperature, CycleCurve::heat}) {

@@ -63,9 +63,13 @@ void write_fields(hid_t file, const Result& result) {
   cells("T_shell_surface", f.T_shell_surface, "K", "shell temperature at the bore");
   cells("T_shell_back", f.T_shell_back, "K", "shell temperature at its back");
   cells("tau_journal", f.tau_journal, "Pa",
-        "shear stress of the oil on the journal, against its motion (asperities left out)");
+        "shear stress of the oil on the journal, positive against a counter-clockwise one "
+        "(asperities "
+        "left out)");
   cells("tau_shell", f.tau_shell, "Pa",
-        "shear stress of the oil on the shell, along the motion (asperities left out)");
+        "shear stress of the oil on the shell, positive along a counter-clockwise journal "
+        "(asperities "
+        "left out)");
   cells("tau_abrasive", f.tau_abrasive, "Pa", "asperity shear stress, abrasive part");
   cells("tau_adhesive", f.tau_adhesive, "Pa", "asperity shear stress, adhesive part");
   cells("tau_micro_hydrodynamic", f.tau_micro_hydrodynamic, "Pa",

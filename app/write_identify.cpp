@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "app/labels/command_words.hpp"
 #include "app/labels/csv_text.hpp"
 #include "app/labels/quantity_label.hpp"
 #include "app/labels/text_table.hpp"
@@ -128,7 +129,11 @@ void write_sum(std::ostream& out, const IdentifyView& v) {
 }  // namespace
 
 void write_identify_table(std::ostream& out, const IdentifyView& v) {
-  out << v.subject.title << "\nIdentified in tier " << to_string(v.subject.model.tier) << " from "
+  out << v.subject.title << '\n';
+  if (const std::string changes = describe_changes(v.subject); !changes.empty()) {
+    out << changes << '\n';
+  }
+  out << "Identified in tier " << to_string(v.subject.model.tier) << " from "
       << v.end.values_used(v.table.points) << " values of " << v.table.path << "\n\n";
   write_keys(out, v);
   write_sum(out, v);

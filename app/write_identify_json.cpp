@@ -97,6 +97,7 @@ std::string identify_json(const IdentifyView& v) {
                     {"wall_s", v.end.wall_s}};
   json["points"] = points_json(v);
   json["provenance"] = provenance_json(v.subject);
+  add_case(json, v.subject);
   return dump(json);
 }
 

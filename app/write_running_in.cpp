@@ -59,12 +59,15 @@ void draw_curve(Svg& svg, const Box& box, const RunningInRun& run, const Running
     series.y.push_back(factor * (run.states[k].*value));
     series.bar.push_back(factor * bars.at(k, value));
   }
-  double high = largest(series.y);
-  const double most = 2.0 * high;  // longer bars are cut off
+  // Torque against a clockwise turn is negative: drawn downwards from zero.
+  const double way = series.y.front() < 0.0 ? -1.0 : 1.0;
+  double far = 0.0, widest = 0.0;
   for (std::size_t k = 0; k < series.y.size(); ++k) {
-    if (std::isfinite(series.bar[k])) high = std::max(high, series.y[k] + series.bar[k]);
+    far = std::max(far, way * series.y[k]);
+    if (std::isfinite(series.bar[k])) widest = std::max(widest, way * series.y[k] + series.bar[k]);
   }
-  plot.y = round_axis(0.0, std::min(high, most), 5, "");
+  const double end = way * std::clamp(widest, far, 2.0 * far);  // longer bars are cut off
+  plot.y = round_axis(std::min(end, 0.0), std::max(end, 0.0), 5, "");
   plot.series.push_back(std::move(series));
   draw_lines(svg, box, plot, theme);
 }
@@ -225,12 +228,7 @@ std::vector<std::string> words_of_last_state(const RunningInRun& run) {
 std::string running_in_json(const bearing::Case& c, const RunningInRun& run,
                             const RunningInBars& bars) {
   Json json;
-  json["status"] = run.verdict.good() ? "converged" : to_string(run.verdict.status);
-  json["converged"] = run.verdict.good();
-  if (!run.verdict.good()) {
-    json["reason"] = reason_of(run.verdict);
-    json["cure"] = words_of(run.verdict).cure;
-  }
+  json_parts::add_status(json, run.verdict);
   json["title"] = c.title;
   json["tier"] = to_string(c.model.tier);
   json["grid"] = c.model.grid;

@@ -112,8 +112,9 @@ void print_quantities(std::ostream& out, const bearing::Measured& measured,
     }
     cells.push_back(row.unit.unit);
     if (row.measured) cells.push_back(figures(*row.measured));
-    if (row.measured && single)
-      cells.push_back(difference(row.unit, *row.values[0], *row.measured));
+    if (row.measured && single) {
+      cells.push_back(row.values[0] ? difference(row.unit, *row.values[0], *row.measured) : "");
+    }
     table.add(cells);
   }
   table.print(out);

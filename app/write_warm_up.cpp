@@ -69,7 +69,11 @@ class Panel {
       high = std::max(high, shown);
       plot.series.push_back({"", {t_.front(), t_.back()}, {shown, shown}, series.colour, "3 4"});
     }
-    plot.y = round_axis(from_zero ? 0.0 : low, high, 6, "[" + unit + "]");
+    if (from_zero) {  // torque against a clockwise turn is negative
+      low = std::min(low, 0.0);
+      high = std::max(high, 0.0);
+    }
+    plot.y = round_axis(low, high, 6, "[" + unit + "]");
     draw_lines(svg, box, plot, theme_);
   }
 

@@ -22,6 +22,10 @@ double hertz_factor_of(const Curvature& c) {
   return hertz_factor(c.mean() + c.deviation(), c.mean() - c.deviation());
 }
 
+/// The surface that faces another one like it is turned over about the motion: its oblique lays
+/// cross those of the first.
+Curvature turned_over(const Curvature& c) { return {c.xx, c.yy, -c.xy}; }
+
 /// Sum over pairs, per area squared [-].
 double pair_pressure(const std::vector<Summit>& s, double h, double area) {
   double sum = 0.0;
@@ -30,7 +34,7 @@ double pair_pressure(const std::vector<Summit>& s, double h, double area) {
     for (const Summit& b : s) {
       const double w = a.height + b.height - h;
       if (w <= 0.0) break;
-      const Curvature both = a.curvature + b.curvature;
+      const Curvature both = a.curvature + turned_over(b.curvature);
       const double spread =
           std::sqrt(both.determinant() / (a.curvature.determinant() * b.curvature.determinant()));
       sum += spread * hertz_factor_of(both) * w * w * std::sqrt(w);

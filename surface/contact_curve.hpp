@@ -10,10 +10,11 @@
 ///   p/E* = (1/A^2) sum_ij (16 pi/15) sqrt(|k_i + k_j|/(|k_i| |k_j|)) g(k_i + k_j)
 ///          <z_i + z_j - h>^(5/2)                                                     summits
 /// the second over all pairs of the map's own counted summits, k_i their curvatures with
-/// determinant |k_i|, g by hertz_ellipse.hpp (1), averaged over every place that they can have to
-/// one another (paraboloids with offset r approach by z_i + z_j - h - r (1/k_i + 1/k_j)^-1 r/2;
-/// Hertz, integrated over r). It is Greenwood and Tripp's theory without their Gaussian heights and
-/// equal spheres; with those it becomes the formula.
+/// determinant |k_i|, those of the second surface turned over about the motion (z_xy changes its
+/// sign: oblique lays cross face to face), g by hertz_ellipse.hpp (1), averaged over every place
+/// that they can have to one another (paraboloids with offset r approach by z_i + z_j - h - r
+/// (1/k_i + 1/k_j)^-1 r/2; Hertz, integrated over r). It is Greenwood and Tripp's theory without
+/// their Gaussian heights and equal spheres; with those it becomes the formula.
 ///
 /// This surface on a smooth plane:
 ///   p/E* = (1/A) sum_i (4/3) g(k_i) <z_i - h>^(3/2)           Hertz on every counted summit

@@ -59,16 +59,6 @@ double largest_magnitude(const std::vector<bearing::Result>& results, const std:
   return largest;
 }
 
-/// One speed, or from the lowest to the highest of a load cycle.
-std::string speed_words(const bearing::Case& c) {
-  if (!c.cycle || c.cycle->omega.empty()) {
-    return fmt::format("{:.4g} rpm", c.operation.omega / kRpm);
-  }
-  const auto [low, high] = std::minmax_element(c.cycle->omega.begin(), c.cycle->omega.end());
-  if (*low == *high) return fmt::format("{:.4g} rpm", *low / kRpm);
-  return fmt::format("{:.4g} to {:.4g} rpm", *low / kRpm, *high / kRpm);
-}
-
 /// What a load cycle is: how long, and its largest load.
 std::string cycle_words(const bearing::LoadCycle& cycle, const char* degree) {
   double largest = 0.0;
@@ -228,6 +218,15 @@ std::string status_line(const bearing::Result& result) {
     return burnt ? "converged, with a film hotter than any oil survives" : "converged";
   }
   return fmt::format("NOT CONVERGED: {}", to_string(result.verdict.status));
+}
+
+std::string speed_words(const bearing::Case& c) {
+  if (!c.cycle || c.cycle->omega.empty()) {
+    return fmt::format("{:.4g} rpm", c.operation.omega / kRpm);
+  }
+  const auto [low, high] = std::minmax_element(c.cycle->omega.begin(), c.cycle->omega.end());
+  if (*low == *high) return fmt::format("{:.4g} rpm", *low / kRpm);
+  return fmt::format("{:.4g} to {:.4g} rpm", *low / kRpm, *high / kRpm);
 }
 
 std::string describe_case(const bearing::Case& c, Writing writing) {

@@ -90,6 +90,9 @@ struct QuantityRow {
 /// ASCII for text tables, or with the signs of print (µm, °, ×, −) for pages and pictures.
 enum class Writing { plain, typeset };
 
+/// One speed, or from the lowest to the highest of a load cycle.
+[[nodiscard]] std::string speed_words(const bearing::Case& c);
+
 /// Bearing and operating point in one line, in engineering units.
 [[nodiscard]] std::string describe_case(const bearing::Case& c, Writing writing);
 

@@ -108,7 +108,7 @@ std::string describe_subject(const bearing::Case& c, const Sweep& sweep, Writing
                          set ? "µm" : "um");
   }
   if (!swept("operation.speed")) {
-    words += fmt::format(", {:.4g} rpm", c.operation.omega / kRpm);
+    words += ", " + speed_words(c);
   }
   if (c.cycle) {
     words += fmt::format(", load {}", c.cycle->repeats() ? "cycle" : "event");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/labels/command_words.hpp"
 #include "app/labels/quantity_label.hpp"
 #include "app/pictures/svg_lines.hpp"
 #include "bearing/quantities.hpp"
@@ -110,6 +111,16 @@ Axis MeasuredPanel::y_axis() const {
   }
   const bool temperature = unit_.offset != 0.0;  // no zero that means anything
   if (negative || temperature) low = least;
+  // Of deviations what is no longer than the values are large: longer ones would flatten all else.
+  const double shown_low = 2.0 * std::min(low, 0.0) - std::max(high, 0.0);
+  const double shown_high = 2.0 * std::max(high, 0.0) - std::min(low, 0.0);
+  for (const ComputedCurve& c : curves_) {
+    for (std::size_t k = 0; k < c.x.size(); ++k) {
+      if (!std::isfinite(c.measured[k] + c.deviation[k])) continue;
+      low = std::min(low, std::max(c.measured[k] - c.deviation[k], shown_low));
+      high = std::max(high, std::min(c.measured[k] + c.deviation[k], shown_high));
+    }
+  }
   return round_axis(low, high, 6, "[" + typeset_unit(unit_.unit) + "]");
 }
 
@@ -134,13 +145,16 @@ void MeasuredPanel::draw(Svg& svg, const Box& box, const Theme& theme) const {
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     const ComputedCurve& c = curves_[k];
     const std::string& colour = theme.series[k % theme.series.size()];
-    plot.series.push_back({c.name.empty() ? "fitted" : c.name, c.x, c.fitted, colour, ""});
+    plot.series.push_back(
+        {c.name.empty() ? "fitted" : c.name, c.x, c.fitted, colour, "", {}, true});
     plot.series.push_back({k == 0 ? "start" : "", c.x, c.start, colour, "3 4"});
   }
   const Frame frame = draw_lines(svg, box, plot, theme);
+  svg.begin_clip(frame.box);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     draw_points(svg, frame, curves_[k], theme.series[k % theme.series.size()], theme);
   }
+  svg.end_clip();
 }
 
 /// "b = 312 ± 14"
@@ -166,9 +180,11 @@ std::string identify_svg(const IdentifyView& v) {
   Svg svg(kIdentifyWidth, kHead + panels * kPanel + 20.0);
   svg.rect({0.0, 0.0, kIdentifyWidth, kHead + panels * kPanel + 20.0}, theme.paper);
   svg.text({24.0, 36.0}, v.subject.title, {theme.ink, 20.0, Anchor::start, true});
+  const std::string changes = describe_changes(v.subject);
   svg.text({24.0, 58.0},
-           fmt::format("Identified in tier {} from {} values; measured points, lines computed",
-                       to_string(v.subject.model.tier), v.end.values_used(v.table.points)),
+           fmt::format("Identified in tier {} from {} values; measured points, lines computed{}{}",
+                       to_string(v.subject.model.tier), v.end.values_used(v.table.points),
+                       changes.empty() ? "" : "; ", changes),
            {theme.muted, 12.5});
   const bool sound = complaints(v).empty();
   svg.text({24.0, 80.0}, found_words(v) + (sound ? "" : "  (not to be believed, see the table)"),

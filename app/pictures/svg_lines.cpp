@@ -12,7 +12,8 @@ constexpr double kLinesRight = 12.0;   ///< [px]
 constexpr double kLinesTop = 44.0;     ///< room for title and legend [px]
 constexpr double kLinesBottom = 38.0;  ///< room for the x axis [px]
 
-/// `height` of the frame [px].
+/// The y axis holds the lines, and of their bars what is no longer than the lines are far from
+/// zero: longer ones would flatten all else. `height` of the frame [px].
 Axis y_axis(const LinePlot& plot, double height) {
   constexpr double kTick = 20.0;  // between ticks, so that figures do not touch [px]
   const int ticks = std::clamp(static_cast<int>(height / kTick), 2, 6);
@@ -27,6 +28,16 @@ Axis y_axis(const LinePlot& plot, double height) {
     }
   }
   if (low > high) low = high = 0.0;
+  const double most = std::max(std::abs(low), std::abs(high));
+  const double least_shown = low - most, most_shown = high + most;
+  for (const auto& series : plot.series) {
+    for (std::size_t k = 0; k < series.bar.size(); ++k) {
+      const double v = series.y[k], bar = series.bar[k];
+      if (!std::isfinite(v + bar)) continue;
+      low = std::min(low, std::max(v - bar, least_shown));
+      high = std::max(high, std::min(v + bar, most_shown));
+    }
+  }
   if (plot.from_zero) low = std::min(low, 0.0);
   return round_axis(low, high, ticks, plot.y_title);
 }
@@ -48,21 +59,32 @@ void draw_band(Svg& svg, const Frame& frame, const Series& s) {
   if (!path.empty()) svg.shade(path, s.colour, kOpacity);
 }
 
+/// The k-th point of a series.
+void draw_dot(Svg& svg, const Frame& frame, const Series& s, std::size_t k) {
+  constexpr double kDot = 2.6;  // [px]
+  if (k < s.bar.size() && std::isfinite(s.bar[k])) {
+    svg.line(frame.at(s.x[k], s.y[k] - s.bar[k]), frame.at(s.x[k], s.y[k] + s.bar[k]),
+             {s.colour, 0.9, ""});
+  }
+  svg.circle(frame.at(s.x[k], s.y[k]), kDot, s.colour, {s.colour, 0.5, ""});
+}
+
 void draw_series(Svg& svg, const Frame& frame, const Series& series) {
   std::string path;
   std::vector<Point> run;
-  const auto flush = [&] {
+  const auto flush = [&](std::size_t end) {
     if (run.size() > 1) path += line_path(run);
+    if (run.size() == 1 && series.dots) draw_dot(svg, frame, series, end - 1);
     run.clear();
   };
   for (std::size_t k = 0; k < series.x.size(); ++k) {
     if (std::isfinite(series.y[k])) {
       run.push_back(frame.at(series.x[k], series.y[k]));
     } else {
-      flush();
+      flush(k);
     }
   }
-  flush();
+  flush(series.x.size());
   svg.stroke(path, {series.colour, 1.8, series.dash});
 }
 

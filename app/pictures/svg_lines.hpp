@@ -15,6 +15,7 @@ struct Series {
   std::string colour;
   std::string dash;           ///< empty: solid
   std::vector<double> bar{};  ///< half-width of a band around it; empty: none
+  bool dots = false;          ///< a point that no line joins is drawn as a dot, its bar upright
 };
 
 struct LinePlot {

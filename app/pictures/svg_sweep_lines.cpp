@@ -102,6 +102,7 @@ class Panels {
     draw_bars(frame, q);
     draw_points(frame, q);
     draw_measured(frame, q);
+    if (second) draw_measured(frame, *second);
   }
 
  private:
@@ -125,7 +126,10 @@ class Panels {
     constexpr double kLambda = 3.0;
     const double sigma =
         std::hypot(subject_.surfaces.shell.roughness, subject_.surfaces.shaft.roughness);
-    if (std::string(panel.name) != "h_min" || !(sigma > 0.0)) return std::nullopt;
+    const bool varied = std::any_of(  // then each point has its own
+        sweep_.axes.begin(), sweep_.axes.end(),
+        [](const auto& axis) { return axis.key.starts_with("surfaces"); });
+    if (std::string(panel.name) != "h_min" || varied || !(sigma > 0.0)) return std::nullopt;
     return 1e6 * kLambda * sigma;
   }
 

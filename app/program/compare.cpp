@@ -45,6 +45,7 @@ std::vector<Tier> wanted_tiers(const Request& request) {
     }
     tiers.push_back(tier);
   }
+  std::sort(tiers.begin(), tiers.end());  // the ladder's order, the richest last
   return tiers;
 }
 

@@ -128,6 +128,33 @@ struct GridLine {
   int points = 0;
 };
 
+/// The rise from one line of points to the next, of all `rises` between points, the longest first:
+/// points of one line scatter by less than kOffGrid of a pitch to either side. A line that is
+/// missing is no gap of its own: the lines that are there are many.
+double least_rise_of_lines(const std::vector<double>& rises) {
+  constexpr double kApart = 1.0 / (4.0 * kOffGrid);  // 1 - 2 kOffGrid over 2 kOffGrid at least
+  for (std::size_t k = kFewest - 1; k < rises.size(); ++k) {
+    if (rises[k - 1] > kApart * rises[k]) return rises[k - 1];
+  }
+  return rises.back();
+}
+
+/// Means of points that lie nearer to each other than `rise`, which are sorted.
+std::vector<double> lines_of(const std::vector<double>& positions, double rise) {
+  std::vector<double> lines;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    sum += positions[k];
+    ++count;
+    if (k + 1 < positions.size() && positions[k + 1] - positions[k] < rise) continue;
+    lines.push_back(sum / static_cast<double>(count));
+    sum = 0.0;
+    count = 0;
+  }
+  return lines;
+}
+
 GridLine grid_line(std::vector<double> positions, const MapText& text, const char* axis) {
   std::sort(positions.begin(), positions.end());
   const double range = positions.back() - positions.front();
@@ -141,14 +168,17 @@ GridLine grid_line(std::vector<double> positions, const MapText& text, const cha
     throw InputError(text.path(),
                      fmt::format("all points have the same {}: this is a profile, no map", axis));
   }
+  std::sort(rises.begin(), rises.end(), std::greater<>());
+  const std::vector<double> lines = lines_of(positions, least_rise_of_lines(rises));
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < lines.size(); ++k) steps.push_back(lines[k] - lines[k - 1]);
   // The median: a line that is missing or stands askew does not change it.
-  const auto middle = rises.begin() + static_cast<std::ptrdiff_t>(rises.size() / 2);
-  std::nth_element(rises.begin(), middle, rises.end());
-  const double pitch = *middle;
-  const double steps = range / pitch;
-  if (steps > static_cast<double>(kMost)) expect_size(text, kMost, kFewest);
-  GridLine line{positions.front(), 0.0, static_cast<int>(std::lround(steps)) + 1};
-  line.pitch = range / (line.points - 1);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  const double whole = lines.back() - lines.front();
+  if (whole / *middle > static_cast<double>(kMost)) expect_size(text, kMost, kFewest);
+  GridLine line{lines.front(), 0.0, static_cast<int>(std::lround(whole / *middle)) + 1};
+  line.pitch = whole / (line.points - 1);
   return line;
 }
 
@@ -234,6 +264,8 @@ HeightMap read_columns(const MapText& text) {
   }
   expect_size(text, grid[0].points, grid[1].points);
   HeightMap map{grid[0].points, grid[1].points, grid[0].pitch, grid[1].pitch, {}};
+  map.x0 = grid[0].first;
+  map.y0 = grid[1].first;
   const auto all = static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny);
   map.z.assign(all, std::numeric_limits<double>::quiet_NaN());
   std::vector<char> given(all, 0);

@@ -32,12 +32,18 @@ constexpr double kSpike = 6.0;
 /// was cut keeps the size in its header [-].
 constexpr double kOblong = 1.01;
 
+/// Where a point stands in the file; of a matrix from its lower left corner.
+std::string place_words(const HeightMap& map, int i, int j) {
+  const auto [x, y] = map.place(i, j);
+  return fmt::format("x = {:.4g} um, y = {:.4g} um", 1e6 * x, 1e6 * y);
+}
+
 void judge_holes(const HeightMap& map, const Holes& holes, const SurfaceOptions& options) {
   if (holes.count == 0) return;
   const double share = holes.share(map);
-  const std::string what = fmt::format(
-      "{} of {} heights ({:.3g} %) were not measured, the first at x = {:.4g} um, y = {:.4g} um",
-      holes.count, map.z.size(), 100.0 * share, 1e6 * holes.i * map.dx, 1e6 * holes.j * map.dy);
+  const std::string what =
+      fmt::format("{} of {} heights ({:.3g} %) were not measured, the first at {}", holes.count,
+                  map.z.size(), 100.0 * share, place_words(map, holes.i, holes.j));
   if (share > kMostHoles) {
     throw InputError(options.path,
                      fmt::format("{}: more than the {:.0f} % that may be filled; measure again, or "
@@ -109,13 +115,13 @@ std::string spike_words(const SurfaceReport& r) {
   }
   if (count == 0) return "";
   return fmt::format(
-      "{} by more than {:g} Rq, the farthest by {:.3g} um at x = {:.4g} um, y = {:.4g} um: if the "
+      "{} by more than {:g} Rq, the farthest by {:.3g} um at {}: if the "
       "instrument made {}, empty the field and fill it (--fill laplace); Rq, summits and contact "
       "have {} in them",
       count == 1 ? "a point stands out of all its neighbours"
                  : fmt::format("{} points stand out of all their neighbours", count),
-      kSpike, 1e6 * most * r.heights.Rq, 1e6 * at_i * map.dx, 1e6 * at_j * map.dy,
-      count == 1 ? "it" : "them", count == 1 ? "it" : "them");
+      kSpike, 1e6 * most * r.heights.Rq, place_words(map, at_i, at_j), count == 1 ? "it" : "them",
+      count == 1 ? "it" : "them");
 }
 
 void judge_slopes(const SurfaceReport& r) {

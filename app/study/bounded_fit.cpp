@@ -107,9 +107,19 @@ bool judge(const FitProblem& p, BoundedSearch& s, Fit& fit) {
   const auto J = s.slopes(y, r);
   if (!J) return false;
   fit.scale = scale_of(p, s.best.chi2, fit.freedom);
-  for (int j = 0; j < s.count(); ++j) fit.at_bound.push_back(s.at_bound(j, y[j]) ? 1 : 0);
+  for (int j = 0; j < s.count(); ++j) {
+    fit.at_bound.push_back(s.held_by_bound(j, y[j], J->col(j), r) ? 1 : 0);
+  }
   add_deviations(p, s, y, r, *J, fit);
   add_directions(p, s, *J, fit);
+  if (p.deviations_known || fit.freedom > 0) return true;
+  // Neither deviations nor scatter: that the values are met says nothing of how well they are
+  // known.
+  fit.deviation.assign(s.count(), kNone);
+  for (FitDirection& d : fit.directions) {
+    d.deviation = kNone;
+    d.determined = false;
+  }
   return true;
 }
 

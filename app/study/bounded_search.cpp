@@ -13,7 +13,7 @@ namespace shellback::study {
 namespace {
 
 using Values = BoundedSearch::Values;
-constexpr double kAtBound = 1e-3;  ///< of the bounds' distance: closer, the bound holds it [-]
+constexpr double kAtBound = 1e-3;  ///< of the bounds' distance: closer, a bound may hold it [-]
 /// Residual of a step that cannot be computed: no step to it is ever taken, its square is finite.
 constexpr double kRefused = 1e100;
 
@@ -72,22 +72,20 @@ bool arrived(const BoundedSearch& s, const gsl_multifit_nlinear_workspace* work,
   const gsl_vector* u = gsl_multifit_nlinear_position(work);
   const gsl_vector* f = gsl_multifit_nlinear_residual(work);
   const gsl_matrix* J = gsl_multifit_nlinear_jac(work);
-  std::vector<int> free;
-  for (int j = 0; j < s.count(); ++j) {
-    if (!s.at_bound(j, s.y_of(j, gsl_vector_get(u, j)))) free.push_back(j);
-  }
-  if (free.empty()) return true;
   Values r(f->size);
-  Eigen::MatrixXd A(f->size, free.size());
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    r[i] = gsl_vector_get(f, i);
-    for (std::size_t k = 0; k < free.size(); ++k) {
-      const double half_cos = 0.5 * std::cos(gsl_vector_get(u, free[k]));
-      A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
-          gsl_matrix_get(J, i, free[k]) / half_cos;
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = gsl_vector_get(f, i);
+  Eigen::MatrixXd A(f->size, 0);
+  for (int j = 0; j < s.count(); ++j) {
+    const double u_j = gsl_vector_get(u, j);
+    Eigen::VectorXd column(A.rows());  // dr/dy times the distance of the bounds
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      column(static_cast<Eigen::Index>(i)) = gsl_matrix_get(J, i, j) / (0.5 * std::cos(u_j));
     }
+    if (s.held_by_bound(j, s.y_of(j, u_j), column / s.span(j), r)) continue;
+    A.conservativeResize(Eigen::NoChange, A.cols() + 1);
+    A.rightCols(1) = column;
   }
-  return may_end(A, r);
+  return A.cols() == 0 || may_end(A, r);
 }
 
 }  // namespace
@@ -120,9 +118,13 @@ Values BoundedSearch::start_u() const {
   return u;
 }
 
-bool BoundedSearch::at_bound(int j, double y) const {
+bool BoundedSearch::held_by_bound(int j, double y, const Eigen::VectorXd& column,
+                                  const Values& r) const {
   const double share = (y - low(j)) / span(j);
-  return share < kAtBound || share > 1.0 - kAtBound;
+  if (share > kAtBound && share < 1.0 - kAtBound) return false;
+  const Eigen::Map<const Eigen::VectorXd> f(r.data(), static_cast<Eigen::Index>(r.size()));
+  const double step = -column.dot(f) / column.squaredNorm();
+  return !std::isfinite(step) || y + step <= low(j) || y + step >= low(j) + span(j);
 }
 
 std::optional<Values> BoundedSearch::residuals(const Values& y, Purpose purpose) {

@@ -40,8 +40,10 @@ class BoundedSearch {
   [[nodiscard]] Values x_of(const Values& y) const;
   [[nodiscard]] Values start_u() const;
   [[nodiscard]] bool stopped() const { return p_.stopped && p_.stopped(); }
-  /// Closer to it than a thousandth of the bounds' distance.
-  [[nodiscard]] bool at_bound(int j, double y) const;
+  /// True if y lies closer to a bound than a thousandth of their distance, and the least chi2 along
+  /// it alone, y - J^T r/|J|^2 with J = dr/dy of this parameter, at the bound or beyond.
+  [[nodiscard]] bool held_by_bound(int j, double y, const Eigen::VectorXd& column,
+                                   const Values& r) const;
 
   /// r at y; nothing if it cannot be computed. A step keeps what is better than `best`.
   std::optional<Values> residuals(const Values& y, Purpose purpose);

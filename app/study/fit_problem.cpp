@@ -10,7 +10,9 @@ constexpr double kDecade = 10.0;  ///< ratio of bounds from which on a logarithm
 
 }  // namespace
 
-bool in_logarithms(const FitParameter& p) { return p.low > 0.0 && p.high >= kDecade * p.low; }
+bool in_logarithms(const FitParameter& p) {
+  return p.has_zero && p.low > 0.0 && p.high >= kDecade * p.low;
+}
 
 double fit_coordinate(const FitParameter& p, double x) {
   return in_logarithms(p) ? std::log(x) : x;

@@ -10,6 +10,7 @@ struct FitParameter {
   double start = 0.0;  ///< strictly between the bounds
   double low = 0.0;
   double high = 0.0;
+  bool has_zero = true;  ///< a ratio of two values means something: not of temperatures, of angles
 };
 
 /// What an evaluation serves: a step of the search, or a difference of (4) beside it.

@@ -54,8 +54,9 @@ struct Identification {
 /// 1e-9, elasticity 1e-8 of the gap; heat 3e-4 of 10 K a round, relaxed by about ten rounds).
 [[nodiscard]] double accuracy_of(bearing::Tier tier);
 
-/// Fits. Throws InputError before any work if a case cannot be read at the start or at a bound, if
-/// its tier has no film to go on from, or if a quantity is not one that the tier knows.
+/// Fits. Throws InputError before any work if a case cannot be read at the start or at a bound, or
+/// if its tier has no film to go on from; with the first film if a quantity is not one that the
+/// tier knows.
 [[nodiscard]] Identification identify(const std::vector<MeasuredPoint>& measured,
                                       const std::vector<FitParameter>& keys,
                                       const MeasuredCase& case_at,

@@ -24,8 +24,9 @@ inline RaisedWords raised_words(ending::Raised raised) {
       return {"speed", "rpm", 1.0 / kRpm};
     case ending::Raised::supply:
       return {"supply pressure", "bar", 1e-5};
-    case ending::Raised::load:
     case ending::Raised::place:
+      return {"eccentricity or tilt", "", 1.0};
+    case ending::Raised::load:
       break;
   }
   return {"load", "N", 1.0};
@@ -33,12 +34,21 @@ inline RaisedWords raised_words(ending::Raised raised) {
 
 /// "4.1e+03 N of 8e+03 N".
 inline std::string reached(const ending::Carried& c) {
+  if (c.raised == ending::Raised::place) {
+    return fmt::format("{:.4g} of the eccentricity and tilt given", c.part);
+  }
   const auto [name, unit, factor] = raised_words(c.raised);
   return fmt::format("{:.4g} {} of {:.4g} {}", c.part * factor * c.whole, unit, factor * c.whole,
                      unit);
 }
 
 inline std::string followed(const ending::Carried& c, double h_min) {
+  if (c.raised == ending::Raised::place) {
+    return fmt::format(
+        "followed from a place nearer to the middle, states are found up to {} (smallest gap "
+        "{:.3g} um)",
+        reached(c), h_min * 1e6);
+  }
   return fmt::format(
       "followed from a {} {}, steady states are found up to {} (smallest gap {:.3g} um)",
       c.raised == ending::Raised::load ? "light" : "low", raised_words(c.raised).name, reached(c),
@@ -85,12 +95,13 @@ inline Told told(const ending::BranchEnded& e, const About& a) {
   const bool given_up =
       !a.verdict.cause.empty() && a.verdict.cause.front().is(ending::Plain::given_up);
   const std::string cure =
-      given_up ? a.within.cure
-      : e.with_heat
-          ? fmt::format(
-                "another grid, finer or coarser, a lower {}, a larger clearance, better "
-                "cooling, or a support that lets the housing grow",
-                raised_words(e.carried.raised).name)
+      given_up      ? a.within.cure
+      : e.with_heat ? fmt::format(
+                          "another grid, finer or coarser, a lower {}, a larger clearance, better "
+                          "cooling, or a support that lets the housing grow",
+                          raised_words(e.carried.raised).name)
+      : e.carried.raised == ending::Raised::place
+          ? "another grid (model.grid, model.axial_spacing), or a smaller eccentricity or tilt"
           : fmt::format("another grid (model.grid, model.axial_spacing); or {}", kContactElseLoad);
   return {
       fmt::format("no steady state was found: {}; there the search was given up, which proves no "

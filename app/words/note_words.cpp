@@ -15,8 +15,8 @@ namespace shellback::app {
 
 std::string known_within(double part) {
   if (!std::isfinite(part)) return "without a bar";
-  return part < 1.0 ? fmt::format("within {:.2g} %", 100.0 * part)
-                    : fmt::format("within {:.0f} %", 100.0 * part);
+  return part < 0.995 ? fmt::format("within {:.2g} %", 100.0 * part)
+                      : fmt::format("within {:.0f} %", 100.0 * part);
 }
 
 namespace {

@@ -1,6 +1,8 @@
 // A height map is read as it is written, or refused with its place and a cure.
 #include <fmt/format.h>
 
+#include <random>
+
 #include "app/reading/read_height_map.hpp"
 #include "app/reading/surface_report.hpp"
 #include "surface/gaussian_surface.hpp"
@@ -99,6 +101,45 @@ TEST_CASE("PointsInColumnsAreTheSameMapInAnyOrder") {
   CHECK(std::isnan(holed.at(2, 2)));
   const auto turned = read_height_map(scratch.write("map.csv", columns()), Motion::y);
   CHECK((turned.nx == 8 && turned.at(1, 3) == map.at(3, 1)));
+}
+
+TEST_CASE("PositionsOfAStageScatterAboutTheirLines") {
+  // By up to 2 % of a pitch; a row is missing, and some points.
+  const ScratchFolder scratch;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> off(-0.02, 0.02);
+  std::string text = "x [um], y [um], z [nm]\n";
+  for (int j = 0; j < 20; ++j) {
+    for (int i = 0; i < 30; ++i) {
+      if (j == 7 || (i == 4 && j == 3)) continue;
+      text +=
+          fmt::format("{}, {}, {}\n", 2.0 * (i + off(random)), 0.5 * (j + off(random)), 10 * j + i);
+    }
+  }
+  const auto map = read_height_map(scratch.write("map.csv", text), Motion::x);
+  REQUIRE((map.nx == 30 && map.ny == 20));
+  CHECK(map.dx == Approx(2e-6).epsilon(0.02 / 29.0 * 2.0));
+  CHECK(map.at(3, 1) == Approx(13e-9).epsilon(1e-12));
+  CHECK(std::isnan(map.at(5, 7)));
+  CHECK(std::isnan(map.at(4, 3)));
+  CHECK(surface::holes_of(map).count == 31);
+}
+
+TEST_CASE("PlacesOfAMapAreThoseOfItsFile") {
+  const ScratchFolder scratch;
+  std::string text = "x [um], y [um], z [nm]\n";
+  for (int j = 0; j < 9; ++j) {
+    for (int i = 0; i < 10; ++i) {
+      const std::string z = i == 6 && j == 2 ? "nan" : fmt::format("{}", (7 * i + 3 * j) % 11);
+      text += fmt::format("{}, {}, {}\n", 100 + 2 * i, 40 + j, z);
+    }
+  }
+  SurfaceOptions options;
+  options.path = scratch.write("map.csv", text);
+  for (const Motion motion : {Motion::x, Motion::y}) {
+    options.motion = motion;
+    check_words(report_refusal(options), {"x = 112 um, y = 42 um"});
+  }
 }
 
 TEST_CASE("AMarkBehindEveryRowIsNoColumn") {

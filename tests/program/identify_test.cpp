@@ -78,6 +78,8 @@ TEST_CASE("IdentifyFindsAKeyAndWritesWhatItFound", "[identify]") {
   CHECK(json["keys"][0]["value"].get<double>() == Approx(0.08).epsilon(1e-5));
   CHECK(json["keys"][0]["deviation"].get<double>() > 0.0);
   CHECK(json["points"].size() == 3);
+  CHECK(json.contains("changes"));
+  CHECK(json["case"]["bearing"].is_object());
   check_parts(read_text_file(scratch.path("fit.svg")), {"<svg", "friction torque", "adhesive = "});
   check_parts(read_text_file(scratch.path("fit.csv")), {"point,speed [rpm],quantity"});
 }

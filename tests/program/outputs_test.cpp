@@ -165,6 +165,7 @@ TEST_CASE("InitWritesACaseAndNothingElse") {
   CHECK(run_words({"init", "raimondi-boyd", "-o", file}).code == kBadFile);
   CHECK(text_of(file) == kSampleCase);
   CHECK(run_words({"init", "raimondi-boyd", "-o", scratch.path("x.h5")}).code == kBadInput);
+  CHECK(run_words({"init", "raimondi-boyd", "-o", "-"}).code == kBadInput);
   CHECK(run_words({"init", "raimondi-boyd", "-o", scratch.path("no/x.toml")}).code == kBadFile);
   CHECK(run_words({"init", "raimondi-boyd", "-o", scratch.path("x.toml")}).code == kDone);
   CHECK(text_of(scratch.path("x.toml")) == text_of(case_path("raimondi-boyd").string()));

@@ -130,6 +130,59 @@ TEST_CASE("WarningsGoToStandardError") {
   CHECK(begins_with_brace(ended.out));
 }
 
+TEST_CASE("PicturesOverTimeHoldNumbersWhicheverWayTheJournalTurns") {
+  const ScratchFolder scratch;
+  const std::string picture = scratch.path("a.svg");
+  const auto drawn = [&](const std::string& name, const std::string& speed,
+                         std::vector<std::string> words) {
+    words.insert(words.begin(), {"run", case_path(name).string()});
+    for (const std::string& set : {"operation.speed=" + speed, std::string("model.grid=[36,6]")}) {
+      words.insert(words.end(), {"--set", set});
+    }
+    words.insert(words.end(), {"--picture", picture});
+    const Ended ended = run_words(words);
+    INFO(ended.err);
+    CHECK(ended.code == 0);
+    const std::string svg = read_text_file(picture);
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(svg.find("inf") == std::string::npos);
+    return svg;
+  };
+  for (const char* turn : {"2000 rpm", "-2000 rpm"}) {
+    drawn("thd-plain-bearing", turn, {"--transient", "--until", "100 s"});
+    const std::string running_in = "running_in.until=20 s";
+    drawn("running-in", turn, {"--running-in", "--set", running_in});
+  }
+  // A course of one stretch has one end: a dot, and the case that was asked for.
+  const std::string course = drawn(
+      "thd-plain-bearing", "2000 rpm",
+      {"--transient", "--set", "operation.load=3.5 kN", "--speeds", "1500 rpm", "--hold", "10 s"});
+  check_parts(course, {"<circle", "operation.load = 3.5 kN", "1 stretch;"});
+}
+
+TEST_CASE("WhereNoOilLeavesNoThermalRunawayIsForetold") {
+  const std::vector<std::string> words{"check", case_path("raimondi-boyd").string(), "--set",
+                                       "operation.eccentricity_ratio=0"};
+  const Ended ended = run_words(words);
+  CHECK(ended.code == 0);
+  CHECK(ended.out.find("runaway is likely") == std::string::npos);
+  CHECK(ended.out.find("inf") == std::string::npos);
+}
+
+TEST_CASE("APlaceThatIsNotFoundIsNoLoad") {
+  std::string text = read_text_file(case_path("ks-rig-test-bearing").string());
+  const std::string load = "load = \"8 kN\"";
+  text.replace(text.find(load), load.size(), "eccentricity_ratio = 2\nattitude_angle = \"20 deg\"");
+  const ScratchFolder scratch;
+  const Ended ended = run_words(
+      {"run", scratch.write("c.toml", text), "--tier", "isothermal", "--set", "model.grid=[36,6]",
+       "--set", "model.elastic_deformation=true", "--set", "model.asperity_contact=false"});
+  CHECK(ended.code == kNotConverged);
+  check_parts(ended.err, {"of the eccentricity and tilt given"});
+  CHECK(ended.err.find("0 N of 0 N") == std::string::npos);
+  CHECK(ended.err.find("a low load") == std::string::npos);
+}
+
 TEST_CASE("ASweepPrintsATableAndWritesItsFiles") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);

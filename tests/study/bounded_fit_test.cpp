@@ -90,6 +90,42 @@ TEST_CASE("AMinimumBeyondABoundEndsAtTheBound", "[bounded_fit]") {
   CHECK(fit.status == FitStatus::settled);
 }
 
+TEST_CASE("WideBoundsHoldNoKeyThatTheDataDetermine", "[bounded_fit]") {
+  // 0.02 of 20 and 2e4: the second range makes a thousandth of itself of what is found.
+  const auto found = [](double high) {
+    FitProblem p = decay(0.02, 5);
+    p.parameters[0] = {1.0, 0.0, high};
+    return fit_bounded(p);
+  };
+  const Fit narrow = found(20.0), wide = found(2e4);
+  REQUIRE(narrow.status == FitStatus::settled);
+  REQUIRE(wide.status == FitStatus::settled);
+  CHECK(wide.at_bound[0] == 0);
+  for (const int k : {0, 1}) {
+    // a tenth of a deviation is where the search may end
+    CHECK(std::abs(wide.x[k] - narrow.x[k]) <= 0.2 * narrow.deviation[k]);
+    CHECK(wide.deviation[k] == Approx(narrow.deviation[k]).epsilon(0.02));
+  }
+}
+
+TEST_CASE("AsManyValuesAsKeysTellNoDeviations", "[bounded_fit]") {
+  FitProblem p;
+  p.parameters = {{0.5, 0.0, 1.0}};
+  p.deviations_known = false;
+  p.residuals = [](const Values& x, Purpose) { return std::optional(Values{x[0] - 0.3}); };
+  const Fit fit = fit_bounded(p);
+  CHECK(fit.x[0] == Approx(0.3).epsilon(1e-6));
+  CHECK(std::isnan(fit.deviation[0]));
+  CHECK_FALSE(fit.determined());
+  p.deviations_known = true;
+  CHECK(fit_bounded(p).deviation[0] == Approx(1.0).epsilon(1e-6));
+}
+
+TEST_CASE("WhatHasAZeroOfItsOwnIsNotFittedByItsLogarithm", "[bounded_fit]") {
+  CHECK(in_logarithms({10.0, 5.0, 60.0}));
+  CHECK_FALSE(in_logarithms({10.0, 5.0, 60.0, false}));
+}
+
 TEST_CASE("AProductOfTwoKeysIsNotTakenApart", "[bounded_fit]") {
   for (const double sd : {0.02, 1e-9}) {  // scatter or none: the reason differs, the verdict not
     FitProblem p = decay(sd, 7);

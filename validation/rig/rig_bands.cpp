@@ -23,9 +23,13 @@ void add(std::vector<RigEffect>& effects, const RigUnknown* unknown, int end, do
   at->high = std::max(at->high, change);
 }
 
-/// Torque of the course as taken when it first ran at this speed.
+/// Torque of the course as taken, through the same speeds, when it first ran at this one.
 double taken(const RigStudy& study, const RigCourse& course, double rpm) {
-  const RigCourse* as_taken = study.course(course.peak);
+  const auto alike = [&](const RigCourse& c) {
+    return c.unknown == nullptr && c.peak == course.peak && c.rpm == course.rpm;
+  };
+  const auto as_taken = std::find_if(study.courses.begin(), study.courses.end(), alike);
+  if (as_taken == study.courses.end()) return NAN;
   for (std::size_t k = 0; k <= as_taken->highest(); ++k) {
     if (as_taken->rpm[k] == rpm) return as_taken->torque(k);
   }

@@ -25,7 +25,8 @@ std::vector<RigCourse> courses_of(const RigPlan& plan) {
   }
   if (!plan.bands) return courses;
   const double peak = plan.peaks.back();
-  courses.push_back({peak, &heavier_bodies(), 1, up_and_down(plan.few_rpm), {}, false});
+  courses.push_back({peak, &heavier_bodies(), 1, up_and_down(plan.rpm), {}, false});
+  courses.push_back({peak, nullptr, 0, plan.few_rpm, {}, {}});  // what the following stand beside
   for (const RigUnknown& unknown : body_unknowns()) {
     for (const int end : {0, 1}) courses.push_back({peak, &unknown, end, plan.few_rpm, {}, {}});
   }

@@ -13,7 +13,9 @@ struct Provenance {
   std::string version;      ///< of the program
   std::string git;          ///< `git describe --always --dirty` of the source tree when built
   std::string input;        ///< path of the case file; empty: the case did not come from a file
-  std::string fingerprint;  ///< FNV-1a 64 of the case file's text, 16 hexadecimal digits
+  /// FNV-1a 64 of the case as it was run, 16 hexadecimal digits: the file's text and, behind it,
+  /// what was changed on the command line.
+  std::string fingerprint;
   std::vector<std::pair<std::string, std::string>> libraries;  ///< name, version; compiler last
 };
 

@@ -62,8 +62,42 @@ bool is_hole(const GridEdge& a, const GridEdge& b) {
   return std::isfinite(b.beside) && a.strip >= 0 && a.strip == b.strip;
 }
 
+/// Cells that it takes to grow from a hole's rows, or between two, by no more than kMostGrowth
+/// each, the first against its row as well.
+int cells_that_grow(const GridEdge& a, const GridEdge& b, int most) {
+  for (int n = 1; n < most; ++n) {
+    double sum = 0.0;
+    for (int k = 0; k < n; ++k) {
+      sum += std::min(a.beside * std::pow(kMostGrowth, k),
+                      b.beside * std::pow(kMostGrowth, n - 1 - k));
+    }
+    if (!(kMostGrowth * sum < b.at - a.at)) return n;
+  }
+  return most;
+}
+
+/// What each segment has at least, the most that there are cells for: `rows` in holes and beside
+/// them as many as grow from those; only the rows; one each.
+std::vector<int> least_counts(const GridEdges& edges, int n, int rows) {
+  const int segments = static_cast<int>(edges.size()) - 1;
+  for (const bool grow : {true, false}) {
+    std::vector<int> least(segments, 1);
+    int sum = 0;
+    for (int s = 0; s < segments; ++s) {
+      if (is_hole(edges[s], edges[s + 1])) {
+        least[s] = rows;
+      } else if (grow) {
+        least[s] = cells_that_grow(edges[s], edges[s + 1], n);
+      }
+      sum += least[s];
+    }
+    if (sum <= n) return least;
+  }
+  return std::vector<int>(segments, 1);
+}
+
 /// Splits from the first to the last edge into `n` cells, each edge on a face, as even as can be
-/// but for at least `rows` in a hole.
+/// but for at least `rows` in a hole, and beside it what grows from them.
 std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1) {
   const int segments = static_cast<int>(edges.size()) - 1;
   if (segments > n) {
@@ -72,10 +106,10 @@ std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1) {
         segments));
   }
   const double total = edges.back().at - edges.front().at;
-  std::vector<int> least(segments, 1), count(segments);
+  const std::vector<int> least = least_counts(edges, n, rows);
+  std::vector<int> count(segments);
   int used = 0;
   for (int s = 0; s < segments; ++s) {
-    if (is_hole(edges[s], edges[s + 1])) least[s] = rows;
     const double share = (edges[s + 1].at - edges[s].at) / total * n;
     count[s] = std::max(least[s], static_cast<int>(std::lround(share)));
     used += count[s];
@@ -95,10 +129,6 @@ std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1) {
         worst = key;
         best = s;
       }
-    }
-    if (best < 0) {  // no cell to spare: holes keep one row
-      least.assign(segments, 1);
-      continue;
     }
     const int more = used < n ? 1 : -1;
     count[best] += more;

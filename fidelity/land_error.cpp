@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPad = 20.0;  // (1)
 constexpr double kSide = 0.1;  // (2)
+constexpr double kHole = 0.2;  // (3)
 
 struct Land {
   int cells = 0;
@@ -45,10 +46,29 @@ int cells_to_supply(const FilmGrid& g, const fluid::SupplyMap& supply, int i, in
   return 0;
 }
 
+/// Rows of cells along the bearing that patch k takes.
+int rows_of(const FilmGrid& g, const fluid::SupplyMap& supply, int k) {
+  int rows = 0;
+  bool in_middle = false;
+  for (int j = 0; j < g.nz; ++j) {
+    bool takes = false;
+    for (int i = 0; i < g.nt && !takes; ++i) takes = supply.cell[g.index(i, j)] == k;
+    rows += takes ? 1 : 0;
+    in_middle = in_middle || (j == 0 && takes);
+  }
+  if (!g.half || !in_middle) return rows;
+  return g.z[0] == 0.0 ? 2 * rows - 1 : 2 * rows;
+}
+
 }  // namespace
 
 LandError land_error(const FilmGrid& g, const fluid::SupplyMap& supply) {
   LandError out;
+  for (std::size_t k = 0; k < supply.patches.size(); ++k) {
+    if (!supply.patches[k].round || supply.patches[k].moving) continue;
+    const int rows = rows_of(g, supply, static_cast<int>(k));
+    if (rows > 0) out.holes = std::max(out.holes, kHole / (rows * rows));
+  }
   const double width = g.z_face.back() - g.z_face.front();
   for (int j = 0; j < g.nz; ++j) {
     if (!is_mostly_supply(g, supply, j)) continue;
@@ -76,7 +96,8 @@ LandError land_error(const bearing::Case& c) {
 
 double open_by_lands(const LandError& lands, std::string_view name) {
   const bool friction = name.starts_with("friction_") || name == "power_loss";
-  return friction ? std::max(lands.pads, lands.sides) : lands.pads;
+  const bool flow = name == "side_flow" || name == "supply_flow" || name == "pump_power";
+  return std::max({lands.pads, friction ? lands.sides : 0.0, flow ? lands.holes : 0.0});
 }
 
 }  // namespace shellback::fidelity

@@ -11,6 +11,11 @@
 /// of friction: where the oil tears off within a land is known to a part of a cell, and friction
 /// follows the fill. Factors are those of decision 079, from bearings of one groove of 280 to 345
 /// degrees. Both vanish as cells become many, and where half a turn and more is film.
+///
+/// Likewise a hole that is one row of cells on all of them: around it pressure falls off as a
+/// logarithm, and the flow that it feeds is known to
+///   holes = 0.2 / n^2,  n rows of cells of the hole with the fewest                         (3)
+/// decision 085, from 130 bearings.
 #include <string_view>
 
 #include "bearing/case.hpp"
@@ -21,6 +26,7 @@ namespace shellback::fidelity {
 struct LandError {
   double pads = 0.0;   ///< (1), of the size of each quantity [-]
   double sides = 0.0;  ///< (2), of friction [-]
+  double holes = 0.0;  ///< (3), of flows [-]
 };
 
 /// Of the patches that take cells; lines and drillings of the journal part no lands.

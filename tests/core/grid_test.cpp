@@ -193,6 +193,29 @@ TEST_CASE("WhereCellsRunShortTheLandKeepsTwo") {
   }
 }
 
+TEST_CASE("CellsGrowFromTheRowsOfAHoleAlsoUpToAnEdgeNearBy") {
+  // A hole of 2.75 mm in 34 mm, relief from 5.73 mm on, 25 graded cells: pressure falls off as a
+  // logarithm between the two, which one cell of 4.4 mm beside rows of 0.9 mm cannot follow.
+  const double hole = 1.375e-3, foot = 5.73e-3;
+  GridEdge below(-hole, 0), above(hole, 0);
+  below.beside = above.beside = 2.0 * hole;
+  const GridEdges edges{below, above, GridEdge(-foot), GridEdge(foot)};
+  for (const double grading : {0.0, kEdgeGrading}) {
+    const FilmGrid g = make_grid(0.025, 0.0339, 200, 25, true, {}, edges, grading);
+    double row = 0.0;
+    for (int j = 0; j < g.nz; ++j) {
+      if (g.z_face[j + 1] > foot * (1.0 + 1e-9)) break;
+      if (j > 0 && g.z_face[j] > 0.5 * hole) {
+        INFO("cell " << j << " of " << 1e3 * g.dz[j] << " mm beside " << 1e3 * row);
+        // Growth by a half in the coordinate of the grading, whose widths go by 1 - z^2 tanh^2.
+        CHECK(g.dz[j] <= 1.5 * row * (1.0 + 1e-9));
+      }
+      row = j == 0 ? 2.0 * g.dz[j] : g.dz[j];  // the middle one is cut in half
+    }
+    CHECK(row > 0.0);
+  }
+}
+
 TEST_CASE("MoreEdgesThanCellsAreRefused") {
   CHECK_THROWS_AS(make_grid(kRadius, kWidth, 3, 4, false, {0.0, 1.0, 2.0, 3.0}), InputError);
 }

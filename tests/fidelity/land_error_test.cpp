@@ -43,6 +43,34 @@ TEST_CASE("FilmsWithoutGroovesHaveNoErrorOfLands", "[land_error]") {
   CHECK(usual.sides == 0.0);
 }
 
+TEST_CASE("FlowsOfHolesOfOneRowAreKnownToAFifth", "[land_error]") {
+  CHECK(lands_of(plain_case(), {60, 9}).holes == 0.0);
+  const auto one = lands_of(hole_case(), {60, 9}), two = lands_of(hole_case(), {140, 19}),
+             three = lands_of(hole_case(), {200, 25});
+  CHECK(one.holes == Approx(0.2));
+  CHECK(two.holes < 0.06);
+  CHECK(three.holes < 0.03);
+  CHECK(fidelity::open_by_lands(one, "side_flow") == one.holes);
+  CHECK(fidelity::open_by_lands(one, "friction_torque") == 0.0);
+  // Concentric, far from the ends: Q = pi p h^3/(6 eta ln(acosh...)) of a hole of diameter d at the
+  // distance a from an edge, image sources (textbook): 2 pi K p/acosh(2 a/d), K = h^3/(12 eta).
+  Case c = hole_case();
+  c.bearing = {0.05, 0.04, 40e-6, 293.15, {}};
+  c.operation.position = EccentricityGiven{0.0, 0.0, 270.0 * kDegree};
+  c.operation.omega = 10.0 * kRpm;
+  c.oil.temperature = rheology::ConstantViscosity{0.02};
+  c.supplies[0].diameter = 3e-3;
+  c.supplies[0].z = 0.0165;  // 3.5 mm from the edge, 36.5 mm from the other
+  c.model.grid = {60, 9};
+  const Result r = fidelity::solve(c);
+  REQUIRE(r.verdict.good());
+  const double K = std::pow(40e-6, 3) / (12.0 * 0.02);
+  const double exact = 2.0 * kPi * K * c.supplies[0].pressure / std::acosh(2.0 * 3.5e-3 / 3e-3);
+  const Quantity* q = quantity_in(r.quantities, "side_flow");
+  INFO(q->value << " +- " << q->error_grid << ", exact " << exact);
+  CHECK(std::abs(q->value - exact) <= q->error_grid);
+}
+
 TEST_CASE("TheErrorOfLandsFallsWithTheirCells", "[land_error]") {
   // Edges of the groove lie on faces of all these grids: cells are halved exactly.
   const auto coarse = lands_of(pad_case(300.0), {36, 6});

@@ -59,10 +59,20 @@ std::vector<Stretch> stretches_of(const Request& request, const std::string& tex
     throw InputError("--until", "a course ends with its last speed; leave it out");
   }
   std::vector<Stretch> stretches;
-  const Case given = read_case_text(text, request.case_file, overrides_of(request));
-  for (const std::string& speed : with_units(request.speeds)) {
+  const std::vector<std::string> speeds = with_units(request.speeds);
+  const auto at_speed = [&](const std::string& speed) {
     std::vector<Override> set = overrides_of(request);
+    for (const Override& change : set) {
+      if (change.key != "operation.speed") continue;
+      throw InputError(
+          "--speeds", fmt::format("the speed is also given by {}; keep one of them", change.place));
+    }
     set.push_back({"operation.speed", speed, "--speeds"});
+    return set;
+  };
+  const Case given = read_case_text(text, request.case_file, overrides_of(request));
+  for (const std::string& speed : speeds) {
+    const std::vector<Override> set = at_speed(speed);
     stretches.push_back(
         {validation::with_rivals(read_case_text(text, request.case_file, set)), time});
     const Case& at = stretches.back().subject;

@@ -42,14 +42,6 @@ int give_coefficients(Outputs& outputs, const Result& result) {
   return kDone;
 }
 
-/// The tier `estimate` has no film to be disturbed.
-void expect_film(const Case& subject) {
-  if (!subject.model.coefficients || subject.model.tier != Tier::estimate) return;
-  throw InputError("model.coefficients",
-                   "stiffness and damping (--coefficients) need a solved film, and tier estimate "
-                   "solves none; take tier isothermal or a richer one");
-}
-
 /// Options of a transient.
 void expect_no_transient(const Request& request) {
   for (const auto& [option, given] :
@@ -97,7 +89,7 @@ int run(const Request& request) {
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   if (subject.cycle) return cycle(request, text, subject);
   expect_steady(request);
-  expect_film(subject);
+
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
   const Result result = [&] {

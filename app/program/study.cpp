@@ -87,6 +87,11 @@ int study_shells(const Request& request) {
 int study(const Request& request) {
   if (request.name.empty()) {
     refuse_outputs_of_a_list(request);
+    for (const auto& [option, given] :
+         {std::pair{"--resume", request.resume}, std::pair{"--quick", request.quick},
+          std::pair{"--state", !request.state.empty()}}) {
+      if (given) throw InputError(option, "belongs to a study; name one of them");
+    }
     std::cout << "ks-rig  KS rig of Sander, Allmaier, Priebsch 2016: torque of three bearings over "
                  "speed, run-up and run-down, start and stop\n"
                  "shells  shells of Offner and Knaus 2015 in a big end: plain and grooved AlSn, "

@@ -34,6 +34,16 @@ using study::Sweep;
 
 namespace {
 
+/// The bars of the physics left out are not told of points over a load cycle.
+void expect_bars_of_points(const Request& request, const bearing::Case& subject) {
+  const bool has_its_own = subject.model.tier == bearing::Tier::estimate ||
+                           subject.model.tier == bearing::Tier::automatic;
+  if (!request.bars || !subject.cycle || has_its_own) return;
+  throw InputError("--bars",
+                   "over a load cycle a sweep tells the bars of grid and steps alone; tier auto "
+                   "judges the physics left out, and compare solves the tiers beside each other");
+}
+
 Sweep solve_all(const std::vector<Axis>& axes, const study::CaseAt& case_at, int threads,
                 const Request& request, PointKeepers& keepers) {
   ProgressLine line;
@@ -98,6 +108,7 @@ int sweep(const Request& request) {
   if (!request.picture.empty()) expect_drawable(axes);
   const std::string text = read_text_file(request.case_file);
   const bearing::Case subject = sweep_subject(text, request.case_file, set, axes);
+  expect_bars_of_points(request, subject);
   Outputs outputs(request, files_of_sweep(text, request.case_file, set, axes));
   warn_of_one_measurement(subject, axes);
   if (!subject.cycle) {

@@ -174,7 +174,7 @@ void LoadTable::close(double period, LoadInterpolation interpolation) {
       expect_periodic();
       rows_.pop_back();
     }
-    if (at_end()) move_to_front();
+    while (at_end()) move_to_front();  // of a jump there, what holds before it last
   } else if (!from_zero) {
     begin_at_zero(period, interpolation);
   }

@@ -60,7 +60,8 @@ toml::table as_document(const std::string& value, const std::string& place) {
 toml::node& list_entry(toml::array& list, const std::string& part, const Override& change) {
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
-  if (error != std::errc{} || end != part.data() + part.size()) {
+  const bool padded = part.size() > 1 && part.front() == '0';  // another spelling of the same key
+  if (error != std::errc{} || end != part.data() + part.size() || padded) {
     throw InputError(change.place, fmt::format("\"{}\" does not number an entry of a list; the "
                                                "first is 0, as in supply.0.pressure",
                                                part));

@@ -171,7 +171,9 @@ study::Axis parse_axis(const std::string& key_and_values) {
   const std::string values = trimmed(key_and_values.substr(equal + 1));
   const std::string place = "--vary " + key;
   if (values.empty()) throw InputError(place, fmt::format("it has no values; {}", kExamples));
-  const bool range = values.find("..") != std::string::npos;
+  // Words in quotes and paths to a folder above have dots, too.
+  const bool words = values.front() == '"' || values.find("../") != std::string::npos;
+  const bool range = !words && values.find("..") != std::string::npos;
   return range ? range_axis(key, values, place) : list_axis(key, values, place);
 }
 

@@ -41,7 +41,7 @@ void read_sections(const Section& file, Case& result) {
   result.shell = read_shell(file);
   result.shaft = read_shaft(file);
   result.surfaces = read_surfaces(file);
-  result.measured = read_measured(file);
+  result.measured = read_measured(file, result.operation.omega);
   result.running_in = read_running_in(file);
   if (result.running_in && result.running_in->worn && result.bearing.shape) {
     file.assume(

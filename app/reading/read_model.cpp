@@ -153,7 +153,7 @@ Model read_model(const Section& file) {
   return model;
 }
 
-Measured read_measured(const Section& file) {
+Measured read_measured(const Section& file, double omega) {
   Measured measured;
   const auto section = file.maybe_section("measured");
   if (!section) return measured;
@@ -161,7 +161,15 @@ Measured read_measured(const Section& file) {
                  "eccentricity_ratio", "T_shell_max"},
                 "[measured]");
   measured.shell_back_temperature = section->maybe_quantity("shell_back_temperature", kTemperature);
-  measured.friction_torque = section->maybe_quantity("friction_torque", kTorque, kNotNegative);
+  measured.friction_torque = section->maybe_quantity("friction_torque", kTorque);
+  if (measured.friction_torque && *measured.friction_torque < 0.0) {
+    if (!(omega < 0.0)) {
+      section->fail("friction_torque",
+                    "a friction torque has the sign of the speed, which is not negative here; give "
+                    "its magnitude");
+    }
+    *measured.friction_torque *= -1.0;  // kept as a magnitude
+  }
   measured.h_min = section->maybe_quantity("h_min", kLength.such_as("2 um"), kNotNegative);
   measured.p_max = section->maybe_quantity("p_max", kPressure.such_as("50 MPa"));
   measured.side_flow = section->maybe_quantity("side_flow", kFlow, kNotNegative);

@@ -179,10 +179,28 @@ Section oil_section(const Section& file) {
   return own;
 }
 
+/// Properties that the case gives itself in place of those of a shipped oil: the shipped statements
+/// are of the others.
+std::vector<std::string> own_properties(const Section& file) {
+  const Section own = file.section("oil");
+  std::vector<std::string> properties;
+  if (!own.has("name") || find_oil(own.reader(), own.text("name")) == nullptr) return properties;
+  for (const char* key : {"density", "conductivity", "heat_capacity", "valid"}) {
+    if (own.has(key)) properties.emplace_back(key);
+  }
+  if (const auto laws = own.maybe_section("viscosity")) {
+    for (const char* key : {"temperature", "pressure", "shear"}) {
+      if (laws->has(key)) properties.push_back(std::string("viscosity.") + key);
+    }
+  }
+  return properties;
+}
+
 }  // namespace
 
 Oil read_oil(const Section& file) {
   const Section section = oil_section(file);
+  const std::vector<std::string> own = own_properties(file);
   section.only({"name", "title", "source", "note", "density", "conductivity", "heat_capacity",
                 "temperature", "viscosity", "valid", "assumed"},
                "[oil]");
@@ -197,8 +215,13 @@ Oil read_oil(const Section& file) {
   oil.heat_capacity = read_heat_capacity(section);
   oil.range = read_range(section);
   oil.assumed = section.texts("assumed");
+  if (!own.empty()) {
+    section.assume(
+        fmt::format("oil {}: {} of this case instead of the shipped", oil.name, comma_list(own)));
+  }
   for (const std::string& statement : oil.assumed) {
-    section.assume(fmt::format("oil {}: {}", oil.name, statement));
+    section.assume(
+        fmt::format("oil {}{}: {}", oil.name, own.empty() ? "" : ", shipped values", statement));
   }
   return oil;
 }

@@ -176,13 +176,21 @@ std::optional<Shaft> read_shaft(const Section& file) {
   shaft.elastic_overhang = section->maybe_quantity("elastic_overhang", kLength, kNotNegative);
   if (!shaft.elastic_overhang) {
     section->assume(
-        "where surfaces are elastic the shaft is taken to go on beyond the bearing by its overhang, "
+        "where surfaces are elastic the shaft is taken to go on beyond the bearing by its "
+        "overhang, "
         "at least by one radius (shaft.elastic_overhang is not given)");
   }
   shaft.span = section->maybe_quantity("span", kLength.such_as("100 mm"), kPositive);
   if (shaft.overhang > 0.0) {
     shaft.heat_transfer = section->quantity("heat_transfer", kHeatTransfer, kNotNegative);
     shaft.ambient = section->quantity("ambient", kTemperature);
+    return shaft;
+  }
+  const auto rate = section->maybe_quantity("heat_transfer", kHeatTransfer, kNotNegative);
+  const auto ambient = section->maybe_quantity("ambient", kTemperature);
+  if (rate || ambient) {
+    section->assume(
+        "shaft.heat_transfer and shaft.ambient are those of its overhang, of which there is none");
   }
   return shaft;
 }

@@ -66,6 +66,7 @@ namespace shellback::app {
 /// A table of flow factors, as `shellback surface --csv` writes it.
 [[nodiscard]] fluid::FactorTable read_flow_factors(const std::string& path);
 [[nodiscard]] bearing::Model read_model(const Section& file);
-[[nodiscard]] bearing::Measured read_measured(const Section& file);
+/// `omega` of the operating point: a torque may have its sign.
+[[nodiscard]] bearing::Measured read_measured(const Section& file, double omega);
 
 }  // namespace shellback::app

@@ -308,7 +308,7 @@ std::vector<Section> Section::sections(const std::string& key) const {
   if (list == nullptr) {
     fail(key, fmt::format("this is {}, but a list of tables is wanted: write [[{}]], with two "
                           "brackets",
-                          type_name(*node), key));
+                          type_name(*node), name(key)));
   }
   for (std::size_t k = 0; k < list->size(); ++k) {
     const auto* table = list->get(k)->as_table();

@@ -300,6 +300,14 @@ void judge_cycle(const Case& c, Findings& to) {
       to, "load_cycle.file", specific, kBearingLimits.specific_load,
       fmt::format("the largest load over the projected area is {:.4g} MPa", 1e-6 * specific),
       "check the unit of the load (with [crank]: of its masses and pressures, and of the speed)");
+  if (const auto* moment = std::get_if<MomentGiven>(&c.operation.alignment)) {
+    const double lever = std::hypot(moment->about_x, moment->about_y) / n.largest;
+    compare(to, "operation.moment", lever / c.bearing.width, kBearingLimits.lever,
+            fmt::format("the moment is that of the largest load {} beside mid-width, {:.3g} of the "
+                        "width",
+                        shown(lever, "mm"), lever / c.bearing.width),
+            "beyond 0.5 the load's line lies outside the bearing; check the unit of the moment");
+  }
   judge_turning(c, to);
   judge_own_speed(c, n, to);
   judge_standing(c, n, to);

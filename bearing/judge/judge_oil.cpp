@@ -158,6 +158,16 @@ void judge_temperatures(const Case& c, Findings& to) {
   }
 }
 
+/// An equivalent temperature without the shell-back temperature that it is made of.
+void judge_kappa(const Case& c, Findings& to) {
+  const bool prescribed = c.shell && std::holds_alternative<PrescribedBack>(c.shell->back);
+  const bool known = c.measured.shell_back_temperature || prescribed;
+  if (known || c.model.kappa == Model{}.kappa || c.model.tier != Tier::isothermal) return;
+  to.suspect("model.equivalent_temperature.kappa",
+             "it is not used: no shell-back temperature is known, and the film has the oil's",
+             "give measured.shell_back_temperature or shell.back.temperature");
+}
+
 /// A film at an equivalent temperature below that of all oil that enters.
 void judge_cold_back(const Case& c, Findings& to) {
   const auto& back = c.measured.shell_back_temperature;
@@ -180,6 +190,7 @@ void judge_oil(const Case& c, Findings& to) {
   judge_heat(c.oil, mean_supply_temperature(c), to);
   judge_temperatures(c, to);
   judge_cold_back(c, to);
+  judge_kappa(c, to);
 }
 
 }  // namespace shellback::bearing

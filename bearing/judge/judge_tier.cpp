@@ -236,6 +236,12 @@ Lack lack_for(const Case& c, Tier tier) {
   if (tier == Tier::estimate) {
     if (auto missing = lack_for_estimate(c)) return missing;
   }
+  if (tier == Tier::estimate && !c.cycle && c.model.coefficients) {
+    return lack("model.coefficients",
+                "stiffness and damping (--coefficients) need a solved film, and tier estimate "
+                "solves none",
+                "take tier isothermal or a richer one");
+  }
   if (c.cycle && c.model.coefficients) {
     return lack("model.coefficients",
                 "not yet available for load cycles: stiffness and damping, which belong to a "

@@ -35,13 +35,23 @@ double oil_mean_temperature(const BearingModel& m, const FilmEquilibrium& f) {
   return sum / oil;
 }
 
-/// The smallest film of the first row from `j` on that is not all supply [m].
-double film_beside_supply(const BearingModel& m, const FilmEquilibrium& f, int j) {
+/// The smallest film on the edge of the supply that row `j` lies in, towards the end of the bearing
+/// that `step` leads to: on the straight line through the first two rows that are film [m].
+double film_beside_supply(const BearingModel& m, const FilmEquilibrium& f, int j, int step) {
   const FilmGrid& g = m.domain.grid;
+  const auto is_film = [&](int i, int row) {
+    return row >= 0 && row < g.nz && m.supply.cell[g.index(i, row)] < 0;
+  };
   double h = INFINITY;
-  for (; j < g.nz && !std::isfinite(h); ++j) {
+  for (; j >= 0 && j < g.nz && !std::isfinite(h); j += step) {
+    const double edge = g.z_face[step > 0 ? j : j + 1];
     for (int i = 0; i < g.nt; ++i) {
-      if (m.supply.cell[g.index(i, j)] < 0) h = std::min(h, f.gap.cell[g.index(i, j)]);
+      if (!is_film(i, j)) continue;
+      const double here = f.gap.cell[g.index(i, j)];
+      const double slope = is_film(i, j + step) ? (f.gap.cell[g.index(i, j + step)] - here) /
+                                                      (g.z[j + step] - g.z[j])
+                                                : 0.0;
+      h = std::min(h, here + slope * (edge - g.z[j]));
     }
   }
   return h;
@@ -72,7 +82,9 @@ double gap_at_mid_width(const BearingModel& m, const FilmEquilibrium& f) {
     const int west = g.previous(i);
     if (film(west)) h = std::min(h, between(f.gap.phi_face, i) + std::min(step(i), step(west)));
   }
-  return std::isfinite(h) ? h : film_beside_supply(m, f, b);
+  if (std::isfinite(h)) return h;
+  const double above_it = film_beside_supply(m, f, b, 1);
+  return g.half ? above_it : std::min(above_it, film_beside_supply(m, f, b, -1));
 }
 
 /// From the load line to the line of centres, positive in the direction of rotation [deg].

@@ -172,6 +172,34 @@ TEST_CASE("AJumpAtTheEndOfThePeriodStandsAtItsBeginning") {
   CHECK(c.y[1] == -1000.0);
 }
 
+TEST_CASE("AJumpAtTheEndNeedsNoRowAtTheBeginning") {
+  const std::string head = "angle [deg], load_x [N], load_y [N]\n";
+  const std::string rows = "120, 0, -1000\n240, 0, -1500\n360, 0, -2000\n360, 0, -1000\n";
+  const auto jump = cycle_of(kInDegrees, head + rows);
+  const auto with_first = cycle_of(kInDegrees, head + "0, 0, -1000\n" + rows);
+  CHECK(jump.t == with_first.t);
+  CHECK(jump.y == with_first.y);
+  REQUIRE(jump.t.size() == 4);
+  CHECK((jump.t[0] == 0.0 && jump.t[1] == 0.0));
+  CHECK((jump.y[0] == -2000.0 && jump.y[1] == -1000.0));
+}
+
+TEST_CASE("AMomentOverACycleIsJudgedByItsLargestLoad") {
+  const ScratchFolder folder;
+  folder.write("load.csv", kRows);
+  std::string with = sample_of(kInDegrees);
+  const std::string operation = "[operation]\n";
+  with.insert(with.find(operation) + operation.size(), "moment = { about_x = \"1e6 N m\" }\n");
+  std::string said;
+  try {
+    static_cast<void>(read_case_text(with, folder.path("case.toml")));
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  CHECK(said.find("operation.moment") != std::string::npos);
+  CHECK(said.find("largest load") != std::string::npos);
+}
+
 TEST_CASE("ATableThatBeginsLaterGoesOnFromItsEnd") {
   const std::string rows = "angle [deg], load_x [N], load_y [N]\n";
   const LoadCycle c = cycle_of(kInDegrees, rows + "90, 0, -1000\n270, 0, -3000\n");

@@ -269,6 +269,66 @@ TEST_CASE("AShippedOilTakesInlineChanges") {
   CHECK(holds(changed.assumptions, "oil 0W20"));
 }
 
+TEST_CASE("OfAShippedOilThatIsChangedOnlyTheRestIsTold") {
+  const auto assumed = [](const std::string& change) {
+    const bearing::Case c =
+        read_case(case_path("ks-rig-test-bearing").string(), {parse_override(change)});
+    std::string all;
+    for (const std::string& a : c.assumptions) all += a + "\n";
+    return all;
+  };
+  const std::string changed = assumed("oil.density=\"900 kg/m3\"");
+  CHECK(changed.find("oil 0W20: density of this case instead of the shipped") != std::string::npos);
+  CHECK(changed.find("oil 0W20, shipped values: ") != std::string::npos);
+  CHECK(changed.find("oil 0W20: Vogel") == std::string::npos);
+  const std::string given = assumed("operation.speed=\"2900 rpm\"");
+  CHECK(given.find("instead of the shipped") == std::string::npos);
+}
+
+TEST_CASE("AMeasuredTorqueIsASizeOrHasTheSignOfTheSpeed") {
+  const auto torque = [](const std::string& value, const std::string& speed) {
+    const bearing::Case c =
+        read_case_text(sample_with("speed = \"3000 rpm\"", "speed = \"" + speed + "\"") +
+                           "[measured]\nfriction_torque = \"" + value + "\"\n",
+                       "case.toml");
+    return *c.measured.friction_torque;
+  };
+  CHECK(torque("2 N m", "3000 rpm") == 2.0);
+  CHECK(torque("2 N m", "-3000 rpm") == 2.0);
+  CHECK(torque("-2 N m", "-3000 rpm") == 2.0);
+  CHECK_THROWS_AS(torque("-2 N m", "3000 rpm"), InputError);
+}
+
+TEST_CASE("AShaftWithoutOverhangMayKeepItsHeatTransfer") {
+  const std::string end = "expansion = \"1.2e-5 1/K\" }\n";
+  const std::string with =
+      sample_with(end, end +
+                           "overhang = \"0 mm\"\nheat_transfer = \"100 W/(m2 K)\"\nambient = "
+                           "\"70 degC\"\n");
+  CHECK(refusal(with) == "");
+  CHECK(refusal(sample_with(end, end + "overhang = \"5 mm\"\n")) != "");
+}
+
+TEST_CASE("AListIsNumberedInOneWayAndNamedInFull") {
+  CHECK(refusal(kSampleCase, {"supply.0.pressure=\"3 bar\""}) == "");
+  CHECK(refusal(kSampleCase, {"supply.00.pressure=\"3 bar\""}) != "");
+  CHECK(refusal(kSampleCase, {"shell.layers=5"}).find("[[shell.layers]]") != std::string::npos);
+}
+
+TEST_CASE("AnIdleKappaIsTold") {
+  const auto told = [](const std::string& more) {
+    std::string text = sample_with("tier = \"tehd\"", "tier = \"isothermal\"\n" + more);
+    std::string all;
+    for (const std::string& w : read_case_text(text, "case.toml").warnings) all += w + "\n";
+    return all.find("kappa") != std::string::npos;
+  };
+  CHECK_FALSE(told(""));
+  CHECK(told("equivalent_temperature = { kappa = 0.5 }"));
+  CHECK_FALSE(
+      told("equivalent_temperature = { kappa = 0.5 }\n[measured]\n"
+           "shell_back_temperature = \"95 degC\""));
+}
+
 TEST_CASE("TheCommandLineChangesTheCase") {
   const auto c = read_case_text(
       kSampleCase, "case.toml",

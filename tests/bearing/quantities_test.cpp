@@ -91,3 +91,28 @@ TEST_CASE("TheShellsTorqueIsWhatItsHousingFeels", "[quantities]") {
     }
   }
 }
+
+TEST_CASE("UnderARingGrooveTheFilmAtMidWidthIsThatOfItsEdges", "[quantities]") {
+  // Rigid and tilted, the gap is linear along the bearing: at the groove's edges, on either side,
+  //   h = c - sqrt((ex + psi_y z)^2 + (ey - psi_x z)^2)
+  Case c = plain_case();
+  const double edge = 0.15 * c.bearing.width;
+  c.supplies[0].arc = 2.0 * kPi;
+  c.supplies[0].length = 2.0 * edge;
+  c.supplies[0].pressure = 2e5;
+  place_journal(c, 0.6, 40.0 * kDegree);
+  c.operation.alignment = TiltGiven{3e-4, -1e-4};
+  for (const std::array<int, 2>& grid : {std::array{120, 10}, std::array{120, 13}}) {
+    c.model.grid = grid;
+    const Solution s = solve_tier(c, Tier::isothermal);
+    REQUIRE(s.verdict.good());
+    const auto& p = s.film.position;
+    double least = INFINITY;
+    for (const double z : {-edge, edge}) {
+      least = std::min(least, c.bearing.radial_clearance -
+                                  std::hypot(p.ex() + p.psi_y() * z, p.ey() - p.psi_x() * z));
+    }
+    // seen in cells and on faces of 1.5 degrees around
+    CHECK(value_in(quantities_of(s, Tier::isothermal), "h_min_mid") == Approx(least).epsilon(1e-3));
+  }
+}

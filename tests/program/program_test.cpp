@@ -169,6 +169,26 @@ TEST_CASE("WhereNoOilLeavesNoThermalRunawayIsForetold") {
   CHECK(ended.out.find("inf") == std::string::npos);
 }
 
+TEST_CASE("OptionsAndKeysThatCannotActAreRefused") {
+  const std::string plain = case_path("thd-plain-bearing").string();
+  const std::string cycle = case_path("rotating-load").string();
+  const std::vector<std::vector<std::string>> wrong{
+      {"check", plain, "--tier", "estimate", "--set", "model.coefficients=true"},
+      {"sweep", plain, "--tier", "estimate", "--set", "model.coefficients=true", "--vary",
+       "operation.speed=1000 rpm,2000 rpm"},
+      {"sweep", cycle, "--vary", "load_cycle.factor=1,0.9", "--bars"},
+      {"run", plain, "--transient", "--speeds", "1000 rpm", "--hold", "1 s", "--set",
+       "operation.speed=5000 rpm"},
+      {"study", "--resume"},
+      {"study", "--quick"}};
+  for (const std::vector<std::string>& words : wrong) {
+    const Ended ended = run_words(words);
+    INFO(words[0] << " " << words[1] << " ... " << words.back() << ": " << ended.err);
+    CHECK(ended.code == kBadInput);
+    CHECK(ended.err.find("error: ") != std::string::npos);
+  }
+}
+
 TEST_CASE("APlaceThatIsNotFoundIsNoLoad") {
   std::string text = read_text_file(case_path("ks-rig-test-bearing").string());
   const std::string load = "load = \"8 kN\"";

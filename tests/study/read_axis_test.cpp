@@ -65,6 +65,13 @@ TEST_CASE("ListsHoldNumbersOrWords") {
   CHECK(parse_axis("model.tier=\"thd\",tehd").words == std::vector<std::string>{"thd", "tehd"});
 }
 
+TEST_CASE("FilesOfAFolderAboveAreNoRange") {
+  const Axis files = parse_axis("bearing.shape=../s1.csv,../s2.csv");
+  CHECK(files.words == std::vector<std::string>{"../s1.csv", "../s2.csv"});
+  CHECK(parse_axis("title=\"a..b\",\"c\"").words.size() == 2);
+  CHECK(parse_axis("operation.speed=100 rpm..200 rpm/3").numbers.size() == 3);
+}
+
 TEST_CASE("BadAxesAreRefusedWithPlaceAndCure") {
   check_axis_refused("operation.speed", {"--vary", "KEY=VALUES", "for example"});
   check_axis_refused("=4 kN", {"--vary", "for example"});

@@ -133,13 +133,9 @@ TEST_CASE("WarningsGoToStandardError") {
 TEST_CASE("PicturesOverTimeHoldNumbersWhicheverWayTheJournalTurns") {
   const ScratchFolder scratch;
   const std::string picture = scratch.path("a.svg");
-  const auto drawn = [&](const std::string& name, const std::string& speed,
-                         std::vector<std::string> words) {
+  const auto drawn = [&](const std::string& name, std::vector<std::string> words) {
     words.insert(words.begin(), {"run", case_path(name).string()});
-    for (const std::string& set : {"operation.speed=" + speed, std::string("model.grid=[36,6]")}) {
-      words.insert(words.end(), {"--set", set});
-    }
-    words.insert(words.end(), {"--picture", picture});
+    words.insert(words.end(), {"--set", "model.grid=[36,6]", "--picture", picture});
     const Ended ended = run_words(words);
     INFO(ended.err);
     CHECK(ended.code == 0);
@@ -149,13 +145,13 @@ TEST_CASE("PicturesOverTimeHoldNumbersWhicheverWayTheJournalTurns") {
     return svg;
   };
   for (const char* turn : {"2000 rpm", "-2000 rpm"}) {
-    drawn("thd-plain-bearing", turn, {"--transient", "--until", "100 s"});
-    const std::string running_in = "running_in.until=20 s";
-    drawn("running-in", turn, {"--running-in", "--set", running_in});
+    const std::string speed = std::string("operation.speed=") + turn;
+    drawn("thd-plain-bearing", {"--transient", "--until", "100 s", "--set", speed});
+    drawn("running-in", {"--running-in", "--set", "running_in.until=20 s", "--set", speed});
   }
   // A course of one stretch has one end: a dot, and the case that was asked for.
   const std::string course = drawn(
-      "thd-plain-bearing", "2000 rpm",
+      "thd-plain-bearing",
       {"--transient", "--set", "operation.load=3.5 kN", "--speeds", "1500 rpm", "--hold", "10 s"});
   check_parts(course, {"<circle", "operation.load = 3.5 kN", "1 stretch;"});
 }

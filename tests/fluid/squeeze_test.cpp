@@ -91,8 +91,9 @@ TEST_CASE("PureSqueezeFollowsButenschoen", "[squeeze]") {
     if (std::isfinite(own)) CHECK(So == Approx(own).epsilon(2e-3));  // design 6 asks for 0.5 %
     // Printed: one entry is 0.8 % off its recomputed value, and so is the fit at eps = 0.99.
     CHECK(So == Approx(row.at("So")).epsilon(1e-2));
-    // The printed side flows are up to 2.4 % off for B/D = 1; ours is the volume lost, exactly.
-    CHECK(richardson(a.side_flow, b.side_flow) == Approx(row.at("Q")).epsilon(2.5e-2));
+    // The printed side flows are up to 2.3 % off for B/D = 1; ours is the volume lost, exactly.
+    const double printed = row.at("B_over_D") == 1.0 ? 2.5e-2 : 1e-2;
+    CHECK(richardson(a.side_flow, b.side_flow) == Approx(row.at("Q")).epsilon(printed));
     ++rows;
   }
   CHECK(rows > 60);

@@ -97,6 +97,17 @@ TEST_CASE("AFaultyResultContradictsNothing") {
   CHECK(beside(none(kNobody), QuestionKind::finer_grid, leaky) == StressClass::no_steady_state);
 }
 
+TEST_CASE("AWitnessThatHangsOrErrsIsNoneThatFoundNothing") {
+  StressRow row = row_with(none(kBarus));
+  StressCell hung = solution();
+  hung.result = StressClass::timed_out;
+  row.asked[0] = {{QuestionKind::coarser_grid, "a grid of 32x5", none(kBarus)},
+                  {QuestionKind::finer_grid, "a grid of 72x12", hung}};
+  const Witnesses w = witnesses_of(row, 0);
+  CHECK(w.silent == 1);
+  CHECK(w.faulty == std::vector<std::string>{"a grid of 72x12: hang"});
+}
+
 TEST_CASE("ACoarserGridContradictsNothingThatTheFinerOneConfirms") {
   const auto between = [](const StressCell& coarser, const StressCell& finer) {
     StressRow row = row_with(none(kBarus));

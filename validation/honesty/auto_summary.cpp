@@ -57,10 +57,11 @@ AutoSummary summary_of(const std::vector<AutoTrial>& trials, double tolerance) {
   for (const AutoTrial& t : trials) {
     const auto found = std::find_if(t.answers.begin(), t.answers.end(),
                                     [&](const AutoAnswer& a) { return a.tolerance == tolerance; });
-    add(found == t.answers.end(), s.no_answer);
-    if (found == t.answers.end()) continue;
+    const bool answered = found != t.answers.end() && found->converged;
+    add(!answered, s.no_answer);
+    if (!answered) continue;
     const AutoAnswer& a = *found;
-    if (a.converged) add(!t.truth_converged, s.without_truth);
+    add(!t.truth_converged, s.without_truth);
     if (!t.truth_converged) continue;
     add(a.within(), s.within);
     add(a.met, s.met);

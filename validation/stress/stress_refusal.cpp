@@ -127,8 +127,16 @@ std::string overruled_by_finer(const StressRow& row, std::size_t step) {
   return "";
 }
 
-int silent_witnesses(const StressRow& row, std::size_t step) {
-  return static_cast<int>(voices_on(row, 0, step).size());
+Witnesses witnesses_of(const StressRow& row, std::size_t step) {
+  Witnesses of;
+  for (const Voice& voice : voices_on(row, 0, step)) {
+    if (is_fault(voice.cell->result)) {
+      of.faulty.push_back(fmt::format("{}: {}", voice.name, to_string(voice.cell->result)));
+    } else if (voice.cell->result != StressClass::converged) {
+      ++of.silent;
+    }
+  }
+  return of;
 }
 
 }  // namespace shellback::validation

@@ -33,7 +33,11 @@ void find_unexpected(StressRow& row);
 /// The coarser grid that converges where the default and the finer grid refuse; "" if none.
 [[nodiscard]] std::string overruled_by_finer(const StressRow& row, std::size_t step);
 
-/// How many solves spoke on the refusal of the default at a step, all of them without a result.
-[[nodiscard]] int silent_witnesses(const StressRow& row, std::size_t step);
+/// The solves that spoke on the refusal of the default at a step.
+struct Witnesses {
+  int silent = 0;                   ///< refused likewise
+  std::vector<std::string> faulty;  ///< "a grid of 180x23: hang": they say nothing
+};
+[[nodiscard]] Witnesses witnesses_of(const StressRow& row, std::size_t step);
 
 }  // namespace shellback::validation

@@ -74,11 +74,13 @@ bool was_run(const std::vector<StressCell>& cells) {
 std::string nobody_else(const StressRow& row, std::size_t step) {
   const StressClass c = row.cells.front()[step].result;
   if (c != StressClass::no_steady_state && c != StressClass::not_found) return "";
-  const int asked = silent_witnesses(row, step);
+  const Witnesses asked = witnesses_of(row, step);
   const std::string coarser = overruled_by_finer(row, step);
-  const std::string but = coarser.empty() ? "" : "; " + coarser + " converges, the finer refuses";
-  return asked > 0 ? fmt::format(" ({} others found none either{})", asked, but)
-                   : " (nobody else asked)";
+  std::string but = coarser.empty() ? "" : "; " + coarser + " converges, the finer refuses";
+  for (const std::string& faulty : asked.faulty) but += "; " + faulty;
+  if (asked.silent == 0 && asked.faulty.empty()) return " (nobody else asked)";
+  return fmt::format(" ({} other{} found none either{})", asked.silent,
+                     asked.silent == 1 ? "" : "s", but);
 }
 
 /// What ended the default's row, value by value.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/reading/read_case.hpp"
 #include "core/contract.hpp"
 
@@ -93,8 +95,17 @@ std::string faults_in_words(const StressMap& map) {
     out += fmt::format("{} {} {}", comma, map.count(0, c), to_string(c));
     comma = ",";
   }
-  return out + fmt::format("; {} missed (not found, but there is one); {} solves asked beside",
-                           map.count(0, StressClass::missed), map.count_questions());
+  int faulty = 0;
+  for (const StressRow& row : map.rows) {
+    for (const auto& step : row.asked) {
+      faulty += static_cast<int>(std::count_if(
+          step.begin(), step.end(), [](const auto& w) { return is_fault(w.cell.result); }));
+    }
+  }
+  return out + fmt::format(
+                   "; {} missed (not found, but there is one); {} solves asked beside, {} "
+                   "of them hung or faulty",
+                   map.count(0, StressClass::missed), map.count_questions(), faulty);
 }
 
 }  // namespace shellback::validation

@@ -89,10 +89,9 @@ LoadCourse::LoadCourse(const LoadCycle& cycle, double omega, double slow) : cycl
         largest_load_ = std::max(largest_load_, std::hypot(now.x, now.y));
       }
     }
-  } else {
-    find_corners();
-    if (slow > 0.0) find_rests(slow);
   }
+  find_corners();
+  if (slow > 0.0) find_rests(slow);
 }
 
 /// Time within the rows, of an event held at its ends.
@@ -162,7 +161,8 @@ double LoadCourse::turned(double t) const {
   return turned_within(within_period(t)) - turned_within(within_period(0.0)) + held;
 }
 
-/// Every row is a corner of straight lines; rows at one time are a jump.
+/// Every row is a corner of straight lines; rows at one time are a jump. A spline bends in its rows
+/// by as much as lines between them would: what it does within a long step is seen there.
 void LoadCourse::find_corners() {
   const auto& T = cycle_.t;
   const std::size_t n = T.size();
@@ -191,12 +191,26 @@ void LoadCourse::find_corners() {
 }
 
 void LoadCourse::find_rests(double slow) {
-  for (std::size_t k = 0; k + 1 < cycle_.t.size(); ++k) {
-    const double a = cycle_.omega[k];
-    const double b = cycle_.omega[k + 1];
+  std::vector<double> times = cycle_.t, speeds = cycle_.omega;
+  if (splines_) {
+    times.clear();
+    speeds.clear();
+    for (std::size_t k = 0; k + 1 < cycle_.t.size(); ++k) {
+      for (std::size_t i = 0; i < kLinesOfSpline; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(kLinesOfSpline);
+        times.push_back(between(cycle_.t[k], cycle_.t[k + 1], part));
+        speeds.push_back(at(times.back()).omega);
+      }
+    }
+    times.push_back(cycle_.t.back());
+    speeds.push_back(speeds.front());
+  }
+  for (std::size_t k = 0; k + 1 < times.size(); ++k) {
+    const double a = speeds[k];
+    const double b = speeds[k + 1];
     for (const double at : {-slow, 0.0, slow}) {
       if (a == b || (a - at) * (b - at) > 0.0) continue;
-      const double t = between(cycle_.t[k], cycle_.t[k + 1], (at - a) / (b - a));
+      const double t = between(times[k], times[k + 1], (at - a) / (b - a));
       // Behind the last row the next period may have begun.
       corners_.push_back({repeats() && t >= length_ ? t - length_ : t, false, INFINITY});
     }

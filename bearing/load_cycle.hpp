@@ -27,6 +27,9 @@ struct LoadCycle {
   double journal_mass = 0.0;     ///< what the film carries [kg]; 0: a journal without inertia
   std::optional<double> step{};  ///< of time, given [s]; else chosen by model.tolerance
   double crank_speed = 0.0;      ///< crank angle per time [rad/s]; 0: told in time
+  /// Of its width the mouth of a drilling moves in one step at most, below 1: no place that it
+  /// passes over is left out [-].
+  double of_mouth = 0.5;
   /// Instants whose films are kept, steps end on them [s]; empty: films evenly over the whole.
   std::vector<double> fields_at{};
   [[nodiscard]] bool repeats() const { return period < std::numeric_limits<double>::infinity(); }
@@ -50,7 +53,7 @@ struct LoadNow {
   double omega = 0.0;  ///< [rad/s]
 };
 
-/// Where the course of load or speed is not smooth.
+/// Where the course of load or speed is not smooth; of a spline, what its rows bend it by.
 struct LoadCorner {
   double t = 0.0;             ///< within the first period [s]
   bool jump = false;          ///< of load or speed; else only of their slopes

@@ -55,8 +55,10 @@ double change_steps(const CycleResult& usual, Case& c) {
     c.cycle->step = 0.5 * longest;
     return kSafety * 2.0;
   }
-  c.model.tolerance *= 4.0;
-  return kSafety / (std::cbrt(4.0) - 1.0);
+  constexpr double kErr = 4.0;  // times as much
+  c.model.tolerance *= kErr;
+  c.cycle->of_mouth *= std::cbrt(kErr);  // the bound of steps over a drilling's mouth, likewise
+  return kSafety / (std::cbrt(kErr) - 1.0);
 }
 
 /// The torque's bars times the mean speed are in those of the power.

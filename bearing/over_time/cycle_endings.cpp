@@ -34,6 +34,8 @@ double Closure::left() const {
   return last * std::max(std::isfinite(earlier) ? 0.0 : 1.0, rho / (1.0 - rho));
 }
 
+double left_after(double apart, int cycles) { return apart * kSlowest / (1.0 - kSlowest) / cycles; }
+
 Verdict at_instant(Verdict v, const ending::NoStep& where) {
   // What is to be reported as a defect, or was stopped, is nothing of the step's.
   if (v.status == Status::interrupted || v.status == Status::invalid_number) return v;

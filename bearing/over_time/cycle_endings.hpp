@@ -29,6 +29,13 @@ struct Closure {
   [[nodiscard]] bool closed() const { return left() <= kClosed; }
 };
 
+/// The same from two cycles that differ by `apart` [-] and lie `cycles` apart: with the slowest
+/// rate that is counted on, and no slower one is, no more than apart rho/(1 - rho)/cycles is still
+/// to come. Cycles whose steps are chosen anew differ by chance, which does not add up.
+[[nodiscard]] double left_after(double apart, int cycles);
+/// Cycles from which on that counts.
+inline constexpr int kApart = 16;
+
 /// A step that was not found because of `v`, at `where` of the cycle.
 [[nodiscard]] Verdict at_instant(Verdict v, const ending::NoStep& where);
 

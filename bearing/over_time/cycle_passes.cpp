@@ -27,10 +27,9 @@ StepOptions step_options(const Case& c, const LoadCourse& course, double length)
   o.longest = longer * length / kFewestSteps;
   o.shortest = kStepShortest * length;
   for (const Supply& s : c.supplies) {
-    constexpr double kOfMouth = 0.5;  // of its width: no place that it passes over is left out
     const double speed = course.largest_speed() * c.bearing.radius;
     if (s.kind != SupplyKind::drilling || !(speed > 0.0)) continue;
-    o.longest = std::min(o.longest, kOfMouth * s.diameter / speed);
+    o.longest = std::min(o.longest, c.cycle->of_mouth * s.diameter / speed);
   }
   o.after_jump = longer * (1.0 / (2.0 * kAfterJump)) * length;
   if (course.largest_speed() > 0.0) {

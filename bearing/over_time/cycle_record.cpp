@@ -151,7 +151,8 @@ void CycleRecord::begin(const FilmInTime& now) {
     T_shell_max_ = shell_surface(now);
     const FilmGrid& g = film_->model().domain.grid;
     const HeatFlows& flows = now.heat.flows;
-    first.heat_to_shell = first.heat_to_shaft = 0.0;
+    // Between new walls no step has told any yet.
+    if (!flows.to_shell.empty()) first.heat_to_shell = first.heat_to_shaft = 0.0;
     for (std::size_t c = 0; c < flows.to_shell.size(); ++c) {
       const double area = g.multiplicity() * g.area(static_cast<int>(c));
       first.heat_to_shell += area * flows.to_shell[c];

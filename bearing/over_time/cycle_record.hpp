@@ -33,6 +33,10 @@ class CycleRecord {
   /// with otherwise than it began: relative change of the oil in the gap, and the journal's change
   /// of momentum over the impulse of the load's magnitude (the mean film force is the mean load).
   [[nodiscard]] double difference(const CycleRecord& other) const;
+  /// Smallest film [m], largest and mean torque [N m], oil at the end [kg].
+  [[nodiscard]] std::vector<double> mark() const;
+  /// Largest relative difference from what another cycle has been marked with.
+  [[nodiscard]] double difference(const std::vector<double>& mark) const;
   [[nodiscard]] CycleMeans means() const;
   /// Of a film with heat.
   [[nodiscard]] HeatTaken heat_taken() const;

@@ -32,6 +32,7 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
 void CycleSearch::members(Tape& tape) {
   tape(closure_, left_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
        round_change_, stalled_, growth_, led_, displaced_, layer_begun_, before_led_);
+  tape(mark_, marked_);
   tape(walls_begun_, answers_);
 }
 
@@ -82,6 +83,11 @@ bool CycleSearch::pass(const WallMeans* between) {
   if (cycles() == before) return false;
   layer_grows_ = largest_difference(layer_begun_, passes_.layer_depth());
   if (good && from_another) closure_.add(passes_.difference());
+  if (between != nullptr) mark_.clear();
+  if (good && from_another && mark_.empty() && closure_.last <= kClosed) {
+    mark_ = told().mark();
+    marked_ = cycles();
+  }
   oil_.passed();
   return good;
 }
@@ -98,6 +104,10 @@ void CycleSearch::until_closed(double within) {
 
 bool CycleSearch::closed(double within) {
   left_ = closure_.left();
+  const int since = cycles() - marked_;
+  if (!mark_.empty() && since >= kApart) {
+    left_ = std::min(left_, std::max(closure_.last, left_after(told().difference(mark_), since)));
+  }
   return left_ <= within && std::min(closure_.last, told().drift()) <= within;
 }
 
@@ -147,12 +157,19 @@ void CycleSearch::lead_oil_on() {
   before_led_.reset();
   if (passes_.has_marks()) return;
   const auto leads_to = oil_.after(passes_.lasting(), cycles());
-  if (!leads_to) return;
+  if (!leads_to || by_chance()) return;
   before_led_ = passes_.stand();
   if (!passes_.put_lasting(*leads_to)) return passes_.put_back(*before_led_);
   oil_.led_to(passes_.lasting());
   led_ = true;
   closure_.lead_on();
+  mark_.clear();
+}
+
+bool CycleSearch::by_chance() const {
+  constexpr int kSeen = 3;  // cycles: oil is led on every five
+  const int since = cycles() - marked_;
+  return !mark_.empty() && since >= kSeen && told().difference(mark_) < 0.5 * since * closure_.last;
 }
 
 bool CycleSearch::come_back_from_led_oil() {
@@ -258,6 +275,7 @@ const Verdict& CycleSearch::search(bool rough) {
   if (!brought_back()) {
     most_ = cycles() + kMostCycles;
     closure_ = {};
+    mark_.clear();
     round_change_ = INFINITY;
     stalled_ = 0;
   }

@@ -92,6 +92,9 @@ class CycleSearch {
   void come_back();
   /// From time to time, the oil to which the last cycles lead.
   void lead_oil_on();
+  /// Cycles differ by chance: they have not come farther since the mark than half of what their
+  /// last difference would have added up to.
+  [[nodiscard]] bool by_chance() const;
   /// Back to where oil was led on, if with what it was led to no cycle is found: they go on as they
   /// are.
   bool come_back_from_led_oil();
@@ -116,10 +119,12 @@ class CycleSearch {
 
   CyclePasses passes_;
   Closure closure_;
-  double left_ = NAN;    ///< CycleResult::closure
-  bool led_ = false;     ///< anything, here or on the way to where it began
-  double growth_ = NAN;  ///< CycleResult::growth
-  bool unseen_ = false;  ///< growth was looked at, and is not known
+  std::vector<double> mark_;  ///< of the first cycle that hardly differed from the one before
+  int marked_ = 0;            ///< after so many cycles
+  double left_ = NAN;         ///< CycleResult::closure
+  bool led_ = false;          ///< anything, here or on the way to where it began
+  double growth_ = NAN;       ///< CycleResult::growth
+  bool unseen_ = false;       ///< growth was looked at, and is not known
   std::optional<Displaced> displaced_;
   LedOil oil_;
   std::optional<Tape::Content> before_led_;  ///< the passes, until one has begun with led oil

@@ -188,6 +188,19 @@ double CycleRecord::drift() const {
   return torque > 0.0 ? larger(most, std::abs(last.torque - first.torque) / torque) : most;
 }
 
+std::vector<double> CycleRecord::mark() const {
+  return {extreme(instants_, &CycleInstant::h_min, Extreme::smallest).h_min,
+          largest_torque(instants_), mean_of(instants_, &CycleInstant::torque), oil_ended_};
+}
+
+double CycleRecord::difference(const std::vector<double>& mark) const {
+  const std::vector<double> own = this->mark();
+  double most = larger(change_of_film(own[0], mark[0]), std::abs(mark[3] / own[3] - 1.0));
+  if (own[1] == 0.0) return most;  // nothing turns
+  for (const int k : {1, 2}) most = larger(most, std::abs(mark[k] - own[k]) / own[1]);
+  return most;
+}
+
 double CycleRecord::difference(const CycleRecord& other) const {
   const double h = extreme(instants_, &CycleInstant::h_min, Extreme::smallest).h_min;
   const double h_other = extreme(other.instants_, &CycleInstant::h_min, Extreme::smallest).h_min;
@@ -211,6 +224,10 @@ void CycleRecord::write(CycleResult& r) const {
   r.assumptions.assign(m.input.assumptions.begin(), m.input.assumptions.end());
   if (instants_.size() < 2) return;
   r.instants = instants_;
+  if (course_->repeats() && std::isnan(r.instants.front().heat_to_shell)) {
+    r.instants.front().heat_to_shell = r.instants.back().heat_to_shell;  // of the step before
+    r.instants.front().heat_to_shaft = r.instants.back().heat_to_shaft;
+  }
   r.quantities = quantities();
   r.audit = audit();
   r.fields.grid = full_grid(g);

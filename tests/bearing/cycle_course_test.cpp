@@ -228,6 +228,59 @@ TEST_CASE("TiersThatCannotServeACycleSaySo", "[cycle]") {
   CHECK_THROWS_AS(solve_cycle(pulsed_case(), Tier::tehd), InputError);
 }
 
+TEST_CASE("APulseOfASplineIsNotPassedOver", "[cycle]") {
+  // 10 kN for 1.5 degrees of 720 over 1 kN: shorter than half a step, whose error says nothing of a
+  // film that has not moved yet. As straight lines through the same rows, on which steps end.
+  Case c = plain_case();
+  c.model.grid = {36, 6};
+  for (const double tolerance : {0.01, 0.1}) {
+    c.model.tolerance = tolerance;
+    for (const double place : {205.0, 207.0, 210.0, 213.0}) {
+      LoadCycle cycle;
+      cycle.crank_speed = std::abs(c.operation.omega);
+      cycle.period = 4.0 * kPi / cycle.crank_speed;
+      cycle.journal_mass = 0.5;
+      for (double degrees = 0.0; degrees < 720.0;) {
+        const double from = degrees - place;
+        cycle.t.push_back(degrees * kDegree / cycle.crank_speed);
+        cycle.x.push_back(0.0);
+        cycle.y.push_back(-1e3 - 1e4 * std::exp(-4.0 * std::log(2.0) * from * from / 2.25));
+        const bool near = from > -6.0 && from < 6.0;
+        degrees += near ? 0.375 : 5.0;
+      }
+      c.cycle = cycle;
+      const CycleResult lines = solve_cycle(c, Tier::isothermal);
+      c.cycle->interpolation = LoadInterpolation::periodic_spline;
+      const CycleResult spline = solve_cycle(c, Tier::isothermal);
+      INFO(place << " degrees, " << tolerance << ": " << spline.steps << " steps");
+      REQUIRE((lines.verdict.good() && spline.verdict.good()));
+      // a spline through rows of a quarter of the pulse's width rises a few per cent above lines
+      CHECK(value_of(spline, "p_max") == Approx(value_of(lines, "p_max")).epsilon(0.1));
+      CHECK(value_of(spline, "h_min") == Approx(value_of(lines, "h_min")).epsilon(0.02));
+    }
+  }
+}
+
+TEST_CASE("AtRestASplineOfSpeedHasCornersAsLinesHave", "[cycle]") {
+  LoadCycle cycle;
+  cycle.period = 1.0;
+  for (int k = 0; k < 24; ++k) {
+    cycle.t.push_back(k / 24.0);
+    cycle.x.push_back(0.0);
+    cycle.y.push_back(-1e3);
+    cycle.omega.push_back(100.0 * std::sin(2.0 * kPi * (k + 0.3) / 24.0));
+  }
+  cycle.interpolation = LoadInterpolation::periodic_spline;
+  const LoadCourse course(cycle, 0.0, 0.1);
+  int rests = 0;
+  for (const LoadCorner& corner : course.corners()) {
+    if (!std::isinf(corner.slope_change)) continue;
+    ++rests;
+    CHECK(std::abs(course.at(corner.t).omega) <= 0.1 + 0.05);  // lines of a 16th of a row's way
+  }
+  CHECK(rests == 6);  // at rest and slow to either side, twice
+}
+
 TEST_CASE("LoadsBetweenRowsAreLinesOrSplines", "[cycle]") {
   LoadCycle cycle;
   cycle.t = {0.0, 1.0, 1.0, 3.0};
@@ -255,6 +308,11 @@ TEST_CASE("LoadsBetweenRowsAreLinesOrSplines", "[cycle]") {
   }
   wave.interpolation = LoadInterpolation::periodic_spline;
   const LoadCourse smooth(wave, 1.0);
-  CHECK(smooth.corners().empty());
+  // What the wave bends from row to row: no jump, and no step shorter than its rows.
+  CHECK(smooth.corners().size() == 36);
+  for (const LoadCorner& corner : smooth.corners()) {
+    CHECK_FALSE(corner.jump);
+    CHECK(corner.slope_change <= 1.01 * wave.period / 36);
+  }
   for (double t = 0.03; t < 12.0; t += 0.1) CHECK(std::abs(smooth.at(t).x - std::sin(t)) < 1e-5);
 }

@@ -380,3 +380,16 @@ TEST_CASE("ALoadThatTurnsWithTheFilmIsTold") {
     CHECK(part(31).empty());
   }
 }
+
+TEST_CASE("CyclesFarApartTellWhatIsStillToCome") {
+  // Differences that fall by rho from cycle to cycle: n of them come to (1 - rho^n)/(1 - rho), and
+  // rho^n/(1 - rho) is left. With no rate up to 0.99 is more left than is told.
+  for (const double rho : {0.5, 0.9, 0.97, 0.99}) {
+    for (const int n : {kApart, 2 * kApart, 100}) {
+      const double apart = (1.0 - std::pow(rho, n)) / (1.0 - rho);
+      CHECK(left_after(apart, n) >= std::pow(rho, n) / (1.0 - rho));
+    }
+  }
+  // Steps chosen anew, which differ by 1e-5 however long one waits, end below kClosed.
+  CHECK(left_after(1e-5, kApart) < kClosed);
+}

@@ -167,9 +167,10 @@ void CycleSearch::lead_oil_on() {
 }
 
 bool CycleSearch::by_chance() const {
-  constexpr int kSeen = 3;  // cycles: oil is led on every five
+  constexpr int kFollowed = 3;  // cycles: oil is led on every five
   const int since = cycles() - marked_;
-  return !mark_.empty() && since >= kSeen && told().difference(mark_) < 0.5 * since * closure_.last;
+  return !mark_.empty() && since >= kFollowed &&
+         told().difference(mark_) < 0.5 * since * closure_.last;
 }
 
 bool CycleSearch::come_back_from_led_oil() {

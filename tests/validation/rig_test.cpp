@@ -83,6 +83,30 @@ TEST_CASE("TheRigCarriesItsLoadAndAddsItsTorques", "[rig]") {
   CHECK(rig_torque(2.0, 0.5) == 3.0);
 }
 
+TEST_CASE("EveryUnknownOfTheRigIsACaseThatCanBeSolved", "[rig]") {
+  std::vector<const RigUnknown*> all{&heavier_bodies()};
+  for (const auto* unknowns : {&film_unknowns(), &body_unknowns()}) {
+    for (const RigUnknown& u : *unknowns) all.push_back(&u);
+  }
+  for (const RigUnknown* unknown : all) {
+    for (const int end : {0, 1}) {
+      for (const RigBearing bearing : kRigBearings) {
+        INFO(unknown->name << ", end " << end << ", " << to_string(bearing));
+        CHECK_NOTHROW(rig_case(bearing, {80e3, 3000.0, {48, 7}, unknown, end}));
+      }
+    }
+  }
+  // Ten times the heat capacity of each ring, per volume.
+  for (const RigBearing bearing : kRigBearings) {
+    const auto stored = [&](const RigUnknown* unknown) {
+      const auto c = rig_case(bearing, {80e3, 3000.0, {48, 7}, unknown, 1});
+      const solid::Material& ring = c.shell->housing->material;
+      return ring.density * ring.heat_capacity;
+    };
+    CHECK(stored(&heavier_bodies()) == Approx(10.0 * stored(nullptr)));
+  }
+}
+
 TEST_CASE("TorquesAddAtEveryInstant", "[rig]") {
   // straight torques: interpolation is exact, whatever the instants
   const auto series = rig_series({at(0.0, 0.0, 0.0), at(0.3, 0.6, 0.3), at(1.0, 2.0, 1.0)},

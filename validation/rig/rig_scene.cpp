@@ -107,8 +107,8 @@ const std::vector<RigUnknown>& body_unknowns() {
 const RigUnknown& heavier_bodies() {
   static const RigUnknown kHeavier{"heat capacity of rod and brackets",
                                    "1 to 10 times that of the rings, taken 1",
-                                   {{{}, {"shell.housing.material.density=27000 kg/m3"}}},
-                                   {{{}, {"shell.housing.material.density=78500 kg/m3"}}}};
+                                   {{{}, {"shell.housing.material.heat_capacity=9000 J/(kg K)"}}},
+                                   {{{}, {"shell.housing.material.heat_capacity=4600 J/(kg K)"}}}};
   return kHeavier;
 }
 

@@ -141,6 +141,10 @@ void write_identify_table(std::ostream& out, const IdentifyView& v) {
   write_directions(out, v);
   write_points(out, v);
   if (!v.end.fit.computed()) return;
+  if (!v.table.deviations_known && v.end.fit.freedom <= 0) {
+    out << "\nNo case is proposed: how well the keys are known is not.\n";
+    return;
+  }
   if (!v.end.fit.directions.empty() && !v.end.fit.determined()) {
     out << "\nNo case is proposed: not all keys are determined.\n";
     return;

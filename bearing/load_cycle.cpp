@@ -87,6 +87,7 @@ LoadCourse::LoadCourse(const LoadCycle& cycle, double omega, double slow) : cycl
         const double part = static_cast<double>(i) / static_cast<double>(kLinesOfSpline);
         const LoadNow now = at(between(cycle_.t[k], cycle_.t[k + 1], part));
         largest_load_ = std::max(largest_load_, std::hypot(now.x, now.y));
+        largest_speed_ = std::max(largest_speed_, std::abs(now.omega));
       }
     }
   }
@@ -161,8 +162,8 @@ double LoadCourse::turned(double t) const {
   return turned_within(within_period(t)) - turned_within(within_period(0.0)) + held;
 }
 
-/// Every row is a corner of straight lines; rows at one time are a jump. A spline bends in its rows
-/// by as much as lines between them would: what it does within a long step is seen there.
+/// Every row is a corner of straight lines; rows at one time are a jump. A spline, which is smooth,
+/// is judged as if it were lines between its rows: what it does within a long step is seen there.
 void LoadCourse::find_corners() {
   const auto& T = cycle_.t;
   const std::size_t n = T.size();

@@ -84,7 +84,7 @@ class LoadCourse {
   /// the periods passed: the integral of the speed [rad].
   [[nodiscard]] double turned(double t) const;
   [[nodiscard]] bool repeats() const { return cycle_.repeats(); }
-  /// Largest magnitude of the load (of as_lines) [N] and, in the rows, of the speed [rad/s].
+  /// Largest magnitude of the load [N] and of the speed [rad/s], of as_lines.
   [[nodiscard]] double largest_load() const { return largest_load_; }
   [[nodiscard]] double largest_speed() const { return largest_speed_; }
   /// Integral of the load over the first `length()`, by Simpson's rule between corners [N s].

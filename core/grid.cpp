@@ -76,16 +76,17 @@ int cells_that_grow(const GridEdge& a, const GridEdge& b, int most) {
   return most;
 }
 
-/// What each segment has at least, the most that there are cells for: `rows` in holes and beside
-/// them as many as grow from those; only the rows; one each.
-std::vector<int> least_counts(const GridEdges& edges, int n, int rows) {
+/// What each segment has at least, the first of these that there are cells for: `rows` in holes
+/// (`cut` in one that mid-width cuts, the first) and beside them as many as grow from those; only
+/// the rows; one each.
+std::vector<int> least_counts(const GridEdges& edges, int n, int rows, int cut) {
   const int segments = static_cast<int>(edges.size()) - 1;
   for (const bool grow : {true, false}) {
     std::vector<int> least(segments, 1);
     int sum = 0;
     for (int s = 0; s < segments; ++s) {
       if (is_hole(edges[s], edges[s + 1])) {
-        least[s] = rows;
+        least[s] = s == 0 ? cut : rows;
       } else if (grow) {
         least[s] = cells_that_grow(edges[s], edges[s + 1], n);
       }
@@ -98,7 +99,7 @@ std::vector<int> least_counts(const GridEdges& edges, int n, int rows) {
 
 /// Splits from the first to the last edge into `n` cells, each edge on a face, as even as can be
 /// but for at least `rows` in a hole, and beside it what grows from them.
-std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1) {
+std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1, int cut = 1) {
   const int segments = static_cast<int>(edges.size()) - 1;
   if (segments > n) {
     throw InputError(fmt::format(
@@ -106,7 +107,7 @@ std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1) {
         segments));
   }
   const double total = edges.back().at - edges.front().at;
-  const std::vector<int> least = least_counts(edges, n, rows);
+  const std::vector<int> least = least_counts(edges, n, rows, cut);
   std::vector<int> count(segments);
   int used = 0;
   for (int s = 0; s < segments; ++s) {
@@ -175,7 +176,8 @@ std::vector<double> circumferential_faces(int nt, GridEdges edges) {
 
 /// `edges` lie between `from` and `to`, sorted. Cells at the ends stay as wide as even ones,
 /// whatever grows from a hole.
-std::vector<double> axial_faces(int n, GridEdge from, double to, GridEdges edges, int rows) {
+std::vector<double> axial_faces(int n, GridEdge from, double to, GridEdges edges, int rows,
+                                int cut) {
   const double even = (to - from.at) / n;
   GridEdge last(to);
   last.beside = even;
@@ -185,7 +187,7 @@ std::vector<double> axial_faces(int n, GridEdge from, double to, GridEdges edges
   if (!grows) from.beside = last.beside = std::numeric_limits<double>::infinity();
   edges.insert(edges.begin(), from);
   edges.push_back(last);
-  return fitted_faces(edges, n, rows);
+  return fitted_faces(edges, n, rows, cut);
 }
 
 /// Faces of the half z >= 0 of an odd grid: its first cell is half as wide as the next one.
@@ -207,8 +209,9 @@ std::vector<double> odd_half_faces(int n, double to, const GridEdges& edges) {
   middle = std::max(0, std::min(middle, n - 1 - static_cast<int>(edges.size())));
   std::vector<double> face{0.0};
   for (int j = 0; j <= middle; ++j) face.push_back(first * (j + 0.5) / (middle + 0.5));
+  const int rows = rows_of_hole(full);
   const auto outer =
-      axial_faces(n - 1 - middle, edges.front(), to, {edges.begin() + 1, edges.end()}, 1);
+      axial_faces(n - 1 - middle, edges.front(), to, {edges.begin() + 1, edges.end()}, rows, rows);
   face.back() = outer.front();
   face.insert(face.end(), outer.begin() + 1, outer.end());
   return face;
@@ -303,9 +306,9 @@ std::vector<double> graded_faces(double end, int full_nz, bool half, const GridE
   const bool split = half && full_nz % 2 == 1;
   GridEdge from(half ? 0.0 : -1.0);
   if (half && !edges.empty()) from.strip = edges.front().strip;  // that which mid-width cuts
-  std::vector<double> face = split
-                                 ? odd_half_faces(nz, 1.0, edges)
-                                 : axial_faces(nz, from, 1.0, edges, half ? (rows + 1) / 2 : rows);
+  std::vector<double> face =
+      split ? odd_half_faces(nz, 1.0, edges)
+            : axial_faces(nz, from, 1.0, edges, rows, half ? (rows + 1) / 2 : rows);
   for (double& z : face) z = end * grading.graded(z);
   face.back() = end;
   if (!half) face.front() = -end;

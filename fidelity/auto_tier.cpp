@@ -16,6 +16,7 @@
 #include "fidelity/estimate.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/held_film.hpp"
+#include "fidelity/land_error.hpp"
 #include "fidelity/left_out.hpp"
 #include "fidelity/quantities.hpp"
 #include "fidelity/solve.hpp"
@@ -242,6 +243,8 @@ class TierSearch {
     if (!solve_on(last_resort())) {
       return bearing::summarize(finest_, tier());
     }
+    // Where no probe has stood nothing was left out, and the heat is as little known.
+    if (!choice_ && tier() == Tier::lumped) heat_ = unknown_heat(finest_, control_.stop, cost_);
     Result r = fidelity::summarize(finest_, tier(), control_);
     const Bars bars = bars_with([&](const char* name) { return relative_bars(r, name).grid; });
     return chosen(std::move(r), bars);
@@ -260,6 +263,9 @@ class TierSearch {
     for (const Level& level : levels_) r.levels.push_back({level.grid, level.whole});
     const std::vector<Quantity> here = r.quantities;
     const double of_heat = bar_of_heat();
+    // Lands are cut otherwise on each of these grids; holes have few rows on all of them.
+    const LandError holes{0.0, 0.0,
+                          land_error(finest_.model.domain.grid, finest_.model.supply).holes};
     Judged judged;
     std::vector<BarOfSize> bars_of_grid;
     for (Quantity& q : r.quantities) {
@@ -268,6 +274,7 @@ class TierSearch {
       q.value = l.value;
       q.error_grid = l.bar + l.beyond + nodes_left(q.name);
       if (is_of_heat(q.name)) q.error_grid = std::fmax(q.error_grid, of_heat * size);
+      q.error_grid = std::fmax(q.error_grid, open_by_lands(holes, q.name) * size);
       if (q.name == "T_supply_mixed") {
         q.error_grid += open_by_supplies(case_, levels_.back().grid[0]) * size;
       }

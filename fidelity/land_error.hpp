@@ -15,7 +15,7 @@
 /// Likewise a hole that is one row of cells on all of them: around it pressure falls off as a
 /// logarithm, and the flow that it feeds is known to
 ///   holes = 0.2 / n^2,  n rows of cells of the hole with the fewest                         (3)
-/// decision 085, from 130 bearings.
+/// decision 085, from 126 bearings.
 #include <string_view>
 
 #include "bearing/case.hpp"

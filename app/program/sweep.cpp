@@ -35,10 +35,17 @@ using study::Sweep;
 namespace {
 
 /// The bars of the physics left out are not told of points over a load cycle.
-void expect_bars_of_points(const Request& request, const bearing::Case& subject) {
-  const bool has_its_own = subject.model.tier == bearing::Tier::estimate ||
-                           subject.model.tier == bearing::Tier::automatic;
-  if (!request.bars || !subject.cycle || has_its_own) return;
+void expect_bars_of_points(const Request& request, const bearing::Case& subject,
+                           const std::vector<Axis>& axes) {
+  std::vector<std::string> tiers{to_string(subject.model.tier)};
+  for (const Axis& axis : axes) {
+    if (axis.key == "model.tier") tiers = axis.words;
+  }
+  const bool have_their_own = std::all_of(tiers.begin(), tiers.end(), [](const std::string& tier) {
+    return tier == to_string(bearing::Tier::estimate) ||
+           tier == to_string(bearing::Tier::automatic);
+  });
+  if (!request.bars || !subject.cycle || have_their_own) return;
   throw InputError("--bars",
                    "over a load cycle a sweep tells the bars of grid and steps alone; tier auto "
                    "judges the physics left out, and compare solves the tiers beside each other");
@@ -108,7 +115,7 @@ int sweep(const Request& request) {
   if (!request.picture.empty()) expect_drawable(axes);
   const std::string text = read_text_file(request.case_file);
   const bearing::Case subject = sweep_subject(text, request.case_file, set, axes);
-  expect_bars_of_points(request, subject);
+  expect_bars_of_points(request, subject, axes);
   Outputs outputs(request, files_of_sweep(text, request.case_file, set, axes));
   warn_of_one_measurement(subject, axes);
   if (!subject.cycle) {

@@ -113,8 +113,9 @@ std::map<std::string, std::string> bounds_by_key(const std::vector<std::string>&
 FittedKey bounded(const std::string& key, const NumberAndUnit& start, const std::string& words) {
   const std::string place = "--bounds " + key;
   const std::size_t colon = words.find(':');
-  const bool from_a_zero_of_its_own = start.unit.starts_with("deg") || start.unit.starts_with("°");
-  FittedKey out{key, start.unit, {start.number, 0.0, 0.0, !from_a_zero_of_its_own}};
+  const bool any_zero = start.unit.starts_with("deg") || start.unit.starts_with("°") ||
+                        start.unit == "rad" || start.unit == "mrad";  // temperatures and angles
+  FittedKey out{key, start.unit, {start.number, 0.0, 0.0, !any_zero}};
   out.value.low = bound(words.substr(0, colon), place, start.unit);
   out.value.high = bound(words.substr(colon + 1), place, start.unit);
   if (!(out.value.low < out.value.high)) {

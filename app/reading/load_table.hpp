@@ -52,6 +52,7 @@ class LoadTable {
     double speed = 0.0;  ///< [rad/s]
     bool of_load = false;
     bool of_speed = false;
+    [[nodiscard]] bool any() const { return of_load || of_speed; }
   };
   [[nodiscard]] Change change(const Row& a, const Row& b) const;
   void judge_gaps(double period);

@@ -129,8 +129,8 @@ struct GridLine {
 };
 
 /// The rise from one line of points to the next, of all `rises` between points, the longest first:
-/// points of one line scatter by less than kOffGrid of a pitch to either side. A line that is
-/// missing is no gap of its own: the lines that are there are many.
+/// points of one line scatter by less than kOffGrid of a pitch to either side. Gaps of missing
+/// lines are fewer than kFewest.
 double least_rise_of_lines(const std::vector<double>& rises) {
   constexpr double kApart = 1.0 / (4.0 * kOffGrid);  // 1 - 2 kOffGrid over 2 kOffGrid at least
   for (std::size_t k = kFewest - 1; k < rises.size(); ++k) {
@@ -155,6 +155,25 @@ std::vector<double> lines_of(const std::vector<double>& positions, double rise) 
   return lines;
 }
 
+/// Even lines from the first to the last of these distances apart, their median: a line that is
+/// missing or stands askew does not change it.
+GridLine even_lines(double first, double whole, std::vector<double> steps) {
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  if (!(whole / *middle <= static_cast<double>(kMost))) return {first, 0.0, 0};
+  GridLine line{first, 0.0, static_cast<int>(std::lround(whole / *middle)) + 1};
+  line.pitch = whole / (line.points - 1);
+  return line;
+}
+
+bool lie_on(const std::vector<double>& positions, const GridLine& line) {
+  return line.points > 0 && std::all_of(positions.begin(), positions.end(), [&](double x) {
+           const double steps = (x - line.first) / line.pitch;
+           return std::abs(steps - std::round(steps)) <= kOffGrid;
+         });
+}
+
+/// Of points that lie on even lines; or scatter about such by less than kOffGrid of a pitch.
 GridLine grid_line(std::vector<double> positions, const MapText& text, const char* axis) {
   std::sort(positions.begin(), positions.end());
   const double range = positions.back() - positions.front();
@@ -168,18 +187,17 @@ GridLine grid_line(std::vector<double> positions, const MapText& text, const cha
     throw InputError(text.path(),
                      fmt::format("all points have the same {}: this is a profile, no map", axis));
   }
+  const GridLine exact = even_lines(positions.front(), range, rises);
+  if (lie_on(positions, exact)) return exact;
   std::sort(rises.begin(), rises.end(), std::greater<>());
   const std::vector<double> lines = lines_of(positions, least_rise_of_lines(rises));
   std::vector<double> steps;
   for (std::size_t k = 1; k < lines.size(); ++k) steps.push_back(lines[k] - lines[k - 1]);
-  // The median: a line that is missing or stands askew does not change it.
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  const double whole = lines.back() - lines.front();
-  if (whole / *middle > static_cast<double>(kMost)) expect_size(text, kMost, kFewest);
-  GridLine line{lines.front(), 0.0, static_cast<int>(std::lround(whole / *middle)) + 1};
-  line.pitch = whole / (line.points - 1);
-  return line;
+  if (steps.empty()) return exact;
+  const GridLine scattered = even_lines(lines.front(), lines.back() - lines.front(), steps);
+  const GridLine& best = lie_on(positions, scattered) ? scattered : exact;
+  if (best.points == 0) expect_size(text, kMost, kFewest);
+  return best;
 }
 
 /// The three columns of the first line: where they stand, and their units.

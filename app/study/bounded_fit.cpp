@@ -14,10 +14,12 @@ using Values = std::vector<double>;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSettled = 0.1;  ///< of a deviation: nobody sees the difference [-]
 
+/// Part of the largest singular value that errors of the differences make.
+double of_differences(const FitProblem& p) { return 10.0 * std::pow(p.accuracy, 2.0 / 3.0); }
+
 bool is_determined(const FitProblem& p, const ThinSvd& svd, Eigen::Index k, double scale) {
-  const double error = 10.0 * std::pow(p.accuracy, 2.0 / 3.0);
   const Eigen::VectorXd& S = svd.values;
-  return S(k) > error * S(0) && scale / S(k) <= 1.0 / std::sqrt(12.0);
+  return S(k) > of_differences(p) * S(0) && scale / S(k) <= 1.0 / std::sqrt(12.0);
 }
 
 /// s of the data alone: of what was measured, without what r is computed with.
@@ -118,7 +120,7 @@ bool judge(const FitProblem& p, BoundedSearch& s, Fit& fit) {
   fit.deviation.assign(s.count(), kNone);
   for (FitDirection& d : fit.directions) {
     d.deviation = kNone;
-    d.determined = false;
+    d.determined = d.singular_value > of_differences(p) * fit.directions.front().singular_value;
   }
   return true;
 }

@@ -371,12 +371,18 @@ std::optional<Branch> follow_from(Solution& s, Raised raised, std::span<const do
   return std::nullopt;
 }
 
+namespace {
+
+/// Those of kLight that lie before the end of the branch on the last grid, the lightest in any
+/// case: from beyond it none may begin, and to look for one costs as much as to follow it.
 std::span<const double> light_loads(const std::vector<Limit>& limits) {
   std::span<const double> parts = kLight;
   if (limits.empty() || limits.back().raised != Raised::load) return parts;
   while (parts.size() > 1 && parts.front() > limits.back().part) parts = parts.subspan(1);
   return parts;
 }
+
+}  // namespace
 
 std::optional<Branch> follow_loads(Solution& s, const std::function<Verdict()>& start,
                                    const Corrector& correct, const SolveControl& control) {

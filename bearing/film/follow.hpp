@@ -85,10 +85,6 @@ class Part {
                                                 const Corrector& correct,
                                                 const SolveControl& control);
 
-/// Those of kLight that lie before the end of the branch on the last grid, the lightest in any
-/// case: from beyond it none may begin, and to look for one costs as much as to follow it.
-[[nodiscard]] std::span<const double> light_loads(const std::vector<Limit>& limits);
-
 /// From a light load; where that branch turns or is lost, or none begins, from a heavy one. What
 /// ends is the branch from the light load, at whose last state `s` is left.
 [[nodiscard]] std::optional<Branch> follow_loads(Solution& s, const std::function<Verdict()>& start,

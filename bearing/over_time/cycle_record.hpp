@@ -33,7 +33,8 @@ class CycleRecord {
   /// with otherwise than it began: relative change of the oil in the gap, and the journal's change
   /// of momentum over the impulse of the load's magnitude (the mean film force is the mean load).
   [[nodiscard]] double difference(const CycleRecord& other) const;
-  /// Smallest film [m], largest and mean torque [N m], oil at the end [kg].
+  /// Smallest film [m], largest and mean torque [N m]; at the end oil in film and vessels [kg] and
+  /// the journal's velocity [m/s].
   [[nodiscard]] std::vector<double> mark() const;
   /// Largest relative difference from what another cycle has been marked with.
   [[nodiscard]] double difference(const std::vector<double>& mark) const;
@@ -85,6 +86,10 @@ class CycleRecord {
   [[nodiscard]] double oil_drift() const;
   /// Change of the journal's momentum over the cycle, over the impulse of the load's magnitude [-].
   [[nodiscard]] double momentum_drift() const;
+  /// Of the journal's velocity [m/s] its momentum, over the impulse of the load's magnitude [-].
+  [[nodiscard]] double part_of_impulse(double change) const;
+  /// Of oil [kg], over what all vessels hold [-].
+  [[nodiscard]] double part_of_vessels(double oil) const;
   /// Of a smallest film over its yielding gap [-].
   [[nodiscard]] double change_of_film(double h, double other) const;
   /// By how much the shaft's surface would swing about its mean, as it turns and over the cycle:

@@ -32,7 +32,7 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
 void CycleSearch::members(Tape& tape) {
   tape(closure_, left_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
        round_change_, stalled_, growth_, led_, displaced_, layer_begun_, before_led_);
-  tape(mark_, marked_);
+  tape(mark_, marked_, by_mark_);
   tape(walls_begun_, answers_);
 }
 
@@ -105,8 +105,11 @@ void CycleSearch::until_closed(double within) {
 bool CycleSearch::closed(double within) {
   left_ = closure_.left();
   const int since = cycles() - marked_;
-  if (!mark_.empty() && since >= kApart) {
-    left_ = std::min(left_, std::max(closure_.last, left_after(told().difference(mark_), since)));
+  if (!mark_.empty() && since >= kApart) {  // twice: what swings may pass its mark once
+    const double now = std::max(closure_.last, left_after(told().difference(mark_), since));
+    left_ = std::min(left_, std::max(now, std::exchange(by_mark_, now)));
+  } else {
+    by_mark_ = INFINITY;
   }
   return left_ <= within && std::min(closure_.last, told().drift()) <= within;
 }

@@ -119,12 +119,13 @@ class CycleSearch {
 
   CyclePasses passes_;
   Closure closure_;
-  std::vector<double> mark_;  ///< of the first cycle that hardly differed from the one before
-  int marked_ = 0;            ///< after so many cycles
-  double left_ = NAN;         ///< CycleResult::closure
-  bool led_ = false;          ///< anything, here or on the way to where it began
-  double growth_ = NAN;       ///< CycleResult::growth
-  bool unseen_ = false;       ///< growth was looked at, and is not known
+  std::vector<double> mark_;   ///< of the first cycle that hardly differed from the one before
+  int marked_ = 0;             ///< after so many cycles
+  double by_mark_ = INFINITY;  ///< what the cycle before told to be left since then [-]
+  double left_ = NAN;          ///< CycleResult::closure
+  bool led_ = false;           ///< anything, here or on the way to where it began
+  double growth_ = NAN;        ///< CycleResult::growth
+  bool unseen_ = false;        ///< growth was looked at, and is not known
   std::optional<Displaced> displaced_;
   LedOil oil_;
   std::optional<Tape::Content> before_led_;  ///< the passes, until one has begun with led oil

@@ -25,19 +25,26 @@ CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
   for (const double t : film.model().input.cycle->fields_at) {
     corners_.push_back({t, false, INFINITY});  // steps end there, however little is felt
   }
+  std::stable_sort(corners_.begin(), corners_.end(),
+                   [](const LoadCorner& a, const LoadCorner& b) { return a.t < b.t; });
 }
 
 /// A corner in the middle of a step moves the load by an eighth of its change of slope times dt:
-/// where that is more than the film's allowed error, the step ends on it.
+/// where that is more than the film's allowed error, the step ends on it. Rows that stand close
+/// bend little each, but a pulse of them together: a step ends where what they have bent since its
+/// beginning moves the load by as much over the way so far.
 double CycleSteps::next_corner(double since, double dt) const {
-  double next = length_;
   const double round = kRoundOff * length_;
+  double bend = 0.0;
   for (const LoadCorner& c : corners_) {
-    if (c.t > length_ - round) continue;  // the end itself
+    if (c.t <= since + round) continue;
+    if (c.t > length_ - round) break;  // the end itself
+    const double way = c.t - since;
+    if (std::isfinite(c.slope_change)) bend += c.slope_change;
     const bool felt = c.jump || c.slope_change * dt > 8.0 * options_.error;
-    if (felt && c.t > since + round && c.t < next) next = c.t;
+    if (felt || (way < dt && bend * way > 8.0 * options_.error)) return c.t;
   }
-  return next;
+  return length_;
 }
 
 double CycleSteps::end_of_step(double since, double dt) const {

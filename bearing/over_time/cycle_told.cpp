@@ -162,15 +162,21 @@ double largest_torque(const std::vector<CycleInstant>& all) {
 
 }  // namespace
 
-double CycleRecord::oil_drift() const {
-  const double film = std::abs(oil_gathered());
+double CycleRecord::part_of_vessels(double oil) const {
   const std::vector<double> vessels = film_->vessels().full();
   const double full = std::accumulate(vessels.begin(), vessels.end(), 0.0);
-  return full > 0.0 ? larger(film, std::abs(vessels_ended_ - vessels_begun_) / full) : film;
+  return full > 0.0 ? std::abs(oil) / full : 0.0;
+}
+
+double CycleRecord::oil_drift() const {
+  return larger(std::abs(oil_gathered()), part_of_vessels(vessels_ended_ - vessels_begun_));
 }
 
 double CycleRecord::momentum_drift() const {
-  const double change = std::hypot(v_ended_[0] - v_begun_[0], v_ended_[1] - v_begun_[1]);
+  return part_of_impulse(std::hypot(v_ended_[0] - v_begun_[0], v_ended_[1] - v_begun_[1]));
+}
+
+double CycleRecord::part_of_impulse(double change) const {
   const double load =
       mean_over(instants_, [](const CycleInstant& i) { return std::hypot(i.load_x, i.load_y); });
   return load > 0.0 ? film_->mass() * change / (load * told()) : 0.0;
@@ -190,12 +196,19 @@ double CycleRecord::drift() const {
 
 std::vector<double> CycleRecord::mark() const {
   return {extreme(instants_, &CycleInstant::h_min, Extreme::smallest).h_min,
-          largest_torque(instants_), mean_of(instants_, &CycleInstant::torque), oil_ended_};
+          largest_torque(instants_),
+          mean_of(instants_, &CycleInstant::torque),
+          oil_ended_,
+          vessels_ended_,
+          v_ended_[0],
+          v_ended_[1]};
 }
 
 double CycleRecord::difference(const std::vector<double>& mark) const {
   const std::vector<double> own = this->mark();
   double most = larger(change_of_film(own[0], mark[0]), std::abs(mark[3] / own[3] - 1.0));
+  most = larger(most, part_of_vessels(own[4] - mark[4]));
+  most = larger(most, part_of_impulse(std::hypot(own[5] - mark[5], own[6] - mark[6])));
   if (own[1] == 0.0) return most;  // nothing turns
   for (const int k : {1, 2}) most = larger(most, std::abs(mark[k] - own[k]) / own[1]);
   return most;

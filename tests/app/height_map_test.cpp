@@ -125,6 +125,18 @@ TEST_CASE("PositionsOfAStageScatterAboutTheirLines") {
   CHECK(surface::holes_of(map).count == 31);
 }
 
+TEST_CASE("StripesOfExactColumnsAreOneMap") {
+  const ScratchFolder scratch;
+  std::string text = "x [um], y [um], z [nm]\n";
+  for (int i = 0; i < 200; ++i) {
+    if (i % 20 >= 14) continue;  // nine gaps of seven pitches
+    for (int j = 0; j < 8; ++j) text += fmt::format("{}, {}, {}\n", 2 * i, j, (7 * i + 3 * j) % 11);
+  }
+  const auto map = read_height_map(scratch.write("map.csv", text), Motion::x);
+  CHECK(map.nx == 194);
+  CHECK(map.dx == Approx(2e-6).epsilon(1e-12));
+}
+
 TEST_CASE("PlacesOfAMapAreThoseOfItsFile") {
   const ScratchFolder scratch;
   std::string text = "x [um], y [um], z [nm]\n";

@@ -182,6 +182,9 @@ TEST_CASE("AJumpAtTheEndNeedsNoRowAtTheBeginning") {
   REQUIRE(jump.t.size() == 4);
   CHECK((jump.t[0] == 0.0 && jump.t[1] == 0.0));
   CHECK((jump.y[0] == -2000.0 && jump.y[1] == -1000.0));
+  const auto twice = cycle_of(kInDegrees, head + "0, 0, -2000\n0, 0, -1000\n" + rows);  // both ends
+  CHECK(twice.t == jump.t);
+  CHECK(twice.y == jump.y);
 }
 
 TEST_CASE("AMomentOverACycleIsJudgedByItsLargestLoad") {

@@ -216,6 +216,33 @@ TEST_CASE("CellsGrowFromTheRowsOfAHoleAlsoUpToAnEdgeNearBy") {
   }
 }
 
+TEST_CASE("HolesBesideMidWidthHaveAsManyRowsAsOneOnIt") {
+  const double d = 2.75e-3;
+  for (const double middle : {0.0, 4e-3}) {
+    GridEdges edges;
+    for (const double at : {-middle, middle}) {
+      const int strip = at < 0.0 ? 0 : 1;
+      for (const double side : {-0.5, 0.5}) {
+        GridEdge e(at + side * d, strip);
+        e.beside = d;
+        edges.push_back(e);
+      }
+      if (middle == 0.0) break;
+    }
+    for (const int nz : {25, 26, 40, 41}) {
+      const FilmGrid g = make_grid(0.025, 0.0339, 200, nz, true, {}, edges, kEdgeGrading);
+      int rows = 0;
+      for (int j = 0; j < g.nz; ++j) {
+        if (std::abs(g.z[j] - middle) >= 0.5 * d) continue;
+        rows += middle > 0.0 ? 1 : g.z[j] == 0.0 ? 1 : 2;
+      }
+      INFO(nz << " cells, a hole at " << 1e3 * middle << " mm");
+      const int uneven = middle == 0.0 && nz % 2 == 1 ? 1 : 0;  // rows that mid-width cuts in half
+      CHECK(rows >= std::min(nz / 8, 4) - uneven);
+    }
+  }
+}
+
 TEST_CASE("MoreEdgesThanCellsAreRefused") {
   CHECK_THROWS_AS(make_grid(kRadius, kWidth, 3, 4, false, {0.0, 1.0, 2.0, 3.0}), InputError);
 }

@@ -253,6 +253,12 @@ TEST_CASE("SuppliesThatTheProbeCannotHoldAreSolvedOnTheGridOfTheCase") {
   REQUIRE(r.verdict.good());
   CHECK(r.grid == c.model.grid);
   CHECK(r.value("h_min") == Approx(alone.value("h_min")).epsilon(1e-6));
+  // Oil that thins as it warms, and no walls to warm: how warm it is, is not known well enough.
+  by_auto.oil.temperature = rheology::ReynoldsSlope{0.03, 313.15, 0.035};
+  const Result warm = solve_case(by_auto);
+  REQUIRE(warm.verdict.good());
+  CHECK(warm.tier == Tier::lumped);
+  CHECK_FALSE(warm.choice->met);
 }
 
 TEST_CASE("WithoutWallsAutoSaysThatTheHeatIsUncertain") {

@@ -1,15 +1,20 @@
 /// Tier auto over shipped load cycles against finer grids and richer tiers.
 #include "fidelity/auto_cycle.hpp"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <catch2/catch.hpp>
 
+#include "app/reading/case_text.hpp"
 #include "app/reading/library.hpp"
 #include "app/reading/read_case.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "bearing/judge/judge_case.hpp"
 #include "core/constants.hpp"
+#include "fidelity/cycle_bars.hpp"
+#include "tests/app/sample_case.hpp"
 #include "tests/program/run_words.hpp"
 
 using namespace shellback;
@@ -46,7 +51,66 @@ void check_within(const std::string& name, double tolerance, const std::string& 
   }
 }
 
+/// A bearing that a drilling of its journal alone feeds, under a load that turns at once and at
+/// half the speed; `supply`: more keys of it.
+Case drilled(const ScratchFolder& folder, double diameter, const std::string& supply,
+             double tolerance) {
+  std::string rows = "angle [deg], load_x [N], load_y [N]\n";
+  for (int degrees = 0; degrees < 720; degrees += 20) {
+    const double a = degrees * kPi / 180.0;
+    rows += fmt::format("{}, {:.4f}, {:.4f}\n", degrees,
+                        900.0 * std::cos(0.5 * a) + 400.0 * std::cos(a),
+                        -1200.0 + 900.0 * std::sin(0.5 * a) + 400.0 * std::sin(a));
+  }
+  std::string text = read_text_file(case_path("rotating-load").string());
+  const std::size_t from = text.find("[[supply]]"), to = text.find("[operation]");
+  text.replace(from, to - from,
+               fmt::format("[[supply]]\nkind = \"drilling\"\nangle = \"90 deg\"\ndiameter = "
+                           "\"{} mm\"\npressure = \"2 bar\"\ntemperature = \"60 degC\"\n{}\n",
+                           1e3 * diameter, supply));
+  folder.write("rot.csv", rows);
+  return read_case(folder.write("case.toml", text),
+                   {{"load_cycle.file", "\"rot.csv\"", "--set"},
+                    {"load_cycle.period", "\"720 deg\"", "--set"},
+                    {"model.grid", "[60, 8]", "--set"},
+                    {"model.tolerance", fmt::format("\"{} %\"", 100.0 * tolerance), "--set"}});
+}
+
 }  // namespace
+
+TEST_CASE("CyclesThatOnlyTheChoiceOfStepsKeepsApartAreFound") {
+  // They differ by 1e-5 for ever, which might be the end of a slow approach; it is none.
+  const ScratchFolder folder;
+  const std::string vessel = "vessel_volume = \"1 cm3\"\nopen = [\"0 deg\", \"400 deg\"]\n";
+  std::vector<double> torques;
+  for (const double tolerance : {0.01, 0.009}) {
+    const CycleResult r = solve_cycle(drilled(folder, 3e-3, vessel, tolerance), Tier::isothermal);
+    INFO(tolerance << ": " << r.cycles << " cycles, " << app::reason_of(r.verdict));
+    REQUIRE(r.verdict.good());
+    CHECK(r.cycles < 100);
+    CHECK(r.closure <= 1e-4);
+    torques.push_back(value_of(r, "friction_torque"));
+  }
+  // By as much as their steps may err: a tenth of the tolerance each in the film.
+  CHECK(torques[0] == Approx(torques[1]).epsilon(1e-3));
+}
+
+TEST_CASE("BarsOfTimeBesideADrillingHoldShorterSteps") {
+  // Half the width of its mouth bounds the steps, whatever they err. The largest pressure is a
+  // spike of a step or two where the mouth passes, which no bar of steps holds (decision 086).
+  const ScratchFolder folder;
+  Case c = drilled(folder, 5e-3, "", 0.1);
+  const auto r = fidelity::cycle_with_bars_of_steps(c, {});
+  REQUIRE(r);
+  c.cycle->step = c.cycle->period / 720.0;
+  const CycleResult fine = solve_cycle(c, Tier::isothermal);
+  REQUIRE(fine.verdict.good());
+  for (const char* name : {"friction_torque", "power_loss", "side_flow"}) {
+    const Quantity& q = fidelity::named(*r, name)->quantity;
+    INFO(name << " " << q.value << " +- " << q.error_time << ", " << value_of(fine, name));
+    CHECK(std::abs(q.value - value_of(fine, name)) <= q.error_time);
+  }
+}
 
 TEST_CASE("AutoOverARotatingLoadIsWithinItsTolerance") {
   check_within("rotating-load", 0.15, "\"15 %\"");

@@ -17,7 +17,11 @@ constexpr double kTaken = 1.5;  ///< a step of the period before stands until it
 CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
                        const StepOptions& options)
     : film_(film), length_(length), options_(options), wish_(options.after_jump) {
+  // A spline is smooth: its rows say where to look, and cut no step that is given.
+  const LoadInterpolation lines = film.model().input.cycle->interpolation;
+  const bool look = lines == LoadInterpolation::linear || !(options.fixed > 0.0);
   for (LoadCorner c : course.corners()) {
+    if (!look && !c.jump && std::isfinite(c.slope_change)) continue;
     if (course.repeats() && c.t >= length) c.t -= length;
     corners_.push_back(c);
   }

@@ -61,7 +61,8 @@ void write_directions(std::ostream& out, const IdentifyView& v) {
   table.rule();
   for (const auto& d : v.end.fit.directions) {
     table.add({direction_words(v, d), fmt::format("{:.3g}", d.singular_value),
-               fmt::format("{:.2g}", d.deviation), d.determined ? "determined" : "NOT determined"});
+               std::isfinite(d.deviation) ? fmt::format("{:.2g}", d.deviation) : "n/a",
+               d.determined ? "determined" : "NOT determined"});
   }
   table.print(out);
 }

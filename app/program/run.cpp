@@ -89,7 +89,6 @@ int run(const Request& request) {
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   if (subject.cycle) return cycle(request, text, subject);
   expect_steady(request);
-
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
   const Result result = [&] {

@@ -55,10 +55,11 @@ void add_status(const IdentifyView& v, std::vector<std::string>& all) {
   const int values = v.end.values_used(v.table.points);
   const auto keys = static_cast<int>(v.keys.size());
   if (values < keys || (values == keys && !v.table.deviations_known)) {
-    all.push_back(fmt::format(
-        "{} measured values cannot determine {} keys{}; measure more points "
-        "or fit fewer keys",
-        values, keys, values == keys ? " and their own scatter (no deviations are given)" : ""));
+    all.push_back(
+        fmt::format("{} measured value{} cannot determine {} key{}{}; measure more points "
+                    "or fit fewer keys",
+                    values, values == 1 ? "" : "s", keys, keys == 1 ? "" : "s",
+                    values == keys ? " and their own scatter (no deviations are given)" : ""));
   }
   if (fit.status == FitStatus::not_computed) {
     all.push_back(fit.computed()

@@ -16,8 +16,9 @@ fs::path target_of(const std::string& path) {
   for (int k = 0; k < kMostLinks && fs::is_symlink(target, error); ++k) {
     target = target.parent_path() / fs::read_symlink(target, error);
   }
-  const fs::path folder = fs::weakly_canonical(target.parent_path(), error);
-  return error ? target.lexically_normal() : folder / target.filename();
+  // As the system goes there: through a folder that is not there no way leads back ("nosuch/../x").
+  const fs::path folder = fs::canonical(target.parent_path(), error);
+  return error ? target : folder / target.filename();
 }
 
 bool same_file(const std::string& a, const std::string& b) {

@@ -14,16 +14,26 @@ bool KnownAtEnds::met() const {
 }
 
 std::vector<std::string> KnownAtEnds::words() const {
-  std::string missed;
+  std::string missed, open;
   for (const Part& part : parts) {
+    if (!part.known) open += fmt::format("{}{}", open.empty() ? "" : ", ", part.label);
     if (part.bar <= asked) continue;
-    missed += fmt::format("{}{} +-{} %{}", missed.empty() ? "" : ", ", part.label,
-                          figures(100.0 * part.bar, 2),
+    missed += fmt::format("{}{} +-{} %{}{}", missed.empty() ? "" : ", ", part.label,
+                          figures(100.0 * part.bar, 2), part.known ? "" : " at least",
                           part.by_steps ? " (most of it the steps in time)" : "");
   }
-  if (missed.empty()) return {};
-  return {
-      fmt::format("model.tolerance ({:.3g} %) is not met at the end: {}", 100.0 * asked, missed)};
+  std::vector<std::string> all;
+  if (!missed.empty()) {
+    all.push_back(
+        fmt::format("model.tolerance ({:.3g} %) is not met at the end: {}", 100.0 * asked, missed));
+  }
+  if (!open.empty()) {
+    all.push_back(fmt::format(
+        "the bars of {} are not known whole at the end: a run with doubled steps or on a coarser "
+        "grid that they need ended before; that model.tolerance is met is not shown",
+        open));
+  }
+  return all;
 }
 
 json_parts::Json KnownAtEnds::json() const {

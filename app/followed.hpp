@@ -56,6 +56,7 @@ struct KnownAtEnds {
     std::string name, label;
     double bar = 0.0;       ///< of grid and steps, the widest of the ends, over the value [-]
     bool by_steps = false;  ///< most of it
+    bool known = true;      ///< at all ends; else the bar is what is known of it
   };
   double asked = 0.0;       ///< model.tolerance [-]
   std::vector<Part> parts;  ///< empty: no bars are known
@@ -78,14 +79,16 @@ template <class State>
   for (const auto& w : wished) {
     KnownAtEnds::Part widest{w.name, w.label};
     for (const std::size_t k : ends) {
-      const double bar = bars.at(k, w.value);
-      if (!std::isfinite(bar)) known.all = false;
+      const double grid = bars.grid[k].*w.value, time = bars.time[k].*w.value;
+      widest.known = widest.known && std::isfinite(grid) && std::isfinite(time);
+      const double bar = (std::isfinite(grid) ? grid : 0.0) + (std::isfinite(time) ? time : 0.0);
       const double size = std::abs(states[k].*w.value);
       if (!(bar > widest.bar * size) || size == 0.0) continue;
       widest.bar = bar / size;
-      widest.by_steps = bars.time[k].*w.value > bars.grid[k].*w.value;
+      widest.by_steps = time > grid;
     }
-    if (widest.bar > 0.0) known.parts.push_back(widest);
+    known.all = known.all && widest.known;
+    if (widest.bar > 0.0 || !widest.known) known.parts.push_back(widest);
   }
   return known;
 }

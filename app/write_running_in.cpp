@@ -277,7 +277,12 @@ std::string running_in_svg(const bearing::Case& c, const RunningInRun& run,
 }
 
 std::string worn_shape_csv(const bearing::Case& c, const RunningInRun& run) {
-  std::string csv = "phi [deg], z [mm], height [um]\n";
+  std::string csv;
+  if (!run.verdict.good()) {  // app/reading/csv_table.hpp
+    csv = fmt::format("# not finished: {}; this is the shape after {:.4g} s\n",
+                      reason_of(run.verdict), run.states.empty() ? 0.0 : run.states.back().t);
+  }
+  csv += "phi [deg], z [mm], height [um]\n";
   const bearing::Profile table = bearing::wear_table(run.grid, run.wear);
   bearing::Bearing before;
   before.shape = c.bearing.shape;

@@ -12,6 +12,7 @@ enum class EffectKind {
   shear_thinning,
   roughness_and_contact,
   turbulence,          ///< and Taylor vortices
+  film_inertia,        ///< of the film as it turns
   inertia_of_fed_oil,  ///< pressed out of a supply
 };
 

@@ -206,10 +206,17 @@ void LoadCourse::find_rests(double slow) {
     times.push_back(cycle_.t.back());
     speeds.push_back(speeds.front());
   }
+  // Between its corners friction turns as tanh 3x: straight lines between these miss 0.6 % of it.
+  constexpr double kParts[]{1.0 / 12, 1.0 / 6, 0.25, 1.0 / 3, 0.5, 2.0 / 3};
+  constexpr double kBrief = 1e-3;  // of the whole: what friction misses there shows in no mean
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
     const double a = speeds[k];
     const double b = speeds[k + 1];
-    for (const double at : {-slow, 0.0, slow}) {
+    std::vector<double> looked{-slow, 0.0, slow};
+    if (2.0 * slow * (times[k + 1] - times[k]) > kBrief * length_ * std::abs(b - a)) {
+      for (const double part : kParts) looked.insert(looked.end(), {-part * slow, part * slow});
+    }
+    for (const double at : looked) {
       if (a == b || (a - at) * (b - at) > 0.0) continue;
       const double t = between(times[k], times[k + 1], (at - a) / (b - a));
       // Behind the last row the next period may have begun.

@@ -71,7 +71,8 @@ struct LoadStretch {
 class LoadCourse {
  public:
   /// `omega`: speed where the cycle has none [rad/s]. `slow`: magnitude of the speed at which, and
-  /// at rest, straight courses of the speed have corners: there friction turns [rad/s]; 0: none.
+  /// at rest, straight courses of the speed have corners: there friction turns; and in parts of it,
+  /// where the speed is low for long [rad/s]; 0: none.
   LoadCourse(const LoadCycle& cycle, double omega, double slow = 0.0);
 
   /// At time t [s]; before 0 an event stands in its first row. At a jump what holds after it, or

@@ -18,7 +18,9 @@ enum class Plain {
   orientation_beyond_table,  ///< of the roughness, for the tabulated flow factors
   pressure_beyond_law,       ///< of the oil
   rigid_layer,               ///< elasto-plastic, under surfaces taken as rigid
+  layer_keeps_thickness,     ///< elasto-plastic, as the shell's mean temperature changes
   edge_oil_as_supply,        ///< oil that comes in again at a side edge
+  edge_oil_as_film,          ///< the same where the film has one temperature
   planes_overlap,            ///< mean planes of rough surfaces, where the film is smallest
   marks_begin_anew,          ///< of an elasto-plastic layer that wears under a standing load
   roughness_stays,           ///< of a shell that wears
@@ -86,12 +88,13 @@ struct ToleranceNotMet {
 struct ShaftSwing {
   double T = 0.0;  ///< by which it would swing [K]
   bool over_event = false;
+  double standing = 0.0;  ///< by which, at most, it stays warmer or colder around [K]
 };
 
-/// Heat of an event goes deeper than flat skins of the walls stand for bodies.
+/// Heat of an event goes deeper than skins, in which it goes straight, stand for bodies.
 struct LongEvent {
-  double reach = 0.0;  ///< how deep [m]
-  double flat = 0.0;   ///< and how deep it may [m]
+  double reach = 0.0;     ///< how deep [m]
+  double straight = 0.0;  ///< and how deep it may [m]
 };
 
 /// Tier estimate of a steady bearing.
@@ -132,8 +135,15 @@ struct OtherRoots {
 /// Gaps below the smallest of the measured flow factors.
 struct FactorsContinued {
   long cells = 0;
-  double h = 0.0;  ///< the smallest measured [m]
-  double H = 0.0;  ///< the same over sigma [-]
+  double h = 0.0;         ///< the smallest measured [m]
+  double H = 0.0;         ///< the same over sigma [-]
+  bool measured = false;  ///< else the lower end of the fits
+};
+
+/// Sliding over film beyond the largest shear rate of the oil's law.
+struct ShearBeyondLaw {
+  double rate = 0.0;   ///< [1/s]
+  double limit = 0.0;  ///< [1/s]
 };
 
 /// Film temperatures outside the range in which the oil's viscosity is known.
@@ -174,6 +184,11 @@ struct ProfileBetweenCells {
 struct NotLaminar {
   double reynolds = 0.0;  ///< Re of the clearance [-]
   double limit = 0.0;     ///< beyond which vortices or turbulence begin [-]
+};
+
+/// A film whose inertia is no longer small beside its viscous forces.
+struct FilmInertia {
+  double reduced = 0.0;  ///< rho omega c^2/eta [-]
 };
 
 /// Oil that is pressed out of a supply so fast that its inertia counts.
@@ -312,14 +327,15 @@ struct TierTaken {
 
 using Note = std::variant<
     std::string, note::Plain, note::ColdSpot, note::NoCoefficients, note::CavitatedDamping,
-    note::OtherRoots, note::FactorsContinued, note::BeyondOilRange, note::BeyondContactLaw,
-    note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells, note::ProfileBetweenCells,
-    note::NotLaminar, note::FedFlow, note::OilSheared, note::VesselEmpty, note::MouthWidened,
-    note::WornThrough, note::LayerFlown, note::WornBeyondClearance, note::WearLedOn,
-    note::StatesEnd, note::LiningTooHot, note::OtherSteadyState, note::LayerPressed,
-    note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound,
-    note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::LandUnseen,
-    note::SuppliesJoined, note::HardlySliding, note::SupplyTakesBack, note::ShaftSwing,
-    note::LongEvent, note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::OtherRoots, note::FactorsContinued, note::ShearBeyondLaw, note::BeyondOilRange,
+    note::BeyondContactLaw, note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells,
+    note::ProfileBetweenCells, note::NotLaminar, note::FilmInertia, note::FedFlow, note::OilSheared,
+    note::VesselEmpty, note::MouthWidened, note::WornThrough, note::LayerFlown,
+    note::WornBeyondClearance, note::WearLedOn, note::StatesEnd, note::LiningTooHot,
+    note::OtherSteadyState, note::LayerPressed, note::NothingRicher, note::TierTaken,
+    note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid,
+    note::ToleranceNotMet, note::LandUnseen, note::SuppliesJoined, note::HardlySliding,
+    note::SupplyTakesBack, note::ShaftSwing, note::LongEvent, note::EstimateOfFilm,
+    note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -158,7 +158,7 @@ inline constexpr QuantityEntry kQuantities[] = {
      "largest elastic opening of the gap"},
     {&Quantities::T_film_max, "T_film_max", "K", "film temperature, largest"},
     {&Quantities::T_film_mean, "T_film_mean", "K", "film temperature, mean"},
-    {&Quantities::T_shell_max, "T_shell_max", "K", "shell temperature, largest"},
+    {&Quantities::T_shell_max, "T_shell_max", "K", "shell surface temperature, largest"},
     {&Quantities::T_shell_back, "T_shell_back", "K", "shell-back temperature"},
     {&Quantities::T_shell_back_max, "T_shell_back_max", "K", "shell-back temperature, largest"},
     {&Quantities::T_shaft, "T_shaft", "K", "shaft temperature"},

@@ -8,6 +8,7 @@
 #include "bearing/pressed_layer.hpp"
 #include "core/constants.hpp"
 #include "core/round_off.hpp"
+#include "fluid/patir_cheng.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -55,14 +56,18 @@ Field summit_flow(const BearingModel& m, const Field& h) {
 
 namespace {
 
-/// Cells whose gap is smaller than the first of a measured table of flow factors.
+/// Cells whose gap is smaller than what flow factors are known for: the first of a measured table,
+/// the lower end of the fits otherwise.
 void add_factors(const BearingModel& m, const Field& h, std::vector<Note>& out) {
-  const auto& measured = m.domain.rough.measured;
-  if (!measured) return;
-  const double first = measured->H_low * measured->sigma;
+  const fluid::RoughPair& rough = m.domain.rough;
+  if (!m.physics.flow_factors || !(rough.sigma > 0.0)) return;
+  const auto& measured = rough.measured;
+  const double H =
+      measured ? measured->H_low : std::max({rough.x.H_low, rough.z.H_low, fluid::kShearLow});
+  const double first = H * (measured ? measured->sigma : rough.sigma);
   const long cells = std::count_if(h.begin(), h.end(), [first](double x) { return x < first; });
   if (cells == 0) return;
-  out.push_back(note::FactorsContinued{cells, first, measured->H_low});
+  out.push_back(note::FactorsContinued{cells, first, H, measured.has_value()});
 }
 
 void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<Note>& out) {
@@ -153,13 +158,24 @@ void add_joined_supplies(const BearingModel& m, std::vector<Note>& out) {
   }
 }
 
+/// Of a bonded layer, mean over its thickness: what pressure drives out of its middle must pass its
+/// faces, tau = nu/(1 - nu) t dp/dx at the bond (balance of forces, textbook); thick ones shear by
+/// the pressure itself.
+double shear_strain(const ShellLayer& layer, double p_max, double p_slope) {
+  const solid::Material& m = layer.material;
+  const double G = m.youngs_modulus / (2.0 * (1.0 + m.poisson_ratio));
+  const double push = m.poisson_ratio / (1.0 - m.poisson_ratio);
+  return push * std::min(layer.thickness * p_slope, p_max) / (2.0 * G);
+}
+
 /// A layer behind the first is pressed over a wider area, by less: told is what it has at most.
-void add_strain(const BearingModel& m, double p_max, std::vector<Note>& out) {
+void add_strain(const BearingModel& m, double p_max, double p_slope, std::vector<Note>& out) {
   if (!m.physics.elastic || !m.input.shell) return;
   const auto& layers = m.input.shell->layers;
   for (int k = 0; k < static_cast<int>(layers.size()); ++k) {
     if (layers[k].elasto_plastic) continue;  // it has a law of its own
-    const double strain = p_max * solid::confined_compliance(layers[k].material);
+    const double strain = std::max(p_max * solid::confined_compliance(layers[k].material),
+                                   shear_strain(layers[k], p_max, p_slope));
     if (strain > kBearingLimits.strain_usual) out.push_back(note::LayerPressed{k, strain});
   }
 }
@@ -172,9 +188,15 @@ note::NotLaminar reynolds_number(const BearingModel& m, double U, double T) {
   return {std::abs(U) * c / nu, kTaylor * std::sqrt(m.input.bearing.radius / c)};
 }
 
+double reduced_reynolds(const BearingModel& m, const note::NotLaminar& film) {
+  return film.reynolds * m.clearance / m.input.bearing.radius;
+}
+
 void add_turbulence(const BearingModel& m, double U, double T, std::vector<Note>& notes) {
   const note::NotLaminar film = reynolds_number(m, U, T);
   if (film.reynolds > film.limit) notes.push_back(film);
+  const double reduced = reduced_reynolds(m, film);
+  if (reduced > kInertiaMatters) notes.push_back(note::FilmInertia{reduced});
 }
 
 std::vector<Note> oil_range_warnings(const rheology::Oil& oil, double T_low, double T_high,
@@ -203,6 +225,11 @@ std::vector<Note> input_warnings(const Case& c, const Physics& physics) {
   return out;
 }
 
+void add_layer_of_constant_thickness(const BearingModel& m, std::vector<Note>& assumptions) {
+  if (!m.physics.thermal_deformation || !pressed_layer(m.input, 0)) return;
+  assumptions.emplace_back(note::Plain::layer_keeps_thickness);
+}
+
 std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) {
   std::vector<Note> out = oil_range_warnings(m.oil, reach.T_low, reach.T_high, reach.p_max);
   for (const Note& note : input_warnings(m.input, m.physics)) out.push_back(note);
@@ -213,11 +240,38 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   add_holes(m, out);
   add_lands(m, out);
   add_joined_supplies(m, out);
-  add_strain(m, reach.p_max, out);
+  add_strain(m, reach.p_max, reach.p_slope, out);
+  if (reach.shear_rate > m.oil.range.rate_max) {
+    out.push_back(note::ShearBeyondLaw{reach.shear_rate, m.oil.range.rate_max});
+  }
   add_flown_layer(m, reach.layer_depth, out);
   add_hot_lining(m, reach.T_shell, out);
-  if (m.contact && reach.h_min < 0.0) out.emplace_back(note::Plain::planes_overlap);
+  if (reach.h_min < 0.0) out.emplace_back(note::Plain::planes_overlap);
   return out;
+}
+
+double largest_shear_rate(const fluid::FilmState& film, const Field& h, double U) {
+  double most = 0.0;
+  for (std::size_t c = 0; c < h.size(); ++c) {
+    if (film.full[c] && h[c] > 0.0) most = std::max(most, std::abs(U) / h[c]);
+  }
+  return most;
+}
+
+double largest_slope(const FilmGrid& g, const Field& p) {
+  double most = 0.0;
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      const double here = p[g.index(i, j)];
+      const double around = p[g.index((i + 1) % g.nt, j)] - here;
+      const int next = (i + 1) % g.nt;
+      most = std::max(most, std::abs(around) / (0.5 * (g.dphi[i] + g.dphi[next]) * g.radius));
+      if (j + 1 == g.nz) continue;
+      const double along = p[g.index(i, j + 1)] - here;
+      most = std::max(most, std::abs(along) / (g.z[j + 1] - g.z[j]));
+    }
+  }
+  return most;
 }
 
 note::OilSheared sheared_oil(const FilmGrid& grid, const Field& p, const Field& stress) {

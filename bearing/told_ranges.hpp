@@ -18,6 +18,8 @@ struct FilmReach {
   const Field& h;              ///< smallest gap of each cell [m]
   fluid::SmallestGap least{};  ///< of all
   double h_min = least.h;      ///< the same, with side edges [m]
+  double shear_rate = 0.0;     ///< largest of full columns (largest_shear_rate) [1/s]
+  double p_slope = 0.0;        ///< largest slope of the film pressure [Pa/m]
   double layer_depth = 0.0;    ///< by which an elasto-plastic layer has flowed, at most [m]
   /// Largest of the shell's surface; NaN: not known [K].
   double T_shell = std::numeric_limits<double>::quiet_NaN();
@@ -35,6 +37,9 @@ struct FilmReach {
 /// Those that follow from the case alone, whatever its film comes to.
 [[nodiscard]] std::vector<Note> input_warnings(const Case& c, const Physics& physics);
 
+/// Its own growth in thickness is left out: an assumption of models that have both.
+void add_layer_of_constant_thickness(const BearingModel& m, std::vector<Note>& assumptions);
+
 /// One note for each range that was left: temperature and pressure of the oil's laws, flow
 /// factors, contact (beyond its law, or held at the hardness): how much, where.
 [[nodiscard]] std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach);
@@ -44,7 +49,10 @@ struct FilmReach {
 ///   Re = rho |U| c/eta,   Re_limit = 41.2 sqrt(R/c)      Source: Taylor 1923, textbook form
 inline constexpr double kTaylor = 41.2;  ///< [-]
 [[nodiscard]] note::NotLaminar reynolds_number(const BearingModel& m, double U, double T);
-/// One note if that limit is passed.
+/// Inertia of the film over its viscous forces, Re c/R = rho omega c^2/eta [-] (textbook).
+[[nodiscard]] double reduced_reynolds(const BearingModel& m, const note::NotLaminar& film);
+inline constexpr double kInertiaMatters = 1.0;  ///< of it: as large as they are [-]
+/// One note if that limit is passed, one if the film's inertia matters.
 void add_turbulence(const BearingModel& m, double U, double T, std::vector<Note>& notes);
 
 /// Shear stress that oils bear, beyond which they slip or flow plastically however viscous, at
@@ -60,6 +68,13 @@ inline constexpr double kShearByPressure = 0.1;  ///< [-]
 [[nodiscard]] note::OilSheared worse(const note::OilSheared& a, const note::OilSheared& b);
 /// One note if it is more than oil bears.
 void add_sheared_oil(const note::OilSheared& sheared, std::vector<Note>& notes);
+
+/// Largest |U|/h of the columns that are full, h the mean gap of rough surfaces [1/s]: the mean
+/// shear rate across the film by the sliding alone.
+[[nodiscard]] double largest_shear_rate(const fluid::FilmState& film, const Field& h, double U);
+
+/// Largest difference of the pressure between neighbours over their distance [Pa/m].
+[[nodiscard]] double largest_slope(const FilmGrid& grid, const Field& p);
 
 /// Cells of the contact at its limits, `h` as in FilmReach.
 [[nodiscard]] std::vector<LimiterCount> contact_limiters(const BearingModel& m, const Field& h);

@@ -110,6 +110,7 @@ Indicators indicators(const Case& c, const Estimate& e) {
       {EffectKind::shear_thinning, has.shear_thinning, lost},
       {EffectKind::roughness_and_contact, has.contact, e.lambda},
       {EffectKind::turbulence, false, reynolds / taylor},
+      {EffectKind::film_inertia, false, reynolds * gap / c.bearing.radius},
   };
   return n;
 }

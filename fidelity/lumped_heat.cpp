@@ -15,26 +15,56 @@ double layer(double inner, double outer, const solid::Material& m) {
   return std::log(outer / inner) / (2.0 * kPi * m.conductivity);
 }
 
+/// In series, either none: none [W/K].
+double in_series(double conductance, double resistance) {
+  return conductance > 0.0 ? 1.0 / (1.0 / conductance + resistance) : 0.0;
+}
+
+/// What goes into a ring from its inside where `beyond` leaves it outside [W/K]: radial conduction,
+/// and the end faces, of which each gives off `ends` [W/(m2 K)] to the same surroundings.
+double into_ring(const Case& c, double inner, double outer, const solid::Material& m, double ends,
+                 double beyond) {
+  constexpr int kParts = 16;  // second order: a fin is then known to a thousandth
+  const double B = c.bearing.width;
+  // The heat comes from all of the width: on the way to a face it passes a sixth of it.
+  const double by_end = in_series(ends, B / (6.0 * m.conductivity));
+  double conductance = beyond;
+  for (int k = kParts; k-- > 0;) {
+    const double a = inner + (outer - inner) * k / kParts,
+                 b = inner + (outer - inner) * (k + 1) / kParts;
+    const double half = 0.5 * layer(a, b, m) / B;
+    conductance = in_series(conductance, half) + 2.0 * by_end * kPi * (b * b - a * a);
+    conductance = in_series(conductance, half);
+  }
+  return conductance;
+}
+
+/// Layers, joint, housing and outside as rings; of a given back, whose ends are held by it, the
+/// layers alone.
 HeatPath shell_path(const Case& c, double film) {
   const Shell& shell = *c.shell;
-  double r = c.bearing.radius, resistance = film;
-  for (const ShellLayer& l : shell.layers) {
-    resistance += layer(r, r + l.thickness, l.material);
-    r += l.thickness;
-  }
+  const double B = c.bearing.width, ends = shell.end_heat_transfer;
+  double r = c.bearing.radius;
+  for (const ShellLayer& l : shell.layers) r += l.thickness;
+  double conductance = INFINITY, surroundings = 0.0;
   if (const auto* back = std::get_if<PrescribedBack>(&shell.back)) {
-    return {c.bearing.width / resistance, back->temperature};
+    surroundings = back->temperature;
+  } else {
+    const auto& open = std::get<ConvectiveBack>(shell.back);
+    surroundings = open.ambient;
+    const double outside = shell.housing ? shell.housing->outer_radius : r;
+    conductance = 2.0 * kPi * outside * B * open.heat_transfer;
+    if (shell.housing) {
+      const double joint = shell.housing->joint_conductance;
+      conductance = into_ring(c, r, outside, shell.housing->material, ends, conductance);
+      if (joint > 0.0) conductance = in_series(conductance, 1.0 / (2.0 * kPi * r * B * joint));
+    }
   }
-  if (shell.housing) {
-    const double joint = shell.housing->joint_conductance;
-    if (joint > 0.0) resistance += 1.0 / (2.0 * kPi * r * joint);
-    resistance += layer(r, shell.housing->outer_radius, shell.housing->material);
-    r = shell.housing->outer_radius;
+  for (auto l = shell.layers.rbegin(); l != shell.layers.rend(); ++l) {
+    conductance = into_ring(c, r - l->thickness, r, l->material, ends, conductance);
+    r -= l->thickness;
   }
-  const auto& back = std::get<ConvectiveBack>(shell.back);
-  if (!(back.heat_transfer > 0.0)) return {0.0, back.ambient};
-  resistance += 1.0 / (2.0 * kPi * r * back.heat_transfer);
-  return {c.bearing.width / resistance, back.ambient};
+  return {in_series(conductance, film / B), surroundings};
 }
 
 HeatPath shaft_path(const Case& c, double film) {

@@ -144,6 +144,19 @@ void require_positive(double value, const char* what, const char* unit) {
       fmt::format("asperity contact: {} is {} {} (must be positive)", what, value, unit));
 }
 
+/// H at which r_c = pi^2 s^2 F_2(H) = 1, s = eta_d beta sigma; of a pair whose s is not known 0.05,
+/// the upper end of what is usual (textbook) [-].
+double whole_surface(double s) {
+  constexpr double kUsual = 0.05;
+  const double by_summits = std::pow(kPi * (s > 0.0 ? s : kUsual), 2);
+  double low = kLowest, high = kHighest;  // F_2 falls with H
+  while (high - low > 1e-9) {             // of a sigma: far below what a surface is known to
+    const double H = 0.5 * (low + high);
+    (by_summits * contact_area_integral(H) > 1.0 ? low : high) = H;
+  }
+  return low;
+}
+
 }  // namespace
 
 double gt_integral(double n, double H) {
@@ -180,6 +193,7 @@ AsperityContact::AsperityContact(const RoughSurface& shell, const RoughSurface& 
   require_positive(parameters.elastic_factor, "the elastic factor K", "");
   require_positive(parameters.composite_modulus, "the composite modulus E*", "Pa");
   if (parameters.hardness < 0.0) require_positive(parameters.hardness, "the hardness", "Pa");
+  whole_surface_ = whole_surface(friction_.summits());
   flow_gap_ = hardness_ == kNoLimit ? -kNoLimit : gap_of(hardness_);
 }
 

@@ -69,7 +69,7 @@ class AsperityContact {
   [[nodiscard]] double sigma() const { return sigma_; }        ///< combined summit deviation [m]
   [[nodiscard]] double delta() const { return delta_; }        ///< sum of summit heights [m]
   /// Gap below which the whole surface would be in contact: beyond the law [m].
-  [[nodiscard]] double least_gap() const { return delta_ - kWholeSurface * sigma_; }
+  [[nodiscard]] double least_gap() const { return delta_ + whole_surface_ * sigma_; }
   /// Friction of the pair (solid/boundary_friction.hpp).
   [[nodiscard]] const BoundaryFriction& friction() const { return friction_; }
   /// What friction asks for where the gap is `h` [m] and the contact presses with `p` [Pa], with
@@ -79,14 +79,13 @@ class AsperityContact {
   }
 
  private:
-  /// -H at which pi^2 0.05^2 F_2(H) = 1, with F_2 = H^2 + 1 so far down [-].
-  static constexpr double kWholeSurface = 6.29;
   [[nodiscard]] ContactPressure elastic(double h) const;  ///< without the limit
 
   double sigma_, delta_, scale_;
   BoundaryFriction friction_;
   double hardness_;
   ContactIntegral integral_;
+  double whole_surface_;  ///< H at which r_c = 1 [-]
   double flow_gap_;
 };
 

@@ -49,7 +49,7 @@ BoundaryFriction::BoundaryFriction(const ContactParameters& parameters, double s
 
 double BoundaryFriction::contact_ratio(double H) const {
   if (!(law_.c > 0.0)) return 0.0;
-  return kPi * kPi * summits_ * summits_ * contact_area_integral(H);
+  return std::min(kPi * kPi * summits_ * summits_ * contact_area_integral(H), 1.0);
 }
 
 FrictionParts BoundaryFriction::coefficient(const RubbingPlace& at) const {

@@ -69,7 +69,7 @@ class BoundaryFriction {
   [[nodiscard]] double per_pressure(const RubbingPlace& at) const;
   /// (1) at rest [-].
   [[nodiscard]] double at_rest() const { return law_.abrasive + law_.adhesive; }
-  /// r_c of (6) at H; zero if (1) does not ask for it.
+  /// r_c of (6) at H, no more than the whole surface; zero if (1) does not ask for it.
   [[nodiscard]] double contact_ratio(double H) const;
   /// True if (1) depends on L_N: the case has a law, and not a constant.
   [[nodiscard]] bool varies() const { return law_.adhesive > 0.0 || law_.c > 0.0; }

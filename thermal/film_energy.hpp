@@ -178,6 +178,8 @@ class FilmEnergy {
   [[nodiscard]] WallResponse wall_response(int laps) const;
   [[nodiscard]] EnergyBalance balance(const std::vector<double>& T) const;
   [[nodiscard]] const std::vector<double>& mix_temperatures() const { return T_mix_; }
+  /// cp_mix with which the temperature of vessel v was found [J/(kg K)].
+  [[nodiscard]] double cp_of_vessel(std::size_t v) const { return p_.vessels[v].cp_mix; }
   /// By which (7) exceeds what was sheared at T_sheared, all vessels [W].
   [[nodiscard]] double heat_of_thinning() const;
   [[nodiscard]] long backflow_nodes() const { return backflow_; }

@@ -5,6 +5,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::thermal {
 namespace {
@@ -64,29 +65,33 @@ std::vector<double> graded(double first, double end) {
   return x;
 }
 
-/// Every end of a layer is a node: the nearest one moves there, or one is added.
+/// Every end of a layer is a node: the nearest one moves there, or one is added. One that is an end
+/// stays: a layer however thin keeps its resistance.
 void put_layers(const std::vector<double>& ends, std::vector<double>& x) {
+  double placed = 0.0;  // the end before, on a node
   for (const double end : ends) {
     const auto next = std::upper_bound(x.begin(), x.end(), end);
     if (next == x.begin() || next == x.end()) continue;
     const auto last = next - 1;
     const double interval = *next - *last;
-    if (end - *last < kSliver * interval && last != x.begin()) {
+    if (end - *last<kSliver * interval&& * last> placed) {
       *last = end;
     } else if (*next - end < kSliver * interval && next + 1 != x.end()) {
       *next = end;
     } else if (end > *last) {
       x.insert(next, end);
     }
+    placed = end;
   }
 }
 
 }  // namespace
 
 WallSkin::WallSkin(const std::vector<SkinLayer>& layers, double period, double shortest,
-                   double back) {
+                   double back, double curvature) {
   EXPECTS(!layers.empty() && period > 0.0 && shortest > 0.0 && back >= 0.0);
   const Depths depths(layers, period);
+  EXPECTS(1.0 + curvature * depths.depth(depths.whole()) >= -kRoundOff);
   std::vector<double> x =
       graded(kFirst * std::sqrt(kPi * shortest / period), std::min(kReach, depths.whole()));
   put_layers(depths.layer_ends(), x);
@@ -94,16 +99,18 @@ WallSkin::WallSkin(const std::vector<SkinLayer>& layers, double period, double s
   const bool held = depths.whole() > kReach || std::isinf(back);
   const std::size_t intervals = y_.size() - 1;
   const std::size_t n = held ? intervals : intervals + 1;
-  conductance_.assign(n, back);
+  const auto widens = [&](double y) { return std::max(1.0 + curvature * y, 0.0); };
+  conductance_.assign(n, back * widens(y_.back()));
   capacity_.assign(n, 0.0);
   swelling_.assign(n, 0.0);
   for (std::size_t k = 0; k < intervals; ++k) {
     const SkinLayer& l = layers[depths.layer(0.5 * (x[k] + x[k + 1]))];
     const double length = y_[k + 1] - y_[k];
-    conductance_[k] = l.conductivity / length;
+    conductance_[k] = l.conductivity * widens(0.5 * (y_[k] + y_[k + 1])) / length;
     for (const std::size_t at : {k, k + 1}) {
       if (at == n) continue;  // held at 0
-      capacity_[at] += 0.5 * length * l.capacity;
+      capacity_[at] +=
+          0.5 * length * l.capacity * widens(0.75 * y_[at] + 0.25 * y_[2 * k + 1 - at]);
       swelling_[at] += 0.5 * length * l.swelling;
     }
   }

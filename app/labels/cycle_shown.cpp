@@ -61,7 +61,7 @@ constexpr std::array kMembers{
     Member{"p_vessel", "Pa", "smallest pressure of the supplies' vessels, gauge",
            &CycleInstant::p_vessel},
     Member{"T_film_max", "K", "largest film temperature", &CycleInstant::T_film_max},
-    Member{"T_shell_max", "K", "largest shell temperature", &CycleInstant::T_shell_max},
+    Member{"T_shell_max", "K", "largest shell surface temperature", &CycleInstant::T_shell_max},
     Member{"heat_to_shell", "W", "heat into the shell, mean over the step that ends there",
            &CycleInstant::heat_to_shell},
     Member{"heat_to_shaft", "W", "heat into the shaft, mean over the step that ends there",
@@ -139,8 +139,10 @@ DisplayUnit cycle_unit(const CycleQuantity& q) {
 std::vector<AuditFigure> audit_of(const CycleResult& cycle) {
   const double none = cycle.instants.empty() ? std::numeric_limits<double>::quiet_NaN() : 1.0;
   const bearing::CycleAudit& a = cycle.audit;
-  std::vector<AuditFigure> all{
-      {"mass", none * a.mass}, {"impulse", none * a.impulse}, {"load", none * a.load}};
+  std::vector<AuditFigure> all{{"mass", none * a.mass},
+                               {"content", none * a.content},
+                               {"impulse", none * a.impulse},
+                               {"load", none * a.load}};
   if (!std::isfinite(a.energy)) return all;
   all.push_back({"energy", a.energy});
   all.push_back({"work", a.work});

@@ -61,7 +61,11 @@ void add_status(const IdentifyView& v, std::vector<std::string>& all) {
                     values, values == 1 ? "" : "s", keys, keys == 1 ? "" : "s",
                     values == keys ? " and their own scatter (no deviations are given)" : ""));
   }
-  if (fit.status == FitStatus::not_computed) {
+  if (fit.status == FitStatus::not_computed && std::isinf(fit.chi2_start)) {
+    all.push_back(
+        "the measured values are further from the computed ones than numbers go, in their "
+        "deviations; check their units");
+  } else if (fit.status == FitStatus::not_computed) {
     all.push_back(fit.computed()
                       ? "the points cannot be solved around the keys found, which are the best "
                         "until then; go on from other values with --set, or take narrower bounds"

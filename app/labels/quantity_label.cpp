@@ -69,7 +69,8 @@ std::string cycle_words(const bearing::LoadCycle& cycle, const char* degree) {
   const std::string over =
       cycle.crank_speed > 0.0
           ? fmt::format("{:.4g}{}", length * cycle.crank_speed * kDegrees, degree)
-          : fmt::format("{:.4g} ms", 1e3 * length);
+      : length < 1.0 ? fmt::format("{:.4g} ms", 1e3 * length)
+                     : fmt::format("{:.4g} s", length);
   return fmt::format(", load {} over {}, largest load {:.4g} kN",
                      cycle.repeats() ? "cycle" : "event", over, largest / kThousandfold);
 }

@@ -112,7 +112,12 @@ std::string describe_subject(const bearing::Case& c, const Sweep& sweep, Writing
   }
   if (c.cycle) {
     words += fmt::format(", load {}", c.cycle->repeats() ? "cycle" : "event");
-    if (!swept("load_cycle.factor")) {
+    // A load of [crank] goes with the speed, one of a table with its file.
+    const bool goes_with = std::any_of(sweep.axes.begin(), sweep.axes.end(), [](const auto& axis) {
+      return axis.key == "operation.speed" || axis.key.starts_with("load_cycle.") ||
+             axis.key.starts_with("crank.");
+    });
+    if (!goes_with) {
       words +=
           fmt::format(", largest load {:.4g} kN", 1e-3 * bearing::largest_load(*c.cycle).force);
     }

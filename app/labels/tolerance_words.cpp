@@ -80,7 +80,8 @@ void take_grid(const Case& c, const Shortfall& s, const std::string& command,
   missed.outlook =
       s.expected > s.tolerance
           ? fmt::format("the finest grid worth its time leaves about +-{}", percent(s.expected))
-          : fmt::format("expected to meet it (+-{})", percent(s.expected));
+          : fmt::format("expected to meet it, if bars fall as the cells' size lets expect (+-{})",
+                        percent(s.expected));
   std::string words = rest;
   std::vector<std::string> replaced;
   const auto put = [&](const char* key, const std::string& value) {

@@ -40,16 +40,16 @@ double held(const Request& request) {
   return time;
 }
 
-/// One unit serves all speeds: those that have none take that of one that has.
-std::vector<std::string> with_units(std::vector<std::string> speeds) {
-  const auto unit_of = [](const std::string& s) {
-    const std::size_t digits = s.find_last_of("0123456789.");
-    return digits == std::string::npos ? s : s.substr(digits + 1);
-  };
-  std::string unit;
-  for (const std::string& s : speeds) unit = unit.empty() ? unit_of(s) : unit;
-  for (std::string& s : speeds) s += unit_of(s).empty() ? unit : "";
-  return speeds;
+/// "2,500 rpm" may be one speed or two: each has its unit.
+void expect_units(const std::vector<std::string>& speeds) {
+  for (std::size_t k = 1; k < speeds.size(); ++k) {
+    const auto before = number_in_front(speeds[k - 1]), here = number_in_front(speeds[k]);
+    if (!before || !here || before->unit.empty() == here->unit.empty()) continue;
+    throw InputError(
+        "--speeds", fmt::format("{} beside {}: is that one number? Write each speed with its unit, "
+                                "and decimals after a point",
+                                in_quotes(speeds[k - 1]), in_quotes(speeds[k])));
+  }
 }
 
 /// The case at each speed, read anew so that all judgements hold.
@@ -59,7 +59,8 @@ std::vector<Stretch> stretches_of(const Request& request, const std::string& tex
     throw InputError("--until", "a course ends with its last speed; leave it out");
   }
   std::vector<Stretch> stretches;
-  const std::vector<std::string> speeds = with_units(request.speeds);
+  const std::vector<std::string>& speeds = request.speeds;
+  expect_units(speeds);
   const auto at_speed = [&](const std::string& speed) {
     std::vector<Override> set = overrides_of(request);
     for (const Override& change : set) {

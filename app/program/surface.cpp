@@ -35,9 +35,12 @@ double value_of(const std::string& text, const char* option, const Kind& kind,
 
 /// Rising positive numbers.
 std::vector<double> gaps_of(const std::vector<std::string>& words) {
+  constexpr double kWidest = 1000.0;  // factors are 1 to 1e-6 there [-]
   std::vector<double> gaps;
   for (const std::string& word : words) {
-    gaps.push_back(value_of(word, "--gaps", kNumber));
+    gaps.push_back(value_of(
+        word, "--gaps", kNumber,
+        {0.0, kWidest, true, "be positive and at most 1000: surfaces so far apart are smooth"}));
     if (gaps.size() > 1 && gaps.back() <= gaps[gaps.size() - 2]) {
       throw InputError("--gaps", fmt::format("{} does not rise; give h/sigma from small to large, "
                                              "for example 0.5,1,2,3,6",

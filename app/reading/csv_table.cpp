@@ -11,31 +11,57 @@
 namespace shellback::app {
 namespace {
 
-constexpr const char* kMark = "shellback";              ///< last column of our own tables
+constexpr const char* kMark = "shellback";  ///< last column of our own tables
+constexpr std::string_view kNotFinished = "# not finished";
 constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  ///< some spreadsheets begin with it
 
-/// "load_x [kN]" in its two parts; no unit: nothing behind.
+/// "load_x [kN]" in its two parts; no unit: nothing behind. Any other words belong to the name.
 std::pair<std::string, std::string> split_name(const std::string& text) {
   const std::size_t open = text.find('[');
-  const std::size_t close = text.find(']');
-  const std::string name = text.substr(0, text.find_first_of(" ["));
-  if (open == std::string::npos || close == std::string::npos || close < open) return {name, ""};
-  return {name, text.substr(open + 1, close - open - 1)};
+  if (open == std::string::npos || text.find_first_of("[]", open + 1) != text.size() - 1) {
+    return {text, ""};
+  }
+  const std::size_t last = text.find_last_not_of(' ', open == 0 ? 0 : open - 1);
+  return {text.substr(0, last == std::string::npos ? 0 : last + 1),
+          text.substr(open + 1, text.size() - open - 2)};
+}
+
+/// Whether a cell may stand in the column of our mark: the version, or nothing.
+bool is_mark(const std::string& text) {
+  return text.empty() || std::count(text.begin(), text.end(), '.') == 2;
+}
+
+/// Cells of nothing at the end of a line, as some programs end every line with a separator.
+void drop_empty_end(std::size_t columns, std::vector<CsvCell>& cells) {
+  while (cells.size() > columns && cells.back().text.empty()) cells.pop_back();
 }
 
 }  // namespace
 
-std::vector<CsvCell> split_cells(const std::string& line) {
+char separator_of(const std::string& line) {
+  for (const char c : {';', '\t'}) {
+    if (line.find(c) != std::string::npos) return c;
+  }
+  return ',';
+}
+
+std::vector<CsvCell> split_cells(const std::string& line, char separator) {
   std::vector<CsvCell> cells;
   std::size_t begin = 0;
   for (;;) {
-    const std::size_t end = line.find_first_of(",;\t", begin);
+    const std::size_t end = line.find(separator, begin);
     const std::string raw = line.substr(begin, end - begin);
-    const std::size_t first = raw.find_first_not_of(" \r");
-    const std::size_t last = raw.find_last_not_of(" \r");
-    cells.push_back(first == std::string::npos
-                        ? CsvCell{"", begin + 1}
-                        : CsvCell{raw.substr(first, last - first + 1), begin + first + 1});
+    const std::size_t first = raw.find_first_not_of(" \t\r");
+    const std::size_t last = raw.find_last_not_of(" \t\r");
+    CsvCell cell{"", begin + 1};
+    if (first != std::string::npos) {
+      cell = {raw.substr(first, last - first + 1), begin + first + 1};
+    }
+    std::string& text = cell.text;
+    if (text.size() > 1 && text.front() == '"' && text.back() == '"') {
+      text = text.substr(1, text.size() - 2);
+    }
+    cells.push_back(std::move(cell));
     if (end == std::string::npos) return cells;
     begin = end + 1;
   }
@@ -61,6 +87,9 @@ CsvTable::CsvTable(const std::string& path, const std::vector<CsvKind>& possible
     const std::string line = text.substr(begin, end - begin);
     begin = end + 1;
     const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first != std::string::npos && line.starts_with(kNotFinished)) {
+      not_finished_ = line.substr(std::string_view("# ").size());
+    }
     if (first == std::string::npos || line[first] == '#') continue;
     if (header_ == 0) {
       header_ = number;
@@ -79,18 +108,23 @@ CsvTable::CsvTable(const std::string& path, const std::vector<CsvKind>& possible
 void CsvTable::read_header(const std::string& line, const std::vector<CsvKind>& possible) {
   std::vector<std::string> names;
   for (const CsvKind& known : possible) names.emplace_back(known.name);
-  std::vector<CsvCell> cells = split_cells(line);
+  separator_ = separator_of(line);
+  std::vector<CsvCell> cells = split_cells(line, separator_);
+  drop_empty_end(1, cells);
   marked_ = cells.size() > 1 && cells.back().text == kMark;
   if (marked_) cells.pop_back();
   for (const CsvCell& cell : cells) {
+    taken_.push_back(!cell.text.starts_with('#'));
+    if (!taken_.back()) continue;
     const auto [name, unit] = split_name(cell.text);
     const std::string place = fmt::format("{}:{}:{}", path_, header_, cell.column);
     const auto known = std::find(names.begin(), names.end(), name);
     if (known == names.end()) {
       throw InputError(
-          place, fmt::format("the column {} is not known{}; the first line names "
-                             "columns and units, for example {}",
-                             in_quotes(name), choices_for(name, names, "possible are"), example_));
+          place,
+          fmt::format("the column {} is not known{}; the first line names "
+                      "columns and units, for example {}; one that begins with # is left out",
+                      in_quotes(name), choices_for(name, names, "possible are"), example_));
     }
     if (find(name) != nullptr) {
       throw InputError(place, fmt::format("there are two columns {}; keep one of them", name));
@@ -110,25 +144,29 @@ void CsvTable::read_header(const std::string& line, const std::vector<CsvKind>& 
 }
 
 void CsvTable::read_row(const std::string& line, int number) {
-  std::vector<CsvCell> cells = split_cells(line);
-  if (marked_ && cells.size() > columns_.size()) cells.pop_back();
+  std::vector<CsvCell> cells = split_cells(line, separator_);
+  const bool has_mark = marked_ && cells.size() > taken_.size() && is_mark(cells.back().text);
+  if (has_mark) cells.pop_back();
+  drop_empty_end(taken_.size(), cells);
   const auto place = [&](const CsvCell& cell) {
     return fmt::format("{}:{}:{}", path_, number, cell.column);
   };
-  if (cells.size() != columns_.size()) {
-    const CsvCell& odd = cells[std::min(cells.size() - 1, columns_.size())];
+  if (cells.size() != taken_.size()) {
+    const CsvCell& odd = cells[std::min(cells.size() - 1, taken_.size())];
     throw InputError(place(odd), fmt::format("this row has {} fields, but the first line names {} "
                                              "columns; give each column one number, with its "
                                              "decimals after a point",
-                                             cells.size(), columns_.size()));
+                                             cells.size(), taken_.size()));
   }
+  auto column = columns_.begin();
   for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (!taken_[k]) continue;
     if (cells[k].text.empty()) {
       throw InputError(place(cells[k]), fmt::format("the {} is missing here; fill the gap or take "
                                                     "the row out",
-                                                    columns_[k].name));
+                                                    column->name));
     }
-    read_cell(columns_[k], cells[k], place(cells[k]));
+    read_cell(*column++, cells[k], place(cells[k]));
   }
   lines_.push_back(number);
 }

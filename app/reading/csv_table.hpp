@@ -5,9 +5,11 @@
 ///   angle [deg], load_x [N], load_y [N]
 ///   0, 12.5, -3000
 ///
-/// Fields end at a comma, semicolon or tab; lines that begin with # and empty lines count for
-/// nothing. So does a last column `shellback`, the mark of our own tables (app/result_mark.hpp).
-/// Decimals stand after a point. All errors are InputError at file:line:column.
+/// Fields end at what separates those of the first line: a semicolon, else a tab, else a comma;
+/// quotes around a field count for nothing, nor do fields of nothing at the end of a line. Lines
+/// that begin with #, columns whose name does, and empty lines are left out. So is a last column
+/// `shellback`, the mark of our own tables (app/result_mark.hpp). Decimals stand after a point. All
+/// errors are InputError at file:line:column.
 #include <string>
 #include <vector>
 
@@ -22,8 +24,11 @@ struct CsvCell {
   std::size_t column = 1;
 };
 
-/// The fields of a line without the blanks around them.
-[[nodiscard]] std::vector<CsvCell> split_cells(const std::string& line);
+/// Semicolon, tab or comma, the first of them that the line has.
+[[nodiscard]] char separator_of(const std::string& line);
+
+/// The fields of a line without blanks and quotes around them.
+[[nodiscard]] std::vector<CsvCell> split_cells(const std::string& line, char separator);
 
 /// The number of a field in a column of `unit`, as it stands there; a share ("50 %") only where
 /// the unit is "1". Throws UnitError.
@@ -46,6 +51,8 @@ class CsvTable {
            const std::string& example, TextKind use = TextKind::table_of_case);
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
+  /// What a table of ours says of a run that wrote it and was not finished; else empty.
+  [[nodiscard]] const std::string& not_finished() const { return not_finished_; }
   [[nodiscard]] bool has(const std::string& name) const;
   /// The column's numbers in SI units; fails at the first line if there is no such column.
   [[nodiscard]] const std::vector<double>& column(const std::string& name) const;
@@ -74,8 +81,11 @@ class CsvTable {
 
   std::string path_;
   std::string example_;
-  int header_ = 0;       ///< its line; 0: not read yet
-  bool marked_ = false;  ///< the last column is our mark
+  int header_ = 0;  ///< its line; 0: not read yet
+  std::string not_finished_;
+  char separator_ = ',';
+  bool marked_ = false;      ///< the last column is our mark
+  std::vector<bool> taken_;  ///< of the columns before the mark, those that are not left out
   std::vector<Column> columns_;
   std::vector<int> lines_;  ///< of the rows
 };

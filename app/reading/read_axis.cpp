@@ -45,6 +45,18 @@ std::string common_unit(const std::vector<NumberAndUnit>& values, const std::str
   return unit;
 }
 
+/// "1,5 kN" may be one number or two: each value of a list has its unit, or none has.
+void expect_units_of_all(const std::vector<NumberAndUnit>& values,
+                         const std::vector<std::string>& entries, const std::string& place) {
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    if (values[k - 1].unit.empty() == values[k].unit.empty()) continue;
+    throw InputError(place,
+                     fmt::format("{} beside {}: is that one number? Write each value with its "
+                                 "unit, and decimals after a point",
+                                 in_quotes(entries[k - 1]), in_quotes(entries[k])));
+  }
+}
+
 /// What stands behind TO: "/30log", "/30", "log", or nothing. Cut off from `range`.
 struct Tail {
   int count = kUsualPoints;
@@ -148,6 +160,7 @@ study::Axis list_axis(const std::string& key, const std::string& text, const std
   if (numbers_meant && values.size() == entries.size()) {
     std::vector<double> numbers;
     for (const NumberAndUnit& w : values) numbers.push_back(w.number);
+    expect_units_of_all(values, entries, place);
     axis = study::listed_axis(key, std::move(numbers), common_unit(values, place));
   }
   for (std::size_t k = 0; k < axis.words.size(); ++k) {

@@ -33,6 +33,17 @@ std::string table_beside(const Section& section, const std::string& key) {
   return section.reader().tables.emplace_back(path);
 }
 
+namespace {
+
+bearing::Profile profile_of(const Section& section, const std::string& key) {
+  std::string not_finished;
+  bearing::Profile profile = read_profile(table_beside(section, key), &not_finished);
+  if (!not_finished.empty()) section.warn(key, "the table's own words: " + not_finished);
+  return profile;
+}
+
+}  // namespace
+
 bearing::Bearing read_bearing(const Section& file) {
   const Section section = file.section("bearing");
   section.only({"diameter", "width", "radial_clearance", "reference_temperature", "profile",
@@ -47,8 +58,8 @@ bearing::Bearing read_bearing(const Section& file) {
       section.quantity_or("reference_temperature", kTemperature.such_as("20 degC"), kUsualReference,
                           "the radial clearance is taken as measured at 20 degC "
                           "(bearing.reference_temperature is not given)");
-  if (section.has("profile")) bearing.profile = read_profile(table_beside(section, "profile"));
-  if (section.has("shape")) bearing.shape = read_profile(table_beside(section, "shape"));
+  if (section.has("profile")) bearing.profile = profile_of(section, "profile");
+  if (section.has("shape")) bearing.shape = profile_of(section, "shape");
   bearing.edge_relief = read_edge_opening(section, "edge_relief");
   bearing.chamfer = read_edge_opening(section, "chamfer");
   return bearing;

@@ -38,9 +38,10 @@ double within_turn(double phi) {
 
 }  // namespace
 
-bearing::Profile read_profile(const std::string& path) {
+bearing::Profile read_profile(const std::string& path, std::string* not_finished) {
   const CsvTable table(path, {{"phi", kAngle}, {"z", kLength}, {"height", kLength}},
                        "phi [deg], z [mm], height [um]");
+  if (not_finished != nullptr) *not_finished = table.not_finished();
   if (table.rows() == 0) throw InputError(path, "the profile holds no points");
   std::vector<double> phi = table.column("phi");
   const std::vector<double>& z = table.column("z");

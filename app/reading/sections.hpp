@@ -20,7 +20,9 @@ namespace shellback::app {
 [[nodiscard]] std::string table_beside(const Section& section, const std::string& key);
 
 /// Measured profile from a table phi, z, height with units in its header line.
-[[nodiscard]] bearing::Profile read_profile(const std::string& path);
+/// `not_finished`: receives what the table says of a run that wrote it and was not finished.
+[[nodiscard]] bearing::Profile read_profile(const std::string& path,
+                                            std::string* not_finished = nullptr);
 
 /// [[supply]]; `oil_temperature` stands in for a temperature that is not given, `omega` turns crank
 /// angles into times [rad/s].

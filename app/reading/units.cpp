@@ -55,9 +55,15 @@ std::string dimension_name(const Dimension& dimension) {
 }
 
 std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  // Pages and word processors write blanks that no line breaks at (U+00A0, U+202F) and thin ones.
+  constexpr std::string_view kBlanks[]{" ", "\t", "\u00a0", "\u202f", "\u2009"};
+  for (bool more = true; more;) {
+    more = false;
+    for (const std::string_view blank : kBlanks) {
+      if (text.starts_with(blank)) text.remove_prefix(blank.size()), more = true;
+      if (text.ends_with(blank)) text.remove_suffix(blank.size()), more = true;
+    }
+  }
   return text;
 }
 
@@ -250,6 +256,9 @@ class UnitParser {
 /// The number at the front of `text` and the rest behind it.
 std::pair<double, std::string_view> split_number(std::string_view text, const Kind& kind) {
   std::string_view body = text;
+  constexpr std::string_view kMinus = "\u2212";  // as pages print it
+  const bool minus = body.starts_with(kMinus);
+  if (minus) body.remove_prefix(kMinus.size());
   if (body.starts_with("+")) body.remove_prefix(1);
   double number = 0.0;
   const auto [end, error] = std::from_chars(body.data(), body.data() + body.size(), number);
@@ -269,7 +278,7 @@ std::pair<double, std::string_view> split_number(std::string_view text, const Ki
     throw UnitError(
         fmt::format("{} has a comma; write the decimals after a point", in_quotes(text)));
   }
-  return {number, trimmed(rest)};
+  return {minus ? -number : number, trimmed(rest)};
 }
 
 void check_dimension(std::string_view unit_text, const Unit& unit, const Kind& kind) {

@@ -36,6 +36,9 @@ EffectWords entry_of(EffectKind effect) {
     case EffectKind::roughness_and_contact:
       return {"roughness and contact",
               "smallest film over roughness; above 6 none, below 4 model it"};
+    case EffectKind::film_inertia:
+      return {"inertia of the film",
+              "rho omega c^2/eta; below 0.3 none, above 1 it matters, and is not modelled"};
     case EffectKind::inertia_of_fed_oil:
       return {"inertia of the fed oil",
               "its head over the pressure that drives it out of the supply; below 0.02 none, above "

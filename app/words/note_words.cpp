@@ -89,6 +89,23 @@ std::string of_bars(note::Plain n) {
   }
 }
 
+std::string of_model(note::Plain n) {
+  using note::Plain;
+  switch (n) {
+    case Plain::edge_oil_as_supply:
+      return "oil that comes in again at a side edge is as warm as what the supplies feed";
+    case Plain::edge_oil_as_film:
+      return "oil that comes in again at a side edge is as warm as the film (tiers thd and tehd "
+             "take it to be as warm as what the supplies feed)";
+    case Plain::layer_keeps_thickness:
+      return "the elasto-plastic layer grows as what it lies on: how its own thickness goes with "
+             "the mean temperature is left out (2 nm a kelvin for 20 um of polymer)";
+    default:
+      return "the surfaces are rigid (model.elastic_deformation, or the tier): the elasto-plastic "
+             "layer does not yield";
+  }
+}
+
 std::string text_of(note::Plain n) {
   using note::Plain;
   switch (n) {
@@ -97,9 +114,6 @@ std::string text_of(note::Plain n) {
              "factors: the end of the table is used";
     case Plain::pressure_beyond_law:
       return "film pressures leave the range in which the oil's pressure law is known";
-    case Plain::rigid_layer:
-      return "the surfaces are rigid (model.elastic_deformation, or the tier): the elasto-plastic "
-             "layer does not yield";
     case Plain::marks_begin_anew:
       return "what flows of the elasto-plastic layer begins anew with every worn shape, and is not "
              "in the profile: that holds what has worn away";
@@ -113,14 +127,18 @@ std::string text_of(note::Plain n) {
     case Plain::supply_temperature_unused:
       return "tier isothermal: the oil has oil.temperature everywhere; the temperature of a supply "
              "is but that at which flows are told by volume (tiers lumped, thd and tehd follow it)";
-    case Plain::edge_oil_as_supply:
-      return "oil that comes in again at a side edge is as warm as what the supplies feed";
     case Plain::torque_both_ways:
       return "the journal turns both ways: mean torques are those of one way less those of the "
              "other; what friction takes is the power loss";
     case Plain::planes_overlap:
       return "the mean planes of the rough surfaces overlap where the film is smallest (its height "
-             "is negative): a finer grid, or contact data for surfaces pressed so far";
+             "is negative): asperity contact where it is not computed, a finer grid, or contact "
+             "data for surfaces pressed so far";
+    case Plain::edge_oil_as_supply:
+    case Plain::edge_oil_as_film:
+    case Plain::layer_keeps_thickness:
+    case Plain::rigid_layer:
+      return of_model(n);
     case Plain::event_from_steady:
     case Plain::event_at_rest:
     case Plain::event_in_the_middle:
@@ -207,6 +225,12 @@ std::string text_of(const note::ToleranceNotMet& n) {
 }
 
 std::string text_of(const note::ShaftSwing& n) {
+  if (n.standing > n.T) {
+    return fmt::format(
+        "the shaft's surface has one temperature around, though the journal does not turn on: one "
+        "side of it would stay warmer, by up to +- {:.2g} K",
+        n.standing);
+  }
   if (n.over_event) {
     return fmt::format(
         "the shaft's surface has one temperature around: as it turns it would swing by about +- "
@@ -221,10 +245,12 @@ std::string text_of(const note::ShaftSwing& n) {
 
 std::string text_of(const note::LongEvent& n) {
   return fmt::format(
-      "heat goes some {:.2g} mm into the walls while this event lasts, deeper than half the "
-      "shaft's radius ({:.2g} mm), up to which they are taken as flat: over so long a time run "
-      "--transient follows the bodies",
-      1e3 * n.reach, 1e3 * n.flat);
+      "heat goes some {:.2g} mm into the walls while this event lasts, deeper than a quarter of "
+      "the "
+      "shaft's radius ({:.2g} mm), up to which none of it goes sideways: walls are told too warm, "
+      "by a twentieth of their rise and more; over so long a time run --transient follows the "
+      "bodies",
+      1e3 * n.reach, 1e3 * n.straight);
 }
 
 std::string text_of(const note::EstimateOfFilm& n) {
@@ -266,9 +292,18 @@ std::string cells(long n) { return n == 1 ? "one cell" : fmt::format("{} cells",
 
 std::string text_of(const note::FactorsContinued& n) {
   return fmt::format(
-      "in {} of the solved part the gap is below {:.3g} um, the smallest of the measured "
-      "flow factors (h/sigma = {:.3g}): they are continued there",
-      cells(n.cells), 1e6 * n.h, n.H);
+      "in {} of the solved part the gap is below {:.3g} um, the smallest of {} (h/sigma = {:.3g}): "
+      "they are continued there",
+      cells(n.cells), 1e6 * n.h,
+      n.measured ? "the measured flow factors" : "the fitted flow factors of Patir and Cheng", n.H);
+}
+
+std::string text_of(const note::ShearBeyondLaw& n) {
+  return fmt::format(
+      "the oil is sheared at up to {:.2g} 1/s (sliding speed over film), and its law is told to "
+      "hold "
+      "up to {:.2g} 1/s (oil.valid.shear_rate)",
+      n.rate, n.limit);
 }
 
 std::string text_of(const note::BeyondOilRange& n) {
@@ -318,6 +353,14 @@ std::string text_of(const note::NotLaminar& n) {
       "where "
       "Taylor vortices and turbulence begin: friction and temperatures are no prediction",
       n.reynolds, n.limit);
+}
+
+std::string text_of(const note::FilmInertia& n) {
+  return fmt::format(
+      "inertia of the film matters, and is not modelled: rho omega c^2/eta is {:.2g}, viscous "
+      "forces "
+      "are no longer much larger",
+      n.reduced);
 }
 
 std::string text_of(const note::FedFlow& n) {

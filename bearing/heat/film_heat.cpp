@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "bearing/heat_state.hpp"
 #include "rheology/density.hpp"
 #include "rheology/heat.hpp"
 
@@ -283,6 +285,17 @@ void share_what_vessels_exchange(const fluid::FilmScene& scene, thermal::FilmEne
 }
 
 }  // namespace
+
+double told_temperature(const BearingModel& model, double T, double cp) {
+  constexpr int kMostRounds = 50;  // each leaves at most some tenths, the slope of cp times the way
+  const double T0 = mean_supply_temperature(model.input);
+  const double enthalpy = cp * (T - T0);
+  for (int k = 0; k < kMostRounds; ++k) {
+    const double next = T0 + enthalpy / mean_heat_capacity(model.oil, T0, T);
+    if (std::abs(next - std::exchange(T, next)) < kKnownTemperature) break;
+  }
+  return T;
+}
 
 thermal::FilmEnergyProblem film_energy_problem(const BearingModel& model,
                                                const OperatingPoint& point,

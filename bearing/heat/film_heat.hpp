@@ -53,6 +53,10 @@ struct OilFed {
 /// Coldest and hottest oil of the supplies [K].
 [[nodiscard]] std::pair<double, double> supply_temperatures(const Case& c);
 
+/// Temperature of oil that as warm as T [K] and of the mean heat capacity `cp` [J/(kg K)] from the
+/// reference on would have its enthalpy: that by the oil's law.
+[[nodiscard]] double told_temperature(const BearingModel& model, double T, double cp);
+
 /// The energy problem of the film as it stands, with the temperatures of its columns for the oil's
 /// conductivity and heat capacity; over a time step with the oil that it has stored. Refers to
 /// `model` and `model.gl`.

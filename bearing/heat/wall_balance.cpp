@@ -165,6 +165,9 @@ double WallBalance::finish(const Friction& friction, bool close) {
   warm_the_walls({true, true});
   s_.heat.balance = energy_->balance(s_.film.columns.T);
   s_.heat.T_mix = energy_->mix_temperatures();
+  for (std::size_t k = 0; k < s_.heat.T_mix.size(); ++k) {
+    s_.heat.T_mix[k] = told_temperature(s_.model, s_.heat.T_mix[k], energy_->cp_of_vessel(k));
+  }
   const std::vector<int>& vessel = s_.point.scene.supply.touching;
   for (std::size_t k = 0; k < vessel.size(); ++k) s_.heat.T_mix[k] = s_.heat.T_mix[vessel[k]];
   s_.heat.backflow_nodes = energy_->backflow_nodes();

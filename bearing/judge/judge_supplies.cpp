@@ -123,6 +123,13 @@ void judge_pressure(const Supply& s, double p_cav, const std::string& path, Find
                           shown(s.pressure, "bar"), shown(p_cav, "bar")),
               "raise it, or lower model.cavitation_pressure");
   }
+  if (s.pressure == p_cav && goes_all_round(s)) {
+    to.suspect(
+        key,
+        "the groove goes all round, so that its pressure alone feeds the film, and that is the "
+        "cavitation pressure: no oil enters",
+        "raise it, or lower model.cavitation_pressure");
+  }
   compare(to, key, s.pressure, kBearingLimits.supply_pressure,
           fmt::format("the supply pressure is {}", shown(s.pressure, "bar")), "check the unit");
   if (s.pressure != 0.0 && std::abs(s.pressure) < kBearingLimits.least_pressure) {

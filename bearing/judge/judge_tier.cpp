@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "bearing/bore_shape.hpp"
 #include "bearing/heat/film_heat.hpp"
 #include "bearing/judge/judge_case.hpp"
 #include "bearing/load_cycle.hpp"
@@ -217,15 +218,22 @@ Lack lack_for_estimate(const Case& c) {
                       kFarFromLoad);
 }
 
-/// Between rigid surfaces no journal is displaced by the clearance.
+/// Between rigid surfaces no journal is displaced by more than the bore lets it.
 Lack lack_of_room(const Case& c, Tier tier) {
   const auto* given = std::get_if<EccentricityGiven>(&c.operation.position);
-  if (given == nullptr || given->ratio < 1.0) return std::nullopt;
+  if (given == nullptr) return std::nullopt;
+  constexpr int kAround = 360;
+  const double turns = given->direction(c.operation.omega) / (2.0 * kPi);
+  const int at = static_cast<int>(std::lround(kAround * (turns - std::floor(turns)))) % kAround;
+  const double room = room_around(c.bearing, kAround)[at] / c.bearing.radial_clearance;
+  if (given->ratio < room) return std::nullopt;
   const bool elastic =
       tier == Tier::automatic || (tier != Tier::estimate && physics_of(c, tier).elastic);
   if (elastic && can_be_elastic(c)) return std::nullopt;
   return lack("operation.eccentricity_ratio",
-              "at 1 the journal touches the shell, and the surfaces are rigid; it must be less",
+              fmt::format("at {:.4g} the journal touches the shell, and the surfaces are rigid; it "
+                          "must be less",
+                          room),
               "let them be elastic: tier tehd, or model.elastic_deformation = true");
 }
 

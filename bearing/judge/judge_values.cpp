@@ -231,10 +231,12 @@ void judge_hardness(const Case& c, const char* key, double hardness, Findings& t
 void judge_limit_pressure(const Case& c, const ValueCheck& wear) {
   const double limit = c.running_in->limit_pressure;
   const double shell = hardness_of_shell(c);
-  const double contact = c.surfaces.contact ? c.surfaces.contact->hardness : 0.0;
+  const double contact = c.surfaces.contact ? hardness_of_contact(c) : 0.0;
   for (const auto& [H, what] :
        {std::pair{shell, "the hardness of the shell"},
-        std::pair{contact, "surfaces.contact.hardness, at which contact pressure ends"}}) {
+        std::pair{contact,
+                  "the hardness at which contact pressure ends (surfaces.contact.hardness, "
+                  "or that of the softer surface)"}}) {
     if (!(H > 0.0 && limit >= H)) continue;
     return wear.refuse("limit_pressure",
                        fmt::format("{} is no less than {}, {}: nothing would wear",

@@ -59,6 +59,11 @@ struct CycleQuantity {
 /// Relative defects over the cycle that is told.
 struct CycleAudit {
   double mass = 0.0;  ///< oil in - out - gathered, over the oil in the gap [-]
+  /// Largest difference, at the end of a step, between the oil that the film holds by its gap, fill
+  /// and density and the oil that flows have carried into its cells, summed over these as
+  /// magnitudes, over the oil in the gap [-]. What is left open in the film's equation lies in it;
+  /// unlike `mass` it does not follow from how the oil is carried.
+  double content = 0.0;
   /// Impulse of the film plus that of the course of load less the change of the journal's momentum,
   /// over the largest load times the period; NaN: the cycle was not ended [-]
   double impulse = 0.0;

@@ -18,8 +18,8 @@
 
 namespace shellback::bearing {
 
-/// Steps of a period at least, at a tolerance of 1 %: 8 degrees of two turns. That no pulse is passed
-/// over from a steady place is what the corners of the course are for.
+/// Steps of a period at least, at a tolerance of 1 %: 8 degrees of two turns. That no pulse is
+/// passed over from a steady place is what the corners of the course are for.
 inline constexpr double kFewestSteps = 90.0;
 /// Error of a step in time, over model.tolerance [-] (decision 024).
 inline constexpr double kOfTolerance = 0.1;

@@ -95,6 +95,9 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, const Field& p, doub
   const LoadNow load = course_->at(now.t, true);
   const Friction friction = friction_of(m, film_->point(), f);
   sheared_ = worse(sheared_, sheared_oil(m.domain.grid, p, friction.stress.journal));
+  const double U = film_->point().scene.speed;
+  shear_rate_ = larger(shear_rate_, largest_shear_rate(now.film.film, now.film.shear_gap, U));
+  p_slope_ = larger(p_slope_, largest_slope(m.domain.grid, p));
   CycleInstant i;
   i.t = t;
   i.dt = dt;
@@ -242,6 +245,7 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   if (film_->vessels().any_empty(film_->point().scene)) dry_ += dt;
   for (int k = 0; k < 2; ++k) impulse_[k] += step.impulse[k];
   off_balance_ = larger(off_balance_, step.off_balance);
+  off_content_ = larger(off_content_, step.off_content / i.oil);
   layer_loss_ += step.layer_loss;
   layer_depth_ = lasting_depth(step.after.layer.now);
   if (control.progress) {
@@ -253,14 +257,15 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
 void CycleRecord::members(Tape& tape) {
   auto& [film, course, length, instants, frames, next_frame, oil_begun, oil_ended, supply, side,
          fed, line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
-         off_balance, stored_begun, stored_ended, work, layer_loss, layer_depth, p_max,
+         off_balance, off_content, stored_begun, stored_ended, work, layer_loss, layer_depth, p_max,
          p_asperity_max, h_min, friction, power_now, heat, T_film, T_shell, T_shell_max, wear,
-         bent_edges, fed_fastest, sheared] = *this;
+         bent_edges, fed_fastest, sheared, shear_rate, p_slope] = *this;
   tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, fed, impulse, v_begun,
        v_ended, line, vessels_begun, vessels_ended, dry, stored_begun, stored_ended, work,
        layer_loss, layer_depth);
-  tape(pump_now, pump, off_balance, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film,
-       T_shell, T_shell_max, wear, bent_edges, fed_fastest, sheared);
+  tape(pump_now, pump, off_balance, off_content, p_max, p_asperity_max, h_min, friction, power_now,
+       heat, T_film, T_shell, T_shell_max, wear, bent_edges, fed_fastest, sheared, shear_rate,
+       p_slope);
 }
 
 }  // namespace shellback::bearing

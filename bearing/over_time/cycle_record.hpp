@@ -94,7 +94,7 @@ class CycleRecord {
   [[nodiscard]] double change_of_film(double h, double other) const;
   /// By how much the shaft's surface would swing about its mean, as it turns and over the cycle:
   /// the half space under the first harmonic of either, q/(k sqrt(omega/a)) (textbook) [K].
-  [[nodiscard]] double shaft_swing() const;
+  [[nodiscard]] note::ShaftSwing shaft_swing() const;
 
   const FilmSteps* film_;
   const LoadCourse* course_;
@@ -115,6 +115,7 @@ class CycleRecord {
   std::array<double, 2> v_ended_{};                 ///< [m/s]
   double pump_now_ = 0.0, pump_ = 0.0;              ///< at the last instant [W], over the cycle [J]
   double off_balance_ = 0.0;                        ///< [N]
+  double off_content_ = 0.0;                        ///< over the oil in the gap [-]
   double stored_begun_ = 0.0, stored_ended_ = 0.0;  ///< by elastic surfaces [J]
   double work_ = 0.0;                               ///< of shaft, load and moment so far [J]
   double layer_loss_ = 0.0;  ///< of an elasto-plastic layer so far, solved part [J]
@@ -128,6 +129,8 @@ class CycleRecord {
   int bent_edges_ = 0;           ///< most at an instant, on the solved grid
   note::FedFlow fed_fastest_;    ///< of all instants
   note::OilSheared sheared_;     ///< the same
+  double shear_rate_ = 0.0;      ///< the same, largest_shear_rate [1/s]
+  double p_slope_ = 0.0;         ///< the same, largest_slope [Pa/m]
 };
 
 }  // namespace shellback::bearing

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numeric>
 
 #include "bearing/film/fed_flow.hpp"
@@ -122,6 +123,7 @@ CycleAudit CycleRecord::audit() const {
   a.mass = larger(std::abs(supply_ - side_ - gathered),
                   std::abs(line_ - side_ - gathered - in_vessels)) /
            oil_ended_;
+  a.content = off_content_;
   a.load = off_balance_ / course_->largest_load();
   a.impulse = NAN;
   if (!heat_.to_shell.empty()) {
@@ -281,6 +283,8 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   const double T = extreme(instants_, &CycleInstant::T_film_max, Extreme::largest).T_film_max;
   FilmReach reach{NAN, T, largest(p_max_), h_min_, least, h_min};
   if (film_->heat()) reach.T_shell = largest(T_shell_max_);
+  reach.shear_rate = shear_rate_;
+  reach.p_slope = p_slope_;
   if (!layer_depth_.empty()) reach.layer_depth = largest(layer_depth_);
   for (Note& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
   add_turbulence(m, course_->largest_speed() * m.input.bearing.radius, T_film_ / told(),
@@ -291,7 +295,7 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   if (bent_edges_ > 0) r.limiters.push_back({Limiter::bent_edges, (g.half ? 2 : 1) * bent_edges_});
 }
 
-double CycleRecord::shaft_swing() const {
+note::ShaftSwing CycleRecord::shaft_swing() const {
   const BearingModel& m = film_->model();
   const FilmGrid& g = m.domain.grid;
   std::array<double, 2> first{};
@@ -308,14 +312,22 @@ double CycleRecord::shaft_swing() const {
     const double effusivity = std::sqrt(steel.conductivity * steel.density * steel.heat_capacity);
     return omega > 0.0 ? q / (effusivity * std::sqrt(omega)) : 0.0;
   };
-  const double as_it_turns = swing(turning, course_->largest_speed());
-  if (!course_->repeats()) return as_it_turns;  // over an event its surface is followed
+  double speed = 0.0;
+  std::complex<double> seen = 0.0;  // by a place of the shaft, of a heat that goes around once
+  for (const CycleInstant& i : instants_) {
+    speed += i.dt / told() * std::abs(i.omega);
+    seen += i.dt / told() * std::polar(1.0, course_->turned(i.t));
+  }
+  const double as_it_turns = swing(turning, speed);
+  // What it sees all the time: of a solid cylinder, q_1 R/k (textbook); the film evens it out.
+  const double standing = std::abs(seen) * turning * g.radius / steel.conductivity;
+  if (!course_->repeats()) return {as_it_turns, true, 0.0};  // its surface is followed
   double low = INFINITY, high = -INFINITY;
   for (const CycleInstant& i : instants_) {
     low = std::min(low, i.heat_to_shaft);
     high = std::max(high, i.heat_to_shaft);
   }
-  return as_it_turns + swing(0.5 * (high - low) / area, 2.0 * kPi / length_);
+  return {as_it_turns + swing(0.5 * (high - low) / area, 2.0 * kPi / length_), false, standing};
 }
 
 void CycleRecord::write_heat(CycleResult& r) const {
@@ -325,12 +337,12 @@ void CycleRecord::write_heat(CycleResult& r) const {
     return mirror_to_full(g, x);
   };
   r.walls = film_->heat()->walls;
-  r.assumptions.push_back(note::ShaftSwing{shaft_swing(), !course_->repeats()});
-  const solid::Material& shaft = film_->model().input.shaft->material;
-  const double reach =
-      std::sqrt(shaft.conductivity / (shaft.density * shaft.heat_capacity) * length_);
-  const double flat = 0.5 * g.radius;
-  if (!course_->repeats() && reach > flat) r.warnings.push_back(note::LongEvent{reach, flat});
+  constexpr double kSideways = 0.25;  // of the radius: rises are then told a twentieth too high
+  r.assumptions.push_back(shaft_swing());
+  add_layer_of_constant_thickness(film_->model(), r.assumptions);
+  const double reach = reach_of_heat(film_->model().input, length_);
+  const double near = kSideways * g.radius;
+  if (!course_->repeats() && reach > near) r.warnings.push_back(note::LongEvent{reach, near});
   r.fields.T_shell = mean_over_time(T_shell_);
   r.fields.heat_to_shell = mean_over_time(heat_.to_shell);
   r.fields.T_shell_max = mirror_to_full(g, T_shell_max_);

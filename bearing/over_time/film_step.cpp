@@ -36,6 +36,18 @@ Field gathered(const fluid::FilmScene& scene, const fluid::FilmFlow& flow) {
   return oil;
 }
 
+/// Sum over the cells of how much more or less oil this film holds than was carried there [kg].
+double off_content(const fluid::FilmScene& scene, const FilmEquilibrium& film,
+                   const Field& carried) {
+  const FilmGrid& g = scene.grid;
+  const Field held = fluid::oil_content(scene, film.gap, film.oil, film.film);
+  double off = 0.0;
+  for (int c = 0; c < g.cells(); ++c) {
+    if (scene.supply.cell[c] < 0) off += std::abs(held[c] - carried[c]) * g.area(c);
+  }
+  return off;
+}
+
 /// Velocity, acceleration and force of the journal at the end of a stage of length `own` [s], begun
 /// with v [m/s].
 void tell_motion(const FilmEquilibrium& film, const LoadTarget& load, double own,
@@ -321,6 +333,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     step.layer_loss += f * stages[i].layer.loss;
     for (int k = 0; k < 2; ++k) step.impulse[k] += f * stages[i].force[k];
   }
+  step.off_content = off_content(point_.scene, film, step.after.oil);
   if (heat_) end_heat(dt, now, film, stages, step);
   FilmStage& last = stages.back();
   step.after.t = now.t + dt;

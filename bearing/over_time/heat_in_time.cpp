@@ -36,21 +36,37 @@ thermal::WallSkin shell_skin(const Case& c, double period, double shortest) {
   for (std::size_t k = 0; k < last; ++k) {
     out.push_back(skin_layer(layers.material[k], layers.thickness[k]));
   }
-  return {out, period, shortest, cooled ? cooled->heat_transfer : INFINITY};
+  return {out, period, shortest, cooled ? cooled->heat_transfer : INFINITY, 1.0 / c.bearing.radius};
 }
 
-/// The shaft's surface, ring by ring, while the film settles: (2) of the header. Warmer by one
-/// kelvin it takes about conductance/area less [W/(m2 K)]: a change goes by what that leaves of it.
+/// The shaft's surface, ring by ring, while the film settles: (2) of the header. What it takes less
+/// where it is warmer by one kelvin, the film at rest, is more than the settled film makes of it: a
+/// change goes by what that leaves of it. In a short step nearly all of it is stored in the oil on
+/// the surface: m cp/dt, beyond all conductances.
 class TurningSurface {
  public:
   TurningSurface(const BearingModel& model, double impedance, std::vector<double> free,
-                 const Field& conductance, std::vector<double> rubbed)
+                 std::vector<double> rubbed)
       : model_(model),
         impedance_(impedance),
         free_(std::move(free)),
         rubbed_(std::move(rubbed)),
-        slope_(mean_of_rings(model, conductance)),
         T_(free_) {}
+
+  /// Puts it to the film's nodes and looks at what it takes less there by one kelvin.
+  void meet(const thermal::FilmEnergy& energy, std::vector<double>& T) {
+    const auto takes = [&] { return mean_of_rings(model_, energy.wall_heat(T).shaft); };
+    put(T);
+    slope_ = takes();
+    for (double& t : T_) t += 1.0;
+    put(T);
+    const std::vector<double> warmer = takes();
+    for (std::size_t j = 0; j < T_.size(); ++j) {
+      T_[j] -= 1.0;
+      slope_[j] -= warmer[j];
+    }
+    put(T);
+  }
 
   /// Puts its temperatures to the film's nodes.
   void put(std::vector<double>& T) const {
@@ -114,6 +130,20 @@ void let_supplies_thin(const BearingModel& model, const FilmEquilibrium& s,
 
 }  // namespace
 
+double reach_of_heat(const Case& c, double t) {
+  const auto reach = [t](const solid::Material& m) {
+    return std::sqrt(m.conductivity / (m.density * m.heat_capacity) * t);
+  };
+  const Solids::Layers shell = wall_layers(c);
+  double deep = 0.0, left = 1.0;  // of the time's square root
+  for (std::size_t k = 0; k < shell.thickness.size() && left > 0.0; ++k) {
+    const double in_layer = std::min(left * reach(shell.material[k]), shell.thickness[k]);
+    deep += in_layer;
+    left -= in_layer / reach(shell.material[k]);
+  }
+  return std::max(deep, reach(c.shaft->material));
+}
+
 Field of_cells(const FilmGrid& g, Field x) {
   for (int c = 0; c < g.cells(); ++c) x[c] *= g.area(c);
   return x;
@@ -164,8 +194,9 @@ HeatSteps::HeatSteps(const BearingModel& model, double period, double shortest)
     : skin_(shell_skin(model.input, reach_of(model, period), shortest)) {
   if (!is_event(model)) return;
   const thermal::SkinLayer shaft =
-      skin_layer(model.input.shaft->material, 0.5 * model.input.bearing.radius);
-  shaft_.emplace(std::vector{shaft}, reach_of(model, period), shortest, 0.0);
+      skin_layer(model.input.shaft->material, model.input.bearing.radius);
+  shaft_.emplace(std::vector{shaft}, reach_of(model, period), shortest, 0.0,
+                 -1.0 / model.input.bearing.radius);
 }
 
 HeatInTime HeatSteps::begin(const BearingModel& model, std::vector<double> T,
@@ -245,11 +276,11 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
   std::optional<TurningSurface> shaft;
   if (shaft_) {
     const thermal::SkinStep turning = shaft_->over(own);
-    shaft.emplace(model, turning.impedance(), free_shaft(turning, out.skin), problem.conductance,
+    shaft.emplace(model, turning.impedance(), free_shaft(turning, out.skin),
                   mean_of_rings(model, of_cells(g, rubbed.shaft)));
-    shaft->put(out.T);
   }
   thermal::FilmEnergy energy(std::move(problem));
+  if (shaft) shaft->meet(energy, out.T);
   out.settled = settle(energy, out.T, [&](std::vector<double>& T) {
     return shaft ? shaft->follow(energy, T) : 0.0;
   });

@@ -38,6 +38,10 @@ struct WallMeans {
 /// All bodies at one temperature [K], without heat.
 [[nodiscard]] WallMeans uniform_walls(const BearingModel& model, double T);
 
+/// How deep heat goes into shell or shaft, whichever is deeper, in a time t [s]: sqrt(a t), a
+/// layer's own a in each [m].
+[[nodiscard]] double reach_of_heat(const Case& c, double t);
+
 /// What is given per area, per cell.
 [[nodiscard]] Field of_cells(const FilmGrid& g, Field per_area);
 

@@ -75,6 +75,7 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
       {EffectKind::roughness_and_contact, has.contact || has.flow_factors,
        sigma > 0.0 ? s.film.least.h / sigma : INFINITY},
       {EffectKind::turbulence, false, film.reynolds / film.limit},
+      {EffectKind::film_inertia, false, reduced_reynolds(m, film)},
       {EffectKind::inertia_of_fed_oil, false, fed_flow(s.point.scene, s.film).part},
   };
 }

@@ -162,8 +162,11 @@ double mixed_supply(const Solution& s) {
   double fed = 0.0;
   double by_flow = 0.0;
   double sum = 0.0;
+  std::vector<double> of_vessel(T.size(), 0.0);  // supplies that touch are one
+  const std::vector<int>& vessel = s.point.scene.supply.touching;
+  for (std::size_t k = 0; k < T.size(); ++k) of_vessel[vessel[k]] += flows.patch[k];
   for (std::size_t k = 0; k < T.size(); ++k) {
-    const double out = std::max(flows.patch[k], 0.0);
+    const double out = std::max(of_vessel[k], 0.0);
     fed += out;
     by_flow += out * T[k];
     sum += T[k];
@@ -344,9 +347,12 @@ Result summarize(const Solution& s, Tier tier) {
   r.audit = audit_of(s, f);
   r.supplies = supplies_of(s);
   r.effects = effects_of(s, f);
-  if (m.physics.film_energy && fluid::oil_flows(s.point.scene, s.film.flow).side_inflow > 0.0) {
-    r.assumptions.push_back(note::Plain::edge_oil_as_supply);
+  const bool warms = m.physics.film_energy || tier == Tier::lumped;
+  if (warms && fluid::oil_flows(s.point.scene, s.film.flow).side_inflow > 0.0) {
+    r.assumptions.push_back(m.physics.film_energy ? note::Plain::edge_oil_as_supply
+                                                  : note::Plain::edge_oil_as_film);
   }
+  add_layer_of_constant_thickness(m, r.assumptions);
   add_supplies_that_take_back(s, r.assumptions);
   if (passes_over_supply(m.input, tier)) {
     r.assumptions.push_back(note::Plain::supply_temperature_unused);

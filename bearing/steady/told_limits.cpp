@@ -21,6 +21,8 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   }
   FilmReach reach{*low, *high, largest(s.film.film.p),
                   fluid::nominal_depth(s.film.gap, s.model.supply), s.film.least};
+  reach.shear_rate = largest_shear_rate(s.film.film, s.film.shear_gap, s.point.scene.speed);
+  reach.p_slope = largest_slope(s.model.domain.grid, s.film.film.p);
   if (s.model.physics.film_energy) reach.T_shell = largest(s.heat.T_shell);
   if (!s.film.layer.empty()) reach.layer_depth = largest(lasting_depth(s.film.layer));
   for (Note& w : range_warnings(s.model, reach)) warnings.push_back(std::move(w));

@@ -54,7 +54,7 @@ TEST_CASE("ACommandLineRepeatsTheChangesButThoseReplaced") {
 }
 
 TEST_CASE("AnAxisIsReadBackFromItsWords") {
-  for (const std::string given : {"operation.speed=3000 rpm..50 rpm/30log", "operation.load=4,8 kN",
+  for (const std::string given : {"operation.speed=3000 rpm..50 rpm/30log", "operation.load=4 kN,8 kN",
                                   "model.grid=[100,13],[200,25]", "model.tier=thd,tehd"}) {
     const auto axis = parse_axis(given);
     const auto words = shell_words(vary_words(axis));
@@ -70,7 +70,7 @@ TEST_CASE("WordsThatBeginWithDigitsStayWords") {
         Words{"1500rpm.csv", "3000rpm.csv"});
   CHECK(parse_axis("oil.name=0W20,0W-8").words == Words{"0W20", "0W-8"});
   CHECK(parse_axis("oil.name=0W-8").words == Words{"0W-8"});
-  CHECK(parse_axis("supply.0.arc=280,300deg").unit == "deg");
+  CHECK(parse_axis("supply.0.arc=280deg,300deg").unit == "deg");
 }
 
 TEST_CASE("AProposedRunAsksForTheCoefficientsWithoutTheirTable") {

@@ -431,3 +431,42 @@ TEST_CASE("WhatIsToldAtThePeriodsEndLiesOnIt") {
     CHECK(c.fields_at[1] == c.period);
   }
 }
+
+TEST_CASE("FieldsEndAtWhatSeparatesThoseOfTheFirstLine") {
+  // Any of three was taken in every line: "0,5;1" under semicolons was 0 ms, 5 kN and 1 kN.
+  const ScratchFolder folder;
+  const std::string head = "angle [deg];load_x [kN];load_y [kN]";
+  const std::string rows = "\n0;0.5;-1\n90;0.5;-2\n180;0;-3\n270;0;-2\n";
+  const auto plain = read(folder, kInDegrees, head + rows);
+  REQUIRE(plain.cycle);
+  CHECK(plain.cycle->x[1] == 500.0);
+  // A separator behind the last field, quotes and a column that is not meant.
+  std::string more = "\"angle [deg]\";#remark;\"load_x [kN]\";load_y [kN];" + rows;
+  for (const char* row : {"\n0;", "\n90;", "\n180;", "\n270;"}) {
+    more.replace(more.find(row), std::string(row).size(), std::string(row) + "a word;");
+  }
+  more.insert(more.find("\n90"), ";");
+  const auto read_so = read(folder, kInDegrees, more);
+  CHECK(read_so.cycle->x == plain.cycle->x);
+  CHECK(read_so.cycle->y == plain.cycle->y);
+  check_against(head + "\n0;0.5;-1\n90,5;1;-2\n",
+                {"load.csv:3:1", "90,5", "decimals after a point"});
+  check_against(head + "\n0;0.5;-1\n0,5;1\n", {"load.csv:3:", "2 fields", "3 columns"});
+}
+
+TEST_CASE("OnlyItsVersionIsTheMarkOfATable") {
+  const ScratchFolder folder;
+  const std::string head = "angle [deg],load_x [kN],load_y [kN],shellback\n0,0,-1,0.2.0\n";
+  const auto c = read(folder, kInDegrees, head + "90,0.5,-2,0.2.0\n180,0,-3,\n270,0,-2,0.2.0\n");
+  CHECK(c.cycle->y[2] == -3000.0);
+  check_against(head + "90,0,5,-2\n",
+                {"load.csv:3:8", "4 fields", "3 columns"});  // 0.5 with a comma
+}
+
+TEST_CASE("WordsBesideTheNameOfAColumnBelongToIt") {
+  const std::string rows = "0, 0, -1\n90, 0, -2\n";
+  for (const std::string column : {"load_x per 10 [kN]", "load_x [kN] [N]", "load_x [kN] mean"}) {
+    check_against("angle [deg], " + column + ", load_y [N]\n" + rows,
+                  {"load.csv:1:14", "the column \"load_x ", "is not known"});
+  }
+}

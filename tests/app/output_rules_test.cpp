@@ -4,7 +4,9 @@
 #include <sys/stat.h>
 
 #include "app/file_identity.hpp"
+#include "app/pending_file.hpp"
 #include "tests/app/sample_case.hpp"
+#include "tests/text_of_file.hpp"
 
 using namespace shellback;
 using namespace shellback::app;
@@ -113,4 +115,16 @@ TEST_CASE("JudgingLeavesNoTrace") {
   const ScratchFolder scratch;
   CHECK(refusal({{"--json", scratch.path("x.json"), Format::json}}).empty());
   CHECK(fs::is_empty(scratch.path(".")));
+}
+
+TEST_CASE("NoWayLeadsBackThroughAFolderThatIsNotThere") {
+  // "nosuch/../mine.json" was no file to the judge, and mine.json to the writer.
+  const ScratchFolder scratch;
+  const std::string mine = scratch.write("mine.json", "{\"mine\": 1}\n");
+  const Output output{"--json", scratch.path("nosuch/../mine.json"), Format::json};
+  CHECK_THROWS_AS(expect_sound({output}, {}, false), FileError);
+  CHECK_THROWS_AS(expect_sound({output}, {mine}, true), FileError);
+  CHECK_THROWS_AS(write_file(output.path, "{}"), FileError);
+  CHECK(test::text_of_file(mine) == "{\"mine\": 1}\n");
+  CHECK(fs::directory_iterator(scratch.path("."))->path().filename() == "mine.json");
 }

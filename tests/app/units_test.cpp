@@ -257,3 +257,11 @@ TEST_CASE("ANumberIsTakenApartFromItsUnitAlone") {
   for (const char* word : {"0W20", "0W-8", "1500rpm.csv", "0x10", "inf", "nan", "tehd", "", "8 15"})
     CHECK_FALSE(apart(word));
 }
+
+TEST_CASE("BlanksAndMinusOfPagesAreRead") {
+  check("12\u00a0mm", kLength, 0.012);
+  check("12\u202fmm", kLength, 0.012);
+  check("\u221212 mm", kLength, -0.012);
+  CHECK_FALSE(message("1\u00a0000 mm", kLength).empty());  // one thousand, or one and none?
+  CHECK_FALSE(message("\u2212\u221212 mm", kLength).empty());
+}

@@ -191,13 +191,42 @@ TEST_CASE("ARunningInTellsHowFarItsEndIsFromTheTolerance") {
   bars.grid[1].h_min = NAN;
   bars.grid[0].torque = 1.0;  // on the way, not at the end
   const auto told = words_of_bars(c, run, bars);
-  REQUIRE(told.size() == 1);
+  REQUIRE(told.size() == 2);
+  CHECK(told[1].find("bars of smallest film are not known whole") != std::string::npos);
   CHECK(
       told[0] ==
       "model.tolerance (5 %) is not met at the end: greatest wear +-6.0 % (most of it the steps in "
       "time)");
   bars.time[1].depth = 0.0;
+  CHECK(words_of_bars(c, run, bars).size() == 1);
+  bars.grid[1].h_min = 0.0;
   CHECK(words_of_bars(c, run, bars).empty());
+  // Known of the grid alone: what is known is told, and that it is not all.
+  bars.grid[1].depth = 0.2e-6;
+  bars.time[1].depth = NAN;
+  const auto partly = words_of_bars(c, run, bars);
+  REQUIRE(partly.size() == 2);
+  CHECK(partly[0].find("greatest wear +-10 % at least") != std::string::npos);
+  CHECK(partly[1].find("bars of greatest wear") != std::string::npos);
+}
+
+TEST_CASE("AShapeThatIsNotFinishedSaysSo") {
+  const ScratchFolder scratch;
+  const std::string path = scratch.write("slow.toml", kSlowCase);
+  const Case c =
+      read_case(path, {{"model.tier", "\"isothermal\"", ""}, {"model.grid", "[36, 5]", ""}});
+  RunningInRun run = run_in(c, Tier::isothermal);
+  REQUIRE(run.verdict.good());
+  const auto warned = [&] {
+    scratch.write("worn.csv", marked(Format::csv, worn_shape_csv(c, run)));
+    return read_case(path, {{"bearing.shape", "\"worn.csv\"", ""}}).warnings;
+  };
+  CHECK(warned().empty());
+  run.verdict = {Status::interrupted};
+  const auto told = warned();
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].find("bearing.shape") != std::string::npos);
+  CHECK(told[0].find("not finished") != std::string::npos);
 }
 
 TEST_CASE("AWornInShapeIsTheOneThatWearArrivesAt") {

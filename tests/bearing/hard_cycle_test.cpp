@@ -46,7 +46,8 @@ void set_impact(Case& c, double load) {
 void check_audits(const CycleResult& r) {
   INFO(app::reason_of(r.verdict));
   REQUIRE(r.verdict.good());
-  CHECK(r.audit.mass < 1e-10);  // carried as what flows
+  CHECK(r.audit.mass < 1e-10);    // carried as what flows
+  CHECK(r.audit.content < 1e-4);  // the film's residual over a step
   CHECK(r.audit.impulse <
         1e-5);  // steps end on the corners of the load; a hundredth of their error
   CHECK(r.audit.load < 1e-4);

@@ -102,6 +102,16 @@ TEST_CASE("SurfacesThatGiveWayLetTheJournalPassItsClearance") {
   CHECK_FALSE(lack_for(c, Tier::tehd));
   CHECK(lack_for(c, Tier::thd)->key == "operation.eccentricity_ratio");
   CHECK(lack_for(c, Tier::estimate)->key == "operation.eccentricity_ratio");
+  // A bore that is wider by its shape is the same as one of that clearance.
+  Profile wider;
+  wider.phi = {0.0};
+  wider.z = {0.0};
+  wider.height = {c.bearing.radial_clearance};
+  c.bearing.shape = wider;
+  place_journal(c, 1.9, 0.5);
+  CHECK_FALSE(lack_for(c, Tier::isothermal));
+  place_journal(c, 2.1, 0.5);
+  CHECK(lack_for(c, Tier::isothermal)->key == "operation.eccentricity_ratio");
 }
 
 TEST_CASE("ALayerThatItsLoadCompressesBeyondSmallStrainsIsToldOrRefused") {

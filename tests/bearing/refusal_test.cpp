@@ -427,3 +427,44 @@ TEST_CASE("OnlyBarusLawBoundsTheLoadOfARigidFilm", "[refusal]") {
     CHECK(s.verdict.as<ending::BeyondPressureBound>() == nullptr);
   }
 }
+
+namespace {
+
+template <class Wanted>
+bool told_of(const Case& c) {
+  const Result r = solve(c);
+  INFO(app::reason_of(r.verdict));
+  REQUIRE(r.verdict.good());
+  return std::any_of(r.warnings.begin(), r.warnings.end(),
+                     [](const Note& w) { return std::holds_alternative<Wanted>(w); });
+}
+
+}  // namespace
+
+TEST_CASE("ShearBeyondTheOilsLawIsTold", "[refusal]") {
+  Case c = plain_case();
+  place_journal(c, 0.6, 0.5);
+  const double least = c.bearing.radial_clearance * 0.4;
+  const double rate = c.operation.omega * c.bearing.radius / least;  // where the film is thinnest
+  c.oil.range.rate_max = 1.1 * rate;
+  CHECK_FALSE(told_of<note::ShearBeyondLaw>(c));
+  c.oil.range.rate_max = 0.9 * rate;
+  CHECK(told_of<note::ShearBeyondLaw>(c));
+}
+
+TEST_CASE("FlowFactorsBelowTheirFitsAreTold", "[refusal]") {
+  // Along the bearing grooves that lie around it act as ones across: gamma = 9 there is 1/9, whose
+  // fit begins at h = sigma, not at half of it.
+  Case c = plain_case();
+  place_journal(c, 0.6, 0.5);
+  const double least = c.bearing.radial_clearance * 0.4;
+  for (const auto& [gamma, part] : {std::pair{1.0, 0.5}, std::pair{9.0, 1.0}}) {
+    for (const bool below : {false, true}) {
+      c.surfaces.shell.roughness = least / part * (below ? 1.05 : 0.9);
+      c.surfaces.shell.orientation = gamma;
+      c.model.switches.flow_factors = true;
+      INFO(gamma << ", " << below);
+      CHECK(told_of<note::FactorsContinued>(c) == below);
+    }
+  }
+}

@@ -203,3 +203,17 @@ TEST_CASE("ThePartsOfTable4ComeOutWithIdentifiedConstants", "[boundary_friction]
     }
   }
 }
+
+TEST_CASE("NoMoreThanTheWholeSurfaceIsInContact", "[boundary_friction]") {
+  // Dense summits: pi^2 s^2 F_2 = 1 is reached at small -H, where it was looked for at -6.29 sigma
+  // (r_c was 2.1 there).
+  ContactParameters p = pair_with(law());
+  p.elastic_factor = 0.03;
+  const AsperityContact contact({0.0, 1.0, kSigma, 0.0}, {0.0, 1.0, 0.0, 0.0}, p);
+  const BoundaryFriction& f = contact.friction();
+  CHECK(f.summits() > 0.05);
+  const double H = contact.least_gap() / kSigma;
+  CHECK(f.contact_ratio(H) == Approx(1.0).epsilon(1e-6));
+  CHECK(f.contact_ratio(H + 0.1) < 1.0);
+  CHECK(f.contact_ratio(H - 5.0) == 1.0);
+}

@@ -37,6 +37,23 @@ std::complex<double> swing(const WallSkin& skin, int n, int steps) {
   return sum;
 }
 
+/// Of layers in series on the last one, which has no end: a chain of lines, textbook.
+std::complex<double> exact_swing(const std::vector<SkinLayer>& layers, double omega) {
+  const std::complex<double> i_omega(0.0, omega);
+  const auto impedance = [&](const SkinLayer& l) {
+    return 1.0 / std::sqrt(i_omega * l.conductivity * l.capacity);
+  };
+  std::complex<double> below = impedance(layers.back());
+  for (std::size_t k = layers.size() - 1; k-- > 0;) {
+    const SkinLayer& l = layers[k];
+    const std::complex<double> t =
+        std::tanh(std::sqrt(i_omega * l.capacity / l.conductivity) * l.thickness);
+    const std::complex<double> Z = impedance(l);
+    below = Z * (below + Z * t) / (Z + below * t);
+  }
+  return below;
+}
+
 }  // namespace
 
 TEST_CASE("SwingsOfAHalfSpaceAreThoseOfTheClosedForm", "[wall_skin]") {
@@ -69,6 +86,58 @@ TEST_CASE("ACoatingOfPolymerSwingsAsTheClosedFormOfTwoLayers", "[wall_skin]") {
     const std::complex<double> found = swing(skin, n, 400);
     INFO(n << ": " << found << " for " << exact);
     CHECK(std::abs(found - exact) < 0.02 * std::abs(exact));
+  }
+}
+
+TEST_CASE("ThinLayersBehindOneAnotherKeepTheirResistance", "[wall_skin]") {
+  // Their ends lie nearer to one another than nodes do: one took the other's node, and the layer
+  // between them was gone (0.53 of the swing with a joint, 1.17 with the nickel).
+  const SkinLayer nickel{2e-6, 60.0, 8900.0 * 440.0};
+  const SkinLayer bronze{0.01, 60.0, 8700.0 * 380.0};
+  SkinLayer polymer = kPolymer;
+  polymer.thickness = 10e-6;
+  SkinLayer lining = kSteel, back = kSteel;
+  lining.thickness = 60e-6;
+  std::vector<std::vector<SkinLayer>> stacks{{polymer, nickel, bronze}};
+  for (const double joint : {3e3, 1e4, 3e4, 1e5}) {  // [W/(m2 K)]
+    const SkinLayer gap{2e-6, joint * 2e-6, kSteel.capacity};
+    stacks.push_back({lining, gap, back});
+  }
+  for (const auto& layers : stacks) {
+    const WallSkin skin(layers, kPeriod, kPeriod / 720.0);
+    for (const int n : {1, 5, 20}) {
+      const std::complex<double> exact = exact_swing(layers, 2.0 * kPi * n / kPeriod);
+      const std::complex<double> found = swing(skin, n, 400);
+      INFO(layers[1].conductivity << ", " << n << ": " << found << " for " << exact);
+      CHECK(std::abs(found - exact) < 0.03 * std::abs(exact));  // ten linear elements
+    }
+  }
+}
+
+TEST_CASE("AShaftWarmsInsideAndABoreSpreadsItsHeat", "[wall_skin]") {
+  // Solid cylinder that takes q at its surface from t = 0, mean temperature 2 q t/(rho c R)
+  // exactly; surface above it by q R/(4 k) once a t > R^2/2, textbook.
+  SkinLayer shaft = kSteel;
+  const double R = shaft.thickness, a = shaft.conductivity / shaft.capacity, q = 1e5;
+  const double end = R * R / a;
+  const int steps = 400;
+  {
+    const WallSkin skin({shaft}, 4.0 * end, end / steps, 0.0, -1.0 / R);
+    std::vector<double> T(skin.nodes(), 0.0);
+    const SkinStep step = skin.over(end / steps);
+    for (int k = 0; k < steps; ++k) {
+      skin.relax(step, T.data());
+      for (std::size_t i = 0; i < T.size(); ++i) T[i] += step.by_flux[i] * q;
+    }
+    CHECK(skin.heat(T.data()) == Approx(q * end).epsilon(1e-9));
+    const double mean = 2.0 * q * end / (shaft.capacity * R);
+    CHECK(T[0] == Approx(mean + q * R / (4.0 * shaft.conductivity)).epsilon(0.005));  // elements
+  }
+  {  // A tube in the end: q R/k ln(1 + d/R), and h (1 + d/R) at its back.
+    const double h = 2e3;
+    const WallSkin skin({shaft}, 4.0 * end, end / steps, h, 1.0 / R);
+    const double exact = R / shaft.conductivity * std::log(2.0) + 1.0 / (2.0 * h);
+    CHECK(skin.over(1e9).impedance() == Approx(exact).epsilon(0.005));
   }
 }
 

@@ -110,9 +110,7 @@ RestingFilm FilmAndPosition::factorised(const fluid::OilLaw& oil, double toleran
 RestingFilm FilmAndPosition::settle(double tolerance) {
   const fluid::FilmScene& scene = point_.scene;
   if (cost_.spent()) return {{Status::iteration_limit, ending::Plain::given_up}, {}};
-  s_.gap = fluid::film_gap(scene.grid, scene.angles, model_.clearance, s_.position,
-                           task_.thermal_deformation, model_.profile, nullptr,
-                           kSummits * scene.rough.sigma, &scene.supply);
+  s_.gap = gap_at(model_, s_.position, task_.thermal_deformation);
   s_.least = fluid::smallest_gap(scene.grid, s_.gap, model_.profile, scene.supply);
   if (is_closed(model_, s_)) return {no_film(task_, s_), {}};
   s_.shear_gap = shear_gap(model_, s_.gap.cell);

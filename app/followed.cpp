@@ -39,7 +39,9 @@ std::vector<std::string> KnownAtEnds::words() const {
 json_parts::Json KnownAtEnds::json() const {
   json_parts::Json json{{"asked", asked}, {"met", nullptr}};
   if (!parts.empty() && (all || !met())) json["met"] = met();
-  for (const Part& part : parts) json[part.name] = json_parts::number(part.bar);
+  for (const Part& part : parts) {
+    json[part.name] = part.known ? json_parts::number(part.bar) : json_parts::Json(nullptr);
+  }
   return json;
 }
 

@@ -64,7 +64,7 @@ struct KnownAtEnds {
   [[nodiscard]] bool met() const;
   /// "model.tolerance (1 %) is not met at the end: friction torque +-2.1 %"; empty: it is.
   [[nodiscard]] std::vector<std::string> words() const;
-  /// {asked, met, NAME: bar}; met is null where that is not known.
+  /// {asked, met, NAME: bar}; null what is not known, or not whole.
   [[nodiscard]] json_parts::Json json() const;
 };
 

@@ -118,8 +118,11 @@ bool is_result(const std::string& path) {
   if (text.starts_with(kPageBegin)) return text.find(kPageMark) != std::string::npos;
   constexpr std::size_t kLength = 4;  // of a chunk, before its name [B]
   if (text.find(kPngMark) == kPngHead + kLength) return true;
-  return std::string_view(text).substr(0, text.find('\n')).ends_with(kColumn) ||
-         is_coefficient_table(text);
+  std::string_view table = text;  // behind its comments
+  while (table.starts_with('#') && table.find('\n') != std::string_view::npos) {
+    table.remove_prefix(table.find('\n') + 1);
+  }
+  return table.substr(0, table.find('\n')).ends_with(kColumn) || is_coefficient_table(text);
 }
 
 }  // namespace shellback::app

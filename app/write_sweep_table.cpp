@@ -31,6 +31,7 @@ struct Shown {
 };
 constexpr std::array kShown{Shown{"friction_torque", "torque", true},
                             Shown{"friction_torque_asperity", "asperities"},
+                            Shown{"power_loss", "power"},
                             Shown{"h_min", "h_min", true},
                             Shown{"p_max", "p_max", true},
                             Shown{"eccentricity_ratio", "ecc. ratio"},

@@ -91,6 +91,12 @@ struct ShaftSwing {
   double standing = 0.0;  ///< by which, at most, it stays warmer or colder around [K]
 };
 
+/// Load that a given step in time passes over.
+struct LoadMissed {
+  double part = 0.0;  ///< mean over the step less that of its ends, over the largest load [-]
+  double from = 0.0, to = 0.0;  ///< the step [s]
+};
+
 /// Heat of an event goes deeper than skins, in which it goes straight, stand for bodies.
 struct LongEvent {
   double reach = 0.0;     ///< how deep [m]
@@ -219,7 +225,8 @@ struct HeldAtHardness {
 /// A layer of the shell that the largest pressure compresses beyond small strains.
 struct LayerPressed {
   int layer = 0;
-  double strain = 0.0;  ///< of its thickness [-]
+  double strain = 0.0;   ///< of its thickness [-]
+  bool sheared = false;  ///< else compressed
 };
 
 /// Wear that has gone through the shell's first layer.
@@ -335,7 +342,7 @@ using Note = std::variant<
     note::OtherSteadyState, note::LayerPressed, note::NothingRicher, note::TierTaken,
     note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid,
     note::ToleranceNotMet, note::LandUnseen, note::SuppliesJoined, note::HardlySliding,
-    note::SupplyTakesBack, note::ShaftSwing, note::LongEvent, note::EstimateOfFilm,
-    note::EstimateWithoutMass>;
+    note::SupplyTakesBack, note::ShaftSwing, note::LongEvent, note::LoadMissed,
+    note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

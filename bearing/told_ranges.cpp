@@ -174,9 +174,12 @@ void add_strain(const BearingModel& m, double p_max, double p_slope, std::vector
   const auto& layers = m.input.shell->layers;
   for (int k = 0; k < static_cast<int>(layers.size()); ++k) {
     if (layers[k].elasto_plastic) continue;  // it has a law of its own
-    const double strain = std::max(p_max * solid::confined_compliance(layers[k].material),
-                                   shear_strain(layers[k], p_max, p_slope));
-    if (strain > kBearingLimits.strain_usual) out.push_back(note::LayerPressed{k, strain});
+    const double pressed = p_max * solid::confined_compliance(layers[k].material);
+    const double sheared = shear_strain(layers[k], p_max, p_slope);
+    const double strain = std::max(pressed, sheared);
+    if (strain > kBearingLimits.strain_usual) {
+      out.push_back(note::LayerPressed{k, strain, sheared > pressed});
+    }
   }
 }
 

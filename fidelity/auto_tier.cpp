@@ -31,8 +31,6 @@ using namespace bearing;
 /// Grids of the sequence, fine along the axis first (grid_error.hpp); for fine tolerances go on.
 const std::vector<Grid> kSequence{{24, 9}, {40, 25}, {60, 37}, {96, 49}, {192, 97}};
 const std::vector<Grid> kFineGrids{{400, 100}, kFineGrid};
-/// Tolerances below this are of the size of what extrapolation leaves to chance [-].
-constexpr double kFineTolerance = 0.005;
 
 /// One full solution, and its film on more cells around under its temperatures and deformation.
 struct Level {
@@ -293,6 +291,7 @@ class TierSearch {
     share_bars(bars_of_grid);
     share_bars_of_coefficients(judged);
     widen_bars_of_light_contact(finest_.model, r);
+    open_bar_of_layer(case_, r);
     bound_bars(case_, r);
     r.assumptions.push_back(note::ScalarsOfFinerGrid{kFineGrid, r.grid, solved_});
     return chosen(std::move(r), bars());

@@ -21,6 +21,10 @@
 
 namespace shellback::fidelity {
 
+/// Tolerances below this are of the size of what extrapolation leaves to chance: grids go on to
+/// 400 x 100 and 800 x 100 cells [-].
+inline constexpr double kFineTolerance = 0.005;
+
 /// Solves the case as tier `auto`, whatever `model.tier` says. Does not throw for lack of
 /// convergence.
 [[nodiscard]] bearing::Result solve_auto(const bearing::Case& c,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fidelity/light_contact.hpp"
 
@@ -42,6 +43,21 @@ void widen_bars_of_light_contact(const BearingModel& m, Result& result) {
     if (q.name == "friction_torque_asperity")
       bar = std::min(m.contact->friction().at_rest() * shares * load * b.radius, whole);
     if (bar > q.error_grid) q.error_grid = bar;
+  }
+}
+
+bool layer_may_have_flowed(const Case& c, const Quantity& depth, const Quantity& p_max) {
+  if (!c.shell || c.shell->layers.empty() || !c.shell->layers.front().elasto_plastic) return false;
+  const double hardness = c.shell->layers.front().material.hardness;
+  return depth.value == 0.0 && p_max.value + p_max.error_grid > hardness;
+}
+
+void open_bar_of_layer(const Case& c, Result& result) {
+  const auto depth = std::find_if(result.quantities.begin(), result.quantities.end(),
+                                  [](const Quantity& q) { return q.name == "layer_depth"; });
+  if (depth == result.quantities.end()) return;
+  if (layer_may_have_flowed(c, *depth, *quantity_in(result.quantities, "p_max"))) {
+    depth->error_grid = std::numeric_limits<double>::quiet_NaN();
   }
 }
 

@@ -20,6 +20,12 @@ void share_bars_of_coefficients(const Judged& judged);
 /// bar.
 void widen_bars_of_light_contact(const bearing::BearingModel& m, bearing::Result& result);
 
+/// An elasto-plastic layer that has not flowed under a largest pressure whose bar passes its
+/// hardness: how deep it would have flowed is not known.
+[[nodiscard]] bool layer_may_have_flowed(const bearing::Case& c, const Quantity& depth,
+                                         const Quantity& p_max);
+void open_bar_of_layer(const bearing::Case& c, bearing::Result& result);
+
 /// Bars no longer than the true value can be away: quantities between bounds, parts of friction
 /// beside the whole.
 void bound_bars(const bearing::Case& c, bearing::Result& result);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "bearing/bearing.hpp"
@@ -9,6 +10,7 @@
 #include "bearing/physics.hpp"
 #include "core/contract.hpp"
 #include "core/stopwatch.hpp"
+#include "fidelity/bar_rules.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/grid_sequence.hpp"
@@ -321,6 +323,12 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   }
   put_grid_bars(c, beside.coarse, beside.finer ? &*beside.finer : nullptr, r);
   widen_bars_of_light_contact(c, r, bar_of_grid);
+  for (CycleQuantity& q : r.quantities) {
+    if (q.quantity.name != "layer_depth") continue;
+    if (layer_may_have_flowed(c, q.quantity, named(r, "p_max")->quantity)) {
+      q.quantity.error_grid = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
   if (!put_bars_of_steps(c, beside.nearest, kMoreWork * work_of(r), control, r)) {
     r.warnings.push_back(stopped(control) ? note::Plain::bars_interrupted
                                           : note::Plain::time_bars_unknown);

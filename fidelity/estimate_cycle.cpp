@@ -193,8 +193,8 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
   r.title = c.title;
   r.period = path.length();
   r.crank_speed = c.cycle->crank_speed;
-  r.audit.mass = r.audit.content = r.audit.load = r.audit.impulse =
-      NAN;  // there is no field to draw a balance of
+  // There is no field to draw a balance of.
+  r.audit.mass = r.audit.content = r.audit.load = r.audit.impulse = NAN;
   double T = 0.0;
   r.verdict = settle_heat(rough, c, T);
   const bool settled = r.verdict.good();

@@ -104,9 +104,8 @@ Pair JournalPath::steady_place() {
   constexpr double kAtRest = 1e-6;  // of its speed, over the gap that is left
   const double omega = std::abs(course_.begins().omega);
   began_steady_ = true;
-  const Motion motion{
-      [&](double, const Pair& x, Pair& v) { return motion_.rate(0.0, true, x, v); }, gap_left,
-      tolerance_, INFINITY};
+  const Motion motion{[&](double, const Pair& x, Pair& v) { return motion_.rate(0.0, true, x, v); },
+                      gap_left, tolerance_, INFINITY};
   SmoothMotion path(motion);
   path.begin(0.0, {0.0, 0.0});
   for (double turns = 1.0; turns <= kMostTurns && omega > 0.0; turns *= 2.0) {

@@ -136,6 +136,7 @@ void put_bars(const BarRecord& record, Result& result) {
     widen_bars_of_light_contact(record.coarse->model, result);
     const auto coarse = scalars(*record.coarse);
     for (Quantity& q : result.quantities) q.error_model = model_bar(record, coarse, q);
+    open_bar_of_layer(record.coarse->model.input, result);
     bound_bars(record.coarse->model.input, result);
   }
   for (Effect& e : result.effects) {

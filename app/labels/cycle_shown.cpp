@@ -176,7 +176,7 @@ std::string how_it_ran(const bearing::Case& c, const CycleResult& cycle) {
   const std::string steps =
       fmt::format("; {} steps, {} rejected", cycle.steps, cycle.rejected_steps);
   const bool timed = std::isfinite(cycle.period) && cycle.period > 0.0;
-  const std::string length = timed ? fmt::format("{:.4g} ms", 1e3 * cycle.period) : "";
+  const std::string length = timed ? duration_words(cycle.period) : "";
   const bool closed = std::isfinite(cycle.closure);
   if (c.cycle && !c.cycle->repeats() && timed) return "an event of " + length + steps;
   std::string words = fmt::format("{} cycle{}", cycle.cycles, cycle.cycles == 1 ? "" : "s");

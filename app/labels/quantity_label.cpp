@@ -59,6 +59,14 @@ double largest_magnitude(const std::vector<bearing::Result>& results, const std:
   return largest;
 }
 
+}  // namespace
+
+std::string duration_words(double t) {
+  return t < 1.0 ? fmt::format("{:.4g} ms", 1e3 * t) : fmt::format("{:.4g} s", t);
+}
+
+namespace {
+
 /// What a load cycle is: how long, and its largest load.
 std::string cycle_words(const bearing::LoadCycle& cycle, const char* degree) {
   double largest = 0.0;
@@ -69,8 +77,7 @@ std::string cycle_words(const bearing::LoadCycle& cycle, const char* degree) {
   const std::string over =
       cycle.crank_speed > 0.0
           ? fmt::format("{:.4g}{}", length * cycle.crank_speed * kDegrees, degree)
-      : length < 1.0 ? fmt::format("{:.4g} ms", 1e3 * length)
-                     : fmt::format("{:.4g} s", length);
+          : duration_words(length);
   return fmt::format(", load {} over {}, largest load {:.4g} kN",
                      cycle.repeats() ? "cycle" : "event", over, largest / kThousandfold);
 }

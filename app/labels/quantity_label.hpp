@@ -34,6 +34,9 @@ struct DisplayUnit {
 /// `digits` significant figures, without exponent between 1e-4 and 1e6; "n/a" if not a number.
 [[nodiscard]] std::string figures(double value, int digits = 4);
 
+/// A time that an event or a period takes: "12.5 ms", "7 s".
+[[nodiscard]] std::string duration_words(double t);
+
 /// Error bars of one value, in the row's unit; not-a-number: not known.
 struct ShownBars {
   double grid = 0.0;

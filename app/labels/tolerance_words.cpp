@@ -10,6 +10,7 @@
 #include "app/labels/sweep_columns.hpp"
 #include "app/reading/sweep_case.hpp"
 #include "bearing/case_limits.hpp"
+#include "fidelity/auto_tier.hpp"
 #include "fidelity/grid_sequence.hpp"
 #include "fidelity/tolerance.hpp"
 
@@ -110,6 +111,15 @@ Missed missed_by_auto(const Case& c, const Result& r) {
   if (c.model.grid_given) {
     missed.outlook = "its grid is given; with a grid of its own choice";
     missed.command = command_line("run", c, set_words(kGrid, "auto"), {kGrid});
+    return missed;
+  }
+  const double by_grid = std::fmax(fidelity::relative_bars(r, "friction_torque").grid,
+                                   fidelity::relative_bars(r, "h_min").grid);
+  if (by_grid > c.model.tolerance && c.model.tolerance >= fidelity::kFineTolerance) {
+    missed.outlook =
+        "below a tolerance of 0.5 % it goes on to 800 x 100 cells, at some seconds' cost";
+    missed.command =
+        command_line("run", c, set_words("model.tolerance", "0.4 %"), {"model.tolerance"});
     return missed;
   }
   const double largest = std::fmax(choice.bar_friction, choice.bar_h_min);

@@ -25,11 +25,13 @@ struct Panel {
   const char* dashed_word = "";
   bool second_may_vanish = false;  ///< it is left out where it is zero throughout
 };
+constexpr const char* kPower = "power_loss";  ///< only over the speed: else it goes with the torque
 constexpr std::array kPanels{
     Panel{"friction_torque", "Friction torque", "friction_torque_asperity", "total",
           "from asperities", true},
     Panel{"h_min", "Smallest film"},
     Panel{"T_film_max", "Temperature", "T_shell_back", "film, largest", "shell back, mean"},
+    Panel{kPower, "Power loss"},
     Panel{"p_max", "Largest film pressure"},
     Panel{"eccentricity_ratio", "Eccentricity ratio"},
     Panel{"side_flow", "Side flow"},
@@ -238,7 +240,11 @@ void draw_sweep_lines(Svg& svg, const std::string& text, const bearing::Case& su
   Panels panels(svg, text, subject, sweep, theme);
   panels.legend({80.0, 94.0});
   std::size_t box = 0;
+  const bool over_speed = std::any_of(sweep.axes.begin(), sweep.axes.end(), [](const auto& axis) {
+    return axis.key == "operation.speed";
+  });
   for (const Panel& panel : kPanels) {
+    if (panel.name == kPower && !over_speed) continue;
     const auto q = drawn_quantity(sweep, panel.name);
     if (q && box < kBoxes.size()) panels.draw(kBoxes[box++], panel, *q);
   }

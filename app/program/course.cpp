@@ -8,6 +8,7 @@
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/reading/case_text.hpp"
+#include "app/reading/read_axis.hpp"
 #include "app/reading/read_case.hpp"
 #include "app/reading/sweep_case.hpp"
 #include "app/reading/units.hpp"
@@ -40,16 +41,18 @@ double held(const Request& request) {
   return time;
 }
 
-/// "2,500 rpm" may be one speed or two: each has its unit.
-void expect_units(const std::vector<std::string>& speeds) {
-  for (std::size_t k = 1; k < speeds.size(); ++k) {
-    const auto before = number_in_front(speeds[k - 1]), here = number_in_front(speeds[k]);
-    if (!before || !here || before->unit.empty() == here->unit.empty()) continue;
-    throw InputError(
-        "--speeds", fmt::format("{} beside {}: is that one number? Write each speed with its unit, "
-                                "and decimals after a point",
-                                in_quotes(speeds[k - 1]), in_quotes(speeds[k])));
+/// One unit serves all speeds: those that have none take that of one that has.
+std::vector<std::string> with_units(std::vector<std::string> speeds) {
+  std::string unit;
+  for (const std::string& s : speeds) {
+    const auto number = number_in_front(s);
+    if (number && unit.empty()) unit = number->unit;
   }
+  for (std::string& s : speeds) {
+    const auto number = number_in_front(s);
+    if (number && number->unit.empty() && !unit.empty()) s += " " + unit;
+  }
+  return speeds;
 }
 
 /// The case at each speed, read anew so that all judgements hold.
@@ -59,8 +62,8 @@ std::vector<Stretch> stretches_of(const Request& request, const std::string& tex
     throw InputError("--until", "a course ends with its last speed; leave it out");
   }
   std::vector<Stretch> stretches;
-  const std::vector<std::string>& speeds = request.speeds;
-  expect_units(speeds);
+  expect_no_commas_in_numbers(request.speeds, "--speeds");
+  const std::vector<std::string> speeds = with_units(request.speeds);
   const auto at_speed = [&](const std::string& speed) {
     std::vector<Override> set = overrides_of(request);
     for (const Override& change : set) {

@@ -36,6 +36,17 @@ void drop_empty_end(std::size_t columns, std::vector<CsvCell>& cells) {
   while (cells.size() > columns && cells.back().text.empty()) cells.pop_back();
 }
 
+/// Where the field that begins at `begin` ends: at a separator outside of quotes, or the line's
+/// end.
+std::size_t end_of_field(const std::string& line, std::size_t begin, char separator) {
+  bool quoted = false;
+  for (std::size_t k = begin; k < line.size(); ++k) {
+    if (line[k] == '"') quoted = !quoted;
+    if (line[k] == separator && !quoted) return k;
+  }
+  return line.size();
+}
+
 }  // namespace
 
 char separator_of(const std::string& line) {
@@ -49,20 +60,17 @@ std::vector<CsvCell> split_cells(const std::string& line, char separator) {
   std::vector<CsvCell> cells;
   std::size_t begin = 0;
   for (;;) {
-    const std::size_t end = line.find(separator, begin);
-    const std::string raw = line.substr(begin, end - begin);
-    const std::size_t first = raw.find_first_not_of(" \t\r");
-    const std::size_t last = raw.find_last_not_of(" \t\r");
-    CsvCell cell{"", begin + 1};
-    if (first != std::string::npos) {
-      cell = {raw.substr(first, last - first + 1), begin + first + 1};
-    }
-    std::string& text = cell.text;
+    const std::size_t end = end_of_field(line, begin, separator);
+    std::string_view text = std::string_view(line).substr(begin, end - begin);
+    if (text.ends_with('\r')) text.remove_suffix(1);
+    text = trimmed(text);
     if (text.size() > 1 && text.front() == '"' && text.back() == '"') {
-      text = text.substr(1, text.size() - 2);
+      text = trimmed(text.substr(1, text.size() - 2));
     }
-    cells.push_back(std::move(cell));
-    if (end == std::string::npos) return cells;
+    const bool none = text.empty();
+    const auto column = none ? begin : static_cast<std::size_t>(text.data() - line.data());
+    cells.push_back({std::string(text), column + 1});
+    if (end == line.size()) return cells;
     begin = end + 1;
   }
 }
@@ -119,6 +127,13 @@ void CsvTable::read_header(const std::string& line, const std::vector<CsvKind>& 
     const auto [name, unit] = split_name(cell.text);
     const std::string place = fmt::format("{}:{}:{}", path_, header_, cell.column);
     const auto known = std::find(names.begin(), names.end(), name);
+    const std::string bare = name.substr(0, name.find_first_of(" ("));
+    if (unit.empty() && bare != name &&
+        std::find(names.begin(), names.end(), bare) != names.end()) {
+      throw InputError(place, fmt::format("{} is no column and its unit in brackets; write for "
+                                          "example {}",
+                                          in_quotes(name), example_));
+    }
     if (known == names.end()) {
       throw InputError(
           place,
@@ -145,6 +160,7 @@ void CsvTable::read_header(const std::string& line, const std::vector<CsvKind>& 
 
 void CsvTable::read_row(const std::string& line, int number) {
   std::vector<CsvCell> cells = split_cells(line, separator_);
+  drop_empty_end(taken_.size() + (marked_ ? 1 : 0), cells);
   const bool has_mark = marked_ && cells.size() > taken_.size() && is_mark(cells.back().text);
   if (has_mark) cells.pop_back();
   drop_empty_end(taken_.size(), cells);
@@ -153,10 +169,13 @@ void CsvTable::read_row(const std::string& line, int number) {
   };
   if (cells.size() != taken_.size()) {
     const CsvCell& odd = cells[std::min(cells.size() - 1, taken_.size())];
-    throw InputError(place(odd), fmt::format("this row has {} fields, but the first line names {} "
-                                             "columns; give each column one number, with its "
-                                             "decimals after a point",
-                                             cells.size(), taken_.size()));
+    throw InputError(place(odd),
+                     fmt::format("this row has {} fields, but the first line names {} "
+                                 "columns; give each column one number, with its "
+                                 "decimals after a point; fields end at {}, as in the "
+                                 "first line",
+                                 cells.size(), taken_.size(),
+                                 separator_ == '\t' ? "a tab" : fmt::format("\"{}\"", separator_)));
   }
   auto column = columns_.begin();
   for (std::size_t k = 0; k < cells.size(); ++k) {

@@ -6,10 +6,11 @@
 ///   0, 12.5, -3000
 ///
 /// Fields end at what separates those of the first line: a semicolon, else a tab, else a comma;
-/// quotes around a field count for nothing, nor do fields of nothing at the end of a line. Lines
-/// that begin with #, columns whose name does, and empty lines are left out. So is a last column
-/// `shellback`, the mark of our own tables (app/result_mark.hpp). Decimals stand after a point. All
-/// errors are InputError at file:line:column.
+/// quotes around a field count for nothing but the separators in them, nor do fields of nothing at
+/// the end of a line. Lines that begin with #, columns behind the first whose name does, and empty
+/// lines are left out. So is a last column `shellback`, the mark of our own tables
+/// (app/result_mark.hpp). Decimals stand after a point. All errors are InputError at
+/// file:line:column.
 #include <string>
 #include <vector>
 

@@ -45,18 +45,6 @@ std::string common_unit(const std::vector<NumberAndUnit>& values, const std::str
   return unit;
 }
 
-/// "1,5 kN" may be one number or two: each value of a list has its unit, or none has.
-void expect_units_of_all(const std::vector<NumberAndUnit>& values,
-                         const std::vector<std::string>& entries, const std::string& place) {
-  for (std::size_t k = 1; k < values.size(); ++k) {
-    if (values[k - 1].unit.empty() == values[k].unit.empty()) continue;
-    throw InputError(place,
-                     fmt::format("{} beside {}: is that one number? Write each value with its "
-                                 "unit, and decimals after a point",
-                                 in_quotes(entries[k - 1]), in_quotes(entries[k])));
-  }
-}
-
 /// What stands behind TO: "/30log", "/30", "log", or nothing. Cut off from `range`.
 struct Tail {
   int count = kUsualPoints;
@@ -160,7 +148,8 @@ study::Axis list_axis(const std::string& key, const std::string& text, const std
   if (numbers_meant && values.size() == entries.size()) {
     std::vector<double> numbers;
     for (const NumberAndUnit& w : values) numbers.push_back(w.number);
-    expect_units_of_all(values, entries, place);
+    const bool apart = text.find(", ") != std::string::npos;  // no number is written so
+    if (!apart) expect_no_commas_in_numbers(entries, place);
     axis = study::listed_axis(key, std::move(numbers), common_unit(values, place));
   }
   for (std::size_t k = 0; k < axis.words.size(); ++k) {
@@ -173,6 +162,20 @@ study::Axis list_axis(const std::string& key, const std::string& text, const std
 }
 
 }  // namespace
+
+void expect_no_commas_in_numbers(const std::vector<std::string>& values, const std::string& place) {
+  std::size_t with = 0, numbers = 0;
+  for (const std::string& value : values) {
+    const auto number = number_in_front(value);
+    if (!number) return;
+    ++numbers;
+    if (!number->unit.empty()) ++with;
+  }
+  if (with == 0 || with == numbers || (with == 1 && numbers > 2)) return;
+  throw InputError(place, fmt::format("{} beside {}: is that one number? Write each value with its "
+                                      "unit, and decimals after a point",
+                                      in_quotes(values[0]), in_quotes(values[1])));
+}
 
 study::Axis parse_axis(const std::string& key_and_values) {
   const std::size_t equal = key_and_values.find('=');

@@ -23,4 +23,9 @@ inline constexpr int kUsualPoints = 11;
 [[nodiscard]] std::vector<study::Axis> parse_axes(const std::vector<std::string>& vary,
                                                   const std::vector<Override>& set);
 
+/// One unit serves all values of a list. Refused is what may be a number with commas: two values of
+/// which one has a unit ("1,5 kN"), or several of which some have ("1,500 rpm,2,000 rpm").
+/// InputError at `place`.
+void expect_no_commas_in_numbers(const std::vector<std::string>& values, const std::string& place);
+
 }  // namespace shellback::app

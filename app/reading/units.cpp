@@ -54,19 +54,6 @@ std::string dimension_name(const Dimension& dimension) {
   return name != nullptr ? name : "another quantity";
 }
 
-std::string_view trimmed(std::string_view text) {
-  // Pages and word processors write blanks that no line breaks at (U+00A0, U+202F) and thin ones.
-  constexpr std::string_view kBlanks[]{" ", "\t", "\u00a0", "\u202f", "\u2009"};
-  for (bool more = true; more;) {
-    more = false;
-    for (const std::string_view blank : kBlanks) {
-      if (text.starts_with(blank)) text.remove_prefix(blank.size()), more = true;
-      if (text.ends_with(blank)) text.remove_suffix(blank.size()), more = true;
-    }
-  }
-  return text;
-}
-
 std::string cure(const Kind& kind) {
   return fmt::format("units that would do: {}; for example \"{}\"", kind.units, kind.example);
 }
@@ -259,6 +246,9 @@ std::pair<double, std::string_view> split_number(std::string_view text, const Ki
   constexpr std::string_view kMinus = "\u2212";  // as pages print it
   const bool minus = body.starts_with(kMinus);
   if (minus) body.remove_prefix(kMinus.size());
+  if (minus && (body.starts_with("-") || body.starts_with("+"))) {
+    throw UnitError(fmt::format("{} has two signs", in_quotes(text)));
+  }
   if (body.starts_with("+")) body.remove_prefix(1);
   double number = 0.0;
   const auto [end, error] = std::from_chars(body.data(), body.data() + body.size(), number);
@@ -295,6 +285,19 @@ void check_dimension(std::string_view unit_text, const Unit& unit, const Kind& k
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  // Pages and word processors write blanks that no line breaks at (U+00A0, U+202F) and thin ones.
+  constexpr std::string_view kBlanks[]{" ", "\t", "\u00a0", "\u202f", "\u2009"};
+  for (bool more = true; more;) {
+    more = false;
+    for (const std::string_view blank : kBlanks) {
+      if (text.starts_with(blank)) text.remove_prefix(blank.size()), more = true;
+      if (text.ends_with(blank)) text.remove_suffix(blank.size()), more = true;
+    }
+  }
+  return text;
+}
 
 double parse_quantity(std::string_view text, const Kind& kind) {
   const auto [number, unit_text] = split_number(trimmed(text), kind);

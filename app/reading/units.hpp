@@ -83,6 +83,9 @@ struct NumberAndUnit {
   std::string unit;  ///< may be empty
 };
 
+/// Without the blanks at its ends, those that pages and word processors write among them.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
 /// Nothing if no finite number stands in front; whatever follows is taken for its unit.
 [[nodiscard]] std::optional<NumberAndUnit> number_in_front(std::string_view text);
 /// The same, nothing if what follows is the unit of no quantity ("0W20", "1500rpm.csv").

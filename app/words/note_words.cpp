@@ -225,12 +225,6 @@ std::string text_of(const note::ToleranceNotMet& n) {
 }
 
 std::string text_of(const note::ShaftSwing& n) {
-  if (n.standing > n.T) {
-    return fmt::format(
-        "the shaft's surface has one temperature around, though the journal does not turn on: one "
-        "side of it would stay warmer, by up to +- {:.2g} K",
-        n.standing);
-  }
   if (n.over_event) {
     return fmt::format(
         "the shaft's surface has one temperature around: as it turns it would swing by about +- "
@@ -239,18 +233,33 @@ std::string text_of(const note::ShaftSwing& n) {
   }
   return fmt::format(
       "the shaft's surface is at its mean over the cycle: as it turns, and over the cycle, it "
-      "would swing by about +- {:.2g} K",
-      n.T);
+      "would swing by about +- {:.2g} K{}",
+      n.T,
+      n.standing > n.T
+          ? fmt::format("; one side of it, which meets more of the heat as the journal "
+                        "does not turn evenly, would stay warmer, by up to +- {:.2g} K",
+                        n.standing)
+          : "");
 }
 
 std::string text_of(const note::LongEvent& n) {
   return fmt::format(
       "heat goes some {:.2g} mm into the walls while this event lasts, deeper than a quarter of "
       "the "
-      "shaft's radius ({:.2g} mm), up to which none of it goes sideways: walls are told too warm, "
-      "by a twentieth of their rise and more; over so long a time run --transient follows the "
-      "bodies",
+      "bearing's radius ({:.2g} mm), from where on what goes sideways counts, which is left out: "
+      "walls are told too warm, by a twentieth of their rise and more, and their growth with them; "
+      "over so long a time run --transient follows the bodies",
       1e3 * n.reach, 1e3 * n.straight);
+}
+
+std::string text_of(const note::LoadMissed& n) {
+  return fmt::format(
+      "the step that is given (load_cycle.step) passes over load: between {:.4g} and {:.4g} ms it "
+      "is "
+      "in the mean {:.0f} % of its largest away from what it is at both ends; give a shorter one, "
+      "or "
+      "none",
+      1e3 * n.from, 1e3 * n.to, 100.0 * n.part);
 }
 
 std::string text_of(const note::EstimateOfFilm& n) {
@@ -301,8 +310,7 @@ std::string text_of(const note::FactorsContinued& n) {
 std::string text_of(const note::ShearBeyondLaw& n) {
   return fmt::format(
       "the oil is sheared at up to {:.2g} 1/s (sliding speed over film), and its law is told to "
-      "hold "
-      "up to {:.2g} 1/s (oil.valid.shear_rate)",
+      "hold up to {:.2g} 1/s (oil.valid.shear_rate)",
       n.rate, n.limit);
 }
 
@@ -358,8 +366,7 @@ std::string text_of(const note::NotLaminar& n) {
 std::string text_of(const note::FilmInertia& n) {
   return fmt::format(
       "inertia of the film matters, and is not modelled: rho omega c^2/eta is {:.2g}, viscous "
-      "forces "
-      "are no longer much larger",
+      "forces are no longer much larger",
       n.reduced);
 }
 
@@ -441,9 +448,10 @@ std::string text_of(const note::HardlySliding& n) {
 
 std::string text_of(const note::LayerPressed& n) {
   return fmt::format(
-      "the largest pressure compresses shell.layers.{} by {:.3g} % of its thickness: laws of small "
+      "the largest pressure {} shell.layers.{} by {:.3g} % of its thickness: laws of small "
       "strain err{}; check its youngs_modulus",
-      n.layer, 100.0 * n.strain, n.strain > 0.5 ? ", the numbers are no prediction" : "");
+      n.sheared ? "shears" : "compresses", n.layer, 100.0 * n.strain,
+      n.strain > 0.5 ? ", the numbers are no prediction" : "");
 }
 
 std::string text_of(const note::WornThrough& n) {

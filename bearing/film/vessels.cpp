@@ -68,8 +68,8 @@ std::vector<double> Vessels::switchings() const {
   for (const Vessel& v : given_) {
     for (const auto& window : v.open) {
       for (double t : window) {
-        if (std::abs(t - period_) <= kRoundOff * period_)
-          t = 0.0;  // the end of a period is its beginning
+        const bool at_end = std::isfinite(period_) && std::abs(t - period_) <= kRoundOff * period_;
+        if (at_end) t = 0.0;  // of a period: its beginning; an event has none
         times.push_back(t);
       }
     }
@@ -104,6 +104,16 @@ double Vessels::unknown(int vessel, const fluid::FilmScene& scene) const {
   return patch.fill < 1.0 ? -emptied : patch.pressure - p_cav_;
 }
 
+double Vessels::gap_known_to(const std::vector<double>& pockets) const {
+  double least = INFINITY;
+  for (std::size_t k = 0; k < of_patch_.size(); ++k) {
+    const double pocket = pockets[of_patch_[k]];
+    if (open_[k] || !(pocket > 0.0)) continue;
+    least = std::min(least, kEnough * kappa_[k] * (p_supply_[k] - p_cav_) / pocket);
+  }
+  return least;
+}
+
 /// The search for one vessel's unknown.
 struct Vessels::Search {
   double u = 0.0;                           ///< [Pa]
@@ -116,7 +126,6 @@ struct Vessels::Search {
 /// (4) with `out` of the vessel flowing at `s.u`: it rises with u, with another slope above zero
 /// than below.
 void Vessels::advance(int k, double own, double star, double out, Search& s) {
-  constexpr double kEnough = 1e-5;  // of the supply's pressure: as the film in time is solved
   const double span = p_supply_[k] - p_cav_;
   const double r = kappa_[k] * std::max(s.u, 0.0) - star + own * out;
   const bool holds = s.u > 0.0 || (s.u == 0.0 && r < 0.0);

@@ -44,6 +44,9 @@ class Vessels {
   /// are filled up, and what that takes is handed back [kg].
   double set_lines(double t, std::vector<double>& oil);
 
+  /// To which part of itself the gap over their pockets, which hold `pockets` of oil [kg], must be
+  /// known for (4) of the vessels whose line is shut; infinite: there are none [-].
+  [[nodiscard]] double gap_known_to(const std::vector<double>& pockets) const;
   /// Solves (4) for the vessels whose line is shut. `film` solves the film for what `scene` says of
   /// its supplies and tells the outflow of every patch [kg/s]; `scene` keeps what was found.
   using Film = std::function<Verdict(fluid::OilFlows&)>;
@@ -57,6 +60,8 @@ class Vessels {
   void members(Tape& tape);
 
  private:
+  /// Of the supply's pressure: as the film in time is solved [-].
+  static constexpr double kEnough = 1e-5;
   struct Search;
   void advance(int vessel, double own, double star, double out, Search& s);
   /// One unknown a vessel: above zero p - p_cav, below zero (fill - 1) (p_supply - p_cav) [Pa].

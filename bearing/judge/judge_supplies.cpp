@@ -127,7 +127,7 @@ void judge_pressure(const Supply& s, double p_cav, const std::string& path, Find
     to.suspect(
         key,
         "the groove goes all round, so that its pressure alone feeds the film, and that is the "
-        "cavitation pressure: no oil enters",
+        "cavitation pressure: no oil enters from it",
         "raise it, or lower model.cavitation_pressure");
   }
   compare(to, key, s.pressure, kBearingLimits.supply_pressure,

@@ -245,7 +245,8 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   if (film_->vessels().any_empty(film_->point().scene)) dry_ += dt;
   for (int k = 0; k < 2; ++k) impulse_[k] += step.impulse[k];
   off_balance_ = larger(off_balance_, step.off_balance);
-  off_content_ = larger(off_content_, step.off_content / i.oil);
+  const double sides = film_->model().domain.grid.multiplicity();
+  off_content_ = larger(off_content_, sides * step.off_content / i.oil);
   layer_loss_ += step.layer_loss;
   layer_depth_ = lasting_depth(step.after.layer.now);
   if (control.progress) {

@@ -95,6 +95,8 @@ class CycleRecord {
   /// By how much the shaft's surface would swing about its mean, as it turns and over the cycle:
   /// the half space under the first harmonic of either, q/(k sqrt(omega/a)) (textbook) [K].
   [[nodiscard]] note::ShaftSwing shaft_swing() const;
+  /// A load between the ends of a given step that these do not show.
+  void tell_missed_load(std::vector<Note>& warnings) const;
 
   const FilmSteps* film_;
   const LoadCourse* course_;

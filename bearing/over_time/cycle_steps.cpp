@@ -16,7 +16,7 @@ constexpr double kTaken = 1.5;  ///< a step of the period before stands until it
 
 CycleSteps::CycleSteps(FilmSteps& film, const LoadCourse& course, double length,
                        const StepOptions& options)
-    : film_(film), length_(length), options_(options), wish_(options.after_jump) {
+    : film_(film), length_(length), options_(options), wish_(begin_with(false)) {
   // A spline is smooth: its rows say where to look, and cut no step that is given.
   const LoadInterpolation lines = film.model().input.cycle->interpolation;
   const bool look = lines == LoadInterpolation::linear || !(options.fixed > 0.0);
@@ -62,6 +62,21 @@ double CycleSteps::end_of_step(double since, double dt) const {
   return length_ - end < round ? length_ : end;
 }
 
+/// The line of a vessel that opens or shuts is a jump, not of load or speed.
+bool CycleSteps::switched_at(double since) const {
+  const double round = kRoundOff * length_;
+  return std::any_of(corners_.begin(), corners_.end(), [&](const LoadCorner& c) {
+    return c.jump && c.slope_change == 0.0 && std::abs(c.t - since) < round;
+  });
+}
+
+/// A given step is whole from the beginning on, but where a vessel's pressure finds its level
+/// within microseconds: it would be passed over, and what swings beyond it told as its smallest.
+double CycleSteps::begin_with(bool switched) const {
+  if (!(options_.fixed > 0.0)) return options_.after_jump;
+  return switched ? std::min(options_.after_jump, options_.fixed) : options_.fixed;
+}
+
 bool CycleSteps::jump_at(double since) const {
   const double round = kRoundOff * length_;
   return std::any_of(corners_.begin(), corners_.end(), [&](const LoadCorner& c) {
@@ -80,17 +95,16 @@ FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, Peri
   const auto old = std::upper_bound(before_.begin(), before_.end(), since + kStepShorter * wish_);
   const bool chosen = !(options_.fixed > 0.0);
   const bool again = chosen && old != before_.end() && *old - since <= kStepLonger * wish_;
-  end = again ? std::min(*old, next_corner(since, *old - since))
-              : end_of_step(since, chosen ? wish_ : options_.fixed);
+  end = again ? std::min(*old, next_corner(since, *old - since)) : end_of_step(since, wish_);
   double most = again ? kTaken * options_.error : options_.error;
+  if (!chosen && !(wish_ < options_.fixed)) most = INFINITY;
   while (true) {
-    if (!chosen) most = INFINITY;
     FilmStep step = film_.take(end - since, now, cost, control.stop);
     const bool good = step.verdict.good();
     const bool ended =
         step.verdict.status == Status::interrupted || step.verdict.status == Status::invalid_number;
     if (ended || (good && step.error <= most)) return step;
-    most = options_.error;
+    if (std::isfinite(most)) most = options_.error;
     const double shorter =
         std::min(length_for(step, end - since, anew), kStepSafety * (end - since));
     if (shorter < options_.shortest) return step;
@@ -125,7 +139,7 @@ PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveCo
     const FilmSteps::Supplies supplies = film_.supplies();
     if (jump_at(since_) || now.oil_slope.empty()) {
       now.oil_slope.clear();
-      wish_ = options_.after_jump;
+      wish_ = begin_with(switched_at(since_));
     }
     double end = 0.0;
     FilmStep step = find(since_, now, end, end_, cost, control);
@@ -151,11 +165,13 @@ PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveCo
 
 void CycleSteps::accept(double end, FilmInTime& now, FilmStep& step, const TellStep& tell) {
   const double dt = end - since_;
+  const bool chosen = !(options_.fixed > 0.0);
   const double next = length_for(step, dt, now.oil_slope.empty());
   if (step.error > kTaken * options_.error) ++end_.over;
   // A step that was cut short says nothing against the length that was wished for.
   const bool cut = dt < (1.0 - kRoundOff) * wish_ && !(step.error > options_.error);
-  wish_ = std::min(options_.longest, cut ? std::max(wish_, next) : next);
+  if (chosen || wish_ < options_.fixed) wish_ = cut ? std::max(wish_, next) : next;
+  wish_ = std::min(wish_, chosen ? options_.longest : options_.fixed);
   since_ = end;
   step.after.t = begun_ + since_;
   ends_.push_back(since_);

@@ -53,6 +53,8 @@ class CycleSteps {
   [[nodiscard]] double next_corner(double since, double dt) const;
   /// Where the step that begins at `since` (within the period) and may be `dt` long ends.
   [[nodiscard]] double end_of_step(double since, double dt) const;
+  [[nodiscard]] bool switched_at(double since) const;
+  [[nodiscard]] double begin_with(bool switched) const;
   [[nodiscard]] bool jump_at(double since) const;
   /// Length of the next step, or of the next attempt.
   [[nodiscard]] double length_for(const FilmStep& step, double dt, bool anew) const;

@@ -228,6 +228,27 @@ double CycleRecord::difference(const CycleRecord& other) const {
   return larger(most, std::abs(change) / torque);
 }
 
+void CycleRecord::tell_missed_load(std::vector<Note>& warnings) const {
+  constexpr double kMissed =
+      0.1;                    // of the largest load: of a sine in steps of 30 degrees a fiftieth
+  constexpr int kLooks = 32;  // in a step
+  const double unit = course_->largest_load();
+  note::LoadMissed most;
+  for (std::size_t k = 1; k < instants_.size(); ++k) {
+    const CycleInstant& end = instants_[k];
+    const LoadNow a = course_->at(end.t - end.dt), b = course_->at(end.t, true);
+    double x = 0.0, y = 0.0;  // mean of the load less that of its ends
+    for (int i = 0; i < kLooks; ++i) {
+      const LoadNow here = course_->at(end.t - end.dt * (i + 0.5) / kLooks);
+      x += (here.x - 0.5 * (a.x + b.x)) / kLooks;
+      y += (here.y - 0.5 * (a.y + b.y)) / kLooks;
+    }
+    const double part = unit > 0.0 ? std::hypot(x, y) / unit : 0.0;
+    if (part > most.part) most = {part, end.t - end.dt, end.t};
+  }
+  if (most.part > kMissed) warnings.push_back(most);
+}
+
 void CycleRecord::write(CycleResult& r) const {
   const BearingModel& m = film_->model();
   const FilmGrid& g = m.domain.grid;
@@ -269,6 +290,7 @@ void CycleRecord::write(CycleResult& r) const {
   }
   for (const note::MouthWidened& w : film_->drillings().widened(film_->point().scene))
     r.warnings.push_back(w);
+  if (m.input.cycle->step) tell_missed_load(r.warnings);
   tell_ranges(r);
   if (film_->heat() && !heat_.to_shell.empty()) write_heat(r);
 }
@@ -319,9 +341,13 @@ note::ShaftSwing CycleRecord::shaft_swing() const {
     seen += i.dt / told() * std::polar(1.0, course_->turned(i.t));
   }
   const double as_it_turns = swing(turning, speed);
-  // What it sees all the time: of a solid cylinder, q_1 R/k (textbook); the film evens it out.
-  const double standing = std::abs(seen) * turning * g.radius / steel.conductivity;
-  if (!course_->repeats()) return {as_it_turns, true, 0.0};  // its surface is followed
+  if (!course_->repeats()) return {as_it_turns, true, 0.0};  // of an event that is passed once
+  // What it sees all the time, of a solid cylinder q_1 R/k (textbook; the film evens it out): as
+  // far as the next period begins where this one did, else that goes around, too.
+  const double net = std::remainder(course_->turned(length_), 2.0 * kPi);
+  const bool stays = std::abs(net) < kRoundOff;
+  const double slow = stays ? INFINITY : swing(1.0, std::abs(net) / length_);  // a kelvin by q_1
+  const double standing = std::abs(seen) * turning * std::min(g.radius / steel.conductivity, slow);
   double low = INFINITY, high = -INFINITY;
   for (const CycleInstant& i : instants_) {
     low = std::min(low, i.heat_to_shaft);

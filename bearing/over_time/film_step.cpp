@@ -237,7 +237,13 @@ Verdict FilmSteps::solve_film_and_fronts(const SuppliesStar& star, FilmEquilibri
 Verdict FilmSteps::solve_film(const SuppliesStar& star, const EquilibriumOptions& options,
                               FilmEquilibrium& film, EquilibriumCost& cost,
                               const std::atomic<bool>* stop) {
-  const auto solve = [&] { return newton({model_, point_, widening_, options, stop}, film, cost); };
+  EquilibriumOptions within = options;  // a hundredth of the gap may be all that a vessel holds
+  if (vessels_.any()) {
+    constexpr double kLeast = 1e-10;  // what the elastic surfaces can be solved to
+    within.elastic_tolerance =
+        std::min(within.elastic_tolerance, std::max(kLeast, vessels_.gap_known_to(star.pockets)));
+  }
+  const auto solve = [&] { return newton({model_, point_, widening_, within, stop}, film, cost); };
   if (!vessels_.any()) return solve();
   return vessels_.solve(star.own, star.vessels, point_.scene, [&](fluid::OilFlows& flows) {
     fluid::impose_supply(point_.scene.supply, film.film);

@@ -65,7 +65,7 @@ struct FilmStep {
   double line = 0.0;          ///< come from the supplies' lines: the same and into vessels [kg]
   std::array<double, 2> impulse{};  ///< of the film on the journal [N s]
   double off_balance = 0.0;         ///< largest residual of the force balance [N]
-  double off_content = 0.0;         ///< oil held at its end beside that carried, by cells [kg]
+  double off_content = 0.0;         ///< oil held at its end beside that carried, solved part [kg]
   HeatFlows heat;                   ///< over the step [J]; tiers with film temperatures
 };
 

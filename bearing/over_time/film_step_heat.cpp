@@ -45,7 +45,7 @@ Field FilmSteps::widening_at(double t, const std::vector<double>& skin) const {
       widening[c] += left * (growth_.from[c] - widening[c]);
     }
   }
-  if (!widening.empty()) add(-1.0, heat_->swelling(skin), widening);
+  if (!widening.empty()) add(-1.0, heat_->swelling(model_, skin), widening);
   return widening;
 }
 
@@ -87,7 +87,7 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
   } else {
     if (!leave_room(walls, now)) return false;
     growth_ = {widening_, now.t, kGrows * period};
-    if (!widening_.empty()) add(1.0, heat_->swelling(now.heat.skin), growth_.from);
+    if (!widening_.empty()) add(1.0, heat_->swelling(model_, now.heat.skin), growth_.from);
     heat_->walls = std::move(walls);
   }
   renew_heat(now);

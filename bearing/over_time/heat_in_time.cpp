@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "bearing/heat_state.hpp"
+#include "bearing/over_time/skin_growth.hpp"
 #include "bearing/temperature_limits.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
@@ -14,11 +15,6 @@
 namespace shellback::bearing {
 namespace {
 
-thermal::SkinLayer skin_layer(const solid::Material& m, double thickness) {
-  const double held = (1.0 + m.poisson_ratio) / (1.0 - m.poisson_ratio);
-  return {thickness, m.conductivity, m.density * m.heat_capacity, held * m.expansion};
-}
-
 bool is_event(const BearingModel& m) { return m.input.cycle && !m.input.cycle->repeats(); }
 
 /// Period to whose depth a skin must reach: heat that flows on over an event goes twice as deep as
@@ -27,14 +23,19 @@ double reach_of(const BearingModel& m, double length) {
   return is_event(m) ? 4.0 * length : length;
 }
 
+/// Layers that a skin of the shell may go through: a given temperature is that of the shell's back,
+/// before a housing.
+std::size_t layers_of_skin(const Case& c, const Solids::Layers& all) {
+  const bool cooled = std::holds_alternative<ConvectiveBack>(c.shell->back);
+  return cooled ? all.thickness.size() : all.last_of_shell + 1;
+}
+
 thermal::WallSkin shell_skin(const Case& c, double period, double shortest) {
   const Solids::Layers layers = wall_layers(c);
   const auto* cooled = std::get_if<ConvectiveBack>(&c.shell->back);
-  // A given temperature is that of the shell's back, before a housing.
-  const std::size_t last = cooled ? layers.thickness.size() : layers.last_of_shell + 1;
   std::vector<thermal::SkinLayer> out;
-  for (std::size_t k = 0; k < last; ++k) {
-    out.push_back(skin_layer(layers.material[k], layers.thickness[k]));
+  for (std::size_t k = 0; k < layers_of_skin(c, layers); ++k) {
+    out.push_back(skin_of_shell(layers.material[k], layers.thickness[k], layers.material.back()));
   }
   return {out, period, shortest, cooled ? cooled->heat_transfer : INFINITY, 1.0 / c.bearing.radius};
 }
@@ -136,7 +137,7 @@ double reach_of_heat(const Case& c, double t) {
   };
   const Solids::Layers shell = wall_layers(c);
   double deep = 0.0, left = 1.0;  // of the time's square root
-  for (std::size_t k = 0; k < shell.thickness.size() && left > 0.0; ++k) {
+  for (std::size_t k = 0; k < layers_of_skin(c, shell) && left > 0.0; ++k) {
     const double in_layer = std::min(left * reach(shell.material[k]), shell.thickness[k]);
     deep += in_layer;
     left -= in_layer / reach(shell.material[k]);
@@ -193,10 +194,9 @@ void HeatFlows::add(double f, const HeatFlows& other) {
 HeatSteps::HeatSteps(const BearingModel& model, double period, double shortest)
     : skin_(shell_skin(model.input, reach_of(model, period), shortest)) {
   if (!is_event(model)) return;
-  const thermal::SkinLayer shaft =
-      skin_layer(model.input.shaft->material, model.input.bearing.radius);
-  shaft_.emplace(std::vector{shaft}, reach_of(model, period), shortest, 0.0,
-                 -1.0 / model.input.bearing.radius);
+  const double R = model.input.bearing.radius;
+  const thermal::SkinLayer shaft = skin_of_shaft(model.input.shaft->material, R);
+  shaft_.emplace(std::vector{shaft}, reach_of(model, period), shortest, 0.0, -1.0 / R);
 }
 
 HeatInTime HeatSteps::begin(const BearingModel& model, std::vector<double> T,
@@ -307,15 +307,17 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
   return out;
 }
 
-Field HeatSteps::swelling(const std::vector<double>& skin) const {
-  Field narrower(skin.empty() ? 0 : walls.thermal_deformation.size());
+Field HeatSteps::swelling(const BearingModel& model, const std::vector<double>& skin) const {
+  if (skin.empty() || walls.thermal_deformation.empty()) return {};
   const auto nodes = static_cast<std::size_t>(skin_.nodes());
-  for (std::size_t c = 0; c < narrower.size(); ++c) narrower[c] = skin_.swelling(&skin[c * nodes]);
+  const std::size_t cells = walls.thermal_deformation.size(), rings = walls.shaft.size();
+  std::vector<thermal::SkinGrowth> shell(cells);
+  for (std::size_t c = 0; c < cells; ++c) shell[c] = skin_.growth(&skin[c * nodes]);
+  Field narrower = narrowed_by_shell(model, shell);
   if (!shaft_) return narrower;
-  const std::size_t rings = walls.shaft.size();
-  for (std::size_t c = 0; c < narrower.size(); ++c) {
-    const std::size_t at = narrower.size() * nodes + c % rings * shaft_->nodes();
-    narrower[c] += shaft_->swelling(&skin[at]);
+  for (std::size_t c = 0; c < cells; ++c) {
+    const std::size_t at = cells * nodes + c % rings * shaft_->nodes();
+    narrower[c] += narrowed_by_shaft(shaft_->growth(&skin[at]));
   }
   return narrower;
 }

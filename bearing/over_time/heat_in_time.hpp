@@ -108,7 +108,7 @@ class HeatSteps {
                                 const std::vector<double>& T) const;
 
   /// By which the skins of temperatures `skin` narrow the gap [m]; empty: no thermal deformation.
-  [[nodiscard]] Field swelling(const std::vector<double>& skin) const;
+  [[nodiscard]] Field swelling(const BearingModel& model, const std::vector<double>& skin) const;
 
   WallMeans walls;  ///< of this cycle
   [[nodiscard]] const thermal::WallSkin& skin() const { return skin_; }

@@ -263,5 +263,7 @@ TEST_CASE("BlanksAndMinusOfPagesAreRead") {
   check("12\u202fmm", kLength, 0.012);
   check("\u221212 mm", kLength, -0.012);
   CHECK_FALSE(message("1\u00a0000 mm", kLength).empty());  // one thousand, or one and none?
-  CHECK_FALSE(message("\u2212\u221212 mm", kLength).empty());
+  for (const char* slip : {"\u2212\u221212 mm", "\u2212-12 mm", "\u2212+12 mm", "-\u221212 mm"}) {
+    CHECK_FALSE(message(slip, kLength).empty());
+  }
 }

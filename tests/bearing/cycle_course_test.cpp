@@ -262,6 +262,16 @@ TEST_CASE("APulseOfASplineIsNotPassedOver", "[cycle]") {
       // a spline through rows of a quarter of the pulse's width rises a few per cent above lines
       CHECK(value_of(spline, "p_max") == Approx(value_of(lines, "p_max")).epsilon(0.1));
       CHECK(value_of(spline, "h_min") == Approx(value_of(lines, "h_min")).epsilon(0.02));
+      // A step that is given goes over it, and says so; one of half its width does not.
+      for (const double degrees : {6.0, 0.5}) {
+        c.cycle->step = degrees * kDegree / cycle.crank_speed;
+        if (degrees < 1.0 && place != 207.0) continue;
+        const CycleResult given = solve_cycle(c, Tier::isothermal);
+        REQUIRE(given.verdict.good());
+        CHECK(std::any_of(given.warnings.begin(), given.warnings.end(), [](const Note& n) {
+                return std::holds_alternative<note::LoadMissed>(n);
+              }) == (degrees > 1.0));
+      }
     }
   }
 }

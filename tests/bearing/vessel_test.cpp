@@ -316,3 +316,54 @@ TEST_CASE("NoVesselStandsBesideAnotherSupplyWithoutALand", "[vessel]") {
   CHECK(refused(60.0));
   CHECK_FALSE(refused(101.0));
 }
+
+TEST_CASE("AnEventsStepsEndWhereAVesselIsShut", "[vessel]") {
+  // The end of an event, which has no period, was taken for every switching's own: no step ended on
+  // any, and a given one passed it over (a pressure of 0 for 0.25 bar, with bars of 0).
+  Case c = leaking_case();
+  c.cycle->t = {0.0, 8e-3};
+  c.supplies[0].vessel->open = {{0.0, 3.3e-3}};
+  const double rate = leak_rate(c);
+  for (const double step : {0.0, 1e-3}) {
+    if (step > 0.0) c.cycle->step = step;
+    const CycleResult r = with_vessels(c);
+    const auto shut = std::find_if(r.instants.begin(), r.instants.end(), [](const CycleInstant& i) {
+      return std::abs(i.t - 3.3e-3) < 1e-9;
+    });
+    REQUIRE(shut != r.instants.end());
+    CHECK(shut->p_vessel == Approx(2e5));
+    for (auto i = shut; i != r.instants.end(); ++i) {
+      const double p = 2e5 * std::exp(-rate * (i->t - 3.3e-3));
+      INFO(step << ", " << i->t);
+      CHECK(i->p_vessel == Approx(p).margin(4e3));  // 2 % of the supply's
+    }
+  }
+}
+
+TEST_CASE("AShutVesselBehindASoftGrooveIsFound", "[vessel]") {
+  // What a step left open in the gap over the groove was as much as the vessel holds: whether its
+  // pressure was found hung on the volume.
+  Case c = warm_case();
+  c.supplies.resize(1);
+  Supply& s = c.supplies[0];
+  s.kind = SupplyKind::circumferential_groove;
+  s.arc = 2.0 * kPi;
+  s.length = 0.3 * c.bearing.width;
+  s.pressure = 2e5;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {36, 7};
+  c.model.tolerance = 0.05;
+  LoadCycle cycle;
+  cycle.period = 20e-3;
+  cycle.t = {0.0, 5e-3, 10e-3, 15e-3};
+  cycle.x = {0.0, 1.5e3, 0.0, -1.5e3};
+  cycle.y = {-4e3, -2e3, -1e3, -2e3};
+  c.cycle = cycle;
+  std::vector<double> torque;
+  for (const double volume : {0.1e-6, 0.3e-6, 1e-6, 3e-6}) {
+    s.vessel = Vessel{volume, 1.5e9, {{4e-3, 8e-3}}};
+    INFO(volume << " m3");
+    torque.push_back(value_of(with_vessels(c), "friction_torque"));
+  }
+  for (const double t : torque) CHECK(t == Approx(torque.front()).epsilon(0.01));
+}

@@ -83,7 +83,7 @@ TEST_CASE("TheSkinNarrowsTheGapAsItSwells", "[wall_growth]") {
   const auto missed = [](int steps) {
     Swinging b;
     b.go(steps, 0.25 * kPeriod / steps);
-    const Field swelling = b.steps.heat()->swelling(b.now.heat.skin);
+    const Field swelling = b.steps.heat()->swelling(b.model, b.now.heat.skin);
     Field off = b.widening();
     for (std::size_t c = 0; c < off.size(); ++c) {
       off[c] -= b.steps.heat()->walls.thermal_deformation[c] - swelling[c];
@@ -113,7 +113,7 @@ TEST_CASE("TheGapGrowsFromTheWallsOfOneCycleToThoseOfTheNext", "[wall_growth]") 
   b.go(1, 1e-4 * kPeriod);
   CHECK(largest_difference(b.widening(), before) < 1e-4 * jump);
   b.go(40, 0.1 * kPeriod / 40.0);
-  const Field swelling = b.steps.heat()->swelling(b.now.heat.skin);
+  const Field swelling = b.steps.heat()->swelling(b.model, b.now.heat.skin);
   Field whole = standing;
   for (std::size_t c = 0; c < whole.size(); ++c) whole[c] -= swelling[c];
   CHECK(largest_difference(b.widening(), whole) < 1e-3 * jump);

@@ -5,6 +5,7 @@
 
 #include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
+#include "fidelity/bar_rules.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
@@ -146,4 +147,25 @@ TEST_CASE("BarsOfATorqueThatChangesItsSignHoldShorterSteps", "[cycle]") {
   INFO(q.quantity.value << " " << q.quantity.magnitude << " " << q.quantity.error_time << " "
                         << time);
   CHECK(q.quantity.error_time < 0.05 * q.quantity.magnitude);
+}
+
+TEST_CASE("ALayerThatThePressuresBarReachesHasNoBarOfItsOwn") {
+  // Coarser grids on which it does not flow either made the bar 0 where finer ones have 13 nm.
+  Case c = plain_case();
+  solid::Material coating;
+  coating.hardness = 38e6;
+  c.shell = Shell{};
+  c.shell->layers = {{coating, 20e-6}};
+  c.shell->layers[0].elasto_plastic = true;
+  Quantity depth{"layer_depth", 0.0, "m"}, p_max{"p_max", 37e6, "Pa"};
+  p_max.error_grid = 2e6;
+  CHECK(fidelity::layer_may_have_flowed(c, depth, p_max));
+  p_max.error_grid = 0.5e6;
+  CHECK_FALSE(fidelity::layer_may_have_flowed(c, depth, p_max));
+  p_max.error_grid = 2e6;
+  depth.value = 1e-9;  // it has flowed: grids tell how much
+  CHECK_FALSE(fidelity::layer_may_have_flowed(c, depth, p_max));
+  depth.value = 0.0;
+  c.shell->layers[0].elasto_plastic = false;
+  CHECK_FALSE(fidelity::layer_may_have_flowed(c, depth, p_max));
 }

@@ -56,7 +56,7 @@ TEST_CASE("PlainNumbersNeedNoUnit") {
 }
 
 TEST_CASE("ListsHoldNumbersOrWords") {
-  const auto loads = parse_axis("operation.load=4 kN,8 kN");
+  const auto loads = parse_axis("operation.load=4, 8 kN");
   CHECK(loads.words == std::vector<std::string>{"4 kN", "8 kN"});
   CHECK(loads.numbers == std::vector<double>{4.0, 8.0});
   const auto grids = parse_axis("model.grid=[100,13],[200,25]");
@@ -132,4 +132,6 @@ TEST_CASE("ACommaOfDecimalsIsNoList") {
   // Swept were 1 kN and 5 kN.
   check_axis_refused("operation.load=1,5 kN", {"\"1\" beside \"5 kN\"", "one number", "point"});
   check_axis_refused("operation.speed=1,500 rpm,2,000 rpm", {"one number"});
+  CHECK(parse_axis("operation.speed=1000,2000,3000 rpm").words.back() == "3000 rpm");
+  CHECK(parse_axis("operation.speed=1000 rpm,2000,3000").words[1] == "2000 rpm");
 }

@@ -234,11 +234,23 @@ Verdict FilmSteps::solve_film_and_fronts(const SuppliesStar& star, FilmEquilibri
   return solve_film(star, options_, film, cost, stop);
 }
 
+double FilmSteps::filled_in(double own, const FilmEquilibrium& film) const {
+  constexpr double kLeast = 1e-4;  // the film of a bearing at rest is not known better
+  const Field oil = fluid::oil_content(point_.scene, film.gap, film.oil, film.film);
+  const double flown = own * fluid::flow_scale(film.flow);
+  const FilmGrid& g = model_.domain.grid;
+  double held = 0.0;
+  for (int c = 0; c < g.cells(); ++c) held += oil[c] * g.area(c);
+  return flown > held ? std::max(kLeast, held / flown) : 1.0;
+}
+
 Verdict FilmSteps::solve_film(const SuppliesStar& star, const EquilibriumOptions& options,
                               FilmEquilibrium& film, EquilibriumCost& cost,
                               const std::atomic<bool>* stop) {
-  EquilibriumOptions within = options;  // a hundredth of the gap may be all that a vessel holds
+  EquilibriumOptions within = options;
+  within.film_tolerance *= filled_in(star.own, film);
   if (vessels_.any()) {
+    // A hundredth of the gap may be all that a vessel holds.
     constexpr double kLeast = 1e-10;  // what the elastic surfaces can be solved to
     within.elastic_tolerance =
         std::min(within.elastic_tolerance, std::max(kLeast, vessels_.gap_known_to(star.pockets)));

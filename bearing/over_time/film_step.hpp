@@ -185,6 +185,9 @@ class FilmSteps {
   };
   [[nodiscard]] SuppliesStar supplies_star(int i, double dt, const std::vector<FilmStage>& stages,
                                            const FilmInTime& now) const;
+  /// Part of the film's residual that may stay in a stage longer than its largest flow takes to
+  /// fill the gap: what it leaves open of the oil grows with the stage [-].
+  [[nodiscard]] double filled_in(double own, const FilmEquilibrium& film) const;
   /// The film of stage i and what its vessels hold.
   [[nodiscard]] Verdict solve_film(const SuppliesStar& star, const EquilibriumOptions& options,
                                    FilmEquilibrium& film, EquilibriumCost& cost,

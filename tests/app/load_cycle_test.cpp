@@ -467,6 +467,19 @@ TEST_CASE("WordsBesideTheNameOfAColumnBelongToIt") {
   const std::string rows = "0, 0, -1\n90, 0, -2\n";
   for (const std::string column : {"load_x per 10 [kN]", "load_x [kN] [N]", "load_x [kN] mean"}) {
     check_against("angle [deg], " + column + ", load_y [N]\n" + rows,
-                  {"load.csv:1:14", "the column \"load_x ", "is not known"});
+                  {"load.csv:1:14", "\"load_x ", "for example angle [deg]"});
   }
+}
+
+TEST_CASE("ATableOfOursMayHaveASeparatorBehindItsMarkAndQuotesWithOneInThem") {
+  const ScratchFolder folder;
+  const std::string head = "angle [deg],#remark,load_x [kN],load_y [kN],shellback,\n";
+  const auto c =
+      read(folder, kInDegrees,
+           head + "0,\"a, b\",0,-1,0.2.0,\n90,c,0,-2,0.2.0,\n180,,0,-3,,\n270,,0,-2,0.2.0,\n");
+  CHECK(c.cycle->y[2] == -3000.0);
+  check_against("angle [deg],load_x [kN],load_y [kN]\n0;0;-1\n",
+                {"load.csv:2:1", "1 fields", "end at \",\""});
+  check_against("angle (deg), load_x [kN], load_y [kN]\n0,0,-1\n",
+                {"load.csv:1:1", "\"angle (deg)\"", "brackets"});
 }

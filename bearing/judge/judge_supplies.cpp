@@ -58,6 +58,8 @@ void judge_axial(const Supply& s, const Bearing& b, const std::string& path, Fin
                           shown(std::max(0.0, half - 0.5 * s.length), "mm")));
   } else if (line || reach < half * (1.0 - kRoundOff)) {
     return;
+  } else if (s.pressure == 0.0 && s.length >= b.width * (1.0 - kRoundOff) && !is_round(s)) {
+    return;  // open to the sides, where the pressure is its own: the groove of a stern tube
   } else if (s.length >= b.width * (1.0 - kRoundOff)) {
     const bool hole = is_round(s);
     to.refuse(key,

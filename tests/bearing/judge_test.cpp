@@ -595,3 +595,26 @@ TEST_CASE("AGrooveWhereTheLoadPressesIsTold") {
   c.supplies[0].length = 0.4 * c.bearing.width;        // film is left on both sides
   CHECK(told(270.0 * kDegree, 1e5) == 0);
 }
+
+TEST_CASE("AGrooveAsWideAsTheBearingHasThePressureOfItsSides") {
+  Case c = plain_case();
+  Supply& groove = c.supplies[0];
+  groove.arc = 30.0 * kDegree;
+  groove.angle = 180.0 * kDegree;
+  groove.length = c.bearing.width;
+  groove.pressure = 2e5;
+  CHECK_THROWS_AS(expect_solvable(c), InputError);  // it cannot hold that
+  groove.pressure = 0.0;
+  CHECK_NOTHROW(expect_solvable(c));
+  // The limit of one that leaves ever narrower lands.
+  c.model.grid = {96, 25};
+  const auto flow = [&](double part) {
+    c.supplies[0].length = part * c.bearing.width;
+    const Solution s = solve_tier(c, Tier::isothermal);
+    REQUIRE(s.verdict.good());
+    return summarize(s, Tier::isothermal).value("side_flow");
+  };
+  const double open = flow(1.0), near = flow(0.99), far = flow(0.96);
+  CHECK(near == Approx(open).epsilon(0.02));
+  CHECK(std::abs(open - near) < 0.6 * std::abs(open - far));
+}

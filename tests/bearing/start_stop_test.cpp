@@ -243,7 +243,7 @@ TEST_CASE("FrictionNearRestIsIntegratedAsItTurns", "[start_stop]") {
   c.model.grid = {36, 5};
   c.model.tolerance = 0.01;
   const CycleResult chosen = converged(c);
-  c.cycle->step = 1e-3;
+  c.cycle->step = 4e-3;  // steps end in between where the speed is low
   const CycleResult fine = converged(c);
   CHECK(value(chosen, "friction_torque") ==
         Approx(value(fine, "friction_torque")).epsilon(2e-3));  // a fifth of the tolerance

@@ -97,7 +97,7 @@ FilmStep CycleSteps::find(double since, const FilmInTime& now, double& end, Peri
   const bool again = chosen && old != before_.end() && *old - since <= kStepLonger * wish_;
   end = again ? std::min(*old, next_corner(since, *old - since)) : end_of_step(since, wish_);
   double most = again ? kTaken * options_.error : options_.error;
-  if (!chosen && !(wish_ < options_.fixed)) most = INFINITY;
+  if (!chosen && !eased_) most = INFINITY;
   while (true) {
     FilmStep step = film_.take(end - since, now, cost, control.stop);
     const bool good = step.verdict.good();
@@ -120,7 +120,7 @@ void CycleSteps::repeat(const CycleSteps& other) {
 }
 
 void CycleSteps::members(Tape& tape) {
-  tape(ends_, before_, wish_, begun_, since_, end_.accepted, end_.rejected, end_.over);
+  tape(ends_, before_, wish_, eased_, begun_, since_, end_.accepted, end_.rejected, end_.over);
 }
 
 PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveControl& control,
@@ -139,7 +139,8 @@ PeriodEnd CycleSteps::pass(FilmInTime& now, EquilibriumCost& cost, const SolveCo
     const FilmSteps::Supplies supplies = film_.supplies();
     if (jump_at(since_) || now.oil_slope.empty()) {
       now.oil_slope.clear();
-      wish_ = begin_with(switched_at(since_));
+      eased_ = options_.fixed > 0.0 && switched_at(since_);
+      wish_ = begin_with(eased_);
     }
     double end = 0.0;
     FilmStep step = find(since_, now, end, end_, cost, control);
@@ -170,8 +171,9 @@ void CycleSteps::accept(double end, FilmInTime& now, FilmStep& step, const TellS
   if (step.error > kTaken * options_.error) ++end_.over;
   // A step that was cut short says nothing against the length that was wished for.
   const bool cut = dt < (1.0 - kRoundOff) * wish_ && !(step.error > options_.error);
-  if (chosen || wish_ < options_.fixed) wish_ = cut ? std::max(wish_, next) : next;
+  wish_ = chosen || eased_ ? (cut ? std::max(wish_, next) : next) : options_.fixed;
   wish_ = std::min(wish_, chosen ? options_.longest : options_.fixed);
+  eased_ = eased_ && wish_ < options_.fixed;
   since_ = end;
   step.after.t = begun_ + since_;
   ends_.push_back(since_);

@@ -71,6 +71,7 @@ class CycleSteps {
   std::vector<double> ends_;         ///< of the steps of this period [s]
   std::vector<double> before_;       ///< and of the one before [s]
   double wish_ = 0.0;                ///< length that the error allows [s]
+  bool eased_ = false;               ///< a given step is chosen behind a switching
   double begun_ = 0.0;               ///< of this period, in the course's time [s]
   double since_ = 0.0;               ///< its beginning [s]
   PeriodEnd end_;                    ///< so far

@@ -9,7 +9,7 @@
 /// with the flows, the oil and the friction of that stage, so that heat is conserved to the round-
 /// off of the sweeps. Shell and film are solved together, column by column.
 /// The walls' bodies answer far more slowly than a cycle lasts: they hold their mean over it
-/// (cycle_walls.hpp), and the skin swings about it and swells (thermal/wall_skin.hpp (3)). The
+/// (cycle_walls.hpp), and the skin swings about it and grows (skin_growth.hpp). The
 /// shaft turns: its surface is at its mean (thermal/shaft_conduction.hpp). Over a single event
 /// there is no mean to come to: the shaft has a skin, too, one for each ring of cells, which meets
 /// the mean of the heat around,

@@ -278,9 +278,10 @@ std::string running_in_svg(const bearing::Case& c, const RunningInRun& run,
 
 std::string worn_shape_csv(const bearing::Case& c, const RunningInRun& run) {
   std::string csv;
-  if (!run.verdict.good()) {  // app/reading/csv_table.hpp
-    csv = fmt::format("# not finished: {}; this is the shape after {:.4g} s\n",
-                      reason_of(run.verdict), run.states.empty() ? 0.0 : run.states.back().t);
+  if (!run.verdict.good()) {                                          // app/reading/csv_table.hpp
+    const double t = run.states.empty() ? 0.0 : run.states.back().t;  // none: a search at rest
+    const std::string when = std::isfinite(t) ? fmt::format("after {:.4g} s", t) : "last looked at";
+    csv = fmt::format("# not finished: {}; this is the shape {}\n", reason_of(run.verdict), when);
   }
   csv += "phi [deg], z [mm], height [um]\n";
   const bearing::Profile table = bearing::wear_table(run.grid, run.wear);

@@ -245,8 +245,8 @@ std::string text_of(const note::ShaftSwing& n) {
 std::string text_of(const note::LongEvent& n) {
   return fmt::format(
       "heat goes some {:.2g} mm into the walls while this event lasts, deeper than a quarter of "
-      "the "
-      "bearing's radius ({:.2g} mm), from where on what goes sideways counts, which is left out: "
+      "the bearing's radius ({:.2g} mm), from where on what goes sideways counts, which is left "
+      "out: "
       "walls are told too warm, by a twentieth of their rise and more, and their growth with them; "
       "over so long a time run --transient follows the bodies",
       1e3 * n.reach, 1e3 * n.straight);
@@ -254,11 +254,8 @@ std::string text_of(const note::LongEvent& n) {
 
 std::string text_of(const note::LoadMissed& n) {
   return fmt::format(
-      "the step that is given (load_cycle.step) passes over load: between {:.4g} and {:.4g} ms it "
-      "is "
-      "in the mean {:.0f} % of its largest away from what it is at both ends; give a shorter one, "
-      "or "
-      "none",
+      "the step that is given (load_cycle.step) passes over load: between {:.4g} and {:.4g} ms its "
+      "mean is {:.0f} % of its largest away from that of both ends; give a shorter one, or none",
       1e3 * n.from, 1e3 * n.to, 100.0 * n.part);
 }
 

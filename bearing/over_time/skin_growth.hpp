@@ -14,7 +14,8 @@
 /// r^-n and r^(2-n) of an infinite plane (Airy, textbook); plane strain, (3) of a ring of free
 /// ends. The surface of a shaft, a ring of one temperature, grows by
 ///   u = 2 int w alpha T dy                                                                (4)
-/// Valid while heat has gone less deep than the wall is thick; thin shells bend otherwise.
+/// A clamped housing counts as endless in (3). Valid while heat has gone less deep than the wall is
+/// thick; thin shells bend otherwise.
 #include <vector>
 
 #include "bearing/bearing.hpp"

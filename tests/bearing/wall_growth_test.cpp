@@ -5,6 +5,7 @@
 #include "bearing/over_time/cycle.hpp"
 #include "bearing/over_time/cycle_record.hpp"
 #include "bearing/over_time/film_step.hpp"
+#include "bearing/over_time/skin_growth.hpp"
 #include "core/constants.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
@@ -163,4 +164,44 @@ TEST_CASE("TheShaftsSwingThatIsToldIsThatOfAHalfSpaceUnderTheFluxOfTheCycle", "[
   const double wanted =
       swing(kStanding, b.c.operation.omega) + swing(kSwinging, 2.0 * kPi / kPeriod);
   CHECK(told == Approx(wanted).epsilon(1e-3));  // cells of unequal length beside the groove
+}
+
+TEST_CASE("ASkinGrowsAsItsHarmonicLetsIt", "[wall_growth]") {
+  // One material, warmer by T cos(n phi) in a depth y. Textbook: the surface of a half space rises
+  // by 2 (1 + nu) alpha T y, and a ring of free ends opens by 2 alpha T y a^2/(b^2 - a^2) as a
+  // whole (Lame's ring, T in its first y). The first harmonic, (2), is our own derivation.
+  Case c = warm_case();
+  const solid::Material m = steel();
+  c.shell->layers = {{m, 5e-3}};
+  Housing housing;
+  housing.material = m;
+  housing.outer_radius = 3.0 * c.bearing.radius;
+  c.shell->housing = housing;
+  const BearingModel model = make_bearing(c, physics_of(c, Tier::thd), {48, 6});
+  const FilmGrid& g = model.domain.grid;
+  const double T = 10.0, y = 0.5e-3, nu = m.poisson_ratio, unit = m.expansion * T * y;
+  const thermal::SkinLayer layer = skin_of_shell(m, y, m);
+  for (const auto& [n, exact] : {std::pair{0, -2.0 / 8.0},
+                                 {1, 0.5 * (1.0 + nu) / (1.0 - nu)},
+                                 {2, 2.0 * (1.0 + nu)},
+                                 {5, 2.0 * (1.0 + nu)}}) {
+    std::vector<thermal::SkinGrowth> skins;
+    for (int k = 0; k < g.cells(); ++k) {
+      const double warm = T * y * std::cos(n * g.phi[k / g.nz]);
+      skins.push_back({layer.own * warm, layer.push * warm, layer.stretch * warm});
+    }
+    const Field narrower = narrowed_by_shell(model, skins);
+    for (int k = 0; k < g.cells(); ++k) {
+      const double wanted = exact * unit * std::cos(n * g.phi[k / g.nz]);
+      // Cells beside the groove are not even: sums around know harmonics to second order.
+      CHECK(narrower[k] == Approx(wanted).margin(0.01 * unit));
+    }
+  }
+  // A coating without stiffness grows in its thickness, and pushes nothing.
+  solid::Material soft = m;
+  soft.youngs_modulus *= 1e-9;
+  const thermal::SkinLayer coating = skin_of_shell(soft, y, m);
+  const std::vector<thermal::SkinGrowth> warm(
+      g.cells(), {coating.own * T * y, coating.push * T * y, coating.stretch * T * y});
+  CHECK(narrowed_by_shell(model, warm)[0] == Approx((1.0 + nu) / (1.0 - nu) * unit).epsilon(1e-6));
 }
